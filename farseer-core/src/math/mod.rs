@@ -1,0 +1,17 @@
+//! The engine's mathematics, exact to the bit (behaviour chapter 01).
+//!
+//! nalgebra gives the types; every operation whose rounding matters is written out in f32, one rounding per
+//! operation, in the original's order, without fused multiply-add.
+
+pub mod matrix;
+pub mod scalar;
+pub mod vector2;
+
+/// A point or direction of the plane. Positions in the user's length unit, screen y down.
+pub type Vector2 = nalgebra::Vector2<f32>;
+
+/// A vector of three components; only `Matrix` rows are given out as such.
+pub type Vector3 = nalgebra::Vector3<f32>;
+
+/// A 4x4 matrix in row vector convention: translation in `m41`, `m42`.
+pub type Matrix = nalgebra::Matrix4<f32>;

@@ -1,0 +1,1 @@
+//! Axis-aligned bounding boxes (behaviour chapter 05, section 2).

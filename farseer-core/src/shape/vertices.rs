@@ -1,0 +1,1 @@
+//! A list of vertices (behaviour chapter 05, section 1).

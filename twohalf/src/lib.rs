@@ -1,0 +1,1 @@
+//! 2.5D game physics.
