@@ -16,6 +16,27 @@ pub enum Error {
         /// What would have been accepted.
         requirement: &'static str,
     },
+    /// An id names something that was disposed, or that another simulator made.
+    #[error("{argument} is stale: what it named was disposed, or belongs to another simulator")]
+    StaleId {
+        /// Name of the argument.
+        argument: &'static str,
+    },
+    /// The broad phase can be chosen only while no geom is in the simulation.
+    #[error("the geom list must be empty when the broad phase collider is set")]
+    GeomListNotEmpty,
+    /// A geom made under separating axes has no distance grid to share with a clone.
+    #[error("{argument} has no distance grid to share: it was disposed, or made while SAT was selected")]
+    MissingDistanceGrid {
+        /// Name of the argument.
+        argument: &'static str,
+    },
+    /// A saved simulator contradicts itself.
+    #[error("the saved simulator is damaged: {reason}")]
+    DamagedSave {
+        /// What is wrong with it.
+        reason: &'static str,
+    },
 }
 
 /// Result of a call that checks its arguments.

@@ -1,1 +1,10 @@
-//! Conformance.
+//! Conformance: scenes, what the original did with them, and the programs and tests that compare.
+
+pub mod compare;
+pub mod golden;
+pub mod scene;
+pub mod scenes;
+pub mod trace;
+pub mod units;
+
+mod file;

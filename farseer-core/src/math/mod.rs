@@ -3,9 +3,16 @@
 //! nalgebra gives the types; every operation whose rounding matters is written out in f32, one rounding per
 //! operation, in the original's order, without fused multiply-add.
 
+pub mod calculator;
+pub mod convert_units;
+pub mod interpolators;
+pub mod math_helper;
 pub mod matrix;
 pub mod scalar;
 pub mod vector2;
+
+pub use convert_units::ConvertUnits;
+pub use interpolators::{BilinearInterpolator, CircularInterpolator};
 
 /// A point or direction of the plane. Positions in the user's length unit, screen y down.
 pub type Vector2 = nalgebra::Vector2<f32>;

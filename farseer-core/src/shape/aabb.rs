@@ -1,1 +1,140 @@
 //! Axis-aligned bounding boxes (behaviour chapter 05, section 2).
+
+use serde::{Deserialize, Serialize};
+
+use super::Vertices;
+use crate::math::{Vector2, scalar, vector2};
+
+/// Distance a point must keep from the sides to count as inside. Absolute, in the user's length unit: for
+/// coordinates above about 256 it is lost in rounding.
+const CONTAINS_MARGIN: f32 = 0.00001;
+
+/// A box with sides along the axes, in the user's length unit, screen y down. Nothing checks that `min` is
+/// less than `max`.
+#[doc(alias = "AABB")]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Aabb {
+    /// The corner of least coordinates.
+    #[doc(alias = "Min")]
+    pub min: Vector2,
+    /// The corner of greatest coordinates.
+    #[doc(alias = "Max")]
+    pub max: Vector2,
+}
+
+impl Aabb {
+    /// A box from its corners, taken as they are.
+    pub fn new(min: Vector2, max: Vector2) -> Aabb {
+        Aabb { min, max }
+    }
+
+    /// The smallest box around the vertices; the zero box without any. A NaN in the first vertex stays, one in
+    /// a later vertex is passed over.
+    #[inline]
+    pub fn from_vertices(vertices: &[Vector2]) -> Aabb {
+        let Some(&first) = vertices.first() else {
+            return Aabb::default();
+        };
+        let (mut min, mut max) = (first, first);
+        for v in vertices {
+            if v.x < min.x {
+                min.x = v.x;
+            }
+            if v.x > max.x {
+                max.x = v.x;
+            }
+            if v.y < min.y {
+                min.y = v.y;
+            }
+            if v.y > max.y {
+                max.y = v.y;
+            }
+        }
+        Aabb { min, max }
+    }
+
+    /// Extent along x.
+    #[doc(alias = "Width")]
+    #[inline]
+    pub fn width(&self) -> f32 {
+        self.max.x - self.min.x
+    }
+
+    /// Extent along y.
+    #[doc(alias = "Height")]
+    #[inline]
+    pub fn height(&self) -> f32 {
+        self.max.y - self.min.y
+    }
+
+    /// The centre as half the sum of the corners; rounds differently from [`Aabb::get_center`].
+    #[doc(alias = "Position")]
+    pub fn position(&self) -> Vector2 {
+        Vector2::new((self.min.x + self.max.x) / 2.0, (self.min.y + self.max.y) / 2.0)
+    }
+
+    /// Moves the box to the centre `position`.
+    #[doc(alias = "Position")]
+    pub fn set_position(&mut self, position: Vector2) {
+        let half = Vector2::new(self.width() / 2.0, self.height() / 2.0);
+        self.min = position - half;
+        self.max = position + half;
+    }
+
+    /// The centre as the least corner plus half the extent; rounds differently from [`Aabb::position`].
+    #[doc(alias = "GetCenter")]
+    pub fn get_center(&self) -> Vector2 {
+        Vector2::new(self.min.x + self.width() / 2.0, self.min.y + self.height() / 2.0)
+    }
+
+    /// The smaller extent.
+    #[doc(alias = "GetShortestSide")]
+    pub fn get_shortest_side(&self) -> f32 {
+        scalar::min(self.width(), self.height())
+    }
+
+    /// The corners in engine winding, from `min` on.
+    #[doc(alias = "GetVertices")]
+    pub fn get_vertices(&self) -> Vertices {
+        let (min, max) = (self.min, self.max);
+        Vertices::from(vec![min, Vector2::new(min.x, max.y), max, Vector2::new(max.x, min.y)])
+    }
+
+    /// Distance of a point from the box, negative inside.
+    #[doc(alias = "GetDistance")]
+    pub fn get_distance(&self, point: Vector2) -> f32 {
+        let dx = (point.x - (self.max.x + self.min.x) * 0.5).abs() - (self.max.x - self.min.x) * 0.5;
+        let dy = (point.y - (self.max.y + self.min.y) * 0.5).abs() - (self.max.y - self.min.y) * 0.5;
+        if dx > 0.0 && dy > 0.0 { vector2::length(Vector2::new(dx, dy)) } else { scalar::max(dx, dy) }
+    }
+
+    /// Whether a point lies inside, more than 0.00001 from every side.
+    ///
+    /// ```
+    /// use farseer_core::shape::Aabb;
+    /// let unit = Aabb::new([0.0, 0.0].into(), [1.0, 1.0].into());
+    /// assert!(unit.contains([0.5, 0.5].into()));
+    /// assert!(!unit.contains([0.0, 0.5].into()));
+    /// ```
+    #[doc(alias = "Contains")]
+    #[inline]
+    pub fn contains(&self, point: Vector2) -> bool {
+        point.x > self.min.x + CONTAINS_MARGIN
+            && point.x < self.max.x - CONTAINS_MARGIN
+            && point.y > self.min.y + CONTAINS_MARGIN
+            && point.y < self.max.y - CONTAINS_MARGIN
+    }
+
+    /// Whether two boxes overlap or touch. A NaN counts as overlap.
+    #[doc(alias = "Intersect")]
+    #[inline]
+    pub fn intersect(a: &Aabb, b: &Aabb) -> bool {
+        !(a.min.x > b.max.x || b.min.x > a.max.x || a.min.y > b.max.y || b.min.y > a.max.y)
+    }
+
+    /// The original's hash: the truncated sums of the corners' coordinates, added (wrapping).
+    #[doc(alias = "GetHashCode")]
+    pub fn hash_code(&self) -> i32 {
+        vector2::hash_code(self.min).wrapping_add(vector2::hash_code(self.max))
+    }
+}

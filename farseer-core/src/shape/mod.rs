@@ -1,5 +1,12 @@
 //! Outlines and boxes (behaviour chapters 05 and 15).
 pub mod aabb;
+mod convex_hull;
+mod creators;
+mod decompose;
+mod measures;
+mod simplify;
+mod static_tools;
+mod triangulate;
 pub mod vertices;
 
 pub use aabb::Aabb;

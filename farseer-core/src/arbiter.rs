@@ -1,0 +1,262 @@
+//! The contact state between two geoms, and the ordered list of all of them (behaviour chapter 03).
+
+use serde::{Deserialize, Serialize};
+
+use crate::arena::Arena;
+use crate::body::Body;
+use crate::contact::Contact;
+use crate::geom::{GeomEntry, GeomId};
+use crate::methods::FrictionType;
+use crate::pair_table::GeomPairBitmap;
+use crate::simulator::BodyEntry;
+
+/// Number of arbiters a new simulator holds ready.
+const INITIAL_POOL_SIZE: u32 = 128;
+
+/// Contacts an arbiter has room for before it allocates: the default number that is resolved.
+const CONTACT_CAPACITY: usize = 4;
+
+/// The contact state between two geoms. A has the smaller creation number.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(crate) struct Arbiter {
+    /// `None` only before first use.
+    pub(crate) geoms: Option<(GeomId, GeomId)>,
+    /// Fixed when the arbiter is set up.
+    pub(crate) friction: f32,
+    /// Not cleared by set-up: a pair that gets its old arbiter back continues with the old impulses.
+    pub(crate) contacts: Vec<Contact>,
+}
+
+impl Arbiter {
+    fn fresh() -> Self {
+        Arbiter { geoms: None, friction: 0.0, contacts: Vec::with_capacity(CONTACT_CAPACITY) }
+    }
+}
+
+/// Arbiters in the order in which they are solved, and a pool of unused ones.
+///
+/// Arbiters have identity: list and pool hold handles, and both may hold the same handle twice, which happens
+/// in the original when a geom with a duplicated pair is removed.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(crate) struct ArbiterList {
+    pub(crate) arbiters: Vec<Arbiter>,
+    pub(crate) list: Vec<u32>,
+    /// A stack: the last one in is the first one out.
+    pool: Vec<u32>,
+    pairs: GeomPairBitmap,
+}
+
+impl Default for ArbiterList {
+    fn default() -> Self {
+        ArbiterList {
+            arbiters: (0..INITIAL_POOL_SIZE).map(|_| Arbiter::fresh()).collect(),
+            list: Vec::new(),
+            pool: (0..INITIAL_POOL_SIZE).collect(),
+            pairs: GeomPairBitmap::default(),
+        }
+    }
+}
+
+impl ArbiterList {
+    #[inline]
+    pub(crate) fn len(&self) -> usize {
+        self.list.len()
+    }
+
+    #[inline]
+    pub(crate) fn at(&self, position: usize) -> &Arbiter {
+        &self.arbiters[self.list[position] as usize]
+    }
+
+    /// Whether handles are in range, and every listed arbiter has geoms that exist: false only after loading
+    /// garbage.
+    pub(crate) fn is_valid(&self, geoms: &Arena<GeomEntry>) -> bool {
+        let in_range = |&handle: &u32| (handle as usize) < self.arbiters.len();
+        let finite = |c: &Contact| {
+            [
+                c.position.x,
+                c.position.y,
+                c.normal.x,
+                c.normal.y,
+                c.separation,
+                c.normal_impulse,
+                c.tangent_impulse,
+            ]
+            .iter()
+            .all(|value| value.is_finite())
+        };
+        self.list.iter().all(in_range)
+            && self.pool.iter().all(in_range)
+            && self.list.iter().all(|&handle| {
+                self.arbiters[handle as usize]
+                    .geoms
+                    .is_some_and(|(a, b)| geoms.contains(a) && geoms.contains(b) && a != b)
+            })
+            && self
+                .arbiters
+                .iter()
+                .all(|arbiter| arbiter.friction.is_finite() && arbiter.contacts.iter().all(finite))
+    }
+
+    /// Enters the pairs of the listed arbiters under the collision ids of the **previous** update, then numbers
+    /// the geoms anew. In an update in which geoms moved down in the list, the entries are wrong; the duplicate
+    /// and suppressed pairs that follow from it are part of the original's behaviour.
+    pub(crate) fn prepare_for_broad_phase_collision(
+        &mut self,
+        geom_list: &[GeomId],
+        geoms: &mut Arena<GeomEntry>,
+    ) {
+        self.pairs.clear(geom_list.len());
+        for &handle in &self.list {
+            if let Some((a, b)) = self.arbiters[handle as usize].geoms {
+                self.pairs.test_and_set(geoms[a].collision_id, geoms[b].collision_id);
+            }
+        }
+        for (index, &geom) in geom_list.iter().enumerate() {
+            geoms[geom].collision_id = index as i32;
+        }
+    }
+
+    /// Appends an arbiter for a pair, unless the pair is in the table.
+    pub(crate) fn add_arbiter_for_geom_pair(
+        &mut self,
+        geoms: &Arena<GeomEntry>,
+        friction_type: FrictionType,
+        geom1: GeomId,
+        geom2: GeomId,
+    ) {
+        if !self.pairs.test_and_set(geoms[geom1].collision_id, geoms[geom2].collision_id) {
+            self.append(geoms, friction_type, geom1, geom2);
+        }
+    }
+
+    /// Appends an arbiter for a pair, unless the list has one: what the brute force collider does.
+    ///
+    /// Like the original, it takes an arbiter from the pool and sets it up before it looks; the one put back
+    /// stays on top.
+    pub(crate) fn add_arbiter_unless_listed(
+        &mut self,
+        geoms: &Arena<GeomEntry>,
+        friction_type: FrictionType,
+        geom1: GeomId,
+        geom2: GeomId,
+    ) {
+        let handle = self.fetch();
+        self.set_up(handle, geoms, friction_type, geom1, geom2);
+        let pair = self.arbiters[handle as usize].geoms;
+        if self.list.iter().any(|&listed| self.arbiters[listed as usize].geoms == pair) {
+            self.pool.push(handle);
+        } else {
+            self.list.push(handle);
+        }
+    }
+
+    fn append(
+        &mut self,
+        geoms: &Arena<GeomEntry>,
+        friction_type: FrictionType,
+        geom1: GeomId,
+        geom2: GeomId,
+    ) {
+        let handle = self.fetch();
+        self.set_up(handle, geoms, friction_type, geom1, geom2);
+        self.list.push(handle);
+    }
+
+    fn fetch(&mut self) -> u32 {
+        self.pool.pop().unwrap_or_else(|| {
+            self.arbiters.push(Arbiter::fresh());
+            self.arbiters.len() as u32 - 1
+        })
+    }
+
+    fn set_up(
+        &mut self,
+        handle: u32,
+        geoms: &Arena<GeomEntry>,
+        friction_type: FrictionType,
+        geom1: GeomId,
+        geom2: GeomId,
+    ) {
+        let (a, b) = if geoms[geom1].number < geoms[geom2].number { (geom1, geom2) } else { (geom2, geom1) };
+        let (friction_a, friction_b) =
+            (geoms[a].geom.friction_coefficient, geoms[b].geom.friction_coefficient);
+        let arbiter = &mut self.arbiters[handle as usize];
+        arbiter.geoms = Some((a, b));
+        arbiter.friction = match friction_type {
+            FrictionType::Average => (friction_a + friction_b) / 2.0,
+            FrictionType::Minimum => crate::math::scalar::min(friction_a, friction_b),
+        };
+    }
+
+    /// Removes the arbiters that a predicate names, from the last to the first, and hands each pair to `left`
+    /// in that order. They go to the pool with their contacts.
+    pub(crate) fn remove_where(
+        &mut self,
+        mut is_leaving: impl FnMut(&Arbiter) -> bool,
+        mut left: impl FnMut(GeomId, GeomId),
+    ) {
+        let mut leaving = 0;
+        for position in (0..self.list.len()).rev() {
+            let handle = self.list[position];
+            let arbiter = &self.arbiters[handle as usize];
+            if is_leaving(arbiter) {
+                if let Some((a, b)) = arbiter.geoms {
+                    left(a, b);
+                }
+                self.pool.push(handle);
+                self.list[position] = u32::MAX;
+                leaving += 1;
+            }
+        }
+        if leaving > 0 {
+            self.list.retain(|&handle| handle != u32::MAX);
+        }
+    }
+
+    /// Takes the arbiters of a removed geom out (behaviour chapter 03, section 7.4): each goes to the pool, and
+    /// the **first equal** one leaves the list. With duplicates of a pair one handle enters the pool several
+    /// times and the others are lost, as in the original.
+    pub(crate) fn remove_arbiters_of(&mut self, geom: GeomId) {
+        let mut position = self.list.len();
+        while position > 0 {
+            position -= 1;
+            let handle = self.list[position];
+            let pair = self.arbiters[handle as usize].geoms;
+            if pair.is_some_and(|(a, b)| a == geom || b == geom) {
+                self.pool.push(handle);
+                let first_equal =
+                    self.list.iter().position(|&other| self.arbiters[other as usize].geoms == pair);
+                if let Some(first_equal) = first_equal {
+                    self.list.remove(first_equal);
+                }
+            }
+        }
+    }
+}
+
+/// Whether an arbiter may stay (behaviour chapter 03, section 4). Collision switched off, ignored geoms and
+/// the broad-phase callback matter only when a pair is created.
+pub(crate) fn is_valid_pair(a: &GeomEntry, b: &GeomEntry, bodies: &Arena<BodyEntry>) -> bool {
+    let (Some(body_a), Some(body_b)) = (bodies.get(a.body), bodies.get(b.body)) else { return false };
+    let (body_a, body_b): (&Body, &Body) = (&body_a.body, &body_b.body);
+    !(a.is_disposed
+        || b.is_disposed
+        || (body_a.is_static() && body_b.is_static())
+        || !body_a.enabled()
+        || !body_b.enabled()
+        || same_group(a, b)
+        || !categories_meet(a, b))
+}
+
+#[inline]
+pub(crate) fn same_group(a: &GeomEntry, b: &GeomEntry) -> bool {
+    a.geom.collision_group == b.geom.collision_group && a.geom.collision_group != 0
+}
+
+/// Agreement in one direction is enough, as in the original.
+#[inline]
+pub(crate) fn categories_meet(a: &GeomEntry, b: &GeomEntry) -> bool {
+    a.geom.collision_categories.intersects(b.geom.collides_with)
+        || b.geom.collision_categories.intersects(a.geom.collides_with)
+}

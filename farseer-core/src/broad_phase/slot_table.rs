@@ -1,0 +1,127 @@
+//! A table whose order of enumeration is that of the original's dictionaries (behaviour chapter 08, section 1.6).
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+/// Keys with values in slots. A new key takes the slot freed last; enumeration goes by slot.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(bound(
+    serialize = "K: Serialize, V: Serialize",
+    deserialize = "K: Deserialize<'de>, V: Deserialize<'de>"
+))]
+#[serde(from = "Slots<K, V>", into = "Slots<K, V>")]
+pub(super) struct SlotTable<K: Ord + Copy, V: Clone> {
+    slots: Vec<Option<(K, V)>>,
+    free: Vec<u32>,
+    index: BTreeMap<K, u32>,
+}
+
+/// The saved form: the index follows from the slots.
+#[derive(Serialize, Deserialize)]
+struct Slots<K, V> {
+    slots: Vec<Option<(K, V)>>,
+    free: Vec<u32>,
+}
+
+impl<K: Ord + Copy, V: Clone> From<Slots<K, V>> for SlotTable<K, V> {
+    fn from(saved: Slots<K, V>) -> Self {
+        let occupied = saved.slots.iter().enumerate();
+        let index =
+            occupied.filter_map(|(slot, entry)| entry.as_ref().map(|(key, _)| (*key, slot as u32))).collect();
+        SlotTable { slots: saved.slots, free: saved.free, index }
+    }
+}
+
+impl<K: Ord + Copy, V: Clone> From<SlotTable<K, V>> for Slots<K, V> {
+    fn from(table: SlotTable<K, V>) -> Self {
+        Slots { slots: table.slots, free: table.free }
+    }
+}
+
+impl<K: Ord + Copy, V: Clone> Default for SlotTable<K, V> {
+    fn default() -> Self {
+        SlotTable { slots: Vec::new(), free: Vec::new(), index: BTreeMap::new() }
+    }
+}
+
+impl<K: Ord + Copy, V: Clone> SlotTable<K, V> {
+    /// The value of a key, put in first if it is missing.
+    pub(super) fn get_or_insert_with(&mut self, key: K, value: impl FnOnce() -> V) -> &mut V {
+        let slot = match self.index.get(&key) {
+            Some(&slot) => slot as usize,
+            None => self.insert_new(key, value()),
+        };
+        &mut self.slots[slot].as_mut().expect("the index names occupied slots").1
+    }
+
+    fn insert_new(&mut self, key: K, value: V) -> usize {
+        let slot = match self.free.pop() {
+            Some(slot) => slot as usize,
+            None => {
+                self.slots.push(None);
+                self.slots.len() - 1
+            }
+        };
+        self.slots[slot] = Some((key, value));
+        self.index.insert(key, slot as u32);
+        slot
+    }
+
+    pub(super) fn remove(&mut self, key: K) {
+        if let Some(slot) = self.index.remove(&key) {
+            self.slots[slot as usize] = None;
+            self.free.push(slot);
+        }
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.slots.clear();
+        self.free.clear();
+        self.index.clear();
+    }
+
+    pub(super) fn slot_count(&self) -> usize {
+        self.slots.len()
+    }
+
+    /// The entry of a slot, for enumeration by ascending slot.
+    pub(super) fn slot(&self, slot: usize) -> Option<&(K, V)> {
+        self.slots[slot].as_ref()
+    }
+
+    pub(super) fn slot_mut(&mut self, slot: usize) -> Option<&mut (K, V)> {
+        self.slots[slot].as_mut()
+    }
+
+    /// Whether keys are unique and the free list names empty slots, once each.
+    pub(super) fn is_consistent(&self) -> bool {
+        let occupied = self.slots.iter().flatten().count();
+        let mut seen = vec![false; self.slots.len()];
+        let free_is_empty = self.free.iter().all(|&slot| {
+            let slot = slot as usize;
+            slot < seen.len() && self.slots[slot].is_none() && !std::mem::replace(&mut seen[slot], true)
+        });
+        occupied == self.index.len() && free_is_empty
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn freed_slots_are_reused_last_freed_first() {
+        let mut table = SlotTable::default();
+        for key in ['a', 'b', 'c'] {
+            table.get_or_insert_with(key, || ());
+        }
+        table.remove('a');
+        table.remove('c');
+        table.get_or_insert_with('d', || ());
+        table.get_or_insert_with('e', || ());
+        let order: String =
+            (0..table.slot_count()).filter_map(|slot| table.slot(slot)).map(|entry| entry.0).collect();
+        assert_eq!(order, "ebd");
+    }
+}

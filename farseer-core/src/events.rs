@@ -1,0 +1,181 @@
+//! What happens during an update, and who is told (behaviour chapters 03, 04 and 08).
+
+use crate::body::{Body, BodyId};
+use crate::contact::Contact;
+use crate::geom::{Geom, GeomId, GeomRef};
+use crate::simulator::PhysicsSimulator;
+use crate::{ObjectId, Result};
+
+/// Something that happened during the last update, or was asked for since the one before.
+/// [`PhysicsSimulator::events`] lists them in the order in which they happened.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Event {
+    /// Geom `this` touches `other`, told once to each side in every update in which there are contacts.
+    Collision {
+        /// The geom that is told.
+        this: GeomId,
+        /// Its partner.
+        other: GeomId,
+        /// Number of contacts.
+        contacts: u32,
+        /// Whether the handler refused the collision.
+        vetoed: bool,
+    },
+    /// The boxes of two geoms overlap but the geoms do not touch (any more), told once to each side. Like the
+    /// original's, it recurs in every update for boxes that overlap without contact, and does not come when a
+    /// contact ends by disabling, removing or disposing.
+    Separation {
+        /// The geom that is told.
+        this: GeomId,
+        /// Its partner.
+        other: GeomId,
+    },
+    /// The handler refused a pair whose boxes overlap.
+    BroadPhaseVeto {
+        /// First geom, as the handler was told.
+        geom1: GeomId,
+        /// Second geom.
+        geom2: GeomId,
+    },
+    /// A body was moved by a setter, or has moved at least once and was integrated.
+    BodyUpdated {
+        /// The body.
+        body: BodyId,
+    },
+    /// A body was disposed.
+    BodyDisposed {
+        /// The body; its id is stale after the update that reports this.
+        body: BodyId,
+    },
+    /// An object entered its list.
+    Added {
+        /// The object.
+        object: ObjectId,
+    },
+    /// An object left its list, or was to be removed without being in it.
+    Removed {
+        /// The object.
+        object: ObjectId,
+    },
+    /// A setter or [`PhysicsSimulator::update`] was given a value that is not finite, and changed nothing.
+    RejectedInput {
+        /// The object whose setter it was; `None` for the simulator itself.
+        object: Option<ObjectId>,
+        /// Name of the argument.
+        argument: &'static str,
+    },
+    /// The state of a body stopped being finite. It was put back to its last finite state.
+    NotFinite {
+        /// The body.
+        body: BodyId,
+        /// Whether it was disabled: every dynamic body is, no static one.
+        disabled: bool,
+    },
+}
+
+/// Callbacks of a game. Handlers belong to the game, never to the simulator, so that saving the simulator keeps
+/// everything.
+///
+/// Callbacks come in the original's order. Through the [`Context`] they edit bodies and geoms at once; what
+/// they add, remove or dispose enters or leaves with the next update.
+pub trait EventHandler {
+    /// Geom `this` touches `other`; called for both sides in every update in which there are contacts. `false`
+    /// drops the contacts of this update, and the second side is not asked. The list may be changed, too.
+    #[doc(alias("OnCollision", "CollisionEventHandler"))]
+    fn on_collision(
+        &mut self,
+        context: &mut Context<'_>,
+        this: GeomId,
+        other: GeomId,
+        contacts: &mut Vec<Contact>,
+    ) -> bool {
+        let _ = (context, this, other, contacts);
+        true
+    }
+
+    /// See [`Event::Separation`].
+    #[doc(alias("OnSeparation", "SeparationEventHandler"))]
+    fn on_separation(&mut self, context: &mut Context<'_>, this: GeomId, other: GeomId) {
+        let _ = (context, this, other);
+    }
+
+    /// Whether [`on_broad_phase_collision`](Self::on_broad_phase_collision) is to be asked. With brute force
+    /// and spatial hash the answers then **replace** the test of the boxes, as in the original.
+    fn handles_broad_phase(&self) -> bool {
+        false
+    }
+
+    /// A new pair was found; `false` refuses it.
+    #[doc(alias("OnBroadPhaseCollision", "BroadPhaseCollisionHandler"))]
+    fn on_broad_phase_collision(&mut self, context: &mut Context<'_>, geom1: GeomId, geom2: GeomId) -> bool {
+        let _ = (context, geom1, geom2);
+        true
+    }
+
+    /// See [`Event::BodyUpdated`].
+    #[doc(alias("Updated", "UpdatedEventHandler"))]
+    fn on_body_updated(&mut self, context: &mut Context<'_>, body: BodyId) {
+        let _ = (context, body);
+    }
+
+    /// See [`Event::BodyDisposed`].
+    #[doc(alias = "Disposed")]
+    fn on_body_disposed(&mut self, context: &mut Context<'_>, body: BodyId) {
+        let _ = (context, body);
+    }
+
+    /// An object entered its list. Without a context: the original would lose what is queued here.
+    #[doc(alias = "ContentsChangedEventHandler")]
+    fn on_added(&mut self, object: ObjectId) {
+        let _ = object;
+    }
+
+    /// An object left its list, or was to be removed without being in it.
+    fn on_removed(&mut self, object: ObjectId) {
+        let _ = object;
+    }
+}
+
+/// What a callback may do to the simulator that calls it.
+#[derive(Debug)]
+pub struct Context<'a> {
+    pub(crate) simulator: &'a mut PhysicsSimulator,
+}
+
+impl Context<'_> {
+    /// A body, unless the id is stale.
+    pub fn body(&self, body: BodyId) -> Option<&Body> {
+        self.simulator.body(body)
+    }
+
+    /// A body to edit at once, unless the id is stale.
+    pub fn body_mut(&mut self, body: BodyId) -> Option<&mut Body> {
+        self.simulator.body_mut(body)
+    }
+
+    /// A geom, unless the id is stale.
+    pub fn geom(&self, geom: GeomId) -> Option<GeomRef<'_>> {
+        self.simulator.geom(geom)
+    }
+
+    /// The settings of a geom to edit at once, unless the id is stale.
+    pub fn geom_mut(&mut self, geom: GeomId) -> Option<&mut Geom> {
+        self.simulator.geom_mut(geom)
+    }
+
+    /// See [`PhysicsSimulator::add`].
+    pub fn add(&mut self, object: impl Into<ObjectId>) -> Result<()> {
+        self.simulator.add(object)
+    }
+
+    /// See [`PhysicsSimulator::remove`].
+    pub fn remove(&mut self, object: impl Into<ObjectId>) -> Result<()> {
+        self.simulator.remove(object)
+    }
+
+    /// See [`PhysicsSimulator::dispose`].
+    pub fn dispose(&mut self, object: impl Into<ObjectId>) -> Result<()> {
+        self.simulator.dispose(object)
+    }
+}

@@ -1,0 +1,165 @@
+//! Bodies with the mass properties of simple shapes (behaviour chapter 13, section 2).
+
+use crate::body::{Body, BodyId};
+use crate::error::positive;
+use crate::shape::Vertices;
+use crate::simulator::PhysicsSimulator;
+use crate::{Error, Result};
+
+/// Makes bodies with the moments of inertia of solid shapes. Mass and lengths are in the user's units.
+#[derive(Debug, Clone, Copy)]
+pub struct BodyFactory;
+
+impl BodyFactory {
+    /// A solid rectangle.
+    ///
+    /// # Errors
+    /// A width, height or mass that is not finite and greater than 0, or so small that the moment of inertia
+    /// vanishes.
+    #[doc(alias = "CreateRectangleBody")]
+    pub fn create_rectangle_body(width: f32, height: f32, mass: f32) -> Result<Body> {
+        positive("width", width)?;
+        positive("height", height)?;
+        positive("mass", mass)?;
+        body(mass, mass * (width * width + height * height) / 12.0)
+    }
+
+    /// [`create_rectangle_body`](Self::create_rectangle_body), added to the simulator.
+    ///
+    /// # Errors
+    /// As the plain method.
+    pub fn create_rectangle_body_in(
+        simulator: &mut PhysicsSimulator,
+        width: f32,
+        height: f32,
+        mass: f32,
+    ) -> Result<BodyId> {
+        add(simulator, Self::create_rectangle_body(width, height, mass)?)
+    }
+
+    /// A solid disc.
+    ///
+    /// # Errors
+    /// A radius or mass that is not finite and greater than 0, or so small that the moment of inertia vanishes.
+    #[doc(alias = "CreateCircleBody")]
+    pub fn create_circle_body(radius: f32, mass: f32) -> Result<Body> {
+        positive("radius", radius)?;
+        positive("mass", mass)?;
+        body(mass, 0.5 * mass * (radius * radius))
+    }
+
+    /// [`create_circle_body`](Self::create_circle_body), added to the simulator.
+    ///
+    /// # Errors
+    /// As the plain method.
+    pub fn create_circle_body_in(simulator: &mut PhysicsSimulator, radius: f32, mass: f32) -> Result<BodyId> {
+        add(simulator, Self::create_circle_body(radius, mass)?)
+    }
+
+    /// A solid ellipse.
+    ///
+    /// # Errors
+    /// A radius or mass that is not finite and greater than 0, or so small that the moment of inertia vanishes.
+    #[doc(alias = "CreateEllipseBody")]
+    pub fn create_ellipse_body(x_radius: f32, y_radius: f32, mass: f32) -> Result<Body> {
+        positive("x_radius", x_radius)?;
+        positive("y_radius", y_radius)?;
+        positive("mass", mass)?;
+        if x_radius == y_radius {
+            return Self::create_circle_body(x_radius, mass);
+        }
+        body(mass, 0.25 * mass * (x_radius * x_radius + y_radius * y_radius))
+    }
+
+    /// [`create_ellipse_body`](Self::create_ellipse_body), added to the simulator.
+    ///
+    /// # Errors
+    /// As the plain method.
+    pub fn create_ellipse_body_in(
+        simulator: &mut PhysicsSimulator,
+        x_radius: f32,
+        y_radius: f32,
+        mass: f32,
+    ) -> Result<BodyId> {
+        add(simulator, Self::create_ellipse_body(x_radius, y_radius, mass)?)
+    }
+
+    /// A solid polygon, placed at the centroid of its outline.
+    ///
+    /// # Errors
+    /// A mass that is not finite and greater than 0; an outline that is empty, not finite, or without area (for
+    /// the last the original makes a body that is not finite).
+    #[doc(alias = "CreatePolygonBody")]
+    pub fn create_polygon_body(vertices: &Vertices, mass: f32) -> Result<Body> {
+        positive("mass", mass)?;
+        let moment_of_inertia = vertices.get_moment_of_inertia()?;
+        let mut body = body(mass, mass * moment_of_inertia)?;
+        let centroid = vertices.get_centroid();
+        crate::error::finite_vector("the centroid of vertices", centroid)?;
+        body.set_position(centroid);
+        Ok(body)
+    }
+
+    /// [`create_polygon_body`](Self::create_polygon_body), added to the simulator.
+    ///
+    /// # Errors
+    /// As the plain method.
+    pub fn create_polygon_body_in(
+        simulator: &mut PhysicsSimulator,
+        vertices: &Vertices,
+        mass: f32,
+    ) -> Result<BodyId> {
+        add(simulator, Self::create_polygon_body(vertices, mass)?)
+    }
+
+    /// A body of this mass and moment of inertia.
+    ///
+    /// # Errors
+    /// A mass or moment of inertia that is not finite and greater than 0.
+    #[doc(alias = "CreateBody")]
+    pub fn create_body(mass: f32, moment_of_inertia: f32) -> Result<Body> {
+        positive("mass", mass)?;
+        positive("moment_of_inertia", moment_of_inertia)?;
+        body(mass, moment_of_inertia)
+    }
+
+    /// [`create_body`](Self::create_body), added to the simulator.
+    ///
+    /// # Errors
+    /// As the plain method.
+    pub fn create_body_in(
+        simulator: &mut PhysicsSimulator,
+        mass: f32,
+        moment_of_inertia: f32,
+    ) -> Result<BodyId> {
+        add(simulator, Self::create_body(mass, moment_of_inertia)?)
+    }
+
+    /// A copy of a body's mass properties and settings, see [`Body::copy_of`].
+    #[doc(alias = "CreateBody(Body)")]
+    pub fn create_body_from(body: &Body) -> Body {
+        Body::copy_of(body)
+    }
+
+    /// [`create_body_from`](Self::create_body_from) of a body of the simulator, added to it.
+    ///
+    /// # Errors
+    /// A stale id.
+    pub fn create_body_from_in(simulator: &mut PhysicsSimulator, body: BodyId) -> Result<BodyId> {
+        let copy = Body::copy_of(simulator.body(body).ok_or(Error::StaleId { argument: "body" })?);
+        add(simulator, copy)
+    }
+}
+
+fn body(mass: f32, moment_of_inertia: f32) -> Result<Body> {
+    let mut body = Body::new();
+    body.set_mass(mass)?;
+    body.set_moment_of_inertia(moment_of_inertia)?;
+    Ok(body)
+}
+
+fn add(simulator: &mut PhysicsSimulator, body: Body) -> Result<BodyId> {
+    let body = simulator.create_body(body);
+    simulator.add(body)?;
+    Ok(body)
+}

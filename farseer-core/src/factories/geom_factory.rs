@@ -1,0 +1,274 @@
+//! Geoms of simple shapes (behaviour chapter 13, section 3).
+
+use crate::body::BodyId;
+use crate::error::{finite, positive};
+use crate::geom::GeomId;
+use crate::math::Vector2;
+use crate::shape::Vertices;
+use crate::simulator::{GeomPlacement, PhysicsSimulator};
+use crate::{Error, Result};
+
+/// Makes geoms of simple shapes. All lengths are in the user's unit; y points down on the screen.
+///
+/// Every method refuses a stale body, and whatever [`PhysicsSimulator::create_geom`] refuses.
+#[derive(Debug, Clone, Copy)]
+pub struct GeomFactory;
+
+impl GeomFactory {
+    /// A rectangle of 16 vertices, each side divided in four.
+    ///
+    /// # Errors
+    /// A width or height that is not finite and greater than 0.
+    #[doc(alias = "CreateRectangleGeom")]
+    pub fn create_rectangle_geom(
+        simulator: &mut PhysicsSimulator,
+        body: BodyId,
+        width: f32,
+        height: f32,
+        placement: GeomPlacement,
+    ) -> Result<GeomId> {
+        positive("width", width)?;
+        positive("height", height)?;
+        simulator.create_geom(body, Vertices::create_rectangle(width, height)?, placement)
+    }
+
+    /// [`create_rectangle_geom`](Self::create_rectangle_geom), added to the simulator.
+    ///
+    /// # Errors
+    /// As the plain method.
+    pub fn create_rectangle_geom_in(
+        simulator: &mut PhysicsSimulator,
+        body: BodyId,
+        width: f32,
+        height: f32,
+        placement: GeomPlacement,
+    ) -> Result<GeomId> {
+        let geom = Self::create_rectangle_geom(simulator, body, width, height, placement)?;
+        add(simulator, geom)
+    }
+
+    /// An ellipse as a polygon.
+    ///
+    /// # Errors
+    /// A radius that is not finite and greater than 0; fewer than 3 edges, for which the original fails as well.
+    #[doc(alias = "CreateEllipseGeom")]
+    pub fn create_ellipse_geom(
+        simulator: &mut PhysicsSimulator,
+        body: BodyId,
+        x_radius: f32,
+        y_radius: f32,
+        number_of_edges: i32,
+        placement: GeomPlacement,
+    ) -> Result<GeomId> {
+        positive("x_radius", x_radius)?;
+        positive("y_radius", y_radius)?;
+        check_edges(number_of_edges)?;
+        simulator.create_geom(body, Vertices::create_ellipse(x_radius, y_radius, number_of_edges)?, placement)
+    }
+
+    /// [`create_ellipse_geom`](Self::create_ellipse_geom), added to the simulator.
+    ///
+    /// # Errors
+    /// As the plain method.
+    pub fn create_ellipse_geom_in(
+        simulator: &mut PhysicsSimulator,
+        body: BodyId,
+        x_radius: f32,
+        y_radius: f32,
+        number_of_edges: i32,
+        placement: GeomPlacement,
+    ) -> Result<GeomId> {
+        let geom =
+            Self::create_ellipse_geom(simulator, body, x_radius, y_radius, number_of_edges, placement)?;
+        add(simulator, geom)
+    }
+
+    /// A circle as a regular polygon.
+    ///
+    /// # Errors
+    /// A radius that is not finite and greater than 0; fewer than 3 edges, for which the original fails as well.
+    #[doc(alias = "CreateCircleGeom")]
+    pub fn create_circle_geom(
+        simulator: &mut PhysicsSimulator,
+        body: BodyId,
+        radius: f32,
+        number_of_edges: i32,
+        placement: GeomPlacement,
+    ) -> Result<GeomId> {
+        positive("radius", radius)?;
+        check_edges(number_of_edges)?;
+        simulator.create_geom(body, Vertices::create_circle(radius, number_of_edges)?, placement)
+    }
+
+    /// [`create_circle_geom`](Self::create_circle_geom), added to the simulator.
+    ///
+    /// # Errors
+    /// As the plain method.
+    pub fn create_circle_geom_in(
+        simulator: &mut PhysicsSimulator,
+        body: BodyId,
+        radius: f32,
+        number_of_edges: i32,
+        placement: GeomPlacement,
+    ) -> Result<GeomId> {
+        let geom = Self::create_circle_geom(simulator, body, radius, number_of_edges, placement)?;
+        add(simulator, geom)
+    }
+
+    /// A polygon, recentred on its centroid.
+    ///
+    /// As in the original the caller's list is left recentred and in the engine's winding. Make the body from it
+    /// first: that places the body at the centroid.
+    ///
+    /// # Errors
+    /// An outline without area or not finite. The list is unchanged then.
+    #[doc(alias = "CreatePolygonGeom")]
+    pub fn create_polygon_geom(
+        simulator: &mut PhysicsSimulator,
+        body: BodyId,
+        vertices: &mut Vertices,
+        placement: GeomPlacement,
+    ) -> Result<GeomId> {
+        if vertices.is_empty() {
+            return Err(Error::invalid("vertices", 0, "a list of at least one vertex"));
+        }
+        let centroid = vertices.get_centroid();
+        finite("the centroid of vertices", centroid.x + centroid.y)?;
+        let mut centred = vertices.clone();
+        centred.translate(Vector2::new(-centroid.x, -centroid.y));
+        centred.force_counter_clockwise_order();
+        let geom = simulator.create_geom(body, centred.clone(), placement)?;
+        *vertices = centred;
+        Ok(geom)
+    }
+
+    /// [`create_polygon_geom`](Self::create_polygon_geom), added to the simulator.
+    ///
+    /// # Errors
+    /// As the plain method.
+    pub fn create_polygon_geom_in(
+        simulator: &mut PhysicsSimulator,
+        body: BodyId,
+        vertices: &mut Vertices,
+        placement: GeomPlacement,
+    ) -> Result<GeomId> {
+        let geom = Self::create_polygon_geom(simulator, body, vertices, placement)?;
+        add(simulator, geom)
+    }
+
+    /// A polygon cut into at most `max_geoms` convex geoms, for SAT. Shape beyond that number is lost.
+    ///
+    /// The pieces are placed so that the outline's centroid lies at the body's origin; their distance grids, if
+    /// any, have cells of 1.
+    ///
+    /// # Errors
+    /// Whatever [`Vertices::decompose`] refuses. No geom is made then.
+    #[doc(alias("CreateSATPolygonGeom", "DecomposeGeom"))]
+    pub fn create_sat_polygon_geom(
+        simulator: &mut PhysicsSimulator,
+        body: BodyId,
+        vertices: &Vertices,
+        max_geoms: i32,
+    ) -> Result<Vec<GeomId>> {
+        simulator.body(body).ok_or(Error::StaleId { argument: "body" })?;
+        let pieces = vertices.decompose(max_geoms)?;
+        let centroid = vertices.get_centroid();
+        let placement = GeomPlacement {
+            offset: Vector2::new(-centroid.x, -centroid.y),
+            collision_grid_size: 1.0,
+            ..GeomPlacement::default()
+        };
+        let mut geoms = Vec::with_capacity(pieces.len());
+        for piece in pieces {
+            match simulator.create_geom(body, piece, placement) {
+                Ok(geom) => geoms.push(geom),
+                Err(error) => {
+                    simulator.discard_geoms(&geoms);
+                    return Err(error);
+                }
+            }
+        }
+        Ok(geoms)
+    }
+
+    /// [`create_sat_polygon_geom`](Self::create_sat_polygon_geom), added to the simulator.
+    ///
+    /// # Errors
+    /// As the plain method.
+    pub fn create_sat_polygon_geom_in(
+        simulator: &mut PhysicsSimulator,
+        body: BodyId,
+        vertices: &Vertices,
+        max_geoms: i32,
+    ) -> Result<Vec<GeomId>> {
+        let geoms = Self::create_sat_polygon_geom(simulator, body, vertices, max_geoms)?;
+        for &geom in &geoms {
+            simulator.add(geom)?;
+        }
+        Ok(geoms)
+    }
+
+    /// A copy of a geom on a body, at the same offsets; see [`PhysicsSimulator::clone_geom`].
+    ///
+    /// # Errors
+    /// A stale id; a geom without a distance grid, if the distance grid is selected.
+    #[doc(alias = "CreateGeom")]
+    pub fn create_geom_from(simulator: &mut PhysicsSimulator, body: BodyId, geom: GeomId) -> Result<GeomId> {
+        simulator.clone_geom(body, geom)
+    }
+
+    /// [`create_geom_from`](Self::create_geom_from), added to the simulator.
+    ///
+    /// # Errors
+    /// As the plain method.
+    pub fn create_geom_from_in(
+        simulator: &mut PhysicsSimulator,
+        body: BodyId,
+        geom: GeomId,
+    ) -> Result<GeomId> {
+        let copy = simulator.clone_geom(body, geom)?;
+        add(simulator, copy)
+    }
+
+    /// A copy of a geom on a body, at other offsets.
+    ///
+    /// # Errors
+    /// As [`create_geom_from`](Self::create_geom_from); offsets that are not finite.
+    #[doc(alias = "CreateGeom")]
+    pub fn create_geom_from_with_offset(
+        simulator: &mut PhysicsSimulator,
+        body: BodyId,
+        geom: GeomId,
+        offset: Vector2,
+        rotation_offset: f32,
+    ) -> Result<GeomId> {
+        simulator.clone_geom_with_offset(body, geom, offset, rotation_offset)
+    }
+
+    /// [`create_geom_from_with_offset`](Self::create_geom_from_with_offset), added to the simulator.
+    ///
+    /// # Errors
+    /// As the plain method.
+    pub fn create_geom_from_with_offset_in(
+        simulator: &mut PhysicsSimulator,
+        body: BodyId,
+        geom: GeomId,
+        offset: Vector2,
+        rotation_offset: f32,
+    ) -> Result<GeomId> {
+        let copy = simulator.clone_geom_with_offset(body, geom, offset, rotation_offset)?;
+        add(simulator, copy)
+    }
+}
+
+fn check_edges(number_of_edges: i32) -> Result<()> {
+    if number_of_edges < 3 {
+        return Err(Error::invalid("number_of_edges", number_of_edges, "3 or more"));
+    }
+    Ok(())
+}
+
+fn add(simulator: &mut PhysicsSimulator, geom: GeomId) -> Result<GeomId> {
+    simulator.add(geom)?;
+    Ok(geom)
+}

@@ -1,0 +1,137 @@
+//! The choices a simulator can be given (behaviour chapter 04, section 9).
+
+use serde::{Deserialize, Serialize};
+
+use crate::{Error, Result, error};
+
+/// Where two geoms touch: the method of the narrow phase.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+pub enum NarrowPhaseCollider {
+    /// Signed distances sampled on a grid over each outline (behaviour chapter 06). Takes any simple
+    /// outline, also concave ones. Misses what is smaller than a cell, and outlines that cross without a
+    /// vertex inside the other.
+    #[default]
+    DistanceGrid,
+    /// Separating axes (behaviour chapter 07). Only meaningful for convex outlines.
+    #[doc(alias = "SAT")]
+    Sat,
+}
+
+/// Which pairs may touch: the method of the broad phase.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub enum BroadPhaseCollider {
+    /// Sorted interval ends on the less crowded axis (behaviour chapter 08, section 2). The default.
+    #[default]
+    #[doc(alias = "SelectiveSweepCollider")]
+    SelectiveSweep,
+    /// Incrementally sorted extents on both axes (behaviour chapter 08, section 3). Cheap for slow scenes;
+    /// forgets resting pairs when a geom is removed.
+    #[doc(alias = "SweepAndPruneCollider")]
+    SweepAndPrune,
+    /// Every geom against every other (behaviour chapter 08, section 5).
+    #[doc(alias = "BruteForceCollider")]
+    BruteForce,
+    /// Square cells (behaviour chapter 08, section 4).
+    #[doc(alias = "SpatialHashCollider")]
+    SpatialHash {
+        /// Edge of a cell in the user's length unit; the original's default is 50.
+        #[doc(alias = "CellSize")]
+        cell_size: f32,
+        /// Whether each update sets the cell size to twice the mean longer side of the geoms' boxes.
+        #[doc(alias = "AutoAdjustCellSize")]
+        auto_adjust_cell_size: bool,
+    },
+}
+
+impl BroadPhaseCollider {
+    /// The spatial hash with the original's defaults: cells of 50, adjusted in every update.
+    pub const SPATIAL_HASH: Self =
+        BroadPhaseCollider::SpatialHash { cell_size: 50.0, auto_adjust_cell_size: true };
+
+    pub(crate) fn check(self) -> Result<Self> {
+        if let BroadPhaseCollider::SpatialHash { cell_size, .. } = self {
+            error::finite("cell_size", cell_size)?;
+        }
+        Ok(self)
+    }
+}
+
+/// How the friction coefficients of two geoms combine.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+pub enum FrictionType {
+    /// The mean of both.
+    #[default]
+    Average,
+    /// The smaller one.
+    Minimum,
+}
+
+/// A set of collision categories, 31 of them (behaviour chapter 04, section 9).
+///
+/// ```
+/// use farseer_core::CollisionCategory;
+/// let players_and_walls = CollisionCategory::cat(1)? | CollisionCategory::cat(2)?;
+/// assert!(players_and_walls.intersects(CollisionCategory::cat(2)?));
+/// # Ok::<(), farseer_core::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[doc(alias = "CollisionCategories")]
+pub struct CollisionCategory(i32);
+
+impl CollisionCategory {
+    /// No category.
+    pub const NONE: Self = CollisionCategory(0);
+    /// All 31 categories.
+    pub const ALL: Self = CollisionCategory(0x7FFF_FFFF);
+
+    /// Category `number`, 1 to 31.
+    ///
+    /// # Errors
+    /// A number outside 1 to 31.
+    #[doc(alias("Cat1", "Cat2", "Cat31"))]
+    pub fn cat(number: u32) -> Result<Self> {
+        if (1..=31).contains(&number) {
+            Ok(CollisionCategory(1 << (number - 1)))
+        } else {
+            Err(Error::invalid("number", number, "1 to 31"))
+        }
+    }
+
+    /// The set with exactly these bits; category n is bit n - 1.
+    pub const fn from_bits(bits: i32) -> Self {
+        CollisionCategory(bits)
+    }
+
+    /// The set as bits; category n is bit n - 1.
+    pub const fn bits(self) -> i32 {
+        self.0
+    }
+
+    /// Whether both sets have a category in common.
+    #[inline]
+    pub const fn intersects(self, other: Self) -> bool {
+        self.0 & other.0 != 0
+    }
+}
+
+impl std::ops::BitOr for CollisionCategory {
+    type Output = Self;
+    fn bitor(self, other: Self) -> Self {
+        CollisionCategory(self.0 | other.0)
+    }
+}
+
+impl std::ops::BitAnd for CollisionCategory {
+    type Output = Self;
+    fn bitand(self, other: Self) -> Self {
+        CollisionCategory(self.0 & other.0)
+    }
+}
+
+impl std::ops::Not for CollisionCategory {
+    type Output = Self;
+    /// All 31 categories that are not in the set.
+    fn not(self) -> Self {
+        CollisionCategory(!self.0 & Self::ALL.0)
+    }
+}

@@ -1,0 +1,163 @@
+//! Decomposition of an outline into convex pieces (behaviour chapter 15, section 15.4): the outline is cut into
+//! triangles, and these are put together again as long as the pieces stay convex.
+
+use super::Vertices;
+use super::triangulate::{self, Triangle};
+use crate::error::{Error, Result};
+use crate::math::{Vector2, calculator, vector2};
+
+/// The most pieces of a decomposition, whatever the caller asks for.
+const MAX_PIECES: usize = 50;
+
+/// The most vertices of a piece.
+const MAX_PIECE_VERTICES: usize = 32;
+
+/// Corners that turn by less than this are taken off a piece; one degree in radians.
+const PARALLEL_TOLERANCE: f32 = calculator::RADIANS_TO_DEGREES_RATIO;
+
+impl Vertices {
+    /// Convex pieces of an outline that does not cross itself, at most `max_polys_to_find` of them: the rest
+    /// of the outline is left out. Fewer than three vertices, and outlines of which no triangle can be cut,
+    /// give no pieces. The pieces have positive shoelace area, against engine winding.
+    ///
+    /// # Errors
+    /// When the outline has more than 175 triangles (177 vertices, if it is simple), or `max_polys_to_find` is
+    /// more than 50 and so is the number of pieces.
+    ///
+    /// ```
+    /// use farseer_core::math::Vector2;
+    /// use farseer_core::shape::Vertices;
+    /// let l_shape = [(0.0, 0.0), (0.0, 6.0), (2.0, 6.0), (2.0, 2.0), (6.0, 2.0), (6.0, 0.0)];
+    /// let outline: Vertices = l_shape.into_iter().map(|(x, y)| Vector2::new(x, y)).collect();
+    /// assert_eq!(outline.decompose(10)?.len(), 2);
+    /// # Ok::<(), farseer_core::Error>(())
+    /// ```
+    #[doc(alias = "DecomposeGeom")]
+    pub fn decompose(&self, max_polys_to_find: i32) -> Result<Vec<Vertices>> {
+        if self.len() < 3 {
+            return Ok(Vec::new());
+        }
+        let mut outline = self.to_vec();
+        if area(&outline) > 0.0 {
+            outline.reverse();
+        }
+        match triangulate::triangulate(outline)? {
+            Some(triangles) => polygonize(&triangles, max_polys_to_find),
+            None => Ok(Vec::new()),
+        }
+    }
+}
+
+/// The shoelace area, summed from the closing edge on.
+fn area(outline: &[Vector2]) -> f32 {
+    let last = outline[outline.len() - 1];
+    let closing = last.x * outline[0].y - outline[0].x * last.y;
+    let sum = outline.windows(2).fold(0.0 + closing, |sum, edge| {
+        let (a, b) = (edge[0], edge[1]);
+        sum + (a.x * b.y - b.x * a.y)
+    });
+    sum * 0.5
+}
+
+/// Puts triangles together to convex pieces, each piece starting with the first triangle that is left.
+fn polygonize(triangles: &[Triangle], max_polys_to_find: i32) -> Result<Vec<Vertices>> {
+    let max = usize::try_from(max_polys_to_find).unwrap_or(0);
+    let mut covered: Vec<bool> = triangles.iter().map(has_equal_corners).collect();
+    let mut pieces = Vec::new();
+    while pieces.len() < max
+        && let Some(first) = covered.iter().position(|&c| !c)
+    {
+        covered[first] = true;
+        let piece = merge_parallel(grow(triangles[first], triangles, &mut covered));
+        if piece.len() >= 3 {
+            if pieces.len() == MAX_PIECES {
+                return Err(Error::invalid(
+                    "max_polys_to_find",
+                    max_polys_to_find,
+                    "50 or less for an outline of more than 50 convex pieces",
+                ));
+            }
+            pieces.push(piece);
+        }
+    }
+    Ok(pieces)
+}
+
+fn has_equal_corners(t: &Triangle) -> bool {
+    t[0] == t[1] || t[0] == t[2] || t[1] == t[2]
+}
+
+/// Adds all triangles to a piece that leave it convex, in two passes, and marks them.
+fn grow(first: Triangle, triangles: &[Triangle], covered: &mut [bool]) -> Vertices {
+    let mut piece = Vertices::from(&first[..]);
+    for _ in 0..2 {
+        for (triangle, covered) in triangles.iter().zip(covered.iter_mut()) {
+            if *covered {
+                continue;
+            }
+            if let Some(larger) = attach(&piece, triangle)
+                && larger.len() <= MAX_PIECE_VERTICES
+                && larger.is_convex()
+            {
+                piece = larger;
+                *covered = true;
+            }
+        }
+    }
+    piece
+}
+
+/// The piece with a triangle attached to the edge they share; `None` if they share none. As in the
+/// original a third common vertex replaces the second.
+fn attach(piece: &Vertices, triangle: &Triangle) -> Option<Vertices> {
+    let (mut first, mut second) = (None, None);
+    for (i, vertex) in piece.iter().enumerate() {
+        if let Some(corner) = triangle.iter().position(|c| c == vertex) {
+            if first.is_none() {
+                first = Some((i, corner));
+            } else {
+                second = Some((i, corner));
+            }
+        }
+    }
+    let ((mut position, corner1), (position2, corner2)) = (first?, second?);
+    if position == 0 && position2 == piece.len() - 1 {
+        position = position2;
+    }
+    let tip = (0..2).find(|&c| c != corner1 && c != corner2).unwrap_or(2);
+    let mut larger = piece.clone();
+    larger.insert(position + 1, triangle[tip]);
+    Some(larger)
+}
+
+/// The piece without the vertices where it hardly turns, as long as more than three are left.
+///
+/// As in the original an edge of length 0 counts as one vertex less without taking it off, so that the last
+/// ones are lost instead.
+fn merge_parallel(piece: Vertices) -> Vertices {
+    let n = piece.len();
+    if n <= 3 {
+        return piece;
+    }
+    let mut left = n;
+    let mut keep = vec![true; n];
+    for (i, keep) in keep.iter_mut().enumerate() {
+        let incoming = piece[i] - piece[piece.previous_index(i)];
+        let outgoing = piece[piece.next_index(i)] - piece[i];
+        let (length_in, length_out) = (vector2::length(incoming), vector2::length(outgoing));
+        if !(length_in > 0.0 && length_out > 0.0) && left > 3 {
+            left -= 1;
+        }
+        let a = Vector2::new(incoming.x / length_in, incoming.y / length_in);
+        let b = Vector2::new(outgoing.x / length_out, outgoing.y / length_out);
+        let turns = vector2::cross(a, b).abs() < PARALLEL_TOLERANCE;
+        if turns && vector2::dot(a, b) > 0.0 && left > 3 {
+            *keep = false;
+            left -= 1;
+        }
+    }
+    if left == n {
+        return piece;
+    }
+    piece.iter().zip(keep).filter(|(_, keep)| *keep).map(|(v, _)| *v).take(left).collect()
+}

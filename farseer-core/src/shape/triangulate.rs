@@ -1,0 +1,152 @@
+//! Cutting an outline into triangles for its decomposition (behaviour chapter 15, section 15.4).
+
+use crate::error::{Error, Result};
+use crate::math::{Vector2, scalar, vector2};
+
+/// The most triangles the original's tables hold.
+const MAX_TRIANGLES: usize = 175;
+
+/// Vertices closer than this in both coordinates pinch an outline; in the user's length unit.
+const PINCH_TOLERANCE: f32 = f32::from_bits(0x3A83_126F);
+
+/// Three corners, stored so that the shoelace area is not negative.
+pub(super) type Triangle = [Vector2; 3];
+
+fn triangle(a: Vector2, b: Vector2, c: Vector2) -> Triangle {
+    let turn = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+    if turn > 0.0 { [a, b, c] } else { [a, c, b] }
+}
+
+/// A part of the work of [`triangulate`], which keeps its own stack: an outline may be pinched any number of
+/// times.
+enum Task {
+    Outline(Vec<Vector2>),
+    /// Joins the two last results.
+    Join,
+}
+
+/// The triangles of an outline, cut first where two vertices coincide. `None` if a part of it has no ear or if
+/// there are no triangles.
+pub(super) fn triangulate(outline: Vec<Vector2>) -> Result<Option<Vec<Triangle>>> {
+    let mut tasks = vec![Task::Outline(outline)];
+    let mut results: Vec<Option<Vec<Triangle>>> = Vec::new();
+    while let Some(task) = tasks.pop() {
+        match task {
+            Task::Outline(outline) if outline.len() < 3 => results.push(Some(Vec::new())),
+            Task::Outline(outline) => match find_pinch(&outline) {
+                Some((i, j)) => {
+                    let rest = outline[j..].iter().chain(&outline[..i]).copied().collect();
+                    tasks.push(Task::Join);
+                    tasks.push(Task::Outline(rest));
+                    tasks.push(Task::Outline(outline[i..j].to_vec()));
+                }
+                None => results.push(clip_ears(outline)?),
+            },
+            Task::Join => {
+                let (second, first) = (results.pop().flatten(), results.pop().flatten());
+                results.push(match (first, second) {
+                    (Some(first), Some(second)) => Some(join(first, second)?),
+                    _ => None,
+                });
+            }
+        }
+    }
+    Ok(results.pop().flatten().filter(|triangles| !triangles.is_empty()))
+}
+
+/// The first pair of vertices that coincide and do not follow each other in the list; the last and the first are
+/// such a pair.
+fn find_pinch(outline: &[Vector2]) -> Option<(usize, usize)> {
+    let close = |a: f32, b: f32| (a - b).abs() < PINCH_TOLERANCE;
+    (0..outline.len()).find_map(|i| {
+        let a = outline[i];
+        let j = (i + 2..outline.len()).find(|&j| close(a.x, outline[j].x) && close(a.y, outline[j].y))?;
+        Some((i, j))
+    })
+}
+
+fn join(mut first: Vec<Triangle>, second: Vec<Triangle>) -> Result<Vec<Triangle>> {
+    for t in second {
+        push(&mut first, t)?;
+    }
+    Ok(first)
+}
+
+fn push(triangles: &mut Vec<Triangle>, triangle: Triangle) -> Result<()> {
+    if triangles.len() == MAX_TRIANGLES {
+        let value = format_args!("an outline of more than {MAX_TRIANGLES} triangles");
+        return Err(Error::invalid("self", value, "an outline of at most 175 triangles"));
+    }
+    triangles.push(triangle);
+    Ok(())
+}
+
+/// Cuts ears off until a triangle is left, the one with the largest smallest angle first. `None` if there is no
+/// ear to begin with; if there is none later on, the triangles so far.
+fn clip_ears(mut outline: Vec<Vector2>) -> Result<Option<Vec<Triangle>>> {
+    let mut triangles = Vec::new();
+    while outline.len() > 3 {
+        let Some(best) = best_ear(&outline) else {
+            return Ok(if triangles.is_empty() { None } else { Some(triangles) });
+        };
+        let (lower, upper) = neighbours(best, outline.len());
+        push(&mut triangles, triangle(outline[best], outline[upper], outline[lower]))?;
+        outline.remove(best);
+    }
+    push(&mut triangles, triangle(outline[1], outline[2], outline[0]))?;
+    Ok(Some(triangles))
+}
+
+fn neighbours(i: usize, n: usize) -> (usize, usize) {
+    (if i == 0 { n - 1 } else { i - 1 }, if i + 1 == n { 0 } else { i + 1 })
+}
+
+/// The ear whose smallest angle has the greatest sine, the first one of equal ears. Ears with an edge of length
+/// 0 have no angle and are passed over.
+fn best_ear(outline: &[Vector2]) -> Option<usize> {
+    let mut best = None;
+    let mut best_score = -10.0;
+    for i in (0..outline.len()).filter(|&i| is_ear(i, outline)) {
+        let (lower, upper) = neighbours(i, outline.len());
+        let d1 = vector2::normalize(outline[upper] - outline[i]);
+        let d2 = vector2::normalize(outline[i] - outline[lower]);
+        let d3 = vector2::normalize(outline[lower] - outline[upper]);
+        let sine = |a, b| vector2::cross(a, b).abs();
+        let score = scalar::min(sine(d1, d2), scalar::min(sine(d2, d3), sine(d3, d1)));
+        if score > best_score {
+            best = Some(i);
+            best_score = score;
+        }
+    }
+    best
+}
+
+/// Whether a vertex and its neighbours make a triangle inside the outline with no other vertex in it.
+fn is_ear(i: usize, outline: &[Vector2]) -> bool {
+    let (lower, upper) = neighbours(i, outline.len());
+    let (here, before, after) = (outline[i], outline[lower], outline[upper]);
+    if (here.x - before.x) * (after.y - here.y) - (after.x - here.x) * (here.y - before.y) > 0.0 {
+        return false;
+    }
+    let t = triangle(here, after, before);
+    !(0..outline.len()).any(|j| j != i && j != lower && j != upper && is_inside(&t, outline[j]))
+}
+
+/// Whether a point lies inside a triangle, not on its boundary.
+fn is_inside(t: &Triangle, p: Vector2) -> bool {
+    let beyond = |f: fn(&Vector2, &Vector2) -> bool| t.iter().all(|corner| f(&p, corner));
+    if beyond(|p, c| p.x < c.x)
+        || beyond(|p, c| p.x > c.x)
+        || beyond(|p, c| p.y < c.y)
+        || beyond(|p, c| p.y > c.y)
+    {
+        return false;
+    }
+    let (a, b, c) = (t[2] - t[0], t[1] - t[0], p - t[0]);
+    let dot = vector2::dot;
+    let (aa, ab, ac, bb, bc) = (dot(a, a), dot(a, b), dot(a, c), dot(b, b), dot(b, c));
+    let reciprocal = 1.0 / (aa * bb - ab * ab);
+    let u = (bb * ac - ab * bc) * reciprocal;
+    let w = (aa * bc - ab * ac) * reciprocal;
+    u > 0.0 && w > 0.0 && u + w < 1.0
+}

@@ -1,0 +1,278 @@
+//! Making objects, and changes that touch more than one of them (behaviour chapter 05, section 3).
+
+use serde::{Deserialize, Serialize};
+
+use super::{BodyEntry, PhysicsSimulator};
+use crate::body::{Body, BodyId};
+use crate::error::{finite, finite_vector};
+use crate::geom::{GeomEntry, GeomId};
+use crate::math::{Matrix, Vector2, scalar};
+use crate::methods::NarrowPhaseCollider;
+use crate::shape::Vertices;
+use crate::{Error, Result};
+
+/// Part of the shorter side of a geom's box that an automatic grid cell takes.
+const AUTOMATIC_CELL_FRACTION: f32 = 0.1;
+
+/// Where a geom sits on its body, and how finely its distance grid is sampled.
+///
+/// ```
+/// use farseer_core::{GeomPlacement, math::Vector2};
+/// let head = GeomPlacement { offset: Vector2::new(0.0, -40.0), ..Default::default() };
+/// assert_eq!(head.collision_grid_size, 0.0);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct GeomPlacement {
+    /// Position on the body, in the body's coordinates. Default none.
+    pub offset: Vector2,
+    /// Rotation against the body in radians. Default 0.
+    pub rotation_offset: f32,
+    /// Edge of a distance grid cell in the user's length unit. At 0 or less it is a tenth of the shorter side of
+    /// the geom's box **as it lies in the world when it is made**: of a long thin geom on a rotated body the
+    /// cells come out thicker than the geom, and contacts are missed.
+    pub collision_grid_size: f32,
+}
+
+impl GeomPlacement {
+    /// At the body's origin, with this cell size.
+    pub fn with_grid_size(collision_grid_size: f32) -> Self {
+        GeomPlacement { collision_grid_size, ..Default::default() }
+    }
+
+    fn check(self) -> Result<Self> {
+        finite_vector("offset", self.offset)?;
+        finite("rotation_offset", self.rotation_offset)?;
+        finite("collision_grid_size", self.collision_grid_size)?;
+        Ok(self)
+    }
+}
+
+/// Creation.
+impl PhysicsSimulator {
+    /// Gives a body its life and id. It takes part once it is [added](Self::add).
+    pub fn create_body(&mut self, body: Body) -> BodyId {
+        self.bodies.insert(BodyEntry::new(body))
+    }
+
+    /// Attaches an outline to a body. The geom takes part once it is [added](Self::add).
+    ///
+    /// The outline is brought into the engine's winding (negative shoelace area) and not otherwise changed. Under
+    /// the distance grid its grid is made now; geoms of equal outline and cell size share one.
+    ///
+    /// # Errors
+    /// A stale body; an empty or non-finite outline; a placement that is not finite; a flat outline without a
+    /// cell size; a cell size that would need more than 2^26 nodes.
+    #[doc(alias = "Geom(Body, Vertices, Vector2, float, float)")]
+    pub fn create_geom(
+        &mut self,
+        body: BodyId,
+        vertices: impl Into<Vertices>,
+        placement: GeomPlacement,
+    ) -> Result<GeomId> {
+        let vertices = check_outline(vertices.into())?;
+        let placement = placement.check()?;
+        let mut entry = self.new_entry(body, vertices, placement.offset, placement.rotation_offset)?;
+        entry.grid_cell_size = placement.collision_grid_size;
+        if self.settings.narrow_phase == NarrowPhaseCollider::DistanceGrid {
+            if entry.grid_cell_size <= 0.0 {
+                let (width, height) = (entry.aabb.width(), entry.aabb.height());
+                entry.grid_cell_size = scalar::min(width, height) * AUTOMATIC_CELL_FRACTION;
+            }
+            entry.grid = Some(self.grids.get(&entry.local_vertices, entry.grid_cell_size)?);
+        }
+        Ok(self.insert_geom(entry))
+    }
+
+    /// Attaches a copy of a geom to a body, at the same offsets. Under the distance grid both share one grid.
+    ///
+    /// # Errors
+    /// A stale id; a geom without a distance grid, if the distance grid is selected.
+    #[doc(alias = "Geom(Body, Geom)")]
+    pub fn clone_geom(&mut self, body: BodyId, geom: GeomId) -> Result<GeomId> {
+        let source = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?;
+        let (offset, rotation_offset) = (source.offset, source.rotation_offset);
+        self.clone_geom_with_offset(body, geom, offset, rotation_offset)
+    }
+
+    /// Attaches a copy of a geom to a body, at other offsets.
+    ///
+    /// # Errors
+    /// As [`clone_geom`](Self::clone_geom); offsets that are not finite.
+    #[doc(alias = "Geom(Body, Geom, Vector2, float)")]
+    pub fn clone_geom_with_offset(
+        &mut self,
+        body: BodyId,
+        geom: GeomId,
+        offset: Vector2,
+        rotation_offset: f32,
+    ) -> Result<GeomId> {
+        finite_vector("offset", offset)?;
+        finite("rotation_offset", rotation_offset)?;
+        let source = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?.clone();
+        if self.settings.narrow_phase == NarrowPhaseCollider::DistanceGrid && source.grid.is_none() {
+            return Err(Error::MissingDistanceGrid { argument: "geom" });
+        }
+        let mut entry = self.new_entry(body, source.local_vertices, offset, rotation_offset)?;
+        entry.geom = source.geom;
+        entry.geom.set_tag(0);
+        entry.grid_cell_size = source.grid_cell_size;
+        if self.settings.narrow_phase == NarrowPhaseCollider::DistanceGrid {
+            entry.grid = source.grid;
+        }
+        Ok(self.insert_geom(entry))
+    }
+
+    fn new_entry(
+        &mut self,
+        body: BodyId,
+        vertices: Vertices,
+        offset: Vector2,
+        rotation_offset: f32,
+    ) -> Result<GeomEntry> {
+        let pose = self.bodies.get(body).ok_or(Error::StaleId { argument: "body" })?;
+        let (position, rotation) = (pose.body.position(), pose.body.rotation());
+        let mut entry = GeomEntry::new(self.next_geom_number, body, offset, rotation_offset);
+        entry.set_vertices(vertices);
+        entry.follow(position, rotation);
+        Ok(entry)
+    }
+
+    /// Takes geoms back that were made a moment ago and that nobody knows yet.
+    pub(crate) fn discard_geoms(&mut self, geoms: &[GeomId]) {
+        for &geom in geoms.iter().rev() {
+            if let Some(entry) = self.geoms.remove(geom) {
+                self.bodies[entry.body].geoms.retain(|&other| other != geom);
+                self.next_geom_number -= 1;
+            }
+        }
+    }
+
+    fn insert_geom(&mut self, entry: GeomEntry) -> GeomId {
+        let body = entry.body;
+        self.next_geom_number += 1;
+        let geom = self.geoms.insert(entry);
+        self.bodies[body].geoms.push(geom);
+        geom
+    }
+}
+
+/// Changes.
+impl PhysicsSimulator {
+    /// Moves a geom to another body; its offsets stay.
+    ///
+    /// # Errors
+    /// A stale id.
+    #[doc(alias = "SetBody")]
+    pub fn set_body(&mut self, geom: GeomId, body: BodyId) -> Result<()> {
+        let old_body = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?.body;
+        self.bodies.get(body).ok_or(Error::StaleId { argument: "body" })?;
+        self.settle_body(old_body);
+        self.settle_body(body);
+        self.bodies[old_body].geoms.retain(|&other| other != geom);
+        let entry = &mut self.bodies[body];
+        entry.geoms.push(geom);
+        let (position, rotation) = (entry.body.position(), entry.body.rotation());
+        let geom = &mut self.geoms[geom];
+        geom.body = body;
+        geom.follow(position, rotation);
+        Ok(())
+    }
+
+    /// Replaces the outline of a geom. As in the original, world vertices and box stay those of the body's origin
+    /// until the body is moved or integrated next, and the distance grid stays that of the old outline.
+    ///
+    /// # Errors
+    /// A stale id; an empty or non-finite outline.
+    #[doc(alias = "SetVertices")]
+    pub fn set_vertices(&mut self, geom: GeomId, vertices: impl Into<Vertices>) -> Result<()> {
+        let vertices = check_outline(vertices.into())?;
+        let body = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?.body;
+        self.settle_body(body);
+        self.geoms[geom].set_vertices(vertices);
+        Ok(())
+    }
+
+    /// Replaces the matrix of a geom until its body is moved or integrated next. World vertices and box follow
+    /// at once; the geom's position and rotation do not, as in the original.
+    ///
+    /// # Errors
+    /// A stale id; a matrix that is not finite or has no finite inverse.
+    #[doc(alias = "Matrix")]
+    pub fn set_matrix(&mut self, geom: GeomId, matrix: &Matrix) -> Result<()> {
+        let is_finite = |m: &Matrix| m.iter().all(|element| element.is_finite());
+        if !is_finite(matrix) || !is_finite(&crate::math::matrix::invert(matrix)) {
+            return Err(Error::invalid("matrix", matrix.as_slice(), "finite and invertible"));
+        }
+        let body = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?.body;
+        self.settle_body(body);
+        self.geoms[geom].set_matrix(matrix);
+        Ok(())
+    }
+
+    /// Makes a geom a sensor (its body static, its collisions without response) or an ordinary geom (its body
+    /// dynamic, whatever it was before, and its collisions with response).
+    ///
+    /// # Errors
+    /// A stale id.
+    #[doc(alias = "IsSensor")]
+    pub fn set_is_sensor(&mut self, geom: GeomId, is_sensor: bool) -> Result<()> {
+        let entry = self.geoms.get_mut(geom).ok_or(Error::StaleId { argument: "geom" })?;
+        entry.is_sensor = is_sensor;
+        entry.geom.set_collision_response_enabled(!is_sensor);
+        self.bodies[entry.body].body.set_is_static(is_sensor);
+        Ok(())
+    }
+
+    /// Lets no new pair of the two geoms be found. Geoms that already touch go on touching until they separate.
+    ///
+    /// # Errors
+    /// A stale id.
+    #[doc(alias = "IgnoreCollisionWith")]
+    pub fn ignore_collision_with(&mut self, geom: GeomId, other: GeomId) -> Result<()> {
+        self.set_ignored(geom, other, true)
+    }
+
+    /// Undoes [`ignore_collision_with`](Self::ignore_collision_with) of the same geom; the other side's stays.
+    ///
+    /// # Errors
+    /// A stale id.
+    #[doc(alias = "RestoreCollisionWith")]
+    pub fn restore_collision_with(&mut self, geom: GeomId, other: GeomId) -> Result<()> {
+        self.set_ignored(geom, other, false)
+    }
+
+    fn set_ignored(&mut self, geom: GeomId, other: GeomId, ignored: bool) -> Result<()> {
+        let number = self.geoms.get(other).ok_or(Error::StaleId { argument: "other" })?.number;
+        let entry = self.geoms.get_mut(geom).ok_or(Error::StaleId { argument: "geom" })?;
+        entry.set_ignored(number, ignored);
+        Ok(())
+    }
+
+    /// Empties the simulator: all objects are gone, their ids are stale, and the broad phase is the selective
+    /// sweep again, whatever it was. Settings stay.
+    #[doc(alias = "Clear")]
+    pub fn clear(&mut self) {
+        let mut bodies = std::mem::take(&mut self.bodies);
+        let mut geoms = std::mem::take(&mut self.geoms);
+        bodies.clear::<BodyId>();
+        geoms.clear::<GeomId>();
+        *self = PhysicsSimulator {
+            settings: self.settings,
+            next_geom_number: self.next_geom_number,
+            bodies,
+            geoms,
+            ..PhysicsSimulator::default()
+        };
+    }
+}
+
+/// Refuses what no geom can have.
+fn check_outline(vertices: Vertices) -> Result<Vertices> {
+    if vertices.is_empty() {
+        return Err(Error::invalid("vertices", 0, "a list of at least one vertex"));
+    }
+    for &vertex in vertices.iter() {
+        finite_vector("vertices", vertex)?;
+    }
+    Ok(vertices)
+}

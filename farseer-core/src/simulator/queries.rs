@@ -1,0 +1,113 @@
+//! What lies at a point or along a line (behaviour chapters 04, 05 and 09).
+
+use super::PhysicsSimulator;
+use crate::geom::{GeomEntry, GeomId};
+use crate::math::Vector2;
+use crate::narrow_phase;
+use crate::ray_helper::{line_segment_aabb_intersect, line_segment_vertices_intersect};
+use crate::shape::Aabb;
+
+/// A geom and where a segment crosses its outline.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GeomPointPair {
+    /// The geom.
+    pub geom: GeomId,
+    /// The crossings, in the order of the geom's edges.
+    pub points: Vec<Vector2>,
+}
+
+impl PhysicsSimulator {
+    /// The first geom in list order that holds a point of the world. Geoms that do not collide count, too.
+    ///
+    /// Asks the narrow phase that is selected now. A body that was edited since the last update is asked where its
+    /// geoms will be.
+    #[doc(alias = "Collide")]
+    pub fn collide(&self, point: Vector2) -> Option<GeomId> {
+        self.geom_list.iter().copied().find(|&geom| self.geom_collides_with_point(geom, point))
+    }
+
+    /// All geoms that hold a point of the world, in list order.
+    #[doc(alias = "CollideAll")]
+    pub fn collide_all(&self, point: Vector2) -> Vec<GeomId> {
+        self.geom_list.iter().copied().filter(|&geom| self.geom_collides_with_point(geom, point)).collect()
+    }
+
+    /// Whether a geom holds a point of the world; a stale id holds none.
+    #[doc(alias = "Geom.Collide")]
+    pub fn geom_collides_with_point(&self, geom: GeomId, point: Vector2) -> bool {
+        self.with_settled(geom, |geom| {
+            geom.aabb.contains(point)
+                && narrow_phase::intersect(self.settings.narrow_phase, geom, geom.pose.inverse.apply(point))
+        })
+        .unwrap_or(false)
+    }
+
+    /// Whether a vertex of one geom lies in the other. Outlines that cross without one are not noticed.
+    #[doc(alias = "Geom.Collide")]
+    pub fn geom_collides_with_geom(&self, geom: GeomId, other: GeomId) -> bool {
+        let holds_vertex = |holder: &GeomEntry, owner: &GeomEntry| {
+            owner.world_vertices.iter().any(|&vertex| {
+                narrow_phase::intersect(self.settings.narrow_phase, holder, holder.pose.inverse.apply(vertex))
+            })
+        };
+        self.with_settled(geom, |geom| {
+            self.with_settled(other, |other| {
+                Aabb::intersect(&geom.aabb, &other.aabb)
+                    && (holds_vertex(other, geom) || holds_vertex(geom, other))
+            })
+        })
+        .flatten()
+        .unwrap_or(false)
+    }
+
+    /// Every geom that a segment crosses, in list order, with the crossings. Nothing is filtered out.
+    ///
+    /// With `detect_using_aabb` the geoms' boxes are crossed instead of their outlines.
+    #[doc(alias = "LineSegmentAllGeomsIntersect")]
+    pub fn line_segment_all_geoms_intersect(
+        &self,
+        point1: Vector2,
+        point2: Vector2,
+        detect_using_aabb: bool,
+    ) -> Vec<GeomPointPair> {
+        let pairs = self.geom_list.iter().map(|&geom| GeomPointPair {
+            geom,
+            points: self.line_segment_geom_intersect(point1, point2, geom, detect_using_aabb),
+        });
+        pairs.filter(|pair| !pair.points.is_empty()).collect()
+    }
+
+    /// Where a segment crosses the outline (or the box) of a geom, in the order of its edges; nowhere for a stale
+    /// id.
+    #[doc(alias = "LineSegmentGeomIntersect")]
+    pub fn line_segment_geom_intersect(
+        &self,
+        point1: Vector2,
+        point2: Vector2,
+        geom: GeomId,
+        detect_using_aabb: bool,
+    ) -> Vec<Vector2> {
+        let mut points = Vec::new();
+        self.with_settled(geom, |geom| {
+            if detect_using_aabb {
+                line_segment_aabb_intersect(point1, point2, &geom.aabb, &mut points);
+            } else {
+                line_segment_vertices_intersect(point1, point2, &geom.world_vertices, &mut points);
+            }
+        });
+        points
+    }
+
+    /// Looks at a geom where it is, or where it will be if its body was edited.
+    fn with_settled<T>(&self, geom: GeomId, look: impl FnOnce(&GeomEntry) -> T) -> Option<T> {
+        let view = self.geom(geom)?;
+        match view.pending {
+            None => Some(look(view.entry)),
+            Some((position, rotation)) => {
+                let mut entry = view.entry.clone();
+                entry.follow(position, rotation);
+                Some(look(&entry))
+            }
+        }
+    }
+}

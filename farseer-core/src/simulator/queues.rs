@@ -1,0 +1,295 @@
+//! How things enter and leave the simulation (behaviour chapter 04, section 2).
+//!
+//! Additions are processed before removals, geoms before bodies. So an object that is removed and added again
+//! between two updates ends up removed, as in the original.
+
+use serde::{Deserialize, Serialize};
+
+use super::{ObjectId, PhysicsSimulator};
+use crate::arbiter::is_valid_pair;
+use crate::body::BodyId;
+use crate::events::{Context, Event, EventHandler};
+use crate::geom::GeomId;
+use crate::methods::NarrowPhaseCollider;
+use crate::{Error, Result};
+
+/// What waits for the next update.
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+pub(super) struct Queues {
+    pub(super) added_geoms: Vec<GeomId>,
+    pub(super) added_bodies: Vec<BodyId>,
+    pub(super) removed_geoms: Vec<GeomId>,
+    pub(super) removed_bodies: Vec<BodyId>,
+    /// Their ids go stale with the next update.
+    pub(super) disposed_geoms: Vec<GeomId>,
+    pub(super) disposed_bodies: Vec<BodyId>,
+}
+
+/// The handler of an update, if there is one.
+pub(super) type Handler<'a, 'h> = &'a mut Option<&'h mut dyn EventHandler>;
+
+impl PhysicsSimulator {
+    /// Lets an object take part from the next update on. Adding a body does not add its geoms.
+    ///
+    /// # Errors
+    /// A stale id.
+    #[doc(alias = "Add")]
+    pub fn add(&mut self, object: impl Into<ObjectId>) -> Result<()> {
+        match object.into() {
+            ObjectId::Body(body) => {
+                let entry = self.bodies.get_mut(body).ok_or(Error::StaleId { argument: "body" })?;
+                if !std::mem::replace(&mut entry.is_queued, true) {
+                    self.queues.added_bodies.push(body);
+                }
+            }
+            ObjectId::Geom(geom) => {
+                let entry = self.geoms.get_mut(geom).ok_or(Error::StaleId { argument: "geom" })?;
+                if !std::mem::replace(&mut entry.is_queued, true) {
+                    self.queues.added_geoms.push(geom);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes an object out of the simulation with the next update; it stays alive and may be added again.
+    /// Removing a body does not remove its geoms: they go on colliding, and the body is no longer moved.
+    ///
+    /// # Errors
+    /// A stale id.
+    #[doc(alias = "Remove")]
+    pub fn remove(&mut self, object: impl Into<ObjectId>) -> Result<()> {
+        match object.into() {
+            ObjectId::Body(body) => {
+                self.bodies.get(body).ok_or(Error::StaleId { argument: "body" })?;
+                self.queues.removed_bodies.push(body);
+            }
+            ObjectId::Geom(geom) => {
+                self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?;
+                self.queues.removed_geoms.push(geom);
+            }
+        }
+        Ok(())
+    }
+
+    /// Ends the life of an object: it leaves the simulation and its id goes stale with the next update. The
+    /// geoms of a body are disposed with it.
+    ///
+    /// # Errors
+    /// A stale id.
+    #[doc(alias = "Dispose")]
+    pub fn dispose(&mut self, object: impl Into<ObjectId>) -> Result<()> {
+        match object.into() {
+            ObjectId::Body(body) => {
+                let entry = self.bodies.get_mut(body).ok_or(Error::StaleId { argument: "body" })?;
+                if !std::mem::replace(&mut entry.is_disposed, true) {
+                    self.queues.disposed_bodies.push(body);
+                }
+                self.pending_events.push(Event::BodyDisposed { body });
+                for geom in std::mem::take(&mut self.bodies[body].geoms) {
+                    self.dispose_geom(geom);
+                }
+            }
+            ObjectId::Geom(geom) => {
+                let entry = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?;
+                let body = entry.body;
+                self.bodies[body].geoms.retain(|&other| other != geom);
+                self.dispose_geom(geom);
+            }
+        }
+        Ok(())
+    }
+
+    fn dispose_geom(&mut self, geom: GeomId) {
+        let entry = &mut self.geoms[geom];
+        if std::mem::replace(&mut entry.is_disposed, true) {
+            return;
+        }
+        if self.settings.narrow_phase == NarrowPhaseCollider::DistanceGrid {
+            entry.grid = None;
+        }
+        self.queues.disposed_geoms.push(geom);
+    }
+
+    /// Lets everything that waits enter or leave now, without a step.
+    #[doc(alias = "ProcessAddedAndRemoved")]
+    pub fn process_added_and_removed(&mut self) {
+        self.process_all_queues(&mut None);
+    }
+
+    /// First stage of an update: things enter and leave, edited bodies take their geoms along, and pairs that
+    /// have an arbiter are noted.
+    pub fn process_queues(&mut self, handler: Option<&mut dyn EventHandler>) {
+        let mut handler = handler;
+        self.process_all_queues(&mut handler);
+        self.arbiters.prepare_for_broad_phase_collision(&self.geom_list, &mut self.geoms);
+    }
+
+    fn process_all_queues(&mut self, handler: Handler) {
+        self.settle(handler);
+        self.process_added(handler);
+        self.process_removed(handler);
+        self.process_disposed(handler);
+        let (geoms, bodies) = (&self.geoms, &self.bodies);
+        self.arbiters.remove_where(
+            |arbiter| !arbiter.geoms.is_some_and(|(a, b)| is_valid_pair(&geoms[a], &geoms[b], bodies)),
+            |_, _| {},
+        );
+        self.free_disposed();
+    }
+
+    /// Notes an event and tells the handler.
+    fn tell_added(&mut self, object: ObjectId, handler: Handler) {
+        self.events.push(Event::Added { object });
+        if let Some(handler) = handler {
+            handler.on_added(object);
+        }
+    }
+
+    fn tell_removed(&mut self, object: ObjectId, handler: Handler) {
+        self.events.push(Event::Removed { object });
+        if let Some(handler) = handler {
+            handler.on_removed(object);
+        }
+    }
+
+    fn process_added(&mut self, handler: Handler) {
+        for geom in std::mem::take(&mut self.queues.added_geoms) {
+            let Some(entry) = self.geoms.get_mut(geom) else { continue };
+            entry.is_queued = false;
+            if !std::mem::replace(&mut entry.is_listed, true) {
+                entry.in_simulation = true;
+                self.geom_list.push(geom);
+                self.tell_added(geom.into(), handler);
+                self.broad_phase.add(geom, &self.geoms);
+            }
+        }
+        for body in std::mem::take(&mut self.queues.added_bodies) {
+            let Some(entry) = self.bodies.get_mut(body) else { continue };
+            entry.is_queued = false;
+            if !std::mem::replace(&mut entry.is_listed, true) {
+                self.body_list.push(body);
+                self.tell_added(body.into(), handler);
+            }
+        }
+    }
+
+    fn process_removed(&mut self, handler: Handler) {
+        let removed = std::mem::take(&mut self.queues.removed_geoms);
+        for &geom in &removed {
+            let Some(entry) = self.geoms.get_mut(geom) else { continue };
+            entry.in_simulation = false;
+            if std::mem::replace(&mut entry.is_listed, false) {
+                self.geom_list.retain(|&listed| listed != geom);
+            }
+            self.tell_removed(geom.into(), handler);
+            self.arbiters.remove_arbiters_of(geom);
+        }
+        if !removed.is_empty() {
+            self.broad_phase.retain(|geom| geom.in_simulation, &self.geoms);
+        }
+        for body in std::mem::take(&mut self.queues.removed_bodies) {
+            let Some(entry) = self.bodies.get_mut(body) else { continue };
+            if std::mem::replace(&mut entry.is_listed, false) {
+                self.body_list.retain(|&listed| listed != body);
+            }
+            self.tell_removed(body.into(), handler);
+        }
+    }
+
+    /// Takes what was disposed out of the lists, in list order.
+    fn process_disposed(&mut self, handler: Handler) {
+        if !self.queues.disposed_geoms.is_empty() {
+            let leaving: Vec<GeomId> =
+                self.geom_list.iter().copied().filter(|&geom| self.geoms[geom].is_disposed).collect();
+            self.geom_list.retain(|&geom| !self.geoms[geom].is_disposed);
+            for &geom in &leaving {
+                self.tell_removed(geom.into(), handler);
+            }
+            if !leaving.is_empty() {
+                self.broad_phase.retain(|geom| !geom.is_disposed, &self.geoms);
+            }
+        }
+        if !self.queues.disposed_bodies.is_empty() {
+            let leaving: Vec<BodyId> =
+                self.body_list.iter().copied().filter(|&body| self.bodies[body].is_disposed).collect();
+            self.body_list.retain(|&body| !self.bodies[body].is_disposed);
+            for &body in &leaving {
+                self.tell_removed(body.into(), handler);
+            }
+        }
+    }
+
+    /// The ids of what was disposed go stale. No list names them any more.
+    fn free_disposed(&mut self) {
+        for geom in std::mem::take(&mut self.queues.disposed_geoms) {
+            self.geoms.remove(geom);
+        }
+        for body in std::mem::take(&mut self.queues.disposed_bodies) {
+            // Geoms attached after the disposal go with it.
+            for geom in std::mem::take(&mut self.bodies[body].geoms) {
+                self.dispose_geom(geom);
+            }
+            self.bodies.remove(body);
+        }
+    }
+
+    /// Lets geoms follow bodies that were edited, and delivers what has happened meanwhile.
+    pub(super) fn settle(&mut self, handler: Handler) {
+        loop {
+            while let Some(body) = self.touched_bodies.pop() {
+                self.settle_body(body);
+            }
+            while let Some(geom) = self.touched_geoms.pop() {
+                let Some(entry) = self.geoms.get_mut(geom) else { continue };
+                entry.is_touched = false;
+                for argument in entry.geom.rejected.drain(..) {
+                    self.pending_events.push(Event::RejectedInput { object: Some(geom.into()), argument });
+                }
+            }
+            if self.pending_events.is_empty() {
+                return;
+            }
+            for event in std::mem::take(&mut self.pending_events) {
+                self.deliver(event, handler);
+            }
+        }
+    }
+
+    pub(super) fn settle_body(&mut self, body: BodyId) {
+        let Some(entry) = self.bodies.get_mut(body) else { return };
+        entry.is_touched = false;
+        for argument in entry.body.rejected.drain(..) {
+            self.pending_events.push(Event::RejectedInput { object: Some(body.into()), argument });
+        }
+        if entry.pending_pose().is_some() {
+            self.pending_events.push(Event::BodyUpdated { body });
+            self.let_geoms_follow(body, true);
+        }
+    }
+
+    /// Moves the geoms of a body to its pose. Those that are there already stay, unless `all` are to be refreshed.
+    pub(super) fn let_geoms_follow(&mut self, body: BodyId, all: bool) {
+        let entry = &mut self.bodies[body];
+        let (position, rotation) = (entry.body.position(), entry.body.rotation());
+        entry.body.pose_is_dirty = false;
+        entry.followed = (position, rotation);
+        for &geom in &entry.geoms {
+            let geom = &mut self.geoms[geom];
+            if all || geom.refresh_is_due {
+                geom.follow(position, rotation);
+            }
+        }
+    }
+
+    fn deliver(&mut self, event: Event, handler: Handler) {
+        self.events.push(event);
+        let Some(handler) = handler else { return };
+        let mut context = Context { simulator: self };
+        match event {
+            Event::BodyUpdated { body } => handler.on_body_updated(&mut context, body),
+            Event::BodyDisposed { body } => handler.on_body_disposed(&mut context, body),
+            _ => {}
+        }
+    }
+}

@@ -1,0 +1,115 @@
+//! Saving and loading the whole simulator.
+//!
+//! Everything that can influence a later bit is saved: queues, the order of sorted lists, arbiters with their
+//! impulses and the pool they go back to, creation numbers. Distance grids are saved as the outline they are made
+//! from. What was loaded continues with the same bits; what contradicts itself is refused.
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
+
+use super::{BodyEntry, PhysicsSimulator};
+use crate::body::BodyId;
+use crate::geom::GeomId;
+use crate::{Error, Result};
+
+impl Serialize for PhysicsSimulator {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        PhysicsSimulator::serialize(self, serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for PhysicsSimulator {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let mut simulator = PhysicsSimulator::deserialize(deserializer)?;
+        simulator.check().map_err(D::Error::custom)?;
+        simulator.share_grids().map_err(D::Error::custom)?;
+        Ok(simulator)
+    }
+}
+
+impl PhysicsSimulator {
+    /// Geoms of equal outline and cell size share one grid again.
+    fn share_grids(&mut self) -> Result<()> {
+        for geom in self.geoms.values_mut() {
+            if let Some(grid) = &geom.grid {
+                geom.grid = Some(self.grids.adopt(grid)?);
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses what no sequence of calls could have made, and what would make a later call fail.
+    fn check(&self) -> Result<()> {
+        let damaged = |reason| Err(Error::DamagedSave { reason });
+        let settings = &self.settings;
+        if ![settings.gravity.x, settings.gravity.y, settings.bias_factor, settings.allowed_penetration]
+            .iter()
+            .all(|value| value.is_finite())
+        {
+            return damaged("a setting is not finite");
+        }
+        if !self.bodies.is_consistent() || !self.geoms.is_consistent() {
+            return damaged("a free slot is occupied");
+        }
+        if !self.lists_are_consistent() {
+            return damaged("a list names an object that is not there, or twice");
+        }
+        let mut geoms = self.geoms.iter::<GeomId>();
+        if !geoms.all(|(id, geom)| {
+            geom.is_valid()
+                && geom.number < self.next_geom_number
+                && self.bodies.get(geom.body).is_some_and(|body| {
+                    geom.is_disposed || body.geoms.iter().filter(|&&g| g == id).count() == 1
+                })
+        }) {
+            return damaged("a geom is not finite or not attached to its body");
+        }
+        let mut bodies = self.bodies.iter::<BodyId>();
+        if !bodies
+            .all(|(id, entry)| entry.is_consistent(|geom| self.geoms.get(geom).is_some_and(|g| g.body == id)))
+        {
+            return damaged("a body names a geom that is not its own");
+        }
+        if !self.broad_phase.is_valid(&self.geoms) {
+            return damaged("the broad phase names what is not there");
+        }
+        if !self.arbiters.is_valid(&self.geoms) {
+            return damaged("an arbiter names what is not there or is not finite");
+        }
+        Ok(())
+    }
+
+    fn lists_are_consistent(&self) -> bool {
+        let listed_bodies = self.bodies.iter::<BodyId>().filter(|(_, entry)| entry.is_listed).count();
+        let listed_geoms = self.geoms.iter::<GeomId>().filter(|(_, entry)| entry.is_listed).count();
+        let queues = &self.queues;
+        no_duplicates(&self.body_list)
+            && no_duplicates(&self.geom_list)
+            && no_duplicates(&queues.disposed_bodies)
+            && no_duplicates(&queues.disposed_geoms)
+            && self.body_list.len() == listed_bodies
+            && self.geom_list.len() == listed_geoms
+            && self.body_list.iter().all(|&id| self.bodies.get(id).is_some_and(|entry| entry.is_listed))
+            && self.geom_list.iter().all(|&id| self.geoms.get(id).is_some_and(|entry| entry.is_listed))
+            && queues
+                .disposed_bodies
+                .iter()
+                .all(|&id| self.bodies.get(id).is_some_and(|entry| entry.is_disposed))
+            && queues
+                .disposed_geoms
+                .iter()
+                .all(|&id| self.geoms.get(id).is_some_and(|entry| entry.is_disposed))
+    }
+}
+
+fn no_duplicates<T: Ord + Copy>(list: &[T]) -> bool {
+    let mut sorted = list.to_vec();
+    sorted.sort_unstable();
+    sorted.windows(2).all(|pair| pair[0] != pair[1])
+}
+
+impl BodyEntry {
+    fn is_consistent(&self, is_own_geom: impl Fn(GeomId) -> bool) -> bool {
+        let followed = [self.followed.0.x, self.followed.0.y, self.followed.1];
+        followed.iter().all(|value| value.is_finite()) && self.geoms.iter().all(|&geom| is_own_geom(geom))
+    }
+}

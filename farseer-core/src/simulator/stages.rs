@@ -1,0 +1,270 @@
+//! The update and its stages (behaviour chapter 04, section 3).
+
+use super::queues::Handler;
+use super::{PhysicsSimulator, StepCounters};
+use crate::broad_phase::{BroadPhase, PairSink, Scene};
+use crate::contact::Contact;
+use crate::events::{Context, Event, EventHandler};
+use crate::geom::GeomId;
+use crate::narrow_phase;
+use crate::solver::PreStepSettings;
+
+impl PhysicsSimulator {
+    /// Moves everything by `dt` seconds. Games call this with a fixed step.
+    ///
+    /// A negative step runs backwards; 0 only lets things enter and leave. A step that is not finite, or so small
+    /// that its reciprocal is not, changes nothing and is reported as [`Event::RejectedInput`].
+    #[doc(alias = "Update")]
+    pub fn update(&mut self, dt: f32) {
+        self.run(dt, &mut None);
+    }
+
+    /// [`update`](Self::update) with callbacks.
+    pub fn update_with(&mut self, dt: f32, handler: &mut dyn EventHandler) {
+        self.run(dt, &mut Some(handler));
+    }
+
+    fn run(&mut self, dt: f32, handler: Handler) {
+        self.events.clear();
+        self.counters = StepCounters::default();
+        if !dt.is_finite() || (dt != 0.0 && !(1.0 / dt).is_finite()) {
+            self.events.push(Event::RejectedInput { object: None, argument: "dt" });
+            return;
+        }
+        self.process_queues(reborrow(handler));
+        if dt == 0.0 || !self.settings.enabled {
+            return;
+        }
+        self.find_pairs(reborrow(handler));
+        self.collide_pairs(reborrow(handler));
+        self.apply_forces(dt);
+        self.pre_step(1.0 / dt);
+        for _ in 0..self.settings.iterations {
+            self.solve_iteration();
+        }
+        self.integrate(dt, reborrow(handler));
+    }
+
+    /// Second stage: the broad phase appends arbiters for new pairs whose boxes overlap.
+    pub fn find_pairs(&mut self, handler: Option<&mut dyn EventHandler>) {
+        // Both are put back below; no callback can reach them meanwhile.
+        let mut broad_phase = std::mem::replace(&mut self.broad_phase, BroadPhase::BruteForce);
+        let geom_list = std::mem::take(&mut self.geom_list);
+        broad_phase.update(&geom_list, &mut PairFinder { simulator: self, handler });
+        self.geom_list = geom_list;
+        self.broad_phase = broad_phase;
+    }
+
+    /// Third stage: the narrow phase finds the contacts of every pair, deepest first, and takes over the impulses
+    /// of those that were there before. Pairs without contacts leave.
+    pub fn collide_pairs(&mut self, handler: Option<&mut dyn EventHandler>) {
+        let mut handler = handler;
+        let mut contacts = std::mem::take(&mut self.new_contacts);
+        for position in 0..self.arbiters.len() {
+            contacts.clear();
+            self.collide_pair(position, &mut contacts, &mut handler);
+        }
+        self.new_contacts = contacts;
+        self.counters.pairs_tested = self.arbiters.len();
+        self.remove_separated(&mut handler);
+        self.counters.pairs_touching = self.arbiters.len();
+    }
+
+    /// Behaviour chapter 03, section 5.
+    fn collide_pair(&mut self, position: usize, contacts: &mut Vec<Contact>, handler: Handler) {
+        let handle = self.arbiters.list[position] as usize;
+        let Some((a, b)) = self.arbiters.arbiters[handle].geoms else { return };
+        let settings = &self.settings;
+        let (geom_a, geom_b) = (&self.geoms[a], &self.geoms[b]);
+        narrow_phase::collide(
+            settings.narrow_phase,
+            settings.max_contacts_to_detect,
+            geom_a,
+            geom_b,
+            contacts,
+        );
+        if !contacts.is_empty() {
+            sort_by_separation(contacts);
+            contacts.truncate(settings.max_contacts_to_resolve.max(0) as usize);
+            self.tell_collision(a, b, contacts, handler);
+            self.tell_collision(b, a, contacts, handler);
+        }
+        let known = &mut self.arbiters.arbiters[handle].contacts;
+        for contact in contacts.iter_mut() {
+            if let Some(old) = known.iter().find(|old| old.id == contact.id) {
+                contact.normal_impulse = old.normal_impulse;
+                contact.tangent_impulse = old.tangent_impulse;
+            }
+        }
+        known.clear();
+        known.extend_from_slice(contacts);
+    }
+
+    fn tell_collision(&mut self, this: GeomId, other: GeomId, contacts: &mut Vec<Contact>, handler: Handler) {
+        if contacts.is_empty() {
+            return;
+        }
+        let count = contacts.len() as u32;
+        let mut accepted = true;
+        if let Some(handler) = handler {
+            accepted = handler.on_collision(&mut Context { simulator: self }, this, other, contacts);
+            contacts.retain(is_finite);
+        }
+        self.events.push(Event::Collision { this, other, contacts: count, vetoed: !accepted });
+        if !accepted {
+            contacts.clear();
+        }
+        if handler.is_some() {
+            self.settle(handler);
+        }
+    }
+
+    fn remove_separated(&mut self, handler: Handler) {
+        let mut separated = std::mem::take(&mut self.separated);
+        self.arbiters.remove_where(|arbiter| arbiter.contacts.is_empty(), |a, b| separated.push((a, b)));
+        for (a, b) in separated.drain(..) {
+            for (this, other) in [(a, b), (b, a)] {
+                self.events.push(Event::Separation { this, other });
+                if let Some(handler) = handler {
+                    handler.on_separation(&mut Context { simulator: self }, this, other);
+                    self.settle(&mut Some(&mut **handler));
+                }
+            }
+        }
+        self.separated = separated;
+    }
+
+    /// Fourth stage: impulses, gravity and drag become velocity. A body whose velocity would not be finite keeps
+    /// what it had, and is disabled and reported.
+    pub fn apply_forces(&mut self, dt: f32) {
+        for &id in &self.body_list {
+            let entry = &mut self.bodies[id];
+            let body = &mut entry.body;
+            if !body.is_integrated() || entry.is_disposed {
+                continue;
+            }
+            let before = (body.linear_velocity, body.angular_velocity);
+            body.apply_accumulated_impulse();
+            body.accumulate_gravity(self.settings.gravity);
+            body.integrate_velocity(dt);
+            if !body.is_finite() {
+                (body.linear_velocity, body.angular_velocity) = before;
+                body.set_enabled(false);
+                self.events.push(Event::NotFinite { body: id, disabled: true });
+            }
+        }
+    }
+
+    /// Fifth stage: contacts are prepared, and the impulses of the last update act again. `inverse_dt` is 1 / dt.
+    pub fn pre_step(&mut self, inverse_dt: f32) {
+        let settings = PreStepSettings {
+            inverse_dt,
+            bias_factor: self.settings.bias_factor,
+            allowed_penetration: self.settings.allowed_penetration,
+        };
+        self.solver.pre_step(&self.arbiters, &self.geoms, &self.bodies, settings);
+        self.counters.contacts_solved = self.solver.row_count();
+    }
+
+    /// Sixth stage, repeated: one pass over all contacts.
+    pub fn solve_iteration(&mut self) {
+        self.solver.solve_iteration();
+    }
+
+    /// Last stage: velocities become positions, and geoms follow. A body whose state would not be finite is put
+    /// back to its last finite one and reported; a dynamic one is disabled.
+    pub fn integrate(&mut self, dt: f32, handler: Option<&mut dyn EventHandler>) {
+        let mut handler = handler;
+        self.solver.finish(&mut self.arbiters, &mut self.bodies, &mut self.events);
+        for index in 0..self.body_list.len() {
+            let id = self.body_list[index];
+            let entry = &mut self.bodies[id];
+            if !entry.body.is_integrated() || entry.is_disposed {
+                continue;
+            }
+            let before = entry.body.pose();
+            let moved = entry.body.integrate_position(dt);
+            if moved && !entry.body.is_finite() {
+                entry.body.restore_pose(before);
+                entry.body.set_enabled(false);
+                self.events.push(Event::NotFinite { body: id, disabled: true });
+                continue;
+            }
+            if !entry.body.has_moved() {
+                continue;
+            }
+            self.let_geoms_follow(id, moved);
+            self.counters.bodies_moved += usize::from(moved);
+            self.events.push(Event::BodyUpdated { body: id });
+            if let Some(handler) = &mut handler {
+                handler.on_body_updated(&mut Context { simulator: self }, id);
+                self.settle(&mut Some(&mut **handler));
+            }
+        }
+    }
+}
+
+/// The handler again, for a shorter time.
+fn reborrow<'a>(handler: &'a mut Option<&mut dyn EventHandler>) -> Option<&'a mut dyn EventHandler> {
+    match handler {
+        Some(handler) => Some(&mut **handler),
+        None => None,
+    }
+}
+
+/// Stable insertion sort, deepest first.
+fn sort_by_separation(contacts: &mut [Contact]) {
+    for i in 1..contacts.len() {
+        let mut j = i;
+        while j > 0 && contacts[j - 1].separation > contacts[j].separation {
+            contacts.swap(j - 1, j);
+            j -= 1;
+        }
+    }
+}
+
+/// Whether a contact that a handler may have edited can be solved.
+fn is_finite(contact: &Contact) -> bool {
+    [contact.position.x, contact.position.y, contact.normal.x, contact.normal.y, contact.separation]
+        .iter()
+        .all(|value| value.is_finite())
+}
+
+/// Hands pairs from the broad phase to the arbiter list.
+struct PairFinder<'s, 'h> {
+    simulator: &'s mut PhysicsSimulator,
+    handler: Option<&'h mut dyn EventHandler>,
+}
+
+impl PairSink for PairFinder<'_, '_> {
+    fn has_approval(&self) -> bool {
+        self.handler.as_ref().is_some_and(|handler| handler.handles_broad_phase())
+    }
+
+    fn approve(&mut self, geom1: GeomId, geom2: GeomId) -> bool {
+        let Some(handler) = &mut self.handler else { return true };
+        let mut context = Context { simulator: self.simulator };
+        let accepted = handler.on_broad_phase_collision(&mut context, geom1, geom2);
+        if !accepted {
+            self.simulator.events.push(Event::BroadPhaseVeto { geom1, geom2 });
+        }
+        self.simulator.settle(&mut Some(&mut **handler));
+        accepted
+    }
+
+    fn scene(&self) -> Scene<'_> {
+        Scene { geoms: &self.simulator.geoms, bodies: &self.simulator.bodies }
+    }
+
+    fn register(&mut self, geom1: GeomId, geom2: GeomId) {
+        let PhysicsSimulator { arbiters, geoms, settings, .. } = &mut *self.simulator;
+        if geoms.contains(geom1) && geoms.contains(geom2) {
+            arbiters.add_arbiter_for_geom_pair(geoms, settings.friction_type, geom1, geom2);
+        }
+    }
+
+    fn register_unless_listed(&mut self, geom1: GeomId, geom2: GeomId) {
+        let PhysicsSimulator { arbiters, geoms, settings, .. } = &mut *self.simulator;
+        arbiters.add_arbiter_unless_listed(geoms, settings.friction_type, geom1, geom2);
+    }
+}

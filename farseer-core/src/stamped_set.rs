@@ -1,0 +1,80 @@
+//! A set of integers that is emptied in no time.
+
+/// Open addressing; an entry counts only if its stamp is the current one. Never enumerated, so the order inside
+/// cannot be observed.
+#[derive(Debug, Clone)]
+pub(crate) struct StampedSet {
+    entries: Vec<(i64, u32)>,
+    stamp: u32,
+    used: usize,
+}
+
+impl Default for StampedSet {
+    fn default() -> Self {
+        // Free places have stamp 0.
+        StampedSet { entries: Vec::new(), stamp: 1, used: 0 }
+    }
+}
+
+impl StampedSet {
+    pub(crate) fn clear(&mut self) {
+        self.used = 0;
+        self.stamp = self.stamp.wrapping_add(1);
+        if self.stamp == 0 {
+            self.entries.fill((0, 0));
+            self.stamp = 1;
+        }
+    }
+
+    /// Puts a key in and answers whether it is new.
+    #[inline]
+    pub(crate) fn insert(&mut self, key: i64) -> bool {
+        if (self.used + 1) * 2 > self.entries.len() {
+            self.grow();
+        }
+        let place = self.find(key);
+        if self.entries[place].1 == self.stamp {
+            return false;
+        }
+        self.entries[place] = (key, self.stamp);
+        self.used += 1;
+        true
+    }
+
+    /// The place of a key, or the free place where it belongs.
+    #[inline]
+    fn find(&self, key: i64) -> usize {
+        let mask = self.entries.len() - 1;
+        // Fibonacci hashing spreads neighbouring keys over the table.
+        let mut place = ((key as u64).wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 32) as usize & mask;
+        while self.entries[place].1 == self.stamp && self.entries[place].0 != key {
+            place = (place + 1) & mask;
+        }
+        place
+    }
+
+    fn grow(&mut self) {
+        let capacity = (self.entries.len() * 2).max(256);
+        let old = std::mem::replace(&mut self.entries, vec![(0, 0); capacity]);
+        for (key, stamp) in old {
+            if stamp == self.stamp {
+                let place = self.find(key);
+                self.entries[place] = (key, stamp);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_key_is_new_once_until_the_set_is_cleared() {
+        let mut set = StampedSet::default();
+        assert!((0..1000).all(|key| set.insert(key * 7)));
+        assert!((0..1000).all(|key| !set.insert(key * 7)));
+        set.clear();
+        assert!((0..1000).all(|key| set.insert(key * 7)));
+    }
+}

@@ -1,0 +1,237 @@
+//! Checks runs against what the original did: one scene, or folders of them.
+//!
+//! A scene in which the original threw an exception, or in which a body's state stopped being a number, is compared
+//! up to the step before that. From there on this engine has a behaviour of its own, which is checked instead:
+//!
+//! - what the original refused with an exception where something is created or set is refused with an error here;
+//! - where the original threw in an update the run goes on to the end, and every body's state stays finite;
+//! - where the original went on with what is not a number, the body is stopped and reported
+//!   ([`Event::NotFinite`](farseer_core::Event::NotFinite)) at the latest one step later.
+
+mod folder;
+mod summary;
+
+pub use folder::{Entry, entries};
+pub use summary::{Summary, check_folders};
+
+use crate::compare::{Difference, compare};
+use crate::run::{BUILT, Recording, record};
+use crate::scene::{Features, Scene};
+use crate::trace::{Line, Trace};
+use std::fmt;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// What came of checking a scene.
+#[derive(Debug)]
+pub enum Verdict {
+    /// Every byte of the trace is reproduced.
+    Exact,
+    /// Everything up to the step before something the original is not followed in, and the behaviour from there on
+    /// is the documented one.
+    ExactUntil {
+        /// The last step compared.
+        step: u32,
+        /// What the original did in the next.
+        original: String,
+    },
+    /// The scene needs something that was to be left out.
+    Skipped(Features),
+    /// The trace is not reproduced.
+    Differs(Box<Difference>),
+    /// The scene could not be run or does not behave as documented.
+    Failed(String),
+}
+
+impl Verdict {
+    /// Whether the scene was run and is as it should be.
+    pub fn is_exact(&self) -> bool {
+        matches!(self, Verdict::Exact | Verdict::ExactUntil { .. })
+    }
+
+    /// Whether the scene was left out as asked.
+    pub fn is_skipped(&self) -> bool {
+        matches!(self, Verdict::Skipped(_))
+    }
+
+    /// Whether something is wrong.
+    pub fn is_failure(&self) -> bool {
+        matches!(self, Verdict::Differs(_) | Verdict::Failed(_))
+    }
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Verdict::Exact => write!(f, "exact"),
+            Verdict::ExactUntil { step, original } => {
+                write!(f, "exact until step {step}, as documented after it ({original})")
+            }
+            Verdict::Skipped(features) => write!(f, "skipped ({features})"),
+            Verdict::Differs(difference) => write!(f, "{difference}"),
+            Verdict::Failed(reason) => write!(f, "failed: {reason}"),
+        }
+    }
+}
+
+/// Checks a scene against the text of its trace, leaving it out if it needs what is to be skipped. A panic is caught
+/// and reported as a failure.
+pub fn check(scene: &Scene, trace: &str, skip: Features) -> Verdict {
+    check_with(scene, trace, skip, Features::of(BUILT))
+}
+
+/// Checks a scene as if `built` were what the engine has.
+pub fn check_with(scene: &Scene, trace: &str, skip: Features, built: Features) -> Verdict {
+    let needs = scene.features();
+    let missing = needs.without(built).without(skip);
+    if !missing.is_empty() {
+        return Verdict::Failed(format!("needs {missing}, which the engine does not have"));
+    }
+    if !needs.and(skip).is_empty() {
+        return Verdict::Skipped(needs.and(skip));
+    }
+    let expected: Trace = match trace.parse() {
+        Ok(expected) => expected,
+        Err(error) => return Verdict::Failed(format!("the trace {error}")),
+    };
+    catch_unwind(AssertUnwindSafe(|| judge(scene, &expected, trace, &record(scene))))
+        .unwrap_or_else(|panic| Verdict::Failed(format!("panicked: {}", message(panic.as_ref()))))
+}
+
+/// The text of a panic.
+fn message(panic: &(dyn std::any::Any + Send)) -> &str {
+    let text = panic.downcast_ref::<String>().map(String::as_str);
+    text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("no message")
+}
+
+/// Judges what happened in a run by what should have happened.
+pub fn judge(scene: &Scene, expected: &Trace, text: &str, recording: &Recording) -> Verdict {
+    let unusual = Unusual::of(scene, expected);
+    let Some(step) = unusual.first() else {
+        if let Some((step, error)) = &recording.error {
+            return Verdict::Failed(format!("step {step}: {error}"));
+        }
+        return match compare(expected, &recording.trace, None) {
+            Some(difference) => Verdict::Differs(Box::new(difference)),
+            None if recording.trace.to_string() != text => {
+                Verdict::Failed("the lines are equal, but the texts are not".to_owned())
+            }
+            None => Verdict::Exact,
+        };
+    };
+    // A scene that cannot be built has nothing to compare but the first lines of the header.
+    if step > 0
+        && let Some(difference) = compare(expected, &recording.trace, Some(step))
+    {
+        return Verdict::Differs(Box::new(difference));
+    }
+    match unusual.check(scene, recording) {
+        Ok(()) => Verdict::ExactUntil { step: step.saturating_sub(1), original: unusual.to_string() },
+        Err(reason) => Verdict::Failed(format!("the original: {unusual}; here: {reason}")),
+    }
+}
+
+/// What the original did that is not followed.
+struct Unusual {
+    thrown: Option<(u32, String)>,
+    first_nan_step: Option<u32>,
+}
+
+impl fmt::Display for Unusual {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(step) = self.first_nan_step {
+            write!(f, "not a number at step {step}")?;
+        }
+        if let Some((step, exception)) = &self.thrown {
+            let comma = if self.first_nan_step.is_some() { ", " } else { "" };
+            write!(f, "{comma}{exception} at step {step}")?;
+        }
+        Ok(())
+    }
+}
+
+impl Unusual {
+    /// What the scene says about it, and the trace.
+    fn of(scene: &Scene, trace: &Trace) -> Self {
+        let in_trace = trace.lines.iter().find_map(|line| match line {
+            Line::Thrown { step, exception } => Some((*step, exception.clone())),
+            _ => None,
+        });
+        let in_scene = scene.outcome.throw_step.zip(scene.outcome.throws.clone());
+        Unusual { thrown: in_scene.or(in_trace), first_nan_step: scene.outcome.first_nan_step }
+    }
+
+    /// The first step that is not compared.
+    fn first(&self) -> Option<u32> {
+        let thrown = self.thrown.as_ref().map(|(step, _)| *step);
+        [thrown, self.first_nan_step].into_iter().flatten().min()
+    }
+
+    /// Checks the documented behaviour.
+    fn check(&self, scene: &Scene, recording: &Recording) -> Result<(), String> {
+        if let Some((step, exception)) = &self.thrown
+            && self.is_refusal_due(scene, *step, exception, recording)
+        {
+            return check_refusal(*step, recording);
+        }
+        if let Some((step, error)) = &recording.error {
+            return Err(format!("refused at step {step}: {error}"));
+        }
+        if let Some((step, body)) = recording.not_finite {
+            return Err(format!("body {body} is not finite after step {step}"));
+        }
+        match (self.first_nan_step, recording.reported) {
+            (None, _) => Ok(()),
+            (Some(limit), Some(reported)) if reported <= limit.saturating_add(1) => Ok(()),
+            (Some(limit), Some(reported)) => Err(format!(
+                "a body that stopped being finite was reported at step {reported}, not until step {}",
+                limit.saturating_add(1)
+            )),
+            (Some(_), None) => Err("no body that stopped being finite was reported".to_owned()),
+        }
+    }
+
+    /// Whether the original threw where something is created or set, so that there must be an error here.
+    fn is_refusal_due(&self, scene: &Scene, step: u32, exception: &str, recording: &Recording) -> bool {
+        if step == 0 {
+            return true;
+        }
+        let scripted = scene.script.iter().any(|entry| entry.is_due(step));
+        let refused = recording.error.as_ref().is_some_and(|(at, _)| *at == step);
+        match Thrower::of(exception) {
+            Thrower::Setter => scripted,
+            Thrower::Update => false,
+            Thrower::Either => refused,
+        }
+    }
+}
+
+/// Where the original throws an exception of some type.
+enum Thrower {
+    /// Where something is created or set.
+    Setter,
+    /// In an update.
+    Update,
+    /// In both.
+    Either,
+}
+
+impl Thrower {
+    fn of(exception: &str) -> Self {
+        match exception.rsplit('.').next().unwrap_or_default() {
+            "ArgumentOutOfRangeException"
+            | "ArgumentNullException"
+            | "OverflowException"
+            | "OutOfMemoryException" => Thrower::Setter,
+            "ArithmeticException" | "IndexOutOfRangeException" | "KeyNotFoundException" => Thrower::Update,
+            _ => Thrower::Either,
+        }
+    }
+}
+
+fn check_refusal(step: u32, recording: &Recording) -> Result<(), String> {
+    match &recording.error {
+        Some((at, error)) if *at == step && error.is_refusal() => Ok(()),
+        Some((at, error)) => Err(format!("step {at}: {error}")),
+        None => Err("nothing was refused".to_owned()),
+    }
+}

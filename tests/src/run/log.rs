@@ -1,0 +1,69 @@
+//! The handler of a run: logs callbacks as the lines of a trace and vetoes collisions.
+
+use crate::trace::{Event, Line};
+use farseer_core::{Contact, Context, EventHandler, GeomId};
+use std::collections::HashMap;
+
+/// What a run subscribes to, and what it heard.
+#[derive(Debug, Default)]
+pub(super) struct Log {
+    /// Id in the scene of every geom ever created.
+    numbers: HashMap<GeomId, usize>,
+    /// For each geom, against whom its collision callback answers false.
+    vetoes: Vec<Vec<usize>>,
+    /// Whether the broad phase event is subscribed.
+    pub(super) broad_phase_event: bool,
+    /// Last step whose events are logged; 0 for none.
+    pub(super) until: u32,
+    /// The current step.
+    pub(super) step: u32,
+    /// What was logged and not yet fetched.
+    pub(super) lines: Vec<Line>,
+}
+
+impl Log {
+    /// Makes a new geom known.
+    pub(super) fn subscribe(&mut self, geom: GeomId, veto: &[usize]) {
+        self.numbers.insert(geom, self.vetoes.len());
+        self.vetoes.push(veto.to_vec());
+    }
+
+    /// Id in the scene of a geom.
+    pub(super) fn number(&self, geom: GeomId) -> usize {
+        self.numbers.get(&geom).copied().expect("every geom of the simulation is created through the run")
+    }
+
+    /// Logs an event of the current step.
+    pub(super) fn event(&mut self, event: Event) {
+        if self.step <= self.until {
+            self.lines.push(Line::Event { step: self.step, event });
+        }
+    }
+}
+
+impl EventHandler for Log {
+    fn on_collision(
+        &mut self,
+        _: &mut Context<'_>,
+        this: GeomId,
+        other: GeomId,
+        contacts: &mut Vec<Contact>,
+    ) -> bool {
+        let (this, other) = (self.number(this), self.number(other));
+        self.event(Event::Collision { this, other, contacts: contacts.len() });
+        !self.vetoes[this].contains(&other)
+    }
+
+    fn on_separation(&mut self, _: &mut Context<'_>, this: GeomId, other: GeomId) {
+        self.event(Event::Separation { this: self.number(this), other: self.number(other) });
+    }
+
+    fn handles_broad_phase(&self) -> bool {
+        self.broad_phase_event
+    }
+
+    fn on_broad_phase_collision(&mut self, _: &mut Context<'_>, a: GeomId, b: GeomId) -> bool {
+        self.event(Event::BroadPhase { geom_a: self.number(a), geom_b: self.number(b) });
+        true
+    }
+}

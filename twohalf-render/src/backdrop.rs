@@ -1,0 +1,169 @@
+//! The stage of a 2.5D scene: sky, horizon and a tiled floor whose lines show depth.
+
+use crate::canvas::MAX_COORDINATE;
+use crate::error::check_range;
+use crate::{Canvas, Color, Point, Result, Transform};
+
+/// Narrowest floor tile, in px: below, lines would run together.
+const MIN_SPACING: f32 = 4.0;
+
+/// Depth lines flatter than this (px to the side per px of depth, angle below about 3 degrees) cannot be told
+/// from the lines across and are left out.
+const MAX_SLOPE: f32 = 20.0;
+
+/// How a ground backdrop looks. The floor is the plane Y = 0 as the engine projects it: depth Z goes up the
+/// screen, one px per unit, from the lower edge (Z = 0) to the horizon, and to the side along the Z axis'
+/// angle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GroundBackdrop {
+    /// Z of the horizon in px, greater than 0: how far up the screen the floor reaches.
+    pub depth: f32,
+    /// Direction of the Z axis on the screen in degrees, counterclockwise from the x axis, between 0 and 180;
+    /// as the simulator's. 90 goes straight up, 45 up and to the right.
+    pub angle: f32,
+    /// Side of a floor tile in X and Z, px, 4 or more.
+    pub spacing: f32,
+    /// Sky at the upper edge.
+    pub sky_top: Color,
+    /// Sky at the horizon.
+    pub sky_horizon: Color,
+    /// Floor at the lower edge, nearest to the viewer.
+    pub floor_near: Color,
+    /// Floor at the horizon.
+    pub floor_far: Color,
+    /// Lines between the tiles; they grow fainter and thinner with depth.
+    pub lines: Color,
+}
+
+impl GroundBackdrop {
+    /// A bright floor under a blue sky, tiles of 50 px.
+    pub fn new(depth: f32, angle: f32) -> Self {
+        GroundBackdrop {
+            depth,
+            angle,
+            spacing: 50.0,
+            sky_top: Color::rgb(92, 148, 206),
+            sky_horizon: Color::rgb(226, 238, 244),
+            floor_near: Color::rgb(214, 184, 140),
+            floor_far: Color::rgb(222, 216, 204),
+            lines: Color::rgba(96, 66, 36, 150),
+        }
+    }
+}
+
+/// Draws sky, floor and the floor's grid over the whole canvas. Its height counts as the simulator's.
+///
+/// What makes depth read: tiles of alternating shade, lines across at equal steps of Z, lines along Z at the
+/// Z axis' angle, and all of it paler and thinner towards the horizon.
+///
+/// An animation draws it once and begins each frame with a clone of that canvas.
+///
+/// # Errors
+/// `depth` or `spacing` out of range, `angle` not between 0 and 180, or one of them not finite. Nothing is
+/// drawn then.
+pub fn draw_ground_backdrop(canvas: &mut dyn Canvas, backdrop: &GroundBackdrop) -> Result<()> {
+    let GroundBackdrop { depth, angle, spacing, .. } = *backdrop;
+    check_range("depth", depth, f32::MIN_POSITIVE..=MAX_COORDINATE, "greater than 0, at most 1e6 px")?;
+    check_range("angle", angle, f32::MIN_POSITIVE..=180.0_f32.next_down(), "between 0 and 180 degrees")?;
+    check_range("spacing", spacing, MIN_SPACING..=MAX_COORDINATE, "4 to 1e6 px")?;
+    let (sin, cos) = libm::sincos(f64::from(angle).to_radians());
+    let [width, height] = canvas.size().map(|side| side as f32);
+    let floor = Floor { slope: (cos / sin) as f32, width, height, backdrop };
+    draw_gradients(canvas, backdrop);
+    floor.draw_tiles(canvas);
+    floor.draw_lines(canvas);
+    Ok(())
+}
+
+/// Sky and floor in rows of one px.
+fn draw_gradients(canvas: &mut dyn Canvas, backdrop: &GroundBackdrop) {
+    let [width, height] = canvas.size();
+    let horizon = height as f32 - backdrop.depth;
+    for row in 0..height {
+        let y = row as f32 + 0.5;
+        let color = if y < horizon {
+            // Squared: most of the change lies near the horizon, as in air.
+            let t = y / horizon;
+            backdrop.sky_top.lerp(backdrop.sky_horizon, t * t)
+        } else {
+            backdrop.floor_near.lerp(backdrop.floor_far, (height as f32 - y) / backdrop.depth)
+        };
+        let [corner, size] = [[0.0, row as f32], [width as f32, 1.0]];
+        canvas.fill_rectangle(corner, size, &Transform::IDENTITY, color);
+    }
+}
+
+/// The floor's grid on the screen.
+struct Floor<'a> {
+    /// Px to the right per px of depth: the cotangent of the Z axis' angle.
+    slope: f32,
+    width: f32,
+    height: f32,
+    backdrop: &'a GroundBackdrop,
+}
+
+impl Floor<'_> {
+    /// Where a point of the floor is on the screen.
+    fn project(&self, x: f32, z: f32) -> Point {
+        [x + z * self.slope, self.height - z]
+    }
+
+    /// Nearest and farthest Z of each row of tiles that can be seen, from near to far.
+    fn rows(&self) -> impl Iterator<Item = (i32, f32, f32)> {
+        let GroundBackdrop { spacing, depth, .. } = *self.backdrop;
+        let depth = depth.min(self.height);
+        let rows = (depth / spacing).ceil() as i32;
+        (0..rows).map(move |row| (row, row as f32 * spacing, ((row + 1) as f32 * spacing).min(depth)))
+    }
+
+    /// Numbers of the depth lines that cross the screen between two depths; the first is at X = number *
+    /// spacing.
+    fn columns(&self, near: f32, far: f32) -> std::ops::Range<i32> {
+        if self.slope.abs() > MAX_SLOPE {
+            return 0..0;
+        }
+        let shifts = [near * self.slope, far * self.slope];
+        let first = -shifts[0].max(shifts[1]) / self.backdrop.spacing;
+        let last = (self.width - shifts[0].min(shifts[1])) / self.backdrop.spacing;
+        first.floor() as i32..last.ceil() as i32 + 1
+    }
+
+    /// What the air leaves of a contrast at a depth: 1 near, a quarter at the horizon.
+    fn contrast(&self, z: f32) -> f32 {
+        1.0 - 0.75 * (z / self.backdrop.depth)
+    }
+
+    fn draw_tiles(&self, canvas: &mut dyn Canvas) {
+        let spacing = self.backdrop.spacing;
+        for (row, near, far) in self.rows() {
+            let color = self.backdrop.lines.with_opacity(0.22 * self.contrast(near));
+            for column in self.columns(near, far).filter(|column| (column + row) % 2 == 0) {
+                let [left, right] = [column as f32 * spacing, (column + 1) as f32 * spacing];
+                let tile = [
+                    self.project(left, near),
+                    self.project(right, near),
+                    self.project(right, far),
+                    self.project(left, far),
+                ];
+                canvas.fill_polygon(&tile, &Transform::IDENTITY, color);
+            }
+        }
+    }
+
+    fn draw_lines(&self, canvas: &mut dyn Canvas) {
+        for (_, near, far) in self.rows() {
+            let color = self.backdrop.lines.with_opacity(self.contrast(near));
+            let width = 0.6 + 1.2 * self.contrast(near);
+            let y = self.height - near;
+            canvas.stroke_polyline(&[[0.0, y], [self.width, y]], false, width, &Transform::IDENTITY, color);
+            for column in self.columns(near, far) {
+                let x = column as f32 * self.backdrop.spacing;
+                let line = [self.project(x, near), self.project(x, far)];
+                canvas.stroke_polyline(&line, false, width, &Transform::IDENTITY, color);
+            }
+        }
+        let y = self.height - self.backdrop.depth;
+        let horizon = self.backdrop.lines.with_opacity(0.5);
+        canvas.stroke_polyline(&[[0.0, y], [self.width, y]], false, 1.5, &Transform::IDENTITY, horizon);
+    }
+}

@@ -1,0 +1,51 @@
+//! What can be drawn on.
+
+use crate::{Color, Point, Texture2D, Transform};
+
+/// A picture to draw on: x right, y **down**, in px; pixel (0, 0) is the square from (0, 0) to (1, 1), top
+/// left.
+///
+/// Later calls draw over earlier ones; translucent colours blend (source over, in sRGB). A call that is given
+/// a number that is not finite, or that would put a corner further than [`MAX_COORDINATE`] px from the
+/// origin, draws nothing; so does one whose shape has no area.
+pub trait Canvas {
+    /// Width and height in px.
+    fn size(&self) -> [u32; 2];
+
+    /// Gives every pixel this colour (it replaces, translucent or not).
+    fn clear(&mut self, color: Color);
+
+    /// Fills a polygon of at least three points, convex or not; where it overlaps itself, non-zero winding
+    /// counts.
+    fn fill_polygon(&mut self, points: &[Point], transform: &Transform, color: Color);
+
+    /// Fills an ellipse with half axes `radii` (greater than 0) along x and y before the transform.
+    fn fill_ellipse(&mut self, center: Point, radii: Point, transform: &Transform, color: Color);
+
+    /// Fills the rectangle from `corner` (its least x and y) with the given size (greater than 0).
+    fn fill_rectangle(&mut self, corner: Point, size: Point, transform: &Transform, color: Color) {
+        let [[x, y], [width, height]] = [corner, size];
+        if width > 0.0 && height > 0.0 {
+            let corners = [[x, y], [x + width, y], [x + width, y + height], [x, y + height]];
+            self.fill_polygon(&corners, transform, color);
+        }
+    }
+
+    /// Draws lines from point to point (at least two), and from the last to the first if `closed`. `width` is
+    /// in px of the canvas: the transform moves the points and does not widen the lines.
+    fn stroke_polyline(
+        &mut self,
+        points: &[Point],
+        closed: bool,
+        width: f32,
+        transform: &Transform,
+        color: Color,
+    );
+
+    /// Draws a texture. `transform` takes the texture's px (origin at its top left corner) to the canvas;
+    /// every channel is multiplied by `tint`, whose alpha is the opacity.
+    fn draw_texture(&mut self, texture: &Texture2D, transform: &Transform, tint: Color);
+}
+
+/// Farthest from the origin that a corner of something drawn may lie, in px.
+pub const MAX_COORDINATE: f32 = 1.0e6;

@@ -1,0 +1,100 @@
+//! Sprites, collected and drawn back to front.
+
+use crate::{Canvas, Color, Point, Texture2D, Transform};
+
+/// A texture at a place. Made with [`Sprite::new`] or [`Sprite::centered`], other fields as needed:
+///
+/// ```
+/// # use twohalf_render::{Color, Sprite, Texture2D};
+/// let ball = Texture2D::ball(40, Color::rgb(200, 40, 40))?;
+/// let sprite = Sprite { rotation: 0.5, layer_depth: 0.2, ..Sprite::centered(&ball, [100.0, 50.0]) };
+/// # assert_eq!(sprite.origin, [20.0, 20.0]);
+/// # Ok::<(), twohalf_render::RenderError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sprite {
+    /// The picture.
+    pub texture: Texture2D,
+    /// Where the texture's `origin` goes on the canvas, px.
+    pub position: Point,
+    /// Rotation about the origin in rad, screen orientation: positive turns clockwise.
+    pub rotation: f32,
+    /// The point of the texture that is put at `position` and about which it turns and scales, px from the
+    /// texture's top left corner.
+    pub origin: Point,
+    /// Factors along the texture's x and y, before the rotation; negative ones mirror.
+    pub scale: Point,
+    /// Multiplies every channel; its alpha is the opacity. White leaves the texture as it is.
+    pub tint: Color,
+    /// 0 front to 1 back; values outside are clamped.
+    #[doc(alias = "LayerDepth")]
+    pub layer_depth: f32,
+}
+
+impl Sprite {
+    /// The texture as it is, its top left corner at `position`, in front (layer depth 0).
+    pub fn new(texture: &Texture2D, position: impl Into<Point>) -> Self {
+        Sprite {
+            texture: texture.clone(),
+            position: position.into(),
+            rotation: 0.0,
+            origin: [0.0, 0.0],
+            scale: [1.0, 1.0],
+            tint: Color::WHITE,
+            layer_depth: 0.0,
+        }
+    }
+
+    /// As [`Sprite::new`], with the middle of the texture at `position`.
+    pub fn centered(texture: &Texture2D, position: impl Into<Point>) -> Self {
+        Sprite { origin: texture.center(), ..Sprite::new(texture, position) }
+    }
+
+    /// Takes the texture's px to the canvas: origin to zero, scale, turn, move to the position.
+    pub fn transform(&self) -> Transform {
+        Transform::translation([-self.origin[0], -self.origin[1]])
+            .then(&Transform::scaling(self.scale))
+            .then(&Transform::rotation(self.rotation))
+            .then(&Transform::translation(self.position))
+    }
+}
+
+/// Sprites of one picture, drawn back to front.
+///
+/// [`SpriteBatch::begin`] opens it, [`SpriteBatch::draw`] adds to it and [`SpriteBatch::end`] draws
+/// everything: larger layer depth first, equal ones in the order they were added. There is no way to draw
+/// outside of begin and end, and so no error for it.
+#[derive(Debug, Clone, Default)]
+#[doc(alias = "Microsoft.Xna.Framework.Graphics.SpriteBatch")]
+pub struct SpriteBatch {
+    sprites: Vec<Sprite>,
+}
+
+impl SpriteBatch {
+    /// An empty batch.
+    #[doc(alias = "Begin")]
+    pub fn begin() -> Self {
+        SpriteBatch::default()
+    }
+
+    /// Adds a sprite. One with a number that is not finite is dropped.
+    #[doc(alias = "Draw")]
+    pub fn draw(&mut self, sprite: Sprite) {
+        let Sprite { position, rotation, origin, scale, layer_depth, .. } = &sprite;
+        let numbers = [position, origin, scale].into_iter().flatten().chain([rotation, layer_depth]);
+        if numbers.copied().all(f32::is_finite) {
+            self.sprites.push(sprite);
+        }
+    }
+
+    /// Draws all sprites and ends the batch.
+    #[doc(alias = "End")]
+    pub fn end(mut self, canvas: &mut dyn Canvas) {
+        let depth = |sprite: &Sprite| sprite.layer_depth.clamp(0.0, 1.0);
+        // Stable: sprites of equal depth stay in the order they were added. `+ 0.0` makes -0 and 0 equal.
+        self.sprites.sort_by(|a, b| (depth(b) + 0.0).total_cmp(&(depth(a) + 0.0)));
+        for sprite in &self.sprites {
+            canvas.draw_texture(&sprite.texture, &sprite.transform(), sprite.tint);
+        }
+    }
+}

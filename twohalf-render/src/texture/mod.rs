@@ -1,0 +1,125 @@
+//! Pictures to draw: loaded, given as pixels, or generated.
+
+mod generated;
+
+use std::path::Path;
+use std::sync::Arc;
+
+use crate::error::check_size;
+use crate::png_file;
+use crate::{Color, Point, RenderError, Result};
+
+/// A picture to draw. It cannot be changed; a clone shares its pixels and costs nothing.
+#[derive(Clone, PartialEq, Eq)]
+#[doc(alias = "Microsoft.Xna.Framework.Graphics.Texture2D")]
+pub struct Texture2D {
+    image: Arc<Image>,
+}
+
+#[derive(PartialEq, Eq)]
+struct Image {
+    width: u32,
+    height: u32,
+    straight: Vec<u8>,
+    /// What blending needs; kept beside the straight pixels because going back and forth loses bits.
+    premultiplied: Vec<u8>,
+}
+
+impl Texture2D {
+    /// A texture from straight RGBA8 pixels: rows from the top, four bytes each, no padding.
+    ///
+    /// # Errors
+    /// A size out of range (see [`SoftwareCanvas::new`](crate::SoftwareCanvas::new)), or not `width * height
+    /// * 4` bytes.
+    pub fn from_rgba8(width: u32, height: u32, pixels: Vec<u8>) -> Result<Self> {
+        check_size(width, height)?;
+        if pixels.len() as u64 != u64::from(width) * u64::from(height) * 4 {
+            let given = format!("{} bytes", pixels.len());
+            return Err(RenderError::invalid("pixels", given, "width * height * 4 bytes"));
+        }
+        let premultiplied = pixels
+            .chunks_exact(4)
+            .flat_map(|p| {
+                let c = tiny_skia::ColorU8::from_rgba(p[0], p[1], p[2], p[3]).premultiply();
+                [c.red(), c.green(), c.blue(), c.alpha()]
+            })
+            .collect();
+        Ok(Texture2D { image: Arc::new(Image { width, height, straight: pixels, premultiplied }) })
+    }
+
+    /// A texture from the bytes of a PNG picture (any colour type and depth, reduced to 8 bits per channel).
+    ///
+    /// # Errors
+    /// The bytes are no PNG picture, or one that is too large.
+    #[doc(alias = "FromStream")]
+    pub fn decode_png(bytes: &[u8]) -> Result<Self> {
+        let (width, height, pixels) = png_file::decode("in memory", bytes)?;
+        Texture2D::from_rgba8(width, height, pixels)
+    }
+
+    /// A texture from a PNG file, as [`Texture2D::decode_png`].
+    ///
+    /// # Errors
+    /// The file cannot be read, or is no PNG picture, or one that is too large.
+    #[doc(alias = "FromFile")]
+    pub fn load_png(path: impl AsRef<Path>) -> Result<Self> {
+        let path = path.as_ref();
+        let bytes =
+            std::fs::read(path).map_err(|source| RenderError::ReadFile { path: path.to_owned(), source })?;
+        let (width, height, pixels) = png_file::decode(&path.display().to_string(), &bytes)?;
+        Texture2D::from_rgba8(width, height, pixels)
+    }
+
+    /// Writes the texture as a PNG file, every bit kept; folders above it are created.
+    ///
+    /// # Errors
+    /// The file or a folder cannot be written.
+    #[doc(alias = "Save")]
+    pub fn save_png(&self, path: impl AsRef<Path>) -> Result<()> {
+        png_file::write(path.as_ref(), self.width(), self.height(), self.rgba8())
+    }
+
+    /// Width in px.
+    #[doc(alias = "Width")]
+    pub fn width(&self) -> u32 {
+        self.image.width
+    }
+
+    /// Height in px.
+    #[doc(alias = "Height")]
+    pub fn height(&self) -> u32 {
+        self.image.height
+    }
+
+    /// The middle of the texture, px from its top left corner: the origin of a sprite that is placed by its
+    /// middle.
+    pub fn center(&self) -> Point {
+        [self.width() as f32 / 2.0, self.height() as f32 / 2.0]
+    }
+
+    /// The colour of a pixel, `None` outside the texture.
+    pub fn pixel(&self, x: u32, y: u32) -> Option<Color> {
+        if x >= self.width() || y >= self.height() {
+            return None;
+        }
+        let at = 4 * (y as usize * self.width() as usize + x as usize);
+        let p = &self.image.straight[at..at + 4];
+        Some(Color::rgba(p[0], p[1], p[2], p[3]))
+    }
+
+    /// All pixels as straight RGBA8: rows from the top, four bytes each.
+    pub fn rgba8(&self) -> &[u8] {
+        &self.image.straight
+    }
+
+    /// All pixels as RGBA8 with premultiplied alpha, laid out as in [`Texture2D::rgba8`].
+    pub fn premultiplied_rgba8(&self) -> &[u8] {
+        &self.image.premultiplied
+    }
+}
+
+impl std::fmt::Debug for Texture2D {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Texture2D({} x {} px)", self.width(), self.height())
+    }
+}

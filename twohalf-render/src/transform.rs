@@ -1,0 +1,83 @@
+//! Points and affine transforms of the plane, screen axes: x right, y down, in px.
+
+/// A point or a pair of lengths `[x, y]`, in px. nalgebra's `Vector2<f32>` turns into one with `into()`.
+pub type Point = [f32; 2];
+
+/// An affine transform: `p -> x_axis * p.x + y_axis * p.y + translation`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Transform {
+    /// Where (1, 0) goes, seen from where the origin goes.
+    pub x_axis: Point,
+    /// Where (0, 1) goes, seen from where the origin goes.
+    pub y_axis: Point,
+    /// Where the origin goes.
+    pub translation: Point,
+}
+
+impl Transform {
+    /// Leaves every point where it is.
+    pub const IDENTITY: Transform =
+        Transform { x_axis: [1.0, 0.0], y_axis: [0.0, 1.0], translation: [0.0, 0.0] };
+
+    /// Moves every point by `offset` px.
+    pub const fn translation(offset: Point) -> Self {
+        Transform { translation: offset, ..Transform::IDENTITY }
+    }
+
+    /// Scales about the origin; negative factors mirror.
+    pub const fn scaling(factors: Point) -> Self {
+        Transform { x_axis: [factors[0], 0.0], y_axis: [0.0, factors[1]], translation: [0.0, 0.0] }
+    }
+
+    /// Turns about the origin by `angle` rad; positive turns from x (right) to y (down), clockwise on the
+    /// screen.
+    pub fn rotation(angle: f32) -> Self {
+        // f64 and libm: the same transform on every platform.
+        let (sin, cos) = libm::sincos(f64::from(angle));
+        let (sin, cos) = (sin as f32, cos as f32);
+        Transform { x_axis: [cos, sin], y_axis: [-sin, cos], translation: [0.0, 0.0] }
+    }
+
+    /// First `self`, then `next`.
+    pub fn then(&self, next: &Transform) -> Self {
+        Transform {
+            x_axis: next.direction(self.x_axis),
+            y_axis: next.direction(self.y_axis),
+            translation: next.apply(self.translation),
+        }
+    }
+
+    /// Where a point goes.
+    pub fn apply(&self, point: Point) -> Point {
+        let [x, y] = self.direction(point);
+        [x + self.translation[0], y + self.translation[1]]
+    }
+
+    /// Where a direction goes: [`Transform::apply`] without the translation.
+    pub fn direction(&self, [x, y]: Point) -> Point {
+        [self.x_axis[0] * x + self.y_axis[0] * y, self.x_axis[1] * x + self.y_axis[1] * y]
+    }
+}
+
+impl Default for Transform {
+    fn default() -> Self {
+        Transform::IDENTITY
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_quarter_turn_takes_right_to_down() {
+        let [x, y] = Transform::rotation(std::f32::consts::FRAC_PI_2).apply([10.0, 0.0]);
+        assert!(x.abs() < 1e-5 && (y - 10.0).abs() < 1e-5, "({x}, {y})");
+    }
+
+    #[test]
+    fn then_applies_the_receiver_first() {
+        let both = Transform::scaling([2.0, 3.0]).then(&Transform::translation([10.0, 20.0]));
+        assert_eq!(both.apply([1.0, 1.0]), [12.0, 23.0]);
+    }
+}
