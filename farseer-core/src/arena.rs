@@ -18,6 +18,13 @@ macro_rules! define_id {
             generation: u32,
         }
 
+        impl $name {
+            /// The slot the id names: small, and reused after disposal. For arrays kept beside the simulator.
+            pub fn slot(self) -> usize {
+                self.index as usize
+            }
+        }
+
         impl $crate::arena::Id for $name {
             #[inline(always)]
             fn new(index: u32, generation: u32) -> Self {

@@ -43,6 +43,11 @@ impl Contact {
         Contact { id, position, normal, separation, normal_impulse: 0.0, tangent_impulse: 0.0 }
     }
 
+    /// The same contact with impulses to begin the next solve with.
+    pub fn with_impulses(self, normal_impulse: f32, tangent_impulse: f32) -> Self {
+        Contact { normal_impulse, tangent_impulse, ..self }
+    }
+
     /// Impulse along the normal accumulated by the solver in the last update, mass times velocity, 0 or more.
     pub fn normal_impulse(&self) -> f32 {
         self.normal_impulse

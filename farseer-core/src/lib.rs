@@ -31,3 +31,4 @@ pub use narrow_phase::distance_grid::DistanceGrid;
 pub use pair_table::GeomPairBitmap;
 pub use shape::{Aabb, Vertices};
 pub use simulator::{ArbiterRef, GeomPlacement, GeomPointPair, ObjectId, PhysicsSimulator, StepCounters};
+pub use solver::SurfaceContacts;

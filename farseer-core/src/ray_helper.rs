@@ -1,5 +1,5 @@
-//! Intersections of lines and segments (behaviour chapter 09, sections 1 to 3). Points are in the user's length
-//! unit, screen y down.
+//! Intersections of lines and segments (behaviour chapter 09, sections 1 to 3). Points are in the user's
+//! length unit, screen y down.
 
 use crate::math::Vector2;
 use crate::shape::{Aabb, Vertices};
@@ -92,8 +92,8 @@ pub fn line_segment_vertices_intersect(
     intersection_points.extend((0..vertices.len()).filter_map(crossing));
 }
 
-/// Appends where the segment from `point1` to `point2` crosses the sides of a box, in the order left, greatest y,
-/// right, least y; see [`line_segment_vertices_intersect`].
+/// Appends where the segment from `point1` to `point2` crosses the sides of a box, in the order left,
+/// greatest y, right, least y; see [`line_segment_vertices_intersect`].
 #[doc(alias = "RayHelper.LineSegmentAABBIntersect")]
 pub fn line_segment_aabb_intersect(
     point1: Vector2,

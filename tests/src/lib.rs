@@ -1,7 +1,9 @@
 //! Conformance: scenes, what the original did with them, and the programs and tests that compare.
 
+pub mod check;
 pub mod compare;
 pub mod golden;
+pub mod run;
 pub mod scene;
 pub mod scenes;
 pub mod trace;

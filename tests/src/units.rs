@@ -1,7 +1,7 @@
 //! Recorded inputs and outputs of single functions of the original, in `golden/units`.
 //!
-//! A float is written as its bits in hexadecimal; a vector, list or matrix as such words separated by blanks. NaN
-//! stands for every NaN, since its sign and payload are not significant.
+//! A float is written as its bits in hexadecimal; a vector, list or matrix as such words separated by blanks.
+//! NaN stands for every NaN, since its sign and payload are not significant.
 //!
 //! These functions panic on records they cannot read: they serve tests only.
 

@@ -1,5 +1,5 @@
-//! Behaviour chapter 01 against the record: scalar and vector helpers, interpolators, unit conversion; and the
-//! boxes of chapter 05, which are recorded with them.
+//! Behaviour chapter 01 against the record: scalar and vector helpers, interpolators, unit conversion; and
+//! the boxes of chapter 05, which are recorded with them.
 
 use conformance::units::{Case, assert_words, check};
 use farseer_core::math::{
@@ -8,8 +8,8 @@ use farseer_core::math::{
 };
 use farseer_core::shape::Aabb;
 
-/// The values both interpolators were recorded with. Like all constants in this file they are not in the record
-/// but follow from its results, here from those at corners and on axes.
+/// The values both interpolators were recorded with. Like all constants in this file they are not in the
+/// record but follow from its results, here from those at corners and on axes.
 const VALUES: [f32; 4] = [1.0, -2.0, 3.5, 7.0];
 
 fn scalars(case: &Case) -> [f32; 5] {
@@ -212,6 +212,11 @@ fn a_vector_is_divided_by_way_of_the_reciprocal() {
 #[test]
 fn a_vector_has_the_original_hash() {
     assert_eq!(vector2::hash_code(Vector2::new(1.75, -3.5)), -1);
+}
+
+#[test]
+fn a_vector_is_written_as_the_original_writes_it() {
+    assert_eq!(vector2::to_text(Vector2::new(1.5, -2.0)), "{X:1.5 Y:-2}");
 }
 
 #[test]

@@ -1,5 +1,5 @@
-//! Outlines against the record: measures and tools of behaviour chapter 05, section 1, and hull and decomposition of
-//! chapter 15.
+//! Outlines against the record: measures and tools of behaviour chapter 05, section 1, and hull and
+//! decomposition of chapter 15.
 
 use conformance::units::{Words, assert_bits, assert_words, cases, check};
 use farseer_core::math::Vector2;
@@ -47,6 +47,13 @@ fn static_tools_have_the_recorded_bits() {
         case.expect("find_vertex_normal", &Vertices::find_vertex_normal(a, b, c));
         case.expect("find_normal_angle", &Vertices::find_normal_angle(a));
     });
+}
+
+#[test]
+fn a_normal_along_an_axis_or_with_a_nan_has_angle_zero() {
+    for (x, y) in [(1.0, 0.0), (-1.0, -0.0), (0.0, 1.0), (1.0, f32::NAN), (-1.0, f32::NAN), (f32::NAN, 1.0)] {
+        assert_eq!(Vertices::find_normal_angle(Vector2::new(x, y)), 0.0, "{x} {y}");
+    }
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Cross products, angles, curves and interpolation (behaviour chapter 01, section 6).
 //!
-//! Angles between vectors and radians are measured here from "up", `(0, -1)`: a quarter turn is `(1, 0)`, half a
-//! turn `(0, 1)`.
+//! Angles between vectors and radians are measured here from "up", `(0, -1)`: a quarter turn is `(1, 0)`,
+//! half a turn `(0, 1)`.
 
 use super::{Vector2, math_helper, scalar, vector2};
 use crate::error::{Error, Result};
@@ -217,8 +217,8 @@ pub fn cubic_bezier_curve2_with_radians(
     cubic_bezier_curve_with_radians(start, start + start_points_to, end + end_points_to, end, t)
 }
 
-/// Point and direction at `t` of a cubic Bezier curve whose control points are given by direction (radians from
-/// "up") and distance. As in the original they are relative to the origin, **not** to the curve's ends.
+/// Point and direction at `t` of a cubic Bezier curve whose control points are given by direction (radians
+/// from "up") and distance. As in the original they are relative to the origin, **not** to the curve's ends.
 #[doc(alias = "Calculator.CubicBezierCurve2")]
 pub fn cubic_bezier_curve2_with_directions(
     start: Vector2,

@@ -11,7 +11,7 @@ use crate::error::{Error, Result};
 /// ```
 /// use farseer_core::math::{ConvertUnits, Vector2};
 /// let units = ConvertUnits::default();
-/// assert_eq!(units.to_display_units(2.0), 100.0);
+/// assert_eq!(units.to_display_units(2.0_f32), 100.0);
 /// assert_eq!(units.to_display_units(Vector2::new(1.0, 2.0)), Vector2::new(50.0, 100.0));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -57,8 +57,8 @@ impl ConvertUnits {
         sim_units.times(self.to_display)
     }
 
-    /// Display to simulation units: times the reciprocal of the ratio, which may differ in the last bit from a
-    /// division.
+    /// Display to simulation units: times the reciprocal of the ratio, which may differ in the last bit from
+    /// a division.
     #[doc(alias = "ToSimUnits")]
     pub fn to_sim_units<T: Length>(&self, display_units: T) -> T::Converted {
         display_units.times(self.to_sim)

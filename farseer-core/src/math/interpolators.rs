@@ -43,8 +43,8 @@ impl BilinearInterpolator {
         BilinearInterpolator { min, max, ..Default::default() }
     }
 
-    /// The value at a point; outside the rectangle that of the nearest point of its boundary. NaN for an empty
-    /// rectangle.
+    /// The value at a point; outside the rectangle that of the nearest point of its boundary. NaN for an
+    /// empty rectangle.
     #[doc(alias = "GetValue")]
     pub fn get_value(&self, position: Vector2) -> f32 {
         let [v1, v2, v3, v4] = self.values;

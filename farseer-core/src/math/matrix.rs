@@ -104,10 +104,24 @@ pub fn invert(matrix: &Matrix) -> Matrix {
     let (t1, t2, t3) = (g * l - h * k, f * l - h * j, f * k - g * j);
     let (t4, t5, t6) = (e * l - h * i, e * k - g * i, e * j - f * i);
 
+    let (r11, r21, r31, r41) = (c1 * w, c2 * w, c3 * w, c4 * w);
+    let r12 = -(b * q1 - c * q2 + d * q3) * w;
+    let r22 =  (a * q1 - c * q4 + d * q5) * w;
+    let r32 = -(a * q2 - b * q4 + d * q6) * w;
+    let r42 =  (a * q3 - b * q5 + c * q6) * w;
+    let r13 =  (b * u1 - c * u2 + d * u3) * w;
+    let r23 = -(a * u1 - c * u4 + d * u5) * w;
+    let r33 =  (a * u2 - b * u4 + d * u6) * w;
+    let r43 = -(a * u3 - b * u5 + c * u6) * w;
+    let r14 = -(b * t1 - c * t2 + d * t3) * w;
+    let r24 =  (a * t1 - c * t4 + d * t5) * w;
+    let r34 = -(a * t2 - b * t4 + d * t6) * w;
+    let r44 =  (a * t3 - b * t5 + c * t6) * w;
+
     Matrix::new(
-        c1 * w, -(b * q1 - c * q2 + d * q3) * w,  (b * u1 - c * u2 + d * u3) * w, -(b * t1 - c * t2 + d * t3) * w,
-        c2 * w,  (a * q1 - c * q4 + d * q5) * w, -(a * u1 - c * u4 + d * u5) * w,  (a * t1 - c * t4 + d * t5) * w,
-        c3 * w, -(a * q2 - b * q4 + d * q6) * w,  (a * u2 - b * u4 + d * u6) * w, -(a * t2 - b * t4 + d * t6) * w,
-        c4 * w,  (a * q3 - b * q5 + c * q6) * w, -(a * u3 - b * u5 + c * u6) * w,  (a * t3 - b * t5 + c * t6) * w,
+        r11, r12, r13, r14,
+        r21, r22, r23, r24,
+        r31, r32, r33, r34,
+        r41, r42, r43, r44,
     )
 }

@@ -14,11 +14,15 @@ pub mod vector2;
 pub use convert_units::ConvertUnits;
 pub use interpolators::{BilinearInterpolator, CircularInterpolator};
 
-/// A point or direction of the plane. Positions in the user's length unit, screen y down.
+/// A point or direction of the plane. Positions in the user's length unit, screen y down. Sums, differences and
+/// comparison are its operators; everything else is in [`vector2`].
+#[doc(alias("Vector2.Add", "Vector2.Subtract", "Vector2.Equals"))]
 pub type Vector2 = nalgebra::Vector2<f32>;
 
 /// A vector of three components; only `Matrix` rows are given out as such.
 pub type Vector3 = nalgebra::Vector3<f32>;
 
 /// A 4x4 matrix in row vector convention: translation in `m41`, `m42`.
+/// Operations are in [`matrix`].
+#[doc(alias = "Matrix.Identity")]
 pub type Matrix = nalgebra::Matrix4<f32>;

@@ -6,6 +6,22 @@
 
 use super::{Matrix, Vector2, math_helper, scalar};
 
+/// (0, 0)
+#[doc(alias = "Vector2.Zero")]
+pub const ZERO: Vector2 = Vector2::new(0.0, 0.0);
+
+/// (1, 1)
+#[doc(alias = "Vector2.One")]
+pub const ONE: Vector2 = Vector2::new(1.0, 1.0);
+
+/// (1, 0)
+#[doc(alias = "Vector2.UnitX")]
+pub const UNIT_X: Vector2 = Vector2::new(1.0, 0.0);
+
+/// (0, 1)
+#[doc(alias = "Vector2.UnitY")]
+pub const UNIT_Y: Vector2 = Vector2::new(0.0, 1.0);
+
 /// `a.x * b.x + a.y * b.y`, both products rounded.
 #[doc(alias = "Vector2.Dot")]
 #[inline(always)]
@@ -165,6 +181,12 @@ pub fn hermite(a: Vector2, tangent_a: Vector2, b: Vector2, tangent_b: Vector2, a
 #[doc(alias = "Vector2.SmoothStep")]
 pub fn smooth_step(a: Vector2, b: Vector2, amount: f32) -> Vector2 {
     Vector2::new(math_helper::smooth_step(a.x, b.x, amount), math_helper::smooth_step(a.y, b.y, amount))
+}
+
+/// The vector as the original writes it, `{X:1.5 Y:-2}`; numbers are formatted as Rust does.
+#[doc(alias = "Vector2.ToString")]
+pub fn to_text(v: Vector2) -> String {
+    format!("{{X:{} Y:{}}}", v.x, v.y)
 }
 
 /// The original's hash code: the truncated sum of the components.

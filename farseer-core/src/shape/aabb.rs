@@ -28,8 +28,8 @@ impl Aabb {
         Aabb { min, max }
     }
 
-    /// The smallest box around the vertices; the zero box without any. A NaN in the first vertex stays, one in
-    /// a later vertex is passed over.
+    /// The smallest box around the vertices; the zero box without any. A NaN in the first vertex stays, one
+    /// in a later vertex is passed over.
     #[inline]
     pub fn from_vertices(vertices: &[Vector2]) -> Aabb {
         let Some(&first) = vertices.first() else {
@@ -111,10 +111,11 @@ impl Aabb {
     /// Whether a point lies inside, more than 0.00001 from every side.
     ///
     /// ```
+    /// use farseer_core::math::Vector2;
     /// use farseer_core::shape::Aabb;
-    /// let unit = Aabb::new([0.0, 0.0].into(), [1.0, 1.0].into());
-    /// assert!(unit.contains([0.5, 0.5].into()));
-    /// assert!(!unit.contains([0.0, 0.5].into()));
+    /// let unit = Aabb::new(Vector2::new(0.0, 0.0), Vector2::new(1.0, 1.0));
+    /// assert!(unit.contains(Vector2::new(0.5, 0.5)));
+    /// assert!(!unit.contains(Vector2::new(0.0, 0.5)));
     /// ```
     #[doc(alias = "Contains")]
     #[inline]

@@ -5,8 +5,8 @@ use crate::error::{Error, Result};
 use crate::math::Vector2;
 
 impl Vertices {
-    /// The convex hull of a simple (not self-crossing) outline, by Melkman's algorithm; a copy of the list if it
-    /// has fewer than three vertices.
+    /// The convex hull of a simple (not self-crossing) outline, by Melkman's algorithm; a copy of the list if
+    /// it has fewer than three vertices.
     ///
     /// The hull has positive shoelace area, against engine winding, and may start anywhere. When the outline
     /// starts with vertices in line, only the last of these is kept, even if it is not the extreme one.

@@ -46,10 +46,11 @@ impl Vertices {
     /// When the radius is not finite, or for more edges than [`MAX_VERTICES`].
     ///
     /// ```
+    /// use farseer_core::math::Vector2;
     /// use farseer_core::shape::Vertices;
     /// let circle = Vertices::create_circle(10.0, 8)?;
     /// assert_eq!(circle.len(), 8);
-    /// assert_eq!(circle[0], [10.0, 0.0].into());
+    /// assert_eq!(circle[0], Vector2::new(10.0, 0.0));
     /// # Ok::<(), farseer_core::Error>(())
     /// ```
     #[doc(alias = "CreateCircle")]

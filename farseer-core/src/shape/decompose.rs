@@ -1,5 +1,5 @@
-//! Decomposition of an outline into convex pieces (behaviour chapter 15, section 15.4): the outline is cut into
-//! triangles, and these are put together again as long as the pieces stay convex.
+//! Decomposition of an outline into convex pieces (behaviour chapter 15, section 15.4): the outline is cut
+//! into triangles, and these are put together again as long as the pieces stay convex.
 
 use super::Vertices;
 use super::triangulate::{self, Triangle};
@@ -21,8 +21,8 @@ impl Vertices {
     /// give no pieces. The pieces have positive shoelace area, against engine winding.
     ///
     /// # Errors
-    /// When the outline has more than 175 triangles (177 vertices, if it is simple), or `max_polys_to_find` is
-    /// more than 50 and so is the number of pieces.
+    /// When the outline has more than 175 triangles (177 vertices, if it is simple), or `max_polys_to_find`
+    /// is more than 50 and so is the number of pieces.
     ///
     /// ```
     /// use farseer_core::math::Vector2;
@@ -160,4 +160,55 @@ fn merge_parallel(piece: Vertices) -> Vertices {
         return piece;
     }
     piece.iter().zip(keep).filter(|(_, keep)| *keep).map(|(v, _)| *v).take(left).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn outline(points: &[(f32, f32)]) -> Vertices {
+        points.iter().map(|&(x, y)| Vector2::new(x, y)).collect()
+    }
+
+    fn corners(points: [(f32, f32); 3]) -> Triangle {
+        points.map(|(x, y)| Vector2::new(x, y))
+    }
+
+    const PIECE: [(f32, f32); 3] = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0)];
+
+    #[test]
+    fn a_triangle_at_the_closing_edge_is_attached_at_the_end() {
+        let larger = attach(&outline(&PIECE), &corners([(0.0, 0.0), (4.0, 4.0), (0.0, 4.0)]));
+        assert_eq!(larger, Some(outline(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)])));
+    }
+
+    #[test]
+    fn a_triangle_at_another_edge_is_attached_there() {
+        let larger = attach(&outline(&PIECE), &corners([(4.0, 0.0), (9.0, 2.0), (4.0, 4.0)]));
+        assert_eq!(larger, Some(outline(&[(0.0, 0.0), (4.0, 0.0), (9.0, 2.0), (4.0, 4.0)])));
+    }
+
+    #[test]
+    fn a_triangle_with_one_common_corner_is_not_attached() {
+        assert_eq!(attach(&outline(&PIECE), &corners([(4.0, 4.0), (9.0, 2.0), (9.0, 9.0)])), None);
+    }
+
+    #[test]
+    fn of_three_common_corners_the_second_is_the_tip() {
+        let doubled = attach(&outline(&PIECE), &corners(PIECE));
+        assert_eq!(doubled, Some(outline(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (4.0, 0.0)])));
+    }
+
+    #[test]
+    fn a_doubled_vertex_costs_the_last_ones() {
+        let square = outline(&[(0.0, 0.0), (0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
+        assert_eq!(merge_parallel(square), outline(&[(0.0, 0.0), (0.0, 0.0), (4.0, 0.0)]));
+    }
+
+    #[test]
+    fn a_vertex_that_turns_by_less_than_a_degree_is_merged() {
+        let merged = |y: f32| merge_parallel(outline(&[(0.0, 0.0), (4.0, y), (8.0, 0.0), (8.0, 8.0), (0.0, 8.0)]));
+        assert_eq!(merged(-0.03).len(), 4);
+        assert_eq!(merged(-0.04).len(), 5);
+    }
 }

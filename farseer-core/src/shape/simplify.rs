@@ -49,18 +49,18 @@ impl Vertices {
         self.iter().map(|v| Vector2::new(v.x.round_ties_even(), v.y.round_ties_even())).collect()
     }
 
-    /// [`Vertices::simplify_with_bias`] with bias 0: rounded, without repeated vertices and without those in line
-    /// with their neighbours.
+    /// [`Vertices::simplify_with_bias`] with bias 0: rounded, without repeated vertices and without those in
+    /// line with their neighbours.
     #[doc(alias = "Simplify")]
     pub fn simplify(&self) -> Vertices {
         self.simplify_with_bias(0)
     }
 
-    /// The rounded outline without the vertices that are not farther than `bias` from the one before, or in line
-    /// with their neighbours; a copy, not rounded, for fewer than three vertices.
+    /// The rounded outline without the vertices that are not farther than `bias` from the one before, or in
+    /// line with their neighbours; a copy, not rounded, for fewer than three vertices.
     ///
-    /// Neighbours are those of the full outline: of a run of vertices close to each other only the first is left,
-    /// however long the run. The result may have fewer than three vertices.
+    /// Neighbours are those of the full outline: of a run of vertices close to each other only the first is
+    /// left, however long the run. The result may have fewer than three vertices.
     #[doc(alias = "Simplify")]
     pub fn simplify_with_bias(&self, bias: i32) -> Vertices {
         if self.len() < 3 {

@@ -22,17 +22,18 @@ impl Vertices {
         vector2::normalize(Vector2::new(-edge.y, edge.x))
     }
 
-    /// The sum of the normals of the edges from `first` to `second` and from there to `c`, **not** normalised.
+    /// The sum of the normals of the edges from `first` to `second` and from there to `c`, **not**
+    /// normalised.
     #[doc(alias = "FindVertexNormal")]
     pub fn find_vertex_normal(first: Vector2, second: Vector2, c: Vector2) -> Vector2 {
         Vertices::find_edge_normal(first, second) + Vertices::find_edge_normal(second, c)
     }
 
     /// The angle of a vector in radians, -pi/2 to pi/2 from the y axis: opposite vectors have the same, and
-    /// those along an axis have 0.
+    /// those along an axis, or with a NaN, have 0.
     #[doc(alias = "FindNormalAngle")]
     pub fn find_normal_angle(n: Vector2) -> f32 {
-        let off_axis = (n.y > 0.0) || (n.y < 0.0);
+        let off_axis = n.y.abs() > 0.0;
         if n.x > 0.0 && off_axis {
             scalar::atan(n.x / -n.y)
         } else if n.x < 0.0 && off_axis {

@@ -25,8 +25,8 @@ enum Task {
     Join,
 }
 
-/// The triangles of an outline, cut first where two vertices coincide. `None` if a part of it has no ear or if
-/// there are no triangles.
+/// The triangles of an outline, cut first where two vertices coincide. `None` if a part of it has no ear or
+/// if there are no triangles.
 pub(super) fn triangulate(outline: Vec<Vector2>) -> Result<Option<Vec<Triangle>>> {
     let mut tasks = vec![Task::Outline(outline)];
     let mut results: Vec<Option<Vec<Triangle>>> = Vec::new();
@@ -54,8 +54,8 @@ pub(super) fn triangulate(outline: Vec<Vector2>) -> Result<Option<Vec<Triangle>>
     Ok(results.pop().flatten().filter(|triangles| !triangles.is_empty()))
 }
 
-/// The first pair of vertices that coincide and do not follow each other in the list; the last and the first are
-/// such a pair.
+/// The first pair of vertices that coincide and do not follow each other in the list; the last and the first
+/// are such a pair.
 fn find_pinch(outline: &[Vector2]) -> Option<(usize, usize)> {
     let close = |a: f32, b: f32| (a - b).abs() < PINCH_TOLERANCE;
     (0..outline.len()).find_map(|i| {
@@ -81,8 +81,8 @@ fn push(triangles: &mut Vec<Triangle>, triangle: Triangle) -> Result<()> {
     Ok(())
 }
 
-/// Cuts ears off until a triangle is left, the one with the largest smallest angle first. `None` if there is no
-/// ear to begin with; if there is none later on, the triangles so far.
+/// Cuts ears off until a triangle is left, the one with the largest smallest angle first. `None` if there is
+/// no ear to begin with; if there is none later on, the triangles so far.
 fn clip_ears(mut outline: Vec<Vector2>) -> Result<Option<Vec<Triangle>>> {
     let mut triangles = Vec::new();
     while outline.len() > 3 {
@@ -101,8 +101,8 @@ fn neighbours(i: usize, n: usize) -> (usize, usize) {
     (if i == 0 { n - 1 } else { i - 1 }, if i + 1 == n { 0 } else { i + 1 })
 }
 
-/// The ear whose smallest angle has the greatest sine, the first one of equal ears. Ears with an edge of length
-/// 0 have no angle and are passed over.
+/// The ear whose smallest angle has the greatest sine, the first one of equal ears. Ears with an edge of
+/// length 0 have no angle and are passed over.
 fn best_ear(outline: &[Vector2]) -> Option<usize> {
     let mut best = None;
     let mut best_score = -10.0;
@@ -149,4 +149,45 @@ fn is_inside(t: &Triangle, p: Vector2) -> bool {
     let u = (bb * ac - ab * bc) * reciprocal;
     let w = (aa * bc - ab * ac) * reciprocal;
     u > 0.0 && w > 0.0 && u + w < 1.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn outline(points: &[(f32, f32)]) -> Vec<Vector2> {
+        points.iter().map(|&(x, y)| Vector2::new(x, y)).collect()
+    }
+
+    #[test]
+    fn the_first_and_the_last_vertex_pinch_an_outline() {
+        assert_eq!(find_pinch(&outline(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 0.0)])), Some((0, 3)));
+    }
+
+    #[test]
+    fn a_doubled_vertex_does_not_pinch_an_outline() {
+        assert_eq!(find_pinch(&outline(&[(0.0, 0.0), (0.0, 0.0), (4.0, 0.0), (4.0, 4.0)])), None);
+    }
+
+    #[test]
+    fn a_pinch_is_found_within_a_thousandth() {
+        let with_gap = |gap: f32| find_pinch(&outline(&[(0.0, 0.0), (4.0, 0.0), (gap, -gap), (0.0, 4.0)]));
+        assert_eq!(with_gap(0.000_9), Some((0, 2)));
+        assert_eq!(with_gap(0.001_1), None);
+    }
+
+    #[test]
+    fn corners_are_stored_with_positive_area() {
+        let [a, b, c] = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(|(x, y)| Vector2::new(x, y));
+        assert_eq!(triangle(a, b, c), [a, b, c]);
+        assert_eq!(triangle(a, c, b), [a, b, c]);
+    }
+
+    #[test]
+    fn a_point_on_the_boundary_is_not_inside() {
+        let t = [(0.0, 0.0), (4.0, 0.0), (0.0, 4.0)].map(|(x, y)| Vector2::new(x, y));
+        let inside = [(1.0, 1.0), (2.0, 0.0), (2.0, 2.0), (0.0, 0.0), (5.0, 1.0)];
+        assert_eq!(inside.map(|(x, y)| is_inside(&t, Vector2::new(x, y))), [true, false, false, false, false]);
+    }
+@@
 }

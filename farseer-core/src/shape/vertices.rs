@@ -20,11 +20,12 @@ pub const MAX_VERTICES: usize = 1 << 24;
 /// in; non-finite ones go through the arithmetic as they are.
 ///
 /// ```
+/// use farseer_core::math::Vector2;
 /// use farseer_core::shape::Vertices;
 /// let mut box_outline = Vertices::create_simple_rectangle(4.0, 2.0)?;
 /// assert_eq!(box_outline.get_area(), 8.0);
-/// box_outline.translate([1.0, 0.0].into());
-/// assert_eq!(box_outline.get_centroid(), [1.0, 0.0].into());
+/// box_outline.translate(Vector2::new(1.0, 0.0));
+/// assert_eq!(box_outline.get_centroid(), Vector2::new(1.0, 0.0));
 /// # Ok::<(), farseer_core::Error>(())
 /// ```
 #[doc(alias = "FarseerGames.FarseerPhysics.Collisions.Vertices")]
@@ -100,7 +101,7 @@ impl std::fmt::Display for Vertices {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         for (i, v) in self.iter().enumerate() {
             let separator = if i == 0 { "" } else { " " };
-            write!(f, "{separator}{{X:{} Y:{}}}", v.x, v.y)?;
+            write!(f, "{separator}{}", vector2::to_text(*v))?;
         }
         Ok(())
     }
@@ -167,8 +168,8 @@ impl Vertices {
         vector2::normalize(Vector2::new(-edge.y, edge.x))
     }
 
-    /// The normal of vertex `index`: the normalised sum of the normals of the two edges that meet there. Between
-    /// opposite edge normals it is NaN.
+    /// The normal of vertex `index`: the normalised sum of the normals of the two edges that meet there.
+    /// Between opposite edge normals it is NaN.
     ///
     /// # Panics
     /// When `index` is out of range.

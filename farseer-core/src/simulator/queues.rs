@@ -117,15 +117,7 @@ impl PhysicsSimulator {
         self.process_all_queues(&mut None);
     }
 
-    /// First stage of an update: things enter and leave, edited bodies take their geoms along, and pairs that
-    /// have an arbiter are noted.
-    pub fn process_queues(&mut self, handler: Option<&mut dyn EventHandler>) {
-        let mut handler = handler;
-        self.process_all_queues(&mut handler);
-        self.arbiters.prepare_for_broad_phase_collision(&self.geom_list, &mut self.geoms);
-    }
-
-    fn process_all_queues(&mut self, handler: Handler) {
+    pub(super) fn process_all_queues(&mut self, handler: Handler) {
         self.settle(handler);
         self.process_added(handler);
         self.process_removed(handler);

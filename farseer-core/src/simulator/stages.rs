@@ -2,12 +2,13 @@
 
 use super::queues::Handler;
 use super::{PhysicsSimulator, StepCounters};
+use crate::body::BodyId;
 use crate::broad_phase::{BroadPhase, PairSink, Scene};
 use crate::contact::Contact;
 use crate::events::{Context, Event, EventHandler};
 use crate::geom::GeomId;
 use crate::narrow_phase;
-use crate::solver::PreStepSettings;
+use crate::solver::{PreStepSettings, SurfaceContacts};
 
 impl PhysicsSimulator {
     /// Moves everything by `dt` seconds. Games call this with a fixed step.
@@ -25,14 +26,7 @@ impl PhysicsSimulator {
     }
 
     fn run(&mut self, dt: f32, handler: Handler) {
-        self.events.clear();
-        self.counters = StepCounters::default();
-        if !dt.is_finite() || (dt != 0.0 && !(1.0 / dt).is_finite()) {
-            self.events.push(Event::RejectedInput { object: None, argument: "dt" });
-            return;
-        }
-        self.process_queues(reborrow(handler));
-        if dt == 0.0 || !self.settings.enabled {
+        if !self.process_queues(dt, reborrow(handler)) {
             return;
         }
         self.find_pairs(reborrow(handler));
@@ -43,6 +37,21 @@ impl PhysicsSimulator {
             self.solve_iteration();
         }
         self.integrate(dt, reborrow(handler));
+    }
+
+    /// First stage: things enter and leave, edited bodies take their geoms along, and pairs that have an arbiter
+    /// are noted. Answers whether the update goes on: not if the simulator is disabled, or `dt` is 0 or refused.
+    pub fn process_queues(&mut self, dt: f32, handler: Option<&mut dyn EventHandler>) -> bool {
+        let mut handler = handler;
+        self.events.clear();
+        self.counters = StepCounters::default();
+        if !dt.is_finite() || (dt != 0.0 && !(1.0 / dt).is_finite()) {
+            self.events.push(Event::RejectedInput { object: None, argument: "dt" });
+            return false;
+        }
+        self.process_all_queues(&mut handler);
+        self.arbiters.prepare_for_broad_phase_collision(&self.geom_list, &mut self.geoms);
+        dt != 0.0 && self.settings.enabled
     }
 
     /// Second stage: the broad phase appends arbiters for new pairs whose boxes overlap.
@@ -157,13 +166,44 @@ impl PhysicsSimulator {
 
     /// Fifth stage: contacts are prepared, and the impulses of the last update act again. `inverse_dt` is 1 / dt.
     pub fn pre_step(&mut self, inverse_dt: f32) {
-        let settings = PreStepSettings {
+        let settings = self.pre_step_settings(inverse_dt);
+        self.solver.pre_step(&self.arbiters, &self.geoms, &self.bodies, settings);
+        self.counters.contacts_solved = self.solver.row_count();
+    }
+
+    fn pre_step_settings(&self, inverse_dt: f32) -> PreStepSettings {
+        PreStepSettings {
             inverse_dt,
             bias_factor: self.settings.bias_factor,
             allowed_penetration: self.settings.allowed_penetration,
-        };
-        self.solver.pre_step(&self.arbiters, &self.geoms, &self.bodies, settings);
-        self.counters.contacts_solved = self.solver.row_count();
+        }
+    }
+
+    /// Lets the solver hold a body against something immovable that has no geom, such as the ground of a 2.5D
+    /// game: after [`pre_step`](Self::pre_step), before the iterations. The normals of the contacts point toward
+    /// the body; friction and restitution are the combined ones. `None` for a stale id.
+    pub fn add_surface_contacts(
+        &mut self,
+        body: BodyId,
+        contacts: &[Contact],
+        friction: f32,
+        restitution: f32,
+        inverse_dt: f32,
+    ) -> Option<SurfaceContacts> {
+        self.bodies.get(body)?;
+        let settings = self.pre_step_settings(inverse_dt);
+        self.counters.contacts_solved += contacts.len();
+        Some(self.solver.add_surface(body, &self.bodies, contacts, (friction, restitution), settings))
+    }
+
+    /// Normal and tangent impulse of every contact of a surface, as the solver has them now.
+    pub fn surface_impulses(&self, surface: SurfaceContacts) -> impl Iterator<Item = (f32, f32)> + '_ {
+        self.solver.surface_impulses(surface)
+    }
+
+    /// Puts an event on the list of this update: for engines that are built on the stages.
+    pub fn report(&mut self, event: Event) {
+        self.events.push(event);
     }
 
     /// Sixth stage, repeated: one pass over all contacts.

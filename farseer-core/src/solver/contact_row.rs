@@ -92,6 +92,10 @@ impl ContactRow {
         contact.tangent_impulse = self.tangent_impulse;
     }
 
+    pub(super) fn impulses(&self) -> (f32, f32) {
+        (self.normal_impulse, self.tangent_impulse)
+    }
+
     pub(super) fn forget_impulses(&mut self) {
         self.normal_impulse = 0.0;
         self.tangent_impulse = 0.0;

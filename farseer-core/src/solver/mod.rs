@@ -8,6 +8,7 @@ mod contact_row;
 use crate::arbiter::ArbiterList;
 use crate::arena::{Arena, Id};
 use crate::body::BodyId;
+use crate::contact::Contact;
 use crate::events::Event;
 use crate::geom::GeomEntry;
 use crate::simulator::BodyEntry;
@@ -61,10 +62,23 @@ struct RowRange {
     first_row: u32,
 }
 
+/// Contacts of a body with something immovable that has no geom, in the solver of the current update; see
+/// [`PhysicsSimulator::add_surface_contacts`](crate::PhysicsSimulator::add_surface_contacts).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SurfaceContacts {
+    first_row: u32,
+    row_count: u32,
+}
+
+/// Place of the immovable body that surfaces belong to.
+const SURFACE: u32 = 0;
+
 /// The arrays of the solver, reused from update to update.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ContactSolver {
+    /// The immovable body that surfaces belong to, then those that touch something.
     bodies: Vec<SolverBody>,
+    /// Ids of the bodies behind the first.
     ids: Vec<BodyId>,
     /// By index of the body: stamp of the update in which it was gathered, and where to.
     places: Vec<(u32, u32)>,
@@ -97,12 +111,41 @@ impl ContactSolver {
             self.gather(handle, list, geoms, bodies);
         }
         for group in 0..self.groups.len() {
-            if self.groups[group].body_a == self.groups[group].body_b {
-                self.apply(group, |row, pair, bodies| row.pre_step::<0>(pair, settings, bodies));
-            } else {
-                self.apply(group, |row, pair, bodies| row.pre_step::<1>(pair, settings, bodies));
-            }
+            self.pre_step_group(group, settings);
         }
+    }
+
+    fn pre_step_group(&mut self, group: usize, settings: PreStepSettings) {
+        if self.groups[group].body_a == self.groups[group].body_b {
+            self.apply(group, |row, pair, bodies| row.pre_step::<0>(pair, settings, bodies));
+        } else {
+            self.apply(group, |row, pair, bodies| row.pre_step::<1>(pair, settings, bodies));
+        }
+    }
+
+    /// Appends contacts of a body with something immovable, and lets their impulses of the last update act.
+    pub(crate) fn add_surface(
+        &mut self,
+        body: BodyId,
+        bodies: &Arena<BodyEntry>,
+        contacts: &[Contact],
+        (friction, restitution): (f32, f32),
+        settings: PreStepSettings,
+    ) -> SurfaceContacts {
+        self.places.resize(bodies.slot_count(), (0, 0));
+        let body_b = self.gather_body(body, bodies);
+        let surface = SurfaceContacts { first_row: self.rows.len() as u32, row_count: contacts.len() as u32 };
+        self.rows.extend(contacts.iter().map(ContactRow::new));
+        let SurfaceContacts { first_row, row_count } = surface;
+        self.groups.push(Group { body_a: SURFACE, body_b, first_row, row_count, friction, restitution });
+        self.pre_step_group(self.groups.len() - 1, settings);
+        surface
+    }
+
+    /// Normal and tangent impulse of every contact of a surface; none once the next update has begun.
+    pub(crate) fn surface_impulses(&self, surface: SurfaceContacts) -> impl Iterator<Item = (f32, f32)> + '_ {
+        let rows = surface.first_row as usize..(surface.first_row + surface.row_count) as usize;
+        self.rows.get(rows).unwrap_or_default().iter().map(ContactRow::impulses)
     }
 
     fn begin(&mut self, body_slots: usize, arbiter_count: usize) {
@@ -115,6 +158,7 @@ impl ContactSolver {
         self.places.resize(body_slots, (0, 0));
         self.row_ranges.resize(arbiter_count, RowRange::default());
         self.bodies.clear();
+        self.bodies.push(SolverBody::default());
         self.ids.clear();
         self.groups.clear();
         self.rows.clear();
@@ -226,9 +270,9 @@ impl ContactSolver {
     ) {
         self.failed.sort_unstable();
         self.failed.dedup();
-        for (place, (&id, solved)) in self.ids.iter().zip(&self.bodies).enumerate() {
+        for (place, (&id, solved)) in (1u32..).zip(self.ids.iter().zip(self.bodies.iter().skip(1))) {
             let body = &mut bodies[id].body;
-            if self.failed.binary_search(&(place as u32)).is_ok() {
+            if self.failed.binary_search(&place).is_ok() {
                 let disabled = !body.is_static();
                 body.set_enabled(body.enabled() && !disabled);
                 events.push(Event::NotFinite { body: id, disabled });
@@ -245,10 +289,9 @@ impl ContactSolver {
                 row.write_back(contact);
             }
         }
-        self.bodies.clear();
+        // The rows stay readable until the next update begins.
         self.ids.clear();
         self.groups.clear();
-        self.rows.clear();
         self.arbiters.clear();
     }
 }

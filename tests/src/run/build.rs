@@ -22,7 +22,7 @@ pub(super) fn build(scene: &Scene) -> Result<Run<'_>> {
         simulator: simulator(&scene.simulator, root.key("simulator"))?,
         bodies: Vec::with_capacity(scene.bodies.len()),
         geoms: Vec::with_capacity(scene.geoms.len()),
-        log: log(scene),
+        log: Log::of(scene),
         dt: scene.dt.finite(root.key("dt"))?,
     };
     let bodies = root.key("bodies");
@@ -39,15 +39,6 @@ pub(super) fn build(scene: &Scene) -> Result<Run<'_>> {
     }
     run.simulator.process_added_and_removed();
     Ok(run)
-}
-
-/// The handler with what the scene subscribes.
-fn log(scene: &Scene) -> Log {
-    Log {
-        broad_phase_event: scene.simulator.broad_phase_event,
-        until: if scene.trace.events { scene.trace.events_until.unwrap_or(u32::MAX) } else { 0 },
-        ..Log::default()
-    }
 }
 
 fn simulator(settings: &SimulatorSettings, at: At<'_>) -> Result<PhysicsSimulator> {

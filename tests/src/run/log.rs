@@ -1,5 +1,6 @@
 //! The handler of a run: logs callbacks as the lines of a trace and vetoes collisions.
 
+use crate::scene::Scene;
 use crate::trace::{Event, Line};
 use farseer_core::{Contact, Context, EventHandler, GeomId};
 use std::collections::HashMap;
@@ -12,9 +13,9 @@ pub(super) struct Log {
     /// For each geom, against whom its collision callback answers false.
     vetoes: Vec<Vec<usize>>,
     /// Whether the broad phase event is subscribed.
-    pub(super) broad_phase_event: bool,
+    broad_phase_event: bool,
     /// Last step whose events are logged; 0 for none.
-    pub(super) until: u32,
+    until: u32,
     /// The current step.
     pub(super) step: u32,
     /// What was logged and not yet fetched.
@@ -22,6 +23,15 @@ pub(super) struct Log {
 }
 
 impl Log {
+    /// The handler with what a scene subscribes, before anything is created.
+    pub(super) fn of(scene: &Scene) -> Self {
+        Log {
+            broad_phase_event: scene.simulator.broad_phase_event,
+            until: if scene.trace.events { scene.trace.events_until.unwrap_or(u32::MAX) } else { 0 },
+            ..Log::default()
+        }
+    }
+
     /// Makes a new geom known.
     pub(super) fn subscribe(&mut self, geom: GeomId, veto: &[usize]) {
         self.numbers.insert(geom, self.vetoes.len());

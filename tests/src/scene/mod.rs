@@ -201,7 +201,7 @@ impl Scene {
 
 impl Op {
     /// The feature the operation needs.
-    fn feature(&self) -> Option<Feature> {
+    pub(crate) fn feature(&self) -> Option<Feature> {
         match self {
             Op::Add { target, .. }
             | Op::Remove { target, .. }
