@@ -1,9 +1,9 @@
 //! Scenes made by programs, shared by tests, benchmarks and charts.
 //!
-//! Lengths are pixels: boxes of about 20, circles of radius about 10, gravity 150 px/s² downwards, steps of 0.01 s.
-//! Sizes and places vary slightly from one thing to the next, so that no two edges lie exactly at the same place
-//! (which the default broad phase of the original cannot order, behaviour chapter 08). They vary by a fixed sequence
-//! and not by chance: a scene is the same whenever and wherever it is made.
+//! Lengths are pixels: boxes of about 20, circles of radius about 10, gravity 150 px/s² downwards, steps of
+//! 0.01 s. Sizes and places vary slightly from one thing to the next, so that no two edges lie exactly at the
+//! same place (which the default broad phase of the original cannot order, behaviour chapter 08). They vary
+//! by a fixed sequence and not by chance: a scene is the same whenever and wherever it is made.
 
 use crate::scene::{BodyShape, BodySpec, GeomShape, GeomSpec, Scene};
 use farseer_core::math::Vector2;
@@ -13,8 +13,8 @@ const GRAVITY: f32 = 150.0;
 /// Edges of a circle's outline.
 const EDGES: i32 = 12;
 
-/// A pyramid of boxes on a floor: `base` boxes in the lowest row, one less in each row above, `base * (base + 1) / 2`
-/// of them in all (210 for a base of 20).
+/// A pyramid of boxes on a floor: `base` boxes in the lowest row, one less in each row above, `base * (base +
+/// 1) / 2` of them in all (210 for a base of 20).
 pub fn pyramid(base: usize) -> Scene {
     const SIZE: f32 = 20.0;
     let mut scene = Scene::empty(&format!("pyramid_of_{base}"), "Pyramid of boxes.");
@@ -39,8 +39,10 @@ pub fn pyramid(base: usize) -> Scene {
 /// `count` circles in a grid that fall into a pit of a floor and two walls.
 pub fn circles_in_a_pit(count: usize) -> Scene {
     const SPACING: f32 = 24.0;
-    let mut scene =
-        Scene::empty(&format!("{count}_circles_in_a_pit"), "Circles that fall into a pit of three static walls.");
+    let mut scene = Scene::empty(
+        &format!("{count}_circles_in_a_pit"),
+        "Circles that fall into a pit of three static walls.",
+    );
     scene.tags = vec!["pile".to_owned()];
     scene.simulator.gravity = Some(Vector2::new(0.0, GRAVITY));
     let columns = (count as f32).sqrt().ceil().max(1.0) as usize;
@@ -61,8 +63,8 @@ pub fn circles_in_a_pit(count: usize) -> Scene {
     scene
 }
 
-/// A number between -1 and 1 that differs for every index (up to rounding): multiples of an irrational number, less
-/// their whole part.
+/// A number between -1 and 1 that differs for every index (up to rounding): multiples of an irrational
+/// number, less their whole part.
 fn vary(index: usize, sequence: u32) -> f32 {
     let step = match sequence {
         1 => 0.618_033_988_749_895,

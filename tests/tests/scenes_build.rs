@@ -3,8 +3,9 @@
 mod common;
 
 use common::small_scene;
-use conformance::run::Run;
+use conformance::run::{Run, record};
 use conformance::scene::{Reason, Scene};
+use conformance::scenes::{circles_in_a_pit, pyramid};
 use farseer_core::math::Vector2;
 
 const BODY: &str = r#"{"shape": {"type": "rectangle", "width": 2, "height": 2, "mass": 1}}"#;
@@ -37,8 +38,9 @@ fn a_refusal_of_the_engine_is_told_from_a_broken_scene() {
 
 #[test]
 fn a_body_that_does_not_exist_is_reported_with_its_place() {
-    let keys =
-        format!(r#", "bodies": [{BODY}], "geoms": [{{"body": 1, "shape": {{"type": "rectangle", "width": 2, "height": 2}}}}]"#);
+    let keys = format!(
+        r#", "bodies": [{BODY}], "geoms": [{{"body": 1, "shape": {{"type": "rectangle", "width": 2, "height": 2}}}}]"#
+    );
     assert_eq!(error(&keys), "small.json: geoms[0].body: there is no body 1, only 1 of them");
 }
 
@@ -59,7 +61,8 @@ fn a_body_copied_from_a_later_one_is_reported() {
 
 #[test]
 fn an_infinite_number_is_refused_with_its_place() {
-    let keys = r#", "bodies": [{"shape": {"type": "circle", "radius": 1, "mass": 1}, "position": [0, -1e39]}]"#;
+    let keys =
+        r#", "bodies": [{"shape": {"type": "circle", "radius": 1, "mass": 1}, "position": [0, -1e39]}]"#;
     assert_eq!(error(keys), "small.json: bodies[0].position[1]: -inf is not finite");
 }
 
@@ -123,5 +126,59 @@ fn a_scene_the_engine_has_no_part_for_is_refused() {
     match Run::build(&scene) {
         Err(error) => assert!(matches!(error.reason, Reason::NotBuilt(_) | Reason::NoSuch { .. }), "{error}"),
         Ok(_) => panic!("there is no body to join"),
+    }
+}
+
+/// A scene of two boxes with a script.
+fn two_boxes(script: &str) -> Scene {
+    let geom =
+        |body| format!(r#"{{"body": {body}, "shape": {{"type": "rectangle", "width": 2, "height": 2}}}}"#);
+    scene(&format!(
+        r#", "bodies": [{BODY}, {BODY}], "geoms": [{}, {}], "script": [{script}]"#,
+        geom(0),
+        geom(1)
+    ))
+}
+
+#[test]
+fn operations_on_disposed_things_change_nothing() {
+    let scene = two_boxes(
+        r#"{"step": 1, "op": "dispose", "target": "body", "index": 1},
+           {"step": 3, "op": "apply_torque", "body": 1, "torque": 1},
+           {"step": 3, "op": "set_geom", "geom": 1, "friction": 1},
+           {"step": 3, "op": "ignore_collision", "geom": 0, "other": 1},
+           {"step": 3, "op": "restore_collision", "geom": 0, "other": 1},
+           {"step": 3, "op": "add", "target": "body", "index": 1},
+           {"step": 3, "op": "remove", "target": "geom", "index": 1},
+           {"step": 3, "op": "disable", "target": "body", "index": 1},
+           {"step": 3, "op": "dispose", "target": "body", "index": 1}"#,
+    );
+    let mut run = Run::build(&scene).unwrap_or_else(|error| panic!("{error}"));
+    for _ in 0..4 {
+        run.step().unwrap_or_else(|error| panic!("{error}"));
+    }
+    assert_eq!(run.simulator().body_list(), &run.bodies()[..1]);
+    assert_eq!(run.simulator().geom_list(), &run.geoms()[..1]);
+}
+
+#[test]
+fn a_copy_of_a_disposed_body_is_refused() {
+    let scene = two_boxes(
+        r#"{"step": 1, "op": "dispose", "target": "body", "index": 1},
+           {"step": 3, "op": "create", "target": "body", "spec": {"shape": {"type": "clone", "of": 1}}}"#,
+    );
+    let mut run = Run::build(&scene).unwrap_or_else(|error| panic!("{error}"));
+    run.step().unwrap_or_else(|error| panic!("{error}"));
+    run.step().unwrap_or_else(|error| panic!("{error}"));
+    let message = run.step().expect_err("the body is gone").to_string();
+    assert_eq!(message, "small.json: script[1].spec.shape.of: body 1 is disposed");
+}
+
+#[test]
+fn a_pyramid_and_a_pit_of_circles_run_to_their_end() {
+    for scene in [pyramid(4), circles_in_a_pit(30)] {
+        let recording = record(&scene);
+        assert!(recording.error.is_none() && recording.not_finite.is_none(), "{recording:?}");
+        assert_eq!(recording.trace.end().map(|(steps, _)| steps), Some(scene.steps));
     }
 }

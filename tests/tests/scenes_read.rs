@@ -40,7 +40,10 @@ fn radius(radius: &str) -> f32 {
 fn a_number_goes_through_the_nearest_double() {
     // Just above half way between 1 and the next float, but half way as a double, which rounds to even.
     assert_eq!(radius("1.0000000596046447753906250000001").to_bits(), 1.0_f32.to_bits());
-    assert_eq!("1.0000000596046447753906250000001".parse::<f32>().map(f32::to_bits), Ok(1.0_f32.next_up().to_bits()));
+    assert_eq!(
+        "1.0000000596046447753906250000001".parse::<f32>().map(f32::to_bits),
+        Ok(1.0_f32.next_up().to_bits())
+    );
 }
 
 #[test]
@@ -133,7 +136,8 @@ fn a_broken_number_in_an_outline_is_refused_with_its_whole_place() {
 
 #[test]
 fn a_vector_of_three_numbers_is_refused() {
-    let keys = r#", "bodies": [{"shape": {"type": "circle", "radius": 1, "mass": 1}, "position": [1, 2, 3]}]"#;
+    let keys =
+        r#", "bodies": [{"shape": {"type": "circle", "radius": 1, "mass": 1}, "position": [1, 2, 3]}]"#;
     assert_eq!(error(keys), "small.json: bodies[0].position: a list is not a vector of two numbers");
 }
 

@@ -20,7 +20,8 @@ fn folder(test: &str) -> PathBuf {
 fn copy(name: &str, folder: &Path) {
     for ending in ["json.gz", "trace.gz"] {
         let file = format!("{name}.{ending}");
-        fs::copy(golden::folder().join(&file), folder.join(&file)).unwrap_or_else(|error| panic!("{file}: {error}"));
+        fs::copy(golden::folder().join(&file), folder.join(&file))
+            .unwrap_or_else(|error| panic!("{file}: {error}"));
     }
 }
 
@@ -41,7 +42,10 @@ fn report(output: &Output) -> String {
 fn line(output: &Output, name: &str) -> String {
     let report = report(output);
     let line = report.lines().find(|line| line.split_whitespace().next() == Some(name));
-    line.unwrap_or_else(|| panic!("no line for {name} in\n{report}")).split_whitespace().collect::<Vec<_>>().join(" ")
+    line.unwrap_or_else(|| panic!("no line for {name} in\n{report}"))
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ")
 }
 
 #[test]
@@ -85,7 +89,8 @@ fn a_difference_ends_with_status_1() {
     copy("box_drop_flat", &folder);
     let trace = golden_trace("box_drop_flat");
     let step = trace.lines().find(|line| line.starts_with("s 90 ")).expect("the trace has a step 90");
-    let changed = trace.replace(step, &format!("s 90 0123456789abcdef{}", &step["s 90 0123456789abcdef".len()..]));
+    let changed =
+        trace.replace(step, &format!("s 90 0123456789abcdef{}", &step["s 90 0123456789abcdef".len()..]));
     write(&folder, "box_drop_flat.trace", &changed);
     let output = trace_check(&[&folder]);
     assert_eq!(output.status.code(), Some(1));

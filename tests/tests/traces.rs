@@ -18,7 +18,8 @@ fn unbuilt() -> Features {
 #[test]
 fn every_recorded_run_is_reproduced_exactly() {
     let mut report = Vec::new();
-    let summary = check_folders(&[golden::folder()], unbuilt(), 2, &mut report).expect("a list takes any report");
+    let summary =
+        check_folders(&[golden::folder()], unbuilt(), 2, &mut report).expect("a list takes any report");
     let report = String::from_utf8_lossy(&report);
     let wrong: Vec<&str> =
         report.lines().filter(|line| !line.contains(" exact") && !line.contains(" skipped (")).collect();
@@ -141,9 +142,10 @@ fn a_changed_contact_is_found_with_its_pair() {
     });
     contact.expect("the trace has contacts").values[4] += 1;
     let difference = compare(&trace, &changed, None).expect("a contact differs");
-    assert!(
-        matches!(difference.findings[0], Finding::Word { place: Place::Contact { .. }, field: "separation", .. })
-    );
+    assert!(matches!(
+        difference.findings[0],
+        Finding::Word { place: Place::Contact { .. }, field: "separation", .. }
+    ));
 }
 
 #[test]
@@ -189,14 +191,16 @@ fn the_text_of_a_run_is_that_of_its_trace() {
 #[test]
 fn a_scene_that_needs_what_is_skipped_is_skipped() {
     let joints = Features::of(&[Feature::Joints]);
-    let verdict = check_with(&golden_scene("joint_pin"), &golden_trace("joint_pin"), joints, Features::default());
+    let verdict =
+        check_with(&golden_scene("joint_pin"), &golden_trace("joint_pin"), joints, Features::default());
     assert!(matches!(verdict, Verdict::Skipped(features) if features == joints), "{verdict}");
 }
 
 #[test]
 fn a_scene_that_needs_what_is_neither_built_nor_skipped_fails() {
     let springs = Features::of(&[Feature::Springs]);
-    let verdict = check_with(&golden_scene("joint_pin"), &golden_trace("joint_pin"), springs, Features::default());
+    let verdict =
+        check_with(&golden_scene("joint_pin"), &golden_trace("joint_pin"), springs, Features::default());
     assert_eq!(verdict.to_string(), "failed: needs joints, which the engine does not have");
 }
 
@@ -246,6 +250,17 @@ fn a_body_that_stops_being_finite_must_be_reported_in_time() {
     scene.outcome.first_nan_step = Some(0);
     let verdict = check(&scene, &trace, Features::default());
     assert!(verdict.is_failure(), "{verdict}");
+}
+
+#[test]
+fn a_refused_infinity_counts_as_stopped_in_time() {
+    let mut scene = golden_scene("edge_huge_rotation_inf");
+    let trace = golden_trace("edge_huge_rotation_inf");
+    scene.script = common::script(r#"[{"step": 1, "op": "apply_torque", "body": 1, "torque": 1e39}]"#);
+    assert!(check(&scene, &trace, Features::default()).is_exact());
+    scene.script = common::script(r#"[{"step": 1, "op": "set_mass", "body": 1, "mass": 0}]"#);
+    let verdict = check(&scene, &trace, Features::default());
+    assert!(verdict.to_string().contains("refused at step 1: "), "{verdict}");
 }
 
 #[test]

@@ -63,7 +63,8 @@ fn the_hash_of_every_full_state_is_that_of_its_words() {
 #[test]
 fn the_last_hash_is_that_of_the_hashes_of_the_steps() {
     for (path, trace) in traces() {
-        let steps: Vec<&StepLine> = trace.lines.iter().filter_map(step).filter(|line| line.step > 0).collect();
+        let steps: Vec<&StepLine> =
+            trace.lines.iter().filter_map(step).filter(|line| line.step > 0).collect();
         let (last, expected) = trace.end().expect("a trace that can be read has an end");
         if steps.len() == last as usize {
             let mut hash = Fnv::EMPTY;
@@ -104,7 +105,10 @@ fn name_and_hash(line: &str) -> (String, String) {
 fn every_scene_can_be_read() {
     for path in files(".json.gz") {
         let scene = Scene::from_file(&path).unwrap_or_else(|error| panic!("{error}"));
-        assert_eq!(path.file_name().and_then(|name| name.to_str()), Some(format!("{}.json.gz", scene.name).as_str()));
+        assert_eq!(
+            path.file_name().and_then(|name| name.to_str()),
+            Some(format!("{}.json.gz", scene.name).as_str())
+        );
     }
 }
 
@@ -133,12 +137,18 @@ fn a_line_of_an_unknown_kind_is_refused_with_its_number() {
 
 #[test]
 fn a_broken_word_is_refused_with_its_line() {
-    assert_eq!(error(&short_trace("3c23d70a", "3c23d7")), "line 4: \"3c23d7\" is not a number of 8 hex digits");
+    assert_eq!(
+        error(&short_trace("3c23d70a", "3c23d7")),
+        "line 4: \"3c23d7\" is not a number of 8 hex digits"
+    );
 }
 
 #[test]
 fn a_missing_field_is_refused_with_its_line() {
-    assert_eq!(error(&short_trace("s 0 a8c7f832281a39c5 0 0", "s 0 a8c7f832281a39c5 0")), "line 11: has too few fields");
+    assert_eq!(
+        error(&short_trace("s 0 a8c7f832281a39c5 0 0", "s 0 a8c7f832281a39c5 0")),
+        "line 11: has too few fields"
+    );
 }
 
 #[test]

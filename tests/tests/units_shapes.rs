@@ -194,6 +194,14 @@ fn a_point_on_the_side_of_a_box_is_not_in_it() {
 }
 
 #[test]
+fn a_point_must_keep_a_margin_from_the_sides_of_its_box() {
+    let unit = Aabb::new(Vector2::new(0.0, 0.0), Vector2::new(1.0, 1.0));
+    let margin = f32::from_bits(0x3727_C5AC);
+    assert!(!unit.contains(Vector2::new(margin, 0.5)));
+    assert!(unit.contains(Vector2::new(margin.next_up(), 0.5)));
+}
+
+#[test]
 fn a_box_moves_to_a_new_centre() {
     let mut moved = box_of_chapter_05();
     moved.set_position(Vector2::new(0.0, 0.0));

@@ -207,7 +207,8 @@ mod tests {
 
     #[test]
     fn a_vertex_that_turns_by_less_than_a_degree_is_merged() {
-        let merged = |y: f32| merge_parallel(outline(&[(0.0, 0.0), (4.0, y), (8.0, 0.0), (8.0, 8.0), (0.0, 8.0)]));
+        let merged =
+            |y: f32| merge_parallel(outline(&[(0.0, 0.0), (4.0, y), (8.0, 0.0), (8.0, 8.0), (0.0, 8.0)]));
         assert_eq!(merged(-0.03).len(), 4);
         assert_eq!(merged(-0.04).len(), 5);
     }

@@ -187,7 +187,21 @@ mod tests {
     fn a_point_on_the_boundary_is_not_inside() {
         let t = [(0.0, 0.0), (4.0, 0.0), (0.0, 4.0)].map(|(x, y)| Vector2::new(x, y));
         let inside = [(1.0, 1.0), (2.0, 0.0), (2.0, 2.0), (0.0, 0.0), (5.0, 1.0)];
-        assert_eq!(inside.map(|(x, y)| is_inside(&t, Vector2::new(x, y))), [true, false, false, false, false]);
+        assert_eq!(
+            inside.map(|(x, y)| is_inside(&t, Vector2::new(x, y))),
+            [true, false, false, false, false]
+        );
     }
-@@
+
+    #[test]
+    fn what_was_cut_before_ears_ran_out_counts() {
+        let crossing_itself = [(3.0, 3.0), (4.0, 6.0), (6.0, 0.0), (5.0, 3.0), (2.0, 5.0)];
+        assert_eq!(clip_ears(outline(&crossing_itself)).unwrap().map(|triangles| triangles.len()), Some(1));
+    }
+
+    #[test]
+    fn an_outline_without_any_ear_fails() {
+        let against_engine_winding = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)];
+        assert_eq!(clip_ears(outline(&against_engine_winding)), Ok(None));
+    }
 }

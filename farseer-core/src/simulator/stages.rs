@@ -45,6 +45,7 @@ impl PhysicsSimulator {
         let mut handler = handler;
         self.events.clear();
         self.counters = StepCounters::default();
+        self.solver.forget_surfaces();
         if !dt.is_finite() || (dt != 0.0 && !(1.0 / dt).is_finite()) {
             self.events.push(Event::RejectedInput { object: None, argument: "dt" });
             return false;
@@ -166,34 +167,30 @@ impl PhysicsSimulator {
 
     /// Fifth stage: contacts are prepared, and the impulses of the last update act again. `inverse_dt` is 1 / dt.
     pub fn pre_step(&mut self, inverse_dt: f32) {
-        let settings = self.pre_step_settings(inverse_dt);
+        let settings = PreStepSettings {
+            inverse_dt,
+            bias_factor: self.settings.bias_factor,
+            allowed_penetration: self.settings.allowed_penetration,
+        };
         self.solver.pre_step(&self.arbiters, &self.geoms, &self.bodies, settings);
         self.counters.contacts_solved = self.solver.row_count();
     }
 
-    fn pre_step_settings(&self, inverse_dt: f32) -> PreStepSettings {
-        PreStepSettings {
-            inverse_dt,
-            bias_factor: self.settings.bias_factor,
-            allowed_penetration: self.settings.allowed_penetration,
-        }
-    }
-
     /// Lets the solver hold a body against something immovable that has no geom, such as the ground of a 2.5D
-    /// game: after [`pre_step`](Self::pre_step), before the iterations. The normals of the contacts point toward
-    /// the body; friction and restitution are the combined ones. `None` for a stale id.
+    /// game: between [`collide_pairs`](Self::collide_pairs) and [`pre_step`](Self::pre_step). The normals of the
+    /// contacts point toward the body; friction and restitution are the combined ones. If anything is not
+    /// finite there is no contact. `None` for a stale id.
     pub fn add_surface_contacts(
         &mut self,
         body: BodyId,
         contacts: &[Contact],
         friction: f32,
         restitution: f32,
-        inverse_dt: f32,
     ) -> Option<SurfaceContacts> {
         self.bodies.get(body)?;
-        let settings = self.pre_step_settings(inverse_dt);
-        self.counters.contacts_solved += contacts.len();
-        Some(self.solver.add_surface(body, &self.bodies, contacts, (friction, restitution), settings))
+        let is_finite = contacts.iter().all(is_finite) && (friction + restitution).is_finite();
+        let contacts = if is_finite { contacts } else { &[] };
+        Some(self.solver.add_surface(body, contacts, friction, restitution))
     }
 
     /// Normal and tangent impulse of every contact of a surface, as the solver has them now.

@@ -15,8 +15,8 @@ pub struct Entry {
     pub trace: Option<PathBuf>,
 }
 
-/// The scenes (`NAME.json`) and traces (`NAME.trace`) of a folder by name, plain or compressed (`.gz`); plain ones
-/// come first. Folders in it are not searched.
+/// The scenes (`NAME.json`) and traces (`NAME.trace`) of a folder by name, plain or compressed (`.gz`); plain
+/// ones come first. Folders in it are not searched.
 ///
 /// # Errors
 ///

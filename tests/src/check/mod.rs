@@ -1,12 +1,15 @@
 //! Checks runs against what the original did: one scene, or folders of them.
 //!
-//! A scene in which the original threw an exception, or in which a body's state stopped being a number, is compared
-//! up to the step before that. From there on this engine has a behaviour of its own, which is checked instead:
+//! A scene in which the original threw an exception, or in which a body's state stopped being a number, is
+//! compared up to the step before that. From there on this engine has a behaviour of its own, which is
+//! checked instead:
 //!
-//! - what the original refused with an exception where something is created or set is refused with an error here;
+//! - what the original refused with an exception where something is created or set is refused with an error
+//!   here;
 //! - where the original threw in an update the run goes on to the end, and every body's state stays finite;
 //! - where the original went on with what is not a number, the body is stopped and reported
-//!   ([`Event::NotFinite`](farseer_core::Event::NotFinite)) at the latest one step later.
+//!   ([`Event::NotFinite`](farseer_core::Event::NotFinite)) at the latest one step later, or the scene's
+//!   value that is to blame has been refused before.
 
 mod folder;
 mod summary;
@@ -16,7 +19,7 @@ pub use summary::{Summary, check_folders};
 
 use crate::compare::{Difference, compare};
 use crate::run::{BUILT, Recording, record};
-use crate::scene::{Features, Scene};
+use crate::scene::{Features, Reason, Scene};
 use crate::trace::{Line, Trace};
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -26,8 +29,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 pub enum Verdict {
     /// Every byte of the trace is reproduced.
     Exact,
-    /// Everything up to the step before something the original is not followed in, and the behaviour from there on
-    /// is the documented one.
+    /// Everything up to the step before something the original is not followed in, and the behaviour from
+    /// there on is the documented one.
     ExactUntil {
         /// The last step compared.
         step: u32,
@@ -73,8 +76,8 @@ impl fmt::Display for Verdict {
     }
 }
 
-/// Checks a scene against the text of its trace, leaving it out if it needs what is to be skipped. A panic is caught
-/// and reported as a failure.
+/// Checks a scene against the text of its trace, leaving it out if it needs what is to be skipped. A panic is
+/// caught and reported as a failure.
 pub fn check(scene: &Scene, trace: &str, skip: Features) -> Verdict {
     check_with(scene, trace, skip, Features::of(BUILT))
 }
@@ -93,7 +96,12 @@ pub fn check_with(scene: &Scene, trace: &str, skip: Features, built: Features) -
         Ok(expected) => expected,
         Err(error) => return Verdict::Failed(format!("the trace {error}")),
     };
-    catch_unwind(AssertUnwindSafe(|| judge(scene, &expected, trace, &record(scene))))
+    guard(|| judge(scene, &expected, trace, &record(scene)))
+}
+
+/// Makes a panic a failure.
+fn guard(check: impl FnOnce() -> Verdict) -> Verdict {
+    catch_unwind(AssertUnwindSafe(check))
         .unwrap_or_else(|panic| Verdict::Failed(format!("panicked: {}", message(panic.as_ref()))))
 }
 
@@ -174,7 +182,12 @@ impl Unusual {
             return check_refusal(*step, recording);
         }
         if let Some((step, error)) = &recording.error {
-            return Err(format!("refused at step {step}: {error}"));
+            // What is not finite is refused here before it can make anything else not finite.
+            let in_time = self.first_nan_step.is_some_and(|limit| *step <= limit);
+            return match error.reason {
+                Reason::NotFinite(_) if in_time => Ok(()),
+                _ => Err(format!("refused at step {step}: {error}")),
+            };
         }
         if let Some((step, body)) = recording.not_finite {
             return Err(format!("body {body} is not finite after step {step}"));
@@ -233,5 +246,21 @@ fn check_refusal(step: u32, recording: &Recording) -> Result<(), String> {
         Some((at, error)) if *at == step && error.is_refusal() => Ok(()),
         Some((at, error)) => Err(format!("step {at}: {error}")),
         None => Err("nothing was refused".to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Verdict, guard};
+
+    #[test]
+    fn a_panic_is_a_failure_with_its_message() {
+        let verdict = guard(|| panic!("{} is too much", 5));
+        assert_eq!(verdict.to_string(), "failed: panicked: 5 is too much");
+    }
+
+    #[test]
+    fn what_does_not_panic_is_passed_on() {
+        assert!(guard(|| Verdict::Exact).is_exact());
     }
 }

@@ -88,9 +88,9 @@ struct Checked {
     tags: Vec<String>,
 }
 
-/// Checks the scenes of folders with some threads, writing one line (or a few, where something differs) for each
-/// scene in the order of their names. Files that are broken or missing are reported and make the check fail, but do
-/// not end it.
+/// Checks the scenes of folders with some threads, writing one line (or a few, where something differs) for
+/// each scene in the order of their names. Files that are broken or missing are reported and make the check
+/// fail, but do not end it.
 ///
 /// # Errors
 ///
@@ -133,7 +133,8 @@ fn check_entries(
         for _ in 0..threads.max(1) {
             let (work, done) = (&work, done.clone());
             scope.spawn(move || {
-                // A panic while the lock is held is impossible but for a broken iterator, which has nothing left.
+                // A panic while the lock is held is impossible but for a broken iterator, which has nothing
+                // left.
                 while let Some((index, entry)) = work.lock().ok().and_then(|mut work| work.next()) {
                     if done.send((index, check_entry(&entry, skip))).is_err() {
                         return;

@@ -223,13 +223,7 @@ fn pair_findings(
 }
 
 /// The words that differ.
-fn words(
-    step: u32,
-    place: Place,
-    fields: &[&'static str],
-    expected: &[u32],
-    actual: &[u32],
-) -> Vec<Finding> {
+fn words(step: u32, place: Place, fields: &[&'static str], expected: &[u32], actual: &[u32]) -> Vec<Finding> {
     let pairs = fields.iter().zip(expected.iter().zip(actual));
     let different = pairs.filter(|(_, (expected, actual))| expected != actual);
     different

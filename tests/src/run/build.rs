@@ -3,13 +3,13 @@
 use super::log::Log;
 use super::{AtPlace, Finite, Run};
 use crate::scene::{
-    At, BodySettings, BodyShape, BodySpec, BroadPhase, Friction, GeomSettings, GeomShape, GeomSpec, NarrowPhase,
-    Outline, OutlineForm, Scene, SceneError, SimulatorSettings, SolverSettings,
+    At, BodySettings, BodyShape, BodySpec, BroadPhase, Friction, GeomSettings, GeomShape, GeomSpec,
+    NarrowPhase, Outline, OutlineForm, Scene, SceneError, SimulatorSettings, SolverSettings,
 };
 use farseer_core::math::Vector2;
 use farseer_core::{
-    Body, BodyFactory, BroadPhaseCollider, CollisionCategory, FrictionType, GeomFactory, GeomId, GeomPlacement,
-    NarrowPhaseCollider, PhysicsSimulator, Vertices,
+    Body, BodyFactory, BroadPhaseCollider, CollisionCategory, FrictionType, GeomFactory, GeomId,
+    GeomPlacement, NarrowPhaseCollider, PhysicsSimulator, Vertices,
 };
 
 type Result<T> = std::result::Result<T, SceneError>;
@@ -35,7 +35,7 @@ pub(super) fn build(scene: &Scene) -> Result<Run<'_>> {
         created.push(create_geoms(&mut run, spec, geoms.item(index))?);
     }
     for ((index, spec), created) in scene.geoms.iter().enumerate().zip(created) {
-        ignore(&mut run, &created, spec, geoms.item(index))?;
+        ignore_listed(&mut run, &created, spec, geoms.item(index))?;
     }
     run.simulator.process_added_and_removed();
     Ok(run)
@@ -46,7 +46,8 @@ fn simulator(settings: &SimulatorSettings, at: At<'_>) -> Result<PhysicsSimulato
     let mut simulator = PhysicsSimulator::new(gravity).at(at.key("gravity"))?;
     set_detection(&mut simulator, settings.narrow_phase, settings.max_contacts_to_detect);
     set_solver(&mut simulator, &settings.solver, at)?;
-    if let Some(broad_phase) = settings.broad_phase.and_then(|method| broad_phase_collider(method, settings)) {
+    if let Some(broad_phase) = settings.broad_phase.and_then(|method| broad_phase_collider(method, settings))
+    {
         simulator.set_broad_phase_collider(broad_phase).at(at.key("broad_phase"))?;
     }
     Ok(simulator)
@@ -288,16 +289,23 @@ pub(super) fn set_geom(
 }
 
 /// Makes the geoms of an entry ignore the geoms it lists.
-pub(super) fn ignore(run: &mut Run<'_>, geoms: &[GeomId], spec: &GeomSpec, at: At<'_>) -> Result<()> {
+pub(super) fn ignore_listed(run: &mut Run<'_>, geoms: &[GeomId], spec: &GeomSpec, at: At<'_>) -> Result<()> {
     let list = at.key("ignore");
     for &geom in geoms {
         for (index, &other) in spec.ignore.iter().enumerate() {
-            let at = list.item(index);
-            let other = run.geom(other, at)?;
-            run.simulator.ignore_collision_with(geom, other).at(at)?;
+            ignore(run, geom, other, list.item(index))?;
         }
     }
     Ok(())
+}
+
+/// Makes a geom ignore another one; a disposed one is ignored already.
+pub(super) fn ignore(run: &mut Run<'_>, geom: GeomId, other: usize, at: At<'_>) -> Result<()> {
+    let other = run.geom(other, at)?;
+    match run.simulator.geom(other) {
+        Some(_) => run.simulator.ignore_collision_with(geom, other).at(at),
+        None => Ok(()),
+    }
 }
 
 /// The vertices of an outline, made afresh.

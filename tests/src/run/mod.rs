@@ -1,8 +1,8 @@
 //! Scenes to simulations: building and driving.
 //!
-//! [`Run`] builds a scene and makes its steps one by one; [`record`] makes all of them and gives the trace. Values
-//! the engine's setters would silently refuse (because a game calls them every frame) are errors here, so that a
-//! scene with such a value says where it is.
+//! [`Run`] builds a scene and makes its steps one by one; [`record`] makes all of them and gives the trace.
+//! Values the engine's setters would silently refuse (because a game calls them every frame) are errors here,
+//! so that a scene with such a value says where it is.
 
 mod build;
 mod log;
@@ -36,8 +36,8 @@ impl<'a> Run<'a> {
     ///
     /// # Errors
     ///
-    /// When the scene refers to something that does not exist, has a value the engine refuses, or needs a part the
-    /// engine does not have. The error names the file, the place and the reason.
+    /// When the scene refers to something that does not exist, has a value the engine refuses, or needs a
+    /// part the engine does not have. The error names the file, the place and the reason.
     pub fn build(scene: &'a Scene) -> Result<Self, SceneError> {
         let missing = scene.features().without(Features::of(BUILT));
         if !missing.is_empty() {
@@ -50,7 +50,8 @@ impl<'a> Run<'a> {
     ///
     /// # Errors
     ///
-    /// When an operation of the script refers to something that does not exist or has a value the engine refuses.
+    /// When an operation of the script refers to something that does not exist or has a value the engine
+    /// refuses.
     pub fn step(&mut self) -> Result<(), SceneError> {
         self.log.step += 1;
         script::apply(self).map_err(|error| error.in_file(self.scene.file()))?;

@@ -126,7 +126,8 @@ fn line(simulator: &PhysicsSimulator, step: u32) -> StepLine {
 
 /// One line per body in the simulator's list.
 fn body_lines(run: &Run<'_>) -> Vec<Line> {
-    let numbers: HashMap<BodyId, usize> = run.bodies.iter().enumerate().map(|(index, &id)| (id, index)).collect();
+    let numbers: HashMap<BodyId, usize> =
+        run.bodies.iter().enumerate().map(|(index, &id)| (id, index)).collect();
     let lines = run.simulator.body_list().iter().map(|id| {
         let body = &run.simulator[*id];
         let flags = u32::from(body.enabled()) + 2 * u32::from(body.is_static());

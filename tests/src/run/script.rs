@@ -63,7 +63,7 @@ fn operate(run: &mut Run<'_>, op: &Op, at: At<'_>) -> Result<()> {
         Op::Create { creation: Creation::Body { ref spec } } => build::create_body(run, spec, at.key("spec")),
         Op::Create { creation: Creation::Geom { ref spec } } => {
             let geoms = build::create_geoms(run, spec, at.key("spec"))?;
-            build::ignore(run, &geoms, spec, at.key("spec"))
+            build::ignore_listed(run, &geoms, spec, at.key("spec"))
         }
         Op::Query { point } => query(run, point.finite(at.key("point"))?),
         Op::SetGeom { geom, .. }
@@ -78,7 +78,8 @@ fn operate(run: &mut Run<'_>, op: &Op, at: At<'_>) -> Result<()> {
     }
 }
 
-/// Applies an operation on a body. A disposed body takes no part in anything any more: changing it has no effect.
+/// Applies an operation on a body. A disposed body takes no part in anything any more: changing it has no
+/// effect.
 fn operate_on_body(run: &mut Run<'_>, id: BodyId, op: &Op, at: At<'_>) -> Result<()> {
     let Some(body) = run.simulator.body_mut(id) else {
         return Ok(());
@@ -144,13 +145,13 @@ fn operate_on_geom(run: &mut Run<'_>, id: GeomId, op: &Op, at: At<'_>) -> Result
             let vertices = build::vertices(outline, at.key("outline"))?;
             run.simulator.set_vertices(id, vertices).at(at.key("outline"))
         }
-        Op::IgnoreCollision { other, .. } => {
-            let other = run.geom(other, at.key("other"))?;
-            run.simulator.ignore_collision_with(id, other).at(at.key("other"))
-        }
+        Op::IgnoreCollision { other, .. } => build::ignore(run, id, other, at.key("other")),
         Op::RestoreCollision { other, .. } => {
             let other = run.geom(other, at.key("other"))?;
-            run.simulator.restore_collision_with(id, other).at(at.key("other"))
+            match run.simulator.geom(other) {
+                Some(_) => run.simulator.restore_collision_with(id, other).at(at.key("other")),
+                None => Ok(()),
+            }
         }
         _ => Err(not_built(op, at)),
     }
@@ -162,8 +163,8 @@ enum Thing {
     Geom(GeomId),
 }
 
-/// The thing with an index; nothing when it is disposed. The original lets a disposed thing enter its lists, only to
-/// drop it before the update does anything with it.
+/// The thing with an index; nothing when it is disposed. The original lets a disposed thing enter its lists,
+/// only to drop it before the update does anything with it.
 fn thing(run: &Run<'_>, target: Target, index: usize, at: At<'_>) -> Result<Option<Thing>> {
     match target {
         Target::Body => {
@@ -202,8 +203,11 @@ fn query(run: &mut Run<'_>, point: Vector2) -> Result<()> {
     Ok(())
 }
 
+/// The error for an operation that needs a feature; which one, the operation knows.
 fn not_built(op: &Op, at: At<'_>) -> SceneError {
-    SceneError::new(at, Reason::NotBuilt(op.feature().map(|feature| Features::of(&[feature])).unwrap_or_default()))
+    let mut features = Features::default();
+    op.feature().into_iter().for_each(|feature| features.insert(feature));
+    SceneError::new(at, Reason::NotBuilt(features))
 }
 
 impl Op {

@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-/// A place in a scene file: the way from the top to a value. It borrows the way there, and is only turned into
-/// text when there is an error to report.
+/// A place in a scene file: the way from the top to a value. It borrows the way there, and is only turned
+/// into text when there is an error to report.
 #[derive(Debug, Clone, Copy)]
 pub enum At<'a> {
     /// The whole file.

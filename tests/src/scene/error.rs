@@ -63,8 +63,8 @@ impl SceneError {
         SceneError { file: file.to_owned(), ..self }
     }
 
-    /// Whether the scene was refused for a value it hands to the engine (and not because the file is broken): what
-    /// the original answers with an exception where something is created or set.
+    /// Whether the scene was refused for a value it hands to the engine (and not because the file is broken):
+    /// what the original answers with an exception where something is created or set.
     pub fn is_refusal(&self) -> bool {
         matches!(self.reason, Reason::Refused(_) | Reason::NotFinite(_))
     }

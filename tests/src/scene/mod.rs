@@ -1,11 +1,12 @@
 //! The scene format: everything needed to build and drive a simulation, as JSON.
 //!
-//! Units are the user's length unit (pixels in most scenes), seconds, radians and kilograms; screen y points down.
-//! Bodies, joints, springs and controllers are named by their order of creation, geoms by their id, which is their
-//! order of creation too, both from 0. Numbers are decimals that become the nearest double and then the nearest float.
+//! Units are the user's length unit (pixels in most scenes), seconds, radians and kilograms; screen y points
+//! down. Bodies, joints, springs and controllers are named by their order of creation, geoms by their id,
+//! which is their order of creation too, both from 0. Numbers are decimals that become the nearest double and
+//! then the nearest float.
 //!
-//! A file that has a key, a type or a word the format does not know is refused, with its name, the place and the
-//! reason. See [`crate::run`] for how a scene becomes a simulation.
+//! A file that has a key, a type or a word the format does not know is refused, with its name, the place and
+//! the reason. See [`crate::run`] for how a scene becomes a simulation.
 
 mod at;
 mod body;
@@ -113,8 +114,8 @@ impl Keys for Scene {
 }
 
 impl Scene {
-    /// A scene without anything in it, to be filled by a program: 300 steps of 0.01 s, traced without events and
-    /// contacts.
+    /// A scene without anything in it, to be filled by a program: 300 steps of 0.01 s, traced without events
+    /// and contacts.
     pub fn empty(name: &str, about: &str) -> Self {
         Scene {
             name: name.to_owned(),
@@ -148,13 +149,12 @@ impl Scene {
     ///
     /// # Errors
     ///
-    /// When the file cannot be read, is not JSON or is not a scene; the error names the file, the place in it and the
-    /// reason.
+    /// When the file cannot be read, is not JSON or is not a scene; the error names the file, the place in it
+    /// and the reason.
     pub fn from_file(path: impl AsRef<Path>) -> Result<Self, SceneError> {
         let path = path.as_ref();
         let file = path.display().to_string();
-        let text =
-            file::read_text(path).map_err(|error| SceneError::new(At::Root, error).in_file(&file))?;
+        let text = file::read_text(path).map_err(|error| SceneError::new(At::Root, error).in_file(&file))?;
         Scene::from_json(&file, &text)
     }
 

@@ -1,8 +1,8 @@
 //! Reading of scene values out of JSON.
 //!
-//! Scenes mix tagged objects (`"type": "circle"`) with keys common to all tags, refuse unknown keys, and every error
-//! names its place. serde's tagged and flattened types buffer their input and lose the place, so that the reading is
-//! done here: a type lists its keys with [`keys!`] or [`tagged!`].
+//! Scenes mix tagged objects (`"type": "circle"`) with keys common to all tags, refuse unknown keys, and
+//! every error names its place. serde's tagged and flattened types buffer their input and lose the place, so
+//! that the reading is done here: a type lists its keys with [`keys!`] or [`tagged!`].
 
 use super::{At, SceneError};
 use farseer_core::math::Vector2;
@@ -96,8 +96,8 @@ fn unexpected(value: &Value, at: At<'_>, expected: &str) -> SceneError {
     SceneError::format(at, format!("{found} is not {expected}"))
 }
 
-/// Decimals become the nearest double and then the nearest float, as the reference runs read them; what is beyond the
-/// range becomes an infinity, which is refused where it is used.
+/// Decimals become the nearest double and then the nearest float, as the reference runs read them; what is
+/// beyond the range becomes an infinity, which is refused where it is used.
 impl Read for f32 {
     fn read(value: &Value, at: At<'_>) -> Result<Self> {
         value.as_f64().map(|number| number as f32).ok_or_else(|| unexpected(value, at, "a number"))
@@ -165,8 +165,8 @@ impl<K: Keys> Keys for Box<K> {
     }
 }
 
-/// Takes one field from an object: a key of the same name, `[= "key"]`, `[or value]` when it is absent, or `[flat]`
-/// for a type whose keys stand in the same object.
+/// Takes one field from an object: a key of the same name, `[= "key"]`, `[or value]` when it is absent, or
+/// `[flat]` for a type whose keys stand in the same object.
 macro_rules! take {
     ($object:ident, $field:ident) => {
         $object.key(stringify!($field))?
@@ -197,7 +197,9 @@ macro_rules! keys {
 
 /// Lists the variants of an enum by the value of its tag, and the keys of each.
 macro_rules! tagged {
-    ($type:ty, $tag:literal { $($name:literal => $variant:ident { $($field:ident $([$($how:tt)*])?),* $(,)? }),* $(,)? }) => {
+    ($type:ty, $tag:literal {
+        $($name:literal => $variant:ident { $($field:ident $([$($how:tt)*])?),* $(,)? }),* $(,)?
+    }) => {
         impl $crate::scene::reader::Keys for $type {
             fn take(
                 object: &mut $crate::scene::reader::Object<'_>,

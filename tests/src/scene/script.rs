@@ -25,7 +25,9 @@ impl ScriptEntry {
     /// Whether it is applied before the update with this number.
     pub fn is_due(&self, step: u32) -> bool {
         match self.until {
-            Some(until) => step >= self.step && step <= until && (step - self.step).is_multiple_of(self.every),
+            Some(until) => {
+                step >= self.step && step <= until && (step - self.step).is_multiple_of(self.every)
+            }
             None => step == self.step,
         }
     }
@@ -135,7 +137,10 @@ keys!(ScalingChange { maximum_interval, update_interval, increase [or 0], decrea
 
 /// The operations. Bodies, joints, springs and controllers are given by index, geoms by id.
 #[derive(Debug, Clone, PartialEq)]
-#[expect(missing_docs, reason = "the fields are the keys of the scene format and the arguments of the operation")]
+#[expect(
+    missing_docs,
+    reason = "the fields are the keys of the scene format and the arguments of the operation"
+)]
 pub enum Op {
     /// A force on the centre of mass.
     ApplyForce { body: usize, force: Vector2 },

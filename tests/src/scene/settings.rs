@@ -1,7 +1,7 @@
 //! Settings of the simulator and of the trace.
 
-use super::reader::{Keys, Object, keys, words};
 use super::SceneError;
+use super::reader::{Keys, Object, keys, words};
 use farseer_core::math::Vector2;
 
 /// How contacts are found.
@@ -61,7 +61,13 @@ pub struct SolverSettings {
     pub friction_type: Option<Friction>,
 }
 
-keys!(SolverSettings { iterations, bias_factor, allowed_penetration, max_contacts_to_resolve, friction_type });
+keys!(SolverSettings {
+    iterations,
+    bias_factor,
+    allowed_penetration,
+    max_contacts_to_resolve,
+    friction_type
+});
 
 /// Settings a simulator is made with.
 #[derive(Debug, Clone, Default, PartialEq)]

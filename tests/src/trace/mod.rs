@@ -1,7 +1,8 @@
 //! Traces: what a run did, as text that can be compared byte for byte.
 //!
-//! A trace has a header and lines of one word and fields, separated by one blank; floats are their 32-bit patterns in
-//! eight hex digits, every NaN being `7fc00000`. See [`Line`] for the kinds of line and [`hash`] for the hashes.
+//! A trace has a header and lines of one word and fields, separated by one blank; floats are their 32-bit
+//! patterns in eight hex digits, every NaN being `7fc00000`. See [`Line`] for the kinds of line and [`hash`]
+//! for the hashes.
 
 pub mod hash;
 mod read;

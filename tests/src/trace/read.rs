@@ -30,13 +30,16 @@ impl FromStr for Trace {
     fn from_str(text: &str) -> Result<Self, TraceError> {
         let mut lines = text.lines().peekable();
         let mut number = 0;
-        let header = header(&mut lines, &mut number)
-            .map_err(|reason| TraceError::Line { line: number, reason })?;
+        let header =
+            header(&mut lines, &mut number).map_err(|reason| TraceError::Line { line: number, reason })?;
         let mut trace = Trace { header, lines: Vec::new() };
         for text in lines {
             number += 1;
             if trace.end().is_some() {
-                return Err(TraceError::Line { line: number, reason: "comes after the `end` line".to_owned() });
+                return Err(TraceError::Line {
+                    line: number,
+                    reason: "comes after the `end` line".to_owned(),
+                });
             }
             trace.lines.push(line(text).map_err(|reason| TraceError::Line { line: number, reason })?);
         }
@@ -122,11 +125,9 @@ fn line(text: &str) -> Result<Line, String> {
 /// The fields of an event line after the step.
 fn event(fields: &mut Fields<'_>) -> Result<Event, String> {
     Ok(match fields.text()? {
-        "c" => Event::Collision {
-            this: fields.number()?,
-            other: fields.number()?,
-            contacts: fields.number()?,
-        },
+        "c" => {
+            Event::Collision { this: fields.number()?, other: fields.number()?, contacts: fields.number()? }
+        }
         "s" => Event::Separation { this: fields.number()?, other: fields.number()? },
         "j" => Event::JointBroke { joint: fields.number()? },
         "g" => Event::SpringBroke { spring: fields.number()? },
@@ -184,6 +185,7 @@ fn hash_in(text: &str) -> Result<u64, String> {
 }
 
 fn hex(text: &str, digits: usize) -> Result<u64, String> {
-    let number = u64::from_str_radix(text, 16).ok().filter(|_| text.len() == digits && !text.starts_with('+'));
+    let number =
+        u64::from_str_radix(text, 16).ok().filter(|_| text.len() == digits && !text.starts_with('+'));
     number.ok_or_else(|| format!("\"{text}\" is not a number of {digits} hex digits"))
 }

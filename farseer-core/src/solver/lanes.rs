@@ -1,0 +1,55 @@
+//! One contact at a time, or four.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use wide::f32x4;
+
+/// Contacts that are solved side by side.
+pub(super) const LANES: usize = 4;
+
+/// A number per lane. Every operation rounds each lane as the same operation on a single f32 does.
+pub(super) trait Lanes:
+    Copy
+    + Default
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    fn splat(value: f32) -> Self;
+    /// `self` where it is greater, else `other`.
+    fn or_greater(self, other: Self) -> Self;
+    /// `self` where it is smaller, else `other`.
+    fn or_smaller(self, other: Self) -> Self;
+}
+
+impl Lanes for f32 {
+    #[inline(always)]
+    fn splat(value: f32) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn or_greater(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+    #[inline(always)]
+    fn or_smaller(self, other: Self) -> Self {
+        if self < other { self } else { other }
+    }
+}
+
+impl Lanes for f32x4 {
+    #[inline(always)]
+    fn splat(value: f32) -> Self {
+        f32x4::splat(value)
+    }
+    #[inline(always)]
+    fn or_greater(self, other: Self) -> Self {
+        self.simd_gt(other).select(self, other)
+    }
+    #[inline(always)]
+    fn or_smaller(self, other: Self) -> Self {
+        self.simd_lt(other).select(self, other)
+    }
+}

@@ -1,0 +1,159 @@
+//! What a body and a geom have beyond those of the 2D engine.
+
+use farseer_core::shape::Aabb;
+use farseer_core::{Body, BodyId, GeomId, GeomRef, PhysicsSimulator};
+use serde::{Deserialize, Serialize};
+
+use crate::Result;
+use crate::error::invalid;
+use crate::ground::Ground;
+use crate::ground_contacts::RememberedImpulses;
+use crate::slots::SlotTable;
+
+/// How the outline of a geom becomes a body of three dimensions.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum DepthProfile {
+    /// The outline, extruded to this depth: half of it before and half of it behind the body's Z.
+    Prism {
+        /// Extent along Z in px, 0 or more.
+        depth: f32,
+    },
+    /// A ball about the geom's origin. On the ground it touches in one point and rolls in every direction.
+    Round {
+        /// Radius in px, greater than 0.
+        radius: f32,
+    },
+}
+
+impl DepthProfile {
+    /// Half of the extent along Z in px.
+    pub fn half_depth(&self) -> f32 {
+        match *self {
+            DepthProfile::Prism { depth } => depth * 0.5,
+            DepthProfile::Round { radius } => radius,
+        }
+    }
+
+    /// What a geom has unless it is told otherwise: a prism as deep as the shorter side of its outline's box.
+    pub(crate) fn default_of(geom: GeomRef<'_>) -> Self {
+        DepthProfile::Prism { depth: Aabb::from_vertices(geom.local_vertices()).get_shortest_side() }
+    }
+
+    /// Refuses what no shape can have.
+    pub(crate) fn check(self) -> Result<Self> {
+        match self {
+            DepthProfile::Prism { depth } if !(depth.is_finite() && depth >= 0.0) => {
+                Err(invalid("depth", depth, "finite and 0 or more"))
+            }
+            DepthProfile::Round { radius } if !(radius.is_finite() && radius > 0.0) => {
+                Err(invalid("radius", radius, "finite and greater than 0"))
+            }
+            _ => Ok(self),
+        }
+    }
+}
+
+/// The motion of a body along Z, and its ground.
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+pub(crate) struct DepthBody {
+    pub(crate) z: f32,
+    pub(crate) velocity_z: f32,
+    /// Rolling in depth: rotation about the x axis, which is not drawn.
+    pub(crate) angular_velocity_x: f32,
+    pub(crate) force_z: f32,
+    pub(crate) impulse_z: f32,
+    pub(crate) ground: Ground,
+    /// What held the body on its ground in the last update.
+    pub(crate) remembered: RememberedImpulses,
+}
+
+impl DepthBody {
+    /// Whether everything that enters arithmetic is finite: false only after loading garbage.
+    pub(crate) fn is_valid(&self) -> bool {
+        let numbers = [self.force_z, self.impulse_z];
+        self.motion_is_finite()
+            && numbers.iter().all(|number| number.is_finite())
+            && self.ground.is_valid()
+            && self.remembered.is_valid()
+    }
+
+    pub(crate) fn motion_is_finite(&self) -> bool {
+        self.z.is_finite() && self.velocity_z.is_finite() && self.angular_velocity_x.is_finite()
+    }
+
+    /// Impulse, force and drag become velocity, as the 2D engine does it for X and Y (behaviour chapter 02,
+    /// section 5); then force and impulse are forgotten.
+    pub(crate) fn integrate_velocity(&mut self, body: &Body, dt: f32) {
+        self.velocity_z += self.impulse_z * body.inverse_mass();
+        let mut drag = -self.velocity_z * body.linear_drag_coefficient();
+        if body.is_quadratic_drag_enabled() && self.velocity_z != 0.0 {
+            let v = body.linear_velocity();
+            let speed = (v.x * v.x + v.y * v.y + self.velocity_z * self.velocity_z).sqrt();
+            drag -= speed * body.quadratic_drag_coefficient() * self.velocity_z.signum();
+        }
+        self.velocity_z += (self.force_z + drag) * body.inverse_mass() * dt;
+        let spin = self.angular_velocity_x;
+        let torque = -spin * spin.abs() * body.rotational_drag_coefficient();
+        self.angular_velocity_x += torque * body.inverse_moment_of_inertia() * dt;
+        self.force_z = 0.0;
+        self.impulse_z = 0.0;
+    }
+}
+
+/// Everything this engine keeps beside the objects of the 2D engine.
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+pub(crate) struct Depths {
+    pub(crate) bodies: SlotTable<BodyId, DepthBody>,
+    pub(crate) profiles: SlotTable<GeomId, DepthProfile>,
+}
+
+impl Depths {
+    /// Z of the middle of a geom, and half of its extent along Z.
+    pub(crate) fn extent(&self, geom: GeomId, body: BodyId) -> Option<(f32, f32)> {
+        Some((self.bodies.get(body)?.z, self.profiles.get(geom)?.half_depth()))
+    }
+}
+
+/// Whether two extents along Z overlap. Faces that only touch do not; two extents about the same Z always do,
+/// however thin.
+pub(crate) fn extents_overlap((z1, half1): (f32, f32), (z2, half2): (f32, f32)) -> bool {
+    z1 == z2 || (f64::from(z1) - f64::from(z2)).abs() < f64::from(half1) + f64::from(half2)
+}
+
+/// Distance from a body's origin down to the lowest point of its object geom at its present rotation; 0
+/// without an object geom. Negative if all of the geom lies above the origin.
+pub(crate) fn lowest(core: &PhysicsSimulator, depths: &Depths, body: BodyId) -> f64 {
+    let object = depths.bodies.get(body).and_then(|state| state.ground.object_geom());
+    let Some(id) = object else { return 0.0 };
+    let (Some(geom), Some(origin)) = (core.geom(id).filter(|geom| geom.body() == body), core.body(body)) else {
+        return 0.0;
+    };
+    let matrix = geom.matrix();
+    // The geom's origin as seen from the body's: exact where they coincide.
+    let offset = f64::from(matrix.m42) - f64::from(origin.position().y);
+    match depths.profiles.get(id) {
+        Some(DepthProfile::Round { radius }) => offset + f64::from(*radius),
+        _ => {
+            let (across, down) = (f64::from(matrix.m12), f64::from(matrix.m22));
+            let heights = geom.local_vertices().iter().map(|v| f64::from(v.x) * across + f64::from(v.y) * down);
+            offset + heights.fold(f64::NEG_INFINITY, f64::max)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn extents_that_only_touch_do_not_overlap() {
+        assert!(!extents_overlap((0.0, 10.0), (20.0, 10.0)));
+        assert!(extents_overlap((0.0, 10.0), (19.0, 10.0)));
+    }
+
+    #[test]
+    fn extents_without_depth_overlap_at_the_same_place_only() {
+        assert!(extents_overlap((5.0, 0.0), (5.0, 0.0)));
+        assert!(!extents_overlap((5.0, 0.0), (6.0, 0.0)));
+    }
+}

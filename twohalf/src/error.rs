@@ -1,0 +1,35 @@
+//! What can be wrong with an argument.
+
+/// Why a call was refused. A refused call has changed nothing.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// Refused by the 2D engine, or for a reason that it has as well: an argument out of range, a stale id, a
+    /// damaged save.
+    #[error(transparent)]
+    Core(#[from] farseer_core::Error),
+    /// The object geom of a body's ground must be one of the body's own geoms.
+    #[error("{argument} belongs to another body")]
+    GeomOfAnotherBody {
+        /// Name of the argument.
+        argument: &'static str,
+    },
+}
+
+/// Result of a call that checks its arguments.
+pub type Result<T, E = Error> = std::result::Result<T, E>;
+
+/// An argument with a value that cannot be accepted.
+pub(crate) fn invalid(argument: &'static str, value: impl std::fmt::Debug, requirement: &'static str) -> Error {
+    farseer_core::Error::invalid(argument, value, requirement).into()
+}
+
+/// An id of something that was disposed.
+pub(crate) fn stale(argument: &'static str) -> Error {
+    farseer_core::Error::StaleId { argument }.into()
+}
+
+/// A save that contradicts itself.
+pub(crate) fn damaged(reason: &'static str) -> Error {
+    farseer_core::Error::DamagedSave { reason }.into()
+}

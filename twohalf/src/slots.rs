@@ -1,0 +1,67 @@
+//! What this engine keeps beside the objects of the 2D engine: one entry per slot of its ids.
+
+use farseer_core::{BodyId, GeomId};
+use serde::{Deserialize, Serialize};
+
+/// An id of the 2D engine.
+pub(crate) trait Slot: Copy + PartialEq {
+    fn slot(self) -> usize;
+}
+
+impl Slot for BodyId {
+    fn slot(self) -> usize {
+        BodyId::slot(self)
+    }
+}
+
+impl Slot for GeomId {
+    fn slot(self) -> usize {
+        GeomId::slot(self)
+    }
+}
+
+/// Entries by id. The entry of a disposed object stays until its slot is used again; nobody finds it, because
+/// the id that is asked for is compared with the one of the entry.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(crate) struct SlotTable<I, T> {
+    entries: Vec<Option<(I, T)>>,
+}
+
+impl<I, T> Default for SlotTable<I, T> {
+    fn default() -> Self {
+        SlotTable { entries: Vec::new() }
+    }
+}
+
+impl<I: Slot, T> SlotTable<I, T> {
+    pub(crate) fn insert(&mut self, id: I, value: T) {
+        if id.slot() >= self.entries.len() {
+            self.entries.resize_with(id.slot() + 1, || None);
+        }
+        self.entries[id.slot()] = Some((id, value));
+    }
+
+    #[inline]
+    pub(crate) fn get(&self, id: I) -> Option<&T> {
+        match self.entries.get(id.slot()) {
+            Some(Some((owner, value))) if *owner == id => Some(value),
+            _ => None,
+        }
+    }
+
+    #[inline]
+    pub(crate) fn get_mut(&mut self, id: I) -> Option<&mut T> {
+        match self.entries.get_mut(id.slot()) {
+            Some(Some((owner, value))) if *owner == id => Some(value),
+            _ => None,
+        }
+    }
+
+    /// Whether every entry lies in its id's slot and passes a test: false only after loading garbage.
+    pub(crate) fn is_valid(&self, mut test: impl FnMut(I, &T) -> bool) -> bool {
+        self.entries
+            .iter()
+            .enumerate()
+            .all(|(slot, entry)| entry.as_ref().is_none_or(|(id, value)| id.slot() == slot && test(*id, value)))
+    }
+}
