@@ -92,10 +92,11 @@ impl BodyFactory {
     #[doc(alias = "CreatePolygonBody")]
     pub fn create_polygon_body(vertices: &Vertices, mass: f32) -> Result<Body> {
         positive("mass", mass)?;
-        let moment_of_inertia = vertices.get_moment_of_inertia()?;
-        let mut body = body(mass, mass * moment_of_inertia)?;
+        let without_area = || Error::invalid("vertices", vertices, "an outline with an area");
+        let moment_of_inertia = vertices.get_moment_of_inertia().map_err(|_| without_area())?;
+        let mut body = body(mass, mass * moment_of_inertia).map_err(|_| without_area())?;
         let centroid = vertices.get_centroid();
-        crate::error::finite_vector("the centroid of vertices", centroid)?;
+        crate::error::finite_vector("vertices", centroid).map_err(|_| without_area())?;
         body.set_position(centroid);
         Ok(body)
     }

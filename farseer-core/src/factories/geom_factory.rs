@@ -1,7 +1,7 @@
 //! Geoms of simple shapes (behaviour chapter 13, section 3).
 
 use crate::body::BodyId;
-use crate::error::{finite, positive};
+use crate::error::{finite_vector, positive};
 use crate::geom::GeomId;
 use crate::math::Vector2;
 use crate::shape::Vertices;
@@ -129,11 +129,7 @@ impl GeomFactory {
         vertices: &mut Vertices,
         placement: GeomPlacement,
     ) -> Result<GeomId> {
-        if vertices.is_empty() {
-            return Err(Error::invalid("vertices", 0, "a list of at least one vertex"));
-        }
-        let centroid = vertices.get_centroid();
-        finite("the centroid of vertices", centroid.x + centroid.y)?;
+        let centroid = centroid_of(vertices)?;
         let mut centred = vertices.clone();
         centred.translate(Vector2::new(-centroid.x, -centroid.y));
         centred.force_counter_clockwise_order();
@@ -172,7 +168,7 @@ impl GeomFactory {
     ) -> Result<Vec<GeomId>> {
         simulator.body(body).ok_or(Error::StaleId { argument: "body" })?;
         let pieces = vertices.decompose(max_geoms)?;
-        let centroid = vertices.get_centroid();
+        let centroid = centroid_of(vertices)?;
         let placement = GeomPlacement {
             offset: Vector2::new(-centroid.x, -centroid.y),
             collision_grid_size: 1.0,
@@ -259,6 +255,11 @@ impl GeomFactory {
         let copy = simulator.clone_geom_with_offset(body, geom, offset, rotation_offset)?;
         add(simulator, copy)
     }
+}
+
+fn centroid_of(vertices: &Vertices) -> Result<Vector2> {
+    finite_vector("vertices", vertices.get_centroid())
+        .map_err(|_| Error::invalid("vertices", vertices, "an outline with an area"))
 }
 
 fn check_edges(number_of_edges: i32) -> Result<()> {

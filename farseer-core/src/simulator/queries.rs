@@ -3,6 +3,7 @@
 use super::PhysicsSimulator;
 use crate::geom::{GeomEntry, GeomId};
 use crate::math::Vector2;
+use crate::methods::NarrowPhaseCollider;
 use crate::narrow_phase;
 use crate::ray_helper::{line_segment_aabb_intersect, line_segment_vertices_intersect};
 use crate::shape::Aabb;
@@ -42,9 +43,13 @@ impl PhysicsSimulator {
         .unwrap_or(false)
     }
 
-    /// Whether a vertex of one geom lies in the other. Outlines that cross without one are not noticed.
+    /// Whether a vertex of one geom lies in the other. Outlines that cross without one are not noticed, nor is
+    /// anything about a geom without a distance grid if the distance grid is selected; the original fails there.
     #[doc(alias = "Geom.Collide")]
     pub fn geom_collides_with_geom(&self, geom: GeomId, other: GeomId) -> bool {
+        let is_ready = |geom: &GeomEntry| {
+            geom.grid.is_some() || self.settings.narrow_phase != NarrowPhaseCollider::DistanceGrid
+        };
         let holds_vertex = |holder: &GeomEntry, owner: &GeomEntry| {
             owner.world_vertices.iter().any(|&vertex| {
                 narrow_phase::intersect(self.settings.narrow_phase, holder, holder.pose.inverse.apply(vertex))

@@ -191,6 +191,13 @@ impl PhysicsSimulator {
 
     /// Takes what was disposed out of the lists, in list order.
     fn process_disposed(&mut self, handler: Handler) {
+        // Geoms that were attached to a body after it was disposed go with it.
+        for index in 0..self.queues.disposed_bodies.len() {
+            let body = self.queues.disposed_bodies[index];
+            for geom in std::mem::take(&mut self.bodies[body].geoms) {
+                self.dispose_geom(geom);
+            }
+        }
         if !self.queues.disposed_geoms.is_empty() {
             let leaving: Vec<GeomId> =
                 self.geom_list.iter().copied().filter(|&geom| self.geoms[geom].is_disposed).collect();
@@ -215,13 +222,14 @@ impl PhysicsSimulator {
     /// The ids of what was disposed go stale. No list names them any more.
     fn free_disposed(&mut self) {
         for geom in std::mem::take(&mut self.queues.disposed_geoms) {
-            self.geoms.remove(geom);
+            // It may have been attached to another body after it was disposed.
+            if let Some(entry) = self.geoms.remove(geom)
+                && let Some(body) = self.bodies.get_mut(entry.body)
+            {
+                body.geoms.retain(|&other| other != geom);
+            }
         }
         for body in std::mem::take(&mut self.queues.disposed_bodies) {
-            // Geoms attached after the disposal go with it.
-            for geom in std::mem::take(&mut self.bodies[body].geoms) {
-                self.dispose_geom(geom);
-            }
             self.bodies.remove(body);
         }
     }

@@ -2,7 +2,8 @@
 //!
 //! Everything that can influence a later bit is saved: queues, the order of sorted lists, arbiters with their
 //! impulses and the pool they go back to, creation numbers. Distance grids are saved as the outline they are made
-//! from. What was loaded continues with the same bits; what contradicts itself is refused.
+//! from. What was loaded continues with the same bits; what contradicts itself is refused. Events, and refusals
+//! that were not reported yet, are notices and not state: they are not saved.
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 

@@ -588,7 +588,8 @@ impl ContactSolver {
         self.failed.sort_unstable();
         self.failed.dedup();
         for (place, (&id, state)) in (1u32..).zip(self.ids.iter().zip(self.states.iter().skip(1))) {
-            let body = &mut bodies[id].body;
+            // Stages called out of order may have let a body go.
+            let Some(BodyEntry { body, .. }) = bodies.get_mut(id) else { continue };
             if self.failed.binary_search(&place).is_ok() {
                 let disabled = !body.is_static();
                 body.set_enabled(body.enabled() && !disabled);

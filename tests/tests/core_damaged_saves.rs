@@ -1,0 +1,212 @@
+//! A damaged save is refused, or makes a simulator that runs: nothing panics, nothing becomes infinite.
+
+mod core_common;
+
+use core_common::{Game, add_box, is_finite, lively_scene, methods, simulator_with, v};
+use farseer_core::PhysicsSimulator;
+use serde_json::Value;
+
+/// Runs what was loaded, if it was. Answers whether it was refused.
+fn is_refused_or_runs(text: &str, what: &str) -> bool {
+    let Ok(mut simulator) = serde_json::from_str::<PhysicsSimulator>(text) else { return true };
+    assert!(is_finite(&simulator), "not finite when loaded: {what}");
+    // Any number of passes is legitimate, but not every number ends today.
+    simulator.set_iterations(simulator.iterations().min(10));
+    for step in 0..10 {
+        simulator.update(0.01);
+        assert!(is_finite(&simulator), "not finite after {step} updates: {what}");
+    }
+    let bodies = simulator.body_list().to_vec();
+    for &body in &bodies {
+        simulator[body].set_position(v(1.0, 2.0));
+    }
+    simulator.update(0.01);
+    for &body in &bodies {
+        simulator.dispose(body).unwrap();
+    }
+    simulator.update(0.01);
+    simulator.update(0.01);
+    false
+}
+
+/// A scene in the middle of things: pairs, removed and waiting objects, edited bodies, free slots.
+fn busy_save(methods: (farseer_core::BroadPhaseCollider, farseer_core::NarrowPhaseCollider)) -> Value {
+    let mut simulator = lively_scene(methods, 5);
+    let mut game = Game::default();
+    for _ in 0..70 {
+        game.step(&mut simulator);
+    }
+    let geom = simulator.geom_list()[5];
+    simulator.remove(geom).unwrap();
+    let body = simulator.body_list()[10];
+    simulator.dispose(body).unwrap();
+    let body = simulator.body_list()[11];
+    simulator[body].set_position(v(3.0, 4.0));
+    add_box(&mut simulator, (10.0, 10.0), v(8.0, 1.0));
+    serde_json::to_value(&simulator).unwrap()
+}
+
+/// Paths to all numbers of a value.
+fn numbers(value: &Value, path: &mut Vec<String>, found: &mut Vec<String>) {
+    match value {
+        Value::Number(_) => found.push(format!("/{}", path.join("/"))),
+        Value::Array(list) => {
+            for (index, value) in list.iter().enumerate() {
+                path.push(index.to_string());
+                numbers(value, path, found);
+                path.pop();
+            }
+        }
+        Value::Object(fields) => {
+            for (key, value) in fields {
+                path.push(key.clone());
+                numbers(value, path, found);
+                path.pop();
+            }
+        }
+        _ => {}
+    }
+}
+
+/// The kind of place a number stands at: its path without indices.
+fn kind(path: &str) -> String {
+    path.split('/').filter(|part| part.parse::<usize>().is_err()).collect::<Vec<_>>().join("/")
+}
+
+/// A few places of every kind, spread over the file.
+fn sample(paths: &[String], per_kind: usize) -> Vec<&String> {
+    let mut by_kind = std::collections::BTreeMap::<String, Vec<&String>>::new();
+    for path in paths {
+        by_kind.entry(kind(path)).or_default().push(path);
+    }
+    let spread = |list: Vec<&'_ String>| -> Vec<usize> {
+        let step = list.len().div_ceil(per_kind).max(1);
+        (0..list.len()).step_by(step).collect()
+    };
+    by_kind.into_values().flat_map(|list| spread(list.clone()).into_iter().map(move |i| list[i])).collect()
+}
+
+fn replace_numbers_by(replacements: &[Value], per_kind: usize) {
+    let mut refused = 0;
+    let mut tried = 0;
+    for methods in methods() {
+        let save = busy_save(methods);
+        let mut paths = Vec::new();
+        numbers(&save, &mut Vec::new(), &mut paths);
+        for path in sample(&paths, per_kind) {
+            for replacement in replacements {
+                let mut damaged = save.clone();
+                *damaged.pointer_mut(path).unwrap() = replacement.clone();
+                let text = damaged.to_string();
+                let what = format!("{methods:?} {path} = {replacement}");
+                let result = std::panic::catch_unwind(|| is_refused_or_runs(&text, &what));
+                refused += usize::from(result.unwrap_or_else(|_| panic!("{what}")));
+                tried += 1;
+            }
+        }
+    }
+    assert!(refused > 0 && refused < tried, "{refused} of {tried} were refused");
+}
+
+#[test]
+fn a_busy_save_is_not_refused() {
+    for methods in methods() {
+        assert!(!is_refused_or_runs(&busy_save(methods).to_string(), "undamaged"), "{methods:?}");
+    }
+}
+
+#[test]
+fn truncated_text_is_refused() {
+    let text = busy_save(Default::default()).to_string();
+    for part in 0..200 {
+        assert!(serde_json::from_str::<PhysicsSimulator>(&text[..text.len() * part / 200]).is_err());
+    }
+}
+
+#[test]
+fn saves_with_small_numbers_in_wrong_places_are_refused_or_run() {
+    replace_numbers_by(&[0.into(), 1.into(), (-1).into(), 7.into()], 3);
+}
+
+#[test]
+fn saves_with_ids_and_counts_out_of_range_are_refused_or_run() {
+    replace_numbers_by(&[1000.into(), u32::MAX.into(), i32::MAX.into(), i32::MIN.into()], 3);
+}
+
+#[test]
+fn saves_with_the_largest_integers_are_refused_or_run() {
+    replace_numbers_by(&[i64::MAX.into(), i64::MIN.into(), u64::MAX.into(), (1u64 << 40).into()], 2);
+}
+
+#[test]
+fn saves_with_extreme_floats_are_refused_or_run() {
+    replace_numbers_by(&[1e38.into(), (-3.4e38).into(), 1e-44.into(), 0.3.into()], 3);
+}
+
+#[test]
+fn saves_with_numbers_beyond_floats_are_refused_or_run() {
+    replace_numbers_by(&[1e60.into(), Value::Null], 1);
+}
+
+/// Exchanges of two numbers of the same kind: references that exist but are wrong.
+#[test]
+fn saves_with_numbers_exchanged_are_refused_or_run() {
+    for methods in methods() {
+        let save = busy_save(methods);
+        let mut paths = Vec::new();
+        numbers(&save, &mut Vec::new(), &mut paths);
+        for pair in paths.windows(2).step_by(paths.len() / 300) {
+            let mut damaged = save.clone();
+            let (a, b) = (save.pointer(&pair[0]).unwrap(), save.pointer(&pair[1]).unwrap());
+            *damaged.pointer_mut(&pair[0]).unwrap() = b.clone();
+            *damaged.pointer_mut(&pair[1]).unwrap() = a.clone();
+            is_refused_or_runs(&damaged.to_string(), &format!("{methods:?} {pair:?} exchanged"));
+        }
+    }
+}
+
+/// A list shorter or longer by one.
+#[test]
+fn saves_with_lists_of_wrong_length_are_refused_or_run() {
+    fn lists(value: &Value, path: String, found: &mut Vec<String>) {
+        match value {
+            Value::Array(list) => {
+                found.push(path.clone());
+                for (index, value) in list.iter().enumerate() {
+                    lists(value, format!("{path}/{index}"), found);
+                }
+            }
+            Value::Object(fields) => {
+                fields.iter().for_each(|(key, value)| lists(value, format!("{path}/{key}"), found));
+            }
+            _ => {}
+        }
+    }
+    for methods in methods() {
+        let save = busy_save(methods);
+        let mut paths = Vec::new();
+        lists(&save, String::new(), &mut paths);
+        for path in sample(&paths, 3) {
+            for lengthen in [false, true] {
+                let mut damaged = save.clone();
+                let list = damaged.pointer_mut(path).unwrap().as_array_mut().unwrap();
+                match list.last().cloned() {
+                    Some(last) if lengthen => list.push(last),
+                    _ => drop(list.pop()),
+                }
+                let what = format!("{methods:?} {path} {}", if lengthen { "longer" } else { "shorter" });
+                let text = damaged.to_string();
+                let result = std::panic::catch_unwind(|| is_refused_or_runs(&text, &what));
+                assert!(result.is_ok(), "{what}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_simulator_of_nothing_is_loaded() {
+    for methods in methods() {
+        let text = serde_json::to_string(&simulator_with(10.0, methods)).unwrap();
+        assert!(!is_refused_or_runs(&text, "empty"));
+    }
+}
