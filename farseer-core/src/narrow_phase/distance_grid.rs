@@ -6,6 +6,8 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Weak};
 
+use wide::f32x4;
+
 use crate::contact::{Contact, ContactId, Feature};
 use crate::geom::{GeomEntry, nearest_distance};
 use crate::math::vector2::normalize;
@@ -132,7 +134,7 @@ impl DistanceGrid {
         let bottom = lerp(bottom_left, bottom_right, x_part);
         let distance = lerp(bottom, top, y_part);
         // NaN is no hit either.
-        if !(distance <= 0.0) {
+        if distance.is_nan() || distance > 0.0 {
             return None;
         }
         let right = lerp(bottom_right, top_right, y_part);
@@ -199,7 +201,7 @@ fn is_strictly_usable_convex(outline: &Vertices) -> bool {
         let (e2x, e2y) = (f64::from(e2.x), f64::from(e2.y));
         let cross = e1x * e2y - e1y * e2x;
         let dot = e1x * e2x + e1y * e2y;
-        if !(cross <= 0.0) || (cross == 0.0 && dot <= 0.0) {
+        if cross.is_nan() || cross > 0.0 || (cross == 0.0 && dot <= 0.0) {
             return false;
         }
         let angle = libm::atan2(cross, dot);
@@ -248,26 +250,51 @@ fn collide_vertices(
     contacts: &mut Vec<Contact>,
 ) {
     let hit_box = grid.hit_box(other);
-    for (i, &vertex) in owner.world_vertices.iter().enumerate() {
-        if let Some(hit_box) = &hit_box {
-            let outside = (vertex.x < hit_box.min.x)
-                | (vertex.x > hit_box.max.x)
-                | (vertex.y < hit_box.min.y)
-                | (vertex.y > hit_box.max.y);
-            if outside {
-                continue;
+    for (chunk_index, chunk) in owner.world_vertices.chunks(VERTICES_AT_ONCE).enumerate() {
+        let mut candidates = match &hit_box {
+            Some(hit_box) => inside_box(chunk, hit_box),
+            None => u32::MAX >> (VERTICES_AT_ONCE - chunk.len()),
+        };
+        while candidates != 0 {
+            if contacts.len() as i64 == i64::from(max_contacts) {
+                return;
+            }
+            let i = candidates.trailing_zeros() as usize;
+            candidates &= candidates - 1;
+            let vertex = chunk[i];
+            let Some(feature) = grid.intersect(other.pose.inverse.apply(vertex)) else { continue };
+            if feature.distance < 0.0 {
+                let normal = other.pose.matrix.apply_normal(feature.normal) * direction;
+                let number = first_number + (chunk_index * VERTICES_AT_ONCE + i) as i32;
+                let id = ContactId { geom1: owner.number, vertex: number, geom2: other.number };
+                contacts.push(Contact::new(vertex, normal, feature.distance, id));
             }
         }
-        if contacts.len() as i64 == i64::from(max_contacts) {
-            return;
-        }
-        let Some(feature) = grid.intersect(other.pose.inverse.apply(vertex)) else { continue };
-        if feature.distance < 0.0 {
-            let normal = other.pose.matrix.apply_normal(feature.normal) * direction;
-            let id = ContactId { geom1: owner.number, vertex: first_number + i as i32, geom2: other.number };
-            contacts.push(Contact::new(vertex, normal, feature.distance, id));
-        }
     }
+}
+
+/// Bits in a set of vertices.
+const VERTICES_AT_ONCE: usize = 32;
+
+/// The set of vertices, of at most [`VERTICES_AT_ONCE`], that a box does not exclude.
+#[inline]
+fn inside_box(vertices: &[Vector2], aabb: &Aabb) -> u32 {
+    let low = f32x4::new([aabb.min.x, aabb.min.y, aabb.min.x, aabb.min.y]);
+    let high = f32x4::new([aabb.max.x, aabb.max.y, aabb.max.x, aabb.max.y]);
+    let mut inside = 0;
+    let (pairs, rest) = vertices.as_chunks::<2>();
+    for (i, [first, second]) in pairs.iter().enumerate() {
+        let corners = f32x4::new([first.x, first.y, second.x, second.y]);
+        let excluded = (corners.simd_lt(low) | corners.simd_gt(high)).to_bitmask();
+        let included = u32::from(excluded & 0b0011 == 0) | (u32::from(excluded & 0b1100 == 0) << 1);
+        inside |= included << (2 * i);
+    }
+    if let [last] = rest {
+        let is_excluded =
+            last.x < aabb.min.x || last.x > aabb.max.x || last.y < aabb.min.y || last.y > aabb.max.y;
+        inside |= u32::from(!is_excluded) << (vertices.len() - 1);
+    }
+    inside
 }
 
 /// The grids of a simulator by outline and cell size, so that equal ones are built and kept once.

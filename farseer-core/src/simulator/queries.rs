@@ -57,7 +57,9 @@ impl PhysicsSimulator {
         };
         self.with_settled(geom, |geom| {
             self.with_settled(other, |other| {
-                Aabb::intersect(&geom.aabb, &other.aabb)
+                is_ready(geom)
+                    && is_ready(other)
+                    && Aabb::intersect(&geom.aabb, &other.aabb)
                     && (holds_vertex(other, geom) || holds_vertex(geom, other))
             })
         })
