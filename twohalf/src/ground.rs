@@ -12,7 +12,7 @@ use crate::{Error, Result, TextureId, TwoHalfPhysicsSimulator};
 ///
 /// The object geom is what rests on it. Without one the body falls for ever. The geom holds the body up while
 /// it is in the simulation with collisions and their response switched on, like any other pair of geoms.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Ground {
     restitution_coefficient: f32,
     friction_coefficient: f32,
@@ -20,7 +20,20 @@ pub struct Ground {
     shadow_image: Option<TextureId>,
 }
 
+impl Default for Ground {
+    fn default() -> Self {
+        Ground::WITHOUT_OBJECT
+    }
+}
+
 impl Ground {
+    pub(crate) const WITHOUT_OBJECT: Self = Ground {
+        restitution_coefficient: 0.0,
+        friction_coefficient: 0.0,
+        object_geom: None,
+        shadow_image: None,
+    };
+
     /// Bounciness, usually 0 to 1; the mean of it and the object geom's acts. Default 0, as a geom's.
     #[doc(alias = "RestitutionCoefficient")]
     pub fn restitution_coefficient(&self) -> f32 {

@@ -5,7 +5,7 @@
 //! after each of the solver's iterations.
 
 use farseer_core::math::Vector2;
-use farseer_core::{Body, BodyId, Contact, ContactId, FrictionType, GeomRef, PhysicsSimulator, SurfaceContacts};
+use farseer_core::{BodyId, Contact, ContactId, FrictionType, GeomId, GeomRef, PhysicsSimulator, SurfaceContacts};
 use serde::{Deserialize, Serialize};
 
 use crate::depth::{DepthBody, DepthProfile, Depths};
@@ -136,7 +136,7 @@ pub(crate) fn touch_ground(
     core: &mut PhysicsSimulator,
     state: &mut DepthBody,
     profile: DepthProfile,
-    geom: farseer_core::GeomId,
+    geom: GeomId,
     inverse_dt: f32,
 ) -> Option<GroundRow> {
     let remembered = std::mem::take(&mut state.remembered);
@@ -152,24 +152,40 @@ pub(crate) fn touch_ground(
     let deepest = touch.contacts().first()?.position;
     let (friction, restitution) = combined(core.friction_type(), &state.ground, view);
     let moving = core.body(body)?;
-    let mut row = GroundRow {
+    let radius = match profile {
+        DepthProfile::Round { radius } => radius,
+        DepthProfile::Prism { .. } => 0.0,
+    };
+    let slip = Vector2::new(
+        moving.get_velocity_at_world_point(deepest).x,
+        state.velocity_z + state.angular_velocity_x * radius,
+    );
+    let (inverse_mass, inverse_inertia) = (moving.inverse_mass(), moving.inverse_moment_of_inertia());
+    let holds = friction * remembered.normal_sum() * inverse_mass;
+    let along_x = friction * share_of_x(slip, holds);
+    Some(GroundRow {
         body,
-        surface: SurfaceContacts::default(),
+        surface: core.add_surface_contacts(body, touch.contacts(), along_x, restitution, inverse_dt)?,
         vertices: touch.contacts.map(|contact| contact.id.vertex),
         friction,
-        radius: match profile {
-            DepthProfile::Round { radius } => radius,
-            DepthProfile::Prism { .. } => 0.0,
-        },
-        inverse_mass: moving.inverse_mass(),
-        inverse_inertia: moving.inverse_moment_of_inertia(),
+        radius,
+        inverse_mass,
+        inverse_inertia,
         velocity_z: state.velocity_z,
         angular_velocity_x: state.angular_velocity_x,
         impulse_z: 0.0,
-    };
-    let along_x = row.friction_along_x(moving, deepest, remembered.normal_sum());
-    row.surface = core.add_surface_contacts(body, touch.contacts(), along_x, restitution, inverse_dt)?;
-    Some(row)
+    })
+}
+
+/// The part of the friction coefficient that the 2D solver gets.
+///
+/// Friction acts against the direction in which the point slides, in the plane of X and Z, and its limit is a
+/// disc. The solver knows X only and would take all of the disc for it, so that a body sliding askew would be
+/// slowed along X first. It gets the part that the direction of the slip `(x, z)` gives to X. A body that last
+/// update's pressure can hold (`holds`, a change of velocity) does not slide: it may take what it needs.
+fn share_of_x(slip: Vector2, holds: f32) -> f32 {
+    let speed = (slip.x * slip.x + slip.y * slip.y).sqrt();
+    if slip.y == 0.0 || speed <= holds { 1.0 } else { slip.x.abs() / speed }
 }
 
 /// Friction and restitution of a geom on its ground, combined as those of two geoms.
@@ -188,26 +204,10 @@ impl GroundRow {
         self.velocity_z + self.angular_velocity_x * self.radius
     }
 
-    /// The friction coefficient that the 2D solver gets.
-    ///
-    /// Friction acts against the direction in which the point slides, in the plane of X and Z, and its limit is a
-    /// disc. The solver knows X only and would take all of the disc for it, so that a body sliding askew would be
-    /// slowed along X first. It gets the part of the limit that the direction of sliding gives to X. A body that
-    /// last update's pressure can hold does not slide: for it X may take what it needs.
-    fn friction_along_x(&self, body: &Body, point: Vector2, normal_impulse: f32) -> f32 {
-        let slip_x = body.get_velocity_at_world_point(point).x;
-        let slip_z = self.slip();
-        let speed = (slip_x * slip_x + slip_z * slip_z).sqrt();
-        if slip_z == 0.0 || speed <= self.friction * normal_impulse * self.inverse_mass {
-            return self.friction;
-        }
-        self.friction * (slip_x.abs() / speed)
-    }
-
     /// Friction along Z, within what normal and tangent impulses of the contacts leave of the disc.
     pub(crate) fn solve(&mut self, core: &PhysicsSimulator) {
         let left_of = |(normal, tangent): (f32, f32)| {
-            let limit = self.friction * normal;
+            let limit = (self.friction * normal).max(0.0);
             (limit * limit - tangent * tangent).max(0.0).sqrt()
         };
         let limit: f32 = core.surface_impulses(self.surface).map(left_of).sum();
@@ -224,9 +224,13 @@ impl GroundRow {
         }
     }
 
-    /// Writes velocities back and keeps the impulses for the next update.
-    pub(crate) fn finish(&self, core: &PhysicsSimulator, depths: &mut Depths) {
-        let Some(state) = depths.bodies.get_mut(self.body) else { return };
+    /// Writes velocities back and keeps the impulses for the next update. A body whose velocity would not be
+    /// finite keeps what it had; answers its id.
+    pub(crate) fn finish(&self, core: &PhysicsSimulator, depths: &mut Depths) -> Option<BodyId> {
+        let state = depths.bodies.get_mut(self.body)?;
+        if !self.velocity_z.is_finite() || !self.angular_velocity_x.is_finite() {
+            return Some(self.body);
+        }
         state.velocity_z = self.velocity_z;
         state.angular_velocity_x = self.angular_velocity_x;
         let impulses = core.surface_impulses(self.surface);
@@ -235,5 +239,6 @@ impl GroundRow {
         {
             *kept = Some((vertex, normal, tangent));
         }
+        None
     }
 }

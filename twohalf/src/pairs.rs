@@ -15,7 +15,7 @@ pub(crate) struct PassingPairs {
     /// Those of the current update.
     #[serde(skip)]
     current: Vec<(u32, u32)>,
-    /// For every pair that was refused in the current update, in order: whether for its depth.
+    /// For every pair that was refused in the current update, in order: whether by this engine.
     #[serde(skip)]
     refusals: Vec<bool>,
 }
@@ -37,7 +37,7 @@ impl PassingPairs {
         std::mem::swap(&mut self.known, &mut self.current);
     }
 
-    /// For every refusal of the update, in order: whether it was for depth and concerns nobody.
+    /// For every refusal of the update, in order: whether it was this engine's and not the game's.
     pub(crate) fn refusals(&self) -> impl Iterator<Item = bool> + '_ {
         self.refusals.iter().copied()
     }
@@ -99,13 +99,14 @@ impl EventHandler for DepthFilter<'_, '_> {
             return false;
         }
         let handler = self.handler.as_mut().filter(|handler| handler.handles_broad_phase());
+        let is_asked = handler.is_some();
         let accepted = match handler {
             // Where the 2D engine would have tested the boxes, the game's answer counts instead, as without depth.
             Some(handler) => handler.on_broad_phase_collision(context, geom1, geom2),
             None => met.boxes_overlap,
         };
         if !accepted {
-            self.pairs.refusals.push(handler_was_asked(&self.handler).is_none());
+            self.pairs.refusals.push(!is_asked);
         }
         accepted
     }

@@ -1,6 +1,7 @@
 //! Sorted interval ends, swept along the less crowded axis (behaviour chapter 08, section 2). The default.
 
 use serde::{Deserialize, Serialize};
+use wide::f32x4;
 
 use super::PairSink;
 use super::sort::introspective_sort;
@@ -130,26 +131,51 @@ fn sort_without_ties(endpoints: &mut [Endpoint]) -> Ties {
 #[derive(Debug, Clone, Default)]
 struct Active {
     entries: Vec<u32>,
-    intervals: Vec<(f32, f32)>,
+    low: Vec<f32>,
+    high: Vec<f32>,
 }
 
 impl Active {
     fn clear(&mut self) {
         self.entries.clear();
-        self.intervals.clear();
+        self.low.clear();
+        self.high.clear();
     }
 
     #[inline]
-    fn push(&mut self, entry: usize, interval: (f32, f32)) {
+    fn push(&mut self, entry: usize, (low, high): (f32, f32)) {
         self.entries.push(entry as u32);
-        self.intervals.push(interval);
+        self.low.push(low);
+        self.high.push(high);
     }
 
     #[inline]
     fn remove(&mut self, entry: usize) {
         if let Some(position) = self.entries.iter().position(|&active| active == entry as u32) {
             self.entries.remove(position);
-            self.intervals.remove(position);
+            self.low.remove(position);
+            self.high.remove(position);
+        }
+    }
+
+    /// Calls `meet` with every entry whose interval overlaps or touches this one, oldest first.
+    #[inline]
+    fn for_each_overlap(&self, (low, high): (f32, f32), mut meet: impl FnMut(usize)) {
+        let (lows, highs) = (self.low.as_chunks::<4>(), self.high.as_chunks::<4>());
+        let (low4, high4) = (f32x4::splat(low), f32x4::splat(high));
+        for (chunk, (&active_low, &active_high)) in lows.0.iter().zip(highs.0).enumerate() {
+            let overlaps = low4.simd_le(f32x4::new(active_high)) & f32x4::new(active_low).simd_le(high4);
+            let mut overlaps = overlaps.to_bitmask();
+            while overlaps != 0 {
+                meet(self.entries[chunk * 4 + overlaps.trailing_zeros() as usize] as usize);
+                overlaps &= overlaps - 1;
+            }
+        }
+        let done = lows.0.len() * 4;
+        for (position, (&active_low, &active_high)) in (done..).zip(lows.1.iter().zip(highs.1)) {
+            if low <= active_high && active_low <= high {
+                meet(self.entries[position] as usize);
+            }
         }
     }
 }
@@ -245,11 +271,7 @@ impl SelectiveSweep {
             let is_point = !(aabb.min.x != aabb.max.x || aabb.min.y != aabb.max.y);
             if endpoint.is_begin() {
                 let other = if along_x { (aabb.min.y, aabb.max.y) } else { (aabb.min.x, aabb.max.x) };
-                for (position, interval) in active.intervals.iter().enumerate() {
-                    if other.0 <= interval.1 && interval.0 <= other.1 {
-                        meet(entries[entry], entries[active.entries[position] as usize], sink);
-                    }
-                }
+                active.for_each_overlap(other, |open| meet(entries[entry], entries[open], sink));
                 if !is_point {
                     active.push(entry, other);
                 }
