@@ -25,7 +25,9 @@ fn is_refused_or_runs(text: &str, what: &str) -> bool {
         simulator.dispose(body).unwrap();
     }
     simulator.update(0.01);
+    let (body, _) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
     simulator.update(0.01);
+    assert!(is_finite(&simulator) && simulator.body(body).is_some(), "nothing can be added: {what}");
     false
 }
 
@@ -133,22 +135,22 @@ fn truncated_text_is_refused() {
 
 #[test]
 fn saves_with_small_numbers_in_wrong_places_are_refused_or_run() {
-    some_are_refused(replace_numbers_by(&[0.into(), 1.into(), (-1).into(), 7.into()], 3));
+    some_are_refused(replace_numbers_by(&[0.into(), 1.into(), (-1).into(), 7.into()], 2));
 }
 
 #[test]
 fn saves_with_ids_and_counts_out_of_range_are_refused_or_run() {
-    some_are_refused(replace_numbers_by(&[1000.into(), u32::MAX.into(), i32::MAX.into(), i32::MIN.into()], 3));
+    some_are_refused(replace_numbers_by(&[1000.into(), u32::MAX.into(), i32::MAX.into(), i32::MIN.into()], 2));
 }
 
 #[test]
 fn saves_with_the_largest_integers_are_refused_or_run() {
-    some_are_refused(replace_numbers_by(&[i64::MAX.into(), i64::MIN.into(), u64::MAX.into(), (1u64 << 40).into()], 2));
+    some_are_refused(replace_numbers_by(&[i64::MAX.into(), i64::MIN.into(), u64::MAX.into(), (1u64 << 40).into()], 1));
 }
 
 #[test]
 fn saves_with_extreme_floats_are_refused_or_run() {
-    some_are_refused(replace_numbers_by(&[1e38.into(), (-3.4e38).into(), 1e-44.into(), 0.3.into()], 3));
+    some_are_refused(replace_numbers_by(&[1e38.into(), (-3.4e38).into(), 1e-44.into(), 0.3.into()], 2));
 }
 
 #[test]

@@ -34,13 +34,12 @@ impl<S: Deref<Target = TwoHalfPhysicsSimulator>> TwoHalfBody<S> {
 
     /// The body in the 2D engine. Its position is that of the body's origin in the plane: x = X, y = -Y.
     pub fn core(&self) -> &Body {
-        // Checked when the view was made, and nothing can be disposed while it lives.
+        // That it exists was checked when the view was made, and nothing can be disposed while the view lives.
         &self.simulator.core[self.id]
     }
 
     fn state(&self) -> &DepthBody {
-        static AT_REST: DepthBody = DepthBody::AT_REST;
-        self.simulator.depths.bodies.get(self.id).unwrap_or(&AT_REST)
+        &self.simulator.depths.bodies[self.id]
     }
 
     /// The id.
@@ -132,7 +131,7 @@ macro_rules! accumulate {
         pub fn $name(&mut self, $argument: f32) {
             let sum = self.state().$field + $argument;
             if self.accepts(stringify!($argument), sum) {
-                self.change(|state| state.$field = sum);
+                self.state_mut().$field = sum;
             }
         }
     )*};
@@ -145,10 +144,8 @@ impl<S: DerefMut<Target = TwoHalfPhysicsSimulator>> TwoHalfBody<S> {
         &mut self.simulator.core[self.id]
     }
 
-    fn change(&mut self, change: impl FnOnce(&mut DepthBody)) {
-        if let Some(state) = self.simulator.depths.bodies.get_mut(self.id) {
-            change(state);
-        }
+    fn state_mut(&mut self) -> &mut DepthBody {
+        &mut self.simulator.depths.bodies[self.id]
     }
 
     /// Notes a refused argument and answers whether the value may be used.
@@ -169,7 +166,7 @@ impl<S: DerefMut<Target = TwoHalfPhysicsSimulator>> TwoHalfBody<S> {
         let is_finite = 0.0 * plane.x + 0.0 * plane.y + 0.0 * value.z;
         if self.accepts("position3d", is_finite) {
             self.core_mut().set_position(plane);
-            self.change(|state| state.z = value.z);
+            self.state_mut().z = value.z;
         }
     }
 
@@ -194,7 +191,7 @@ impl<S: DerefMut<Target = TwoHalfPhysicsSimulator>> TwoHalfBody<S> {
     /// Sets the velocity along Z. What is not finite is rejected.
     pub fn set_linear_velocity_z(&mut self, value: f32) {
         if self.accepts("linear_velocity_z", value) {
-            self.change(|state| state.velocity_z = value);
+            self.state_mut().velocity_z = value;
         }
     }
 
@@ -238,7 +235,7 @@ impl<S: DerefMut<Target = TwoHalfPhysicsSimulator>> TwoHalfBody<S> {
     /// Forgets the accumulated force along Z.
     #[doc(alias = "ClearForceZ")]
     pub fn clear_force_z(&mut self) {
-        self.change(|state| state.force_z = 0.0);
+        self.state_mut().force_z = 0.0;
     }
 
     /// How the body meets the plane Y = 0, to be changed.

@@ -12,7 +12,7 @@ use crate::{Error, Result, TextureId, TwoHalfPhysicsSimulator};
 ///
 /// The object geom is what rests on it. Without one the body falls for ever. The geom holds the body up while
 /// it is in the simulation with collisions and their response switched on, like any other pair of geoms.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Ground {
     restitution_coefficient: f32,
     friction_coefficient: f32,
@@ -20,20 +20,7 @@ pub struct Ground {
     shadow_image: Option<TextureId>,
 }
 
-impl Default for Ground {
-    fn default() -> Self {
-        Ground::WITHOUT_OBJECT
-    }
-}
-
 impl Ground {
-    pub(crate) const WITHOUT_OBJECT: Self = Ground {
-        restitution_coefficient: 0.0,
-        friction_coefficient: 0.0,
-        object_geom: None,
-        shadow_image: None,
-    };
-
     /// Bounciness, usually 0 to 1; the mean of it and the object geom's acts. Default 0, as a geom's.
     #[doc(alias = "RestitutionCoefficient")]
     pub fn restitution_coefficient(&self) -> f32 {
@@ -76,7 +63,7 @@ pub struct GroundMut<'a> {
 impl std::ops::Deref for GroundMut<'_> {
     type Target = Ground;
     fn deref(&self) -> &Ground {
-        self.simulator.ground_of(self.body)
+        &self.simulator.depths.bodies[self.body].ground
     }
 }
 
@@ -95,8 +82,8 @@ impl GroundMut<'_> {
         if !value.is_finite() {
             let object = Some(self.body.into());
             self.simulator.pending_events.push(Event::RejectedInput { object, argument });
-        } else if let Some(state) = self.simulator.depths.bodies.get_mut(self.body) {
-            *field(&mut state.ground) = value;
+        } else {
+            *field(&mut self.simulator.depths.bodies[self.body].ground) = value;
         }
     }
 
@@ -115,10 +102,9 @@ impl GroundMut<'_> {
             return Err(Error::GeomOfAnotherBody { argument: "object_geom" });
         }
         let before = lowest(core, depths, self.body);
-        if let Some(state) = depths.bodies.get_mut(self.body) {
-            state.ground.object_geom = Some(object_geom);
-            state.ground.shadow_image = shadow_image;
-        }
+        let ground = &mut depths.bodies[self.body].ground;
+        ground.object_geom = Some(object_geom);
+        ground.shadow_image = shadow_image;
         let after = lowest(core, depths, self.body);
         if let Some(body) = core.body_mut(self.body).filter(|_| before != after) {
             let position = plane_to_world(body.position(), before, 0.0);

@@ -137,7 +137,6 @@ pub(crate) fn touch_ground(
     state: &mut DepthBody,
     profile: DepthProfile,
     geom: GeomId,
-    inverse_dt: f32,
 ) -> Option<GroundRow> {
     let remembered = std::mem::take(&mut state.remembered);
     let view = core.geom(geom)?;
@@ -165,7 +164,7 @@ pub(crate) fn touch_ground(
     let along_x = friction * share_of_x(slip, holds);
     Some(GroundRow {
         body,
-        surface: core.add_surface_contacts(body, touch.contacts(), along_x, restitution, inverse_dt)?,
+        surface: core.add_surface_contacts(body, touch.contacts(), along_x, restitution)?,
         vertices: touch.contacts.map(|contact| contact.id.vertex),
         friction,
         radius,

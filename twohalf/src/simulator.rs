@@ -8,7 +8,6 @@ use serde::{Deserialize, Serialize};
 use crate::body::TwoHalfBody;
 use crate::depth::{DepthBody, DepthProfile, Depths};
 use crate::error::stale;
-use crate::ground::Ground;
 use crate::ground_contacts::GroundRow;
 use crate::pairs::PassingPairs;
 use crate::{Projection, Result, StepCounters, Vector2};
@@ -345,10 +344,5 @@ impl TwoHalfPhysicsSimulator {
     /// How much work the last update was.
     pub fn counters(&self) -> StepCounters {
         self.counters
-    }
-
-    pub(crate) fn ground_of(&self, body: BodyId) -> &Ground {
-        static WITHOUT: Ground = Ground::WITHOUT_OBJECT;
-        self.depths.bodies.get(body).map_or(&WITHOUT, |state| &state.ground)
     }
 }

@@ -65,3 +65,16 @@ impl<I: Slot, T> SlotTable<I, T> {
             .all(|(slot, entry)| entry.as_ref().is_none_or(|(id, value)| id.slot() == slot && test(*id, value)))
     }
 }
+
+impl<I: Slot, T> std::ops::Index<I> for SlotTable<I, T> {
+    type Output = T;
+    fn index(&self, id: I) -> &T {
+        self.get(id).expect("the id is stale: what it named was disposed")
+    }
+}
+
+impl<I: Slot, T> std::ops::IndexMut<I> for SlotTable<I, T> {
+    fn index_mut(&mut self, id: I) -> &mut T {
+        self.get_mut(id).expect("the id is stale: what it named was disposed")
+    }
+}

@@ -100,7 +100,6 @@ impl TwoHalfPhysicsSimulator {
     /// Fifth and sixth stage: contacts of pairs and with the ground, and friction along Z.
     fn solve(&mut self, inverse_dt: f32) {
         let TwoHalfPhysicsSimulator { core, depths, rows, is_moving, .. } = self;
-        core.pre_step(inverse_dt);
         rows.clear();
         for index in 0..core.geom_list().len() {
             let geom = core.geom_list()[index];
@@ -110,9 +109,10 @@ impl TwoHalfPhysicsSimulator {
             };
             let Some(state) = depths.bodies.get_mut(body) else { continue };
             if state.ground.object_geom() == Some(geom) && is_moving.get(body.slot()) == Some(&true) {
-                rows.extend(touch_ground(core, state, profile, geom, inverse_dt));
+                rows.extend(touch_ground(core, state, profile, geom));
             }
         }
+        core.pre_step(inverse_dt);
         for _ in 0..core.iterations() {
             core.solve_iteration();
             for row in rows.iter_mut() {

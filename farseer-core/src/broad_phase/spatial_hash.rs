@@ -8,6 +8,7 @@ use crate::arena::Arena;
 use crate::geom::{GeomEntry, GeomId};
 use crate::math::scalar::{max, to_int};
 use crate::methods::BroadPhaseCollider;
+use crate::pair_id::PairId;
 use crate::shape::Aabb;
 use crate::stamped_set::StampedSet;
 
@@ -133,8 +134,7 @@ fn meet(a: GeomId, b: GeomId, handled: &mut StampedSet, sink: &mut impl PairSink
     if !scene.may_collide(geom_a, geom_b) {
         return;
     }
-    let (low, high) = (geom_a.number.min(geom_b.number), geom_a.number.max(geom_b.number));
-    if !handled.insert((i64::from(high) << 32) | i64::from(low)) {
+    if !handled.insert(PairId::get_id(geom_a.number as i32, geom_b.number as i32)) {
         return;
     }
     let accepted = if sink.has_approval() { sink.approve(a, b) } else { overlap };
