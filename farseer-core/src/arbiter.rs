@@ -21,7 +21,8 @@ const CONTACT_CAPACITY: usize = 4;
 pub(crate) struct Arbiter {
     /// `None` only before first use.
     pub(crate) geoms: Option<(GeomId, GeomId)>,
-    /// Fixed when the arbiter is set up.
+    /// Fixed when the arbiter is set up. Infinite for coefficients whose sum is.
+    #[serde(with = "crate::bits")]
     pub(crate) friction: f32,
     /// Not cleared by set-up: a pair that gets its old arbiter back continues with the old impulses.
     pub(crate) contacts: Vec<Contact>,
@@ -85,7 +86,8 @@ impl ArbiterList {
             .iter()
             .all(|value| value.is_finite())
         };
-        self.list.iter().all(in_range)
+        self.pairs.is_valid()
+            && self.list.iter().all(in_range)
             && self.pool.iter().all(in_range)
             && self.list.iter().all(|&handle| {
                 self.arbiters[handle as usize]
@@ -95,7 +97,7 @@ impl ArbiterList {
             && self
                 .arbiters
                 .iter()
-                .all(|arbiter| arbiter.friction.is_finite() && arbiter.contacts.iter().all(finite))
+                .all(|arbiter| !arbiter.friction.is_nan() && arbiter.contacts.iter().all(finite))
     }
 
     /// Enters the pairs of the listed arbiters under the collision ids of the **previous** update, then numbers

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use crate::bits::Floats;
 use crate::body::BodyId;
 use crate::contact::Feature;
 use crate::math::vector2::{distance, dot, length, transform, transform_normal};
@@ -150,7 +151,7 @@ impl Geom {
 }
 
 /// The part of a 4x4 matrix that matters in the plane.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct PlaneMatrix {
     pub(crate) m11: f32,
     pub(crate) m12: f32,
@@ -213,7 +214,7 @@ impl PlaneMatrix {
 }
 
 /// A geom's place in the world, as its body's pose gives it.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct GeomPose {
     pub(crate) matrix: PlaneMatrix,
     pub(crate) inverse: PlaneMatrix,
@@ -247,6 +248,24 @@ impl GeomPose {
     }
 }
 
+impl Floats for GeomPose {
+    fn to_floats(&self) -> Vec<f32> {
+        let GeomPose { matrix: m, inverse: i, position, rotation } = *self;
+        let [m, i] = [m, i].map(|m| [m.m11, m.m12, m.m21, m.m22, m.m41, m.m42]);
+        [&m[..], &i[..], &[position.x, position.y, rotation]].concat()
+    }
+
+    fn from_floats(floats: &[f32]) -> Option<Self> {
+        let matrix = |from: usize| {
+            let [m11, m12, m21, m22, m41, m42] = <[f32; 6]>::try_from(floats.get(from..from + 6)?).ok()?;
+            Some(PlaneMatrix { m11, m12, m21, m22, m41, m42 })
+        };
+        let (matrix, inverse) = (matrix(0)?, matrix(6)?);
+        let [x, y, rotation] = <[f32; 3]>::try_from(floats.get(12..)?).ok()?;
+        Some(GeomPose { matrix, inverse, position: Vector2::new(x, y), rotation })
+    }
+}
+
 /// What the simulator keeps of a geom.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(crate) struct GeomEntry {
@@ -260,8 +279,11 @@ pub(crate) struct GeomEntry {
     pub(crate) rotation_offset: f32,
     pub(crate) grid_cell_size: f32,
     pub(crate) local_vertices: Vertices,
+    #[serde(with = "crate::bits")]
     pub(crate) world_vertices: Vertices,
+    #[serde(with = "crate::bits")]
     pub(crate) aabb: Aabb,
+    #[serde(with = "crate::bits")]
     pub(crate) pose: GeomPose,
     /// A matrix set by the user, until the body moves next.
     user_matrix: Option<Box<Matrix>>,
@@ -360,7 +382,6 @@ impl GeomEntry {
         !self.local_vertices.is_empty()
             && self.local_vertices.len() == self.world_vertices.len()
             && self.local_vertices.iter().all(finite)
-            && self.world_vertices.iter().all(finite)
             && finite(&self.offset)
             && self.rotation_offset.is_finite()
             && self.geom.friction_coefficient.is_finite()

@@ -69,6 +69,7 @@ pub mod shape;
 
 mod arbiter;
 mod arena;
+mod bits;
 mod body;
 mod broad_phase;
 mod contact;

@@ -36,6 +36,11 @@ impl GeomPairBitmap {
         self.size
     }
 
+    /// Whether the size is one that [`clear`](Self::clear) could have set: false only after loading garbage.
+    pub(crate) fn is_valid(&self) -> bool {
+        (-1..=i64::from(i32::MAX)).contains(&self.size)
+    }
+
     /// Empties the table for collision ids below `geom_count`. It never shrinks.
     #[doc(alias = "Clear")]
     pub fn clear(&mut self, geom_count: usize) {

@@ -12,6 +12,7 @@ use crate::shape::Aabb;
 /// One end of a geom's interval on one axis.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Endpoint {
+    #[serde(with = "crate::bits")]
     pub(super) value: f32,
     /// Twice the index of the geom's entry, plus one for an end.
     pub(super) key: u32,

@@ -18,6 +18,7 @@ const MAX_CELLS_PER_GEOM: u64 = 1 << 20;
 
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(crate) struct SpatialHash {
+    #[serde(with = "crate::bits")]
     cell_size: f32,
     auto_adjust_cell_size: bool,
     /// Geoms by cell. Lists are emptied in every update; a cell that stays empty is forgotten in the next.
@@ -114,8 +115,7 @@ impl SpatialHash {
     }
 
     pub(super) fn is_valid(&self) -> bool {
-        self.cell_size.is_finite()
-            && self.cells.is_consistent()
+        self.cells.is_consistent()
             && (0..self.cells.slot_count())
                 .filter_map(|slot| self.cells.slot(slot))
                 .all(|(_, list)| list.is_empty())

@@ -15,6 +15,7 @@ const TOLERANCE: f32 = 0.01;
 /// One bound of a geom on one axis.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 struct Extent {
+    #[serde(with = "crate::bits")]
     value: f32,
     info: u32,
     is_min: bool,

@@ -68,8 +68,8 @@ pub(crate) fn collide(a: &GeomEntry, b: &GeomEntry, max_contacts: i32, contacts:
     let Some(overlap) = find_overlap(vertices_a, vertices_b) else { return };
     let depth = length(overlap.translation);
     let normal = normalize(-overlap.translation);
-    // NaN is no contact either.
-    if depth.is_nan() || depth <= MIN_DEPTH {
+    // What is not finite is no contact either.
+    if !depth.is_finite() || depth <= MIN_DEPTH {
         return;
     }
     let before = contacts.len();

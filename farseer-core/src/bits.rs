@@ -1,0 +1,56 @@
+//! Saves derived numbers as bit patterns.
+//!
+//! They may be infinite, which JSON cannot write, and must come back to the bit whatever the format's decimals do.
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
+
+use crate::math::Vector2;
+use crate::shape::{Aabb, Vertices};
+
+/// A value that is nothing but numbers.
+pub(crate) trait Floats: Sized {
+    fn to_floats(&self) -> Vec<f32>;
+    /// `None` if the count is wrong.
+    fn from_floats(floats: &[f32]) -> Option<Self>;
+}
+
+/// For `#[serde(with = "crate::bits")]`.
+pub(crate) fn serialize<T: Floats, S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
+    let bits: Vec<u32> = value.to_floats().into_iter().map(f32::to_bits).collect();
+    bits.serialize(serializer)
+}
+
+/// For `#[serde(with = "crate::bits")]`.
+pub(crate) fn deserialize<'de, T: Floats, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
+    let floats: Vec<f32> = Vec::<u32>::deserialize(deserializer)?.into_iter().map(f32::from_bits).collect();
+    T::from_floats(&floats).ok_or_else(|| D::Error::custom("a wrong number of bit patterns"))
+}
+
+impl Floats for f32 {
+    fn to_floats(&self) -> Vec<f32> {
+        vec![*self]
+    }
+    fn from_floats(floats: &[f32]) -> Option<Self> {
+        <[f32; 1]>::try_from(floats).ok().map(|[value]| value)
+    }
+}
+
+impl Floats for Aabb {
+    fn to_floats(&self) -> Vec<f32> {
+        vec![self.min.x, self.min.y, self.max.x, self.max.y]
+    }
+    fn from_floats(floats: &[f32]) -> Option<Self> {
+        let [min_x, min_y, max_x, max_y] = <[f32; 4]>::try_from(floats).ok()?;
+        Some(Aabb { min: Vector2::new(min_x, min_y), max: Vector2::new(max_x, max_y) })
+    }
+}
+
+impl Floats for Vertices {
+    fn to_floats(&self) -> Vec<f32> {
+        self.iter().flat_map(|v| [v.x, v.y]).collect()
+    }
+    fn from_floats(floats: &[f32]) -> Option<Self> {
+        let (pairs, rest) = floats.as_chunks::<2>();
+        rest.is_empty().then(|| pairs.iter().map(|&[x, y]| Vector2::new(x, y)).collect())
+    }
+}

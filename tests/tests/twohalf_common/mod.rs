@@ -1,0 +1,101 @@
+//! What the tests of the 2.5D engine share. Lengths in px, steps of 0.01 s, gravity 100 px/s².
+#![allow(dead_code, reason = "not every test program needs everything")]
+
+use twohalf::{BodyId, TwoHalfPhysicsSimulator, Vector2, Vector3};
+use twohalf_factories::{TwoHalfBodyFactory, TwoHalfGeomFactory};
+
+/// Length of a step in s.
+pub(crate) const DT: f32 = 0.01;
+/// Gravity in px/s².
+pub(crate) const GRAVITY: f32 = 100.0;
+
+/// An empty simulator with gravity.
+pub(crate) fn simulator() -> TwoHalfPhysicsSimulator {
+    TwoHalfPhysicsSimulator::with_angle_and_gravity(600, 60, Vector2::new(0.0, GRAVITY)).unwrap()
+}
+
+/// An empty simulator without gravity.
+pub(crate) fn weightless() -> TwoHalfPhysicsSimulator {
+    TwoHalfPhysicsSimulator::with_angle(600, 60).unwrap()
+}
+
+/// A ball of mass 1 without drag whose lowest point is at a place.
+pub(crate) fn ball(simulator: &mut TwoHalfPhysicsSimulator, radius: f32, place: [f32; 3]) -> BodyId {
+    let body = TwoHalfBodyFactory::create_circle_body(simulator, radius, 1.0).unwrap();
+    let geom = TwoHalfGeomFactory::create_circle_geom(simulator, body, radius, 24).unwrap();
+    finish(simulator, body, geom, place)
+}
+
+/// A box of mass 1 without drag whose lowest point is at a place.
+pub(crate) fn crate_box(simulator: &mut TwoHalfPhysicsSimulator, size: [f32; 2], place: [f32; 3]) -> BodyId {
+    let [width, height] = size;
+    let body = TwoHalfBodyFactory::create_rectangle_body(simulator, width, height, 1.0).unwrap();
+    let geom = TwoHalfGeomFactory::create_rectangle_geom(simulator, body, width, height).unwrap();
+    finish(simulator, body, geom, place)
+}
+
+fn finish(
+    simulator: &mut TwoHalfPhysicsSimulator,
+    body: BodyId,
+    geom: twohalf::GeomId,
+    place: [f32; 3],
+) -> BodyId {
+    let mut view = simulator.body_mut(body).unwrap();
+    view.core_mut().set_linear_drag_coefficient(0.0);
+    view.core_mut().set_rotational_drag_coefficient(0.0);
+    view.ground_mut().set_object_geom(geom, None).unwrap();
+    view.set_position3d(Vector3::from(place));
+    body
+}
+
+/// Gives a body's object geom and ground the same coefficients, so that these are the combined ones.
+pub(crate) fn set_surface(
+    simulator: &mut TwoHalfPhysicsSimulator,
+    body: BodyId,
+    friction: f32,
+    restitution: f32,
+) {
+    let mut view = simulator.body_mut(body).unwrap();
+    let mut ground = view.ground_mut();
+    ground.set_friction_coefficient(friction);
+    ground.set_restitution_coefficient(restitution);
+    let geom = ground.object_geom().unwrap();
+    let geom = simulator.geom_mut(geom).unwrap();
+    geom.set_friction_coefficient(friction);
+    geom.set_restitution_coefficient(restitution);
+}
+
+/// Position of a body in the world.
+pub(crate) fn place(simulator: &TwoHalfPhysicsSimulator, body: BodyId) -> Vector3 {
+    simulator.body(body).unwrap().position3d()
+}
+
+/// Sets the velocity along X, up and along Z.
+pub(crate) fn throw(simulator: &mut TwoHalfPhysicsSimulator, body: BodyId, velocity: [f32; 3]) {
+    let mut view = simulator.body_mut(body).unwrap();
+    view.set_linear_velocity(Vector2::new(velocity[0], -velocity[1]));
+    view.set_linear_velocity_z(velocity[2]);
+}
+
+/// Makes a number of steps.
+pub(crate) fn run(simulator: &mut TwoHalfPhysicsSimulator, steps: usize) {
+    for _ in 0..steps {
+        simulator.update(DT);
+    }
+}
+
+/// Three balls and three boxes at various depths that fall, bounce, meet and come to rest.
+pub(crate) fn busy_scene() -> (TwoHalfPhysicsSimulator, Vec<BodyId>) {
+    let mut simulator = simulator();
+    let mut bodies = Vec::new();
+    for index in 0..3 {
+        let i = index as f32;
+        let b = ball(&mut simulator, 20.0 + i, [100.0 + 35.0 * i, 80.0 + 60.0 * i, 10.0 * i]);
+        set_surface(&mut simulator, b, 0.4, 0.5);
+        throw(&mut simulator, b, [10.0 - 15.0 * i, 0.0, 20.0 * i]);
+        let c = crate_box(&mut simulator, [50.0, 30.0 + i], [105.0 + 20.0 * i, 150.0 * i, 5.0 * i]);
+        set_surface(&mut simulator, c, 0.5, 0.1);
+        bodies.extend([b, c]);
+    }
+    (simulator, bodies)
+}
