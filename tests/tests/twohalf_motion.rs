@@ -136,7 +136,8 @@ fn a_box_dropped_askew_comes_to_rest_on_a_side() {
     run(&mut simulator, 1500);
     let view = simulator.body(body).unwrap();
     assert_near((2.0 * view.rotation()).sin(), 0.0, 5e-3);
-    assert_near(view.linear_velocity().norm(), 0.0, 0.1);
+    // What a step of gravity adds bounces in the next one.
+    assert_near(view.linear_velocity().norm(), 0.0, 0.2 * GRAVITY * DT + 0.01);
     assert_near(view.position3d().y, 0.0, 0.1);
 }
 
@@ -205,6 +206,7 @@ fn drag_slows_along_z_as_along_x() {
         let other = ball(&mut simulator, 10.0, [500.0, 500.0, 0.0]);
         let core = simulator.body(body).unwrap().core().clone();
         *simulator.body_mut(other).unwrap().core_mut() = core;
+        simulator.body_mut(other).unwrap().set_position3d(Vector3::new(0.0, 0.0, 500.0));
         throw(&mut simulator, body, [70.0, 0.0, 0.0]);
         throw(&mut simulator, other, [0.0, 0.0, 70.0]);
         run(&mut simulator, 100);

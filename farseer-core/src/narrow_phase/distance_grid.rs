@@ -10,7 +10,7 @@ use wide::f32x4;
 
 use crate::contact::{Contact, ContactId, Feature};
 use crate::geom::{GeomEntry, nearest_distance};
-use crate::math::vector2::normalize;
+use crate::math::vector2::{length_squared, normalize};
 use crate::math::{Vector2, scalar};
 use crate::shape::{Aabb, Vertices};
 use crate::{Error, Result};
@@ -33,6 +33,8 @@ pub struct DistanceGrid {
     /// Slack by which the world box of the outline must be widened so that no point that can hit lies outside
     /// it, as a fraction of the size of the numbers involved; infinite if no such slack is known.
     box_slack: f32,
+    /// Square of the distance from the origin beyond which no point can hit, widened likewise.
+    reach_squared: f32,
 }
 
 impl DistanceGrid {
@@ -58,6 +60,8 @@ impl DistanceGrid {
             x += collision_grid_size;
         }
         let box_slack = box_slack(&outline, x_count.max(y_count));
+        let reach_squared =
+            outline.iter().map(|&v| length_squared(v)).fold(0.0, f32::max) * (1.0 + 4.0 * box_slack);
         Ok(DistanceGrid {
             outline,
             aabb,
@@ -67,6 +71,7 @@ impl DistanceGrid {
             y_count,
             nodes,
             box_slack,
+            reach_squared,
         })
     }
 
@@ -109,7 +114,7 @@ impl DistanceGrid {
     #[doc(alias = "Intersect")]
     #[inline]
     pub fn intersect(&self, point: Vector2) -> Option<Feature> {
-        if !self.aabb.contains(point) {
+        if length_squared(point) > self.reach_squared || !self.aabb.contains(point) {
             return None;
         }
         let min = self.aabb.min;
