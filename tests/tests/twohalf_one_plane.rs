@@ -16,7 +16,7 @@ const SCENES: [&str; 16] = [
     "broad_sweep_and_prune",
     "circle_roll_20",
     "concave_star",
-    "dominoes",
+    "cradle",
     "ellipses",
     "mass_ratio_up",
     "multi_geom_sat",

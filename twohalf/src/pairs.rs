@@ -53,6 +53,9 @@ impl PassingPairs {
 pub(crate) struct DepthFilter<'a, 'h> {
     pub(crate) depths: &'a Depths,
     pub(crate) pairs: &'a mut PassingPairs,
+    /// Whether an answer replaces the broad phase's own test of the boxes. The others have made theirs, in their
+    /// own way: sweep and prune widens the boxes.
+    pub(crate) replaces_box_test: bool,
     pub(crate) handler: Option<&'h mut dyn EventHandler>,
 }
 
@@ -101,9 +104,9 @@ impl EventHandler for DepthFilter<'_, '_> {
         let handler = self.handler.as_mut().filter(|handler| handler.handles_broad_phase());
         let is_asked = handler.is_some();
         let accepted = match handler {
-            // Where the 2D engine would have tested the boxes, the game's answer counts instead, as without depth.
+            // The game's answer replaces the test of the boxes, as without depth.
             Some(handler) => handler.on_broad_phase_collision(context, geom1, geom2),
-            None => met.boxes_overlap,
+            None => met.boxes_overlap || !self.replaces_box_test,
         };
         if !accepted {
             self.pairs.refusals.push(!is_asked);

@@ -1,6 +1,6 @@
 //! The update: the stages of the 2D engine with what depth adds between them.
 
-use farseer_core::{BodyId, Event, EventHandler};
+use farseer_core::{BodyId, BroadPhaseCollider, Event, EventHandler};
 
 use crate::TwoHalfPhysicsSimulator;
 use crate::ground_contacts::touch_ground;
@@ -65,7 +65,11 @@ impl TwoHalfPhysicsSimulator {
     /// Second and third stage: pairs at the same depth.
     fn meet(&mut self, handler: Option<&mut dyn EventHandler>) {
         let TwoHalfPhysicsSimulator { core, depths, passing, .. } = self;
-        let mut filter = DepthFilter { depths, pairs: passing, handler };
+        let replaces_box_test = matches!(
+            core.broad_phase_collider(),
+            BroadPhaseCollider::BruteForce | BroadPhaseCollider::SpatialHash { .. }
+        );
+        let mut filter = DepthFilter { depths, pairs: passing, replaces_box_test, handler };
         core.find_pairs(Some(&mut filter));
         core.collide_pairs(Some(&mut filter));
         passing.finish();

@@ -195,6 +195,9 @@ pub struct PhysicsSimulator {
     /// What happened since the last update, or needs to be told when no callback is running.
     #[serde(skip)]
     pending_events: Vec<Event>,
+    /// Empty: the other buffer of the pending events.
+    #[serde(skip)]
+    delivered_events: Vec<Event>,
     #[serde(skip)]
     counters: StepCounters,
 }
@@ -230,6 +233,7 @@ impl Default for PhysicsSimulator {
             separated: Vec::new(),
             events: Vec::new(),
             pending_events: Vec::new(),
+            delivered_events: Vec::new(),
             counters: StepCounters::default(),
         }
     }

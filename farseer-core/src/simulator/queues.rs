@@ -25,6 +25,9 @@ pub(super) struct Queues {
     pub(super) disposed_bodies: Vec<BodyId>,
 }
 
+/// How often callbacks are told of what callbacks did.
+const MAX_ROUNDS: usize = 16;
+
 /// The handler of an update, if there is one.
 pub(super) type Handler<'a, 'h> = &'a mut Option<&'h mut dyn EventHandler>;
 
@@ -235,25 +238,45 @@ impl PhysicsSimulator {
     }
 
     /// Lets geoms follow bodies that were edited, and delivers what has happened meanwhile.
+    ///
+    /// Callbacks may edit again, which is delivered in turn. One that answers every edit with another is not called
+    /// any more after some rounds; the original overflows its stack.
     pub(super) fn settle(&mut self, handler: Handler) {
-        loop {
-            while let Some(body) = self.touched_bodies.pop() {
-                self.settle_body(body);
-            }
-            while let Some(geom) = self.touched_geoms.pop() {
-                let Some(entry) = self.geoms.get_mut(geom) else { continue };
-                entry.is_touched = false;
-                for argument in entry.geom.rejected.drain(..) {
-                    self.pending_events.push(Event::RejectedInput { object: Some(geom.into()), argument });
-                }
-            }
+        for round in 0.. {
+            self.settle_touched();
             if self.pending_events.is_empty() {
                 return;
             }
-            for event in std::mem::take(&mut self.pending_events) {
-                self.deliver(event, handler);
+            // The buffers change places, so that neither is allocated anew.
+            let mut events = std::mem::take(&mut self.delivered_events);
+            std::mem::swap(&mut events, &mut self.pending_events);
+            for event in events.drain(..) {
+                if round < MAX_ROUNDS {
+                    self.deliver(event, handler);
+                } else {
+                    self.deliver(event, &mut None);
+                }
+            }
+            self.delivered_events = events;
+        }
+    }
+
+    /// Bodies and geoms in the order in which they were edited.
+    fn settle_touched(&mut self) {
+        let mut bodies = std::mem::take(&mut self.touched_bodies);
+        for body in bodies.drain(..) {
+            self.settle_body(body);
+        }
+        self.touched_bodies = bodies;
+        let mut geoms = std::mem::take(&mut self.touched_geoms);
+        for geom in geoms.drain(..) {
+            let Some(entry) = self.geoms.get_mut(geom) else { continue };
+            entry.is_touched = false;
+            for argument in entry.geom.rejected.drain(..) {
+                self.pending_events.push(Event::RejectedInput { object: Some(geom.into()), argument });
             }
         }
+        self.touched_geoms = geoms;
     }
 
     pub(super) fn settle_body(&mut self, body: BodyId) {

@@ -46,13 +46,20 @@ impl PhysicsSimulator {
         self.events.clear();
         self.counters = StepCounters::default();
         self.solver.forget_surfaces();
-        if !dt.is_finite() || (dt != 0.0 && !(1.0 / dt).is_finite()) {
-            self.events.push(Event::RejectedInput { object: None, argument: "dt" });
+        if !self.accepts_step("dt", dt) || (dt != 0.0 && !self.accepts_step("dt", 1.0 / dt)) {
             return false;
         }
         self.process_all_queues(&mut handler);
         self.arbiters.prepare_for_broad_phase_collision(&self.geom_list, &mut self.geoms);
         dt != 0.0 && self.settings.enabled
+    }
+
+    /// Whether a step, or its reciprocal, is finite; if not, the refusal is reported.
+    fn accepts_step(&mut self, argument: &'static str, step: f32) -> bool {
+        if !step.is_finite() {
+            self.events.push(Event::RejectedInput { object: None, argument });
+        }
+        step.is_finite()
     }
 
     /// Second stage: the broad phase appends arbiters for new pairs whose boxes overlap.
@@ -146,7 +153,12 @@ impl PhysicsSimulator {
 
     /// Fourth stage: impulses, gravity and drag become velocity. A body whose velocity would not be finite keeps
     /// what it had, and is disabled and reported.
+    ///
+    /// A step that is not finite changes nothing and is reported.
     pub fn apply_forces(&mut self, dt: f32) {
+        if !self.accepts_step("dt", dt) {
+            return;
+        }
         for &id in &self.body_list {
             let entry = &mut self.bodies[id];
             let body = &mut entry.body;
@@ -166,7 +178,12 @@ impl PhysicsSimulator {
     }
 
     /// Fifth stage: contacts are prepared, and the impulses of the last update act again. `inverse_dt` is 1 / dt.
+    ///
+    /// A number that is not finite changes nothing and is reported.
     pub fn pre_step(&mut self, inverse_dt: f32) {
+        if !self.accepts_step("inverse_dt", inverse_dt) {
+            return;
+        }
         let settings = PreStepSettings {
             inverse_dt,
             bias_factor: self.settings.bias_factor,
@@ -209,10 +226,14 @@ impl PhysicsSimulator {
     }
 
     /// Last stage: velocities become positions, and geoms follow. A body whose state would not be finite is put
-    /// back to its last finite one and reported; a dynamic one is disabled.
+    /// back to its last finite one and reported; a dynamic one is disabled. With a step that is not finite nothing
+    /// moves, which is reported.
     pub fn integrate(&mut self, dt: f32, handler: Option<&mut dyn EventHandler>) {
         let mut handler = handler;
         self.solver.finish(&mut self.arbiters, &mut self.bodies, &mut self.events);
+        if !self.accepts_step("dt", dt) {
+            return;
+        }
         for index in 0..self.body_list.len() {
             let id = self.body_list[index];
             let entry = &mut self.bodies[id];
