@@ -62,6 +62,8 @@
 //! in `docs/farseer-2.1.3` of the repository say what the original does in every detail; the rustdoc refers to them
 //! as *behaviour chapters*.
 
+#![forbid(unsafe_code)]
+
 pub mod error;
 pub mod math;
 pub mod ray_helper;

@@ -32,7 +32,13 @@ struct Told {
 }
 
 impl EventHandler for Told {
-    fn on_collision(&mut self, _: &mut Context<'_>, this: GeomId, other: GeomId, _: &mut Vec<Contact>) -> bool {
+    fn on_collision(
+        &mut self,
+        _: &mut Context<'_>,
+        this: GeomId,
+        other: GeomId,
+        _: &mut Vec<Contact>,
+    ) -> bool {
         self.collisions.push((this, other));
         true
     }
@@ -112,7 +118,9 @@ fn a_scene_in_used_slots_gives_the_bits_of_a_fresh_one() {
         }
         let fill = |simulator: &mut PhysicsSimulator| -> Vec<BodyId> {
             core_common::add_floor(simulator, (200.0, 20.0), v(0.0, 100.0));
-            (0..5).map(|i| add_box(simulator, (20.0, 20.0), v(4.0 * i as f32, 80.0 - 21.0 * i as f32)).0).collect()
+            (0..5)
+                .map(|i| add_box(simulator, (20.0, 20.0), v(4.0 * i as f32, 80.0 - 21.0 * i as f32)).0)
+                .collect()
         };
         let (fresh_bodies, used_bodies) = (fill(&mut fresh), fill(&mut used));
         assert_ne!(fresh_bodies, used_bodies);

@@ -140,12 +140,18 @@ fn saves_with_small_numbers_in_wrong_places_are_refused_or_run() {
 
 #[test]
 fn saves_with_ids_and_counts_out_of_range_are_refused_or_run() {
-    some_are_refused(replace_numbers_by(&[1000.into(), u32::MAX.into(), i32::MAX.into(), i32::MIN.into()], 2));
+    some_are_refused(replace_numbers_by(
+        &[1000.into(), u32::MAX.into(), i32::MAX.into(), i32::MIN.into()],
+        2,
+    ));
 }
 
 #[test]
 fn saves_with_the_largest_integers_are_refused_or_run() {
-    some_are_refused(replace_numbers_by(&[i64::MAX.into(), i64::MIN.into(), u64::MAX.into(), (1u64 << 40).into()], 1));
+    some_are_refused(replace_numbers_by(
+        &[i64::MAX.into(), i64::MIN.into(), u64::MAX.into(), (1u64 << 40).into()],
+        1,
+    ));
 }
 
 #[test]

@@ -231,7 +231,9 @@ fn a_refused_pair_is_asked_for_again_except_by_sweep_and_prune() {
 #[test]
 fn an_approval_replaces_the_box_test_of_brute_force_and_spatial_hash() {
     let hash = BroadPhaseCollider::SpatialHash { cell_size: 10.0, auto_adjust_cell_size: true };
-    for (broad, is_registered) in BROAD_PHASES[..3].iter().copied().chain([hash]).zip([false, false, true, true]) {
+    for (broad, is_registered) in
+        BROAD_PHASES[..3].iter().copied().chain([hash]).zip([false, false, true, true])
+    {
         let mut simulator = simulator_with(0.0, (broad, NarrowPhaseCollider::DistanceGrid));
         add_box(&mut simulator, (2.0, 2.0), v(-3.0, -3.0));
         add_box(&mut simulator, (2.0, 2.0), v(3.0, 3.0));
@@ -335,7 +337,8 @@ fn contacts_with_huge_numbers_made_inside_a_callback_stay_harmless() {
         let mut simulator = stack(Default::default());
         let mut handler = AtCollision(Some(|_: &mut Context<'_>, _, _, contacts: &mut Vec<Contact>| {
             for contact in contacts {
-                *contact = Contact::new(v(size, -size), v(size, size), -size, contact.id).with_impulses(size, size);
+                *contact =
+                    Contact::new(v(size, -size), v(size, size), -size, contact.id).with_impulses(size, size);
             }
             true
         }));
@@ -351,12 +354,13 @@ fn contacts_with_huge_numbers_made_inside_a_callback_stay_harmless() {
 fn bodies_made_static_inside_a_callback_stay_finite() {
     for methods in methods() {
         let mut simulator = stack(methods);
-        let mut handler = AtCollision(Some(|context: &mut Context<'_>, this, other, _: &mut Vec<Contact>| {
-            for body in [body_of(context, this), body_of(context, other)] {
-                context.body_mut(body).unwrap().set_is_static(true);
-            }
-            true
-        }));
+        let mut handler =
+            AtCollision(Some(|context: &mut Context<'_>, this, other, _: &mut Vec<Contact>| {
+                for body in [body_of(context, this), body_of(context, other)] {
+                    context.body_mut(body).unwrap().set_is_static(true);
+                }
+                true
+            }));
         simulator.update_with(0.01, &mut handler);
         let reported = not_finite(&simulator);
         assert!(reported.iter().all(|(_, disabled)| !disabled), "{methods:?}: {reported:?}");
@@ -373,13 +377,14 @@ fn a_body_moved_inside_a_callback_takes_its_geom_along_at_once() {
     for methods in methods() {
         let mut simulator = stack(methods);
         let mut seen = None;
-        let mut handler = AtCollision(Some(|context: &mut Context<'_>, this, other, _: &mut Vec<Contact>| {
-            let middle = middle_of_stack(context, this, other);
-            let body = body_of(context, middle);
-            context.body_mut(body).unwrap().set_position(v(500.0, 500.0));
-            seen = Some((middle, context.geom(middle).unwrap().position()));
-            true
-        }));
+        let mut handler =
+            AtCollision(Some(|context: &mut Context<'_>, this, other, _: &mut Vec<Contact>| {
+                let middle = middle_of_stack(context, this, other);
+                let body = body_of(context, middle);
+                context.body_mut(body).unwrap().set_position(v(500.0, 500.0));
+                seen = Some((middle, context.geom(middle).unwrap().position()));
+                true
+            }));
         simulator.update_with(0.01, &mut handler);
         let (geom, position) = seen.unwrap();
         assert_eq!(position, v(500.0, 500.0));
@@ -443,7 +448,13 @@ struct DisposesIn {
 }
 
 impl DisposesIn {
-    fn act(&mut self, callback: usize, context: &mut Context<'_>, geom: Option<GeomId>, body: Option<BodyId>) {
+    fn act(
+        &mut self,
+        callback: usize,
+        context: &mut Context<'_>,
+        geom: Option<GeomId>,
+        body: Option<BodyId>,
+    ) {
         if callback != self.callback || self.left == 0 {
             return;
         }
@@ -464,7 +475,13 @@ impl DisposesIn {
 }
 
 impl EventHandler for DisposesIn {
-    fn on_collision(&mut self, context: &mut Context<'_>, this: GeomId, _: GeomId, _: &mut Vec<Contact>) -> bool {
+    fn on_collision(
+        &mut self,
+        context: &mut Context<'_>,
+        this: GeomId,
+        _: GeomId,
+        _: &mut Vec<Contact>,
+    ) -> bool {
         self.act(0, context, Some(this), None);
         true
     }
@@ -490,11 +507,12 @@ impl EventHandler for DisposesIn {
 fn an_object_removed_inside_a_callback_leaves_with_the_next_update() {
     let mut simulator = stack(Default::default());
     let mut removed = None;
-    let mut handler = AtCollision(Some(|context: &mut Context<'_>, _, other: GeomId, _: &mut Vec<Contact>| {
-        context.remove(other).unwrap();
-        removed = Some(other);
-        true
-    }));
+    let mut handler =
+        AtCollision(Some(|context: &mut Context<'_>, _, other: GeomId, _: &mut Vec<Contact>| {
+            context.remove(other).unwrap();
+            removed = Some(other);
+            true
+        }));
     simulator.update_with(0.01, &mut handler);
     let removed = removed.unwrap();
     assert!(simulator.geom_list().contains(&removed));
@@ -546,7 +564,10 @@ fn a_body_may_be_brought_back_in_the_callback_about_its_movement() {
     simulator.update_with(0.01, &mut Wraps);
     assert_eq!(simulator[body].position(), v(-10.0, 0.0));
     assert_eq!(simulator.geom(geom).unwrap().position(), v(-10.0, 0.0));
-    assert_eq!(simulator.events().iter().filter(|event| matches!(event, Event::BodyUpdated { .. })).count(), 3);
+    assert_eq!(
+        simulator.events().iter().filter(|event| matches!(event, Event::BodyUpdated { .. })).count(),
+        3
+    );
 }
 
 /// Behaviour chapter 02, check 10.

@@ -156,7 +156,8 @@ fn a_removed_geom_that_was_paired_in_the_same_round_may_be_disposed() {
 
 #[test]
 fn clearing_makes_all_ids_stale_and_keeps_the_settings() {
-    let mut simulator = simulator_with(7.0, (farseer_core::BroadPhaseCollider::BruteForce, Default::default()));
+    let mut simulator =
+        simulator_with(7.0, (farseer_core::BroadPhaseCollider::BruteForce, Default::default()));
     let (body, geom) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
     add_box(&mut simulator, (10.0, 10.0), v(9.0, 0.0));
     simulator.set_iterations(9);

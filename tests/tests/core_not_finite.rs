@@ -7,7 +7,8 @@ use core_common::{
     not_finite, simulator_with, state, v,
 };
 use farseer_core::{
-    Body, BodyId, BroadPhaseCollider, Event, GeomFactory, GeomPlacement, NarrowPhaseCollider, PhysicsSimulator,
+    Body, BodyId, BroadPhaseCollider, Event, GeomFactory, GeomPlacement, NarrowPhaseCollider,
+    PhysicsSimulator,
 };
 
 type Methods = (BroadPhaseCollider, NarrowPhaseCollider);
@@ -152,8 +153,13 @@ fn static_bodies_are_never_disabled() {
             for step in 0..50 {
                 simulator.update(0.01);
                 assert!(is_finite(&simulator), "{methods:?} {name} step {step}");
-                assert!(simulator[floor].enabled() && simulator[second_floor].enabled(), "{methods:?} {name}");
-                assert!(not_finite(&simulator).iter().all(|&(b, disabled)| disabled == !simulator[b].is_static()));
+                assert!(
+                    simulator[floor].enabled() && simulator[second_floor].enabled(),
+                    "{methods:?} {name}"
+                );
+                assert!(
+                    not_finite(&simulator).iter().all(|&(b, disabled)| disabled == !simulator[b].is_static())
+                );
             }
         }
     }
@@ -195,9 +201,18 @@ fn any_body(simulator: &mut PhysicsSimulator, random: &mut Random) {
     simulator[body].set_position(near);
     for _ in 0..random.below(3) {
         let outline = match random.below(3) {
-            0 => farseer_core::Vertices::create_rectangle(random.between(1.0, 50.0), random.between(1.0, 50.0)),
-            1 => farseer_core::Vertices::create_circle(random.between(1.0, 30.0), 3 + random.below(20) as i32),
-            _ => farseer_core::Vertices::create_gear(random.between(5.0, 20.0), 5, 0.5, random.between(-4.0, 9.0)),
+            0 => {
+                farseer_core::Vertices::create_rectangle(random.between(1.0, 50.0), random.between(1.0, 50.0))
+            }
+            1 => {
+                farseer_core::Vertices::create_circle(random.between(1.0, 30.0), 3 + random.below(20) as i32)
+            }
+            _ => farseer_core::Vertices::create_gear(
+                random.between(5.0, 20.0),
+                5,
+                0.5,
+                random.between(-4.0, 9.0),
+            ),
         };
         let placement = GeomPlacement {
             offset: v(random.between(-10.0, 10.0), random.between(-10.0, 10.0)),
@@ -283,7 +298,11 @@ fn random_scenes_of_extreme_numbers_stay_finite() {
                 }
                 for event in simulator.events() {
                     if let Event::NotFinite { body, disabled } = *event {
-                        assert_eq!(disabled, !simulator[body].is_static(), "{methods:?} seed {seed} step {step}");
+                        assert_eq!(
+                            disabled,
+                            !simulator[body].is_static(),
+                            "{methods:?} seed {seed} step {step}"
+                        );
                     }
                 }
             }

@@ -25,7 +25,8 @@ fn collision_course(narrow: farseer_core::NarrowPhaseCollider, seed: u64) -> (Ph
         };
         simulator[body].set_mass(random.between(0.5, 4.0)).unwrap();
         simulator[body].set_rotation(random.between(0.0, 3.0));
-        simulator[body].set_linear_velocity(v(side * random.between(-90.0, -50.0), random.between(-5.0, 5.0)));
+        simulator[body]
+            .set_linear_velocity(v(side * random.between(-90.0, -50.0), random.between(-5.0, 5.0)));
         simulator[body].set_angular_velocity(random.between(-2.0, 2.0));
         simulator[geom].set_restitution_coefficient(random.between(0.0, 1.0));
         simulator[geom].set_friction_coefficient(random.between(0.0, 1.0));
@@ -38,7 +39,9 @@ fn collision_course(narrow: farseer_core::NarrowPhaseCollider, seed: u64) -> (Ph
 /// In double precision, so that summing adds no error of its own.
 fn momentum(simulator: &PhysicsSimulator, bodies: &[BodyId]) -> [f64; 2] {
     let sum = |component: fn(Vector2) -> f32| {
-        let of = |&body: &BodyId| f64::from(simulator[body].mass()) * f64::from(component(simulator[body].linear_velocity()));
+        let of = |&body: &BodyId| {
+            f64::from(simulator[body].mass()) * f64::from(component(simulator[body].linear_velocity()))
+        };
         bodies.iter().map(of).sum::<f64>()
     };
     [sum(|v| v.x), sum(|v| v.y)]

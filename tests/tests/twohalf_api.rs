@@ -3,9 +3,7 @@
 mod twohalf_common;
 
 use twohalf::farseer_core::{Body, GeomPlacement, Vertices};
-use twohalf::{
-    DepthProfile, Error, Event, TextureId, TwoHalfPhysicsSimulator, Vector2, Vector3,
-};
+use twohalf::{DepthProfile, Error, Event, TextureId, TwoHalfPhysicsSimulator, Vector2, Vector3};
 use twohalf_common::{ball, crate_box, place, run, simulator, throw, weightless};
 use twohalf_factories::{TwoHalfBodyFactory, TwoHalfGeomFactory};
 

@@ -89,10 +89,7 @@ fn factory_bodies_have_the_recorded_mass_properties() {
         let (a, b, mass) = (case.input.f32("a"), case.input.f32("b"), case.input.f32("mass"));
         let out = |key| case.output.value(key);
         let made = |body: farseer_core::Result<Body>| body.unwrap();
-        expect_mass_properties(
-            &made(BodyFactory::create_rectangle_body(a, b, mass)),
-            out("rectangle_a_b"),
-        );
+        expect_mass_properties(&made(BodyFactory::create_rectangle_body(a, b, mass)), out("rectangle_a_b"));
         expect_mass_properties(&made(BodyFactory::create_circle_body(a, mass)), out("circle_a"));
         expect_mass_properties(&made(BodyFactory::create_ellipse_body(a, b, mass)), out("ellipse_a_b"));
         expect_mass_properties(&made(BodyFactory::create_ellipse_body(a, a, mass)), out("ellipse_a_a"));

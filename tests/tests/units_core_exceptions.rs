@@ -53,7 +53,9 @@ fn recorded() -> BTreeMap<String, (Option<String>, Option<String>)> {
     let field = |case: &serde_json::Value, key: &str| case["out"][key].as_str().map(str::to_owned);
     let cases = record["cases"].as_array().unwrap().iter();
     cases
-        .map(|case| (case["fn"].as_str().unwrap().to_owned(), (field(case, "throws"), field(case, "parameter"))))
+        .map(|case| {
+            (case["fn"].as_str().unwrap().to_owned(), (field(case, "throws"), field(case, "parameter")))
+        })
         .collect()
 }
 
@@ -200,7 +202,9 @@ fn argument_name(case: &str, parameter: Option<&str>) -> &'static str {
         ("BroadPhaseCollider set with geoms present", _) => "the geom list",
         ("Body.Mass=0", _) => "mass",
         ("Body.MomentOfInertia=0" | "Body.MomentOfInertia=-1", _) => "moment_of_inertia",
-        ("CreateCircleGeom 2 edges" | "CreateCircleGeom 1 edge" | "CreateCircleGeom 0 edges", _) => "number_of_edges",
+        ("CreateCircleGeom 2 edges" | "CreateCircleGeom 1 edge" | "CreateCircleGeom 0 edges", _) => {
+            "number_of_edges"
+        }
         ("Geom clone after source disposed" | "DistanceGrid.Copy unknown id", _) => "geom",
         ("Vertices.GetMomentOfInertia empty" | "Vertices.ProjectToAxis empty", _) => "self",
         (_, Some("width")) => "width",
@@ -258,7 +262,13 @@ fn geoms_are_disposed_twice_without_error() {
 struct DisposesOnce(Option<GeomId>);
 
 impl EventHandler for DisposesOnce {
-    fn on_collision(&mut self, context: &mut Context<'_>, _: GeomId, _: GeomId, _: &mut Vec<Contact>) -> bool {
+    fn on_collision(
+        &mut self,
+        context: &mut Context<'_>,
+        _: GeomId,
+        _: GeomId,
+        _: &mut Vec<Contact>,
+    ) -> bool {
         if let Some(geom) = self.0.take() {
             context.dispose(geom).unwrap();
         }
@@ -273,7 +283,8 @@ fn a_disposed_geom_has_no_contacts() {
     let mut add_box = |x: f32| {
         let body = simulator.create_body(Body::new());
         simulator[body].set_position(Vector2::new(x, 1.0));
-        GeomFactory::create_rectangle_geom_in(&mut simulator, body, 10.0, 10.0, GeomPlacement::default()).unwrap()
+        GeomFactory::create_rectangle_geom_in(&mut simulator, body, 10.0, 10.0, GeomPlacement::default())
+            .unwrap()
     };
     let (middle, last) = (add_box(8.0), add_box(16.0));
     simulator.update_with(0.01, &mut DisposesOnce(Some(last)));

@@ -29,7 +29,8 @@ fn pairs_have_the_recorded_indices() {
             assert!(!case.output.boolean("test_after_clear"));
             return;
         }
-        let asked = [(first, last), (last, first)].map(|(a, b)| [table.test_and_set(a, b), table.test_and_set(a, b)]);
+        let asked =
+            [(first, last), (last, first)].map(|(a, b)| [table.test_and_set(a, b), table.test_and_set(a, b)]);
         assert_eq!(asked.concat(), recorded);
         table.clear(count as usize);
         case.expect_bool("test_after_clear", table.test_and_set(first, last));
@@ -49,7 +50,8 @@ fn plain_order(intervals: &[(f32, f32)]) -> String {
         ends.push((end, true, index));
     }
     ends.sort_by(|a, b| a.0.partial_cmp(&b.0).unwrap().then((a.1, a.2).cmp(&(b.1, b.2))));
-    let word = |&(_, is_end, index): &(f32, bool, usize)| format!("{}{index}", if is_end { 'e' } else { 'b' });
+    let word =
+        |&(_, is_end, index): &(f32, bool, usize)| format!("{}{index}", if is_end { 'e' } else { 'b' });
     ends.iter().map(word).collect::<Vec<_>>().join(" ")
 }
 

@@ -16,6 +16,8 @@
 //! # Ok::<(), twohalf::Error>(())
 //! ```
 
+#![forbid(unsafe_code)]
+
 mod body_factory;
 mod geom_factory;
 

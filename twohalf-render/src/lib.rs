@@ -35,6 +35,8 @@
 //! # Ok::<(), RenderError>(())
 //! ```
 
+#![forbid(unsafe_code)]
+
 mod animation;
 mod backdrop;
 mod canvas;

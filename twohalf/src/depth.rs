@@ -125,7 +125,8 @@ pub(crate) fn extents_overlap((z1, half1): (f32, f32), (z2, half2): (f32, f32)) 
 pub(crate) fn lowest(core: &PhysicsSimulator, depths: &Depths, body: BodyId) -> f64 {
     let object = depths.bodies.get(body).and_then(|state| state.ground.object_geom());
     let Some(id) = object else { return 0.0 };
-    let (Some(geom), Some(origin)) = (core.geom(id).filter(|geom| geom.body() == body), core.body(body)) else {
+    let (Some(geom), Some(origin)) = (core.geom(id).filter(|geom| geom.body() == body), core.body(body))
+    else {
         return 0.0;
     };
     let matrix = geom.matrix();
@@ -135,7 +136,8 @@ pub(crate) fn lowest(core: &PhysicsSimulator, depths: &Depths, body: BodyId) -> 
         Some(DepthProfile::Round { radius }) => offset + f64::from(*radius),
         _ => {
             let (across, down) = (f64::from(matrix.m12), f64::from(matrix.m22));
-            let heights = geom.local_vertices().iter().map(|v| f64::from(v.x) * across + f64::from(v.y) * down);
+            let heights =
+                geom.local_vertices().iter().map(|v| f64::from(v.x) * across + f64::from(v.y) * down);
             offset + heights.fold(f64::NEG_INFINITY, f64::max)
         }
     }

@@ -20,7 +20,11 @@ pub enum Error {
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 /// An argument with a value that cannot be accepted.
-pub(crate) fn invalid(argument: &'static str, value: impl std::fmt::Debug, requirement: &'static str) -> Error {
+pub(crate) fn invalid(
+    argument: &'static str,
+    value: impl std::fmt::Debug,
+    requirement: &'static str,
+) -> Error {
     farseer_core::Error::invalid(argument, value, requirement).into()
 }
 

@@ -5,7 +5,9 @@
 //! after each of the solver's iterations.
 
 use farseer_core::math::Vector2;
-use farseer_core::{BodyId, Contact, ContactId, FrictionType, GeomId, GeomRef, PhysicsSimulator, SurfaceContacts};
+use farseer_core::{
+    BodyId, Contact, ContactId, FrictionType, GeomId, GeomRef, PhysicsSimulator, SurfaceContacts,
+};
 use serde::{Deserialize, Serialize};
 
 use crate::depth::{DepthBody, DepthProfile, Depths};
@@ -57,7 +59,8 @@ impl Touch {
     fn add(&mut self, geom: GeomRef<'_>, vertex: i32, position: Vector2, remembered: &RememberedImpulses) {
         let id = ContactId { geom1: geom.id(), vertex, geom2: GROUND };
         let (normal, tangent) = remembered.of(vertex);
-        self.contacts[self.count] = Contact::new(position, UP, -position.y, id).with_impulses(normal, tangent);
+        self.contacts[self.count] =
+            Contact::new(position, UP, -position.y, id).with_impulses(normal, tangent);
         self.count += 1;
     }
 

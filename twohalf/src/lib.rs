@@ -1,4 +1,6 @@
 //! 2.5D game physics.
+
+#![forbid(unsafe_code)]
 mod body;
 mod depth;
 mod draw_order;

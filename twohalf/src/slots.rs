@@ -59,10 +59,9 @@ impl<I: Slot, T> SlotTable<I, T> {
 
     /// Whether every entry lies in its id's slot and passes a test: false only after loading garbage.
     pub(crate) fn is_valid(&self, mut test: impl FnMut(I, &T) -> bool) -> bool {
-        self.entries
-            .iter()
-            .enumerate()
-            .all(|(slot, entry)| entry.as_ref().is_none_or(|(id, value)| id.slot() == slot && test(*id, value)))
+        self.entries.iter().enumerate().all(|(slot, entry)| {
+            entry.as_ref().is_none_or(|(id, value)| id.slot() == slot && test(*id, value))
+        })
     }
 }
 

@@ -197,20 +197,22 @@ impl Random {
 
 /// A walled box with two layers of things that fall, roll and pile up; the second body of every third is fast. All
 /// coordinates are multiples of 1/4, so that boxes have many interval ends in common.
-pub(crate) fn lively_scene(methods: (BroadPhaseCollider, NarrowPhaseCollider), seed: u64) -> PhysicsSimulator {
+pub(crate) fn lively_scene(
+    methods: (BroadPhaseCollider, NarrowPhaseCollider),
+    seed: u64,
+) -> PhysicsSimulator {
     let mut simulator = simulator_with(200.0, methods);
     let mut random = Random::new(seed);
-    for (size, position) in [
-        ((600.0, 40.0), v(0.0, 320.0)),
-        ((40.0, 700.0), v(-320.0, 0.0)),
-        ((40.0, 700.0), v(320.0, 0.0)),
-    ] {
+    for (size, position) in
+        [((600.0, 40.0), v(0.0, 320.0)), ((40.0, 700.0), v(-320.0, 0.0)), ((40.0, 700.0), v(320.0, 0.0))]
+    {
         let (_, geom) = add_floor(&mut simulator, size, position);
         simulator[geom].set_friction_coefficient(0.5);
     }
     for i in 0..28 {
         let position = v((i % 7) as f32 * 60.0 - 180.0, 280.0 - (i / 7) as f32 * 50.0);
-        let quarters = |random: &mut Random, low: usize, high: usize| (low + random.below(high - low)) as f32 / 4.0;
+        let quarters =
+            |random: &mut Random, low: usize, high: usize| (low + random.below(high - low)) as f32 / 4.0;
         let (body, geom) = if i % 3 == 2 {
             let edges = 8 + random.below(8) as i32;
             add_circle(&mut simulator, quarters(&mut random, 40, 80), edges, position)
@@ -221,7 +223,8 @@ pub(crate) fn lively_scene(methods: (BroadPhaseCollider, NarrowPhaseCollider), s
         simulator[geom].set_friction_coefficient(random.between(0.0, 0.8));
         simulator[geom].set_restitution_coefficient(random.between(0.0, 0.5));
         if i % 3 == 1 {
-            simulator[body].set_linear_velocity(v(random.between(-300.0, 300.0), random.between(-300.0, 0.0)));
+            simulator[body]
+                .set_linear_velocity(v(random.between(-300.0, 300.0), random.between(-300.0, 0.0)));
             simulator[body].set_angular_velocity(random.between(-5.0, 5.0));
         }
     }

@@ -1,0 +1,142 @@
+//! Once a scene has settled, an update allocates nothing.
+//!
+//! One program with one thread: the counter counts whatever the test does.
+
+// A global allocator cannot be written without: its trait is unsafe.
+#![allow(unsafe_code)]
+
+mod core_common;
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+
+use core_common::{add_box, add_circle, add_floor, lively_scene, methods, simulator_with, v};
+use farseer_core::{BroadPhaseCollider, Context, EventHandler, NarrowPhaseCollider, PhysicsSimulator};
+
+/// The system's allocator, counting the calls of every thread for itself.
+struct Counting;
+
+thread_local! {
+    static CALLS: Cell<usize> = const { Cell::new(0) };
+}
+
+fn count() {
+    CALLS.set(CALLS.get() + 1);
+}
+
+// SAFETY: every call is handed on as it is; counting touches no memory that the allocator manages.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        count();
+        // SAFETY: the caller's promises are those of `System`.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        count();
+        // SAFETY: as above.
+        unsafe { System.dealloc(pointer, layout) }
+    }
+
+    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, new_size: usize) -> *mut u8 {
+        count();
+        // SAFETY: as above.
+        unsafe { System.realloc(pointer, layout, new_size) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+/// Calls of the allocator during an action.
+fn calls(action: impl FnOnce()) -> usize {
+    let before = CALLS.get();
+    action();
+    CALLS.get() - before
+}
+
+/// Boxes and circles at rest on a floor between two walls, some in stacks.
+fn settled_scene(methods: (BroadPhaseCollider, NarrowPhaseCollider)) -> PhysicsSimulator {
+    let mut simulator = simulator_with(200.0, methods);
+    add_floor(&mut simulator, (600.0, 40.0), v(0.0, 320.0));
+    add_floor(&mut simulator, (40.0, 700.0), v(-320.0, 0.0));
+    add_floor(&mut simulator, (40.0, 700.0), v(320.0, 0.0));
+    for i in 0..24 {
+        let position = v((i % 8) as f32 * 70.0 - 250.0, 285.0 - (i / 8) as f32 * 35.0);
+        let (_, geom) = if i >= 16 && i % 2 == 0 {
+            add_circle(&mut simulator, 14.0, 12, position)
+        } else {
+            add_box(&mut simulator, (30.0, 30.0), position)
+        };
+        simulator[geom].set_friction_coefficient(0.6);
+    }
+    for _ in 0..1500 {
+        simulator.update(0.01);
+    }
+    simulator
+}
+
+#[test]
+fn the_counter_counts() {
+    assert_eq!(calls(|| drop(std::hint::black_box(Box::new(1)))), 2);
+    assert_eq!(calls(|| ()), 0);
+}
+
+#[test]
+fn an_update_of_a_settled_scene_allocates_nothing() {
+    let mut allocating = Vec::new();
+    for methods in methods() {
+        let mut simulator = settled_scene(methods);
+        assert!(simulator.contact_count() > 40, "{methods:?}: nothing touches");
+        let calls: usize = (0..300).map(|_| calls(|| simulator.update(0.01))).sum();
+        if calls > 0 {
+            allocating.push(format!("{methods:?}: {calls} calls in 300 updates"));
+        }
+    }
+    assert!(allocating.is_empty(), "{allocating:#?}");
+}
+
+#[test]
+fn callbacks_allocate_nothing() {
+    struct Silent;
+    impl EventHandler for Silent {
+        fn on_body_updated(&mut self, context: &mut Context<'_>, body: farseer_core::BodyId) {
+            let body = context.body_mut(body).unwrap();
+            body.set_angular_velocity(body.angular_velocity());
+        }
+    }
+    for methods in methods() {
+        let mut simulator = settled_scene(methods);
+        simulator.update_with(0.01, &mut Silent);
+        let calls: usize = (0..100).map(|_| calls(|| simulator.update_with(0.01, &mut Silent))).sum();
+        assert_eq!(calls, 0, "{methods:?}");
+    }
+}
+
+#[test]
+fn edits_and_their_reports_allocate_nothing_after_the_first() {
+    let mut simulator = settled_scene(Default::default());
+    let body = simulator.body_list()[5];
+    let mut edit = || {
+        let position = simulator[body].position();
+        simulator[body].set_position(position);
+        simulator[body].apply_force(v(1.0, 0.0));
+        simulator[body].set_angular_velocity(f32::NAN);
+        simulator.update(0.01);
+    };
+    edit();
+    let calls: usize = (0..50).map(|_| calls(&mut edit)).sum();
+    assert_eq!(calls, 0);
+}
+
+/// While things move new pairs are met, but what the pairs need is kept from earlier ones.
+#[test]
+fn a_lively_scene_allocates_less_and_less() {
+    for methods in methods() {
+        let mut simulator = lively_scene(methods, 11);
+        let mut calls_of =
+            |updates: usize| -> usize { (0..updates).map(|_| calls(|| simulator.update(0.01))).sum() };
+        let (first, _, last) = (calls_of(300), calls_of(600), calls_of(300));
+        assert!(last * 10 <= first, "{methods:?}: {first} calls at first, {last} at last");
+    }
+}
