@@ -10,3 +10,7 @@ pub mod trace;
 pub mod units;
 
 mod file;
+
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;

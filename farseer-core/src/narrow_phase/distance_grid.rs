@@ -370,3 +370,102 @@ pub(crate) mod as_outline {
             .map_err(D::Error::custom)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::arena::{Arena, Id};
+    use crate::body::BodyId;
+
+    /// A sequence without a pattern that matters here.
+    struct Sequence(u64);
+
+    impl Sequence {
+        /// From -1 to 1.
+        fn next(&mut self) -> f32 {
+            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (self.0 >> 40) as f32 / (1 << 23) as f32 - 1.0
+        }
+    }
+
+    fn outline(sequence: &mut Sequence) -> Vertices {
+        let size = 10.0f32.powf(sequence.next() * 3.0);
+        let edges = 3 + ((sequence.next() + 1.0) * 12.0) as i32;
+        let made = match (sequence.next() * 1.5) as i32 {
+            -1 => Vertices::create_rectangle(size, size * (1.1 + sequence.next())),
+            0 => Vertices::create_circle(size, edges),
+            _ => Vertices::create_ellipse(size, size * (1.1 + sequence.next()), edges),
+        };
+        let mut outline = made.expect("sizes are positive");
+        // Away from its own origin, too.
+        outline.translate(Vector2::new(sequence.next(), sequence.next()) * size);
+        outline
+    }
+
+    fn geom(number: u32, vertices: Vertices, centre: Vector2, rotation: f32, cells: f32) -> GeomEntry {
+        let body: BodyId = Arena::<()>::default().insert(());
+        assert_eq!(body.index(), 0);
+        let mut geom = GeomEntry::new(number, body, Vector2::zeros(), 0.0);
+        geom.set_vertices(vertices);
+        geom.follow(centre, rotation);
+        let cell = geom.aabb.get_shortest_side().max(1e-3) / cells;
+        geom.grid =
+            Some(Arc::new(DistanceGrid::new(geom.local_vertices.clone(), cell).expect("a small grid")));
+        geom
+    }
+
+    /// The same geom with a grid that looks at every vertex.
+    fn without_shortcuts(geom: &GeomEntry) -> GeomEntry {
+        let grid = geom.grid.as_deref().expect("made above");
+        let grid = DistanceGrid { box_slack: f32::INFINITY, reach_squared: f32::INFINITY, ..grid.clone() };
+        let mut geom = geom.clone();
+        geom.grid = Some(Arc::new(grid));
+        geom
+    }
+
+    #[test]
+    fn vertices_outside_of_box_and_reach_never_touch() {
+        let mut sequence = Sequence(1);
+        let mut touching = 0;
+        let mut with_shortcuts = 0;
+        for round in 0..6000 {
+            let far = 10.0f32.powi(round % 7) * sequence.next();
+            let a = geom(
+                0,
+                outline(&mut sequence),
+                Vector2::new(far, -far),
+                sequence.next() * 4.0,
+                3.0 + 9.0 * sequence.next().abs(),
+            );
+            let b_outline = outline(&mut sequence);
+            let reach = (a.aabb.width() + a.aabb.height()) * 0.4;
+            let centre = a.aabb.get_center() + Vector2::new(sequence.next(), sequence.next()) * reach;
+            let b = geom(1, b_outline, centre, sequence.next() * 4.0, 10.0);
+            let (mut quick, mut thorough) = (Vec::new(), Vec::new());
+            collide(&a, &b, -1, &mut quick);
+            collide(&without_shortcuts(&a), &without_shortcuts(&b), -1, &mut thorough);
+            let bits = |contacts: &[Contact]| -> Vec<_> {
+                contacts
+                    .iter()
+                    .map(|c| (c.id, c.separation.to_bits(), c.normal.x.to_bits(), c.normal.y.to_bits()))
+                    .collect()
+            };
+            assert_eq!(bits(&quick), bits(&thorough), "round {round}");
+            touching += usize::from(!thorough.is_empty());
+            with_shortcuts += usize::from(a.grid.as_ref().is_some_and(|grid| grid.box_slack.is_finite()));
+        }
+        assert!(
+            touching > 1000 && with_shortcuts > 3000,
+            "the pairs prove something: {touching}, {with_shortcuts}"
+        );
+    }
+
+    #[test]
+    fn concave_outlines_have_no_shortcuts() {
+        let arrow = [[0.0, 0.0], [4.0, 4.0], [0.0, 1.0], [-4.0, 4.0]];
+        let mut outline: Vertices = arrow.iter().map(|&[x, y]| Vector2::new(x, y)).collect();
+        outline.force_counter_clockwise_order();
+        let grid = DistanceGrid::new(outline, 0.25).expect("a small grid");
+        assert_eq!((grid.box_slack, grid.reach_squared), (f32::INFINITY, f32::INFINITY));
+    }
+}
