@@ -2,7 +2,8 @@
 
 use crate::body::{Body, BodyId};
 use crate::contact::Contact;
-use crate::geom::{Geom, GeomId, GeomRef};
+use crate::geom::{Geom, GeomId};
+use crate::geom_ref::GeomRef;
 use crate::simulator::PhysicsSimulator;
 use crate::{ObjectId, Result};
 

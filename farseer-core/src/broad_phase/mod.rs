@@ -15,7 +15,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::arbiter::{categories_meet, same_group};
 use crate::arena::Arena;
-use crate::geom::{GeomEntry, GeomId};
+use crate::geom::GeomId;
+use crate::geom_entry::GeomEntry;
 use crate::methods::BroadPhaseCollider;
 use crate::simulator::BodyEntry;
 use selective_sweep::SelectiveSweep;

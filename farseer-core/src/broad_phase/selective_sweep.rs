@@ -6,7 +6,8 @@ use wide::f32x4;
 use super::PairSink;
 use super::sort::introspective_sort;
 use crate::arena::Arena;
-use crate::geom::{GeomEntry, GeomId};
+use crate::geom::GeomId;
+use crate::geom_entry::GeomEntry;
 use crate::shape::Aabb;
 
 /// One end of a geom's interval on one axis.

@@ -5,7 +5,8 @@ use serde::{Deserialize, Serialize};
 use super::PairSink;
 use super::slot_table::SlotTable;
 use crate::arena::Arena;
-use crate::geom::{GeomEntry, GeomId};
+use crate::geom::GeomId;
+use crate::geom_entry::GeomEntry;
 use crate::math::Vector2;
 use crate::shape::Aabb;
 

@@ -9,9 +9,10 @@ use std::sync::{Arc, Weak};
 use wide::f32x4;
 
 use crate::contact::{Contact, ContactId, Feature};
-use crate::geom::{GeomEntry, nearest_distance};
+use crate::geom_entry::GeomEntry;
 use crate::math::vector2::{length_squared, normalize};
 use crate::math::{Vector2, scalar};
+use crate::shape::distance::nearest_distance;
 use crate::shape::{Aabb, Vertices};
 use crate::{Error, Result};
 

@@ -4,7 +4,7 @@ pub(crate) mod distance_grid;
 pub(crate) mod sat;
 
 use crate::contact::Contact;
-use crate::geom::GeomEntry;
+use crate::geom_entry::GeomEntry;
 use crate::math::Vector2;
 use crate::methods::NarrowPhaseCollider;
 

@@ -1,7 +1,7 @@
 //! Separating axes (behaviour chapter 07). Works on world vertices; meaningful for convex outlines only.
 
 use crate::contact::{Contact, ContactId};
-use crate::geom::GeomEntry;
+use crate::geom_entry::GeomEntry;
 use crate::math::vector2::{dot, length, normalize};
 use crate::math::{Vector2, scalar};
 use crate::shape::Vertices;

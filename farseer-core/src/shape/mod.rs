@@ -3,6 +3,7 @@ pub mod aabb;
 mod convex_hull;
 mod creators;
 mod decompose;
+pub(crate) mod distance;
 mod measures;
 mod simplify;
 mod static_tools;

@@ -1,7 +1,8 @@
 //! What lies at a point or along a line (behaviour chapters 04, 05 and 09).
 
 use super::PhysicsSimulator;
-use crate::geom::{GeomEntry, GeomId};
+use crate::geom::GeomId;
+use crate::geom_entry::GeomEntry;
 use crate::math::Vector2;
 use crate::methods::NarrowPhaseCollider;
 use crate::narrow_phase;

@@ -1,0 +1,251 @@
+//! What the simulator keeps of a geom: its outline and where it lies (behaviour chapter 05, section 3).
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use crate::bits::Floats;
+use crate::body::BodyId;
+use crate::geom::Geom;
+use crate::math::{Matrix, Vector2, scalar};
+use crate::narrow_phase::distance_grid::DistanceGrid;
+use crate::shape::{Aabb, Vertices};
+
+/// The part of a 4x4 matrix that matters in the plane.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct PlaneMatrix {
+    pub(crate) m11: f32,
+    pub(crate) m12: f32,
+    pub(crate) m21: f32,
+    pub(crate) m22: f32,
+    pub(crate) m41: f32,
+    pub(crate) m42: f32,
+}
+
+impl PlaneMatrix {
+    pub(crate) const IDENTITY: Self =
+        PlaneMatrix { m11: 1.0, m12: 0.0, m21: 0.0, m22: 1.0, m41: 0.0, m42: 0.0 };
+
+    #[inline(always)]
+    pub(crate) fn apply(&self, p: Vector2) -> Vector2 {
+        Vector2::new(p.x * self.m11 + p.y * self.m21 + self.m41, p.x * self.m12 + p.y * self.m22 + self.m42)
+    }
+
+    #[inline(always)]
+    pub(crate) fn apply_normal(&self, n: Vector2) -> Vector2 {
+        Vector2::new(n.x * self.m11 + n.y * self.m21, n.x * self.m12 + n.y * self.m22)
+    }
+
+    /// Inverse of a rotation with translation. Equal to the general 4x4 inverse in all bits but the sign of
+    /// exact zeros, which no comparison of the engine can tell apart (behaviour chapter 05, section 3.7).
+    #[inline]
+    fn inverse(&self) -> Self {
+        let k = 1.0 / (self.m11 * self.m22 + self.m12 * -self.m21);
+        PlaneMatrix {
+            m11: self.m22 * k,
+            m12: -self.m12 * k,
+            m21: -self.m21 * k,
+            m22: self.m11 * k,
+            m41: -(self.m21 * -self.m42 - self.m22 * -self.m41) * k,
+            m42: (self.m11 * -self.m42 - self.m12 * -self.m41) * k,
+        }
+    }
+
+    fn from_matrix(matrix: &Matrix) -> Self {
+        PlaneMatrix {
+            m11: matrix.m11,
+            m12: matrix.m12,
+            m21: matrix.m21,
+            m22: matrix.m22,
+            m41: matrix.m41,
+            m42: matrix.m42,
+        }
+    }
+
+    pub(crate) fn to_matrix(self) -> Matrix {
+        #[rustfmt::skip]
+        let matrix = Matrix::new(
+            self.m11, self.m12, 0.0, 0.0,
+            self.m21, self.m22, 0.0, 0.0,
+            0.0,      0.0,      1.0, 0.0,
+            self.m41, self.m42, 0.0, 1.0,
+        );
+        matrix
+    }
+}
+
+/// A geom's place in the world, as its body's pose gives it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct GeomPose {
+    pub(crate) matrix: PlaneMatrix,
+    pub(crate) inverse: PlaneMatrix,
+    pub(crate) position: Vector2,
+    pub(crate) rotation: f32,
+}
+
+impl GeomPose {
+    const IDENTITY: Self = GeomPose {
+        matrix: PlaneMatrix::IDENTITY,
+        inverse: PlaneMatrix::IDENTITY,
+        position: Vector2::new(0.0, 0.0),
+        rotation: 0.0,
+    };
+
+    /// Behaviour chapter 05, section 3.6.
+    #[inline]
+    pub(crate) fn of_body(position: Vector2, rotation: f32, offset: Vector2, rotation_offset: f32) -> Self {
+        let angle = rotation + rotation_offset;
+        let (s, c) = scalar::sin_cos(angle);
+        let mut matrix = PlaneMatrix { m11: c, m12: s, m21: -s, m22: c, m41: 0.0, m42: 0.0 };
+        let offset = matrix.apply(offset);
+        matrix.m41 = position.x + offset.x;
+        matrix.m42 = position.y + offset.y;
+        GeomPose {
+            matrix,
+            inverse: matrix.inverse(),
+            position: Vector2::new(matrix.m41, matrix.m42),
+            rotation: angle,
+        }
+    }
+}
+
+impl Floats for GeomPose {
+    fn to_floats(&self) -> Vec<f32> {
+        let GeomPose { matrix: m, inverse: i, position, rotation } = *self;
+        let [m, i] = [m, i].map(|m| [m.m11, m.m12, m.m21, m.m22, m.m41, m.m42]);
+        [&m[..], &i[..], &[position.x, position.y, rotation]].concat()
+    }
+
+    fn from_floats(floats: &[f32]) -> Option<Self> {
+        let matrix = |from: usize| {
+            let [m11, m12, m21, m22, m41, m42] = <[f32; 6]>::try_from(floats.get(from..from + 6)?).ok()?;
+            Some(PlaneMatrix { m11, m12, m21, m22, m41, m42 })
+        };
+        let (matrix, inverse) = (matrix(0)?, matrix(6)?);
+        let [x, y, rotation] = <[f32; 3]>::try_from(floats.get(12..)?).ok()?;
+        Some(GeomPose { matrix, inverse, position: Vector2::new(x, y), rotation })
+    }
+}
+
+/// What the simulator keeps of a geom.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(crate) struct GeomEntry {
+    pub(crate) geom: Geom,
+    /// Creation number, never reused: decides which geom of a pair is A, and enters contact ids.
+    pub(crate) number: u32,
+    /// Index in the geom list at the start of the current update; stale in between, as in the original.
+    pub(crate) collision_id: i32,
+    pub(crate) body: BodyId,
+    pub(crate) offset: Vector2,
+    pub(crate) rotation_offset: f32,
+    pub(crate) grid_cell_size: f32,
+    pub(crate) local_vertices: Vertices,
+    #[serde(with = "crate::bits")]
+    pub(crate) world_vertices: Vertices,
+    #[serde(with = "crate::bits")]
+    pub(crate) aabb: Aabb,
+    #[serde(with = "crate::bits")]
+    pub(crate) pose: GeomPose,
+    /// A matrix set by the user, until the body moves next.
+    pub(crate) user_matrix: Option<Box<Matrix>>,
+    /// Vertices or matrix were set since the body last moved: the next update from the body is due even if
+    /// the body's pose is unchanged.
+    pub(crate) refresh_is_due: bool,
+    #[serde(with = "crate::narrow_phase::distance_grid::as_outline")]
+    pub(crate) grid: Option<Arc<DistanceGrid>>,
+    pub(crate) in_simulation: bool,
+    pub(crate) is_sensor: bool,
+    pub(crate) is_disposed: bool,
+    pub(crate) is_listed: bool,
+    pub(crate) is_queued: bool,
+    /// It was lent out for editing since the simulator last looked.
+    pub(crate) is_touched: bool,
+    /// Creation numbers of other geoms and whether collision with them is ignored.
+    ignored: Vec<(u32, bool)>,
+}
+
+impl GeomEntry {
+    pub(crate) fn new(number: u32, body: BodyId, offset: Vector2, rotation_offset: f32) -> Self {
+        GeomEntry {
+            geom: Geom::default(),
+            number,
+            collision_id: 0,
+            body,
+            offset,
+            rotation_offset,
+            grid_cell_size: 0.0,
+            local_vertices: Vertices::default(),
+            world_vertices: Vertices::default(),
+            aabb: Aabb::default(),
+            pose: GeomPose::IDENTITY,
+            user_matrix: None,
+            refresh_is_due: false,
+            grid: None,
+            in_simulation: true,
+            is_sensor: false,
+            is_disposed: false,
+            is_listed: false,
+            is_queued: false,
+            is_touched: false,
+            ignored: Vec::new(),
+        }
+    }
+
+    /// Takes the outline over. Until the body moves next, world vertices and box are the local ones.
+    pub(crate) fn set_vertices(&mut self, mut vertices: Vertices) {
+        vertices.force_counter_clockwise_order();
+        self.world_vertices.clone_from(&vertices);
+        self.local_vertices = vertices;
+        self.aabb = Aabb::from_vertices(&self.local_vertices);
+        self.refresh_is_due = true;
+    }
+
+    /// Follows the body: matrix, world vertices and box.
+    pub(crate) fn follow(&mut self, position: Vector2, rotation: f32) {
+        self.pose = GeomPose::of_body(position, rotation, self.offset, self.rotation_offset);
+        self.user_matrix = None;
+        self.refresh_is_due = false;
+        self.refresh();
+    }
+
+    /// Replaces the matrix until the body moves next. Position and rotation stay, as in the original.
+    pub(crate) fn set_matrix(&mut self, matrix: &Matrix) {
+        self.pose.matrix = PlaneMatrix::from_matrix(matrix);
+        self.pose.inverse = PlaneMatrix::from_matrix(&crate::math::matrix::invert(matrix));
+        self.user_matrix = Some(Box::new(*matrix));
+        self.refresh_is_due = true;
+        self.refresh();
+    }
+
+    fn refresh(&mut self) {
+        let matrix = self.pose.matrix;
+        for (world, &local) in self.world_vertices.iter_mut().zip(self.local_vertices.iter()) {
+            *world = matrix.apply(local);
+        }
+        self.aabb = Aabb::from_vertices(&self.world_vertices);
+    }
+
+    pub(crate) fn ignores(&self, number: u32) -> bool {
+        self.ignored.iter().any(|&(other, ignored)| other == number && ignored)
+    }
+
+    pub(crate) fn set_ignored(&mut self, number: u32, ignored: bool) {
+        match self.ignored.iter_mut().find(|(other, _)| *other == number) {
+            Some(entry) => entry.1 = ignored,
+            None if ignored => self.ignored.push((number, true)),
+            None => {}
+        }
+    }
+
+    /// Whether everything that enters arithmetic is finite: false only after loading garbage.
+    pub(crate) fn is_valid(&self) -> bool {
+        let finite = |v: &Vector2| v.x.is_finite() && v.y.is_finite();
+        !self.local_vertices.is_empty()
+            && self.local_vertices.len() == self.world_vertices.len()
+            && self.local_vertices.iter().all(finite)
+            && finite(&self.offset)
+            && self.rotation_offset.is_finite()
+            && self.geom.friction_coefficient.is_finite()
+            && self.geom.restitution_coefficient.is_finite()
+    }
+}

@@ -1,0 +1,260 @@
+//! What an update needs of arbiters and bodies, brought together in the order in which it is solved.
+
+use wide::f32x4;
+
+use super::kernel::{ContactRow, PairConstants};
+use super::lanes::LANES;
+use super::rows::side_by_side;
+use super::states::BodyState;
+use super::{
+    Batch, ContactSolver, Group, MIN_LANES_USED, PreStepSettings, RowPlace, SURFACE, Surface,
+    SurfaceContacts, WideBatch,
+};
+use crate::arbiter::ArbiterList;
+use crate::arena::{Arena, Id};
+use crate::body::BodyId;
+use crate::contact::Contact;
+use crate::geom_entry::GeomEntry;
+use crate::simulator::BodyEntry;
+
+impl ContactSolver {
+    /// Number of contacts the solver works on in every iteration.
+    pub(crate) fn row_count(&self) -> usize {
+        self.groups.iter().map(|group| group.contact_count as usize).sum()
+    }
+
+    /// Notes contacts of a body with something immovable for the next pre-step.
+    pub(crate) fn add_surface(
+        &mut self,
+        body: BodyId,
+        contacts: &[Contact],
+        friction: f32,
+        restitution: f32,
+    ) -> SurfaceContacts {
+        let surface = SurfaceContacts { surface: self.surfaces.len() as u32 };
+        let first_contact = self.surface_contacts.len() as u32;
+        self.surface_contacts.extend_from_slice(contacts);
+        let contact_count = contacts.len() as u32;
+        self.surfaces.push(Surface { body, first_contact, contact_count, friction, restitution });
+        surface
+    }
+
+    /// Forgets surfaces that were noted for an update that did not come about.
+    pub(crate) fn forget_surfaces(&mut self) {
+        self.surfaces.clear();
+        self.surface_contacts.clear();
+    }
+
+    /// Gathers bodies and contacts, computes masses and biases and applies the impulses of the last update,
+    /// contact by contact: later contacts see what earlier ones did.
+    pub(crate) fn pre_step(
+        &mut self,
+        list: &ArbiterList,
+        geoms: &Arena<GeomEntry>,
+        bodies: &Arena<BodyEntry>,
+        settings: PreStepSettings,
+    ) {
+        self.begin(bodies.slot_count(), list.arbiters.len());
+        for &handle in &list.list {
+            self.gather_arbiter(handle, list, geoms, bodies);
+        }
+        self.first_surface_group = self.groups.len();
+        self.gather_surfaces(bodies);
+        self.schedule.build(&self.groups, &self.is_ordered);
+        self.make_rows();
+        self.for_each_batch(
+            |row, pair, bodies| row.pre_step::<1>(pair, settings, bodies),
+            |row, pair, bodies| row.pre_step::<1>(pair, settings, bodies),
+            |row, pair, bodies| row.pre_step::<0>(pair, settings, bodies),
+        );
+    }
+
+    fn begin(&mut self, body_slots: usize, arbiter_count: usize) {
+        self.stamp = self.stamp.wrapping_add(1);
+        if self.stamp == 0 {
+            self.places.fill((0, 0));
+            self.arbiter_groups.fill((0, 0));
+            self.stamp = 1;
+        }
+        self.places.resize(body_slots, (0, 0));
+        self.arbiter_groups.resize(arbiter_count, (0, 0));
+        self.states.clear();
+        self.states.push(BodyState::default());
+        self.positions.clear();
+        self.positions.push([0.0; 2]);
+        self.is_ordered.clear();
+        self.is_ordered.push(false);
+        self.ids.clear();
+        self.groups.clear();
+        self.contacts.clear();
+        self.arbiters.clear();
+        self.failed.clear();
+    }
+
+    fn gather_arbiter(
+        &mut self,
+        handle: u32,
+        list: &ArbiterList,
+        geoms: &Arena<GeomEntry>,
+        bodies: &Arena<BodyEntry>,
+    ) {
+        let arbiter = &list.arbiters[handle as usize];
+        let Some((a, b)) = arbiter.geoms else { return };
+        let (a, b) = (&geoms[a], &geoms[b]);
+        if !a.geom.collision_response_enabled || !b.geom.collision_response_enabled {
+            return;
+        }
+        let body_a = self.gather_body(a.body, bodies);
+        let body_b = self.gather_body(b.body, bodies);
+        let (stamp, first_group) = self.arbiter_groups[handle as usize];
+        let is_repeated = stamp == self.stamp;
+        let first_contact = if is_repeated {
+            self.groups[first_group as usize].is_alone = true;
+            self.groups[first_group as usize].first_contact
+        } else {
+            self.arbiter_groups[handle as usize] = (self.stamp, self.groups.len() as u32);
+            self.arbiters.push((handle, self.contacts.len() as u32));
+            self.contacts.extend_from_slice(&arbiter.contacts);
+            (self.contacts.len() - arbiter.contacts.len()) as u32
+        };
+        self.groups.push(Group {
+            body_a,
+            body_b,
+            first_contact,
+            contact_count: arbiter.contacts.len() as u32,
+            friction: arbiter.friction,
+            restitution: (a.geom.restitution_coefficient + b.geom.restitution_coefficient) * 0.5,
+            is_alone: is_repeated || body_a == body_b,
+            is_dropped: false,
+        });
+    }
+
+    fn gather_surfaces(&mut self, bodies: &Arena<BodyEntry>) {
+        for index in 0..self.surfaces.len() {
+            let Surface { body, first_contact, contact_count, friction, restitution } = self.surfaces[index];
+            let body_b = self.gather_body(body, bodies);
+            let gathered = self.contacts.len() as u32;
+            let contacts = first_contact as usize..(first_contact + contact_count) as usize;
+            self.contacts.extend_from_slice(&self.surface_contacts[contacts]);
+            self.groups.push(Group {
+                body_a: SURFACE,
+                body_b,
+                first_contact: gathered,
+                contact_count,
+                friction,
+                restitution,
+                is_alone: false,
+                is_dropped: false,
+            });
+        }
+        self.forget_surfaces();
+    }
+
+    fn gather_body(&mut self, id: BodyId, bodies: &Arena<BodyEntry>) -> u32 {
+        let place = &mut self.places[id.index()];
+        if place.0 != self.stamp {
+            *place = (self.stamp, self.states.len() as u32);
+            let body = &bodies[id].body;
+            let (v, bias) = (body.linear_velocity, body.linear_velocity_bias);
+            let (w, bias_w) = (body.angular_velocity, body.angular_velocity_bias);
+            self.ids.push(id);
+            self.states.push([
+                f32x4::new([v.x, v.y, w, body.inverse_mass]),
+                f32x4::new([bias.x, bias.y, bias_w, body.inverse_moment_of_inertia]),
+            ]);
+            self.positions.push([body.position.x, body.position.y]);
+            // Impulses add zero to an immovable body, which changes nothing but a negative zero.
+            let is_immovable = body.inverse_mass == 0.0 && body.inverse_moment_of_inertia == 0.0;
+            let zeros = [v.x, v.y, w, bias.x, bias.y, bias_w];
+            let has_negative_zero = zeros.iter().any(|value| value.to_bits() == (-0.0f32).to_bits());
+            self.is_ordered.push(!is_immovable || has_negative_zero);
+        }
+        place.1
+    }
+
+    /// Lays the rows out in the order in which they are solved.
+    fn make_rows(&mut self) {
+        self.batches.clear();
+        self.rows.clear();
+        self.wide_rows.clear();
+        self.row_places.clear();
+        self.row_places.resize(self.contacts.len(), RowPlace::default());
+        for index in 0..self.schedule.batches.len() {
+            let batch = self.schedule.batches[index];
+            if batch.length >= MIN_LANES_USED {
+                self.make_wide_batch(batch.groups(), batch.row_count);
+            } else {
+                for &group in batch.groups() {
+                    self.make_single_batch(group);
+                }
+            }
+        }
+    }
+
+    fn make_single_batch(&mut self, index: u32) {
+        let group = self.groups[index as usize];
+        // A group that shares its contacts with an earlier one finds their rows there.
+        let shared =
+            self.row_places.get(group.first_contact as usize).filter(|place| place.lane as usize == LANES);
+        let first_row = match shared {
+            Some(place) if group.is_alone => place.row,
+            _ => self.rows.len() as u32,
+        };
+        if first_row as usize == self.rows.len() {
+            for contact in group.first_contact..group.first_contact + group.contact_count {
+                self.row_places[contact as usize] =
+                    RowPlace { row: self.rows.len() as u32, lane: LANES as u8 };
+                self.rows.push(self.single_row(&group, contact));
+            }
+        }
+        self.batches.push(Batch::One { group: index, first_row });
+    }
+
+    fn single_row(&self, group: &Group, contact: u32) -> ContactRow<f32> {
+        let contact = &self.contacts[contact as usize];
+        let offset = |body: u32| {
+            let position = self.positions[body as usize];
+            [contact.position.x - position[0], contact.position.y - position[1]]
+        };
+        ContactRow {
+            normal: [contact.normal.x, contact.normal.y],
+            r1: offset(group.body_a),
+            r2: offset(group.body_b),
+            separation: contact.separation,
+            normal_impulse: contact.normal_impulse,
+            tangent_impulse: contact.tangent_impulse,
+            ..ContactRow::default()
+        }
+    }
+
+    fn make_wide_batch(&mut self, group_indices: &[u32], row_count: u32) {
+        let mut batch = WideBatch {
+            groups: [u32::MAX; LANES],
+            body_a: [SURFACE; LANES],
+            body_b: [SURFACE; LANES],
+            pair: PairConstants::default(),
+            first_row: self.wide_rows.len() as u32,
+            row_count,
+        };
+        let (mut friction, mut restitution) = ([0.0; LANES], [0.0; LANES]);
+        let mut rows = [ContactRow::<f32>::default(); LANES];
+        for (lane, &index) in group_indices.iter().enumerate() {
+            let group = &self.groups[index as usize];
+            (batch.groups[lane], batch.body_a[lane], batch.body_b[lane]) =
+                (index, group.body_a, group.body_b);
+            (friction[lane], restitution[lane]) = (group.friction, group.restitution);
+        }
+        for row in 0..row_count {
+            for (lane, &index) in group_indices.iter().enumerate() {
+                let group = self.groups[index as usize];
+                let contact = group.first_contact + row;
+                rows[lane] = self.single_row(&group, contact);
+                self.row_places[contact as usize] =
+                    RowPlace { row: self.wide_rows.len() as u32, lane: lane as u8 };
+            }
+            self.wide_rows.push(side_by_side(&rows));
+        }
+        batch.pair = PairConstants { friction: f32x4::new(friction), restitution: f32x4::new(restitution) };
+        self.batches.push(Batch::Four(batch));
+    }
+}
