@@ -168,6 +168,9 @@ impl GeomFactory {
     ) -> Result<Vec<GeomId>> {
         simulator.body(body).ok_or(Error::StaleId { argument: "body" })?;
         let pieces = vertices.decompose(max_geoms)?;
+        if pieces.is_empty() {
+            return Ok(Vec::new());
+        }
         let centroid = centroid_of(vertices)?;
         let placement = GeomPlacement {
             offset: Vector2::new(-centroid.x, -centroid.y),
