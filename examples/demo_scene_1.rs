@@ -5,7 +5,7 @@
 
 use std::path::{Path, PathBuf};
 
-use examples::{Look, Recorder, Result, Summary, palette, wood};
+use examples::{Look, Recorder, Result, Summary, palette};
 use farseer_core::math::Vector2;
 use farseer_core::{BodyFactory, BodyId, GeomFactory, GeomPlacement, PhysicsSimulator};
 use twohalf::{TextureId, TwoHalfPhysicsSimulator, Vector3};
@@ -185,7 +185,7 @@ const STARTS: &[Start] = &[
     crate_box(56.0, 48.0, [74.0, 130.0, 215.0], [0.0; 3]),
     ball(22.0, [92.0, 330.0, 215.0], [0.0; 3]),
     // Balls at three depths, falling.
-    ball(34.0, [150.0, 260.0, 40.0], [0.0; 3]),
+    ball(34.0, [150.0, 260.0, 72.0], [0.0; 3]),
     ball(28.0, [330.0, 200.0, 130.0], [15.0, 0.0, 0.0]),
     ball(24.0, [430.0, 320.0, 235.0], [-10.0, 0.0, 0.0]),
     // Two that run into each other at one depth, and one that passes in front of them.
@@ -194,7 +194,7 @@ const STARTS: &[Start] = &[
     ball(20.0, [40.0, 30.0, 12.0], [170.0, 140.0, 0.0]),
     // Thrown into the picture and out of it.
     ball(26.0, [580.0, 20.0, 20.0], [-10.0, 300.0, 85.0]),
-    ball(24.0, [300.0, 60.0, 270.0], [40.0, 200.0, -95.0]),
+    ball(24.0, [300.0, 60.0, 270.0], [40.0, 200.0, -70.0]),
     crate_box(44.0, 44.0, [560.0, 0.0, 150.0], [50.0, 240.0, 80.0]),
     // Crates that fall on a corner and on each other.
     crate_box(90.0, 50.0, [620.0, 180.0, 65.0], [0.0; 3]),
@@ -205,8 +205,7 @@ const STARTS: &[Start] = &[
 fn depth() -> Result<Depth> {
     let gravity = Vector2::new(0.0, GRAVITY);
     let simulator = TwoHalfPhysicsSimulator::with_angle_and_gravity(SIZE[1] as i32, ANGLE, gravity)?;
-    let mut scene =
-        Depth { simulator, looks: Vec::new(), shadows: Vec::new(), most_contacts: 0 };
+    let mut scene = Depth { simulator, looks: Vec::new(), shadows: Vec::new(), most_contacts: 0 };
     for (index, start) in STARTS.iter().enumerate() {
         add(&mut scene, index, start)?;
     }
@@ -228,7 +227,8 @@ fn add(scene: &mut Depth, index: usize, start: &Start) -> Result<()> {
             let mass = width * height / 1500.0;
             let body = TwoHalfBodyFactory::create_rectangle_body(simulator, width, height, mass)?;
             let geom = TwoHalfGeomFactory::create_rectangle_geom(simulator, body, width, height)?;
-            (body, geom, Look::crate_box(width, height, wood(index))?, width)
+            let texture = Texture2D::crate_box(width as u32, height as u32, wood(index))?;
+            (body, geom, Look { texture, light: None }, width)
         }
     };
     let is_ball = matches!(start.shape, Shape::Ball { .. });
@@ -255,12 +255,19 @@ fn add(scene: &mut Depth, index: usize, start: &Start) -> Result<()> {
     Ok(())
 }
 
+/// A colour of wood, by number.
+fn wood(index: usize) -> Color {
+    const WOODS: [Color; 3] = [Color::rgb(186, 130, 70), Color::rgb(160, 100, 52), Color::rgb(204, 154, 96)];
+    WOODS[index % WOODS.len()]
+}
+
 fn draw_depth(scene: &Depth, canvas: &mut dyn Canvas) {
     let simulator = &scene.simulator;
     let mut batch = SpriteBatch::begin();
     for id in simulator.draw_order() {
         let Some(body) = simulator.body(id) else { continue };
-        if let Some(shadow) = body.ground().shadow_image().and_then(|image| scene.shadows.get(image.id as usize))
+        if let Some(shadow) =
+            body.ground().shadow_image().and_then(|image| scene.shadows.get(image.id as usize))
         {
             simulator.draw_shadow(&mut batch, id, shadow, [0.0; 2], [1.0; 2], Color::WHITE, 1.0, true);
         }

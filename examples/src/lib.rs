@@ -28,15 +28,6 @@ impl Look {
         Ok(Look { texture: Texture2D::ball(diameter, color)?, light: Some(Texture2D::ball_light(diameter)?) })
     }
 
-    /// A wooden crate of this size in px.
-    ///
-    /// # Errors
-    /// A size out of range.
-    pub fn crate_box(width: f32, height: f32, color: Color) -> std::result::Result<Self, RenderError> {
-        let texture = Texture2D::crate_box(width.round() as u32, height.round() as u32, color)?;
-        Ok(Look { texture, light: None })
-    }
-
     /// Adds the light of an object that is drawn at a position, after the object itself.
     pub fn draw_light(&self, batch: &mut SpriteBatch, position: [f32; 2], layer_depth: f32) {
         if let Some(light) = &self.light {
@@ -56,11 +47,4 @@ pub fn palette(index: usize) -> Color {
         Color::rgb(30, 150, 160),
     ];
     COLORS[index % COLORS.len()]
-}
-
-/// A colour of wood, by number.
-pub fn wood(index: usize) -> Color {
-    const WOODS: [Color; 3] =
-        [Color::rgb(186, 130, 70), Color::rgb(160, 100, 52), Color::rgb(204, 154, 96)];
-    WOODS[index % WOODS.len()]
 }

@@ -4,7 +4,7 @@ mod core_common;
 
 use core_common::{Game, add_box, add_floor, lively_scene, methods, pairs, simulator_with, state, v};
 use farseer_core::{
-    Body, BroadPhaseCollider, GeomFactory, GeomPlacement, NarrowPhaseCollider, PhysicsSimulator,
+    Body, BroadPhaseCollider, Event, GeomFactory, GeomPlacement, NarrowPhaseCollider, PhysicsSimulator,
 };
 
 const STEPS: usize = 160;

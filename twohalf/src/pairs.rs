@@ -96,11 +96,11 @@ impl EventHandler for DepthFilter<'_, '_> {
     }
 
     fn on_broad_phase_collision(&mut self, context: &mut Context<'_>, geom1: GeomId, geom2: GeomId) -> bool {
-        let Some(met) = self.look(context, geom1, geom2) else { return false };
-        if !self.may_meet(&met) {
+        let met = self.look(context, geom1, geom2).filter(|met| self.may_meet(met));
+        let Some(met) = met else {
             self.pairs.refusals.push(true);
             return false;
-        }
+        };
         let handler = self.handler.as_mut().filter(|handler| handler.handles_broad_phase());
         let is_asked = handler.is_some();
         let accepted = match handler {

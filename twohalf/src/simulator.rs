@@ -21,11 +21,11 @@ const DEFAULT_ANGLE: i32 = 90;
 /// the next update), *removed* and *disposed* (its id goes stale with the next update).
 ///
 /// ```
-/// use twohalf::{DepthProfile, TwoHalfPhysicsSimulator, Vector2, Vector3, farseer_core};
-/// use farseer_core::{Body, GeomPlacement, Vertices};
+/// use twohalf::{TwoHalfPhysicsSimulator, Vector2, Vector3, farseer_core};
+/// use farseer_core::{BodyFactory, GeomPlacement, Vertices};
 ///
 /// let mut simulator = TwoHalfPhysicsSimulator::with_gravity(480, Vector2::new(0.0, 100.0))?;
-/// let body = simulator.create_body(Body::new());
+/// let body = simulator.create_body(BodyFactory::create_rectangle_body(20.0, 20.0, 1.0)?);
 /// let geom = simulator.create_geom(body, Vertices::create_rectangle(20.0, 20.0)?, GeomPlacement::default())?;
 /// simulator.add(body)?;
 /// simulator.add(geom)?;

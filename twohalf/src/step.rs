@@ -17,7 +17,7 @@ pub struct StepCounters {
     pub ground_contacts: usize,
     /// Contact points the solver worked on in every iteration, with the ground's.
     pub contacts_solved: usize,
-    /// Bodies that changed their place or rotation.
+    /// Bodies that changed their X, Y or rotation.
     pub bodies_moved: usize,
 }
 
@@ -48,6 +48,7 @@ impl TwoHalfPhysicsSimulator {
     fn run(&mut self, dt: f32, mut handler: Option<&mut dyn EventHandler>) {
         self.counters = StepCounters::default();
         self.passing.begin();
+        self.rows.clear();
         let goes_on = self.core.process_queues(dt, reborrow(&mut handler));
         for event in self.pending_events.drain(..) {
             self.core.report(event);
@@ -104,7 +105,6 @@ impl TwoHalfPhysicsSimulator {
     /// Fifth and sixth stage: contacts of pairs and with the ground, and friction along Z.
     fn solve(&mut self, inverse_dt: f32) {
         let TwoHalfPhysicsSimulator { core, depths, rows, is_moving, .. } = self;
-        rows.clear();
         for index in 0..core.geom_list().len() {
             let geom = core.geom_list()[index];
             let (Some(body), Some(&profile)) = (core.geom(geom).map(|g| g.body()), depths.profiles.get(geom))
@@ -135,7 +135,9 @@ impl TwoHalfPhysicsSimulator {
         for index in 0..self.core.body_list().len() {
             let id = self.core.body_list()[index];
             let Some(state) = self.depths.bodies.get_mut(id) else { continue };
-            if self.is_moving.get(id.slot()) != Some(&true) {
+            // One that failed on the way was disabled.
+            let is_enabled = self.core.body(id).is_some_and(|body| body.enabled());
+            if !is_enabled || self.is_moving.get(id.slot()) != Some(&true) {
                 continue;
             }
             let z = state.z + state.velocity_z * dt;
@@ -167,13 +169,12 @@ impl TwoHalfPhysicsSimulator {
             bodies_moved: core.bodies_moved,
         };
         let mut refusals = self.passing.refusals();
-        let is_ours = |event: &&Event| match event {
+        let mut is_ours = |event: &Event| match event {
             Event::BroadPhaseVeto { .. } | Event::Collision { vetoed: true, .. } => {
                 refusals.next() == Some(true)
             }
             _ => false,
         };
-        let mut is_ours = is_ours;
         self.events.clear();
         self.events.extend(self.core.events().iter().filter(|event| !is_ours(event)));
     }
