@@ -3,13 +3,11 @@
 use serde::{Deserialize, Serialize};
 
 use crate::arena::Arena;
-use crate::body::Body;
 use crate::contact::Contact;
 use crate::geom::GeomId;
 use crate::geom_entry::GeomEntry;
 use crate::methods::FrictionType;
 use crate::pair_table::GeomPairBitmap;
-use crate::simulator::BodyEntry;
 
 /// Number of arbiters a new simulator holds ready.
 const INITIAL_POOL_SIZE: u32 = 128;
@@ -32,6 +30,40 @@ pub(crate) struct Arbiter {
 impl Arbiter {
     fn fresh() -> Self {
         Arbiter { geoms: None, friction: 0.0, contacts: Vec::with_capacity(CONTACT_CAPACITY) }
+    }
+}
+
+/// The contact state between two geoms.
+#[derive(Debug, Clone, Copy)]
+#[doc(alias = "Arbiter")]
+pub struct ArbiterRef<'a> {
+    pub(crate) geoms: (GeomId, GeomId),
+    pub(crate) friction: f32,
+    pub(crate) contacts: &'a [Contact],
+}
+
+impl<'a> ArbiterRef<'a> {
+    /// The geom with the smaller creation number.
+    #[doc(alias = "GeometryA")]
+    pub fn geom_a(&self) -> GeomId {
+        self.geoms.0
+    }
+
+    /// The geom with the greater creation number.
+    #[doc(alias = "GeometryB")]
+    pub fn geom_b(&self) -> GeomId {
+        self.geoms.1
+    }
+
+    /// The combined friction, fixed when the boxes began to overlap.
+    pub fn friction(&self) -> f32 {
+        self.friction
+    }
+
+    /// The contacts, deepest first.
+    #[doc(alias = "ContactList")]
+    pub fn contacts(&self) -> &'a [Contact] {
+        self.contacts
     }
 }
 
@@ -236,30 +268,4 @@ impl ArbiterList {
             }
         }
     }
-}
-
-/// Whether an arbiter may stay (behaviour chapter 03, section 4). Collision switched off, ignored geoms and
-/// the broad-phase callback matter only when a pair is created.
-pub(crate) fn is_valid_pair(a: &GeomEntry, b: &GeomEntry, bodies: &Arena<BodyEntry>) -> bool {
-    let (Some(body_a), Some(body_b)) = (bodies.get(a.body), bodies.get(b.body)) else { return false };
-    let (body_a, body_b): (&Body, &Body) = (&body_a.body, &body_b.body);
-    !(a.is_disposed
-        || b.is_disposed
-        || (body_a.is_static() && body_b.is_static())
-        || !body_a.enabled()
-        || !body_b.enabled()
-        || same_group(a, b)
-        || !categories_meet(a, b))
-}
-
-#[inline]
-pub(crate) fn same_group(a: &GeomEntry, b: &GeomEntry) -> bool {
-    a.geom.collision_group == b.geom.collision_group && a.geom.collision_group != 0
-}
-
-/// Agreement in one direction is enough, as in the original.
-#[inline]
-pub(crate) fn categories_meet(a: &GeomEntry, b: &GeomEntry) -> bool {
-    a.geom.collision_categories.intersects(b.geom.collides_with)
-        || b.geom.collision_categories.intersects(a.geom.collides_with)
 }

@@ -3,6 +3,7 @@
 //! The order in which pairs are found is the order of the arbiter list, and so the order in which impulses act.
 
 mod brute_force;
+mod endpoint;
 mod selective_sweep;
 mod slot_table;
 mod sort;
@@ -13,12 +14,11 @@ pub use selective_sweep::{SelectiveSweepOrder, SweepEnd};
 
 use serde::{Deserialize, Serialize};
 
-use crate::arbiter::{categories_meet, same_group};
 use crate::arena::Arena;
 use crate::geom::GeomId;
 use crate::geom_entry::GeomEntry;
 use crate::methods::BroadPhaseCollider;
-use crate::simulator::BodyEntry;
+use crate::pair_filter::Scene;
 use selective_sweep::SelectiveSweep;
 use spatial_hash::SpatialHash;
 use sweep_and_prune::SweepAndPrune;
@@ -35,31 +35,6 @@ pub(crate) trait PairSink {
     fn register(&mut self, geom1: GeomId, geom2: GeomId);
     /// Takes a pair found by the brute force method, which looks through the arbiter list itself.
     fn register_unless_listed(&mut self, geom1: GeomId, geom2: GeomId);
-}
-
-/// Geoms and bodies.
-#[derive(Clone, Copy)]
-pub(crate) struct Scene<'a> {
-    pub(crate) geoms: &'a Arena<GeomEntry>,
-    pub(crate) bodies: &'a Arena<BodyEntry>,
-}
-
-impl Scene<'_> {
-    /// The test that every method applies (behaviour chapter 08, section 1.2).
-    pub(crate) fn may_collide(&self, a: &GeomEntry, b: &GeomEntry) -> bool {
-        if a.body == b.body || !a.geom.collision_enabled || !b.geom.collision_enabled || same_group(a, b) {
-            return false;
-        }
-        let (Some(body_a), Some(body_b)) = (self.bodies.get(a.body), self.bodies.get(b.body)) else {
-            return false;
-        };
-        body_a.body.enabled()
-            && body_b.body.enabled()
-            && !(body_a.body.is_static() && body_b.body.is_static())
-            && categories_meet(a, b)
-            && !a.ignores(b.number)
-            && !b.ignores(a.number)
-    }
 }
 
 /// The state of the chosen method.

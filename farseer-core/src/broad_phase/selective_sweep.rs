@@ -4,42 +4,12 @@ use serde::{Deserialize, Serialize};
 use wide::f32x4;
 
 use super::PairSink;
+use super::endpoint::Endpoint;
 use super::sort::introspective_sort;
 use crate::arena::Arena;
 use crate::geom::GeomId;
 use crate::geom_entry::GeomEntry;
 use crate::shape::Aabb;
-
-/// One end of a geom's interval on one axis.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub(super) struct Endpoint {
-    #[serde(with = "crate::bits")]
-    pub(super) value: f32,
-    /// Twice the index of the geom's entry, plus one for an end.
-    pub(super) key: u32,
-}
-
-impl Endpoint {
-    #[inline(always)]
-    fn begin(entry: usize) -> Self {
-        Endpoint { value: 0.0, key: entry as u32 * 2 }
-    }
-
-    #[inline(always)]
-    fn end(entry: usize) -> Self {
-        Endpoint { value: 0.0, key: entry as u32 * 2 + 1 }
-    }
-
-    #[inline(always)]
-    pub(super) fn is_begin(self) -> bool {
-        self.key & 1 == 0
-    }
-
-    #[inline(always)]
-    fn entry(self) -> usize {
-        (self.key >> 1) as usize
-    }
-}
 
 /// The ends of all intervals on one axis. Their order is kept from one update to the next: it is what the next
 /// sort starts from, and with equal values the outcome depends on it.

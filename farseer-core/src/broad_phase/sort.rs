@@ -3,7 +3,7 @@
 //! The original sorts interval ends with a comparison that contradicts itself for two begins, or two ends, of
 //! equal value; what comes out then depends on the exact sequence of comparisons of this introspective sort.
 
-use super::selective_sweep::Endpoint;
+use super::endpoint::Endpoint;
 
 /// The sort ran off the low end of the list: the original throws here.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,7 +1,9 @@
 //! Where two geoms touch: the narrow phase (behaviour chapters 06 and 07).
 
 pub(crate) mod distance_grid;
-pub(crate) mod sat;
+pub(crate) mod grid_cache;
+mod grid_collide;
+mod sat;
 
 use crate::contact::Contact;
 use crate::geom_entry::GeomEntry;
@@ -18,7 +20,7 @@ pub(crate) fn collide(
     contacts: &mut Vec<Contact>,
 ) {
     match method {
-        NarrowPhaseCollider::DistanceGrid => distance_grid::collide(a, b, max_contacts_to_detect, contacts),
+        NarrowPhaseCollider::DistanceGrid => grid_collide::collide(a, b, max_contacts_to_detect, contacts),
         NarrowPhaseCollider::Sat => sat::collide(a, b, max_contacts_to_detect, contacts),
     }
 }

@@ -2,8 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{BodyEntry, PhysicsSimulator};
+use super::PhysicsSimulator;
 use crate::body::{Body, BodyId};
+use crate::body_entry::BodyEntry;
 use crate::error::{finite, finite_vector};
 use crate::geom::GeomId;
 use crate::geom_entry::GeomEntry;

@@ -8,9 +8,10 @@ mod stages;
 
 use serde::{Deserialize, Serialize};
 
-use crate::arbiter::ArbiterList;
+use crate::arbiter::{ArbiterList, ArbiterRef};
 use crate::arena::Arena;
 use crate::body::{Body, BodyId};
+use crate::body_entry::BodyEntry;
 use crate::broad_phase::BroadPhase;
 use crate::contact::Contact;
 use crate::error::{finite, finite_vector};
@@ -20,104 +21,13 @@ use crate::geom_entry::GeomEntry;
 use crate::geom_ref::GeomRef;
 use crate::math::Vector2;
 use crate::methods::{BroadPhaseCollider, FrictionType, NarrowPhaseCollider};
-use crate::narrow_phase::distance_grid::GridCache;
+use crate::narrow_phase::grid_cache::GridCache;
 use crate::solver::ContactSolver;
 use crate::{Error, Result};
 use queues::Queues;
 
 pub use editing::GeomPlacement;
 pub use queries::GeomPointPair;
-
-/// What the simulator keeps of a body.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-pub(crate) struct BodyEntry {
-    pub(crate) body: Body,
-    /// In the order in which they were attached.
-    pub(crate) geoms: Vec<GeomId>,
-    /// The pose the geoms have followed.
-    followed: (Vector2, f32),
-    is_listed: bool,
-    is_queued: bool,
-    is_disposed: bool,
-    /// It was lent out for editing since the simulator last looked.
-    is_touched: bool,
-}
-
-impl BodyEntry {
-    fn new(body: Body) -> Self {
-        BodyEntry {
-            followed: (body.position(), body.rotation()),
-            body,
-            geoms: Vec::new(),
-            is_listed: false,
-            is_queued: false,
-            is_disposed: false,
-            is_touched: false,
-        }
-    }
-
-    /// The pose, if the geoms have not followed it yet.
-    fn pending_pose(&self) -> Option<(Vector2, f32)> {
-        let pose = (self.body.position(), self.body.rotation());
-        (self.body.pose_is_dirty || pose != self.followed).then_some(pose)
-    }
-}
-
-/// Names anything that can be added to a simulator.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[non_exhaustive]
-pub enum ObjectId {
-    /// A body.
-    Body(BodyId),
-    /// A geom.
-    Geom(GeomId),
-}
-
-impl From<BodyId> for ObjectId {
-    fn from(body: BodyId) -> Self {
-        ObjectId::Body(body)
-    }
-}
-
-impl From<GeomId> for ObjectId {
-    fn from(geom: GeomId) -> Self {
-        ObjectId::Geom(geom)
-    }
-}
-
-/// The contact state between two geoms.
-#[derive(Debug, Clone, Copy)]
-#[doc(alias = "Arbiter")]
-pub struct ArbiterRef<'a> {
-    geoms: (GeomId, GeomId),
-    friction: f32,
-    contacts: &'a [Contact],
-}
-
-impl<'a> ArbiterRef<'a> {
-    /// The geom with the smaller creation number.
-    #[doc(alias = "GeometryA")]
-    pub fn geom_a(&self) -> GeomId {
-        self.geoms.0
-    }
-
-    /// The geom with the greater creation number.
-    #[doc(alias = "GeometryB")]
-    pub fn geom_b(&self) -> GeomId {
-        self.geoms.1
-    }
-
-    /// The combined friction, fixed when the boxes began to overlap.
-    pub fn friction(&self) -> f32 {
-        self.friction
-    }
-
-    /// The contacts, deepest first.
-    #[doc(alias = "ContactList")]
-    pub fn contacts(&self) -> &'a [Contact] {
-        self.contacts
-    }
-}
 
 /// The settings of a simulator.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]

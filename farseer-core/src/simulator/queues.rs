@@ -5,12 +5,13 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{ObjectId, PhysicsSimulator};
-use crate::arbiter::is_valid_pair;
+use super::PhysicsSimulator;
 use crate::body::BodyId;
 use crate::events::{Context, Event, EventHandler};
 use crate::geom::GeomId;
 use crate::methods::NarrowPhaseCollider;
+use crate::object_id::ObjectId;
+use crate::pair_filter::is_valid_pair;
 use crate::{Error, Result};
 
 /// What waits for the next update.

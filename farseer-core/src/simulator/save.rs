@@ -7,8 +7,9 @@
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 
-use super::{BodyEntry, PhysicsSimulator};
+use super::PhysicsSimulator;
 use crate::body::BodyId;
+use crate::body_entry::BodyEntry;
 use crate::geom::GeomId;
 use crate::{Error, Result};
 

@@ -3,11 +3,12 @@
 use super::queues::Handler;
 use super::{PhysicsSimulator, StepCounters};
 use crate::body::BodyId;
-use crate::broad_phase::{BroadPhase, PairSink, Scene};
+use crate::broad_phase::{BroadPhase, PairSink};
 use crate::contact::Contact;
 use crate::events::{Context, Event, EventHandler};
 use crate::geom::GeomId;
 use crate::narrow_phase;
+use crate::pair_filter::Scene;
 use crate::solver::{PreStepSettings, SurfaceContacts};
 
 impl PhysicsSimulator {

@@ -13,9 +13,9 @@ use super::{
 use crate::arbiter::ArbiterList;
 use crate::arena::{Arena, Id};
 use crate::body::BodyId;
+use crate::body_entry::BodyEntry;
 use crate::contact::Contact;
 use crate::geom_entry::GeomEntry;
-use crate::simulator::BodyEntry;
 
 impl ContactSolver {
     /// Number of contacts the solver works on in every iteration.

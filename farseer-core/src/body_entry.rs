@@ -1,0 +1,42 @@
+//! What the simulator keeps of a body.
+
+use serde::{Deserialize, Serialize};
+
+use crate::body::Body;
+use crate::geom::GeomId;
+use crate::math::Vector2;
+
+/// What the simulator keeps of a body.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(crate) struct BodyEntry {
+    pub(crate) body: Body,
+    /// In the order in which they were attached.
+    pub(crate) geoms: Vec<GeomId>,
+    /// The pose the geoms have followed.
+    pub(crate) followed: (Vector2, f32),
+    pub(crate) is_listed: bool,
+    pub(crate) is_queued: bool,
+    pub(crate) is_disposed: bool,
+    /// It was lent out for editing since the simulator last looked.
+    pub(crate) is_touched: bool,
+}
+
+impl BodyEntry {
+    pub(crate) fn new(body: Body) -> Self {
+        BodyEntry {
+            followed: (body.position(), body.rotation()),
+            body,
+            geoms: Vec::new(),
+            is_listed: false,
+            is_queued: false,
+            is_disposed: false,
+            is_touched: false,
+        }
+    }
+
+    /// The pose, if the geoms have not followed it yet.
+    pub(crate) fn pending_pose(&self) -> Option<(Vector2, f32)> {
+        let pose = (self.body.position(), self.body.rotation());
+        (self.body.pose_is_dirty || pose != self.followed).then_some(pose)
+    }
+}

@@ -1,0 +1,57 @@
+//! Which pairs may collide at all (behaviour chapters 03, section 4, and 08, section 1.2).
+
+use crate::arena::Arena;
+use crate::body::Body;
+use crate::body_entry::BodyEntry;
+use crate::geom_entry::GeomEntry;
+
+/// Geoms and bodies.
+#[derive(Clone, Copy)]
+pub(crate) struct Scene<'a> {
+    pub(crate) geoms: &'a Arena<GeomEntry>,
+    pub(crate) bodies: &'a Arena<BodyEntry>,
+}
+
+impl Scene<'_> {
+    /// The test that every method applies (behaviour chapter 08, section 1.2).
+    pub(crate) fn may_collide(&self, a: &GeomEntry, b: &GeomEntry) -> bool {
+        if a.body == b.body || !a.geom.collision_enabled || !b.geom.collision_enabled || same_group(a, b) {
+            return false;
+        }
+        let (Some(body_a), Some(body_b)) = (self.bodies.get(a.body), self.bodies.get(b.body)) else {
+            return false;
+        };
+        body_a.body.enabled()
+            && body_b.body.enabled()
+            && !(body_a.body.is_static() && body_b.body.is_static())
+            && categories_meet(a, b)
+            && !a.ignores(b.number)
+            && !b.ignores(a.number)
+    }
+}
+
+/// Whether an arbiter may stay (behaviour chapter 03, section 4). Collision switched off, ignored geoms and
+/// the broad-phase callback matter only when a pair is created.
+pub(crate) fn is_valid_pair(a: &GeomEntry, b: &GeomEntry, bodies: &Arena<BodyEntry>) -> bool {
+    let (Some(body_a), Some(body_b)) = (bodies.get(a.body), bodies.get(b.body)) else { return false };
+    let (body_a, body_b): (&Body, &Body) = (&body_a.body, &body_b.body);
+    !(a.is_disposed
+        || b.is_disposed
+        || (body_a.is_static() && body_b.is_static())
+        || !body_a.enabled()
+        || !body_b.enabled()
+        || same_group(a, b)
+        || !categories_meet(a, b))
+}
+
+#[inline]
+fn same_group(a: &GeomEntry, b: &GeomEntry) -> bool {
+    a.geom.collision_group == b.geom.collision_group && a.geom.collision_group != 0
+}
+
+/// Agreement in one direction is enough, as in the original.
+#[inline]
+fn categories_meet(a: &GeomEntry, b: &GeomEntry) -> bool {
+    a.geom.collision_categories.intersects(b.geom.collides_with)
+        || b.geom.collision_categories.intersects(a.geom.collides_with)
+}
