@@ -153,6 +153,9 @@ pub(crate) struct GeomEntry {
     pub(crate) refresh_is_due: bool,
     #[serde(with = "crate::narrow_phase::distance_grid::as_outline")]
     pub(crate) grid: Option<Arc<DistanceGrid>>,
+    /// Whether the grid was made from the present outline; it stays when the outline is replaced.
+    #[serde(skip)]
+    pub(crate) grid_fits_outline: bool,
     pub(crate) in_simulation: bool,
     pub(crate) is_sensor: bool,
     pub(crate) is_disposed: bool,
@@ -181,6 +184,7 @@ impl GeomEntry {
             user_matrix: None,
             refresh_is_due: false,
             grid: None,
+            grid_fits_outline: false,
             in_simulation: true,
             is_sensor: false,
             is_disposed: false,
@@ -198,6 +202,16 @@ impl GeomEntry {
         self.local_vertices = vertices;
         self.aabb = Aabb::from_vertices(&self.local_vertices);
         self.refresh_is_due = true;
+        self.grid_fits_outline = false;
+    }
+
+    /// Takes a grid over, and notes whether it was made from the present outline.
+    pub(crate) fn set_grid(&mut self, grid: Arc<DistanceGrid>) {
+        let bits = |vertices: &Vertices| -> Vec<_> {
+            vertices.iter().map(|v| (v.x.to_bits(), v.y.to_bits())).collect()
+        };
+        self.grid_fits_outline = bits(grid.outline()) == bits(&self.local_vertices);
+        self.grid = Some(grid);
     }
 
     /// Follows the body: matrix, world vertices and box.

@@ -50,6 +50,9 @@ impl GeomPairBitmap {
 
     /// Index of the bit of a pair; `None` where the original leaves its array.
     pub fn index(&self, collision_id1: i32, collision_id2: i32) -> Option<i64> {
+        if self.size < 2 {
+            return None;
+        }
         let (x, y) =
             (i64::from(collision_id1.min(collision_id2)), i64::from(collision_id1.max(collision_id2)));
         let index = x * self.size - x * (x + 1) / 2 + (y - x - 1);

@@ -207,9 +207,8 @@ impl Plain {
             let body = &before[id];
             let (mut position, mut rotation) = (mover.position, body.rotation());
             if !body.is_static() && body.enabled() {
-                for axis in 0..2 {
-                    position[axis] += (mover.velocity.0[axis] + mover.bias.0[axis]) * DT;
-                }
+                position[0] += (mover.velocity.0[0] + mover.bias.0[0]) * DT;
+                position[1] += (mover.velocity.0[1] + mover.bias.0[1]) * DT;
                 let turn = (mover.velocity.1 + mover.bias.1) * DT;
                 if turn != 0.0 {
                     let mut turned = Body::new();

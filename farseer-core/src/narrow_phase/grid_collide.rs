@@ -13,7 +13,7 @@ impl DistanceGrid {
     #[inline]
     fn hit_box(&self, geom: &GeomEntry) -> Option<Aabb> {
         let world = geom.aabb;
-        if self.box_slack == f32::INFINITY || geom.refresh_is_due {
+        if self.box_slack == f32::INFINITY || geom.refresh_is_due || !geom.grid_fits_outline {
             return None;
         }
         let size = |v: Vector2| v.x.abs().max(v.y.abs());

@@ -80,7 +80,7 @@ impl PhysicsSimulator {
                 let (width, height) = (entry.aabb.width(), entry.aabb.height());
                 entry.grid_cell_size = scalar::min(width, height) * AUTOMATIC_CELL_FRACTION;
             }
-            entry.grid = Some(self.grids.get(&entry.local_vertices, entry.grid_cell_size)?);
+            entry.set_grid(self.grids.get(&entry.local_vertices, entry.grid_cell_size)?);
         }
         Ok(self.insert_geom(entry))
     }
@@ -111,15 +111,19 @@ impl PhysicsSimulator {
         finite_vector("offset", offset)?;
         finite("rotation_offset", rotation_offset)?;
         let source = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?.clone();
-        if self.settings.narrow_phase == NarrowPhaseCollider::DistanceGrid && source.grid.is_none() {
-            return Err(Error::MissingDistanceGrid { argument: "geom" });
-        }
+        let grid = match (self.settings.narrow_phase, source.grid) {
+            (NarrowPhaseCollider::DistanceGrid, None) => {
+                return Err(Error::MissingDistanceGrid { argument: "geom" });
+            }
+            (NarrowPhaseCollider::DistanceGrid, grid) => grid,
+            (NarrowPhaseCollider::Sat, _) => None,
+        };
         let mut entry = self.new_entry(body, source.local_vertices, offset, rotation_offset)?;
         entry.geom = source.geom;
         entry.geom.set_tag(0);
         entry.grid_cell_size = source.grid_cell_size;
-        if self.settings.narrow_phase == NarrowPhaseCollider::DistanceGrid {
-            entry.grid = source.grid;
+        if let Some(grid) = grid {
+            entry.set_grid(grid);
         }
         Ok(self.insert_geom(entry))
     }

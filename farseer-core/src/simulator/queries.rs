@@ -45,11 +45,12 @@ impl PhysicsSimulator {
     }
 
     /// Whether a vertex of one geom lies in the other. Outlines that cross without one are not noticed, nor is
-    /// anything about a geom without a distance grid if the distance grid is selected; the original fails there.
+    /// anything about a disposed geom, or one without a distance grid if the distance grid is selected; the original fails there.
     #[doc(alias = "Geom.Collide")]
     pub fn geom_collides_with_geom(&self, geom: GeomId, other: GeomId) -> bool {
         let is_ready = |geom: &GeomEntry| {
-            geom.grid.is_some() || self.settings.narrow_phase != NarrowPhaseCollider::DistanceGrid
+            !geom.is_disposed
+                && (geom.grid.is_some() || self.settings.narrow_phase != NarrowPhaseCollider::DistanceGrid)
         };
         let holds_vertex = |holder: &GeomEntry, owner: &GeomEntry| {
             owner.world_vertices.iter().any(|&vertex| {

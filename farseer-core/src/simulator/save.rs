@@ -33,7 +33,8 @@ impl PhysicsSimulator {
     fn share_grids(&mut self) -> Result<()> {
         for geom in self.geoms.values_mut() {
             if let Some(grid) = &geom.grid {
-                geom.grid = Some(self.grids.adopt(grid)?);
+                let grid = self.grids.adopt(grid)?;
+                geom.set_grid(grid);
             }
         }
         Ok(())
@@ -48,6 +49,10 @@ impl PhysicsSimulator {
             .all(|value| value.is_finite())
         {
             return damaged("a setting is not finite");
+        }
+        // The original counts in 32 signed bits.
+        if self.next_geom_number > i32::MAX as u32 {
+            return damaged("creation numbers are used up");
         }
         if !self.bodies.is_consistent() || !self.geoms.is_consistent() {
             return damaged("a free slot is occupied");

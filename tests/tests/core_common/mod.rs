@@ -260,7 +260,6 @@ impl Game {
                 let (body, _) = add_box(simulator, (20.0, 20.0), v(0.0, -200.0));
                 simulator[body].set_rotation(0.3);
             }
-            // Two of the three walls stay.
             50 => {
                 let body = body(12);
                 simulator[body].set_enabled(false);
