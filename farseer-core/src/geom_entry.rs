@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
+use wide::f32x4;
 
 use crate::bits::Floats;
 use crate::body::BodyId;
@@ -29,6 +30,24 @@ impl PlaneMatrix {
     #[inline(always)]
     pub(crate) fn apply(&self, p: Vector2) -> Vector2 {
         Vector2::new(p.x * self.m11 + p.y * self.m21 + self.m41, p.x * self.m12 + p.y * self.m22 + self.m42)
+    }
+
+    /// [`apply`](Self::apply) to every point, two at a time.
+    fn apply_to_all(&self, points: &[Vector2], results: &mut [Vector2]) {
+        let row1 = f32x4::new([self.m11, self.m12, self.m11, self.m12]);
+        let row2 = f32x4::new([self.m21, self.m22, self.m21, self.m22]);
+        let row4 = f32x4::new([self.m41, self.m42, self.m41, self.m42]);
+        let (pairs, rest) = points.as_chunks::<2>();
+        let (result_pairs, result_rest) = results.as_chunks_mut::<2>();
+        for ([a, b], result) in pairs.iter().zip(result_pairs) {
+            let x = f32x4::new([a.x, a.x, b.x, b.x]);
+            let y = f32x4::new([a.y, a.y, b.y, b.y]);
+            let [ax, ay, bx, by] = (x * row1 + y * row2 + row4).to_array();
+            *result = [Vector2::new(ax, ay), Vector2::new(bx, by)];
+        }
+        for (&point, result) in rest.iter().zip(result_rest) {
+            *result = self.apply(point);
+        }
     }
 
     #[inline(always)]
@@ -232,10 +251,7 @@ impl GeomEntry {
     }
 
     fn refresh(&mut self) {
-        let matrix = self.pose.matrix;
-        for (world, &local) in self.world_vertices.iter_mut().zip(self.local_vertices.iter()) {
-            *world = matrix.apply(local);
-        }
+        self.pose.matrix.apply_to_all(&self.local_vertices, &mut self.world_vertices);
         self.aabb = Aabb::from_vertices(&self.world_vertices);
     }
 

@@ -71,23 +71,40 @@ fn collide_vertices(
 /// Bits in a set of vertices.
 const VERTICES_AT_ONCE: usize = 32;
 
+/// Of four vertices with eight coordinates, those of which no coordinate is excluded, by the set of excluded ones.
+const NOT_EXCLUDED: [u8; 256] = {
+    let mut table = [0; 256];
+    let mut excluded = 0;
+    while excluded < 256 {
+        let mut vertex = 0;
+        while vertex < 4 {
+            if (excluded >> (2 * vertex)) & 0b11 == 0 {
+                table[excluded] |= 1 << vertex;
+            }
+            vertex += 1;
+        }
+        excluded += 1;
+    }
+    table
+};
+
 /// The set of vertices, of at most [`VERTICES_AT_ONCE`], that a box does not exclude.
 #[inline]
 fn inside_box(vertices: &[Vector2], aabb: &Aabb) -> u32 {
     let low = f32x4::new([aabb.min.x, aabb.min.y, aabb.min.x, aabb.min.y]);
     let high = f32x4::new([aabb.max.x, aabb.max.y, aabb.max.x, aabb.max.y]);
+    let excluded = |first: Vector2, second: Vector2| {
+        let coordinates = f32x4::new([first.x, first.y, second.x, second.y]);
+        (coordinates.simd_lt(low) | coordinates.simd_gt(high)).to_bitmask()
+    };
     let mut inside = 0;
-    let (pairs, rest) = vertices.as_chunks::<2>();
-    for (i, [first, second]) in pairs.iter().enumerate() {
-        let corners = f32x4::new([first.x, first.y, second.x, second.y]);
-        let excluded = (corners.simd_lt(low) | corners.simd_gt(high)).to_bitmask();
-        let included = u32::from(excluded & 0b0011 == 0) | (u32::from(excluded & 0b1100 == 0) << 1);
-        inside |= included << (2 * i);
+    let (fours, rest) = vertices.as_chunks::<4>();
+    for (i, &[a, b, c, d]) in fours.iter().enumerate() {
+        let excluded = excluded(a, b) | excluded(c, d) << 4;
+        inside |= u32::from(NOT_EXCLUDED[excluded as usize & 0xFF]) << (4 * i);
     }
-    if let [last] = rest {
-        let is_excluded =
-            last.x < aabb.min.x || last.x > aabb.max.x || last.y < aabb.min.y || last.y > aabb.max.y;
-        inside |= u32::from(!is_excluded) << (vertices.len() - 1);
+    for (&vertex, i) in rest.iter().zip(fours.len() * 4..) {
+        inside |= u32::from(excluded(vertex, vertex) == 0) << i;
     }
     inside
 }

@@ -1,6 +1,7 @@
 //! Axis-aligned bounding boxes (behaviour chapter 05, section 2).
 
 use serde::{Deserialize, Serialize};
+use wide::f32x4;
 
 use super::Vertices;
 use crate::math::{Vector2, scalar, vector2};
@@ -35,6 +36,30 @@ impl Aabb {
         let Some(&first) = vertices.first() else {
             return Aabb::default();
         };
+        let corners = |a: Vector2, b: Vector2| f32x4::new([a.x, a.y, b.x, b.y]);
+        let (mut low, mut high) = (corners(first, first), corners(first, first));
+        let mut widen = |two: f32x4| {
+            low = two.simd_lt(low).select(two, low);
+            high = two.simd_gt(high).select(two, high);
+        };
+        let (pairs, rest) = vertices.as_chunks::<2>();
+        for &[a, b] in pairs {
+            widen(corners(a, b));
+        }
+        for &last in rest {
+            widen(corners(last, last));
+        }
+        let ([ax, ay, bx, by], [cx, cy, dx, dy]) = (low.to_array(), high.to_array());
+        let min = Vector2::new(if bx < ax { bx } else { ax }, if by < ay { by } else { ay });
+        let max = Vector2::new(if dx > cx { dx } else { cx }, if dy > cy { dy } else { cy });
+        if min.x == 0.0 || min.y == 0.0 || max.x == 0.0 || max.y == 0.0 {
+            // Of zeros of both signs the first one counts.
+            return Self::from_vertices_in_order(vertices, first);
+        }
+        Aabb { min, max }
+    }
+
+    fn from_vertices_in_order(vertices: &[Vector2], first: Vector2) -> Aabb {
         let (mut min, mut max) = (first, first);
         for v in vertices {
             if v.x < min.x {
