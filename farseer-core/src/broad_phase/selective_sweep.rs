@@ -99,23 +99,33 @@ fn sort_without_ties(endpoints: &mut [Endpoint]) -> Ties {
 }
 
 /// The geoms that are open at the current position of the sweep, oldest first, with their intervals on the other
-/// axis.
+/// axis. What is closed leaves a gap that overlaps nothing; gaps are swept out when there are too many.
 #[derive(Debug, Clone, Default)]
 struct Active {
+    /// [`GAP`] where a geom was closed.
     entries: Vec<u32>,
     low: Vec<f32>,
     high: Vec<f32>,
+    /// By entry: where it is.
+    positions: Vec<u32>,
+    gaps: usize,
 }
 
+/// Stands for a geom that is not open any more.
+const GAP: u32 = u32::MAX;
+
 impl Active {
-    fn clear(&mut self) {
+    fn begin(&mut self, entry_count: usize) {
         self.entries.clear();
         self.low.clear();
         self.high.clear();
+        self.positions.resize(entry_count, 0);
+        self.gaps = 0;
     }
 
     #[inline]
     fn push(&mut self, entry: usize, (low, high): (f32, f32)) {
+        self.positions[entry] = self.entries.len() as u32;
         self.entries.push(entry as u32);
         self.low.push(low);
         self.high.push(high);
@@ -123,11 +133,34 @@ impl Active {
 
     #[inline]
     fn remove(&mut self, entry: usize) {
-        if let Some(position) = self.entries.iter().position(|&active| active == entry as u32) {
-            self.entries.remove(position);
-            self.low.remove(position);
-            self.high.remove(position);
+        let position = self.positions[entry] as usize;
+        // With NaN among the ends, an interval may be closed that was never opened.
+        if self.entries.get(position) != Some(&(entry as u32)) {
+            return;
         }
+        self.entries[position] = GAP;
+        (self.low[position], self.high[position]) = (f32::NAN, f32::NAN);
+        self.gaps += 1;
+        if self.gaps > 16 && self.gaps * 2 > self.entries.len() {
+            self.close_gaps();
+        }
+    }
+
+    fn close_gaps(&mut self) {
+        let mut kept = 0;
+        for position in 0..self.entries.len() {
+            let entry = self.entries[position];
+            if entry != GAP {
+                self.entries[kept] = entry;
+                (self.low[kept], self.high[kept]) = (self.low[position], self.high[position]);
+                self.positions[entry as usize] = kept as u32;
+                kept += 1;
+            }
+        }
+        self.entries.truncate(kept);
+        self.low.truncate(kept);
+        self.high.truncate(kept);
+        self.gaps = 0;
     }
 
     /// Calls `meet` with every entry whose interval overlaps or touches this one, oldest first.
@@ -235,7 +268,7 @@ impl SelectiveSweep {
     fn sweep(&mut self, along_x: bool, sink: &mut impl PairSink) {
         let SelectiveSweep { entries, x, y, boxes, active, .. } = self;
         let endpoints = if along_x { &x.endpoints } else { &y.endpoints };
-        active.clear();
+        active.begin(entries.len());
         for &endpoint in endpoints {
             let entry = endpoint.entry();
             let aabb = &boxes[entry];

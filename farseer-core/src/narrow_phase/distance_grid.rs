@@ -117,8 +117,8 @@ impl DistanceGrid {
         let min = self.aabb.min;
         let inverse = self.inverse_cell_size;
         // Truncation is the floor here: what is inside the box is not below its minimum.
-        let ix = ((point.x - min.x) * inverse) as usize;
-        let iy = ((point.y - min.y) * inverse) as usize;
+        let ix = ((point.x - min.x) * inverse) as i32 as usize;
+        let iy = ((point.y - min.y) * inverse) as i32 as usize;
         if ix + 1 >= self.x_count || iy + 1 >= self.y_count {
             return None;
         }

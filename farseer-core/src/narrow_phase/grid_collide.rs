@@ -93,18 +93,24 @@ const NOT_EXCLUDED: [u8; 256] = {
 fn inside_box(vertices: &[Vector2], aabb: &Aabb) -> u32 {
     let low = f32x4::new([aabb.min.x, aabb.min.y, aabb.min.x, aabb.min.y]);
     let high = f32x4::new([aabb.max.x, aabb.max.y, aabb.max.x, aabb.max.y]);
-    let excluded = |first: Vector2, second: Vector2| {
-        let coordinates = f32x4::new([first.x, first.y, second.x, second.y]);
+    let excluded = |two: &[Vector2; 2]| {
+        let coordinates = f32x4::new([two[0].x, two[0].y, two[1].x, two[1].y]);
         (coordinates.simd_lt(low) | coordinates.simd_gt(high)).to_bitmask()
     };
     let mut inside = 0;
-    let (fours, rest) = vertices.as_chunks::<4>();
-    for (i, &[a, b, c, d]) in fours.iter().enumerate() {
-        let excluded = excluded(a, b) | excluded(c, d) << 4;
+    let (pairs, last) = vertices.as_chunks::<2>();
+    let (fours, rest) = pairs.as_chunks::<2>();
+    for (i, [first, second]) in fours.iter().enumerate() {
+        let excluded = excluded(first) | excluded(second) << 4;
         inside |= u32::from(NOT_EXCLUDED[excluded as usize & 0xFF]) << (4 * i);
     }
-    for (&vertex, i) in rest.iter().zip(fours.len() * 4..) {
-        inside |= u32::from(excluded(vertex, vertex) == 0) << i;
+    if let [pair] = rest {
+        let outside_of_list = 0b1111 << 4;
+        inside |=
+            u32::from(NOT_EXCLUDED[(excluded(pair) | outside_of_list) as usize & 0xFF]) << (4 * fours.len());
+    }
+    if let [last] = last {
+        inside |= u32::from(excluded(&[*last; 2]) == 0) << (vertices.len() - 1);
     }
     inside
 }
