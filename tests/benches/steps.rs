@@ -1,6 +1,6 @@
 //! Time per step of whole simulations, averaged over the recorded length of the scene.
 //!
-//! `cargo bench -p conformance`. Building a scene is not measured.
+//! `cargo bench -p conformance`. Only the updates are measured, not the building of a scene.
 
 use conformance::golden;
 use conformance::run::Run;
@@ -36,9 +36,10 @@ fn steps(bencher: Bencher<'_, '_>, name: &'static str) {
         .counter(ItemsCount::new(scene.steps))
         .with_inputs(|| Run::build(&scene).unwrap_or_else(|error| panic!("{error}")))
         .bench_local_values(|mut run| {
+            let simulator = run.simulator_mut();
             let start = Instant::now();
             for _ in 0..scene.steps {
-                run.step().unwrap_or_else(|error| panic!("{error}"));
+                simulator.update(scene.dt);
             }
             note(name, start.elapsed() / scene.steps.max(1));
             run

@@ -6,6 +6,7 @@
 #![allow(unsafe_code)]
 
 mod core_common;
+mod twohalf_common;
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -139,4 +140,23 @@ fn a_lively_scene_allocates_less_and_less() {
         let (first, _, last) = (calls_of(300), calls_of(600), calls_of(300));
         assert!(last * 10 <= first, "{methods:?}: {first} calls at first, {last} at last");
     }
+}
+
+#[test]
+fn an_update_of_a_settled_scene_with_depth_allocates_nothing() {
+    let mut simulator = twohalf_common::simulator();
+    for i in 0..40u8 {
+        let place = [f32::from(i % 8) * 60.0, 5.0, f32::from(i / 8) * 40.0];
+        if i % 2 == 0 {
+            twohalf_common::ball(&mut simulator, 10.0, place);
+        } else {
+            twohalf_common::crate_box(&mut simulator, [20.0, 16.0], place);
+        }
+    }
+    for _ in 0..400 {
+        simulator.update(twohalf_common::DT);
+    }
+    assert!(simulator.counters().ground_contacts == 40, "all rest on the ground");
+    let calls = calls(|| (0..100).for_each(|_| simulator.update(twohalf_common::DT)));
+    assert_eq!(calls, 0);
 }
