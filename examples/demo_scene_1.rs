@@ -56,8 +56,8 @@ struct Plane {
 /// Height of the 2D scene's floor in px.
 const FLOOR: f32 = 50.0;
 
-/// Width and height of the kerbs at both ends of the floor in px.
-const KERB: [f32; 2] = [14.0, 60.0];
+/// Width and height of the walls at both ends of the floor in px.
+const WALL: [f32; 2] = [14.0, 300.0];
 
 /// Adds an immovable rectangle.
 fn add_wall(simulator: &mut PhysicsSimulator, [x, y]: [f32; 2], [width, height]: [f32; 2]) -> Result<()> {
@@ -77,8 +77,8 @@ fn plane() -> Result<Plane> {
     let [width, height] = SIZE.map(|side| side as f32);
     let mut simulator = PhysicsSimulator::new(Vector2::new(0.0, GRAVITY))?;
     add_wall(&mut simulator, [width / 2.0, height - FLOOR / 2.0], [width, FLOOR])?;
-    for x in [KERB[0] / 2.0, width - KERB[0] / 2.0] {
-        add_wall(&mut simulator, [x, height - FLOOR - KERB[1] / 2.0], KERB)?;
+    for x in [WALL[0] / 2.0, width - WALL[0] / 2.0] {
+        add_wall(&mut simulator, [x, height - FLOOR - WALL[1] / 2.0], WALL)?;
     }
     let mut looks = Vec::new();
     for index in 0..12 {
@@ -104,9 +104,9 @@ fn film_2d(folder: &Path) -> Result<String> {
     let [width, height] = SIZE.map(|side| side as f32);
     let identity = Transform::IDENTITY;
     backdrop.fill_rectangle([0.0, height - FLOOR], [width, FLOOR], &identity, Color::rgb(150, 118, 80));
-    for x in [0.0, width - KERB[0]] {
-        let corner = [x, height - FLOOR - KERB[1]];
-        backdrop.fill_rectangle(corner, KERB, &identity, Color::rgb(150, 118, 80));
+    for x in [0.0, width - WALL[0]] {
+        let corner = [x, height - FLOOR - WALL[1]];
+        backdrop.fill_rectangle(corner, WALL, &identity, Color::rgb(150, 118, 80));
     }
     backdrop.fill_rectangle([0.0, height - FLOOR], [width, 4.0], &identity, Color::rgb(92, 70, 44));
     let recorder = Recorder {

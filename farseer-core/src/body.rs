@@ -11,7 +11,7 @@ use crate::math::vector2::{length, transform};
 use crate::math::{Matrix, Vector2, math_helper::TWO_PI, scalar};
 
 crate::arena::define_id! {
-    /// Names a [`Body`] of a simulator.
+    /// Names a [`Body`] of a simulator: the one that made it, its clones and what is loaded from its saves.
     BodyId
 }
 

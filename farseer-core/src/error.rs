@@ -16,8 +16,9 @@ pub enum Error {
         /// What would have been accepted.
         requirement: &'static str,
     },
-    /// An id names something that was disposed, or that another simulator made.
-    #[error("{argument} is stale: what it named was disposed, or belongs to another simulator")]
+    /// An id names something that was disposed. (An id means something only in the simulator that made it and in
+    /// its clones and saves; in another one it may be stale, or name another object.)
+    #[error("{argument} is stale: what it named was disposed")]
     StaleId {
         /// Name of the argument.
         argument: &'static str,

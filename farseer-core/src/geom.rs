@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::methods::CollisionCategory;
 
 crate::arena::define_id! {
-    /// Names a geom of a simulator.
+    /// Names a geom of a simulator: the one that made it, its clones and what is loaded from its saves.
     GeomId
 }
 

@@ -163,7 +163,8 @@ impl<S: DerefMut<Target = TwoHalfPhysicsSimulator>> TwoHalfBody<S> {
         let lowest = lowest(&self.simulator.core, &self.simulator.depths, self.id);
         let plane = world_to_plane(value, lowest);
         // Any infinity or NaN makes a product, and with it the sum, NaN.
-        let is_finite = 0.0 * plane.x + 0.0 * plane.y + 0.0 * value.z;
+        let screen = self.simulator.projection.plane_to_screen(plane, value.z);
+        let is_finite = 0.0 * plane.x + 0.0 * plane.y + 0.0 * value.z + 0.0 * screen.x + 0.0 * screen.y;
         if self.accepts("position3d", is_finite) {
             self.core_mut().set_position(plane);
             self.state_mut().z = value.z;

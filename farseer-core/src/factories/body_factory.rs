@@ -21,7 +21,8 @@ impl BodyFactory {
         positive("width", width)?;
         positive("height", height)?;
         positive("mass", mass)?;
-        body(mass, mass * (width * width + height * height) / 12.0)
+        let moment_of_inertia = mass * (width * width + height * height) / 12.0;
+        body(mass, not_too_large("width, height, mass", (width, height, mass), moment_of_inertia)?)
     }
 
     /// [`create_rectangle_body`](Self::create_rectangle_body), added to the simulator.
@@ -45,7 +46,8 @@ impl BodyFactory {
     pub fn create_circle_body(radius: f32, mass: f32) -> Result<Body> {
         positive("radius", radius)?;
         positive("mass", mass)?;
-        body(mass, 0.5 * mass * (radius * radius))
+        let moment_of_inertia = 0.5 * mass * (radius * radius);
+        body(mass, not_too_large("radius, mass", (radius, mass), moment_of_inertia)?)
     }
 
     /// [`create_circle_body`](Self::create_circle_body), added to the simulator.
@@ -68,7 +70,8 @@ impl BodyFactory {
         if x_radius == y_radius {
             return Self::create_circle_body(x_radius, mass);
         }
-        body(mass, 0.25 * mass * (x_radius * x_radius + y_radius * y_radius))
+        let moment_of_inertia = 0.25 * mass * (x_radius * x_radius + y_radius * y_radius);
+        body(mass, not_too_large("x_radius, y_radius, mass", (x_radius, y_radius, mass), moment_of_inertia)?)
     }
 
     /// [`create_ellipse_body`](Self::create_ellipse_body), added to the simulator.
@@ -149,6 +152,19 @@ impl BodyFactory {
     pub fn create_body_from_in(simulator: &mut PhysicsSimulator, body: BodyId) -> Result<BodyId> {
         let copy = Body::copy_of(simulator.body(body).ok_or(Error::StaleId { argument: "body" })?);
         add(simulator, copy)
+    }
+}
+
+/// Refuses a size of which the moment of inertia is infinite.
+fn not_too_large(
+    arguments: &'static str,
+    values: impl std::fmt::Debug,
+    moment_of_inertia: f32,
+) -> Result<f32> {
+    if moment_of_inertia.is_finite() {
+        Ok(moment_of_inertia)
+    } else {
+        Err(Error::invalid(arguments, values, "small enough for a finite moment of inertia"))
     }
 }
 

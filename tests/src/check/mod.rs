@@ -113,7 +113,13 @@ fn message(panic: &(dyn std::any::Any + Send)) -> &str {
 
 /// Judges what happened in a run by what should have happened.
 pub fn judge(scene: &Scene, expected: &Trace, text: &str, recording: &Recording) -> Verdict {
-    let unusual = Unusual::of(scene, expected);
+    let unusual = match Unusual::of(scene, expected) {
+        Ok(unusual) => unusual,
+        Err(reason) => return Verdict::Failed(reason),
+    };
+    if !is_header_of(scene, expected) {
+        return Verdict::Failed("the header of the trace is that of another scene".to_owned());
+    }
     let Some(step) = unusual.first() else {
         if let Some((step, error)) = &recording.error {
             return Verdict::Failed(format!("step {step}: {error}"));
@@ -138,6 +144,15 @@ pub fn judge(scene: &Scene, expected: &Trace, text: &str, recording: &Recording)
     }
 }
 
+/// Whether a trace says of itself what the scene says.
+fn is_header_of(scene: &Scene, trace: &Trace) -> bool {
+    let header = &trace.header;
+    header.scene == scene.name
+        && header.steps == scene.steps
+        && header.dt == scene.dt.to_bits()
+        && header.full_every == scene.trace.full_every
+}
+
 /// What the original did that is not followed.
 struct Unusual {
     thrown: Option<(u32, String)>,
@@ -158,14 +173,19 @@ impl fmt::Display for Unusual {
 }
 
 impl Unusual {
-    /// What the scene says about it, and the trace.
-    fn of(scene: &Scene, trace: &Trace) -> Self {
+    /// What the scene and the trace say about it, which must be the same.
+    fn of(scene: &Scene, trace: &Trace) -> Result<Self, String> {
         let in_trace = trace.lines.iter().find_map(|line| match line {
             Line::Thrown { step, exception } => Some((*step, exception.clone())),
             _ => None,
         });
         let in_scene = scene.outcome.throw_step.zip(scene.outcome.throws.clone());
-        Unusual { thrown: in_scene.or(in_trace), first_nan_step: scene.outcome.first_nan_step }
+        if in_scene != in_trace {
+            return Err(format!(
+                "the scene says that the original threw {in_scene:?}, the trace {in_trace:?}"
+            ));
+        }
+        Ok(Unusual { thrown: in_scene, first_nan_step: scene.outcome.first_nan_step })
     }
 
     /// The first step that is not compared.
