@@ -536,6 +536,15 @@ impl Body {
     }
 }
 
+/// Where a body is and how far it has turned.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Pose {
+    pub(crate) position: Vector2,
+    pub(crate) rotation: f32,
+    pub(crate) revolutions: i32,
+    pub(crate) total_rotation: f32,
+}
+
 /// Velocity at an offset from the centre of mass.
 #[inline(always)]
 pub(crate) fn velocity_at(linear: Vector2, angular: f32, offset: Vector2) -> Vector2 {
@@ -623,14 +632,16 @@ impl Body {
         moved
     }
 
-    /// Where the body is and how far it has turned.
     #[inline]
-    pub(crate) fn pose(&self) -> (Vector2, f32, i32, f32) {
-        (self.position, self.rotation, self.revolutions, self.total_rotation)
+    pub(crate) fn pose(&self) -> Pose {
+        let Body { position, rotation, revolutions, total_rotation, .. } = *self;
+        Pose { position, rotation, revolutions, total_rotation }
     }
 
-    pub(crate) fn restore_pose(&mut self, pose: (Vector2, f32, i32, f32)) {
-        (self.position, self.rotation, self.revolutions, self.total_rotation) = pose;
+    pub(crate) fn restore_pose(&mut self, pose: Pose) {
+        let Pose { position, rotation, revolutions, total_rotation } = pose;
+        (self.position, self.rotation) = (position, rotation);
+        (self.revolutions, self.total_rotation) = (revolutions, total_rotation);
     }
 
     /// Whether the original raises its Updated event at the end of every step: from the first movement on.

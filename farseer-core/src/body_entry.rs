@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::body::Body;
+use crate::body::{Body, Pose};
 use crate::geom::GeomId;
 use crate::math::Vector2;
 
@@ -13,7 +13,7 @@ pub(crate) struct BodyEntry {
     /// In the order in which they were attached.
     pub(crate) geoms: Vec<GeomId>,
     /// The pose the geoms have followed.
-    pub(crate) followed: (Vector2, f32),
+    pub(crate) followed: Pose,
     pub(crate) is_listed: bool,
     pub(crate) is_queued: bool,
     pub(crate) is_disposed: bool,
@@ -24,7 +24,7 @@ pub(crate) struct BodyEntry {
 impl BodyEntry {
     pub(crate) fn new(body: Body) -> Self {
         BodyEntry {
-            followed: (body.position(), body.rotation()),
+            followed: body.pose(),
             body,
             geoms: Vec::new(),
             is_listed: false,
@@ -36,7 +36,8 @@ impl BodyEntry {
 
     /// The pose, if the geoms have not followed it yet.
     pub(crate) fn pending_pose(&self) -> Option<(Vector2, f32)> {
-        let pose = (self.body.position(), self.body.rotation());
-        (self.body.pose_is_dirty || pose != self.followed).then_some(pose)
+        let (position, rotation) = (self.body.position(), self.body.rotation());
+        let has_moved = position != self.followed.position || rotation != self.followed.rotation;
+        (self.body.pose_is_dirty || has_moved).then_some((position, rotation))
     }
 }

@@ -166,16 +166,25 @@ impl Context<'_> {
     }
 
     /// See [`PhysicsSimulator::add`].
+    ///
+    /// # Errors
+    /// A stale id.
     pub fn add(&mut self, object: impl Into<ObjectId>) -> Result<()> {
         self.simulator.add(object)
     }
 
     /// See [`PhysicsSimulator::remove`].
+    ///
+    /// # Errors
+    /// A stale id.
     pub fn remove(&mut self, object: impl Into<ObjectId>) -> Result<()> {
         self.simulator.remove(object)
     }
 
     /// See [`PhysicsSimulator::dispose`].
+    ///
+    /// # Errors
+    /// A stale id.
     pub fn dispose(&mut self, object: impl Into<ObjectId>) -> Result<()> {
         self.simulator.dispose(object)
     }

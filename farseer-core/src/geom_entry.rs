@@ -255,6 +255,14 @@ impl GeomEntry {
         self.aabb = Aabb::from_vertices(&self.world_vertices);
     }
 
+    /// Whether the geom's box in the world is finite.
+    #[inline]
+    pub(crate) fn box_is_finite(&self) -> bool {
+        let Aabb { min, max } = self.aabb;
+        // Any infinity or NaN makes a product, and with it the sum, NaN.
+        min.x * 0.0 + min.y * 0.0 + max.x * 0.0 + max.y * 0.0 == 0.0
+    }
+
     pub(crate) fn ignores(&self, number: u32) -> bool {
         self.ignored.iter().any(|&(other, ignored)| other == number && ignored)
     }

@@ -222,9 +222,9 @@ fn a_simulator_with_extreme_numbers_is_loaded_again() {
         let (a, geom_a) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
         let (_, geom_b) = add_box(&mut simulator, (10.0, 10.0), v(8.0, 1.0));
         let far = simulator.create_body(Body::new());
-        simulator[far].set_position(v(3.4e38, 0.0));
-        let placement = GeomPlacement::with_grid_size(1e37);
-        GeomFactory::create_rectangle_geom_in(&mut simulator, far, 1e38, 1e38, placement).unwrap();
+        simulator[far].set_position(v(3.3e38, 0.0));
+        let placement = GeomPlacement::with_grid_size(1e36);
+        GeomFactory::create_rectangle_geom_in(&mut simulator, far, 1e37, 1e37, placement).unwrap();
         simulator.add(far).unwrap();
         simulator[geom_a].set_friction_coefficient(3e38);
         simulator[geom_b].set_friction_coefficient(3e38);

@@ -63,7 +63,7 @@ impl PhysicsSimulator {
     ///
     /// # Errors
     /// A stale body; an empty or non-finite outline; a placement that is not finite; a flat outline without a
-    /// cell size; a cell size that would need more than 2^26 nodes.
+    /// cell size; a cell size that would need more than 2^26 nodes; a geom whose box in the world is not finite.
     #[doc(alias = "Geom(Body, Vertices, Vector2, float, float)")]
     pub fn create_geom(
         &mut self,
@@ -88,7 +88,7 @@ impl PhysicsSimulator {
     /// Attaches a copy of a geom to a body, at the same offsets. Under the distance grid both share one grid.
     ///
     /// # Errors
-    /// A stale id; a geom without a distance grid, if the distance grid is selected.
+    /// A stale id; a geom without a distance grid, if the distance grid is selected; a box that is not finite.
     #[doc(alias = "Geom(Body, Geom)")]
     pub fn clone_geom(&mut self, body: BodyId, geom: GeomId) -> Result<GeomId> {
         let source = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?;
@@ -140,7 +140,7 @@ impl PhysicsSimulator {
         let mut entry = GeomEntry::new(self.next_geom_number, body, offset, rotation_offset);
         entry.set_vertices(vertices);
         entry.follow(position, rotation);
-        Ok(entry)
+        check_box(entry)
     }
 
     /// Takes geoms back that were made a moment ago and that nobody knows yet.
@@ -167,20 +167,20 @@ impl PhysicsSimulator {
     /// Moves a geom to another body; its offsets stay.
     ///
     /// # Errors
-    /// A stale id.
+    /// A stale id; a box that is not finite at the other body.
     #[doc(alias = "SetBody")]
     pub fn set_body(&mut self, geom: GeomId, body: BodyId) -> Result<()> {
         let old_body = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?.body;
         self.bodies.get(body).ok_or(Error::StaleId { argument: "body" })?;
         self.settle_body(old_body);
         self.settle_body(body);
+        let new_body = &self.bodies[body].body;
+        let mut moved = self.geoms[geom].clone();
+        moved.body = body;
+        moved.follow(new_body.position(), new_body.rotation());
+        self.geoms[geom] = check_box(moved)?;
         self.bodies[old_body].geoms.retain(|&other| other != geom);
-        let entry = &mut self.bodies[body];
-        entry.geoms.push(geom);
-        let (position, rotation) = (entry.body.position(), entry.body.rotation());
-        let geom = &mut self.geoms[geom];
-        geom.body = body;
-        geom.follow(position, rotation);
+        self.bodies[body].geoms.push(geom);
         Ok(())
     }
 
@@ -269,6 +269,15 @@ impl PhysicsSimulator {
             geoms,
             ..PhysicsSimulator::default()
         };
+    }
+}
+
+/// Refuses a geom of finite numbers that reaches beyond them where its body is.
+fn check_box(entry: GeomEntry) -> Result<GeomEntry> {
+    if entry.box_is_finite() {
+        Ok(entry)
+    } else {
+        Err(Error::invalid("geom", entry.aabb, "small and near enough for a finite box in the world"))
     }
 }
 

@@ -6,9 +6,12 @@
 use serde::{Deserialize, Serialize};
 
 use super::PhysicsSimulator;
-use crate::body::BodyId;
+use crate::arena::Arena;
+use crate::body::{BodyId, Pose};
+use crate::body_entry::BodyEntry;
 use crate::events::{Context, Event, EventHandler};
 use crate::geom::GeomId;
+use crate::geom_entry::GeomEntry;
 use crate::methods::NarrowPhaseCollider;
 use crate::object_id::ObjectId;
 use crate::pair_filter::is_valid_pair;
@@ -31,6 +34,29 @@ const MAX_ROUNDS: usize = 16;
 
 /// The handler of an update, if there is one.
 pub(super) type Handler<'a, 'h> = &'a mut Option<&'h mut dyn EventHandler>;
+
+/// What became of moving the geoms of a body.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Followed {
+    Yes,
+    /// A box would not have been finite.
+    PutBack {
+        disabled: bool,
+    },
+}
+
+/// Moves the geoms of a body to a pose, and answers whether their boxes are finite there.
+fn move_geoms(entry: &BodyEntry, geoms: &mut Arena<GeomEntry>, pose: Pose, all: bool) -> bool {
+    let mut are_finite = true;
+    for &geom in &entry.geoms {
+        let geom = &mut geoms[geom];
+        if all || geom.refresh_is_due {
+            geom.follow(pose.position, pose.rotation);
+            are_finite &= geom.box_is_finite();
+        }
+    }
+    are_finite
+}
 
 impl PhysicsSimulator {
     /// Lets an object take part from the next update on. Adding a body does not add its geoms.
@@ -287,23 +313,33 @@ impl PhysicsSimulator {
             self.pending_events.push(Event::RejectedInput { object: Some(body.into()), argument });
         }
         if entry.pending_pose().is_some() {
-            self.pending_events.push(Event::BodyUpdated { body });
-            self.let_geoms_follow(body, true);
+            match self.let_geoms_follow(body, true) {
+                Followed::Yes => self.pending_events.push(Event::BodyUpdated { body }),
+                Followed::PutBack { disabled } => {
+                    self.pending_events.push(Event::NotFinite { body, disabled });
+                }
+            }
         }
     }
 
     /// Moves the geoms of a body to its pose. Those that are there already stay, unless `all` are to be refreshed.
-    pub(super) fn let_geoms_follow(&mut self, body: BodyId, all: bool) {
+    ///
+    /// Should the box of a geom not be finite there, the body is put back to the pose that was followed before; a
+    /// dynamic one is disabled.
+    pub(super) fn let_geoms_follow(&mut self, body: BodyId, all: bool) -> Followed {
         let entry = &mut self.bodies[body];
-        let (position, rotation) = (entry.body.position(), entry.body.rotation());
         entry.body.pose_is_dirty = false;
-        entry.followed = (position, rotation);
-        for &geom in &entry.geoms {
-            let geom = &mut self.geoms[geom];
-            if all || geom.refresh_is_due {
-                geom.follow(position, rotation);
-            }
+        let pose = entry.body.pose();
+        if move_geoms(entry, &mut self.geoms, pose, all) {
+            entry.followed = pose;
+            return Followed::Yes;
         }
+        let before = entry.followed;
+        entry.body.restore_pose(before);
+        move_geoms(entry, &mut self.geoms, before, true);
+        let disabled = !entry.body.is_static();
+        entry.body.set_enabled(entry.body.enabled() && !disabled);
+        Followed::PutBack { disabled }
     }
 
     fn deliver(&mut self, event: Event, handler: Handler) {

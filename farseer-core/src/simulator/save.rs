@@ -8,7 +8,7 @@
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 
 use super::PhysicsSimulator;
-use crate::body::BodyId;
+use crate::body::{BodyId, Pose};
 use crate::body_entry::BodyEntry;
 use crate::geom::GeomId;
 use crate::{Error, Result};
@@ -116,7 +116,8 @@ fn no_duplicates<T: Ord + Copy>(list: &[T]) -> bool {
 
 impl BodyEntry {
     fn is_consistent(&self, is_own_geom: impl Fn(GeomId) -> bool) -> bool {
-        let followed = [self.followed.0.x, self.followed.0.y, self.followed.1];
+        let Pose { position, rotation, total_rotation, .. } = self.followed;
+        let followed = [position.x, position.y, rotation, total_rotation];
         followed.iter().all(|value| value.is_finite()) && self.geoms.iter().all(|&geom| is_own_geom(geom))
     }
 }

@@ -1,6 +1,6 @@
 //! The update and its stages (behaviour chapter 04, section 3).
 
-use super::queues::Handler;
+use super::queues::{Followed, Handler};
 use super::{PhysicsSimulator, StepCounters};
 use crate::body::BodyId;
 use crate::broad_phase::{BroadPhase, PairSink};
@@ -101,6 +101,7 @@ impl PhysicsSimulator {
             geom_b,
             contacts,
         );
+        contacts.retain(is_finite);
         if !contacts.is_empty() {
             sort_by_separation(contacts);
             contacts.truncate(settings.max_contacts_to_resolve.max(0) as usize);
@@ -252,7 +253,10 @@ impl PhysicsSimulator {
             if !entry.body.has_moved() {
                 continue;
             }
-            self.let_geoms_follow(id, moved);
+            if let Followed::PutBack { disabled } = self.let_geoms_follow(id, moved) {
+                self.events.push(Event::NotFinite { body: id, disabled });
+                continue;
+            }
             self.counters.bodies_moved += usize::from(moved);
             self.events.push(Event::BodyUpdated { body: id });
             if let Some(handler) = &mut handler {
@@ -282,7 +286,7 @@ fn sort_by_separation(contacts: &mut [Contact]) {
     }
 }
 
-/// Whether a contact that a handler may have edited can be solved.
+/// Whether a contact can be solved: not if a handler has spoiled it, or a matrix of the user's is too large.
 fn is_finite(contact: &Contact) -> bool {
     [contact.position.x, contact.position.y, contact.normal.x, contact.normal.y, contact.separation]
         .iter()
