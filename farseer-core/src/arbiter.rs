@@ -106,19 +106,6 @@ impl ArbiterList {
     /// garbage.
     pub(crate) fn is_valid(&self, geoms: &Arena<GeomEntry>) -> bool {
         let in_range = |&handle: &u32| (handle as usize) < self.arbiters.len();
-        let finite = |c: &Contact| {
-            [
-                c.position.x,
-                c.position.y,
-                c.normal.x,
-                c.normal.y,
-                c.separation,
-                c.normal_impulse,
-                c.tangent_impulse,
-            ]
-            .iter()
-            .all(|value| value.is_finite())
-        };
         self.pairs.is_valid()
             && self.list.iter().all(in_range)
             && self.pool.iter().all(in_range)
@@ -130,7 +117,7 @@ impl ArbiterList {
             && self
                 .arbiters
                 .iter()
-                .all(|arbiter| !arbiter.friction.is_nan() && arbiter.contacts.iter().all(finite))
+                .all(|arbiter| !arbiter.friction.is_nan() && arbiter.contacts.iter().all(Contact::is_finite))
     }
 
     /// Enters the pairs of the listed arbiters under the collision ids of the **previous** update, then numbers
@@ -161,7 +148,8 @@ impl ArbiterList {
         geom2: GeomId,
     ) {
         if !self.pairs.test_and_set(geoms[geom1].collision_id, geoms[geom2].collision_id) {
-            self.append(geoms, friction_type, geom1, geom2);
+            let handle = self.set_up(geoms, friction_type, geom1, geom2);
+            self.list.push(handle);
         }
     }
 
@@ -176,26 +164,13 @@ impl ArbiterList {
         geom1: GeomId,
         geom2: GeomId,
     ) {
-        let handle = self.fetch();
-        self.set_up(handle, geoms, friction_type, geom1, geom2);
+        let handle = self.set_up(geoms, friction_type, geom1, geom2);
         let pair = self.arbiters[handle as usize].geoms;
         if self.list.iter().any(|&listed| self.arbiters[listed as usize].geoms == pair) {
             self.pool.push(handle);
         } else {
             self.list.push(handle);
         }
-    }
-
-    fn append(
-        &mut self,
-        geoms: &Arena<GeomEntry>,
-        friction_type: FrictionType,
-        geom1: GeomId,
-        geom2: GeomId,
-    ) {
-        let handle = self.fetch();
-        self.set_up(handle, geoms, friction_type, geom1, geom2);
-        self.list.push(handle);
     }
 
     fn fetch(&mut self) -> u32 {
@@ -205,14 +180,15 @@ impl ArbiterList {
         })
     }
 
+    /// Takes an arbiter for a pair from the pool. Its contacts stay.
     fn set_up(
         &mut self,
-        handle: u32,
         geoms: &Arena<GeomEntry>,
         friction_type: FrictionType,
         geom1: GeomId,
         geom2: GeomId,
-    ) {
+    ) -> u32 {
+        let handle = self.fetch();
         let (a, b) = if geoms[geom1].number < geoms[geom2].number { (geom1, geom2) } else { (geom2, geom1) };
         let (friction_a, friction_b) =
             (geoms[a].geom.friction_coefficient, geoms[b].geom.friction_coefficient);
@@ -222,6 +198,7 @@ impl ArbiterList {
             FrictionType::Average => (friction_a + friction_b) / 2.0,
             FrictionType::Minimum => crate::math::scalar::min(friction_a, friction_b),
         };
+        handle
     }
 
     /// Removes the arbiters that a predicate names, from the last to the first, and hands each pair to `left`

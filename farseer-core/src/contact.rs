@@ -48,6 +48,14 @@ impl Contact {
         Contact { normal_impulse, tangent_impulse, ..self }
     }
 
+    /// Whether the contact can be solved: not if a handler has spoiled it, or a matrix of the user's is too large.
+    pub(crate) fn is_finite(&self) -> bool {
+        let Contact { id: _, position, normal, separation, normal_impulse, tangent_impulse } = self;
+        [position.x, position.y, normal.x, normal.y, *separation, *normal_impulse, *tangent_impulse]
+            .iter()
+            .all(|value| value.is_finite())
+    }
+
     /// Impulse along the normal accumulated by the solver in the last update, mass times velocity, 0 or more.
     pub fn normal_impulse(&self) -> f32 {
         self.normal_impulse

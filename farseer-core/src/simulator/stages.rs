@@ -101,7 +101,7 @@ impl PhysicsSimulator {
             geom_b,
             contacts,
         );
-        contacts.retain(is_finite);
+        contacts.retain(Contact::is_finite);
         if !contacts.is_empty() {
             sort_by_separation(contacts);
             contacts.truncate(settings.max_contacts_to_resolve.max(0) as usize);
@@ -127,7 +127,7 @@ impl PhysicsSimulator {
         let mut accepted = true;
         if let Some(handler) = handler {
             accepted = handler.on_collision(&mut Context { simulator: self }, this, other, contacts);
-            contacts.retain(is_finite);
+            contacts.retain(Contact::is_finite);
         }
         self.events.push(Event::Collision { this, other, contacts: count, vetoed: !accepted });
         if !accepted {
@@ -207,7 +207,7 @@ impl PhysicsSimulator {
         restitution: f32,
     ) -> Option<SurfaceContacts> {
         self.bodies.get(body)?;
-        let is_finite = contacts.iter().all(is_finite) && (friction + restitution).is_finite();
+        let is_finite = contacts.iter().all(Contact::is_finite) && (friction + restitution).is_finite();
         let contacts = if is_finite { contacts } else { &[] };
         Some(self.solver.add_surface(body, contacts, friction, restitution))
     }
@@ -284,13 +284,6 @@ fn sort_by_separation(contacts: &mut [Contact]) {
             j -= 1;
         }
     }
-}
-
-/// Whether a contact can be solved: not if a handler has spoiled it, or a matrix of the user's is too large.
-fn is_finite(contact: &Contact) -> bool {
-    [contact.position.x, contact.position.y, contact.normal.x, contact.normal.y, contact.separation]
-        .iter()
-        .all(|value| value.is_finite())
 }
 
 /// Hands pairs from the broad phase to the arbiter list.
