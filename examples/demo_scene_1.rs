@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use examples::{Look, Recorder, Result, Summary, palette};
 use farseer_core::math::Vector2;
 use farseer_core::{BodyFactory, BodyId, GeomFactory, GeomPlacement, PhysicsSimulator};
-use twohalf::{TextureId, TwoHalfPhysicsSimulator, Vector3};
+use twohalf::{Drawable, TextureId, TwoHalfPhysicsSimulator, Vector3};
 use twohalf_factories::{TwoHalfBodyFactory, TwoHalfGeomFactory};
 use twohalf_render::{
     Canvas, Color, DrawBody, GroundBackdrop, SoftwareCanvas, Sprite, SpriteBatch, Texture2D, Transform,
@@ -264,7 +264,8 @@ fn wood(index: usize) -> Color {
 fn draw_depth(scene: &Depth, canvas: &mut dyn Canvas) {
     let simulator = &scene.simulator;
     let mut batch = SpriteBatch::begin();
-    for id in simulator.draw_order() {
+    for drawable in simulator.draw_order() {
+        let Drawable::Body(id) = drawable else { continue };
         let Some(body) = simulator.body(id) else { continue };
         if let Some(shadow) =
             body.ground().shadow_image().and_then(|image| scene.shadows.get(image.id as usize))

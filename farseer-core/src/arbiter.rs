@@ -78,6 +78,9 @@ pub(crate) struct ArbiterList {
     /// A stack: the last one in is the first one out.
     pool: Vec<u32>,
     pairs: GeomPairBitmap,
+    /// By handle: whether an engine solves the arbiter itself in this update. Empty as long as there is none.
+    #[serde(skip)]
+    left_to_engine: Vec<bool>,
 }
 
 impl Default for ArbiterList {
@@ -87,6 +90,7 @@ impl Default for ArbiterList {
             list: Vec::new(),
             pool: (0..INITIAL_POOL_SIZE).collect(),
             pairs: GeomPairBitmap::default(),
+            left_to_engine: Vec::new(),
         }
     }
 }
@@ -100,6 +104,41 @@ impl ArbiterList {
     #[inline]
     pub(crate) fn at(&self, position: usize) -> &Arbiter {
         &self.arbiters[self.list[position] as usize]
+    }
+
+    pub(crate) fn get_mut(&mut self, position: usize) -> Option<&mut Arbiter> {
+        self.list.get(position).map(|&handle| &mut self.arbiters[handle as usize])
+    }
+
+    /// Keeps an arbiter from being gathered by the solver.
+    pub(crate) fn leave_to_engine(&mut self, position: usize) {
+        if let Some(&handle) = self.list.get(position) {
+            self.left_to_engine.resize(self.arbiters.len(), false);
+            self.left_to_engine[handle as usize] = true;
+        }
+    }
+
+    pub(crate) fn take_back_from_engine(&mut self) {
+        self.left_to_engine.clear();
+    }
+
+    #[inline]
+    pub(crate) fn is_left_to_engine(&self, handle: u32) -> bool {
+        self.left_to_engine.get(handle as usize).is_some_and(|&is_left| is_left)
+    }
+
+    /// Whether a pair is in the table: whether [`add_arbiter_for_geom_pair`](Self::add_arbiter_for_geom_pair)
+    /// would do nothing.
+    pub(crate) fn has_pair(&self, geoms: &Arena<GeomEntry>, geom1: GeomId, geom2: GeomId) -> bool {
+        self.pairs.contains(geoms[geom1].collision_id, geoms[geom2].collision_id)
+    }
+
+    /// Whether the list has an arbiter of a pair.
+    pub(crate) fn is_listed(&self, geom1: GeomId, geom2: GeomId) -> bool {
+        self.list.iter().any(|&handle| {
+            let geoms = self.arbiters[handle as usize].geoms;
+            geoms == Some((geom1, geom2)) || geoms == Some((geom2, geom1))
+        })
     }
 
     /// Whether handles are in range, and every listed arbiter has geoms that exist: false only after loading
@@ -194,10 +233,7 @@ impl ArbiterList {
             (geoms[a].geom.friction_coefficient, geoms[b].geom.friction_coefficient);
         let arbiter = &mut self.arbiters[handle as usize];
         arbiter.geoms = Some((a, b));
-        arbiter.friction = match friction_type {
-            FrictionType::Average => (friction_a + friction_b) / 2.0,
-            FrictionType::Minimum => crate::math::scalar::min(friction_a, friction_b),
-        };
+        arbiter.friction = friction_type.mix(friction_a, friction_b);
         handle
     }
 

@@ -114,6 +114,24 @@ pub trait EventHandler {
         true
     }
 
+    /// Whether [`accepts_pair`](Self::accepts_pair) is to be asked; looked at once per update.
+    fn filters_pairs(&self) -> bool {
+        false
+    }
+
+    /// Whether two geoms whose boxes overlap and that may collide may have contacts; not in the original, for engines
+    /// that know more about them, such as how deep in the picture they are.
+    ///
+    /// Asked in every update: first about every pair that has an arbiter. If refused it loses it, with
+    /// [`on_separation`](Self::on_separation) for both sides. Then about every pair that would get one, after
+    /// [`on_broad_phase_collision`](Self::on_broad_phase_collision). If refused it gets none, without an event. Unlike
+    /// that callback it never replaces the test of the boxes, and a pair refused in one update is asked about in the
+    /// next. A pair may be asked about more than once per update. Boxes are widened by 0.01 with sweep and prune.
+    fn accepts_pair(&mut self, context: &mut Context<'_>, geom1: GeomId, geom2: GeomId) -> bool {
+        let _ = (context, geom1, geom2);
+        true
+    }
+
     /// See [`Event::BodyUpdated`].
     #[doc(alias("Updated", "UpdatedEventHandler"))]
     fn on_body_updated(&mut self, context: &mut Context<'_>, body: BodyId) {
@@ -145,6 +163,17 @@ pub struct Context<'a> {
 }
 
 impl Context<'_> {
+    /// The same for a shorter time: for engines that hand it on inside a context of their own.
+    pub fn reborrow(&mut self) -> Context<'_> {
+        Context { simulator: self.simulator }
+    }
+
+    /// The simulator, to look at everything and to ask its queries. In the middle of an update it shows what the
+    /// stages have done so far.
+    pub fn simulator(&self) -> &PhysicsSimulator {
+        self.simulator
+    }
+
     /// A body, unless the id is stale.
     pub fn body(&self, body: BodyId) -> Option<&Body> {
         self.simulator.body(body)
@@ -187,5 +216,29 @@ impl Context<'_> {
     /// A stale id.
     pub fn dispose(&mut self, object: impl Into<ObjectId>) -> Result<()> {
         self.simulator.dispose(object)
+    }
+
+    /// See [`PhysicsSimulator::set_is_sensor`].
+    ///
+    /// # Errors
+    /// A stale id.
+    pub fn set_is_sensor(&mut self, geom: GeomId, is_sensor: bool) -> Result<()> {
+        self.simulator.set_is_sensor(geom, is_sensor)
+    }
+
+    /// See [`PhysicsSimulator::ignore_collision_with`].
+    ///
+    /// # Errors
+    /// A stale id.
+    pub fn ignore_collision_with(&mut self, geom: GeomId, other: GeomId) -> Result<()> {
+        self.simulator.ignore_collision_with(geom, other)
+    }
+
+    /// See [`PhysicsSimulator::restore_collision_with`].
+    ///
+    /// # Errors
+    /// A stale id.
+    pub fn restore_collision_with(&mut self, geom: GeomId, other: GeomId) -> Result<()> {
+        self.simulator.restore_collision_with(geom, other)
     }
 }

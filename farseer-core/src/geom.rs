@@ -129,6 +129,29 @@ impl Geom {
         self.collision_response_enabled = value;
     }
 
+    /// Whether these settings let the geom collide with one of those settings: collision is enabled on both, they
+    /// are not of one group, and their categories meet. What else decides about two geoms of a simulator (their
+    /// bodies, and whom they ignore) is not asked: for things of an engine that are not geoms of the core.
+    #[inline]
+    pub fn may_collide_with(&self, other: &Geom) -> bool {
+        self.collision_enabled
+            && other.collision_enabled
+            && !self.shares_group_with(other)
+            && self.meets_categories_of(other)
+    }
+
+    #[inline]
+    pub(crate) fn shares_group_with(&self, other: &Geom) -> bool {
+        self.collision_group == other.collision_group && self.collision_group != 0
+    }
+
+    /// Agreement in one direction is enough, as in the original.
+    #[inline]
+    pub(crate) fn meets_categories_of(&self, other: &Geom) -> bool {
+        self.collision_categories.intersects(other.collides_with)
+            || other.collision_categories.intersects(self.collides_with)
+    }
+
     /// A number for the user's own purposes. Default 0.
     #[doc(alias = "Tag")]
     pub fn tag(&self) -> u64 {
@@ -138,5 +161,16 @@ impl Geom {
     /// Sets the user's number.
     pub fn set_tag(&mut self, value: u64) {
         self.tag = value;
+    }
+
+    /// Names of the arguments that setters have refused since they were last asked for. A simulator asks its own geoms
+    /// and reports them; engines that keep settings of their own ask these.
+    pub fn take_rejected(&mut self) -> impl Iterator<Item = &'static str> + '_ {
+        self.rejected.drain(..)
+    }
+
+    /// Whether the coefficients are finite: false only for what was loaded from garbage.
+    pub fn is_finite(&self) -> bool {
+        self.friction_coefficient.is_finite() && self.restitution_coefficient.is_finite()
     }
 }

@@ -163,6 +163,8 @@ pub(crate) struct GeomEntry {
     pub(crate) world_vertices: Vertices,
     #[serde(with = "crate::bits")]
     pub(crate) aabb: Aabb,
+    /// The box is that of a disc about the geom's origin, for engines that collide true circles.
+    pub(crate) box_radius: Option<f32>,
     #[serde(with = "crate::bits")]
     pub(crate) pose: GeomPose,
     /// A matrix set by the user, until the body moves next.
@@ -199,6 +201,7 @@ impl GeomEntry {
             local_vertices: Vertices::default(),
             world_vertices: Vertices::default(),
             aabb: Aabb::default(),
+            box_radius: None,
             pose: GeomPose::IDENTITY,
             user_matrix: None,
             refresh_is_due: false,
@@ -219,7 +222,7 @@ impl GeomEntry {
         vertices.force_counter_clockwise_order();
         self.world_vertices.clone_from(&vertices);
         self.local_vertices = vertices;
-        self.aabb = Aabb::from_vertices(&self.local_vertices);
+        self.aabb = self.box_around(&self.local_vertices, Vector2::zeros());
         self.refresh_is_due = true;
         self.grid_fits_outline = false;
     }
@@ -252,7 +255,24 @@ impl GeomEntry {
 
     fn refresh(&mut self) {
         self.pose.matrix.apply_to_all(&self.local_vertices, &mut self.world_vertices);
-        self.aabb = Aabb::from_vertices(&self.world_vertices);
+        self.aabb = self.box_around(&self.world_vertices, self.pose.position);
+    }
+
+    /// The box of an outline whose origin is at `origin`.
+    #[inline]
+    pub(crate) fn box_around(&self, outline: &[Vector2], origin: Vector2) -> Aabb {
+        match self.box_radius {
+            None => Aabb::from_vertices(outline),
+            Some(radius) => {
+                let reach = Vector2::new(radius, radius);
+                Aabb::new(origin - reach, origin + reach)
+            }
+        }
+    }
+
+    pub(crate) fn set_box_radius(&mut self, radius: Option<f32>) {
+        self.box_radius = radius;
+        self.aabb = self.box_around(&self.world_vertices, self.pose.position);
     }
 
     /// Whether the geom's box in the world is finite.
@@ -283,7 +303,7 @@ impl GeomEntry {
             && self.local_vertices.iter().all(finite)
             && finite(&self.offset)
             && self.rotation_offset.is_finite()
-            && self.geom.friction_coefficient.is_finite()
-            && self.geom.restitution_coefficient.is_finite()
+            && self.geom.is_finite()
+            && self.box_radius.is_none_or(|radius| radius.is_finite() && radius > 0.0)
     }
 }

@@ -55,6 +55,24 @@ impl<'a> GeomRef<'a> {
         self.entry.body
     }
 
+    /// Position on the body, in the body's coordinates and the user's length unit.
+    #[doc(alias = "Offset")]
+    pub fn offset(&self) -> Vector2 {
+        self.entry.offset
+    }
+
+    /// Rotation against the body in radians.
+    #[doc(alias = "RotationOffset")]
+    pub fn rotation_offset(&self) -> f32 {
+        self.entry.rotation_offset
+    }
+
+    /// Whether it is in the [geom list](crate::PhysicsSimulator::geom_list) now. Objects enter and leave their lists
+    /// with updates.
+    pub fn is_listed(&self) -> bool {
+        self.entry.is_listed
+    }
+
     /// False after removal from the simulation, until it is added again.
     #[doc(alias = "InSimulation")]
     pub fn in_simulation(&self) -> bool {
@@ -108,8 +126,14 @@ impl<'a> GeomRef<'a> {
     pub fn aabb(&self) -> Aabb {
         match self.pending {
             None => self.entry.aabb,
-            Some(_) => Aabb::from_vertices(&self.world_vertices()),
+            Some(_) => self.entry.box_around(&self.world_vertices(), self.position()),
         }
+    }
+
+    /// Radius of the disc whose box [`aabb`](Self::aabb) is, if that was
+    /// [set](crate::PhysicsSimulator::set_box_radius).
+    pub fn box_radius(&self) -> Option<f32> {
+        self.entry.box_radius
     }
 
     /// World position of the geom's origin.

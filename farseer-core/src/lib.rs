@@ -47,6 +47,10 @@
 //! | [`pre_step`](PhysicsSimulator::pre_step), [`solve_iteration`](PhysicsSimulator::solve_iteration) | contacts push and rub | [`iterations`](PhysicsSimulator::set_iterations) |
 //! | [`integrate`](PhysicsSimulator::integrate) | velocity becomes position | |
 //!
+//! Between the stages such an engine may [filter pairs](EventHandler::accepts_pair), take
+//! [arbiters](PhysicsSimulator::leave_to_engine) over and work on [the velocities](PhysicsSimulator::solver_place) the
+//! solver has.
+//!
 //! # Units and axes
 //!
 //! Lengths are in whatever unit the user takes for them (pixels or metres), seconds, radians and any unit of mass;
@@ -107,4 +111,4 @@ pub use pair_id::PairId;
 pub use pair_table::GeomPairBitmap;
 pub use shape::{Aabb, Vertices};
 pub use simulator::{GeomPlacement, GeomPointPair, PhysicsSimulator, StepCounters};
-pub use solver::SurfaceContacts;
+pub use solver::{SolverBody, SolverPlace, SurfaceContacts};

@@ -66,6 +66,15 @@ pub enum FrictionType {
     Minimum,
 }
 
+impl FrictionType {
+    pub(crate) fn mix(self, a: f32, b: f32) -> f32 {
+        match self {
+            FrictionType::Average => (a + b) / 2.0,
+            FrictionType::Minimum => crate::math::scalar::min(a, b),
+        }
+    }
+}
+
 /// A set of collision categories, 31 of them (behaviour chapter 04, section 9).
 ///
 /// ```

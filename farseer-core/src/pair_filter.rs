@@ -15,7 +15,7 @@ pub(crate) struct Scene<'a> {
 impl Scene<'_> {
     /// The test that every method applies (behaviour chapter 08, section 1.2).
     pub(crate) fn may_collide(&self, a: &GeomEntry, b: &GeomEntry) -> bool {
-        if a.body == b.body || !a.geom.collision_enabled || !b.geom.collision_enabled || same_group(a, b) {
+        if a.body == b.body || !a.geom.may_collide_with(&b.geom) {
             return false;
         }
         let (Some(body_a), Some(body_b)) = (self.bodies.get(a.body), self.bodies.get(b.body)) else {
@@ -24,7 +24,6 @@ impl Scene<'_> {
         body_a.body.enabled()
             && body_b.body.enabled()
             && !(body_a.body.is_static() && body_b.body.is_static())
-            && categories_meet(a, b)
             && !a.ignores(b.number)
             && !b.ignores(a.number)
     }
@@ -40,18 +39,6 @@ pub(crate) fn is_valid_pair(a: &GeomEntry, b: &GeomEntry, bodies: &Arena<BodyEnt
         || (body_a.is_static() && body_b.is_static())
         || !body_a.enabled()
         || !body_b.enabled()
-        || same_group(a, b)
-        || !categories_meet(a, b))
-}
-
-#[inline]
-fn same_group(a: &GeomEntry, b: &GeomEntry) -> bool {
-    a.geom.collision_group == b.geom.collision_group && a.geom.collision_group != 0
-}
-
-/// Agreement in one direction is enough, as in the original.
-#[inline]
-fn categories_meet(a: &GeomEntry, b: &GeomEntry) -> bool {
-    a.geom.collision_categories.intersects(b.geom.collides_with)
-        || b.geom.collision_categories.intersects(a.geom.collides_with)
+        || a.geom.shares_group_with(&b.geom)
+        || !a.geom.meets_categories_of(&b.geom))
 }

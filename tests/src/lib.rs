@@ -2,7 +2,10 @@
 
 pub mod check;
 pub mod compare;
+pub mod depth_scenes;
 pub mod golden;
+#[cfg(feature = "peers")]
+pub mod peers;
 pub mod run;
 pub mod scene;
 pub mod scenes;

@@ -3,7 +3,7 @@
 mod twohalf_common;
 
 use twohalf::farseer_core::Body;
-use twohalf::{BodyId, Contact, Context, Event, EventHandler, GeomId, TwoHalfPhysicsSimulator, Vector2};
+use twohalf::{BodyId, Collision, Context, Event, EventHandler, TwoHalfPhysicsSimulator, Vector2};
 use twohalf_common::{busy_scene, run, set_surface, throw};
 
 #[track_caller]
@@ -66,14 +66,8 @@ fn negative_masses_and_steps_leave_everything_finite() {
 struct Disposer;
 
 impl EventHandler for Disposer {
-    fn on_collision(
-        &mut self,
-        context: &mut Context<'_>,
-        this: GeomId,
-        _: GeomId,
-        _: &mut Vec<Contact>,
-    ) -> bool {
-        if let Some(body) = context.geom(this).map(|geom| geom.body()) {
+    fn on_collision(&mut self, context: &mut Context<'_>, collision: &Collision) -> bool {
+        if let Some(body) = context.geom(collision.this).map(|geom| geom.body()) {
             context.dispose(body).unwrap();
         }
         true

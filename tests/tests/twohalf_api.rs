@@ -3,7 +3,7 @@
 mod twohalf_common;
 
 use twohalf::farseer_core::{Body, GeomPlacement, Vertices};
-use twohalf::{DepthProfile, Error, Event, TextureId, TwoHalfPhysicsSimulator, Vector2, Vector3};
+use twohalf::{DepthProfile, Drawable, Error, Event, TextureId, TwoHalfPhysicsSimulator, Vector2, Vector3};
 use twohalf_common::{ball, crate_box, place, run, simulator, throw, weightless};
 use twohalf_factories::{TwoHalfBodyFactory, TwoHalfGeomFactory};
 
@@ -261,7 +261,7 @@ fn the_drawing_order_is_from_far_to_near_and_at_one_depth_from_low_to_high() {
     let far = ball(&mut simulator, 10.0, [100.0, 0.0, 90.0]);
     let low = ball(&mut simulator, 10.0, [150.0, 0.0, 50.0]);
     run(&mut simulator, 1);
-    assert_eq!(simulator.draw_order(), [far, low, high, near]);
+    assert_eq!(simulator.draw_order(), [far, low, high, near].map(Drawable::Body));
 }
 
 #[test]

@@ -4,7 +4,7 @@ mod twohalf_common;
 
 use twohalf::farseer_core::{BroadPhaseCollider, PhysicsSimulator};
 use twohalf::{
-    BodyId, Contact, Context, DepthProfile, Event, EventHandler, GeomId, TwoHalfPhysicsSimulator, Vector3,
+    BodyId, Collision, Context, DepthProfile, Event, EventHandler, GeomId, TwoHalfPhysicsSimulator, Vector3,
 };
 use twohalf_common::{ball, crate_box, place, run, throw, weightless};
 
@@ -57,35 +57,26 @@ fn at_different_depths_two_balls_pass_each_other_whatever_the_broad_phase() {
 fn a_deeper_profile_lets_objects_meet_that_would_have_passed() {
     let (mut simulator, [a, _]) = two_balls(weightless(), 20.0);
     let geom = simulator.body(a).unwrap().ground().object_geom().unwrap();
-    simulator.set_depth_profile(geom, DepthProfile::Prism { depth: 24.0 }).unwrap();
+    simulator.set_depth_profile(geom, DepthProfile::Prism { depth: 60.0 }).unwrap();
     run(&mut simulator, 300);
     assert!(velocity_x(&simulator, a) < 10.0);
 }
 
 #[test]
-fn an_object_that_comes_from_the_front_passes_through_whatever_the_broad_phase() {
+fn an_object_that_comes_from_the_front_pushes_whatever_the_broad_phase() {
     for method in BROAD_PHASES {
         let mut simulator = with_broad_phase(method);
         let still = crate_box(&mut simulator, [40.0, 40.0], [0.0, 0.0, 100.0]);
         let thrown = crate_box(&mut simulator, [30.0, 30.0], [3.0, 4.0, 0.0]);
         throw(&mut simulator, thrown, [0.0, 0.0, 80.0]);
         run(&mut simulator, 300);
-        assert_eq!(place(&simulator, still), Vector3::new(0.0, 0.0, 100.0), "{method:?}");
-        assert_eq!(place(&simulator, thrown).x, 3.0, "{method:?}");
-        assert!(place(&simulator, thrown).z > 200.0, "{method:?}");
+        let velocity = |body| simulator.body(body).unwrap().velocity3d();
+        // Equal masses and no restitution: both go on at half the speed.
+        for body in [still, thrown] {
+            assert!((velocity(body) - Vector3::new(0.0, 0.0, 40.0)).norm() < 0.01, "{method:?}");
+        }
+        assert_eq!((place(&simulator, thrown).x, place(&simulator, thrown).y), (3.0, 4.0), "{method:?}");
     }
-}
-
-#[test]
-fn a_pair_that_passed_meets_again_after_its_boxes_have_parted() {
-    let mut simulator = weightless();
-    let still = crate_box(&mut simulator, [40.0, 40.0], [0.0, 0.0, 100.0]);
-    let thrown = crate_box(&mut simulator, [30.0, 30.0], [3.0, 4.0, 0.0]);
-    run(&mut simulator, 5);
-    simulator.body_mut(thrown).unwrap().set_position3d(Vector3::new(-60.0, 4.0, 100.0));
-    throw(&mut simulator, thrown, [50.0, 0.0, 0.0]);
-    run(&mut simulator, 200);
-    assert!(velocity_x(&simulator, still) > 10.0);
 }
 
 #[test]
@@ -122,7 +113,7 @@ impl EventHandler for Listener {
         !self.refuses
     }
 
-    fn on_collision(&mut self, _: &mut Context<'_>, _: GeomId, _: GeomId, _: &mut Vec<Contact>) -> bool {
+    fn on_collision(&mut self, _: &mut Context<'_>, _: &Collision) -> bool {
         self.collisions += 1;
         true
     }

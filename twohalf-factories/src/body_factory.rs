@@ -1,6 +1,6 @@
 //! Bodies with the mass properties of simple shapes.
 
-use twohalf::farseer_core::{Body, BodyFactory};
+use twohalf::farseer_core::{Body, BodyFactory, Vertices};
 use twohalf::{BodyId, Result, TwoHalfPhysicsSimulator};
 
 /// Makes bodies with the moments of inertia of solid shapes, those of the 2D engine's
@@ -9,6 +9,30 @@ use twohalf::{BodyId, Result, TwoHalfPhysicsSimulator};
 pub struct TwoHalfBodyFactory;
 
 impl TwoHalfBodyFactory {
+    /// A body of a mass and moment of inertia (mass times px²).
+    ///
+    /// # Errors
+    /// A mass or moment of inertia that is not finite, or 0.
+    #[doc(alias = "CreateBody(TwoHalfPhysicsSimulator, float, float)")]
+    pub fn create_body(
+        simulator: &mut TwoHalfPhysicsSimulator,
+        mass: f32,
+        moment_of_inertia: f32,
+    ) -> Result<BodyId> {
+        add(simulator, BodyFactory::create_body(mass, moment_of_inertia)?)
+    }
+
+    /// A copy of a body, without geoms and at rest; see [`TwoHalfPhysicsSimulator::clone_body`].
+    ///
+    /// # Errors
+    /// A stale body.
+    #[doc(alias = "CreateBody(TwoHalfPhysicsSimulator, TwoHalfBody)")]
+    pub fn clone_body(simulator: &mut TwoHalfPhysicsSimulator, body: BodyId) -> Result<BodyId> {
+        let copy = simulator.clone_body(body)?;
+        simulator.add(copy)?;
+        Ok(copy)
+    }
+
     /// A solid disc.
     ///
     /// # Errors
@@ -20,6 +44,33 @@ impl TwoHalfBodyFactory {
         mass: f32,
     ) -> Result<BodyId> {
         add(simulator, BodyFactory::create_circle_body(radius, mass)?)
+    }
+
+    /// A solid ellipse.
+    ///
+    /// # Errors
+    /// A radius or mass that is not finite and greater than 0, or so small that the moment of inertia vanishes.
+    #[doc(alias = "CreateEllipseBody")]
+    pub fn create_ellipse_body(
+        simulator: &mut TwoHalfPhysicsSimulator,
+        x_radius: f32,
+        y_radius: f32,
+        mass: f32,
+    ) -> Result<BodyId> {
+        add(simulator, BodyFactory::create_ellipse_body(x_radius, y_radius, mass)?)
+    }
+
+    /// A solid polygon about its centroid, which becomes the body's origin.
+    ///
+    /// # Errors
+    /// An outline without area; a mass that is not finite and greater than 0.
+    #[doc(alias = "CreatePolygonBody")]
+    pub fn create_polygon_body(
+        simulator: &mut TwoHalfPhysicsSimulator,
+        vertices: impl Into<Vertices>,
+        mass: f32,
+    ) -> Result<BodyId> {
+        add(simulator, BodyFactory::create_polygon_body(&vertices.into(), mass)?)
     }
 
     /// A solid rectangle.

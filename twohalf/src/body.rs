@@ -1,16 +1,17 @@
 //! Bodies as a game sees them.
 
-use std::ops::{Deref, DerefMut};
-
-use farseer_core::{Body, BodyId, Event};
+use farseer_core::{Body, BodyId};
 
 use crate::depth::{DepthBody, lowest};
 use crate::ground::{Ground, GroundMut};
 use crate::projection::{plane_to_world, world_to_plane};
-use crate::{TwoHalfPhysicsSimulator, Vector2, Vector3};
+use crate::support::Support;
+use crate::view::{Access, AccessMut};
+use crate::{Event, Partner, Vector2, Vector3};
 
-/// A body of a simulator: to look at, from [`TwoHalfPhysicsSimulator::body`], or to change as well, from
-/// [`TwoHalfPhysicsSimulator::body_mut`].
+/// A body of a simulator: to look at, from [`TwoHalfPhysicsSimulator::body`](crate::TwoHalfPhysicsSimulator::body),
+/// or to change as well, from [`TwoHalfPhysicsSimulator::body_mut`](crate::TwoHalfPhysicsSimulator::body_mut); in
+/// callbacks from the [`Context`](crate::Context).
 ///
 /// Velocities, forces and impulses along X and Y are in screen orientation: x right, y **down**. Along Z,
 /// positive is into the picture. Rotation is about the depth axis, in rad, clockwise on the screen.
@@ -25,21 +26,25 @@ pub struct TwoHalfBody<S> {
     id: BodyId,
 }
 
-impl<S: Deref<Target = TwoHalfPhysicsSimulator>> TwoHalfBody<S> {
+impl<S: Access> TwoHalfBody<S> {
     pub(crate) fn new(simulator: S, id: BodyId) -> Option<Self> {
-        simulator.core.body(id)?;
-        simulator.depths.bodies.get(id)?;
+        simulator.core().body(id)?;
+        simulator.world().depths.bodies.get(id)?;
         Some(TwoHalfBody { simulator, id })
     }
 
     /// The body in the 2D engine. Its position is that of the body's origin in the plane: x = X, y = -Y.
     pub fn core(&self) -> &Body {
         // That it exists was checked when the view was made, and nothing can be disposed while the view lives.
-        &self.simulator.core[self.id]
+        &self.simulator.core()[self.id]
     }
 
     fn state(&self) -> &DepthBody {
-        &self.simulator.depths.bodies[self.id]
+        &self.simulator.world().depths.bodies[self.id]
+    }
+
+    fn lowest(&self) -> f64 {
+        lowest(self.simulator.core(), &self.simulator.world().depths, self.id)
     }
 
     /// The id.
@@ -53,14 +58,14 @@ impl<S: Deref<Target = TwoHalfPhysicsSimulator>> TwoHalfBody<S> {
     /// While a body that is not round rotates, the lowest point changes, and with it Y.
     #[doc(alias = "Position3D")]
     pub fn position3d(&self) -> Vector3 {
-        let lowest = lowest(&self.simulator.core, &self.simulator.depths, self.id);
+        let lowest = self.lowest();
         plane_to_world(self.core().position(), lowest, self.state().z)
     }
 
     /// Position of the body's origin on the screen, px.
     #[doc(alias = "Position")]
     pub fn position(&self) -> Vector2 {
-        self.simulator.projection.plane_to_screen(self.core().position(), self.state().z)
+        self.simulator.world().projection.plane_to_screen(self.core().position(), self.state().z)
     }
 
     /// Rotation in rad, normally from 0 to 2 pi.
@@ -91,6 +96,110 @@ impl<S: Deref<Target = TwoHalfPhysicsSimulator>> TwoHalfBody<S> {
     /// radius r that rolls on the ground without slipping has -v/r at a velocity v along Z.
     pub fn angular_velocity_x(&self) -> f32 {
         self.state().angular_velocity_x
+    }
+
+    /// Position of the body's origin in the world: X, Y up, Z. Unlike the Y of [`position3d`](Self::position3d),
+    /// its rate is the body's velocity also while it rotates.
+    pub fn origin3d(&self) -> Vector3 {
+        plane_to_world(self.core().position(), 0.0, self.state().z)
+    }
+
+    /// Velocity of the body's origin in the world, px/s: along X, **up** and along Z.
+    pub fn velocity3d(&self) -> Vector3 {
+        let velocity = self.core().linear_velocity();
+        Vector3::new(velocity.x, -velocity.y, self.state().velocity_z)
+    }
+
+    /// Angular velocity in rad/s about the axes x, y **down** and z into the picture, a right-handed frame. The third
+    /// is [`angular_velocity`](Self::angular_velocity); the others are those of balls and are not drawn.
+    pub fn angular_velocity3d(&self) -> Vector3 {
+        let state = self.state();
+        Vector3::new(state.angular_velocity_x, state.angular_velocity_y, self.core().angular_velocity())
+    }
+
+    /// Layer depth for a draw call: 0 in front, 1 at the back, by the body's Z in the simulator's
+    /// [layer depth range](crate::TwoHalfPhysicsSimulator::set_layer_depth_range).
+    #[doc(alias = "LayerDepth")]
+    pub fn layer_depth(&self) -> f32 {
+        self.simulator.world().layer_depth(self.state().z)
+    }
+
+    /// What held the body up best in the last update: of everything below it that it touched, what pushes it most
+    /// straight up. `None` in the air.
+    pub fn support(&self) -> Option<Support> {
+        self.state().support
+    }
+
+    /// Whether the body stood on something in the last update: the ground, a platform or another object that is no
+    /// steeper than 60 degrees.
+    pub fn is_grounded(&self) -> bool {
+        self.support().is_some_and(|support| support.carries())
+    }
+
+    /// Everything below the body that it touched in the last update.
+    pub fn supports(&self) -> Vec<Support> {
+        let (core, world) = (self.simulator.core(), self.simulator.world());
+        let is_mine = |geom| core.geom(geom).is_some_and(|geom| geom.body() == self.id);
+        let mut supports = Vec::new();
+        for contact in world.contacts(core) {
+            let below = match contact.partner {
+                _ if is_mine(contact.this) => Some(Support { partner: contact.partner, normal: contact.normal }),
+                Partner::Geom(other) if is_mine(other) => {
+                    Some(Support { partner: Partner::Geom(contact.this), normal: -contact.normal })
+                }
+                _ => None,
+            };
+            supports.extend(below.filter(|support| support.normal.y > 0.0 && !supports.contains(support)));
+        }
+        supports
+    }
+
+    /// Force along X and down accumulated for the next update.
+    #[doc(alias = "Force")]
+    pub fn force(&self) -> Vector2 {
+        self.core().force()
+    }
+
+    /// Torque accumulated for the next update.
+    #[doc(alias = "Torque")]
+    pub fn torque(&self) -> f32 {
+        self.core().torque()
+    }
+
+    /// 1 / mass; 0 for an immovable body.
+    #[doc(alias = "InverseMass")]
+    pub fn inverse_mass(&self) -> f32 {
+        self.core().inverse_mass()
+    }
+
+    /// Whether gravity leaves the body alone. Default false.
+    #[doc(alias = "IgnoreGravity")]
+    pub fn ignore_gravity(&self) -> bool {
+        self.core().ignore_gravity()
+    }
+
+    /// Drag per velocity, in all three axes. Default 0.001.
+    #[doc(alias = "LinearDragCoefficient")]
+    pub fn linear_drag_coefficient(&self) -> f32 {
+        self.core().linear_drag_coefficient()
+    }
+
+    /// Drag per square of the angular velocity. Default 0.001.
+    #[doc(alias = "RotationalDragCoefficient")]
+    pub fn rotational_drag_coefficient(&self) -> f32 {
+        self.core().rotational_drag_coefficient()
+    }
+
+    /// A number for the game's own purposes. Default 0.
+    #[doc(alias = "Tag")]
+    pub fn tag(&self) -> u64 {
+        self.core().tag()
+    }
+
+    /// Whether the body was disposed and goes with the next update.
+    #[doc(alias = "IsDisposed")]
+    pub fn is_disposed(&self) -> bool {
+        self.simulator.core().is_disposed(self.id)
     }
 
     /// Force along Z accumulated for the next update.
@@ -137,15 +246,15 @@ macro_rules! accumulate {
     )*};
 }
 
-impl<S: DerefMut<Target = TwoHalfPhysicsSimulator>> TwoHalfBody<S> {
+impl<S: AccessMut> TwoHalfBody<S> {
     /// The body in the 2D engine, to change what is not offered here. Its position is that of the body's origin
     /// in the plane: x = X, y = -Y.
     pub fn core_mut(&mut self) -> &mut Body {
-        &mut self.simulator.core[self.id]
+        self.simulator.core_body_mut(self.id).expect("the body was there when the view was made")
     }
 
     fn state_mut(&mut self) -> &mut DepthBody {
-        &mut self.simulator.depths.bodies[self.id]
+        &mut self.simulator.world_mut().depths.bodies[self.id]
     }
 
     /// Notes a refused argument and answers whether the value may be used.
@@ -153,17 +262,17 @@ impl<S: DerefMut<Target = TwoHalfPhysicsSimulator>> TwoHalfBody<S> {
         let accepted = value.is_finite();
         if !accepted {
             let object = Some(self.id.into());
-            self.simulator.pending_events.push(Event::RejectedInput { object, argument });
+            self.simulator.world_mut().pending_events.push(Event::RejectedInput { object, argument });
         }
         accepted
     }
 
     /// Moves the body in the world; see [`position3d`](Self::position3d). What is not finite is rejected.
     pub fn set_position3d(&mut self, value: Vector3) {
-        let lowest = lowest(&self.simulator.core, &self.simulator.depths, self.id);
+        let lowest = self.lowest();
         let plane = world_to_plane(value, lowest);
         // Any infinity or NaN makes a product, and with it the sum, NaN.
-        let screen = self.simulator.projection.plane_to_screen(plane, value.z);
+        let screen = self.simulator.world().projection.plane_to_screen(plane, value.z);
         let is_finite = 0.0 * plane.x + 0.0 * plane.y + 0.0 * value.z + 0.0 * screen.x + 0.0 * screen.y;
         if self.accepts("position3d", is_finite) {
             self.core_mut().set_position(plane);
@@ -174,7 +283,7 @@ impl<S: DerefMut<Target = TwoHalfPhysicsSimulator>> TwoHalfBody<S> {
     /// Moves the body in X and Y so that its origin appears at a point of the screen; Z stays. What is not finite
     /// is rejected.
     pub fn set_position(&mut self, value: Vector2) {
-        let plane = self.simulator.projection.screen_to_plane(value, self.state().z);
+        let plane = self.simulator.world().projection.screen_to_plane(value, self.state().z);
         self.core_mut().set_position(plane);
     }
 
@@ -233,6 +342,114 @@ impl<S: DerefMut<Target = TwoHalfPhysicsSimulator>> TwoHalfBody<S> {
         apply_impulse_z(amount) impulse_z +=;
     }
 
+    /// Sets the velocity of the body's origin in the world: along X, **up** and along Z. What is not finite is
+    /// rejected.
+    pub fn set_velocity3d(&mut self, value: Vector3) {
+        if self.accepts("velocity3d", value.x * 0.0 + value.y * 0.0 + value.z * 0.0) {
+            self.core_mut().set_linear_velocity(Vector2::new(value.x, -value.y));
+            self.state_mut().velocity_z = value.z;
+        }
+    }
+
+    /// Adds a force in the world, along X, **up** and along Z, at the body's origin, acting over the next update. What
+    /// is not finite is rejected.
+    pub fn apply_force3d(&mut self, amount: Vector3) {
+        if self.accepts("amount", amount.x * 0.0 + amount.y * 0.0 + amount.z * 0.0) {
+            self.apply_force(Vector2::new(amount.x, -amount.y));
+            self.apply_force_z(amount.z);
+        }
+    }
+
+    /// Adds an impulse in the world, along X, **up** and along Z, that changes the velocity at the next update. What is
+    /// not finite is rejected.
+    pub fn apply_impulse3d(&mut self, amount: Vector3) {
+        if self.accepts("amount", amount.x * 0.0 + amount.y * 0.0 + amount.z * 0.0) {
+            self.apply_impulse(Vector2::new(amount.x, -amount.y));
+            self.apply_impulse_z(amount.z);
+        }
+    }
+
+    /// Sets the angular velocity about all three axes of [`angular_velocity3d`](Self::angular_velocity3d); the first two
+    /// matter for balls. What is not finite is rejected.
+    pub fn set_angular_velocity3d(&mut self, value: Vector3) {
+        if self.accepts("angular_velocity3d", value.x * 0.0 + value.y * 0.0 + value.z * 0.0) {
+            self.core_mut().set_angular_velocity(value.z);
+            let state = self.state_mut();
+            (state.angular_velocity_x, state.angular_velocity_y) = (value.x, value.y);
+        }
+    }
+
+    /// Sets the mass; the moment of inertia stays.
+    ///
+    /// # Errors
+    /// As [`Body::set_mass`].
+    pub fn set_mass(&mut self, value: f32) -> crate::Result<()> {
+        Ok(self.core_mut().set_mass(value)?)
+    }
+
+    /// Lets gravity act on the body or not.
+    pub fn set_ignore_gravity(&mut self, value: bool) {
+        self.core_mut().set_ignore_gravity(value);
+    }
+
+    /// Sets the drag per velocity, in all three axes. What is not finite is rejected.
+    pub fn set_linear_drag_coefficient(&mut self, value: f32) {
+        self.core_mut().set_linear_drag_coefficient(value);
+    }
+
+    /// Sets the drag per square of the angular velocity. What is not finite is rejected.
+    pub fn set_rotational_drag_coefficient(&mut self, value: f32) {
+        self.core_mut().set_rotational_drag_coefficient(value);
+    }
+
+    /// Sets the game's own number.
+    pub fn set_tag(&mut self, value: u64) {
+        self.core_mut().set_tag(value);
+    }
+
+    /// Adds a torque about the depth axis, acting over the next update. What is not finite is rejected.
+    #[doc(alias = "ApplyTorque")]
+    pub fn apply_torque(&mut self, torque: f32) {
+        self.core_mut().apply_torque(torque);
+    }
+
+    /// Adds an angular impulse about the depth axis that changes the angular velocity at once. What is not finite is
+    /// rejected.
+    #[doc(alias = "ApplyAngularImpulse")]
+    pub fn apply_angular_impulse(&mut self, amount: f32) {
+        self.core_mut().apply_angular_impulse(amount);
+    }
+
+    /// Forgets the accumulated force, along Z as well.
+    #[doc(alias = "ClearForce")]
+    pub fn clear_force(&mut self) {
+        self.core_mut().clear_force();
+        self.clear_force_z();
+    }
+
+    /// Forgets the accumulated impulse, along Z as well.
+    #[doc(alias = "ClearImpulse")]
+    pub fn clear_impulse(&mut self) {
+        self.core_mut().clear_impulse();
+        self.state_mut().impulse_z = 0.0;
+    }
+
+    /// Forgets the accumulated torque.
+    #[doc(alias = "ClearTorque")]
+    pub fn clear_torque(&mut self) {
+        self.core_mut().clear_torque();
+    }
+
+    /// Back to the origin of the world at rest, as the 2D engine's: position, rotation, velocities, forces and
+    /// impulses become 0, along Z as well.
+    #[doc(alias = "ResetDynamics")]
+    pub fn reset_dynamics(&mut self) {
+        self.core_mut().reset_dynamics();
+        let state = self.state_mut();
+        (state.z, state.velocity_z, state.force_z, state.impulse_z) = (0.0, 0.0, 0.0, 0.0);
+        (state.angular_velocity_x, state.angular_velocity_y) = (0.0, 0.0);
+    }
+
     /// Forgets the accumulated force along Z.
     #[doc(alias = "ClearForceZ")]
     pub fn clear_force_z(&mut self) {
@@ -240,7 +457,7 @@ impl<S: DerefMut<Target = TwoHalfPhysicsSimulator>> TwoHalfBody<S> {
     }
 
     /// How the body meets the plane Y = 0, to be changed.
-    pub fn ground_mut(&mut self) -> GroundMut<'_> {
+    pub fn ground_mut(&mut self) -> GroundMut<'_, S> {
         GroundMut { simulator: &mut self.simulator, body: self.id }
     }
 }

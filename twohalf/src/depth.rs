@@ -7,8 +7,8 @@ use serde::{Deserialize, Serialize};
 use crate::Result;
 use crate::error::invalid;
 use crate::ground::Ground;
-use crate::ground_contacts::RememberedImpulses;
 use crate::slots::SlotTable;
+use crate::support::Support;
 
 /// How the outline of a geom becomes a body of three dimensions.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -32,6 +32,10 @@ impl DepthProfile {
             DepthProfile::Prism { depth } => depth * 0.5,
             DepthProfile::Round { radius } => radius,
         }
+    }
+
+    pub(crate) fn is_round(&self) -> bool {
+        matches!(self, DepthProfile::Round { .. })
     }
 
     /// What a geom has unless it is told otherwise: a prism as deep as the shorter side of its outline's box.
@@ -58,13 +62,17 @@ impl DepthProfile {
 pub(crate) struct DepthBody {
     pub(crate) z: f32,
     pub(crate) velocity_z: f32,
-    /// Rolling in depth: rotation about the x axis, which is not drawn.
+    /// Rolling: rotation about the x axis and, with y down, the y axis, which is not drawn.
     pub(crate) angular_velocity_x: f32,
+    pub(crate) angular_velocity_y: f32,
+    /// Velocity along Z that only undid overlap in the last update.
+    #[serde(skip)]
+    pub(crate) bias_z: f32,
     pub(crate) force_z: f32,
     pub(crate) impulse_z: f32,
     pub(crate) ground: Ground,
-    /// What held the body on its ground in the last update.
-    pub(crate) remembered: RememberedImpulses,
+    /// What held the body up best in the last update.
+    pub(crate) support: Option<Support>,
 }
 
 impl DepthBody {
@@ -74,11 +82,12 @@ impl DepthBody {
         self.motion_is_finite()
             && numbers.iter().all(|number| number.is_finite())
             && self.ground.is_valid()
-            && self.remembered.is_valid()
+            && self.support.is_none_or(|support| support.normal.iter().all(|number| number.is_finite()))
     }
 
     pub(crate) fn motion_is_finite(&self) -> bool {
-        self.z.is_finite() && self.velocity_z.is_finite() && self.angular_velocity_x.is_finite()
+        let numbers = [self.z, self.velocity_z, self.angular_velocity_x, self.angular_velocity_y];
+        numbers.iter().all(|number| number.is_finite())
     }
 
     /// Impulse, force and drag become velocity, as the 2D engine does it for X and Y (behaviour chapter 02,
@@ -92,9 +101,13 @@ impl DepthBody {
             drag -= speed * body.quadratic_drag_coefficient() * self.velocity_z.signum();
         }
         self.velocity_z += (self.force_z + drag) * body.inverse_mass() * dt;
-        let spin = self.angular_velocity_x;
-        let torque = -spin * spin.abs() * body.rotational_drag_coefficient();
-        self.angular_velocity_x += torque * body.inverse_moment_of_inertia() * dt;
+        let (spin_x, spin_y) = (self.angular_velocity_x, self.angular_velocity_y);
+        if spin_x != 0.0 || spin_y != 0.0 {
+            let spin = (spin_x * spin_x + spin_y * spin_y).sqrt();
+            let drag = spin * body.rotational_drag_coefficient() * body.inverse_moment_of_inertia() * dt;
+            self.angular_velocity_x -= spin_x * drag;
+            self.angular_velocity_y -= spin_y * drag;
+        }
         self.force_z = 0.0;
         self.impulse_z = 0.0;
     }
@@ -107,17 +120,9 @@ pub(crate) struct Depths {
     pub(crate) profiles: SlotTable<GeomId, DepthProfile>,
 }
 
-impl Depths {
-    /// Z of the middle of a geom, and half of its extent along Z.
-    pub(crate) fn extent(&self, geom: GeomId, body: BodyId) -> Option<(f32, f32)> {
-        Some((self.bodies.get(body)?.z, self.profiles.get(geom)?.half_depth()))
-    }
-}
-
-/// Whether two extents along Z overlap. Faces that only touch do not; two extents about the same Z always do,
-/// however thin.
-pub(crate) fn extents_overlap((z1, half1): (f32, f32), (z2, half2): (f32, f32)) -> bool {
-    z1 == z2 || (f64::from(z1) - f64::from(z2)).abs() < f64::from(half1) + f64::from(half2)
+/// Whether the solver can move a body.
+pub(crate) fn is_movable(core: &PhysicsSimulator, body: BodyId) -> bool {
+    core.body(body).is_some_and(|body| body.enabled() && !body.is_static())
 }
 
 /// Distance from a body's origin down to the lowest point of its object geom at its present rotation; 0
@@ -140,22 +145,5 @@ pub(crate) fn lowest(core: &PhysicsSimulator, depths: &Depths, body: BodyId) -> 
                 geom.local_vertices().iter().map(|v| f64::from(v.x) * across + f64::from(v.y) * down);
             offset + heights.fold(f64::NEG_INFINITY, f64::max)
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn extents_that_only_touch_do_not_overlap() {
-        assert!(!extents_overlap((0.0, 10.0), (20.0, 10.0)));
-        assert!(extents_overlap((0.0, 10.0), (19.0, 10.0)));
-    }
-
-    #[test]
-    fn extents_without_depth_overlap_at_the_same_place_only() {
-        assert!(extents_overlap((5.0, 0.0), (5.0, 0.0)));
-        assert!(!extents_overlap((5.0, 0.0), (6.0, 0.0)));
     }
 }

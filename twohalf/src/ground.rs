@@ -1,12 +1,13 @@
 //! The ground of a body: the plane Y = 0 as that body meets it (thesis 3.2).
 
-use farseer_core::{BodyId, Event, GeomId};
+use farseer_core::{BodyId, GeomId};
 use serde::{Deserialize, Serialize};
 
 use crate::depth::lowest;
 use crate::error::stale;
 use crate::projection::{plane_to_world, world_to_plane};
-use crate::{Error, Result, TextureId, TwoHalfPhysicsSimulator};
+use crate::view::AccessMut;
+use crate::{Error, Event, Result, TextureId};
 
 /// How a body meets the plane Y = 0. Every body has a ground of its own, and no body meets another one's.
 ///
@@ -46,6 +47,16 @@ impl Ground {
         self.shadow_image
     }
 
+    /// The same for a body that has no geoms yet.
+    pub(crate) fn without_object(self) -> Self {
+        Ground { object_geom: None, ..self }
+    }
+
+    /// Takes the copy of an object geom, if the body has none.
+    pub(crate) fn adopt_object(&mut self, geom: GeomId) {
+        self.object_geom.get_or_insert(geom);
+    }
+
     /// Whether the coefficients are finite: false only after loading garbage.
     pub(crate) fn is_valid(&self) -> bool {
         self.restitution_coefficient.is_finite() && self.friction_coefficient.is_finite()
@@ -55,19 +66,19 @@ impl Ground {
 /// A body's ground, to be changed: what [`TwoHalfBody::ground_mut`](crate::TwoHalfBody::ground_mut) gives.
 /// Dereferences to [`Ground`].
 #[derive(Debug)]
-pub struct GroundMut<'a> {
-    pub(crate) simulator: &'a mut TwoHalfPhysicsSimulator,
+pub struct GroundMut<'a, S> {
+    pub(crate) simulator: &'a mut S,
     pub(crate) body: BodyId,
 }
 
-impl std::ops::Deref for GroundMut<'_> {
+impl<S: AccessMut> std::ops::Deref for GroundMut<'_, S> {
     type Target = Ground;
     fn deref(&self) -> &Ground {
-        &self.simulator.depths.bodies[self.body].ground
+        &self.simulator.world().depths.bodies[self.body].ground
     }
 }
 
-impl GroundMut<'_> {
+impl<S: AccessMut> GroundMut<'_, S> {
     /// Sets the bounciness. What is not finite is rejected and reported.
     pub fn set_restitution_coefficient(&mut self, value: f32) {
         self.set("restitution_coefficient", value, |ground| &mut ground.restitution_coefficient);
@@ -81,9 +92,9 @@ impl GroundMut<'_> {
     fn set(&mut self, argument: &'static str, value: f32, field: impl Fn(&mut Ground) -> &mut f32) {
         if !value.is_finite() {
             let object = Some(self.body.into());
-            self.simulator.pending_events.push(Event::RejectedInput { object, argument });
+            self.simulator.world_mut().pending_events.push(Event::RejectedInput { object, argument });
         } else {
-            *field(&mut self.simulator.depths.bodies[self.body].ground) = value;
+            *field(&mut self.simulator.world_mut().depths.bodies[self.body].ground) = value;
         }
     }
 
@@ -96,20 +107,23 @@ impl GroundMut<'_> {
     /// A stale geom, or one of another body.
     #[doc(alias = "setObjectGeom")]
     pub fn set_object_geom(&mut self, object_geom: GeomId, shadow_image: Option<TextureId>) -> Result<()> {
-        let TwoHalfPhysicsSimulator { core, depths, .. } = &mut *self.simulator;
-        let geom = core.geom(object_geom).ok_or(stale("object_geom"))?;
+        let geom = self.simulator.core().geom(object_geom).ok_or(stale("object_geom"))?;
         if geom.body() != self.body {
             return Err(Error::GeomOfAnotherBody { argument: "object_geom" });
         }
-        let before = lowest(core, depths, self.body);
-        let ground = &mut depths.bodies[self.body].ground;
+        let before = self.lowest();
+        let ground = &mut self.simulator.world_mut().depths.bodies[self.body].ground;
         ground.object_geom = Some(object_geom);
         ground.shadow_image = shadow_image;
-        let after = lowest(core, depths, self.body);
-        if let Some(body) = core.body_mut(self.body).filter(|_| before != after) {
+        let after = self.lowest();
+        if let Some(body) = self.simulator.core_body_mut(self.body).filter(|_| before != after) {
             let position = plane_to_world(body.position(), before, 0.0);
             body.set_position(world_to_plane(position, after));
         }
         Ok(())
+    }
+
+    fn lowest(&self) -> f64 {
+        lowest(self.simulator.core(), &self.simulator.world().depths, self.body)
     }
 }

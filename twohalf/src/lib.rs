@@ -74,28 +74,51 @@
 //! - Sleep, and methods that are more accurate than Farseer's.
 
 mod body;
+mod contacts;
 mod depth;
 mod draw_order;
 mod error;
+mod events;
+mod geom;
 mod ground;
-mod ground_contacts;
+mod methods;
 mod pairs;
+mod platform;
 mod projection;
+mod queries;
 mod save;
+mod shapes;
 mod simulator;
 mod slots;
+mod solver;
 mod step;
+mod support;
+mod tell;
 mod texture_id;
+mod touch;
+mod view;
+mod virtual_geom;
+mod world;
 
 pub use body::TwoHalfBody;
+pub use contacts::TwoHalfContact;
 pub use depth::DepthProfile;
+pub use draw_order::Drawable;
 pub use error::{Error, Result};
+pub use events::{Collision, Context, Event, EventHandler};
+pub use geom::TwoHalfGeom;
 pub use ground::{Ground, GroundMut};
+pub use methods::{Axis, Methods, Partner};
+pub use platform::{Platform, PlatformId, PlatformMut};
 pub use projection::Projection;
+pub use queries::Surface;
 pub use simulator::TwoHalfPhysicsSimulator;
 pub use step::StepCounters;
+pub use support::Support;
 pub use texture_id::TextureId;
+pub use view::{Access, AccessMut};
+pub use virtual_geom::VirtualGeom;
 
 pub use farseer_core;
 pub use farseer_core::math::{Vector2, Vector3};
-pub use farseer_core::{BodyId, Contact, Context, Event, EventHandler, GeomId, ObjectId};
+pub use farseer_core::{BodyId, CollisionCategory, GeomId, ObjectId};

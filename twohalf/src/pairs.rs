@@ -1,156 +1,196 @@
-//! Which objects meet: what the 2D engine is told about depth while it looks for pairs.
+//! Which objects meet, and along which axis: what the 2D engine is told about depth while it looks for pairs.
+//!
+//! The 2D engine finds pairs whose boxes overlap in X and Y. Each of them is let pass, left to the 2D engine, or
+//! taken over by this one: balls, and outlines that met along Z.
 
-use farseer_core::shape::Aabb;
-use farseer_core::{BodyId, Contact, Context, EventHandler, GeomId, ObjectId};
-use serde::{Deserialize, Serialize};
+use farseer_core::{BodyId, Contact, EventHandler as CoreHandler, GeomId, ObjectId, PhysicsSimulator};
 
-use crate::depth::{Depths, extents_overlap};
+use crate::events::{Collision, Context, Event, EventHandler};
+use crate::shapes::entry_of_pieces;
+use crate::touch::{Kept, TouchKey};
+use crate::world::{Reach, World};
+use crate::{Axis, Methods, Partner, Vector3};
 
-/// Pairs of geoms that pass each other: their boxes overlapped on the screen's plane while they were at
-/// different depths. They go on passing until the boxes part, also if they come to the same depth meanwhile.
-#[derive(Debug, Clone, Default, Serialize, Deserialize)]
-pub(crate) struct PassingPairs {
-    /// Creation numbers, the smaller one first; sorted.
-    known: Vec<(u32, u32)>,
-    /// Those of the current update.
-    #[serde(skip)]
-    current: Vec<(u32, u32)>,
-    /// For every pair that was refused in the current update, in order: whether by this engine.
-    #[serde(skip)]
-    refusals: Vec<bool>,
+/// A pair whose contact this engine looks for: the older geom first.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct SpacePair {
+    pub(crate) key: TouchKey,
+    pub(crate) geom_a: GeomId,
+    pub(crate) geom_b: GeomId,
 }
 
-impl PassingPairs {
-    fn is_known(&self, pair: (u32, u32)) -> bool {
-        self.known.binary_search(&pair).is_ok()
+/// The pairs that touched in the 2D engine in the last update, with the impulse between them.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct KnownPairs {
+    sorted: Vec<((u32, u32), f32)>,
+}
+
+impl KnownPairs {
+    pub(crate) fn prepare(&mut self, core: &PhysicsSimulator) {
+        self.sorted.clear();
+        for arbiter in core.arbiters() {
+            let (Some(a), Some(b)) = (core.geom(arbiter.geom_a()), core.geom(arbiter.geom_b())) else { continue };
+            let impulse = arbiter.contacts().iter().map(Contact::normal_impulse).sum();
+            self.sorted.push(((a.id(), b.id()), impulse));
+        }
+        self.sorted.sort_unstable_by_key(|(numbers, _)| *numbers);
     }
 
-    pub(crate) fn begin(&mut self) {
-        self.current.clear();
-        self.refusals.clear();
-    }
-
-    /// What was found in this update is what the next one knows.
-    pub(crate) fn finish(&mut self) {
-        self.current.sort_unstable();
-        self.current.dedup();
-        std::mem::swap(&mut self.known, &mut self.current);
-    }
-
-    /// For every refusal of the update, in order: whether it was this engine's and not the game's.
-    pub(crate) fn refusals(&self) -> impl Iterator<Item = bool> + '_ {
-        self.refusals.iter().copied()
-    }
-
-    /// Whether the pairs are sorted, without duplicates: false only after loading garbage.
-    pub(crate) fn is_valid(&self) -> bool {
-        self.known.iter().all(|(low, high)| low < high) && self.known.windows(2).all(|w| w[0] < w[1])
+    /// The impulse between a pair, if it touched.
+    fn impulse(&self, key: TouchKey) -> Option<f32> {
+        let TouchKey::Pair(a, b) = key else { return None };
+        let index = self.sorted.binary_search_by_key(&(a, b), |(numbers, _)| *numbers).ok()?;
+        Some(self.sorted[index].1)
     }
 }
 
-/// Stands between the 2D engine and the game's handler: refuses pairs at different depths, passes everything
-/// else on.
-pub(crate) struct DepthFilter<'a, 'h> {
-    pub(crate) depths: &'a Depths,
-    pub(crate) pairs: &'a mut PassingPairs,
-    /// Whether an answer replaces the broad phase's own test of the boxes. The others have made theirs, in their
-    /// own way: sweep and prune widens the boxes.
-    pub(crate) replaces_box_test: bool,
+/// What becomes of a pair whose boxes overlap in X and Y.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Way {
+    /// They pass each other at different depths.
+    Past,
+    /// The 2D engine's.
+    Plane,
+    /// This engine's.
+    Space,
+}
+
+/// Whether two extents along Z overlap. Faces that only touch do not; two extents about the same Z always do,
+/// however thin.
+fn extents_overlap(a: Reach, b: Reach) -> bool {
+    a.z == b.z || (f64::from(a.z) - f64::from(b.z)).abs() < f64::from(a.half) + f64::from(b.half)
+}
+
+/// Names a pair of geoms; the older one becomes the first.
+pub(crate) fn key_of(core: &PhysicsSimulator, geom1: GeomId, geom2: GeomId) -> Option<SpacePair> {
+    let (number1, number2) = (core.geom(geom1)?.id(), core.geom(geom2)?.id());
+    Some(if number1 < number2 {
+        SpacePair { key: TouchKey::Pair(number1, number2), geom_a: geom1, geom_b: geom2 }
+    } else {
+        SpacePair { key: TouchKey::Pair(number2, number1), geom_a: geom2, geom_b: geom1 }
+    })
+}
+
+impl World {
+    fn way_of(&mut self, core: &PhysicsSimulator, pair: SpacePair) -> Way {
+        let (a, b) = (self.reach(pair.geom_a), self.reach(pair.geom_b));
+        if !extents_overlap(a, b) {
+            return Way::Past;
+        }
+        if self.methods == Methods::Thesis {
+            let is_near = a.z == b.z || (a.z - b.z).abs() < a.half.min(b.half);
+            return if is_near { Way::Plane } else { Way::Space };
+        }
+        if a.is_round || b.is_round {
+            return Way::Space;
+        }
+        if self.last.find(pair.key).is_some_and(|touch| matches!(touch.kept, Kept::Depth { .. })) {
+            return Way::Space;
+        }
+        if a.velocity_z == b.velocity_z || self.update.known.impulse(pair.key).is_some() {
+            return Way::Plane;
+        }
+        self.way_of_new(core, pair, a, b).unwrap_or(Way::Plane)
+    }
+
+    /// Two outlines that did not touch before meet along the axis that they entered last, as their velocities say.
+    /// Where that leaves it open, within the slop, the smaller overlap decides. `None` if they do not touch.
+    fn way_of_new(&mut self, core: &PhysicsSimulator, pair: SpacePair, a: Reach, b: Reach) -> Option<Way> {
+        let (geom_a, geom_b) = (core.geom(pair.geom_a)?, core.geom(pair.geom_b)?);
+        let velocity_of = |body: BodyId| core.body(body).map(|body| body.linear_velocity());
+        let velocity = velocity_of(geom_b.body())? - velocity_of(geom_a.body())?;
+        self.lay_out(core, pair)?;
+        let (pieces_a, pieces_b) = (self.update.pieces.get(pair.geom_a)?, self.update.pieces.get(pair.geom_b)?);
+        let scratch = &self.update.scratch;
+        let plane = entry_of_pieces(
+            pieces_a.pieces(&scratch.pieces_a),
+            || pieces_b.pieces(&scratch.pieces_b),
+            velocity,
+        )?;
+        let closing = (a.velocity_z - b.velocity_z) * if b.z < a.z { -1.0 } else { 1.0 };
+        let overlap = a.half + b.half - (b.z - a.z).abs();
+        let depth_time = if closing > 0.0 { overlap / closing } else { f32::INFINITY };
+        let was_apart = |time: f32| time <= self.update.dt.abs();
+        let is_tie = (plane.time - depth_time).abs() * closing <= core.allowed_penetration();
+        let is_open = is_tie || !(was_apart(plane.time) || was_apart(depth_time));
+        let is_depth = if is_open { overlap < plane.penetration } else { depth_time < plane.time };
+        Some(if is_depth { Way::Space } else { Way::Plane })
+    }
+
+    /// Puts the convex pieces of both geoms into the world.
+    pub(crate) fn lay_out(&mut self, core: &PhysicsSimulator, pair: SpacePair) -> Option<()> {
+        for geom in [pair.geom_a, pair.geom_b] {
+            self.pieces_of(core, geom)?;
+        }
+        let crate::world::Update { pieces, scratch, .. } = &mut self.update;
+        for (geom, laid_out) in
+            [(pair.geom_a, &mut scratch.pieces_a), (pair.geom_b, &mut scratch.pieces_b)]
+        {
+            let view = core.geom(geom)?;
+            pieces.get(geom)?.lay_out(&view.matrix(), laid_out);
+        }
+        Some(())
+    }
+}
+
+/// Stands between the 2D engine and the game's handler.
+pub(crate) struct Meeting<'w, 'h> {
+    pub(crate) world: &'w mut World,
     pub(crate) handler: Option<&'h mut dyn EventHandler>,
 }
 
-/// A pair as the filter sees it.
-struct Met {
-    numbers: (u32, u32),
-    boxes_overlap: bool,
-    depths_overlap: bool,
-}
-
-impl DepthFilter<'_, '_> {
-    fn look(&self, context: &Context<'_>, geom1: GeomId, geom2: GeomId) -> Option<Met> {
-        let (a, b) = (context.geom(geom1)?, context.geom(geom2)?);
-        let extents = (self.depths.extent(geom1, a.body()), self.depths.extent(geom2, b.body()));
-        Some(Met {
-            numbers: (a.id().min(b.id()), a.id().max(b.id())),
-            boxes_overlap: Aabb::intersect(&a.aabb(), &b.aabb()),
-            depths_overlap: match extents {
-                (Some(a), Some(b)) => extents_overlap(a, b),
-                _ => true,
-            },
-        })
-    }
-
-    /// Whether two geoms may meet; notes those that pass each other.
-    fn may_meet(&mut self, met: &Met) -> bool {
-        let passes = self.pairs.is_known(met.numbers) || !met.depths_overlap;
-        if passes && met.boxes_overlap {
-            self.pairs.current.push(met.numbers);
-        }
-        !passes
-    }
-}
-
-impl EventHandler for DepthFilter<'_, '_> {
-    fn handles_broad_phase(&self) -> bool {
+impl CoreHandler for Meeting<'_, '_> {
+    fn filters_pairs(&self) -> bool {
         true
     }
 
-    fn on_broad_phase_collision(&mut self, context: &mut Context<'_>, geom1: GeomId, geom2: GeomId) -> bool {
-        let met = self.look(context, geom1, geom2).filter(|met| self.may_meet(met));
-        let Some(met) = met else {
-            self.pairs.refusals.push(true);
+    fn accepts_pair(&mut self, context: &mut farseer_core::Context<'_>, geom1: GeomId, geom2: GeomId) -> bool {
+        let Some(pair) = key_of(context.simulator(), geom1, geom2) else { return false };
+        let way = self.world.way_of(context.simulator(), pair);
+        if way == Way::Past || !self.is_approved(context, pair, geom1, geom2) {
             return false;
-        };
-        let handler = self.handler.as_mut().filter(|handler| handler.handles_broad_phase());
-        let is_asked = handler.is_some();
-        let accepted = match handler {
-            // The game's answer replaces the test of the boxes, as without depth.
-            Some(handler) => handler.on_broad_phase_collision(context, geom1, geom2),
-            None => met.boxes_overlap || !self.replaces_box_test,
-        };
-        if !accepted {
-            self.pairs.refusals.push(!is_asked);
         }
-        accepted
+        if way == Way::Space {
+            self.world.update.pairs.push(pair);
+        }
+        way == Way::Plane
     }
 
     fn on_collision(
         &mut self,
-        context: &mut Context<'_>,
+        context: &mut farseer_core::Context<'_>,
         this: GeomId,
         other: GeomId,
         contacts: &mut Vec<Contact>,
     ) -> bool {
-        let met = self.look(context, this, other);
-        if !met.is_none_or(|met| self.may_meet(&met)) {
-            self.pairs.refusals.push(true);
-            return false;
-        }
-        let accepted = match &mut self.handler {
-            Some(handler) => handler.on_collision(context, this, other, contacts),
-            None => true,
-        };
+        let Some(handler) = &mut self.handler else { return true };
+        let collision = self.world.plane_collision(context.simulator(), this, other, contacts);
+        let Some(collision) = collision else { return true };
+        let accepted = handler.on_collision(&mut Context::within(context, self.world), &collision);
         if !accepted {
-            self.pairs.refusals.push(false);
+            self.world.update.vetoed.push(collision);
         }
         accepted
     }
 
-    fn on_separation(&mut self, context: &mut Context<'_>, this: GeomId, other: GeomId) {
-        if let Some(handler) = &mut self.handler {
-            handler.on_separation(context, this, other);
+    fn on_separation(&mut self, context: &mut farseer_core::Context<'_>, this: GeomId, other: GeomId) {
+        if let Some(handler) = &mut self.handler
+            && self.world.has_touched(context.simulator(), this, other)
+        {
+            handler.on_separation(&mut Context::within(context, self.world), this, Partner::Geom(other));
         }
     }
 
-    fn on_body_updated(&mut self, context: &mut Context<'_>, body: BodyId) {
+    fn on_body_updated(&mut self, context: &mut farseer_core::Context<'_>, body: BodyId) {
+        self.world.is_told_of(body);
         if let Some(handler) = &mut self.handler {
-            handler.on_body_updated(context, body);
+            handler.on_body_updated(&mut Context::within(context, self.world), body);
         }
     }
 
-    fn on_body_disposed(&mut self, context: &mut Context<'_>, body: BodyId) {
+    fn on_body_disposed(&mut self, context: &mut farseer_core::Context<'_>, body: BodyId) {
         if let Some(handler) = &mut self.handler {
-            handler.on_body_disposed(context, body);
+            handler.on_body_disposed(&mut Context::within(context, self.world), body);
         }
     }
 
@@ -164,5 +204,67 @@ impl EventHandler for DepthFilter<'_, '_> {
         if let Some(handler) = &mut self.handler {
             handler.on_removed(object);
         }
+    }
+}
+
+impl Meeting<'_, '_> {
+    /// Asks the game's handler about a pair that did not touch in the last update.
+    fn is_approved(
+        &mut self,
+        context: &mut farseer_core::Context<'_>,
+        pair: SpacePair,
+        geom1: GeomId,
+        geom2: GeomId,
+    ) -> bool {
+        let Some(handler) = self.handler.as_mut().filter(|handler| handler.handles_broad_phase()) else {
+            return true;
+        };
+        let key = pair.key;
+        if self.world.update.known.impulse(key).is_some() || self.world.last.find(key).is_some() {
+            return true;
+        }
+        let accepted =
+            handler.on_broad_phase_collision(&mut Context::within(context, self.world), geom1, geom2);
+        if !accepted {
+            self.world.events.push(Event::BroadPhaseVeto { geom1, geom2 });
+        }
+        accepted
+    }
+}
+
+impl World {
+    /// Whether two geoms touched in the 2D engine in the last update.
+    pub(crate) fn has_touched(&self, core: &PhysicsSimulator, this: GeomId, other: GeomId) -> bool {
+        key_of(core, this, other).is_some_and(|pair| self.update.known.impulse(pair.key).is_some())
+    }
+
+    /// What a game is told of contacts that the 2D engine has found and not solved yet.
+    pub(crate) fn plane_collision(
+        &self,
+        core: &PhysicsSimulator,
+        this: GeomId,
+        other: GeomId,
+        contacts: &[Contact],
+    ) -> Option<Collision> {
+        let pair = key_of(core, this, other)?;
+        let deepest = contacts.first()?;
+        // The 2D engine's normals point to the younger geom.
+        let sign = if pair.geom_b == this { 1.0 } else { -1.0 };
+        Some(Collision {
+            this,
+            partner: Partner::Geom(other),
+            axis: Axis::Plane,
+            normal: Vector3::new(sign * deepest.normal.x, -sign * deepest.normal.y, 0.0),
+            position: Vector3::new(deepest.position.x, -deepest.position.y, self.middle(this, other)),
+            contacts: contacts.len() as u32,
+            normal_impulse: self.update.known.impulse(pair.key).unwrap_or(0.0),
+            vetoed: false,
+        })
+    }
+
+    /// Z of the middle of what two extents have in common.
+    pub(crate) fn middle(&self, geom1: GeomId, geom2: GeomId) -> f32 {
+        let (a, b) = (self.reach(geom1), self.reach(geom2));
+        ((a.z - a.half).max(b.z - b.half) + (a.z + a.half).min(b.z + b.half)) * 0.5
     }
 }

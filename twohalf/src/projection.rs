@@ -82,6 +82,17 @@ impl Projection {
         self.angle
     }
 
+    /// How much farther to the right per px of depth edges at another angle run than the Z axis.
+    pub(crate) fn shear_of(&self, angle: i32) -> f32 {
+        (cotangent(angle) - self.slope) as f32
+    }
+
+    /// The point of the ground that appears at a point of the screen.
+    pub fn screen_to_ground(&self, point: Vector2) -> Vector3 {
+        let z = f64::from(self.height) - f64::from(point.y);
+        Vector3::new((f64::from(point.x) - z * self.slope) as f32, 0.0, z as f32)
+    }
+
     /// Where a point of the world appears on the screen.
     pub fn to_screen(&self, point: Vector3) -> Vector2 {
         let [x, y, z] = [point.x, point.y, point.z].map(f64::from);

@@ -4,8 +4,9 @@
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 
+use crate::depth::DepthProfile;
 use crate::error::damaged;
-use crate::{Result, TwoHalfPhysicsSimulator};
+use crate::{Methods, Result, TwoHalfPhysicsSimulator};
 
 impl Serialize for TwoHalfPhysicsSimulator {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -15,28 +16,45 @@ impl Serialize for TwoHalfPhysicsSimulator {
 
 impl<'de> Deserialize<'de> for TwoHalfPhysicsSimulator {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let simulator = TwoHalfPhysicsSimulator::deserialize(deserializer)?;
+        let mut simulator = TwoHalfPhysicsSimulator::deserialize(deserializer)?;
         simulator.check().map_err(D::Error::custom)?;
         Ok(simulator)
     }
 }
 
 impl TwoHalfPhysicsSimulator {
-    /// Refuses what no sequence of calls could have made.
-    fn check(&self) -> Result<()> {
-        if !self.depths.bodies.is_valid(|_, state| state.is_valid()) {
+    /// Refuses what no sequence of calls could have made, and computes what is not saved.
+    fn check(&mut self) -> Result<()> {
+        let TwoHalfPhysicsSimulator { core, world } = self;
+        if !world.depths.bodies.is_valid(|_, state| state.is_valid()) {
             return Err(damaged("the motion of a body along Z is not finite"));
         }
-        if !self.depths.profiles.is_valid(|_, profile| profile.check().is_ok()) {
+        if !world.depths.profiles.is_valid(|_, profile| profile.check().is_ok()) {
             return Err(damaged("a depth profile is out of range"));
         }
-        if !self.passing.is_valid() {
-            return Err(damaged("the passing pairs are not in order"));
+        if !world.touches.is_valid() {
+            return Err(damaged("the contacts are not in order"));
         }
-        let bodies_have_depth = self.body_list().iter().all(|&body| self.depths.bodies.get(body).is_some());
-        let geoms_have_depth = self.geom_list().iter().all(|&geom| self.depths.profiles.get(geom).is_some());
+        if !world.platforms.restore(&world.projection) {
+            return Err(damaged("a platform is out of range"));
+        }
+        let (near, far) = world.layer_range;
+        if !((far - near).is_finite() && near < far) {
+            return Err(damaged("the layer depth range is out of range"));
+        }
+        let bodies_have_depth = core.bodies().all(|body| world.depths.bodies.get(body).is_some());
+        let geoms_have_depth = core.geoms().all(|geom| world.depths.profiles.get(geom).is_some());
         if !bodies_have_depth || !geoms_have_depth {
             return Err(damaged("an object has no depth"));
+        }
+        let has_its_box = |geom| match (world.depths.profiles.get(geom), world.methods) {
+            (Some(DepthProfile::Round { radius }), Methods::Faithful) => {
+                core.geom(geom).is_some_and(|geom| geom.box_radius() == Some(*radius))
+            }
+            _ => true,
+        };
+        if !core.geoms().all(has_its_box) {
+            return Err(damaged("the box of a ball is not that of a ball"));
         }
         Ok(())
     }

@@ -1,16 +1,18 @@
 //! The simulator: owns everything.
 
 use farseer_core::{
-    Body, BodyId, Event, Geom, GeomId, GeomPlacement, GeomRef, ObjectId, PhysicsSimulator, Vertices,
+    Body, BodyId, Geom, GeomId, GeomPlacement, ObjectId, PhysicsSimulator, Vertices,
 };
 use serde::{Deserialize, Serialize};
 
 use crate::body::TwoHalfBody;
 use crate::depth::{DepthBody, DepthProfile, Depths};
-use crate::error::stale;
-use crate::ground_contacts::GroundRow;
-use crate::pairs::PassingPairs;
-use crate::{Projection, Result, StepCounters, Vector2};
+use crate::error::{invalid, stale};
+use crate::events::Event;
+use crate::geom::TwoHalfGeom;
+use crate::platform::PlatformMut;
+use crate::world::World;
+use crate::{Error, Methods, Platform, PlatformId, Projection, Result, StepCounters, Vector2};
 
 /// The Z axis of a screen whose angle is not given: straight up.
 const DEFAULT_ANGLE: i32 = 90;
@@ -44,21 +46,7 @@ const DEFAULT_ANGLE: i32 = 90;
 #[serde(remote = "Self")]
 pub struct TwoHalfPhysicsSimulator {
     pub(crate) core: PhysicsSimulator,
-    pub(crate) projection: Projection,
-    pub(crate) depths: Depths,
-    pub(crate) passing: PassingPairs,
-    #[serde(skip)]
-    pub(crate) rows: Vec<GroundRow>,
-    /// By body slot: whether the current update moves the body.
-    #[serde(skip)]
-    pub(crate) is_moving: Vec<bool>,
-    #[serde(skip)]
-    pub(crate) events: Vec<Event>,
-    /// What is to be told in the next update.
-    #[serde(skip)]
-    pub(crate) pending_events: Vec<Event>,
-    #[serde(skip)]
-    pub(crate) counters: StepCounters,
+    pub(crate) world: World,
 }
 
 /// Making one.
@@ -100,8 +88,7 @@ impl TwoHalfPhysicsSimulator {
         Self::from_core(height, angle, PhysicsSimulator::new(gravity)?)
     }
 
-    /// Takes over a 2D simulator, with its settings and with the objects that take part in it or wait to be
-    /// added; they enter now. Its plane becomes that of X and Y: every body is at Z = 0, with its height so that
+    /// Takes over a 2D simulator, with its settings and all of its objects; those that wait to be added enter now. Its plane becomes that of X and Y: every body is at Z = 0, with its height so that
     /// y = 0 is the ground, and no body has an object geom yet. Every geom is a prism as deep as the shorter side
     /// of its outline's box.
     ///
@@ -110,24 +97,12 @@ impl TwoHalfPhysicsSimulator {
     /// # Errors
     /// A height that is not greater than 0; an angle that is not between 0 and 180.
     pub fn from_core(height: i32, angle: i32, core: PhysicsSimulator) -> Result<Self> {
-        let mut simulator = TwoHalfPhysicsSimulator {
-            projection: Projection::new(height, angle)?,
-            core,
-            depths: Depths::default(),
-            passing: PassingPairs::default(),
-            rows: Vec::new(),
-            is_moving: Vec::new(),
-            events: Vec::new(),
-            pending_events: Vec::new(),
-            counters: StepCounters::default(),
-        };
+        let world = World::new(Projection::new(height, angle)?);
+        let mut simulator = TwoHalfPhysicsSimulator { core, world };
         simulator.core.process_added_and_removed();
-        let TwoHalfPhysicsSimulator { core, depths, .. } = &mut simulator;
-        for &body in core.body_list() {
-            adopt_body(core, depths, body);
-        }
-        for geom in core.geom_list() {
-            adopt_body(core, depths, core.geom(*geom).ok_or(stale("geom"))?.body());
+        let TwoHalfPhysicsSimulator { core, world } = &mut simulator;
+        for body in core.bodies() {
+            adopt_body(core, &mut world.depths, body);
         }
         Ok(simulator)
     }
@@ -150,7 +125,7 @@ impl TwoHalfPhysicsSimulator {
     /// Height of the screen in px: the screen's y of the ground at Z = 0.
     #[doc(alias = "Height")]
     pub fn height(&self) -> i32 {
-        self.projection.height()
+        self.world.projection.height()
     }
 
     /// Sets the height of the screen. Nothing moves in the world.
@@ -158,18 +133,18 @@ impl TwoHalfPhysicsSimulator {
     /// # Errors
     /// What is not greater than 0.
     pub fn set_height(&mut self, height: i32) -> Result<()> {
-        self.projection.set_height(height)
+        self.world.projection.set_height(height)
     }
 
     /// Direction of the Z axis on the screen, degrees counterclockwise from the x axis. Default 90.
     #[doc(alias = "Angle")]
     pub fn angle(&self) -> i32 {
-        self.projection.angle()
+        self.world.projection.angle()
     }
 
     /// From the world to the screen.
     pub fn projection(&self) -> &Projection {
-        &self.projection
+        &self.world.projection
     }
 
     /// Acceleration in px/s² of every body that does not ignore it, in screen orientation. Default none.
@@ -208,10 +183,80 @@ impl TwoHalfPhysicsSimulator {
         self.core.set_enabled(enabled);
     }
 
+    /// Most contacts that the narrow phase looks for per pair in X and Y. Default 10.
+    #[doc(alias = "MaxContactsToDetect")]
+    pub fn max_contacts_to_detect(&self) -> i32 {
+        self.core.max_contacts_to_detect()
+    }
+
+    /// Sets the number of contacts to look for; see [`PhysicsSimulator::set_max_contacts_to_detect`].
+    pub fn set_max_contacts_to_detect(&mut self, max_contacts_to_detect: i32) {
+        self.core.set_max_contacts_to_detect(max_contacts_to_detect);
+    }
+
+    /// Most contacts that are solved per pair in X and Y. Default 4.
+    #[doc(alias = "MaxContactsToResolve")]
+    pub fn max_contacts_to_resolve(&self) -> i32 {
+        self.core.max_contacts_to_resolve()
+    }
+
+    /// Sets the number of contacts solved per pair.
+    ///
+    /// # Errors
+    /// Negative numbers.
+    pub fn set_max_contacts_to_resolve(&mut self, max_contacts_to_resolve: i32) -> Result<()> {
+        Ok(self.core.set_max_contacts_to_resolve(max_contacts_to_resolve)?)
+    }
+
+    /// How objects meet each other. Default [`Methods::Faithful`].
+    pub fn methods(&self) -> Methods {
+        self.world.methods
+    }
+
+    /// Chooses how objects meet each other.
+    ///
+    /// # Errors
+    /// If a geom takes part already ([`farseer_core::Error::GeomListNotEmpty`]; geoms that wait to be added do not
+    /// count).
+    pub fn set_methods(&mut self, methods: Methods) -> Result<()> {
+        if !self.core.geom_list().is_empty() {
+            return Err(farseer_core::Error::GeomListNotEmpty.into());
+        }
+        self.world.methods = methods;
+        let geoms: Vec<GeomId> = self.core.geoms().collect();
+        for geom in geoms {
+            self.fit_box(geom);
+        }
+        Ok(())
+    }
+
+    /// Sets the Z that layer depth 0 and layer depth 1 stand for; see [`TwoHalfBody::layer_depth`]. By default 0
+    /// and the height of the screen.
+    ///
+    /// # Errors
+    /// What is not finite; a far Z that is not greater than the near one.
+    pub fn set_layer_depth_range(&mut self, near: f32, far: f32) -> Result<()> {
+        if !near.is_finite() {
+            return Err(invalid("near", near, "finite"));
+        }
+        if !(far - near).is_finite() || far <= near {
+            return Err(invalid("far", far, "finite and greater than near"));
+        }
+        self.world.layer_range = (near, far);
+        Ok(())
+    }
+
     /// The 2D engine below, which moves everything in X and Y: its plane is that of the world, with y = -Y, so
     /// it is **not** in screen coordinates.
     pub fn core(&self) -> &PhysicsSimulator {
         &self.core
+    }
+
+    /// How long the last update took in seconds: 0 unless a time function was handed in with
+    /// [`update_timed`](Self::update_timed).
+    #[doc(alias = "UpdateTime")]
+    pub fn update_time(&self) -> f32 {
+        self.world.update_time
     }
 }
 
@@ -221,10 +266,27 @@ impl TwoHalfPhysicsSimulator {
     ///
     /// It is at Z = 0, and without an object geom: its position in the plane of the 2D engine, (0, 0) if it is a
     /// new one, is that of its origin.
+    #[doc(alias = "TwoHalfBody(TwoHalfPhysicsSimulator)")]
     pub fn create_body(&mut self, body: Body) -> BodyId {
         let body = self.core.create_body(body);
-        self.depths.bodies.insert(body, DepthBody::default());
+        self.world.depths.bodies.insert(body, DepthBody::default());
         body
+    }
+
+    /// A copy of a body as [`Body::copy_of`] makes it, at the same Z, with the same coefficients and shadow image of
+    /// its ground; without geoms, and at rest. It takes part once it is [added](Self::add).
+    ///
+    /// # Errors
+    /// A stale id.
+    #[doc(alias = "TwoHalfBody(TwoHalfPhysicsSimulator, TwoHalfBody)")]
+    pub fn clone_body(&mut self, body: BodyId) -> Result<BodyId> {
+        let copy = Body::copy_of(self.core.body(body).ok_or(stale("body"))?);
+        let state = self.world.depths.bodies.get(body).ok_or(stale("body"))?;
+        let (z, ground) = (state.z, state.ground.without_object());
+        let id = self.create_body(copy);
+        let state = &mut self.world.depths.bodies[id];
+        (state.z, state.ground) = (z, ground);
+        Ok(id)
     }
 
     /// Attaches an outline to a body. The geom takes part once it is [added](Self::add). It is a prism as deep as
@@ -232,6 +294,7 @@ impl TwoHalfPhysicsSimulator {
     ///
     /// # Errors
     /// As [`PhysicsSimulator::create_geom`].
+    #[doc(alias = "TwoHalfGeom(TwoHalfBody, Vertices, float)")]
     pub fn create_geom(
         &mut self,
         body: BodyId,
@@ -239,8 +302,30 @@ impl TwoHalfPhysicsSimulator {
         placement: GeomPlacement,
     ) -> Result<GeomId> {
         let geom = self.core.create_geom(body, vertices, placement)?;
-        adopt_body(&self.core, &mut self.depths, body);
+        adopt_body(&self.core, &mut self.world.depths, body);
         Ok(geom)
+    }
+
+    /// Attaches a copy of a geom to a body, at the same offsets, with the same depth profile. It takes part once it is
+    /// [added](Self::add). If the original is the object geom of its body and the other body has none, the copy
+    /// becomes that; the other body's origin stays.
+    ///
+    /// # Errors
+    /// As [`PhysicsSimulator::clone_geom`].
+    #[doc(alias = "TwoHalfGeom(TwoHalfBody, TwoHalfGeom)")]
+    pub fn clone_geom(&mut self, body: BodyId, geom: GeomId) -> Result<GeomId> {
+        let copy = self.core.clone_geom(body, geom)?;
+        let profile = *self.world.depths.profiles.get(geom).ok_or(stale("geom"))?;
+        self.world.depths.profiles.insert(copy, profile);
+        adopt_body(&self.core, &mut self.world.depths, body);
+        self.fit_box(copy);
+        let owner = self.core.geom(geom).map(|geom| geom.body());
+        let ground_of = |body: Option<BodyId>| self.world.depths.bodies.get(body?).map(|state| state.ground);
+        if ground_of(owner).is_some_and(|ground| ground.object_geom() == Some(geom)) {
+            let ground = &mut self.world.depths.bodies[body].ground;
+            ground.adopt_object(copy);
+        }
+        Ok(copy)
     }
 
     /// Lets an object take part from the next update on. Adding a body does not add its geoms.
@@ -249,17 +334,7 @@ impl TwoHalfPhysicsSimulator {
     /// A stale id.
     #[doc(alias = "Add")]
     pub fn add(&mut self, object: impl Into<ObjectId>) -> Result<()> {
-        let object = object.into();
-        self.core.add(object)?;
-        let body = match object {
-            ObjectId::Body(body) => Some(body),
-            ObjectId::Geom(geom) => self.core.geom(geom).map(|geom| geom.body()),
-            _ => None,
-        };
-        if let Some(body) = body {
-            adopt_body(&self.core, &mut self.depths, body);
-        }
-        Ok(())
+        Ok(self.core.add(object)?)
     }
 
     /// Takes an object out of the simulation with the next update; see [`PhysicsSimulator::remove`].
@@ -280,6 +355,27 @@ impl TwoHalfPhysicsSimulator {
         Ok(self.core.dispose(object)?)
     }
 
+    /// Whether an object was disposed; a stale id names one that was.
+    #[doc(alias = "IsDisposed")]
+    pub fn is_disposed(&self, object: impl Into<ObjectId>) -> bool {
+        self.core.is_disposed(object)
+    }
+
+    /// Empties the simulator: bodies, geoms and platforms are gone and their ids are stale. Settings of the 2D engine
+    /// stay, but for the broad phase, which is Farseer's default again; so do screen and methods.
+    #[doc(alias = "Clear")]
+    pub fn clear(&mut self) {
+        self.core.clear();
+        let world = &mut self.world;
+        world.depths = Depths::default();
+        world.platforms.clear();
+        world.touches.clear();
+        world.last.clear();
+        world.events.clear();
+        world.pending_events.clear();
+        world.counters = StepCounters::default();
+    }
+
     /// A body to look at, unless the id is stale.
     pub fn body(&self, body: BodyId) -> Option<TwoHalfBody<&Self>> {
         TwoHalfBody::new(self, body)
@@ -290,9 +386,9 @@ impl TwoHalfPhysicsSimulator {
         TwoHalfBody::new(self, body)
     }
 
-    /// A geom to look at, in the plane of the 2D engine, unless the id is stale.
-    pub fn geom(&self, geom: GeomId) -> Option<GeomRef<'_>> {
-        self.core.geom(geom)
+    /// A geom to look at, unless the id is stale.
+    pub fn geom(&self, geom: GeomId) -> Option<TwoHalfGeom<'_>> {
+        TwoHalfGeom::new(&self.core, &self.world, geom)
     }
 
     /// The settings of a geom to change, unless the id is stale.
@@ -300,27 +396,118 @@ impl TwoHalfPhysicsSimulator {
         self.core.geom_mut(geom)
     }
 
+    /// Moves a geom to another body; its offsets stay. If it was the object geom of its old body, that body has
+    /// none.
+    ///
+    /// # Errors
+    /// As [`PhysicsSimulator::set_body`].
+    #[doc(alias = "SetBody")]
+    pub fn set_body(&mut self, geom: GeomId, body: BodyId) -> Result<()> {
+        Ok(self.core.set_body(geom, body)?)
+    }
+
+    /// Replaces the outline of a geom; see [`PhysicsSimulator::set_vertices`]. Its depth profile stays.
+    ///
+    /// # Errors
+    /// As there.
+    #[doc(alias = "SetVertices")]
+    pub fn set_vertices(&mut self, geom: GeomId, vertices: impl Into<Vertices>) -> Result<()> {
+        self.core.set_vertices(geom, vertices)?;
+        self.world.update.pieces.remove(geom);
+        Ok(())
+    }
+
+    /// Makes a geom a sensor (its body static, its contacts without response) or an ordinary geom. Sensors have depth as
+    /// everything else.
+    ///
+    /// # Errors
+    /// A stale id.
+    #[doc(alias = "IsSensor")]
+    pub fn set_is_sensor(&mut self, geom: GeomId, is_sensor: bool) -> Result<()> {
+        Ok(self.core.set_is_sensor(geom, is_sensor)?)
+    }
+
+    /// Lets no new pair of the two geoms be found; see [`PhysicsSimulator::ignore_collision_with`].
+    ///
+    /// # Errors
+    /// A stale id.
+    #[doc(alias = "IgnoreCollisionWith")]
+    pub fn ignore_collision_with(&mut self, geom: GeomId, other: GeomId) -> Result<()> {
+        Ok(self.core.ignore_collision_with(geom, other)?)
+    }
+
+    /// Undoes [`ignore_collision_with`](Self::ignore_collision_with) of the same geom.
+    ///
+    /// # Errors
+    /// A stale id.
+    #[doc(alias = "RestoreCollisionWith")]
+    pub fn restore_collision_with(&mut self, geom: GeomId, other: GeomId) -> Result<()> {
+        Ok(self.core.restore_collision_with(geom, other)?)
+    }
+
     /// How a geom's outline extends in depth, unless the id is stale.
     pub fn depth_profile(&self, geom: GeomId) -> Option<DepthProfile> {
         self.core.geom(geom)?;
-        self.depths.profiles.get(geom).copied()
+        self.world.depths.profiles.get(geom).copied()
     }
 
     /// Sets how a geom's outline extends in depth. If it is its body's object geom, the body's origin stays, so
     /// its height may change.
     ///
     /// # Errors
-    /// A stale id; a depth that is not finite and 0 or more; a radius that is not finite and greater than 0.
+    /// A stale id; a depth that is not finite and 0 or more; a radius that is not finite and greater than 0, or so
+    /// great that the ball does not end at finite numbers where it is.
     pub fn set_depth_profile(&mut self, geom: GeomId, profile: DepthProfile) -> Result<()> {
         self.core.geom(geom).ok_or(stale("geom"))?;
-        self.depths.profiles.insert(geom, profile.check()?);
+        let profile = profile.check()?;
+        if let (DepthProfile::Round { radius }, Methods::Faithful) = (profile, self.world.methods) {
+            self.core.set_box_radius(geom, Some(radius)).map_err(Error::from)?;
+        }
+        self.world.depths.profiles.insert(geom, profile);
+        self.fit_box(geom);
         Ok(())
+    }
+
+    /// Gives a ball the box of a ball while balls are balls; others have that of their outline.
+    fn fit_box(&mut self, geom: GeomId) {
+        let radius = match (self.world.depths.profiles.get(geom), self.world.methods) {
+            (Some(DepthProfile::Round { radius }), Methods::Faithful) => Some(*radius),
+            _ => None,
+        };
+        // The radius was accepted when the profile was set; where the geom cannot have it, it keeps its outline's.
+        let _ = self.core.set_box_radius(geom, radius);
     }
 
     /// The least and greatest Z of a geom, unless the id is stale.
     pub fn depth_interval(&self, geom: GeomId) -> Option<(f32, f32)> {
-        let (z, half) = self.depths.extent(geom, self.core.geom(geom)?.body())?;
+        let z = self.world.z_of(self.core.geom(geom)?.body());
+        let half = self.world.depths.profiles.get(geom)?.half_depth();
         Some((z - half, z + half))
+    }
+
+    /// A platform to look at, unless the id is stale. [`Platform::new`] makes one.
+    pub fn platform(&self, platform: PlatformId) -> Option<&Platform> {
+        self.world.platforms.get(platform)
+    }
+
+    /// A platform to change, unless the id is stale.
+    pub fn platform_mut(&mut self, platform: PlatformId) -> Option<PlatformMut<'_>> {
+        let World { platforms, projection, .. } = &mut self.world;
+        let index = platforms.index_of(platform)?;
+        Some(PlatformMut { platforms, projection, index })
+    }
+
+    /// The platforms, in the order in which they were made.
+    pub fn platforms(&self) -> impl DoubleEndedIterator<Item = PlatformId> + '_ {
+        self.world.platforms.iter().map(|(id, _)| id)
+    }
+
+    /// Takes a platform away, at once; its id is stale.
+    ///
+    /// # Errors
+    /// A stale id.
+    pub fn remove_platform(&mut self, platform: PlatformId) -> Result<()> {
+        self.world.platforms.remove(platform)
     }
 
     /// The bodies that take part, in the order in which they were added.
@@ -335,14 +522,14 @@ impl TwoHalfPhysicsSimulator {
         self.core.geom_list()
     }
 
-    /// What happened in the last update, in order; cleared by the next. Pairs that were refused only because
-    /// they are at different depths do not appear.
+    /// What happened in the last update, in order; cleared by the next. Pairs that are at different depths do not
+    /// appear.
     pub fn events(&self) -> &[Event] {
-        &self.events
+        &self.world.events
     }
 
     /// How much work the last update was.
     pub fn counters(&self) -> StepCounters {
-        self.counters
+        self.world.counters
     }
 }

@@ -41,6 +41,12 @@ impl<I: Slot, T> SlotTable<I, T> {
         self.entries[id.slot()] = Some((id, value));
     }
 
+    pub(crate) fn remove(&mut self, id: I) {
+        if self.get(id).is_some() {
+            self.entries[id.slot()] = None;
+        }
+    }
+
     #[inline]
     pub(crate) fn get(&self, id: I) -> Option<&T> {
         match self.entries.get(id.slot()) {

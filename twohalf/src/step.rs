@@ -1,28 +1,33 @@
 //! The update: the stages of the 2D engine with what depth adds between them.
 
-use farseer_core::{BodyId, BroadPhaseCollider, Event, EventHandler};
+use farseer_core::{BodyId, Event as CoreEvent, GeomId, PhysicsSimulator};
 
-use crate::TwoHalfPhysicsSimulator;
-use crate::ground_contacts::touch_ground;
-use crate::pairs::DepthFilter;
+use crate::depth::is_movable;
+use crate::events::{Collision, Context, Event, EventHandler};
+use crate::pairs::Meeting;
+use crate::world::{Source, World};
+use crate::{Partner, TwoHalfPhysicsSimulator};
 
 /// What a step did: how much work there was.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct StepCounters {
-    /// Pairs of geoms whose outlines were tested against each other.
+    /// Pairs whose shapes were tested against each other: two geoms, or a geom and a platform. The ground is none.
     pub pairs_tested: usize,
-    /// Pairs of geoms that touch.
+    /// Pairs of geoms, or of a geom and a platform, that touch.
     pub pairs_touching: usize,
     /// Bodies that touch their ground.
     pub ground_contacts: usize,
-    /// Contact points the solver worked on in every iteration, with the ground's.
+    /// Contact points the solver worked on in every iteration.
     pub contacts_solved: usize,
-    /// Bodies that changed their X, Y or rotation.
+    /// Scalar constraints it solved for them in every iteration: two for a point in the plane, three for one in
+    /// space.
+    pub rows_solved: usize,
+    /// Bodies that changed their position or rotation.
     pub bodies_moved: usize,
 }
 
 /// The handler again, for a shorter time.
-fn reborrow<'a>(handler: &'a mut Option<&mut dyn EventHandler>) -> Option<&'a mut dyn EventHandler> {
+pub(crate) fn reborrow<'a>(handler: &'a mut Option<&mut dyn EventHandler>) -> Option<&'a mut dyn EventHandler> {
     match handler {
         Some(handler) => Some(&mut **handler),
         None => None,
@@ -40,142 +45,217 @@ impl TwoHalfPhysicsSimulator {
     }
 
     /// [`update`](Self::update) with callbacks. Objects at different depths do not meet, so the handler is not
-    /// asked about them. Its context shows the 2D engine: positions there are in the plane, not on the screen.
+    /// asked about them.
     pub fn update_with(&mut self, dt: f32, handler: &mut dyn EventHandler) {
         self.run(dt, Some(handler));
     }
 
-    fn run(&mut self, dt: f32, mut handler: Option<&mut dyn EventHandler>) {
-        self.counters = StepCounters::default();
-        self.passing.begin();
-        self.rows.clear();
-        let goes_on = self.core.process_queues(dt, reborrow(&mut handler));
-        for event in self.pending_events.drain(..) {
-            self.core.report(event);
-        }
-        if goes_on {
-            self.meet(reborrow(&mut handler));
-            self.apply_forces(dt);
-            self.solve(1.0 / dt);
-            self.core.integrate(dt, handler);
-            self.integrate_depth(dt);
-        }
-        self.finish();
+    /// [`update`](Self::update) by a game that wants to know [how long it took](Self::update_time): `now` is its
+    /// clock, in seconds. The engine has no clock of its own, so that nothing depends on one.
+    pub fn update_timed(&mut self, dt: f32, mut now: impl FnMut() -> f64) {
+        let start = now();
+        self.run(dt, None);
+        self.world.update_time = (now() - start) as f32;
     }
 
-    /// Second and third stage: pairs at the same depth.
-    fn meet(&mut self, handler: Option<&mut dyn EventHandler>) {
-        let TwoHalfPhysicsSimulator { core, depths, passing, .. } = self;
-        let replaces_box_test = matches!(
-            core.broad_phase_collider(),
-            BroadPhaseCollider::BruteForce | BroadPhaseCollider::SpatialHash { .. }
-        );
-        let mut filter = DepthFilter { depths, pairs: passing, replaces_box_test, handler };
-        core.find_pairs(Some(&mut filter));
-        core.collide_pairs(Some(&mut filter));
-        passing.finish();
+    fn run(&mut self, dt: f32, mut handler: Option<&mut dyn EventHandler>) {
+        let TwoHalfPhysicsSimulator { core, world } = self;
+        world.begin();
+        let mut meeting = Meeting { world: &mut *world, handler: reborrow(&mut handler) };
+        let goes_on = core.process_queues(dt, Some(&mut meeting));
+        world.tell_pending();
+        world.take_events(core);
+        if !goes_on {
+            world.stand_still();
+            return;
+        }
+        world.prepare(core, dt);
+        world.meet(core, &mut handler);
+        world.apply_forces(core, dt);
+        world.solve(core, dt);
+        world.integrate(core, dt, &mut handler);
+        world.finish(core);
+    }
+}
+
+impl World {
+    /// What happened between updates.
+    fn tell_pending(&mut self) {
+        self.events.append(&mut self.pending_events);
+        let rejected = self.platforms.take_rejected();
+        self.events.extend(rejected.map(|argument| Event::RejectedInput { object: None, argument }));
+    }
+
+    /// Second and third stage: which pairs meet, and where everything touches.
+    fn meet(&mut self, core: &mut PhysicsSimulator, handler: &mut Option<&mut dyn EventHandler>) {
+        let mut meeting = Meeting { world: self, handler: reborrow(handler) };
+        core.find_pairs(Some(&mut meeting));
+        core.collide_pairs(Some(&mut meeting));
+        self.take_events(core);
+        self.touch(core);
+        self.tell_touches(core, handler);
+        self.take_events(core);
     }
 
     /// Fourth stage: impulses, forces and drag become velocity, along Z as well.
-    fn apply_forces(&mut self, dt: f32) {
-        self.is_moving.clear();
-        for index in 0..self.core.body_list().len() {
-            let id = self.core.body_list()[index];
-            let (Some(body), Some(state)) = (self.core.body(id), self.depths.bodies.get_mut(id)) else {
-                continue;
-            };
-            if !body.enabled() || body.is_static() {
+    fn apply_forces(&mut self, core: &mut PhysicsSimulator, dt: f32) {
+        for index in 0..core.body_list().len() {
+            let id = core.body_list()[index];
+            let (Some(body), Some(state)) = (core.body(id), self.depths.bodies.get_mut(id)) else { continue };
+            state.bias_z = 0.0;
+            if !is_movable(core, id) {
                 continue;
             }
-            let before = (state.velocity_z, state.angular_velocity_x);
+            let before = (state.velocity_z, state.angular_velocity_x, state.angular_velocity_y);
             state.integrate_velocity(body, dt);
             if !state.motion_is_finite() {
-                (state.velocity_z, state.angular_velocity_x) = before;
-                self.disable(id);
-                continue;
+                (state.velocity_z, state.angular_velocity_x, state.angular_velocity_y) = before;
+                disable(core, id);
             }
-            if id.slot() >= self.is_moving.len() {
-                self.is_moving.resize(id.slot() + 1, false);
-            }
-            self.is_moving[id.slot()] = true;
         }
-        self.core.apply_forces(dt);
+        core.apply_forces(dt);
     }
 
-    /// Fifth and sixth stage: contacts of pairs and with the ground, and friction along Z.
-    fn solve(&mut self, inverse_dt: f32) {
-        let TwoHalfPhysicsSimulator { core, depths, rows, is_moving, .. } = self;
-        for index in 0..core.geom_list().len() {
-            let geom = core.geom_list()[index];
-            let (Some(body), Some(&profile)) = (core.geom(geom).map(|g| g.body()), depths.profiles.get(geom))
-            else {
-                continue;
-            };
-            let Some(state) = depths.bodies.get_mut(body) else { continue };
-            if state.ground.object_geom() == Some(geom) && is_moving.get(body.slot()) == Some(&true) {
-                rows.extend(touch_ground(core, state, profile, geom));
-            }
-        }
+    /// Fifth and sixth stage: contacts push and rub.
+    fn solve(&mut self, core: &mut PhysicsSimulator, dt: f32) {
+        let inverse_dt = 1.0 / dt;
+        self.take_over_plane_contacts(core);
         core.pre_step(inverse_dt);
+        self.solver.pre_step(core, &self.depths, &self.touches, inverse_dt);
         for _ in 0..core.iterations() {
             core.solve_iteration();
-            for row in rows.iter_mut() {
-                row.solve(core);
-            }
+            self.solver.solve_iteration(core);
         }
-        for index in 0..self.rows.len() {
-            if let Some(failed) = self.rows[index].finish(&self.core, &mut self.depths) {
-                self.disable(failed);
-            }
-        }
+        self.solver.finish(core, &mut self.depths, &mut self.touches);
     }
 
-    /// Last stage along Z: velocity becomes position.
-    fn integrate_depth(&mut self, dt: f32) {
-        for index in 0..self.core.body_list().len() {
-            let id = self.core.body_list()[index];
+    /// Last stage: velocity becomes position, along Z first, so that callbacks see all of it.
+    fn integrate(
+        &mut self,
+        core: &mut PhysicsSimulator,
+        dt: f32,
+        handler: &mut Option<&mut dyn EventHandler>,
+    ) {
+        self.update.moved.clear();
+        for index in 0..core.body_list().len() {
+            let id = core.body_list()[index];
             let Some(state) = self.depths.bodies.get_mut(id) else { continue };
-            // One that failed on the way was disabled.
-            let is_enabled = self.core.body(id).is_some_and(|body| body.enabled());
-            if !is_enabled || self.is_moving.get(id.slot()) != Some(&true) {
+            if !is_movable(core, id) || (state.velocity_z == 0.0 && state.bias_z == 0.0) {
                 continue;
             }
-            let z = state.z + state.velocity_z * dt;
+            let z = state.z + (state.velocity_z + state.bias_z) * dt;
             if z.is_finite() {
                 state.z = z;
+                if id.slot() >= self.update.moved.len() {
+                    self.update.moved.resize(id.slot() + 1, false);
+                }
+                self.update.moved[id.slot()] = true;
             } else {
-                self.disable(id);
+                disable(core, id);
+            }
+        }
+        let mut meeting = Meeting { world: self, handler: reborrow(handler) };
+        core.integrate(dt, Some(&mut meeting));
+        self.take_events(core);
+        self.tell_moved_along_z(core, handler);
+    }
+
+    /// The 2D engine has told of this body's movement.
+    pub(crate) fn is_told_of(&mut self, body: BodyId) {
+        if let Some(moved) = self.update.moved.get_mut(body.slot()) {
+            *moved = false;
+        }
+    }
+
+    /// Tells of bodies that moved along Z alone, and have never moved otherwise.
+    fn tell_moved_along_z(
+        &mut self,
+        core: &mut PhysicsSimulator,
+        handler: &mut Option<&mut dyn EventHandler>,
+    ) {
+        for index in 0..core.body_list().len() {
+            let Some(&body) = core.body_list().get(index) else { break };
+            if self.update.moved.get(body.slot()) != Some(&true) {
+                continue;
+            }
+            self.counters.bodies_moved += 1;
+            self.events.push(Event::BodyUpdated { body });
+            if let Some(handler) = handler {
+                handler.on_body_updated(&mut Context { core: core.context(), world: self }, body);
+                self.settle(core, &mut Some(&mut **handler));
             }
         }
     }
 
-    /// Takes a body out of the simulation whose state would not have been finite.
-    #[cold]
-    fn disable(&mut self, id: BodyId) {
-        if let Some(body) = self.core.body_mut(id) {
-            body.set_enabled(false);
-            self.core.report(Event::NotFinite { body: id, disabled: true });
-        }
+    /// Lets geoms follow bodies that a callback has edited.
+    pub(crate) fn settle(
+        &mut self,
+        core: &mut PhysicsSimulator,
+        handler: &mut Option<&mut dyn EventHandler>,
+    ) {
+        let mut meeting = Meeting { world: self, handler: reborrow(handler) };
+        core.settle(Some(&mut meeting));
     }
 
-    /// Takes over the 2D engine's events and counters.
-    fn finish(&mut self) {
-        let core = self.core.counters();
-        self.counters = StepCounters {
-            pairs_tested: core.pairs_tested,
-            pairs_touching: core.pairs_touching,
-            ground_contacts: self.rows.len(),
-            contacts_solved: core.contacts_solved,
-            bodies_moved: core.bodies_moved,
-        };
-        let mut refusals = self.passing.refusals();
-        let mut is_ours = |event: &Event| match event {
-            Event::BroadPhaseVeto { .. } | Event::Collision { vetoed: true, .. } => {
-                refusals.next() == Some(true)
+    /// Takes over what the 2D engine has reported since the last time.
+    fn take_events(&mut self, core: &PhysicsSimulator) {
+        let mut arbiters = core.arbiters().enumerate();
+        let mut arbiter = arbiters.next();
+        let mut vetoed_before = 0;
+        for index in self.update.core_events..core.events().len() {
+            match core.events()[index] {
+                CoreEvent::Collision { vetoed: true, .. } => {
+                    let refused = self.update.vetoed.get(vetoed_before).copied();
+                    vetoed_before += 1;
+                    self.events.extend(refused.map(|collision| {
+                        Event::Collision(Collision { vetoed: true, ..collision })
+                    }));
+                }
+                CoreEvent::Collision { this, other, .. } => {
+                    // Collisions come in the order of the list, those of a pair together.
+                    let is_of = |pair: (GeomId, GeomId)| pair == (this, other) || pair == (other, this);
+                    while arbiter.as_ref().is_some_and(|(_, a)| !is_of((a.geom_a(), a.geom_b()))) {
+                        arbiter = arbiters.next();
+                    }
+                    let Some((position, found)) = &arbiter else { continue };
+                    let collision = self.plane_collision(core, this, other, found.contacts());
+                    let Some(collision) = collision else { continue };
+                    let source = (self.events.len() as u32, Source::Arbiter(*position as u32));
+                    self.update.sources.push(source);
+                    self.events.push(Event::Collision(collision));
+                }
+                CoreEvent::Separation { this, other } if self.has_touched(core, this, other) => {
+                    self.events.push(Event::Separation { this, partner: Partner::Geom(other) });
+                }
+                event => self.events.extend(Event::from_core(event)),
             }
-            _ => false,
-        };
-        self.events.clear();
-        self.events.extend(self.core.events().iter().filter(|event| !is_ours(event)));
+        }
+        self.update.core_events = core.events().len();
+    }
+
+    /// Fills in what is known only now: impulses, supports and counters.
+    fn finish(&mut self, core: &PhysicsSimulator) {
+        self.fill_impulses(core);
+        self.find_supports(core);
+        let plane = core.counters();
+        let touching = |touch: &&crate::touch::Touch| !touch.is_plane() && !touch.partner.is_ground();
+        let on_ground = |touch: &&crate::touch::Touch| touch.partner.is_ground();
+        let solved = |touch: &&crate::touch::Touch| touch.responds;
+        let points: u32 = self.touches.touches.iter().filter(solved).map(|touch| touch.point_count).sum();
+        self.counters.pairs_tested += plane.pairs_tested;
+        self.counters.pairs_touching = plane.pairs_touching + self.touches.touches.iter().filter(touching).count();
+        self.counters.ground_contacts = self.touches.touches.iter().filter(on_ground).count();
+        self.counters.contacts_solved = plane.contacts_solved + points as usize;
+        self.counters.rows_solved = 2 * plane.contacts_solved + self.solver.row_count();
+        self.counters.bodies_moved += plane.bodies_moved;
+    }
+}
+
+/// Takes a body out of the simulation whose state would not have been finite.
+#[cold]
+fn disable(core: &mut PhysicsSimulator, id: BodyId) {
+    if let Some(body) = core.body_mut(id) {
+        body.set_enabled(false);
+        core.report(CoreEvent::NotFinite { body: id, disabled: true });
     }
 }

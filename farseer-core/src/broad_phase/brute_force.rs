@@ -1,12 +1,12 @@
 //! Every geom against every other (behaviour chapter 08, section 5).
 
 use super::PairSink;
-use crate::geom::GeomId;
 use crate::shape::Aabb;
 
-pub(super) fn update(geom_list: &[GeomId], sink: &mut impl PairSink) {
-    for (i, &a) in geom_list.iter().enumerate() {
-        for &b in &geom_list[i + 1..] {
+pub(super) fn update(sink: &mut impl PairSink) {
+    for i in 0..sink.geom_list().len() {
+        for j in i + 1..sink.geom_list().len() {
+            let (a, b) = (sink.geom_list()[i], sink.geom_list()[j]);
             let scene = sink.scene();
             let (geom_a, geom_b) = (&scene.geoms[a], &scene.geoms[b]);
             // The box test comes first where nobody can observe the order: it is the cheaper one.

@@ -31,6 +31,8 @@ pub(crate) trait PairSink {
     fn approve(&mut self, geom1: GeomId, geom2: GeomId) -> bool;
     /// The scene as it is now: the handler may have changed it.
     fn scene(&self) -> Scene<'_>;
+    /// The geoms that take part. No handler changes the list.
+    fn geom_list(&self) -> &[GeomId];
     /// Takes a pair whose boxes overlap.
     fn register(&mut self, geom1: GeomId, geom2: GeomId);
     /// Takes a pair found by the brute force method, which looks through the arbiter list itself.
@@ -44,6 +46,8 @@ pub(crate) enum BroadPhase {
     SweepAndPrune(SweepAndPrune),
     BruteForce,
     SpatialHash(SpatialHash),
+    /// Stands for a method while it looks for pairs and handlers look at the simulator.
+    AtWork(BroadPhaseCollider),
 }
 
 impl BroadPhase {
@@ -64,6 +68,7 @@ impl BroadPhase {
             BroadPhase::SweepAndPrune(_) => BroadPhaseCollider::SweepAndPrune,
             BroadPhase::BruteForce => BroadPhaseCollider::BruteForce,
             BroadPhase::SpatialHash(hash) => hash.method(),
+            BroadPhase::AtWork(method) => *method,
         }
     }
 
@@ -72,7 +77,7 @@ impl BroadPhase {
         match self {
             BroadPhase::SelectiveSweep(sweep) => sweep.add(id),
             BroadPhase::SweepAndPrune(sweep) => sweep.add(id, geoms),
-            BroadPhase::BruteForce | BroadPhase::SpatialHash(_) => {}
+            BroadPhase::BruteForce | BroadPhase::SpatialHash(_) | BroadPhase::AtWork(_) => {}
         }
     }
 
@@ -82,17 +87,26 @@ impl BroadPhase {
         match self {
             BroadPhase::SelectiveSweep(sweep) => sweep.retain(alive),
             BroadPhase::SweepAndPrune(sweep) => sweep.retain(alive),
-            BroadPhase::BruteForce | BroadPhase::SpatialHash(_) => {}
+            BroadPhase::BruteForce | BroadPhase::SpatialHash(_) | BroadPhase::AtWork(_) => {}
+        }
+    }
+
+    /// Begins anew in a simulator that a handler copied or saved while its method was at work.
+    pub(crate) fn restore(&mut self, geom_list: &[GeomId], geoms: &Arena<GeomEntry>) {
+        if let BroadPhase::AtWork(method) = *self {
+            *self = BroadPhase::new(method);
+            geom_list.iter().for_each(|&geom| self.add(geom, geoms));
         }
     }
 
     /// Looks for pairs and hands them to the sink.
-    pub(crate) fn update(&mut self, geom_list: &[GeomId], sink: &mut impl PairSink) {
+    pub(crate) fn update(&mut self, sink: &mut impl PairSink) {
         match self {
             BroadPhase::SelectiveSweep(sweep) => sweep.update(sink),
             BroadPhase::SweepAndPrune(sweep) => sweep.update(sink),
-            BroadPhase::BruteForce => brute_force::update(geom_list, sink),
-            BroadPhase::SpatialHash(hash) => hash.update(geom_list, sink),
+            BroadPhase::BruteForce => brute_force::update(sink),
+            BroadPhase::SpatialHash(hash) => hash.update(sink),
+            BroadPhase::AtWork(_) => {}
         }
     }
 
@@ -101,7 +115,7 @@ impl BroadPhase {
         match self {
             BroadPhase::SelectiveSweep(sweep) => sweep.is_valid(geoms),
             BroadPhase::SweepAndPrune(sweep) => sweep.is_valid(geoms),
-            BroadPhase::BruteForce => true,
+            BroadPhase::BruteForce | BroadPhase::AtWork(_) => true,
             BroadPhase::SpatialHash(hash) => hash.is_valid(),
         }
     }

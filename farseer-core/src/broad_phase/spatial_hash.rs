@@ -51,18 +51,19 @@ impl SpatialHash {
         }
     }
 
-    pub(super) fn update(&mut self, geom_list: &[GeomId], sink: &mut impl PairSink) {
-        if geom_list.is_empty() {
+    pub(super) fn update(&mut self, sink: &mut impl PairSink) {
+        if sink.geom_list().is_empty() {
             return;
         }
-        self.fill(geom_list, sink.scene().geoms);
+        self.fill(sink.geom_list(), sink.scene().geoms);
         self.handled.clear();
         self.dead.clear();
         for slot in 0..self.cells.slot_count() {
             self.meet_in_cell(slot, sink);
         }
         for i in 0..self.oversized.len() {
-            for &other in geom_list {
+            for j in 0..sink.geom_list().len() {
+                let other = sink.geom_list()[j];
                 if other != self.oversized[i] {
                     meet(self.oversized[i], other, &mut self.handled, sink);
                 }

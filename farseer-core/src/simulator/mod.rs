@@ -1,6 +1,7 @@
 //! The simulator: owns everything and steps it (behaviour chapter 04).
 
 mod editing;
+mod engine;
 mod queries;
 mod queues;
 mod save;
@@ -22,6 +23,7 @@ use crate::geom_ref::GeomRef;
 use crate::math::Vector2;
 use crate::methods::{BroadPhaseCollider, FrictionType, NarrowPhaseCollider};
 use crate::narrow_phase::grid_cache::GridCache;
+use crate::object_id::ObjectId;
 use crate::solver::ContactSolver;
 use crate::{Error, Result};
 use queues::Queues;
@@ -357,14 +359,43 @@ impl PhysicsSimulator {
         &self.geom_list
     }
 
+    /// All bodies that live, in their lists or not, in the order of their [slots](BodyId::slot).
+    pub fn bodies(&self) -> impl Iterator<Item = BodyId> + '_ {
+        self.bodies.iter().map(|(id, _)| id)
+    }
+
+    /// All geoms that live, in their lists or not, in the order of their [slots](GeomId::slot).
+    pub fn geoms(&self) -> impl Iterator<Item = GeomId> + '_ {
+        self.geoms.iter().map(|(id, _)| id)
+    }
+
+    /// Whether an object is in its list now; a stale id is in none. Objects enter and leave their lists with updates.
+    pub fn is_listed(&self, object: impl Into<ObjectId>) -> bool {
+        match object.into() {
+            ObjectId::Body(body) => self.bodies.get(body).is_some_and(|entry| entry.is_listed),
+            ObjectId::Geom(geom) => self.geoms.get(geom).is_some_and(|entry| entry.is_listed),
+        }
+    }
+
+    /// Whether an object was disposed, and goes at the next update or is gone already: true for every stale id.
+    #[doc(alias = "IsDisposed")]
+    pub fn is_disposed(&self, object: impl Into<ObjectId>) -> bool {
+        match object.into() {
+            ObjectId::Body(body) => self.bodies.get(body).is_none_or(|entry| entry.is_disposed),
+            ObjectId::Geom(geom) => self.geoms.get(geom).is_none_or(|entry| entry.is_disposed),
+        }
+    }
+
     /// The pairs whose boxes overlapped in the last update and which touch, in the order in which they are solved.
     #[doc(alias = "ArbiterList")]
     pub fn arbiters(&self) -> impl Iterator<Item = ArbiterRef<'_>> {
-        (0..self.arbiters.len()).filter_map(|position| {
-            let arbiter = self.arbiters.at(position);
-            let geoms = arbiter.geoms?;
-            Some(ArbiterRef { geoms, friction: arbiter.friction, contacts: &arbiter.contacts })
-        })
+        (0..self.arbiters.len()).filter_map(|position| self.arbiter(position))
+    }
+
+    /// The arbiter at a position of the list, from 0; `None` beyond its end.
+    pub fn arbiter(&self, position: usize) -> Option<ArbiterRef<'_>> {
+        let arbiter = (position < self.arbiters.len()).then(|| self.arbiters.at(position))?;
+        Some(ArbiterRef { geoms: arbiter.geoms?, friction: arbiter.friction, contacts: &arbiter.contacts })
     }
 
     /// Number of [`arbiters`](Self::arbiters).

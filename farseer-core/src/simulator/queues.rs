@@ -148,7 +148,9 @@ impl PhysicsSimulator {
     }
 
     pub(super) fn process_all_queues(&mut self, handler: Handler) {
-        self.settle(handler);
+        // Ids go stale below.
+        self.solver.close();
+        self.settle_edits(handler);
         self.process_added(handler);
         self.process_removed(handler);
         self.process_disposed(handler);
@@ -268,7 +270,7 @@ impl PhysicsSimulator {
     ///
     /// Callbacks may edit again, which is delivered in turn. One that answers every edit with another is not called
     /// any more after some rounds; the original overflows its stack.
-    pub(super) fn settle(&mut self, handler: Handler) {
+    pub(super) fn settle_edits(&mut self, handler: Handler) {
         for round in 0.. {
             self.settle_touched();
             if self.pending_events.is_empty() {

@@ -47,6 +47,7 @@ impl PhysicsSimulator {
         self.events.clear();
         self.counters = StepCounters::default();
         self.solver.forget_surfaces();
+        self.arbiters.take_back_from_engine();
         if !self.accepts_step("dt", dt) || (dt != 0.0 && !self.accepts_step("dt", 1.0 / dt)) {
             return false;
         }
@@ -64,19 +65,46 @@ impl PhysicsSimulator {
     }
 
     /// Second stage: the broad phase appends arbiters for new pairs whose boxes overlap.
+    ///
+    /// A handler that [filters pairs](EventHandler::filters_pairs) is asked first about those that have one.
     pub fn find_pairs(&mut self, handler: Option<&mut dyn EventHandler>) {
-        // Both are put back below; no callback can reach them meanwhile.
-        let mut broad_phase = std::mem::replace(&mut self.broad_phase, BroadPhase::BruteForce);
-        let geom_list = std::mem::take(&mut self.geom_list);
-        broad_phase.update(&geom_list, &mut PairFinder { simulator: self, handler });
-        self.geom_list = geom_list;
+        let mut handler = handler;
+        let is_filtered = handler.as_ref().is_some_and(|handler| handler.filters_pairs());
+        if is_filtered {
+            self.filter_listed_pairs(&mut handler);
+        }
+        let at_work = BroadPhase::AtWork(self.broad_phase.method());
+        let mut broad_phase = std::mem::replace(&mut self.broad_phase, at_work);
+        broad_phase.restore(&self.geom_list, &self.geoms);
+        broad_phase.update(&mut PairFinder { simulator: self, handler, is_filtered });
         self.broad_phase = broad_phase;
+    }
+
+    /// Asks the handler about every pair that has an arbiter. Those that it refuses lose their contacts, and leave.
+    fn filter_listed_pairs(&mut self, handler: Handler) {
+        for position in 0..self.arbiters.len() {
+            if let Some((a, b)) = self.arbiters.at(position).geoms
+                && !self.accepts_pair(handler, a, b)
+                && let Some(arbiter) = self.arbiters.get_mut(position)
+            {
+                arbiter.contacts.clear();
+            }
+        }
+        self.remove_separated(handler);
+    }
+
+    fn accepts_pair(&mut self, handler: Handler, geom1: GeomId, geom2: GeomId) -> bool {
+        let Some(asked) = handler else { return true };
+        let accepted = asked.accepts_pair(&mut Context { simulator: self }, geom1, geom2);
+        self.settle_edits(handler);
+        accepted
     }
 
     /// Third stage: the narrow phase finds the contacts of every pair, deepest first, and takes over the impulses
     /// of those that were there before. Pairs without contacts leave.
     pub fn collide_pairs(&mut self, handler: Option<&mut dyn EventHandler>) {
         let mut handler = handler;
+        self.arbiters.take_back_from_engine();
         let mut contacts = std::mem::take(&mut self.new_contacts);
         for position in 0..self.arbiters.len() {
             contacts.clear();
@@ -134,10 +162,11 @@ impl PhysicsSimulator {
             contacts.clear();
         }
         if handler.is_some() {
-            self.settle(handler);
+            self.settle_edits(handler);
         }
     }
 
+    /// Takes arbiters without contacts out of the list, and tells both sides.
     fn remove_separated(&mut self, handler: Handler) {
         let mut separated = std::mem::take(&mut self.separated);
         self.arbiters.remove_where(|arbiter| arbiter.contacts.is_empty(), |a, b| separated.push((a, b)));
@@ -146,7 +175,7 @@ impl PhysicsSimulator {
                 self.events.push(Event::Separation { this, other });
                 if let Some(handler) = handler {
                     handler.on_separation(&mut Context { simulator: self }, this, other);
-                    self.settle(&mut Some(&mut **handler));
+                    self.settle_edits(&mut Some(&mut **handler));
                 }
             }
         }
@@ -217,11 +246,6 @@ impl PhysicsSimulator {
         self.solver.surface_impulses(surface)
     }
 
-    /// Puts an event on the list of this update: for engines that are built on the stages.
-    pub fn report(&mut self, event: Event) {
-        self.events.push(event);
-    }
-
     /// Sixth stage, repeated: one pass over all contacts.
     pub fn solve_iteration(&mut self) {
         self.solver.solve_iteration();
@@ -261,7 +285,7 @@ impl PhysicsSimulator {
             self.events.push(Event::BodyUpdated { body: id });
             if let Some(handler) = &mut handler {
                 handler.on_body_updated(&mut Context { simulator: self }, id);
-                self.settle(&mut Some(&mut **handler));
+                self.settle_edits(&mut Some(&mut **handler));
             }
         }
     }
@@ -290,6 +314,8 @@ fn sort_by_separation(contacts: &mut [Contact]) {
 struct PairFinder<'s, 'h> {
     simulator: &'s mut PhysicsSimulator,
     handler: Option<&'h mut dyn EventHandler>,
+    /// Whether the handler filters pairs.
+    is_filtered: bool,
 }
 
 impl PairSink for PairFinder<'_, '_> {
@@ -304,7 +330,7 @@ impl PairSink for PairFinder<'_, '_> {
         if !accepted {
             self.simulator.events.push(Event::BroadPhaseVeto { geom1, geom2 });
         }
-        self.simulator.settle(&mut Some(&mut **handler));
+        self.simulator.settle_edits(&mut Some(&mut **handler));
         accepted
     }
 
@@ -312,14 +338,32 @@ impl PairSink for PairFinder<'_, '_> {
         Scene { geoms: &self.simulator.geoms, bodies: &self.simulator.bodies }
     }
 
+    fn geom_list(&self) -> &[GeomId] {
+        &self.simulator.geom_list
+    }
+
     fn register(&mut self, geom1: GeomId, geom2: GeomId) {
-        let PhysicsSimulator { arbiters, geoms, settings, .. } = &mut *self.simulator;
-        if geoms.contains(geom1) && geoms.contains(geom2) {
-            arbiters.add_arbiter_for_geom_pair(geoms, settings.friction_type, geom1, geom2);
+        let PhysicsSimulator { arbiters, geoms, .. } = &*self.simulator;
+        if !geoms.contains(geom1) || !geoms.contains(geom2) {
+            return;
         }
+        if self.is_filtered
+            && (arbiters.has_pair(geoms, geom1, geom2)
+                || !self.simulator.accepts_pair(&mut self.handler, geom1, geom2))
+        {
+            return;
+        }
+        let PhysicsSimulator { arbiters, geoms, settings, .. } = &mut *self.simulator;
+        arbiters.add_arbiter_for_geom_pair(geoms, settings.friction_type, geom1, geom2);
     }
 
     fn register_unless_listed(&mut self, geom1: GeomId, geom2: GeomId) {
+        if self.is_filtered
+            && !self.simulator.arbiters.is_listed(geom1, geom2)
+            && !self.simulator.accepts_pair(&mut self.handler, geom1, geom2)
+        {
+            return;
+        }
         let PhysicsSimulator { arbiters, geoms, settings, .. } = &mut *self.simulator;
         arbiters.add_arbiter_unless_listed(geoms, settings.friction_type, geom1, geom2);
     }

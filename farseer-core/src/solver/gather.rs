@@ -55,7 +55,7 @@ impl ContactSolver {
         settings: PreStepSettings,
     ) {
         self.begin(bodies.slot_count(), list.arbiters.len());
-        for &handle in &list.list {
+        for &handle in list.list.iter().filter(|&&handle| !list.is_left_to_engine(handle)) {
             self.gather_arbiter(handle, list, geoms, bodies);
         }
         self.first_surface_group = self.groups.len();
@@ -89,6 +89,7 @@ impl ContactSolver {
         self.contacts.clear();
         self.arbiters.clear();
         self.failed.clear();
+        self.is_open = true;
     }
 
     fn gather_arbiter(
@@ -150,7 +151,7 @@ impl ContactSolver {
         self.forget_surfaces();
     }
 
-    fn gather_body(&mut self, id: BodyId, bodies: &Arena<BodyEntry>) -> u32 {
+    pub(super) fn gather_body(&mut self, id: BodyId, bodies: &Arena<BodyEntry>) -> u32 {
         let place = &mut self.places[id.index()];
         if place.0 != self.stamp {
             *place = (self.stamp, self.states.len() as u32);

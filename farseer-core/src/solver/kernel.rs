@@ -6,7 +6,7 @@ use super::lanes::Lanes;
 
 /// What the solver reads and changes of a body.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct SolverBody<T> {
+pub(super) struct BodyLanes<T> {
     /// Linear and angular velocity.
     pub(super) velocity: [T; 3],
     /// Linear and angular velocity that only pushes overlapping bodies apart.
@@ -15,7 +15,7 @@ pub(super) struct SolverBody<T> {
     pub(super) inverse_inertia: T,
 }
 
-impl<T: Lanes> SolverBody<T> {
+impl<T: Lanes> BodyLanes<T> {
     /// Zero if all velocities are finite, else NaN.
     #[inline(always)]
     pub(super) fn zero_if_finite(&self) -> T {
@@ -95,7 +95,7 @@ fn pushed<T: Lanes>(
 impl<T: Lanes> ContactRow<T> {
     /// Adds `impulse` to the velocity of B and takes it from A's: B first, as in the original.
     #[inline(always)]
-    fn push_pair<const B: usize>(&self, impulse: [T; 2], bodies: &mut [SolverBody<T>; 2]) {
+    fn push_pair<const B: usize>(&self, impulse: [T; 2], bodies: &mut [BodyLanes<T>; 2]) {
         let b = &mut bodies[B];
         b.velocity = pushed(b.velocity, impulse, self.r2, b.inverse_mass, b.inverse_inertia);
         let a = &mut bodies[A];
@@ -104,7 +104,7 @@ impl<T: Lanes> ContactRow<T> {
     }
 
     #[inline(always)]
-    fn push_pair_apart<const B: usize>(&self, impulse: [T; 2], bodies: &mut [SolverBody<T>; 2]) {
+    fn push_pair_apart<const B: usize>(&self, impulse: [T; 2], bodies: &mut [BodyLanes<T>; 2]) {
         let b = &mut bodies[B];
         b.bias = pushed(b.bias, impulse, self.r2, b.inverse_mass, b.inverse_inertia);
         let a = &mut bodies[A];
@@ -112,7 +112,7 @@ impl<T: Lanes> ContactRow<T> {
     }
 
     #[inline(always)]
-    fn relative_velocity<const B: usize>(&self, bodies: &[SolverBody<T>; 2]) -> [T; 2] {
+    fn relative_velocity<const B: usize>(&self, bodies: &[BodyLanes<T>; 2]) -> [T; 2] {
         subtract(velocity_at(bodies[B].velocity, self.r2), velocity_at(bodies[A].velocity, self.r1))
     }
 
@@ -122,7 +122,7 @@ impl<T: Lanes> ContactRow<T> {
         &mut self,
         pair: &PairConstants<T>,
         settings: PreStepSettings,
-        bodies: &mut [SolverBody<T>; 2],
+        bodies: &mut [BodyLanes<T>; 2],
     ) {
         let n = self.normal;
         let t = tangent(n);
@@ -149,7 +149,7 @@ impl<T: Lanes> ContactRow<T> {
 
     /// Normal impulse, bias impulse and friction (section 6.2).
     #[inline(always)]
-    pub(super) fn solve<const B: usize>(&mut self, pair: &PairConstants<T>, bodies: &mut [SolverBody<T>; 2]) {
+    pub(super) fn solve<const B: usize>(&mut self, pair: &PairConstants<T>, bodies: &mut [BodyLanes<T>; 2]) {
         let zero = T::splat(0.0);
         let n = self.normal;
         let t = tangent(n);

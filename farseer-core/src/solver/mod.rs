@@ -4,6 +4,7 @@
 //! and a row per contact. Every operation is rounded as in the original. Groups of contacts that share a movable
 //! body are solved in its order; groups that do not are solved four at a time.
 
+mod engine;
 mod gather;
 mod kernel;
 mod lanes;
@@ -19,11 +20,13 @@ use crate::body::BodyId;
 use crate::body_entry::BodyEntry;
 use crate::contact::Contact;
 use crate::events::Event;
-use kernel::{ContactRow, PairConstants, SolverBody};
+use kernel::{BodyLanes, ContactRow, PairConstants};
 use lanes::LANES;
 use rows::empty_lane;
 use schedule::Schedule;
 use states::{BodyState, pack_four, pack_one, unpack_four, unpack_one};
+
+pub use engine::{SolverBody, SolverPlace};
 
 /// Settings of the pre-step.
 #[derive(Debug, Clone, Copy)]
@@ -126,6 +129,8 @@ pub(crate) struct ContactSolver {
     first_surface_group: usize,
     stamp: u32,
     failed: Vec<u32>,
+    /// Between pre-step and end: bodies may be gathered.
+    is_open: bool,
 }
 
 /// Solving.
@@ -143,9 +148,9 @@ impl ContactSolver {
     #[inline(always)]
     fn for_each_batch(
         &mut self,
-        four: impl Fn(&mut ContactRow<f32x4>, &PairConstants<f32x4>, &mut [SolverBody<f32x4>; 2]),
-        one: impl Fn(&mut ContactRow<f32>, &PairConstants<f32>, &mut [SolverBody<f32>; 2]),
-        one_body: impl Fn(&mut ContactRow<f32>, &PairConstants<f32>, &mut [SolverBody<f32>; 2]),
+        four: impl Fn(&mut ContactRow<f32x4>, &PairConstants<f32x4>, &mut [BodyLanes<f32x4>; 2]),
+        one: impl Fn(&mut ContactRow<f32>, &PairConstants<f32>, &mut [BodyLanes<f32>; 2]),
+        one_body: impl Fn(&mut ContactRow<f32>, &PairConstants<f32>, &mut [BodyLanes<f32>; 2]),
     ) {
         for index in 0..self.batches.len() {
             match self.batches[index] {
@@ -172,7 +177,7 @@ impl ContactSolver {
         &mut self,
         group_index: u32,
         first_row: u32,
-        operation: impl Fn(&mut ContactRow<f32>, &PairConstants<f32>, &mut [SolverBody<f32>; 2]),
+        operation: impl Fn(&mut ContactRow<f32>, &PairConstants<f32>, &mut [BodyLanes<f32>; 2]),
     ) {
         let group = self.groups[group_index as usize];
         let pair = PairConstants { friction: group.friction, restitution: group.restitution };
@@ -194,7 +199,7 @@ impl ContactSolver {
     fn apply_to_four(
         &mut self,
         index: usize,
-        operation: impl Fn(&mut ContactRow<f32x4>, &PairConstants<f32x4>, &mut [SolverBody<f32x4>; 2]),
+        operation: impl Fn(&mut ContactRow<f32x4>, &PairConstants<f32x4>, &mut [BodyLanes<f32x4>; 2]),
     ) {
         let Batch::Four(batch) = &self.batches[index] else { return };
         let mut bodies = [unpack_four(&self.states, &batch.body_a), unpack_four(&self.states, &batch.body_b)];
@@ -214,7 +219,7 @@ impl ContactSolver {
 
     /// Takes the lanes with a body that is not finite out of a batch, and lets the others go on.
     #[cold]
-    fn drop_lanes(&mut self, index: usize, bodies: [SolverBody<f32x4>; 2], is_finite: [u32; 2]) {
+    fn drop_lanes(&mut self, index: usize, bodies: [BodyLanes<f32x4>; 2], is_finite: [u32; 2]) {
         let Batch::Four(mut batch) = self.batches[index] else { return };
         for lane in 0..LANES {
             let lane_is_finite = is_finite.map(|mask| mask & (1 << lane) != 0);
@@ -283,7 +288,7 @@ impl ContactSolver {
                 events.push(Event::NotFinite { body: id, disabled });
                 continue;
             }
-            let SolverBody { velocity, bias, .. } = unpack_one(state);
+            let BodyLanes { velocity, bias, .. } = unpack_one(state);
             [body.linear_velocity.x, body.linear_velocity.y, body.angular_velocity] = velocity;
             [body.linear_velocity_bias.x, body.linear_velocity_bias.y, body.angular_velocity_bias] = bias;
         }
@@ -299,5 +304,6 @@ impl ContactSolver {
         // Rows and groups stay readable until the next update begins.
         self.ids.clear();
         self.arbiters.clear();
+        self.close();
     }
 }

@@ -2,36 +2,36 @@
 
 use wide::f32x4;
 
-use super::kernel::SolverBody;
+use super::kernel::BodyLanes;
 use super::lanes::LANES;
 
 /// The velocities of a body with its inverse mass, and the bias velocities with its inverse inertia.
 pub(super) type BodyState = [f32x4; 2];
 
 #[inline(always)]
-pub(super) fn unpack_one(state: &BodyState) -> SolverBody<f32> {
+pub(super) fn unpack_one(state: &BodyState) -> BodyLanes<f32> {
     let [x, y, w, inverse_mass] = state[0].to_array();
     let [bias_x, bias_y, bias_w, inverse_inertia] = state[1].to_array();
-    SolverBody { velocity: [x, y, w], bias: [bias_x, bias_y, bias_w], inverse_mass, inverse_inertia }
+    BodyLanes { velocity: [x, y, w], bias: [bias_x, bias_y, bias_w], inverse_mass, inverse_inertia }
 }
 
 #[inline(always)]
-pub(super) fn pack_one(body: &SolverBody<f32>) -> BodyState {
+pub(super) fn pack_one(body: &BodyLanes<f32>) -> BodyState {
     let ([x, y, w], [bias_x, bias_y, bias_w]) = (body.velocity, body.bias);
     [f32x4::new([x, y, w, body.inverse_mass]), f32x4::new([bias_x, bias_y, bias_w, body.inverse_inertia])]
 }
 
 #[inline(always)]
-pub(super) fn unpack_four(states: &[BodyState], bodies: &[u32; LANES]) -> SolverBody<f32x4> {
+pub(super) fn unpack_four(states: &[BodyState], bodies: &[u32; LANES]) -> BodyLanes<f32x4> {
     let lanes = bodies.map(|body| states[body as usize]);
     let [x, y, w, inverse_mass] = f32x4::transpose(lanes.map(|state| state[0]));
     let [bias_x, bias_y, bias_w, inverse_inertia] = f32x4::transpose(lanes.map(|state| state[1]));
-    SolverBody { velocity: [x, y, w], bias: [bias_x, bias_y, bias_w], inverse_mass, inverse_inertia }
+    BodyLanes { velocity: [x, y, w], bias: [bias_x, bias_y, bias_w], inverse_mass, inverse_inertia }
 }
 
 /// Immovable bodies may be in several lanes: all write what was there before.
 #[inline(always)]
-pub(super) fn pack_four(states: &mut [BodyState], bodies: &[u32; LANES], body: &SolverBody<f32x4>) {
+pub(super) fn pack_four(states: &mut [BodyState], bodies: &[u32; LANES], body: &BodyLanes<f32x4>) {
     let ([x, y, w], [bias_x, bias_y, bias_w]) = (body.velocity, body.bias);
     let velocities = f32x4::transpose([x, y, w, body.inverse_mass]);
     let biases = f32x4::transpose([bias_x, bias_y, bias_w, body.inverse_inertia]);

@@ -1,0 +1,76 @@
+//! Bodies in the solver, for engines that solve contacts of their own between its passes.
+
+use wide::f32x4;
+
+use super::{BodyLanes, ContactSolver, unpack_one};
+use crate::arena::{Arena, Id};
+use crate::body::BodyId;
+use crate::body_entry::BodyEntry;
+
+/// What the solver reads and changes of a body (behaviour chapter 03, section 6).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct SolverBody {
+    /// Linear velocity x and y in the user's length unit per second, y down, and angular velocity in rad/s.
+    pub velocity: [f32; 3],
+    /// Velocity that moves the body in this update only, to undo overlap; as [`velocity`](Self::velocity).
+    #[doc(alias("LinearVelocityBias", "AngularVelocityBias"))]
+    pub bias: [f32; 3],
+    /// 1 / mass, 0 for a body that is static.
+    pub inverse_mass: f32,
+    /// 1 / moment of inertia, 0 for a body that is static.
+    pub inverse_inertia: f32,
+}
+
+/// Names a body in the solver, from [`pre_step`](crate::PhysicsSimulator::pre_step) to
+/// [`integrate`](crate::PhysicsSimulator::integrate) of one update.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct SolverPlace(u32);
+
+impl ContactSolver {
+    /// No body can be gathered any more until the next pre-step.
+    pub(crate) fn close(&mut self) {
+        self.is_open = false;
+    }
+
+    /// The place of a body, which is gathered if it was not.
+    pub(crate) fn place(&mut self, id: BodyId, bodies: &Arena<BodyEntry>) -> Option<SolverPlace> {
+        if !self.is_open || !bodies.contains(id) {
+            return None;
+        }
+        if id.index() >= self.places.len() {
+            self.places.resize(bodies.slot_count(), (0, 0));
+        }
+        Some(SolverPlace(self.gather_body(id, bodies)))
+    }
+
+    #[inline]
+    pub(crate) fn body(&self, place: SolverPlace) -> SolverBody {
+        let Some(state) = self.states.get(place.0 as usize) else { return SolverBody::default() };
+        let BodyLanes { velocity, bias, inverse_mass, inverse_inertia } = unpack_one(state);
+        SolverBody { velocity, bias, inverse_mass, inverse_inertia }
+    }
+
+    /// Takes velocities over and answers whether they are finite. Otherwise the body has failed.
+    #[inline]
+    pub(crate) fn set_body(&mut self, place: SolverPlace, body: &SolverBody) -> bool {
+        let SolverBody { velocity: [x, y, w], bias: [bias_x, bias_y, bias_w], .. } = *body;
+        // Any infinity or NaN makes a product, and with it the sum, NaN.
+        let zero = x * 0.0 + y * 0.0 + w * 0.0 + (bias_x * 0.0 + bias_y * 0.0 + bias_w * 0.0);
+        if zero != 0.0 {
+            self.body_failed(place);
+            return false;
+        }
+        if let Some(state) = self.states.get_mut(place.0 as usize) {
+            let [inverse_mass, inverse_inertia] = [state[0].as_array()[3], state[1].as_array()[3]];
+            *state =
+                [f32x4::new([x, y, w, inverse_mass]), f32x4::new([bias_x, bias_y, bias_w, inverse_inertia])];
+        }
+        true
+    }
+
+    /// Notes that a body is to keep the velocities with which the solver began.
+    #[cold]
+    pub(crate) fn body_failed(&mut self, place: SolverPlace) {
+        self.failed.push(place.0);
+    }
+}

@@ -1,0 +1,130 @@
+//! A scene in the 2.5D engine.
+
+use farseer_core::{Body, BodyFactory, GeomPlacement, Vertices};
+use twohalf::{BodyId, DepthProfile, Result, TwoHalfPhysicsSimulator, Vector2, Vector3};
+
+use super::{DepthObject, DepthScene, DepthShape, Surface};
+
+/// Height of the screen in px.
+const SCREEN_HEIGHT: i32 = 600;
+/// Direction of the Z axis on the screen in degrees.
+const SCREEN_ANGLE: i32 = 60;
+/// Edges of a ball's outline.
+const EDGES: i32 = 24;
+
+/// Builds a scene: the simulator, and the bodies in the order of the scene's objects. The platforms are in the
+/// scene's order, too.
+///
+/// # Panics
+/// A scene with values that the engine refuses, which none of this module's is.
+pub fn build(scene: &DepthScene) -> (TwoHalfPhysicsSimulator, Vec<BodyId>) {
+    try_build(scene).unwrap_or_else(|error| panic!("{}: {error}", scene.name))
+}
+
+fn try_build(scene: &DepthScene) -> Result<(TwoHalfPhysicsSimulator, Vec<BodyId>)> {
+    let gravity = Vector2::new(0.0, scene.gravity);
+    let mut simulator =
+        TwoHalfPhysicsSimulator::with_angle_and_gravity(SCREEN_HEIGHT, SCREEN_ANGLE, gravity)?;
+    let bodies = scene
+        .objects
+        .iter()
+        .map(|object| add_object(&mut simulator, object, scene.ground))
+        .collect::<Result<_>>()?;
+    Ok((simulator, bodies))
+}
+
+fn add_object(
+    simulator: &mut TwoHalfPhysicsSimulator,
+    object: &DepthObject,
+    ground: Surface,
+) -> Result<BodyId> {
+    let body = simulator.create_body(object.body()?);
+    let geom = simulator.create_geom(body, object.outline()?, GeomPlacement::default())?;
+    simulator.set_depth_profile(geom, object.profile())?;
+    if let Some(settings) = simulator.geom_mut(geom) {
+        settings.set_friction_coefficient(object.surface.friction);
+        settings.set_restitution_coefficient(object.surface.restitution);
+    }
+    if let Some(mut view) = simulator.body_mut(body) {
+        let mut view_of_ground = view.ground_mut();
+        view_of_ground.set_friction_coefficient(ground.friction);
+        view_of_ground.set_restitution_coefficient(ground.restitution);
+        view_of_ground.set_object_geom(geom, None)?;
+        view.set_rotation(object.rotation);
+        view.set_position3d(Vector3::from(object.position));
+        let [right, up, into] = object.velocity;
+        view.set_linear_velocity(Vector2::new(right, -up));
+        view.set_linear_velocity_z(into);
+        view.set_is_static(object.is_static);
+    }
+    simulator.add(body)?;
+    simulator.add(geom)?;
+    Ok(body)
+}
+
+impl DepthObject {
+    /// A body of the 2D engine with the object's mass and moment of inertia, without drag.
+    ///
+    /// # Errors
+    /// A size or mass that the engine refuses.
+    pub fn body(&self) -> farseer_core::Result<Body> {
+        let mut body = match &self.shape {
+            DepthShape::Ball { radius } => BodyFactory::create_circle_body(*radius, self.mass)?,
+            DepthShape::Box { size: [width, height, _] } => {
+                BodyFactory::create_rectangle_body(*width, *height, self.mass)?
+            }
+            DepthShape::Polygon { .. } => BodyFactory::create_polygon_body(&self.outline()?, self.mass)?,
+        };
+        body.set_linear_drag_coefficient(0.0);
+        body.set_rotational_drag_coefficient(0.0);
+        Ok(body)
+    }
+
+    /// The outline at rotation 0 about the body's origin, px, y down.
+    ///
+    /// # Errors
+    /// A size that the engine refuses.
+    pub fn outline(&self) -> farseer_core::Result<Vertices> {
+        match &self.shape {
+            DepthShape::Ball { radius } => Vertices::create_circle(*radius, EDGES),
+            DepthShape::Box { size: [width, height, _] } => Vertices::create_rectangle(*width, *height),
+            DepthShape::Polygon { outline, .. } => Ok(Vertices::from(outline.clone())),
+        }
+    }
+
+    fn profile(&self) -> DepthProfile {
+        match self.shape {
+            DepthShape::Ball { radius } => DepthProfile::Round { radius },
+            DepthShape::Box { size: [_, _, depth] } | DepthShape::Polygon { depth, .. } => {
+                DepthProfile::Prism { depth }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{bounce, box_sliding_down_slope, pile};
+    use super::*;
+
+    #[test]
+    fn bodies_are_where_the_scene_puts_them() {
+        for scene in [bounce(), box_sliding_down_slope(), pile(20)] {
+            let (simulator, bodies) = build(&scene);
+            for (object, &body) in scene.objects.iter().zip(&bodies) {
+                let place = simulator.body(body).unwrap().position3d();
+                // Moved to the body's origin and back: the rounding of coordinates up to a few hundred.
+                assert!((place - Vector3::from(object.position)).norm() < 1e-4, "{} {place}", scene.name);
+            }
+        }
+    }
+
+    #[test]
+    fn velocities_of_the_scene_point_up_and_those_of_the_engine_down() {
+        let scene = super::super::throw_in_x_and_z();
+        let (simulator, bodies) = build(&scene);
+        let body = simulator.body(bodies[0]).unwrap();
+        assert_eq!(body.linear_velocity(), Vector2::new(50.0, -100.0));
+        assert_eq!(body.linear_velocity_z(), 60.0);
+    }
+}

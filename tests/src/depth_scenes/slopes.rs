@@ -1,0 +1,45 @@
+//! Things on a slope of 5 to 12, which falls to the right.
+
+use super::{DepthObject, DepthPlatform, DepthScene, Surface};
+
+/// Angle of the slope in rad.
+pub const SLOPE_ROTATION: f32 = 0.394_791_12;
+/// Its sine and cosine.
+pub const SLOPE_SINE_AND_COSINE: [f32; 2] = [5.0 / 13.0, 12.0 / 13.0];
+
+/// Middle of the slope's upper face in X and Y, px.
+const MIDDLE: [f32; 2] = [5.0 / 13.0 * 10.0, 110.0 + 12.0 / 13.0 * 10.0];
+/// Where things start, px along the slope from its middle.
+const START: f32 = -90.0;
+
+/// A box slides down a slope (friction 0.1) and off its end.
+pub fn box_sliding_down_slope() -> DepthScene {
+    let surface = Surface { friction: 0.1, restitution: 0.0 };
+    let [sine, cosine] = SLOPE_SINE_AND_COSINE;
+    let size = [40.0, 20.0, 30.0];
+    let centre = above_slope(START, size[1] / 2.0);
+    let below = size[0] / 2.0 * sine + size[1] / 2.0 * cosine;
+    let crate_box = DepthObject::new_box(size, [centre[0], centre[1] - below, 10.0]);
+    DepthScene::empty("box_sliding_down_slope", 900, Surface { friction: 0.7, ..surface })
+        .with(crate_box.with_rotation(SLOPE_ROTATION).with_surface(surface))
+        .with_platform(slope(surface))
+}
+
+/// A ball rolls down a slope and off its end, at first sliding along Z at `drift` px/s.
+pub fn ball_rolling_down_slope(name: &str, drift: f32) -> DepthScene {
+    let surface = Surface { friction: 0.6, restitution: 0.0 };
+    let centre = above_slope(START, 15.0);
+    let ball = DepthObject::ball(15.0, [centre[0], centre[1] - 15.0, -20.0]).with_velocity([0.0, 0.0, drift]);
+    DepthScene::empty(name, 520, surface).with(ball.with_surface(surface)).with_platform(slope(surface))
+}
+
+fn slope(surface: Surface) -> DepthPlatform {
+    let level = DepthPlatform::new([240.0, 20.0, 120.0], [0.0, 100.0, 0.0], surface);
+    DepthPlatform { rotation: SLOPE_ROTATION, ..level }
+}
+
+/// X and Y of the point that is `along` px down the slope from its middle and `over` px away from it.
+fn above_slope(along: f32, over: f32) -> [f32; 2] {
+    let [sine, cosine] = SLOPE_SINE_AND_COSINE;
+    [MIDDLE[0] + along * cosine + over * sine, MIDDLE[1] - along * sine + over * cosine]
+}

@@ -1,0 +1,59 @@
+//! Scenes in the 2.5D engine.
+
+use twohalf::{BodyId, Event, GeomId, TwoHalfPhysicsSimulator};
+
+use super::{Engine, Met, State, ordered, wrapped};
+use crate::depth_scenes::{DepthScene, build};
+
+/// A scene in the 2.5D engine.
+#[derive(Debug)]
+pub struct TwoHalf {
+    simulator: TwoHalfPhysicsSimulator,
+    bodies: Vec<BodyId>,
+    dt: f32,
+}
+
+impl TwoHalf {
+    /// Builds a scene.
+    pub fn new(scene: &DepthScene) -> Self {
+        let (simulator, bodies) = build(scene);
+        TwoHalf { simulator, bodies, dt: scene.dt }
+    }
+
+    fn object(&self, geom: GeomId) -> Option<Met> {
+        let body = self.simulator.geom(geom)?.body();
+        self.bodies.iter().position(|&known| known == body).map(Met::Object)
+    }
+}
+
+impl Engine for TwoHalf {
+    fn step(&mut self) {
+        self.simulator.update(self.dt);
+    }
+
+    fn state(&self, object: usize) -> State {
+        let Some(body) = self.simulator.body(self.bodies[object]) else { return State::default() };
+        let (position, velocity) = (body.position3d(), body.linear_velocity());
+        State {
+            position: [position.x, position.y, position.z].map(f64::from),
+            velocity: [velocity.x, -velocity.y, body.linear_velocity_z()].map(f64::from),
+            rotation: wrapped(f64::from(body.rotation())),
+        }
+    }
+
+    fn touching(&self, pairs: &mut Vec<(Met, Met)>) {
+        for (index, &body) in self.bodies.iter().enumerate() {
+            if self.simulator.body(body).is_some_and(|body| body.position3d().y <= 0.0) {
+                pairs.push((Met::Object(index), Met::Ground));
+            }
+        }
+        for event in self.simulator.events() {
+            if let Event::Collision { this, other, vetoed: false, .. } = event
+                && let (Some(a), Some(b)) = (self.object(*this), self.object(*other))
+                && a < b
+            {
+                pairs.push(ordered(a, b));
+            }
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! What happened in a run.
+
+use super::{Engine, Met, State};
+use crate::depth_scenes::DepthScene;
+
+/// Two things that met for the first time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Hit {
+    /// How many steps had been made when it was noticed.
+    pub step: usize,
+    /// The pair, the lesser one first.
+    pub pair: (Met, Met),
+}
+
+/// All states of all objects, and who met whom when.
+#[derive(Debug, Clone)]
+pub struct Recording {
+    dt: f64,
+    objects: usize,
+    /// By step, then by object; the first are those before the first step.
+    states: Vec<State>,
+    hits: Vec<Hit>,
+}
+
+impl Recording {
+    /// Runs a scene to its end.
+    pub fn new(scene: &DepthScene, engine: &mut dyn Engine) -> Self {
+        let objects = scene.objects.len();
+        let mut recording =
+            Recording { dt: f64::from(scene.dt), objects, states: Vec::new(), hits: Vec::new() };
+        let mut pairs = Vec::new();
+        recording.states.extend((0..objects).map(|object| engine.state(object)));
+        for step in 1..=scene.steps {
+            engine.step();
+            recording.states.extend((0..objects).map(|object| engine.state(object)));
+            pairs.clear();
+            engine.touching(&mut pairs);
+            // Two that are noticed in one step have no order.
+            pairs.sort_unstable();
+            for &pair in &pairs {
+                if !recording.hits.iter().any(|hit| hit.pair == pair) {
+                    recording.hits.push(Hit { step, pair });
+                }
+            }
+        }
+        recording
+    }
+
+    /// Length of a step in s.
+    pub fn dt(&self) -> f64 {
+        self.dt
+    }
+
+    /// States of an object, from before the first step on.
+    pub fn states(&self, object: usize) -> impl ExactSizeIterator<Item = &State> {
+        self.states.iter().skip(object).step_by(self.objects)
+    }
+
+    /// State of an object after a time in s.
+    pub fn state_at(&self, object: usize, time: f64) -> State {
+        let step = ((time / self.dt).round() as usize).min(self.states.len() / self.objects - 1);
+        self.states[step * self.objects + object]
+    }
+
+    /// State of an object at the end.
+    pub fn last(&self, object: usize) -> State {
+        self.states[self.states.len() - self.objects + object]
+    }
+
+    /// Who met whom for the first time, in order.
+    pub fn hits(&self) -> &[Hit] {
+        &self.hits
+    }
+
+    /// Time in s at which two things met for the first time.
+    pub fn time_of_hit(&self, a: Met, b: Met) -> Option<f64> {
+        let pair = super::ordered(a, b);
+        self.hits.iter().find(|hit| hit.pair == pair).map(|hit| hit.step as f64 * self.dt)
+    }
+}

@@ -1,0 +1,99 @@
+//! The contacts of the last update, as a game sees them.
+
+use farseer_core::{GeomId, PhysicsSimulator};
+
+use crate::tell::to_world;
+use crate::touch::TouchKey;
+use crate::world::World;
+use crate::{Axis, Partner, TwoHalfPhysicsSimulator, Vector3};
+
+/// A point at which a geom touched something in the last update.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[doc(alias = "Contact")]
+pub struct TwoHalfContact {
+    /// The geom; of two the younger one.
+    pub this: GeomId,
+    /// What it touches.
+    pub partner: Partner,
+    /// Along which axes it is pushed.
+    pub axis: Axis,
+    /// Where, in the world, px, Y up.
+    pub position: Vector3,
+    /// Unit vector in the world, Y up, from the partner to `this`.
+    pub normal: Vector3,
+    /// Distance along the normal, px; negative when they overlap.
+    pub separation: f32,
+    /// Impulse along the normal, mass times velocity, 0 or more.
+    pub normal_impulse: f32,
+    /// Size of the friction impulse, 0 or more.
+    pub friction_impulse: f32,
+}
+
+impl TwoHalfPhysicsSimulator {
+    /// The contact points of the last update: of pairs in X and Y, then all others.
+    #[doc(alias = "ContactList")]
+    pub fn contacts(&self) -> impl Iterator<Item = TwoHalfContact> + '_ {
+        self.world.contacts(&self.core)
+    }
+}
+
+impl World {
+    pub(crate) fn contacts<'a>(
+        &'a self,
+        core: &'a PhysicsSimulator,
+    ) -> impl Iterator<Item = TwoHalfContact> + 'a {
+        let in_plane = core.arbiters().flat_map(move |arbiter| {
+            let (a, b) = (arbiter.geom_a(), arbiter.geom_b());
+            let z = self.middle_now(core, a, b);
+            let across = self.friction_along_z(core, a, b);
+            arbiter.contacts().iter().zip(0..).map(move |(contact, index)| TwoHalfContact {
+                this: b,
+                partner: Partner::Geom(a),
+                axis: Axis::Plane,
+                position: Vector3::new(contact.position.x, -contact.position.y, z),
+                normal: Vector3::new(contact.normal.x, -contact.normal.y, 0.0),
+                separation: contact.separation,
+                normal_impulse: contact.normal_impulse(),
+                friction_impulse: length([
+                    contact.tangent_impulse(),
+                    across.get(index).map_or(0.0, |point| point.friction_impulse[1]),
+                ]),
+            })
+        });
+        let others = self.touches.touches.iter().filter(|touch| !touch.is_plane()).flat_map(|touch| {
+            self.touches.points_of(touch).iter().map(|point| TwoHalfContact {
+                this: touch.this,
+                partner: touch.partner,
+                axis: touch.axis(),
+                position: to_world(point.position),
+                normal: to_world(touch.normal),
+                separation: point.separation,
+                normal_impulse: point.normal_impulse,
+                friction_impulse: length(point.friction_impulse),
+            })
+        });
+        in_plane.chain(others)
+    }
+
+    /// The points of a contact of the 2D engine that was solved here.
+    fn friction_along_z(&self, core: &PhysicsSimulator, a: GeomId, b: GeomId) -> &[crate::touch::TouchPoint] {
+        let numbers = core.geom(a).zip(core.geom(b)).map(|(a, b)| TouchKey::Pair(a.id(), b.id()));
+        let touch = numbers.and_then(|key| self.touches.find(key));
+        touch.map_or(&[], |touch| self.touches.points_of(touch))
+    }
+
+    /// Z of the middle of what two geoms have in common.
+    fn middle_now(&self, core: &PhysicsSimulator, a: GeomId, b: GeomId) -> f32 {
+        let interval = |geom: GeomId| {
+            let z = core.geom(geom).map_or(0.0, |geom| self.z_of(geom.body()));
+            let half = self.depths.profiles.get(geom).map_or(0.0, |profile| profile.half_depth());
+            (z - half, z + half)
+        };
+        let ((near_a, far_a), (near_b, far_b)) = (interval(a), interval(b));
+        (near_a.max(near_b) + far_a.min(far_b)) * 0.5
+    }
+}
+
+fn length([x, y]: [f32; 2]) -> f32 {
+    if y == 0.0 { x.abs() } else { (x * x + y * y).sqrt() }
+}

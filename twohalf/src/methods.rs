@@ -1,0 +1,61 @@
+//! The choices a simulator offers, and the words its contacts are described with.
+
+use farseer_core::GeomId;
+use serde::{Deserialize, Serialize};
+
+use crate::PlatformId;
+
+/// How objects meet each other. Ground and platforms are the same with all of them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+#[non_exhaustive]
+pub enum Methods {
+    /// Contacts in three axes on the 2D engine's own methods: Farseer's pairs, contacts and sequential impulses
+    /// in X and Y, and the same impulses along Z inside the same iterations. Balls are balls.
+    #[default]
+    Faithful,
+    /// The thesis' own scheme (thesis 3.5), to compare with: objects whose depths differ by less than half the
+    /// smaller depth meet in X and Y, as outlines; all others meet along Z only, when their footprints and their
+    /// height intervals overlap, without friction. Nothing ever meets in all three axes, and a ball that is met from the front is a box.
+    Thesis,
+}
+
+/// What a geom touches.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+pub enum Partner {
+    /// Another object's geom.
+    Geom(GeomId),
+    /// A platform.
+    Platform(PlatformId),
+    /// The body's own ground: the plane Y = 0.
+    Ground,
+}
+
+impl Partner {
+    /// Whether it is the ground.
+    #[doc(alias = "IsGround")]
+    pub fn is_ground(&self) -> bool {
+        matches!(self, Partner::Ground)
+    }
+}
+
+/// Along which axes a contact pushes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum Axis {
+    /// X and Y: sides, tops and undersides.
+    Plane,
+    /// Z: fronts and backs.
+    Depth,
+    /// All three: a ball, or the slanted side of a platform.
+    Oblique,
+}
+
+impl Axis {
+    /// The axes of a normal.
+    pub(crate) fn of(normal_z: f32) -> Self {
+        match normal_z.abs() {
+            0.0 => Axis::Plane,
+            1.0 => Axis::Depth,
+            _ => Axis::Oblique,
+        }
+    }
+}

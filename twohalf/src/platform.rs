@@ -1,0 +1,376 @@
+//! Platforms: immovable boxes with depth that objects stand on, bump into and pass under (thesis 3.6).
+
+use farseer_core::Geom;
+use farseer_core::math::scalar;
+use serde::{Deserialize, Serialize};
+
+use crate::error::{invalid, stale};
+use crate::shapes::SlantedBox;
+use crate::{Projection, Result, TextureId, TwoHalfPhysicsSimulator, Vector3};
+
+/// Names a platform of a simulator. Never reused.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+pub struct PlatformId(u32);
+
+/// An immovable box: width along X, height, and depth along Z, in px.
+///
+/// `rotation` tilts it about the middle of the box, in the plane of X and Y: a slope. `angle_in_z_axis` shears it, so
+/// that its edges in depth run at that angle on the screen; at the simulator's own angle it is a plain box.
+/// Objects land on it where their footprints overlap its, walk off every edge, bump into its sides, its front and its
+/// underside, and pass under it.
+///
+/// How it collides is in [`settings`](Self::settings), as a geom has them; friction and restitution are 0 until set.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct Platform {
+    width: f32,
+    height: f32,
+    depth: f32,
+    position3d: Vector3,
+    rotation: f32,
+    angle_in_z_axis: i32,
+    shadow_image: Option<TextureId>,
+    settings: Geom,
+    shape: SlantedBox,
+}
+
+/// Making one. It takes part at once.
+impl Platform {
+    /// A level box.
+    ///
+    /// # Errors
+    /// A width, height or depth that is not finite and greater than 0; a position that is not finite, or so far away
+    /// that a corner would not be.
+    #[doc(alias = "Platform(sim, int, int, int, Vector3, Texture2D)")]
+    #[expect(clippy::new_ret_no_self, reason = "platforms live in the simulator, as in the thesis")]
+    pub fn new(
+        simulator: &mut TwoHalfPhysicsSimulator,
+        width: f32,
+        height: f32,
+        depth: f32,
+        position3d: Vector3,
+        shadow_image: Option<TextureId>,
+    ) -> Result<PlatformId> {
+        Self::with_rotation(simulator, width, height, depth, position3d, 0.0, shadow_image)
+    }
+
+    /// A box tilted by `rotation` rad, clockwise on the screen, about its middle: a slope.
+    ///
+    /// # Errors
+    /// As [`Platform::new`]; a rotation that is not finite.
+    #[doc(alias = "Platform(sim, int, int, int, Vector3, float, Texture2D)")]
+    pub fn with_rotation(
+        simulator: &mut TwoHalfPhysicsSimulator,
+        width: f32,
+        height: f32,
+        depth: f32,
+        position3d: Vector3,
+        rotation: f32,
+        shadow_image: Option<TextureId>,
+    ) -> Result<PlatformId> {
+        let angle = simulator.angle();
+        Self::with_rotation_and_angle(
+            simulator,
+            width,
+            height,
+            depth,
+            position3d,
+            rotation,
+            shadow_image,
+            angle,
+        )
+    }
+
+    /// A tilted box whose edges in depth run at `angle_in_z_axis` degrees on the screen, counterclockwise from the x
+    /// axis.
+    ///
+    /// # Errors
+    /// As [`Platform::with_rotation`]; an angle that is not between 0 and 180.
+    #[doc(alias = "Platform(sim, int, int, int, Vector3, float, Texture2D, int)")]
+    #[expect(clippy::too_many_arguments, reason = "the thesis' constructor has these")]
+    pub fn with_rotation_and_angle(
+        simulator: &mut TwoHalfPhysicsSimulator,
+        width: f32,
+        height: f32,
+        depth: f32,
+        position3d: Vector3,
+        rotation: f32,
+        shadow_image: Option<TextureId>,
+        angle_in_z_axis: i32,
+    ) -> Result<PlatformId> {
+        for (argument, value) in [("width", width), ("height", height), ("depth", depth)] {
+            if !(value.is_finite() && value > 0.0) {
+                return Err(invalid(argument, value, "finite and greater than 0"));
+            }
+        }
+        if !(1..180).contains(&angle_in_z_axis) {
+            return Err(invalid("angle_in_z_axis", angle_in_z_axis, "greater than 0 and less than 180 degrees"));
+        }
+        let settings = Geom::default();
+        let shape = SlantedBox::default();
+        let platform = Platform {
+            width,
+            height,
+            depth,
+            position3d,
+            rotation,
+            angle_in_z_axis,
+            shadow_image,
+            settings,
+            shape,
+        };
+        let platform = platform.shaped(&simulator.world.projection)?;
+        Ok(simulator.world.platforms.insert(platform))
+    }
+
+    /// The platform with the shape that its numbers say.
+    fn shaped(mut self, projection: &Projection) -> Result<Self> {
+        let Platform { width, height, depth, position3d, rotation, angle_in_z_axis, .. } = self;
+        if !rotation.is_finite() {
+            return Err(invalid("rotation", rotation, "finite"));
+        }
+        let (sin, cos) = scalar::sin_cos(rotation);
+        let half = [width * 0.5, height * 0.5, depth * 0.5];
+        self.shape = SlantedBox {
+            centre: Vector3::new(position3d.x, -(position3d.y + half[1]), position3d.z),
+            half,
+            cos,
+            sin,
+            shear: projection.shear_of(angle_in_z_axis),
+        };
+        let (low, high) = self.shape.bounds();
+        // Differences within the box must be finite, too.
+        if !(high - low).iter().chain(low.iter()).all(|number| number.is_finite()) {
+            return Err(invalid("position3d", position3d, "finite and near enough for finite corners"));
+        }
+        Ok(self)
+    }
+}
+
+/// What it is.
+impl Platform {
+    /// Width along X in px, before it is tilted.
+    pub fn width(&self) -> f32 {
+        self.width
+    }
+
+    /// Height in px, before it is tilted.
+    pub fn height(&self) -> f32 {
+        self.height
+    }
+
+    /// Depth along Z in px.
+    pub fn depth(&self) -> f32 {
+        self.depth
+    }
+
+    /// X and Z of the middle of the box, and as Y the height of its underside when level.
+    #[doc(alias = "Position3D")]
+    pub fn position3d(&self) -> Vector3 {
+        self.position3d
+    }
+
+    /// Tilt in rad, clockwise on the screen.
+    #[doc(alias = "Rotation")]
+    pub fn rotation(&self) -> f32 {
+        self.rotation
+    }
+
+    /// Direction of its edges in depth on the screen, degrees counterclockwise from the x axis.
+    pub fn angle_in_z_axis(&self) -> i32 {
+        self.angle_in_z_axis
+    }
+
+    /// The picture of its shadow.
+    pub fn shadow_image(&self) -> Option<TextureId> {
+        self.shadow_image
+    }
+
+    /// How it collides: friction, restitution, categories, group, response.
+    pub fn settings(&self) -> &Geom {
+        &self.settings
+    }
+
+    /// The eight corners in the world: of the front face (smaller Z) clockwise on the screen, before it is tilted
+    /// from the top left one on; then of the back face in the same order.
+    pub fn corners(&self) -> [Vector3; 8] {
+        let [width, height, depth] = self.shape.half;
+        let corner = |index: usize| {
+            let (across, down) = match index % 4 {
+                0 => (-width, -height),
+                1 => (width, -height),
+                2 => (width, height),
+                _ => (-width, height),
+            };
+            let z = if index < 4 { -depth } else { depth };
+            let SlantedBox { centre, cos, sin, shear, .. } = self.shape;
+            let x = centre.x + across * cos - down * sin + shear * z;
+            let y = centre.y + across * sin + down * cos;
+            Vector3::new(x, -y, centre.z + z)
+        };
+        std::array::from_fn(corner)
+    }
+
+    /// The shape in the frame of the narrow phase.
+    pub(crate) fn shape(&self) -> &SlantedBox {
+        &self.shape
+    }
+}
+
+/// A platform to change: what [`TwoHalfPhysicsSimulator::platform_mut`] gives. Dereferences to [`Platform`].
+#[derive(Debug)]
+pub struct PlatformMut<'a> {
+    pub(crate) platforms: &'a mut Platforms,
+    pub(crate) projection: &'a Projection,
+    pub(crate) index: usize,
+}
+
+impl std::ops::Deref for PlatformMut<'_> {
+    type Target = Platform;
+    fn deref(&self) -> &Platform {
+        &self.platforms.list[self.index].1
+    }
+}
+
+impl PlatformMut<'_> {
+    /// Puts the platform elsewhere. Nothing is carried along: what it comes to overlap is pushed out.
+    ///
+    /// # Errors
+    /// As [`Platform::new`].
+    pub fn set_position3d(&mut self, position3d: Vector3) -> Result<()> {
+        self.set(Platform { position3d, ..Platform::clone(self) })
+    }
+
+    /// Tilts the platform about its middle, rad, clockwise on the screen.
+    ///
+    /// # Errors
+    /// What is not finite.
+    pub fn set_rotation(&mut self, rotation: f32) -> Result<()> {
+        self.set(Platform { rotation, ..Platform::clone(self) })
+    }
+
+    fn set(&mut self, platform: Platform) -> Result<()> {
+        self.platforms.list[self.index].1 = platform.shaped(self.projection)?;
+        self.platforms.is_sorted = false;
+        Ok(())
+    }
+
+    /// How it collides, to be changed: friction, restitution, categories, group, response.
+    pub fn settings_mut(&mut self) -> &mut Geom {
+        &mut self.platforms.list[self.index].1.settings
+    }
+}
+
+/// All platforms of a simulator.
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+pub(crate) struct Platforms {
+    /// By id, in the order in which they were made.
+    list: Vec<(PlatformId, Platform)>,
+    next: u32,
+    /// Derived: for the search by X.
+    #[serde(skip)]
+    is_sorted: bool,
+    /// Bounds along X with the index into the list, by the left one, and the greatest right one up to here.
+    #[serde(skip)]
+    by_left: Vec<(f32, f32, u32)>,
+}
+
+impl Platforms {
+    pub(crate) fn insert(&mut self, platform: Platform) -> PlatformId {
+        let id = PlatformId(self.next);
+        self.next += 1;
+        self.list.push((id, platform));
+        self.is_sorted = false;
+        id
+    }
+
+    pub(crate) fn remove(&mut self, id: PlatformId) -> Result<()> {
+        let index = self.index_of(id).ok_or(stale("platform"))?;
+        self.list.remove(index);
+        self.is_sorted = false;
+        Ok(())
+    }
+
+    pub(crate) fn clear(&mut self) {
+        self.list.clear();
+        self.is_sorted = false;
+    }
+
+    pub(crate) fn index_of(&self, id: PlatformId) -> Option<usize> {
+        self.list.binary_search_by_key(&id, |(id, _)| *id).ok()
+    }
+
+    pub(crate) fn get(&self, id: PlatformId) -> Option<&Platform> {
+        self.index_of(id).map(|index| &self.list[index].1)
+    }
+
+    pub(crate) fn iter(&self) -> impl DoubleEndedIterator<Item = (PlatformId, &Platform)> {
+        self.list.iter().map(|(id, platform)| (*id, platform))
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
+    /// Makes ready for [`overlapping`](Self::overlapping).
+    pub(crate) fn sort(&mut self) {
+        if self.is_sorted {
+            return;
+        }
+        self.by_left.clear();
+        for ((_, platform), index) in self.list.iter().zip(0..) {
+            let (low, high) = platform.shape.bounds();
+            self.by_left.push((low.x, high.x, index));
+        }
+        self.by_left.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.2.cmp(&b.2)));
+        let mut reach = f32::NEG_INFINITY;
+        for entry in &mut self.by_left {
+            reach = reach.max(entry.1);
+            entry.1 = reach;
+        }
+        self.is_sorted = true;
+    }
+
+    /// The platforms whose box overlaps a box of the plane frame, in no particular order: those that begin before
+    /// its right end, back to where none reaches it any more.
+    pub(crate) fn overlapping(
+        &self,
+        low: Vector3,
+        high: Vector3,
+    ) -> impl Iterator<Item = (PlatformId, &Platform)> {
+        let end = self.by_left.partition_point(|entry| entry.0 < high.x);
+        let candidates = self.by_left[..end].iter().rev().take_while(move |entry| entry.1 > low.x);
+        candidates.filter_map(move |&(.., index)| {
+            let (id, platform) = &self.list[index as usize];
+            let (box_low, box_high) = platform.shape.bounds();
+            let overlap = (0..3).all(|axis| box_low[axis] < high[axis] && low[axis] < box_high[axis]);
+            overlap.then_some((*id, platform))
+        })
+    }
+
+    /// Arguments refused by the settings since the last update.
+    pub(crate) fn take_rejected(&mut self) -> impl Iterator<Item = &'static str> + '_ {
+        self.list.iter_mut().flat_map(|(_, platform)| platform.settings.take_rejected())
+    }
+
+    /// Whether everything is what the constructors could have made: false only after loading garbage. Computes the
+    /// shapes anew.
+    pub(crate) fn restore(&mut self, projection: &Projection) -> bool {
+        self.is_sorted = false;
+        let in_order = self.list.windows(2).all(|pair| pair[0].0 < pair[1].0)
+            && self.list.last().is_none_or(|(id, _)| id.0 < self.next);
+        let are_valid = self.list.iter_mut().all(|(_, platform)| {
+            let sizes = [platform.width, platform.height, platform.depth];
+            let is_valid = sizes.iter().all(|size| size.is_finite() && *size > 0.0)
+                && (1..180).contains(&platform.angle_in_z_axis)
+                && platform.settings.is_finite();
+            match platform.clone().shaped(projection) {
+                Ok(shaped) if is_valid => {
+                    *platform = shaped;
+                    true
+                }
+                _ => false,
+            }
+        });
+        in_order && are_valid
+    }
+}

@@ -1,0 +1,175 @@
+//! Telling a game what touches: callbacks, events, supports.
+
+use farseer_core::{Contact, GeomId, PhysicsSimulator};
+
+use crate::events::{Collision, Context, Event, EventHandler};
+use crate::support::Support;
+use crate::touch::{Touch, TouchKey};
+use crate::world::{Source, World};
+use crate::{Partner, Vector3};
+
+/// From the solver's frame to the world: y points up there.
+pub(crate) fn to_world(v: Vector3) -> Vector3 {
+    Vector3::new(v.x, -v.y, v.z)
+}
+
+impl World {
+    /// A contact of this engine, seen by one of its geoms.
+    pub(crate) fn collision(&self, touch: &Touch, is_partner: bool) -> Option<Collision> {
+        let points = self.touches.points_of(touch);
+        let deepest = points.iter().min_by(|a, b| a.separation.total_cmp(&b.separation))?;
+        let (this, partner, sign) = match (is_partner, touch.partner) {
+            (false, partner) => (touch.this, partner, 1.0),
+            (true, Partner::Geom(other)) => (other, Partner::Geom(touch.this), -1.0),
+            (true, _) => return None,
+        };
+        Some(Collision {
+            this,
+            partner,
+            axis: touch.axis(),
+            normal: to_world(touch.normal) * sign,
+            position: to_world(deepest.position),
+            contacts: touch.point_count,
+            normal_impulse: points.iter().map(|point| point.normal_impulse).sum(),
+            vetoed: false,
+        })
+    }
+
+    /// Tells of every contact that this engine has found, and drops those that the handler refuses. Then of those
+    /// that are gone.
+    pub(crate) fn tell_touches(
+        &mut self,
+        core: &mut PhysicsSimulator,
+        handler: &mut Option<&mut dyn EventHandler>,
+    ) {
+        let mut kept = 0;
+        for index in 0..self.touches.touches.len() {
+            let touch = self.touches.touches[index];
+            if self.is_accepted(core, &touch, handler) {
+                self.touches.touches[kept] = touch;
+                kept += 1;
+            }
+        }
+        self.touches.touches.truncate(kept);
+        self.tell_separated(core, handler);
+    }
+
+    /// Asks both sides, the older geom first.
+    fn is_accepted(
+        &mut self,
+        core: &mut PhysicsSimulator,
+        touch: &Touch,
+        handler: &mut Option<&mut dyn EventHandler>,
+    ) -> bool {
+        for is_partner in [true, false] {
+            let Some(mut collision) = self.collision(touch, is_partner) else { continue };
+            if let Some(asked) = handler {
+                let mut context = Context { core: core.context(), world: self };
+                collision.vetoed = !asked.on_collision(&mut context, &collision);
+                self.settle(core, handler);
+            }
+            self.events.push(Event::Collision(collision));
+            if collision.vetoed {
+                return false;
+            }
+            self.update.sources.push((self.events.len() as u32 - 1, Source::Touch(touch.key)));
+        }
+        true
+    }
+
+    /// Contacts of the last update that are gone, unless they ended by something else than parting.
+    fn tell_separated(&mut self, core: &mut PhysicsSimulator, handler: &mut Option<&mut dyn EventHandler>) {
+        for index in 0..self.last.touches.len() {
+            let touch = self.last.touches[index];
+            if touch.is_plane() || self.touches.find(touch.key).is_some() || !self.is_alive(core, &touch) {
+                continue;
+            }
+            let other_side = match touch.partner {
+                Partner::Geom(other) => Some((other, Partner::Geom(touch.this))),
+                _ => None,
+            };
+            for (this, partner) in other_side.into_iter().chain([(touch.this, touch.partner)]) {
+                self.events.push(Event::Separation { this, partner });
+                if let Some(asked) = handler {
+                    let mut context = Context { core: core.context(), world: self };
+                    asked.on_separation(&mut context, this, partner);
+                    self.settle(core, handler);
+                }
+            }
+        }
+    }
+
+    /// Whether both sides of a contact could still touch.
+    fn is_alive(&self, core: &PhysicsSimulator, touch: &Touch) -> bool {
+        let takes_part = |geom: GeomId| {
+            core.is_listed(geom)
+                && core.geom(geom).and_then(|geom| core.body(geom.body())).is_some_and(|body| body.enabled())
+        };
+        let partner_takes_part = match touch.partner {
+            Partner::Geom(other) => takes_part(other),
+            Partner::Platform(platform) => self.platforms.get(platform).is_some(),
+            Partner::Ground => true,
+        };
+        takes_part(touch.this) && partner_takes_part
+    }
+
+    /// Gives the collisions among the events the impulses that the solver found.
+    pub(crate) fn fill_impulses(&mut self, core: &PhysicsSimulator) {
+        for index in 0..self.update.sources.len() {
+            let (event, source) = self.update.sources[index];
+            let impulse = match source {
+                Source::Touch(key) => self.touch_impulse(key),
+                Source::Arbiter(position) => core.arbiter(position as usize).map_or(0.0, |arbiter| {
+                    arbiter.contacts().iter().map(Contact::normal_impulse).sum()
+                }),
+            };
+            if let Event::Collision(collision) = &mut self.events[event as usize] {
+                collision.normal_impulse = impulse;
+            }
+        }
+    }
+
+    fn touch_impulse(&self, key: TouchKey) -> f32 {
+        let points = self.touches.find(key).map_or(&[][..], |touch| self.touches.points_of(touch));
+        points.iter().map(|point| point.normal_impulse).sum()
+    }
+
+    /// Notes for every body what holds it up best.
+    pub(crate) fn find_supports(&mut self, core: &PhysicsSimulator) {
+        for &body in core.body_list() {
+            if let Some(state) = self.depths.bodies.get_mut(body) {
+                state.support = None;
+            }
+        }
+        for contact in core.arbiters() {
+            let (a, b) = (contact.geom_a(), contact.geom_b());
+            let Some(normal) = contact.contacts().first().map(|contact| contact.normal) else { continue };
+            let upward = Vector3::new(normal.x, -normal.y, 0.0);
+            self.note_support(core, b, Partner::Geom(a), upward);
+            self.note_support(core, a, Partner::Geom(b), -upward);
+        }
+        for index in 0..self.touches.touches.len() {
+            let touch = self.touches.touches[index];
+            if touch.is_plane() || !touch.responds {
+                continue;
+            }
+            let normal = to_world(touch.normal);
+            self.note_support(core, touch.this, touch.partner, normal);
+            if let Partner::Geom(other) = touch.partner {
+                self.note_support(core, other, Partner::Geom(touch.this), -normal);
+            }
+        }
+    }
+
+    fn note_support(&mut self, core: &PhysicsSimulator, geom: GeomId, partner: Partner, normal: Vector3) {
+        let responds = |geom: GeomId| core.geom(geom).is_some_and(|geom| geom.collision_response_enabled());
+        if normal.y <= 0.0 || !responds(geom) || matches!(partner, Partner::Geom(other) if !responds(other)) {
+            return;
+        }
+        let body = core.geom(geom).map(|geom| geom.body());
+        let Some(state) = body.and_then(|body| self.depths.bodies.get_mut(body)) else { return };
+        if state.support.is_none_or(|best: Support| best.normal.y < normal.y) {
+            state.support = Some(Support { partner, normal });
+        }
+    }
+}

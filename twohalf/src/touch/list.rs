@@ -1,0 +1,179 @@
+//! The contacts of an update, and what is remembered of those of the last.
+
+use farseer_core::{BodyId, GeomId};
+use serde::{Deserialize, Serialize};
+
+use super::{Manifold, Surfaces};
+use crate::shapes::{Face, KeptAxis};
+use crate::{Axis, Partner, Vector3};
+
+/// Names a contact from one update to the next, and orders them: creation numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+pub(crate) enum TouchKey {
+    /// Two geoms, the older one first.
+    Pair(u32, u32),
+    /// A geom and a platform.
+    Platform(u32, crate::PlatformId),
+    /// A geom and its body's ground.
+    Ground(u32),
+}
+
+/// What a contact remembers of how it began.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) enum Kept {
+    /// Nothing: it is found anew in every update.
+    Nothing,
+    /// Two outlines that met along Z: whether the younger geom is behind.
+    Depth { is_behind: bool },
+    /// An outline on a platform.
+    Axis(KeptAxis),
+    /// A ball whose centre is inside a platform, and the face through which it came.
+    Face(Face),
+    /// A ball whose centre is inside a prism, and the normal of the side through which it came.
+    Side(Vector3),
+    /// A contact of the 2D engine with motion along Z: solved here, found there.
+    Plane,
+}
+
+/// A contact of a geom with something.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+pub(crate) struct Touch {
+    pub(crate) key: TouchKey,
+    pub(crate) this: GeomId,
+    pub(crate) body: BodyId,
+    pub(crate) partner: Partner,
+    /// The body of the partner, if that is a geom.
+    pub(crate) partner_body: Option<BodyId>,
+    /// That of the first point.
+    pub(crate) normal: Vector3,
+    pub(crate) kept: Kept,
+    pub(crate) first_point: u32,
+    pub(crate) point_count: u32,
+    pub(crate) friction: f32,
+    pub(crate) restitution: f32,
+    /// Whether it exerts impulses.
+    pub(crate) responds: bool,
+    pub(crate) shares_pressure: bool,
+    /// Place in the 2D engine's list, for [`Kept::Plane`]; of this update only.
+    #[serde(skip)]
+    pub(crate) arbiter: u32,
+}
+
+impl Touch {
+    pub(crate) fn axis(&self) -> Axis {
+        Axis::of(self.normal.z)
+    }
+
+    pub(crate) fn is_plane(&self) -> bool {
+        self.kept == Kept::Plane
+    }
+}
+
+/// A point of a contact.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+pub(crate) struct TouchPoint {
+    pub(crate) position: Vector3,
+    /// Unit vector from the partner to `this`.
+    pub(crate) normal: Vector3,
+    pub(crate) separation: f32,
+    pub(crate) feature: u32,
+    pub(crate) normal_impulse: f32,
+    /// Along the two tangents of the normal; see the solver.
+    pub(crate) friction_impulse: [f32; 2],
+}
+
+/// Contacts in the order of their keys, with their points.
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+pub(crate) struct TouchList {
+    pub(crate) touches: Vec<Touch>,
+    pub(crate) points: Vec<TouchPoint>,
+}
+
+/// Who touches: what a contact is about.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Subject {
+    pub(super) key: TouchKey,
+    pub(super) this: GeomId,
+    pub(super) body: BodyId,
+    pub(super) partner: Partner,
+    pub(super) partner_body: Option<BodyId>,
+    pub(super) responds: bool,
+}
+
+impl TouchList {
+    pub(crate) fn clear(&mut self) {
+        self.touches.clear();
+        self.points.clear();
+    }
+
+    pub(crate) fn find(&self, key: TouchKey) -> Option<&Touch> {
+        let index = self.touches.binary_search_by_key(&key, |touch| touch.key).ok()?;
+        self.touches.get(index)
+    }
+
+    pub(crate) fn points_of(&self, touch: &Touch) -> &[TouchPoint] {
+        &self.points[touch.first_point as usize..(touch.first_point + touch.point_count) as usize]
+    }
+
+    pub(crate) fn points_of_mut(&mut self, touch: &Touch) -> &mut [TouchPoint] {
+        &mut self.points[touch.first_point as usize..(touch.first_point + touch.point_count) as usize]
+    }
+
+    pub(crate) fn sort(&mut self) {
+        self.touches.sort_unstable_by_key(|touch| touch.key);
+    }
+
+    /// Appends a contact with the impulses that its points had in the last update. One that is not finite is none.
+    pub(super) fn push(&mut self, subject: Subject, manifold: &Manifold, surfaces: Surfaces, last: &TouchList) {
+        if !manifold.is_finite() {
+            return;
+        }
+        let known = last.find(subject.key).map_or(&[][..], |touch| last.points_of(touch));
+        let first_point = self.points.len() as u32;
+        for spot in manifold.spots() {
+            let before = known.iter().find(|point| point.feature == spot.feature);
+            self.points.push(TouchPoint {
+                position: spot.position,
+                normal: manifold.normal,
+                separation: spot.separation,
+                feature: spot.feature,
+                normal_impulse: before.map_or(0.0, |point| point.normal_impulse),
+                friction_impulse: before.map_or([0.0; 2], |point| point.friction_impulse),
+            });
+        }
+        let Subject { key, this, body, partner, partner_body, responds } = subject;
+        self.touches.push(Touch {
+            key,
+            this,
+            body,
+            partner,
+            partner_body,
+            normal: manifold.normal,
+            kept: manifold.kept,
+            first_point,
+            point_count: manifold.count as u32,
+            friction: surfaces.friction,
+            restitution: surfaces.restitution,
+            responds,
+            shares_pressure: manifold.shares_pressure,
+            arbiter: 0,
+        });
+    }
+
+    /// Whether keys are in order, ranges in bounds and numbers finite: false only after loading garbage.
+    pub(crate) fn is_valid(&self) -> bool {
+        let finite = |v: &Vector3| v.iter().all(|number| number.is_finite());
+        let in_bounds = |touch: &Touch| {
+            let end = u64::from(touch.first_point) + u64::from(touch.point_count);
+            end <= self.points.len() as u64 && touch.point_count > 0 && finite(&touch.normal)
+        };
+        let point_is_finite = |point: &TouchPoint| {
+            let [along, across] = point.friction_impulse;
+            let numbers = [point.separation, point.normal_impulse, along, across];
+            finite(&point.position) && finite(&point.normal) && numbers.iter().all(|number| number.is_finite())
+        };
+        self.touches.windows(2).all(|pair| pair[0].key <= pair[1].key)
+            && self.touches.iter().all(in_bounds)
+            && self.points.iter().all(point_is_finite)
+    }
+}

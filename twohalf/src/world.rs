@@ -1,0 +1,171 @@
+//! Everything of a simulator but the 2D engine below it.
+
+use farseer_core::{BodyId, GeomId, PhysicsSimulator};
+use serde::{Deserialize, Serialize};
+
+use crate::depth::{Depths, is_movable};
+use crate::events::{Collision, Event};
+use crate::pairs::{KnownPairs, SpacePair};
+use crate::platform::Platforms;
+use crate::shapes::ConvexPieces;
+use crate::slots::SlotTable;
+use crate::solver::SpaceSolver;
+use crate::step::StepCounters;
+use crate::touch::TouchList;
+use crate::{Methods, Projection, Vector2};
+
+/// What this engine keeps beside the 2D engine.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct World {
+    pub(crate) projection: Projection,
+    pub(crate) methods: Methods,
+    /// Z of layer depth 0 and of layer depth 1.
+    pub(crate) layer_range: (f32, f32),
+    pub(crate) depths: Depths,
+    pub(crate) platforms: Platforms,
+    /// Contacts of the last update. While an update looks for its own, those of the one before are in `last`.
+    pub(crate) touches: TouchList,
+    #[serde(skip)]
+    pub(crate) last: TouchList,
+    #[serde(skip)]
+    pub(crate) update: Update,
+    #[serde(skip)]
+    pub(crate) solver: SpaceSolver,
+    #[serde(skip)]
+    pub(crate) events: Vec<Event>,
+    /// What is to be told in the next update.
+    #[serde(skip)]
+    pub(crate) pending_events: Vec<Event>,
+    #[serde(skip)]
+    pub(crate) counters: StepCounters,
+    /// Seconds.
+    #[serde(skip)]
+    pub(crate) update_time: f32,
+}
+
+/// What an update works with; empty or out of date outside of one.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Update {
+    /// By geom slot.
+    pub(crate) reaches: Vec<Reach>,
+    /// Pairs that the 2D engine solved in the last update.
+    pub(crate) known: KnownPairs,
+    /// Pairs whose contacts this engine looks for.
+    pub(crate) pairs: Vec<SpacePair>,
+    /// Convex pieces of the outlines that were asked for.
+    pub(crate) pieces: SlotTable<GeomId, ConvexPieces>,
+    pub(crate) scratch: Scratch,
+    pub(crate) dt: f32,
+    /// Events of the 2D engine that were taken over already.
+    pub(crate) core_events: usize,
+    /// For the collisions among the events: where their impulse comes from.
+    pub(crate) sources: Vec<(u32, Source)>,
+    /// Collisions in X and Y that the handler refused and that are not among the events yet.
+    pub(crate) vetoed: Vec<Collision>,
+    /// By body slot: whether the body moved along Z and nobody was told yet.
+    pub(crate) moved: Vec<bool>,
+}
+
+/// Where the impulse of a collision is found after the update.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Source {
+    /// Position in the 2D engine's list.
+    Arbiter(u32),
+    /// Two creation numbers or the like: a contact of this engine.
+    Touch(crate::touch::TouchKey),
+}
+
+/// Buffers of the narrow phase.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Scratch {
+    pub(crate) pieces_a: Vec<Vector2>,
+    pub(crate) pieces_b: Vec<Vector2>,
+    pub(crate) points: Vec<Vector2>,
+}
+
+/// How far a geom reaches along Z in the current update, and how its body moves there.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Reach {
+    pub(crate) z: f32,
+    pub(crate) half: f32,
+    pub(crate) velocity_z: f32,
+    pub(crate) is_round: bool,
+}
+
+impl World {
+    pub(crate) fn new(projection: Projection) -> Self {
+        World {
+            layer_range: (0.0, projection.height() as f32),
+            projection,
+            methods: Methods::default(),
+            depths: Depths::default(),
+            platforms: Platforms::default(),
+            touches: TouchList::default(),
+            last: TouchList::default(),
+            update: Update::default(),
+            solver: SpaceSolver::default(),
+            events: Vec::new(),
+            pending_events: Vec::new(),
+            counters: StepCounters::default(),
+            update_time: 0.0,
+        }
+    }
+
+    /// Begins an update: contacts become those of the last one.
+    pub(crate) fn begin(&mut self) {
+        std::mem::swap(&mut self.last, &mut self.touches);
+        self.touches.clear();
+        self.events.clear();
+        self.counters = StepCounters::default();
+        self.update.core_events = 0;
+        self.update.sources.clear();
+        self.update.pairs.clear();
+        self.update.vetoed.clear();
+    }
+
+    /// Ends an update in which nothing moved: contacts stay those of the last one.
+    pub(crate) fn stand_still(&mut self) {
+        std::mem::swap(&mut self.last, &mut self.touches);
+    }
+
+    /// Notes where the geoms are along Z.
+    pub(crate) fn prepare(&mut self, core: &PhysicsSimulator, dt: f32) {
+        self.update.dt = dt;
+        self.update.known.prepare(core);
+        for &geom in core.geom_list() {
+            let Some(body) = core.geom(geom).map(|geom| geom.body()) else { continue };
+            let (Some(state), Some(profile)) = (self.depths.bodies.get(body), self.depths.profiles.get(geom))
+            else {
+                continue;
+            };
+            let reach = Reach {
+                z: state.z,
+                half: profile.half_depth(),
+                velocity_z: if is_movable(core, body) { state.velocity_z } else { 0.0 },
+                is_round: profile.is_round(),
+            };
+            if geom.slot() >= self.update.reaches.len() {
+                self.update.reaches.resize(geom.slot() + 1, Reach::default());
+            }
+            self.update.reaches[geom.slot()] = reach;
+        }
+    }
+
+    pub(crate) fn reach(&self, geom: GeomId) -> Reach {
+        self.update.reaches.get(geom.slot()).copied().unwrap_or_default()
+    }
+
+    /// Z of a body's middle.
+    pub(crate) fn z_of(&self, body: BodyId) -> f32 {
+        self.depths.bodies.get(body).map_or(0.0, |state| state.z)
+    }
+
+    /// The convex pieces of a geom's outline, in its own coordinates.
+    pub(crate) fn pieces_of(&mut self, core: &PhysicsSimulator, geom: GeomId) -> Option<&ConvexPieces> {
+        let view = core.geom(geom)?;
+        if self.update.pieces.get(geom).is_none() {
+            self.update.pieces.insert(geom, ConvexPieces::new(view.local_vertices()));
+        }
+        self.update.pieces.get(geom)
+    }
+}
