@@ -111,4 +111,4 @@ pub use pair_id::PairId;
 pub use pair_table::GeomPairBitmap;
 pub use shape::{Aabb, Vertices};
 pub use simulator::{GeomPlacement, GeomPointPair, PhysicsSimulator, StepCounters};
-pub use solver::{SolverBody, SolverPlace, SurfaceContacts};
+pub use solver::{SolverBody, SolverPlace};

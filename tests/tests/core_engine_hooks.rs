@@ -4,12 +4,11 @@
 mod core_common;
 
 use core_common::{
-    BROAD_PHASES, add_box, add_floor, body_bits, lively_scene, methods, not_finite, simulator,
-    simulator_with, state, v,
+    BROAD_PHASES, add_box, add_floor, lively_scene, methods, simulator, simulator_with, state, v,
 };
 use farseer_core::{
     BodyId, BroadPhaseCollider, CollisionCategory, Context, Event, EventHandler, FrictionType, Geom,
-    GeomFactory, GeomId, GeomPlacement, NarrowPhaseCollider, PhysicsSimulator, SolverBody, SolverPlace,
+    GeomFactory, GeomId, GeomPlacement, NarrowPhaseCollider, PhysicsSimulator,
 };
 
 const DT: f32 = 0.01;

@@ -91,7 +91,8 @@ fn a_save_with_a_negative_depth_is_refused() {
 
 #[test]
 fn a_save_whose_entry_lies_in_another_slot_is_refused() {
-    let message = refusal(|saved| saved["world"]["depths"]["bodies"]["entries"].as_array_mut().unwrap().swap(0, 1));
+    let message =
+        refusal(|saved| saved["world"]["depths"]["bodies"]["entries"].as_array_mut().unwrap().swap(0, 1));
     assert!(message.contains("damaged"), "{message}");
 }
 

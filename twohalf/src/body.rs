@@ -143,7 +143,9 @@ impl<S: Access> TwoHalfBody<S> {
         let mut supports = Vec::new();
         for contact in world.contacts(core) {
             let below = match contact.partner {
-                _ if is_mine(contact.this) => Some(Support { partner: contact.partner, normal: contact.normal }),
+                _ if is_mine(contact.this) => {
+                    Some(Support { partner: contact.partner, normal: contact.normal })
+                }
                 Partner::Geom(other) if is_mine(other) => {
                     Some(Support { partner: Partner::Geom(contact.this), normal: -contact.normal })
                 }

@@ -29,7 +29,9 @@ impl KnownPairs {
     pub(crate) fn prepare(&mut self, core: &PhysicsSimulator) {
         self.sorted.clear();
         for arbiter in core.arbiters() {
-            let (Some(a), Some(b)) = (core.geom(arbiter.geom_a()), core.geom(arbiter.geom_b())) else { continue };
+            let (Some(a), Some(b)) = (core.geom(arbiter.geom_a()), core.geom(arbiter.geom_b())) else {
+                continue;
+            };
             let impulse = arbiter.contacts().iter().map(Contact::normal_impulse).sum();
             self.sorted.push(((a.id(), b.id()), impulse));
         }
@@ -100,7 +102,8 @@ impl World {
         let velocity_of = |body: BodyId| core.body(body).map(|body| body.linear_velocity());
         let velocity = velocity_of(geom_b.body())? - velocity_of(geom_a.body())?;
         self.lay_out(core, pair)?;
-        let (pieces_a, pieces_b) = (self.update.pieces.get(pair.geom_a)?, self.update.pieces.get(pair.geom_b)?);
+        let (pieces_a, pieces_b) =
+            (self.update.pieces.get(pair.geom_a)?, self.update.pieces.get(pair.geom_b)?);
         let scratch = &self.update.scratch;
         let plane = entry_of_pieces(
             pieces_a.pieces(&scratch.pieces_a),
@@ -123,9 +126,7 @@ impl World {
             self.pieces_of(core, geom)?;
         }
         let crate::world::Update { pieces, scratch, .. } = &mut self.update;
-        for (geom, laid_out) in
-            [(pair.geom_a, &mut scratch.pieces_a), (pair.geom_b, &mut scratch.pieces_b)]
-        {
+        for (geom, laid_out) in [(pair.geom_a, &mut scratch.pieces_a), (pair.geom_b, &mut scratch.pieces_b)] {
             let view = core.geom(geom)?;
             pieces.get(geom)?.lay_out(&view.matrix(), laid_out);
         }
@@ -144,7 +145,12 @@ impl CoreHandler for Meeting<'_, '_> {
         true
     }
 
-    fn accepts_pair(&mut self, context: &mut farseer_core::Context<'_>, geom1: GeomId, geom2: GeomId) -> bool {
+    fn accepts_pair(
+        &mut self,
+        context: &mut farseer_core::Context<'_>,
+        geom1: GeomId,
+        geom2: GeomId,
+    ) -> bool {
         let Some(pair) = key_of(context.simulator(), geom1, geom2) else { return false };
         let way = self.world.way_of(context.simulator(), pair);
         if way == Way::Past || !self.is_approved(context, pair, geom1, geom2) {

@@ -103,7 +103,11 @@ impl Platform {
             }
         }
         if !(1..180).contains(&angle_in_z_axis) {
-            return Err(invalid("angle_in_z_axis", angle_in_z_axis, "greater than 0 and less than 180 degrees"));
+            return Err(invalid(
+                "angle_in_z_axis",
+                angle_in_z_axis,
+                "greater than 0 and less than 180 degrees",
+            ));
         }
         let settings = Geom::default();
         let shape = SlantedBox::default();

@@ -44,12 +44,10 @@ impl TwoHalfPhysicsSimulator {
                 let geoms = self.core.geoms_of(body);
                 geoms.iter().any(|&geom| self.core.is_listed(geom) && self.shows(geom, point))
             }
-            Drawable::Platform(platform) => {
-                self.platform(platform).is_some_and(|platform| {
-                    let corners = platform.corners().map(|corner| self.projection().to_screen(corner));
-                    hull_holds(&corners, point)
-                })
-            }
+            Drawable::Platform(platform) => self.platform(platform).is_some_and(|platform| {
+                let corners = platform.corners().map(|corner| self.projection().to_screen(corner));
+                hull_holds(&corners, point)
+            }),
         };
         self.draw_order().into_iter().rev().find(shows)
     }
@@ -83,12 +81,8 @@ impl TwoHalfPhysicsSimulator {
 /// Whether the convex hull of some points holds another: no line through it has all of them on one side.
 fn hull_holds(points: &[Vector2], point: Vector2) -> bool {
     let side = |a: Vector2, b: Vector2, p: Vector2| (b - a).perp(&(p - a));
-    let is_hull_edge = |a: Vector2, b: Vector2| {
-        a != b && points.iter().all(|&p| side(a, b, p) >= 0.0)
-    };
-    points.iter().all(|&a| {
-        points.iter().all(|&b| !is_hull_edge(a, b) || side(a, b, point) >= 0.0)
-    })
+    let is_hull_edge = |a: Vector2, b: Vector2| a != b && points.iter().all(|&p| side(a, b, p) >= 0.0);
+    points.iter().all(|&a| points.iter().all(|&b| !is_hull_edge(a, b) || side(a, b, point) >= 0.0))
 }
 
 #[cfg(test)]

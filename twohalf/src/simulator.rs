@@ -1,8 +1,6 @@
 //! The simulator: owns everything.
 
-use farseer_core::{
-    Body, BodyId, Geom, GeomId, GeomPlacement, ObjectId, PhysicsSimulator, Vertices,
-};
+use farseer_core::{Body, BodyId, Geom, GeomId, GeomPlacement, ObjectId, PhysicsSimulator, Vertices};
 use serde::{Deserialize, Serialize};
 
 use crate::body::TwoHalfBody;

@@ -27,7 +27,9 @@ pub struct StepCounters {
 }
 
 /// The handler again, for a shorter time.
-pub(crate) fn reborrow<'a>(handler: &'a mut Option<&mut dyn EventHandler>) -> Option<&'a mut dyn EventHandler> {
+pub(crate) fn reborrow<'a>(
+    handler: &'a mut Option<&mut dyn EventHandler>,
+) -> Option<&'a mut dyn EventHandler> {
     match handler {
         Some(handler) => Some(&mut **handler),
         None => None,
@@ -207,9 +209,9 @@ impl World {
                 CoreEvent::Collision { vetoed: true, .. } => {
                     let refused = self.update.vetoed.get(vetoed_before).copied();
                     vetoed_before += 1;
-                    self.events.extend(refused.map(|collision| {
-                        Event::Collision(Collision { vetoed: true, ..collision })
-                    }));
+                    self.events.extend(
+                        refused.map(|collision| Event::Collision(Collision { vetoed: true, ..collision })),
+                    );
                 }
                 CoreEvent::Collision { this, other, .. } => {
                     // Collisions come in the order of the list, those of a pair together.
@@ -243,7 +245,8 @@ impl World {
         let solved = |touch: &&crate::touch::Touch| touch.responds;
         let points: u32 = self.touches.touches.iter().filter(solved).map(|touch| touch.point_count).sum();
         self.counters.pairs_tested += plane.pairs_tested;
-        self.counters.pairs_touching = plane.pairs_touching + self.touches.touches.iter().filter(touching).count();
+        self.counters.pairs_touching =
+            plane.pairs_touching + self.touches.touches.iter().filter(touching).count();
         self.counters.ground_contacts = self.touches.touches.iter().filter(on_ground).count();
         self.counters.contacts_solved = plane.contacts_solved + points as usize;
         self.counters.rows_solved = 2 * plane.contacts_solved + self.solver.row_count();

@@ -119,9 +119,9 @@ impl World {
             let (event, source) = self.update.sources[index];
             let impulse = match source {
                 Source::Touch(key) => self.touch_impulse(key),
-                Source::Arbiter(position) => core.arbiter(position as usize).map_or(0.0, |arbiter| {
-                    arbiter.contacts().iter().map(Contact::normal_impulse).sum()
-                }),
+                Source::Arbiter(position) => core
+                    .arbiter(position as usize)
+                    .map_or(0.0, |arbiter| arbiter.contacts().iter().map(Contact::normal_impulse).sum()),
             };
             if let Event::Collision(collision) = &mut self.events[event as usize] {
                 collision.normal_impulse = impulse;

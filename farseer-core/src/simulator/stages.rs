@@ -2,14 +2,13 @@
 
 use super::queues::{Followed, Handler};
 use super::{PhysicsSimulator, StepCounters};
-use crate::body::BodyId;
 use crate::broad_phase::{BroadPhase, PairSink};
 use crate::contact::Contact;
 use crate::events::{Context, Event, EventHandler};
 use crate::geom::GeomId;
 use crate::narrow_phase;
 use crate::pair_filter::Scene;
-use crate::solver::{PreStepSettings, SurfaceContacts};
+use crate::solver::PreStepSettings;
 
 impl PhysicsSimulator {
     /// Moves everything by `dt` seconds. Games call this with a fixed step.
@@ -46,7 +45,6 @@ impl PhysicsSimulator {
         let mut handler = handler;
         self.events.clear();
         self.counters = StepCounters::default();
-        self.solver.forget_surfaces();
         self.arbiters.take_back_from_engine();
         if !self.accepts_step("dt", dt) || (dt != 0.0 && !self.accepts_step("dt", 1.0 / dt)) {
             return false;
@@ -222,28 +220,6 @@ impl PhysicsSimulator {
         };
         self.solver.pre_step(&self.arbiters, &self.geoms, &self.bodies, settings);
         self.counters.contacts_solved = self.solver.row_count();
-    }
-
-    /// Lets the solver hold a body against something immovable that has no geom, such as the ground of a 2.5D
-    /// game: between [`collide_pairs`](Self::collide_pairs) and [`pre_step`](Self::pre_step). The normals of the
-    /// contacts point toward the body; friction and restitution are the combined ones. If anything is not
-    /// finite there is no contact. `None` for a stale id.
-    pub fn add_surface_contacts(
-        &mut self,
-        body: BodyId,
-        contacts: &[Contact],
-        friction: f32,
-        restitution: f32,
-    ) -> Option<SurfaceContacts> {
-        self.bodies.get(body)?;
-        let is_finite = contacts.iter().all(Contact::is_finite) && (friction + restitution).is_finite();
-        let contacts = if is_finite { contacts } else { &[] };
-        Some(self.solver.add_surface(body, contacts, friction, restitution))
-    }
-
-    /// Normal and tangent impulse of every contact of a surface, as the solver has them now.
-    pub fn surface_impulses(&self, surface: SurfaceContacts) -> impl Iterator<Item = (f32, f32)> + '_ {
-        self.solver.surface_impulses(surface)
     }
 
     /// Sixth stage, repeated: one pass over all contacts.

@@ -6,43 +6,17 @@ use super::kernel::{ContactRow, PairConstants};
 use super::lanes::LANES;
 use super::rows::side_by_side;
 use super::states::BodyState;
-use super::{
-    Batch, ContactSolver, Group, MIN_LANES_USED, PreStepSettings, RowPlace, SURFACE, Surface,
-    SurfaceContacts, WideBatch,
-};
+use super::{Batch, ContactSolver, Group, MIN_LANES_USED, NOBODY, PreStepSettings, RowPlace, WideBatch};
 use crate::arbiter::ArbiterList;
 use crate::arena::{Arena, Id};
 use crate::body::BodyId;
 use crate::body_entry::BodyEntry;
-use crate::contact::Contact;
 use crate::geom_entry::GeomEntry;
 
 impl ContactSolver {
     /// Number of contacts the solver works on in every iteration.
     pub(crate) fn row_count(&self) -> usize {
         self.groups.iter().map(|group| group.contact_count as usize).sum()
-    }
-
-    /// Notes contacts of a body with something immovable for the next pre-step.
-    pub(crate) fn add_surface(
-        &mut self,
-        body: BodyId,
-        contacts: &[Contact],
-        friction: f32,
-        restitution: f32,
-    ) -> SurfaceContacts {
-        let surface = SurfaceContacts { surface: self.surfaces.len() as u32 };
-        let first_contact = self.surface_contacts.len() as u32;
-        self.surface_contacts.extend_from_slice(contacts);
-        let contact_count = contacts.len() as u32;
-        self.surfaces.push(Surface { body, first_contact, contact_count, friction, restitution });
-        surface
-    }
-
-    /// Forgets surfaces that were noted for an update that did not come about.
-    pub(crate) fn forget_surfaces(&mut self) {
-        self.surfaces.clear();
-        self.surface_contacts.clear();
     }
 
     /// Gathers bodies and contacts, computes masses and biases and applies the impulses of the last update,
@@ -58,8 +32,6 @@ impl ContactSolver {
         for &handle in list.list.iter().filter(|&&handle| !list.is_left_to_engine(handle)) {
             self.gather_arbiter(handle, list, geoms, bodies);
         }
-        self.first_surface_group = self.groups.len();
-        self.gather_surfaces(bodies);
         self.schedule.build(&self.groups, &self.is_ordered);
         self.make_rows();
         self.for_each_batch(
@@ -128,27 +100,6 @@ impl ContactSolver {
             is_alone: is_repeated || body_a == body_b,
             is_dropped: false,
         });
-    }
-
-    fn gather_surfaces(&mut self, bodies: &Arena<BodyEntry>) {
-        for index in 0..self.surfaces.len() {
-            let Surface { body, first_contact, contact_count, friction, restitution } = self.surfaces[index];
-            let body_b = self.gather_body(body, bodies);
-            let gathered = self.contacts.len() as u32;
-            let contacts = first_contact as usize..(first_contact + contact_count) as usize;
-            self.contacts.extend_from_slice(&self.surface_contacts[contacts]);
-            self.groups.push(Group {
-                body_a: SURFACE,
-                body_b,
-                first_contact: gathered,
-                contact_count,
-                friction,
-                restitution,
-                is_alone: false,
-                is_dropped: false,
-            });
-        }
-        self.forget_surfaces();
     }
 
     pub(super) fn gather_body(&mut self, id: BodyId, bodies: &Arena<BodyEntry>) -> u32 {
@@ -231,8 +182,8 @@ impl ContactSolver {
     fn make_wide_batch(&mut self, group_indices: &[u32], row_count: u32) {
         let mut batch = WideBatch {
             groups: [u32::MAX; LANES],
-            body_a: [SURFACE; LANES],
-            body_b: [SURFACE; LANES],
+            body_a: [NOBODY; LANES],
+            body_b: [NOBODY; LANES],
             pair: PairConstants::default(),
             first_row: self.wide_rows.len() as u32,
             row_count,

@@ -36,24 +36,7 @@ pub(crate) struct PreStepSettings {
     pub(crate) allowed_penetration: f32,
 }
 
-/// Contacts of a body with something immovable that has no geom, in the solver of the current update; see
-/// [`PhysicsSimulator::add_surface_contacts`](crate::PhysicsSimulator::add_surface_contacts).
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct SurfaceContacts {
-    surface: u32,
-}
-
-/// Contacts with a surface that wait for the pre-step.
-#[derive(Debug, Clone, Copy)]
-struct Surface {
-    body: BodyId,
-    first_contact: u32,
-    contact_count: u32,
-    friction: f32,
-    restitution: f32,
-}
-
-/// The contacts of one entry of the arbiter list, or of a surface.
+/// The contacts of one entry of the arbiter list.
 #[derive(Debug, Clone, Copy)]
 struct Group {
     body_a: u32,
@@ -96,13 +79,13 @@ struct WideBatch {
 /// Fewer groups than this are solved faster one after the other.
 const MIN_LANES_USED: u8 = 3;
 
-/// Place of the immovable body that surfaces belong to, and that unused lanes work on.
-const SURFACE: u32 = 0;
+/// Place of an immovable body that is none, on which unused lanes work.
+const NOBODY: u32 = 0;
 
 /// The arrays of the solver, reused from update to update.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ContactSolver {
-    /// The immovable body of the surfaces, then the bodies that touch something.
+    /// The immovable body that is none, then the bodies that touch something.
     states: Vec<BodyState>,
     positions: Vec<[f32; 2]>,
     /// Whether the groups of a body must keep their order.
@@ -123,10 +106,6 @@ pub(crate) struct ContactSolver {
     arbiters: Vec<(u32, u32)>,
     /// By handle of the arbiter: stamp of the update, and the group that was made from it first.
     arbiter_groups: Vec<(u32, u32)>,
-    surfaces: Vec<Surface>,
-    surface_contacts: Vec<Contact>,
-    /// The groups of the surfaces begin here.
-    first_surface_group: usize,
     stamp: u32,
     failed: Vec<u32>,
     /// Between pre-step and end: bodies may be gathered.
@@ -225,7 +204,7 @@ impl ContactSolver {
             let lane_is_finite = is_finite.map(|mask| mask & (1 << lane) != 0);
             if lane_is_finite != [true; 2] && batch.groups[lane] != u32::MAX {
                 self.drop_group(batch.groups[lane], lane_is_finite);
-                (batch.body_a[lane], batch.body_b[lane]) = (SURFACE, SURFACE);
+                (batch.body_a[lane], batch.body_b[lane]) = (NOBODY, NOBODY);
                 let rows = batch.first_row as usize..(batch.first_row + batch.row_count) as usize;
                 self.wide_rows[rows].iter_mut().for_each(|row| empty_lane(row, lane));
             }
@@ -233,7 +212,7 @@ impl ContactSolver {
         pack_four(&mut self.states, &batch.body_b, &bodies[1]);
         pack_four(&mut self.states, &batch.body_a, &bodies[0]);
         // Dropped lanes have written what is not finite there.
-        self.states[SURFACE as usize] = BodyState::default();
+        self.states[NOBODY as usize] = BodyState::default();
         self.batches[index] = Batch::Four(batch);
     }
 
@@ -258,15 +237,6 @@ impl ContactSolver {
         }
         let row = &self.wide_rows[row as usize];
         (row.normal_impulse.as_array()[lane as usize], row.tangent_impulse.as_array()[lane as usize])
-    }
-
-    /// Normal and tangent impulse of every contact of a surface; none once the next update has begun.
-    pub(crate) fn surface_impulses(&self, surface: SurfaceContacts) -> impl Iterator<Item = (f32, f32)> + '_ {
-        let group = self.groups.get(self.first_surface_group + surface.surface as usize);
-        let contacts =
-            group.map_or(0..0, |group| group.first_contact..group.first_contact + group.contact_count);
-        let is_dropped = group.is_some_and(|group| group.is_dropped);
-        contacts.map(move |contact| if is_dropped { (0.0, 0.0) } else { self.impulses(contact) })
     }
 
     /// Writes velocities and impulses back. Bodies that failed keep the velocities with which the solver began;

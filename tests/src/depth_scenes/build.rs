@@ -1,14 +1,12 @@
 //! A scene in the 2.5D engine.
 
 use farseer_core::{Body, BodyFactory, GeomPlacement, Vertices};
-use twohalf::{BodyId, DepthProfile, Result, TwoHalfPhysicsSimulator, Vector2, Vector3};
+use twohalf::{BodyId, DepthProfile, Platform, Result, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
-use super::{DepthObject, DepthScene, DepthShape, Surface};
+use super::{DepthObject, DepthPlatform, DepthScene, DepthShape, SCREEN_ANGLE, Surface};
 
 /// Height of the screen in px.
 const SCREEN_HEIGHT: i32 = 600;
-/// Direction of the Z axis on the screen in degrees.
-const SCREEN_ANGLE: i32 = 60;
 /// Edges of a ball's outline.
 const EDGES: i32 = 24;
 
@@ -30,6 +28,9 @@ fn try_build(scene: &DepthScene) -> Result<(TwoHalfPhysicsSimulator, Vec<BodyId>
         .iter()
         .map(|object| add_object(&mut simulator, object, scene.ground))
         .collect::<Result<_>>()?;
+    for platform in &scene.platforms {
+        add_platform(&mut simulator, platform)?;
+    }
     Ok((simulator, bodies))
 }
 
@@ -60,6 +61,25 @@ fn add_object(
     simulator.add(body)?;
     simulator.add(geom)?;
     Ok(body)
+}
+
+fn add_platform(simulator: &mut TwoHalfPhysicsSimulator, platform: &DepthPlatform) -> Result<()> {
+    let [width, height, depth] = platform.size;
+    let id = Platform::with_rotation_and_angle(
+        simulator,
+        width,
+        height,
+        depth,
+        Vector3::from(platform.position),
+        platform.rotation,
+        None,
+        platform.angle_in_z_axis,
+    )?;
+    if let Some(mut view) = simulator.platform_mut(id) {
+        view.settings_mut().set_friction_coefficient(platform.surface.friction);
+        view.settings_mut().set_restitution_coefficient(platform.surface.restitution);
+    }
+    Ok(())
 }
 
 impl DepthObject {

@@ -8,7 +8,7 @@ use super::{DepthObject, DepthPlatform, DepthScene, DepthShape, SLOPE_ROTATION, 
 /// Room for one object of a heap, px: objects start apart.
 const PILE_CELL: f32 = 36.0;
 /// Room for one object of the traffic, px.
-const TRAFFIC_CELL: f32 = 50.0;
+const TRAFFIC_CELL: f32 = 40.0;
 /// Cells of the traffic along X and along Z that share one platform.
 const CELLS_PER_PLATFORM: usize = 4;
 /// Height of the walls of the traffic in px: nothing jumps over them.
@@ -44,14 +44,13 @@ pub fn pile(count: usize) -> DepthScene {
 /// objects.
 pub fn traffic(count: usize) -> DepthScene {
     let slippery = Surface { friction: 0.0, restitution: 0.1 };
-    let lively = Surface { friction: 0.1, restitution: 0.8 };
+    let lively = Surface { friction: 0.1, restitution: 0.9 };
     let side = (count as f32).sqrt().ceil().max(1.0) as usize;
     let mut numbers = Numbers::new(count);
     let mut scene = DepthScene::empty(format!("traffic_of_{count}"), 600, slippery);
     for index in 0..count {
         let [x, z] = place_in_field(index, side, TRAFFIC_CELL);
-        let position =
-            [x + 8.0 * numbers.next(), 110.0 + 30.0 * numbers.next(), z + 8.0 * numbers.next()];
+        let position = [x + 5.0 * numbers.next(), 110.0 + 30.0 * numbers.next(), z + 5.0 * numbers.next()];
         let velocity = [90.0 * numbers.next(), 20.0 * numbers.next(), 90.0 * numbers.next()];
         let object = mixed(index, &mut numbers, position).with_surface(lively);
         scene.objects.push(object.with_velocity(velocity));
@@ -196,16 +195,12 @@ mod tests {
     #[test]
     fn the_objects_of_traffic_start_above_its_platforms() {
         let scene = traffic(200);
-        let lowest =
-            scene.objects.iter().filter(|object| !object.is_static).map(|object| object.position[1]);
+        let lowest = scene.objects.iter().filter(|object| !object.is_static).map(|object| object.position[1]);
         let [sine, cosine] = super::super::SLOPE_SINE_AND_COSINE;
         let tops = scene.platforms.iter().map(|platform| {
             let [width, height, _] = platform.size;
-            let half = if platform.rotation == 0.0 {
-                height / 2.0
-            } else {
-                (width * sine + height * cosine) / 2.0
-            };
+            let half =
+                if platform.rotation == 0.0 { height / 2.0 } else { (width * sine + height * cosine) / 2.0 };
             platform.position[1] + height / 2.0 + half
         });
         assert!(lowest.fold(f32::MAX, f32::min) > tops.fold(f32::MIN, f32::max));

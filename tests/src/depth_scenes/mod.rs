@@ -9,16 +9,19 @@ mod build;
 mod crowds;
 mod falls;
 mod hits;
+mod platforms;
 mod slopes;
 
 pub use build::build;
 pub use crowds::{pile, traffic};
-pub use falls::{
-    ball_rolling, bounce, box_sliding, drop_onto_ground, throw_in_x_and_z, throw_onto_platform,
-};
+pub use falls::{ball_rolling, bounce, box_sliding, drop_onto_ground, throw_in_x_and_z, throw_onto_platform};
 pub use hits::{
-    ball_against_box_front, ball_against_box_edge, balls_meeting_obliquely, box_pushed_into_box_along_z,
+    ball_against_box_edge, ball_against_box_front, balls_meeting_obliquely, box_pushed_into_box_along_z,
     row_of_three_hits,
+};
+pub use platforms::{
+    against_every_side, against_sheared_side, ball_off_far_edge, box_off_near_edge, box_on_sliding_box,
+    box_tipping_over_edge, shear_of_side, tilted_drop,
 };
 pub use slopes::{SLOPE_ROTATION, SLOPE_SINE_AND_COSINE, ball_rolling_down_slope, box_sliding_down_slope};
 
@@ -28,6 +31,9 @@ use farseer_core::math::Vector2;
 pub const DT: f32 = 0.01;
 /// Gravity of the scenes in px/s², downwards.
 pub const GRAVITY: f32 = 100.0;
+
+/// Direction of the Z axis on the screen in degrees.
+pub const SCREEN_ANGLE: i32 = 60;
 
 /// A scene of the 2.5D engine.
 #[derive(Debug, Clone, PartialEq)]
@@ -162,14 +168,16 @@ pub struct DepthPlatform {
     pub position: [f32; 3],
     /// Rotation about the centre in rad.
     pub rotation: f32,
+    /// Direction of its edges in depth on the screen in degrees.
+    pub angle_in_z_axis: i32,
     /// Its coefficients.
     pub surface: Surface,
 }
 
 impl DepthPlatform {
-    /// A level platform with the coefficients of a surface.
+    /// A level, straight platform with the coefficients of a surface.
     pub fn new(size: [f32; 3], position: [f32; 3], surface: Surface) -> Self {
-        DepthPlatform { size, position, rotation: 0.0, surface }
+        DepthPlatform { size, position, rotation: 0.0, angle_in_z_axis: SCREEN_ANGLE, surface }
     }
 }
 

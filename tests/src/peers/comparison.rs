@@ -55,7 +55,13 @@ impl Run {
         Crossing { time: (index as f64 + part) * self.dt(), position }
     }
 
-    /// Greatest height of an object between a time and the next time it falls below the height it had then.
+    /// Rotation of an object in the step nearest to a [`crossing`](Self::crossing). NaN if there is none.
+    pub fn crossing_rotation(&self, object: usize, height: f64) -> f64 {
+        let time = self.crossing(object, height).time;
+        if time.is_nan() { f64::NAN } else { self.state_at(object, time).rotation }
+    }
+
+    /// Greatest height of an object on the way up that begins within three steps of a time.
     pub fn apex_after(&self, object: usize, time: f64) -> f64 {
         let after = self.states(object).skip((time / self.dt()).ceil() as usize + 3);
         let mut top = f64::NAN;

@@ -1,6 +1,6 @@
 //! Scenes in the 2.5D engine.
 
-use twohalf::{BodyId, Event, GeomId, TwoHalfPhysicsSimulator};
+use twohalf::{BodyId, Partner, TwoHalfPhysicsSimulator};
 
 use super::{Engine, Met, State, ordered, wrapped};
 use crate::depth_scenes::{DepthScene, build};
@@ -20,9 +20,17 @@ impl TwoHalf {
         TwoHalf { simulator, bodies, dt: scene.dt }
     }
 
-    fn object(&self, geom: GeomId) -> Option<Met> {
-        let body = self.simulator.geom(geom)?.body();
-        self.bodies.iter().position(|&known| known == body).map(Met::Object)
+    fn met(&self, partner: Partner) -> Option<Met> {
+        match partner {
+            Partner::Ground => Some(Met::Ground),
+            Partner::Geom(geom) => {
+                let body = self.simulator.geom(geom)?.body();
+                self.bodies.iter().position(|&known| known == body).map(Met::Object)
+            }
+            Partner::Platform(id) => {
+                self.simulator.platforms().position(|known| known == id).map(Met::Platform)
+            }
+        }
     }
 }
 
@@ -42,16 +50,8 @@ impl Engine for TwoHalf {
     }
 
     fn touching(&self, pairs: &mut Vec<(Met, Met)>) {
-        for (index, &body) in self.bodies.iter().enumerate() {
-            if self.simulator.body(body).is_some_and(|body| body.position3d().y <= 0.0) {
-                pairs.push((Met::Object(index), Met::Ground));
-            }
-        }
-        for event in self.simulator.events() {
-            if let Event::Collision { this, other, vetoed: false, .. } = event
-                && let (Some(a), Some(b)) = (self.object(*this), self.object(*other))
-                && a < b
-            {
+        for contact in self.simulator.contacts().filter(|contact| contact.normal_impulse > 0.0) {
+            if let (Some(a), Some(b)) = (self.met(Partner::Geom(contact.this)), self.met(contact.partner)) {
                 pairs.push(ordered(a, b));
             }
         }

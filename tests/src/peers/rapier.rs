@@ -6,7 +6,7 @@ use rapier3d::prelude::{
 };
 
 use super::{Engine, Met, State, ordered, wrapped};
-use crate::depth_scenes::{DepthObject, DepthPlatform, DepthScene, DepthShape, Surface};
+use crate::depth_scenes::{DepthObject, DepthPlatform, DepthScene, DepthShape, SCREEN_ANGLE, Surface};
 
 /// Px that stand for a metre: `rapier3d` scales its tolerances with it. The size of a large object.
 const LENGTH_UNIT: f32 = 40.0;
@@ -136,8 +136,22 @@ fn fixed(platform: &DepthPlatform) -> RigidBody {
     RigidBodyBuilder::fixed().pose(Pose::from_parts(centre, rotation)).build()
 }
 
+/// A cuboid, or the convex hull of its corners when its edges in depth do not run as the Z axis does.
 fn platform_collider(platform: &DepthPlatform) -> ColliderBuilder {
-    with_surface(cuboid(platform.size), platform.surface)
+    if platform.angle_in_z_axis == SCREEN_ANGLE {
+        return with_surface(cuboid(platform.size), platform.surface);
+    }
+    let cotangent = |degrees: i32| 1.0 / f64::from(degrees).to_radians().tan();
+    let shear = (cotangent(platform.angle_in_z_axis) - cotangent(SCREEN_ANGLE)) as f32;
+    // The shift along X of the world, in the axes of the tilted box.
+    let (sine, cosine) = platform.rotation.sin_cos();
+    let half = platform.size.map(|extent| extent / 2.0);
+    let corners = std::array::from_fn::<_, 8, _>(|index| {
+        let [x, y, z] = [0, 1, 2].map(|axis| if index >> axis & 1 == 0 { -half[axis] } else { half[axis] });
+        Vector::new(x + shear * z * cosine, y + shear * z * sine, z)
+    });
+    let hull = ColliderBuilder::convex_hull(&corners).unwrap_or_else(|| panic!("{platform:?} has no volume"));
+    with_surface(hull, platform.surface)
 }
 
 fn with_surface(collider: ColliderBuilder, surface: Surface) -> ColliderBuilder {

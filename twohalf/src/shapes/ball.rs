@@ -94,8 +94,12 @@ pub(crate) fn entry_face_of_prism(
     if beyond < 0.0 && nearest(outline, before.xy())?.distance < 0.0 {
         return None;
     }
+    let approach = -sign * way.z;
+    if beyond >= 0.0 && approach <= 0.0 {
+        return None;
+    }
     // The part of the way, 0 to 1, between the planes of the two ends.
-    let start = if beyond < 0.0 { 0.0 } else { beyond / (-sign * way.z) };
+    let start = if beyond < 0.0 { 0.0 } else { beyond / approach };
     let leave = if way.z == 0.0 {
         1.0
     } else {
@@ -175,4 +179,250 @@ fn way_out(outline: &[Vector2], point: Vector2, direction: Vector2) -> Option<f3
         }
     }
     least
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::samples::{Random, points, rectangle, winds_around};
+    use super::*;
+
+    fn v(x: f32, y: f32, z: f32) -> Vector3 {
+        Vector3::new(x, y, z)
+    }
+
+    /// 20 wide, 10 high, 8 deep, about the origin.
+    fn touch_of_box(centre: Vector3, radius: f32) -> Option<BallTouch> {
+        ball_prism(centre, radius, &rectangle((0.0, 0.0), 20.0, 10.0, 0.0), 0.0, 4.0)
+    }
+
+    fn entry_of_box(before: Vector3, now: Vector3) -> Option<Vector3> {
+        entry_face_of_prism(before, now, &rectangle((0.0, 0.0), 20.0, 10.0, 0.0), 0.0, 4.0)
+    }
+
+    #[test]
+    fn balls_touch_along_the_line_of_their_centres() {
+        let found = ball_ball(v(1.0, 2.0, 3.0), 4.0, v(3.0, 5.0, 9.0), 5.0);
+        let normal = v(2.0, 3.0, 6.0) / 7.0;
+        let point = v(3.0, 5.0, 9.0) - normal * 5.0;
+        assert_eq!(found, Some(Touch { normal, separation: -2.0, point }));
+    }
+
+    #[test]
+    fn balls_that_only_touch_have_no_contact() {
+        assert_eq!(ball_ball(v(0.0, 0.0, 0.0), 4.0, v(0.0, 0.0, 9.0), 5.0), None);
+        assert_eq!(ball_ball(v(0.0, 0.0, 0.0), 4.0, v(0.0, f32::NAN, 9.0), 5.0), None);
+        assert_eq!(ball_ball(v(0.0, 0.0, 0.0), f32::INFINITY, v(0.0, 0.0, 9.0), 5.0), None);
+    }
+
+    #[test]
+    fn of_balls_in_the_same_place_the_second_goes_up() {
+        let found = ball_ball(v(1.0, 2.0, 3.0), 4.0, v(1.0, 2.0, 3.0), 5.0).expect("a contact");
+        assert_eq!((found.normal, found.separation), (v(0.0, -1.0, 0.0), -9.0));
+    }
+
+    #[test]
+    fn a_ball_on_a_face_is_pushed_along_its_normal() {
+        let top = touch_of_box(v(3.0, -6.0, 1.0), 2.0).expect("a contact");
+        let expected = Touch { normal: v(0.0, -1.0, 0.0), separation: -1.0, point: v(3.0, -4.0, 1.0) };
+        assert_eq!(top, BallTouch { touch: expected, is_inside: false });
+        let front = touch_of_box(v(3.0, 1.0, -5.0), 2.0).expect("a contact");
+        assert_eq!((front.touch.normal, front.touch.separation), (v(0.0, 0.0, -1.0), -1.0));
+    }
+
+    #[test]
+    fn a_ball_at_the_edge_of_front_and_top_is_pushed_away_from_the_edge() {
+        let found = touch_of_box(v(0.0, -8.0, -8.0), 6.0).expect("a contact").touch;
+        assert_eq!((found.normal, found.separation), (v(0.0, -0.6, -0.8), -1.0));
+    }
+
+    #[test]
+    fn a_ball_at_a_corner_is_pushed_away_from_the_corner() {
+        let found = touch_of_box(v(12.0, 8.0, 10.0), 8.0).expect("a contact").touch;
+        // The corner is at (10, 5, 4).
+        let normal = v(2.0, 3.0, 6.0) / 7.0;
+        assert!((found.normal - normal).amax() < 1e-6);
+        assert_eq!(found.separation, -1.0);
+    }
+
+    #[test]
+    fn a_centre_inside_is_pushed_through_the_nearest_face() {
+        let side = touch_of_box(v(9.0, 0.0, 0.0), 2.0).expect("a contact");
+        assert!(side.is_inside);
+        assert_eq!((side.touch.normal, side.touch.separation), (v(1.0, 0.0, 0.0), -3.0));
+        let back = touch_of_box(v(0.0, 0.0, 3.5), 2.0).expect("a contact");
+        assert_eq!((back.touch.normal, back.touch.separation), (v(0.0, 0.0, 1.0), -2.5));
+    }
+
+    #[test]
+    fn a_centre_in_the_middle_of_a_thin_prism_is_pushed_back() {
+        let found = ball_prism(v(0.0, 0.0, 5.0), 2.0, &rectangle((0.0, 0.0), 20.0, 10.0, 0.0), 5.0, 0.0);
+        assert_eq!(found.map(|found| (found.touch.normal, found.is_inside)), Some((v(0.0, 0.0, 1.0), false)));
+    }
+
+    #[test]
+    fn balls_out_of_reach_have_no_contact() {
+        assert_eq!(touch_of_box(v(0.0, -7.0, 0.0), 2.0), None);
+        assert_eq!(touch_of_box(v(0.0, 0.0, 6.0), 2.0), None);
+        assert_eq!(touch_of_box(v(11.5, 0.0, 5.5), 2.0), None);
+        assert_eq!(touch_of_box(v(0.0, f32::NAN, 0.0), 2.0), None);
+        assert_eq!(touch_of_box(v(0.0, 0.0, f32::NAN), 2.0), None);
+        assert_eq!(ball_prism(v(0.0, 0.0, 0.0), 2.0, &[], 0.0, 4.0), None);
+    }
+
+    #[test]
+    fn the_distance_outside_is_that_of_the_nearest_point_of_the_prism() {
+        let mut random = Random(8);
+        for _ in 0..300 {
+            let outline = random.star(Vector2::zeros(), 8, 20.0, 1.0);
+            let centre =
+                v(random.number(-30.0, 30.0), random.number(-30.0, 30.0), random.number(-15.0, 15.0));
+            let Some(found) = ball_prism(centre, 50.0, &outline, 2.0, 5.0) else { continue };
+            let distance = found.touch.separation + 50.0;
+            if distance <= 0.0 {
+                assert!(winds_around(&outline, centre.xy()) && (centre.z - 2.0).abs() <= 5.0);
+                continue;
+            }
+            let reached = centre - found.touch.normal * distance;
+            let on_prism = nearest(&outline, reached.xy()).expect("a nearest point").distance;
+            assert!(on_prism < 1e-4 && (reached.z - 2.0).abs() < 5.0 + 1e-4);
+            for _ in 0..200 {
+                let point =
+                    v(random.number(-20.0, 20.0), random.number(-20.0, 20.0), random.number(-3.0, 7.0));
+                let is_nearer = (point - centre).norm() < distance - 1e-4;
+                assert!(!(is_nearer && winds_around(&outline, point.xy())));
+            }
+        }
+    }
+
+    #[test]
+    fn the_separation_grows_along_the_normal_as_fast_as_the_ball_goes() {
+        let mut random = Random(9);
+        let mut seen = [0, 0];
+        for _ in 0..500 {
+            let outline = random.star(Vector2::zeros(), 8, 20.0, 0.5);
+            let centre = v(random.number(-25.0, 25.0), random.number(-25.0, 25.0), random.number(-8.0, 8.0));
+            let Some(found) = ball_prism(centre, 9.0, &outline, 0.0, 6.0) else { continue };
+            assert!((found.touch.normal.norm() - 1.0).abs() < 1e-6);
+            // Towards the nearest point, which stays the nearest on the way.
+            let step = if found.is_inside { 0.01 } else { -0.01 };
+            let next = ball_prism(centre + found.touch.normal * step, 9.0, &outline, 0.0, 6.0);
+            let Some(next) = next.filter(|next| next.is_inside == found.is_inside) else { continue };
+            assert!((next.touch.separation - found.touch.separation - step).abs() < 1e-4);
+            seen[usize::from(found.is_inside)] += 1;
+        }
+        assert!(seen[0] > 50 && seen[1] > 50);
+    }
+
+    #[test]
+    fn the_face_of_entry_is_the_one_the_way_crosses() {
+        assert_eq!(entry_of_box(v(0.0, -9.0, 0.0), v(1.0, 4.0, 0.0)), Some(v(0.0, -1.0, 0.0)));
+        assert_eq!(entry_of_box(v(-19.0, 0.0, 3.0), v(9.0, 0.0, 0.0)), Some(v(-1.0, 0.0, 0.0)));
+        assert_eq!(entry_of_box(v(0.0, 0.0, 9.0), v(0.0, 0.0, -3.0)), Some(v(0.0, 0.0, 1.0)));
+    }
+
+    #[test]
+    fn of_an_oblique_way_the_last_of_the_entries_counts() {
+        // At z = -4 after half of the way, at y = -5 after a quarter or after three quarters.
+        assert_eq!(entry_of_box(v(0.0, -7.0, -8.0), v(0.0, 1.0, 0.0)), Some(v(0.0, 0.0, -1.0)));
+        assert_eq!(entry_of_box(v(0.0, -11.0, -8.0), v(0.0, -3.0, 0.0)), Some(v(0.0, -1.0, 0.0)));
+    }
+
+    #[test]
+    fn a_way_that_starts_inside_or_misses_has_no_face_of_entry() {
+        assert_eq!(entry_of_box(v(0.0, 0.0, 0.0), v(0.0, -3.0, 0.0)), None);
+        assert_eq!(entry_of_box(v(0.0, -9.0, 0.0), v(0.0, -9.0, 0.0)), None);
+        assert_eq!(entry_of_box(v(0.0, -9.0, 0.0), v(0.0, -12.0, 0.0)), None);
+        assert_eq!(entry_of_box(v(0.0, 0.0, 4.0), v(0.0, 0.0, 9.0)), None);
+        assert_eq!(entry_of_box(v(0.0, -9.0, -20.0), v(0.0, 0.0, -5.0)), None);
+        assert_eq!(entry_of_box(v(0.0, f32::NAN, 0.0), v(0.0, 0.0, 0.0)), None);
+    }
+
+    #[test]
+    fn a_way_that_starts_on_a_face_comes_in_through_it() {
+        assert_eq!(entry_of_box(v(0.0, -5.0, 0.0), v(0.0, 0.0, 0.0)), Some(v(0.0, -1.0, 0.0)));
+        assert_eq!(entry_of_box(v(0.0, 0.0, -4.0), v(0.0, 0.0, 0.0)), Some(v(0.0, 0.0, -1.0)));
+    }
+
+    #[test]
+    fn the_face_of_entry_into_a_concave_prism_is_the_first() {
+        let u_shape = points(&[
+            (-6.0, 0.0),
+            (-6.0, 9.0),
+            (6.0, 9.0),
+            (6.0, 0.0),
+            (2.0, 0.0),
+            (2.0, 5.0),
+            (-2.0, 5.0),
+            (-2.0, 0.0),
+        ]);
+        let face =
+            |from: f32, to: f32| entry_face_of_prism(v(from, 2.0, 0.0), v(to, 2.0, 0.0), &u_shape, 0.0, 4.0);
+        assert_eq!(face(-9.0, 4.0), Some(v(-1.0, 0.0, 0.0)));
+        assert_eq!(face(0.0, 4.0), Some(v(-1.0, 0.0, 0.0)));
+        assert_eq!(face(0.0, -4.0), Some(v(1.0, 0.0, 0.0)));
+    }
+
+    #[test]
+    fn random_ways_come_in_through_the_face_where_sampling_finds_them_inside_first() {
+        let mut random = Random(10);
+        let mut seen = 0;
+        for _ in 0..500 {
+            let outline = random.star(Vector2::zeros(), 7, 20.0, 1.0);
+            let mut end =
+                || v(random.number(-30.0, 30.0), random.number(-30.0, 30.0), random.number(-9.0, 9.0));
+            let (before, now) = (end(), end());
+            let is_inside = |point: Vector3| {
+                point.z.abs() < 5.0 && nearest(&outline, point.xy()).is_some_and(|found| found.distance < 0.0)
+            };
+            let first =
+                (0..=5000).map(|i| before + (now - before) * (i as f32 / 5000.0)).find(|p| is_inside(*p));
+            let found = entry_face_of_prism(before, now, &outline, 0.0, 5.0);
+            assert!(!(is_inside(before) && found.is_some()));
+            let Some(first) = first.filter(|_| !is_inside(before)) else { continue };
+            let face = found.expect("a face of entry");
+            seen += 1;
+            // Samples are up to 0.02 apart.
+            let depth = ball_prism_through_face(first, 0.0, &outline, 0.0, 5.0, face).expect("a contact");
+            assert!(depth.separation > -0.02);
+            assert!(face.dot(&(now - before)) < 0.0);
+        }
+        assert!(seen > 100);
+    }
+
+    #[test]
+    fn through_a_face_the_ball_goes_all_the_way_back() {
+        let outline = rectangle((0.0, 0.0), 20.0, 10.0, 0.0);
+        let through = |face: Vector3| {
+            ball_prism_through_face(v(1.0, 4.0, 3.0), 2.0, &outline, 0.0, 4.0, face)
+                .map(|touch| touch.separation)
+        };
+        assert_eq!(through(v(0.0, -1.0, 0.0)), Some(-11.0));
+        assert_eq!(through(v(1.0, 0.0, 0.0)), Some(-11.0));
+        assert_eq!(through(v(0.0, 0.0, -1.0)), Some(-9.0));
+        assert_eq!(through(v(0.0, 0.0, 1.0)), Some(-3.0));
+    }
+
+    #[test]
+    fn through_a_face_of_a_concave_prism_the_ball_goes_to_the_next_side() {
+        let u_shape = points(&[
+            (-6.0, 0.0),
+            (-6.0, 9.0),
+            (6.0, 9.0),
+            (6.0, 0.0),
+            (2.0, 0.0),
+            (2.0, 5.0),
+            (-2.0, 5.0),
+            (-2.0, 0.0),
+        ]);
+        let found = ball_prism_through_face(v(3.0, 2.0, 0.0), 0.5, &u_shape, 0.0, 4.0, v(-1.0, 0.0, 0.0));
+        assert_eq!(found.map(|touch| touch.separation), Some(-1.5));
+    }
+
+    #[test]
+    fn beside_the_outline_the_supporting_line_counts() {
+        let outline = rectangle((0.0, 0.0), 20.0, 10.0, 0.0);
+        let found = ball_prism_through_face(v(15.0, -4.0, 0.0), 2.0, &outline, 0.0, 4.0, v(0.0, -1.0, 0.0));
+        assert_eq!(found.map(|touch| touch.separation), Some(-3.0));
+        assert_eq!(ball_prism_through_face(v(0.0, 0.0, 0.0), 2.0, &[], 0.0, 4.0, v(1.0, 0.0, 0.0)), None);
+    }
 }

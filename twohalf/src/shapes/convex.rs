@@ -2,6 +2,10 @@
 //!
 //! Frame: the geom's own while they are made, the plane's once they are laid out. Pieces are in the engine's winding
 //! (negative shoelace area), without repeated vertices and without vertices within a straight edge.
+//!
+//! A concave outline is cut into triangles by clipping ears, which are joined as long as they stay convex (Hertel and
+//! Mehlhorn, *Fast Triangulation of Simple Polygons*, 1983). The core's decomposition is not used: faithful to the
+//! original, it takes corners of up to a degree off, and refuses outlines of more than 177 vertices.
 
 use farseer_core::Vertices;
 use farseer_core::math::{Matrix, Vector2, vector2};
@@ -10,12 +14,6 @@ use super::{cross64, doubled_area, edges};
 
 /// The sine of a turn that counts as none.
 const STRAIGHT: f64 = 1e-6;
-
-/// The most pieces the core's decomposition gives.
-const MAX_PIECES: i32 = 50;
-
-/// How much of the area of the outline a decomposition may lose or count twice.
-const AREA_TOLERANCE: f32 = 1e-3;
 
 /// The convex pieces of an outline.
 #[derive(Debug, Clone, Default)]
@@ -26,16 +24,14 @@ pub(crate) struct ConvexPieces {
 }
 
 impl ConvexPieces {
-    /// The outline itself if it is convex, else its convex decomposition, else, if that fails, its convex hull.
+    /// The outline itself if it is convex; else pieces that together are the outline; if it crosses itself, so that
+    /// there are none, its convex hull.
     pub(crate) fn new(outline: &Vertices) -> ConvexPieces {
         let mut pieces = ConvexPieces::default();
         if is_convex(outline) {
             pieces.push(outline);
-            return pieces;
-        }
-        let decomposed = outline.decompose(MAX_PIECES).unwrap_or_default();
-        if covers(&decomposed, outline) {
-            decomposed.iter().for_each(|piece| pieces.push(piece));
+        } else if let Some(parts) = decompose(outline) {
+            parts.iter().for_each(|part| pieces.push(part));
         } else {
             pieces.push(&convex_hull(outline));
         }
@@ -113,11 +109,76 @@ fn without_straight_vertices(outline: &[Vector2]) -> Vec<Vector2> {
     kept
 }
 
-/// Whether pieces are convex and have as much area as the outline.
-fn covers(pieces: &[Vertices], outline: &[Vector2]) -> bool {
-    let area = doubled_area(outline).abs();
-    let sum: f32 = pieces.iter().map(|piece| doubled_area(piece).abs()).sum();
-    (sum - area).abs() <= AREA_TOLERANCE * area && pieces.iter().all(|piece| is_convex(piece))
+/// Cuts an outline into convex pieces; `None` if it has no ear left at some point.
+fn decompose(outline: &[Vector2]) -> Option<Vec<Vec<Vector2>>> {
+    let mut rest = without_straight_vertices(outline);
+    if doubled_area(&rest) > 0.0 {
+        rest.reverse();
+    }
+    let mut pieces: Vec<Vec<Vector2>> = Vec::with_capacity(rest.len());
+    let mut start = 0;
+    while rest.len() >= 3 {
+        let ear = (0..rest.len()).map(|i| (start + i) % rest.len()).find(|i| is_ear(&rest, *i))?;
+        let [before, after] = neighbours(&rest, ear);
+        // A vertex at which the rest has become straight goes without a triangle.
+        if cross64(before, rest[ear], after) < 0.0 {
+            pieces.push(vec![before, rest[ear], after]);
+        }
+        rest.remove(ear);
+        // The next but one, so that the triangles do not all meet in one corner.
+        start = ear + 1;
+    }
+    join(&mut pieces);
+    Some(pieces)
+}
+
+fn neighbours(outline: &[Vector2], i: usize) -> [Vector2; 2] {
+    let last = outline.len() - 1;
+    [outline[if i == 0 { last } else { i - 1 }], outline[if i == last { 0 } else { i + 1 }]]
+}
+
+/// Whether a vertex of an outline in engine winding can be cut off: it does not turn inward, and no other vertex lies
+/// in the triangle that is cut off with it.
+fn is_ear(outline: &[Vector2], i: usize) -> bool {
+    let (tip, [before, after]) = (outline[i], neighbours(outline, i));
+    let side = cross64(before, tip, after);
+    if side > 0.0 {
+        return false;
+    }
+    let is_corner = |point: Vector2| point == before || point == tip || point == after;
+    let is_in_triangle = |point: Vector2| {
+        cross64(before, tip, point) <= 0.0
+            && cross64(tip, after, point) <= 0.0
+            && cross64(after, before, point) <= 0.0
+    };
+    side == 0.0 || !outline.iter().any(|point| is_in_triangle(*point) && !is_corner(*point))
+}
+
+/// Joins pieces along common edges as long as the result is convex.
+fn join(pieces: &mut Vec<Vec<Vector2>>) {
+    let mut i = 0;
+    while i < pieces.len() {
+        let other = (i + 1..pieces.len()).find_map(|j| Some((j, joined(&pieces[i], &pieces[j])?)));
+        if let Some((j, joined)) = other {
+            pieces[i] = joined;
+            pieces.remove(j);
+        } else {
+            i += 1;
+        }
+    }
+}
+
+/// Two pieces as one, if they have an edge in common and are convex together.
+fn joined(a: &[Vector2], b: &[Vector2]) -> Option<Vec<Vector2>> {
+    let (i, j) = edges(a).enumerate().find_map(|(i, (start, end))| {
+        let j = edges(b).position(|edge| edge == (end, start))?;
+        Some((i, j))
+    })?;
+    // From the end of the common edge around a, then from its other end around b.
+    let around_a = a.iter().cycle().skip(i + 1).take(a.len());
+    let around_b = b.iter().cycle().skip(j + 2).take(b.len() - 2);
+    let joined: Vec<Vector2> = around_a.chain(around_b).copied().collect();
+    is_convex(&joined).then_some(joined)
 }
 
 /// The convex hull of any points, by Andrew's monotone chain.
@@ -142,4 +203,151 @@ fn add_chain<'a>(hull: &mut Vec<Vector2>, walk: impl Iterator<Item = &'a Vector2
         hull.push(point);
     }
     hull.pop();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::samples::{Random, points, rectangle, winds_around};
+    use super::*;
+    use farseer_core::math::matrix;
+
+    fn pieces_of(outline: &[Vector2]) -> Vec<Vec<Vector2>> {
+        let pieces = ConvexPieces::new(&Vertices::from(outline));
+        let mut laid_out = vec![Vector2::new(9.0, 9.0)];
+        pieces.lay_out(&Matrix::identity(), &mut laid_out);
+        pieces.pieces(&laid_out).map(<[Vector2]>::to_vec).collect()
+    }
+
+    #[test]
+    fn rectangles_and_circles_are_convex_in_either_winding() {
+        let circle = Vertices::create_circle(30.0, 500).expect("a circle");
+        let mut outline = rectangle((300.0, 20.0), 30.0, 4.0, 0.3);
+        assert!(is_convex(&circle) && is_convex(&outline));
+        outline.reverse();
+        assert!(is_convex(&outline));
+    }
+
+    #[test]
+    fn a_rectangle_with_vertices_within_its_edges_is_convex() {
+        let outline = Vertices::create_rectangle(30.0, 7.1).expect("a rectangle");
+        assert!(outline.len() > 4 && is_convex(&outline));
+    }
+
+    #[test]
+    fn a_dent_is_not_convex() {
+        assert!(!is_convex(&points(&[(0.0, 0.0), (0.0, 4.0), (2.0, 3.9), (4.0, 4.0), (4.0, 0.0)])));
+    }
+
+    #[test]
+    fn a_star_of_one_line_is_not_convex() {
+        let corner = |i: u32| {
+            let angle = f64::from(i * 2) * std::f64::consts::TAU / 5.0;
+            Vector2::new(libm::cos(angle) as f32, libm::sin(angle) as f32)
+        };
+        assert!(!is_convex(&(0..5).map(corner).collect::<Vec<_>>()));
+    }
+
+    #[test]
+    fn a_spike_is_not_convex() {
+        let square = [(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
+        assert!(!is_convex(&points(&square)));
+    }
+
+    #[test]
+    fn degenerate_outlines_are_one_piece() {
+        for list in [&[(1.0, 2.0)][..], &[(1.0, 2.0), (3.0, 4.0)], &[(1.0, 2.0), (1.0, 2.0), (3.0, 4.0)]] {
+            let pieces = pieces_of(&points(list));
+            assert_eq!(pieces.len(), 1);
+            assert!(pieces[0].contains(&Vector2::new(1.0, 2.0)));
+        }
+        assert!(pieces_of(&[]).concat().is_empty());
+        assert_eq!(pieces_of(&[Vector2::new(1.0, 2.0); 4]), [vec![Vector2::new(1.0, 2.0)]]);
+    }
+
+    #[test]
+    fn a_convex_outline_is_its_own_piece_without_vertices_within_edges() {
+        let outline = Vertices::create_rectangle(30.0, 7.1).expect("a rectangle");
+        let pieces = pieces_of(&outline);
+        assert_eq!(pieces.len(), 1);
+        assert_eq!(pieces[0].len(), 4);
+        assert!((doubled_area(&pieces[0]) + 2.0 * 30.0 * 7.1).abs() < 1e-3);
+    }
+
+    #[test]
+    fn a_circle_keeps_its_vertices() {
+        let outline = Vertices::create_circle(30.0, 500).expect("a circle");
+        assert_eq!(pieces_of(&outline), [outline.to_vec()]);
+    }
+
+    #[test]
+    fn laying_out_replaces_what_was_there_by_the_transformed_vertices() {
+        let outline = Vertices::from(rectangle((0.0, 0.0), 4.0, 2.0, 0.0));
+        let matrix = matrix::create_translation(100.0, 50.0, 0.0);
+        let mut laid_out = vec![Vector2::new(9.0, 9.0)];
+        ConvexPieces::new(&outline).lay_out(&matrix, &mut laid_out);
+        assert_eq!(laid_out, rectangle((100.0, 50.0), 4.0, 2.0, 0.0));
+    }
+
+    #[test]
+    fn too_few_vertices_laid_out_give_no_piece() {
+        let pieces = ConvexPieces::new(&Vertices::from(rectangle((0.0, 0.0), 4.0, 2.0, 0.0)));
+        assert_eq!(pieces.pieces(&[Vector2::new(1.0, 1.0)]).count(), 0);
+    }
+
+    #[test]
+    fn the_pieces_of_a_concave_outline_are_convex_and_cover_it_once() {
+        let mut random = Random(4);
+        for _ in 0..200 {
+            let middle = random.point(50.0);
+            let outline = random.star(middle, 12, 40.0, 1.0);
+            let pieces = pieces_of(&outline);
+            assert!(pieces.iter().all(|piece| is_convex(piece) && doubled_area(piece) < 0.0));
+            for _ in 0..50 {
+                let point = middle + random.point(40.0);
+                let covered = pieces.iter().filter(|piece| winds_around(piece, point)).count();
+                assert_eq!(covered, usize::from(winds_around(&outline, point)));
+            }
+        }
+    }
+
+    #[test]
+    fn an_l_shape_is_two_pieces() {
+        let l_shape = [(0.0, 0.0), (0.0, 6.0), (6.0, 6.0), (6.0, 4.0), (2.0, 4.0), (2.0, 0.0)];
+        assert_eq!(pieces_of(&points(&l_shape)).len(), 2);
+    }
+
+    #[test]
+    fn an_outline_of_many_vertices_is_cut_without_loss() {
+        let gear = Vertices::create_gear(50.0, 150, 0.3, 8.0).expect("a gear");
+        let pieces = pieces_of(&gear);
+        assert!(gear.len() > 500 && pieces.len() < gear.len() / 2);
+        let area: f32 = pieces.iter().map(|piece| doubled_area(piece)).sum();
+        // Hundreds of products of numbers up to 60, each rounded to 1e-4.
+        assert!((area.abs() - doubled_area(&gear).abs()).abs() < 0.1);
+    }
+
+    #[test]
+    fn an_outline_that_crosses_itself_is_cut_or_wrapped_in_convex_pieces() {
+        let bow = points(&[(0.0, 0.0), (0.0, 4.0), (4.0, 0.0), (4.0, 4.0)]);
+        let pieces = pieces_of(&bow);
+        assert!(!pieces.is_empty() && pieces.iter().all(|piece| is_convex(piece)));
+    }
+
+    #[test]
+    fn an_outline_that_touches_itself_is_cut_without_loss() {
+        // Two squares that meet in a corner.
+        let list =
+            [(0.0, 0.0), (0.0, 2.0), (2.0, 2.0), (2.0, 4.0), (4.0, 4.0), (4.0, 2.0), (2.0, 2.0), (2.0, 0.0)];
+        let area: f32 = pieces_of(&points(&list)).iter().map(|piece| doubled_area(piece)).sum();
+        assert_eq!(area, -16.0);
+    }
+
+    #[test]
+    fn the_hull_of_random_points_is_convex_and_holds_them() {
+        let mut random = Random(5);
+        let cloud: Vec<_> = (0..100).map(|_| random.point(30.0)).collect();
+        let hull = convex_hull(&cloud);
+        assert!(is_convex(&hull) && hull.len() < 40);
+        assert!(cloud.iter().all(|point| hull.contains(point) || winds_around(&hull, *point)));
+    }
 }

@@ -114,3 +114,120 @@ fn beside_vertex(best: &Candidate, area: f32, outline: &[Vector2], point: Vector
         Nearest { distance, normal: outward, point: vertex }
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::samples::{Random, points, rectangle, winds_around};
+    use super::*;
+
+    /// A tall bar and a low one to the right of it, along the bottom.
+    fn l_shape() -> Vec<Vector2> {
+        points(&[(0.0, 0.0), (0.0, 6.0), (6.0, 6.0), (6.0, 4.0), (2.0, 4.0), (2.0, 0.0)])
+    }
+
+    fn at(outline: &[Vector2], x: f32, y: f32) -> (f32, (f32, f32), (f32, f32)) {
+        let found = nearest(outline, Vector2::new(x, y)).expect("a nearest point");
+        (found.distance, (found.normal.x, found.normal.y), (found.point.x, found.point.y))
+    }
+
+    #[test]
+    fn beside_an_edge_the_normal_is_the_edges() {
+        assert_eq!(at(&l_shape(), 4.0, 3.0), (1.0, (0.0, -1.0), (4.0, 4.0)));
+    }
+
+    #[test]
+    fn inside_the_distance_is_negative_and_the_normal_still_outward() {
+        assert_eq!(at(&l_shape(), 4.0, 4.5), (-0.5, (0.0, -1.0), (4.0, 4.0)));
+    }
+
+    #[test]
+    fn beyond_a_corner_the_normal_points_from_the_corner() {
+        assert_eq!(at(&l_shape(), 9.0, 10.0), (5.0, (0.6, 0.8), (6.0, 6.0)));
+    }
+
+    #[test]
+    fn inside_beside_an_inner_corner_the_normal_points_to_the_corner() {
+        assert_eq!(at(&l_shape(), 1.625, 4.5), (-0.625, (0.6, -0.8), (2.0, 4.0)));
+    }
+
+    #[test]
+    fn on_the_outline_the_normal_is_that_of_an_edge() {
+        assert_eq!(at(&l_shape(), 4.0, 4.0), (0.0, (0.0, -1.0), (4.0, 4.0)));
+        let (distance, normal, _) = at(&l_shape(), 6.0, 6.0);
+        assert_eq!(distance, 0.0);
+        assert!(normal == (1.0, 0.0) || normal == (0.0, 1.0));
+    }
+
+    #[test]
+    fn the_winding_does_not_matter() {
+        let mut reversed = l_shape();
+        reversed.reverse();
+        for (x, y) in [(4.0, 3.0), (4.0, 4.5), (9.0, 10.0), (1.625, 4.5), (4.0, 4.0)] {
+            assert_eq!(at(&reversed, x, y), at(&l_shape(), x, y));
+        }
+    }
+
+    #[test]
+    fn a_segment_has_two_outsides() {
+        let segment = points(&[(0.0, 0.0), (4.0, 0.0)]);
+        assert_eq!(at(&segment, 1.0, 2.0), (2.0, (0.0, 1.0), (1.0, 0.0)));
+        assert_eq!(at(&segment, 1.0, -2.0), (2.0, (0.0, -1.0), (1.0, 0.0)));
+        assert_eq!(at(&segment, 7.0, 4.0), (5.0, (0.6, 0.8), (4.0, 0.0)));
+    }
+
+    #[test]
+    fn a_single_point_is_a_corner_without_edges() {
+        let single = points(&[(1.0, 1.0), (1.0, 1.0)]);
+        assert_eq!(at(&single, 4.0, 5.0), (5.0, (0.6, 0.8), (1.0, 1.0)));
+        assert_eq!(nearest(&single, Vector2::new(1.0, 1.0)), None);
+        assert_eq!(nearest(&[], Vector2::new(1.0, 1.0)), None);
+    }
+
+    #[test]
+    fn edges_of_no_length_change_nothing() {
+        let corners = l_shape();
+        let doubled: Vec<_> = corners.iter().flat_map(|corner| [*corner, *corner]).collect();
+        for (x, y) in [(4.0, 3.0), (4.0, 4.5), (9.0, 10.0), (1.625, 4.5), (6.0, 6.0)] {
+            assert_eq!(at(&doubled, x, y), at(&corners, x, y));
+        }
+    }
+
+    #[test]
+    fn coordinates_that_are_not_finite_have_no_nearest_point() {
+        assert_eq!(nearest(&l_shape(), Vector2::new(f32::NAN, 0.0)), None);
+        assert_eq!(nearest(&l_shape(), Vector2::new(f32::INFINITY, 0.0)), None);
+        assert_eq!(nearest(&l_shape(), Vector2::new(f32::MAX, f32::MAX)), None);
+    }
+
+    #[test]
+    fn far_from_the_origin_a_point_by_an_edge_gets_the_edges_normal() {
+        let turned = rectangle((20_000.0, -20_000.0), 100.0, 10.0, 0.3);
+        let (a, b) = (turned[1], turned[2]);
+        let edge = vector2::normalize(b - a);
+        let outward = Vector2::new(-edge.y, edge.x);
+        let found = nearest(&turned, a + (b - a) * 0.3 + outward * 0.01).expect("a nearest point");
+        assert!(vector2::distance(found.normal, outward) < 1e-6);
+    }
+
+    #[test]
+    fn nothing_of_the_outline_is_nearer_and_the_side_is_right() {
+        let mut random = Random(1);
+        for _ in 0..300 {
+            let middle = random.point(500.0);
+            let outline = random.star(middle, 9, 40.0, 1.0);
+            let point = middle + random.point(50.0);
+            let found = nearest(&outline, point).expect("a nearest point");
+            let sampled = edges(&outline)
+                .flat_map(|(a, b)| (0..1000).map(move |i| a + (b - a) * (i as f32 / 1000.0)))
+                .map(|on_outline| vector2::distance(on_outline, point))
+                .fold(f32::INFINITY, f32::min);
+            // Edges are at most 80 long: samples are 0.08 apart, half of which is how much farther they can be.
+            assert!(found.distance.abs() <= sampled + 1e-3 && found.distance.abs() >= sampled - 0.04 - 1e-3);
+            assert!(found.distance.abs() < 0.01 || (found.distance < 0.0) == winds_around(&outline, point));
+            assert!((vector2::length(found.normal) - 1.0).abs() < 1e-6);
+            // Coordinates up to 600 are rounded to 3e-5.
+            let reached = found.point + found.normal * found.distance;
+            assert!(vector2::distance(reached, point) < 3e-4);
+        }
+    }
+}

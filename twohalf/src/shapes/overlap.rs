@@ -188,15 +188,30 @@ fn inner_point(outline: &[Vector2]) -> Option<Vector2> {
 }
 
 /// Adds the vertices of what two outlines have in common: those of one that lie inside or on the other, and the
-/// crossings of their edges. Points may occur twice. Outlines that do not overlap give the points where they touch.
+/// crossings of their edges. Points may occur twice. Outlines that only touch add none.
 pub(crate) fn overlap_points(a: &[Vector2], b: &[Vector2], points: &mut Vec<Vector2>) {
     let Some(pairs) = Pair::both(a, b) else { return };
+    let start = points.len();
+    let mut overlaps = false;
     for pair in &pairs {
-        let inside = pair.this.iter().filter(|vertex| pair.place(**vertex) != Place::Outside);
-        points.extend(inside);
+        for &vertex in pair.this {
+            let place = pair.place(vertex);
+            overlaps |= place == Place::Inside;
+            if place != Place::Outside {
+                points.push(vertex);
+            }
+        }
     }
     let [from_a, _] = pairs;
-    points.extend(from_a.meeting_edges().filter_map(|(edge, other)| crossing(edge, other, from_a.rounding)));
+    for (edge, other) in from_a.meeting_edges() {
+        if let Some(point) = crossing(edge, other, from_a.rounding) {
+            overlaps = true;
+            points.push(point);
+        }
+    }
+    if !(overlaps || outlines_overlap(a, b)) {
+        points.truncate(start);
+    }
 }
 
 /// Two of the points that are far apart: the farthest from the middle of all, and the farthest from that. Both are
@@ -220,4 +235,186 @@ fn farthest(points: &[Vector2], from: Vector2) -> Option<Vector2> {
         }
     }
     Some(best.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::samples::{Random, points, rectangle, winds_around};
+    use super::*;
+
+    fn overlap(a: &[Vector2], b: &[Vector2]) -> bool {
+        let both = [outlines_overlap(a, b), outlines_overlap(b, a)];
+        assert_eq!(both[0], both[1]);
+        both[0]
+    }
+
+    fn common(a: &[Vector2], b: &[Vector2]) -> Vec<Vector2> {
+        let mut found = Vec::new();
+        overlap_points(a, b, &mut found);
+        found
+    }
+
+    #[test]
+    fn crossed_bars_overlap() {
+        for angle in [0.0, 0.7] {
+            let a = rectangle((50.0, 20.0), 100.0, 4.0, angle);
+            let b = rectangle((50.0, 20.0), 4.0, 100.0, angle);
+            assert!(overlap(&a, &b));
+        }
+    }
+
+    #[test]
+    fn crossed_bars_have_the_four_crossings_in_common() {
+        let found = common(&rectangle((0.0, 0.0), 100.0, 4.0, 0.0), &rectangle((0.0, 0.0), 6.0, 100.0, 0.0));
+        assert_eq!(found.len(), 4);
+        for corner in points(&[(-3.0, -2.0), (-3.0, 2.0), (3.0, 2.0), (3.0, -2.0)]) {
+            assert!(found.iter().any(|point| vector2::distance(*point, corner) < 1e-5));
+        }
+    }
+
+    #[test]
+    fn an_outline_within_another_overlaps_it_and_is_what_they_have_in_common() {
+        let (outer, inner) = (rectangle((0.0, 0.0), 10.0, 10.0, 0.0), rectangle((1.0, 1.0), 2.0, 2.0, 0.4));
+        assert!(overlap(&outer, &inner));
+        assert_eq!(common(&outer, &inner), inner);
+    }
+
+    #[test]
+    fn an_outline_overlaps_itself() {
+        for angle in [0.0, 0.4] {
+            let outline = rectangle((300.0, -200.0), 10.0, 20.0, angle);
+            assert!(overlap(&outline, &outline));
+            assert!(outline.iter().all(|corner| common(&outline, &outline).contains(corner)));
+        }
+    }
+
+    #[test]
+    fn rectangles_shifted_along_a_common_edge_overlap() {
+        for angle in [0.0, 0.4] {
+            let along = Vector2::new(libm::cos(angle) as f32, libm::sin(angle) as f32) * 10.0;
+            let a = rectangle((300.0, 200.0), 20.0, 5.0, angle);
+            let b: Vec<_> = a.iter().map(|corner| corner + along).collect();
+            assert!(overlap(&a, &b));
+            let [start, end] = span_of(&common(&a, &b)).expect("two points");
+            // Half of the rectangle: 10 by 5. Rounding of coordinates up to 512: 3e-5 each.
+            assert!((vector2::distance(start, end) - 125.0_f32.sqrt()).abs() < 2e-4);
+        }
+    }
+
+    #[test]
+    fn neighbours_that_share_an_edge_do_not_overlap() {
+        for angle in [0.0, 0.4, 1.1] {
+            let along = Vector2::new(libm::cos(angle) as f32, libm::sin(angle) as f32) * 20.0;
+            let a = rectangle((300.0, 200.0), 20.0, 5.0, angle);
+            let b: Vec<_> = a.iter().map(|corner| corner + along).collect();
+            assert!(!overlap(&a, &b));
+            assert!(common(&a, &b).is_empty());
+        }
+    }
+
+    #[test]
+    fn corners_that_touch_do_not_overlap() {
+        let a = rectangle((0.0, 0.0), 2.0, 2.0, 0.0);
+        assert!(!overlap(&a, &rectangle((2.0, 2.0), 2.0, 2.0, 0.0)));
+        assert!(!overlap(&a, &points(&[(1.0, 0.0), (3.0, 1.0), (3.0, -1.0)])));
+    }
+
+    #[test]
+    fn a_peg_in_a_hole_of_its_width_does_not_overlap_until_it_is_too_deep() {
+        let slot = points(&[
+            (-6.0, 0.0),
+            (-6.0, 9.0),
+            (6.0, 9.0),
+            (6.0, 0.0),
+            (2.0, 0.0),
+            (2.0, 5.0),
+            (-2.0, 5.0),
+            (-2.0, 0.0),
+        ]);
+        assert!(!overlap(&slot, &rectangle((0.0, 1.0), 4.0, 8.0, 0.0)));
+        assert!(overlap(&slot, &rectangle((0.0, 1.5), 4.0, 8.0, 0.0)));
+    }
+
+    #[test]
+    fn edges_that_cross_at_vertices_only_overlap() {
+        let diamond = points(&[(-1.0, 0.0), (0.0, 1.0), (1.0, 0.0), (0.0, -1.0)]);
+        let other = points(&[(-1.0, 0.0), (1.0, 0.0), (0.0, -5.0)]);
+        assert!(overlap(&diamond, &other));
+    }
+
+    #[test]
+    fn what_has_no_inside_does_not_overlap() {
+        let square = rectangle((0.0, 0.0), 2.0, 2.0, 0.0);
+        let flat =
+            [&[][..], &[(0.0, 0.0)], &[(-5.0, 0.0), (5.0, 0.0)], &[(-5.0, 0.0), (0.0, 0.0), (5.0, 0.0)]];
+        for flat in flat {
+            assert!(!overlap(&square, &points(flat)));
+        }
+        let broken = points(&[(f32::NAN, 0.0), (1.0, 0.0), (0.0, 1.0)]);
+        assert!(!overlap(&square, &broken));
+        assert!(common(&square, &broken).is_empty());
+    }
+
+    #[test]
+    fn outlines_overlap_where_they_have_points_in_common_and_only_there() {
+        let mut random = Random(2);
+        let (mut overlapping, mut apart) = (0, 0);
+        for _ in 0..1000 {
+            let middle = random.point(100.0);
+            let a = random.star(middle, 8, 20.0, 1.0);
+            let away = middle + random.point(30.0);
+            let b = random.star(away, 5, 20.0, 1.0);
+            let in_both = |point: Vector2| winds_around(&a, point) && winds_around(&b, point);
+            if overlap(&a, &b) {
+                overlapping += 1;
+                let found = common(&a, &b);
+                let near = |point: &Vector2| {
+                    (0..64).any(|i| {
+                        let angle = f64::from(i) * std::f64::consts::TAU / 64.0;
+                        in_both(point + Vector2::new(libm::cos(angle) as f32, libm::sin(angle) as f32) * 0.01)
+                    })
+                };
+                // A sliver may be thinner than that, but then it is a triangle.
+                let middle = found.iter().sum::<Vector2>() / found.len() as f32;
+                assert!(found.len() >= 3 && (found.iter().any(near) || in_both(middle)));
+            } else {
+                apart += 1;
+                assert!((0..300).all(|_| !in_both(middle + random.point(25.0))));
+            }
+        }
+        assert!(overlapping > 200 && apart > 200);
+    }
+
+    #[test]
+    fn no_point_in_common_is_beyond_the_vertices_of_the_overlap() {
+        let mut random = Random(3);
+        for _ in 0..300 {
+            let a = random.star(Vector2::zeros(), 8, 20.0, 1.0);
+            let away = random.point(10.0);
+            let b = random.star(away, 7, 20.0, 1.0);
+            let direction = vector2::normalize(random.point(1.0));
+            let farthest = |points: &[Vector2]| {
+                points.iter().map(|point| vector2::dot(*point, direction)).fold(f32::NEG_INFINITY, f32::max)
+            };
+            let limit = farthest(&common(&a, &b));
+            for _ in 0..200 {
+                let point = random.point(20.0);
+                let is_common = winds_around(&a, point) && winds_around(&b, point);
+                assert!(!is_common || vector2::dot(point, direction) <= limit + 1e-4);
+            }
+        }
+    }
+
+    #[test]
+    fn the_span_of_a_rectangle_is_a_diagonal() {
+        let [start, end] = span_of(&rectangle((7.0, 3.0), 8.0, 6.0, 0.0)).expect("two points");
+        assert_eq!(start - end, Vector2::new(-8.0, -6.0));
+    }
+
+    #[test]
+    fn the_span_of_coincident_points_is_that_point_twice() {
+        let point = Vector2::new(3.0, 4.0);
+        assert_eq!(span_of(&[point; 3]), Some([point, point]));
+        assert_eq!(span_of(&[]), None);
+    }
 }

@@ -1,9 +1,254 @@
-#![allow(dead_code, unused)]
-use super::SlantedBox; use farseer_core::math::{Vector2,Vector3};
-use serde::{Serialize, Deserialize};
+//! Where a prism, an outline with depth, touches a slanted box.
+//!
+//! Frame: the plane's, x right, y **down**, z into the picture. Normals lead from the box to the prism.
+//!
+//! Within the depths that both have, the prism is a column over its outline, so the two overlap exactly when the
+//! outline overlaps what the box covers of the plane between those depths. Outlines are tested by the separating axis
+//! theorem (Gottschalk 1996); points come from clipping the edge of one against the edge of the other that was chosen
+//! as reference. Through which surface the prism leaves is decided once, when the pair begins to touch: the one that
+//! it entered last, by the way it moves. Least overlap alone would throw an object sideways that lands deep in a
+//! platform near its edge.
+
+mod axes;
+mod points;
+mod swept_outline;
+
+use farseer_core::math::{Vector2, Vector3};
+use serde::{Deserialize, Serialize};
+
+use super::{SlantedBox, overlap_points, span_of};
+use axes::Candidate;
+use points::Choice;
+use swept_outline::{BoxEdge, SweptOutline};
+
+/// An edge that has turned further than this since it was chosen (cosine of the angle, about 18 degrees) is chosen
+/// anew.
+const TURNED: f32 = 0.95;
+/// Pieces whose normals agree to this cosine (about 25 degrees) share a contact.
+const AGREES: f32 = 0.9;
+/// In units of slop: contacts that are this shallow are surfaces that something rests on or slides along.
+const SHALLOW: f32 = 2.0;
+
+/// The surface through which a prism leaves a box, from one step to the next.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub(crate) struct KeptAxis(u8);
+pub(crate) enum KeptAxis {
+    /// The front or the back of the box.
+    Depth { is_front: bool },
+    /// An edge of an outline; `normal` is what it was when it was chosen.
+    Plane { edge: Edge, normal: Vector2 },
+}
+
+/// An edge of one of the two outlines.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) enum Edge {
+    Box(BoxEdge),
+    Prism { piece: u32, edge: u32 },
+}
+
+/// Where a prism touches a box.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct BoxManifold {
+    /// Unit vector from the box to the prism.
+    pub(crate) normal: Vector3,
+    pub(crate) points: [BoxPoint; 2],
+    pub(crate) count: usize,
+    pub(crate) kept: KeptAxis,
+    pub(crate) is_depth: bool,
+}
+
+/// A point where a prism touches a box.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct BoxPoint {
+    pub(crate) position: Vector3,
+    /// Negative where they overlap.
+    pub(crate) separation: f32,
+    /// Names the vertex that is here, of the prism or of the box, from step to step.
+    pub(crate) feature: u32,
+}
+
+const NO_POINT: BoxPoint = BoxPoint { position: Vector3::new(0.0, 0.0, 0.0), separation: 0.0, feature: 0 };
+
+/// Where a prism touches a box, and through which surface it leaves. `pieces` are the convex pieces of its outline,
+/// `velocity` is its velocity relative to the box, `slop` the overlap of things at rest. None when they do not overlap;
+/// things that only touch do not.
+#[expect(clippy::too_many_arguments, reason = "two shapes, how they move, and what is remembered of them")]
+pub(crate) fn prism_box<'a>(
+    shape: &SlantedBox,
+    pieces: impl Iterator<Item = &'a [Vector2]> + Clone,
+    prism_z: f32,
+    prism_half_depth: f32,
+    velocity: Vector3,
+    slop: f32,
+    kept: Option<KeptAxis>,
+    scratch: &mut Vec<Vector2>,
+) -> Option<BoxManifold> {
+    let offset = prism_z - shape.centre.z;
+    let reach = prism_half_depth + shape.half[2];
+    // Two sheets at the same depth overlap, too.
+    if !(offset.abs() < reach || (offset == 0.0 && reach == 0.0)) {
+        return None;
+    }
+    let near = (prism_z - prism_half_depth).max(shape.centre.z - shape.half[2]);
+    let far = (prism_z + prism_half_depth).min(shape.centre.z + shape.half[2]);
+    let overhang = [near - (prism_z - prism_half_depth), prism_z + prism_half_depth - far];
+    let outline = SweptOutline::new(shape, near, far);
+    let are_several = pieces.clone().nth(1).is_some();
+    let meeting = Meeting { shape, pieces, are_several, outline, overhang, velocity, slop };
+    let plane = meeting.in_plane(kept)?;
+    let front = Depth { is_front: true, penetration: reach + offset };
+    let back = Depth { is_front: false, penetration: reach - offset };
+    let depth = match kept {
+        Some(KeptAxis::Depth { is_front }) => Some(if is_front { front } else { back }),
+        Some(KeptAxis::Plane { .. }) => None,
+        None if velocity.z == 0.0 => None,
+        None => {
+            Some(if velocity.z > 0.0 { front } else { back }).filter(|depth| meeting.leaves(depth, &plane))
+        }
+    };
+    let manifold = match depth {
+        Some(depth) => meeting.depth_manifold(depth, &plane, scratch),
+        None => meeting.plane_manifold(kept, &plane),
+    };
+    manifold.is_finite().then_some(manifold)
+}
+
+impl BoxManifold {
+    fn is_finite(&self) -> bool {
+        let finite = |v: Vector3| v.iter().all(|number| number.is_finite());
+        let points = &self.points[..self.count];
+        finite(self.normal)
+            && points.iter().all(|point| finite(point.position) && point.separation.is_finite())
+    }
+}
+
+/// A prism and a box that overlap in depth.
+struct Meeting<'a, I> {
+    shape: &'a SlantedBox,
+    pieces: I,
+    are_several: bool,
+    outline: SweptOutline,
+    /// How far the prism reaches beyond the depths that both have, in front and behind.
+    overhang: [f32; 2],
+    velocity: Vector3,
+    slop: f32,
+}
+
+/// Leaving through the front or the back.
 #[derive(Clone, Copy)]
-pub(crate) struct BoxPoint { pub(crate) position: Vector3, pub(crate) separation: f32, pub(crate) feature: u32 }
-pub(crate) struct BoxManifold { pub(crate) normal: Vector3, pub(crate) points: [BoxPoint;2], pub(crate) count: usize, pub(crate) kept: KeptAxis, pub(crate) is_depth: bool }
-pub(crate) fn prism_box<'a>(b: &SlantedBox, pieces: impl Iterator<Item=&'a [Vector2]> + Clone, z: f32, half: f32, v: Vector3, slop: f32, kept: Option<KeptAxis>, scratch: &mut Vec<Vector2>) -> Option<BoxManifold> { None }
+struct Depth {
+    is_front: bool,
+    penetration: f32,
+}
+/// How the prism leaves in the plane: as its deepest piece does.
+struct Plane {
+    deepest: Choice,
+    /// When the first piece met the box, in seconds before now.
+    time: f32,
+    overlapping: usize,
+}
+/// From the pieces to the whole.
+impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
+    fn in_plane(&self, kept: Option<KeptAxis>) -> Option<Plane> {
+        let mut plane: Option<Plane> = None;
+        for (vertices, piece) in self.pieces.clone().zip(0..) {
+            let Some((choice, time)) = self.choose(piece, vertices, kept) else { continue };
+            match &mut plane {
+                None => plane = Some(Plane { deepest: choice, time, overlapping: 1 }),
+                Some(plane) => {
+                    plane.overlapping += 1;
+                    plane.time = plane.time.max(time);
+                    if choice.depth() > plane.deepest.depth() {
+                        plane.deepest = choice;
+                    }
+                }
+            }
+        }
+        plane
+    }
+
+    /// Whether a prism that begins to touch entered in depth last.
+    fn leaves(&self, depth: &Depth, plane: &Plane) -> bool {
+        let in_plane = plane.deepest.candidate.penetration;
+        let is_shallow = depth.penetration.min(in_plane) <= SHALLOW * self.slop;
+        let time = depth.penetration / self.velocity.z.abs();
+        let (first, last) = if time < plane.time { (time, plane.time) } else { (plane.time, time) };
+        if is_shallow || last <= self.tie(first) { depth.penetration < in_plane } else { time < plane.time }
+    }
+
+    fn plane_manifold(&self, kept: Option<KeptAxis>, plane: &Plane) -> BoxManifold {
+        let Choice { candidate, mut points, mut count } = plane.deepest;
+        if plane.overlapping > 1 {
+            (points, count) = self.of_several(kept, plane);
+        }
+        if count == 2 && points[1].separation < points[0].separation {
+            points.swap(0, 1);
+        }
+        // While it stays the same edge it keeps the direction that it had when it was chosen.
+        let kept = match kept {
+            Some(KeptAxis::Plane { edge, normal })
+                if edge == candidate.edge && candidate.normal.dot(&normal) > TURNED =>
+            {
+                KeptAxis::Plane { edge, normal }
+            }
+            _ => KeptAxis::Plane { edge: candidate.edge, normal: candidate.normal },
+        };
+        BoxManifold { normal: candidate.normal3d, points, count, kept, is_depth: false }
+    }
+
+    /// The two outermost points of the pieces that leave in the direction of the deepest; or the deepest point and
+    /// the one farther from it, if it is not among them.
+    fn of_several(&self, kept: Option<KeptAxis>, plane: &Plane) -> ([BoxPoint; 2], usize) {
+        let normal = plane.deepest.candidate.normal;
+        let place = |point: &BoxPoint| normal.x * point.position.y - normal.y * point.position.x;
+        let first = plane.deepest.points[0];
+        let (mut low, mut high, mut deepest) = (first, first, first);
+        for (vertices, piece) in self.pieces.clone().zip(0..) {
+            let Some((choice, _)) = self.choose(piece, vertices, kept) else { continue };
+            let count = if choice.candidate.normal.dot(&normal) > AGREES { choice.count } else { 0 };
+            for point in &choice.points[..count] {
+                if place(point) < place(&low) {
+                    low = *point;
+                }
+                if place(point) > place(&high) {
+                    high = *point;
+                }
+                if point.separation < deepest.separation {
+                    deepest = *point;
+                }
+            }
+        }
+        if deepest.separation < low.separation.min(high.separation) - self.slop {
+            let is_nearer = place(&deepest) - place(&low) < place(&high) - place(&deepest);
+            (low, high) = (deepest, if is_nearer { high } else { low });
+        }
+        ([low, high], if low.feature == high.feature { 1 } else { 2 })
+    }
+
+    fn depth_manifold(&self, depth: Depth, plane: &Plane, scratch: &mut Vec<Vector2>) -> BoxManifold {
+        let sign = if depth.is_front { -1.0 } else { 1.0 };
+        let z = self.shape.centre.z + sign * self.shape.half[2];
+        let corners = self.outline.in_plane(self.shape);
+        scratch.clear();
+        for piece in self.pieces.clone() {
+            overlap_points(&corners[..self.outline.len()], piece, scratch);
+        }
+        // An overlap so thin that it has no points of its own is where the outlines touch in the plane.
+        let mut ends = span_of(scratch).unwrap_or(plane.deepest.points.map(|point| point.position.xy()));
+        if (ends[1].x, ends[1].y) < (ends[0].x, ends[0].y) {
+            ends.swap(0, 1);
+        }
+        let is_one = ends[0] == ends[1] || (scratch.is_empty() && plane.deepest.count == 1);
+        let point = |index: usize| BoxPoint {
+            position: Vector3::new(ends[index].x, ends[index].y, z),
+            separation: -depth.penetration,
+            feature: index as u32,
+        };
+        BoxManifold {
+            normal: Vector3::new(0.0, 0.0, sign),
+            points: [point(0), point(1)],
+            count: if is_one { 1 } else { 2 },
+            kept: KeptAxis::Depth { is_front: depth.is_front },
+            is_depth: true,
+        }
+    }
+}

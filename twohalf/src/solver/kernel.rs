@@ -121,7 +121,12 @@ impl SpaceBody {
 
 impl Row {
     /// A contact point before the pre-step.
-    pub(super) fn new(normal: [f32; 3], position: [f32; 3], centres: [[f32; 3]; 2], point: &TouchPoint) -> Self {
+    pub(super) fn new(
+        normal: [f32; 3],
+        position: [f32; 3],
+        centres: [[f32; 3]; 2],
+        point: &TouchPoint,
+    ) -> Self {
         Row {
             normal,
             tangents: tangents_of(normal),
@@ -205,10 +210,7 @@ impl Row {
         let slip = [dot(velocity, first), dot(velocity, second)];
         let [m11, m22, m12] = self.tangent_mass;
         let old = self.friction_impulse;
-        let wanted = [
-            old[0] - (m11 * slip[0] + m12 * slip[1]),
-            old[1] - (m22 * slip[1] + m12 * slip[0]),
-        ];
+        let wanted = [old[0] - (m11 * slip[0] + m12 * slip[1]), old[1] - (m22 * slip[1] + m12 * slip[0])];
         self.friction_impulse = if wanted[1] == 0.0 && slip[1] == 0.0 {
             [wanted[0].clamp(-limit, limit), wanted[1]]
         } else if wanted[0] * wanted[0] + wanted[1] * wanted[1] <= limit * limit {
@@ -263,7 +265,9 @@ mod tests {
         for n in [[0.0, -1.0, 0.0], [0.6, 0.8, 0.0], [0.0, 0.0, -1.0], [third; 3], [0.05, 0.0, 0.998_749]] {
             let [a, b] = tangents_of(n);
             // Unit within the rounding of the normals given.
-            for (value, expected) in [(dot(a, a), 1.0), (dot(b, b), 1.0), (dot(a, b), 0.0), (dot(a, n), 0.0), (dot(b, n), 0.0)] {
+            for (value, expected) in
+                [(dot(a, a), 1.0), (dot(b, b), 1.0), (dot(a, b), 0.0), (dot(a, n), 0.0), (dot(b, n), 0.0)]
+            {
                 assert!((value - expected).abs() < 1e-5, "{n:?}: {value} is not {expected}");
             }
         }

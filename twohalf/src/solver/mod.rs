@@ -149,7 +149,9 @@ impl SpaceSolver {
             Some(body) => self.gather_body(core, depths, body),
             None => Some(WORLD),
         };
-        let (Some(body_a), Some(body_b)) = (body_a, self.gather_body(core, depths, touch.body)) else { return };
+        let (Some(body_a), Some(body_b)) = (body_a, self.gather_body(core, depths, touch.body)) else {
+            return;
+        };
         let centres = [body_a, body_b].map(|body| self.states[body as usize].centre);
         let first_row = self.rows.len() as u32;
         for point in list.points_of(touch) {
@@ -177,8 +179,7 @@ impl SpaceSolver {
         }
         let place = core.solver_place(id)?;
         let body = core.body(id)?;
-        let inverse_inertia =
-            if is_ball(core, depths, id) { body.inverse_moment_of_inertia() } else { 0.0 };
+        let inverse_inertia = if is_ball(core, depths, id) { body.inverse_moment_of_inertia() } else { 0.0 };
         let index = self.states.len() as u32;
         self.states.push(DepthState {
             place: Some(place),
@@ -266,7 +267,11 @@ impl SpaceSolver {
         (state.angular_x, state.angular_y) = (angular_x, angular_y);
         core.set_solver_body(
             plane,
-            SolverBody { velocity: [x, y, spin], bias: [bias_x, bias_y, body.bias_spin], ..SolverBody::default() },
+            SolverBody {
+                velocity: [x, y, spin],
+                bias: [bias_x, bias_y, body.bias_spin],
+                ..SolverBody::default()
+            },
         );
     }
 
@@ -324,6 +329,7 @@ fn is_ball(core: &PhysicsSimulator, depths: &Depths, body: BodyId) -> bool {
     let is_centred = |offset: crate::Vector2| offset.x == 0.0 && offset.y == 0.0;
     !geoms.is_empty()
         && geoms.iter().all(|&geom| {
-            is_round(depths.profiles.get(geom)) && core.geom(geom).is_some_and(|geom| is_centred(geom.offset()))
+            is_round(depths.profiles.get(geom))
+                && core.geom(geom).is_some_and(|geom| is_centred(geom.offset()))
         })
 }

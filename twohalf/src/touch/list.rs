@@ -124,7 +124,13 @@ impl TouchList {
     }
 
     /// Appends a contact with the impulses that its points had in the last update. One that is not finite is none.
-    pub(super) fn push(&mut self, subject: Subject, manifold: &Manifold, surfaces: Surfaces, last: &TouchList) {
+    pub(super) fn push(
+        &mut self,
+        subject: Subject,
+        manifold: &Manifold,
+        surfaces: Surfaces,
+        last: &TouchList,
+    ) {
         if !manifold.is_finite() {
             return;
         }
@@ -170,7 +176,9 @@ impl TouchList {
         let point_is_finite = |point: &TouchPoint| {
             let [along, across] = point.friction_impulse;
             let numbers = [point.separation, point.normal_impulse, along, across];
-            finite(&point.position) && finite(&point.normal) && numbers.iter().all(|number| number.is_finite())
+            finite(&point.position)
+                && finite(&point.normal)
+                && numbers.iter().all(|number| number.is_finite())
         };
         self.touches.windows(2).all(|pair| pair[0].key <= pair[1].key)
             && self.touches.iter().all(in_bounds)

@@ -69,7 +69,8 @@ impl Manifold {
 
     fn is_finite(&self) -> bool {
         let finite = |v: Vector3| v.iter().all(|number| number.is_finite());
-        finite(self.normal) && self.spots().iter().all(|spot| finite(spot.position) && spot.separation.is_finite())
+        finite(self.normal)
+            && self.spots().iter().all(|spot| finite(spot.position) && spot.separation.is_finite())
     }
 }
 

@@ -7,7 +7,8 @@ use super::{Kept, MAX_POINTS, Manifold, Spot, Surfaces};
 use crate::depth::DepthProfile;
 use crate::pairs::SpacePair;
 use crate::shapes::{
-    ball_ball, ball_prism, ball_prism_through_face, entry_face_of_prism, outlines_overlap, overlap_points, span_of,
+    ball_ball, ball_prism, ball_prism_through_face, entry_face_of_prism, outlines_overlap, overlap_points,
+    span_of,
 };
 use crate::world::{Reach, World};
 use crate::{Methods, Partner, Vector2, Vector3};

@@ -50,12 +50,8 @@ fn touch_platform(
         DepthProfile::Prism { .. } => of_prism(core, world, geom, view, platform.shape(), kept),
     }?;
     let settings = platform.settings();
-    let surfaces = Surfaces::combine(
-        core,
-        view,
-        settings.friction_coefficient(),
-        settings.restitution_coefficient(),
-    )?;
+    let surfaces =
+        Surfaces::combine(core, view, settings.friction_coefficient(), settings.restitution_coefficient())?;
     let subject = Subject {
         key,
         this: geom,

@@ -1,0 +1,191 @@
+//! Along which axes a piece of a prism overlaps a box, since when, and which of them it leaves along.
+//!
+//! Frame: the plane's, x right, y **down**, z into the picture.
+//!
+//! Source: the separating axis theorem (Gottschalk 1996). The axes of a prism and a sheared box are the normals of both
+//! outlines' edges, leaning in depth with the box or not (a side against an end, an edge against an edge), the y axis
+//! where the box is sheared, and the z axis.
+
+use farseer_core::math::{Vector2, Vector3};
+
+use super::points::Choice;
+use super::swept_outline::BoxEdge;
+use super::{Edge, KeptAxis, Meeting, SHALLOW, TURNED};
+
+/// An axis of the plane along which a piece and the box overlap.
+#[derive(Clone, Copy)]
+pub(super) struct Candidate {
+    pub(super) edge: Edge,
+    /// In the plane, from the box to the prism.
+    pub(super) normal: Vector2,
+    pub(super) normal3d: Vector3,
+    pub(super) penetration: f32,
+    /// An overlap of `d` in the plane is one of `(d + sink) / stretch` along `normal3d`.
+    pub(super) sink: f32,
+    pub(super) stretch: f32,
+    /// Seconds since the axis was entered; infinite when nothing closes in along it.
+    pub(super) time: f32,
+}
+/// Least overlap and least time of a piece's axes.
+pub(super) struct Survey {
+    least_penetration: f32,
+    least_time: f32,
+}
+/// Axes.
+impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
+    /// A vertex relative to the box's centre.
+    pub(super) fn relative(&self, vertex: Vector2) -> Vector2 {
+        Vector2::new(vertex.x - self.shape.centre.x, vertex.y - self.shape.centre.y)
+    }
+
+    fn time(&self, penetration: f32, normal: Vector3) -> f32 {
+        let closing = -self.velocity.dot(&normal);
+        if closing > 0.0 { penetration / closing } else { f32::INFINITY }
+    }
+
+    /// The axis in space that belongs to one in the plane, `overlap` the overlap along that. The sides of a sheared box
+    /// lean in depth: where an end of the prism meets one, the prism leaves along the side's normal. A prism that
+    /// reaches beyond the end of the box meets the end's edge and leaves within the plane.
+    fn candidate(&self, edge: Edge, normal: Vector2, overlap: f32) -> Candidate {
+        let lean = self.shape.shear * normal.x;
+        let sink = lean.abs() * if lean > 0.0 { self.overhang[1] } else { self.overhang[0] };
+        let stretch = self.shape.stretch(normal);
+        let along = (overlap + sink) / stretch;
+        let (normal3d, penetration, sink, stretch) = if lean != 0.0 && along <= overlap {
+            (Vector3::new(normal.x, normal.y, -lean) / stretch, along, sink, stretch)
+        } else {
+            (Vector3::new(normal.x, normal.y, 0.0), overlap, 0.0, 1.0)
+        };
+        let time = self.time(penetration, normal3d);
+        Candidate { edge, normal, normal3d, penetration, sink, stretch, time }
+    }
+
+    fn box_candidate(&self, position: usize, vertices: &[Vector2]) -> Candidate {
+        let edge = self.outline.edge(position);
+        let normal = edge.normal(self.shape);
+        let support = normal.dot(&self.outline.vertices()[position]);
+        let distances = vertices.iter().map(|&vertex| normal.dot(&self.relative(vertex)));
+        let nearest = distances.fold(f32::INFINITY, f32::min);
+        self.candidate(Edge::Box(edge), normal, support - nearest)
+    }
+
+    /// None for an edge without length.
+    fn prism_candidate(&self, piece: u32, edge: usize, vertices: &[Vector2]) -> Option<Candidate> {
+        let outward = outward_normal(vertices, edge)?;
+        let support = outward.dot(&self.relative(vertices[edge]));
+        let nearest =
+            self.outline.vertices().iter().map(|vertex| outward.dot(vertex)).fold(f32::INFINITY, f32::min);
+        Some(self.candidate(Edge::Prism { piece, edge: edge as u32 }, -outward, support - nearest))
+    }
+
+    fn candidates(&self, piece: u32, vertices: &[Vector2]) -> impl Iterator<Item = Candidate> {
+        let of_box = (0..self.outline.len()).map(move |position| self.box_candidate(position, vertices));
+        let of_prism =
+            (0..vertices.len()).filter_map(move |edge| self.prism_candidate(piece, edge, vertices));
+        of_box.chain(of_prism)
+    }
+
+    /// Those through which the prism can leave: not the cuts between its pieces.
+    fn exits(&self, piece: u32, vertices: &[Vector2]) -> impl Iterator<Item = Candidate> {
+        self.candidates(piece, vertices).filter(move |candidate| !self.is_cut(candidate.edge, vertices))
+    }
+
+    /// Whether another piece has the same edge the other way round.
+    fn is_cut(&self, edge: Edge, vertices: &[Vector2]) -> bool {
+        let Edge::Prism { edge, .. } = edge else { return false };
+        if !self.are_several {
+            return false;
+        }
+        let ends = (vertices[edge as usize], vertices[next(edge as usize, vertices)]);
+        let has_it = |other: &[Vector2]| {
+            (0..other.len()).any(|start| (other[next(start, other)], other[start]) == ends)
+        };
+        self.pieces.clone().any(has_it)
+    }
+
+    /// None when an axis separates them.
+    fn survey(&self, piece: u32, vertices: &[Vector2]) -> Option<Survey> {
+        if !self.candidates(piece, vertices).all(|candidate| candidate.penetration > 0.0) {
+            return None;
+        }
+        let none = Survey { least_penetration: f32::INFINITY, least_time: f32::INFINITY };
+        let survey = self.exits(piece, vertices).fold(none, |survey, candidate| Survey {
+            least_penetration: survey.least_penetration.min(candidate.penetration),
+            least_time: survey.least_time.min(candidate.time),
+        });
+        survey.least_penetration.is_finite().then_some(survey)
+    }
+
+    fn kept_candidate(&self, piece: u32, vertices: &[Vector2], kept: Option<KeptAxis>) -> Option<Candidate> {
+        let Some(KeptAxis::Plane { edge, normal }) = kept else { return None };
+        let candidate = match edge {
+            Edge::Box(edge) => self.box_candidate(self.outline.position_of(edge)?, vertices),
+            Edge::Prism { piece: of, edge } if of == piece && (edge as usize) < vertices.len() => {
+                self.prism_candidate(piece, edge as usize, vertices)?
+            }
+            Edge::Prism { .. } => return None,
+        };
+        (candidate.normal.dot(&normal) > TURNED).then_some(candidate)
+    }
+
+    /// The axis with the least overlap among those entered last, or among all when something only rests or slides
+    /// here: otherwise the seam of two platforms at the same height would stop what slides from one to the other.
+    fn entered_last(&self, piece: u32, vertices: &[Vector2], survey: &Survey) -> Option<Candidate> {
+        let is_shallow = survey.least_penetration <= SHALLOW * self.slop;
+        let latest = if is_shallow { f32::INFINITY } else { self.tie(survey.least_time) };
+        least(self.exits(piece, vertices).filter(|candidate| candidate.time <= latest))
+    }
+
+    /// Times up to this are as good as the given one.
+    pub(super) fn tie(&self, time: f32) -> f32 {
+        time + self.slop / self.velocity.norm()
+    }
+
+    /// How one piece leaves; with the time when it met the box.
+    pub(super) fn choose(
+        &self,
+        piece: u32,
+        vertices: &[Vector2],
+        kept: Option<KeptAxis>,
+    ) -> Option<(Choice, f32)> {
+        let survey = self.survey(piece, vertices)?;
+        let with_points = |candidate| self.clipped(candidate, piece, vertices);
+        let chosen = match kept {
+            None => self.entered_last(piece, vertices, &survey).map(with_points),
+            Some(_) => {
+                let kept = self.kept_candidate(piece, vertices, kept).map(with_points);
+                let is_near = |choice: &Choice| {
+                    choice.depth() > SHALLOW * self.slop
+                        || choice.candidate.penetration < survey.least_penetration + self.slop
+                };
+                kept.filter(|choice| choice.count > 0 && is_near(choice))
+            }
+        };
+        let choice = match chosen.filter(|choice| choice.count > 0) {
+            Some(choice) => choice,
+            None => with_points(least(self.exits(piece, vertices))?),
+        };
+        Some((
+            if choice.count > 0 { choice } else { self.at_support(choice, piece, vertices) },
+            survey.least_time,
+        ))
+    }
+}
+
+/// Index of the vertex after another one.
+pub(super) fn next(index: usize, vertices: &[Vector2]) -> usize {
+    if index + 1 == vertices.len() { 0 } else { index + 1 }
+}
+
+/// Outward unit normal of an edge of an outline; None for an edge without length.
+pub(super) fn outward_normal(vertices: &[Vector2], edge: usize) -> Option<Vector2> {
+    let along = vertices[next(edge, vertices)] - vertices[edge];
+    let length = along.norm();
+    (length > 0.0 && length.is_finite()).then(|| Vector2::new(-along.y / length, along.x / length))
+}
+
+/// The first candidate with the least overlap.
+fn least(candidates: impl Iterator<Item = Candidate>) -> Option<Candidate> {
+    candidates
+        .reduce(|best, candidate| if candidate.penetration < best.penetration { candidate } else { best })
+}

@@ -1,0 +1,163 @@
+//! The points of a contact in the plane: the edge of one outline clipped against the edge of the other.
+//!
+//! Frame: the plane's, x right, y **down**, z into the picture; relative to the box's centre until the end.
+
+use farseer_core::math::{Vector2, Vector3};
+
+use super::axes::{Candidate, next, outward_normal};
+use super::{BoxPoint, Edge, Meeting, NO_POINT};
+
+/// How a piece leaves in the plane, with its points.
+#[derive(Clone, Copy)]
+pub(super) struct Choice {
+    pub(super) candidate: Candidate,
+    pub(super) points: [BoxPoint; 2],
+    pub(super) count: usize,
+}
+/// An edge in the plane whose ends have names.
+struct Segment {
+    ends: [Vector2; 2],
+    depths: [f32; 2],
+    features: [u32; 2],
+}
+
+impl Segment {
+    /// Depth of the point at a share of the way; of the start if there is no way.
+    fn depth_at(&self, share: f32) -> f32 {
+        let share = if share.is_finite() { share } else { 0.0 };
+        self.depths[0] + (self.depths[1] - self.depths[0]) * share
+    }
+}
+
+impl Choice {
+    fn push(&mut self, point: BoxPoint) {
+        self.points[self.count] = point;
+        self.count += 1;
+    }
+
+    pub(super) fn depth(&self) -> f32 {
+        self.points[..self.count].iter().fold(0.0, |depth, point| depth.max(-point.separation))
+    }
+}
+
+/// Points.
+impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
+    fn box_segment(&self, start: usize) -> Segment {
+        let outline = &self.outline;
+        let both = [start, next(start, outline.vertices())];
+        Segment {
+            ends: both.map(|index| outline.vertices()[index]),
+            depths: both.map(|index| outline.depth(index)),
+            features: both.map(|index| 1 << 31 | outline.label(index)),
+        }
+    }
+
+    fn prism_segment(&self, piece: u32, start: usize, vertices: &[Vector2]) -> Segment {
+        let both = [start, next(start, vertices)];
+        Segment {
+            ends: both.map(|index| self.relative(vertices[index])),
+            depths: [0.0; 2],
+            features: both.map(|index| (piece << 16 | index as u32) & !(1 << 31)),
+        }
+    }
+
+    /// The edge of the piece that faces a normal most.
+    fn prism_edge_against(&self, normal: Vector2, vertices: &[Vector2]) -> Option<usize> {
+        let facing = |edge| Some((edge, outward_normal(vertices, edge)?.dot(&normal)));
+        let opposite = (0..vertices.len()).filter_map(facing).reduce(|a, b| if b.1 < a.1 { b } else { a })?;
+        Some(opposite.0)
+    }
+
+    fn box_edge_along(&self, normal: Vector2) -> usize {
+        let facing = |position| self.outline.edge(position).normal(self.shape).dot(&normal);
+        (0..self.outline.len())
+            .fold(0, |best, position| if facing(position) > facing(best) { position } else { best })
+    }
+
+    /// The overlapping points of the edge opposite to the chosen one, within the chosen one's width.
+    pub(super) fn clipped(&self, candidate: Candidate, piece: u32, vertices: &[Vector2]) -> Choice {
+        let mut choice = Choice { candidate, points: [NO_POINT; 2], count: 0 };
+        let normal = candidate.normal;
+        let (reference, incident) = match candidate.edge {
+            Edge::Box(edge) => {
+                let Some(start) = self.prism_edge_against(normal, vertices) else { return choice };
+                let Some(position) = self.outline.position_of(edge) else { return choice };
+                (self.box_segment(position), self.prism_segment(piece, start, vertices))
+            }
+            Edge::Prism { edge, .. } => (
+                self.prism_segment(piece, edge as usize, vertices),
+                self.box_segment(self.box_edge_along(normal)),
+            ),
+        };
+        // The outlines run against each other: the end of the one is at the start of the other.
+        let along = Vector2::new(normal.y, -normal.x);
+        let is_box = matches!(candidate.edge, Edge::Box(_));
+        let sign = if is_box { 1.0 } else { -1.0 };
+        let place = |point: Vector2| along.dot(&point) * sign;
+        let [start, end] = reference.ends.map(place);
+        let [from, to] = incident.ends.map(place);
+        let surface = normal.dot(&reference.ends[0]);
+        // (share of the way along the incident edge, feature) of its two points.
+        let first = if from > end {
+            ((end - from) / (to - from), reference.features[1])
+        } else {
+            (0.0, incident.features[0])
+        };
+        let last = if to < start {
+            ((start - from) / (to - from), reference.features[0])
+        } else {
+            (1.0, incident.features[1])
+        };
+        let is_within = from >= start && to <= end && first.0 <= last.0;
+        if !is_within {
+            return choice;
+        }
+        for (share, feature) in [first, last] {
+            let point = incident.ends[0] + (incident.ends[1] - incident.ends[0]) * share;
+            let gap = (normal.dot(&point) - surface) * sign;
+            if !(gap < 0.0) {
+                continue;
+            }
+            let separation = (gap - candidate.sink) / candidate.stretch;
+            let z = if is_box {
+                reference.depth_at((place(point) - start) / (end - start))
+            } else {
+                incident.depth_at(share)
+            };
+            let position = self.position(point, z);
+            if choice.count == 0 || position != choice.points[0].position {
+                choice.push(BoxPoint { position, separation, feature });
+            }
+        }
+        choice
+    }
+
+    fn position(&self, point: Vector2, z: f32) -> Vector3 {
+        Vector3::new(self.shape.centre.x + point.x, self.shape.centre.y + point.y, z)
+    }
+
+    /// A candidate that clipping gave no point gets the vertex that is farthest in.
+    pub(super) fn at_support(&self, mut choice: Choice, piece: u32, vertices: &[Vector2]) -> Choice {
+        let Candidate { edge, normal, penetration, .. } = choice.candidate;
+        let (position, feature) = match edge {
+            Edge::Box(edge) => {
+                let distance = |index: usize| normal.dot(&self.relative(vertices[index]));
+                let nearest = (0..vertices.len())
+                    .fold(0, |best, i| if distance(i) < distance(best) { i } else { best });
+                let segment = self.prism_segment(piece, nearest, vertices);
+                let start = self.outline.position_of(edge).unwrap_or(0);
+                (self.position(segment.ends[0], self.box_segment(start).depth_at(0.5)), segment.features[0])
+            }
+            Edge::Prism { .. } => {
+                let corners = self.outline.vertices();
+                let distance = |index: usize| normal.dot(&corners[index]);
+                let farthest =
+                    (0..corners.len()).fold(0, |best, i| if distance(i) > distance(best) { i } else { best });
+                let segment = self.box_segment(farthest);
+                (self.position(segment.ends[0], segment.depths[0]), segment.features[0])
+            }
+        };
+        choice.push(BoxPoint { position, separation: -penetration, feature });
+        choice
+    }
+}
