@@ -46,11 +46,9 @@ impl KnownPairs {
     }
 }
 
-/// What becomes of a pair whose boxes overlap in X and Y.
+/// What becomes of a pair whose boxes overlap in all three axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Way {
-    /// They pass each other at different depths.
-    Past,
     /// The 2D engine's.
     Plane,
     /// This engine's.
@@ -76,9 +74,6 @@ pub(crate) fn key_of(core: &PhysicsSimulator, geom1: GeomId, geom2: GeomId) -> O
 impl World {
     fn way_of(&mut self, core: &PhysicsSimulator, pair: SpacePair) -> Way {
         let (a, b) = (self.reach(pair.geom_a), self.reach(pair.geom_b));
-        if !extents_overlap(a, b) {
-            return Way::Past;
-        }
         if self.methods == Methods::Thesis {
             let is_near = a.z == b.z || (a.z - b.z).abs() < a.half.min(b.half);
             return if is_near { Way::Plane } else { Way::Space };
@@ -99,8 +94,7 @@ impl World {
     /// Where that leaves it open, within the slop, the smaller overlap decides. `None` if they do not touch.
     fn way_of_new(&mut self, core: &PhysicsSimulator, pair: SpacePair, a: Reach, b: Reach) -> Option<Way> {
         let (geom_a, geom_b) = (core.geom(pair.geom_a)?, core.geom(pair.geom_b)?);
-        let velocity_of = |body: BodyId| core.body(body).map(|body| body.linear_velocity());
-        let velocity = velocity_of(geom_b.body())? - velocity_of(geom_a.body())?;
+        let velocity = self.motion_of(core, geom_b.body()) - self.motion_of(core, geom_a.body());
         self.lay_out(core, pair)?;
         let (pieces_a, pieces_b) =
             (self.update.pieces.get(pair.geom_a)?, self.update.pieces.get(pair.geom_b)?);
@@ -108,7 +102,7 @@ impl World {
         let plane = entry_of_pieces(
             pieces_a.pieces(&scratch.pieces_a),
             || pieces_b.pieces(&scratch.pieces_b),
-            velocity,
+            velocity.xy(),
         )?;
         let closing = (a.velocity_z - b.velocity_z) * if b.z < a.z { -1.0 } else { 1.0 };
         let overlap = a.half + b.half - (b.z - a.z).abs();
@@ -151,9 +145,13 @@ impl CoreHandler for Meeting<'_, '_> {
         geom1: GeomId,
         geom2: GeomId,
     ) -> bool {
+        if !extents_overlap(self.world.reach(geom1), self.world.reach(geom2)) {
+            // They pass each other at different depths.
+            return false;
+        }
         let Some(pair) = key_of(context.simulator(), geom1, geom2) else { return false };
         let way = self.world.way_of(context.simulator(), pair);
-        if way == Way::Past || !self.is_approved(context, pair, geom1, geom2) {
+        if !self.is_approved(context, pair, geom1, geom2) {
             return false;
         }
         if way == Way::Space {

@@ -12,7 +12,7 @@ use crate::slots::SlotTable;
 use crate::solver::SpaceSolver;
 use crate::step::StepCounters;
 use crate::touch::TouchList;
-use crate::{Methods, Projection, Vector2};
+use crate::{Methods, Projection, Vector2, Vector3};
 
 /// What this engine keeps beside the 2D engine.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -158,6 +158,17 @@ impl World {
     /// Z of a body's middle.
     pub(crate) fn z_of(&self, body: BodyId) -> f32 {
         self.depths.bodies.get(body).map_or(0.0, |state| state.z)
+    }
+
+    /// Velocity with which a body moves, y down; that of an immovable one, a conveyor's, moves nothing but others.
+    pub(crate) fn motion_of(&self, core: &PhysicsSimulator, body: BodyId) -> Vector3 {
+        match (core.body(body), self.depths.bodies.get(body)) {
+            (Some(plane), Some(state)) if is_movable(core, body) => {
+                let velocity = plane.linear_velocity();
+                Vector3::new(velocity.x, velocity.y, state.velocity_z)
+            }
+            _ => Vector3::zeros(),
+        }
     }
 
     /// The convex pieces of a geom's outline, in its own coordinates.

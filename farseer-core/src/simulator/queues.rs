@@ -291,7 +291,14 @@ impl PhysicsSimulator {
     }
 
     /// Bodies and geoms in the order in which they were edited.
+    #[inline]
     fn settle_touched(&mut self) {
+        if !self.touched_bodies.is_empty() || !self.touched_geoms.is_empty() {
+            self.settle_all_touched();
+        }
+    }
+
+    fn settle_all_touched(&mut self) {
         let mut bodies = std::mem::take(&mut self.touched_bodies);
         for body in bodies.drain(..) {
             self.settle_body(body);

@@ -104,8 +104,8 @@ impl SpaceBody {
 
     #[inline(always)]
     fn push_apart(&mut self, impulse: [f32; 3], arm: [f32; 3]) {
-        for axis in 0..3 {
-            self.bias[axis] += impulse[axis] * self.inverse_mass;
+        for (bias, impulse) in self.bias.iter_mut().zip(impulse) {
+            *bias += impulse * self.inverse_mass;
         }
         self.bias_spin += (arm[0] * impulse[1] - arm[1] * impulse[0]) * self.inverse_inertia[2];
     }

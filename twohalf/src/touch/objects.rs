@@ -113,20 +113,14 @@ fn ball_on_prism(
     let side = match kept {
         Some(Kept::Side(side)) => Some(side),
         _ => {
-            let step = velocity(core, world, ball.geom) - velocity(core, world, prism.geom);
+            let motion = |shape: Shape<'_>| world.motion_of(core, shape.geom.body());
+            let step = motion(ball) - motion(prism);
             entry_face_of_prism(ball.centre - step * world.update.dt, ball.centre, &outline, z, half)
         }
     };
     let side = side.unwrap_or(found.touch.normal);
     let touch = ball_prism_through_face(ball.centre, radius, &outline, z, half, side)?;
     Some(Manifold::of_point(touch.normal, touch.point, touch.separation, Kept::Side(side)))
-}
-
-/// Velocity with which a geom's body moved in the last update.
-fn velocity(core: &PhysicsSimulator, world: &World, geom: GeomRef<'_>) -> Vector3 {
-    let plane = core.body(geom.body()).map_or(Vector2::zeros(), |body| body.linear_velocity());
-    let z = world.depths.bodies.get(geom.body()).map_or(0.0, |state| state.velocity_z);
-    Vector3::new(plane.x, plane.y, z)
 }
 
 /// Two shapes that meet with their front and back; `ends` are points that both cover in X and Y.

@@ -27,10 +27,7 @@ impl World {
     fn sliding_pair(&self, core: &PhysicsSimulator, position: usize) -> Option<Subject> {
         let arbiter = core.arbiter(position)?;
         let (a, b) = (core.geom(arbiter.geom_a())?, core.geom(arbiter.geom_b())?);
-        let velocity = |body| match crate::depth::is_movable(core, body) {
-            true => self.depths.bodies.get(body).map_or(0.0, |state| state.velocity_z),
-            false => 0.0,
-        };
+        let velocity = |body| self.depths.bodies.get(body).map_or(0.0, |state| state.velocity_z);
         let key = TouchKey::Pair(a.id(), b.id());
         let slides = velocity(a.body()) != velocity(b.body());
         let rubbed = || {

@@ -64,11 +64,6 @@ fn touch_platform(
     Some(())
 }
 
-fn velocity(core: &PhysicsSimulator, world: &World, view: GeomRef<'_>) -> Option<Vector3> {
-    let plane = core.body(view.body())?.linear_velocity();
-    Some(Vector3::new(plane.x, plane.y, world.depths.bodies.get(view.body())?.velocity_z))
-}
-
 fn of_ball(
     core: &PhysicsSimulator,
     world: &World,
@@ -79,7 +74,7 @@ fn of_ball(
 ) -> Option<Manifold> {
     let position = view.position();
     let centre = Vector3::new(position.x, position.y, world.z_of(view.body()));
-    let before = centre - velocity(core, world, view)? * world.update.dt;
+    let before = centre - world.motion_of(core, view.body()) * world.update.dt;
     let face = match kept {
         Some(Kept::Face(face)) => Some(face),
         _ => None,
@@ -97,7 +92,7 @@ fn of_prism(
     shape: &SlantedBox,
     kept: Option<Kept>,
 ) -> Option<Manifold> {
-    let (velocity, reach) = (velocity(core, world, view)?, world.reach(geom));
+    let (velocity, reach) = (world.motion_of(core, view.body()), world.reach(geom));
     world.pieces_of(core, geom)?;
     let crate::world::Update { pieces, scratch, .. } = &mut world.update;
     let pieces = pieces.get(geom)?;
