@@ -91,7 +91,7 @@ fn turn(a: Vector2, b: Vector2, c: Vector2) -> f64 {
     if scale > 0.0 { cross64(a, b, c) / scale } else { 0.0 }
 }
 
-/// The vertices of a convex outline at which it turns, and at least one.
+/// The vertices of an outline at which it turns, and at least one.
 fn without_straight_vertices(outline: &[Vector2]) -> Vec<Vector2> {
     let mut kept: Vec<Vector2> = Vec::with_capacity(outline.len());
     for (i, &vertex) in outline.iter().enumerate() {
@@ -109,7 +109,7 @@ fn without_straight_vertices(outline: &[Vector2]) -> Vec<Vector2> {
     kept
 }
 
-/// Cuts an outline into convex pieces; `None` if it has no ear left at some point.
+/// Cuts an outline into convex pieces; `None` if it has no ear left at some point, or no area.
 fn decompose(outline: &[Vector2]) -> Option<Vec<Vec<Vector2>>> {
     let mut rest = without_straight_vertices(outline);
     if doubled_area(&rest) > 0.0 {
@@ -129,7 +129,7 @@ fn decompose(outline: &[Vector2]) -> Option<Vec<Vec<Vector2>>> {
         start = ear + 1;
     }
     join(&mut pieces);
-    Some(pieces)
+    (!pieces.is_empty()).then_some(pieces)
 }
 
 fn neighbours(outline: &[Vector2], i: usize) -> [Vector2; 2] {
@@ -331,6 +331,12 @@ mod tests {
         let bow = points(&[(0.0, 0.0), (0.0, 4.0), (4.0, 0.0), (4.0, 4.0)]);
         let pieces = pieces_of(&bow);
         assert!(!pieces.is_empty() && pieces.iter().all(|piece| is_convex(piece)));
+    }
+
+    #[test]
+    fn an_outline_that_goes_to_and_fro_on_a_line_is_a_segment() {
+        let pieces = pieces_of(&points(&[(0.0, 0.0), (4.0, 0.0), (2.0, 0.0), (6.0, 0.0)]));
+        assert_eq!(pieces, [points(&[(0.0, 0.0), (6.0, 0.0)])]);
     }
 
     #[test]

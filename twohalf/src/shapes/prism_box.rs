@@ -13,11 +13,10 @@ mod axes;
 mod points;
 mod swept_outline;
 
-use farseer_core::math::{Vector2, Vector3};
+use farseer_core::math::{Vector2, Vector3, scalar};
 use serde::{Deserialize, Serialize};
 
 use super::{SlantedBox, overlap_points, span_of};
-use axes::Candidate;
 use points::Choice;
 use swept_outline::{BoxEdge, SweptOutline};
 
@@ -26,6 +25,9 @@ use swept_outline::{BoxEdge, SweptOutline};
 const TURNED: f32 = 0.95;
 /// Pieces whose normals agree to this cosine (about 25 degrees) share a contact.
 const AGREES: f32 = 0.9;
+/// Steps: what would have been entered longer ago is not the way the prism came in. It was put there, or has turned;
+/// half of this is left for what other contacts did to the motion.
+const RECENT: f32 = 2.0;
 /// In units of slop: contacts that are this shallow are surfaces that something rests on or slides along.
 const SHALLOW: f32 = 2.0;
 
@@ -69,15 +71,15 @@ pub(crate) struct BoxPoint {
 const NO_POINT: BoxPoint = BoxPoint { position: Vector3::new(0.0, 0.0, 0.0), separation: 0.0, feature: 0 };
 
 /// Where a prism touches a box, and through which surface it leaves. `pieces` are the convex pieces of its outline,
-/// `velocity` is its velocity relative to the box, `slop` the overlap of things at rest. None when they do not overlap;
-/// things that only touch do not.
+/// `motion` is how far it has moved in the last step, relative to the box, `slop` the overlap of things at rest. None
+/// when they do not overlap; things that only touch do not.
 #[expect(clippy::too_many_arguments, reason = "two shapes, how they move, and what is remembered of them")]
 pub(crate) fn prism_box<'a>(
     shape: &SlantedBox,
     pieces: impl Iterator<Item = &'a [Vector2]> + Clone,
     prism_z: f32,
     prism_half_depth: f32,
-    velocity: Vector3,
+    motion: Vector3,
     slop: f32,
     kept: Option<KeptAxis>,
     scratch: &mut Vec<Vector2>,
@@ -88,22 +90,21 @@ pub(crate) fn prism_box<'a>(
     if !(offset.abs() < reach || (offset == 0.0 && reach == 0.0)) {
         return None;
     }
-    let near = (prism_z - prism_half_depth).max(shape.centre.z - shape.half[2]);
-    let far = (prism_z + prism_half_depth).min(shape.centre.z + shape.half[2]);
-    let overhang = [near - (prism_z - prism_half_depth), prism_z + prism_half_depth - far];
+    let (front, back) = (prism_z - prism_half_depth, prism_z + prism_half_depth);
+    let near = scalar::max(front, shape.centre.z - shape.half[2]);
+    let far = scalar::min(back, shape.centre.z + shape.half[2]);
+    let overhang = [near - front, back - far];
     let outline = SweptOutline::new(shape, near, far);
     let are_several = pieces.clone().nth(1).is_some();
-    let meeting = Meeting { shape, pieces, are_several, outline, overhang, velocity, slop };
+    let meeting = Meeting { shape, pieces, are_several, outline, overhang, motion, slop };
     let plane = meeting.in_plane(kept)?;
     let front = Depth { is_front: true, penetration: reach + offset };
     let back = Depth { is_front: false, penetration: reach - offset };
     let depth = match kept {
         Some(KeptAxis::Depth { is_front }) => Some(if is_front { front } else { back }),
         Some(KeptAxis::Plane { .. }) => None,
-        None if velocity.z == 0.0 => None,
-        None => {
-            Some(if velocity.z > 0.0 { front } else { back }).filter(|depth| meeting.leaves(depth, &plane))
-        }
+        None if motion.z == 0.0 => None,
+        None => Some(if motion.z > 0.0 { front } else { back }).filter(|depth| meeting.leaves(depth, &plane)),
     };
     let manifold = match depth {
         Some(depth) => meeting.depth_manifold(depth, &plane, scratch),
@@ -129,7 +130,7 @@ struct Meeting<'a, I> {
     outline: SweptOutline,
     /// How far the prism reaches beyond the depths that both have, in front and behind.
     overhang: [f32; 2],
-    velocity: Vector3,
+    motion: Vector3,
     slop: f32,
 }
 
@@ -139,13 +140,21 @@ struct Depth {
     is_front: bool,
     penetration: f32,
 }
+
+impl Depth {
+    fn normal(&self) -> Vector3 {
+        Vector3::new(0.0, 0.0, if self.is_front { -1.0 } else { 1.0 })
+    }
+}
+
 /// How the prism leaves in the plane: as its deepest piece does.
 struct Plane {
     deepest: Choice,
-    /// When the first piece met the box, in seconds before now.
+    /// When the first piece met the box, in steps before now.
     time: f32,
     overlapping: usize,
 }
+
 /// From the pieces to the whole.
 impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
     fn in_plane(&self, kept: Option<KeptAxis>) -> Option<Plane> {
@@ -156,7 +165,7 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
                 None => plane = Some(Plane { deepest: choice, time, overlapping: 1 }),
                 Some(plane) => {
                     plane.overlapping += 1;
-                    plane.time = plane.time.max(time);
+                    plane.time = scalar::max(plane.time, time);
                     if choice.depth() > plane.deepest.depth() {
                         plane.deepest = choice;
                     }
@@ -169,8 +178,8 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
     /// Whether a prism that begins to touch entered in depth last.
     fn leaves(&self, depth: &Depth, plane: &Plane) -> bool {
         let in_plane = plane.deepest.candidate.penetration;
-        let is_shallow = depth.penetration.min(in_plane) <= SHALLOW * self.slop;
-        let time = depth.penetration / self.velocity.z.abs();
+        let is_shallow = scalar::min(depth.penetration, in_plane) <= SHALLOW * self.slop;
+        let time = self.time(depth.penetration, depth.normal());
         let (first, last) = if time < plane.time { (time, plane.time) } else { (plane.time, time) };
         if is_shallow || last <= self.tie(first) { depth.penetration < in_plane } else { time < plane.time }
     }
@@ -217,7 +226,7 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
                 }
             }
         }
-        if deepest.separation < low.separation.min(high.separation) - self.slop {
+        if deepest.separation < scalar::min(low.separation, high.separation) - self.slop {
             let is_nearer = place(&deepest) - place(&low) < place(&high) - place(&deepest);
             (low, high) = (deepest, if is_nearer { high } else { low });
         }
@@ -225,8 +234,8 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
     }
 
     fn depth_manifold(&self, depth: Depth, plane: &Plane, scratch: &mut Vec<Vector2>) -> BoxManifold {
-        let sign = if depth.is_front { -1.0 } else { 1.0 };
-        let z = self.shape.centre.z + sign * self.shape.half[2];
+        let normal = depth.normal();
+        let z = self.shape.centre.z + normal.z * self.shape.half[2];
         let corners = self.outline.in_plane(self.shape);
         scratch.clear();
         for piece in self.pieces.clone() {
@@ -244,7 +253,7 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
             feature: index as u32,
         };
         BoxManifold {
-            normal: Vector3::new(0.0, 0.0, sign),
+            normal,
             points: [point(0), point(1)],
             count: if is_one { 1 } else { 2 },
             kept: KeptAxis::Depth { is_front: depth.is_front },
@@ -252,3 +261,6 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -92,7 +92,8 @@ fn of_prism(
     shape: &SlantedBox,
     kept: Option<Kept>,
 ) -> Option<Manifold> {
-    let (velocity, reach) = (world.motion_of(core, view.body()), world.reach(geom));
+    let motion = world.motion_of(core, view.body()) * world.update.dt;
+    let reach = world.reach(geom);
     world.pieces_of(core, geom)?;
     let crate::world::Update { pieces, scratch, .. } = &mut world.update;
     let pieces = pieces.get(geom)?;
@@ -102,7 +103,7 @@ fn of_prism(
         pieces.pieces(&scratch.pieces_a),
         reach.z,
         reach.half,
-        velocity,
+        motion,
         core.allowed_penetration(),
         kept.and_then(Kept::axis),
         &mut scratch.points,

@@ -6,11 +6,10 @@
 //! outlines' edges, leaning in depth with the box or not (a side against an end, an edge against an edge), the y axis
 //! where the box is sheared, and the z axis.
 
-use farseer_core::math::{Vector2, Vector3};
+use farseer_core::math::{Vector2, Vector3, scalar};
 
 use super::points::Choice;
-use super::swept_outline::BoxEdge;
-use super::{Edge, KeptAxis, Meeting, SHALLOW, TURNED};
+use super::{Edge, KeptAxis, Meeting, RECENT, SHALLOW, TURNED};
 
 /// An axis of the plane along which a piece and the box overlap.
 #[derive(Clone, Copy)]
@@ -23,14 +22,17 @@ pub(super) struct Candidate {
     /// An overlap of `d` in the plane is one of `(d + sink) / stretch` along `normal3d`.
     pub(super) sink: f32,
     pub(super) stretch: f32,
-    /// Seconds since the axis was entered; infinite when nothing closes in along it.
+    /// Steps since the axis was entered; infinite when nothing closes in along it, or not fast enough to have entered
+    /// just now.
     pub(super) time: f32,
 }
+
 /// Least overlap and least time of a piece's axes.
 pub(super) struct Survey {
     least_penetration: f32,
     least_time: f32,
 }
+
 /// Axes.
 impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
     /// A vertex relative to the box's centre.
@@ -38,9 +40,9 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
         Vector2::new(vertex.x - self.shape.centre.x, vertex.y - self.shape.centre.y)
     }
 
-    fn time(&self, penetration: f32, normal: Vector3) -> f32 {
-        let closing = -self.velocity.dot(&normal);
-        if closing > 0.0 { penetration / closing } else { f32::INFINITY }
+    pub(super) fn time(&self, penetration: f32, normal: Vector3) -> f32 {
+        let closing = -self.motion.dot(&normal);
+        if closing > 0.0 && penetration <= RECENT * closing { penetration / closing } else { f32::INFINITY }
     }
 
     /// The axis in space that belongs to one in the plane, `overlap` the overlap along that. The sides of a sheared box
@@ -65,7 +67,7 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
         let normal = edge.normal(self.shape);
         let support = normal.dot(&self.outline.vertices()[position]);
         let distances = vertices.iter().map(|&vertex| normal.dot(&self.relative(vertex)));
-        let nearest = distances.fold(f32::INFINITY, f32::min);
+        let nearest = distances.fold(f32::INFINITY, scalar::min);
         self.candidate(Edge::Box(edge), normal, support - nearest)
     }
 
@@ -74,7 +76,7 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
         let outward = outward_normal(vertices, edge)?;
         let support = outward.dot(&self.relative(vertices[edge]));
         let nearest =
-            self.outline.vertices().iter().map(|vertex| outward.dot(vertex)).fold(f32::INFINITY, f32::min);
+            self.outline.vertices().iter().map(|vertex| outward.dot(vertex)).fold(f32::INFINITY, scalar::min);
         Some(self.candidate(Edge::Prism { piece, edge: edge as u32 }, -outward, support - nearest))
     }
 
@@ -110,8 +112,8 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
         }
         let none = Survey { least_penetration: f32::INFINITY, least_time: f32::INFINITY };
         let survey = self.exits(piece, vertices).fold(none, |survey, candidate| Survey {
-            least_penetration: survey.least_penetration.min(candidate.penetration),
-            least_time: survey.least_time.min(candidate.time),
+            least_penetration: scalar::min(survey.least_penetration, candidate.penetration),
+            least_time: scalar::min(survey.least_time, candidate.time),
         });
         survey.least_penetration.is_finite().then_some(survey)
     }
@@ -138,7 +140,7 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
 
     /// Times up to this are as good as the given one.
     pub(super) fn tie(&self, time: f32) -> f32 {
-        time + self.slop / self.velocity.norm()
+        time + self.slop / self.motion.norm()
     }
 
     /// How one piece leaves; with the time when it met the box.

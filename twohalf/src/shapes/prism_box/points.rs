@@ -2,7 +2,7 @@
 //!
 //! Frame: the plane's, x right, y **down**, z into the picture; relative to the box's centre until the end.
 
-use farseer_core::math::{Vector2, Vector3};
+use farseer_core::math::{Vector2, Vector3, scalar};
 
 use super::axes::{Candidate, next, outward_normal};
 use super::{BoxPoint, Edge, Meeting, NO_POINT};
@@ -36,7 +36,7 @@ impl Choice {
     }
 
     pub(super) fn depth(&self) -> f32 {
-        self.points[..self.count].iter().fold(0.0, |depth, point| depth.max(-point.separation))
+        self.points[..self.count].iter().fold(0.0, |depth, point| scalar::max(depth, -point.separation))
     }
 }
 
@@ -115,9 +115,6 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
         for (share, feature) in [first, last] {
             let point = incident.ends[0] + (incident.ends[1] - incident.ends[0]) * share;
             let gap = (normal.dot(&point) - surface) * sign;
-            if !(gap < 0.0) {
-                continue;
-            }
             let separation = (gap - candidate.sink) / candidate.stretch;
             let z = if is_box {
                 reference.depth_at((place(point) - start) / (end - start))
@@ -125,7 +122,7 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
                 incident.depth_at(share)
             };
             let position = self.position(point, z);
-            if choice.count == 0 || position != choice.points[0].position {
+            if gap < 0.0 && (choice.count == 0 || position != choice.points[0].position) {
                 choice.push(BoxPoint { position, separation, feature });
             }
         }
