@@ -2,6 +2,8 @@
 
 use farseer_core::BodyId;
 
+use crate::shapes::Face;
+use crate::tell::to_world;
 use crate::world::World;
 use crate::{PlatformId, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
@@ -14,78 +16,88 @@ pub enum Drawable {
     Platform(PlatformId),
 }
 
-/// The room that something takes up, and where it appears.
+/// The room that something takes up in the world, and where it appears on the screen.
 #[derive(Debug, Clone, Copy)]
 struct Item {
     drawable: Drawable,
-    front: f32,
-    back: f32,
-    bottom: f32,
-    top: f32,
-    /// On the screen.
-    low: Vector2,
-    high: Vector2,
+    low: Vector3,
+    high: Vector3,
+    /// Sides of a platform: outward normals and how far they reach along them.
+    sides: Option<[(Vector3, f32); 4]>,
+    screen_low: Vector2,
+    screen_high: Vector2,
 }
-
-/// Heights that differ by less than this part of the smaller object are the same: what rests on one floor does not
-/// change places with every jolt.
-const SAME_HEIGHT: f32 = 1.0 / 16.0;
 
 impl Item {
     fn of_points(drawable: Drawable, points: impl Iterator<Item = (Vector3, Vector2)>) -> Option<Self> {
         let mut item: Option<Item> = None;
         for (p, s) in points {
-            let item = item.get_or_insert(Item {
-                drawable,
-                front: p.z,
-                back: p.z,
-                bottom: p.y,
-                top: p.y,
-                low: s,
-                high: s,
-            });
-            (item.front, item.back) = (item.front.min(p.z), item.back.max(p.z));
-            (item.bottom, item.top) = (item.bottom.min(p.y), item.top.max(p.y));
-            (item.low, item.high) = (item.low.inf(&s), item.high.sup(&s));
+            let fresh = Item { drawable, low: p, high: p, sides: None, screen_low: s, screen_high: s };
+            let item = item.get_or_insert(fresh);
+            (item.low, item.high) = (item.low.inf(&p), item.high.sup(&p));
+            (item.screen_low, item.screen_high) = (item.screen_low.inf(&s), item.screen_high.sup(&s));
         }
         item
     }
 
     fn middle(&self) -> f32 {
-        (self.front + self.back) * 0.5
+        (self.low.z + self.high.z) * 0.5
     }
 
-    /// Whether this is drawn before the other: separated in Z, the farther one; otherwise the lower one; at the same
-    /// height the one whose middle is farther.
-    fn is_below(&self, other: &Item) -> bool {
-        if self.front >= other.back || other.front >= self.back {
-            return self.middle() > other.middle();
+    /// Least of the box along a direction.
+    fn least_along(&self, n: Vector3) -> f32 {
+        (0..3).map(|axis| n[axis] * if n[axis] > 0.0 { self.low[axis] } else { self.high[axis] }).sum()
+    }
+
+    /// The direction from this to the other along which they are farthest apart, or overlap least.
+    fn direction_to(&self, other: &Item) -> Vector3 {
+        let mut best = (f32::NEG_INFINITY, Vector3::zeros());
+        let mut consider = |gap: f32, n: Vector3| {
+            if gap > best.0 {
+                best = (gap, n);
+            }
+        };
+        for axis in 0..3 {
+            let n = Vector3::ith(axis, 1.0);
+            consider(other.low[axis] - self.high[axis], n);
+            consider(self.low[axis] - other.high[axis], -n);
         }
-        let size = (self.top - self.bottom).min(other.top - other.bottom);
-        if (self.bottom - other.bottom).abs() > size * SAME_HEIGHT {
-            return self.bottom < other.bottom;
+        for &(n, reach) in self.sides.iter().flatten() {
+            consider(other.least_along(n) - reach, n);
         }
-        self.middle() > other.middle()
+        for &(n, reach) in other.sides.iter().flatten() {
+            consider(self.least_along(n) - reach, -n);
+        }
+        best.1
+    }
+
+    /// Whether this is drawn before the other. `to_viewer` is the direction of the line on which all points appear
+    /// at one point of the screen.
+    fn is_below(&self, other: &Item, to_viewer: Vector3) -> bool {
+        let nearer = self.direction_to(other).dot(&to_viewer);
+        if nearer == 0.0 { self.middle() > other.middle() } else { nearer > 0.0 }
     }
 
     fn may_cover(&self, other: &Item) -> bool {
-        self.low.y <= other.high.y && other.low.y <= self.high.y
+        self.screen_low.y <= other.screen_high.y && other.screen_low.y <= self.screen_high.y
     }
 }
 
 impl TwoHalfPhysicsSimulator {
     /// The bodies that take part and are enabled, and the platforms, back to front: draw them in this order.
     ///
-    /// Of two that cover each other on the screen, separated in Z, the nearer one comes later; otherwise the higher
-    /// one; at the same height the one whose middle is nearer. Where that goes round in a circle, one of the pairs is in the
-    /// wrong order. What covers nothing is ordered by Z, then by height, then as it was added.
+    /// Of two that cover each other on the screen the one before the other comes later: separated in Z, the nearer one;
+    /// on top of each other, the higher one; side by side, what the Z axis leans away from. What decides is the direction
+    /// in which their boxes, or the sides of a platform, are farthest apart or overlap least. Where that goes round in a
+    /// circle, one of the pairs is in the wrong order. What covers nothing is ordered by Z, then by height, then
+    /// as it was added.
     pub fn draw_order(&self) -> Vec<Drawable> {
         let mut items: Vec<Item> = self.items().collect();
         items.sort_by(|a, b| {
-            let height = a.bottom.total_cmp(&b.bottom);
+            let height = a.low.y.total_cmp(&b.low.y);
             b.middle().total_cmp(&a.middle()).then(height).then(a.drawable.cmp(&b.drawable))
         });
-        let below = covered(&items);
+        let below = covered(&items, self.projection().to_viewer());
         let mut order = Vec::with_capacity(items.len());
         let mut is_visited = vec![false; items.len()];
         let mut path: Vec<(usize, usize)> = Vec::new();
@@ -112,9 +124,17 @@ impl TwoHalfPhysicsSimulator {
     fn items(&self) -> impl Iterator<Item = Item> + '_ {
         let bodies = self.body_list().iter().filter_map(|&id| self.item_of_body(id));
         let platforms = self.platforms().filter_map(|id| {
-            let corners = self.platform(id)?.corners();
+            let platform = self.platform(id)?;
+            let corners = platform.corners();
             let points = corners.into_iter().map(|corner| (corner, self.projection().to_screen(corner)));
-            Item::of_points(Drawable::Platform(id), points)
+            let item = Item::of_points(Drawable::Platform(id), points)?;
+            let shape = platform.shape();
+            let sides = Face::SIDES.map(|face| {
+                let normal = shape.face_normal(face);
+                (to_world(normal), shape.distance_to_face(face, Vector3::zeros()))
+            });
+            // The origin's distance from a side is the negative of how far the side reaches.
+            Some(Item { sides: Some(sides.map(|(normal, distance)| (normal, -distance))), ..item })
         });
         bodies.chain(platforms)
     }
@@ -138,14 +158,14 @@ impl TwoHalfPhysicsSimulator {
 }
 
 /// For every item the indices of those that it covers.
-fn covered(items: &[Item]) -> Vec<Vec<usize>> {
+fn covered(items: &[Item], to_viewer: Vector3) -> Vec<Vec<usize>> {
     let mut below = vec![Vec::new(); items.len()];
     let mut by_left: Vec<usize> = (0..items.len()).collect();
-    by_left.sort_by(|&a, &b| items[a].low.x.total_cmp(&items[b].low.x));
+    by_left.sort_by(|&a, &b| items[a].screen_low.x.total_cmp(&items[b].screen_low.x));
     for (position, &a) in by_left.iter().enumerate() {
-        for &b in by_left[position + 1..].iter().take_while(|&&b| items[b].low.x <= items[a].high.x) {
+        for &b in by_left[position + 1..].iter().take_while(|&&b| items[b].screen_low.x <= items[a].screen_high.x) {
             if items[a].may_cover(&items[b]) {
-                let (lower, upper) = if items[a].is_below(&items[b]) { (a, b) } else { (b, a) };
+                let (lower, upper) = if items[a].is_below(&items[b], to_viewer) { (a, b) } else { (b, a) };
                 below[upper].push(lower);
             }
         }

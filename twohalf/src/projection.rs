@@ -87,6 +87,11 @@ impl Projection {
         (cotangent(angle) - self.slope) as f32
     }
 
+    /// The direction towards the viewer, in the world: all points along it appear at one point of the screen.
+    pub fn to_viewer(&self) -> Vector3 {
+        Vector3::new(self.slope as f32, 1.0, -1.0)
+    }
+
     /// The point of the ground that appears at a point of the screen.
     pub fn screen_to_ground(&self, point: Vector2) -> Vector3 {
         let z = f64::from(self.height) - f64::from(point.y);
