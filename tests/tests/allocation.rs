@@ -142,21 +142,34 @@ fn a_lively_scene_allocates_less_and_less() {
     }
 }
 
-#[test]
-fn an_update_of_a_settled_scene_with_depth_allocates_nothing() {
+/// Balls and crates on the ground and on a platform, and balls on top of crates, at several depths.
+fn settled_scene_with_depth() -> twohalf::TwoHalfPhysicsSimulator {
     let mut simulator = twohalf_common::simulator();
+    let place = twohalf::Vector3::new(200.0, 0.0, 200.0);
+    twohalf::Platform::new(&mut simulator, 600.0, 30.0, 60.0, place, None).unwrap();
     for i in 0..40u8 {
-        let place = [f32::from(i % 8) * 60.0, 5.0, f32::from(i / 8) * 40.0];
+        let place = [f32::from(i % 8) * 60.0, 35.0, f32::from(i / 8) * 50.0];
         if i % 2 == 0 {
             twohalf_common::ball(&mut simulator, 10.0, place);
         } else {
             twohalf_common::crate_box(&mut simulator, [20.0, 16.0], place);
+            twohalf_common::ball(&mut simulator, 8.0, [place[0], place[1] + 20.0, place[2]]);
         }
     }
-    for _ in 0..400 {
-        simulator.update(twohalf_common::DT);
-    }
-    assert!(simulator.counters().ground_contacts == 40, "all rest on the ground");
-    let calls = calls(|| (0..100).for_each(|_| simulator.update(twohalf_common::DT)));
+    (0..600).for_each(|_| simulator.update(twohalf_common::DT));
+    simulator
+}
+
+#[test]
+fn an_update_of_a_settled_scene_with_depth_allocates_nothing() {
+    struct Silent;
+    impl twohalf::EventHandler for Silent {}
+    let mut simulator = settled_scene_with_depth();
+    let counters = simulator.counters();
+    assert!(counters.ground_contacts == 32 && counters.pairs_touching == 28, "{counters:?}");
+    let calls = calls(|| {
+        (0..100).for_each(|_| simulator.update(twohalf_common::DT));
+        (0..100).for_each(|_| simulator.update_with(twohalf_common::DT, &mut Silent));
+    });
     assert_eq!(calls, 0);
 }
