@@ -11,7 +11,8 @@
 //! - **Rest**: an overlap of [`SLOP`] is left alone here.
 
 use conformance::depth_scenes::*;
-use conformance::peers::{Both, Engine, MARGIN, Met, Rapier, SLOP, State, TwoHalf, alone};
+use conformance::peers::closed_forms::{after_fall_on_corner, after_hit, time_of_meeting, turned};
+use conformance::peers::{Both, Engine, MARGIN, Met, Rapier, Run, SLOP, State, TwoHalf, alone};
 use std::time::Instant;
 
 /// Length of a step in s.
@@ -230,34 +231,6 @@ fn a_ball_that_drifts_along_z_on_a_slope_rolls_both_ways() {
     both.report();
 }
 
-/// Velocities of two balls, or of a ball and what does not move, after a hit along a normal from the first one to
-/// the second.
-fn after_hit(
-    (velocity_a, inverse_mass_a): ([f64; 3], f64),
-    (velocity_b, inverse_mass_b): ([f64; 3], f64),
-    restitution: f64,
-    towards_b: [f64; 3],
-) -> [[f64; 3]; 2] {
-    let length = towards_b.iter().map(|part| part * part).sum::<f64>().sqrt();
-    let normal = towards_b.map(|part| part / length);
-    let approach: f64 = (0..3).map(|axis| (velocity_a[axis] - velocity_b[axis]) * normal[axis]).sum();
-    let impulse = (1.0 + restitution) * approach / (inverse_mass_a + inverse_mass_b);
-    let change = |velocity: [f64; 3], factor: f64| {
-        std::array::from_fn(|axis| velocity[axis] + factor * impulse * normal[axis])
-    };
-    [change(velocity_a, -inverse_mass_a), change(velocity_b, inverse_mass_b)]
-}
-
-/// The time at which a distance that shrinks falls below a value, by bisection.
-fn time_of_meeting(distance: impl Fn(f64) -> f64, value: f64, until: f64) -> f64 {
-    let (mut apart, mut together) = (0.0, until);
-    for _ in 0..60 {
-        let middle = (apart + together) / 2.0;
-        if distance(middle) > value { apart = middle } else { together = middle }
-    }
-    apart
-}
-
 #[test]
 fn two_balls_that_meet_obliquely_part_as_the_line_between_their_centres_says() {
     let scene = balls_meeting_obliquely();
@@ -405,13 +378,31 @@ fn a_box_leaves_a_platform_by_its_near_edge_when_no_part_of_it_is_over_it() {
     both.report();
 }
 
+/// How long after an impact velocities are looked at, in s.
+const AFTER_IMPACT: f64 = 0.02;
+
+/// Compares the velocity just after a fall on a corner with the closed form. `rapier3d` bounces off corners although
+/// nothing is restituted; by how much is measured.
+fn check_fall_on_corner(both: &mut Both, height: f64, velocity: [f64; 2], bounce: f64) {
+    let time = (2.0 * height / G).sqrt() + AFTER_IMPACT;
+    // Gravity goes on, and the impact is up to 1.5 steps late.
+    let tolerance = G * (AFTER_IMPACT + 1.5 * STEP);
+    for (name, axis, value) in [("X", 0, velocity[0]), ("Y", 1, velocity[1])] {
+        both.check(&format!("speed after impact, {name}"), |run| run.state_at(0, time).velocity[axis])
+            .tolerances(tolerance + bounce, tolerance)
+            .form(value);
+    }
+}
+
 #[test]
 fn a_box_dropped_beyond_the_edge_of_a_platform_tips_over_it() {
     let mut both = Both::run(&box_tipping_over_edge());
-    // Measured.
-    both.check("time of landing", |run| run.crossing(0, LANDING).time).tolerance(5.0 * STEP);
+    let inertia = (44.0 * 44.0 + 30.0 * 30.0) / 12.0;
+    check_fall_on_corner(&mut both, 10.0, after_fall_on_corner(10.0, inertia, [-6.0, -15.0], 0.5), 7.0);
+    // Measured; `rapier3d` is ahead since it bounced.
+    both.check("time of landing", |run| run.crossing(0, LANDING).time).tolerance(0.2);
     both.check("landing, X", |run| run.crossing(0, LANDING).position[0]).tolerance(2.0);
-    both.check("landing, rotation", |run| run.crossing_rotation(0, LANDING)).tolerance(0.2);
+    both.check("landing, rotation", |run| run.crossing_rotation(0, LANDING)).tolerance(0.05);
     both.check("rest, Z", |run| run.last(0).position[2]).tolerance(0.01).form(5.0);
     both.hits(&[(Met::Object(0), Met::Platform(0)), (Met::Object(0), Met::Ground)], |_| true);
     both.report();
@@ -423,12 +414,13 @@ fn the_sides_of_platforms_throw_things_back() {
     let after = [[-45.0, 0.0, 0.0], [0.0, 0.0, -45.0], [5.0, -45.0, 0.0]];
     for (object, velocity) in after.into_iter().enumerate() {
         for (axis, name) in ["X", "Y", "Z"].into_iter().enumerate() {
+            // Where a side is hit at several points, `rapier3d` ends its passes before they agree: measured.
             both.check(&format!("speed of {object}, {name}"), |run| run.last(object).velocity[axis])
-                .tolerance(0.01)
+                .tolerances(if object == 0 && axis < 2 { 0.3 } else { 0.01 }, 0.01)
                 .form(velocity[axis]);
         }
     }
-    both.check("rotation of 0", |run| run.last(0).rotation).tolerance(1e-3).form(0.0);
+    both.check("rotation of 0", |run| run.last(0).rotation).tolerances(3e-3, 1e-3).form(0.0);
     both.report();
 }
 
@@ -439,8 +431,10 @@ fn a_sheared_side_throws_things_back_along_its_normal() {
     let [after, _] = after_hit(([90.0, 0.0, 0.0], 1.0), ([0.0; 3], 0.0), 0.5, away);
     for object in 0..2 {
         for (axis, name) in ["X", "Y", "Z"].into_iter().enumerate() {
+            // Where the box's edge hits the side at two points, `rapier3d` ends with a restitution of 0.62 instead of
+            // 0.5: measured.
             both.check(&format!("speed of {object}, {name}"), |run| run.last(object).velocity[axis])
-                .tolerance(0.01)
+                .tolerances(if object == 1 && axis != 1 { 9.0 } else { 0.01 }, 0.01)
                 .form(after[axis]);
         }
     }
@@ -455,8 +449,9 @@ fn friction_takes_along_what_stands_on_a_sliding_box() {
     let sliding = 50.0 / (acceleration * 1.5);
     let path = acceleration * sliding * sliding / 2.0 + 50.0 * 2.0 / 3.0 * (end - sliding);
     for (name, axis, part) in [("X", 0, 0.6), ("Z", 2, 0.8)] {
+        // `rapier3d` is deflected as in the oblique sliding: measured.
         both.check(&format!("{name} of the load"), |run| run.last(1).position[axis])
-            .tolerance(of_contact(50.0))
+            .tolerances(of_contact(50.0) + 1.0, of_contact(50.0))
             .form(10.0 + path * part);
         for object in 0..2 {
             both.check(&format!("speed of {object}, {name}"), |run| run.last(object).velocity[axis])
@@ -475,11 +470,66 @@ fn a_box_that_falls_on_an_edge_comes_to_rest_on_a_side() {
     both.check("time of landing", |run| run.crossing(0, LANDING).time)
         .tolerance(of_fall(time, G * time))
         .form(time);
-    // Measured.
-    both.check("rest, X", |run| run.last(0).position[0]).tolerance(2.0);
+    let (inertia, corner) = ((60.0 * 60.0 + 40.0 * 40.0) / 12.0, turned([30.0, -20.0], 0.3));
+    check_fall_on_corner(&mut both, 60.0, after_fall_on_corner(60.0, inertia, corner, 0.6), 13.0);
+    // Measured; `rapier3d` slides on while it bounces.
+    both.check("rest, X", |run| run.last(0).position[0]).tolerance(10.0);
     both.check("rest, Y", |run| run.last(0).position[1]).tolerance(1.2 * SLOP).form(0.0);
     both.check("rest, rotation", |run| run.last(0).rotation).tolerance(5e-3).form(0.0);
     both.report();
+}
+
+#[test]
+fn heaps_settle_to_the_same_height_and_spread() {
+    for count in [200, 1000] {
+        let mut both = Both::run(&pile(count));
+        let height = |state: State| state.position[1];
+        let from_middle = |state: State| state.position[0].hypot(state.position[2]);
+        // Which way things fall is chance: three standard errors of the difference of two means.
+        let errors = 3.0 * (2.0 / count as f64).sqrt();
+        let deviation = |measure: fn(State) -> f64| {
+            move |run: &Run| {
+                let mean = run.mean(count, measure);
+                run.mean(count, |state| (measure(state) - mean).powi(2)).sqrt()
+            }
+        };
+        let of_height = both.measure(deviation(height)) * errors;
+        let of_spread = both.measure(deviation(from_middle)) * errors;
+        both.check("mean height", |run| run.mean(count, height)).tolerance(of_height);
+        both.check("mean distance from the middle", |run| run.mean(count, from_middle)).tolerance(of_spread);
+        // Both still roll about; measured.
+        both.check("mean speed", |run| run.mean(count, |state| state.speed())).tolerance(1.0);
+        both.report();
+    }
+}
+
+#[test]
+fn traffic_neither_sinks_nor_leaves_nor_gains_speed_in_either() {
+    for count in [200, 2000] {
+        let scene = traffic(count);
+        let [wall, ..] = scene.objects[count + 1].position.map(f64::from);
+        let (mut ours, mut peer) = (TwoHalf::new(&scene), Rapier::new(&scene));
+        // The fastest falls 140 px and goes at 90 px/s along X and Z. A heavier one may pass on a little more.
+        let fastest = 1.5 * (2.0 * G * 140.0 + 2.0 * 90.0_f64.powi(2)).sqrt();
+        // What is noticed a step late, from both sides.
+        let deepest = 2.0 * fastest * STEP;
+        for step in 1..=400 {
+            for (name, engine) in [("twohalf", &mut ours as &mut dyn Engine), ("rapier3d", &mut peer)] {
+                engine.step();
+                for object in 0..count {
+                    let state = engine.state(object);
+                    let [x, y, z] = state.position;
+                    let is_fine = state.speed() < fastest
+                        && y > -deepest
+                        && x.abs().max(z.abs()) < wall - 30.0 + deepest;
+                    assert!(is_fine, "{name}, {}, step {step}, object {object}: {state:?}", scene.name);
+                }
+            }
+            for contact in ours.simulator().contacts() {
+                assert!(contact.separation > -deepest as f32, "{}, step {step}: {contact:?}", scene.name);
+            }
+        }
+    }
 }
 
 /// Time per step of both, printed and not asserted: with the settings that both have by default, on one core, side

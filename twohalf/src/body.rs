@@ -125,7 +125,8 @@ impl<S: Access> TwoHalfBody<S> {
     }
 
     /// What held the body up best in the last update: of everything below it that it touched, what pushes it most
-    /// straight up. `None` in the air.
+    /// straight up. What rests on something bouncy leaves it for a step now and then; as long as it moves up or down no
+    /// faster than gravity makes it in two steps it counts as held up. `None` in the air.
     pub fn support(&self) -> Option<Support> {
         self.state().support
     }

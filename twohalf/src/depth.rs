@@ -73,6 +73,9 @@ pub(crate) struct DepthBody {
     pub(crate) ground: Ground,
     /// What held the body up best in the last update.
     pub(crate) support: Option<Support>,
+    /// That of the update before, while the present one looks for its own.
+    #[serde(skip)]
+    pub(crate) last_support: Option<Support>,
 }
 
 impl DepthBody {

@@ -2,28 +2,31 @@
 //!
 //! In order of importance:
 //!
-//! 1. **What a player sees is plausible**: things fall on the ground, slide, roll and bounce as closed forms say,
-//!    at every depth.
+//! 1. **What a player sees is plausible**: things fall, slide, roll, bounce, meet and are stood upon as closed forms
+//!    say, in all three axes.
 //! 2. **The same input gives the same bits**, on every platform, also after saving and loading.
-//! 3. **It is the 2D engine wherever nothing moves in depth**: with everything at one Z and nothing on the ground,
-//!    every bit of the motion in X and Y is that of [`farseer_core`].
-//! 4. **Cost follows the scene**: the ground needs no geoms, and a settled scene allocates nothing.
+//! 3. **It is the 2D engine wherever nothing moves in depth**: with prisms at one Z, nothing on the ground and no
+//!    platforms, every bit of the motion in X and Y is that of [`farseer_core`].
+//! 4. **Cost follows the scene**: the ground needs no geoms, a platform none per object, and a settled scene
+//!    allocates nothing.
 //!
 //! ```
 //! use twohalf::{DepthProfile, TwoHalfPhysicsSimulator, Vector2, Vector3};
 //! use twohalf::farseer_core::{BodyFactory, GeomPlacement, Vertices};
 //!
 //! // A screen of 480 px whose Z axis leans to the right.
-//! let mut simulator = TwoHalfPhysicsSimulator::with_angle_and_gravity(480, 60, Vector2::new(0.0, 100.0))?;
+//! let gravity = Vector2::new(0.0, 100.0);
+//! let mut simulator = TwoHalfPhysicsSimulator::with_angle_and_gravity(480, 60, gravity)?;
 //!
 //! let ball = simulator.create_body(BodyFactory::create_circle_body(20.0, 1.0)?);
-//! let outline = simulator.create_geom(ball, Vertices::create_circle(20.0, 24)?, GeomPlacement::default())?;
-//! simulator.set_depth_profile(outline, DepthProfile::Round { radius: 20.0 })?;
+//! let outline = Vertices::create_circle(20.0, 24)?;
+//! let geom = simulator.create_geom(ball, outline, GeomPlacement::default())?;
+//! simulator.set_depth_profile(geom, DepthProfile::Round { radius: 20.0 })?;
 //! simulator.add(ball)?;
-//! simulator.add(outline)?;
+//! simulator.add(geom)?;
 //!
 //! let mut view = simulator.body_mut(ball).unwrap();
-//! view.ground_mut().set_object_geom(outline, None)?;
+//! view.ground_mut().set_object_geom(geom, None)?;
 //! view.set_position3d(Vector3::new(100.0, 50.0, 30.0));
 //! view.set_linear_velocity_z(20.0);
 //! for _ in 0..50 {
@@ -36,42 +39,272 @@
 //! # Ok::<(), twohalf::Error>(())
 //! ```
 //!
-//! The crate `twohalf-factories` makes this shorter, `twohalf-render` draws it.
+//! The crate `twohalf-factories` makes this shorter, `twohalf-render` draws it. [A whole game loop](#a-game-loop) is
+//! below.
 //!
 //! # The model
 //!
-//! **Axes.** A position in the world is (X, Y, Z) in px: X to the right, Y **up**, Z into the picture, so a larger
-//! Z is farther away. Y is the height of the object's lowest point over the ground: Y = 0 rests on it. The screen
-//! is XNA's: x right, y **down**; the ground rises on it with Z, along the simulator's angle. See [`Projection`]
-//! for the formula.
+//! ## Axes and signs
 //!
-//! **Signs.** What the 2D engine has keeps its screen orientation: gravity (0, +g) pulls down, an upward
+#![doc = include_str!("../docs/axes.svg")]
+//!
+//! A position in the world is (X, Y, Z) in px: X to the right, Y **up**, Z into the picture, so a larger Z is farther
+//! away. The Y of [`position3d`](TwoHalfBody::position3d) is the height of the object's lowest point over the ground:
+//! at Y = 0 it rests on it. [`origin3d`](TwoHalfBody::origin3d) is the body's centre of mass; the two differ by the
+//! distance from it down to the lowest point, which changes while a box turns.
+//!
+//! What the 2D engine has keeps its screen orientation: gravity (0, +g) pulls down, an upward
 //! [`linear_velocity`](TwoHalfBody::linear_velocity) has a negative y, and rotation is clockwise on the screen.
-//! Along Z, positive is away from the viewer.
+//! [`velocity3d`](TwoHalfBody::velocity3d), [`apply_force3d`](TwoHalfBody::apply_force3d) and
+//! [`apply_impulse3d`](TwoHalfBody::apply_impulse3d) are the same with Y up and with Z.
 //!
-//! **Motion.** Bodies move in X, Y and Z and turn about the depth axis. X, Y and rotation are moved by the 2D
-//! engine, in the world's XY plane; screen height and angle enter only the projection. Along Z the same happens
-//! beside it (thesis 3.3): force and impulse become velocity, velocity becomes position, with the drag of X and Y.
-//! The 2D methods are Farseer's own, with its sequential impulses; [`TwoHalfPhysicsSimulator::from_core`] takes
-//! others.
+//! ## Projection
 //!
-//! **Objects.** A geom is an outline with a [`DepthProfile`]: extruded, or a ball. Two of them meet in X and Y while
-//! they overlap in depth, and otherwise pass each other.
+#![doc = include_str!("../docs/projection.svg")]
 //!
-//! **Ground.** Every body has its own [`Ground`], which holds its object geom up at Y = 0, with restitution and
-//! friction combined as those of two geoms. Friction acts against the direction of sliding in X and Z. A ball
-//! rolls in both directions: at its point of contact it also has an angular velocity about the x axis, which is not
-//! drawn.
+//! The screen is XNA's: x right, y **down**. The Z axis points at the simulator's angle, in degrees counterclockwise
+//! from the x axis, and a px of depth is always a px of height on the screen (thesis 3.1; [`Projection`] has the
+//! formula). The point of the drawing:
 //!
-//! # Not there yet
+//! ```
+//! use twohalf::{Projection, Vector2, Vector3};
+//! let point = Vector3::new(200.0, 60.0, 150.0);
+//! let at_90 = Projection::new(480, 90)?.to_screen(point);
+//! assert_eq!(at_90, Vector2::new(200.0, 270.0)); // 480 - 60 - 150 = 270
+//! let at_60 = Projection::new(480, 60)?.to_screen(point);
+//! assert!((at_60.x - 286.6).abs() < 0.01); // 200 + 150 / tan 60°
+//! assert_eq!(at_60.y, 270.0);
+//! # Ok::<(), twohalf::Error>(())
+//! ```
 //!
-//! - **Contacts along Z.** An object that comes to another one from the front or from behind, so that the boxes of
-//!   the two overlap in X and Y before they overlap in depth, passes through until the boxes have parted. Balls
-//!   meet each other and boxes like cylinders along Z.
-//! - Platforms, virtual geoms, springs and joints, cloning; queries by points of the screen; callbacks for the
-//!   ground. Handlers see the 2D engine, and Z not at all; what moves along Z alone is not reported as
-//!   [updated](Event::BodyUpdated).
-//! - Sleep, and methods that are more accurate than Farseer's.
+//! Screen height and angle enter nothing else: things move and meet in the world, the same at every angle.
+//!
+//! ## Objects
+//!
+#![doc = include_str!("../docs/shapes.svg")]
+//!
+//! A geom is an outline with a [`DepthProfile`]: a prism, the outline extended to half its depth before and behind the
+//! body's Z, or a ball. What it covers of the ground from above is its [footprint](TwoHalfGeom::virtual_geom), which
+//! the thesis calls its virtual geom (3.5).
+//!
+//! Bodies move along X, Y and Z and turn about the depth axis. X, Y and rotation are moved by the 2D engine; along Z
+//! the same happens beside it (thesis 3.3): force and impulse become velocity, velocity becomes position, with the
+//! drag of X and Y. A body whose geoms are all balls about its centre has an angular velocity about
+//! [all three axes](TwoHalfBody::angular_velocity3d), so that it rolls in every direction; only the one about the
+//! depth axis is drawn.
+//!
+//! ## Where two objects meet
+//!
+//! Two objects touch when their outlines overlap in X and Y **and** their extents along Z do. A ball is pushed along
+//! the line from the nearest point of what it touches. Two prisms are pushed apart along the axis that they entered
+//! **last**, as their velocities say:
+//!
+#![doc = include_str!("../docs/meeting.svg")]
+//!
+//! They keep it while they touch. Prisms that do not move against each other along Z meet in X and Y, always; where
+//! both axes are entered at once, the smaller overlap decides. The least overlap alone would be wrong: who lands 5 px
+//! inside the front edge of a platform would be thrown off it.
+//!
+//! Restitution and friction are combined as in the 2D engine. Friction acts against the direction of sliding within the
+//! surface, along Z as well, by Coulomb's law. [`TwoHalfPhysicsSimulator::contacts`] lists the contacts of the last
+//! update; callbacks and [events](TwoHalfPhysicsSimulator::events) tell partner, [`Axis`], normal and impulse, and a
+//! callback can refuse a contact.
+//!
+//! ## Ground
+//!
+#![doc = include_str!("../docs/ground.svg")]
+//!
+//! Every body has its own [`Ground`] (thesis 3.2): the plane Y = 0 as that body meets it, with a friction and a
+//! restitution of its own. It is no geom and no other object touches it. It holds up the body's **object geom**, the
+//! one given to [`set_object_geom`](GroundMut::set_object_geom); a body without one falls for ever.
+//!
+//! ## Platforms
+//!
+#![doc = include_str!("../docs/platform.svg")]
+//!
+//! A [`Platform`] is an immovable box (thesis 3.6): level, tilted to a slope, or sheared, so that its edges in depth
+//! run at an angle on the screen that is not the Z axis'. Objects land on it where their footprint is above it, walk off
+//! every edge, bump into its sides, its front and its underside, and pass under it. It is there for every object and
+//! costs nothing where nobody is near.
+//!
+//! [`TwoHalfBody::support`] says what holds a body up, ground, platform or another object, and
+//! [`TwoHalfBody::is_grounded`] whether one can stand on that. [`TwoHalfPhysicsSimulator::surface_beneath`] is where a
+//! shadow falls.
+//!
+//! # A game loop
+//!
+//! A beat-'em-up in small: a player who walks along X and Z and jumps, a crate to push, a ball, a platform. Velocity
+//! comes from the input, everything else from the engine. Steps have one length, whatever the frame rate is, so that
+//! the same input gives the same game.
+//!
+//! ```
+//! use twohalf::farseer_core::{Body, BodyFactory, GeomPlacement, Vertices};
+//! use twohalf::{
+//!     BodyId, Collision, Context, DepthProfile, Drawable, EventHandler, GeomId, Partner,
+//!     Platform, Result, TwoHalfPhysicsSimulator, Vector2, Vector3,
+//! };
+//!
+//! /// Seconds per step.
+//! const STEP: f32 = 1.0 / 120.0;
+//!
+//! /// What the player holds down: -1 to 1 along X and Z.
+//! #[derive(Clone, Copy, Default)]
+//! struct Input {
+//!     x: f32,
+//!     z: f32,
+//!     jump: bool,
+//! }
+//!
+//! /// Told of everything that touches; keeps what the player has met.
+//! struct Sounds {
+//!     player: GeomId,
+//!     met: Vec<Partner>,
+//! }
+//!
+//! impl EventHandler for Sounds {
+//!     fn on_collision(&mut self, _: &mut Context<'_>, collision: &Collision) -> bool {
+//!         if collision.this == self.player && !self.met.contains(&collision.partner) {
+//!             self.met.push(collision.partner); // A game plays a sound.
+//!         }
+//!         true // `false` would let them pass through each other.
+//!     }
+//! }
+//!
+//! struct Game {
+//!     simulator: TwoHalfPhysicsSimulator,
+//!     player: BodyId,
+//!     crate_box: BodyId,
+//!     ball: BodyId,
+//!     sounds: Sounds,
+//!     /// Seconds that are not simulated yet.
+//!     waiting: f32,
+//! }
+//!
+//! /// A body with one geom, which rests on its ground.
+//! fn add(
+//!     simulator: &mut TwoHalfPhysicsSimulator,
+//!     body: Body,
+//!     outline: Vertices,
+//!     profile: DepthProfile,
+//!     place: [f32; 3],
+//! ) -> Result<(BodyId, GeomId)> {
+//!     let body = simulator.create_body(body);
+//!     let geom = simulator.create_geom(body, outline, GeomPlacement::default())?;
+//!     simulator.set_depth_profile(geom, profile)?;
+//!     simulator.geom_mut(geom).unwrap().set_friction_coefficient(0.4);
+//!     simulator.add(body)?;
+//!     simulator.add(geom)?;
+//!     let mut view = simulator.body_mut(body).unwrap();
+//!     let mut ground = view.ground_mut();
+//!     ground.set_object_geom(geom, None)?; // A shadow image goes here.
+//!     ground.set_friction_coefficient(0.4);
+//!     view.set_position3d(Vector3::from(place));
+//!     Ok((body, geom))
+//! }
+//!
+//! impl Game {
+//!     fn new() -> Result<Self> {
+//!         let gravity = Vector2::new(0.0, 900.0);
+//!         let mut simulator =
+//!             TwoHalfPhysicsSimulator::with_angle_and_gravity(480, 60, gravity)?;
+//!
+//!         let mut body = BodyFactory::create_rectangle_body(30.0, 60.0, 70.0)?;
+//!         body.set_moment_of_inertia(1e9)?; // The player does not topple.
+//!         let outline = Vertices::create_rectangle(30.0, 60.0)?;
+//!         let profile = DepthProfile::Prism { depth: 20.0 };
+//!         let place = [60.0, 0.0, 80.0];
+//!         let (player, player_geom) = add(&mut simulator, body, outline, profile, place)?;
+//!
+//!         let body = BodyFactory::create_rectangle_body(40.0, 40.0, 10.0)?;
+//!         let outline = Vertices::create_rectangle(40.0, 40.0)?;
+//!         let profile = DepthProfile::Prism { depth: 40.0 };
+//!         let place = [140.0, 0.0, 80.0];
+//!         let (crate_box, _) = add(&mut simulator, body, outline, profile, place)?;
+//!
+//!         let body = BodyFactory::create_circle_body(15.0, 2.0)?;
+//!         let outline = Vertices::create_circle(15.0, 24)?;
+//!         let profile = DepthProfile::Round { radius: 15.0 };
+//!         let place = [60.0, 100.0, 160.0];
+//!         let (ball, _) = add(&mut simulator, body, outline, profile, place)?;
+//!
+//!         // 200 px wide, 40 high and 100 deep, behind the crate.
+//!         let place = Vector3::new(200.0, 0.0, 190.0);
+//!         Platform::new(&mut simulator, 200.0, 40.0, 100.0, place, None)?;
+//!
+//!         let sounds = Sounds { player: player_geom, met: Vec::new() };
+//!         Ok(Game { simulator, player, crate_box, ball, sounds, waiting: 0.0 })
+//!     }
+//!
+//!     /// Called once per frame, with the time since the last one.
+//!     fn frame(&mut self, input: Input, seconds: f32) {
+//!         self.waiting += seconds.min(0.1); // A hitch is not made up for in a rush.
+//!         while self.waiting >= STEP {
+//!             self.waiting -= STEP;
+//!             self.step(input);
+//!         }
+//!     }
+//!
+//!     fn step(&mut self, input: Input) {
+//!         let mut player = self.simulator.body_mut(self.player).unwrap();
+//!         let mut velocity = player.velocity3d(); // Y is up here.
+//!         (velocity.x, velocity.z) = (150.0 * input.x, 100.0 * input.z);
+//!         if input.jump && player.is_grounded() {
+//!             velocity.y = 350.0;
+//!         }
+//!         player.set_velocity3d(velocity);
+//!         self.simulator.update_with(STEP, &mut self.sounds);
+//!     }
+//!
+//!     /// What to draw after the backdrop, back to front.
+//!     fn draw(&self) -> Vec<Drawable> {
+//!         // For every body its shadow, below it at the height of `surface_beneath_body`,
+//!         // smaller the higher it flies; then its sprite at `position`, turned by `rotation`.
+//!         // For every platform the faces between its `corners`. The crate `twohalf-render`
+//!         // has all of it.
+//!         self.simulator.draw_order()
+//!     }
+//! }
+//!
+//! let mut game = Game::new()?;
+//! let place = |game: &Game, body| game.simulator.body(body).unwrap().position3d();
+//!
+//! // Half a second to the right, pushing the crate.
+//! for _ in 0..30 {
+//!     game.frame(Input { x: 1.0, ..Input::default() }, 1.0 / 60.0);
+//! }
+//! assert!(place(&game, game.crate_box).x > 150.0);
+//! let crate_box = game.simulator.body(game.crate_box).unwrap();
+//! let crate_geom = crate_box.ground().object_geom().unwrap();
+//! assert!(game.sounds.met.contains(&Partner::Geom(crate_geom)));
+//!
+//! // A jump into the picture, onto the platform.
+//! for frame in 0..60 {
+//!     game.frame(Input { z: 1.0, jump: frame == 0, ..Input::default() }, 1.0 / 60.0);
+//! }
+//! let support = game.simulator.body(game.player).unwrap().support().unwrap();
+//! assert!(matches!(support.partner, Partner::Platform(_)));
+//! assert!((place(&game, game.player).y - 40.0).abs() < 0.1);
+//!
+//! // The ball has come to rest meanwhile. The crate is nearest to the viewer.
+//! assert!(place(&game, game.ball).y.abs() < 0.1);
+//! assert_eq!(game.draw().last(), Some(&Drawable::Body(game.crate_box)));
+//! # Ok::<(), twohalf::Error>(())
+//! ```
+//!
+//! # Where it fails
+//!
+//! - **What is too fast passes through.** Contacts are looked for where things are at a step, not on the way between
+//!   two: along any axis, what moves farther per step than it and the other are thick together may miss the other.
+//!   Nothing passes the ground, which has no underside.
+//! - **High stacks** do not stand, as in the 2D engine: with its settings, gravity 100 px/s² and steps of 0.01 s five
+//!   boxes do, ten do not. With 900 px/s² five do at 120 steps per second, and fall at 60.
+//! - **Only balls turn about X and Y.** A box that hangs over the front edge of a platform does not tip over it.
+//! - **Platforms do not carry.** One that is moved pushes out what it comes to overlap, and nothing rides on it.
+//! - [`Methods::Thesis`] is there to compare with: nothing ever meets in all three axes, and what meets along Z is a
+//!   box and has no friction.
+//! - **Sprites are flat**, so there may be no right [drawing order](TwoHalfPhysicsSimulator::draw_order) for three
+//!   that cover each other in a circle.
+//! - **Not there yet**: joints, springs and controllers; sleep.
 
 mod body;
 mod contacts;

@@ -138,7 +138,7 @@ impl World {
     pub(crate) fn find_supports(&mut self, core: &PhysicsSimulator) {
         for &body in core.body_list() {
             if let Some(state) = self.depths.bodies.get_mut(body) {
-                state.support = None;
+                state.last_support = state.support.take();
             }
         }
         for contact in core.arbiters() {
@@ -157,6 +157,26 @@ impl World {
             self.note_support(core, touch.this, touch.partner, normal);
             if let Partner::Geom(other) = touch.partner {
                 self.note_support(core, other, Partner::Geom(touch.this), -normal);
+            }
+        }
+        self.keep_supports(core);
+    }
+
+    /// What rests on something bouncy leaves it for a step now and then, no faster than gravity makes it in two steps.
+    /// It still counts as held up by what it left.
+    fn keep_supports(&mut self, core: &PhysicsSimulator) {
+        let slow = 2.0 * core.gravity().y.abs() * self.update.dt.abs();
+        for index in 0..core.body_list().len() {
+            let id = core.body_list()[index];
+            let (Some(body), Some(state)) = (core.body(id), self.depths.bodies.get(id)) else { continue };
+            let Some(last) = state.last_support.filter(|_| state.support.is_none()) else { continue };
+            let is_there = match last.partner {
+                Partner::Geom(geom) => core.is_listed(geom),
+                Partner::Platform(platform) => self.platforms.get(platform).is_some(),
+                Partner::Ground => true,
+            };
+            if is_there && !body.ignore_gravity() && body.linear_velocity().y.abs() <= slow {
+                self.depths.bodies[id].support = Some(last);
             }
         }
     }

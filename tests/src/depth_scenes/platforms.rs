@@ -27,7 +27,7 @@ pub fn box_off_near_edge() -> DepthScene {
 /// A box is dropped with its middle beyond the right edge of a platform; it tips over it and falls.
 pub fn box_tipping_over_edge() -> DepthScene {
     let surface = Surface { friction: 0.5, restitution: 0.0 };
-    let crate_box = DepthObject::new_box([40.0, 30.0, 30.0], [106.0, 70.0, 5.0]);
+    let crate_box = DepthObject::new_box([44.0, 30.0, 30.0], [106.0, 70.0, 5.0]);
     DepthScene::empty("box_tipping_over_edge", 500, surface)
         .with(crate_box.with_surface(surface))
         .with_platform(table(surface))

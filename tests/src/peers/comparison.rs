@@ -76,7 +76,12 @@ impl Run {
 
     /// Speed of an object at the end, px/s.
     pub fn speed(&self, object: usize) -> f64 {
-        self.last(object).velocity.iter().map(|part| part * part).sum::<f64>().sqrt()
+        self.last(object).speed()
+    }
+
+    /// Mean over the first `count` objects at the end.
+    pub fn mean(&self, count: usize, measure: impl Fn(State) -> f64) -> f64 {
+        (0..count).map(|object| measure(self.last(object))).sum::<f64>() / count as f64
     }
 }
 
@@ -145,6 +150,11 @@ impl Both {
         }
     }
 
+    /// Measures something in this engine's run.
+    pub fn measure(&self, measure: impl Fn(&Run) -> f64) -> f64 {
+        measure(&self.ours)
+    }
+
     /// Compares a quantity. Nothing is near enough until a tolerance is given.
     pub fn check(&mut self, quantity: &str, measure: impl Fn(&Run) -> f64) -> &mut Check {
         self.checks.push(Check {
@@ -176,7 +186,7 @@ impl Both {
     /// Prints the table and fails if anything differs by more than it may.
     pub fn report(self) {
         let mut table = format!(
-            "\n{:<28}{:>12}{:>12}{:>12}{:>12}{:>12}\n",
+            "\n{:<32}{:>12}{:>12}{:>12}{:>12}{:>12}\n",
             self.name, "twohalf", "rapier3d", "closed form", "difference", "tolerance"
         );
         let mut faults = self.faults;
@@ -188,7 +198,7 @@ impl Both {
             let mark = if wrong.is_empty() { "" } else { "  !" };
             writeln!(
                 table,
-                "  {quantity:<26}{ours:>12.4}{peer:>12.4}{form:>12}{difference:>12.4}{tolerance:>12.4}{mark}"
+                "  {quantity:<30}{ours:>12.4}{peer:>12.4}{form:>12}{difference:>12.4}{tolerance:>12.4}{mark}"
             )
             .expect("a string takes everything");
             faults.extend(wrong.into_iter().map(|fault| format!("{quantity} {fault}")));

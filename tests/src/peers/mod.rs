@@ -1,5 +1,6 @@
 //! The same scenes in this engine and in `rapier3d`, seen alike: for the comparison of what they do.
 
+pub mod closed_forms;
 mod comparison;
 mod ours;
 mod rapier;
@@ -30,6 +31,13 @@ pub struct State {
     pub velocity: [f64; 3],
     /// Rotation about the depth axis in rad, clockwise on the screen, between -pi and pi.
     pub rotation: f64,
+}
+
+impl State {
+    /// Speed in px/s.
+    pub fn speed(&self) -> f64 {
+        self.velocity.iter().map(|part| part * part).sum::<f64>().sqrt()
+    }
 }
 
 /// An engine with a scene in it.

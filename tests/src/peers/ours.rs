@@ -1,5 +1,6 @@
 //! Scenes in the 2.5D engine.
 
+use std::collections::HashMap;
 use twohalf::{BodyId, Partner, TwoHalfPhysicsSimulator};
 
 use super::{Engine, Met, State, ordered, wrapped};
@@ -10,6 +11,7 @@ use crate::depth_scenes::{DepthScene, build};
 pub struct TwoHalf {
     simulator: TwoHalfPhysicsSimulator,
     bodies: Vec<BodyId>,
+    objects: HashMap<BodyId, usize>,
     dt: f32,
 }
 
@@ -17,7 +19,13 @@ impl TwoHalf {
     /// Builds a scene.
     pub fn new(scene: &DepthScene) -> Self {
         let (simulator, bodies) = build(scene);
-        TwoHalf { simulator, bodies, dt: scene.dt }
+        let objects = bodies.iter().copied().zip(0..).collect();
+        TwoHalf { simulator, bodies, objects, dt: scene.dt }
+    }
+
+    /// The simulator.
+    pub fn simulator(&self) -> &TwoHalfPhysicsSimulator {
+        &self.simulator
     }
 
     fn met(&self, partner: Partner) -> Option<Met> {
@@ -25,7 +33,7 @@ impl TwoHalf {
             Partner::Ground => Some(Met::Ground),
             Partner::Geom(geom) => {
                 let body = self.simulator.geom(geom)?.body();
-                self.bodies.iter().position(|&known| known == body).map(Met::Object)
+                self.objects.get(&body).copied().map(Met::Object)
             }
             Partner::Platform(id) => {
                 self.simulator.platforms().position(|known| known == id).map(Met::Platform)

@@ -1,5 +1,7 @@
 //! What happened in a run.
 
+use std::collections::BTreeSet;
+
 use super::{Engine, Met, State};
 use crate::depth_scenes::DepthScene;
 
@@ -28,7 +30,7 @@ impl Recording {
         let objects = scene.objects.len();
         let mut recording =
             Recording { dt: f64::from(scene.dt), objects, states: Vec::new(), hits: Vec::new() };
-        let mut pairs = Vec::new();
+        let (mut pairs, mut known) = (Vec::new(), BTreeSet::new());
         recording.states.extend((0..objects).map(|object| engine.state(object)));
         for step in 1..=scene.steps {
             engine.step();
@@ -37,11 +39,8 @@ impl Recording {
             engine.touching(&mut pairs);
             // Two that are noticed in one step have no order.
             pairs.sort_unstable();
-            for &pair in &pairs {
-                if !recording.hits.iter().any(|hit| hit.pair == pair) {
-                    recording.hits.push(Hit { step, pair });
-                }
-            }
+            let new = pairs.iter().filter(|pair| known.insert(**pair));
+            recording.hits.extend(new.map(|&pair| Hit { step, pair }));
         }
         recording
     }

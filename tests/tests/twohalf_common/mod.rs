@@ -1,7 +1,10 @@
 //! What the tests of the 2.5D engine share. Lengths in px, steps of 0.01 s, gravity 100 px/s².
 #![allow(dead_code, reason = "not every test program needs everything")]
 
-use twohalf::{BodyId, TwoHalfPhysicsSimulator, Vector2, Vector3};
+use twohalf::{
+    BodyId, Collision, DepthProfile, Event, GeomId, Platform, PlatformId, TwoHalfPhysicsSimulator, Vector2,
+    Vector3,
+};
 use twohalf_factories::{TwoHalfBodyFactory, TwoHalfGeomFactory};
 
 /// Length of a step in s.
@@ -98,4 +101,93 @@ pub(crate) fn busy_scene() -> (TwoHalfPhysicsSimulator, Vec<BodyId>) {
         bodies.extend([b, c]);
     }
     (simulator, bodies)
+}
+
+/// The overlap that the solver leaves alone, px.
+pub(crate) const SLOP: f32 = 0.05;
+
+/// Fails unless a value is near another one.
+#[track_caller]
+pub(crate) fn assert_near(value: f32, expected: f32, tolerance: f32) {
+    assert!((value - expected).abs() <= tolerance, "{value} is not within {tolerance} of {expected}");
+}
+
+/// Fails unless a vector is near another one.
+#[track_caller]
+pub(crate) fn assert_near3(value: Vector3, expected: [f32; 3], tolerance: f32) {
+    let distance = (value - Vector3::from(expected)).norm();
+    assert!(distance <= tolerance, "{value:?} is not within {tolerance} of {expected:?}");
+}
+
+/// A box of a depth of its own, otherwise as [`crate_box`].
+pub(crate) fn solid(simulator: &mut TwoHalfPhysicsSimulator, size: [f32; 3], place: [f32; 3]) -> BodyId {
+    let [width, height, depth] = size;
+    let body = crate_box(simulator, [width, height], place);
+    let geom = geom_of(simulator, body);
+    simulator.set_depth_profile(geom, DepthProfile::Prism { depth }).unwrap();
+    body
+}
+
+/// The object geom of a body.
+pub(crate) fn geom_of(simulator: &TwoHalfPhysicsSimulator, body: BodyId) -> GeomId {
+    simulator.body(body).unwrap().ground().object_geom().unwrap()
+}
+
+/// Velocity of a body along X, up and along Z.
+pub(crate) fn velocity(simulator: &TwoHalfPhysicsSimulator, body: BodyId) -> Vector3 {
+    simulator.body(body).unwrap().velocity3d()
+}
+
+/// A level platform: width, height and depth; X, underside and Z.
+pub(crate) fn platform(
+    simulator: &mut TwoHalfPhysicsSimulator,
+    size: [f32; 3],
+    place: [f32; 3],
+) -> PlatformId {
+    let [width, height, depth] = size;
+    Platform::new(simulator, width, height, depth, Vector3::from(place), None).unwrap()
+}
+
+/// Sets the coefficients of a platform.
+pub(crate) fn set_platform_surface(
+    simulator: &mut TwoHalfPhysicsSimulator,
+    platform: PlatformId,
+    friction: f32,
+    restitution: f32,
+) {
+    let mut view = simulator.platform_mut(platform).unwrap();
+    view.settings_mut().set_friction_coefficient(friction);
+    view.settings_mut().set_restitution_coefficient(restitution);
+}
+
+/// Makes a body immovable.
+pub(crate) fn fix(simulator: &mut TwoHalfPhysicsSimulator, body: BodyId) {
+    simulator.body_mut(body).unwrap().set_is_static(true);
+}
+
+/// Momentum of some bodies along X, up and along Z.
+pub(crate) fn momentum(simulator: &TwoHalfPhysicsSimulator, bodies: &[BodyId]) -> Vector3 {
+    let of = |&body: &BodyId| velocity(simulator, body) * simulator.body(body).unwrap().mass();
+    bodies.iter().map(of).sum()
+}
+
+/// What a geom was told of its contacts in the last update.
+pub(crate) fn collisions_of(simulator: &TwoHalfPhysicsSimulator, geom: GeomId) -> Vec<Collision> {
+    let of_geom = |event: &Event| match event {
+        Event::Collision(collision) if collision.this == geom => Some(*collision),
+        _ => None,
+    };
+    simulator.events().iter().filter_map(of_geom).collect()
+}
+
+/// Makes steps until the geom is told of a contact, and gives that.
+#[track_caller]
+pub(crate) fn run_until_hit(simulator: &mut TwoHalfPhysicsSimulator, geom: GeomId) -> Collision {
+    for _ in 0..5_000 {
+        simulator.update(DT);
+        if let Some(collision) = collisions_of(simulator, geom).first() {
+            return *collision;
+        }
+    }
+    panic!("the geom touches nothing");
 }
