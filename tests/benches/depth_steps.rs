@@ -3,14 +3,21 @@
 //! `cargo bench -p conformance --bench depth_steps`. Only the updates are measured, not the building of a scene.
 
 use conformance::depth_scenes::{DepthScene, build, pile, traffic};
+use conformance::run::Run;
+use conformance::scenes::circles_in_a_pit;
 use divan::Bencher;
 use divan::counter::ItemsCount;
+use farseer_core::PhysicsSimulator;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
+use twohalf::TwoHalfPhysicsSimulator;
 
 /// Objects of the scenes that are measured.
 const TRAFFIC: [usize; 5] = [20, 40, 200, 1000, 10_000];
 const PILES: [usize; 3] = [40, 200, 1000];
+const FLAT: [usize; 5] = [20, 40, 200, 1000, 10_000];
+/// Step of the pit in s.
+const PIT_DT: f32 = 0.01;
 /// Steps that are measured: the first ones of every scene, in which everything moves.
 const STEPS: usize = 300;
 
@@ -29,18 +36,41 @@ fn piling(bencher: Bencher<'_, '_>, count: usize) {
     measure(bencher, &pile(count));
 }
 
+/// The same scene in 2D and in 2.5D with everything at one depth: circles that fall into a pit.
+#[divan::bench(args = FLAT, sample_count = 5, sample_size = 1)]
+fn pit_2d(bencher: Bencher<'_, '_>, count: usize) {
+    let core = pit(count);
+    time(bencher, &format!("pit_2d_{count}"), || core.clone(), |core| core.update(PIT_DT));
+}
+
+#[divan::bench(args = FLAT, sample_count = 5, sample_size = 1)]
+fn pit_2_5d(bencher: Bencher<'_, '_>, count: usize) {
+    let simulator =
+        TwoHalfPhysicsSimulator::from_core(600, 90, pit(count)).expect("a height and an angle in range");
+    let step = |simulator: &mut TwoHalfPhysicsSimulator| simulator.update(PIT_DT);
+    time(bencher, &format!("pit_2_5d_{count}"), || simulator.clone(), step);
+}
+
+fn pit(count: usize) -> PhysicsSimulator {
+    let scene = circles_in_a_pit(count);
+    let run = Run::build(&scene).expect("a scene that needs nothing special");
+    run.simulator().clone()
+}
+
 /// The first steps of a scene; divan counts steps per second.
 fn measure(bencher: Bencher<'_, '_>, scene: &DepthScene) {
-    bencher.counter(ItemsCount::new(STEPS)).with_inputs(|| build(scene).0).bench_local_values(
-        |mut simulator| {
-            let start = Instant::now();
-            for _ in 0..STEPS {
-                simulator.update(scene.dt);
-            }
-            note(&scene.name, start.elapsed() / STEPS as u32);
-            simulator
-        },
-    );
+    time(bencher, &scene.name, || build(scene).0, |simulator| simulator.update(scene.dt));
+}
+
+fn time<S>(bencher: Bencher<'_, '_>, name: &str, make: impl Fn() -> S, step: impl Fn(&mut S)) {
+    bencher.counter(ItemsCount::new(STEPS)).with_inputs(make).bench_local_values(|mut simulator| {
+        let start = Instant::now();
+        for _ in 0..STEPS {
+            step(&mut simulator);
+        }
+        note(name, start.elapsed() / STEPS as u32);
+        simulator
+    });
 }
 
 fn note(name: &str, mean: Duration) {

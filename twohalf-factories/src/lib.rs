@@ -1,18 +1,36 @@
 //! Ready-made bodies and geoms for the 2.5D engine (thesis, appendix A).
 //!
 //! Factories check their arguments, pick shapes and formulas, make the object and add it to the simulator: it
-//! takes part from the next update. Lengths are in px, masses in the user's unit.
+//! takes part from the next update. Lengths are in px, masses in the user's unit. What a body or geom then is, and
+//! where, is up to the [simulator](twohalf::TwoHalfPhysicsSimulator).
+//!
+//! | shape | moment of inertia | depth |
+//! |---|---|---|
+//! | circle | of a disc, m r²/2, about all three axes | a ball |
+//! | ellipse, polygon, rectangle | of the flat shape, about the depth axis | a prism as deep as the shorter side of the outline's box |
+//!
+//! [`set_depth_profile`](twohalf::TwoHalfPhysicsSimulator::set_depth_profile) gives a geom another depth, and
+//! [`Body::set_moment_of_inertia`](twohalf::farseer_core::Body::set_moment_of_inertia) a ball the 2/5 m r² of a solid
+//! one. Platforms make and add themselves: [`Platform::new`](twohalf::Platform::new).
 //!
 //! ```
-//! use twohalf::{TwoHalfPhysicsSimulator, Vector2, Vector3};
+//! use twohalf::{DepthProfile, TwoHalfPhysicsSimulator, Vector2, Vector3};
 //! use twohalf_factories::{TwoHalfBodyFactory, TwoHalfGeomFactory};
 //!
 //! let mut simulator = TwoHalfPhysicsSimulator::with_gravity(480, Vector2::new(0.0, 100.0))?;
-//! let ball = TwoHalfBodyFactory::create_circle_body(&mut simulator, 20.0, 1.0)?;
-//! let geom = TwoHalfGeomFactory::create_circle_geom(&mut simulator, ball, 20.0, 24)?;
-//! let mut ball = simulator.body_mut(ball).unwrap();
-//! ball.ground_mut().set_object_geom(geom, None)?;
-//! ball.set_position3d(Vector3::new(100.0, 200.0, 50.0));
+//! let plank = TwoHalfBodyFactory::create_rectangle_body(&mut simulator, 80.0, 10.0, 3.0)?;
+//! let geom = TwoHalfGeomFactory::create_rectangle_geom(&mut simulator, plank, 80.0, 10.0)?;
+//! assert_eq!(simulator.depth_interval(geom), Some((-5.0, 5.0)));
+//! simulator.set_depth_profile(geom, DepthProfile::Prism { depth: 30.0 })?;
+//!
+//! // Without an object geom it would fall for ever.
+//! let mut view = simulator.body_mut(plank).unwrap();
+//! view.ground_mut().set_object_geom(geom, None)?;
+//! view.set_position3d(Vector3::new(100.0, 20.0, 50.0));
+//! for _ in 0..100 {
+//!     simulator.update(0.01);
+//! }
+//! assert!(simulator.body(plank).unwrap().is_grounded());
 //! # Ok::<(), twohalf::Error>(())
 //! ```
 

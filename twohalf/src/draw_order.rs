@@ -163,7 +163,9 @@ fn covered(items: &[Item], to_viewer: Vector3) -> Vec<Vec<usize>> {
     let mut by_left: Vec<usize> = (0..items.len()).collect();
     by_left.sort_by(|&a, &b| items[a].screen_low.x.total_cmp(&items[b].screen_low.x));
     for (position, &a) in by_left.iter().enumerate() {
-        for &b in by_left[position + 1..].iter().take_while(|&&b| items[b].screen_low.x <= items[a].screen_high.x) {
+        for &b in
+            by_left[position + 1..].iter().take_while(|&&b| items[b].screen_low.x <= items[a].screen_high.x)
+        {
             if items[a].may_cover(&items[b]) {
                 let (lower, upper) = if items[a].is_below(&items[b], to_viewer) { (a, b) } else { (b, a) };
                 below[upper].push(lower);
