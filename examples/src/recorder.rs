@@ -9,7 +9,7 @@ use twohalf_render::{Animation, Canvas, ContactSheet, SoftwareCanvas, draw_capti
 use crate::Result;
 
 /// Frames per second of the animations.
-const FRAME_RATE: u32 = 30;
+const FRAME_RATE: u32 = 20;
 
 /// Films a simulation.
 #[derive(Debug)]

@@ -44,7 +44,16 @@ pub trait Canvas {
 
     /// Draws a texture. `transform` takes the texture's px (origin at its top left corner) to the canvas;
     /// every channel is multiplied by `tint`, whose alpha is the opacity.
-    fn draw_texture(&mut self, texture: &Texture2D, transform: &Transform, tint: Color);
+    ///
+    /// With a `clip` only what lies inside of this polygon is drawn: corners in px of the canvas, convex or
+    /// not; where it overlaps itself, non-zero winding counts.
+    fn draw_texture(
+        &mut self,
+        texture: &Texture2D,
+        transform: &Transform,
+        tint: Color,
+        clip: Option<&[Point]>,
+    );
 }
 
 /// Farthest from the origin that a corner of something drawn may lie, in px.

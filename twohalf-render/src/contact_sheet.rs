@@ -75,7 +75,6 @@ impl ContactSheet {
         let columns = self.columns.min(stills.len() as u32);
         let rows = (stills.len() as u32).div_ceil(columns);
         // In u64, since the sum may exceed u32; what is cut off here is refused as too large below.
-        // check.
         let side = |count: u32, cell: u32| {
             let px = u64::from(count) * u64::from(cell + GAP) + u64::from(GAP);
             u32::try_from(px).unwrap_or(u32::MAX)

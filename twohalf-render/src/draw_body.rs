@@ -1,24 +1,34 @@
 //! Bodies of the 2.5D engine as sprites, and their shadows.
 
-use twohalf::{BodyId, TwoHalfPhysicsSimulator, Vector3};
+use twohalf::{BodyId, GeomId, TwoHalfPhysicsSimulator};
 
-use crate::{Color, Point, Sprite, SpriteBatch, Texture2D, shadow_scale};
+use crate::shadow::Shadow;
+use crate::{Color, Point, Sprite, SpriteBatch, Texture2D, TextureStore};
 
 /// Draws bodies of a simulator. A body that does not exist draws nothing.
 pub trait DrawBody {
-    /// Adds the shadow of a body: `texture`, its middle `position_offset` px from the point of the ground straight
-    /// below the body's origin.
+    /// Adds the shadow of a body: the shadow image of its ground, on the topmost surface (ground or platform) beneath
+    /// the origin of one of its geoms, usually the object geom. Without an image, without a surface (below the
+    /// ground), or if the geom is not the body's, nothing is added.
     ///
-    /// With `is_shadow_resizable` the shadow is smaller the higher the body's lowest point is over the ground
-    /// (thesis 3.4), by the law of [`shadow_scale`] with the drawn width of the texture as reference: a shadow at
-    /// the height of its own width has lost half of what it can lose. `layer_depth`: 0 front to 1 back.
+    /// The image is seen as it lies on level ground; on a slope it lies aslant. On a platform it ends at the edge of
+    /// the platform's face. Its middle is `position_offset` px, measured on level ground as seen on the screen, from
+    /// the point straight below the geom's origin.
+    ///
+    /// With `is_shadow_resizable` the shadow is smaller the higher the geom's lowest point is over the surface
+    /// below its origin (thesis 3.4), by the law of [`shadow_scale`](crate::shadow_scale) with the drawn width of the
+    /// image as reference: a shadow at the height of its own width has lost half of what it can lose.
+    ///
+    /// `layer_depth`: 0 front to 1 back. A shadow on the ground belongs behind everything, one on a platform just
+    /// before that platform; [`TwoHalfPhysicsSimulator::surface_beneath_body`] tells which it is.
     #[doc(alias = "DrawShadow")]
     #[expect(clippy::too_many_arguments, reason = "the thesis' member has these")]
     fn draw_shadow(
         &self,
         batch: &mut SpriteBatch,
+        textures: &TextureStore,
         body: BodyId,
-        texture: &Texture2D,
+        geom: GeomId,
         position_offset: Point,
         scale: Point,
         color_tint: Color,
@@ -34,27 +44,21 @@ impl DrawBody for TwoHalfPhysicsSimulator {
     fn draw_shadow(
         &self,
         batch: &mut SpriteBatch,
+        textures: &TextureStore,
         body: BodyId,
-        texture: &Texture2D,
+        geom: GeomId,
         position_offset: Point,
         scale: Point,
         color_tint: Color,
         layer_depth: f32,
         is_shadow_resizable: bool,
     ) {
-        let Some(body) = self.body(body) else { return };
-        let position = body.position3d();
-        let below = self.projection().to_screen(Vector3::new(position.x, 0.0, position.z));
-        let size = match is_shadow_resizable {
-            true => shadow_scale(position.y, texture.width() as f32 * scale[0].abs()),
-            false => 1.0,
-        };
-        batch.draw(Sprite {
-            scale: scale.map(|factor| factor * size),
-            tint: color_tint,
-            layer_depth,
-            ..Sprite::centered(texture, [below.x + position_offset[0], below.y + position_offset[1]])
-        });
+        let Some(image) = self.body(body).and_then(|body| body.ground().shadow_image()) else { return };
+        let geom = self.geom(geom).filter(|geom| geom.body() == body);
+        let (Some(texture), Some(geom)) = (textures.get(image), geom) else { return };
+        let lowest = is_shadow_resizable.then(|| geom.virtual_geom().bottom);
+        let shadow = Shadow { texture, position_offset, scale, color_tint, layer_depth };
+        shadow.draw_beneath(self, batch, geom.position3d(), lowest);
     }
 
     fn draw_body(&self, batch: &mut SpriteBatch, body: BodyId, texture: &Texture2D, layer_depth: f32) {

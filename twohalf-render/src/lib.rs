@@ -1,11 +1,14 @@
-//! Pictures of 2.5D scenes: canvases, sprites drawn back to front, shadows, backdrops, animations.
+//! Pictures of 2.5D scenes: canvases, sprites drawn back to front, shadows, platforms, a debug view, backdrops,
+//! animations.
 //!
 //! In order of importance:
 //!
 //! 1. **A scene can be looked at without a window, a graphics card or a font**: [`SoftwareCanvas`] draws into
 //!    memory; [`Animation`] and [`ContactSheet`] write what it shows.
-//! 2. **Depth reads**: [`SpriteBatch`] draws back to front, shadows shrink with height ([`shadow_scale`]),
-//!    [`draw_ground_backdrop`] draws a floor along the model's Z axis.
+//! 2. **Depth reads**: [`SpriteBatch`] draws back to front; shadows lie on the ground, or on the platform below, end
+//!    at its edge ([`DrawBody`]) and shrink with height ([`shadow_scale`]); platforms are seen as boxes
+//!    ([`DrawPlatform`]); [`draw_ground_backdrop`] draws a floor along the model's Z axis, [`DebugView`] what the
+//!    engine works with.
 //! 3. **Other targets are easy**: everything is drawn through the small [`Canvas`] trait.
 //! 4. **Names an XNA game expects**: [`SpriteBatch`], [`Texture2D`], [`Color`], with XNA's meaning of
 //!    rotation, origin, scale, tint and layer depth.
@@ -14,25 +17,47 @@
 //! Colours are RGBA8 in sRGB with straight alpha. Bad input never panics: functions that return a [`Result`]
 //! refuse it with a [`RenderError`], functions that draw draw nothing.
 //!
+//! A ball over a platform, drawn in the simulator's order:
+//!
 //! ```
+//! use twohalf::{Drawable, Partner, Platform, TwoHalfPhysicsSimulator, Vector3};
+//! use twohalf_factories::{TwoHalfBodyFactory, TwoHalfGeomFactory};
 //! use twohalf_render::*;
+//!
+//! let mut simulator = TwoHalfPhysicsSimulator::with_angle(240, 60)?;
+//! let mut textures = TextureStore::default();
+//! let picture = Texture2D::ball(40, Color::rgb(210, 60, 50))?;
+//! let shadow = textures.add(Texture2D::shadow(44, 18)?);
+//!
+//! Platform::new(&mut simulator, 120.0, 20.0, 60.0, Vector3::new(130.0, 10.0, 60.0), None)?;
+//! let ball = TwoHalfBodyFactory::create_circle_body(&mut simulator, 20.0, 1.0)?;
+//! let geom = TwoHalfGeomFactory::create_circle_geom(&mut simulator, ball, 20.0, 24)?;
+//! let mut view = simulator.body_mut(ball).unwrap();
+//! view.ground_mut().set_object_geom(geom, Some(shadow))?;
+//! view.set_position3d(Vector3::new(130.0, 50.0, 60.0));
+//! simulator.update(0.0);
 //!
 //! let mut canvas = SoftwareCanvas::new(320, 240)?;
 //! draw_ground_backdrop(&mut canvas, &GroundBackdrop::new(150.0, 60.0))?;
-//!
-//! // A ball of 40 px, 30 px above the floor's point at (160, 180).
-//! let ball = Texture2D::ball(40, Color::rgb(210, 60, 50))?;
-//! let shadow = Texture2D::shadow(44, 18)?;
-//! let size = shadow_scale(30.0, 60.0);
-//!
 //! let mut batch = SpriteBatch::begin();
-//! batch.draw(Sprite { rotation: 0.7, layer_depth: 0.4, ..Sprite::centered(&ball, [160.0, 130.0]) });
-//! batch.draw(Sprite { scale: [size, size], layer_depth: 1.0, ..Sprite::centered(&shadow, [160.0, 180.0]) });
+//! for drawable in simulator.draw_order() {
+//!     match drawable {
+//!         Drawable::Platform(id) => {
+//!             simulator.draw_platform(&mut batch, id, &PlatformLook::new(Color::rgb(150, 122, 96)), 0.5);
+//!         }
+//!         Drawable::Body(id) => {
+//!             // One on the ground lies behind everything.
+//!             let surface = simulator.surface_beneath_body(id).map(|surface| surface.partner);
+//!             let layer = if surface == Some(Partner::Ground) { 1.0 } else { 0.5 };
+//!             let ([offset, scale], tint) = ([[0.0, 0.0], [1.0, 1.0]], Color::WHITE);
+//!             simulator.draw_shadow(&mut batch, &textures, id, geom, offset, scale, tint, layer, true);
+//!             simulator.draw_body(&mut batch, id, &picture, 0.5);
+//!         }
+//!     }
+//! }
 //! batch.end(&mut canvas);
-//! draw_caption(&mut canvas, "step 1");
-//!
-//! assert_eq!(canvas.pixel(160, 130).map(|color| color.a), Some(255));
-//! # Ok::<(), RenderError>(())
+//! DebugView::default().draw(&simulator, &mut canvas);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 #![forbid(unsafe_code)]
@@ -40,16 +65,21 @@
 mod animation;
 mod backdrop;
 mod canvas;
+mod clip;
 mod color;
 mod contact_sheet;
+mod debug_view;
 mod draw_body;
+mod draw_platform;
 mod error;
 mod png_file;
 mod shadow;
 mod software;
 mod sprite_batch;
+mod surface;
 mod text;
 mod texture;
+mod texture_store;
 mod transform;
 
 pub use animation::Animation;
@@ -57,11 +87,14 @@ pub use backdrop::{GroundBackdrop, draw_ground_backdrop};
 pub use canvas::{Canvas, MAX_COORDINATE};
 pub use color::Color;
 pub use contact_sheet::ContactSheet;
+pub use debug_view::DebugView;
 pub use draw_body::DrawBody;
+pub use draw_platform::{DrawPlatform, PlatformLook};
 pub use error::{MAX_PIXELS, MAX_SIDE, RenderError, Result};
 pub use shadow::{SHADOW_SCALE_LIMIT, shadow_scale};
 pub use software::SoftwareCanvas;
 pub use sprite_batch::{Sprite, SpriteBatch};
 pub use text::{CHARACTER_SIZE, draw_caption, draw_text, text_size};
 pub use texture::Texture2D;
+pub use texture_store::TextureStore;
 pub use transform::{Point, Transform};

@@ -1,4 +1,9 @@
-//! How large a shadow is when its object is in the air.
+//! Where a shadow lies, and how large it is when its object is in the air.
+
+use twohalf::{TwoHalfPhysicsSimulator, Vector3};
+
+use crate::surface::{edge, slopes, to_screen};
+use crate::{Color, Point, Sprite, SpriteBatch, Texture2D, Transform};
 
 /// What remains of a shadow's size at a great height.
 pub const SHADOW_SCALE_LIMIT: f32 = 0.3;
@@ -32,6 +37,44 @@ pub fn shadow_scale(height: f32, reference: f32) -> f32 {
     }
     // Divided by the reference first: the sum of two large finite numbers could be infinite.
     SHADOW_SCALE_LIMIT + (1.0 - SHADOW_SCALE_LIMIT) / (1.0 + height.max(0.0) / reference)
+}
+
+/// The picture of a shadow, as it would lie on level ground.
+pub(crate) struct Shadow<'a> {
+    pub(crate) texture: &'a Texture2D,
+    pub(crate) position_offset: Point,
+    pub(crate) scale: Point,
+    pub(crate) color_tint: Color,
+    pub(crate) layer_depth: f32,
+}
+
+impl Shadow<'_> {
+    /// Adds it on the topmost surface beneath a point of the world, cut off at the surface's edge. With the height
+    /// of what casts it, it is smaller the farther that is above the surface.
+    pub(crate) fn draw_beneath(
+        &self,
+        simulator: &TwoHalfPhysicsSimulator,
+        batch: &mut SpriteBatch,
+        point: Vector3,
+        lowest: Option<f32>,
+    ) {
+        let Some(surface) = simulator.surface_beneath(point) else { return };
+        let below = to_screen(simulator, Vector3::new(point.x, surface.height, point.z));
+        let slant = slopes(simulator, &surface);
+        let reference = self.texture.width() as f32 * self.scale[0].abs();
+        let size = lowest.map_or(1.0, |lowest| shadow_scale(lowest - surface.height, reference));
+        batch.draw(Sprite {
+            scale: self.scale.map(|factor| factor * size),
+            slant,
+            clip: edge(simulator, &surface),
+            tint: self.color_tint,
+            layer_depth: self.layer_depth,
+            ..Sprite::centered(
+                self.texture,
+                Transform::slant(slant).then(&Transform::translation(below)).apply(self.position_offset),
+            )
+        });
+    }
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ use tiny_skia::{
 };
 
 use crate::canvas::MAX_COORDINATE;
+use crate::clip::clip_to_convex;
 use crate::error::check_size;
 use crate::png_file;
 use crate::{Canvas, Color, Point, Result, Texture2D, Transform};
@@ -130,10 +131,24 @@ impl Canvas for SoftwareCanvas {
         }
     }
 
-    fn draw_texture(&mut self, texture: &Texture2D, transform: &Transform, tint: Color) {
+    fn draw_texture(
+        &mut self,
+        texture: &Texture2D,
+        transform: &Transform,
+        tint: Color,
+        clip: Option<&[Point]>,
+    ) {
         let [width, height] = [texture.width() as f32, texture.height() as f32];
-        let corners = [[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]];
-        let Some(path) = path_of(&corners, true, transform) else { return };
+        let corners =
+            [[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]].map(|corner| transform.apply(corner));
+        if !corners.iter().chain(clip.unwrap_or(&[])).all(|&corner| in_reach(corner)) {
+            return;
+        }
+        let path = match clip {
+            Some(clip) => path_of(&clip_to_convex(clip, &corners), true, &Transform::IDENTITY),
+            None => path_of(&corners, true, &Transform::IDENTITY),
+        };
+        let Some(path) = path else { return };
         let pixels = if tint.with_alpha(255) == Color::WHITE {
             texture.premultiplied_rgba8()
         } else {

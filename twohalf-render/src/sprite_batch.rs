@@ -24,6 +24,11 @@ pub struct Sprite {
     pub origin: Point,
     /// Factors along the texture's x and y, before the rotation; negative ones mirror.
     pub scale: Point,
+    /// How far a px to the right and a px down go down in addition, after the rotation: for what lies on a
+    /// slope. `[0.0, 0.0]` in the plane of the screen.
+    pub slant: Point,
+    /// Only what lies inside of this polygon is drawn: corners in px of the canvas.
+    pub clip: Option<Vec<Point>>,
     /// Multiplies every channel; its alpha is the opacity. White leaves the texture as it is.
     pub tint: Color,
     /// 0 front to 1 back; values outside are clamped.
@@ -40,6 +45,8 @@ impl Sprite {
             rotation: 0.0,
             origin: [0.0, 0.0],
             scale: [1.0, 1.0],
+            slant: [0.0, 0.0],
+            clip: None,
             tint: Color::WHITE,
             layer_depth: 0.0,
         }
@@ -50,11 +57,31 @@ impl Sprite {
         Sprite { origin: texture.center(), ..Sprite::new(texture, position) }
     }
 
-    /// Takes the texture's px to the canvas: origin to zero, scale, turn, move to the position.
+    /// A polygon of one colour, in front: corners in px of the canvas, convex or not.
+    pub fn polygon(corners: impl Into<Vec<Point>>, color: Color) -> Self {
+        let corners = corners.into();
+        let [mut least, mut greatest] = [[f32::INFINITY; 2], [f32::NEG_INFINITY; 2]];
+        for axis in [0, 1] {
+            for corner in &corners {
+                least[axis] = least[axis].min(corner[axis]);
+                greatest[axis] = greatest[axis].max(corner[axis]);
+            }
+        }
+        // One px, stretched over all of the polygon.
+        Sprite {
+            scale: [greatest[0] - least[0], greatest[1] - least[1]],
+            tint: color,
+            clip: Some(corners),
+            ..Sprite::new(&Texture2D::white_pixel(), least)
+        }
+    }
+
+    /// Takes the texture's px to the canvas: origin to zero, scale, turn, slant, move to the position.
     pub fn transform(&self) -> Transform {
         Transform::translation([-self.origin[0], -self.origin[1]])
             .then(&Transform::scaling(self.scale))
             .then(&Transform::rotation(self.rotation))
+            .then(&Transform::slant(self.slant))
             .then(&Transform::translation(self.position))
     }
 }
@@ -80,8 +107,9 @@ impl SpriteBatch {
     /// Adds a sprite. One with a number that is not finite is dropped.
     #[doc(alias = "Draw")]
     pub fn draw(&mut self, sprite: Sprite) {
-        let Sprite { position, rotation, origin, scale, layer_depth, .. } = &sprite;
-        let numbers = [position, origin, scale].into_iter().flatten().chain([rotation, layer_depth]);
+        let Sprite { position, rotation, origin, scale, slant, layer_depth, .. } = &sprite;
+        let points = [position, origin, scale, slant].into_iter().chain(sprite.clip.iter().flatten());
+        let numbers = points.flatten().chain([rotation, layer_depth]);
         if numbers.copied().all(f32::is_finite) {
             self.sprites.push(sprite);
         }
@@ -94,7 +122,7 @@ impl SpriteBatch {
         // Stable: sprites of equal depth stay in the order they were added. `+ 0.0` makes -0 and 0 equal.
         self.sprites.sort_by(|a, b| (depth(b) + 0.0).total_cmp(&(depth(a) + 0.0)));
         for sprite in &self.sprites {
-            canvas.draw_texture(&sprite.texture, &sprite.transform(), sprite.tint);
+            canvas.draw_texture(&sprite.texture, &sprite.transform(), sprite.tint, sprite.clip.as_deref());
         }
     }
 }

@@ -38,6 +38,12 @@ impl Transform {
         Transform { x_axis: [cos, sin], y_axis: [-sin, cos], translation: [0.0, 0.0] }
     }
 
+    /// Moves a point down by `slopes[0]` px for each px that it lies to the right of the origin, and by
+    /// `slopes[1]` px for each px below it.
+    pub const fn slant(slopes: Point) -> Self {
+        Transform { x_axis: [1.0, slopes[0]], y_axis: [0.0, 1.0 + slopes[1]], translation: [0.0, 0.0] }
+    }
+
     /// First `self`, then `next`.
     pub fn then(&self, next: &Transform) -> Self {
         Transform {

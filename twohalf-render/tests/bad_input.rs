@@ -36,6 +36,16 @@ fn pictures_without_area_or_of_absurd_size_are_refused() {
 }
 
 #[test]
+fn shadows_of_boxes_with_bad_numbers_are_refused() {
+    for angle in [0.0, 180.0, -45.0, f32::NAN, f32::INFINITY] {
+        assert!(is_refused(Texture2D::box_shadow(10, 10, angle)), "{angle}");
+    }
+    assert!(is_refused(Texture2D::box_shadow(0, 10, 60.0)));
+    assert!(is_refused(Texture2D::box_shadow(10, 0, 60.0)));
+    assert!(is_refused(Texture2D::box_shadow(10, 1000, f32::MIN_POSITIVE)), "leans without end");
+}
+
+#[test]
 fn the_smallest_generated_textures_exist() {
     for (width, height) in [(1, 1), (1, 7), (9, 1), (2, 3)] {
         assert!(Texture2D::shadow(width, height).is_ok());
@@ -111,6 +121,9 @@ fn sprites_with_bad_numbers_draw_nothing() {
             Sprite { scale: [bad, 1.0], ..good.clone() },
             Sprite { rotation: bad, ..good.clone() },
             Sprite { layer_depth: bad, ..good.clone() },
+            Sprite { slant: [0.0, bad], ..good.clone() },
+            Sprite { clip: Some(vec![[0.0, 0.0], [20.0, bad], [0.0, 20.0]]), ..good.clone() },
+            Sprite::polygon([[0.0, 0.0], [20.0, bad], [0.0, 20.0]], RED),
         ];
         for sprite in sprites {
             let mut batch = SpriteBatch::begin();
@@ -121,6 +134,10 @@ fn sprites_with_bad_numbers_draw_nothing() {
     let mut batch = SpriteBatch::begin();
     batch.draw(Sprite { scale: [0.0, 0.0], ..good.clone() });
     batch.draw(Sprite { tint: Color::WHITE.with_alpha(0), ..good.clone() });
+    batch.draw(Sprite { clip: Some(vec![]), ..good.clone() });
+    batch.draw(Sprite { clip: Some(vec![[0.0, 0.0], [20.0, 20.0]]), ..good.clone() });
+    batch.draw(Sprite::polygon([], RED));
+    batch.draw(Sprite::polygon([[3.0, 4.0]; 3], RED));
     assert!(!changes(|canvas| batch.end(canvas)));
 
     let mut batch = SpriteBatch::begin();
@@ -206,7 +223,8 @@ fn no_numbers_whatever_make_drawing_panic() {
         canvas.stroke_polyline(&points, index % 2 == 0, numbers.next(), &transform, color);
         canvas.fill_ellipse(numbers.pair(), numbers.pair(), &transform, color);
         canvas.fill_rectangle(numbers.pair(), numbers.pair(), &transform, color);
-        canvas.draw_texture(&textures[index % 2], &transform, color);
+        let clip = (index % 3 > 0).then_some(&points[..]);
+        canvas.draw_texture(&textures[index % 2], &transform, color, clip);
     }
     assert!(canvas.pixel(0, 0).is_some());
 }

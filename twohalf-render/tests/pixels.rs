@@ -162,6 +162,69 @@ fn a_negative_scale_mirrors_a_sprite() {
 }
 
 #[test]
+fn a_clipped_sprite_ends_where_its_polygon_ends() {
+    let mut canvas = white_canvas(30, 30);
+    let mut batch = SpriteBatch::begin();
+    let clip = Some(vec![[10.0, 0.0], [40.0, 0.0], [40.0, 12.0], [10.0, 12.0]]);
+    batch.draw(Sprite { clip, ..Sprite::new(&solid(20, 20, RED), [4.0, 4.0]) });
+    batch.end(&mut canvas);
+    assert_only_filled(&canvas, |x, y| (10..24).contains(&x) && (4..12).contains(&y), RED);
+}
+
+#[test]
+fn a_clip_takes_nothing_from_what_is_inside_of_it() {
+    let sprite = Sprite { rotation: 0.3, ..Sprite::centered(&four_fields(), [15.0, 14.0]) };
+    let around = Some(vec![[-5.0, -5.0], [50.0, -5.0], [50.0, 50.0], [-5.0, 50.0]]);
+    let [whole, clipped] = [None, around].map(|clip| {
+        let mut canvas = white_canvas(30, 30);
+        let mut batch = SpriteBatch::begin();
+        batch.draw(Sprite { clip, ..sprite.clone() });
+        batch.end(&mut canvas);
+        canvas
+    });
+    for (x, y) in (0..30).flat_map(|x| (0..30).map(move |y| (x, y))) {
+        let [a, b] = [&whole, &clipped].map(|canvas| canvas.pixel(x, y).unwrap());
+        // The corners are computed once more, so smooth edges may differ in their last step.
+        for (a, b) in [(a.r, b.r), (a.g, b.g), (a.b, b.b), (a.a, b.a)] {
+            assert!(a.abs_diff(b) <= 1, "({x}, {y})");
+        }
+    }
+}
+
+#[test]
+fn a_concave_clip_leaves_its_notch_open() {
+    let mut canvas = white_canvas(20, 20);
+    let mut batch = SpriteBatch::begin();
+    let arrow = vec![[2.0, 2.0], [18.0, 2.0], [18.0, 18.0], [10.0, 6.0], [2.0, 18.0]];
+    batch.draw(Sprite { clip: Some(arrow), ..Sprite::new(&solid(20, 15, GREEN), [0.0, 0.0]) });
+    batch.end(&mut canvas);
+    assert_eq!(canvas.pixel(10, 4), Some(GREEN));
+    assert_eq!(canvas.pixel(10, 12), Some(Color::WHITE), "the notch");
+    assert_eq!(canvas.pixel(3, 12), Some(GREEN));
+    assert_eq!(canvas.pixel(3, 15), Some(Color::WHITE), "below the texture");
+}
+
+#[test]
+fn a_polygon_as_a_sprite_has_its_colour_everywhere_and_is_sorted_with_the_others() {
+    let mut canvas = white_canvas(20, 15);
+    let mut batch = SpriteBatch::begin();
+    let rectangle = [[3.0, 5.0], [10.0, 5.0], [10.0, 9.0], [3.0, 9.0]];
+    batch.draw(Sprite { layer_depth: 0.2, ..Sprite::polygon(rectangle, RED) });
+    batch.draw(Sprite { layer_depth: 0.3, ..Sprite::new(&solid(5, 3, BLUE), [4.0, 6.0]) });
+    batch.end(&mut canvas);
+    assert_only_filled(&canvas, |x, y| (3..10).contains(&x) && (5..9).contains(&y), RED);
+}
+
+#[test]
+fn a_slant_lowers_a_sprite_by_its_distance_to_the_right_and_down() {
+    let sprite = Sprite { slant: [0.5, 1.0], ..Sprite::centered(&four_fields(), [40.0, 30.0]) };
+    let at = |point| sprite.transform().apply(point);
+    assert_eq!(at([10.0, 10.0]), [40.0, 30.0], "the origin stays");
+    assert_eq!(at([14.0, 10.0]), [44.0, 32.0]);
+    assert_eq!(at([10.0, 14.0]), [40.0, 38.0]);
+}
+
+#[test]
 fn a_tint_multiplies_colour_and_opacity() {
     let mut canvas = white_canvas(10, 10);
     let mut batch = SpriteBatch::begin();
@@ -187,6 +250,22 @@ fn a_shadow_is_densest_in_the_middle_and_fades_to_nothing() {
     assert!(row[20] < row[0] && row[35] < row[20]);
     assert_eq!(alpha(0, 0), 0);
     assert!(alpha(80, 20) < 4);
+}
+
+#[test]
+fn the_shadow_of_a_box_has_the_shape_of_its_footprint() {
+    let shadow = Texture2D::box_shadow(100, 60, 45.0).unwrap();
+    assert_eq!([shadow.width(), shadow.height()], [100 + 60 + 16, 60 + 16]);
+    let alpha = |x, y| shadow.pixel(x, y).unwrap().a;
+    let full = alpha(88, 38);
+    assert!(full > 100);
+    // The footprint's far edge is 60 px farther to the right than the near one.
+    for (x, y, inside) in [(30, 56, true), (145, 20, true), (20, 15, false), (150, 60, false)] {
+        assert_eq!(alpha(x, y) == full, inside, "({x}, {y})");
+        assert_eq!(alpha(x, y) == 0, !inside, "({x}, {y})");
+    }
+    // Half of it at the edge: 8 px from the upper side of the texture.
+    assert!(alpha(100, 7) < full / 2 && alpha(100, 8) > full / 2);
 }
 
 #[test]

@@ -61,6 +61,13 @@ fn extents_overlap(a: Reach, b: Reach) -> bool {
     a.z == b.z || (f64::from(a.z) - f64::from(b.z)).abs() < f64::from(a.half) + f64::from(b.half)
 }
 
+fn overlap_along_z(a: Reach, b: Reach) -> f32 {
+    a.half + b.half - (b.z - a.z).abs()
+}
+
+/// In units of slop: overlaps up to this are those of things that rest or slide.
+const SHALLOW: f32 = 2.0;
+
 /// Names a pair of geoms; the older one becomes the first.
 pub(crate) fn key_of(core: &PhysicsSimulator, geom1: GeomId, geom2: GeomId) -> Option<SpacePair> {
     let (number1, number2) = (core.geom(geom1)?.id(), core.geom(geom2)?.id());
@@ -84,14 +91,17 @@ impl World {
         if self.last.find(pair.key).is_some_and(|touch| matches!(touch.kept, Kept::Depth { .. })) {
             return Way::Space;
         }
-        if a.velocity_z == b.velocity_z || self.update.known.impulse(pair.key).is_some() {
+        let stands_against = a.z != b.z && overlap_along_z(a, b) <= SHALLOW * core.allowed_penetration();
+        let may_meet_along_z = a.velocity_z != b.velocity_z || stands_against;
+        if !may_meet_along_z || self.update.known.impulse(pair.key).is_some() {
             return Way::Plane;
         }
         self.way_of_new(core, pair, a, b).unwrap_or(Way::Plane)
     }
 
     /// Two outlines that did not touch before meet along the axis that they entered last, as their velocities say.
-    /// Where that leaves it open, within the slop, the smaller overlap decides. `None` if they do not touch.
+    /// Where that leaves it open, within the slop, the smaller overlap decides. What only rests against a face goes on
+    /// doing so. `None` if they do not touch.
     fn way_of_new(&mut self, core: &PhysicsSimulator, pair: SpacePair, a: Reach, b: Reach) -> Option<Way> {
         let (geom_a, geom_b) = (core.geom(pair.geom_a)?, core.geom(pair.geom_b)?);
         let velocity = self.motion_of(core, geom_b.body()) - self.motion_of(core, geom_a.body());
@@ -105,10 +115,22 @@ impl World {
             velocity.xy(),
         )?;
         let closing = (a.velocity_z - b.velocity_z) * if b.z < a.z { -1.0 } else { 1.0 };
-        let overlap = a.half + b.half - (b.z - a.z).abs();
+        let overlap = overlap_along_z(a, b);
+        let (dt, slop) = (self.update.dt, core.allowed_penetration());
+        // What only rests against a face, or slides along it, did not enter through another one just now.
+        let rests = |overlap: f32, closing: f32| overlap <= SHALLOW * slop && closing * dt <= slop;
+        if rests(plane.penetration, -velocity.xy().dot(&plane.normal)) {
+            return Some(Way::Plane);
+        }
+        if a.z != b.z && rests(overlap, closing) {
+            return Some(Way::Space);
+        }
+        if a.velocity_z == b.velocity_z {
+            return Some(Way::Plane);
+        }
         let depth_time = if closing > 0.0 { overlap / closing } else { f32::INFINITY };
-        let was_apart = |time: f32| time <= self.update.dt.abs();
-        let is_tie = (plane.time - depth_time).abs() * closing <= core.allowed_penetration();
+        let was_apart = |time: f32| time <= dt.abs();
+        let is_tie = (plane.time - depth_time).abs() * closing <= slop;
         let is_open = is_tie || !(was_apart(plane.time) || was_apart(depth_time));
         let is_depth = if is_open { overlap < plane.penetration } else { depth_time < plane.time };
         Some(if is_depth { Way::Space } else { Way::Plane })
@@ -168,8 +190,14 @@ impl CoreHandler for Meeting<'_, '_> {
         contacts: &mut Vec<Contact>,
     ) -> bool {
         let Some(handler) = &mut self.handler else { return true };
-        let collision = self.world.plane_collision(context.simulator(), this, other, contacts);
-        let Some(collision) = collision else { return true };
+        let Some(SpacePair { key, geom_a, geom_b }) = key_of(context.simulator(), this, other) else {
+            return true;
+        };
+        let Some(collision) = self.world.plane_collision([geom_a, geom_b], this, contacts) else {
+            return true;
+        };
+        let normal_impulse = self.world.update.known.impulse(key).unwrap_or(0.0);
+        let collision = Collision { normal_impulse, ..collision };
         let accepted = handler.on_collision(&mut Context::within(context, self.world), &collision);
         if !accepted {
             self.world.update.vetoed.push(collision);
@@ -242,18 +270,17 @@ impl World {
         key_of(core, this, other).is_some_and(|pair| self.update.known.impulse(pair.key).is_some())
     }
 
-    /// What a game is told of contacts that the 2D engine has found and not solved yet.
+    /// What a game is told of contacts that the 2D engine has found: those of `older` and `younger`, seen by one of
+    /// them.
     pub(crate) fn plane_collision(
         &self,
-        core: &PhysicsSimulator,
+        [older, younger]: [GeomId; 2],
         this: GeomId,
-        other: GeomId,
         contacts: &[Contact],
     ) -> Option<Collision> {
-        let pair = key_of(core, this, other)?;
         let deepest = contacts.first()?;
         // The 2D engine's normals point to the younger geom.
-        let sign = if pair.geom_b == this { 1.0 } else { -1.0 };
+        let (sign, other) = if younger == this { (1.0, older) } else { (-1.0, younger) };
         Some(Collision {
             this,
             partner: Partner::Geom(other),
@@ -261,7 +288,7 @@ impl World {
             normal: Vector3::new(sign * deepest.normal.x, -sign * deepest.normal.y, 0.0),
             position: Vector3::new(deepest.position.x, -deepest.position.y, self.middle(this, other)),
             contacts: contacts.len() as u32,
-            normal_impulse: self.update.known.impulse(pair.key).unwrap_or(0.0),
+            normal_impulse: 0.0,
             vetoed: false,
         })
     }

@@ -220,7 +220,8 @@ impl World {
                         arbiter = arbiters.next();
                     }
                     let Some((position, found)) = &arbiter else { continue };
-                    let collision = self.plane_collision(core, this, other, found.contacts());
+                    let pair = [found.geom_a(), found.geom_b()];
+                    let collision = self.plane_collision(pair, this, found.contacts());
                     let Some(collision) = collision else { continue };
                     let source = (self.events.len() as u32, Source::Arbiter(*position as u32));
                     self.update.sources.push(source);

@@ -11,7 +11,7 @@ use crate::shapes::ConvexPieces;
 use crate::slots::SlotTable;
 use crate::solver::SpaceSolver;
 use crate::step::StepCounters;
-use crate::touch::TouchList;
+use crate::touch::{BallContact, TouchList};
 use crate::{Methods, Projection, Vector2, Vector3};
 
 /// What this engine keeps beside the 2D engine.
@@ -60,6 +60,7 @@ pub(crate) struct Update {
     pub(crate) core_events: usize,
     /// For the collisions among the events: where their impulse comes from.
     pub(crate) sources: Vec<(u32, Source)>,
+    pub(crate) ball_contacts: Vec<BallContact>,
     /// Collisions in X and Y that the handler refused and that are not among the events yet.
     pub(crate) vetoed: Vec<Collision>,
     /// By body slot: whether the body moved along Z and nobody was told yet.

@@ -1,7 +1,7 @@
 //! Textures made by computation: what scenes need when no picture is at hand.
 
 use super::Texture2D;
-use crate::error::check_size;
+use crate::error::{check_range, check_size};
 use crate::{Color, Result};
 
 /// Samples per pixel and axis; smooths the edges inside a texture.
@@ -9,6 +9,9 @@ const SAMPLES: u32 = 4;
 
 /// Opacity of a shadow under its middle.
 const SHADOW_OPACITY: f32 = 0.62;
+
+/// Width over which the shadow of a box fades inside and outside of its edge, px.
+const SOFT_EDGE: f32 = 8.0;
 
 /// Sectors of a ball, every other one pale.
 const BALL_SECTORS: u8 = 6;
@@ -94,6 +97,32 @@ impl Texture2D {
             let [u, v] = [2.0 * x - 1.0, 2.0 * y - 1.0];
             let inside = (1.0 - u * u - v * v).max(0.0);
             Color::BLACK.with_opacity(SHADOW_OPACITY * inside * inside.sqrt())
+        })
+    }
+
+    /// The shadow of a level box on level ground: black with a soft edge, the box's footprint as it is seen with a Z
+    /// axis at `angle` degrees on the screen, counterclockwise from the x axis. For a platform's shadow image.
+    ///
+    /// `width` and `depth` in px. The texture is larger by the soft edge, 8 px on every side, and by what the
+    /// footprint leans.
+    ///
+    /// # Errors
+    /// An angle that is not between 0 and 180; a width or depth of 0, or a texture that would be too large (see
+    /// [`SoftwareCanvas::new`](crate::SoftwareCanvas::new)).
+    pub fn box_shadow(width: u32, depth: u32, angle: f32) -> Result<Self> {
+        check_range("angle", angle, f32::MIN_POSITIVE..=180.0_f32.next_down(), "between 0 and 180 degrees")?;
+        check_size(width, depth)?;
+        let (sin, cos) = libm::sincos(f64::from(angle).to_radians());
+        let slope = (cos / sin) as f32;
+        let [w, d] = [width as f32, depth as f32];
+        let size = [w + (d * slope).abs(), d].map(|side| side + 2.0 * SOFT_EDGE);
+        // The conversion saturates, and what is too large is refused.
+        generate(size[0].ceil() as u32, size[1] as u32, |[x, y]| {
+            let [right, down] = [(x - 0.5) * size[0].ceil(), (y - 0.5) * size[1]];
+            // A px down is one towards the viewer, and to the side along the Z axis.
+            let across = (right + down * slope).abs();
+            let inside = (0.5 * w - across).min(0.5 * d - down.abs());
+            Color::BLACK.with_opacity(SHADOW_OPACITY * (0.5 + 0.5 * inside / SOFT_EDGE).min(1.0))
         })
     }
 }

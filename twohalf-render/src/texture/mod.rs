@@ -47,6 +47,13 @@ impl Texture2D {
         Ok(Texture2D { image: Arc::new(Image { width, height, straight: pixels, premultiplied }) })
     }
 
+    /// One opaque white px: to be stretched and tinted.
+    pub(crate) fn white_pixel() -> Self {
+        let pixels = || vec![255; 4];
+        let image = Image { width: 1, height: 1, straight: pixels(), premultiplied: pixels() };
+        Texture2D { image: Arc::new(image) }
+    }
+
     /// A texture from the bytes of a PNG picture (any colour type and depth, reduced to 8 bits per channel).
     ///
     /// # Errors

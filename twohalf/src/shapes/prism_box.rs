@@ -17,6 +17,7 @@ use farseer_core::math::{Vector2, Vector3, scalar};
 use serde::{Deserialize, Serialize};
 
 use super::{SlantedBox, overlap_points, span_of};
+use axes::Candidate;
 use points::Choice;
 use swept_outline::{BoxEdge, SweptOutline};
 
@@ -103,8 +104,13 @@ pub(crate) fn prism_box<'a>(
     let depth = match kept {
         Some(KeptAxis::Depth { is_front }) => Some(if is_front { front } else { back }),
         Some(KeptAxis::Plane { .. }) => None,
-        None if motion.z == 0.0 => None,
-        None => Some(if motion.z > 0.0 { front } else { back }).filter(|depth| meeting.leaves(depth, &plane)),
+        None => {
+            let nearest = if offset < 0.0 { front } else { back };
+            let entered = if motion.z > 0.0 { front } else { back };
+            meeting
+                .rests_against(nearest, &plane)
+                .or_else(|| Some(entered).filter(|depth| meeting.leaves(depth, &plane)))
+        }
     };
     let manifold = match depth {
         Some(depth) => meeting.depth_manifold(depth, &plane, scratch),
@@ -175,8 +181,19 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
         plane
     }
 
-    /// Whether a prism that begins to touch entered in depth last.
+    /// Front or back, if a prism that begins to touch only stands against it, and does not rest on a side.
+    fn rests_against(&self, depth: Depth, plane: &Plane) -> Option<Depth> {
+        let Candidate { penetration, normal3d, .. } = plane.deepest.candidate;
+        let is_against = self.rests(depth.penetration, depth.normal()) && depth.penetration > 0.0;
+        (is_against && !self.rests(penetration, normal3d)).then_some(depth)
+    }
+
+    /// Whether a prism that begins to touch entered in depth last. What does not move in depth did not.
     fn leaves(&self, depth: &Depth, plane: &Plane) -> bool {
+        let Candidate { penetration, normal3d, .. } = plane.deepest.candidate;
+        if self.motion.z == 0.0 || self.rests(penetration, normal3d) {
+            return false;
+        }
         let in_plane = plane.deepest.candidate.penetration;
         let is_shallow = scalar::min(depth.penetration, in_plane) <= SHALLOW * self.slop;
         let time = self.time(depth.penetration, depth.normal());

@@ -8,9 +8,11 @@ mod list;
 mod objects;
 mod plane;
 mod platforms;
+mod seams;
 
 pub(crate) use list::{Kept, Touch, TouchKey, TouchList, TouchPoint};
 pub(crate) use objects::overlap;
+pub(crate) use seams::BallContact;
 
 use farseer_core::{GeomRef, PhysicsSimulator};
 
@@ -25,6 +27,7 @@ impl World {
         platforms::touch_platforms(core, self);
         ground::touch_grounds(core, self);
         self.touches.sort();
+        self.smooth_seams(core.allowed_penetration());
     }
 }
 

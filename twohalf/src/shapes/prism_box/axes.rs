@@ -130,9 +130,19 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
         (candidate.normal.dot(&normal) > TURNED).then_some(candidate)
     }
 
-    /// The axis with the least overlap among those entered last, or among all when something only rests or slides
-    /// here: otherwise the seam of two platforms at the same height would stop what slides from one to the other.
+    /// Whether a prism that overlaps so much along a normal only rests against that face or slides along it.
+    pub(super) fn rests(&self, penetration: f32, normal: Vector3) -> bool {
+        penetration <= SHALLOW * self.slop && -self.motion.dot(&normal) <= self.slop
+    }
+
+    /// The axis with the least overlap among those entered last, or among all when the overlap is shallow. A face that
+    /// it rests on comes first: otherwise the seam of two platforms at the same height would stop what slides from one
+    /// to the other.
     fn entered_last(&self, piece: u32, vertices: &[Vector2], survey: &Survey) -> Option<Candidate> {
+        let rests = |candidate: &Candidate| self.rests(candidate.penetration, candidate.normal3d);
+        if let Some(resting) = least(self.exits(piece, vertices).filter(rests)) {
+            return Some(resting);
+        }
         let is_shallow = survey.least_penetration <= SHALLOW * self.slop;
         let latest = if is_shallow { f32::INFINITY } else { self.tie(survey.least_time) };
         least(self.exits(piece, vertices).filter(|candidate| candidate.time <= latest))

@@ -1,0 +1,247 @@
+//! What the engine works with, drawn over a picture.
+
+use twohalf::{BodyId, GeomId, TwoHalfPhysicsSimulator, Vector3, VirtualGeom};
+
+use crate::surface::{corners_on_screen, to_screen};
+use crate::{Canvas, Color, Point, Transform};
+
+/// Corners of a round footprint.
+const ROUND_CORNERS: u8 = 24;
+
+/// Shows what a simulator works with: outlines, footprints, grounds, platforms and contacts, each where it is in depth.
+///
+/// The options are those of Farseer's debug view where it has them (behaviour chapter 16, A), with the same colours
+/// and measures; but outlines are drawn, dots at their corners are not. What depth adds has colours of its own.
+///
+/// ```
+/// # use twohalf::TwoHalfPhysicsSimulator;
+/// # use twohalf_render::{DebugView, SoftwareCanvas};
+/// # let simulator = TwoHalfPhysicsSimulator::new(480)?;
+/// # let mut canvas = SoftwareCanvas::new(640, 480)?;
+/// let view = DebugView { enable_contact_view: false, ..DebugView::default() };
+/// view.draw(&simulator, &mut canvas);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[doc(alias = "PhysicsSimulatorView")]
+pub struct DebugView {
+    /// Whether the grounds are drawn: a line at Y = 0 below each body with an object geom, as wide as that geom.
+    pub enable_ground_view: bool,
+    /// Colour of the grounds.
+    pub ground_color: Color,
+    /// Whether the virtual geoms are drawn: the footprint of each geom at the height of its lowest point, and half as
+    /// strong on the ground below.
+    pub enable_virtual_geom_view: bool,
+    /// Colour of the virtual geoms.
+    pub virtual_geom_color: Color,
+    /// Whether the platforms are drawn: all edges of their boxes.
+    pub enable_platform_view: bool,
+    /// Colour of the platforms.
+    pub platform_color: Color,
+    /// Whether the outlines of the geoms are drawn.
+    #[doc(alias = "EnableEdgeView")]
+    pub enable_edge_view: bool,
+    /// Colour of the outlines.
+    #[doc(alias = "EdgeColor")]
+    pub edge_color: Color,
+    /// Whether dots are drawn at the corners of the outlines.
+    #[doc(alias = "EnableVerticeView")]
+    pub enable_vertice_view: bool,
+    /// Colour of these dots.
+    #[doc(alias = "VerticeColor")]
+    pub vertice_color: Color,
+    /// Radius of these dots in px.
+    #[doc(alias = "VerticeRadius")]
+    pub vertice_radius: f32,
+    /// Whether a cross is drawn at each body's origin that turns with the body.
+    #[doc(alias = "EnableCoordinateAxisView")]
+    pub enable_coordinate_axis_view: bool,
+    /// Colour of these crosses.
+    #[doc(alias = "CoordinateAxisColor")]
+    pub coordinate_axis_color: Color,
+    /// Length of the lines of these crosses in px.
+    #[doc(alias = "CoordinateAxisLineLength")]
+    pub coordinate_axis_line_length: f32,
+    /// Whether contacts are drawn: a dot, and an arrow along the normal, towards the geom that is pushed.
+    #[doc(alias = "EnableContactView")]
+    pub enable_contact_view: bool,
+    /// Colour of the contacts.
+    #[doc(alias = "ContactColor")]
+    pub contact_color: Color,
+    /// Radius of the contacts' dots in px.
+    #[doc(alias = "ContactRadius")]
+    pub contact_radius: f32,
+    /// Length in the world of the contacts' arrows, px.
+    pub contact_normal_length: f32,
+    /// Width of all lines in px.
+    #[doc(alias = "EdgeLineThickness")]
+    #[doc(alias = "CoordinateAxisLineThickness")]
+    pub line_thickness: f32,
+}
+
+impl Default for DebugView {
+    fn default() -> Self {
+        DebugView {
+            enable_ground_view: true,
+            ground_color: Color::rgba(130, 60, 0, 220),
+            enable_virtual_geom_view: true,
+            virtual_geom_color: Color::rgba(0, 110, 60, 220),
+            enable_platform_view: true,
+            platform_color: Color::rgba(0, 60, 200, 220),
+            enable_edge_view: true,
+            edge_color: Color::rgba(0, 0, 0, 150),
+            enable_vertice_view: false,
+            vertice_color: Color::rgba(0, 50, 0, 150),
+            vertice_radius: 3.0,
+            enable_coordinate_axis_view: true,
+            coordinate_axis_color: Color::rgba(0, 0, 0, 150),
+            coordinate_axis_line_length: 20.0,
+            enable_contact_view: true,
+            contact_color: Color::rgba(255, 0, 0, 150),
+            contact_radius: 4.0,
+            contact_normal_length: 20.0,
+            line_thickness: 1.0,
+        }
+    }
+}
+
+impl DebugView {
+    /// Draws all parts that are on, contacts last: what takes part in the simulation, and the contacts of its last
+    /// update.
+    #[doc(alias = "Draw")]
+    pub fn draw(&self, simulator: &TwoHalfPhysicsSimulator, canvas: &mut dyn Canvas) {
+        let mut pen = Pen { view: self, simulator, canvas };
+        if self.enable_ground_view {
+            simulator.body_list().iter().for_each(|&body| pen.ground(body));
+        }
+        if self.enable_virtual_geom_view {
+            simulator.geom_list().iter().for_each(|&geom| pen.virtual_geom(geom));
+        }
+        if self.enable_platform_view {
+            pen.platforms();
+        }
+        for &geom in simulator.geom_list() {
+            pen.outline(geom);
+        }
+        if self.enable_coordinate_axis_view {
+            simulator.body_list().iter().for_each(|&body| pen.axes(body));
+        }
+        if self.enable_contact_view {
+            pen.contacts();
+        }
+    }
+}
+
+/// Draws one thing.
+struct Pen<'a> {
+    view: &'a DebugView,
+    simulator: &'a TwoHalfPhysicsSimulator,
+    canvas: &'a mut dyn Canvas,
+}
+
+impl Pen<'_> {
+    /// Where a point of the world is on the screen.
+    fn at(&self, x: f32, y: f32, z: f32) -> Point {
+        to_screen(self.simulator, Vector3::new(x, y, z))
+    }
+
+    fn line(&mut self, points: &[Point], is_closed: bool, color: Color) {
+        let width = self.view.line_thickness;
+        self.canvas.stroke_polyline(points, is_closed, width, &Transform::IDENTITY, color);
+    }
+
+    fn dot(&mut self, center: Point, radius: f32, color: Color) {
+        self.canvas.fill_ellipse(center, [radius; 2], &Transform::IDENTITY, color);
+    }
+
+    fn ground(&mut self, body: BodyId) {
+        let Some(body) = self.simulator.body(body) else { return };
+        let object = body.ground().object_geom().and_then(|geom| self.simulator.geom(geom));
+        let Some(object) = object.map(|geom| geom.virtual_geom()) else { return };
+        let z = body.position3d().z;
+        let line = [object.left, object.right].map(|x| self.at(x, 0.0, z));
+        self.line(&line, false, self.view.ground_color);
+    }
+
+    fn virtual_geom(&mut self, geom: GeomId) {
+        let Some(shape) = self.simulator.geom(geom).map(|geom| geom.virtual_geom()) else { return };
+        let color = self.view.virtual_geom_color;
+        let on_ground = self.footprint(&shape, 0.0);
+        self.line(&on_ground, true, color.with_opacity(0.5));
+        let at_bottom = self.footprint(&shape, shape.bottom);
+        self.line(&at_bottom, true, color);
+    }
+
+    fn footprint(&self, shape: &VirtualGeom, y: f32) -> Vec<Point> {
+        let VirtualGeom { left, right, front, back, .. } = *shape;
+        if !shape.is_round {
+            return [[left, front], [right, front], [right, back], [left, back]]
+                .map(|[x, z]| self.at(x, y, z))
+                .to_vec();
+        }
+        let [middle_x, middle_z] = [0.5 * (left + right), 0.5 * (front + back)];
+        let [across, along] = [0.5 * (right - left), 0.5 * (back - front)];
+        let corner = |index| {
+            let turn = f64::from(index) / f64::from(ROUND_CORNERS);
+            let (sin, cos) = libm::sincos(turn * std::f64::consts::TAU);
+            self.at(middle_x + across * cos as f32, y, middle_z + along * sin as f32)
+        };
+        (0..ROUND_CORNERS).map(corner).collect()
+    }
+
+    fn platforms(&mut self) {
+        for platform in self.simulator.platforms() {
+            let Some(corners) = corners_on_screen(self.simulator, platform) else { continue };
+            let color = self.view.platform_color;
+            self.line(&corners[..4], true, color);
+            self.line(&corners[4..], true, color);
+            for index in 0..4 {
+                self.line(&[corners[index], corners[index + 4]], false, color);
+            }
+        }
+    }
+
+    fn outline(&mut self, geom: GeomId) {
+        let DebugView { enable_edge_view, enable_vertice_view, vertice_radius, .. } = *self.view;
+        let Some(geom) = self.simulator.geom(geom) else { return };
+        let outline: Vec<Point> = geom.screen_outline().into_iter().map(Point::from).collect();
+        if enable_edge_view {
+            self.line(&outline, true, self.view.edge_color);
+        }
+        if enable_vertice_view {
+            outline.iter().for_each(|&vertex| self.dot(vertex, vertice_radius, self.view.vertice_color));
+        }
+    }
+
+    fn axes(&mut self, body: BodyId) {
+        let Some(body) = self.simulator.body(body) else { return };
+        let half = 0.5 * self.view.coordinate_axis_line_length;
+        let to_screen =
+            Transform::rotation(body.rotation()).then(&Transform::translation(body.position().into()));
+        for end in [[half, 0.0], [0.0, half]] {
+            let line = [end.map(|side| -side), end].map(|point| to_screen.apply(point));
+            self.line(&line, false, self.view.coordinate_axis_color);
+        }
+    }
+
+    fn contacts(&mut self) {
+        let DebugView { contact_color, contact_radius, contact_normal_length, .. } = *self.view;
+        for contact in self.simulator.contacts() {
+            let from = to_screen(self.simulator, contact.position);
+            let to = to_screen(self.simulator, contact.position + contact.normal * contact_normal_length);
+            self.dot(from, contact_radius, contact_color);
+            self.arrow(from, to, contact_color);
+        }
+    }
+
+    fn arrow(&mut self, from: Point, to: Point, color: Color) {
+        let [dx, dy] = [0.3 * (to[0] - from[0]), 0.3 * (to[1] - from[1])];
+        self.line(&[from, to], false, color);
+        let barbs = [
+            [to[0] - dx - 0.6 * dy, to[1] - dy + 0.6 * dx],
+            to,
+            [to[0] - dx + 0.6 * dy, to[1] - dy - 0.6 * dx],
+        ];
+        self.line(&barbs, false, color);
+    }
+}
