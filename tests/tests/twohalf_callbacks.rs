@@ -3,12 +3,12 @@
 mod twohalf_common;
 
 use twohalf::{
-    Axis, BodyId, Collision, CollisionCategory, Context, Event, EventHandler, GeomId, Partner, TwoHalfPhysicsSimulator,
-    Vector2, Vector3,
+    Axis, BodyId, Collision, CollisionCategory, Context, Event, EventHandler, GeomId, Partner,
+    TwoHalfPhysicsSimulator, Vector2, Vector3,
 };
 use twohalf_common::{
-    DT, GRAVITY, SLOP, assert_near, assert_near3, ball, busy_scene, crate_box, fix, geom_of, place, platform, run,
-    set_platform_surface, set_surface, simulator, solid, throw, velocity, weightless,
+    DT, GRAVITY, SLOP, assert_near, assert_near3, ball, busy_scene, crate_box, fix, geom_of, place, platform,
+    run, set_platform_surface, set_surface, simulator, solid, throw, velocity, weightless,
 };
 
 /// Velocities of a few hundred px/s after a few hundred operations of f32.
@@ -384,7 +384,9 @@ const PARTINGS: [Parting; 4] = [
         }
     },
     |simulator, geoms| {
-        for (geom, category) in geoms.into_iter().zip([CollisionCategory::from_bits(1), CollisionCategory::from_bits(2)]) {
+        for (geom, category) in
+            geoms.into_iter().zip([CollisionCategory::from_bits(1), CollisionCategory::from_bits(2)])
+        {
             let settings = simulator.geom_mut(geom).unwrap();
             settings.set_collision_categories(category);
             settings.set_collides_with(category);

@@ -3,7 +3,7 @@
 
 mod twohalf_common;
 
-use twohalf::{BodyId, TwoHalfPhysicsSimulator, Vector3};
+use twohalf::{BodyId, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3};
 use twohalf_common::{DT, GRAVITY, ball, crate_box, place, run, set_surface, simulator, throw, weightless};
 
 /// Time until a body's lowest point is at or below the ground.
@@ -240,4 +240,44 @@ fn nothing_moves_along_z_while_the_simulator_is_disabled() {
     simulator.set_enabled(false);
     run(&mut simulator, 10);
     assert_eq!(place(&simulator, body), Vector3::new(0.0, 100.0, 0.0));
+}
+
+#[test]
+fn a_bouncy_box_comes_to_rest_on_the_ground() {
+    let mut simulator = simulator();
+    let body = crate_box(&mut simulator, [40.0, 20.0], [0.0, 30.0, 0.0]);
+    set_surface(&mut simulator, body, 0.5, 0.6);
+    run(&mut simulator, 1000);
+    for _ in 0..200 {
+        simulator.update(DT);
+        let body = simulator.body(body).unwrap();
+        assert!(body.is_grounded());
+        // Left alone are 0.05 px of overlap; above, it falls by what gravity does in one step.
+        assert!((-0.06..0.02).contains(&body.position3d().y), "{}", body.position3d());
+        assert!(body.velocity3d().norm() <= 1.001 * GRAVITY * DT, "{}", body.velocity3d());
+    }
+}
+
+#[test]
+fn a_bouncy_box_does_not_creep_down_a_slope_below_its_friction_angle() {
+    let mut simulator = simulator();
+    let tilt = 0.3_f32;
+    let slope = Vector3::new(0.0, 100.0, 0.0);
+    let slope = Platform::with_rotation(&mut simulator, 400.0, 20.0, 80.0, slope, tilt, None).unwrap();
+    let mut slope = simulator.platform_mut(slope).unwrap();
+    slope.settings_mut().set_friction_coefficient(0.5);
+    slope.settings_mut().set_restitution_coefficient(0.5);
+    let body = crate_box(&mut simulator, [40.0, 20.0], [0.0, 0.0, 0.0]);
+    set_surface(&mut simulator, body, 0.5, 0.5);
+    let mut view = simulator.body_mut(body).unwrap();
+    view.set_rotation(tilt);
+    // Its middle lies half its height and half the platform's over the platform's middle at Y = 110.
+    let rise = 20.0;
+    let origin = Vector2::new(rise * tilt.sin(), -(110.0 + rise * tilt.cos()));
+    view.core_mut().set_position(origin);
+    run(&mut simulator, 200);
+    let settled = simulator.body(body).unwrap().origin3d();
+    run(&mut simulator, 1000);
+    let later = simulator.body(body).unwrap().origin3d();
+    assert!((later - settled).norm() < 1e-2, "{settled} to {later}");
 }

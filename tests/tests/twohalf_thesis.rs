@@ -7,8 +7,8 @@ mod twohalf_common;
 
 use twohalf::{Axis, BodyId, DepthProfile, Methods, TwoHalfPhysicsSimulator, Vector2, Vector3};
 use twohalf_common::{
-    DT, GRAVITY, SLOP, assert_near, assert_near3, ball, collisions_of, fix, geom_of, place, platform, run, run_until_hit,
-    set_surface, solid, throw, velocity,
+    DT, GRAVITY, SLOP, assert_near, assert_near3, ball, collisions_of, fix, geom_of, place, platform, run,
+    run_until_hit, set_surface, solid, throw, velocity,
 };
 
 /// Velocities of a few hundred px/s after a few hundred operations of f32.

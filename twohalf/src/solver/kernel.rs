@@ -160,7 +160,15 @@ impl Row {
     }
 
     /// Masses, biases, and the impulses of the last update.
-    pub(super) fn pre_step(&mut self, restitution: f32, settings: PreStep, bodies: &mut [SpaceBody; 2]) {
+    ///
+    /// What comes no faster along the normal than `pull` makes it in two steps does not bounce: it comes to rest.
+    pub(super) fn pre_step(
+        &mut self,
+        restitution: f32,
+        pull: [f32; 3],
+        settings: PreStep,
+        bodies: &mut [SpaceBody; 2],
+    ) {
         let [first, second] = self.tangents;
         let mass = bodies[A].inverse_mass + bodies[B].inverse_mass;
         self.normal_mass = 1.0 / (mass + self.turning(bodies, self.normal, self.normal));
@@ -177,7 +185,10 @@ impl Row {
         };
         let excess = (settings.slop + self.separation).min(0.0);
         self.target_bias = -settings.bias_factor * settings.inverse_dt * excess;
-        self.bounce_velocity = dot(self.relative_velocity(bodies), self.normal) * restitution;
+        let speed = dot(self.relative_velocity(bodies), self.normal);
+        let pulled = dot(pull, self.normal).min(0.0);
+        let rests = pulled < 0.0 && speed >= 2.0 * pulled;
+        self.bounce_velocity = if rests { 0.0 } else { speed * restitution };
         let [along, across] = self.friction_impulse;
         let impulse: [f32; 3] = std::array::from_fn(|axis| {
             self.normal[axis] * self.normal_impulse + first[axis] * along + second[axis] * across

@@ -106,9 +106,10 @@ impl SpaceSolver {
             PreStep { inverse_dt, bias_factor: core.bias_factor(), slop: core.allowed_penetration() };
         for index in 0..self.groups.len() {
             let touch = &list.touches[self.groups[index].touch as usize];
+            let pull = pull_of(core, touch, inverse_dt);
             self.apply(core, index, |rows, _, bodies| {
                 for row in rows {
-                    row.pre_step(touch.restitution, settings, bodies);
+                    row.pre_step(touch.restitution, pull, settings, bodies);
                 }
             });
         }
@@ -320,6 +321,17 @@ impl SpaceSolver {
             }
         }
     }
+}
+
+/// Velocity that gravity gives in a step to what lies on the ground or on a platform. Without it, restitution would keep
+/// such a body hopping for ever, and creeping down slopes. Pairs of objects bounce as in the 2D engine.
+fn pull_of(core: &PhysicsSimulator, touch: &Touch, inverse_dt: f32) -> [f32; 3] {
+    let is_pulled = core.body(touch.body).is_some_and(|body| !body.ignore_gravity());
+    if touch.partner_body.is_some() || !is_pulled {
+        return [0.0; 3];
+    }
+    let gravity = core.gravity();
+    [gravity.x / inverse_dt, gravity.y / inverse_dt, 0.0]
 }
 
 /// Whether a body rolls in every direction: all of its geoms are round about its own centre.
