@@ -262,12 +262,17 @@ fn a_refusal_of_the_second_side_hides_no_other_contact() {
     }
     let mut listener = Listener::that_refuses(second_side_refuses);
     let geom = geom_of(&simulator, others[0]);
+    let (mut both, mut refused) = (0, 0);
     for step in 0..100 {
         simulator.update_with(DT, &mut listener);
         let is_told = |heard: &[Collision]| heard.iter().any(|collision| collision.this == geom);
         assert_eq!(is_told(&told(&simulator)), is_told(&listener.collisions), "step {step}");
+        let has_refused = told(&simulator).iter().any(|event| event.vetoed);
+        refused += usize::from(has_refused);
+        both += usize::from(has_refused && is_told(&listener.collisions));
         listener.collisions.clear();
     }
+    assert!(both > 20 && both == refused, "{both} of {refused}");
 }
 
 #[test]

@@ -122,8 +122,9 @@ impl World {
     fn solve(&mut self, core: &mut PhysicsSimulator, dt: f32) {
         let inverse_dt = 1.0 / dt;
         self.take_over_plane_contacts(core);
+        self.solver.prepare(core, &self.depths, &self.touches, inverse_dt);
         core.pre_step(inverse_dt);
-        self.solver.pre_step(core, &self.depths, &self.touches, inverse_dt);
+        self.solver.warm_start(core);
         for _ in 0..core.iterations() {
             core.solve_iteration();
             self.solver.solve_iteration(core);

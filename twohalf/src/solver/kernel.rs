@@ -159,15 +159,15 @@ impl Row {
         bodies[A].turning(self.arms[A], a, b) + bodies[B].turning(self.arms[B], a, b)
     }
 
-    /// Masses, biases, and the impulses of the last update.
+    /// Masses and biases, from velocities before any impulse acts.
     ///
-    /// What comes no faster along the normal than `pull` makes it in two steps does not bounce: it comes to rest.
-    pub(super) fn pre_step(
+    /// `pull` is the velocity that gravity has given in this step, where that does not count for the bounce.
+    pub(super) fn prepare(
         &mut self,
         restitution: f32,
         pull: [f32; 3],
         settings: PreStep,
-        bodies: &mut [SpaceBody; 2],
+        bodies: &[SpaceBody; 2],
     ) {
         let [first, second] = self.tangents;
         let mass = bodies[A].inverse_mass + bodies[B].inverse_mass;
@@ -186,9 +186,15 @@ impl Row {
         let excess = (settings.slop + self.separation).min(0.0);
         self.target_bias = -settings.bias_factor * settings.inverse_dt * excess;
         let speed = dot(self.relative_velocity(bodies), self.normal);
+        // What a pull towards the surface has added in this step was not there when it arrived.
         let pulled = dot(pull, self.normal).min(0.0);
-        let rests = pulled < 0.0 && speed >= 2.0 * pulled;
-        self.bounce_velocity = if rests { 0.0 } else { speed * restitution };
+        let arrival = if pulled < 0.0 { (speed - pulled).min(0.0) } else { speed };
+        self.bounce_velocity = arrival * restitution;
+    }
+
+    /// The impulses of the last update act again.
+    pub(super) fn warm_start(&self, bodies: &mut [SpaceBody; 2]) {
+        let [first, second] = self.tangents;
         let [along, across] = self.friction_impulse;
         let impulse: [f32; 3] = std::array::from_fn(|axis| {
             self.normal[axis] * self.normal_impulse + first[axis] * along + second[axis] * across

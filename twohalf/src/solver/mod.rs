@@ -13,14 +13,14 @@ mod kernel;
 use farseer_core::{BodyId, PhysicsSimulator, SolverBody, SolverPlace};
 
 use crate::Vector3;
-use crate::depth::{DepthProfile, Depths};
+use crate::depth::{DepthProfile, Depths, is_movable};
 use crate::touch::{Touch, TouchList};
 use kernel::{Row, SpaceBody};
 
 /// A body as far as the 2D engine's solver does not keep it.
 #[derive(Debug, Clone, Copy)]
 struct DepthState {
-    /// `None` for what cannot move and is no body.
+    /// In the 2D engine's solver, once that has begun; `None` for what is no body.
     place: Option<SolverPlace>,
     id: Option<BodyId>,
     /// Centre of mass.
@@ -34,6 +34,21 @@ struct DepthState {
     /// About the axes x and y; 0 for what turns about the depth axis only.
     inverse_inertia: f32,
     failed: bool,
+}
+
+impl DepthState {
+    /// The body before anything is solved.
+    fn begin_with(&self, core: &PhysicsSimulator) -> SpaceBody {
+        let Some(body) = self.id.and_then(|id| core.body(id)) else { return SpaceBody::default() };
+        let velocity = body.linear_velocity();
+        SpaceBody {
+            linear: [velocity.x, velocity.y, self.velocity_z],
+            angular: [self.angular_x, self.angular_y, body.angular_velocity()],
+            inverse_mass: body.inverse_mass(),
+            inverse_inertia: [self.inverse_inertia, self.inverse_inertia, body.inverse_moment_of_inertia()],
+            ..SpaceBody::default()
+        }
+    }
 }
 
 /// Place of the immovable rest of the world among the states.
@@ -88,10 +103,11 @@ impl SpaceSolver {
         self.groups.iter().map(rows_of).sum()
     }
 
-    /// Gathers bodies and contacts, after the 2D engine has done so, and lets the impulses of the last update act.
-    pub(crate) fn pre_step(
+    /// Gathers bodies and contacts, and computes masses, biases and bounces: before the impulses of the last update act
+    /// again, here and in the 2D engine, so that things bounce with the speed with which they arrived.
+    pub(crate) fn prepare(
         &mut self,
-        core: &mut PhysicsSimulator,
+        core: &PhysicsSimulator,
         depths: &Depths,
         list: &TouchList,
         inverse_dt: f32,
@@ -104,12 +120,27 @@ impl SpaceSolver {
         }
         let settings =
             PreStep { inverse_dt, bias_factor: core.bias_factor(), slop: core.allowed_penetration() };
-        for index in 0..self.groups.len() {
-            let touch = &list.touches[self.groups[index].touch as usize];
+        for group in &self.groups {
+            let touch = &list.touches[group.touch as usize];
             let pull = pull_of(core, touch, inverse_dt);
+            let bodies =
+                [group.body_a, group.body_b].map(|place| self.states[place as usize].begin_with(core));
+            let rows = group.first_row as usize..(group.first_row + group.row_count) as usize;
+            for row in &mut self.rows[rows] {
+                row.prepare(touch.restitution, pull, settings, &bodies);
+            }
+        }
+    }
+
+    /// Lets the impulses of the last update act again, after the 2D engine's pre-step.
+    pub(crate) fn warm_start(&mut self, core: &mut PhysicsSimulator) {
+        for state in &mut self.states {
+            state.place = state.id.and_then(|id| core.solver_place(id));
+        }
+        for index in 0..self.groups.len() {
             self.apply(core, index, |rows, _, bodies| {
                 for row in rows {
-                    row.pre_step(touch.restitution, pull, settings, bodies);
+                    row.warm_start(bodies);
                 }
             });
         }
@@ -140,7 +171,7 @@ impl SpaceSolver {
 
     fn gather(
         &mut self,
-        core: &mut PhysicsSimulator,
+        core: &PhysicsSimulator,
         depths: &Depths,
         list: &TouchList,
         touch: &Touch,
@@ -170,7 +201,7 @@ impl SpaceSolver {
         });
     }
 
-    fn gather_body(&mut self, core: &mut PhysicsSimulator, depths: &Depths, id: BodyId) -> Option<u32> {
+    fn gather_body(&mut self, core: &PhysicsSimulator, depths: &Depths, id: BodyId) -> Option<u32> {
         let state = depths.bodies.get(id)?;
         if id.slot() >= self.places.len() {
             self.places.resize(id.slot() + 1, (0, 0));
@@ -178,12 +209,11 @@ impl SpaceSolver {
         if self.places[id.slot()].0 == self.stamp {
             return Some(self.places[id.slot()].1);
         }
-        let place = core.solver_place(id)?;
         let body = core.body(id)?;
         let inverse_inertia = if is_ball(core, depths, id) { body.inverse_moment_of_inertia() } else { 0.0 };
         let index = self.states.len() as u32;
         self.states.push(DepthState {
-            place: Some(place),
+            place: None,
             id: Some(id),
             centre: [body.position().x, body.position().y, state.z],
             velocity_z: state.velocity_z,
@@ -323,14 +353,19 @@ impl SpaceSolver {
     }
 }
 
-/// Velocity that gravity gives in a step to what lies on the ground or on a platform. Without it, restitution would keep
-/// such a body hopping for ever, and creeping down slopes. Pairs of objects bounce as in the 2D engine.
+/// Velocity relative to each other that gravity has given two things in this step. They bounce with the speed with which
+/// they arrived: with that of the step as well, what falls on something immovable would gain height, hop for ever and
+/// creep down slopes. Contacts that were taken over from the 2D engine bounce as there, where it counts.
 fn pull_of(core: &PhysicsSimulator, touch: &Touch, inverse_dt: f32) -> [f32; 3] {
-    let is_pulled = core.body(touch.body).is_some_and(|body| !body.ignore_gravity());
-    if touch.partner_body.is_some() || !is_pulled {
-        return [0.0; 3];
-    }
-    let gravity = core.gravity();
+    let falls =
+        |body: BodyId| is_movable(core, body) && core.body(body).is_some_and(|body| !body.ignore_gravity());
+    let sign = match (touch.partner_body.is_some_and(falls), falls(touch.body)) {
+        _ if touch.is_plane() => return [0.0; 3],
+        (false, true) => 1.0,
+        (true, false) => -1.0,
+        _ => return [0.0; 3],
+    };
+    let gravity = core.gravity() * sign;
     [gravity.x / inverse_dt, gravity.y / inverse_dt, 0.0]
 }
 
