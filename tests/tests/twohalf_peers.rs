@@ -541,8 +541,8 @@ fn the_time_per_step_of_both_is_printed() {
     let _alone = alone();
     let mut table =
         format!("\n{:<20}{:>16}{:>16}{:>10}\n", "time per step", "twohalf, ms", "rapier3d, ms", "ratio");
-    for count in [20, 40, 200, 1000] {
-        let scene = traffic(count);
+    let scenes = [20, 40, 200, 1000].map(traffic).into_iter().chain([200, 1000].map(pile));
+    for scene in scenes {
         let mut times = [Vec::new(), Vec::new()];
         for _ in 0..ROUNDS {
             times[0].push(time_of(&mut TwoHalf::new(&scene), STEPS));

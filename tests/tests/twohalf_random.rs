@@ -7,7 +7,7 @@ use std::cell::Cell;
 use proptest::prelude::{Just, Strategy, prop_oneof};
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
 use twohalf::farseer_core::{BroadPhaseCollider, PhysicsSimulator, Vertices};
-use twohalf::{BodyId, DepthProfile, GeomId, Partner, TwoHalfPhysicsSimulator, Vector2, Vector3};
+use twohalf::{BodyId, DepthProfile, GeomId, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3};
 use twohalf_common::{DT, GRAVITY, SLOP, platform, run, set_platform_surface};
 use twohalf_factories::{TwoHalfBodyFactory, TwoHalfGeomFactory};
 
@@ -153,10 +153,12 @@ fn heavy_scene(things: &[Thing]) -> (TwoHalfPhysicsSimulator, Vec<BodyId>) {
     let floor = platform(&mut simulator, [120.0, 30.0, 70.0], [40.0, 20.0, 40.0]);
     set_platform_surface(&mut simulator, floor, 0.4, 0.2);
     let position = Vector3::new(190.0, 30.0, 40.0);
-    let slope = twohalf::Platform::with_rotation(&mut simulator, 120.0, 20.0, 90.0, position, -0.4, None).unwrap();
+    let slope = Platform::with_rotation(&mut simulator, 120.0, 20.0, 90.0, position, -0.4, None).unwrap();
     set_platform_surface(&mut simulator, slope, 0.4, 0.2);
-    for [width, depth, x, z] in [[40.0, 400.0, -40.0, 60.0], [40.0, 400.0, 240.0, 60.0], [400.0, 40.0, 100.0, -50.0], [400.0, 40.0, 100.0, 170.0]] {
-        platform(&mut simulator, [width, 800.0, depth], [x, -100.0, z]);
+    // Four walls around it.
+    for [x, z] in [[-1.0, 0.0], [1.0, 0.0], [0.0, -1.0], [0.0, 1.0]] {
+        let size = if x == 0.0 { [400.0, 800.0, 40.0] } else { [40.0, 800.0, 400.0] };
+        platform(&mut simulator, size, [100.0 + 140.0 * x, -100.0, 60.0 + 110.0 * z]);
     }
     let bodies = things.iter().map(|&thing| make(&mut simulator, thing, 110.0, true)).collect();
     (simulator, bodies)
@@ -184,56 +186,196 @@ fn kinetic(simulator: &TwoHalfPhysicsSimulator, bodies: &[BodyId]) -> f64 {
     bodies.iter().map(of).sum()
 }
 
+/// Kinetic energy and that of the height of the middles.
+fn energy(simulator: &TwoHalfPhysicsSimulator, bodies: &[BodyId]) -> f64 {
+    let of_height = |&body: &BodyId| {
+        let view = simulator.body(body).unwrap();
+        f64::from(view.mass() * GRAVITY) * f64::from(view.origin3d().y)
+    };
+    kinetic(simulator, bodies) + bodies.iter().map(of_height).sum::<f64>()
+}
+
 #[test]
-fn measure() {
-    let worst = Cell::new(0.0_f64);
-    let worst_momentum = Cell::new(0.0_f64);
-    let touched = Cell::new(0);
+fn without_gravity_the_momentum_along_every_axis_stays() {
+    let contacts = Cell::new(0);
     check(things(40.0), |things| {
         let (mut simulator, bodies) = weightless_scene(&things);
-        let before = kinetic(&simulator, &bodies);
-        let (p, size) = momenta(&simulator, &bodies);
-        for _ in 0..200 {
+        let (before, size) = momenta(&simulator, &bodies);
+        for _ in 0..300 {
             simulator.update(DT);
-            touched.set(touched.get() + simulator.contacts().count());
-            let after = kinetic(&simulator, &bodies);
-            worst.set(worst.get().max(after / before));
+            contacts.set(contacts.get() + simulator.contacts().count());
         }
-        let (q, _) = momenta(&simulator, &bodies);
-        let off = (0..3).map(|i| (p[i] - q[i]).abs()).fold(0.0, f64::max) / size;
-        worst_momentum.set(worst_momentum.get().max(off));
+        let (after, _) = momenta(&simulator, &bodies);
+        // Every impulse is added to the one body and subtracted from the other; the sums are rounded, by 6e-8 of the
+        // velocity each.
+        for axis in 0..3 {
+            assert!((after[axis] - before[axis]).abs() < 1e-6 * size, "{before:?} {after:?}");
+        }
     });
-    println!("energy {} momentum {} touched {}", worst.get(), worst_momentum.get(), touched.get());
-    let deepest = Cell::new([0.0_f32; 3]);
-    let speed = Cell::new(0.0_f32);
+    assert!(contacts.get() > 1000);
+}
+
+#[test]
+fn without_gravity_the_kinetic_energy_does_not_grow() {
+    check(things(40.0), |things| {
+        let (mut simulator, bodies) = weightless_scene(&things);
+        let start = kinetic(&simulator, &bodies);
+        let mut last = start;
+        for _ in 0..300 {
+            simulator.update(DT);
+            let now = kinetic(&simulator, &bodies);
+            // Overlap is undone by velocities of its own. What five passes leave of contacts with several points may
+            // be taken back in the next step: 2e-4 (measured).
+            assert!(now <= last * 1.001 && now <= start * 1.000_001, "{start} {last} {now}");
+            last = now;
+        }
+    });
+}
+
+#[test]
+fn with_gravity_the_energy_grows_by_no_more_than_corrections_and_the_step_of_a_bounce_explain() {
     check(things(40.0), |things| {
         let (mut simulator, bodies) = heavy_scene(&things);
-        run(&mut simulator, 1500);
-        let mut d = deepest.get();
-        for contact in simulator.contacts() {
-            let kind = match contact.partner { Partner::Ground => 0, Partner::Platform(_) => 1, _ => 2 };
-            d[kind] = d[kind].min(contact.separation);
+        let weight: f64 =
+            bodies.iter().map(|&body| f64::from(simulator.body(body).unwrap().mass() * GRAVITY)).sum();
+        let start = energy(&simulator, &bodies);
+        let mut last = start;
+        for _ in 0..600 {
+            let speeds = bodies.iter().map(|&body| simulator.body(body).unwrap().velocity3d().norm());
+            let fastest = f64::from(speeds.fold(0.0, f32::max));
+            simulator.update(DT);
+            let excess = simulator.contacts().map(|contact| (-contact.separation - SLOP).max(0.0));
+            let excess: f64 = excess.map(f64::from).sum();
+            let now = energy(&simulator, &bodies);
+            // 0.8 of the overlap beyond the slop lifts at most everything. What gravity adds to a velocity v in the
+            // step of a bounce comes back as well: (v + g dt)² - v² over 2 g, and v dt of height on the way up.
+            let explained = weight * (0.8 * excess + 2.0 * (fastest + 1.0) * f64::from(DT));
+            assert!(now <= last + explained, "{last} {now} {explained}");
+            assert!(now <= start * 1.000_001, "{start} {now}");
+            last = now;
         }
-        deepest.set(d);
-        let s = bodies.iter().map(|&b| simulator.body(b).unwrap().velocity3d().norm()).fold(0.0, f32::max);
-        println!("speed {s} d {d:?}");
-        speed.set(speed.get().max(s));
     });
-    println!("deepest {:?} speed {}", deepest.get(), speed.get());
-    for only_balls in [true, false] {
-    let same = Cell::new(0);
+}
+
+/// How far a body is inside a box that is not tilted, given by its least and greatest corners: the least way out of what
+/// both have in common, 0 if they do not overlap. For a ball what the distance of its middle says.
+fn overlap(simulator: &TwoHalfPhysicsSimulator, body: BodyId, low: Vector3, high: Vector3) -> f32 {
+    let geom = simulator.geom(simulator.body(body).unwrap().ground().object_geom().unwrap()).unwrap();
+    let footprint = geom.virtual_geom();
+    if let DepthProfile::Round { radius } = geom.depth_profile() {
+        let middle = geom.position3d();
+        let nearest = middle.sup(&low).inf(&high);
+        return (radius - (middle - nearest).norm()).max(0.0);
+    }
+    let in_depth = (footprint.back - low.z).min(high.z - footprint.front);
+    let of_corner = |corner: &Vector2| {
+        let (x, y) = (corner.x, -corner.y);
+        (x - low.x).min(high.x - x).min(y - low.y).min(high.y - y)
+    };
+    let in_plane = geom.world_vertices().iter().map(of_corner).fold(0.0, f32::max);
+    in_plane.min(in_depth).max(0.0)
+}
+
+#[test]
+fn after_settling_nothing_is_below_the_ground_or_inside_a_platform() {
     check(things(40.0), |mut things| {
-        if only_balls { things.iter_mut().for_each(|t| t.form = Form::Ball); }
-        let ends: Vec<String> = [BroadPhaseCollider::SelectiveSweep, BroadPhaseCollider::SweepAndPrune, BroadPhaseCollider::BruteForce, BroadPhaseCollider::SPATIAL_HASH].into_iter().map(|method| {
-            let mut core = PhysicsSimulator::default();
+        things.iter_mut().for_each(|thing| thing.restitution = 0.0);
+        let (mut simulator, bodies) = heavy_scene(&things);
+        run(&mut simulator, 1500);
+        // The slop, and what a step of gravity adds under those that lie on each other (measured: 0.052).
+        let deepest = 2.0 * SLOP;
+        for contact in simulator.contacts() {
+            assert!(contact.separation > -deepest, "{contact:?}");
+        }
+        let level: Vec<_> =
+            simulator.platforms().filter_map(|id| simulator.platform(id)).filter(|p| p.rotation() == 0.0).collect();
+        for &body in &bodies {
+            assert!(simulator.body(body).unwrap().position3d().y > -deepest);
+            for platform in &level {
+                let [low, high] = [platform.corners()[3], platform.corners()[5]];
+                let inside = overlap(&simulator, body, low, high);
+                assert!(inside < deepest, "{inside} inside of {:?}", platform.position3d());
+            }
+        }
+    });
+}
+
+#[test]
+fn while_things_fall_nothing_gets_through_the_ground_or_into_a_platform_by_more_than_a_step() {
+    check(things(40.0), |things| {
+        let (mut simulator, bodies) = heavy_scene(&things);
+        for _ in 0..400 {
+            simulator.update(DT);
+            // They fall by less than 250 px: 224 px/s. With what others push, twice as much.
+            for &body in &bodies {
+                assert!(simulator.body(body).unwrap().position3d().y > -2.0 * 224.0 * DT);
+            }
+        }
+    });
+}
+
+fn assert_all_finite(simulator: &TwoHalfPhysicsSimulator, bodies: &[BodyId]) {
+    for view in bodies.iter().map(|&body| simulator.body(body).unwrap()) {
+        let numbers = [view.origin3d(), view.velocity3d(), view.angular_velocity3d()];
+        assert!(numbers.iter().flat_map(|v| v.iter()).all(|number| number.is_finite()), "{numbers:?}");
+    }
+}
+
+#[test]
+fn everything_stays_finite_at_any_speed() {
+    for speed in [3e3, 1e7, 1e18, 1e38] {
+        check(things(speed), |things| {
+            let (mut simulator, bodies) = heavy_scene(&things);
+            for _ in 0..60 {
+                simulator.update(DT);
+                assert_all_finite(&simulator, &bodies);
+            }
+        });
+    }
+}
+
+#[test]
+fn a_scene_that_was_saved_and_loaded_goes_on_with_the_same_bits() {
+    check((things(40.0), 1..300_usize), |(things, steps)| {
+        for is_heavy in [true, false] {
+            let (mut simulator, _) = if is_heavy { heavy_scene(&things) } else { weightless_scene(&things) };
+            run(&mut simulator, steps);
+            let saved = serde_json::to_string(&simulator).unwrap();
+            let mut loaded: TwoHalfPhysicsSimulator = serde_json::from_str(&saved).unwrap();
+            for _ in 0..60 {
+                simulator.update(DT);
+                loaded.update(DT);
+                assert_eq!(simulator.events(), loaded.events());
+            }
+            assert!(serde_json::to_string(&simulator).unwrap() == serde_json::to_string(&loaded).unwrap());
+        }
+    });
+}
+
+#[test]
+fn a_scene_of_balls_does_the_same_with_every_broad_phase() {
+    // Their contacts are solved in the order of creation, whoever found them.
+    let methods = [
+        BroadPhaseCollider::SelectiveSweep,
+        BroadPhaseCollider::SweepAndPrune,
+        BroadPhaseCollider::BruteForce,
+        BroadPhaseCollider::SPATIAL_HASH,
+    ];
+    check(things(40.0), |things| {
+        let ends = methods.map(|method| {
+            let mut core = PhysicsSimulator::new(Vector2::new(0.0, GRAVITY)).unwrap();
             core.set_broad_phase_collider(method).unwrap();
             let mut simulator = TwoHalfPhysicsSimulator::from_core(600, 60, core).unwrap();
-            let bodies: Vec<BodyId> = things.iter().map(|&thing| make(&mut simulator, thing, 0.0, false)).collect();
-            run(&mut simulator, 200);
-            bodies.iter().map(|&b| format!("{:?} {:?}", simulator.body(b).unwrap().position3d(), simulator.body(b).unwrap().velocity3d())).collect()
-        }).collect();
-        same.set(same.get() + usize::from(ends.iter().all(|e| *e == ends[0])));
+            let as_ball = |thing: &Thing| Thing { form: Form::Ball, ..*thing };
+            let balls: Vec<Thing> = things.iter().map(as_ball).collect();
+            let bodies: Vec<BodyId> = balls.iter().map(|&ball| make(&mut simulator, ball, 0.0, true)).collect();
+            run(&mut simulator, 300);
+            let state = |&body: &BodyId| {
+                let view = simulator.body(body).unwrap();
+                [view.origin3d(), view.velocity3d(), view.angular_velocity3d()].map(|v| [v.x, v.y, v.z].map(f32::to_bits))
+            };
+            bodies.iter().map(state).collect::<Vec<_>>()
+        });
+        assert!(ends.iter().all(|end| *end == ends[0]));
     });
-    println!("only balls {only_balls}: {} of 48 same in all broad phases", same.get());
-    }
 }

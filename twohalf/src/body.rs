@@ -124,9 +124,9 @@ impl<S: Access> TwoHalfBody<S> {
         self.simulator.world().layer_depth(self.state().z)
     }
 
-    /// What held the body up best in the last update: of everything below it that it touched, what pushes it most
-    /// straight up. What rests on something bouncy leaves it for a step now and then; as long as it moves up or down no
-    /// faster than gravity makes it in two steps it counts as held up. `None` in the air.
+    /// What held the body up best in the last update: of everything below it that pushes it, what pushes it most
+    /// straight up. `None` in the air. A body that leaves what it lies on for a single step, no faster than gravity makes
+    /// it in two, still counts as held up.
     pub fn support(&self) -> Option<Support> {
         self.state().support
     }
@@ -137,12 +137,23 @@ impl<S: Access> TwoHalfBody<S> {
         self.support().is_some_and(|support| support.carries())
     }
 
-    /// Everything below the body that it touched in the last update.
+    /// Everything below the body that pushed it in the last update; sensors and what has no response do not.
     pub fn supports(&self) -> Vec<Support> {
         let (core, world) = (self.simulator.core(), self.simulator.world());
         let is_mine = |geom| core.geom(geom).is_some_and(|geom| geom.body() == self.id);
+        let responds = |geom| core.geom(geom).is_some_and(|geom| geom.collision_response_enabled());
+        let pushes = |contact: &crate::TwoHalfContact| {
+            responds(contact.this)
+                && match contact.partner {
+                    Partner::Geom(geom) => responds(geom),
+                    Partner::Platform(id) => {
+                        world.platforms.get(id).is_some_and(|it| it.settings().collision_response_enabled())
+                    }
+                    Partner::Ground => true,
+                }
+        };
         let mut supports = Vec::new();
-        for contact in world.contacts(core) {
+        for contact in world.contacts(core).filter(pushes) {
             let below = match contact.partner {
                 _ if is_mine(contact.this) => {
                     Some(Support { partner: contact.partner, normal: contact.normal })

@@ -73,9 +73,8 @@ pub(crate) struct DepthBody {
     pub(crate) ground: Ground,
     /// What held the body up best in the last update.
     pub(crate) support: Option<Support>,
-    /// That of the update before, while the present one looks for its own.
-    #[serde(skip)]
-    pub(crate) last_support: Option<Support>,
+    /// Whether that was in the update before the last, and the body has hardly moved since.
+    pub(crate) is_support_kept: bool,
 }
 
 impl DepthBody {

@@ -57,6 +57,11 @@ impl Ground {
         self.object_geom.get_or_insert(geom);
     }
 
+    /// The geom has left the body.
+    pub(crate) fn let_go_of(&mut self, geom: GeomId) {
+        self.object_geom.take_if(|object| *object == geom);
+    }
+
     /// Whether the coefficients are finite: false only after loading garbage.
     pub(crate) fn is_valid(&self) -> bool {
         self.restitution_coefficient.is_finite() && self.friction_coefficient.is_finite()

@@ -401,7 +401,12 @@ impl TwoHalfPhysicsSimulator {
     /// As [`PhysicsSimulator::set_body`].
     #[doc(alias = "SetBody")]
     pub fn set_body(&mut self, geom: GeomId, body: BodyId) -> Result<()> {
-        Ok(self.core.set_body(geom, body)?)
+        let old = self.core.geom(geom).map(|geom| geom.body()).filter(|old| *old != body);
+        self.core.set_body(geom, body)?;
+        if let Some(state) = old.and_then(|old| self.world.depths.bodies.get_mut(old)) {
+            state.ground.let_go_of(geom);
+        }
+        Ok(())
     }
 
     /// Replaces the outline of a geom; see [`PhysicsSimulator::set_vertices`]. Its depth profile stays.

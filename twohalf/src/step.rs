@@ -68,7 +68,7 @@ impl TwoHalfPhysicsSimulator {
         world.tell_pending();
         world.take_events(core);
         if !goes_on {
-            world.stand_still();
+            world.stand_still(core);
             return;
         }
         world.prepare(core, dt);

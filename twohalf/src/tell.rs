@@ -1,6 +1,6 @@
 //! Telling a game what touches: callbacks, events, supports.
 
-use farseer_core::{Contact, GeomId, PhysicsSimulator};
+use farseer_core::{BodyId, Contact, GeomId, PhysicsSimulator};
 
 use crate::events::{Collision, Context, Event, EventHandler};
 use crate::support::Support;
@@ -11,6 +11,12 @@ use crate::{Partner, Vector3};
 /// From the solver's frame to the world: y points up there.
 pub(crate) fn to_world(v: Vector3) -> Vector3 {
     Vector3::new(v.x, -v.y, v.z)
+}
+
+/// Whether a geom is in its list and its body is enabled.
+fn takes_part(core: &PhysicsSimulator, geom: GeomId) -> bool {
+    core.is_listed(geom)
+        && core.geom(geom).and_then(|geom| core.body(geom.body())).is_some_and(|body| body.enabled())
 }
 
 impl World {
@@ -101,16 +107,7 @@ impl World {
 
     /// Whether both sides of a contact could still touch.
     fn is_alive(&self, core: &PhysicsSimulator, touch: &Touch) -> bool {
-        let takes_part = |geom: GeomId| {
-            core.is_listed(geom)
-                && core.geom(geom).and_then(|geom| core.body(geom.body())).is_some_and(|body| body.enabled())
-        };
-        let partner_takes_part = match touch.partner {
-            Partner::Geom(other) => takes_part(other),
-            Partner::Platform(platform) => self.platforms.get(platform).is_some(),
-            Partner::Ground => true,
-        };
-        takes_part(touch.this) && partner_takes_part
+        takes_part(core, touch.this) && self.exists(core, touch.partner)
     }
 
     /// Gives the collisions among the events the impulses that the solver found.
@@ -136,9 +133,14 @@ impl World {
 
     /// Notes for every body what holds it up best.
     pub(crate) fn find_supports(&mut self, core: &PhysicsSimulator) {
+        let mut last = std::mem::take(&mut self.update.supports);
+        last.clear();
         for &body in core.body_list() {
-            if let Some(state) = self.depths.bodies.get_mut(body) {
-                state.last_support = state.support.take();
+            if let Some(state) = self.depths.bodies.get_mut(body)
+                && let Some(support) = state.support.take()
+                && !std::mem::take(&mut state.is_support_kept)
+            {
+                last.push((body, support));
             }
         }
         for contact in core.arbiters() {
@@ -159,24 +161,46 @@ impl World {
                 self.note_support(core, other, Partner::Geom(touch.this), -normal);
             }
         }
-        self.keep_supports(core);
+        self.keep_supports(core, &last);
+        self.update.supports = last;
     }
 
-    /// What rests on something bouncy leaves it for a step now and then, no faster than gravity makes it in two steps.
-    /// It still counts as held up by what it left.
-    fn keep_supports(&mut self, core: &PhysicsSimulator) {
+    /// What lies on something may leave it for a single step, no faster than gravity makes it in two, before it lies on
+    /// it again. For that step it still counts as held up.
+    fn keep_supports(&mut self, core: &PhysicsSimulator, last: &[(BodyId, Support)]) {
         let slow = 2.0 * core.gravity().y.abs() * self.update.dt.abs();
-        for index in 0..core.body_list().len() {
-            let id = core.body_list()[index];
-            let (Some(body), Some(state)) = (core.body(id), self.depths.bodies.get(id)) else { continue };
-            let Some(last) = state.last_support.filter(|_| state.support.is_none()) else { continue };
-            let is_there = match last.partner {
-                Partner::Geom(geom) => core.is_listed(geom),
-                Partner::Platform(platform) => self.platforms.get(platform).is_some(),
-                Partner::Ground => true,
+        for &(id, support) in last {
+            let is_slow = core
+                .body(id)
+                .is_some_and(|body| !body.ignore_gravity() && body.linear_velocity().y.abs() <= slow);
+            let is_there = self.exists(core, support.partner);
+            let Some(state) = self.depths.bodies.get_mut(id).filter(|state| state.support.is_none()) else {
+                continue;
             };
-            if is_there && !body.ignore_gravity() && body.linear_velocity().y.abs() <= slow {
-                self.depths.bodies[id].support = Some(last);
+            if is_there && is_slow {
+                (state.support, state.is_support_kept) = (Some(support), true);
+            }
+        }
+    }
+
+    /// Whether a partner takes part.
+    fn exists(&self, core: &PhysicsSimulator, partner: Partner) -> bool {
+        match partner {
+            Partner::Geom(geom) => takes_part(core, geom),
+            Partner::Platform(platform) => self.platforms.get(platform).is_some(),
+            Partner::Ground => true,
+        }
+    }
+
+    /// Forgets contacts and supports of what has left.
+    pub(crate) fn forget_what_left(&mut self, core: &PhysicsSimulator) {
+        let mut touches = std::mem::take(&mut self.touches.touches);
+        touches.retain(|touch| core.geom(touch.this).is_some() && self.exists(core, touch.partner));
+        self.touches.touches = touches;
+        for &body in core.body_list() {
+            let support = self.depths.bodies.get(body).and_then(|state| state.support);
+            if support.is_some_and(|support| !self.exists(core, support.partner)) {
+                self.depths.bodies[body].support = None;
             }
         }
     }

@@ -11,6 +11,7 @@ use crate::shapes::ConvexPieces;
 use crate::slots::SlotTable;
 use crate::solver::SpaceSolver;
 use crate::step::StepCounters;
+use crate::support::Support;
 use crate::touch::{BallContact, TouchList};
 use crate::{Methods, Projection, Vector2, Vector3};
 
@@ -61,6 +62,8 @@ pub(crate) struct Update {
     /// For the collisions among the events: where their impulse comes from.
     pub(crate) sources: Vec<(u32, Source)>,
     pub(crate) ball_contacts: Vec<BallContact>,
+    /// What held bodies up in the last update.
+    pub(crate) supports: Vec<(BodyId, Support)>,
     /// Collisions in X and Y that the handler refused and that are not among the events yet.
     pub(crate) vetoed: Vec<Collision>,
     /// By body slot: whether the body moved along Z and nobody was told yet.
@@ -125,8 +128,9 @@ impl World {
     }
 
     /// Ends an update in which nothing moved: contacts stay those of the last one.
-    pub(crate) fn stand_still(&mut self) {
+    pub(crate) fn stand_still(&mut self, core: &PhysicsSimulator) {
         std::mem::swap(&mut self.last, &mut self.touches);
+        self.forget_what_left(core);
     }
 
     /// Notes where the geoms are along Z.

@@ -210,15 +210,20 @@ impl SpaceSolver {
             return Some(self.places[id.slot()].1);
         }
         let body = core.body(id)?;
-        let inverse_inertia = if is_ball(core, depths, id) { body.inverse_moment_of_inertia() } else { 0.0 };
+        // What is no ball turns about the depth axis only, whatever it was before.
+        let (inverse_inertia, angular_x, angular_y) = if is_ball(core, depths, id) {
+            (body.inverse_moment_of_inertia(), state.angular_velocity_x, state.angular_velocity_y)
+        } else {
+            (0.0, 0.0, 0.0)
+        };
         let index = self.states.len() as u32;
         self.states.push(DepthState {
             place: None,
             id: Some(id),
             centre: [body.position().x, body.position().y, state.z],
             velocity_z: state.velocity_z,
-            angular_x: state.angular_velocity_x,
-            angular_y: state.angular_velocity_y,
+            angular_x,
+            angular_y,
             bias_z: 0.0,
             inverse_mass: body.inverse_mass(),
             inverse_inertia,
