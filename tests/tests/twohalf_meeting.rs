@@ -520,3 +520,49 @@ fn a_ball_pushes_a_box_in_the_direction_of_their_contact() {
     assert!(pushed.x < -5.0 && pushed.z > 5.0 && after.x > 5.0, "{pushed:?} {after:?}");
     assert_near3(pushed.normalize(), hit.normal.into(), ROUNDING);
 }
+
+#[test]
+fn equal_boxes_right_behind_each_other_meet_along_z() {
+    for aside in [0.0, 1.0, 39.0] {
+        let mut simulator = weightless();
+        let still = solid(&mut simulator, [40.0; 3], [0.0, 500.0, 0.0]);
+        let thrown = solid(&mut simulator, [40.0; 3], [aside, 500.0, 60.3]);
+        throw(&mut simulator, thrown, [0.0, 0.0, -50.0]);
+        run(&mut simulator, 100);
+        for body in [still, thrown] {
+            assert_near3(velocity(&simulator, body), [0.0, 0.0, -25.0], ROUNDING);
+        }
+    }
+}
+
+#[test]
+fn boxes_that_begin_with_a_small_overlap_in_depth_and_move_there_part_in_depth() {
+    for aside in [0.0, 1.0, 5.0] {
+        let mut simulator = weightless();
+        let still = solid(&mut simulator, [40.0; 3], [0.0, 500.0, 0.0]);
+        let thrown = solid(&mut simulator, [40.0; 3], [aside, 500.0, 39.0]);
+        throw(&mut simulator, thrown, [0.0, 0.0, -10.0]);
+        run(&mut simulator, 100);
+        let apart = place(&simulator, thrown) - place(&simulator, still);
+        assert_near3(apart, [aside, 0.0, 40.0], SLOP + 0.02);
+    }
+}
+
+#[test]
+fn a_box_walks_off_a_crate_in_depth_only_when_all_of_its_footprint_has_left() {
+    for sign in [-1.0, 1.0] {
+        let mut simulator = simulator();
+        let below = solid(&mut simulator, [80.0, 60.0, 60.0], [0.0, 0.0, 0.0]);
+        fix(&mut simulator, below);
+        let body = solid(&mut simulator, [40.0, 20.0, 20.0], [0.0, 60.0, 0.0]);
+        throw(&mut simulator, body, [0.0, 0.0, sign * 50.0]);
+        for _ in 0..300 {
+            simulator.update(DT);
+            let at = place(&simulator, body);
+            if at.z * sign < 40.0 {
+                assert_near(at.y, 60.0, SLOP + 0.02);
+            }
+        }
+        assert_near3(place(&simulator, body), [0.0, 0.0, sign * 150.0], SLOP + 0.02);
+    }
+}

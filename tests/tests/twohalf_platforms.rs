@@ -463,3 +463,22 @@ fn leaving_a_platform_is_told_once() {
     }
     assert_eq!(told, 1);
 }
+
+#[test]
+fn a_platform_that_is_raised_lifts_what_stands_on_it() {
+    for is_ball in [true, false] {
+        let mut simulator = simulator();
+        let floor = block(&mut simulator);
+        let body = object(&mut simulator, is_ball, [0.0, 60.0, 100.0]);
+        run(&mut simulator, 50);
+        for step in 1..=100 {
+            // Half a px per step; 0.8 of what exceeds the slop is undone in each: a quarter of that is left.
+            let position = Vector3::new(0.0, 20.0 + 0.5 * step as f32, 100.0);
+            simulator.platform_mut(floor).unwrap().set_position3d(position).unwrap();
+            simulator.update(DT);
+            let below = position.y + 40.0 - place(&simulator, body).y;
+            assert!((-REST..=SLOP + 0.5 * 0.25 + 0.02).contains(&below), "step {step}: {below}");
+            assert!(simulator.body(body).unwrap().is_grounded());
+        }
+    }
+}

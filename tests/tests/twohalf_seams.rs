@@ -5,7 +5,7 @@ mod twohalf_common;
 
 use twohalf::{BodyId, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3};
 use twohalf_common::{
-    DT, SLOP, ball, fix, place, platform, run, set_platform_surface, set_surface, simulator, solid, throw, velocity,
+    DT, GRAVITY, SLOP, ball, fix, place, platform, run, set_platform_surface, set_surface, simulator, solid, throw, velocity,
 };
 
 /// Starting places per case: where within a step the seam is crossed.
@@ -88,6 +88,16 @@ fn ramp(simulator: &mut TwoHalfPhysicsSimulator, angle: f32) {
     Platform::with_rotation(simulator, 200.0, 20.0, 200.0, position, -angle, None).unwrap();
 }
 
+/// Makes steps until a body is beyond an X, or a second and a half longer than 20 px/s take for 40 px.
+fn run_to(simulator: &mut TwoHalfPhysicsSimulator, body: BodyId, x: f32) {
+    for _ in 0..350 {
+        if place(simulator, body).x >= x {
+            return;
+        }
+        simulator.update(DT);
+    }
+}
+
 #[test]
 fn a_box_slides_from_a_level_platform_onto_a_slope() {
     for speed in [20.0, 50.0, 100.0, 200.0_f32] {
@@ -101,9 +111,7 @@ fn a_box_slides_from_a_level_platform_onto_a_slope() {
                 run(&mut simulator, 100);
                 throw(&mut simulator, body, [speed, 0.0, 0.0]);
                 // Its leading corner is at most two steps beyond the foot.
-                while place(&simulator, body).x < -20.0 + speed * DT {
-                    simulator.update(DT);
-                }
+                run_to(&mut simulator, body, -20.0 + speed * DT);
                 // A corner that meets the slope without friction loses at most v sin a along the slope's normal.
                 let least = speed * angle.cos().powi(2);
                 let after = velocity(&simulator, body).x;
@@ -125,11 +133,11 @@ fn a_ball_rolls_from_a_level_platform_onto_a_slope() {
                 let body = ball(&mut simulator, 10.0, [start, 102.0, 0.0]);
                 run(&mut simulator, 100);
                 throw(&mut simulator, body, [speed, 0.0, 0.0]);
-                while place(&simulator, body).x < speed * DT {
-                    simulator.update(DT);
-                }
-                // It loses at most v sin a along the slope's normal, and two steps of g sin a going up.
-                let least = speed * angle.cos().powi(2) - 2.0 * 100.0 * DT * angle.sin();
+                run_to(&mut simulator, body, speed * DT);
+                // It loses at most v sin a along the slope's normal, and g sin a going up, from where it touches the
+                // slope, r tan(a / 2) before the foot.
+                let steps = 3.0 + 10.0 * (angle / 2.0).tan() / (speed * angle.cos().powi(2) * DT);
+                let least = speed * angle.cos().powi(2) - steps * GRAVITY * DT * angle.sin();
                 let after = velocity(&simulator, body).x;
                 assert!(after > least - 0.01 * speed, "{speed} px/s, {angle} rad, phase {phase}: {after}");
             }
@@ -215,6 +223,75 @@ fn who_lets_go_of_a_wall_and_jumps_comes_down_in_front_of_it() {
                 run(&mut simulator, 300);
                 let end = place(&simulator, body);
                 assert!(end.y < 1.0, "platform: {is_platform}, ball: {is_ball}, {x} {z}: {end:?}");
+            }
+        }
+    }
+}
+
+/// A floor of 8 x 8 platforms or crates of 50 x 50 px, its top at 40 px, about the origin.
+fn mosaic(simulator: &mut TwoHalfPhysicsSimulator, is_platform: bool) {
+    for column in 0..8 {
+        for row in 0..8 {
+            let at = [50.0 * column as f32 - 175.0, 0.0, 50.0 * row as f32 - 175.0];
+            if is_platform {
+                platform(simulator, [50.0, 40.0, 50.0], at);
+            } else {
+                let tile = solid(simulator, [50.0, 40.0, 50.0], at);
+                fix(simulator, tile);
+            }
+        }
+    }
+}
+
+#[test]
+fn who_walks_to_and_fro_over_a_floor_of_many_platforms_goes_where_he_wants() {
+    for is_ball in [true, false] {
+        for speed in [13.0, 47.0, 151.0_f32] {
+            let mut simulator = simulator();
+            mosaic(&mut simulator, true);
+            let body = object(&mut simulator, is_ball, [3.0, 41.0, 7.0]);
+            run(&mut simulator, 50);
+            let turns = (60.0 / speed / DT) as usize;
+            for turn in 0..16 {
+                // Directions all around, so that it comes back.
+                let (sin, cos) = (std::f32::consts::TAU * (turn * 3 % 16) as f32 / 16.0 + 0.1).sin_cos();
+                for _ in 0..turns {
+                    let before = place(&simulator, body);
+                    let up = velocity(&simulator, body).y;
+                    throw(&mut simulator, body, [speed * cos, up, speed * sin]);
+                    simulator.update(DT);
+                    let at = place(&simulator, body);
+                    let way = Vector3::new(at.x - before.x, 0.0, at.z - before.z);
+                    let wanted = Vector3::new(cos, 0.0, sin) * (speed * DT);
+                    assert!((way - wanted).norm() < 0.01, "ball: {is_ball}, {speed} at {at:?}: {way:?} {wanted:?}");
+                    assert!((at.y - 40.0).abs() < SLOP + 0.02, "ball: {is_ball}, {speed}: {at:?}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn who_walks_in_depth_over_a_floor_of_many_crates_goes_where_he_wants() {
+    for is_ball in [true, false] {
+        for speed in [13.0, 47.0, 151.0_f32] {
+            let mut simulator = simulator();
+            mosaic(&mut simulator, false);
+            // Over a column, or over the seam of two.
+            for x in [-175.0, 3.0] {
+                let body = object(&mut simulator, is_ball, [x, 41.0, -150.0]);
+                run(&mut simulator, 50);
+                let start = place(&simulator, body);
+                for _ in 0..(300.0 / speed / DT) as usize {
+                    let speeds = velocity(&simulator, body);
+                    throw(&mut simulator, body, [speeds.x, speeds.y, speed]);
+                    simulator.update(DT);
+                    let at = place(&simulator, body);
+                    assert!((at.y - 40.0).abs() < SLOP + 0.02, "ball: {is_ball}, {speed}: {at:?}");
+                }
+                let end = place(&simulator, body);
+                assert!((end.z - start.z - 300.0).abs() < speed * DT + 0.1, "ball: {is_ball}, {speed}, {x}: {end:?}");
+                assert!((end.x - start.x).abs() < 0.1, "ball: {is_ball}, {speed}, {x}: {end:?}");
             }
         }
     }

@@ -326,3 +326,31 @@ fn a_sensor_holds_nobody_up() {
     assert_eq!(support(&simulator, upper), None);
     assert!(place(&simulator, upper).y < 49.5);
 }
+
+#[test]
+fn what_is_bouncy_comes_to_rest_and_stays_grounded() {
+    for on_platform in [true, false] {
+        for is_ball in [true, false] {
+            for restitution in [0.1, 0.5, 0.8] {
+                let mut simulator = simulator();
+                let height = if on_platform { 40.0 } else { 0.0 };
+                if on_platform {
+                    let floor = platform(&mut simulator, [200.0, 40.0, 200.0], [0.0, 0.0, 0.0]);
+                    set_platform_surface(&mut simulator, floor, 0.3, restitution);
+                }
+                let body = match is_ball {
+                    true => ball(&mut simulator, 10.0, [0.0, height + 30.0, 0.0]),
+                    false => solid(&mut simulator, [40.0, 20.0, 20.0], [0.0, height + 30.0, 0.0]),
+                };
+                set_surface(&mut simulator, body, 0.3, restitution);
+                // Bounces from 30 px last 2 sqrt(2 h / g) e / (1 - e) s: 6.2 s at 0.8.
+                run(&mut simulator, 1500);
+                for _ in 0..200 {
+                    simulator.update(0.01);
+                    assert!(simulator.body(body).unwrap().is_grounded(), "{restitution}, ball: {is_ball}");
+                    assert_near(place(&simulator, body).y, height, 0.07);
+                }
+            }
+        }
+    }
+}

@@ -4,11 +4,11 @@ use farseer_core::shape::Aabb;
 use farseer_core::{Body, BodyId, GeomId, GeomRef, PhysicsSimulator};
 use serde::{Deserialize, Serialize};
 
-use crate::Result;
 use crate::error::invalid;
 use crate::ground::Ground;
 use crate::slots::SlotTable;
 use crate::support::Support;
+use crate::{Result, Vector3};
 
 /// How the outline of a geom becomes a body of three dimensions.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -65,6 +65,8 @@ pub(crate) struct DepthBody {
     /// Rolling: rotation about the x axis and, with y down, the y axis, which is not drawn.
     pub(crate) angular_velocity_x: f32,
     pub(crate) angular_velocity_y: f32,
+    /// How the body moved in the last update, y down; `None` before its first.
+    pub(crate) motion: Option<Vector3>,
     /// Velocity along Z that only undid overlap in the last update.
     #[serde(skip)]
     pub(crate) bias_z: f32,
@@ -82,6 +84,7 @@ impl DepthBody {
     pub(crate) fn is_valid(&self) -> bool {
         let numbers = [self.force_z, self.impulse_z];
         self.motion_is_finite()
+            && self.motion.is_none_or(|motion| motion.iter().all(|number| number.is_finite()))
             && numbers.iter().all(|number| number.is_finite())
             && self.ground.is_valid()
             && self.support.is_none_or(|support| support.normal.iter().all(|number| number.is_finite()))

@@ -6,7 +6,7 @@
 use farseer_core::{BodyId, Contact, EventHandler as CoreHandler, GeomId, ObjectId, PhysicsSimulator};
 
 use crate::events::{Collision, Context, Event, EventHandler};
-use crate::shapes::entry_of_pieces;
+use crate::shapes::{Along, RECENT, SHALLOW, entry_of_pieces, is_depth_last};
 use crate::touch::{Kept, TouchKey};
 use crate::world::{Reach, World};
 use crate::{Axis, Methods, Partner, Vector3};
@@ -61,12 +61,19 @@ fn extents_overlap(a: Reach, b: Reach) -> bool {
     a.z == b.z || (f64::from(a.z) - f64::from(b.z)).abs() < f64::from(a.half) + f64::from(b.half)
 }
 
-fn overlap_along_z(a: Reach, b: Reach) -> f32 {
-    a.half + b.half - (b.z - a.z).abs()
+/// The side of `a` along Z on which `b` was before the last step: 1 behind it, -1 in front.
+pub(crate) fn side_of(a: Reach, b: Reach) -> f32 {
+    let motion = b.motion_z - a.motion_z;
+    let before = b.z - a.z - motion;
+    let is_behind = before > 0.0 || (before == 0.0 && motion < 0.0);
+    if is_behind { 1.0 } else { -1.0 }
 }
 
-/// In units of slop: overlaps up to this are those of things that rest or slide.
-const SHALLOW: f32 = 2.0;
+/// How two extents overlap along Z, from the side on which they met.
+fn along_z(a: Reach, b: Reach) -> Along {
+    let side = side_of(a, b);
+    Along { penetration: a.half + b.half - side * (b.z - a.z), closing: -side * (b.motion_z - a.motion_z) }
+}
 
 /// Names a pair of geoms; the older one becomes the first.
 pub(crate) fn key_of(core: &PhysicsSimulator, geom1: GeomId, geom2: GeomId) -> Option<SpacePair> {
@@ -91,20 +98,20 @@ impl World {
         if self.last.find(pair.key).is_some_and(|touch| matches!(touch.kept, Kept::Depth { .. })) {
             return Way::Space;
         }
-        let stands_against = a.z != b.z && overlap_along_z(a, b) <= SHALLOW * core.allowed_penetration();
-        let may_meet_along_z = a.velocity_z != b.velocity_z || stands_against;
+        let depth = along_z(a, b);
+        let stands_against = a.z != b.z && depth.penetration <= SHALLOW * core.allowed_penetration();
+        let may_meet_along_z = a.motion_z != b.motion_z || stands_against;
         if !may_meet_along_z || self.update.known.impulse(pair.key).is_some() {
             return Way::Plane;
         }
-        self.way_of_new(core, pair, a, b).unwrap_or(Way::Plane)
+        self.way_of_new(core, pair, depth).unwrap_or(Way::Plane)
     }
 
-    /// Two outlines that did not touch before meet along the axis that they entered last, as their velocities say.
-    /// Where that leaves it open, within the slop, the smaller overlap decides. What only rests against a face goes on
-    /// doing so. `None` if they do not touch.
-    fn way_of_new(&mut self, core: &PhysicsSimulator, pair: SpacePair, a: Reach, b: Reach) -> Option<Way> {
-        let (geom_a, geom_b) = (core.geom(pair.geom_a)?, core.geom(pair.geom_b)?);
-        let velocity = self.motion_of(core, geom_b.body()) - self.motion_of(core, geom_a.body());
+    /// Two outlines that did not touch before meet along the axis that they entered last, as their last step says. `None`
+    /// if they do not touch.
+    fn way_of_new(&mut self, core: &PhysicsSimulator, pair: SpacePair, depth: Along) -> Option<Way> {
+        let (body_a, body_b) = (core.geom(pair.geom_a)?.body(), core.geom(pair.geom_b)?.body());
+        let motion = self.motion_of(core, body_b) - self.motion_of(core, body_a);
         self.lay_out(core, pair)?;
         let (pieces_a, pieces_b) =
             (self.update.pieces.get(pair.geom_a)?, self.update.pieces.get(pair.geom_b)?);
@@ -112,27 +119,12 @@ impl World {
         let plane = entry_of_pieces(
             pieces_a.pieces(&scratch.pieces_a),
             || pieces_b.pieces(&scratch.pieces_b),
-            velocity.xy(),
+            motion.xy(),
         )?;
-        let closing = (a.velocity_z - b.velocity_z) * if b.z < a.z { -1.0 } else { 1.0 };
-        let overlap = overlap_along_z(a, b);
-        let (dt, slop) = (self.update.dt, core.allowed_penetration());
-        // What only rests against a face, or slides along it, did not enter through another one just now.
-        let rests = |overlap: f32, closing: f32| overlap <= SHALLOW * slop && closing * dt <= slop;
-        if rests(plane.penetration, -velocity.xy().dot(&plane.normal)) {
-            return Some(Way::Plane);
-        }
-        if a.z != b.z && rests(overlap, closing) {
-            return Some(Way::Space);
-        }
-        if a.velocity_z == b.velocity_z {
-            return Some(Way::Plane);
-        }
-        let depth_time = if closing > 0.0 { overlap / closing } else { f32::INFINITY };
-        let was_apart = |time: f32| time <= dt.abs();
-        let is_tie = (plane.time - depth_time).abs() * closing <= slop;
-        let is_open = is_tie || !(was_apart(plane.time) || was_apart(depth_time));
-        let is_depth = if is_open { overlap < plane.penetration } else { depth_time < plane.time };
+        let in_plane = Along { penetration: plane.penetration, closing: -motion.xy().dot(&plane.normal) };
+        let plane_time = if plane.time <= RECENT { plane.time } else { f32::INFINITY };
+        let is_depth =
+            is_depth_last(in_plane, plane_time, depth, motion.z != 0.0, core.allowed_penetration());
         Some(if is_depth { Way::Space } else { Way::Plane })
     }
 

@@ -6,7 +6,7 @@ use crate::depth::is_movable;
 use crate::events::{Collision, Context, Event, EventHandler};
 use crate::pairs::Meeting;
 use crate::world::{Source, World};
-use crate::{Partner, TwoHalfPhysicsSimulator};
+use crate::{Partner, TwoHalfPhysicsSimulator, Vector3};
 
 /// What a step did: how much work there was.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -142,11 +142,15 @@ impl World {
         self.update.moved.clear();
         for index in 0..core.body_list().len() {
             let id = core.body_list()[index];
-            let Some(state) = self.depths.bodies.get_mut(id) else { continue };
-            if !is_movable(core, id) || (state.velocity_z == 0.0 && state.bias_z == 0.0) {
+            let (Some(state), Some(body)) = (self.depths.bodies.get_mut(id), core.body(id)) else { continue };
+            let is_moving = is_movable(core, id);
+            let along_z = if is_moving { (state.velocity_z + state.bias_z) * dt } else { 0.0 };
+            // X and Y are where it begins, until it is known where it ends.
+            state.motion = Some(Vector3::new(body.position().x, body.position().y, along_z));
+            if along_z == 0.0 {
                 continue;
             }
-            let z = state.z + (state.velocity_z + state.bias_z) * dt;
+            let z = state.z + along_z;
             if z.is_finite() {
                 state.z = z;
                 if id.slot() >= self.update.moved.len() {
@@ -154,11 +158,20 @@ impl World {
                 }
                 self.update.moved[id.slot()] = true;
             } else {
+                state.motion = None;
                 disable(core, id);
             }
         }
         let mut meeting = Meeting { world: self, handler: reborrow(handler) };
         core.integrate(dt, Some(&mut meeting));
+        for &id in core.body_list() {
+            if let (Some(state), Some(body)) = (self.depths.bodies.get_mut(id), core.body(id)) {
+                let Some(begin) = state.motion else { continue };
+                let step = body.position() - begin.xy();
+                let is_finite = step.x.is_finite() && step.y.is_finite();
+                state.motion = is_finite.then(|| Vector3::new(step.x, step.y, begin.z));
+            }
+        }
         self.take_events(core);
         self.tell_moved_along_z(core, handler);
     }

@@ -87,12 +87,13 @@ pub(crate) struct Scratch {
     pub(crate) points: Vec<Vector2>,
 }
 
-/// How far a geom reaches along Z in the current update, and how its body moves there.
+/// How far a geom reaches along Z in the current update, and how it came there.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Reach {
     pub(crate) z: f32,
     pub(crate) half: f32,
-    pub(crate) velocity_z: f32,
+    /// How far its body moved along Z in the last update.
+    pub(crate) motion_z: f32,
     pub(crate) is_round: bool,
 }
 
@@ -146,7 +147,7 @@ impl World {
             let reach = Reach {
                 z: state.z,
                 half: profile.half_depth(),
-                velocity_z: if is_movable(core, body) { state.velocity_z } else { 0.0 },
+                motion_z: self.motion_of(core, body).z,
                 is_round: profile.is_round(),
             };
             if geom.slot() >= self.update.reaches.len() {
@@ -165,14 +166,19 @@ impl World {
         self.depths.bodies.get(body).map_or(0.0, |state| state.z)
     }
 
-    /// Velocity with which a body moves, y down; that of an immovable one, a conveyor's, moves nothing but others.
+    /// How a body moved in the last update, y down. Its velocity may have been set since, and contacts may have kept it
+    /// from going that way; but it is all that is known of one that was in no update yet.
     pub(crate) fn motion_of(&self, core: &PhysicsSimulator, body: BodyId) -> Vector3 {
-        match (core.body(body), self.depths.bodies.get(body)) {
-            (Some(plane), Some(state)) if is_movable(core, body) => {
+        let (Some(plane), Some(state)) = (core.body(body), self.depths.bodies.get(body)) else {
+            return Vector3::zeros();
+        };
+        match state.motion {
+            _ if !is_movable(core, body) => Vector3::zeros(),
+            Some(motion) => motion,
+            None => {
                 let velocity = plane.linear_velocity();
-                Vector3::new(velocity.x, velocity.y, state.velocity_z)
+                Vector3::new(velocity.x, velocity.y, state.velocity_z) * self.update.dt
             }
-            _ => Vector3::zeros(),
         }
     }
 

@@ -6,6 +6,7 @@
 
 mod ball;
 mod convex;
+mod entry_order;
 mod nearest;
 mod overlap;
 mod prism_box;
@@ -14,6 +15,7 @@ mod slanted_box;
 
 pub(crate) use ball::{ball_ball, ball_prism, ball_prism_through_face, entry_face_of_prism};
 pub(crate) use convex::ConvexPieces;
+pub(crate) use entry_order::{Along, RECENT, SHALLOW, is_depth_last};
 pub(crate) use nearest::nearest;
 pub(crate) use overlap::{outlines_overlap, overlap_points, span_of};
 pub(crate) use prism_box::{BoxManifold, KeptAxis, prism_box};

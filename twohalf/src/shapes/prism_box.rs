@@ -16,7 +16,7 @@ mod swept_outline;
 use farseer_core::math::{Vector2, Vector3, scalar};
 use serde::{Deserialize, Serialize};
 
-use super::{SlantedBox, overlap_points, span_of};
+use super::{Along, SHALLOW, SlantedBox, is_depth_last, overlap_points, span_of};
 use axes::Candidate;
 use points::Choice;
 use swept_outline::{BoxEdge, SweptOutline};
@@ -26,11 +26,6 @@ use swept_outline::{BoxEdge, SweptOutline};
 const TURNED: f32 = 0.95;
 /// Pieces whose normals agree to this cosine (about 25 degrees) share a contact.
 const AGREES: f32 = 0.9;
-/// Steps: what would have been entered longer ago is not the way the prism came in. It was put there, or has turned;
-/// half of this is left for what other contacts did to the motion.
-const RECENT: f32 = 2.0;
-/// In units of slop: contacts that are this shallow are surfaces that something rests on or slides along.
-const SHALLOW: f32 = 2.0;
 
 /// The surface through which a prism leaves a box, from one step to the next.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -105,11 +100,10 @@ pub(crate) fn prism_box<'a>(
         Some(KeptAxis::Depth { is_front }) => Some(if is_front { front } else { back }),
         Some(KeptAxis::Plane { .. }) => None,
         None => {
-            let nearest = if offset < 0.0 { front } else { back };
-            let entered = if motion.z > 0.0 { front } else { back };
-            meeting
-                .rests_against(nearest, &plane)
-                .or_else(|| Some(entered).filter(|depth| meeting.leaves(depth, &plane)))
+            // It came from where it was before this step.
+            let came_from = offset - motion.z;
+            let entered = if came_from < 0.0 || (came_from == 0.0 && motion.z > 0.0) { front } else { back };
+            Some(entered).filter(|depth| meeting.leaves(depth, &plane))
         }
     };
     let manifold = match depth {
@@ -181,24 +175,12 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
         plane
     }
 
-    /// Front or back, if a prism that begins to touch only stands against it, and does not rest on a side.
-    fn rests_against(&self, depth: Depth, plane: &Plane) -> Option<Depth> {
-        let Candidate { penetration, normal3d, .. } = plane.deepest.candidate;
-        let is_against = self.rests(depth.penetration, depth.normal()) && depth.penetration > 0.0;
-        (is_against && !self.rests(penetration, normal3d)).then_some(depth)
-    }
-
-    /// Whether a prism that begins to touch entered in depth last. What does not move in depth did not.
+    /// Whether a prism that begins to touch meets the box along the depth axis.
     fn leaves(&self, depth: &Depth, plane: &Plane) -> bool {
         let Candidate { penetration, normal3d, .. } = plane.deepest.candidate;
-        if self.motion.z == 0.0 || self.rests(penetration, normal3d) {
-            return false;
-        }
-        let in_plane = plane.deepest.candidate.penetration;
-        let is_shallow = scalar::min(depth.penetration, in_plane) <= SHALLOW * self.slop;
-        let time = self.time(depth.penetration, depth.normal());
-        let (first, last) = if time < plane.time { (time, plane.time) } else { (plane.time, time) };
-        if is_shallow || last <= self.tie(first) { depth.penetration < in_plane } else { time < plane.time }
+        let in_plane = self.along(penetration, normal3d);
+        let in_depth = self.along(depth.penetration, depth.normal());
+        is_depth_last(in_plane, plane.time, in_depth, self.motion.z != 0.0, self.slop)
     }
 
     fn plane_manifold(&self, kept: Option<KeptAxis>, plane: &Plane) -> BoxManifold {

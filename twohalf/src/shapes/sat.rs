@@ -11,7 +11,7 @@ use super::edges;
 /// An overlap of two outlines.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Entry {
-    /// For how long they have overlapped if they always moved as now, s; infinite if they do not approach.
+    /// For how many steps they have overlapped if they always moved as in the last; infinite if they do not approach.
     pub(crate) time: f32,
     /// The least way that separates them.
     pub(crate) penetration: f32,
@@ -28,7 +28,7 @@ fn project(points: &[Vector2], axis: Vector2) -> (f32, f32) {
 }
 
 /// The overlap of two convex outlines that move relative to each other; `None` if they do not overlap, or only touch.
-pub(crate) fn entry(a: &[Vector2], b: &[Vector2], velocity_of_b: Vector2) -> Option<Entry> {
+pub(crate) fn entry(a: &[Vector2], b: &[Vector2], motion_of_b: Vector2) -> Option<Entry> {
     let mut found: Option<Entry> = None;
     for (start, end) in edges(a).chain(edges(b)) {
         let edge = end - start;
@@ -43,7 +43,7 @@ pub(crate) fn entry(a: &[Vector2], b: &[Vector2], velocity_of_b: Vector2) -> Opt
             if !(penetration > 0.0 && penetration.is_finite()) {
                 return None;
             }
-            let closing = -vector2::dot(velocity_of_b, normal);
+            let closing = -vector2::dot(motion_of_b, normal);
             let time = if closing > 0.0 { penetration / closing } else { f32::INFINITY };
             found = Some(match found {
                 None => Entry { time, penetration, normal },
@@ -59,7 +59,7 @@ pub(crate) fn entry(a: &[Vector2], b: &[Vector2], velocity_of_b: Vector2) -> Opt
 
 /// The overlap of two outlines of convex pieces: since when the first pair of pieces has overlapped, and the
 /// penetration of the deepest pair. `b` gives the second outline's pieces anew for each piece of the first.
-pub(crate) fn entry_of_pieces<'a, I, J>(a: I, b: impl Fn() -> J, velocity_of_b: Vector2) -> Option<Entry>
+pub(crate) fn entry_of_pieces<'a, I, J>(a: I, b: impl Fn() -> J, motion_of_b: Vector2) -> Option<Entry>
 where
     I: Iterator<Item = &'a [Vector2]>,
     J: Iterator<Item = &'a [Vector2]>,
@@ -67,7 +67,7 @@ where
     let mut found: Option<Entry> = None;
     for piece_a in a {
         for piece_b in b() {
-            let Some(pair) = entry(piece_a, piece_b, velocity_of_b) else { continue };
+            let Some(pair) = entry(piece_a, piece_b, motion_of_b) else { continue };
             let deepest = found.filter(|found| found.penetration >= pair.penetration).unwrap_or(pair);
             let time = found.map_or(pair.time, |found| found.time.max(pair.time));
             found = Some(Entry { time, ..deepest });

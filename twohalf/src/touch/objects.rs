@@ -5,7 +5,7 @@ use farseer_core::{GeomId, GeomRef, PhysicsSimulator};
 use super::list::Subject;
 use super::{Kept, MAX_POINTS, Manifold, Spot, Surfaces};
 use crate::depth::DepthProfile;
-use crate::pairs::SpacePair;
+use crate::pairs::{SpacePair, side_of};
 use crate::shapes::{
     ball_ball, ball_prism, ball_prism_through_face, entry_face_of_prism, outlines_overlap, overlap_points,
     span_of,
@@ -115,7 +115,7 @@ fn ball_on_prism(
         _ => {
             let motion = |shape: Shape<'_>| world.motion_of(core, shape.geom.body());
             let step = motion(ball) - motion(prism);
-            entry_face_of_prism(ball.centre - step * world.update.dt, ball.centre, &outline, z, half)
+            entry_face_of_prism(ball.centre - step, ball.centre, &outline, z, half)
         }
     };
     let side = side.unwrap_or(found.touch.normal);
@@ -127,9 +127,8 @@ fn ball_on_prism(
 fn along_z(a: Reach, b: Reach, ends: [Vector2; 2], kept: Option<Kept>) -> Manifold {
     let is_behind = match kept {
         Some(Kept::Depth { is_behind }) => is_behind,
-        _ if b.z != a.z => b.z > a.z,
-        // In the middle of each other: where they came from.
-        _ => b.velocity_z < a.velocity_z,
+        // Where they came from: a fast one may be past the middle already.
+        _ => side_of(a, b) > 0.0,
     };
     let sign = if is_behind { 1.0 } else { -1.0 };
     let separation = sign * (b.z - a.z) - (a.half + b.half);

@@ -74,7 +74,7 @@ fn of_ball(
 ) -> Option<Manifold> {
     let position = view.position();
     let centre = Vector3::new(position.x, position.y, world.z_of(view.body()));
-    let before = centre - world.motion_of(core, view.body()) * world.update.dt;
+    let before = centre - world.motion_of(core, view.body());
     let face = match kept {
         Some(Kept::Face(face)) => Some(face),
         _ => None,
@@ -92,7 +92,7 @@ fn of_prism(
     shape: &SlantedBox,
     kept: Option<Kept>,
 ) -> Option<Manifold> {
-    let motion = world.motion_of(core, view.body()) * world.update.dt;
+    let motion = world.motion_of(core, view.body());
     let reach = world.reach(geom);
     world.pieces_of(core, geom)?;
     let crate::world::Update { pieces, scratch, .. } = &mut world.update;

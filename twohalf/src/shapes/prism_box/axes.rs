@@ -9,7 +9,7 @@
 use farseer_core::math::{Vector2, Vector3, scalar};
 
 use super::points::Choice;
-use super::{Edge, KeptAxis, Meeting, RECENT, SHALLOW, TURNED};
+use super::{Along, Edge, KeptAxis, Meeting, SHALLOW, TURNED};
 
 /// An axis of the plane along which a piece and the box overlap.
 #[derive(Clone, Copy)]
@@ -40,11 +40,6 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
         Vector2::new(vertex.x - self.shape.centre.x, vertex.y - self.shape.centre.y)
     }
 
-    pub(super) fn time(&self, penetration: f32, normal: Vector3) -> f32 {
-        let closing = -self.motion.dot(&normal);
-        if closing > 0.0 && penetration <= RECENT * closing { penetration / closing } else { f32::INFINITY }
-    }
-
     /// The axis in space that belongs to one in the plane, `overlap` the overlap along that. The sides of a sheared box
     /// lean in depth: where an end of the prism meets one, the prism leaves along the side's normal. A prism that
     /// reaches beyond the end of the box meets the end's edge and leaves within the plane.
@@ -58,7 +53,7 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
         } else {
             (Vector3::new(normal.x, normal.y, 0.0), overlap, 0.0, 1.0)
         };
-        let time = self.time(penetration, normal3d);
+        let time = self.along(penetration, normal3d).time();
         Candidate { edge, normal, normal3d, penetration, sink, stretch, time }
     }
 
@@ -130,27 +125,17 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
         (candidate.normal.dot(&normal) > TURNED).then_some(candidate)
     }
 
-    /// Whether a prism that overlaps so much along a normal only rests against that face or slides along it.
-    pub(super) fn rests(&self, penetration: f32, normal: Vector3) -> bool {
-        penetration <= SHALLOW * self.slop && -self.motion.dot(&normal) <= self.slop
+    /// How much the prism overlaps along a normal, and how it moved along that.
+    pub(super) fn along(&self, penetration: f32, normal: Vector3) -> Along {
+        Along { penetration, closing: -self.motion.dot(&normal) }
     }
 
-    /// The axis with the least overlap among those entered last, or among all when the overlap is shallow. A face that
-    /// it rests on comes first: otherwise the seam of two platforms at the same height would stop what slides from one
-    /// to the other.
+    /// The axis entered last, or the one of those tied with it that least closes in. None when nothing is flush and
+    /// nothing was entered just now.
     fn entered_last(&self, piece: u32, vertices: &[Vector2], survey: &Survey) -> Option<Candidate> {
-        let rests = |candidate: &Candidate| self.rests(candidate.penetration, candidate.normal3d);
-        if let Some(resting) = least(self.exits(piece, vertices).filter(rests)) {
-            return Some(resting);
-        }
-        let is_shallow = survey.least_penetration <= SHALLOW * self.slop;
-        let latest = if is_shallow { f32::INFINITY } else { self.tie(survey.least_time) };
-        least(self.exits(piece, vertices).filter(|candidate| candidate.time <= latest))
-    }
-
-    /// Times up to this are as good as the given one.
-    pub(super) fn tie(&self, time: f32) -> f32 {
-        time + self.slop / self.motion.norm()
+        let along = |candidate: &Candidate| self.along(candidate.penetration, candidate.normal3d);
+        let tied = self.exits(piece, vertices).filter(|it| along(it).is_tied(survey.least_time, self.slop));
+        tied.reduce(|best, it| if along(&it).is_better(&along(&best)) { it } else { best })
     }
 
     /// How one piece leaves; with the time when it met the box.
