@@ -357,6 +357,11 @@ impl Body {
         self.force
     }
 
+    /// Impulse accumulated for the next update, mass times velocity.
+    pub fn impulse(&self) -> Vector2 {
+        self.impulse
+    }
+
     /// Torque accumulated for the next update.
     #[doc(alias = "Torque")]
     pub fn torque(&self) -> f32 {

@@ -304,6 +304,7 @@ impl GeomEntry {
             && finite(&self.offset)
             && self.rotation_offset.is_finite()
             && self.geom.is_finite()
+            && self.grid_cell_size.is_finite()
             && self.box_radius.is_none_or(|radius| radius.is_finite() && radius > 0.0)
     }
 }

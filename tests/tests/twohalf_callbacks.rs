@@ -604,11 +604,11 @@ struct Editor {
 
 impl Editor {
     fn run(&mut self, on: &str, context: &mut Context<'_>, body: Option<BodyId>) {
-        if let Some(body) = body.filter(|_| self.done < 3 && on == self.on) {
-            if context.body(body).is_some() {
-                (self.edit)(context, body);
-                self.done += 1;
-            }
+        if let Some(body) =
+            body.filter(|&body| self.done < 3 && on == self.on && context.body(body).is_some())
+        {
+            (self.edit)(context, body);
+            self.done += 1;
         }
     }
 }
@@ -645,12 +645,12 @@ fn edits_in_every_callback_are_safe() {
     for edit in EDITS {
         for on in ["collision", "separation", "broad phase", "updated"] {
             for scene in 0..5 {
-                let (mut simulator, body) = match scene {
-                    0..3 => {
-                        let (simulator, bodies, _) = pair_along(AXES[scene], 1.0);
+                let (mut simulator, body) = match AXES.get(scene) {
+                    Some(&axis) => {
+                        let (simulator, bodies, _) = pair_along(axis, 1.0);
                         (simulator, bodies[1])
                     }
-                    _ => {
+                    None => {
                         let (simulator, body, _) = falling(scene == 3, true, 0.5);
                         (simulator, body)
                     }

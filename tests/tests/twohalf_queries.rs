@@ -3,12 +3,12 @@
 mod twohalf_common;
 
 use twohalf::{
-    Axis, BodyId, DepthProfile, Drawable, GeomId, Partner, Platform, PlatformId, TextureId, TwoHalfPhysicsSimulator,
-    Vector2, Vector3,
+    Axis, BodyId, DepthProfile, Drawable, GeomId, Partner, Platform, PlatformId, TextureId,
+    TwoHalfPhysicsSimulator, Vector2, Vector3,
 };
 use twohalf_common::{
-    DT, GRAVITY, SLOP, assert_near, assert_near3, ball, fix, geom_of, place, platform, run, set_surface, simulator, solid,
-    throw, velocity, weightless,
+    DT, GRAVITY, SLOP, assert_near, assert_near3, ball, fix, geom_of, place, platform, run, set_surface,
+    simulator, solid, throw, velocity, weightless,
 };
 
 /// Where a point of the world appears.
@@ -57,8 +57,10 @@ fn the_lower_edge_of_the_screen_is_the_ground_at_depth_0() {
 /// A ball of radius 20 at (100, 50, 30) and a box of 60 x 40 in front of it at (110, 30, 0), which covers some of it.
 fn ball_behind_box(angle: i32) -> (TwoHalfPhysicsSimulator, [BodyId; 2]) {
     let mut simulator = at_angle(angle);
-    let bodies =
-        [ball(&mut simulator, 20.0, [100.0, 50.0, 60.0]), solid(&mut simulator, [60.0, 40.0, 40.0], [110.0, 60.0, 0.0])];
+    let bodies = [
+        ball(&mut simulator, 20.0, [100.0, 50.0, 60.0]),
+        solid(&mut simulator, [60.0, 40.0, 40.0], [110.0, 60.0, 0.0]),
+    ];
     run(&mut simulator, 1);
     (simulator, bodies)
 }
@@ -163,7 +165,10 @@ fn the_contacts_of_a_box_at_rest_are_its_lower_corners_and_carry_its_weight() {
     let contacts: Vec<_> = simulator.contacts().collect();
     assert_eq!(contacts.len(), 2);
     for contact in &contacts {
-        assert_eq!((contact.this, contact.partner, contact.axis), (geom_of(&simulator, body), Partner::Ground, Axis::Plane));
+        assert_eq!(
+            (contact.this, contact.partner, contact.axis),
+            (geom_of(&simulator, body), Partner::Ground, Axis::Plane)
+        );
         assert_eq!(contact.normal, Vector3::new(0.0, 1.0, 0.0));
         assert_near((contact.position.x - 10.0).abs(), 20.0, 0.01);
         assert_near(contact.position.y, contact.separation, 1e-6);
@@ -182,7 +187,10 @@ fn the_contact_of_two_balls_is_between_them() {
     let contacts: Vec<_> = simulator.contacts().collect();
     assert_eq!(contacts.len(), 1);
     let contact = contacts[0];
-    assert_eq!((contact.this, contact.partner), (geom_of(&simulator, b), Partner::Geom(geom_of(&simulator, a))));
+    assert_eq!(
+        (contact.this, contact.partner),
+        (geom_of(&simulator, b), Partner::Geom(geom_of(&simulator, a)))
+    );
     assert_eq!((contact.axis, contact.normal), (Axis::Depth, Vector3::new(0.0, 0.0, 1.0)));
     assert_eq!((contact.separation, contact.normal_impulse), (-1.0, 0.0));
     assert_eq!(contact.position, Vector3::new(0.0, 510.0, 9.0));
@@ -268,10 +276,21 @@ fn a_cleared_simulator_is_empty_and_its_ids_are_stale() {
     let geom = geom_of(&simulator, body);
     run(&mut simulator, 50);
     simulator.clear();
-    assert!(simulator.body(body).is_none() && simulator.geom(geom).is_none() && simulator.platform(id).is_none());
-    assert_eq!((simulator.body_list().len(), simulator.geom_list().len(), simulator.platforms().count()), (0, 0, 0));
-    assert_eq!((simulator.contacts().count(), simulator.events().len(), simulator.draw_order().len()), (0, 0, 0));
-    assert_eq!((simulator.angle(), simulator.height(), simulator.gravity()), (60, 600, Vector2::new(0.0, GRAVITY)));
+    assert!(
+        simulator.body(body).is_none() && simulator.geom(geom).is_none() && simulator.platform(id).is_none()
+    );
+    assert_eq!(
+        (simulator.body_list().len(), simulator.geom_list().len(), simulator.platforms().count()),
+        (0, 0, 0)
+    );
+    assert_eq!(
+        (simulator.contacts().count(), simulator.events().len(), simulator.draw_order().len()),
+        (0, 0, 0)
+    );
+    assert_eq!(
+        (simulator.angle(), simulator.height(), simulator.gravity()),
+        (60, 600, Vector2::new(0.0, GRAVITY))
+    );
     run(&mut simulator, 1);
     assert!(simulator.events().is_empty());
 }
@@ -298,7 +317,10 @@ fn layer_depth_is_0_in_front_1_at_the_back_and_monotonic_in_z() {
         simulator.body(body).unwrap().layer_depth()
     };
     // By default from 0 to the height of the screen.
-    assert_eq!([depth_at(-5.0), depth_at(0.0), depth_at(300.0), depth_at(600.0), depth_at(700.0)], [0.0, 0.0, 0.5, 1.0, 1.0]);
+    assert_eq!(
+        [depth_at(-5.0), depth_at(0.0), depth_at(300.0), depth_at(600.0), depth_at(700.0)],
+        [0.0, 0.0, 0.5, 1.0, 1.0]
+    );
     let depths: Vec<f32> = (0..100).map(|step| depth_at(step as f32 * 6.0)).collect();
     assert!(depths.windows(2).all(|pair| pair[0] < pair[1]));
 }
@@ -420,7 +442,8 @@ fn a_slope_is_drawn_before_what_stands_on_it_high_up_and_after_what_is_behind_it
 fn of_objects_on_each_other_the_higher_is_drawn_later() {
     let mut simulator = simulator();
     // Made from the highest to the lowest, so that it is not the order of making.
-    let bodies = [2, 1, 0].map(|level| solid(&mut simulator, [40.0, 30.0, 30.0], [0.0, 30.0 * level as f32, 5.0]));
+    let bodies =
+        [2, 1, 0].map(|level| solid(&mut simulator, [40.0, 30.0, 30.0], [0.0, 30.0 * level as f32, 5.0]));
     run(&mut simulator, 20);
     assert_eq!(order(&simulator, &bodies, &[]), [2, 1, 0]);
 }
@@ -452,7 +475,8 @@ fn one_that_jumps_before_another_is_drawn_later_and_behind_it_earlier() {
 #[test]
 fn ties_are_drawn_in_the_order_in_which_they_were_made_and_the_order_stays() {
     let mut simulator = weightless();
-    let bodies = [0, 1, 2, 3].map(|index| solid(&mut simulator, [40.0, 40.0, 40.0], [100.0 * index as f32, 0.0, 50.0]));
+    let bodies = [0, 1, 2, 3]
+        .map(|index| solid(&mut simulator, [40.0, 40.0, 40.0], [100.0 * index as f32, 0.0, 50.0]));
     run(&mut simulator, 1);
     for _ in 0..3 {
         assert_eq!(order(&simulator, &bodies, &[]), [0, 1, 2, 3]);

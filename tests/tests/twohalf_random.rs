@@ -21,7 +21,9 @@ const MIDDLE: [f32; 3] = [90.0, 60.0, 60.0];
 enum Form {
     Ball,
     Box,
-    Polygon { corners: i32 },
+    Polygon {
+        corners: i32,
+    },
     /// Not convex.
     Angle,
 }
@@ -87,7 +89,8 @@ fn make(simulator: &mut TwoHalfPhysicsSimulator, thing: Thing, floor: f32, has_g
             (body, TwoHalfGeomFactory::create_circle_geom(simulator, body, radius, 16).unwrap())
         }
         Form::Box => {
-            let body = TwoHalfBodyFactory::create_rectangle_body(simulator, width, height, thing.mass).unwrap();
+            let body =
+                TwoHalfBodyFactory::create_rectangle_body(simulator, width, height, thing.mass).unwrap();
             (body, TwoHalfGeomFactory::create_rectangle_geom(simulator, body, width, height).unwrap())
         }
         Form::Polygon { corners } => {
@@ -128,7 +131,8 @@ fn outlined(simulator: &mut TwoHalfPhysicsSimulator, outline: Vertices, mass: f3
 
 /// Checks a property of random scenes, the same ones in every run.
 fn check<S: Strategy>(strategy: S, property: impl Fn(S::Value)) {
-    let config = Config { cases: CASES, failure_persistence: None, max_shrink_iters: 200, ..Config::default() };
+    let config =
+        Config { cases: CASES, failure_persistence: None, max_shrink_iters: 200, ..Config::default() };
     let rng = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
     let mut runner = TestRunner::new_with_rng(config, rng);
     let outcome = runner.run(&strategy, |value| {
@@ -287,8 +291,11 @@ fn after_settling_nothing_is_below_the_ground_or_inside_a_platform() {
         for contact in simulator.contacts() {
             assert!(contact.separation > -deepest, "{contact:?}");
         }
-        let level: Vec<_> =
-            simulator.platforms().filter_map(|id| simulator.platform(id)).filter(|p| p.rotation() == 0.0).collect();
+        let level: Vec<_> = simulator
+            .platforms()
+            .filter_map(|id| simulator.platform(id))
+            .filter(|p| p.rotation() == 0.0)
+            .collect();
         for &body in &bodies {
             assert!(simulator.body(body).unwrap().position3d().y > -deepest);
             for platform in &level {
@@ -368,11 +375,13 @@ fn a_scene_of_balls_does_the_same_with_every_broad_phase() {
             let mut simulator = TwoHalfPhysicsSimulator::from_core(600, 60, core).unwrap();
             let as_ball = |thing: &Thing| Thing { form: Form::Ball, ..*thing };
             let balls: Vec<Thing> = things.iter().map(as_ball).collect();
-            let bodies: Vec<BodyId> = balls.iter().map(|&ball| make(&mut simulator, ball, 0.0, true)).collect();
+            let bodies: Vec<BodyId> =
+                balls.iter().map(|&ball| make(&mut simulator, ball, 0.0, true)).collect();
             run(&mut simulator, 300);
             let state = |&body: &BodyId| {
                 let view = simulator.body(body).unwrap();
-                [view.origin3d(), view.velocity3d(), view.angular_velocity3d()].map(|v| [v.x, v.y, v.z].map(f32::to_bits))
+                [view.origin3d(), view.velocity3d(), view.angular_velocity3d()]
+                    .map(|v| [v.x, v.y, v.z].map(f32::to_bits))
             };
             bodies.iter().map(state).collect::<Vec<_>>()
         });

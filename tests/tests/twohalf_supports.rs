@@ -37,7 +37,20 @@ fn the_ground_is_beneath_every_point_that_is_not_below_it() {
     for point in [[0.0, 0.0, 0.0], [-300.0, 50.0, -70.0], [1e6, 1e6, 1e6]] {
         assert_eq!(beneath(&simulator, point), Some((Partner::Ground, 0.0, Vector3::from(UP))));
     }
-    assert_eq!(beneath(&simulator, [0.0, -0.01, 0.0]), None);
+    // What rests is sunk in by the 0.05 px that are left alone; four times that count as resting.
+    assert!(beneath(&simulator, [0.0, -0.19, 0.0]).is_some());
+    assert_eq!(beneath(&simulator, [0.0, -0.21, 0.0]), None);
+}
+
+#[test]
+fn the_surface_beneath_the_lowest_point_of_what_rests_is_what_it_rests_on() {
+    let mut simulator = simulator();
+    platform(&mut simulator, [200.0, 40.0, 100.0], [0.0, 0.0, 0.0]);
+    let on_platform = ball(&mut simulator, 10.0, [0.0, 41.0, 0.0]);
+    let on_ground = ball(&mut simulator, 10.0, [300.0, 1.0, 0.0]);
+    run(&mut simulator, 200);
+    let beneath = |body| simulator.surface_beneath(place(&simulator, body)).map(|surface| surface.height);
+    assert_eq!((beneath(on_platform), beneath(on_ground)), (Some(40.0), Some(0.0)));
 }
 
 #[test]

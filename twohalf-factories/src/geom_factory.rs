@@ -24,8 +24,13 @@ impl TwoHalfGeomFactory {
     ) -> Result<GeomId> {
         check_positive("radius", radius)?;
         check_edges(number_of_edges)?;
-        let geom = add(simulator, body, Vertices::create_circle(radius, number_of_edges)?)?;
-        simulator.set_depth_profile(geom, DepthProfile::Round { radius })?;
+        let outline = Vertices::create_circle(radius, number_of_edges)?;
+        let geom = simulator.create_geom(body, outline, GeomPlacement::default())?;
+        if let Err(error) = simulator.set_depth_profile(geom, DepthProfile::Round { radius }) {
+            simulator.dispose(geom)?;
+            return Err(error);
+        }
+        simulator.add(geom)?;
         Ok(geom)
     }
 

@@ -368,7 +368,8 @@ impl<S: AccessMut> TwoHalfBody<S> {
     /// Adds a force in the world, along X, **up** and along Z, at the body's origin, acting over the next update. What
     /// is not finite is rejected.
     pub fn apply_force3d(&mut self, amount: Vector3) {
-        if self.accepts("amount", amount.x * 0.0 + amount.y * 0.0 + amount.z * 0.0) {
+        let (plane, z) = (self.core().force() + Vector2::new(amount.x, -amount.y), self.force_z() + amount.z);
+        if self.accepts("amount", plane.x * 0.0 + plane.y * 0.0 + z * 0.0) {
             self.apply_force(Vector2::new(amount.x, -amount.y));
             self.apply_force_z(amount.z);
         }
@@ -377,7 +378,9 @@ impl<S: AccessMut> TwoHalfBody<S> {
     /// Adds an impulse in the world, along X, **up** and along Z, that changes the velocity at the next update. What is
     /// not finite is rejected.
     pub fn apply_impulse3d(&mut self, amount: Vector3) {
-        if self.accepts("amount", amount.x * 0.0 + amount.y * 0.0 + amount.z * 0.0) {
+        let waiting = self.core().impulse();
+        let (plane, z) = (waiting + Vector2::new(amount.x, -amount.y), self.state().impulse_z + amount.z);
+        if self.accepts("amount", plane.x * 0.0 + plane.y * 0.0 + z * 0.0) {
             self.apply_impulse(Vector2::new(amount.x, -amount.y));
             self.apply_impulse_z(amount.z);
         }

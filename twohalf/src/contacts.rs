@@ -3,7 +3,7 @@
 use farseer_core::{GeomId, PhysicsSimulator};
 
 use crate::tell::to_world;
-use crate::touch::TouchKey;
+use crate::touch::{TouchKey, TouchList};
 use crate::world::World;
 use crate::{Axis, Partner, TwoHalfPhysicsSimulator, Vector3};
 
@@ -60,8 +60,9 @@ impl World {
                 ]),
             })
         });
-        let others = self.touches.touches.iter().filter(|touch| !touch.is_plane()).flat_map(|touch| {
-            self.touches.points_of(touch).iter().map(|point| TwoHalfContact {
+        let list = self.finished_touches();
+        let others = list.touches.iter().filter(|touch| !touch.is_plane()).flat_map(|touch| {
+            list.points_of(touch).iter().map(|point| TwoHalfContact {
                 this: touch.this,
                 partner: touch.partner,
                 axis: touch.axis(),
@@ -75,11 +76,16 @@ impl World {
         in_plane.chain(others)
     }
 
+    /// The contacts of the last update that came to its end.
+    fn finished_touches(&self) -> &TouchList {
+        if self.update.is_running { &self.last } else { &self.touches }
+    }
+
     /// The points of a contact of the 2D engine that was solved here.
     fn friction_along_z(&self, core: &PhysicsSimulator, a: GeomId, b: GeomId) -> &[crate::touch::TouchPoint] {
         let numbers = core.geom(a).zip(core.geom(b)).map(|(a, b)| TouchKey::Pair(a.id(), b.id()));
-        let touch = numbers.and_then(|key| self.touches.find(key));
-        touch.map_or(&[], |touch| self.touches.points_of(touch))
+        let list = self.finished_touches();
+        numbers.and_then(|key| list.find(key)).map_or(&[], |touch| list.points_of(touch))
     }
 
     /// Z of the middle of what two geoms have in common.

@@ -37,8 +37,8 @@ pub struct Collision {
 pub enum Event {
     /// A geom touches something. Told in every update in which it does, for two geoms once to each.
     Collision(Collision),
-    /// A geom touched something in the last update and does not any more. For two geoms told to each. Does
-    /// not come when a contact ends by disabling, removing or disposing.
+    /// A geom touched something in the last update and does not any more, or a handler has refused it now. For two geoms
+    /// told to each. Does not come when a contact ends by disabling, removing or disposing.
     Separation {
         /// The geom that is told.
         this: GeomId,
@@ -222,7 +222,7 @@ impl<'a> Context<'a> {
         Ok(self.core.dispose(object)?)
     }
 
-    /// Something that happened, told in the next update.
+    /// The body in the 2D engine, to be edited.
     pub(crate) fn core_body_mut(&mut self, body: BodyId) -> Option<&mut Body> {
         self.core.body_mut(body)
     }

@@ -193,6 +193,9 @@ impl CoreHandler for Meeting<'_, '_> {
         let accepted = handler.on_collision(&mut Context::within(context, self.world), &collision);
         if !accepted {
             self.world.update.vetoed.push(collision);
+            let told =
+                self.world.plane_collision([geom_a, geom_b], other, contacts).filter(|_| this == geom_b);
+            self.world.update.halved.extend(told.map(|told| Collision { normal_impulse, ..told }));
         }
         accepted
     }

@@ -30,6 +30,8 @@ pub struct Platform {
     angle_in_z_axis: i32,
     shadow_image: Option<TextureId>,
     settings: Geom,
+    /// Derived from the others.
+    #[serde(skip)]
     shape: SlantedBox,
 }
 
@@ -123,7 +125,7 @@ impl Platform {
             shape,
         };
         let platform = platform.shaped(&simulator.world.projection)?;
-        Ok(simulator.world.platforms.insert(platform))
+        simulator.world.platforms.insert(platform)
     }
 
     /// The platform with the shape that its numbers say.
@@ -279,12 +281,13 @@ pub(crate) struct Platforms {
 }
 
 impl Platforms {
-    pub(crate) fn insert(&mut self, platform: Platform) -> PlatformId {
+    pub(crate) fn insert(&mut self, platform: Platform) -> Result<PlatformId> {
         let id = PlatformId(self.next);
-        self.next += 1;
+        self.next =
+            self.next.checked_add(1).ok_or(invalid("platform", self.next, "one of fewer than 2^32"))?;
         self.list.push((id, platform));
         self.is_sorted = false;
-        id
+        Ok(id)
     }
 
     pub(crate) fn remove(&mut self, id: PlatformId) -> Result<()> {

@@ -17,6 +17,10 @@ pub struct Surface {
     pub normal: Vector3,
 }
 
+/// In units of the allowed penetration: how deep something that rests lies in a surface at most. Usually it is one;
+/// what is heavily loaded sinks deeper.
+const SUNK: f32 = 4.0;
+
 impl TwoHalfPhysicsSimulator {
     /// The first geom, in the order of the geom list, whose picture holds a point of the screen; see
     /// [`TwoHalfGeom::collides_with_point`](crate::TwoHalfGeom::collides_with_point). [`pick_front`](Self::pick_front)
@@ -57,15 +61,18 @@ impl TwoHalfPhysicsSimulator {
         self.projection().screen_to_ground(point)
     }
 
-    /// The highest surface, ground or platform, that lies straight below a point of the world, or at its height. `None`
-    /// for a point below the ground.
+    /// The highest surface, ground or platform, that lies straight below a point of the world, or at its height: what
+    /// rests on a surface sinks into it by a fraction of a px, so surfaces up to four times the
+    /// [allowed penetration](farseer_core::PhysicsSimulator::allowed_penetration) above the point count. `None` for a point below
+    /// the ground.
     pub fn surface_beneath(&self, point: Vector3) -> Option<Surface> {
         let ground = Surface { partner: Partner::Ground, height: 0.0, normal: Vector3::new(0.0, 1.0, 0.0) };
         let platforms = self.world.platforms.iter().filter_map(|(id, platform)| {
             let (y, normal) = platform.shape().height_at(point.x, point.z)?;
             Some(Surface { partner: Partner::Platform(id), height: -y, normal: to_world(normal) })
         });
-        let below = platforms.chain([ground]).filter(|surface| surface.height <= point.y);
+        let reach = point.y + SUNK * self.core.allowed_penetration();
+        let below = platforms.chain([ground]).filter(|surface| surface.height <= reach);
         below.max_by(|a, b| a.height.total_cmp(&b.height))
     }
 

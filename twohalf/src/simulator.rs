@@ -459,7 +459,7 @@ impl TwoHalfPhysicsSimulator {
     ///
     /// # Errors
     /// A stale id; a depth that is not finite and 0 or more; a radius that is not finite and greater than 0, or so
-    /// great that the ball does not end at finite numbers where it is.
+    /// great that the ball does not end at finite X and Y where it is.
     pub fn set_depth_profile(&mut self, geom: GeomId, profile: DepthProfile) -> Result<()> {
         self.core.geom(geom).ok_or(stale("geom"))?;
         let profile = profile.check()?;

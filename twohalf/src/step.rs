@@ -96,6 +96,7 @@ impl World {
         self.take_events(core);
         self.touch(core);
         self.tell_touches(core, handler);
+        self.smooth_seams(core.allowed_penetration());
         self.take_events(core);
     }
 
@@ -215,9 +216,9 @@ impl World {
 
     /// Takes over what the 2D engine has reported since the last time.
     fn take_events(&mut self, core: &PhysicsSimulator) {
-        let mut arbiters = core.arbiters().enumerate();
-        let mut arbiter = arbiters.next();
-        let mut vetoed_before = 0;
+        // Collisions come in the order of the list, those of a pair together: the older geom's first.
+        let mut next = 0;
+        let (mut vetoed_before, mut halved_before) = (0, 0);
         for index in self.update.core_events..core.events().len() {
             match core.events()[index] {
                 CoreEvent::Collision { vetoed: true, .. } => {
@@ -228,16 +229,23 @@ impl World {
                     );
                 }
                 CoreEvent::Collision { this, other, .. } => {
-                    // Collisions come in the order of the list, those of a pair together.
                     let is_of = |pair: (GeomId, GeomId)| pair == (this, other) || pair == (other, this);
-                    while arbiter.as_ref().is_some_and(|(_, a)| !is_of((a.geom_a(), a.geom_b()))) {
-                        arbiter = arbiters.next();
-                    }
-                    let Some((position, found)) = &arbiter else { continue };
+                    let found = (next..core.arbiter_count()).find_map(|position| {
+                        let arbiter = core.arbiter(position)?;
+                        is_of((arbiter.geom_a(), arbiter.geom_b())).then_some((position, arbiter))
+                    });
+                    let Some((position, found)) = found else {
+                        // The other side has refused it afterwards.
+                        self.events
+                            .extend(self.update.halved.get(halved_before).copied().map(Event::Collision));
+                        halved_before += 1;
+                        continue;
+                    };
                     let pair = [found.geom_a(), found.geom_b()];
                     let collision = self.plane_collision(pair, this, found.contacts());
                     let Some(collision) = collision else { continue };
-                    let source = (self.events.len() as u32, Source::Arbiter(*position as u32));
+                    next = if this == found.geom_b() { position + 1 } else { position };
+                    let source = (self.events.len() as u32, Source::Arbiter(position as u32));
                     self.update.sources.push(source);
                     self.events.push(Event::Collision(collision));
                 }
@@ -252,6 +260,7 @@ impl World {
 
     /// Fills in what is known only now: impulses, supports and counters.
     fn finish(&mut self, core: &PhysicsSimulator) {
+        self.update.is_running = false;
         self.fill_impulses(core);
         self.find_supports(core);
         let plane = core.counters();

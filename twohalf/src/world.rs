@@ -57,6 +57,8 @@ pub(crate) struct Update {
     pub(crate) pieces: SlotTable<GeomId, ConvexPieces>,
     pub(crate) scratch: Scratch,
     pub(crate) dt: f32,
+    /// Contacts are being looked for: those that games may ask for are still the last update's.
+    pub(crate) is_running: bool,
     /// Events of the 2D engine that were taken over already.
     pub(crate) core_events: usize,
     /// For the collisions among the events: where their impulse comes from.
@@ -66,6 +68,8 @@ pub(crate) struct Update {
     pub(crate) supports: Vec<(BodyId, Support)>,
     /// Collisions in X and Y that the handler refused and that are not among the events yet.
     pub(crate) vetoed: Vec<Collision>,
+    /// What the older geoms were told of them, where only the younger's side was refused.
+    pub(crate) halved: Vec<Collision>,
     /// By body slot: whether the body moved along Z and nobody was told yet.
     pub(crate) moved: Vec<bool>,
 }
@@ -75,7 +79,7 @@ pub(crate) struct Update {
 pub(crate) enum Source {
     /// Position in the 2D engine's list.
     Arbiter(u32),
-    /// Two creation numbers or the like: a contact of this engine.
+    /// The key of a contact of this engine.
     Touch(crate::touch::TouchKey),
 }
 
@@ -120,17 +124,20 @@ impl World {
     pub(crate) fn begin(&mut self) {
         std::mem::swap(&mut self.last, &mut self.touches);
         self.touches.clear();
+        self.update.is_running = true;
         self.events.clear();
         self.counters = StepCounters::default();
         self.update.core_events = 0;
         self.update.sources.clear();
         self.update.pairs.clear();
         self.update.vetoed.clear();
+        self.update.halved.clear();
     }
 
     /// Ends an update in which nothing moved: contacts stay those of the last one.
     pub(crate) fn stand_still(&mut self, core: &PhysicsSimulator) {
         std::mem::swap(&mut self.last, &mut self.touches);
+        self.update.is_running = false;
         self.forget_what_left(core);
     }
 

@@ -70,7 +70,7 @@ fn tangents_of(n: [f32; 3]) -> [[f32; 3]; 2] {
         let x = difference([1.0, 0.0, 0.0], scaled(n, n[0]));
         scaled(x, 1.0 / dot(x, x).sqrt())
     };
-    let second = if n[2] == 0.0 { [0.0, 0.0, 1.0] } else { cross(n, first) };
+    let second = if n[2] == 0.0 { [0.0, 0.0, 1.0] } else { cross(first, n) };
     [first, second]
 }
 

@@ -63,7 +63,7 @@ struct Group {
     first_row: u32,
     row_count: u32,
     friction: f32,
-    /// All rows share the normal impulse of the first.
+    /// The rows share one normal impulse: each bears an equal part.
     shares_pressure: bool,
     /// It made a velocity infinite or NaN, and is out of this update.
     is_dropped: bool,
@@ -184,7 +184,13 @@ impl SpaceSolver {
         let (Some(body_a), Some(body_b)) = (body_a, self.gather_body(core, depths, touch.body)) else {
             return;
         };
-        let centres = [body_a, body_b].map(|body| self.states[body as usize].centre);
+        let [a, b] = [body_a, body_b].map(|body| &self.states[body as usize]);
+        // A handler may have made both immovable since they were found to touch.
+        let is_solvable = a.inverse_mass + b.inverse_mass != 0.0;
+        let centres = [a.centre, b.centre];
+        if !is_solvable {
+            return;
+        }
         let first_row = self.rows.len() as u32;
         for point in list.points_of(touch) {
             self.rows.push(Row::new(array(point.normal), array(point.position), centres, point));

@@ -134,7 +134,11 @@ impl TouchList {
         if !manifold.is_finite() {
             return;
         }
-        let known = last.find(subject.key).map_or(&[][..], |touch| last.points_of(touch));
+        let is_alike = |touch: &&Touch| {
+            std::mem::discriminant(&touch.kept) == std::mem::discriminant(&manifold.kept)
+                || !(touch.is_plane() || touch.shares_pressure || manifold.shares_pressure)
+        };
+        let known = last.find(subject.key).filter(is_alike).map_or(&[][..], |touch| last.points_of(touch));
         let first_point = self.points.len() as u32;
         for spot in manifold.spots() {
             let before = known.iter().find(|point| point.feature == spot.feature);

@@ -27,7 +27,6 @@ impl World {
         platforms::touch_platforms(core, self);
         ground::touch_grounds(core, self);
         self.touches.sort();
-        self.smooth_seams(core.allowed_penetration());
     }
 }
 

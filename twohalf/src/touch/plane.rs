@@ -65,12 +65,12 @@ impl World {
             return;
         }
         let z = self.middle(this, other);
-        // Contacts of one pair may have different normals: each normal is a contact of its own.
-        let known = self.last.find(key).map_or(&[][..], |touch| self.last.points_of(touch));
+        let last = self.last.find(key).filter(|touch| touch.is_plane());
+        let known = last.map_or(&[][..], |touch| self.last.points_of(touch));
         let first_point = self.touches.points.len() as u32;
         for contact in arbiter.contacts() {
             let feature = feature_of(contact, older);
-            let across = known.iter().find(|point| point.feature == feature);
+            let before = known.iter().find(|point| point.feature == feature);
             self.touches.points.push(TouchPoint {
                 position: Vector3::new(contact.position.x, contact.position.y, z),
                 normal: Vector3::new(contact.normal.x, contact.normal.y, 0.0),
@@ -79,7 +79,7 @@ impl World {
                 normal_impulse: contact.normal_impulse(),
                 friction_impulse: [
                     contact.tangent_impulse(),
-                    across.map_or(0.0, |point| point.friction_impulse[1]),
+                    before.map_or(0.0, |point| point.friction_impulse[1]),
                 ],
             });
         }

@@ -1,8 +1,8 @@
 //! Balls that roll from one surface to the next.
 //!
 //! Where two surfaces are flush, the edge of the one ahead is nearer to the ball than its face, and leans against it: the
-//! ball would stumble over a seam that is not there. Such a contact is left out as long as the surface that the ball is
-//! on holds it.
+//! ball would stumble over a seam that is not there. Such a contact exerts no impulse as long as the surface that the ball
+//! is on holds it.
 
 use farseer_core::GeomId;
 
@@ -27,8 +27,9 @@ pub(crate) struct BallContact {
 }
 
 impl World {
-    /// Leaves out the contacts of balls with edges that lie in a surface the ball is on.
-    pub(super) fn smooth_seams(&mut self, slop: f32) {
+    /// Lets the contacts of balls with edges that lie in a surface the ball is on exert no impulses. Those that a handler
+    /// has refused are gone by now: they hold nothing.
+    pub(crate) fn smooth_seams(&mut self, slop: f32) {
         let mut contacts = std::mem::take(&mut self.update.ball_contacts);
         contacts.clear();
         for (touch, index) in self.touches.touches.iter().zip(0..) {
@@ -40,11 +41,10 @@ impl World {
         for of_ball in contacts.chunk_by(|a, b| a.ball == b.ball) {
             for edge in of_ball {
                 if of_ball.iter().any(|surface| is_seam(edge, surface, slop)) {
-                    self.touches.touches[edge.touch as usize].point_count = 0;
+                    self.touches.touches[edge.touch as usize].responds = false;
                 }
             }
         }
-        self.touches.touches.retain(|touch| touch.point_count > 0);
         self.update.ball_contacts = contacts;
     }
 

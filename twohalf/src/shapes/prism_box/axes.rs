@@ -147,8 +147,11 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
     ) -> Option<(Choice, f32)> {
         let survey = self.survey(piece, vertices)?;
         let with_points = |candidate| self.clipped(candidate, piece, vertices);
+        let with_one =
+            |choice: Choice| if choice.count > 0 { choice } else { self.at_support(choice, piece, vertices) };
         let chosen = match kept {
-            None => self.entered_last(piece, vertices, &survey).map(with_points),
+            // Where two have only just met the overlap may be too narrow for points of its own.
+            None => self.entered_last(piece, vertices, &survey).map(with_points).map(with_one),
             Some(_) => {
                 let kept = self.kept_candidate(piece, vertices, kept).map(with_points);
                 let is_near = |choice: &Choice| {
@@ -162,10 +165,7 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
             Some(choice) => choice,
             None => with_points(least(self.exits(piece, vertices))?),
         };
-        Some((
-            if choice.count > 0 { choice } else { self.at_support(choice, piece, vertices) },
-            survey.least_time,
-        ))
+        Some((with_one(choice), survey.least_time))
     }
 }
 
