@@ -2,8 +2,8 @@
 #![allow(dead_code, reason = "not every test program needs everything")]
 
 use twohalf::{
-    BodyId, Collision, DepthProfile, Event, GeomId, Platform, PlatformId, TwoHalfPhysicsSimulator, Vector2,
-    Vector3,
+    Axis, BodyId, Collision, DepthProfile, Event, EventHandler, GeomId, Partner, Platform, PlatformId,
+    TwoHalfPhysicsSimulator, Vector2, Vector3,
 };
 use twohalf_factories::{TwoHalfBodyFactory, TwoHalfGeomFactory};
 
@@ -191,3 +191,68 @@ pub(crate) fn run_until_hit(simulator: &mut TwoHalfPhysicsSimulator, geom: GeomI
     }
     panic!("the geom touches nothing");
 }
+
+/// Two boxes or two balls of masses 2 and 1 without gravity, the second of which comes along an axis with 80 px/s.
+pub(crate) fn pair_along(axis: Axis, restitution: f32) -> (TwoHalfPhysicsSimulator, [BodyId; 2], Vector3) {
+    let mut simulator = weightless();
+    let (bodies, direction) = match axis {
+        Axis::Plane => {
+            let still = solid(&mut simulator, [40.0, 40.0, 40.0], [0.0, 500.0, 0.0]);
+            let thrown = solid(&mut simulator, [20.0, 20.0, 20.0], [-80.3, 510.0, 0.0]);
+            ([still, thrown], Vector3::new(1.0, 0.0, 0.0))
+        }
+        Axis::Depth => {
+            let still = solid(&mut simulator, [40.0, 40.0, 40.0], [0.0, 500.0, 0.0]);
+            let thrown = solid(&mut simulator, [20.0, 20.0, 20.0], [0.0, 510.0, -80.3]);
+            ([still, thrown], Vector3::new(0.0, 0.0, 1.0))
+        }
+        Axis::Oblique => {
+            let still = ball(&mut simulator, 20.0, [0.0, 500.0, 0.0]);
+            let thrown = ball(&mut simulator, 10.0, [-60.0, 510.0, -80.0]);
+            ([still, thrown], Vector3::new(0.6, 0.0, 0.8))
+        }
+    };
+    simulator.body_mut(bodies[0]).unwrap().set_mass(2.0).unwrap();
+    for body in bodies {
+        set_surface(&mut simulator, body, 0.0, restitution);
+    }
+    throw(&mut simulator, bodies[1], (direction * 80.0).into());
+    (simulator, bodies, direction)
+}
+
+pub(crate) const AXES: [Axis; 3] = [Axis::Plane, Axis::Depth, Axis::Oblique];
+
+/// Makes steps with a handler.
+pub(crate) fn run_with(
+    simulator: &mut TwoHalfPhysicsSimulator,
+    handler: &mut dyn EventHandler,
+    steps: usize,
+) {
+    for _ in 0..steps {
+        simulator.update_with(DT, handler);
+    }
+}
+
+/// A ball and a box of mass 1 that fall from 100 px onto the ground or a platform.
+pub(crate) fn falling(
+    is_ball: bool,
+    on_platform: bool,
+    restitution: f32,
+) -> (TwoHalfPhysicsSimulator, BodyId, Partner) {
+    let mut simulator = simulator();
+    let mut partner = Partner::Ground;
+    let mut height = 100.0;
+    if on_platform {
+        let floor = platform(&mut simulator, [200.0, 40.0, 100.0], [0.0, 20.0, 0.0]);
+        set_platform_surface(&mut simulator, floor, 0.0, restitution);
+        (partner, height) = (Partner::Platform(floor), 160.0);
+    }
+    let body = match is_ball {
+        true => ball(&mut simulator, 10.0, [0.0, height, 0.0]),
+        false => crate_box(&mut simulator, [20.0, 20.0], [0.0, height, 0.0]),
+    };
+    set_surface(&mut simulator, body, 0.0, restitution);
+    (simulator, body, partner)
+}
+
+pub(crate) const FALLS: [(bool, bool); 4] = [(true, true), (true, false), (false, true), (false, false)];
