@@ -8,7 +8,8 @@ use crate::{Canvas, Color, Point, Transform};
 /// Corners of a round footprint.
 const ROUND_CORNERS: u8 = 24;
 
-/// Shows what a simulator works with: outlines, footprints, grounds, platforms and contacts, each where it is in depth.
+/// Shows what a simulator works with: outlines, footprints, grounds, platforms and contacts, each where it is in
+/// depth.
 ///
 /// The options are those of Farseer's debug view where it has them (behaviour chapter 16, A), with the same colours
 /// and measures; but outlines are drawn, dots at their corners are not. What depth adds has colours of its own.

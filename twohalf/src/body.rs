@@ -125,8 +125,8 @@ impl<S: Access> TwoHalfBody<S> {
     }
 
     /// What held the body up best in the last update: of everything below it that pushes it, what pushes it most
-    /// straight up. `None` in the air. A body that leaves what it lies on for a single step, no faster than gravity makes
-    /// it in two, still counts as held up.
+    /// straight up. `None` in the air. A body that leaves what it lies on for a single step, no faster than gravity
+    /// makes it in two, still counts as held up.
     pub fn support(&self) -> Option<Support> {
         self.state().support
     }
@@ -365,8 +365,8 @@ impl<S: AccessMut> TwoHalfBody<S> {
         }
     }
 
-    /// Adds a force in the world, along X, **up** and along Z, at the body's origin, acting over the next update. What
-    /// is not finite is rejected.
+    /// Adds a force in the world, along X, **up** and along Z, at the body's origin, acting over the next update.
+    /// What is not finite is rejected.
     pub fn apply_force3d(&mut self, amount: Vector3) {
         let (plane, z) = (self.core().force() + Vector2::new(amount.x, -amount.y), self.force_z() + amount.z);
         if self.accepts("amount", plane.x * 0.0 + plane.y * 0.0 + z * 0.0) {
@@ -375,8 +375,8 @@ impl<S: AccessMut> TwoHalfBody<S> {
         }
     }
 
-    /// Adds an impulse in the world, along X, **up** and along Z, that changes the velocity at the next update. What is
-    /// not finite is rejected.
+    /// Adds an impulse in the world, along X, **up** and along Z, that changes the velocity at the next update.
+    /// What is not finite is rejected.
     pub fn apply_impulse3d(&mut self, amount: Vector3) {
         let waiting = self.core().impulse();
         let (plane, z) = (waiting + Vector2::new(amount.x, -amount.y), self.state().impulse_z + amount.z);
@@ -386,8 +386,8 @@ impl<S: AccessMut> TwoHalfBody<S> {
         }
     }
 
-    /// Sets the angular velocity about all three axes of [`angular_velocity3d`](Self::angular_velocity3d); the first two
-    /// matter for balls. What is not finite is rejected.
+    /// Sets the angular velocity about all three axes of [`angular_velocity3d`](Self::angular_velocity3d); the
+    /// first two matter for balls. What is not finite is rejected.
     pub fn set_angular_velocity3d(&mut self, value: Vector3) {
         if self.accepts("angular_velocity3d", value.x * 0.0 + value.y * 0.0 + value.z * 0.0) {
             self.core_mut().set_angular_velocity(value.z);

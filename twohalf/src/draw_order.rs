@@ -86,11 +86,11 @@ impl Item {
 impl TwoHalfPhysicsSimulator {
     /// The bodies that take part and are enabled, and the platforms, back to front: draw them in this order.
     ///
-    /// Of two that cover each other on the screen the one before the other comes later: separated in Z, the nearer one;
-    /// on top of each other, the higher one; side by side, what the Z axis leans away from. What decides is the direction
-    /// in which their boxes, or the sides of a platform, are farthest apart or overlap least. Where that goes round in a
-    /// circle, one of the pairs is in the wrong order. What covers nothing is ordered by Z, then by height, then
-    /// as it was added.
+    /// Of two that cover each other on the screen the one before the other comes later: separated in Z, the nearer
+    /// one; on top of each other, the higher one; side by side, what the Z axis leans away from. What decides is
+    /// the direction in which their boxes, or the sides of a platform, are farthest apart or overlap least. Where
+    /// that goes round in a circle, one of the pairs is in the wrong order. What covers nothing is ordered by Z,
+    /// then by height, then as it was added.
     pub fn draw_order(&self) -> Vec<Drawable> {
         let mut items: Vec<Item> = self.items().collect();
         items.sort_by(|a, b| {

@@ -37,8 +37,8 @@ pub struct Collision {
 pub enum Event {
     /// A geom touches something. Told in every update in which it does, for two geoms once to each.
     Collision(Collision),
-    /// A geom touched something in the last update and does not any more, or a handler has refused it now. For two geoms
-    /// told to each. Does not come when a contact ends by disabling, removing or disposing.
+    /// A geom touched something in the last update and does not any more, or a handler has refused it now. For two
+    /// geoms told to each. Does not come when a contact ends by disabling, removing or disposing.
     Separation {
         /// The geom that is told.
         this: GeomId,

@@ -67,8 +67,8 @@ impl<'a> TwoHalfGeom<'a> {
         VirtualGeom::of(self.geom, self.depth_profile(), self.z())
     }
 
-    /// Whether the geom's picture holds a point of the screen: its outline at the depth of its middle, or the disc of a
-    /// ball.
+    /// Whether the geom's picture holds a point of the screen: its outline at the depth of its middle, or the disc
+    /// of a ball.
     #[doc(alias = "Collide(Vector2)")]
     pub fn collides_with_point(&self, point: Vector2) -> bool {
         let plane = self.projection().screen_to_plane(point, self.z());

@@ -83,9 +83,9 @@
 //!
 #![doc = include_str!("../docs/shapes.svg")]
 //!
-//! A geom is an outline with a [`DepthProfile`]: a prism, the outline extended to half its depth before and behind the
-//! body's Z, or a ball. What it covers of the ground from above is its [footprint](TwoHalfGeom::virtual_geom), which
-//! the thesis calls its virtual geom (3.5).
+//! A geom is an outline with a [`DepthProfile`]: a prism, the outline extended to half its depth before and behind
+//! the body's Z, or a ball. What it covers of the ground from above is its [footprint](TwoHalfGeom::virtual_geom),
+//! which the thesis calls its virtual geom (3.5).
 //!
 //! Bodies move along X, Y and Z and turn about the depth axis. X, Y and rotation are moved by the 2D engine; along Z
 //! the same happens beside it (thesis 3.3): force and impulse become velocity, velocity becomes position, with the
@@ -105,10 +105,10 @@
 //! both axes are entered at once, the smaller overlap decides. The least overlap alone would be wrong: who lands 5 px
 //! inside the front edge of a platform would be thrown off it.
 //!
-//! Restitution and friction are combined as in the 2D engine. Friction acts against the direction of sliding within the
-//! surface, along Z as well, by Coulomb's law. [`TwoHalfPhysicsSimulator::contacts`] lists the contacts of the last
-//! update; callbacks and [events](TwoHalfPhysicsSimulator::events) tell partner, [`Axis`], normal and impulse, and a
-//! callback can refuse a contact.
+//! Restitution and friction are combined as in the 2D engine. Friction acts against the direction of sliding within
+//! the surface, along Z as well, by Coulomb's law. [`TwoHalfPhysicsSimulator::contacts`] lists the contacts of the
+//! last update; callbacks and [events](TwoHalfPhysicsSimulator::events) tell partner, [`Axis`], normal and impulse,
+//! and a callback can refuse a contact.
 //!
 //! ## Ground
 //!
@@ -122,14 +122,14 @@
 //!
 #![doc = include_str!("../docs/platform.svg")]
 //!
-//! A [`Platform`] is an immovable box (thesis 3.6): level, tilted to a slope, or sheared, so that its edges in depth
-//! run at an angle on the screen that is not the Z axis'. Objects land on it where their footprint is above it, walk off
-//! every edge, bump into its sides, its front and its underside, and pass under it. It is there for every object and
-//! costs nothing where nobody is near.
+//! A [`Platform`] is an immovable box (thesis 3.6): level, tilted to a slope, or sheared, so that its edges in
+//! depth run at an angle on the screen that is not the Z axis'. Objects land on it where their footprint is above
+//! it, walk off every edge, bump into its sides, its front and its underside, and pass under it. It is there for
+//! every object and costs nothing where nobody is near.
 //!
 //! [`TwoHalfBody::support`] says what holds a body up, ground, platform or another object, and
-//! [`TwoHalfBody::is_grounded`] whether one can stand on that. [`TwoHalfPhysicsSimulator::surface_beneath`] is where a
-//! shadow falls.
+//! [`TwoHalfBody::is_grounded`] whether one can stand on that. [`TwoHalfPhysicsSimulator::surface_beneath`] is
+//! where a shadow falls.
 //!
 //! # A game loop
 //!

@@ -13,10 +13,10 @@ pub enum Methods {
     /// in X and Y, and the same impulses along Z inside the same iterations. Balls are balls.
     #[default]
     Faithful,
-    /// The thesis' own scheme (thesis 3.5), to compare with: objects whose depths differ by less than half the smaller
-    /// depth meet in X and Y, as outlines; all others meet along Z only, when their footprints and their height
-    /// intervals overlap, without friction. Nothing ever meets in all three axes, and a ball that is met from the
-    /// front is a box.
+    /// The thesis' own scheme (thesis 3.5), to compare with: objects whose depths differ by less than half the
+    /// smaller depth meet in X and Y, as outlines; all others meet along Z only, when their footprints and their
+    /// height intervals overlap, without friction. Nothing ever meets in all three axes, and a ball that is met
+    /// from the front is a box.
     Thesis,
 }
 

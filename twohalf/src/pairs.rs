@@ -107,8 +107,8 @@ impl World {
         self.way_of_new(core, pair, depth).unwrap_or(Way::Plane)
     }
 
-    /// Two outlines that did not touch before meet along the axis that they entered last, as their last step says. `None`
-    /// if they do not touch.
+    /// Two outlines that did not touch before meet along the axis that they entered last, as their last step says.
+    /// `None` if they do not touch.
     fn way_of_new(&mut self, core: &PhysicsSimulator, pair: SpacePair, depth: Along) -> Option<Way> {
         let (body_a, body_b) = (core.geom(pair.geom_a)?.body(), core.geom(pair.geom_b)?.body());
         let motion = self.motion_of(core, body_b) - self.motion_of(core, body_a);

@@ -23,8 +23,8 @@ const SUNK: f32 = 4.0;
 
 impl TwoHalfPhysicsSimulator {
     /// The first geom, in the order of the geom list, whose picture holds a point of the screen; see
-    /// [`TwoHalfGeom::collides_with_point`](crate::TwoHalfGeom::collides_with_point). [`pick_front`](Self::pick_front)
-    /// gives what a player sees there.
+    /// [`TwoHalfGeom::collides_with_point`](crate::TwoHalfGeom::collides_with_point).
+    /// [`pick_front`](Self::pick_front) gives what a player sees there.
     #[doc(alias = "Collide")]
     pub fn collide(&self, point: Vector2) -> Option<GeomId> {
         self.geom_list().iter().copied().find(|&geom| self.shows(geom, point))
@@ -61,10 +61,10 @@ impl TwoHalfPhysicsSimulator {
         self.projection().screen_to_ground(point)
     }
 
-    /// The highest surface, ground or platform, that lies straight below a point of the world, or at its height: what
-    /// rests on a surface sinks into it by a fraction of a px, so surfaces up to four times the
-    /// [allowed penetration](farseer_core::PhysicsSimulator::allowed_penetration) above the point count. `None` for a point below
-    /// the ground.
+    /// The highest surface, ground or platform, that lies straight below a point of the world, or at its height:
+    /// what rests on a surface sinks into it by a fraction of a px, so surfaces up to four times the [allowed
+    /// penetration](farseer_core::PhysicsSimulator::allowed_penetration) above the point count. `None` for a point
+    /// below the ground.
     pub fn surface_beneath(&self, point: Vector3) -> Option<Surface> {
         let ground = Surface { partner: Partner::Ground, height: 0.0, normal: Vector3::new(0.0, 1.0, 0.0) };
         let platforms = self.world.platforms.iter().filter_map(|(id, platform)| {

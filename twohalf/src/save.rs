@@ -1,7 +1,7 @@
 //! Saving and loading the whole simulator.
 //!
-//! What was loaded continues with the same bits; what contradicts itself is refused. Events are notices and no state: what
-//! the next update would have told of refused arguments and disposals is not saved.
+//! What was loaded continues with the same bits; what contradicts itself is refused. Events are notices and no
+//! state: what the next update would have told of refused arguments and disposals is not saved.
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 

@@ -86,9 +86,9 @@ impl TwoHalfPhysicsSimulator {
         Self::from_core(height, angle, PhysicsSimulator::new(gravity)?)
     }
 
-    /// Takes over a 2D simulator, with its settings and all of its objects; those that wait to be added enter now. Its plane becomes that of X and Y: every body is at Z = 0, with its height so that
-    /// y = 0 is the ground, and no body has an object geom yet. Every geom is a prism as deep as the shorter side
-    /// of its outline's box.
+    /// Takes over a 2D simulator, with its settings and all of its objects; those that wait to be added enter now.
+    /// Its plane becomes that of X and Y: every body is at Z = 0, with its height so that y = 0 is the ground, and
+    /// no body has an object geom yet. Every geom is a prism as deep as the shorter side of its outline's box.
     ///
     /// This is also how a simulator gets another broad phase or other solver settings.
     ///
@@ -304,8 +304,8 @@ impl TwoHalfPhysicsSimulator {
         Ok(geom)
     }
 
-    /// Attaches a copy of a geom to a body, at the same offsets, with the same depth profile. It takes part once it is
-    /// [added](Self::add). If the original is the object geom of its body and the other body has none, the copy
+    /// Attaches a copy of a geom to a body, at the same offsets, with the same depth profile. It takes part once it
+    /// is [added](Self::add). If the original is the object geom of its body and the other body has none, the copy
     /// becomes that; the other body's origin stays.
     ///
     /// # Errors
@@ -420,8 +420,8 @@ impl TwoHalfPhysicsSimulator {
         Ok(())
     }
 
-    /// Makes a geom a sensor (its body static, its contacts without response) or an ordinary geom. Sensors have depth as
-    /// everything else.
+    /// Makes a geom a sensor (its body static, its contacts without response) or an ordinary geom. Sensors have
+    /// depth as everything else.
     ///
     /// # Errors
     /// A stale id.

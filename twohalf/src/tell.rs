@@ -165,8 +165,8 @@ impl World {
         self.update.supports = last;
     }
 
-    /// What lies on something may leave it for a single step, no faster than gravity makes it in two, before it lies on
-    /// it again. For that step it still counts as held up.
+    /// What lies on something may leave it for a single step, no faster than gravity makes it in two, before it
+    /// lies on it again. For that step it still counts as held up.
     fn keep_supports(&mut self, core: &PhysicsSimulator, last: &[(BodyId, Support)]) {
         let slow = 2.0 * core.gravity().y.abs() * self.update.dt.abs();
         for &(id, support) in last {

@@ -173,8 +173,8 @@ impl World {
         self.depths.bodies.get(body).map_or(0.0, |state| state.z)
     }
 
-    /// How a body moved in the last update, y down. Its velocity may have been set since, and contacts may have kept it
-    /// from going that way; but it is all that is known of one that was in no update yet.
+    /// How a body moved in the last update, y down. Its velocity may have been set since, and contacts may have
+    /// kept it from going that way; but it is all that is known of one that was in no update yet.
     pub(crate) fn motion_of(&self, core: &PhysicsSimulator, body: BodyId) -> Vector3 {
         let (Some(plane), Some(state)) = (core.body(body), self.depths.bodies.get(body)) else {
             return Vector3::zeros();

@@ -1,9 +1,9 @@
 //! Through which of several faces two shapes that begin to overlap have met: the one entered last.
 //!
-//! Lengths are px, times are steps: what moved by m in the last step closes in by m per step. At the moment of the last
-//! entry some faces may be flush with what they touch: those that something rests on or slides along, such as the
-//! floor when the next tile of it is reached. Of these, the one that least closes in is where the two meet; otherwise every
-//! seam would be a wall.
+//! Lengths are px, times are steps: what moved by m in the last step closes in by m per step. At the moment of the
+//! last entry some faces may be flush with what they touch: those that something rests on or slides along, such as
+//! the floor when the next tile of it is reached. Of these, the one that least closes in is where the two meet;
+//! otherwise every seam would be a wall.
 
 use farseer_core::math::scalar;
 
@@ -11,8 +11,8 @@ use farseer_core::math::scalar;
 /// than its motion now: one step, and one more for what the game has changed since.
 pub(crate) const RECENT: f32 = 2.0;
 
-/// In units of slop: overlaps up to this are those of things that rest on or slide along each other. Contacts leave one
-/// slop; the motion of a step adds to it.
+/// In units of slop: overlaps up to this are those of things that rest on or slide along each other. Contacts leave
+/// one slop; the motion of a step adds to it.
 pub(crate) const SHALLOW: f32 = 2.0;
 
 /// An overlap along one axis.
@@ -24,7 +24,8 @@ pub(crate) struct Along {
 }
 
 impl Along {
-    /// Steps since the axis was entered; infinite when nothing closes in, or not fast enough to have entered just now.
+    /// Steps since the axis was entered; infinite when nothing closes in, or not fast enough to have entered just
+    /// now.
     pub(crate) fn time(&self) -> f32 {
         let is_recent = self.closing > 0.0 && self.penetration <= RECENT * self.closing;
         if is_recent { self.penetration / self.closing } else { f32::INFINITY }
@@ -43,8 +44,8 @@ impl Along {
     }
 }
 
-/// Whether two shapes meet along the depth axis rather than in the plane, where they met `plane_time` steps ago. What does
-/// not move in depth meets there only if it stands face to face.
+/// Whether two shapes meet along the depth axis rather than in the plane, where they met `plane_time` steps ago.
+/// What does not move in depth meets there only if it stands face to face.
 pub(crate) fn is_depth_last(
     plane: Along,
     plane_time: f32,

@@ -103,8 +103,8 @@ impl SpaceSolver {
         self.groups.iter().map(rows_of).sum()
     }
 
-    /// Gathers bodies and contacts, and computes masses, biases and bounces: before the impulses of the last update act
-    /// again, here and in the 2D engine, so that things bounce with the speed with which they arrived.
+    /// Gathers bodies and contacts, and computes masses, biases and bounces: before the impulses of the last update
+    /// act again, here and in the 2D engine, so that things bounce with the speed with which they arrived.
     pub(crate) fn prepare(
         &mut self,
         core: &PhysicsSimulator,
@@ -364,9 +364,9 @@ impl SpaceSolver {
     }
 }
 
-/// Velocity relative to each other that gravity has given two things in this step. They bounce with the speed with which
-/// they arrived: with that of the step as well, what falls on something immovable would gain height, hop for ever and
-/// creep down slopes. Contacts that were taken over from the 2D engine bounce as there, where it counts.
+/// Velocity relative to each other that gravity has given two things in this step. They bounce with the speed with
+/// which they arrived: with that of the step as well, what falls on something immovable would gain height, hop for
+/// ever and creep down slopes. Contacts that were taken over from the 2D engine bounce as there, where it counts.
 fn pull_of(core: &PhysicsSimulator, touch: &Touch, inverse_dt: f32) -> [f32; 3] {
     let falls =
         |body: BodyId| is_movable(core, body) && core.body(body).is_some_and(|body| !body.ignore_gravity());

@@ -1,8 +1,8 @@
 //! Balls that roll from one surface to the next.
 //!
-//! Where two surfaces are flush, the edge of the one ahead is nearer to the ball than its face, and leans against it: the
-//! ball would stumble over a seam that is not there. Such a contact exerts no impulse as long as the surface that the ball
-//! is on holds it.
+//! Where two surfaces are flush, the edge of the one ahead is nearer to the ball than its face, and leans against
+//! it: the ball would stumble over a seam that is not there. Such a contact exerts no impulse as long as the
+//! surface that the ball is on holds it.
 
 use farseer_core::GeomId;
 
@@ -27,8 +27,8 @@ pub(crate) struct BallContact {
 }
 
 impl World {
-    /// Lets the contacts of balls with edges that lie in a surface the ball is on exert no impulses. Those that a handler
-    /// has refused are gone by now: they hold nothing.
+    /// Lets the contacts of balls with edges that lie in a surface the ball is on exert no impulses. Those that a
+    /// handler has refused are gone by now: they hold nothing.
     pub(crate) fn smooth_seams(&mut self, slop: f32) {
         let mut contacts = std::mem::take(&mut self.update.ball_contacts);
         contacts.clear();

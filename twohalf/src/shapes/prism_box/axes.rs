@@ -2,9 +2,9 @@
 //!
 //! Frame: the plane's, x right, y **down**, z into the picture.
 //!
-//! Source: the separating axis theorem (Gottschalk 1996). The axes of a prism and a sheared box are the normals of both
-//! outlines' edges, leaning in depth with the box or not (a side against an end, an edge against an edge), the y axis
-//! where the box is sheared, and the z axis.
+//! Source: the separating axis theorem (Gottschalk 1996). The axes of a prism and a sheared box are the normals of
+//! both outlines' edges, leaning in depth with the box or not (a side against an end, an edge against an edge), the
+//! y axis where the box is sheared, and the z axis.
 
 use farseer_core::math::{Vector2, Vector3, scalar};
 
@@ -40,9 +40,9 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
         Vector2::new(vertex.x - self.shape.centre.x, vertex.y - self.shape.centre.y)
     }
 
-    /// The axis in space that belongs to one in the plane, `overlap` the overlap along that. The sides of a sheared box
-    /// lean in depth: where an end of the prism meets one, the prism leaves along the side's normal. A prism that
-    /// reaches beyond the end of the box meets the end's edge and leaves within the plane.
+    /// The axis in space that belongs to one in the plane, `overlap` the overlap along that. The sides of a sheared
+    /// box lean in depth: where an end of the prism meets one, the prism leaves along the side's normal. A prism
+    /// that reaches beyond the end of the box meets the end's edge and leaves within the plane.
     fn candidate(&self, edge: Edge, normal: Vector2, overlap: f32) -> Candidate {
         let lean = self.shape.shear * normal.x;
         let sink = lean.abs() * if lean > 0.0 { self.overhang[1] } else { self.overhang[0] };

@@ -170,8 +170,8 @@ fn a_box_that_falls_along_a_wall_does_not_land_on_a_seam() {
 
 #[test]
 fn a_box_that_tips_over_an_edge_turns_about_the_edge() {
-    // Tilted counterclockwise by 0.5 rad, the corner at the origin 0.05 above the middle of its underside. It had been
-    // on the top, below which its left half hangs now.
+    // Tilted counterclockwise by 0.5 rad, the corner at the origin 0.05 above the middle of its underside. It had
+    // been on the top, below which its left half hangs now.
     let upwards = Vector2::new(-libm::sin(0.5) as f32, -libm::cos(0.5) as f32);
     let middle = upwards * 9.95;
     let piece = rectangle((middle.x, middle.y), 20.0, 20.0, -0.5);
@@ -348,8 +348,8 @@ fn at_rest_moves_by_the_separation_along_the_normal_part_them() {
             let by = manifold.normal * (5e-3 - manifold.points[0].separation);
             (piece, depths) = (moved(&piece, by), depths.map(|z| z + by.z));
             moves += 1;
-            // One move, unless an edge of the prism's end meets an edge in depth of a sheared box: then the points are
-            // those of the outlines, which need not be the deepest in space.
+            // One move, unless an edge of the prism's end meets an edge in depth of a sheared box: then the points
+            // are those of the outlines, which need not be the deepest in space.
             let most = if shape.shear == 0.0 { 1 } else { 2 };
             assert!(moves <= most, "{manifold:?} {shape:?} {piece:?} {depths:?}");
         }
