@@ -127,12 +127,6 @@ impl ArbiterList {
         self.left_to_engine.get(handle as usize).is_some_and(|&is_left| is_left)
     }
 
-    /// Whether a pair is in the table: whether [`add_arbiter_for_geom_pair`](Self::add_arbiter_for_geom_pair)
-    /// would do nothing.
-    pub(crate) fn has_pair(&self, geoms: &Arena<GeomEntry>, geom1: GeomId, geom2: GeomId) -> bool {
-        self.pairs.contains(geoms[geom1].collision_id, geoms[geom2].collision_id)
-    }
-
     /// Whether the list has an arbiter of a pair.
     pub(crate) fn is_listed(&self, geom1: GeomId, geom2: GeomId) -> bool {
         self.list.iter().any(|&handle| {

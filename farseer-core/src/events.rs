@@ -123,7 +123,7 @@ pub trait EventHandler {
     /// that know more about them, such as how deep in the picture they are.
     ///
     /// Asked in every update: first about every pair that has an arbiter. If refused it loses it, with
-    /// [`on_separation`](Self::on_separation) for both sides. Then about every pair that would get one, after
+    /// [`on_separation`](Self::on_separation) for both sides. Then about every pair whose boxes overlap, after
     /// [`on_broad_phase_collision`](Self::on_broad_phase_collision). If refused it gets none, without an event. Unlike
     /// that callback it never replaces the test of the boxes, and a pair refused in one update is asked about in the
     /// next. A pair may be asked about more than once per update. Boxes are widened by 0.01 with sweep and prune.

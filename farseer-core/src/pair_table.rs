@@ -68,9 +68,4 @@ impl GeomPairBitmap {
             None => true,
         }
     }
-
-    /// Whether a pair is in, as [`test_and_set`](Self::test_and_set) answers it.
-    pub(crate) fn contains(&self, collision_id1: i32, collision_id2: i32) -> bool {
-        self.index(collision_id1, collision_id2).is_none_or(|index| self.set_bits.contains(index))
-    }
 }

@@ -41,10 +41,6 @@ impl StampedSet {
         true
     }
 
-    pub(crate) fn contains(&self, key: i64) -> bool {
-        !self.entries.is_empty() && self.entries[self.find(key)].1 == self.stamp
-    }
-
     /// The place of a key, or the free place where it belongs.
     #[inline]
     fn find(&self, key: i64) -> usize {
