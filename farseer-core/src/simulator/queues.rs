@@ -270,7 +270,15 @@ impl PhysicsSimulator {
     ///
     /// Callbacks may edit again, which is delivered in turn. One that answers every edit with another is not called
     /// any more after some rounds; the original overflows its stack.
+    #[inline]
     pub(super) fn settle_edits(&mut self, handler: Handler) {
+        let is_settled = self.touched_bodies.is_empty() && self.touched_geoms.is_empty();
+        if !(is_settled && self.pending_events.is_empty()) {
+            self.settle_all_edits(handler);
+        }
+    }
+
+    fn settle_all_edits(&mut self, handler: Handler) {
         for round in 0.. {
             self.settle_touched();
             if self.pending_events.is_empty() {
@@ -291,14 +299,7 @@ impl PhysicsSimulator {
     }
 
     /// Bodies and geoms in the order in which they were edited.
-    #[inline]
     fn settle_touched(&mut self) {
-        if !self.touched_bodies.is_empty() || !self.touched_geoms.is_empty() {
-            self.settle_all_touched();
-        }
-    }
-
-    fn settle_all_touched(&mut self) {
         let mut bodies = std::mem::take(&mut self.touched_bodies);
         for body in bodies.drain(..) {
             self.settle_body(body);
