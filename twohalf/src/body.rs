@@ -253,7 +253,7 @@ macro_rules! accumulate {
         $(#[$doc])*
         pub fn $name(&mut self, $argument: f32) {
             let sum = self.state().$field + $argument;
-            if self.accepts(stringify!($argument), sum) {
+            if self.accepts(stringify!($argument), &[sum]) {
                 self.state_mut().$field = sum;
             }
         }
@@ -271,9 +271,9 @@ impl<S: AccessMut> TwoHalfBody<S> {
         &mut self.simulator.world_mut().depths.bodies[self.id]
     }
 
-    /// Notes a refused argument and answers whether the value may be used.
-    fn accepts(&mut self, argument: &'static str, value: f32) -> bool {
-        let accepted = value.is_finite();
+    /// Whether the numbers that an argument leads to are finite; if not, the refusal is noted.
+    fn accepts(&mut self, argument: &'static str, numbers: &[f32]) -> bool {
+        let accepted = numbers.iter().all(|number| number.is_finite());
         if !accepted {
             let object = Some(self.id.into());
             self.simulator.world_mut().pending_events.push(Event::RejectedInput { object, argument });
@@ -285,10 +285,8 @@ impl<S: AccessMut> TwoHalfBody<S> {
     pub fn set_position3d(&mut self, value: Vector3) {
         let lowest = self.lowest();
         let plane = world_to_plane(value, lowest);
-        // Any infinity or NaN makes a product, and with it the sum, NaN.
         let screen = self.simulator.world().projection.plane_to_screen(plane, value.z);
-        let is_finite = 0.0 * plane.x + 0.0 * plane.y + 0.0 * value.z + 0.0 * screen.x + 0.0 * screen.y;
-        if self.accepts("position3d", is_finite) {
+        if self.accepts("position3d", &[plane.x, plane.y, value.z, screen.x, screen.y]) {
             self.core_mut().set_position(plane);
             self.state_mut().z = value.z;
         }
@@ -314,7 +312,7 @@ impl<S: AccessMut> TwoHalfBody<S> {
 
     /// Sets the velocity along Z. What is not finite is rejected.
     pub fn set_linear_velocity_z(&mut self, value: f32) {
-        if self.accepts("linear_velocity_z", value) {
+        if self.accepts("linear_velocity_z", &[value]) {
             self.state_mut().velocity_z = value;
         }
     }
@@ -359,7 +357,7 @@ impl<S: AccessMut> TwoHalfBody<S> {
     /// Sets the velocity of the body's origin in the world: along X, **up** and along Z. What is not finite is
     /// rejected.
     pub fn set_velocity3d(&mut self, value: Vector3) {
-        if self.accepts("velocity3d", value.x * 0.0 + value.y * 0.0 + value.z * 0.0) {
+        if self.accepts("velocity3d", value.as_slice()) {
             self.core_mut().set_linear_velocity(Vector2::new(value.x, -value.y));
             self.state_mut().velocity_z = value.z;
         }
@@ -369,7 +367,7 @@ impl<S: AccessMut> TwoHalfBody<S> {
     /// What is not finite is rejected.
     pub fn apply_force3d(&mut self, amount: Vector3) {
         let (plane, z) = (self.core().force() + Vector2::new(amount.x, -amount.y), self.force_z() + amount.z);
-        if self.accepts("amount", plane.x * 0.0 + plane.y * 0.0 + z * 0.0) {
+        if self.accepts("amount", &[plane.x, plane.y, z]) {
             self.apply_force(Vector2::new(amount.x, -amount.y));
             self.apply_force_z(amount.z);
         }
@@ -380,7 +378,7 @@ impl<S: AccessMut> TwoHalfBody<S> {
     pub fn apply_impulse3d(&mut self, amount: Vector3) {
         let waiting = self.core().impulse();
         let (plane, z) = (waiting + Vector2::new(amount.x, -amount.y), self.state().impulse_z + amount.z);
-        if self.accepts("amount", plane.x * 0.0 + plane.y * 0.0 + z * 0.0) {
+        if self.accepts("amount", &[plane.x, plane.y, z]) {
             self.apply_impulse(Vector2::new(amount.x, -amount.y));
             self.apply_impulse_z(amount.z);
         }
@@ -389,7 +387,7 @@ impl<S: AccessMut> TwoHalfBody<S> {
     /// Sets the angular velocity about all three axes of [`angular_velocity3d`](Self::angular_velocity3d); the
     /// first two matter for balls. What is not finite is rejected.
     pub fn set_angular_velocity3d(&mut self, value: Vector3) {
-        if self.accepts("angular_velocity3d", value.x * 0.0 + value.y * 0.0 + value.z * 0.0) {
+        if self.accepts("angular_velocity3d", value.as_slice()) {
             self.core_mut().set_angular_velocity(value.z);
             let state = self.state_mut();
             (state.angular_velocity_x, state.angular_velocity_y) = (value.x, value.y);

@@ -44,7 +44,7 @@ impl World {
     ) -> impl Iterator<Item = TwoHalfContact> + 'a {
         let in_plane = core.arbiters().flat_map(move |arbiter| {
             let (a, b) = (arbiter.geom_a(), arbiter.geom_b());
-            let z = self.middle_now(core, a, b);
+            let z = self.middle(core, a, b);
             let across = self.friction_along_z(core, a, b);
             arbiter.contacts().iter().zip(0..).map(move |(contact, index)| TwoHalfContact {
                 this: b,
@@ -86,17 +86,6 @@ impl World {
         let numbers = core.geom(a).zip(core.geom(b)).map(|(a, b)| TouchKey::Pair(a.id(), b.id()));
         let list = self.finished_touches();
         numbers.and_then(|key| list.find(key)).map_or(&[], |touch| list.points_of(touch))
-    }
-
-    /// Z of the middle of what two geoms have in common.
-    fn middle_now(&self, core: &PhysicsSimulator, a: GeomId, b: GeomId) -> f32 {
-        let interval = |geom: GeomId| {
-            let z = core.geom(geom).map_or(0.0, |geom| self.z_of(geom.body()));
-            let half = self.depths.profiles.get(geom).map_or(0.0, |profile| profile.half_depth());
-            (z - half, z + half)
-        };
-        let ((near_a, far_a), (near_b, far_b)) = (interval(a), interval(b));
-        (near_a.max(near_b) + far_a.min(far_b)) * 0.5
     }
 }
 

@@ -185,7 +185,9 @@ impl CoreHandler for Meeting<'_, '_> {
         let Some(SpacePair { key, geom_a, geom_b }) = key_of(context.simulator(), this, other) else {
             return true;
         };
-        let Some(collision) = self.world.plane_collision([geom_a, geom_b], this, contacts) else {
+        let Some(collision) =
+            self.world.plane_collision(context.simulator(), [geom_a, geom_b], this, contacts)
+        else {
             return true;
         };
         let normal_impulse = self.world.update.known.impulse(key).unwrap_or(0.0);
@@ -193,8 +195,10 @@ impl CoreHandler for Meeting<'_, '_> {
         let accepted = handler.on_collision(&mut Context::within(context, self.world), &collision);
         if !accepted {
             self.world.update.vetoed.push(collision);
-            let told =
-                self.world.plane_collision([geom_a, geom_b], other, contacts).filter(|_| this == geom_b);
+            let told = self
+                .world
+                .plane_collision(context.simulator(), [geom_a, geom_b], other, contacts)
+                .filter(|_| this == geom_b);
             self.world.update.halved.extend(told.map(|told| Collision { normal_impulse, ..told }));
         }
         accepted
@@ -269,6 +273,7 @@ impl World {
     /// them.
     pub(crate) fn plane_collision(
         &self,
+        core: &PhysicsSimulator,
         [older, younger]: [GeomId; 2],
         this: GeomId,
         contacts: &[Contact],
@@ -281,16 +286,21 @@ impl World {
             partner: Partner::Geom(other),
             axis: Axis::Plane,
             normal: Vector3::new(sign * deepest.normal.x, -sign * deepest.normal.y, 0.0),
-            position: Vector3::new(deepest.position.x, -deepest.position.y, self.middle(this, other)),
+            position: Vector3::new(deepest.position.x, -deepest.position.y, self.middle(core, this, other)),
             contacts: contacts.len() as u32,
             normal_impulse: 0.0,
             vetoed: false,
         })
     }
 
-    /// Z of the middle of what two extents have in common.
-    pub(crate) fn middle(&self, geom1: GeomId, geom2: GeomId) -> f32 {
-        let (a, b) = (self.reach(geom1), self.reach(geom2));
-        ((a.z - a.half).max(b.z - b.half) + (a.z + a.half).min(b.z + b.half)) * 0.5
+    /// Z of the middle of what two geoms have in common.
+    pub(crate) fn middle(&self, core: &PhysicsSimulator, geom1: GeomId, geom2: GeomId) -> f32 {
+        let interval = |geom: GeomId| {
+            let z = core.geom(geom).map_or(0.0, |geom| self.z_of(geom.body()));
+            let half = self.depths.profiles.get(geom).map_or(0.0, |profile| profile.half_depth());
+            (z - half, z + half)
+        };
+        let ((near1, far1), (near2, far2)) = (interval(geom1), interval(geom2));
+        (near1.max(near2) + far1.min(far2)) * 0.5
     }
 }

@@ -242,7 +242,7 @@ impl World {
                         continue;
                     };
                     let pair = [found.geom_a(), found.geom_b()];
-                    let collision = self.plane_collision(pair, this, found.contacts());
+                    let collision = self.plane_collision(core, pair, this, found.contacts());
                     let Some(collision) = collision else { continue };
                     next = if this == found.geom_b() { position + 1 } else { position };
                     let source = (self.events.len() as u32, Source::Arbiter(position as u32));

@@ -64,7 +64,7 @@ impl World {
         if !friction.is_finite() || !restitution.is_finite() {
             return;
         }
-        let z = self.middle(this, other);
+        let z = self.middle(core, this, other);
         let last = self.last.find(key).filter(|touch| touch.is_plane());
         let known = last.map_or(&[][..], |touch| self.last.points_of(touch));
         let first_point = self.touches.points.len() as u32;
