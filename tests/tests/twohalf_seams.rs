@@ -54,18 +54,16 @@ fn way_along_wall(is_platform: bool, is_ball: bool, is_front: bool, press: f32, 
     if is_front { end.x - start } else { end.z - start }
 }
 
-#[test]
-fn who_presses_against_a_wall_of_two_platforms_walks_along_it_over_the_seam() {
+/// Balls and boxes, along fronts and along sides, pressing more and less.
+fn assert_all_walk_along(is_platform: bool) {
     for is_ball in [true, false] {
         for is_front in [true, false] {
             for press in [10.0, 40.0, 100.0] {
                 for phase in 0..PHASES {
-                    let way = way_along_wall(true, is_ball, is_front, press, phase);
+                    let way = way_along_wall(is_platform, is_ball, is_front, press, phase);
                     // Without friction nothing acts along the wall.
-                    assert!(
-                        (way - 120.0).abs() < 0.1,
-                        "ball: {is_ball}, {is_front}, {press}, {phase}: {way}"
-                    );
+                    let case = format!("ball: {is_ball}, front: {is_front}, {press} px/s, phase {phase}");
+                    assert!((way - 120.0).abs() < 0.1, "{case}: {way}");
                 }
             }
         }
@@ -73,20 +71,13 @@ fn who_presses_against_a_wall_of_two_platforms_walks_along_it_over_the_seam() {
 }
 
 #[test]
+fn who_presses_against_a_wall_of_two_platforms_walks_along_it_over_the_seam() {
+    assert_all_walk_along(true);
+}
+
+#[test]
 fn who_presses_against_a_wall_of_two_crates_walks_along_it_over_the_seam() {
-    for is_ball in [true, false] {
-        for is_front in [true, false] {
-            for press in [10.0, 40.0, 100.0] {
-                for phase in 0..PHASES {
-                    let way = way_along_wall(false, is_ball, is_front, press, phase);
-                    assert!(
-                        (way - 120.0).abs() < 0.1,
-                        "ball: {is_ball}, {is_front}, {press}, {phase}: {way}"
-                    );
-                }
-            }
-        }
-    }
+    assert_all_walk_along(false);
 }
 
 /// A platform of 200 x 20 x 200 whose upper side begins at (0, 100) and rises by `angle` to the right.
@@ -314,4 +305,25 @@ fn who_walks_in_depth_over_a_floor_of_many_crates_goes_where_he_wants() {
             }
         }
     }
+}
+
+#[test]
+fn the_edge_of_a_seam_that_a_ball_rolls_over_carries_nothing() {
+    let mut simulator = simulator();
+    for sign in [-1.0, 1.0] {
+        platform(&mut simulator, [200.0, 20.0, 200.0], [100.0 * sign, 0.0, 0.0]);
+    }
+    let body = ball(&mut simulator, 10.0, [-20.0, 21.0, 0.0]);
+    run(&mut simulator, 100);
+    throw(&mut simulator, body, [20.0, 0.0, 0.0]);
+    let mut together = 0;
+    for _ in 0..200 {
+        simulator.update(DT);
+        let impulses: Vec<f32> = simulator.contacts().map(|contact| contact.normal_impulse).collect();
+        together += usize::from(impulses.len() == 2);
+        // A resting ball of mass 1 is held by what gravity gives it in a step.
+        let carried: f32 = impulses.iter().sum();
+        assert!((carried - GRAVITY * DT).abs() < 0.02 * GRAVITY * DT, "{impulses:?}");
+    }
+    assert!(together > 0);
 }

@@ -342,6 +342,10 @@ impl SpaceSolver {
                 kept.angular_velocity_y = state.angular_y;
             }
         }
+        // What was not solved has carried nothing, whatever it carried before.
+        for point in &mut list.points {
+            (point.normal_impulse, point.friction_impulse) = (0.0, [0.0; 2]);
+        }
         for group in &self.groups {
             let touch = list.touches[group.touch as usize];
             let rows = &self.rows[group.first_row as usize..(group.first_row + group.row_count) as usize];
