@@ -97,15 +97,18 @@
 //!
 //! Two objects touch when their outlines overlap in X and Y **and** their extents along Z do. A ball is pushed along
 //! the line from the nearest point of what it touches. Two prisms are pushed apart along the axis that they entered
-//! **last**, as their velocities say:
+//! **last**, on the way that they really moved in the last update:
 //!
 #![doc = include_str!("../docs/meeting.svg")]
 //!
-//! They keep it while they touch. Prisms that do not move against each other along Z meet in X and Y, always; where
-//! both axes are entered at once, the smaller overlap decides. The least overlap alone would be wrong: who lands 5 px
-//! inside the front edge of a platform would be thrown off it.
+//! They keep it while they touch. Prisms that do not move against each other along Z meet in X and Y, unless they only
+//! stand face to face along Z. What rests on a face or slides along it goes on doing so when the next one comes, so
+//! that the seams of floors and walls are no obstacles. When nothing was entered just now, the smaller overlap decides.
+//! The least overlap alone would be wrong: who lands 5 px inside the front edge of a platform would be thrown off it.
 //!
-//! Restitution and friction are combined as in the 2D engine. Friction acts against the direction of sliding within
+//! Restitution and friction are combined as in the 2D engine. Off the ground, platforms and immovable objects things
+//! bounce with the speed with which they arrived, without what gravity adds in the same step; between movable outlines
+//! in X and Y the 2D engine's rule counts it. Friction acts against the direction of sliding within
 //! the surface, along Z as well, by Coulomb's law. [`TwoHalfPhysicsSimulator::contacts`] lists the contacts of the
 //! last update; callbacks and [events](TwoHalfPhysicsSimulator::events) tell partner, [`Axis`], normal and impulse,
 //! and a callback can refuse a contact.
