@@ -23,6 +23,14 @@ pub enum Error {
         /// Name of the argument.
         argument: &'static str,
     },
+    /// An id names something of another kind.
+    #[error("{argument} is no {expected}")]
+    WrongKind {
+        /// Name of the argument.
+        argument: &'static str,
+        /// What was asked for.
+        expected: &'static str,
+    },
     /// The broad phase can be chosen only while no geom is in the simulation.
     #[error("the geom list must be empty when the broad phase collider is set")]
     GeomListNotEmpty,
@@ -31,6 +39,23 @@ pub enum Error {
     MissingDistanceGrid {
         /// Name of the argument.
         argument: &'static str,
+    },
+    /// The outline of a part of a texture that is small against the hull tolerance cannot be traced: the
+    /// original never ends.
+    #[error("the outline at pixel ({x}, {y}) stays within the hull tolerance and has no end")]
+    EndlessOutline {
+        /// The pixel where tracing began, in pixels from the left.
+        x: i32,
+        /// The same from the top.
+        y: i32,
+    },
+    /// A snapshot was made by another version of its format.
+    #[error("the snapshot has version {found} of its format, but version {known} is needed")]
+    UnknownSaveVersion {
+        /// The version of the snapshot.
+        found: u32,
+        /// The version that can be read.
+        known: u32,
     },
     /// A saved simulator contradicts itself.
     #[error("the saved simulator is damaged: {reason}")]
@@ -61,6 +86,14 @@ pub(crate) fn finite_vector(argument: &'static str, value: Vector2) -> Result<Ve
         Ok(value)
     } else {
         Err(Error::invalid(argument, (value.x, value.y), "finite"))
+    }
+}
+
+/// Refuses points with a component that is NaN or infinite.
+pub(crate) fn finite_vertices(argument: &'static str, vertices: &[Vector2]) -> Result<()> {
+    match vertices.iter().find(|v| !(v.x.is_finite() && v.y.is_finite())) {
+        Some(v) => Err(Error::invalid(argument, (v.x, v.y), "a list of finite vertices")),
+        None => Ok(()),
     }
 }
 

@@ -2,9 +2,13 @@
 
 use crate::body::{Body, BodyId};
 use crate::contact::Contact;
+use crate::controllers::{Controller, ControllerId, FluidContainer, UserController};
 use crate::geom::{Geom, GeomId};
 use crate::geom_ref::GeomRef;
+use crate::joints::{Joint, JointId};
+use crate::shape::Vertices;
 use crate::simulator::PhysicsSimulator;
+use crate::springs::{Spring, SpringId};
 use crate::{ObjectId, Result};
 
 /// Something that happened during the last update, or was asked for since the one before.
@@ -72,6 +76,46 @@ pub enum Event {
         body: BodyId,
         /// Whether it was disabled: every dynamic body is, no static one.
         disabled: bool,
+    },
+    /// The error of a joint was beyond its breakpoint: it is disabled now.
+    JointBroke {
+        /// The joint.
+        joint: JointId,
+    },
+    /// The error of a spring was beyond its breakpoint: it is disabled now.
+    SpringBroke {
+        /// The spring.
+        spring: SpringId,
+    },
+    /// A geom dipped into the fluid of a fluid drag controller.
+    FluidEntry {
+        /// The controller.
+        controller: ControllerId,
+        /// The geom.
+        geom: GeomId,
+        /// Number of its vertices in the fluid.
+        vertices: u32,
+    },
+    /// A joint would have made a velocity infinite or NaN. It did nothing more in this update, and has forgotten its
+    /// impulses.
+    JointNotFinite {
+        /// The joint.
+        joint: JointId,
+    },
+    /// A spring would have made a force or torque infinite or NaN. It did nothing in this update.
+    SpringNotFinite {
+        /// The spring.
+        spring: SpringId,
+    },
+    /// A controller would have made a force or torque infinite or NaN, which it did not apply.
+    ControllerNotFinite {
+        /// The controller.
+        controller: ControllerId,
+    },
+    /// A controller that is the game's own, or has a fluid container that is, was due, but nobody answered for it.
+    MissingController {
+        /// The controller.
+        controller: ControllerId,
     },
 }
 
@@ -144,6 +188,69 @@ pub trait EventHandler {
         let _ = (context, body);
     }
 
+    /// A joint broke: the error found by the last pre-step is beyond its breakpoint. It is disabled already, but acts
+    /// in this pass of the solver. Velocities set here act at once, other changes of bodies from the next update on.
+    #[doc(alias = "Joint.Broke")]
+    fn on_joint_broke(&mut self, context: &mut Context<'_>, joint: JointId) {
+        let _ = (context, joint);
+    }
+
+    /// Whether [`on_joint_updated`](Self::on_joint_updated) is to be told; looked at in every pass.
+    fn handles_joint_updates(&self) -> bool {
+        false
+    }
+
+    /// A joint has applied an impulse, told in every pass of the solver in which it did. Velocities set here act at
+    /// once, other changes of bodies from the next update on.
+    #[doc(alias("JointUpdated", "JointDelegate", "FixedJointDelegate"))]
+    fn on_joint_updated(&mut self, context: &mut Context<'_>, joint: JointId) {
+        let _ = (context, joint);
+    }
+
+    /// A spring broke: the error of its last update is beyond its breakpoint. It is disabled already, but acts once
+    /// more.
+    #[doc(alias = "Spring.Broke")]
+    fn on_spring_broke(&mut self, context: &mut Context<'_>, spring: SpringId) {
+        let _ = (context, spring);
+    }
+
+    /// Whether [`on_spring_updated`](Self::on_spring_updated) is to be told; looked at for every spring.
+    fn handles_spring_updates(&self) -> bool {
+        false
+    }
+
+    /// A spring has applied a force or torque.
+    #[doc(alias("SpringUpdated", "SpringDelegate", "FixedSpringDelegate"))]
+    fn on_spring_updated(&mut self, context: &mut Context<'_>, spring: SpringId) {
+        let _ = (context, spring);
+    }
+
+    /// A geom dipped into the fluid of a fluid drag controller with these vertices of its outline, in the world.
+    #[doc(alias("Entry", "EntryEventHandler"))]
+    fn on_fluid_entry(
+        &mut self,
+        context: &mut Context<'_>,
+        controller: ControllerId,
+        geom: GeomId,
+        vertices: &Vertices,
+    ) {
+        let _ = (context, controller, geom, vertices);
+    }
+
+    /// The game's own controller behind an id that was made with
+    /// [`Controller::user_defined`](crate::Controller::user_defined); its turn has come.
+    fn user_controller(&mut self, controller: ControllerId) -> Option<&mut dyn UserController> {
+        let _ = controller;
+        None
+    }
+
+    /// The game's own fluid container of a fluid drag controller that was made with
+    /// [`FluidContainerRef::UserDefined`](crate::FluidContainerRef::UserDefined).
+    fn fluid_container(&mut self, controller: ControllerId) -> Option<&mut dyn FluidContainer> {
+        let _ = controller;
+        None
+    }
+
     /// An object entered its list. Without a context: the original would lose what is queued here.
     #[doc(alias = "ContentsChangedEventHandler")]
     fn on_added(&mut self, object: ObjectId) {
@@ -192,6 +299,36 @@ impl Context<'_> {
     /// The settings of a geom to edit at once, unless the id is stale.
     pub fn geom_mut(&mut self, geom: GeomId) -> Option<&mut Geom> {
         self.simulator.geom_mut(geom)
+    }
+
+    /// A joint, unless the id is stale.
+    pub fn joint(&self, joint: JointId) -> Option<&Joint> {
+        self.simulator.joint(joint)
+    }
+
+    /// A joint to edit at once, unless the id is stale.
+    pub fn joint_mut(&mut self, joint: JointId) -> Option<&mut Joint> {
+        self.simulator.joint_mut(joint)
+    }
+
+    /// A spring, unless the id is stale.
+    pub fn spring(&self, spring: SpringId) -> Option<&Spring> {
+        self.simulator.spring(spring)
+    }
+
+    /// A spring to edit at once, unless the id is stale.
+    pub fn spring_mut(&mut self, spring: SpringId) -> Option<&mut Spring> {
+        self.simulator.spring_mut(spring)
+    }
+
+    /// A controller, unless the id is stale. The controller that is at work is not there.
+    pub fn controller(&self, controller: ControllerId) -> Option<&Controller> {
+        self.simulator.controller(controller)
+    }
+
+    /// A controller to edit at once, unless the id is stale.
+    pub fn controller_mut(&mut self, controller: ControllerId) -> Option<&mut Controller> {
+        self.simulator.controller_mut(controller)
     }
 
     /// See [`PhysicsSimulator::add`].

@@ -1,7 +1,8 @@
 //! The 2D Farseer Physics Engine 2.1.3 in Rust, exact to the bit.
 //!
-//! Farseer Physics (2009) was the 2D physics engine of the XNA years. This crate reproduces what it did, number by
-//! number, behind an API its users recognise. In this order it wants to be:
+//! Farseer Physics (2009) was the 2D physics engine of the XNA years. This crate reproduces all of it, number by number,
+//! behind an API its users recognise: bodies and geoms, joints, springs, controllers, paths, polygon tools, the debug
+//! view. In this order it wants to be:
 //!
 //! 1. **exact**: given the same calls, every position, velocity and callback is that of the original, on every
 //!    platform, in every build;
@@ -9,6 +10,14 @@
 //!    stale ids are noticed;
 //! 3. **fast**: flat arrays that are reused, no allocation in a settled scene, and whatever can be computed side by
 //!    side without changing a bit is.
+//!
+//! | in this manual | |
+//! |---|---|
+//! | this page | [first program](#a-first-program), [the update](#what-an-update-does), [methods to choose from](#methods-to-choose-from), [where they fail](#where-they-fail), [joints, springs, controllers](#joints-springs-controllers), [units](#units-and-axes), [bad input](#bad-input), [determinism](#determinism), [saving](#saving) |
+//! | [`guide::porting`] | from C# to Rust, member by member, with a small game before and after |
+//! | [`guide::differences`] | where this does something else than the original, and why |
+//! | [`guide::quirks`] | oddities that were kept, and what to do about them |
+//! | [`guide::out_of_scope`] | what is not there on purpose, and what to use instead |
 //!
 //! # A first program
 //!
@@ -34,6 +43,11 @@
 //! # Ok::<(), farseer_core::Error>(())
 //! ```
 //!
+//! A [`Body`] has mass, place and motion; a [`Geom`] is an outline that is attached to one and says how it collides. A
+//! body may have any number of geoms, or none. Both live in the [`PhysicsSimulator`] under ids, as joints, springs and
+//! controllers do. [Factories](BodyFactory) make the usual ones; methods ending in `_in` also add them. What is
+//! [added](PhysicsSimulator::add) takes part from the next update on.
+//!
 //! # What an update does
 //!
 //! [`PhysicsSimulator::update`] is a list of stages, each of which can be called on its own by engines built on top:
@@ -42,73 +56,481 @@
 //! |---|---|---|
 //! | [`process_queues`](PhysicsSimulator::process_queues) | objects enter and leave | |
 //! | [`find_pairs`](PhysicsSimulator::find_pairs) | which boxes overlap | [`BroadPhaseCollider`] |
-//! | [`collide_pairs`](PhysicsSimulator::collide_pairs) | where shapes touch | [`NarrowPhaseCollider`] |
-//! | [`apply_forces`](PhysicsSimulator::apply_forces) | impulses, gravity and drag become velocity | |
-//! | [`pre_step`](PhysicsSimulator::pre_step), [`solve_iteration`](PhysicsSimulator::solve_iteration) | contacts push and rub | [`iterations`](PhysicsSimulator::set_iterations) |
-//! | [`integrate`](PhysicsSimulator::integrate) | velocity becomes position | |
+//! | [`collide_pairs`](PhysicsSimulator::collide_pairs) | where shapes touch; callbacks | [`NarrowPhaseCollider`] |
+//! | [`apply_forces`](PhysicsSimulator::apply_forces) | controllers, then springs; then impulses, gravity and drag become velocity | [`ControllerKind`], [`SpringKind`] |
+//! | [`pre_step`](PhysicsSimulator::pre_step) | joints, then contacts are prepared, and the impulses of the last update act again | [`FrictionType`] |
+//! | [`solve_iteration`](PhysicsSimulator::solve_iteration) | joints, then contacts push and rub; repeated | [`JointKind`], [`iterations`](PhysicsSimulator::set_iterations) |
+//! | [`integrate`](PhysicsSimulator::integrate) | velocity becomes position, geoms follow | |
 //!
-//! Between the stages such an engine may [filter pairs](EventHandler::accepts_pair), take
-//! [arbiters](PhysicsSimulator::leave_to_engine) over and work on [the velocities](PhysicsSimulator::solver_place) the
-//! solver has.
+//! So contacts are found where things were at the end of the last update, and forces given between two updates act in the
+//! next one. Everything goes in the order of the lists; pairs in the order in which they were found.
+//!
+//! [`update_with`](PhysicsSimulator::update_with) calls an [`EventHandler`] back from these stages;
+//! [`events`](PhysicsSimulator::events) lists afterwards what happened. Between the stages an engine on top may
+//! [filter pairs](EventHandler::accepts_pair), take [arbiters](PhysicsSimulator::leave_to_engine) over and work on
+//! [the velocities](PhysicsSimulator::solver_place) the solver has.
+//!
+//! # Methods to choose from
+//!
+//! The defaults are the original's. All numbers on this page were measured with this crate; those in code are measured
+//! whenever its tests run.
+//!
+//! ## Broad phase
+//!
+//! [`set_broad_phase_collider`](PhysicsSimulator::set_broad_phase_collider), before geoms are added. All four find the
+//! pairs whose boxes overlap, but not in the same order. The order decides digits, and in the long run where things end up:
+//! do not change it in a game that is balanced.
+//!
+//! | method | good for | not so good when |
+//! |---|---|---|
+//! | [`SelectiveSweep`](BroadPhaseCollider::SelectiveSweep), the default | everything; scenes that spread along one axis | crowds overlap along both axes: of the pairs that overlap along the better one all are looked at |
+//! | [`SweepAndPrune`](BroadPhaseCollider::SweepAndPrune) | slow scenes: sorted lists are kept from update to update | geoms come and go: whenever one leaves, all pairs are forgotten, and what rests goes on only as long as it keeps touching |
+//! | [`SpatialHash`](BroadPhaseCollider::SpatialHash) | many things of about one size | sizes differ: cells are twice the mean longer side, and a floor is entered in every cell it covers |
+//! | [`BruteForce`](BroadPhaseCollider::BruteForce) | a few dozen geoms; comparing | n geoms are n (n - 1) / 2 pairs: 499,500 for 1,000. The only one that never [doubles a pair](guide::quirks#pairs-and-contacts) when a geom is removed |
+//!
+//! ## Narrow phase
+//!
+//! [`set_narrow_phase_collider`](PhysicsSimulator::set_narrow_phase_collider), before geoms are **made**.
+//!
+//! | method | how | good for | fails |
+//! |---|---|---|---|
+//! | [`DistanceGrid`](NarrowPhaseCollider::DistanceGrid), the default | a grid of distances to each outline, made once; the vertices of each geom are looked up in the grid of the other. Every contact has its own depth | any simple outline, also concave | on what is thinner than a cell; on outlines that cross without a vertex in the other; at half the speed of the other (see [walls](#walls)) |
+//! | [`Sat`](NarrowPhaseCollider::Sat) | separating axes: one per edge. All contacts of a pair have one depth | convex outlines; stacks; fast things; nothing to store | on concave outlines: they are taken for filled. Cut them with [`create_sat_polygon_geom_in`](GeomFactory::create_sat_polygon_geom_in) |
+//!
+//! A ball in a cup shows the concave case, and a thin bar the cell size, which is a tenth of the shorter side of the
+//! geom's box *as it lies in the world* when it is made:
+//!
+//! ```
+//! # use farseer_core::{BodyFactory, GeomFactory, GeomPlacement, NarrowPhaseCollider, PhysicsSimulator, Vertices, math::Vector2};
+//! # fn resting_height(narrow_phase: NarrowPhaseCollider) -> farseer_core::Result<f32> {
+//! #     let mut simulator = PhysicsSimulator::new(Vector2::new(0.0, 100.0))?;
+//! #     simulator.set_narrow_phase_collider(narrow_phase);
+//! #     let corners = [(0.0, 0.0), (10.0, 0.0), (10.0, 40.0), (90.0, 40.0), (90.0, 0.0), (100.0, 0.0), (100.0, 50.0), (0.0, 50.0)];
+//! #     let mut cup: Vertices = corners.iter().map(|&(x, y)| Vector2::new(x, y)).collect();
+//! #     cup.sub_divide_edges(5.0)?;
+//! #     let body = BodyFactory::create_polygon_body_in(&mut simulator, &cup, 1.0)?;
+//! #     simulator[body].set_is_static(true);
+//! #     GeomFactory::create_polygon_geom_in(&mut simulator, body, &mut cup, GeomPlacement::default())?;
+//! #     let ball = BodyFactory::create_circle_body_in(&mut simulator, 5.0, 1.0)?;
+//! #     simulator[ball].set_position(Vector2::new(50.0, 20.0));
+//! #     GeomFactory::create_circle_geom_in(&mut simulator, ball, 5.0, 16, GeomPlacement::default())?;
+//! #     (0..300).for_each(|_| simulator.update(0.01));
+//! #     Ok(simulator[ball].position().y)
+//! # }
+//! // The cup is open on top, from y = 0 down to its bottom at 40; the ball has a radius of 5.
+//! assert!((resting_height(NarrowPhaseCollider::DistanceGrid)? - 35.0).abs() < 0.1, "on the bottom");
+//! assert!((resting_height(NarrowPhaseCollider::Sat)? + 5.0).abs() < 0.1, "on the brim, as if there were a lid");
+//!
+//! # let mut simulator = PhysicsSimulator::default();
+//! // A bar of 100 by 4 on a body that is turned by 45 degrees: a cell is thicker than the bar.
+//! let body = BodyFactory::create_rectangle_body_in(&mut simulator, 100.0, 4.0, 1.0)?;
+//! simulator[body].set_rotation(std::f32::consts::FRAC_PI_4);
+//! let bar = GeomFactory::create_rectangle_geom_in(&mut simulator, body, 100.0, 4.0, GeomPlacement::default())?;
+//! assert!(simulator.geom(bar).unwrap().grid_cell_size() > 7.0);
+//! // Better: a cell size.
+//! let placement = GeomPlacement::with_grid_size(0.5);
+//! let bar = GeomFactory::create_rectangle_geom_in(&mut simulator, body, 100.0, 4.0, placement)?;
+//! assert_eq!(simulator.geom(bar).unwrap().grid_cell_size(), 0.5);
+//! # Ok::<(), farseer_core::Error>(())
+//! ```
+//!
+//! ## Friction
+//!
+//! [`set_friction_type`](PhysicsSimulator::set_friction_type). Friction is Coulomb's: along the surface at most the
+//! coefficient times what presses. A geom's own coefficient is 0 unless it is set.
+//!
+//! | type | coefficient of a pair | good for |
+//! |---|---|---|
+//! | [`Average`](FrictionType::Average), the default | the mean | one coefficient per material; ice under a rubber tyre still grips |
+//! | [`Minimum`](FrictionType::Minimum) | the smaller one | slippery things that are slippery on everything |
+//!
+//! It is read when the boxes of two geoms begin to overlap; setting it later acts on later pairs. Restitution is always the
+//! mean, and read in every update.
+//!
+//! ## Iterations and the other settings
+//!
+//! | setting | default | more of it |
+//! |---|---|---|
+//! | [`iterations`](PhysicsSimulator::set_iterations) | 5 | firmer stacks and chains; time in proportion |
+//! | [`max_contacts_to_detect`](PhysicsSimulator::set_max_contacts_to_detect) | 10 | finds the deepest of outlines with many vertices; less is faster and rougher |
+//! | [`max_contacts_to_resolve`](PhysicsSimulator::set_max_contacts_to_resolve) | 4 | rarely useful: the deepest come first |
+//! | [`bias_factor`](PhysicsSimulator::set_bias_factor) | 0.8 | overlaps go faster, and towers tremble more |
+//! | [`allowed_penetration`](PhysicsSimulator::set_allowed_penetration) | 0.05 | calmer contacts, deeper by so much. In length units: set it if yours are metres |
+//!
+//! # Where they fail
+//!
+//! They fail where the original's did. What can be done is smaller steps, more iterations, another method, or a scene
+//! that does not ask for it.
+//!
+//! ## Walls
+//!
+//! What moves too far per update gets to the far side of a wall's middle, and is pushed out there. The first whole number
+//! of units per update at which one of 100 balls, or boxes, started at 100 places, got through:
+//!
+//! | wall | thing | distance grid, ball | distance grid, box | SAT, ball |
+//! |---|---|---|---|---|
+//! | 20 | 20 | 12 | 12 | 20 |
+//! | 20 | 10 | 11 | 10 | 16 |
+//! | 40 | 20 | 21 | 20 | 31 |
+//! | 10 | 20 | 12 | 12 | 16 |
+//! | 4 | 20 | 6 | 9 | 12 |
+//!
+//! So stay below a **quarter** of both thicknesses together with the distance grid, and below **half** of them with SAT.
+//! With dt = 0.01 and walls and things of 20 that is a speed of 1,000 or 2,000.
+//!
+//! ```
+//! # use farseer_core::{BodyFactory, GeomFactory, GeomPlacement, NarrowPhaseCollider, PhysicsSimulator, math::Vector2};
+//! # fn balls_through(narrow_phase: NarrowPhaseCollider, per_update: f32) -> usize {
+//! #     let passes = |phase: usize| {
+//! #         let mut simulator = PhysicsSimulator::default();
+//! #         simulator.set_narrow_phase_collider(narrow_phase);
+//! #         let wall = BodyFactory::create_rectangle_body_in(&mut simulator, 20.0, 200.0, 1.0)?;
+//! #         simulator[wall].set_is_static(true);
+//! #         GeomFactory::create_rectangle_geom_in(&mut simulator, wall, 20.0, 200.0, GeomPlacement::default())?;
+//! #         let ball = BodyFactory::create_circle_body_in(&mut simulator, 10.0, 1.0)?;
+//! #         simulator[ball].set_position(Vector2::new(-100.0 - per_update * phase as f32 / 20.0, 3.0));
+//! #         simulator[ball].set_linear_drag_coefficient(0.0);
+//! #         simulator[ball].set_linear_velocity(Vector2::new(per_update * 100.0, 0.0));
+//! #         GeomFactory::create_circle_geom_in(&mut simulator, ball, 10.0, 16, GeomPlacement::default())?;
+//! #         (0..50).for_each(|_| simulator.update(0.01));
+//! #         Ok::<_, farseer_core::Error>(simulator[ball].position().x > 15.0)
+//! #     };
+//! #     (0..20).filter(|&phase| passes(phase).unwrap()).count()
+//! # }
+//! // A wall of 20 and twenty balls of radius 10, each a little farther away.
+//! assert_eq!(balls_through(NarrowPhaseCollider::DistanceGrid, 10.0), 0);
+//! assert!(balls_through(NarrowPhaseCollider::DistanceGrid, 20.0) > 0);
+//! assert_eq!(balls_through(NarrowPhaseCollider::Sat, 19.0), 0);
+//! assert!(balls_through(NarrowPhaseCollider::Sat, 30.0) > 0);
+//! ```
+//!
+//! ## Stacks
+//!
+//! Equal boxes of 20 with friction 0.5 on a floor, gravity 100, 1,000 updates of 0.01; tried were 3 to 10, 12, 15 and 20:
+//!
+//! | iterations | distance grid: stand | fall | SAT: stand | fall |
+//! |---|---|---|---|---|
+//! | 5 | 8 | 9 | 15 | 20 |
+//! | 10 | 12 | 15 | 15 | 20 |
+//! | 20 | 12 | 15 | 20 | |
+//! | 40 | 15 | 20 | 20 | |
+//!
+//! And a heavy box on a light one: 10 times the mass stands, 50 times slips off with 5 iterations, and stands with 20.
+//!
+//! ```
+//! # use farseer_core::{BodyFactory, GeomFactory, GeomPlacement, NarrowPhaseCollider, PhysicsSimulator, math::Vector2};
+//! # use NarrowPhaseCollider::{DistanceGrid, Sat};
+//! # fn stands(narrow_phase: NarrowPhaseCollider, iterations: i32, masses: &[f32]) -> bool {
+//! #     let mut simulator = PhysicsSimulator::new(Vector2::new(0.0, 100.0)).unwrap();
+//! #     simulator.set_narrow_phase_collider(narrow_phase);
+//! #     simulator.set_iterations(iterations);
+//! #     let mut make = |width: f32, height: f32, mass: f32, y: f32| {
+//! #         let body = BodyFactory::create_rectangle_body_in(&mut simulator, width, height, mass)?;
+//! #         simulator[body].set_position(Vector2::new(0.0, y));
+//! #         let geom = GeomFactory::create_rectangle_geom_in(&mut simulator, body, width, height, GeomPlacement::default())?;
+//! #         simulator[geom].set_friction_coefficient(0.5);
+//! #         Ok::<_, farseer_core::Error>(body)
+//! #     };
+//! #     let floor = make(2000.0, 100.0, 1.0, 50.0).unwrap();
+//! #     let middle = |i: usize| -10.0 - 20.0 * i as f32;
+//! #     let boxes: Vec<_> = masses.iter().enumerate().map(|(i, &mass)| make(20.0, 20.0, mass, middle(i)).unwrap()).collect();
+//! #     simulator[floor].set_is_static(true);
+//! #     (0..1000).for_each(|_| simulator.update(0.01));
+//! #     boxes.iter().enumerate().all(|(i, &body)| (simulator[body].position().y - middle(i)).abs() < 5.0)
+//! # }
+//! # let boxes = |n| vec![1.0; n];
+//! assert!(stands(DistanceGrid, 5, &boxes(8)) && !stands(DistanceGrid, 5, &boxes(9)));
+//! assert!(stands(DistanceGrid, 40, &boxes(15)));
+//! assert!(stands(Sat, 5, &boxes(15)) && !stands(Sat, 5, &boxes(20)));
+//! assert!(stands(DistanceGrid, 5, &[1.0, 10.0]) && !stands(DistanceGrid, 5, &[1.0, 50.0]));
+//! assert!(stands(DistanceGrid, 20, &[1.0, 50.0]));
+//! ```
+//!
+//! ## Chains
+//!
+//! Joints pull with impulses, too, and their error is undone with the [bias factor](Joint::set_bias_factor): 0.2, or 0.8
+//! for what is fixed to the world. With few iterations long chains do not pass it on far enough, and swing up. Bodies of 20
+//! that hang straight down on revolute joints, 5 iterations: six hang still for 1,000 updates, ten get faster and faster.
+//! Ten hang still with 10 iterations, or a softness of 0.05 in every joint. Chains of [`ComplexFactory`] have a softness of
+//! 0.05 and a bias factor of 0.01.
+//!
+//! ```
+//! # use farseer_core::{BodyFactory, BodyId, JointFactory, PhysicsSimulator, math::Vector2};
+//! # fn stretch(links: usize, iterations: i32, softness: f32) -> f32 {
+//! #     let mut simulator = PhysicsSimulator::new(Vector2::new(0.0, 100.0)).unwrap();
+//! #     simulator.set_iterations(iterations);
+//! #     let mut above: Option<BodyId> = None;
+//! #     for i in 0..links {
+//! #         let top = Vector2::new(0.0, 20.0 * i as f32);
+//! #         let body = BodyFactory::create_rectangle_body_in(&mut simulator, 10.0, 20.0, 1.0).unwrap();
+//! #         simulator[body].set_position(top + Vector2::new(0.0, 10.0));
+//! #         let joint = match above {
+//! #             Some(above) => JointFactory::create_revolute_joint_in(&mut simulator, above, body, top),
+//! #             None => JointFactory::create_fixed_revolute_joint_in(&mut simulator, body, top),
+//! #         };
+//! #         simulator[joint.unwrap()].set_softness(softness).unwrap();
+//! #         above = Some(body);
+//! #     }
+//! #     (0..1000).for_each(|_| simulator.update(0.01));
+//! #     let lowest = simulator.body_list()[links - 1];
+//! #     (simulator[lowest].position().y - (20.0 * links as f32 - 10.0)).abs()
+//! # }
+//! // Links, iterations, softness: how far the lowest body is from where it began.
+//! assert!(stretch(6, 5, 0.0) < 0.01);
+//! assert!(stretch(10, 5, 0.0) > 1000.0);
+//! assert!(stretch(10, 10, 0.0) < 0.01);
+//! assert!(stretch(10, 5, 0.05) < 0.5);
+//! ```
+//!
+//! ## Springs and drag
+//!
+//! A spring of constant k and damping d on a mass m is stable while `k dt² / m + 2 d dt / m < 4`; beyond that it throws the
+//! body away. Linear drag c is while `c dt / m < 2`. With dt = 0.01 and mass 1: an undamped constant below 40,000, a
+//! drag below 200.
+//!
+//! ```
+//! # use farseer_core::{BodyFactory, FixedLinearSpring, PhysicsSimulator, SpringFactory, math::Vector2};
+//! # fn swing(spring_constant: f32, damping_constant: f32) -> f32 {
+//! #     let mut simulator = PhysicsSimulator::default();
+//! #     let body = BodyFactory::create_circle_body_in(&mut simulator, 10.0, 1.0).unwrap();
+//! #     simulator[body].set_linear_drag_coefficient(0.0);
+//! #     let (here, there) = (Vector2::new(0.0, 0.0), Vector2::new(100.0, 0.0));
+//! #     let spring = SpringFactory::create_fixed_linear_spring_in(
+//! #         &mut simulator, body, here, there, spring_constant, damping_constant,
+//! #     ).unwrap();
+//! #     simulator.spring_as_mut::<FixedLinearSpring>(spring).unwrap().set_rest_length(99.0).unwrap();
+//! #     let mut farthest = 0.0_f32;
+//! #     for _ in 0..1000 {
+//! #         simulator.update(0.01);
+//! #         farthest = farthest.max(simulator[body].position().x.abs());
+//! #     }
+//! #     farthest
+//! # }
+//! // A spring that is 1 too long, dt = 0.01, mass 1: how far the body gets.
+//! assert!(swing(39_000.0, 0.0) < 10.0);
+//! assert!(swing(41_000.0, 0.0) > 1e6);
+//! assert!(swing(100.0, 199.0) < 1.5);
+//! assert!(swing(100.0, 205.0) > 1e6);
+//! ```
+//!
+//! ## Far from the origin
+//!
+//! Numbers are `f32`: at 100,000 they are 1/128 apart, at 1,000,000 1/16. A body there that goes 0.01 per update does not move
+//! at all. Stay within some ten thousands, or move the world.
+//!
+//! ```
+//! # use farseer_core::{BodyFactory, PhysicsSimulator, math::Vector2};
+//! # fn way(x: f32) -> f32 {
+//! #     let mut simulator = PhysicsSimulator::default();
+//! #     let body = BodyFactory::create_circle_body_in(&mut simulator, 10.0, 1.0).unwrap();
+//! #     simulator[body].set_position(Vector2::new(x, 0.0));
+//! #     simulator[body].set_linear_drag_coefficient(0.0);
+//! #     simulator[body].set_linear_velocity(Vector2::new(1.0, 0.0));
+//! #     (0..200).for_each(|_| simulator.update(0.01));
+//! #     simulator[body].position().x - x
+//! # }
+//! // How far a body of speed 1 gets in two seconds.
+//! assert!((way(0.0) - 2.0).abs() < 0.001);
+//! assert_eq!(way(100_000.0), 1.5625);
+//! assert_eq!(way(1_000_000.0), 0.0);
+//! ```
+//!
+//! # Joints, springs, controllers
+//!
+//! Joints hold bodies together by impulses in every iteration, springs pull at them by a force per update, controllers
+//! do anything, first of all, in every update. Each kind has its type; [`joint_as`](PhysicsSimulator::joint_as),
+//! [`spring_as`](PhysicsSimulator::spring_as) and [`controller_as`](PhysicsSimulator::controller_as) answer with it.
+//!
+//! | joint | holds | between |
+//! |---|---|---|
+//! | [`RevoluteJoint`] | a common point: a hinge | two bodies |
+//! | [`FixedRevoluteJoint`] | a point of the body at a point of the world | body and world |
+//! | [`PinJoint`] | two points at a distance: a rod | two bodies |
+//! | [`SliderJoint`] | two points in a range of distances: a rope, a telescope | two bodies |
+//! | [`WeldJoint`] | a common point and the angle | two bodies |
+//! | [`AngleJoint`], [`FixedAngleJoint`] | an angle | two bodies, body and world |
+//! | [`AngleLimitJoint`], [`FixedAngleLimitJoint`] | an angle in a range | two bodies, body and world |
+//!
+//! | spring | pulls | between |
+//! |---|---|---|
+//! | [`LinearSpring`], [`FixedLinearSpring`] | two points to a distance | two bodies, body and world |
+//! | [`AngleSpring`], [`FixedAngleSpring`] | to an angle | two bodies, body and world |
+//!
+//! | controller | does |
+//! |---|---|
+//! | [`FluidDragController`] | buoyancy and drag in an [`AabbFluidContainer`], a wave, or a container of the game |
+//! | [`WaveController`] | a water surface with waves |
+//! | [`GravityController`] | points and bodies attract |
+//! | [`InactivityController`] | what is slow for long is disabled, and woken by what comes near |
+//! | [`ScalingController`] | proposes longer steps when the machine is slow |
+//! | [`UserController`] | what the game does: wind, magnets, currents |
+//!
+//! Joints and springs with a [`breakpoint`](Joint::set_breakpoint) break. [`ComplexFactory`] and [`Path`] make rows of
+//! bodies linked by joints or springs: chains, ropes, bridges, tracks. [`MousePicker`] draws bodies along with a spring.
+//!
+//! ```
+//! use farseer_core::{BodyFactory, Event, JointFactory, PhysicsSimulator, math::Vector2};
+//!
+//! let mut simulator = PhysicsSimulator::new(Vector2::new(0.0, 100.0))?;
+//! let lamp = BodyFactory::create_circle_body_in(&mut simulator, 10.0, 1.0)?;
+//! simulator[lamp].set_position(Vector2::new(50.0, 0.0));
+//! let hook = JointFactory::create_fixed_revolute_joint_in(&mut simulator, lamp, Vector2::new(0.0, 0.0))?;
+//! simulator[hook].set_breakpoint(2.0)?;
+//! for _ in 0..200 {
+//!     simulator.update(0.01);
+//! }
+//! assert!(simulator[hook].enabled(), "the lamp swings");
+//!
+//! simulator[lamp].apply_impulse(Vector2::new(0.0, 9000.0));
+//! for _ in 0..3 {
+//!     simulator.update(0.01);
+//!     if simulator.events().contains(&Event::JointBroke { joint: hook }) {
+//!         break;
+//!     }
+//! }
+//! assert!(!simulator[hook].enabled(), "torn off");
+//! # Ok::<(), farseer_core::Error>(())
+//! ```
 //!
 //! # Units and axes
 //!
 //! Lengths are in whatever unit the user takes for them (pixels or metres), seconds, radians and any unit of mass;
-//! be consistent. Axes are those of the screen: x right, y down, so that positive angles turn clockwise to the eye.
+//! be consistent. Axes are those of the screen: x right, y down, so that positive angles turn clockwise to the eye. Some
+//! defaults fit pixels: the allowed penetration of 0.05, the inactivity controller's distances and speeds, the slop of 0.01
+//! of limit joints, the sizes of the debug view. [`ConvertUnits`](math::ConvertUnits) converts.
 //!
-//! # Where the methods fail
+//! # Bad input
 //!
-//! They fail where the original's did. With its default of 5 iterations a stack of ten boxes does not stand; what
-//! is faster than the thickness of a wall per step goes through it; the distance grid sees nothing thinner than its
-//! cells; SAT is for convex outlines. Far from the origin f32 runs out of digits.
+//! - Constructors and structural setters answer with a [`Result`]; the [`Error`] names argument and value, and nothing has
+//!   changed.
+//! - Setters that games call in every frame, such as [`Body::set_position`], change nothing when they are given NaN or
+//!   infinity; the next update reports [`Event::RejectedInput`].
+//! - What would become NaN inside of an update does not: [`Event::NotFinite`] and its like name the body, joint, spring or
+//!   controller.
+//! - The id of something disposed is stale: an error, or `None`. Only indexing, `simulator[body]`, panics.
 //!
-//! Joints, springs, controllers, paths and the remaining polygon tools of Farseer are not there yet. The documents
-//! in `docs/farseer-2.1.3` of the repository say what the original does in every detail; the rustdoc refers to them
-//! as *behaviour chapters*.
+//! # Determinism
+//!
+//! The same calls give the same bits on every platform and in every build: `f32` throughout, one rounding per operation in
+//! the original's order, no fused multiply-add, trigonometry from `libm`, no iteration over hash maps, no clock, no global
+//! state, no random numbers. Two runs differ only if their calls do, in their order too. A simulator may be moved to another
+//! thread; several do not disturb each other.
+//!
+//! ```
+//! # use farseer_core::PhysicsSimulator;
+//! fn may_go_to_another_thread<T: Send + Sync>() {}
+//! may_go_to_another_thread::<PhysicsSimulator>();
+//! ```
+//!
+//! # Saving
+//!
+//! [`snapshot`](PhysicsSimulator::snapshot) is the whole simulator as bytes, with version and checksum;
+//! [`restore`](PhysicsSimulator::restore) goes on from there with the same bits, and refuses what was cut or altered. With
+//! any other format of `serde` a simulator can be serialised as well; what is loaded is checked. Handlers, a game's own
+//! controllers and containers, and the events of the last update are not in it; a [`Path`] and the game's own ids are saved
+//! beside it, by `serde`.
+//!
+//! ```
+//! # use farseer_core::{BodyFactory, PhysicsSimulator, math::Vector2};
+//! # let mut simulator = PhysicsSimulator::new(Vector2::new(0.0, 100.0))?;
+//! # let ball = BodyFactory::create_circle_body_in(&mut simulator, 10.0, 1.0)?;
+//! # simulator.update(0.01);
+//! let snapshot = simulator.snapshot();
+//! simulator.update(0.01);
+//! let position = simulator[ball].position();
+//!
+//! let mut loaded = PhysicsSimulator::default();
+//! loaded.restore(&snapshot)?;
+//! loaded.update(0.01);
+//! assert_eq!(loaded[ball].position(), position);
+//! assert!(loaded.restore(&snapshot[1..]).is_err());
+//! # Ok::<(), farseer_core::Error>(())
+//! ```
+//!
+//! # More
+//!
+//! [`FixedStepClock`] and [`BodyInterpolation`] are for the game loop, [`ray_cast`](PhysicsSimulator::ray_cast),
+//! [`query_aabb`](PhysicsSimulator::query_aabb), [`collide`](PhysicsSimulator::collide) and
+//! [`overlaps`](PhysicsSimulator::overlaps) for looking around, [`PhysicsSimulatorView`] for looking in. [`Vertices`] has
+//! the polygon tools, [`math`] the original's vectors, matrices and interpolation.
+//!
+//! The documents in `docs/farseer-2.1.3` of the repository say what the original does in every detail; this documentation
+//! refers to them as *behaviour chapters*.
 
 #![forbid(unsafe_code)]
 
 pub mod error;
+pub mod guide;
 pub mod math;
 pub mod ray_helper;
 pub mod shape;
+pub mod snapshot;
 
 mod arbiter;
 mod arena;
 mod bits;
 mod body;
 mod body_entry;
+mod body_interpolation;
 mod broad_phase;
+mod checked_properties;
+mod collection;
 mod contact;
+mod controllers;
+mod debug_view;
 mod events;
 mod factories;
+mod fixed_step_clock;
 mod geom;
 mod geom_entry;
 mod geom_ref;
+mod joints;
 mod methods;
+mod mouse_picker;
 mod narrow_phase;
 mod object_id;
 mod pair_filter;
 mod pair_id;
 mod pair_table;
+mod path;
 mod simulator;
 mod solver;
+mod springs;
 mod stamped_set;
 
 pub use arbiter::ArbiterRef;
 pub use body::{Body, BodyId};
+pub use body_interpolation::{BodyInterpolation, InterpolatedPose};
 pub use broad_phase::{SelectiveSweepOrder, SweepEnd};
 pub use contact::{Contact, ContactId, Feature, index_of_safe};
+pub use controllers::{
+    AabbFluidContainer, Controller, ControllerId, ControllerKind, ControllerType, FluidContainer, FluidContainerRef,
+    FluidDragController, GravityController, GravityType, InactivityController, ScalingController, UserController,
+    WaveController,
+};
+pub use debug_view::{DebugShape, PhysicsSimulatorView};
 pub use error::{Error, Result};
 pub use events::{Context, Event, EventHandler};
-pub use factories::{BodyFactory, GeomFactory};
+pub use factories::{BodyFactory, ComplexFactory, GeomFactory, JointFactory, SpringFactory};
+pub use fixed_step_clock::FixedStepClock;
 pub use geom::{Geom, GeomId};
 pub use geom_ref::GeomRef;
+pub use joints::{
+    AngleJoint, AngleLimitJoint, FixedAngleJoint, FixedAngleLimitJoint, FixedRevoluteJoint, Joint, JointId, JointKind,
+    JointType, PinJoint, RevoluteJoint, SliderJoint, WeldJoint,
+};
 pub use methods::{BroadPhaseCollider, CollisionCategory, FrictionType, NarrowPhaseCollider};
+pub use mouse_picker::MousePicker;
 pub use narrow_phase::distance_grid::DistanceGrid;
 pub use object_id::ObjectId;
 pub use pair_id::PairId;
 pub use pair_table::GeomPairBitmap;
+pub use path::{
+    Curve, CurveContinuity, CurveKey, CurveKeyCollection, CurveLoopType, CurveTangent, LinkType, Path,
+};
 pub use shape::{Aabb, Vertices};
-pub use simulator::{GeomPlacement, GeomPointPair, PhysicsSimulator, StepCounters};
+pub use simulator::{GeomPlacement, GeomPointPair, PhysicsSimulator, RayCastHit, StepCounters, StepTimes};
 pub use solver::{SolverBody, SolverPlace};
+pub use springs::{
+    AngleSpring, FixedAngleSpring, FixedLinearSpring, LinearSpring, Spring, SpringId, SpringKind, SpringType,
+};

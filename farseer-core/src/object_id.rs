@@ -3,7 +3,10 @@
 use serde::{Deserialize, Serialize};
 
 use crate::body::BodyId;
+use crate::controllers::ControllerId;
 use crate::geom::GeomId;
+use crate::joints::JointId;
+use crate::springs::SpringId;
 
 /// Names anything that can be added to a simulator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -13,16 +16,28 @@ pub enum ObjectId {
     Body(BodyId),
     /// A geom.
     Geom(GeomId),
+    /// A controller.
+    Controller(ControllerId),
+    /// A joint.
+    Joint(JointId),
+    /// A spring.
+    Spring(SpringId),
 }
 
-impl From<BodyId> for ObjectId {
-    fn from(body: BodyId) -> Self {
-        ObjectId::Body(body)
-    }
+macro_rules! from_ids {
+    ($($variant:ident($id:ty);)*) => {$(
+        impl From<$id> for ObjectId {
+            fn from(id: $id) -> Self {
+                ObjectId::$variant(id)
+            }
+        }
+    )*};
 }
 
-impl From<GeomId> for ObjectId {
-    fn from(geom: GeomId) -> Self {
-        ObjectId::Geom(geom)
-    }
+from_ids! {
+    Body(BodyId);
+    Geom(GeomId);
+    Controller(ControllerId);
+    Joint(JointId);
+    Spring(SpringId);
 }

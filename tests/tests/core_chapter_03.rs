@@ -80,7 +80,7 @@ fn after_passes(passes: usize) -> (PhysicsSimulator, BodyId) {
     simulator[b].set_linear_velocity(v(1.0, 5.0));
     simulator[b].set_angular_velocity(0.25);
     simulator.pre_step(100.0);
-    (0..passes).for_each(|_| simulator.solve_iteration());
+    (0..passes).for_each(|_| simulator.solve_iteration(None));
     simulator.integrate(0.01, None);
     (simulator, b)
 }

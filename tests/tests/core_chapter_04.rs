@@ -129,9 +129,9 @@ fn a_body_disabled_within_an_update_keeps_its_bias_velocity() {
     simulator.find_pairs(None);
     simulator.collide_pairs(None);
     simulator[body].set_enabled(false);
-    simulator.apply_forces(0.01);
+    simulator.apply_forces(0.01, 0.0, None);
     simulator.pre_step(1.0 / 0.01);
-    (0..simulator.iterations()).for_each(|_| simulator.solve_iteration());
+    (0..simulator.iterations()).for_each(|_| simulator.solve_iteration(None));
     simulator.integrate(0.01, None);
     let bias = |simulator: &PhysicsSimulator| simulator[body].get_velocity_bias_at_world_offset(v(0.0, 0.0));
     assert_eq!(simulator[body].linear_velocity(), v(0.0, 0.0));

@@ -26,10 +26,10 @@ fn run(
     simulator.find_pairs(None);
     simulator.collide_pairs(None);
     before(simulator);
-    simulator.apply_forces(DT);
+    simulator.apply_forces(DT, 0.0, None);
     simulator.pre_step(1.0 / DT);
     for _ in 0..simulator.iterations() {
-        simulator.solve_iteration();
+        simulator.solve_iteration(None);
         iteration(simulator);
     }
     simulator.integrate(DT, None);

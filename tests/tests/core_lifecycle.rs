@@ -97,11 +97,11 @@ fn what_leaves_between_two_stages_does_no_harm() {
         simulator.process_queues(0.01, None);
         simulator.find_pairs(None);
         simulator.collide_pairs(None);
-        simulator.apply_forces(0.01);
+        simulator.apply_forces(0.01, 0.0, None);
         simulator.pre_step(100.0);
         simulator.dispose(body).unwrap();
         simulator.process_added_and_removed();
-        simulator.solve_iteration();
+        simulator.solve_iteration(None);
         simulator.integrate(0.01, None);
         simulator.update(0.01);
         assert!(simulator.body(body).is_none() && is_finite(&simulator));

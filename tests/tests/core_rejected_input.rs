@@ -150,9 +150,9 @@ fn stages_refuse_steps_that_are_not_finite() {
         simulator.collide_pairs(None);
         let before: Vec<Vec<u32>> =
             simulator.body_list().iter().map(|&body| body_bits(&simulator[body])).collect();
-        simulator.apply_forces(bad);
+        simulator.apply_forces(bad, 0.0, None);
         simulator.pre_step(bad);
-        simulator.solve_iteration();
+        simulator.solve_iteration(None);
         simulator.integrate(bad, None);
         let after: Vec<Vec<u32>> =
             simulator.body_list().iter().map(|&body| body_bits(&simulator[body])).collect();

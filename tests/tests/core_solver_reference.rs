@@ -252,14 +252,14 @@ fn step_and_compare(simulator: &mut PhysicsSimulator, what: &str) -> Option<usiz
     assert!(simulator.process_queues(DT, None));
     simulator.find_pairs(None);
     simulator.collide_pairs(None);
-    simulator.apply_forces(DT);
+    simulator.apply_forces(DT, 0.0, None);
     let mut plain = Plain::new(simulator);
     let before = simulator.clone();
     plain.pre_step(&before);
     simulator.pre_step(1.0 / DT);
     for _ in 0..simulator.iterations() {
         plain.pass();
-        simulator.solve_iteration();
+        simulator.solve_iteration(None);
     }
     simulator.integrate(DT, None);
     if !core_common::not_finite(simulator).is_empty() {

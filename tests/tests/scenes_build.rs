@@ -121,12 +121,10 @@ fn a_body_that_is_not_in_the_simulation_is_not_in_the_list() {
 }
 
 #[test]
-fn a_scene_the_engine_has_no_part_for_is_refused() {
+fn a_joint_of_a_body_that_is_not_there_is_refused() {
     let scene = scene(r#", "joints": [{"type": "fixed_angle", "body": 0}]"#);
-    match Run::build(&scene) {
-        Err(error) => assert!(matches!(error.reason, Reason::NotBuilt(_) | Reason::NoSuch { .. }), "{error}"),
-        Ok(_) => panic!("there is no body to join"),
-    }
+    let error = Run::build(&scene).expect_err("there is no body to join");
+    assert_eq!(error.to_string(), "small.json: joints[0].body: there is no body 0, only 0 of them");
 }
 
 /// A scene of two boxes with a script.

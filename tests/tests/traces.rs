@@ -3,29 +3,22 @@
 mod common;
 
 use common::{golden_scene, golden_trace};
-use conformance::check::{Verdict, check, check_folders, check_with};
+use conformance::check::{Verdict, check, check_folders};
 use conformance::compare::{Finding, Place, compare};
 use conformance::golden;
-use conformance::run::{BUILT, record};
+use conformance::run::record;
 use conformance::scene::{Feature, Features};
 use conformance::trace::{Line, Trace};
-
-/// What the engine does not have and the scenes may need.
-fn unbuilt() -> Features {
-    Features::of(&Feature::ALL).without(Features::of(BUILT))
-}
 
 #[test]
 fn every_recorded_run_is_reproduced_exactly() {
     let mut report = Vec::new();
-    let summary =
-        check_folders(&[golden::folder()], unbuilt(), 2, &mut report).expect("a list takes any report");
+    let summary = check_folders(&[golden::folder()], Features::default(), 2, &mut report)
+        .expect("a list takes any report");
     let report = String::from_utf8_lossy(&report);
-    let wrong: Vec<&str> =
-        report.lines().filter(|line| !line.contains(" exact") && !line.contains(" skipped (")).collect();
+    let wrong: Vec<&str> = report.lines().filter(|line| !line.contains(" exact")).collect();
     assert!(summary.is_success(), "{}\n{summary}", wrong.join("\n"));
-    assert_eq!(summary.exact() + summary.skipped(), 185);
-    assert!(summary.exact() >= 104, "only {} scenes were run", summary.exact());
+    assert_eq!((summary.exact(), summary.skipped()), (185, 0));
 }
 
 /// The short scene most tests change: two bodies, contacts and events.
@@ -191,17 +184,8 @@ fn the_text_of_a_run_is_that_of_its_trace() {
 #[test]
 fn a_scene_that_needs_what_is_skipped_is_skipped() {
     let joints = Features::of(&[Feature::Joints]);
-    let verdict =
-        check_with(&golden_scene("joint_pin"), &golden_trace("joint_pin"), joints, Features::default());
+    let verdict = check(&golden_scene("joint_pin"), &golden_trace("joint_pin"), joints);
     assert!(matches!(verdict, Verdict::Skipped(features) if features == joints), "{verdict}");
-}
-
-#[test]
-fn a_scene_that_needs_what_is_neither_built_nor_skipped_fails() {
-    let springs = Features::of(&[Feature::Springs]);
-    let verdict =
-        check_with(&golden_scene("joint_pin"), &golden_trace("joint_pin"), springs, Features::default());
-    assert_eq!(verdict.to_string(), "failed: needs joints, which the engine does not have");
 }
 
 #[test]

@@ -335,6 +335,7 @@ mod save;
 mod shapes;
 mod simulator;
 mod slots;
+mod snapshot;
 mod solver;
 mod step;
 mod support;

@@ -116,7 +116,7 @@ impl World {
                 disable(core, id);
             }
         }
-        core.apply_forces(dt);
+        core.apply_forces(dt, 0.0, None);
     }
 
     /// Fifth and sixth stage: contacts push and rub.
@@ -127,7 +127,7 @@ impl World {
         core.pre_step(inverse_dt);
         self.solver.warm_start(core);
         for _ in 0..core.iterations() {
-            core.solve_iteration();
+            core.solve_iteration(None);
             self.solver.solve_iteration(core);
         }
         self.solver.finish(core, &mut self.depths, &mut self.touches);

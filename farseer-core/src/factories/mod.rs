@@ -5,7 +5,13 @@
 //! original's methods with a leading simulator argument do.
 
 mod body_factory;
+mod complex_factory;
 mod geom_factory;
+mod joint_factory;
+mod spring_factory;
 
 pub use body_factory::BodyFactory;
+pub use complex_factory::ComplexFactory;
 pub use geom_factory::GeomFactory;
+pub use joint_factory::JointFactory;
+pub use spring_factory::SpringFactory;

@@ -1,14 +1,27 @@
 //! Outlines and boxes (behaviour chapters 05 and 15).
 pub mod aabb;
+mod boolean;
 mod convex_hull;
 mod creators;
+mod cut_hole;
 mod decompose;
 pub(crate) mod distance;
+mod ear_clipping;
+mod edges;
 mod measures;
+mod polygon_creation_assistance;
 mod simplify;
 mod static_tools;
+mod texture_outline;
+mod texture_polygons;
+mod texture_search;
 mod triangulate;
 pub mod vertices;
+mod winding;
 
 pub use aabb::Aabb;
+pub use boolean::PolyUnionError;
+pub use edges::{CrossingEdgeInfo, Edge, EdgeAlignment, EdgeIntersectInfo};
+pub use polygon_creation_assistance::PolygonCreationAssistance;
 pub use vertices::Vertices;
+pub use winding::WindingOrder;

@@ -28,7 +28,7 @@ pub const MAX_VERTICES: usize = 1 << 24;
 /// assert_eq!(box_outline.get_centroid(), Vector2::new(1.0, 0.0));
 /// # Ok::<(), farseer_core::Error>(())
 /// ```
-#[doc(alias = "FarseerGames.FarseerPhysics.Collisions.Vertices")]
+#[doc(alias("FarseerGames.FarseerPhysics.Collisions.Vertices", "Vertices.ToString"))]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Vertices(Vec<Vector2>);
 

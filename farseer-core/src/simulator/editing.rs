@@ -260,13 +260,23 @@ impl PhysicsSimulator {
     pub fn clear(&mut self) {
         let mut bodies = std::mem::take(&mut self.bodies);
         let mut geoms = std::mem::take(&mut self.geoms);
+        let mut controllers = std::mem::take(&mut self.controllers);
+        let mut joints = std::mem::take(&mut self.joints);
+        let mut springs = std::mem::take(&mut self.springs);
         bodies.clear::<BodyId>();
         geoms.clear::<GeomId>();
+        controllers.clear();
+        joints.clear();
+        springs.clear();
         *self = PhysicsSimulator {
             settings: self.settings,
             next_geom_number: self.next_geom_number,
             bodies,
             geoms,
+            controllers,
+            joints,
+            springs,
+            step_times: self.step_times,
             ..PhysicsSimulator::default()
         };
     }

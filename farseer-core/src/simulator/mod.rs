@@ -1,11 +1,16 @@
 //! The simulator: owns everything and steps it (behaviour chapter 04).
 
+mod controllers;
 mod editing;
 mod engine;
+mod joints;
 mod queries;
 mod queues;
 mod save;
+mod springs;
 mod stages;
+mod step_times;
+mod world_queries;
 
 use serde::{Deserialize, Serialize};
 
@@ -14,22 +19,29 @@ use crate::arena::Arena;
 use crate::body::{Body, BodyId};
 use crate::body_entry::BodyEntry;
 use crate::broad_phase::BroadPhase;
+use crate::collection::Collection;
 use crate::contact::Contact;
+use crate::controllers::{Controller, ControllerId};
 use crate::error::{finite, finite_vector};
 use crate::events::Event;
 use crate::geom::{Geom, GeomId};
 use crate::geom_entry::GeomEntry;
 use crate::geom_ref::GeomRef;
+use crate::joints::{Joint, JointId};
 use crate::math::Vector2;
 use crate::methods::{BroadPhaseCollider, FrictionType, NarrowPhaseCollider};
 use crate::narrow_phase::grid_cache::GridCache;
 use crate::object_id::ObjectId;
 use crate::solver::ContactSolver;
+use crate::springs::{Spring, SpringId};
 use crate::{Error, Result};
+use joints::JointPasses;
 use queues::Queues;
 
 pub use editing::GeomPlacement;
 pub use queries::GeomPointPair;
+pub use step_times::StepTimes;
+pub use world_queries::RayCastHit;
 
 /// The settings of a simulator.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -89,6 +101,9 @@ pub struct PhysicsSimulator {
     geoms: Arena<GeomEntry>,
     body_list: Vec<BodyId>,
     geom_list: Vec<GeomId>,
+    controllers: Collection<Controller, ControllerId>,
+    joints: Collection<Joint, JointId>,
+    springs: Collection<Spring, SpringId>,
     queues: Queues,
     broad_phase: BroadPhase,
     arbiters: ArbiterList,
@@ -100,6 +115,8 @@ pub struct PhysicsSimulator {
     grids: GridCache,
     #[serde(skip)]
     solver: ContactSolver,
+    #[serde(skip)]
+    joint_passes: JointPasses,
     #[serde(skip)]
     new_contacts: Vec<Contact>,
     #[serde(skip)]
@@ -114,6 +131,8 @@ pub struct PhysicsSimulator {
     delivered_events: Vec<Event>,
     #[serde(skip)]
     counters: StepCounters,
+    #[serde(skip)]
+    step_times: StepTimes,
 }
 
 impl Default for PhysicsSimulator {
@@ -135,6 +154,9 @@ impl Default for PhysicsSimulator {
             geoms: Arena::default(),
             body_list: Vec::new(),
             geom_list: Vec::new(),
+            controllers: Collection::default(),
+            joints: Collection::default(),
+            springs: Collection::default(),
             queues: Queues::default(),
             broad_phase: BroadPhase::new(BroadPhaseCollider::SelectiveSweep),
             arbiters: ArbiterList::default(),
@@ -143,12 +165,14 @@ impl Default for PhysicsSimulator {
             touched_geoms: Vec::new(),
             grids: GridCache::default(),
             solver: ContactSolver::default(),
+            joint_passes: JointPasses::default(),
             new_contacts: Vec::new(),
             separated: Vec::new(),
             events: Vec::new(),
             pending_events: Vec::new(),
             delivered_events: Vec::new(),
             counters: StepCounters::default(),
+            step_times: StepTimes::default(),
         }
     }
 }
@@ -162,6 +186,7 @@ impl PhysicsSimulator {
     pub fn new(gravity: Vector2) -> Result<Self> {
         let mut simulator = PhysicsSimulator::default();
         simulator.set_gravity(gravity)?;
+        simulator.step_times = StepTimes::NEVER_MEASURED;
         Ok(simulator)
     }
 
@@ -374,6 +399,9 @@ impl PhysicsSimulator {
         match object.into() {
             ObjectId::Body(body) => self.bodies.get(body).is_some_and(|entry| entry.is_listed),
             ObjectId::Geom(geom) => self.geoms.get(geom).is_some_and(|entry| entry.is_listed),
+            ObjectId::Controller(controller) => self.controllers.is_listed(controller),
+            ObjectId::Joint(joint) => self.joints.is_listed(joint),
+            ObjectId::Spring(spring) => self.springs.is_listed(spring),
         }
     }
 
@@ -383,6 +411,9 @@ impl PhysicsSimulator {
         match object.into() {
             ObjectId::Body(body) => self.bodies.get(body).is_none_or(|entry| entry.is_disposed),
             ObjectId::Geom(geom) => self.geoms.get(geom).is_none_or(|entry| entry.is_disposed),
+            ObjectId::Controller(controller) => self.controllers.is_disposed(controller),
+            ObjectId::Joint(joint) => self.joints.is_disposed(joint),
+            ObjectId::Spring(spring) => self.springs.is_disposed(spring),
         }
     }
 

@@ -1,6 +1,6 @@
 //! How things enter and leave the simulation (behaviour chapter 04, section 2).
 //!
-//! Additions are processed before removals, geoms before bodies. So an object that is removed and added again
+//! Additions are processed before removals; geoms before bodies, controllers, joints and springs. So an object that is removed and added again
 //! between two updates ends up removed, as in the original.
 
 use serde::{Deserialize, Serialize};
@@ -78,6 +78,9 @@ impl PhysicsSimulator {
                     self.queues.added_geoms.push(geom);
                 }
             }
+            ObjectId::Controller(controller) => self.controllers.add("controller", controller)?,
+            ObjectId::Joint(joint) => self.joints.add("joint", joint)?,
+            ObjectId::Spring(spring) => self.springs.add("spring", spring)?,
         }
         Ok(())
     }
@@ -98,6 +101,9 @@ impl PhysicsSimulator {
                 self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?;
                 self.queues.removed_geoms.push(geom);
             }
+            ObjectId::Controller(controller) => self.controllers.remove("controller", controller)?,
+            ObjectId::Joint(joint) => self.joints.remove("joint", joint)?,
+            ObjectId::Spring(spring) => self.springs.remove("spring", spring)?,
         }
         Ok(())
     }
@@ -126,6 +132,9 @@ impl PhysicsSimulator {
                 self.bodies[body].geoms.retain(|&other| other != geom);
                 self.dispose_geom(geom);
             }
+            ObjectId::Controller(controller) => self.controllers.dispose("controller", controller)?,
+            ObjectId::Joint(joint) => self.joints.dispose("joint", joint)?,
+            ObjectId::Spring(spring) => self.springs.dispose("spring", spring)?,
         }
         Ok(())
     }
@@ -151,8 +160,10 @@ impl PhysicsSimulator {
         // Ids go stale below.
         self.solver.close();
         self.settle_edits(handler);
+        let has_new_links = self.joints.has_added() || self.springs.has_added();
         self.process_added(handler);
         self.process_removed(handler);
+        self.validate(has_new_links, handler);
         self.process_disposed(handler);
         let (geoms, bodies) = (&self.geoms, &self.bodies);
         self.arbiters.remove_where(
@@ -196,6 +207,15 @@ impl PhysicsSimulator {
                 self.tell_added(body.into(), handler);
             }
         }
+        for controller in self.controllers.process_added() {
+            self.tell_added(controller.into(), handler);
+        }
+        for joint in self.joints.process_added() {
+            self.tell_added(joint.into(), handler);
+        }
+        for spring in self.springs.process_added() {
+            self.tell_added(spring.into(), handler);
+        }
     }
 
     fn process_removed(&mut self, handler: Handler) {
@@ -218,6 +238,24 @@ impl PhysicsSimulator {
                 self.body_list.retain(|&listed| listed != body);
             }
             self.tell_removed(body.into(), handler);
+        }
+        for controller in self.controllers.process_removed() {
+            self.tell_removed(controller.into(), handler);
+        }
+        for joint in self.joints.process_removed() {
+            self.tell_removed(joint.into(), handler);
+        }
+        for spring in self.springs.process_removed() {
+            self.tell_removed(spring.into(), handler);
+        }
+    }
+
+    /// Joints and springs whose body is gone are disposed, and the game's own controllers may look after theirs.
+    fn validate(&mut self, has_new_links: bool, handler: Handler) {
+        self.validate_controllers(handler);
+        if has_new_links || !self.queues.disposed_bodies.is_empty() {
+            self.dispose_joints_without_body();
+            self.dispose_springs_without_body();
         }
     }
 
@@ -249,6 +287,15 @@ impl PhysicsSimulator {
                 self.tell_removed(body.into(), handler);
             }
         }
+        for controller in self.controllers.process_disposed() {
+            self.tell_removed(controller.into(), handler);
+        }
+        for spring in self.springs.process_disposed() {
+            self.tell_removed(spring.into(), handler);
+        }
+        for joint in self.joints.process_disposed() {
+            self.tell_removed(joint.into(), handler);
+        }
     }
 
     /// The ids of what was disposed go stale. No list names them any more.
@@ -264,6 +311,9 @@ impl PhysicsSimulator {
         for body in std::mem::take(&mut self.queues.disposed_bodies) {
             self.bodies.remove(body);
         }
+        self.controllers.free_disposed();
+        self.joints.free_disposed();
+        self.springs.free_disposed();
     }
 
     /// Lets geoms follow bodies that were edited, and delivers what has happened meanwhile.

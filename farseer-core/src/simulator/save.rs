@@ -10,6 +10,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 use super::PhysicsSimulator;
 use crate::body::{BodyId, Pose};
 use crate::body_entry::BodyEntry;
+use crate::collection::has_no_duplicates;
 use crate::geom::GeomId;
 use crate::{Error, Result};
 
@@ -76,6 +77,15 @@ impl PhysicsSimulator {
         {
             return damaged("a body names a geom that is not its own");
         }
+        if !(self.controllers.is_consistent() && self.joints.is_consistent() && self.springs.is_consistent()) {
+            return damaged("a list of joints, springs or controllers does not name what it should");
+        }
+        if !self.controllers.iter().all(|(_, controller)| controller.is_valid())
+            || !self.joints.iter().all(|(_, joint)| joint.is_valid())
+            || !self.springs.iter().all(|(_, spring)| spring.is_valid())
+        {
+            return damaged("a joint, spring or controller has a value that is not possible");
+        }
         if !self.broad_phase.is_valid(&self.geoms) {
             return damaged("the broad phase names what is not there");
         }
@@ -89,10 +99,10 @@ impl PhysicsSimulator {
         let listed_bodies = self.bodies.iter::<BodyId>().filter(|(_, entry)| entry.is_listed).count();
         let listed_geoms = self.geoms.iter::<GeomId>().filter(|(_, entry)| entry.is_listed).count();
         let queues = &self.queues;
-        no_duplicates(&self.body_list)
-            && no_duplicates(&self.geom_list)
-            && no_duplicates(&queues.disposed_bodies)
-            && no_duplicates(&queues.disposed_geoms)
+        has_no_duplicates(&self.body_list)
+            && has_no_duplicates(&self.geom_list)
+            && has_no_duplicates(&queues.disposed_bodies)
+            && has_no_duplicates(&queues.disposed_geoms)
             && self.body_list.len() == listed_bodies
             && self.geom_list.len() == listed_geoms
             && self.body_list.iter().all(|&id| self.bodies.get(id).is_some_and(|entry| entry.is_listed))
@@ -106,12 +116,6 @@ impl PhysicsSimulator {
                 .iter()
                 .all(|&id| self.geoms.get(id).is_some_and(|entry| entry.is_disposed))
     }
-}
-
-fn no_duplicates<T: Ord + Copy>(list: &[T]) -> bool {
-    let mut sorted = list.to_vec();
-    sorted.sort_unstable();
-    sorted.windows(2).all(|pair| pair[0] != pair[1])
 }
 
 impl BodyEntry {

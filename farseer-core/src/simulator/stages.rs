@@ -1,6 +1,7 @@
 //! The update and its stages (behaviour chapter 04, section 3).
 
 use super::queues::{Followed, Handler};
+use super::step_times::{Clock, Stopwatch};
 use super::{PhysicsSimulator, StepCounters};
 use crate::broad_phase::{BroadPhase, PairSink};
 use crate::contact::Contact;
@@ -17,26 +18,64 @@ impl PhysicsSimulator {
     /// that its reciprocal is not, changes nothing and is reported as [`Event::RejectedInput`].
     #[doc(alias = "Update")]
     pub fn update(&mut self, dt: f32) {
-        self.run(dt, &mut None);
+        self.update_with_real_time(dt, 0.0, None);
     }
 
     /// [`update`](Self::update) with callbacks.
     pub fn update_with(&mut self, dt: f32, handler: &mut dyn EventHandler) {
-        self.run(dt, &mut Some(handler));
+        self.update_with_real_time(dt, 0.0, Some(handler));
     }
 
-    fn run(&mut self, dt: f32, handler: Handler) {
-        if !self.process_queues(dt, reborrow(handler)) {
-            return;
+    /// [`update`](Self::update) that tells controllers how much time has really passed, in seconds; nothing else
+    /// reads it. A time that is not finite is refused as `dt` is.
+    #[doc(alias = "Update(float, float)")]
+    pub fn update_with_real_time(&mut self, dt: f32, dt_real: f32, handler: Option<&mut dyn EventHandler>) {
+        let mut handler = handler;
+        self.run(dt, dt_real, &mut handler, None);
+    }
+
+    /// [`update_with_real_time`](Self::update_with_real_time) that measures its [stages](Self::step_times). `now` is the
+    /// caller's clock, in milliseconds since any moment: the engine has none, so that nothing depends on one.
+    ///
+    /// ```
+    /// # use farseer_core::PhysicsSimulator;
+    /// # let mut simulator = PhysicsSimulator::default();
+    /// let start = std::time::Instant::now();
+    /// simulator.update_timed(0.01, 0.0, None, &mut || start.elapsed().as_secs_f64() * 1000.0);
+    /// assert!(simulator.step_times().update_time >= 0.0);
+    /// ```
+    #[doc(alias = "EnableDiagnostics")]
+    pub fn update_timed(
+        &mut self,
+        dt: f32,
+        dt_real: f32,
+        handler: Option<&mut dyn EventHandler>,
+        now: &mut dyn FnMut() -> f64,
+    ) {
+        let mut handler = handler;
+        self.run(dt, dt_real, &mut handler, Some(now));
+    }
+
+    fn run(&mut self, dt: f32, dt_real: f32, handler: Handler, clock: Option<Clock<'_>>) {
+        let mut stopwatch = Stopwatch::start(clock);
+        let goes_on = self.process_queues(dt, reborrow(handler));
+        stopwatch.lap(|times| &mut times.clean_up_time);
+        if goes_on {
+            self.find_pairs(reborrow(handler));
+            stopwatch.lap(|times| &mut times.broad_phase_collision_time);
+            self.collide_pairs(reborrow(handler));
+            stopwatch.lap(|times| &mut times.narrow_phase_collision_time);
+            self.apply_forces(dt, dt_real, reborrow(handler));
+            stopwatch.lap(|times| &mut times.apply_forces_time);
+            self.pre_step(1.0 / dt);
+            for _ in 0..self.settings.iterations {
+                self.solve_iteration(reborrow(handler));
+            }
+            stopwatch.lap(|times| &mut times.apply_impulses_time);
+            self.integrate(dt, reborrow(handler));
+            stopwatch.lap(|times| &mut times.update_positions_time);
         }
-        self.find_pairs(reborrow(handler));
-        self.collide_pairs(reborrow(handler));
-        self.apply_forces(dt);
-        self.pre_step(1.0 / dt);
-        for _ in 0..self.settings.iterations {
-            self.solve_iteration();
-        }
-        self.integrate(dt, reborrow(handler));
+        self.step_times = stopwatch.times().unwrap_or(self.step_times);
     }
 
     /// First stage: things enter and leave, edited bodies take their geoms along, and pairs that have an arbiter
@@ -180,14 +219,18 @@ impl PhysicsSimulator {
         self.separated = separated;
     }
 
-    /// Fourth stage: impulses, gravity and drag become velocity. A body whose velocity would not be finite keeps
-    /// what it had, and is disabled and reported.
+    /// Fourth stage: controllers and springs act; impulses, gravity and drag become velocity. A body whose velocity
+    /// would not be finite keeps what it had, and is disabled and reported.
     ///
-    /// A step that is not finite changes nothing and is reported.
-    pub fn apply_forces(&mut self, dt: f32) {
-        if !self.accepts_step("dt", dt) {
+    /// `dt_real` is what controllers are told about the time that has really passed. A step or time that is not
+    /// finite changes nothing and is reported.
+    pub fn apply_forces(&mut self, dt: f32, dt_real: f32, handler: Option<&mut dyn EventHandler>) {
+        let mut handler = handler;
+        if !self.accepts_step("dt", dt) || !self.accepts_step("dt_real", dt_real) {
             return;
         }
+        self.update_controllers(dt, dt_real, &mut handler);
+        self.update_springs(&mut handler);
         for &id in &self.body_list {
             let entry = &mut self.bodies[id];
             let body = &mut entry.body;
@@ -206,7 +249,7 @@ impl PhysicsSimulator {
         }
     }
 
-    /// Fifth stage: contacts are prepared, and the impulses of the last update act again. `inverse_dt` is 1 / dt.
+    /// Fifth stage: joints and contacts are prepared, and the impulses of the last update act again. `inverse_dt` is 1 / dt.
     ///
     /// A number that is not finite changes nothing and is reported.
     pub fn pre_step(&mut self, inverse_dt: f32) {
@@ -218,12 +261,15 @@ impl PhysicsSimulator {
             bias_factor: self.settings.bias_factor,
             allowed_penetration: self.settings.allowed_penetration,
         };
+        self.pre_step_joints(inverse_dt);
         self.solver.pre_step(&self.arbiters, &self.geoms, &self.bodies, settings);
         self.counters.contacts_solved = self.solver.row_count();
     }
 
-    /// Sixth stage, repeated: one pass over all contacts.
-    pub fn solve_iteration(&mut self) {
+    /// Sixth stage, repeated: one pass over all joints, then one over all contacts.
+    pub fn solve_iteration(&mut self, handler: Option<&mut dyn EventHandler>) {
+        let mut handler = handler;
+        self.solve_joints(&mut handler);
         self.solver.solve_iteration();
     }
 

@@ -2,7 +2,7 @@
 
 use wide::f32x4;
 
-use super::{BodyLanes, ContactSolver, unpack_one};
+use super::{BodyLanes, ContactSolver, pack_one, unpack_one};
 use crate::arena::{Arena, Id};
 use crate::body::BodyId;
 use crate::body_entry::BodyEntry;
@@ -23,7 +23,7 @@ pub struct SolverBody {
 
 /// Names a body in the solver, from [`pre_step`](crate::PhysicsSimulator::pre_step) to
 /// [`integrate`](crate::PhysicsSimulator::integrate) of one update.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct SolverPlace(u32);
 
 impl ContactSolver {
@@ -66,6 +66,23 @@ impl ContactSolver {
                 [f32x4::new([x, y, w, inverse_mass]), f32x4::new([bias_x, bias_y, bias_w, inverse_inertia])];
         }
         true
+    }
+
+    /// Gives the bodies the velocities they have in the solver, for callbacks in the middle of it.
+    pub(crate) fn put_velocities_down(&self, bodies: &mut Arena<BodyEntry>) {
+        for (&id, state) in self.ids.iter().zip(self.states.iter().skip(1)) {
+            let Some(BodyEntry { body, .. }) = bodies.get_mut(id) else { continue };
+            [body.linear_velocity.x, body.linear_velocity.y, body.angular_velocity] = unpack_one(state).velocity;
+        }
+    }
+
+    /// Goes on with the velocities that callbacks have left. Masses stay what they were.
+    pub(crate) fn take_velocities_up(&mut self, bodies: &Arena<BodyEntry>) {
+        for (&id, state) in self.ids.iter().zip(self.states.iter_mut().skip(1)) {
+            let Some(BodyEntry { body, .. }) = bodies.get(id) else { continue };
+            let velocity = [body.linear_velocity.x, body.linear_velocity.y, body.angular_velocity];
+            *state = pack_one(&BodyLanes { velocity, ..unpack_one(state) });
+        }
     }
 
     /// Notes that a body is to keep the velocities with which the solver began.

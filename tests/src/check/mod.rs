@@ -7,9 +7,9 @@
 //! - what the original refused with an exception where something is created or set is refused with an error
 //!   here;
 //! - where the original threw in an update the run goes on to the end, and every body's state stays finite;
-//! - where the original went on with what is not a number, the body is stopped and reported
-//!   ([`Event::NotFinite`](farseer_core::Event::NotFinite)) at the latest one step later, or the scene's
-//!   value that is to blame has been refused before.
+//! - where the original went on with what is not a number, that is reported at the latest one step later
+//!   ([`Event::NotFinite`](farseer_core::Event::NotFinite) of a body, or the like of a joint, spring or controller),
+//!   or the scene's value that is to blame has been refused before.
 
 mod folder;
 mod summary;
@@ -18,7 +18,7 @@ pub use folder::{Entry, entries};
 pub use summary::{Summary, check_folders};
 
 use crate::compare::{Difference, compare};
-use crate::run::{BUILT, Recording, record};
+use crate::run::{Recording, record};
 use crate::scene::{Features, Reason, Scene};
 use crate::trace::{Line, Trace};
 use std::fmt;
@@ -79,16 +79,7 @@ impl fmt::Display for Verdict {
 /// Checks a scene against the text of its trace, leaving it out if it needs what is to be skipped. A panic is
 /// caught and reported as a failure.
 pub fn check(scene: &Scene, trace: &str, skip: Features) -> Verdict {
-    check_with(scene, trace, skip, Features::of(BUILT))
-}
-
-/// Checks a scene as if `built` were what the engine has.
-pub fn check_with(scene: &Scene, trace: &str, skip: Features, built: Features) -> Verdict {
     let needs = scene.features();
-    let missing = needs.without(built).without(skip);
-    if !missing.is_empty() {
-        return Verdict::Failed(format!("needs {missing}, which the engine does not have"));
-    }
     if !needs.and(skip).is_empty() {
         return Verdict::Skipped(needs.and(skip));
     }

@@ -1,7 +1,7 @@
 //! Creation of everything a scene lists.
 
 use super::log::Log;
-use super::{AtPlace, Finite, Run};
+use super::{AtPlace, Finite, Run, controllers, links, paths};
 use crate::scene::{
     At, BodySettings, BodyShape, BodySpec, BroadPhase, Friction, GeomSettings, GeomShape, GeomSpec,
     NarrowPhase, Outline, OutlineForm, Scene, SceneError, SimulatorSettings, SolverSettings,
@@ -22,12 +22,21 @@ pub(super) fn build(scene: &Scene) -> Result<Run<'_>> {
         simulator: simulator(&scene.simulator, root.key("simulator"))?,
         bodies: Vec::with_capacity(scene.bodies.len()),
         geoms: Vec::with_capacity(scene.geoms.len()),
+        joints: Vec::with_capacity(scene.joints.len()),
+        springs: Vec::with_capacity(scene.springs.len()),
+        controllers: Vec::with_capacity(scene.controllers.len()),
         log: Log::of(scene),
         dt: scene.dt.finite(root.key("dt"))?,
+        dt_real: scene.dt_real.finite(root.key("dt_real"))?,
+        scaled_by: None,
     };
     let bodies = root.key("bodies");
     for (index, spec) in scene.bodies.iter().enumerate() {
         create_body(&mut run, spec, bodies.item(index))?;
+    }
+    let list = root.key("paths");
+    for (index, spec) in scene.paths.iter().enumerate() {
+        paths::create_path(&mut run, spec, list.item(index))?;
     }
     let geoms = root.key("geoms");
     let mut created = Vec::with_capacity(scene.geoms.len());
@@ -37,6 +46,19 @@ pub(super) fn build(scene: &Scene) -> Result<Run<'_>> {
     for ((index, spec), created) in scene.geoms.iter().enumerate().zip(created) {
         ignore_listed(&mut run, &created, spec, geoms.item(index))?;
     }
+    let list = root.key("joints");
+    for (index, spec) in scene.joints.iter().enumerate() {
+        links::create_joint(&mut run, spec, list.item(index))?;
+    }
+    let list = root.key("springs");
+    for (index, spec) in scene.springs.iter().enumerate() {
+        links::create_spring(&mut run, spec, list.item(index))?;
+    }
+    let list = root.key("controllers");
+    for (index, spec) in scene.controllers.iter().enumerate() {
+        controllers::create_controller(&mut run, spec, list.item(index))?;
+    }
+    run.scaled_by = controllers::scaled_by(&run)?;
     run.simulator.process_added_and_removed();
     Ok(run)
 }

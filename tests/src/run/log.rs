@@ -2,7 +2,9 @@
 
 use crate::scene::Scene;
 use crate::trace::{Event, Line};
-use farseer_core::{Contact, Context, EventHandler, GeomId};
+use farseer_core::{
+    Contact, Context, ControllerId, EventHandler, GeomId, JointId, SpringId, Vertices,
+};
 use std::collections::HashMap;
 
 /// What a run subscribes to, and what it heard.
@@ -10,6 +12,10 @@ use std::collections::HashMap;
 pub(super) struct Log {
     /// Id in the scene of every geom ever created.
     numbers: HashMap<GeomId, usize>,
+    /// Index in the scene of every joint, spring and controller ever created.
+    joints: HashMap<JointId, usize>,
+    springs: HashMap<SpringId, usize>,
+    controllers: HashMap<ControllerId, usize>,
     /// For each geom, against whom its collision callback answers false.
     vetoes: Vec<Vec<usize>>,
     /// Whether the broad phase event is subscribed.
@@ -36,6 +42,21 @@ impl Log {
     pub(super) fn subscribe(&mut self, geom: GeomId, veto: &[usize]) {
         self.numbers.insert(geom, self.vetoes.len());
         self.vetoes.push(veto.to_vec());
+    }
+
+    /// Makes a new joint known.
+    pub(super) fn know_joint(&mut self, joint: JointId) {
+        self.joints.insert(joint, self.joints.len());
+    }
+
+    /// Makes a new spring known.
+    pub(super) fn know_spring(&mut self, spring: SpringId) {
+        self.springs.insert(spring, self.springs.len());
+    }
+
+    /// Makes a new controller known.
+    pub(super) fn know_controller(&mut self, controller: ControllerId) {
+        self.controllers.insert(controller, self.controllers.len());
     }
 
     /// Id in the scene of a geom.
@@ -75,5 +96,24 @@ impl EventHandler for Log {
     fn on_broad_phase_collision(&mut self, _: &mut Context<'_>, a: GeomId, b: GeomId) -> bool {
         self.event(Event::BroadPhase { geom_a: self.number(a), geom_b: self.number(b) });
         true
+    }
+
+    fn on_joint_broke(&mut self, _: &mut Context<'_>, joint: JointId) {
+        self.event(Event::JointBroke { joint: self.joints[&joint] });
+    }
+
+    fn on_spring_broke(&mut self, _: &mut Context<'_>, spring: SpringId) {
+        self.event(Event::SpringBroke { spring: self.springs[&spring] });
+    }
+
+    fn on_fluid_entry(
+        &mut self,
+        _: &mut Context<'_>,
+        controller: ControllerId,
+        geom: GeomId,
+        vertices: &Vertices,
+    ) {
+        let (controller, geom) = (self.controllers[&controller], self.number(geom));
+        self.event(Event::FluidEntry { controller, geom, vertices: vertices.len() });
     }
 }

@@ -5,20 +5,22 @@
 //! so that a scene with such a value says where it is.
 
 mod build;
+mod controllers;
+mod links;
 mod log;
+mod paths;
 mod recording;
 mod script;
 
 pub use recording::{Recording, record};
 
-use crate::scene::{At, Feature, Features, Reason, Scene, SceneError};
-use crate::trace::{Counts, Line};
+use crate::scene::{At, Reason, Scene, SceneError};
+use crate::trace::{Counts, Event, Line, word};
 use farseer_core::math::Vector2;
-use farseer_core::{BodyId, GeomId, PhysicsSimulator};
+use farseer_core::{
+    BodyId, ControllerId, GeomId, JointId, PhysicsSimulator, ScalingController, SpringId,
+};
 use log::Log;
-
-/// What this version of the engine has beyond bodies and geoms.
-pub const BUILT: &[Feature] = &[];
 
 /// A scene that is being simulated.
 #[derive(Debug)]
@@ -27,8 +29,14 @@ pub struct Run<'a> {
     simulator: PhysicsSimulator,
     bodies: Vec<BodyId>,
     geoms: Vec<GeomId>,
+    joints: Vec<JointId>,
+    springs: Vec<SpringId>,
+    controllers: Vec<ControllerId>,
     log: Log,
     dt: f32,
+    dt_real: f32,
+    /// The controller that decides the time step.
+    scaled_by: Option<ControllerId>,
 }
 
 impl<'a> Run<'a> {
@@ -36,17 +44,14 @@ impl<'a> Run<'a> {
     ///
     /// # Errors
     ///
-    /// When the scene refers to something that does not exist, has a value the engine refuses, or needs a
-    /// part the engine does not have. The error names the file, the place and the reason.
+    /// When the scene refers to something that does not exist, or has a value the engine refuses. The error names
+    /// the file, the place and the reason.
     pub fn build(scene: &'a Scene) -> Result<Self, SceneError> {
-        let missing = scene.features().without(Features::of(BUILT));
-        if !missing.is_empty() {
-            return Err(SceneError::new(At::Root, Reason::NotBuilt(missing)).in_file(scene.file()));
-        }
         build::build(scene).map_err(|error| error.in_file(scene.file()))
     }
 
-    /// Makes the next step: the operations of the script, then an update.
+    /// Makes the next step: the operations of the script, then an update, if the controller that decides the time
+    /// step wants one.
     ///
     /// # Errors
     ///
@@ -55,8 +60,22 @@ impl<'a> Run<'a> {
     pub fn step(&mut self) -> Result<(), SceneError> {
         self.log.step += 1;
         script::apply(self).map_err(|error| error.in_file(self.scene.file()))?;
-        self.simulator.update_with(self.dt, &mut self.log);
+        let dt = self.interval();
+        if self.scaled_by.is_none() || dt != 0.0 {
+            self.simulator.update_with_real_time(dt, self.dt_real, Some(&mut self.log));
+        }
         Ok(())
+    }
+
+    /// The time step of this update: the scene's, or what its scaling controller makes of it.
+    fn interval(&mut self) -> f32 {
+        let Some(id) = self.scaled_by else { return self.dt };
+        // Once disposed it gives nothing any more.
+        let Ok(scaling) = self.simulator.controller_as_mut::<ScalingController>(id) else { return self.dt };
+        let interval = scaling.get_update_interval(self.dt);
+        let values = [interval, scaling.update_interval(), scaling.maximum_update_interval()];
+        self.log.event(Event::Interval { values: values.map(word) });
+        interval
     }
 
     /// The scene.
@@ -89,9 +108,30 @@ impl<'a> Run<'a> {
         &self.geoms
     }
 
+    /// The joints by index, disposed ones included.
+    pub fn joints(&self) -> &[JointId] {
+        &self.joints
+    }
+
+    /// The springs by index, disposed ones included.
+    pub fn springs(&self) -> &[SpringId] {
+        &self.springs
+    }
+
+    /// The controllers by index, disposed ones included.
+    pub fn controllers(&self) -> &[ControllerId] {
+        &self.controllers
+    }
+
     /// How much was created so far.
     pub fn counts(&self) -> Counts {
-        Counts { bodies: self.bodies.len(), geoms: self.geoms.len(), ..Counts::default() }
+        Counts {
+            bodies: self.bodies.len(),
+            geoms: self.geoms.len(),
+            joints: self.joints.len(),
+            springs: self.springs.len(),
+            controllers: self.controllers.len(),
+        }
     }
 
     /// The event lines logged since the last call.
@@ -105,6 +145,18 @@ impl<'a> Run<'a> {
 
     fn geom(&self, index: usize, at: At<'_>) -> Result<GeomId, SceneError> {
         find(&self.geoms, "geom", index, at)
+    }
+
+    fn joint(&self, index: usize, at: At<'_>) -> Result<JointId, SceneError> {
+        find(&self.joints, "joint", index, at)
+    }
+
+    fn spring(&self, index: usize, at: At<'_>) -> Result<SpringId, SceneError> {
+        find(&self.springs, "spring", index, at)
+    }
+
+    fn controller(&self, index: usize, at: At<'_>) -> Result<ControllerId, SceneError> {
+        find(&self.controllers, "controller", index, at)
     }
 }
 

@@ -16,7 +16,7 @@ pub struct Recording {
     pub error: Option<(u32, SceneError)>,
     /// First step after which a body that still exists had a state with something not finite, and the body.
     pub not_finite: Option<(u32, usize)>,
-    /// First step whose update reported that a body had stopped being finite.
+    /// First step whose update reported that a body had stopped being finite, or would have.
     pub reported: Option<u32>,
 }
 
@@ -62,7 +62,7 @@ impl Recording {
     fn step(&mut self, run: &mut Run<'_>, step: u32) -> u64 {
         self.trace.lines.extend(run.take_events());
         if self.reported.is_none()
-            && run.simulator.events().iter().any(|event| matches!(event, Event::NotFinite { .. }))
+            && run.simulator.events().iter().any(is_about_what_is_not_finite)
         {
             self.reported = Some(step);
         }
@@ -98,6 +98,16 @@ impl Recording {
         };
         self.not_finite = run.bodies.iter().position(|id| !finite(id)).map(|body| (step, body));
     }
+}
+
+fn is_about_what_is_not_finite(event: &Event) -> bool {
+    matches!(
+        event,
+        Event::NotFinite { .. }
+            | Event::JointNotFinite { .. }
+            | Event::SpringNotFinite { .. }
+            | Event::ControllerNotFinite { .. }
+    )
 }
 
 /// The seven words of a body's state.

@@ -1,11 +1,10 @@
 //! Timed operations.
 
-use super::build;
-use super::{AtPlace, Finite, Run};
-use crate::scene::{At, Creation, Features, Op, Reason, SceneError, Target};
+use super::{AtPlace, Finite, Run, build, controllers, links};
+use crate::scene::{At, Creation, Op, SceneError, Target};
 use crate::trace::Event;
 use farseer_core::math::Vector2;
-use farseer_core::{Body, BodyId, GeomId};
+use farseer_core::{Body, BodyId, GeomId, ObjectId};
 
 type Result<T> = std::result::Result<T, SceneError>;
 
@@ -29,18 +28,15 @@ fn operate(run: &mut Run<'_>, op: &Op, at: At<'_>) -> Result<()> {
     }
     match *op {
         Op::Add { target, index } => match thing(run, target, index, at)? {
-            Some(Thing::Body(id)) => run.simulator.add(id).at(at),
-            Some(Thing::Geom(id)) => run.simulator.add(id).at(at),
+            Some(id) => run.simulator.add(id).at(at),
             None => Ok(()),
         },
         Op::Remove { target, index } => match thing(run, target, index, at)? {
-            Some(Thing::Body(id)) => run.simulator.remove(id).at(at),
-            Some(Thing::Geom(id)) => run.simulator.remove(id).at(at),
+            Some(id) => run.simulator.remove(id).at(at),
             None => Ok(()),
         },
         Op::Dispose { target, index } => match thing(run, target, index, at)? {
-            Some(Thing::Body(id)) => run.simulator.dispose(id).at(at),
-            Some(Thing::Geom(id)) => run.simulator.dispose(id).at(at),
+            Some(id) => run.simulator.dispose(id).at(at),
             None => Ok(()),
         },
         Op::Enable { target, index } => enable(run, target, index, true, at),
@@ -58,8 +54,10 @@ fn operate(run: &mut Run<'_>, op: &Op, at: At<'_>) -> Result<()> {
             run.dt = dt.finite(at.key("dt"))?;
             Ok(())
         }
-        // Only controllers look at the second argument of the update.
-        Op::SetDtReal { dt_real } => dt_real.finite(at.key("dt_real")).map(|_| ()),
+        Op::SetDtReal { dt_real } => {
+            run.dt_real = dt_real.finite(at.key("dt_real"))?;
+            Ok(())
+        }
         Op::Create { creation: Creation::Body { ref spec } } => build::create_body(run, spec, at.key("spec")),
         Op::Create { creation: Creation::Geom { ref spec } } => {
             let geoms = build::create_geoms(run, spec, at.key("spec"))?;
@@ -74,7 +72,52 @@ fn operate(run: &mut Run<'_>, op: &Op, at: At<'_>) -> Result<()> {
             let id = run.geom(geom, at.key("geom"))?;
             operate_on_geom(run, id, op, at)
         }
-        _ => Err(not_built(op, at)),
+        _ => operate_on_link(run, op, at),
+    }
+}
+
+/// Creates or changes a joint, spring or controller; changing a disposed one has no effect.
+fn operate_on_link(run: &mut Run<'_>, op: &Op, at: At<'_>) -> Result<()> {
+    match *op {
+        Op::Create { creation: Creation::Joint { ref spec } } => {
+            links::create_joint(run, spec, at.key("spec"))
+        }
+        Op::Create { creation: Creation::Spring { ref spec } } => {
+            links::create_spring(run, spec, at.key("spec"))
+        }
+        Op::Create { creation: Creation::Controller { ref spec } } => {
+            controllers::create_controller(run, spec, at.key("spec"))
+        }
+        Op::SetJoint { joint, ref settings, ref geometry } => {
+            let id = run.joint(joint, at.key("joint"))?;
+            if run.simulator.joint(id).is_none() {
+                return Ok(());
+            }
+            links::set_joint(&mut run.simulator, id, settings, at)?;
+            links::set_joint_geometry(&mut run.simulator, id, geometry, at)
+        }
+        Op::SetSpring { spring, ref geometry, ref settings } => {
+            let id = run.spring(spring, at.key("spring"))?;
+            if run.simulator.spring(id).is_none() {
+                return Ok(());
+            }
+            links::set_spring_geometry(&mut run.simulator, id, geometry, at)?;
+            links::set_spring(&mut run.simulator, id, settings, at)
+        }
+        Op::DisturbWave { controller, x, offset } => {
+            controllers::disturb_wave(run, controller, x, offset, at)
+        }
+        Op::FluidAddGeom { controller, geom } => {
+            let geom = run.geom(geom, at.key("geom"))?;
+            controllers::fluid(run, controller, at)?.add_geom(geom).at(at.key("geom"))
+        }
+        Op::FluidRemoveGeom { controller, geom } => {
+            let geom = run.geom(geom, at.key("geom"))?;
+            controllers::fluid(run, controller, at)?.remove_geom(geom);
+            Ok(())
+        }
+        Op::SetScaling { controller, ref change } => controllers::set_scaling(run, controller, change, at),
+        _ => unreachable!("operations on bodies and geoms are not asked for here"),
     }
 }
 
@@ -125,7 +168,7 @@ fn set_on_body(body: &mut Body, op: &Op, at: At<'_>) -> Result<()> {
             return body.set_moment_of_inertia(moment_of_inertia).at(at.key("moment_of_inertia"));
         }
         Op::SetBody { ref settings, .. } => return build::set_body(body, settings, at),
-        _ => return Err(not_built(op, at)),
+        _ => unreachable!("the operation is on one body"),
     }
     Ok(())
 }
@@ -153,46 +196,47 @@ fn operate_on_geom(run: &mut Run<'_>, id: GeomId, op: &Op, at: At<'_>) -> Result
                 None => Ok(()),
             }
         }
-        _ => Err(not_built(op, at)),
+        _ => unreachable!("the operation is on one geom"),
     }
-}
-
-/// A thing that can be added, removed and disposed.
-enum Thing {
-    Body(BodyId),
-    Geom(GeomId),
 }
 
 /// The thing with an index; nothing when it is disposed. The original lets a disposed thing enter its lists,
 /// only to drop it before the update does anything with it.
-fn thing(run: &Run<'_>, target: Target, index: usize, at: At<'_>) -> Result<Option<Thing>> {
-    match target {
-        Target::Body => {
-            let id = run.body(index, at.key("index"))?;
-            Ok(run.simulator.body(id).map(|_| Thing::Body(id)))
-        }
-        Target::Geom => {
-            let id = run.geom(index, at.key("index"))?;
-            Ok(run.simulator.geom(id).map(|_| Thing::Geom(id)))
-        }
-        Target::Joint | Target::Spring | Target::Controller => {
-            Err(SceneError::new(at, Reason::NotBuilt(run.scene.features())))
-        }
+fn thing(run: &Run<'_>, target: Target, index: usize, at: At<'_>) -> Result<Option<ObjectId>> {
+    let at = at.key("index");
+    let id: ObjectId = match target {
+        Target::Body => run.body(index, at)?.into(),
+        Target::Geom => run.geom(index, at)?.into(),
+        Target::Joint => run.joint(index, at)?.into(),
+        Target::Spring => run.spring(index, at)?.into(),
+        Target::Controller => run.controller(index, at)?.into(),
+    };
+    Ok(is_there(run, id).then_some(id))
+}
+
+fn is_there(run: &Run<'_>, id: ObjectId) -> bool {
+    match id {
+        ObjectId::Body(id) => run.simulator.body(id).is_some(),
+        ObjectId::Geom(id) => run.simulator.geom(id).is_some(),
+        ObjectId::Joint(id) => run.simulator.joint(id).is_some(),
+        ObjectId::Spring(id) => run.simulator.spring(id).is_some(),
+        ObjectId::Controller(id) => run.simulator.controller(id).is_some(),
+        _ => false,
     }
 }
 
-/// Sets the enabled flag of a body, the only thing built so far that has one.
+/// Sets the enabled flag of a thing that has one.
 fn enable(run: &mut Run<'_>, target: Target, index: usize, enabled: bool, at: At<'_>) -> Result<()> {
-    match thing(run, target, index, at)? {
-        Some(Thing::Body(id)) => {
-            if let Some(body) = run.simulator.body_mut(id) {
-                body.set_enabled(enabled);
-            }
-            Ok(())
-        }
-        Some(Thing::Geom(_)) => Err(SceneError::format(at.key("target"), "a geom has no enabled flag")),
-        None => Ok(()),
+    let Some(thing) = thing(run, target, index, at)? else { return Ok(()) };
+    let simulator = &mut run.simulator;
+    match thing {
+        ObjectId::Body(id) => simulator[id].set_enabled(enabled),
+        ObjectId::Joint(id) => simulator[id].set_enabled(enabled),
+        ObjectId::Spring(id) => simulator[id].set_enabled(enabled),
+        ObjectId::Controller(id) => simulator[id].set_enabled(enabled),
+        _ => return Err(SceneError::format(at.key("target"), "a geom has no enabled flag")),
     }
+    Ok(())
 }
 
 /// Logs which geoms are at a point.
@@ -201,13 +245,6 @@ fn query(run: &mut Run<'_>, point: Vector2) -> Result<()> {
     let all = run.simulator.collide_all(point).into_iter().map(|geom| run.log.number(geom)).collect();
     run.log.event(Event::Query { first, all });
     Ok(())
-}
-
-/// The error for an operation that needs a feature; which one, the operation knows.
-fn not_built(op: &Op, at: At<'_>) -> SceneError {
-    let mut features = Features::default();
-    op.feature().into_iter().for_each(|feature| features.insert(feature));
-    SceneError::new(at, Reason::NotBuilt(features))
 }
 
 impl Op {

@@ -1,6 +1,6 @@
 //! What can be wrong with a scene: in which file, where in it, and why.
 
-use super::{At, Features};
+use super::At;
 
 /// Why a scene cannot be read, built or driven.
 #[derive(Debug)]
@@ -42,9 +42,6 @@ pub enum Reason {
     /// The engine refused it.
     #[error("{0}")]
     Refused(#[from] farseer_core::Error),
-    /// The scene uses something this version of the engine does not have.
-    #[error("needs {0}, which the engine does not have")]
-    NotBuilt(Features),
 }
 
 impl SceneError {

@@ -1,0 +1,136 @@
+//! Poses of bodies between two updates, for smooth pictures.
+
+use crate::body::{Body, BodyId};
+use crate::math::Vector2;
+use crate::simulator::PhysicsSimulator;
+
+/// Where a body is drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InterpolatedPose {
+    /// Position of the body's origin, in the user's length unit.
+    pub position: Vector2,
+    /// [Total rotation](Body::total_rotation) in radians: not limited to one turn.
+    pub rotation: f32,
+}
+
+impl InterpolatedPose {
+    fn of(body: &Body) -> Self {
+        InterpolatedPose { position: body.position(), rotation: body.total_rotation() }
+    }
+}
+
+/// Remembers where bodies were after the last two updates and tells where they are in between.
+///
+/// A game that draws more often than it updates shows bodies a fraction of an update late, but moving smoothly.
+/// The simulation itself is not touched.
+///
+/// ```
+/// use farseer_core::{BodyFactory, BodyInterpolation, PhysicsSimulator, math::Vector2};
+///
+/// let mut simulator = PhysicsSimulator::default();
+/// let body = BodyFactory::create_circle_body_in(&mut simulator, 10.0, 1.0)?;
+/// simulator[body].set_linear_velocity(Vector2::new(100.0, 0.0));
+///
+/// let mut interpolation = BodyInterpolation::new();
+/// for _ in 0..2 {
+///     simulator.update(0.01);
+///     interpolation.remember(&simulator);
+/// }
+/// // The body went from x = 1 to x = 2; a quarter of the next update's time has passed.
+/// let pose = interpolation.pose(body, 0.25).unwrap();
+/// assert!((pose.position.x - 1.25).abs() < 0.001);
+/// # Ok::<(), farseer_core::Error>(())
+/// ```
+#[derive(Debug, Clone, Default)]
+pub struct BodyInterpolation {
+    /// By slot of the body.
+    tracks: Vec<Option<Track>>,
+    /// Counts the updates that were remembered.
+    update: u64,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Track {
+    body: BodyId,
+    before: InterpolatedPose,
+    after: InterpolatedPose,
+    /// The last update that had the body in its list.
+    update: u64,
+    /// The next pose is not to be reached by a smooth way.
+    jumps: bool,
+}
+
+impl BodyInterpolation {
+    /// Remembers nothing yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Takes the poses of the [listed](PhysicsSimulator::body_list) bodies; to be called after **every** update. Bodies
+    /// that were not there after the update before are drawn where they are. Allocates only when there are more bodies
+    /// than ever before.
+    pub fn remember(&mut self, simulator: &PhysicsSimulator) {
+        let last = self.update;
+        self.update += 1;
+        for &id in simulator.body_list() {
+            let Some(body) = simulator.body(id) else { continue };
+            if id.slot() >= self.tracks.len() {
+                self.tracks.resize(id.slot() + 1, None);
+            }
+            let after = InterpolatedPose::of(body);
+            let track = &mut self.tracks[id.slot()];
+            let before = match track {
+                Some(track) if track.body == id && track.update == last && !track.jumps => track.after,
+                _ => after,
+            };
+            *track = Some(Track { body: id, before, after, update: self.update, jumps: false });
+        }
+    }
+
+    /// Lets a body jump: between its present pose and that after the next update nothing is drawn. For bodies that a
+    /// game puts elsewhere; other bodies that it moves by hand glide.
+    pub fn mark_teleport(&mut self, body: BodyId) {
+        if let Some(track) = self.track_mut(body) {
+            track.jumps = true;
+        }
+    }
+
+    /// Where a body is drawn when this part of the next update's time has passed:
+    /// [`FixedStepClock::interpolation`](crate::FixedStepClock::interpolation). 0 is the pose after the last update but
+    /// one, 1 the present one; other numbers count as the nearer of both, NaN as 1. `None` for bodies that were not
+    /// listed after the last update.
+    pub fn pose(&self, body: BodyId, fraction: f32) -> Option<InterpolatedPose> {
+        let track = self.tracks.get(body.slot())?.as_ref()?;
+        if track.body != body || track.update != self.update {
+            return None;
+        }
+        let Track { before, after, .. } = *track;
+        if fraction <= 0.0 {
+            return Some(before);
+        }
+        if fraction >= 1.0 || fraction.is_nan() {
+            return Some(after);
+        }
+        // In double precision, where no difference of two floats is infinite.
+        let between = |from: f32, to: f32| {
+            let (from, to) = (f64::from(from), f64::from(to));
+            (from + (to - from) * f64::from(fraction)) as f32
+        };
+        Some(InterpolatedPose {
+            position: Vector2::new(
+                between(before.position.x, after.position.x),
+                between(before.position.y, after.position.y),
+            ),
+            rotation: between(before.rotation, after.rotation),
+        })
+    }
+
+    /// Forgets everything; for games that load a save.
+    pub fn clear(&mut self) {
+        self.tracks.clear();
+    }
+
+    fn track_mut(&mut self, body: BodyId) -> Option<&mut Track> {
+        self.tracks.get_mut(body.slot())?.as_mut().filter(|track| track.body == body)
+    }
+}

@@ -1,0 +1,22 @@
+//! Getters and setters of numbers that refuse what is not finite.
+
+/// A getter and a checked setter for each field.
+macro_rules! checked_properties {
+    ($($(#[$doc:meta])* $field:ident, $setter:ident;)*) => {$(
+        $(#[$doc])*
+        #[inline]
+        pub fn $field(&self) -> f32 {
+            self.$field
+        }
+
+        #[doc = concat!("Sets [`", stringify!($field), "`](Self::", stringify!($field), ").")]
+        ///
+        /// # Errors
+        /// What is not finite.
+        pub fn $setter(&mut self, value: f32) -> $crate::error::Result<()> {
+            self.$field = $crate::error::finite(stringify!($field), value)?;
+            Ok(())
+        }
+    )*};
+}
+pub(crate) use checked_properties;

@@ -1,0 +1,86 @@
+//! Regions that hold a fluid (behaviour chapter 12, section 4).
+
+use serde::{Deserialize, Serialize};
+
+use super::ControllerId;
+use crate::error::{Result, finite_vector};
+use crate::math::Vector2;
+use crate::shape::Aabb;
+
+/// A region that holds a fluid.
+#[doc(alias = "IFluidContainer")]
+pub trait FluidContainer {
+    /// Whether a box may reach into the fluid. Geoms whose box does not are passed over.
+    #[doc(alias = "Intersect")]
+    fn intersect(&self, aabb: &Aabb) -> bool;
+
+    /// Whether a point of the world is in the fluid.
+    #[doc(alias = "Contains")]
+    fn contains(&mut self, point: Vector2) -> bool;
+}
+
+/// A box full of fluid.
+#[doc(alias = "AABBFluidContainer")]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct AabbFluidContainer {
+    aabb: Aabb,
+}
+
+impl AabbFluidContainer {
+    /// Fills a box. The default is the zero box.
+    ///
+    /// # Errors
+    /// What is not finite.
+    pub fn new(aabb: Aabb) -> Result<Self> {
+        let mut container = AabbFluidContainer::default();
+        container.set_aabb(aabb)?;
+        Ok(container)
+    }
+
+    /// The box.
+    #[doc(alias = "AABB")]
+    pub fn aabb(&self) -> Aabb {
+        self.aabb
+    }
+
+    /// Sets the box.
+    ///
+    /// # Errors
+    /// What is not finite.
+    pub fn set_aabb(&mut self, aabb: Aabb) -> Result<()> {
+        finite_vector("aabb", aabb.min)?;
+        finite_vector("aabb", aabb.max)?;
+        self.aabb = aabb;
+        Ok(())
+    }
+
+    pub(super) fn is_valid(&self) -> bool {
+        AabbFluidContainer::new(self.aabb).is_ok()
+    }
+}
+
+impl FluidContainer for AabbFluidContainer {
+    /// Touching counts.
+    fn intersect(&self, aabb: &Aabb) -> bool {
+        Aabb::intersect(aabb, &self.aabb)
+    }
+
+    /// Inside means more than 0.00001 from every side.
+    fn contains(&mut self, point: Vector2) -> bool {
+        self.aabb.contains(point)
+    }
+}
+
+/// Where the fluid of a [`FluidDragController`](super::FluidDragController) is.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub enum FluidContainerRef {
+    /// In a box.
+    Aabb(AabbFluidContainer),
+    /// Below the surface of a [`WaveController`](super::WaveController) of the same simulator, which need not be
+    /// added.
+    Wave(ControllerId),
+    /// Where a [`FluidContainer`] of the game says, which
+    /// [`EventHandler::fluid_container`](crate::EventHandler::fluid_container) hands in.
+    UserDefined,
+}

@@ -1,0 +1,173 @@
+//! Attraction by points and bodies (behaviour chapter 12, section 7).
+
+use serde::{Deserialize, Serialize};
+
+use crate::arena::Arena;
+use crate::body::{Body, BodyId};
+use crate::body_entry::BodyEntry;
+use crate::error::{Result, finite, finite_vector};
+use crate::math::{Vector2, vector2};
+
+/// How attraction falls off with the distance.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub enum GravityType {
+    /// With its square.
+    DistanceSquared,
+    /// With the distance itself.
+    #[default]
+    Linear,
+}
+
+/// Lets points and bodies attract every body of the simulation that does not ignore gravity.
+///
+/// A source at distance d, at most the radius, accelerates a body by strength / d or strength / d^2. The mass of the
+/// source does not matter, and the source feels no reaction. A body exactly at a source feels nothing of it, which is
+/// reported as [`Event::ControllerNotFinite`](crate::Event::ControllerNotFinite); in the original its force is NaN.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct GravityController {
+    bodies: Vec<BodyId>,
+    points: Vec<Vector2>,
+    strength: f32,
+    radius: f32,
+    gravity_type: GravityType,
+}
+
+impl GravityController {
+    /// Bodies and points that attract [linearly](GravityType::Linear), within `radius`, with `strength` at distance 1.
+    /// The bodies need not be in the simulation; disposed ones are forgotten.
+    ///
+    /// # Errors
+    /// Numbers that are not finite.
+    #[doc(alias = "GravityController(PhysicsSimulator, List<Body>, List<Vector2>, float, float)")]
+    pub fn new(bodies: Vec<BodyId>, points: Vec<Vector2>, strength: f32, radius: f32) -> Result<Self> {
+        let mut controller = GravityController {
+            bodies,
+            points: Vec::new(),
+            strength: finite("strength", strength)?,
+            radius: finite("radius", radius)?,
+            gravity_type: GravityType::Linear,
+        };
+        controller.set_point_list(points)?;
+        Ok(controller)
+    }
+
+    /// [`new`](Self::new) without points.
+    ///
+    /// # Errors
+    /// Numbers that are not finite.
+    #[doc(alias = "GravityController(PhysicsSimulator, List<Body>, float, float)")]
+    pub fn with_bodies(bodies: Vec<BodyId>, strength: f32, radius: f32) -> Result<Self> {
+        GravityController::new(bodies, Vec::new(), strength, radius)
+    }
+
+    /// [`new`](Self::new) without bodies.
+    ///
+    /// # Errors
+    /// Numbers that are not finite.
+    #[doc(alias = "GravityController(PhysicsSimulator, List<Vector2>, float, float)")]
+    pub fn with_points(points: Vec<Vector2>, strength: f32, radius: f32) -> Result<Self> {
+        GravityController::new(Vec::new(), points, strength, radius)
+    }
+
+    /// How attraction falls off. Default [`GravityType::Linear`].
+    #[doc(alias = "GravityType")]
+    pub fn gravity_type(&self) -> GravityType {
+        self.gravity_type
+    }
+
+    /// Sets how attraction falls off; the strength stays what it is.
+    pub fn set_gravity_type(&mut self, gravity_type: GravityType) {
+        self.gravity_type = gravity_type;
+    }
+
+    /// The bodies that attract, in the order in which they do.
+    #[doc(alias = "BodyList")]
+    pub fn body_list(&self) -> &[BodyId] {
+        &self.bodies
+    }
+
+    /// Replaces the bodies that attract. One that is named twice attracts twice.
+    pub fn set_body_list(&mut self, bodies: Vec<BodyId>) {
+        self.bodies = bodies;
+    }
+
+    /// The points that attract, in the order in which they do, after the bodies.
+    #[doc(alias = "PointList")]
+    pub fn point_list(&self) -> &[Vector2] {
+        &self.points
+    }
+
+    /// Replaces the points that attract.
+    ///
+    /// # Errors
+    /// A point that is not finite.
+    pub fn set_point_list(&mut self, points: Vec<Vector2>) -> Result<()> {
+        for &point in &points {
+            finite_vector("points", point)?;
+        }
+        self.points = points;
+        Ok(())
+    }
+
+    /// Acceleration at distance 1, in units per square second.
+    pub fn strength(&self) -> f32 {
+        self.strength
+    }
+
+    /// Greatest distance at which a source attracts.
+    pub fn radius(&self) -> f32 {
+        self.radius
+    }
+
+    /// Lets every source pull every listed body; forgets bodies that are gone. Answers whether all forces were finite.
+    pub(crate) fn update(&mut self, list: &[BodyId], bodies: &mut Arena<BodyEntry>) -> bool {
+        self.bodies.retain(|&source| bodies.contains(source));
+        let mut all_finite = true;
+        for &id in list {
+            let BodyEntry { body, is_disposed, .. } = &bodies[id];
+            if *is_disposed || !body.enabled() || body.ignore_gravity() {
+                continue;
+            }
+            let is_static = body.is_static();
+            for &source in &self.bodies {
+                let BodyEntry { body, is_disposed, .. } = &bodies[source];
+                let is_idle = *is_disposed || !body.enabled() || (is_static && body.is_static());
+                if source != id && !is_idle {
+                    let position = body.position();
+                    all_finite &= self.pull(&mut bodies[id].body, position);
+                }
+            }
+            for &point in &self.points {
+                all_finite &= self.pull(&mut bodies[id].body, point);
+            }
+        }
+        all_finite
+    }
+
+    /// Lets a source pull a body. Answers false, and pulls not, if the body's force would not be finite then.
+    fn pull(&self, body: &mut Body, source: Vector2) -> bool {
+        let difference = source - body.position();
+        let distance = vector2::length(difference);
+        let direction = difference * (1.0 / distance);
+        if distance > self.radius {
+            return true;
+        }
+        let fall_off = match self.gravity_type {
+            GravityType::DistanceSquared => 1.0 / (distance * distance),
+            GravityType::Linear => 1.0 / distance,
+        };
+        let force = direction * self.strength * fall_off * body.mass();
+        let sum = body.force() + force;
+        let is_finite = sum.x.is_finite() && sum.y.is_finite();
+        if is_finite {
+            body.apply_force(force);
+        }
+        is_finite
+    }
+
+    pub(super) fn is_valid(&self) -> bool {
+        self.strength.is_finite()
+            && self.radius.is_finite()
+            && self.points.iter().all(|point| point.x.is_finite() && point.y.is_finite())
+    }
+}

@@ -1,0 +1,107 @@
+//! Sleep and waking by distance (behaviour chapter 12, section 8).
+
+use serde::{Deserialize, Serialize};
+
+use crate::arena::Arena;
+use crate::body::{Body, BodyId};
+use crate::body_entry::BodyEntry;
+use crate::checked_properties::checked_properties;
+use crate::math::vector2;
+
+/// Disables bodies that have been slow for long, and enables them again when a body comes near that moves.
+///
+/// Only bodies with [`is_auto_idle`](Body::is_auto_idle) are disabled or woken. What wakes them is every enabled body
+/// that is not static and [moves](Body::moves) **or is not auto-idle**: a resting crate with the default settings
+/// keeps all auto-idle bodies around it awake, as in the original. A disabled body keeps its velocity and goes on
+/// with it when it is woken.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct InactivityController {
+    activation_distance: f32,
+    max_idle_time: f32,
+    bodies_enabled: u32,
+}
+
+impl Default for InactivityController {
+    fn default() -> Self {
+        InactivityController::new()
+    }
+}
+
+impl InactivityController {
+    /// With an activation distance of 100 and a maximal idle time of 1000 ms.
+    #[doc(alias = "InactivityController(PhysicsSimulator)")]
+    pub fn new() -> Self {
+        InactivityController { activation_distance: 100.0, max_idle_time: 1000.0, bodies_enabled: 0 }
+    }
+
+    checked_properties! {
+        /// Distance of bodies' origins up to which they wake each other, in the user's length unit. Default 100;
+        /// with a negative one nothing is woken.
+        #[doc(alias = "ActivationDistance")]
+        activation_distance, set_activation_distance;
+        /// Milliseconds a body may be slow before it is disabled. Default 1000.
+        #[doc(alias = "MaxIdleTime")]
+        max_idle_time, set_max_idle_time;
+    }
+
+    /// Number of bodies, without static ones, that were found enabled in the last update. A body counts that was
+    /// woken by one before it in the list, and one that was disabled in that update.
+    #[doc(alias = "BodiesEnabled")]
+    pub fn bodies_enabled(&self) -> u32 {
+        self.bodies_enabled
+    }
+
+    /// Whether two bodies are near enough for one to wake the other.
+    #[doc(alias = "IsInActivationDistance")]
+    pub fn is_in_activation_distance(&self, body1: &Body, body2: &Body) -> bool {
+        vector2::length(body1.position() - body2.position()) <= self.activation_distance
+    }
+
+    /// One pass over the listed bodies. Answers false if an idle time would not have been finite; that body keeps what
+    /// it had.
+    pub(crate) fn update(&mut self, dt: f32, list: &[BodyId], bodies: &mut Arena<BodyEntry>) -> bool {
+        let milliseconds = dt * 1000.0;
+        let mut all_finite = true;
+        self.bodies_enabled = 0;
+        for &id in list {
+            let body = &mut bodies[id].body;
+            if !body.is_integrated() {
+                continue;
+            }
+            self.bodies_enabled += 1;
+            if body.moves() || !body.is_auto_idle() {
+                body.set_idle_time(0.0);
+                self.wake_around(id, list, bodies);
+                continue;
+            }
+            let idle_time = body.idle_time() + milliseconds;
+            if !idle_time.is_finite() {
+                all_finite = false;
+                continue;
+            }
+            body.set_idle_time(idle_time);
+            if idle_time >= self.max_idle_time {
+                body.set_enabled(false);
+            }
+        }
+        all_finite
+    }
+
+    fn wake_around(&self, waking: BodyId, list: &[BodyId], bodies: &mut Arena<BodyEntry>) {
+        for &id in list {
+            let body = &bodies[id].body;
+            let wakes = !body.enabled()
+                && body.is_auto_idle()
+                && self.is_in_activation_distance(&bodies[waking].body, body);
+            if wakes {
+                let body = &mut bodies[id].body;
+                body.set_enabled(true);
+                body.set_idle_time(0.0);
+            }
+        }
+    }
+
+    pub(super) fn is_valid(&self) -> bool {
+        self.activation_distance.is_finite() && self.max_idle_time.is_finite()
+    }
+}

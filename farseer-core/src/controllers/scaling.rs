@@ -1,0 +1,156 @@
+//! A time step that grows when the machine is slow (behaviour chapter 12, section 9).
+
+use serde::{Deserialize, Serialize};
+
+use crate::error::{Result, finite};
+
+/// Computes how long the next step should be. It changes nothing by itself: the game asks
+/// [`get_update_interval`](Self::get_update_interval) once per frame and steps the simulator by the answer, unless
+/// that is 0.
+///
+/// The interval is the preferred one plus a penalty. Added to a simulator, it raises the penalty after updates that
+/// took longer than the interval and lowers it after others; real time comes from
+/// [`update_with_real_time`](crate::PhysicsSimulator::update_with_real_time). It then collects time itself: a game
+/// that also asks the same controller has that time counted twice, as in the original.
+///
+/// ```
+/// use farseer_core::ScalingController;
+/// let mut scaling = ScalingController::new(0.02, 0.05)?;
+/// assert_eq!(scaling.get_update_interval(0.015), 0.0);
+/// assert_eq!(scaling.get_update_interval(0.015), 0.03);
+/// # Ok::<(), farseer_core::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ScalingController {
+    is_enabled: bool,
+    preferred: f32,
+    maximum: f32,
+    penalty: f32,
+    elapsed: f32,
+}
+
+impl ScalingController {
+    /// Steps of `preferred_update_interval` seconds while the machine keeps up. 0 and less switch collecting off.
+    /// Nothing checks that the maximum is greater, as in the original.
+    ///
+    /// # Errors
+    /// What is not finite.
+    #[doc(alias = "ScalingController(float, float)")]
+    pub fn new(preferred_update_interval: f32, maximum_update_interval: f32) -> Result<Self> {
+        Ok(ScalingController {
+            is_enabled: true,
+            preferred: finite("preferred_update_interval", preferred_update_interval)?,
+            maximum: finite("maximum_update_interval", maximum_update_interval)?,
+            penalty: 0.0,
+            elapsed: 0.0,
+        })
+    }
+
+    /// Whether time is collected. Default true. The same as [`Controller::enabled`](super::Controller::enabled).
+    #[doc(alias = "Enabled")]
+    pub fn enabled(&self) -> bool {
+        self.is_enabled
+    }
+
+    /// Lets time be collected, or handed on as it comes.
+    pub fn set_enabled(&mut self, enabled: bool) {
+        self.is_enabled = enabled;
+    }
+
+    /// The interval in seconds: the preferred one plus the penalty.
+    #[doc(alias = "UpdateInterval")]
+    pub fn update_interval(&self) -> f32 {
+        self.preferred + self.penalty
+    }
+
+    /// Sets the preferred interval in seconds, and the maximum if that is less. The penalty stays, so that
+    /// [`update_interval`](Self::update_interval) may answer more.
+    ///
+    /// # Errors
+    /// What is not finite.
+    pub fn set_update_interval(&mut self, value: f32) -> Result<()> {
+        self.preferred = finite("update_interval", value)?;
+        if self.preferred > self.maximum {
+            self.maximum = self.preferred;
+        }
+        Ok(())
+    }
+
+    /// What limits the penalty, in seconds. It does **not** limit the interval, which may exceed it by the preferred
+    /// interval, as in the original.
+    #[doc(alias = "MaximumUpdateInterval")]
+    pub fn maximum_update_interval(&self) -> f32 {
+        self.maximum
+    }
+
+    /// Sets the maximum in seconds. What is not greater than the preferred interval is silently ignored, as in the
+    /// original.
+    ///
+    /// # Errors
+    /// What is not finite.
+    pub fn set_maximum_update_interval(&mut self, value: f32) -> Result<()> {
+        let value = finite("maximum_update_interval", value)?;
+        if value > self.preferred {
+            self.maximum = value;
+        }
+        Ok(())
+    }
+
+    /// Collects `dt` seconds and answers how long to step now: 0 until an interval is full, then all that was
+    /// collected. Without collecting it answers `dt`.
+    ///
+    /// Given what is not finite it changes nothing and answers 0.
+    #[doc(alias = "GetUpdateInterval")]
+    pub fn get_update_interval(&mut self, dt: f32) -> f32 {
+        let elapsed = self.elapsed + dt;
+        if !dt.is_finite() || !elapsed.is_finite() {
+            return 0.0;
+        }
+        if !(self.preferred > 0.0 && self.is_enabled) {
+            return dt;
+        }
+        self.elapsed = elapsed;
+        if elapsed < self.update_interval() {
+            return 0.0;
+        }
+        std::mem::replace(&mut self.elapsed, 0.0)
+    }
+
+    /// Raises the penalty by a quarter of the preferred interval, unless it would exceed the maximum.
+    #[doc(alias = "IncreaseUpdateInterval")]
+    pub fn increase_update_interval(&mut self) {
+        let penalty = self.penalty + self.preferred / 4.0;
+        if penalty <= self.maximum && penalty.is_finite() {
+            self.penalty = penalty;
+        }
+    }
+
+    /// Lowers the penalty by an eighth of the preferred interval, to 0 at least.
+    #[doc(alias = "DecreaseUpdateInterval")]
+    pub fn decrease_update_interval(&mut self) {
+        let penalty = self.penalty - self.preferred / 8.0;
+        if penalty < 0.0 {
+            self.penalty = 0.0;
+        } else if penalty.is_finite() {
+            self.penalty = penalty;
+        }
+    }
+
+    /// Collects `dt` seconds. When an interval is full, the penalty is raised if `dt_real` is more than the interval,
+    /// and lowered if not. The simulator does this in its updates.
+    #[doc(alias = "Update")]
+    pub fn update(&mut self, dt: f32, dt_real: f32) {
+        if self.get_update_interval(dt) == 0.0 {
+            return;
+        }
+        if self.update_interval() < dt_real {
+            self.increase_update_interval();
+        } else {
+            self.decrease_update_interval();
+        }
+    }
+
+    pub(super) fn is_valid(&self) -> bool {
+        [self.preferred, self.maximum, self.penalty, self.elapsed].iter().all(|number| number.is_finite())
+    }
+}

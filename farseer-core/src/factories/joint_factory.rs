@@ -1,0 +1,338 @@
+//! Joints between bodies, and between bodies and the world (behaviour chapter 13, section 4).
+
+use crate::body::{Body, BodyId};
+use crate::joints::{
+    AngleJoint, AngleLimitJoint, FixedAngleJoint, FixedAngleLimitJoint, FixedRevoluteJoint, JointId,
+    PinJoint, RevoluteJoint, SliderJoint, WeldJoint,
+};
+use crate::math::Vector2;
+use crate::simulator::PhysicsSimulator;
+use crate::{Error, Result};
+
+/// Makes joints. Anchors and angles are taken from where the bodies are now, so place the bodies first.
+///
+/// Lengths are in the user's unit, angles in radians.
+#[derive(Debug, Clone, Copy)]
+pub struct JointFactory;
+
+impl JointFactory {
+    /// Two bodies that turn about a common point of the world.
+    ///
+    /// Joints take anchors and angles from where the bodies are now: place bodies first.
+    ///
+    /// # Errors
+    /// A stale body; a position that is not finite.
+    #[doc(alias = "CreateRevoluteJoint")]
+    pub fn create_revolute_joint(
+        simulator: &mut PhysicsSimulator,
+        body1: BodyId,
+        body2: BodyId,
+        initial_anchor_position: Vector2,
+    ) -> Result<JointId> {
+        let (first, second) = (find(simulator, "body1", body1)?, find(simulator, "body2", body2)?);
+        let joint = RevoluteJoint::new(first, second, initial_anchor_position)?;
+        simulator.create_joint(joint)
+    }
+
+    /// [`create_revolute_joint`](Self::create_revolute_joint), added to the simulator.
+    ///
+    /// # Errors
+    /// As the plain method.
+    pub fn create_revolute_joint_in(
+        simulator: &mut PhysicsSimulator,
+        body1: BodyId,
+        body2: BodyId,
+        initial_anchor_position: Vector2,
+    ) -> Result<JointId> {
+        let joint = Self::create_revolute_joint(simulator, body1, body2, initial_anchor_position)?;
+        add(simulator, joint)
+    }
+
+    /// A body that turns about a point of the world. If the body is static now the joint is disabled, and stays so when
+    /// the body becomes dynamic, as in the original.
+    ///
+    /// # Errors
+    /// A stale body; an anchor that is not finite.
+    #[doc(alias = "CreateFixedRevoluteJoint")]
+    pub fn create_fixed_revolute_joint(
+        simulator: &mut PhysicsSimulator,
+        body: BodyId,
+        anchor: Vector2,
+    ) -> Result<JointId> {
+        let held = find(simulator, "body", body)?;
+        let is_static = held.1.is_static();
+        let mut joint = FixedRevoluteJoint::new(held, anchor)?;
+        if is_static {
+            joint.set_enabled(false);
+        }
+        simulator.create_joint(joint)
+    }
+
+    /// [`create_fixed_revolute_joint`](Self::create_fixed_revolute_joint), added to the simulator.
+    ///
+    /// # Errors
+    /// As the plain method.
+    pub fn create_fixed_revolute_joint_in(
+        simulator: &mut PhysicsSimulator,
+        body: BodyId,
+        anchor: Vector2,
+    ) -> Result<JointId> {
+        let joint = Self::create_fixed_revolute_joint(simulator, body, anchor)?;
+        add(simulator, joint)
+    }
+
+    /// Two anchors, each in the coordinates of its body, that stay as far apart as they are now.
+    ///
+    /// # Errors
+    /// A stale body; an anchor that is not finite; anchors too far apart for a finite distance.
+    #[doc(alias = "CreatePinJoint")]
+    pub fn create_pin_joint(
+        simulator: &mut PhysicsSimulator,
+        body1: BodyId,
+        anchor1: Vector2,
+        body2: BodyId,
+        anchor2: Vector2,
+    ) -> Result<JointId> {
+        let (first, second) = (find(simulator, "body1", body1)?, find(simulator, "body2", body2)?);
+        let joint = PinJoint::new(first, anchor1, second, anchor2)?;
+        simulator.create_joint(joint)
+    }
+
+    /// [`create_pin_joint`](Self::create_pin_joint), added to the simulator.
+    ///
+    /// # Errors
+    /// As the plain method.
+    pub fn create_pin_joint_in(
+        simulator: &mut PhysicsSimulator,
+        body1: BodyId,
+        anchor1: Vector2,
+        body2: BodyId,
+        anchor2: Vector2,
+    ) -> Result<JointId> {
+        let joint = Self::create_pin_joint(simulator, body1, anchor1, body2, anchor2)?;
+        add(simulator, joint)
+    }
+
+    /// Two anchors, each in the coordinates of its body, whose distance stays from `min` to `max`.
+    ///
+    /// # Errors
+    /// A stale body; what is not finite.
+    #[doc(alias = "CreateSliderJoint")]
+    pub fn create_slider_joint(
+        simulator: &mut PhysicsSimulator,
+        body1: BodyId,
+        anchor1: Vector2,
+        body2: BodyId,
+        anchor2: Vector2,
+        min: f32,
+        max: f32,
+    ) -> Result<JointId> {
+        let (first, second) = (find(simulator, "body1", body1)?, find(simulator, "body2", body2)?);
+        let joint = SliderJoint::new(first, anchor1, second, anchor2, min, max)?;
+        simulator.create_joint(joint)
+    }
+
+    /// [`create_slider_joint`](Self::create_slider_joint), added to the simulator.
+    ///
+    /// # Errors
+    /// As the plain method.
+    pub fn create_slider_joint_in(
+        simulator: &mut PhysicsSimulator,
+        body1: BodyId,
+        anchor1: Vector2,
+        body2: BodyId,
+        anchor2: Vector2,
+        min: f32,
+        max: f32,
+    ) -> Result<JointId> {
+        let joint = Self::create_slider_joint(simulator, body1, anchor1, body2, anchor2, min, max)?;
+        add(simulator, joint)
+    }
+
+    /// Two bodies at the same total rotation. The target angle is 0 whatever the angle is now; see
+    /// [`AngleJoint::set_target_angle`].
+    ///
+    /// # Errors
+    /// A stale body.
+    #[doc(alias = "CreateAngleJoint")]
+    pub fn create_angle_joint(
+        simulator: &mut PhysicsSimulator,
+        body1: BodyId,
+        body2: BodyId,
+    ) -> Result<JointId> {
+        let (first, second) = (find(simulator, "body1", body1)?, find(simulator, "body2", body2)?);
+        let joint = AngleJoint::new(first, second, 0.0)?;
+        simulator.create_joint(joint)
+    }
+
+    /// [`create_angle_joint`](Self::create_angle_joint), added to the simulator.
+    ///
+    /// # Errors
+    /// As the plain method.
+    pub fn create_angle_joint_in(
+        simulator: &mut PhysicsSimulator,
+        body1: BodyId,
+        body2: BodyId,
+    ) -> Result<JointId> {
+        let joint = Self::create_angle_joint(simulator, body1, body2)?;
+        add(simulator, joint)
+    }
+
+    /// [`create_angle_joint`](Self::create_angle_joint) with a softness and a bias factor.
+    ///
+    /// # Errors
+    /// A stale body; what is not finite.
+    #[doc(alias = "CreateAngleJoint(Body, Body, float, float)")]
+    pub fn create_angle_joint_with(
+        simulator: &mut PhysicsSimulator,
+        body1: BodyId,
+        body2: BodyId,
+        softness: f32,
+        bias_factor: f32,
+    ) -> Result<JointId> {
+        let (first, second) = (find(simulator, "body1", body1)?, find(simulator, "body2", body2)?);
+        let mut joint = AngleJoint::new(first, second, 0.0)?;
+        joint.set_softness(softness)?;
+        joint.set_bias_factor(bias_factor)?;
+        simulator.create_joint(joint)
+    }
+
+    /// [`create_angle_joint_with`](Self::create_angle_joint_with), added to the simulator.
+    ///
+    /// # Errors
+    /// As the plain method.
+    pub fn create_angle_joint_with_in(
+        simulator: &mut PhysicsSimulator,
+        body1: BodyId,
+        body2: BodyId,
+        softness: f32,
+        bias_factor: f32,
+    ) -> Result<JointId> {
+        let joint = Self::create_angle_joint_with(simulator, body1, body2, softness, bias_factor)?;
+        add(simulator, joint)
+    }
+
+    /// A body at total rotation 0; see [`FixedAngleJoint::set_target_angle`].
+    ///
+    /// # Errors
+    /// A stale body.
+    #[doc(alias = "CreateFixedAngleJoint")]
+    pub fn create_fixed_angle_joint(simulator: &mut PhysicsSimulator, body: BodyId) -> Result<JointId> {
+        let joint = FixedAngleJoint::new(find(simulator, "body", body)?, 0.0)?;
+        simulator.create_joint(joint)
+    }
+
+    /// [`create_fixed_angle_joint`](Self::create_fixed_angle_joint), added to the simulator.
+    ///
+    /// # Errors
+    /// As the plain method.
+    pub fn create_fixed_angle_joint_in(simulator: &mut PhysicsSimulator, body: BodyId) -> Result<JointId> {
+        let joint = Self::create_fixed_angle_joint(simulator, body)?;
+        add(simulator, joint)
+    }
+
+    /// Two bodies whose total rotations differ by `min` to `max` radians.
+    ///
+    /// # Errors
+    /// A stale body; what is not finite.
+    #[doc(alias = "CreateAngleLimitJoint")]
+    pub fn create_angle_limit_joint(
+        simulator: &mut PhysicsSimulator,
+        body1: BodyId,
+        body2: BodyId,
+        min: f32,
+        max: f32,
+    ) -> Result<JointId> {
+        let (first, second) = (find(simulator, "body1", body1)?, find(simulator, "body2", body2)?);
+        let joint = AngleLimitJoint::new(first, second, min, max)?;
+        simulator.create_joint(joint)
+    }
+
+    /// [`create_angle_limit_joint`](Self::create_angle_limit_joint), added to the simulator.
+    ///
+    /// # Errors
+    /// As the plain method.
+    pub fn create_angle_limit_joint_in(
+        simulator: &mut PhysicsSimulator,
+        body1: BodyId,
+        body2: BodyId,
+        min: f32,
+        max: f32,
+    ) -> Result<JointId> {
+        let joint = Self::create_angle_limit_joint(simulator, body1, body2, min, max)?;
+        add(simulator, joint)
+    }
+
+    /// A body whose total rotation stays from `min` to `max` radians.
+    ///
+    /// # Errors
+    /// A stale body; what is not finite.
+    #[doc(alias = "CreateFixedAngleLimitJoint")]
+    pub fn create_fixed_angle_limit_joint(
+        simulator: &mut PhysicsSimulator,
+        body: BodyId,
+        min: f32,
+        max: f32,
+    ) -> Result<JointId> {
+        let joint = FixedAngleLimitJoint::new(find(simulator, "body", body)?, min, max)?;
+        simulator.create_joint(joint)
+    }
+
+    /// [`create_fixed_angle_limit_joint`](Self::create_fixed_angle_limit_joint), added to the simulator.
+    ///
+    /// # Errors
+    /// As the plain method.
+    pub fn create_fixed_angle_limit_joint_in(
+        simulator: &mut PhysicsSimulator,
+        body: BodyId,
+        min: f32,
+        max: f32,
+    ) -> Result<JointId> {
+        let joint = Self::create_fixed_angle_limit_joint(simulator, body, min, max)?;
+        add(simulator, joint)
+    }
+
+    /// Two bodies that share a point of the world and keep the angle they have to each other now. The original has only
+    /// the constructor.
+    ///
+    /// # Errors
+    /// A stale body; what is not finite.
+    #[doc(alias = "WeldJoint(Body, Body, Vector2)")]
+    pub fn create_weld_joint(
+        simulator: &mut PhysicsSimulator,
+        body1: BodyId,
+        body2: BodyId,
+        anchor: Vector2,
+    ) -> Result<JointId> {
+        let (first, second) = (find(simulator, "body1", body1)?, find(simulator, "body2", body2)?);
+        let joint = WeldJoint::new(first, second, anchor)?;
+        simulator.create_joint(joint)
+    }
+
+    /// [`create_weld_joint`](Self::create_weld_joint), added to the simulator.
+    ///
+    /// # Errors
+    /// As the plain method.
+    pub fn create_weld_joint_in(
+        simulator: &mut PhysicsSimulator,
+        body1: BodyId,
+        body2: BodyId,
+        anchor: Vector2,
+    ) -> Result<JointId> {
+        let joint = Self::create_weld_joint(simulator, body1, body2, anchor)?;
+        add(simulator, joint)
+    }
+}
+
+fn find<'a>(
+    simulator: &'a PhysicsSimulator,
+    argument: &'static str,
+    body: BodyId,
+) -> Result<(BodyId, &'a Body)> {
+    simulator.body(body).map(|found| (body, found)).ok_or(Error::StaleId { argument })
+}
+
+fn add(simulator: &mut PhysicsSimulator, joint: JointId) -> Result<JointId> {
+    simulator.add(joint)?;
+    Ok(joint)
+}

@@ -1,0 +1,188 @@
+//! Springs between bodies, and between bodies and the world (behaviour chapter 13, section 5).
+
+use crate::body::{Body, BodyId};
+use crate::math::Vector2;
+use crate::simulator::PhysicsSimulator;
+use crate::springs::{AngleSpring, FixedAngleSpring, FixedLinearSpring, LinearSpring, SpringId};
+use crate::{Error, Result};
+
+/// Makes springs. Rest lengths and angles are taken from where the bodies are now, so place the bodies first.
+///
+/// Forces are mass times length per square second, torques force times length.
+#[derive(Debug, Clone, Copy)]
+pub struct SpringFactory;
+
+impl SpringFactory {
+    /// Forces between two points, each in the coordinates of its body, that are at rest at the distance they have now.
+    ///
+    /// # Errors
+    /// A stale body; what is not finite; points too far apart for a finite distance.
+    #[doc(alias = "CreateLinearSpring")]
+    pub fn create_linear_spring(
+        simulator: &mut PhysicsSimulator,
+        body1: BodyId,
+        attach_point1: Vector2,
+        body2: BodyId,
+        attach_point2: Vector2,
+        spring_constant: f32,
+        damping_constant: f32,
+    ) -> Result<SpringId> {
+        let (first, second) = (find(simulator, "body1", body1)?, find(simulator, "body2", body2)?);
+        let spring = LinearSpring::new(
+            first,
+            attach_point1,
+            second,
+            attach_point2,
+            spring_constant,
+            damping_constant,
+        )?;
+        simulator.create_spring(spring)
+    }
+
+    /// [`create_linear_spring`](Self::create_linear_spring), added to the simulator.
+    ///
+    /// # Errors
+    /// As the plain method.
+    pub fn create_linear_spring_in(
+        simulator: &mut PhysicsSimulator,
+        body1: BodyId,
+        attach_point1: Vector2,
+        body2: BodyId,
+        attach_point2: Vector2,
+        spring_constant: f32,
+        damping_constant: f32,
+    ) -> Result<SpringId> {
+        let spring = Self::create_linear_spring(
+            simulator,
+            body1,
+            attach_point1,
+            body2,
+            attach_point2,
+            spring_constant,
+            damping_constant,
+        )?;
+        add(simulator, spring)
+    }
+
+    /// A force between a point in the body's coordinates and a point of the world, at rest at the distance they have now.
+    ///
+    /// # Errors
+    /// A stale body; what is not finite; points too far apart for a finite distance.
+    #[doc(alias = "CreateFixedLinearSpring")]
+    pub fn create_fixed_linear_spring(
+        simulator: &mut PhysicsSimulator,
+        body: BodyId,
+        body_attach_point: Vector2,
+        world_attach_point: Vector2,
+        spring_constant: f32,
+        damping_constant: f32,
+    ) -> Result<SpringId> {
+        let held = find(simulator, "body", body)?;
+        let spring = FixedLinearSpring::new(
+            held,
+            body_attach_point,
+            world_attach_point,
+            spring_constant,
+            damping_constant,
+        )?;
+        simulator.create_spring(spring)
+    }
+
+    /// [`create_fixed_linear_spring`](Self::create_fixed_linear_spring), added to the simulator.
+    ///
+    /// # Errors
+    /// As the plain method.
+    pub fn create_fixed_linear_spring_in(
+        simulator: &mut PhysicsSimulator,
+        body: BodyId,
+        body_attach_point: Vector2,
+        world_attach_point: Vector2,
+        spring_constant: f32,
+        damping_constant: f32,
+    ) -> Result<SpringId> {
+        let spring = Self::create_fixed_linear_spring(
+            simulator,
+            body,
+            body_attach_point,
+            world_attach_point,
+            spring_constant,
+            damping_constant,
+        )?;
+        add(simulator, spring)
+    }
+
+    /// Torques towards the angle that two bodies have to each other now.
+    ///
+    /// # Errors
+    /// A stale body; what is not finite.
+    #[doc(alias = "CreateAngleSpring")]
+    pub fn create_angle_spring(
+        simulator: &mut PhysicsSimulator,
+        body1: BodyId,
+        body2: BodyId,
+        spring_constant: f32,
+        damping_constant: f32,
+    ) -> Result<SpringId> {
+        let (first, second) = (find(simulator, "body1", body1)?, find(simulator, "body2", body2)?);
+        let spring = AngleSpring::new(first, second, spring_constant, damping_constant)?;
+        simulator.create_spring(spring)
+    }
+
+    /// [`create_angle_spring`](Self::create_angle_spring), added to the simulator.
+    ///
+    /// # Errors
+    /// As the plain method.
+    pub fn create_angle_spring_in(
+        simulator: &mut PhysicsSimulator,
+        body1: BodyId,
+        body2: BodyId,
+        spring_constant: f32,
+        damping_constant: f32,
+    ) -> Result<SpringId> {
+        let spring = Self::create_angle_spring(simulator, body1, body2, spring_constant, damping_constant)?;
+        add(simulator, spring)
+    }
+
+    /// A torque towards the total rotation that the body has now.
+    ///
+    /// # Errors
+    /// A stale body; what is not finite.
+    #[doc(alias = "CreateFixedAngleSpring")]
+    pub fn create_fixed_angle_spring(
+        simulator: &mut PhysicsSimulator,
+        body: BodyId,
+        spring_constant: f32,
+        damping_constant: f32,
+    ) -> Result<SpringId> {
+        let held = find(simulator, "body", body)?;
+        let spring = FixedAngleSpring::new(held, spring_constant, damping_constant)?;
+        simulator.create_spring(spring)
+    }
+
+    /// [`create_fixed_angle_spring`](Self::create_fixed_angle_spring), added to the simulator.
+    ///
+    /// # Errors
+    /// As the plain method.
+    pub fn create_fixed_angle_spring_in(
+        simulator: &mut PhysicsSimulator,
+        body: BodyId,
+        spring_constant: f32,
+        damping_constant: f32,
+    ) -> Result<SpringId> {
+        let spring = Self::create_fixed_angle_spring(simulator, body, spring_constant, damping_constant)?;
+        add(simulator, spring)
+    }
+}
+
+fn find<'a>(
+    simulator: &'a PhysicsSimulator,
+    argument: &'static str,
+    body: BodyId,
+) -> Result<(BodyId, &'a Body)> {
+    simulator.body(body).map(|found| (body, found)).ok_or(Error::StaleId { argument })
+}
+
+fn add(simulator: &mut PhysicsSimulator, spring: SpringId) -> Result<SpringId> {
+    simulator.add(spring)?;
+    Ok(spring)
+}

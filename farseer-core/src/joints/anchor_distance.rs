@@ -1,0 +1,124 @@
+//! Two anchors and the line between them (behaviour chapter 10, section 12).
+
+use serde::{Deserialize, Serialize};
+
+use crate::body::Body;
+use crate::error::{Result, finite_vector};
+use crate::joints::joint_body::{JointBodies, JointPose, is_non_zero};
+use crate::math::Vector2;
+use crate::math::vector2::{cross, dot, length};
+
+/// Two anchors, each in the coordinates of its body, and what acts along the line between them.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(crate) struct AnchorDistance {
+    pub(crate) anchor1: Vector2,
+    pub(crate) anchor2: Vector2,
+    pub(crate) arm1: Vector2,
+    arm2: Vector2,
+    pub(crate) world_anchor1: Vector2,
+    pub(crate) world_anchor2: Vector2,
+    direction: Vector2,
+    pub(crate) effective_mass: f32,
+}
+
+impl AnchorDistance {
+    pub(crate) fn new(anchor1: Vector2, body1: &Body, anchor2: Vector2, body2: &Body) -> Result<Self> {
+        let mut anchors = AnchorDistance {
+            anchor1,
+            anchor2,
+            arm1: Vector2::zeros(),
+            arm2: Vector2::zeros(),
+            world_anchor1: Vector2::zeros(),
+            world_anchor2: Vector2::zeros(),
+            direction: Vector2::zeros(),
+            effective_mass: 0.0,
+        };
+        anchors.set_anchor1(anchor1, body1)?;
+        anchors.set_anchor2(anchor2, body2)?;
+        Ok(anchors)
+    }
+
+    pub(crate) fn set_anchor1(&mut self, anchor: Vector2, body1: &Body) -> Result<()> {
+        let (arm, world) = placed("anchor1", anchor, body1)?;
+        (self.anchor1, self.arm1, self.world_anchor1) = (anchor, arm, world);
+        Ok(())
+    }
+
+    pub(crate) fn set_anchor2(&mut self, anchor: Vector2, body2: &Body) -> Result<()> {
+        let (arm, world) = placed("anchor2", anchor, body2)?;
+        (self.anchor2, self.arm2, self.world_anchor2) = (anchor, arm, world);
+        Ok(())
+    }
+
+    /// Brings the anchors to the poses and answers their distance.
+    #[inline]
+    pub(crate) fn follow(&mut self, poses: &[JointPose; 2]) -> f32 {
+        (self.arm1, self.arm2) = (poses[0].rotate(self.anchor1), poses[1].rotate(self.anchor2));
+        self.world_anchor1 = poses[0].position + self.arm1;
+        self.world_anchor2 = poses[1].position + self.arm2;
+        length(self.world_anchor2 - self.world_anchor1)
+    }
+
+    /// Finds direction and effective mass, then applies the impulse of the last step. Anchors on one spot have
+    /// the direction (0, 0).
+    #[inline]
+    pub(crate) fn prepare(
+        &mut self,
+        distance: f32,
+        softness: f32,
+        accumulated: f32,
+        bodies: &mut JointBodies,
+    ) {
+        let reciprocal = 1.0 / if distance == 0.0 { f32::INFINITY } else { distance };
+        self.direction = (self.world_anchor2 - self.world_anchor1) * reciprocal;
+        let (c1, c2) = (cross(self.arm1, self.direction), cross(self.arm2, self.direction));
+        let (b1, b2) = (bodies.first(), bodies.second());
+        let k =
+            b1.inverse_mass + b2.inverse_mass + b1.inverse_inertia * c1 * c1 + b2.inverse_inertia * c2 * c2;
+        self.effective_mass = 1.0 / (k + softness);
+        self.apply(self.direction * accumulated, bodies);
+    }
+
+    /// Speed with which the anchors part.
+    #[inline]
+    pub(crate) fn speed(&self, bodies: &JointBodies) -> f32 {
+        let relative = bodies.second().velocity_at(self.arm2) - bodies.first().velocity_at(self.arm1);
+        dot(relative, self.direction)
+    }
+
+    /// Applies an impulse along the line and answers whether there was one.
+    #[inline]
+    pub(crate) fn push(&self, magnitude: f32, bodies: &mut JointBodies) -> bool {
+        let impulse = self.direction * magnitude;
+        let acts = is_non_zero(impulse);
+        if acts {
+            self.apply(impulse, bodies);
+        }
+        acts
+    }
+
+    #[inline]
+    fn apply(&self, impulse: Vector2, bodies: &mut JointBodies) {
+        bodies.second_mut().apply_impulse_at(impulse, self.arm2);
+        bodies.first_mut().apply_impulse_at(-impulse, self.arm1);
+    }
+
+    pub(crate) fn is_valid(&self) -> bool {
+        let vectors =
+            [self.anchor1, self.anchor2, self.arm1, self.arm2, self.world_anchor1, self.world_anchor2];
+        vectors.iter().all(|v| v.x.is_finite() && v.y.is_finite())
+    }
+}
+
+/// The anchor in world orientation and its place in the world.
+fn placed(argument: &'static str, anchor: Vector2, body: &Body) -> Result<(Vector2, Vector2)> {
+    finite_vector(argument, anchor)?;
+    let pose = JointPose {
+        position: body.position(),
+        rotation: body.rotation(),
+        total_rotation: body.total_rotation(),
+    };
+    let arm = finite_vector(argument, pose.rotate(anchor))?;
+    let world = finite_vector(argument, pose.position + arm)?;
+    Ok((arm, world))
+}

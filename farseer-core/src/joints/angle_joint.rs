@@ -1,0 +1,100 @@
+//! Two bodies at a fixed angle to each other (behaviour chapter 10, section 6).
+
+use serde::{Deserialize, Serialize};
+
+use crate::body::{Body, BodyId};
+use crate::checked_properties::checked_properties;
+use crate::error::{Result, finite};
+use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
+use crate::joints::{Joint, JointKind};
+use crate::math::scalar;
+
+/// Keeps the difference of two bodies' total rotations at a target. The bodies may move freely otherwise.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct AngleJoint {
+    pub(crate) body1: BodyId,
+    pub(crate) body2: BodyId,
+    target_angle: f32,
+    max_impulse: f32,
+    velocity_bias: f32,
+    mass_factor: f32,
+}
+
+impl AngleJoint {
+    pub(crate) fn new(body1: (BodyId, &Body), body2: (BodyId, &Body), target_angle: f32) -> Result<Joint> {
+        Ok(Joint::of(JointKind::Angle(AngleJoint {
+            body1: body1.0,
+            body2: body2.0,
+            target_angle: finite("target_angle", target_angle)?,
+            max_impulse: f32::MAX,
+            velocity_bias: 0.0,
+            mass_factor: 0.0,
+        })))
+    }
+
+    /// The first body.
+    #[doc(alias = "Body1")]
+    pub fn body1(&self) -> BodyId {
+        self.body1
+    }
+
+    /// The second body.
+    #[doc(alias = "Body2")]
+    pub fn body2(&self) -> BodyId {
+        self.body2
+    }
+
+    checked_properties! {
+        /// Wanted total rotation of the second body minus that of the first, in radians. Default 0, whatever the
+        /// angle was when the joint was made.
+        #[doc(alias = "TargetAngle")]
+        target_angle, set_target_angle;
+        /// Greatest angular impulse of one solver iteration; a negative one pushes the wrong way. Default
+        /// [`f32::MAX`].
+        #[doc(alias = "MaxImpulse")]
+        max_impulse, set_max_impulse;
+    }
+
+    pub(crate) fn pre_step(
+        &mut self,
+        step: JointStep,
+        poses: &[JointPose; 2],
+        bodies: &mut JointBodies,
+    ) -> f32 {
+        let error = poses[1].total_rotation - poses[0].total_rotation - self.target_angle;
+        self.velocity_bias = step.correction() * error;
+        let inverse_inertia = bodies.first().inverse_inertia + bodies.second().inverse_inertia;
+        self.mass_factor = (1.0 - step.softness) / inverse_inertia;
+        error
+    }
+
+    pub(crate) fn solve(&mut self, bodies: &mut JointBodies) -> bool {
+        turn_together(bodies, self.velocity_bias, self.mass_factor, self.max_impulse)
+    }
+
+    pub(crate) fn is_valid(&self) -> bool {
+        self.target_angle.is_finite() && self.max_impulse.is_finite()
+    }
+}
+
+/// Changes the relative angular velocity of two bodies to the bias, and answers whether there was an impulse.
+#[inline]
+pub(crate) fn turn_together(
+    bodies: &mut JointBodies,
+    velocity_bias: f32,
+    mass_factor: f32,
+    max_impulse: f32,
+) -> bool {
+    let impulse =
+        (velocity_bias - bodies.second().angular_velocity + bodies.first().angular_velocity) * mass_factor;
+    if impulse == 0.0 {
+        return false;
+    }
+    let magnitude = scalar::min(impulse.abs(), max_impulse);
+    let sign = scalar::sign(impulse);
+    let first = bodies.first_mut();
+    first.angular_velocity -= first.inverse_inertia * sign * magnitude;
+    let second = bodies.second_mut();
+    second.angular_velocity += second.inverse_inertia * sign * magnitude;
+    true
+}

@@ -1,0 +1,109 @@
+//! Two bodies whose angle to each other stays in a range (behaviour chapter 10, section 8).
+
+use serde::{Deserialize, Serialize};
+
+use crate::body::{Body, BodyId};
+use crate::checked_properties::checked_properties;
+use crate::error::{Result, finite};
+use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
+use crate::joints::limit::Limit;
+use crate::joints::{DEFAULT_SLOP, Joint, JointKind};
+
+/// Keeps the difference of two bodies' total rotations in a range. The bodies may move freely otherwise.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct AngleLimitJoint {
+    pub(crate) body1: BodyId,
+    pub(crate) body2: BodyId,
+    lower_limit: f32,
+    upper_limit: f32,
+    slop: f32,
+    pub(crate) limit: Limit,
+    velocity_bias: f32,
+    mass_factor: f32,
+}
+
+impl AngleLimitJoint {
+    pub(crate) fn new(
+        body1: (BodyId, &Body),
+        body2: (BodyId, &Body),
+        lower_limit: f32,
+        upper_limit: f32,
+    ) -> Result<Joint> {
+        Ok(Joint::of(JointKind::AngleLimit(AngleLimitJoint {
+            body1: body1.0,
+            body2: body2.0,
+            lower_limit: finite("lower_limit", lower_limit)?,
+            upper_limit: finite("upper_limit", upper_limit)?,
+            slop: DEFAULT_SLOP,
+            limit: Limit::default(),
+            velocity_bias: 0.0,
+            mass_factor: 0.0,
+        })))
+    }
+
+    /// The first body.
+    #[doc(alias = "Body1")]
+    pub fn body1(&self) -> BodyId {
+        self.body1
+    }
+
+    /// The second body.
+    #[doc(alias = "Body2")]
+    pub fn body2(&self) -> BodyId {
+        self.body2
+    }
+
+    checked_properties! {
+        /// Least total rotation of the second body minus that of the first, in radians. Nothing asks whether it
+        /// is below the upper limit.
+        #[doc(alias = "LowerLimit")]
+        lower_limit, set_lower_limit;
+        /// Greatest total rotation of the second body minus that of the first, in radians.
+        #[doc(alias = "UpperLimit")]
+        upper_limit, set_upper_limit;
+        /// Violation in radians that is not corrected; its velocity is. Default 0.01.
+        #[doc(alias = "Slop")]
+        slop, set_slop;
+    }
+
+    pub(crate) fn pre_step(
+        &mut self,
+        step: JointStep,
+        poses: &[JointPose; 2],
+        bodies: &mut JointBodies,
+    ) -> f32 {
+        let difference = poses[1].total_rotation - poses[0].total_rotation;
+        let error = self.limit.judge(difference, self.lower_limit, self.upper_limit, self.slop);
+        self.velocity_bias = step.bias_factor * step.inverse_dt * error;
+        self.mass_factor =
+            1.0 / (step.softness + bodies.first().inverse_inertia + bodies.second().inverse_inertia);
+        turn_apart(bodies, self.limit.accumulated);
+        error
+    }
+
+    pub(crate) fn solve(&mut self, softness: f32, bodies: &mut JointBodies) -> bool {
+        if !self.limit.is_violated() {
+            return false;
+        }
+        let relative = bodies.second().angular_velocity - bodies.first().angular_velocity;
+        let wanted = -(self.velocity_bias + relative + softness * self.limit.accumulated);
+        let impulse = self.limit.accumulate(wanted * self.mass_factor);
+        if impulse == 0.0 {
+            return false;
+        }
+        turn_apart(bodies, impulse);
+        true
+    }
+
+    pub(crate) fn is_valid(&self) -> bool {
+        [self.lower_limit, self.upper_limit, self.slop].iter().all(|number| number.is_finite())
+    }
+}
+
+#[inline]
+fn turn_apart(bodies: &mut JointBodies, impulse: f32) {
+    let first = bodies.first_mut();
+    first.angular_velocity -= first.inverse_inertia * impulse;
+    let second = bodies.second_mut();
+    second.angular_velocity += second.inverse_inertia * impulse;
+}

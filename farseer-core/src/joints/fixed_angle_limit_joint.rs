@@ -1,0 +1,88 @@
+//! A body whose angle stays in a range (behaviour chapter 10, section 9).
+
+use serde::{Deserialize, Serialize};
+
+use crate::body::{Body, BodyId};
+use crate::checked_properties::checked_properties;
+use crate::error::{Result, finite};
+use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
+use crate::joints::limit::Limit;
+use crate::joints::{DEFAULT_SLOP, Joint, JointKind};
+
+/// Keeps a body's total rotation in a range. The body may move freely otherwise.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct FixedAngleLimitJoint {
+    pub(crate) body: BodyId,
+    lower_limit: f32,
+    upper_limit: f32,
+    slop: f32,
+    pub(crate) limit: Limit,
+    velocity_bias: f32,
+    mass_factor: f32,
+}
+
+impl FixedAngleLimitJoint {
+    pub(crate) fn new(body: (BodyId, &Body), lower_limit: f32, upper_limit: f32) -> Result<Joint> {
+        Ok(Joint::of(JointKind::FixedAngleLimit(FixedAngleLimitJoint {
+            body: body.0,
+            lower_limit: finite("lower_limit", lower_limit)?,
+            upper_limit: finite("upper_limit", upper_limit)?,
+            slop: DEFAULT_SLOP,
+            limit: Limit::default(),
+            velocity_bias: 0.0,
+            mass_factor: 0.0,
+        })))
+    }
+
+    /// The body.
+    #[doc(alias = "Body")]
+    pub fn body(&self) -> BodyId {
+        self.body
+    }
+
+    checked_properties! {
+        /// Least total rotation in radians. Nothing asks whether it is below the upper limit.
+        #[doc(alias = "LowerLimit")]
+        lower_limit, set_lower_limit;
+        /// Greatest total rotation in radians.
+        #[doc(alias = "UpperLimit")]
+        upper_limit, set_upper_limit;
+        /// Violation in radians that is not corrected; its velocity is. Default 0.01.
+        #[doc(alias = "Slop")]
+        slop, set_slop;
+    }
+
+    pub(crate) fn pre_step(
+        &mut self,
+        step: JointStep,
+        poses: &[JointPose; 2],
+        bodies: &mut JointBodies,
+    ) -> f32 {
+        let rotation = poses[0].total_rotation;
+        let error = self.limit.judge(rotation, self.lower_limit, self.upper_limit, self.slop);
+        self.velocity_bias = step.bias_factor * step.inverse_dt * error;
+        let body = bodies.first_mut();
+        // Unlike the joint of two bodies, which adds the softness to the inverse inertia.
+        self.mass_factor = (1.0 - step.softness) / body.inverse_inertia;
+        body.angular_velocity += body.inverse_inertia * self.limit.accumulated;
+        error
+    }
+
+    pub(crate) fn solve(&mut self, softness: f32, bodies: &mut JointBodies) -> bool {
+        if !self.limit.is_violated() {
+            return false;
+        }
+        let body = bodies.first_mut();
+        let wanted = -(self.velocity_bias + body.angular_velocity + softness * self.limit.accumulated);
+        let impulse = self.limit.accumulate(wanted * self.mass_factor);
+        if impulse == 0.0 {
+            return false;
+        }
+        body.angular_velocity += body.inverse_inertia * impulse;
+        true
+    }
+
+    pub(crate) fn is_valid(&self) -> bool {
+        [self.lower_limit, self.upper_limit, self.slop].iter().all(|number| number.is_finite())
+    }
+}

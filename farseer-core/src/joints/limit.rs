@@ -1,0 +1,50 @@
+//! A value kept in a range by an impulse that only pushes back.
+
+use serde::{Deserialize, Serialize};
+
+use crate::math::scalar;
+
+/// Which limit is violated, and the impulse that holds against it.
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
+pub(crate) struct Limit {
+    pub(crate) accumulated: f32,
+    above: bool,
+    below: bool,
+}
+
+impl Limit {
+    /// Finds the violated limit and answers the error: 0 within the slop, else measured from the limit itself.
+    /// The impulse of the step before is kept only for the same limit.
+    pub(crate) fn judge(&mut self, value: f32, lower: f32, upper: f32, slop: f32) -> f32 {
+        if value > upper {
+            if self.below {
+                self.accumulated = 0.0;
+            }
+            (self.above, self.below) = (true, false);
+            if value < upper + slop { 0.0 } else { value - upper }
+        } else if value < lower {
+            if self.above {
+                self.accumulated = 0.0;
+            }
+            (self.above, self.below) = (false, true);
+            if value > lower - slop { 0.0 } else { value - lower }
+        } else {
+            *self = Limit::default();
+            0.0
+        }
+    }
+
+    #[inline]
+    pub(crate) fn is_violated(&self) -> bool {
+        self.above || self.below
+    }
+
+    /// Adds an impulse as far as the sum pushes back into the range, and answers what was added.
+    #[inline]
+    pub(crate) fn accumulate(&mut self, impulse: f32) -> f32 {
+        let old = self.accumulated;
+        let sum = old + impulse;
+        self.accumulated = if self.above { scalar::min(sum, 0.0) } else { scalar::max(sum, 0.0) };
+        self.accumulated - old
+    }
+}

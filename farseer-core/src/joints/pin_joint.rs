@@ -1,0 +1,120 @@
+//! Two anchors at a fixed distance (behaviour chapter 10, section 12).
+
+use serde::{Deserialize, Serialize};
+
+use crate::body::{Body, BodyId};
+use crate::checked_properties::checked_properties;
+use crate::error::{Result, finite};
+use crate::joints::anchor_distance::AnchorDistance;
+use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
+use crate::joints::{Joint, JointKind};
+use crate::math::Vector2;
+use crate::math::vector2::length;
+
+/// Keeps an anchor of one body at a fixed distance from an anchor of another, like a rod.
+///
+/// Anchors on one spot have no direction to push in: the impulse only grows, and acts as a whole when they part.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct PinJoint {
+    pub(crate) body1: BodyId,
+    pub(crate) body2: BodyId,
+    pub(crate) anchors: AnchorDistance,
+    target_distance: f32,
+    pub(crate) accumulated: f32,
+    velocity_bias: f32,
+}
+
+impl PinJoint {
+    pub(crate) fn new(
+        body1: (BodyId, &Body),
+        anchor1: Vector2,
+        body2: (BodyId, &Body),
+        anchor2: Vector2,
+    ) -> Result<Joint> {
+        let anchors = AnchorDistance::new(anchor1, body1.1, anchor2, body2.1)?;
+        let distance = length(body2.1.get_world_position(anchor2) - body1.1.get_world_position(anchor1));
+        Ok(Joint::of(JointKind::Pin(PinJoint {
+            body1: body1.0,
+            body2: body2.0,
+            anchors,
+            target_distance: finite("distance", distance)?,
+            accumulated: 0.0,
+            velocity_bias: 0.0,
+        })))
+    }
+
+    /// The first body.
+    #[doc(alias = "Body1")]
+    pub fn body1(&self) -> BodyId {
+        self.body1
+    }
+
+    /// The second body.
+    #[doc(alias = "Body2")]
+    pub fn body2(&self) -> BodyId {
+        self.body2
+    }
+
+    /// The anchor in the first body's coordinates.
+    #[doc(alias = "Anchor1")]
+    pub fn anchor1(&self) -> Vector2 {
+        self.anchors.anchor1
+    }
+
+    /// The anchor in the second body's coordinates.
+    #[doc(alias = "Anchor2")]
+    pub fn anchor2(&self) -> Vector2 {
+        self.anchors.anchor2
+    }
+
+    /// Where the first anchor was when it was set or when the joint last prepared a step.
+    #[doc(alias = "WorldAnchor1")]
+    pub fn world_anchor1(&self) -> Vector2 {
+        self.anchors.world_anchor1
+    }
+
+    /// Where the second anchor was when it was set or when the joint last prepared a step.
+    #[doc(alias = "WorldAnchor2")]
+    pub fn world_anchor2(&self) -> Vector2 {
+        self.anchors.world_anchor2
+    }
+
+    checked_properties! {
+        /// Wanted distance of the anchors: at first the one they had when the joint was made. New anchors or
+        /// bodies leave it as it is.
+        #[doc(alias = "TargetDistance")]
+        target_distance, set_target_distance;
+    }
+
+    pub(crate) fn set_anchor1(&mut self, anchor: Vector2, body1: &Body) -> Result<()> {
+        self.anchors.set_anchor1(anchor, body1)
+    }
+
+    pub(crate) fn set_anchor2(&mut self, anchor: Vector2, body2: &Body) -> Result<()> {
+        self.anchors.set_anchor2(anchor, body2)
+    }
+
+    pub(crate) fn pre_step(
+        &mut self,
+        step: JointStep,
+        poses: &[JointPose; 2],
+        bodies: &mut JointBodies,
+    ) -> f32 {
+        let distance = self.anchors.follow(poses);
+        let error = distance - self.target_distance;
+        self.velocity_bias = step.correction() * error;
+        self.anchors.prepare(distance, step.softness, self.accumulated, bodies);
+        error
+    }
+
+    pub(crate) fn solve(&mut self, softness: f32, bodies: &mut JointBodies) -> bool {
+        let wanted = self.velocity_bias - self.anchors.speed(bodies) - softness * self.accumulated;
+        let magnitude = wanted * self.anchors.effective_mass;
+        self.accumulated += magnitude;
+        self.anchors.push(magnitude, bodies)
+    }
+
+    pub(crate) fn is_valid(&self) -> bool {
+        self.anchors.is_valid() && self.target_distance.is_finite()
+    }
+}

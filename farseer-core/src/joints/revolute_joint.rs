@@ -1,0 +1,69 @@
+//! Two bodies that turn about a common point (behaviour chapter 10, section 10).
+
+use serde::{Deserialize, Serialize};
+
+use crate::body::{Body, BodyId};
+use crate::error::Result;
+use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
+use crate::joints::shared_point::SharedPoint;
+use crate::joints::{Joint, JointKind};
+use crate::math::Vector2;
+
+/// Keeps a point of two bodies together: a hinge. There is no limit to its impulse.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct RevoluteJoint {
+    pub(crate) body1: BodyId,
+    pub(crate) body2: BodyId,
+    pub(crate) point: SharedPoint,
+}
+
+impl RevoluteJoint {
+    pub(crate) fn new(body1: (BodyId, &Body), body2: (BodyId, &Body), anchor: Vector2) -> Result<Joint> {
+        let point = SharedPoint::new(anchor, body1.1, body2.1)?;
+        Ok(Joint::of(JointKind::Revolute(RevoluteJoint { body1: body1.0, body2: body2.0, point })))
+    }
+
+    /// The first body.
+    #[doc(alias = "Body1")]
+    pub fn body1(&self) -> BodyId {
+        self.body1
+    }
+
+    /// The second body.
+    #[doc(alias = "Body2")]
+    pub fn body2(&self) -> BodyId {
+        self.body2
+    }
+
+    /// The anchor last set, in world coordinates. It does not follow the bodies.
+    #[doc(alias = "Anchor")]
+    pub fn anchor(&self) -> Vector2 {
+        self.point.anchor
+    }
+
+    pub(crate) fn set_anchor(&mut self, anchor: Vector2, body1: &Body, body2: &Body) -> Result<()> {
+        self.point.set_anchor(anchor, body1, body2)
+    }
+
+    /// The first body's position plus the arm of the last pre-step.
+    pub(crate) fn current_anchor(&self, body1: &Body) -> Vector2 {
+        body1.position() + self.point.arm1
+    }
+
+    pub(crate) fn pre_step(
+        &mut self,
+        step: JointStep,
+        poses: &[JointPose; 2],
+        bodies: &mut JointBodies,
+    ) -> f32 {
+        self.point.pre_step(step, poses, bodies)
+    }
+
+    pub(crate) fn solve(&mut self, softness: f32, bodies: &mut JointBodies) -> bool {
+        self.point.solve(softness, true, bodies)
+    }
+
+    pub(crate) fn is_valid(&self) -> bool {
+        self.point.is_valid()
+    }
+}

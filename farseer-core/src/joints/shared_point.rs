@@ -1,0 +1,101 @@
+//! What keeps a point of two bodies together (behaviour chapter 10, section 10).
+
+use serde::{Deserialize, Serialize};
+
+use crate::body::Body;
+use crate::error::{Result, finite_vector};
+use crate::joints::joint_body::{Inverse2, JointBodies, JointPose, JointStep, is_non_zero};
+use crate::math::Vector2;
+use crate::math::vector2::{cross, length};
+
+/// A point of two bodies that is to stay one, and the impulse that holds it.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(crate) struct SharedPoint {
+    pub(crate) anchor: Vector2,
+    local_anchor1: Vector2,
+    local_anchor2: Vector2,
+    pub(crate) accumulated: Vector2,
+    pub(crate) arm1: Vector2,
+    arm2: Vector2,
+    velocity_bias: Vector2,
+    inverse: Inverse2,
+}
+
+impl SharedPoint {
+    pub(crate) fn new(anchor: Vector2, body1: &Body, body2: &Body) -> Result<Self> {
+        let mut point = SharedPoint {
+            anchor,
+            local_anchor1: Vector2::zeros(),
+            local_anchor2: Vector2::zeros(),
+            accumulated: Vector2::zeros(),
+            arm1: Vector2::zeros(),
+            arm2: Vector2::zeros(),
+            velocity_bias: Vector2::zeros(),
+            inverse: Inverse2::default(),
+        };
+        point.set_anchor(anchor, body1, body2)?;
+        Ok(point)
+    }
+
+    /// Makes a point of the world the shared one, at the bodies' present poses. The impulse stays.
+    pub(crate) fn set_anchor(&mut self, anchor: Vector2, body1: &Body, body2: &Body) -> Result<()> {
+        finite_vector("anchor", anchor)?;
+        let local_anchor1 = finite_vector("anchor", body1.get_local_position(anchor))?;
+        let local_anchor2 = finite_vector("anchor", body2.get_local_position(anchor))?;
+        self.anchor = anchor;
+        (self.local_anchor1, self.local_anchor2) = (local_anchor1, local_anchor2);
+        Ok(())
+    }
+
+    /// Prepares the passes, applies the impulse of the last step and answers how far the point is torn apart.
+    pub(crate) fn pre_step(
+        &mut self,
+        step: JointStep,
+        poses: &[JointPose; 2],
+        bodies: &mut JointBodies,
+    ) -> f32 {
+        let (r1, r2) = (poses[0].rotate(self.local_anchor1), poses[1].rotate(self.local_anchor2));
+        (self.arm1, self.arm2) = (r1, r2);
+        let (b1, b2) = (bodies.first(), bodies.second());
+        let m = b1.inverse_mass + b2.inverse_mass;
+        let (i1, i2) = (b1.inverse_inertia, b2.inverse_inertia);
+        let k11 = m + i1 * r1.y * r1.y + i2 * r2.y * r2.y;
+        let k12 = 0.0 + -i1 * r1.x * r1.y + -i2 * r2.x * r2.y;
+        let k22 = m + i1 * r1.x * r1.x + i2 * r2.x * r2.x;
+        self.inverse = Inverse2::of(k11, k12, k22, step.softness);
+
+        let error = (poses[1].position + r2) - (poses[0].position + r1);
+        self.velocity_bias = error * step.correction();
+
+        let impulse = self.accumulated;
+        bodies.second_mut().apply_impulse_at(impulse, r2);
+        bodies.first_mut().apply_impulse(-impulse);
+        bodies.first_mut().apply_angular_impulse(-cross(r1, impulse));
+        length(error)
+    }
+
+    /// One pass; answers whether there was an impulse. The weld joint leaves the first body's spin alone.
+    #[inline]
+    pub(crate) fn solve(&mut self, softness: f32, turns_first: bool, bodies: &mut JointBodies) -> bool {
+        let relative = bodies.second().velocity_at(self.arm2) - bodies.first().velocity_at(self.arm1);
+        let impulse = self.inverse.apply(self.velocity_bias - relative - self.accumulated * softness);
+        self.accumulated += impulse;
+        if !is_non_zero(impulse) {
+            return false;
+        }
+        let second = bodies.second_mut();
+        second.push(impulse);
+        second.apply_angular_impulse(cross(self.arm2, impulse));
+        let first = bodies.first_mut();
+        first.push(-impulse);
+        if turns_first {
+            first.apply_angular_impulse(-cross(self.arm1, impulse));
+        }
+        true
+    }
+
+    pub(crate) fn is_valid(&self) -> bool {
+        let vectors = [self.anchor, self.local_anchor1, self.local_anchor2, self.arm1, self.arm2];
+        vectors.iter().all(|v| v.x.is_finite() && v.y.is_finite())
+    }
+}

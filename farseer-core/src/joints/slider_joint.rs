@@ -1,0 +1,135 @@
+//! Two anchors whose distance stays in a range (behaviour chapter 10, section 13).
+
+use serde::{Deserialize, Serialize};
+
+use crate::body::{Body, BodyId};
+use crate::checked_properties::checked_properties;
+use crate::error::{Result, finite};
+use crate::joints::anchor_distance::AnchorDistance;
+use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
+use crate::joints::limit::Limit;
+use crate::joints::{DEFAULT_SLOP, Joint, JointKind};
+use crate::math::Vector2;
+
+/// Keeps the distance of an anchor of one body and an anchor of another in a range, like a rope or a telescope.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct SliderJoint {
+    pub(crate) body1: BodyId,
+    pub(crate) body2: BodyId,
+    pub(crate) anchors: AnchorDistance,
+    min: f32,
+    max: f32,
+    slop: f32,
+    pub(crate) limit: Limit,
+    velocity_bias: f32,
+}
+
+impl SliderJoint {
+    pub(crate) fn new(
+        body1: (BodyId, &Body),
+        anchor1: Vector2,
+        body2: (BodyId, &Body),
+        anchor2: Vector2,
+        min: f32,
+        max: f32,
+    ) -> Result<Joint> {
+        Ok(Joint::of(JointKind::Slider(SliderJoint {
+            body1: body1.0,
+            body2: body2.0,
+            anchors: AnchorDistance::new(anchor1, body1.1, anchor2, body2.1)?,
+            min: finite("min", min)?,
+            max: finite("max", max)?,
+            slop: DEFAULT_SLOP,
+            limit: Limit::default(),
+            velocity_bias: 0.0,
+        })))
+    }
+
+    /// The first body.
+    #[doc(alias = "Body1")]
+    pub fn body1(&self) -> BodyId {
+        self.body1
+    }
+
+    /// The second body.
+    #[doc(alias = "Body2")]
+    pub fn body2(&self) -> BodyId {
+        self.body2
+    }
+
+    /// The anchor in the first body's coordinates.
+    #[doc(alias = "Anchor1")]
+    pub fn anchor1(&self) -> Vector2 {
+        self.anchors.anchor1
+    }
+
+    /// The anchor in the second body's coordinates.
+    #[doc(alias = "Anchor2")]
+    pub fn anchor2(&self) -> Vector2 {
+        self.anchors.anchor2
+    }
+
+    /// Where the first anchor was when it was set or when the joint last prepared a step.
+    #[doc(alias = "WorldAnchor1")]
+    pub fn world_anchor1(&self) -> Vector2 {
+        self.anchors.world_anchor1
+    }
+
+    /// Where the second anchor was when it was set or when the joint last prepared a step.
+    #[doc(alias = "WorldAnchor2")]
+    pub fn world_anchor2(&self) -> Vector2 {
+        self.anchors.world_anchor2
+    }
+
+    checked_properties! {
+        /// Least distance of the anchors. Nothing asks whether it is below the greatest.
+        #[doc(alias = "Min")]
+        min, set_min;
+        /// Greatest distance of the anchors.
+        #[doc(alias = "Max")]
+        max, set_max;
+        /// Violation, a length, that is not corrected; its velocity is. Default 0.01.
+        #[doc(alias = "Slop")]
+        slop, set_slop;
+    }
+
+    pub(crate) fn set_anchor1(&mut self, anchor: Vector2, body1: &Body) -> Result<()> {
+        self.anchors.set_anchor1(anchor, body1)
+    }
+
+    pub(crate) fn set_anchor2(&mut self, anchor: Vector2, body2: &Body) -> Result<()> {
+        self.anchors.set_anchor2(anchor, body2)
+    }
+
+    /// The first body's position plus the arm of the last setter or pre-step.
+    pub(crate) fn current_anchor(&self, body1: &Body) -> Vector2 {
+        body1.position() + self.anchors.arm1
+    }
+
+    pub(crate) fn pre_step(
+        &mut self,
+        step: JointStep,
+        poses: &[JointPose; 2],
+        bodies: &mut JointBodies,
+    ) -> f32 {
+        let distance = self.anchors.follow(poses);
+        let error = self.limit.judge(distance, self.min, self.max, self.slop);
+        self.velocity_bias = step.bias_factor * step.inverse_dt * error;
+        self.anchors.prepare(distance, step.softness, self.limit.accumulated, bodies);
+        error
+    }
+
+    pub(crate) fn solve(&mut self, softness: f32, bodies: &mut JointBodies) -> bool {
+        if !self.limit.is_violated() {
+            return false;
+        }
+        let wanted = -self.velocity_bias - self.anchors.speed(bodies) - softness * self.limit.accumulated;
+        let magnitude = self.limit.accumulate(wanted * self.anchors.effective_mass);
+        self.anchors.push(magnitude, bodies)
+    }
+
+    pub(crate) fn is_valid(&self) -> bool {
+        let numbers = [self.min, self.max, self.slop];
+        self.anchors.is_valid() && numbers.iter().all(|number| number.is_finite())
+    }
+}

@@ -1,0 +1,100 @@
+//! Two bodies that share a point and an angle (behaviour chapter 10, section 14).
+
+use serde::{Deserialize, Serialize};
+
+use crate::body::{Body, BodyId};
+use crate::checked_properties::checked_properties;
+use crate::error::{Result, finite};
+use crate::joints::angle_joint::turn_together;
+use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
+use crate::joints::shared_point::SharedPoint;
+use crate::joints::{Joint, JointKind};
+use crate::math::Vector2;
+
+/// Keeps a point of two bodies together and their angle to each other as it was when the joint was made.
+///
+/// As in the original the passes do not turn the first body when they pull at the point, so that angular momentum
+/// is not kept, and only the distance at the point counts for breaking.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct WeldJoint {
+    pub(crate) body1: BodyId,
+    pub(crate) body2: BodyId,
+    pub(crate) point: SharedPoint,
+    target_angle: f32,
+    max_impulse: f32,
+    angular_velocity_bias: f32,
+    mass_factor: f32,
+}
+
+impl WeldJoint {
+    pub(crate) fn new(body1: (BodyId, &Body), body2: (BodyId, &Body), anchor: Vector2) -> Result<Joint> {
+        let angle = body2.1.total_rotation() - body1.1.total_rotation();
+        Ok(Joint::of(JointKind::Weld(WeldJoint {
+            body1: body1.0,
+            body2: body2.0,
+            point: SharedPoint::new(anchor, body1.1, body2.1)?,
+            target_angle: finite("total_rotation", angle)?,
+            max_impulse: f32::MAX,
+            angular_velocity_bias: 0.0,
+            mass_factor: 0.0,
+        })))
+    }
+
+    /// The first body.
+    #[doc(alias = "Body1")]
+    pub fn body1(&self) -> BodyId {
+        self.body1
+    }
+
+    /// The second body.
+    #[doc(alias = "Body2")]
+    pub fn body2(&self) -> BodyId {
+        self.body2
+    }
+
+    /// The anchor last set, in world coordinates. It does not follow the bodies.
+    #[doc(alias = "Anchor")]
+    pub fn anchor(&self) -> Vector2 {
+        self.point.anchor
+    }
+
+    checked_properties! {
+        /// Greatest angular impulse with which one solver iteration keeps the angle; the point has no limit.
+        /// Default [`f32::MAX`].
+        #[doc(alias = "MaxImpulse")]
+        max_impulse, set_max_impulse;
+    }
+
+    pub(crate) fn set_anchor(&mut self, anchor: Vector2, body1: &Body, body2: &Body) -> Result<()> {
+        self.point.set_anchor(anchor, body1, body2)
+    }
+
+    /// The first body's position plus the arm of the last pre-step.
+    pub(crate) fn current_anchor(&self, body1: &Body) -> Vector2 {
+        body1.position() + self.point.arm1
+    }
+
+    pub(crate) fn pre_step(
+        &mut self,
+        step: JointStep,
+        poses: &[JointPose; 2],
+        bodies: &mut JointBodies,
+    ) -> f32 {
+        let error = poses[1].total_rotation - poses[0].total_rotation - self.target_angle;
+        self.angular_velocity_bias = step.correction() * error;
+        let inverse_inertia = bodies.first().inverse_inertia + bodies.second().inverse_inertia;
+        self.mass_factor = (1.0 - step.softness) / inverse_inertia;
+        // The angular error is never tested for breaking.
+        self.point.pre_step(step, poses, bodies)
+    }
+
+    pub(crate) fn solve(&mut self, softness: f32, bodies: &mut JointBodies) -> bool {
+        turn_together(bodies, self.angular_velocity_bias, self.mass_factor, self.max_impulse);
+        // Pulling at the point does not turn the first body, though the warm start does.
+        self.point.solve(softness, false, bodies)
+    }
+
+    pub(crate) fn is_valid(&self) -> bool {
+        self.point.is_valid() && self.target_angle.is_finite() && self.max_impulse.is_finite()
+    }
+}

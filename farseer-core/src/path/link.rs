@@ -1,0 +1,205 @@
+//! How the bodies of a path hold on to each other (behaviour chapter 14, section 7).
+
+use serde::{Deserialize, Serialize};
+
+use crate::body::{Body, BodyId};
+use crate::error::finite;
+use crate::joints::{Joint, JointId, JointKind, PinJoint, RevoluteJoint, SliderJoint};
+use crate::math::Vector2;
+use crate::math::vector2::distance;
+use crate::shape::Vertices;
+use crate::simulator::PhysicsSimulator;
+use crate::springs::{LinearSpring, Spring, SpringId, SpringKind};
+use crate::{Error, Result};
+
+const BIAS_FACTOR: f32 = 0.2;
+const SOFTNESS: f32 = 0.01;
+
+/// What links neighbours of a path.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum LinkType {
+    /// Neighbours turn about a common point.
+    RevoluteJoint,
+    /// Neighbours are held at a fixed distance.
+    PinJoint,
+    /// Neighbours are held in a range of distances.
+    SliderJoint,
+    /// Neighbours are pulled to a distance.
+    LinearSpring,
+}
+
+/// All that is to be known to link bodies.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Links {
+    pub(crate) link_type: LinkType,
+    /// Range of the sliders.
+    pub(crate) min: f32,
+    pub(crate) max: f32,
+    pub(crate) spring_constant: f32,
+    pub(crate) damping_constant: f32,
+    pub(crate) spring_rest_length_factor: f32,
+}
+
+/// What has been linked, but is not in the simulator yet.
+#[derive(Default)]
+pub(super) struct Linked {
+    pub(super) joints: Vec<Joint>,
+    pub(super) springs: Vec<Spring>,
+}
+
+/// The bodies to link, and what the path had before.
+#[derive(Clone, Copy)]
+pub(super) struct Row<'a> {
+    pub(super) simulator: &'a PhysicsSimulator,
+    pub(super) bodies: &'a [BodyId],
+    pub(super) joints: &'a [JointId],
+    pub(super) springs: &'a [SpringId],
+    /// Width of a body.
+    pub(super) width: f32,
+    pub(super) endless: bool,
+}
+
+/// How long a pin is, and a spring at rest.
+#[derive(Clone, Copy)]
+enum Length {
+    /// As the constructor measures it.
+    Measured,
+    /// The distance of both anchors on the body that is shared with the link at this index of the list, each in that
+    /// body's coordinates: as in the original no distance between two bodies.
+    After(usize),
+    /// The width of a body.
+    Width,
+}
+
+/// A body at one end of a link, and the point there in the body's coordinates.
+#[derive(Clone, Copy)]
+struct End<'a> {
+    id: BodyId,
+    body: &'a Body,
+    anchor: Vector2,
+}
+
+impl Links {
+    /// Refuses what is not finite.
+    pub(crate) fn check(&self) -> Result<()> {
+        finite("min", self.min)?;
+        finite("max", self.max)?;
+        finite("spring_constant", self.spring_constant)?;
+        finite("damping_constant", self.damping_constant)?;
+        finite("spring_rest_length_factor", self.spring_rest_length_factor)?;
+        Ok(())
+    }
+
+    /// Links every body with the next, and the last with the first if the row is endless.
+    pub(super) fn make(&self, row: Row<'_>) -> Result<Linked> {
+        self.check()?;
+        let mut linked = Linked::default();
+        let half = row.width / 2.0;
+        for (index, pair) in row.bodies.windows(2).enumerate() {
+            let [a, b] = [row.body(pair[0])?, row.body(pair[1])?];
+            let side = if a.position().x < b.position().x { half } else { -half };
+            let (a, b) = (End::new(pair[0], a, side), End::new(pair[1], b, -side));
+            let length = index.checked_sub(1).map_or(Length::Measured, Length::After);
+            self.link(row, a, b, length, &mut linked)?;
+        }
+        if row.endless {
+            let (Some(&first), Some(&last)) = (row.bodies.first(), row.bodies.last()) else {
+                return Err(Error::invalid("bodies", 0, "at least one body: the path is endless"));
+            };
+            let (a, b) = (End::new(first, row.body(first)?, -half), End::new(last, row.body(last)?, half));
+            self.link(row, a, b, Length::Width, &mut linked)?;
+        }
+        Ok(linked)
+    }
+
+    fn link(&self, row: Row<'_>, a: End<'_>, b: End<'_>, length: Length, linked: &mut Linked) -> Result<()> {
+        let (first, second) = ((a.id, a.body), (b.id, b.body));
+        let mut joint = match self.link_type {
+            LinkType::RevoluteJoint => {
+                let middle = Vertices::find_midpoint(a.body.position(), b.body.position());
+                RevoluteJoint::new(first, second, middle)?
+            }
+            LinkType::PinJoint => {
+                let mut joint = PinJoint::new(first, a.anchor, second, b.anchor)?;
+                if let JointKind::Pin(pin) = joint.kind_mut() {
+                    match length {
+                        Length::Measured => {}
+                        Length::Width => pin.set_target_distance(row.width)?,
+                        Length::After(index) => {
+                            let before = row.pin(index, linked)?;
+                            pin.set_target_distance(distance(before.anchor2(), a.anchor))?;
+                        }
+                    }
+                }
+                joint
+            }
+            LinkType::SliderJoint => SliderJoint::new(first, a.anchor, second, b.anchor, self.min, self.max)?,
+            LinkType::LinearSpring => {
+                let spring = self.spring(row, a, b, length, linked)?;
+                linked.springs.push(spring);
+                return Ok(());
+            }
+        };
+        joint.set_bias_factor(BIAS_FACTOR)?;
+        joint.set_softness(SOFTNESS)?;
+        linked.joints.push(joint);
+        Ok(())
+    }
+
+    fn spring(
+        &self,
+        row: Row<'_>,
+        a: End<'_>,
+        b: End<'_>,
+        length: Length,
+        linked: &Linked,
+    ) -> Result<Spring> {
+        let (first, second) = ((a.id, a.body), (b.id, b.body));
+        let (k, d) = (self.spring_constant, self.damping_constant);
+        let mut spring = LinearSpring::new(first, a.anchor, second, b.anchor, k, d)?;
+        if let SpringKind::Linear(linear) = spring.kind_mut() {
+            match length {
+                Length::Measured => {}
+                Length::Width => linear.set_rest_length(row.width)?,
+                Length::After(index) => {
+                    let gap = distance(row.spring(index, linked)?.attach_point2(), a.anchor);
+                    linear.set_rest_length(gap * self.spring_rest_length_factor)?;
+                }
+            }
+        }
+        Ok(spring)
+    }
+}
+
+impl<'a> Row<'a> {
+    fn body(&self, body: BodyId) -> Result<&'a Body> {
+        self.simulator.body(body).ok_or(Error::StaleId { argument: "bodies" })
+    }
+
+    /// The joint at an index of the whole list, old ones first.
+    fn pin<'b>(&'b self, index: usize, linked: &'b Linked) -> Result<&'b PinJoint> {
+        match self.joints.get(index) {
+            Some(&joint) => self.simulator.joint_as(joint),
+            None => match linked.joints.get(index - self.joints.len()).map(Joint::kind) {
+                Some(JointKind::Pin(pin)) => Ok(pin),
+                _ => Err(Error::WrongKind { argument: "joints", expected: "PinJoint" }),
+            },
+        }
+    }
+
+    fn spring<'b>(&'b self, index: usize, linked: &'b Linked) -> Result<&'b LinearSpring> {
+        match self.springs.get(index) {
+            Some(&spring) => self.simulator.spring_as(spring),
+            None => match linked.springs.get(index - self.springs.len()).map(Spring::kind) {
+                Some(SpringKind::Linear(spring)) => Ok(spring),
+                _ => Err(Error::WrongKind { argument: "springs", expected: "LinearSpring" }),
+            },
+        }
+    }
+}
+
+impl<'a> End<'a> {
+    fn new(id: BodyId, body: &'a Body, side: f32) -> Self {
+        End { id, body, anchor: Vector2::new(side, 0.0) }
+    }
+}

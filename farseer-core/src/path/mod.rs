@@ -1,0 +1,16 @@
+//! Curves through keys, and rows of linked bodies along them (behaviour chapter 14).
+
+mod curve;
+mod curve_key;
+mod curve_key_collection;
+mod link;
+#[expect(clippy::module_inception)] // The original's name, beside those of its curves.
+mod path;
+mod walk;
+
+pub use curve::{Curve, CurveLoopType, CurveTangent};
+pub use curve_key::{CurveContinuity, CurveKey};
+pub use curve_key_collection::CurveKeyCollection;
+pub use link::LinkType;
+pub(crate) use link::Links;
+pub use path::Path;

@@ -1,0 +1,84 @@
+//! How long the stages of an update take (behaviour chapter 04, section 8), by a clock that is handed in.
+
+use super::PhysicsSimulator;
+
+/// How long the stages of the last timed update took, in milliseconds.
+///
+/// Before the first [timed update](PhysicsSimulator::update_timed) all are 0, or, as in the original, -1 if the
+/// simulator was made with [a gravity](PhysicsSimulator::new). They are not saved.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct StepTimes {
+    /// Objects entered and left.
+    #[doc(alias = "CleanUpTime")]
+    pub clean_up_time: f32,
+    /// The broad phase.
+    #[doc(alias = "BroadPhaseCollisionTime")]
+    pub broad_phase_collision_time: f32,
+    /// The narrow phase, with the callbacks of collisions.
+    #[doc(alias = "NarrowPhaseCollisionTime")]
+    pub narrow_phase_collision_time: f32,
+    /// Controllers, springs and forces.
+    #[doc(alias = "ApplyForcesTime")]
+    pub apply_forces_time: f32,
+    /// Joints and contacts: their preparation and all passes.
+    #[doc(alias = "ApplyImpulsesTime")]
+    pub apply_impulses_time: f32,
+    /// Bodies moved, and geoms followed.
+    #[doc(alias = "UpdatePositionsTime")]
+    pub update_positions_time: f32,
+    /// All of it.
+    #[doc(alias = "UpdateTime")]
+    pub update_time: f32,
+}
+
+impl StepTimes {
+    /// The original's values after a construction with gravity.
+    pub(super) const NEVER_MEASURED: StepTimes = StepTimes {
+        clean_up_time: -1.0,
+        broad_phase_collision_time: -1.0,
+        narrow_phase_collision_time: -1.0,
+        apply_forces_time: -1.0,
+        apply_impulses_time: -1.0,
+        update_positions_time: -1.0,
+        update_time: -1.0,
+    };
+}
+
+impl PhysicsSimulator {
+    /// How long the stages of the last [timed update](Self::update_timed) took.
+    pub fn step_times(&self) -> StepTimes {
+        self.step_times
+    }
+}
+
+/// The caller's clock: tells the time in milliseconds, from any moment on.
+pub(super) type Clock<'c> = &'c mut dyn FnMut() -> f64;
+
+/// Measures the stages of one update, if there is a clock.
+pub(super) struct Stopwatch<'c> {
+    clock: Option<Clock<'c>>,
+    start: f64,
+    now: f64,
+    times: StepTimes,
+}
+
+impl<'c> Stopwatch<'c> {
+    pub(super) fn start(mut clock: Option<Clock<'c>>) -> Self {
+        let now = clock.as_mut().map_or(0.0, |clock| clock());
+        Stopwatch { clock, start: now, now, times: StepTimes::default() }
+    }
+
+    /// A stage is done.
+    pub(super) fn lap(&mut self, time: impl FnOnce(&mut StepTimes) -> &mut f32) {
+        if let Some(clock) = &mut self.clock {
+            let before = std::mem::replace(&mut self.now, clock());
+            *time(&mut self.times) = (self.now - before) as f32;
+        }
+    }
+
+    /// All times, if they were measured; those of stages that were not reached are 0.
+    pub(super) fn times(&self) -> Option<StepTimes> {
+        let update_time = (self.now - self.start) as f32;
+        self.clock.is_some().then_some(StepTimes { update_time, ..self.times })
+    }
+}

@@ -1,0 +1,141 @@
+//! The container of saved simulators: bytes that know what they are, and notice when they were changed.
+//!
+//! | bytes | content |
+//! |---|---|
+//! | 8 | magic: what is saved |
+//! | 4 | version of the format, least byte first |
+//! | 4 | CRC-32 of everything else |
+//! | 8 | length of the content, least byte first |
+//! | rest | the content, in the format of the crate `postcard` |
+//!
+//! [`PhysicsSimulator::snapshot`] makes one of a whole simulator. The module is public for engines built on the
+//! simulator, which have more to save.
+
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+use crate::simulator::PhysicsSimulator;
+use crate::{Error, Result};
+
+const MAGIC_LENGTH: usize = 8;
+const VERSION: std::ops::Range<usize> = 8..12;
+const CHECKSUM: std::ops::Range<usize> = 12..16;
+const LENGTH: std::ops::Range<usize> = 16..24;
+const HEADER_LENGTH: usize = LENGTH.end;
+
+/// What the container holds, and in which version of its layout.
+///
+/// The content does not describe itself: whatever changes what is serialised, or its order, must raise the version.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SnapshotFormat {
+    /// What is saved.
+    pub magic: [u8; MAGIC_LENGTH],
+    /// Version of its layout.
+    pub version: u32,
+}
+
+impl SnapshotFormat {
+    /// Puts a value in a container.
+    ///
+    /// # Panics
+    /// If the value cannot be serialised whatever it holds: a sequence of unknown length, an error of its own.
+    pub fn write<T: Serialize + ?Sized>(&self, value: &T) -> Vec<u8> {
+        let mut header = vec![0; HEADER_LENGTH];
+        header[..MAGIC_LENGTH].copy_from_slice(&self.magic);
+        header[VERSION].copy_from_slice(&self.version.to_le_bytes());
+        let mut bytes = postcard::to_extend(value, header)
+            .expect("memory takes everything, and the type can be written without describing itself");
+        let length = (bytes.len() - HEADER_LENGTH) as u64;
+        bytes[LENGTH].copy_from_slice(&length.to_le_bytes());
+        let checksum = checksum(&bytes);
+        bytes[CHECKSUM].copy_from_slice(&checksum.to_le_bytes());
+        bytes
+    }
+
+    /// Takes a value out of a container.
+    ///
+    /// # Errors
+    /// [`Error::UnknownSaveVersion`] for another version; [`Error::DamagedSave`] for anything else but bytes that
+    /// [`write`](Self::write) has made.
+    pub fn read<T: DeserializeOwned>(&self, bytes: &[u8]) -> Result<T> {
+        let damaged = |reason| Err(Error::DamagedSave { reason });
+        if bytes.len() < MAGIC_LENGTH || bytes[..MAGIC_LENGTH] != self.magic {
+            return damaged("it is not a snapshot of such a simulator");
+        }
+        if bytes.len() < HEADER_LENGTH {
+            return damaged("it is cut short");
+        }
+        let found = number(&bytes[VERSION]) as u32;
+        if found != self.version {
+            return Err(Error::UnknownSaveVersion { found, known: self.version });
+        }
+        let (length, present) = (number(&bytes[LENGTH]), (bytes.len() - HEADER_LENGTH) as u64);
+        if length > present {
+            return damaged("it is cut short");
+        }
+        if length < present {
+            return damaged("it is longer than it says");
+        }
+        if number(&bytes[CHECKSUM]) != u64::from(checksum(bytes)) {
+            return damaged("it was altered: its checksum is wrong");
+        }
+        match postcard::take_from_bytes(&bytes[HEADER_LENGTH..]) {
+            Ok((value, [])) => Ok(value),
+            Ok(_) => damaged("its content is longer than it should be"),
+            Err(_) => damaged("its content cannot be read or contradicts itself"),
+        }
+    }
+}
+
+/// A number of at most eight bytes, the least first.
+fn number(bytes: &[u8]) -> u64 {
+    bytes.iter().rev().fold(0, |number, &byte| number << 8 | u64::from(byte))
+}
+
+/// Of everything but the place where it is written.
+fn checksum(bytes: &[u8]) -> u32 {
+    let mut hasher = crc32fast::Hasher::new();
+    hasher.update(&bytes[..CHECKSUM.start]);
+    hasher.update(&bytes[CHECKSUM.end..]);
+    hasher.finalize()
+}
+
+const SIMULATOR: SnapshotFormat = SnapshotFormat { magic: *b"Farseer2", version: 1 };
+
+impl PhysicsSimulator {
+    /// The whole simulator as bytes, to [restore](Self::restore) later, in this program or another.
+    ///
+    /// Everything that can influence a later bit is in it, in the middle of a run too. Callbacks belong to the game
+    /// and [events](Self::events) are notices: both are not. Between versions of this crate the format may change. For
+    /// a form that can be read by eye, serialise the simulator with any other format of `serde`.
+    ///
+    /// ```
+    /// use farseer_core::{BodyFactory, PhysicsSimulator, math::Vector2};
+    ///
+    /// let mut simulator = PhysicsSimulator::new(Vector2::new(0.0, 100.0))?;
+    /// let body = BodyFactory::create_circle_body_in(&mut simulator, 10.0, 1.0)?;
+    /// simulator.update(0.01);
+    ///
+    /// let snapshot = simulator.snapshot();
+    /// let (velocity, position) = (simulator[body].linear_velocity(), simulator[body].position());
+    /// simulator.update(0.01);
+    /// simulator.restore(&snapshot)?;
+    /// assert_eq!(simulator[body].linear_velocity(), velocity);
+    /// assert_eq!(simulator[body].position(), position);
+    /// # Ok::<(), farseer_core::Error>(())
+    /// ```
+    pub fn snapshot(&self) -> Vec<u8> {
+        SIMULATOR.write(self)
+    }
+
+    /// Becomes the simulator of a [snapshot](Self::snapshot): it goes on with the same bits, and the ids of then name
+    /// the same objects.
+    ///
+    /// # Errors
+    /// Bytes that are no snapshot, were cut short or altered, or come from another version of the format. The
+    /// simulator is what it was, then.
+    pub fn restore(&mut self, snapshot: &[u8]) -> Result<()> {
+        *self = SIMULATOR.read(snapshot)?;
+        Ok(())
+    }
+}

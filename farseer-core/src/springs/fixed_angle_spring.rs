@@ -1,0 +1,73 @@
+//! A torque towards an angle of a body (behaviour chapter 11, section 5).
+
+use serde::{Deserialize, Serialize};
+
+use crate::arena::Arena;
+use crate::body::{Body, BodyId};
+use crate::body_entry::BodyEntry;
+use crate::checked_properties::checked_properties;
+use crate::error::{Result, finite};
+use crate::springs::angle_spring::limited;
+use crate::springs::load::Load;
+use crate::springs::{Constants, Pull, Spring, SpringKind};
+
+/// Turns a body towards an angle.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct FixedAngleSpring {
+    pub(crate) body: BodyId,
+    target_angle: f32,
+    max_torque: f32,
+    torque_multiplier: f32,
+}
+
+impl FixedAngleSpring {
+    pub(crate) fn new(body: (BodyId, &Body), spring_constant: f32, damping_constant: f32) -> Result<Spring> {
+        let kind = SpringKind::FixedAngle(FixedAngleSpring {
+            body: body.0,
+            target_angle: finite("total_rotation", body.1.total_rotation())?,
+            max_torque: f32::MAX,
+            torque_multiplier: 1.0,
+        });
+        Spring::of(kind, spring_constant, damping_constant)
+    }
+
+    /// The body.
+    #[doc(alias = "Body")]
+    pub fn body(&self) -> BodyId {
+        self.body
+    }
+
+    checked_properties! {
+        /// Wanted total rotation in radians, of any size: at first the one the body had when the spring was made.
+        #[doc(alias = "TargetAngle")]
+        target_angle, set_target_angle;
+        /// Greatest torque; a negative one turns the wrong way. Default [`f32::MAX`].
+        #[doc(alias = "MaxTorque")]
+        max_torque, set_max_torque;
+        /// Factor of the torque before it is limited; its sign does not count. Default 1.
+        #[doc(alias = "TorqueMultiplier")]
+        torque_multiplier, set_torque_multiplier;
+    }
+
+    pub(crate) fn pull(&self, constants: Constants, bodies: &mut Arena<BodyEntry>) -> Pull {
+        let Some(body) = bodies.get_mut(self.body).map(|entry| &mut entry.body) else { return Pull::None };
+        if !body.is_integrated() {
+            return Pull::None;
+        }
+        let error = self.target_angle - body.total_rotation();
+        let torque = constants.spring * error - constants.damping * body.angular_velocity();
+        let torque = limited(torque, self.torque_multiplier, self.max_torque);
+        if !(error.is_finite() && Load::of(body).with_torque(torque).is_finite()) {
+            return Pull::NotFinite;
+        }
+        let has_acted = torque != 0.0;
+        if has_acted {
+            body.apply_torque(torque);
+        }
+        Pull::Done { error, has_acted }
+    }
+
+    pub(crate) fn is_valid(&self) -> bool {
+        [self.target_angle, self.max_torque, self.torque_multiplier].iter().all(|number| number.is_finite())
+    }
+}

@@ -1,0 +1,150 @@
+//! Forces between points of two bodies (behaviour chapter 11, section 7).
+
+use serde::{Deserialize, Serialize};
+
+use crate::arena::Arena;
+use crate::body::{Body, BodyId};
+use crate::body_entry::BodyEntry;
+use crate::checked_properties::checked_properties;
+use crate::error::{Result, finite, finite_vector};
+use crate::joints::joint_body::is_non_zero;
+use crate::math::Vector2;
+use crate::math::vector2::length;
+use crate::springs::load::{Load, may_act};
+use crate::springs::{Constants, Pull, SHORTEST, Spring, SpringKind, strength};
+
+/// Pulls points of two bodies together, or pushes them apart, until they are the rest length apart.
+///
+/// Points closer than 0.00001 have no direction: there is no force then, whatever the rest length.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct LinearSpring {
+    pub(crate) body1: BodyId,
+    pub(crate) body2: BodyId,
+    attach_point1: Vector2,
+    attach_point2: Vector2,
+    rest_length: f32,
+}
+
+impl LinearSpring {
+    pub(crate) fn new(
+        body1: (BodyId, &Body),
+        attach_point1: Vector2,
+        body2: (BodyId, &Body),
+        attach_point2: Vector2,
+        spring_constant: f32,
+        damping_constant: f32,
+    ) -> Result<Spring> {
+        finite_vector("attach_point1", attach_point1)?;
+        finite_vector("attach_point2", attach_point2)?;
+        let (point1, point2) =
+            (body1.1.get_world_position(attach_point1), body2.1.get_world_position(attach_point2));
+        let kind = SpringKind::Linear(LinearSpring {
+            body1: body1.0,
+            body2: body2.0,
+            attach_point1,
+            attach_point2,
+            rest_length: finite("rest_length", length(point2 - point1))?,
+        });
+        Spring::of(kind, spring_constant, damping_constant)
+    }
+
+    /// The first body.
+    #[doc(alias = "Body1")]
+    pub fn body1(&self) -> BodyId {
+        self.body1
+    }
+
+    /// The second body.
+    #[doc(alias = "Body2")]
+    pub fn body2(&self) -> BodyId {
+        self.body2
+    }
+
+    /// The attached point in the first body's coordinates.
+    #[doc(alias = "AttachPoint1")]
+    pub fn attach_point1(&self) -> Vector2 {
+        self.attach_point1
+    }
+
+    /// Sets [`attach_point1`](Self::attach_point1). The rest length stays.
+    ///
+    /// # Errors
+    /// What is not finite.
+    pub fn set_attach_point1(&mut self, value: Vector2) -> Result<()> {
+        self.attach_point1 = finite_vector("attach_point1", value)?;
+        Ok(())
+    }
+
+    /// The attached point in the second body's coordinates.
+    #[doc(alias = "AttachPoint2")]
+    pub fn attach_point2(&self) -> Vector2 {
+        self.attach_point2
+    }
+
+    /// Sets [`attach_point2`](Self::attach_point2). The rest length stays.
+    ///
+    /// # Errors
+    /// What is not finite.
+    pub fn set_attach_point2(&mut self, value: Vector2) -> Result<()> {
+        self.attach_point2 = finite_vector("attach_point2", value)?;
+        Ok(())
+    }
+
+    checked_properties! {
+        /// Distance at which the spring is at rest: at first the one the points had when the spring was made.
+        #[doc(alias = "RestLength")]
+        rest_length, set_rest_length;
+    }
+
+    pub(crate) fn pull(&self, constants: Constants, bodies: &mut Arena<BodyEntry>) -> Pull {
+        let (Some(entry1), Some(entry2)) = (bodies.get(self.body1), bodies.get(self.body2)) else {
+            return Pull::None;
+        };
+        let (body1, body2) = (&entry1.body, &entry2.body);
+        if !may_act(body1, body2) {
+            return Pull::None;
+        }
+        let point1 = body1.get_world_position(self.attach_point1);
+        let point2 = body2.get_world_position(self.attach_point2);
+        let difference = point1 - point2;
+        let distance = length(difference);
+        if distance < SHORTEST {
+            return Pull::None;
+        }
+        let error = distance - self.rest_length;
+        let velocity = body1.get_velocity_at_world_point(point1) - body2.get_velocity_at_world_point(point2);
+        let force =
+            difference * (1.0 / distance) * strength(constants, error, velocity, difference, distance);
+
+        let (moves1, moves2) = (!body1.is_static(), !body2.is_static());
+        let mut load = Load::of(body1);
+        if moves1 {
+            load = load.with_force(force, point1 - body1.position());
+        }
+        let mut is_finite = load.is_finite();
+        if self.body1 != self.body2 {
+            load = Load::of(body2);
+        }
+        if moves2 {
+            load = load.with_force(-force, point2 - body2.position());
+        }
+        is_finite &= load.is_finite();
+        if !is_finite {
+            return Pull::NotFinite;
+        }
+
+        let has_acted = is_non_zero(force);
+        if has_acted && moves1 {
+            bodies[self.body1].body.apply_force_at_world_point(force, point1);
+        }
+        if has_acted && moves2 {
+            bodies[self.body2].body.apply_force_at_world_point(-force, point2);
+        }
+        Pull::Done { error, has_acted }
+    }
+
+    pub(crate) fn is_valid(&self) -> bool {
+        let vectors = [self.attach_point1, self.attach_point2];
+        self.rest_length.is_finite() && vectors.iter().all(|v| v.x.is_finite() && v.y.is_finite())
+    }
+}

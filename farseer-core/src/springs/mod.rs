@@ -1,0 +1,246 @@
+//! Springs push and turn bodies by forces (behaviour chapter 11).
+//!
+//! Forces are mass times length per square second, torques force times length, angles radians.
+
+mod angle_spring;
+mod fixed_angle_spring;
+mod fixed_linear_spring;
+mod linear_spring;
+mod load;
+mod spring_type;
+
+use serde::{Deserialize, Serialize};
+
+pub use angle_spring::AngleSpring;
+pub use fixed_angle_spring::FixedAngleSpring;
+pub use fixed_linear_spring::FixedLinearSpring;
+pub use linear_spring::LinearSpring;
+pub use spring_type::SpringType;
+
+use crate::arena::Arena;
+use crate::body::BodyId;
+use crate::body_entry::BodyEntry;
+use crate::checked_properties::checked_properties;
+use crate::error::{Result, finite};
+use crate::math::Vector2;
+use crate::math::vector2::dot;
+
+crate::arena::define_id! {
+    /// Names a [`Spring`] of a simulator: the one that made it, its clones and what is loaded from its saves.
+    SpringId
+}
+
+/// A linear spring shorter than this has no direction.
+const SHORTEST: f32 = 0.00001;
+
+/// What all springs have in common, and the spring of a certain kind.
+///
+/// Springs are made by [`SpringFactory`](crate::SpringFactory). A spring goes when one of its bodies is disposed.
+/// Between two bodies of which one is disabled it keeps pulling at both: the force piles up in the disabled one and
+/// acts at once when that is enabled again, as in the original.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct Spring {
+    breakpoint: f32,
+    damping_constant: f32,
+    spring_constant: f32,
+    spring_error: f32,
+    enabled: bool,
+    tag: u64,
+    kind: SpringKind,
+}
+
+/// The kinds of springs.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[non_exhaustive]
+pub enum SpringKind {
+    /// Torques towards an angle between two bodies.
+    Angle(AngleSpring),
+    /// A torque towards an angle of a body.
+    FixedAngle(FixedAngleSpring),
+    /// A force towards a point of the world.
+    FixedLinear(FixedLinearSpring),
+    /// Forces between points of two bodies.
+    Linear(LinearSpring),
+}
+
+/// What came of the update of a spring.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum SpringOutcome {
+    /// There was nothing to do.
+    Idle,
+    /// A force or torque was applied.
+    Updated,
+    /// What a body had to bear would not have been finite; nothing has changed.
+    NotFinite,
+}
+
+/// Stiffness and damping.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Constants {
+    spring: f32,
+    damping: f32,
+}
+
+/// What a kind of spring has done.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Pull {
+    /// The error stays what it was.
+    None,
+    Done {
+        error: f32,
+        has_acted: bool,
+    },
+    NotFinite,
+}
+
+impl Spring {
+    fn of(kind: SpringKind, spring_constant: f32, damping_constant: f32) -> Result<Self> {
+        Ok(Spring {
+            breakpoint: f32::MAX,
+            damping_constant: finite("damping_constant", damping_constant)?,
+            spring_constant: finite("spring_constant", spring_constant)?,
+            spring_error: 0.0,
+            enabled: true,
+            tag: 0,
+            kind,
+        })
+    }
+
+    checked_properties! {
+        /// Greatest error the spring bears, whatever its sign; in the update after one beyond it the spring breaks:
+        /// it acts once more, is disabled, and [`Event::SpringBroke`](crate::Event::SpringBroke) is reported. Default
+        /// [`f32::MAX`].
+        #[doc(alias = "Breakpoint")]
+        breakpoint, set_breakpoint;
+        /// Force per velocity, or torque per angular velocity, against the movement.
+        #[doc(alias = "DampingConstant")]
+        damping_constant, set_damping_constant;
+        /// Force per length, or torque per angle, against the error.
+        #[doc(alias = "SpringConstant")]
+        spring_constant, set_spring_constant;
+    }
+
+    /// Error of the last update in which the spring acted: an angle in radians or a length.
+    #[doc(alias = "SpringError")]
+    pub fn spring_error(&self) -> f32 {
+        self.spring_error
+    }
+
+    /// Whether the spring takes part in the simulation. Default true.
+    #[doc(alias = "Enabled")]
+    pub fn enabled(&self) -> bool {
+        self.enabled
+    }
+
+    /// Sets [`enabled`](Self::enabled). A spring that broke breaks again in the next update, unless its breakpoint was
+    /// raised.
+    pub fn set_enabled(&mut self, value: bool) {
+        self.enabled = value;
+    }
+
+    /// A number for the user's own purposes. Default 0.
+    #[doc(alias = "Tag")]
+    pub fn tag(&self) -> u64 {
+        self.tag
+    }
+
+    /// Sets [`tag`](Self::tag).
+    pub fn set_tag(&mut self, value: u64) {
+        self.tag = value;
+    }
+
+    /// The first body, or the only one.
+    pub fn body1(&self) -> BodyId {
+        match &self.kind {
+            SpringKind::Angle(spring) => spring.body1,
+            SpringKind::FixedAngle(spring) => spring.body,
+            SpringKind::FixedLinear(spring) => spring.body,
+            SpringKind::Linear(spring) => spring.body1,
+        }
+    }
+
+    /// The second body, if the spring has one.
+    pub fn body2(&self) -> Option<BodyId> {
+        match &self.kind {
+            SpringKind::Angle(spring) => Some(spring.body2),
+            SpringKind::Linear(spring) => Some(spring.body2),
+            SpringKind::FixedAngle(_) | SpringKind::FixedLinear(_) => None,
+        }
+    }
+
+    /// The spring of its kind.
+    pub fn kind(&self) -> &SpringKind {
+        &self.kind
+    }
+
+    pub(crate) fn kind_mut(&mut self) -> &mut SpringKind {
+        &mut self.kind
+    }
+
+    pub(crate) fn set_body1(&mut self, body: BodyId) {
+        match &mut self.kind {
+            SpringKind::Angle(spring) => spring.body1 = body,
+            SpringKind::FixedAngle(spring) => spring.body = body,
+            SpringKind::FixedLinear(spring) => spring.body = body,
+            SpringKind::Linear(spring) => spring.body1 = body,
+        }
+    }
+
+    /// Does nothing to a spring of one body.
+    pub(crate) fn set_body2(&mut self, body: BodyId) {
+        match &mut self.kind {
+            SpringKind::Angle(spring) => spring.body2 = body,
+            SpringKind::Linear(spring) => spring.body2 = body,
+            SpringKind::FixedAngle(_) | SpringKind::FixedLinear(_) => {}
+        }
+    }
+
+    /// The breaking test, with the error of the update before. Answers whether the spring broke just now; it is
+    /// disabled then. As in the original the update that finds it broken still acts.
+    pub(crate) fn breaks(&mut self) -> bool {
+        let breaks = self.enabled && self.spring_error.abs() > self.breakpoint;
+        if breaks {
+            self.enabled = false;
+        }
+        breaks
+    }
+
+    /// Applies force or torque, if the bodies let it.
+    pub(crate) fn update(&mut self, bodies: &mut Arena<BodyEntry>) -> SpringOutcome {
+        let constants = Constants { spring: self.spring_constant, damping: self.damping_constant };
+        let pull = match &self.kind {
+            SpringKind::Angle(spring) => spring.pull(constants, bodies),
+            SpringKind::FixedAngle(spring) => spring.pull(constants, bodies),
+            SpringKind::FixedLinear(spring) => spring.pull(constants, bodies),
+            SpringKind::Linear(spring) => spring.pull(constants, bodies),
+        };
+        match pull {
+            Pull::None => SpringOutcome::Idle,
+            Pull::NotFinite => SpringOutcome::NotFinite,
+            Pull::Done { error, has_acted } => {
+                self.spring_error = error;
+                if has_acted { SpringOutcome::Updated } else { SpringOutcome::Idle }
+            }
+        }
+    }
+
+    /// Whether all numbers are finite.
+    pub(crate) fn is_valid(&self) -> bool {
+        let numbers = [self.breakpoint, self.damping_constant, self.spring_constant, self.spring_error];
+        let is_kind_valid = match &self.kind {
+            SpringKind::Angle(spring) => spring.is_valid(),
+            SpringKind::FixedAngle(spring) => spring.is_valid(),
+            SpringKind::FixedLinear(spring) => spring.is_valid(),
+            SpringKind::Linear(spring) => spring.is_valid(),
+        };
+        is_kind_valid && numbers.iter().all(|number| number.is_finite())
+    }
+}
+
+/// Force of a linear spring along its direction.
+#[inline]
+fn strength(constants: Constants, error: f32, velocity: Vector2, difference: Vector2, distance: f32) -> f32 {
+    let stiffness = constants.spring * error;
+    let damping = constants.damping * dot(velocity, difference) / distance;
+    -(stiffness + damping)
+}
