@@ -52,11 +52,16 @@ fn film_2d(folder: &Path) -> Result<String> {
     let recorder = Recorder {
         name: "demo_scene_2_2d",
         size: SIZE,
+        shrink: 2,
         steps_per_second: RATE,
         seconds: 6,
         stills: &[0.0, 0.7, 1.4, 2.1, 3.5, 5.9],
     };
-    let summary = recorder.film(folder, &mut scene, &backdrop, Plane::step, |scene, canvas| {
+    let step = |scene: &mut Plane| {
+        scene.step();
+        Ok(())
+    };
+    let summary = recorder.film(folder, &mut scene, &backdrop, step, |scene, canvas| {
         scene.draw(canvas);
         Ok(())
     })?;
@@ -117,12 +122,17 @@ fn film_2_5d(folder: &Path, wants_debug_view: bool) -> Result<String> {
     let recorder = Recorder {
         name: "demo_scene_2_2_5d",
         size: SIZE,
+        shrink: 2,
         steps_per_second: RATE,
         seconds: 6,
         stills: &[0.0, 0.6, 1.2, 1.8, 3.0, 5.9],
     };
     let mut stage = depth(wants_debug_view)?;
-    let summary = recorder.film(folder, &mut stage, &backdrop, Stage::step, |stage, canvas| {
+    let step = |stage: &mut Stage| {
+        stage.step();
+        Ok(())
+    };
+    let summary = recorder.film(folder, &mut stage, &backdrop, step, |stage, canvas| {
         stage.draw(canvas);
         Ok(())
     })?;

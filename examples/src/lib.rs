@@ -2,11 +2,14 @@
 
 mod plane;
 mod recorder;
+mod sample_film;
+mod sample_picture;
 mod scenery;
 mod stage;
 
 pub use plane::Plane;
 pub use recorder::{Recorder, Summary};
+pub use sample_film::SampleFilm;
 pub use scenery::draw_hills;
 pub use stage::{Shape, Stage, Start};
 

@@ -18,6 +18,8 @@ pub struct Recorder {
     pub name: &'static str,
     /// Width and height of the pictures in px.
     pub size: [u32; 2],
+    /// How many times smaller the stills are, 1 or more.
+    pub shrink: u32,
     /// Simulated steps per second.
     pub steps_per_second: u32,
     /// Length of the film in s.
@@ -44,13 +46,13 @@ impl Recorder {
     /// picture begins with.
     ///
     /// # Errors
-    /// A file that cannot be written, or what `draw` fails with.
+    /// A file that cannot be written, or what `step` or `draw` fails with.
     pub fn film<S>(
         &self,
         folder: &Path,
         scene: &mut S,
         backdrop: &SoftwareCanvas,
-        step: impl Fn(&mut S),
+        step: impl Fn(&mut S) -> Result<()>,
         draw: impl Fn(&S, &mut dyn Canvas) -> Result<()>,
     ) -> Result<Summary> {
         let animation_path = folder.join(format!("{}.png", self.name));
@@ -60,7 +62,7 @@ impl Recorder {
         let steps_per_frame = self.steps_per_second / FRAME_RATE;
         let mut animation =
             Animation::create(&animation_path, width, height, frames, (1000 / FRAME_RATE) as u16)?;
-        let mut sheet = ContactSheet::new(3, 2)?;
+        let mut sheet = ContactSheet::new(3, self.shrink)?;
         let mut stills = self.stills.iter().peekable();
         let mut stepping = Duration::ZERO;
         for frame in 0..frames {
@@ -77,7 +79,7 @@ impl Recorder {
                 std::io::stderr().flush()?;
             }
             let start = Instant::now();
-            (0..steps_per_frame).for_each(|_| step(scene));
+            (0..steps_per_frame).try_for_each(|_| step(scene))?;
             stepping += start.elapsed();
         }
         eprintln!("\r{}: {} s filmed", self.name, self.seconds);

@@ -183,9 +183,8 @@ impl<T, I: Id + Ord> Collection<T, I> {
 
     /// Whether lists and flags agree: false only after loading garbage.
     pub(crate) fn is_consistent(&self) -> bool {
-        let count = |flag: fn(&Entry<T>) -> bool| {
-            self.entries.iter::<I>().filter(|(_, entry)| flag(entry)).count()
-        };
+        let count =
+            |flag: fn(&Entry<T>) -> bool| self.entries.iter::<I>().filter(|(_, entry)| flag(entry)).count();
         let all = |list: &[I], flag: fn(&Entry<T>) -> bool| {
             list.iter().all(|&id| self.entries.get(id).is_some_and(flag))
         };

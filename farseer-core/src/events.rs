@@ -321,7 +321,7 @@ impl Context<'_> {
         self.simulator.spring_mut(spring)
     }
 
-    /// A controller, unless the id is stale. The controller that is at work is not there.
+    /// A controller, unless the id is stale.
     pub fn controller(&self, controller: ControllerId) -> Option<&Controller> {
         self.simulator.controller(controller)
     }

@@ -22,7 +22,9 @@
 //! # A first program
 //!
 //! ```
-//! use farseer_core::{BodyFactory, GeomFactory, GeomPlacement, PhysicsSimulator, math::Vector2};
+//! use farseer_core::{
+//!     BodyFactory, GeomFactory, GeomPlacement, PhysicsSimulator, math::Vector2,
+//! };
 //!
 //! // Pixels and seconds; y points down, as on the screen.
 //! let mut simulator = PhysicsSimulator::new(Vector2::new(0.0, 150.0))?;
@@ -30,10 +32,14 @@
 //! let floor = BodyFactory::create_rectangle_body_in(&mut simulator, 400.0, 20.0, 1.0)?;
 //! simulator[floor].set_is_static(true);
 //! simulator[floor].set_position(Vector2::new(0.0, 200.0));
-//! GeomFactory::create_rectangle_geom_in(&mut simulator, floor, 400.0, 20.0, GeomPlacement::default())?;
+//! GeomFactory::create_rectangle_geom_in(
+//!     &mut simulator, floor, 400.0, 20.0, GeomPlacement::default(),
+//! )?;
 //!
 //! let ball = BodyFactory::create_circle_body_in(&mut simulator, 10.0, 1.0)?;
-//! let geom = GeomFactory::create_circle_geom_in(&mut simulator, ball, 10.0, 16, GeomPlacement::default())?;
+//! let geom = GeomFactory::create_circle_geom_in(
+//!     &mut simulator, ball, 10.0, 16, GeomPlacement::default(),
+//! )?;
 //! simulator[geom].set_restitution_coefficient(0.5);
 //!
 //! for _ in 0..500 {
@@ -72,7 +78,7 @@
 //!
 //! # Methods to choose from
 //!
-//! The defaults are the original's. All numbers on this page were measured with this crate; those in code are measured
+//! The defaults are the original's. Figures on this page were measured with this crate; those in code are measured again
 //! whenever its tests run.
 //!
 //! ## Broad phase
@@ -118,18 +124,27 @@
 //! #     Ok(simulator[ball].position().y)
 //! # }
 //! // The cup is open on top, from y = 0 down to its bottom at 40; the ball has a radius of 5.
-//! assert!((resting_height(NarrowPhaseCollider::DistanceGrid)? - 35.0).abs() < 0.1, "on the bottom");
-//! assert!((resting_height(NarrowPhaseCollider::Sat)? + 5.0).abs() < 0.1, "on the brim, as if there were a lid");
+//! assert!(
+//!     (resting_height(NarrowPhaseCollider::DistanceGrid)? - 35.0).abs() < 0.1,
+//!     "on the bottom"
+//! );
+//! assert!(
+//!     (resting_height(NarrowPhaseCollider::Sat)? + 5.0).abs() < 0.1,
+//!     "on the brim, as if there were a lid"
+//! );
 //!
 //! # let mut simulator = PhysicsSimulator::default();
 //! // A bar of 100 by 4 on a body that is turned by 45 degrees: a cell is thicker than the bar.
 //! let body = BodyFactory::create_rectangle_body_in(&mut simulator, 100.0, 4.0, 1.0)?;
 //! simulator[body].set_rotation(std::f32::consts::FRAC_PI_4);
-//! let bar = GeomFactory::create_rectangle_geom_in(&mut simulator, body, 100.0, 4.0, GeomPlacement::default())?;
+//! let bar = GeomFactory::create_rectangle_geom_in(
+//!     &mut simulator, body, 100.0, 4.0, GeomPlacement::default(),
+//! )?;
 //! assert!(simulator.geom(bar).unwrap().grid_cell_size() > 7.0);
 //! // Better: a cell size.
 //! let placement = GeomPlacement::with_grid_size(0.5);
-//! let bar = GeomFactory::create_rectangle_geom_in(&mut simulator, body, 100.0, 4.0, placement)?;
+//! let bar =
+//!     GeomFactory::create_rectangle_geom_in(&mut simulator, body, 100.0, 4.0, placement)?;
 //! assert_eq!(simulator.geom(bar).unwrap().grid_cell_size(), 0.5);
 //! # Ok::<(), farseer_core::Error>(())
 //! ```
@@ -154,8 +169,8 @@
 //! | [`iterations`](PhysicsSimulator::set_iterations) | 5 | firmer stacks and chains; time in proportion |
 //! | [`max_contacts_to_detect`](PhysicsSimulator::set_max_contacts_to_detect) | 10 | finds the deepest of outlines with many vertices; less is faster and rougher |
 //! | [`max_contacts_to_resolve`](PhysicsSimulator::set_max_contacts_to_resolve) | 4 | rarely useful: the deepest come first |
-//! | [`bias_factor`](PhysicsSimulator::set_bias_factor) | 0.8 | overlaps go faster, and towers tremble more |
-//! | [`allowed_penetration`](PhysicsSimulator::set_allowed_penetration) | 0.05 | calmer contacts, deeper by so much. In length units: set it if yours are metres |
+//! | [`bias_factor`](PhysicsSimulator::set_bias_factor) | 0.8 | part of an overlap that is undone per update: overlaps go faster, less is softer |
+//! | [`allowed_penetration`](PhysicsSimulator::set_allowed_penetration) | 0.05 | overlap that is left alone, so that contacts last. In length units: set it if yours are metres |
 //!
 //! # Where they fail
 //!
@@ -374,7 +389,9 @@
 //! let mut simulator = PhysicsSimulator::new(Vector2::new(0.0, 100.0))?;
 //! let lamp = BodyFactory::create_circle_body_in(&mut simulator, 10.0, 1.0)?;
 //! simulator[lamp].set_position(Vector2::new(50.0, 0.0));
-//! let hook = JointFactory::create_fixed_revolute_joint_in(&mut simulator, lamp, Vector2::new(0.0, 0.0))?;
+//! let hook = JointFactory::create_fixed_revolute_joint_in(
+//!     &mut simulator, lamp, Vector2::new(0.0, 0.0),
+//! )?;
 //! simulator[hook].set_breakpoint(2.0)?;
 //! for _ in 0..200 {
 //!     simulator.update(0.01);
@@ -504,9 +521,9 @@ pub use body_interpolation::{BodyInterpolation, InterpolatedPose};
 pub use broad_phase::{SelectiveSweepOrder, SweepEnd};
 pub use contact::{Contact, ContactId, Feature, index_of_safe};
 pub use controllers::{
-    AabbFluidContainer, Controller, ControllerId, ControllerKind, ControllerType, FluidContainer, FluidContainerRef,
-    FluidDragController, GravityController, GravityType, InactivityController, ScalingController, UserController,
-    WaveController,
+    AabbFluidContainer, Controller, ControllerId, ControllerKind, ControllerType, FluidContainer,
+    FluidContainerRef, FluidDragController, GravityController, GravityType, InactivityController,
+    ScalingController, UserController, WaveController,
 };
 pub use debug_view::{DebugShape, PhysicsSimulatorView};
 pub use error::{Error, Result};
@@ -516,8 +533,8 @@ pub use fixed_step_clock::FixedStepClock;
 pub use geom::{Geom, GeomId};
 pub use geom_ref::GeomRef;
 pub use joints::{
-    AngleJoint, AngleLimitJoint, FixedAngleJoint, FixedAngleLimitJoint, FixedRevoluteJoint, Joint, JointId, JointKind,
-    JointType, PinJoint, RevoluteJoint, SliderJoint, WeldJoint,
+    AngleJoint, AngleLimitJoint, FixedAngleJoint, FixedAngleLimitJoint, FixedRevoluteJoint, Joint, JointId,
+    JointKind, JointType, PinJoint, RevoluteJoint, SliderJoint, WeldJoint,
 };
 pub use methods::{BroadPhaseCollider, CollisionCategory, FrictionType, NarrowPhaseCollider};
 pub use mouse_picker::MousePicker;

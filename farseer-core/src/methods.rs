@@ -79,7 +79,7 @@ impl FrictionType {
 ///
 /// ```
 /// use farseer_core::CollisionCategory;
-/// let players_and_walls = CollisionCategory::cat(1)? | CollisionCategory::cat(2)?;
+/// let players_and_walls = CollisionCategory::CAT1 | CollisionCategory::CAT2;
 /// assert!(players_and_walls.intersects(CollisionCategory::cat(2)?));
 /// # Ok::<(), farseer_core::Error>(())
 /// ```
@@ -93,11 +93,10 @@ impl CollisionCategory {
     /// All 31 categories.
     pub const ALL: Self = CollisionCategory(0x7FFF_FFFF);
 
-    /// Category `number`, 1 to 31.
+    /// Category `number`, 1 to 31, for numbers that are not known beforehand.
     ///
     /// # Errors
     /// A number outside 1 to 31.
-    #[doc(alias("Cat1", "Cat2", "Cat31"))]
     pub fn cat(number: u32) -> Result<Self> {
         if (1..=31).contains(&number) {
             Ok(CollisionCategory(1 << (number - 1)))
@@ -121,6 +120,51 @@ impl CollisionCategory {
     pub const fn intersects(self, other: Self) -> bool {
         self.0 & other.0 != 0
     }
+}
+
+macro_rules! categories {
+    ($($name:ident = $number:literal, $alias:literal;)*) => {
+        /// The categories by name.
+        impl CollisionCategory {$(
+            #[doc = concat!("Category ", $number, ".")]
+            #[doc(alias = $alias)]
+            pub const $name: Self = CollisionCategory(1 << ($number - 1));
+        )*}
+    };
+}
+
+categories! {
+    CAT1 = 1, "Cat1";
+    CAT2 = 2, "Cat2";
+    CAT3 = 3, "Cat3";
+    CAT4 = 4, "Cat4";
+    CAT5 = 5, "Cat5";
+    CAT6 = 6, "Cat6";
+    CAT7 = 7, "Cat7";
+    CAT8 = 8, "Cat8";
+    CAT9 = 9, "Cat9";
+    CAT10 = 10, "Cat10";
+    CAT11 = 11, "Cat11";
+    CAT12 = 12, "Cat12";
+    CAT13 = 13, "Cat13";
+    CAT14 = 14, "Cat14";
+    CAT15 = 15, "Cat15";
+    CAT16 = 16, "Cat16";
+    CAT17 = 17, "Cat17";
+    CAT18 = 18, "Cat18";
+    CAT19 = 19, "Cat19";
+    CAT20 = 20, "Cat20";
+    CAT21 = 21, "Cat21";
+    CAT22 = 22, "Cat22";
+    CAT23 = 23, "Cat23";
+    CAT24 = 24, "Cat24";
+    CAT25 = 25, "Cat25";
+    CAT26 = 26, "Cat26";
+    CAT27 = 27, "Cat27";
+    CAT28 = 28, "Cat28";
+    CAT29 = 29, "Cat29";
+    CAT30 = 30, "Cat30";
+    CAT31 = 31, "Cat31";
 }
 
 impl std::ops::BitOr for CollisionCategory {

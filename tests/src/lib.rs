@@ -7,8 +7,10 @@ pub mod golden;
 #[cfg(feature = "peers")]
 pub mod peers;
 pub mod run;
+pub mod samples;
 pub mod scene;
 pub mod scenes;
+pub mod table;
 pub mod trace;
 pub mod units;
 

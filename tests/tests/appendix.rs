@@ -235,28 +235,9 @@ fn named() -> Vec<&'static str> {
     ]
 }
 
-/// The cells of a line; a quoted one may hold commas, and none holds quotes.
-fn cells(line: &str) -> Vec<String> {
-    let mut cells = vec![String::new()];
-    let mut is_quoted = false;
-    for character in line.chars() {
-        match character {
-            '"' => is_quoted = !is_quoted,
-            ',' if !is_quoted => cells.push(String::new()),
-            _ => cells.last_mut().expect("there is one from the start").push(character),
-        }
-    }
-    cells
-}
-
 /// The rows below the head.
 fn rows() -> Vec<[String; COLUMNS.len()]> {
-    let mut rows = TABLE.lines().map(|line| {
-        let cells = cells(line);
-        cells.try_into().unwrap_or_else(|cells| panic!("{cells:?} are not the cells of a row"))
-    });
-    assert_eq!(rows.next(), Some(COLUMNS.map(String::from)));
-    rows.collect()
+    conformance::table::rows(TABLE, COLUMNS)
 }
 
 #[test]

@@ -192,33 +192,6 @@ fn vertices_are_written_as_the_original_writes_them() {
 }
 
 #[test]
-fn in_engine_winding_a_corner_without_a_turn_is_not_convex() {
-    let mut with_flat_corner = outline(&[(0.0, 0.0), (0.0, 2.0), (0.0, 4.0), (4.0, 4.0), (4.0, 0.0)]);
-    assert!(!with_flat_corner.is_convex());
-    with_flat_corner.reverse();
-    assert!(with_flat_corner.is_convex());
-    assert!(Vertices::new().is_convex());
-}
-
-#[test]
-fn long_edges_are_divided_into_equal_parts() {
-    let mut rectangle = outline(&[(0.0, 0.0), (10.0, 0.0), (10.0, 3.0), (0.0, 3.0)]);
-    rectangle.sub_divide_edges(4.0).unwrap();
-    let x = |bits| f32::from_bits(bits);
-    let divided = [
-        (0.0, 0.0),
-        (x(0x4055_5556), 0.0),
-        (x(0x40D5_5556), 0.0),
-        (10.0, 0.0),
-        (10.0, 3.0),
-        (x(0x40D5_5555), 3.0),
-        (x(0x4055_5554), 3.0),
-        (0.0, 3.0),
-    ];
-    assert_eq!(rectangle, outline(&divided));
-}
-
-#[test]
 fn edges_are_not_divided_without_end() {
     for max_edge_length in [0.0, 1e-30, f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
         let mut divided = l_shape();
@@ -235,41 +208,9 @@ fn a_negative_length_divides_no_edges() {
 }
 
 #[test]
-fn rounding_goes_to_even_and_keeps_the_sign_of_zero() {
-    let rounded = outline(&[(0.5, 1.5), (-0.5, 2.5), (-0.3, 3.49)]).round();
-    assert_words(&rounded, "00000000 40000000 80000000 40000000 80000000 40400000");
-}
-
-#[test]
-fn simplifying_takes_vertices_off_straight_sides() {
-    let simple = Vertices::create_rectangle(100.0, 50.0).unwrap().simplify();
-    assert_eq!(simple, outline(&[(-50.0, -25.0), (-50.0, 25.0), (50.0, 25.0), (50.0, -25.0)]));
-}
-
-#[test]
-fn simplifying_takes_close_vertices_off() {
-    let points = [(0.0, 0.0), (1.0, 0.0), (2.0, 1.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)];
-    let simple = outline(&points).simplify_with_bias(2);
-    assert_eq!(simple, outline(&[(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)]));
-}
-
-#[test]
 fn two_vertices_are_not_simplified() {
     let line = outline(&[(0.4, 0.4), (0.6, 0.6)]);
     assert_eq!(line.simplify_with_bias(5), line);
-}
-
-#[test]
-fn the_hull_may_start_in_the_middle() {
-    let square = outline(&[(0.0, 0.0), (0.0, 4.0), (4.0, 4.0), (4.0, 0.0)]);
-    let hull = outline(&[(4.0, 4.0), (0.0, 4.0), (0.0, 0.0), (4.0, 0.0)]);
-    assert_eq!(square.get_convex_hull().unwrap(), hull);
-}
-
-#[test]
-fn the_hull_of_a_line_is_its_first_and_last_vertex() {
-    let line = outline(&[(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (3.0, 0.0)]);
-    assert_eq!(line.get_convex_hull().unwrap(), outline(&[(0.0, 0.0), (3.0, 0.0)]));
 }
 
 #[test]
@@ -287,47 +228,9 @@ fn wide_l_shape() -> Vertices {
 }
 
 #[test]
-fn an_l_shape_has_two_convex_pieces() {
-    let pieces = wide_l_shape().decompose(10).unwrap();
-    let first = outline(&[(2.0, 6.0), (0.0, 6.0), (0.0, 0.0), (2.0, 2.0)]);
-    let second = outline(&[(0.0, 0.0), (6.0, 0.0), (6.0, 2.0), (2.0, 2.0)]);
-    assert_eq!(pieces, [first, second]);
-}
-
-#[test]
 fn decomposition_stops_at_the_number_asked_for() {
     let pieces = [-1, 0, 1, 2].map(|max| wide_l_shape().decompose(max).unwrap().len());
     assert_eq!(pieces, [0, 0, 1, 2]);
-}
-
-#[test]
-fn a_rectangle_of_sixteen_vertices_has_four_pieces() {
-    let mut pieces = Vertices::create_rectangle(8.0, 8.0).unwrap().decompose(5).unwrap();
-    assert_eq!(pieces.len(), 4);
-    pieces[0].force_counter_clockwise_order();
-    let first = [(-4.0, 2.0), (-2.0, 4.0), (0.0, 4.0), (4.0, 0.0), (2.0, -4.0), (-4.0, -4.0)];
-    assert_eq!(pieces[0], outline(&first));
-}
-
-#[test]
-fn a_pinched_outline_falls_into_its_parts() {
-    let pinched = [(0.0, 0.0), (4.0, 4.0), (8.0, 0.0), (8.0, 8.0), (4.0, 4.0), (0.0, 8.0)];
-    let pieces = outline(&pinched).decompose(10).unwrap();
-    assert_eq!(pieces.iter().map(|piece| piece.len()).collect::<Vec<_>>(), [3, 3]);
-}
-
-#[test]
-fn a_circle_of_177_edges_has_forty_pieces() {
-    let pieces = Vertices::create_circle(100.0, 177).unwrap().decompose(60).unwrap();
-    assert_eq!(pieces.len(), 40);
-    let sizes: Vec<usize> = pieces.iter().take(10).map(|piece| piece.len()).collect();
-    assert_eq!(sizes, [32, 15, 6, 15, 8, 5, 15, 9, 9, 3]);
-}
-
-#[test]
-fn a_circle_of_178_edges_has_too_many_triangles() {
-    let error = Vertices::create_circle(100.0, 178).unwrap().decompose(60).unwrap_err();
-    assert!(error.to_string().contains("175 triangles"), "{error}");
 }
 
 #[test]

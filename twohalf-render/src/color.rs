@@ -74,6 +74,13 @@ impl Color {
     }
 }
 
+impl From<[u8; 4]> for Color {
+    /// Red, green, blue and straight alpha.
+    fn from([r, g, b, a]: [u8; 4]) -> Self {
+        Color::rgba(r, g, b, a)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,7 +1,9 @@
 //! What the engine works with, drawn over a picture.
 
+use twohalf::farseer_core::PhysicsSimulatorView;
 use twohalf::{BodyId, GeomId, TwoHalfPhysicsSimulator, Vector3, VirtualGeom};
 
+use crate::plane_debug_view;
 use crate::surface::{corners_on_screen, to_screen};
 use crate::{Canvas, Color, Point, Transform};
 
@@ -11,8 +13,8 @@ const ROUND_CORNERS: u8 = 24;
 /// Shows what a simulator works with: outlines, footprints, grounds, platforms and contacts, each where it is in
 /// depth.
 ///
-/// The options are those of Farseer's debug view where it has them (behaviour chapter 16, A), with the same colours
-/// and measures; but outlines are drawn, dots at their corners are not. What depth adds has colours of its own.
+/// The options are those of [the 2D engine's view](PhysicsSimulatorView) where it has them, with the same colours and
+/// measures; but outlines are drawn, dots at their corners are not. What depth adds has colours of its own.
 ///
 /// ```
 /// # use twohalf::TwoHalfPhysicsSimulator;
@@ -24,7 +26,6 @@ const ROUND_CORNERS: u8 = 24;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[doc(alias = "PhysicsSimulatorView")]
 pub struct DebugView {
     /// Whether the grounds are drawn: a line at Y = 0 below each body with an object geom, as wide as that geom.
     pub enable_ground_view: bool,
@@ -82,6 +83,7 @@ pub struct DebugView {
 
 impl Default for DebugView {
     fn default() -> Self {
+        let plane = PhysicsSimulatorView::default();
         DebugView {
             enable_ground_view: true,
             ground_color: Color::rgba(130, 60, 0, 220),
@@ -90,18 +92,18 @@ impl Default for DebugView {
             enable_platform_view: true,
             platform_color: Color::rgba(0, 60, 200, 220),
             enable_edge_view: true,
-            edge_color: Color::rgba(0, 0, 0, 150),
+            edge_color: plane.edge_color.into(),
             enable_vertice_view: false,
-            vertice_color: Color::rgba(0, 50, 0, 150),
-            vertice_radius: 3.0,
-            enable_coordinate_axis_view: true,
-            coordinate_axis_color: Color::rgba(0, 0, 0, 150),
-            coordinate_axis_line_length: 20.0,
-            enable_contact_view: true,
-            contact_color: Color::rgba(255, 0, 0, 150),
-            contact_radius: 4.0,
+            vertice_color: plane.vertice_color.into(),
+            vertice_radius: plane.vertice_radius,
+            enable_coordinate_axis_view: plane.enable_coordinate_axis_view,
+            coordinate_axis_color: plane.coordinate_axis_color.into(),
+            coordinate_axis_line_length: plane.coordinate_axis_line_length,
+            enable_contact_view: plane.enable_contact_view,
+            contact_color: plane.contact_color.into(),
+            contact_radius: plane.contact_radius,
             contact_normal_length: 20.0,
-            line_thickness: 1.0,
+            line_thickness: plane.edge_line_thickness,
         }
     }
 }
@@ -148,11 +150,11 @@ impl Pen<'_> {
 
     fn line(&mut self, points: &[Point], is_closed: bool, color: Color) {
         let width = self.view.line_thickness;
-        self.canvas.stroke_polyline(points, is_closed, width, &Transform::IDENTITY, color);
+        plane_debug_view::line(self.canvas, points, is_closed, width, color);
     }
 
     fn dot(&mut self, center: Point, radius: f32, color: Color) {
-        self.canvas.fill_ellipse(center, [radius; 2], &Transform::IDENTITY, color);
+        plane_debug_view::dot(self.canvas, center, radius, color);
     }
 
     fn ground(&mut self, body: BodyId) {

@@ -8,7 +8,7 @@
 //! 2. **Depth reads**: [`SpriteBatch`] draws back to front; shadows lie on the ground, or on the platform below, end
 //!    at its edge ([`DrawBody`]) and shrink with height ([`shadow_scale`]); platforms are seen as boxes
 //!    ([`DrawPlatform`]); [`draw_ground_backdrop`] draws a floor along the model's Z axis, [`DebugView`] what the
-//!    engine works with.
+//!    engine works with, [`draw_debug_view`] what the 2D engine does.
 //! 3. **Other targets are easy**: everything is drawn through the small [`Canvas`] trait.
 //! 4. **Names an XNA game expects**: [`SpriteBatch`], [`Texture2D`], [`Color`], with XNA's meaning of
 //!    rotation, origin, scale, tint and layer depth.
@@ -72,6 +72,7 @@ mod debug_view;
 mod draw_body;
 mod draw_platform;
 mod error;
+mod plane_debug_view;
 mod png_file;
 mod shadow;
 mod software;
@@ -91,6 +92,7 @@ pub use debug_view::DebugView;
 pub use draw_body::DrawBody;
 pub use draw_platform::{DrawPlatform, PlatformLook};
 pub use error::{MAX_PIXELS, MAX_SIDE, RenderError, Result};
+pub use plane_debug_view::draw_debug_view;
 pub use shadow::{SHADOW_SCALE_LIMIT, shadow_scale};
 pub use software::SoftwareCanvas;
 pub use sprite_batch::{Sprite, SpriteBatch};

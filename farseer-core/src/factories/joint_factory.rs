@@ -1,6 +1,7 @@
 //! Joints between bodies, and between bodies and the world (behaviour chapter 13, section 4).
 
 use crate::body::{Body, BodyId};
+use crate::error::{finite, finite_vector};
 use crate::joints::{
     AngleJoint, AngleLimitJoint, FixedAngleJoint, FixedAngleLimitJoint, FixedRevoluteJoint, JointId,
     PinJoint, RevoluteJoint, SliderJoint, WeldJoint,
@@ -18,8 +19,6 @@ pub struct JointFactory;
 impl JointFactory {
     /// Two bodies that turn about a common point of the world.
     ///
-    /// Joints take anchors and angles from where the bodies are now: place bodies first.
-    ///
     /// # Errors
     /// A stale body; a position that is not finite.
     #[doc(alias = "CreateRevoluteJoint")]
@@ -29,6 +28,7 @@ impl JointFactory {
         body2: BodyId,
         initial_anchor_position: Vector2,
     ) -> Result<JointId> {
+        finite_vector("initial_anchor_position", initial_anchor_position)?;
         let (first, second) = (find(simulator, "body1", body1)?, find(simulator, "body2", body2)?);
         let joint = RevoluteJoint::new(first, second, initial_anchor_position)?;
         simulator.create_joint(joint)
@@ -243,6 +243,8 @@ impl JointFactory {
         min: f32,
         max: f32,
     ) -> Result<JointId> {
+        finite("min", min)?;
+        finite("max", max)?;
         let (first, second) = (find(simulator, "body1", body1)?, find(simulator, "body2", body2)?);
         let joint = AngleLimitJoint::new(first, second, min, max)?;
         simulator.create_joint(joint)
@@ -274,6 +276,8 @@ impl JointFactory {
         min: f32,
         max: f32,
     ) -> Result<JointId> {
+        finite("min", min)?;
+        finite("max", max)?;
         let joint = FixedAngleLimitJoint::new(find(simulator, "body", body)?, min, max)?;
         simulator.create_joint(joint)
     }

@@ -90,6 +90,7 @@ impl PhysicsSimulator {
     /// # Errors
     /// A stale id; a geom without a distance grid, if the distance grid is selected; a box that is not finite.
     #[doc(alias = "Geom(Body, Geom)")]
+    #[doc(alias("DistanceGrid.Copy"))]
     pub fn clone_geom(&mut self, body: BodyId, geom: GeomId) -> Result<GeomId> {
         let source = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?;
         let (offset, rotation_offset) = (source.offset, source.rotation_offset);

@@ -36,6 +36,7 @@ impl PhysicsSimulator {
 
     /// Whether a geom holds a point of the world; a stale id holds none.
     #[doc(alias = "Geom.Collide")]
+    #[doc(alias("INarrowPhaseCollider.Intersect"))]
     pub fn geom_collides_with_point(&self, geom: GeomId, point: Vector2) -> bool {
         self.with_settled(geom, |geom| {
             geom.aabb.contains(point)

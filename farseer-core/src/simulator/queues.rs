@@ -114,6 +114,7 @@ impl PhysicsSimulator {
     /// # Errors
     /// A stale id.
     #[doc(alias = "Dispose")]
+    #[doc(alias("DistanceGrid.RemoveDistanceGrid"))]
     pub fn dispose(&mut self, object: impl Into<ObjectId>) -> Result<()> {
         match object.into() {
             ObjectId::Body(body) => {

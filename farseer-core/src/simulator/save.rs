@@ -77,7 +77,8 @@ impl PhysicsSimulator {
         {
             return damaged("a body names a geom that is not its own");
         }
-        if !(self.controllers.is_consistent() && self.joints.is_consistent() && self.springs.is_consistent()) {
+        if !(self.controllers.is_consistent() && self.joints.is_consistent() && self.springs.is_consistent())
+        {
             return damaged("a list of joints, springs or controllers does not name what it should");
         }
         if !self.controllers.iter().all(|(_, controller)| controller.is_valid())

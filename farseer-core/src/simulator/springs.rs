@@ -60,7 +60,12 @@ impl PhysicsSimulator {
     ///
     /// # Errors
     /// A stale id.
-    #[doc(alias("AngleSpring.Body1", "LinearSpring.Body1", "FixedAngleSpring.Body", "FixedLinearSpring.Body"))]
+    #[doc(alias(
+        "AngleSpring.Body1",
+        "LinearSpring.Body1",
+        "FixedAngleSpring.Body",
+        "FixedLinearSpring.Body"
+    ))]
     pub fn set_spring_body1(&mut self, spring: SpringId, body: BodyId) -> Result<()> {
         self.check_body("body", body)?;
         self.springs.find_mut("spring", spring)?.set_body1(body);

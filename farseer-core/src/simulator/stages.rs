@@ -80,6 +80,13 @@ impl PhysicsSimulator {
 
     /// First stage: things enter and leave, edited bodies take their geoms along, and pairs that have an arbiter
     /// are noted. Answers whether the update goes on: not if the simulator is disabled, or `dt` is 0 or refused.
+    #[doc(alias(
+        "IBroadPhaseCollider.ProcessRemovedGeoms",
+        "IBroadPhaseCollider.ProcessDisposedGeoms",
+        "ArbiterList.CleanArbiterList",
+        "Joint.Validate",
+        "Spring.Validate"
+    ))]
     pub fn process_queues(&mut self, dt: f32, handler: Option<&mut dyn EventHandler>) -> bool {
         let mut handler = handler;
         self.events.clear();
@@ -104,6 +111,11 @@ impl PhysicsSimulator {
     /// Second stage: the broad phase appends arbiters for new pairs whose boxes overlap.
     ///
     /// A handler that [filters pairs](EventHandler::filters_pairs) is asked first about those that have one.
+    #[doc(alias(
+        "IBroadPhaseCollider.Update",
+        "ArbiterList.PrepareForBroadphaseCollision",
+        "ArbiterList.AddArbiterForGeomPair"
+    ))]
     pub fn find_pairs(&mut self, handler: Option<&mut dyn EventHandler>) {
         let mut handler = handler;
         let is_filtered = handler.as_ref().is_some_and(|handler| handler.filters_pairs());
@@ -139,6 +151,7 @@ impl PhysicsSimulator {
 
     /// Third stage: the narrow phase finds the contacts of every pair, deepest first, and takes over the impulses
     /// of those that were there before. Pairs without contacts leave.
+    #[doc(alias("INarrowPhaseCollider.Collide", "ArbiterList.RemoveContactCountEqualsZero"))]
     pub fn collide_pairs(&mut self, handler: Option<&mut dyn EventHandler>) {
         let mut handler = handler;
         self.arbiters.take_back_from_engine();
@@ -224,6 +237,7 @@ impl PhysicsSimulator {
     ///
     /// `dt_real` is what controllers are told about the time that has really passed. A step or time that is not
     /// finite changes nothing and is reported.
+    #[doc(alias("Spring.Update", "Controller.Update"))]
     pub fn apply_forces(&mut self, dt: f32, dt_real: f32, handler: Option<&mut dyn EventHandler>) {
         let mut handler = handler;
         if !self.accepts_step("dt", dt) || !self.accepts_step("dt_real", dt_real) {
@@ -252,6 +266,7 @@ impl PhysicsSimulator {
     /// Fifth stage: joints and contacts are prepared, and the impulses of the last update act again. `inverse_dt` is 1 / dt.
     ///
     /// A number that is not finite changes nothing and is reported.
+    #[doc(alias("Joint.PreStep"))]
     pub fn pre_step(&mut self, inverse_dt: f32) {
         if !self.accepts_step("inverse_dt", inverse_dt) {
             return;
@@ -267,6 +282,7 @@ impl PhysicsSimulator {
     }
 
     /// Sixth stage, repeated: one pass over all joints, then one over all contacts.
+    #[doc(alias("Joint.Update"))]
     pub fn solve_iteration(&mut self, handler: Option<&mut dyn EventHandler>) {
         let mut handler = handler;
         self.solve_joints(&mut handler);

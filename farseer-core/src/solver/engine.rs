@@ -72,7 +72,8 @@ impl ContactSolver {
     pub(crate) fn put_velocities_down(&self, bodies: &mut Arena<BodyEntry>) {
         for (&id, state) in self.ids.iter().zip(self.states.iter().skip(1)) {
             let Some(BodyEntry { body, .. }) = bodies.get_mut(id) else { continue };
-            [body.linear_velocity.x, body.linear_velocity.y, body.angular_velocity] = unpack_one(state).velocity;
+            [body.linear_velocity.x, body.linear_velocity.y, body.angular_velocity] =
+                unpack_one(state).velocity;
         }
     }
 

@@ -2,6 +2,9 @@
 //!
 //! Forces are mass times length per square second, torques force times length, angles radians.
 
+// What is made of a kind is always the whole spring.
+#![expect(clippy::new_ret_no_self)]
+
 mod angle_spring;
 mod fixed_angle_spring;
 mod fixed_linear_spring;

@@ -1,0 +1,161 @@
+//! A scene: a simulator, what acts on it in every frame, and how it looks.
+
+use farseer_core::math::Vector2;
+use farseer_core::shape::Vertices;
+use farseer_core::{
+    BodyId, Context, ControllerId, EventHandler, GeomId, JointId, NarrowPhaseCollider, PhysicsSimulator,
+    Result,
+};
+
+use super::{DT, Rgba};
+
+/// What a scene does besides its physics (behaviour chapter 16, section B.1).
+///
+/// Forces that are applied after a step take effect in the next one.
+pub trait Actor: std::fmt::Debug {
+    /// Acts before every step.
+    ///
+    /// # Errors
+    /// What its calls refuse.
+    fn before_step(&mut self, simulator: &mut PhysicsSimulator) -> Result<()> {
+        let _ = simulator;
+        Ok(())
+    }
+
+    /// Acts after every step.
+    ///
+    /// # Errors
+    /// What its calls refuse.
+    fn after_step(&mut self, simulator: &mut PhysicsSimulator) -> Result<()> {
+        let _ = simulator;
+        Ok(())
+    }
+
+    /// A joint broke.
+    fn joint_broke(&mut self, context: &mut Context<'_>, joint: JointId) {
+        let _ = (context, joint);
+    }
+
+    /// A geom dipped into a fluid with these vertices.
+    fn fluid_entry(&mut self, context: &mut Context<'_>, geom: GeomId, vertices: &Vertices) {
+        let _ = (context, geom, vertices);
+    }
+}
+
+/// What is drawn: an outline that is filled, with a border. Later ones lie on top.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Look {
+    /// The outline.
+    pub figure: Figure,
+    /// Colour inside.
+    pub fill: Rgba,
+    /// Colour of the border.
+    pub border: Rgba,
+}
+
+/// An outline that moves with a body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Figure {
+    /// The outline of a geom.
+    Geom(GeomId),
+    /// A rectangle about the origin of a body that has no geom, or one of another size.
+    Rectangle {
+        /// The body.
+        body: BodyId,
+        /// Width and height.
+        size: [f32; 2],
+    },
+}
+
+/// A scene.
+#[derive(Debug)]
+pub struct Scene {
+    pub(super) simulator: PhysicsSimulator,
+    looks: Vec<Look>,
+    actors: Vec<Box<dyn Actor>>,
+}
+
+impl Scene {
+    /// An empty scene with this downward gravity in px/s².
+    ///
+    /// # Errors
+    /// Gravity that is not finite.
+    pub fn new(gravity: f32) -> Result<Self> {
+        let simulator = PhysicsSimulator::new(Vector2::new(0.0, gravity))?;
+        Ok(Scene { simulator, looks: Vec::new(), actors: Vec::new() })
+    }
+
+    /// The same, with separating axes instead of the distance grid.
+    pub(super) fn with_sat(gravity: f32) -> Result<Self> {
+        let mut scene = Scene::new(gravity)?;
+        scene.simulator.set_narrow_phase_collider(NarrowPhaseCollider::Sat);
+        Ok(scene)
+    }
+
+    /// The simulator.
+    pub fn simulator(&self) -> &PhysicsSimulator {
+        &self.simulator
+    }
+
+    /// The simulator, to add to the scene.
+    pub fn simulator_mut(&mut self) -> &mut PhysicsSimulator {
+        &mut self.simulator
+    }
+
+    /// How it looks, back to front.
+    pub fn looks(&self) -> &[Look] {
+        &self.looks
+    }
+
+    /// Lets something act from the next step on.
+    pub fn act(&mut self, actor: impl Actor + 'static) {
+        self.actors.push(Box::new(actor));
+    }
+
+    /// Draws a geom with this fill and border, on top of what is drawn already.
+    pub fn show(&mut self, geom: GeomId, fill: Rgba, border: Rgba) {
+        self.looks.push(Look { figure: Figure::Geom(geom), fill, border });
+    }
+
+    pub(super) fn show_rectangle(&mut self, body: BodyId, size: [f32; 2], fill: Rgba, border: Rgba) {
+        self.looks.push(Look { figure: Figure::Rectangle { body, size }, fill, border });
+    }
+
+    /// A frame: what acts before a step, a step of [`DT`], what acts after it.
+    ///
+    /// # Errors
+    /// What the calls of the actors refuse.
+    pub fn step(&mut self) -> Result<()> {
+        for actor in &mut self.actors {
+            actor.before_step(&mut self.simulator)?;
+        }
+        self.simulator.update_with(DT, &mut Listeners(&mut self.actors));
+        for actor in &mut self.actors {
+            actor.after_step(&mut self.simulator)?;
+        }
+        Ok(())
+    }
+}
+
+/// Hands callbacks on to all actors.
+struct Listeners<'a>(&'a mut [Box<dyn Actor>]);
+
+impl EventHandler for Listeners<'_> {
+    fn on_joint_broke(&mut self, context: &mut Context<'_>, joint: JointId) {
+        for actor in &mut *self.0 {
+            actor.joint_broke(context, joint);
+        }
+    }
+
+    fn on_fluid_entry(
+        &mut self,
+        context: &mut Context<'_>,
+        _: ControllerId,
+        geom: GeomId,
+        vertices: &Vertices,
+    ) {
+        for actor in &mut *self.0 {
+            actor.fluid_entry(context, geom, vertices);
+        }
+    }
+}

@@ -1,0 +1,172 @@
+//! Every public member of Farseer 2.1.3 has its place here. The table is `docs/farseer-api.csv`: each member is mapped
+//! to what does the same in Rust, or excused by one of a few reasons. What the table names exists, as far as a compiler
+//! can tell.
+
+#[macro_use]
+mod macros;
+
+mod controllers;
+mod dynamics;
+mod factories;
+mod joints;
+mod mathematics;
+mod paths;
+mod shapes;
+mod simulator;
+
+mod aliases;
+
+use std::collections::BTreeSet;
+
+use conformance::trace::hash::Fnv;
+
+const TABLE: &str = include_str!("../../../docs/farseer-api.csv");
+/// Columns of the table. The first four are facts about the original.
+const COLUMNS: [&str; 7] = ["type", "member", "member_kind", "signature", "rust", "excuse", "note"];
+
+/// Public members of the original.
+const MEMBERS: usize = 1068;
+/// [`hash_of_members`] of the original's list.
+const HASH_OF_MEMBERS: u64 = 0x46f4_a7f2_51b1_37da;
+
+/// The reasons for which a member may have no counterpart.
+const EXCUSES: [&str; 3] = [
+    // Pools, lists, counters and sort buffers that the original forgot to hide, and overrides that do nothing.
+    "accidental internals",
+    // Joints and springs are made with their bodies here.
+    "constructor without its bodies",
+    // Of objects that have no identity of their own here. Where Rust has the operator, the member is mapped.
+    "equality and hash plumbing",
+];
+/// At most this part of the members may be excused.
+const EXCUSED_PERCENT: usize = 15;
+
+/// Members that anybody could set in the original, and that are only read here.
+const READ_ONLY: [(&str, &str); 13] = [
+    // Every update writes it.
+    ("Geom", "AABB"),
+    ("Geom", "CollisionId"),
+    // What the last question about a point has found.
+    ("WaveController", "VectorFarWaveEdge"),
+    ("WaveController", "VectorNearWaveEdge"),
+    ("WaveController", "VectorPoint"),
+    // Handing in a clock switches it on.
+    ("PhysicsSimulator", "EnableDiagnostics"),
+    // Follows adding and removing.
+    ("Geom", "InSimulation"),
+    // The engine's own state.
+    ("Arbiter", "GeometryA"),
+    ("Arbiter", "GeometryB"),
+    ("DistanceGridData", "AABB"),
+    ("DistanceGridData", "GridCellSize"),
+    ("DistanceGridData", "GridCellSizeInv"),
+    ("DistanceGridData", "Nodes"),
+];
+
+struct Row {
+    of: String,
+    member: String,
+    kind: String,
+    signature: String,
+    rust: String,
+    excuse: String,
+}
+
+impl Row {
+    fn paths(&self) -> impl Iterator<Item = &str> {
+        self.rust.split(' ').filter(|path| !path.is_empty())
+    }
+}
+
+fn rows() -> Vec<Row> {
+    let rows = conformance::table::rows(TABLE, COLUMNS).into_iter();
+    rows.map(|[of, member, kind, signature, rust, excuse, _note]| Row {
+        of,
+        member,
+        kind,
+        signature,
+        rust,
+        excuse,
+    })
+    .collect()
+}
+
+/// What the code names.
+fn named() -> BTreeSet<&'static str> {
+    [
+        controllers::named(),
+        dynamics::named(),
+        factories::named(),
+        joints::named(),
+        mathematics::named(),
+        paths::named(),
+        shapes::named(),
+        simulator::named(),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+/// FNV-1a over type, member and signature, each with a line end.
+fn hash_of_members(rows: &[Row]) -> u64 {
+    let mut hash = Fnv::EMPTY;
+    for cell in rows.iter().flat_map(|row| [&row.of, &row.member, &row.signature]) {
+        hash.bytes(cell.as_bytes());
+        hash.bytes(b"\n");
+    }
+    hash.finish()
+}
+
+#[test]
+fn api_table_has_every_member_of_the_original() {
+    let rows = rows();
+    assert_eq!((rows.len(), hash_of_members(&rows)), (MEMBERS, HASH_OF_MEMBERS));
+}
+
+#[test]
+fn api_table_maps_or_excuses_every_member() {
+    let rows = rows();
+    for Row { of, member, rust, excuse, .. } in &rows {
+        assert!(rust.is_empty() != excuse.is_empty(), "{of}.{member} is either mapped or excused");
+    }
+    let excuses: BTreeSet<&str> =
+        rows.iter().map(|row| row.excuse.as_str()).filter(|e| !e.is_empty()).collect();
+    assert_eq!(excuses, BTreeSet::from(EXCUSES));
+    let excused = rows.iter().filter(|row| row.rust.is_empty()).count();
+    let mapped = rows.len() - excused;
+    println!("api coverage: {mapped} mapped, {excused} excused, {} %", (mapped + excused) * 100 / MEMBERS);
+    assert!(excused * 100 <= rows.len() * EXCUSED_PERCENT, "{excused} are excused");
+}
+
+#[test]
+fn api_table_names_what_exists() {
+    let rows = rows();
+    let in_table: BTreeSet<&str> = rows.iter().flat_map(Row::paths).collect();
+    let named = named();
+    let missing: Vec<_> = in_table.difference(&named).collect();
+    let unused: Vec<_> = named.difference(&in_table).collect();
+    assert!(
+        missing.is_empty() && unused.is_empty(),
+        "only in the table: {missing:?}; only in the code: {unused:?}"
+    );
+}
+
+#[test]
+fn api_members_that_could_be_set_can_be_set() {
+    for row in &rows() {
+        let Row { of, member, kind, signature, rust, excuse } = row;
+        let is_variable =
+            kind == "field" && !signature.starts_with("const") && !signature.contains("EventHandler");
+        let is_set = is_variable || signature.contains(" set; ");
+        if excuse.is_empty() && is_set && !READ_ONLY.contains(&(of, member)) {
+            let sets = |path: &str| {
+                path.contains('.')
+                    || path.contains("::set_")
+                    || path.ends_with("::set")
+                    || path.ends_with("::dispose")
+            };
+            assert!(row.paths().any(sets), "{of}.{member}: {rust}");
+        }
+    }
+}

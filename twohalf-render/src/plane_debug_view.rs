@@ -1,0 +1,58 @@
+//! The debug view of the 2D engine on a canvas.
+
+use twohalf::farseer_core::{DebugShape, PhysicsSimulator, PhysicsSimulatorView};
+
+use crate::text::draw_text;
+use crate::{Canvas, Color, Point, Transform};
+
+/// Px from letter to letter. The built-in letters are at most 7 px wide, and with their usual 8 px the longest line of
+/// the performance panel would run into the column beside it.
+const LETTER_ADVANCE: f32 = 7.0;
+/// Px from the upper edge of a line, which is 15 px high, to its letters, which are 8 px high.
+const LETTER_TOP: f32 = 4.0;
+
+/// Draws what the 2D engine works with over a picture, one px per unit of the world.
+///
+/// For objects with depth there is [`DebugView`](crate::DebugView).
+///
+/// ```
+/// use twohalf::farseer_core::{PhysicsSimulator, PhysicsSimulatorView};
+/// use twohalf_render::{SoftwareCanvas, draw_debug_view};
+///
+/// let simulator = PhysicsSimulator::default();
+/// let mut canvas = SoftwareCanvas::new(1024, 768)?;
+/// draw_debug_view(&PhysicsSimulatorView::default(), &simulator, &mut canvas);
+/// # Ok::<(), twohalf_render::RenderError>(())
+/// ```
+#[doc(alias = "PhysicsSimulatorView.Draw")]
+pub fn draw_debug_view(view: &PhysicsSimulatorView, simulator: &PhysicsSimulator, canvas: &mut dyn Canvas) {
+    view.draw(simulator, |shape| draw_shape(canvas, &shape));
+}
+
+fn draw_shape(canvas: &mut dyn Canvas, shape: &DebugShape) {
+    match *shape {
+        DebugShape::Line { start, end, thickness, color } => {
+            line(canvas, &[start.into(), end.into()], false, thickness, color.into());
+        }
+        DebugShape::Circle { center, radius, color } => dot(canvas, center.into(), radius, color.into()),
+        DebugShape::Rectangle { min, size, color } => {
+            canvas.fill_rectangle(min.into(), size.into(), &Transform::IDENTITY, color.into());
+        }
+        DebugShape::Text { position, ref text, color } => {
+            for (column, letter) in text.chars().enumerate() {
+                let corner = [position.x + column as f32 * LETTER_ADVANCE, position.y + LETTER_TOP];
+                draw_text(canvas, letter.encode_utf8(&mut [0; 4]), corner, 1, color.into());
+            }
+        }
+    }
+}
+
+/// Lines from point to point, `thickness` px wide, as both debug views draw them.
+pub(crate) fn line(canvas: &mut dyn Canvas, points: &[Point], is_closed: bool, thickness: f32, color: Color) {
+    canvas.stroke_polyline(points, is_closed, thickness, &Transform::IDENTITY, color);
+}
+
+/// A filled circle, as both debug views draw it.
+pub(crate) fn dot(canvas: &mut dyn Canvas, center: Point, radius: f32, color: Color) {
+    canvas.fill_ellipse(center, [radius; 2], &Transform::IDENTITY, color);
+}
