@@ -82,6 +82,20 @@ impl<T> Arena<T> {
         Some(value)
     }
 
+    /// Undoes the last [`insert`](Self::insert) that was not undone yet, as if it had never been: its id will be given
+    /// out again. For what nobody knows yet.
+    pub(crate) fn take_back<I: Id>(&mut self, id: I) -> Option<T> {
+        let slot = self.slots.get_mut(id.index()).filter(|slot| slot.generation == id.generation())?;
+        let value = slot.value.take()?;
+        let was_appended = id.generation() == 0 && id.index() + 1 == self.slots.len();
+        if was_appended {
+            self.slots.pop();
+        } else {
+            self.free.push(id.index() as u32);
+        }
+        Some(value)
+    }
+
     /// Removes everything; all ids go stale.
     pub(crate) fn clear<I: Id>(&mut self) {
         for index in 0..self.slots.len() {

@@ -35,6 +35,15 @@ impl Floats for f32 {
     }
 }
 
+impl Floats for Vector2 {
+    fn to_floats(&self) -> Vec<f32> {
+        vec![self.x, self.y]
+    }
+    fn from_floats(floats: &[f32]) -> Option<Self> {
+        <[f32; 2]>::try_from(floats).ok().map(|[x, y]| Vector2::new(x, y))
+    }
+}
+
 impl Floats for Aabb {
     fn to_floats(&self) -> Vec<f32> {
         vec![self.min.x, self.min.y, self.max.x, self.max.y]

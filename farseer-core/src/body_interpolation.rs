@@ -1,5 +1,7 @@
 //! Poses of bodies between two updates, for smooth pictures.
 
+use std::f64::consts::TAU;
+
 use crate::body::{Body, BodyId};
 use crate::math::Vector2;
 use crate::simulator::PhysicsSimulator;
@@ -9,7 +11,9 @@ use crate::simulator::PhysicsSimulator;
 pub struct InterpolatedPose {
     /// Position of the body's origin, in the user's length unit.
     pub position: Vector2,
-    /// [Total rotation](Body::total_rotation) in radians: not limited to one turn.
+    /// [Total rotation](Body::total_rotation) in radians: not limited to one turn. Between two updates it goes the
+    /// short way round, whatever whole turns lie between: a game that [sets](Body::set_rotation) an angle in every
+    /// update changes them.
     pub rotation: f32,
 }
 
@@ -112,16 +116,17 @@ impl BodyInterpolation {
             return Some(after);
         }
         // In double precision, where no difference of two floats is infinite.
-        let between = |from: f32, to: f32| {
-            let (from, to) = (f64::from(from), f64::from(to));
-            (from + (to - from) * f64::from(fraction)) as f32
-        };
+        let way = |from: f32, to: f32| f64::from(to) - f64::from(from);
+        let along = |from: f32, way: f64| (f64::from(from) + way * f64::from(fraction)) as f32;
+        let between = |from: f32, to: f32| along(from, way(from, to));
+        let turn = way(before.rotation, after.rotation);
+        let short_turn = turn - (turn / TAU).round() * TAU;
         Some(InterpolatedPose {
             position: Vector2::new(
                 between(before.position.x, after.position.x),
                 between(before.position.y, after.position.y),
             ),
-            rotation: between(before.rotation, after.rotation),
+            rotation: along(before.rotation, short_turn),
         })
     }
 

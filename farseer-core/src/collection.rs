@@ -43,6 +43,11 @@ impl<T, I: Id + Ord> Collection<T, I> {
         self.entries.insert(Entry { value, is_listed: false, is_queued: false, is_disposed: false })
     }
 
+    /// Takes back what was made last, before it was added: nobody may know its id.
+    pub(crate) fn discard(&mut self, id: I) {
+        self.entries.take_back(id);
+    }
+
     #[inline]
     pub(crate) fn get(&self, id: I) -> Option<&T> {
         self.entries.get(id).map(|entry| &entry.value)
@@ -191,10 +196,21 @@ impl<T, I: Id + Ord> Collection<T, I> {
         self.entries.is_consistent()
             && has_no_duplicates(&self.list)
             && has_no_duplicates(&self.disposed)
+            && self.queue_is_consistent()
             && self.list.len() == count(|entry| entry.is_listed)
             && self.disposed.len() == count(|entry| entry.is_disposed)
             && all(&self.list, |entry| entry.is_listed)
             && all(&self.disposed, |entry| entry.is_disposed)
+    }
+
+    /// Whether those that wait to enter are those that are marked so. The queue may also name what is gone.
+    fn queue_is_consistent(&self) -> bool {
+        let waiting: Vec<I> =
+            self.added.iter().copied().filter(|&id| self.entries.get(id).is_some()).collect();
+        let marked = self.entries.iter::<I>().filter(|(_, entry)| entry.is_queued).count();
+        has_no_duplicates(&waiting)
+            && waiting.iter().all(|&id| self.entries.get(id).is_some_and(|entry| entry.is_queued))
+            && waiting.len() == marked
     }
 }
 

@@ -122,8 +122,8 @@ pub enum Event {
 /// Callbacks of a game. Handlers belong to the game, never to the simulator, so that saving the simulator keeps
 /// everything.
 ///
-/// Callbacks come in the original's order. Through the [`Context`] they edit bodies and geoms at once; what
-/// they add, remove or dispose enters or leaves with the next update.
+/// Callbacks come in the original's order. Through the [`Context`] they edit bodies, geoms, joints, springs and
+/// controllers at once; what they add, remove or dispose enters or leaves with the next update.
 pub trait EventHandler {
     /// Geom `this` touches `other`; called for both sides in every update in which there are contacts. `false`
     /// drops the contacts of this update, and the second side is not asked. The list may be changed, too.

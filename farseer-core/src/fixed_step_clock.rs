@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use crate::{Error, Result};
 
-/// Tells how many updates of a fixed length are due, as the game loop of XNA did.
+/// Tells how many updates of a fixed length are due, in the manner of XNA's game loop.
 ///
 /// It reads no clock itself: every frame it is fed with the time since the last one, and the same times give the same
 /// updates. Times are whole nanoseconds, so that nothing is lost however long a game runs.
@@ -72,7 +72,7 @@ impl FixedStepClock {
         Ok(())
     }
 
-    /// Updates that one frame may catch up with. Default 5.
+    /// Updates that one frame may catch up with. Default 5, which is the choice of this crate, not XNA's.
     pub fn max_updates(&self) -> u32 {
         self.max_updates
     }
@@ -105,7 +105,8 @@ impl FixedStepClock {
         due.min(u128::from(self.max_updates)) as u32
     }
 
-    /// Whether the last frame was so long that more than one update was due.
+    /// Whether the last frame was so long that more than one update was due. One such frame is enough, so it is
+    /// always true with 30 pictures and 60 updates per second.
     #[doc(alias = "IsRunningSlowly")]
     pub fn is_running_slowly(&self) -> bool {
         self.is_running_slowly
@@ -124,6 +125,9 @@ impl FixedStepClock {
 
     /// Length of an update as most games of the XNA years computed it: its whole milliseconds times 0.001. For 60
     /// updates per second that is 0.016, and the simulation runs 4 % slower than the clock.
+    ///
+    /// For updates of 1 ms up to 1 s. Below 1 ms it is 0, which every update refuses: use [`dt`](Self::dt). From 1 s on
+    /// the original's `Milliseconds` is only the part beyond whole seconds, this is all of it.
     #[doc(alias("ElapsedGameTime.Milliseconds", "dt"))]
     pub fn milliseconds_dt(&self) -> f32 {
         Self::dt_of_milliseconds(u32::try_from(self.target.as_millis()).unwrap_or(u32::MAX))

@@ -447,6 +447,10 @@
 //! controllers and containers, and the events of the last update are not in it; a [`Path`] and the game's own ids are saved
 //! beside it, by `serde`.
 //!
+//! Ids made after the snapshot may name other objects once it is restored: forget them,
+//! [clear](BodyInterpolation::clear) what [`BodyInterpolation`] remembers and [forget](MousePicker::forget) what a
+//! [`MousePicker`] holds. The picker's spring is in the snapshot: release it before, or save the picker beside.
+//!
 //! ```
 //! # use farseer_core::{BodyFactory, PhysicsSimulator, math::Vector2};
 //! # let mut simulator = PhysicsSimulator::new(Vector2::new(0.0, 100.0))?;

@@ -1,5 +1,8 @@
 //! Taking hold of bodies with the mouse, as the original's samples do (behaviour chapter 16, section B.1).
 
+use serde::{Deserialize, Deserializer, Serialize, de::Error as _};
+
+use crate::body::BodyId;
 use crate::error::finite;
 use crate::factories::SpringFactory;
 use crate::geom::GeomId;
@@ -9,6 +12,10 @@ use crate::springs::{FixedLinearSpring, SpringId};
 use crate::{Error, Result};
 
 /// Takes hold of what is under the mouse and draws it along with a spring.
+///
+/// The spring is in the simulator, and so in its saves. A game that may be saved while something is held saves the
+/// picker beside the simulator, or lets go before. After [restoring](PhysicsSimulator::restore) a save made before the
+/// button went down it [forgets](Self::forget) what it holds.
 ///
 /// ```
 /// use farseer_core::{BodyFactory, GeomFactory, GeomPlacement, MousePicker, PhysicsSimulator, math::Vector2};
@@ -29,17 +36,24 @@ use crate::{Error, Result};
 /// assert!(simulator[body].linear_velocity().x > 0.0);
 /// # Ok::<(), farseer_core::Error>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MousePicker {
+    #[serde(deserialize_with = "finite_constant")]
     spring_constant: f32,
+    #[serde(deserialize_with = "finite_constant")]
     damping_constant: f32,
-    spring: Option<SpringId>,
+    /// The spring and its body: after a restore the id may name another spring.
+    held: Option<(SpringId, BodyId)>,
+}
+
+fn finite_constant<'de, D: Deserializer<'de>>(deserializer: D) -> std::result::Result<f32, D::Error> {
+    finite("spring constant or damping constant", f32::deserialize(deserializer)?).map_err(D::Error::custom)
 }
 
 impl Default for MousePicker {
     /// With the samples' spring constant of 100 and damping constant of 50.
     fn default() -> Self {
-        MousePicker { spring_constant: 100.0, damping_constant: 50.0, spring: None }
+        MousePicker { spring_constant: 100.0, damping_constant: 50.0, held: None }
     }
 }
 
@@ -52,7 +66,7 @@ impl MousePicker {
         Ok(MousePicker {
             spring_constant: finite("spring_constant", spring_constant)?,
             damping_constant: finite("damping_constant", damping_constant)?,
-            spring: None,
+            held: None,
         })
     }
 
@@ -76,45 +90,56 @@ impl MousePicker {
             self.spring_constant,
             self.damping_constant,
         )?;
-        self.spring = Some(spring);
+        self.held = Some((spring, id));
         Ok(Some(geom))
     }
 
     /// The mouse moved to a point of the world; without anything in hold nothing happens. A body that was disposed is
-    /// no longer held.
+    /// no longer held, nor is one whose spring was disposed or pulls another body now.
     ///
     /// # Errors
     /// A point that is not finite.
     pub fn drag(&mut self, simulator: &mut PhysicsSimulator, point: Vector2) -> Result<()> {
         crate::error::finite_vector("point", point)?;
-        let Some(spring) = self.spring else { return Ok(()) };
-        match simulator.spring_as_mut::<FixedLinearSpring>(spring) {
-            Ok(spring) => spring.set_world_attach_point(point),
-            Err(_) => {
-                self.spring = None;
-                Ok(())
-            }
-        }
+        let Some((id, _)) = self.own_spring(simulator) else {
+            self.forget();
+            return Ok(());
+        };
+        simulator.spring_as_mut::<FixedLinearSpring>(id)?.set_world_attach_point(point)
     }
 
     /// The button went up: lets go.
     pub fn release(&mut self, simulator: &mut PhysicsSimulator) {
-        if let Some(spring) = self.spring.take() {
-            // It has gone already if its body was disposed.
-            simulator.dispose(spring).ok();
+        // It has gone already if its body was disposed.
+        if let Some((id, _)) = self.own_spring(simulator) {
+            simulator.dispose(id).ok();
         }
+        self.forget();
+    }
+
+    /// Holds nothing any more, and leaves the simulator as it is: for games that restore a save made before the button
+    /// went down, or have cleared the simulator.
+    pub fn forget(&mut self) {
+        self.held = None;
     }
 
     /// The spring, while something is held.
     pub fn spring(&self) -> Option<SpringId> {
-        self.spring
+        self.held.map(|(spring, _)| spring)
     }
 
     /// The points of the world where the spring is fixed to the body and to the mouse, while something is held: the
     /// line that the samples draw.
     pub fn line(&self, simulator: &PhysicsSimulator) -> Option<(Vector2, Vector2)> {
-        let spring: &FixedLinearSpring = simulator.spring_as(self.spring?).ok()?;
+        let (_, spring) = self.own_spring(simulator)?;
         let body = simulator.body(spring.body())?;
         Some((body.get_world_position(spring.body_attach_point()), spring.world_attach_point()))
+    }
+
+    /// The spring, if the id still names the one that was made.
+    fn own_spring<'a>(&self, simulator: &'a PhysicsSimulator) -> Option<(SpringId, &'a FixedLinearSpring)> {
+        let (id, body) = self.held?;
+        let spring: &FixedLinearSpring = simulator.spring_as(id).ok()?;
+        (spring.body() == body).then_some((id, spring))
     }
 }

@@ -106,8 +106,11 @@ impl PhysicsSimulator {
     /// The whole simulator as bytes, to [restore](Self::restore) later, in this program or another.
     ///
     /// Everything that can influence a later bit is in it, in the middle of a run too. Callbacks belong to the game
-    /// and [events](Self::events) are notices: both are not. Between versions of this crate the format may change. For
-    /// a form that can be read by eye, serialise the simulator with any other format of `serde`.
+    /// and [events](Self::events) are notices: both are not. So take it right after an update: callbacks for what was
+    /// disposed since then are not called after restoring, nor are arguments reported that were refused since then.
+    ///
+    /// Between versions of this crate the format may change. For a form that can be read by eye, serialise the simulator
+    /// with any other format of `serde`.
     ///
     /// ```
     /// use farseer_core::{BodyFactory, PhysicsSimulator, math::Vector2};
@@ -129,7 +132,7 @@ impl PhysicsSimulator {
     }
 
     /// Becomes the simulator of a [snapshot](Self::snapshot): it goes on with the same bits, and the ids of then name
-    /// the same objects.
+    /// the same objects. Ids made since then are void: they may come to name others. Forget them.
     ///
     /// # Errors
     /// Bytes that are no snapshot, were cut short or altered, or come from another version of the format. The

@@ -12,7 +12,11 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
 use core_common::{add_box, add_circle, add_floor, lively_scene, methods, simulator_with, v};
-use farseer_core::{BroadPhaseCollider, Context, EventHandler, NarrowPhaseCollider, PhysicsSimulator};
+use farseer_core::{
+    BodyId, BodyInterpolation, BroadPhaseCollider, Context, Controller, EventHandler, FluidContainerRef,
+    FluidDragController, GravityController, InactivityController, JointFactory, JointId, NarrowPhaseCollider,
+    PhysicsSimulator, ScalingController, SpringFactory, SpringId, WaveController,
+};
 
 /// The system's allocator, counting the calls of every thread for itself.
 struct Counting;
@@ -140,6 +144,125 @@ fn a_lively_scene_allocates_less_and_less() {
         let (first, _, last) = (calls_of(300), calls_of(600), calls_of(300));
         assert!(last * 10 <= first, "{methods:?}: {first} calls at first, {last} at last");
     }
+}
+
+/// Every kind of joint, spring and controller, some updates old. Nothing comes to rest here: a wave carries everything.
+fn linked_scene() -> PhysicsSimulator {
+    let mut simulator = simulator_with(100.0, Default::default());
+    let s = &mut simulator;
+    let (bodies, geoms): (Vec<_>, Vec<_>) =
+        (0..24).map(|i| add_circle(s, 5.0, 12, v(i as f32 * 12.0, 0.0))).unzip();
+    add_joints(s, &bodies);
+    add_springs(s, &bodies);
+    let mut wave = WaveController::new(v(-300.0, 50.0), 900.0, 200.0, 20).unwrap();
+    wave.set_frequency(0.02).unwrap();
+    wave.set_wave_generator_step(1.0).unwrap();
+    wave.set_wave_generator_max(5.0).unwrap();
+    wave.set_wave_generator_min(-5.0).unwrap();
+    let wave = s.create_controller(wave).unwrap();
+    let mut fluid =
+        FluidDragController::new(FluidContainerRef::Wave(wave), 0.02, 1.0, 0.5, v(0.0, 100.0)).unwrap();
+    geoms.iter().for_each(|&geom| fluid.add_geom(geom).unwrap());
+    let gravity = GravityController::new(vec![bodies[20]], vec![v(50.0, 50.0)], 100.0, 300.0).unwrap();
+    s.add(wave).unwrap();
+    let controllers = [
+        fluid.into(),
+        gravity.into(),
+        InactivityController::new().into(),
+        ScalingController::new(0.01, 0.03).unwrap().into(),
+        Controller::user_defined(),
+    ];
+    for controller in controllers {
+        let controller = s.create_controller(controller).unwrap();
+        s.add(controller).unwrap();
+    }
+    (0..1500).for_each(|_| simulator.update(0.01));
+    simulator
+}
+
+fn add_joints(s: &mut PhysicsSimulator, b: &[BodyId]) {
+    let o = v(0.0, 0.0);
+    JointFactory::create_fixed_revolute_joint_in(s, b[0], o).unwrap();
+    JointFactory::create_revolute_joint_in(s, b[0], b[1], v(6.0, 0.0)).unwrap();
+    JointFactory::create_pin_joint_in(s, b[1], o, b[2], o).unwrap();
+    JointFactory::create_slider_joint_in(s, b[2], o, b[3], o, 8.0, 14.0).unwrap();
+    JointFactory::create_weld_joint_in(s, b[3], b[4], v(42.0, 0.0)).unwrap();
+    JointFactory::create_angle_joint_in(s, b[5], b[6]).unwrap();
+    JointFactory::create_angle_limit_joint_in(s, b[6], b[7], -0.2, 0.2).unwrap();
+    JointFactory::create_fixed_angle_joint_in(s, b[8]).unwrap();
+    JointFactory::create_fixed_angle_limit_joint_in(s, b[9], -0.2, 0.2).unwrap();
+}
+
+fn add_springs(s: &mut PhysicsSimulator, b: &[BodyId]) {
+    let o = v(0.0, 0.0);
+    SpringFactory::create_fixed_linear_spring_in(s, b[12], o, v(100.0, 0.0), 50.0, 5.0).unwrap();
+    SpringFactory::create_linear_spring_in(s, b[12], o, b[13], o, 50.0, 5.0).unwrap();
+    SpringFactory::create_angle_spring_in(s, b[12], b[13], 50.0, 5.0).unwrap();
+    SpringFactory::create_fixed_angle_spring_in(s, b[14], 50.0, 5.0).unwrap();
+}
+
+#[test]
+fn an_update_with_joints_springs_and_controllers_allocates_nothing() {
+    let mut simulator = linked_scene();
+    let counts =
+        [simulator.joint_list().len(), simulator.spring_list().len(), simulator.controller_list().len()];
+    assert_eq!(counts, [9, 4, 6]);
+    let calls: usize = (0..300).map(|_| calls(|| simulator.update(0.01))).sum();
+    assert_eq!(calls, 0);
+    assert!(core_common::is_finite(&simulator) && simulator.contact_count() > 0);
+}
+
+#[test]
+fn telling_of_joints_and_springs_allocates_nothing() {
+    #[derive(Default)]
+    struct Told {
+        joints: usize,
+        springs: usize,
+    }
+    impl EventHandler for Told {
+        fn handles_joint_updates(&self) -> bool {
+            true
+        }
+        fn on_joint_updated(&mut self, context: &mut Context<'_>, joint: JointId) {
+            self.joints += 1;
+            let body = context.joint(joint).unwrap().body1();
+            let body = context.body_mut(body).unwrap();
+            body.set_angular_velocity(body.angular_velocity());
+        }
+        fn handles_spring_updates(&self) -> bool {
+            true
+        }
+        fn on_spring_updated(&mut self, context: &mut Context<'_>, spring: SpringId) {
+            self.springs += 1;
+            let body = context.spring(spring).unwrap().body1();
+            let body = context.body_mut(body).unwrap();
+            body.set_angular_velocity(body.angular_velocity());
+        }
+    }
+    let mut simulator = linked_scene();
+    let mut told = Told::default();
+    simulator.update_with(0.01, &mut told);
+    let calls: usize = (0..100).map(|_| calls(|| simulator.update_with(0.01, &mut told))).sum();
+    assert_eq!(calls, 0);
+    assert!(told.joints > 1000 && told.springs > 100, "{} {}", told.joints, told.springs);
+}
+
+#[test]
+fn looking_at_a_settled_scene_allocates_nothing() {
+    let mut simulator = settled_scene(Default::default());
+    let mut interpolation = BodyInterpolation::new();
+    interpolation.remember(&simulator);
+    let mut hits = 0;
+    for _ in 0..10 {
+        simulator.update(0.01);
+        let calls = calls(|| {
+            interpolation.remember(&simulator);
+            hits += usize::from(simulator.ray_cast(v(-290.0, 285.0), v(290.0, 290.0)).is_some());
+        });
+        assert_eq!(calls, 0);
+    }
+    let body = simulator.body_list()[5];
+    assert!(hits == 10 && interpolation.pose(body, 0.5).is_some(), "{hits} hits");
 }
 
 /// Balls and crates on the ground and on a platform, and balls on top of crates, at several depths.

@@ -4,10 +4,10 @@
 mod core_common;
 
 use conformance::units::assert_words;
-use core_common::{simulator, v};
+use core_common::{add_box, simulator, v};
 use farseer_core::{
-    BodyFactory, ComplexFactory, Error, GravityController, GravityType, LinkType, PhysicsSimulator,
-    SliderJoint,
+    BodyFactory, ComplexFactory, Error, GeomFactory, GeomPlacement, GravityController, GravityType, LinkType,
+    Path, PhysicsSimulator, SliderJoint,
 };
 
 /// Check 14.
@@ -109,6 +109,57 @@ fn bad_arguments_are_refused_and_change_nothing() {
     let factory = ComplexFactory { max: f32::INFINITY, ..factory };
     let result = factory.create_chain(&mut simulator, start, end, 10.0, 5.0, 1.0, link);
     expect_refusal(&simulator, result, "max");
+}
+
+/// A simulator with a body and geom in use, and a slot of each that was used before.
+fn simulator_in_use() -> PhysicsSimulator {
+    let mut simulator = simulator(0.0);
+    let (gone, _) = add_box(&mut simulator, (10.0, 10.0), v(500.0, 0.0));
+    add_box(&mut simulator, (10.0, 10.0), v(600.0, 0.0));
+    simulator.update(0.01);
+    simulator.dispose(gone).unwrap();
+    simulator.update(0.01);
+    simulator
+}
+
+/// The bodies are made before the rest length of the second spring turns out to be infinite.
+#[test]
+fn a_chain_that_fails_half_way_leaves_no_trace() {
+    let mut simulator = simulator_in_use();
+    let before = simulator.snapshot();
+    let factory = ComplexFactory { spring_rest_length_factor: 3e38, ..ComplexFactory::default() };
+    let (start, end) = (v(0.0, 0.0), v(200.0, 0.0));
+    let result = factory.create_chain(&mut simulator, start, end, 20.0, 5.0, 1.0, LinkType::LinearSpring);
+    assert!(result.is_err());
+    assert!(simulator.snapshot() == before);
+    simulator.update(0.01);
+    assert!(simulator.events().is_empty(), "{:?}", simulator.events());
+}
+
+/// Flat bodies have a distance grid of too many nodes only where they lie along an axis: in the second half.
+#[test]
+fn a_track_that_fails_half_way_leaves_no_trace() {
+    let mut simulator = simulator_in_use();
+    let before = simulator.snapshot();
+    let points = [v(0.0, 0.0), v(50.0, 50.0), v(100.0, 100.0), v(300.0, 100.0), v(600.0, 100.0)];
+    let link = LinkType::RevoluteJoint;
+    let mut path = Path::new(20.0, 1e-5, 1.0, false).unwrap();
+    for point in points {
+        path.add(point).unwrap();
+    }
+    path.update(&mut simulator).unwrap();
+    let (with_bodies, bodies) = (simulator.snapshot(), path.bodies().to_vec());
+    assert!(path.create_geoms(&mut simulator, 1).is_err());
+    assert!(path.geoms().is_empty() && simulator.snapshot() == with_bodies);
+    let placement = GeomPlacement::default();
+    GeomFactory::create_rectangle_geom(&mut simulator, bodies[0], 20.0, 1e-5, placement)
+        .expect("the first geom is not the one that fails");
+
+    simulator.restore(&before).unwrap();
+    let result =
+        ComplexFactory::default().create_track(&mut simulator, &points, 20.0, 1e-5, 1.0, false, 1, link);
+    assert!(result.is_err());
+    assert!(simulator.snapshot() == before);
 }
 
 /// A bridge held at both ends sags but stays.

@@ -39,6 +39,32 @@ fn diver(radius: f32, edges: i32, drag: FluidDragController) -> (PhysicsSimulato
     (simulator, body)
 }
 
+/// Whether the count is reduced before or after the step that is refused.
+#[test]
+fn a_refused_wave_step_leaves_the_nodes_beyond_a_reduced_count_alone() {
+    for is_reduced_first in [true, false] {
+        let mut wave = WaveController::new(v(0.0, 0.0), 50.0, 10.0, 6).unwrap();
+        wave.set_frequency(0.0).unwrap();
+        for x in [15.0, 25.0, 35.0, 45.0] {
+            wave.disturb(x, 4.0).unwrap();
+        }
+        wave.update(DT).unwrap();
+        let before = wave.current_wave().to_vec();
+        assert!(before[3..5].iter().all(|&offset| offset != 0.0), "{before:?}");
+        if is_reduced_first {
+            wave.set_node_count(4).unwrap();
+        }
+        wave.set_damping_coefficient(f32::MAX).unwrap();
+        assert!(wave.update(DT).is_err());
+        assert_eq!(wave.current_wave(), before);
+        wave.set_node_count(4).unwrap();
+        wave.set_damping_coefficient(0.5).unwrap();
+        wave.update(DT).unwrap();
+        assert_ne!(wave.current_wave()[..3], before[..3], "the others move");
+        assert_eq!(wave.current_wave()[4..], before[4..], "reduced first: {is_reduced_first}");
+    }
+}
+
 proptest! {
     /// The area is half a sum of 80 products of an x up to 43 and a y up to 1040 at most. Products and partial sums are
     /// below 65536 and so rounded by 0.002 at most, 0.16 after all: of an area of 180 or more, less than a thousandth.

@@ -33,6 +33,21 @@ fn simplifying_takes_close_vertices_off() {
     assert_eq!(simple, outline(&[(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)]));
 }
 
+#[test]
+fn what_is_not_finite_has_no_hull_and_no_pieces() {
+    for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+        for corner in [(bad, 1.0), (1.0, bad)] {
+            let damaged = outline(&[(0.0, 0.0), corner, (5.0, 5.0), (0.0, 5.0)]);
+            let named = |error: Error| matches!(error, Error::InvalidArgument { argument: "self", .. });
+            assert!(named(damaged.get_convex_hull().unwrap_err()), "{damaged}");
+            assert!(named(damaged.decompose(10).unwrap_err()), "{damaged}");
+            let mut simulator = PhysicsSimulator::default();
+            let body = simulator.create_body(Body::new());
+            assert!(GeomFactory::create_sat_polygon_geom(&mut simulator, body, &damaged, 10).is_err());
+        }
+    }
+}
+
 /// Check 2.
 #[test]
 fn long_edges_are_divided_into_equal_parts() {

@@ -150,6 +150,46 @@ fn a_full_turn_is_no_jump() {
     assert!(simulator[body].revolutions() > 2);
 }
 
+/// The rotations of the poses of a body whose angle the game sets before every update, in between: first those after
+/// the first update, 0, a third, a half and the whole of the way.
+fn set_rotations(angles: &[f32]) -> Vec<f32> {
+    let mut simulator = simulator(0.0);
+    let body = BodyFactory::create_circle_body_in(&mut simulator, 10.0, 1.0).unwrap();
+    let mut interpolation = BodyInterpolation::new();
+    let mut rotations = Vec::new();
+    for &angle in angles {
+        simulator[body].set_rotation(angle);
+        step(&mut simulator, &mut interpolation);
+        rotations.extend(
+            [0.0, 0.333, 0.5, 1.0].map(|fraction| interpolation.pose(body, fraction).unwrap().rotation),
+        );
+    }
+    rotations
+}
+
+/// How far an angle is from another, but for whole turns. Totals here are below 32, where floats are 2e-6 apart.
+fn assert_same_direction(angle: f32, other: f32) {
+    use std::f64::consts::TAU;
+    let turns = f64::from(angle - other) / TAU;
+    approx::assert_abs_diff_eq!((turns - turns.round()) * TAU, 0.0, epsilon = 1e-5);
+}
+
+/// Setting a negative angle takes a whole turn off the total every time.
+#[test]
+fn a_body_that_is_set_to_the_same_angle_in_every_update_stands_still() {
+    for rotation in set_rotations(&[-0.5; 4]) {
+        assert_same_direction(rotation, -0.5);
+    }
+}
+
+#[test]
+fn a_body_that_is_set_to_an_angle_turns_the_short_way() {
+    let rotations = set_rotations(&[3.1, -3.1]);
+    assert_same_direction(rotations[4], 3.1);
+    assert_same_direction(rotations[6], std::f32::consts::PI);
+    assert_same_direction(rotations[7], -3.1);
+}
+
 #[test]
 fn a_marked_body_jumps_and_others_glide() {
     let (mut simulator, body) = flying();

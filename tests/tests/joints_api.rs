@@ -8,9 +8,9 @@ use conformance::units::assert_words;
 use core_common::v;
 use farseer_core::math::Vector2;
 use farseer_core::{
-    AngleJoint, BodyId, Error, FixedAngleSpring, FixedRevoluteJoint, JointFactory, JointId, LinearSpring,
-    ObjectId, PhysicsSimulator, PinJoint, Result, RevoluteJoint, SliderJoint, SpringFactory, SpringId,
-    WeldJoint,
+    AngleJoint, BodyId, Error, Event, FixedAngleSpring, FixedRevoluteJoint, JointFactory, JointId,
+    LinearSpring, ObjectId, PhysicsSimulator, PinJoint, Result, RevoluteJoint, SliderJoint, SpringFactory,
+    SpringId, WeldJoint,
 };
 use joint_bench::add_body;
 use serde_json::Value;
@@ -292,6 +292,113 @@ fn a_body_can_be_joined_to_itself() {
     let change = simulator[a].linear_velocity() - v(1.0, -2.0);
     assert!(change.norm() < 1e-5, "{change}");
     assert!(core_common::is_finite(&simulator));
+}
+
+/// Adds a joint that the next update fills with what is not finite.
+type MakesOverflow = fn(&mut PhysicsSimulator, BodyId, BodyId) -> Result<JointId>;
+
+/// By what overflows, and whether an event tells of it. The first body turns by an eighth before the update.
+const OVERFLOWS: [(&str, bool, MakesOverflow); 13] = [
+    ("the length of a pin joint", true, |s, a, b| {
+        s[b].set_position(v(0.0, 0.0));
+        let joint = JointFactory::create_pin_joint_in(s, a, v(0.0, 0.0), b, v(0.0, 0.0))?;
+        s[b].set_position(v(1e20, 0.0));
+        Ok(joint)
+    }),
+    ("the error of a revolute joint", true, |s, a, b| {
+        let joint = JointFactory::create_revolute_joint_in(s, a, b, v(0.0, 0.0))?;
+        s[b].set_position(v(1e20, 0.0));
+        Ok(joint)
+    }),
+    ("the mass of a soft pin joint", true, |s, a, b| {
+        with_softness(s, -(s[a].inverse_mass() + s[b].inverse_mass()), |s| {
+            JointFactory::create_pin_joint_in(s, a, v(0.0, 0.0), b, v(0.0, 0.0))
+        })
+    }),
+    ("the matrix of a soft fixed revolute joint", true, |s, a, _| {
+        with_softness(s, -s[a].inverse_mass(), |s| {
+            JointFactory::create_fixed_revolute_joint_in(s, a, s[a].position())
+        })
+    }),
+    ("the arm of a slider joint", true, |s, a, b| {
+        JointFactory::create_slider_joint_in(s, a, v(3e38, 3e38), b, v(0.0, 0.0), 0.0, 1.0)
+    }),
+    ("the arm of a revolute joint", true, |s, a, b| {
+        JointFactory::create_revolute_joint_in(s, a, b, v(3e38, 3e38))
+    }),
+    ("the arm of a fixed revolute joint", true, |s, a, _| {
+        JointFactory::create_fixed_revolute_joint_in(s, a, v(3e38, 3e38))
+    }),
+    ("the arm of a weld joint", true, |s, a, b| JointFactory::create_weld_joint_in(s, a, b, v(3e38, 3e38))),
+    ("the mass of an angle limit joint", false, |s, a, b| {
+        s[a].set_moment_of_inertia(2.0)?;
+        s[b].set_moment_of_inertia(2.0)?;
+        with_softness(s, -1.0, |s| JointFactory::create_angle_limit_joint_in(s, a, b, -9.0, 9.0))
+    }),
+    ("the mass of an angle joint", false, |s, a, b| {
+        s[a].set_moment_of_inertia(f32::MAX)?;
+        s[b].set_moment_of_inertia(f32::MAX)?;
+        with_softness(s, -3.0, |s| JointFactory::create_angle_joint_in(s, a, b))
+    }),
+    ("the mass of a fixed angle joint", false, |s, a, _| {
+        s[a].set_moment_of_inertia(f32::MAX)?;
+        with_softness(s, -3.0, |s| JointFactory::create_fixed_angle_joint_in(s, a))
+    }),
+    ("the mass of a fixed angle limit joint", false, |s, a, _| {
+        s[a].set_moment_of_inertia(f32::MAX)?;
+        with_softness(s, -3.0, |s| JointFactory::create_fixed_angle_limit_joint_in(s, a, -9.0, 9.0))
+    }),
+    ("the bias of an angle joint", false, |s, a, b| {
+        s[b].set_rotation(-1.0);
+        let joint = JointFactory::create_angle_joint_in(s, a, b)?;
+        s[joint].set_bias_factor(3e38)?;
+        s.joint_as_mut::<AngleJoint>(joint).unwrap().set_max_impulse(0.5)?;
+        Ok(joint)
+    }),
+];
+
+fn with_softness(
+    s: &mut PhysicsSimulator,
+    softness: f32,
+    make: impl FnOnce(&mut PhysicsSimulator) -> Result<JointId>,
+) -> Result<JointId> {
+    let joint = make(s)?;
+    s[joint].set_softness(softness)?;
+    Ok(joint)
+}
+
+/// What a joint makes anew in every update may overflow; what it is made from is finite all the same.
+#[test]
+fn joints_that_overflow_are_saved_and_loaded_to_the_bit() {
+    for (what, is_told, make) in OVERFLOWS {
+        let (mut original, a, b) = two_bodies();
+        original[a].set_rotation(0.0);
+        original[b].set_rotation(0.0);
+        let joint = make(&mut original, a, b).unwrap();
+        let rotation = original[a].rotation() + std::f32::consts::FRAC_PI_4;
+        original[a].set_rotation(rotation);
+        original.update(0.01);
+        let debug = format!("{:?}", original[joint]);
+        assert!(debug.contains("inf") || debug.contains("NaN"), "{what}: {debug}");
+        let tells = |event: &Event| matches!(event, Event::JointBroke { .. } | Event::JointNotFinite { .. });
+        assert_eq!(original.events().iter().any(tells), is_told, "{what}: {:?}", original.events());
+        let snapshot = original.snapshot();
+        let mut restored = PhysicsSimulator::default();
+        restored.restore(&snapshot).unwrap_or_else(|error| panic!("{what}: {error}"));
+        let json = serde_json::to_string(&original).unwrap();
+        let mut loaded: PhysicsSimulator =
+            serde_json::from_str(&json).unwrap_or_else(|error| panic!("{what}: {error}"));
+        assert!(restored.snapshot() == snapshot && loaded.snapshot() == snapshot, "{what}");
+        for update in 0..20 {
+            for simulator in [&mut original, &mut restored, &mut loaded] {
+                simulator.update(0.01);
+            }
+            let snapshot = original.snapshot();
+            assert!(restored.snapshot() == snapshot, "{what}, update {update}");
+            assert!(loaded.snapshot() == snapshot, "{what}, update {update}");
+            assert!(core_common::is_finite(&original), "{what}, update {update}");
+        }
+    }
 }
 
 /// Replaces the first number of that name in a save.

@@ -3,7 +3,7 @@
 mod core_common;
 
 use core_common::{add_box, add_floor, simulator, v};
-use farseer_core::{BodyId, FixedLinearSpring, GeomId, MousePicker, PhysicsSimulator};
+use farseer_core::{BodyId, FixedLinearSpring, GeomId, MousePicker, PhysicsSimulator, SpringFactory};
 
 /// A box of 20 units at (50, 50), in the simulation.
 fn scene() -> (PhysicsSimulator, BodyId, GeomId) {
@@ -108,6 +108,83 @@ fn the_line_runs_from_the_body_to_the_mouse() {
     mouse.pick(&mut simulator, v(52.0, 50.0)).unwrap();
     mouse.drag(&mut simulator, v(80.0, 90.0)).unwrap();
     assert_eq!(mouse.line(&simulator), Some((v(52.0, 50.0), v(80.0, 90.0))));
+}
+
+#[test]
+fn a_picker_saved_with_the_simulator_lets_go_after_loading() {
+    let (mut simulator, ..) = scene();
+    let mut mouse = MousePicker::default();
+    mouse.pick(&mut simulator, v(50.0, 50.0)).unwrap();
+    simulator.update(0.01);
+    let saved = (simulator.snapshot(), serde_json::to_string(&mouse).unwrap());
+    drop((simulator, mouse));
+
+    let mut simulator = PhysicsSimulator::default();
+    simulator.restore(&saved.0).unwrap();
+    let mut mouse: MousePicker = serde_json::from_str(&saved.1).unwrap();
+    mouse.drag(&mut simulator, v(80.0, 50.0)).unwrap();
+    assert_eq!(mouse.line(&simulator).unwrap().1, v(80.0, 50.0));
+    assert_eq!(simulator.spring_list().len(), 1);
+    mouse.release(&mut simulator);
+    simulator.update(0.01);
+    assert!(simulator.spring_list().is_empty());
+}
+
+/// Restores a snapshot from before the pick; then the game's own spring on another body gets the picker's id.
+fn scene_with_a_spring_in_place_of_the_pickers() -> (PhysicsSimulator, MousePicker) {
+    let (mut simulator, ..) = scene();
+    let (other, _) = add_box(&mut simulator, (20.0, 20.0), v(-50.0, -50.0));
+    simulator.update(0.01);
+    let snapshot = simulator.snapshot();
+    let mut mouse = MousePicker::default();
+    mouse.pick(&mut simulator, v(50.0, 50.0)).unwrap();
+    simulator.update(0.01);
+    simulator.restore(&snapshot).unwrap();
+    let (at, far) = (v(0.0, 0.0), v(-70.0, -70.0));
+    let own = SpringFactory::create_fixed_linear_spring_in(&mut simulator, other, at, far, 1.0, 1.0).unwrap();
+    simulator.update(0.01);
+    assert_eq!(mouse.spring(), Some(own));
+    (simulator, mouse)
+}
+
+#[test]
+fn a_spring_of_the_game_is_not_dragged() {
+    let (mut simulator, mut mouse) = scene_with_a_spring_in_place_of_the_pickers();
+    let before = simulator.snapshot();
+    assert_eq!(mouse.line(&simulator), None);
+    mouse.drag(&mut simulator, v(9.0, 9.0)).unwrap();
+    assert!(mouse.spring().is_none() && simulator.snapshot() == before);
+}
+
+#[test]
+fn a_spring_of_the_game_is_not_released() {
+    let (mut simulator, mut mouse) = scene_with_a_spring_in_place_of_the_pickers();
+    let before = simulator.snapshot();
+    mouse.release(&mut simulator);
+    assert!(mouse.spring().is_none() && simulator.snapshot() == before);
+}
+
+#[test]
+fn what_is_forgotten_is_left_as_it_is() {
+    let (mut simulator, ..) = scene();
+    let mut mouse = MousePicker::default();
+    mouse.pick(&mut simulator, v(50.0, 50.0)).unwrap();
+    let before = simulator.snapshot();
+    mouse.forget();
+    mouse.drag(&mut simulator, v(9.0, 9.0)).unwrap();
+    mouse.release(&mut simulator);
+    assert!(mouse.spring().is_none() && simulator.snapshot() == before);
+}
+
+#[test]
+fn a_saved_picker_without_finite_constants_is_refused() {
+    let saved = serde_json::to_string(&MousePicker::default()).unwrap();
+    assert!(serde_json::from_str::<MousePicker>(&saved).is_ok());
+    for constant in ["50.0", "100.0"] {
+        let damaged = saved.replace(constant, "1e300");
+        assert_ne!(damaged, saved);
+        assert!(serde_json::from_str::<MousePicker>(&damaged).is_err(), "{damaged}");
+    }
 }
 
 #[test]

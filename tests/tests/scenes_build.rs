@@ -4,7 +4,7 @@ mod common;
 
 use common::small_scene;
 use conformance::run::{Run, record};
-use conformance::scene::{Reason, Scene};
+use conformance::scene::Scene;
 use conformance::scenes::{circles_in_a_pit, pyramid};
 use farseer_core::math::Vector2;
 

@@ -131,6 +131,27 @@ fn boxes_that_touch_the_queried_box_are_found_in_list_order() {
 }
 
 #[test]
+fn a_box_turned_inside_out_holds_nothing() {
+    let (simulator, geoms) = boxes(&[v(0.0, 0.0)]);
+    let (low, high) = (-1.0, 1.0);
+    assert_eq!(simulator.query_aabb(&Aabb::new(v(low, low), v(high, high))), geoms);
+    assert_eq!(simulator.query_aabb(&Aabb::new(v(low, low), v(low, low))), geoms);
+    for (min, max) in [(v(high, low), v(low, high)), (v(low, high), v(high, low))] {
+        assert!(simulator.query_aabb(&Aabb::new(min, max)).is_empty());
+    }
+}
+
+#[test]
+fn disposed_geoms_are_not_found_any_more() {
+    let (mut simulator, geoms) = boxes(&[v(0.0, 0.0), v(30.0, 0.0)]);
+    simulator.dispose(geoms[0]).unwrap();
+    assert_eq!(simulator.geom_list(), geoms);
+    assert_eq!(simulator.ray_cast(v(-20.0, 0.0), v(60.0, 0.0)).unwrap().geom, geoms[1]);
+    assert_eq!(simulator.ray_cast_all(v(-20.0, 0.0), v(60.0, 0.0)).len(), 1);
+    assert_eq!(simulator.query_aabb(&Aabb::new(v(-50.0, -50.0), v(50.0, 50.0))), geoms[1..]);
+}
+
+#[test]
 fn a_sensor_knows_what_is_in_it() {
     let mut simulator = simulator(0.0);
     let (_, sensor) = add_floor(&mut simulator, (50.0, 50.0), v(0.0, 0.0));

@@ -297,7 +297,8 @@ impl WaveController {
         }
         let (generator, generator_rises) = self.next_generator();
         if !(is_finite && top.is_finite() && generator.is_finite()) {
-            self.result.fill(0.0);
+            // Nodes to the right of a reduced count are copied from here, too.
+            self.result[1..nodes - 1].copy_from_slice(&self.current[1..nodes - 1]);
             return false;
         }
         self.aabb.min.y = top;

@@ -332,7 +332,7 @@ fn link_chain(
     Ok(())
 }
 
-/// Goes on with a path whose bodies are made. If that fails, everything of it is disposed.
+/// Goes on with a path whose bodies are made. If that fails, everything of it is taken back.
 fn finish_or_discard(
     mut path: Path,
     simulator: &mut PhysicsSimulator,
@@ -341,9 +341,7 @@ fn finish_or_discard(
     match finish(&mut path, simulator) {
         Ok(()) => Ok(path),
         Err(error) => {
-            for object in path.objects() {
-                simulator.dispose(object).ok();
-            }
+            simulator.discard(path.objects());
             Err(error)
         }
     }

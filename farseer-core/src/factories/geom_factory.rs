@@ -4,6 +4,7 @@ use crate::body::BodyId;
 use crate::error::{finite_vector, positive};
 use crate::geom::GeomId;
 use crate::math::Vector2;
+use crate::object_id::ObjectId;
 use crate::shape::Vertices;
 use crate::simulator::{GeomPlacement, PhysicsSimulator};
 use crate::{Error, Result};
@@ -155,7 +156,8 @@ impl GeomFactory {
     /// A polygon cut into at most `max_geoms` convex geoms, for SAT. Shape beyond that number is lost.
     ///
     /// The pieces are placed so that the outline's centroid lies at the body's origin; their distance grids, if
-    /// any, have cells of 1.
+    /// any, have cells of 1. An outline of which no triangle can be cut gives an empty list. The time of the cutting grows
+    /// with the square of the number of vertices: [`simplify`](Vertices::simplify) long outlines first.
     ///
     /// # Errors
     /// Whatever [`Vertices::decompose`] refuses. No geom is made then.
@@ -182,7 +184,7 @@ impl GeomFactory {
             match simulator.create_geom(body, piece, placement) {
                 Ok(geom) => geoms.push(geom),
                 Err(error) => {
-                    simulator.discard_geoms(&geoms);
+                    simulator.discard(geoms.into_iter().map(ObjectId::from));
                     return Err(error);
                 }
             }

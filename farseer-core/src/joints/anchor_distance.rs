@@ -13,11 +13,17 @@ use crate::math::vector2::{cross, dot, length};
 pub(crate) struct AnchorDistance {
     pub(crate) anchor1: Vector2,
     pub(crate) anchor2: Vector2,
+    #[serde(with = "crate::bits")]
     pub(crate) arm1: Vector2,
+    #[serde(with = "crate::bits")]
     arm2: Vector2,
+    #[serde(with = "crate::bits")]
     pub(crate) world_anchor1: Vector2,
+    #[serde(with = "crate::bits")]
     pub(crate) world_anchor2: Vector2,
+    #[serde(with = "crate::bits")]
     direction: Vector2,
+    #[serde(with = "crate::bits")]
     pub(crate) effective_mass: f32,
 }
 
@@ -104,9 +110,7 @@ impl AnchorDistance {
     }
 
     pub(crate) fn is_valid(&self) -> bool {
-        let vectors =
-            [self.anchor1, self.anchor2, self.arm1, self.arm2, self.world_anchor1, self.world_anchor2];
-        vectors.iter().all(|v| v.x.is_finite() && v.y.is_finite())
+        [self.anchor1, self.anchor2].iter().all(|v| v.x.is_finite() && v.y.is_finite())
     }
 }
 

@@ -16,7 +16,9 @@ pub struct AngleJoint {
     pub(crate) body2: BodyId,
     target_angle: f32,
     max_impulse: f32,
+    #[serde(with = "crate::bits")]
     velocity_bias: f32,
+    #[serde(with = "crate::bits")]
     mass_factor: f32,
 }
 

@@ -15,7 +15,9 @@ pub struct FixedAngleJoint {
     pub(crate) body: BodyId,
     target_angle: f32,
     max_impulse: f32,
+    #[serde(with = "crate::bits")]
     velocity_bias: f32,
+    #[serde(with = "crate::bits")]
     mass_factor: f32,
 }
 

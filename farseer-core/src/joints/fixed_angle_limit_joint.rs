@@ -17,7 +17,9 @@ pub struct FixedAngleLimitJoint {
     upper_limit: f32,
     slop: f32,
     pub(crate) limit: Limit,
+    #[serde(with = "crate::bits")]
     velocity_bias: f32,
+    #[serde(with = "crate::bits")]
     mass_factor: f32,
 }
 

@@ -23,8 +23,11 @@ pub struct FixedRevoluteJoint {
     max_impulse: f32,
     /// What was taken from the body, before it was limited.
     pub(crate) accumulated: Vector2,
+    #[serde(with = "crate::bits")]
     arm: Vector2,
+    #[serde(with = "crate::bits")]
     velocity_bias: Vector2,
+    #[serde(with = "crate::bits")]
     inverse: Inverse2,
 }
 
@@ -117,7 +120,7 @@ impl FixedRevoluteJoint {
     }
 
     pub(crate) fn is_valid(&self) -> bool {
-        let vectors = [self.anchor, self.local_anchor, self.arm];
+        let vectors = [self.anchor, self.local_anchor];
         self.max_impulse.is_finite() && vectors.iter().all(|v| v.x.is_finite() && v.y.is_finite())
     }
 }

@@ -1,7 +1,6 @@
 //! What joints read and change of bodies.
 
-use serde::{Deserialize, Serialize};
-
+use crate::bits::Floats;
 use crate::math::vector2::cross;
 use crate::math::{Vector2, scalar};
 
@@ -147,7 +146,7 @@ impl JointStep {
 }
 
 /// Inverse of a 2x2 matrix of a row vector.
-#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Inverse2 {
     i11: f32,
     i12: f32,
@@ -175,6 +174,16 @@ impl Inverse2 {
     #[inline]
     pub(crate) fn apply(&self, v: Vector2) -> Vector2 {
         Vector2::new(v.x * self.i11 + v.y * self.i21 + 0.0, v.x * self.i12 + v.y * self.i22 + 0.0)
+    }
+}
+
+impl Floats for Inverse2 {
+    fn to_floats(&self) -> Vec<f32> {
+        vec![self.i11, self.i12, self.i21, self.i22]
+    }
+    fn from_floats(floats: &[f32]) -> Option<Self> {
+        let [i11, i12, i21, i22] = <[f32; 4]>::try_from(floats).ok()?;
+        Some(Inverse2 { i11, i12, i21, i22 })
     }
 }
 

@@ -49,12 +49,14 @@ const DEFAULT_SLOP: f32 = 0.01;
 
 /// What all joints have in common, and the joint of a certain kind.
 ///
-/// Joints are made by [`JointFactory`](crate::JointFactory). A joint goes when one of its bodies is disposed.
+/// Joints are made by [`JointFactory`](crate::JointFactory). A joint in the simulation goes when one of its bodies is
+/// disposed; another one when it is added.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Joint {
     bias_factor: f32,
     breakpoint: f32,
     softness: f32,
+    #[serde(with = "crate::bits")]
     joint_error: f32,
     enabled: bool,
     tag: u64,
@@ -283,8 +285,8 @@ impl Joint {
         }
     }
 
-    /// Whether settings and impulse are finite. What the pre-step makes anew from the bodies need not be: the
-    /// velocities that come of it are looked at before a body gets them.
+    /// Whether settings and impulse are finite. What the pre-step makes anew from the bodies need not be, and is
+    /// saved as bits: the velocities that come of it are looked at before a body gets them.
     pub(crate) fn is_valid(&self) -> bool {
         let settings = [self.bias_factor, self.breakpoint, self.softness];
         settings.iter().all(|number| number.is_finite())

@@ -21,6 +21,7 @@ pub struct PinJoint {
     pub(crate) anchors: AnchorDistance,
     target_distance: f32,
     pub(crate) accumulated: f32,
+    #[serde(with = "crate::bits")]
     velocity_bias: f32,
 }
 

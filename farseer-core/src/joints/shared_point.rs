@@ -15,9 +15,13 @@ pub(crate) struct SharedPoint {
     local_anchor1: Vector2,
     local_anchor2: Vector2,
     pub(crate) accumulated: Vector2,
+    #[serde(with = "crate::bits")]
     pub(crate) arm1: Vector2,
+    #[serde(with = "crate::bits")]
     arm2: Vector2,
+    #[serde(with = "crate::bits")]
     velocity_bias: Vector2,
+    #[serde(with = "crate::bits")]
     inverse: Inverse2,
 }
 
@@ -95,7 +99,7 @@ impl SharedPoint {
     }
 
     pub(crate) fn is_valid(&self) -> bool {
-        let vectors = [self.anchor, self.local_anchor1, self.local_anchor2, self.arm1, self.arm2];
+        let vectors = [self.anchor, self.local_anchor1, self.local_anchor2];
         vectors.iter().all(|v| v.x.is_finite() && v.y.is_finite())
     }
 }

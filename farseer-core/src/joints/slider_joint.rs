@@ -21,6 +21,7 @@ pub struct SliderJoint {
     max: f32,
     slop: f32,
     pub(crate) limit: Limit,
+    #[serde(with = "crate::bits")]
     velocity_bias: f32,
 }
 

@@ -22,7 +22,9 @@ pub struct WeldJoint {
     pub(crate) point: SharedPoint,
     target_angle: f32,
     max_impulse: f32,
+    #[serde(with = "crate::bits")]
     angular_velocity_bias: f32,
+    #[serde(with = "crate::bits")]
     mass_factor: f32,
 }
 

@@ -400,9 +400,7 @@ impl Path {
                     self.geoms.push(geom);
                 }
                 Err(error) => {
-                    for geom in self.geoms.drain(before..) {
-                        simulator.dispose(geom)?;
-                    }
+                    simulator.discard(self.geoms.drain(before..).map(ObjectId::from));
                     return Err(error);
                 }
             }
@@ -435,7 +433,7 @@ impl Path {
     }
 
     /// Everything the path has, in the order in which it enters and leaves.
-    pub(crate) fn objects(&self) -> impl Iterator<Item = ObjectId> + '_ {
+    pub(crate) fn objects(&self) -> impl DoubleEndedIterator<Item = ObjectId> + '_ {
         let bodies = self.bodies.iter().map(|&body| ObjectId::from(body));
         let geoms = self.geoms.iter().map(|&geom| ObjectId::from(geom));
         let joints = self.joints.iter().map(|&joint| ObjectId::from(joint));

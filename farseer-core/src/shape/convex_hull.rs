@@ -1,7 +1,7 @@
 //! Convex hull of a simple outline (behaviour chapter 05, section 1.8, and chapter 15, section 15.2).
 
 use super::Vertices;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, finite_vertices};
 use crate::math::Vector2;
 
 impl Vertices {
@@ -13,10 +13,11 @@ impl Vertices {
     /// Outlines that cross themselves may give a wrong hull.
     ///
     /// # Errors
-    /// When a vertex cannot be placed, because the outline crosses itself, is degenerate or has NaN vertices.
-    /// The original searches on for ever.
+    /// Vertices that are not finite; a vertex that cannot be placed, because the outline crosses itself or is
+    /// degenerate. The original searches on for ever.
     #[doc(alias = "GetConvexHull")]
     pub fn get_convex_hull(&self) -> Result<Vertices> {
+        finite_vertices("self", self)?;
         if self.len() < 3 {
             return Ok(self.clone());
         }

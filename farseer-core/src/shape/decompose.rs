@@ -3,7 +3,7 @@
 
 use super::Vertices;
 use super::triangulate::{self, Triangle};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, finite_vertices};
 use crate::math::{Vector2, calculator, vector2};
 
 /// The most pieces of a decomposition, whatever the caller asks for.
@@ -20,8 +20,10 @@ impl Vertices {
     /// of the outline is left out. Fewer than three vertices, and outlines of which no triangle can be cut,
     /// give no pieces. The pieces have positive shoelace area, against engine winding.
     ///
+    /// The time grows with the square of the number of vertices: [`simplify`](Self::simplify) long outlines first.
+    ///
     /// # Errors
-    /// When the outline has more than 175 triangles (177 vertices, if it is simple), or `max_polys_to_find`
+    /// Vertices that are not finite; when the outline has more than 175 triangles (177 vertices, if it is simple), or `max_polys_to_find`
     /// is more than 50 and so is the number of pieces.
     ///
     /// ```
@@ -34,6 +36,7 @@ impl Vertices {
     /// ```
     #[doc(alias = "DecomposeGeom")]
     pub fn decompose(&self, max_polys_to_find: i32) -> Result<Vec<Vertices>> {
+        finite_vertices("self", self)?;
         if self.len() < 3 {
             return Ok(Vec::new());
         }

@@ -58,7 +58,7 @@ impl<'a> PolygonCreationAssistance<'a> {
     }
 
     /// A texture of one byte per pixel, row by row, which is its alpha. A `GrayImage` of the `image` crate is
-    /// one.
+    /// one, if its brightness is meant as alpha.
     ///
     /// # Errors
     /// When a side is 0 or more than 2^24, or the data have another length than `width * height`.

@@ -2,7 +2,7 @@
 
 use super::texture_outline::{NOWHERE, Pixel, trace};
 use super::texture_search::{find_hole, is_in_polygon, next_entrance, split};
-use super::{PolygonCreationAssistance, Vertices};
+use super::{Aabb, PolygonCreationAssistance, Vertices};
 use crate::error::{Error, Result};
 use crate::math::Vector2;
 
@@ -57,7 +57,8 @@ impl Vertices {
     /// [`Error::EndlessOutline`] for a part so small that its outline never leaves the hull tolerance.
     #[doc(alias = "CreatePolygon")]
     pub fn create_polygons(assistance: &PolygonCreationAssistance<'_>) -> Result<Vec<Vertices>> {
-        let mut polygons = Vec::new();
+        let mut polygons: Vec<Vertices> = Vec::new();
+        let mut boxes: Vec<Aabb> = Vec::new();
         // As in the original both are kept from part to part.
         let mut holes = Vec::new();
         let mut hole = None;
@@ -71,14 +72,18 @@ impl Vertices {
             if assistance.hole_detection() {
                 hole = cut_holes(assistance, &mut outline, hole, &mut holes)?;
             }
+            boxes.push(Aabb::from_vertices(&outline));
             polygons.push(Vertices::from(outline));
             if !assistance.multipart_detection() {
                 return Ok(polygons);
             }
+            let is_known = |pixel| {
+                let mut known = polygons.iter().zip(&boxes);
+                known.any(|(polygon, aabb)| is_in_polygon(assistance, polygon, aabb, pixel))
+            };
             while let Some(entrance) = part {
                 part = next_entrance(assistance, entrance);
-                if part.is_none_or(|p| !polygons.iter().any(|polygon| is_in_polygon(assistance, polygon, p)))
-                {
+                if part.is_none_or(|pixel| !is_known(pixel)) {
                     break;
                 }
             }

@@ -1,7 +1,7 @@
 //! Holes and further parts of a texture, once some outlines are known (behaviour chapter 15, section 15.6.4).
 
 use super::texture_outline::Pixel;
-use super::{CrossingEdgeInfo, EdgeAlignment, PolygonCreationAssistance};
+use super::{Aabb, CrossingEdgeInfo, EdgeAlignment, PolygonCreationAssistance};
 use crate::math::calculator::distance_between_point_and_line_segment;
 use crate::math::{Vector2, scalar, vector2};
 
@@ -140,13 +140,27 @@ pub(super) fn next_entrance(image: &PolygonCreationAssistance<'_>, from: Pixel) 
     Some(Pixel { x: entrance % width, y: entrance / width })
 }
 
-/// Whether a pixel lies inside of an outline or within the hull tolerance of it.
+/// Whether a point is so far from the box of an outline that rounding cannot bring it within the hull tolerance, nor a
+/// crossing of its row to it: pixels are whole numbers up to 2^24, of which a distance is rounded by less than 2.
+fn is_far_from_box(image: &PolygonCreationAssistance<'_>, aabb: &Aabb, point: Vector2) -> bool {
+    let reach = image.hull_tolerance() + 2.0;
+    aabb.min.x - point.x > reach
+        || point.x - aabb.max.x > reach
+        || aabb.min.y - point.y > reach
+        || point.y - aabb.max.y > reach
+}
+
+/// Whether a pixel lies inside of an outline, whose box is `aabb`, or within the hull tolerance of it.
 pub(super) fn is_in_polygon(
     image: &PolygonCreationAssistance<'_>,
     outline: &[Vector2],
+    aabb: &Aabb,
     pixel: Pixel,
 ) -> bool {
     let point = pixel.point();
+    if is_far_from_box(image, aabb, point) {
+        return false;
+    }
     !is_far_from(image, outline, point)
         || spans(outline, pixel.y).into_iter().any(|[left, right]| left <= point.x && point.x <= right)
 }
@@ -164,6 +178,25 @@ mod tests {
     fn a_row_through_a_square_has_one_span() {
         assert_eq!(spans(&closed_square(), 5), [[2.0, 8.0]]);
         assert!(spans(&closed_square(), 9).is_empty());
+    }
+
+    #[test]
+    fn what_is_far_from_the_box_is_not_in_the_polygon() {
+        let corners = [(10.0, 12.0), (22.0, 10.0), (25.0, 21.0), (13.0, 24.0)];
+        let outline = corners.map(|(x, y)| Vector2::new(x, y));
+        let aabb = Aabb::from_vertices(&outline);
+        let everywhere = Aabb::new(Vector2::new(-1e6, -1e6), Vector2::new(1e6, 1e6));
+        let mut image = PolygonCreationAssistance::new(&[0], 1, 1).unwrap();
+        for hull_tolerance in [0.9, 1.5, 4.0] {
+            image.set_hull_tolerance(hull_tolerance).unwrap();
+            let mut passed_over = 0;
+            for pixel in (0..40 * 40).map(|i| Pixel { x: i % 40, y: i / 40 }) {
+                let is_in = is_in_polygon(&image, &outline, &everywhere, pixel);
+                assert_eq!(is_in_polygon(&image, &outline, &aabb, pixel), is_in, "{pixel:?}");
+                passed_over += u32::from(is_far_from_box(&image, &aabb, pixel.point()));
+            }
+            assert!(passed_over > 800, "{passed_over}");
+        }
     }
 
     #[test]

@@ -10,6 +10,7 @@ use crate::geom::GeomId;
 use crate::geom_entry::GeomEntry;
 use crate::math::{Matrix, Vector2, scalar};
 use crate::methods::NarrowPhaseCollider;
+use crate::object_id::ObjectId;
 use crate::shape::Vertices;
 use crate::{Error, Result};
 
@@ -144,13 +145,33 @@ impl PhysicsSimulator {
         check_box(entry)
     }
 
-    /// Takes geoms back that were made a moment ago and that nobody knows yet.
-    pub(crate) fn discard_geoms(&mut self, geoms: &[GeomId]) {
-        for &geom in geoms.iter().rev() {
-            if let Some(entry) = self.geoms.remove(geom) {
-                self.bodies[entry.body].geoms.retain(|&other| other != geom);
-                self.next_geom_number -= 1;
+    /// Takes back what was made a moment ago and nobody knows yet, as if it had never been made. Of each kind these are
+    /// the last ones made, in the order in which they were made; geoms come after their bodies.
+    pub(crate) fn discard(&mut self, objects: impl DoubleEndedIterator<Item = ObjectId>) {
+        for object in objects.rev() {
+            match object {
+                ObjectId::Body(body) => self.discard_body(body),
+                ObjectId::Geom(geom) => self.discard_geom(geom),
+                ObjectId::Controller(controller) => self.controllers.discard(controller),
+                ObjectId::Joint(joint) => self.joints.discard(joint),
+                ObjectId::Spring(spring) => self.springs.discard(spring),
             }
+        }
+    }
+
+    fn discard_body(&mut self, body: BodyId) {
+        if self.bodies.take_back(body).is_some_and(|entry| entry.is_touched) {
+            self.touched_bodies.retain(|&other| other != body);
+        }
+    }
+
+    fn discard_geom(&mut self, geom: GeomId) {
+        if let Some(entry) = self.geoms.take_back(geom) {
+            if entry.is_touched {
+                self.touched_geoms.retain(|&other| other != geom);
+            }
+            self.bodies[entry.body].geoms.retain(|&other| other != geom);
+            self.next_geom_number -= 1;
         }
     }
 

@@ -3,8 +3,8 @@
 use super::PhysicsSimulator;
 use super::queues::Handler;
 use crate::body::{Body, BodyId};
-use crate::error::{Error, Result};
-use crate::events::{Context, Event};
+use crate::error::{Error, Result, finite_vector};
+use crate::events::{Context, Event, EventHandler};
 use crate::joints::joint_body::{JointBodies, JointBody, JointPose};
 use crate::joints::{Joint, JointId, JointKind, JointType};
 use crate::math::Vector2;
@@ -135,17 +135,18 @@ impl PhysicsSimulator {
     /// of the last update. Before the first update a revolute or weld joint has no arm.
     ///
     /// # Errors
-    /// A stale id; a joint of another kind.
+    /// A stale id; a joint of another kind; an anchor that is so far away that it is not finite.
     #[doc(alias("CurrentAnchor", "CurrentAnchorPosition"))]
     pub fn joint_current_anchor(&self, joint: JointId) -> Result<Vector2> {
         let joint = self.joints.find("joint", joint)?;
         let body1 = self.body(joint.body1()).ok_or(Error::StaleId { argument: "body of the joint" })?;
-        match joint.kind() {
-            JointKind::Revolute(joint) => Ok(joint.current_anchor(body1)),
-            JointKind::Weld(joint) => Ok(joint.current_anchor(body1)),
-            JointKind::Slider(joint) => Ok(joint.current_anchor(body1)),
-            _ => Err(wrong_kind("RevoluteJoint, WeldJoint or SliderJoint")),
-        }
+        let anchor = match joint.kind() {
+            JointKind::Revolute(joint) => joint.current_anchor(body1),
+            JointKind::Weld(joint) => joint.current_anchor(body1),
+            JointKind::Slider(joint) => joint.current_anchor(body1),
+            _ => return Err(wrong_kind("RevoluteJoint, WeldJoint or SliderJoint")),
+        };
+        finite_vector("joint", anchor)
     }
 
     /// A joint with its bodies; twice the same body if it has one.
@@ -179,6 +180,8 @@ pub(super) struct JointPasses {
     seats: Vec<Seat>,
     /// The places are known: a pass has begun since the pre-step.
     are_placed: bool,
+    /// Bodies have the velocities that they have in the solver.
+    velocities_are_down: bool,
 }
 
 /// A joint in the passes of an update.
@@ -208,6 +211,11 @@ fn state_of(body: &Body) -> JointBody {
     }
 }
 
+fn set_velocity(body: &mut Body, state: &JointBody) {
+    body.linear_velocity = state.velocity;
+    body.angular_velocity = state.angular_velocity;
+}
+
 #[inline]
 fn joint_bodies([one, two]: [JointBody; 2], are_one: bool) -> JointBodies {
     if are_one { JointBodies::one(one) } else { JointBodies::two(one, two) }
@@ -225,44 +233,47 @@ impl PhysicsSimulator {
         self.joint_passes.are_placed = false;
         self.joint_passes.seats.clear();
         for position in 0..self.joints.list().len() {
-            let mut seat = Seat::default();
-            if let Some((id, joint)) = self.joints.at_mut(position) {
-                let ids = [joint.body1(), joint.body2().unwrap_or(joint.body1())];
-                let [Some(one), Some(two)] = ids.map(|id| self.bodies.get(id)) else { continue };
-                let bodies = [&one.body, &two.body];
-                seat.is_static = bodies.map(|body| body.is_static());
-                seat.is_due = may_act(bodies);
-                if seat.is_due && joint.enabled() {
-                    let poses = bodies.map(pose_of);
-                    let mut changed = joint_bodies(bodies.map(state_of), ids[0] == ids[1]);
-                    joint.pre_step(inverse_dt, &poses, &mut changed);
-                    if changed.is_finite() {
-                        // The first last: where both are one body, its copy is the one that was worked on.
-                        for (id, state) in [(ids[1], *changed.second()), (ids[0], *changed.first())] {
-                            let body = &mut self.bodies[id].body;
-                            body.linear_velocity = state.velocity;
-                            body.angular_velocity = state.angular_velocity;
-                        }
-                    } else {
-                        joint.forget_impulse();
-                        seat.is_dropped = true;
-                        self.events.push(Event::JointNotFinite { joint: id });
-                    }
-                }
-            }
+            let seat = self.pre_step_joint(position, inverse_dt).unwrap_or_default();
             self.joint_passes.seats.push(seat);
         }
+    }
+
+    /// `None` for a joint that was disposed, or one of whose bodies is gone.
+    fn pre_step_joint(&mut self, position: usize, inverse_dt: f32) -> Option<Seat> {
+        let (id, joint) = self.joints.at_mut(position)?;
+        let ids = [joint.body1(), joint.body2().unwrap_or(joint.body1())];
+        let bodies = [&self.bodies.get(ids[0])?.body, &self.bodies.get(ids[1])?.body];
+        let mut seat = Seat {
+            is_static: bodies.map(|body| body.is_static()),
+            is_due: may_act(bodies),
+            ..Seat::default()
+        };
+        if !(seat.is_due && joint.enabled()) {
+            return Some(seat);
+        }
+        let mut changed = joint_bodies(bodies.map(state_of), ids[0] == ids[1]);
+        joint.pre_step(inverse_dt, &bodies.map(pose_of), &mut changed);
+        if changed.is_finite() {
+            // The first last: where both are one body, its copy is the one that was worked on.
+            for (id, state) in [(ids[1], changed.second()), (ids[0], changed.first())] {
+                set_velocity(&mut self.bodies[id].body, state);
+            }
+        } else {
+            joint.forget_impulse();
+            seat.is_dropped = true;
+            self.events.push(Event::JointNotFinite { joint: id });
+        }
+        Some(seat)
     }
 
     /// Finds the bodies of the joints in the solver. Those that touch nothing are taken in.
     fn place_joints(&mut self) {
         self.joint_passes.are_placed = true;
         for position in 0..self.joint_passes.seats.len() {
-            let Some((_, joint)) = self.joints.at(position) else { continue };
             let seat = &mut self.joint_passes.seats[position];
+            let Some((_, joint)) = self.joints.at(position).filter(|_| seat.is_due) else { continue };
             let ids = [joint.body1(), joint.body2().unwrap_or(joint.body1())];
-            let places = ids.map(|id| self.solver.place(id, &self.bodies));
-            match places {
+            match ids.map(|id| self.solver.place(id, &self.bodies)) {
                 [Some(one), Some(two)] => seat.places = [one, two],
                 _ => seat.is_due = false,
             }
@@ -291,6 +302,7 @@ impl PhysicsSimulator {
                 }
             }
         }
+        self.joint_passes.velocities_are_down = false;
     }
 
     /// One pass of a joint. Answers whether it has acted.
@@ -318,21 +330,33 @@ impl PhysicsSimulator {
         for (body, state) in [(1, changed.second()), (0, changed.first())] {
             let velocity = [state.velocity.x, state.velocity.y, state.angular_velocity];
             self.solver.set_body(seat.places[body], &SolverBody { velocity, ..states[body] });
+            if self.joint_passes.velocities_are_down {
+                self.solver.put_velocity_down(seat.places[body], &mut self.bodies);
+            }
         }
         has_acted
     }
 
-    /// Tells the handler in the middle of a pass: velocities are put down before and taken up again after.
+    /// Tells the handler in the middle of a pass. From the first time in a pass to its end the bodies have the
+    /// velocities that the solver has, so that they can be looked at; what is edited is taken up when edits settle.
     fn tell_of_joint(
         &mut self,
         handler: Handler,
-        tell: impl FnOnce(&mut dyn crate::EventHandler, &mut Context<'_>),
+        tell: impl FnOnce(&mut dyn EventHandler, &mut Context<'_>),
     ) {
         let Some(handler) = handler else { return };
-        self.solver.put_velocities_down(&mut self.bodies);
+        if !std::mem::replace(&mut self.joint_passes.velocities_are_down, true) {
+            self.solver.put_velocities_down(&mut self.bodies);
+        }
         tell(&mut **handler, &mut Context { simulator: self });
         self.settle_edits(&mut Some(&mut **handler));
-        self.solver.take_velocities_up(&self.bodies);
+    }
+
+    /// Lets the solver go on with the velocity of a body that a callback in the middle of a pass has edited.
+    pub(super) fn take_edited_velocity_up(&mut self, body: BodyId) {
+        if self.joint_passes.velocities_are_down {
+            self.solver.take_velocity_up(body, &self.bodies);
+        }
     }
 }
 

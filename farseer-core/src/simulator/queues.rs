@@ -1,7 +1,7 @@
 //! How things enter and leave the simulation (behaviour chapter 04, section 2).
 //!
-//! Additions are processed before removals; geoms before bodies, controllers, joints and springs. So an object that is removed and added again
-//! between two updates ends up removed, as in the original.
+//! Additions are processed before removals; geoms before bodies, controllers, joints and springs. So an object that is
+//! removed and added again between two updates ends up removed, as in the original.
 
 use serde::{Deserialize, Serialize};
 
@@ -368,6 +368,7 @@ impl PhysicsSimulator {
     }
 
     pub(super) fn settle_body(&mut self, body: BodyId) {
+        self.take_edited_velocity_up(body);
         let Some(entry) = self.bodies.get_mut(body) else { return };
         entry.is_touched = false;
         for argument in entry.body.rejected.drain(..) {

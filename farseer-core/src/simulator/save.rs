@@ -100,7 +100,15 @@ impl PhysicsSimulator {
         let listed_bodies = self.bodies.iter::<BodyId>().filter(|(_, entry)| entry.is_listed).count();
         let listed_geoms = self.geoms.iter::<GeomId>().filter(|(_, entry)| entry.is_listed).count();
         let queues = &self.queues;
-        has_no_duplicates(&self.body_list)
+        let waiting_bodies = self.bodies.iter::<BodyId>().filter(|(_, entry)| entry.is_queued).count();
+        let waiting_geoms = self.geoms.iter::<GeomId>().filter(|(_, entry)| entry.is_queued).count();
+        let queued_body = |id: &&BodyId| self.bodies.get(**id).is_some_and(|entry| entry.is_queued);
+        let queued_geom = |id: &&GeomId| self.geoms.get(**id).is_some_and(|entry| entry.is_queued);
+        has_no_duplicates(&queues.added_bodies)
+            && has_no_duplicates(&queues.added_geoms)
+            && queues.added_bodies.iter().filter(queued_body).count() == waiting_bodies
+            && queues.added_geoms.iter().filter(queued_geom).count() == waiting_geoms
+            && has_no_duplicates(&self.body_list)
             && has_no_duplicates(&self.geom_list)
             && has_no_duplicates(&queues.disposed_bodies)
             && has_no_duplicates(&queues.disposed_geoms)

@@ -94,8 +94,7 @@ impl PhysicsSimulator {
 
     /// Springs in list order: those that are beyond their breakpoint break, and act once more.
     pub(super) fn update_springs(&mut self, handler: Handler) {
-        let mut position = 0;
-        while position < self.springs.list().len() {
+        for position in 0..self.springs.list().len() {
             if let Some((id, spring)) = self.springs.at_mut(position)
                 && spring.enabled()
             {
@@ -108,7 +107,6 @@ impl PhysicsSimulator {
                 }
                 self.update_spring(id, handler);
             }
-            position += 1;
         }
     }
 

@@ -24,7 +24,11 @@ impl PhysicsSimulator {
     ///
     /// Nothing is filtered out: for rays that pass through some geoms look for the first other one in
     /// [`ray_cast_all`](Self::ray_cast_all). Outlines are polygons, those of circles too. A geom that holds the start is
-    /// hit only where the ray enters it again. A ray that ends where it starts, or is not finite, hits nothing.
+    /// hit only where the ray enters it again; one along whose edge the ray only grazes may be hit or not. Disposed geoms
+    /// are not hit, though they stay listed until the next update. A ray that ends where it starts, or is not finite, hits
+    /// nothing.
+    ///
+    /// Looks at the box of every listed geom: the time grows with their number.
     pub fn ray_cast(&self, start: Vector2, end: Vector2) -> Option<RayCastHit> {
         let ray = Ray::new(start, end)?;
         let hits = self.geom_list.iter().filter_map(|&geom| self.entry_of(&ray, geom));
@@ -42,15 +46,17 @@ impl PhysicsSimulator {
         hits.into_iter().map(|(_, hit)| hit).collect()
     }
 
-    /// The geoms whose [boxes](crate::GeomRef::aabb) overlap a box or touch it, in list order. None if its numbers are
-    /// not finite.
+    /// The geoms whose [boxes](crate::GeomRef::aabb) overlap a box or touch it, in list order, but for disposed ones.
+    /// None if its numbers are not finite, or `min` is greater than `max`. Looks at every listed geom.
     pub fn query_aabb(&self, aabb: &Aabb) -> Vec<GeomId> {
         let is_finite = |v: Vector2| v.x.is_finite() && v.y.is_finite();
-        if !is_finite(aabb.min) || !is_finite(aabb.max) {
+        let is_box = aabb.min.x <= aabb.max.x && aabb.min.y <= aabb.max.y;
+        if !is_finite(aabb.min) || !is_finite(aabb.max) || !is_box {
             return Vec::new();
         }
         let overlaps = |&geom: &GeomId| {
-            self.with_settled(geom, |geom| Aabb::intersect(&geom.aabb, aabb)).unwrap_or(false)
+            self.with_settled(geom, |geom| !geom.is_disposed && Aabb::intersect(&geom.aabb, aabb))
+                .unwrap_or(false)
         };
         self.geom_list.iter().copied().filter(overlaps).collect()
     }
@@ -135,7 +141,7 @@ impl Ray {
     /// The fraction of the way to the nearest edge through which the ray comes in, and that edge's direction, with the
     /// outside on the side of `(-y, x)`.
     fn first_entry(&self, geom: &GeomEntry) -> Option<(f64, Wide)> {
-        if !Aabb::intersect(&self.aabb, &geom.aabb) {
+        if geom.is_disposed || !Aabb::intersect(&self.aabb, &geom.aabb) {
             return None;
         }
         let outline = &geom.world_vertices;

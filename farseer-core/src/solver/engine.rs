@@ -70,20 +70,29 @@ impl ContactSolver {
 
     /// Gives the bodies the velocities they have in the solver, for callbacks in the middle of it.
     pub(crate) fn put_velocities_down(&self, bodies: &mut Arena<BodyEntry>) {
-        for (&id, state) in self.ids.iter().zip(self.states.iter().skip(1)) {
-            let Some(BodyEntry { body, .. }) = bodies.get_mut(id) else { continue };
-            [body.linear_velocity.x, body.linear_velocity.y, body.angular_velocity] =
-                unpack_one(state).velocity;
+        for place in 1..self.states.len() {
+            self.put_velocity_down(SolverPlace(place as u32), bodies);
         }
     }
 
-    /// Goes on with the velocities that callbacks have left. Masses stay what they were.
-    pub(crate) fn take_velocities_up(&mut self, bodies: &Arena<BodyEntry>) {
-        for (&id, state) in self.ids.iter().zip(self.states.iter_mut().skip(1)) {
-            let Some(BodyEntry { body, .. }) = bodies.get(id) else { continue };
-            let velocity = [body.linear_velocity.x, body.linear_velocity.y, body.angular_velocity];
-            *state = pack_one(&BodyLanes { velocity, ..unpack_one(state) });
-        }
+    /// Gives one body the velocity it has in the solver.
+    pub(crate) fn put_velocity_down(&self, place: SolverPlace, bodies: &mut Arena<BodyEntry>) {
+        let place = place.0 as usize;
+        let (Some(&id), Some(state)) = (self.ids.get(place.wrapping_sub(1)), self.states.get(place)) else {
+            return;
+        };
+        let Some(BodyEntry { body, .. }) = bodies.get_mut(id) else { return };
+        [body.linear_velocity.x, body.linear_velocity.y, body.angular_velocity] = unpack_one(state).velocity;
+    }
+
+    /// Goes on with the velocity that a callback has given a body, if the body is in the solver. Masses stay what
+    /// they were.
+    pub(crate) fn take_velocity_up(&mut self, id: BodyId, bodies: &Arena<BodyEntry>) {
+        let place = self.places.get(id.index()).filter(|place| place.0 == self.stamp);
+        let Some(state) = place.and_then(|place| self.states.get_mut(place.1 as usize)) else { return };
+        let Some(BodyEntry { body, .. }) = bodies.get(id) else { return };
+        let velocity = [body.linear_velocity.x, body.linear_velocity.y, body.angular_velocity];
+        *state = pack_one(&BodyLanes { velocity, ..unpack_one(state) });
     }
 
     /// Notes that a body is to keep the velocities with which the solver began.

@@ -38,9 +38,9 @@ const SHORTEST: f32 = 0.00001;
 
 /// What all springs have in common, and the spring of a certain kind.
 ///
-/// Springs are made by [`SpringFactory`](crate::SpringFactory). A spring goes when one of its bodies is disposed.
-/// Between two bodies of which one is disabled it keeps pulling at both: the force piles up in the disabled one and
-/// acts at once when that is enabled again, as in the original.
+/// Springs are made by [`SpringFactory`](crate::SpringFactory). A spring in the simulation goes when one of its bodies
+/// is disposed; another one when it is added. Between two bodies of which one is disabled it keeps pulling at both: the
+/// force piles up in the disabled one and acts at once when that is enabled again, as in the original.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Spring {
     breakpoint: f32,

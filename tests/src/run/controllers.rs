@@ -77,7 +77,8 @@ fn gravity(run: &Run<'_>, spec: &GravitySpec, at: At<'_>) -> Result<GravityContr
 
 fn wave(spec: &WaveSpec, at: At<'_>) -> Result<WaveController> {
     let count = at.key("node_count");
-    let nodes = usize::try_from(spec.node_count).map_err(|error| SceneError::format(count, error.to_string()))?;
+    let nodes =
+        usize::try_from(spec.node_count).map_err(|error| SceneError::format(count, error.to_string()))?;
     let mut wave = WaveController::new(spec.position, spec.width, spec.height, nodes).at(at)?;
     wave.set_damping_coefficient(spec.damping_coefficient).at(at.key("damping_coefficient"))?;
     wave.set_frequency(spec.frequency).at(at.key("frequency"))?;
@@ -88,30 +89,23 @@ fn wave(spec: &WaveSpec, at: At<'_>) -> Result<WaveController> {
 }
 
 /// Pushes the surface of a wave controller.
-pub(super) fn disturb_wave(
-    run: &mut Run<'_>,
-    index: usize,
-    x: f32,
-    offset: f32,
-    at: At<'_>,
-) -> Result<()> {
+pub(super) fn disturb_wave(run: &mut Run<'_>, index: usize, x: f32, offset: f32, at: At<'_>) -> Result<()> {
     let id = run.controller(index, at.key("controller"))?;
     run.simulator.controller_as_mut::<WaveController>(id).at(at)?.disturb(x, offset).at(at)
 }
 
 /// The fluid of a script entry.
-pub(super) fn fluid<'r>(run: &'r mut Run<'_>, index: usize, at: At<'_>) -> Result<&'r mut FluidDragController> {
+pub(super) fn fluid<'r>(
+    run: &'r mut Run<'_>,
+    index: usize,
+    at: At<'_>,
+) -> Result<&'r mut FluidDragController> {
     let id = run.controller(index, at.key("controller"))?;
     run.simulator.controller_as_mut(id).at(at)
 }
 
 /// Changes a scaling controller.
-pub(super) fn set_scaling(
-    run: &mut Run<'_>,
-    index: usize,
-    change: &ScalingChange,
-    at: At<'_>,
-) -> Result<()> {
+pub(super) fn set_scaling(run: &mut Run<'_>, index: usize, change: &ScalingChange, at: At<'_>) -> Result<()> {
     let id = run.controller(index, at.key("controller"))?;
     let controller = run.simulator.controller_as_mut::<ScalingController>(id).at(at)?;
     if let Some(interval) = change.maximum_interval {

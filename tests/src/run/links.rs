@@ -244,12 +244,7 @@ pub(super) fn set_spring(
             AngleSpring::set_target_angle as fn(&mut AngleSpring, f32) -> _,
             FixedAngleSpring::set_target_angle as fn(&mut FixedAngleSpring, f32) -> _,
         ),
-        (
-            settings.max_torque,
-            "max_torque",
-            AngleSpring::set_max_torque,
-            FixedAngleSpring::set_max_torque,
-        ),
+        (settings.max_torque, "max_torque", AngleSpring::set_max_torque, FixedAngleSpring::set_max_torque),
         (
             settings.torque_multiplier,
             "torque_multiplier",

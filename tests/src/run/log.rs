@@ -2,9 +2,7 @@
 
 use crate::scene::Scene;
 use crate::trace::{Event, Line};
-use farseer_core::{
-    Contact, Context, ControllerId, EventHandler, GeomId, JointId, SpringId, Vertices,
-};
+use farseer_core::{Contact, Context, ControllerId, EventHandler, GeomId, JointId, SpringId, Vertices};
 use std::collections::HashMap;
 
 /// What a run subscribes to, and what it heard.

@@ -17,9 +17,7 @@ pub use recording::{Recording, record};
 use crate::scene::{At, Reason, Scene, SceneError};
 use crate::trace::{Counts, Event, Line, word};
 use farseer_core::math::Vector2;
-use farseer_core::{
-    BodyId, ControllerId, GeomId, JointId, PhysicsSimulator, ScalingController, SpringId,
-};
+use farseer_core::{BodyId, ControllerId, GeomId, JointId, PhysicsSimulator, ScalingController, SpringId};
 use log::Log;
 
 /// A scene that is being simulated.

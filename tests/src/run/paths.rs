@@ -44,32 +44,21 @@ fn path(run: &mut Run<'_>, spec: &PathSpec, at: At<'_>) -> Result<Path> {
     };
     let simulator = &mut run.simulator;
     match spec.kind {
-        PathKind::Chain {
-            start,
-            end,
-            width,
-            height,
-            link_width,
-            mass,
-            pin_start,
-            pin_end,
-            ref geoms,
-        } => {
+        PathKind::Chain { start, end, width, height, link_width, mass, pin_start, pin_end, ref geoms } => {
             let link_width = link_width.unwrap_or(width);
             let mut path = factory
-                
-                .create_chain_with_link_width_in(simulator, start, end, width, height, link_width, mass, pin_start, pin_end, link)
+                .create_chain_with_link_width_in(
+                    simulator, start, end, width, height, link_width, mass, pin_start, pin_end, link,
+                )
                 .at(at)?;
             if let Some(geoms) = geoms {
                 create_geoms(run, &mut path, geoms, at.key("geoms"))?;
             }
             Ok(path)
         }
-        PathKind::Track { ref points, width, height, mass, endless, collision_group } => {
-            factory
-                .create_track_in(simulator, points, width, height, mass, endless, collision_group, link)
-                .at(at)
-        }
+        PathKind::Track { ref points, width, height, mass, endless, collision_group } => factory
+            .create_track_in(simulator, points, width, height, mass, endless, collision_group, link)
+            .at(at),
     }
 }
 

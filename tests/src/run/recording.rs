@@ -61,9 +61,7 @@ impl Recording {
     /// Records a step that was made; gives its hash.
     fn step(&mut self, run: &mut Run<'_>, step: u32) -> u64 {
         self.trace.lines.extend(run.take_events());
-        if self.reported.is_none()
-            && run.simulator.events().iter().any(is_about_what_is_not_finite)
-        {
+        if self.reported.is_none() && run.simulator.events().iter().any(is_about_what_is_not_finite) {
             self.reported = Some(step);
         }
         self.look_for_not_finite(run, step);
