@@ -4,7 +4,7 @@ pub mod check;
 pub mod compare;
 pub mod depth_scenes;
 pub mod golden;
-#[cfg(feature = "peers")]
+pub mod measure;
 pub mod peers;
 pub mod run;
 pub mod samples;

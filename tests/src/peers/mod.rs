@@ -1,13 +1,18 @@
-//! The same scenes in this engine and in `rapier3d`, seen alike: for the comparison of what they do.
+//! The same scenes in this engine and in `rapier3d` (behind the feature `peers`), seen alike: for the comparison of
+//! what they do.
 
 pub mod closed_forms;
+#[cfg(feature = "peers")]
 mod comparison;
 mod ours;
+#[cfg(feature = "peers")]
 mod rapier;
 mod recording;
 
+#[cfg(feature = "peers")]
 pub use comparison::{Both, Check, Crossing, MARGIN, Run, SLOP, alone};
 pub use ours::TwoHalf;
+#[cfg(feature = "peers")]
 pub use rapier::Rapier;
 pub use recording::{Hit, Recording};
 

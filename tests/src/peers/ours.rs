@@ -1,7 +1,7 @@
 //! Scenes in the 2.5D engine.
 
 use std::collections::HashMap;
-use twohalf::{BodyId, Partner, TwoHalfPhysicsSimulator};
+use twohalf::{BodyId, Methods, Partner, TwoHalfPhysicsSimulator};
 
 use super::{Engine, Met, State, ordered, wrapped};
 use crate::depth_scenes::{DepthScene, build};
@@ -21,6 +21,34 @@ impl TwoHalf {
         let (simulator, bodies) = build(scene);
         let objects = bodies.iter().copied().zip(0..).collect();
         TwoHalf { simulator, bodies, objects, dt: scene.dt }
+    }
+
+    /// Builds a scene for other methods, and a number of iterations per step.
+    ///
+    /// # Panics
+    /// A scene with values that the engine refuses.
+    pub fn with_methods(scene: &DepthScene, methods: Methods, iterations: i32) -> Self {
+        let mut engine = Self::new(scene);
+        engine.simulator.set_iterations(iterations);
+        // Nothing of a scene takes part before its first step.
+        engine.simulator.set_methods(methods).unwrap_or_else(|error| panic!("{}: {error}", scene.name));
+        engine
+    }
+
+    /// Moves everything by a time in s.
+    pub fn step_by(&mut self, dt: f32) {
+        self.simulator.update(dt);
+    }
+
+    /// How many objects the scene has.
+    pub fn object_count(&self) -> usize {
+        self.bodies.len()
+    }
+
+    /// Height of the surface, of the ground or of a platform, that is straight below the middle of an object; where
+    /// its shadow is drawn. `None` below the ground.
+    pub fn height_beneath(&self, object: usize) -> Option<f64> {
+        self.simulator.surface_beneath_body(self.bodies[object]).map(|surface| f64::from(surface.height))
     }
 
     /// The simulator.

@@ -1,8 +1,8 @@
 //! Scenes in `rapier3d`: X, Y up and Z as in the scene. What is no ball turns about Z only.
 
 use rapier3d::prelude::{
-    CoefficientCombineRule, ColliderBuilder, ColliderHandle, FrictionModel, MassProperties, PhysicsWorld,
-    Pose, RigidBody, RigidBodyBuilder, RigidBodyHandle, Rotation, Vector,
+    CoefficientCombineRule, Collider, ColliderBuilder, ColliderHandle, FrictionModel, MassProperties,
+    PhysicsWorld, Pose, QueryFilter, Ray, RigidBody, RigidBodyBuilder, RigidBodyHandle, Rotation, Vector,
 };
 
 use super::{Engine, Met, State, ordered, wrapped};
@@ -61,6 +61,34 @@ impl Rapier {
         rapier.world.integration_parameters.friction_model = FrictionModel::Coulomb;
         rapier.world.integration_parameters.contact_recycling = false;
         rapier
+    }
+
+    /// With another number of the solver's iterations per step; 4 is `rapier3d`'s default.
+    pub fn with_iterations(mut self, iterations: usize) -> Self {
+        self.world.integration_parameters.num_solver_iterations = iterations;
+        self
+    }
+
+    /// Moves everything by a time in s.
+    pub fn step_by(&mut self, dt: f32) {
+        self.world.integration_parameters.dt = dt;
+        self.world.step();
+    }
+
+    /// How many objects the scene has.
+    pub fn object_count(&self) -> usize {
+        self.objects.len()
+    }
+
+    /// Height of the ground or the platform that a ray from the middle of an object straight down meets first.
+    pub fn height_beneath(&self, object: usize) -> Option<f64> {
+        let middle = self.world.bodies[self.objects[object]].translation();
+        let is_surface =
+            |collider: ColliderHandle, _: &Collider| !matches!(self.met(collider), Met::Object(_));
+        let filter = QueryFilter::new().predicate(&is_surface);
+        let ray = Ray::new(middle, -Vector::Y);
+        let (_, distance) = self.world.cast_ray(&ray, f32::MAX, true, filter)?;
+        Some(f64::from(middle.y - distance))
     }
 
     fn add_object(&mut self, object: &DepthObject) {

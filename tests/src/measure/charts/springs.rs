@@ -1,0 +1,113 @@
+//! A body on a spring without damping.
+
+use super::super::error::{Last, Watch, in_reach};
+use super::super::world::World;
+use super::build::{body, vector, weightless};
+use super::signals::Period;
+use super::{ChartScene, ONE_SIZE};
+use crate::scene::{BodyShape, Scene, SpringKind, SpringSettings, SpringSpec};
+use std::f64::consts::TAU;
+
+const BOB: BodyShape = BodyShape::Circle { radius: 16.0, mass: 1.0 };
+const REST_LENGTH: f64 = 200.0;
+const AMPLITUDE: f64 = 40.0;
+/// In Hz.
+const SOFT: f64 = 1.0;
+/// In Hz. With ω dt = 0.84 at 1/60 s well inside of what explicit springs bear (2), and 1.7 at 1/30 s near the limit.
+const STIFF: f64 = 8.0;
+const SOFT_SECONDS: f64 = 20.0;
+const STIFF_SECONDS: f64 = 5.0;
+const REACH: f64 = 1e4;
+
+pub(super) fn scenes() -> Vec<ChartScene> {
+    let soft = ChartScene {
+        name: "spring_frequency",
+        about: "A body swings on a spring of 1 Hz.",
+        sizes: ONE_SIZE,
+        build: |_| build(SOFT),
+        seconds: SOFT_SECONDS,
+        watch: |_| watch_frequency(SOFT),
+        error: "error of the period",
+        unit: "%",
+        // As of a pendulum: a second in a minute and a half.
+        tolerance: 1.0,
+        broad_phases_matter: false,
+    };
+    let stiff = ChartScene {
+        name: "stiff_spring_frequency",
+        about: "A body swings on a stiff spring of 8 Hz.",
+        build: |_| build(STIFF),
+        seconds: STIFF_SECONDS,
+        watch: |_| watch_frequency(STIFF),
+        // Such a spring is felt as a shock absorber; its pitch is hardly seen.
+        tolerance: 5.0,
+        ..soft
+    };
+    vec![
+        soft,
+        ChartScene {
+            name: "spring_amplitude",
+            watch: |_| watch_amplitude(SOFT_SECONDS),
+            error: "error of the amplitude at the end",
+            // After twenty swings a tenth may be lost or gained; every real spring loses more.
+            tolerance: 10.0,
+            ..soft
+        },
+        stiff,
+        ChartScene {
+            name: "stiff_spring_amplitude",
+            watch: |_| watch_amplitude(STIFF_SECONDS),
+            error: "error of the amplitude at the end",
+            // It must not grow without bound or die at once; a fifth is not noticed at this pitch.
+            tolerance: 20.0,
+            ..stiff
+        },
+    ]
+}
+
+fn build(frequency: f64) -> Scene {
+    let mut scene = weightless("spring", "A body on a spring.");
+    let body = body(&mut scene, BOB, [REST_LENGTH + AMPLITUDE, 0.0], 0.0);
+    let kind = SpringKind::FixedLinear {
+        body,
+        body_attach_point: vector([0.0, 0.0]),
+        world_attach_point: vector([0.0, 0.0]),
+    };
+    let settings = SpringSettings { rest_length: Some(REST_LENGTH as f32), ..SpringSettings::default() };
+    // Of a mass of 1.
+    let spring_constant = (TAU * frequency).powi(2) as f32;
+    scene.springs.push(SpringSpec {
+        kind,
+        spring_constant,
+        damping_constant: 0.0,
+        settings,
+        in_simulation: true,
+    });
+    scene
+}
+
+fn stretch(world: &dyn World) -> f64 {
+    world.body(0).position[0] - REST_LENGTH
+}
+
+fn watch_frequency(frequency: f64) -> Box<dyn Watch> {
+    let mut period = Period::default();
+    let error = move |time: f64, world: &dyn World| {
+        period.take(time, stretch(world));
+        Some(100.0 * (period.mean()? * frequency - 1.0).abs())
+    };
+    in_reach(Last::new(error), REACH)
+}
+
+/// Watches the amplitude in the last second and a half: more than one swing, and of the stiff spring so many that
+/// some step falls near a turning point.
+fn watch_amplitude(seconds: f64) -> Box<dyn Watch> {
+    let mut farthest = 0.0_f64;
+    let error = move |time: f64, world: &dyn World| {
+        (time > seconds - 1.5).then(|| {
+            farthest = farthest.max(stretch(world).abs());
+            100.0 * (farthest / AMPLITUDE - 1.0).abs()
+        })
+    };
+    in_reach(Last::new(error), REACH)
+}

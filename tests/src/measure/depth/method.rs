@@ -1,0 +1,110 @@
+//! The ways to simulate a scene with depth.
+
+use super::DepthWorld;
+use crate::depth_scenes::DepthScene;
+use crate::measure::method::{Effort, Family, Setting};
+#[cfg(feature = "peers")]
+use crate::peers::Rapier;
+use crate::peers::TwoHalf;
+use twohalf::Methods;
+
+/// A way to simulate a scene with depth: one line of a chart, one column of a map.
+#[derive(Debug, Clone, Copy)]
+pub struct DepthMethod {
+    /// Such as "2.5D, faithful".
+    pub name: &'static str,
+    /// Whose engine it is.
+    pub family: Family,
+    /// What [`Setting::passes`] counts.
+    pub passes: &'static str,
+    /// What the engine takes by default, at the usual step.
+    pub recommended: Setting,
+    /// The points of its line. [`recommended`](Self::recommended) is one of them.
+    pub settings: fn(Effort) -> Vec<Setting>,
+    /// Puts a scene into the engine.
+    pub build: fn(&DepthScene, Setting) -> Box<dyn DepthWorld>,
+}
+
+/// All methods: the one place to add one.
+pub fn depth_methods() -> Vec<DepthMethod> {
+    #[allow(unused_mut)]
+    let mut methods = our_methods();
+    #[cfg(feature = "peers")]
+    methods.extend(rapier_methods());
+    methods
+}
+
+fn our_methods() -> Vec<DepthMethod> {
+    let faithful = DepthMethod {
+        name: "2.5D, faithful",
+        family: Family::Ours,
+        passes: "iterations",
+        // The 2D engine's default iterations (behaviour chapter 06).
+        recommended: Setting::fixed(1.0 / 60.0, 5),
+        settings: our_settings,
+        build: |scene, setting| build(scene, setting, Methods::Faithful),
+    };
+    let thesis = DepthMethod {
+        name: "2.5D, thesis",
+        build: |scene, setting| build(scene, setting, Methods::Thesis),
+        ..faithful
+    };
+    vec![faithful, thesis]
+}
+
+fn build(scene: &DepthScene, setting: Setting, methods: Methods) -> Box<dyn DepthWorld> {
+    Box::new(TwoHalf::with_methods(scene, methods, setting.passes as i32))
+}
+
+/// `rapier3d` with its own defaults, and with those that make it more accurate: friction at every point of contact,
+/// and no contacts kept while a pair moves little.
+#[cfg(feature = "peers")]
+fn rapier_methods() -> Vec<DepthMethod> {
+    let default = DepthMethod {
+        name: "rapier3d",
+        family: Family::Peer,
+        passes: "iterations",
+        recommended: Setting::fixed(1.0 / 60.0, 4),
+        settings: rapier_settings,
+        build: |scene, setting| Box::new(Rapier::new(scene).with_iterations(setting.passes as usize)),
+    };
+    let accurate = DepthMethod {
+        name: "rapier3d, full friction",
+        build: |scene, setting| Box::new(Rapier::accurate(scene).with_iterations(setting.passes as usize)),
+        ..default
+    };
+    vec![default, accurate]
+}
+
+/// Steps that games take, each with the default iterations, and more iterations.
+fn our_settings(effort: Effort) -> Vec<Setting> {
+    settings(effort, 5, [10, 20, 40])
+}
+
+#[cfg(feature = "peers")]
+fn rapier_settings(effort: Effort) -> Vec<Setting> {
+    settings(effort, 4, [1, 8, 16])
+}
+
+fn settings(effort: Effort, usual: u32, others: [u32; 3]) -> Vec<Setting> {
+    let [one, two, three] = others;
+    let quick = vec![
+        Setting::fixed(1.0 / 30.0, usual),
+        Setting::fixed(1.0 / 60.0, usual),
+        Setting::fixed(1.0 / 60.0, two),
+        Setting::fixed(1.0 / 240.0, usual),
+        Setting::jitter(1.0 / 60.0, usual),
+    ];
+    if effort == Effort::Quick {
+        return quick;
+    }
+    let full = [
+        Setting::fixed(0.016, usual),
+        Setting::fixed(0.01, usual),
+        Setting::fixed(1.0 / 60.0, one),
+        Setting::fixed(1.0 / 60.0, three),
+        Setting::fixed(1.0 / 120.0, usual),
+        Setting::fixed(1.0 / 240.0, two),
+    ];
+    quick.into_iter().chain(full).collect()
+}

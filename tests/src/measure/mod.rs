@@ -1,0 +1,26 @@
+//! Speed against accuracy, and where methods fail: what the programs `accuracy_vs_speed` and `stability_map` and the
+//! tests of both share.
+//!
+//! A scene is an entry of [`charts::chart_scenes`] or [`stability::families`], a way to simulate it an entry of
+//! [`method::methods`]. [`sweep`] runs them against each other, [`csv`], [`plot`] and [`report`] tell what came
+//! of it. Lengths are px, y points down, times are s, angles rad; where an engine needs metres, 32 px are one.
+
+pub mod charts;
+pub mod closed_forms;
+pub mod csv;
+pub mod depth;
+pub mod error;
+pub mod method;
+pub mod origin;
+pub mod ours;
+#[cfg(feature = "peers")]
+pub mod peers_2d;
+pub mod penetration;
+pub mod plot;
+pub mod progress;
+pub mod report;
+pub mod stability;
+pub mod stopwatch;
+pub mod sweep;
+pub mod trials;
+pub mod world;

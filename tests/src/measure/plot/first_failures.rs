@@ -1,0 +1,103 @@
+//! All maps on one sheet: how far every family goes with the most telling methods and settings.
+
+use super::heat::look;
+use super::ink::{Words, area, wrapped};
+use super::style::GREY;
+use super::{Fault, Picture};
+use crate::measure::stability::map::{Column, Map};
+use crate::measure::stability::reasons::{self, LETTERS};
+use crate::measure::stability::table::{number, table_columns};
+use plotters::coord::Shift;
+use plotters::prelude::{DrawingArea, DrawingBackend};
+
+/// Maps as one picture.
+#[derive(Debug)]
+pub struct FirstFailures<'a> {
+    maps: &'a [Map],
+    columns: Vec<&'a Column>,
+}
+
+/// Left of the cells: the names of families.
+const LEFT: i32 = 208;
+/// Width of a column, of which the first part shows the values and the rest says the first failure.
+const COLUMN: i32 = 106;
+/// Width of the part that shows the values.
+const STRIP: i32 = 50;
+/// Height of a family.
+const ROW: i32 = 19;
+/// Height of what is above.
+const HEAD: i32 = 128;
+
+impl<'a> FirstFailures<'a> {
+    /// Of these maps.
+    pub fn new(maps: &'a [Map]) -> Self {
+        FirstFailures { maps, columns: table_columns(maps) }
+    }
+}
+
+impl Picture for FirstFailures<'_> {
+    fn size(&self) -> (u32, u32) {
+        let width = LEFT + COLUMN * self.columns.len() as i32 + 8;
+        (width.max(480) as u32, (HEAD + ROW * self.maps.len() as i32 + 12) as u32)
+    }
+
+    fn paint<B: DrawingBackend>(&self, sheet: &DrawingArea<B, Shift>) -> Result<(), Fault<B>> {
+        Words::new(17.0).write(sheet, "Where methods fail first", (10, 18))?;
+        let reasons = LETTERS.map(|(word, letter)| format!("{letter} {word}")).join(", ");
+        let about = format!(
+            "A box for every value of the family's parameter, from easy to hard: pale where the method holds, dark \
+             where it fails; then why it fails first, and the value with which it does. {reasons}."
+        );
+        let letters = (self.size().0 / 6) as usize - 4;
+        for (index, text) in wrapped(&about, letters).iter().enumerate() {
+            Words::new(12.0).color(GREY).write(sheet, text, (10, 36 + 15 * index as i32))?;
+        }
+        for (index, column) in self.columns.iter().enumerate() {
+            let left = LEFT + COLUMN * index as i32;
+            let mut lines = wrapped(&column.method, 16);
+            lines.push(format!("{} at {} s", column.passes, column.dt));
+            for (line, text) in lines.iter().rev().enumerate() {
+                Words::new(12.0).write(sheet, text, (left, HEAD - 10 - 15 * line as i32))?;
+            }
+        }
+        for (index, map) in self.maps.iter().enumerate() {
+            self.paint_family(sheet, map, HEAD + ROW * index as i32)?;
+        }
+        Ok(())
+    }
+}
+
+impl FirstFailures<'_> {
+    fn paint_family<B: DrawingBackend>(
+        &self,
+        sheet: &DrawingArea<B, Shift>,
+        map: &Map,
+        top: i32,
+    ) -> Result<(), Fault<B>> {
+        let middle = top + ROW / 2;
+        Words::new(12.0).up_to().write(sheet, &map.heading.name, (LEFT - 8, middle))?;
+        for (index, column) in self.columns.iter().enumerate() {
+            let Some(place) = map.heading.columns.iter().position(|other| other == *column) else { continue };
+            let left = LEFT + COLUMN * index as i32;
+            if map.is_absent(place) {
+                Words::new(12.0).color(GREY).write(sheet, "–", (left, middle))?;
+                continue;
+            }
+            let count = map.rows.len() as i32;
+            for (box_index, row) in map.rows.iter().enumerate() {
+                let edge = |index: usize| left + STRIP * index as i32 / count;
+                let corners = [(edge(box_index), top + 3), (edge(box_index + 1) - 1, top + ROW - 3)];
+                area(sheet, corners, look(&row[place].verdict).0)?;
+            }
+            let text = map
+                .first_failure(place)
+                .map(|(value, reason)| format!("{} {}", reasons::letter(reason), number(value)));
+            Words::new(12.0).write(
+                sheet,
+                &text.unwrap_or_else(|| "holds".to_owned()),
+                (left + STRIP + 5, middle),
+            )?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,391 @@
+//! Runs scenes with methods and settings against each other, and measures error and time.
+//!
+//! Every point is run once with its watch, which gives the error, and then several times without it, which gives
+//! the time: CPU time of the thread, spent in steps alone. The points of a scene take turns, so that what the
+//! machine does besides meets all of them, and the median over the turns is kept. Short runs are repeated until
+//! enough is measured; of a long one, the watched run counts too, its steps timed one by one.
+
+use super::method::Setting;
+use super::progress::Progress;
+use super::stopwatch::Stopwatch;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::time::Duration;
+
+/// Turns of each point, the watched run not counted.
+const TURNS: usize = 5;
+/// Least time that is measured in a turn, if the run is not so slow to begin that [`PATIENCE`] ends first.
+const LEAST: Duration = Duration::from_millis(5);
+/// Longest that a turn repeats short runs, building included.
+const PATIENCE: Duration = Duration::from_millis(60);
+/// Steps longer than this are timed one by one as well: looking at the clock takes about 0.3 µs.
+const LONG_STEP: Duration = Duration::from_micros(30);
+/// A point takes no further turn when it has taken this long.
+const ENOUGH: Duration = Duration::from_millis(700);
+
+/// A run, in whatever engine.
+pub trait Running {
+    /// Moves everything by a time in s. This is what is timed.
+    fn step(&mut self, dt: f32);
+
+    /// Looks at how it is at a time in s. Whether it is worth going on: not when a body's state is not finite.
+    fn look(&mut self, time: f64) -> bool;
+
+    /// The error, and how it went.
+    fn verdict(&self) -> (f64, Outcome);
+
+    /// What else was measured in the same run: names of scenes that differ from the trial's in what counts as error
+    /// alone, each with its error and outcome.
+    fn others(&self) -> Vec<(&'static str, f64, Outcome)> {
+        Vec::new()
+    }
+}
+
+/// Begins a run from the start; the error says what the engine lacks for it.
+pub type Start<'a> = Box<dyn Fn() -> Result<Box<dyn Running>, String> + 'a>;
+
+/// What a chart says of a scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Subject {
+    /// Name of the scene.
+    pub name: &'static str,
+    /// One sentence.
+    pub about: &'static str,
+    /// Numbers of bodies; 0 alone where size does not matter.
+    pub sizes: Vec<usize>,
+    /// What the error is.
+    pub error: &'static str,
+    /// Its unit.
+    pub unit: &'static str,
+    /// The error a game would accept.
+    pub tolerance: f64,
+}
+
+impl Subject {
+    /// The same with those of the sizes alone that there are points of; nothing if there are none.
+    pub fn with_points(mut self, points: &[Point]) -> Option<Self> {
+        self.sizes.retain(|&size| points.iter().any(|point| point.scene == self.name && point.size == size));
+        (!self.sizes.is_empty()).then_some(self)
+    }
+}
+
+/// What is run to give a point.
+pub struct Trial<'a> {
+    /// Name of the scene.
+    pub scene: &'static str,
+    /// Number of bodies; 0 where it does not matter.
+    pub size: usize,
+    /// Name of the method.
+    pub method: &'static str,
+    /// The setting.
+    pub setting: Setting,
+    /// Simulated time of a run in s.
+    pub seconds: f64,
+    /// Begins the run.
+    pub start: Start<'a>,
+}
+
+/// How a run went.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outcome {
+    /// The error says how well.
+    Fine,
+    /// Not at all: what happened, in a word or two. Drawn as a cross.
+    Failed(&'static str),
+}
+
+/// What a method with a setting made of a scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Point {
+    /// Name of the scene.
+    pub scene: &'static str,
+    /// Number of bodies; 0 where it does not matter.
+    pub size: usize,
+    /// Name of the method.
+    pub method: &'static str,
+    /// The setting.
+    pub setting: Setting,
+    /// In the unit of the scene; not finite if the run failed.
+    pub error: f64,
+    /// How it went.
+    pub outcome: Outcome,
+    /// CPU time of the steps for each second of simulated time.
+    pub microseconds_per_simulated_second: f64,
+    /// Steps of a run: fewer than the scene has if it was given up.
+    pub steps: u32,
+}
+
+impl Point {
+    /// Whether the run was as good as a tolerance asks.
+    pub fn meets(&self, tolerance: f64) -> bool {
+        self.outcome == Outcome::Fine && self.error <= tolerance
+    }
+}
+
+/// A method that has not got what a scene needs.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Absent {
+    /// Name of the scene.
+    pub scene: &'static str,
+    /// Name of the method.
+    pub method: &'static str,
+    /// What it lacks.
+    pub reason: String,
+}
+
+/// What came of all trials.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Sweep {
+    /// A point of every trial that could be made.
+    pub points: Vec<Point>,
+    /// The others: one entry for a scene and a method.
+    pub absent: Vec<Absent>,
+}
+
+impl Sweep {
+    /// Makes trials: those of one scene and size, which must follow each other, by turns.
+    pub fn run(&mut self, trials: &[Trial<'_>], progress: &mut Progress) {
+        for rivals in trials.chunk_by(|a, b| a.scene == b.scene && a.size == b.size) {
+            self.run_by_turns(rivals, progress);
+        }
+    }
+
+    fn run_by_turns(&mut self, rivals: &[Trial<'_>], progress: &mut Progress) {
+        let mut entries = Vec::new();
+        for trial in rivals {
+            progress.show(trial);
+            match Entry::watched(trial) {
+                Ok(entry) => entries.push(entry),
+                Err(reason) => self.note_absent(trial, reason),
+            }
+            progress.did_watch(trial);
+        }
+        for _ in 0..TURNS {
+            for entry in entries.iter_mut().filter(|entry| entry.needs_turns()) {
+                entry.take_turn();
+            }
+        }
+        rivals.iter().for_each(|trial| progress.did_time(trial));
+        self.points.extend(entries.into_iter().flat_map(Entry::points));
+    }
+
+    fn note_absent(&mut self, trial: &Trial<'_>, reason: String) {
+        let is_known =
+            self.absent.iter().any(|absent| absent.scene == trial.scene && absent.method == trial.method);
+        if !is_known {
+            self.absent.push(Absent { scene: trial.scene, method: trial.method, reason });
+        }
+    }
+}
+
+impl Trial<'_> {
+    /// The steps of a run in s: so many that together they come nearest to the scene's length.
+    fn steps(&self) -> impl Iterator<Item = f32> {
+        let mut time = 0.0;
+        let seconds = self.seconds;
+        self.setting.dt.steps().take_while(move |&dt| {
+            let is_due = time + f64::from(dt) / 2.0 < seconds;
+            time += f64::from(dt);
+            is_due
+        })
+    }
+}
+
+/// What a run is said to have done when it panicked.
+const PANICKED: &str = "panicked";
+
+/// A trial that is being measured.
+struct Entry<'a> {
+    trial: &'a Trial<'a>,
+    /// What was measured: name of the scene, error and outcome.
+    measured: Vec<(&'static str, f64, Outcome)>,
+    steps: u32,
+    /// Simulated time of a run in s.
+    simulated: f64,
+    /// CPU time of a run, one for each turn.
+    times: Vec<Duration>,
+    /// CPU time of all runs.
+    took: Duration,
+}
+
+impl<'a> Entry<'a> {
+    /// Makes the run that gives the error. An engine that panics has failed; the others go on.
+    fn watched(trial: &'a Trial<'a>) -> Result<Self, String> {
+        let mut entry = Entry {
+            trial,
+            measured: vec![(trial.scene, f64::INFINITY, Outcome::Failed(PANICKED))],
+            steps: 0,
+            simulated: 0.0,
+            times: Vec::new(),
+            took: Duration::ZERO,
+        };
+        let run = catch_unwind(AssertUnwindSafe(|| entry.watch()));
+        run.unwrap_or(Ok(()))?;
+        if entry.took > LONG_STEP * entry.steps {
+            entry.times.push(entry.took);
+        } else {
+            entry.took = Duration::ZERO;
+        }
+        Ok(entry)
+    }
+
+    fn watch(&mut self) -> Result<(), String> {
+        let mut run = (self.trial.start)()?;
+        let mut goes_on = run.look(0.0);
+        for dt in self.trial.steps() {
+            if !goes_on {
+                break;
+            }
+            let stopwatch = Stopwatch::start();
+            run.step(dt);
+            self.took += stopwatch.elapsed();
+            self.simulated += f64::from(dt);
+            self.steps += 1;
+            goes_on = run.look(self.simulated);
+        }
+        let (error, outcome) = run.verdict();
+        self.measured = vec![(self.trial.scene, error, outcome)];
+        self.measured.extend(run.others());
+        Ok(())
+    }
+
+    /// Whether more is to be measured: not of a run that panicked, and not of one that takes very long.
+    fn needs_turns(&self) -> bool {
+        self.took < ENOUGH && !self.measured.iter().any(|measured| measured.2 == Outcome::Failed(PANICKED))
+    }
+
+    /// Repeats the run until enough is measured.
+    fn take_turn(&mut self) {
+        let (mut took, mut runs) = (Duration::ZERO, 0);
+        let patience = Stopwatch::start();
+        while runs == 0 || took < LEAST && patience.elapsed() < PATIENCE {
+            // It could be built once, so it can be again.
+            let Ok(mut run) = (self.trial.start)() else { return };
+            let stopwatch = Stopwatch::start();
+            for dt in self.trial.steps().take(self.steps as usize) {
+                run.step(dt);
+            }
+            took += stopwatch.elapsed();
+            runs += 1;
+        }
+        self.times.push(took / runs);
+        self.took += took;
+    }
+
+    fn points(self) -> impl Iterator<Item = Point> {
+        let Trial { size, method, setting, .. } = *self.trial;
+        let time = median(self.times).as_secs_f64() * 1e6 / self.simulated;
+        let steps = self.steps;
+        self.measured.into_iter().map(move |(scene, error, outcome)| Point {
+            scene,
+            size,
+            method,
+            setting,
+            error,
+            outcome,
+            microseconds_per_simulated_second: time,
+            steps,
+        })
+    }
+}
+
+/// The middle one, the lower of the two middle ones if there are two.
+fn median(mut times: Vec<Duration>) -> Duration {
+    times.sort_unstable();
+    times.get(times.len().saturating_sub(1) / 2).copied().unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Moves by the steps; flies off, or panics, when it is beyond.
+    struct Mover {
+        place: f64,
+        end: f64,
+        panics: bool,
+    }
+
+    impl Running for Mover {
+        fn step(&mut self, dt: f32) {
+            self.place += f64::from(dt);
+            assert!(!self.panics || self.place < self.end, "this panic is part of a test");
+        }
+
+        fn look(&mut self, _: f64) -> bool {
+            self.place < self.end
+        }
+
+        fn verdict(&self) -> (f64, Outcome) {
+            let outcome = if self.place < self.end { Outcome::Fine } else { Outcome::Failed("flew off") };
+            (self.place, outcome)
+        }
+
+        fn others(&self) -> Vec<(&'static str, f64, Outcome)> {
+            vec![("other", 2.0 * self.place, Outcome::Fine)]
+        }
+    }
+
+    fn sweep(setting: Setting, end: f64, panics: bool) -> Sweep {
+        let start: Start<'_> = Box::new(move || Ok(Box::new(Mover { place: 0.0, end, panics })));
+        let trial = Trial { scene: "move", size: 0, method: "mover", setting, seconds: 1.0, start };
+        let trials = [trial];
+        let mut sweep = Sweep::default();
+        sweep.run(&trials, &mut Progress::of(&trials));
+        sweep
+    }
+
+    #[test]
+    fn a_run_is_as_long_as_the_scene() {
+        let sweep = sweep(Setting::fixed(0.25, 1), 2.0, false);
+        assert_eq!((sweep.points[0].steps, sweep.points[0].error), (4, 1.0));
+    }
+
+    #[test]
+    fn a_jittering_run_is_about_as_long_as_the_scene() {
+        let sweep = sweep(Setting::jitter(0.01, 1), 2.0, false);
+        // The last step brings it nearest: at most half of the longest step is missing.
+        assert!((sweep.points[0].error - 1.0).abs() <= 0.0075, "{}", sweep.points[0].error);
+    }
+
+    #[test]
+    fn a_run_that_flew_off_is_given_up_and_kept() {
+        let sweep = sweep(Setting::fixed(0.25, 1), 0.4, false);
+        let point = &sweep.points[0];
+        assert_eq!((point.steps, point.outcome), (2, Outcome::Failed("flew off")));
+    }
+
+    #[test]
+    fn a_run_that_panics_has_failed() {
+        let sweep = sweep(Setting::fixed(0.25, 1), 0.6, true);
+        assert_eq!(sweep.points[0].outcome, Outcome::Failed(PANICKED));
+    }
+
+    #[test]
+    fn what_else_was_measured_is_a_point_of_its_own() {
+        let sweep = sweep(Setting::fixed(0.25, 1), 2.0, false);
+        let points: Vec<_> = sweep.points.iter().map(|point| (point.scene, point.error)).collect();
+        assert_eq!(points, [("move", 1.0), ("other", 2.0)]);
+    }
+
+    #[test]
+    fn what_cannot_be_built_is_told_once() {
+        let start = || -> Start<'static> { Box::new(|| Err("no joints".to_owned())) };
+        let trials = [Setting::fixed(0.1, 1), Setting::fixed(0.2, 1)].map(|setting| Trial {
+            scene: "chain",
+            size: 0,
+            method: "mover",
+            setting,
+            seconds: 1.0,
+            start: start(),
+        });
+        let mut sweep = Sweep::default();
+        sweep.run(&trials, &mut Progress::of(&trials));
+        assert_eq!((sweep.points.len(), sweep.absent.len()), (0, 1));
+    }
+
+    #[test]
+    fn the_median_is_the_middle_one() {
+        let times = [5, 1, 3].map(Duration::from_millis).to_vec();
+        assert_eq!(median(times), Duration::from_millis(3));
+    }
+}

@@ -1,0 +1,163 @@
+//! What the sweep makes of the scenes of the chart.
+
+use super::charts::ChartScene;
+use super::error::Watch;
+use super::method::{Effort, Method, Setting};
+use super::sweep::{Outcome, Running, Trial};
+use super::world::World;
+use crate::scene::Scene;
+use std::rc::Rc;
+
+/// From this number of bodies on fewer settings are tried.
+const MANY: usize = 100;
+/// From this number of bodies on few settings are tried, and none when there is little time.
+const VERY_MANY: usize = 1000;
+
+/// The trials of scenes with methods, those of one scene and size one after the other. Scenes that follow each
+/// other and differ in what counts as error alone share their runs.
+pub fn trials(scenes: &[ChartScene], methods: &[Method], effort: Effort) -> Vec<Trial<'static>> {
+    let mut trials = Vec::new();
+    for scenes in scenes.chunk_by(have_the_same_runs) {
+        let scene = scenes[0];
+        let watches: Rc<[Measure]> = scenes.iter().map(|scene| (scene.name, scene.watch)).collect();
+        for &size in scene.sizes.iter().filter(|&&size| effort == Effort::Full || size < VERY_MANY) {
+            let built = Rc::new((scene.build)(size));
+            for method in methods.iter().filter(|method| matters(method, &scene)) {
+                for setting in settings(method, size, effort) {
+                    trials.push(Trial {
+                        scene: scene.name,
+                        size,
+                        method: method.name,
+                        setting,
+                        seconds: scene.seconds,
+                        start: start(&built, &watches, method, setting),
+                    });
+                }
+            }
+        }
+    }
+    trials
+}
+
+/// The name of a scene, and what watches it.
+type Measure = (&'static str, fn(&Scene) -> Box<dyn Watch>);
+
+fn start(
+    scene: &Rc<Scene>,
+    watches: &Rc<[Measure]>,
+    method: &Method,
+    setting: Setting,
+) -> Box<dyn Fn() -> Result<Box<dyn Running>, String>> {
+    let (scene, watches, build) = (Rc::clone(scene), Rc::clone(watches), method.build);
+    Box::new(move || {
+        let world = build(&scene, setting)?;
+        let watches = watches.iter().map(|(name, watch)| (*name, watch(&scene))).collect();
+        Ok(Box::new(Watched { world, watches }))
+    })
+}
+
+/// Whether the runs of one scene do for another.
+fn have_the_same_runs(a: &ChartScene, b: &ChartScene) -> bool {
+    let is_like =
+        a.sizes == b.sizes && a.seconds == b.seconds && a.broad_phases_matter == b.broad_phases_matter;
+    is_like && a.sizes.first().is_some_and(|&size| (a.build)(size) == (b.build)(size))
+}
+
+fn matters(method: &Method, scene: &ChartScene) -> bool {
+    scene.broad_phases_matter || !method.is_broad_phase_variant
+}
+
+/// The settings that are tried: all where there are few bodies.
+fn settings(method: &Method, size: usize, effort: Effort) -> Vec<Setting> {
+    let usual = method.recommended;
+    let dt = usual.dt.mean();
+    let careful = Setting::fixed(dt, 4 * usual.passes);
+    let short = Setting::fixed(dt / 4.0, usual.passes);
+    match (effort, size) {
+        _ if method.is_broad_phase_variant => vec![usual, careful],
+        (Effort::Full, VERY_MANY..) => vec![usual, careful, short],
+        (Effort::Quick, MANY..) => vec![usual, careful],
+        (Effort::Full, MANY..) => {
+            let mut settings = (method.settings)(Effort::Quick);
+            settings.push(Setting::fixed(dt / 4.0, 4 * usual.passes));
+            settings
+        }
+        _ => (method.settings)(effort),
+    }
+}
+
+/// A scene in an engine, and who watches it.
+struct Watched {
+    world: Box<dyn World>,
+    watches: Vec<(&'static str, Box<dyn Watch>)>,
+}
+
+impl Running for Watched {
+    fn step(&mut self, dt: f32) {
+        self.world.step(dt);
+    }
+
+    fn look(&mut self, time: f64) -> bool {
+        for (_, watch) in &mut self.watches {
+            watch.see(time, &*self.world);
+        }
+        (0..self.world.body_count()).all(|index| self.world.body(index).is_finite())
+    }
+
+    fn verdict(&self) -> (f64, Outcome) {
+        verdict(&*self.watches[0].1)
+    }
+
+    fn others(&self) -> Vec<(&'static str, f64, Outcome)> {
+        let others = self.watches[1..].iter().map(|(name, watch)| {
+            let (error, outcome) = verdict(&**watch);
+            (*name, error, outcome)
+        });
+        others.collect()
+    }
+}
+
+fn verdict(watch: &dyn Watch) -> (f64, Outcome) {
+    match watch.failed() {
+        Some(reason) => (f64::INFINITY, Outcome::Failed(reason)),
+        None if watch.error().is_finite() => (watch.error(), Outcome::Fine),
+        None => (f64::INFINITY, Outcome::Failed("nothing to measure")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::charts::chart_scenes;
+    use super::super::method::methods;
+    use super::*;
+
+    #[test]
+    fn scenes_that_differ_in_what_counts_as_error_alone_share_their_runs() {
+        let throws: Vec<_> =
+            chart_scenes().into_iter().filter(|scene| scene.name.starts_with("throw")).collect();
+        assert_eq!(throws.len(), 2);
+        let trials = trials(&throws, &methods()[..1], Effort::Quick);
+        let run = (trials[0].start)().unwrap_or_else(|error| panic!("{error}"));
+        let others: Vec<_> = run.others().into_iter().map(|(name, ..)| name).collect();
+        assert_eq!((trials[0].scene, others), (throws[0].name, vec![throws[1].name]));
+        assert!(trials.iter().all(|trial| trial.scene == throws[0].name));
+    }
+
+    #[test]
+    fn large_scenes_are_for_those_who_have_time() {
+        let sizes = |effort| {
+            let trials = trials(&chart_scenes(), &methods()[..1], effort);
+            trials.iter().map(|trial| trial.size).max()
+        };
+        assert!(sizes(Effort::Quick) < Some(VERY_MANY) && sizes(Effort::Full) >= Some(VERY_MANY));
+    }
+
+    #[test]
+    fn no_two_scenes_have_the_same_name() {
+        let mut names: Vec<_> = chart_scenes().iter().map(|scene| scene.name).collect();
+        let count = names.len();
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), count);
+    }
+}
