@@ -8,7 +8,9 @@
 use clap::Parser;
 use conformance::measure::charts::chart_scenes;
 use conformance::measure::csv::csv;
-use conformance::measure::depth::{PLANES, depth_chart_scenes, depth_methods, depth_trials, plane_trials};
+use conformance::measure::depth::{
+    PLANES, PlaneChart, depth_chart_scenes, depth_methods, plane_table, plane_trials,
+};
 use conformance::measure::method::{Effort, Setting, methods};
 use conformance::measure::origin::origin;
 use conformance::measure::plot::lines::Chart;
@@ -17,6 +19,7 @@ use conformance::measure::plot::save;
 use conformance::measure::progress::Progress;
 use conformance::measure::report::{Report, picture};
 use conformance::measure::sweep::{Subject, Sweep, Trial};
+use conformance::measure::trials::trials;
 use examples::Result;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -85,20 +88,13 @@ fn flat(arguments: &Arguments) -> Group {
     scenes.retain(|scene| arguments.wants_scene(scene.name));
     let all = methods();
     let wanted: Vec<_> = all.iter().filter(|method| arguments.wants_method(method.name)).copied().collect();
-    let subjects = scenes.iter().map(|scene| Subject {
-        name: scene.name,
-        about: scene.about,
-        sizes: scene.sizes.to_vec(),
-        error: scene.error,
-        unit: scene.unit,
-        tolerance: scene.tolerance,
-    });
+    let subjects = scenes.iter().map(|scene| scene.subject());
     Group {
         folder: "2d",
         title: "Speed against accuracy, 2D",
         subjects: subjects.collect(),
         methods: all.iter().map(|method| (method.name, method.recommended)).collect(),
-        trials: conformance::measure::trials::trials(&scenes, &wanted, arguments.effort()),
+        trials: trials(&scenes, &wanted, arguments.effort()),
     }
 }
 
@@ -107,7 +103,7 @@ fn deep(arguments: &Arguments) -> Group {
     scenes.retain(|scene| arguments.wants_scene(scene.name));
     let all = depth_methods();
     let wanted: Vec<_> = all.iter().filter(|method| arguments.wants_method(method.name)).copied().collect();
-    let mut trials = depth_trials(&scenes, &wanted, arguments.effort());
+    let mut trials = trials(&scenes, &wanted, arguments.effort());
     let mut planes = plane_trials(arguments.effort());
     planes.retain(|trial| arguments.wants_scene(trial.scene) && arguments.wants_method(trial.method));
     let mut methods: Vec<_> = all.iter().map(|method| (method.name, method.recommended)).collect();
@@ -115,14 +111,7 @@ fn deep(arguments: &Arguments) -> Group {
     let mut sizes: Vec<usize> = planes.iter().map(|trial| trial.size).collect();
     sizes.dedup();
     trials.extend(planes);
-    let subjects = scenes.iter().map(|scene| Subject {
-        name: scene.name,
-        about: scene.about,
-        sizes: scene.sizes.to_vec(),
-        error: scene.error,
-        unit: scene.unit,
-        tolerance: scene.tolerance,
-    });
+    let subjects = scenes.iter().map(|scene| scene.subject());
     let planes = Subject {
         name: PLANES,
         about: "Circles that fall into a pit, all at one depth, with and without the third axis.",
@@ -148,10 +137,20 @@ fn write(group: &Group, sweep: &Sweep, folder: &Path) -> Result<()> {
     let subjects: Vec<Subject> = subjects.filter_map(|subject| subject.with_points(&sweep.points)).collect();
     let (methods, points) = (&group.methods[..], &sweep.points[..]);
     fs::write(folder.join("figures.csv"), csv(points, &subjects))?;
-    let report = Report { title: group.title, origin: &origin(), subjects: &subjects, methods, sweep };
-    fs::write(folder.join("report.md"), report.markdown())?;
     save(&Overview { title: group.title, subjects: &subjects, methods, points }, folder, "overview")?;
-    for subject in &subjects {
+    // What is compared there is time over the number of objects: it has a chart and a table of its own.
+    let (planes, charted): (Vec<_>, Vec<_>) =
+        subjects.into_iter().partition(|subject| subject.name == PLANES);
+    let report = Report { title: group.title, origin: &origin(), subjects: &charted, methods, sweep };
+    let mut text = report.markdown();
+    if let ([subject], Some(table)) = (&planes[..], plane_table(points)) {
+        let title = subject.name.replace('_', " ");
+        text +=
+            &format!("\n## {title}\n\n{}\n\n![{title}]({}.png)\n\n{table}", subject.about, picture(subject));
+        save(&PlaneChart { points }, folder, &picture(subject))?;
+    }
+    fs::write(folder.join("report.md"), text)?;
+    for subject in &charted {
         save(&Chart { subject, methods, points }, folder, &picture(subject))?;
     }
     Ok(())

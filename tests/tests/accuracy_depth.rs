@@ -29,7 +29,7 @@ fn measured<W: DepthWorld + 'static>(
     of: impl FnOnce(Box<dyn DepthWorld>) -> W,
 ) -> (f64, Option<&'static str>) {
     let scene = (chart.build)(size);
-    let mut world = of((method.build)(&scene, setting));
+    let mut world = of((method.build)(&scene, setting).unwrap());
     let mut watch = (chart.watch)(&scene);
     watch.see(0.0, &world);
     let steps = (chart.seconds / f64::from(setting.dt.mean())).round() as usize;

@@ -18,11 +18,13 @@ mod stacks;
 mod swing;
 
 use super::error::Watch;
+use super::sweep::Subject;
+use super::world::World;
 use crate::scene::Scene;
+use std::fmt;
 
 /// A scene of the chart, with what is measured in it.
-#[derive(Debug, Clone, Copy)]
-pub struct ChartScene {
+pub struct ChartScene<S = Scene, W: ?Sized + 'static = dyn World> {
     /// Such as `box_stack_height`.
     pub name: &'static str,
     /// One sentence.
@@ -30,11 +32,11 @@ pub struct ChartScene {
     /// Numbers of bodies, rounded up to whole rows where there are rows; 0 alone where size does not matter.
     pub sizes: &'static [usize],
     /// Makes the scene of a size.
-    pub build: fn(usize) -> Scene,
+    pub build: fn(usize) -> S,
     /// Simulated time in s.
     pub seconds: f64,
     /// Makes what watches the scene.
-    pub watch: fn(&Scene) -> Box<dyn Watch>,
+    pub watch: fn(&S) -> Box<dyn Watch<W>>,
     /// What the error is, for the axis.
     pub error: &'static str,
     /// Its unit.
@@ -43,6 +45,35 @@ pub struct ChartScene {
     pub tolerance: f64,
     /// Whether the broad phases are compared too.
     pub broad_phases_matter: bool,
+}
+
+impl<S, W: ?Sized + 'static> ChartScene<S, W> {
+    /// What a chart says of it.
+    pub fn subject(&self) -> Subject {
+        Subject {
+            name: self.name,
+            about: self.about,
+            sizes: self.sizes.to_vec(),
+            error: self.error,
+            unit: self.unit,
+            tolerance: self.tolerance,
+        }
+    }
+}
+
+// By hand, since what is derived would ask for scenes and worlds that can be copied.
+impl<S, W: ?Sized + 'static> Clone for ChartScene<S, W> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<S, W: ?Sized + 'static> Copy for ChartScene<S, W> {}
+
+impl<S, W: ?Sized + 'static> fmt::Debug for ChartScene<S, W> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.debug_struct("ChartScene").field("name", &self.name).finish_non_exhaustive()
+    }
 }
 
 /// The sizes of a scene that has only one.

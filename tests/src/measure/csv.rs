@@ -45,7 +45,7 @@ fn rounded(value: f64) -> f64 {
 }
 
 /// A text as a cell.
-fn quoted(text: &str) -> String {
+pub(super) fn quoted(text: &str) -> String {
     if text.contains([',', '"', '\n']) {
         format!("\"{}\"", text.replace('"', "\"\""))
     } else {

@@ -3,10 +3,10 @@
 use super::world::World;
 
 /// Watches a run and says how wrong it was.
-pub trait Watch {
+pub trait Watch<W: ?Sized = dyn World> {
     /// Looks at the world after a step; `time` is the simulated time in s so far. Also called once before the
     /// first step.
-    fn see(&mut self, time: f64, world: &dyn World);
+    fn see(&mut self, time: f64, world: &W);
 
     /// How wrong the run was so far, in the scene's unit. Not finite when it failed.
     fn error(&self) -> f64;
@@ -104,7 +104,7 @@ impl<W: Watch, F: FnMut(f64, &dyn World) -> Option<&'static str>> Failing<W, F> 
 }
 
 impl<W: Watch, F: FnMut(f64, &dyn World) -> Option<&'static str>> Watch for Failing<W, F> {
-    fn see(&mut self, time: f64, world: &dyn World) {
+    fn see(&mut self, time: f64, world: &(dyn World + 'static)) {
         if self.failed.is_none() {
             self.failed = strayed(world, self.reach).or_else(|| (self.verdict)(time, world));
             self.watch.see(time, world);

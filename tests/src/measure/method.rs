@@ -5,6 +5,7 @@ use super::ours::our_methods;
 use super::peers_2d::{box2d_methods, rapier_methods};
 use super::world::World;
 use crate::scene::Scene;
+use std::fmt;
 
 /// Whose engine it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -95,11 +96,10 @@ impl Setting {
 }
 
 /// A scene in an engine, or what of it the engine does not have.
-pub type Built = Result<Box<dyn World>, String>;
+pub type Built<W = dyn World> = Result<Box<W>, String>;
 
-/// A way to simulate: one line of a chart, one column of a map.
-#[derive(Debug, Clone, Copy)]
-pub struct Method {
+/// A way to simulate: one line of a chart, one column of a map. Scenes and worlds are those of 2D unless it says otherwise.
+pub struct Method<S = Scene, W: ?Sized + 'static = dyn World> {
     /// Such as "Farseer, distance grid".
     pub name: &'static str,
     /// Whose engine it is.
@@ -113,7 +113,22 @@ pub struct Method {
     /// The points of its line. [`recommended`](Self::recommended) is one of them.
     pub settings: fn(Effort) -> Vec<Setting>,
     /// Puts a scene into the engine. An error says what of the scene the engine does not have.
-    pub build: fn(&Scene, Setting) -> Built,
+    pub build: fn(&S, Setting) -> Built<W>,
+}
+
+// By hand, since what is derived would ask for scenes and worlds that can be copied.
+impl<S, W: ?Sized + 'static> Clone for Method<S, W> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<S, W: ?Sized + 'static> Copy for Method<S, W> {}
+
+impl<S, W: ?Sized + 'static> fmt::Debug for Method<S, W> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.debug_struct("Method").field("name", &self.name).finish_non_exhaustive()
+    }
 }
 
 /// All methods: the one place to add one.

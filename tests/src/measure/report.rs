@@ -73,6 +73,7 @@ impl Report<'_> {
         for (name, value) in self.origin {
             add(&mut text, format_args!("- {name}: {value}\n"));
         }
+        text += "\n![overview](overview.png)\n";
         text += HOW_TO_READ;
         for subject in self.subjects {
             self.describe(&mut text, subject);
@@ -90,7 +91,7 @@ impl Report<'_> {
                 short(*tolerance)
             ),
         );
-        add(text, format_args!("![{title}]({}.svg)\n\n", picture(subject)));
+        add(text, format_args!("![{title}]({}.png)\n\n", picture(subject)));
         *text += "| bodies | method | cheapest setting | error | CPU per simulated s | times the cheapest | failed runs |\n";
         *text += "|---:|---|---|---:|---:|---:|---:|\n";
         for &size in &subject.sizes {

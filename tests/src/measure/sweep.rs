@@ -12,7 +12,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Duration;
 
 /// Turns of each point, the watched run not counted.
-const TURNS: usize = 5;
+const TURNS: usize = 7;
 /// Least time that is measured in a turn, if the run is not so slow to begin that [`PATIENCE`] ends first.
 const LEAST: Duration = Duration::from_millis(5);
 /// Longest that a turn repeats short runs, building included.

@@ -1,11 +1,11 @@
 //! What the sweep makes of the scenes of the chart.
 
 use super::charts::ChartScene;
+use super::depth::DepthWorld;
 use super::error::Watch;
 use super::method::{Effort, Method, Setting};
-use super::sweep::{Outcome, Running, Trial};
+use super::sweep::{Outcome, Running, Start, Trial};
 use super::world::World;
-use crate::scene::Scene;
 use std::rc::Rc;
 
 /// From this number of bodies on fewer settings are tried.
@@ -13,13 +13,46 @@ const MANY: usize = 100;
 /// From this number of bodies on few settings are tried, and none when there is little time.
 const VERY_MANY: usize = 1000;
 
+/// What a sweep needs of a world.
+pub trait Moving: 'static {
+    /// Moves everything by a time in s.
+    fn advance(&mut self, dt: f32);
+
+    /// Whether the state of everything is finite.
+    fn is_finite(&self) -> bool;
+}
+
+impl Moving for dyn World {
+    fn advance(&mut self, dt: f32) {
+        self.step(dt);
+    }
+
+    fn is_finite(&self) -> bool {
+        (0..self.body_count()).all(|index| self.body(index).is_finite())
+    }
+}
+
+impl Moving for dyn DepthWorld {
+    fn advance(&mut self, dt: f32) {
+        self.step(dt);
+    }
+
+    fn is_finite(&self) -> bool {
+        (0..self.object_count()).all(|index| self.object(index).is_finite())
+    }
+}
+
 /// The trials of scenes with methods, those of one scene and size one after the other. Scenes that follow each
 /// other and differ in what counts as error alone share their runs.
-pub fn trials(scenes: &[ChartScene], methods: &[Method], effort: Effort) -> Vec<Trial<'static>> {
+pub fn trials<S: PartialEq + 'static, W: Moving + ?Sized>(
+    scenes: &[ChartScene<S, W>],
+    methods: &[Method<S, W>],
+    effort: Effort,
+) -> Vec<Trial<'static>> {
     let mut trials = Vec::new();
     for scenes in scenes.chunk_by(have_the_same_runs) {
         let scene = scenes[0];
-        let watches: Rc<[Measure]> = scenes.iter().map(|scene| (scene.name, scene.watch)).collect();
+        let watches: Rc<[Measure<S, W>]> = scenes.iter().map(|scene| (scene.name, scene.watch)).collect();
         for &size in scene.sizes.iter().filter(|&&size| effort == Effort::Full || size < VERY_MANY) {
             let built = Rc::new((scene.build)(size));
             for method in methods.iter().filter(|method| matters(method, &scene)) {
@@ -40,14 +73,14 @@ pub fn trials(scenes: &[ChartScene], methods: &[Method], effort: Effort) -> Vec<
 }
 
 /// The name of a scene, and what watches it.
-type Measure = (&'static str, fn(&Scene) -> Box<dyn Watch>);
+type Measure<S, W> = (&'static str, fn(&S) -> Box<dyn Watch<W>>);
 
-fn start(
-    scene: &Rc<Scene>,
-    watches: &Rc<[Measure]>,
-    method: &Method,
+fn start<S: 'static, W: Moving + ?Sized>(
+    scene: &Rc<S>,
+    watches: &Rc<[Measure<S, W>]>,
+    method: &Method<S, W>,
     setting: Setting,
-) -> Box<dyn Fn() -> Result<Box<dyn Running>, String>> {
+) -> Start<'static> {
     let (scene, watches, build) = (Rc::clone(scene), Rc::clone(watches), method.build);
     Box::new(move || {
         let world = build(&scene, setting)?;
@@ -57,18 +90,18 @@ fn start(
 }
 
 /// Whether the runs of one scene do for another.
-fn have_the_same_runs(a: &ChartScene, b: &ChartScene) -> bool {
+fn have_the_same_runs<S: PartialEq, W: ?Sized>(a: &ChartScene<S, W>, b: &ChartScene<S, W>) -> bool {
     let is_like =
         a.sizes == b.sizes && a.seconds == b.seconds && a.broad_phases_matter == b.broad_phases_matter;
     is_like && a.sizes.first().is_some_and(|&size| (a.build)(size) == (b.build)(size))
 }
 
-fn matters(method: &Method, scene: &ChartScene) -> bool {
+fn matters<S, W: ?Sized>(method: &Method<S, W>, scene: &ChartScene<S, W>) -> bool {
     scene.broad_phases_matter || !method.is_broad_phase_variant
 }
 
 /// The settings that are tried: all where there are few bodies.
-fn settings(method: &Method, size: usize, effort: Effort) -> Vec<Setting> {
+fn settings<S, W: ?Sized>(method: &Method<S, W>, size: usize, effort: Effort) -> Vec<Setting> {
     let usual = method.recommended;
     let dt = usual.dt.mean();
     let careful = Setting::fixed(dt, 4 * usual.passes);
@@ -87,21 +120,21 @@ fn settings(method: &Method, size: usize, effort: Effort) -> Vec<Setting> {
 }
 
 /// A scene in an engine, and who watches it.
-struct Watched {
-    world: Box<dyn World>,
-    watches: Vec<(&'static str, Box<dyn Watch>)>,
+struct Watched<W: ?Sized> {
+    world: Box<W>,
+    watches: Vec<(&'static str, Box<dyn Watch<W>>)>,
 }
 
-impl Running for Watched {
+impl<W: Moving + ?Sized> Running for Watched<W> {
     fn step(&mut self, dt: f32) {
-        self.world.step(dt);
+        self.world.advance(dt);
     }
 
     fn look(&mut self, time: f64) -> bool {
         for (_, watch) in &mut self.watches {
             watch.see(time, &*self.world);
         }
-        (0..self.world.body_count()).all(|index| self.world.body(index).is_finite())
+        self.world.is_finite()
     }
 
     fn verdict(&self) -> (f64, Outcome) {
@@ -117,7 +150,7 @@ impl Running for Watched {
     }
 }
 
-fn verdict(watch: &dyn Watch) -> (f64, Outcome) {
+fn verdict<W: ?Sized>(watch: &dyn Watch<W>) -> (f64, Outcome) {
     match watch.failed() {
         Some(reason) => (f64::INFINITY, Outcome::Failed(reason)),
         None if watch.error().is_finite() => (watch.error(), Outcome::Fine),
@@ -128,6 +161,7 @@ fn verdict(watch: &dyn Watch) -> (f64, Outcome) {
 #[cfg(test)]
 mod tests {
     use super::super::charts::chart_scenes;
+    use super::super::depth::{depth_chart_scenes, depth_methods};
     use super::super::method::methods;
     use super::*;
 
@@ -141,6 +175,16 @@ mod tests {
         let others: Vec<_> = run.others().into_iter().map(|(name, ..)| name).collect();
         assert_eq!((trials[0].scene, others), (throws[0].name, vec![throws[1].name]));
         assert!(trials.iter().all(|trial| trial.scene == throws[0].name));
+    }
+
+    #[test]
+    fn the_ball_pit_is_run_once_for_both_of_its_measures() {
+        let scenes: Vec<_> =
+            depth_chart_scenes().into_iter().filter(|scene| scene.name.starts_with("ball_pit")).collect();
+        let trials = trials(&scenes, &depth_methods()[..1], Effort::Quick);
+        assert!(trials.iter().all(|trial| trial.scene == scenes[0].name));
+        let run = (trials[0].start)().unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(run.others().len(), 1);
     }
 
     #[test]

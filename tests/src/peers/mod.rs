@@ -43,6 +43,11 @@ impl State {
     pub fn speed(&self) -> f64 {
         self.velocity.iter().map(|part| part * part).sum::<f64>().sqrt()
     }
+
+    /// Whether every part is finite.
+    pub fn is_finite(&self) -> bool {
+        self.position.iter().chain(&self.velocity).chain([&self.rotation]).all(|part| part.is_finite())
+    }
 }
 
 /// An engine with a scene in it.

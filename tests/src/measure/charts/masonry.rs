@@ -23,7 +23,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
     let cards = ChartScene {
         name: "card_house_penetration",
         about: "A house of cards stands: pairs that lean on each other, and level cards between the storeys.",
-        sizes: &[5, 20],
+        sizes: &[5, 20, 200],
         build: card_house,
         seconds: CARDS.seconds,
         watch: |scene| CARDS.penetration(scene),

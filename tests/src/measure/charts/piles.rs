@@ -25,7 +25,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
     let boxes = ChartScene {
         name: "box_pile_penetration",
         about: "Turned boxes fall into a pit.",
-        sizes: &[5, 20, 200],
+        sizes: &[5, 20, 200, 2000],
         build: boxes_in_a_pit,
         ..balls
     };

@@ -23,8 +23,8 @@ pub(super) fn scenes() -> Vec<ChartScene> {
     let boxes = ChartScene {
         name: "box_stack_penetration",
         about: "Boxes stand on each other.",
-        // Taller ones are for the map of what falls over, and not for games.
-        sizes: &[5, 20],
+        // A column of 2000 is 64 m tall, and no scene.
+        sizes: &[5, 20, 200],
         build: box_stack,
         seconds: STACK.seconds,
         watch: |scene| STACK.penetration(scene),
@@ -47,7 +47,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
     let circles = ChartScene {
         name: "circle_stack_penetration",
         about: "Circles lie in rows, each in the gaps of the row below, between two stops.",
-        sizes: &[5, 20, 200],
+        sizes: &[5, 20, 200, 2000],
         build: circle_stack,
         seconds: CIRCLES.seconds,
         watch: |scene| CIRCLES.penetration(scene),

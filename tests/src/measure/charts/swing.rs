@@ -53,7 +53,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
         ChartScene {
             name: "chain",
             about: "A chain of links hangs from one end and swings down from 30 degrees below level.",
-            sizes: &[5, 20, 200],
+            sizes: &[5, 20, 200, 2000],
             build: chain,
             seconds: 5.0,
             watch: watch_gaps,

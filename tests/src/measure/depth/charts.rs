@@ -4,31 +4,12 @@ mod ball_pit;
 mod conveyor;
 mod throw;
 
-use super::DepthWatch;
+use super::DepthWorld;
 use crate::depth_scenes::DepthScene;
+use crate::measure::charts::ChartScene;
 
-/// A scene of the chart with depth, with what is measured in it.
-#[derive(Debug, Clone, Copy)]
-pub struct DepthChartScene {
-    /// Such as `ball_pit_penetration`.
-    pub name: &'static str,
-    /// One sentence.
-    pub about: &'static str,
-    /// Numbers of movable objects; 0 alone where size does not matter.
-    pub sizes: &'static [usize],
-    /// Makes the scene of a size.
-    pub build: fn(usize) -> DepthScene,
-    /// Simulated time in s.
-    pub seconds: f64,
-    /// Makes what watches the scene.
-    pub watch: fn(&DepthScene) -> Box<dyn DepthWatch>,
-    /// What the error is, for the axis.
-    pub error: &'static str,
-    /// Its unit.
-    pub unit: &'static str,
-    /// The error a game would accept.
-    pub tolerance: f64,
-}
+/// A scene of the chart with depth; sizes are numbers of movable objects.
+pub type DepthChartScene = ChartScene<DepthScene, dyn DepthWorld>;
 
 /// All scenes of the chart with depth: the one place to add one.
 pub fn depth_chart_scenes() -> Vec<DepthChartScene> {

@@ -37,7 +37,7 @@ pub struct DepthFamily {
     /// Length of a run in s.
     pub seconds: fn(f64) -> f64,
     /// Makes what says how it went.
-    pub judge: fn(f64) -> Box<dyn DepthWatch>,
+    pub judge: fn(f64) -> Box<DepthWatch>,
     /// What the judge measures.
     pub quantity: &'static str,
     /// Its unit.

@@ -2,28 +2,14 @@
 
 use super::DepthWorld;
 use crate::depth_scenes::DepthScene;
-use crate::measure::method::{Effort, Family, Setting};
+use crate::measure::method::{Built, Effort, Family, Method, Setting};
 #[cfg(feature = "peers")]
 use crate::peers::Rapier;
 use crate::peers::TwoHalf;
 use twohalf::Methods;
 
-/// A way to simulate a scene with depth: one line of a chart, one column of a map.
-#[derive(Debug, Clone, Copy)]
-pub struct DepthMethod {
-    /// Such as "2.5D, faithful".
-    pub name: &'static str,
-    /// Whose engine it is.
-    pub family: Family,
-    /// What [`Setting::passes`] counts.
-    pub passes: &'static str,
-    /// What the engine takes by default, at the usual step.
-    pub recommended: Setting,
-    /// The points of its line. [`recommended`](Self::recommended) is one of them.
-    pub settings: fn(Effort) -> Vec<Setting>,
-    /// Puts a scene into the engine.
-    pub build: fn(&DepthScene, Setting) -> Box<dyn DepthWorld>,
-}
+/// A way to simulate a scene with depth.
+pub type DepthMethod = Method<DepthScene, dyn DepthWorld>;
 
 /// All methods: the one place to add one.
 pub fn depth_methods() -> Vec<DepthMethod> {
@@ -38,6 +24,7 @@ fn our_methods() -> Vec<DepthMethod> {
     let faithful = DepthMethod {
         name: "2.5D, faithful",
         family: Family::Ours,
+        is_broad_phase_variant: false,
         passes: "iterations",
         // The 2D engine's default iterations (behaviour chapter 06).
         recommended: Setting::fixed(1.0 / 60.0, 5),
@@ -52,8 +39,8 @@ fn our_methods() -> Vec<DepthMethod> {
     vec![faithful, thesis]
 }
 
-fn build(scene: &DepthScene, setting: Setting, methods: Methods) -> Box<dyn DepthWorld> {
-    Box::new(TwoHalf::with_methods(scene, methods, setting.passes as i32))
+fn build(scene: &DepthScene, setting: Setting, methods: Methods) -> Built<dyn DepthWorld> {
+    Ok(Box::new(TwoHalf::with_methods(scene, methods, setting.passes as i32)))
 }
 
 /// `rapier3d` with its own defaults, and with those that make it more accurate: friction at every point of contact,
@@ -63,14 +50,17 @@ fn rapier_methods() -> Vec<DepthMethod> {
     let default = DepthMethod {
         name: "rapier3d",
         family: Family::Peer,
+        is_broad_phase_variant: false,
         passes: "iterations",
         recommended: Setting::fixed(1.0 / 60.0, 4),
         settings: rapier_settings,
-        build: |scene, setting| Box::new(Rapier::new(scene).with_iterations(setting.passes as usize)),
+        build: |scene, setting| Ok(Box::new(Rapier::new(scene).with_iterations(setting.passes as usize))),
     };
     let accurate = DepthMethod {
         name: "rapier3d, full friction",
-        build: |scene, setting| Box::new(Rapier::accurate(scene).with_iterations(setting.passes as usize)),
+        build: |scene, setting| {
+            Ok(Box::new(Rapier::accurate(scene).with_iterations(setting.passes as usize)))
+        },
         ..default
     };
     vec![default, accurate]

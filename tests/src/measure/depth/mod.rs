@@ -12,7 +12,6 @@ mod method;
 mod plane_chart;
 mod planes;
 mod sheet;
-mod trials;
 mod watch;
 mod world;
 
@@ -22,6 +21,5 @@ pub use method::{DepthMethod, depth_methods};
 pub use plane_chart::PlaneChart;
 pub use planes::{PLANE_METHODS, PLANES, plane_table, plane_trials};
 pub use sheet::{depth_sheet, run};
-pub use trials::depth_trials;
 pub use watch::{DepthWatch, Seen, watch};
 pub use world::DepthWorld;

@@ -65,7 +65,10 @@ pub fn run(family: &DepthFamily, value: f64, method: &DepthMethod, setting: Sett
 }
 
 fn run_in(family: &DepthFamily, value: f64, method: &DepthMethod, setting: Setting) -> Cell {
-    let mut world = (method.build)(&(family.build)(value), setting);
+    let mut world = match (method.build)(&(family.build)(value), setting) {
+        Ok(world) => world,
+        Err(reason) => return Cell::absent(reason),
+    };
     let mut watch = (family.judge)(value);
     watch.see(0.0, &*world);
     let steps = ((family.seconds)(value) / f64::from(setting.dt.mean())).ceil() as usize;

@@ -1,22 +1,11 @@
 //! Watching a run of a scene with depth.
 
 use super::DepthWorld;
-use crate::measure::error::Largest;
+use crate::measure::error::{Largest, Watch};
 use crate::measure::stability::reasons::NOT_FINITE;
-use crate::peers::State;
 
-/// Watches a run and says how wrong it was: a [`Watch`](crate::measure::error::Watch) of three axes.
-pub trait DepthWatch {
-    /// Looks at the world after a step; `time` is the simulated time in s so far. Also called once before the
-    /// first step.
-    fn see(&mut self, time: f64, world: &dyn DepthWorld);
-
-    /// How wrong the run was so far, in the scene's unit; NaN when there was nothing to measure.
-    fn error(&self) -> f64;
-
-    /// What went wrong, in a word or two, if anything did.
-    fn failed(&self) -> Option<&'static str>;
-}
+/// Watches a run of a scene with depth.
+pub type DepthWatch = dyn Watch<dyn DepthWorld>;
 
 /// What is seen at one moment.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,7 +41,7 @@ impl Seen {
 
 /// Watches with a function of time in s and the world, from before the first step on; `None` where it looks away.
 /// A run also fails when the state of an object is not finite; the function never sees such a state.
-pub fn watch(look: impl FnMut(f64, &dyn DepthWorld) -> Option<Seen> + 'static) -> Box<dyn DepthWatch> {
+pub fn watch(look: impl FnMut(f64, &dyn DepthWorld) -> Option<Seen> + 'static) -> Box<DepthWatch> {
     Box::new(Looking { look, largest: Largest::default(), last: None })
 }
 
@@ -63,12 +52,12 @@ struct Looking<F> {
     last: Option<Seen>,
 }
 
-impl<F: FnMut(f64, &dyn DepthWorld) -> Option<Seen>> DepthWatch for Looking<F> {
+impl<F: FnMut(f64, &dyn DepthWorld) -> Option<Seen>> Watch<dyn DepthWorld> for Looking<F> {
     fn see(&mut self, time: f64, world: &dyn DepthWorld) {
         if matches!(self.last, Some(Seen::Failed(..))) {
             return;
         }
-        let is_whole = (0..world.object_count()).all(|index| is_finite(&world.object(index)));
+        let is_whole = (0..world.object_count()).all(|index| world.object(index).is_finite());
         let seen =
             if is_whole { (self.look)(time, world) } else { Some(Seen::Failed(NOT_FINITE, f64::INFINITY)) };
         if let Some(Seen::Fine(error)) = seen {
@@ -90,11 +79,6 @@ impl<F: FnMut(f64, &dyn DepthWorld) -> Option<Seen>> DepthWatch for Looking<F> {
             _ => None,
         }
     }
-}
-
-fn is_finite(state: &State) -> bool {
-    let parts = state.position.iter().chain(&state.velocity).chain([&state.rotation]);
-    parts.into_iter().all(|part| part.is_finite())
 }
 
 #[cfg(test)]

@@ -10,6 +10,7 @@ pub mod ink;
 pub mod lines;
 pub mod overview;
 pub mod pixels;
+mod png_file;
 pub mod style;
 
 use pixels::Pixels;

@@ -1,5 +1,6 @@
 //! A backend of `plotters` that paints pixels with `tiny-skia`.
 
+use super::png_file;
 use plotters_backend::{
     BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
     FontTransform,
@@ -52,8 +53,8 @@ impl Pixels {
     ///
     /// When the file cannot be written.
     pub fn save(&self, path: &Path) -> io::Result<()> {
-        let bytes = self.map.borrow().encode_png().map_err(io::Error::other)?;
-        std::fs::write(path, bytes)
+        let map = self.map.borrow();
+        png_file::write(path, (map.width(), map.height()), map.data())
     }
 
     fn fill(&self, path: Option<tiny_skia::Path>, color: BackendColor, transform: Transform) -> Outcome {

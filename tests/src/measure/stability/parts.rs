@@ -18,7 +18,7 @@ pub(super) fn all(parts: Vec<Box<dyn Watch>>) -> Box<dyn Watch> {
 struct All(Vec<Box<dyn Watch>>);
 
 impl Watch for All {
-    fn see(&mut self, time: f64, world: &dyn World) {
+    fn see(&mut self, time: f64, world: &(dyn World + 'static)) {
         for part in &mut self.0 {
             part.see(time, world);
         }

@@ -1,6 +1,7 @@
 //! Maps as text: CSV, and the table of first failures.
 
 use super::map::{Cell, Column, Map, Verdict};
+use crate::measure::csv::quoted;
 use std::fmt::Write;
 
 /// All runs of all maps, one line each.
@@ -37,15 +38,6 @@ pub fn csv(maps: &[Map]) -> String {
 
 fn measured(cell: &Cell) -> String {
     if cell.measured.is_nan() { String::new() } else { format!("{:.4}", cell.measured) }
-}
-
-/// A field of CSV, in quotes where it needs them.
-fn quoted(field: &str) -> String {
-    if field.contains([',', '"', '\n']) {
-        format!("\"{}\"", field.replace('"', "\"\""))
-    } else {
-        field.to_owned()
-    }
 }
 
 /// A value of a parameter for readers: powers of ten for the very large and very small.

@@ -30,6 +30,7 @@ const PENETRATION: DepthChartScene = DepthChartScene {
     unit: "px",
     // A tenth of a ball's radius; less than a px is not seen.
     tolerance: 1.0,
+    broad_phases_matter: false,
 };
 
 const SPEED: DepthChartScene = DepthChartScene {
@@ -135,7 +136,7 @@ fn left(ball: &Ball) -> f64 {
 }
 
 /// Measures all balls from the time on from which they should lie. A ball that has left the pit is a failure.
-fn resting(scene: &DepthScene, measure: impl Fn(&[Ball]) -> f64 + 'static) -> Box<dyn DepthWatch> {
+fn resting(scene: &DepthScene, measure: impl Fn(&[Ball]) -> f64 + 'static) -> Box<DepthWatch> {
     let pit = Pit::of(scene);
     let radius = |object: &DepthObject| match object.shape {
         DepthShape::Ball { radius } => f64::from(radius),

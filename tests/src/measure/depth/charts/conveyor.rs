@@ -35,6 +35,7 @@ const ALONG_X: DepthChartScene = DepthChartScene {
     unit: "px",
     // Boxes 16 px apart never touch, and a sprite that is off by this is not seen to slip.
     tolerance: 2.0,
+    broad_phases_matter: false,
 };
 
 const ASKEW: DepthChartScene = DepthChartScene {
@@ -82,7 +83,7 @@ fn ways(time: f64) -> [f64; 2] {
     [belt + after, of_load * sliding * sliding / 2.0 + after]
 }
 
-fn against_closed_form(scene: &DepthScene, direction: [f64; 2]) -> Box<dyn DepthWatch> {
+fn against_closed_form(scene: &DepthScene, direction: [f64; 2]) -> Box<DepthWatch> {
     let starts: Vec<[f64; 3]> = scene.objects.iter().map(|object| object.position.map(f64::from)).collect();
     watch(move |time, world: &dyn DepthWorld| {
         let [belt, load] = ways(time);

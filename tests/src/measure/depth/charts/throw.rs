@@ -21,6 +21,7 @@ const FLIGHT: DepthChartScene = DepthChartScene {
     unit: "px",
     // A throw that aims at something 20 px wide still meets it.
     tolerance: 2.0,
+    broad_phases_matter: false,
 };
 
 const STEPPED: DepthChartScene = DepthChartScene {
@@ -44,7 +45,7 @@ const LANDED: DepthChartScene = DepthChartScene {
 };
 
 /// The distance of the first object from its closed form, from a time in s on.
-fn against(scene: &DepthScene, from: f64) -> Box<dyn DepthWatch> {
+fn against(scene: &DepthScene, from: f64) -> Box<DepthWatch> {
     let thrown = &scene.objects[0];
     let (start, velocity) = (thrown.position.map(f64::from), thrown.velocity.map(f64::from));
     watch(move |time, world: &dyn DepthWorld| {
@@ -55,7 +56,7 @@ fn against(scene: &DepthScene, from: f64) -> Box<dyn DepthWatch> {
 }
 
 /// The distance of the first object from where steps of the lengths that were made bring it.
-fn against_steps(scene: &DepthScene) -> Box<dyn DepthWatch> {
+fn against_steps(scene: &DepthScene) -> Box<DepthWatch> {
     let thrown = &scene.objects[0];
     let (mut place, mut velocity) = (thrown.position.map(f64::from), thrown.velocity.map(f64::from));
     let mut last = 0.0;

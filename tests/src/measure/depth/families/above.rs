@@ -54,7 +54,7 @@ fn thrown_over(distance: f64) -> DepthScene {
     })
 }
 
-fn flies_on() -> Box<dyn DepthWatch> {
+fn flies_on() -> Box<DepthWatch> {
     each(WAYS.len(), |time, lane, _, state: State| {
         let speed = f64::from(WAY / TIME);
         let [x, z] = WAYS[lane].map(f64::from);

@@ -63,7 +63,7 @@ fn edge_of(lane: usize) -> f32 {
     if lane % 4 < 2 { HALF[0] } else { HALF[1] }
 }
 
-fn walks_off(height: f64) -> Box<dyn DepthWatch> {
+fn walks_off(height: f64) -> Box<DepthWatch> {
     each(8, move |_, lane, [x, y, z], state: State| {
         let [along_x, along_z] = DIRECTIONS[lane % 4].map(f64::from);
         let beyond = x * along_x + z * along_z - f64::from(edge_of(lane));
@@ -132,7 +132,7 @@ fn passing(speed: f64, gap: f32) -> DepthScene {
     })
 }
 
-fn passes(speed: f64) -> Box<dyn DepthWatch> {
+fn passes(speed: f64) -> Box<DepthWatch> {
     each(6, move |_, lane, [x, y, z], state: State| {
         let [along_x, along_z] = WAYS_UNDER[lane % 3].map(f64::from);
         let [change_x, change_z] = [state.velocity[0] - speed * along_x, state.velocity[2] - speed * along_z];

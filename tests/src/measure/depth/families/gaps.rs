@@ -86,7 +86,7 @@ fn crossing(lanes: &[(bool, usize)], speed: f64, gap: f32) -> DepthScene {
     })
 }
 
-fn crosses(lanes: &'static [(bool, usize)], speed: f64) -> Box<dyn DepthWatch> {
+fn crosses(lanes: &'static [(bool, usize)], speed: f64) -> Box<DepthWatch> {
     each(lanes.len(), move |_, lane, [_, y, _], state: State| {
         let [along_x, along_z] = WAYS[lanes[lane].1].map(f64::from);
         let change = [state.velocity[0] - speed * along_x, state.velocity[2] - speed * along_z];

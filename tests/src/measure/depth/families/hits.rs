@@ -128,7 +128,7 @@ fn against_front(lanes: usize, speed: f64, depth: f32, beside: f32) -> DepthScen
     at_posts("depth_hit", depth, thrown.collect())
 }
 
-fn flies_back(lanes: usize, speed: f64) -> Box<dyn DepthWatch> {
+fn flies_back(lanes: usize, speed: f64) -> Box<DepthWatch> {
     each(lanes, move |_, _, _, state: State| {
         let [x, y, z] = state.velocity;
         let wrong = largest([x, y, z + speed]);
@@ -144,8 +144,9 @@ fn flies_back(lanes: usize, speed: f64) -> Box<dyn DepthWatch> {
     })
 }
 
-/// Way along the axis that is entered first, px, until the second is.
-const BEFORE_SECOND: f64 = 30.0;
+/// Way along the axis that is entered first, px, until the second is: in the plane, both are in front of each other then, and
+/// no corner is near.
+const BEFORE_SECOND: f64 = 22.0;
 
 const DIAGONAL_FAST: DepthFamily = DepthFamily {
     name: "Diagonal hit, fast",
@@ -215,7 +216,7 @@ fn diagonal(speeds: [f64; 3], way: f64, flight: f64) -> DepthScene {
 }
 
 /// Looks at the first change of each lane's velocity: it must be along the last axis.
-fn thrown_back_along_last(speeds: [f64; 3]) -> Box<dyn DepthWatch> {
+fn thrown_back_along_last(speeds: [f64; 3]) -> Box<DepthWatch> {
     let mut first_changes: [Option<[f64; 3]>; DIAGONALS] = [None; DIAGONALS];
     watch(move |_, world: &dyn DepthWorld| {
         let mut seen = Seen::Ends(0.0);

@@ -80,12 +80,12 @@ fn over_edge(part: f64) -> DepthScene {
     })
 }
 
-fn lie_on_top(count: usize) -> Box<dyn DepthWatch> {
+fn lie_on_top(count: usize) -> Box<DepthWatch> {
     each(count, |_, _, [x, y, z], _| lying(y, largest([x, z]), TUNNELLED))
 }
 
 /// Wherever along Z.
-fn lie_on_top_beside(count: usize) -> Box<dyn DepthWatch> {
+fn lie_on_top_beside(count: usize) -> Box<DepthWatch> {
     each(count, |_, _, [x, y, _], _| lying(y, x.abs(), MISSED))
 }
 

@@ -63,7 +63,7 @@ pub(super) fn in_lane(state: &State, lane: usize) -> [f64; 3] {
 pub(super) fn each(
     count: usize,
     look: impl Fn(f64, usize, [f64; 3], State) -> Seen + 'static,
-) -> Box<dyn DepthWatch> {
+) -> Box<DepthWatch> {
     watch(move |time, world: &dyn DepthWorld| {
         let seen = (0..count).map(|lane| {
             let state = world.object(lane);

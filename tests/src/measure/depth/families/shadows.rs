@@ -64,7 +64,7 @@ fn right_height(x: f64) -> Option<f64> {
     Some(f64::from(top_of(plate)) + if is_under_upper { 30.0 } else { 0.0 })
 }
 
-fn on_plates(_: f64) -> Box<dyn DepthWatch> {
+fn on_plates(_: f64) -> Box<DepthWatch> {
     watch(|time, world: &dyn DepthWorld| {
         // Engines may look for what there is in their first step.
         let right = right_height(world.object(0).position[0]).filter(|_| time > 0.0)?;

@@ -14,6 +14,10 @@ const SPEED: f64 = 60.0;
 const DIRECTIONS: [[f32; 2]; 4] = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]];
 /// From the middle of the step to each of its sides, px.
 const HALF: f32 = 200.0;
+/// From where things start to the step, px.
+const WAY: f32 = 40.3;
+/// Time in s at which they must be on their way.
+const BEFORE: std::ops::Range<f64> = 0.25..0.3;
 /// Simulated time in s: up after half of it, or far back.
 const SECONDS: f64 = 3.0;
 
@@ -63,7 +67,7 @@ fn directions(is_ball: bool) -> &'static [[f32; 2]] {
 fn against_step(is_ball: bool, height: f32) -> DepthScene {
     let directions = directions(is_ball).iter().enumerate();
     directions.fold(scene("step_up"), |scene, (lane, &[x, z])| {
-        let start = -HALF - 40.3;
+        let start = -HALF - WAY;
         let comer = object(is_ball, lane, [start * x, 0.0, start * z]);
         let speed = SPEED as f32;
         scene.with(comer.with_velocity([speed * x, 0.0, speed * z])).with_platform(platform(
@@ -74,11 +78,15 @@ fn against_step(is_ball: bool, height: f32) -> DepthScene {
     })
 }
 
-fn must(is_ball: bool, climb: bool, height: f64) -> Box<dyn DepthWatch> {
+fn must(is_ball: bool, climb: bool, height: f64) -> Box<DepthWatch> {
     let directions = directions(is_ball);
-    each(directions.len(), move |_, lane, [x, y, z], _| {
+    each(directions.len(), move |time, lane, [x, y, z], _| {
         let [along_x, along_z] = directions[lane].map(f64::from);
-        let is_over = x * along_x + z * along_z > -f64::from(HALF);
+        let along = x * along_x + z * along_z;
+        if BEFORE.contains(&time) && (along + f64::from(HALF + WAY) - SPEED * time).abs() > 1.0 {
+            return Seen::Failed(STUCK, y.abs());
+        }
+        let is_over = along > -f64::from(HALF);
         match (climb, is_over) {
             (true, true) => Seen::Ends((height - y).abs()),
             (true, false) => Seen::Open(STUCK, (height - y).abs()),
