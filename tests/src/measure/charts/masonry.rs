@@ -36,6 +36,8 @@ pub(super) fn scenes() -> Vec<ChartScene> {
     let stones = ChartScene {
         name: "arch_penetration",
         about: "A half circle of wedge-shaped stones stands on the ground.",
+        // 200 stones of this arch would be slivers of 2.5 px.
+        sizes: &[5, 20],
         build: arch,
         seconds: ARCH.seconds,
         watch: |scene| ARCH.penetration(scene),
