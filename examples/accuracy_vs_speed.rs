@@ -9,9 +9,9 @@ use clap::Parser;
 use conformance::measure::charts::chart_scenes;
 use conformance::measure::csv::csv;
 use conformance::measure::depth::{
-    PLANES, PlaneChart, depth_chart_scenes, depth_methods, plane_table, plane_trials,
+    PLANES, PlaneChart, depth_chart_scenes, depth_methods, depth_peer_versions, plane_table, plane_trials,
 };
-use conformance::measure::method::{Effort, Setting, methods};
+use conformance::measure::method::{Effort, Setting, methods, peer_versions};
 use conformance::measure::origin::origin;
 use conformance::measure::plot::lines::Chart;
 use conformance::measure::plot::overview::Overview;
@@ -66,6 +66,8 @@ struct Group {
     subjects: Vec<Subject>,
     methods: Vec<(&'static str, Setting)>,
     trials: Vec<Trial<'static>>,
+    /// Versions of the peers.
+    peers: Vec<(&'static str, String)>,
 }
 
 fn main() -> Result<()> {
@@ -95,6 +97,7 @@ fn flat(arguments: &Arguments) -> Group {
         subjects: subjects.collect(),
         methods: all.iter().map(|method| (method.name, method.recommended)).collect(),
         trials: trials(&scenes, &wanted, arguments.effort()),
+        peers: peer_versions(),
     }
 }
 
@@ -127,6 +130,7 @@ fn deep(arguments: &Arguments) -> Group {
         subjects: subjects.chain([planes]).collect(),
         methods,
         trials,
+        peers: depth_peer_versions(),
     }
 }
 
@@ -141,7 +145,8 @@ fn write(group: &Group, sweep: &Sweep, folder: &Path) -> Result<()> {
     // What is compared there is time over the number of objects: it has a chart and a table of its own.
     let (planes, charted): (Vec<_>, Vec<_>) =
         subjects.into_iter().partition(|subject| subject.name == PLANES);
-    let report = Report { title: group.title, origin: &origin(), subjects: &charted, methods, sweep };
+    let origin = origin(group.peers.iter().cloned());
+    let report = Report { title: group.title, origin: &origin, subjects: &charted, methods, sweep };
     let mut text = report.markdown();
     if let ([subject], Some(table)) = (&planes[..], plane_table(points)) {
         let title = subject.name.replace('_', " ");

@@ -5,8 +5,8 @@
 //! 2.5D engine (folder `2.5d`). Without the feature there are no other engines in them. Nothing is timed.
 
 use clap::Parser;
-use conformance::measure::depth::{depth_families, depth_methods, depth_sheet};
-use conformance::measure::method::{Effort, methods};
+use conformance::measure::depth::{depth_families, depth_methods, depth_peer_versions, depth_sheet};
+use conformance::measure::method::{Effort, methods, peer_versions};
 use conformance::measure::origin::origin;
 use conformance::measure::plot::first_failures::FirstFailures;
 use conformance::measure::plot::heat::HeatMap;
@@ -52,14 +52,14 @@ fn is_in(part: Option<&str>, name: &str) -> bool {
 fn main() -> Result<()> {
     let arguments = Arguments::parse();
     let groups = [
-        ("2d", "Where methods fail, 2D", flat(&arguments)),
-        ("2.5d", "Where methods fail, 2.5D", deep(&arguments)),
+        ("2d", "Where methods fail, 2D", flat(&arguments), peer_versions()),
+        ("2.5d", "Where methods fail, 2.5D", deep(&arguments), depth_peer_versions()),
     ];
-    let progress = Progress::of(groups.iter().flat_map(|(_, _, sheets)| sheets));
-    for (folder, title, sheets) in groups.iter().filter(|(_, _, sheets)| !sheets.is_empty()) {
+    let progress = Progress::of(groups.iter().flat_map(|(_, _, sheets, _)| sheets));
+    for (folder, title, sheets, peers) in groups.into_iter().filter(|group| !group.2.is_empty()) {
         let maps: Vec<Map> = sheets.iter().map(|sheet| progress.fill(sheet)).collect();
         let folder = arguments.out.join(folder);
-        write(title, &maps, &folder)?;
+        write(title, peers, &maps, &folder)?;
         eprintln!("\n{}", folder.join("report.md").display());
     }
     eprintln!("{} s", progress.start.elapsed().as_secs());
@@ -91,10 +91,10 @@ fn deep(arguments: &Arguments) -> Vec<Sheet> {
 }
 
 /// Writes what came of the families of an engine.
-fn write(title: &str, maps: &[Map], folder: &Path) -> Result<()> {
+fn write(title: &str, peers: Vec<(&'static str, String)>, maps: &[Map], folder: &Path) -> Result<()> {
     fs::create_dir_all(folder)?;
     fs::write(folder.join("runs.csv"), csv(maps))?;
-    fs::write(folder.join("report.md"), report(title, &origin(), maps))?;
+    fs::write(folder.join("report.md"), report(title, &origin(peers), maps))?;
     save(&FirstFailures::new(maps), folder, "overview")?;
     for map in maps {
         save(&HeatMap(map), folder, &file_name(&map.heading.name))?;

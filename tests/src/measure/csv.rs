@@ -6,7 +6,7 @@ use std::fmt::Write;
 
 /// The names of the columns.
 const HEAD: &str = "scene,bodies,method,dt_s,jitter,passes,error,error_is,unit,tolerance,meets_tolerance,outcome,\
-us_per_simulated_s,steps";
+us_per_simulated_s,steps,turns";
 
 /// A table of points, a line each. Points of a scene that is not among the subjects are left out.
 pub fn csv(points: &[Point], subjects: &[Subject]) -> String {
@@ -21,7 +21,7 @@ pub fn csv(points: &[Point], subjects: &[Subject]) -> String {
         let jitters = matches!(point.setting.dt, Dt::Jitter { .. });
         let line = writeln!(
             text,
-            "{},{size},{},{},{jitters},{},{error},{},{},{},{},{},{:.3},{}",
+            "{},{size},{},{},{jitters},{},{error},{},{},{},{},{},{:.3},{},{}",
             point.scene,
             quoted(point.method),
             point.setting.dt.mean(),
@@ -33,6 +33,7 @@ pub fn csv(points: &[Point], subjects: &[Subject]) -> String {
             quoted(outcome),
             point.microseconds_per_simulated_second,
             point.steps,
+            point.turns,
         );
         line.expect("a string takes everything");
     }
@@ -77,9 +78,11 @@ mod tests {
             outcome: Outcome::Failed("flew off"),
             microseconds_per_simulated_second: 12.0,
             steps: 7,
+            turns: 3,
         };
         let text = csv(&[point], &[subject]);
-        let line = "drop,5,\"Farseer, SAT\",0.016,true,5,,\"height, largest\",px,0.5,false,flew off,12.000,7";
+        let line =
+            "drop,5,\"Farseer, SAT\",0.016,true,5,,\"height, largest\",px,0.5,false,flew off,12.000,7,3";
         assert_eq!(text.lines().nth(1), Some(line));
     }
 }

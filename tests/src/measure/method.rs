@@ -143,6 +143,14 @@ pub fn methods() -> Vec<Method> {
     methods
 }
 
+/// Names and versions of the other engines among them, and of what they are reached through.
+pub fn peer_versions() -> Vec<(&'static str, String)> {
+    #[cfg(feature = "peers")]
+    return super::peers_2d::peer_versions();
+    #[cfg(not(feature = "peers"))]
+    Vec::new()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -4,26 +4,16 @@ use std::fs;
 use std::thread::available_parallelism;
 use std::time::{SystemTime, UNIX_EPOCH};
 
-/// What to print beside figures, as names and values: the versions of what was compared, the machine and the date.
-pub fn origin() -> Vec<(&'static str, String)> {
+/// What to print beside figures, as names and values: the date, the machine, and the versions of what was compared.
+pub fn origin(peers: impl IntoIterator<Item = (&'static str, String)>) -> Vec<(&'static str, String)> {
     let mut lines = vec![
         ("Date", date(SystemTime::now())),
         ("Machine", machine()),
         ("Build", build().to_owned()),
         ("farseer-core, twohalf", env!("CARGO_PKG_VERSION").to_owned()),
     ];
-    lines.extend(peers());
+    lines.extend(peers);
     lines
-}
-
-#[cfg(feature = "peers")]
-fn peers() -> Vec<(&'static str, String)> {
-    super::peers_2d::peer_versions()
-}
-
-#[cfg(not(feature = "peers"))]
-fn peers() -> Vec<(&'static str, String)> {
-    Vec::new()
 }
 
 fn build() -> &'static str {

@@ -1,7 +1,7 @@
 //! What the figures say: for each scene and method the cheapest setting that meets the tolerance, as Markdown.
 
 use super::method::Setting;
-use super::plot::axis::{short, short_time};
+use super::plot::axis::short_time;
 use super::sweep::{Absent, Outcome, Point, Subject, Sweep};
 use std::fmt::Write;
 
@@ -88,7 +88,7 @@ impl Report<'_> {
             text,
             format_args!(
                 "\n## {title}\n\n{about} Error: {error}; tolerance {} {unit}.\n\n",
-                short(*tolerance)
+                short_error(*tolerance)
             ),
         );
         add(text, format_args!("![{title}]({}.png)\n\n", picture(subject)));
@@ -100,7 +100,7 @@ impl Report<'_> {
             let bests: Vec<Best<'_>> = bests.collect();
             let least = bests.iter().filter_map(|best| best.time()).min_by(f64::total_cmp);
             for ((method, _), best) in self.methods.iter().zip(bests) {
-                let cells = cells(best, least);
+                let cells = self.cells(best, least);
                 let failed = self.failed_runs(subject, size, method);
                 let Some([setting, error, time, ratio]) = cells else { continue };
                 let size = if size == 0 { "-".to_owned() } else { size.to_string() };
@@ -111,6 +111,35 @@ impl Report<'_> {
         for Absent { method, reason, .. } in self.sweep.absent.iter().filter(|absent| absent.scene == *name) {
             add(text, format_args!("\n{method} cannot run it: {reason}.\n"));
         }
+    }
+
+    /// Setting, error, time and ratio of a row; no row for what was not run.
+    fn cells(&self, best: Best<'_>, least: Option<f64>) -> Option<[String; 4]> {
+        let none = || "-".to_owned();
+        match best {
+            Best::Meets(point) => {
+                let time = point.microseconds_per_simulated_second;
+                let ratio = least.map_or_else(none, |least| format!("{:.1}", time / least));
+                let setting = named(point.setting);
+                let setting = if self.is_least_tried(point) { format!("<= {setting}") } else { setting };
+                Some([setting, short_error(point.error), short_time(time), ratio])
+            }
+            Best::Misses(point) => {
+                let time = short_time(point.microseconds_per_simulated_second);
+                let [setting, error] = [named(point.setting), short_error(point.error)];
+                Some([format!("*{setting}*"), format!("*{error}*"), format!("*{time}*"), none()])
+            }
+            Best::Failed(_) => Some(["*none*".to_owned(), none(), none(), none()]),
+            Best::Absent => None,
+        }
+    }
+
+    /// Whether nothing cheaper was tried with the method.
+    fn is_least_tried(&self, best: &Point) -> bool {
+        let is_rival =
+            |point: &&Point| (point.scene, point.size, point.method) == (best.scene, best.size, best.method);
+        let time = |point: &Point| point.microseconds_per_simulated_second;
+        self.sweep.points.iter().filter(is_rival).all(|point| ALIKE * time(point) >= time(best))
     }
 
     /// How many runs failed, of how many, and why.
@@ -134,31 +163,12 @@ impl Report<'_> {
 }
 
 const HOW_TO_READ: &str = "
-`1/60 s x 5` are steps of 1/60 s with 5 iterations of the solver each (substeps in Box2D). CPU times are
-of the steps alone, medians of runs that took turns in one process. Of settings that take about as long (within
-15 %) the first that is tried is named. *Italics*: no setting meets the tolerance; the one with the least error is
-given. In the charts a line joins the settings of a method that are worth their time; crosses above are runs that
+`1/60 s x 5` are steps of 1/60 s with 5 iterations of the solver each; those of rapier and Box2D are substeps. CPU
+times are of the steps alone, medians of runs that took turns in one process. Of settings that take about as long
+(within 15 %) the first that is tried is named. `<=`: none that was tried is cheaper, and one that was not might do as
+well. *Italics*: no setting meets the tolerance; the one with the least error is given. In the charts a line joins the settings of a method that are worth their time; crosses above are runs that
 failed.
 ";
-
-/// Setting, error, time and ratio of a row; no row for what was not run.
-fn cells(best: Best<'_>, least: Option<f64>) -> Option<[String; 4]> {
-    let none = || "-".to_owned();
-    match best {
-        Best::Meets(point) => {
-            let time = point.microseconds_per_simulated_second;
-            let ratio = least.map_or_else(none, |least| format!("{:.1}", time / least));
-            Some([named(point.setting), short_error(point.error), short_time(time), ratio])
-        }
-        Best::Misses(point) => {
-            let time = short_time(point.microseconds_per_simulated_second);
-            let [setting, error] = [named(point.setting), short_error(point.error)];
-            Some([format!("*{setting}*"), format!("*{error}*"), format!("*{time}*"), none()])
-        }
-        Best::Failed(_) => Some(["*none*".to_owned(), none(), none(), none()]),
-        Best::Absent => None,
-    }
-}
 
 /// Step and passes.
 fn named(setting: Setting) -> String {
@@ -198,6 +208,7 @@ mod tests {
             outcome: if error.is_finite() { Outcome::Fine } else { Outcome::Failed("flew off") },
             microseconds_per_simulated_second,
             steps: 1,
+            turns: 1,
         };
         values.iter().map(point).collect()
     }
@@ -226,12 +237,24 @@ mod tests {
         );
     }
 
-    #[test]
-    fn a_report_tells_how_many_runs_failed_and_why() {
-        let sweep = Sweep { points: points(&[(10.0, f64::INFINITY), (20.0, 0.5)]), absent: Vec::new() };
+    /// The report of one method's points.
+    fn report(points: Vec<Point>) -> String {
+        let sweep = Sweep { points, absent: Vec::new() };
         let methods = [("ours", Setting::fixed(0.01, 5))];
         let report =
             Report { title: "", origin: &[], subjects: &[subject()], methods: &methods, sweep: &sweep };
-        assert!(report.markdown().contains("| 1 of 2: flew off |"));
+        report.markdown()
+    }
+
+    #[test]
+    fn a_setting_is_marked_if_none_that_was_tried_is_cheaper() {
+        let least = report(points(&[(10.0, 0.1), (20.0, 0.5)]));
+        let above = report(points(&[(10.0, f64::INFINITY), (20.0, 0.5)]));
+        assert!(least.contains("| <= 0.01 s x 5 |") && above.contains("| 0.01 s x 5 |"));
+    }
+
+    #[test]
+    fn a_report_tells_how_many_runs_failed_and_why() {
+        assert!(report(points(&[(10.0, f64::INFINITY), (20.0, 0.5)])).contains("| 1 of 2: flew off |"));
     }
 }

@@ -3,7 +3,7 @@
 //! Every point is run once with its watch, which gives the error, and then several times without it, which gives
 //! the time: CPU time of the thread, spent in steps alone. The points of a scene take turns, so that what the
 //! machine does besides meets all of them, and the median over the turns is kept. Short runs are repeated until
-//! enough is measured; of a long one, the watched run counts too, its steps timed one by one.
+//! enough is measured; long ones take fewer turns.
 
 use super::method::Setting;
 use super::progress::Progress;
@@ -11,16 +11,15 @@ use super::stopwatch::Stopwatch;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Duration;
 
-/// Turns of each point, the watched run not counted.
+/// Turns of each point, and of one that takes long: odd, so that there is one in the middle.
 const TURNS: usize = 7;
+const FEW_TURNS: usize = 3;
 /// Least time that is measured in a turn, if the run is not so slow to begin that [`PATIENCE`] ends first.
 const LEAST: Duration = Duration::from_millis(5);
 /// Longest that a turn repeats short runs, building included.
 const PATIENCE: Duration = Duration::from_millis(60);
-/// Steps longer than this are timed one by one as well: looking at the clock takes about 0.3 µs.
-const LONG_STEP: Duration = Duration::from_micros(30);
-/// A point takes no further turn when it has taken this long.
-const ENOUGH: Duration = Duration::from_millis(700);
+/// A point whose first turn took longer than this takes few turns.
+const LONG: Duration = Duration::from_millis(100);
 
 /// A run, in whatever engine.
 pub trait Running {
@@ -112,6 +111,8 @@ pub struct Point {
     pub microseconds_per_simulated_second: f64,
     /// Steps of a run: fewer than the scene has if it was given up.
     pub steps: u32,
+    /// Turns that the time is the median of.
+    pub turns: usize,
 }
 
 impl Point {
@@ -203,8 +204,6 @@ struct Entry<'a> {
     simulated: f64,
     /// CPU time of a run, one for each turn.
     times: Vec<Duration>,
-    /// CPU time of all runs.
-    took: Duration,
 }
 
 impl<'a> Entry<'a> {
@@ -216,15 +215,9 @@ impl<'a> Entry<'a> {
             steps: 0,
             simulated: 0.0,
             times: Vec::new(),
-            took: Duration::ZERO,
         };
         let run = catch_unwind(AssertUnwindSafe(|| entry.watch()));
         run.unwrap_or(Ok(()))?;
-        if entry.took > LONG_STEP * entry.steps {
-            entry.times.push(entry.took);
-        } else {
-            entry.took = Duration::ZERO;
-        }
         Ok(entry)
     }
 
@@ -235,9 +228,7 @@ impl<'a> Entry<'a> {
             if !goes_on {
                 break;
             }
-            let stopwatch = Stopwatch::start();
             run.step(dt);
-            self.took += stopwatch.elapsed();
             self.simulated += f64::from(dt);
             self.steps += 1;
             goes_on = run.look(self.simulated);
@@ -248,9 +239,12 @@ impl<'a> Entry<'a> {
         Ok(())
     }
 
-    /// Whether more is to be measured: not of a run that panicked, and not of one that takes very long.
+    /// Whether more is to be measured: not of a run that panicked.
     fn needs_turns(&self) -> bool {
-        self.took < ENOUGH && !self.measured.iter().any(|measured| measured.2 == Outcome::Failed(PANICKED))
+        let is_long = self.times.first().is_some_and(|&first| first > LONG);
+        let turns = if is_long { FEW_TURNS } else { TURNS };
+        let has_panicked = self.measured.iter().any(|measured| measured.2 == Outcome::Failed(PANICKED));
+        self.times.len() < turns && !has_panicked
     }
 
     /// Repeats the run until enough is measured.
@@ -268,13 +262,12 @@ impl<'a> Entry<'a> {
             runs += 1;
         }
         self.times.push(took / runs);
-        self.took += took;
     }
 
     fn points(self) -> impl Iterator<Item = Point> {
         let Trial { size, method, setting, .. } = *self.trial;
+        let (steps, turns) = (self.steps, self.times.len());
         let time = median(self.times).as_secs_f64() * 1e6 / self.simulated;
-        let steps = self.steps;
         self.measured.into_iter().map(move |(scene, error, outcome)| Point {
             scene,
             size,
@@ -284,6 +277,7 @@ impl<'a> Entry<'a> {
             outcome,
             microseconds_per_simulated_second: time,
             steps,
+            turns,
         })
     }
 }

@@ -103,17 +103,18 @@ fn matters<S, W: ?Sized>(method: &Method<S, W>, scene: &ChartScene<S, W>) -> boo
 /// The settings that are tried: all where there are few bodies.
 fn settings<S, W: ?Sized>(method: &Method<S, W>, size: usize, effort: Effort) -> Vec<Setting> {
     let usual = method.recommended;
-    let dt = usual.dt.mean();
-    let careful = Setting::fixed(dt, 4 * usual.passes);
-    let short = Setting::fixed(dt / 4.0, usual.passes);
+    let (dt, passes) = (usual.dt.mean(), usual.passes);
+    let careful = Setting::fixed(dt, 4 * passes);
+    let steps = [0.016, 0.01].map(|dt| Setting::fixed(dt, passes));
     match (effort, size) {
-        _ if method.is_broad_phase_variant => vec![usual, careful],
-        (Effort::Full, VERY_MANY..) => vec![usual, careful, short],
         (Effort::Quick, MANY..) => vec![usual, careful],
+        (Effort::Full, VERY_MANY..) => {
+            let short = Setting::fixed(dt / 4.0, passes);
+            [usual, careful, short, Setting::jitter(dt, passes)].into_iter().chain(steps).collect()
+        }
         (Effort::Full, MANY..) => {
-            let mut settings = (method.settings)(Effort::Quick);
-            settings.push(Setting::fixed(dt / 4.0, 4 * usual.passes));
-            settings
+            let both = Setting::fixed(dt / 4.0, 4 * passes);
+            (method.settings)(Effort::Quick).into_iter().chain(steps).chain([both]).collect()
         }
         _ => (method.settings)(effort),
     }

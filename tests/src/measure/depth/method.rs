@@ -20,6 +20,14 @@ pub fn depth_methods() -> Vec<DepthMethod> {
     methods
 }
 
+/// Names and versions of the other engines among them.
+pub fn depth_peer_versions() -> Vec<(&'static str, String)> {
+    #[cfg(feature = "peers")]
+    return vec![("rapier3d", rapier3d::VERSION.to_owned())];
+    #[cfg(not(feature = "peers"))]
+    Vec::new()
+}
+
 fn our_methods() -> Vec<DepthMethod> {
     let faithful = DepthMethod {
         name: "2.5D, faithful",
@@ -51,7 +59,7 @@ fn rapier_methods() -> Vec<DepthMethod> {
         name: "rapier3d",
         family: Family::Peer,
         is_broad_phase_variant: false,
-        passes: "iterations",
+        passes: "substeps",
         recommended: Setting::fixed(1.0 / 60.0, 4),
         settings: rapier_settings,
         build: |scene, setting| Ok(Box::new(Rapier::new(scene).with_iterations(setting.passes as usize))),
@@ -66,20 +74,22 @@ fn rapier_methods() -> Vec<DepthMethod> {
     vec![default, accurate]
 }
 
-/// Steps that games take, each with the default iterations, and more iterations.
+/// Steps that games take, each with the default iterations; fewer at the longest step, and more at the usual one.
 fn our_settings(effort: Effort) -> Vec<Setting> {
-    settings(effort, 5, [10, 20, 40])
+    settings(effort, 5, 2, [10, 20, 40])
 }
 
+/// The same; an iteration of `rapier3d` is a short step of its own.
 #[cfg(feature = "peers")]
 fn rapier_settings(effort: Effort) -> Vec<Setting> {
-    settings(effort, 4, [1, 8, 16])
+    settings(effort, 4, 1, [2, 8, 16])
 }
 
-fn settings(effort: Effort, usual: u32, others: [u32; 3]) -> Vec<Setting> {
-    let [one, two, three] = others;
+fn settings(effort: Effort, usual: u32, few: u32, [one, two, three]: [u32; 3]) -> Vec<Setting> {
     let quick = vec![
+        Setting::fixed(1.0 / 30.0, few),
         Setting::fixed(1.0 / 30.0, usual),
+        Setting::fixed(1.0 / 60.0, few),
         Setting::fixed(1.0 / 60.0, usual),
         Setting::fixed(1.0 / 60.0, two),
         Setting::fixed(1.0 / 240.0, usual),

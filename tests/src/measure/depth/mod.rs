@@ -17,7 +17,7 @@ mod world;
 
 pub use charts::{DepthChartScene, depth_chart_scenes};
 pub use families::{DepthFamily, depth_families};
-pub use method::{DepthMethod, depth_methods};
+pub use method::{DepthMethod, depth_methods, depth_peer_versions};
 pub use plane_chart::PlaneChart;
 pub use planes::{PLANE_METHODS, PLANES, plane_table, plane_trials};
 pub use sheet::{depth_sheet, run};

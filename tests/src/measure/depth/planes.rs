@@ -196,6 +196,7 @@ mod tests {
             outcome: Outcome::Fine,
             microseconds_per_simulated_second: 60.0 * time,
             steps: 1,
+            turns: 1,
         };
         let points = [point("2D", 20.0), point("2.5D, faithful", 50.0)];
         let table = plane_table(&points).unwrap_or_default();

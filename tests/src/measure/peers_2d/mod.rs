@@ -30,15 +30,15 @@ use super::method::{Effort, Family, Method, Setting};
 pub use box2d::build_box2d;
 pub use rapier::build_rapier;
 
-/// `rapier2d`, with its default of 4 solver iterations recommended.
+/// `rapier2d`, with its default of 4 solver iterations recommended. Each of them is a short step of its own.
 pub fn rapier_methods() -> Vec<Method> {
     vec![Method {
         name: "rapier2d",
         family: Family::Peer,
         is_broad_phase_variant: false,
-        passes: "iterations",
+        passes: "substeps",
         recommended: RECOMMENDED,
-        settings: |effort| settings(effort, [8, 16]),
+        settings,
         build: build_rapier,
     }]
 }
@@ -51,7 +51,7 @@ pub fn box2d_methods() -> Vec<Method> {
         is_broad_phase_variant: false,
         passes: "substeps",
         recommended: RECOMMENDED,
-        settings: |effort| settings(effort, [2, 8]),
+        settings,
         build: build_box2d,
     }]
 }
@@ -60,7 +60,14 @@ pub fn box2d_methods() -> Vec<Method> {
 pub fn peer_versions() -> Vec<(&'static str, String)> {
     vec![
         ("rapier2d", rapier2d::VERSION.to_owned()),
-        ("Box2D", box2d::version()),
+        (
+            "Box2D",
+            format!(
+                "{}, built from C with {}",
+                box2d::version(),
+                option_env!("CFLAGS").unwrap_or("no flags")
+            ),
+        ),
         ("boxdd", locked_version("boxdd")),
     ]
 }
@@ -78,15 +85,15 @@ fn locked_version(package: &str) -> String {
 /// What both engines' authors recommend.
 const RECOMMENDED: Setting = Setting::fixed(1.0 / 60.0, 4);
 
-/// Steps that games take, each with the recommended passes; fewer and more passes at the usual step and at the
-/// shorter ones. The last of `others` is the most that is tried.
-fn settings(effort: Effort, others: [u32; 2]) -> Vec<Setting> {
-    let [other, most] = others;
+/// Steps that games take, each with the recommended substeps; fewer and more substeps at the usual step and at longer
+/// and shorter ones.
+fn settings(effort: Effort) -> Vec<Setting> {
     let quick = vec![
+        Setting::fixed(1.0 / 30.0, 1),
         Setting::fixed(1.0 / 30.0, 4),
         Setting::fixed(1.0 / 60.0, 1),
         RECOMMENDED,
-        Setting::fixed(1.0 / 60.0, most),
+        Setting::fixed(1.0 / 60.0, 16),
         Setting::fixed(1.0 / 240.0, 4),
         Setting::jitter(1.0 / 60.0, 4),
     ];
@@ -94,13 +101,15 @@ fn settings(effort: Effort, others: [u32; 2]) -> Vec<Setting> {
         return quick;
     }
     let full = [
+        Setting::fixed(1.0 / 30.0, 2),
+        Setting::fixed(1.0 / 60.0, 2),
+        Setting::fixed(1.0 / 60.0, 8),
         Setting::fixed(0.016, 4),
         Setting::fixed(0.01, 4),
-        Setting::fixed(1.0 / 60.0, other),
         Setting::fixed(1.0 / 120.0, 4),
-        Setting::fixed(1.0 / 120.0, most),
+        Setting::fixed(1.0 / 120.0, 16),
         Setting::fixed(1.0 / 240.0, 1),
-        Setting::fixed(1.0 / 240.0, most),
+        Setting::fixed(1.0 / 240.0, 16),
     ];
     quick.into_iter().chain(full).collect()
 }

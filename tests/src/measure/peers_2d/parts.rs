@@ -103,6 +103,9 @@ pub(super) fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
     [x * cosine - y * sine, x * sine + y * cosine]
 }
 
+/// Both engines hold speeds down to this, px/s.
+const FASTEST: f64 = 12_800.0;
+
 fn body(body: &Body, spec: &BodySpec) -> Result<BodyPart, String> {
     if !spec.in_simulation || !body.enabled() {
         return Err("no bodies that do not take part".to_owned());
@@ -110,6 +113,9 @@ fn body(body: &Body, spec: &BodySpec) -> Result<BodyPart, String> {
     let (velocity, is_static) = (double(body.linear_velocity()), body.is_static());
     if is_static && (velocity != [0.0; 2] || body.angular_velocity() != 0.0) {
         return Err("no static bodies with a velocity".to_owned());
+    }
+    if velocity[0].hypot(velocity[1]) > FASTEST {
+        return Err(format!("no speeds over {FASTEST} px/s"));
     }
     if body.is_quadratic_drag_enabled() && body.quadratic_drag_coefficient() != 0.0 {
         return Err("no quadratic drag".to_owned());

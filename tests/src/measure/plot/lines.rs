@@ -338,6 +338,7 @@ mod tests {
             outcome: if error.is_finite() { Outcome::Fine } else { Outcome::Failed("flew off") },
             microseconds_per_simulated_second: time,
             steps: 1,
+            turns: 1,
         }
     }
 
