@@ -687,11 +687,27 @@ fn a_bullet_does_not_pass_a_thin_static_wall() {
 }
 
 #[test]
-fn speeds_are_held_down_to_400_m_a_second() {
+fn speeds_that_they_hold_down_are_refused_and_those_below_are_kept() {
+    let thrown = |speed: f32| {
+        let mut scene = weightless();
+        disc(&mut scene, [0.0, 0.0]);
+        settings(&mut scene).linear_velocity = Some(at(speed, 0.0));
+        scene
+    };
+    let refused = Some("no speeds over 12800 px/s".to_owned());
+    assert_eq!(refusals(&thrown(12_801.0)), [refused.clone(), refused]);
+    in_both(&thrown(12_799.0), |name, world| {
+        run(world, 0.1);
+        near(name, world.body(0).velocity[0], 12_799.0, 1.0);
+    });
+}
+
+#[test]
+fn impulses_speed_nothing_up_beyond_400_m_a_second() {
     let mut scene = weightless();
     disc(&mut scene, [0.0, 0.0]);
-    settings(&mut scene).linear_velocity = Some(at(20_000.0, 0.0));
     in_both(&scene, |name, world| {
+        world.apply_impulse(0, [1e6, 0.0]);
         run(world, 0.1);
         near(name, world.body(0).velocity[0], 400.0 * 32.0, 1.0);
     });

@@ -11,15 +11,15 @@ use super::stopwatch::Stopwatch;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Duration;
 
-/// Turns of each point, and of one that takes long: odd, so that there is one in the middle.
-const TURNS: usize = 7;
-const FEW_TURNS: usize = 3;
+/// Turns of each point, of one that takes long, and of one that takes so long that chance does not matter: odd, so that
+/// there is one in the middle.
+const TURNS: [usize; 3] = [7, 3, 1];
 /// Least time that is measured in a turn, if the run is not so slow to begin that [`PATIENCE`] ends first.
 const LEAST: Duration = Duration::from_millis(5);
 /// Longest that a turn repeats short runs, building included.
 const PATIENCE: Duration = Duration::from_millis(60);
-/// A point whose first turn took longer than this takes few turns.
-const LONG: Duration = Duration::from_millis(100);
+/// What is long, and very long, for a run.
+const LONG: [Duration; 2] = [Duration::from_millis(100), Duration::from_secs(2)];
 
 /// A run, in whatever engine.
 pub trait Running {
@@ -160,7 +160,7 @@ impl Sweep {
             }
             progress.did_watch(trial);
         }
-        for _ in 0..TURNS {
+        for _ in 0..TURNS[0] {
             for entry in entries.iter_mut().filter(|entry| entry.needs_turns()) {
                 entry.take_turn();
             }
@@ -241,8 +241,8 @@ impl<'a> Entry<'a> {
 
     /// Whether more is to be measured: not of a run that panicked.
     fn needs_turns(&self) -> bool {
-        let is_long = self.times.first().is_some_and(|&first| first > LONG);
-        let turns = if is_long { FEW_TURNS } else { TURNS };
+        let first = self.times.first().copied().unwrap_or_default();
+        let turns = TURNS[LONG.iter().filter(|&&long| first > long).count()];
         let has_panicked = self.measured.iter().any(|measured| measured.2 == Outcome::Failed(PANICKED));
         self.times.len() < turns && !has_panicked
     }

@@ -14,8 +14,8 @@
 //! What differs: circles are true circles and not polygons; outlines that are not convex are cut into pieces that are;
 //! joints and contacts are as hard as the engine makes them, so that bias factors and allowed errors count for
 //! nothing; angles between two bodies are told apart up to whole turns. Nothing sleeps. Continuous collision is as it
-//! is by default: of fast bodies against static ones, in both. Both hold speeds down to 12,800 px/s, and Box2D bounces
-//! nothing that meets slower than 32 px/s.
+//! is by default: of fast bodies against static ones, in both. Both hold speeds down to 12,800 px/s, so scenes that
+//! begin with more are refused, and Box2D bounces nothing that meets slower than 32 px/s.
 //!
 //! What an engine does not have is an error that says so.
 
