@@ -9,6 +9,7 @@ use crate::measure::stability::reasons::{self, LETTERS};
 use crate::measure::stability::table::{number, table_columns};
 use plotters::coord::Shift;
 use plotters::prelude::{DrawingArea, DrawingBackend};
+use std::collections::BTreeSet;
 
 /// Maps as one picture.
 #[derive(Debug)]
@@ -43,10 +44,13 @@ impl Picture for FirstFailures<'_> {
 
     fn paint<B: DrawingBackend>(&self, sheet: &DrawingArea<B, Shift>) -> Result<(), Fault<B>> {
         Words::new(17.0).write(sheet, "Where methods fail first", (10, 18))?;
-        let reasons = LETTERS.map(|(word, letter)| format!("{letter} {word}")).join(", ");
+        // A letter is not parted from its word at the end of a line.
+        let reasons: Vec<String> =
+            self.reasons().iter().map(|word| format!("{}\u{a0}{word}", reasons::letter(word))).collect();
         let about = format!(
             "A box for every value of the family's parameter, from easy to hard: pale where the method holds, dark \
-             where it fails; then why it fails first, and the value with which it does. {reasons}."
+             where it fails; then why it fails first, and the value with which it does: {}.",
+            reasons.join(", ")
         );
         let letters = (self.size().0 / 6) as usize - 4;
         for (index, text) in wrapped(&about, letters).iter().enumerate() {
@@ -68,6 +72,18 @@ impl Picture for FirstFailures<'_> {
 }
 
 impl FirstFailures<'_> {
+    /// Why columns fail first, those in the list of common reasons first.
+    fn reasons(&self) -> Vec<&'static str> {
+        let firsts = self.maps.iter().flat_map(|map| {
+            let places = self.columns.iter().filter_map(|column| map.place(column));
+            places.filter_map(|place| map.first_failure(place)).map(|(_, reason)| reason)
+        });
+        let found: BTreeSet<&str> = firsts.collect();
+        let common = LETTERS.iter().map(|&(word, _)| word).filter(|word| found.contains(word));
+        let is_other = |word: &&str| LETTERS.iter().all(|(common, _)| common != word);
+        common.chain(found.iter().copied().filter(is_other)).collect()
+    }
+
     fn paint_family<B: DrawingBackend>(
         &self,
         sheet: &DrawingArea<B, Shift>,
@@ -77,7 +93,7 @@ impl FirstFailures<'_> {
         let middle = top + ROW / 2;
         Words::new(12.0).up_to().write(sheet, &map.heading.name, (LEFT - 8, middle))?;
         for (index, column) in self.columns.iter().enumerate() {
-            let Some(place) = map.heading.columns.iter().position(|other| other == *column) else { continue };
+            let Some(place) = map.place(column) else { continue };
             let left = LEFT + COLUMN * index as i32;
             if map.is_absent(place) {
                 Words::new(12.0).color(GREY).write(sheet, "–", (left, middle))?;

@@ -147,6 +147,11 @@ impl Sheet {
 }
 
 impl Map {
+    /// Where a column is.
+    pub fn place(&self, column: &Column) -> Option<usize> {
+        self.heading.columns.iter().position(|other| other == column)
+    }
+
     /// The first value with which a column fails, and why.
     pub fn first_failure(&self, column: usize) -> Option<(f64, &'static str)> {
         self.heading.values.iter().zip(&self.rows).find_map(|(&value, row)| match row[column].verdict {

@@ -87,7 +87,7 @@ pub fn first_failures(maps: &[Map]) -> String {
 /// The first failure of a method and setting as a reader wants it.
 fn first_failure(map: &Map, column: &Column) -> String {
     let heading = &map.heading;
-    let Some(index) = heading.columns.iter().position(|other| other == column) else { return String::new() };
+    let Some(index) = map.place(column) else { return String::new() };
     match map.first_failure(index) {
         Some((value, reason)) => format!("{} {reason}", number(value)),
         None if map.is_absent(index) => "–".to_owned(),
