@@ -86,7 +86,6 @@ pub fn first_failures(maps: &[Map]) -> String {
 
 /// The first failure of a method and setting as a reader wants it.
 fn first_failure(map: &Map, column: &Column) -> String {
-    let heading = &map.heading;
     let Some(index) = map.place(column) else { return String::new() };
     match map.first_failure(index) {
         Some((value, reason)) => format!("{} {reason}", number(value)),
