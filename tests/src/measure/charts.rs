@@ -11,6 +11,7 @@ mod incline;
 mod invariants;
 mod masonry;
 mod piles;
+mod resting;
 mod settled;
 mod signals;
 mod springs;
@@ -45,6 +46,9 @@ pub struct ChartScene<S = Scene, W: ?Sized + 'static = dyn World> {
     pub tolerance: f64,
     /// Whether the broad phases are compared too.
     pub broad_phases_matter: bool,
+    /// Whether other engines are charted too. Not where the error is the distance to a law that is that of our
+    /// integrator alone: what steps in another way is none the worse for not following it.
+    pub peers_too: bool,
 }
 
 impl<S, W: ?Sized + 'static> ChartScene<S, W> {

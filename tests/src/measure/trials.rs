@@ -3,7 +3,7 @@
 use super::charts::ChartScene;
 use super::depth::DepthWorld;
 use super::error::Watch;
-use super::method::{Effort, Method, Setting};
+use super::method::{Effort, Family, Method, Setting};
 use super::sweep::{Outcome, Running, Start, Trial};
 use super::world::World;
 use std::rc::Rc;
@@ -43,7 +43,7 @@ impl Moving for dyn DepthWorld {
 }
 
 /// The trials of scenes with methods, those of one scene and size one after the other. Scenes that follow each
-/// other and differ in what counts as error alone share their runs.
+/// other and differ in what counts as error alone share their runs; those that are not for all methods come last.
 pub fn trials<S: PartialEq + 'static, W: Moving + ?Sized>(
     scenes: &[ChartScene<S, W>],
     methods: &[Method<S, W>],
@@ -52,20 +52,20 @@ pub fn trials<S: PartialEq + 'static, W: Moving + ?Sized>(
     let mut trials = Vec::new();
     for scenes in scenes.chunk_by(have_the_same_runs) {
         let scene = scenes[0];
-        let watches: Rc<[Measure<S, W>]> = scenes.iter().map(|scene| (scene.name, scene.watch)).collect();
         for &size in scene.sizes.iter().filter(|&&size| effort == Effort::Full || size < VERY_MANY) {
             let built = Rc::new((scene.build)(size));
-            for method in methods.iter().filter(|method| matters(method, &scene)) {
-                for setting in settings(method, size, effort) {
-                    trials.push(Trial {
-                        scene: scene.name,
-                        size,
-                        method: method.name,
-                        setting,
-                        seconds: scene.seconds,
-                        start: start(&built, &watches, method, setting),
-                    });
-                }
+            for method in methods {
+                let scenes = scenes.iter().filter(|scene| matters(method, scene));
+                let watches: Rc<[Measure<S, W>]> = scenes.map(|scene| (scene.name, scene.watch)).collect();
+                let Some(&(name, _)) = watches.first() else { continue };
+                trials.extend(settings(method, size, effort).into_iter().map(|setting| Trial {
+                    scene: name,
+                    size,
+                    method: method.name,
+                    setting,
+                    seconds: scene.seconds,
+                    start: start(&built, &watches, method, setting),
+                }));
             }
         }
     }
@@ -97,7 +97,8 @@ fn have_the_same_runs<S: PartialEq, W: ?Sized>(a: &ChartScene<S, W>, b: &ChartSc
 }
 
 fn matters<S, W: ?Sized>(method: &Method<S, W>, scene: &ChartScene<S, W>) -> bool {
-    scene.broad_phases_matter || !method.is_broad_phase_variant
+    (scene.broad_phases_matter || !method.is_broad_phase_variant)
+        && (scene.peers_too || method.family == Family::Ours)
 }
 
 /// The settings that are tried: all where there are few bodies.

@@ -92,16 +92,17 @@ pub(super) fn ball(
     index
 }
 
-/// Adds a regular polygon in every engine, with the mass and inertia of a circle; gives its index.
+/// Adds a regular polygon in every engine, given by the distance of its corners in px and their number, with the mass
+/// and inertia of a circle; gives its index.
 pub(super) fn wheel(
     scene: &mut Scene,
-    radius: f64,
-    edges: i32,
+    (radius, edges): (f64, i32),
     position: [f64; 2],
+    rotation: f64,
     surface: Surface,
 ) -> usize {
     let radius = radius as f32;
-    let index = body(scene, BodyShape::Circle { radius, mass: 1.0 }, position, 0.0);
+    let index = body(scene, BodyShape::Circle { radius, mass: 1.0 }, position, rotation);
     let outline = Outline { form: OutlineForm::Circle { radius, edges }, subdivide: None };
     geom(scene, GeomShape::Polygon { outline }, surface);
     index

@@ -1,12 +1,16 @@
 //! What falls into a pit in disorder and should come to rest.
 
 use super::ChartScene;
-use super::settled::Rest;
+use super::build::start;
+use super::settled::{Rest, Verdict, movable};
 use crate::scene::{BodyShape, GeomShape, Scene};
 use crate::scenes::{circles_in_a_pit, vary};
 
 /// Whatever lies anywhere in a pit lies well. The tallest pit falls together in less than two seconds.
-const PIT: Rest = Rest { seconds: 6.0, slack: f64::INFINITY };
+const PIT: Rest = Rest { seconds: 6.0, ruin: lost };
+/// Bodies of a pit; the upper side of its floor is at 0.
+const LEFT_WALL: usize = 1;
+const RIGHT_WALL: usize = 2;
 
 pub(super) fn scenes() -> Vec<ChartScene> {
     let balls = ChartScene {
@@ -21,6 +25,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
         // A tenth of a circle: the pile looks full, and not sunk.
         tolerance: 2.0,
         broad_phases_matter: true,
+        peers_too: true,
     };
     let boxes = ChartScene {
         name: "box_pile_penetration",
@@ -55,4 +60,18 @@ fn boxes_in_a_pit(count: usize) -> Scene {
         geom.shape = GeomShape::Rectangle { width, height };
     }
     scene
+}
+
+/// A body whose centre is beside the room between the walls, or below the floor, is lost.
+fn lost(scene: &Scene) -> Verdict {
+    let [left, right] = [(LEFT_WALL, 1.0), (RIGHT_WALL, -1.0)].map(|(wall, side)| {
+        let half = match scene.bodies[wall].shape {
+            BodyShape::Rectangle { width, .. } => f64::from(width) / 2.0,
+            _ => 0.0,
+        };
+        start(scene, wall)[0] + side * half
+    });
+    let fallen: Vec<usize> = movable(scene).collect();
+    let is_lost = move |[x, y]: [f64; 2]| x < left || x > right || y > 0.0;
+    Box::new(move |world| fallen.iter().any(|&index| is_lost(world.body(index).position)).then_some("lost"))
 }

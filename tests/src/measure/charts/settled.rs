@@ -27,8 +27,10 @@ pub(super) fn charts_of_rest(
         name: height,
         watch: watch_height,
         error: "error of the height at the end",
-        // A tenth of a box of 20 px and less of larger ones: nothing looks sunk.
-        tolerance: 2.0,
+        unit: "%",
+        // It is a share, since every contact gives way a little: in a tower of any number of boxes, each is then lower
+        // by a hundredth of a box with respect to the one it stands on, which nobody sees.
+        tolerance: 1.0,
         ..overlap
     };
     let speed = ChartScene {
@@ -44,59 +46,63 @@ pub(super) fn charts_of_rest(
     [overlap, height, speed]
 }
 
-/// Where the bodies were at first, and which of them can move.
-#[derive(Debug, Clone)]
-struct Places {
-    starts: Vec<[f64; 2]>,
-    movable: Vec<usize>,
+/// Says what of a scene has come to ruin, if anything has.
+pub(super) type Verdict = Box<dyn Fn(&dyn World) -> Option<&'static str>>;
+
+/// The bodies of a scene that can move.
+pub(super) fn movable(scene: &Scene) -> impl Iterator<Item = usize> {
+    (0..scene.bodies.len()).filter(|&index| scene.bodies[index].is_static != Some(true))
 }
 
-impl Places {
-    fn of(scene: &Scene) -> Self {
-        let is_movable = |&index: &usize| scene.bodies[index].is_static != Some(true);
-        Places {
-            starts: (0..scene.bodies.len()).map(|index| start(scene, index)).collect(),
-            movable: (0..scene.bodies.len()).filter(is_movable).collect(),
-        }
-    }
-
-    /// How far the body that was highest at first is now from where it was, up or down, in px.
-    fn lost_height(&self, world: &dyn World) -> f64 {
-        let highest = |a: &&usize, b: &&usize| self.starts[**a][1].total_cmp(&self.starts[**b][1]);
-        let top = self.movable.iter().min_by(highest);
-        top.map_or(f64::NAN, |&top| (world.body(top).position[1] - self.starts[top][1]).abs())
-    }
-
-    /// The largest distance of a body from where it was, in px.
-    fn moved(&self, world: &dyn World) -> f64 {
-        let moved = |&index: &usize| {
-            let (now, start) = (world.body(index).position, self.starts[index]);
-            (now[0] - start[0]).hypot(now[1] - start[1])
-        };
-        self.movable.iter().map(moved).fold(0.0, f64::max)
-    }
+/// What stands may move `slack` px from where it was built; what is farther away has toppled.
+pub(super) fn toppled(scene: &Scene, slack: f64) -> Verdict {
+    let places: Vec<(usize, [f64; 2])> = movable(scene).map(|index| (index, start(scene, index))).collect();
+    let moved = move |world: &dyn World, index: usize, start: [f64; 2]| {
+        let now = world.body(index).position;
+        (now[0] - start[0]).hypot(now[1] - start[1])
+    };
+    Box::new(move |world| {
+        places.iter().any(|&(index, start)| moved(world, index, start) > slack).then_some("toppled")
+    })
 }
 
-/// What stands or lies after `seconds`. Bodies may move `slack` px from where they were built; if one is farther
-/// away at the end, it has toppled.
-#[derive(Debug, Clone, Copy)]
+/// The body that was built highest, and how high above 0 its centre is then, in px.
+fn top(scene: &Scene) -> Option<(usize, f64)> {
+    let bodies = movable(scene).map(|index| (index, -start(scene, index)[1]));
+    // Of two at one height the first.
+    bodies.reduce(|top, other| if other.1 > top.1 { other } else { top })
+}
+
+/// How high the top of a scene is as built, in px: that of one where things touch and do not overlap.
+pub(super) fn built_height(scene: &Scene) -> f64 {
+    top(scene).map_or(f64::NAN, |(_, height)| height)
+}
+
+/// What stands or lies after `seconds`, and what of it counts as a failure.
+#[derive(Clone, Copy)]
 pub(super) struct Rest {
     pub seconds: f64,
-    pub slack: f64,
+    /// Asked in the last second alone, since what has come to ruin does not mend.
+    pub ruin: fn(&Scene) -> Verdict,
 }
 
 impl Rest {
-    /// Error: by how much the highest body is higher or lower at the end than it was built, in px.
-    pub(super) fn height(self, scene: &Scene) -> Box<dyn Watch> {
-        let places = Places::of(scene);
-        self.standing(scene, Last::new(move |_, world| Some(places.lost_height(world))))
+    /// Error: by how much the body that was built highest is higher or lower at the end than where it would be if
+    /// nothing overlapped, in percent of that height. `height` is in px, of that body's centre above 0.
+    pub(super) fn height(self, scene: &Scene, height: f64) -> Box<dyn Watch> {
+        let top = top(scene);
+        let error = move |_: f64, world: &dyn World| {
+            let is = -world.body(top?.0).position[1];
+            Some(100.0 * (is / height - 1.0).abs())
+        };
+        self.standing(scene, Last::new(error))
     }
 
     /// Error: the speed of the fastest body in the last second, in px/s.
     pub(super) fn speed(self, scene: &Scene) -> Box<dyn Watch> {
-        let places = Places::of(scene);
+        let bodies: Vec<usize> = movable(scene).collect();
         let fastest = move |world: &dyn World| {
-            places.movable.iter().map(|&index| world.body(index).speed()).fold(0.0, f64::max)
+            bodies.iter().map(|&index| world.body(index).speed()).fold(0.0, f64::max)
         };
         self.standing(scene, self.worst_at_end(fastest))
     }
@@ -104,10 +110,10 @@ impl Rest {
     /// Error: the root of the mean squared speed of the bodies in the last second, in px/s: where one that still
     /// rolls does not matter.
     pub(super) fn mean_speed(self, scene: &Scene) -> Box<dyn Watch> {
-        let places = Places::of(scene);
+        let bodies: Vec<usize> = movable(scene).collect();
         let mean = move |world: &dyn World| {
-            let sum: f64 = places.movable.iter().map(|&index| world.body(index).speed().powi(2)).sum();
-            (sum / places.movable.len().max(1) as f64).sqrt()
+            let sum: f64 = bodies.iter().map(|&index| world.body(index).speed().powi(2)).sum();
+            (sum / bodies.len().max(1) as f64).sqrt()
         };
         self.standing(scene, self.worst_at_end(mean))
     }
@@ -135,11 +141,12 @@ impl Rest {
     }
 
     fn standing(self, scene: &Scene, watch: impl Watch + 'static) -> Box<dyn Watch> {
-        let places = Places::of(scene);
-        let reach = 2e3 + 10.0 * places.starts.iter().map(|p| p[0].hypot(p[1])).fold(0.0, f64::max);
-        // In the last second, since it does not stand up again.
+        let starts = (0..scene.bodies.len()).map(|index| start(scene, index));
+        let reach = 2e3 + 10.0 * starts.map(|p| p[0].hypot(p[1])).fold(0.0, f64::max);
+        let ruin = (self.ruin)(scene);
         let verdict = move |time: f64, world: &dyn World| {
-            (time >= self.seconds - WINDOW && places.moved(world) > self.slack).then_some("toppled")
+            let is_last_second = time >= self.seconds - WINDOW;
+            is_last_second.then(|| ruin(world)).flatten()
         };
         Box::new(Failing::new(watch, reach, verdict))
     }

@@ -26,6 +26,11 @@ impl Period {
         self.last = Some((time, value));
     }
 
+    /// How many whole periods were seen.
+    pub(super) fn count(&self) -> u32 {
+        self.periods
+    }
+
     /// The mean period so far in s.
     pub(super) fn mean(&self) -> Option<f64> {
         let first = self.first_pass?;

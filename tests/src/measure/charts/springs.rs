@@ -1,6 +1,6 @@
 //! A body on a spring without damping.
 
-use super::super::error::{Last, Watch, in_reach};
+use super::super::error::{Failing, Last, Watch};
 use super::super::world::World;
 use super::build::{body, vector, weightless};
 use super::signals::Period;
@@ -18,11 +18,15 @@ const STIFF: f64 = 8.0;
 const SOFT_SECONDS: f64 = 20.0;
 const STIFF_SECONDS: f64 = 5.0;
 const REACH: f64 = 1e4;
+/// A swing within this share of its first amplitude is none any more: what it does there is noise.
+const DEAD: f64 = 0.05;
+/// Fewer whole periods than this tell nothing of a frequency.
+const FEWEST_PERIODS: u32 = 2;
 
 pub(super) fn scenes() -> Vec<ChartScene> {
     let soft = ChartScene {
         name: "spring_frequency",
-        about: "A body swings on a spring of 1 Hz.",
+        about: "A body swings on a spring of 1 Hz; the springs of rapier and Box2D are implicit, and damp it.",
         sizes: ONE_SIZE,
         build: |_| build(SOFT),
         seconds: SOFT_SECONDS,
@@ -32,10 +36,11 @@ pub(super) fn scenes() -> Vec<ChartScene> {
         // As of a pendulum: a second in a minute and a half.
         tolerance: 1.0,
         broad_phases_matter: false,
+        peers_too: true,
     };
     let stiff = ChartScene {
         name: "stiff_spring_frequency",
-        about: "A body swings on a stiff spring of 8 Hz.",
+        about: "A body swings on a stiff spring of 8 Hz; those of rapier and Box2D are implicit, and damp it.",
         build: |_| build(STIFF),
         seconds: STIFF_SECONDS,
         watch: |_| watch_frequency(STIFF),
@@ -90,13 +95,50 @@ fn stretch(world: &dyn World) -> f64 {
     world.body(0).position[0] - REST_LENGTH
 }
 
+/// Watches the period for as long as there is a swing.
+struct SwingPeriod {
+    /// By the law, in Hz.
+    frequency: f64,
+    period: Period,
+    /// The widest since it last passed the middle, in px, and where it is.
+    widest: f64,
+    last: f64,
+    /// When it was last seen wide.
+    last_wide: f64,
+    is_dead: bool,
+}
+
+impl Watch for SwingPeriod {
+    fn see(&mut self, time: f64, world: &(dyn World + 'static)) {
+        let stretch = stretch(world);
+        if stretch * self.last < 0.0 {
+            self.is_dead |= self.widest < DEAD * AMPLITUDE;
+            self.widest = 0.0;
+        }
+        self.last = stretch;
+        self.widest = self.widest.max(stretch.abs());
+        if stretch.abs() > DEAD * AMPLITUDE {
+            self.last_wide = time;
+        }
+        // What swings no more never passes the middle; a swing is wide twice in a period.
+        self.is_dead |= time - self.last_wide > 1.0 / self.frequency;
+        if !self.is_dead {
+            self.period.take(time, stretch);
+        }
+    }
+
+    fn error(&self) -> f64 {
+        self.period.mean().map_or(f64::NAN, |mean| 100.0 * (mean * self.frequency - 1.0).abs())
+    }
+
+    fn failed(&self) -> Option<&'static str> {
+        (self.is_dead && self.period.count() < FEWEST_PERIODS).then_some("died")
+    }
+}
+
 fn watch_frequency(frequency: f64) -> Box<dyn Watch> {
-    let mut period = Period::default();
-    let error = move |time: f64, world: &dyn World| {
-        period.take(time, stretch(world));
-        Some(100.0 * (period.mean()? * frequency - 1.0).abs())
-    };
-    in_reach(Last::new(error), REACH)
+    let period = Period::default();
+    bounded(SwingPeriod { frequency, period, widest: 0.0, last: 0.0, last_wide: 0.0, is_dead: false })
 }
 
 /// Watches the amplitude in the last second and a half: more than one swing, and of the stiff spring so many that
@@ -109,5 +151,11 @@ fn watch_amplitude(seconds: f64) -> Box<dyn Watch> {
             100.0 * (farthest / AMPLITUDE - 1.0).abs()
         })
     };
-    in_reach(Last::new(error), REACH)
+    bounded(Last::new(error))
+}
+
+/// Another watch, in which a swing that has grown to twice its amplitude has failed: it goes on to grow.
+fn bounded(watch: impl Watch + 'static) -> Box<dyn Watch> {
+    let verdict = |_: f64, world: &dyn World| (stretch(world).abs() > 2.0 * AMPLITUDE).then_some("blew up");
+    Box::new(Failing::new(watch, REACH, verdict))
 }

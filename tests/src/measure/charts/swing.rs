@@ -29,6 +29,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
         // A second in a minute and a half: who plays with swinging ropes jumps by eye.
         tolerance: 1.0,
         broad_phases_matter: false,
+        peers_too: true,
     };
     vec![
         narrow,

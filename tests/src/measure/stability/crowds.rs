@@ -45,7 +45,8 @@ pub(super) const FAMILIES: [StabilityFamily; 3] = [
     StabilityFamily {
         name: "Rush",
         about: "Circles of 1 m are drawn to a point by 10 m/s² and lie around it after 10 s: as wide as circles have \
-                to, and none thrown out.",
+                to, and none thrown out. More circles than these would take too long; with these nothing is expected to \
+                fail.",
         parameter: "circles",
         values: &[10.0, 25.0, 50.0, 100.0, 200.0, 400.0],
         quick_values: &[10.0, 100.0],

@@ -22,7 +22,7 @@ pub(super) const FAMILIES: [StabilityFamily; 6] = [
                 (Cells of a box's tenth are the default.)",
         parameter: "cell, as a share of the box",
         values: &[0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0],
-        quick_values: &[0.1, 0.5, 1.0],
+        quick_values: &[0.1, 0.5, 1.0, 2.0],
         build: |cell, _| box_with_cells(cell as f32),
         ..FALLS
     },
@@ -49,22 +49,24 @@ pub(super) const FAMILIES: [StabilityFamily; 6] = [
     },
     StabilityFamily {
         name: "Thin Needle, falling flat",
-        about: "A needle of 2 m of this thickness falls flat from half a metre and rests on the floor.",
+        about: "A needle of 2 m of this thickness falls flat from half a metre and rests on the floor. The floor is \
+                thick: however thin the needle is, nothing is expected to fail.",
         parameter: "thickness",
         unit: "px",
-        values: &[16.0, 8.0, 4.0, 2.0, 1.0, 0.5, 0.2, 0.1],
-        quick_values: &[8.0, 1.0, 0.2],
+        values: &[16.0, 8.0, 4.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01],
+        quick_values: &[8.0, 1.0, 0.01],
         build: |thickness, _| needle(thickness as f32),
         ..FALLS
     },
     StabilityFamily {
         name: "Needle on Posts",
         about: "A bar of 4 m by 0.5 m that has corners only falls from half a metre on two posts of this width, and \
-                rests on them.",
+                rests on them. The posts have corners too, which meet the bar: however thin they are, nothing is \
+                expected to fail.",
         parameter: "width of a post",
         unit: "px",
-        values: &[32.0, 16.0, 8.0, 4.0, 2.0, 1.0, 0.5],
-        quick_values: &[32.0, 4.0, 1.0],
+        values: &[32.0, 16.0, 8.0, 4.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02],
+        quick_values: &[32.0, 1.0, 0.02],
         build: |width, _| on_posts(width as f32),
         ..FALLS
     },

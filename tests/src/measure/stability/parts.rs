@@ -1,7 +1,8 @@
 //! What judges are made of: each part looks at one thing that can go wrong.
 
 use super::reasons;
-use crate::measure::error::Watch;
+use super::stage::METRE;
+use crate::measure::error::{Largest, Watch};
 use crate::measure::world::{BodyState, World};
 use crate::scene::{JointKind, Scene};
 use farseer_core::math::Vector2;
@@ -80,18 +81,22 @@ pub(super) struct Allowed {
     pub shift: f64,
     /// Turned, in rad.
     pub turn: f64,
-    /// Lower, as a share of the height above the floor.
-    pub sink: f64,
     /// Moved in the last fifth of the run, in px.
     pub creep: f64,
 }
 
 impl Allowed {
-    /// For boxes of a metre: half a box sideways, 20 degrees, a tenth of the height, a twentieth of a box.
-    pub(super) const BOXES: Allowed = Allowed { shift: 16.0, turn: 0.35, sink: 0.1, creep: 1.6 };
+    /// For boxes of a metre: half a box sideways, 20 degrees, a twentieth of a box.
+    pub(super) const BOXES: Allowed = Allowed { shift: 16.0, turn: 0.35, creep: 1.6 };
 }
 
-/// Everything is where it began. Measures the greatest distance from there in px.
+/// How much lower or higher than it began a thing may stand, in px, when it began at a height above the floor: a tenth
+/// of it, and half a metre at most, or a high column could lose whole boxes.
+fn allowed_rise(height: f64) -> f64 {
+    (0.1 * height).min(0.5 * f64::from(METRE))
+}
+
+/// Everything is where it began, on a floor whose surface is y = 0. Measures the greatest distance from there in px.
 pub(super) fn standing(scene: &Scene, seconds: f64, allowed: Allowed) -> Box<dyn Watch> {
     let bodies = movable(scene);
     Box::new(Standing { bodies, seconds, allowed, start: vec![], late: vec![], now: vec![] })
@@ -124,21 +129,25 @@ impl Watch for Standing {
     }
 
     fn failed(&self) -> Option<&'static str> {
-        let Allowed { shift, turn, sink, creep } = self.allowed;
+        let Allowed { shift, turn, creep } = self.allowed;
         let any = |is_off: &dyn Fn(&BodyState, &BodyState) -> bool, before: &[BodyState]| {
             before.iter().zip(&self.now).any(|(before, now)| is_off(before, now))
         };
         let has_left = |start: &BodyState, now: &BodyState| {
             (now.position[0] - start.position[0]).abs() > shift || (now.angle - start.angle).abs() > turn
         };
-        let has_sunk = |start: &BodyState, now: &BodyState| {
-            now.position[1] - start.position[1] > -sink * start.position[1]
-        };
+        let rise = |start: &BodyState, now: &BodyState| start.position[1] - now.position[1];
+        let has_sunk =
+            |start: &BodyState, now: &BodyState| rise(start, now) < -allowed_rise(-start.position[1]);
+        let has_risen =
+            |start: &BodyState, now: &BodyState| rise(start, now) > allowed_rise(-start.position[1]);
         let creeps = |late: &BodyState, now: &BodyState| distance(late.position, now.position) > creep;
         if any(&has_left, &self.start) {
             Some(reasons::TOPPLED)
         } else if any(&has_sunk, &self.start) {
             Some(reasons::SANK)
+        } else if any(&has_risen, &self.start) {
+            Some(reasons::BLEW_UP)
         } else if any(&creeps, &self.late) {
             Some(reasons::CREPT)
         } else {
@@ -147,11 +156,12 @@ impl Watch for Standing {
     }
 }
 
-/// The ends of all joints that share a point are together at the end, up to a limit in px, or there is a reason why
-/// not. Measures the widest gap in px.
-pub(super) fn joined(scene: &Scene, limit: f64, reason: &'static str) -> Box<dyn Watch> {
+/// The ends of all joints that share a point are together in the last fifth of the run, up to a limit in px, or there is
+/// a reason why not: what still swings is not judged by the moment at which the run happens to end. Measures the widest
+/// gap of that time in px.
+pub(super) fn joined(scene: &Scene, seconds: f64, limit: f64, reason: &'static str) -> Box<dyn Watch> {
     let points = scene.joints.iter().filter_map(|joint| shared_point(&joint.kind)).collect();
-    Box::new(Joined { points, limit, reason, ends: vec![], widest: 0.0 })
+    Box::new(Joined { points, seconds, limit, reason, ends: vec![], widest: Largest::default() })
 }
 
 /// The point that a joint holds together: of a body, and of another body or the world.
@@ -167,15 +177,16 @@ fn shared_point(kind: &JointKind) -> Option<(usize, Option<usize>, [f64; 2])> {
 
 struct Joined {
     points: Vec<(usize, Option<usize>, [f64; 2])>,
+    seconds: f64,
     limit: f64,
     reason: &'static str,
     /// The points on the bodies, once they are known.
     ends: Vec<([f64; 2], [f64; 2])>,
-    widest: f64,
+    widest: Largest,
 }
 
 impl Watch for Joined {
-    fn see(&mut self, _: f64, world: &dyn World) {
+    fn see(&mut self, time: f64, world: &dyn World) {
         if self.ends.is_empty() {
             let local = |&(one, two, anchor): &(usize, Option<usize>, [f64; 2])| {
                 let on = |index| to_local(&world.body(index), anchor);
@@ -183,22 +194,22 @@ impl Watch for Joined {
             };
             self.ends = self.points.iter().map(local).collect();
         }
-        // Not through a maximum, which would lose what is not a number.
-        self.widest = 0.0;
+        if time <= 0.8 * self.seconds {
+            return;
+        }
         for (&(one, two, _), &(end1, end2)) in self.points.iter().zip(&self.ends) {
             let place1 = to_world(&world.body(one), end1);
             let place2 = two.map_or(end2, |two| to_world(&world.body(two), end2));
-            let gap = distance(place1, place2);
-            self.widest = if gap <= self.widest { self.widest } else { gap };
+            self.widest.take(distance(place1, place2));
         }
     }
 
     fn error(&self) -> f64 {
-        self.widest
+        self.widest.get()
     }
 
     fn failed(&self) -> Option<&'static str> {
-        (self.widest > self.limit).then_some(self.reason)
+        (self.widest.get() > self.limit).then_some(self.reason)
     }
 }
 
@@ -232,6 +243,43 @@ impl<F: Fn(&dyn World) -> f64> Watch for NeverAbove<F> {
 
     fn failed(&self) -> Option<&'static str> {
         (self.greatest > self.limit).then_some(self.reason)
+    }
+}
+
+/// A measure of each body is at least so much at some step, not necessarily the same for all, or there is a reason why
+/// not. Measures how far the one got that got least far.
+pub(super) fn each_reaches(
+    scene: &Scene,
+    least: f64,
+    reason: &'static str,
+    measure: impl Fn(BodyState) -> f64 + 'static,
+) -> Box<dyn Watch> {
+    let bodies = movable(scene);
+    let farthest = vec![f64::NEG_INFINITY; bodies.len()];
+    Box::new(EachReaches { bodies, least, reason, measure, farthest })
+}
+
+struct EachReaches<F> {
+    bodies: Vec<usize>,
+    least: f64,
+    reason: &'static str,
+    measure: F,
+    farthest: Vec<f64>,
+}
+
+impl<F: Fn(BodyState) -> f64> Watch for EachReaches<F> {
+    fn see(&mut self, _: f64, world: &dyn World) {
+        for (&index, farthest) in self.bodies.iter().zip(&mut self.farthest) {
+            *farthest = farthest.max((self.measure)(world.body(index)));
+        }
+    }
+
+    fn error(&self) -> f64 {
+        self.farthest.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+
+    fn failed(&self) -> Option<&'static str> {
+        (self.error() < self.least).then_some(self.reason)
     }
 }
 

@@ -13,8 +13,8 @@ pub(super) const FAMILIES: [StabilityFamily; 2] = [
         about: "A box of 2 m by 1 m on a slope of 0.25 rad does not slide, since friction is greater than the slope: it \
                 moves by less than half a px in 10 s.",
         parameter: "friction, as a share of the slope",
-        values: &[4.0, 2.0, 1.5, 1.2, 1.1, 1.05, 1.02, 1.01],
-        quick_values: &[2.0, 1.2, 1.05],
+        values: &[4.0, 2.0, 1.5, 1.2, 1.1, 1.05, 1.02, 1.01, 1.005, 1.002, 1.001, 1.0005, 1.0001],
+        quick_values: &[2.0, 1.05, 1.001],
         build: |share, _| ramp(share as f32),
         judge: sticks,
         quantity: "distance moved",

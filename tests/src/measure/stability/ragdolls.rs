@@ -9,18 +9,21 @@ use farseer_core::math::Vector2;
 
 pub(super) const FAMILIES: [StabilityFamily; 1] = [StabilityFamily {
     name: "Ragdoll",
-    about: "A doll of 10 limbs, 1.8 m high, is thrown on the floor. It stays above it; after 8 s no joint is open by \
-            over a tenth of a metre, and the doll is at rest: not faster than 0.2 m/s.",
+    about: "A doll of 10 limbs, 1.8 m high, is thrown on the floor. It stays above it; from 6.4 s to 8 s no joint is open by \
+            over a tenth of a metre, and at the end the doll is at rest: not faster than 0.2 m/s.",
     parameter: "speed",
     unit: "px/s",
     values: &[0.0, 100.0, 200.0, 400.0, 800.0, 1600.0, 3200.0],
     quick_values: &[0.0, 400.0, 1600.0],
     build: |speed, _| doll(speed as f32),
     judge: lies_in_one_piece,
-    seconds: 8.0,
-    quantity: "widest gap of a joint at the end",
+    seconds: SECONDS,
+    quantity: "widest gap of a joint in the last fifth",
     ..StabilityFamily::PLAIN
 }];
+
+/// Length of a run in s.
+const SECONDS: f64 = 8.0;
 
 /// The limbs: left upper corner and size in cm, from the middle line and the crown of the head.
 const LIMBS: [([f32; 2], [f32; 2]); 10] = [
@@ -84,6 +87,6 @@ fn lies_in_one_piece(_: f64, scene: &Scene) -> Box<dyn Watch> {
         calm(scene, 6400.0),
         ends_in(..0.0, reasons::TUNNELLED, move |world| greatest(world, &others, |body| body.position[1])),
         ends_in(..6.4, reasons::CREPT, move |world| mean_speed(world, &bodies)),
-        joined(scene, 3.2, reasons::STRETCHED),
+        joined(scene, SECONDS, 3.2, reasons::STRETCHED),
     ])
 }

@@ -41,8 +41,10 @@ fn settings(method: &Method, is_first: bool, effort: Effort) -> Vec<Setting> {
     let usual = STEPS[0];
     let short = STEPS[STEPS.len() - 1];
     if method.family == Family::Peer {
-        // As recommended, and with the short step of ours.
-        return vec![method.recommended, Setting::fixed(short, method.recommended.passes)];
+        // As recommended, and with the other steps of ours.
+        let others = if effort == Effort::Full { &STEPS[1..] } else { &STEPS[2..] };
+        let others = others.iter().map(|&dt| Setting::fixed(dt, method.recommended.passes));
+        return [method.recommended].into_iter().chain(others).collect();
     }
     if method.is_broad_phase_variant {
         return vec![Setting::fixed(usual, 5), Setting::fixed(usual, 20)];

@@ -26,13 +26,14 @@ const SWINGS: StabilityFamily = StabilityFamily {
 pub(super) const FAMILIES: [StabilityFamily; 3] = [
     StabilityFamily {
         name: "Stiff Spring",
-        about: "A mass of 1 kg on a spring without damping, stretched by 1 m, swings for 10 s and never ten times as far.",
+        about: "A mass of 1 kg on a spring without damping, stretched by 1 m, swings for 10 s and never ten times as far. \
+                Only growth is judged: a swing that has died holds as well.",
         build: |stiffness, dt| linear(stiffness / squared(dt), 0.0),
         ..SWINGS
     },
     StabilityFamily {
         name: "Stiff Damper",
-        about: "The same with k dt² / m = 0.1 and damping.",
+        about: "The same with k dt² / m = 0.1 and damping. Only growth is judged: a mass that hardly moves holds as well.",
         parameter: "c dt / m",
         values: &[0.01, 0.1, 0.5, 1.0, 1.5, 1.9, 2.0, 2.5, 4.0, 10.0],
         quick_values: &[0.1, 1.0, 1.9, 2.5],
@@ -42,7 +43,7 @@ pub(super) const FAMILIES: [StabilityFamily; 3] = [
     StabilityFamily {
         name: "Stiff Angle Spring",
         about: "A box of 1 m on a spring that holds its angle, without damping, turned by 0.5 rad, swings for 10 s and \
-                never ten times as far.",
+                never ten times as far. Only growth is judged: a swing that has died holds as well.",
         parameter: "k dt² / I",
         build: |stiffness, dt| angular(stiffness * f64::from(INERTIA) / squared(dt)),
         judge: |_, scene| swing_stays_small(scene, |world| world.body(0).angle.abs(), f64::from(TURN)),

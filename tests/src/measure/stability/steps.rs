@@ -39,7 +39,8 @@ pub(super) const FAMILIES: [StabilityFamily; 6] = [
     },
     StabilityFamily {
         name: "Zero Steps",
-        about: "A column of 3 boxes of 1 m stands, though some steps in it have no length.",
+        about: "A column of 3 boxes of 1 m stands, though some steps in it have no length. However many they are, \
+                nothing is expected to fail.",
         parameter: "number of such steps",
         values: &[1.0, 2.0, 5.0, 10.0, 60.0],
         quick_values: &[1.0, 60.0],
@@ -48,18 +49,19 @@ pub(super) const FAMILIES: [StabilityFamily; 6] = [
     },
     StabilityFamily {
         name: "Tiny Steps",
-        about: "A column of 3 boxes of 1 m stands, though 60 steps in it are this long.",
+        about: "A column of 3 boxes of 1 m stands, though 60 steps in it are this long, down to the least float there is. \
+                However short they are, nothing is expected to fail.",
         parameter: "length of the steps",
         unit: "s",
-        values: &[1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-9, 1e-12],
-        quick_values: &[1e-3, 1e-5, 1e-7],
+        values: &[1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-9, 1e-12, 1e-20, 1e-38, 1e-45],
+        quick_values: &[1e-3, 1e-7, 1e-45],
         dt: |length, moment| if is_among(moment, 2.0, 60.0) { length as f32 } else { moment.dt },
         ..COLUMN
     },
     StabilityFamily {
         name: "Huge Impulse",
         about: "A box on top of a column of 3 gets an impulse upwards and to the side. Nothing is not finite, and the \
-                other two stand.",
+                other two stand. Up to the largest of floats, 3.4e38, nothing is expected to fail.",
         parameter: "impulse on 1 kg",
         unit: "kg px/s",
         values: &[1e3, 1e4, 1e6, 1e9, 1e12, 1e20, 1e30, 1e38],

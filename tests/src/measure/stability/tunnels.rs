@@ -1,6 +1,6 @@
 //! Fast things and thin walls.
 
-use super::parts::{all, calm, greatest, movable, never_above};
+use super::parts::{all, calm, each_reaches, greatest, movable, never_above};
 use super::stage::{METRE, Stage};
 use super::{StabilityFamily, reasons};
 use crate::measure::error::Watch;
@@ -26,31 +26,31 @@ const BULLET: StabilityFamily = StabilityFamily {
 pub(super) const FAMILIES: [StabilityFamily; 6] = [
     StabilityFamily {
         name: "Bullet Circle, wall of 4 px",
-        about: "Eight circles of 8 px fly at a wall of 4 px, each from a little farther. None gets through.",
+        about: "Eight circles of 8 px fly at a wall of 4 px, each from a little farther. All arrive, and none gets through.",
         build: |speed, _| bullets(speed as f32, 4.0, true),
         ..BULLET
     },
     StabilityFamily {
         name: "Bullet Circle, wall of 32 px",
-        about: "Eight circles of 8 px fly at a wall of 32 px, each from a little farther. None gets through.",
+        about: "Eight circles of 8 px fly at a wall of 32 px, each from a little farther. All arrive, and none gets through.",
         build: |speed, _| bullets(speed as f32, 32.0, true),
         ..BULLET
     },
     StabilityFamily {
         name: "Bullet Box, wall of 4 px",
-        about: "Eight squares of 8 px fly at a wall of 4 px, each from a little farther. None gets through.",
+        about: "Eight squares of 8 px fly at a wall of 4 px, each from a little farther. All arrive, and none gets through.",
         build: |speed, _| bullets(speed as f32, 4.0, false),
         ..BULLET
     },
     StabilityFamily {
         name: "Bullet Box, wall of 32 px",
-        about: "Eight squares of 8 px fly at a wall of 32 px, each from a little farther. None gets through.",
+        about: "Eight squares of 8 px fly at a wall of 32 px, each from a little farther. All arrive, and none gets through.",
         build: |speed, _| bullets(speed as f32, 32.0, false),
         ..BULLET
     },
     StabilityFamily {
         name: "Bullet, thin wall",
-        about: "Eight circles of 8 px fly at a wall with 800 px/s, each from a little farther. None gets through.",
+        about: "Eight circles of 8 px fly at a wall with 800 px/s, each from a little farther. All arrive, and none gets through.",
         parameter: "thickness of the wall",
         unit: "px",
         values: &[64.0, 32.0, 16.0, 8.0, 4.0, 2.0, 1.0],
@@ -60,11 +60,11 @@ pub(super) const FAMILIES: [StabilityFamily; 6] = [
     },
     StabilityFamily {
         name: "Spinning Plank",
-        about: "A plank of 64 px by 2 px falls from 3 m onto a floor of 16 px while it spins, and stays above it.",
+        about: "A plank of 64 px by 2 px falls from 3 m onto a floor of 16 px while it spins. It arrives, and stays above it.",
         parameter: "spin",
         unit: "rad/s",
         values: &[0.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0],
-        quick_values: &[0.0, 10.0, 100.0],
+        quick_values: &[0.0, 10.0, 100.0, 300.0],
         build: |spin, _| spinning(spin as f32),
         judge: stays_above_the_floor,
         quantity: "how far its middle got below the floor's surface",
@@ -99,13 +99,18 @@ fn stays_before_the_wall(_: f64, scene: &Scene) -> Box<dyn Watch> {
     // is pushed out on the other side.
     let middle = scene.bodies[0].position.map_or(0.0, |place| f64::from(place.x));
     let depth = move |world: &dyn World| greatest(world, &bodies, |body| body.position[0]);
-    all(vec![calm(scene, 1e6), never_above(middle, reasons::TUNNELLED, depth)])
+    // It came within its size of the wall, or nothing was tried.
+    let arrive = each_reaches(scene, -2.0 * f64::from(HALF), reasons::STUCK, |body| body.position[0]);
+    all(vec![calm(scene, 1e6), arrive, never_above(middle, reasons::TUNNELLED, depth)])
 }
+
+/// Length and thickness of the plank in px.
+const PLANK: [f32; 2] = [2.0 * METRE, 2.0];
 
 fn spinning(spin: f32) -> Scene {
     let mut stage = Stage::new();
     stage.wall([0.0, 8.0], [400.0 * METRE, 16.0]);
-    stage.solid([0.0, -3.0 * METRE], [64.0, 2.0]);
+    stage.solid([0.0, -3.0 * METRE], PLANK);
     stage.last().settings.angular_velocity = Some(spin);
     stage.last().rotation = Some(0.5);
     stage.done()
@@ -118,5 +123,6 @@ fn stays_above_the_floor(_: f64, scene: &Scene) -> Box<dyn Watch> {
     let depth = move |world: &dyn World| {
         greatest(world, &bodies, |body| if body.position[0].abs() < edge { body.position[1] } else { 0.0 })
     };
-    all(vec![calm(scene, 1e6), never_above(8.0, reasons::TUNNELLED, depth)])
+    let arrive = each_reaches(scene, -f64::from(PLANK[0]), reasons::STUCK, |body| body.position[1]);
+    all(vec![calm(scene, 1e6), arrive, never_above(8.0, reasons::TUNNELLED, depth)])
 }

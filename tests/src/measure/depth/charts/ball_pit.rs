@@ -31,6 +31,7 @@ const PENETRATION: DepthChartScene = DepthChartScene {
     // A tenth of a ball's radius; less than a px is not seen.
     tolerance: 1.0,
     broad_phases_matter: false,
+    peers_too: true,
 };
 
 const SPEED: DepthChartScene = DepthChartScene {

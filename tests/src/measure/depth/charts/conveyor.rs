@@ -36,6 +36,7 @@ const ALONG_X: DepthChartScene = DepthChartScene {
     // Boxes 16 px apart never touch, and a sprite that is off by this is not seen to slip.
     tolerance: 2.0,
     broad_phases_matter: false,
+    peers_too: true,
 };
 
 const ASKEW: DepthChartScene = DepthChartScene {

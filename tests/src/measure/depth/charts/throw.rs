@@ -22,6 +22,7 @@ const FLIGHT: DepthChartScene = DepthChartScene {
     // A throw that aims at something 20 px wide still meets it.
     tolerance: 2.0,
     broad_phases_matter: false,
+    peers_too: true,
 };
 
 const STEPPED: DepthChartScene = DepthChartScene {
@@ -31,6 +32,7 @@ const STEPPED: DepthChartScene = DepthChartScene {
     error: "largest distance from the law of the steps",
     // Rounding, and no more.
     tolerance: 0.01,
+    peers_too: false,
     ..FLIGHT
 };
 

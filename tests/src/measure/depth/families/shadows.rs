@@ -37,7 +37,7 @@ fn top_of(plate: usize) -> f32 {
 }
 
 fn plates(thickness: f64) -> DepthScene {
-    let ball = DepthObject::ball(RADIUS, [-0.75 * WIDTH, 200.0, 0.0]).with_velocity([SPEED, 0.0, 0.0]);
+    let ball = DepthObject::ball(RADIUS, [-0.7 * WIDTH, 200.0, 0.0]).with_velocity([SPEED, 0.0, 0.0]);
     let thickness = thickness as f32;
     (0..PLATES).fold(scene("shadow").weightless().with(ball), |scene, plate| {
         let x = WIDTH * plate as f32;
