@@ -3,7 +3,7 @@
 use super::links::{self, Link};
 use super::state::{METRE, metres, point, square_metres};
 use crate::run::Run;
-use crate::scene::{BodySpec, Friction, GeomShape, GeomSpec, Scene};
+use crate::scene::{BodySpec, Friction, GeomShape, GeomSpec, NarrowPhase, Scene};
 use farseer_core::math::Vector2;
 use farseer_core::shape::Vertices;
 use farseer_core::{Body, CollisionCategory};
@@ -79,6 +79,8 @@ pub(super) fn parts(scene: &Scene) -> Result<Parts, String> {
     let mut plain = scene.clone();
     plain.joints.clear();
     plain.springs.clear();
+    // Distance grids are of no use to them.
+    plain.simulator.narrow_phase = Some(NarrowPhase::Sat);
     let run = Run::build(&plain).map_err(|error| error.to_string())?;
     let bodies = run.bodies().iter().zip(&scene.bodies);
     let bodies: Result<Vec<_>, _> = bodies.map(|(&id, spec)| body(&run.simulator()[id], spec)).collect();

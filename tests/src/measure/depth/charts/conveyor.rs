@@ -41,7 +41,8 @@ const ALONG_X: DepthChartScene = DepthChartScene {
 
 const ASKEW: DepthChartScene = DepthChartScene {
     name: "conveyor_askew",
-    about: "The same, with belts that move into the picture as well: 0.6 of the way along X, 0.8 along Z.",
+    about: "The same, with belts that move into the picture as well: 0.6 of the way along X, 0.8 along Z. Boxes turn \
+            about Z alone, as sprites do, which turns rapier3d's friction aside from the slip.",
     build: |size| conveyor("conveyor_askew", size, [0.6, 0.8]),
     watch: |scene| against_closed_form(scene, [0.6, 0.8]),
     ..ALONG_X
