@@ -5,13 +5,14 @@
 //! engine (folder `2.5d`). Without the feature there are no other engines in them. The figures are for the machine they
 //! were made on; what may be quoted are ratios of one run.
 
-use clap::Parser;
+use clap::error::ErrorKind;
+use clap::{CommandFactory, Parser};
 use conformance::measure::charts::chart_scenes;
 use conformance::measure::csv::csv;
 use conformance::measure::depth::{
     PLANES, PlaneChart, depth_chart_scenes, depth_methods, depth_peer_versions, plane_table, plane_trials,
 };
-use conformance::measure::method::{Effort, Setting, methods, peer_versions};
+use conformance::measure::method::{Setting, methods, peer_versions};
 use conformance::measure::origin::origin;
 use conformance::measure::plot::lines::Chart;
 use conformance::measure::plot::overview::Overview;
@@ -20,44 +21,9 @@ use conformance::measure::progress::Progress;
 use conformance::measure::report::{Report, picture};
 use conformance::measure::sweep::{Subject, Sweep, Trial};
 use conformance::measure::trials::trials;
-use examples::Result;
+use examples::{Measuring, Result};
 use std::fs;
-use std::path::{Path, PathBuf};
-
-/// Runs scenes with methods in many settings, and charts error over time.
-#[derive(Debug, Parser)]
-struct Arguments {
-    /// Few settings, and no large scenes: minutes.
-    #[arg(long)]
-    quick: bool,
-    /// Only scenes with this in their names.
-    #[arg(long, value_name = "NAME")]
-    scene: Option<String>,
-    /// Only methods with this in their names.
-    #[arg(long, value_name = "NAME")]
-    method: Option<String>,
-    /// Where to write.
-    #[arg(long, value_name = "DIR", default_value = "target/accuracy_vs_speed")]
-    out: PathBuf,
-}
-
-impl Arguments {
-    fn effort(&self) -> Effort {
-        if self.quick { Effort::Quick } else { Effort::Full }
-    }
-
-    fn wants_scene(&self, name: &str) -> bool {
-        is_in(self.scene.as_deref(), name)
-    }
-
-    fn wants_method(&self, name: &str) -> bool {
-        is_in(self.method.as_deref(), name)
-    }
-}
-
-fn is_in(part: Option<&str>, name: &str) -> bool {
-    part.is_none_or(|part| name.to_lowercase().contains(&part.to_lowercase()))
-}
+use std::path::Path;
 
 /// Scenes and methods that are charted together.
 struct Group {
@@ -70,22 +36,39 @@ struct Group {
     peers: Vec<(&'static str, String)>,
 }
 
+const FOLDER: &str = "target/accuracy_vs_speed";
+
 fn main() -> Result<()> {
-    let arguments = Arguments::parse();
-    let groups = [flat(&arguments), deep(&arguments)];
+    let arguments = Measuring::parse();
+    let mut groups = vec![flat(&arguments), deep(&arguments)];
+    groups.retain(|group| !group.trials.is_empty());
+    if groups.is_empty() {
+        Measuring::command().error(ErrorKind::InvalidValue, nothing_to_run(&arguments)).exit();
+    }
+    // Before anything is run: what cannot be written would be lost.
+    let folders = groups.iter().map(|group| arguments.folder(FOLDER, group.folder));
+    let folders = folders.collect::<Result<Vec<_>>>()?;
     let mut progress = Progress::of(groups.iter().flat_map(|group| &group.trials));
-    for group in groups.iter().filter(|group| !group.trials.is_empty()) {
+    for (group, folder) in groups.iter().zip(&folders) {
         let mut sweep = Sweep::default();
         sweep.run(&group.trials, &mut progress);
-        let folder = arguments.out.join(group.folder);
-        write(group, &sweep, &folder)?;
+        write(group, &sweep, folder)?;
         eprintln!("\n{}", folder.join("report.md").display());
     }
     eprintln!("{} s", progress.end().as_secs());
     Ok(())
 }
 
-fn flat(arguments: &Arguments) -> Group {
+fn nothing_to_run(arguments: &Measuring) -> String {
+    let (scenes, depth_scenes) = (chart_scenes(), depth_chart_scenes());
+    let scenes = scenes.iter().map(|scene| scene.name).chain(depth_scenes.iter().map(|scene| scene.name));
+    let (methods, depth_methods) = (methods(), depth_methods());
+    let methods =
+        methods.iter().map(|method| method.name).chain(depth_methods.iter().map(|method| method.name));
+    arguments.nothing_to_run(scenes.chain([PLANES]), methods)
+}
+
+fn flat(arguments: &Measuring) -> Group {
     let mut scenes = chart_scenes();
     scenes.retain(|scene| arguments.wants_scene(scene.name));
     let all = methods();
@@ -101,7 +84,7 @@ fn flat(arguments: &Arguments) -> Group {
     }
 }
 
-fn deep(arguments: &Arguments) -> Group {
+fn deep(arguments: &Measuring) -> Group {
     let mut scenes = depth_chart_scenes();
     scenes.retain(|scene| arguments.wants_scene(scene.name));
     let all = depth_methods();
@@ -136,7 +119,6 @@ fn deep(arguments: &Arguments) -> Group {
 
 /// Writes what came of a group.
 fn write(group: &Group, sweep: &Sweep, folder: &Path) -> Result<()> {
-    fs::create_dir_all(folder)?;
     let subjects = group.subjects.iter().cloned();
     let subjects: Vec<Subject> = subjects.filter_map(|subject| subject.with_points(&sweep.points)).collect();
     let (methods, points) = (&group.methods[..], &sweep.points[..]);

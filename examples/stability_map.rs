@@ -4,9 +4,10 @@
 //! map of every family, an overview and a report with the first failures, for the 2D engine (folder `2d`) and for the
 //! 2.5D engine (folder `2.5d`). Without the feature there are no other engines in them. Nothing is timed.
 
-use clap::Parser;
+use clap::error::ErrorKind;
+use clap::{CommandFactory, Parser};
 use conformance::measure::depth::{depth_families, depth_methods, depth_peer_versions, depth_sheet};
-use conformance::measure::method::{Effort, methods, peer_versions};
+use conformance::measure::method::{methods, peer_versions};
 use conformance::measure::origin::origin;
 use conformance::measure::plot::first_failures::FirstFailures;
 use conformance::measure::plot::heat::HeatMap;
@@ -15,84 +16,81 @@ use conformance::measure::stability::families;
 use conformance::measure::stability::map::{Map, Sheet};
 use conformance::measure::stability::sheet::sheet;
 use conformance::measure::stability::table::{csv, file_name, report};
-use examples::Result;
+use examples::{Measuring, Result};
 use std::fs;
 use std::io::{IsTerminal, stderr};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
-/// Runs families of scenes that get harder and harder, and maps which methods fail where.
-#[derive(Debug, Parser)]
-struct Arguments {
-    /// Few values and settings: minutes.
-    #[arg(long)]
-    quick: bool,
-    /// Only families with this in their names.
-    #[arg(long, value_name = "NAME")]
-    scene: Option<String>,
-    /// Only methods with this in their names.
-    #[arg(long, value_name = "NAME")]
-    method: Option<String>,
-    /// Where to write.
-    #[arg(long, value_name = "DIR", default_value = "target/stability_map")]
-    out: PathBuf,
-}
+const FOLDER: &str = "target/stability_map";
 
-impl Arguments {
-    fn effort(&self) -> Effort {
-        if self.quick { Effort::Quick } else { Effort::Full }
-    }
-}
-
-fn is_in(part: Option<&str>, name: &str) -> bool {
-    part.is_none_or(|part| name.to_lowercase().contains(&part.to_lowercase()))
+/// Families of an engine, as maps still to be made.
+struct Group {
+    folder: &'static str,
+    title: &'static str,
+    sheets: Vec<Sheet>,
+    /// Versions of the peers.
+    peers: Vec<(&'static str, String)>,
 }
 
 fn main() -> Result<()> {
-    let arguments = Arguments::parse();
-    let groups = [
-        ("2d", "Where methods fail, 2D", flat(&arguments), peer_versions()),
-        ("2.5d", "Where methods fail, 2.5D", deep(&arguments), depth_peer_versions()),
-    ];
-    let progress = Progress::of(groups.iter().flat_map(|(_, _, sheets, _)| sheets));
-    for (folder, title, sheets, peers) in groups.into_iter().filter(|group| !group.2.is_empty()) {
-        let maps: Vec<Map> = sheets.iter().map(|sheet| progress.fill(sheet)).collect();
-        let folder = arguments.out.join(folder);
-        write(title, peers, &maps, &folder)?;
+    let arguments = Measuring::parse();
+    let mut groups = vec![flat(&arguments), deep(&arguments)];
+    groups.retain(|group| !group.sheets.is_empty());
+    if groups.is_empty() {
+        Measuring::command().error(ErrorKind::InvalidValue, nothing_to_run(&arguments)).exit();
+    }
+    // Before anything is run: what cannot be written would be lost.
+    let folders = groups.iter().map(|group| arguments.folder(FOLDER, group.folder));
+    let folders = folders.collect::<Result<Vec<_>>>()?;
+    let progress = Progress::of(groups.iter().flat_map(|group| &group.sheets));
+    for (group, folder) in groups.into_iter().zip(&folders) {
+        let maps: Vec<Map> = group.sheets.iter().map(|sheet| progress.fill(sheet)).collect();
+        write(group.title, group.peers, &maps, folder)?;
         eprintln!("\n{}", folder.join("report.md").display());
     }
     eprintln!("{} s", progress.start.elapsed().as_secs());
     Ok(())
 }
 
-fn flat(arguments: &Arguments) -> Vec<Sheet> {
-    let methods: Vec<_> =
-        methods().into_iter().filter(|method| is_in(arguments.method.as_deref(), method.name)).collect();
-    families()
-        .into_iter()
-        .filter(|family| is_in(arguments.scene.as_deref(), family.name))
-        .map(|family| sheet(family, &methods, arguments.effort()))
-        .filter(|sheet| sheet.run_count() > 0)
-        .collect()
+fn nothing_to_run(arguments: &Measuring) -> String {
+    let (families, depth_families) = (families(), depth_families());
+    let families = families.iter().map(|one| one.name).chain(depth_families.iter().map(|one| one.name));
+    let (methods, depth_methods) = (methods(), depth_methods());
+    let methods =
+        methods.iter().map(|method| method.name).chain(depth_methods.iter().map(|method| method.name));
+    arguments.nothing_to_run(families, methods)
 }
 
-fn deep(arguments: &Arguments) -> Vec<Sheet> {
-    let methods: Vec<_> = depth_methods()
-        .into_iter()
-        .filter(|method| is_in(arguments.method.as_deref(), method.name))
-        .collect();
-    depth_families()
-        .into_iter()
-        .filter(|family| is_in(arguments.scene.as_deref(), family.name))
-        .map(|family| depth_sheet(family, &methods, arguments.effort()))
-        .filter(|sheet| sheet.run_count() > 0)
-        .collect()
+fn flat(arguments: &Measuring) -> Group {
+    let mut methods = methods();
+    methods.retain(|method| arguments.wants_method(method.name));
+    let families = families().into_iter().filter(|family| arguments.wants_scene(family.name));
+    let sheets = families.map(|family| sheet(family, &methods, arguments.effort()));
+    Group {
+        folder: "2d",
+        title: "Where methods fail, 2D",
+        sheets: sheets.filter(|sheet| sheet.run_count() > 0).collect(),
+        peers: peer_versions(),
+    }
+}
+
+fn deep(arguments: &Measuring) -> Group {
+    let mut methods = depth_methods();
+    methods.retain(|method| arguments.wants_method(method.name));
+    let families = depth_families().into_iter().filter(|family| arguments.wants_scene(family.name));
+    let sheets = families.map(|family| depth_sheet(family, &methods, arguments.effort()));
+    Group {
+        folder: "2.5d",
+        title: "Where methods fail, 2.5D",
+        sheets: sheets.filter(|sheet| sheet.run_count() > 0).collect(),
+        peers: depth_peer_versions(),
+    }
 }
 
 /// Writes what came of the families of an engine.
 fn write(title: &str, peers: Vec<(&'static str, String)>, maps: &[Map], folder: &Path) -> Result<()> {
-    fs::create_dir_all(folder)?;
     fs::write(folder.join("runs.csv"), csv(maps))?;
     fs::write(folder.join("report.md"), report(title, &origin(peers), maps))?;
     save(&FirstFailures::new(maps), folder, "overview")?;

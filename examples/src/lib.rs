@@ -1,5 +1,6 @@
 //! Shared code of the example programs.
 
+mod measuring;
 mod plane;
 mod recorder;
 mod sample_film;
@@ -7,6 +8,7 @@ mod sample_picture;
 mod scenery;
 mod stage;
 
+pub use measuring::Measuring;
 pub use plane::Plane;
 pub use recorder::{Recorder, Summary};
 pub use sample_film::SampleFilm;

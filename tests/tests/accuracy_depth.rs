@@ -5,7 +5,7 @@ mod depth_common;
 
 use approx::assert_relative_eq;
 use conformance::measure::depth::{
-    DepthChartScene, DepthMethod, DepthWorld, PLANE_METHODS, depth_chart_scenes, plane_trials,
+    DepthChartScene, DepthMethod, DepthWorld, depth_chart_scenes, plane_trials,
 };
 use conformance::measure::method::{Effort, Setting};
 use conformance::measure::stability::reasons::NOT_FINITE;
@@ -204,9 +204,6 @@ fn what_is_not_finite_has_failed_in_every_scene() {
 #[test]
 fn with_everything_at_one_depth_2_5d_does_what_2d_does_to_the_bit() {
     for trial in plane_trials(Effort::Quick) {
-        if trial.method == PLANE_METHODS[2] && trial.size > 40 {
-            continue;
-        }
         let mut run = (trial.start)().unwrap_or_else(|error| panic!("{error}"));
         let dt = trial.setting.dt.mean();
         run.look(0.0);

@@ -18,10 +18,12 @@ pub fn csv(points: &[Point], subjects: &[Subject]) -> String {
             Outcome::Fine => ("fine", format!("{:e}", rounded(point.error))),
             Outcome::Failed(reason) => (reason, String::new()),
         };
+        let time = point.microseconds_per_simulated_second;
+        let time = if time.is_nan() { String::new() } else { format!("{time:.3}") };
         let jitters = matches!(point.setting.dt, Dt::Jitter { .. });
         let line = writeln!(
             text,
-            "{},{size},{},{},{jitters},{},{error},{},{},{},{},{},{:.3},{},{}",
+            "{},{size},{},{},{jitters},{},{error},{},{},{},{},{},{time},{},{}",
             point.scene,
             quoted(point.method),
             point.setting.dt.mean(),
@@ -31,7 +33,6 @@ pub fn csv(points: &[Point], subjects: &[Subject]) -> String {
             subject.tolerance,
             point.meets(subject.tolerance),
             quoted(outcome),
-            point.microseconds_per_simulated_second,
             point.steps,
             point.turns,
         );

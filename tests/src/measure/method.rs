@@ -79,7 +79,7 @@ fn unit(index: u64) -> f32 {
 pub struct Setting {
     /// The time step.
     pub dt: Dt,
-    /// Iterations or substeps per step; see [`Method::passes`].
+    /// Per step: iterations of our solvers, short steps within the step of the peers.
     pub passes: u32,
 }
 
@@ -106,8 +106,6 @@ pub struct Method<S = Scene, W: ?Sized + 'static = dyn World> {
     pub family: Family,
     /// Whether it differs from another method in the broad phase alone: left out where that does not matter.
     pub is_broad_phase_variant: bool,
-    /// What [`Setting::passes`] counts: "iterations" or "substeps".
-    pub passes: &'static str,
     /// What the engine's authors recommend or take by default, at the usual step.
     pub recommended: Setting,
     /// The points of its line. [`recommended`](Self::recommended) is one of them.

@@ -1,9 +1,10 @@
 //! Speed against accuracy, and where methods fail: what the programs `accuracy_vs_speed` and `stability_map` and the
 //! tests of both share.
 //!
-//! A scene is an entry of [`charts::chart_scenes`] or [`stability::families`], a way to simulate it an entry of
-//! [`method::methods`]. [`sweep`] runs them against each other, [`csv`], [`plot`] and [`report`] tell what came
-//! of it. Lengths are px, y points down, times are s, angles rad; where an engine needs metres, 32 px are one.
+//! A way to simulate is an entry of [`method::methods`]. A scene of a chart is an entry of [`charts::chart_scenes`]: [`trials`]
+//! says with which settings it is run, [`sweep`] runs all against each other, [`csv`], [`plot`] and [`report`] tell what
+//! came of it. What is driven until it fails is an entry of [`stability::families`], with maps of its own. [`depth`] has all
+//! that for the 2.5D engine. Lengths are px, y points down, times are s, angles rad; where an engine needs metres, 32 px are one.
 
 pub mod charts;
 pub mod closed_forms;

@@ -77,13 +77,15 @@ fn vector(value: [f64; 2]) -> Vector2 {
     Vector2::new(value[0] as f32, value[1] as f32)
 }
 
+/// Name of the original's default methods.
+pub const DEFAULT_METHOD: &str = "Farseer, distance grid";
+
 /// The methods of this workspace, the original's default first.
 pub fn our_methods() -> Vec<Method> {
     let method = Method {
-        name: "Farseer, distance grid",
+        name: DEFAULT_METHOD,
         family: Family::Ours,
         is_broad_phase_variant: false,
-        passes: "iterations",
         // The original's default iterations (behaviour chapter 06).
         recommended: Setting::fixed(1.0 / 60.0, 5),
         settings,

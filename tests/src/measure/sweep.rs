@@ -3,10 +3,11 @@
 //! Every point is run once with its watch, which gives the error, and then several times without it, which gives
 //! the time: CPU time of the thread, spent in steps alone. The points of a scene take turns, so that what the
 //! machine does besides meets all of them, and the median over the turns is kept. Short runs are repeated until
-//! enough is measured; long ones take fewer turns.
+//! enough is measured; long ones take fewer turns, very long ones one.
 
 use super::method::Setting;
 use super::progress::Progress;
+use super::stability::reasons::PANICKED;
 use super::stopwatch::Stopwatch;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Duration;
@@ -107,7 +108,7 @@ pub struct Point {
     pub error: f64,
     /// How it went.
     pub outcome: Outcome,
-    /// CPU time of the steps for each second of simulated time.
+    /// CPU time of the steps for each second of simulated time; not a number if the run panicked.
     pub microseconds_per_simulated_second: f64,
     /// Steps of a run: fewer than the scene has if it was given up.
     pub steps: u32,
@@ -191,9 +192,6 @@ impl Trial<'_> {
     }
 }
 
-/// What a run is said to have done when it panicked.
-const PANICKED: &str = "panicked";
-
 /// A trial that is being measured.
 struct Entry<'a> {
     trial: &'a Trial<'a>,
@@ -267,7 +265,7 @@ impl<'a> Entry<'a> {
     fn points(self) -> impl Iterator<Item = Point> {
         let Trial { size, method, setting, .. } = *self.trial;
         let (steps, turns) = (self.steps, self.times.len());
-        let time = median(self.times).as_secs_f64() * 1e6 / self.simulated;
+        let time = median(self.times).map_or(f64::NAN, |time| time.as_secs_f64() * 1e6 / self.simulated);
         self.measured.into_iter().map(move |(scene, error, outcome)| Point {
             scene,
             size,
@@ -282,10 +280,10 @@ impl<'a> Entry<'a> {
     }
 }
 
-/// The middle one, the lower of the two middle ones if there are two.
-fn median(mut times: Vec<Duration>) -> Duration {
+/// The middle one of an odd number of times; nothing of none.
+fn median(mut times: Vec<Duration>) -> Option<Duration> {
     times.sort_unstable();
-    times.get(times.len().saturating_sub(1) / 2).copied().unwrap_or_default()
+    times.get(times.len() / 2).copied()
 }
 
 #[cfg(test)]
@@ -349,9 +347,10 @@ mod tests {
     }
 
     #[test]
-    fn a_run_that_panics_has_failed() {
+    fn a_run_that_panics_has_failed_and_has_no_time() {
         let sweep = sweep(Setting::fixed(0.25, 1), 0.6, true);
         assert_eq!(sweep.points[0].outcome, Outcome::Failed(PANICKED));
+        assert!(sweep.points[0].microseconds_per_simulated_second.is_nan());
     }
 
     #[test]
@@ -380,6 +379,6 @@ mod tests {
     #[test]
     fn the_median_is_the_middle_one() {
         let times = [5, 1, 3].map(Duration::from_millis).to_vec();
-        assert_eq!(median(times), Duration::from_millis(3));
+        assert_eq!(median(times), Some(Duration::from_millis(3)));
     }
 }

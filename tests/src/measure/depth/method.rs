@@ -33,7 +33,6 @@ fn our_methods() -> Vec<DepthMethod> {
         name: "2.5D, faithful",
         family: Family::Ours,
         is_broad_phase_variant: false,
-        passes: "iterations",
         // The 2D engine's default iterations (behaviour chapter 06).
         recommended: Setting::fixed(1.0 / 60.0, 5),
         settings: our_settings,
@@ -59,7 +58,6 @@ fn rapier_methods() -> Vec<DepthMethod> {
         name: "rapier3d",
         family: Family::Peer,
         is_broad_phase_variant: false,
-        passes: "substeps",
         recommended: Setting::fixed(1.0 / 60.0, 4),
         settings: rapier_settings,
         build: |scene, setting| Ok(Box::new(Rapier::new(scene).with_iterations(setting.passes as usize))),

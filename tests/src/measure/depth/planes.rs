@@ -51,7 +51,8 @@ pub(super) fn plane_point<'a>(points: &'a [Point], size: usize, method: &str) ->
 
 /// The sizes that there are points of.
 pub(super) fn plane_sizes(points: &[Point]) -> impl Iterator<Item = usize> {
-    SIZES.into_iter().filter(|&size| plane_point(points, size, PLANE_METHODS[0]).is_some())
+    let is_there = move |size| PLANE_METHODS.iter().any(|method| plane_point(points, size, method).is_some());
+    SIZES.into_iter().filter(move |&size| is_there(size))
 }
 
 /// Times per step side by side, as a table in Markdown; nothing if there are no points of the comparison.
@@ -63,11 +64,14 @@ pub fn plane_table(points: &[Point]) -> Option<String> {
     }
     text += "\n|---:|---:|---:|---:|---:|---:|---:|\n";
     for size in plane_sizes(points) {
-        let flat = plane_point(points, size, PLANE_METHODS[0]).map_or(f64::NAN, time_per_step);
+        let flat = plane_point(points, size, PLANE_METHODS[0]).map(time_per_step);
         add(&mut text, format_args!("| {size} |"));
         for method in PLANE_METHODS {
             match plane_point(points, size, method).map(time_per_step) {
-                Some(time) => add(&mut text, format_args!(" {} | {:.2} |", short_time(time), time / flat)),
+                Some(time) => {
+                    let ratio = flat.map_or("-".to_owned(), |flat| format!("{:.2}", time / flat));
+                    add(&mut text, format_args!(" {} | {ratio} |", short_time(time)));
+                }
                 None => text += " - | - |",
             }
         }

@@ -3,8 +3,7 @@
 use super::{DepthFamily, DepthMethod};
 use crate::measure::method::{Effort, Family, Setting};
 use crate::measure::stability::map::{Cell, Column, Heading, Sheet, Verdict};
-use crate::measure::stability::reasons::PANICKED;
-use std::panic::{self, AssertUnwindSafe};
+use crate::measure::stability::sheet::guarded;
 
 /// The steps on a map in s: a long one, the usual one, and a short one.
 const STEPS: [f32; 3] = [1.0 / 30.0, 1.0 / 60.0, 1.0 / 200.0];
@@ -56,12 +55,7 @@ fn column(method: &DepthMethod, setting: Setting) -> Column {
 
 /// One run of a family.
 pub fn run(family: &DepthFamily, value: f64, method: &DepthMethod, setting: Setting) -> Cell {
-    if method.family == Family::Ours {
-        return run_in(family, value, method, setting);
-    }
-    // A peer that panics has failed; the others go on.
-    panic::catch_unwind(AssertUnwindSafe(|| run_in(family, value, method, setting)))
-        .unwrap_or_else(|_| Cell::failed(PANICKED))
+    guarded(method.family, || run_in(family, value, method, setting))
 }
 
 fn run_in(family: &DepthFamily, value: f64, method: &DepthMethod, setting: Setting) -> Cell {

@@ -36,7 +36,6 @@ pub fn rapier_methods() -> Vec<Method> {
         name: "rapier2d",
         family: Family::Peer,
         is_broad_phase_variant: false,
-        passes: "substeps",
         recommended: RECOMMENDED,
         settings,
         build: build_rapier,
@@ -49,7 +48,6 @@ pub fn box2d_methods() -> Vec<Method> {
         name: "Box2D 3",
         family: Family::Peer,
         is_broad_phase_variant: false,
-        passes: "substeps",
         recommended: RECOMMENDED,
         settings,
         build: build_box2d,
@@ -117,15 +115,6 @@ fn settings(effort: Effort) -> Vec<Setting> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_recommended_setting_is_among_the_points_of_every_peer() {
-        for method in rapier_methods().into_iter().chain(box2d_methods()) {
-            for effort in [Effort::Quick, Effort::Full] {
-                assert!((method.settings)(effort).contains(&method.recommended), "{}", method.name);
-            }
-        }
-    }
 
     #[test]
     fn every_version_is_known() {

@@ -49,7 +49,8 @@ impl Picture for FirstFailures<'_> {
             self.reasons().iter().map(|word| format!("{}\u{a0}{word}", reasons::letter(word))).collect();
         let about = format!(
             "A box for every value of the family's parameter, from easy to hard: pale where the method holds, dark \
-             where it fails; then why it fails first, and the value with which it does: {}.",
+             where it fails, grey where the engine cannot run it; then why it fails first, and the value with which \
+             it does: {}.",
             reasons.join(", ")
         );
         let letters = (self.size().0 / 6) as usize - 4;
@@ -72,16 +73,14 @@ impl Picture for FirstFailures<'_> {
 }
 
 impl FirstFailures<'_> {
-    /// Why columns fail first, those in the list of common reasons first.
+    /// Why columns fail first.
     fn reasons(&self) -> Vec<&'static str> {
         let firsts = self.maps.iter().flat_map(|map| {
             let places = self.columns.iter().filter_map(|column| map.place(column));
             places.filter_map(|place| map.first_failure(place)).map(|(_, reason)| reason)
         });
         let found: BTreeSet<&str> = firsts.collect();
-        let common = LETTERS.iter().map(|&(word, _)| word).filter(|word| found.contains(word));
-        let is_other = |word: &&str| LETTERS.iter().all(|(common, _)| common != word);
-        common.chain(found.iter().copied().filter(is_other)).collect()
+        LETTERS.iter().map(|&(word, _)| word).filter(|word| found.contains(word)).collect()
     }
 
     fn paint_family<B: DrawingBackend>(
@@ -105,15 +104,17 @@ impl FirstFailures<'_> {
                 let corners = [(edge(box_index), top + 3), (edge(box_index + 1) - 1, top + ROW - 3)];
                 area(sheet, corners, look(&row[place].verdict).0)?;
             }
-            let text = map
-                .first_failure(place)
-                .map(|(value, reason)| format!("{} {}", reasons::letter(reason), number(value)));
-            Words::new(12.0).write(
-                sheet,
-                &text.unwrap_or_else(|| "holds".to_owned()),
-                (left + STRIP + 5, middle),
-            )?;
+            Words::new(12.0).write(sheet, &outcome(map, place), (left + STRIP + 5, middle))?;
         }
         Ok(())
+    }
+}
+
+/// What is written beside the boxes of a column.
+fn outcome(map: &Map, place: usize) -> String {
+    match (map.first_failure(place), map.runs_to(place)) {
+        (Some((value, reason)), _) => format!("{} {}", reasons::letter(reason), number(value)),
+        (None, Some(last)) => format!("to {}", number(last)),
+        (None, None) => "holds".to_owned(),
     }
 }

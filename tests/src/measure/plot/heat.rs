@@ -6,8 +6,8 @@
 use super::ink::{Words, area, line, wrapped};
 use super::style::{DARK, GREY};
 use super::{Fault, Picture};
-use crate::measure::stability::map::{Column, Map, Verdict};
-use crate::measure::stability::reasons::{self, LETTERS};
+use crate::measure::stability::map::{Cell, Column, Map, Verdict};
+use crate::measure::stability::reasons;
 use crate::measure::stability::table::number;
 use plotters::coord::Shift;
 use plotters::prelude::{DrawingArea, DrawingBackend, RGBColor};
@@ -93,20 +93,13 @@ impl HeatMap<'_> {
         34 + LINE * (self.about().len() + lines) as i32 + 8 + 2 * LINE + 6
     }
 
-    /// The letters that the map needs, with their words.
-    fn legend(&self) -> Vec<(String, &str)> {
-        let has =
-            |found: &dyn Fn(&Verdict) -> bool| self.0.rows.iter().flatten().any(|cell| found(&cell.verdict));
-        let mut legend = vec![("·".to_owned(), "holds")];
-        for (word, letter) in LETTERS {
-            if has(&|verdict| *verdict == Verdict::Failed(word)) {
-                legend.push((letter.to_string(), word));
-            }
-        }
-        if has(&|verdict| matches!(verdict, Verdict::Absent(_))) {
-            legend.push(("–".to_owned(), "not in this engine"));
-        }
-        legend
+    /// The outcomes on the map, with their words.
+    fn legend(&self) -> Vec<(Verdict, &'static str)> {
+        let failures = self.0.reasons().into_iter().map(|reason| (Verdict::Failed(reason), reason));
+        let is_absent = |cell: &Cell| matches!(cell.verdict, Verdict::Absent(_));
+        let absent = self.0.rows.iter().flatten().any(is_absent);
+        let absent = absent.then(|| (Verdict::Absent(String::new()), "not in this engine"));
+        [(Verdict::Holds, "holds")].into_iter().chain(failures).chain(absent).collect()
     }
 }
 
@@ -187,18 +180,8 @@ impl HeatMap<'_> {
     fn paint_legend<B: DrawingBackend>(&self, sheet: &DrawingArea<B, Shift>) -> Result<(), Fault<B>> {
         let top = self.head() + ROW * self.0.rows.len() as i32 + 14;
         let mut left = LEFT;
-        for (letter, word) in self.legend() {
-            let (paper, ink, _) = look(&match word {
-                "holds" => Verdict::Holds,
-                "not in this engine" => Verdict::Absent(String::new()),
-                reason => Verdict::Failed(
-                    reasons::LETTERS
-                        .map(|(word, _)| word)
-                        .into_iter()
-                        .find(|word| *word == reason)
-                        .unwrap_or(""),
-                ),
-            });
+        for (verdict, word) in self.legend() {
+            let (paper, ink, letter) = look(&verdict);
             area(sheet, [(left, top), (left + 20, top + 18)], paper)?;
             Words::new(13.0).centred().color(ink).write(sheet, &letter, (left + 10, top + 9))?;
             Words::new(12.0).write(sheet, word, (left + 25, top + 9))?;

@@ -310,7 +310,7 @@ fn is_failed(point: &Point) -> bool {
 }
 
 /// The points that are better than all that take less time, by time.
-pub fn worth_their_time<'a>(points: impl Iterator<Item = &'a Point>) -> Vec<&'a Point> {
+fn worth_their_time<'a>(points: impl Iterator<Item = &'a Point>) -> Vec<&'a Point> {
     let mut points: Vec<&Point> = points.collect();
     let time = |point: &Point| point.microseconds_per_simulated_second;
     points.sort_by(|a, b| time(a).total_cmp(&time(b)).then(a.error.total_cmp(&b.error)));

@@ -1,5 +1,6 @@
 //! A map: what came of a family with every method and setting. Knows nothing of engines.
 
+use super::reasons::LETTERS;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
@@ -160,6 +161,25 @@ impl Map {
         })
     }
 
+    /// The last value that a column was run with, if it was not run with some.
+    pub fn runs_to(&self, column: usize) -> Option<f64> {
+        let is_absent = |row: &&Vec<Cell>| matches!(row[column].verdict, Verdict::Absent(_));
+        let values = self.heading.values.iter().zip(&self.rows);
+        let last = values.filter(|(_, row)| !is_absent(row)).map(|(&value, _)| value).next_back();
+        last.filter(|_| self.rows.iter().any(|row| is_absent(&row)))
+    }
+
+    /// Why runs failed, in the order of [`LETTERS`].
+    pub fn reasons(&self) -> Vec<&'static str> {
+        let has = |word: &str| {
+            self.rows
+                .iter()
+                .flatten()
+                .any(|cell| matches!(cell.verdict, Verdict::Failed(reason) if reason == word))
+        };
+        LETTERS.iter().map(|&(word, _)| word).filter(|word| has(word)).collect()
+    }
+
     /// Whether a column has no run at all.
     pub fn is_absent(&self, column: usize) -> bool {
         self.rows.iter().all(|row| matches!(row[column].verdict, Verdict::Absent(_)))
@@ -209,6 +229,19 @@ mod tests {
             told.fetch_add(1, Ordering::Relaxed);
         });
         assert_eq!(told.into_inner(), 6);
+    }
+
+    #[test]
+    fn a_column_without_runs_to_the_end_says_how_far_it_ran() {
+        let mut map = sheet().fill(&|| {});
+        assert_eq!([map.runs_to(0), map.runs_to(1)], [None, None]);
+        map.rows[2][0] = Cell::absent("not there");
+        assert_eq!(map.runs_to(0), Some(2.0));
+    }
+
+    #[test]
+    fn the_reasons_of_a_map_are_those_of_its_failures() {
+        assert_eq!(sheet().fill(&|| {}).reasons(), [super::super::reasons::SANK]);
     }
 
     #[test]

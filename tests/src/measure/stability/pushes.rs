@@ -22,8 +22,8 @@ pub(super) const FAMILIES: [StabilityFamily; 2] = [
     },
     StabilityFamily {
         name: "Friction Ramp, sliding",
-        about: "The same with friction less than the slope: it slides, 2 s long, as far as the difference makes it, \
-                to a tenth.",
+        about: "A box of 2 m by 1 m on a slope of 0.25 rad, with friction less than the slope, slides in 2 s as far as the \
+                difference makes it, to a tenth.",
         parameter: "friction, as a share of the slope",
         values: &[0.0, 0.25, 0.5, 0.75, 0.8, 0.9, 0.95, 0.98],
         quick_values: &[0.0, 0.5, 0.9],

@@ -23,8 +23,29 @@ pub const STUCK: &str = "stuck";
 /// The engine panicked.
 pub const PANICKED: &str = "panicked";
 
-/// Every reason, with the letter that stands for it.
-pub const LETTERS: [(&str, char); 11] = [
+/// Moved aside by somebody who should not have.
+pub const ASIDE: &str = "aside";
+/// Flies up from where it should lie.
+pub const BOUNCED: &str = "bounced";
+/// Is on what should have stopped it, or over what it should have fallen into.
+pub const CLIMBED: &str = "climbed";
+/// Not where it belongs.
+pub const MISPLACED: &str = "misplaced";
+/// Left the field through a wall.
+pub const LEFT: &str = "left";
+/// Missed what should have been hit.
+pub const MISSED: &str = "missed";
+/// Flies back slower than it should.
+pub const SLOWED: &str = "slowed";
+/// Touched what should have been missed.
+pub const TOUCHED: &str = "touched";
+/// Changed its way over a seam.
+pub const STUMBLED: &str = "stumbled";
+/// Thrown back along another axis than that on which it came last.
+pub const WRONG_AXIS: &str = "wrong axis";
+
+/// Every reason, with the letter that stands for it: small ones for those of the 2.5D engine alone.
+pub const LETTERS: [(&str, char); 21] = [
     (TOPPLED, 'T'),
     (SANK, 'S'),
     (BLEW_UP, 'B'),
@@ -36,12 +57,21 @@ pub const LETTERS: [(&str, char); 11] = [
     (STRETCHED, 'X'),
     (STUCK, 'I'),
     (PANICKED, 'P'),
+    (ASIDE, 'a'),
+    (BOUNCED, 'b'),
+    (CLIMBED, 'c'),
+    (MISPLACED, 'd'),
+    (LEFT, 'l'),
+    (MISSED, 'm'),
+    (SLOWED, 's'),
+    (TOUCHED, 't'),
+    (STUMBLED, 'u'),
+    (WRONG_AXIS, 'w'),
 ];
 
-/// The letter of a reason: that of the list or, for one that is not there, its first letter in lower case.
+/// The letter of a reason; a question mark for one that is not in the list.
 pub fn letter(reason: &str) -> char {
-    let known = LETTERS.iter().find(|(word, _)| *word == reason).map(|&(_, letter)| letter);
-    known.or_else(|| reason.chars().next()).unwrap_or('?')
+    LETTERS.iter().find(|(word, _)| *word == reason).map_or('?', |&(_, letter)| letter)
 }
 
 #[cfg(test)]

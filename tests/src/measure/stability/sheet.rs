@@ -3,6 +3,7 @@
 use super::map::{Cell, Column, Heading, Sheet, Verdict};
 use super::{Moment, StabilityFamily, reasons};
 use crate::measure::method::{Dt, Effort, Family, Method, Setting};
+use crate::measure::ours::DEFAULT_METHOD;
 use std::panic::{self, AssertUnwindSafe};
 
 /// The iterations of the original's default methods on a map.
@@ -10,13 +11,13 @@ const ITERATIONS: [u32; 4] = [5, 10, 20, 40];
 /// The steps on a map in s: the usual one, that of games which read whole milliseconds, and a short one.
 const STEPS: [f32; 3] = [1.0 / 60.0, 0.016, 1.0 / 200.0];
 
-/// The map of a family with these methods, still to be made. The first method is shown in more settings than others.
+/// The map of a family with these methods, still to be made. The original's default methods are shown in more settings than
+/// others.
 pub fn sheet(family: StabilityFamily, methods: &[Method], effort: Effort) -> Sheet {
     let columns: Vec<(Method, Setting)> = methods
         .iter()
-        .enumerate()
-        .filter(|(_, method)| family.broad_phases_matter || !method.is_broad_phase_variant)
-        .flat_map(|(index, method)| settings(method, index == 0, effort).into_iter().map(|at| (*method, at)))
+        .filter(|method| family.broad_phases_matter || !method.is_broad_phase_variant)
+        .flat_map(|method| settings(method, effort).into_iter().map(|setting| (*method, setting)))
         .collect();
     let values = if effort == Effort::Quick { family.quick_values } else { family.values };
     let heading = Heading {
@@ -37,7 +38,7 @@ pub fn sheet(family: StabilityFamily, methods: &[Method], effort: Effort) -> She
 }
 
 /// The settings of a method on a map.
-fn settings(method: &Method, is_first: bool, effort: Effort) -> Vec<Setting> {
+fn settings(method: &Method, effort: Effort) -> Vec<Setting> {
     let usual = STEPS[0];
     let short = STEPS[STEPS.len() - 1];
     if method.family == Family::Peer {
@@ -49,7 +50,7 @@ fn settings(method: &Method, is_first: bool, effort: Effort) -> Vec<Setting> {
     if method.is_broad_phase_variant {
         return vec![Setting::fixed(usual, 5), Setting::fixed(usual, 20)];
     }
-    if !is_first || effort == Effort::Quick {
+    if method.name != DEFAULT_METHOD || effort == Effort::Quick {
         return vec![
             Setting::fixed(usual, 5),
             Setting::fixed(usual, 40),
@@ -74,12 +75,17 @@ fn column(method: &Method, setting: Setting) -> Column {
 
 /// One run of a family.
 pub fn run(family: &StabilityFamily, value: f64, method: &Method, setting: Setting) -> Cell {
-    if method.family == Family::Ours {
-        return run_in(family, value, method, setting);
+    guarded(method.family, || run_in(family, value, method, setting))
+}
+
+/// What comes of a run. A peer that panics has failed, and the others go on; ours must not panic.
+pub(crate) fn guarded(family: Family, run: impl FnOnce() -> Cell) -> Cell {
+    match family {
+        Family::Ours => run(),
+        Family::Peer => {
+            panic::catch_unwind(AssertUnwindSafe(run)).unwrap_or_else(|_| Cell::failed(reasons::PANICKED))
+        }
     }
-    // A peer that panics has failed; the others go on.
-    panic::catch_unwind(AssertUnwindSafe(|| run_in(family, value, method, setting)))
-        .unwrap_or_else(|_| Cell::failed(reasons::PANICKED))
 }
 
 fn run_in(family: &StabilityFamily, value: f64, method: &Method, setting: Setting) -> Cell {

@@ -90,7 +90,7 @@ fn first_failure(map: &Map, column: &Column) -> String {
     match map.first_failure(index) {
         Some((value, reason)) => format!("{} {reason}", number(value)),
         None if map.is_absent(index) => "–".to_owned(),
-        None => "holds".to_owned(),
+        None => map.runs_to(index).map_or("holds".to_owned(), |last| format!("holds to {}", number(last))),
     }
 }
 
@@ -109,7 +109,8 @@ pub fn report(title: &str, origin: &[(&str, String)], maps: &[Map]) -> String {
     text.push_str("\n![overview](overview.png)\n\n## First failures\n\n");
     text.push_str(
         "The first value of each family's parameter, from easy to hard, with which a method fails, and how. \
-         `holds`: with none of them. `–`: the engine does not have what the scene needs.\n\n",
+         `holds`: with none of them. `holds to 100`: it has no runs with what is harder. `–`: the engine does not have \
+         what the scene needs.\n\n",
     );
     text.push_str(&first_failures(maps));
     text.push_str("\n## Maps\n");
@@ -119,13 +120,13 @@ pub fn report(title: &str, origin: &[(&str, String)], maps: &[Map]) -> String {
         write!(text, "\n### {name}\n\n{}\n\n![{name}]({file}.png)\n", heading.about)
             .expect("a text takes all");
         for (column, reason) in absences(map) {
-            write!(text, "\n{column}: {reason}.\n").expect("a text takes all");
+            write!(text, "\nNot run with {column}: {reason}.\n").expect("a text takes all");
         }
     }
     text
 }
 
-/// Methods that have no run in a map, with the reason.
+/// Methods that lack runs in a map, with the reason.
 fn absences(map: &Map) -> Vec<(&str, &str)> {
     let mut absences: Vec<(&str, &str)> = Vec::new();
     for (index, column) in map.heading.columns.iter().enumerate() {
@@ -186,9 +187,17 @@ mod tests {
     }
 
     #[test]
+    fn the_table_says_how_far_a_method_was_run() {
+        let mut map = map();
+        map.rows[1][0] = Cell::absent("no more than 1");
+        assert!(first_failures(&[map]).ends_with("| holds to 1 | – |\n"));
+    }
+
+    #[test]
     fn the_report_says_what_an_engine_does_not_have() {
         assert!(
-            report("Title", &[("Date", "today".into())], &[map()]).contains("\ntwo: no springs, none.\n")
+            report("Title", &[("Date", "today".into())], &[map()])
+                .contains("\nNot run with two: no springs, none.\n")
         );
     }
 

@@ -36,7 +36,7 @@ const PENETRATION: DepthChartScene = DepthChartScene {
 
 const SPEED: DepthChartScene = DepthChartScene {
     name: "ball_pit_speed",
-    about: "The same pit: how fast the balls still move when they should lie.",
+    about: "Balls fall into a pit; how fast they still move when they should lie.",
     watch: |scene| resting(scene, |balls| root_mean_square(balls.iter().map(|ball| ball.speed))),
     error: "root mean square of the speeds in the last second",
     unit: "px/s",

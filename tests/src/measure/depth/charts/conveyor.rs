@@ -41,8 +41,8 @@ const ALONG_X: DepthChartScene = DepthChartScene {
 
 const ASKEW: DepthChartScene = DepthChartScene {
     name: "conveyor_askew",
-    about: "The same, with belts that move into the picture as well: 0.6 of the way along X, 0.8 along Z. Boxes turn \
-            about Z alone, as sprites do, which turns rapier3d's friction aside from the slip.",
+    about: "Belts that slide over ice, 0.6 of the way along X and 0.8 into the picture, take along five boxes each by \
+            friction, until both have one speed. Boxes turn about Z alone, as sprites do, which turns rapier3d's friction aside from the slip.",
     build: |size| conveyor("conveyor_askew", size, [0.6, 0.8]),
     watch: |scene| against_closed_form(scene, [0.6, 0.8]),
     ..ALONG_X

@@ -27,7 +27,7 @@ const FLIGHT: DepthChartScene = DepthChartScene {
 
 const STEPPED: DepthChartScene = DepthChartScene {
     name: "throw_in_depth_stepped",
-    about: "The same flight against the law of the steps: in each, velocity changes first and moves the ball then.",
+    about: "A ball is thrown up, to the right and into the picture; its flight against the law of the steps: in each, velocity changes first and moves the ball then.",
     watch: against_steps,
     error: "largest distance from the law of the steps",
     // Rounding, and no more.
@@ -38,7 +38,7 @@ const STEPPED: DepthChartScene = DepthChartScene {
 
 const LANDED: DepthChartScene = DepthChartScene {
     name: "throw_in_depth_landing",
-    about: "The same throw: the ball lands after 2 s without a bounce and rolls on with two thirds of its speed.",
+    about: "A ball is thrown up, to the right and into the picture; it lands after 2 s without a bounce and rolls on with two thirds of its speed.",
     seconds: 2.0 * LANDING,
     watch: |scene| against(scene, 1.75 * LANDING),
     error: "distance from where it rolls",

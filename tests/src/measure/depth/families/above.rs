@@ -1,9 +1,10 @@
 //! Somebody is thrown over somebody else.
 
 use super::DepthFamily;
-use super::lanes::{ICE, TOUCHED, at, each, largest, scene};
+use super::lanes::{ICE, at, each, largest, scene};
 use crate::depth_scenes::{DepthObject, DepthScene, GRAVITY};
 use crate::measure::depth::{DepthWatch, Seen};
+use crate::measure::stability::reasons::TOUCHED;
 use crate::peers::State;
 
 /// Along X, along Z, and back.

@@ -4,10 +4,8 @@ use super::DepthFamily;
 use super::lanes::largest;
 use crate::depth_scenes::{DepthPlatform, DepthScene, DepthShape, GRAVITY, traffic};
 use crate::measure::depth::{DepthWatch, DepthWorld, Seen, watch};
-use crate::measure::stability::reasons::{BLEW_UP, SANK};
+use crate::measure::stability::reasons::{BLEW_UP, LEFT, SANK};
 
-/// Left the field through a wall.
-const LEFT: &str = "left";
 /// Objects from which on a run is short.
 const MANY: f64 = 1000.0;
 

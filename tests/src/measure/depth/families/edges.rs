@@ -1,10 +1,10 @@
 //! Walk off each edge, and pass under.
 
 use super::DepthFamily;
-use super::lanes::{ASIDE, BOUNCED, REST, STRAIGHT, TOUCHED, each, largest, object, platform, scene};
+use super::lanes::{REST, STRAIGHT, each, largest, object, platform, scene};
 use crate::depth_scenes::DepthScene;
 use crate::measure::depth::{DepthWatch, Seen};
-use crate::measure::stability::reasons::{SANK, STUCK};
+use crate::measure::stability::reasons::{ASIDE, BOUNCED, SANK, STUCK, TOUCHED};
 use crate::peers::State;
 
 pub(super) const FAMILIES: [DepthFamily; 4] = [WALK_OFF, WALK_OFF_LOW, PASS_UNDER, PASS_UNDER_FAST];
@@ -34,7 +34,8 @@ const WALK_OFF: DepthFamily = DepthFamily {
 
 const WALK_OFF_LOW: DepthFamily = DepthFamily {
     name: "Walk off each edge, low platform",
-    about: "The same at 50 px/s with a platform that gets lower.",
+    about: "Balls and boxes slide at 50 px/s over each of the four edges of a platform that gets lower, and end up on the \
+            ground beyond it.",
     parameter: "height of the platform",
     unit: "px",
     values: &[60.0, 30.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1],
@@ -109,7 +110,7 @@ const PASS_UNDER: DepthFamily = DepthFamily {
 
 const PASS_UNDER_FAST: DepthFamily = DepthFamily {
     name: "Pass under, fast",
-    about: "The same with 1 px over the head.",
+    about: "Balls and boxes slide under a platform 1 px over their heads, along X, along Z and askew, and must not be touched.",
     parameter: "speed",
     unit: "px/s",
     values: &[30.0, 100.0, 300.0, 1e3, 3e3, 1e4],

@@ -2,14 +2,11 @@
 
 use super::DepthFamily;
 use super::lanes::{REST, each, largest, object, platform, scene};
-use super::steps::CLIMBED;
 use crate::depth_scenes::DepthScene;
 use crate::measure::depth::{DepthWatch, Seen};
-use crate::measure::stability::reasons::{SANK, STUCK};
+use crate::measure::stability::reasons::{CLIMBED, SANK, STUCK, STUMBLED};
 use crate::peers::State;
 
-/// Caught at an edge that it should have passed.
-const STUMBLED: &str = "stumbled";
 /// Height of the platforms, px.
 const TOP: f32 = 60.0;
 /// Extent of a platform along the way, px.

@@ -1,10 +1,10 @@
 //! Head bump: things jump against the underside of a platform and fall back.
 
 use super::DepthFamily;
-use super::lanes::{ASIDE, REST, each, largest, object, platform, scene};
+use super::lanes::{REST, each, largest, object, platform, scene};
 use crate::depth_scenes::DepthScene;
 use crate::measure::depth::Seen;
-use crate::measure::stability::reasons::{STUCK, TUNNELLED};
+use crate::measure::stability::reasons::{ASIDE, STUCK, TUNNELLED};
 
 /// Height of the undersides, px.
 const UNDERSIDE: f32 = 400.0;

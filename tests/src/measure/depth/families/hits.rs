@@ -1,15 +1,12 @@
 //! Depth miss and depth hit, and diagonal hits: things fly at a post that cannot be moved, without weight.
 
 use super::DepthFamily;
-use super::lanes::{ICE, MISSED, RADIUS, TOUCHED, at, each, largest, scene};
+use super::lanes::{ICE, RADIUS, at, each, largest, scene};
 use crate::depth_scenes::{DepthObject, DepthScene, Surface};
 use crate::measure::depth::{DepthWatch, DepthWorld, Seen, watch};
+use crate::measure::stability::reasons::{MISSED, SLOWED, TOUCHED, WRONG_AXIS};
 use crate::peers::State;
 
-/// Pushed along another axis than the one that was entered last.
-const WRONG_AXIS: &str = "wrong axis";
-/// Did not fly back as fast as it should.
-const SLOWED: &str = "slowed";
 /// Half the extent of the post, in all axes, and of what is thrown, px.
 const POST: f32 = 20.0;
 const THROWN: f32 = 10.0;
@@ -93,7 +90,8 @@ const HIT_FAST: DepthFamily = DepthFamily {
 
 const HIT_THIN: DepthFamily = DepthFamily {
     name: "Depth hit, thin",
-    about: "Boxes fly at 800 px/s into the picture against a post; both get thinner in depth.",
+    about: "Boxes fly at 800 px/s into the picture against a post, and must fly back; both get thinner \
+            in depth.",
     parameter: "depth of each",
     unit: "px",
     values: &[40.0, 20.0, 10.0, 7.0, 5.0, 3.0, 2.0, 1.0],
@@ -105,7 +103,8 @@ const HIT_THIN: DepthFamily = DepthFamily {
 
 const HIT_PARTLY: DepthFamily = DepthFamily {
     name: "Depth hit, glancing",
-    about: "Boxes fly at 80 px/s into the picture against the front of a post, with little of them before it.",
+    about: "Boxes fly at 80 px/s into the picture against the front of a post, with little of them \
+            before it, and must fly back.",
     parameter: "part before the post",
     unit: "px",
     values: &[10.0, 1.0, 0.1, 0.01, 1e-3],
@@ -170,8 +169,8 @@ const LONG_FLIGHT: f64 = 1.0;
 
 const DIAGONAL_CLOSE: DepthFamily = DepthFamily {
     name: "Diagonal hit, close",
-    about: "The same at 150 px/s along the last axis, 75 and 50 along the others, and with less and less between the \
-            last axis and the one before.",
+    about: "Boxes fly at a post along all three axes, at 150 px/s along the last axis, 75 and 50 along the others, with \
+            less and less between the last and the one before. They must be thrown back along the last.",
     parameter: "way left along the last axis",
     unit: "px",
     values: &[50.0, 20.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1],

@@ -1,10 +1,10 @@
 //! Land: things fall on a platform and stay there.
 
 use super::DepthFamily;
-use super::lanes::{ASIDE, BOUNCED, MISSED, REST, each, largest, object, platform, scene};
+use super::lanes::{REST, each, largest, object, platform, scene};
 use crate::depth_scenes::DepthScene;
 use crate::measure::depth::{DepthWatch, Seen};
-use crate::measure::stability::reasons::{SANK, TUNNELLED};
+use crate::measure::stability::reasons::{ASIDE, BOUNCED, MISSED, SANK, TUNNELLED};
 
 /// Height of the platforms' upper faces, px.
 const TOP: f32 = 60.0;

@@ -20,15 +20,6 @@ pub(super) const REST: f64 = 0.15;
 /// Push-off from a straight path by rounding, px and px/s.
 pub(super) const STRAIGHT: f64 = 0.1;
 
-/// Moved aside by somebody who should not have.
-pub(super) const ASIDE: &str = "aside";
-/// Touched what should have been missed.
-pub(super) const TOUCHED: &str = "touched";
-/// Flies up from where it should lie.
-pub(super) const BOUNCED: &str = "bounced";
-/// Missed what should have been hit.
-pub(super) const MISSED: &str = "missed";
-
 /// A place of a lane, given from the middle of the lane.
 pub(super) fn at(lane: usize, [x, y, z]: [f32; 3]) -> [f32; 3] {
     let along = LANE * (lane as f32 - 3.5);

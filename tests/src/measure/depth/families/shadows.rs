@@ -4,9 +4,8 @@ use super::DepthFamily;
 use super::lanes::{ICE, RADIUS, scene};
 use crate::depth_scenes::{DepthObject, DepthPlatform, DepthScene};
 use crate::measure::depth::{DepthWatch, DepthWorld, Seen, watch};
+use crate::measure::stability::reasons::MISPLACED;
 
-/// The shadow is on something that is not beneath, or on something lower than what is.
-const MISPLACED: &str = "misplaced";
 /// Plates along the way.
 const PLATES: usize = 5;
 /// Extent of a plate along X, px.

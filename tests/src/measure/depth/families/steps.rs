@@ -4,10 +4,8 @@ use super::DepthFamily;
 use super::lanes::{each, object, platform, scene};
 use crate::depth_scenes::DepthScene;
 use crate::measure::depth::{DepthWatch, Seen};
-use crate::measure::stability::reasons::STUCK;
+use crate::measure::stability::reasons::{CLIMBED, STUCK};
 
-/// Went up where it should have been stopped.
-pub(super) const CLIMBED: &str = "climbed";
 /// Speed of what comes, px/s.
 const SPEED: f64 = 60.0;
 /// To the right, the left, the back and the front.
@@ -40,7 +38,8 @@ const UP: DepthFamily = DepthFamily {
 
 const STOPPED: DepthFamily = DepthFamily {
     name: "Step that stops a ball",
-    about: "The same with steps that are too high to climb at that speed.",
+    about: "Balls of radius 10 px slide at 60 px/s over ice against a step that is too high to climb at that speed, and \
+            must be stopped.",
     values: &[12.0, 9.5, 8.0, 7.0, 6.0, 5.5, 5.2, 5.0, 4.9, 4.84],
     quick_values: &[12.0, 8.0, 6.0, 5.0],
     judge: |height| must(true, false, height),
