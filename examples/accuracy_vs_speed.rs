@@ -21,7 +21,7 @@ use conformance::measure::progress::Progress;
 use conformance::measure::report::{Report, picture};
 use conformance::measure::sweep::{Subject, Sweep, Trial};
 use conformance::measure::trials::trials;
-use examples::{Measuring, Result};
+use examples::{Engine, Measuring, Result};
 use std::fs;
 use std::path::Path;
 
@@ -70,7 +70,7 @@ fn nothing_to_run(arguments: &Measuring) -> String {
 
 fn flat(arguments: &Measuring) -> Group {
     let mut scenes = chart_scenes();
-    scenes.retain(|scene| arguments.wants_scene(scene.name));
+    scenes.retain(|scene| arguments.wants_scene(Engine::Plane, scene.name));
     let all = methods();
     let wanted: Vec<_> = all.iter().filter(|method| arguments.wants_method(method.name)).copied().collect();
     let subjects = scenes.iter().map(|scene| scene.subject());
@@ -86,12 +86,14 @@ fn flat(arguments: &Measuring) -> Group {
 
 fn deep(arguments: &Measuring) -> Group {
     let mut scenes = depth_chart_scenes();
-    scenes.retain(|scene| arguments.wants_scene(scene.name));
+    scenes.retain(|scene| arguments.wants_scene(Engine::Depth, scene.name));
     let all = depth_methods();
     let wanted: Vec<_> = all.iter().filter(|method| arguments.wants_method(method.name)).copied().collect();
     let mut trials = trials(&scenes, &wanted, arguments.effort());
     let mut planes = plane_trials(arguments.effort());
-    planes.retain(|trial| arguments.wants_scene(trial.scene) && arguments.wants_method(trial.method));
+    planes.retain(|trial| {
+        arguments.wants_scene(Engine::Depth, trial.scene) && arguments.wants_method(trial.method)
+    });
     let mut methods: Vec<_> = all.iter().map(|method| (method.name, method.recommended)).collect();
     methods.extend(planes.first().map(|trial| ("2D", trial.setting)));
     let mut sizes: Vec<usize> = planes.iter().map(|trial| trial.size).collect();

@@ -16,7 +16,7 @@ use conformance::measure::stability::families;
 use conformance::measure::stability::map::{Map, Sheet};
 use conformance::measure::stability::sheet::sheet;
 use conformance::measure::stability::table::{csv, file_name, report};
-use examples::{Measuring, Result};
+use examples::{Engine, Measuring, Result};
 use std::fs;
 use std::io::{IsTerminal, stderr};
 use std::path::Path;
@@ -66,7 +66,7 @@ fn nothing_to_run(arguments: &Measuring) -> String {
 fn flat(arguments: &Measuring) -> Group {
     let mut methods = methods();
     methods.retain(|method| arguments.wants_method(method.name));
-    let families = families().into_iter().filter(|family| arguments.wants_scene(family.name));
+    let families = families().into_iter().filter(|family| arguments.wants_scene(Engine::Plane, family.name));
     let sheets = families.map(|family| sheet(family, &methods, arguments.effort()));
     Group {
         folder: "2d",
@@ -79,7 +79,8 @@ fn flat(arguments: &Measuring) -> Group {
 fn deep(arguments: &Measuring) -> Group {
     let mut methods = depth_methods();
     methods.retain(|method| arguments.wants_method(method.name));
-    let families = depth_families().into_iter().filter(|family| arguments.wants_scene(family.name));
+    let families =
+        depth_families().into_iter().filter(|family| arguments.wants_scene(Engine::Depth, family.name));
     let sheets = families.map(|family| depth_sheet(family, &methods, arguments.effort()));
     Group {
         folder: "2.5d",

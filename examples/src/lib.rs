@@ -8,7 +8,7 @@ mod sample_picture;
 mod scenery;
 mod stage;
 
-pub use measuring::Measuring;
+pub use measuring::{Engine, Measuring};
 pub use plane::Plane;
 pub use recorder::{Recorder, Summary};
 pub use sample_film::SampleFilm;

@@ -1,10 +1,21 @@
 //! What the programs that measure are started with.
 
 use crate::Result;
-use clap::Parser;
+use clap::{Parser, ValueEnum};
 use conformance::measure::method::Effort;
 use std::fs;
 use std::path::{Path, PathBuf};
+
+/// An engine of this workspace, with what it is measured beside.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Engine {
+    /// `farseer-core`.
+    #[value(name = "2d")]
+    Plane,
+    /// `twohalf`.
+    #[value(name = "2.5d")]
+    Depth,
+}
 
 /// What to measure, and where to write what came of it.
 #[derive(Debug, Parser)]
@@ -13,6 +24,9 @@ pub struct Measuring {
     /// Few settings and sizes: minutes.
     #[arg(long)]
     quick: bool,
+    /// Only one of the engines.
+    #[arg(long)]
+    engine: Option<Engine>,
     /// Only scenes with this in their names.
     #[arg(long, value_name = "NAME")]
     scene: Option<String>,
@@ -30,9 +44,9 @@ impl Measuring {
         if self.quick { Effort::Quick } else { Effort::Full }
     }
 
-    /// Whether a scene is wanted.
-    pub fn wants_scene(&self, name: &str) -> bool {
-        is_in(self.scene.as_deref(), name)
+    /// Whether a scene of an engine is wanted.
+    pub fn wants_scene(&self, engine: Engine, name: &str) -> bool {
+        self.engine.is_none_or(|wanted| wanted == engine) && is_in(self.scene.as_deref(), name)
     }
 
     /// Whether a method is wanted.
