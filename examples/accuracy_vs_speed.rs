@@ -8,12 +8,12 @@
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
 use conformance::measure::charts::chart_scenes;
-use conformance::measure::csv::csv;
+use conformance::measure::csv::{csv, points};
 use conformance::measure::depth::{
     PLANES, PlaneChart, depth_chart_scenes, depth_methods, depth_peer_versions, plane_table, plane_trials,
 };
 use conformance::measure::method::{Setting, methods, peer_versions};
-use conformance::measure::origin::origin;
+use conformance::measure::origin::{origin, origin_csv, read_origin};
 use conformance::measure::plot::lines::Chart;
 use conformance::measure::plot::overview::Overview;
 use conformance::measure::plot::save;
@@ -37,26 +37,58 @@ struct Group {
 }
 
 const FOLDER: &str = "target/accuracy_vs_speed";
+/// The tables of a folder: what was measured, and where it comes from.
+const FIGURES: &str = "figures.csv";
+const ORIGIN: &str = "origin.csv";
+
+/// Runs scenes with methods in many settings, and charts error over time.
+#[derive(Debug, Parser)]
+struct Arguments {
+    #[command(flatten)]
+    measuring: Measuring,
+    /// Measure nothing: draw and report again what was measured before, from the tables in the folders.
+    #[arg(long)]
+    redraw: bool,
+}
 
 fn main() -> Result<()> {
-    let arguments = Measuring::parse();
-    let mut groups = vec![flat(&arguments), deep(&arguments)];
+    let Arguments { measuring, redraw } = Arguments::parse();
+    let mut groups = vec![flat(&measuring), deep(&measuring)];
     groups.retain(|group| !group.trials.is_empty());
     if groups.is_empty() {
-        Measuring::command().error(ErrorKind::InvalidValue, nothing_to_run(&arguments)).exit();
+        Arguments::command().error(ErrorKind::InvalidValue, nothing_to_run(&measuring)).exit();
     }
     // Before anything is run: what cannot be written would be lost.
-    let folders = groups.iter().map(|group| arguments.folder(FOLDER, group.folder));
+    let folders = groups.iter().map(|group| measuring.folder(FOLDER, group.folder));
     let folders = folders.collect::<Result<Vec<_>>>()?;
     let mut progress = Progress::of(groups.iter().flat_map(|group| &group.trials));
     for (group, folder) in groups.iter().zip(&folders) {
-        let mut sweep = Sweep::default();
-        sweep.run(&group.trials, &mut progress);
-        write(group, &sweep, folder)?;
+        let (sweep, origin) = if redraw { read(group, folder)? } else { run(group, &mut progress) };
+        write(group, &sweep, &origin, folder)?;
         eprintln!("\n{}", folder.join("report.md").display());
     }
     eprintln!("{} s", progress.end().as_secs());
     Ok(())
+}
+
+/// Where figures come from, as names and values.
+type Origin = Vec<(&'static str, String)>;
+
+fn run(group: &Group, progress: &mut Progress) -> (Sweep, Origin) {
+    let mut sweep = Sweep::default();
+    sweep.run(&group.trials, progress);
+    (sweep, origin(group.peers.iter().cloned()))
+}
+
+/// What was written before.
+fn read(group: &Group, folder: &Path) -> Result<(Sweep, Origin)> {
+    let text = |name: &str| {
+        let path = folder.join(name);
+        fs::read_to_string(&path).map_err(|error| format!("cannot read {}: {error}", path.display()))
+    };
+    let points = points(&text(FIGURES)?).map_err(|wrong| format!("{FIGURES}: {wrong}"))?;
+    let origin = read_origin(&text(ORIGIN)?).map_err(|wrong| format!("{ORIGIN}: {wrong}"))?;
+    Ok((Sweep::of_points(points, &group.trials), origin))
 }
 
 fn nothing_to_run(arguments: &Measuring) -> String {
@@ -120,17 +152,17 @@ fn deep(arguments: &Measuring) -> Group {
 }
 
 /// Writes what came of a group.
-fn write(group: &Group, sweep: &Sweep, folder: &Path) -> Result<()> {
+fn write(group: &Group, sweep: &Sweep, origin: &Origin, folder: &Path) -> Result<()> {
     let subjects = group.subjects.iter().cloned();
     let subjects: Vec<Subject> = subjects.filter_map(|subject| subject.with_points(&sweep.points)).collect();
     let (methods, points) = (&group.methods[..], &sweep.points[..]);
-    fs::write(folder.join("figures.csv"), csv(points, &subjects))?;
+    fs::write(folder.join(FIGURES), csv(points, &subjects))?;
+    fs::write(folder.join(ORIGIN), origin_csv(origin))?;
     save(&Overview { title: group.title, subjects: &subjects, methods, points }, folder, "overview")?;
     // What is compared there is time over the number of objects: it has a chart and a table of its own.
     let (planes, charted): (Vec<_>, Vec<_>) =
         subjects.into_iter().partition(|subject| subject.name == PLANES);
-    let origin = origin(group.peers.iter().cloned());
-    let report = Report { title: group.title, origin: &origin, subjects: &charted, methods, sweep };
+    let report = Report { title: group.title, origin, subjects: &charted, methods, sweep };
     let mut text = report.markdown();
     if let ([subject], Some(table)) = (&planes[..], plane_table(points)) {
         let title = subject.name.replace('_', " ");

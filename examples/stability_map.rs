@@ -34,12 +34,19 @@ struct Group {
     peers: Vec<(&'static str, String)>,
 }
 
+/// Runs families of scenes that get harder and harder, and maps which methods fail where.
+#[derive(Debug, Parser)]
+struct Arguments {
+    #[command(flatten)]
+    measuring: Measuring,
+}
+
 fn main() -> Result<()> {
-    let arguments = Measuring::parse();
+    let arguments = Arguments::parse().measuring;
     let mut groups = vec![flat(&arguments), deep(&arguments)];
     groups.retain(|group| !group.sheets.is_empty());
     if groups.is_empty() {
-        Measuring::command().error(ErrorKind::InvalidValue, nothing_to_run(&arguments)).exit();
+        Arguments::command().error(ErrorKind::InvalidValue, nothing_to_run(&arguments)).exit();
     }
     // Before anything is run: what cannot be written would be lost.
     let folders = groups.iter().map(|group| arguments.folder(FOLDER, group.folder));

@@ -1,7 +1,7 @@
 //! What the programs that measure are started with.
 
 use crate::Result;
-use clap::{Parser, ValueEnum};
+use clap::{Args, ValueEnum};
 use conformance::measure::method::Effort;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -18,8 +18,7 @@ pub enum Engine {
 }
 
 /// What to measure, and where to write what came of it.
-#[derive(Debug, Parser)]
-#[command(about = None)]
+#[derive(Debug, Args)]
 pub struct Measuring {
     /// Few settings and sizes: minutes.
     #[arg(long)]

@@ -1,5 +1,7 @@
 //! Where figures come from: versions, machine and date.
 
+use super::csv::{kept, table};
+use csv::{ReaderBuilder, StringRecord};
 use std::fs;
 use std::thread::available_parallelism;
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -14,6 +16,26 @@ pub fn origin(peers: impl IntoIterator<Item = (&'static str, String)>) -> Vec<(&
     ];
     lines.extend(peers);
     lines
+}
+
+/// The same as a table of two columns, to be kept beside the figures.
+pub fn origin_csv(origin: &[(&'static str, String)]) -> String {
+    table(origin.iter().map(|(name, value)| vec![(*name).to_owned(), value.clone()]))
+}
+
+/// What [`origin_csv`] has written.
+///
+/// # Errors
+///
+/// When it is no table of two columns.
+pub fn read_origin(text: &str) -> Result<Vec<(&'static str, String)>, String> {
+    let mut reader = ReaderBuilder::new().has_headers(false).from_reader(text.as_bytes());
+    let line = |row: csv::Result<StringRecord>| match row {
+        Ok(row) if row.len() == 2 => Ok((kept(&row[0]), row[1].to_owned())),
+        Ok(row) => Err(format!("{} columns, not 2", row.len())),
+        Err(error) => Err(error.to_string()),
+    };
+    reader.records().map(line).collect()
 }
 
 fn build() -> &'static str {
@@ -53,11 +75,17 @@ fn civil(day: i64) -> (i64, i64, i64) {
 
 #[cfg(test)]
 mod tests {
-    use super::civil;
+    use super::{civil, origin, origin_csv, read_origin};
 
     #[test]
     fn days_become_dates() {
         let dates = [0, 59, 11_016, 19_782].map(civil);
         assert_eq!(dates, [(1970, 1, 1), (1970, 3, 1), (2000, 2, 29), (2024, 2, 29)]);
+    }
+
+    #[test]
+    fn what_is_kept_beside_figures_is_read() {
+        let origin = origin([("peer", "1.0, with flags".to_owned())]);
+        assert_eq!(read_origin(&origin_csv(&origin)), Ok(origin));
     }
 }

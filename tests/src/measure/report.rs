@@ -93,7 +93,7 @@ impl Report<'_> {
 
     fn describe(&self, text: &mut String, subject: &Subject) {
         let Subject { name, about, error, unit, tolerance, .. } = subject;
-        let title = name.replace('_', " ");
+        let title = subject.title();
         add(
             text,
             format_args!(

@@ -61,6 +61,11 @@ pub struct Subject {
 }
 
 impl Subject {
+    /// The name as a reader writes it.
+    pub fn title(&self) -> String {
+        self.name.replace('_', " ").replace("newtons", "Newton's")
+    }
+
     /// The same with those of the sizes alone that there are points of; nothing if there are none.
     pub fn with_points(mut self, points: &[Point]) -> Option<Self> {
         self.sizes.retain(|&size| points.iter().any(|point| point.scene == self.name && point.size == size));
@@ -149,6 +154,17 @@ impl Sweep {
         for rivals in trials.chunk_by(|a, b| a.scene == b.scene && a.size == b.size) {
             self.run_by_turns(rivals, progress);
         }
+    }
+
+    /// Takes points that were measured before; what engines lack for the trials is found again.
+    pub fn of_points(points: Vec<Point>, trials: &[Trial<'_>]) -> Self {
+        let mut sweep = Sweep { points, absent: Vec::new() };
+        for rivals in trials.chunk_by(|a, b| a.scene == b.scene && a.method == b.method) {
+            if let Err(reason) = (rivals[0].start)() {
+                sweep.note_absent(&rivals[0], reason);
+            }
+        }
+        sweep
     }
 
     fn run_by_turns(&mut self, rivals: &[Trial<'_>], progress: &mut Progress) {

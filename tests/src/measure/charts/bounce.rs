@@ -65,7 +65,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
         bounce,
         ChartScene {
             name: "bounce_10000_steps",
-            about: "Balls bounce without loss for 10,000 steps of 1/60 s; one that gains more than a tenth has failed.",
+            about: "Balls bounce without loss for 167 s, which are 10,000 steps of 1/60 s; one that gains more than a tenth has failed.",
             seconds: TEN_THOUSAND_STEPS,
             watch: |_| watch_energy(),
             error: "loss of height, or gain",

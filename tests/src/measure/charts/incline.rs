@@ -43,7 +43,8 @@ pub(super) fn scenes() -> Vec<ChartScene> {
     };
     let roll = ChartScene {
         name: "roll_circle",
-        about: "A circle rolls down 20 degrees: a true one, or a polygon of 64 edges, which is 6.5 % slower by law.",
+        about: "A circle rolls down 20 degrees: a true one in rapier and Box2D, here a polygon of 64 edges, which as a rigid \
+                body is 6.5 % slower by law.",
         build: |_| circle_on_incline(),
         seconds: ROLLING,
         watch: watch_roll,
@@ -73,7 +74,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
             build: |_| wheel_on_incline(),
             seconds: ROLLING_ON_CORNERS,
             watch: watch_roll_on_corners,
-            error: "error of the way",
+            error: "error of the distance rolled",
             ..roll
         },
     ]

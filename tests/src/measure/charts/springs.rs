@@ -31,7 +31,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
         build: |_| build(SOFT),
         seconds: SOFT_SECONDS,
         watch: |_| watch_frequency(SOFT),
-        error: "error of the period",
+        error: "error of the frequency, by the period",
         unit: "%",
         // As of a pendulum: a second in a minute and a half.
         tolerance: 1.0,

@@ -28,7 +28,7 @@ const HEAVY: Rest = Rest { seconds: 5.0, ruin: toppled_or_sunk };
 pub(super) fn scenes() -> Vec<ChartScene> {
     let boxes = ChartScene {
         name: "box_stack_penetration",
-        about: "Boxes stand on each other.",
+        about: "Boxes stand on top of each other.",
         // A column of 2000 is 64 m tall, and no scene.
         sizes: &[5, 20, 200],
         build: |count| box_stack(count, PRESS),
@@ -99,19 +99,19 @@ fn heavy_on_light(like: ChartScene) -> [ChartScene; 4] {
         ten,
         ChartScene {
             name: "heavy_on_light_100",
-            about: "A box of 100 kg stands on one of 1 kg; soft contacts give way as much at any step.",
+            about: "A box of 100 kg stands on one of 1 kg; soft contacts give way by the same amount whatever the step.",
             build: |_| two_boxes(100.0),
             ..ten
         },
         ChartScene {
             name: "heavy_on_light_1000",
-            about: "A box of 1,000 kg stands on one of 1 kg.",
+            about: "A box of 1,000 kg stands on one of 1 kg. Boxes are 32 px: an overlap of 30 px is one in the other.",
             build: |_| two_boxes(1000.0),
             ..ten
         },
         ChartScene {
             name: "heavy_on_light_10000",
-            about: "A box of 10,000 kg stands on one of 1 kg.",
+            about: "A box of 10,000 kg stands on one of 1 kg. Boxes are 32 px: an overlap of 30 px is one in the other.",
             build: |_| two_boxes(10_000.0),
             ..ten
         },

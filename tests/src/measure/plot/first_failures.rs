@@ -49,8 +49,8 @@ impl Picture for FirstFailures<'_> {
             self.reasons().iter().map(|word| format!("{}\u{a0}{word}", reasons::letter(word))).collect();
         let about = format!(
             "A box for every value of the family's parameter, from easy to hard: pale where the method holds, dark \
-             where it fails, grey where the engine cannot run it; then why it fails first, and the value with which \
-             it does: {}.",
+             where it fails, none where the engine cannot run it; then why it fails first, and the value with which \
+             it does, or up to which value it holds and could be run. {}.",
             reasons.join(", ")
         );
         let letters = (self.size().0 / 6) as usize - 4;
@@ -60,7 +60,7 @@ impl Picture for FirstFailures<'_> {
         for (index, column) in self.columns.iter().enumerate() {
             let left = LEFT + COLUMN * index as i32;
             let mut lines = wrapped(&column.method, 16);
-            lines.push(format!("{} at {} s", column.passes, column.dt));
+            lines.push(format!("{} s x {}", column.dt, column.passes));
             for (line, text) in lines.iter().rev().enumerate() {
                 Words::new(12.0).write(sheet, text, (left, HEAD - 10 - 15 * line as i32))?;
             }

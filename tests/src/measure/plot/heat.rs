@@ -16,12 +16,14 @@ use plotters::prelude::{DrawingArea, DrawingBackend, RGBColor};
 #[derive(Debug)]
 pub struct HeatMap<'a>(pub &'a Map);
 
-/// Width of a picture in px.
+/// Width of a picture in px, or more where there are many columns.
 const WIDTH: i32 = 820;
+/// Least width of a column in px: room for its step.
+const COLUMN: i32 = 30;
 /// Left of the cells: the values and what they are of.
 const LEFT: i32 = 96;
 /// Width of a line of words in letters.
-const LETTERS_PER_LINE: usize = 118;
+const LETTERS_PER_LINE: usize = 132;
 /// Height of a cell.
 const ROW: i32 = 22;
 /// Height of a line of words.
@@ -66,7 +68,9 @@ impl HeatMap<'_> {
         };
         let gaps: Vec<i32> = std::iter::once(0).chain(columns.windows(2).map(gap)).collect();
         let room = WIDTH - LEFT - 10 - gaps.iter().sum::<i32>();
-        let width = (room / columns.len().max(1) as i32).clamp(16, 44);
+        // One column for each step has to have room for its name, several have more than they need.
+        let least = if self.has_steps_of_one_column() { COLUMN } else { 16 };
+        let width = (room / columns.len().max(1) as i32).clamp(least, 44);
         let mut right = LEFT;
         gaps.into_iter()
             .map(|gap| {
@@ -75,6 +79,11 @@ impl HeatMap<'_> {
                 Lane { left, right }
             })
             .collect()
+    }
+
+    fn has_steps_of_one_column(&self) -> bool {
+        let steps = self.groups(|column| format!("{}\n{}", column.method, column.dt));
+        steps.iter().any(|(first, last, _)| first == last)
     }
 
     /// Names of methods, each broken into lines that are as wide as its columns.
@@ -98,7 +107,7 @@ impl HeatMap<'_> {
         let failures = self.0.reasons().into_iter().map(|reason| (Verdict::Failed(reason), reason));
         let is_absent = |cell: &Cell| matches!(cell.verdict, Verdict::Absent(_));
         let absent = self.0.rows.iter().flatten().any(is_absent);
-        let absent = absent.then(|| (Verdict::Absent(String::new()), "not in this engine"));
+        let absent = absent.then(|| (Verdict::Absent(String::new()), "cannot be run in this engine"));
         [(Verdict::Holds, "holds")].into_iter().chain(failures).chain(absent).collect()
     }
 }
@@ -106,7 +115,8 @@ impl HeatMap<'_> {
 impl Picture for HeatMap<'_> {
     fn size(&self) -> (u32, u32) {
         let height = self.head() + ROW * self.0.rows.len() as i32 + 44;
-        (WIDTH as u32, height as u32)
+        let right = self.lanes().last().map_or(0, |lane| lane.right);
+        (WIDTH.max(right + 10) as u32, height as u32)
     }
 
     fn paint<B: DrawingBackend>(&self, sheet: &DrawingArea<B, Shift>) -> Result<(), Fault<B>> {
@@ -210,7 +220,7 @@ fn paper_of(reason: &str) -> RGBColor {
         reasons::TUNNELLED => RGBColor(120, 60, 130),
         reasons::CREPT => RGBColor(70, 110, 150),
         reasons::STRETCHED => RGBColor(130, 95, 0),
-        reasons::STUCK => RGBColor(100, 100, 100),
+        reasons::STUCK => RGBColor(150, 40, 90),
         _ => RGBColor(40, 40, 40),
     }
 }

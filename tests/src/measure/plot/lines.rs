@@ -5,7 +5,7 @@
 
 use super::axis::{Axis, short, short_time};
 use super::ink::{Place, Words, cross, dashed, line, marker, wrapped};
-use super::style::{DARK, GREY, Look, PALE, look_of};
+use super::style::{DARK, GREY, PALE, look_of};
 use super::{Fault, Picture};
 use crate::measure::method::{Dt, Setting};
 use crate::measure::sweep::{Outcome, Point, Subject};
@@ -46,7 +46,7 @@ impl Picture for Chart<'_> {
 
     fn paint<B: DrawingBackend>(&self, sheet: &DrawingArea<B, Shift>) -> Done<B> {
         let title = Words::new(18.0).centred();
-        title.write(sheet, &self.subject.name.replace('_', " "), (WIDTH / 2, 20))?;
+        title.write(sheet, &self.subject.title(), (WIDTH / 2, 20))?;
         for (row, text) in self.about().iter().enumerate() {
             let about = Words::new(12.0).centred().color(GREY);
             about.write(sheet, text, (WIDTH / 2, 42 + 15 * row as i32))?;
@@ -118,8 +118,8 @@ impl<'a> Chart<'a> {
         }
         let y = top + ROW * self.legend_rows() + 4;
         let notes = [
-            "Line: settings worth their time; small markers: others; white inside: the time step jitters; ring: what its authors recommend.",
-            "Crosses above the panel: runs that failed. Grey dashes: the tolerance. Below and left of a line is better.",
+            "Line: settings that no cheaper one of the method equals; small markers: others; white inside: the step jitters;",
+            "ring: what the method's authors recommend; crosses: runs that failed. Further down and to the left is better.",
         ];
         for (row, note) in notes.iter().enumerate() {
             Words::new(11.0).color(GREY).write(sheet, note, (40, y + 15 * row as i32))?;
@@ -155,7 +155,7 @@ impl<'a> Panel<'a> {
         let failed: Vec<usize> =
             (0..chart.methods.len()).filter(|&place| has_failed(chart.methods[place].0)).collect();
         let (left, right) = (x + 62, x + width - 16);
-        let (top, bottom) = (y + 24 + BAND_ROW * failed.len() as i32, y + height - 46);
+        let (top, bottom) = (y + 26 + BAND_ROW * failed.len() as i32, y + height - 46);
         let times = points.iter().map(|point| point.microseconds_per_simulated_second);
         let across = Axis::over(times, [left, right]);
         let tolerance = chart.subject.tolerance;
@@ -166,13 +166,22 @@ impl<'a> Panel<'a> {
 
     fn paint<B: DrawingBackend>(&self, sheet: &DrawingArea<B, Shift>) -> Done<B> {
         self.paint_axes(sheet)?;
-        self.paint_tolerance(sheet)?;
-        self.paint_floor(sheet)?;
         self.paint_failed(sheet)?;
-        for place in 0..self.chart.methods.len() {
+        let places = 0..self.chart.methods.len();
+        for place in places.clone() {
             self.paint_line(sheet, place)?;
         }
-        Ok(())
+        // The last first: discs are smaller than squares and stars, and would lie under them.
+        for place in places.rev() {
+            self.paint_points(sheet, place)?;
+        }
+        if self.points.iter().all(|point| is_failed(point)) {
+            // Above the tolerance, which is in the middle then.
+            let middle = ((self.left + self.right) / 2, self.top + (self.bottom - self.top) / 4);
+            Words::new(12.0).centred().color(GREY).write(sheet, "every run failed", middle)?;
+        }
+        self.paint_tolerance(sheet)?;
+        self.paint_floor(sheet)
     }
 
     fn paint_axes<B: DrawingBackend>(&self, sheet: &DrawingArea<B, Shift>) -> Done<B> {
@@ -208,8 +217,23 @@ impl<'a> Panel<'a> {
     fn paint_tolerance<B: DrawingBackend>(&self, sheet: &DrawingArea<B, Shift>) -> Done<B> {
         let y = self.up.place(self.chart.subject.tolerance);
         dashed(sheet, &[(self.left, y), (self.right, y)], &[3.0, 3.0], GREY, 1)?;
-        let words = Words { anchor: (HPos::Right, VPos::Bottom), ..Words::new(10.0) };
-        words.color(GREY).write(sheet, "tolerance", (self.right - 4, y - 2))
+        self.label(sheet, "tolerance", y)
+    }
+
+    /// What a level is, above it at the end where there are no points, or below it if there is no room above.
+    fn label<B: DrawingBackend>(&self, sheet: &DrawingArea<B, Shift>, text: &str, y: i32) -> Done<B> {
+        const HEIGHT: i32 = 14;
+        let is_above = y - HEIGHT > self.top;
+        let band = if is_above { y - HEIGHT - RADIUS..y + 1 } else { y..y + HEIGHT + RADIUS };
+        let width = 6 * text.chars().count() as i32;
+        let is_taken = |ends: std::ops::Range<i32>| {
+            let fine = self.points.iter().filter(|point| !is_failed(point));
+            fine.map(|point| self.place(point)).any(|(x, y)| ends.contains(&x) && band.contains(&y))
+        };
+        let is_left = is_taken(self.right - width..self.right) && !is_taken(self.left..self.left + width);
+        let (side, x) = if is_left { (HPos::Left, self.left + 4) } else { (HPos::Right, self.right - 4) };
+        let (edge, y) = if is_above { (VPos::Bottom, y - 2) } else { (VPos::Top, y + 2) };
+        Words { anchor: (side, edge), ..Words::new(10.0) }.color(GREY).write(sheet, text, (x, y))
     }
 
     /// The line of those whose error is too little for the chart.
@@ -220,19 +244,19 @@ impl<'a> Panel<'a> {
         }
         let y = self.up.place(floor);
         dashed(sheet, &[(self.left, y), (self.right, y)], &[1.0, 3.0], GREY, 1)?;
-        let words = Words { anchor: (HPos::Right, VPos::Bottom), ..Words::new(10.0) };
-        words.color(GREY).write(sheet, &format!("0, or less than {}", short(floor)), (self.right - 4, y - 2))
+        self.label(sheet, &format!("0, or less than {}", short(floor)), y)
     }
 
     /// Each method that failed has a row of crosses that begins with its marker.
     fn paint_failed<B: DrawingBackend>(&self, sheet: &DrawingArea<B, Shift>) -> Done<B> {
         for (row, &place) in self.failed.iter().rev().enumerate() {
-            let y = self.top - BAND_ROW / 2 - 1 - BAND_ROW * row as i32;
+            let y = self.top - BAND_ROW / 2 - 3 - BAND_ROW * row as i32;
             let look = look_of(place);
             line(sheet, [(self.left, y), (self.right, y)], PALE, 1)?;
             marker(sheet, (self.left - 9, y), &look, RADIUS, true)?;
             for point in self.of(place).filter(|point| is_failed(point)) {
                 cross(sheet, (self.x(point), y), RADIUS, look.color)?;
+                self.paint_ring(sheet, place, point, (self.x(point), y))?;
             }
         }
         if let Some(rows) = i32::try_from(self.failed.len()).ok().filter(|&rows| rows > 0) {
@@ -242,38 +266,44 @@ impl<'a> Panel<'a> {
         Ok(())
     }
 
+    fn worth(&self, place: usize) -> Vec<&'a Point> {
+        let fine = self.of(place).filter(|point| !is_failed(point));
+        worth_their_time(fine, self.chart.subject.tolerance)
+    }
+
     fn paint_line<B: DrawingBackend>(&self, sheet: &DrawingArea<B, Shift>, place: usize) -> Done<B> {
-        let look = look_of(place);
-        let worth: Vec<&Point> = worth_their_time(self.of(place).filter(|point| !is_failed(point)));
-        let corners: Vec<Place> = worth.iter().map(|point| self.place(point)).collect();
-        if corners.len() > 1 {
-            dashed(sheet, &corners, look.dashes, look.color, 2)?;
+        let corners: Vec<Place> = self.worth(place).iter().map(|point| self.place(point)).collect();
+        if corners.len() < 2 {
+            return Ok(());
         }
-        for point in self.of(place) {
+        let look = look_of(place);
+        dashed(sheet, &corners, look.dashes, look.color, 2)
+    }
+
+    fn paint_points<B: DrawingBackend>(&self, sheet: &DrawingArea<B, Shift>, place: usize) -> Done<B> {
+        let (look, worth) = (look_of(place), self.worth(place));
+        for point in self.of(place).filter(|point| !is_failed(point)) {
+            let at = self.place(point);
             let is_on_line = worth.iter().any(|other| std::ptr::eq(*other, point));
-            self.paint_point(sheet, place, point, &look, is_on_line)?;
+            let jitters = matches!(point.setting.dt, Dt::Jitter { .. });
+            self.paint_ring(sheet, place, point, at)?;
+            marker(sheet, at, &look, if is_on_line { RADIUS } else { RADIUS - 2 }, !jitters)?;
         }
         Ok(())
     }
 
-    fn paint_point<B: DrawingBackend>(
+    /// A ring about what a method's authors recommend.
+    fn paint_ring<B: DrawingBackend>(
         &self,
         sheet: &DrawingArea<B, Shift>,
         place: usize,
         point: &Point,
-        look: &Look,
-        is_on_line: bool,
+        at: Place,
     ) -> Done<B> {
-        if is_failed(point) {
+        if point.setting != self.chart.methods[place].1 {
             return Ok(());
         }
-        let at = self.place(point);
-        let jitters = matches!(point.setting.dt, Dt::Jitter { .. });
-        if point.setting == self.chart.methods[place].1 {
-            let ring: Vec<Place> = ring(at, 2 * RADIUS);
-            sheet.draw(&PathElement::new(ring, look.color.stroke_width(1)))?;
-        }
-        marker(sheet, at, look, if is_on_line { RADIUS } else { RADIUS - 2 }, !jitters)
+        sheet.draw(&PathElement::new(ring(at, 2 * RADIUS), look_of(place).color.stroke_width(1)))
     }
 
     fn of(&self, place: usize) -> impl Iterator<Item = &'a Point> {
@@ -309,15 +339,16 @@ fn is_failed(point: &Point) -> bool {
     point.outcome != Outcome::Fine || !point.error.is_finite()
 }
 
-/// The points that are better than all that take less time, by time.
-fn worth_their_time<'a>(points: impl Iterator<Item = &'a Point>) -> Vec<&'a Point> {
+/// The points that are better than all that take less time, by time. Errors that are drawn alike are alike.
+fn worth_their_time<'a>(points: impl Iterator<Item = &'a Point>, tolerance: f64) -> Vec<&'a Point> {
     let mut points: Vec<&Point> = points.collect();
     let time = |point: &Point| point.microseconds_per_simulated_second;
     points.sort_by(|a, b| time(a).total_cmp(&time(b)).then(a.error.total_cmp(&b.error)));
     let mut best = f64::INFINITY;
     points.retain(|point| {
-        let is_better = point.error < best;
-        best = best.min(point.error);
+        let error = shown(point, tolerance);
+        let is_better = error < best;
+        best = best.min(error);
         is_better
     });
     points
@@ -359,7 +390,7 @@ mod tests {
     fn a_line_leaves_out_what_takes_longer_without_being_better() {
         let points = [(10.0, 1.0), (20.0, 2.0), (30.0, 0.5), (5.0, 4.0)]
             .map(|(time, error)| point("ours", time, error));
-        let times: Vec<f64> = worth_their_time(points.iter())
+        let times: Vec<f64> = worth_their_time(points.iter(), 1.0)
             .iter()
             .map(|point| point.microseconds_per_simulated_second)
             .collect();

@@ -44,7 +44,7 @@ type Done<B> = Result<(), Fault<B>>;
 
 impl Picture for Overview<'_> {
     fn size(&self) -> (u32, u32) {
-        (WIDTH as u32, (HEAD + ROW * self.rows().len() as i32 + 34) as u32)
+        (WIDTH as u32, (HEAD + ROW * self.rows().len() as i32 + 49) as u32)
     }
 
     fn paint<B: DrawingBackend>(&self, sheet: &DrawingArea<B, Shift>) -> Done<B> {
@@ -63,8 +63,14 @@ impl Picture for Overview<'_> {
             self.paint_row(sheet, subject, *size, HEAD + ROW * index as i32)?;
         }
         let bottom = HEAD + ROW * rows.len() as i32 + 14;
-        let legend = "x: no setting meets the tolerance.  Failed: no run ended well.  The darker, the nearer to the cheapest of the row.";
-        Words::new(11.0).color(GREY).write(sheet, legend, (14, bottom))
+        let legend = [
+            "After the comma: bodies.  x: no setting meets the tolerance.  failed: no run ended well.  Blank: not measured.",
+            "The darker, the nearer to the cheapest of the row.",
+        ];
+        for (line, text) in legend.into_iter().enumerate() {
+            Words::new(11.0).color(GREY).write(sheet, text, (14, bottom + 15 * line as i32))?;
+        }
+        Ok(())
     }
 }
 
@@ -89,7 +95,7 @@ impl Overview<'_> {
         size: usize,
         top: i32,
     ) -> Done<B> {
-        let name = subject.name.replace('_', " ");
+        let name = subject.title();
         let name = if size == 0 { name } else { format!("{name}, {size}") };
         let middle = top + ROW / 2;
         line(sheet, [(10, top), (WIDTH - 10, top)], PALE, 1)?;

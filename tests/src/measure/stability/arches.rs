@@ -12,7 +12,7 @@ use std::f32::consts::PI;
 pub(super) const FAMILIES: [StabilityFamily; 1] = [StabilityFamily {
     name: "Arch",
     about: "Half a ring of equal stones, radius 4 m to 5.5 m, stands on the floor for 10 s: no stone ends lower or higher \
-            than it began by over a tenth of its height above the floor, nor by over half a metre. Friction 0.7. (It is \
+            than it began by over a tenth of its height above the floor, nor by over half a metre, nor leaves its place, turns or creeps. Friction 0.7. (It is \
             nearly three times as thick as a half ring has to be, 0.107 of its middle radius, to stand at all.)",
     parameter: "stones",
     values: &[3.0, 5.0, 7.0, 9.0, 11.0, 15.0, 21.0, 31.0],

@@ -15,7 +15,7 @@ pub(super) const FAMILIES: [StabilityFamily; 2] = [
     StabilityFamily {
         name: "Card House",
         about: "Cards of 2 m by 2 px, leaning 25 degrees, stand in storeys for 10 s: no card ends lower or higher than it \
-                began by over a tenth of its height above the floor, nor by over half a metre. Friction 0.7.",
+                began by over a tenth of its height above the floor, nor by over half a metre, nor leaves its place, turns or creeps. Friction 0.7.",
         parameter: "storeys",
         values: &[1.0, 2.0, 3.0, 4.0, 5.0],
         quick_values: &[1.0, 2.0, 3.0],

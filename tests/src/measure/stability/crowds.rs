@@ -17,7 +17,7 @@ const DENSEST: f64 = 0.9069;
 pub(super) const FAMILIES: [StabilityFamily; 3] = [
     StabilityFamily {
         name: "Circle Pit",
-        about: "Circles of radius 9 to 11 px fall into a pit and lie as high as circles have to after 10 s. Gravity \
+        about: "Circles of radius 9 to 11 px fall into a pit and lie no lower than circles can after 10 s. Gravity \
                 150 px/s², friction 0.5, restitution 0.1.",
         parameter: "circles",
         values: &[20.0, 50.0, 100.0, 200.0, 500.0, 1000.0],

@@ -29,7 +29,7 @@ pub(super) const FAMILIES: [StabilityFamily; 6] = [
     StabilityFamily {
         name: "Concave Notch, cell size",
         about: "A ball of 0.5 m falls into a notch of 1 m by 2 m in a solid block with a grid of this cell size, and \
-                rests on its ground.",
+                rests on its bottom.",
         parameter: "cell, as a share of the notch's width",
         values: &[0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.7, 1.0, 1.5, 2.0],
         quick_values: &[0.1, 0.5, 1.0],
@@ -38,7 +38,7 @@ pub(super) const FAMILIES: [StabilityFamily; 6] = [
     },
     StabilityFamily {
         name: "Concave Notch, depth",
-        about: "A ball of 0.5 m falls into a notch of 1 m in a solid block and rests on its ground. (Separating axes \
+        about: "A ball of 0.5 m falls into a notch of 1 m in a solid block and rests on its bottom. (Separating axes \
                 know convex outlines only.)",
         parameter: "depth of the notch",
         unit: "px",

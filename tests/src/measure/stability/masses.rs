@@ -21,21 +21,24 @@ pub(super) const FAMILIES: [StabilityFamily; 3] = [
     StabilityFamily {
         name: "High Mass Ratio 1",
         about: "A pyramid of 3 boxes of 1 m at the base with a heavy box on top stands for 10 s: nothing ends lower or \
-                higher than it began by over a tenth of its height above the floor.",
+                higher than it began by over a tenth of its height above the floor, nor leaves \
+                its place, turns or creeps.",
         build: |ratio, _| heavy_top(ratio as f32),
         ..RATIO
     },
     StabilityFamily {
         name: "High Mass Ratio 2",
         about: "A heavy box of 4 m stands on two light boxes of 1 m for 10 s: nothing ends lower or higher than it began \
-                by over a tenth of its height above the floor.",
+                by over a tenth of its height above the floor, nor leaves \
+                its place, turns or creeps.",
         build: |ratio, _| heavy_table(ratio as f32),
         ..RATIO
     },
     StabilityFamily {
         name: "High Mass Ratio 3",
         about: "A heavy box of 4 m stands on the tips of two light triangles of 1 m for 10 s: nothing ends lower or \
-                higher than it began by over a tenth of its height above the floor.",
+                higher than it began by over a tenth of its height above the floor, nor leaves \
+                its place, turns or creeps.",
         build: |ratio, _| heavy_on_tips(ratio as f32),
         ..RATIO
     },

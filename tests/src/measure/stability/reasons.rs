@@ -55,7 +55,7 @@ pub const LETTERS: [(&str, char); 21] = [
     (BROKE, 'K'),
     (REFUSED, 'R'),
     (STRETCHED, 'X'),
-    (STUCK, 'I'),
+    (STUCK, 'J'),
     (PANICKED, 'P'),
     (ASIDE, 'a'),
     (BOUNCED, 'b'),
@@ -63,9 +63,9 @@ pub const LETTERS: [(&str, char); 21] = [
     (MISPLACED, 'd'),
     (LEFT, 'l'),
     (MISSED, 'm'),
-    (SLOWED, 's'),
+    (SLOWED, 'z'),
     (TOUCHED, 't'),
-    (STUMBLED, 'u'),
+    (STUMBLED, 'v'),
     (WRONG_AXIS, 'w'),
 ];
 

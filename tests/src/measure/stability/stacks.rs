@@ -10,7 +10,7 @@ pub(super) const FAMILIES: [StabilityFamily; 3] = [
     StabilityFamily {
         name: "Vertical Stack",
         about: "A column of boxes of 1 m stands for 10 s: no box ends lower or higher than it began by over a tenth of its \
-                height above the floor, nor by over half a box.",
+                height above the floor, nor by over half a box. Nor does any leave its place, turn or creep.",
         parameter: "boxes",
         values: &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 15.0, 20.0, 30.0, 40.0],
         quick_values: &[1.0, 3.0, 5.0, 10.0, 20.0, 40.0],
@@ -20,7 +20,7 @@ pub(super) const FAMILIES: [StabilityFamily; 3] = [
     StabilityFamily {
         name: "Pyramid",
         about: "A pyramid of boxes of 1 m, each row with one less than that below, stands for 10 s: no box ends lower \
-                or higher than it began by over a tenth of its height above the floor, nor by over half a box.",
+                or higher than it began by over a tenth of its height above the floor, nor by over half a box. Nor does any leave its place, turn or creep.",
         parameter: "boxes in the lowest row",
         values: &[2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 15.0, 20.0],
         quick_values: &[2.0, 3.0, 5.0, 10.0],
@@ -30,7 +30,8 @@ pub(super) const FAMILIES: [StabilityFamily; 3] = [
     StabilityFamily {
         name: "Circle Stack",
         about: "A column of circles of 1 m, one exactly above the other, stands for 10 s: none ends lower or higher than \
-                it began by over a tenth of its height above the floor, nor by over half a circle.",
+                it began by over a tenth of its height above the floor, nor by over half a circle. Nor does any leave its \
+                place or creep.",
         parameter: "circles",
         values: &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 15.0, 20.0],
         quick_values: &[1.0, 2.0, 5.0, 10.0],

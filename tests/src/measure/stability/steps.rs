@@ -14,7 +14,7 @@ const COLUMN: StabilityFamily = StabilityFamily { build: |_, _| vertical_stack(3
 pub(super) const FAMILIES: [StabilityFamily; 6] = [
     StabilityFamily {
         name: "Step Spike",
-        about: "A column of 3 boxes of 1 m stands, though one step in it is this long.",
+        about: "A column of 3 boxes of 1 m stands, though one step meanwhile is this long.",
         parameter: "length of the step",
         unit: "s",
         values: &[0.02, 0.05, 0.1, 0.25, 0.5, 1.0, 2.0],
@@ -60,7 +60,7 @@ pub(super) const FAMILIES: [StabilityFamily; 6] = [
     },
     StabilityFamily {
         name: "Huge Impulse",
-        about: "A box on top of a column of 3 gets an impulse upwards and to the side. Nothing is not finite, and the \
+        about: "A box on top of a column of 3 gets an impulse upwards and to the side. Everything stays finite, and the \
                 other two stand. Up to the largest of floats, 3.4e38, nothing is expected to fail.",
         parameter: "impulse on 1 kg",
         unit: "kg px/s",

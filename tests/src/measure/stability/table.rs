@@ -1,39 +1,53 @@
 //! Maps as text: CSV, and the table of first failures.
 
 use super::map::{Cell, Column, Map, Verdict};
-use crate::measure::csv::quoted;
+use crate::measure::csv::table;
 use std::fmt::Write;
+
+/// The names of the columns.
+const HEAD: [&str; 12] = [
+    "family",
+    "parameter",
+    "unit",
+    "value",
+    "method",
+    "dt",
+    "passes",
+    "outcome",
+    "quantity",
+    "quantity_unit",
+    "measured",
+    "note",
+];
 
 /// All runs of all maps, one line each.
 pub fn csv(maps: &[Map]) -> String {
-    let mut text = String::from(
-        "family,parameter,unit,value,method,dt,passes,outcome,quantity,quantity_unit,measured,note\n",
-    );
-    for map in maps {
-        let heading = &map.heading;
-        for (&value, row) in heading.values.iter().zip(&map.rows) {
-            for (column, cell) in heading.columns.iter().zip(row) {
-                let note = if let Verdict::Absent(reason) = &cell.verdict { reason } else { "" };
-                let fields = [
-                    heading.name.clone(),
-                    heading.parameter.clone(),
-                    heading.unit.clone(),
-                    number(value),
-                    column.method.clone(),
-                    column.dt.clone(),
-                    column.passes.to_string(),
-                    cell.verdict.word().to_owned(),
-                    heading.quantity.clone(),
-                    heading.quantity_unit.clone(),
-                    measured(cell),
-                    note.to_owned(),
-                ];
-                text.push_str(&fields.map(|field| quoted(&field)).join(","));
-                text.push('\n');
-            }
-        }
-    }
-    text
+    let rows = maps.iter().flat_map(rows_of);
+    table([HEAD.map(str::to_owned).to_vec()].into_iter().chain(rows))
+}
+
+fn rows_of(map: &Map) -> impl Iterator<Item = Vec<String>> {
+    let heading = &map.heading;
+    let cells = heading.values.iter().zip(&map.rows).flat_map(|(&value, row)| {
+        heading.columns.iter().zip(row).map(move |(column, cell)| (value, column, cell))
+    });
+    cells.map(|(value, column, cell)| {
+        let note = if let Verdict::Absent(reason) = &cell.verdict { reason } else { "" };
+        vec![
+            heading.name.clone(),
+            heading.parameter.clone(),
+            heading.unit.clone(),
+            number(value),
+            column.method.clone(),
+            column.dt.clone(),
+            column.passes.to_string(),
+            cell.verdict.word().to_owned(),
+            heading.quantity.clone(),
+            heading.quantity_unit.clone(),
+            measured(cell),
+            note.to_owned(),
+        ]
+    })
 }
 
 fn measured(cell: &Cell) -> String {
@@ -67,7 +81,7 @@ pub fn first_failures(maps: &[Map]) -> String {
     let columns = table_columns(maps);
     let mut text = String::from("| family | parameter |");
     for column in &columns {
-        write!(text, " {}, {} at {} |", column.method, column.passes, column.dt).expect("a text takes all");
+        write!(text, " {}, {} s x {} |", column.method, column.dt, column.passes).expect("a text takes all");
     }
     text.push_str("\n|---|---|");
     text.push_str(&"---|".repeat(columns.len()));

@@ -50,7 +50,7 @@ pub(super) const FAMILIES: [StabilityFamily; 6] = [
     },
     StabilityFamily {
         name: "Bullet, thin wall",
-        about: "Eight circles of 8 px fly at a wall with 800 px/s, each from a little farther. All arrive, and none gets through.",
+        about: "Eight circles of 8 px fly at 800 px/s at a wall, each from a little farther. All arrive, and none gets through.",
         parameter: "thickness of the wall",
         unit: "px",
         values: &[64.0, 32.0, 16.0, 8.0, 4.0, 2.0, 1.0],

@@ -13,8 +13,8 @@ pub(super) const FAMILIES: [DepthFamily; 1] = [TRAFFIC];
 
 const TRAFFIC: DepthFamily = DepthFamily {
     name: "Crowd",
-    about: "Balls, boxes and polygons move around on a field with platforms and walls and keep meeting each other. Nobody \
-            may sink into the ground, leave the field or become faster than everything there could make him.",
+    about: "Balls, boxes and polygons move around on a field with platforms and walls and keep meeting each other. Nothing \
+            may sink into the ground, leave the field or become faster than anything there could make it.",
     parameter: "number of objects",
     unit: "",
     values: &[1.0, 5.0, 20.0, 200.0, 1e3, 2e3, 1e4],

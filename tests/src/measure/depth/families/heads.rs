@@ -46,7 +46,8 @@ const FAST: DepthFamily = DepthFamily {
 
 const THIN: DepthFamily = DepthFamily {
     name: "Head Bump, thin platform",
-    about: "Balls and boxes are thrown up at 600 px/s against the underside of a platform that gets thinner.",
+    about: "Balls and boxes are thrown up at 600 px/s against the underside of a platform that gets thinner, and \
+            must come back down.",
     parameter: "thickness of the platform",
     unit: "px",
     values: &[40.0, 20.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.1],

@@ -149,8 +149,8 @@ const BEFORE_SECOND: f64 = 22.0;
 
 const DIAGONAL_FAST: DepthFamily = DepthFamily {
     name: "Diagonal hit, fast",
-    about: "Boxes fly at a post along all three axes at once, equally fast. They must be thrown back along the axis in \
-            which they reach it last, by 10 px; X or Y, or Z.",
+    about: "Boxes fly at a post along all three axes at once, equally fast. They must be thrown back along the \
+            axis along which they reach it last, by 10 px: X, Y or Z.",
     parameter: "speed along each axis",
     unit: "px/s",
     values: &[100.0, 300.0, 600.0, 1e3, 1.6e3, 2.4e3, 3.6e3, 5e3],

@@ -31,7 +31,8 @@ const FAST: DepthFamily = DepthFamily {
 
 const THIN: DepthFamily = DepthFamily {
     name: "Land, thin platform",
-    about: "Balls and boxes fall at 600 px/s on a platform that gets thinner, at four phases of a step.",
+    about: "Balls and boxes fall at 600 px/s on a platform that gets thinner, at four phases of a step, and must lie \
+            on it.",
     parameter: "thickness of the platform",
     unit: "px",
     values: &[40.0, 20.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.1],
