@@ -67,7 +67,7 @@ fn row(point: &Point, subject: &Subject) -> [String; 15] {
     ]
 }
 
-/// The points of a table that [`csv`] has written.
+/// The points of a table that [`csv()`] has written.
 ///
 /// # Errors
 ///
