@@ -294,34 +294,6 @@ fn a_body_can_be_joined_to_itself() {
     assert!(core_common::is_finite(&simulator));
 }
 
-/// What two bodies do that are hinged to each other, and listed behind a joint on a disposed body if there is one.
-fn hinged_behind(has_stale_joint: bool) -> [Vector2; 2] {
-    let (mut simulator, a, b) = two_bodies();
-    let gone = add_body(&mut simulator, (1.0, 1.0), v(20.0, 0.0), 0.0);
-    let first = JointFactory::create_fixed_revolute_joint_in(&mut simulator, gone, v(20.0, 0.0)).unwrap();
-    JointFactory::create_revolute_joint_in(&mut simulator, a, b, v(2.0, 3.0)).unwrap();
-    let stale = simulator[first].clone();
-    simulator.dispose(gone).unwrap();
-    simulator.update(0.01);
-    if has_stale_joint {
-        // A game may put a joint that it kept into the place of another.
-        let other = add_body(&mut simulator, (1.0, 1.0), v(40.0, 0.0), 0.0);
-        let place =
-            JointFactory::create_fixed_revolute_joint_in(&mut simulator, other, v(40.0, 0.0)).unwrap();
-        *simulator.joint_mut(place).unwrap() = stale;
-    }
-    JointFactory::create_fixed_revolute_joint_in(&mut simulator, b, v(5.0, 5.0)).unwrap();
-    simulator[a].set_linear_velocity(v(30.0, -40.0));
-    (0..20).for_each(|_| simulator.update(0.01));
-    [simulator[a].position(), simulator[b].position()]
-}
-
-#[test]
-fn a_joint_whose_body_is_gone_does_nothing_to_those_that_are_listed_behind_it() {
-    let bits = |places: [Vector2; 2]| places.map(|place| [place.x.to_bits(), place.y.to_bits()]);
-    assert_eq!(bits(hinged_behind(true)), bits(hinged_behind(false)));
-}
-
 /// Adds a joint that the next update fills with what is not finite.
 type MakesOverflow = fn(&mut PhysicsSimulator, BodyId, BodyId) -> Result<JointId>;
 
