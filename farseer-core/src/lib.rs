@@ -555,3 +555,8 @@ pub use solver::{SolverBody, SolverPlace};
 pub use springs::{
     AngleSpring, FixedAngleSpring, FixedLinearSpring, LinearSpring, Spring, SpringId, SpringKind, SpringType,
 };
+
+/// The example of the README is run with those of the documentation.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

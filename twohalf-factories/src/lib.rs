@@ -41,3 +41,8 @@ mod geom_factory;
 
 pub use body_factory::TwoHalfBodyFactory;
 pub use geom_factory::TwoHalfGeomFactory;
+
+/// The example of the README is run with those of the documentation.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

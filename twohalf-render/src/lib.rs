@@ -100,3 +100,8 @@ pub use text::{CHARACTER_SIZE, draw_caption, draw_text, text_size};
 pub use texture::Texture2D;
 pub use texture_store::TextureStore;
 pub use transform::{Point, Transform};
+
+/// The example of the README is run with those of the documentation.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

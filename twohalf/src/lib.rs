@@ -318,6 +318,8 @@
 //!   that cover each other in a circle.
 //! - **Not there yet**: joints, springs and controllers; sleep.
 
+#![forbid(unsafe_code)]
+
 mod body;
 mod contacts;
 mod depth;
@@ -368,3 +370,8 @@ pub use virtual_geom::VirtualGeom;
 pub use farseer_core;
 pub use farseer_core::math::{Vector2, Vector3};
 pub use farseer_core::{BodyId, CollisionCategory, GeomId, ObjectId};
+
+/// The example of the README is run with those of the documentation.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
