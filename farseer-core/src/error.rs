@@ -40,15 +40,6 @@ pub enum Error {
         /// Name of the argument.
         argument: &'static str,
     },
-    /// The outline of a part of a texture that is small against the hull tolerance cannot be traced: the
-    /// original never ends.
-    #[error("the outline at pixel ({x}, {y}) stays within the hull tolerance and has no end")]
-    EndlessOutline {
-        /// The pixel where tracing began, in pixels from the left.
-        x: i32,
-        /// The same from the top.
-        y: i32,
-    },
     /// A snapshot was made by another version of its format.
     #[error("the snapshot has version {found} of its format, but version {known} is needed")]
     UnknownSaveVersion {
