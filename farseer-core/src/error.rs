@@ -31,6 +31,14 @@ pub enum Error {
         /// What was asked for.
         expected: &'static str,
     },
+    /// A joint or spring that was made without its bodies has not been given all of them yet.
+    #[error("{argument} has no {missing} yet: set it first")]
+    MissingBody {
+        /// Name of the argument.
+        argument: &'static str,
+        /// The body that is missing.
+        missing: &'static str,
+    },
     /// The broad phase can be chosen only while no geom is in the simulation.
     #[error("the geom list must be empty when the broad phase collider is set")]
     GeomListNotEmpty,
