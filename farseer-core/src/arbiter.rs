@@ -44,13 +44,13 @@ pub struct ArbiterRef<'a> {
 
 impl<'a> ArbiterRef<'a> {
     /// The geom with the smaller creation number.
-    #[doc(alias = "GeometryA")]
+    #[doc(alias("GeometryA", "GeomA"))]
     pub fn geom_a(&self) -> GeomId {
         self.geoms.0
     }
 
     /// The geom with the greater creation number.
-    #[doc(alias = "GeometryB")]
+    #[doc(alias("GeometryB", "GeomB"))]
     pub fn geom_b(&self) -> GeomId {
         self.geoms.1
     }

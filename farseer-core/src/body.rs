@@ -189,8 +189,8 @@ impl Body {
         /// Whether an inactivity controller may disable the body. Default false.
         #[doc(alias = "IsAutoIdle")]
         is_auto_idle: bool, set_is_auto_idle;
-        /// A number for the user's own purposes. Default 0.
-        #[doc(alias = "Tag")]
+        /// A number for the user's own purposes, such as the place of a name in a list. Default 0.
+        #[doc(alias("Tag", "Body.Name"))]
         tag: u64, set_tag;
     }
 

@@ -81,6 +81,12 @@ impl<T, I: Id + Ord> Collection<T, I> {
         self.entries.get(id).is_some_and(|entry| entry.is_listed)
     }
 
+    /// Those that take part or will from the next update on.
+    pub(crate) fn listed_or_queued(&self) -> impl Iterator<Item = &T> {
+        let entries = self.entries.iter::<I>().map(|(_, entry)| entry);
+        entries.filter(|entry| entry.is_listed || entry.is_queued).map(|entry| &entry.value)
+    }
+
     /// True for a stale id, too.
     pub(crate) fn is_disposed(&self, id: I) -> bool {
         self.entries.get(id).is_none_or(|entry| entry.is_disposed)

@@ -31,6 +31,14 @@ pub enum Error {
         /// What was asked for.
         expected: &'static str,
     },
+    /// A joint or spring that was made without its bodies has not been given all of them yet.
+    #[error("{argument} has no {missing} yet: set it first")]
+    MissingBody {
+        /// Name of the argument.
+        argument: &'static str,
+        /// The body that is missing.
+        missing: &'static str,
+    },
     /// The broad phase can be chosen only while no geom is in the simulation.
     #[error("the geom list must be empty when the broad phase collider is set")]
     GeomListNotEmpty,
@@ -39,15 +47,6 @@ pub enum Error {
     MissingDistanceGrid {
         /// Name of the argument.
         argument: &'static str,
-    },
-    /// The outline of a part of a texture that is small against the hull tolerance cannot be traced: the
-    /// original never ends.
-    #[error("the outline at pixel ({x}, {y}) stays within the hull tolerance and has no end")]
-    EndlessOutline {
-        /// The pixel where tracing began, in pixels from the left.
-        x: i32,
-        /// The same from the top.
-        y: i32,
     },
     /// A snapshot was made by another version of its format.
     #[error("the snapshot has version {found} of its format, but version {known} is needed")]

@@ -152,8 +152,8 @@ impl Geom {
             || other.collision_categories.intersects(self.collides_with)
     }
 
-    /// A number for the user's own purposes. Default 0.
-    #[doc(alias = "Tag")]
+    /// A number for the user's own purposes, such as the place of a name in a list. Default 0.
+    #[doc(alias("Tag", "Geom.Name"))]
     pub fn tag(&self) -> u64 {
         self.tag
     }

@@ -253,7 +253,8 @@ impl GeomEntry {
         self.refresh();
     }
 
-    fn refresh(&mut self) {
+    /// Brings world vertices and box to the matrix.
+    pub(crate) fn refresh(&mut self) {
         self.pose.matrix.apply_to_all(&self.local_vertices, &mut self.world_vertices);
         self.aabb = self.box_around(&self.world_vertices, self.pose.position);
     }

@@ -509,6 +509,7 @@ mod joints;
 mod methods;
 mod mouse_picker;
 mod narrow_phase;
+mod nobody;
 mod object_id;
 mod pair_filter;
 mod pair_id;

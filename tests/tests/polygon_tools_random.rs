@@ -3,7 +3,6 @@
 mod core_common;
 
 use core_common::v;
-use farseer_core::Error;
 use farseer_core::math::Vector2;
 use farseer_core::math::calculator::distance_between_point_and_line_segment;
 use farseer_core::shape::{PolyUnionError, PolygonCreationAssistance, Vertices, WindingOrder};
@@ -327,7 +326,7 @@ proptest! {
         prop_assert!(outline.iter().all(|&corner| image.is_solid_pixel(corner)));
         prop_assert!(doubled_area(outline) > 0.0);
         for pixel in solid_pixels(&image) {
-            // Measured: in 20,000 runs a few pixels were left out by more than the tolerance, by at most 1.8 of it.
+            // Measured: in 40,000 runs a few pixels were left out by more than the tolerance, by at most 2.3 of it.
             let left_out = if encloses(outline, pixel) { 0.0 } else { distance_to_outline(outline, pixel) };
             prop_assert!(left_out <= 2.5 * hull_tolerance, "{pixel}: {left_out}");
         }
@@ -365,13 +364,8 @@ proptest! {
         image.set_hull_tolerance(hull_tolerance).unwrap();
         image.set_hole_detection(holes);
         image.set_multipart_detection(parts);
-        match Vertices::create_polygons(&image) {
-            Ok(polygons) => {
-                prop_assert!(polygons.iter().all(|polygon| polygon.len() > 2));
-                prop_assert!(polygons.iter().flatten().all(|v| v.x.is_finite() && v.y.is_finite()));
-            }
-            Err(Error::EndlessOutline { x, y }) => prop_assert!(image.is_solid(x, y)),
-            Err(error) => prop_assert!(false, "{error}"),
-        }
+        let polygons = Vertices::create_polygons(&image).unwrap();
+        prop_assert!(polygons.iter().all(|polygon| polygon.len() > 2));
+        prop_assert!(polygons.iter().flatten().all(|v| v.x.is_finite() && v.y.is_finite()));
     }
 }

@@ -11,7 +11,7 @@ use farseer_core::{
 };
 
 /// Cases that hand over a null reference: Rust has none, so there is no call to refuse.
-const NULL_REFERENCES: [&str; 17] = [
+const NULL_REFERENCES: [&str; 14] = [
     "Simulator.Add(null geom)",
     "Simulator.Remove(null geom)",
     "Simulator.Add(null body)",
@@ -26,14 +26,14 @@ const NULL_REFERENCES: [&str; 17] = [
     "CreateSATPolygonGeom null vertices",
     "DistanceGrid.CreateDistanceGrid(null)",
     "CurveKeyCollection.Add(null)",
-    "FixedRevoluteJoint.Anchor without body",
-    "RevoluteJoint.SetInitialAnchor without body",
-    "WeldJoint.SetInitialAnchor without body",
 ];
 
 /// Cases of parts that have tests of their own, or that the port has no counterpart for.
-const ELSEWHERE: [(&str, &str); 9] = [
-    ("PinJoint.Anchor1 without body", "joints: a joint without bodies cannot be made"),
+const ELSEWHERE: [(&str, &str); 12] = [
+    ("FixedRevoluteJoint.Anchor without body", "joints without bodies"),
+    ("RevoluteJoint.SetInitialAnchor without body", "joints without bodies"),
+    ("WeldJoint.SetInitialAnchor without body", "joints without bodies"),
+    ("PinJoint.Anchor1 without body", "joints without bodies"),
     ("CreateFixedRevoluteJoint on static body then Enabled", "joints"),
     ("Angle joint with NaN impulse", "joints"),
     ("Curve.ComputeTangent index -1", "curves"),

@@ -28,8 +28,9 @@ impl Default for InactivityController {
 }
 
 impl InactivityController {
-    /// With an activation distance of 100 and a maximal idle time of 1000 ms.
-    #[doc(alias = "InactivityController(PhysicsSimulator)")]
+    /// With an activation distance of 100 and a maximal idle time of 1000 ms. A simulator has none until one is
+    /// [made](crate::PhysicsSimulator::create_controller) and [added](crate::PhysicsSimulator::add), as in the original.
+    #[doc(alias("InactivityController(PhysicsSimulator)", "PhysicsSimulator.InactivityController"))]
     pub fn new() -> Self {
         InactivityController { activation_distance: 100.0, max_idle_time: 1000.0, bodies_enabled: 0 }
     }

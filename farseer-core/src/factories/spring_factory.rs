@@ -9,6 +9,7 @@ use crate::{Error, Result};
 /// Makes springs. Rest lengths and angles are taken from where the bodies are now, so place the bodies first.
 ///
 /// Forces are mass times length per square second, torques force times length.
+#[doc(alias = "ControllerFactory")]
 #[derive(Debug, Clone, Copy)]
 pub struct SpringFactory;
 

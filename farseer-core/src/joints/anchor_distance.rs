@@ -9,7 +9,7 @@ use crate::math::Vector2;
 use crate::math::vector2::{cross, dot, length};
 
 /// Two anchors, each in the coordinates of its body, and what acts along the line between them.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(crate) struct AnchorDistance {
     pub(crate) anchor1: Vector2,
     pub(crate) anchor2: Vector2,
@@ -29,16 +29,7 @@ pub(crate) struct AnchorDistance {
 
 impl AnchorDistance {
     pub(crate) fn new(anchor1: Vector2, body1: &Body, anchor2: Vector2, body2: &Body) -> Result<Self> {
-        let mut anchors = AnchorDistance {
-            anchor1,
-            anchor2,
-            arm1: Vector2::zeros(),
-            arm2: Vector2::zeros(),
-            world_anchor1: Vector2::zeros(),
-            world_anchor2: Vector2::zeros(),
-            direction: Vector2::zeros(),
-            effective_mass: 0.0,
-        };
+        let mut anchors = AnchorDistance::default();
         anchors.set_anchor1(anchor1, body1)?;
         anchors.set_anchor2(anchor2, body2)?;
         Ok(anchors)

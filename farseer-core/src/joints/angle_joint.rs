@@ -8,6 +8,7 @@ use crate::error::{Result, finite};
 use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
 use crate::joints::{Joint, JointKind};
 use crate::math::scalar;
+use crate::nobody::nobody;
 
 /// Keeps the difference of two bodies' total rotations at a target. The bodies may move freely otherwise.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -28,10 +29,19 @@ impl AngleJoint {
             body1: body1.0,
             body2: body2.0,
             target_angle: finite("target_angle", target_angle)?,
+            ..AngleJoint::without_bodies()
+        })))
+    }
+
+    pub(crate) fn without_bodies() -> Self {
+        AngleJoint {
+            body1: nobody(),
+            body2: nobody(),
+            target_angle: 0.0,
             max_impulse: f32::MAX,
             velocity_bias: 0.0,
             mass_factor: 0.0,
-        })))
+        }
     }
 
     /// The first body.

@@ -8,6 +8,7 @@ use crate::error::{Result, finite};
 use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
 use crate::joints::limit::Limit;
 use crate::joints::{DEFAULT_SLOP, Joint, JointKind};
+use crate::nobody::nobody;
 
 /// Keeps the difference of two bodies' total rotations in a range. The bodies may move freely otherwise.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -36,11 +37,21 @@ impl AngleLimitJoint {
             body2: body2.0,
             lower_limit: finite("lower_limit", lower_limit)?,
             upper_limit: finite("upper_limit", upper_limit)?,
+            ..AngleLimitJoint::without_bodies()
+        })))
+    }
+
+    pub(crate) fn without_bodies() -> Self {
+        AngleLimitJoint {
+            body1: nobody(),
+            body2: nobody(),
+            lower_limit: 0.0,
+            upper_limit: 0.0,
             slop: DEFAULT_SLOP,
             limit: Limit::default(),
             velocity_bias: 0.0,
             mass_factor: 0.0,
-        })))
+        }
     }
 
     /// The first body.

@@ -8,6 +8,7 @@ use crate::error::{Result, finite};
 use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
 use crate::joints::{Joint, JointKind};
 use crate::math::scalar;
+use crate::nobody::nobody;
 
 /// Keeps a body's total rotation at a target. The body may move freely otherwise.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -26,10 +27,18 @@ impl FixedAngleJoint {
         Ok(Joint::of(JointKind::FixedAngle(FixedAngleJoint {
             body: body.0,
             target_angle: finite("target_angle", target_angle)?,
+            ..FixedAngleJoint::without_bodies()
+        })))
+    }
+
+    pub(crate) fn without_bodies() -> Self {
+        FixedAngleJoint {
+            body: nobody(),
+            target_angle: 0.0,
             max_impulse: f32::MAX,
             velocity_bias: 0.0,
             mass_factor: 0.0,
-        })))
+        }
     }
 
     /// The body.

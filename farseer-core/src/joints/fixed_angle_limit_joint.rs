@@ -8,6 +8,7 @@ use crate::error::{Result, finite};
 use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
 use crate::joints::limit::Limit;
 use crate::joints::{DEFAULT_SLOP, Joint, JointKind};
+use crate::nobody::nobody;
 
 /// Keeps a body's total rotation in a range. The body may move freely otherwise.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -29,11 +30,20 @@ impl FixedAngleLimitJoint {
             body: body.0,
             lower_limit: finite("lower_limit", lower_limit)?,
             upper_limit: finite("upper_limit", upper_limit)?,
+            ..FixedAngleLimitJoint::without_bodies()
+        })))
+    }
+
+    pub(crate) fn without_bodies() -> Self {
+        FixedAngleLimitJoint {
+            body: nobody(),
+            lower_limit: 0.0,
+            upper_limit: 0.0,
             slop: DEFAULT_SLOP,
             limit: Limit::default(),
             velocity_bias: 0.0,
             mass_factor: 0.0,
-        })))
+        }
     }
 
     /// The body.

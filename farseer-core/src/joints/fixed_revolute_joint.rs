@@ -10,9 +10,10 @@ use crate::joints::{Joint, JointKind};
 use crate::math::Vector2;
 use crate::math::calculator::truncate;
 use crate::math::vector2::length;
+use crate::nobody::nobody;
 
 /// Its own bias factor; that of the other joints is 0.2.
-const BIAS_FACTOR: f32 = 0.8;
+pub(super) const BIAS_FACTOR: f32 = 0.8;
 
 /// Keeps a point of a body at a point of the world. The bias factor of the joint is 0.8 when it is made.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -33,20 +34,22 @@ pub struct FixedRevoluteJoint {
 
 impl FixedRevoluteJoint {
     pub(crate) fn new(body: (BodyId, &Body), anchor: Vector2) -> Result<Joint> {
-        let mut joint = FixedRevoluteJoint {
-            body: body.0,
-            anchor,
+        let mut joint = FixedRevoluteJoint { body: body.0, ..FixedRevoluteJoint::without_bodies() };
+        joint.set_anchor(anchor, body.1)?;
+        Ok(Joint::of(JointKind::FixedRevolute(joint)))
+    }
+
+    pub(crate) fn without_bodies() -> Self {
+        FixedRevoluteJoint {
+            body: nobody(),
+            anchor: Vector2::zeros(),
             local_anchor: Vector2::zeros(),
             max_impulse: f32::MAX,
             accumulated: Vector2::zeros(),
             arm: Vector2::zeros(),
             velocity_bias: Vector2::zeros(),
             inverse: Inverse2::default(),
-        };
-        joint.set_anchor(anchor, body.1)?;
-        let mut joint = Joint::of(JointKind::FixedRevolute(joint));
-        joint.set_bias_factor(BIAS_FACTOR)?;
-        Ok(joint)
+        }
     }
 
     /// The body.

@@ -6,7 +6,12 @@ use crate::joints::{
 };
 
 mod sealed {
-    pub trait Sealed {}
+    use super::Joint;
+
+    pub trait Sealed {
+        /// A joint of the kind without its bodies.
+        fn without_bodies() -> Joint;
+    }
 }
 
 /// A kind of joint, for typed access such as `simulator.joint_as::<PinJoint>(joint)`. No other types can be.
@@ -23,7 +28,11 @@ pub trait JointType: sealed::Sealed + Sized {
 
 macro_rules! joint_types {
     ($($kind:ident: $joint:ident),*) => {$(
-        impl sealed::Sealed for $joint {}
+        impl sealed::Sealed for $joint {
+            fn without_bodies() -> Joint {
+                Joint::of(JointKind::$kind($joint::without_bodies()))
+            }
+        }
 
         impl JointType for $joint {
             const NAME: &'static str = stringify!($joint);

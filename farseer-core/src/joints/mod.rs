@@ -49,8 +49,9 @@ const DEFAULT_SLOP: f32 = 0.01;
 
 /// What all joints have in common, and the joint of a certain kind.
 ///
-/// Joints are made by [`JointFactory`](crate::JointFactory). A joint in the simulation goes when one of its bodies is
-/// disposed; another one when it is added.
+/// Joints are made by [`JointFactory`](crate::JointFactory), or without bodies by
+/// [`create_empty_joint`](crate::PhysicsSimulator::create_empty_joint). A joint in the simulation goes when one of its
+/// bodies is disposed; another one when it is added.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Joint {
     bias_factor: f32,
@@ -106,8 +107,12 @@ macro_rules! each_kind {
 
 impl Joint {
     fn of(kind: JointKind) -> Self {
+        let bias_factor = match kind {
+            JointKind::FixedRevolute(_) => fixed_revolute_joint::BIAS_FACTOR,
+            _ => DEFAULT_BIAS_FACTOR,
+        };
         Joint {
-            bias_factor: DEFAULT_BIAS_FACTOR,
+            bias_factor,
             breakpoint: f32::MAX,
             softness: 0.0,
             joint_error: 0.0,
@@ -161,12 +166,14 @@ impl Joint {
         self.tag = value;
     }
 
-    /// The first body, or the only one.
+    /// The first body, or the only one. The id names nothing until the first one of a joint that was made without bodies
+    /// is set: `simulator.body(joint.body1())` is `None` then.
     pub fn body1(&self) -> BodyId {
         self.bodies().0
     }
 
-    /// The second body, if the joint has one.
+    /// The second body, if the joint is one between two bodies. Until it is set the id names nothing, as that of
+    /// [`body1`](Self::body1).
     pub fn body2(&self) -> Option<BodyId> {
         self.bodies().1
     }

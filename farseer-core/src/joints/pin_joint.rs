@@ -10,6 +10,7 @@ use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
 use crate::joints::{Joint, JointKind};
 use crate::math::Vector2;
 use crate::math::vector2::length;
+use crate::nobody::nobody;
 
 /// Keeps an anchor of one body at a fixed distance from an anchor of another, like a rod.
 ///
@@ -39,9 +40,19 @@ impl PinJoint {
             body2: body2.0,
             anchors,
             target_distance: finite("distance", distance)?,
+            ..PinJoint::without_bodies()
+        })))
+    }
+
+    pub(crate) fn without_bodies() -> Self {
+        PinJoint {
+            body1: nobody(),
+            body2: nobody(),
+            anchors: AnchorDistance::default(),
+            target_distance: 0.0,
             accumulated: 0.0,
             velocity_bias: 0.0,
-        })))
+        }
     }
 
     /// The first body.
@@ -81,8 +92,8 @@ impl PinJoint {
     }
 
     checked_properties! {
-        /// Wanted distance of the anchors: at first the one they had when the joint was made. New anchors or
-        /// bodies leave it as it is.
+        /// Wanted distance of the anchors: at first the one they had when the joint was made, or 0 if it was made without
+        /// its bodies. New anchors or bodies leave it as it is.
         #[doc(alias = "TargetDistance")]
         target_distance, set_target_distance;
     }

@@ -8,6 +8,7 @@ use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
 use crate::joints::shared_point::SharedPoint;
 use crate::joints::{Joint, JointKind};
 use crate::math::Vector2;
+use crate::nobody::nobody;
 
 /// Keeps a point of two bodies together: a hinge. There is no limit to its impulse.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -21,6 +22,10 @@ impl RevoluteJoint {
     pub(crate) fn new(body1: (BodyId, &Body), body2: (BodyId, &Body), anchor: Vector2) -> Result<Joint> {
         let point = SharedPoint::new(anchor, body1.1, body2.1)?;
         Ok(Joint::of(JointKind::Revolute(RevoluteJoint { body1: body1.0, body2: body2.0, point })))
+    }
+
+    pub(crate) fn without_bodies() -> Self {
+        RevoluteJoint { body1: nobody(), body2: nobody(), point: SharedPoint::default() }
     }
 
     /// The first body.

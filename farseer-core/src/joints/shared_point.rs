@@ -9,7 +9,7 @@ use crate::math::Vector2;
 use crate::math::vector2::{cross, length};
 
 /// A point of two bodies that is to stay one, and the impulse that holds it.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(crate) struct SharedPoint {
     pub(crate) anchor: Vector2,
     local_anchor1: Vector2,
@@ -27,16 +27,7 @@ pub(crate) struct SharedPoint {
 
 impl SharedPoint {
     pub(crate) fn new(anchor: Vector2, body1: &Body, body2: &Body) -> Result<Self> {
-        let mut point = SharedPoint {
-            anchor,
-            local_anchor1: Vector2::zeros(),
-            local_anchor2: Vector2::zeros(),
-            accumulated: Vector2::zeros(),
-            arm1: Vector2::zeros(),
-            arm2: Vector2::zeros(),
-            velocity_bias: Vector2::zeros(),
-            inverse: Inverse2::default(),
-        };
+        let mut point = SharedPoint::default();
         point.set_anchor(anchor, body1, body2)?;
         Ok(point)
     }

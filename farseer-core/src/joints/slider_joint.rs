@@ -10,6 +10,7 @@ use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
 use crate::joints::limit::Limit;
 use crate::joints::{DEFAULT_SLOP, Joint, JointKind};
 use crate::math::Vector2;
+use crate::nobody::nobody;
 
 /// Keeps the distance of an anchor of one body and an anchor of another in a range, like a rope or a telescope.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -40,10 +41,21 @@ impl SliderJoint {
             anchors: AnchorDistance::new(anchor1, body1.1, anchor2, body2.1)?,
             min: finite("min", min)?,
             max: finite("max", max)?,
+            ..SliderJoint::without_bodies()
+        })))
+    }
+
+    pub(crate) fn without_bodies() -> Self {
+        SliderJoint {
+            body1: nobody(),
+            body2: nobody(),
+            anchors: AnchorDistance::default(),
+            min: 0.0,
+            max: 0.0,
             slop: DEFAULT_SLOP,
             limit: Limit::default(),
             velocity_bias: 0.0,
-        })))
+        }
     }
 
     /// The first body.

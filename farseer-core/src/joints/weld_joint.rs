@@ -10,8 +10,10 @@ use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
 use crate::joints::shared_point::SharedPoint;
 use crate::joints::{Joint, JointKind};
 use crate::math::Vector2;
+use crate::nobody::nobody;
 
-/// Keeps a point of two bodies together and their angle to each other as it was when the joint was made.
+/// Keeps a point of two bodies together and their angle to each other as it was when the joint was made, or at
+/// equal total rotations if it was made without its bodies.
 ///
 /// As in the original the passes do not turn the first body when they pull at the point, so that angular momentum
 /// is not kept, and only the distance at the point counts for breaking.
@@ -36,10 +38,20 @@ impl WeldJoint {
             body2: body2.0,
             point: SharedPoint::new(anchor, body1.1, body2.1)?,
             target_angle: finite("total_rotation", angle)?,
+            ..WeldJoint::without_bodies()
+        })))
+    }
+
+    pub(crate) fn without_bodies() -> Self {
+        WeldJoint {
+            body1: nobody(),
+            body2: nobody(),
+            point: SharedPoint::default(),
+            target_angle: 0.0,
             max_impulse: f32::MAX,
             angular_velocity_bias: 0.0,
             mass_factor: 0.0,
-        })))
+        }
     }
 
     /// The first body.

@@ -1,7 +1,6 @@
 //! The walk around the solid pixels of a texture (behaviour chapter 15, section 15.6.3).
 
 use super::PolygonCreationAssistance;
-use crate::error::{Error, Result};
 use crate::math::Vector2;
 use crate::math::calculator::distance_between_point_and_line_segment;
 
@@ -29,49 +28,30 @@ const NEIGHBOURS: [(i32, i32); 8] = [(-1, -1), (0, -1), (1, -1), (1, 0), (1, 1),
 pub(super) const NOWHERE: Pixel = Pixel { x: 0, y: 0 };
 
 /// The outline of the part around an entrance, thinned to the hull tolerance. `last` is the pixel from which
-/// the entrance is entered. The end may repeat the start. What is not solid has no outline; without an
-/// entrance it is that of the first solid pixel.
-pub(super) fn trace(
-    image: &PolygonCreationAssistance<'_>,
-    entrance: Pixel,
-    last: Pixel,
-) -> Result<Vec<Vector2>> {
+/// the entrance is entered. The walk ends when it is back at the entrance. What is not solid has no outline;
+/// without an entrance it is that of the first solid pixel.
+///
+/// Every walk ends. It goes from a pair of neighbours to the next, and the next pixel is the first solid one
+/// clockwise after the last one ([`next_solid`]), so that the last one is the first solid one counterclockwise
+/// before the next: no two pairs have the same successor. So the pairs that follow the first, which has left
+/// the entrance, form a ring, and the pair before the first in it comes back to the entrance.
+pub(super) fn trace(image: &PolygonCreationAssistance<'_>, entrance: Pixel, last: Pixel) -> Vec<Vector2> {
     let mut outline = Vec::new();
     let Some((entrance, mut current)) = enter(image, entrance, last) else {
-        return Ok(outline);
+        return outline;
     };
-    let mut next = entrance;
-    let mut window = vec![entrance.point()];
-    let mut closing: Option<Vec<Vector2>> = None;
-    let mut laps = Laps::new();
     outline.push(entrance.point());
+    let mut next = entrance;
+    let mut window = Vec::new();
     loop {
+        window.push(next.point());
         if let Some(outstanding) = outstanding(image, &window) {
-            let point = window[outstanding];
-            if let Some(closing) = closing {
-                if closing.contains(&point) {
-                    outline.push(point);
-                }
-                return Ok(outline);
-            }
-            outline.push(point);
+            outline.push(window[outstanding]);
             window.drain(..outstanding);
         }
-        let previous = current;
-        current = next;
-        match next_solid(image, previous, current) {
-            Some(pixel) => next = pixel,
-            None => return Ok(outline),
-        }
-        window.push(next.point());
-        if next == entrance && closing.is_none() {
-            closing = Some(window.clone());
-            laps = Laps::new();
-        }
-        // Without a way back to the entrance the first lap would be repeated for ever. With one, the second
-        // lap has compared every point with all others, and there was none to end with.
-        if laps.count(current, next) > u32::from(closing.is_some()) {
-            return Err(Error::EndlessOutline { x: entrance.x, y: entrance.y });
+        match next_solid(image, current, next) {
+            Some(pixel) if pixel != entrance => (current, next) = (next, pixel),
+            _ => return outline,
         }
     }
 }
@@ -94,7 +74,8 @@ fn enter(image: &PolygonCreationAssistance<'_>, entrance: Pixel, last: Pixel) ->
     neighbours.find(|pixel| !image.is_solid(pixel.x, pixel.y)).map(|empty| (entrance, empty))
 }
 
-/// The solid neighbour of `current` with which an outline that came from `last` goes on.
+/// The solid neighbour of `current` with which an outline that came from `last` goes on: the first clockwise
+/// after `last`, which is `last` itself if there is no other.
 fn next_solid(image: &PolygonCreationAssistance<'_>, last: Pixel, current: Pixel) -> Option<Pixel> {
     let first = match (current.x - last.x, current.y - last.y) {
         (1, 1) => 1,
@@ -122,31 +103,28 @@ fn outstanding(image: &PolygonCreationAssistance<'_>, window: &[Vector2]) -> Opt
     between.iter().position(far).map(|i| i + 1)
 }
 
-/// Notices when a walk whose next step depends on the last one only has come to where it was before: a mark is
-/// left behind after 1, 3, 7, ... steps.
-struct Laps {
-    mark: Option<(Pixel, Pixel)>,
-    steps: u64,
-    limit: u64,
-    laps: u32,
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-impl Laps {
-    fn new() -> Self {
-        Laps { mark: None, steps: 0, limit: 1, laps: 0 }
-    }
-
-    /// How often the walk has come back to the mark, this step included.
-    fn count(&mut self, current: Pixel, next: Pixel) -> u32 {
-        let step = (current, next);
-        if self.mark == Some(step) {
-            self.laps += 1;
-        } else if self.laps == 0 {
-            self.steps += 1;
-            if self.steps == self.limit {
-                *self = Laps { mark: Some(step), steps: 0, limit: self.limit * 2, laps: 0 };
+    /// What proves that every walk ends.
+    #[test]
+    fn no_two_solid_neighbours_of_a_pixel_are_left_for_the_same_one() {
+        let centre = Pixel { x: 1, y: 1 };
+        for around in 0_u32..256 {
+            let solid = |direction: &usize| around >> direction & 1 == 1;
+            let mut alpha = [0; 9];
+            alpha[4] = 255;
+            for pixel in (0..8).filter(solid).map(|direction| centre.neighbour(direction)) {
+                alpha[(pixel.x + 3 * pixel.y) as usize] = 255;
+            }
+            let image = PolygonCreationAssistance::from_alpha(&alpha, 3, 3).unwrap();
+            let mut left: Vec<Pixel> = Vec::new();
+            for last in (0..8).filter(solid).map(|direction| centre.neighbour(direction)) {
+                let next = next_solid(&image, last, centre).unwrap();
+                assert!(!left.contains(&next), "{around:08b}: {next:?}");
+                left.push(next);
             }
         }
-        self.laps
     }
 }

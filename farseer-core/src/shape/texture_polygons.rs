@@ -49,12 +49,14 @@ impl Vertices {
     /// is joined to its outline by a bridge.
     ///
     /// Vertices are pixels, in columns and rows, not their corners: an outline is half a pixel inside of the
-    /// picture. Parts have positive shoelace area, against engine winding; the last vertex may repeat the
-    /// first. The search ends at the first part of fewer than three vertices, such as an isolated pixel. A hole
-    /// is not found in a part that reaches the first row, and less than the hull tolerance from the outline.
+    /// picture. Parts have positive shoelace area, against engine winding. An outline starts at the first pixel of
+    /// its part, and the last corner before it is back there is not looked for, as in the original: of a block of
+    /// three by three pixels three corners remain. The search ends at the first part of fewer than three vertices,
+    /// such as an isolated pixel. A hole is not found in a part that reaches the first row, and less than the hull
+    /// tolerance from the outline.
     ///
     /// # Errors
-    /// [`Error::EndlessOutline`] for a part so small that its outline never leaves the hull tolerance.
+    /// None: every texture that can be made can be traced.
     #[doc(alias = "CreatePolygon")]
     pub fn create_polygons(assistance: &PolygonCreationAssistance<'_>) -> Result<Vec<Vertices>> {
         let mut polygons: Vec<Vertices> = Vec::new();
@@ -63,14 +65,14 @@ impl Vertices {
         let mut holes = Vec::new();
         let mut hole = None;
 
-        let mut outline = trace(assistance, NOWHERE, NOWHERE)?;
+        let mut outline = trace(assistance, NOWHERE, NOWHERE);
         let mut part = topmost(&outline);
         loop {
             if outline.len() <= 2 {
                 return Ok(polygons);
             }
             if assistance.hole_detection() {
-                hole = cut_holes(assistance, &mut outline, hole, &mut holes)?;
+                hole = cut_holes(assistance, &mut outline, hole, &mut holes);
             }
             boxes.push(Aabb::from_vertices(&outline));
             polygons.push(Vertices::from(outline));
@@ -90,7 +92,7 @@ impl Vertices {
             let Some(entrance) = part else {
                 return Ok(polygons);
             };
-            outline = trace(assistance, entrance, Pixel { x: entrance.x - 1, ..entrance })?;
+            outline = trace(assistance, entrance, Pixel { x: entrance.x - 1, ..entrance });
         }
     }
 }
@@ -108,14 +110,14 @@ fn cut_holes(
     outline: &mut Vec<Vector2>,
     mut hole: Option<Pixel>,
     holes: &mut Vec<Pixel>,
-) -> Result<Option<Pixel>> {
+) -> Option<Pixel> {
     loop {
         hole = find_hole(image, outline, hole);
         let Some(entrance) = hole.filter(|pixel| !holes.contains(pixel)) else {
-            return Ok(hole);
+            return hole;
         };
         holes.push(entrance);
-        let mut around = trace(image, entrance, Pixel { x: entrance.x + 1, ..entrance })?;
+        let mut around = trace(image, entrance, Pixel { x: entrance.x + 1, ..entrance });
         if around.len() > 2 {
             around.push(around[0]);
             if let Some(place) = split(outline, entrance) {

@@ -207,16 +207,56 @@ impl PhysicsSimulator {
     }
 
     /// Replaces the outline of a geom. As in the original, world vertices and box stay those of the body's origin
-    /// until the body is moved or integrated next, and the distance grid stays that of the old outline.
+    /// until the body is moved or integrated next, and the distance grid stays that of the old outline: contacts are
+    /// looked for there until the grid is [removed](Self::remove_distance_grid) and
+    /// [made again](Self::create_distance_grid).
     ///
     /// # Errors
     /// A stale id; an empty or non-finite outline.
-    #[doc(alias = "SetVertices")]
+    #[doc(alias("SetVertices", "LocalVertices"))]
     pub fn set_vertices(&mut self, geom: GeomId, vertices: impl Into<Vertices>) -> Result<()> {
         let vertices = check_outline(vertices.into())?;
         let body = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?.body;
         self.settle_body(body);
         self.geoms[geom].set_vertices(vertices);
+        Ok(())
+    }
+
+    /// Makes the distance grid of a geom from its present outline, and brings world vertices and box to where the geom is.
+    /// A geom that has a grid keeps it, and nothing changes: [remove](Self::remove_distance_grid) the old one first. The
+    /// cell size stays; at 0 or less it becomes a tenth of the shorter side of the geom's present box. Geoms that shared
+    /// the old grid, such as [clones](Self::clone_geom), keep that. While SAT is selected a grid can be made, but is not
+    /// asked (behaviour chapter 06, section 2).
+    ///
+    /// # Errors
+    /// A stale id; a flat outline without a cell size; a cell size that would need more than 2^26 nodes; a geom whose box
+    /// in the world is not finite.
+    #[doc(alias("CreateDistanceGrid", "DistanceGrid.CreateDistanceGrid"))]
+    pub fn create_distance_grid(&mut self, geom: GeomId) -> Result<()> {
+        let entry = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?;
+        if entry.grid.is_some() {
+            return Ok(());
+        }
+        self.settle_body(entry.body);
+        let mut entry = self.geoms[geom].clone();
+        if entry.grid_cell_size <= 0.0 {
+            entry.grid_cell_size = automatic_cell_size(&entry);
+        }
+        entry.set_grid(self.grids.get(&entry.local_vertices, entry.grid_cell_size)?);
+        entry.refresh();
+        self.geoms[geom] = check_box(entry)?;
+        Ok(())
+    }
+
+    /// Takes the distance grid of a geom away: no contacts are found with it until there is one
+    /// [again](Self::create_distance_grid). The original throws when such a geom is met. Geoms that share the grid keep
+    /// it; a geom that has none stays as it is.
+    ///
+    /// # Errors
+    /// A stale id.
+    #[doc(alias("RemoveDistanceGrid", "DistanceGrid.RemoveDistanceGrid"))]
+    pub fn remove_distance_grid(&mut self, geom: GeomId) -> Result<()> {
+        self.geoms.get_mut(geom).ok_or(Error::StaleId { argument: "geom" })?.grid = None;
         Ok(())
     }
 
@@ -302,6 +342,11 @@ impl PhysicsSimulator {
             ..PhysicsSimulator::default()
         };
     }
+}
+
+/// The cell size of a geom for which none is asked: it depends on how the geom lies in the world now.
+fn automatic_cell_size(entry: &GeomEntry) -> f32 {
+    scalar::min(entry.aabb.width(), entry.aabb.height()) * AUTOMATIC_CELL_FRACTION
 }
 
 /// Refuses a geom of finite numbers that reaches beyond them where its body is.

@@ -2,12 +2,15 @@
 
 use super::PhysicsSimulator;
 use super::queues::Handler;
+use crate::arena::Arena;
 use crate::body::{Body, BodyId};
+use crate::body_entry::BodyEntry;
 use crate::error::{Error, Result, finite_vector};
 use crate::events::{Context, Event, EventHandler};
 use crate::joints::joint_body::{JointBodies, JointBody, JointPose};
 use crate::joints::{Joint, JointId, JointKind, JointType};
 use crate::math::Vector2;
+use crate::nobody::{check_bodies, nobody};
 use crate::solver::{SolverBody, SolverPlace};
 
 /// Joints.
@@ -20,6 +23,41 @@ impl PhysicsSimulator {
         self.check_body("body1", joint.body1())?;
         joint.body2().map_or(Ok(()), |body| self.check_body("body2", body))?;
         Ok(self.joints.create(joint))
+    }
+
+    /// Makes a joint of a kind that holds nothing yet, as the original's constructors without arguments do: for what is
+    /// read from a file one value after the other. Bodies are set by [`set_joint_body1`](Self::set_joint_body1) (also
+    /// the only one) and [`set_joint_body2`](Self::set_joint_body2); an anchor after the bodies it is on. Until they are
+    /// set, anchors are the bodies' origins, and angles, limits and distances are 0. Everything else has the default of
+    /// its kind. The joint can be [added](Self::add) once it has its bodies.
+    ///
+    /// ```
+    /// use farseer_core::math::Vector2;
+    /// use farseer_core::{Body, Error, PhysicsSimulator, RevoluteJoint};
+    /// let mut simulator = PhysicsSimulator::default();
+    /// let (arm, hand) = (simulator.create_body(Body::new()), simulator.create_body(Body::new()));
+    /// let wrist = simulator.create_empty_joint::<RevoluteJoint>();
+    /// simulator.set_joint_body1(wrist, arm)?;
+    /// assert_eq!(simulator.add(wrist), Err(Error::MissingBody { argument: "joint", missing: "body2" }));
+    /// simulator.set_joint_body2(wrist, hand)?;
+    /// simulator.set_joint_anchor(wrist, Vector2::new(20.0, 0.0))?;
+    /// simulator[wrist].set_softness(0.1)?;
+    /// simulator.add(wrist)?;
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[doc(alias(
+        "AngleJoint()",
+        "AngleLimitJoint()",
+        "FixedAngleJoint()",
+        "FixedAngleLimitJoint()",
+        "FixedRevoluteJoint()",
+        "PinJoint()",
+        "RevoluteJoint()",
+        "SliderJoint()",
+        "WeldJoint()"
+    ))]
+    pub fn create_empty_joint<J: JointType>(&mut self) -> JointId {
+        self.joints.create(J::without_bodies())
     }
 
     /// A joint, unless the id is stale.
@@ -59,7 +97,7 @@ impl PhysicsSimulator {
         self.joints.list()
     }
 
-    /// Lets a joint hold another body; anchors and impulses stay what they are.
+    /// Lets a joint hold another body, its first or only one; anchors and impulses stay what they are.
     ///
     /// # Errors
     /// A stale id.
@@ -89,7 +127,8 @@ impl PhysicsSimulator {
     /// where they are now.
     ///
     /// # Errors
-    /// A stale id; a point that is not finite, or too far from the bodies for finite arms; a joint of another kind.
+    /// A stale id; a body that was not set yet; a point that is not finite, or too far from the bodies for finite arms; a
+    /// joint of another kind.
     #[doc(alias("Anchor", "SetAnchor", "SetInitialAnchor"))]
     pub fn set_joint_anchor(&mut self, joint: JointId, anchor: Vector2) -> Result<()> {
         let (joint, body1, body2) = self.joint_and_bodies(joint)?;
@@ -105,13 +144,14 @@ impl PhysicsSimulator {
     /// target distance stays.
     ///
     /// # Errors
-    /// A stale id; a point that is not finite, or not in the world; a joint of another kind.
+    /// A stale id; a body that was not set yet; a point that is not finite, or not in the world; a joint of another kind.
     #[doc(alias = "Anchor1")]
     pub fn set_joint_anchor1(&mut self, joint: JointId, anchor: Vector2) -> Result<()> {
-        let (joint, body1, _) = self.joint_and_bodies(joint)?;
+        let joint = self.joints.find_mut("joint", joint)?;
+        let body1 = held_body(&self.bodies, "body1", joint.body1());
         match joint.kind_mut() {
-            JointKind::Pin(joint) => joint.set_anchor1(anchor, body1),
-            JointKind::Slider(joint) => joint.set_anchor1(anchor, body1),
+            JointKind::Pin(joint) => joint.set_anchor1(anchor, body1?),
+            JointKind::Slider(joint) => joint.set_anchor1(anchor, body1?),
             _ => Err(wrong_kind("PinJoint or SliderJoint")),
         }
     }
@@ -120,13 +160,14 @@ impl PhysicsSimulator {
     /// target distance stays.
     ///
     /// # Errors
-    /// A stale id; a point that is not finite, or not in the world; a joint of another kind.
+    /// A stale id; a body that was not set yet; a point that is not finite, or not in the world; a joint of another kind.
     #[doc(alias = "Anchor2")]
     pub fn set_joint_anchor2(&mut self, joint: JointId, anchor: Vector2) -> Result<()> {
-        let (joint, _, body2) = self.joint_and_bodies(joint)?;
+        let joint = self.joints.find_mut("joint", joint)?;
+        let body2 = held_body(&self.bodies, "body2", joint.body2().unwrap_or(joint.body1()));
         match joint.kind_mut() {
-            JointKind::Pin(joint) => joint.set_anchor2(anchor, body2),
-            JointKind::Slider(joint) => joint.set_anchor2(anchor, body2),
+            JointKind::Pin(joint) => joint.set_anchor2(anchor, body2?),
+            JointKind::Slider(joint) => joint.set_anchor2(anchor, body2?),
             _ => Err(wrong_kind("PinJoint or SliderJoint")),
         }
     }
@@ -135,11 +176,12 @@ impl PhysicsSimulator {
     /// of the last update. Before the first update a revolute or weld joint has no arm.
     ///
     /// # Errors
-    /// A stale id; a joint of another kind; an anchor that is so far away that it is not finite.
+    /// A stale id; a body that was not set yet; a joint of another kind; an anchor that is so far away that it is not
+    /// finite.
     #[doc(alias("CurrentAnchor", "CurrentAnchorPosition"))]
     pub fn joint_current_anchor(&self, joint: JointId) -> Result<Vector2> {
         let joint = self.joints.find("joint", joint)?;
-        let body1 = self.body(joint.body1()).ok_or(Error::StaleId { argument: "body of the joint" })?;
+        let body1 = held_body(&self.bodies, "body1", joint.body1())?;
         let anchor = match joint.kind() {
             JointKind::Revolute(joint) => joint.current_anchor(body1),
             JointKind::Weld(joint) => joint.current_anchor(body1),
@@ -152,10 +194,16 @@ impl PhysicsSimulator {
     /// A joint with its bodies; twice the same body if it has one.
     fn joint_and_bodies(&mut self, joint: JointId) -> Result<(&mut Joint, &Body, &Body)> {
         let joint = self.joints.find_mut("joint", joint)?;
-        let stale = || Error::StaleId { argument: "body of the joint" };
-        let body1 = self.bodies.get(joint.body1()).ok_or_else(stale)?;
-        let body2 = self.bodies.get(joint.body2().unwrap_or(joint.body1())).ok_or_else(stale)?;
-        Ok((joint, &body1.body, &body2.body))
+        check_bodies("joint", joint.body1(), joint.body2())?;
+        let body1 = held_body(&self.bodies, "body1", joint.body1())?;
+        let body2 = held_body(&self.bodies, "body2", joint.body2().unwrap_or(joint.body1()))?;
+        Ok((joint, body1, body2))
+    }
+
+    /// Refuses a joint that was made without its bodies and has not been given them all.
+    pub(super) fn check_joint_bodies(&self, joint: JointId) -> Result<()> {
+        let joint = self.joints.find("joint", joint)?;
+        check_bodies("joint", joint.body1(), joint.body2())
     }
 
     /// Joints whose body is disposed or gone are disposed.
@@ -168,6 +216,15 @@ impl PhysicsSimulator {
             }
         }
     }
+}
+
+/// A body that a joint holds, whether or not it has the other one.
+fn held_body<'a>(bodies: &'a Arena<BodyEntry>, missing: &'static str, body: BodyId) -> Result<&'a Body> {
+    if body == nobody() {
+        return Err(Error::MissingBody { argument: "joint", missing });
+    }
+    let entry = bodies.get(body).ok_or(Error::StaleId { argument: "body of the joint" })?;
+    Ok(&entry.body)
 }
 
 fn wrong_kind(expected: &'static str) -> Error {

@@ -62,7 +62,7 @@ impl PhysicsSimulator {
     /// Lets an object take part from the next update on. Adding a body does not add its geoms.
     ///
     /// # Errors
-    /// A stale id.
+    /// A stale id; [`Error::MissingBody`] for a joint or spring without one of its bodies.
     #[doc(alias = "Add")]
     pub fn add(&mut self, object: impl Into<ObjectId>) -> Result<()> {
         match object.into() {
@@ -79,8 +79,14 @@ impl PhysicsSimulator {
                 }
             }
             ObjectId::Controller(controller) => self.controllers.add("controller", controller)?,
-            ObjectId::Joint(joint) => self.joints.add("joint", joint)?,
-            ObjectId::Spring(spring) => self.springs.add("spring", spring)?,
+            ObjectId::Joint(joint) => {
+                self.check_joint_bodies(joint)?;
+                self.joints.add("joint", joint)?;
+            }
+            ObjectId::Spring(spring) => {
+                self.check_spring_bodies(spring)?;
+                self.springs.add("spring", spring)?;
+            }
         }
         Ok(())
     }
@@ -114,7 +120,6 @@ impl PhysicsSimulator {
     /// # Errors
     /// A stale id.
     #[doc(alias = "Dispose")]
-    #[doc(alias("DistanceGrid.RemoveDistanceGrid"))]
     pub fn dispose(&mut self, object: impl Into<ObjectId>) -> Result<()> {
         match object.into() {
             ObjectId::Body(body) => {

@@ -12,6 +12,7 @@ use crate::body::{BodyId, Pose};
 use crate::body_entry::BodyEntry;
 use crate::collection::has_no_duplicates;
 use crate::geom::GeomId;
+use crate::nobody::check_bodies;
 use crate::{Error, Result};
 
 impl Serialize for PhysicsSimulator {
@@ -87,6 +88,9 @@ impl PhysicsSimulator {
         {
             return damaged("a joint, spring or controller has a value that is not possible");
         }
+        if !self.joints_and_springs_have_bodies() {
+            return damaged("a joint or spring takes part without its bodies");
+        }
         if !self.broad_phase.is_valid(&self.geoms) {
             return damaged("the broad phase names what is not there");
         }
@@ -94,6 +98,14 @@ impl PhysicsSimulator {
             return damaged("an arbiter names what is not there or is not finite");
         }
         Ok(())
+    }
+
+    /// Only what has all of its bodies can be added.
+    fn joints_and_springs_have_bodies(&self) -> bool {
+        let mut joints = self.joints.listed_or_queued();
+        let mut springs = self.springs.listed_or_queued();
+        joints.all(|joint| check_bodies("joint", joint.body1(), joint.body2()).is_ok())
+            && springs.all(|spring| check_bodies("spring", spring.body1(), spring.body2()).is_ok())
     }
 
     fn lists_are_consistent(&self) -> bool {

@@ -5,6 +5,7 @@ use super::queues::Handler;
 use crate::body::BodyId;
 use crate::error::{Error, Result};
 use crate::events::{Context, Event};
+use crate::nobody::check_bodies;
 use crate::springs::{Spring, SpringId, SpringOutcome, SpringType};
 
 /// Springs.
@@ -17,6 +18,29 @@ impl PhysicsSimulator {
         self.check_body("body1", spring.body1())?;
         spring.body2().map_or(Ok(()), |body| self.check_body("body2", body))?;
         Ok(self.springs.create(spring))
+    }
+
+    /// Makes a spring of a kind that pulls at nothing yet, as the original's constructors without arguments do: for what
+    /// is read from a file one value after the other. Bodies are set by [`set_spring_body1`](Self::set_spring_body1)
+    /// (also the only one) and [`set_spring_body2`](Self::set_spring_body2). Until they are set, both constants, points,
+    /// lengths and angles are 0; everything else has the default of its kind. The spring can be [added](Self::add) once
+    /// it has its bodies.
+    ///
+    /// ```
+    /// use farseer_core::{Body, Error, FixedLinearSpring, PhysicsSimulator};
+    /// let mut simulator = PhysicsSimulator::default();
+    /// let lamp = simulator.create_body(Body::new());
+    /// let cord = simulator.create_empty_spring::<FixedLinearSpring>();
+    /// simulator[cord].set_spring_constant(30.0)?;
+    /// assert_eq!(simulator.add(cord), Err(Error::MissingBody { argument: "spring", missing: "body" }));
+    /// simulator.set_spring_body1(cord, lamp)?;
+    /// simulator.spring_as_mut::<FixedLinearSpring>(cord)?.set_rest_length(12.0)?;
+    /// simulator.add(cord)?;
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[doc(alias("AngleSpring()", "FixedAngleSpring()", "FixedLinearSpring()", "LinearSpring()"))]
+    pub fn create_empty_spring<S: SpringType>(&mut self) -> SpringId {
+        self.springs.create(S::without_bodies())
     }
 
     /// A spring, unless the id is stale.
@@ -56,7 +80,7 @@ impl PhysicsSimulator {
         self.springs.list()
     }
 
-    /// Lets a spring pull another body; everything else of the spring stays.
+    /// Lets a spring pull another body, its first or only one; everything else of the spring stays.
     ///
     /// # Errors
     /// A stale id.
@@ -85,6 +109,12 @@ impl PhysicsSimulator {
         }
         changed.set_body2(body);
         Ok(())
+    }
+
+    /// Refuses a spring that was made without its bodies and has not been given them all.
+    pub(super) fn check_spring_bodies(&self, spring: SpringId) -> Result<()> {
+        let spring = self.springs.find("spring", spring)?;
+        check_bodies("spring", spring.body1(), spring.body2())
     }
 
     /// Refuses a body that is not there.

@@ -8,6 +8,7 @@ use crate::body_entry::BodyEntry;
 use crate::checked_properties::checked_properties;
 use crate::error::{Result, finite};
 use crate::math::scalar;
+use crate::nobody::nobody;
 use crate::springs::load::{Load, may_act};
 use crate::springs::{Constants, Pull, Spring, SpringKind};
 
@@ -37,10 +38,19 @@ impl AngleSpring {
             body1: body1.0,
             body2: body2.0,
             target_angle: finite("total_rotation", target_angle)?,
-            max_torque: f32::MAX,
-            torque_multiplier: 1.0,
+            ..AngleSpring::without_bodies()
         });
         Spring::of(kind, spring_constant, damping_constant)
+    }
+
+    pub(crate) fn without_bodies() -> Self {
+        AngleSpring {
+            body1: nobody(),
+            body2: nobody(),
+            target_angle: 0.0,
+            max_torque: f32::MAX,
+            torque_multiplier: 1.0,
+        }
     }
 
     /// The first body.
@@ -56,7 +66,7 @@ impl AngleSpring {
     }
 
     /// Wanted total rotation of the second body minus that of the first, in radians: at first the one they had when
-    /// the spring was made.
+    /// the spring was made, or 0 if it was made without its bodies.
     #[doc(alias = "TargetAngle")]
     pub fn target_angle(&self) -> f32 {
         self.target_angle

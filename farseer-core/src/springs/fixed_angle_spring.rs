@@ -7,6 +7,7 @@ use crate::body::{Body, BodyId};
 use crate::body_entry::BodyEntry;
 use crate::checked_properties::checked_properties;
 use crate::error::{Result, finite};
+use crate::nobody::nobody;
 use crate::springs::angle_spring::limited;
 use crate::springs::load::Load;
 use crate::springs::{Constants, Pull, Spring, SpringKind};
@@ -25,10 +26,13 @@ impl FixedAngleSpring {
         let kind = SpringKind::FixedAngle(FixedAngleSpring {
             body: body.0,
             target_angle: finite("total_rotation", body.1.total_rotation())?,
-            max_torque: f32::MAX,
-            torque_multiplier: 1.0,
+            ..FixedAngleSpring::without_bodies()
         });
         Spring::of(kind, spring_constant, damping_constant)
+    }
+
+    pub(crate) fn without_bodies() -> Self {
+        FixedAngleSpring { body: nobody(), target_angle: 0.0, max_torque: f32::MAX, torque_multiplier: 1.0 }
     }
 
     /// The body.
@@ -38,7 +42,8 @@ impl FixedAngleSpring {
     }
 
     checked_properties! {
-        /// Wanted total rotation in radians, of any size: at first the one the body had when the spring was made.
+        /// Wanted total rotation in radians, of any size: at first the one the body had when the spring was made, or 0 if
+        /// it was made without its body.
         #[doc(alias = "TargetAngle")]
         target_angle, set_target_angle;
         /// Greatest torque; a negative one turns the wrong way. Default [`f32::MAX`].

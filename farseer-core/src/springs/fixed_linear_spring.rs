@@ -10,6 +10,7 @@ use crate::error::{Result, finite, finite_vector};
 use crate::joints::joint_body::is_non_zero;
 use crate::math::Vector2;
 use crate::math::vector2::length;
+use crate::nobody::nobody;
 use crate::springs::load::Load;
 use crate::springs::{Constants, Pull, SHORTEST, Spring, SpringKind, strength};
 
@@ -42,6 +43,15 @@ impl FixedLinearSpring {
             rest_length: finite("rest_length", rest_length)?,
         });
         Spring::of(kind, spring_constant, damping_constant)
+    }
+
+    pub(crate) fn without_bodies() -> Self {
+        FixedLinearSpring {
+            body: nobody(),
+            body_attach_point: Vector2::zeros(),
+            world_attach_point: Vector2::zeros(),
+            rest_length: 0.0,
+        }
     }
 
     /// The body.
@@ -81,7 +91,8 @@ impl FixedLinearSpring {
     }
 
     checked_properties! {
-        /// Distance at which the spring is at rest: at first the one the points had when the spring was made.
+        /// Distance at which the spring is at rest: at first the one the points had when the spring was made, or 0
+        /// if it was made without its body.
         #[doc(alias = "RestLength")]
         rest_length, set_rest_length;
     }

@@ -10,6 +10,7 @@ use crate::error::{Result, finite, finite_vector};
 use crate::joints::joint_body::is_non_zero;
 use crate::math::Vector2;
 use crate::math::vector2::length;
+use crate::nobody::nobody;
 use crate::springs::load::{Load, may_act};
 use crate::springs::{Constants, Pull, SHORTEST, Spring, SpringKind, strength};
 
@@ -46,6 +47,16 @@ impl LinearSpring {
             rest_length: finite("rest_length", length(point2 - point1))?,
         });
         Spring::of(kind, spring_constant, damping_constant)
+    }
+
+    pub(crate) fn without_bodies() -> Self {
+        LinearSpring {
+            body1: nobody(),
+            body2: nobody(),
+            attach_point1: Vector2::zeros(),
+            attach_point2: Vector2::zeros(),
+            rest_length: 0.0,
+        }
     }
 
     /// The first body.
@@ -91,7 +102,8 @@ impl LinearSpring {
     }
 
     checked_properties! {
-        /// Distance at which the spring is at rest: at first the one the points had when the spring was made.
+        /// Distance at which the spring is at rest: at first the one the points had when the spring was made, or 0
+        /// if it was made without its bodies.
         #[doc(alias = "RestLength")]
         rest_length, set_rest_length;
     }

@@ -38,9 +38,10 @@ const SHORTEST: f32 = 0.00001;
 
 /// What all springs have in common, and the spring of a certain kind.
 ///
-/// Springs are made by [`SpringFactory`](crate::SpringFactory). A spring in the simulation goes when one of its bodies
-/// is disposed; another one when it is added. Between two bodies of which one is disabled it keeps pulling at both: the
-/// force piles up in the disabled one and acts at once when that is enabled again, as in the original.
+/// Springs are made by [`SpringFactory`](crate::SpringFactory), or without bodies by
+/// [`create_empty_spring`](crate::PhysicsSimulator::create_empty_spring). A spring in the simulation goes when one of
+/// its bodies is disposed; another one when it is added. Between two bodies of which one is disabled it keeps pulling at
+/// both: the force piles up in the disabled one and acts at once when that is enabled again, as in the original.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Spring {
     breakpoint: f32,
@@ -99,14 +100,22 @@ pub(crate) enum Pull {
 impl Spring {
     fn of(kind: SpringKind, spring_constant: f32, damping_constant: f32) -> Result<Self> {
         Ok(Spring {
-            breakpoint: f32::MAX,
             damping_constant: finite("damping_constant", damping_constant)?,
             spring_constant: finite("spring_constant", spring_constant)?,
+            ..Spring::without_constants(kind)
+        })
+    }
+
+    fn without_constants(kind: SpringKind) -> Self {
+        Spring {
+            breakpoint: f32::MAX,
+            damping_constant: 0.0,
+            spring_constant: 0.0,
             spring_error: 0.0,
             enabled: true,
             tag: 0,
             kind,
-        })
+        }
     }
 
     checked_properties! {
@@ -152,7 +161,8 @@ impl Spring {
         self.tag = value;
     }
 
-    /// The first body, or the only one.
+    /// The first body, or the only one. The id names nothing until the first one of a spring that was made without bodies
+    /// is set: `simulator.body(spring.body1())` is `None` then.
     pub fn body1(&self) -> BodyId {
         match &self.kind {
             SpringKind::Angle(spring) => spring.body1,
@@ -162,7 +172,8 @@ impl Spring {
         }
     }
 
-    /// The second body, if the spring has one.
+    /// The second body, if the spring is one between two bodies. Until it is set the id names nothing, as that of
+    /// [`body1`](Self::body1).
     pub fn body2(&self) -> Option<BodyId> {
         match &self.kind {
             SpringKind::Angle(spring) => Some(spring.body2),

@@ -3,7 +3,12 @@
 use crate::springs::{AngleSpring, FixedAngleSpring, FixedLinearSpring, LinearSpring, Spring, SpringKind};
 
 mod sealed {
-    pub trait Sealed {}
+    use super::Spring;
+
+    pub trait Sealed {
+        /// A spring of the kind without its bodies.
+        fn without_bodies() -> Spring;
+    }
 }
 
 /// A kind of spring, for typed access such as `simulator.spring_as::<LinearSpring>(spring)`. No other types can be.
@@ -20,7 +25,11 @@ pub trait SpringType: sealed::Sealed + Sized {
 
 macro_rules! spring_types {
     ($($kind:ident: $spring:ident),*) => {$(
-        impl sealed::Sealed for $spring {}
+        impl sealed::Sealed for $spring {
+            fn without_bodies() -> Spring {
+                Spring::without_constants(SpringKind::$kind($spring::without_bodies()))
+            }
+        }
 
         impl SpringType for $spring {
             const NAME: &'static str = stringify!($spring);
