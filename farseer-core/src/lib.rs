@@ -507,6 +507,7 @@ mod geom_entry;
 mod geom_ref;
 mod joints;
 mod limits;
+mod listed_pairs;
 mod methods;
 mod mouse_picker;
 mod narrow_phase;

@@ -97,13 +97,13 @@ impl PhysicsSimulator {
         if !self.lists_are_consistent() {
             return damaged("a list names an object that is not there, or twice");
         }
+        let attachments = self.attachments();
         let mut geoms = self.geoms.iter::<GeomId>();
         if !geoms.all(|(id, geom)| {
             geom.is_valid()
                 && geom.number < self.next_geom_number
-                && self.bodies.get(geom.body).is_some_and(|body| {
-                    geom.is_disposed || body.geoms.iter().filter(|&&g| g == id).count() == 1
-                })
+                && self.bodies.contains(geom.body)
+                && (geom.is_disposed || attachments[id.slot()] == 1)
         }) {
             return damaged("a geom is not finite or not attached to its body");
         }
@@ -130,6 +130,16 @@ impl PhysicsSimulator {
             return damaged("an arbiter names what is not there or is not finite");
         }
         Ok(())
+    }
+
+    /// By slot of the geom: how often the bodies name it. No body names another's: that is checked, too.
+    fn attachments(&self) -> Vec<u32> {
+        let mut attachments = vec![0; self.geoms.slot_count()];
+        let named = self.bodies.iter::<BodyId>().flat_map(|(_, body)| &body.geoms);
+        for &geom in named.filter(|&&geom| self.geoms.contains(geom)) {
+            attachments[geom.slot()] += 1;
+        }
+        attachments
     }
 
     fn lists_are_consistent(&self) -> bool {
