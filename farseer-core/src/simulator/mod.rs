@@ -68,6 +68,8 @@ pub struct StepCounters {
     pub pairs_touching: usize,
     /// Contacts the solver worked on in every iteration.
     pub contacts_solved: usize,
+    /// Passes that the solver made.
+    pub passes: u32,
     /// Bodies that changed their pose.
     pub bodies_moved: usize,
 }
@@ -233,13 +235,16 @@ impl PhysicsSimulator {
         self.settings.enabled = enabled;
     }
 
-    /// Passes of the solver per update. Default 5.
+    /// Passes of the solver per update, as they were set. Default 5.
     #[doc(alias = "Iterations")]
     pub fn iterations(&self) -> i32 {
         self.settings.iterations
     }
 
     /// Sets the passes of the solver; with 0 or less only the impulses of the last update act again.
+    ///
+    /// No more are made than the [limits](Self::limits) allow, and none where there is neither a contact to solve nor a
+    /// joint: [`StepCounters::passes`] says how many there were.
     pub fn set_iterations(&mut self, iterations: i32) {
         self.settings.iterations = iterations;
     }
