@@ -1,11 +1,14 @@
 //! The contact state between two geoms, and the ordered list of all of them (behaviour chapter 03).
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 
 use crate::arena::Arena;
 use crate::contact::Contact;
 use crate::geom::GeomId;
 use crate::geom_entry::GeomEntry;
+use crate::listed_pairs::ListedPairs;
 use crate::methods::FrictionType;
 use crate::pair_table::GeomPairBitmap;
 
@@ -81,6 +84,9 @@ pub(crate) struct ArbiterList {
     /// By handle: whether an engine solves the arbiter itself in this update. Empty as long as there is none.
     #[serde(skip)]
     left_to_engine: Vec<bool>,
+    /// Up to date while a broad phase looks for pairs that [asks the list](Self::index_listed).
+    #[serde(skip)]
+    listed: ListedPairs,
 }
 
 impl Default for ArbiterList {
@@ -91,6 +97,7 @@ impl Default for ArbiterList {
             pool: (0..INITIAL_POOL_SIZE).collect(),
             pairs: GeomPairBitmap::default(),
             left_to_engine: Vec::new(),
+            listed: ListedPairs::default(),
         }
     }
 }
@@ -127,12 +134,20 @@ impl ArbiterList {
         self.left_to_engine.get(handle as usize).is_some_and(|&is_left| is_left)
     }
 
+    /// Notes what the list has now, for [`is_listed`](Self::is_listed) and
+    /// [`add_arbiter_unless_listed`](Self::add_arbiter_unless_listed).
+    pub(crate) fn index_listed(&mut self) {
+        self.listed.clear(self.arbiters.len());
+        for &handle in &self.list {
+            if let Some(pair) = self.arbiters[handle as usize].geoms {
+                self.listed.add(handle, pair);
+            }
+        }
+    }
+
     /// Whether the list has an arbiter of a pair.
     pub(crate) fn is_listed(&self, geom1: GeomId, geom2: GeomId) -> bool {
-        self.list.iter().any(|&handle| {
-            let geoms = self.arbiters[handle as usize].geoms;
-            geoms == Some((geom1, geom2)) || geoms == Some((geom2, geom1))
-        })
+        self.listed.contains((geom1, geom2)) || self.listed.contains((geom2, geom1))
     }
 
     /// Whether handles are in range, and every listed arbiter has geoms that exist: false only after loading
@@ -181,7 +196,8 @@ impl ArbiterList {
         geom2: GeomId,
     ) {
         if !self.pairs.test_and_set(geoms[geom1].collision_id, geoms[geom2].collision_id) {
-            let handle = self.set_up(geoms, friction_type, geom1, geom2);
+            let handle = self.fetch();
+            self.set_up(handle, geoms, friction_type, geom1, geom2);
             self.list.push(handle);
         }
     }
@@ -197,11 +213,14 @@ impl ArbiterList {
         geom1: GeomId,
         geom2: GeomId,
     ) {
-        let handle = self.set_up(geoms, friction_type, geom1, geom2);
-        let pair = self.arbiters[handle as usize].geoms;
-        if self.list.iter().any(|&listed| self.arbiters[listed as usize].geoms == pair) {
+        let handle = self.fetch();
+        let before = self.arbiters[handle as usize].geoms;
+        let pair = self.set_up(handle, geoms, friction_type, geom1, geom2);
+        self.listed.change(handle, before, pair);
+        if self.listed.contains(pair) {
             self.pool.push(handle);
         } else {
+            self.listed.add(handle, pair);
             self.list.push(handle);
         }
     }
@@ -213,22 +232,22 @@ impl ArbiterList {
         })
     }
 
-    /// Takes an arbiter for a pair from the pool. Its contacts stay.
+    /// Makes an arbiter that of a pair, and answers its geoms as A and B. Its contacts stay.
     fn set_up(
         &mut self,
+        handle: u32,
         geoms: &Arena<GeomEntry>,
         friction_type: FrictionType,
         geom1: GeomId,
         geom2: GeomId,
-    ) -> u32 {
-        let handle = self.fetch();
+    ) -> (GeomId, GeomId) {
         let (a, b) = if geoms[geom1].number < geoms[geom2].number { (geom1, geom2) } else { (geom2, geom1) };
         let (friction_a, friction_b) =
             (geoms[a].geom.friction_coefficient, geoms[b].geom.friction_coefficient);
         let arbiter = &mut self.arbiters[handle as usize];
         arbiter.geoms = Some((a, b));
         arbiter.friction = friction_type.mix(friction_a, friction_b);
-        handle
+        (a, b)
     }
 
     /// Removes the arbiters that a predicate names, from the last to the first, and hands each pair to `left`
@@ -256,23 +275,148 @@ impl ArbiterList {
         }
     }
 
-    /// Takes the arbiters of a removed geom out (behaviour chapter 03, section 7.4): each goes to the pool, and
-    /// the **first equal** one leaves the list. With duplicates of a pair one handle enters the pool several
-    /// times and the others are lost, as in the original.
-    pub(crate) fn remove_arbiters_of(&mut self, geom: GeomId) {
-        let mut position = self.list.len();
+    /// Takes the arbiters of removed geoms out, geom by geom (behaviour chapter 03, section 7.4): the list is scanned from
+    /// its end, each arbiter found goes to the pool, and the **first equal** one leaves the list, so that the same one is
+    /// found again. So of several arbiters of a pair the last one enters the pool as often as there are, and the others
+    /// are lost, as in the original.
+    pub(crate) fn remove_arbiters_of(&mut self, removed: &[GeomId]) {
+        let mut turns = BTreeMap::new();
+        for (turn, &geom) in removed.iter().enumerate() {
+            turns.entry(geom).or_insert(turn);
+        }
+        let mut leaving: Vec<Leaving> = Vec::new();
+        let mut places: BTreeMap<(GeomId, GeomId), usize> = BTreeMap::new();
+        for &handle in self.list.iter().rev() {
+            let Some((a, b)) = self.arbiters[handle as usize].geoms else { continue };
+            let Some(&turn) = turns.get(&a).into_iter().chain(turns.get(&b)).min() else { continue };
+            let place = *places.entry((a, b)).or_insert_with(|| {
+                leaving.push(Leaving { turn, handle, count: 0 });
+                leaving.len() - 1
+            });
+            leaving[place].count += 1;
+        }
+        // Within a turn they stay in the order in which they were found.
+        leaving.sort_by_key(|leaving| leaving.turn);
+        for Leaving { handle, count, .. } in leaving {
+            self.pool.extend(std::iter::repeat_n(handle, count));
+        }
+        let arbiters = &self.arbiters;
+        self.list.retain(|&handle| {
+            !arbiters[handle as usize].geoms.is_some_and(|pair| places.contains_key(&pair))
+        });
+    }
+}
+
+/// The arbiters of one pair that leave with a removed geom.
+struct Leaving {
+    /// Which of the removed geoms comes first.
+    turn: usize,
+    /// The last one in the list.
+    handle: u32,
+    /// How many there are.
+    count: usize,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::body::BodyId;
+    use crate::math::Vector2;
+
+    /// A sequence of numbers below a bound.
+    struct Numbers(u64);
+
+    impl Numbers {
+        fn below(&mut self, bound: usize) -> usize {
+            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (self.0 >> 33) as usize % bound
+        }
+    }
+
+    fn geoms() -> (Arena<GeomEntry>, Vec<GeomId>) {
+        let body = Arena::default().insert::<BodyId>(());
+        let mut geoms = Arena::default();
+        let ids =
+            (0..6).map(|number| geoms.insert(GeomEntry::new(number, body, Vector2::zeros(), 0.0))).collect();
+        (geoms, ids)
+    }
+
+    fn pair(ids: &[GeomId], numbers: &mut Numbers) -> (GeomId, GeomId) {
+        let first = numbers.below(ids.len() - 1);
+        (ids[first], ids[first + 1 + numbers.below(ids.len() - first - 1)])
+    }
+
+    /// List and pool hold arbiters twice, and some are in both.
+    fn shared_list(ids: &[GeomId], numbers: &mut Numbers) -> ArbiterList {
+        let mut arbiters = ArbiterList::default();
+        arbiters.arbiters.truncate(12);
+        for arbiter in &mut arbiters.arbiters {
+            arbiter.geoms = Some(pair(ids, numbers));
+        }
+        arbiters.list = (0..numbers.below(16)).map(|_| numbers.below(12) as u32).collect();
+        arbiters.pool = (0..numbers.below(16)).map(|_| numbers.below(12) as u32).collect();
+        arbiters
+    }
+
+    fn state(list: &ArbiterList) -> (Vec<Option<(GeomId, GeomId)>>, Vec<u32>, Vec<u32>) {
+        (list.arbiters.iter().map(|arbiter| arbiter.geoms).collect(), list.list.clone(), list.pool.clone())
+    }
+
+    /// What the brute force collider does, as the chapter says it.
+    fn add_after_a_search(list: &mut ArbiterList, geoms: &Arena<GeomEntry>, pair: (GeomId, GeomId)) {
+        let handle = list.fetch();
+        list.set_up(handle, geoms, FrictionType::Average, pair.0, pair.1);
+        if list.list.iter().any(|&listed| list.arbiters[listed as usize].geoms == Some(pair)) {
+            list.pool.push(handle);
+        } else {
+            list.list.push(handle);
+        }
+    }
+
+    #[test]
+    fn pairs_are_found_in_the_list_as_by_a_search_whoever_shares_an_arbiter() {
+        let (geoms, ids) = geoms();
+        for seed in 0..500 {
+            let mut numbers = Numbers(seed);
+            let mut list = shared_list(&ids, &mut numbers);
+            let mut searched = list.clone();
+            list.index_listed();
+            for _ in 0..20 {
+                let (a, b) = pair(&ids, &mut numbers);
+                list.add_arbiter_unless_listed(&geoms, FrictionType::Average, b, a);
+                add_after_a_search(&mut searched, &geoms, (a, b));
+                assert_eq!(state(&list), state(&searched), "seed {seed}");
+            }
+        }
+    }
+
+    /// Behaviour chapter 03, section 7.4, word for word.
+    fn remove_by_scans(list: &mut ArbiterList, geom: GeomId) {
+        let mut position = list.list.len();
         while position > 0 {
             position -= 1;
-            let handle = self.list[position];
-            let pair = self.arbiters[handle as usize].geoms;
+            let handle = list.list[position];
+            let pair = list.arbiters[handle as usize].geoms;
             if pair.is_some_and(|(a, b)| a == geom || b == geom) {
-                self.pool.push(handle);
-                let first_equal =
-                    self.list.iter().position(|&other| self.arbiters[other as usize].geoms == pair);
-                if let Some(first_equal) = first_equal {
-                    self.list.remove(first_equal);
-                }
+                list.pool.push(handle);
+                let is_equal = |&other: &u32| list.arbiters[other as usize].geoms == pair;
+                let first_equal = list.list.iter().position(is_equal).expect("it is equal to itself");
+                list.list.remove(first_equal);
             }
+        }
+    }
+
+    #[test]
+    fn removed_geoms_take_their_arbiters_out_as_one_scan_each_would() {
+        let (_, ids) = geoms();
+        for seed in 0..500 {
+            let mut numbers = Numbers(seed);
+            let mut list = shared_list(&ids, &mut numbers);
+            let mut scanned = list.clone();
+            let removed: Vec<GeomId> = (0..numbers.below(4)).map(|_| ids[numbers.below(6)]).collect();
+            list.remove_arbiters_of(&removed);
+            removed.iter().for_each(|&geom| remove_by_scans(&mut scanned, geom));
+            assert_eq!(state(&list), state(&scanned), "seed {seed}");
         }
     }
 }

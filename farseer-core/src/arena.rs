@@ -132,10 +132,6 @@ impl<T> Arena<T> {
         })
     }
 
-    pub(crate) fn values_mut(&mut self) -> impl Iterator<Item = &mut T> {
-        self.slots.iter_mut().filter_map(|slot| slot.value.as_mut())
-    }
-
     /// Whether the free list names exactly the empty slots, once each: false only after loading garbage.
     pub(crate) fn is_consistent(&self) -> bool {
         let mut empty: Vec<bool> = self.slots.iter().map(|slot| slot.value.is_none()).collect();

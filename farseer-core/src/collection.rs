@@ -155,11 +155,12 @@ impl<T, I: Id + Ord> Collection<T, I> {
         let mut left = std::mem::take(&mut self.removed);
         left.retain(|&id| {
             let Some(entry) = self.entries.get_mut(id) else { return false };
-            if std::mem::replace(&mut entry.is_listed, false) {
-                self.list.retain(|&listed| listed != id);
-            }
+            entry.is_listed = false;
             true
         });
+        if !left.is_empty() {
+            self.list.retain(|&id| self.entries[id].is_listed);
+        }
         left
     }
 

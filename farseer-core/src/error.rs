@@ -48,6 +48,16 @@ pub enum Error {
         /// Name of the argument.
         argument: &'static str,
     },
+    /// It would cost more than the simulator's [`Limits`](crate::Limits) allow.
+    #[error("{limit} would be {needed}, but at most {allowed} is allowed: see `Limits`, which can be raised")]
+    LimitExceeded {
+        /// Name of the limit: a field of [`Limits`](crate::Limits).
+        limit: &'static str,
+        /// What was asked for.
+        needed: u64,
+        /// What is allowed.
+        allowed: u64,
+    },
     /// A snapshot was made by another version of its format.
     #[error("the snapshot has version {found} of its format, but version {known} is needed")]
     UnknownSaveVersion {
@@ -71,6 +81,11 @@ impl Error {
     /// An [`Error::InvalidArgument`].
     pub fn invalid(argument: &'static str, value: impl std::fmt::Debug, requirement: &'static str) -> Self {
         Error::InvalidArgument { argument, value: format!("{value:?}"), requirement }
+    }
+
+    /// An [`Error::LimitExceeded`] if more is needed than is allowed.
+    pub(crate) fn check_limit(limit: &'static str, needed: u64, allowed: u64) -> Result<()> {
+        if needed > allowed { Err(Error::LimitExceeded { limit, needed, allowed }) } else { Ok(()) }
     }
 }
 

@@ -506,6 +506,8 @@ mod geom;
 mod geom_entry;
 mod geom_ref;
 mod joints;
+mod limits;
+mod listed_pairs;
 mod methods;
 mod mouse_picker;
 mod narrow_phase;
@@ -541,6 +543,7 @@ pub use joints::{
     AngleJoint, AngleLimitJoint, FixedAngleJoint, FixedAngleLimitJoint, FixedRevoluteJoint, Joint, JointId,
     JointKind, JointType, PinJoint, RevoluteJoint, SliderJoint, WeldJoint,
 };
+pub use limits::Limits;
 pub use methods::{BroadPhaseCollider, CollisionCategory, FrictionType, NarrowPhaseCollider};
 pub use mouse_picker::MousePicker;
 pub use narrow_phase::distance_grid::DistanceGrid;
@@ -551,7 +554,9 @@ pub use path::{
     Curve, CurveContinuity, CurveKey, CurveKeyCollection, CurveLoopType, CurveTangent, LinkType, Path,
 };
 pub use shape::{Aabb, Vertices};
-pub use simulator::{GeomPlacement, GeomPointPair, PhysicsSimulator, RayCastHit, StepCounters, StepTimes};
+pub use simulator::{
+    GeomPlacement, GeomPointPair, PhysicsSimulator, RayCastHit, SavedSimulator, StepCounters, StepTimes,
+};
 pub use solver::{SolverBody, SolverPlace};
 pub use springs::{
     AngleSpring, FixedAngleSpring, FixedLinearSpring, LinearSpring, Spring, SpringId, SpringKind, SpringType,

@@ -14,7 +14,7 @@
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use crate::simulator::PhysicsSimulator;
+use crate::simulator::{PhysicsSimulator, SavedSimulator};
 use crate::{Error, Result};
 
 const MAGIC_LENGTH: usize = 8;
@@ -100,7 +100,7 @@ fn checksum(bytes: &[u8]) -> u32 {
     hasher.finalize()
 }
 
-const SIMULATOR: SnapshotFormat = SnapshotFormat { magic: *b"Farseer2", version: 1 };
+const SIMULATOR: SnapshotFormat = SnapshotFormat { magic: *b"Farseer2", version: 2 };
 
 impl PhysicsSimulator {
     /// The whole simulator as bytes, to [restore](Self::restore) later, in this program or another.
@@ -132,13 +132,14 @@ impl PhysicsSimulator {
     }
 
     /// Becomes the simulator of a [snapshot](Self::snapshot): it goes on with the same bits, and the ids of then name
-    /// the same objects. Ids made since then are void: they may come to name others. Forget them.
+    /// the same objects. Ids made since then are void: they may come to name others. Forget them. The
+    /// [limits](Self::limits) stay those of this simulator.
     ///
     /// # Errors
-    /// Bytes that are no snapshot, were cut short or altered, or come from another version of the format. The
-    /// simulator is what it was, then.
+    /// Bytes that are no snapshot, were cut short or altered, or come from another version of the format;
+    /// [`Error::LimitExceeded`] for more than the limits allow. The simulator is what it was, then.
     pub fn restore(&mut self, snapshot: &[u8]) -> Result<()> {
-        *self = SIMULATOR.read(snapshot)?;
+        *self = SIMULATOR.read::<SavedSimulator>(snapshot)?.load(self.limits())?;
         Ok(())
     }
 }

@@ -1,10 +1,11 @@
-//! A set of integers that is emptied in no time.
+//! A set of integers that is emptied in no time, and can count them.
 
 /// Open addressing; an entry counts only if its stamp is the current one. Never enumerated, so the order inside
 /// cannot be observed.
 #[derive(Debug, Clone)]
 pub(crate) struct StampedSet {
-    entries: Vec<(i64, u32)>,
+    /// Key, stamp, and what is counted of the key.
+    entries: Vec<(i64, u32, u32)>,
     stamp: u32,
     used: usize,
 }
@@ -21,7 +22,7 @@ impl StampedSet {
         self.used = 0;
         self.stamp = self.stamp.wrapping_add(1);
         if self.stamp == 0 {
-            self.entries.fill((0, 0));
+            self.entries.fill((0, 0, 0));
             self.stamp = 1;
         }
     }
@@ -36,9 +37,25 @@ impl StampedSet {
         if self.entries[place].1 == self.stamp {
             return false;
         }
-        self.entries[place] = (key, self.stamp);
+        self.entries[place] = (key, self.stamp, 0);
         self.used += 1;
         true
+    }
+
+    /// What is counted of a key, from 0; it is put in if it is new.
+    pub(crate) fn count_mut(&mut self, key: i64) -> &mut u32 {
+        self.insert(key);
+        let place = self.find(key);
+        &mut self.entries[place].2
+    }
+
+    /// What is counted of a key; 0 if it is not in.
+    pub(crate) fn count(&self, key: i64) -> u32 {
+        if self.used == 0 {
+            return 0;
+        }
+        let (_, stamp, count) = self.entries[self.find(key)];
+        if stamp == self.stamp { count } else { 0 }
     }
 
     /// The place of a key, or the free place where it belongs.
@@ -55,11 +72,11 @@ impl StampedSet {
 
     fn grow(&mut self) {
         let capacity = (self.entries.len() * 2).max(256);
-        let old = std::mem::replace(&mut self.entries, vec![(0, 0); capacity]);
-        for (key, stamp) in old {
+        let old = std::mem::replace(&mut self.entries, vec![(0, 0, 0); capacity]);
+        for (key, stamp, count) in old {
             if stamp == self.stamp {
                 let place = self.find(key);
-                self.entries[place] = (key, stamp);
+                self.entries[place] = (key, stamp, count);
             }
         }
     }
@@ -76,5 +93,17 @@ mod tests {
         assert!((0..1000).all(|key| !set.insert(key * 7)));
         set.clear();
         assert!((0..1000).all(|key| set.insert(key * 7)));
+    }
+
+    #[test]
+    fn keys_are_counted_until_the_set_is_cleared() {
+        let mut set = StampedSet::default();
+        assert_eq!(set.count(3), 0);
+        for key in (0..1000).chain(500..1000) {
+            *set.count_mut(key) += 1;
+        }
+        assert!((0..1500).all(|key| set.count(key) == [1, 2, 0][key as usize / 500]));
+        set.clear();
+        assert_eq!(set.count(3), 0);
     }
 }

@@ -360,6 +360,7 @@ pub use methods::{Axis, Methods, Partner};
 pub use platform::{Platform, PlatformId, PlatformMut};
 pub use projection::Projection;
 pub use queries::Surface;
+pub use save::SavedTwoHalfSimulator;
 pub use simulator::TwoHalfPhysicsSimulator;
 pub use step::StepCounters;
 pub use support::Support;

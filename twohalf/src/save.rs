@@ -3,22 +3,37 @@
 //! What was loaded continues with the same bits; what contradicts itself is refused. Events are notices and no
 //! state: what the next update would have told of refused arguments and disposals is not saved.
 
-use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
+use farseer_core::{Limits, SavedSimulator};
+use serde::{Deserialize, Deserializer, de::Error as _};
 
 use crate::depth::DepthProfile;
 use crate::error::damaged;
+use crate::world::World;
 use crate::{Methods, Result, TwoHalfPhysicsSimulator};
-
-impl Serialize for TwoHalfPhysicsSimulator {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        TwoHalfPhysicsSimulator::serialize(self, serializer)
-    }
-}
 
 impl<'de> Deserialize<'de> for TwoHalfPhysicsSimulator {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let mut simulator = TwoHalfPhysicsSimulator::deserialize(deserializer)?;
-        simulator.check().map_err(D::Error::custom)?;
+        let saved = SavedTwoHalfSimulator::deserialize(deserializer)?;
+        saved.load(Limits::default()).map_err(D::Error::custom)
+    }
+}
+
+/// A [`TwoHalfPhysicsSimulator`] that was read, to load with other [`Limits`] than the default ones.
+#[derive(Debug, Clone, Deserialize)]
+pub struct SavedTwoHalfSimulator {
+    core: SavedSimulator,
+    world: World,
+}
+
+impl SavedTwoHalfSimulator {
+    /// Makes the simulator, which has these limits from then on.
+    ///
+    /// # Errors
+    /// What contradicts itself; [`farseer_core::Error::LimitExceeded`] for more than is allowed.
+    pub fn load(self, limits: Limits) -> Result<TwoHalfPhysicsSimulator> {
+        let core = self.core.load(limits)?;
+        let mut simulator = TwoHalfPhysicsSimulator { core, world: self.world };
+        simulator.check()?;
         Ok(simulator)
     }
 }

@@ -1,7 +1,7 @@
 //! The simulator: owns everything.
 
-use farseer_core::{Body, BodyId, Geom, GeomId, GeomPlacement, ObjectId, PhysicsSimulator, Vertices};
-use serde::{Deserialize, Serialize};
+use farseer_core::{Body, BodyId, Geom, GeomId, GeomPlacement, Limits, ObjectId, PhysicsSimulator, Vertices};
+use serde::Serialize;
 
 use crate::body::TwoHalfBody;
 use crate::depth::{DepthBody, DepthProfile, Depths};
@@ -40,8 +40,7 @@ const DEFAULT_ANGLE: i32 = 90;
 /// assert!(position.y.abs() < 0.1 && position.z == 30.0);
 /// # Ok::<(), twohalf::Error>(())
 /// ```
-#[derive(Debug, Clone, Serialize, Deserialize)]
-#[serde(remote = "Self")]
+#[derive(Debug, Clone, Serialize)]
 pub struct TwoHalfPhysicsSimulator {
     pub(crate) core: PhysicsSimulator,
     pub(crate) world: World,
@@ -168,6 +167,16 @@ impl TwoHalfPhysicsSimulator {
     /// Sets the passes of the solver; with 0 or less only the impulses of the last update act again.
     pub fn set_iterations(&mut self, iterations: i32) {
         self.core.set_iterations(iterations);
+    }
+
+    /// What this simulator may cost.
+    pub fn limits(&self) -> Limits {
+        self.core.limits()
+    }
+
+    /// Sets what this simulator may cost: [`PhysicsSimulator::set_limits`].
+    pub fn set_limits(&mut self, limits: Limits) {
+        self.core.set_limits(limits);
     }
 
     /// Whether updates move anything; objects enter and leave either way. Default true.

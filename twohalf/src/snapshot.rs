@@ -2,9 +2,9 @@
 
 use farseer_core::snapshot::SnapshotFormat;
 
-use crate::{Result, TwoHalfPhysicsSimulator};
+use crate::{Result, SavedTwoHalfSimulator, TwoHalfPhysicsSimulator};
 
-const SIMULATOR: SnapshotFormat = SnapshotFormat { magic: *b"TwoHalf1", version: 1 };
+const SIMULATOR: SnapshotFormat = SnapshotFormat { magic: *b"TwoHalf1", version: 2 };
 
 impl TwoHalfPhysicsSimulator {
     /// The whole simulator as bytes, to [restore](Self::restore) later, in this program or another.
@@ -16,13 +16,13 @@ impl TwoHalfPhysicsSimulator {
     }
 
     /// Becomes the simulator of a [snapshot](Self::snapshot): it goes on with the same bits, and the ids of then name
-    /// the same objects.
+    /// the same objects. The [limits](Self::limits) stay those of this simulator.
     ///
     /// # Errors
-    /// Bytes that are no snapshot, were cut short or altered, or come from another version of the format. The
-    /// simulator is what it was, then.
+    /// Bytes that are no snapshot, were cut short or altered, or come from another version of the format;
+    /// [`farseer_core::Error::LimitExceeded`] for more than the limits allow. The simulator is what it was, then.
     pub fn restore(&mut self, snapshot: &[u8]) -> Result<()> {
-        *self = SIMULATOR.read(snapshot)?;
+        *self = SIMULATOR.read::<SavedTwoHalfSimulator>(snapshot)?.load(self.limits())?;
         Ok(())
     }
 }

@@ -126,7 +126,8 @@ impl World {
         self.solver.prepare(core, &self.depths, &self.touches, inverse_dt);
         core.pre_step(inverse_dt);
         self.solver.warm_start(core);
-        for _ in 0..core.iterations() {
+        let has_work = core.has_something_to_solve() || !self.solver.is_empty();
+        for _ in 0..if has_work { core.passes() } else { 0 } {
             core.solve_iteration(None);
             self.solver.solve_iteration(core);
         }

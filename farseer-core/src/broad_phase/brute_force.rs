@@ -4,6 +4,7 @@ use super::PairSink;
 use crate::shape::Aabb;
 
 pub(super) fn update(sink: &mut impl PairSink) {
+    sink.index_listed();
     for i in 0..sink.geom_list().len() {
         for j in i + 1..sink.geom_list().len() {
             let (a, b) = (sink.geom_list()[i], sink.geom_list()[j]);

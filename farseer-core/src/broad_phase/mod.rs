@@ -4,6 +4,7 @@
 
 mod brute_force;
 mod endpoint;
+mod overlaps;
 mod selective_sweep;
 mod slot_table;
 mod sort;
@@ -35,6 +36,8 @@ pub(crate) trait PairSink {
     fn geom_list(&self) -> &[GeomId];
     /// Takes a pair whose boxes overlap.
     fn register(&mut self, geom1: GeomId, geom2: GeomId);
+    /// Notes which pairs the arbiter list has, for [`register_unless_listed`](Self::register_unless_listed).
+    fn index_listed(&mut self);
     /// Takes a pair found by the brute force method, which looks through the arbiter list itself.
     fn register_unless_listed(&mut self, geom1: GeomId, geom2: GeomId);
 }
@@ -86,7 +89,7 @@ impl BroadPhase {
         let alive = |id: GeomId| geoms.get(id).is_some_and(&alive);
         match self {
             BroadPhase::SelectiveSweep(sweep) => sweep.retain(alive),
-            BroadPhase::SweepAndPrune(sweep) => sweep.retain(alive),
+            BroadPhase::SweepAndPrune(sweep) => sweep.retain(alive, geoms),
             BroadPhase::BruteForce | BroadPhase::SpatialHash(_) | BroadPhase::AtWork(_) => {}
         }
     }

@@ -13,9 +13,9 @@ use crate::pair_id::PairId;
 use crate::shape::Aabb;
 use crate::stamped_set::StampedSet;
 
-/// A geom that would cover more cells than this is met with every other geom instead. The original fills the
-/// cells until memory is exhausted.
-const MAX_CELLS_PER_GEOM: u64 = 1 << 20;
+/// Entries in all cells of an update, one for every cell that a geom covers. A geom whose entries do not fit any more is
+/// met with every other geom instead. The original fills the cells until memory is exhausted.
+const MAX_CELL_ENTRIES: u64 = 1 << 20;
 
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(crate) struct SpatialHash {
@@ -78,6 +78,7 @@ impl SpatialHash {
     fn fill(&mut self, geom_list: &[GeomId], geoms: &Arena<GeomEntry>) {
         let inverse = 1.0 / self.cell_size;
         let mut sum = 0.0f32;
+        let mut free_entries = MAX_CELL_ENTRIES;
         self.oversized.clear();
         for &id in geom_list {
             let aabb = &geoms[id].aabb;
@@ -87,10 +88,12 @@ impl SpatialHash {
             let (x0, x1) = (to_int(aabb.min.x * inverse), to_int(aabb.max.x * inverse).wrapping_add(1));
             let (y0, y1) = (to_int(aabb.min.y * inverse), to_int(aabb.max.y * inverse).wrapping_add(1));
             let span = |from: i32, to: i32| (i64::from(to) - i64::from(from)).max(0) as u64;
-            if span(x0, x1).saturating_mul(span(y0, y1)) > MAX_CELLS_PER_GEOM {
+            let covered = span(x0, x1).saturating_mul(span(y0, y1));
+            if covered > free_entries {
                 self.oversized.push(id);
                 continue;
             }
+            free_entries -= covered;
             for x in x0..x1 {
                 for y in y0..y1 {
                     self.cells.get_or_insert_with((x, y), Vec::new).push(id);

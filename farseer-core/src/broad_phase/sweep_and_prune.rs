@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::PairSink;
+use super::overlaps::Overlaps;
 use super::slot_table::SlotTable;
 use crate::arena::Arena;
 use crate::geom::GeomId;
@@ -26,8 +27,7 @@ struct Extent {
 #[derive(Debug, Clone, Serialize, Deserialize)]
 struct ExtentInfo {
     geom: GeomId,
-    /// Overlaps that were offered as pairs already. A pair refused once is not offered again on this axis.
-    overlaps: Vec<GeomId>,
+    overlaps: Overlaps,
     /// Overlaps that began in this update.
     under_consideration: Vec<GeomId>,
 }
@@ -75,7 +75,7 @@ impl Axis {
             }
         }
         let under_consideration = self.open_at(min_position, geom);
-        self.infos.push(ExtentInfo { geom, overlaps: Vec::new(), under_consideration });
+        self.infos.push(ExtentInfo { geom, overlaps: Overlaps::default(), under_consideration });
     }
 
     fn insert_extent(&mut self, new: Extent) -> usize {
@@ -147,14 +147,17 @@ impl Axis {
     fn forget(&mut self, info: usize, other: GeomId, pairs: &mut PairTable, geoms: &Arena<GeomEntry>) {
         let info = &mut self.infos[info];
         remove_first(&mut info.under_consideration, other);
-        if remove_first(&mut info.overlaps, other)
+        if info.overlaps.remove(other)
             && let Some((key, _)) = pair_of(info.geom, other, geoms)
         {
             pairs.remove(key);
         }
     }
 
-    fn retain(&mut self, alive: impl Fn(GeomId) -> bool) {
+    fn retain(&mut self, alive: impl Fn(GeomId) -> bool, geoms: &Arena<GeomEntry>) {
+        for info in &mut self.infos {
+            info.under_consideration.retain(|&geom| geoms.contains(geom));
+        }
         let mut next = 0;
         let renumbered: Vec<Option<u32>> = self
             .infos
@@ -181,7 +184,7 @@ impl Axis {
 
     fn is_valid(&self, geoms: &Arena<GeomEntry>) -> bool {
         let mut missing = vec![true; self.infos.len() * 2];
-        self.infos.iter().all(|info| geoms.contains(info.geom))
+        self.infos.iter().all(|info| geoms.contains(info.geom) && info.overlaps.is_valid())
             && self.extents.len() == missing.len()
             && self.extents.iter().all(|extent| {
                 let place = extent.info as usize * 2 + usize::from(extent.is_min);
@@ -208,9 +211,9 @@ impl SweepAndPrune {
 
     /// All pairs are forgotten, even if no geom goes: as in the original, what rests continues only through
     /// arbiters that exist already.
-    pub(super) fn retain(&mut self, alive: impl Fn(GeomId) -> bool) {
-        self.x.retain(&alive);
-        self.y.retain(&alive);
+    pub(super) fn retain(&mut self, alive: impl Fn(GeomId) -> bool, geoms: &Arena<GeomEntry>) {
+        self.x.retain(&alive, geoms);
+        self.y.retain(&alive, geoms);
         self.pairs.clear();
     }
 
@@ -247,7 +250,7 @@ impl SweepAndPrune {
 fn consider(info: &mut ExtentInfo, pairs: &mut PairTable, moved: &mut Vec<GeomId>, sink: &mut impl PairSink) {
     moved.clear();
     moved.append(&mut info.under_consideration);
-    info.overlaps.extend_from_slice(moved);
+    info.overlaps.extend(moved, sink.scene().geoms);
     let a = info.geom;
     for &b in moved.iter() {
         let scene = sink.scene();

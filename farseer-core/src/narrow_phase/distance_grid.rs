@@ -6,6 +6,7 @@
 use std::sync::Arc;
 
 use crate::contact::Feature;
+use crate::limits::Limits;
 use crate::math::vector2::{length_squared, normalize};
 use crate::math::{Vector2, scalar};
 use crate::shape::distance::nearest_distance;
@@ -39,37 +40,29 @@ impl DistanceGrid {
     ///
     /// # Errors
     /// `collision_grid_size` if it is not positive and finite, or so small that the grid would have more
-    /// than 2^26 nodes; an outline that is empty.
+    /// than 2^26 nodes; an outline that is empty; [`Error::LimitExceeded`] if it is more work than the default
+    /// [`grid_work`](Limits::grid_work).
     #[doc(alias = "CreateDistanceGrid")]
     pub fn new(outline: Vertices, collision_grid_size: f32) -> Result<Self> {
-        if outline.is_empty() {
-            return Err(Error::invalid("vertices", 0, "a list of at least one vertex"));
-        }
-        let (x_count, y_count, aabb) = node_counts(&outline, collision_grid_size)?;
-        let mut nodes = Vec::with_capacity(x_count * y_count);
-        let mut x = aabb.min.x;
-        for _ in 0..x_count {
-            let mut y = aabb.min.y;
-            for _ in 0..y_count {
-                nodes.push(nearest_distance(&outline, Vector2::new(x, y)));
-                y += collision_grid_size;
-            }
-            x += collision_grid_size;
-        }
-        let box_slack = box_slack(&outline, x_count.max(y_count));
-        let reach_squared =
-            outline.iter().map(|&v| length_squared(v)).fold(0.0, f32::max) * (1.0 + 4.0 * box_slack);
-        Ok(DistanceGrid {
+        let plan = GridPlan::new(&outline, collision_grid_size)?;
+        plan.check(&Limits::default())?;
+        Ok(plan.sample(outline))
+    }
+
+    /// A grid that is still to be made, of which only the outline and the cell size are known: it has no nodes yet and
+    /// nothing is inside of it.
+    fn to_be_made(outline: Vertices, cell_size: f32) -> Self {
+        DistanceGrid {
             outline,
-            aabb,
-            cell_size: collision_grid_size,
-            inverse_cell_size: 1.0 / collision_grid_size,
-            x_count,
-            y_count,
-            nodes,
-            box_slack,
-            reach_squared,
-        })
+            aabb: Aabb::default(),
+            cell_size,
+            inverse_cell_size: 1.0 / cell_size,
+            x_count: 0,
+            y_count: 0,
+            nodes: Vec::new(),
+            box_slack: f32::INFINITY,
+            reach_squared: 0.0,
+        }
     }
 
     /// The outline that was sampled.
@@ -154,6 +147,60 @@ fn lerp(a: f32, b: f32, t: f32) -> f32 {
     a + (b - a) * t
 }
 
+/// The size of a grid, known before its nodes are sampled.
+pub(crate) struct GridPlan {
+    cell_size: f32,
+    x_count: usize,
+    y_count: usize,
+    aabb: Aabb,
+    /// Nodes times vertices.
+    pub(crate) work: u64,
+}
+
+impl GridPlan {
+    pub(crate) fn new(outline: &Vertices, cell_size: f32) -> Result<Self> {
+        if outline.is_empty() {
+            return Err(Error::invalid("vertices", 0, "a list of at least one vertex"));
+        }
+        let (x_count, y_count, aabb) = node_counts(outline, cell_size)?;
+        let work = (x_count * y_count) as u64 * outline.len() as u64;
+        Ok(GridPlan { cell_size, x_count, y_count, aabb, work })
+    }
+
+    pub(crate) fn check(&self, limits: &Limits) -> Result<()> {
+        Error::check_limit("grid_work", self.work, limits.grid_work)
+    }
+
+    /// Makes the grid of the outline that was planned for.
+    pub(crate) fn sample(&self, outline: Vertices) -> DistanceGrid {
+        let GridPlan { cell_size, x_count, y_count, aabb, .. } = *self;
+        let mut nodes = Vec::with_capacity(x_count * y_count);
+        let mut x = aabb.min.x;
+        for _ in 0..x_count {
+            let mut y = aabb.min.y;
+            for _ in 0..y_count {
+                nodes.push(nearest_distance(&outline, Vector2::new(x, y)));
+                y += cell_size;
+            }
+            x += cell_size;
+        }
+        let box_slack = box_slack(&outline, x_count.max(y_count));
+        let reach_squared =
+            outline.iter().map(|&v| length_squared(v)).fold(0.0, f32::max) * (1.0 + 4.0 * box_slack);
+        DistanceGrid {
+            outline,
+            aabb,
+            cell_size,
+            inverse_cell_size: 1.0 / cell_size,
+            x_count,
+            y_count,
+            nodes,
+            box_slack,
+            reach_squared,
+        }
+    }
+}
+
 /// Number of nodes along both axes, and the local box (negative zeros of the outline become positive).
 fn node_counts(outline: &Vertices, cell_size: f32) -> Result<(usize, usize, Aabb)> {
     crate::error::positive("collision_grid_size", cell_size)?;
@@ -216,7 +263,8 @@ fn is_strictly_usable_convex(outline: &Vertices) -> bool {
     (turn + std::f64::consts::TAU).abs() < 1e-6
 }
 
-/// Saves a grid as the outline and cell size it is made from; loading samples it again, to the same bits.
+/// Saves a grid as the outline and cell size it is made from. What is loaded is [to be made](DistanceGrid::to_be_made)
+/// again, to the same bits, once it is known what all grids together cost.
 pub(crate) mod as_outline {
     use super::*;
     use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
@@ -243,8 +291,6 @@ pub(crate) mod as_outline {
         if !source.outline.iter().all(|v| v.x.is_finite() && v.y.is_finite()) {
             return Err(D::Error::custom("outline of a distance grid is not finite"));
         }
-        DistanceGrid::new(source.outline, source.cell_size)
-            .map(|grid| Some(Arc::new(grid)))
-            .map_err(D::Error::custom)
+        Ok(Some(Arc::new(DistanceGrid::to_be_made(source.outline, source.cell_size))))
     }
 }

@@ -1,44 +1,103 @@
-//! Equal distance grids are made and kept once.
+//! Equal distance grids are made and kept once, within the limits of a simulator.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, Weak};
 
-use super::distance_grid::DistanceGrid;
-use crate::Result;
+use super::distance_grid::{DistanceGrid, GridPlan};
+use crate::limits::Limits;
 use crate::shape::Vertices;
+use crate::{Error, Result};
 
 /// The grids of a simulator by outline and cell size, so that equal ones are built and kept once.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct GridCache {
-    grids: BTreeMap<Box<[u32]>, Weak<DistanceGrid>>,
+    grids: BTreeMap<Box<[u32]>, Entry>,
+    /// Work of all charged entries: no less than that of the grids in use.
+    charged_work: u64,
     inserts_until_cleanup: usize,
 }
 
+#[derive(Debug, Clone)]
+struct Entry {
+    grid: Weak<DistanceGrid>,
+    work: u64,
+    /// It counts against the limit of all grids. One that was not in use when the work was counted last does not: a
+    /// clone of the simulator may keep it alive, which must not be noticed here.
+    is_charged: bool,
+}
+
+impl Entry {
+    fn charged_work(&self) -> u64 {
+        if self.is_charged { self.work } else { 0 }
+    }
+}
+
 impl GridCache {
-    /// The grid over an outline; built only if there is none yet.
-    pub(crate) fn get(&mut self, outline: &Vertices, cell_size: f32) -> Result<Arc<DistanceGrid>> {
+    /// The grid over an outline; built only if there is none yet, and within the limits. `in_use` answers the grids that
+    /// the simulator has now, and is asked only if what has been charged so far would not fit.
+    pub(crate) fn get<'a>(
+        &mut self,
+        outline: &Vertices,
+        cell_size: f32,
+        limits: &Limits,
+        in_use: impl FnOnce() -> Vec<&'a DistanceGrid>,
+    ) -> Result<Arc<DistanceGrid>> {
         let bits = outline.iter().flat_map(|v| [v.x.to_bits(), v.y.to_bits()]);
         let key: Box<[u32]> = std::iter::once(cell_size.to_bits()).chain(bits).collect();
-        if let Some(grid) = self.grids.get(&key).and_then(Weak::upgrade) {
+        let known = self.grids.get(&key).and_then(|entry| Some((entry.grid.upgrade()?, entry.is_charged)));
+        if let Some((grid, true)) = known {
             return Ok(grid);
         }
-        let grid = Arc::new(DistanceGrid::new(outline.clone(), cell_size)?);
+        let plan = GridPlan::new(outline, cell_size)?;
+        plan.check(limits)?;
+        self.charge(plan.work, limits, in_use)?;
+        let grid = known.map_or_else(|| Arc::new(plan.sample(outline.clone())), |(grid, _)| grid);
         self.forget_unused();
-        self.grids.insert(key, Arc::downgrade(&grid));
+        let entry = Entry { grid: Arc::downgrade(&grid), work: plan.work, is_charged: true };
+        if let Some(replaced) = self.grids.insert(key, entry) {
+            self.charged_work -= replaced.charged_work();
+        }
         Ok(grid)
+    }
+
+    /// Counts a new grid, if it fits beside the others.
+    fn charge<'a>(
+        &mut self,
+        work: u64,
+        limits: &Limits,
+        in_use: impl FnOnce() -> Vec<&'a DistanceGrid>,
+    ) -> Result<()> {
+        if self.charged_work.saturating_add(work) > limits.total_grid_work {
+            self.recount(in_use());
+        }
+        let total = self.charged_work.saturating_add(work);
+        Error::check_limit("total_grid_work", total, limits.total_grid_work)?;
+        self.charged_work = total;
+        Ok(())
+    }
+
+    /// Charges the grids in use, and nothing else.
+    fn recount(&mut self, in_use: Vec<&DistanceGrid>) {
+        let in_use: BTreeSet<*const DistanceGrid> = in_use.into_iter().map(std::ptr::from_ref).collect();
+        for entry in self.grids.values_mut() {
+            entry.is_charged = in_use.contains(&entry.grid.as_ptr());
+        }
+        self.charged_work = self.grids.values().map(Entry::charged_work).sum();
     }
 
     /// Drops entries whose grid is gone, once for every doubling.
     fn forget_unused(&mut self) {
         if self.inserts_until_cleanup == 0 {
-            self.grids.retain(|_, grid| grid.strong_count() > 0);
+            let charged_work = &mut self.charged_work;
+            self.grids.retain(|_, entry| {
+                let is_alive = entry.grid.strong_count() > 0;
+                if !is_alive {
+                    *charged_work -= entry.charged_work();
+                }
+                is_alive
+            });
             self.inserts_until_cleanup = self.grids.len().max(64);
         }
         self.inserts_until_cleanup -= 1;
-    }
-
-    /// Takes a grid that was loaded; answers the one to use.
-    pub(crate) fn adopt(&mut self, grid: &Arc<DistanceGrid>) -> Result<Arc<DistanceGrid>> {
-        self.get(grid.outline(), grid.cell_size())
     }
 }

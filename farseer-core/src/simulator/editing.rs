@@ -1,5 +1,7 @@
 //! Making objects, and changes that touch more than one of them (behaviour chapter 05, section 3).
 
+use std::sync::Arc;
+
 use serde::{Deserialize, Serialize};
 
 use super::PhysicsSimulator;
@@ -10,6 +12,7 @@ use crate::geom::GeomId;
 use crate::geom_entry::GeomEntry;
 use crate::math::{Matrix, Vector2, scalar};
 use crate::methods::NarrowPhaseCollider;
+use crate::narrow_phase::distance_grid::DistanceGrid;
 use crate::object_id::ObjectId;
 use crate::shape::Vertices;
 use crate::{Error, Result};
@@ -64,7 +67,8 @@ impl PhysicsSimulator {
     ///
     /// # Errors
     /// A stale body; an empty or non-finite outline; a placement that is not finite; a flat outline without a
-    /// cell size; a cell size that would need more than 2^26 nodes; a geom whose box in the world is not finite.
+    /// cell size; a cell size that would need more than 2^26 nodes; [`Error::LimitExceeded`] for a grid that is more
+    /// work than the [limits](Self::limits) allow; a geom whose box in the world is not finite.
     #[doc(alias = "Geom(Body, Vertices, Vector2, float, float)")]
     pub fn create_geom(
         &mut self,
@@ -78,12 +82,19 @@ impl PhysicsSimulator {
         entry.grid_cell_size = placement.collision_grid_size;
         if self.settings.narrow_phase == NarrowPhaseCollider::DistanceGrid {
             if entry.grid_cell_size <= 0.0 {
-                let (width, height) = (entry.aabb.width(), entry.aabb.height());
-                entry.grid_cell_size = scalar::min(width, height) * AUTOMATIC_CELL_FRACTION;
+                entry.grid_cell_size = automatic_cell_size(&entry);
             }
-            entry.set_grid(self.grids.get(&entry.local_vertices, entry.grid_cell_size)?);
+            entry.set_grid(self.distance_grid(&entry.local_vertices, entry.grid_cell_size)?);
         }
         Ok(self.insert_geom(entry))
+    }
+
+    /// The grid over an outline, shared with geoms of equal outline and cell size.
+    pub(super) fn distance_grid(&mut self, outline: &Vertices, cell_size: f32) -> Result<Arc<DistanceGrid>> {
+        let PhysicsSimulator { grids, geoms, limits, .. } = self;
+        grids.get(outline, cell_size, limits, || {
+            geoms.iter::<GeomId>().filter_map(|(_, geom)| geom.grid.as_deref()).collect()
+        })
     }
 
     /// Attaches a copy of a geom to a body, at the same offsets. Under the distance grid both share one grid.
@@ -229,8 +240,9 @@ impl PhysicsSimulator {
     /// asked (behaviour chapter 06, section 2).
     ///
     /// # Errors
-    /// A stale id; a flat outline without a cell size; a cell size that would need more than 2^26 nodes; a geom whose box
-    /// in the world is not finite.
+    /// A stale id; a flat outline without a cell size; a cell size that would need more than 2^26 nodes;
+    /// [`Error::LimitExceeded`] for a grid that is more work than the [limits](Self::limits) allow; a geom whose box in
+    /// the world is not finite.
     #[doc(alias("CreateDistanceGrid", "DistanceGrid.CreateDistanceGrid"))]
     pub fn create_distance_grid(&mut self, geom: GeomId) -> Result<()> {
         let entry = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?;
@@ -242,7 +254,7 @@ impl PhysicsSimulator {
         if entry.grid_cell_size <= 0.0 {
             entry.grid_cell_size = automatic_cell_size(&entry);
         }
-        entry.set_grid(self.grids.get(&entry.local_vertices, entry.grid_cell_size)?);
+        entry.set_grid(self.distance_grid(&entry.local_vertices, entry.grid_cell_size)?);
         entry.refresh();
         self.geoms[geom] = check_box(entry)?;
         Ok(())
@@ -317,7 +329,7 @@ impl PhysicsSimulator {
     }
 
     /// Empties the simulator: all objects are gone, their ids are stale, and the broad phase is the selective
-    /// sweep again, whatever it was. Settings stay.
+    /// sweep again, whatever it was. Settings and [limits](Self::limits) stay.
     #[doc(alias = "Clear")]
     pub fn clear(&mut self) {
         let mut bodies = std::mem::take(&mut self.bodies);
@@ -332,6 +344,7 @@ impl PhysicsSimulator {
         springs.clear();
         *self = PhysicsSimulator {
             settings: self.settings,
+            limits: self.limits,
             next_geom_number: self.next_geom_number,
             bodies,
             geoms,

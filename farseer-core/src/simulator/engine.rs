@@ -86,6 +86,18 @@ impl PhysicsSimulator {
         }
     }
 
+    /// Passes of an update that has something to solve: the [iterations](Self::iterations), as far as the
+    /// [limits](Self::limits) allow.
+    pub fn passes(&self) -> u32 {
+        u32::try_from(self.settings.iterations).unwrap_or(0).min(self.limits.iterations)
+    }
+
+    /// After [`pre_step`](Self::pre_step): whether there is a contact to solve or a joint. If not, a
+    /// [pass](Self::solve_iteration) changes nothing and calls nobody, and an update makes none.
+    pub fn has_something_to_solve(&self) -> bool {
+        self.counters.contacts_solved > 0 || !self.joints.list().is_empty()
+    }
+
     /// The place of a body in the solver, from [`pre_step`](Self::pre_step) to [`integrate`](Self::integrate). A body
     /// that touches nothing the core solves is taken in. From then on its velocities are those in the solver, and
     /// what is set on the body itself is lost.

@@ -28,6 +28,7 @@ use crate::geom::{Geom, GeomId};
 use crate::geom_entry::GeomEntry;
 use crate::geom_ref::GeomRef;
 use crate::joints::{Joint, JointId};
+use crate::limits::Limits;
 use crate::math::Vector2;
 use crate::methods::{BroadPhaseCollider, FrictionType, NarrowPhaseCollider};
 use crate::narrow_phase::grid_cache::GridCache;
@@ -40,6 +41,7 @@ use queues::Queues;
 
 pub use editing::GeomPlacement;
 pub use queries::GeomPointPair;
+pub use save::SavedSimulator;
 pub use step_times::StepTimes;
 pub use world_queries::RayCastHit;
 
@@ -66,6 +68,8 @@ pub struct StepCounters {
     pub pairs_touching: usize,
     /// Contacts the solver worked on in every iteration.
     pub contacts_solved: usize,
+    /// Passes that the solver made.
+    pub passes: u32,
     /// Bodies that changed their pose.
     pub bodies_moved: usize,
 }
@@ -111,6 +115,9 @@ pub struct PhysicsSimulator {
     /// Bodies and geoms that were lent out for editing since the simulator last looked.
     touched_bodies: Vec<BodyId>,
     touched_geoms: Vec<GeomId>,
+    /// Not saved: a save cannot raise them.
+    #[serde(skip)]
+    limits: Limits,
     #[serde(skip)]
     grids: GridCache,
     #[serde(skip)]
@@ -163,6 +170,7 @@ impl Default for PhysicsSimulator {
             next_geom_number: 0,
             touched_bodies: Vec::new(),
             touched_geoms: Vec::new(),
+            limits: Limits::default(),
             grids: GridCache::default(),
             solver: ContactSolver::default(),
             joint_passes: JointPasses::default(),
@@ -188,6 +196,17 @@ impl PhysicsSimulator {
         simulator.set_gravity(gravity)?;
         simulator.step_times = StepTimes::NEVER_MEASURED;
         Ok(simulator)
+    }
+
+    /// What this simulator may cost.
+    pub fn limits(&self) -> Limits {
+        self.limits
+    }
+
+    /// Sets what this simulator may cost. What is there already stays, whatever it costs. Clones have the same limits;
+    /// [`clear`](Self::clear) and [`restore`](Self::restore) leave them alone, and apply them to what is restored.
+    pub fn set_limits(&mut self, limits: Limits) {
+        self.limits = limits;
     }
 
     /// Acceleration of every body that does not ignore it.
@@ -216,13 +235,16 @@ impl PhysicsSimulator {
         self.settings.enabled = enabled;
     }
 
-    /// Passes of the solver per update. Default 5.
+    /// Passes of the solver per update, as they were set. Default 5.
     #[doc(alias = "Iterations")]
     pub fn iterations(&self) -> i32 {
         self.settings.iterations
     }
 
     /// Sets the passes of the solver; with 0 or less only the impulses of the last update act again.
+    ///
+    /// No more are made than the [limits](Self::limits) allow, and none where there is neither a contact to solve nor a
+    /// joint: [`StepCounters::passes`] says how many there were.
     pub fn set_iterations(&mut self, iterations: i32) {
         self.settings.iterations = iterations;
     }

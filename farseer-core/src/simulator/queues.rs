@@ -3,6 +3,8 @@
 //! Additions are processed before removals; geoms before bodies, controllers, joints and springs. So an object that is
 //! removed and added again between two updates ends up removed, as in the original.
 
+use std::collections::BTreeSet;
+
 use serde::{Deserialize, Serialize};
 
 use super::PhysicsSimulator;
@@ -229,21 +231,22 @@ impl PhysicsSimulator {
         for &geom in &removed {
             let Some(entry) = self.geoms.get_mut(geom) else { continue };
             entry.in_simulation = false;
-            if std::mem::replace(&mut entry.is_listed, false) {
-                self.geom_list.retain(|&listed| listed != geom);
-            }
+            entry.is_listed = false;
             self.tell_removed(geom.into(), handler);
-            self.arbiters.remove_arbiters_of(geom);
         }
         if !removed.is_empty() {
+            self.geom_list.retain(|&geom| self.geoms[geom].is_listed);
+            self.arbiters.remove_arbiters_of(&removed);
             self.broad_phase.retain(|geom| geom.in_simulation, &self.geoms);
         }
-        for body in std::mem::take(&mut self.queues.removed_bodies) {
+        let removed = std::mem::take(&mut self.queues.removed_bodies);
+        for &body in &removed {
             let Some(entry) = self.bodies.get_mut(body) else { continue };
-            if std::mem::replace(&mut entry.is_listed, false) {
-                self.body_list.retain(|&listed| listed != body);
-            }
+            entry.is_listed = false;
             self.tell_removed(body.into(), handler);
+        }
+        if !removed.is_empty() {
+            self.body_list.retain(|&body| self.bodies[body].is_listed);
         }
         for controller in self.controllers.process_removed() {
             self.tell_removed(controller.into(), handler);
@@ -306,12 +309,13 @@ impl PhysicsSimulator {
 
     /// The ids of what was disposed go stale. No list names them any more.
     fn free_disposed(&mut self) {
-        for geom in std::mem::take(&mut self.queues.disposed_geoms) {
-            // It may have been attached to another body after it was disposed.
-            if let Some(entry) = self.geoms.remove(geom)
-                && let Some(body) = self.bodies.get_mut(entry.body)
-            {
-                body.geoms.retain(|&other| other != geom);
+        let disposed = std::mem::take(&mut self.queues.disposed_geoms);
+        let gone: Vec<GeomEntry> = disposed.into_iter().filter_map(|geom| self.geoms.remove(geom)).collect();
+        // They may have been attached to other bodies after they were disposed.
+        let bodies: BTreeSet<BodyId> = gone.iter().map(|geom| geom.body).collect();
+        for body in bodies {
+            if let Some(body) = self.bodies.get_mut(body) {
+                body.geoms.retain(|&geom| self.geoms.contains(geom));
             }
         }
         for body in std::mem::take(&mut self.queues.disposed_bodies) {

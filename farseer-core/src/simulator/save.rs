@@ -12,6 +12,8 @@ use crate::body::{BodyId, Pose};
 use crate::body_entry::BodyEntry;
 use crate::collection::has_no_duplicates;
 use crate::geom::GeomId;
+use crate::geom_entry::GeomEntry;
+use crate::limits::Limits;
 use crate::nobody::check_bodies;
 use crate::{Error, Result};
 
@@ -22,22 +24,56 @@ impl Serialize for PhysicsSimulator {
 }
 
 impl<'de> Deserialize<'de> for PhysicsSimulator {
+    /// Within the default [`Limits`]; see [`SavedSimulator`].
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let mut simulator = PhysicsSimulator::deserialize(deserializer)?;
+        let saved = SavedSimulator::deserialize(deserializer)?;
+        saved.load(Limits::default()).map_err(D::Error::custom)
+    }
+}
+
+/// A simulator that was read and checked, and whose distance grids are still to be made: to load with other [`Limits`]
+/// than the default ones, or as a part of something else.
+///
+/// ```
+/// use farseer_core::{Limits, PhysicsSimulator, SavedSimulator};
+/// let text = serde_json::to_string(&PhysicsSimulator::default())?;
+/// let saved: SavedSimulator = serde_json::from_str(&text)?;
+/// let simulator = saved.load(Limits { grid_work: 1 << 30, ..Limits::default() })?;
+/// assert_eq!(simulator.limits().grid_work, 1 << 30);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct SavedSimulator(PhysicsSimulator);
+
+impl<'de> Deserialize<'de> for SavedSimulator {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let simulator = PhysicsSimulator::deserialize(deserializer)?;
         simulator.check().map_err(D::Error::custom)?;
-        simulator.share_grids().map_err(D::Error::custom)?;
+        Ok(SavedSimulator(simulator))
+    }
+}
+
+impl SavedSimulator {
+    /// Makes the simulator, which has these limits from then on.
+    ///
+    /// # Errors
+    /// [`Error::LimitExceeded`] if its distance grids are more work than is allowed; a grid that cannot be made.
+    pub fn load(self, limits: Limits) -> Result<PhysicsSimulator> {
+        let mut simulator = self.0;
+        simulator.set_limits(limits);
+        simulator.make_grids()?;
         Ok(simulator)
     }
 }
 
 impl PhysicsSimulator {
     /// Geoms of equal outline and cell size share one grid again.
-    fn share_grids(&mut self) -> Result<()> {
-        for geom in self.geoms.values_mut() {
-            if let Some(grid) = &geom.grid {
-                let grid = self.grids.adopt(grid)?;
-                geom.set_grid(grid);
-            }
+    fn make_grids(&mut self) -> Result<()> {
+        let with_grid = |(id, geom): (GeomId, &GeomEntry)| geom.grid.clone().map(|grid| (id, grid));
+        let to_be_made: Vec<_> = self.geoms.iter().filter_map(with_grid).collect();
+        for (geom, grid) in to_be_made {
+            let grid = self.distance_grid(grid.outline(), grid.cell_size())?;
+            self.geoms[geom].set_grid(grid);
         }
         Ok(())
     }
@@ -62,13 +98,13 @@ impl PhysicsSimulator {
         if !self.lists_are_consistent() {
             return damaged("a list names an object that is not there, or twice");
         }
+        let attachments = self.attachments();
         let mut geoms = self.geoms.iter::<GeomId>();
         if !geoms.all(|(id, geom)| {
             geom.is_valid()
                 && geom.number < self.next_geom_number
-                && self.bodies.get(geom.body).is_some_and(|body| {
-                    geom.is_disposed || body.geoms.iter().filter(|&&g| g == id).count() == 1
-                })
+                && self.bodies.contains(geom.body)
+                && (geom.is_disposed || attachments[id.slot()] == 1)
         }) {
             return damaged("a geom is not finite or not attached to its body");
         }
@@ -106,6 +142,16 @@ impl PhysicsSimulator {
         let mut springs = self.springs.listed_or_queued();
         joints.all(|joint| check_bodies("joint", joint.body1(), joint.body2()).is_ok())
             && springs.all(|spring| check_bodies("spring", spring.body1(), spring.body2()).is_ok())
+    }
+
+    /// By slot of the geom: how often the bodies name it. No body names another's: that is checked, too.
+    fn attachments(&self) -> Vec<u32> {
+        let mut attachments = vec![0; self.geoms.slot_count()];
+        let named = self.bodies.iter::<BodyId>().flat_map(|(_, body)| &body.geoms);
+        for &geom in named.filter(|&&geom| self.geoms.contains(geom)) {
+            attachments[geom.slot()] += 1;
+        }
+        attachments
     }
 
     fn lists_are_consistent(&self) -> bool {

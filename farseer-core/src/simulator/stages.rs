@@ -68,7 +68,8 @@ impl PhysicsSimulator {
             self.apply_forces(dt, dt_real, reborrow(handler));
             stopwatch.lap(|times| &mut times.apply_forces_time);
             self.pre_step(1.0 / dt);
-            for _ in 0..self.settings.iterations {
+            let passes = if self.has_something_to_solve() { self.passes() } else { 0 };
+            for _ in 0..passes {
                 self.solve_iteration(reborrow(handler));
             }
             stopwatch.lap(|times| &mut times.apply_impulses_time);
@@ -287,6 +288,7 @@ impl PhysicsSimulator {
         let mut handler = handler;
         self.solve_joints(&mut handler);
         self.solver.solve_iteration();
+        self.counters.passes += 1;
     }
 
     /// Last stage: velocities become positions, and geoms follow. A body whose state would not be finite is put
@@ -391,6 +393,10 @@ impl PairSink for PairFinder<'_, '_> {
         }
         let PhysicsSimulator { arbiters, geoms, settings, .. } = &mut *self.simulator;
         arbiters.add_arbiter_for_geom_pair(geoms, settings.friction_type, geom1, geom2);
+    }
+
+    fn index_listed(&mut self) {
+        self.simulator.arbiters.index_listed();
     }
 
     fn register_unless_listed(&mut self, geom1: GeomId, geom2: GeomId) {

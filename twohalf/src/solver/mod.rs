@@ -103,6 +103,11 @@ impl SpaceSolver {
         self.groups.iter().map(rows_of).sum()
     }
 
+    /// Whether there is nothing to solve.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.groups.is_empty()
+    }
+
     /// Gathers bodies and contacts, and computes masses, biases and bounces: before the impulses of the last update
     /// act again, here and in the 2D engine, so that things bounce with the speed with which they arrived.
     pub(crate) fn prepare(
