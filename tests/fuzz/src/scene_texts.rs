@@ -68,7 +68,7 @@ fn alter_text(text: String, random: &mut Random) -> String {
     for _ in 0..1 + random.below(4) {
         let at = random.below(bytes.len());
         match random.below(3) {
-            0 => bytes[at] = random.pick(b"{}[]\",:0-9e.\\ntf\xff"),
+            0 => bytes[at] = random.pick(CHARACTERS),
             1 => bytes.truncate(at.max(1)),
             _ => {
                 bytes.splice(at..at, bytes[at..].iter().take(20).copied().collect::<Vec<u8>>()).for_each(drop)
@@ -76,4 +76,30 @@ fn alter_text(text: String, random: &mut Random) -> String {
         }
     }
     String::from_utf8_lossy(&bytes).into_owned()
+}
+
+/// JSON that is no scene, or no JSON at all.
+pub fn garbage(seed: u64) -> String {
+    let mut random = Random::new(seed);
+    if random.toss() {
+        return (0..random.below(60)).map(|_| random.pick(CHARACTERS) as char).collect();
+    }
+    tree(&mut random, 4).to_string()
+}
+
+const CHARACTERS: &[u8] = b"{}[]\",:0-9e.\\ntf ";
+/// Fields of scenes, so that garbage gets beyond the first of them.
+const FIELDS: [&str; 8] = ["bodies", "geoms", "joints", "simulator", "dt", "steps", "trace", "script"];
+
+fn tree(random: &mut Random, depth: usize) -> Value {
+    match random.below(if depth == 0 { 4 } else { 7 }) {
+        0 => Value::Null,
+        1 => random.toss().into(),
+        2 => random.wild_number().into(),
+        3 => random.pick(&FIELDS).into(),
+        4 => (0..random.below(4)).map(|_| tree(random, depth - 1)).collect(),
+        _ => {
+            (0..random.below(9)).map(|_| (random.pick(&FIELDS).to_owned(), tree(random, depth - 1))).collect()
+        }
+    }
 }

@@ -9,9 +9,9 @@ use fuzz::{Depth, Engine, Plane, scenes};
 
 /// Updates of a scene that is no game.
 const UPDATES: usize = 150;
-/// Seeds of random games; with more of them this takes longer.
-const PLANE_GAMES: u64 = 200;
-const DEPTH_GAMES: u64 = 200;
+/// Seeds of random games, from 0.
+const PLANE_GAMES: u64 = 60;
+const DEPTH_GAMES: u64 = 60;
 
 fn main() {
     let mut all = Vec::new();

@@ -2,21 +2,38 @@
 
 use std::cell::RefCell;
 use std::panic::{self, AssertUnwindSafe, catch_unwind};
+use std::sync::Once;
 
 thread_local! {
-    static LAST: RefCell<String> = const { RefCell::new(String::new()) };
+    /// Text and place of the last panic, while panics of this thread are caught.
+    static CAUGHT: RefCell<Option<String>> = const { RefCell::new(None) };
 }
+
+static HOOK: Once = Once::new();
 
 /// What `check` answers, or text and place of its panic.
 ///
 /// # Errors
 /// That of `check`, or that text.
 pub fn caught(check: impl FnOnce() -> Result<(), String>) -> Result<(), String> {
-    let usual = panic::take_hook();
-    panic::set_hook(Box::new(|panic| LAST.set(panic.to_string().replace('\n', " "))));
+    HOOK.call_once(keep_texts);
+    CAUGHT.set(Some(String::new()));
     let result = catch_unwind(AssertUnwindSafe(check));
-    panic::set_hook(usual);
-    result.unwrap_or_else(|_| Err(LAST.take()))
+    let text = CAUGHT.take().unwrap_or_default();
+    result.unwrap_or(Err(text))
+}
+
+/// Panics of threads that catch theirs are not printed.
+fn keep_texts() {
+    let usual = panic::take_hook();
+    panic::set_hook(Box::new(move |panic| {
+        let is_caught = CAUGHT.with_borrow(Option::is_some);
+        if is_caught {
+            CAUGHT.set(Some(panic.to_string().replace('\n', " ")));
+        } else {
+            usual(panic);
+        }
+    }));
 }
 
 #[cfg(test)]

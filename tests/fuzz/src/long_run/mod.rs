@@ -76,3 +76,12 @@ pub fn run(subject: &Subject, limits: Limits, mut say: impl FnMut(&str)) -> Summ
     }
     summary
 }
+
+/// For tests: what was wrong with these seeds, one line each.
+pub fn failures(
+    seeds: impl IntoIterator<Item = u64>,
+    check: impl Fn(u64) -> Result<(), String>,
+) -> Vec<String> {
+    let failure = |seed| caught(|| check(seed)).err().map(|what| format!("seed {seed}: {what}"));
+    seeds.into_iter().filter_map(failure).collect()
+}
