@@ -1,6 +1,8 @@
 //! Saves derived numbers as bit patterns.
 //!
-//! They may be infinite, which JSON cannot write, and must come back to the bit whatever the format's decimals do.
+//! They may be infinite, which JSON cannot write, and must come back to the bit whatever the format's decimals do. Of
+//! NaN there is only one in a save: which sign and payload arithmetic gives it differs between processors, and between
+//! builds for the same one, and no arithmetic looks at either.
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 
@@ -16,8 +18,12 @@ pub(crate) trait Floats: Sized {
 
 /// For `#[serde(with = "crate::bits")]`.
 pub(crate) fn serialize<T: Floats, S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
-    let bits: Vec<u32> = value.to_floats().into_iter().map(f32::to_bits).collect();
+    let bits: Vec<u32> = value.to_floats().into_iter().map(saved_bits).collect();
     bits.serialize(serializer)
+}
+
+fn saved_bits(value: f32) -> u32 {
+    if value.is_nan() { f32::NAN.to_bits() } else { value.to_bits() }
 }
 
 /// For `#[serde(with = "crate::bits")]`.
@@ -61,5 +67,22 @@ impl Floats for Vertices {
     fn from_floats(floats: &[f32]) -> Option<Self> {
         let (pairs, rest) = floats.as_chunks::<2>();
         rest.is_empty().then(|| pairs.iter().map(|&[x, y]| Vector2::new(x, y)).collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::saved_bits;
+
+    #[test]
+    fn every_nan_is_saved_as_the_same_bits() {
+        let nans = [0xffc0_0000, 0x7fc0_0001, 0x7f80_0001, 0xffff_ffff].map(f32::from_bits);
+        assert!(nans.iter().all(|&nan| saved_bits(nan) == 0x7fc0_0000));
+    }
+
+    #[test]
+    fn what_is_a_number_is_saved_to_the_bit() {
+        let numbers = [0.0, -0.0, 1.0, -1e-45, f32::INFINITY, f32::NEG_INFINITY];
+        assert!(numbers.iter().all(|&number| saved_bits(number) == number.to_bits()));
     }
 }

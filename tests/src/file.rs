@@ -6,7 +6,10 @@ use std::io::{self, Read};
 use std::path::Path;
 
 /// The text of a file; a name that ends in `.gz` means that it is compressed.
-pub(crate) fn read_text(path: &Path) -> io::Result<String> {
+///
+/// # Errors
+/// As reading a file, and for bytes that are no text or no archive.
+pub fn read_text(path: &Path) -> io::Result<String> {
     let mut file = File::open(path)?;
     let mut text = String::new();
     if path.extension().is_some_and(|extension| extension == "gz") {

@@ -3,6 +3,7 @@
 pub mod check;
 pub mod compare;
 pub mod depth_scenes;
+pub mod file;
 pub mod golden;
 pub mod measure;
 pub mod peers;
@@ -13,8 +14,6 @@ pub mod scenes;
 pub mod table;
 pub mod trace;
 pub mod units;
-
-mod file;
 
 #[cfg(doctest)]
 #[doc = include_str!("../../README.md")]

@@ -1,0 +1,84 @@
+//! Random games of the 2.5D engine.
+
+mod calls;
+mod create;
+mod edits;
+mod handler;
+mod numbers;
+mod pools;
+mod queries;
+
+use farseer_core::math::Vector2;
+use farseer_core::{NarrowPhaseCollider, PhysicsSimulator};
+use twohalf::{Methods, Result, TwoHalfPhysicsSimulator, Vector3};
+
+use create::create_thing;
+pub(crate) use numbers::check_numbers;
+
+use crate::game::{Call, Game};
+use crate::plane;
+use crate::random::Random;
+use crate::scenes;
+use pools::Pools;
+
+/// A simulator and ids to call it with.
+#[derive(Debug)]
+pub struct Depth {
+    random: Random,
+    simulator: TwoHalfPhysicsSimulator,
+    pools: Pools,
+}
+
+impl Game for Depth {
+    type Simulator = TwoHalfPhysicsSimulator;
+
+    fn new(random: Random) -> Self {
+        Depth::try_new(random).expect("ordinary arguments are accepted")
+    }
+    fn of(simulator: TwoHalfPhysicsSimulator, random: Random) -> Self {
+        Depth::with(simulator, random).expect("ordinary arguments are accepted")
+    }
+    fn scene(kind: usize) -> TwoHalfPhysicsSimulator {
+        scenes::depth(kind).expect("ordinary arguments are accepted")
+    }
+    fn calls() -> &'static [Call<Self>] {
+        calls::CALLS
+    }
+    fn random(&mut self) -> &mut Random {
+        &mut self.random
+    }
+    fn simulator(&self) -> &TwoHalfPhysicsSimulator {
+        &self.simulator
+    }
+    fn simulator_mut(&mut self) -> &mut TwoHalfPhysicsSimulator {
+        &mut self.simulator
+    }
+}
+
+impl Depth {
+    fn try_new(mut random: Random) -> Result<Self> {
+        let gravity = if random.chance(70) { 200.0 } else { 0.0 };
+        let mut core = PhysicsSimulator::new(Vector2::new(0.0, gravity))?;
+        core.set_broad_phase_collider(plane::broad_phase(&mut random)).ok();
+        if random.toss() {
+            core.set_narrow_phase_collider(NarrowPhaseCollider::Sat);
+        }
+        let angle = 1 + random.below(179) as i32;
+        let mut simulator = TwoHalfPhysicsSimulator::from_core(600, angle, core)?;
+        if random.chance(20) {
+            simulator.set_methods(Methods::Thesis)?;
+        }
+        Depth::with(simulator, random)
+    }
+
+    fn with(simulator: TwoHalfPhysicsSimulator, random: Random) -> Result<Self> {
+        let mut pools = Pools::foreign()?;
+        pools.take_all(&simulator);
+        Ok(Depth { random, simulator, pools })
+    }
+}
+
+/// A place above the ground, or a wild one.
+fn place(random: &mut Random) -> Vector3 {
+    Vector3::new(random.number(-120.0, 120.0), random.number(0.0, 200.0), random.number(0.0, 120.0))
+}

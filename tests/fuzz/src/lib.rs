@@ -1,0 +1,33 @@
+//! Random play with both engines, and what must hold whatever is called.
+//!
+//! The programs `fuzz` and `hashes` and the tests of this crate say what is asked of it. Every game follows from its
+//! seed alone.
+
+#![forbid(unsafe_code)]
+
+pub mod checks;
+mod depth;
+mod engine;
+mod finite;
+pub mod game;
+pub mod hash;
+#[cfg(feature = "programs")]
+pub mod long_run;
+mod plane;
+mod random;
+pub mod recording;
+pub mod saves;
+#[cfg(feature = "programs")]
+pub mod scene_texts;
+pub mod scenes;
+mod shapes;
+pub mod soak;
+#[cfg(feature = "programs")]
+pub mod subjects;
+pub mod textures;
+pub mod twins;
+
+pub use depth::Depth;
+pub use engine::Engine;
+pub use plane::{Plane, StagedPlane};
+pub use random::Random;

@@ -1,0 +1,75 @@
+//! What the program `fuzz` tries.
+
+use farseer_core::BroadPhaseCollider;
+
+use crate::checks::{failed_calls_change_nothing, numbers_are_finite};
+use crate::game::Game;
+use crate::saves::{Fate, altered_json, altered_snapshot};
+use crate::scene_texts::altered_scene;
+use crate::scenes::BROAD_PHASES;
+use crate::soak::snapshot_lengths;
+use crate::textures::outlines_of_a_picture;
+use crate::twins::twins_stay_equal;
+use crate::{Depth, Plane, StagedPlane};
+
+/// Something that is tried for one seed after the other.
+#[derive(Debug, Clone, Copy)]
+pub struct Subject {
+    /// How the program calls it.
+    pub name: &'static str,
+    /// What it tries.
+    pub about: &'static str,
+    /// Tries it for a seed.
+    pub check: fn(u64) -> Result<(), String>,
+}
+
+/// All of them.
+pub const SUBJECTS: &[Subject] = &[
+    Subject { name: "plane", about: "random calls of the 2D engine, and its twins", check: game::<Plane> },
+    Subject { name: "depth", about: "random calls of the 2.5D engine, and its twins", check: game::<Depth> },
+    Subject {
+        name: "stages",
+        about: "stages of the 2D engine in any order",
+        check: numbers_are_finite::<StagedPlane>,
+    },
+    Subject {
+        name: "saves",
+        about: "altered snapshots of the 2D engine, used",
+        check: |seed| altered_snapshot::<Plane>(seed).map(ignore),
+    },
+    Subject {
+        name: "json",
+        about: "altered JSON of the 2D engine, used",
+        check: |seed| altered_json::<Plane>(seed).map(ignore),
+    },
+    Subject {
+        name: "depth-saves",
+        about: "altered snapshots of the 2.5D engine, used",
+        check: |seed| altered_snapshot::<Depth>(seed).map(ignore),
+    },
+    Subject {
+        name: "depth-json",
+        about: "altered JSON of the 2.5D engine, used",
+        check: |seed| altered_json::<Depth>(seed).map(ignore),
+    },
+    Subject { name: "textures", about: "outlines of random pictures", check: outlines_of_a_picture },
+    Subject { name: "scenes", about: "altered scenes of the recorded runs", check: altered_scene },
+    Subject { name: "soak", about: "a million updates of one broad phase, seeds 0 to 3", check: soak },
+];
+
+fn ignore(_: Fate) {}
+
+fn game<G: Game>(seed: u64) -> Result<(), String> {
+    failed_calls_change_nothing::<G>(seed)?;
+    numbers_are_finite::<G>(seed)?;
+    twins_stay_equal::<G>(seed)
+}
+
+/// The snapshot is as long at the end as at the beginning, but for what the numbers of ever newer things need.
+fn soak(seed: u64) -> Result<(), String> {
+    const UPDATES: usize = 1_000_000;
+    let method: BroadPhaseCollider = BROAD_PHASES[seed as usize % BROAD_PHASES.len()];
+    let lengths = snapshot_lengths(method, 10, UPDATES / 10).map_err(|error| error.to_string())?;
+    let (first, last) = (lengths[1], lengths[9]);
+    if last * 4 <= first * 5 { Ok(()) } else { Err(format!("{method:?}: lengths of snapshots {lengths:?}")) }
+}

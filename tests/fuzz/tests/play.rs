@@ -1,0 +1,53 @@
+//! Random calls of both simulators, with callbacks that meddle.
+
+use fuzz::checks::{failed_calls_change_nothing, numbers_are_finite};
+use fuzz::long_run::failures;
+use fuzz::twins::twins_stay_equal;
+use fuzz::{Depth, Plane, StagedPlane};
+
+/// Fails with a line per seed.
+macro_rules! holds_for {
+    ($seeds:expr, $check:expr) => {
+        let failures = failures($seeds, $check);
+        assert!(failures.is_empty(), "{failures:#?}");
+    };
+}
+
+#[test]
+fn a_2d_simulator_goes_on_as_its_restored_cloned_and_json_twins_do() {
+    holds_for!(0..PLANE, twins_stay_equal::<Plane>);
+}
+
+#[test]
+fn a_2_5d_simulator_goes_on_as_its_restored_cloned_and_json_twins_do() {
+    holds_for!(0..DEPTH, twins_stay_equal::<Depth>);
+}
+
+#[test]
+fn calls_of_the_2d_engine_that_fail_or_look_change_nothing() {
+    holds_for!(0..PLANE, failed_calls_change_nothing::<Plane>);
+}
+
+#[test]
+fn calls_of_the_2_5d_engine_that_fail_or_look_change_nothing() {
+    holds_for!(0..DEPTH, failed_calls_change_nothing::<Depth>);
+}
+
+#[test]
+fn every_number_that_the_2d_engine_shows_is_finite() {
+    holds_for!(0..PLANE, numbers_are_finite::<Plane>);
+}
+
+#[test]
+fn every_number_that_the_2_5d_engine_shows_is_finite() {
+    holds_for!(0..DEPTH, numbers_are_finite::<Depth>);
+}
+
+#[test]
+fn stages_in_any_order_leave_every_number_finite() {
+    holds_for!(0..PLANE, numbers_are_finite::<StagedPlane>);
+}
+
+/// Games of each property.
+const PLANE: u64 = 60;
+const DEPTH: u64 = 60;
