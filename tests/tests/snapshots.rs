@@ -319,12 +319,14 @@ fn contain(magic: &[u8; 8], version: u32, content: &[u8]) -> Vec<u8> {
     [magic, &version.to_le_bytes()[..], &crc.sum().to_le_bytes(), &length, content].concat()
 }
 
+/// Of the present layout.
+const VERSION: u32 = 2;
 const MAGIC: &[u8; 8] = b"Farseer2";
 
 #[test]
 fn the_container_is_as_documented() {
     let snapshot = simulator(10.0).snapshot();
-    assert!(contain(MAGIC, 1, &snapshot[24..]) == snapshot);
+    assert!(contain(MAGIC, VERSION, &snapshot[24..]) == snapshot);
 }
 
 #[test]
@@ -338,18 +340,18 @@ fn each_kind_of_damage_has_its_reason() {
     };
     let foreign = reason(b"\x89PNG\r\n\x1a\n and some more");
     assert!(foreign.contains("not a snapshot"), "{foreign}");
-    assert_eq!([reason(b""), reason(&contain(b"TwoHalf1", 1, content))], [foreign, foreign]);
+    assert_eq!([reason(b""), reason(&contain(b"TwoHalf1", VERSION, content))], [foreign, foreign]);
     assert!(reason(&snapshot[..20]).contains("cut short"));
     assert!(reason(&snapshot[..snapshot.len() - 1]).contains("cut short"));
     assert!(reason(&[&snapshot[..], &[0]].concat()).contains("longer than it says"));
     let mut altered = snapshot.clone();
     *altered.last_mut().unwrap() ^= 1;
     assert!(reason(&altered).contains("checksum"));
-    assert!(reason(&contain(MAGIC, 1, &[content, &[0]].concat())).contains("longer than it should be"));
-    assert!(reason(&contain(MAGIC, 1, &content[..content.len() - 1])).contains("cannot be read"));
+    assert!(reason(&contain(MAGIC, VERSION, &[content, &[0]].concat())).contains("longer than it should be"));
+    assert!(reason(&contain(MAGIC, VERSION, &content[..content.len() - 1])).contains("cannot be read"));
     assert_eq!(
-        untouched.refuses(&contain(MAGIC, 2, content)),
-        Error::UnknownSaveVersion { found: 2, known: 1 }
+        untouched.refuses(&contain(MAGIC, 1, content)),
+        Error::UnknownSaveVersion { found: 1, known: VERSION }
     );
 }
 
@@ -364,7 +366,7 @@ fn forged_contents_are_refused_or_run() {
         let mut forged = content.clone();
         mutate(&mut forged, &mut random);
         let mut simulator = PhysicsSimulator::default();
-        if simulator.restore(&contain(MAGIC, 1, &forged)).is_err() {
+        if simulator.restore(&contain(MAGIC, VERSION, &forged)).is_err() {
             refused += 1;
             continue;
         }
@@ -389,14 +391,14 @@ fn enormous_lengths_are_refused() {
     for at in (0..content.len()).step_by(251) {
         let mut forged = content.clone();
         forged.splice(at..at + 1, [0xFF, 0xFF, 0xFF, 0xFF, 0x0F]);
-        if PhysicsSimulator::default().restore(&contain(MAGIC, 1, &forged)).is_err() {
-            untouched.refuses(&contain(MAGIC, 1, &forged));
+        if PhysicsSimulator::default().restore(&contain(MAGIC, VERSION, &forged)).is_err() {
+            untouched.refuses(&contain(MAGIC, VERSION, &forged));
             refused += 1;
         }
     }
     assert!(refused > 50, "{refused}");
     for content in [vec![0xFF; 64], vec![0xFF; 100_000], Vec::new()] {
-        untouched.refuses(&contain(MAGIC, 1, &content));
+        untouched.refuses(&contain(MAGIC, VERSION, &content));
     }
 }
 

@@ -370,7 +370,7 @@ impl TwoHalfPhysicsSimulator {
         world.touches.clear();
         world.last.clear();
         world.events.clear();
-        world.pending_events.clear();
+        world.has_rejected = false;
         world.counters = StepCounters::default();
     }
 

@@ -23,7 +23,7 @@ use crate::collection::Collection;
 use crate::contact::Contact;
 use crate::controllers::{Controller, ControllerId};
 use crate::error::{finite, finite_vector};
-use crate::events::Event;
+use crate::events::{Event, Notice};
 use crate::geom::{Geom, GeomId};
 use crate::geom_entry::GeomEntry;
 use crate::geom_ref::GeomRef;
@@ -124,11 +124,10 @@ pub struct PhysicsSimulator {
     #[serde(skip)]
     events: Vec<Event>,
     /// What happened since the last update, or needs to be told when no callback is running.
+    pending: Vec<Notice>,
+    /// Empty: the other buffer of what is pending.
     #[serde(skip)]
-    pending_events: Vec<Event>,
-    /// Empty: the other buffer of the pending events.
-    #[serde(skip)]
-    delivered_events: Vec<Event>,
+    delivered: Vec<Notice>,
     #[serde(skip)]
     counters: StepCounters,
     #[serde(skip)]
@@ -169,8 +168,8 @@ impl Default for PhysicsSimulator {
             new_contacts: Vec::new(),
             separated: Vec::new(),
             events: Vec::new(),
-            pending_events: Vec::new(),
-            delivered_events: Vec::new(),
+            pending: Vec::new(),
+            delivered: Vec::new(),
             counters: StepCounters::default(),
             step_times: StepTimes::default(),
         }

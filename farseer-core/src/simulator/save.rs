@@ -2,12 +2,15 @@
 //!
 //! Everything that can influence a later bit is saved: queues, the order of sorted lists, arbiters with their
 //! impulses and the pool they go back to, creation numbers. Distance grids are saved as the outline they are made
-//! from. What was loaded continues with the same bits; what contradicts itself is refused. Events, and refusals
-//! that were not reported yet, are notices and not state: they are not saved.
+//! from. So is everything that is still to be told: what was disposed, moved or refused since the last update. What was
+//! loaded continues with the same bits, events and callbacks; what contradicts itself is refused. The
+//! [events](PhysicsSimulator::events), counters and times of the last update are not saved: the next one overwrites
+//! them and reads none of them.
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 
 use super::PhysicsSimulator;
+use super::editing::GEOM_NUMBERS;
 use crate::body::{BodyId, Pose};
 use crate::body_entry::BodyEntry;
 use crate::collection::has_no_duplicates;
@@ -51,9 +54,8 @@ impl PhysicsSimulator {
         {
             return damaged("a setting is not finite");
         }
-        // The original counts in 32 signed bits.
-        if self.next_geom_number > i32::MAX as u32 {
-            return damaged("creation numbers are used up");
+        if self.next_geom_number > GEOM_NUMBERS {
+            return damaged("more creation numbers were used than there are");
         }
         if !self.bodies.is_consistent() || !self.geoms.is_consistent() {
             return damaged("a free slot is occupied");
