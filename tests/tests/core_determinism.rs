@@ -180,7 +180,11 @@ fn notices_that_wait_are_told_after_loading() {
     let is_notice = |event: &&Event| {
         matches!(event, Event::BodyDisposed { .. } | Event::RejectedInput { .. }) || **event == has_moved
     };
-    assert_eq!(simulator.events().iter().filter(is_notice).count(), 5, "told of twice: moved, and integrated");
+    assert_eq!(
+        simulator.events().iter().filter(is_notice).count(),
+        5,
+        "told of twice: moved, and integrated"
+    );
     assert_eq!(loaded.events(), simulator.events());
     assert_eq!(state(&loaded), state(&simulator));
     assert!(loaded.body(disposed).is_none());

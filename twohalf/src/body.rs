@@ -284,8 +284,9 @@ impl<S: AccessMut> TwoHalfBody<S> {
     pub fn set_position3d(&mut self, value: Vector3) {
         let lowest = self.lowest();
         let plane = world_to_plane(value, lowest);
-        let screen = self.simulator.world().projection.plane_to_screen(plane, value.z);
-        if self.accepts("position3d", &[plane.x, plane.y, value.z, screen.x, screen.y]) {
+        let appears = self.simulator.world().projection.appears(plane, value.z);
+        let place = [plane.x, plane.y, value.z, if appears { 0.0 } else { f32::INFINITY }];
+        if self.accepts("position3d", &place) {
             self.core_mut().set_position(plane);
             self.state_mut().z = value.z;
         }

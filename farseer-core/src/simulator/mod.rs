@@ -351,7 +351,9 @@ impl PhysicsSimulator {
     #[inline]
     pub fn geom(&self, geom: GeomId) -> Option<GeomRef<'_>> {
         let entry = self.geoms.get(geom)?;
+        // A pose at which the geom would not be finite is not going to be followed: the body will be put back.
         let pending = self.bodies.get(entry.body).and_then(BodyEntry::pending_pose);
+        let pending = pending.filter(|&(position, rotation)| entry.would_be_finite_at(position, rotation));
         Some(GeomRef { entry, pending })
     }
 

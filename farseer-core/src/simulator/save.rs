@@ -68,7 +68,9 @@ impl PhysicsSimulator {
             geom.is_valid()
                 && geom.number < self.next_geom_number
                 && self.bodies.get(geom.body).is_some_and(|body| {
-                    geom.is_disposed || body.geoms.iter().filter(|&&g| g == id).count() == 1
+                    geom.is_disposed
+                        || (body.geoms.iter().filter(|&&g| g == id).count() == 1
+                            && geom.would_be_finite_at(body.followed.position, body.followed.rotation))
                 })
         }) {
             return damaged("a geom is not finite or not attached to its body");
@@ -104,6 +106,8 @@ impl PhysicsSimulator {
         let queues = &self.queues;
         let waiting_bodies = self.bodies.iter::<BodyId>().filter(|(_, entry)| entry.is_queued).count();
         let waiting_geoms = self.geoms.iter::<GeomId>().filter(|(_, entry)| entry.is_queued).count();
+        let disposed_bodies = self.bodies.iter::<BodyId>().filter(|(_, entry)| entry.is_disposed).count();
+        let disposed_geoms = self.geoms.iter::<GeomId>().filter(|(_, entry)| entry.is_disposed).count();
         let queued_body = |id: &&BodyId| self.bodies.get(**id).is_some_and(|entry| entry.is_queued);
         let queued_geom = |id: &&GeomId| self.geoms.get(**id).is_some_and(|entry| entry.is_queued);
         has_no_duplicates(&queues.added_bodies)
@@ -114,6 +118,8 @@ impl PhysicsSimulator {
             && has_no_duplicates(&self.geom_list)
             && has_no_duplicates(&queues.disposed_bodies)
             && has_no_duplicates(&queues.disposed_geoms)
+            && queues.disposed_bodies.len() == disposed_bodies
+            && queues.disposed_geoms.len() == disposed_geoms
             && self.body_list.len() == listed_bodies
             && self.geom_list.len() == listed_geoms
             && self.body_list.iter().all(|&id| self.bodies.get(id).is_some_and(|entry| entry.is_listed))
