@@ -9,6 +9,7 @@ use crate::contact::Contact;
 use crate::geom::GeomId;
 use crate::geom_entry::GeomEntry;
 use crate::listed_pairs::ListedPairs;
+use crate::math::scalar::nearest_finite;
 use crate::methods::FrictionType;
 use crate::pair_table::GeomPairBitmap;
 
@@ -58,9 +59,10 @@ impl<'a> ArbiterRef<'a> {
         self.geoms.1
     }
 
-    /// The combined friction, fixed when the boxes began to overlap.
+    /// The combined friction, fixed when the boxes began to overlap. Infinite for coefficients whose sum is, and shown
+    /// as the greatest number then.
     pub fn friction(&self) -> f32 {
-        self.friction
+        nearest_finite(self.friction)
     }
 
     /// The contacts, deepest first.

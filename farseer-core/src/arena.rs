@@ -77,8 +77,11 @@ impl<T> Arena<T> {
     pub(crate) fn remove<I: Id>(&mut self, id: I) -> Option<T> {
         let slot = self.slots.get_mut(id.index()).filter(|slot| slot.generation == id.generation())?;
         let value = slot.value.take()?;
-        slot.generation = slot.generation.wrapping_add(1);
-        self.free.push(id.index() as u32);
+        // A slot whose generations are used up stays empty for good: an old id must never find something else.
+        if let Some(next) = slot.generation.checked_add(1) {
+            slot.generation = next;
+            self.free.push(id.index() as u32);
+        }
         Some(value)
     }
 
@@ -132,13 +135,16 @@ impl<T> Arena<T> {
         })
     }
 
-    /// Whether the free list names exactly the empty slots, once each: false only after loading garbage.
+    /// Whether the free list names exactly the empty slots, once each, but for those that are used up: false only after
+    /// loading garbage.
     pub(crate) fn is_consistent(&self) -> bool {
         let mut empty: Vec<bool> = self.slots.iter().map(|slot| slot.value.is_none()).collect();
         let listed_once = self.free.iter().all(|&index| {
             empty.get_mut(index as usize).is_some_and(|is_empty| std::mem::replace(is_empty, false))
         });
-        listed_once && !empty.contains(&true)
+        let are_used_up =
+            self.slots.iter().zip(empty).all(|(slot, is_lost)| !is_lost || slot.generation == u32::MAX);
+        listed_once && are_used_up
     }
 }
 

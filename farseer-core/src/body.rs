@@ -9,6 +9,7 @@ use crate::error::{Error, Result, finite};
 use crate::math::matrix::create_rotation_z;
 use crate::math::vector2::{length, transform};
 use crate::math::{Matrix, Vector2, math_helper::TWO_PI, scalar};
+use crate::refusals::{ArgumentNames, Refusals};
 
 crate::arena::define_id! {
     /// Names a [`Body`] of a simulator: the one that made it, its clones and what is loaded from its saves.
@@ -21,7 +22,8 @@ crate::arena::define_id! {
 /// answers with a [`BodyId`]: `simulator[body]` is the body from then on.
 ///
 /// Methods that a game calls every frame return nothing. Given a value that is not finite they change nothing;
-/// the simulator reports the refusal as [`Event::RejectedInput`](crate::Event::RejectedInput) in its next update.
+/// the simulator reports the refusal as [`Event::RejectedInput`](crate::Event::RejectedInput) in its next update: once
+/// per argument, however often it was refused until then.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(remote = "Self")]
 pub struct Body {
@@ -56,8 +58,28 @@ pub struct Body {
     /// A setter moved the body and its geoms have not followed yet.
     pub(crate) pose_is_dirty: bool,
     /// Arguments refused since the simulator last looked.
-    #[serde(skip)]
-    pub(crate) rejected: Vec<&'static str>,
+    pub(crate) rejected: Refusals<BodyArguments>,
+}
+
+/// What setters of bodies refuse.
+#[derive(Debug)]
+pub(crate) struct BodyArguments;
+
+impl ArgumentNames for BodyArguments {
+    const NAMES: &'static [&'static str] = &[
+        "position",
+        "rotation",
+        "linear_velocity",
+        "angular_velocity",
+        "linear_drag_coefficient",
+        "quadratic_drag_coefficient",
+        "rotational_drag_coefficient",
+        "idle_time",
+        "minimum_velocity",
+        "amount",
+        "point",
+        "torque",
+    ];
 }
 
 impl Default for Body {
@@ -132,7 +154,7 @@ impl Body {
             is_auto_idle: false,
             has_moved: false,
             pose_is_dirty: false,
-            rejected: Vec::new(),
+            rejected: Refusals::default(),
         }
     }
 
@@ -162,7 +184,7 @@ impl Body {
     fn accepts(&mut self, argument: &'static str, value: f32) -> bool {
         let accepted = value.is_finite();
         if !accepted {
-            self.rejected.push(argument);
+            self.rejected.note(argument);
         }
         accepted
     }
@@ -171,7 +193,7 @@ impl Body {
     fn accepts_vector(&mut self, argument: &'static str, value: Vector2) -> bool {
         let accepted = value.x.is_finite() && value.y.is_finite();
         if !accepted {
-            self.rejected.push(argument);
+            self.rejected.note(argument);
         }
         accepted
     }

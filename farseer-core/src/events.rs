@@ -1,5 +1,7 @@
 //! What happens during an update, and who is told (behaviour chapters 03, 04 and 08).
 
+use serde::{Deserialize, Serialize};
+
 use crate::body::{Body, BodyId};
 use crate::contact::Contact;
 use crate::controllers::{Controller, ControllerId, FluidContainer, UserController};
@@ -117,6 +119,25 @@ pub enum Event {
         /// The controller.
         controller: ControllerId,
     },
+}
+
+/// What happened between updates, or while no callback could be told: it is told as soon as one can be. State, and saved
+/// as such.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+pub(crate) enum Notice {
+    BodyUpdated { body: BodyId },
+    BodyDisposed { body: BodyId },
+    NotFinite { body: BodyId, disabled: bool },
+}
+
+impl From<Notice> for Event {
+    fn from(notice: Notice) -> Self {
+        match notice {
+            Notice::BodyUpdated { body } => Event::BodyUpdated { body },
+            Notice::BodyDisposed { body } => Event::BodyDisposed { body },
+            Notice::NotFinite { body, disabled } => Event::NotFinite { body, disabled },
+        }
+    }
 }
 
 /// Callbacks of a game. Handlers belong to the game, never to the simulator, so that saving the simulator keeps

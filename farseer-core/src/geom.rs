@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::methods::CollisionCategory;
+use crate::refusals::{ArgumentNames, Refusals};
 
 crate::arena::define_id! {
     /// Names a geom of a simulator: the one that made it, its clones and what is loaded from its saves.
@@ -22,8 +23,15 @@ pub struct Geom {
     pub(crate) collision_response_enabled: bool,
     tag: u64,
     /// Arguments refused since the simulator last looked.
-    #[serde(skip)]
-    pub(crate) rejected: Vec<&'static str>,
+    pub(crate) rejected: Refusals<GeomArguments>,
+}
+
+/// What setters of geoms refuse.
+#[derive(Debug)]
+pub(crate) struct GeomArguments;
+
+impl ArgumentNames for GeomArguments {
+    const NAMES: &'static [&'static str] = &["friction_coefficient", "restitution_coefficient"];
 }
 
 impl Default for Geom {
@@ -37,7 +45,7 @@ impl Default for Geom {
             collision_enabled: true,
             collision_response_enabled: true,
             tag: 0,
-            rejected: Vec::new(),
+            rejected: Refusals::default(),
         }
     }
 }
@@ -88,7 +96,7 @@ impl Geom {
         if value.is_finite() {
             self.friction_coefficient = value;
         } else {
-            self.rejected.push("friction_coefficient");
+            self.rejected.note("friction_coefficient");
         }
     }
 
@@ -103,7 +111,7 @@ impl Geom {
         if value.is_finite() {
             self.restitution_coefficient = value;
         } else {
-            self.rejected.push("restitution_coefficient");
+            self.rejected.note("restitution_coefficient");
         }
     }
 
@@ -163,10 +171,10 @@ impl Geom {
         self.tag = value;
     }
 
-    /// Names of the arguments that setters have refused since they were last asked for. A simulator asks its own geoms
-    /// and reports them; engines that keep settings of their own ask these.
+    /// Names of the arguments that setters have refused since they were last asked for, each once. A simulator asks its
+    /// own geoms and reports them; engines that keep settings of their own ask these.
     pub fn take_rejected(&mut self) -> impl Iterator<Item = &'static str> + '_ {
-        self.rejected.drain(..)
+        self.rejected.take()
     }
 
     /// Whether the coefficients are finite: false only for what was loaded from garbage.

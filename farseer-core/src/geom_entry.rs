@@ -146,6 +146,10 @@ impl Floats for GeomPose {
     }
 }
 
+fn is_finite(v: &Vector2) -> bool {
+    v.x.is_finite() && v.y.is_finite()
+}
+
 /// What the simulator keeps of a geom.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(crate) struct GeomEntry {
@@ -224,16 +228,25 @@ impl GeomEntry {
         self.local_vertices = vertices;
         self.aabb = self.box_around(&self.local_vertices, Vector2::zeros());
         self.refresh_is_due = true;
-        self.grid_fits_outline = false;
+        self.note_whether_grid_fits();
     }
 
-    /// Takes a grid over, and notes whether it was made from the present outline.
+    /// Takes a grid over.
     pub(crate) fn set_grid(&mut self, grid: Arc<DistanceGrid>) {
-        let bits = |vertices: &Vertices| -> Vec<_> {
-            vertices.iter().map(|v| (v.x.to_bits(), v.y.to_bits())).collect()
-        };
-        self.grid_fits_outline = bits(grid.outline()) == bits(&self.local_vertices);
         self.grid = Some(grid);
+        self.note_whether_grid_fits();
+    }
+
+    /// Whether the grid was made from the present outline says nothing but what the two say, so that it need not be
+    /// saved.
+    fn note_whether_grid_fits(&mut self) {
+        let same =
+            |(a, b): (&Vector2, &Vector2)| a.x.to_bits() == b.x.to_bits() && a.y.to_bits() == b.y.to_bits();
+        self.grid_fits_outline = self.grid.as_ref().is_some_and(|grid| {
+            let outline = grid.outline();
+            outline.len() == self.local_vertices.len()
+                && outline.iter().zip(self.local_vertices.iter()).all(same)
+        });
     }
 
     /// Follows the body: matrix, world vertices and box.
@@ -276,12 +289,34 @@ impl GeomEntry {
         self.aabb = self.box_around(&self.world_vertices, self.pose.position);
     }
 
-    /// Whether the geom's box in the world is finite.
+    /// Whether the geom's place is finite: outline and box in the world, and the way back from there.
     #[inline]
-    pub(crate) fn box_is_finite(&self) -> bool {
+    pub(crate) fn place_is_finite(&self) -> bool {
         let Aabb { min, max } = self.aabb;
+        let (position, back) = (self.pose.position, self.pose.inverse);
         // Any infinity or NaN makes a product, and with it the sum, NaN.
-        min.x * 0.0 + min.y * 0.0 + max.x * 0.0 + max.y * 0.0 == 0.0
+        let sum = min.x * 0.0
+            + min.y * 0.0
+            + max.x * 0.0
+            + max.y * 0.0
+            + position.x * 0.0
+            + position.y * 0.0
+            + back.m41 * 0.0
+            + back.m42 * 0.0;
+        // The box around an outline is finite where the outline is; that of a disc says nothing of it.
+        sum == 0.0 && (self.box_radius.is_none() || self.world_vertices.iter().all(is_finite))
+    }
+
+    /// Whether the geom's place would be finite with its body there.
+    pub(crate) fn would_be_finite_at(&self, position: Vector2, rotation: f32) -> bool {
+        let pose = GeomPose::of_body(position, rotation, self.offset, self.rotation_offset);
+        let are_finite =
+            |mut points: std::slice::Iter<'_, Vector2>| points.all(|&v| is_finite(&pose.matrix.apply(v)));
+        let disc = self.box_around(&[], pose.position);
+        is_finite(&pose.position)
+            && is_finite(&Vector2::new(pose.inverse.m41, pose.inverse.m42))
+            && are_finite(self.local_vertices.iter())
+            && (self.box_radius.is_none() || is_finite(&disc.min) && is_finite(&disc.max))
     }
 
     pub(crate) fn ignores(&self, number: u32) -> bool {
@@ -298,11 +333,15 @@ impl GeomEntry {
 
     /// Whether everything that enters arithmetic is finite: false only after loading garbage.
     pub(crate) fn is_valid(&self) -> bool {
-        let finite = |v: &Vector2| v.x.is_finite() && v.y.is_finite();
+        let matrix_is_finite = |matrix: &Matrix| matrix.iter().all(|element| element.is_finite());
         !self.local_vertices.is_empty()
             && self.local_vertices.len() == self.world_vertices.len()
-            && self.local_vertices.iter().all(finite)
-            && finite(&self.offset)
+            && self.local_vertices.iter().all(is_finite)
+            && self.world_vertices.iter().all(is_finite)
+            && self.pose.to_floats().iter().all(|number| number.is_finite())
+            && self.user_matrix.as_deref().is_none_or(matrix_is_finite)
+            && self.place_is_finite()
+            && is_finite(&self.offset)
             && self.rotation_offset.is_finite()
             && self.geom.is_finite()
             && self.grid_cell_size.is_finite()

@@ -517,6 +517,7 @@ mod pair_filter;
 mod pair_id;
 mod pair_table;
 mod path;
+mod refusals;
 mod simulator;
 mod solver;
 mod springs;
@@ -553,6 +554,7 @@ pub use pair_table::GeomPairBitmap;
 pub use path::{
     Curve, CurveContinuity, CurveKey, CurveKeyCollection, CurveLoopType, CurveTangent, LinkType, Path,
 };
+pub use refusals::{ArgumentNames, Refusals};
 pub use shape::{Aabb, Vertices};
 pub use simulator::{
     GeomPlacement, GeomPointPair, PhysicsSimulator, RayCastHit, SavedSimulator, StepCounters, StepTimes,

@@ -105,11 +105,11 @@ const SIMULATOR: SnapshotFormat = SnapshotFormat { magic: *b"Farseer2", version:
 impl PhysicsSimulator {
     /// The whole simulator as bytes, to [restore](Self::restore) later, in this program or another.
     ///
-    /// Everything that can influence a later bit is in it, in the middle of a run too. Callbacks belong to the game
-    /// and [events](Self::events) are notices: both are not. So take it right after an update: callbacks for what was
-    /// disposed since then are not called after restoring, nor are arguments reported that were refused since then.
+    /// Everything that can influence a later bit or event is in it, at any moment between two updates: what was
+    /// disposed, moved or refused since the last one is told by the next one after restoring, too. Handlers belong to
+    /// the game, and are not in it; nor are the [events](Self::events), counters and times of the last update.
     ///
-    /// Between versions of this crate the format may change. For a form that can be read by eye, serialise the simulator
+    /// Between versions of this crate the format may change; a snapshot of another one is refused. For a form that can be read by eye, serialise the simulator
     /// with any other format of `serde`.
     ///
     /// ```

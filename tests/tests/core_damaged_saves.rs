@@ -3,8 +3,10 @@
 mod core_common;
 
 use core_common::{Game, add_box, is_finite, lively_scene, methods, simulator_with, v};
-use farseer_core::{BroadPhaseCollider, NarrowPhaseCollider, PhysicsSimulator};
-use serde_json::Value;
+use farseer_core::{
+    Body, BroadPhaseCollider, GeomPlacement, NarrowPhaseCollider, PhysicsSimulator, Vertices, math::Matrix,
+};
+use serde_json::{Value, json};
 
 /// Runs what was loaded, if it was. Answers whether it was refused.
 fn is_refused_or_runs(text: &str, what: &str) -> bool {
@@ -16,6 +18,7 @@ fn is_refused_or_runs(text: &str, what: &str) -> bool {
         simulator.update(0.01);
         assert!(is_finite(&simulator), "not finite after {step} updates: {what}");
     }
+    loads_itself(&simulator, what);
     let bodies = simulator.body_list().to_vec();
     for &body in &bodies {
         simulator[body].set_position(v(1.0, 2.0));
@@ -25,10 +28,27 @@ fn is_refused_or_runs(text: &str, what: &str) -> bool {
         simulator.dispose(body).unwrap();
     }
     simulator.update(0.01);
-    let (body, _) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
-    simulator.update(0.01);
-    assert!(is_finite(&simulator) && simulator.body(body).is_some(), "nothing can be added: {what}");
+    can_be_added_to(simulator, what);
     false
+}
+
+fn loads_itself(simulator: &PhysicsSimulator, what: &str) {
+    let restored = PhysicsSimulator::default().restore(&simulator.snapshot());
+    assert_eq!(restored, Ok(()), "it refuses its own snapshot: {what}");
+}
+
+/// Whether a geom can be made, unless the numbers of geoms are used up.
+fn can_be_added_to(mut simulator: PhysicsSimulator, what: &str) {
+    let body = simulator.create_body(Body::new());
+    simulator.add(body).unwrap();
+    let outline = Vertices::create_simple_rectangle(10.0, 10.0).unwrap();
+    match simulator.create_geom(body, outline, GeomPlacement::default()) {
+        Ok(geom) => simulator.add(geom).unwrap(),
+        Err(error) => assert!(error.to_string().contains("2^31"), "{error}: {what}"),
+    }
+    simulator.update(0.01);
+    assert!(is_finite(&simulator) && simulator.is_listed(body), "nothing can be added: {what}");
+    loads_itself(&simulator, what);
 }
 
 /// A scene in the middle of things: pairs, removed and waiting objects, edited bodies, free slots.
@@ -240,5 +260,85 @@ fn a_simulator_of_nothing_is_loaded() {
     for methods in methods() {
         let text = serde_json::to_string(&simulator_with(10.0, methods)).unwrap();
         assert!(!is_refused_or_runs(&text, "empty"));
+    }
+}
+
+/// A body with a box, and what is saved of them, with something changed.
+fn changed_box(change: impl Fn(&mut Value)) -> serde_json::Result<PhysicsSimulator> {
+    let mut simulator = simulator_with(10.0, Default::default());
+    let (_, geom) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
+    simulator.update(0.01);
+    simulator.set_matrix(geom, &Matrix::identity()).unwrap();
+    let mut saved = serde_json::to_value(&simulator).unwrap();
+    change(&mut saved);
+    serde_json::from_value(saved)
+}
+
+#[test]
+fn a_simulator_makes_no_geom_when_the_numbers_of_geoms_are_used_up_and_loads_itself() {
+    let last = i32::MAX - 1;
+    let mut simulator = changed_box(|saved| saved["next_geom_number"] = json!(last)).unwrap();
+    let body = simulator.body_list()[0];
+    let outline = Vertices::create_simple_rectangle(10.0, 10.0).unwrap();
+    let mut make = |simulator: &mut PhysicsSimulator| {
+        simulator.create_geom(body, outline.clone(), GeomPlacement::default())
+    };
+    let geom = make(&mut simulator).unwrap();
+    assert_eq!(simulator.geom(geom).unwrap().id(), last as u32);
+    let before = simulator.snapshot();
+    let error = make(&mut simulator).unwrap_err().to_string();
+    assert!(error.contains("2^31 - 1"), "{error}");
+    assert!(simulator.clone_geom(body, geom).is_err());
+    assert!(simulator.snapshot() == before);
+    loads_itself(&simulator, "all numbers used");
+}
+
+/// Otherwise a stale id would name something else after 2^32 objects in one slot.
+#[test]
+fn a_slot_whose_generations_are_used_up_stays_empty() {
+    let mut simulator = simulator_with(0.0, Default::default());
+    simulator.create_body(Body::new());
+    let mut saved = serde_json::to_value(&simulator).unwrap();
+    saved["bodies"]["slots"][0]["generation"] = json!(u32::MAX);
+    let mut simulator: PhysicsSimulator = serde_json::from_value(saved).unwrap();
+    let last = simulator.bodies().next().unwrap();
+    simulator.dispose(last).unwrap();
+    simulator.update(0.01);
+    loads_itself(&simulator, "a slot is used up");
+    let other = simulator.create_body(Body::new());
+    assert_eq!((last.slot(), other.slot()), (0, 1));
+    assert!(simulator.body(last).is_none());
+    loads_itself(&simulator, "a slot is used up and another one in use");
+}
+
+#[test]
+fn a_box_without_change_is_loaded() {
+    assert!(changed_box(|_| ()).is_ok());
+}
+
+#[test]
+fn places_of_geoms_that_are_not_finite_are_refused() {
+    let infinity = json!(f32::INFINITY.to_bits());
+    for (what, index) in
+        [("aabb", 2), ("world_vertices", 3), ("pose", 4), ("pose", 10), ("pose", 13), ("pose", 14)]
+    {
+        let loaded = changed_box(|saved| saved["geoms"]["slots"][0]["value"][what][index] = infinity.clone());
+        let error = loaded.expect_err(what).to_string();
+        assert!(error.contains("a geom is not finite"), "{what} {index}: {error}");
+    }
+    let loaded = changed_box(|saved| saved["geoms"]["slots"][0]["value"]["user_matrix"][5] = json!(1e300));
+    assert!(loaded.is_err());
+}
+
+#[test]
+fn refused_arguments_that_there_are_not_are_refused() {
+    for owner in ["bodies", "geoms"] {
+        let kind = if owner == "bodies" { "body" } else { "geom" };
+        let with = |names: Value| {
+            changed_box(|saved| saved[owner]["slots"][0]["value"][kind]["rejected"] = names.clone())
+        };
+        assert!(with(json!([])).is_ok());
+        let error = with(json!(["colour"])).unwrap_err().to_string();
+        assert!(error.contains("refused argument"), "{error}");
     }
 }

@@ -226,3 +226,35 @@ fn queries_with_numbers_that_are_not_finite_find_nothing() {
         }
     }
 }
+
+#[test]
+fn what_is_refused_again_is_told_once() {
+    let mut simulator = touching_boxes();
+    let (body, geom) = (simulator.body_list()[0], simulator.geom_list()[0]);
+    for _ in 0..10 {
+        simulator[body].set_position(v(f32::NAN, 0.0));
+        simulator[body].set_rotation(f32::NAN);
+        simulator[geom].set_friction_coefficient(f32::NAN);
+    }
+    simulator.update(0.01);
+    assert_eq!(rejected(&simulator), ["position", "rotation", "friction_coefficient"]);
+}
+
+/// Bytes of what a simulator keeps beside its contacts, after as many refusals as that.
+fn length_after_refusals(count: usize) -> usize {
+    let mut simulator = touching_boxes();
+    let (body, geom) = (simulator.body_list()[0], simulator.geom_list()[0]);
+    let outline = simulator.geom(geom).unwrap().local_vertices().clone();
+    for _ in 0..count {
+        simulator[body].set_position(v(f32::NAN, 0.0));
+        simulator[geom].set_restitution_coefficient(f32::NAN);
+        simulator.set_vertices(geom, outline.clone()).unwrap();
+        simulator.update(f32::NAN);
+    }
+    simulator.snapshot().len()
+}
+
+#[test]
+fn refusals_do_not_pile_up_while_every_step_is_refused() {
+    assert_eq!(length_after_refusals(1), length_after_refusals(1000));
+}

@@ -4,9 +4,9 @@ mod render_common;
 mod twohalf_common;
 
 use render_common::{BLUE, GREEN, RED, YELLOW, canvas, pixels};
-use twohalf::{Platform, TwoHalfPhysicsSimulator, Vector3};
+use twohalf::{DepthProfile, Platform, TwoHalfPhysicsSimulator, Vector3};
 use twohalf_common::{DT, ball, crate_box};
-use twohalf_render::{Color, DebugView, SoftwareCanvas};
+use twohalf_render::{Canvas, Color, DebugView, Point, SoftwareCanvas, Texture2D, Transform};
 
 /// Nothing on, lines of 4 px, so that a line covers whole pixels in every direction.
 fn nothing() -> DebugView {
@@ -173,4 +173,53 @@ fn a_contact_is_a_dot_with_an_arrow_towards_the_geom_that_is_pushed() {
     assert_eq!(color_at(&simulator, &canvas, [100.0, 10.0, 50.0]), Some(RED));
     assert_eq!(color_at(&simulator, &canvas, [100.0, 30.0, 50.0]), Some(Color::TRANSPARENT));
     assert_eq!(color_at(&simulator, &canvas, [100.0, -10.0, 50.0]), Some(Color::TRANSPARENT));
+}
+
+/// Notes whether all that is drawn is finite.
+#[derive(Default)]
+struct Witness {
+    lines: usize,
+    wrong: Vec<Point>,
+}
+
+impl Witness {
+    fn look_at(&mut self, points: &[Point]) {
+        let is_wrong = |point: &&Point| !point.iter().all(|number| number.is_finite());
+        self.wrong.extend(points.iter().filter(is_wrong));
+    }
+}
+
+impl Canvas for Witness {
+    fn size(&self) -> [u32; 2] {
+        [64, 64]
+    }
+    fn clear(&mut self, _: Color) {}
+    fn fill_polygon(&mut self, points: &[Point], _: &Transform, _: Color) {
+        self.look_at(points);
+    }
+    fn fill_ellipse(&mut self, center: Point, _: Point, _: &Transform, _: Color) {
+        self.look_at(&[center]);
+    }
+    fn stroke_polyline(&mut self, points: &[Point], _: bool, _: f32, _: &Transform, _: Color) {
+        self.lines += 1;
+        self.look_at(points);
+    }
+    fn draw_texture(&mut self, _: &Texture2D, _: &Transform, _: Color, _: Option<&[Point]>) {}
+}
+
+#[test]
+fn what_reaches_beyond_all_numbers_is_not_drawn() {
+    let mut simulator = TwoHalfPhysicsSimulator::with_angle(600, 10).unwrap();
+    let bodies = [0.0, 50.0].map(|x| crate_box(&mut simulator, [40.0, 40.0], [x, 0.0, 0.0]));
+    simulator.update(0.0);
+    for (body, speed) in bodies.into_iter().zip([3e38, -3e38]) {
+        simulator.body_mut(body).unwrap().set_velocity3d(Vector3::new(0.0, 0.0, speed));
+        let geom = simulator.core().geoms_of(body)[0];
+        simulator.set_depth_profile(geom, DepthProfile::Round { radius: 3e38 }).unwrap();
+    }
+    simulator.update(1.0);
+    let mut canvas = Witness::default();
+    DebugView { enable_vertice_view: true, ..DebugView::default() }.draw(&simulator, &mut canvas);
+    assert!(canvas.lines > 0);
+    assert_eq!(canvas.wrong, [] as [Point; 0]);
 }

@@ -501,3 +501,29 @@ fn the_order_of_drawing_has_everything_that_takes_part_and_is_enabled_once() {
     assert_eq!(drawn, [Drawable::Body(there), Drawable::Body(fixed), Drawable::Platform(floor)]);
     assert_eq!(velocity(&simulator, there), Vector3::zeros());
 }
+
+#[test]
+fn what_lies_beyond_all_numbers_is_shown_at_the_nearest_ones() {
+    let mut simulator = at_angle(10);
+    let body = ball(&mut simulator, 10.0, [0.0, 100.0, 0.0]);
+    let geom = geom_of(&simulator, body);
+    simulator.update(0.0);
+    throw(&mut simulator, body, [0.0, 0.0, 3e38]);
+    simulator.update(1.0);
+    assert_eq!(simulator.body(body).unwrap().position3d().z, 3e38);
+    simulator.set_depth_profile(geom, DepthProfile::Prism { depth: 3e38 }).unwrap();
+    let view = simulator.geom(geom).unwrap();
+    let outline = view.screen_outline();
+    assert!(outline.iter().all(|vertex| vertex.x == f32::MAX && vertex.y.is_finite()), "{outline:?}");
+    assert_eq!(view.virtual_geom().back, f32::MAX);
+    assert_eq!(simulator.depth_interval(geom).unwrap().1, f32::MAX);
+    assert_eq!(simulator.projection().screen_to_ground(Vector2::new(0.0, -3e38)).x, f32::MIN);
+}
+
+#[test]
+fn a_position_that_does_not_appear_on_the_screen_is_refused() {
+    let mut simulator = at_angle(10);
+    let body = ball(&mut simulator, 10.0, [0.0, 100.0, 5.0]);
+    simulator.body_mut(body).unwrap().set_position3d(Vector3::new(0.0, 0.0, 3e38));
+    assert_eq!(simulator.body(body).unwrap().position3d().z, 5.0);
+}

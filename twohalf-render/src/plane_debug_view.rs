@@ -47,12 +47,22 @@ fn draw_shape(canvas: &mut dyn Canvas, shape: &DebugShape) {
     }
 }
 
-/// Lines from point to point, `thickness` px wide, as both debug views draw them.
+fn are_finite(points: &[Point]) -> bool {
+    points.iter().flatten().all(|number| number.is_finite())
+}
+
+/// Lines from point to point, `thickness` px wide, as both debug views draw them; none if a point is not finite.
 pub(crate) fn line(canvas: &mut dyn Canvas, points: &[Point], is_closed: bool, thickness: f32, color: Color) {
+    if !are_finite(points) {
+        return;
+    }
     canvas.stroke_polyline(points, is_closed, thickness, &Transform::IDENTITY, color);
 }
 
-/// A filled circle, as both debug views draw it.
+/// A filled circle, as both debug views draw it; none if its centre is not finite.
 pub(crate) fn dot(canvas: &mut dyn Canvas, center: Point, radius: f32, color: Color) {
+    if !are_finite(&[center]) {
+        return;
+    }
     canvas.fill_ellipse(center, [radius; 2], &Transform::IDENTITY, color);
 }

@@ -7,7 +7,7 @@ use crate::ground::{Ground, GroundMut};
 use crate::projection::{plane_to_world, world_to_plane};
 use crate::support::Support;
 use crate::view::{Access, AccessMut};
-use crate::{Event, Partner, Vector2, Vector3};
+use crate::{Partner, Vector2, Vector3};
 
 /// A body of a simulator: to look at, from [`TwoHalfPhysicsSimulator::body`](crate::TwoHalfPhysicsSimulator::body),
 /// or to change as well, from [`TwoHalfPhysicsSimulator::body_mut`](crate::TwoHalfPhysicsSimulator::body_mut); in
@@ -19,7 +19,7 @@ use crate::{Event, Partner, Vector2, Vector3};
 /// What is not here is in [`core`](Self::core) and [`core_mut`](Self::core_mut).
 ///
 /// Setters that a game calls every frame return nothing. Given a value that is not finite they change nothing;
-/// the simulator reports the refusal as [`Event::RejectedInput`] in its next update.
+/// the simulator reports the refusal as [`Event::RejectedInput`](crate::Event::RejectedInput) in its next update.
 #[derive(Debug)]
 pub struct TwoHalfBody<S> {
     simulator: S,
@@ -275,8 +275,7 @@ impl<S: AccessMut> TwoHalfBody<S> {
     fn accepts(&mut self, argument: &'static str, numbers: &[f32]) -> bool {
         let accepted = numbers.iter().all(|number| number.is_finite());
         if !accepted {
-            let object = Some(self.id.into());
-            self.simulator.world_mut().pending_events.push(Event::RejectedInput { object, argument });
+            self.simulator.world_mut().reject(self.id, argument);
         }
         accepted
     }
@@ -285,8 +284,9 @@ impl<S: AccessMut> TwoHalfBody<S> {
     pub fn set_position3d(&mut self, value: Vector3) {
         let lowest = self.lowest();
         let plane = world_to_plane(value, lowest);
-        let screen = self.simulator.world().projection.plane_to_screen(plane, value.z);
-        if self.accepts("position3d", &[plane.x, plane.y, value.z, screen.x, screen.y]) {
+        let appears = self.simulator.world().projection.appears(plane, value.z);
+        let place = [plane.x, plane.y, value.z, if appears { 0.0 } else { f32::INFINITY }];
+        if self.accepts("position3d", &place) {
             self.core_mut().set_position(plane);
             self.state_mut().z = value.z;
         }

@@ -1,5 +1,6 @@
 //! The contacts of the last update, as a game sees them.
 
+use farseer_core::math::scalar::nearest_finite;
 use farseer_core::{GeomId, PhysicsSimulator};
 
 use crate::tell::to_world;
@@ -90,5 +91,26 @@ impl World {
 }
 
 fn length([x, y]: [f32; 2]) -> f32 {
-    if y == 0.0 { x.abs() } else { (x * x + y * y).sqrt() }
+    if y == 0.0 {
+        return x.abs();
+    }
+    let length = (x * x + y * y).sqrt();
+    if length.is_finite() {
+        return length;
+    }
+    // The squares are beyond finite numbers, but the length need not be.
+    let [x, y] = [x, y].map(f64::from);
+    nearest_finite((x * x + y * y).sqrt() as f32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_length_of_great_impulses_is_finite() {
+        assert_eq!(length([3e20, 4e20]), 5e20);
+        assert_eq!(length([f32::MAX, f32::MAX]), f32::MAX);
+        assert_eq!(length([3.0, 4.0]), 5.0);
+    }
 }

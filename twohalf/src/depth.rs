@@ -1,7 +1,7 @@
 //! What a body and a geom have beyond those of the 2D engine.
 
 use farseer_core::shape::Aabb;
-use farseer_core::{Body, BodyId, GeomId, GeomRef, PhysicsSimulator};
+use farseer_core::{ArgumentNames, Body, BodyId, GeomId, GeomRef, PhysicsSimulator, Refusals};
 use serde::{Deserialize, Serialize};
 
 use crate::error::invalid;
@@ -77,6 +77,24 @@ pub(crate) struct DepthBody {
     pub(crate) support: Option<Support>,
     /// Whether that was in the update before the last, and the body has hardly moved since.
     pub(crate) is_support_kept: bool,
+    /// Arguments that setters of this engine have refused and nobody was told of yet.
+    pub(crate) rejected: Refusals<DepthArguments>,
+}
+
+/// What setters of this engine refuse; what those of the 2D engine do is told by that.
+#[derive(Debug)]
+pub(crate) struct DepthArguments;
+
+impl ArgumentNames for DepthArguments {
+    const NAMES: &'static [&'static str] = &[
+        "position3d",
+        "velocity3d",
+        "angular_velocity3d",
+        "linear_velocity_z",
+        "amount",
+        "friction_coefficient",
+        "restitution_coefficient",
+    ];
 }
 
 impl DepthBody {

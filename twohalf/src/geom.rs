@@ -49,7 +49,7 @@ impl<'a> TwoHalfGeom<'a> {
         Vector3::new(plane.x, -plane.y, self.z())
     }
 
-    /// The outline on the screen, px.
+    /// The outline on the screen, px; beyond finite numbers the nearest ones.
     pub fn screen_outline(&self) -> Vec<Vector2> {
         let z = self.z();
         let vertices = self.geom.world_vertices();

@@ -7,7 +7,7 @@ use crate::depth::lowest;
 use crate::error::stale;
 use crate::projection::{plane_to_world, world_to_plane};
 use crate::view::AccessMut;
-use crate::{Error, Event, Result, TextureId};
+use crate::{Error, Result, TextureId};
 
 /// How a body meets the plane Y = 0. Every body has a ground of its own, and no body meets another one's.
 ///
@@ -96,8 +96,7 @@ impl<S: AccessMut> GroundMut<'_, S> {
 
     fn set(&mut self, argument: &'static str, value: f32, field: impl Fn(&mut Ground) -> &mut f32) {
         if !value.is_finite() {
-            let object = Some(self.body.into());
-            self.simulator.world_mut().pending_events.push(Event::RejectedInput { object, argument });
+            self.simulator.world_mut().reject(self.body, argument);
         } else {
             *field(&mut self.simulator.world_mut().depths.bodies[self.body].ground) = value;
         }

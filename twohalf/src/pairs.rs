@@ -3,7 +3,10 @@
 //! The 2D engine finds pairs whose boxes overlap in X and Y. Each of them is let pass, left to the 2D engine, or
 //! taken over by this one: balls, and outlines that met along Z.
 
-use farseer_core::{BodyId, Contact, EventHandler as CoreHandler, GeomId, ObjectId, PhysicsSimulator};
+use farseer_core::math::scalar::nearest_finite;
+use farseer_core::{
+    ArbiterRef, BodyId, Contact, EventHandler as CoreHandler, GeomId, ObjectId, PhysicsSimulator,
+};
 
 use crate::events::{Collision, Context, Event, EventHandler};
 use crate::shapes::{Along, RECENT, SHALLOW, entry_of_pieces, is_depth_last};
@@ -32,7 +35,7 @@ impl KnownPairs {
             let (Some(a), Some(b)) = (core.geom(arbiter.geom_a()), core.geom(arbiter.geom_b())) else {
                 continue;
             };
-            let impulse = arbiter.contacts().iter().map(Contact::normal_impulse).sum();
+            let impulse = impulse_of(arbiter);
             self.sorted.push(((a.id(), b.id()), impulse));
         }
         self.sorted.sort_unstable_by_key(|(numbers, _)| *numbers);
@@ -44,6 +47,11 @@ impl KnownPairs {
         let index = self.sorted.binary_search_by_key(&(a, b), |(numbers, _)| *numbers).ok()?;
         Some(self.sorted[index].1)
     }
+}
+
+/// The impulse between two geoms that touch in the 2D engine.
+pub(crate) fn impulse_of(arbiter: ArbiterRef<'_>) -> f32 {
+    nearest_finite(arbiter.contacts().iter().map(Contact::normal_impulse).sum())
 }
 
 /// What becomes of a pair whose boxes overlap in all three axes.
@@ -298,9 +306,11 @@ impl World {
         let interval = |geom: GeomId| {
             let z = core.geom(geom).map_or(0.0, |geom| self.z_of(geom.body()));
             let half = self.depths.profiles.get(geom).map_or(0.0, |profile| profile.half_depth());
-            (z - half, z + half)
+            (nearest_finite(z - half), nearest_finite(z + half))
         };
         let ((near1, far1), (near2, far2)) = (interval(geom1), interval(geom2));
-        (near1.max(near2) + far1.min(far2)) * 0.5
+        let (near, far) = (near1.max(near2), far1.min(far2));
+        let middle = (near + far) * 0.5;
+        if middle.is_finite() { middle } else { near * 0.5 + far * 0.5 }
     }
 }

@@ -92,22 +92,32 @@ impl Projection {
         Vector3::new(self.slope as f32, 1.0, -1.0)
     }
 
-    /// The point of the ground that appears at a point of the screen.
+    /// The point of the ground that appears at a point of the screen; beyond finite numbers the nearest ones.
     pub fn screen_to_ground(&self, point: Vector2) -> Vector3 {
         let z = f64::from(self.height) - f64::from(point.y);
-        Vector3::new((f64::from(point.x) - z * self.slope) as f32, 0.0, z as f32)
+        Vector3::new(shown(f64::from(point.x) - z * self.slope), 0.0, shown(z))
     }
 
-    /// Where a point of the world appears on the screen.
+    /// Where a point of the world appears on the screen; beyond finite numbers the nearest ones.
     pub fn to_screen(&self, point: Vector3) -> Vector2 {
         let [x, y, z] = [point.x, point.y, point.z].map(f64::from);
-        Vector2::new((x + z * self.slope) as f32, (f64::from(self.height) - (y + z)) as f32)
+        Vector2::new(shown(x + z * self.slope), shown(f64::from(self.height) - (y + z)))
     }
 
     /// Where a point of the plane at depth `z` appears on the screen.
     pub(crate) fn plane_to_screen(&self, plane: Vector2, z: f32) -> Vector2 {
+        let [x, y] = self.on_screen(plane, z);
+        Vector2::new(shown(x), shown(y))
+    }
+
+    fn on_screen(&self, plane: Vector2, z: f32) -> [f64; 2] {
         let [x, y, z] = [plane.x, plane.y, z].map(f64::from);
-        Vector2::new((x + z * self.slope) as f32, (f64::from(self.height) + y - z) as f32)
+        [x + z * self.slope, f64::from(self.height) + y - z]
+    }
+
+    /// Whether a point of the plane at depth `z` appears at finite numbers of the screen.
+    pub(crate) fn appears(&self, plane: Vector2, z: f32) -> bool {
+        self.on_screen(plane, z).iter().all(|&number| (number as f32).is_finite())
     }
 
     /// The point of the plane at depth `z` that appears at a point of the screen.
@@ -115,6 +125,11 @@ impl Projection {
         let [x, y, z] = [screen.x, screen.y, z].map(f64::from);
         Vector2::new((x - z * self.slope) as f32, (y - f64::from(self.height) + z) as f32)
     }
+}
+
+/// The nearest number that can be shown: numbers far away add up to what an f32 cannot hold.
+fn shown(number: f64) -> f32 {
+    if number.is_nan() { f32::NAN } else { number.clamp(f64::from(f32::MIN), f64::from(f32::MAX)) as f32 }
 }
 
 fn check_height(height: i32) -> Result<i32> {
@@ -136,7 +151,7 @@ fn cotangent(degrees: i32) -> f64 {
 
 /// Position in the world of a body, from its origin in the plane.
 pub(crate) fn plane_to_world(plane: Vector2, lowest: f64, z: f32) -> Vector3 {
-    Vector3::new(plane.x, (-f64::from(plane.y) - lowest) as f32, z)
+    Vector3::new(plane.x, shown(-f64::from(plane.y) - lowest), z)
 }
 
 /// A body's origin in the plane, from its position in the world.

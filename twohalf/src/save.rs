@@ -1,7 +1,8 @@
 //! Saving and loading the whole simulator.
 //!
-//! What was loaded continues with the same bits; what contradicts itself is refused. Events are notices and no
-//! state: what the next update would have told of refused arguments and disposals is not saved.
+//! What was loaded continues with the same bits, events and callbacks; what contradicts itself is refused. What is still
+//! to be told of refused arguments, movements and disposals is saved; the events and counters of the last update are
+//! not, because the next one overwrites them and reads none of them.
 
 use farseer_core::{Limits, SavedSimulator};
 use serde::{Deserialize, Deserializer, de::Error as _};
@@ -42,6 +43,7 @@ impl TwoHalfPhysicsSimulator {
     /// Refuses what no sequence of calls could have made, and computes what is not saved.
     fn check(&mut self) -> Result<()> {
         let TwoHalfPhysicsSimulator { core, world } = self;
+        world.has_rejected = world.depths.bodies.iter_mut().any(|(_, state)| !state.rejected.is_empty());
         if !world.depths.bodies.is_valid(|_, state| state.is_valid()) {
             return Err(damaged("the motion of a body along Z is not finite"));
         }
@@ -64,9 +66,11 @@ impl TwoHalfPhysicsSimulator {
             return Err(damaged("an object has no depth"));
         }
         let has_its_box = |geom| match (world.depths.profiles.get(geom), world.methods) {
-            (Some(DepthProfile::Round { radius }), Methods::Faithful) => {
-                core.geom(geom).is_some_and(|geom| geom.box_radius() == Some(*radius))
-            }
+            // Where a ball's box would not be finite it keeps that of its outline.
+            (Some(DepthProfile::Round { radius }), Methods::Faithful) => core
+                .geom(geom)
+                .and_then(|geom| geom.box_radius())
+                .is_none_or(|box_radius| box_radius == *radius),
             _ => true,
         };
         if !core.geoms().all(has_its_box) {

@@ -1,5 +1,6 @@
 //! The simulator: owns everything.
 
+use farseer_core::math::scalar::nearest_finite;
 use farseer_core::{Body, BodyId, Geom, GeomId, GeomPlacement, Limits, ObjectId, PhysicsSimulator, Vertices};
 use serde::Serialize;
 
@@ -379,7 +380,7 @@ impl TwoHalfPhysicsSimulator {
         world.touches.clear();
         world.last.clear();
         world.events.clear();
-        world.pending_events.clear();
+        world.has_rejected = false;
         world.counters = StepCounters::default();
     }
 
@@ -490,11 +491,11 @@ impl TwoHalfPhysicsSimulator {
         let _ = self.core.set_box_radius(geom, radius);
     }
 
-    /// The least and greatest Z of a geom, unless the id is stale.
+    /// The least and greatest Z of a geom, beyond finite numbers the nearest ones; unless the id is stale.
     pub fn depth_interval(&self, geom: GeomId) -> Option<(f32, f32)> {
         let z = self.world.z_of(self.core.geom(geom)?.body());
         let half = self.world.depths.profiles.get(geom)?.half_depth();
-        Some((z - half, z + half))
+        Some((nearest_finite(z - half), nearest_finite(z + half)))
     }
 
     /// A platform to look at, unless the id is stale. [`Platform::new`] makes one.

@@ -63,6 +63,11 @@ impl<I: Slot, T> SlotTable<I, T> {
         }
     }
 
+    /// All entries, in the order of their slots; those of disposed objects too.
+    pub(crate) fn iter_mut(&mut self) -> impl Iterator<Item = (I, &mut T)> {
+        self.entries.iter_mut().flatten().map(|(id, value)| (*id, value))
+    }
+
     /// Whether every entry lies in its id's slot and passes a test: false only after loading garbage.
     pub(crate) fn is_valid(&self, mut test: impl FnMut(I, &T) -> bool) -> bool {
         self.entries.iter().enumerate().all(|(slot, entry)| {

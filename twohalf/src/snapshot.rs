@@ -9,8 +9,10 @@ const SIMULATOR: SnapshotFormat = SnapshotFormat { magic: *b"TwoHalf1", version:
 impl TwoHalfPhysicsSimulator {
     /// The whole simulator as bytes, to [restore](Self::restore) later, in this program or another.
     ///
-    /// Everything that can influence a later bit is in it, in the middle of a run too. Callbacks belong to the game
-    /// and events are notices: both are not. Between versions of this crate the format may change.
+    /// Everything that can influence a later bit or event is in it, at any moment between two updates: what was
+    /// disposed, moved or refused since the last one is told by the next one after restoring, too. Handlers belong to
+    /// the game, and are not in it; nor are the [events](Self::events), counters and time of the last update. Between
+    /// versions of this crate the format may change; a snapshot of another one is refused.
     pub fn snapshot(&self) -> Vec<u8> {
         SIMULATOR.write(self)
     }

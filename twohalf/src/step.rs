@@ -81,9 +81,14 @@ impl TwoHalfPhysicsSimulator {
 }
 
 impl World {
-    /// What happened between updates.
+    /// What was refused between updates.
     fn tell_pending(&mut self) {
-        self.events.append(&mut self.pending_events);
+        if std::mem::take(&mut self.has_rejected) {
+            for (body, state) in self.depths.bodies.iter_mut() {
+                let told = |argument| Event::RejectedInput { object: Some(body.into()), argument };
+                self.events.extend(state.rejected.take().map(told));
+            }
+        }
         let rejected = self.platforms.take_rejected();
         self.events.extend(rejected.map(|argument| Event::RejectedInput { object: None, argument }));
     }

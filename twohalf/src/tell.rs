@@ -1,10 +1,12 @@
 //! Telling a game what touches: callbacks, events, supports.
 
-use farseer_core::{BodyId, Contact, GeomId, PhysicsSimulator};
+use farseer_core::math::scalar::nearest_finite;
+use farseer_core::{BodyId, GeomId, PhysicsSimulator};
 
 use crate::events::{Collision, Context, Event, EventHandler};
+use crate::pairs::impulse_of;
 use crate::support::Support;
-use crate::touch::{Touch, TouchKey};
+use crate::touch::{Touch, TouchKey, TouchPoint};
 use crate::world::{Source, World};
 use crate::{Partner, Vector3};
 
@@ -17,6 +19,10 @@ pub(crate) fn to_world(v: Vector3) -> Vector3 {
 fn takes_part(core: &PhysicsSimulator, geom: GeomId) -> bool {
     core.is_listed(geom)
         && core.geom(geom).and_then(|geom| core.body(geom.body())).is_some_and(|body| body.enabled())
+}
+
+fn impulse_of_points(points: &[TouchPoint]) -> f32 {
+    nearest_finite(points.iter().map(|point| point.normal_impulse).sum())
 }
 
 impl World {
@@ -36,7 +42,7 @@ impl World {
             normal: to_world(touch.normal) * sign,
             position: to_world(deepest.position),
             contacts: touch.point_count,
-            normal_impulse: points.iter().map(|point| point.normal_impulse).sum(),
+            normal_impulse: impulse_of_points(points),
             vetoed: false,
         })
     }
@@ -116,9 +122,7 @@ impl World {
             let (event, source) = self.update.sources[index];
             let impulse = match source {
                 Source::Touch(key) => self.touch_impulse(key),
-                Source::Arbiter(position) => core
-                    .arbiter(position as usize)
-                    .map_or(0.0, |arbiter| arbiter.contacts().iter().map(Contact::normal_impulse).sum()),
+                Source::Arbiter(position) => core.arbiter(position as usize).map_or(0.0, impulse_of),
             };
             if let Event::Collision(collision) = &mut self.events[event as usize] {
                 collision.normal_impulse = impulse;
@@ -128,7 +132,7 @@ impl World {
 
     fn touch_impulse(&self, key: TouchKey) -> f32 {
         let points = self.touches.find(key).map_or(&[][..], |touch| self.touches.points_of(touch));
-        points.iter().map(|point| point.normal_impulse).sum()
+        impulse_of_points(points)
     }
 
     /// Notes for every body what holds it up best.

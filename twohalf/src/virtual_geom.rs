@@ -1,11 +1,12 @@
 //! Footprints: what of an object meets others along Z (thesis 3.5).
 
 use farseer_core::GeomRef;
+use farseer_core::math::scalar::nearest_finite;
 
 use crate::depth::DepthProfile;
 
 /// The footprint of a geom in the plane of X and Z, and the heights between which the geom lies. In px, in the world,
-/// Y up.
+/// Y up; beyond finite numbers the nearest ones.
 ///
 /// The thesis makes it a geom of its own, which lies under the object and collides with those of others. Here it is
 /// only looked at: shapes meet in three axes without it.
@@ -41,12 +42,12 @@ impl VirtualGeom {
             }
         };
         VirtualGeom {
-            left: low.x,
-            right: high.x,
-            front: z - half,
-            back: z + half,
-            bottom: -high.y,
-            top: -low.y,
+            left: nearest_finite(low.x),
+            right: nearest_finite(high.x),
+            front: nearest_finite(z - half),
+            back: nearest_finite(z + half),
+            bottom: nearest_finite(-high.y),
+            top: nearest_finite(-low.y),
             is_round: profile.is_round(),
         }
     }

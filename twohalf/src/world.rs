@@ -34,9 +34,9 @@ pub struct World {
     pub(crate) solver: SpaceSolver,
     #[serde(skip)]
     pub(crate) events: Vec<Event>,
-    /// What is to be told in the next update.
+    /// Derived: a body has refused an argument, and the next update is to tell of it.
     #[serde(skip)]
-    pub(crate) pending_events: Vec<Event>,
+    pub(crate) has_rejected: bool,
     #[serde(skip)]
     pub(crate) counters: StepCounters,
     /// Seconds.
@@ -114,10 +114,17 @@ impl World {
             update: Update::default(),
             solver: SpaceSolver::default(),
             events: Vec::new(),
-            pending_events: Vec::new(),
+            has_rejected: false,
             counters: StepCounters::default(),
             update_time: 0.0,
         }
+    }
+
+    /// Notes an argument that a setter of a body has refused.
+    #[cold]
+    pub(crate) fn reject(&mut self, body: BodyId, argument: &'static str) {
+        self.depths.bodies[body].rejected.note(argument);
+        self.has_rejected = true;
     }
 
     /// Begins an update: contacts become those of the last one.
@@ -141,11 +148,11 @@ impl World {
         self.forget_what_left(core);
     }
 
-    /// Notes where the geoms are along Z.
+    /// Notes where the geoms are along Z: all that live, because the 2D engine may ask about one that has left its list.
     pub(crate) fn prepare(&mut self, core: &PhysicsSimulator, dt: f32) {
         self.update.dt = dt;
         self.update.known.prepare(core);
-        for &geom in core.geom_list() {
+        for geom in core.geoms() {
             let Some(body) = core.geom(geom).map(|geom| geom.body()) else { continue };
             let (Some(state), Some(profile)) = (self.depths.bodies.get(body), self.depths.profiles.get(geom))
             else {

@@ -178,7 +178,7 @@ impl PhysicsSimulatorView {
     /// the panel, springs, revolute, pin and slider joints; of each what is in the simulator's list, in its order.
     ///
     /// What is disabled or broken is drawn as long as it is in its list. Angle springs and the other joints are never
-    /// drawn. Before the first update the square of a revolute joint is on its first body, as in the original.
+    /// drawn, nor are shapes that reach beyond finite numbers. Before the first update the square of a revolute joint is on its first body, as in the original.
     #[doc(alias = "Draw")]
     pub fn draw(&self, simulator: &PhysicsSimulator, mut draw: impl FnMut(DebugShape)) {
         pen::Pen { view: self, simulator, draw: &mut draw }.draw_all();

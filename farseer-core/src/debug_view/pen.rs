@@ -50,17 +50,24 @@ impl Pen<'_> {
         self.joints();
     }
 
+    /// Hands out a shape, unless it reaches beyond finite numbers: no renderer could draw that.
+    fn show(&mut self, points: &[Vector2], shape: DebugShape) {
+        if points.iter().all(|point| point.x.is_finite() && point.y.is_finite()) {
+            (self.draw)(shape);
+        }
+    }
+
     fn line(&mut self, start: Vector2, end: Vector2, Ink { thickness, color }: Ink) {
-        (self.draw)(DebugShape::Line { start, end, thickness, color });
+        self.show(&[start, end], DebugShape::Line { start, end, thickness, color });
     }
 
     fn dot(&mut self, center: Vector2, radius: f32, color: [u8; 4]) {
-        (self.draw)(DebugShape::Circle { center, radius, color });
+        self.show(&[center], DebugShape::Circle { center, radius, color });
     }
 
     fn square(&mut self, center: Vector2, color: [u8; 4]) {
         let min = center - Vector2::repeat(0.5 * SQUARE);
-        (self.draw)(DebugShape::Rectangle { min, size: Vector2::repeat(SQUARE), color });
+        self.show(&[min], DebugShape::Rectangle { min, size: Vector2::repeat(SQUARE), color });
     }
 
     fn text(&mut self, x: f32, y: f32, text: String) {

@@ -37,6 +37,7 @@ pub use weld_joint::WeldJoint;
 use crate::body::BodyId;
 use crate::checked_properties::checked_properties;
 use crate::math::Vector2;
+use crate::math::scalar::nearest_finite;
 use joint_body::{JointBodies, JointPose, JointStep};
 
 crate::arena::define_id! {
@@ -137,10 +138,10 @@ impl Joint {
     }
 
     /// Error of the last update that found the joint enabled and a body it could move: an angle in radians or a
-    /// length.
+    /// length. One that is no finite number, because the anchors are too far away, is shown as the greatest there is.
     #[doc(alias = "JointError")]
     pub fn joint_error(&self) -> f32 {
-        self.joint_error
+        nearest_finite(self.joint_error)
     }
 
     /// Whether the joint takes part in the simulation. Default true.

@@ -9,6 +9,7 @@ use crate::joints::anchor_distance::AnchorDistance;
 use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
 use crate::joints::{Joint, JointKind};
 use crate::math::Vector2;
+use crate::math::scalar::nearest_finite;
 use crate::math::vector2::length;
 use crate::nobody::nobody;
 
@@ -79,16 +80,18 @@ impl PinJoint {
         self.anchors.anchor2
     }
 
-    /// Where the first anchor was when it was set or when the joint last prepared a step.
+    /// Where the first anchor was when it was set or when the joint last prepared a step; beyond finite numbers the
+    /// nearest ones.
     #[doc(alias = "WorldAnchor1")]
     pub fn world_anchor1(&self) -> Vector2 {
-        self.anchors.world_anchor1
+        self.anchors.world_anchor1.map(nearest_finite)
     }
 
-    /// Where the second anchor was when it was set or when the joint last prepared a step.
+    /// Where the second anchor was when it was set or when the joint last prepared a step; beyond finite numbers the
+    /// nearest ones.
     #[doc(alias = "WorldAnchor2")]
     pub fn world_anchor2(&self) -> Vector2 {
-        self.anchors.world_anchor2
+        self.anchors.world_anchor2.map(nearest_finite)
     }
 
     checked_properties! {

@@ -29,6 +29,20 @@ pub fn sign(x: f32) -> f32 {
     f32::from(i8::from(x > 0.0) - i8::from(x < 0.0))
 }
 
+/// The finite number that is nearest to a value; for NaN the greatest. For showing what came out beyond all finite
+/// numbers: not in the original.
+///
+/// ```
+/// use farseer_core::math::scalar::nearest_finite;
+/// assert_eq!(nearest_finite(2.5), 2.5);
+/// assert_eq!(nearest_finite(f32::NEG_INFINITY), f32::MIN);
+/// assert_eq!(nearest_finite(f32::NAN), f32::MAX);
+/// ```
+#[inline(always)]
+pub fn nearest_finite(value: f32) -> f32 {
+    if value.is_nan() { f32::MAX } else { value.clamp(f32::MIN, f32::MAX) }
+}
+
 /// Truncation toward zero; NaN and everything outside the range of `i32` give `i32::MIN`.
 #[inline(always)]
 pub fn to_int(x: f32) -> i32 {

@@ -14,11 +14,15 @@ use crate::math::{Matrix, Vector2, scalar};
 use crate::methods::NarrowPhaseCollider;
 use crate::narrow_phase::distance_grid::DistanceGrid;
 use crate::object_id::ObjectId;
+use crate::refusals::Refusals;
 use crate::shape::Vertices;
 use crate::{Error, Result};
 
 /// Part of the shorter side of a geom's box that an automatic grid cell takes.
 const AUTOMATIC_CELL_FRACTION: f32 = 0.1;
+
+/// Creation numbers of geoms that there are: the original counts in 32 signed bits.
+pub(super) const GEOM_NUMBERS: u32 = i32::MAX as u32;
 
 /// Where a geom sits on its body, and how finely its distance grid is sampled.
 ///
@@ -133,6 +137,7 @@ impl PhysicsSimulator {
         };
         let mut entry = self.new_entry(body, source.local_vertices, offset, rotation_offset)?;
         entry.geom = source.geom;
+        entry.geom.rejected = Refusals::default();
         entry.geom.set_tag(0);
         entry.grid_cell_size = source.grid_cell_size;
         if let Some(grid) = grid {
@@ -148,12 +153,19 @@ impl PhysicsSimulator {
         offset: Vector2,
         rotation_offset: f32,
     ) -> Result<GeomEntry> {
-        let pose = self.bodies.get(body).ok_or(Error::StaleId { argument: "body" })?;
-        let (position, rotation) = (pose.body.position(), pose.body.rotation());
+        let owner = self.bodies.get(body).ok_or(Error::StaleId { argument: "body" })?;
+        let (position, rotation) = (owner.body.position(), owner.body.rotation());
+        if self.next_geom_number >= GEOM_NUMBERS {
+            return Err(Error::invalid(
+                "geom",
+                self.next_geom_number,
+                "one of the 2^31 - 1 that a simulator can make",
+            ));
+        }
         let mut entry = GeomEntry::new(self.next_geom_number, body, offset, rotation_offset);
         entry.set_vertices(vertices);
         entry.follow(position, rotation);
-        check_box(entry)
+        check_place("geom", entry, owner)
     }
 
     /// Takes back what was made a moment ago and nobody knows yet, as if it had never been made. Of each kind these are
@@ -204,14 +216,14 @@ impl PhysicsSimulator {
     #[doc(alias = "SetBody")]
     pub fn set_body(&mut self, geom: GeomId, body: BodyId) -> Result<()> {
         let old_body = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?.body;
-        self.bodies.get(body).ok_or(Error::StaleId { argument: "body" })?;
+        let new_owner = self.bodies.get(body).ok_or(Error::StaleId { argument: "body" })?;
+        check_place("geom", self.geoms[geom].clone(), new_owner)?;
         self.settle_body(old_body);
         self.settle_body(body);
         let new_body = &self.bodies[body].body;
-        let mut moved = self.geoms[geom].clone();
+        let moved = &mut self.geoms[geom];
         moved.body = body;
         moved.follow(new_body.position(), new_body.rotation());
-        self.geoms[geom] = check_box(moved)?;
         self.bodies[old_body].geoms.retain(|&other| other != geom);
         self.bodies[body].geoms.push(geom);
         Ok(())
@@ -223,13 +235,16 @@ impl PhysicsSimulator {
     /// [made again](Self::create_distance_grid).
     ///
     /// # Errors
-    /// A stale id; an empty or non-finite outline.
+    /// A stale id; an empty or non-finite outline; one that reaches beyond finite numbers where the body is.
     #[doc(alias("SetVertices", "LocalVertices"))]
     pub fn set_vertices(&mut self, geom: GeomId, vertices: impl Into<Vertices>) -> Result<()> {
         let vertices = check_outline(vertices.into())?;
-        let body = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?.body;
+        let mut replaced = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?.clone();
+        let body = replaced.body;
+        replaced.set_vertices(vertices);
+        let GeomEntry { local_vertices, .. } = check_place("vertices", replaced, &self.bodies[body])?;
         self.settle_body(body);
-        self.geoms[geom].set_vertices(vertices);
+        self.geoms[geom].set_vertices(local_vertices);
         Ok(())
     }
 
@@ -256,7 +271,8 @@ impl PhysicsSimulator {
         }
         entry.set_grid(self.distance_grid(&entry.local_vertices, entry.grid_cell_size)?);
         entry.refresh();
-        self.geoms[geom] = check_box(entry)?;
+        let owner = &self.bodies[entry.body];
+        self.geoms[geom] = check_place("geom", entry, owner)?;
         Ok(())
     }
 
@@ -276,14 +292,17 @@ impl PhysicsSimulator {
     /// at once; the geom's position and rotation do not, as in the original.
     ///
     /// # Errors
-    /// A stale id; a matrix that is not finite or has no finite inverse.
+    /// A stale id; a matrix that is not finite, has no finite inverse, or puts the outline beyond finite numbers.
     #[doc(alias = "Matrix")]
     pub fn set_matrix(&mut self, geom: GeomId, matrix: &Matrix) -> Result<()> {
         let is_finite = |m: &Matrix| m.iter().all(|element| element.is_finite());
         if !is_finite(matrix) || !is_finite(&crate::math::matrix::invert(matrix)) {
             return Err(Error::invalid("matrix", matrix.as_slice(), "finite and invertible"));
         }
-        let body = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?.body;
+        let mut replaced = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?.clone();
+        let body = replaced.body;
+        replaced.set_matrix(matrix);
+        check_place("matrix", replaced, &self.bodies[body])?;
         self.settle_body(body);
         self.geoms[geom].set_matrix(matrix);
         Ok(())
@@ -362,12 +381,17 @@ fn automatic_cell_size(entry: &GeomEntry) -> f32 {
     scalar::min(entry.aabb.width(), entry.aabb.height()) * AUTOMATIC_CELL_FRACTION
 }
 
-/// Refuses a geom of finite numbers that reaches beyond them where its body is.
-fn check_box(entry: GeomEntry) -> Result<GeomEntry> {
-    if entry.box_is_finite() {
+/// Refuses a geom of finite numbers that reaches beyond them where it is, where its body is, or where that may be put
+/// back to.
+pub(super) fn check_place(argument: &'static str, entry: GeomEntry, owner: &BodyEntry) -> Result<GeomEntry> {
+    let (body, followed) = (&owner.body, owner.followed);
+    let is_finite = entry.is_valid()
+        && entry.would_be_finite_at(body.position(), body.rotation())
+        && entry.would_be_finite_at(followed.position, followed.rotation);
+    if is_finite {
         Ok(entry)
     } else {
-        Err(Error::invalid("geom", entry.aabb, "small and near enough for a finite box in the world"))
+        Err(Error::invalid(argument, entry.aabb, "small and near enough for a finite box in the world"))
     }
 }
 

@@ -2,6 +2,7 @@
 //! the passes of the solver.
 
 use super::PhysicsSimulator;
+use super::editing::check_place;
 use crate::body::BodyId;
 use crate::events::{Context, Event, EventHandler};
 use crate::geom::GeomId;
@@ -38,14 +39,11 @@ impl PhysicsSimulator {
         if let Some(radius) = radius.filter(|radius| !(radius.is_finite() && *radius > 0.0)) {
             return Err(Error::invalid("radius", radius, "finite and greater than 0"));
         }
+        let mut resized = self.geoms[geom].clone();
+        resized.set_box_radius(radius);
+        check_place("radius", resized, &self.bodies[body])?;
         self.settle_body(body);
-        let entry = &mut self.geoms[geom];
-        let before = entry.box_radius;
-        entry.set_box_radius(radius);
-        if !entry.box_is_finite() {
-            entry.set_box_radius(before);
-            return Err(Error::invalid("radius", radius, "small enough for a finite box in the world"));
-        }
+        self.geoms[geom].set_box_radius(radius);
         Ok(())
     }
 

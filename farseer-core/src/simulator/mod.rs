@@ -23,7 +23,7 @@ use crate::collection::Collection;
 use crate::contact::Contact;
 use crate::controllers::{Controller, ControllerId};
 use crate::error::{finite, finite_vector};
-use crate::events::Event;
+use crate::events::{Event, Notice};
 use crate::geom::{Geom, GeomId};
 use crate::geom_entry::GeomEntry;
 use crate::geom_ref::GeomRef;
@@ -131,11 +131,10 @@ pub struct PhysicsSimulator {
     #[serde(skip)]
     events: Vec<Event>,
     /// What happened since the last update, or needs to be told when no callback is running.
+    pending: Vec<Notice>,
+    /// Empty: the other buffer of what is pending.
     #[serde(skip)]
-    pending_events: Vec<Event>,
-    /// Empty: the other buffer of the pending events.
-    #[serde(skip)]
-    delivered_events: Vec<Event>,
+    delivered: Vec<Notice>,
     #[serde(skip)]
     counters: StepCounters,
     #[serde(skip)]
@@ -177,8 +176,8 @@ impl Default for PhysicsSimulator {
             new_contacts: Vec::new(),
             separated: Vec::new(),
             events: Vec::new(),
-            pending_events: Vec::new(),
-            delivered_events: Vec::new(),
+            pending: Vec::new(),
+            delivered: Vec::new(),
             counters: StepCounters::default(),
             step_times: StepTimes::default(),
         }
@@ -374,7 +373,9 @@ impl PhysicsSimulator {
     #[inline]
     pub fn geom(&self, geom: GeomId) -> Option<GeomRef<'_>> {
         let entry = self.geoms.get(geom)?;
+        // A pose at which the geom would not be finite is not going to be followed: the body will be put back.
         let pending = self.bodies.get(entry.body).and_then(BodyEntry::pending_pose);
+        let pending = pending.filter(|&(position, rotation)| entry.would_be_finite_at(position, rotation));
         Some(GeomRef { entry, pending })
     }
 

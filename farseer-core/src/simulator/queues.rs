@@ -11,7 +11,7 @@ use super::PhysicsSimulator;
 use crate::arena::Arena;
 use crate::body::{BodyId, Pose};
 use crate::body_entry::BodyEntry;
-use crate::events::{Context, Event, EventHandler};
+use crate::events::{Context, Event, EventHandler, Notice};
 use crate::geom::GeomId;
 use crate::geom_entry::GeomEntry;
 use crate::methods::NarrowPhaseCollider;
@@ -54,7 +54,7 @@ fn move_geoms(entry: &BodyEntry, geoms: &mut Arena<GeomEntry>, pose: Pose, all: 
         let geom = &mut geoms[geom];
         if all || geom.refresh_is_due {
             geom.follow(pose.position, pose.rotation);
-            are_finite &= geom.box_is_finite();
+            are_finite &= geom.place_is_finite();
         }
     }
     are_finite
@@ -129,7 +129,7 @@ impl PhysicsSimulator {
                 if !std::mem::replace(&mut entry.is_disposed, true) {
                     self.queues.disposed_bodies.push(body);
                 }
-                self.pending_events.push(Event::BodyDisposed { body });
+                self.pending.push(Notice::BodyDisposed { body });
                 for geom in std::mem::take(&mut self.bodies[body].geoms) {
                     self.dispose_geom(geom);
                 }
@@ -333,7 +333,7 @@ impl PhysicsSimulator {
     #[inline]
     pub(super) fn settle_edits(&mut self, handler: Handler) {
         let is_settled = self.touched_bodies.is_empty() && self.touched_geoms.is_empty();
-        if !(is_settled && self.pending_events.is_empty()) {
+        if !(is_settled && self.pending.is_empty()) {
             self.settle_all_edits(handler);
         }
     }
@@ -341,20 +341,20 @@ impl PhysicsSimulator {
     fn settle_all_edits(&mut self, handler: Handler) {
         for round in 0.. {
             self.settle_touched();
-            if self.pending_events.is_empty() {
+            if self.pending.is_empty() {
                 return;
             }
             // The buffers change places, so that neither is allocated anew.
-            let mut events = std::mem::take(&mut self.delivered_events);
-            std::mem::swap(&mut events, &mut self.pending_events);
-            for event in events.drain(..) {
+            let mut notices = std::mem::take(&mut self.delivered);
+            std::mem::swap(&mut notices, &mut self.pending);
+            for notice in notices.drain(..) {
                 if round < MAX_ROUNDS {
-                    self.deliver(event, handler);
+                    self.deliver(notice, handler);
                 } else {
-                    self.deliver(event, &mut None);
+                    self.deliver(notice, &mut None);
                 }
             }
-            self.delivered_events = events;
+            self.delivered = notices;
         }
     }
 
@@ -362,6 +362,11 @@ impl PhysicsSimulator {
     fn settle_touched(&mut self) {
         let mut bodies = std::mem::take(&mut self.touched_bodies);
         for body in bodies.drain(..) {
+            if let Some(entry) = self.bodies.get_mut(body) {
+                entry.is_touched = false;
+                let rejected = entry.body.rejected.take();
+                self.tell_rejected(body.into(), rejected);
+            }
             self.settle_body(body);
         }
         self.touched_bodies = bodies;
@@ -369,25 +374,26 @@ impl PhysicsSimulator {
         for geom in geoms.drain(..) {
             let Some(entry) = self.geoms.get_mut(geom) else { continue };
             entry.is_touched = false;
-            for argument in entry.geom.rejected.drain(..) {
-                self.pending_events.push(Event::RejectedInput { object: Some(geom.into()), argument });
-            }
+            let rejected = entry.geom.rejected.take();
+            self.tell_rejected(geom.into(), rejected);
         }
         self.touched_geoms = geoms;
     }
 
+    fn tell_rejected(&mut self, object: ObjectId, rejected: impl Iterator<Item = &'static str>) {
+        let told = |argument| Event::RejectedInput { object: Some(object), argument };
+        self.events.extend(rejected.map(told));
+    }
+
+    /// Lets geoms follow a body that was edited; what it has refused is told when all edits settle.
     pub(super) fn settle_body(&mut self, body: BodyId) {
         self.take_edited_velocity_up(body);
-        let Some(entry) = self.bodies.get_mut(body) else { return };
-        entry.is_touched = false;
-        for argument in entry.body.rejected.drain(..) {
-            self.pending_events.push(Event::RejectedInput { object: Some(body.into()), argument });
-        }
+        let Some(entry) = self.bodies.get(body) else { return };
         if entry.pending_pose().is_some() {
             match self.let_geoms_follow(body, true) {
-                Followed::Yes => self.pending_events.push(Event::BodyUpdated { body }),
+                Followed::Yes => self.pending.push(Notice::BodyUpdated { body }),
                 Followed::PutBack { disabled } => {
-                    self.pending_events.push(Event::NotFinite { body, disabled });
+                    self.pending.push(Notice::NotFinite { body, disabled });
                 }
             }
         }
@@ -413,14 +419,14 @@ impl PhysicsSimulator {
         Followed::PutBack { disabled }
     }
 
-    fn deliver(&mut self, event: Event, handler: Handler) {
-        self.events.push(event);
+    fn deliver(&mut self, notice: Notice, handler: Handler) {
+        self.events.push(notice.into());
         let Some(handler) = handler else { return };
         let mut context = Context { simulator: self };
-        match event {
-            Event::BodyUpdated { body } => handler.on_body_updated(&mut context, body),
-            Event::BodyDisposed { body } => handler.on_body_disposed(&mut context, body),
-            _ => {}
+        match notice {
+            Notice::BodyUpdated { body } => handler.on_body_updated(&mut context, body),
+            Notice::BodyDisposed { body } => handler.on_body_disposed(&mut context, body),
+            Notice::NotFinite { .. } => {}
         }
     }
 }

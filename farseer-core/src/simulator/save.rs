@@ -2,12 +2,15 @@
 //!
 //! Everything that can influence a later bit is saved: queues, the order of sorted lists, arbiters with their
 //! impulses and the pool they go back to, creation numbers. Distance grids are saved as the outline they are made
-//! from. What was loaded continues with the same bits; what contradicts itself is refused. Events, and refusals
-//! that were not reported yet, are notices and not state: they are not saved.
+//! from. So is everything that is still to be told: what was disposed, moved or refused since the last update. What was
+//! loaded continues with the same bits, events and callbacks; what contradicts itself is refused. The
+//! [events](PhysicsSimulator::events), counters and times of the last update are not saved: the next one overwrites
+//! them and reads none of them.
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 
 use super::PhysicsSimulator;
+use super::editing::GEOM_NUMBERS;
 use crate::body::{BodyId, Pose};
 use crate::body_entry::BodyEntry;
 use crate::collection::has_no_duplicates;
@@ -88,9 +91,8 @@ impl PhysicsSimulator {
         {
             return damaged("a setting is not finite");
         }
-        // The original counts in 32 signed bits.
-        if self.next_geom_number > i32::MAX as u32 {
-            return damaged("creation numbers are used up");
+        if self.next_geom_number > GEOM_NUMBERS {
+            return damaged("more creation numbers were used than there are");
         }
         if !self.bodies.is_consistent() || !self.geoms.is_consistent() {
             return damaged("a free slot is occupied");
@@ -103,8 +105,11 @@ impl PhysicsSimulator {
         if !geoms.all(|(id, geom)| {
             geom.is_valid()
                 && geom.number < self.next_geom_number
-                && self.bodies.contains(geom.body)
-                && (geom.is_disposed || attachments[id.slot()] == 1)
+                && self.bodies.get(geom.body).is_some_and(|body| {
+                    geom.is_disposed
+                        || (attachments[id.slot()] == 1
+                            && geom.would_be_finite_at(body.followed.position, body.followed.rotation))
+                })
         }) {
             return damaged("a geom is not finite or not attached to its body");
         }
@@ -160,6 +165,8 @@ impl PhysicsSimulator {
         let queues = &self.queues;
         let waiting_bodies = self.bodies.iter::<BodyId>().filter(|(_, entry)| entry.is_queued).count();
         let waiting_geoms = self.geoms.iter::<GeomId>().filter(|(_, entry)| entry.is_queued).count();
+        let disposed_bodies = self.bodies.iter::<BodyId>().filter(|(_, entry)| entry.is_disposed).count();
+        let disposed_geoms = self.geoms.iter::<GeomId>().filter(|(_, entry)| entry.is_disposed).count();
         let queued_body = |id: &&BodyId| self.bodies.get(**id).is_some_and(|entry| entry.is_queued);
         let queued_geom = |id: &&GeomId| self.geoms.get(**id).is_some_and(|entry| entry.is_queued);
         has_no_duplicates(&queues.added_bodies)
@@ -170,6 +177,8 @@ impl PhysicsSimulator {
             && has_no_duplicates(&self.geom_list)
             && has_no_duplicates(&queues.disposed_bodies)
             && has_no_duplicates(&queues.disposed_geoms)
+            && queues.disposed_bodies.len() == disposed_bodies
+            && queues.disposed_geoms.len() == disposed_geoms
             && self.body_list.len() == listed_bodies
             && self.geom_list.len() == listed_geoms
             && self.body_list.iter().all(|&id| self.bodies.get(id).is_some_and(|entry| entry.is_listed))
