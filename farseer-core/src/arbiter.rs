@@ -360,7 +360,10 @@ mod tests {
         arbiters
     }
 
-    fn state(list: &ArbiterList) -> (Vec<Option<(GeomId, GeomId)>>, Vec<u32>, Vec<u32>) {
+    /// Pairs of the arbiters, list and pool.
+    type State = (Vec<Option<(GeomId, GeomId)>>, Vec<u32>, Vec<u32>);
+
+    fn state(list: &ArbiterList) -> State {
         (list.arbiters.iter().map(|arbiter| arbiter.geoms).collect(), list.list.clone(), list.pool.clone())
     }
 
