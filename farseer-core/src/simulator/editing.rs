@@ -182,7 +182,7 @@ impl PhysicsSimulator {
             if entry.is_touched {
                 self.touched_geoms.retain(|&other| other != geom);
             }
-            self.bodies[entry.body].geoms.retain(|&other| other != geom);
+            self.bodies[entry.body].detach(geom);
             self.next_geom_number -= 1;
         }
     }
@@ -213,7 +213,7 @@ impl PhysicsSimulator {
         moved.body = body;
         moved.follow(new_body.position(), new_body.rotation());
         self.geoms[geom] = check_box(moved)?;
-        self.bodies[old_body].geoms.retain(|&other| other != geom);
+        self.bodies[old_body].detach(geom);
         self.bodies[body].geoms.push(geom);
         Ok(())
     }
