@@ -358,7 +358,10 @@ mod tests {
         arbiters
     }
 
-    fn state(list: &ArbiterList) -> (Vec<Option<(GeomId, GeomId)>>, Vec<u32>, Vec<u32>) {
+    type Pairs = Vec<Option<(GeomId, GeomId)>>;
+
+    /// The pairs of all arbiters, list and pool.
+    fn state(list: &ArbiterList) -> (Pairs, Vec<u32>, Vec<u32>) {
         (list.arbiters.iter().map(|arbiter| arbiter.geoms).collect(), list.list.clone(), list.pool.clone())
     }
 
