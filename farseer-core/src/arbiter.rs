@@ -360,10 +360,10 @@ mod tests {
         arbiters
     }
 
-    /// Pairs of the arbiters, list and pool.
-    type State = (Vec<Option<(GeomId, GeomId)>>, Vec<u32>, Vec<u32>);
+    type Pairs = Vec<Option<(GeomId, GeomId)>>;
 
-    fn state(list: &ArbiterList) -> State {
+    /// The pairs of all arbiters, list and pool.
+    fn state(list: &ArbiterList) -> (Pairs, Vec<u32>, Vec<u32>) {
         (list.arbiters.iter().map(|arbiter| arbiter.geoms).collect(), list.list.clone(), list.pool.clone())
     }
 

@@ -34,6 +34,14 @@ impl BodyEntry {
         }
     }
 
+    /// The geom is not attached any more, if it was. Bodies of thousands of geoms let them go one by one, so nothing is
+    /// looked at beyond it.
+    pub(crate) fn detach(&mut self, geom: GeomId) {
+        if let Some(position) = self.geoms.iter().position(|&other| other == geom) {
+            self.geoms.remove(position);
+        }
+    }
+
     /// The pose, if the geoms have not followed it yet.
     pub(crate) fn pending_pose(&self) -> Option<(Vector2, f32)> {
         let (position, rotation) = (self.body.position(), self.body.rotation());

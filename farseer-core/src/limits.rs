@@ -14,8 +14,8 @@
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Limits {
-    /// Work of making one distance grid: its nodes times the vertices of its outline. Default 2^26, which takes about
-    /// half a second; the grid of a circle of 64 edges with 100 cells across takes a hundredth of that.
+    /// Work of making one distance grid: its nodes times the vertices of its outline. Default 2^26, which takes less
+    /// than a second; the grid of a circle of 64 edges with 100 cells across takes a hundredth of that.
     pub grid_work: u64,
     /// The same, summed over the distance grids of all geoms that live in the simulator. Equal grids are one; grids that
     /// are gone do not count. Default 2^28: at most 2^27 nodes, 512 MB.

@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 fn is_refused_or_runs(text: &str, what: &str) -> bool {
     let Ok(mut simulator) = serde_json::from_str::<PhysicsSimulator>(text) else { return true };
     assert!(is_finite(&simulator), "not finite when loaded: {what}");
-    // Any number of passes is legitimate, but not every number ends today.
+    // Any number of passes is legitimate, but the limit of them is a long one.
     simulator.set_iterations(simulator.iterations().min(10));
     for step in 0..10 {
         simulator.update(0.01);

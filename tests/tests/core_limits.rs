@@ -2,6 +2,8 @@
 
 mod core_common;
 
+use conformance::run::Run;
+use conformance::scene::Scene;
 use core_common::{BROAD_PHASES, add_box, add_circle, add_floor, simulator, simulator_with, state, v};
 use farseer_core::{
     Body, BroadPhaseCollider, Context, Error, Event, EventHandler, GeomId, GeomPlacement, JointFactory,
@@ -116,6 +118,27 @@ fn grids_that_only_a_clone_has_count_as_if_there_were_no_clone() {
         outcomes
     });
     assert_eq!(outcomes, [[true, false, true, true]; 2]);
+}
+
+/// What ordinary games need: the scenes that the original was recorded with.
+#[test]
+fn recorded_scenes_need_a_fiftieth_of_the_limits() {
+    let files = std::fs::read_dir(conformance::golden::folder()).expect("the folder is there");
+    let paths = files.map(|file| file.expect("it can be read").path());
+    let (mut largest, mut largest_total) = (0, 0);
+    for path in paths.filter(|path| path.to_string_lossy().ends_with(".json.gz")) {
+        let scene = Scene::from_file(path).unwrap_or_else(|error| panic!("{error}"));
+        let Ok(run) = Run::build(&scene) else { continue };
+        let simulator = run.simulator();
+        let grids = simulator.geoms().filter_map(|geom| simulator.geom(geom)?.distance_grid());
+        let works: Vec<u64> = grids.map(|grid| (grid.nodes().len() * grid.outline().len()) as u64).collect();
+        largest = works.iter().copied().fold(largest, u64::max);
+        largest_total = largest_total.max(works.iter().sum::<u64>());
+    }
+    println!("one grid {largest}, all of a scene {largest_total}");
+    assert!(largest > 0);
+    assert!(largest * 50 < Limits::default().grid_work);
+    assert!(largest_total * 50 < Limits::default().total_grid_work);
 }
 
 fn with_cells(simulator: &PhysicsSimulator, cell_size: f32) -> Value {

@@ -193,7 +193,7 @@ impl PhysicsSimulator {
             if entry.is_touched {
                 self.touched_geoms.retain(|&other| other != geom);
             }
-            self.bodies[entry.body].geoms.retain(|&other| other != geom);
+            self.bodies[entry.body].detach(geom);
             self.next_geom_number -= 1;
         }
     }
@@ -224,7 +224,7 @@ impl PhysicsSimulator {
         let moved = &mut self.geoms[geom];
         moved.body = body;
         moved.follow(new_body.position(), new_body.rotation());
-        self.bodies[old_body].geoms.retain(|&other| other != geom);
+        self.bodies[old_body].detach(geom);
         self.bodies[body].geoms.push(geom);
         Ok(())
     }

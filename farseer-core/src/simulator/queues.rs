@@ -3,8 +3,6 @@
 //! Additions are processed before removals; geoms before bodies, controllers, joints and springs. So an object that is
 //! removed and added again between two updates ends up removed, as in the original.
 
-use std::collections::BTreeSet;
-
 use serde::{Deserialize, Serialize};
 
 use super::PhysicsSimulator;
@@ -137,7 +135,7 @@ impl PhysicsSimulator {
             ObjectId::Geom(geom) => {
                 let entry = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?;
                 let body = entry.body;
-                self.bodies[body].geoms.retain(|&other| other != geom);
+                self.bodies[body].detach(geom);
                 self.dispose_geom(geom);
             }
             ObjectId::Controller(controller) => self.controllers.dispose("controller", controller)?,
@@ -309,14 +307,17 @@ impl PhysicsSimulator {
 
     /// The ids of what was disposed go stale. No list names them any more.
     fn free_disposed(&mut self) {
-        let disposed = std::mem::take(&mut self.queues.disposed_geoms);
-        let gone: Vec<GeomEntry> = disposed.into_iter().filter_map(|geom| self.geoms.remove(geom)).collect();
+        let mut bodies = Vec::new();
+        for geom in std::mem::take(&mut self.queues.disposed_geoms) {
+            let body = self.geoms.remove(geom).map(|entry| entry.body);
+            let has_geoms = |&body: &BodyId| self.bodies.get(body).is_some_and(|body| !body.geoms.is_empty());
+            bodies.extend(body.filter(has_geoms));
+        }
         // They may have been attached to other bodies after they were disposed.
-        let bodies: BTreeSet<BodyId> = gone.iter().map(|geom| geom.body).collect();
+        bodies.sort_unstable();
+        bodies.dedup();
         for body in bodies {
-            if let Some(body) = self.bodies.get_mut(body) {
-                body.geoms.retain(|&geom| self.geoms.contains(geom));
-            }
+            self.bodies[body].geoms.retain(|&geom| self.geoms.contains(geom));
         }
         for body in std::mem::take(&mut self.queues.disposed_bodies) {
             self.bodies.remove(body);
