@@ -443,9 +443,10 @@
 //!
 //! [`snapshot`](PhysicsSimulator::snapshot) is the whole simulator as bytes, with version and checksum;
 //! [`restore`](PhysicsSimulator::restore) goes on from there with the same bits, and refuses what was cut or altered. With
-//! any other format of `serde` a simulator can be serialised as well; what is loaded is checked. Handlers, a game's own
-//! controllers and containers, and the events of the last update are not in it; a [`Path`] and the game's own ids are saved
-//! beside it, by `serde`.
+//! any other format of `serde` a simulator can be serialised as well; what is loaded is checked. What was disposed, moved
+//! or refused since the last update is in it, and is told by the next one. Handlers, a game's own controllers and
+//! containers, and the events of the last update are not; a [`Path`] and the game's own ids are saved beside it, by
+//! `serde`.
 //!
 //! Ids made after the snapshot may name other objects once it is restored: forget them,
 //! [clear](BodyInterpolation::clear) what [`BodyInterpolation`] remembers and [forget](MousePicker::forget) what a

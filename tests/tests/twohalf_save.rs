@@ -195,6 +195,9 @@ fn a_contact_with_a_geom_that_has_left_its_list_goes_on_after_loading() {
     core.set_broad_phase_collider(BroadPhaseCollider::SweepAndPrune).unwrap();
     let mut simulator = TwoHalfPhysicsSimulator::from_core(600, 90, core).unwrap();
     let first = crate_box(&mut simulator, [20.0, 20.0], [0.0, 100.0, 50.0]);
+    // The table of pairs has no place for fewer than three.
+    crate_box(&mut simulator, [20.0, 20.0], [500.0, 100.0, 50.0]);
+    crate_box(&mut simulator, [20.0, 20.0], [800.0, 100.0, 50.0]);
     run(&mut simulator, 1);
     crate_box(&mut simulator, [20.0, 20.0], [5.0, 118.0, 50.0]);
     let leaving = simulator.core().geoms_of(first)[0];

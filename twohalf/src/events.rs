@@ -72,7 +72,8 @@ pub enum Event {
         /// The object.
         object: ObjectId,
     },
-    /// A setter or an update was given a value that is not finite, and changed nothing.
+    /// A setter or an update was given a value that is not finite, and changed nothing. Told once per object and
+    /// argument, however often it was refused since the last update that told.
     RejectedInput {
         /// The object whose setter it was; `None` for the simulator itself and for platforms.
         object: Option<ObjectId>,
