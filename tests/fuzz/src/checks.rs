@@ -46,3 +46,54 @@ pub fn numbers_are_finite<G: Game>(seed: u64) -> Result<(), String> {
         },
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use farseer_core::PhysicsSimulator;
+
+    use super::failed_calls_change_nothing;
+    use crate::game::{Call, Game, Outcome};
+    use crate::random::Random;
+
+    /// Says that its only call has failed, though it made a body.
+    struct Liar {
+        simulator: PhysicsSimulator,
+        random: Random,
+    }
+
+    impl Game for Liar {
+        type Simulator = PhysicsSimulator;
+
+        fn new(random: Random) -> Self {
+            Liar::of(PhysicsSimulator::default(), random)
+        }
+        fn of(simulator: PhysicsSimulator, random: Random) -> Self {
+            Liar { simulator, random }
+        }
+        fn scene(_: usize) -> PhysicsSimulator {
+            PhysicsSimulator::default()
+        }
+        fn calls() -> &'static [Call<Self>] {
+            const MAKE: fn(&mut Liar) -> Outcome = |liar| {
+                liar.simulator.create_body(farseer_core::Body::new());
+                Outcome::Failed
+            };
+            &[Call { name: "create a body", weight: 1, make: MAKE }]
+        }
+        fn random(&mut self) -> &mut Random {
+            &mut self.random
+        }
+        fn simulator(&self) -> &PhysicsSimulator {
+            &self.simulator
+        }
+        fn simulator_mut(&mut self) -> &mut PhysicsSimulator {
+            &mut self.simulator
+        }
+    }
+
+    #[test]
+    fn a_failed_call_that_changed_something_is_found() {
+        let error = failed_calls_change_nothing::<Liar>(1).unwrap_err();
+        assert!(error.contains("create a body: it answered Failed and changed something"), "{error}");
+    }
+}

@@ -8,19 +8,28 @@ use crate::scenes::Churn;
 const LIFE: usize = 5;
 /// Every so many of them are tied to another.
 const TIES: usize = 3;
+/// Parts of a run that are compared.
+const PARTS: usize = 5;
 
-/// Length of the snapshot, the longest in each of `parts` equal parts of a run.
+/// The longest snapshot in the last fifth of a run is at most a twelfth longer than that of the second fifth: contacts
+/// come and go, too. In runs of 50,000 and of 1,000,000 updates ids and creation numbers take as many bytes in both.
 ///
 /// # Errors
-/// If the simulator refuses what it should take.
-pub fn snapshot_lengths(
+/// The lengths, if they grow.
+pub fn snapshots_stay_as_long(method: BroadPhaseCollider, updates: usize) -> Result<(), String> {
+    let lengths = snapshot_lengths(method, updates / PARTS).map_err(|error| error.to_string())?;
+    let (early, late) = (lengths[1], lengths[PARTS - 1]);
+    if late * 12 <= early * 13 { Ok(()) } else { Err(format!("longest snapshots: {lengths:?}")) }
+}
+
+/// Length of the longest snapshot in each part.
+fn snapshot_lengths(
     method: BroadPhaseCollider,
-    parts: usize,
     updates: usize,
-) -> Result<Vec<usize>, Box<dyn std::error::Error>> {
+) -> Result<[usize; PARTS], Box<dyn std::error::Error>> {
     let mut churn = Churn::new(method)?;
-    let mut longest = vec![0; parts];
-    for update in 0..parts * updates {
+    let mut longest = [0; PARTS];
+    for update in 0..PARTS * updates {
         if update % LIFE == 0 {
             churn.replace_one(update % (LIFE * TIES) == 0)?;
         }

@@ -1,13 +1,11 @@
 //! What the program `fuzz` tries.
 
-use farseer_core::BroadPhaseCollider;
-
 use crate::checks::{failed_calls_change_nothing, numbers_are_finite};
 use crate::game::Game;
 use crate::saves::{Fate, altered_json, altered_snapshot};
 use crate::scene_texts::altered_scene;
 use crate::scenes::BROAD_PHASES;
-use crate::soak::snapshot_lengths;
+use crate::soak::snapshots_stay_as_long;
 use crate::textures::outlines_of_a_picture;
 use crate::twins::twins_stay_equal;
 use crate::{Depth, Plane, StagedPlane};
@@ -65,11 +63,6 @@ fn game<G: Game>(seed: u64) -> Result<(), String> {
     twins_stay_equal::<G>(seed)
 }
 
-/// The snapshot is as long at the end as at the beginning, but for what the numbers of ever newer things need.
 fn soak(seed: u64) -> Result<(), String> {
-    const UPDATES: usize = 1_000_000;
-    let method: BroadPhaseCollider = BROAD_PHASES[seed as usize % BROAD_PHASES.len()];
-    let lengths = snapshot_lengths(method, 10, UPDATES / 10).map_err(|error| error.to_string())?;
-    let (first, last) = (lengths[1], lengths[9]);
-    if last * 4 <= first * 5 { Ok(()) } else { Err(format!("{method:?}: lengths of snapshots {lengths:?}")) }
+    snapshots_stay_as_long(BROAD_PHASES[seed as usize % BROAD_PHASES.len()], 1_000_000)
 }
