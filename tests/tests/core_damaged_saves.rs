@@ -48,7 +48,6 @@ fn can_be_added_to(mut simulator: PhysicsSimulator, what: &str) {
     }
     simulator.update(0.01);
     assert!(is_finite(&simulator) && simulator.is_listed(body), "nothing can be added: {what}");
-    loads_itself(&simulator, what);
 }
 
 /// A scene in the middle of things: pairs, removed and waiting objects, edited bodies, free slots.
