@@ -113,7 +113,7 @@ pub fn depth(kind: usize) -> Result<TwoHalfPhysicsSimulator> {
 
 fn add_object(simulator: &mut TwoHalfPhysicsSimulator, random: &mut Random, number: usize) -> Result<()> {
     let body = TwoHalfBodyFactory::create_circle_body(simulator, 8.0, 1.0)?;
-    let geom = if number % 2 == 0 {
+    let geom = if number.is_multiple_of(2) {
         TwoHalfGeomFactory::create_circle_geom(simulator, body, 8.0, 12)?
     } else {
         TwoHalfGeomFactory::create_rectangle_geom(simulator, body, 12.0, 16.0)?

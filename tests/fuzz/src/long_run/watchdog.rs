@@ -21,11 +21,11 @@ impl Watchdog {
         let seen = Arc::downgrade(&watched);
         thread::spawn(move || {
             while let Some(watched) = seen.upgrade() {
-                if let Some((case, since)) = &*watched.lock().expect("nobody panics while it is held") {
-                    if since.elapsed() > patience {
-                        println!("ENDLESS {case}: more than {} s", patience.as_secs());
-                        process::exit(1);
-                    }
+                if let Some((case, since)) = &*watched.lock().expect("nobody panics while it is held")
+                    && since.elapsed() > patience
+                {
+                    println!("ENDLESS {case}: more than {} s", patience.as_secs());
+                    process::exit(1);
                 }
                 drop(watched);
                 thread::sleep(Duration::from_millis(100));

@@ -91,16 +91,17 @@ fn check_shape(shape: &DebugShape) -> Result<(), String> {
 }
 
 fn everything_shown() -> PhysicsSimulatorView {
-    let mut view = PhysicsSimulatorView::default();
-    view.enable_edge_view = true;
-    view.enable_vertice_view = true;
-    view.enable_aabb_view = true;
-    view.enable_coordinate_axis_view = true;
-    view.enable_contact_view = true;
-    view.enable_performance_panel_view = true;
-    view.enable_spring_view = true;
-    view.enable_revolute_joint_view = true;
-    view.enable_pin_joint_view = true;
-    view.enable_slider_joint_view = true;
-    view
+    PhysicsSimulatorView {
+        enable_edge_view: true,
+        enable_vertice_view: true,
+        enable_aabb_view: true,
+        enable_coordinate_axis_view: true,
+        enable_contact_view: true,
+        enable_performance_panel_view: true,
+        enable_spring_view: true,
+        enable_revolute_joint_view: true,
+        enable_pin_joint_view: true,
+        enable_slider_joint_view: true,
+        ..PhysicsSimulatorView::default()
+    }
 }
