@@ -279,7 +279,7 @@ fn a_simulator_makes_no_geom_when_the_numbers_of_geoms_are_used_up_and_loads_its
     let mut simulator = changed_box(|saved| saved["next_geom_number"] = json!(last)).unwrap();
     let body = simulator.body_list()[0];
     let outline = Vertices::create_simple_rectangle(10.0, 10.0).unwrap();
-    let mut make = |simulator: &mut PhysicsSimulator| {
+    let make = |simulator: &mut PhysicsSimulator| {
         simulator.create_geom(body, outline.clone(), GeomPlacement::default())
     };
     let geom = make(&mut simulator).unwrap();
