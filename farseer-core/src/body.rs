@@ -22,8 +22,8 @@ crate::arena::define_id! {
 /// answers with a [`BodyId`]: `simulator[body]` is the body from then on.
 ///
 /// Methods that a game calls every frame return nothing. Given a value that is not finite they change nothing;
-/// the simulator reports the refusal as [`Event::RejectedInput`](crate::Event::RejectedInput) in its next update: once
-/// per argument, however often it was refused until then.
+/// the simulator reports the refusal as [`Event::RejectedInput`](crate::Event::RejectedInput) in its next update;
+/// after sixteen refusals only further arguments, each once.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(remote = "Self")]
 pub struct Body {

@@ -65,8 +65,8 @@ pub enum Event {
         /// The object.
         object: ObjectId,
     },
-    /// A setter or [`PhysicsSimulator::update`] was given a value that is not finite, and changed nothing. Told once per
-    /// object and argument, however often it was refused since the last update that told.
+    /// A setter or [`PhysicsSimulator::update`] was given a value that is not finite, and changed nothing. After
+    /// sixteen refusals of an object since the last update that told, each further argument is told once.
     RejectedInput {
         /// The object whose setter it was; `None` for the simulator itself.
         object: Option<ObjectId>,

@@ -171,7 +171,8 @@ impl Geom {
         self.tag = value;
     }
 
-    /// Names of the arguments that setters have refused since they were last asked for, each once. A simulator asks its
+    /// Names of the arguments that setters have refused since they were last asked for; after sixteen
+    /// of them only further arguments, each once. A simulator asks its
     /// own geoms and reports them; engines that keep settings of their own ask these.
     pub fn take_rejected(&mut self) -> impl Iterator<Item = &'static str> + '_ {
         self.rejected.take()

@@ -4,14 +4,18 @@ use std::marker::PhantomData;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 
-/// The names of all arguments that the setters of one kind of object refuse: at most 32.
+/// The names of all arguments that the setters of one kind of object refuse: at most 256.
 pub trait ArgumentNames {
-    /// In the order in which refusals are told.
+    /// Each once.
     const NAMES: &'static [&'static str];
 }
 
-/// The arguments that one object has refused since it was last asked: each is told once, however often it was refused
-/// meanwhile. For engines that keep settings of their own.
+/// As many refusals of an object are told one by one.
+const TOLD_EACH: usize = 16;
+
+/// The arguments that one object has refused since it was last asked, in the order in which it did. Each refusal is told;
+/// but when there are sixteen, only further arguments, each once: so they do not pile up where nobody asks. For engines
+/// that keep settings of their own.
 ///
 /// A save lists their names; one that is none of `A` is damage.
 ///
@@ -25,13 +29,13 @@ pub trait ArgumentNames {
 ///
 /// let mut refusals = Refusals::<Names>::default();
 /// refusals.note("height");
-/// refusals.note("height");
-/// assert_eq!(refusals.take().collect::<Vec<_>>(), ["height"]);
+/// refusals.note("width");
+/// assert_eq!(refusals.take().collect::<Vec<_>>(), ["height", "width"]);
 /// assert!(refusals.is_empty());
 /// ```
 pub struct Refusals<A> {
-    /// One bit per name.
-    bits: u32,
+    /// Places in the list of names.
+    refused: Vec<u8>,
     names: PhantomData<A>,
 }
 
@@ -42,44 +46,49 @@ impl<A: ArgumentNames> Refusals<A> {
     /// If the name is none of `A`.
     #[cold]
     pub fn note(&mut self, argument: &'static str) {
-        let index = A::NAMES.iter().position(|&name| name == argument);
-        self.bits |= 1 << index.expect("the list names every argument that is refused");
+        let place = A::NAMES.iter().position(|&name| name == argument);
+        let place = place.expect("the list names every argument that is refused") as u8;
+        if self.refused.len() < TOLD_EACH || !self.refused.contains(&place) {
+            self.refused.push(place);
+        }
     }
 
     /// Whether nothing was refused.
     #[inline]
     pub fn is_empty(&self) -> bool {
-        self.bits == 0
+        self.refused.is_empty()
     }
 
-    /// The names of what was refused, in the order of [`ArgumentNames::NAMES`]; from now on nothing was.
+    /// The names of what was refused; from now on nothing was.
     #[inline]
     pub fn take(&mut self) -> impl Iterator<Item = &'static str> + use<A> {
-        std::mem::take(self).names()
+        std::mem::take(&mut self.refused).into_iter().map(name::<A>)
     }
 
-    fn names(self) -> impl Iterator<Item = &'static str> + use<A> {
-        (0..).zip(A::NAMES).filter(move |(index, _)| self.bits & 1 << index != 0).map(|(_, &name)| name)
+    fn names(&self) -> impl Iterator<Item = &'static str> {
+        self.refused.iter().copied().map(name::<A>)
     }
+}
+
+fn name<A: ArgumentNames>(place: u8) -> &'static str {
+    A::NAMES[usize::from(place)]
 }
 
 impl<A> Default for Refusals<A> {
     fn default() -> Self {
-        Refusals { bits: 0, names: PhantomData }
+        Refusals { refused: Vec::new(), names: PhantomData }
     }
 }
 
 impl<A> Clone for Refusals<A> {
     fn clone(&self) -> Self {
-        *self
+        Refusals { refused: self.refused.clone(), names: PhantomData }
     }
 }
 
-impl<A> Copy for Refusals<A> {}
-
 impl<A: ArgumentNames> std::fmt::Debug for Refusals<A> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_set().entries(self.names()).finish()
+        f.debug_list().entries(self.names()).finish()
     }
 }
 

@@ -39,8 +39,8 @@ impl<'de> Deserialize<'de> for PhysicsSimulator {
 ///
 /// ```
 /// use farseer_core::{Limits, PhysicsSimulator, SavedSimulator};
-/// let text = serde_json::to_string(&PhysicsSimulator::default())?;
-/// let saved: SavedSimulator = serde_json::from_str(&text)?;
+/// let bytes = postcard::to_stdvec(&PhysicsSimulator::default())?;
+/// let saved: SavedSimulator = postcard::from_bytes(&bytes)?;
 /// let simulator = saved.load(Limits { grid_work: 1 << 30, ..Limits::default() })?;
 /// assert_eq!(simulator.limits().grid_work, 1 << 30);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
