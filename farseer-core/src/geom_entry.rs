@@ -150,6 +150,11 @@ fn is_finite(v: &Vector2) -> bool {
     v.x.is_finite() && v.y.is_finite()
 }
 
+/// 0 if all points are finite, else NaN; without a branch for each.
+fn sum_of_zeros(points: &[Vector2]) -> f32 {
+    points.iter().fold(0.0, |sum, v| sum + (v.x * 0.0 + v.y * 0.0))
+}
+
 /// What the simulator keeps of a geom.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(crate) struct GeomEntry {
@@ -295,16 +300,11 @@ impl GeomEntry {
         let Aabb { min, max } = self.aabb;
         let (position, back) = (self.pose.position, self.pose.inverse);
         // Any infinity or NaN makes a product, and with it the sum, NaN.
-        let sum = min.x * 0.0
-            + min.y * 0.0
-            + max.x * 0.0
-            + max.y * 0.0
-            + position.x * 0.0
-            + position.y * 0.0
-            + back.m41 * 0.0
-            + back.m42 * 0.0;
+        let zero = f32x4::ZERO;
+        let sum = f32x4::new([min.x, min.y, max.x, max.y]) * zero
+            + f32x4::new([position.x, position.y, back.m41, back.m42]) * zero;
         // The box around an outline is finite where the outline is; that of a disc says nothing of it.
-        sum == 0.0 && (self.box_radius.is_none() || self.world_vertices.iter().all(is_finite))
+        sum.simd_eq(zero).all() && (self.box_radius.is_none() || sum_of_zeros(&self.world_vertices) == 0.0)
     }
 
     /// Whether the geom's place would be finite with its body there.

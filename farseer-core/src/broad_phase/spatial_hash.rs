@@ -13,9 +13,11 @@ use crate::pair_id::PairId;
 use crate::shape::Aabb;
 use crate::stamped_set::StampedSet;
 
-/// Entries in all cells of an update, one for every cell that a geom covers. A geom whose entries do not fit any more is
-/// met with every other geom instead. The original fills the cells until memory is exhausted.
-const MAX_CELL_ENTRIES: u64 = 1 << 20;
+/// Entries in all cells of an update, one for every cell that a geom covers: at most this many, and so many more for each
+/// geom. A geom whose entries do not fit any more is met with every other geom instead. The original fills the cells until
+/// memory is exhausted.
+const MAX_CELL_ENTRIES: u64 = 1 << 16;
+const MORE_CELL_ENTRIES_PER_GEOM: u64 = 64;
 
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(crate) struct SpatialHash {
@@ -78,7 +80,7 @@ impl SpatialHash {
     fn fill(&mut self, geom_list: &[GeomId], geoms: &Arena<GeomEntry>) {
         let inverse = 1.0 / self.cell_size;
         let mut sum = 0.0f32;
-        let mut free_entries = MAX_CELL_ENTRIES;
+        let mut free_entries = MAX_CELL_ENTRIES + MORE_CELL_ENTRIES_PER_GEOM * geom_list.len() as u64;
         self.oversized.clear();
         for &id in geom_list {
             let aabb = &geoms[id].aabb;
