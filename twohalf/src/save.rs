@@ -51,7 +51,7 @@ impl TwoHalfPhysicsSimulator {
             return Err(damaged("a depth profile is out of range"));
         }
         if !world.touches.is_valid() {
-            return Err(damaged("the contacts are not in order"));
+            return Err(damaged("the contacts are not in order or not finite"));
         }
         if !world.platforms.restore(&world.projection) {
             return Err(damaged("a platform is out of range"));

@@ -35,6 +35,17 @@ pub(crate) enum Kept {
     Plane,
 }
 
+impl Kept {
+    /// False only after loading garbage.
+    fn is_finite(&self) -> bool {
+        match self {
+            Kept::Side(normal) => normal.iter().all(|number| number.is_finite()),
+            Kept::Axis(KeptAxis::Plane { normal, .. }) => normal.iter().all(|number| number.is_finite()),
+            _ => true,
+        }
+    }
+}
+
 /// A contact of a geom with something.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub(crate) struct Touch {
@@ -175,7 +186,13 @@ impl TouchList {
         let finite = |v: &Vector3| v.iter().all(|number| number.is_finite());
         let in_bounds = |touch: &Touch| {
             let end = u64::from(touch.first_point) + u64::from(touch.point_count);
-            end <= self.points.len() as u64 && touch.point_count > 0 && finite(&touch.normal)
+            end <= self.points.len() as u64 && touch.point_count > 0
+        };
+        let touch_is_finite = |touch: &Touch| {
+            finite(&touch.normal)
+                && touch.friction.is_finite()
+                && touch.restitution.is_finite()
+                && touch.kept.is_finite()
         };
         let point_is_finite = |point: &TouchPoint| {
             let [along, across] = point.friction_impulse;
@@ -185,7 +202,7 @@ impl TouchList {
                 && numbers.iter().all(|number| number.is_finite())
         };
         self.touches.windows(2).all(|pair| pair[0].key <= pair[1].key)
-            && self.touches.iter().all(in_bounds)
+            && self.touches.iter().all(|touch| in_bounds(touch) && touch_is_finite(touch))
             && self.points.iter().all(point_is_finite)
     }
 }
