@@ -61,8 +61,8 @@ impl<A: ArgumentNames> Refusals<A> {
 
     /// The names of what was refused; from now on nothing was.
     #[inline]
-    pub fn take(&mut self) -> impl Iterator<Item = &'static str> + use<A> {
-        std::mem::take(&mut self.refused).into_iter().map(name::<A>)
+    pub fn take(&mut self) -> impl Iterator<Item = &'static str> {
+        self.refused.drain(..).map(name::<A>)
     }
 
     fn names(&self) -> impl Iterator<Item = &'static str> {

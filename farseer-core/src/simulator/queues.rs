@@ -58,6 +58,10 @@ fn move_geoms(entry: &BodyEntry, geoms: &mut Arena<GeomEntry>, pose: Pose, all: 
     are_finite
 }
 
+fn tell_rejected(events: &mut Vec<Event>, object: ObjectId, rejected: impl Iterator<Item = &'static str>) {
+    events.extend(rejected.map(|argument| Event::RejectedInput { object: Some(object), argument }));
+}
+
 impl PhysicsSimulator {
     /// Lets an object take part from the next update on. Adding a body does not add its geoms.
     ///
@@ -365,8 +369,7 @@ impl PhysicsSimulator {
         for body in bodies.drain(..) {
             if let Some(entry) = self.bodies.get_mut(body) {
                 entry.is_touched = false;
-                let rejected = entry.body.rejected.take();
-                self.tell_rejected(body.into(), rejected);
+                tell_rejected(&mut self.events, body.into(), entry.body.rejected.take());
             }
             self.settle_body(body);
         }
@@ -375,15 +378,9 @@ impl PhysicsSimulator {
         for geom in geoms.drain(..) {
             let Some(entry) = self.geoms.get_mut(geom) else { continue };
             entry.is_touched = false;
-            let rejected = entry.geom.rejected.take();
-            self.tell_rejected(geom.into(), rejected);
+            tell_rejected(&mut self.events, geom.into(), entry.geom.rejected.take());
         }
         self.touched_geoms = geoms;
-    }
-
-    fn tell_rejected(&mut self, object: ObjectId, rejected: impl Iterator<Item = &'static str>) {
-        let told = |argument| Event::RejectedInput { object: Some(object), argument };
-        self.events.extend(rejected.map(told));
     }
 
     /// Lets geoms follow a body that was edited; what it has refused is told when all edits settle.
