@@ -109,8 +109,8 @@ impl PhysicsSimulator {
     /// disposed, moved or refused since the last one is told by the next one after restoring, too. Handlers belong to
     /// the game, and are not in it; nor are the [events](Self::events), counters and times of the last update.
     ///
-    /// Between versions of this crate the format may change; a snapshot of another one is refused. For a form that can be read by eye, serialise the simulator
-    /// with any other format of `serde`.
+    /// Between versions of this crate the format may change; a snapshot of another one is refused. For a form that can be
+    /// read by eye, serialise the simulator with any other format of `serde`.
     ///
     /// ```
     /// use farseer_core::{BodyFactory, PhysicsSimulator, math::Vector2};

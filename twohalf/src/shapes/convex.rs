@@ -390,7 +390,7 @@ mod tests {
         assert!(cloud.iter().all(|point| hull.contains(point) || winds_around(&hull, *point)));
     }
 
-    /// To try every pair of triangles would be a million million steps.
+    /// Joining asks the index of edges, whose stale entries must not lose or double a piece.
     #[test]
     fn an_outline_of_thousands_of_vertices_is_cut_into_pieces_of_the_same_area() {
         let gear: Vec<Vector2> = (0..3000)
