@@ -150,9 +150,12 @@ fn is_finite(v: &Vector2) -> bool {
     v.x.is_finite() && v.y.is_finite()
 }
 
-/// 0 if all points are finite, else NaN; without a branch for each.
-fn sum_of_zeros(points: &[Vector2]) -> f32 {
-    points.iter().fold(0.0, |sum, v| sum + (v.x * 0.0 + v.y * 0.0))
+/// Zeros if all points are finite, else NaN among them; two points at a time and without a branch for each.
+fn sum_of_zeros(points: &[Vector2]) -> f32x4 {
+    let (pairs, last) = points.as_chunks::<2>();
+    let last = last.first().map_or(f32x4::ZERO, |v| f32x4::new([v.x, v.y, 0.0, 0.0]));
+    let sum = |sum, [v, w]: &[Vector2; 2]| sum + f32x4::new([v.x, v.y, w.x, w.y]) * f32x4::ZERO;
+    pairs.iter().fold(last * f32x4::ZERO, sum)
 }
 
 /// What the simulator keeps of a geom.
@@ -301,10 +304,13 @@ impl GeomEntry {
         let (position, back) = (self.pose.position, self.pose.inverse);
         // Any infinity or NaN makes a product, and with it the sum, NaN.
         let zero = f32x4::ZERO;
-        let sum = f32x4::new([min.x, min.y, max.x, max.y]) * zero
+        let mut sum = f32x4::new([min.x, min.y, max.x, max.y]) * zero
             + f32x4::new([position.x, position.y, back.m41, back.m42]) * zero;
         // The box around an outline is finite where the outline is; that of a disc says nothing of it.
-        sum.simd_eq(zero).all() && (self.box_radius.is_none() || sum_of_zeros(&self.world_vertices) == 0.0)
+        if self.box_radius.is_some() {
+            sum += sum_of_zeros(&self.world_vertices);
+        }
+        sum.simd_eq(zero).all()
     }
 
     /// Whether the geom's place would be finite with its body there.

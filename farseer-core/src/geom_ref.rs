@@ -1,6 +1,7 @@
 //! A geom as users see it (behaviour chapter 05, section 3).
 
 use crate::body::BodyId;
+use crate::body_entry::BodyEntry;
 use crate::contact::Feature;
 use crate::geom::Geom;
 use crate::geom_entry::{GeomEntry, GeomPose};
@@ -15,8 +16,8 @@ use crate::shape::{Aabb, Vertices};
 #[doc(alias = "Geom")]
 pub struct GeomRef<'a> {
     pub(crate) entry: &'a GeomEntry,
-    /// Position and rotation of the body if it was moved and the geom has not followed yet.
-    pub(crate) pending: Option<(Vector2, f32)>,
+    /// What it is attached to; nothing while the body is a disposed one that is gone.
+    pub(crate) body: Option<&'a BodyEntry>,
 }
 
 impl std::ops::Deref for GeomRef<'_> {
@@ -27,8 +28,15 @@ impl std::ops::Deref for GeomRef<'_> {
 }
 
 impl<'a> GeomRef<'a> {
+    /// Position and rotation of the body if it was moved and the geom has not followed yet.
+    pub(crate) fn pending(&self) -> Option<(Vector2, f32)> {
+        let pending = self.body.and_then(BodyEntry::pending_pose);
+        // A pose at which the geom would not be finite is not going to be followed: the body will be put back.
+        pending.filter(|&(position, rotation)| self.entry.would_be_finite_at(position, rotation))
+    }
+
     fn pose(&self) -> GeomPose {
-        match self.pending {
+        match self.pending() {
             None => self.entry.pose,
             Some((position, rotation)) => {
                 GeomPose::of_body(position, rotation, self.entry.offset, self.entry.rotation_offset)
@@ -112,7 +120,7 @@ impl<'a> GeomRef<'a> {
     /// The outline in the world.
     #[doc(alias = "WorldVertices")]
     pub fn world_vertices(&self) -> std::borrow::Cow<'a, Vertices> {
-        match self.pending {
+        match self.pending() {
             None => std::borrow::Cow::Borrowed(&self.entry.world_vertices),
             Some(_) => {
                 let matrix = self.pose().matrix;
@@ -124,7 +132,7 @@ impl<'a> GeomRef<'a> {
     /// The box around the outline in the world.
     #[doc(alias = "AABB")]
     pub fn aabb(&self) -> Aabb {
-        match self.pending {
+        match self.pending() {
             None => self.entry.aabb,
             Some(_) => self.entry.box_around(&self.world_vertices(), self.position()),
         }
@@ -151,7 +159,7 @@ impl<'a> GeomRef<'a> {
     /// From the geom's own coordinates to the world.
     #[doc(alias = "Matrix")]
     pub fn matrix(&self) -> Matrix {
-        match (&self.entry.user_matrix, self.pending) {
+        match (&self.entry.user_matrix, self.pending()) {
             (Some(matrix), None) => **matrix,
             _ => self.pose().matrix.to_matrix(),
         }

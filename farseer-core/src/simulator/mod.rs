@@ -373,10 +373,7 @@ impl PhysicsSimulator {
     #[inline]
     pub fn geom(&self, geom: GeomId) -> Option<GeomRef<'_>> {
         let entry = self.geoms.get(geom)?;
-        // A pose at which the geom would not be finite is not going to be followed: the body will be put back.
-        let pending = self.bodies.get(entry.body).and_then(BodyEntry::pending_pose);
-        let pending = pending.filter(|&(position, rotation)| entry.would_be_finite_at(position, rotation));
-        Some(GeomRef { entry, pending })
+        Some(GeomRef { entry, body: self.bodies.get(entry.body) })
     }
 
     /// The settings of a geom to edit, unless the id is stale.

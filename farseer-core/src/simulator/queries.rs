@@ -111,7 +111,7 @@ impl PhysicsSimulator {
     /// Looks at a geom where it is, or where it will be if its body was edited.
     pub(super) fn with_settled<T>(&self, geom: GeomId, look: impl FnOnce(&GeomEntry) -> T) -> Option<T> {
         let view = self.geom(geom)?;
-        match view.pending {
+        match view.pending() {
             None => Some(look(view.entry)),
             Some((position, rotation)) => {
                 let mut entry = view.entry.clone();
