@@ -3,7 +3,9 @@
 mod twohalf_common;
 
 use serde_json::{Value, json};
-use twohalf::farseer_core::{BroadPhaseCollider, PhysicsSimulator};
+use twohalf::farseer_core::{
+    BodyFactory, BroadPhaseCollider, GeomPlacement, NarrowPhaseCollider, PhysicsSimulator, Vertices,
+};
 use twohalf::{Event, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3};
 use twohalf_common::{DT, ball, busy_scene, crate_box, run, simulator, weightless};
 
@@ -227,5 +229,21 @@ fn settings_of_balls_that_their_boxes_cannot_follow_are_saved_and_loaded() {
     simulator.set_depth_profile(geom, twohalf::DepthProfile::Round { radius: 3.4e38 }).unwrap();
     simulator.body_mut(body).unwrap().core_mut().set_position(Vector2::new(1e38, 0.0));
     simulator.set_methods(twohalf::Methods::Faithful).unwrap();
+    let _ = loaded(&simulator);
+}
+
+#[test]
+fn a_geom_whose_outline_is_wider_than_numbers_go_is_saved_and_loaded() {
+    let mut core = PhysicsSimulator::default();
+    core.set_narrow_phase_collider(NarrowPhaseCollider::Sat);
+    let body = BodyFactory::create_rectangle_body_in(&mut core, 10.0, 10.0, 1.0).unwrap();
+    let outline: Vertices = [(-3e38, -3e38), (-3e38, 3e38), (3e38, 3e38), (3e38, -3e38)]
+        .into_iter()
+        .map(|(x, y)| Vector2::new(x, y))
+        .collect();
+    let geom = core.create_geom(body, outline, GeomPlacement::default()).unwrap();
+    let simulator = TwoHalfPhysicsSimulator::from_core(600, 90, core).unwrap();
+    let (near, far) = simulator.depth_interval(geom).unwrap();
+    assert!(near.is_finite() && far.is_finite());
     let _ = loaded(&simulator);
 }

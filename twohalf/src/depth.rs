@@ -1,5 +1,6 @@
 //! What a body and a geom have beyond those of the 2D engine.
 
+use farseer_core::math::scalar::nearest_finite;
 use farseer_core::shape::Aabb;
 use farseer_core::{ArgumentNames, Body, BodyId, GeomId, GeomRef, PhysicsSimulator, Refusals};
 use serde::{Deserialize, Serialize};
@@ -38,9 +39,11 @@ impl DepthProfile {
         matches!(self, DepthProfile::Round { .. })
     }
 
-    /// What a geom has unless it is told otherwise: a prism as deep as the shorter side of its outline's box.
+    /// What a geom has unless it is told otherwise: a prism as deep as the shorter side of its outline's box, which may
+    /// be beyond finite numbers.
     pub(crate) fn default_of(geom: GeomRef<'_>) -> Self {
-        DepthProfile::Prism { depth: Aabb::from_vertices(geom.local_vertices()).get_shortest_side() }
+        let side = Aabb::from_vertices(geom.local_vertices()).get_shortest_side();
+        DepthProfile::Prism { depth: nearest_finite(side) }
     }
 
     /// Refuses what no shape can have.

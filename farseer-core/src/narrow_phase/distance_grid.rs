@@ -9,7 +9,7 @@ use crate::contact::Feature;
 use crate::limits::Limits;
 use crate::math::vector2::{length_squared, normalize};
 use crate::math::{Vector2, scalar};
-use crate::shape::distance::nearest_distance;
+use crate::shape::distance::{nearest_distance, nearest_distances};
 use crate::shape::{Aabb, Vertices};
 use crate::{Error, Result};
 
@@ -175,14 +175,15 @@ impl GridPlan {
     pub(crate) fn sample(&self, outline: Vertices) -> DistanceGrid {
         let GridPlan { cell_size, x_count, y_count, aabb, .. } = *self;
         let mut nodes = Vec::with_capacity(x_count * y_count);
-        let mut x = aabb.min.x;
-        for _ in 0..x_count {
-            let mut y = aabb.min.y;
-            for _ in 0..y_count {
-                nodes.push(nearest_distance(&outline, Vector2::new(x, y)));
-                y += cell_size;
-            }
-            x += cell_size;
+        // Steps add up, as in the original.
+        let steps = |min| std::iter::successors(Some(min), |at| Some(at + cell_size));
+        let column: Vec<f32> = steps(aabb.min.y).take(y_count).collect();
+        for x in steps(aabb.min.x).take(x_count) {
+            let (fours, rest) = column.as_chunks::<4>();
+            nodes.extend(
+                fours.iter().flat_map(|y| nearest_distances(&outline, y.map(|y| Vector2::new(x, y)))),
+            );
+            nodes.extend(rest.iter().map(|&y| nearest_distance(&outline, Vector2::new(x, y))));
         }
         let box_slack = box_slack(&outline, x_count.max(y_count));
         let reach_squared =

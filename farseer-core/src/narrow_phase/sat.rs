@@ -1,5 +1,7 @@
 //! Separating axes (behaviour chapter 07). Works on world vertices; meaningful for convex outlines only.
 
+use wide::f32x4;
+
 use crate::contact::{Contact, ContactId};
 use crate::geom_entry::GeomEntry;
 use crate::math::vector2::{dot, length, normalize};
@@ -22,41 +24,53 @@ fn edge_axis(vertices: &Vertices, index: usize) -> Vector2 {
     normalize(Vector2::new(-edge.y, edge.x))
 }
 
+/// Lowest and highest place of an outline along each of four axes.
 #[inline(always)]
-fn project(vertices: &[Vector2], axis: Vector2) -> (f32, f32) {
-    let first = dot(axis, vertices[0]);
+fn project(vertices: &[Vector2], x: f32x4, y: f32x4) -> (f32x4, f32x4) {
+    let along = |v: Vector2| x * v.x + y * v.y;
+    let first = along(vertices[0]);
     let (mut min, mut max) = (first, first);
     for &vertex in vertices {
-        let d = dot(vertex, axis);
-        if d < min {
-            min = d;
-        } else if d > max {
-            max = d;
-        }
+        let d = along(vertex);
+        min = d.simd_lt(min).select(d, min);
+        max = d.simd_gt(max).select(d, max);
     }
     (min, max)
 }
 
-/// The axis of least overlap, or `None` if some axis separates the outlines.
+/// By how much two outlines lie apart along each of four axes; negative if they overlap.
+#[inline(always)]
+fn gaps(a: &Vertices, b: &Vertices, axes: [Vector2; 4]) -> f32x4 {
+    let (x, y) = (f32x4::new(axes.map(|v| v.x)), f32x4::new(axes.map(|v| v.y)));
+    let (min_a, max_a) = project(a, x, y);
+    let (min_b, max_b) = project(b, x, y);
+    min_a.simd_lt(min_b).select(min_b - max_a, min_a - max_b)
+}
+
+/// The axis of least overlap, or `None` if some axis separates the outlines. Four axes side by side: which of them
+/// separates does not matter.
 fn find_overlap(a: &Vertices, b: &Vertices) -> Option<Overlap> {
     let mut best = f32::INFINITY;
     let mut separation_axis = Vector2::zeros();
     let mut edge = 0;
     let mut centroid_offset = None;
-    for k in 0..a.len() + b.len() {
-        let axis = if k < a.len() { edge_axis(a, k) } else { edge_axis(b, k - a.len()) };
-        let (min_a, max_a) = project(a, axis);
-        let (min_b, max_b) = project(b, axis);
-        let gap = if min_a < min_b { min_b - max_a } else { min_a - max_b };
-        if gap > 0.0 {
+    let count = a.len() + b.len();
+    for first in (0..count).step_by(4) {
+        // Those beyond the last repeat it, and are never better than it.
+        let edges: [usize; 4] = std::array::from_fn(|i| (first + i).min(count - 1));
+        let axes = edges.map(|k| if k < a.len() { edge_axis(a, k) } else { edge_axis(b, k - a.len()) });
+        let gaps = gaps(a, b, axes);
+        if gaps.simd_gt(f32x4::ZERO).any() {
             return None;
         }
-        let depth = gap.abs();
-        if depth < best {
-            best = depth;
-            let d = *centroid_offset.get_or_insert_with(|| a.get_centroid() - b.get_centroid());
-            separation_axis = if dot(d, axis) < 0.0 { -axis } else { axis };
-            edge = k;
+        for (k, depth) in edges.into_iter().zip(gaps.abs().to_array()) {
+            if depth < best {
+                best = depth;
+                let axis = axes[k - first];
+                let d = *centroid_offset.get_or_insert_with(|| a.get_centroid() - b.get_centroid());
+                separation_axis = if dot(d, axis) < 0.0 { -axis } else { axis };
+                edge = k;
+            }
         }
     }
     Some(Overlap { translation: separation_axis * best, edge })

@@ -118,42 +118,89 @@ fn decompose(outline: &[Vector2]) -> Option<Vec<Vec<Vector2>>> {
         rest.reverse();
     }
     let mut pieces: Vec<Vec<Vector2>> = Vec::with_capacity(rest.len());
-    let mut start = 0;
-    while rest.len() >= 3 {
-        let ear = (0..rest.len()).map(|i| (start + i) % rest.len()).find(|i| is_ear(&rest, *i))?;
-        let [before, after] = neighbours(&rest, ear);
+    let mut ears = Ears::new(rest);
+    while ears.rest.len() >= 3 {
+        let [before, tip, after] = ears.cut()?;
         // A vertex at which the rest has become straight goes without a triangle.
-        if cross64(before, rest[ear], after) < 0.0 {
-            pieces.push(vec![before, rest[ear], after]);
+        if cross64(before, tip, after) < 0.0 {
+            pieces.push(vec![before, tip, after]);
         }
-        rest.remove(ear);
-        // The next but one, so that the triangles do not all meet in one corner.
-        start = ear + 1;
     }
     join(&mut pieces);
     (!pieces.is_empty()).then_some(pieces)
 }
 
-fn neighbours(outline: &[Vector2], i: usize) -> [Vector2; 2] {
-    let last = outline.len() - 1;
-    [outline[if i == 0 { last } else { i - 1 }], outline[if i == last { 0 } else { i + 1 }]]
+/// What is left of an outline in engine winding while its ears are cut off.
+struct Ears {
+    vertices: Vec<Vector2>,
+    /// The vertices that are left, by number, in order.
+    rest: Vec<usize>,
+    is_left: Vec<bool>,
+    /// By vertex: one that lay in the way when it was looked at last. While that is left and the neighbours are the
+    /// same, there is no need to look again.
+    in_the_way: Vec<Option<usize>>,
+    /// Place in the rest from which to look for the next ear.
+    start: usize,
 }
 
-/// Whether a vertex of an outline in engine winding can be cut off: it does not turn inward, and no other vertex lies
-/// in the triangle that is cut off with it.
-fn is_ear(outline: &[Vector2], i: usize) -> bool {
-    let (tip, [before, after]) = (outline[i], neighbours(outline, i));
-    let side = cross64(before, tip, after);
-    if side > 0.0 {
-        return false;
+impl Ears {
+    fn new(vertices: Vec<Vector2>) -> Self {
+        let count = vertices.len();
+        Ears {
+            vertices,
+            rest: (0..count).collect(),
+            is_left: vec![true; count],
+            in_the_way: vec![None; count],
+            start: 0,
+        }
     }
-    let is_corner = |point: Vector2| point == before || point == tip || point == after;
-    let is_in_triangle = |point: Vector2| {
-        cross64(before, tip, point) <= 0.0
-            && cross64(tip, after, point) <= 0.0
-            && cross64(after, before, point) <= 0.0
-    };
-    side == 0.0 || !outline.iter().any(|point| is_in_triangle(*point) && !is_corner(*point))
+
+    /// Cuts the next ear off and gives its corners, the tip in the middle; `None` if there is no ear.
+    fn cut(&mut self) -> Option<[Vector2; 3]> {
+        let count = self.rest.len();
+        let start = self.start;
+        let ear = (0..count).map(|i| (start + i) % count).find(|&place| self.is_ear(place))?;
+        let [before, tip, after] = self.corners(ear);
+        self.is_left[tip] = false;
+        self.in_the_way[before] = None;
+        self.in_the_way[after] = None;
+        self.rest.remove(ear);
+        // The next but one, so that the triangles do not all meet in one corner.
+        self.start = ear + 1;
+        Some([before, tip, after].map(|i| self.vertices[i]))
+    }
+
+    /// The vertex at a place of the rest between its neighbours.
+    fn corners(&self, place: usize) -> [usize; 3] {
+        let last = self.rest.len() - 1;
+        let before = if place == 0 { last } else { place - 1 };
+        let after = if place == last { 0 } else { place + 1 };
+        [before, place, after].map(|place| self.rest[place])
+    }
+
+    /// Whether a vertex can be cut off: it does not turn inward, and no other vertex lies in the triangle that is cut
+    /// off with it.
+    fn is_ear(&mut self, place: usize) -> bool {
+        let corners = self.corners(place);
+        if self.in_the_way[corners[1]].is_some_and(|i| self.is_left[i]) {
+            return false;
+        }
+        let [before, tip, after] = corners.map(|i| self.vertices[i]);
+        let side = cross64(before, tip, after);
+        if side >= 0.0 {
+            return side == 0.0;
+        }
+        let is_corner = |point: Vector2| point == before || point == tip || point == after;
+        let is_in_triangle = |point: Vector2| {
+            cross64(before, tip, point) <= 0.0
+                && cross64(tip, after, point) <= 0.0
+                && cross64(after, before, point) <= 0.0
+        };
+        let lies_in_the_way = |&i: &usize| is_in_triangle(self.vertices[i]) && !is_corner(self.vertices[i]);
+        let in_the_way = self.rest.iter().copied().find(lies_in_the_way);
+        self.in_the_way[corners[1]] = in_the_way;
+        in_the_way.is_none()
+    }
 }
 
 /// Joins pieces along common edges as long as the result is convex: each in turn with the first of those behind it, until
