@@ -4,10 +4,9 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use crate::arena::Arena;
 use crate::contact::Contact;
 use crate::geom::GeomId;
-use crate::geom_entry::GeomEntry;
+use crate::geom_entry::Geoms;
 use crate::listed_pairs::ListedPairs;
 use crate::math::scalar::nearest_finite;
 use crate::methods::FrictionType;
@@ -154,7 +153,7 @@ impl ArbiterList {
 
     /// Whether handles are in range, and every listed arbiter has geoms that exist: false only after loading
     /// garbage.
-    pub(crate) fn is_valid(&self, geoms: &Arena<GeomEntry>) -> bool {
+    pub(crate) fn is_valid(&self, geoms: &Geoms) -> bool {
         let in_range = |&handle: &u32| (handle as usize) < self.arbiters.len();
         self.pairs.is_valid()
             && self.list.iter().all(in_range)
@@ -173,18 +172,15 @@ impl ArbiterList {
     /// Enters the pairs of the listed arbiters under the collision ids of the **previous** update, then numbers
     /// the geoms anew. In an update in which geoms moved down in the list, the entries are wrong; the duplicate
     /// and suppressed pairs that follow from it are part of the original's behaviour.
-    pub(crate) fn prepare_for_broad_phase_collision(
-        &mut self,
-        geom_list: &[GeomId],
-        geoms: &mut Arena<GeomEntry>,
-    ) {
-        self.pairs.clear(geom_list.len());
+    pub(crate) fn prepare_for_broad_phase_collision(&mut self, geoms: &mut Geoms) {
+        self.pairs.clear(geoms.list().len());
         for &handle in &self.list {
             if let Some((a, b)) = self.arbiters[handle as usize].geoms {
                 self.pairs.test_and_set(geoms[a].collision_id, geoms[b].collision_id);
             }
         }
-        for (index, &geom) in geom_list.iter().enumerate() {
+        for index in 0..geoms.list().len() {
+            let geom = geoms.list()[index];
             geoms[geom].collision_id = index as i32;
         }
     }
@@ -192,7 +188,7 @@ impl ArbiterList {
     /// Appends an arbiter for a pair, unless the pair is in the table.
     pub(crate) fn add_arbiter_for_geom_pair(
         &mut self,
-        geoms: &Arena<GeomEntry>,
+        geoms: &Geoms,
         friction_type: FrictionType,
         geom1: GeomId,
         geom2: GeomId,
@@ -210,7 +206,7 @@ impl ArbiterList {
     /// stays on top.
     pub(crate) fn add_arbiter_unless_listed(
         &mut self,
-        geoms: &Arena<GeomEntry>,
+        geoms: &Geoms,
         friction_type: FrictionType,
         geom1: GeomId,
         geom2: GeomId,
@@ -238,7 +234,7 @@ impl ArbiterList {
     fn set_up(
         &mut self,
         handle: u32,
-        geoms: &Arena<GeomEntry>,
+        geoms: &Geoms,
         friction_type: FrictionType,
         geom1: GeomId,
         geom2: GeomId,
@@ -335,7 +331,7 @@ mod tests {
         }
     }
 
-    fn geoms() -> (Arena<GeomEntry>, Vec<GeomId>) {
+    fn geoms() -> (Geoms, Vec<GeomId>) {
         let body = Arena::default().insert::<BodyId>(());
         let mut geoms = Arena::default();
         let ids =
@@ -368,7 +364,7 @@ mod tests {
     }
 
     /// What the brute force collider does, as the chapter says it.
-    fn add_after_a_search(list: &mut ArbiterList, geoms: &Arena<GeomEntry>, pair: (GeomId, GeomId)) {
+    fn add_after_a_search(list: &mut ArbiterList, geoms: &Geoms, pair: (GeomId, GeomId)) {
         let handle = list.fetch();
         list.set_up(handle, geoms, FrictionType::Average, pair.0, pair.1);
         if list.list.iter().any(|&listed| list.arbiters[listed as usize].geoms == Some(pair)) {

@@ -1,5 +1,7 @@
 //! Storage with ids that notice when they have gone stale.
 
+use std::marker::PhantomData;
+
 use serde::{Deserialize, Serialize};
 
 /// A place in an [`Arena`] and the generation of what lies there.
@@ -43,11 +45,14 @@ macro_rules! define_id {
 }
 pub(crate) use define_id;
 
-/// Slots that are reused; every reuse raises the slot's generation, so that an old id finds nothing.
+/// Slots that are reused; every reuse raises the slot's generation, so that an old id finds nothing. Takes ids of one
+/// kind only.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(crate) struct Arena<T> {
+pub(crate) struct Arena<T, I> {
     slots: Vec<Slot<T>>,
     free: Vec<u32>,
+    #[serde(skip)]
+    ids: PhantomData<I>,
 }
 
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -56,14 +61,14 @@ struct Slot<T> {
     value: Option<T>,
 }
 
-impl<T> Default for Arena<T> {
+impl<T, I> Default for Arena<T, I> {
     fn default() -> Self {
-        Arena { slots: Vec::new(), free: Vec::new() }
+        Arena { slots: Vec::new(), free: Vec::new(), ids: PhantomData }
     }
 }
 
-impl<T> Arena<T> {
-    pub(crate) fn insert<I: Id>(&mut self, value: T) -> I {
+impl<T, I: Id> Arena<T, I> {
+    pub(crate) fn insert(&mut self, value: T) -> I {
         if let Some(index) = self.free.pop() {
             let slot = &mut self.slots[index as usize];
             slot.value = Some(value);
@@ -74,7 +79,7 @@ impl<T> Arena<T> {
         I::new(index, 0)
     }
 
-    pub(crate) fn remove<I: Id>(&mut self, id: I) -> Option<T> {
+    pub(crate) fn remove(&mut self, id: I) -> Option<T> {
         let slot = self.slots.get_mut(id.index()).filter(|slot| slot.generation == id.generation())?;
         let value = slot.value.take()?;
         // A slot whose generations are used up stays empty for good: an old id must never find something else.
@@ -87,7 +92,7 @@ impl<T> Arena<T> {
 
     /// Undoes the last [`insert`](Self::insert) that was not undone yet, as if it had never been: its id will be given
     /// out again. For what nobody knows yet.
-    pub(crate) fn take_back<I: Id>(&mut self, id: I) -> Option<T> {
+    pub(crate) fn take_back(&mut self, id: I) -> Option<T> {
         let slot = self.slots.get_mut(id.index()).filter(|slot| slot.generation == id.generation())?;
         let value = slot.value.take()?;
         let was_appended = id.generation() == 0 && id.index() + 1 == self.slots.len();
@@ -100,7 +105,7 @@ impl<T> Arena<T> {
     }
 
     /// Removes everything; all ids go stale.
-    pub(crate) fn clear<I: Id>(&mut self) {
+    pub(crate) fn clear(&mut self) {
         for index in 0..self.slots.len() {
             let id = I::new(index as u32, self.slots[index].generation);
             self.remove(id);
@@ -108,19 +113,19 @@ impl<T> Arena<T> {
     }
 
     #[inline(always)]
-    pub(crate) fn get<I: Id>(&self, id: I) -> Option<&T> {
+    pub(crate) fn get(&self, id: I) -> Option<&T> {
         let slot = self.slots.get(id.index())?;
         if slot.generation == id.generation() { slot.value.as_ref() } else { None }
     }
 
     #[inline(always)]
-    pub(crate) fn get_mut<I: Id>(&mut self, id: I) -> Option<&mut T> {
+    pub(crate) fn get_mut(&mut self, id: I) -> Option<&mut T> {
         let slot = self.slots.get_mut(id.index())?;
         if slot.generation == id.generation() { slot.value.as_mut() } else { None }
     }
 
     #[inline(always)]
-    pub(crate) fn contains<I: Id>(&self, id: I) -> bool {
+    pub(crate) fn contains(&self, id: I) -> bool {
         self.get(id).is_some()
     }
 
@@ -129,7 +134,7 @@ impl<T> Arena<T> {
         self.slots.len()
     }
 
-    pub(crate) fn iter<I: Id>(&self) -> impl Iterator<Item = (I, &T)> {
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (I, &T)> {
         self.slots.iter().enumerate().filter_map(|(index, slot)| {
             slot.value.as_ref().map(|value| (I::new(index as u32, slot.generation), value))
         })
@@ -148,7 +153,7 @@ impl<T> Arena<T> {
     }
 }
 
-impl<T, I: Id> std::ops::Index<I> for Arena<T> {
+impl<T, I: Id> std::ops::Index<I> for Arena<T, I> {
     type Output = T;
     #[inline(always)]
     fn index(&self, id: I) -> &T {
@@ -156,7 +161,7 @@ impl<T, I: Id> std::ops::Index<I> for Arena<T> {
     }
 }
 
-impl<T, I: Id> std::ops::IndexMut<I> for Arena<T> {
+impl<T, I: Id> std::ops::IndexMut<I> for Arena<T, I> {
     #[inline(always)]
     fn index_mut(&mut self, id: I) -> &mut T {
         self.get_mut(id).expect("the id is stale: what it named was disposed")

@@ -9,7 +9,7 @@ use crate::error::{Error, Result, finite};
 use crate::math::matrix::create_rotation_z;
 use crate::math::vector2::{length, transform};
 use crate::math::{Matrix, Vector2, math_helper::TWO_PI, scalar};
-use crate::refusals::{ArgumentNames, Refusals};
+use crate::report::{ArgumentNames, Refusals};
 
 crate::arena::define_id! {
     /// Names a [`Body`] of a simulator: the one that made it, its clones and what is loaded from its saves.

@@ -2,9 +2,13 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::body::{Body, Pose};
+use crate::body::{Body, BodyId, Pose};
+use crate::collection::Collection;
 use crate::geom::GeomId;
 use crate::math::Vector2;
+
+/// The bodies of a simulator.
+pub(crate) type Bodies = Collection<BodyEntry, BodyId>;
 
 /// What the simulator keeps of a body.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -14,24 +18,13 @@ pub(crate) struct BodyEntry {
     pub(crate) geoms: Vec<GeomId>,
     /// The pose the geoms have followed.
     pub(crate) followed: Pose,
-    pub(crate) is_listed: bool,
-    pub(crate) is_queued: bool,
-    pub(crate) is_disposed: bool,
     /// It was lent out for editing since the simulator last looked.
     pub(crate) is_touched: bool,
 }
 
 impl BodyEntry {
     pub(crate) fn new(body: Body) -> Self {
-        BodyEntry {
-            followed: body.pose(),
-            body,
-            geoms: Vec::new(),
-            is_listed: false,
-            is_queued: false,
-            is_disposed: false,
-            is_touched: false,
-        }
+        BodyEntry { followed: body.pose(), body, geoms: Vec::new(), is_touched: false }
     }
 
     /// The geom is not attached any more, if it was. Bodies of thousands of geoms let them go one by one, so nothing is

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use crate::body::{Body, BodyId};
 use crate::math::Vector2;
-use crate::simulator::PhysicsSimulator;
+use crate::objects::Objects;
 
 /// Where a body is drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,7 +73,7 @@ impl BodyInterpolation {
     /// Takes the poses of the [listed](PhysicsSimulator::body_list) bodies; to be called after **every** update. Bodies
     /// that were not there after the update before are drawn where they are. Allocates only when there are more bodies
     /// than ever before.
-    pub fn remember(&mut self, simulator: &PhysicsSimulator) {
+    pub fn remember(&mut self, simulator: &Objects) {
         let last = self.update;
         self.update += 1;
         for &id in simulator.body_list() {

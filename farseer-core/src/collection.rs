@@ -6,19 +6,28 @@ use serde::{Deserialize, Serialize};
 use crate::arena::{Arena, Id};
 use crate::{Error, Result};
 
+/// Where an object stands in its life.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) struct Life {
+    /// It takes part.
+    pub(crate) is_listed: bool,
+    /// It waits to enter the list.
+    is_queued: bool,
+    /// Its id goes stale with the next update.
+    pub(crate) is_disposed: bool,
+}
+
 /// An object and where it stands.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(crate) struct Entry<T> {
-    pub(crate) value: T,
-    pub(crate) is_listed: bool,
-    is_queued: bool,
-    pub(crate) is_disposed: bool,
+struct Entry<T> {
+    value: T,
+    life: Life,
 }
 
 /// Objects of one kind that enter and leave their list with updates.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(crate) struct Collection<T, I> {
-    entries: Arena<Entry<T>>,
+    entries: Arena<Entry<T>, I>,
     list: Vec<I>,
     added: Vec<I>,
     removed: Vec<I>,
@@ -40,12 +49,12 @@ impl<T, I> Default for Collection<T, I> {
 
 impl<T, I: Id + Ord> Collection<T, I> {
     pub(crate) fn create(&mut self, value: T) -> I {
-        self.entries.insert(Entry { value, is_listed: false, is_queued: false, is_disposed: false })
+        self.entries.insert(Entry { value, life: Life::default() })
     }
 
     /// Takes back what was made last, before it was added: nobody may know its id.
-    pub(crate) fn discard(&mut self, id: I) {
-        self.entries.take_back(id);
+    pub(crate) fn discard(&mut self, id: I) -> Option<T> {
+        self.entries.take_back(id).map(|entry| entry.value)
     }
 
     #[inline]
@@ -68,8 +77,25 @@ impl<T, I: Id + Ord> Collection<T, I> {
         self.get_mut(id).ok_or(Error::StaleId { argument })
     }
 
+    #[inline]
+    pub(crate) fn contains(&self, id: I) -> bool {
+        self.entries.contains(id)
+    }
+
+    /// All that live, in the list or not, in the order of their slots.
     pub(crate) fn iter(&self) -> impl Iterator<Item = (I, &T)> {
         self.entries.iter().map(|(id, entry)| (id, &entry.value))
+    }
+
+    /// Number of slots, used or not: the bound of every index.
+    pub(crate) fn slot_count(&self) -> usize {
+        self.entries.slot_count()
+    }
+
+    /// Where an object stands, unless the id is stale.
+    #[inline]
+    pub(crate) fn life(&self, id: I) -> Option<Life> {
+        self.entries.get(id).map(|entry| entry.life)
     }
 
     /// Those that take part, in the order in which they were added.
@@ -77,34 +103,35 @@ impl<T, I: Id + Ord> Collection<T, I> {
         &self.list
     }
 
-    pub(crate) fn is_listed(&self, id: I) -> bool {
-        self.entries.get(id).is_some_and(|entry| entry.is_listed)
-    }
-
     /// Those that take part or will from the next update on.
     pub(crate) fn listed_or_queued(&self) -> impl Iterator<Item = &T> {
-        let entries = self.entries.iter::<I>().map(|(_, entry)| entry);
-        entries.filter(|entry| entry.is_listed || entry.is_queued).map(|entry| &entry.value)
+        let entries = self.entries.iter().map(|(_, entry)| entry);
+        entries.filter(|entry| entry.life.is_listed || entry.life.is_queued).map(|entry| &entry.value)
     }
 
     /// True for a stale id, too.
     pub(crate) fn is_disposed(&self, id: I) -> bool {
-        self.entries.get(id).is_none_or(|entry| entry.is_disposed)
+        self.entries.get(id).is_none_or(|entry| entry.life.is_disposed)
     }
 
     /// The object at a position of the list, unless it was disposed.
     #[inline]
     pub(crate) fn at(&self, position: usize) -> Option<(I, &T)> {
         let id = *self.list.get(position)?;
-        let entry = self.entries.get(id).filter(|entry| !entry.is_disposed)?;
+        let entry = self.entries.get(id).filter(|entry| !entry.life.is_disposed)?;
         Some((id, &entry.value))
+    }
+
+    /// What was disposed and is still there, in the order in which it was.
+    pub(crate) fn disposed(&self) -> &[I] {
+        &self.disposed
     }
 
     /// As [`at`](Self::at), to change.
     #[inline]
     pub(crate) fn at_mut(&mut self, position: usize) -> Option<(I, &mut T)> {
         let id = *self.list.get(position)?;
-        let entry = self.entries.get_mut(id).filter(|entry| !entry.is_disposed)?;
+        let entry = self.entries.get_mut(id).filter(|entry| !entry.life.is_disposed)?;
         Some((id, &mut entry.value))
     }
 }
@@ -113,7 +140,7 @@ impl<T, I: Id + Ord> Collection<T, I> {
 impl<T, I: Id + Ord> Collection<T, I> {
     pub(crate) fn add(&mut self, argument: &'static str, id: I) -> Result<()> {
         let entry = self.entries.get_mut(id).ok_or(Error::StaleId { argument })?;
-        if !std::mem::replace(&mut entry.is_queued, true) {
+        if !std::mem::replace(&mut entry.life.is_queued, true) {
             self.added.push(id);
         }
         Ok(())
@@ -127,10 +154,21 @@ impl<T, I: Id + Ord> Collection<T, I> {
 
     pub(crate) fn dispose(&mut self, argument: &'static str, id: I) -> Result<()> {
         let entry = self.entries.get_mut(id).ok_or(Error::StaleId { argument })?;
-        if !std::mem::replace(&mut entry.is_disposed, true) {
+        if !std::mem::replace(&mut entry.life.is_disposed, true) {
             self.disposed.push(id);
         }
         Ok(())
+    }
+
+    /// Disposes the listed ones that a predicate names.
+    pub(crate) fn dispose_listed_where(&mut self, is_leaving: impl Fn(&T) -> bool) {
+        for &id in &self.list {
+            let Some(entry) = self.entries.get_mut(id) else { continue };
+            if !entry.life.is_disposed && is_leaving(&entry.value) {
+                entry.life.is_disposed = true;
+                self.disposed.push(id);
+            }
+        }
     }
 
     /// Whether [`process_added`](Self::process_added) has something to do.
@@ -143,8 +181,8 @@ impl<T, I: Id + Ord> Collection<T, I> {
         let mut entered = std::mem::take(&mut self.added);
         entered.retain(|&id| {
             let Some(entry) = self.entries.get_mut(id) else { return false };
-            entry.is_queued = false;
-            !std::mem::replace(&mut entry.is_listed, true)
+            entry.life.is_queued = false;
+            !std::mem::replace(&mut entry.life.is_listed, true)
         });
         self.list.extend_from_slice(&entered);
         entered
@@ -155,11 +193,11 @@ impl<T, I: Id + Ord> Collection<T, I> {
         let mut left = std::mem::take(&mut self.removed);
         left.retain(|&id| {
             let Some(entry) = self.entries.get_mut(id) else { return false };
-            entry.is_listed = false;
+            entry.life.is_listed = false;
             true
         });
         if !left.is_empty() {
-            self.list.retain(|&id| self.entries[id].is_listed);
+            self.list.retain(|&id| self.entries[id].life.is_listed);
         }
         left
     }
@@ -170,7 +208,7 @@ impl<T, I: Id + Ord> Collection<T, I> {
         if !self.disposed.is_empty() {
             let entries = &self.entries;
             self.list.retain(|&id| {
-                let stays = !entries[id].is_disposed;
+                let stays = !entries[id].life.is_disposed;
                 left.extend((!stays).then_some(id));
                 stays
             });
@@ -178,16 +216,15 @@ impl<T, I: Id + Ord> Collection<T, I> {
         left
     }
 
-    /// The ids of what was disposed go stale. No list names them any more.
-    pub(crate) fn free_disposed(&mut self) {
-        for id in std::mem::take(&mut self.disposed) {
-            self.entries.remove(id);
-        }
+    /// The ids of what was disposed go stale. No list names them any more. Answers what it was.
+    pub(crate) fn free_disposed(&mut self) -> Vec<T> {
+        let disposed = std::mem::take(&mut self.disposed);
+        disposed.into_iter().filter_map(|id| self.entries.remove(id)).map(|entry| entry.value).collect()
     }
 
     /// Everything is gone, and all ids are stale.
     pub(crate) fn clear(&mut self) {
-        self.entries.clear::<I>();
+        self.entries.clear();
         for list in [&mut self.list, &mut self.added, &mut self.removed, &mut self.disposed] {
             list.clear();
         }
@@ -196,7 +233,7 @@ impl<T, I: Id + Ord> Collection<T, I> {
     /// Whether lists and flags agree: false only after loading garbage.
     pub(crate) fn is_consistent(&self) -> bool {
         let count =
-            |flag: fn(&Entry<T>) -> bool| self.entries.iter::<I>().filter(|(_, entry)| flag(entry)).count();
+            |flag: fn(&Entry<T>) -> bool| self.entries.iter().filter(|(_, entry)| flag(entry)).count();
         let all = |list: &[I], flag: fn(&Entry<T>) -> bool| {
             list.iter().all(|&id| self.entries.get(id).is_some_and(flag))
         };
@@ -204,19 +241,19 @@ impl<T, I: Id + Ord> Collection<T, I> {
             && has_no_duplicates(&self.list)
             && has_no_duplicates(&self.disposed)
             && self.queue_is_consistent()
-            && self.list.len() == count(|entry| entry.is_listed)
-            && self.disposed.len() == count(|entry| entry.is_disposed)
-            && all(&self.list, |entry| entry.is_listed)
-            && all(&self.disposed, |entry| entry.is_disposed)
+            && self.list.len() == count(|entry| entry.life.is_listed)
+            && self.disposed.len() == count(|entry| entry.life.is_disposed)
+            && all(&self.list, |entry| entry.life.is_listed)
+            && all(&self.disposed, |entry| entry.life.is_disposed)
     }
 
     /// Whether those that wait to enter are those that are marked so. The queue may also name what is gone.
     fn queue_is_consistent(&self) -> bool {
         let waiting: Vec<I> =
             self.added.iter().copied().filter(|&id| self.entries.get(id).is_some()).collect();
-        let marked = self.entries.iter::<I>().filter(|(_, entry)| entry.is_queued).count();
+        let marked = self.entries.iter().filter(|(_, entry)| entry.life.is_queued).count();
         has_no_duplicates(&waiting)
-            && waiting.iter().all(|&id| self.entries.get(id).is_some_and(|entry| entry.is_queued))
+            && waiting.iter().all(|&id| self.entries.get(id).is_some_and(|entry| entry.life.is_queued))
             && waiting.len() == marked
     }
 }

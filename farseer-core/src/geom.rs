@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::methods::CollisionCategory;
-use crate::refusals::{ArgumentNames, Refusals};
+use crate::report::{ArgumentNames, Refusals};
 
 crate::arena::define_id! {
     /// Names a geom of a simulator: the one that made it, its clones and what is loaded from its saves.

@@ -7,7 +7,8 @@ use wide::f32x4;
 
 use crate::bits::Floats;
 use crate::body::BodyId;
-use crate::geom::Geom;
+use crate::collection::Collection;
+use crate::geom::{Geom, GeomId};
 use crate::math::{Matrix, Vector2, scalar};
 use crate::narrow_phase::distance_grid::DistanceGrid;
 use crate::shape::{Aabb, Vertices};
@@ -158,6 +159,9 @@ fn sum_of_zeros(points: &[Vector2]) -> f32x4 {
     pairs.iter().fold(last * f32x4::ZERO, sum)
 }
 
+/// The geoms of a simulator.
+pub(crate) type Geoms = Collection<GeomEntry, GeomId>;
+
 /// What the simulator keeps of a geom.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(crate) struct GeomEntry {
@@ -191,9 +195,6 @@ pub(crate) struct GeomEntry {
     pub(crate) grid_fits_outline: bool,
     pub(crate) in_simulation: bool,
     pub(crate) is_sensor: bool,
-    pub(crate) is_disposed: bool,
-    pub(crate) is_listed: bool,
-    pub(crate) is_queued: bool,
     /// It was lent out for editing since the simulator last looked.
     pub(crate) is_touched: bool,
     /// Creation numbers of other geoms and whether collision with them is ignored.
@@ -221,9 +222,6 @@ impl GeomEntry {
             grid_fits_outline: false,
             in_simulation: true,
             is_sensor: false,
-            is_disposed: false,
-            is_listed: false,
-            is_queued: false,
             is_touched: false,
             ignored: Vec::new(),
         }

@@ -2,6 +2,7 @@
 
 use crate::body::BodyId;
 use crate::body_entry::BodyEntry;
+use crate::collection::Life;
 use crate::contact::Feature;
 use crate::geom::Geom;
 use crate::geom_entry::{GeomEntry, GeomPose};
@@ -16,6 +17,7 @@ use crate::shape::{Aabb, Vertices};
 #[doc(alias = "Geom")]
 pub struct GeomRef<'a> {
     pub(crate) entry: &'a GeomEntry,
+    pub(crate) life: Life,
     /// What it is attached to; nothing while the body is a disposed one that is gone.
     pub(crate) body: Option<&'a BodyEntry>,
 }
@@ -78,7 +80,7 @@ impl<'a> GeomRef<'a> {
     /// Whether it is in the [geom list](crate::PhysicsSimulator::geom_list) now. Objects enter and leave their lists
     /// with updates.
     pub fn is_listed(&self) -> bool {
-        self.entry.is_listed
+        self.life.is_listed
     }
 
     /// False after removal from the simulation, until it is added again.
@@ -96,7 +98,7 @@ impl<'a> GeomRef<'a> {
     /// Whether it was disposed and goes at the next update.
     #[doc(alias = "IsDisposed")]
     pub fn is_disposed(&self) -> bool {
-        self.entry.is_disposed
+        self.life.is_disposed
     }
 
     /// Edge of a distance grid cell in the user's length unit; what was asked for under SAT.

@@ -500,7 +500,6 @@ mod collection;
 mod contact;
 mod controllers;
 mod debug_view;
-mod events;
 mod factories;
 mod fixed_step_clock;
 mod geom;
@@ -514,11 +513,13 @@ mod mouse_picker;
 mod narrow_phase;
 mod nobody;
 mod object_id;
+mod objects;
 mod pair_filter;
 mod pair_id;
 mod pair_table;
 mod path;
-mod refusals;
+mod pipeline;
+mod report;
 mod simulator;
 mod solver;
 mod springs;
@@ -532,11 +533,10 @@ pub use contact::{Contact, ContactId, Feature, index_of_safe};
 pub use controllers::{
     AabbFluidContainer, Controller, ControllerId, ControllerKind, ControllerType, FluidContainer,
     FluidContainerRef, FluidDragController, GravityController, GravityType, InactivityController,
-    ScalingController, UserController, WaveController,
+    ScalingController, WaveController,
 };
 pub use debug_view::{DebugShape, PhysicsSimulatorView};
 pub use error::{Error, Result};
-pub use events::{Context, Event, EventHandler};
 pub use factories::{BodyFactory, ComplexFactory, GeomFactory, JointFactory, SpringFactory};
 pub use fixed_step_clock::FixedStepClock;
 pub use geom::{Geom, GeomId};
@@ -550,15 +550,16 @@ pub use methods::{BroadPhaseCollider, CollisionCategory, FrictionType, NarrowPha
 pub use mouse_picker::MousePicker;
 pub use narrow_phase::distance_grid::DistanceGrid;
 pub use object_id::ObjectId;
+pub use objects::{GeomPlacement, GeomPointPair, Objects, RayCastHit};
 pub use pair_id::PairId;
 pub use pair_table::GeomPairBitmap;
 pub use path::{
     Curve, CurveContinuity, CurveKey, CurveKeyCollection, CurveLoopType, CurveTangent, LinkType, Path,
 };
-pub use refusals::{ArgumentNames, Refusals};
+pub use report::{ArgumentNames, Event, Refusals, StepCounters, StepTimes};
 pub use shape::{Aabb, Vertices};
 pub use simulator::{
-    GeomPlacement, GeomPointPair, PhysicsSimulator, RayCastHit, SavedSimulator, StepCounters, StepTimes,
+    Constraints, Context, EventHandler, PhysicsSimulator, SavedSimulator, SolvedBodies, UserController,
 };
 pub use solver::{SolverBody, SolverPlace};
 pub use springs::{

@@ -7,14 +7,14 @@ use crate::error::finite;
 use crate::factories::SpringFactory;
 use crate::geom::GeomId;
 use crate::math::Vector2;
-use crate::simulator::PhysicsSimulator;
+use crate::objects::Objects;
 use crate::springs::{FixedLinearSpring, SpringId};
 use crate::{Error, Result};
 
 /// Takes hold of what is under the mouse and draws it along with a spring.
 ///
 /// The spring is in the simulator, and so in its saves. A game that may be saved while something is held saves the
-/// picker beside the simulator, or lets go before. After [restoring](PhysicsSimulator::restore) a save made before the
+/// picker beside the simulator, or lets go before. After [restoring](crate::PhysicsSimulator::restore) a save made before the
 /// button went down it [forgets](Self::forget) what it holds.
 ///
 /// ```
@@ -71,12 +71,12 @@ impl MousePicker {
     }
 
     /// The button went down at a point of the world: takes hold there of the body of the first geom in list order that
-    /// [holds the point](PhysicsSimulator::collide), and answers which geom it is. What was held before is released.
+    /// [holds the point](crate::Objects::collide), and answers which geom it is. What was held before is released.
     /// The spring acts from the next update on; a static body is held but does not move.
     ///
     /// # Errors
     /// A point that is not finite.
-    pub fn pick(&mut self, simulator: &mut PhysicsSimulator, point: Vector2) -> Result<Option<GeomId>> {
+    pub fn pick(&mut self, simulator: &mut Objects, point: Vector2) -> Result<Option<GeomId>> {
         crate::error::finite_vector("point", point)?;
         self.release(simulator);
         let Some(geom) = simulator.collide(point) else { return Ok(None) };
@@ -99,7 +99,7 @@ impl MousePicker {
     ///
     /// # Errors
     /// A point that is not finite.
-    pub fn drag(&mut self, simulator: &mut PhysicsSimulator, point: Vector2) -> Result<()> {
+    pub fn drag(&mut self, simulator: &mut Objects, point: Vector2) -> Result<()> {
         crate::error::finite_vector("point", point)?;
         let Some((id, _)) = self.own_spring(simulator) else {
             self.forget();
@@ -109,7 +109,7 @@ impl MousePicker {
     }
 
     /// The button went up: lets go.
-    pub fn release(&mut self, simulator: &mut PhysicsSimulator) {
+    pub fn release(&mut self, simulator: &mut Objects) {
         // It has gone already if its body was disposed.
         if let Some((id, _)) = self.own_spring(simulator) {
             simulator.dispose(id).ok();
@@ -130,14 +130,14 @@ impl MousePicker {
 
     /// The points of the world where the spring is fixed to the body and to the mouse, while something is held: the
     /// line that the samples draw.
-    pub fn line(&self, simulator: &PhysicsSimulator) -> Option<(Vector2, Vector2)> {
+    pub fn line(&self, simulator: &Objects) -> Option<(Vector2, Vector2)> {
         let (_, spring) = self.own_spring(simulator)?;
         let body = simulator.body(spring.body())?;
         Some((body.get_world_position(spring.body_attach_point()), spring.world_attach_point()))
     }
 
     /// The spring, if the id still names the one that was made.
-    fn own_spring<'a>(&self, simulator: &'a PhysicsSimulator) -> Option<(SpringId, &'a FixedLinearSpring)> {
+    fn own_spring<'a>(&self, simulator: &'a Objects) -> Option<(SpringId, &'a FixedLinearSpring)> {
         let (id, body) = self.held?;
         let spring: &FixedLinearSpring = simulator.spring_as(id).ok()?;
         (spring.body() == body).then_some((id, spring))

@@ -1,18 +1,18 @@
 //! Which pairs may collide at all (behaviour chapters 03, section 4, and 08, section 1.2).
 
-use crate::arena::Arena;
 use crate::body::Body;
-use crate::body_entry::BodyEntry;
-use crate::geom_entry::GeomEntry;
+use crate::body_entry::Bodies;
+use crate::geom::GeomId;
+use crate::geom_entry::{GeomEntry, Geoms};
 
 /// Geoms and bodies.
 #[derive(Clone, Copy)]
-pub(crate) struct Scene<'a> {
-    pub(crate) geoms: &'a Arena<GeomEntry>,
-    pub(crate) bodies: &'a Arena<BodyEntry>,
+pub(crate) struct Filter<'a> {
+    pub(crate) geoms: &'a Geoms,
+    pub(crate) bodies: &'a Bodies,
 }
 
-impl Scene<'_> {
+impl Filter<'_> {
     /// The test that every method applies (behaviour chapter 08, section 1.2).
     pub(crate) fn may_collide(&self, a: &GeomEntry, b: &GeomEntry) -> bool {
         if a.body == b.body || !a.geom.may_collide_with(&b.geom) {
@@ -31,11 +31,12 @@ impl Scene<'_> {
 
 /// Whether an arbiter may stay (behaviour chapter 03, section 4). Collision switched off, ignored geoms and
 /// the broad-phase callback matter only when a pair is created.
-pub(crate) fn is_valid_pair(a: &GeomEntry, b: &GeomEntry, bodies: &Arena<BodyEntry>) -> bool {
+pub(crate) fn is_valid_pair((id_a, id_b): (GeomId, GeomId), geoms: &Geoms, bodies: &Bodies) -> bool {
+    let (a, b) = (&geoms[id_a], &geoms[id_b]);
     let (Some(body_a), Some(body_b)) = (bodies.get(a.body), bodies.get(b.body)) else { return false };
     let (body_a, body_b): (&Body, &Body) = (&body_a.body, &body_b.body);
-    !(a.is_disposed
-        || b.is_disposed
+    !(geoms.is_disposed(id_a)
+        || geoms.is_disposed(id_b)
         || (body_a.is_static() && body_b.is_static())
         || !body_a.enabled()
         || !body_b.enabled()

@@ -129,13 +129,7 @@ impl World {
         let inverse_dt = 1.0 / dt;
         self.take_over_plane_contacts(core);
         self.solver.prepare(core, &self.depths, &self.touches, inverse_dt);
-        core.pre_step(inverse_dt);
-        self.solver.warm_start(core);
-        let has_work = core.has_something_to_solve() || !self.solver.is_empty();
-        for _ in 0..if has_work { core.passes() } else { 0 } {
-            core.solve_iteration(None);
-            self.solver.solve_iteration(core);
-        }
+        core.solve_with(inverse_dt, &mut self.solver, None);
         self.solver.finish(core, &mut self.depths, &mut self.touches);
     }
 

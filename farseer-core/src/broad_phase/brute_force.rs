@@ -8,14 +8,14 @@ pub(super) fn update(sink: &mut impl PairSink) {
     for i in 0..sink.geom_list().len() {
         for j in i + 1..sink.geom_list().len() {
             let (a, b) = (sink.geom_list()[i], sink.geom_list()[j]);
-            let scene = sink.scene();
-            let (geom_a, geom_b) = (&scene.geoms[a], &scene.geoms[b]);
+            let filter = sink.filter();
+            let (geom_a, geom_b) = (&filter.geoms[a], &filter.geoms[b]);
             // The box test comes first where nobody can observe the order: it is the cheaper one.
             let overlap = Aabb::intersect(&geom_a.aabb, &geom_b.aabb);
             if !overlap && !sink.has_approval() {
                 continue;
             }
-            if !scene.may_collide(geom_a, geom_b) {
+            if !filter.may_collide(geom_a, geom_b) {
                 continue;
             }
             let accepted = if sink.has_approval() { sink.approve(a, b) } else { overlap };

@@ -15,11 +15,10 @@ pub use selective_sweep::{SelectiveSweepOrder, SweepEnd};
 
 use serde::{Deserialize, Serialize};
 
-use crate::arena::Arena;
 use crate::geom::GeomId;
-use crate::geom_entry::GeomEntry;
+use crate::geom_entry::Geoms;
 use crate::methods::BroadPhaseCollider;
-use crate::pair_filter::Scene;
+use crate::pair_filter::Filter;
 use selective_sweep::SelectiveSweep;
 use spatial_hash::SpatialHash;
 use sweep_and_prune::SweepAndPrune;
@@ -31,7 +30,7 @@ pub(crate) trait PairSink {
     /// Asks the user's handler whether the pair may collide.
     fn approve(&mut self, geom1: GeomId, geom2: GeomId) -> bool;
     /// The scene as it is now: the handler may have changed it.
-    fn scene(&self) -> Scene<'_>;
+    fn filter(&self) -> Filter<'_>;
     /// The geoms that take part. No handler changes the list.
     fn geom_list(&self) -> &[GeomId];
     /// Takes a pair whose boxes overlap.
@@ -51,6 +50,12 @@ pub(crate) enum BroadPhase {
     SpatialHash(SpatialHash),
     /// Stands for a method while it looks for pairs and handlers look at the simulator.
     AtWork(BroadPhaseCollider),
+}
+
+impl Default for BroadPhase {
+    fn default() -> Self {
+        BroadPhase::new(BroadPhaseCollider::default())
+    }
 }
 
 impl BroadPhase {
@@ -76,7 +81,7 @@ impl BroadPhase {
     }
 
     /// A geom entered the geom list.
-    pub(crate) fn add(&mut self, id: GeomId, geoms: &Arena<GeomEntry>) {
+    pub(crate) fn add(&mut self, id: GeomId, geoms: &Geoms) {
         match self {
             BroadPhase::SelectiveSweep(sweep) => sweep.add(id),
             BroadPhase::SweepAndPrune(sweep) => sweep.add(id, geoms),
@@ -84,21 +89,20 @@ impl BroadPhase {
         }
     }
 
-    /// Geoms left the geom list: those that are not `alive` go.
-    pub(crate) fn retain(&mut self, alive: impl Fn(&GeomEntry) -> bool, geoms: &Arena<GeomEntry>) {
-        let alive = |id: GeomId| geoms.get(id).is_some_and(&alive);
+    /// Geoms left the geom list: those that are not alive go.
+    pub(crate) fn retain(&mut self, is_alive: impl Fn(GeomId) -> bool, geoms: &Geoms) {
         match self {
-            BroadPhase::SelectiveSweep(sweep) => sweep.retain(alive),
-            BroadPhase::SweepAndPrune(sweep) => sweep.retain(alive, geoms),
+            BroadPhase::SelectiveSweep(sweep) => sweep.retain(is_alive),
+            BroadPhase::SweepAndPrune(sweep) => sweep.retain(is_alive, geoms),
             BroadPhase::BruteForce | BroadPhase::SpatialHash(_) | BroadPhase::AtWork(_) => {}
         }
     }
 
     /// Begins anew in a simulator that a handler copied or saved while its method was at work.
-    pub(crate) fn restore(&mut self, geom_list: &[GeomId], geoms: &Arena<GeomEntry>) {
+    pub(crate) fn restore(&mut self, geoms: &Geoms) {
         if let BroadPhase::AtWork(method) = *self {
             *self = BroadPhase::new(method);
-            geom_list.iter().for_each(|&geom| self.add(geom, geoms));
+            geoms.list().iter().for_each(|&geom| self.add(geom, geoms));
         }
     }
 
@@ -114,7 +118,7 @@ impl BroadPhase {
     }
 
     /// Whether all geoms exist and all indices are in range: false only after loading garbage.
-    pub(crate) fn is_valid(&self, geoms: &Arena<GeomEntry>) -> bool {
+    pub(crate) fn is_valid(&self, geoms: &Geoms) -> bool {
         match self {
             BroadPhase::SelectiveSweep(sweep) => sweep.is_valid(geoms),
             BroadPhase::SweepAndPrune(sweep) => sweep.is_valid(geoms),

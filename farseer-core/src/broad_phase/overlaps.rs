@@ -2,9 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::arena::Arena;
 use crate::geom::GeomId;
-use crate::geom_entry::GeomEntry;
+use crate::geom_entry::Geoms;
 
 /// Shorter lists are not swept.
 const MIN_SWEPT: usize = 32;
@@ -22,7 +21,7 @@ pub(super) struct Overlaps {
 
 impl Overlaps {
     /// Puts geoms in, and sweeps whenever the list outgrows a power of two: so it stays within twice what can be in it.
-    pub(super) fn extend(&mut self, begun: &[GeomId], geoms: &Arena<GeomEntry>) {
+    pub(super) fn extend(&mut self, begun: &[GeomId], geoms: &Geoms) {
         let room = self.list.len().next_power_of_two().max(MIN_SWEPT);
         self.list.extend_from_slice(begun);
         if self.list.len() > room {
@@ -45,7 +44,7 @@ impl Overlaps {
     }
 
     /// Drops the geoms that are gone: their ids never come back. Of the others each stays in the list once.
-    fn sweep(&mut self, geoms: &Arena<GeomEntry>) {
+    fn sweep(&mut self, geoms: &Geoms) {
         self.list.retain(|&geom| geoms.contains(geom));
         self.more.retain(|&(geom, _)| geoms.contains(geom));
         self.list.sort_unstable();
@@ -71,7 +70,7 @@ mod tests {
     use crate::body::BodyId;
     use crate::math::Vector2;
 
-    fn geoms(count: u32) -> (Arena<GeomEntry>, Vec<GeomId>) {
+    fn geoms(count: u32) -> (Geoms, Vec<GeomId>) {
         let body = Arena::default().insert::<BodyId>(());
         let mut geoms = Arena::default();
         let ids = (0..count)

@@ -6,9 +6,8 @@ use wide::f32x4;
 use super::PairSink;
 use super::endpoint::Endpoint;
 use super::sort::introspective_sort;
-use crate::arena::Arena;
 use crate::geom::GeomId;
-use crate::geom_entry::GeomEntry;
+use crate::geom_entry::Geoms;
 use crate::shape::Aabb;
 
 /// The ends of all intervals on one axis. Their order is kept from one update to the next: it is what the next
@@ -236,7 +235,7 @@ impl SelectiveSweep {
     }
 
     pub(super) fn update(&mut self, sink: &mut impl PairSink) {
-        self.gather(sink.scene().geoms);
+        self.gather(sink.filter().geoms);
         self.x.sort(&self.numbers);
         self.y.sort(&self.numbers);
         if self.x.overlap_count() < self.y.overlap_count() {
@@ -247,7 +246,7 @@ impl SelectiveSweep {
     }
 
     /// Takes the boxes over into the interval ends.
-    fn gather(&mut self, geoms: &Arena<GeomEntry>) {
+    fn gather(&mut self, geoms: &Geoms) {
         self.numbers.clear();
         self.boxes.clear();
         for &id in &self.entries {
@@ -286,7 +285,7 @@ impl SelectiveSweep {
         }
     }
 
-    pub(super) fn is_valid(&self, geoms: &Arena<GeomEntry>) -> bool {
+    pub(super) fn is_valid(&self, geoms: &Geoms) -> bool {
         let count = self.entries.len();
         let ends_complete = |axis: &Axis| {
             let mut missing = vec![true; count * 2];
@@ -301,8 +300,8 @@ impl SelectiveSweep {
 
 /// Two boxes overlap on both axes: `opened` begins while `open` is open.
 fn meet(opened: GeomId, open: GeomId, sink: &mut impl PairSink) {
-    let scene = sink.scene();
-    if !scene.may_collide(&scene.geoms[opened], &scene.geoms[open]) {
+    let filter = sink.filter();
+    if !filter.may_collide(&filter.geoms[opened], &filter.geoms[open]) {
         return;
     }
     if sink.has_approval() && !sink.approve(opened, open) {

@@ -4,9 +4,8 @@ use serde::{Deserialize, Serialize};
 
 use super::PairSink;
 use super::slot_table::SlotTable;
-use crate::arena::Arena;
 use crate::geom::GeomId;
-use crate::geom_entry::GeomEntry;
+use crate::geom_entry::Geoms;
 use crate::math::scalar::{max, to_int};
 use crate::methods::BroadPhaseCollider;
 use crate::pair_id::PairId;
@@ -57,7 +56,7 @@ impl SpatialHash {
         if sink.geom_list().is_empty() {
             return;
         }
-        self.fill(sink.geom_list(), sink.scene().geoms);
+        self.fill(sink.geom_list(), sink.filter().geoms);
         self.handled.clear();
         self.dead.clear();
         for slot in 0..self.cells.slot_count() {
@@ -77,7 +76,7 @@ impl SpatialHash {
     }
 
     /// Puts every geom into the cells its box covers, and sets the cell size of the next update.
-    fn fill(&mut self, geom_list: &[GeomId], geoms: &Arena<GeomEntry>) {
+    fn fill(&mut self, geom_list: &[GeomId], geoms: &Geoms) {
         let inverse = 1.0 / self.cell_size;
         let mut sum = 0.0f32;
         let mut free_entries = MAX_CELL_ENTRIES + MORE_CELL_ENTRIES_PER_GEOM * geom_list.len() as u64;
@@ -131,14 +130,14 @@ impl SpatialHash {
 
 /// Two geoms share a cell. With a handler its answer replaces the box test, as in the original.
 fn meet(a: GeomId, b: GeomId, handled: &mut StampedSet, sink: &mut impl PairSink) {
-    let scene = sink.scene();
-    let (geom_a, geom_b) = (&scene.geoms[a], &scene.geoms[b]);
+    let filter = sink.filter();
+    let (geom_a, geom_b) = (&filter.geoms[a], &filter.geoms[b]);
     // Where nobody can observe the order, the cheapest test comes first.
     let overlap = Aabb::intersect(&geom_a.aabb, &geom_b.aabb);
     if !overlap && !sink.has_approval() {
         return;
     }
-    if !scene.may_collide(geom_a, geom_b) {
+    if !filter.may_collide(geom_a, geom_b) {
         return;
     }
     if !handled.insert(PairId::get_id(geom_a.number as i32, geom_b.number as i32)) {

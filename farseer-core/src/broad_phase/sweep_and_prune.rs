@@ -5,9 +5,8 @@ use serde::{Deserialize, Serialize};
 use super::PairSink;
 use super::overlaps::Overlaps;
 use super::slot_table::SlotTable;
-use crate::arena::Arena;
 use crate::geom::GeomId;
-use crate::geom_entry::GeomEntry;
+use crate::geom_entry::Geoms;
 use crate::math::Vector2;
 use crate::shape::Aabb;
 
@@ -53,7 +52,7 @@ fn remove_first(list: &mut Vec<GeomId>, geom: GeomId) -> bool {
     }
 }
 
-fn pair_of(geom1: GeomId, geom2: GeomId, geoms: &Arena<GeomEntry>) -> Option<(PairKey, (GeomId, GeomId))> {
+fn pair_of(geom1: GeomId, geom2: GeomId, geoms: &Geoms) -> Option<(PairKey, (GeomId, GeomId))> {
     let (number1, number2) = (geoms.get(geom1)?.number, geoms.get(geom2)?.number);
     if number1 < number2 {
         Some(((number1, number2), (geom1, geom2)))
@@ -102,7 +101,7 @@ impl Axis {
         open
     }
 
-    fn refresh(&mut self, geoms: &Arena<GeomEntry>, component: impl Fn(&Vector2) -> f32) {
+    fn refresh(&mut self, geoms: &Geoms, component: impl Fn(&Vector2) -> f32) {
         for extent in &mut self.extents {
             let aabb = &geoms[self.infos[extent.info as usize].geom].aabb;
             extent.value = if extent.is_min {
@@ -114,7 +113,7 @@ impl Axis {
     }
 
     /// Insertion sort; every exchange of neighbours begins or ends an overlap.
-    fn sort(&mut self, pairs: &mut PairTable, geoms: &Arena<GeomEntry>) {
+    fn sort(&mut self, pairs: &mut PairTable, geoms: &Geoms) {
         for i in 1..self.extents.len() {
             let moved = self.extents[i];
             let mut position = i;
@@ -129,7 +128,7 @@ impl Axis {
     }
 
     /// `moved` goes to the left of `passed`.
-    fn exchange(&mut self, moved: Extent, passed: Extent, pairs: &mut PairTable, geoms: &Arena<GeomEntry>) {
+    fn exchange(&mut self, moved: Extent, passed: Extent, pairs: &mut PairTable, geoms: &Geoms) {
         let (moved_info, passed_info) = (moved.info as usize, passed.info as usize);
         let (moved_geom, passed_geom) = (self.infos[moved_info].geom, self.infos[passed_info].geom);
         match (moved.is_min, passed.is_min) {
@@ -144,7 +143,7 @@ impl Axis {
     }
 
     /// An overlap of the geom of `info` with another one ends here.
-    fn forget(&mut self, info: usize, other: GeomId, pairs: &mut PairTable, geoms: &Arena<GeomEntry>) {
+    fn forget(&mut self, info: usize, other: GeomId, pairs: &mut PairTable, geoms: &Geoms) {
         let info = &mut self.infos[info];
         remove_first(&mut info.under_consideration, other);
         if info.overlaps.remove(other)
@@ -154,7 +153,7 @@ impl Axis {
         }
     }
 
-    fn retain(&mut self, alive: impl Fn(GeomId) -> bool, geoms: &Arena<GeomEntry>) {
+    fn retain(&mut self, alive: impl Fn(GeomId) -> bool, geoms: &Geoms) {
         for info in &mut self.infos {
             info.under_consideration.retain(|&geom| geoms.contains(geom));
         }
@@ -182,7 +181,7 @@ impl Axis {
         self.infos.retain(|info| alive(info.geom));
     }
 
-    fn is_valid(&self, geoms: &Arena<GeomEntry>) -> bool {
+    fn is_valid(&self, geoms: &Geoms) -> bool {
         let mut missing = vec![true; self.infos.len() * 2];
         self.infos.iter().all(|info| geoms.contains(info.geom) && info.overlaps.is_valid())
             && self.extents.len() == missing.len()
@@ -203,7 +202,7 @@ pub(crate) struct SweepAndPrune {
 }
 
 impl SweepAndPrune {
-    pub(super) fn add(&mut self, id: GeomId, geoms: &Arena<GeomEntry>) {
+    pub(super) fn add(&mut self, id: GeomId, geoms: &Geoms) {
         let aabb = &geoms[id].aabb;
         self.x.insert(id, aabb.min.x, aabb.max.x);
         self.y.insert(id, aabb.min.y, aabb.max.y);
@@ -211,14 +210,14 @@ impl SweepAndPrune {
 
     /// All pairs are forgotten, even if no geom goes: as in the original, what rests continues only through
     /// arbiters that exist already.
-    pub(super) fn retain(&mut self, alive: impl Fn(GeomId) -> bool, geoms: &Arena<GeomEntry>) {
+    pub(super) fn retain(&mut self, alive: impl Fn(GeomId) -> bool, geoms: &Geoms) {
         self.x.retain(&alive, geoms);
         self.y.retain(&alive, geoms);
         self.pairs.clear();
     }
 
     pub(super) fn update(&mut self, sink: &mut impl PairSink) {
-        let geoms = sink.scene().geoms;
+        let geoms = sink.filter().geoms;
         self.x.refresh(geoms, |corner| corner.x);
         self.y.refresh(geoms, |corner| corner.y);
         self.x.sort(&mut self.pairs, geoms);
@@ -238,7 +237,7 @@ impl SweepAndPrune {
         }
     }
 
-    pub(super) fn is_valid(&self, geoms: &Arena<GeomEntry>) -> bool {
+    pub(super) fn is_valid(&self, geoms: &Geoms) -> bool {
         self.x.is_valid(geoms)
             && self.y.is_valid(geoms)
             // A pair may name a geom that is gone by now; it is skipped.
@@ -250,19 +249,19 @@ impl SweepAndPrune {
 fn consider(info: &mut ExtentInfo, pairs: &mut PairTable, moved: &mut Vec<GeomId>, sink: &mut impl PairSink) {
     moved.clear();
     moved.append(&mut info.under_consideration);
-    info.overlaps.extend(moved, sink.scene().geoms);
+    info.overlaps.extend(moved, sink.filter().geoms);
     let a = info.geom;
     for &b in moved.iter() {
-        let scene = sink.scene();
+        let filter = sink.filter();
         // What was disposed since can be nobody's partner; the original fails there.
-        let Some(geom_b) = scene.geoms.get(b) else { continue };
-        let geom_a = &scene.geoms[a];
-        if !scene.may_collide(geom_a, geom_b)
+        let Some(geom_b) = filter.geoms.get(b) else { continue };
+        let geom_a = &filter.geoms[a];
+        if !filter.may_collide(geom_a, geom_b)
             || !Aabb::intersect(&widened(&geom_a.aabb), &widened(&geom_b.aabb))
         {
             continue;
         }
-        let Some((key, pair)) = pair_of(a, b, scene.geoms) else { continue };
+        let Some((key, pair)) = pair_of(a, b, filter.geoms) else { continue };
         if sink.has_approval() && !sink.approve(a, b) {
             continue;
         }

@@ -2,9 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::arena::Arena;
 use crate::body::{Body, BodyId};
-use crate::body_entry::BodyEntry;
+use crate::body_entry::Bodies;
 use crate::error::{Result, finite, finite_vector};
 use crate::math::{Vector2, vector2};
 
@@ -120,18 +119,20 @@ impl GravityController {
     }
 
     /// Lets every source pull every listed body; forgets bodies that are gone. Answers whether all forces were finite.
-    pub(crate) fn update(&mut self, list: &[BodyId], bodies: &mut Arena<BodyEntry>) -> bool {
+    pub(crate) fn update(&mut self, bodies: &mut Bodies) -> bool {
         self.bodies.retain(|&source| bodies.contains(source));
         let mut all_finite = true;
-        for &id in list {
-            let BodyEntry { body, is_disposed, .. } = &bodies[id];
-            if *is_disposed || !body.enabled() || body.ignore_gravity() {
+        for position in 0..bodies.list().len() {
+            let id = bodies.list()[position];
+            let body = &bodies[id].body;
+            if bodies.is_disposed(id) || !body.enabled() || body.ignore_gravity() {
                 continue;
             }
             let is_static = body.is_static();
             for &source in &self.bodies {
-                let BodyEntry { body, is_disposed, .. } = &bodies[source];
-                let is_idle = *is_disposed || !body.enabled() || (is_static && body.is_static());
+                let body = &bodies[source].body;
+                let is_idle =
+                    bodies.is_disposed(source) || !body.enabled() || (is_static && body.is_static());
                 if source != id && !is_idle {
                     let position = body.position();
                     all_finite &= self.pull(&mut bodies[id].body, position);

@@ -2,9 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::arena::Arena;
 use crate::body::{Body, BodyId};
-use crate::body_entry::BodyEntry;
+use crate::body_entry::Bodies;
 use crate::checked_properties::checked_properties;
 use crate::math::vector2;
 
@@ -60,11 +59,12 @@ impl InactivityController {
 
     /// One pass over the listed bodies. Answers false if an idle time would not have been finite; that body keeps what
     /// it had.
-    pub(crate) fn update(&mut self, dt: f32, list: &[BodyId], bodies: &mut Arena<BodyEntry>) -> bool {
+    pub(crate) fn update(&mut self, dt: f32, bodies: &mut Bodies) -> bool {
         let milliseconds = dt * 1000.0;
         let mut all_finite = true;
         self.bodies_enabled = 0;
-        for &id in list {
+        for position in 0..bodies.list().len() {
+            let id = bodies.list()[position];
             let body = &mut bodies[id].body;
             if !body.is_integrated() {
                 continue;
@@ -72,7 +72,7 @@ impl InactivityController {
             self.bodies_enabled += 1;
             if body.moves() || !body.is_auto_idle() {
                 body.set_idle_time(0.0);
-                self.wake_around(id, list, bodies);
+                self.wake_around(id, bodies);
                 continue;
             }
             let idle_time = body.idle_time() + milliseconds;
@@ -88,8 +88,9 @@ impl InactivityController {
         all_finite
     }
 
-    fn wake_around(&self, waking: BodyId, list: &[BodyId], bodies: &mut Arena<BodyEntry>) {
-        for &id in list {
+    fn wake_around(&self, waking: BodyId, bodies: &mut Bodies) {
+        for position in 0..bodies.list().len() {
+            let id = bodies.list()[position];
             let body = &bodies[id].body;
             let wakes = !body.enabled()
                 && body.is_auto_idle()

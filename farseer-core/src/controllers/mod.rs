@@ -7,7 +7,6 @@ mod fluid_drag;
 mod gravity;
 mod inactivity;
 mod scaling;
-mod user_controller;
 mod wave;
 
 use serde::{Deserialize, Serialize};
@@ -17,7 +16,6 @@ pub use fluid_drag::FluidDragController;
 pub use gravity::{GravityController, GravityType};
 pub use inactivity::InactivityController;
 pub use scaling::ScalingController;
-pub use user_controller::UserController;
 pub use wave::WaveController;
 
 crate::arena::define_id! {
@@ -39,7 +37,7 @@ pub enum ControllerKind {
     Scaling(ScalingController),
     /// A water surface with waves.
     Wave(WaveController),
-    /// What a [`UserController`] of the game does.
+    /// What a [`UserController`](crate::UserController) of the game does.
     UserDefined,
 }
 
@@ -67,7 +65,7 @@ impl Controller {
         Controller { is_enabled: true, tag: 0, kind }
     }
 
-    /// A controller whose work a [`UserController`] of the game does. The game's
+    /// A controller whose work a [`UserController`](crate::UserController) of the game does. The game's
     /// [`EventHandler`](crate::EventHandler::user_controller) is asked for it in every update.
     pub fn user_defined() -> Self {
         Controller::new(ControllerKind::UserDefined)

@@ -2,8 +2,8 @@
 
 use crate::body::{Body, BodyId};
 use crate::error::positive;
+use crate::objects::Objects;
 use crate::shape::Vertices;
-use crate::simulator::PhysicsSimulator;
 use crate::{Error, Result};
 
 /// Makes bodies with the moments of inertia of solid shapes. Mass and lengths are in the user's units.
@@ -30,7 +30,7 @@ impl BodyFactory {
     /// # Errors
     /// As the plain method.
     pub fn create_rectangle_body_in(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         width: f32,
         height: f32,
         mass: f32,
@@ -54,7 +54,7 @@ impl BodyFactory {
     ///
     /// # Errors
     /// As the plain method.
-    pub fn create_circle_body_in(simulator: &mut PhysicsSimulator, radius: f32, mass: f32) -> Result<BodyId> {
+    pub fn create_circle_body_in(simulator: &mut Objects, radius: f32, mass: f32) -> Result<BodyId> {
         add(simulator, Self::create_circle_body(radius, mass)?)
     }
 
@@ -79,7 +79,7 @@ impl BodyFactory {
     /// # Errors
     /// As the plain method.
     pub fn create_ellipse_body_in(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         x_radius: f32,
         y_radius: f32,
         mass: f32,
@@ -108,11 +108,7 @@ impl BodyFactory {
     ///
     /// # Errors
     /// As the plain method.
-    pub fn create_polygon_body_in(
-        simulator: &mut PhysicsSimulator,
-        vertices: &Vertices,
-        mass: f32,
-    ) -> Result<BodyId> {
+    pub fn create_polygon_body_in(simulator: &mut Objects, vertices: &Vertices, mass: f32) -> Result<BodyId> {
         add(simulator, Self::create_polygon_body(vertices, mass)?)
     }
 
@@ -131,11 +127,7 @@ impl BodyFactory {
     ///
     /// # Errors
     /// As the plain method.
-    pub fn create_body_in(
-        simulator: &mut PhysicsSimulator,
-        mass: f32,
-        moment_of_inertia: f32,
-    ) -> Result<BodyId> {
+    pub fn create_body_in(simulator: &mut Objects, mass: f32, moment_of_inertia: f32) -> Result<BodyId> {
         add(simulator, Self::create_body(mass, moment_of_inertia)?)
     }
 
@@ -149,7 +141,7 @@ impl BodyFactory {
     ///
     /// # Errors
     /// A stale id.
-    pub fn create_body_from_in(simulator: &mut PhysicsSimulator, body: BodyId) -> Result<BodyId> {
+    pub fn create_body_from_in(simulator: &mut Objects, body: BodyId) -> Result<BodyId> {
         let copy = Body::copy_of(simulator.body(body).ok_or(Error::StaleId { argument: "body" })?);
         add(simulator, copy)
     }
@@ -175,7 +167,7 @@ fn body(mass: f32, moment_of_inertia: f32) -> Result<Body> {
     Ok(body)
 }
 
-fn add(simulator: &mut PhysicsSimulator, body: Body) -> Result<BodyId> {
+fn add(simulator: &mut Objects, body: Body) -> Result<BodyId> {
     let body = simulator.create_body(body);
     simulator.add(body)?;
     Ok(body)

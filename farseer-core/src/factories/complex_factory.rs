@@ -8,9 +8,9 @@ use crate::error::finite_vector;
 use crate::factories::JointFactory;
 use crate::math::Vector2;
 use crate::math::vector2::distance;
+use crate::objects::Objects;
 use crate::path::{LinkType, Links, Path};
 use crate::shape::Vertices;
-use crate::simulator::PhysicsSimulator;
 use crate::{Error, Result};
 
 const CHAIN_BIAS_FACTOR: f32 = 0.01;
@@ -77,7 +77,7 @@ macro_rules! added {
         /// # Errors
         /// As the plain method.
         $(#[$attribute])*
-        pub fn $name(&self, simulator: &mut PhysicsSimulator, $($argument: $type),*) -> Result<Path> {
+        pub fn $name(&self, simulator: &mut Objects, $($argument: $type),*) -> Result<Path> {
             let path = self.$plain(simulator, $($argument),*)?;
             path.add_to_physics_simulator(simulator);
             Ok(path)
@@ -97,7 +97,7 @@ impl ComplexFactory {
     #[allow(clippy::too_many_arguments)] // The original's signature.
     pub fn create_chain(
         &self,
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         start: Vector2,
         end: Vector2,
         width: f32,
@@ -120,7 +120,7 @@ impl ComplexFactory {
     #[allow(clippy::too_many_arguments)] // The original's signature.
     pub fn create_chain_of_links(
         &self,
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         start: Vector2,
         end: Vector2,
         links: i32,
@@ -144,7 +144,7 @@ impl ComplexFactory {
     #[allow(clippy::too_many_arguments)] // The original's signature.
     pub fn create_pinned_chain(
         &self,
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         start: Vector2,
         end: Vector2,
         width: f32,
@@ -167,7 +167,7 @@ impl ComplexFactory {
     #[allow(clippy::too_many_arguments)] // The original's signature.
     pub fn create_chain_with_link_width(
         &self,
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         start: Vector2,
         end: Vector2,
         width: f32,
@@ -229,7 +229,7 @@ impl ComplexFactory {
     #[allow(clippy::too_many_arguments)] // The original's signature.
     pub fn create_track(
         &self,
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         points: &[Vector2],
         width: f32,
         height: f32,
@@ -269,7 +269,7 @@ impl ComplexFactory {
     /// Numbers that are not finite.
     #[doc(alias = "CreateGravityController(PhysicsSimulator, List<Body>, GravityType, float, float)")]
     pub fn create_gravity_controller(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         bodies: &[BodyId],
         gravity_type: GravityType,
         strength: f32,
@@ -286,7 +286,7 @@ impl ComplexFactory {
     /// Numbers that are not finite.
     #[doc(alias = "CreateGravityController(PhysicsSimulator, List<Vector2>, GravityType, float, float)")]
     pub fn create_point_gravity_controller(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         points: &[Vector2],
         gravity_type: GravityType,
         strength: f32,
@@ -298,7 +298,7 @@ impl ComplexFactory {
 }
 
 fn add_gravity(
-    simulator: &mut PhysicsSimulator,
+    simulator: &mut Objects,
     mut controller: GravityController,
     gravity_type: GravityType,
 ) -> Result<ControllerId> {
@@ -312,7 +312,7 @@ fn add_gravity(
 /// looked at when the bodies were placed.
 fn link_chain(
     path: &mut Path,
-    simulator: &mut PhysicsSimulator,
+    simulator: &mut Objects,
     links: &Links,
     (start, pin_end): (Option<Vector2>, bool),
 ) -> Result<()> {
@@ -335,8 +335,8 @@ fn link_chain(
 /// Goes on with a path whose bodies are made. If that fails, everything of it is taken back.
 fn finish_or_discard(
     mut path: Path,
-    simulator: &mut PhysicsSimulator,
-    finish: impl FnOnce(&mut Path, &mut PhysicsSimulator) -> Result<()>,
+    simulator: &mut Objects,
+    finish: impl FnOnce(&mut Path, &mut Objects) -> Result<()>,
 ) -> Result<Path> {
     match finish(&mut path, simulator) {
         Ok(()) => Ok(path),

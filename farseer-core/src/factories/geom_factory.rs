@@ -5,8 +5,8 @@ use crate::error::{finite_vector, positive};
 use crate::geom::GeomId;
 use crate::math::Vector2;
 use crate::object_id::ObjectId;
+use crate::objects::{GeomPlacement, Objects};
 use crate::shape::Vertices;
-use crate::simulator::{GeomPlacement, PhysicsSimulator};
 use crate::{Error, Result};
 
 /// Makes geoms of simple shapes. All lengths are in the user's unit; y points down on the screen.
@@ -22,7 +22,7 @@ impl GeomFactory {
     /// A width or height that is not finite and greater than 0.
     #[doc(alias = "CreateRectangleGeom")]
     pub fn create_rectangle_geom(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body: BodyId,
         width: f32,
         height: f32,
@@ -38,7 +38,7 @@ impl GeomFactory {
     /// # Errors
     /// As the plain method.
     pub fn create_rectangle_geom_in(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body: BodyId,
         width: f32,
         height: f32,
@@ -54,7 +54,7 @@ impl GeomFactory {
     /// A radius that is not finite and greater than 0; fewer than 3 edges, for which the original fails as well.
     #[doc(alias = "CreateEllipseGeom")]
     pub fn create_ellipse_geom(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body: BodyId,
         x_radius: f32,
         y_radius: f32,
@@ -72,7 +72,7 @@ impl GeomFactory {
     /// # Errors
     /// As the plain method.
     pub fn create_ellipse_geom_in(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body: BodyId,
         x_radius: f32,
         y_radius: f32,
@@ -90,7 +90,7 @@ impl GeomFactory {
     /// A radius that is not finite and greater than 0; fewer than 3 edges, for which the original fails as well.
     #[doc(alias = "CreateCircleGeom")]
     pub fn create_circle_geom(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body: BodyId,
         radius: f32,
         number_of_edges: i32,
@@ -106,7 +106,7 @@ impl GeomFactory {
     /// # Errors
     /// As the plain method.
     pub fn create_circle_geom_in(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body: BodyId,
         radius: f32,
         number_of_edges: i32,
@@ -125,7 +125,7 @@ impl GeomFactory {
     /// An outline without area or not finite. The list is unchanged then.
     #[doc(alias = "CreatePolygonGeom")]
     pub fn create_polygon_geom(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body: BodyId,
         vertices: &mut Vertices,
         placement: GeomPlacement,
@@ -144,7 +144,7 @@ impl GeomFactory {
     /// # Errors
     /// As the plain method.
     pub fn create_polygon_geom_in(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body: BodyId,
         vertices: &mut Vertices,
         placement: GeomPlacement,
@@ -163,7 +163,7 @@ impl GeomFactory {
     /// Whatever [`Vertices::decompose`] refuses. No geom is made then.
     #[doc(alias("CreateSATPolygonGeom", "DecomposeGeom"))]
     pub fn create_sat_polygon_geom(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body: BodyId,
         vertices: &Vertices,
         max_geoms: i32,
@@ -197,7 +197,7 @@ impl GeomFactory {
     /// # Errors
     /// As the plain method.
     pub fn create_sat_polygon_geom_in(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body: BodyId,
         vertices: &Vertices,
         max_geoms: i32,
@@ -214,7 +214,7 @@ impl GeomFactory {
     /// # Errors
     /// A stale id; a geom without a distance grid, if the distance grid is selected.
     #[doc(alias = "CreateGeom")]
-    pub fn create_geom_from(simulator: &mut PhysicsSimulator, body: BodyId, geom: GeomId) -> Result<GeomId> {
+    pub fn create_geom_from(simulator: &mut Objects, body: BodyId, geom: GeomId) -> Result<GeomId> {
         simulator.clone_geom(body, geom)
     }
 
@@ -222,11 +222,7 @@ impl GeomFactory {
     ///
     /// # Errors
     /// As the plain method.
-    pub fn create_geom_from_in(
-        simulator: &mut PhysicsSimulator,
-        body: BodyId,
-        geom: GeomId,
-    ) -> Result<GeomId> {
+    pub fn create_geom_from_in(simulator: &mut Objects, body: BodyId, geom: GeomId) -> Result<GeomId> {
         let copy = simulator.clone_geom(body, geom)?;
         add(simulator, copy)
     }
@@ -237,7 +233,7 @@ impl GeomFactory {
     /// As [`create_geom_from`](Self::create_geom_from); offsets that are not finite.
     #[doc(alias = "CreateGeom")]
     pub fn create_geom_from_with_offset(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body: BodyId,
         geom: GeomId,
         offset: Vector2,
@@ -251,7 +247,7 @@ impl GeomFactory {
     /// # Errors
     /// As the plain method.
     pub fn create_geom_from_with_offset_in(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body: BodyId,
         geom: GeomId,
         offset: Vector2,
@@ -274,7 +270,7 @@ fn check_edges(number_of_edges: i32) -> Result<()> {
     Ok(())
 }
 
-fn add(simulator: &mut PhysicsSimulator, geom: GeomId) -> Result<GeomId> {
+fn add(simulator: &mut Objects, geom: GeomId) -> Result<GeomId> {
     simulator.add(geom)?;
     Ok(geom)
 }

@@ -7,7 +7,7 @@ use crate::joints::{
     PinJoint, RevoluteJoint, SliderJoint, WeldJoint,
 };
 use crate::math::Vector2;
-use crate::simulator::PhysicsSimulator;
+use crate::objects::Objects;
 use crate::{Error, Result};
 
 /// Makes joints. Anchors and angles are taken from where the bodies are now, so place the bodies first.
@@ -23,7 +23,7 @@ impl JointFactory {
     /// A stale body; a position that is not finite.
     #[doc(alias = "CreateRevoluteJoint")]
     pub fn create_revolute_joint(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body1: BodyId,
         body2: BodyId,
         initial_anchor_position: Vector2,
@@ -39,7 +39,7 @@ impl JointFactory {
     /// # Errors
     /// As the plain method.
     pub fn create_revolute_joint_in(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body1: BodyId,
         body2: BodyId,
         initial_anchor_position: Vector2,
@@ -55,7 +55,7 @@ impl JointFactory {
     /// A stale body; an anchor that is not finite.
     #[doc(alias = "CreateFixedRevoluteJoint")]
     pub fn create_fixed_revolute_joint(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body: BodyId,
         anchor: Vector2,
     ) -> Result<JointId> {
@@ -73,7 +73,7 @@ impl JointFactory {
     /// # Errors
     /// As the plain method.
     pub fn create_fixed_revolute_joint_in(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body: BodyId,
         anchor: Vector2,
     ) -> Result<JointId> {
@@ -87,7 +87,7 @@ impl JointFactory {
     /// A stale body; an anchor that is not finite; anchors too far apart for a finite distance.
     #[doc(alias = "CreatePinJoint")]
     pub fn create_pin_joint(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body1: BodyId,
         anchor1: Vector2,
         body2: BodyId,
@@ -103,7 +103,7 @@ impl JointFactory {
     /// # Errors
     /// As the plain method.
     pub fn create_pin_joint_in(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body1: BodyId,
         anchor1: Vector2,
         body2: BodyId,
@@ -119,7 +119,7 @@ impl JointFactory {
     /// A stale body; what is not finite.
     #[doc(alias = "CreateSliderJoint")]
     pub fn create_slider_joint(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body1: BodyId,
         anchor1: Vector2,
         body2: BodyId,
@@ -137,7 +137,7 @@ impl JointFactory {
     /// # Errors
     /// As the plain method.
     pub fn create_slider_joint_in(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body1: BodyId,
         anchor1: Vector2,
         body2: BodyId,
@@ -155,11 +155,7 @@ impl JointFactory {
     /// # Errors
     /// A stale body.
     #[doc(alias = "CreateAngleJoint")]
-    pub fn create_angle_joint(
-        simulator: &mut PhysicsSimulator,
-        body1: BodyId,
-        body2: BodyId,
-    ) -> Result<JointId> {
+    pub fn create_angle_joint(simulator: &mut Objects, body1: BodyId, body2: BodyId) -> Result<JointId> {
         let (first, second) = (find(simulator, "body1", body1)?, find(simulator, "body2", body2)?);
         let joint = AngleJoint::new(first, second, 0.0)?;
         simulator.create_joint(joint)
@@ -169,11 +165,7 @@ impl JointFactory {
     ///
     /// # Errors
     /// As the plain method.
-    pub fn create_angle_joint_in(
-        simulator: &mut PhysicsSimulator,
-        body1: BodyId,
-        body2: BodyId,
-    ) -> Result<JointId> {
+    pub fn create_angle_joint_in(simulator: &mut Objects, body1: BodyId, body2: BodyId) -> Result<JointId> {
         let joint = Self::create_angle_joint(simulator, body1, body2)?;
         add(simulator, joint)
     }
@@ -184,7 +176,7 @@ impl JointFactory {
     /// A stale body; what is not finite.
     #[doc(alias = "CreateAngleJoint(Body, Body, float, float)")]
     pub fn create_angle_joint_with(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body1: BodyId,
         body2: BodyId,
         softness: f32,
@@ -202,7 +194,7 @@ impl JointFactory {
     /// # Errors
     /// As the plain method.
     pub fn create_angle_joint_with_in(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body1: BodyId,
         body2: BodyId,
         softness: f32,
@@ -217,7 +209,7 @@ impl JointFactory {
     /// # Errors
     /// A stale body.
     #[doc(alias = "CreateFixedAngleJoint")]
-    pub fn create_fixed_angle_joint(simulator: &mut PhysicsSimulator, body: BodyId) -> Result<JointId> {
+    pub fn create_fixed_angle_joint(simulator: &mut Objects, body: BodyId) -> Result<JointId> {
         let joint = FixedAngleJoint::new(find(simulator, "body", body)?, 0.0)?;
         simulator.create_joint(joint)
     }
@@ -226,7 +218,7 @@ impl JointFactory {
     ///
     /// # Errors
     /// As the plain method.
-    pub fn create_fixed_angle_joint_in(simulator: &mut PhysicsSimulator, body: BodyId) -> Result<JointId> {
+    pub fn create_fixed_angle_joint_in(simulator: &mut Objects, body: BodyId) -> Result<JointId> {
         let joint = Self::create_fixed_angle_joint(simulator, body)?;
         add(simulator, joint)
     }
@@ -237,7 +229,7 @@ impl JointFactory {
     /// A stale body; what is not finite.
     #[doc(alias = "CreateAngleLimitJoint")]
     pub fn create_angle_limit_joint(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body1: BodyId,
         body2: BodyId,
         min: f32,
@@ -255,7 +247,7 @@ impl JointFactory {
     /// # Errors
     /// As the plain method.
     pub fn create_angle_limit_joint_in(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body1: BodyId,
         body2: BodyId,
         min: f32,
@@ -271,7 +263,7 @@ impl JointFactory {
     /// A stale body; what is not finite.
     #[doc(alias = "CreateFixedAngleLimitJoint")]
     pub fn create_fixed_angle_limit_joint(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body: BodyId,
         min: f32,
         max: f32,
@@ -287,7 +279,7 @@ impl JointFactory {
     /// # Errors
     /// As the plain method.
     pub fn create_fixed_angle_limit_joint_in(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body: BodyId,
         min: f32,
         max: f32,
@@ -303,7 +295,7 @@ impl JointFactory {
     /// A stale body; what is not finite.
     #[doc(alias = "WeldJoint(Body, Body, Vector2)")]
     pub fn create_weld_joint(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body1: BodyId,
         body2: BodyId,
         anchor: Vector2,
@@ -318,7 +310,7 @@ impl JointFactory {
     /// # Errors
     /// As the plain method.
     pub fn create_weld_joint_in(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body1: BodyId,
         body2: BodyId,
         anchor: Vector2,
@@ -328,15 +320,11 @@ impl JointFactory {
     }
 }
 
-fn find<'a>(
-    simulator: &'a PhysicsSimulator,
-    argument: &'static str,
-    body: BodyId,
-) -> Result<(BodyId, &'a Body)> {
+fn find<'a>(simulator: &'a Objects, argument: &'static str, body: BodyId) -> Result<(BodyId, &'a Body)> {
     simulator.body(body).map(|found| (body, found)).ok_or(Error::StaleId { argument })
 }
 
-fn add(simulator: &mut PhysicsSimulator, joint: JointId) -> Result<JointId> {
+fn add(simulator: &mut Objects, joint: JointId) -> Result<JointId> {
     simulator.add(joint)?;
     Ok(joint)
 }

@@ -2,7 +2,7 @@
 
 use crate::body::{Body, BodyId};
 use crate::math::Vector2;
-use crate::simulator::PhysicsSimulator;
+use crate::objects::Objects;
 use crate::springs::{AngleSpring, FixedAngleSpring, FixedLinearSpring, LinearSpring, SpringId};
 use crate::{Error, Result};
 
@@ -20,7 +20,7 @@ impl SpringFactory {
     /// A stale body; what is not finite; points too far apart for a finite distance.
     #[doc(alias = "CreateLinearSpring")]
     pub fn create_linear_spring(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body1: BodyId,
         attach_point1: Vector2,
         body2: BodyId,
@@ -45,7 +45,7 @@ impl SpringFactory {
     /// # Errors
     /// As the plain method.
     pub fn create_linear_spring_in(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body1: BodyId,
         attach_point1: Vector2,
         body2: BodyId,
@@ -71,7 +71,7 @@ impl SpringFactory {
     /// A stale body; what is not finite; points too far apart for a finite distance.
     #[doc(alias = "CreateFixedLinearSpring")]
     pub fn create_fixed_linear_spring(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body: BodyId,
         body_attach_point: Vector2,
         world_attach_point: Vector2,
@@ -94,7 +94,7 @@ impl SpringFactory {
     /// # Errors
     /// As the plain method.
     pub fn create_fixed_linear_spring_in(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body: BodyId,
         body_attach_point: Vector2,
         world_attach_point: Vector2,
@@ -118,7 +118,7 @@ impl SpringFactory {
     /// A stale body; what is not finite.
     #[doc(alias = "CreateAngleSpring")]
     pub fn create_angle_spring(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body1: BodyId,
         body2: BodyId,
         spring_constant: f32,
@@ -134,7 +134,7 @@ impl SpringFactory {
     /// # Errors
     /// As the plain method.
     pub fn create_angle_spring_in(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body1: BodyId,
         body2: BodyId,
         spring_constant: f32,
@@ -150,7 +150,7 @@ impl SpringFactory {
     /// A stale body; what is not finite.
     #[doc(alias = "CreateFixedAngleSpring")]
     pub fn create_fixed_angle_spring(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body: BodyId,
         spring_constant: f32,
         damping_constant: f32,
@@ -165,7 +165,7 @@ impl SpringFactory {
     /// # Errors
     /// As the plain method.
     pub fn create_fixed_angle_spring_in(
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         body: BodyId,
         spring_constant: f32,
         damping_constant: f32,
@@ -175,15 +175,11 @@ impl SpringFactory {
     }
 }
 
-fn find<'a>(
-    simulator: &'a PhysicsSimulator,
-    argument: &'static str,
-    body: BodyId,
-) -> Result<(BodyId, &'a Body)> {
+fn find<'a>(simulator: &'a Objects, argument: &'static str, body: BodyId) -> Result<(BodyId, &'a Body)> {
     simulator.body(body).map(|found| (body, found)).ok_or(Error::StaleId { argument })
 }
 
-fn add(simulator: &mut PhysicsSimulator, spring: SpringId) -> Result<SpringId> {
+fn add(simulator: &mut Objects, spring: SpringId) -> Result<SpringId> {
     simulator.add(spring)?;
     Ok(spring)
 }

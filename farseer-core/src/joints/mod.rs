@@ -36,9 +36,13 @@ pub use weld_joint::WeldJoint;
 
 use crate::body::BodyId;
 use crate::checked_properties::checked_properties;
+use crate::collection::Collection;
 use crate::math::Vector2;
 use crate::math::scalar::nearest_finite;
 use joint_body::{JointBodies, JointPose, JointStep};
+
+/// The joints of a simulator.
+pub(crate) type Joints = Collection<Joint, JointId>;
 
 crate::arena::define_id! {
     /// Names a [`Joint`] of a simulator: the one that made it, its clones and what is loaded from its saves.

@@ -6,6 +6,7 @@
 pub mod calculator;
 pub mod convert_units;
 pub mod interpolators;
+pub(crate) mod lanes;
 pub mod math_helper;
 pub mod matrix;
 pub mod scalar;

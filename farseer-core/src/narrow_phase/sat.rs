@@ -4,6 +4,7 @@ use wide::f32x4;
 
 use crate::contact::{Contact, ContactId};
 use crate::geom_entry::GeomEntry;
+use crate::math::lanes::select;
 use crate::math::vector2::{dot, length, normalize};
 use crate::math::{Vector2, scalar};
 use crate::shape::Vertices;
@@ -32,8 +33,8 @@ fn project(vertices: &[Vector2], x: f32x4, y: f32x4) -> (f32x4, f32x4) {
     let (mut min, mut max) = (first, first);
     for &vertex in vertices {
         let d = along(vertex);
-        min = d.simd_lt(min).select(d, min);
-        max = d.simd_gt(max).select(d, max);
+        min = select(d.simd_lt(min), d, min);
+        max = select(d.simd_gt(max), d, max);
     }
     (min, max)
 }
@@ -44,7 +45,7 @@ fn gaps(a: &Vertices, b: &Vertices, axes: [Vector2; 4]) -> f32x4 {
     let (x, y) = (f32x4::new(axes.map(|v| v.x)), f32x4::new(axes.map(|v| v.y)));
     let (min_a, max_a) = project(a, x, y);
     let (min_b, max_b) = project(b, x, y);
-    min_a.simd_lt(min_b).select(min_b - max_a, min_a - max_b)
+    select(min_a.simd_lt(min_b), min_b - max_a, min_a - max_b)
 }
 
 /// The axis of least overlap, or `None` if some axis separates the outlines. Four axes side by side: which of them

@@ -7,8 +7,8 @@ use crate::error::finite;
 use crate::joints::{Joint, JointId, JointKind, PinJoint, RevoluteJoint, SliderJoint};
 use crate::math::Vector2;
 use crate::math::vector2::distance;
+use crate::objects::Objects;
 use crate::shape::Vertices;
-use crate::simulator::PhysicsSimulator;
 use crate::springs::{LinearSpring, Spring, SpringId, SpringKind};
 use crate::{Error, Result};
 
@@ -50,7 +50,7 @@ pub(super) struct Linked {
 /// The bodies to link, and what the path had before.
 #[derive(Clone, Copy)]
 pub(super) struct Row<'a> {
-    pub(super) simulator: &'a PhysicsSimulator,
+    pub(super) simulator: &'a Objects,
     pub(super) bodies: &'a [BodyId],
     pub(super) joints: &'a [JointId],
     pub(super) springs: &'a [SpringId],

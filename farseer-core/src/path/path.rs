@@ -12,8 +12,8 @@ use crate::joints::JointId;
 use crate::math::Vector2;
 use crate::methods::CollisionCategory;
 use crate::object_id::ObjectId;
+use crate::objects::{GeomPlacement, Objects};
 use crate::shape::{Aabb, Vertices};
-use crate::simulator::{GeomPlacement, PhysicsSimulator};
 use crate::springs::SpringId;
 use crate::{Error, Result};
 
@@ -250,7 +250,7 @@ impl Path {
     /// greater than the distance that the path reaches from its first control point; a width, height or mass that is
     /// not greater than 0; control points too far apart for finite arithmetic.
     #[doc(alias = "Update")]
-    pub fn update(&mut self, simulator: &mut PhysicsSimulator) -> Result<()> {
+    pub fn update(&mut self, simulator: &mut Objects) -> Result<()> {
         if !self.needs_recalculation {
             return Ok(());
         }
@@ -276,7 +276,7 @@ impl Path {
     #[doc(alias = "LinkBodies")]
     pub fn link_bodies(
         &mut self,
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         link_type: LinkType,
         min: f32,
         max: f32,
@@ -301,7 +301,7 @@ impl Path {
     #[allow(clippy::too_many_arguments)] // The original's signature.
     pub fn link_bodies_with(
         &mut self,
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         link_type: LinkType,
         min: f32,
         max: f32,
@@ -314,7 +314,7 @@ impl Path {
         self.link(simulator, &links)
     }
 
-    pub(crate) fn link(&mut self, simulator: &mut PhysicsSimulator, links: &Links) -> Result<()> {
+    pub(crate) fn link(&mut self, simulator: &mut Objects, links: &Links) -> Result<()> {
         let row = Row {
             simulator,
             bodies: &self.bodies,
@@ -338,7 +338,7 @@ impl Path {
     /// # Errors
     /// A stale body; a width or height that is not greater than 0.
     #[doc(alias = "CreateGeoms(int)")]
-    pub fn create_geoms(&mut self, simulator: &mut PhysicsSimulator, collision_group: i32) -> Result<()> {
+    pub fn create_geoms(&mut self, simulator: &mut Objects, collision_group: i32) -> Result<()> {
         self.create_geoms_and(simulator, |geom| geom.set_collision_group(collision_group))
     }
 
@@ -347,7 +347,7 @@ impl Path {
     /// # Errors
     /// As there.
     #[doc(alias = "CreateGeoms(PhysicsSimulator, int)")]
-    pub fn create_geoms_in(&mut self, simulator: &mut PhysicsSimulator, collision_group: i32) -> Result<()> {
+    pub fn create_geoms_in(&mut self, simulator: &mut Objects, collision_group: i32) -> Result<()> {
         self.create_geoms(simulator, collision_group)?;
         self.add_geoms(simulator);
         Ok(())
@@ -360,7 +360,7 @@ impl Path {
     #[doc(alias = "CreateGeoms(CollisionCategory, CollisionCategory)")]
     pub fn create_geoms_with_categories(
         &mut self,
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         collision_categories: CollisionCategory,
         collides_with: CollisionCategory,
     ) -> Result<()> {
@@ -378,7 +378,7 @@ impl Path {
     #[doc(alias = "CreateGeoms(CollisionCategory, CollisionCategory, PhysicsSimulator)")]
     pub fn create_geoms_with_categories_in(
         &mut self,
-        simulator: &mut PhysicsSimulator,
+        simulator: &mut Objects,
         collision_categories: CollisionCategory,
         collides_with: CollisionCategory,
     ) -> Result<()> {
@@ -387,7 +387,7 @@ impl Path {
         Ok(())
     }
 
-    fn create_geoms_and(&mut self, simulator: &mut PhysicsSimulator, set: impl Fn(&mut Geom)) -> Result<()> {
+    fn create_geoms_and(&mut self, simulator: &mut Objects, set: impl Fn(&mut Geom)) -> Result<()> {
         if self.bodies.iter().any(|&body| simulator.body(body).is_none()) {
             return Err(Error::StaleId { argument: "bodies" });
         }
@@ -408,7 +408,7 @@ impl Path {
         Ok(())
     }
 
-    fn add_geoms(&self, simulator: &mut PhysicsSimulator) {
+    fn add_geoms(&self, simulator: &mut Objects) {
         for &geom in &self.geoms {
             // What was disposed is passed over.
             simulator.add(geom).ok();
@@ -417,7 +417,7 @@ impl Path {
 
     /// Lets all bodies, geoms, joints and springs take part from the next update on. What was disposed is passed over.
     #[doc(alias = "AddToPhysicsSimulator")]
-    pub fn add_to_physics_simulator(&self, simulator: &mut PhysicsSimulator) {
+    pub fn add_to_physics_simulator(&self, simulator: &mut Objects) {
         for object in self.objects() {
             simulator.add(object).ok();
         }
@@ -426,7 +426,7 @@ impl Path {
     /// Takes all bodies, geoms, joints and springs out of the simulation with the next update. What was disposed is
     /// passed over.
     #[doc(alias = "RemoveFromPhysicsSimulator")]
-    pub fn remove_from_physics_simulator(&self, simulator: &mut PhysicsSimulator) {
+    pub fn remove_from_physics_simulator(&self, simulator: &mut Objects) {
         for object in self.objects() {
             simulator.remove(object).ok();
         }

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 use wide::f32x4;
 
 use super::Vertices;
+use crate::math::lanes::select;
 use crate::math::{Vector2, scalar, vector2};
 
 /// Distance a point must keep from the sides to count as inside. Absolute, in the user's length unit: for
@@ -39,8 +40,8 @@ impl Aabb {
         let corners = |a: Vector2, b: Vector2| f32x4::new([a.x, a.y, b.x, b.y]);
         let (mut low, mut high) = (corners(first, first), corners(first, first));
         let mut widen = |two: f32x4| {
-            low = two.simd_lt(low).select(two, low);
-            high = two.simd_gt(high).select(two, high);
+            low = select(two.simd_lt(low), two, low);
+            high = select(two.simd_gt(high), two, high);
         };
         let (pairs, rest) = vertices.as_chunks::<2>();
         for &[a, b] in pairs {

@@ -5,6 +5,7 @@ use wide::f32x4;
 use super::Vertices;
 use crate::contact::Feature;
 use crate::math::Vector2;
+use crate::math::lanes::select;
 use crate::math::vector2::{distance, dot, length};
 
 /// Distance of a point to edge `index`.
@@ -69,8 +70,8 @@ pub(crate) fn nearest_distances(vertices: &Vertices, points: [Vector2; 4]) -> [f
     for index in 0..vertices.len() {
         let d = distances_to_edge(vertices, x, y, index);
         let is_nearer = d.simd_lt(best);
-        best = is_nearer.select(d, best);
-        best_index = is_nearer.select(f32x4::splat(f32::from_bits(index as u32)), best_index);
+        best = select(is_nearer, d, best);
+        best_index = select(is_nearer, f32x4::splat(f32::from_bits(index as u32)), best_index);
     }
     let nearest = best_index.to_array().map(|bits| bits.to_bits() as usize);
     std::array::from_fn(|i| signed_distance(vertices, points[i], nearest[i]))
@@ -87,7 +88,7 @@ fn distances_to_edge(vertices: &Vertices, x: f32x4, y: f32x4, index: usize) -> f
     let (is_before, is_behind) = (c1.simd_lt(f32x4::ZERO), c2.simd_le(c1));
     let nearest = |start: f32, edge: f32, end: f32| {
         let within = f32x4::splat(start) + part * edge;
-        is_before.select(f32x4::splat(start), is_behind.select(f32x4::splat(end), within))
+        select(is_before, f32x4::splat(start), select(is_behind, f32x4::splat(end), within))
     };
     let dx = x - nearest(start.x, edge.x, end.x);
     let dy = y - nearest(start.y, edge.y, end.y);

@@ -1,49 +1,37 @@
 //! The simulator: owns everything and steps it (behaviour chapter 04).
 
+mod collide;
+mod contacts;
+mod context;
 mod controllers;
-mod editing;
-mod engine;
-mod joints;
-mod queries;
-mod queues;
+mod handler;
 mod save;
+mod settle;
+mod solve;
 mod springs;
-mod stages;
-mod step_times;
-mod world_queries;
+mod tell;
+mod update;
+mod user_controller;
+
+use std::ops::{Deref, DerefMut};
 
 use serde::{Deserialize, Serialize};
 
-use crate::arbiter::{ArbiterList, ArbiterRef};
-use crate::arena::Arena;
-use crate::body::{Body, BodyId};
-use crate::body_entry::BodyEntry;
+use crate::arbiter::ArbiterList;
 use crate::broad_phase::BroadPhase;
-use crate::collection::Collection;
-use crate::contact::Contact;
-use crate::controllers::{Controller, ControllerId};
 use crate::error::{finite, finite_vector};
-use crate::events::{Event, Notice};
-use crate::geom::{Geom, GeomId};
-use crate::geom_entry::GeomEntry;
-use crate::geom_ref::GeomRef;
-use crate::joints::{Joint, JointId};
-use crate::limits::Limits;
 use crate::math::Vector2;
 use crate::methods::{BroadPhaseCollider, FrictionType, NarrowPhaseCollider};
-use crate::narrow_phase::grid_cache::GridCache;
-use crate::object_id::ObjectId;
-use crate::solver::ContactSolver;
-use crate::springs::{Spring, SpringId};
+use crate::objects::Objects;
+use crate::pipeline::Pipeline;
+use crate::report::{Event, Report, StepCounters, StepTimes};
 use crate::{Error, Result};
-use joints::JointPasses;
-use queues::Queues;
 
-pub use editing::GeomPlacement;
-pub use queries::GeomPointPair;
+pub use context::Context;
+pub use handler::EventHandler;
 pub use save::SavedSimulator;
-pub use step_times::StepTimes;
-pub use world_queries::RayCastHit;
+pub use solve::{Constraints, SolvedBodies};
+pub use user_controller::UserController;
 
 /// The settings of a simulator.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -56,29 +44,26 @@ struct Settings {
     max_contacts_to_detect: i32,
     max_contacts_to_resolve: i32,
     friction_type: FrictionType,
-    narrow_phase: NarrowPhaseCollider,
 }
 
-/// What a step did: how much work there was.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct StepCounters {
-    /// Pairs whose shapes were tested against each other.
-    pub pairs_tested: usize,
-    /// Pairs that touch.
-    pub pairs_touching: usize,
-    /// Contacts the solver worked on in every iteration.
-    pub contacts_solved: usize,
-    /// Passes that the solver made.
-    pub passes: u32,
-    /// Bodies that changed their pose.
-    pub bodies_moved: usize,
+impl Default for Settings {
+    fn default() -> Self {
+        Settings {
+            gravity: Vector2::zeros(),
+            enabled: true,
+            iterations: 5,
+            bias_factor: 0.8,
+            allowed_penetration: 0.05,
+            max_contacts_to_detect: 10,
+            max_contacts_to_resolve: 4,
+            friction_type: FrictionType::Average,
+        }
+    }
 }
 
 /// Owns bodies and geoms and moves them in steps.
 ///
-/// Objects live in the simulator and are named by ids. Their life is that of the original: *created* (exists but
-/// takes no part), *added* (takes part from the next update), *removed* (no longer takes part, may be added
-/// again), *disposed* (the id goes stale with the next update).
+/// Everything that can be done to its objects is what [`Objects`] offers: a simulator is used as if it were them.
 ///
 /// ```
 /// use farseer_core::{BodyFactory, GeomFactory, GeomPlacement, PhysicsSimulator, math::Vector2};
@@ -97,90 +82,29 @@ pub struct StepCounters {
 /// assert!((simulator[ball].position().y - 90.0).abs() < 1.0);
 /// # Ok::<(), farseer_core::Error>(())
 /// ```
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 #[serde(remote = "Self")]
 pub struct PhysicsSimulator {
     settings: Settings,
-    bodies: Arena<BodyEntry>,
-    geoms: Arena<GeomEntry>,
-    body_list: Vec<BodyId>,
-    geom_list: Vec<GeomId>,
-    controllers: Collection<Controller, ControllerId>,
-    joints: Collection<Joint, JointId>,
-    springs: Collection<Spring, SpringId>,
-    queues: Queues,
-    broad_phase: BroadPhase,
-    arbiters: ArbiterList,
-    next_geom_number: u32,
-    /// Bodies and geoms that were lent out for editing since the simulator last looked.
-    touched_bodies: Vec<BodyId>,
-    touched_geoms: Vec<GeomId>,
-    /// Not saved: a save cannot raise them.
+    objects: Objects,
+    contacts: ArbiterList,
+    pipeline: Pipeline,
     #[serde(skip)]
-    limits: Limits,
-    #[serde(skip)]
-    grids: GridCache,
-    #[serde(skip)]
-    solver: ContactSolver,
-    #[serde(skip)]
-    joint_passes: JointPasses,
-    #[serde(skip)]
-    new_contacts: Vec<Contact>,
-    #[serde(skip)]
-    separated: Vec<(GeomId, GeomId)>,
-    #[serde(skip)]
-    events: Vec<Event>,
-    /// What happened since the last update, or needs to be told when no callback is running.
-    pending: Vec<Notice>,
-    /// Empty: the other buffer of what is pending.
-    #[serde(skip)]
-    delivered: Vec<Notice>,
-    #[serde(skip)]
-    counters: StepCounters,
-    #[serde(skip)]
-    step_times: StepTimes,
+    report: Report,
 }
 
-impl Default for PhysicsSimulator {
-    /// Without gravity.
-    fn default() -> Self {
-        PhysicsSimulator {
-            settings: Settings {
-                gravity: Vector2::zeros(),
-                enabled: true,
-                iterations: 5,
-                bias_factor: 0.8,
-                allowed_penetration: 0.05,
-                max_contacts_to_detect: 10,
-                max_contacts_to_resolve: 4,
-                friction_type: FrictionType::Average,
-                narrow_phase: NarrowPhaseCollider::DistanceGrid,
-            },
-            bodies: Arena::default(),
-            geoms: Arena::default(),
-            body_list: Vec::new(),
-            geom_list: Vec::new(),
-            controllers: Collection::default(),
-            joints: Collection::default(),
-            springs: Collection::default(),
-            queues: Queues::default(),
-            broad_phase: BroadPhase::new(BroadPhaseCollider::SelectiveSweep),
-            arbiters: ArbiterList::default(),
-            next_geom_number: 0,
-            touched_bodies: Vec::new(),
-            touched_geoms: Vec::new(),
-            limits: Limits::default(),
-            grids: GridCache::default(),
-            solver: ContactSolver::default(),
-            joint_passes: JointPasses::default(),
-            new_contacts: Vec::new(),
-            separated: Vec::new(),
-            events: Vec::new(),
-            pending: Vec::new(),
-            delivered: Vec::new(),
-            counters: StepCounters::default(),
-            step_times: StepTimes::default(),
-        }
+impl Deref for PhysicsSimulator {
+    type Target = Objects;
+    #[inline]
+    fn deref(&self) -> &Objects {
+        &self.objects
+    }
+}
+
+impl DerefMut for PhysicsSimulator {
+    #[inline]
+    fn deref_mut(&mut self) -> &mut Objects {
+        &mut self.objects
     }
 }
 
@@ -193,19 +117,8 @@ impl PhysicsSimulator {
     pub fn new(gravity: Vector2) -> Result<Self> {
         let mut simulator = PhysicsSimulator::default();
         simulator.set_gravity(gravity)?;
-        simulator.step_times = StepTimes::NEVER_MEASURED;
+        simulator.report.step_times = StepTimes::NEVER_MEASURED;
         Ok(simulator)
-    }
-
-    /// What this simulator may cost.
-    pub fn limits(&self) -> Limits {
-        self.limits
-    }
-
-    /// Sets what this simulator may cost. What is there already stays, whatever it costs. Clones have the same limits;
-    /// [`clear`](Self::clear) and [`restore`](Self::restore) leave them alone, and apply them to what is restored.
-    pub fn set_limits(&mut self, limits: Limits) {
-        self.limits = limits;
     }
 
     /// Acceleration of every body that does not ignore it.
@@ -322,18 +235,18 @@ impl PhysicsSimulator {
     /// The narrow phase. Default [`NarrowPhaseCollider::DistanceGrid`].
     #[doc(alias = "NarrowPhaseCollider")]
     pub fn narrow_phase_collider(&self) -> NarrowPhaseCollider {
-        self.settings.narrow_phase
+        self.objects.narrow_phase
     }
 
     /// Sets the narrow phase. Geoms made under SAT have no distance grid and touch nothing under the other.
     pub fn set_narrow_phase_collider(&mut self, narrow_phase: NarrowPhaseCollider) {
-        self.settings.narrow_phase = narrow_phase;
+        self.objects.narrow_phase = narrow_phase;
     }
 
     /// The broad phase, with its present cell size if it has one.
     #[doc(alias = "BroadPhaseCollider")]
     pub fn broad_phase_collider(&self) -> BroadPhaseCollider {
-        self.broad_phase.method()
+        self.pipeline.broad_phase.method()
     }
 
     /// Sets the broad phase.
@@ -342,168 +255,28 @@ impl PhysicsSimulator {
     /// If a geom is in the simulation already ([`Error::GeomListNotEmpty`]; geoms still waiting to be added do
     /// not count), or a cell size is not finite.
     pub fn set_broad_phase_collider(&mut self, method: BroadPhaseCollider) -> Result<()> {
-        if !self.geom_list.is_empty() {
+        if !self.geom_list().is_empty() {
             return Err(Error::GeomListNotEmpty);
         }
-        self.broad_phase = BroadPhase::new(method.check()?);
+        self.pipeline.broad_phase = BroadPhase::new(method.check()?);
         Ok(())
     }
 }
 
-/// Access to what lives in the simulator.
+/// What the last update did.
 impl PhysicsSimulator {
-    /// A body, unless the id is stale.
-    #[inline]
-    pub fn body(&self, body: BodyId) -> Option<&Body> {
-        self.bodies.get(body).map(|entry| &entry.body)
-    }
-
-    /// A body to edit, unless the id is stale. Its geoms follow when it is moved.
-    #[inline]
-    pub fn body_mut(&mut self, body: BodyId) -> Option<&mut Body> {
-        let entry = self.bodies.get_mut(body)?;
-        if !entry.is_touched {
-            entry.is_touched = true;
-            self.touched_bodies.push(body);
-        }
-        Some(&mut entry.body)
-    }
-
-    /// A geom as it lies in the world, unless the id is stale.
-    #[inline]
-    pub fn geom(&self, geom: GeomId) -> Option<GeomRef<'_>> {
-        let entry = self.geoms.get(geom)?;
-        Some(GeomRef { entry, body: self.bodies.get(entry.body) })
-    }
-
-    /// The settings of a geom to edit, unless the id is stale.
-    #[inline]
-    pub fn geom_mut(&mut self, geom: GeomId) -> Option<&mut Geom> {
-        let entry = self.geoms.get_mut(geom)?;
-        if !entry.is_touched {
-            entry.is_touched = true;
-            self.touched_geoms.push(geom);
-        }
-        Some(&mut entry.geom)
-    }
-
-    /// The geoms of a body, in the order in which they were attached; none if the id is stale.
-    pub fn geoms_of(&self, body: BodyId) -> &[GeomId] {
-        self.bodies.get(body).map_or(&[], |entry| &entry.geoms)
-    }
-
-    /// The bodies that take part, in the order in which they were added.
-    #[doc(alias = "BodyList")]
-    pub fn body_list(&self) -> &[BodyId] {
-        &self.body_list
-    }
-
-    /// The geoms that take part, in the order in which they were added.
-    #[doc(alias = "GeomList")]
-    pub fn geom_list(&self) -> &[GeomId] {
-        &self.geom_list
-    }
-
-    /// All bodies that live, in their lists or not, in the order of their [slots](BodyId::slot).
-    pub fn bodies(&self) -> impl Iterator<Item = BodyId> + '_ {
-        self.bodies.iter().map(|(id, _)| id)
-    }
-
-    /// All geoms that live, in their lists or not, in the order of their [slots](GeomId::slot).
-    pub fn geoms(&self) -> impl Iterator<Item = GeomId> + '_ {
-        self.geoms.iter().map(|(id, _)| id)
-    }
-
-    /// Whether an object is in its list now; a stale id is in none. Objects enter and leave their lists with updates.
-    pub fn is_listed(&self, object: impl Into<ObjectId>) -> bool {
-        match object.into() {
-            ObjectId::Body(body) => self.bodies.get(body).is_some_and(|entry| entry.is_listed),
-            ObjectId::Geom(geom) => self.geoms.get(geom).is_some_and(|entry| entry.is_listed),
-            ObjectId::Controller(controller) => self.controllers.is_listed(controller),
-            ObjectId::Joint(joint) => self.joints.is_listed(joint),
-            ObjectId::Spring(spring) => self.springs.is_listed(spring),
-        }
-    }
-
-    /// Whether an object was disposed, and goes at the next update or is gone already: true for every stale id.
-    #[doc(alias = "IsDisposed")]
-    pub fn is_disposed(&self, object: impl Into<ObjectId>) -> bool {
-        match object.into() {
-            ObjectId::Body(body) => self.bodies.get(body).is_none_or(|entry| entry.is_disposed),
-            ObjectId::Geom(geom) => self.geoms.get(geom).is_none_or(|entry| entry.is_disposed),
-            ObjectId::Controller(controller) => self.controllers.is_disposed(controller),
-            ObjectId::Joint(joint) => self.joints.is_disposed(joint),
-            ObjectId::Spring(spring) => self.springs.is_disposed(spring),
-        }
-    }
-
-    /// The pairs whose boxes overlapped in the last update and which touch, in the order in which they are solved.
-    #[doc(alias = "ArbiterList")]
-    pub fn arbiters(&self) -> impl Iterator<Item = ArbiterRef<'_>> {
-        (0..self.arbiters.len()).filter_map(|position| self.arbiter(position))
-    }
-
-    /// The arbiter at a position of the list, from 0; `None` beyond its end.
-    pub fn arbiter(&self, position: usize) -> Option<ArbiterRef<'_>> {
-        let arbiter = (position < self.arbiters.len()).then(|| self.arbiters.at(position))?;
-        Some(ArbiterRef { geoms: arbiter.geoms?, friction: arbiter.friction, contacts: &arbiter.contacts })
-    }
-
-    /// Number of [`arbiters`](Self::arbiters).
-    pub fn arbiter_count(&self) -> usize {
-        self.arbiters.len()
-    }
-
-    /// Number of contacts of all arbiters.
-    pub fn contact_count(&self) -> usize {
-        self.arbiters().map(|arbiter| arbiter.contacts.len()).sum()
-    }
-
     /// What happened in the last update, in order; cleared by the next.
     pub fn events(&self) -> &[Event] {
-        &self.events
+        &self.report.events
     }
 
     /// How much work the last update was.
     pub fn counters(&self) -> StepCounters {
-        self.counters
+        self.report.counters
     }
-}
 
-impl std::ops::Index<BodyId> for PhysicsSimulator {
-    type Output = Body;
-    /// # Panics
-    /// If the id is stale; see [`PhysicsSimulator::body`].
-    #[inline]
-    fn index(&self, body: BodyId) -> &Body {
-        &self.bodies[body].body
-    }
-}
-
-impl std::ops::IndexMut<BodyId> for PhysicsSimulator {
-    /// # Panics
-    /// If the id is stale; see [`PhysicsSimulator::body_mut`].
-    #[inline]
-    fn index_mut(&mut self, body: BodyId) -> &mut Body {
-        self.body_mut(body).expect("the id is stale: the body was disposed")
-    }
-}
-
-impl std::ops::Index<GeomId> for PhysicsSimulator {
-    type Output = Geom;
-    /// # Panics
-    /// If the id is stale; see [`PhysicsSimulator::geom`].
-    #[inline]
-    fn index(&self, geom: GeomId) -> &Geom {
-        &self.geoms[geom].geom
-    }
-}
-
-impl std::ops::IndexMut<GeomId> for PhysicsSimulator {
-    /// # Panics
-    /// If the id is stale; see [`PhysicsSimulator::geom_mut`].
-    #[inline]
-    fn index_mut(&mut self, geom: GeomId) -> &mut Geom {
-        self.geom_mut(geom).expect("the id is stale: the geom was disposed")
+    /// How long the stages of the last [timed update](Self::update_timed) took.
+    pub fn step_times(&self) -> StepTimes {
+        self.report.step_times
     }
 }

@@ -5,13 +5,12 @@ use wide::f32x4;
 use super::kernel::{ContactRow, PairConstants};
 use super::lanes::LANES;
 use super::rows::side_by_side;
-use super::states::BodyState;
-use super::{Batch, ContactSolver, Group, MIN_LANES_USED, NOBODY, PreStepSettings, RowPlace, WideBatch};
+use super::{
+    Batch, ContactSolver, Group, MIN_LANES_USED, NOBODY, PreStepSettings, RowPlace, SolverBodies, WideBatch,
+};
 use crate::arbiter::ArbiterList;
-use crate::arena::{Arena, Id};
-use crate::body::BodyId;
-use crate::body_entry::BodyEntry;
-use crate::geom_entry::GeomEntry;
+use crate::body_entry::Bodies;
+use crate::geom_entry::Geoms;
 
 impl ContactSolver {
     /// Number of contacts the solver works on in every iteration.
@@ -24,52 +23,45 @@ impl ContactSolver {
     pub(crate) fn pre_step(
         &mut self,
         list: &ArbiterList,
-        geoms: &Arena<GeomEntry>,
-        bodies: &Arena<BodyEntry>,
+        geoms: &Geoms,
+        bodies: &Bodies,
+        solved: &mut SolverBodies,
         settings: PreStepSettings,
     ) {
-        self.begin(bodies.slot_count(), list.arbiters.len());
+        solved.begin(bodies.slot_count());
+        self.begin(list.arbiters.len());
         for &handle in list.list.iter().filter(|&&handle| !list.is_left_to_engine(handle)) {
-            self.gather_arbiter(handle, list, geoms, bodies);
+            self.gather_arbiter(handle, list, geoms, bodies, solved);
         }
-        self.schedule.build(&self.groups, &self.is_ordered);
-        self.make_rows();
+        self.schedule.build(&self.groups, &solved.is_ordered);
+        self.make_rows(&solved.positions);
         self.for_each_batch(
+            solved,
             |row, pair, bodies| row.pre_step::<1>(pair, settings, bodies),
             |row, pair, bodies| row.pre_step::<1>(pair, settings, bodies),
             |row, pair, bodies| row.pre_step::<0>(pair, settings, bodies),
         );
     }
 
-    fn begin(&mut self, body_slots: usize, arbiter_count: usize) {
+    fn begin(&mut self, arbiter_count: usize) {
         self.stamp = self.stamp.wrapping_add(1);
         if self.stamp == 0 {
-            self.places.fill((0, 0));
             self.arbiter_groups.fill((0, 0));
             self.stamp = 1;
         }
-        self.places.resize(body_slots, (0, 0));
         self.arbiter_groups.resize(arbiter_count, (0, 0));
-        self.states.clear();
-        self.states.push(BodyState::default());
-        self.positions.clear();
-        self.positions.push([0.0; 2]);
-        self.is_ordered.clear();
-        self.is_ordered.push(false);
-        self.ids.clear();
         self.groups.clear();
         self.contacts.clear();
         self.arbiters.clear();
-        self.failed.clear();
-        self.is_open = true;
     }
 
     fn gather_arbiter(
         &mut self,
         handle: u32,
         list: &ArbiterList,
-        geoms: &Arena<GeomEntry>,
-        bodies: &Arena<BodyEntry>,
+        geoms: &Geoms,
+        bodies: &Bodies,
+        solved: &mut SolverBodies,
     ) {
         let arbiter = &list.arbiters[handle as usize];
         let Some((a, b)) = arbiter.geoms else { return };
@@ -77,8 +69,8 @@ impl ContactSolver {
         if !a.geom.collision_response_enabled || !b.geom.collision_response_enabled {
             return;
         }
-        let body_a = self.gather_body(a.body, bodies);
-        let body_b = self.gather_body(b.body, bodies);
+        let body_a = solved.gather(a.body, bodies);
+        let body_b = solved.gather(b.body, bodies);
         let (stamp, first_group) = self.arbiter_groups[handle as usize];
         let is_repeated = stamp == self.stamp;
         let first_contact = if is_repeated {
@@ -102,30 +94,8 @@ impl ContactSolver {
         });
     }
 
-    pub(super) fn gather_body(&mut self, id: BodyId, bodies: &Arena<BodyEntry>) -> u32 {
-        let place = &mut self.places[id.index()];
-        if place.0 != self.stamp {
-            *place = (self.stamp, self.states.len() as u32);
-            let body = &bodies[id].body;
-            let (v, bias) = (body.linear_velocity, body.linear_velocity_bias);
-            let (w, bias_w) = (body.angular_velocity, body.angular_velocity_bias);
-            self.ids.push(id);
-            self.states.push([
-                f32x4::new([v.x, v.y, w, body.inverse_mass]),
-                f32x4::new([bias.x, bias.y, bias_w, body.inverse_moment_of_inertia]),
-            ]);
-            self.positions.push([body.position.x, body.position.y]);
-            // Impulses add zero to an immovable body, which changes nothing but a negative zero.
-            let is_immovable = body.inverse_mass == 0.0 && body.inverse_moment_of_inertia == 0.0;
-            let zeros = [v.x, v.y, w, bias.x, bias.y, bias_w];
-            let has_negative_zero = zeros.iter().any(|value| value.to_bits() == (-0.0f32).to_bits());
-            self.is_ordered.push(!is_immovable || has_negative_zero);
-        }
-        place.1
-    }
-
     /// Lays the rows out in the order in which they are solved.
-    fn make_rows(&mut self) {
+    fn make_rows(&mut self, positions: &[[f32; 2]]) {
         self.batches.clear();
         self.rows.clear();
         self.wide_rows.clear();
@@ -134,16 +104,16 @@ impl ContactSolver {
         for index in 0..self.schedule.batches.len() {
             let batch = self.schedule.batches[index];
             if batch.length >= MIN_LANES_USED {
-                self.make_wide_batch(batch.groups(), batch.row_count);
+                self.make_wide_batch(batch.groups(), batch.row_count, positions);
             } else {
                 for &group in batch.groups() {
-                    self.make_single_batch(group);
+                    self.make_single_batch(group, positions);
                 }
             }
         }
     }
 
-    fn make_single_batch(&mut self, index: u32) {
+    fn make_single_batch(&mut self, index: u32, positions: &[[f32; 2]]) {
         let group = self.groups[index as usize];
         // A group that shares its contacts with an earlier one finds their rows there.
         let shared =
@@ -156,16 +126,16 @@ impl ContactSolver {
             for contact in group.first_contact..group.first_contact + group.contact_count {
                 self.row_places[contact as usize] =
                     RowPlace { row: self.rows.len() as u32, lane: LANES as u8 };
-                self.rows.push(self.single_row(&group, contact));
+                self.rows.push(self.single_row(&group, contact, positions));
             }
         }
         self.batches.push(Batch::One { group: index, first_row });
     }
 
-    fn single_row(&self, group: &Group, contact: u32) -> ContactRow<f32> {
+    fn single_row(&self, group: &Group, contact: u32, positions: &[[f32; 2]]) -> ContactRow<f32> {
         let contact = &self.contacts[contact as usize];
         let offset = |body: u32| {
-            let position = self.positions[body as usize];
+            let position = positions[body as usize];
             [contact.position.x - position[0], contact.position.y - position[1]]
         };
         ContactRow {
@@ -179,7 +149,7 @@ impl ContactSolver {
         }
     }
 
-    fn make_wide_batch(&mut self, group_indices: &[u32], row_count: u32) {
+    fn make_wide_batch(&mut self, group_indices: &[u32], row_count: u32, positions: &[[f32; 2]]) {
         let mut batch = WideBatch {
             groups: [u32::MAX; LANES],
             body_a: [NOBODY; LANES],
@@ -200,7 +170,7 @@ impl ContactSolver {
             for (lane, &index) in group_indices.iter().enumerate() {
                 let group = self.groups[index as usize];
                 let contact = group.first_contact + row;
-                rows[lane] = self.single_row(&group, contact);
+                rows[lane] = self.single_row(&group, contact, positions);
                 self.row_places[contact as usize] =
                     RowPlace { row: self.wide_rows.len() as u32, lane: lane as u8 };
             }

@@ -4,6 +4,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use wide::f32x4;
 
+use crate::math::lanes::select;
+
 /// Contacts that are solved side by side.
 pub(super) const LANES: usize = 4;
 
@@ -46,10 +48,10 @@ impl Lanes for f32x4 {
     }
     #[inline(always)]
     fn or_greater(self, other: Self) -> Self {
-        self.simd_gt(other).select(self, other)
+        select(self.simd_gt(other), self, other)
     }
     #[inline(always)]
     fn or_smaller(self, other: Self) -> Self {
-        self.simd_lt(other).select(self, other)
+        select(self.simd_lt(other), self, other)
     }
 }

@@ -4,7 +4,7 @@
 //! and a row per contact. Every operation is rounded as in the original. Groups of contacts that share a movable
 //! body are solved in its order; groups that do not are solved four at a time.
 
-mod engine;
+mod bodies;
 mod gather;
 mod kernel;
 mod lanes;
@@ -15,18 +15,15 @@ mod states;
 use wide::f32x4;
 
 use crate::arbiter::ArbiterList;
-use crate::arena::Arena;
-use crate::body::BodyId;
-use crate::body_entry::BodyEntry;
 use crate::contact::Contact;
-use crate::events::Event;
 use kernel::{BodyLanes, ContactRow, PairConstants};
 use lanes::LANES;
 use rows::empty_lane;
 use schedule::Schedule;
 use states::{BodyState, pack_four, pack_one, unpack_four, unpack_one};
 
-pub use engine::{SolverBody, SolverPlace};
+pub(crate) use bodies::SolverBodies;
+pub use bodies::{SolverBody, SolverPlace};
 
 /// Settings of the pre-step.
 #[derive(Debug, Clone, Copy)]
@@ -85,15 +82,6 @@ const NOBODY: u32 = 0;
 /// The arrays of the solver, reused from update to update.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ContactSolver {
-    /// The immovable body that is none, then the bodies that touch something.
-    states: Vec<BodyState>,
-    positions: Vec<[f32; 2]>,
-    /// Whether the groups of a body must keep their order.
-    is_ordered: Vec<bool>,
-    /// Ids of the bodies behind the first.
-    ids: Vec<BodyId>,
-    /// By slot of the body: stamp of the update in which it was gathered, and where to.
-    places: Vec<(u32, u32)>,
     groups: Vec<Group>,
     contacts: Vec<Contact>,
     /// Where each contact's row is.
@@ -107,16 +95,14 @@ pub(crate) struct ContactSolver {
     /// By handle of the arbiter: stamp of the update, and the group that was made from it first.
     arbiter_groups: Vec<(u32, u32)>,
     stamp: u32,
-    failed: Vec<u32>,
-    /// Between pre-step and end: bodies may be gathered.
-    is_open: bool,
 }
 
 /// Solving.
 impl ContactSolver {
     /// One pass over all contacts, in an order that gives the bits of list order.
-    pub(crate) fn solve_iteration(&mut self) {
+    pub(crate) fn solve_iteration(&mut self, bodies: &mut SolverBodies) {
         self.for_each_batch(
+            bodies,
             |row, pair, bodies| row.solve::<1>(pair, bodies),
             |row, pair, bodies| row.solve::<1>(pair, bodies),
             |row, pair, bodies| row.solve::<0>(pair, bodies),
@@ -127,22 +113,23 @@ impl ContactSolver {
     #[inline(always)]
     fn for_each_batch(
         &mut self,
+        all: &mut SolverBodies,
         four: impl Fn(&mut ContactRow<f32x4>, &PairConstants<f32x4>, &mut [BodyLanes<f32x4>; 2]),
         one: impl Fn(&mut ContactRow<f32>, &PairConstants<f32>, &mut [BodyLanes<f32>; 2]),
         one_body: impl Fn(&mut ContactRow<f32>, &PairConstants<f32>, &mut [BodyLanes<f32>; 2]),
     ) {
         for index in 0..self.batches.len() {
             match self.batches[index] {
-                Batch::Four(_) => self.apply_to_four(index, &four),
+                Batch::Four(_) => self.apply_to_four(all, index, &four),
                 Batch::One { group, first_row } => {
                     let Group { body_a, body_b, is_dropped, .. } = self.groups[group as usize];
                     if is_dropped {
                         continue;
                     }
                     if body_a == body_b {
-                        self.apply_to_one(group, first_row, &one_body);
+                        self.apply_to_one(all, group, first_row, &one_body);
                     } else {
-                        self.apply_to_one(group, first_row, &one);
+                        self.apply_to_one(all, group, first_row, &one);
                     }
                 }
             }
@@ -154,34 +141,36 @@ impl ContactSolver {
     #[inline(always)]
     fn apply_to_one(
         &mut self,
+        all: &mut SolverBodies,
         group_index: u32,
         first_row: u32,
         operation: impl Fn(&mut ContactRow<f32>, &PairConstants<f32>, &mut [BodyLanes<f32>; 2]),
     ) {
         let group = self.groups[group_index as usize];
         let pair = PairConstants { friction: group.friction, restitution: group.restitution };
-        let mut bodies = [group.body_a, group.body_b].map(|body| unpack_one(&self.states[body as usize]));
+        let mut bodies = [group.body_a, group.body_b].map(|body| unpack_one(&all.states[body as usize]));
         for row in &mut self.rows[first_row as usize..(first_row + group.contact_count) as usize] {
             operation(row, &pair, &mut bodies);
         }
         let is_finite = [bodies[0].zero_if_finite() == 0.0, bodies[1].zero_if_finite() == 0.0];
         if is_finite == [true; 2] {
             // A last: where both are one body, its copy is the one that was worked on.
-            self.states[group.body_b as usize] = pack_one(&bodies[1]);
-            self.states[group.body_a as usize] = pack_one(&bodies[0]);
+            all.states[group.body_b as usize] = pack_one(&bodies[1]);
+            all.states[group.body_a as usize] = pack_one(&bodies[0]);
         } else {
-            self.drop_group(group_index, is_finite);
+            self.drop_group(all, group_index, is_finite);
         }
     }
 
     #[inline(always)]
     fn apply_to_four(
         &mut self,
+        all: &mut SolverBodies,
         index: usize,
         operation: impl Fn(&mut ContactRow<f32x4>, &PairConstants<f32x4>, &mut [BodyLanes<f32x4>; 2]),
     ) {
         let Batch::Four(batch) = &self.batches[index] else { return };
-        let mut bodies = [unpack_four(&self.states, &batch.body_a), unpack_four(&self.states, &batch.body_b)];
+        let mut bodies = [unpack_four(&all.states, &batch.body_a), unpack_four(&all.states, &batch.body_b)];
         let rows = batch.first_row as usize..(batch.first_row + batch.row_count) as usize;
         for row in &mut self.wide_rows[rows] {
             operation(row, &batch.pair, &mut bodies);
@@ -189,39 +178,45 @@ impl ContactSolver {
         let zero = f32x4::splat(0.0);
         let is_finite = bodies.map(|body| body.zero_if_finite().simd_eq(zero).to_bitmask());
         if is_finite == [0b1111; 2] {
-            pack_four(&mut self.states, &batch.body_b, &bodies[1]);
-            pack_four(&mut self.states, &batch.body_a, &bodies[0]);
+            pack_four(&mut all.states, &batch.body_b, &bodies[1]);
+            pack_four(&mut all.states, &batch.body_a, &bodies[0]);
         } else {
-            self.drop_lanes(index, bodies, is_finite);
+            self.drop_lanes(all, index, bodies, is_finite);
         }
     }
 
     /// Takes the lanes with a body that is not finite out of a batch, and lets the others go on.
     #[cold]
-    fn drop_lanes(&mut self, index: usize, bodies: [BodyLanes<f32x4>; 2], is_finite: [u32; 2]) {
+    fn drop_lanes(
+        &mut self,
+        all: &mut SolverBodies,
+        index: usize,
+        bodies: [BodyLanes<f32x4>; 2],
+        is_finite: [u32; 2],
+    ) {
         let Batch::Four(mut batch) = self.batches[index] else { return };
         for lane in 0..LANES {
             let lane_is_finite = is_finite.map(|mask| mask & (1 << lane) != 0);
             if lane_is_finite != [true; 2] && batch.groups[lane] != u32::MAX {
-                self.drop_group(batch.groups[lane], lane_is_finite);
+                self.drop_group(all, batch.groups[lane], lane_is_finite);
                 (batch.body_a[lane], batch.body_b[lane]) = (NOBODY, NOBODY);
                 let rows = batch.first_row as usize..(batch.first_row + batch.row_count) as usize;
                 self.wide_rows[rows].iter_mut().for_each(|row| empty_lane(row, lane));
             }
         }
-        pack_four(&mut self.states, &batch.body_b, &bodies[1]);
-        pack_four(&mut self.states, &batch.body_a, &bodies[0]);
+        pack_four(&mut all.states, &batch.body_b, &bodies[1]);
+        pack_four(&mut all.states, &batch.body_a, &bodies[0]);
         // Dropped lanes have written what is not finite there.
-        self.states[NOBODY as usize] = BodyState::default();
+        all.states[NOBODY as usize] = BodyState::default();
         self.batches[index] = Batch::Four(batch);
     }
 
     #[cold]
-    fn drop_group(&mut self, group_index: u32, is_finite: [bool; 2]) {
+    fn drop_group(&mut self, all: &mut SolverBodies, group_index: u32, is_finite: [bool; 2]) {
         let group = &mut self.groups[group_index as usize];
         group.is_dropped = true;
-        self.failed.extend((!is_finite[0]).then_some(group.body_a));
-        self.failed.extend((!is_finite[1]).then_some(group.body_b));
+        all.failed.extend((!is_finite[0]).then_some(group.body_a));
+        all.failed.extend((!is_finite[1]).then_some(group.body_b));
     }
 }
 
@@ -239,29 +234,8 @@ impl ContactSolver {
         (row.normal_impulse.as_array()[lane as usize], row.tangent_impulse.as_array()[lane as usize])
     }
 
-    /// Writes velocities and impulses back. Bodies that failed keep the velocities with which the solver began;
-    /// the dynamic ones are disabled.
-    pub(crate) fn finish(
-        &mut self,
-        list: &mut ArbiterList,
-        bodies: &mut Arena<BodyEntry>,
-        events: &mut Vec<Event>,
-    ) {
-        self.failed.sort_unstable();
-        self.failed.dedup();
-        for (place, (&id, state)) in (1u32..).zip(self.ids.iter().zip(self.states.iter().skip(1))) {
-            // Stages called out of order may have let a body go.
-            let Some(BodyEntry { body, .. }) = bodies.get_mut(id) else { continue };
-            if self.failed.binary_search(&place).is_ok() {
-                let disabled = !body.is_static();
-                body.set_enabled(body.enabled() && !disabled);
-                events.push(Event::NotFinite { body: id, disabled });
-                continue;
-            }
-            let BodyLanes { velocity, bias, .. } = unpack_one(state);
-            [body.linear_velocity.x, body.linear_velocity.y, body.angular_velocity] = velocity;
-            [body.linear_velocity_bias.x, body.linear_velocity_bias.y, body.angular_velocity_bias] = bias;
-        }
+    /// Writes the impulses back.
+    pub(crate) fn finish(&mut self, list: &mut ArbiterList) {
         for index in 0..self.arbiters.len() {
             let (handle, first_contact) = self.arbiters[index];
             let is_dropped = self.groups[self.arbiter_groups[handle as usize].1 as usize].is_dropped;
@@ -272,8 +246,6 @@ impl ContactSolver {
             }
         }
         // Rows and groups stay readable until the next update begins.
-        self.ids.clear();
         self.arbiters.clear();
-        self.close();
     }
 }

@@ -2,9 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::arena::Arena;
 use crate::body::{Body, BodyId};
-use crate::body_entry::BodyEntry;
+use crate::body_entry::Bodies;
 use crate::checked_properties::checked_properties;
 use crate::error::{Result, finite};
 use crate::math::scalar;
@@ -90,7 +89,7 @@ impl AngleSpring {
         torque_multiplier, set_torque_multiplier;
     }
 
-    pub(crate) fn pull(&self, constants: Constants, bodies: &mut Arena<BodyEntry>) -> Pull {
+    pub(crate) fn pull(&self, constants: Constants, bodies: &mut Bodies) -> Pull {
         let (Some(entry1), Some(entry2)) = (bodies.get(self.body1), bodies.get(self.body2)) else {
             return Pull::None;
         };

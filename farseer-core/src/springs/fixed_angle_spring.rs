@@ -2,9 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::arena::Arena;
 use crate::body::{Body, BodyId};
-use crate::body_entry::BodyEntry;
+use crate::body_entry::Bodies;
 use crate::checked_properties::checked_properties;
 use crate::error::{Result, finite};
 use crate::nobody::nobody;
@@ -54,7 +53,7 @@ impl FixedAngleSpring {
         torque_multiplier, set_torque_multiplier;
     }
 
-    pub(crate) fn pull(&self, constants: Constants, bodies: &mut Arena<BodyEntry>) -> Pull {
+    pub(crate) fn pull(&self, constants: Constants, bodies: &mut Bodies) -> Pull {
         let Some(body) = bodies.get_mut(self.body).map(|entry| &mut entry.body) else { return Pull::None };
         if !body.is_integrated() {
             return Pull::None;

@@ -2,9 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::arena::Arena;
 use crate::body::{Body, BodyId};
-use crate::body_entry::BodyEntry;
+use crate::body_entry::Bodies;
 use crate::checked_properties::checked_properties;
 use crate::error::{Result, finite, finite_vector};
 use crate::joints::joint_body::is_non_zero;
@@ -97,7 +96,7 @@ impl FixedLinearSpring {
         rest_length, set_rest_length;
     }
 
-    pub(crate) fn pull(&self, constants: Constants, bodies: &mut Arena<BodyEntry>) -> Pull {
+    pub(crate) fn pull(&self, constants: Constants, bodies: &mut Bodies) -> Pull {
         let Some(body) = bodies.get_mut(self.body).map(|entry| &mut entry.body) else { return Pull::None };
         if !body.is_integrated() {
             return Pull::None;

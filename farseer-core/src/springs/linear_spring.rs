@@ -2,9 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::arena::Arena;
 use crate::body::{Body, BodyId};
-use crate::body_entry::BodyEntry;
+use crate::body_entry::Bodies;
 use crate::checked_properties::checked_properties;
 use crate::error::{Result, finite, finite_vector};
 use crate::joints::joint_body::is_non_zero;
@@ -108,7 +107,7 @@ impl LinearSpring {
         rest_length, set_rest_length;
     }
 
-    pub(crate) fn pull(&self, constants: Constants, bodies: &mut Arena<BodyEntry>) -> Pull {
+    pub(crate) fn pull(&self, constants: Constants, bodies: &mut Bodies) -> Pull {
         let (Some(entry1), Some(entry2)) = (bodies.get(self.body1), bodies.get(self.body2)) else {
             return Pull::None;
         };

@@ -20,9 +20,8 @@ pub use fixed_linear_spring::FixedLinearSpring;
 pub use linear_spring::LinearSpring;
 pub use spring_type::SpringType;
 
-use crate::arena::Arena;
 use crate::body::BodyId;
-use crate::body_entry::BodyEntry;
+use crate::body_entry::Bodies;
 use crate::checked_properties::checked_properties;
 use crate::error::{Result, finite};
 use crate::math::Vector2;
@@ -220,7 +219,7 @@ impl Spring {
     }
 
     /// Applies force or torque, if the bodies let it.
-    pub(crate) fn update(&mut self, bodies: &mut Arena<BodyEntry>) -> SpringOutcome {
+    pub(crate) fn update(&mut self, bodies: &mut Bodies) -> SpringOutcome {
         let constants = Constants { spring: self.spring_constant, damping: self.damping_constant };
         let pull = match &self.kind {
             SpringKind::Angle(spring) => spring.pull(constants, bodies),

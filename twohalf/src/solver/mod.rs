@@ -10,7 +10,7 @@
 
 mod kernel;
 
-use farseer_core::{BodyId, PhysicsSimulator, SolverBody, SolverPlace};
+use farseer_core::{BodyId, Constraints, PhysicsSimulator, SolvedBodies, SolverBody, SolverPlace};
 
 use crate::Vector3;
 use crate::depth::{DepthProfile, Depths, is_movable};
@@ -103,11 +103,6 @@ impl SpaceSolver {
         self.groups.iter().map(rows_of).sum()
     }
 
-    /// Whether there is nothing to solve.
-    pub(crate) fn is_empty(&self) -> bool {
-        self.groups.is_empty()
-    }
-
     /// Gathers bodies and contacts, and computes masses, biases and bounces: before the impulses of the last update
     /// act again, here and in the 2D engine, so that things bounce with the speed with which they arrived.
     pub(crate) fn prepare(
@@ -134,20 +129,6 @@ impl SpaceSolver {
             for row in &mut self.rows[rows] {
                 row.prepare(touch.restitution, pull, settings, &bodies);
             }
-        }
-    }
-
-    /// Lets the impulses of the last update act again, after the 2D engine's pre-step.
-    pub(crate) fn warm_start(&mut self, core: &mut PhysicsSimulator) {
-        for state in &mut self.states {
-            state.place = state.id.and_then(|id| core.solver_place(id));
-        }
-        for index in 0..self.groups.len() {
-            self.apply(core, index, |rows, _, bodies| {
-                for row in rows {
-                    row.warm_start(bodies);
-                }
-            });
         }
     }
 
@@ -244,28 +225,12 @@ impl SpaceSolver {
         Some(index)
     }
 
-    /// One pass over all contacts.
-    pub(crate) fn solve_iteration(&mut self, core: &mut PhysicsSimulator) {
-        for index in 0..self.groups.len() {
-            self.apply(core, index, |rows, group, bodies| {
-                if group.shares_pressure {
-                    kernel::solve_shared(rows, group.friction, bodies);
-                } else {
-                    for row in rows {
-                        row.solve_normal(bodies);
-                        row.solve_friction(group.friction * row.normal_impulse, bodies);
-                    }
-                }
-            });
-        }
-    }
-
     /// Runs an operation on the bodies of a group. Should it make one infinite or NaN, both keep what they had
     /// before, the group is out of this update and the body is noted as failed: nothing spreads.
     #[inline]
     fn apply(
         &mut self,
-        core: &mut PhysicsSimulator,
+        solved: &mut SolvedBodies<'_>,
         index: usize,
         operation: impl FnOnce(&mut [Row], &Group, &mut [SpaceBody; 2]),
     ) {
@@ -274,23 +239,23 @@ impl SpaceSolver {
             return;
         }
         let places = [group.body_a, group.body_b];
-        let mut bodies = places.map(|place| self.load(core, place));
+        let mut bodies = places.map(|place| self.load(solved, place));
         let rows = group.first_row as usize..(group.first_row + group.row_count) as usize;
         operation(&mut self.rows[rows], &group, &mut bodies);
         let are_finite = [bodies[0].is_finite(), bodies[1].is_finite()];
         if are_finite == [true; 2] {
-            self.store(core, group.body_a, &bodies[0]);
-            self.store(core, group.body_b, &bodies[1]);
+            self.store(solved, group.body_a, &bodies[0]);
+            self.store(solved, group.body_b, &bodies[1]);
         } else {
-            self.drop_group(core, index, are_finite);
+            self.drop_group(solved, index, are_finite);
         }
     }
 
     #[inline]
-    fn load(&self, core: &PhysicsSimulator, place: u32) -> SpaceBody {
+    fn load(&self, solved: &SolvedBodies<'_>, place: u32) -> SpaceBody {
         let state = &self.states[place as usize];
         let Some(plane) = state.place else { return SpaceBody::default() };
-        let body = core.solver_body(plane);
+        let body = solved.get(plane);
         let [x, y, spin] = body.velocity;
         let [bias_x, bias_y, bias_spin] = body.bias;
         SpaceBody {
@@ -304,7 +269,7 @@ impl SpaceSolver {
     }
 
     #[inline]
-    fn store(&mut self, core: &mut PhysicsSimulator, place: u32, body: &SpaceBody) {
+    fn store(&mut self, solved: &mut SolvedBodies<'_>, place: u32, body: &SpaceBody) {
         let state = &mut self.states[place as usize];
         let Some(plane) = state.place else { return };
         let [x, y, z] = body.linear;
@@ -312,7 +277,7 @@ impl SpaceSolver {
         let [angular_x, angular_y, spin] = body.angular;
         (state.velocity_z, state.bias_z) = (z, bias_z);
         (state.angular_x, state.angular_y) = (angular_x, angular_y);
-        core.set_solver_body(
+        solved.set(
             plane,
             SolverBody {
                 velocity: [x, y, spin],
@@ -323,14 +288,14 @@ impl SpaceSolver {
     }
 
     #[cold]
-    fn drop_group(&mut self, core: &mut PhysicsSimulator, index: usize, are_finite: [bool; 2]) {
+    fn drop_group(&mut self, solved: &mut SolvedBodies<'_>, index: usize, are_finite: [bool; 2]) {
         let group = &mut self.groups[index];
         group.is_dropped = true;
         for (place, is_finite) in [group.body_a, group.body_b].into_iter().zip(are_finite) {
             let state = &mut self.states[place as usize];
             if let (false, Some(plane)) = (is_finite, state.place) {
                 state.failed = true;
-                core.solver_body_failed(plane);
+                solved.fail(plane);
             }
         }
     }
@@ -369,6 +334,40 @@ impl SpaceSolver {
                     );
                 }
             }
+        }
+    }
+}
+
+impl Constraints for SpaceSolver {
+    fn is_empty(&self) -> bool {
+        self.groups.is_empty()
+    }
+
+    fn warm_start(&mut self, solved: &mut SolvedBodies<'_>) {
+        for state in &mut self.states {
+            state.place = state.id.and_then(|id| solved.place(id));
+        }
+        for index in 0..self.groups.len() {
+            self.apply(solved, index, |rows, _, bodies| {
+                for row in rows {
+                    row.warm_start(bodies);
+                }
+            });
+        }
+    }
+
+    fn solve(&mut self, solved: &mut SolvedBodies<'_>) {
+        for index in 0..self.groups.len() {
+            self.apply(solved, index, |rows, group, bodies| {
+                if group.shares_pressure {
+                    kernel::solve_shared(rows, group.friction, bodies);
+                } else {
+                    for row in rows {
+                        row.solve_normal(bodies);
+                        row.solve_friction(group.friction * row.normal_impulse, bodies);
+                    }
+                }
+            });
         }
     }
 }

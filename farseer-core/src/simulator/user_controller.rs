@@ -1,9 +1,9 @@
 //! Controllers whose work the game does.
 
-use super::ControllerId;
-use crate::events::Context;
+use super::Context;
+use crate::controllers::ControllerId;
 
-/// The work of a [user-defined](super::Controller::user_defined) controller (behaviour chapter 12, section 3).
+/// The work of a [user-defined](crate::Controller::user_defined) controller (behaviour chapter 12, section 3).
 ///
 /// It belongs to the game, which hands it in through
 /// [`EventHandler::user_controller`](crate::EventHandler::user_controller), so that saving the simulator keeps

@@ -1,11 +1,9 @@
 //! How long the stages of an update take (behaviour chapter 04, section 8), by a clock that is handed in.
 
-use super::PhysicsSimulator;
-
 /// How long the stages of the last timed update took, in milliseconds.
 ///
-/// Before the first [timed update](PhysicsSimulator::update_timed) all are 0, or, as in the original, -1 if the
-/// simulator was made with [a gravity](PhysicsSimulator::new). They are not saved.
+/// Before the first [timed update](crate::PhysicsSimulator::update_timed) all are 0, or, as in the original, -1 if the
+/// simulator was made with [a gravity](crate::PhysicsSimulator::new). They are not saved.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct StepTimes {
     /// Objects entered and left.
@@ -33,7 +31,7 @@ pub struct StepTimes {
 
 impl StepTimes {
     /// The original's values after a construction with gravity.
-    pub(super) const NEVER_MEASURED: StepTimes = StepTimes {
+    pub(crate) const NEVER_MEASURED: StepTimes = StepTimes {
         clean_up_time: -1.0,
         broad_phase_collision_time: -1.0,
         narrow_phase_collision_time: -1.0,
@@ -44,18 +42,11 @@ impl StepTimes {
     };
 }
 
-impl PhysicsSimulator {
-    /// How long the stages of the last [timed update](Self::update_timed) took.
-    pub fn step_times(&self) -> StepTimes {
-        self.step_times
-    }
-}
-
 /// The caller's clock: tells the time in milliseconds, from any moment on.
-pub(super) type Clock<'c> = &'c mut dyn FnMut() -> f64;
+pub(crate) type Clock<'c> = &'c mut dyn FnMut() -> f64;
 
 /// Measures the stages of one update, if there is a clock.
-pub(super) struct Stopwatch<'c> {
+pub(crate) struct Stopwatch<'c> {
     clock: Option<Clock<'c>>,
     start: f64,
     now: f64,
@@ -63,13 +54,13 @@ pub(super) struct Stopwatch<'c> {
 }
 
 impl<'c> Stopwatch<'c> {
-    pub(super) fn start(mut clock: Option<Clock<'c>>) -> Self {
+    pub(crate) fn start(mut clock: Option<Clock<'c>>) -> Self {
         let now = clock.as_mut().map_or(0.0, |clock| clock());
         Stopwatch { clock, start: now, now, times: StepTimes::default() }
     }
 
     /// A stage is done.
-    pub(super) fn lap(&mut self, time: impl FnOnce(&mut StepTimes) -> &mut f32) {
+    pub(crate) fn lap(&mut self, time: impl FnOnce(&mut StepTimes) -> &mut f32) {
         if let Some(clock) = &mut self.clock {
             let before = std::mem::replace(&mut self.now, clock());
             *time(&mut self.times) = (self.now - before) as f32;
@@ -77,7 +68,7 @@ impl<'c> Stopwatch<'c> {
     }
 
     /// All times, if they were measured; those of stages that were not reached are 0.
-    pub(super) fn times(&self) -> Option<StepTimes> {
+    pub(crate) fn times(&self) -> Option<StepTimes> {
         let update_time = (self.now - self.start) as f32;
         self.clock.is_some().then_some(StepTimes { update_time, ..self.times })
     }

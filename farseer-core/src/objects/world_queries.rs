@@ -1,6 +1,6 @@
 //! What lies on a ray, in a box or on a geom: not in the original, which has others.
 
-use super::PhysicsSimulator;
+use super::Objects;
 use crate::geom::GeomId;
 use crate::geom_entry::GeomEntry;
 use crate::math::Vector2;
@@ -19,7 +19,7 @@ pub struct RayCastHit {
     pub fraction: f32,
 }
 
-impl PhysicsSimulator {
+impl Objects {
     /// The first geom that a ray from `start` to `end` enters; of several at one place, the first in list order.
     ///
     /// Nothing is filtered out: for rays that pass through some geoms look for the first other one in
@@ -31,7 +31,7 @@ impl PhysicsSimulator {
     /// Looks at the box of every listed geom: the time grows with their number.
     pub fn ray_cast(&self, start: Vector2, end: Vector2) -> Option<RayCastHit> {
         let ray = Ray::new(start, end)?;
-        let hits = self.geom_list.iter().filter_map(|&geom| self.entry_of(&ray, geom));
+        let hits = self.geoms.list().iter().filter_map(|&geom| self.entry_of(&ray, geom));
         let nearest = hits.reduce(|nearest, hit| if hit.0 < nearest.0 { hit } else { nearest });
         nearest.map(|(_, hit)| hit)
     }
@@ -41,7 +41,7 @@ impl PhysicsSimulator {
     pub fn ray_cast_all(&self, start: Vector2, end: Vector2) -> Vec<RayCastHit> {
         let Some(ray) = Ray::new(start, end) else { return Vec::new() };
         let mut hits: Vec<(f64, RayCastHit)> =
-            self.geom_list.iter().filter_map(|&geom| self.entry_of(&ray, geom)).collect();
+            self.geoms.list().iter().filter_map(|&geom| self.entry_of(&ray, geom)).collect();
         hits.sort_by(|(a, _), (b, _)| a.total_cmp(b));
         hits.into_iter().map(|(_, hit)| hit).collect()
     }
@@ -55,35 +55,17 @@ impl PhysicsSimulator {
             return Vec::new();
         }
         let overlaps = |&geom: &GeomId| {
-            self.with_settled(geom, |geom| !geom.is_disposed && Aabb::intersect(&geom.aabb, aabb))
-                .unwrap_or(false)
+            !self.is_disposed(geom)
+                && self.with_settled(geom, |geom| Aabb::intersect(&geom.aabb, aabb)).unwrap_or(false)
         };
-        self.geom_list.iter().copied().filter(overlaps).collect()
-    }
-
-    /// The geoms that a geom touched in the last update, in the order in which the pairs are solved. The list of what is
-    /// in a sensor: sensors have contacts like other geoms, nothing pushes them.
-    ///
-    /// None for a stale id. Pairs that may not collide, such as those of two static bodies, and collisions that a
-    /// handler refused do not count: they have no contacts.
-    pub fn overlaps(&self, geom: GeomId) -> Vec<GeomId> {
-        let mut partners = Vec::new();
-        for arbiter in self.arbiters().filter(|arbiter| !arbiter.contacts().is_empty()) {
-            let partner = match (arbiter.geom_a(), arbiter.geom_b()) {
-                (a, b) if a == geom => b,
-                (a, b) if b == geom => a,
-                _ => continue,
-            };
-            // The list may hold a pair twice.
-            if !partners.contains(&partner) {
-                partners.push(partner);
-            }
-        }
-        partners
+        self.geoms.list().iter().copied().filter(overlaps).collect()
     }
 
     /// Where a ray enters a geom first, with the fraction in full precision.
     fn entry_of(&self, ray: &Ray, id: GeomId) -> Option<(f64, RayCastHit)> {
+        if self.is_disposed(id) {
+            return None;
+        }
         self.with_settled(id, |geom| {
             let (fraction, edge) = ray.first_entry(geom)?;
             let point = ray.start.zip(ray.direction, |start, way| start + way * fraction);
@@ -141,7 +123,7 @@ impl Ray {
     /// The fraction of the way to the nearest edge through which the ray comes in, and that edge's direction, with the
     /// outside on the side of `(-y, x)`.
     fn first_entry(&self, geom: &GeomEntry) -> Option<(f64, Wide)> {
-        if geom.is_disposed || !Aabb::intersect(&self.aabb, &geom.aabb) {
+        if !Aabb::intersect(&self.aabb, &geom.aabb) {
             return None;
         }
         let outline = &geom.world_vertices;

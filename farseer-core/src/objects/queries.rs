@@ -1,6 +1,6 @@
 //! What lies at a point or along a line (behaviour chapters 04, 05 and 09).
 
-use super::PhysicsSimulator;
+use super::Objects;
 use crate::geom::GeomId;
 use crate::geom_entry::GeomEntry;
 use crate::math::Vector2;
@@ -18,20 +18,20 @@ pub struct GeomPointPair {
     pub points: Vec<Vector2>,
 }
 
-impl PhysicsSimulator {
+impl Objects {
     /// The first geom in list order that holds a point of the world. Geoms that do not collide count, too.
     ///
     /// Asks the narrow phase that is selected now. A body that was edited since the last update is asked where its
     /// geoms will be.
     #[doc(alias = "Collide")]
     pub fn collide(&self, point: Vector2) -> Option<GeomId> {
-        self.geom_list.iter().copied().find(|&geom| self.geom_collides_with_point(geom, point))
+        self.geoms.list().iter().copied().find(|&geom| self.geom_collides_with_point(geom, point))
     }
 
     /// All geoms that hold a point of the world, in list order.
     #[doc(alias = "CollideAll")]
     pub fn collide_all(&self, point: Vector2) -> Vec<GeomId> {
-        self.geom_list.iter().copied().filter(|&geom| self.geom_collides_with_point(geom, point)).collect()
+        self.geoms.list().iter().copied().filter(|&geom| self.geom_collides_with_point(geom, point)).collect()
     }
 
     /// Whether a geom holds a point of the world; a stale id holds none.
@@ -40,7 +40,7 @@ impl PhysicsSimulator {
     pub fn geom_collides_with_point(&self, geom: GeomId, point: Vector2) -> bool {
         self.with_settled(geom, |geom| {
             geom.aabb.contains(point)
-                && narrow_phase::intersect(self.settings.narrow_phase, geom, geom.pose.inverse.apply(point))
+                && narrow_phase::intersect(self.narrow_phase, geom, geom.pose.inverse.apply(point))
         })
         .unwrap_or(false)
     }
@@ -49,13 +49,14 @@ impl PhysicsSimulator {
     /// anything about a disposed geom, or one without a distance grid if the distance grid is selected; the original fails there.
     #[doc(alias = "Geom.Collide")]
     pub fn geom_collides_with_geom(&self, geom: GeomId, other: GeomId) -> bool {
-        let is_ready = |geom: &GeomEntry| {
-            !geom.is_disposed
-                && (geom.grid.is_some() || self.settings.narrow_phase != NarrowPhaseCollider::DistanceGrid)
-        };
+        if self.is_disposed(geom) || self.is_disposed(other) {
+            return false;
+        }
+        let is_ready =
+            |geom: &GeomEntry| geom.grid.is_some() || self.narrow_phase != NarrowPhaseCollider::DistanceGrid;
         let holds_vertex = |holder: &GeomEntry, owner: &GeomEntry| {
             owner.world_vertices.iter().any(|&vertex| {
-                narrow_phase::intersect(self.settings.narrow_phase, holder, holder.pose.inverse.apply(vertex))
+                narrow_phase::intersect(self.narrow_phase, holder, holder.pose.inverse.apply(vertex))
             })
         };
         self.with_settled(geom, |geom| {
@@ -80,7 +81,7 @@ impl PhysicsSimulator {
         point2: Vector2,
         detect_using_aabb: bool,
     ) -> Vec<GeomPointPair> {
-        let pairs = self.geom_list.iter().map(|&geom| GeomPointPair {
+        let pairs = self.geoms.list().iter().map(|&geom| GeomPointPair {
             geom,
             points: self.line_segment_geom_intersect(point1, point2, geom, detect_using_aabb),
         });

@@ -1,0 +1,238 @@
+//! Making bodies and geoms (behaviour chapter 05, section 3).
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::Objects;
+use crate::body::{Body, BodyId};
+use crate::body_entry::BodyEntry;
+use crate::error::{finite, finite_vector};
+use crate::geom::GeomId;
+use crate::geom_entry::GeomEntry;
+use crate::math::{Vector2, scalar};
+use crate::methods::NarrowPhaseCollider;
+use crate::narrow_phase::distance_grid::DistanceGrid;
+use crate::object_id::ObjectId;
+use crate::report::Refusals;
+use crate::shape::Vertices;
+use crate::{Error, Result};
+
+/// Part of the shorter side of a geom's box that an automatic grid cell takes.
+const AUTOMATIC_CELL_FRACTION: f32 = 0.1;
+
+/// Creation numbers of geoms that there are: the original counts in 32 signed bits.
+pub(super) const GEOM_NUMBERS: u32 = i32::MAX as u32;
+
+/// Where a geom sits on its body, and how finely its distance grid is sampled.
+///
+/// ```
+/// use farseer_core::{GeomPlacement, math::Vector2};
+/// let head = GeomPlacement { offset: Vector2::new(0.0, -40.0), ..Default::default() };
+/// assert_eq!(head.collision_grid_size, 0.0);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct GeomPlacement {
+    /// Position on the body, in the body's coordinates. Default none.
+    pub offset: Vector2,
+    /// Rotation against the body in radians. Default 0.
+    pub rotation_offset: f32,
+    /// Edge of a distance grid cell in the user's length unit. At 0 or less it is a tenth of the shorter side of
+    /// the geom's box **as it lies in the world when it is made**: of a long thin geom on a rotated body the
+    /// cells come out thicker than the geom, and contacts are missed.
+    pub collision_grid_size: f32,
+}
+
+impl GeomPlacement {
+    /// At the body's origin, with this cell size.
+    pub fn with_grid_size(collision_grid_size: f32) -> Self {
+        GeomPlacement { collision_grid_size, ..Default::default() }
+    }
+
+    fn check(self) -> Result<Self> {
+        finite_vector("offset", self.offset)?;
+        finite("rotation_offset", self.rotation_offset)?;
+        finite("collision_grid_size", self.collision_grid_size)?;
+        Ok(self)
+    }
+}
+
+/// Creation.
+impl Objects {
+    /// Gives a body its life and id. It takes part once it is [added](Self::add).
+    pub fn create_body(&mut self, body: Body) -> BodyId {
+        self.bodies.create(BodyEntry::new(body))
+    }
+
+    /// Attaches an outline to a body. The geom takes part once it is [added](Self::add).
+    ///
+    /// The outline is brought into the engine's winding (negative shoelace area) and not otherwise changed. Under
+    /// the distance grid its grid is made now; geoms of equal outline and cell size share one.
+    ///
+    /// # Errors
+    /// A stale body; an empty or non-finite outline; a placement that is not finite; a flat outline without a
+    /// cell size; a cell size that would need more than 2^26 nodes; [`Error::LimitExceeded`] for a grid that is more
+    /// work than the [limits](Self::limits) allow; a geom whose box in the world is not finite.
+    #[doc(alias = "Geom(Body, Vertices, Vector2, float, float)")]
+    pub fn create_geom(
+        &mut self,
+        body: BodyId,
+        vertices: impl Into<Vertices>,
+        placement: GeomPlacement,
+    ) -> Result<GeomId> {
+        let vertices = check_outline(vertices.into())?;
+        let placement = placement.check()?;
+        let mut entry = self.new_entry(body, vertices, placement.offset, placement.rotation_offset)?;
+        entry.grid_cell_size = placement.collision_grid_size;
+        if self.narrow_phase == NarrowPhaseCollider::DistanceGrid {
+            if entry.grid_cell_size <= 0.0 {
+                entry.grid_cell_size = automatic_cell_size(&entry);
+            }
+            entry.set_grid(self.distance_grid(&entry.local_vertices, entry.grid_cell_size)?);
+        }
+        Ok(self.insert_geom(entry))
+    }
+
+    /// The grid over an outline, shared with geoms of equal outline and cell size.
+    pub(super) fn distance_grid(&mut self, outline: &Vertices, cell_size: f32) -> Result<Arc<DistanceGrid>> {
+        let Objects { grids, geoms, limits, .. } = self;
+        grids.get(outline, cell_size, limits, || {
+            geoms.iter().filter_map(|(_, geom)| geom.grid.as_deref()).collect()
+        })
+    }
+
+    /// Attaches a copy of a geom to a body, at the same offsets. Under the distance grid both share one grid.
+    ///
+    /// # Errors
+    /// A stale id; a geom without a distance grid, if the distance grid is selected; a box that is not finite.
+    #[doc(alias = "Geom(Body, Geom)")]
+    #[doc(alias("DistanceGrid.Copy"))]
+    pub fn clone_geom(&mut self, body: BodyId, geom: GeomId) -> Result<GeomId> {
+        let source = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?;
+        let (offset, rotation_offset) = (source.offset, source.rotation_offset);
+        self.clone_geom_with_offset(body, geom, offset, rotation_offset)
+    }
+
+    /// Attaches a copy of a geom to a body, at other offsets.
+    ///
+    /// # Errors
+    /// As [`clone_geom`](Self::clone_geom); offsets that are not finite.
+    #[doc(alias = "Geom(Body, Geom, Vector2, float)")]
+    pub fn clone_geom_with_offset(
+        &mut self,
+        body: BodyId,
+        geom: GeomId,
+        offset: Vector2,
+        rotation_offset: f32,
+    ) -> Result<GeomId> {
+        finite_vector("offset", offset)?;
+        finite("rotation_offset", rotation_offset)?;
+        let source = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?.clone();
+        let grid = match (self.narrow_phase, source.grid) {
+            (NarrowPhaseCollider::DistanceGrid, None) => {
+                return Err(Error::MissingDistanceGrid { argument: "geom" });
+            }
+            (NarrowPhaseCollider::DistanceGrid, grid) => grid,
+            (NarrowPhaseCollider::Sat, _) => None,
+        };
+        let mut entry = self.new_entry(body, source.local_vertices, offset, rotation_offset)?;
+        entry.geom = source.geom;
+        entry.geom.rejected = Refusals::default();
+        entry.geom.set_tag(0);
+        entry.grid_cell_size = source.grid_cell_size;
+        if let Some(grid) = grid {
+            entry.set_grid(grid);
+        }
+        Ok(self.insert_geom(entry))
+    }
+
+    fn new_entry(
+        &mut self,
+        body: BodyId,
+        vertices: Vertices,
+        offset: Vector2,
+        rotation_offset: f32,
+    ) -> Result<GeomEntry> {
+        let owner = self.bodies.get(body).ok_or(Error::StaleId { argument: "body" })?;
+        let (position, rotation) = (owner.body.position(), owner.body.rotation());
+        if self.next_geom_number >= GEOM_NUMBERS {
+            return Err(Error::invalid(
+                "geom",
+                self.next_geom_number,
+                "one of the 2^31 - 1 that a simulator can make",
+            ));
+        }
+        let mut entry = GeomEntry::new(self.next_geom_number, body, offset, rotation_offset);
+        entry.set_vertices(vertices);
+        entry.follow(position, rotation);
+        check_place("geom", entry, owner)
+    }
+
+    /// Takes back what was made a moment ago and nobody knows yet, as if it had never been made. Of each kind these are
+    /// the last ones made, in the order in which they were made; geoms come after their bodies.
+    pub(crate) fn discard(&mut self, objects: impl DoubleEndedIterator<Item = ObjectId>) {
+        for object in objects.rev() {
+            match object {
+                ObjectId::Body(body) => self.discard_body(body),
+                ObjectId::Geom(geom) => self.discard_geom(geom),
+                ObjectId::Controller(controller) => drop(self.controllers.discard(controller)),
+                ObjectId::Joint(joint) => drop(self.joints.discard(joint)),
+                ObjectId::Spring(spring) => drop(self.springs.discard(spring)),
+            }
+        }
+    }
+
+    fn discard_body(&mut self, body: BodyId) {
+        if self.bodies.discard(body).is_some_and(|entry| entry.is_touched) {
+            self.touched_bodies.retain(|&other| other != body);
+        }
+    }
+
+    fn discard_geom(&mut self, geom: GeomId) {
+        if let Some(entry) = self.geoms.discard(geom) {
+            if entry.is_touched {
+                self.touched_geoms.retain(|&other| other != geom);
+            }
+            self.bodies[entry.body].detach(geom);
+            self.next_geom_number -= 1;
+        }
+    }
+
+    fn insert_geom(&mut self, entry: GeomEntry) -> GeomId {
+        let body = entry.body;
+        self.next_geom_number += 1;
+        let geom = self.geoms.create(entry);
+        self.bodies[body].geoms.push(geom);
+        geom
+    }
+}
+
+/// The cell size of a geom for which none is asked: it depends on how the geom lies in the world now.
+pub(super) fn automatic_cell_size(entry: &GeomEntry) -> f32 {
+    scalar::min(entry.aabb.width(), entry.aabb.height()) * AUTOMATIC_CELL_FRACTION
+}
+
+/// Refuses a geom of finite numbers that reaches beyond them where it is, where its body is, or where that may be put
+/// back to.
+pub(super) fn check_place(argument: &'static str, entry: GeomEntry, owner: &BodyEntry) -> Result<GeomEntry> {
+    let (body, followed) = (&owner.body, owner.followed);
+    let is_finite = entry.is_valid()
+        && entry.would_be_finite_at(body.position(), body.rotation())
+        && entry.would_be_finite_at(followed.position, followed.rotation);
+    if is_finite {
+        Ok(entry)
+    } else {
+        Err(Error::invalid(argument, entry.aabb, "small and near enough for a finite box in the world"))
+    }
+}
+
+/// Refuses what no geom can have.
+pub(super) fn check_outline(vertices: Vertices) -> Result<Vertices> {
+    if vertices.is_empty() {
+        return Err(Error::invalid("vertices", 0, "a list of at least one vertex"));
+    }
+    for &vertex in vertices.iter() {
+        finite_vector("vertices", vertex)?;
+    }
+    Ok(vertices)
+}

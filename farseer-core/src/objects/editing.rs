@@ -1,0 +1,169 @@
+//! Changes that touch more than one object (behaviour chapter 05, section 3).
+
+use super::Objects;
+use super::creating::{automatic_cell_size, check_outline, check_place};
+use crate::body::BodyId;
+use crate::geom::GeomId;
+use crate::geom_entry::GeomEntry;
+use crate::math::Matrix;
+use crate::shape::Vertices;
+use crate::{Error, Result};
+
+/// Changes.
+impl Objects {
+    /// Moves a geom to another body; its offsets stay.
+    ///
+    /// # Errors
+    /// A stale id; a box that is not finite at the other body.
+    #[doc(alias = "SetBody")]
+    pub fn set_body(&mut self, geom: GeomId, body: BodyId) -> Result<()> {
+        let old_body = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?.body;
+        let new_owner = self.bodies.get(body).ok_or(Error::StaleId { argument: "body" })?;
+        check_place("geom", self.geoms[geom].clone(), new_owner)?;
+        self.settle_body(old_body);
+        self.settle_body(body);
+        let new_body = &self.bodies[body].body;
+        let moved = &mut self.geoms[geom];
+        moved.body = body;
+        moved.follow(new_body.position(), new_body.rotation());
+        self.bodies[old_body].detach(geom);
+        self.bodies[body].geoms.push(geom);
+        Ok(())
+    }
+
+    /// Replaces the outline of a geom. As in the original, world vertices and box stay those of the body's origin
+    /// until the body is moved or integrated next, and the distance grid stays that of the old outline: contacts are
+    /// looked for there until the grid is [removed](Self::remove_distance_grid) and
+    /// [made again](Self::create_distance_grid).
+    ///
+    /// # Errors
+    /// A stale id; an empty or non-finite outline; one that reaches beyond finite numbers where the body is.
+    #[doc(alias("SetVertices", "LocalVertices"))]
+    pub fn set_vertices(&mut self, geom: GeomId, vertices: impl Into<Vertices>) -> Result<()> {
+        let vertices = check_outline(vertices.into())?;
+        let mut replaced = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?.clone();
+        let body = replaced.body;
+        replaced.set_vertices(vertices);
+        let GeomEntry { local_vertices, .. } = check_place("vertices", replaced, &self.bodies[body])?;
+        self.settle_body(body);
+        self.geoms[geom].set_vertices(local_vertices);
+        Ok(())
+    }
+
+    /// Makes the distance grid of a geom from its present outline, and brings world vertices and box to where the geom is.
+    /// A geom that has a grid keeps it, and nothing changes: [remove](Self::remove_distance_grid) the old one first. The
+    /// cell size stays; at 0 or less it becomes a tenth of the shorter side of the geom's present box. Geoms that shared
+    /// the old grid, such as [clones](Self::clone_geom), keep that. While SAT is selected a grid can be made, but is not
+    /// asked (behaviour chapter 06, section 2).
+    ///
+    /// # Errors
+    /// A stale id; a flat outline without a cell size; a cell size that would need more than 2^26 nodes;
+    /// [`Error::LimitExceeded`] for a grid that is more work than the [limits](Self::limits) allow; a geom whose box in
+    /// the world is not finite.
+    #[doc(alias("CreateDistanceGrid", "DistanceGrid.CreateDistanceGrid"))]
+    pub fn create_distance_grid(&mut self, geom: GeomId) -> Result<()> {
+        let entry = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?;
+        if entry.grid.is_some() {
+            return Ok(());
+        }
+        self.settle_body(entry.body);
+        let mut entry = self.geoms[geom].clone();
+        if entry.grid_cell_size <= 0.0 {
+            entry.grid_cell_size = automatic_cell_size(&entry);
+        }
+        entry.set_grid(self.distance_grid(&entry.local_vertices, entry.grid_cell_size)?);
+        entry.refresh();
+        let owner = &self.bodies[entry.body];
+        self.geoms[geom] = check_place("geom", entry, owner)?;
+        Ok(())
+    }
+
+    /// Takes the distance grid of a geom away: no contacts are found with it until there is one
+    /// [again](Self::create_distance_grid). The original throws when such a geom is met. Geoms that share the grid keep
+    /// it; a geom that has none stays as it is.
+    ///
+    /// # Errors
+    /// A stale id.
+    #[doc(alias("RemoveDistanceGrid", "DistanceGrid.RemoveDistanceGrid"))]
+    pub fn remove_distance_grid(&mut self, geom: GeomId) -> Result<()> {
+        self.geoms.get_mut(geom).ok_or(Error::StaleId { argument: "geom" })?.grid = None;
+        Ok(())
+    }
+
+    /// Replaces the matrix of a geom until its body is moved or integrated next. World vertices and box follow
+    /// at once; the geom's position and rotation do not, as in the original.
+    ///
+    /// # Errors
+    /// A stale id; a matrix that is not finite, has no finite inverse, or puts the outline beyond finite numbers.
+    #[doc(alias = "Matrix")]
+    pub fn set_matrix(&mut self, geom: GeomId, matrix: &Matrix) -> Result<()> {
+        let is_finite = |m: &Matrix| m.iter().all(|element| element.is_finite());
+        if !is_finite(matrix) || !is_finite(&crate::math::matrix::invert(matrix)) {
+            return Err(Error::invalid("matrix", matrix.as_slice(), "finite and invertible"));
+        }
+        let mut replaced = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?.clone();
+        let body = replaced.body;
+        replaced.set_matrix(matrix);
+        check_place("matrix", replaced, &self.bodies[body])?;
+        self.settle_body(body);
+        self.geoms[geom].set_matrix(matrix);
+        Ok(())
+    }
+
+    /// Makes a geom a sensor (its body static, its collisions without response) or an ordinary geom (its body
+    /// dynamic, whatever it was before, and its collisions with response).
+    ///
+    /// # Errors
+    /// A stale id.
+    #[doc(alias = "IsSensor")]
+    pub fn set_is_sensor(&mut self, geom: GeomId, is_sensor: bool) -> Result<()> {
+        let entry = self.geoms.get_mut(geom).ok_or(Error::StaleId { argument: "geom" })?;
+        entry.is_sensor = is_sensor;
+        entry.geom.set_collision_response_enabled(!is_sensor);
+        self.bodies[entry.body].body.set_is_static(is_sensor);
+        Ok(())
+    }
+
+    /// Lets no new pair of the two geoms be found. Geoms that already touch go on touching until they separate.
+    ///
+    /// # Errors
+    /// A stale id.
+    #[doc(alias = "IgnoreCollisionWith")]
+    pub fn ignore_collision_with(&mut self, geom: GeomId, other: GeomId) -> Result<()> {
+        self.set_ignored(geom, other, true)
+    }
+
+    /// Undoes [`ignore_collision_with`](Self::ignore_collision_with) of the same geom; the other side's stays.
+    ///
+    /// # Errors
+    /// A stale id.
+    #[doc(alias = "RestoreCollisionWith")]
+    pub fn restore_collision_with(&mut self, geom: GeomId, other: GeomId) -> Result<()> {
+        self.set_ignored(geom, other, false)
+    }
+
+    fn set_ignored(&mut self, geom: GeomId, other: GeomId, ignored: bool) -> Result<()> {
+        let number = self.geoms.get(other).ok_or(Error::StaleId { argument: "other" })?.number;
+        let entry = self.geoms.get_mut(geom).ok_or(Error::StaleId { argument: "geom" })?;
+        entry.set_ignored(number, ignored);
+        Ok(())
+    }
+
+    /// Lets the box of a geom be that of a disc about the geom's origin instead of that of its outline, or again that of
+    /// the outline: for engines that collide true circles, which reach beyond a polygon of as many corners.
+    ///
+    /// # Errors
+    /// A stale geom; a radius that is not finite and greater than 0, or with which the box would not be finite.
+    pub fn set_box_radius(&mut self, geom: GeomId, radius: Option<f32>) -> Result<()> {
+        let body = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?.body;
+        if let Some(radius) = radius.filter(|radius| !(radius.is_finite() && *radius > 0.0)) {
+            return Err(Error::invalid("radius", radius, "finite and greater than 0"));
+        }
+        let mut resized = self.geoms[geom].clone();
+        resized.set_box_radius(radius);
+        check_place("radius", resized, &self.bodies[body])?;
+        self.settle_body(body);
+        self.geoms[geom].set_box_radius(radius);
+        Ok(())
+    }
+}

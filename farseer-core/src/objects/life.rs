@@ -1,0 +1,211 @@
+//! How things enter and leave the simulation (behaviour chapter 04, section 2).
+//!
+//! Additions are processed before removals; geoms before bodies, controllers, joints and springs. So an object that is
+//! removed and added again between two updates ends up removed, as in the original.
+
+use super::Objects;
+use crate::Result;
+use crate::body::BodyId;
+use crate::collection::Life;
+use crate::geom::GeomId;
+use crate::methods::NarrowPhaseCollider;
+use crate::nobody::check_bodies;
+use crate::object_id::ObjectId;
+use crate::report::Notice;
+
+/// What a game asks for: it happens with the next update.
+impl Objects {
+    /// Lets an object take part from the next update on. Adding a body does not add its geoms.
+    ///
+    /// # Errors
+    /// A stale id; [`Error::MissingBody`] for a joint or spring without one of its bodies.
+    #[doc(alias = "Add")]
+    pub fn add(&mut self, object: impl Into<ObjectId>) -> Result<()> {
+        match object.into() {
+            ObjectId::Body(body) => self.bodies.add("body", body)?,
+            ObjectId::Geom(geom) => self.geoms.add("geom", geom)?,
+            ObjectId::Controller(controller) => self.controllers.add("controller", controller)?,
+            ObjectId::Joint(joint) => {
+                let held = self.joints.find("joint", joint)?;
+                check_bodies("joint", held.body1(), held.body2())?;
+                self.joints.add("joint", joint)?;
+            }
+            ObjectId::Spring(spring) => {
+                let pulled = self.springs.find("spring", spring)?;
+                check_bodies("spring", pulled.body1(), pulled.body2())?;
+                self.springs.add("spring", spring)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes an object out of the simulation with the next update; it stays alive and may be added again.
+    /// Removing a body does not remove its geoms: they go on colliding, and the body is no longer moved.
+    ///
+    /// # Errors
+    /// A stale id.
+    #[doc(alias = "Remove")]
+    pub fn remove(&mut self, object: impl Into<ObjectId>) -> Result<()> {
+        match object.into() {
+            ObjectId::Body(body) => self.bodies.remove("body", body)?,
+            ObjectId::Geom(geom) => self.geoms.remove("geom", geom)?,
+            ObjectId::Controller(controller) => self.controllers.remove("controller", controller)?,
+            ObjectId::Joint(joint) => self.joints.remove("joint", joint)?,
+            ObjectId::Spring(spring) => self.springs.remove("spring", spring)?,
+        }
+        Ok(())
+    }
+
+    /// Ends the life of an object: it leaves the simulation and its id goes stale with the next update. The
+    /// geoms of a body are disposed with it.
+    ///
+    /// # Errors
+    /// A stale id.
+    #[doc(alias = "Dispose")]
+    pub fn dispose(&mut self, object: impl Into<ObjectId>) -> Result<()> {
+        match object.into() {
+            ObjectId::Body(body) => {
+                self.bodies.dispose("body", body)?;
+                self.pending.push(Notice::BodyDisposed { body });
+                self.dispose_geoms_of(body);
+            }
+            ObjectId::Geom(geom) => {
+                let body = self.geoms.find("geom", geom)?.body;
+                self.bodies[body].detach(geom);
+                self.dispose_geom(geom);
+            }
+            ObjectId::Controller(controller) => self.controllers.dispose("controller", controller)?,
+            ObjectId::Joint(joint) => self.joints.dispose("joint", joint)?,
+            ObjectId::Spring(spring) => self.springs.dispose("spring", spring)?,
+        }
+        Ok(())
+    }
+
+    /// Whether an object is in its list now; a stale id is in none. Objects enter and leave their lists with updates.
+    pub fn is_listed(&self, object: impl Into<ObjectId>) -> bool {
+        self.life(object.into()).is_some_and(|life| life.is_listed)
+    }
+
+    /// Whether an object was disposed, and goes at the next update or is gone already: true for every stale id.
+    #[doc(alias = "IsDisposed")]
+    pub fn is_disposed(&self, object: impl Into<ObjectId>) -> bool {
+        self.life(object.into()).is_none_or(|life| life.is_disposed)
+    }
+
+    fn life(&self, object: ObjectId) -> Option<Life> {
+        match object {
+            ObjectId::Body(body) => self.bodies.life(body),
+            ObjectId::Geom(geom) => self.geoms.life(geom),
+            ObjectId::Controller(controller) => self.controllers.life(controller),
+            ObjectId::Joint(joint) => self.joints.life(joint),
+            ObjectId::Spring(spring) => self.springs.life(spring),
+        }
+    }
+
+    fn dispose_geoms_of(&mut self, body: BodyId) {
+        for geom in std::mem::take(&mut self.bodies[body].geoms) {
+            self.dispose_geom(geom);
+        }
+    }
+
+    fn dispose_geom(&mut self, geom: GeomId) {
+        if self.geoms.is_disposed(geom) {
+            return;
+        }
+        if self.narrow_phase == NarrowPhaseCollider::DistanceGrid {
+            self.geoms[geom].grid = None;
+        }
+        self.geoms.dispose("geom", geom).expect("it is there");
+    }
+}
+
+/// What an update does with it. Everything that enters or leaves a list is told, in order.
+impl Objects {
+    /// Whether joints or springs wait to enter.
+    pub(crate) fn has_new_links(&self) -> bool {
+        self.joints.has_added() || self.springs.has_added()
+    }
+
+    /// What was added enters. Answers which geoms did.
+    pub(crate) fn process_added(&mut self, mut tell: impl FnMut(ObjectId)) -> Vec<GeomId> {
+        let entered = self.geoms.process_added();
+        for &geom in &entered {
+            self.geoms[geom].in_simulation = true;
+            tell(geom.into());
+        }
+        self.bodies.process_added().into_iter().for_each(|body| tell(body.into()));
+        self.controllers.process_added().into_iter().for_each(|controller| tell(controller.into()));
+        self.joints.process_added().into_iter().for_each(|joint| tell(joint.into()));
+        self.springs.process_added().into_iter().for_each(|spring| tell(spring.into()));
+        entered
+    }
+
+    /// What was removed leaves. Answers which geoms were to.
+    pub(crate) fn process_removed(&mut self, mut tell: impl FnMut(ObjectId)) -> Vec<GeomId> {
+        let left = self.geoms.process_removed();
+        for &geom in &left {
+            self.geoms[geom].in_simulation = false;
+            tell(geom.into());
+        }
+        self.bodies.process_removed().into_iter().for_each(|body| tell(body.into()));
+        self.controllers.process_removed().into_iter().for_each(|controller| tell(controller.into()));
+        self.joints.process_removed().into_iter().for_each(|joint| tell(joint.into()));
+        self.springs.process_removed().into_iter().for_each(|spring| tell(spring.into()));
+        left
+    }
+
+    /// What was disposed leaves the lists, in list order. Answers which geoms did.
+    pub(crate) fn process_disposed(&mut self, mut tell: impl FnMut(ObjectId)) -> Vec<GeomId> {
+        // Geoms that were attached to a body after it was disposed go with it.
+        for index in 0..self.bodies.disposed().len() {
+            self.dispose_geoms_of(self.bodies.disposed()[index]);
+        }
+        let left = self.geoms.process_disposed();
+        left.iter().for_each(|&geom| tell(geom.into()));
+        self.bodies.process_disposed().into_iter().for_each(|body| tell(body.into()));
+        self.controllers.process_disposed().into_iter().for_each(|controller| tell(controller.into()));
+        self.springs.process_disposed().into_iter().for_each(|spring| tell(spring.into()));
+        self.joints.process_disposed().into_iter().for_each(|joint| tell(joint.into()));
+        left
+    }
+
+    /// Joints and springs whose body is disposed or gone are disposed.
+    pub(crate) fn dispose_links_without_body(&mut self) {
+        let bodies = &self.bodies;
+        let is_gone = |body1: BodyId, body2: Option<BodyId>| {
+            std::iter::once(body1).chain(body2).any(|body| bodies.is_disposed(body))
+        };
+        self.joints.dispose_listed_where(|joint| is_gone(joint.body1(), joint.body2()));
+        self.springs.dispose_listed_where(|spring| is_gone(spring.body1(), spring.body2()));
+    }
+
+    /// The ids of what was disposed go stale. No list names them any more.
+    pub(crate) fn free_disposed(&mut self) {
+        let has_geoms = |body: &BodyId| self.bodies.get(*body).is_some_and(|body| !body.geoms.is_empty());
+        let mut owners: Vec<BodyId> =
+            self.geoms.free_disposed().into_iter().map(|geom| geom.body).filter(has_geoms).collect();
+        // They may have been attached to other bodies after they were disposed.
+        owners.sort_unstable();
+        owners.dedup();
+        for body in owners {
+            self.bodies[body].geoms.retain(|&geom| self.geoms.contains(geom));
+        }
+        self.bodies.free_disposed();
+        self.controllers.free_disposed();
+        self.joints.free_disposed();
+        self.springs.free_disposed();
+    }
+
+    /// Everything is gone, and all ids are stale; limits and creation numbers go on.
+    pub(crate) fn clear(&mut self) {
+        self.bodies.clear();
+        self.geoms.clear();
+        self.controllers.clear();
+        self.joints.clear();
+        self.springs.clear();
+        self.touched_bodies.clear();
+        self.touched_geoms.clear();
+        self.pending.clear();
+        self.grids = Default::default();
+    }
+}

@@ -1,0 +1,210 @@
+//! What there is in a simulator (behaviour chapters 04, section 2, and 05, section 3). Knows no stage of an update.
+
+mod controllers;
+mod creating;
+mod editing;
+mod following;
+mod joints;
+mod life;
+mod queries;
+mod save;
+mod springs;
+mod world_queries;
+
+use serde::{Deserialize, Serialize};
+
+use crate::body::{Body, BodyId};
+use crate::body_entry::Bodies;
+use crate::collection::Collection;
+use crate::controllers::{Controller, ControllerId};
+use crate::geom::{Geom, GeomId};
+use crate::geom_entry::Geoms;
+use crate::geom_ref::GeomRef;
+use crate::joints::{Joint, JointId};
+use crate::limits::Limits;
+use crate::methods::NarrowPhaseCollider;
+use crate::narrow_phase::grid_cache::GridCache;
+use crate::report::Notice;
+use crate::springs::{Spring, SpringId};
+
+pub use creating::GeomPlacement;
+pub(crate) use following::Followed;
+pub use queries::GeomPointPair;
+pub use world_queries::RayCastHit;
+
+/// The bodies, geoms, joints, springs and controllers of a simulator, and all that can be done to them between updates
+/// and in callbacks. [`PhysicsSimulator`](crate::PhysicsSimulator) and [`Context`](crate::Context) are used as if they
+/// were this, so that what takes `&mut Objects` can be called from both sides:
+///
+/// ```
+/// use farseer_core::math::Vector2;
+/// use farseer_core::{Body, BodyId, Context, Contact, EventHandler, GeomId, Objects, PhysicsSimulator};
+///
+/// fn reset(objects: &mut Objects, ball: BodyId) {
+///     objects[ball].set_position(Vector2::new(0.0, -50.0));
+/// }
+///
+/// struct Pit(BodyId);
+/// impl EventHandler for Pit {
+///     fn on_collision(&mut self, context: &mut Context, _: GeomId, _: GeomId, _: &mut Vec<Contact>) -> bool {
+///         reset(context, self.0);
+///         true
+///     }
+/// }
+///
+/// let mut simulator = PhysicsSimulator::default();
+/// let ball = simulator.create_body(Body::new());
+/// reset(&mut simulator, ball);
+/// assert_eq!(simulator[ball].position().y, -50.0);
+/// ```
+///
+/// Objects live here and are named by ids. Their life is that of the original: *created* (exists but takes no part),
+/// *added* (takes part from the next update), *removed* (no longer takes part, may be added again), *disposed* (the id
+/// goes stale with the next update). Ids are those of one simulator: exchanging the objects of two lets updates fail.
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+pub struct Objects {
+    pub(crate) bodies: Bodies,
+    pub(crate) geoms: Geoms,
+    pub(crate) controllers: Collection<Controller, ControllerId>,
+    pub(crate) joints: Collection<Joint, JointId>,
+    pub(crate) springs: Collection<Spring, SpringId>,
+    next_geom_number: u32,
+    /// Bodies and geoms that were lent out for editing since the simulator last looked.
+    pub(crate) touched_bodies: Vec<BodyId>,
+    pub(crate) touched_geoms: Vec<GeomId>,
+    /// What is still to be told: since the last update, or since no callback is running.
+    pub(crate) pending: Vec<Notice>,
+    /// What geoms are made ready for, and how they are asked.
+    pub(crate) narrow_phase: NarrowPhaseCollider,
+    /// Not saved: a save cannot raise them.
+    #[serde(skip)]
+    limits: Limits,
+    #[serde(skip)]
+    grids: GridCache,
+}
+
+/// Access to what there is.
+impl Objects {
+    /// A body, unless the id is stale.
+    #[inline]
+    pub fn body(&self, body: BodyId) -> Option<&Body> {
+        self.bodies.get(body).map(|entry| &entry.body)
+    }
+
+    /// A body to edit, unless the id is stale. Its geoms follow when it is moved.
+    #[inline]
+    pub fn body_mut(&mut self, body: BodyId) -> Option<&mut Body> {
+        let entry = self.bodies.get_mut(body)?;
+        if !entry.is_touched {
+            entry.is_touched = true;
+            self.touched_bodies.push(body);
+        }
+        Some(&mut entry.body)
+    }
+
+    /// A geom as it lies in the world, unless the id is stale.
+    #[inline]
+    pub fn geom(&self, geom: GeomId) -> Option<GeomRef<'_>> {
+        let entry = self.geoms.get(geom)?;
+        Some(GeomRef { entry, life: self.geoms.life(geom)?, body: self.bodies.get(entry.body) })
+    }
+
+    /// The settings of a geom to edit, unless the id is stale.
+    #[inline]
+    pub fn geom_mut(&mut self, geom: GeomId) -> Option<&mut Geom> {
+        let entry = self.geoms.get_mut(geom)?;
+        if !entry.is_touched {
+            entry.is_touched = true;
+            self.touched_geoms.push(geom);
+        }
+        Some(&mut entry.geom)
+    }
+
+    /// The geoms of a body, in the order in which they were attached; none if the id is stale.
+    pub fn geoms_of(&self, body: BodyId) -> &[GeomId] {
+        self.bodies.get(body).map_or(&[], |entry| &entry.geoms)
+    }
+
+    /// The bodies that take part, in the order in which they were added.
+    #[doc(alias = "BodyList")]
+    pub fn body_list(&self) -> &[BodyId] {
+        self.bodies.list()
+    }
+
+    /// The geoms that take part, in the order in which they were added.
+    #[doc(alias = "GeomList")]
+    pub fn geom_list(&self) -> &[GeomId] {
+        self.geoms.list()
+    }
+
+    /// All bodies that live, in their lists or not, in the order of their [slots](BodyId::slot).
+    pub fn bodies(&self) -> impl Iterator<Item = BodyId> + '_ {
+        self.bodies.iter().map(|(id, _)| id)
+    }
+
+    /// All geoms that live, in their lists or not, in the order of their [slots](GeomId::slot).
+    pub fn geoms(&self) -> impl Iterator<Item = GeomId> + '_ {
+        self.geoms.iter().map(|(id, _)| id)
+    }
+
+    /// The body that a geom is attached to, unless the id is stale.
+    pub fn body_of(&self, geom: GeomId) -> Option<BodyId> {
+        self.geoms.get(geom).map(|entry| entry.body)
+    }
+
+    /// Whether something was edited, or waits to be told.
+    #[inline]
+    pub(crate) fn has_edits(&self) -> bool {
+        !(self.touched_bodies.is_empty() && self.touched_geoms.is_empty() && self.pending.is_empty())
+    }
+
+    /// What this simulator may cost.
+    pub fn limits(&self) -> Limits {
+        self.limits
+    }
+
+    /// Sets what this simulator may cost. What is there already stays, whatever it costs. Clones have the same limits;
+    /// [`clear`](crate::PhysicsSimulator::clear) and [`restore`](crate::PhysicsSimulator::restore) leave them alone, and
+    /// apply them to what is restored.
+    pub fn set_limits(&mut self, limits: Limits) {
+        self.limits = limits;
+    }
+}
+
+impl std::ops::Index<BodyId> for Objects {
+    type Output = Body;
+    /// # Panics
+    /// If the id is stale; see [`Objects::body`].
+    #[inline]
+    fn index(&self, body: BodyId) -> &Body {
+        &self.bodies[body].body
+    }
+}
+
+impl std::ops::IndexMut<BodyId> for Objects {
+    /// # Panics
+    /// If the id is stale; see [`Objects::body_mut`].
+    #[inline]
+    fn index_mut(&mut self, body: BodyId) -> &mut Body {
+        self.body_mut(body).expect("the id is stale: the body was disposed")
+    }
+}
+
+impl std::ops::Index<GeomId> for Objects {
+    type Output = Geom;
+    /// # Panics
+    /// If the id is stale; see [`Objects::geom`].
+    #[inline]
+    fn index(&self, geom: GeomId) -> &Geom {
+        &self.geoms[geom].geom
+    }
+}
+
+impl std::ops::IndexMut<GeomId> for Objects {
+    /// # Panics
+    /// If the id is stale; see [`Objects::geom_mut`].
+    #[inline]
+    fn index_mut(&mut self, geom: GeomId) -> &mut Geom {
+        self.geom_mut(geom).expect("the id is stale: the geom was disposed")
+    }
+}

@@ -1,0 +1,101 @@
+//! What was loaded is checked, and completed.
+
+use super::Objects;
+use super::creating::GEOM_NUMBERS;
+use crate::body::Pose;
+use crate::body_entry::BodyEntry;
+use crate::geom::GeomId;
+use crate::geom_entry::GeomEntry;
+use crate::nobody::check_bodies;
+use crate::{Error, Result};
+
+impl Objects {
+    /// Geoms of equal outline and cell size share one grid again.
+    pub(crate) fn make_grids(&mut self) -> Result<()> {
+        let with_grid = |(id, geom): (GeomId, &GeomEntry)| geom.grid.clone().map(|grid| (id, grid));
+        let to_be_made: Vec<_> = self.geoms.iter().filter_map(with_grid).collect();
+        for (geom, grid) in to_be_made {
+            let grid = self.distance_grid(grid.outline(), grid.cell_size())?;
+            self.geoms[geom].set_grid(grid);
+        }
+        Ok(())
+    }
+
+    /// Refuses what no sequence of calls could have made, and what would make a later call fail.
+    pub(crate) fn check(&self) -> Result<()> {
+        let damaged = |reason| Err(Error::DamagedSave { reason });
+        if self.next_geom_number > GEOM_NUMBERS {
+            return damaged("more creation numbers were used than there are");
+        }
+        if !(self.bodies.is_consistent()
+            && self.geoms.is_consistent()
+            && self.controllers.is_consistent()
+            && self.joints.is_consistent()
+            && self.springs.is_consistent())
+        {
+            return damaged("a list names an object that is not there, or twice");
+        }
+        if !self.geoms_are_valid() {
+            return damaged("a geom is not finite or not attached to its body");
+        }
+        if !self.bodies_are_valid() {
+            return damaged("a body names a geom that is not its own");
+        }
+        if !self.controllers.iter().all(|(_, controller)| controller.is_valid())
+            || !self.joints.iter().all(|(_, joint)| joint.is_valid())
+            || !self.springs.iter().all(|(_, spring)| spring.is_valid())
+        {
+            return damaged("a joint, spring or controller has a value that is not possible");
+        }
+        if !self.joints_and_springs_have_bodies() {
+            return damaged("a joint or spring takes part without its bodies");
+        }
+        Ok(())
+    }
+
+    fn geoms_are_valid(&self) -> bool {
+        let attachments = self.attachments();
+        let is_at_its_place = |id: GeomId, geom: &GeomEntry, body: &BodyEntry| {
+            attachments[id.slot()] == 1
+                && geom.would_be_finite_at(body.followed.position, body.followed.rotation)
+        };
+        self.geoms.iter().all(|(id, geom)| {
+            let body = self.bodies.get(geom.body);
+            geom.is_valid()
+                && geom.number < self.next_geom_number
+                && body.is_some_and(|body| self.geoms.is_disposed(id) || is_at_its_place(id, geom, body))
+        })
+    }
+
+    fn bodies_are_valid(&self) -> bool {
+        self.bodies.iter().all(|(id, entry)| {
+            entry.is_consistent(|geom| self.geoms.get(geom).is_some_and(|geom| geom.body == id))
+        })
+    }
+
+    /// Only what has all of its bodies can be added.
+    fn joints_and_springs_have_bodies(&self) -> bool {
+        let mut joints = self.joints.listed_or_queued();
+        let mut springs = self.springs.listed_or_queued();
+        joints.all(|joint| check_bodies("joint", joint.body1(), joint.body2()).is_ok())
+            && springs.all(|spring| check_bodies("spring", spring.body1(), spring.body2()).is_ok())
+    }
+
+    /// By slot of the geom: how often the bodies name it. No body names another's: that is checked, too.
+    fn attachments(&self) -> Vec<u32> {
+        let mut attachments = vec![0; self.geoms.slot_count()];
+        let named = self.bodies.iter().flat_map(|(_, body)| &body.geoms);
+        for &geom in named.filter(|&&geom| self.geoms.contains(geom)) {
+            attachments[geom.slot()] += 1;
+        }
+        attachments
+    }
+}
+
+impl BodyEntry {
+    fn is_consistent(&self, is_own_geom: impl Fn(GeomId) -> bool) -> bool {
+        let Pose { position, rotation, total_rotation, .. } = self.followed;
+        let followed = [position.x, position.y, rotation, total_rotation];
+        followed.iter().all(|value| value.is_finite()) && self.geoms.iter().all(|&geom| is_own_geom(geom))
+    }
+}

@@ -1,0 +1,26 @@
+//! Impulses, gravity and drag become velocity.
+
+use crate::body_entry::Bodies;
+use crate::math::Vector2;
+use crate::report::{Event, Report};
+
+/// Integrates the velocities of the bodies that take part. One that would not be finite stays what it was, and the body
+/// is disabled and reported.
+pub(crate) fn integrate_velocities(bodies: &mut Bodies, gravity: Vector2, dt: f32, report: &mut Report) {
+    for position in 0..bodies.list().len() {
+        let Some((id, entry)) = bodies.at_mut(position) else { continue };
+        let body = &mut entry.body;
+        if !body.is_integrated() {
+            continue;
+        }
+        let before = (body.linear_velocity, body.angular_velocity);
+        body.apply_accumulated_impulse();
+        body.accumulate_gravity(gravity);
+        body.integrate_velocity(dt);
+        if !body.is_finite() {
+            (body.linear_velocity, body.angular_velocity) = before;
+            body.set_enabled(false);
+            report.push(Event::NotFinite { body: id, disabled: true });
+        }
+    }
+}

@@ -1,0 +1,32 @@
+//! The chosen methods and their state.
+
+pub(crate) mod forces;
+pub(crate) mod joint_passes;
+pub(crate) mod positions;
+pub(crate) mod touch;
+
+use serde::{Deserialize, Serialize};
+
+use crate::broad_phase::BroadPhase;
+use crate::contact::Contact;
+use crate::geom::GeomId;
+use crate::solver::{ContactSolver, SolverBodies};
+use joint_passes::JointPasses;
+
+/// What the stages of an update keep, for themselves and for each other.
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+pub(crate) struct Pipeline {
+    pub(crate) broad_phase: BroadPhase,
+    /// The velocities of an update while it solves.
+    #[serde(skip)]
+    pub(crate) bodies: SolverBodies,
+    #[serde(skip)]
+    pub(crate) contacts: ContactSolver,
+    #[serde(skip)]
+    pub(crate) joints: JointPasses,
+    /// Empty between stages.
+    #[serde(skip)]
+    pub(crate) new_contacts: Vec<Contact>,
+    #[serde(skip)]
+    pub(crate) separated: Vec<(GeomId, GeomId)>,
+}

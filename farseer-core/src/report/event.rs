@@ -1,0 +1,138 @@
+//! What happens during an update (behaviour chapters 03, 04 and 08).
+
+use serde::{Deserialize, Serialize};
+
+use crate::body::BodyId;
+use crate::controllers::ControllerId;
+use crate::geom::GeomId;
+use crate::joints::JointId;
+use crate::object_id::ObjectId;
+use crate::springs::SpringId;
+
+/// Something that happened during the last update, or was asked for since the one before.
+/// [`PhysicsSimulator::events`](crate::PhysicsSimulator::events) lists them in the order in which they happened.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Event {
+    /// Geom `this` touches `other`, told once to each side in every update in which there are contacts.
+    Collision {
+        /// The geom that is told.
+        this: GeomId,
+        /// Its partner.
+        other: GeomId,
+        /// Number of contacts.
+        contacts: u32,
+        /// Whether the handler refused the collision.
+        vetoed: bool,
+    },
+    /// The boxes of two geoms overlap but the geoms do not touch (any more), told once to each side. Like the
+    /// original's, it recurs in every update for boxes that overlap without contact, and does not come when a
+    /// contact ends by disabling, removing or disposing.
+    Separation {
+        /// The geom that is told.
+        this: GeomId,
+        /// Its partner.
+        other: GeomId,
+    },
+    /// The handler refused a pair whose boxes overlap.
+    BroadPhaseVeto {
+        /// First geom, as the handler was told.
+        geom1: GeomId,
+        /// Second geom.
+        geom2: GeomId,
+    },
+    /// A body was moved by a setter, or has moved at least once and was integrated.
+    BodyUpdated {
+        /// The body.
+        body: BodyId,
+    },
+    /// A body was disposed.
+    BodyDisposed {
+        /// The body; its id is stale after the update that reports this.
+        body: BodyId,
+    },
+    /// An object entered its list.
+    Added {
+        /// The object.
+        object: ObjectId,
+    },
+    /// An object left its list, or was to be removed without being in it.
+    Removed {
+        /// The object.
+        object: ObjectId,
+    },
+    /// A setter or [`PhysicsSimulator::update`](crate::PhysicsSimulator::update) was given a value that is not finite, and changed nothing. After
+    /// sixteen refusals of an object since the last update that told, each further argument is told once.
+    RejectedInput {
+        /// The object whose setter it was; `None` for the simulator itself.
+        object: Option<ObjectId>,
+        /// Name of the argument.
+        argument: &'static str,
+    },
+    /// The state of a body stopped being finite. It was put back to its last finite state.
+    NotFinite {
+        /// The body.
+        body: BodyId,
+        /// Whether it was disabled: every dynamic body is, no static one.
+        disabled: bool,
+    },
+    /// The error of a joint was beyond its breakpoint: it is disabled now.
+    JointBroke {
+        /// The joint.
+        joint: JointId,
+    },
+    /// The error of a spring was beyond its breakpoint: it is disabled now.
+    SpringBroke {
+        /// The spring.
+        spring: SpringId,
+    },
+    /// A geom dipped into the fluid of a fluid drag controller.
+    FluidEntry {
+        /// The controller.
+        controller: ControllerId,
+        /// The geom.
+        geom: GeomId,
+        /// Number of its vertices in the fluid.
+        vertices: u32,
+    },
+    /// A joint would have made a velocity infinite or NaN. It did nothing more in this update, and has forgotten its
+    /// impulses.
+    JointNotFinite {
+        /// The joint.
+        joint: JointId,
+    },
+    /// A spring would have made a force or torque infinite or NaN. It did nothing in this update.
+    SpringNotFinite {
+        /// The spring.
+        spring: SpringId,
+    },
+    /// A controller would have made a force or torque infinite or NaN, which it did not apply.
+    ControllerNotFinite {
+        /// The controller.
+        controller: ControllerId,
+    },
+    /// A controller that is the game's own, or has a fluid container that is, was due, but nobody answered for it.
+    MissingController {
+        /// The controller.
+        controller: ControllerId,
+    },
+}
+
+/// What happened between updates, or while no callback could be told: it is told as soon as one can be. State, and saved
+/// as such.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+pub(crate) enum Notice {
+    BodyUpdated { body: BodyId },
+    BodyDisposed { body: BodyId },
+    NotFinite { body: BodyId, disabled: bool },
+}
+
+impl From<Notice> for Event {
+    fn from(notice: Notice) -> Self {
+        match notice {
+            Notice::BodyUpdated { body } => Event::BodyUpdated { body },
+            Notice::BodyDisposed { body } => Event::BodyDisposed { body },
+            Notice::NotFinite { body, disabled } => Event::NotFinite { body, disabled },
+        }
+    }
+}

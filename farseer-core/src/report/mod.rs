@@ -1,0 +1,48 @@
+//! What a simulator tells of its last update, and what it still has to tell.
+
+mod event;
+mod refusals;
+mod step_times;
+
+pub use event::Event;
+pub(crate) use event::Notice;
+pub use refusals::{ArgumentNames, Refusals};
+pub use step_times::StepTimes;
+pub(crate) use step_times::{Clock, Stopwatch};
+
+/// What a step did: how much work there was.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct StepCounters {
+    /// Pairs whose shapes were tested against each other.
+    pub pairs_tested: usize,
+    /// Pairs that touch.
+    pub pairs_touching: usize,
+    /// Contacts the solver worked on in every iteration.
+    pub contacts_solved: usize,
+    /// Passes that the solver made.
+    pub passes: u32,
+    /// Bodies that changed their pose.
+    pub bodies_moved: usize,
+}
+
+/// What is told of the last update. Nothing of it is saved: the next update overwrites it and reads none of it.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Report {
+    pub(crate) events: Vec<Event>,
+    pub(crate) counters: StepCounters,
+    pub(crate) step_times: StepTimes,
+    /// Empty: the other buffer of what is still to be told.
+    pub(crate) delivered: Vec<Notice>,
+}
+
+impl Report {
+    /// An update begins.
+    pub(crate) fn clear(&mut self) {
+        self.events.clear();
+        self.counters = StepCounters::default();
+    }
+
+    pub(crate) fn push(&mut self, event: Event) {
+        self.events.push(event);
+    }
+}

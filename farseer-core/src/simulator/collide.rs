@@ -1,0 +1,165 @@
+//! Which pairs there are, and where they touch.
+
+use super::tell::Handler;
+use super::{Context, EventHandler, PhysicsSimulator};
+use crate::broad_phase::{BroadPhase, PairSink};
+use crate::contact::Contact;
+use crate::geom::GeomId;
+use crate::pair_filter::Filter;
+use crate::pipeline::touch::{ContactLimits, find_contacts, renew_contacts};
+use crate::report::Event;
+
+impl PhysicsSimulator {
+    pub(super) fn look_for_pairs(&mut self, handler: &mut Handler<'_>) {
+        let is_filtered = handler.wants(|handler| handler.filters_pairs());
+        if is_filtered {
+            self.filter_listed_pairs(handler);
+        }
+        let at_work = BroadPhase::AtWork(self.pipeline.broad_phase.method());
+        let mut broad_phase = std::mem::replace(&mut self.pipeline.broad_phase, at_work);
+        broad_phase.restore(&self.objects.geoms);
+        broad_phase.update(&mut PairFinder { simulator: self, handler: handler.reborrow(), is_filtered });
+        self.pipeline.broad_phase = broad_phase;
+    }
+
+    /// Asks the handler about every pair that has an arbiter. Those that it refuses lose their contacts, and leave.
+    fn filter_listed_pairs(&mut self, handler: &mut Handler<'_>) {
+        for position in 0..self.contacts.len() {
+            if let Some((a, b)) = self.contacts.at(position).geoms
+                && !self.accepts_pair(handler, a, b)
+                && let Some(arbiter) = self.contacts.get_mut(position)
+            {
+                arbiter.contacts.clear();
+            }
+        }
+        self.remove_separated(handler);
+    }
+
+    fn accepts_pair(&mut self, handler: &mut Handler<'_>, geom1: GeomId, geom2: GeomId) -> bool {
+        self.tell(handler, |handler, context| handler.accepts_pair(context, geom1, geom2)).unwrap_or(true)
+    }
+
+    pub(super) fn look_for_contacts(&mut self, handler: &mut Handler<'_>) {
+        self.contacts.take_back_from_engine();
+        let mut contacts = std::mem::take(&mut self.pipeline.new_contacts);
+        for position in 0..self.contacts.len() {
+            self.collide_pair(position, &mut contacts, handler);
+        }
+        self.pipeline.new_contacts = contacts;
+        self.report.counters.pairs_tested = self.contacts.len();
+        self.remove_separated(handler);
+        self.report.counters.pairs_touching = self.contacts.len();
+    }
+
+    fn collide_pair(&mut self, position: usize, contacts: &mut Vec<Contact>, handler: &mut Handler<'_>) {
+        let handle = self.contacts.list[position] as usize;
+        let Some((a, b)) = self.contacts.arbiters[handle].geoms else { return };
+        let settings = &self.settings;
+        let limits = ContactLimits {
+            detect: settings.max_contacts_to_detect,
+            resolve: settings.max_contacts_to_resolve,
+        };
+        find_contacts(&self.objects, (a, b), limits, contacts);
+        self.tell_collision(a, b, contacts, handler);
+        self.tell_collision(b, a, contacts, handler);
+        renew_contacts(&mut self.contacts.arbiters[handle].contacts, contacts);
+    }
+
+    fn tell_collision(
+        &mut self,
+        this: GeomId,
+        other: GeomId,
+        contacts: &mut Vec<Contact>,
+        handler: &mut Handler<'_>,
+    ) {
+        if contacts.is_empty() {
+            return;
+        }
+        let count = contacts.len() as u32;
+        let event =
+            |is_accepted: bool| Event::Collision { this, other, contacts: count, vetoed: !is_accepted };
+        let is_accepted = self.tell(handler, |handler, context| {
+            let is_accepted = handler.on_collision(context, this, other, contacts);
+            context.simulator.report.push(event(is_accepted));
+            contacts.retain(|contact| is_accepted && contact.is_finite());
+            is_accepted
+        });
+        if is_accepted.is_none() {
+            self.report.push(event(true));
+        }
+    }
+
+    /// Takes arbiters without contacts out of the list, and tells both sides.
+    fn remove_separated(&mut self, handler: &mut Handler<'_>) {
+        let mut separated = std::mem::take(&mut self.pipeline.separated);
+        self.contacts.remove_where(|arbiter| arbiter.contacts.is_empty(), |a, b| separated.push((a, b)));
+        for (a, b) in separated.drain(..) {
+            for (this, other) in [(a, b), (b, a)] {
+                self.report.push(Event::Separation { this, other });
+                self.tell(handler, |handler, context| handler.on_separation(context, this, other));
+            }
+        }
+        self.pipeline.separated = separated;
+    }
+}
+
+/// Hands pairs from the broad phase to the arbiter list.
+struct PairFinder<'s, 'h> {
+    simulator: &'s mut PhysicsSimulator,
+    handler: Handler<'h>,
+    /// Whether the handler filters pairs.
+    is_filtered: bool,
+}
+
+impl PairSink for PairFinder<'_, '_> {
+    fn has_approval(&self) -> bool {
+        self.handler.wants(|handler| handler.handles_broad_phase())
+    }
+
+    fn approve(&mut self, geom1: GeomId, geom2: GeomId) -> bool {
+        let ask = |handler: &mut dyn EventHandler, context: &mut Context<'_>| {
+            let is_accepted = handler.on_broad_phase_collision(context, geom1, geom2);
+            if !is_accepted {
+                context.simulator.report.push(Event::BroadPhaseVeto { geom1, geom2 });
+            }
+            is_accepted
+        };
+        self.simulator.tell(&mut self.handler, ask).unwrap_or(true)
+    }
+
+    fn filter(&self) -> Filter<'_> {
+        Filter { geoms: &self.simulator.objects.geoms, bodies: &self.simulator.objects.bodies }
+    }
+
+    fn geom_list(&self) -> &[GeomId] {
+        self.simulator.geom_list()
+    }
+
+    fn register(&mut self, geom1: GeomId, geom2: GeomId) {
+        let geoms = &self.simulator.objects.geoms;
+        if !geoms.contains(geom1) || !geoms.contains(geom2) {
+            return;
+        }
+        // Asked before the table is: most pairs are refused, and asking is the cheaper of the two.
+        if self.is_filtered && !self.simulator.accepts_pair(&mut self.handler, geom1, geom2) {
+            return;
+        }
+        let PhysicsSimulator { contacts, objects, settings, .. } = &mut *self.simulator;
+        contacts.add_arbiter_for_geom_pair(&objects.geoms, settings.friction_type, geom1, geom2);
+    }
+
+    fn index_listed(&mut self) {
+        self.simulator.contacts.index_listed();
+    }
+
+    fn register_unless_listed(&mut self, geom1: GeomId, geom2: GeomId) {
+        if self.is_filtered
+            && !self.simulator.contacts.is_listed(geom1, geom2)
+            && !self.simulator.accepts_pair(&mut self.handler, geom1, geom2)
+        {
+            return;
+        }
+        let PhysicsSimulator { contacts, objects, settings, .. } = &mut *self.simulator;
+        contacts.add_arbiter_unless_listed(&objects.geoms, settings.friction_type, geom1, geom2);
+    }
+}

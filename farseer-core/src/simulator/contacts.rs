@@ -1,0 +1,88 @@
+//! What touches, and what an engine that is built on this one does with it.
+
+use super::PhysicsSimulator;
+use crate::arbiter::ArbiterRef;
+use crate::geom::GeomId;
+
+/// Contacts.
+impl PhysicsSimulator {
+    /// The pairs whose boxes overlapped in the last update and which touch, in the order in which they are solved.
+    #[doc(alias = "ArbiterList")]
+    pub fn arbiters(&self) -> impl Iterator<Item = ArbiterRef<'_>> {
+        (0..self.contacts.len()).filter_map(|position| self.arbiter(position))
+    }
+
+    /// The arbiter at a position of the list, from 0; `None` beyond its end.
+    pub fn arbiter(&self, position: usize) -> Option<ArbiterRef<'_>> {
+        let arbiter = (position < self.contacts.len()).then(|| self.contacts.at(position))?;
+        Some(ArbiterRef { geoms: arbiter.geoms?, friction: arbiter.friction, contacts: &arbiter.contacts })
+    }
+
+    /// Number of [`arbiters`](Self::arbiters).
+    pub fn arbiter_count(&self) -> usize {
+        self.contacts.len()
+    }
+
+    /// Number of contacts of all arbiters.
+    pub fn contact_count(&self) -> usize {
+        self.arbiters().map(|arbiter| arbiter.contacts.len()).sum()
+    }
+
+    /// The geoms that a geom touched in the last update, in the order in which the pairs are solved. The list of what is
+    /// in a sensor: sensors have contacts like other geoms, nothing pushes them.
+    ///
+    /// None for a stale id. Pairs that may not collide, such as those of two static bodies, and collisions that a
+    /// handler refused do not count: they have no contacts.
+    pub fn overlaps(&self, geom: GeomId) -> Vec<GeomId> {
+        let mut partners = Vec::new();
+        for arbiter in self.arbiters().filter(|arbiter| !arbiter.contacts().is_empty()) {
+            let partner = match (arbiter.geom_a(), arbiter.geom_b()) {
+                (a, b) if a == geom => b,
+                (a, b) if b == geom => a,
+                _ => continue,
+            };
+            // The list may hold a pair twice.
+            if !partners.contains(&partner) {
+                partners.push(partner);
+            }
+        }
+        partners
+    }
+}
+
+/// For engines that are built on the stages: contacts that they solve.
+impl PhysicsSimulator {
+    /// Between [`collide_pairs`](Self::collide_pairs) and [`pre_step`](Self::pre_step): the core does not solve the
+    /// arbiter at this position of the list in this update. It stays in the list with its contacts and their impulses,
+    /// and is not counted in [`contacts_solved`](crate::StepCounters::contacts_solved). Beyond the end of the list
+    /// nothing happens.
+    pub fn leave_to_engine(&mut self, position: usize) {
+        self.contacts.leave_to_engine(position);
+    }
+
+    /// Sets the accumulated impulses (mass times velocity) of a contact of the arbiter at a position of the list: what
+    /// an engine found for an arbiter that was [left](Self::leave_to_engine) to it. The contact has them again in the
+    /// next update, if it is still there. Those of other arbiters are overwritten by [`integrate`](Self::integrate).
+    ///
+    /// Nothing happens if there is no such contact or an impulse is not finite.
+    pub fn set_arbiter_impulses(
+        &mut self,
+        position: usize,
+        contact_index: usize,
+        normal_impulse: f32,
+        tangent_impulse: f32,
+    ) {
+        let arbiter = self.contacts.get_mut(position);
+        let Some(contact) = arbiter.and_then(|arbiter| arbiter.contacts.get_mut(contact_index)) else {
+            return;
+        };
+        if normal_impulse.is_finite() && tangent_impulse.is_finite() {
+            (contact.normal_impulse, contact.tangent_impulse) = (normal_impulse, tangent_impulse);
+        }
+    }
+
+    /// How two friction coefficients combine: [`friction_type`](Self::friction_type).
+    pub fn mix_friction(&self, a: f32, b: f32) -> f32 {
+        self.settings.friction_type.mix(a, b)
+    }
+}
