@@ -4,6 +4,7 @@ pub mod check;
 pub mod compare;
 pub mod depth_scenes;
 pub mod file;
+pub mod fixtures;
 pub mod golden;
 pub mod measure;
 pub mod peers;

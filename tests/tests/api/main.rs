@@ -15,6 +15,8 @@ mod shapes;
 mod simulator;
 
 mod aliases;
+mod appendix;
+mod packages;
 
 use std::collections::BTreeSet;
 
