@@ -12,7 +12,6 @@ pub mod run;
 pub mod samples;
 pub mod scene;
 pub mod scenes;
-pub mod table;
 pub mod trace;
 pub mod units;
 
