@@ -4,6 +4,7 @@ pub mod check;
 pub mod compare;
 pub mod depth_scenes;
 pub mod file;
+pub mod fixtures;
 pub mod golden;
 pub mod measure;
 pub mod peers;
@@ -11,7 +12,6 @@ pub mod run;
 pub mod samples;
 pub mod scene;
 pub mod scenes;
-pub mod table;
 pub mod trace;
 pub mod units;
 

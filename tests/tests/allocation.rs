@@ -1,17 +1,17 @@
 //! Once a scene has settled, an update allocates nothing.
 //!
-//! One program with one thread: the counter counts whatever the test does.
+//! A program of its own: a program has one allocator, and this one counts.
 
 // A global allocator cannot be written without: its trait is unsafe.
 #![allow(unsafe_code)]
 
-mod core_common;
-mod twohalf_common;
-
+use conformance::fixtures::depth;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
-use core_common::{add_box, add_circle, add_floor, lively_scene, methods, simulator_with, v};
+use conformance::fixtures::plane::{
+    self, add_box, add_circle, add_floor, lively_scene, methods, simulator_with, v,
+};
 use farseer_core::{
     BodyId, BodyInterpolation, BroadPhaseCollider, Context, Controller, EventHandler, FluidContainerRef,
     FluidDragController, GravityController, InactivityController, JointFactory, JointId, NarrowPhaseCollider,
@@ -209,7 +209,7 @@ fn an_update_with_joints_springs_and_controllers_allocates_nothing() {
     assert_eq!(counts, [9, 4, 6]);
     let calls: usize = (0..300).map(|_| calls(|| simulator.update(0.01))).sum();
     assert_eq!(calls, 0);
-    assert!(core_common::is_finite(&simulator) && simulator.contact_count() > 0);
+    assert!(plane::is_finite(&simulator) && simulator.contact_count() > 0);
 }
 
 #[test]
@@ -267,19 +267,19 @@ fn looking_at_a_settled_scene_allocates_nothing() {
 
 /// Balls and crates on the ground and on a platform, and balls on top of crates, at several depths.
 fn settled_scene_with_depth() -> twohalf::TwoHalfPhysicsSimulator {
-    let mut simulator = twohalf_common::simulator();
+    let mut simulator = depth::simulator();
     let place = twohalf::Vector3::new(200.0, 0.0, 200.0);
     twohalf::Platform::new(&mut simulator, 600.0, 30.0, 60.0, place, None).unwrap();
     for i in 0..40u8 {
         let place = [f32::from(i % 8) * 60.0, 35.0, f32::from(i / 8) * 50.0];
         if i % 2 == 0 {
-            twohalf_common::ball(&mut simulator, 10.0, place);
+            depth::ball(&mut simulator, 10.0, place);
         } else {
-            twohalf_common::crate_box(&mut simulator, [20.0, 16.0], place);
-            twohalf_common::ball(&mut simulator, 8.0, [place[0], place[1] + 20.0, place[2]]);
+            depth::crate_box(&mut simulator, [20.0, 16.0], place);
+            depth::ball(&mut simulator, 8.0, [place[0], place[1] + 20.0, place[2]]);
         }
     }
-    (0..600).for_each(|_| simulator.update(twohalf_common::DT));
+    (0..600).for_each(|_| simulator.update(depth::DT));
     simulator
 }
 
@@ -291,8 +291,8 @@ fn an_update_of_a_settled_scene_with_depth_allocates_nothing() {
     let counters = simulator.counters();
     assert!(counters.ground_contacts == 32 && counters.pairs_touching == 28, "{counters:?}");
     let calls = calls(|| {
-        (0..100).for_each(|_| simulator.update(twohalf_common::DT));
-        (0..100).for_each(|_| simulator.update_with(twohalf_common::DT, &mut Silent));
+        (0..100).for_each(|_| simulator.update(depth::DT));
+        (0..100).for_each(|_| simulator.update_with(depth::DT, &mut Silent));
     });
     assert_eq!(calls, 0);
 }

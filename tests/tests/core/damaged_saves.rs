@@ -1,0 +1,341 @@
+//! A damaged save is refused, or makes a simulator that runs: nothing panics, nothing becomes infinite.
+
+use conformance::fixtures::plane::{Game, add_box, is_finite, lively_scene, methods, simulator_with, v};
+use farseer_core::{
+    Body, BroadPhaseCollider, GeomPlacement, NarrowPhaseCollider, PhysicsSimulator, Vertices, math::Matrix,
+};
+use serde_json::{Value, json};
+
+/// Runs what was loaded, if it was. Answers whether it was refused.
+fn is_refused_or_runs(text: &str, what: &str) -> bool {
+    let Ok(mut simulator) = serde_json::from_str::<PhysicsSimulator>(text) else { return true };
+    assert!(is_finite(&simulator), "not finite when loaded: {what}");
+    // Any number of passes is legitimate, but the limit of them is a long one.
+    simulator.set_iterations(simulator.iterations().min(10));
+    for step in 0..10 {
+        simulator.update(0.01);
+        assert!(is_finite(&simulator), "not finite after {step} updates: {what}");
+    }
+    loads_itself(&simulator, what);
+    let bodies = simulator.body_list().to_vec();
+    for &body in &bodies {
+        simulator[body].set_position(v(1.0, 2.0));
+    }
+    simulator.update(0.01);
+    for &body in &bodies {
+        simulator.dispose(body).unwrap();
+    }
+    simulator.update(0.01);
+    can_be_added_to(simulator, what);
+    false
+}
+
+fn loads_itself(simulator: &PhysicsSimulator, what: &str) {
+    let restored = PhysicsSimulator::default().restore(&simulator.snapshot());
+    assert_eq!(restored, Ok(()), "it refuses its own snapshot: {what}");
+}
+
+/// Whether a geom can be made, unless the numbers of geoms are used up.
+fn can_be_added_to(mut simulator: PhysicsSimulator, what: &str) {
+    let body = simulator.create_body(Body::new());
+    simulator.add(body).unwrap();
+    let outline = Vertices::create_simple_rectangle(10.0, 10.0).unwrap();
+    match simulator.create_geom(body, outline, GeomPlacement::default()) {
+        Ok(geom) => simulator.add(geom).unwrap(),
+        Err(error) => assert!(error.to_string().contains("2^31"), "{error}: {what}"),
+    }
+    simulator.update(0.01);
+    assert!(is_finite(&simulator) && simulator.is_listed(body), "nothing can be added: {what}");
+}
+
+/// A scene in the middle of things: pairs, removed and waiting objects, edited bodies, free slots.
+fn busy_save(methods: (BroadPhaseCollider, NarrowPhaseCollider)) -> Value {
+    let mut simulator = lively_scene(methods, 5);
+    let mut game = Game::default();
+    for _ in 0..70 {
+        game.step(&mut simulator);
+    }
+    let geom = simulator.geom_list()[5];
+    simulator.remove(geom).unwrap();
+    let body = simulator.body_list()[10];
+    simulator.dispose(body).unwrap();
+    let body = simulator.body_list()[11];
+    simulator[body].set_position(v(3.0, 4.0));
+    add_box(&mut simulator, (10.0, 10.0), v(8.0, 1.0));
+    serde_json::to_value(&simulator).unwrap()
+}
+
+/// Paths to all numbers of a value.
+fn numbers(value: &Value, path: &mut Vec<String>, found: &mut Vec<String>) {
+    match value {
+        Value::Number(_) => found.push(format!("/{}", path.join("/"))),
+        Value::Array(list) => {
+            for (index, value) in list.iter().enumerate() {
+                path.push(index.to_string());
+                numbers(value, path, found);
+                path.pop();
+            }
+        }
+        Value::Object(fields) => {
+            for (key, value) in fields {
+                path.push(key.clone());
+                numbers(value, path, found);
+                path.pop();
+            }
+        }
+        _ => {}
+    }
+}
+
+/// The kind of place a number stands at: its path without indices.
+fn kind(path: &str) -> String {
+    path.split('/').filter(|part| part.parse::<usize>().is_err()).collect::<Vec<_>>().join("/")
+}
+
+/// A few places of every kind, spread over the file.
+fn sample(paths: &[String], per_kind: usize) -> Vec<&String> {
+    let mut by_kind = std::collections::BTreeMap::<String, Vec<&String>>::new();
+    for path in paths {
+        by_kind.entry(kind(path)).or_default().push(path);
+    }
+    let spread = |list: Vec<&'_ String>| -> Vec<usize> {
+        let step = list.len().div_ceil(per_kind).max(1);
+        (0..list.len()).step_by(step).collect()
+    };
+    by_kind.into_values().flat_map(|list| spread(list.clone()).into_iter().map(move |i| list[i])).collect()
+}
+
+/// Every broad phase, and both narrow phases.
+fn some_methods() -> impl Iterator<Item = (BroadPhaseCollider, NarrowPhaseCollider)> {
+    let is_needed = |&(broad, narrow): &(BroadPhaseCollider, NarrowPhaseCollider)| {
+        narrow == NarrowPhaseCollider::DistanceGrid || broad == BroadPhaseCollider::SelectiveSweep
+    };
+    methods().filter(is_needed)
+}
+
+/// Puts each replacement at a sample of places, one at a time. Answers how many saves were refused, and of how many.
+fn replace_numbers_by(replacements: &[Value], per_kind: usize) -> (usize, usize) {
+    let (mut refused, mut tried) = (0, 0);
+    let mut failed = Vec::new();
+    for methods in some_methods() {
+        let save = busy_save(methods);
+        let mut paths = Vec::new();
+        numbers(&save, &mut Vec::new(), &mut paths);
+        for path in sample(&paths, per_kind) {
+            for replacement in replacements {
+                let mut damaged = save.clone();
+                *damaged.pointer_mut(path).unwrap() = replacement.clone();
+                let text = damaged.to_string();
+                let what = format!("{methods:?} {path} = {replacement}");
+                match std::panic::catch_unwind(|| is_refused_or_runs(&text, &what)) {
+                    Ok(is_refused) => refused += usize::from(is_refused),
+                    Err(_) => failed.push(what),
+                }
+                tried += 1;
+            }
+        }
+    }
+    assert!(failed.is_empty(), "{failed:#?}");
+    (refused, tried)
+}
+
+fn some_are_refused((refused, tried): (usize, usize)) {
+    assert!(refused > 0 && refused < tried, "{refused} of {tried} were refused");
+}
+
+#[test]
+fn a_busy_save_is_not_refused() {
+    for methods in methods() {
+        assert!(!is_refused_or_runs(&busy_save(methods).to_string(), "undamaged"), "{methods:?}");
+    }
+}
+
+#[test]
+fn truncated_text_is_refused() {
+    let text = busy_save(Default::default()).to_string();
+    for part in 0..200 {
+        assert!(serde_json::from_str::<PhysicsSimulator>(&text[..text.len() * part / 200]).is_err());
+    }
+}
+
+#[test]
+fn saves_with_small_numbers_in_wrong_places_are_refused_or_run() {
+    some_are_refused(replace_numbers_by(&[0.into(), 1.into(), (-1).into(), 7.into()], 2));
+}
+
+#[test]
+fn saves_with_ids_and_counts_out_of_range_are_refused_or_run() {
+    some_are_refused(replace_numbers_by(
+        &[1000.into(), u32::MAX.into(), i32::MAX.into(), i32::MIN.into()],
+        2,
+    ));
+}
+
+#[test]
+fn saves_with_the_largest_integers_are_refused_or_run() {
+    some_are_refused(replace_numbers_by(
+        &[i64::MAX.into(), i64::MIN.into(), u64::MAX.into(), (1u64 << 40).into()],
+        1,
+    ));
+}
+
+#[test]
+fn saves_with_extreme_floats_are_refused_or_run() {
+    some_are_refused(replace_numbers_by(&[1e38.into(), (-3.4e38).into(), 1e-44.into(), 0.3.into()], 2));
+}
+
+/// Derived numbers are saved as bit patterns: these are infinity, NaN and the largest float.
+#[test]
+fn saves_with_bit_patterns_of_infinity_and_nan_are_refused_or_run() {
+    let patterns = [f32::INFINITY, f32::NEG_INFINITY, f32::NAN, f32::MAX].map(|x| x.to_bits().into());
+    some_are_refused(replace_numbers_by(&patterns, 2));
+}
+
+#[test]
+fn saves_with_numbers_beyond_floats_or_none_are_refused() {
+    let (refused, tried) = replace_numbers_by(&[1e60.into(), Value::Null], 1);
+    assert_eq!(refused, tried);
+}
+
+/// Exchanges of two numbers of the same kind: references that exist but are wrong.
+#[test]
+fn saves_with_numbers_exchanged_are_refused_or_run() {
+    for methods in methods() {
+        let save = busy_save(methods);
+        let mut paths = Vec::new();
+        numbers(&save, &mut Vec::new(), &mut paths);
+        for pair in paths.windows(2).step_by(paths.len() / 300) {
+            let mut damaged = save.clone();
+            let (a, b) = (save.pointer(&pair[0]).unwrap(), save.pointer(&pair[1]).unwrap());
+            *damaged.pointer_mut(&pair[0]).unwrap() = b.clone();
+            *damaged.pointer_mut(&pair[1]).unwrap() = a.clone();
+            is_refused_or_runs(&damaged.to_string(), &format!("{methods:?} {pair:?} exchanged"));
+        }
+    }
+}
+
+/// A list shorter or longer by one.
+#[test]
+fn saves_with_lists_of_wrong_length_are_refused_or_run() {
+    fn lists(value: &Value, path: String, found: &mut Vec<String>) {
+        match value {
+            Value::Array(list) => {
+                found.push(path.clone());
+                for (index, value) in list.iter().enumerate() {
+                    lists(value, format!("{path}/{index}"), found);
+                }
+            }
+            Value::Object(fields) => {
+                fields.iter().for_each(|(key, value)| lists(value, format!("{path}/{key}"), found));
+            }
+            _ => {}
+        }
+    }
+    for methods in methods() {
+        let save = busy_save(methods);
+        let mut paths = Vec::new();
+        lists(&save, String::new(), &mut paths);
+        for path in sample(&paths, 3) {
+            for lengthen in [false, true] {
+                let mut damaged = save.clone();
+                let list = damaged.pointer_mut(path).unwrap().as_array_mut().unwrap();
+                match list.last().cloned() {
+                    Some(last) if lengthen => list.push(last),
+                    _ => drop(list.pop()),
+                }
+                let what = format!("{methods:?} {path} {}", if lengthen { "longer" } else { "shorter" });
+                let text = damaged.to_string();
+                let result = std::panic::catch_unwind(|| is_refused_or_runs(&text, &what));
+                assert!(result.is_ok(), "{what}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_simulator_of_nothing_is_loaded() {
+    for methods in methods() {
+        let text = serde_json::to_string(&simulator_with(10.0, methods)).unwrap();
+        assert!(!is_refused_or_runs(&text, "empty"));
+    }
+}
+
+/// A body with a box, and what is saved of them, with something changed.
+fn changed_box(change: impl Fn(&mut Value)) -> serde_json::Result<PhysicsSimulator> {
+    let mut simulator = simulator_with(10.0, Default::default());
+    let (_, geom) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
+    simulator.update(0.01);
+    simulator.set_matrix(geom, &Matrix::identity()).unwrap();
+    let mut saved = serde_json::to_value(&simulator).unwrap();
+    change(&mut saved);
+    serde_json::from_value(saved)
+}
+
+#[test]
+fn a_simulator_makes_no_geom_when_the_numbers_of_geoms_are_used_up_and_loads_itself() {
+    let last = i32::MAX - 1;
+    let mut simulator = changed_box(|saved| saved["next_geom_number"] = json!(last)).unwrap();
+    let body = simulator.body_list()[0];
+    let outline = Vertices::create_simple_rectangle(10.0, 10.0).unwrap();
+    let make = |simulator: &mut PhysicsSimulator| {
+        simulator.create_geom(body, outline.clone(), GeomPlacement::default())
+    };
+    let geom = make(&mut simulator).unwrap();
+    assert_eq!(simulator.geom(geom).unwrap().id(), last as u32);
+    let before = simulator.snapshot();
+    let error = make(&mut simulator).unwrap_err().to_string();
+    assert!(error.contains("2^31 - 1"), "{error}");
+    assert!(simulator.clone_geom(body, geom).is_err());
+    assert!(simulator.snapshot() == before);
+    loads_itself(&simulator, "all numbers used");
+}
+
+/// Otherwise a stale id would name something else after 2^32 objects in one slot.
+#[test]
+fn a_slot_whose_generations_are_used_up_stays_empty() {
+    let mut simulator = simulator_with(0.0, Default::default());
+    simulator.create_body(Body::new());
+    let mut saved = serde_json::to_value(&simulator).unwrap();
+    saved["bodies"]["slots"][0]["generation"] = json!(u32::MAX);
+    let mut simulator: PhysicsSimulator = serde_json::from_value(saved).unwrap();
+    let last = simulator.bodies().next().unwrap();
+    simulator.dispose(last).unwrap();
+    simulator.update(0.01);
+    loads_itself(&simulator, "a slot is used up");
+    let other = simulator.create_body(Body::new());
+    assert_eq!((last.slot(), other.slot()), (0, 1));
+    assert!(simulator.body(last).is_none());
+    loads_itself(&simulator, "a slot is used up and another one in use");
+}
+
+#[test]
+fn a_box_without_change_is_loaded() {
+    assert!(changed_box(|_| ()).is_ok());
+}
+
+#[test]
+fn places_of_geoms_that_are_not_finite_are_refused() {
+    let infinity = json!(f32::INFINITY.to_bits());
+    for (what, index) in
+        [("aabb", 2), ("world_vertices", 3), ("pose", 4), ("pose", 10), ("pose", 13), ("pose", 14)]
+    {
+        let loaded = changed_box(|saved| saved["geoms"]["slots"][0]["value"][what][index] = infinity.clone());
+        let error = loaded.expect_err(what).to_string();
+        assert!(error.contains("a geom is not finite"), "{what} {index}: {error}");
+    }
+    let loaded = changed_box(|saved| saved["geoms"]["slots"][0]["value"]["user_matrix"][5] = json!(1e300));
+    assert!(loaded.is_err());
+}
+
+#[test]
+fn refused_arguments_that_there_are_not_are_refused() {
+    for owner in ["bodies", "geoms"] {
+        let kind = if owner == "bodies" { "body" } else { "geom" };
+        let with = |names: Value| {
+            changed_box(|saved| saved[owner]["slots"][0]["value"][kind]["rejected"] = names.clone())
+        };
+        assert!(with(json!([])).is_ok());
+        let error = with(json!(["colour"])).unwrap_err().to_string();
+        assert!(error.contains("refused argument"), "{error}");
+    }
+}

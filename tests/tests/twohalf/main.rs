@@ -1,0 +1,20 @@
+//! The 2.5D engine.
+
+mod abuse;
+mod api;
+mod callbacks;
+mod closed_forms;
+mod edits;
+mod meeting;
+mod motion;
+mod one_plane;
+mod pairs;
+mod platforms;
+mod queries;
+mod random;
+mod regressions;
+mod save;
+mod seams;
+mod slopes;
+mod supports;
+mod thesis;

@@ -1,0 +1,5 @@
+//! Pictures: what they show, what is written of them, and what is refused.
+
+mod bad_input;
+mod files;
+mod pixels;
