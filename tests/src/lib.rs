@@ -2,11 +2,8 @@
 
 pub mod check;
 pub mod compare;
-pub mod depth_scenes;
 pub mod file;
 pub mod golden;
-pub mod measure;
-pub mod peers;
 pub mod run;
 pub mod samples;
 pub mod scene;
