@@ -20,12 +20,11 @@ mod swing;
 
 use super::error::Watch;
 use super::sweep::Subject;
-use super::world::World;
 use conformance::scene::Scene;
 use std::fmt;
 
 /// A scene of the chart, with what is measured in it.
-pub struct ChartScene<S = Scene, W: ?Sized + 'static = dyn World> {
+pub struct ChartScene<S = Scene> {
     /// Such as `box_stack_height`.
     pub name: &'static str,
     /// One sentence.
@@ -37,7 +36,7 @@ pub struct ChartScene<S = Scene, W: ?Sized + 'static = dyn World> {
     /// Simulated time in s.
     pub seconds: f64,
     /// Makes what watches the scene.
-    pub watch: fn(&S) -> Box<dyn Watch<W>>,
+    pub watch: fn(&S) -> Box<dyn Watch>,
     /// What the error is, for the axis.
     pub error: &'static str,
     /// Its unit.
@@ -51,7 +50,7 @@ pub struct ChartScene<S = Scene, W: ?Sized + 'static = dyn World> {
     pub peers_too: bool,
 }
 
-impl<S, W: ?Sized + 'static> ChartScene<S, W> {
+impl<S> ChartScene<S> {
     /// What a chart says of it.
     pub fn subject(&self) -> Subject {
         Subject {
@@ -65,16 +64,16 @@ impl<S, W: ?Sized + 'static> ChartScene<S, W> {
     }
 }
 
-// By hand, since what is derived would ask for scenes and worlds that can be copied.
-impl<S, W: ?Sized + 'static> Clone for ChartScene<S, W> {
+// By hand, since what is derived would ask for scenes that can be copied.
+impl<S> Clone for ChartScene<S> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<S, W: ?Sized + 'static> Copy for ChartScene<S, W> {}
+impl<S> Copy for ChartScene<S> {}
 
-impl<S, W: ?Sized + 'static> fmt::Debug for ChartScene<S, W> {
+impl<S> fmt::Debug for ChartScene<S> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.debug_struct("ChartScene").field("name", &self.name).finish_non_exhaustive()
     }

@@ -1,12 +1,12 @@
 //! Watching a run, and saying in one number how wrong it was.
 
-use super::world::World;
+use super::world::{World, distance};
 
 /// Watches a run and says how wrong it was.
-pub trait Watch<W: ?Sized = dyn World> {
+pub trait Watch {
     /// Looks at the world after a step; `time` is the simulated time in s so far. Also called once before the
     /// first step.
-    fn see(&mut self, time: f64, world: &W);
+    fn see(&mut self, time: f64, world: &dyn World);
 
     /// How wrong the run was so far, in the scene's unit. Not finite when it failed.
     fn error(&self) -> f64;
@@ -104,7 +104,7 @@ impl<W: Watch, F: FnMut(f64, &dyn World) -> Option<&'static str>> Failing<W, F> 
 }
 
 impl<W: Watch, F: FnMut(f64, &dyn World) -> Option<&'static str>> Watch for Failing<W, F> {
-    fn see(&mut self, time: f64, world: &(dyn World + 'static)) {
+    fn see(&mut self, time: f64, world: &dyn World) {
         if self.failed.is_none() {
             self.failed = strayed(world, self.reach).or_else(|| (self.verdict)(time, world));
             self.watch.see(time, world);
@@ -132,7 +132,7 @@ pub fn strayed(world: &dyn World, reach: f64) -> Option<&'static str> {
     (0..world.body_count()).map(|index| world.body(index)).find_map(|body| {
         if !body.is_finite() {
             Some("not finite")
-        } else if body.position[0].hypot(body.position[1]) > reach {
+        } else if distance(body.position, [0.0; 3]) > reach {
             Some("flew off")
         } else {
             None

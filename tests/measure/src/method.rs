@@ -96,10 +96,19 @@ impl Setting {
 }
 
 /// A scene in an engine, or what of it the engine does not have.
-pub type Built<W = dyn World> = Result<Box<W>, String>;
+pub type Built = Result<Box<dyn World>, String>;
 
-/// A way to simulate: one line of a chart, one column of a map. Scenes and worlds are those of 2D unless it says otherwise.
-pub struct Method<S = Scene, W: ?Sized + 'static = dyn World> {
+/// A setting that a map has a column for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Mapped {
+    /// The setting.
+    pub setting: Setting,
+    /// Whether it is among the few that the table of first failures shows.
+    pub is_in_table: bool,
+}
+
+/// A way to simulate: one line of a chart, some columns of a map. Scenes are those in the plane unless it says otherwise.
+pub struct Method<S = Scene> {
     /// Such as "Farseer, distance grid".
     pub name: &'static str,
     /// Whose engine it is.
@@ -110,23 +119,31 @@ pub struct Method<S = Scene, W: ?Sized + 'static = dyn World> {
     pub recommended: Setting,
     /// The points of its line. [`recommended`](Self::recommended) is one of them.
     pub settings: fn(Effort) -> Vec<Setting>,
+    /// Its columns on a map.
+    pub mapped: fn(Effort) -> Vec<Mapped>,
     /// Puts a scene into the engine. An error says what of the scene the engine does not have.
-    pub build: fn(&S, Setting) -> Built<W>,
+    pub build: fn(&S, Setting) -> Built,
 }
 
-// By hand, since what is derived would ask for scenes and worlds that can be copied.
-impl<S, W: ?Sized + 'static> Clone for Method<S, W> {
+// By hand, since what is derived would ask for scenes that can be copied.
+impl<S> Clone for Method<S> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<S, W: ?Sized + 'static> Copy for Method<S, W> {}
+impl<S> Copy for Method<S> {}
 
-impl<S, W: ?Sized + 'static> fmt::Debug for Method<S, W> {
+impl<S> fmt::Debug for Method<S> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.debug_struct("Method").field("name", &self.name).finish_non_exhaustive()
     }
+}
+
+/// Columns of some settings, of which some are in the table of first failures.
+pub(crate) fn mapped(settings: impl IntoIterator<Item = Setting>, in_table: &[Setting]) -> Vec<Mapped> {
+    let mapped = |setting| Mapped { setting, is_in_table: in_table.contains(&setting) };
+    settings.into_iter().map(mapped).collect()
 }
 
 /// All methods: the one place to add one.

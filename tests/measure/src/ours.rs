@@ -1,6 +1,6 @@
 //! Scenes in the 2D engine of this workspace.
 
-use super::method::{Effort, Family, Method, Setting};
+use super::method::{Built, Effort, Family, Mapped, Method, Setting, mapped};
 use super::world::{BodyState, World};
 use conformance::run::Run;
 use conformance::scene::{BroadPhase, NarrowPhase, Scene};
@@ -42,14 +42,7 @@ impl World for FarseerWorld {
     }
 
     fn body(&self, index: usize) -> BodyState {
-        let body = &self.simulator[self.bodies[index]];
-        let (position, velocity) = (body.position(), body.linear_velocity());
-        BodyState {
-            position: [position.x, position.y].map(f64::from),
-            angle: f64::from(body.total_rotation()),
-            velocity: [velocity.x, velocity.y].map(f64::from),
-            angular_velocity: f64::from(body.angular_velocity()),
-        }
+        BodyState::of(&self.simulator[self.bodies[index]])
     }
 
     fn body_count(&self) -> usize {
@@ -77,56 +70,70 @@ fn vector(value: [f64; 2]) -> Vector2 {
     Vector2::new(value[0] as f32, value[1] as f32)
 }
 
-/// Name of the original's default methods.
-pub const DEFAULT_METHOD: &str = "Farseer, distance grid";
-
 /// The methods of this workspace, the original's default first.
 pub fn our_methods() -> Vec<Method> {
     let method = Method {
-        name: DEFAULT_METHOD,
+        name: "Farseer, distance grid",
         family: Family::Ours,
         is_broad_phase_variant: false,
         // The original's default iterations (behaviour chapter 06).
         recommended: Setting::fixed(1.0 / 60.0, 5),
         settings,
+        mapped: |effort| if effort == Effort::Full { all_mapped() } else { few_mapped() },
         build: |scene, setting| build(scene, setting, NarrowPhase::DistanceGrid, BroadPhase::SelectiveSweep),
+    };
+    let broad_phase_variant = Method {
+        is_broad_phase_variant: true,
+        mapped: |_| mapped([5, 20].map(|passes| Setting::fixed(STEPS[0], passes)), &[]),
+        ..method
     };
     vec![
         method,
         Method {
             name: "Farseer, SAT",
+            mapped: |_| few_mapped(),
             build: |scene, setting| build(scene, setting, NarrowPhase::Sat, BroadPhase::SelectiveSweep),
             ..method
         },
         Method {
             name: "Farseer, grid, sweep and prune",
-            is_broad_phase_variant: true,
             build: |scene, setting| {
                 build(scene, setting, NarrowPhase::DistanceGrid, BroadPhase::SweepAndPrune)
             },
-            ..method
+            ..broad_phase_variant
         },
         Method {
             name: "Farseer, grid, spatial hash",
-            is_broad_phase_variant: true,
             build: |scene, setting| build(scene, setting, NarrowPhase::DistanceGrid, BroadPhase::SpatialHash),
-            ..method
+            ..broad_phase_variant
         },
     ]
 }
 
-fn build(
-    scene: &Scene,
-    setting: Setting,
-    narrow_phase: NarrowPhase,
-    broad_phase: BroadPhase,
-) -> Result<Box<dyn World>, String> {
+fn build(scene: &Scene, setting: Setting, narrow_phase: NarrowPhase, broad_phase: BroadPhase) -> Built {
     let mut scene = scene.clone();
     scene.simulator.narrow_phase = Some(narrow_phase);
     scene.simulator.broad_phase = Some(broad_phase);
     let passes = i32::try_from(setting.passes).map_err(|_| format!("{} iterations", setting.passes))?;
     scene.simulator.solver.iterations = Some(passes);
     Ok(Box::new(FarseerWorld::new(&scene)?))
+}
+
+/// The steps on a map in s: the usual one, that of games which read whole milliseconds, and a short one.
+pub(crate) const STEPS: [f32; 3] = [1.0 / 60.0, 0.016, 1.0 / 200.0];
+/// In the table of first failures are the usual setting and the most careful one.
+const IN_TABLE: [Setting; 2] = [Setting::fixed(STEPS[0], 5), Setting::fixed(STEPS[2], 40)];
+
+/// The columns of the original's default methods: more than others have.
+fn all_mapped() -> Vec<Mapped> {
+    let settings = STEPS.into_iter().flat_map(|dt| [5, 10, 20, 40].map(|passes| Setting::fixed(dt, passes)));
+    mapped(settings, &IN_TABLE)
+}
+
+fn few_mapped() -> Vec<Mapped> {
+    let settings =
+        [STEPS[0], STEPS[2]].into_iter().flat_map(|dt| [5, 40].map(|passes| Setting::fixed(dt, passes)));
+    mapped(settings, &IN_TABLE)
 }
 
 /// Steps that games take, each with the original's default iterations; fewer iterations at the longest and the usual

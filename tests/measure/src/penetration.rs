@@ -6,7 +6,7 @@
 
 mod depth;
 
-use super::world::{BodyState, World};
+use super::world::{BodyState, World, turned};
 use conformance::run::Run;
 use conformance::scene::{GeomShape, GeomSpec, NarrowPhase, Scene};
 use depth::{Form, Point, depth};
@@ -92,7 +92,7 @@ impl Piece {
 
 impl<'a> Placed<'a> {
     fn new(piece: &'a Piece, state: &BodyState) -> Self {
-        let form = piece.form.placed(state.position, state.angle);
+        let form = piece.form.placed(state.place(), state.angle);
         let (left, right) = form.extent([1.0, 0.0]);
         Placed { piece, form, left, right }
     }
@@ -108,7 +108,7 @@ fn disc(scene: &Scene, geom: &GeomSpec) -> Option<Piece> {
         is_static: scene.bodies[geom.body].is_static == Some(true),
         group: geom.settings.collision_group.unwrap_or(0),
         // The offset turns with the geom (behaviour chapter 05).
-        form: Form::Disc { centre: depth::turned(offset, turn), radius: f64::from(radius) },
+        form: Form::Disc { centre: turned(offset, turn), radius: f64::from(radius) },
     })
 }
 
@@ -122,7 +122,7 @@ fn polygons(run: &Run<'_>) -> Vec<Piece> {
         let (offset, turn) = (point(geom.offset()), f64::from(geom.rotation_offset()));
         let on_body = |&vertex: &Vector2| {
             let vertex = point(vertex);
-            depth::turned([vertex[0] + offset[0], vertex[1] + offset[1]], turn)
+            turned([vertex[0] + offset[0], vertex[1] + offset[1]], turn)
         };
         let form = Form::polygon(&geom.local_vertices().iter().map(on_body).collect::<Vec<_>>());
         let is_static = simulator[geom.body()].is_static();

@@ -33,6 +33,7 @@ mod tunnels;
 use super::error::Watch;
 use super::world::World;
 use conformance::scene::Scene;
+use std::fmt;
 
 /// A step of a run that is about to be made.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,8 +47,7 @@ pub struct Moment {
 }
 
 /// Scenes of one kind, from easy to hard.
-#[derive(Debug, Clone, Copy)]
-pub struct StabilityFamily {
+pub struct StabilityFamily<S = Scene> {
     /// Such as "Vertical Stack".
     pub name: &'static str,
     /// What there is, and what must happen.
@@ -62,15 +62,17 @@ pub struct StabilityFamily {
     pub quick_values: &'static [f64],
     /// Makes the scene for a value. The step in s that it will be run with is given as well, for springs whose
     /// stiffness is measured by it.
-    pub build: fn(f64, f32) -> Scene,
-    /// Length of a run in s: as many steps as that takes at the setting's step.
-    pub seconds: f64,
+    pub build: fn(f64, f32) -> S,
+    /// Length of a run in s for a value.
+    pub seconds: fn(f64) -> f64,
+    /// Makes whole steps of the length, in steps: the nearest number, or the next higher one.
+    pub whole: fn(f64) -> f64,
     /// What happens before a step; mostly nothing.
     pub act: fn(f64, &mut dyn World, Moment),
     /// How long a step is, in s; mostly as the setting says.
     pub dt: fn(f64, Moment) -> f32,
     /// Makes what says how it went. It is asked after the last step.
-    pub judge: fn(f64, &Scene) -> Box<dyn Watch>,
+    pub judge: fn(f64, &S) -> Box<dyn Watch>,
     /// What the judge measures.
     pub quantity: &'static str,
     /// Its unit.
@@ -79,17 +81,36 @@ pub struct StabilityFamily {
     pub broad_phases_matter: bool,
 }
 
-impl StabilityFamily {
+// By hand, since what is derived would ask for scenes that can be copied.
+impl<S> Clone for StabilityFamily<S> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<S> Copy for StabilityFamily<S> {}
+
+impl<S> fmt::Debug for StabilityFamily<S> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.debug_struct("StabilityFamily").field("name", &self.name).finish_non_exhaustive()
+    }
+}
+
+/// What most families run for, in s.
+const SECONDS: f64 = 10.0;
+
+impl<S> StabilityFamily<S> {
     /// What most families have in common. Not a family by itself.
-    const PLAIN: StabilityFamily = StabilityFamily {
+    pub(crate) const PLAIN: StabilityFamily<S> = StabilityFamily {
         name: "",
         about: "",
         parameter: "",
         unit: "",
         values: &[],
         quick_values: &[],
-        build: |_, _| Scene::empty("", ""),
-        seconds: 10.0,
+        build: |_, _| unimplemented!("the scene of a family"),
+        seconds: |_| SECONDS,
+        whole: f64::round,
         act: |_, _, _| {},
         dt: |_, moment| moment.dt,
         judge: |_, _| parts::all(Vec::new()),

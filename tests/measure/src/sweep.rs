@@ -5,10 +5,12 @@
 //! machine does besides meets all of them, and the median over the turns is kept. Short runs are repeated until
 //! enough is measured; long ones take fewer turns, very long ones one.
 
+use super::error::Watch;
 use super::method::Setting;
 use super::progress::Progress;
 use super::stability::reasons::PANICKED;
 use super::stopwatch::Stopwatch;
+use super::world::World;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Duration;
 
@@ -22,26 +24,27 @@ const PATIENCE: Duration = Duration::from_millis(60);
 /// What is long, and very long, for a run.
 const LONG: [Duration; 2] = [Duration::from_millis(100), Duration::from_secs(2)];
 
-/// A run, in whatever engine.
-pub trait Running {
-    /// Moves everything by a time in s. This is what is timed.
-    fn step(&mut self, dt: f32);
+/// A scene in an engine, and who watches it.
+pub struct Run {
+    /// The scene, before its first step.
+    pub world: Box<dyn World>,
+    /// Names of scenes, each with what watches for it: the trial's first, then those that differ from it in what counts
+    /// as error alone.
+    pub watches: Vec<(&'static str, Box<dyn Watch>)>,
+}
 
+impl Run {
     /// Looks at how it is at a time in s. Whether it is worth going on: not when a body's state is not finite.
-    fn look(&mut self, time: f64) -> bool;
-
-    /// The error, and how it went.
-    fn verdict(&self) -> (f64, Outcome);
-
-    /// What else was measured in the same run: names of scenes that differ from the trial's in what counts as error
-    /// alone, each with its error and outcome.
-    fn others(&self) -> Vec<(&'static str, f64, Outcome)> {
-        Vec::new()
+    pub fn look(&mut self, time: f64) -> bool {
+        for (_, watch) in &mut self.watches {
+            watch.see(time, &*self.world);
+        }
+        self.world.is_finite()
     }
 }
 
 /// Begins a run from the start; the error says what the engine lacks for it.
-pub type Start<'a> = Box<dyn Fn() -> Result<Box<dyn Running>, String> + 'a>;
+pub type Start<'a> = Box<dyn Fn() -> Result<Run, String> + 'a>;
 
 /// What a chart says of a scene.
 #[derive(Debug, Clone, PartialEq)]
@@ -208,11 +211,22 @@ impl Trial<'_> {
     }
 }
 
+/// The name of a scene, the error and the outcome.
+type Measured = (&'static str, f64, Outcome);
+
+fn measured(scene: &'static str, watch: &dyn Watch) -> Measured {
+    match watch.failed() {
+        Some(reason) => (scene, f64::INFINITY, Outcome::Failed(reason)),
+        None if watch.error().is_finite() => (scene, watch.error(), Outcome::Fine),
+        None => (scene, f64::INFINITY, Outcome::Failed("nothing to measure")),
+    }
+}
+
 /// A trial that is being measured.
 struct Entry<'a> {
     trial: &'a Trial<'a>,
-    /// What was measured: name of the scene, error and outcome.
-    measured: Vec<(&'static str, f64, Outcome)>,
+    /// What was measured.
+    measured: Vec<Measured>,
     steps: u32,
     /// Simulated time of a run in s.
     simulated: f64,
@@ -242,14 +256,12 @@ impl<'a> Entry<'a> {
             if !goes_on {
                 break;
             }
-            run.step(dt);
+            run.world.step(dt);
             self.simulated += f64::from(dt);
             self.steps += 1;
             goes_on = run.look(self.simulated);
         }
-        let (error, outcome) = run.verdict();
-        self.measured = vec![(self.trial.scene, error, outcome)];
-        self.measured.extend(run.others());
+        self.measured = run.watches.iter().map(|(name, watch)| measured(name, &**watch)).collect();
         Ok(())
     }
 
@@ -270,7 +282,7 @@ impl<'a> Entry<'a> {
             let Ok(mut run) = (self.trial.start)() else { return };
             let stopwatch = Stopwatch::start();
             for dt in self.trial.steps().take(self.steps as usize) {
-                run.step(dt);
+                run.world.step(dt);
             }
             took += stopwatch.elapsed();
             runs += 1;
@@ -304,37 +316,44 @@ fn median(mut times: Vec<Duration>) -> Option<Duration> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::error::{Last, in_reach};
+    use super::super::world::BodyState;
     use super::*;
 
-    /// Moves by the steps; flies off, or panics, when it is beyond.
+    /// A body that moves by the steps; panics when it is beyond.
     struct Mover {
         place: f64,
         end: f64,
-        panics: bool,
     }
 
-    impl Running for Mover {
+    impl World for Mover {
         fn step(&mut self, dt: f32) {
             self.place += f64::from(dt);
-            assert!(!self.panics || self.place < self.end, "this panic is part of a test");
+            assert!(self.place < self.end, "this panic is part of a test");
         }
 
-        fn look(&mut self, _: f64) -> bool {
-            self.place < self.end
+        fn body(&self, _: usize) -> BodyState {
+            BodyState { position: [self.place, 0.0, 0.0], ..BodyState::default() }
         }
 
-        fn verdict(&self) -> (f64, Outcome) {
-            let outcome = if self.place < self.end { Outcome::Fine } else { Outcome::Failed("flew off") };
-            (self.place, outcome)
-        }
-
-        fn others(&self) -> Vec<(&'static str, f64, Outcome)> {
-            vec![("other", 2.0 * self.place, Outcome::Fine)]
+        fn body_count(&self) -> usize {
+            1
         }
     }
 
+    /// A watch whose error is a multiple of how far the body came.
+    fn way(factor: f64) -> Last<impl FnMut(f64, &dyn World) -> Option<f64>> {
+        Last::new(move |_, world: &dyn World| Some(factor * world.body(0).position[0]))
+    }
+
+    /// What comes of a body that flies off, or panics, when it is beyond an end.
     fn sweep(setting: Setting, end: f64, panics: bool) -> Sweep {
-        let start: Start<'_> = Box::new(move || Ok(Box::new(Mover { place: 0.0, end, panics })));
+        let (reach, end) = if panics { (f64::INFINITY, end) } else { (end, f64::INFINITY) };
+        let start: Start<'_> = Box::new(move || {
+            let other: Box<dyn Watch> = Box::new(way(2.0));
+            let watches = vec![("move", in_reach(way(1.0), reach)), ("other", other)];
+            Ok(Run { world: Box::new(Mover { place: 0.0, end }), watches })
+        });
         let trial = Trial { scene: "move", size: 0, method: "mover", setting, seconds: 1.0, start };
         let trials = [trial];
         let mut sweep = Sweep::default();

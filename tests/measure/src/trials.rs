@@ -1,11 +1,9 @@
 //! What the sweep makes of the scenes of the chart.
 
 use super::charts::ChartScene;
-use super::depth::DepthWorld;
 use super::error::Watch;
 use super::method::{Effort, Family, Method, Setting};
-use super::sweep::{Outcome, Running, Start, Trial};
-use super::world::World;
+use super::sweep::{Run, Start, Trial};
 use std::rc::Rc;
 
 /// From this number of bodies on fewer settings are tried.
@@ -13,40 +11,11 @@ const MANY: usize = 100;
 /// From this number of bodies on few settings are tried, and none when there is little time.
 const VERY_MANY: usize = 1000;
 
-/// What a sweep needs of a world.
-pub trait Moving: 'static {
-    /// Moves everything by a time in s.
-    fn advance(&mut self, dt: f32);
-
-    /// Whether the state of everything is finite.
-    fn is_finite(&self) -> bool;
-}
-
-impl Moving for dyn World {
-    fn advance(&mut self, dt: f32) {
-        self.step(dt);
-    }
-
-    fn is_finite(&self) -> bool {
-        (0..self.body_count()).all(|index| self.body(index).is_finite())
-    }
-}
-
-impl Moving for dyn DepthWorld {
-    fn advance(&mut self, dt: f32) {
-        self.step(dt);
-    }
-
-    fn is_finite(&self) -> bool {
-        (0..self.object_count()).all(|index| self.object(index).is_finite())
-    }
-}
-
 /// The trials of scenes with methods, those of one scene and size one after the other. Scenes that follow each
 /// other and differ in what counts as error alone share their runs; those that are not for all methods come last.
-pub fn trials<S: PartialEq + 'static, W: Moving + ?Sized>(
-    scenes: &[ChartScene<S, W>],
-    methods: &[Method<S, W>],
+pub fn trials<S: PartialEq + 'static>(
+    scenes: &[ChartScene<S>],
+    methods: &[Method<S>],
     effort: Effort,
 ) -> Vec<Trial<'static>> {
     let mut trials = Vec::new();
@@ -56,7 +25,7 @@ pub fn trials<S: PartialEq + 'static, W: Moving + ?Sized>(
             let built = Rc::new((scene.build)(size));
             for method in methods {
                 let scenes = scenes.iter().filter(|scene| matters(method, scene));
-                let watches: Rc<[Measure<S, W>]> = scenes.map(|scene| (scene.name, scene.watch)).collect();
+                let watches: Rc<[Measure<S>]> = scenes.map(|scene| (scene.name, scene.watch)).collect();
                 let Some(&(name, _)) = watches.first() else { continue };
                 trials.extend(settings(method, size, effort).into_iter().map(|setting| Trial {
                     scene: name,
@@ -73,36 +42,39 @@ pub fn trials<S: PartialEq + 'static, W: Moving + ?Sized>(
 }
 
 /// The name of a scene, and what watches it.
-type Measure<S, W> = (&'static str, fn(&S) -> Box<dyn Watch<W>>);
+type Measure<S> = (&'static str, fn(&S) -> Box<dyn Watch>);
 
-fn start<S: 'static, W: Moving + ?Sized>(
+fn start<S: 'static>(
     scene: &Rc<S>,
-    watches: &Rc<[Measure<S, W>]>,
-    method: &Method<S, W>,
+    watches: &Rc<[Measure<S>]>,
+    method: &Method<S>,
     setting: Setting,
 ) -> Start<'static> {
     let (scene, watches, build) = (Rc::clone(scene), Rc::clone(watches), method.build);
     Box::new(move || {
         let world = build(&scene, setting)?;
         let watches = watches.iter().map(|(name, watch)| (*name, watch(&scene))).collect();
-        Ok(Box::new(Watched { world, watches }))
+        Ok(Run { world, watches })
     })
 }
 
 /// Whether the runs of one scene do for another.
-fn have_the_same_runs<S: PartialEq, W: ?Sized>(a: &ChartScene<S, W>, b: &ChartScene<S, W>) -> bool {
+fn have_the_same_runs<S: PartialEq>(a: &ChartScene<S>, b: &ChartScene<S>) -> bool {
     let is_like =
         a.sizes == b.sizes && a.seconds == b.seconds && a.broad_phases_matter == b.broad_phases_matter;
     is_like && a.sizes.first().is_some_and(|&size| (a.build)(size) == (b.build)(size))
 }
 
-fn matters<S, W: ?Sized>(method: &Method<S, W>, scene: &ChartScene<S, W>) -> bool {
+fn matters<S>(method: &Method<S>, scene: &ChartScene<S>) -> bool {
     (scene.broad_phases_matter || !method.is_broad_phase_variant)
         && (scene.peers_too || method.family == Family::Ours)
 }
 
-/// The settings that are tried: all where there are few bodies.
-fn settings<S, W: ?Sized>(method: &Method<S, W>, size: usize, effort: Effort) -> Vec<Setting> {
+/// The settings that are tried: all where there are few bodies. A method that has but one is tried with that.
+fn settings<S>(method: &Method<S>, size: usize, effort: Effort) -> Vec<Setting> {
+    if (method.settings)(effort).len() == 1 {
+        return vec![method.recommended];
+    }
     let usual = method.recommended;
     let (dt, passes) = (usual.dt.mean(), usual.passes);
     let careful = Setting::fixed(dt, 4 * passes);
@@ -121,45 +93,6 @@ fn settings<S, W: ?Sized>(method: &Method<S, W>, size: usize, effort: Effort) ->
     }
 }
 
-/// A scene in an engine, and who watches it.
-struct Watched<W: ?Sized> {
-    world: Box<W>,
-    watches: Vec<(&'static str, Box<dyn Watch<W>>)>,
-}
-
-impl<W: Moving + ?Sized> Running for Watched<W> {
-    fn step(&mut self, dt: f32) {
-        self.world.advance(dt);
-    }
-
-    fn look(&mut self, time: f64) -> bool {
-        for (_, watch) in &mut self.watches {
-            watch.see(time, &*self.world);
-        }
-        self.world.is_finite()
-    }
-
-    fn verdict(&self) -> (f64, Outcome) {
-        verdict(&*self.watches[0].1)
-    }
-
-    fn others(&self) -> Vec<(&'static str, f64, Outcome)> {
-        let others = self.watches[1..].iter().map(|(name, watch)| {
-            let (error, outcome) = verdict(&**watch);
-            (*name, error, outcome)
-        });
-        others.collect()
-    }
-}
-
-fn verdict<W: ?Sized>(watch: &dyn Watch<W>) -> (f64, Outcome) {
-    match watch.failed() {
-        Some(reason) => (f64::INFINITY, Outcome::Failed(reason)),
-        None if watch.error().is_finite() => (watch.error(), Outcome::Fine),
-        None => (f64::INFINITY, Outcome::Failed("nothing to measure")),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::charts::chart_scenes;
@@ -174,8 +107,8 @@ mod tests {
         assert_eq!(throws.len(), 2);
         let trials = trials(&throws, &methods()[..1], Effort::Quick);
         let run = (trials[0].start)().unwrap_or_else(|error| panic!("{error}"));
-        let others: Vec<_> = run.others().into_iter().map(|(name, ..)| name).collect();
-        assert_eq!((trials[0].scene, others), (throws[0].name, vec![throws[1].name]));
+        let names: Vec<_> = run.watches.iter().map(|(name, _)| *name).collect();
+        assert_eq!((trials[0].scene, names), (throws[0].name, vec![throws[0].name, throws[1].name]));
         assert!(trials.iter().all(|trial| trial.scene == throws[0].name));
     }
 
@@ -186,7 +119,7 @@ mod tests {
         let trials = trials(&scenes, &depth_methods()[..1], Effort::Quick);
         assert!(trials.iter().all(|trial| trial.scene == scenes[0].name));
         let run = (trials[0].start)().unwrap_or_else(|error| panic!("{error}"));
-        assert_eq!(run.others().len(), 1);
+        assert_eq!(run.watches.len(), 2);
     }
 
     #[test]

@@ -12,7 +12,8 @@
 
 use measure::depth_scenes::*;
 use measure::peers::closed_forms::{after_fall_on_corner, after_hit, time_of_meeting, turned};
-use measure::peers::{Both, Engine, MARGIN, Met, Rapier, Run, SLOP, State, TwoHalf, alone};
+use measure::peers::{Both, MARGIN, Rapier, Run, SLOP, TwoHalf, alone};
+use measure::world::{BodyState, Met, World};
 use std::time::Instant;
 
 /// Length of a step in s.
@@ -45,7 +46,7 @@ fn a_box_dropped_flat_lands_when_it_should_and_stays_there() {
     for (name, axis, value, rocking) in [("rest, X", 0, 20.0, 1.5), ("rest, Z", 2, 35.0, 0.0)] {
         both.check(name, |run| run.last(0).position[axis]).tolerances(rocking + 0.02, 0.02).form(value);
     }
-    both.check("rest, rotation", |run| run.last(0).rotation).tolerance(1e-3).form(0.0);
+    both.check("rest, rotation", |run| run.last(0).angle).tolerance(1e-3).form(0.0);
     both.report();
 }
 
@@ -72,10 +73,10 @@ fn a_box_slides_as_far_as_friction_lets_it() {
     {
         let mut both = Both::run(&box_sliding(name, direction));
         let distance = 100.0 * 100.0 / (2.0 * 0.4 * G);
-        let along = |state: State| {
+        let along = |state: BodyState| {
             state.position[0] * f64::from(direction[0]) + state.position[2] * f64::from(direction[1])
         };
-        let aside = |state: State| {
+        let aside = |state: BodyState| {
             state.position[0] * f64::from(direction[1]) - state.position[2] * f64::from(direction[0])
         };
         both.check("rest, along", |run| along(run.last(0))).tolerance(of_contact(100.0)).form(distance);
@@ -159,7 +160,7 @@ fn a_box_thrown_onto_a_platform_slides_to_rest_on_it() {
             .form(start + speed * landing + distance * part);
     }
     both.check("rest, Y", |run| run.last(0).position[1]).tolerance(1.2 * SLOP).form(60.0);
-    both.check("rest, rotation", |run| run.last(0).rotation).tolerance(1e-3).form(0.0);
+    both.check("rest, rotation", |run| run.last(0).angle).tolerance(1e-3).form(0.0);
     both.report();
 }
 
@@ -420,7 +421,7 @@ fn the_sides_of_platforms_throw_things_back() {
                 .form(velocity[axis]);
         }
     }
-    both.check("rotation of 0", |run| run.last(0).rotation).tolerances(3e-3, 1e-3).form(0.0);
+    both.check("rotation of 0", |run| run.last(0).angle).tolerances(3e-3, 1e-3).form(0.0);
     both.report();
 }
 
@@ -475,7 +476,7 @@ fn a_box_that_falls_on_an_edge_comes_to_rest_on_a_side() {
     // Measured; `rapier3d` slides on while it bounces.
     both.check("rest, X", |run| run.last(0).position[0]).tolerance(10.0);
     both.check("rest, Y", |run| run.last(0).position[1]).tolerance(1.2 * SLOP).form(0.0);
-    both.check("rest, rotation", |run| run.last(0).rotation).tolerance(5e-3).form(0.0);
+    both.check("rest, rotation", |run| run.last(0).angle).tolerance(5e-3).form(0.0);
     both.report();
 }
 
@@ -483,11 +484,11 @@ fn a_box_that_falls_on_an_edge_comes_to_rest_on_a_side() {
 fn heaps_settle_to_the_same_height_and_spread() {
     for count in [200, 1000] {
         let mut both = Both::run(&pile(count));
-        let height = |state: State| state.position[1];
-        let from_middle = |state: State| state.position[0].hypot(state.position[2]);
+        let height = |state: BodyState| state.position[1];
+        let from_middle = |state: BodyState| state.position[0].hypot(state.position[2]);
         // Which way things fall is chance: three standard errors of the difference of two means.
         let errors = 3.0 * (2.0 / count as f64).sqrt();
-        let deviation = |measure: fn(State) -> f64| {
+        let deviation = |measure: fn(BodyState) -> f64| {
             move |run: &Run| {
                 let mean = run.mean(count, measure);
                 run.mean(count, |state| (measure(state) - mean).powi(2)).sqrt()
@@ -514,10 +515,10 @@ fn traffic_neither_sinks_nor_leaves_nor_gains_speed_in_either() {
         // What is noticed a step late, from both sides.
         let deepest = 2.0 * fastest * STEP;
         for step in 1..=400 {
-            for (name, engine) in [("twohalf", &mut ours as &mut dyn Engine), ("rapier3d", &mut peer)] {
-                engine.step();
+            for (name, engine) in [("twohalf", &mut ours as &mut dyn World), ("rapier3d", &mut peer)] {
+                engine.step(scene.dt);
                 for object in 0..count {
-                    let state = engine.state(object);
+                    let state = engine.body(object);
                     let [x, y, z] = state.position;
                     let is_fine = state.speed() < fastest
                         && y > -deepest
@@ -545,8 +546,8 @@ fn the_time_per_step_of_both_is_printed() {
     for scene in scenes {
         let mut times = [Vec::new(), Vec::new()];
         for _ in 0..ROUNDS {
-            times[0].push(time_of(&mut TwoHalf::new(&scene), STEPS));
-            times[1].push(time_of(&mut Rapier::new(&scene), STEPS));
+            times[0].push(time_of(&mut TwoHalf::new(&scene), scene.dt, STEPS));
+            times[1].push(time_of(&mut Rapier::new(&scene), scene.dt, STEPS));
         }
         let [ours, peer] = times.map(|mut list| {
             list.sort_by(f64::total_cmp);
@@ -558,10 +559,10 @@ fn the_time_per_step_of_both_is_printed() {
 }
 
 /// Mean time per step in ms.
-fn time_of(engine: &mut dyn Engine, steps: u32) -> f64 {
+fn time_of(engine: &mut dyn World, dt: f32, steps: u32) -> f64 {
     let start = Instant::now();
     for _ in 0..steps {
-        engine.step();
+        engine.step(dt);
     }
     start.elapsed().as_secs_f64() * 1000.0 / f64::from(steps)
 }

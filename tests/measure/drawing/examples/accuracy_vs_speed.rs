@@ -13,10 +13,12 @@ use drawing::plot::lines::Chart;
 use drawing::plot::overview::Overview;
 use drawing::plot::save;
 use drawing::report::{Report, picture};
-use measure::charts::chart_scenes;
+use measure::charts::{ChartScene, chart_scenes};
 use measure::csv::{csv, points};
-use measure::depth::{PLANES, depth_chart_scenes, depth_methods, depth_peer_versions, plane_trials};
-use measure::method::{Setting, methods, peer_versions};
+use measure::depth::{
+    PLANE_SCENE, PLANES, depth_chart_scenes, depth_methods, depth_peer_versions, plane_methods,
+};
+use measure::method::{Method, Setting, methods, peer_versions};
 use measure::origin::{origin, origin_csv, read_origin};
 use measure::progress::Progress;
 use measure::sweep::{Subject, Sweep, Trial};
@@ -27,7 +29,7 @@ use std::path::Path;
 /// Scenes and methods that are charted together.
 struct Group {
     folder: &'static str,
-    title: &'static str,
+    title: String,
     subjects: Vec<Subject>,
     methods: Vec<(&'static str, Setting)>,
     trials: Vec<Trial<'static>>,
@@ -100,53 +102,38 @@ fn nothing_to_run(arguments: &Measuring) -> String {
 }
 
 fn flat(arguments: &Measuring) -> Group {
-    let mut scenes = chart_scenes();
-    scenes.retain(|scene| arguments.wants_scene(Engine::Plane, scene.name));
-    let all = methods();
-    let wanted: Vec<_> = all.iter().filter(|method| arguments.wants_method(method.name)).copied().collect();
-    let subjects = scenes.iter().map(|scene| scene.subject());
-    Group {
-        folder: "2d",
-        title: "Speed against accuracy, 2D",
-        subjects: subjects.collect(),
-        methods: all.iter().map(|method| (method.name, method.recommended)).collect(),
-        trials: trials(&scenes, &wanted, arguments.effort()),
-        peers: peer_versions(),
-    }
+    let mut group = group(arguments, Engine::Plane, chart_scenes(), &methods());
+    group.peers = peer_versions();
+    group
 }
 
 fn deep(arguments: &Measuring) -> Group {
-    let mut scenes = depth_chart_scenes();
-    scenes.retain(|scene| arguments.wants_scene(Engine::Depth, scene.name));
-    let all = depth_methods();
-    let wanted: Vec<_> = all.iter().filter(|method| arguments.wants_method(method.name)).copied().collect();
-    let mut trials = trials(&scenes, &wanted, arguments.effort());
-    let mut planes = plane_trials(arguments.effort());
-    planes.retain(|trial| {
-        arguments.wants_scene(Engine::Depth, trial.scene) && arguments.wants_method(trial.method)
-    });
-    let mut methods: Vec<_> = all.iter().map(|method| (method.name, method.recommended)).collect();
-    methods.extend(planes.first().map(|trial| ("2D", trial.setting)));
-    let mut sizes: Vec<usize> = planes.iter().map(|trial| trial.size).collect();
-    sizes.dedup();
-    trials.extend(planes);
-    let subjects = scenes.iter().map(|scene| scene.subject());
-    let planes = Subject {
-        name: PLANES,
-        about: "Circles that fall into a pit, all at one depth, with and without the third axis.",
-        sizes,
-        error: "largest distance from the 2D engine's circles",
-        unit: "px",
-        // Less than a pixel cannot be seen.
-        tolerance: 1.0,
-    };
+    let mut deep = group(arguments, Engine::Depth, depth_chart_scenes(), &depth_methods());
+    let planes = group(arguments, Engine::Depth, vec![PLANE_SCENE], &plane_methods());
+    deep.peers = depth_peer_versions();
+    deep.subjects.extend(planes.subjects);
+    // The others are methods of the 2.5D engine as well.
+    deep.methods.extend(planes.methods.first().filter(|_| !planes.trials.is_empty()));
+    deep.trials.extend(planes.trials);
+    deep
+}
+
+fn group<S: PartialEq + 'static>(
+    arguments: &Measuring,
+    engine: Engine,
+    mut scenes: Vec<ChartScene<S>>,
+    methods: &[Method<S>],
+) -> Group {
+    scenes.retain(|scene| arguments.wants_scene(engine, scene.name));
+    let wanted: Vec<_> =
+        methods.iter().filter(|method| arguments.wants_method(method.name)).copied().collect();
     Group {
-        folder: "2.5d",
-        title: "Speed against accuracy, 2.5D",
-        subjects: subjects.chain([planes]).collect(),
-        methods,
-        trials,
-        peers: depth_peer_versions(),
+        folder: engine.folder(),
+        title: format!("Speed against accuracy, {}", engine.name()),
+        subjects: scenes.iter().map(|scene| scene.subject()).collect(),
+        methods: methods.iter().map(|method| (method.name, method.recommended)).collect(),
+        trials: trials(&scenes, &wanted, arguments.effort()),
+        peers: Vec::new(),
     }
 }
 
@@ -157,11 +144,11 @@ fn write(group: &Group, sweep: &Sweep, origin: &Origin, folder: &Path) -> Result
     let (methods, points) = (&group.methods[..], &sweep.points[..]);
     fs::write(folder.join(FIGURES), csv(points, &subjects))?;
     fs::write(folder.join(ORIGIN), origin_csv(origin))?;
-    save(&Overview { title: group.title, subjects: &subjects, methods, points }, folder, "overview")?;
+    save(&Overview { title: &group.title, subjects: &subjects, methods, points }, folder, "overview")?;
     // What is compared there is time over the number of objects: it has a chart and a table of its own.
     let (planes, charted): (Vec<_>, Vec<_>) =
         subjects.into_iter().partition(|subject| subject.name == PLANES);
-    let report = Report { title: group.title, origin, subjects: &charted, methods, sweep };
+    let report = Report { title: &group.title, origin, subjects: &charted, methods, sweep };
     let mut text = report.markdown();
     if let ([subject], Some(table)) = (&planes[..], plane_table(points)) {
         let title = subject.name.replace('_', " ");

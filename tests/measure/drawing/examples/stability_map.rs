@@ -11,13 +11,13 @@ use drawing::measuring::{Engine, Measuring, Result};
 use drawing::plot::first_failures::FirstFailures;
 use drawing::plot::heat::HeatMap;
 use drawing::plot::save;
-use measure::depth::{depth_families, depth_methods, depth_peer_versions, depth_sheet};
-use measure::method::{methods, peer_versions};
+use measure::depth::{depth_families, depth_methods, depth_peer_versions};
+use measure::method::{Method, methods, peer_versions};
 use measure::origin::origin;
-use measure::stability::families;
 use measure::stability::map::{Map, Sheet};
 use measure::stability::sheet::sheet;
 use measure::stability::table::csv;
+use measure::stability::{StabilityFamily, families};
 use std::fs;
 use std::io::{IsTerminal, stderr};
 use std::path::Path;
@@ -29,7 +29,7 @@ const FOLDER: &str = "target/stability_map";
 /// Families of an engine, as maps still to be made.
 struct Group {
     folder: &'static str,
-    title: &'static str,
+    title: String,
     sheets: Vec<Sheet>,
     /// Versions of the peers.
     peers: Vec<(&'static str, String)>,
@@ -44,7 +44,10 @@ struct Arguments {
 
 fn main() -> Result<()> {
     let arguments = Arguments::parse().measuring;
-    let mut groups = vec![flat(&arguments), deep(&arguments)];
+    let mut groups = vec![
+        group(&arguments, Engine::Plane, families(), methods(), peer_versions()),
+        group(&arguments, Engine::Depth, depth_families(), depth_methods(), depth_peer_versions()),
+    ];
     groups.retain(|group| !group.sheets.is_empty());
     if groups.is_empty() {
         Arguments::command().error(ErrorKind::InvalidValue, nothing_to_run(&arguments)).exit();
@@ -55,7 +58,7 @@ fn main() -> Result<()> {
     let progress = Progress::of(groups.iter().flat_map(|group| &group.sheets));
     for (group, folder) in groups.into_iter().zip(&folders) {
         let maps: Vec<Map> = group.sheets.iter().map(|sheet| progress.fill(sheet)).collect();
-        write(group.title, group.peers, &maps, folder)?;
+        write(&group.title, group.peers, &maps, folder)?;
         eprintln!("\n{}", folder.join("report.md").display());
     }
     eprintln!("{} s", progress.start.elapsed().as_secs());
@@ -71,30 +74,21 @@ fn nothing_to_run(arguments: &Measuring) -> String {
     arguments.nothing_to_run(families, methods)
 }
 
-fn flat(arguments: &Measuring) -> Group {
-    let mut methods = methods();
+fn group<S: 'static>(
+    arguments: &Measuring,
+    engine: Engine,
+    families: Vec<StabilityFamily<S>>,
+    mut methods: Vec<Method<S>>,
+    peers: Vec<(&'static str, String)>,
+) -> Group {
     methods.retain(|method| arguments.wants_method(method.name));
-    let families = families().into_iter().filter(|family| arguments.wants_scene(Engine::Plane, family.name));
+    let families = families.into_iter().filter(|family| arguments.wants_scene(engine, family.name));
     let sheets = families.map(|family| sheet(family, &methods, arguments.effort()));
     Group {
-        folder: "2d",
-        title: "Where methods fail, 2D",
+        folder: engine.folder(),
+        title: format!("Where methods fail, {}", engine.name()),
         sheets: sheets.filter(|sheet| sheet.run_count() > 0).collect(),
-        peers: peer_versions(),
-    }
-}
-
-fn deep(arguments: &Measuring) -> Group {
-    let mut methods = depth_methods();
-    methods.retain(|method| arguments.wants_method(method.name));
-    let families =
-        depth_families().into_iter().filter(|family| arguments.wants_scene(Engine::Depth, family.name));
-    let sheets = families.map(|family| depth_sheet(family, &methods, arguments.effort()));
-    Group {
-        folder: "2.5d",
-        title: "Where methods fail, 2.5D",
-        sheets: sheets.filter(|sheet| sheet.run_count() > 0).collect(),
-        peers: depth_peer_versions(),
+        peers,
     }
 }
 

@@ -20,6 +20,24 @@ pub enum Engine {
     Depth,
 }
 
+impl Engine {
+    /// As readers call it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Engine::Plane => "2D",
+            Engine::Depth => "2.5D",
+        }
+    }
+
+    /// The folder of what came of it.
+    pub fn folder(self) -> &'static str {
+        match self {
+            Engine::Plane => "2d",
+            Engine::Depth => "2.5d",
+        }
+    }
+}
+
 /// What to measure, and where to write what came of it.
 #[derive(Debug, Args)]
 pub struct Measuring {

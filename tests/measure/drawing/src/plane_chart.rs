@@ -4,7 +4,7 @@ use crate::plot::axis::{Axis, short_time};
 use crate::plot::ink::{Place, Words, dashed, line, marker};
 use crate::plot::style::{DARK, GREY, PALE, look_of};
 use crate::plot::{Fault, Picture};
-use measure::depth::{PLANE_METHODS, plane_point, plane_sizes, time_per_step};
+use measure::depth::{plane_methods, plane_point, plane_sizes, time_per_step};
 use measure::sweep::Point;
 use plotters::coord::Shift;
 use plotters::prelude::{DrawingArea, DrawingBackend, Rectangle};
@@ -18,6 +18,11 @@ const LEFT: i32 = 80;
 const RIGHT: i32 = 780;
 const TOP: i32 = 60;
 const BOTTOM: i32 = 350;
+
+/// Names of what is compared, that without depth first.
+fn plane_names() -> [&'static str; 3] {
+    plane_methods().map(|method| method.name)
+}
 
 /// The chart.
 #[derive(Debug, Clone, Copy)]
@@ -42,7 +47,7 @@ impl Picture for PlaneChart<'_> {
         Words::new(11.0).centred().write(sheet, "objects", (middle, BOTTOM + 30))?;
         let upwards = Words { upwards: true, ..Words::new(11.0).centred() };
         upwards.write(sheet, "CPU time per step", (LEFT - 60, (TOP + BOTTOM) / 2))?;
-        for (index, method) in PLANE_METHODS.into_iter().enumerate() {
+        for (index, method) in plane_names().into_iter().enumerate() {
             self.paint_method(sheet, index, method)?;
         }
         let note = "Medians of runs that took turns in one process. Lower is better.";
@@ -55,7 +60,7 @@ impl PlaneChart<'_> {
     fn axes(&self) -> [Axis; 2] {
         let of =
             |method| plane_sizes(self.points).filter_map(move |size| plane_point(self.points, size, method));
-        let times = PLANE_METHODS.into_iter().flat_map(of).map(time_per_step);
+        let times = plane_names().into_iter().flat_map(of).map(time_per_step);
         let objects = plane_sizes(self.points).map(|size| size as f64);
         [Axis::over(objects, [LEFT, RIGHT]), Axis::over(times, [BOTTOM, TOP])]
     }
@@ -108,14 +113,14 @@ impl PlaneChart<'_> {
 pub fn plane_table(points: &[Point]) -> Option<String> {
     plane_sizes(points).next()?;
     let mut text = "| objects |".to_owned();
-    for method in PLANE_METHODS {
+    for method in plane_names() {
         add(&mut text, format_args!(" {method} | times 2D |"));
     }
     text += "\n|---:|---:|---:|---:|---:|---:|---:|\n";
     for size in plane_sizes(points) {
-        let flat = plane_point(points, size, PLANE_METHODS[0]).map(time_per_step);
+        let flat = plane_point(points, size, plane_names()[0]).map(time_per_step);
         add(&mut text, format_args!("| {size} |"));
-        for method in PLANE_METHODS {
+        for method in plane_names() {
             match plane_point(points, size, method).map(time_per_step) {
                 Some(time) => {
                     let ratio = flat.map_or("-".to_owned(), |flat| format!("{:.2}", time / flat));

@@ -125,7 +125,7 @@ impl Apexes {
 }
 
 impl Watch for Apexes {
-    fn see(&mut self, time: f64, world: &(dyn World + 'static)) {
+    fn see(&mut self, time: f64, world: &dyn World) {
         for ball in 0..BALLS {
             let Some((bounce, peak)) = self.peaks[ball].take(height(world, ball)) else { continue };
             self.counts[ball] = bounce;

@@ -2,7 +2,7 @@
 
 use super::super::closed_forms::{SteppedThrow, thrown};
 use super::super::error::{Watch, Worst, in_reach};
-use super::super::world::World;
+use super::super::world::{World, distance};
 use super::build::{GRAVITY, Surface, ball, scene, start, vector};
 use super::{ChartScene, ONE_SIZE};
 use conformance::scene::Scene;
@@ -58,7 +58,7 @@ fn watch_continuous(scene: &Scene) -> Box<dyn Watch> {
     let error = move |time: f64, world: &dyn World| {
         let off = |index: usize| {
             let law = thrown(starts[index], VELOCITY, GRAVITY, DRAG[index] / MASS, time);
-            distance(world.body(index).position, law)
+            distance(world.body(index).place(), law)
         };
         Some(off(0).max(off(1)))
     };
@@ -77,12 +77,8 @@ fn watch_discrete(scene: &Scene) -> Box<dyn Watch> {
     let error = move |time: f64, world: &dyn World| {
         laws.iter_mut().for_each(|law| law.step(time - before));
         before = time;
-        let off = |index: usize| distance(world.body(index).position, laws[index].position);
+        let off = |index: usize| distance(world.body(index).place(), laws[index].position);
         Some(off(0).max(off(1)))
     };
     in_reach(Worst::new(error), 1e4)
-}
-
-fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1])
 }

@@ -111,7 +111,7 @@ fn wheel_on_incline() -> Scene {
 /// How far the moving body came from a place down a slope.
 fn came(world: &dyn World, from: [f64; 2], angle: f64) -> f64 {
     let down = on_slope(angle, 1.0, 0.0);
-    let place = world.body(MOVING).position;
+    let place = world.body(MOVING).place();
     (place[0] - from[0]) * down[0] + (place[1] - from[1]) * down[1]
 }
 
@@ -127,7 +127,7 @@ fn watch_stick(_: &Scene) -> Box<dyn Watch> {
         if time < 1.0 {
             return None;
         }
-        let from = *settled.get_or_insert_with(|| world.body(MOVING).position);
+        let from = *settled.get_or_insert_with(|| world.body(MOVING).place());
         Some(came(world, from, GENTLE).abs())
     };
     in_reach(Worst::new(creep), REACH)

@@ -73,5 +73,5 @@ fn lost(scene: &Scene) -> Verdict {
     });
     let fallen: Vec<usize> = movable(scene).collect();
     let is_lost = move |[x, y]: [f64; 2]| x < left || x > right || y > 0.0;
-    Box::new(move |world| fallen.iter().any(|&index| is_lost(world.body(index).position)).then_some("lost"))
+    Box::new(move |world| fallen.iter().any(|&index| is_lost(world.body(index).place())).then_some("lost"))
 }

@@ -109,7 +109,7 @@ struct SwingPeriod {
 }
 
 impl Watch for SwingPeriod {
-    fn see(&mut self, time: f64, world: &(dyn World + 'static)) {
+    fn see(&mut self, time: f64, world: &dyn World) {
         let stretch = stretch(world);
         if stretch * self.last < 0.0 {
             self.is_dead |= self.widest < DEAD * AMPLITUDE;

@@ -2,7 +2,7 @@
 
 use super::super::closed_forms::pendulum_period;
 use super::super::error::{Last, Watch, Worst, in_reach};
-use super::super::world::{BodyState, World, masses};
+use super::super::world::{World, masses, turned};
 use super::build::{GRAVITY, body, scene, start, vector};
 use super::invariants::energy;
 use super::signals::Period;
@@ -117,7 +117,7 @@ fn watch_period(scene: &Scene, amplitude: f64) -> Box<dyn Watch> {
     let law = pendulum_period(GRAVITY, mass.mass, LENGTH, mass.inertia, amplitude);
     let mut period = Period::default();
     let error = move |time: f64, world: &dyn World| {
-        let [x, y] = world.body(0).position;
+        let [x, y] = world.body(0).place();
         period.take(time, x.atan2(y));
         Some(100.0 * (period.mean()? / law - 1.0).abs())
     };
@@ -169,21 +169,11 @@ fn watch_gaps(scene: &Scene) -> Box<dyn Watch> {
         let gap = |hinge: &Hinge| {
             let [one, other] = hinge.ends.map(|end| match end {
                 None => hinge.anchor,
-                Some((index, local)) => on_body(&world.body(index), local),
+                Some((index, local)) => world.body(index).to_world(local),
             });
             (one[0] - other[0]).hypot(one[1] - other[1])
         };
         Some(hinges.iter().map(gap).fold(0.0, f64::max))
     };
     in_reach(Worst::new(gap), reach)
-}
-
-fn on_body(state: &BodyState, local: [f64; 2]) -> [f64; 2] {
-    let turned = turned(local, state.angle);
-    [state.position[0] + turned[0], state.position[1] + turned[1]]
-}
-
-fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
-    let (sine, cosine) = angle.sin_cos();
-    [x * cosine - y * sine, x * sine + y * cosine]
 }

@@ -4,12 +4,11 @@ mod ball_pit;
 mod conveyor;
 mod throw;
 
-use super::DepthWorld;
 use crate::charts::ChartScene;
 use crate::depth_scenes::DepthScene;
 
 /// A scene of the chart with depth; sizes are numbers of movable objects.
-pub type DepthChartScene = ChartScene<DepthScene, dyn DepthWorld>;
+pub type DepthChartScene = ChartScene<DepthScene>;
 
 /// All scenes of the chart with depth: the one place to add one.
 pub fn depth_chart_scenes() -> Vec<DepthChartScene> {

@@ -14,35 +14,14 @@ mod lanes;
 mod shadows;
 mod steps;
 
-use super::DepthWatch;
 use crate::depth_scenes::DepthScene;
+use crate::stability::StabilityFamily;
 
-/// Scenes of one kind, from easy to hard.
-#[derive(Debug, Clone, Copy)]
-pub struct DepthFamily {
-    /// Such as "Land".
-    pub name: &'static str,
-    /// What there is, and what must happen.
-    pub about: &'static str,
-    /// What is varied.
-    pub parameter: &'static str,
-    /// Its unit; empty for a number of things.
-    pub unit: &'static str,
-    /// Its values, from easy to hard.
-    pub values: &'static [f64],
-    /// Some of them.
-    pub quick_values: &'static [f64],
-    /// Makes the scene for a value.
-    pub build: fn(f64) -> DepthScene,
-    /// Length of a run in s.
-    pub seconds: fn(f64) -> f64,
-    /// Makes what says how it went.
-    pub judge: fn(f64) -> Box<DepthWatch>,
-    /// What the judge measures.
-    pub quantity: &'static str,
-    /// Its unit.
-    pub quantity_unit: &'static str,
-}
+/// Scenes with depth of one kind, from easy to hard.
+pub type DepthFamily = StabilityFamily<DepthScene>;
+
+/// What all of them have in common: they end with the first step after their time.
+const PLAIN: DepthFamily = DepthFamily { whole: f64::ceil, ..DepthFamily::PLAIN };
 
 /// All families: the one place to add one.
 pub fn depth_families() -> Vec<DepthFamily> {

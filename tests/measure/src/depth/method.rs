@@ -1,15 +1,14 @@
 //! The ways to simulate a scene with depth.
 
-use super::DepthWorld;
 use crate::depth_scenes::DepthScene;
-use crate::method::{Built, Effort, Family, Method, Setting};
+use crate::method::{Built, Effort, Family, Mapped, Method, Setting, mapped};
 #[cfg(feature = "peers")]
 use crate::peers::Rapier;
 use crate::peers::TwoHalf;
 use twohalf::Methods;
 
 /// A way to simulate a scene with depth.
-pub type DepthMethod = Method<DepthScene, dyn DepthWorld>;
+pub type DepthMethod = Method<DepthScene>;
 
 /// All methods: the one place to add one.
 pub fn depth_methods() -> Vec<DepthMethod> {
@@ -36,6 +35,7 @@ fn our_methods() -> Vec<DepthMethod> {
         // The 2D engine's default iterations (behaviour chapter 06).
         recommended: Setting::fixed(1.0 / 60.0, 5),
         settings: our_settings,
+        mapped: |effort| on_map(5, if effort == Effort::Full { &[20] } else { &[] }),
         build: |scene, setting| build(scene, setting, Methods::Faithful),
     };
     let thesis = DepthMethod {
@@ -46,7 +46,7 @@ fn our_methods() -> Vec<DepthMethod> {
     vec![faithful, thesis]
 }
 
-fn build(scene: &DepthScene, setting: Setting, methods: Methods) -> Built<dyn DepthWorld> {
+fn build(scene: &DepthScene, setting: Setting, methods: Methods) -> Built {
     Ok(Box::new(TwoHalf::with_methods(scene, methods, setting.passes as i32)))
 }
 
@@ -60,6 +60,7 @@ fn rapier_methods() -> Vec<DepthMethod> {
         is_broad_phase_variant: false,
         recommended: Setting::fixed(1.0 / 60.0, 4),
         settings: rapier_settings,
+        mapped: |_| on_map(4, &[]),
         build: |scene, setting| Ok(Box::new(Rapier::new(scene).with_iterations(setting.passes as usize))),
     };
     let accurate = DepthMethod {
@@ -70,6 +71,15 @@ fn rapier_methods() -> Vec<DepthMethod> {
         ..default
     };
     vec![default, accurate]
+}
+
+/// On a map the usual number of passes at a long step, the usual one and a short one, and others at the last two. In the
+/// table of first failures is the usual number at these two.
+fn on_map(usual: u32, others: &[u32]) -> Vec<Mapped> {
+    let [long, common, short] = [1.0 / 30.0, 1.0 / 60.0, 1.0 / 200.0];
+    let first = [long, common, short].map(|dt| Setting::fixed(dt, usual));
+    let more = others.iter().flat_map(|&passes| [common, short].map(|dt| Setting::fixed(dt, passes)));
+    mapped(first.into_iter().chain(more), &first[1..])
 }
 
 /// Steps that games take, each with the default iterations; fewer at the longest step, and more at the usual one.

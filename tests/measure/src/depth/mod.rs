@@ -10,14 +10,10 @@ mod charts;
 mod families;
 mod method;
 mod planes;
-mod sheet;
 mod watch;
-mod world;
 
 pub use charts::{DepthChartScene, depth_chart_scenes};
 pub use families::{DepthFamily, depth_families};
 pub use method::{DepthMethod, depth_methods, depth_peer_versions};
-pub use planes::{PLANE_METHODS, PLANES, plane_point, plane_sizes, plane_trials, time_per_step};
-pub use sheet::{depth_sheet, run};
-pub use watch::{DepthWatch, Seen, watch};
-pub use world::DepthWorld;
+pub use planes::{PLANE_SCENE, PLANES, plane_methods, plane_point, plane_sizes, time_per_step};
+pub use watch::{Seen, watch};

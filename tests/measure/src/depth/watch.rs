@@ -1,11 +1,8 @@
 //! Watching a run of a scene with depth.
 
-use super::DepthWorld;
 use crate::error::{Largest, Watch};
 use crate::stability::reasons::NOT_FINITE;
-
-/// Watches a run of a scene with depth.
-pub type DepthWatch = dyn Watch<dyn DepthWorld>;
+use crate::world::World;
 
 /// What is seen at one moment.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,7 +38,7 @@ impl Seen {
 
 /// Watches with a function of time in s and the world, from before the first step on; `None` where it looks away.
 /// A run also fails when the state of an object is not finite; the function never sees such a state.
-pub fn watch(look: impl FnMut(f64, &dyn DepthWorld) -> Option<Seen> + 'static) -> Box<DepthWatch> {
+pub fn watch(look: impl FnMut(f64, &dyn World) -> Option<Seen> + 'static) -> Box<dyn Watch> {
     Box::new(Looking { look, largest: Largest::default(), last: None })
 }
 
@@ -52,14 +49,16 @@ struct Looking<F> {
     last: Option<Seen>,
 }
 
-impl<F: FnMut(f64, &dyn DepthWorld) -> Option<Seen>> Watch<dyn DepthWorld> for Looking<F> {
-    fn see(&mut self, time: f64, world: &dyn DepthWorld) {
+impl<F: FnMut(f64, &dyn World) -> Option<Seen>> Watch for Looking<F> {
+    fn see(&mut self, time: f64, world: &dyn World) {
         if matches!(self.last, Some(Seen::Failed(..))) {
             return;
         }
-        let is_whole = (0..world.object_count()).all(|index| world.object(index).is_finite());
-        let seen =
-            if is_whole { (self.look)(time, world) } else { Some(Seen::Failed(NOT_FINITE, f64::INFINITY)) };
+        let seen = if world.is_finite() {
+            (self.look)(time, world)
+        } else {
+            Some(Seen::Failed(NOT_FINITE, f64::INFINITY))
+        };
         if let Some(Seen::Fine(error)) = seen {
             self.largest.take(error);
         }

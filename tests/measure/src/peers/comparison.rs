@@ -1,7 +1,8 @@
 //! Two recordings of a scene, and the table of what is compared.
 
-use super::{Met, Rapier, Recording, State, TwoHalf};
+use super::{Rapier, Recording, TwoHalf};
 use crate::depth_scenes::DepthScene;
+use crate::world::{BodyState, Met};
 use std::fmt::Write;
 use std::ops::Deref;
 use std::sync::{PoisonError, RwLock, RwLockWriteGuard};
@@ -43,7 +44,7 @@ impl Run {
     /// When and where an object last was above a height before it first was below it, having been higher.
     /// Between steps, in a straight line. NaN if it never was.
     pub fn crossing(&self, object: usize, height: f64) -> Crossing {
-        let states: Vec<State> = self.states(object).copied().collect();
+        let states: Vec<BodyState> = self.states(object).copied().collect();
         let found = states.windows(2).enumerate().find(|(_, pair)| {
             let [before, after] = [pair[0].position[1], pair[1].position[1]];
             before > height && after <= height
@@ -58,7 +59,7 @@ impl Run {
     /// Rotation of an object in the step nearest to a [`crossing`](Self::crossing). NaN if there is none.
     pub fn crossing_rotation(&self, object: usize, height: f64) -> f64 {
         let time = self.crossing(object, height).time;
-        if time.is_nan() { f64::NAN } else { self.state_at(object, time).rotation }
+        if time.is_nan() { f64::NAN } else { self.state_at(object, time).angle }
     }
 
     /// Greatest height of an object on the way up that begins within three steps of a time.
@@ -80,7 +81,7 @@ impl Run {
     }
 
     /// Mean over the first `count` objects at the end.
-    pub fn mean(&self, count: usize, measure: impl Fn(State) -> f64) -> f64 {
+    pub fn mean(&self, count: usize, measure: impl Fn(BodyState) -> f64) -> f64 {
         (0..count).map(|object| measure(self.last(object))).sum::<f64>() / count as f64
     }
 }

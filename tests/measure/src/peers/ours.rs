@@ -3,8 +3,9 @@
 use std::collections::HashMap;
 use twohalf::{BodyId, Methods, Partner, TwoHalfPhysicsSimulator};
 
-use super::{Engine, Met, State, ordered, wrapped};
+use super::{ordered, wrapped};
 use crate::depth_scenes::{DepthScene, build};
+use crate::world::{BodyState, Met, World};
 
 /// A scene in the 2.5D engine.
 #[derive(Debug)]
@@ -12,7 +13,6 @@ pub struct TwoHalf {
     simulator: TwoHalfPhysicsSimulator,
     bodies: Vec<BodyId>,
     objects: HashMap<BodyId, usize>,
-    dt: f32,
 }
 
 impl TwoHalf {
@@ -20,7 +20,7 @@ impl TwoHalf {
     pub fn new(scene: &DepthScene) -> Self {
         let (simulator, bodies) = build(scene);
         let objects = bodies.iter().copied().zip(0..).collect();
-        TwoHalf { simulator, bodies, objects, dt: scene.dt }
+        TwoHalf { simulator, bodies, objects }
     }
 
     /// Builds a scene for other methods, and a number of iterations per step.
@@ -33,22 +33,6 @@ impl TwoHalf {
         // Nothing of a scene takes part before its first step.
         engine.simulator.set_methods(methods).unwrap_or_else(|error| panic!("{}: {error}", scene.name));
         engine
-    }
-
-    /// Moves everything by a time in s.
-    pub fn step_by(&mut self, dt: f32) {
-        self.simulator.update(dt);
-    }
-
-    /// How many objects the scene has.
-    pub fn object_count(&self) -> usize {
-        self.bodies.len()
-    }
-
-    /// Height of the surface, of the ground or of a platform, that is straight below the middle of an object; where
-    /// its shadow is drawn. `None` below the ground.
-    pub fn height_beneath(&self, object: usize) -> Option<f64> {
-        self.simulator.surface_beneath_body(self.bodies[object]).map(|surface| f64::from(surface.height))
     }
 
     /// The simulator.
@@ -70,19 +54,29 @@ impl TwoHalf {
     }
 }
 
-impl Engine for TwoHalf {
-    fn step(&mut self) {
-        self.simulator.update(self.dt);
+impl World for TwoHalf {
+    fn step(&mut self, dt: f32) {
+        self.simulator.update(dt);
     }
 
-    fn state(&self, object: usize) -> State {
-        let Some(body) = self.simulator.body(self.bodies[object]) else { return State::default() };
+    fn body(&self, index: usize) -> BodyState {
+        let Some(body) = self.simulator.body(self.bodies[index]) else { return BodyState::default() };
         let (position, velocity) = (body.position3d(), body.linear_velocity());
-        State {
+        BodyState {
             position: [position.x, position.y, position.z].map(f64::from),
+            angle: wrapped(f64::from(body.rotation())),
             velocity: [velocity.x, -velocity.y, body.linear_velocity_z()].map(f64::from),
-            rotation: wrapped(f64::from(body.rotation())),
+            angular_velocity: f64::from(body.angular_velocity()),
         }
+    }
+
+    fn body_count(&self) -> usize {
+        self.bodies.len()
+    }
+
+    /// Where its shadow is drawn. `None` below the ground.
+    fn height_beneath(&self, index: usize) -> Option<f64> {
+        self.simulator.surface_beneath_body(self.bodies[index]).map(|surface| f64::from(surface.height))
     }
 
     fn touching(&self, pairs: &mut Vec<(Met, Met)>) {

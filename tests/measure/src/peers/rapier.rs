@@ -5,8 +5,9 @@ use rapier3d::prelude::{
     PhysicsWorld, Pose, QueryFilter, Ray, RigidBody, RigidBodyBuilder, RigidBodyHandle, Rotation, Vector,
 };
 
-use super::{Engine, Met, State, ordered, wrapped};
+use super::{ordered, wrapped};
 use crate::depth_scenes::{DepthObject, DepthPlatform, DepthScene, DepthShape, SCREEN_ANGLE, Surface};
+use crate::world::{BodyState, Met, World};
 
 /// Px that stand for a metre: `rapier3d` scales its tolerances with it. The size of a large object.
 const LENGTH_UNIT: f32 = 40.0;
@@ -67,28 +68,6 @@ impl Rapier {
     pub fn with_iterations(mut self, iterations: usize) -> Self {
         self.world.integration_parameters.num_solver_iterations = iterations;
         self
-    }
-
-    /// Moves everything by a time in s.
-    pub fn step_by(&mut self, dt: f32) {
-        self.world.integration_parameters.dt = dt;
-        self.world.step();
-    }
-
-    /// How many objects the scene has.
-    pub fn object_count(&self) -> usize {
-        self.objects.len()
-    }
-
-    /// Height of the ground or the platform that a ray from the middle of an object straight down meets first.
-    pub fn height_beneath(&self, object: usize) -> Option<f64> {
-        let middle = self.world.bodies[self.objects[object]].translation();
-        let is_surface =
-            |collider: ColliderHandle, _: &Collider| !matches!(self.met(collider), Met::Object(_));
-        let filter = QueryFilter::new().predicate(&is_surface);
-        let ray = Ray::new(middle, -Vector::Y);
-        let (_, distance) = self.world.cast_ray(&ray, f32::MAX, true, filter)?;
-        Some(f64::from(middle.y - distance))
     }
 
     fn add_object(&mut self, object: &DepthObject) {
@@ -190,21 +169,38 @@ fn with_surface(collider: ColliderBuilder, surface: Surface) -> ColliderBuilder 
         .restitution_combine_rule(CoefficientCombineRule::Average)
 }
 
-impl Engine for Rapier {
-    fn step(&mut self) {
+impl World for Rapier {
+    fn step(&mut self, dt: f32) {
+        self.world.integration_parameters.dt = dt;
         self.world.step();
     }
 
-    fn state(&self, object: usize) -> State {
-        let body = &self.world.bodies[self.objects[object]];
+    fn body(&self, index: usize) -> BodyState {
+        let body = &self.world.bodies[self.objects[index]];
         let (centre, turn) = (body.translation(), body.rotation());
-        let rotation = wrapped(-2.0 * f64::from(turn.z).atan2(f64::from(turn.w)));
-        let below = self.outlines[object].at(rotation);
-        State {
+        let angle = wrapped(-2.0 * f64::from(turn.z).atan2(f64::from(turn.w)));
+        let below = self.outlines[index].at(angle);
+        BodyState {
             position: [f64::from(centre.x), f64::from(centre.y) - below, f64::from(centre.z)],
+            angle,
             velocity: body.linvel().to_array().map(f64::from),
-            rotation,
+            angular_velocity: -f64::from(body.angvel().z),
         }
+    }
+
+    fn body_count(&self) -> usize {
+        self.objects.len()
+    }
+
+    /// What a ray from the middle straight down meets first.
+    fn height_beneath(&self, index: usize) -> Option<f64> {
+        let middle = self.world.bodies[self.objects[index]].translation();
+        let is_surface =
+            |collider: ColliderHandle, _: &Collider| !matches!(self.met(collider), Met::Object(_));
+        let filter = QueryFilter::new().predicate(&is_surface);
+        let ray = Ray::new(middle, -Vector::Y);
+        let (_, distance) = self.world.cast_ray(&ray, f32::MAX, true, filter)?;
+        Some(f64::from(middle.y - distance))
     }
 
     fn touching(&self, pairs: &mut Vec<(Met, Met)>) {

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use super::{Engine, Met, State};
 use crate::depth_scenes::DepthScene;
+use crate::world::{BodyState, Met, World};
 
 /// Two things that met for the first time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,23 +20,23 @@ pub struct Recording {
     dt: f64,
     objects: usize,
     /// By step, then by object; the first are those before the first step.
-    states: Vec<State>,
+    states: Vec<BodyState>,
     hits: Vec<Hit>,
 }
 
 impl Recording {
     /// Runs a scene to its end.
-    pub fn new(scene: &DepthScene, engine: &mut dyn Engine) -> Self {
+    pub fn new(scene: &DepthScene, world: &mut dyn World) -> Self {
         let objects = scene.objects.len();
         let mut recording =
             Recording { dt: f64::from(scene.dt), objects, states: Vec::new(), hits: Vec::new() };
         let (mut pairs, mut known) = (Vec::new(), BTreeSet::new());
-        recording.states.extend((0..objects).map(|object| engine.state(object)));
+        recording.states.extend((0..objects).map(|object| world.body(object)));
         for step in 1..=scene.steps {
-            engine.step();
-            recording.states.extend((0..objects).map(|object| engine.state(object)));
+            world.step(scene.dt);
+            recording.states.extend((0..objects).map(|object| world.body(object)));
             pairs.clear();
-            engine.touching(&mut pairs);
+            world.touching(&mut pairs);
             // Two that are noticed in one step have no order.
             pairs.sort_unstable();
             let new = pairs.iter().filter(|pair| known.insert(**pair));
@@ -51,18 +51,18 @@ impl Recording {
     }
 
     /// States of an object, from before the first step on.
-    pub fn states(&self, object: usize) -> impl ExactSizeIterator<Item = &State> {
+    pub fn states(&self, object: usize) -> impl ExactSizeIterator<Item = &BodyState> {
         self.states.iter().skip(object).step_by(self.objects)
     }
 
-    /// State of an object after a time in s.
-    pub fn state_at(&self, object: usize, time: f64) -> State {
+    /// BodyState of an object after a time in s.
+    pub fn state_at(&self, object: usize, time: f64) -> BodyState {
         let step = ((time / self.dt).round() as usize).min(self.states.len() / self.objects - 1);
         self.states[step * self.objects + object]
     }
 
-    /// State of an object at the end.
-    pub fn last(&self, object: usize) -> State {
+    /// BodyState of an object at the end.
+    pub fn last(&self, object: usize) -> BodyState {
         self.states[self.states.len() - self.objects + object]
     }
 

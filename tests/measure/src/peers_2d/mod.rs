@@ -25,7 +25,8 @@ mod parts;
 mod rapier;
 mod state;
 
-use super::method::{Effort, Family, Method, Setting};
+use super::method::{Effort, Family, Mapped, Method, Setting, mapped};
+use super::ours::STEPS;
 
 pub use box2d::build_box2d;
 pub use rapier::build_rapier;
@@ -38,6 +39,7 @@ pub fn rapier_methods() -> Vec<Method> {
         is_broad_phase_variant: false,
         recommended: RECOMMENDED,
         settings,
+        mapped: on_map,
         build: build_rapier,
     }]
 }
@@ -50,6 +52,7 @@ pub fn box2d_methods() -> Vec<Method> {
         is_broad_phase_variant: false,
         recommended: RECOMMENDED,
         settings,
+        mapped: on_map,
         build: build_box2d,
     }]
 }
@@ -82,6 +85,13 @@ fn locked_version(package: &str) -> String {
 
 /// What both engines' authors recommend.
 const RECOMMENDED: Setting = Setting::fixed(1.0 / 60.0, 4);
+
+/// On a map as recommended, which is in the table of first failures, and with the other steps of ours.
+fn on_map(effort: Effort) -> Vec<Mapped> {
+    let others = if effort == Effort::Full { &STEPS[1..] } else { &STEPS[2..] };
+    let others = others.iter().map(|&dt| Setting::fixed(dt, RECOMMENDED.passes));
+    mapped([RECOMMENDED].into_iter().chain(others), &[RECOMMENDED])
+}
 
 /// Steps that games take, each with the recommended substeps; fewer and more substeps at the usual step and at longer
 /// and shorter ones.

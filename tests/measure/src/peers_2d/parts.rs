@@ -2,6 +2,7 @@
 
 use super::links::{self, Link};
 use super::state::{METRE, metres, point, square_metres};
+use crate::world::turned;
 use conformance::run::Run;
 use conformance::scene::{BodySpec, Friction, GeomShape, GeomSpec, NarrowPhase, Scene};
 use farseer_core::math::Vector2;
@@ -97,12 +98,6 @@ pub(super) fn parts(scene: &Scene) -> Result<Parts, String> {
 /// A vector in double precision.
 pub(super) fn double(vector: Vector2) -> [f64; 2] {
     [vector.x, vector.y].map(f64::from)
-}
-
-/// A point turned by an angle about the origin.
-pub(super) fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
-    let (sine, cosine) = angle.sin_cos();
-    [x * cosine - y * sine, x * sine + y * cosine]
 }
 
 /// Both engines hold speeds down to this, px/s.

@@ -23,6 +23,11 @@ pub(super) fn square_metres(value: f64) -> f32 {
     (value / (METRE * METRE)) as f32
 }
 
+/// A point or vector from metres to px.
+fn px([x, y]: [f32; 2]) -> [f64; 3] {
+    [x, y, 0.0].map(|part| f64::from(part) * METRE)
+}
+
 /// What a peer tells of a body, in metres, the rotation as cosine and sine.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Told {
@@ -75,7 +80,7 @@ impl Turns {
     /// What is seen of a body. Nothing is a number if the peer tells nothing.
     pub(super) fn see(&self, index: usize, told: Option<Told>) -> BodyState {
         let Some(told) = told else {
-            let nothing = [f64::NAN; 2];
+            let nothing = [f64::NAN; 3];
             return BodyState {
                 position: nothing,
                 angle: f64::NAN,
@@ -85,9 +90,9 @@ impl Turns {
         };
         let angular_velocity = f64::from(told.angular_velocity);
         BodyState {
-            position: told.position.map(|part| f64::from(part) * METRE),
+            position: px(told.position),
             angle: self.total_angle(index, told.rotation, angular_velocity),
-            velocity: told.velocity.map(|part| f64::from(part) * METRE),
+            velocity: px(told.velocity),
             angular_velocity,
         }
     }
@@ -142,6 +147,6 @@ mod tests {
         turns.advance(0.1);
         let seen = turns.see(0, Some(spinning(20.1, 1.0)));
         assert!((seen.angle - 20.1).abs() < 1e-6);
-        assert_eq!(seen.position, [32.0, -64.0]);
+        assert_eq!(seen.position, [32.0, -64.0, 0.0]);
     }
 }

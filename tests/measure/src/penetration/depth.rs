@@ -1,5 +1,7 @@
 //! The depth of two convex shapes in each other.
 
+use crate::world::turned;
+
 pub(super) type Point = [f64; 2];
 
 /// A convex shape.
@@ -134,12 +136,6 @@ fn chain(points: impl Iterator<Item = Point>, size: f64) -> Vec<Point> {
 
 fn area(corners: &[Point]) -> f64 {
     edges(corners).map(|(from, to)| cross(from, to)).sum::<f64>() / 2.0
-}
-
-/// Turned about the origin by an angle, from x towards y.
-pub(super) fn turned([x, y]: Point, angle: f64) -> Point {
-    let (sine, cosine) = angle.sin_cos();
-    [x * cosine - y * sine, x * sine + y * cosine]
 }
 
 fn minus(a: Point, b: Point) -> Point {

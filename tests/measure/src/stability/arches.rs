@@ -1,9 +1,9 @@
 //! An arch: it stands by friction and pressure alone.
 
-use super::StabilityFamily;
 use super::parts::{Allowed, SPEED_LIMIT, all, calm, standing};
 use super::stacks::BOXES;
 use super::stage::{METRE, Stage};
+use super::{SECONDS, StabilityFamily};
 use crate::error::Watch;
 use conformance::scene::{Outline, OutlineForm, Scene};
 use farseer_core::math::Vector2;
@@ -44,5 +44,5 @@ fn arch(stones: usize) -> Scene {
 fn arch_stands(_: f64, scene: &Scene) -> Box<dyn Watch> {
     // Half of the arch's thickness sideways, and 10 degrees.
     let allowed = Allowed { shift: 24.0, turn: 0.175, creep: 1.6 };
-    all(vec![calm(scene, SPEED_LIMIT), standing(scene, BOXES.seconds, allowed)])
+    all(vec![calm(scene, SPEED_LIMIT), standing(scene, SECONDS, allowed)])
 }

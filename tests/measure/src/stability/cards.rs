@@ -1,10 +1,10 @@
 //! Thin things that lean on each other, or knock each other over.
 
-use super::StabilityFamily;
 use super::parts::{Allowed, SPEED_LIMIT, all, calm, ends_in, greatest, least, movable, standing};
 use super::reasons;
 use super::stacks::BOXES;
 use super::stage::{METRE, Stage};
+use super::{SECONDS, StabilityFamily};
 use crate::error::Watch;
 use crate::world::World;
 use conformance::scene::Scene;
@@ -32,7 +32,7 @@ pub(super) const FAMILIES: [StabilityFamily; 2] = [
         quick_values: &[2.0, 5.0, 15.0],
         build: |count, _| dominoes(count as usize),
         judge: all_fall,
-        seconds: 20.0,
+        seconds: |_| 20.0,
         quantity: "smallest turn of a domino",
         quantity_unit: "rad",
         ..StabilityFamily::PLAIN
@@ -77,7 +77,7 @@ fn card_house(storeys: usize) -> Scene {
 fn house_stands(_: f64, scene: &Scene) -> Box<dyn Watch> {
     // A card may shift by its half, turn by 10 degrees.
     let allowed = Allowed { shift: 32.0, turn: 0.175, creep: 1.6 };
-    all(vec![calm(scene, SPEED_LIMIT), standing(scene, BOXES.seconds, allowed)])
+    all(vec![calm(scene, SPEED_LIMIT), standing(scene, SECONDS, allowed)])
 }
 
 fn dominoes(count: usize) -> Scene {

@@ -2,7 +2,7 @@
 
 use super::parts::{SPEED_LIMIT, all, calm, ends_in, greatest, joined, movable};
 use super::stage::{METRE, Stage};
-use super::{Moment, StabilityFamily, reasons};
+use super::{Moment, SECONDS, StabilityFamily, reasons};
 use crate::error::Watch;
 use crate::world::World;
 use conformance::scene::Scene;
@@ -49,7 +49,7 @@ pub(super) const FAMILIES: [StabilityFamily; 5] = [
         build: |_, _| hanging_chain(LINKS, 1.0),
         act: pull_apart,
         judge: hangs_again,
-        seconds: SHORT,
+        seconds: |_| SHORT,
         ..JOINED
     },
     StabilityFamily {
@@ -73,14 +73,14 @@ pub(super) const FAMILIES: [StabilityFamily; 5] = [
         judge: |_, scene| {
             all(vec![calm(scene, SPEED_LIMIT), joined(scene, SHORT, f64::from(METRE), reasons::BROKE)])
         },
-        seconds: SHORT,
+        seconds: |_| SHORT,
         ..JOINED
     },
 ];
 
 /// Judges joints that have to hold for the usual time.
 pub(super) fn stays_joined(_: f64, scene: &Scene) -> Box<dyn Watch> {
-    let joined = joined(scene, StabilityFamily::PLAIN.seconds, GAP, reasons::STRETCHED);
+    let joined = joined(scene, SECONDS, GAP, reasons::STRETCHED);
     all(vec![calm(scene, SPEED_LIMIT), joined])
 }
 

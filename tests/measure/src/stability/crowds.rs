@@ -6,7 +6,7 @@ use super::parts::{SPEED_LIMIT, all, calm, ends_in, greatest, mean_speed, movabl
 use super::reasons;
 use super::stage::{METRE, Stage};
 use crate::error::Watch;
-use crate::world::{World, masses};
+use crate::world::{World, distance, masses};
 use conformance::scene::Scene;
 use conformance::scenes::circles_in_a_pit;
 use std::f64::consts::PI;
@@ -37,7 +37,7 @@ pub(super) const FAMILIES: [StabilityFamily; 3] = [
         quick_values: &[8.0, 10.0, 12.0],
         build: |count, _| confined(count as usize),
         judge: crowd_is_at_rest,
-        seconds: 5.0,
+        seconds: |_| 5.0,
         quantity: "mean speed at the end",
         quantity_unit: "px/s",
         ..StabilityFamily::PLAIN
@@ -126,7 +126,7 @@ const PULL: f64 = 320.0;
 fn draw_to_the_middle(_: f64, world: &mut dyn World, moment: Moment) {
     let mass = PI / 4.0;
     for index in 0..world.body_count() {
-        let [x, y] = world.body(index).position;
+        let [x, y] = world.body(index).place();
         // Weaker within a radius of the middle, where a direction would turn from step to step.
         let distance = x.hypot(y).max(f64::from(METRE) / 2.0);
         let impulse = -mass * PULL * f64::from(moment.dt) / distance;
@@ -138,12 +138,11 @@ fn crowd_lies_around_the_middle(count: f64, scene: &Scene) -> Box<dyn Watch> {
     let (bodies, others) = (movable(scene), movable(scene));
     // A full disc has two thirds of its radius as mean distance from its middle.
     let least = 2.0 / 3.0 * f64::from(METRE) / 2.0 * (count / DENSEST).sqrt();
-    let farthest = move |world: &dyn World| {
-        greatest(world, &others, |body| body.position[0].hypot(body.position[1])) / least
-    };
+    let farthest =
+        move |world: &dyn World| greatest(world, &others, |body| distance(body.place(), [0.0; 2])) / least;
     let share = move |world: &dyn World| {
-        let places = bodies.iter().map(|&index| world.body(index).position);
-        places.map(|[x, y]| x.hypot(y)).sum::<f64>() / bodies.len() as f64 / least
+        let places = bodies.iter().map(|&index| world.body(index).place());
+        places.map(|place| distance(place, [0.0; 2])).sum::<f64>() / bodies.len() as f64 / least
     };
     all(vec![
         calm(scene, SPEED_LIMIT),

@@ -1,16 +1,16 @@
 //! Shapes that a distance grid or separating axes cannot see well.
 
-use super::parts::{SPEED_LIMIT, all, calm, distance, ends_in};
+use super::parts::{SPEED_LIMIT, all, calm, ends_in};
 use super::stage::{METRE, Stage};
 use super::{StabilityFamily, reasons};
 use crate::error::Watch;
-use crate::world::World;
+use crate::world::{World, distance};
 use conformance::scene::{Outline, OutlineForm, Scene};
 use farseer_core::math::Vector2;
 
 const FALLS: StabilityFamily = StabilityFamily {
     judge: rests_at_its_height,
-    seconds: 5.0,
+    seconds: |_| 5.0,
     quantity: "height of its middle above where it must rest",
     ..StabilityFamily::PLAIN
 };
@@ -182,6 +182,6 @@ fn crossing(below: f32) -> Scene {
 
 fn is_pushed(below: f64, scene: &Scene) -> Box<dyn Watch> {
     let start = [21.0, -60.0 + below];
-    let moved = move |world: &dyn World| distance(world.body(1).position, start);
+    let moved = move |world: &dyn World| distance(world.body(1).place(), start);
     all(vec![calm(scene, SPEED_LIMIT), ends_in(1.0.., reasons::STUCK, moved)])
 }

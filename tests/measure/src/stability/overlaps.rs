@@ -19,7 +19,7 @@ pub(super) const FAMILIES: [StabilityFamily; 2] = [
         quick_values: &[0.01, 0.05, 0.2, 0.5],
         build: |overlap, _| overlapping(overlap as f32),
         judge: comes_apart,
-        seconds: 5.0,
+        seconds: |_| 5.0,
         quantity: "greatest speed",
         quantity_unit: "px/s",
         ..StabilityFamily::PLAIN
@@ -34,7 +34,7 @@ pub(super) const FAMILIES: [StabilityFamily; 2] = [
         build: |ratio, _| pressed(ratio as f32),
         act: take_the_heavy_one_away,
         judge: the_light_one_stays,
-        seconds: 4.0,
+        seconds: |_| 4.0,
         quantity: "greatest rise",
         ..StabilityFamily::PLAIN
     },

@@ -3,7 +3,7 @@
 use super::reasons;
 use super::stage::METRE;
 use crate::error::{Largest, Watch};
-use crate::world::{BodyState, World};
+use crate::world::{BodyState, World, distance};
 use conformance::scene::{JointKind, Scene};
 use farseer_core::math::Vector2;
 use std::ops::RangeBounds;
@@ -19,7 +19,7 @@ pub(super) fn all(parts: Vec<Box<dyn Watch>>) -> Box<dyn Watch> {
 struct All(Vec<Box<dyn Watch>>);
 
 impl Watch for All {
-    fn see(&mut self, time: f64, world: &(dyn World + 'static)) {
+    fn see(&mut self, time: f64, world: &dyn World) {
         for part in &mut self.0 {
             part.see(time, world);
         }
@@ -189,7 +189,7 @@ impl Watch for Joined {
     fn see(&mut self, time: f64, world: &dyn World) {
         if self.ends.is_empty() {
             let local = |&(one, two, anchor): &(usize, Option<usize>, [f64; 2])| {
-                let on = |index| to_local(&world.body(index), anchor);
+                let on = |index| world.body(index).to_local(anchor);
                 (on(one), two.map_or(anchor, on))
             };
             self.ends = self.points.iter().map(local).collect();
@@ -198,8 +198,8 @@ impl Watch for Joined {
             return;
         }
         for (&(one, two, _), &(end1, end2)) in self.points.iter().zip(&self.ends) {
-            let place1 = to_world(&world.body(one), end1);
-            let place2 = two.map_or(end2, |two| to_world(&world.body(two), end2));
+            let place1 = world.body(one).to_world(end1);
+            let place2 = two.map_or(end2, |two| world.body(two).to_world(end2));
             self.widest.take(distance(place1, place2));
         }
     }
@@ -329,23 +329,6 @@ pub(super) fn least(world: &dyn World, bodies: &[usize], measure: impl Fn(BodySt
     bodies.iter().map(|&index| measure(world.body(index))).fold(f64::INFINITY, f64::min)
 }
 
-/// Distance of two points.
-pub(super) fn distance(one: [f64; 2], two: [f64; 2]) -> f64 {
-    (two[0] - one[0]).hypot(two[1] - one[1])
-}
-
 fn point(vector: Vector2) -> [f64; 2] {
     [vector.x, vector.y].map(f64::from)
-}
-
-fn to_local(body: &BodyState, place: [f64; 2]) -> [f64; 2] {
-    let (sin, cos) = body.angle.sin_cos();
-    let (x, y) = (place[0] - body.position[0], place[1] - body.position[1]);
-    [cos * x + sin * y, cos * y - sin * x]
-}
-
-fn to_world(body: &BodyState, local: [f64; 2]) -> [f64; 2] {
-    let (sin, cos) = body.angle.sin_cos();
-    let (x, y) = (local[0], local[1]);
-    [body.position[0] + cos * x - sin * y, body.position[1] + sin * x + cos * y]
 }

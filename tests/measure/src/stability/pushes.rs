@@ -1,10 +1,10 @@
 //! Friction at its limit.
 
-use super::parts::{SPEED_LIMIT, all, calm, distance, ends_in};
+use super::parts::{SPEED_LIMIT, all, calm, ends_in};
 use super::stage::{GRAVITY, METRE, Stage};
 use super::{StabilityFamily, reasons};
 use crate::error::Watch;
-use crate::world::World;
+use crate::world::{World, distance};
 use conformance::scene::Scene;
 
 pub(super) const FAMILIES: [StabilityFamily; 2] = [
@@ -29,7 +29,7 @@ pub(super) const FAMILIES: [StabilityFamily; 2] = [
         quick_values: &[0.0, 0.5, 0.9],
         build: |share, _| ramp(share as f32),
         judge: slides,
-        seconds: SLIDING,
+        seconds: |_| SLIDING,
         quantity: "distance, as a share of what it should be",
         quantity_unit: "",
         ..StabilityFamily::PLAIN
@@ -60,7 +60,7 @@ fn ramp(share: f32) -> Scene {
 /// How far the box is from where it began, in px.
 fn moved(scene: &Scene) -> impl Fn(&dyn World) -> f64 + 'static {
     let start = scene.bodies[1].position.map_or([0.0; 2], |place| [f64::from(place.x), f64::from(place.y)]);
-    move |world| distance(start, world.body(1).position)
+    move |world| distance(start, world.body(1).place())
 }
 
 fn sticks(_: f64, scene: &Scene) -> Box<dyn Watch> {

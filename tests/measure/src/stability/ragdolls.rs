@@ -17,7 +17,7 @@ pub(super) const FAMILIES: [StabilityFamily; 1] = [StabilityFamily {
     quick_values: &[0.0, 400.0, 1600.0],
     build: |speed, _| doll(speed as f32),
     judge: lies_in_one_piece,
-    seconds: SECONDS,
+    seconds: |_| SECONDS,
     quantity: "widest gap of a joint in the last fifth",
     ..StabilityFamily::PLAIN
 }];

@@ -1,8 +1,8 @@
 //! Boxes and circles on top of each other.
 
-use super::StabilityFamily;
 use super::parts::{Allowed, SPEED_LIMIT, all, calm, standing};
 use super::stage::{METRE, Stage};
+use super::{SECONDS, StabilityFamily};
 use crate::error::Watch;
 use conformance::scene::Scene;
 
@@ -46,7 +46,7 @@ pub(super) const BOXES: StabilityFamily =
 
 /// Judges boxes of a metre that have to stay where they are for the usual time.
 pub(super) fn stands(_: f64, scene: &Scene) -> Box<dyn Watch> {
-    let standing = standing(scene, StabilityFamily::PLAIN.seconds, Allowed::BOXES);
+    let standing = standing(scene, SECONDS, Allowed::BOXES);
     all(vec![calm(scene, SPEED_LIMIT), standing])
 }
 

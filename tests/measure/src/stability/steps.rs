@@ -3,7 +3,7 @@
 use super::parts::{Allowed, SPEED_LIMIT, all, calm, ends_in, standing};
 use super::stacks::{BOXES, vertical_stack};
 use super::stage::{METRE, Stage};
-use super::{Moment, StabilityFamily, reasons};
+use super::{Moment, SECONDS, StabilityFamily, reasons};
 use crate::error::Watch;
 use crate::world::World;
 use conformance::scene::Scene;
@@ -33,7 +33,7 @@ pub(super) const FAMILIES: [StabilityFamily; 6] = [
         build: |_, _| falling(),
         dt: |length, moment| if is_at(moment, 0.5) { length as f32 } else { moment.dt },
         judge: ends_on_the_floor,
-        seconds: 5.0,
+        seconds: |_| 5.0,
         quantity: "height of its middle above where it must rest",
         ..StabilityFamily::PLAIN
     },
@@ -124,7 +124,7 @@ fn others_stand(_: f64, scene: &Scene) -> Box<dyn Watch> {
     others.bodies.truncate(TOP);
     // The one that was pushed may be as fast as it likes.
     let finite = calm(scene, f64::INFINITY);
-    all(vec![finite, calm(&others, SPEED_LIMIT), standing(&others, BOXES.seconds, Allowed::BOXES)])
+    all(vec![finite, calm(&others, SPEED_LIMIT), standing(&others, SECONDS, Allowed::BOXES)])
 }
 
 fn hand_in(what: f64, world: &mut dyn World, moment: Moment) {

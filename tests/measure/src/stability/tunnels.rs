@@ -18,7 +18,7 @@ const BULLET: StabilityFamily = StabilityFamily {
     values: SPEEDS,
     quick_values: QUICK_SPEEDS,
     judge: stays_before_the_wall,
-    seconds: 4.0,
+    seconds: |_| 4.0,
     quantity: "how far a bullet's middle got behind the wall's face",
     ..StabilityFamily::PLAIN
 };

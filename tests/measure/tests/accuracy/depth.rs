@@ -3,11 +3,11 @@
 
 use crate::common::depth::{Changed, faithful, thesis};
 use approx::assert_relative_eq;
-use measure::depth::{DepthChartScene, DepthMethod, DepthWorld, depth_chart_scenes, plane_trials};
+use measure::depth::{DepthChartScene, DepthMethod, PLANE_SCENE, depth_chart_scenes, plane_methods};
 use measure::method::{Effort, Setting};
-use measure::peers::State;
 use measure::stability::reasons::NOT_FINITE;
-use measure::sweep::Outcome;
+use measure::trials::trials;
+use measure::world::{BodyState, World};
 
 const USUAL: Setting = Setting::fixed(1.0 / 60.0, 5);
 
@@ -17,12 +17,12 @@ fn scene(name: &str) -> DepthChartScene {
 }
 
 /// Error and failure of a scene of a size, in a world that is made of the real one.
-fn measured<W: DepthWorld + 'static>(
+fn measured<W: World + 'static>(
     chart: &DepthChartScene,
     size: usize,
     method: &DepthMethod,
     setting: Setting,
-    of: impl FnOnce(Box<dyn DepthWorld>) -> W,
+    of: impl FnOnce(Box<dyn World>) -> W,
 ) -> (f64, Option<&'static str>) {
     let scene = (chart.build)(size);
     let mut world = of((method.build)(&scene, setting).unwrap());
@@ -46,7 +46,7 @@ fn error(name: &str, size: usize, method: &DepthMethod, setting: Setting) -> f64
     error
 }
 
-fn same(world: Box<dyn DepthWorld>) -> Changed<impl Fn(usize, State) -> State> {
+fn same(world: Box<dyn World>) -> Changed<impl Fn(usize, BodyState) -> BodyState> {
     Changed { world, change: |_, state| state }
 }
 
@@ -133,7 +133,7 @@ fn measures_of_places_see_by_how_much_something_is_elsewhere() {
         for axis in 0..3 {
             let moved = |world| Changed {
                 world,
-                change: move |_, mut state: State| {
+                change: move |_, mut state: BodyState| {
                     state.position[axis] += 50.0;
                     state
                 },
@@ -153,7 +153,7 @@ fn the_pit_sees_a_ball_that_is_in_the_ground_and_one_that_is_outside() {
     let moved = |by: f64| {
         move |world| Changed {
             world,
-            change: move |index, mut state: State| {
+            change: move |index, mut state: BodyState| {
                 if index == 0 {
                     state.position[1] = by;
                 }
@@ -172,7 +172,7 @@ fn the_pit_sees_a_ball_that_is_in_the_ground_and_one_that_is_outside() {
 fn the_pit_sees_how_fast_the_balls_are() {
     let faster = |world| Changed {
         world,
-        change: |_, mut state: State| {
+        change: |_, mut state: BodyState| {
             state.velocity[2] += 7.0;
             state
         },
@@ -187,7 +187,7 @@ fn what_is_not_finite_has_failed_in_every_scene() {
     for chart in depth_chart_scenes() {
         let broken = |world| Changed {
             world,
-            change: |_, mut state: State| {
+            change: |_, mut state: BodyState| {
                 state.position[0] = f64::NAN;
                 state
             },
@@ -199,14 +199,15 @@ fn what_is_not_finite_has_failed_in_every_scene() {
 
 #[test]
 fn with_everything_at_one_depth_2_5d_does_what_2d_does_to_the_bit() {
-    for trial in plane_trials(Effort::Quick) {
+    for trial in trials(&[PLANE_SCENE], &plane_methods(), Effort::Quick) {
         let mut run = (trial.start)().unwrap_or_else(|error| panic!("{error}"));
         let dt = trial.setting.dt.mean();
         run.look(0.0);
         for step in 1..=120 {
-            run.step(dt);
+            run.world.step(dt);
             run.look(f64::from(step) * f64::from(dt));
         }
-        assert_eq!(run.verdict(), (0.0, Outcome::Fine), "{} circles, {}", trial.size, trial.method);
+        let watch = &run.watches[0].1;
+        assert_eq!((watch.error(), watch.failed()), (0.0, None), "{} circles, {}", trial.size, trial.method);
     }
 }

@@ -1,7 +1,7 @@
 //! The measures of the chart are right where there is a law: what moves by the law of a scene has no error, what
 //! differs by a known amount has that error.
 
-use crate::common::told::{assert_right, chart, starts, watched};
+use crate::common::told::{assert_right, chart, flat, starts, watched};
 use approx::assert_relative_eq;
 use conformance::scene::JointKind;
 use measure::closed_forms::{
@@ -20,7 +20,8 @@ fn a_throw_by_the_continuous_law_has_no_error_against_it() {
     assert_right("throw_continuous_law", 0.01, 1e-9, |time, states| {
         for (index, rate) in [0.0, 0.5].into_iter().enumerate() {
             let start = starts[index];
-            states[index].position = thrown(start.position, start.velocity, GRAVITY, rate, time);
+            states[index].position =
+                flat(thrown(start.place(), [start.velocity[0], start.velocity[1]], GRAVITY, rate, time));
         }
     });
 }
@@ -32,8 +33,8 @@ fn a_throw_by_the_discrete_law_has_no_error_against_it_and_half_a_step_of_fallin
     let mut law = |_: f64, states: &mut [BodyState]| {
         if laws.is_empty() {
             let law = |(start, rate): (&BodyState, f64)| SteppedThrow {
-                position: start.position,
-                velocity: start.velocity,
+                position: start.place(),
+                velocity: [start.velocity[0], start.velocity[1]],
                 gravity: GRAVITY,
                 rate,
             };
@@ -41,7 +42,7 @@ fn a_throw_by_the_discrete_law_has_no_error_against_it_and_half_a_step_of_fallin
         }
         for (law, state) in laws.iter_mut().zip(states) {
             law.step(dt);
-            state.position = law.position;
+            state.position = flat(law.position);
         }
     };
     assert_right("throw_discrete_law", dt, 1e-9, &mut law);
@@ -50,9 +51,9 @@ fn a_throw_by_the_discrete_law_has_no_error_against_it_and_half_a_step_of_fallin
         // The sum of n steps is g dt^2 n (n + 1) / 2, and so g dt t / 2 too much.
         let excess = GRAVITY * dt * time / 2.0;
         let start = [0.0, 0.0];
-        states[0].position = thrown(start, [200.0, -300.0], GRAVITY, 0.0, time);
+        states[0].position = flat(thrown(start, [200.0, -300.0], GRAVITY, 0.0, time));
         states[0].position[1] += excess;
-        states[1].position = thrown([0.0, 1000.0], [200.0, -300.0], GRAVITY, 0.5, time);
+        states[1].position = flat(thrown([0.0, 1000.0], [200.0, -300.0], GRAVITY, 0.5, time));
     };
     let (error, _) = watched("throw_continuous_law", dt, law);
     assert_relative_eq!(error, GRAVITY * dt * 2.0 / 2.0, max_relative = 1e-9);
@@ -206,11 +207,11 @@ fn down_slope(start: [f64; 2], angle: f64, way: f64) -> [f64; 2] {
 #[test]
 fn a_crate_that_slides_by_the_law_has_no_error() {
     let angle = PI / 12.0;
-    let start = starts(&(chart("slide").build)(0))[1].position;
+    let start = starts(&(chart("slide").build)(0))[1].place();
     let deceleration = GRAVITY * (0.5 * angle.cos() - angle.sin());
     assert_right("slide", 0.01, 1e-9, |time, states| {
         let time = time.min(160.0 / deceleration);
-        states[1].position = down_slope(start, angle, 160.0 * time - deceleration * time * time / 2.0);
+        states[1].position = flat(down_slope(start, angle, 160.0 * time - deceleration * time * time / 2.0));
     });
 }
 
@@ -224,10 +225,10 @@ fn what_is_steeper_than_friction_never_stops() {
 #[test]
 fn creep_is_what_is_slid_after_the_first_second() {
     let angle = PI / 12.0;
-    let start = starts(&(chart("stick").build)(0))[1].position;
+    let start = starts(&(chart("stick").build)(0))[1].place();
     assert_right("stick", 0.01, 0.0, |_, _| {});
     let (error, _) = watched("stick", 0.01, |time, states| {
-        states[1].position = down_slope(start, angle, 2.0 * time);
+        states[1].position = flat(down_slope(start, angle, 2.0 * time));
     });
     assert_relative_eq!(error, 18.0, max_relative = 1e-9);
 }
@@ -261,7 +262,7 @@ fn a_pendulum_that_swings_by_the_law_has_no_error() {
         let mut angle = swinging(rate_squared, amplitude);
         assert_right(name, 1e-3, 1e-4, |_, states| {
             let angle = angle();
-            states[0].position = [160.0 * angle.sin(), 160.0 * angle.cos()];
+            states[0].position = flat([160.0 * angle.sin(), 160.0 * angle.cos()]);
         });
     }
 }
@@ -289,7 +290,7 @@ fn a_double_pendulum_keeps_its_energy_when_its_parts_fall_and_not_when_they_stay
     // Between level and hanging lie m g (L + 2 L): a tenth of that is given to one of them.
     let gained = 0.1 * GRAVITY * 3.0 * 160.0;
     let (error, _) = watched("double_pendulum", 0.01, |_, states| {
-        states[1].velocity = [(2.0 * gained).sqrt(), 0.0];
+        states[1].velocity = flat([(2.0 * gained).sqrt(), 0.0]);
     });
     assert_relative_eq!(error, 10.0, max_relative = 1e-6);
 }
@@ -314,8 +315,8 @@ fn a_chain_that_turns_as_a_whole_has_no_gap_and_a_link_that_is_moved_opens_one_s
     let turn = |time: f64, states: &mut [BodyState]| {
         let (sine, cosine) = time.sin_cos();
         for (state, start) in states.iter_mut().zip(&starts) {
-            let [x, y] = start.position;
-            state.position = [x * cosine - y * sine, x * sine + y * cosine];
+            let [x, y] = start.place();
+            state.position = flat([x * cosine - y * sine, x * sine + y * cosine]);
             state.angle = start.angle + time;
         }
     };
@@ -398,17 +399,17 @@ fn a_spring_that_dies_within_a_period_or_two_has_failed_and_noise_after_a_longer
 #[test]
 fn in_a_cradle_the_last_disc_alone_moves_on() {
     let exchange = |_: f64, states: &mut [BodyState]| {
-        states[0].velocity = [0.0, 0.0];
-        states[4].velocity = [200.0, 0.0];
+        states[0].velocity = flat([0.0, 0.0]);
+        states[4].velocity = flat([200.0, 0.0]);
     };
     for name in ["newtons_cradle", "newtons_cradle_momentum", "newtons_cradle_energy"] {
         assert_right(name, 0.01, 1e-9, exchange);
     }
     // If two of them went on with half the speed, momentum would be right, but not the rest.
     let share = |_: f64, states: &mut [BodyState]| {
-        states[0].velocity = [0.0, 0.0];
-        states[3].velocity = [100.0, 0.0];
-        states[4].velocity = [100.0, 0.0];
+        states[0].velocity = flat([0.0, 0.0]);
+        states[3].velocity = flat([100.0, 0.0]);
+        states[4].velocity = flat([100.0, 0.0]);
     };
     let error = |name| watched(name, 0.01, share).0;
     assert_relative_eq!(error("newtons_cradle"), 50.0);
@@ -422,12 +423,12 @@ fn in_a_cradle_whose_discs_touch_all_may_move_on_that_keep_momentum_and_energy()
     // By Newton's law for all hits at once: -120 + 4 * 80 = 200, and 120^2 + 4 * 80^2 = 200^2.
     let at_once = |_: f64, states: &mut [BodyState]| {
         for (index, state) in states.iter_mut().enumerate() {
-            state.velocity = [if index == 0 { -120.0 } else { 80.0 }, 0.0];
+            state.velocity = flat([if index == 0 { -120.0 } else { 80.0 }, 0.0]);
         }
     };
     both.into_iter().for_each(|name| assert_right(name, 0.01, 1e-9, at_once));
     let all_together = |_: f64, states: &mut [BodyState]| {
-        states.iter_mut().for_each(|state| state.velocity = [40.0, 0.0]);
+        states.iter_mut().for_each(|state| state.velocity = flat([40.0, 0.0]));
     };
     let [momentum, energy] = both.map(|name| watched(name, 0.01, all_together).0);
     assert_relative_eq!(momentum, 0.0);
@@ -488,13 +489,13 @@ fn an_oblique_hit_by_the_law_has_no_error() {
     let after = after_hit(([200.0, 0.0], 1.0), ([0.0, 0.0], 2.0), 0.8, normal);
     for name in ["oblique_hit", "oblique_hit_momentum", "oblique_hit_energy"] {
         assert_right(name, 0.01, 1e-9, |_, states| {
-            states[0].velocity = after[0];
-            states[1].velocity = after[1];
+            states[0].velocity = flat(after[0]);
+            states[1].velocity = flat(after[1]);
         });
     }
     let (error, _) = watched("oblique_hit", 0.01, |_, states| {
-        states[0].velocity = after[0];
-        states[1].velocity = [after[1][0], after[1][1] + 20.0];
+        states[0].velocity = flat(after[0]);
+        states[1].velocity = flat([after[1][0], after[1][1] + 20.0]);
     });
     assert_relative_eq!(error, 10.0, max_relative = 1e-9);
 }

@@ -1,6 +1,6 @@
 //! How deep shapes are in each other: known depths, what does not count, and that nothing deeper is missed.
 
-use crate::common::told::{Told, starts};
+use crate::common::told::{Told, flat, starts};
 use approx::assert_relative_eq;
 use conformance::scene::{BodyShape, BodySpec, GeomShape, GeomSpec, Outline, OutlineForm, Scene};
 use farseer_core::math::Vector2;
@@ -159,9 +159,9 @@ proptest! {
         let here = Told(starts(&scene));
         let (sine, cosine) = whole.sin_cos();
         let there = Told(here.0.iter().map(|state| {
-            let [x, y] = state.position;
+            let [x, y] = state.place();
             let position = [x * cosine - y * sine + far[0], x * sine + y * cosine + far[1]];
-            BodyState { position, angle: state.angle + whole, ..*state }
+            BodyState { position: flat(position), angle: state.angle + whole, ..*state }
         }).collect());
         prop_assert!((shapes.largest_overlap(&here) - shapes.largest_overlap(&there)).abs() < 1e-9);
     }
@@ -178,7 +178,7 @@ proptest! {
         let mut world = Told(starts(&scene));
         let (depth, start) = (shapes.largest_overlap(&world), world.0[1].position);
         let mut parted = |by: f64, angle: f64| {
-            world.0[1].position = [start[0] + by * angle.cos(), start[1] + by * angle.sin()];
+            world.0[1].position = flat([start[0] + by * angle.cos(), start[1] + by * angle.sin()]);
             shapes.largest_overlap(&world) <= 1e-9
         };
         // Some way of that length parts them, and no shorter one does. Ways are tried degree by degree: the one that

@@ -1,6 +1,6 @@
 //! The measures of the chart are right where things should come to rest, and what fails is said to.
 
-use crate::common::told::{Told, assert_right, chart, starts, watched};
+use crate::common::told::{Told, assert_right, chart, flat, starts, watched};
 use approx::assert_relative_eq;
 use measure::charts::chart_scenes;
 use measure::depth::depth_chart_scenes;
@@ -36,7 +36,7 @@ fn what_stands_as_high_as_it_is_built_of_has_no_error_of_height() {
     let start = starts(&(chart("box_stack_height").build)(5));
     assert_right("box_stack_height", 0.05, 1e-4, |_, states| {
         for (index, state) in states.iter_mut().enumerate().skip(1) {
-            state.position = [start[index].position[0], -32.0 * (index as f64 - 0.5)];
+            state.position = flat([start[index].position[0], -32.0 * (index as f64 - 0.5)]);
         }
     });
     // Five circles need three rows.
@@ -138,7 +138,7 @@ fn a_heavy_box_topples_by_shifting_aside_or_turning() {
 fn what_leaves_a_pit_is_lost() {
     for name in ["ball_pit_penetration", "ball_pit_speed", "box_pile_penetration", "box_pile_speed"] {
         // Five things stand in three columns: the room between the walls is 96 px wide.
-        let put = |place: [f64; 2]| watched(name, 0.05, |_, states| states[5].position = place);
+        let put = |place: [f64; 2]| watched(name, 0.05, |_, states| states[5].position = flat(place));
         for outside in [[49.0, -10.0], [-49.0, -10.0], [60.0, -300.0], [0.0, 1.0], [0.0, 1500.0]] {
             assert_eq!(put(outside), (f64::INFINITY, Some("lost")), "{name} at {outside:?}");
         }
@@ -152,7 +152,7 @@ fn what_leaves_a_pit_is_lost() {
 fn speed_counts_in_the_last_second_alone() {
     let until = |end: f64| {
         move |time: f64, states: &mut [BodyState]| {
-            states[2].velocity = if time < end { [30.0, 40.0] } else { [0.0, 0.0] };
+            states[2].velocity = flat(if time < end { [30.0, 40.0] } else { [0.0, 0.0] });
         }
     };
     assert_eq!(watched("box_stack_speed", 0.05, until(8.9)).0, 0.0);
@@ -162,7 +162,7 @@ fn speed_counts_in_the_last_second_alone() {
 #[test]
 fn the_speed_of_a_pile_is_the_root_of_the_mean_square_of_what_can_move() {
     let movable = 5.0_f64;
-    let (error, _) = watched("ball_pit_speed", 0.05, |_, states| states[4].velocity = [30.0, 40.0]);
+    let (error, _) = watched("ball_pit_speed", 0.05, |_, states| states[4].velocity = flat([30.0, 40.0]));
     assert_relative_eq!(error, 50.0 / movable.sqrt(), max_relative = 1e-12);
 }
 
@@ -203,7 +203,7 @@ fn what_leaves_the_scene_fails_everywhere_and_does_not_come_back() {
         let mut watch = (scene.watch)(&built);
         let mut world = Told(starts(&built));
         let last = world.0.len() - 1;
-        let start = world.0[last].position;
+        let start = world.0[last].place();
         world.teleport(last, [1e6, 0.0], 0.0);
         watch.see(0.1, &world);
         world.teleport(last, start, 0.0);

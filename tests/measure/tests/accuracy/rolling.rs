@@ -1,6 +1,6 @@
 //! The measures of the chart are right where something rolls, and so is the law of a polygon that does.
 
-use crate::common::told::{assert_right, chart, starts, watched};
+use crate::common::told::{assert_right, chart, flat, starts, watched};
 use approx::assert_relative_eq;
 use measure::closed_forms::{RollingPolygon, rolling_acceleration};
 use std::f64::consts::PI;
@@ -16,14 +16,14 @@ fn down_slope(start: [f64; 2], angle: f64, way: f64) -> [f64; 2] {
 #[test]
 fn what_rolls_by_the_law_has_no_error_and_what_slides_instead_half_as_much_again() {
     let angle = PI / 9.0;
-    let start = starts(&(chart("roll_circle").build)(0))[1].position;
+    let start = starts(&(chart("roll_circle").build)(0))[1].place();
     // A disc rolls with two thirds of the acceleration with which it slides.
     let rolling = 2.0 / 3.0 * GRAVITY * angle.sin();
     assert_right("roll_circle", 0.01, 1e-6, |time, states| {
-        states[1].position = down_slope(start, angle, rolling * time * time / 2.0);
+        states[1].position = flat(down_slope(start, angle, rolling * time * time / 2.0));
     });
     let (error, _) = watched("roll_circle", 0.01, |time, states| {
-        states[1].position = down_slope(start, angle, 1.5 * rolling * time * time / 2.0);
+        states[1].position = flat(down_slope(start, angle, 1.5 * rolling * time * time / 2.0));
     });
     assert_relative_eq!(error, 50.0, max_relative = 1e-6);
     assert_relative_eq!(
@@ -41,13 +41,13 @@ fn polygon(corners: u32, slope: f64) -> RollingPolygon {
 #[test]
 fn a_polygon_that_rolls_by_the_law_has_no_error_and_one_that_comes_a_tenth_too_far_has_that_error() {
     let slope = PI / 30.0;
-    let start = starts(&(chart("roll_polygon").build)(0))[1].position;
+    let start = starts(&(chart("roll_polygon").build)(0))[1].place();
     // Steps of the law are finer than those of the scene: how often it is asked makes a difference of rounding only.
     let error = |share: f64| {
         let mut law = polygon(16, slope);
         watched("roll_polygon", 0.01, |_, states| {
             law.roll(0.01);
-            states[1].position = down_slope(start, slope, share * law.way());
+            states[1].position = flat(down_slope(start, slope, share * law.way()));
         })
         .0
     };
@@ -58,10 +58,10 @@ fn a_polygon_that_rolls_by_the_law_has_no_error_and_one_that_comes_a_tenth_too_f
 #[test]
 fn what_rolls_as_a_circle_has_not_rolled_as_a_polygon() {
     let slope = PI / 30.0;
-    let start = starts(&(chart("roll_polygon").build)(0))[1].position;
+    let start = starts(&(chart("roll_polygon").build)(0))[1].place();
     let rolling = rolling_acceleration(GRAVITY, slope, 1.0, 16.0, 128.0);
     let (error, _) = watched("roll_polygon", 0.01, |time, states| {
-        states[1].position = down_slope(start, slope, rolling * time * time / 2.0);
+        states[1].position = flat(down_slope(start, slope, rolling * time * time / 2.0));
     });
     assert!(error > 50.0, "{error}");
 }

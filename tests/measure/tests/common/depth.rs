@@ -1,8 +1,8 @@
 //! Worlds that are not as they should be, to show measures and judges what they should see.
 
-use measure::depth::{DepthMethod, DepthWorld, depth_methods};
+use measure::depth::{DepthMethod, depth_methods};
 use measure::depth_scenes::DepthScene;
-use measure::peers::State;
+use measure::world::{BodyState, World};
 
 /// A method of this workspace.
 pub(crate) fn method(name: &str) -> DepthMethod {
@@ -20,21 +20,21 @@ pub(crate) fn thesis() -> DepthMethod {
 
 /// A world that shows another one, changed.
 pub(crate) struct Changed<F> {
-    pub(crate) world: Box<dyn DepthWorld>,
+    pub(crate) world: Box<dyn World>,
     pub(crate) change: F,
 }
 
-impl<F: Fn(usize, State) -> State> DepthWorld for Changed<F> {
+impl<F: Fn(usize, BodyState) -> BodyState> World for Changed<F> {
     fn step(&mut self, dt: f32) {
         self.world.step(dt);
     }
 
-    fn object(&self, index: usize) -> State {
-        (self.change)(index, self.world.object(index))
+    fn body(&self, index: usize) -> BodyState {
+        (self.change)(index, self.world.body(index))
     }
 
-    fn object_count(&self) -> usize {
-        self.world.object_count()
+    fn body_count(&self) -> usize {
+        self.world.body_count()
     }
 
     fn height_beneath(&self, index: usize) -> Option<f64> {
@@ -43,27 +43,23 @@ impl<F: Fn(usize, State) -> State> DepthWorld for Changed<F> {
 }
 
 /// A world in which nothing ever moves, and nothing is beneath anything.
-pub(crate) struct Frozen(Vec<State>);
+pub(crate) struct Frozen(Vec<BodyState>);
 
 impl Frozen {
     pub(crate) fn new(scene: &DepthScene) -> Self {
-        let state = |place: [f32; 3]| State { position: place.map(f64::from), ..State::default() };
+        let state = |place: [f32; 3]| BodyState { position: place.map(f64::from), ..BodyState::default() };
         Frozen(scene.objects.iter().map(|object| state(object.position)).collect())
     }
 }
 
-impl DepthWorld for Frozen {
+impl World for Frozen {
     fn step(&mut self, _: f32) {}
 
-    fn object(&self, index: usize) -> State {
+    fn body(&self, index: usize) -> BodyState {
         self.0[index]
     }
 
-    fn object_count(&self) -> usize {
+    fn body_count(&self) -> usize {
         self.0.len()
-    }
-
-    fn height_beneath(&self, _: usize) -> Option<f64> {
-        None
     }
 }

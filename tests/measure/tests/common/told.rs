@@ -20,14 +20,19 @@ impl World for Told {
     }
 
     fn set_velocity(&mut self, index: usize, velocity: [f64; 2], angular_velocity: f64) {
-        self.0[index] = BodyState { velocity, angular_velocity, ..self.0[index] };
+        self.0[index] = BodyState { velocity: flat(velocity), angular_velocity, ..self.0[index] };
     }
 
     fn apply_impulse(&mut self, _: usize, _: [f64; 2]) {}
 
     fn teleport(&mut self, index: usize, position: [f64; 2], angle: f64) {
-        self.0[index] = BodyState { position, angle, ..self.0[index] };
+        self.0[index] = BodyState { position: flat(position), angle, ..self.0[index] };
     }
+}
+
+/// A place or a velocity in the plane.
+pub(crate) fn flat([x, y]: [f64; 2]) -> [f64; 3] {
+    [x, y, 0.0]
 }
 
 /// The states in which the bodies of a scene start.
@@ -36,9 +41,9 @@ pub(crate) fn starts(scene: &Scene) -> Vec<BodyState> {
         let position = body.position.unwrap_or_else(Vector2::zeros);
         let velocity = body.settings.linear_velocity.unwrap_or_else(Vector2::zeros);
         BodyState {
-            position: [position.x, position.y].map(f64::from),
+            position: flat([position.x, position.y].map(f64::from)),
             angle: f64::from(body.rotation.unwrap_or(0.0)),
-            velocity: [velocity.x, velocity.y].map(f64::from),
+            velocity: flat([velocity.x, velocity.y].map(f64::from)),
             angular_velocity: 0.0,
         }
     };

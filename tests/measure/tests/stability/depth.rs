@@ -6,19 +6,22 @@
 
 use crate::common::depth::{Changed, Frozen, faithful, thesis};
 use crate::written::{Written, assert_all_come_out, assert_all_is_written_down};
-use measure::depth::{DepthFamily, depth_families, depth_sheet};
+use measure::depth::{DepthFamily, depth_families};
 use measure::method::Effort;
-use measure::stability::reasons;
+use measure::stability::{reasons, sheet::sheet};
+use measure::world::BodyState;
 
 const WRITTEN: Written = Written {
     file: "depth.txt",
     text: include_str!("../../../golden/stability/depth.txt"),
     sheets: || {
         let methods = [faithful(), thesis()];
-        depth_families().into_iter().map(|family| depth_sheet(family, &methods, Effort::Full)).collect()
+        depth_families().into_iter().map(|family| sheet(family, &methods, Effort::Full)).collect()
     },
 };
 
+/// The usual step in s.
+const STEP: f32 = 1.0 / 60.0;
 /// The largest crowd that is run always.
 const CROWD: f64 = 1e3;
 
@@ -59,8 +62,8 @@ fn a_world_in_which_nothing_moves_fails_where_something_must_happen() {
     // A crowd may rest.
     for family in depth_families() {
         let value = family.values[0];
-        let world = Frozen::new(&(family.build)(value));
-        let mut watch = (family.judge)(value);
+        let scene = (family.build)(value, STEP);
+        let (world, mut watch) = (Frozen::new(&scene), (family.judge)(value, &scene));
         (0..=200).for_each(|step| watch.see(f64::from(step) / 200.0 * (family.seconds)(value), &world));
         assert_eq!(watch.failed().is_none(), family.name == "Crowd", "{}", family.name);
     }
@@ -71,15 +74,16 @@ fn a_state_that_is_not_finite_fails_in_every_family() {
     for family in depth_families() {
         let value = family.values[0];
         let method = faithful();
-        let world = (method.build)(&(family.build)(value), method.recommended).unwrap();
+        let scene = (family.build)(value, STEP);
+        let world = (method.build)(&scene, method.recommended).unwrap();
         let broken = Changed {
             world,
-            change: |_, mut state: measure::peers::State| {
+            change: |_, mut state: BodyState| {
                 state.velocity[2] = f64::NAN;
                 state
             },
         };
-        let mut watch = (family.judge)(value);
+        let mut watch = (family.judge)(value, &scene);
         watch.see(0.0, &broken);
         assert_eq!(watch.failed(), Some(reasons::NOT_FINITE), "{}", family.name);
     }

@@ -1,7 +1,7 @@
 //! The judges of the stability map fail a world that is wrong, and hold one that is right: they are shown bodies that are
 //! where a test says, and not where an engine moves them.
 
-use crate::common::told::Told;
+use crate::common::told::{Told, flat};
 use measure::method::methods;
 use measure::stability::{StabilityFamily, families, reasons};
 use measure::world::BodyState;
@@ -44,7 +44,7 @@ fn judged(
         let share = f64::from(step) / 100.0;
         let mut states = starts.clone();
         law(share, &mut states);
-        watch.see(share * family.seconds, &Told(states));
+        watch.see(share * (family.seconds)(value), &Told(states));
     }
     (watch.error(), watch.failed())
 }
@@ -75,7 +75,7 @@ fn come_apart(states: &mut [BodyState]) {
     for row in 0..4 {
         for column in 0..4 - row {
             let from_centre = f64::from(column) - f64::from(3 - row) / 2.0;
-            states[body].position = [METRE * from_centre, -METRE * (f64::from(row) + 0.5)];
+            states[body].position = flat([METRE * from_centre, -METRE * (f64::from(row) + 0.5)]);
             body += 1;
         }
     }
@@ -110,7 +110,7 @@ fn an_overlap_of_a_tenth_of_a_box_is_the_most_that_may_be_left() {
 
 #[test]
 fn a_pyramid_of_which_a_box_is_below_the_floor_has_not_recovered() {
-    let below = recovered(|states| states[TOP].position = [0.0, 5.0 * METRE]);
+    let below = recovered(|states| states[TOP].position = flat([0.0, 5.0 * METRE]));
     assert_eq!(below.1, Some(reasons::TUNNELLED));
 }
 
@@ -123,7 +123,7 @@ fn a_pyramid_that_throws_a_box_has_blown_up() {
 
 #[test]
 fn overlap_recovery_measures_the_greatest_speed() {
-    let (speed, _) = recovered(|states| states[TOP].velocity = [30.0, -40.0]);
+    let (speed, _) = recovered(|states| states[TOP].velocity = flat([30.0, -40.0]));
     assert_eq!(speed, 50.0);
 }
 

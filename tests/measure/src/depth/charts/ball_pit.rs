@@ -1,8 +1,10 @@
 //! Balls fall into a pit and come to rest, in three axes.
 
 use super::{DepthChartScene, SIZES};
-use crate::depth::{DepthWatch, DepthWorld, Seen, watch};
+use crate::depth::{Seen, watch};
 use crate::depth_scenes::{DepthObject, DepthPlatform, DepthScene, DepthShape, Surface};
+use crate::error::Watch;
+use crate::world::{World, distance};
 
 /// Layers of balls at first.
 const LAYERS: f32 = 4.0;
@@ -113,7 +115,7 @@ impl Pit {
         for (index, ball) in sorted.iter().enumerate() {
             let right = ball.middle[0] + ball.radius;
             for other in sorted[index + 1..].iter().take_while(|other| left(other) < right) {
-                let apart = super::throw::distance(ball.middle, other.middle);
+                let apart = distance(ball.middle, other.middle);
                 largest = largest.max(ball.radius + other.radius - apart);
             }
         }
@@ -137,14 +139,14 @@ fn left(ball: &Ball) -> f64 {
 }
 
 /// Measures all balls from the time on from which they should lie. A ball that has left the pit is a failure.
-fn resting(scene: &DepthScene, measure: impl Fn(&[Ball]) -> f64 + 'static) -> Box<DepthWatch> {
+fn resting(scene: &DepthScene, measure: impl Fn(&[Ball]) -> f64 + 'static) -> Box<dyn Watch> {
     let pit = Pit::of(scene);
     let radius = |object: &DepthObject| match object.shape {
         DepthShape::Ball { radius } => f64::from(radius),
         _ => 0.0,
     };
     let radii: Vec<f64> = scene.objects.iter().map(radius).collect();
-    watch(move |time, world: &dyn DepthWorld| {
+    watch(move |time, world: &dyn World| {
         let balls: Vec<Ball> =
             radii.iter().enumerate().map(|(index, &radius)| ball(world, index, radius)).collect();
         if balls.iter().any(|ball| pit.has_lost(ball)) {
@@ -154,8 +156,8 @@ fn resting(scene: &DepthScene, measure: impl Fn(&[Ball]) -> f64 + 'static) -> Bo
     })
 }
 
-fn ball(world: &dyn DepthWorld, index: usize, radius: f64) -> Ball {
-    let state = world.object(index);
+fn ball(world: &dyn World, index: usize, radius: f64) -> Ball {
+    let state = world.body(index);
     let [x, lowest, z] = state.position;
     Ball { middle: [x, lowest + radius, z], radius, speed: state.speed() }
 }

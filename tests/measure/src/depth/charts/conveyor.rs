@@ -1,9 +1,10 @@
 //! Belts slide under boxes that were at rest, and friction takes the boxes along.
 
-use super::throw::distance;
 use super::{DepthChartScene, SIZES};
-use crate::depth::{DepthWatch, DepthWorld, Seen, watch};
+use crate::depth::{Seen, watch};
 use crate::depth_scenes::{DepthObject, DepthScene, GRAVITY, Surface};
+use crate::error::Watch;
+use crate::world::{World, distance};
 
 /// Boxes on a belt.
 const LOADS: usize = 5;
@@ -85,15 +86,15 @@ fn ways(time: f64) -> [f64; 2] {
     [belt + after, of_load * sliding * sliding / 2.0 + after]
 }
 
-fn against_closed_form(scene: &DepthScene, direction: [f64; 2]) -> Box<DepthWatch> {
+fn against_closed_form(scene: &DepthScene, direction: [f64; 2]) -> Box<dyn Watch> {
     let starts: Vec<[f64; 3]> = scene.objects.iter().map(|object| object.position.map(f64::from)).collect();
-    watch(move |time, world: &dyn DepthWorld| {
+    watch(move |time, world: &dyn World| {
         let [belt, load] = ways(time);
         let seen = |(index, start): (usize, &[f64; 3])| {
             let is_belt = index.is_multiple_of(LOADS + 1);
             let way = if is_belt { belt } else { load };
             let place = [start[0] + way * direction[0], start[1], start[2] + way * direction[1]];
-            let is = world.object(index).position;
+            let is = world.body(index).position;
             let has_fallen = !is_belt && is[1] < f64::from(BELT[1]) / 2.0;
             if has_fallen { Seen::Failed("fell off", f64::INFINITY) } else { Seen::Fine(distance(is, place)) }
         };

@@ -1,8 +1,10 @@
 //! A ball is thrown up, to the right and into the picture.
 
 use super::DepthChartScene;
-use crate::depth::{DepthWatch, DepthWorld, Seen, watch};
+use crate::depth::{Seen, watch};
 use crate::depth_scenes::{DepthScene, GRAVITY, throw_in_x_and_z};
+use crate::error::Watch;
+use crate::world::{World, distance};
 
 /// The ball lands where it started, in Y, after this time in s: 2 v / g.
 const LANDING: f64 = 2.0;
@@ -47,29 +49,29 @@ const LANDED: DepthChartScene = DepthChartScene {
 };
 
 /// The distance of the first object from its closed form, from a time in s on.
-fn against(scene: &DepthScene, from: f64) -> Box<DepthWatch> {
+fn against(scene: &DepthScene, from: f64) -> Box<dyn Watch> {
     let thrown = &scene.objects[0];
     let (start, velocity) = (thrown.position.map(f64::from), thrown.velocity.map(f64::from));
-    watch(move |time, world: &dyn DepthWorld| {
+    watch(move |time, world: &dyn World| {
         let place = place(start, velocity, time);
-        let is = world.object(0).position;
+        let is = world.body(0).position;
         (time >= from).then(|| Seen::Fine(distance(is, place)))
     })
 }
 
 /// The distance of the first object from where steps of the lengths that were made bring it.
-fn against_steps(scene: &DepthScene) -> Box<DepthWatch> {
+fn against_steps(scene: &DepthScene) -> Box<dyn Watch> {
     let thrown = &scene.objects[0];
     let (mut place, mut velocity) = (thrown.position.map(f64::from), thrown.velocity.map(f64::from));
     let mut last = 0.0;
-    watch(move |time, world: &dyn DepthWorld| {
+    watch(move |time, world: &dyn World| {
         let dt = time - last;
         last = time;
         velocity[1] -= f64::from(GRAVITY) * dt;
         for (place, velocity) in place.iter_mut().zip(velocity) {
             *place += velocity * dt;
         }
-        Some(Seen::Fine(distance(world.object(0).position, place)))
+        Some(Seen::Fine(distance(world.body(0).position, place)))
     })
 }
 
@@ -80,9 +82,4 @@ fn place(start: [f64; 3], velocity: [f64; 3], time: f64) -> [f64; 3] {
     let along = flight + 2.0 / 3.0 * (time - flight);
     let height = velocity[1] * flight - 0.5 * f64::from(GRAVITY) * flight * flight;
     [start[0] + velocity[0] * along, start[1] + height, start[2] + velocity[2] * along]
-}
-
-/// Distance of two points.
-pub(super) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    (0..3).map(|axis| (a[axis] - b[axis]).powi(2)).sum::<f64>().sqrt()
 }

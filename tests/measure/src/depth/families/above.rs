@@ -1,11 +1,12 @@
 //! Somebody is thrown over somebody else.
 
-use super::DepthFamily;
 use super::lanes::{ICE, at, each, largest, scene};
-use crate::depth::{DepthWatch, Seen};
+use super::{DepthFamily, PLAIN};
+use crate::depth::Seen;
 use crate::depth_scenes::{DepthObject, DepthScene, GRAVITY};
-use crate::peers::State;
+use crate::error::Watch;
 use crate::stability::reasons::TOUCHED;
+use crate::world::BodyState;
 
 /// Along X, along Z, and back.
 const WAYS: [[f32; 2]; 4] = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
@@ -26,12 +27,13 @@ const OVER: DepthFamily = DepthFamily {
     unit: "px",
     values: &[20.0, 10.0, 5.0, 3.0, 2.0, 1.5, 1.0, 0.5, 0.2, 0.1],
     quick_values: &[20.0, 5.0, 2.0, 0.5],
-    build: thrown_over,
+    build: |value, _| thrown_over(value),
     // It lands after twice the time.
     seconds: |_| 1.9 * f64::from(TIME),
-    judge: |_| flies_on(),
+    judge: |_, _| flies_on(),
     quantity: "largest change of speed",
     quantity_unit: "px/s",
+    ..PLAIN
 };
 
 /// Height of the lowest point of the one who is thrown over the outermost edges of the other.
@@ -55,8 +57,8 @@ fn thrown_over(distance: f64) -> DepthScene {
     })
 }
 
-fn flies_on() -> Box<DepthWatch> {
-    each(WAYS.len(), |time, lane, _, state: State| {
+fn flies_on() -> Box<dyn Watch> {
+    each(WAYS.len(), |time, lane, _, state: BodyState| {
         let speed = f64::from(WAY / TIME);
         let [x, z] = WAYS[lane].map(f64::from);
         let up = f64::from(GRAVITY) * (f64::from(TIME) - time);

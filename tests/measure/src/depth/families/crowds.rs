@@ -1,10 +1,12 @@
 //! From one object to ten thousand.
 
-use super::DepthFamily;
 use super::lanes::largest;
-use crate::depth::{DepthWatch, DepthWorld, Seen, watch};
+use super::{DepthFamily, PLAIN};
+use crate::depth::{Seen, watch};
 use crate::depth_scenes::{DepthPlatform, DepthScene, DepthShape, GRAVITY, traffic};
+use crate::error::Watch;
 use crate::stability::reasons::{BLEW_UP, LEFT, SANK};
+use crate::world::World;
 
 /// Objects from which on a run is short.
 const MANY: f64 = 1000.0;
@@ -19,12 +21,12 @@ const TRAFFIC: DepthFamily = DepthFamily {
     unit: "",
     values: &[1.0, 5.0, 20.0, 200.0, 1e3, 2e3, 1e4],
     quick_values: &[1.0, 20.0, 200.0, 1e3],
-    build: |count| crowd(count as usize),
+    build: |count, _| crowd(count as usize),
     // All have landed after 2 s.
     seconds: |count| if count < MANY { 6.0 } else { 2.0 },
-    judge: all_stay,
+    judge: |value, _| all_stay(value),
     quantity: "largest depth in the ground",
-    quantity_unit: "px",
+    ..PLAIN
 };
 
 /// Traffic with platforms as its walls: they are the same for all methods.
@@ -41,7 +43,7 @@ fn crowd(count: usize) -> DepthScene {
 /// Thickness of the walls, px.
 const WALL: f64 = 60.0;
 
-fn all_stay(count: f64) -> Box<DepthWatch> {
+fn all_stay(count: f64) -> Box<dyn Watch> {
     let count = count as usize;
     let scene = traffic(count);
     let wall = f64::from(scene.objects[count + 1].position[0]) - WALL / 2.0;
@@ -49,10 +51,10 @@ fn all_stay(count: f64) -> Box<DepthWatch> {
     let fastest = 1.5 * (2.0 * f64::from(GRAVITY) * 140.0 + 2.0 * 90.0_f64.powi(2)).sqrt();
     // Of the smallest objects, whose radius is 8 px: beyond this their middle is outside.
     let deepest = 8.0;
-    watch(move |_, world: &dyn DepthWorld| {
+    watch(move |_, world: &dyn World| {
         let mut lowest = 0.0_f64;
         for index in 0..count {
-            let state = world.object(index);
+            let state = world.body(index);
             let [x, y, z] = state.position;
             lowest = lowest.min(y);
             if largest([x, z]) > wall {

@@ -1,11 +1,12 @@
 //! Walk off each edge, and pass under.
 
-use super::DepthFamily;
 use super::lanes::{REST, STRAIGHT, each, largest, object, platform, scene};
-use crate::depth::{DepthWatch, Seen};
+use super::{DepthFamily, PLAIN};
+use crate::depth::Seen;
 use crate::depth_scenes::DepthScene;
-use crate::peers::State;
+use crate::error::Watch;
 use crate::stability::reasons::{ASIDE, BOUNCED, SANK, STUCK, TOUCHED};
+use crate::world::BodyState;
 
 pub(super) const FAMILIES: [DepthFamily; 4] = [WALK_OFF, WALK_OFF_LOW, PASS_UNDER, PASS_UNDER_FAST];
 
@@ -24,12 +25,12 @@ const WALK_OFF: DepthFamily = DepthFamily {
     unit: "px/s",
     values: &[10.0, 30.0, 100.0, 300.0, 1e3, 3e3, 1e4],
     quick_values: &[10.0, 100.0, 1e3, 1e4],
-    build: |speed| walking(speed, 60.0),
+    build: |speed, _| walking(speed, 60.0),
     // To leave with all of it, to tip over, and to fall.
     seconds: |speed| 100.0 / speed + 6.0,
-    judge: |_| walks_off(60.0),
+    judge: |_, _| walks_off(60.0),
     quantity: "largest distance from the platform's height, or from the ground",
-    quantity_unit: "px",
+    ..PLAIN
 };
 
 const WALK_OFF_LOW: DepthFamily = DepthFamily {
@@ -40,9 +41,9 @@ const WALK_OFF_LOW: DepthFamily = DepthFamily {
     unit: "px",
     values: &[60.0, 30.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1],
     quick_values: &[60.0, 10.0, 2.0, 0.5],
-    build: |height| walking(50.0, height as f32),
+    build: |height, _| walking(50.0, height as f32),
     seconds: |_| 8.0,
-    judge: walks_off,
+    judge: |value, _| walks_off(value),
     ..WALK_OFF
 };
 
@@ -64,12 +65,12 @@ fn edge_of(lane: usize) -> f32 {
     if lane % 4 < 2 { HALF[0] } else { HALF[1] }
 }
 
-fn walks_off(height: f64) -> Box<DepthWatch> {
-    each(8, move |_, lane, [x, y, z], state: State| {
+fn walks_off(height: f64) -> Box<dyn Watch> {
+    each(8, move |_, lane, [x, y, z], state: BodyState| {
         let [along_x, along_z] = DIRECTIONS[lane % 4].map(f64::from);
         let beyond = x * along_x + z * along_z - f64::from(edge_of(lane));
         let aside = (x * along_z).abs() + (z * along_x).abs();
-        let upright = state.rotation.abs() < 0.01;
+        let upright = state.angle.abs() < 0.01;
         if beyond < 0.0 && upright && height - y > REST.min(height / 2.0) {
             return Seen::Failed(SANK, height - y);
         }
@@ -101,11 +102,11 @@ const PASS_UNDER: DepthFamily = DepthFamily {
     unit: "px",
     values: &[10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.0],
     quick_values: &[10.0, 2.0, 0.5, 0.1, 0.0],
-    build: |gap| passing(100.0, gap as f32),
+    build: |gap, _| passing(100.0, gap as f32),
     seconds: |_| f64::from(2.0 * TO_MIDDLE) / 100.0,
-    judge: |_| passes(100.0),
+    judge: |_, _| passes(100.0),
     quantity: "largest way aside, up or down",
-    quantity_unit: "px",
+    ..PLAIN
 };
 
 const PASS_UNDER_FAST: DepthFamily = DepthFamily {
@@ -115,9 +116,9 @@ const PASS_UNDER_FAST: DepthFamily = DepthFamily {
     unit: "px/s",
     values: &[30.0, 100.0, 300.0, 1e3, 3e3, 1e4],
     quick_values: &[100.0, 1e3, 1e4],
-    build: |speed| passing(speed, 1.0),
+    build: |speed, _| passing(speed, 1.0),
     seconds: |speed| f64::from(2.0 * TO_MIDDLE) / speed,
-    judge: passes,
+    judge: |value, _| passes(value),
     ..PASS_UNDER
 };
 
@@ -133,8 +134,8 @@ fn passing(speed: f64, gap: f32) -> DepthScene {
     })
 }
 
-fn passes(speed: f64) -> Box<DepthWatch> {
-    each(6, move |_, lane, [x, y, z], state: State| {
+fn passes(speed: f64) -> Box<dyn Watch> {
+    each(6, move |_, lane, [x, y, z], state: BodyState| {
         let [along_x, along_z] = WAYS_UNDER[lane % 3].map(f64::from);
         let [change_x, change_z] = [state.velocity[0] - speed * along_x, state.velocity[2] - speed * along_z];
         let aside = x * along_z - z * along_x;

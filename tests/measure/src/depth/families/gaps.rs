@@ -1,11 +1,12 @@
 //! The hole between two platforms: fallen into when it is wide enough, crossed when it is narrower.
 
-use super::DepthFamily;
 use super::lanes::{REST, each, largest, object, platform, scene};
-use crate::depth::{DepthWatch, Seen};
+use super::{DepthFamily, PLAIN};
+use crate::depth::Seen;
 use crate::depth_scenes::DepthScene;
-use crate::peers::State;
+use crate::error::Watch;
 use crate::stability::reasons::{CLIMBED, SANK, STUCK, STUMBLED};
+use crate::world::BodyState;
 
 /// Height of the platforms, px.
 const TOP: f32 = 60.0;
@@ -25,9 +26,9 @@ const HOLE: DepthFamily = DepthFamily {
     unit: "px",
     values: &[100.0, 60.0, 40.0, 30.0, 26.0, 24.0, 23.0, 22.0, 21.0],
     quick_values: &[100.0, 40.0, 26.0, 22.0],
-    build: |gap| crossing(&[(false, 1)], 50.0, gap as f32),
+    build: |gap, _| crossing(&[(false, 1)], 50.0, gap as f32),
     seconds: |_| 5.0,
-    judge: |_| {
+    judge: |_, _| {
         each(1, |_, _, [_, y, _], _| match y {
             _ if y < REST => Seen::Ends(y.abs()),
             _ if y > f64::from(TOP) / 2.0 => Seen::Open(CLIMBED, y),
@@ -35,7 +36,7 @@ const HOLE: DepthFamily = DepthFamily {
         })
     },
     quantity: "height in the end",
-    quantity_unit: "px",
+    ..PLAIN
 };
 
 const NARROW: DepthFamily = DepthFamily {
@@ -46,11 +47,11 @@ const NARROW: DepthFamily = DepthFamily {
     unit: "px",
     values: &[0.0, 1.0, 2.0, 4.0, 8.0, 12.0, 16.0, 19.0],
     quick_values: &[0.0, 2.0, 8.0, 16.0],
-    build: |gap| crossing(&[(false, 0), (false, 1)], 50.0, gap as f32),
+    build: |gap, _| crossing(&[(false, 0), (false, 1)], 50.0, gap as f32),
     seconds: |_| f64::from(2.0 * TO_MIDDLE) / 50.0,
-    judge: |_| crosses(&[(false, 0), (false, 1)], 50.0),
+    judge: |_, _| crosses(&[(false, 0), (false, 1)], 50.0),
     quantity: "largest distance from the platforms' height",
-    quantity_unit: "px",
+    ..PLAIN
 };
 
 const LANES: [(bool, usize); 4] = [(false, 0), (false, 1), (true, 0), (true, 1)];
@@ -62,9 +63,9 @@ const SEAM: DepthFamily = DepthFamily {
     unit: "px/s",
     values: &[10.0, 30.0, 100.0, 300.0, 1e3, 3e3, 1e4],
     quick_values: &[10.0, 100.0, 1e3, 1e4],
-    build: |speed| crossing(&LANES, speed, 0.0),
+    build: |speed, _| crossing(&LANES, speed, 0.0),
     seconds: |speed| f64::from(2.0 * TO_MIDDLE) / speed,
-    judge: |speed| crosses(&LANES, speed),
+    judge: |speed, _| crosses(&LANES, speed),
     ..NARROW
 };
 
@@ -83,12 +84,12 @@ fn crossing(lanes: &[(bool, usize)], speed: f64, gap: f32) -> DepthScene {
     })
 }
 
-fn crosses(lanes: &'static [(bool, usize)], speed: f64) -> Box<DepthWatch> {
-    each(lanes.len(), move |_, lane, [_, y, _], state: State| {
+fn crosses(lanes: &'static [(bool, usize)], speed: f64) -> Box<dyn Watch> {
+    each(lanes.len(), move |_, lane, [_, y, _], state: BodyState| {
         let [along_x, along_z] = WAYS[lanes[lane].1].map(f64::from);
         let change = [state.velocity[0] - speed * along_x, state.velocity[2] - speed * along_z];
         let wrong = (y - f64::from(TOP)).abs();
-        if largest(change) > 1e-2 * speed || state.rotation.abs() > 0.01 {
+        if largest(change) > 1e-2 * speed || state.angle.abs() > 0.01 {
             Seen::Failed(STUMBLED, wrong)
         } else if wrong > REST {
             Seen::Failed(SANK, wrong)

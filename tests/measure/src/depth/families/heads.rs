@@ -1,7 +1,7 @@
 //! Head bump: things jump against the underside of a platform and fall back.
 
-use super::DepthFamily;
 use super::lanes::{REST, each, largest, object, platform, scene};
+use super::{DepthFamily, PLAIN};
 use crate::depth::Seen;
 use crate::depth_scenes::DepthScene;
 use crate::stability::reasons::{ASIDE, STUCK, TUNNELLED};
@@ -23,10 +23,10 @@ const FAST: DepthFamily = DepthFamily {
     unit: "px/s",
     values: &[150.0, 300.0, 600.0, 1e3, 1.6e3, 2.4e3, 3.6e3, 5e3, 1e4],
     quick_values: &[150.0, 1e3, 2.4e3, 1e4],
-    build: |speed| thrown_up(speed, 30.0),
+    build: |speed, _| thrown_up(speed, 30.0),
     // Back from the underside in 2.8 s, without a bounce.
     seconds: |_| 4.0,
-    judge: |_| {
+    judge: |_, _| {
         each(2 * PHASES, |_, _, [x, y, z], _| {
             let wrong = largest([x - 10.0, y, z + 10.0]);
             if y > f64::from(UNDERSIDE) {
@@ -41,7 +41,7 @@ const FAST: DepthFamily = DepthFamily {
         })
     },
     quantity: "largest distance from the ground below",
-    quantity_unit: "px",
+    ..PLAIN
 };
 
 const THIN: DepthFamily = DepthFamily {
@@ -52,7 +52,7 @@ const THIN: DepthFamily = DepthFamily {
     unit: "px",
     values: &[40.0, 20.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.1],
     quick_values: &[40.0, 10.0, 2.0, 0.1],
-    build: |thickness| thrown_up(600.0, thickness as f32),
+    build: |thickness, _| thrown_up(600.0, thickness as f32),
     ..FAST
 };
 

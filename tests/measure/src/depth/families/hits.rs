@@ -1,11 +1,12 @@
 //! Depth miss and depth hit, and diagonal hits: things fly at a post that cannot be moved, without weight.
 
-use super::DepthFamily;
 use super::lanes::{ICE, RADIUS, at, each, largest, scene};
-use crate::depth::{DepthWatch, DepthWorld, Seen, watch};
+use super::{DepthFamily, PLAIN};
+use crate::depth::{Seen, watch};
 use crate::depth_scenes::{DepthObject, DepthScene, Surface};
-use crate::peers::State;
+use crate::error::Watch;
 use crate::stability::reasons::{MISSED, SLOWED, TOUCHED, WRONG_AXIS};
+use crate::world::{BodyState, World};
 
 /// Half the extent of the post, in all axes, and of what is thrown, px.
 const POST: f32 = 20.0;
@@ -48,7 +49,7 @@ const MISS: DepthFamily = DepthFamily {
     unit: "px",
     values: &[10.0, 1.0, 0.1, 0.01, 1e-3, 1e-4, 1e-5],
     quick_values: &[10.0, 0.1, 1e-3, 1e-5],
-    build: |gap| {
+    build: |gap, _| {
         let beside = POST + THROWN + gap as f32;
         let thrown = (0..4).map(|lane| {
             let side = if lane % 2 == 0 { -1.0 } else { 1.0 };
@@ -57,8 +58,8 @@ const MISS: DepthFamily = DepthFamily {
         at_posts("depth_miss", 2.0 * POST, thrown.collect())
     },
     seconds: |_| 2.5,
-    judge: |_| {
-        each(4, |_, _, _, state: State| {
+    judge: |_, _| {
+        each(4, |_, _, _, state: BodyState| {
             let [x, y, z] = state.velocity;
             let change = largest([x - 80.0, y, z]);
             if change > 0.1 { Seen::Failed(TOUCHED, change) } else { Seen::Fine(change) }
@@ -66,6 +67,7 @@ const MISS: DepthFamily = DepthFamily {
     },
     quantity: "largest change of speed",
     quantity_unit: "px/s",
+    ..PLAIN
 };
 
 /// How often a ball and a box are thrown, each a quarter of 1/60 s earlier than the one before.
@@ -81,11 +83,12 @@ const HIT_FAST: DepthFamily = DepthFamily {
     unit: "px/s",
     values: &[30.0, 100.0, 300.0, 600.0, 1e3, 1.6e3, 2.4e3, 3.6e3, 5e3, 1e4, 3e4],
     quick_values: &[100.0, 1e3, 2.4e3, 1e4],
-    build: |speed| against_front(2 * PHASES, speed, 2.0 * POST, 0.0),
+    build: |speed, _| against_front(2 * PHASES, speed, 2.0 * POST, 0.0),
     seconds: |_| 2.0 * FLIGHT,
-    judge: |speed| flies_back(2 * PHASES, speed),
+    judge: |speed, _| flies_back(2 * PHASES, speed),
     quantity: "largest difference from the speed back",
     quantity_unit: "px/s",
+    ..PLAIN
 };
 
 const HIT_THIN: DepthFamily = DepthFamily {
@@ -96,8 +99,8 @@ const HIT_THIN: DepthFamily = DepthFamily {
     unit: "px",
     values: &[40.0, 20.0, 10.0, 7.0, 5.0, 3.0, 2.0, 1.0],
     quick_values: &[40.0, 10.0, 5.0, 1.0],
-    build: |depth| against_front(PHASES, 800.0, depth as f32, 0.0),
-    judge: |_| flies_back(PHASES, 800.0),
+    build: |depth, _| against_front(PHASES, 800.0, depth as f32, 0.0),
+    judge: |_, _| flies_back(PHASES, 800.0),
     ..HIT_FAST
 };
 
@@ -109,8 +112,8 @@ const HIT_PARTLY: DepthFamily = DepthFamily {
     unit: "px",
     values: &[10.0, 1.0, 0.1, 0.01, 1e-3],
     quick_values: &[10.0, 1.0, 0.1],
-    build: |part| against_front(PHASES, 80.0, 2.0 * POST, POST + THROWN - part as f32),
-    judge: |_| flies_back(PHASES, 80.0),
+    build: |part, _| against_front(PHASES, 80.0, 2.0 * POST, POST + THROWN - part as f32),
+    judge: |_, _| flies_back(PHASES, 80.0),
     ..HIT_FAST
 };
 
@@ -127,8 +130,8 @@ fn against_front(lanes: usize, speed: f64, depth: f32, beside: f32) -> DepthScen
     at_posts("depth_hit", depth, thrown.collect())
 }
 
-fn flies_back(lanes: usize, speed: f64) -> Box<DepthWatch> {
-    each(lanes, move |_, _, _, state: State| {
+fn flies_back(lanes: usize, speed: f64) -> Box<dyn Watch> {
+    each(lanes, move |_, _, _, state: BodyState| {
         let [x, y, z] = state.velocity;
         let wrong = largest([x, y, z + speed]);
         if z > 0.9 * speed {
@@ -155,11 +158,12 @@ const DIAGONAL_FAST: DepthFamily = DepthFamily {
     unit: "px/s",
     values: &[100.0, 300.0, 600.0, 1e3, 1.6e3, 2.4e3, 3.6e3, 5e3],
     quick_values: &[100.0, 1e3, 2.4e3, 5e3],
-    build: |speed| diagonal([speed; 3], 10.0, FLIGHT),
+    build: |speed, _| diagonal([speed; 3], 10.0, FLIGHT),
     seconds: |_| 2.0 * FLIGHT,
-    judge: |speed| thrown_back_along_last([speed; 3]),
+    judge: |speed, _| thrown_back_along_last([speed; 3]),
     quantity: "largest part of the speed that changed along another axis",
     quantity_unit: "",
+    ..PLAIN
 };
 
 /// Along the axis that is entered last, and along the others, px/s.
@@ -175,9 +179,9 @@ const DIAGONAL_CLOSE: DepthFamily = DepthFamily {
     unit: "px",
     values: &[50.0, 20.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1],
     quick_values: &[50.0, 10.0, 2.0, 0.5],
-    build: |way| diagonal(UNEQUAL, way, LONG_FLIGHT),
+    build: |way, _| diagonal(UNEQUAL, way, LONG_FLIGHT),
     seconds: |_| LONG_FLIGHT + 0.2,
-    judge: |_| thrown_back_along_last(UNEQUAL),
+    judge: |_, _| thrown_back_along_last(UNEQUAL),
     ..DIAGONAL_FAST
 };
 
@@ -215,12 +219,12 @@ fn diagonal(speeds: [f64; 3], way: f64, flight: f64) -> DepthScene {
 }
 
 /// Looks at the first change of each lane's velocity: it must be along the last axis.
-fn thrown_back_along_last(speeds: [f64; 3]) -> Box<DepthWatch> {
+fn thrown_back_along_last(speeds: [f64; 3]) -> Box<dyn Watch> {
     let mut first_changes: [Option<[f64; 3]>; DIAGONALS] = [None; DIAGONALS];
-    watch(move |_, world: &dyn DepthWorld| {
+    watch(move |_, world: &dyn World| {
         let mut seen = Seen::Ends(0.0);
         for (lane, first_change) in first_changes.iter_mut().enumerate() {
-            let (before, now) = (velocity_of(lane, speeds), world.object(lane).velocity);
+            let (before, now) = (velocity_of(lane, speeds), world.body(lane).velocity);
             let change: [f64; 3] =
                 std::array::from_fn(|axis| ((now[axis] - before[axis]) / before[axis]).abs());
             if first_change.is_none() && largest(change) > 0.02 {

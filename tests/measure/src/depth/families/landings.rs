@@ -1,9 +1,10 @@
 //! Land: things fall on a platform and stay there.
 
-use super::DepthFamily;
 use super::lanes::{REST, each, largest, object, platform, scene};
-use crate::depth::{DepthWatch, Seen};
+use super::{DepthFamily, PLAIN};
+use crate::depth::Seen;
 use crate::depth_scenes::DepthScene;
+use crate::error::Watch;
 use crate::stability::reasons::{ASIDE, BOUNCED, MISSED, SANK, TUNNELLED};
 
 /// Height of the platforms' upper faces, px.
@@ -22,11 +23,11 @@ const FAST: DepthFamily = DepthFamily {
     unit: "px/s",
     values: &[30.0, 100.0, 300.0, 1e3, 1.6e3, 2.4e3, 3.6e3, 5e3, 1e4, 3e4],
     quick_values: &[100.0, 1e3, 2.4e3, 1e4],
-    build: |speed| falling(speed, 40.0),
+    build: |speed, _| falling(speed, 40.0),
     seconds: |_| 4.0,
-    judge: |_| lie_on_top(2 * PHASES),
+    judge: |_, _| lie_on_top(2 * PHASES),
     quantity: "largest distance from where it should lie",
-    quantity_unit: "px",
+    ..PLAIN
 };
 
 const THIN: DepthFamily = DepthFamily {
@@ -37,7 +38,7 @@ const THIN: DepthFamily = DepthFamily {
     unit: "px",
     values: &[40.0, 20.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.1],
     quick_values: &[40.0, 10.0, 2.0, 0.1],
-    build: |thickness| falling(600.0, thickness as f32),
+    build: |thickness, _| falling(600.0, thickness as f32),
     ..FAST
 };
 
@@ -49,8 +50,8 @@ const EDGE: DepthFamily = DepthFamily {
     unit: "px",
     values: &[10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02],
     quick_values: &[10.0, 2.0, 0.5, 0.1],
-    build: over_edge,
-    judge: |_| lie_on_top_beside(2),
+    build: |value, _| over_edge(value),
+    judge: |_, _| lie_on_top_beside(2),
     ..FAST
 };
 
@@ -81,12 +82,12 @@ fn over_edge(part: f64) -> DepthScene {
     })
 }
 
-fn lie_on_top(count: usize) -> Box<DepthWatch> {
+fn lie_on_top(count: usize) -> Box<dyn Watch> {
     each(count, |_, _, [x, y, z], _| lying(y, largest([x, z]), TUNNELLED))
 }
 
 /// Wherever along Z.
-fn lie_on_top_beside(count: usize) -> Box<DepthWatch> {
+fn lie_on_top_beside(count: usize) -> Box<dyn Watch> {
     each(count, |_, _, [x, y, _], _| lying(y, x.abs(), MISSED))
 }
 

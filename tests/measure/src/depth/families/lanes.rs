@@ -1,8 +1,9 @@
 //! Objects that do the same side by side, each in a lane of its own.
 
-use crate::depth::{DepthWatch, DepthWorld, Seen, watch};
+use crate::depth::{Seen, watch};
 use crate::depth_scenes::{DepthObject, DepthPlatform, DepthScene, Surface};
-use crate::peers::State;
+use crate::error::Watch;
+use crate::world::{BodyState, World};
 
 /// From one lane to the next along X, px, and how much farther it is against Z. So nothing that leaves its lane along an
 /// axis, or along X and Z alike, comes to another lane at the time at which somebody else does.
@@ -44,7 +45,7 @@ pub(super) fn scene(name: &str) -> DepthScene {
 }
 
 /// Position of an object from the middle of its lane.
-pub(super) fn in_lane(state: &State, lane: usize) -> [f64; 3] {
+pub(super) fn in_lane(state: &BodyState, lane: usize) -> [f64; 3] {
     let middle = at(lane, [0.0; 3]).map(f64::from);
     std::array::from_fn(|axis| state.position[axis] - middle[axis])
 }
@@ -53,11 +54,11 @@ pub(super) fn in_lane(state: &State, lane: usize) -> [f64; 3] {
 /// others that are not watched.
 pub(super) fn each(
     count: usize,
-    look: impl Fn(f64, usize, [f64; 3], State) -> Seen + 'static,
-) -> Box<DepthWatch> {
-    watch(move |time, world: &dyn DepthWorld| {
+    look: impl Fn(f64, usize, [f64; 3], BodyState) -> Seen + 'static,
+) -> Box<dyn Watch> {
+    watch(move |time, world: &dyn World| {
         let seen = (0..count).map(|lane| {
-            let state = world.object(lane);
+            let state = world.body(lane);
             look(time, lane, in_lane(&state, lane), state)
         });
         seen.reduce(Seen::and)

@@ -1,10 +1,12 @@
 //! The shadow lies on the highest surface beneath somebody.
 
-use super::DepthFamily;
 use super::lanes::{ICE, RADIUS, scene};
-use crate::depth::{DepthWatch, DepthWorld, Seen, watch};
+use super::{DepthFamily, PLAIN};
+use crate::depth::{Seen, watch};
 use crate::depth_scenes::{DepthObject, DepthPlatform, DepthScene};
+use crate::error::Watch;
 use crate::stability::reasons::MISPLACED;
+use crate::world::World;
 
 /// Plates along the way.
 const PLATES: usize = 5;
@@ -23,11 +25,11 @@ const THIN: DepthFamily = DepthFamily {
     unit: "px",
     values: &[20.0, 5.0, 1.0, 0.1, 0.01, 1e-3, 1e-4],
     quick_values: &[20.0, 1.0, 1e-2, 1e-4],
-    build: plates,
+    build: |value, _| plates(value),
     seconds: |_| f64::from(WIDTH * (PLATES + 1) as f32 / SPEED),
-    judge: on_plates,
+    judge: |value, _| on_plates(value),
     quantity: "largest distance from the right height",
-    quantity_unit: "px",
+    ..PLAIN
 };
 
 /// Heights of the upper faces of the plates, px; over each but the last lies another one, 30 px higher and narrower.
@@ -63,10 +65,10 @@ fn right_height(x: f64) -> Option<f64> {
     Some(f64::from(top_of(plate)) + if is_under_upper { 30.0 } else { 0.0 })
 }
 
-fn on_plates(_: f64) -> Box<DepthWatch> {
-    watch(|time, world: &dyn DepthWorld| {
+fn on_plates(_: f64) -> Box<dyn Watch> {
+    watch(|time, world: &dyn World| {
         // Engines may look for what there is in their first step.
-        let right = right_height(world.object(0).position[0]).filter(|_| time > 0.0)?;
+        let right = right_height(world.body(0).position[0]).filter(|_| time > 0.0)?;
         Some(seen(world.height_beneath(0), right))
     })
 }
@@ -83,7 +85,7 @@ const SUNK: DepthFamily = DepthFamily {
     unit: "px",
     values: &[0.0, 0.05, 0.2, 1.0, 5.0, 9.0, 9.9, 10.1, 11.0, 15.0],
     quick_values: &[0.0, 1.0, 9.0, 11.0],
-    build: |depth| {
+    build: |depth, _| {
         let ball = DepthObject::ball(RADIUS, [0.0, 60.0 - depth as f32, 0.0]).fixed();
         scene("shadow_of_sunk").with(ball).with_platform(DepthPlatform::new(
             [200.0, 40.0, 100.0],
@@ -92,7 +94,7 @@ const SUNK: DepthFamily = DepthFamily {
         ))
     },
     seconds: |_| 0.1,
-    judge: |_| watch(|time, world| (time > 0.0).then(|| seen(world.height_beneath(0), 60.0))),
+    judge: |_, _| watch(|time, world| (time > 0.0).then(|| seen(world.height_beneath(0), 60.0))),
     ..THIN
 };
 

@@ -1,9 +1,10 @@
 //! Step up: balls roll up a low step if they are fast enough, boxes are stopped by it.
 
-use super::DepthFamily;
 use super::lanes::{each, object, platform, scene};
-use crate::depth::{DepthWatch, Seen};
+use super::{DepthFamily, PLAIN};
+use crate::depth::Seen;
 use crate::depth_scenes::DepthScene;
+use crate::error::Watch;
 use crate::stability::reasons::{CLIMBED, STUCK};
 
 /// Speed of what comes, px/s.
@@ -29,11 +30,11 @@ const UP: DepthFamily = DepthFamily {
     unit: "px",
     values: &[0.1, 0.5, 1.0, 2.0, 3.0, 4.0, 4.4, 4.7, 4.8],
     quick_values: &[0.5, 2.0, 4.0, 4.7],
-    build: |height| against_step(true, height as f32),
+    build: |height, _| against_step(true, height as f32),
     seconds: |_| SECONDS,
-    judge: |height| must(true, true, height),
+    judge: |height, _| must(true, true, height),
     quantity: "height that is missing in the end",
-    quantity_unit: "px",
+    ..PLAIN
 };
 
 const STOPPED: DepthFamily = DepthFamily {
@@ -42,7 +43,7 @@ const STOPPED: DepthFamily = DepthFamily {
             must be stopped.",
     values: &[12.0, 9.5, 8.0, 7.0, 6.0, 5.5, 5.2, 5.0, 4.9, 4.84],
     quick_values: &[12.0, 8.0, 6.0, 5.0],
-    judge: |height| must(true, false, height),
+    judge: |height, _| must(true, false, height),
     quantity: "height in the end",
     ..UP
 };
@@ -52,8 +53,8 @@ const BOXES: DepthFamily = DepthFamily {
     about: "Boxes slide at 60 px/s into the picture and out of it against a step that gets lower, and must be stopped.",
     values: &[20.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02],
     quick_values: &[20.0, 2.0, 0.5, 0.1],
-    build: |height| against_step(false, height as f32),
-    judge: |height| must(false, false, height),
+    build: |height, _| against_step(false, height as f32),
+    judge: |height, _| must(false, false, height),
     quantity: "height in the end",
     ..UP
 };
@@ -77,7 +78,7 @@ fn against_step(is_ball: bool, height: f32) -> DepthScene {
     })
 }
 
-fn must(is_ball: bool, climb: bool, height: f64) -> Box<DepthWatch> {
+fn must(is_ball: bool, climb: bool, height: f64) -> Box<dyn Watch> {
     let directions = directions(is_ball);
     each(directions.len(), move |time, lane, [x, y, z], _| {
         let [along_x, along_z] = directions[lane].map(f64::from);
