@@ -1,70 +1,43 @@
-//! Points as a table of comma-separated values, written and read.
+//! Tables of comma-separated values, and points as one.
 
 use super::method::{Dt, Setting};
 use super::sweep::{Outcome, Point, Subject};
-use csv::{Reader, StringRecord, Writer};
+use csv::{Reader, Writer};
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize, Serializer};
+use std::fmt::Display;
 
-/// The names of the columns.
-const HEAD: [&str; 15] = [
-    "scene",
-    "bodies",
-    "method",
-    "dt_s",
-    "jitter",
-    "passes",
-    "error",
-    "error_is",
-    "unit",
-    "tolerance",
-    "meets_tolerance",
-    "outcome",
-    "us_per_simulated_s",
-    "steps",
-    "turns",
-];
 /// What is written of a run that went well.
 const FINE: &str = "fine";
+
+/// A line of the table.
+#[derive(Debug, Serialize, Deserialize)]
+struct Row {
+    scene: String,
+    bodies: Option<usize>,
+    method: String,
+    #[serde(serialize_with = "plain")]
+    dt_s: f32,
+    jitter: bool,
+    passes: u32,
+    #[serde(serialize_with = "six_digits")]
+    error: Option<f64>,
+    error_is: String,
+    unit: String,
+    #[serde(serialize_with = "plain")]
+    tolerance: f64,
+    meets_tolerance: bool,
+    outcome: String,
+    #[serde(serialize_with = "three_places")]
+    us_per_simulated_s: Option<f64>,
+    steps: u32,
+    turns: usize,
+}
 
 /// A table of points, a line each. Points of a scene that is not among the subjects are left out.
 pub fn csv(points: &[Point], subjects: &[Subject]) -> String {
     let known = |point: &Point| subjects.iter().find(|subject| subject.name == point.scene);
-    let rows = points.iter().filter_map(|point| Some(row(point, known(point)?).to_vec()));
-    table([HEAD.map(str::to_owned).to_vec()].into_iter().chain(rows))
-}
-
-/// Rows as lines, with quotes where they are needed.
-pub(super) fn table(rows: impl IntoIterator<Item = Vec<String>>) -> String {
-    let mut writer = Writer::from_writer(Vec::new());
-    for row in rows {
-        writer.write_record(row).expect("rows of one length can be written to memory");
-    }
-    let bytes = writer.into_inner().expect("memory can be written to");
-    String::from_utf8(bytes).expect("rows are text")
-}
-
-fn row(point: &Point, subject: &Subject) -> [String; 15] {
-    let (outcome, error) = match point.outcome {
-        Outcome::Fine => (FINE, format!("{:.5e}", point.error)),
-        Outcome::Failed(reason) => (reason, String::new()),
-    };
-    let time = point.microseconds_per_simulated_second;
-    [
-        point.scene.to_owned(),
-        if point.size == 0 { String::new() } else { point.size.to_string() },
-        point.method.to_owned(),
-        point.setting.dt.mean().to_string(),
-        matches!(point.setting.dt, Dt::Jitter { .. }).to_string(),
-        point.setting.passes.to_string(),
-        error,
-        subject.error.to_owned(),
-        subject.unit.to_owned(),
-        subject.tolerance.to_string(),
-        point.meets(subject.tolerance).to_string(),
-        outcome.to_owned(),
-        if time.is_nan() { String::new() } else { format!("{time:.3}") },
-        point.steps.to_string(),
-        point.turns.to_string(),
-    ]
+    table(points.iter().filter_map(|point| Some(row(point, known(point)?))))
 }
 
 /// The points of a table that [`csv()`] has written.
@@ -73,43 +46,91 @@ fn row(point: &Point, subject: &Subject) -> [String; 15] {
 ///
 /// What is wrong with the table, and in which line.
 pub fn points(text: &str) -> Result<Vec<Point>, String> {
-    let mut reader = Reader::from_reader(text.as_bytes());
-    let head = reader.headers().map_err(|error| error.to_string())?;
-    if head != HEAD.as_slice() {
-        return Err(format!("line 1: the columns are not {}", HEAD.join(",")));
-    }
-    let rows = reader.records().zip(2..);
-    let point = |(row, line): (csv::Result<StringRecord>, u32)| {
-        let row = row.map_err(|error| error.to_string())?;
-        point(&row).map_err(|wrong| format!("line {line}: {wrong}"))
+    Ok(rows::<Row>(text)?.into_iter().map(point).collect())
+}
+
+fn row(point: &Point, subject: &Subject) -> Row {
+    let (outcome, error) = match point.outcome {
+        Outcome::Fine => (FINE, Some(point.error)),
+        Outcome::Failed(reason) => (reason, None),
     };
-    rows.map(point).collect()
+    let time = point.microseconds_per_simulated_second;
+    Row {
+        scene: point.scene.to_owned(),
+        bodies: (point.size != 0).then_some(point.size),
+        method: point.method.to_owned(),
+        dt_s: point.setting.dt.mean(),
+        jitter: matches!(point.setting.dt, Dt::Jitter { .. }),
+        passes: point.setting.passes,
+        error,
+        error_is: subject.error.to_owned(),
+        unit: subject.unit.to_owned(),
+        tolerance: subject.tolerance,
+        meets_tolerance: point.meets(subject.tolerance),
+        outcome: outcome.to_owned(),
+        us_per_simulated_s: (!time.is_nan()).then_some(time),
+        steps: point.steps,
+        turns: point.turns,
+    }
 }
 
-fn point(row: &StringRecord) -> Result<Point, String> {
-    let dt = number(row, 3)?;
-    let passes = number(row, 5)?;
-    let outcome = if &row[11] == FINE { Outcome::Fine } else { Outcome::Failed(kept(&row[11])) };
-    Ok(Point {
-        scene: kept(&row[0]),
-        size: if row[1].is_empty() { 0 } else { number(row, 1)? },
-        method: kept(&row[2]),
-        setting: if &row[4] == "true" { Setting::jitter(dt, passes) } else { Setting::fixed(dt, passes) },
-        error: if outcome == Outcome::Fine { number(row, 6)? } else { f64::INFINITY },
-        outcome,
-        microseconds_per_simulated_second: if row[12].is_empty() { f64::NAN } else { number(row, 12)? },
-        steps: number(row, 13)?,
-        turns: number(row, 14)?,
-    })
+fn point(row: Row) -> Point {
+    let setting = if row.jitter { Setting::jitter } else { Setting::fixed };
+    Point {
+        scene: kept(row.scene),
+        size: row.bodies.unwrap_or(0),
+        method: kept(row.method),
+        setting: setting(row.dt_s, row.passes),
+        error: row.error.unwrap_or(f64::INFINITY),
+        outcome: if row.outcome == FINE { Outcome::Fine } else { Outcome::Failed(kept(row.outcome)) },
+        microseconds_per_simulated_second: row.us_per_simulated_s.unwrap_or(f64::NAN),
+        steps: row.steps,
+        turns: row.turns,
+    }
 }
 
-fn number<T: std::str::FromStr>(row: &StringRecord, column: usize) -> Result<T, String> {
-    row[column].parse().map_err(|_| format!("{} is {:?}, which is no number", HEAD[column], &row[column]))
+/// Rows as lines below the names of their fields, with quotes where they are needed.
+pub(super) fn table(rows: impl IntoIterator<Item = impl Serialize>) -> String {
+    let mut writer = Writer::from_writer(Vec::new());
+    for row in rows {
+        writer.serialize(row).expect("rows of one kind can be written to memory");
+    }
+    let bytes = writer.into_inner().expect("memory can be written to");
+    String::from_utf8(bytes).expect("rows are text")
+}
+
+/// The rows of a table. One of a head alone has been cut off; an empty one has none.
+pub(super) fn rows<R: DeserializeOwned>(text: &str) -> Result<Vec<R>, String> {
+    let rows: csv::Result<Vec<R>> = Reader::from_reader(text.as_bytes()).deserialize().collect();
+    match rows {
+        Ok(rows) if rows.is_empty() && !text.is_empty() => Err("there is nothing below line 1".to_owned()),
+        Ok(rows) => Ok(rows),
+        Err(error) => Err(error.to_string()),
+    }
+}
+
+/// As a reader writes it: 8 and not 8.0.
+fn plain<S: Serializer>(value: &impl Display, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(value)
+}
+
+fn six_digits<S: Serializer>(value: &Option<f64>, serializer: S) -> Result<S::Ok, S::Error> {
+    match value {
+        Some(value) => serializer.collect_str(&format_args!("{value:.5e}")),
+        None => serializer.serialize_none(),
+    }
+}
+
+fn three_places<S: Serializer>(value: &Option<f64>, serializer: S) -> Result<S::Ok, S::Error> {
+    match value {
+        Some(value) => serializer.collect_str(&format_args!("{value:.3}")),
+        None => serializer.serialize_none(),
+    }
 }
 
 /// Points have names that are known to the program. Those that are read stay for its time.
-pub(super) fn kept(text: &str) -> &'static str {
-    Box::leak(text.to_owned().into_boxed_str())
+pub(super) fn kept(text: String) -> &'static str {
+    Box::leak(text.into_boxed_str())
 }
 
 #[cfg(test)]
@@ -164,11 +185,13 @@ mod tests {
 
     #[test]
     fn what_is_no_table_of_points_is_refused() {
-        assert!(points("scene,bodies\n").is_err_and(|error| error.starts_with("line 1: ")));
+        assert!(points("scene,bodies\n").is_err_and(|error| error.contains("line 1")));
+        assert!(
+            points("scene,bodies\ndrop,5\n").is_err_and(|error| error.contains("missing field `method`"))
+        );
         let text = csv(&[failed()], &[subject()]).replace("12.000", "twelve");
-        assert_eq!(
-            points(&text),
-            Err("line 2: us_per_simulated_s is \"twelve\", which is no number".to_owned())
+        assert!(
+            points(&text).is_err_and(|error| error.contains("line: 2") && error.contains("invalid float"))
         );
     }
 }

@@ -18,7 +18,7 @@ pub mod peers;
 #[cfg(feature = "peers")]
 pub mod peers_2d;
 pub mod penetration;
-pub mod progress;
+pub mod shard;
 pub mod stability;
 pub mod stopwatch;
 pub mod sweep;

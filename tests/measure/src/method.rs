@@ -93,6 +93,11 @@ impl Setting {
     pub const fn jitter(mean: f32, passes: u32) -> Self {
         Setting { dt: Dt::Jitter { mean }, passes }
     }
+
+    /// What a reader calls it: `1/60 s x 5`.
+    pub fn label(self) -> String {
+        format!("{} s x {}", self.dt.label(), self.passes)
+    }
 }
 
 /// A scene in an engine, or what of it the engine does not have.

@@ -1,7 +1,7 @@
 //! Where figures come from: versions, machine and date.
 
 use super::csv::{kept, table};
-use csv::{ReaderBuilder, StringRecord};
+use csv::ReaderBuilder;
 use std::fs;
 use std::thread::available_parallelism;
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -20,7 +20,7 @@ pub fn origin(peers: impl IntoIterator<Item = (&'static str, String)>) -> Vec<(&
 
 /// The same as a table of two columns, to be kept beside the figures.
 pub fn origin_csv(origin: &[(&'static str, String)]) -> String {
-    table(origin.iter().map(|(name, value)| vec![(*name).to_owned(), value.clone()]))
+    table(origin)
 }
 
 /// What [`origin_csv`] has written.
@@ -30,12 +30,9 @@ pub fn origin_csv(origin: &[(&'static str, String)]) -> String {
 /// When it is no table of two columns.
 pub fn read_origin(text: &str) -> Result<Vec<(&'static str, String)>, String> {
     let mut reader = ReaderBuilder::new().has_headers(false).from_reader(text.as_bytes());
-    let line = |row: csv::Result<StringRecord>| match row {
-        Ok(row) if row.len() == 2 => Ok((kept(&row[0]), row[1].to_owned())),
-        Ok(row) => Err(format!("{} columns, not 2", row.len())),
-        Err(error) => Err(error.to_string()),
-    };
-    reader.records().map(line).collect()
+    let lines: csv::Result<Vec<(String, String)>> = reader.deserialize().collect();
+    let lines = lines.map_err(|error| error.to_string())?;
+    Ok(lines.into_iter().map(|(name, value)| (kept(name), value)).collect())
 }
 
 fn build() -> &'static str {

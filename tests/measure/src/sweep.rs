@@ -7,7 +7,7 @@
 
 use super::error::Watch;
 use super::method::Setting;
-use super::progress::Progress;
+use super::shard::Shard;
 use super::stability::reasons::PANICKED;
 use super::stopwatch::Stopwatch;
 use super::world::World;
@@ -125,6 +125,15 @@ pub struct Point {
 }
 
 impl Point {
+    fn is_of(&self, scene: &str, size: usize, method: &str, setting: Setting) -> bool {
+        self.scene == scene && self.size == size && self.method == method && self.setting == setting
+    }
+
+    /// What tells it from all others.
+    fn name(&self) -> String {
+        format!("{} {}, {}, {}", self.scene, self.size, self.method, self.setting.label())
+    }
+
     /// Whether the run was as good as a tolerance asks.
     pub fn meets(&self, tolerance: f64) -> bool {
         self.outcome == Outcome::Fine && self.error <= tolerance
@@ -152,10 +161,13 @@ pub struct Sweep {
 }
 
 impl Sweep {
-    /// Makes trials: those of one scene and size, which must follow each other, by turns.
-    pub fn run(&mut self, trials: &[Trial<'_>], progress: &mut Progress) {
-        for rivals in trials.chunk_by(|a, b| a.scene == b.scene && a.size == b.size) {
-            self.run_by_turns(rivals, progress);
+    /// Makes trials: those of one scene and size, which must follow each other, by turns. `told` is called when a trial is
+    /// begun, with what is done of all in the unit of [`Trial::cost`].
+    pub fn run(&mut self, trials: &[Trial<'_>], told: &mut dyn FnMut(&Trial<'_>, f64)) {
+        let mut done = 0.0;
+        for rivals in trials.chunk_by(Trial::is_rival) {
+            self.run_by_turns(rivals, done, told);
+            done += rivals.iter().map(Trial::cost).sum::<f64>();
         }
     }
 
@@ -170,22 +182,48 @@ impl Sweep {
         sweep
     }
 
-    fn run_by_turns(&mut self, rivals: &[Trial<'_>], progress: &mut Progress) {
+    /// Puts together the points of all parts of a sweep.
+    ///
+    /// # Errors
+    ///
+    /// Which point is there twice, and which trial has none although the engine has all it needs.
+    pub fn merged(points: Vec<Point>, trials: &[Trial<'_>]) -> Result<Self, String> {
+        for (index, point) in points.iter().enumerate() {
+            if points[..index]
+                .iter()
+                .any(|other| other.is_of(point.scene, point.size, point.method, point.setting))
+            {
+                return Err(format!("{} is there twice", point.name()));
+            }
+        }
+        let sweep = Self::of_points(points, trials);
+        for trial in trials {
+            let is_there = |point: &Point| point.is_of(trial.scene, trial.size, trial.method, trial.setting);
+            let is_absent = |absent: &Absent| absent.scene == trial.scene && absent.method == trial.method;
+            if !sweep.points.iter().any(is_there) && !sweep.absent.iter().any(is_absent) {
+                let Trial { scene, size, method, setting, .. } = trial;
+                return Err(format!("{scene} {size}, {method}, {} is missing", setting.label()));
+            }
+        }
+        Ok(sweep)
+    }
+
+    fn run_by_turns(&mut self, rivals: &[Trial<'_>], mut done: f64, told: &mut dyn FnMut(&Trial<'_>, f64)) {
         let mut entries = Vec::new();
         for trial in rivals {
-            progress.show(trial);
+            told(trial, done);
             match Entry::watched(trial) {
                 Ok(entry) => entries.push(entry),
                 Err(reason) => self.note_absent(trial, reason),
             }
-            progress.did_watch(trial);
+            // The other half is the turns.
+            done += trial.cost() / 2.0;
         }
         for _ in 0..TURNS[0] {
             for entry in entries.iter_mut().filter(|entry| entry.needs_turns()) {
                 entry.take_turn();
             }
         }
-        rivals.iter().for_each(|trial| progress.did_time(trial));
         self.points.extend(entries.into_iter().flat_map(Entry::points));
     }
 
@@ -198,7 +236,31 @@ impl Sweep {
     }
 }
 
-impl Trial<'_> {
+impl<'a> Trial<'a> {
+    /// Whether two are of one scene and size, and so are compared.
+    fn is_rival(&self, other: &Trial<'_>) -> bool {
+        self.scene == other.scene && self.size == other.size
+    }
+
+    /// Those trials of a sweep that are in a part of it. All that are compared with each other are in one part: what may be
+    /// quoted are ratios of one run.
+    pub fn of_shard(trials: Vec<Trial<'a>>, shard: Shard) -> Vec<Trial<'a>> {
+        let costs = trials.chunk_by(Trial::is_rival).map(|rivals| rivals.iter().map(Trial::cost).sum());
+        let picks = shard.picks(&costs.collect::<Vec<f64>>());
+        let is_picked = trials.chunk_by(Trial::is_rival).zip(picks);
+        let is_picked: Vec<bool> = is_picked.flat_map(|(rivals, pick)| vec![pick; rivals.len()]).collect();
+        trials.into_iter().zip(is_picked).filter(|(_, pick)| *pick).map(|(trial, _)| trial).collect()
+    }
+
+    /// About how long it takes, in s on the machine this was written on: what all take, and what bodies and passes add to
+    /// each step.
+    pub fn cost(&self) -> f64 {
+        let steps = self.seconds / f64::from(self.setting.dt.mean());
+        let bodies = self.size.max(2) as f64;
+        let step = 1e-6 * bodies * (3.0 + 0.4 * f64::from(self.setting.passes));
+        0.06 + 2.0 * steps * step
+    }
+
     /// The steps of a run in s: so many that together they come nearest to the scene's length.
     fn steps(&self) -> impl Iterator<Item = f32> {
         let mut time = 0.0;
@@ -320,20 +382,22 @@ mod tests {
     use super::super::world::BodyState;
     use super::*;
 
-    /// A body that moves by the steps; panics when it is beyond.
+    /// A body that moves by the steps; when it is beyond, it panics or its state is not finite.
     struct Mover {
         place: f64,
         end: f64,
+        panics: bool,
     }
 
     impl World for Mover {
         fn step(&mut self, dt: f32) {
             self.place += f64::from(dt);
-            assert!(self.place < self.end, "this panic is part of a test");
+            assert!(!self.panics || self.place < self.end, "this panic is part of a test");
         }
 
         fn body(&self, _: usize) -> BodyState {
-            BodyState { position: [self.place, 0.0, 0.0], ..BodyState::default() }
+            let x = if self.place < self.end { self.place } else { f64::NAN };
+            BodyState { position: [x, 0.0, 0.0], ..BodyState::default() }
         }
 
         fn body_count(&self) -> usize {
@@ -346,18 +410,17 @@ mod tests {
         Last::new(move |_, world: &dyn World| Some(factor * world.body(0).position[0]))
     }
 
-    /// What comes of a body that flies off, or panics, when it is beyond an end.
+    /// What comes of a body that is not finite, or panics, when it is beyond an end.
     fn sweep(setting: Setting, end: f64, panics: bool) -> Sweep {
-        let (reach, end) = if panics { (f64::INFINITY, end) } else { (end, f64::INFINITY) };
         let start: Start<'_> = Box::new(move || {
             let other: Box<dyn Watch> = Box::new(way(2.0));
-            let watches = vec![("move", in_reach(way(1.0), reach)), ("other", other)];
-            Ok(Run { world: Box::new(Mover { place: 0.0, end }), watches })
+            let watches = vec![("move", in_reach(way(1.0), f64::INFINITY)), ("other", other)];
+            Ok(Run { world: Box::new(Mover { place: 0.0, end, panics }), watches })
         });
         let trial = Trial { scene: "move", size: 0, method: "mover", setting, seconds: 1.0, start };
         let trials = [trial];
         let mut sweep = Sweep::default();
-        sweep.run(&trials, &mut Progress::of(&trials));
+        sweep.run(&trials, &mut |_, _| {});
         sweep
     }
 
@@ -375,10 +438,10 @@ mod tests {
     }
 
     #[test]
-    fn a_run_that_flew_off_is_given_up_and_kept() {
+    fn a_run_that_is_not_finite_is_given_up_and_kept() {
         let sweep = sweep(Setting::fixed(0.25, 1), 0.4, false);
         let point = &sweep.points[0];
-        assert_eq!((point.steps, point.outcome), (2, Outcome::Failed("flew off")));
+        assert_eq!((point.steps, point.outcome), (2, Outcome::Failed("not finite")));
     }
 
     #[test]
@@ -407,7 +470,7 @@ mod tests {
             start: start(),
         });
         let mut sweep = Sweep::default();
-        sweep.run(&trials, &mut Progress::of(&trials));
+        sweep.run(&trials, &mut |_, _| {});
         assert_eq!((sweep.points.len(), sweep.absent.len()), (0, 1));
     }
 
@@ -415,5 +478,61 @@ mod tests {
     fn the_median_is_the_middle_one() {
         let times = [5, 1, 3].map(Duration::from_millis).to_vec();
         assert_eq!(median(times), Some(Duration::from_millis(3)));
+    }
+
+    /// Trials of some scenes and sizes, with two settings each.
+    fn trials() -> Vec<Trial<'static>> {
+        let trial = |scene, size, setting| {
+            let start: Start<'_> = Box::new(move || {
+                let watch: Box<dyn Watch> = Box::new(way(size as f64));
+                Ok(Run {
+                    world: Box::new(Mover { place: 0.0, end: f64::INFINITY, panics: false }),
+                    watches: vec![(scene, watch)],
+                })
+            });
+            Trial { scene, size, method: "mover", setting, seconds: 1.0, start }
+        };
+        let settings = [Setting::fixed(0.25, 1), Setting::jitter(0.25, 1)];
+        let sizes = ["near", "far"].into_iter().flat_map(|scene| (1..=3).map(move |size| (scene, size)));
+        sizes.flat_map(|(scene, size)| settings.map(|setting| trial(scene, size, setting))).collect()
+    }
+
+    /// What comes of trials, without what is never the same twice.
+    fn untimed(trials: &[Trial<'_>]) -> Vec<Point> {
+        let mut sweep = Sweep::default();
+        sweep.run(trials, &mut |_, _| {});
+        let point = |point| Point { microseconds_per_simulated_second: 0.0, turns: 0, ..point };
+        sweep.points.into_iter().map(point).collect()
+    }
+
+    fn parts(of: usize) -> Vec<Vec<Trial<'static>>> {
+        let shards = (1..=of).map(|number| format!("{number}/{of}").parse().unwrap());
+        shards.map(|shard| Trial::of_shard(trials(), shard)).collect()
+    }
+
+    #[test]
+    fn parts_put_together_are_the_whole() {
+        let points: Vec<Point> = parts(4).iter().flat_map(|part| untimed(part)).collect();
+        let mut merged = Sweep::merged(points, &trials()).unwrap().points;
+        let whole = untimed(&trials());
+        assert_eq!(merged.len(), whole.len());
+        merged.retain(|point| !whole.contains(point));
+        assert_eq!(merged, []);
+    }
+
+    #[test]
+    fn what_is_compared_is_in_one_part() {
+        for part in parts(4) {
+            assert!(part.chunk_by(Trial::is_rival).all(|rivals| rivals.len() == 2));
+        }
+    }
+
+    #[test]
+    fn a_part_that_is_missing_or_there_twice_is_noticed() {
+        let points: Vec<Point> = parts(3)[1..].iter().flat_map(|part| untimed(part)).collect();
+        let missing = Sweep::merged(points.clone(), &trials());
+        assert!(missing.is_err_and(|error| error.ends_with("is missing")));
+        let twice = Sweep::merged([&points[..], &points].concat(), &trials());
+        assert!(twice.is_err_and(|error| error.ends_with("is there twice")));
     }
 }

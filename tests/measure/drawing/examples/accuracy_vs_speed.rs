@@ -7,11 +7,12 @@
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
-use drawing::measuring::{Engine, Measuring, Result};
+use drawing::measuring::{Engine, Measuring, Origin, Result, merged_origin, tables};
 use drawing::plane_chart::{PlaneChart, plane_table};
 use drawing::plot::lines::Chart;
 use drawing::plot::overview::Overview;
 use drawing::plot::save;
+use drawing::progress::Progress;
 use drawing::report::{Report, picture};
 use measure::charts::{ChartScene, chart_scenes};
 use measure::csv::{csv, points};
@@ -19,12 +20,12 @@ use measure::depth::{
     PLANE_SCENE, PLANES, depth_chart_scenes, depth_methods, depth_peer_versions, plane_methods,
 };
 use measure::method::{Method, Setting, methods, peer_versions};
-use measure::origin::{origin, origin_csv, read_origin};
-use measure::progress::Progress;
+use measure::origin::origin;
 use measure::sweep::{Subject, Sweep, Trial};
 use measure::trials::trials;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::slice;
 
 /// Scenes and methods that are charted together.
 struct Group {
@@ -38,9 +39,8 @@ struct Group {
 }
 
 const FOLDER: &str = "target/accuracy_vs_speed";
-/// The tables of a folder: what was measured, and where it comes from.
-const FIGURES: &str = "figures.csv";
-const ORIGIN: &str = "origin.csv";
+/// Name of the table of a folder.
+const FIGURES: &str = "figures";
 
 /// Runs scenes with methods in many settings, and charts error over time.
 #[derive(Debug, Parser)]
@@ -48,7 +48,7 @@ struct Arguments {
     #[command(flatten)]
     measuring: Measuring,
     /// Measure nothing: draw and report again what was measured before, from the tables in the folders.
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["shard", "merge"])]
     redraw: bool,
 }
 
@@ -62,34 +62,53 @@ fn main() -> Result<()> {
     // Before anything is run: what cannot be written would be lost.
     let folders = groups.iter().map(|group| measuring.folder(FOLDER, group.folder));
     let folders = folders.collect::<Result<Vec<_>>>()?;
-    let mut progress = Progress::of(groups.iter().flat_map(|group| &group.trials));
+    if redraw || !measuring.merge().is_empty() {
+        return draw_again(&measuring, redraw, &groups, &folders);
+    }
+    for group in &mut groups {
+        group.trials = Trial::of_shard(std::mem::take(&mut group.trials), measuring.shard());
+    }
+    let progress = Progress::of(groups.iter().flat_map(|group| &group.trials).map(Trial::cost).sum());
     for (group, folder) in groups.iter().zip(&folders) {
-        let (sweep, origin) = if redraw { read(group, folder)? } else { run(group, &mut progress) };
-        write(group, &sweep, &origin, folder)?;
-        eprintln!("\n{}", folder.join("report.md").display());
+        let (mut sweep, before) = (Sweep::default(), progress.done());
+        sweep.run(&group.trials, &mut |trial, done| progress.tell(before + done, next(trial)));
+        progress.advance(before + group.trials.iter().map(Trial::cost).sum::<f64>() - progress.done());
+        let origin = origin(group.peers.iter().cloned());
+        measuring.write_table(folder, FIGURES, &csv(&sweep.points, &group.subjects), &origin)?;
+        if !measuring.is_part() {
+            draw(group, &sweep, &origin, folder)?;
+        }
+        eprintln!("\n{}", folder.display());
     }
     eprintln!("{} s", progress.end().as_secs());
     Ok(())
 }
 
-/// Where figures come from, as names and values.
-type Origin = Vec<(&'static str, String)>;
-
-fn run(group: &Group, progress: &mut Progress) -> (Sweep, Origin) {
-    let mut sweep = Sweep::default();
-    sweep.run(&group.trials, progress);
-    (sweep, origin(group.peers.iter().cloned()))
+/// What is told of a trial that is begun.
+fn next(trial: &Trial<'_>) -> String {
+    let size = if trial.size == 0 { String::new() } else { format!(" {}", trial.size) };
+    format!("{}{size}, {}", trial.scene, trial.method)
 }
 
-/// What was written before.
-fn read(group: &Group, folder: &Path) -> Result<(Sweep, Origin)> {
-    let text = |name: &str| {
-        let path = folder.join(name);
-        fs::read_to_string(&path).map_err(|error| format!("cannot read {}: {error}", path.display()))
-    };
-    let points = points(&text(FIGURES)?).map_err(|wrong| format!("{FIGURES}: {wrong}"))?;
-    let origin = read_origin(&text(ORIGIN)?).map_err(|wrong| format!("{ORIGIN}: {wrong}"))?;
-    Ok((Sweep::of_points(points, &group.trials), origin))
+/// Draws what was measured before: in the folders themselves, or in parts that are put together there.
+fn draw_again(measuring: &Measuring, redraw: bool, groups: &[Group], folders: &[PathBuf]) -> Result<()> {
+    for (group, folder) in groups.iter().zip(folders) {
+        let from = if redraw { slice::from_ref(folder) } else { measuring.merge() };
+        let (tables, all) = tables(from, FIGURES)?;
+        let read = tables.iter().map(|table| points(table).map_err(|wrong| format!("{FIGURES}: {wrong}")));
+        let mut points = read.collect::<std::result::Result<Vec<_>, _>>()?.concat();
+        points.retain(|point| group.subjects.iter().any(|subject| subject.name == point.scene));
+        let sweep = if redraw {
+            Sweep::of_points(points, &group.trials)
+        } else {
+            Sweep::merged(points, &group.trials)?
+        };
+        let origin = merged_origin(origin(group.peers.iter().cloned()), Some(&all));
+        measuring.write_table(folder, FIGURES, &csv(&sweep.points, &group.subjects), &origin)?;
+        draw(group, &sweep, &origin, folder)?;
+        eprintln!("{}", folder.join("report.md").display());
+    }
+    Ok(())
 }
 
 fn nothing_to_run(arguments: &Measuring) -> String {
@@ -137,13 +156,11 @@ fn group<S: PartialEq + 'static>(
     }
 }
 
-/// Writes what came of a group.
-fn write(group: &Group, sweep: &Sweep, origin: &Origin, folder: &Path) -> Result<()> {
+/// Draws and tells what came of a group.
+fn draw(group: &Group, sweep: &Sweep, origin: &Origin, folder: &Path) -> Result<()> {
     let subjects = group.subjects.iter().cloned();
     let subjects: Vec<Subject> = subjects.filter_map(|subject| subject.with_points(&sweep.points)).collect();
     let (methods, points) = (&group.methods[..], &sweep.points[..]);
-    fs::write(folder.join(FIGURES), csv(points, &subjects))?;
-    fs::write(folder.join(ORIGIN), origin_csv(origin))?;
     save(&Overview { title: &group.title, subjects: &subjects, methods, points }, folder, "overview")?;
     // What is compared there is time over the number of objects: it has a chart and a table of its own.
     let (planes, charted): (Vec<_>, Vec<_>) =

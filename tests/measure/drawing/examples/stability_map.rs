@@ -7,24 +7,24 @@
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
 use drawing::maps::{file_name, report};
-use drawing::measuring::{Engine, Measuring, Result};
+use drawing::measuring::{Engine, Measuring, Origin, Result, merged_origin, tables};
 use drawing::plot::first_failures::FirstFailures;
 use drawing::plot::heat::HeatMap;
 use drawing::plot::save;
+use drawing::progress::Progress;
 use measure::depth::{depth_families, depth_methods, depth_peer_versions};
 use measure::method::{Method, methods, peer_versions};
 use measure::origin::origin;
 use measure::stability::map::{Map, Sheet};
 use measure::stability::sheet::sheet;
-use measure::stability::table::csv;
+use measure::stability::table::{csv, csv_of_runs, maps};
 use measure::stability::{StabilityFamily, families};
 use std::fs;
-use std::io::{IsTerminal, stderr};
 use std::path::Path;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::Instant;
 
 const FOLDER: &str = "target/stability_map";
+/// Name of the table of a folder.
+const RUNS: &str = "runs";
 
 /// Families of an engine, as maps still to be made.
 struct Group {
@@ -55,14 +55,47 @@ fn main() -> Result<()> {
     // Before anything is run: what cannot be written would be lost.
     let folders = groups.iter().map(|group| arguments.folder(FOLDER, group.folder));
     let folders = folders.collect::<Result<Vec<_>>>()?;
-    let progress = Progress::of(groups.iter().flat_map(|group| &group.sheets));
-    for (group, folder) in groups.into_iter().zip(&folders) {
-        let maps: Vec<Map> = group.sheets.iter().map(|sheet| progress.fill(sheet)).collect();
-        write(&group.title, group.peers, &maps, folder)?;
-        eprintln!("\n{}", folder.join("report.md").display());
+    let (tables, all) = if arguments.merge().is_empty() {
+        (run(&arguments, &groups), None)
+    } else {
+        tables(arguments.merge(), RUNS).map(|(tables, origin)| (tables, Some(origin)))?
+    };
+    let origin = |group: &Group| merged_origin(origin(group.peers.iter().cloned()), all.as_ref());
+    if arguments.is_part() {
+        let mut parts = groups.iter().zip(&folders).zip(&tables);
+        return parts.try_for_each(|((group, folder), table)| {
+            arguments.write_table(folder, RUNS, table, &origin(group))
+        });
     }
-    eprintln!("{} s", progress.start.elapsed().as_secs());
+    let maps = maps(groups.iter().flat_map(|group| &group.sheets), &tables)?;
+    let mut rest = &maps[..];
+    for (group, folder) in groups.iter().zip(&folders) {
+        let (own, others) = rest.split_at(group.sheets.len());
+        rest = others;
+        arguments.write_table(folder, RUNS, &csv(own), &origin(group))?;
+        draw(&group.title, &origin(group), own, folder)?;
+        eprintln!("{}", folder.join("report.md").display());
+    }
     Ok(())
+}
+
+/// Makes the runs of all groups, or those of a part: a table for each group.
+fn run(arguments: &Measuring, groups: &[Group]) -> Vec<String> {
+    let costs = groups.iter().flat_map(|group| &group.sheets).flat_map(Sheet::costs);
+    let picks = arguments.shard().picks(&costs.collect::<Vec<_>>());
+    let progress = Progress::of(picks.iter().filter(|pick| **pick).count() as f64);
+    let mut picks = picks.into_iter();
+    let mut table = |group: &Group| {
+        csv_of_runs(group.sheets.iter().flat_map(|sheet| {
+            let runs: Vec<usize> = (0..sheet.run_count()).filter(|_| picks.next() == Some(true)).collect();
+            progress.tell(progress.done(), sheet.heading.name.clone());
+            let cells = sheet.make(&runs, &|| progress.advance(1.0));
+            runs.into_iter().zip(cells).map(|(run, cell)| (&sheet.heading, run, cell))
+        }))
+    };
+    let tables = groups.iter().map(&mut table).collect();
+    eprintln!("{} s", progress.end().as_secs());
+    tables
 }
 
 fn nothing_to_run(arguments: &Measuring) -> String {
@@ -92,55 +125,12 @@ fn group<S: 'static>(
     }
 }
 
-/// Writes what came of the families of an engine.
-fn write(title: &str, peers: Vec<(&'static str, String)>, maps: &[Map], folder: &Path) -> Result<()> {
-    fs::write(folder.join("runs.csv"), csv(maps))?;
-    fs::write(folder.join("report.md"), report(title, &origin(peers), maps))?;
+/// Draws and tells what came of the families of an engine.
+fn draw(title: &str, origin: &Origin, maps: &[Map], folder: &Path) -> Result<()> {
+    fs::write(folder.join("report.md"), report(title, origin, maps))?;
     save(&FirstFailures::new(maps), folder, "overview")?;
     for map in maps {
         save(&HeatMap(map), folder, &file_name(&map.heading.name))?;
     }
     Ok(())
-}
-
-/// How far the sweep is, told on the standard error stream after every family, or on a terminal after every run.
-struct Progress {
-    start: Instant,
-    runs: usize,
-    done: AtomicUsize,
-    is_terminal: bool,
-}
-
-impl Progress {
-    fn of<'a>(sheets: impl Iterator<Item = &'a Sheet>) -> Self {
-        let runs = sheets.map(Sheet::run_count).sum();
-        Progress {
-            start: Instant::now(),
-            runs,
-            done: AtomicUsize::new(0),
-            is_terminal: stderr().is_terminal(),
-        }
-    }
-
-    fn fill(&self, sheet: &Sheet) -> Map {
-        let name = &sheet.heading.name;
-        let map = sheet.fill(&|| {
-            self.done.fetch_add(1, Ordering::Relaxed);
-            if self.is_terminal {
-                eprint!("\r{:<100.100}", self.line(name));
-            }
-        });
-        if !self.is_terminal {
-            eprintln!("{}", self.line(name));
-        }
-        map
-    }
-
-    /// The time left is judged by the number of runs, and so a guess.
-    fn line(&self, name: &str) -> String {
-        let done = self.done.load(Ordering::Relaxed);
-        let elapsed = self.start.elapsed().as_secs_f64();
-        let left = elapsed * (self.runs - done) as f64 / done.max(1) as f64;
-        format!("{done} of {} runs, about {left:.0} s left: {name}", self.runs)
-    }
 }

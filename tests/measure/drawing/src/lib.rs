@@ -5,4 +5,5 @@ pub mod maps;
 pub mod measuring;
 pub mod plane_chart;
 pub mod plot;
+pub mod progress;
 pub mod report;

@@ -2,8 +2,12 @@
 
 use clap::{Args, ValueEnum};
 use measure::method::Effort;
+use measure::origin::{origin_csv, read_origin};
+use measure::shard::Shard;
+use std::collections::BTreeSet;
 use std::error::Error;
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// What the programs can fail with.
@@ -56,7 +60,20 @@ pub struct Measuring {
     /// Where to write: in folders `2d` and `2.5d` of this one [default: a folder of `target`].
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    /// Only one of several parts of all that, such as 3/16: its tables are written and nothing is drawn.
+    #[arg(long, value_name = "PART", conflicts_with = "merge")]
+    shard: Option<Shard>,
+    /// Run nothing: put together the tables of all parts, from these files or folders, and draw. Everything else must be
+    /// as it was given to the parts.
+    #[arg(long, value_name = "PATH", num_args = 1..)]
+    merge: Vec<PathBuf>,
 }
+
+/// Where figures come from, as names and values.
+pub type Origin = Vec<(&'static str, String)>;
+
+/// Name of the table that tells it.
+const ORIGIN: &str = "origin";
 
 impl Measuring {
     /// How much is tried.
@@ -86,6 +103,36 @@ impl Measuring {
         Ok(folder)
     }
 
+    /// The part of the sweep that is wanted.
+    pub fn shard(&self) -> Shard {
+        self.shard.unwrap_or(Shard::WHOLE)
+    }
+
+    /// Whether nothing is to be drawn, since it is not all there.
+    pub fn is_part(&self) -> bool {
+        self.shard() != Shard::WHOLE
+    }
+
+    /// The files and folders of tables that are put together; if there are any, nothing is run.
+    pub fn merge(&self) -> &[PathBuf] {
+        &self.merge
+    }
+
+    /// Writes a table into a folder, and beside it where it comes from.
+    ///
+    /// # Errors
+    ///
+    /// When they cannot be written.
+    pub fn write_table(&self, folder: &Path, name: &str, table: &str, origin: &Origin) -> Result<()> {
+        let file = |name: &str| match self.shard {
+            Some(shard) => folder.join(format!("{name}.{shard}.csv")),
+            None => folder.join(format!("{name}.csv")),
+        };
+        fs::write(file(name), table)?;
+        fs::write(file(ORIGIN), origin_csv(origin))?;
+        Ok(())
+    }
+
     /// What to say when nothing is left to run, with the names there are.
     pub fn nothing_to_run<'a>(
         &self,
@@ -100,6 +147,60 @@ impl Measuring {
             methods.collect::<Vec<_>>().join("; ")
         )
     }
+}
+
+/// The tables of a name in files and folders, and where they come from.
+///
+/// # Errors
+///
+/// When there is none, or one cannot be read.
+pub fn tables(paths: &[PathBuf], name: &str) -> Result<(Vec<String>, Origin)> {
+    let mut files = Vec::new();
+    for path in paths {
+        find_tables(path, name, &mut files).map_err(|error| format!("{}: {error}", path.display()))?;
+    }
+    if files.is_empty() {
+        return Err(format!("there is no table called {name} in {paths:?}").into());
+    }
+    let (mut tables, mut origin) = (Vec::new(), Origin::new());
+    for file in files {
+        tables.push(read(&file)?);
+        let beside = file.with_file_name(file_name(&file).replacen(name, ORIGIN, 1));
+        origin.extend(read_origin(&read(&beside)?)?);
+    }
+    Ok((tables, origin))
+}
+
+/// The origin of figures: one's own, or of each of its names all values that tables have which were put together.
+pub fn merged_origin(own: Origin, tables: Option<&Origin>) -> Origin {
+    let Some(tables) = tables else { return own };
+    let values = |name| {
+        let values = tables.iter().filter(|(known, _)| *known == name).map(|(_, value)| &**value);
+        values.collect::<BTreeSet<&str>>().into_iter().collect::<Vec<_>>().join("; ")
+    };
+    own.into_iter().map(|(name, _)| (name, values(name))).collect()
+}
+
+/// Appends the files of a table that a path is, or that are in the folder that it is, or in one within.
+fn find_tables(path: &Path, name: &str, files: &mut Vec<PathBuf>) -> io::Result<()> {
+    if path.is_dir() {
+        let mut inside =
+            fs::read_dir(path)?.map(|entry| Ok(entry?.path())).collect::<io::Result<Vec<_>>>()?;
+        inside.sort();
+        let is_table = |path: &PathBuf| path.is_dir() || file_name(path).starts_with(&format!("{name}."));
+        inside.iter().filter(|path| is_table(path)).try_for_each(|path| find_tables(path, name, files))
+    } else {
+        files.push(path.to_owned());
+        Ok(())
+    }
+}
+
+fn file_name(path: &Path) -> &str {
+    path.file_name().and_then(|name| name.to_str()).unwrap_or("")
+}
+
+fn read(path: &Path) -> Result<String> {
+    Ok(fs::read_to_string(path).map_err(|error| format!("cannot read {}: {error}", path.display()))?)
 }
 
 fn is_in(part: Option<&str>, name: &str) -> bool {

@@ -130,13 +130,13 @@ impl Report<'_> {
             Best::Meets(point) => {
                 let time = point.microseconds_per_simulated_second;
                 let ratio = least.map_or_else(none, |least| format!("{:.1}", time / least));
-                let setting = named(point.setting);
+                let setting = point.setting.label();
                 let setting = if self.is_least_tried(point) { format!("<= {setting}") } else { setting };
                 Some([setting, short_error(point.error), short_time(time), ratio])
             }
             Best::Misses(point) => {
                 let time = short_time(point.microseconds_per_simulated_second);
-                let [setting, error] = [named(point.setting), short_error(point.error)];
+                let [setting, error] = [point.setting.label(), short_error(point.error)];
                 Some([format!("*{setting}*"), format!("*{error}*"), format!("*{time}*"), none()])
             }
             Best::Failed(_) => Some(["*none*".to_owned(), none(), none(), none()]),
@@ -178,11 +178,6 @@ times are of the steps alone, medians of runs that took turns in one process (ho
 well. *Italics*: no setting meets the tolerance; the one with the least error is given. In the charts a line joins the
 settings of a method that are worth their time; crosses above are runs that failed.
 ";
-
-/// Step and passes.
-fn named(setting: Setting) -> String {
-    format!("{} s x {}", setting.dt.label(), setting.passes)
-}
 
 /// Two digits that count.
 fn short_error(error: f64) -> String {

@@ -116,21 +116,31 @@ impl Sheet {
         self.heading.values.len() * self.heading.columns.len()
     }
 
-    /// Makes all runs, as many side by side as the machine has processors: nothing is timed, and no run knows of
-    /// another. `done` is called after each, from whatever thread made it.
+    /// Makes all runs: see [`make`](Self::make).
     ///
     /// # Panics
     ///
     /// When a run does.
     pub fn fill(&self, done: &(dyn Fn() + Sync)) -> Map {
+        let all: Vec<usize> = (0..self.run_count()).collect();
+        Map::of(self.heading.clone(), self.make(&all, done))
+    }
+
+    /// Makes some runs by their numbers, as many side by side as the machine has processors: nothing is timed, and no
+    /// run knows of another. `done` is called after each, from whatever thread made it.
+    ///
+    /// # Panics
+    ///
+    /// When a run does.
+    pub fn make(&self, runs: &[usize], done: &(dyn Fn() + Sync)) -> Vec<Cell> {
         let width = self.heading.columns.len();
-        let cells: Vec<Mutex<Option<Cell>>> = (0..self.run_count()).map(|_| Mutex::new(None)).collect();
+        let cells: Vec<Mutex<Option<Cell>>> = runs.iter().map(|_| Mutex::new(None)).collect();
         let next = AtomicUsize::new(0);
         let work = || {
             // The hardest first, which take longest, so that no processor waits for one at the end.
-            while let Some(index) = cells.len().checked_sub(1 + next.fetch_add(1, Ordering::Relaxed)) {
-                let cell = (self.run)(self.heading.values[index / width], index % width);
-                *cells[index].lock().expect("no other thread has this cell") = Some(cell);
+            while let Some(place) = runs.len().checked_sub(1 + next.fetch_add(1, Ordering::Relaxed)) {
+                let cell = (self.run)(self.heading.values[runs[place] / width], runs[place] % width);
+                *cells[place].lock().expect("no other thread has this cell") = Some(cell);
                 done();
             }
         };
@@ -141,13 +151,32 @@ impl Sheet {
         });
         let cell =
             |cell: Mutex<Option<Cell>>| cell.into_inner().expect("the threads have ended").expect("made");
-        let mut cells = cells.into_iter().map(cell);
-        let rows = self.heading.values.iter().map(|_| cells.by_ref().take(width).collect()).collect();
-        Map { heading: self.heading.clone(), rows }
+        cells.into_iter().map(cell).collect()
+    }
+
+    /// About how long each run takes, in no unit: longer with harder values and more passes.
+    pub fn costs(&self) -> impl Iterator<Item = f64> {
+        let width = self.heading.columns.len();
+        (0..self.run_count())
+            .map(move |run| (1 + run / width) as f64 * f64::from(self.heading.columns[run % width].passes))
+    }
+}
+
+impl Heading {
+    /// The value and the column of a run by its number.
+    pub fn of_run(&self, run: usize) -> (f64, &Column) {
+        let width = self.columns.len();
+        (self.values[run / width], &self.columns[run % width])
     }
 }
 
 impl Map {
+    /// A map of all its runs in order.
+    pub fn of(heading: Heading, cells: Vec<Cell>) -> Self {
+        let rows = cells.chunks(heading.columns.len().max(1)).map(<[Cell]>::to_vec).collect();
+        Map { heading, rows }
+    }
+
     /// Where a column is.
     pub fn place(&self, column: &Column) -> Option<usize> {
         self.heading.columns.iter().position(|other| other == column)
