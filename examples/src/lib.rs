@@ -1,6 +1,5 @@
 //! Shared code of the example programs.
 
-mod measuring;
 mod plane;
 mod recorder;
 mod sample_film;
@@ -8,7 +7,6 @@ mod sample_picture;
 mod scenery;
 mod stage;
 
-pub use measuring::{Engine, Measuring};
 pub use plane::Plane;
 pub use recorder::{Recorder, Summary};
 pub use sample_film::SampleFilm;

@@ -318,7 +318,9 @@ struct Leaving {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::arena::Id;
     use crate::body::BodyId;
+    use crate::geom_entry::GeomEntry;
     use crate::math::Vector2;
 
     /// A sequence of numbers below a bound.
@@ -332,10 +334,10 @@ mod tests {
     }
 
     fn geoms() -> (Geoms, Vec<GeomId>) {
-        let body = Arena::default().insert::<BodyId>(());
-        let mut geoms = Arena::default();
+        let body = BodyId::new(0, 0);
+        let mut geoms = Geoms::default();
         let ids =
-            (0..6).map(|number| geoms.insert(GeomEntry::new(number, body, Vector2::zeros(), 0.0))).collect();
+            (0..6).map(|number| geoms.create(GeomEntry::new(number, body, Vector2::zeros(), 0.0))).collect();
         (geoms, ids)
     }
 

@@ -2,12 +2,9 @@
 
 pub mod check;
 pub mod compare;
-pub mod depth_scenes;
 pub mod file;
 pub mod fixtures;
 pub mod golden;
-pub mod measure;
-pub mod peers;
 pub mod run;
 pub mod samples;
 pub mod scene;

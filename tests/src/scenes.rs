@@ -65,7 +65,7 @@ pub fn circles_in_a_pit(count: usize) -> Scene {
 
 /// A number between -1 and 1 that differs for every index (up to rounding): multiples of an irrational
 /// number, less their whole part.
-pub(crate) fn vary(index: usize, sequence: u32) -> f32 {
+pub fn vary(index: usize, sequence: u32) -> f32 {
     let step = match sequence {
         1 => 0.618_033_988_749_895,
         2 => 0.754_877_666_246_693,

@@ -67,14 +67,16 @@ impl Overlaps {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::arena::Id;
     use crate::body::BodyId;
+    use crate::geom_entry::GeomEntry;
     use crate::math::Vector2;
 
     fn geoms(count: u32) -> (Geoms, Vec<GeomId>) {
-        let body = Arena::default().insert::<BodyId>(());
-        let mut geoms = Arena::default();
+        let body = BodyId::new(0, 0);
+        let mut geoms = Geoms::default();
         let ids = (0..count)
-            .map(|number| geoms.insert(GeomEntry::new(number, body, Vector2::zeros(), 0.0)))
+            .map(|number| geoms.create(GeomEntry::new(number, body, Vector2::zeros(), 0.0)))
             .collect();
         (geoms, ids)
     }
@@ -110,7 +112,7 @@ mod tests {
         let mut overlaps = Overlaps::default();
         for geom in ids {
             overlaps.extend(&[geom], &geoms);
-            geoms.remove(geom);
+            geoms.discard(geom);
         }
         assert!(overlaps.list.len() <= MIN_SWEPT && overlaps.more.is_empty());
     }

@@ -33,21 +33,6 @@ impl GeomFactory {
         simulator.create_geom(body, Vertices::create_rectangle(width, height)?, placement)
     }
 
-    /// [`create_rectangle_geom`](Self::create_rectangle_geom), added to the simulator.
-    ///
-    /// # Errors
-    /// As the plain method.
-    pub fn create_rectangle_geom_in(
-        simulator: &mut Objects,
-        body: BodyId,
-        width: f32,
-        height: f32,
-        placement: GeomPlacement,
-    ) -> Result<GeomId> {
-        let geom = Self::create_rectangle_geom(simulator, body, width, height, placement)?;
-        add(simulator, geom)
-    }
-
     /// An ellipse as a polygon.
     ///
     /// # Errors
@@ -67,23 +52,6 @@ impl GeomFactory {
         simulator.create_geom(body, Vertices::create_ellipse(x_radius, y_radius, number_of_edges)?, placement)
     }
 
-    /// [`create_ellipse_geom`](Self::create_ellipse_geom), added to the simulator.
-    ///
-    /// # Errors
-    /// As the plain method.
-    pub fn create_ellipse_geom_in(
-        simulator: &mut Objects,
-        body: BodyId,
-        x_radius: f32,
-        y_radius: f32,
-        number_of_edges: i32,
-        placement: GeomPlacement,
-    ) -> Result<GeomId> {
-        let geom =
-            Self::create_ellipse_geom(simulator, body, x_radius, y_radius, number_of_edges, placement)?;
-        add(simulator, geom)
-    }
-
     /// A circle as a regular polygon.
     ///
     /// # Errors
@@ -99,21 +67,6 @@ impl GeomFactory {
         positive("radius", radius)?;
         check_edges(number_of_edges)?;
         simulator.create_geom(body, Vertices::create_circle(radius, number_of_edges)?, placement)
-    }
-
-    /// [`create_circle_geom`](Self::create_circle_geom), added to the simulator.
-    ///
-    /// # Errors
-    /// As the plain method.
-    pub fn create_circle_geom_in(
-        simulator: &mut Objects,
-        body: BodyId,
-        radius: f32,
-        number_of_edges: i32,
-        placement: GeomPlacement,
-    ) -> Result<GeomId> {
-        let geom = Self::create_circle_geom(simulator, body, radius, number_of_edges, placement)?;
-        add(simulator, geom)
     }
 
     /// A polygon, recentred on its centroid.
@@ -137,20 +90,6 @@ impl GeomFactory {
         let geom = simulator.create_geom(body, centred.clone(), placement)?;
         *vertices = centred;
         Ok(geom)
-    }
-
-    /// [`create_polygon_geom`](Self::create_polygon_geom), added to the simulator.
-    ///
-    /// # Errors
-    /// As the plain method.
-    pub fn create_polygon_geom_in(
-        simulator: &mut Objects,
-        body: BodyId,
-        vertices: &mut Vertices,
-        placement: GeomPlacement,
-    ) -> Result<GeomId> {
-        let geom = Self::create_polygon_geom(simulator, body, vertices, placement)?;
-        add(simulator, geom)
     }
 
     /// A polygon cut into at most `max_geoms` convex geoms, for SAT. Shape beyond that number is lost.
@@ -218,15 +157,6 @@ impl GeomFactory {
         simulator.clone_geom(body, geom)
     }
 
-    /// [`create_geom_from`](Self::create_geom_from), added to the simulator.
-    ///
-    /// # Errors
-    /// As the plain method.
-    pub fn create_geom_from_in(simulator: &mut Objects, body: BodyId, geom: GeomId) -> Result<GeomId> {
-        let copy = simulator.clone_geom(body, geom)?;
-        add(simulator, copy)
-    }
-
     /// A copy of a geom on a body, at other offsets.
     ///
     /// # Errors
@@ -241,20 +171,17 @@ impl GeomFactory {
     ) -> Result<GeomId> {
         simulator.clone_geom_with_offset(body, geom, offset, rotation_offset)
     }
+}
 
-    /// [`create_geom_from_with_offset`](Self::create_geom_from_with_offset), added to the simulator.
-    ///
-    /// # Errors
-    /// As the plain method.
-    pub fn create_geom_from_with_offset_in(
-        simulator: &mut Objects,
-        body: BodyId,
-        geom: GeomId,
-        offset: Vector2,
-        rotation_offset: f32,
-    ) -> Result<GeomId> {
-        let copy = simulator.clone_geom_with_offset(body, geom, offset, rotation_offset)?;
-        add(simulator, copy)
+/// Made and added in one call.
+impl GeomFactory {
+    added! {
+        create_rectangle_geom_in = create_rectangle_geom(body: BodyId, width: f32, height: f32, placement: GeomPlacement) -> GeomId;
+        create_ellipse_geom_in = create_ellipse_geom(body: BodyId, x_radius: f32, y_radius: f32, number_of_edges: i32, placement: GeomPlacement) -> GeomId;
+        create_circle_geom_in = create_circle_geom(body: BodyId, radius: f32, number_of_edges: i32, placement: GeomPlacement) -> GeomId;
+        create_polygon_geom_in = create_polygon_geom(body: BodyId, vertices: &mut Vertices, placement: GeomPlacement) -> GeomId;
+        create_geom_from_in = create_geom_from(body: BodyId, geom: GeomId) -> GeomId;
+        create_geom_from_with_offset_in = create_geom_from_with_offset(body: BodyId, geom: GeomId, offset: Vector2, rotation_offset: f32) -> GeomId;
     }
 }
 
@@ -268,9 +195,4 @@ fn check_edges(number_of_edges: i32) -> Result<()> {
         return Err(Error::invalid("number_of_edges", number_of_edges, "3 or more"));
     }
     Ok(())
-}
-
-fn add(simulator: &mut Objects, geom: GeomId) -> Result<GeomId> {
-    simulator.add(geom)?;
-    Ok(geom)
 }

@@ -34,20 +34,6 @@ impl JointFactory {
         simulator.create_joint(joint)
     }
 
-    /// [`create_revolute_joint`](Self::create_revolute_joint), added to the simulator.
-    ///
-    /// # Errors
-    /// As the plain method.
-    pub fn create_revolute_joint_in(
-        simulator: &mut Objects,
-        body1: BodyId,
-        body2: BodyId,
-        initial_anchor_position: Vector2,
-    ) -> Result<JointId> {
-        let joint = Self::create_revolute_joint(simulator, body1, body2, initial_anchor_position)?;
-        add(simulator, joint)
-    }
-
     /// A body that turns about a point of the world. If the body is static now the joint is disabled, and stays so when
     /// the body becomes dynamic, as in the original.
     ///
@@ -68,19 +54,6 @@ impl JointFactory {
         simulator.create_joint(joint)
     }
 
-    /// [`create_fixed_revolute_joint`](Self::create_fixed_revolute_joint), added to the simulator.
-    ///
-    /// # Errors
-    /// As the plain method.
-    pub fn create_fixed_revolute_joint_in(
-        simulator: &mut Objects,
-        body: BodyId,
-        anchor: Vector2,
-    ) -> Result<JointId> {
-        let joint = Self::create_fixed_revolute_joint(simulator, body, anchor)?;
-        add(simulator, joint)
-    }
-
     /// Two anchors, each in the coordinates of its body, that stay as far apart as they are now.
     ///
     /// # Errors
@@ -96,21 +69,6 @@ impl JointFactory {
         let (first, second) = (find(simulator, "body1", body1)?, find(simulator, "body2", body2)?);
         let joint = PinJoint::new(first, anchor1, second, anchor2)?;
         simulator.create_joint(joint)
-    }
-
-    /// [`create_pin_joint`](Self::create_pin_joint), added to the simulator.
-    ///
-    /// # Errors
-    /// As the plain method.
-    pub fn create_pin_joint_in(
-        simulator: &mut Objects,
-        body1: BodyId,
-        anchor1: Vector2,
-        body2: BodyId,
-        anchor2: Vector2,
-    ) -> Result<JointId> {
-        let joint = Self::create_pin_joint(simulator, body1, anchor1, body2, anchor2)?;
-        add(simulator, joint)
     }
 
     /// Two anchors, each in the coordinates of its body, whose distance stays from `min` to `max`.
@@ -132,23 +90,6 @@ impl JointFactory {
         simulator.create_joint(joint)
     }
 
-    /// [`create_slider_joint`](Self::create_slider_joint), added to the simulator.
-    ///
-    /// # Errors
-    /// As the plain method.
-    pub fn create_slider_joint_in(
-        simulator: &mut Objects,
-        body1: BodyId,
-        anchor1: Vector2,
-        body2: BodyId,
-        anchor2: Vector2,
-        min: f32,
-        max: f32,
-    ) -> Result<JointId> {
-        let joint = Self::create_slider_joint(simulator, body1, anchor1, body2, anchor2, min, max)?;
-        add(simulator, joint)
-    }
-
     /// Two bodies at the same total rotation. The target angle is 0 whatever the angle is now; see
     /// [`AngleJoint::set_target_angle`].
     ///
@@ -159,15 +100,6 @@ impl JointFactory {
         let (first, second) = (find(simulator, "body1", body1)?, find(simulator, "body2", body2)?);
         let joint = AngleJoint::new(first, second, 0.0)?;
         simulator.create_joint(joint)
-    }
-
-    /// [`create_angle_joint`](Self::create_angle_joint), added to the simulator.
-    ///
-    /// # Errors
-    /// As the plain method.
-    pub fn create_angle_joint_in(simulator: &mut Objects, body1: BodyId, body2: BodyId) -> Result<JointId> {
-        let joint = Self::create_angle_joint(simulator, body1, body2)?;
-        add(simulator, joint)
     }
 
     /// [`create_angle_joint`](Self::create_angle_joint) with a softness and a bias factor.
@@ -189,21 +121,6 @@ impl JointFactory {
         simulator.create_joint(joint)
     }
 
-    /// [`create_angle_joint_with`](Self::create_angle_joint_with), added to the simulator.
-    ///
-    /// # Errors
-    /// As the plain method.
-    pub fn create_angle_joint_with_in(
-        simulator: &mut Objects,
-        body1: BodyId,
-        body2: BodyId,
-        softness: f32,
-        bias_factor: f32,
-    ) -> Result<JointId> {
-        let joint = Self::create_angle_joint_with(simulator, body1, body2, softness, bias_factor)?;
-        add(simulator, joint)
-    }
-
     /// A body at total rotation 0; see [`FixedAngleJoint::set_target_angle`].
     ///
     /// # Errors
@@ -212,15 +129,6 @@ impl JointFactory {
     pub fn create_fixed_angle_joint(simulator: &mut Objects, body: BodyId) -> Result<JointId> {
         let joint = FixedAngleJoint::new(find(simulator, "body", body)?, 0.0)?;
         simulator.create_joint(joint)
-    }
-
-    /// [`create_fixed_angle_joint`](Self::create_fixed_angle_joint), added to the simulator.
-    ///
-    /// # Errors
-    /// As the plain method.
-    pub fn create_fixed_angle_joint_in(simulator: &mut Objects, body: BodyId) -> Result<JointId> {
-        let joint = Self::create_fixed_angle_joint(simulator, body)?;
-        add(simulator, joint)
     }
 
     /// Two bodies whose total rotations differ by `min` to `max` radians.
@@ -242,21 +150,6 @@ impl JointFactory {
         simulator.create_joint(joint)
     }
 
-    /// [`create_angle_limit_joint`](Self::create_angle_limit_joint), added to the simulator.
-    ///
-    /// # Errors
-    /// As the plain method.
-    pub fn create_angle_limit_joint_in(
-        simulator: &mut Objects,
-        body1: BodyId,
-        body2: BodyId,
-        min: f32,
-        max: f32,
-    ) -> Result<JointId> {
-        let joint = Self::create_angle_limit_joint(simulator, body1, body2, min, max)?;
-        add(simulator, joint)
-    }
-
     /// A body whose total rotation stays from `min` to `max` radians.
     ///
     /// # Errors
@@ -272,20 +165,6 @@ impl JointFactory {
         finite("max", max)?;
         let joint = FixedAngleLimitJoint::new(find(simulator, "body", body)?, min, max)?;
         simulator.create_joint(joint)
-    }
-
-    /// [`create_fixed_angle_limit_joint`](Self::create_fixed_angle_limit_joint), added to the simulator.
-    ///
-    /// # Errors
-    /// As the plain method.
-    pub fn create_fixed_angle_limit_joint_in(
-        simulator: &mut Objects,
-        body: BodyId,
-        min: f32,
-        max: f32,
-    ) -> Result<JointId> {
-        let joint = Self::create_fixed_angle_limit_joint(simulator, body, min, max)?;
-        add(simulator, joint)
     }
 
     /// Two bodies that share a point of the world and keep the angle they have to each other now. The original has only
@@ -304,27 +183,24 @@ impl JointFactory {
         let joint = WeldJoint::new(first, second, anchor)?;
         simulator.create_joint(joint)
     }
+}
 
-    /// [`create_weld_joint`](Self::create_weld_joint), added to the simulator.
-    ///
-    /// # Errors
-    /// As the plain method.
-    pub fn create_weld_joint_in(
-        simulator: &mut Objects,
-        body1: BodyId,
-        body2: BodyId,
-        anchor: Vector2,
-    ) -> Result<JointId> {
-        let joint = Self::create_weld_joint(simulator, body1, body2, anchor)?;
-        add(simulator, joint)
+/// Made and added in one call.
+impl JointFactory {
+    added! {
+        create_revolute_joint_in = create_revolute_joint(body1: BodyId, body2: BodyId, initial_anchor_position: Vector2) -> JointId;
+        create_fixed_revolute_joint_in = create_fixed_revolute_joint(body: BodyId, anchor: Vector2) -> JointId;
+        create_pin_joint_in = create_pin_joint(body1: BodyId, anchor1: Vector2, body2: BodyId, anchor2: Vector2) -> JointId;
+        create_slider_joint_in = create_slider_joint(body1: BodyId, anchor1: Vector2, body2: BodyId, anchor2: Vector2, min: f32, max: f32) -> JointId;
+        create_angle_joint_in = create_angle_joint(body1: BodyId, body2: BodyId) -> JointId;
+        create_angle_joint_with_in = create_angle_joint_with(body1: BodyId, body2: BodyId, softness: f32, bias_factor: f32) -> JointId;
+        create_fixed_angle_joint_in = create_fixed_angle_joint(body: BodyId) -> JointId;
+        create_angle_limit_joint_in = create_angle_limit_joint(body1: BodyId, body2: BodyId, min: f32, max: f32) -> JointId;
+        create_fixed_angle_limit_joint_in = create_fixed_angle_limit_joint(body: BodyId, min: f32, max: f32) -> JointId;
+        create_weld_joint_in = create_weld_joint(body1: BodyId, body2: BodyId, anchor: Vector2) -> JointId;
     }
 }
 
 fn find<'a>(simulator: &'a Objects, argument: &'static str, body: BodyId) -> Result<(BodyId, &'a Body)> {
     simulator.body(body).map(|found| (body, found)).ok_or(Error::StaleId { argument })
-}
-
-fn add(simulator: &mut Objects, joint: JointId) -> Result<JointId> {
-    simulator.add(joint)?;
-    Ok(joint)
 }

@@ -4,6 +4,22 @@
 //! an object that takes no part yet; those ending in `_in` also add it to the simulator, which is what the
 //! original's methods with a leading simulator argument do.
 
+/// What ends in `_in`: the same, added to the simulator.
+macro_rules! added {
+    ($($name:ident = $plain:ident($($argument:ident: $type:ty),*) -> $made:ty;)*) => {$(
+        #[doc = concat!("[`", stringify!($plain), "`](Self::", stringify!($plain), "), added to the simulator.")]
+        ///
+        /// # Errors
+        /// As the plain method.
+        #[allow(clippy::too_many_arguments, reason = "the original's signature")]
+        pub fn $name(simulator: &mut Objects, $($argument: $type),*) -> Result<$made> {
+            let made = Self::$plain(simulator, $($argument),*)?;
+            simulator.add(made)?;
+            Ok(made)
+        }
+    )*};
+}
+
 mod body_factory;
 mod complex_factory;
 mod geom_factory;

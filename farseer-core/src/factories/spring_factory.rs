@@ -40,31 +40,6 @@ impl SpringFactory {
         simulator.create_spring(spring)
     }
 
-    /// [`create_linear_spring`](Self::create_linear_spring), added to the simulator.
-    ///
-    /// # Errors
-    /// As the plain method.
-    pub fn create_linear_spring_in(
-        simulator: &mut Objects,
-        body1: BodyId,
-        attach_point1: Vector2,
-        body2: BodyId,
-        attach_point2: Vector2,
-        spring_constant: f32,
-        damping_constant: f32,
-    ) -> Result<SpringId> {
-        let spring = Self::create_linear_spring(
-            simulator,
-            body1,
-            attach_point1,
-            body2,
-            attach_point2,
-            spring_constant,
-            damping_constant,
-        )?;
-        add(simulator, spring)
-    }
-
     /// A force between a point in the body's coordinates and a point of the world, at rest at the distance they have now.
     ///
     /// # Errors
@@ -89,29 +64,6 @@ impl SpringFactory {
         simulator.create_spring(spring)
     }
 
-    /// [`create_fixed_linear_spring`](Self::create_fixed_linear_spring), added to the simulator.
-    ///
-    /// # Errors
-    /// As the plain method.
-    pub fn create_fixed_linear_spring_in(
-        simulator: &mut Objects,
-        body: BodyId,
-        body_attach_point: Vector2,
-        world_attach_point: Vector2,
-        spring_constant: f32,
-        damping_constant: f32,
-    ) -> Result<SpringId> {
-        let spring = Self::create_fixed_linear_spring(
-            simulator,
-            body,
-            body_attach_point,
-            world_attach_point,
-            spring_constant,
-            damping_constant,
-        )?;
-        add(simulator, spring)
-    }
-
     /// Torques towards the angle that two bodies have to each other now.
     ///
     /// # Errors
@@ -129,21 +81,6 @@ impl SpringFactory {
         simulator.create_spring(spring)
     }
 
-    /// [`create_angle_spring`](Self::create_angle_spring), added to the simulator.
-    ///
-    /// # Errors
-    /// As the plain method.
-    pub fn create_angle_spring_in(
-        simulator: &mut Objects,
-        body1: BodyId,
-        body2: BodyId,
-        spring_constant: f32,
-        damping_constant: f32,
-    ) -> Result<SpringId> {
-        let spring = Self::create_angle_spring(simulator, body1, body2, spring_constant, damping_constant)?;
-        add(simulator, spring)
-    }
-
     /// A torque towards the total rotation that the body has now.
     ///
     /// # Errors
@@ -159,27 +96,18 @@ impl SpringFactory {
         let spring = FixedAngleSpring::new(held, spring_constant, damping_constant)?;
         simulator.create_spring(spring)
     }
+}
 
-    /// [`create_fixed_angle_spring`](Self::create_fixed_angle_spring), added to the simulator.
-    ///
-    /// # Errors
-    /// As the plain method.
-    pub fn create_fixed_angle_spring_in(
-        simulator: &mut Objects,
-        body: BodyId,
-        spring_constant: f32,
-        damping_constant: f32,
-    ) -> Result<SpringId> {
-        let spring = Self::create_fixed_angle_spring(simulator, body, spring_constant, damping_constant)?;
-        add(simulator, spring)
+/// Made and added in one call.
+impl SpringFactory {
+    added! {
+        create_linear_spring_in = create_linear_spring(body1: BodyId, attach_point1: Vector2, body2: BodyId, attach_point2: Vector2, spring_constant: f32, damping_constant: f32) -> SpringId;
+        create_fixed_linear_spring_in = create_fixed_linear_spring(body: BodyId, body_attach_point: Vector2, world_attach_point: Vector2, spring_constant: f32, damping_constant: f32) -> SpringId;
+        create_angle_spring_in = create_angle_spring(body1: BodyId, body2: BodyId, spring_constant: f32, damping_constant: f32) -> SpringId;
+        create_fixed_angle_spring_in = create_fixed_angle_spring(body: BodyId, spring_constant: f32, damping_constant: f32) -> SpringId;
     }
 }
 
 fn find<'a>(simulator: &'a Objects, argument: &'static str, body: BodyId) -> Result<(BodyId, &'a Body)> {
     simulator.body(body).map(|found| (body, found)).ok_or(Error::StaleId { argument })
-}
-
-fn add(simulator: &mut Objects, spring: SpringId) -> Result<SpringId> {
-    simulator.add(spring)?;
-    Ok(spring)
 }

@@ -12,6 +12,7 @@ mod springs;
 mod tell;
 mod update;
 mod user_controller;
+mod verbs;
 
 use std::ops::{Deref, DerefMut};
 

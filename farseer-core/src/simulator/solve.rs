@@ -179,3 +179,27 @@ impl PhysicsSimulator {
         self.pipeline.contacts.finish(&mut self.contacts);
     }
 }
+
+/// Stage by stage: what [`SolvedBodies`] does, from the [pre-step](PhysicsSimulator::pre_step) to
+/// [`integrate`](PhysicsSimulator::integrate).
+impl PhysicsSimulator {
+    /// [`SolvedBodies::place`]; `None` outside of these stages, too.
+    pub fn solver_place(&mut self, body: BodyId) -> Option<SolverPlace> {
+        self.solved_bodies().place(body)
+    }
+
+    /// [`SolvedBodies::get`]
+    pub fn solver_body(&self, place: SolverPlace) -> SolverBody {
+        self.pipeline.bodies.body(place)
+    }
+
+    /// [`SolvedBodies::set`]
+    pub fn set_solver_body(&mut self, place: SolverPlace, body: SolverBody) -> bool {
+        self.solved_bodies().set(place, body)
+    }
+
+    /// [`SolvedBodies::fail`]
+    pub fn solver_body_failed(&mut self, place: SolverPlace) {
+        self.solved_bodies().fail(place);
+    }
+}

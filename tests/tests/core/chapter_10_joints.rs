@@ -39,7 +39,7 @@ fn set_velocities(bench: &mut Bench) {
 /// Check 1.
 #[test]
 fn an_angle_joint_turns_both_bodies() {
-    let mut bench = two_bodies(JointFactory::create_angle_joint_in);
+    let mut bench = two_bodies(|simulator, a, b| JointFactory::create_angle_joint_in(simulator, a, b));
     joint::<AngleJoint>(&mut bench).set_target_angle(0.4).unwrap();
     bench.set_velocity(0, [0.0, 0.0, 0.5]);
     bench.set_velocity(1, [0.0, 0.0, -0.25]);
@@ -64,7 +64,7 @@ fn an_angle_joint_turns_both_bodies() {
 /// Check 2.
 #[test]
 fn a_breaking_joint_acts_once_more_and_breaks_once() {
-    let mut bench = two_bodies(JointFactory::create_angle_joint_in);
+    let mut bench = two_bodies(|simulator, a, b| JointFactory::create_angle_joint_in(simulator, a, b));
     bench.common().set_breakpoint(0.5).unwrap();
     bench.pre_step();
     bench.update();
@@ -78,7 +78,7 @@ fn a_breaking_joint_acts_once_more_and_breaks_once() {
 /// Check 2.
 #[test]
 fn a_joint_breaks_beyond_its_breakpoint_but_not_at_it() {
-    let mut bench = two_bodies(JointFactory::create_angle_joint_in);
+    let mut bench = two_bodies(|simulator, a, b| JointFactory::create_angle_joint_in(simulator, a, b));
     bench.pre_step();
     for (breakpoint, broke) in [(0x3f4c_cccc, 1), (0x3f4c_cccd, 1), (0x3f4c_cccc, 2)] {
         bench.common().set_breakpoint(f32::from_bits(breakpoint)).unwrap();
@@ -91,7 +91,7 @@ fn a_joint_breaks_beyond_its_breakpoint_but_not_at_it() {
 /// Check 3: where the original breaks on NaN, it does not get in.
 #[test]
 fn nan_is_refused() {
-    let mut bench = two_bodies(JointFactory::create_angle_joint_in);
+    let mut bench = two_bodies(|simulator, a, b| JointFactory::create_angle_joint_in(simulator, a, b));
     let refused = joint::<AngleJoint>(&mut bench).set_target_angle(f32::NAN);
     assert!(matches!(refused, Err(Error::InvalidArgument { argument: "target_angle", .. })), "{refused:?}");
     assert_eq!(joint::<AngleJoint>(&mut bench).target_angle(), 0.0);
@@ -137,7 +137,7 @@ fn an_angle_limit_joint_holds_at_its_limits() {
 /// Check 5.
 #[test]
 fn a_fixed_angle_joint_turns_its_body() {
-    let mut bench = body_a(JointFactory::create_fixed_angle_joint_in);
+    let mut bench = body_a(|simulator, body| JointFactory::create_fixed_angle_joint_in(simulator, body));
     joint::<FixedAngleJoint>(&mut bench).set_target_angle(-0.2).unwrap();
     bench.common().set_softness(0.1).unwrap();
     bench.set_velocity(0, [0.0, 0.0, 0.5]);

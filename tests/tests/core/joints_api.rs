@@ -314,7 +314,8 @@ const OVERFLOWS: [(&str, bool, MakesOverflow); 13] = [
     }),
     ("the matrix of a soft fixed revolute joint", true, |s, a, _| {
         with_softness(s, -s[a].inverse_mass(), |s| {
-            JointFactory::create_fixed_revolute_joint_in(s, a, s[a].position())
+            let position = s[a].position();
+            JointFactory::create_fixed_revolute_joint_in(s, a, position)
         })
     }),
     ("the arm of a slider joint", true, |s, a, b| {

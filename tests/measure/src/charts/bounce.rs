@@ -1,0 +1,172 @@
+//! Balls fall on the ground and bounce.
+
+use super::super::closed_forms::apex;
+use super::super::error::{Largest, Watch, Worst, in_reach};
+use super::super::world::World;
+use super::build::{GRAVITY, Surface, ball, ground, scene};
+use super::signals::Peaks;
+use super::{ChartScene, ONE_SIZE};
+use conformance::scene::Scene;
+
+/// Where a ball lands within a step is luck, and so is what an engine makes of it: so many fall at once, and the
+/// worst one counts.
+const BALLS: usize = 8;
+const RADIUS: f64 = 16.0;
+/// A corner of the polygon points down, so that the ball does not begin to turn.
+const EDGES: i32 = 16;
+/// From one ball to the next, in px: they never meet.
+const SPACING: f64 = 100.0;
+/// Of the first ball; the ground comes before it.
+const FIRST: usize = 1;
+const REACH: f64 = 1e4;
+const TEN_THOUSAND_STEPS: f64 = 10_000.0 / 60.0;
+/// So much of its height a ball may gain in that time, as a share.
+const GAIN: f64 = 0.1;
+/// A bounce of the highest ball takes 2.36 s, and 2.47 s if it has gained all that: 65 of them end in time.
+const MANY_BOUNCES: i32 = 65;
+
+pub(super) fn scenes() -> Vec<ChartScene> {
+    let bounce = ChartScene {
+        name: "bounce_restitution_1",
+        about: "Balls that fall from eight heights bounce without loss, five times; the worst one counts.",
+        sizes: ONE_SIZE,
+        build: |_| build(1.0),
+        // The highest ball passes its fifth apex after 11.8 s, or later if it gains height.
+        seconds: 15.0,
+        watch: |_| watch_apexes(1.0, 5, 15.0),
+        error: "error of the height of the bounces",
+        unit: "px",
+        // A twentieth of the lowest fall: a jump of a ball that a player knows still looks the same.
+        tolerance: 8.0,
+        broad_phases_matter: false,
+        peers_too: true,
+    };
+    vec![
+        ChartScene {
+            name: "bounce_restitution_0",
+            about: "Balls fall on the ground and stay there; the worst one counts.",
+            build: |_| build(0.0),
+            seconds: 3.0,
+            watch: |_| watch_rest(),
+            error: "height above or depth below the ground after the fall",
+            // A pixel is seen as resting; more is seen as floating or sunk.
+            tolerance: 1.0,
+            ..bounce
+        },
+        ChartScene {
+            name: "bounce_restitution_half",
+            about: "Balls bounce with half their speed, twice; the worst one counts.",
+            build: |_| build(0.5),
+            // The highest ball passes its second apex after 2.7 s, or later if it gains height.
+            seconds: 3.5,
+            watch: |_| watch_apexes(0.5, 2, 3.5),
+            ..bounce
+        },
+        bounce,
+        ChartScene {
+            name: "bounce_10000_steps",
+            about: "Balls bounce without loss for 167 s, which are 10,000 steps of 1/60 s; one that gains more than a tenth has failed.",
+            seconds: TEN_THOUSAND_STEPS,
+            watch: |_| watch_energy(),
+            error: "loss of height, or gain",
+            unit: "%",
+            // After three minutes of bouncing a game may have a tenth less.
+            tolerance: 100.0 * GAIN,
+            ..bounce
+        },
+    ]
+}
+
+/// What a ball falls, in px: for 1.012 to 1.178 s. Of no usual step it is a whole number, and at each the rests are spread
+/// over the step.
+fn fall(ball: usize) -> f64 {
+    let time = 1.0 + 0.0237 * (ball as f64 + 0.5);
+    GRAVITY * time * time / 2.0
+}
+
+fn build(restitution: f64) -> Scene {
+    let mut scene = scene("bounce", "Balls fall on the ground.");
+    let surface = Surface { friction: 0.0, restitution };
+    ground(&mut scene, SPACING * (BALLS + 2) as f64, 0.0, surface);
+    for index in 0..BALLS {
+        let x = SPACING * (index as f64 - (BALLS - 1) as f64 / 2.0);
+        ball(&mut scene, RADIUS, 1.0, EDGES, [x, -RADIUS - fall(index)], surface);
+    }
+    scene
+}
+
+/// Height of a ball's lowest point above the ground.
+fn height(world: &dyn World, ball: usize) -> f64 {
+    -world.body(FIRST + ball).position[1] - RADIUS
+}
+
+/// Says of an apex how wrong it is, or that the run has failed: by the fall, the number of the bounce and the height.
+type Judge = Box<dyn Fn(f64, i32, f64) -> Result<f64, &'static str>>;
+
+/// Watches the apexes of all balls.
+struct Apexes {
+    peaks: [Peaks; BALLS],
+    counts: [i32; BALLS],
+    /// So many apexes of each ball must have come at the time `due`, in s.
+    asked: i32,
+    due: f64,
+    judge: Judge,
+    largest: Largest,
+    failed: Option<&'static str>,
+}
+
+impl Apexes {
+    fn watched(asked: i32, seconds: f64, judge: Judge) -> Box<dyn Watch> {
+        let (peaks, counts, largest) = Default::default();
+        // The last look comes up to a step before the end.
+        let due = seconds - 0.1;
+        in_reach(Apexes { peaks, counts, asked, due, judge, largest, failed: None }, REACH)
+    }
+}
+
+impl Watch for Apexes {
+    fn see(&mut self, time: f64, world: &dyn World) {
+        for ball in 0..BALLS {
+            let Some((bounce, peak)) = self.peaks[ball].take(height(world, ball)) else { continue };
+            self.counts[ball] = bounce;
+            match (self.judge)(fall(ball), bounce, peak) {
+                Ok(error) => self.largest.take(error),
+                Err(failure) => self.failed = self.failed.or(Some(failure)),
+            }
+        }
+        let too_few = time > self.due && self.counts.iter().any(|&count| count < self.asked);
+        self.failed = self.failed.or(too_few.then_some("stopped"));
+    }
+
+    fn error(&self) -> f64 {
+        if self.failed.is_some() { f64::INFINITY } else { self.largest.get() }
+    }
+
+    fn failed(&self) -> Option<&'static str> {
+        self.failed
+    }
+}
+
+fn watch_apexes(restitution: f64, bounces: i32, seconds: f64) -> Box<dyn Watch> {
+    let judge = move |fall, bounce, peak: f64| {
+        // Those that come afterwards do not count.
+        let is_asked = bounce <= bounces;
+        Ok(if is_asked { (peak - apex(fall, restitution, bounce)).abs() } else { 0.0 })
+    };
+    Apexes::watched(bounces, seconds, Box::new(judge))
+}
+
+fn watch_rest() -> Box<dyn Watch> {
+    // The longest fall takes 1.18 s, and landing a step or two.
+    let highest = |world: &dyn World| (0..BALLS).map(|ball| height(world, ball).abs()).fold(0.0, f64::max);
+    in_reach(Worst::new(move |time, world: &dyn World| (time > 1.3).then(|| highest(world))), REACH)
+}
+
+/// Energy must never grow: an apex that is higher than the fall by more than a game bears is a failure.
+fn watch_energy() -> Box<dyn Watch> {
+    let judge = |fall: f64, _, peak: f64| {
+        let gain = peak / fall - 1.0;
+        if gain > GAIN { Err("gained energy") } else { Ok(100.0 * gain.abs()) }
+    };
+    Apexes::watched(MANY_BOUNCES, TEN_THOUSAND_STEPS, Box::new(judge))
+}

@@ -1,0 +1,84 @@
+//! Thrown bodies that meet nothing.
+
+use super::super::closed_forms::{SteppedThrow, thrown};
+use super::super::error::{Watch, Worst, in_reach};
+use super::super::world::{World, distance};
+use super::build::{GRAVITY, Surface, ball, scene, start, vector};
+use super::{ChartScene, ONE_SIZE};
+use conformance::scene::Scene;
+
+const SECONDS: f64 = 2.0;
+const VELOCITY: [f64; 2] = [200.0, -300.0];
+const MASS: f64 = 2.0;
+/// Force per velocity in kg/s, by body.
+const DRAG: [f64; 2] = [0.0, 1.0];
+
+pub(super) fn scenes() -> Vec<ChartScene> {
+    let continuous = ChartScene {
+        name: "throw_continuous_law",
+        about: "Two throws, one with linear drag, against the exact law of motion.",
+        sizes: ONE_SIZE,
+        build,
+        seconds: SECONDS,
+        watch: watch_continuous,
+        error: "distance from the continuous law",
+        unit: "px",
+        // Half the radius of the ball: a throw that was aimed by the exact law still hits.
+        tolerance: 8.0,
+        broad_phases_matter: false,
+        peers_too: true,
+    };
+    let discrete = ChartScene {
+        name: "throw_discrete_law",
+        about: "Two throws, one with linear drag, against semi-implicit Euler steps as the original takes them.",
+        watch: watch_discrete,
+        error: "distance from the discrete law",
+        // The law is met up to rounding or not at all; a hundredth of a pixel is seen by nobody.
+        tolerance: 0.01,
+        // They divide steps and damp in other ways: the law is not theirs.
+        peers_too: false,
+        ..continuous
+    };
+    vec![continuous, discrete]
+}
+
+fn build(_: usize) -> Scene {
+    let mut scene = scene("throw", "Two throws, the second with linear drag.");
+    for (index, drag) in DRAG.into_iter().enumerate() {
+        // Far enough apart that they do not meet.
+        let body = ball(&mut scene, 16.0, MASS, 12, [0.0, 1000.0 * index as f64], Surface::default());
+        scene.bodies[body].settings.linear_velocity = Some(vector(VELOCITY));
+        scene.bodies[body].settings.linear_drag = Some(drag as f32);
+    }
+    scene
+}
+
+fn watch_continuous(scene: &Scene) -> Box<dyn Watch> {
+    let starts = [0, 1].map(|index| start(scene, index));
+    let error = move |time: f64, world: &dyn World| {
+        let off = |index: usize| {
+            let law = thrown(starts[index], VELOCITY, GRAVITY, DRAG[index] / MASS, time);
+            distance(world.body(index).place(), law)
+        };
+        Some(off(0).max(off(1)))
+    };
+    in_reach(Worst::new(error), 1e4)
+}
+
+fn watch_discrete(scene: &Scene) -> Box<dyn Watch> {
+    let law = |index: usize| SteppedThrow {
+        position: start(scene, index),
+        velocity: VELOCITY,
+        gravity: GRAVITY,
+        rate: DRAG[index] / MASS,
+    };
+    let mut laws = [law(0), law(1)];
+    let mut before = 0.0;
+    let error = move |time: f64, world: &dyn World| {
+        laws.iter_mut().for_each(|law| law.step(time - before));
+        before = time;
+        let off = |index: usize| distance(world.body(index).place(), laws[index].position);
+        Some(off(0).max(off(1)))
+    };
+    in_reach(Worst::new(error), 1e4)
+}

@@ -1,0 +1,198 @@
+//! Sliding, sticking and rolling on an incline.
+
+use super::super::closed_forms::{RollingPolygon, rolling_acceleration, stopping_distance};
+use super::super::error::{Last, Watch, Worst, in_reach};
+use super::super::world::{World, masses};
+use super::build::{GRAVITY, PRESS, Slab, ball, ground, on_slope, rough, scene, slab, start, vector, wheel};
+use super::{ChartScene, ONE_SIZE};
+use conformance::scene::Scene;
+
+const FRICTION: f64 = 0.5;
+/// 15 degrees; friction of 0.5 holds up to 26.6.
+const GENTLE: f64 = std::f64::consts::PI / 12.0;
+/// 20 degrees; what rolls would slip at friction below a third of its tangent, 0.12.
+const STEEP: f64 = std::f64::consts::PI / 9.0;
+const CRATE: Slab = Slab { width: 32.0, height: 16.0, mass: 1.0 };
+const SPEED: f64 = 160.0;
+const RADIUS: f64 = 16.0;
+const ROLLING: f64 = 3.0;
+/// Of the wheel, which is a polygon.
+const CORNERS: i32 = 16;
+/// 6 degrees. The wheel soon rolls as fast as its corners let it, with 3.3 rad/s when one lands, and would hop only
+/// from 4.4 on, where what turns it about a corner, ω² r and a little more, outweighs what gravity presses it down with.
+/// On 11 degrees it comes that far.
+const SLIGHT: f64 = std::f64::consts::PI / 30.0;
+const ROLLING_ON_CORNERS: f64 = 5.0;
+const MOVING: usize = 1;
+const REACH: f64 = 1e4;
+
+pub(super) fn scenes() -> Vec<ChartScene> {
+    let slide = ChartScene {
+        name: "slide",
+        about: "A crate slides down an incline of 15 degrees until friction has stopped it.",
+        sizes: ONE_SIZE,
+        build: |_| crate_on_incline(SPEED),
+        seconds: 5.0,
+        watch: watch_slide,
+        error: "error of the stopping distance",
+        unit: "px",
+        // A quarter of the crate's length, on a way of more than five lengths.
+        tolerance: 8.0,
+        broad_phases_matter: false,
+        peers_too: true,
+    };
+    let roll = ChartScene {
+        name: "roll_circle",
+        about: "A circle rolls down 20 degrees: a true one in rapier and Box2D, here a polygon of 64 edges, which as a rigid \
+                body is 6.5 % slower by law.",
+        build: |_| circle_on_incline(),
+        seconds: ROLLING,
+        watch: watch_roll,
+        error: "error of the acceleration",
+        unit: "%",
+        // Nobody sees a twentieth in how fast a barrel rolls.
+        tolerance: 5.0,
+        ..slide
+    };
+    vec![
+        slide,
+        ChartScene {
+            name: "stick",
+            about: "A crate lies on an incline of 15 degrees, below the angle of friction, for ten seconds.",
+            build: |_| crate_on_incline(0.0),
+            seconds: 10.0,
+            watch: watch_stick,
+            error: "creep after the first second",
+            // What creeps less than a pixel in nine seconds stands still.
+            tolerance: 1.0,
+            ..slide
+        },
+        roll,
+        ChartScene {
+            name: "roll_polygon",
+            about: "A polygon of 16 edges in every engine rolls down 6 degrees, against a rigid one that never hops.",
+            build: |_| wheel_on_incline(),
+            seconds: ROLLING_ON_CORNERS,
+            watch: watch_roll_on_corners,
+            error: "error of the distance rolled",
+            ..roll
+        },
+    ]
+}
+
+fn incline(name: &str, angle: f64) -> Scene {
+    let mut scene = scene(name, "An incline and what moves on it.");
+    ground(&mut scene, 1600.0, angle, rough(FRICTION));
+    scene
+}
+
+fn crate_on_incline(speed: f64) -> Scene {
+    let mut scene = incline("crate_on_incline", GENTLE);
+    let place = on_slope(GENTLE, 0.0, CRATE.height / 2.0 - PRESS);
+    let body = slab(&mut scene, CRATE, place, GENTLE, rough(FRICTION));
+    scene.bodies[body].settings.linear_velocity = Some(vector(on_slope(GENTLE, speed, 0.0)));
+    scene
+}
+
+fn circle_on_incline() -> Scene {
+    let mut scene = incline("circle_on_incline", STEEP);
+    ball(&mut scene, RADIUS, 1.0, 64, on_slope(STEEP, 0.0, RADIUS - PRESS), rough(FRICTION));
+    scene
+}
+
+fn wheel_on_incline() -> Scene {
+    let mut scene = incline("polygon_on_incline", SLIGHT);
+    // On a corner: it falls forward, and from then on rolls.
+    let place = on_slope(SLIGHT, 0.0, RADIUS - PRESS);
+    wheel(&mut scene, (RADIUS, CORNERS), place, SLIGHT, rough(FRICTION));
+    scene
+}
+
+/// How far the moving body came from a place down a slope.
+fn came(world: &dyn World, from: [f64; 2], angle: f64) -> f64 {
+    let down = on_slope(angle, 1.0, 0.0);
+    let place = world.body(MOVING).place();
+    (place[0] - from[0]) * down[0] + (place[1] - from[1]) * down[1]
+}
+
+fn watch_slide(scene: &Scene) -> Box<dyn Watch> {
+    let from = start(scene, MOVING);
+    let law = stopping_distance(SPEED, GRAVITY, GENTLE, FRICTION);
+    in_reach(Last::new(move |_, world| Some((came(world, from, GENTLE) - law).abs())), REACH)
+}
+
+fn watch_stick(_: &Scene) -> Box<dyn Watch> {
+    let mut settled = None;
+    let creep = move |time: f64, world: &dyn World| {
+        if time < 1.0 {
+            return None;
+        }
+        let from = *settled.get_or_insert_with(|| world.body(MOVING).place());
+        Some(came(world, from, GENTLE).abs())
+    };
+    in_reach(Worst::new(creep), REACH)
+}
+
+fn watch_roll(scene: &Scene) -> Box<dyn Watch> {
+    let from = start(scene, MOVING);
+    let mass = masses(scene)[MOVING];
+    let law = rolling_acceleration(GRAVITY, STEEP, mass.mass, RADIUS, mass.inertia);
+    let error = move |time: f64, world: &dyn World| {
+        // In the first moments the way is too short to tell.
+        (time > ROLLING / 2.0).then(|| {
+            let acceleration = 2.0 * came(world, from, STEEP) / (time * time);
+            100.0 * (acceleration / law - 1.0).abs()
+        })
+    };
+    in_reach(Last::new(error), REACH)
+}
+
+/// The wheel by its law, as the scene has it at first.
+fn rolling_wheel(scene: &Scene) -> RollingPolygon {
+    let mass = masses(scene)[MOVING];
+    RollingPolygon {
+        corners: CORNERS.unsigned_abs(),
+        radius: RADIUS,
+        mass: mass.mass,
+        inertia: mass.inertia,
+        gravity: GRAVITY,
+        slope: SLIGHT,
+        foot: 0.0,
+        lean: 0.0,
+        rate: 0.0,
+    }
+}
+
+fn watch_roll_on_corners(scene: &Scene) -> Box<dyn Watch> {
+    let from = start(scene, MOVING);
+    let mut law = rolling_wheel(scene);
+    let mut before = 0.0;
+    let error = move |time: f64, world: &dyn World| {
+        law.roll(time - before);
+        before = time;
+        // In the first moments the way is too short to tell.
+        let late = time > ROLLING_ON_CORNERS / 2.0;
+        late.then(|| 100.0 * (came(world, from, SLIGHT) / law.way() - 1.0).abs())
+    };
+    in_reach(Last::new(error), REACH)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_wheel_neither_hops_nor_slips_nor_turns_back() {
+        let mut wheel = rolling_wheel(&wheel_on_incline());
+        for _ in 0..(1000.0 * ROLLING_ON_CORNERS) as u32 {
+            wheel.roll(1e-3);
+            let [along, away] = wheel.push();
+            assert!(
+                away > 0.4 * GRAVITY && along.abs() < FRICTION / 2.0 * away && wheel.rate > 0.0,
+                "{wheel:?}"
+            );
+        }
+        // More than one turn: what it began with is forgotten.
+        assert!(wheel.way() > 100.0, "{wheel:?}");
+    }
+}

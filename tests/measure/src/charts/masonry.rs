@@ -1,0 +1,118 @@
+//! A house of cards and an arch: what stands by friction and shape alone. Both are built a little pressed; height is
+//! measured from how they stand when nothing overlaps.
+
+use super::ChartScene;
+use super::build::{PRESS, Slab, ground, rough, scene, slab, stone};
+use super::settled::{Rest, built_height, charts_of_rest, movable, toppled};
+use conformance::scene::Scene;
+
+const FRICTION: f64 = 0.7;
+const CARD: f64 = 64.0;
+const THICKNESS: f64 = 4.0;
+/// How far a leaning card is from upright: its tangent, 0.36, is below the friction.
+const LEAN: f64 = std::f64::consts::PI / 9.0;
+const SPAN: f64 = 160.0;
+/// A fifth of the inner radius: a half circle stands from about a tenth on.
+const DEPTH: f64 = 32.0;
+
+/// A card that slid by a quarter of its length has fallen.
+const CARDS: Rest = Rest { seconds: 5.0, ruin: |scene| toppled(scene, CARD / 4.0) };
+/// Half the depth of the stones.
+const ARCH: Rest = Rest { seconds: 5.0, ruin: |scene| toppled(scene, DEPTH / 2.0) };
+
+pub(super) fn scenes() -> Vec<ChartScene> {
+    let cards = ChartScene {
+        name: "card_house_penetration",
+        about: "A house of cards stands: pairs that lean on each other, and level cards between the storeys.",
+        sizes: &[5, 20, 200],
+        build: |count| card_house(count, PRESS),
+        seconds: CARDS.seconds,
+        watch: |scene| CARDS.penetration(scene),
+        error: "largest overlap at the end",
+        unit: "px",
+        // A pixel is seen as touching.
+        tolerance: 1.0,
+        broad_phases_matter: false,
+        peers_too: true,
+    };
+    let stones = ChartScene {
+        name: "arch_penetration",
+        about: "A half circle of wedge-shaped stones stands on the ground.",
+        // 200 stones of this arch would be slivers of 2.5 px.
+        sizes: &[5, 20],
+        build: |count| arch(count, PRESS),
+        seconds: ARCH.seconds,
+        watch: |scene| ARCH.penetration(scene),
+        ..cards
+    };
+    let mut scenes = Vec::new();
+    scenes.extend(charts_of_rest(
+        cards,
+        ("card_house_height", |scene| {
+            CARDS.height(scene, built_height(&card_house(movable(scene).count(), 0.0)))
+        }),
+        ("card_house_speed", |scene| CARDS.speed(scene)),
+    ));
+    scenes.extend(charts_of_rest(
+        stones,
+        ("arch_height", |scene| ARCH.height(scene, built_height(&arch(movable(scene).count(), 0.0)))),
+        ("arch_speed", |scene| ARCH.speed(scene)),
+    ));
+    scenes
+}
+
+/// The smallest house of at least so many cards: each storey has one pair less than the one below, and rests on
+/// level cards from apex to apex. Cards are put so deep into each other.
+fn card_house(count: usize, press: f64) -> Scene {
+    let cards = |pairs: usize| (1..=pairs).map(|pairs| 3 * pairs - 1).sum::<usize>();
+    let pairs = (1..).find(|&pairs| cards(pairs) >= count).unwrap_or(1);
+    let mut scene = scene(&format!("card_house_of_{}", cards(pairs)), "A house of cards.");
+    let (sine, cosine) = LEAN.sin_cos();
+    // A pair is so wide at its feet, and the next one begins two pixels from it.
+    let spacing = 2.0 * (CARD * sine + THICKNESS * cosine) + 2.0;
+    let rise = CARD * cosine + THICKNESS * sine - press;
+    ground(&mut scene, spacing * (pairs as f64 + 6.0), 0.0, rough(FRICTION));
+    let upright = Slab { width: THICKNESS, height: CARD, mass: 1.0 };
+    for storey in 0..pairs {
+        let base = -(storey as f64) * (rise + THICKNESS - press);
+        let count = pairs - storey;
+        let centre = |index: usize| spacing * (index as f64 - (count - 1) as f64 / 2.0);
+        for index in 0..count {
+            for side in [-1.0, 1.0] {
+                // Inner upper corners meet at the apex.
+                let x = centre(index) + side * ((THICKNESS * cosine + CARD * sine) / 2.0 - press);
+                slab(
+                    &mut scene,
+                    upright,
+                    [x, base - rise / 2.0 + press / 2.0],
+                    -side * LEAN,
+                    rough(FRICTION),
+                );
+            }
+        }
+        for index in 1..count {
+            // A pixel shorter, so that it ends beside the next one.
+            let level = Slab { width: spacing - 1.0, height: THICKNESS, mass: 1.0 };
+            let x = centre(index) - spacing / 2.0;
+            slab(&mut scene, level, [x, base - rise - THICKNESS / 2.0 + press], 0.0, rough(FRICTION));
+        }
+    }
+    scene
+}
+
+/// A half circle of so many stones, each put so deep into its neighbours.
+fn arch(count: usize, press: f64) -> Scene {
+    let mut scene = scene(&format!("arch_of_{count}"), "An arch of wedge-shaped stones.");
+    ground(&mut scene, 4.0 * SPAN + 320.0, 0.0, rough(FRICTION));
+    // Wider than their share by the overlap, so that neighbours touch.
+    let slack = press / 2.0 / SPAN;
+    for index in 0..count {
+        let angle = |share: f64| std::f64::consts::PI * share / count as f64;
+        let (from, to) = (angle(index as f64) - slack, angle(index as f64 + 1.0) + slack);
+        let corner = |radius: f64, angle: f64| [-radius * angle.cos(), -radius * angle.sin()];
+        let corners =
+            [corner(SPAN, from), corner(SPAN + DEPTH, from), corner(SPAN + DEPTH, to), corner(SPAN, to)];
+        stone(&mut scene, &corners, rough(FRICTION));
+    }
+    scene
+}

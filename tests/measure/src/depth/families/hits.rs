@@ -1,0 +1,242 @@
+//! Depth miss and depth hit, and diagonal hits: things fly at a post that cannot be moved, without weight.
+
+use super::lanes::{ICE, RADIUS, at, each, largest, scene};
+use super::{DepthFamily, PLAIN};
+use crate::depth::{Seen, watch};
+use crate::depth_scenes::{DepthObject, DepthScene, Surface};
+use crate::error::Watch;
+use crate::stability::reasons::{MISSED, SLOWED, TOUCHED, WRONG_AXIS};
+use crate::world::{BodyState, World};
+
+/// Half the extent of the post, in all axes, and of what is thrown, px.
+const POST: f32 = 20.0;
+const THROWN: f32 = 10.0;
+/// Height of the middle of both, px: far from the ground.
+const MIDDLE: f32 = 500.0;
+/// Both throw back all that they are hit with.
+const BOUNCY: Surface = Surface { friction: 0.0, restitution: 1.0 };
+
+pub(super) const FAMILIES: [DepthFamily; 6] =
+    [MISS, HIT_FAST, HIT_THIN, HIT_PARTLY, DIAGONAL_FAST, DIAGONAL_CLOSE];
+
+fn post(lane: usize, depth: f32) -> DepthObject {
+    let place = at(lane, [0.0, MIDDLE - POST, 0.0]);
+    DepthObject::new_box([2.0 * POST, 2.0 * POST, depth], place).fixed().with_surface(BOUNCY)
+}
+
+/// What is thrown, its middle at a place from the post's.
+fn thrown(is_ball: bool, lane: usize, [x, y, z]: [f32; 3], depth: f32) -> DepthObject {
+    let place = at(lane, [x, MIDDLE + y - THROWN, z]);
+    let object = match is_ball {
+        true => DepthObject::ball(RADIUS, place),
+        false => DepthObject::new_box([2.0 * THROWN, 2.0 * THROWN, depth], place),
+    };
+    object.with_surface(BOUNCY)
+}
+
+/// A scene with what is thrown in each lane, and a post in each.
+fn at_posts(name: &str, depth: f32, thrown: Vec<DepthObject>) -> DepthScene {
+    let lanes = thrown.len();
+    let mut scene = DepthScene { ground: ICE, objects: thrown, ..scene(name).weightless() };
+    scene.objects.extend((0..lanes).map(|lane| post(lane, depth)));
+    scene
+}
+
+const MISS: DepthFamily = DepthFamily {
+    name: "Depth miss",
+    about: "Balls and boxes fly by the front and the back of a post, along X at 80 px/s, and must not be touched.",
+    parameter: "gap in depth",
+    unit: "px",
+    values: &[10.0, 1.0, 0.1, 0.01, 1e-3, 1e-4, 1e-5],
+    quick_values: &[10.0, 0.1, 1e-3, 1e-5],
+    build: |gap, _| {
+        let beside = POST + THROWN + gap as f32;
+        let thrown = (0..4).map(|lane| {
+            let side = if lane % 2 == 0 { -1.0 } else { 1.0 };
+            thrown(lane < 2, lane, [-100.0, 0.0, side * beside], 2.0 * THROWN).with_velocity([80.0, 0.0, 0.0])
+        });
+        at_posts("depth_miss", 2.0 * POST, thrown.collect())
+    },
+    seconds: |_| 2.5,
+    judge: |_, _| {
+        each(4, |_, _, _, state: BodyState| {
+            let [x, y, z] = state.velocity;
+            let change = largest([x - 80.0, y, z]);
+            if change > 0.1 { Seen::Failed(TOUCHED, change) } else { Seen::Fine(change) }
+        })
+    },
+    quantity: "largest change of speed",
+    quantity_unit: "px/s",
+    ..PLAIN
+};
+
+/// How often a ball and a box are thrown, each a quarter of 1/60 s earlier than the one before.
+const PHASES: usize = 4;
+/// Time of the flight in s.
+const FLIGHT: f64 = 0.2;
+
+const HIT_FAST: DepthFamily = DepthFamily {
+    name: "Depth hit, fast",
+    about: "Balls and boxes fly into the picture against the front of a post of 40 px, at four phases of a step, and \
+            must fly back.",
+    parameter: "speed",
+    unit: "px/s",
+    values: &[30.0, 100.0, 300.0, 600.0, 1e3, 1.6e3, 2.4e3, 3.6e3, 5e3, 1e4, 3e4],
+    quick_values: &[100.0, 1e3, 2.4e3, 1e4],
+    build: |speed, _| against_front(2 * PHASES, speed, 2.0 * POST, 0.0),
+    seconds: |_| 2.0 * FLIGHT,
+    judge: |speed, _| flies_back(2 * PHASES, speed),
+    quantity: "largest difference from the speed back",
+    quantity_unit: "px/s",
+    ..PLAIN
+};
+
+const HIT_THIN: DepthFamily = DepthFamily {
+    name: "Depth hit, thin",
+    about: "Boxes fly at 800 px/s into the picture against a post, and must fly back; both get thinner \
+            in depth.",
+    parameter: "depth of each",
+    unit: "px",
+    values: &[40.0, 20.0, 10.0, 7.0, 5.0, 3.0, 2.0, 1.0],
+    quick_values: &[40.0, 10.0, 5.0, 1.0],
+    build: |depth, _| against_front(PHASES, 800.0, depth as f32, 0.0),
+    judge: |_, _| flies_back(PHASES, 800.0),
+    ..HIT_FAST
+};
+
+const HIT_PARTLY: DepthFamily = DepthFamily {
+    name: "Depth hit, glancing",
+    about: "Boxes fly at 80 px/s into the picture against the front of a post, with little of them \
+            before it, and must fly back.",
+    parameter: "part before the post",
+    unit: "px",
+    values: &[10.0, 1.0, 0.1, 0.01, 1e-3],
+    quick_values: &[10.0, 1.0, 0.1],
+    build: |part, _| against_front(PHASES, 80.0, 2.0 * POST, POST + THROWN - part as f32),
+    judge: |_, _| flies_back(PHASES, 80.0),
+    ..HIT_FAST
+};
+
+/// Boxes, and balls from the fifth lane on, fly at posts, their middles `beside` px to the left.
+fn against_front(lanes: usize, speed: f64, depth: f32, beside: f32) -> DepthScene {
+    let own_depth = depth.min(2.0 * THROWN);
+    let thrown = (0..lanes).map(|lane| {
+        let is_ball = lane >= PHASES;
+        let time = FLIGHT + (lane % PHASES) as f64 / (60.0 * PHASES as f64);
+        let half = if is_ball { RADIUS } else { own_depth / 2.0 };
+        let z = -(depth / 2.0 + half) - (speed * time) as f32;
+        thrown(is_ball, lane, [-beside, 0.0, z], own_depth).with_velocity([0.0, 0.0, speed as f32])
+    });
+    at_posts("depth_hit", depth, thrown.collect())
+}
+
+fn flies_back(lanes: usize, speed: f64) -> Box<dyn Watch> {
+    each(lanes, move |_, _, _, state: BodyState| {
+        let [x, y, z] = state.velocity;
+        let wrong = largest([x, y, z + speed]);
+        if z > 0.9 * speed {
+            Seen::Open(MISSED, wrong)
+        } else if (z + speed).abs() > 0.05 * speed {
+            Seen::Open(SLOWED, wrong)
+        } else if largest([x, y]) > 0.05 * speed {
+            Seen::Open(WRONG_AXIS, wrong)
+        } else {
+            Seen::Ends(wrong)
+        }
+    })
+}
+
+/// Way along the axis that is entered first, px, until the second is: in the plane, both are in front of each other then, and
+/// no corner is near.
+const BEFORE_SECOND: f64 = 22.0;
+
+const DIAGONAL_FAST: DepthFamily = DepthFamily {
+    name: "Diagonal hit, fast",
+    about: "Boxes fly at a post along all three axes at once, equally fast. They must be thrown back along the \
+            axis along which they reach it last, by 10 px: X, Y or Z.",
+    parameter: "speed along each axis",
+    unit: "px/s",
+    values: &[100.0, 300.0, 600.0, 1e3, 1.6e3, 2.4e3, 3.6e3, 5e3],
+    quick_values: &[100.0, 1e3, 2.4e3, 5e3],
+    build: |speed, _| diagonal([speed; 3], 10.0, FLIGHT),
+    seconds: |_| 2.0 * FLIGHT,
+    judge: |speed, _| thrown_back_along_last([speed; 3]),
+    quantity: "largest part of the speed that changed along another axis",
+    quantity_unit: "",
+    ..PLAIN
+};
+
+/// Along the axis that is entered last, and along the others, px/s.
+const UNEQUAL: [f64; 3] = [150.0, 75.0, 50.0];
+/// So long that no axis is reached before the start, s.
+const LONG_FLIGHT: f64 = 1.0;
+
+const DIAGONAL_CLOSE: DepthFamily = DepthFamily {
+    name: "Diagonal hit, close",
+    about: "Boxes fly at a post along all three axes, at 150 px/s along the last axis, 75 and 50 along the others, with \
+            less and less between the last and the one before. They must be thrown back along the last.",
+    parameter: "way left along the last axis",
+    unit: "px",
+    values: &[50.0, 20.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1],
+    quick_values: &[50.0, 10.0, 2.0, 0.5],
+    build: |way, _| diagonal(UNEQUAL, way, LONG_FLIGHT),
+    seconds: |_| LONG_FLIGHT + 0.2,
+    judge: |_, _| thrown_back_along_last(UNEQUAL),
+    ..DIAGONAL_FAST
+};
+
+/// Which axis is reached last, second and first. Of the last two one is Z: of X and Y alone the 2D engine decides.
+const ORDERS: [[usize; 3]; 4] = [[0, 2, 1], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
+/// Lanes: each order, from both sides.
+const DIAGONALS: usize = 2 * ORDERS.len();
+
+/// Velocity of a lane, from the speeds along the axis that is reached last, second and first.
+fn velocity_of(lane: usize, speeds: [f64; 3]) -> [f64; 3] {
+    let side = if lane < ORDERS.len() { 1.0 } else { -1.0 };
+    let mut velocity = [0.0; 3];
+    for (axis, speed) in ORDERS[lane % ORDERS.len()].into_iter().zip(speeds) {
+        velocity[axis] = side * speed;
+    }
+    velocity
+}
+
+/// Boxes that reach the post along the last axis after a flight in s, along the second when they have `way` px left, and
+/// along the first before that.
+fn diagonal(speeds: [f64; 3], way: f64, flight: f64) -> DepthScene {
+    let [last, ..] = speeds;
+    let thrown = (0..DIAGONALS).map(|lane| {
+        let velocity = velocity_of(lane, speeds);
+        let mut place = [0.0; 3];
+        let second = flight - way / last;
+        let first = second - BEFORE_SECOND / speeds[2];
+        for (axis, time) in ORDERS[lane % ORDERS.len()].into_iter().zip([flight, second, first]) {
+            place[axis] =
+                -(velocity[axis] * time + velocity[axis].signum() * f64::from(POST + THROWN)) as f32;
+        }
+        thrown(false, lane, place, 2.0 * THROWN).with_velocity(velocity.map(|part| part as f32))
+    });
+    at_posts("diagonal_hit", 2.0 * POST, thrown.collect())
+}
+
+/// Looks at the first change of each lane's velocity: it must be along the last axis.
+fn thrown_back_along_last(speeds: [f64; 3]) -> Box<dyn Watch> {
+    let mut first_changes: [Option<[f64; 3]>; DIAGONALS] = [None; DIAGONALS];
+    watch(move |_, world: &dyn World| {
+        let mut seen = Seen::Ends(0.0);
+        for (lane, first_change) in first_changes.iter_mut().enumerate() {
+            let (before, now) = (velocity_of(lane, speeds), world.body(lane).velocity);
+            let change: [f64; 3] =
+                std::array::from_fn(|axis| ((now[axis] - before[axis]) / before[axis]).abs());
+            if first_change.is_none() && largest(change) > 0.02 {
+                *first_change = Some(change);
+            }
+            let of_lane = first_change.map_or(Seen::Open(MISSED, 1.0), |change| {
+                let [_, second, first] = ORDERS[lane % ORDERS.len()];
+                let others = change[second].max(change[first]);
+                if others > 0.02 { Seen::Failed(WRONG_AXIS, others) } else { Seen::Ends(others) }
+            });
+            seen = seen.and(of_lane);
+        }
+        Some(seen)
+    })
+}

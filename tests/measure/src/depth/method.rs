@@ -1,0 +1,118 @@
+//! The ways to simulate a scene with depth.
+
+use crate::depth_scenes::DepthScene;
+use crate::method::{Built, Effort, Family, Mapped, Method, Setting, mapped};
+#[cfg(feature = "peers")]
+use crate::peers::Rapier;
+use crate::peers::TwoHalf;
+use twohalf::Methods;
+
+/// A way to simulate a scene with depth.
+pub type DepthMethod = Method<DepthScene>;
+
+/// All methods: the one place to add one.
+pub fn depth_methods() -> Vec<DepthMethod> {
+    #[allow(unused_mut)]
+    let mut methods = our_methods();
+    #[cfg(feature = "peers")]
+    methods.extend(rapier_methods());
+    methods
+}
+
+/// Names and versions of the other engines among them.
+pub fn depth_peer_versions() -> Vec<(&'static str, String)> {
+    #[cfg(feature = "peers")]
+    return vec![("rapier3d", rapier3d::VERSION.to_owned())];
+    #[cfg(not(feature = "peers"))]
+    Vec::new()
+}
+
+fn our_methods() -> Vec<DepthMethod> {
+    let faithful = DepthMethod {
+        name: "2.5D, faithful",
+        family: Family::Ours,
+        is_broad_phase_variant: false,
+        // The 2D engine's default iterations (behaviour chapter 06).
+        recommended: Setting::fixed(1.0 / 60.0, 5),
+        settings: our_settings,
+        mapped: |effort| on_map(5, if effort == Effort::Full { &[20] } else { &[] }),
+        build: |scene, setting| build(scene, setting, Methods::Faithful),
+    };
+    let thesis = DepthMethod {
+        name: "2.5D, thesis",
+        build: |scene, setting| build(scene, setting, Methods::Thesis),
+        ..faithful
+    };
+    vec![faithful, thesis]
+}
+
+fn build(scene: &DepthScene, setting: Setting, methods: Methods) -> Built {
+    Ok(Box::new(TwoHalf::with_methods(scene, methods, setting.passes as i32)))
+}
+
+/// `rapier3d` with its own defaults, and with those that make it more accurate: friction at every point of contact,
+/// and no contacts kept while a pair moves little.
+#[cfg(feature = "peers")]
+fn rapier_methods() -> Vec<DepthMethod> {
+    let default = DepthMethod {
+        name: "rapier3d",
+        family: Family::Peer,
+        is_broad_phase_variant: false,
+        recommended: Setting::fixed(1.0 / 60.0, 4),
+        settings: rapier_settings,
+        mapped: |_| on_map(4, &[]),
+        build: |scene, setting| Ok(Box::new(Rapier::new(scene).with_iterations(setting.passes as usize))),
+    };
+    let accurate = DepthMethod {
+        name: "rapier3d, full friction",
+        build: |scene, setting| {
+            Ok(Box::new(Rapier::accurate(scene).with_iterations(setting.passes as usize)))
+        },
+        ..default
+    };
+    vec![default, accurate]
+}
+
+/// On a map the usual number of passes at a long step, the usual one and a short one, and others at the last two. In the
+/// table of first failures is the usual number at these two.
+fn on_map(usual: u32, others: &[u32]) -> Vec<Mapped> {
+    let [long, common, short] = [1.0 / 30.0, 1.0 / 60.0, 1.0 / 200.0];
+    let first = [long, common, short].map(|dt| Setting::fixed(dt, usual));
+    let more = others.iter().flat_map(|&passes| [common, short].map(|dt| Setting::fixed(dt, passes)));
+    mapped(first.into_iter().chain(more), &first[1..])
+}
+
+/// Steps that games take, each with the default iterations; fewer at the longest step, and more at the usual one.
+fn our_settings(effort: Effort) -> Vec<Setting> {
+    settings(effort, 5, 2, [10, 20, 40])
+}
+
+/// The same; an iteration of `rapier3d` is a short step of its own.
+#[cfg(feature = "peers")]
+fn rapier_settings(effort: Effort) -> Vec<Setting> {
+    settings(effort, 4, 1, [2, 8, 16])
+}
+
+fn settings(effort: Effort, usual: u32, few: u32, [one, two, three]: [u32; 3]) -> Vec<Setting> {
+    let quick = vec![
+        Setting::fixed(1.0 / 30.0, few),
+        Setting::fixed(1.0 / 30.0, usual),
+        Setting::fixed(1.0 / 60.0, few),
+        Setting::fixed(1.0 / 60.0, usual),
+        Setting::fixed(1.0 / 60.0, two),
+        Setting::fixed(1.0 / 240.0, usual),
+        Setting::jitter(1.0 / 60.0, usual),
+    ];
+    if effort == Effort::Quick {
+        return quick;
+    }
+    let full = [
+        Setting::fixed(0.016, usual),
+        Setting::fixed(0.01, usual),
+        Setting::fixed(1.0 / 60.0, one),
+        Setting::fixed(1.0 / 60.0, three),
+        Setting::fixed(1.0 / 120.0, usual),
+        Setting::fixed(1.0 / 240.0, two),
+    ];
+    quick.into_iter().chain(full).collect()
+}

@@ -1,0 +1,138 @@
+//! The same scene in 2D and in 2.5D, as the thesis compared them: circles that fall into a pit, all at one depth.
+
+use crate::charts::ChartScene;
+use crate::error::{Watch, Worst, in_reach};
+use crate::method::{Built, Family, Method, Setting};
+use crate::ours::FarseerWorld;
+use crate::sweep::Point;
+use crate::world::{BodyState, World, distance};
+use conformance::run::Run;
+use conformance::scene::Scene;
+use conformance::scenes::circles_in_a_pit;
+use farseer_core::GeomPlacement;
+use twohalf::{Methods, TwoHalfPhysicsSimulator};
+
+/// Name of the scene.
+pub const PLANES: &str = "pit_in_2d_and_2.5d";
+/// The setting: what is compared is time.
+const SETTING: Setting = Setting::fixed(1.0 / 60.0, 5);
+
+/// The comparison. Its error is the largest distance that a circle ever has from where it is in the 2D engine at the
+/// same time.
+pub const PLANE_SCENE: ChartScene = ChartScene {
+    name: PLANES,
+    about: "Circles that fall into a pit, all at one depth, with and without the third axis.",
+    // Those of the thesis' comparison, and more.
+    sizes: &[20, 40, 200, 2000],
+    build: circles_in_a_pit,
+    // The circles fall and come to lie.
+    seconds: 5.0,
+    watch: against_2d,
+    error: "largest distance from the 2D engine's circles",
+    unit: "px",
+    // Less than a pixel cannot be seen.
+    tolerance: 1.0,
+    broad_phases_matter: false,
+    peers_too: false,
+};
+
+/// The simulators that are compared: the first is the 2D engine itself.
+pub fn plane_methods() -> [Method; 3] {
+    let flat = Method {
+        name: "2D",
+        family: Family::Ours,
+        is_broad_phase_variant: false,
+        recommended: SETTING,
+        settings: |_| vec![SETTING],
+        mapped: |_| Vec::new(),
+        build: |scene, _| Ok(Box::new(FarseerWorld::new(scene)?)),
+    };
+    let faithful =
+        Method { name: "2.5D, faithful", build: |scene, _| Deep::build(scene, Methods::Faithful), ..flat };
+    let thesis =
+        Method { name: "2.5D, thesis", build: |scene, _| Deep::build(scene, Methods::Thesis), ..flat };
+    [flat, faithful, thesis]
+}
+
+/// CPU time of a step in µs.
+pub fn time_per_step(point: &Point) -> f64 {
+    point.microseconds_per_simulated_second * f64::from(point.setting.dt.mean())
+}
+
+/// The comparison's points among others, of a size and a method.
+pub fn plane_point<'a>(points: &'a [Point], size: usize, method: &str) -> Option<&'a Point> {
+    points.iter().find(|point| point.scene == PLANES && point.size == size && point.method == method)
+}
+
+/// The sizes that there are points of.
+pub fn plane_sizes(points: &[Point]) -> impl Iterator<Item = usize> {
+    let is_there = move |size| points.iter().any(|point| point.scene == PLANES && point.size == size);
+    PLANE_SCENE.sizes.iter().copied().filter(move |&size| is_there(size))
+}
+
+/// The bodies and geoms of a scene, all in one plane of the 2.5D engine.
+struct Deep {
+    simulator: TwoHalfPhysicsSimulator,
+    bodies: Vec<twohalf::BodyId>,
+}
+
+impl Deep {
+    fn build(scene: &Scene, methods: Methods) -> Built {
+        let run = Run::build(scene).map_err(|error| error.to_string())?;
+        let deep = Self::of(&run, methods).map_err(|error| error.to_string())?;
+        Ok(Box::new(deep))
+    }
+
+    /// Those of a run, made anew in the same order: methods are chosen before anything takes part. Seen straight from
+    /// above the ground, and without a ground, so that nothing but what is in the plane acts.
+    fn of(run: &Run<'_>, methods: Methods) -> twohalf::Result<Self> {
+        let flat = run.simulator();
+        let mut simulator = TwoHalfPhysicsSimulator::with_angle_and_gravity(600, 90, flat.gravity())?;
+        simulator.set_methods(methods)?;
+        let bodies: Vec<_> =
+            run.bodies().iter().map(|&body| simulator.create_body(flat[body].clone())).collect();
+        for &body in &bodies {
+            simulator.add(body)?;
+        }
+        for &id in run.geoms() {
+            let Some(geom) = flat.geom(id) else { continue };
+            let Some(owner) = run.bodies().iter().position(|&body| body == geom.body()) else { continue };
+            let vertices = geom.local_vertices().clone();
+            let copy = simulator.create_geom(bodies[owner], vertices, GeomPlacement::default())?;
+            if let Some(settings) = simulator.geom_mut(copy) {
+                settings.set_friction_coefficient(geom.friction_coefficient());
+                settings.set_restitution_coefficient(geom.restitution_coefficient());
+            }
+            simulator.add(copy)?;
+        }
+        Ok(Deep { simulator, bodies })
+    }
+}
+
+impl World for Deep {
+    fn step(&mut self, dt: f32) {
+        self.simulator.update(dt);
+    }
+
+    fn body(&self, index: usize) -> BodyState {
+        BodyState::of(&self.simulator.core()[self.bodies[index]])
+    }
+
+    fn body_count(&self) -> usize {
+        self.bodies.len()
+    }
+}
+
+fn against_2d(scene: &Scene) -> Box<dyn Watch> {
+    let mut reference = FarseerWorld::new(scene).unwrap_or_else(|error| panic!("{error}"));
+    let mut stepped = 0.0;
+    let farthest = move |time: f64, world: &dyn World| {
+        if time > stepped {
+            reference.step(SETTING.dt.mean());
+            stepped = time;
+        }
+        let off = |index| distance(world.body(index).position, reference.body(index).position);
+        (0..world.body_count()).map(off).max_by(f64::total_cmp)
+    };
+    in_reach(Worst::new(farthest), f64::INFINITY)
+}

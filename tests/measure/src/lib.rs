@@ -1,0 +1,26 @@
+//! Speed against accuracy, and where methods fail: what the programs `accuracy_vs_speed` and `stability_map` measure, and
+//! what the tests pin of it. Draws nothing: that is for the crate `drawing`.
+//!
+//! A way to simulate is an entry of [`method::methods`]. A scene of a chart is an entry of [`charts::chart_scenes`]: [`trials`]
+//! says with which settings it is run, [`sweep`] runs all against each other, [`csv`] writes down what came of it. What is driven until it fails is an entry of [`stability::families`], with maps of its own. [`depth`] has all
+//! that for the 2.5D engine. Lengths are px, y points down, times are s, angles rad; where an engine needs metres, 32 px are one.
+
+pub mod charts;
+pub mod closed_forms;
+pub mod csv;
+pub mod depth;
+pub mod depth_scenes;
+pub mod error;
+pub mod method;
+pub mod origin;
+pub mod ours;
+pub mod peers;
+#[cfg(feature = "peers")]
+pub mod peers_2d;
+pub mod penetration;
+pub mod shard;
+pub mod stability;
+pub mod stopwatch;
+pub mod sweep;
+pub mod trials;
+pub mod world;

@@ -1,0 +1,458 @@
+//! Scenes in Box2D 3.
+
+use super::links::{Link, LinkKind};
+use super::parts::{BodyPart, Form, Parts, ShapePart, parts};
+use super::state::{Told, Turns, goes_well, metres, point};
+use crate::method::Setting;
+use crate::world::{BodyState, World};
+use boxdd::{
+    BodyId, BodyType, DistanceJointDef, Filter, Foundation, JointBase, JointId, MAX_POLYGON_VERTICES,
+    MassData, MixerId, MotorJointDef, Polygon, RevoluteJointDef, ShapeDef, SurfaceMaterial, Transform, Vec2,
+    WeldJointDef, shapes,
+};
+use conformance::scene::Scene;
+use std::cell::RefCell;
+use std::f32::consts::TAU;
+
+/// Box2D's linear slop in m: no distance joint is shorter.
+const LINEAR_SLOP: f32 = 0.005;
+/// Frequency in Hz and damping ratio of Box2D's joints, for a joint that is not among them.
+const JOINT_HERTZ: f32 = 60.0;
+const JOINT_DAMPING_RATIO: f32 = 2.0;
+
+struct Box2d {
+    /// To look at a body, Box2D's crate wants the world to itself.
+    world: RefCell<boxdd::World>,
+    bodies: Vec<BodyId>,
+    turns: Turns,
+    substeps: i32,
+    /// Bodies with a torque per squared angular velocity.
+    dragged: Vec<(BodyId, f32)>,
+    /// Springs whose ends do not go through the centres of mass.
+    eccentric: Vec<Eccentric>,
+    /// Whether a step could not be made.
+    is_broken: bool,
+}
+
+/// Puts a scene into Box2D, with as many substeps as the setting has passes and all else as it is by default, on one
+/// thread. Two bodies whose angle alone is held are coupled by a motor joint that is as stiff as the other joints.
+/// Box2D leaves corners out that stand out by less than 0.3 px or lie together as near as 0.6 px.
+///
+/// # Errors
+///
+/// When the scene has something that the engine does not have.
+pub fn build_box2d(scene: &Scene, setting: Setting) -> Result<Box<dyn World>, String> {
+    let parts = parts(scene)?;
+    let substeps = i32::try_from(setting.passes).map_err(|_| format!("no {} substeps", setting.passes))?;
+    let built = Builder::new(&parts, setting).and_then(|mut builder| {
+        builder.add_bodies()?;
+        builder.add_links()?;
+        Ok(builder)
+    });
+    let Builder { world, bodies, eccentric, .. } = built.map_err(|Refused(reason)| reason)?;
+    let dragged = parts.bodies.iter().zip(&bodies).filter(|(part, _)| part.rotational_drag != 0.0);
+    Ok(Box::new(Box2d {
+        dragged: dragged.map(|(part, &body)| (body, part.rotational_drag)).collect(),
+        turns: Turns::new(parts.bodies.iter().map(BodyPart::spin)),
+        world: RefCell::new(world),
+        bodies,
+        substeps,
+        eccentric,
+        is_broken: false,
+    }))
+}
+
+/// The version of Box2D, which is a state of its development after 3.1.
+pub(super) fn version() -> String {
+    let version = Foundation::initialize_default().and_then(|_| boxdd::version());
+    version.map_or_else(
+        |error| error.to_string(),
+        |version| format!("{}.{}.{}", version.major, version.minor, version.revision),
+    )
+}
+
+/// Why something cannot be built.
+struct Refused(String);
+
+impl From<boxdd::Error> for Refused {
+    fn from(error: boxdd::Error) -> Self {
+        Refused(error.to_string())
+    }
+}
+
+impl From<&str> for Refused {
+    fn from(reason: &str) -> Self {
+        Refused(reason.to_owned())
+    }
+}
+
+struct Builder<'a> {
+    parts: &'a Parts,
+    world: boxdd::World,
+    bodies: Vec<BodyId>,
+    ground: BodyId,
+    eccentric: Vec<Eccentric>,
+    /// What a motor joint gets instead of Box2D's stiffness of joints.
+    joint_hertz: f32,
+}
+
+impl<'a> Builder<'a> {
+    fn new(parts: &'a Parts, setting: Setting) -> Result<Self, Refused> {
+        let foundation = Foundation::initialize_default()?;
+        let definition = foundation.world_builder().gravity(parts.gravity).enable_sleep(false).build()?;
+        let mut world = foundation.create_world(definition)?;
+        mix_surfaces(&mut world, parts)?;
+        let ground = world.create_body(world.body_def())?;
+        // Box2D's own rule: no more than a quarter of the rate of substeps.
+        let rate = setting.passes as f32 / setting.dt.mean();
+        let joint_hertz = JOINT_HERTZ.min(rate / 4.0);
+        Ok(Builder { parts, world, bodies: Vec::new(), ground, eccentric: Vec::new(), joint_hertz })
+    }
+
+    fn add_bodies(&mut self) -> Result<(), Refused> {
+        for part in &self.parts.bodies {
+            self.bodies.push(self.world.create_body(body(part, self.world.body_builder())?)?);
+        }
+        for shape in &self.parts.shapes {
+            let definition = definition(shape)?;
+            let mut body = self.world.body(self.bodies[shape.body])?;
+            if let Form::Circle { centre, radius } = shape.form {
+                body.create_circle(&definition, &shapes::circle(centre, radius)?)?;
+            }
+            for polygon in polygons(&shape.form)? {
+                body.create_polygon(&definition, &polygon)?;
+            }
+        }
+        for (part, &body) in self.parts.bodies.iter().zip(&self.bodies).filter(|(part, _)| !part.is_static) {
+            let mass = MassData::new(part.mass, Vec2::ZERO, part.inertia)?;
+            self.world.body(body)?.set_mass_data(mass)?;
+        }
+        Ok(())
+    }
+
+    fn add_links(&mut self) -> Result<(), Refused> {
+        let links = &self.parts.links;
+        links.iter().try_for_each(|link| self.add_link(link))
+    }
+
+    /// What the frames of a joint are, and that bodies that are joined may collide.
+    fn base(&self, link: &Link, anchors: [[f32; 2]; 2], angle: f32) -> Result<JointBase, Refused> {
+        let body1 = link.body1.map_or(self.ground, |index| self.bodies[index]);
+        let base = self.world.joint_base(body1, self.bodies[link.body2])?;
+        let [one, two] = anchors;
+        Ok(base.with_local_frame_components(one, angle, two, 0.0)?.with_collide_connected(true))
+    }
+
+    fn add_link(&mut self, link: &Link) -> Result<(), Refused> {
+        match link.kind {
+            LinkKind::Point { anchors } => {
+                let mut joint = RevoluteJointDef::new(self.base(link, anchors, 0.0)?);
+                if let Some([min, max]) = self.angle_range(link) {
+                    joint = joint.enable_limit(true).lower_angle(min).upper_angle(max);
+                }
+                self.world.create_revolute_joint(&joint)?;
+            }
+            LinkKind::Weld { anchors, angle } => {
+                self.world.create_weld_joint(&WeldJointDef::new(self.base(link, anchors, angle)?))?;
+            }
+            LinkKind::Distance { anchors, length } => {
+                let joint = DistanceJointDef::new(self.base(link, anchors, 0.0)?).length(not_short(length)?);
+                self.world.create_distance_joint(&joint)?;
+            }
+            LinkKind::DistanceRange { anchors, min, max } => {
+                // Limits count beside a spring only; one of no stiffness does nothing.
+                let joint = DistanceJointDef::new(self.base(link, anchors, 0.0)?).length(not_short(max)?);
+                let joint = joint.enable_spring(true).hertz(0.0).enable_limit(true);
+                let joint = joint.min_length(min.max(LINEAR_SLOP)).max_length(max);
+                self.world.create_distance_joint(&joint)?;
+            }
+            LinkKind::Spring { anchors, length, stiffness, damping } => {
+                let base = self.base(link, anchors, 0.0)?;
+                self.add_spring(link, base, Spring { anchors, stiffness, damping }, length)?;
+            }
+            LinkKind::Angle { angle } => {
+                let base = self.base(link, [[0.0; 2]; 2], angle)?;
+                self.add_angle_spring(base, self.joint_hertz, JOINT_DAMPING_RATIO)?;
+            }
+            LinkKind::AngleSpring { angle, stiffness } => {
+                let base = self.base(link, [[0.0; 2]; 2], angle)?;
+                let mobility: f32 = link.movable(self.parts).map(|part| 1.0 / part.inertia).sum();
+                self.add_angle_spring(base, (stiffness * mobility).sqrt() / TAU, 0.0)?;
+            }
+            LinkKind::AngleRange { .. } => {
+                if !self.parts.links.iter().any(|other| other.turns_like(link)) {
+                    return Err("no angle limits without a revolute joint".into());
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The limits of the angle between the bodies of a revolute joint: in Box2D they are a part of it.
+    fn angle_range(&self, joint: &Link) -> Option<[f32; 2]> {
+        self.parts.links.iter().find_map(|link| match link.kind {
+            LinkKind::AngleRange { min, max } if joint.turns_like(link) => Some([min, max]),
+            _ => None,
+        })
+    }
+
+    fn add_spring(
+        &mut self,
+        link: &Link,
+        base: JointBase,
+        spring: Spring,
+        length: f32,
+    ) -> Result<(), Refused> {
+        if spring.stiffness == 0.0 {
+            return Err("no dampers without stiffness".into());
+        }
+        let ends = [link.body1, Some(link.body2)].map(|index| self.end(index?));
+        let [hertz, ratio] = spring.tuning(&mut self.world, &ends)?;
+        let joint = DistanceJointDef::new(base).length(not_short(length)?);
+        let joint = joint.enable_spring(true).hertz(hertz).damping_ratio(ratio);
+        let id = self.world.create_distance_joint(&joint)?;
+        let is_eccentric = |(end, anchor): (&Option<End>, [f32; 2])| end.is_some() && anchor != [0.0; 2];
+        if ends.iter().zip(spring.anchors).any(is_eccentric) {
+            self.eccentric.push(Eccentric { id, spring, ends });
+        }
+        Ok(())
+    }
+
+    fn add_angle_spring(&mut self, base: JointBase, hertz: f32, ratio: f32) -> Result<(), Refused> {
+        let joint = MotorJointDef::new(base).angular_hertz(hertz).angular_damping_ratio(ratio);
+        self.world.create_motor_joint(&joint.max_spring_torque(f32::MAX))?;
+        Ok(())
+    }
+
+    fn end(&self, index: usize) -> Option<End> {
+        let part = &self.parts.bodies[index];
+        let end = End { body: self.bodies[index], mobility: 1.0 / part.mass, turning: 1.0 / part.inertia };
+        (!part.is_static).then_some(end)
+    }
+}
+
+impl Link {
+    /// The bodies of the link that can move.
+    fn movable<'a>(&self, parts: &'a Parts) -> impl Iterator<Item = &'a BodyPart> {
+        let bodies = self.body1.into_iter().chain([self.body2]).map(|index| &parts.bodies[index]);
+        bodies.filter(|part| !part.is_static)
+    }
+
+    /// Whether one is a revolute joint and the other a limit of the angle between the same bodies.
+    fn turns_like(&self, limit: &Link) -> bool {
+        matches!(self.kind, LinkKind::Point { .. })
+            && matches!(limit.kind, LinkKind::AngleRange { .. })
+            && (self.body1, self.body2) == (limit.body1, limit.body2)
+    }
+}
+
+fn not_short(length: f32) -> Result<f32, Refused> {
+    if length >= LINEAR_SLOP { Ok(length) } else { Err("no distances to be held below 0.16 px".into()) }
+}
+
+/// Box2D takes the geometric mean of frictions and the greater restitution: the mean is a callback, which costs time,
+/// and so is set only where it makes a difference.
+fn mix_surfaces(world: &mut boxdd::World, parts: &Parts) -> Result<(), Refused> {
+    let Some(first) = parts.shapes.first() else { return Ok(()) };
+    if parts.shapes.iter().any(|shape| shape.friction != first.friction) {
+        let takes_lesser = parts.takes_lesser_friction;
+        let rule = MixerId::from_bytes([1 + u8::from(takes_lesser); 32]);
+        world.set_friction_callback(rule, move |a, b| match takes_lesser {
+            true => a.coefficient.min(b.coefficient),
+            false => (a.coefficient + b.coefficient) / 2.0,
+        })?;
+    }
+    if parts.shapes.iter().any(|shape| shape.restitution != first.restitution) {
+        let rule = MixerId::from_bytes([3; 32]);
+        world.set_restitution_callback(rule, |a, b| (a.coefficient + b.coefficient) / 2.0)?;
+    }
+    Ok(())
+}
+
+fn body(part: &BodyPart, builder: boxdd::BodyBuilder) -> Result<boxdd::BodyDef, Refused> {
+    let builder = builder
+        .body_type(if part.is_static { BodyType::Static } else { BodyType::Dynamic })
+        .position(part.position)
+        .angle(part.angle)
+        .linear_velocity(part.velocity)
+        .angular_velocity(part.angular_velocity)
+        .linear_damping(part.linear_damping)
+        .angular_damping(part.angular_damping)
+        .gravity_scale(if part.feels_gravity { 1.0 } else { 0.0 });
+    Ok(builder.build()?)
+}
+
+/// A shape has no mass: that of the body is set.
+fn definition(shape: &ShapePart) -> Result<ShapeDef, Refused> {
+    let surface =
+        SurfaceMaterial::new().with_friction(shape.friction)?.with_restitution(shape.restitution)?;
+    // Of shapes with one negative group, none meet.
+    let group_index = shape.group.map_or(Ok(0), |number| i32::try_from(number).map(|number| -1 - number));
+    let group_index = group_index.map_err(|_| "no more collision groups")?;
+    Ok(ShapeDef::builder()
+        .density(0.0)
+        .material(surface)
+        .filter(Filter { group_index, ..Filter::new() })
+        .build()?)
+}
+
+/// The shape as polygons of at most as many corners as Box2D takes; none for a circle.
+fn polygons(form: &Form) -> Result<Vec<Polygon>, Refused> {
+    Ok(match form {
+        Form::Circle { .. } => Vec::new(),
+        Form::Rectangle { centre, angle, half_extents: [x, y] } => {
+            let place = Transform::from_pos_angle(*centre, *angle)?;
+            vec![shapes::offset_box_polygon(*x, *y, place)?]
+        }
+        Form::Convex(corners) => {
+            let (first, others) = corners.split_first().ok_or("no outlines without corners")?;
+            let mut polygons = Vec::new();
+            let mut begin = 0;
+            // A fan: the pieces share the first corner and an edge.
+            while begin + 1 < others.len() {
+                let end = others.len().min(begin + MAX_POLYGON_VERTICES - 1);
+                let piece = std::iter::once(first).chain(&others[begin..end]);
+                polygons.push(shapes::polygon_from_points(piece.copied(), 0.0)?);
+                begin = end - 1;
+            }
+            polygons
+        }
+    })
+}
+
+/// A spring as the scene says it: Box2D wants its frequency and its damping ratio, which go by the mass that the spring
+/// feels.
+#[derive(Clone, Copy)]
+struct Spring {
+    anchors: [[f32; 2]; 2],
+    stiffness: f32,
+    damping: f32,
+}
+
+/// A body that a spring moves.
+#[derive(Clone, Copy)]
+struct End {
+    body: BodyId,
+    /// Inverse mass in 1/kg.
+    mobility: f32,
+    /// Inverse moment of inertia in 1/(kg m²).
+    turning: f32,
+}
+
+/// A spring whose ends turn their bodies: the mass it feels goes by where they are, and is told anew before each step,
+/// as Box2D reckons with it.
+struct Eccentric {
+    id: JointId,
+    spring: Spring,
+    ends: [Option<End>; 2],
+}
+
+impl Spring {
+    /// Frequency in Hz and damping ratio for how the bodies are now.
+    fn tuning(&self, world: &mut boxdd::World, ends: &[Option<End>; 2]) -> Result<[f32; 2], Refused> {
+        let mut arms = [[0.0; 2]; 2];
+        let mut points = self.anchors;
+        for (side, end) in ends.iter().enumerate() {
+            let Some(end) = end else { continue };
+            let body = world.body(end.body)?;
+            let (position, rotation) = (body.position()?, body.rotation()?);
+            let arm = rotation.rotate_vec(Vec2::from(self.anchors[side]));
+            arms[side] = [arm.x, arm.y];
+            points[side] = [position.x + arm.x, position.y + arm.y];
+        }
+        let [dx, dy] = [points[1][0] - points[0][0], points[1][1] - points[0][1]];
+        let length = dx.hypot(dy);
+        let mut mobility = 0.0;
+        for (end, [x, y]) in ends.iter().zip(arms).filter_map(|(end, arm)| Some((end.as_ref()?, arm))) {
+            let lever = if length > 0.0 { (x * dy - y * dx) / length } else { 0.0 };
+            mobility += end.mobility + end.turning * lever * lever;
+        }
+        let angular = (self.stiffness * mobility).sqrt();
+        let ratio = if angular > 0.0 { self.damping * mobility / (2.0 * angular) } else { 0.0 };
+        Ok([angular / TAU, ratio])
+    }
+}
+
+impl Box2d {
+    fn advance(&mut self, dt: f32) -> Result<(), Refused> {
+        let world = self.world.get_mut();
+        for &(body, drag) in &self.dragged {
+            let mut body = world.body(body)?;
+            let angular_velocity = body.angular_velocity()?;
+            body.apply_torque(-drag * angular_velocity * angular_velocity.abs(), false)?;
+        }
+        for Eccentric { id, spring, ends } in &self.eccentric {
+            let [hertz, ratio] = spring.tuning(world, ends)?;
+            let mut joint = world.joint(*id)?.into_distance()?;
+            joint.set_spring_hertz(hertz)?;
+            joint.set_spring_damping_ratio(ratio)?;
+        }
+        match world.step(dt, self.substeps)?.post_step_error() {
+            Some(error) => Err(Refused(error.to_string())),
+            None => Ok(()),
+        }
+    }
+
+    fn told(&self, index: usize) -> Result<Told, Refused> {
+        let mut world = self.world.borrow_mut();
+        let body = world.body(self.bodies[index])?;
+        let (position, rotation) = (body.position()?, body.rotation()?);
+        let velocity = body.linear_velocity()?;
+        Ok(Told {
+            position: [position.x, position.y],
+            rotation: [rotation.cosine(), rotation.sine()],
+            velocity: [velocity.x, velocity.y],
+            angular_velocity: body.angular_velocity()?,
+        })
+    }
+
+    /// Does something with a body; what Box2D refuses changes nothing.
+    fn change(
+        &mut self,
+        index: usize,
+        change: impl FnOnce(&mut boxdd::Body<'_>) -> boxdd::Result<()>,
+    ) -> bool {
+        let world = self.world.get_mut();
+        world.body(self.bodies[index]).and_then(|mut body| change(&mut body)).is_ok()
+    }
+}
+
+impl World for Box2d {
+    fn step(&mut self, dt: f32) {
+        if self.is_broken {
+            return;
+        }
+        self.is_broken = !goes_well(|| self.advance(dt).map_err(|Refused(reason)| reason));
+        self.turns.advance(dt);
+    }
+
+    fn body(&self, index: usize) -> BodyState {
+        self.turns.see(index, if self.is_broken { None } else { self.told(index).ok() })
+    }
+
+    fn body_count(&self) -> usize {
+        self.turns.len()
+    }
+
+    fn set_velocity(&mut self, index: usize, velocity: [f64; 2], angular_velocity: f64) {
+        let is_done = self.change(index, |body| {
+            body.set_linear_velocity(point(velocity))?;
+            body.set_angular_velocity(angular_velocity as f32)
+        });
+        if is_done {
+            self.turns.set(index, None, Some(angular_velocity));
+        }
+    }
+
+    fn apply_impulse(&mut self, index: usize, impulse: [f64; 2]) {
+        self.change(index, |body| body.apply_linear_impulse_to_center(point(impulse), true));
+    }
+
+    fn teleport(&mut self, index: usize, position: [f64; 2], angle: f64) {
+        let is_done =
+            self.change(index, |body| body.set_position_and_rotation(position.map(metres), angle as f32));
+        if is_done {
+            self.turns.set(index, Some(angle), None);
+        }
+    }
+}

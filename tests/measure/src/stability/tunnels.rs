@@ -1,0 +1,128 @@
+//! Fast things and thin walls.
+
+use super::parts::{all, calm, each_reaches, greatest, movable, never_above};
+use super::stage::{METRE, Stage};
+use super::{StabilityFamily, reasons};
+use crate::error::Watch;
+use crate::world::World;
+use conformance::scene::Scene;
+use farseer_core::math::Vector2;
+
+/// Speeds in px/s.
+const SPEEDS: &[f64] = &[100.0, 200.0, 400.0, 800.0, 1600.0, 3200.0, 6400.0, 12_800.0, 25_600.0];
+const QUICK_SPEEDS: &[f64] = &[200.0, 800.0, 3200.0, 12_800.0];
+
+const BULLET: StabilityFamily = StabilityFamily {
+    parameter: "speed",
+    unit: "px/s",
+    values: SPEEDS,
+    quick_values: QUICK_SPEEDS,
+    judge: stays_before_the_wall,
+    seconds: |_| 4.0,
+    quantity: "how far a bullet's middle got behind the wall's face",
+    ..StabilityFamily::PLAIN
+};
+
+pub(super) const FAMILIES: [StabilityFamily; 6] = [
+    StabilityFamily {
+        name: "Bullet Circle, wall of 4 px",
+        about: "Eight circles of 8 px fly at a wall of 4 px, each from a little farther. All arrive, and none gets through.",
+        build: |speed, _| bullets(speed as f32, 4.0, true),
+        ..BULLET
+    },
+    StabilityFamily {
+        name: "Bullet Circle, wall of 32 px",
+        about: "Eight circles of 8 px fly at a wall of 32 px, each from a little farther. All arrive, and none gets through.",
+        build: |speed, _| bullets(speed as f32, 32.0, true),
+        ..BULLET
+    },
+    StabilityFamily {
+        name: "Bullet Box, wall of 4 px",
+        about: "Eight squares of 8 px fly at a wall of 4 px, each from a little farther. All arrive, and none gets through.",
+        build: |speed, _| bullets(speed as f32, 4.0, false),
+        ..BULLET
+    },
+    StabilityFamily {
+        name: "Bullet Box, wall of 32 px",
+        about: "Eight squares of 8 px fly at a wall of 32 px, each from a little farther. All arrive, and none gets through.",
+        build: |speed, _| bullets(speed as f32, 32.0, false),
+        ..BULLET
+    },
+    StabilityFamily {
+        name: "Bullet, thin wall",
+        about: "Eight circles of 8 px fly at 800 px/s at a wall, each from a little farther. All arrive, and none gets through.",
+        parameter: "thickness of the wall",
+        unit: "px",
+        values: &[64.0, 32.0, 16.0, 8.0, 4.0, 2.0, 1.0],
+        quick_values: &[64.0, 16.0, 4.0, 1.0],
+        build: |thickness, _| bullets(800.0, thickness as f32, true),
+        ..BULLET
+    },
+    StabilityFamily {
+        name: "Spinning Plank",
+        about: "A plank of 64 px by 2 px falls from 3 m onto a floor of 16 px while it spins. It arrives, and stays above it.",
+        parameter: "spin",
+        unit: "rad/s",
+        values: &[0.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0],
+        quick_values: &[0.0, 10.0, 100.0, 300.0],
+        build: |spin, _| spinning(spin as f32),
+        judge: stays_above_the_floor,
+        quantity: "how far its middle got below the floor's surface",
+        ..BULLET
+    },
+];
+
+/// Half of a bullet's size in px.
+const HALF: f32 = 4.0;
+
+/// Eight bullets that fly to the right at a wall whose face is x = 0.
+fn bullets(speed: f32, thickness: f32, are_circles: bool) -> Scene {
+    let mut stage = Stage::without_gravity();
+    let lane = METRE;
+    stage.wall([thickness / 2.0, 3.5 * lane], [thickness, 10.0 * lane]);
+    for index in 0..8 {
+        // Farther by an eighth of a way per step of 1/60 s, so that no wall is hit at the same part of a step.
+        let place = [-100.0 - speed / 60.0 * index as f32 / 8.0, lane * index as f32];
+        if are_circles {
+            stage.ball(place, HALF);
+        } else {
+            stage.solid(place, [2.0 * HALF, 2.0 * HALF]);
+        }
+        stage.last().settings.linear_velocity = Some(Vector2::new(speed, 0.0));
+    }
+    stage.done()
+}
+
+fn stays_before_the_wall(_: f64, scene: &Scene) -> Box<dyn Watch> {
+    let bodies = movable(scene);
+    // The wall is the first body, and half of it lies behind its middle. A bullet whose middle is past the wall's
+    // is pushed out on the other side.
+    let middle = scene.bodies[0].position.map_or(0.0, |place| f64::from(place.x));
+    let depth = move |world: &dyn World| greatest(world, &bodies, |body| body.position[0]);
+    // It came within its size of the wall, or nothing was tried.
+    let arrive = each_reaches(scene, -2.0 * f64::from(HALF), reasons::STUCK, |body| body.position[0]);
+    all(vec![calm(scene, 1e6), arrive, never_above(middle, reasons::TUNNELLED, depth)])
+}
+
+/// Length and thickness of the plank in px.
+const PLANK: [f32; 2] = [2.0 * METRE, 2.0];
+
+fn spinning(spin: f32) -> Scene {
+    let mut stage = Stage::new();
+    stage.wall([0.0, 8.0], [400.0 * METRE, 16.0]);
+    stage.solid([0.0, -3.0 * METRE], PLANK);
+    stage.last().settings.angular_velocity = Some(spin);
+    stage.last().rotation = Some(0.5);
+    stage.done()
+}
+
+fn stays_above_the_floor(_: f64, scene: &Scene) -> Box<dyn Watch> {
+    let bodies = movable(scene);
+    let edge = 200.0 * f64::from(METRE);
+    // One that left over the edge of the floor did not go through it.
+    let depth = move |world: &dyn World| {
+        greatest(world, &bodies, |body| if body.position[0].abs() < edge { body.position[1] } else { 0.0 })
+    };
+    let arrive = each_reaches(scene, -f64::from(PLANK[0]), reasons::STUCK, |body| body.position[1]);
+    all(vec![calm(scene, 1e6), arrive, never_above(8.0, reasons::TUNNELLED, depth)])
+}

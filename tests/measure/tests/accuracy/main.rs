@@ -1,0 +1,11 @@
+//! What the scenes of the charts measure, and how far off our methods are in them.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod depth;
+mod farseer;
+mod measures;
+mod overlaps;
+mod rest;
+mod rolling;

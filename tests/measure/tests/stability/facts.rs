@@ -1,0 +1,35 @@
+//! What is known of the original's stability, measured there: boxes of 32 px, friction 0.5, 10 s.
+
+use measure::method::{Setting, methods};
+use measure::stability::map::{Cell, Verdict};
+use measure::stability::{families, reasons, sheet};
+
+fn stack(boxes: u32, setting: Setting) -> Cell {
+    // The original's defaults: the distance grid.
+    let family = families().into_iter().find(|family| family.name == "Vertical Stack");
+    sheet::run(&family.expect("it is there"), f64::from(boxes), &methods()[0], setting)
+}
+
+fn has_toppled(cell: &Cell) -> bool {
+    cell.verdict == Verdict::Failed(reasons::TOPPLED)
+}
+
+#[test]
+fn with_5_iterations_at_a_sixtieth_a_stack_of_5_has_not_fallen_after_10_seconds() {
+    assert!(!has_toppled(&stack(5, Setting::fixed(1.0 / 60.0, 5))));
+}
+
+#[test]
+fn with_5_iterations_at_a_sixtieth_a_stack_of_10_falls() {
+    assert!(has_toppled(&stack(10, Setting::fixed(1.0 / 60.0, 5))));
+}
+
+#[test]
+fn with_20_iterations_at_a_sixtieth_a_stack_of_10_falls_as_well() {
+    assert!(has_toppled(&stack(10, Setting::fixed(1.0 / 60.0, 20))));
+}
+
+#[test]
+fn with_40_iterations_at_a_200th_a_stack_of_20_stands() {
+    assert_eq!(stack(20, Setting::fixed(1.0 / 200.0, 40)).verdict, Verdict::Holds);
+}

@@ -1,0 +1,12 @@
+//! Where our methods hold and where they fail, and what judges it.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+#[macro_use]
+mod written;
+
+mod depth;
+mod facts;
+mod judges;
+mod plane;
