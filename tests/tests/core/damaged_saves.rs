@@ -274,7 +274,7 @@ fn changed_box(change: impl Fn(&mut Value)) -> serde_json::Result<PhysicsSimulat
 #[test]
 fn a_simulator_makes_no_geom_when_the_numbers_of_geoms_are_used_up_and_loads_itself() {
     let last = i32::MAX - 1;
-    let mut simulator = changed_box(|saved| saved["next_geom_number"] = json!(last)).unwrap();
+    let mut simulator = changed_box(|saved| saved["objects"]["next_geom_number"] = json!(last)).unwrap();
     let body = simulator.body_list()[0];
     let outline = Vertices::create_simple_rectangle(10.0, 10.0).unwrap();
     let make = |simulator: &mut PhysicsSimulator| {
@@ -296,7 +296,7 @@ fn a_slot_whose_generations_are_used_up_stays_empty() {
     let mut simulator = simulator_with(0.0, Default::default());
     simulator.create_body(Body::new());
     let mut saved = serde_json::to_value(&simulator).unwrap();
-    saved["bodies"]["slots"][0]["generation"] = json!(u32::MAX);
+    saved["objects"]["bodies"]["entries"]["slots"][0]["generation"] = json!(u32::MAX);
     let mut simulator: PhysicsSimulator = serde_json::from_value(saved).unwrap();
     let last = simulator.bodies().next().unwrap();
     simulator.dispose(last).unwrap();
@@ -319,11 +319,15 @@ fn places_of_geoms_that_are_not_finite_are_refused() {
     for (what, index) in
         [("aabb", 2), ("world_vertices", 3), ("pose", 4), ("pose", 10), ("pose", 13), ("pose", 14)]
     {
-        let loaded = changed_box(|saved| saved["geoms"]["slots"][0]["value"][what][index] = infinity.clone());
+        let loaded = changed_box(|saved| {
+            saved["objects"]["geoms"]["entries"]["slots"][0]["value"]["value"][what][index] = infinity.clone()
+        });
         let error = loaded.expect_err(what).to_string();
         assert!(error.contains("a geom is not finite"), "{what} {index}: {error}");
     }
-    let loaded = changed_box(|saved| saved["geoms"]["slots"][0]["value"]["user_matrix"][5] = json!(1e300));
+    let loaded = changed_box(|saved| {
+        saved["objects"]["geoms"]["entries"]["slots"][0]["value"]["value"]["user_matrix"][5] = json!(1e300)
+    });
     assert!(loaded.is_err());
 }
 
@@ -332,7 +336,10 @@ fn refused_arguments_that_there_are_not_are_refused() {
     for owner in ["bodies", "geoms"] {
         let kind = if owner == "bodies" { "body" } else { "geom" };
         let with = |names: Value| {
-            changed_box(|saved| saved[owner]["slots"][0]["value"][kind]["rejected"] = names.clone())
+            changed_box(|saved| {
+                saved["objects"][owner]["entries"]["slots"][0]["value"]["value"][kind]["rejected"] =
+                    names.clone()
+            })
         };
         assert!(with(json!([])).is_ok());
         let error = with(json!(["colour"])).unwrap_err().to_string();

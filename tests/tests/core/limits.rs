@@ -143,8 +143,8 @@ fn recorded_scenes_need_a_fiftieth_of_the_limits() {
 
 fn with_cells(simulator: &PhysicsSimulator, cell_size: f32) -> Value {
     let mut save = serde_json::to_value(simulator).unwrap();
-    for slot in save["geoms"]["slots"].as_array_mut().unwrap() {
-        slot["value"]["grid"]["cell_size"] = json!(cell_size);
+    for slot in save["objects"]["geoms"]["entries"]["slots"].as_array_mut().unwrap() {
+        slot["value"]["value"]["grid"]["cell_size"] = json!(cell_size);
     }
     save
 }

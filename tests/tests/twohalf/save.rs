@@ -121,7 +121,9 @@ fn a_save_whose_contact_has_infinite_friction_is_refused() {
 
 #[test]
 fn a_save_with_a_damaged_2d_engine_is_refused() {
-    let message = refusal(|saved| saved["core"]["body_list"][0] = json!({ "index": 99, "generation": 0 }));
+    let message = refusal(|saved| {
+        saved["core"]["objects"]["bodies"]["list"][0] = json!({ "index": 99, "generation": 0 })
+    });
     assert!(message.contains("damaged"), "{message}");
 }
 
