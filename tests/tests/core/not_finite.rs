@@ -188,7 +188,7 @@ fn any_number(random: &mut Random) -> f32 {
         1 => random.between(-1e4, 1e4),
         2 => random.pick(&[0.0, -0.0, 1e-45, -1e-38, 1e-20, f32::MIN_POSITIVE]),
         3 => random.pick(&[f32::MAX, f32::MIN, 1e38, -1e38, 1e30, -1e25, 1e20, 4.3e9, -2.2e9]),
-        _ => f32::from_bits((random.next() << 1) ^ random.next()),
+        _ => f32::from_bits((random.next_u32() << 1) ^ random.next_u32()),
     }
 }
 

@@ -252,13 +252,13 @@ fn mutate(bytes: &mut Vec<u8>, random: &mut Random) {
     let run = at..(at + 1 + random.below(40)).min(bytes.len());
     match random.below(9) {
         0 => bytes[at] ^= 1 << random.below(8),
-        1 => bytes[at] = random.next() as u8,
+        1 => bytes[at] = random.next_u32() as u8,
         2 => bytes.swap(at, other),
         3 => bytes.truncate(at),
         4 => drop(bytes.drain(run)),
-        5 => bytes.insert(at, random.next() as u8),
+        5 => bytes.insert(at, random.next_u32() as u8),
         6 => bytes[run].fill(random.pick(&[0, 1, 0x7F, 0x80, 0xFF])),
-        7 => bytes.extend((0..1 + random.below(9)).map(|_| random.next() as u8)),
+        7 => bytes.extend((0..1 + random.below(9)).map(|_| random.next_u32() as u8)),
         _ => {
             let there = other.min(bytes.len() - run.len());
             bytes.copy_within(run, there);
@@ -281,7 +281,7 @@ fn ten_thousand_mutated_snapshots_change_nothing() {
         // Half of them are hit in the header, too.
         if random.below(2) == 0 && mutated.len() > 24 {
             let at = random.below(24);
-            mutated[at] = random.next() as u8;
+            mutated[at] = random.next_u32() as u8;
         }
         if mutated == snapshot {
             unchanged += 1;

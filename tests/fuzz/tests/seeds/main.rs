@@ -1,0 +1,6 @@
+//! What must hold whatever is called, from fixed seeds.
+
+mod play;
+mod saves;
+mod soak;
+mod texts_and_textures;
