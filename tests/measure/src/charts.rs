@@ -18,8 +18,8 @@ mod springs;
 mod stacks;
 mod swing;
 
-use super::error::Watch;
 use super::sweep::Subject;
+use super::watch::Watch;
 use conformance::scene::Scene;
 use std::fmt;
 

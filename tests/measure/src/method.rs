@@ -1,9 +1,9 @@
 //! The ways to simulate: the lines of a chart, the columns of a map.
 
-use super::ours::our_methods;
-#[cfg(feature = "peers")]
-use super::peers_2d::{box2d_methods, rapier_methods};
 use super::world::World;
+#[cfg(feature = "peers")]
+use crate::engines::peers_2d::{box2d_methods, rapier_methods};
+use crate::engines::plane::our_methods;
 use conformance::scene::Scene;
 use std::fmt;
 
@@ -166,7 +166,7 @@ pub fn methods() -> Vec<Method> {
 /// Names and versions of the other engines among them, and of what they are reached through.
 pub fn peer_versions() -> Vec<(&'static str, String)> {
     #[cfg(feature = "peers")]
-    return super::peers_2d::peer_versions();
+    return crate::engines::peers_2d::peer_versions();
     #[cfg(not(feature = "peers"))]
     Vec::new()
 }

@@ -24,13 +24,12 @@ pub mod reasons;
 pub mod sheet;
 mod springs;
 mod stacks;
-mod stage;
 mod steps;
 mod sweeps;
 pub mod table;
 mod tunnels;
 
-use super::error::Watch;
+use super::watch::Watch;
 use super::world::World;
 use conformance::scene::Scene;
 use std::fmt;

@@ -84,6 +84,13 @@ pub enum Met {
     Platform(usize),
 }
 
+impl Met {
+    /// A pair with the lesser one first.
+    pub fn pair(a: Met, b: Met) -> (Met, Met) {
+        if a <= b { (a, b) } else { (b, a) }
+    }
+}
+
 /// A scene in some engine, being stepped. Bodies are named by their index in the scene. What only scenes in the plane or
 /// only scenes with depth ask for is there for those.
 pub trait World {

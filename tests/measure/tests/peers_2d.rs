@@ -8,8 +8,8 @@
 
 use conformance::scene::*;
 use farseer_core::math::Vector2;
+use measure::engines::peers_2d::{box2d_methods, rapier_methods};
 use measure::method::{Method, Setting};
-use measure::peers_2d::{box2d_methods, rapier_methods};
 use measure::world::{World, masses};
 use std::f64::consts::{PI, TAU};
 

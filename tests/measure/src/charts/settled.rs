@@ -1,8 +1,8 @@
 //! What is measured where things should come to rest: how deep they are in each other, how fast they still move,
 //! and whether what was built still stands.
 
-use super::super::error::{Failing, Largest, Last, Watch, Worst};
 use super::super::penetration::Shapes;
+use super::super::watch::{Failing, Largest, Watch, last, worst};
 use super::super::world::World;
 use super::ChartScene;
 use super::build::start;
@@ -95,7 +95,7 @@ impl Rest {
             let is = -world.body(top?.0).position[1];
             Some(100.0 * (is / height - 1.0).abs())
         };
-        self.standing(scene, Last::new(error))
+        self.standing(scene, last(error))
     }
 
     /// Error: the speed of the fastest body in the last second, in px/s.
@@ -131,16 +131,16 @@ impl Rest {
             largest.take(shapes.largest_overlap(world));
             Some(largest.get())
         };
-        self.standing(scene, Last::new(look))
+        self.standing(scene, last(look))
     }
 
     /// The largest of a value in the last second.
-    fn worst_at_end(self, value: impl Fn(&dyn World) -> f64 + 'static) -> impl Watch + 'static {
+    fn worst_at_end(self, value: impl Fn(&dyn World) -> f64 + 'static) -> Box<dyn Watch> {
         let from = self.seconds - WINDOW;
-        Worst::new(move |time, world: &dyn World| (time >= from).then(|| value(world)))
+        worst(move |time, world: &dyn World| (time >= from).then(|| value(world)))
     }
 
-    fn standing(self, scene: &Scene, watch: impl Watch + 'static) -> Box<dyn Watch> {
+    fn standing(self, scene: &Scene, watch: Box<dyn Watch>) -> Box<dyn Watch> {
         let starts = (0..scene.bodies.len()).map(|index| start(scene, index));
         let reach = 2e3 + 10.0 * starts.map(|p| p[0].hypot(p[1])).fold(0.0, f64::max);
         let ruin = (self.ruin)(scene);

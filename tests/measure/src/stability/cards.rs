@@ -3,9 +3,9 @@
 use super::parts::{Allowed, SPEED_LIMIT, all, calm, ends_in, greatest, least, movable, standing};
 use super::reasons;
 use super::stacks::BOXES;
-use super::stage::{METRE, Stage};
 use super::{SECONDS, StabilityFamily};
-use crate::error::Watch;
+use crate::scenes::stage::{METRE, Stage};
+use crate::watch::Watch;
 use crate::world::World;
 use conformance::scene::Scene;
 use farseer_core::math::Vector2;

@@ -1,8 +1,8 @@
 //! What judges are made of: each part looks at one thing that can go wrong.
 
 use super::reasons;
-use super::stage::METRE;
-use crate::error::{Largest, Watch};
+use crate::scenes::stage::METRE;
+use crate::watch::{Largest, Watch};
 use crate::world::{BodyState, World, distance};
 use conformance::scene::{JointKind, Scene};
 use farseer_core::math::Vector2;

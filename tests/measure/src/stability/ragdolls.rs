@@ -1,9 +1,9 @@
 //! A doll of limbs with limited joints, thrown on the floor.
 
 use super::parts::{all, calm, ends_in, greatest, joined, mean_speed, movable};
-use super::stage::{METRE, Stage};
 use super::{StabilityFamily, reasons};
-use crate::error::Watch;
+use crate::scenes::stage::{METRE, Stage};
+use crate::watch::Watch;
 use conformance::scene::{JointKind, Scene};
 use farseer_core::math::Vector2;
 

@@ -3,9 +3,9 @@
 use super::parts::{
     Allowed, SPEED_LIMIT, all, calm, each_reaches, ends_in, greatest, movable, never_above, standing,
 };
-use super::stage::{METRE, Stage};
 use super::{Moment, StabilityFamily, reasons};
-use crate::error::Watch;
+use crate::scenes::stage::{METRE, Stage};
+use crate::watch::Watch;
 use crate::world::World;
 use conformance::scene::Scene;
 use farseer_core::math::Vector2;

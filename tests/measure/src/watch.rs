@@ -1,8 +1,39 @@
-//! Watching a run of a scene with depth.
+//! Watching a run, and saying in one number how wrong it was.
 
-use crate::error::{Largest, Watch};
 use crate::stability::reasons::NOT_FINITE;
-use crate::world::World;
+use crate::world::{World, distance};
+
+/// Watches a run and says how wrong it was.
+pub trait Watch {
+    /// Looks at the world after a step; `time` is the simulated time in s so far. Also called once before the
+    /// first step.
+    fn see(&mut self, time: f64, world: &dyn World);
+
+    /// How wrong the run was so far, in the scene's unit. Not finite when it failed.
+    fn error(&self) -> f64;
+
+    /// What went wrong, in a word or two, if anything did.
+    fn failed(&self) -> Option<&'static str> {
+        None
+    }
+}
+
+/// The largest of some numbers. What is not a number counts as infinite, so that it is never lost.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Largest(Option<f64>);
+
+impl Largest {
+    /// Takes a number into account.
+    pub fn take(&mut self, value: f64) {
+        let value = if value.is_nan() { f64::INFINITY } else { value };
+        self.0 = Some(self.0.map_or(value, |largest| largest.max(value)));
+    }
+
+    /// The largest so far; NaN as long as there was none.
+    pub fn get(self) -> f64 {
+        self.0.unwrap_or(f64::NAN)
+    }
+}
 
 /// What is seen at one moment.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,6 +65,17 @@ impl Seen {
             Seen::Fine(error) | Seen::Ends(error) | Seen::Open(_, error) | Seen::Failed(_, error) => error,
         }
     }
+}
+
+/// Keeps the largest of the errors that a function sees. It may look away (`None`); if it never looked, the error is NaN.
+pub fn worst(mut look: impl FnMut(f64, &dyn World) -> Option<f64> + 'static) -> Box<dyn Watch> {
+    watch(move |time, world| look(time, world).map(Seen::Fine))
+}
+
+/// Keeps the last of the errors that a function sees, for what counts at the end of a run only. NaN as long as there was
+/// none.
+pub fn last(mut look: impl FnMut(f64, &dyn World) -> Option<f64> + 'static) -> Box<dyn Watch> {
+    watch(move |time, world| look(time, world).map(Seen::Ends))
 }
 
 /// Watches with a function of time in s and the world, from before the first step on; `None` where it looks away.
@@ -80,11 +122,65 @@ impl<F: FnMut(f64, &dyn World) -> Option<Seen>> Watch for Looking<F> {
     }
 }
 
+/// Another watch, and what counts as a failure: the first word a function says stays. Besides, a run fails when
+/// the state of a body is not finite or lies outside of the scene, and when there was nothing to measure.
+pub struct Failing<F> {
+    watch: Box<dyn Watch>,
+    verdict: F,
+    /// Farther than this from the origin, in px, nothing belongs to the scene any more.
+    reach: f64,
+    failed: Option<&'static str>,
+}
+
+impl<F: FnMut(f64, &dyn World) -> Option<&'static str>> Failing<F> {
+    /// A watch with a verdict and the reach of the scene in px.
+    pub fn new(watch: Box<dyn Watch>, reach: f64, verdict: F) -> Self {
+        Failing { watch, verdict, reach, failed: None }
+    }
+}
+
+impl<F: FnMut(f64, &dyn World) -> Option<&'static str>> Watch for Failing<F> {
+    fn see(&mut self, time: f64, world: &dyn World) {
+        if self.failed.is_none() {
+            self.failed = strayed(world, self.reach).or_else(|| (self.verdict)(time, world));
+            self.watch.see(time, world);
+        }
+    }
+
+    fn error(&self) -> f64 {
+        if self.failed.is_some() { f64::INFINITY } else { self.watch.error() }
+    }
+
+    fn failed(&self) -> Option<&'static str> {
+        self.failed
+            .or_else(|| self.watch.failed())
+            .or_else(|| (!self.watch.error().is_finite()).then_some("nothing to measure"))
+    }
+}
+
+/// Another watch that fails when a body's state is not finite, or lies farther from the origin than `reach` px.
+pub fn in_reach(watch: Box<dyn Watch>, reach: f64) -> Box<dyn Watch> {
+    Box::new(Failing::new(watch, reach, |_, _| None))
+}
+
+/// Whether a body's state is not finite, or farther from the origin than `reach` px.
+pub fn strayed(world: &dyn World, reach: f64) -> Option<&'static str> {
+    (0..world.body_count()).map(|index| world.body(index)).find_map(|body| {
+        if !body.is_finite() {
+            Some(NOT_FINITE)
+        } else if distance(body.position, [0.0; 3]) > reach {
+            Some("flew off")
+        } else {
+            None
+        }
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::depth_scenes::bounce;
-    use crate::peers::TwoHalf;
+    use crate::engines::depth::TwoHalf;
+    use crate::scenes::depth::bounce;
 
     /// What is made of some looks.
     fn watched(looks: &'static [Seen]) -> (f64, Option<&'static str>) {

@@ -10,9 +10,15 @@
 //!   `rapier3d` foresees them from [`MARGIN`] on.
 //! - **Rest**: an overlap of [`SLOP`] is left alone here.
 
-use measure::depth_scenes::*;
-use measure::peers::closed_forms::{after_fall_on_corner, after_hit, time_of_meeting, turned};
-use measure::peers::{Both, MARGIN, Rapier, Run, SLOP, TwoHalf, alone};
+mod closed_forms;
+mod comparison;
+mod recording;
+
+use closed_forms::{after_fall_on_corner, after_hit, time_of_meeting, turned};
+use comparison::{Both, MARGIN, Run, SLOP, alone};
+use measure::engines::depth::TwoHalf;
+use measure::engines::rapier3d::Rapier;
+use measure::scenes::depth::*;
 use measure::world::{BodyState, Met, World};
 use std::time::Instant;
 

@@ -1,7 +1,7 @@
 //! Scenes in the 2D engine of this workspace.
 
-use super::method::{Built, Effort, Family, Mapped, Method, Setting, mapped};
-use super::world::{BodyState, World};
+use crate::method::{Built, Effort, Family, Mapped, Method, Setting, mapped};
+use crate::world::{BodyState, World};
 use conformance::run::Run;
 use conformance::scene::{BroadPhase, NarrowPhase, Scene};
 use farseer_core::math::Vector2;

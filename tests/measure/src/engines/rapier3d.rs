@@ -5,8 +5,8 @@ use rapier3d::prelude::{
     PhysicsWorld, Pose, QueryFilter, Ray, RigidBody, RigidBodyBuilder, RigidBodyHandle, Rotation, Vector,
 };
 
-use super::{ordered, wrapped};
-use crate::depth_scenes::{DepthObject, DepthPlatform, DepthScene, DepthShape, SCREEN_ANGLE, Surface};
+use super::wrapped;
+use crate::scenes::depth::{DepthObject, DepthPlatform, DepthScene, DepthShape, SCREEN_ANGLE, Surface};
 use crate::world::{BodyState, Met, World};
 
 /// Px that stand for a metre: `rapier3d` scales its tolerances with it. The size of a large object.
@@ -206,7 +206,7 @@ impl World for Rapier {
     fn touching(&self, pairs: &mut Vec<(Met, Met)>) {
         for pair in self.world.narrow_phase.contact_pairs() {
             if pair.total_impulse_magnitude() > 0.0 {
-                pairs.push(ordered(self.met(pair.collider1), self.met(pair.collider2)));
+                pairs.push(Met::pair(self.met(pair.collider1), self.met(pair.collider2)));
             }
         }
     }

@@ -25,8 +25,8 @@ mod parts;
 mod rapier;
 mod state;
 
-use super::method::{Effort, Family, Mapped, Method, Setting, mapped};
-use super::ours::STEPS;
+use super::plane::STEPS;
+use crate::method::{Effort, Family, Mapped, Method, Setting, mapped};
 
 pub use box2d::build_box2d;
 pub use rapier::build_rapier;
@@ -75,7 +75,7 @@ pub fn peer_versions() -> Vec<(&'static str, String)> {
 
 /// The version of a package that this was built with.
 fn locked_version(package: &str) -> String {
-    let lock = include_str!("../../../../Cargo.lock");
+    let lock = include_str!("../../../../../Cargo.lock");
     let name = format!("name = \"{package}\"");
     let version = lock.lines().skip_while(|line| *line != name).nth(1);
     version.map_or("unknown".to_owned(), |line| {

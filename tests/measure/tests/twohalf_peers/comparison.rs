@@ -1,28 +1,30 @@
 //! Two recordings of a scene, and the table of what is compared.
 
-use super::{Rapier, Recording, TwoHalf};
-use crate::depth_scenes::DepthScene;
-use crate::world::{BodyState, Met};
+use super::recording::Recording;
+use measure::engines::depth::TwoHalf;
+use measure::engines::rapier3d::Rapier;
+use measure::scenes::depth::DepthScene;
+use measure::world::{BodyState, Met};
 use std::fmt::Write;
 use std::ops::Deref;
 use std::sync::{PoisonError, RwLock, RwLockWriteGuard};
 
 /// How far ahead `rapier3d` foresees contacts, px: 0.02 of its length unit.
-pub const MARGIN: f64 = 0.8;
+pub(crate) const MARGIN: f64 = 0.8;
 /// The overlap in px that the solver of the 2D engine leaves alone.
-pub const SLOP: f64 = 0.05;
+pub(crate) const SLOP: f64 = 0.05;
 
 /// Scenes are run while this is read, time is measured while it is written.
 static MACHINE: RwLock<()> = RwLock::new(());
 
 /// Waits until no scene is run, and lets none be run.
-pub fn alone() -> RwLockWriteGuard<'static, ()> {
+pub(crate) fn alone() -> RwLockWriteGuard<'static, ()> {
     MACHINE.write().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// A recording with what is measured in it.
 #[derive(Debug)]
-pub struct Run(Recording);
+pub(crate) struct Run(Recording);
 
 impl Deref for Run {
     type Target = Recording;
@@ -33,17 +35,17 @@ impl Deref for Run {
 
 /// When and where something was.
 #[derive(Debug, Clone, Copy)]
-pub struct Crossing {
+pub(crate) struct Crossing {
     /// Time in s.
-    pub time: f64,
+    pub(crate) time: f64,
     /// X, Y and Z in px.
-    pub position: [f64; 3],
+    pub(crate) position: [f64; 3],
 }
 
 impl Run {
     /// When and where an object last was above a height before it first was below it, having been higher.
     /// Between steps, in a straight line. NaN if it never was.
-    pub fn crossing(&self, object: usize, height: f64) -> Crossing {
+    pub(crate) fn crossing(&self, object: usize, height: f64) -> Crossing {
         let states: Vec<BodyState> = self.states(object).copied().collect();
         let found = states.windows(2).enumerate().find(|(_, pair)| {
             let [before, after] = [pair[0].position[1], pair[1].position[1]];
@@ -57,13 +59,13 @@ impl Run {
     }
 
     /// Rotation of an object in the step nearest to a [`crossing`](Self::crossing). NaN if there is none.
-    pub fn crossing_rotation(&self, object: usize, height: f64) -> f64 {
+    pub(crate) fn crossing_rotation(&self, object: usize, height: f64) -> f64 {
         let time = self.crossing(object, height).time;
         if time.is_nan() { f64::NAN } else { self.state_at(object, time).angle }
     }
 
     /// Greatest height of an object on the way up that begins within three steps of a time.
-    pub fn apex_after(&self, object: usize, time: f64) -> f64 {
+    pub(crate) fn apex_after(&self, object: usize, time: f64) -> f64 {
         let after = self.states(object).skip((time / self.dt()).ceil() as usize + 3);
         let mut top = f64::NAN;
         for state in after {
@@ -76,19 +78,19 @@ impl Run {
     }
 
     /// Speed of an object at the end, px/s.
-    pub fn speed(&self, object: usize) -> f64 {
+    pub(crate) fn speed(&self, object: usize) -> f64 {
         self.last(object).speed()
     }
 
     /// Mean over the first `count` objects at the end.
-    pub fn mean(&self, count: usize, measure: impl Fn(BodyState) -> f64) -> f64 {
+    pub(crate) fn mean(&self, count: usize, measure: impl Fn(BodyState) -> f64) -> f64 {
         (0..count).map(|object| measure(self.last(object))).sum::<f64>() / count as f64
     }
 }
 
 /// A line of the table.
 #[derive(Debug)]
-pub struct Check {
+pub(crate) struct Check {
     quantity: String,
     ours: f64,
     peer: f64,
@@ -99,18 +101,18 @@ pub struct Check {
 
 impl Check {
     /// The most by which the two may differ, and this engine from a closed form.
-    pub fn tolerance(&mut self, value: f64) -> &mut Self {
+    pub(crate) fn tolerance(&mut self, value: f64) -> &mut Self {
         self.tolerances(value, value)
     }
 
     /// The most by which the two may differ; the most by which this engine may differ from a closed form.
-    pub fn tolerances(&mut self, of_peer: f64, of_form: f64) -> &mut Self {
+    pub(crate) fn tolerances(&mut self, of_peer: f64, of_form: f64) -> &mut Self {
         (self.tolerance, self.tolerance_of_form) = (of_peer, of_form);
         self
     }
 
     /// What it is in closed form.
-    pub fn form(&mut self, value: f64) {
+    pub(crate) fn form(&mut self, value: f64) {
         self.form = Some(value);
     }
 
@@ -130,7 +132,7 @@ impl Check {
 
 /// A scene in both engines.
 #[derive(Debug)]
-pub struct Both {
+pub(crate) struct Both {
     name: String,
     ours: Run,
     peer: Run,
@@ -140,7 +142,7 @@ pub struct Both {
 
 impl Both {
     /// Runs a scene in both.
-    pub fn run(scene: &DepthScene) -> Self {
+    pub(crate) fn run(scene: &DepthScene) -> Self {
         let _shared = MACHINE.read().unwrap_or_else(PoisonError::into_inner);
         Both {
             name: scene.name.clone(),
@@ -152,12 +154,12 @@ impl Both {
     }
 
     /// Measures something in this engine's run.
-    pub fn measure(&self, measure: impl Fn(&Run) -> f64) -> f64 {
+    pub(crate) fn measure(&self, measure: impl Fn(&Run) -> f64) -> f64 {
         measure(&self.ours)
     }
 
     /// Compares a quantity. Nothing is near enough until a tolerance is given.
-    pub fn check(&mut self, quantity: &str, measure: impl Fn(&Run) -> f64) -> &mut Check {
+    pub(crate) fn check(&mut self, quantity: &str, measure: impl Fn(&Run) -> f64) -> &mut Check {
         self.checks.push(Check {
             quantity: quantity.to_owned(),
             ours: measure(&self.ours),
@@ -170,12 +172,12 @@ impl Both {
     }
 
     /// Whether neither of a pair is the ground or a platform.
-    pub fn of_objects((a, b): &(Met, Met)) -> bool {
+    pub(crate) fn of_objects((a, b): &(Met, Met)) -> bool {
         matches!((a, b), (Met::Object(_), Met::Object(_)))
     }
 
     /// Compares who met whom first, of the pairs that count.
-    pub fn hits(&mut self, expected: &[(Met, Met)], counts: impl Fn(&(Met, Met)) -> bool) {
+    pub(crate) fn hits(&mut self, expected: &[(Met, Met)], counts: impl Fn(&(Met, Met)) -> bool) {
         for (name, run) in [("twohalf", &self.ours), ("rapier3d", &self.peer)] {
             let pairs: Vec<_> = run.hits().iter().map(|hit| hit.pair).filter(|pair| counts(pair)).collect();
             if pairs != expected {
@@ -185,7 +187,7 @@ impl Both {
     }
 
     /// Prints the table and fails if anything differs by more than it may.
-    pub fn report(self) {
+    pub(crate) fn report(self) {
         let mut table = format!(
             "\n{:<32}{:>12}{:>12}{:>12}{:>12}{:>12}\n",
             self.name, "twohalf", "rapier3d", "closed form", "difference", "tolerance"

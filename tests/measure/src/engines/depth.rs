@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 use twohalf::{BodyId, Methods, Partner, TwoHalfPhysicsSimulator};
 
-use super::{ordered, wrapped};
-use crate::depth_scenes::{DepthScene, build};
+use super::wrapped;
+use crate::scenes::depth::{DepthScene, build};
 use crate::world::{BodyState, Met, World};
 
 /// A scene in the 2.5D engine.
@@ -82,7 +82,7 @@ impl World for TwoHalf {
     fn touching(&self, pairs: &mut Vec<(Met, Met)>) {
         for contact in self.simulator.contacts().filter(|contact| contact.normal_impulse > 0.0) {
             if let (Some(a), Some(b)) = (self.met(Partner::Geom(contact.this)), self.met(contact.partner)) {
-                pairs.push(ordered(a, b));
+                pairs.push(Met::pair(a, b));
             }
         }
     }

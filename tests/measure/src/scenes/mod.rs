@@ -1,0 +1,4 @@
+//! Scenes made by code, for charts, families, tests and benchmarks.
+
+pub mod depth;
+pub(crate) mod stage;
