@@ -32,7 +32,6 @@ mod tunnels;
 use super::watch::Watch;
 use super::world::World;
 use conformance::scene::Scene;
-use std::fmt;
 
 /// A step of a run that is about to be made.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -80,20 +79,7 @@ pub struct StabilityFamily<S = Scene> {
     pub broad_phases_matter: bool,
 }
 
-// By hand, since what is derived would ask for scenes that can be copied.
-impl<S> Clone for StabilityFamily<S> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<S> Copy for StabilityFamily<S> {}
-
-impl<S> fmt::Debug for StabilityFamily<S> {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.debug_struct("StabilityFamily").field("name", &self.name).finish_non_exhaustive()
-    }
-}
+copied!(StabilityFamily);
 
 /// What most families run for, in s.
 const SECONDS: f64 = 10.0;

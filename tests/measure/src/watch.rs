@@ -1,7 +1,7 @@
 //! Watching a run, and saying in one number how wrong it was.
 
 use crate::stability::reasons::NOT_FINITE;
-use crate::world::{World, distance};
+use crate::world::{BodyState, World, distance};
 
 /// Watches a run and says how wrong it was.
 pub trait Watch {
@@ -15,6 +15,42 @@ pub trait Watch {
     /// What went wrong, in a word or two, if anything did.
     fn failed(&self) -> Option<&'static str> {
         None
+    }
+}
+
+/// A watch made of what it keeps, what it does with it after a step (given the time in s), the error and the failure.
+pub fn made_of<S: 'static>(
+    kept: S,
+    see: impl FnMut(&mut S, f64, &dyn World) + 'static,
+    error: impl Fn(&S) -> f64 + 'static,
+    failed: impl Fn(&S) -> Option<&'static str> + 'static,
+) -> Box<dyn Watch> {
+    Box::new(MadeOf { kept, see, error, failed })
+}
+
+struct MadeOf<S, See, Error, Failed> {
+    kept: S,
+    see: See,
+    error: Error,
+    failed: Failed,
+}
+
+impl<S, See, Error, Failed> Watch for MadeOf<S, See, Error, Failed>
+where
+    See: FnMut(&mut S, f64, &dyn World),
+    Error: Fn(&S) -> f64,
+    Failed: Fn(&S) -> Option<&'static str>,
+{
+    fn see(&mut self, time: f64, world: &dyn World) {
+        (self.see)(&mut self.kept, time, world);
+    }
+
+    fn error(&self) -> f64 {
+        (self.error)(&self.kept)
+    }
+
+    fn failed(&self) -> Option<&'static str> {
+        (self.failed)(&self.kept)
     }
 }
 
@@ -80,87 +116,59 @@ pub fn last(mut look: impl FnMut(f64, &dyn World) -> Option<f64> + 'static) -> B
 
 /// Watches with a function of time in s and the world, from before the first step on; `None` where it looks away.
 /// A run also fails when the state of an object is not finite; the function never sees such a state.
-pub fn watch(look: impl FnMut(f64, &dyn World) -> Option<Seen> + 'static) -> Box<dyn Watch> {
-    Box::new(Looking { look, largest: Largest::default(), last: None })
-}
-
-struct Looking<F> {
-    look: F,
-    /// Of what is fine.
-    largest: Largest,
-    last: Option<Seen>,
-}
-
-impl<F: FnMut(f64, &dyn World) -> Option<Seen>> Watch for Looking<F> {
-    fn see(&mut self, time: f64, world: &dyn World) {
-        if matches!(self.last, Some(Seen::Failed(..))) {
-            return;
-        }
-        let seen = if world.is_finite() {
-            (self.look)(time, world)
-        } else {
-            Some(Seen::Failed(NOT_FINITE, f64::INFINITY))
-        };
-        if let Some(Seen::Fine(error)) = seen {
-            self.largest.take(error);
-        }
-        self.last = seen.or(self.last);
-    }
-
-    fn error(&self) -> f64 {
-        match self.last {
-            Some(Seen::Ends(error) | Seen::Open(_, error) | Seen::Failed(_, error)) => error,
-            _ => self.largest.get(),
-        }
-    }
-
-    fn failed(&self) -> Option<&'static str> {
-        match self.last {
-            Some(Seen::Open(reason, _) | Seen::Failed(reason, _)) => Some(reason),
+pub fn watch(mut look: impl FnMut(f64, &dyn World) -> Option<Seen> + 'static) -> Box<dyn Watch> {
+    made_of(
+        // The largest of what is fine, and what was seen last.
+        (Largest::default(), None),
+        move |(largest, last), time, world| {
+            let seen = match last {
+                Some(Seen::Failed(..)) => None,
+                _ if world.is_finite() => look(time, world),
+                _ => Some(Seen::Failed(NOT_FINITE, f64::INFINITY)),
+            };
+            if let Some(Seen::Fine(error)) = seen {
+                largest.take(error);
+            }
+            *last = seen.or(*last);
+        },
+        |(largest, last)| match last {
+            Some(Seen::Ends(error) | Seen::Open(_, error) | Seen::Failed(_, error)) => *error,
+            _ => largest.get(),
+        },
+        |(_, last)| match last {
+            Some(Seen::Open(reason, _) | Seen::Failed(reason, _)) => Some(*reason),
             _ => None,
-        }
-    }
+        },
+    )
 }
 
 /// Another watch, and what counts as a failure: the first word a function says stays. Besides, a run fails when
 /// the state of a body is not finite or lies outside of the scene, and when there was nothing to measure.
-pub struct Failing<F> {
+/// Farther than `reach` px from the origin nothing belongs to the scene any more.
+pub fn failing(
     watch: Box<dyn Watch>,
-    verdict: F,
-    /// Farther than this from the origin, in px, nothing belongs to the scene any more.
     reach: f64,
-    failed: Option<&'static str>,
-}
-
-impl<F: FnMut(f64, &dyn World) -> Option<&'static str>> Failing<F> {
-    /// A watch with a verdict and the reach of the scene in px.
-    pub fn new(watch: Box<dyn Watch>, reach: f64, verdict: F) -> Self {
-        Failing { watch, verdict, reach, failed: None }
-    }
-}
-
-impl<F: FnMut(f64, &dyn World) -> Option<&'static str>> Watch for Failing<F> {
-    fn see(&mut self, time: f64, world: &dyn World) {
-        if self.failed.is_none() {
-            self.failed = strayed(world, self.reach).or_else(|| (self.verdict)(time, world));
-            self.watch.see(time, world);
-        }
-    }
-
-    fn error(&self) -> f64 {
-        if self.failed.is_some() { f64::INFINITY } else { self.watch.error() }
-    }
-
-    fn failed(&self) -> Option<&'static str> {
-        self.failed
-            .or_else(|| self.watch.failed())
-            .or_else(|| (!self.watch.error().is_finite()).then_some("nothing to measure"))
-    }
+    mut verdict: impl FnMut(f64, &dyn World) -> Option<&'static str> + 'static,
+) -> Box<dyn Watch> {
+    made_of(
+        (watch, None),
+        move |(watch, failed), time, world| {
+            if failed.is_none() {
+                *failed = strayed(world, reach).or_else(|| verdict(time, world));
+                watch.see(time, world);
+            }
+        },
+        |(watch, failed)| if failed.is_some() { f64::INFINITY } else { watch.error() },
+        |(watch, failed)| {
+            let nothing = || (!watch.error().is_finite()).then_some("nothing to measure");
+            failed.or_else(|| watch.failed()).or_else(nothing)
+        },
+    )
 }
 
 /// Another watch that fails when a body's state is not finite, or lies farther from the origin than `reach` px.
 pub fn in_reach(watch: Box<dyn Watch>, reach: f64) -> Box<dyn Watch> {
-    Box::new(Failing::new(watch, reach, |_, _| None))
+    failing(watch, reach, |_, _| None)
 }
 
 /// Whether a body's state is not finite, or farther from the origin than `reach` px.
@@ -174,6 +182,22 @@ pub fn strayed(world: &dyn World, reach: f64) -> Option<&'static str> {
             None
         }
     })
+}
+
+/// The root of the mean of the squared speeds of some bodies, in px/s.
+pub(crate) fn mean_speed(world: &dyn World, bodies: &[usize]) -> f64 {
+    let squares: f64 = bodies.iter().map(|&index| world.body(index).speed().powi(2)).sum();
+    (squares / bodies.len().max(1) as f64).sqrt()
+}
+
+/// The greatest value of a measure of some bodies.
+pub(crate) fn greatest(world: &dyn World, bodies: &[usize], measure: impl Fn(BodyState) -> f64) -> f64 {
+    bodies.iter().map(|&index| measure(world.body(index))).fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// The least value of a measure of some bodies.
+pub(crate) fn least(world: &dyn World, bodies: &[usize], measure: impl Fn(BodyState) -> f64) -> f64 {
+    bodies.iter().map(|&index| measure(world.body(index))).fold(f64::INFINITY, f64::min)
 }
 
 #[cfg(test)]

@@ -3,7 +3,8 @@
 
 use super::ChartScene;
 use super::build::{PRESS, ground, stage};
-use super::settled::{Rest, built_height, charts_of_rest, movable, toppled};
+use super::settled::{Rest, built_height, charts_of_rest, toppled};
+use crate::scenes::movable;
 use conformance::scene::Scene;
 
 const FRICTION: f64 = 0.7;
@@ -49,13 +50,13 @@ pub(super) fn scenes() -> Vec<ChartScene> {
     scenes.extend(charts_of_rest(
         cards,
         ("card_house_height", |scene| {
-            CARDS.height(scene, built_height(&card_house(movable(scene).count(), 0.0)))
+            CARDS.height(scene, built_height(&card_house(movable(scene).len(), 0.0)))
         }),
         ("card_house_speed", |scene| CARDS.speed(scene)),
     ));
     scenes.extend(charts_of_rest(
         stones,
-        ("arch_height", |scene| ARCH.height(scene, built_height(&arch(movable(scene).count(), 0.0)))),
+        ("arch_height", |scene| ARCH.height(scene, built_height(&arch(movable(scene).len(), 0.0)))),
         ("arch_speed", |scene| ARCH.speed(scene)),
     ));
     scenes

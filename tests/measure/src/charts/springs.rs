@@ -1,6 +1,6 @@
 //! A body on a spring without damping.
 
-use super::super::watch::{Failing, Watch, last};
+use super::super::watch::{Watch, failing, last};
 use super::super::world::World;
 use super::build::weightless;
 use super::signals::Period;
@@ -159,5 +159,5 @@ fn watch_amplitude(seconds: f64) -> Box<dyn Watch> {
 /// Another watch, in which a swing that has grown to twice its amplitude has failed: it goes on to grow.
 fn bounded(watch: Box<dyn Watch>) -> Box<dyn Watch> {
     let verdict = |_: f64, world: &dyn World| (stretch(world).abs() > 2.0 * AMPLITUDE).then_some("blew up");
-    Box::new(Failing::new(watch, REACH, verdict))
+    failing(watch, REACH, verdict)
 }

@@ -5,7 +5,8 @@ use super::super::world::World;
 use super::ChartScene;
 use super::build::{PRESS, ground, rows_of_triangle, stage, start};
 use super::resting::height_of_boxes;
-use super::settled::{Rest, Verdict, built_height, charts_of_rest, movable, toppled};
+use super::settled::{Rest, Verdict, built_height, charts_of_rest, toppled};
+use crate::scenes::movable;
 use conformance::scene::Scene;
 use conformance::scenes::{pyramid, triangle, vary};
 
@@ -64,7 +65,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
     scenes.extend(charts_of_rest(
         boxes,
         ("box_stack_height", |scene| {
-            STACK.height(scene, built_height(&box_stack(movable(scene).count(), 0.0)))
+            STACK.height(scene, built_height(&box_stack(movable(scene).len(), 0.0)))
         }),
         ("box_stack_speed", |scene| STACK.speed(scene)),
     ));
@@ -76,7 +77,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
     scenes.extend(charts_of_rest(
         circles,
         ("circle_stack_height", |scene| {
-            CIRCLES.height(scene, built_height(&circle_stack(movable(scene).count(), 0.0)))
+            CIRCLES.height(scene, built_height(&circle_stack(movable(scene).len(), 0.0)))
         }),
         ("circle_stack_speed", |scene| CIRCLES.speed(scene)),
     ));

@@ -1,10 +1,11 @@
 //! Things that begin in each other, or lose at once what pressed them together.
 
-use super::parts::{SPEED_LIMIT, all, calm, ends_in, greatest, movable, never_above};
+use super::parts::{SPEED_LIMIT, all, calm, ends_in, never_above};
 use super::{Moment, StabilityFamily, reasons};
 use crate::penetration::Shapes;
+use crate::scenes::movable;
 use crate::scenes::stage::{METRE, Stage};
-use crate::watch::Watch;
+use crate::watch::{Watch, greatest};
 use crate::world::World;
 use conformance::scene::Scene;
 

@@ -6,7 +6,7 @@ use measure::charts::chart_scenes;
 use measure::depth::depth_chart_scenes;
 use measure::method::{Family, Setting, methods};
 use measure::penetration::Shapes;
-use measure::watch::{Failing, Largest, Watch, last, worst};
+use measure::watch::{Largest, failing, last, worst};
 use measure::world::{BodyState, World};
 
 /// Scenes of things that are built to stand, without the measure in the name.
@@ -246,7 +246,7 @@ fn the_first_failure_is_the_one_that_is_told() {
         1 => Some("first"),
         _ => Some("second"),
     };
-    let mut watch = Failing::new(worst(|_, _| Some(0.0)), 1.0, verdict);
+    let mut watch = failing(worst(|_, _| Some(0.0)), 1.0, verdict);
     watch.see(0.0, &world);
     assert_eq!((watch.error(), watch.failed()), (0.0, None));
     watch.see(1.0, &world);
