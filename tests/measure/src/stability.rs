@@ -1,7 +1,7 @@
 //! Where methods fail: families of scenes with a parameter that goes from easy to hard.
 //!
 //! A family is one entry of [`families`]. [`sheet`] says which methods and settings it is run with, [`map`] runs them
-//! and keeps what came of it, [`table`] and [`super::plot::heat`] tell.
+//! and keeps what came of it, [`table`] writes it down.
 //!
 //! Lengths are px, y points down, and 32 px are one metre; gravity is 320 px/s², which are 10 m/s². The floor's
 //! surface is y = 0. Friction is 0.5 and restitution 0 unless a family says otherwise. Scenes are named after those of
