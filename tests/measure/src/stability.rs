@@ -93,7 +93,7 @@ impl<S> StabilityFamily<S> {
         unit: "",
         values: &[],
         quick_values: &[],
-        build: |_, _| unimplemented!("the scene of a family"),
+        build: |_, _| unreachable!("every family has scenes of its own"),
         seconds: |_| SECONDS,
         whole: f64::round,
         act: |_, _, _| {},
