@@ -14,7 +14,7 @@ macro_rules! checked_properties {
         /// # Errors
         /// What is not finite.
         pub fn $setter(&mut self, value: f32) -> $crate::error::Result<()> {
-            self.$field = $crate::error::finite(stringify!($field), value)?;
+            self.$field = $crate::math::finite::finite(stringify!($field), value)?;
             Ok(())
         }
     )*};

@@ -1,7 +1,5 @@
 //! What can be wrong with an argument.
 
-use crate::math::Vector2;
-
 /// Why a call was refused. A refused call has changed nothing.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -86,36 +84,5 @@ impl Error {
     /// An [`Error::LimitExceeded`] if more is needed than is allowed.
     pub(crate) fn check_limit(limit: &'static str, needed: u64, allowed: u64) -> Result<()> {
         if needed > allowed { Err(Error::LimitExceeded { limit, needed, allowed }) } else { Ok(()) }
-    }
-}
-
-/// Refuses NaN and infinities.
-pub(crate) fn finite(argument: &'static str, value: f32) -> Result<f32> {
-    if value.is_finite() { Ok(value) } else { Err(Error::invalid(argument, value, "finite")) }
-}
-
-/// Refuses vectors with a component that is NaN or infinite.
-pub(crate) fn finite_vector(argument: &'static str, value: Vector2) -> Result<Vector2> {
-    if value.x.is_finite() && value.y.is_finite() {
-        Ok(value)
-    } else {
-        Err(Error::invalid(argument, (value.x, value.y), "finite"))
-    }
-}
-
-/// Refuses points with a component that is NaN or infinite.
-pub(crate) fn finite_vertices(argument: &'static str, vertices: &[Vector2]) -> Result<()> {
-    match vertices.iter().find(|v| !(v.x.is_finite() && v.y.is_finite())) {
-        Some(v) => Err(Error::invalid(argument, (v.x, v.y), "a list of finite vertices")),
-        None => Ok(()),
-    }
-}
-
-/// Refuses what is not finite or not greater than zero.
-pub(crate) fn positive(argument: &'static str, value: f32) -> Result<f32> {
-    if value.is_finite() && value > 0.0 {
-        Ok(value)
-    } else {
-        Err(Error::invalid(argument, value, "finite and greater than 0"))
     }
 }

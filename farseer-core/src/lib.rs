@@ -484,52 +484,34 @@
 pub mod error;
 pub mod guide;
 pub mod math;
-pub mod ray_helper;
 pub mod shape;
-pub mod snapshot;
 
-mod arbiter;
-mod arena;
-mod bits;
+mod beside;
 mod body;
-mod body_entry;
-mod body_interpolation;
-mod broad_phase;
 mod checked_properties;
-mod collection;
-mod contact;
+mod contacts;
 mod controllers;
 mod debug_view;
 mod factories;
-mod fixed_step_clock;
 mod geom;
-mod geom_entry;
-mod geom_ref;
 mod joints;
 mod limits;
-mod listed_pairs;
 mod methods;
-mod mouse_picker;
-mod narrow_phase;
-mod nobody;
 mod object_id;
 mod objects;
-mod pair_filter;
-mod pair_id;
-mod pair_table;
+mod pairs;
 mod path;
 mod pipeline;
 mod report;
 mod simulator;
-mod solver;
+mod solve;
 mod springs;
-mod stamped_set;
+mod storage;
+mod touch;
 
-pub use arbiter::ArbiterRef;
+pub use beside::{BodyInterpolation, FixedStepClock, InterpolatedPose, MousePicker, snapshot};
 pub use body::{Body, BodyId};
-pub use body_interpolation::{BodyInterpolation, InterpolatedPose};
-pub use broad_phase::{SelectiveSweepOrder, SweepEnd};
-pub use contact::{Contact, ContactId, Feature, index_of_safe};
+pub use contacts::{ArbiterRef, Contact, ContactId, GeomPairBitmap, PairId, index_of_safe};
 pub use controllers::{
     AabbFluidContainer, Controller, ControllerId, ControllerKind, ControllerType, FluidContainer,
     FluidContainerRef, FluidDragController, GravityController, GravityType, InactivityController,
@@ -538,30 +520,28 @@ pub use controllers::{
 pub use debug_view::{DebugShape, PhysicsSimulatorView};
 pub use error::{Error, Result};
 pub use factories::{BodyFactory, ComplexFactory, GeomFactory, JointFactory, SpringFactory};
-pub use fixed_step_clock::FixedStepClock;
+pub use geom::distance_grid::DistanceGrid;
+pub use geom::surface::FrictionType;
+pub use geom::view::GeomRef;
 pub use geom::{Geom, GeomId};
-pub use geom_ref::GeomRef;
 pub use joints::{
     AngleJoint, AngleLimitJoint, FixedAngleJoint, FixedAngleLimitJoint, FixedRevoluteJoint, Joint, JointId,
     JointKind, JointType, PinJoint, RevoluteJoint, SliderJoint, WeldJoint,
 };
 pub use limits::Limits;
-pub use methods::{BroadPhaseCollider, CollisionCategory, FrictionType, NarrowPhaseCollider};
-pub use mouse_picker::MousePicker;
-pub use narrow_phase::distance_grid::DistanceGrid;
+pub use methods::{BroadPhaseCollider, CollisionCategory, NarrowPhaseCollider};
 pub use object_id::ObjectId;
 pub use objects::{GeomPlacement, GeomPointPair, Objects, RayCastHit};
-pub use pair_id::PairId;
-pub use pair_table::GeomPairBitmap;
+pub use pairs::{SelectiveSweepOrder, SweepEnd};
 pub use path::{
     Curve, CurveContinuity, CurveKey, CurveKeyCollection, CurveLoopType, CurveTangent, LinkType, Path,
 };
 pub use report::{ArgumentNames, Event, Refusals, StepCounters, StepTimes};
-pub use shape::{Aabb, Vertices};
+pub use shape::{Aabb, Feature, Vertices, ray_helper};
 pub use simulator::{
     Constraints, Context, EventHandler, PhysicsSimulator, SavedSimulator, SolvedBodies, UserController,
 };
-pub use solver::{SolverBody, SolverPlace};
+pub use solve::{SolverBody, SolverPlace};
 pub use springs::{
     AngleSpring, FixedAngleSpring, FixedLinearSpring, LinearSpring, Spring, SpringId, SpringKind, SpringType,
 };

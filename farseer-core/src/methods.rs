@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Error, Result, error};
+use crate::math::finite::finite;
+use crate::{Error, Result};
 
 /// Where two geoms touch: the method of the narrow phase.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
@@ -50,28 +51,9 @@ impl BroadPhaseCollider {
 
     pub(crate) fn check(self) -> Result<Self> {
         if let BroadPhaseCollider::SpatialHash { cell_size, .. } = self {
-            error::finite("cell_size", cell_size)?;
+            finite("cell_size", cell_size)?;
         }
         Ok(self)
-    }
-}
-
-/// How the friction coefficients of two geoms combine.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
-pub enum FrictionType {
-    /// The mean of both.
-    #[default]
-    Average,
-    /// The smaller one.
-    Minimum,
-}
-
-impl FrictionType {
-    pub(crate) fn mix(self, a: f32, b: f32) -> f32 {
-        match self {
-            FrictionType::Average => (a + b) / 2.0,
-            FrictionType::Minimum => crate::math::scalar::min(a, b),
-        }
     }
 }
 

@@ -22,9 +22,7 @@ pub fn pyramid(base: usize) -> Scene {
     scene.simulator.gravity = Some(Vector2::new(0.0, GRAVITY));
     let floor_width = (base as f32 + 8.0) * 1.1 * SIZE;
     wall(&mut scene, Vector2::new(0.0, 20.0), floor_width, 40.0);
-    let rows = (0..base).flat_map(|row| (0..base - row).map(move |column| (row, column)));
-    for (index, (row, column)) in rows.enumerate() {
-        let from_centre = column as f32 - (base - row - 1) as f32 / 2.0;
+    for (index, (row, from_centre)) in triangle(base).enumerate() {
         let height = SIZE + 0.05 * vary(index, 1);
         let width = SIZE + 0.5 * vary(index, 2);
         let x = 1.1 * SIZE * from_centre + 0.2 * vary(index, 3);
@@ -34,6 +32,15 @@ pub fn pyramid(base: usize) -> Scene {
         add_geom(&mut scene, body, GeomShape::Rectangle { width, height }, 0.7, 0.0);
     }
     scene
+}
+
+/// Rows of a triangle, the longest first, each with one place less than the one before: the row of every place, and how
+/// many places it is to the right of the middle.
+pub fn triangle(rows: usize) -> impl Iterator<Item = (usize, f32)> {
+    (0..rows).flat_map(move |row| {
+        let middle = (rows - row - 1) as f32 / 2.0;
+        (0..rows - row).map(move |column| (row, column as f32 - middle))
+    })
 }
 
 /// `count` circles in a grid that fall into a pit of a floor and two walls.

@@ -3,8 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use super::ControllerId;
-use crate::error::{Result, finite_vector};
+use crate::error::Result;
 use crate::math::Vector2;
+use crate::math::finite::finite_vector;
 use crate::shape::Aabb;
 
 /// A region that holds a fluid.

@@ -5,8 +5,9 @@ use serde::{Deserialize, Serialize};
 use super::FluidContainerRef;
 use crate::body::Body;
 use crate::checked_properties::checked_properties;
-use crate::error::{Error, Result, finite, finite_vector};
+use crate::error::{Error, Result};
 use crate::geom::GeomId;
+use crate::math::finite::{finite, finite_vector};
 use crate::math::{Vector2, vector2};
 use crate::shape::Vertices;
 

@@ -2,9 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::body::entry::Bodies;
 use crate::body::{Body, BodyId};
-use crate::body_entry::Bodies;
-use crate::error::{Result, finite, finite_vector};
+use crate::error::Result;
+use crate::math::finite::{finite, finite_vector};
 use crate::math::{Vector2, vector2};
 
 /// How attraction falls off with the distance.

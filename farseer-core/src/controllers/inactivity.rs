@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::body::entry::Bodies;
 use crate::body::{Body, BodyId};
-use crate::body_entry::Bodies;
 use crate::checked_properties::checked_properties;
 use crate::math::vector2;
 

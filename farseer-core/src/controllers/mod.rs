@@ -18,7 +18,7 @@ pub use inactivity::InactivityController;
 pub use scaling::ScalingController;
 pub use wave::WaveController;
 
-crate::arena::define_id! {
+crate::storage::arena::define_id! {
     /// Names a [`Controller`] of a simulator: the one that made it, its clones and what is loaded from its saves.
     ControllerId
 }

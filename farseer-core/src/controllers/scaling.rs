@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::error::{Result, finite};
+use crate::error::Result;
+use crate::math::finite::finite;
 
 /// Computes how long the next step should be. It changes nothing by itself: the game asks
 /// [`get_update_interval`](Self::get_update_interval) once per frame and steps the simulator by the answer, unless

@@ -3,12 +3,13 @@
 use serde::{Deserialize, Serialize};
 
 use super::FluidContainer;
-use crate::bits::Floats;
 use crate::checked_properties::checked_properties;
-use crate::error::{Error, Result, finite, finite_vector};
+use crate::error::{Error, Result};
+use crate::math::finite::{finite, finite_vector};
 use crate::math::{Vector2, scalar, vector2};
 use crate::shape::Aabb;
 use crate::shape::vertices::MAX_VERTICES;
+use crate::storage::bits::Floats;
 
 /// A row of surface nodes that pull each other up and down, above a fluid. y points down: a node with a positive
 /// offset is lower than the surface at rest.
@@ -43,9 +44,9 @@ pub struct WaveController {
     generator: f32,
     generator_rises: bool,
     single_width: f32,
-    #[serde(with = "crate::bits")]
+    #[serde(with = "crate::storage::bits")]
     aabb: Aabb,
-    #[serde(with = "crate::bits")]
+    #[serde(with = "crate::storage::bits")]
     looked_at: LookedAt,
 }
 

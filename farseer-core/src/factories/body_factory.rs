@@ -1,7 +1,7 @@
 //! Bodies with the mass properties of simple shapes (behaviour chapter 13, section 2).
 
 use crate::body::{Body, BodyId};
-use crate::error::positive;
+use crate::math::finite::positive;
 use crate::objects::Objects;
 use crate::shape::Vertices;
 use crate::{Error, Result};
@@ -99,7 +99,7 @@ impl BodyFactory {
         let moment_of_inertia = vertices.get_moment_of_inertia().map_err(|_| without_area())?;
         let mut body = body(mass, mass * moment_of_inertia).map_err(|_| without_area())?;
         let centroid = vertices.get_centroid();
-        crate::error::finite_vector("vertices", centroid).map_err(|_| without_area())?;
+        crate::math::finite::finite_vector("vertices", centroid).map_err(|_| without_area())?;
         body.set_position(centroid);
         Ok(body)
     }

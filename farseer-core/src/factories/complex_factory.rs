@@ -4,9 +4,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::body::BodyId;
 use crate::controllers::{ControllerId, GravityController, GravityType};
-use crate::error::finite_vector;
 use crate::factories::JointFactory;
 use crate::math::Vector2;
+use crate::math::finite::finite_vector;
 use crate::math::vector2::distance;
 use crate::objects::Objects;
 use crate::path::{LinkType, Links, Path};

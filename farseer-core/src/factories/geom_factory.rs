@@ -1,9 +1,9 @@
 //! Geoms of simple shapes (behaviour chapter 13, section 3).
 
 use crate::body::BodyId;
-use crate::error::{finite_vector, positive};
 use crate::geom::GeomId;
 use crate::math::Vector2;
+use crate::math::finite::{finite_vector, positive};
 use crate::object_id::ObjectId;
 use crate::objects::{GeomPlacement, Objects};
 use crate::shape::Vertices;

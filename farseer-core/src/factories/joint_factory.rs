@@ -1,12 +1,12 @@
 //! Joints between bodies, and between bodies and the world (behaviour chapter 13, section 4).
 
 use crate::body::{Body, BodyId};
-use crate::error::{finite, finite_vector};
 use crate::joints::{
     AngleJoint, AngleLimitJoint, FixedAngleJoint, FixedAngleLimitJoint, FixedRevoluteJoint, JointId,
     PinJoint, RevoluteJoint, SliderJoint, WeldJoint,
 };
 use crate::math::Vector2;
+use crate::math::finite::{finite, finite_vector};
 use crate::objects::Objects;
 use crate::{Error, Result};
 

@@ -3,9 +3,10 @@
 use serde::{Deserialize, Serialize};
 
 use crate::body::Body;
-use crate::error::{Result, finite_vector};
+use crate::error::Result;
 use crate::joints::joint_body::{JointBodies, JointPose, is_non_zero};
 use crate::math::Vector2;
+use crate::math::finite::finite_vector;
 use crate::math::vector2::{cross, dot, length};
 
 /// Two anchors, each in the coordinates of its body, and what acts along the line between them.
@@ -13,17 +14,17 @@ use crate::math::vector2::{cross, dot, length};
 pub(crate) struct AnchorDistance {
     pub(crate) anchor1: Vector2,
     pub(crate) anchor2: Vector2,
-    #[serde(with = "crate::bits")]
+    #[serde(with = "crate::storage::bits")]
     pub(crate) arm1: Vector2,
-    #[serde(with = "crate::bits")]
+    #[serde(with = "crate::storage::bits")]
     arm2: Vector2,
-    #[serde(with = "crate::bits")]
+    #[serde(with = "crate::storage::bits")]
     pub(crate) world_anchor1: Vector2,
-    #[serde(with = "crate::bits")]
+    #[serde(with = "crate::storage::bits")]
     pub(crate) world_anchor2: Vector2,
-    #[serde(with = "crate::bits")]
+    #[serde(with = "crate::storage::bits")]
     direction: Vector2,
-    #[serde(with = "crate::bits")]
+    #[serde(with = "crate::storage::bits")]
     pub(crate) effective_mass: f32,
 }
 

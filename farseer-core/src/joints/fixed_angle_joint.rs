@@ -2,13 +2,14 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::body::nobody::nobody;
 use crate::body::{Body, BodyId};
 use crate::checked_properties::checked_properties;
-use crate::error::{Result, finite};
+use crate::error::Result;
 use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
 use crate::joints::{Joint, JointKind};
+use crate::math::finite::finite;
 use crate::math::scalar;
-use crate::nobody::nobody;
 
 /// Keeps a body's total rotation at a target. The body may move freely otherwise.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -16,9 +17,9 @@ pub struct FixedAngleJoint {
     pub(crate) body: BodyId,
     target_angle: f32,
     max_impulse: f32,
-    #[serde(with = "crate::bits")]
+    #[serde(with = "crate::storage::bits")]
     velocity_bias: f32,
-    #[serde(with = "crate::bits")]
+    #[serde(with = "crate::storage::bits")]
     mass_factor: f32,
 }
 

@@ -2,13 +2,14 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::body::nobody::nobody;
 use crate::body::{Body, BodyId};
 use crate::checked_properties::checked_properties;
-use crate::error::{Result, finite};
+use crate::error::Result;
 use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
 use crate::joints::limit::Limit;
 use crate::joints::{DEFAULT_SLOP, Joint, JointKind};
-use crate::nobody::nobody;
+use crate::math::finite::finite;
 
 /// Keeps a body's total rotation in a range. The body may move freely otherwise.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -18,9 +19,9 @@ pub struct FixedAngleLimitJoint {
     upper_limit: f32,
     slop: f32,
     pub(crate) limit: Limit,
-    #[serde(with = "crate::bits")]
+    #[serde(with = "crate::storage::bits")]
     velocity_bias: f32,
-    #[serde(with = "crate::bits")]
+    #[serde(with = "crate::storage::bits")]
     mass_factor: f32,
 }
 

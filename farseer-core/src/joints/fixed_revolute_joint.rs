@@ -2,15 +2,16 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::body::nobody::nobody;
 use crate::body::{Body, BodyId};
 use crate::checked_properties::checked_properties;
-use crate::error::{Result, finite_vector};
+use crate::error::Result;
 use crate::joints::joint_body::{Inverse2, JointBodies, JointPose, JointStep, is_non_zero};
 use crate::joints::{Joint, JointKind};
 use crate::math::Vector2;
 use crate::math::calculator::truncate;
+use crate::math::finite::finite_vector;
 use crate::math::vector2::length;
-use crate::nobody::nobody;
 
 /// Its own bias factor; that of the other joints is 0.2.
 pub(super) const BIAS_FACTOR: f32 = 0.8;
@@ -24,11 +25,11 @@ pub struct FixedRevoluteJoint {
     max_impulse: f32,
     /// What was taken from the body, before it was limited.
     pub(crate) accumulated: Vector2,
-    #[serde(with = "crate::bits")]
+    #[serde(with = "crate::storage::bits")]
     arm: Vector2,
-    #[serde(with = "crate::bits")]
+    #[serde(with = "crate::storage::bits")]
     velocity_bias: Vector2,
-    #[serde(with = "crate::bits")]
+    #[serde(with = "crate::storage::bits")]
     inverse: Inverse2,
 }
 

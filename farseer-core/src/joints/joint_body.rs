@@ -1,8 +1,8 @@
 //! What joints read and change of bodies.
 
-use crate::bits::Floats;
 use crate::math::vector2::cross;
 use crate::math::{Vector2, scalar};
+use crate::storage::bits::Floats;
 
 /// What a joint reads of a body before the passes.
 #[derive(Debug, Clone, Copy)]

@@ -36,15 +36,15 @@ pub use weld_joint::WeldJoint;
 
 use crate::body::BodyId;
 use crate::checked_properties::checked_properties;
-use crate::collection::Collection;
 use crate::math::Vector2;
 use crate::math::scalar::nearest_finite;
+use crate::storage::collection::Collection;
 use joint_body::{JointBodies, JointPose, JointStep};
 
 /// The joints of a simulator.
 pub(crate) type Joints = Collection<Joint, JointId>;
 
-crate::arena::define_id! {
+crate::storage::arena::define_id! {
     /// Names a [`Joint`] of a simulator: the one that made it, its clones and what is loaded from its saves.
     JointId
 }
@@ -62,7 +62,7 @@ pub struct Joint {
     bias_factor: f32,
     breakpoint: f32,
     softness: f32,
-    #[serde(with = "crate::bits")]
+    #[serde(with = "crate::storage::bits")]
     joint_error: f32,
     enabled: bool,
     tag: u64,

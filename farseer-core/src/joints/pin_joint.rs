@@ -2,16 +2,17 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::body::nobody::nobody;
 use crate::body::{Body, BodyId};
 use crate::checked_properties::checked_properties;
-use crate::error::{Result, finite};
+use crate::error::Result;
 use crate::joints::anchor_distance::AnchorDistance;
 use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
 use crate::joints::{Joint, JointKind};
 use crate::math::Vector2;
+use crate::math::finite::finite;
 use crate::math::scalar::nearest_finite;
 use crate::math::vector2::length;
-use crate::nobody::nobody;
 
 /// Keeps an anchor of one body at a fixed distance from an anchor of another, like a rod.
 ///
@@ -23,7 +24,7 @@ pub struct PinJoint {
     pub(crate) anchors: AnchorDistance,
     target_distance: f32,
     pub(crate) accumulated: f32,
-    #[serde(with = "crate::bits")]
+    #[serde(with = "crate::storage::bits")]
     velocity_bias: f32,
 }
 

@@ -2,13 +2,13 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::body::nobody::nobody;
 use crate::body::{Body, BodyId};
 use crate::error::Result;
 use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
 use crate::joints::shared_point::SharedPoint;
 use crate::joints::{Joint, JointKind};
 use crate::math::Vector2;
-use crate::nobody::nobody;
 
 /// Keeps a point of two bodies together: a hinge. There is no limit to its impulse.
 #[derive(Debug, Clone, Serialize, Deserialize)]

@@ -3,9 +3,10 @@
 use serde::{Deserialize, Serialize};
 
 use crate::body::Body;
-use crate::error::{Result, finite_vector};
+use crate::error::Result;
 use crate::joints::joint_body::{Inverse2, JointBodies, JointPose, JointStep, is_non_zero};
 use crate::math::Vector2;
+use crate::math::finite::finite_vector;
 use crate::math::vector2::{cross, length};
 
 /// A point of two bodies that is to stay one, and the impulse that holds it.
@@ -15,13 +16,13 @@ pub(crate) struct SharedPoint {
     local_anchor1: Vector2,
     local_anchor2: Vector2,
     pub(crate) accumulated: Vector2,
-    #[serde(with = "crate::bits")]
+    #[serde(with = "crate::storage::bits")]
     pub(crate) arm1: Vector2,
-    #[serde(with = "crate::bits")]
+    #[serde(with = "crate::storage::bits")]
     arm2: Vector2,
-    #[serde(with = "crate::bits")]
+    #[serde(with = "crate::storage::bits")]
     velocity_bias: Vector2,
-    #[serde(with = "crate::bits")]
+    #[serde(with = "crate::storage::bits")]
     inverse: Inverse2,
 }
 

@@ -2,16 +2,17 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::body::nobody::nobody;
 use crate::body::{Body, BodyId};
 use crate::checked_properties::checked_properties;
-use crate::error::{Result, finite};
+use crate::error::Result;
 use crate::joints::anchor_distance::AnchorDistance;
 use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
 use crate::joints::limit::Limit;
 use crate::joints::{DEFAULT_SLOP, Joint, JointKind};
 use crate::math::Vector2;
+use crate::math::finite::finite;
 use crate::math::scalar::nearest_finite;
-use crate::nobody::nobody;
 
 /// Keeps the distance of an anchor of one body and an anchor of another in a range, like a rope or a telescope.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -23,7 +24,7 @@ pub struct SliderJoint {
     max: f32,
     slop: f32,
     pub(crate) limit: Limit,
-    #[serde(with = "crate::bits")]
+    #[serde(with = "crate::storage::bits")]
     velocity_bias: f32,
 }
 

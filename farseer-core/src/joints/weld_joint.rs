@@ -2,15 +2,16 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::body::nobody::nobody;
 use crate::body::{Body, BodyId};
 use crate::checked_properties::checked_properties;
-use crate::error::{Result, finite};
+use crate::error::Result;
 use crate::joints::angle_joint::turn_together;
 use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
 use crate::joints::shared_point::SharedPoint;
 use crate::joints::{Joint, JointKind};
 use crate::math::Vector2;
-use crate::nobody::nobody;
+use crate::math::finite::finite;
 
 /// Keeps a point of two bodies together and their angle to each other as it was when the joint was made, or at
 /// equal total rotations if it was made without its bodies.
@@ -24,9 +25,9 @@ pub struct WeldJoint {
     pub(crate) point: SharedPoint,
     target_angle: f32,
     max_impulse: f32,
-    #[serde(with = "crate::bits")]
+    #[serde(with = "crate::storage::bits")]
     angular_velocity_bias: f32,
-    #[serde(with = "crate::bits")]
+    #[serde(with = "crate::storage::bits")]
     mass_factor: f32,
 }
 

@@ -5,14 +5,14 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::Objects;
+use crate::body::entry::BodyEntry;
 use crate::body::{Body, BodyId};
-use crate::body_entry::BodyEntry;
-use crate::error::{finite, finite_vector};
 use crate::geom::GeomId;
-use crate::geom_entry::GeomEntry;
+use crate::geom::distance_grid::DistanceGrid;
+use crate::geom::entry::GeomEntry;
+use crate::math::finite::{finite, finite_vector};
 use crate::math::{Vector2, scalar};
 use crate::methods::NarrowPhaseCollider;
-use crate::narrow_phase::distance_grid::DistanceGrid;
 use crate::object_id::ObjectId;
 use crate::report::Refusals;
 use crate::shape::Vertices;

@@ -4,7 +4,7 @@ use super::Objects;
 use super::creating::{automatic_cell_size, check_outline, check_place};
 use crate::body::BodyId;
 use crate::geom::GeomId;
-use crate::geom_entry::GeomEntry;
+use crate::geom::entry::GeomEntry;
 use crate::math::Matrix;
 use crate::shape::Vertices;
 use crate::{Error, Result};

@@ -1,9 +1,9 @@
 //! Geoms follow their bodies.
 
 use super::Objects;
+use crate::body::entry::BodyEntry;
 use crate::body::{BodyId, Pose};
-use crate::body_entry::BodyEntry;
-use crate::geom_entry::Geoms;
+use crate::geom::entry::Geoms;
 use crate::report::Notice;
 
 /// What became of moving the geoms of a body.

@@ -1,12 +1,13 @@
 //! Joints: who they hold together (behaviour chapter 10).
 
 use super::Objects;
+use crate::body::entry::Bodies;
+use crate::body::nobody::{check_bodies, nobody};
 use crate::body::{Body, BodyId};
-use crate::body_entry::Bodies;
-use crate::error::{Error, Result, finite_vector};
+use crate::error::{Error, Result};
 use crate::joints::{Joint, JointId, JointKind, JointType};
 use crate::math::Vector2;
-use crate::nobody::{check_bodies, nobody};
+use crate::math::finite::finite_vector;
 
 /// Joints.
 impl Objects {

@@ -6,12 +6,12 @@
 use super::Objects;
 use crate::Result;
 use crate::body::BodyId;
-use crate::collection::Life;
+use crate::body::nobody::check_bodies;
 use crate::geom::GeomId;
 use crate::methods::NarrowPhaseCollider;
-use crate::nobody::check_bodies;
 use crate::object_id::ObjectId;
 use crate::report::Notice;
+use crate::storage::collection::Life;
 
 /// What a game asks for: it happens with the next update.
 impl Objects {

@@ -13,19 +13,19 @@ mod world_queries;
 
 use serde::{Deserialize, Serialize};
 
+use crate::body::entry::Bodies;
 use crate::body::{Body, BodyId};
-use crate::body_entry::Bodies;
-use crate::collection::Collection;
 use crate::controllers::{Controller, ControllerId};
+use crate::geom::entry::Geoms;
+use crate::geom::grid_cache::GridCache;
+use crate::geom::view::GeomRef;
 use crate::geom::{Geom, GeomId};
-use crate::geom_entry::Geoms;
-use crate::geom_ref::GeomRef;
 use crate::joints::{Joint, JointId};
 use crate::limits::Limits;
 use crate::methods::NarrowPhaseCollider;
-use crate::narrow_phase::grid_cache::GridCache;
 use crate::report::Notice;
 use crate::springs::{Spring, SpringId};
+use crate::storage::collection::Collection;
 
 pub use creating::GeomPlacement;
 pub(crate) use following::Followed;

@@ -2,12 +2,12 @@
 
 use super::Objects;
 use crate::geom::GeomId;
-use crate::geom_entry::GeomEntry;
+use crate::geom::entry::GeomEntry;
 use crate::math::Vector2;
 use crate::methods::NarrowPhaseCollider;
-use crate::narrow_phase;
-use crate::ray_helper::{line_segment_aabb_intersect, line_segment_vertices_intersect};
 use crate::shape::Aabb;
+use crate::shape::ray_helper::{line_segment_aabb_intersect, line_segment_vertices_intersect};
+use crate::touch;
 
 /// A geom and where a segment crosses its outline.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,7 +40,7 @@ impl Objects {
     pub fn geom_collides_with_point(&self, geom: GeomId, point: Vector2) -> bool {
         self.with_settled(geom, |geom| {
             geom.aabb.contains(point)
-                && narrow_phase::intersect(self.narrow_phase, geom, geom.pose.inverse.apply(point))
+                && touch::intersect(self.narrow_phase, geom, geom.pose.inverse.apply(point))
         })
         .unwrap_or(false)
     }
@@ -55,9 +55,10 @@ impl Objects {
         let is_ready =
             |geom: &GeomEntry| geom.grid.is_some() || self.narrow_phase != NarrowPhaseCollider::DistanceGrid;
         let holds_vertex = |holder: &GeomEntry, owner: &GeomEntry| {
-            owner.world_vertices.iter().any(|&vertex| {
-                narrow_phase::intersect(self.narrow_phase, holder, holder.pose.inverse.apply(vertex))
-            })
+            owner
+                .world_vertices
+                .iter()
+                .any(|&vertex| touch::intersect(self.narrow_phase, holder, holder.pose.inverse.apply(vertex)))
         };
         self.with_settled(geom, |geom| {
             self.with_settled(other, |other| {

@@ -3,10 +3,10 @@
 use super::Objects;
 use super::creating::GEOM_NUMBERS;
 use crate::body::Pose;
-use crate::body_entry::BodyEntry;
+use crate::body::entry::BodyEntry;
+use crate::body::nobody::check_bodies;
 use crate::geom::GeomId;
-use crate::geom_entry::GeomEntry;
-use crate::nobody::check_bodies;
+use crate::geom::entry::GeomEntry;
 use crate::{Error, Result};
 
 impl Objects {

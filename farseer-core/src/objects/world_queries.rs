@@ -2,7 +2,7 @@
 
 use super::Objects;
 use crate::geom::GeomId;
-use crate::geom_entry::GeomEntry;
+use crate::geom::entry::GeomEntry;
 use crate::math::Vector2;
 use crate::shape::Aabb;
 

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{CurveContinuity, CurveKey, CurveKeyCollection};
-use crate::error::finite;
+use crate::math::finite::finite;
 use crate::math::scalar::to_int;
 use crate::{Error, Result};
 

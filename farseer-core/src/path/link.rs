@@ -3,9 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use crate::body::{Body, BodyId};
-use crate::error::finite;
 use crate::joints::{Joint, JointId, JointKind, PinJoint, RevoluteJoint, SliderJoint};
 use crate::math::Vector2;
+use crate::math::finite::finite;
 use crate::math::vector2::distance;
 use crate::objects::Objects;
 use crate::shape::Vertices;

@@ -1,6 +1,6 @@
 //! Impulses, gravity and drag become velocity.
 
-use crate::body_entry::Bodies;
+use crate::body::entry::Bodies;
 use crate::math::Vector2;
 use crate::report::{Event, Report};
 

@@ -2,12 +2,12 @@
 
 use crate::body::Body;
 use crate::body::BodyId;
-use crate::body_entry::Bodies;
+use crate::body::entry::Bodies;
 use crate::joints::joint_body::{JointBodies, JointBody, JointPose};
 use crate::joints::{Joint, Joints};
 use crate::math::Vector2;
 use crate::report::{Event, Report};
-use crate::solver::{SolverBodies, SolverBody, SolverPlace};
+use crate::solve::{SolverBodies, SolverBody, SolverPlace};
 
 /// What the passes of an update know of the joints in the list, by its positions.
 #[derive(Debug, Clone, Default)]

@@ -3,14 +3,13 @@
 pub(crate) mod forces;
 pub(crate) mod joint_passes;
 pub(crate) mod positions;
-pub(crate) mod touch;
 
 use serde::{Deserialize, Serialize};
 
-use crate::broad_phase::BroadPhase;
-use crate::contact::Contact;
+use crate::contacts::contact::Contact;
 use crate::geom::GeomId;
-use crate::solver::{ContactSolver, SolverBodies};
+use crate::pairs::BroadPhase;
+use crate::solve::{ContactSolver, SolverBodies};
 use joint_passes::JointPasses;
 
 /// What the stages of an update keep, for themselves and for each other.

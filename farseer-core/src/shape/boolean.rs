@@ -6,9 +6,10 @@
 use std::f64::consts::PI;
 
 use super::{Edge, EdgeIntersectInfo, Vertices};
-use crate::error::{Error, finite_vertices};
+use crate::error::Error;
 use crate::math::Vector2;
-use crate::ray_helper;
+use crate::math::finite::finite_vertices;
+use crate::shape::ray_helper;
 
 /// Why a boolean operation has no clean result. What the original returned all the same is there as well;
 /// its `None` is `Ok`.

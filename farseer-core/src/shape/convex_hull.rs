@@ -1,8 +1,9 @@
 //! Convex hull of a simple outline (behaviour chapter 05, section 1.8, and chapter 15, section 15.2).
 
 use super::Vertices;
-use crate::error::{Error, Result, finite_vertices};
+use crate::error::{Error, Result};
 use crate::math::Vector2;
+use crate::math::finite::finite_vertices;
 
 impl Vertices {
     /// The convex hull of a simple (not self-crossing) outline, by Melkman's algorithm; a copy of the list if

@@ -6,7 +6,8 @@
 
 use super::Vertices;
 use super::vertices::MAX_VERTICES;
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Error, Result};
+use crate::math::finite::{finite, positive};
 use crate::math::{Vector2, math_helper, scalar};
 
 impl Vertices {

@@ -2,7 +2,8 @@
 
 use super::ear_clipping::{indexable, is_convex, is_inside};
 use super::{Vertices, WindingOrder};
-use crate::error::{Result, finite_vertices};
+use crate::error::Result;
+use crate::math::finite::finite_vertices;
 use crate::math::{Vector2, math_helper, scalar, vector2};
 
 /// A vertex and its 16-bit index, by both of which the original compares.

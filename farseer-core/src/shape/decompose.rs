@@ -3,7 +3,8 @@
 
 use super::Vertices;
 use super::triangulate::{self, Triangle};
-use crate::error::{Error, Result, finite_vertices};
+use crate::error::{Error, Result};
+use crate::math::finite::finite_vertices;
 use crate::math::{Vector2, calculator, vector2};
 
 /// The most pieces of a decomposition, whatever the caller asks for.

@@ -3,10 +3,10 @@
 use wide::f32x4;
 
 use super::Vertices;
-use crate::contact::Feature;
 use crate::math::Vector2;
 use crate::math::lanes::select;
 use crate::math::vector2::{distance, dot, length};
+use crate::shape::Feature;
 
 /// Distance of a point to edge `index`.
 fn distance_to_edge(vertices: &Vertices, point: Vector2, index: usize) -> f32 {

@@ -4,7 +4,8 @@
 use std::collections::VecDeque;
 
 use super::{Vertices, WindingOrder};
-use crate::error::{Error, Result, finite_vertices};
+use crate::error::{Error, Result};
+use crate::math::finite::finite_vertices;
 use crate::math::{Vector2, vector2};
 
 /// The most vertices whose indices a 16-bit number tells apart.

@@ -2,7 +2,8 @@
 
 use std::borrow::Cow;
 
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, Result};
+use crate::math::finite::finite;
 use crate::math::{Vector2, scalar};
 
 /// The greatest width or height: f32 counts every pixel below it exactly.

@@ -3,7 +3,8 @@
 
 use super::Vertices;
 use super::vertices::MAX_VERTICES;
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, Result};
+use crate::math::finite::finite;
 use crate::math::{Vector2, vector2};
 
 impl Vertices {

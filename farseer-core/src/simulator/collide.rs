@@ -2,12 +2,12 @@
 
 use super::tell::Handler;
 use super::{Context, EventHandler, PhysicsSimulator};
-use crate::broad_phase::{BroadPhase, PairSink};
-use crate::contact::Contact;
+use crate::contacts::contact::Contact;
 use crate::geom::GeomId;
-use crate::pair_filter::Filter;
-use crate::pipeline::touch::{ContactLimits, find_contacts, renew_contacts};
+use crate::geom::filter::Filter;
+use crate::pairs::{BroadPhase, PairSink};
 use crate::report::Event;
+use crate::touch::contacts_of_pair::{ContactLimits, find_contacts, renew_contacts};
 
 impl PhysicsSimulator {
     pub(super) fn look_for_pairs(&mut self, handler: &mut Handler<'_>) {
@@ -59,7 +59,7 @@ impl PhysicsSimulator {
             detect: settings.max_contacts_to_detect,
             resolve: settings.max_contacts_to_resolve,
         };
-        find_contacts(&self.objects, (a, b), limits, contacts);
+        find_contacts(self.objects.narrow_phase, &self.objects.geoms, (a, b), limits, contacts);
         self.tell_collision(a, b, contacts, handler);
         self.tell_collision(b, a, contacts, handler);
         renew_contacts(&mut self.contacts.arbiters[handle].contacts, contacts);

@@ -1,8 +1,9 @@
 //! What touches, and what an engine that is built on this one does with it.
 
 use super::PhysicsSimulator;
-use crate::arbiter::ArbiterRef;
+use crate::contacts::arbiter::ArbiterRef;
 use crate::geom::GeomId;
+use crate::geom::surface::mix_restitution;
 
 /// Contacts.
 impl PhysicsSimulator {
@@ -79,6 +80,11 @@ impl PhysicsSimulator {
         if normal_impulse.is_finite() && tangent_impulse.is_finite() {
             (contact.normal_impulse, contact.tangent_impulse) = (normal_impulse, tangent_impulse);
         }
+    }
+
+    /// How two restitution coefficients combine: their mean.
+    pub fn mix_restitution(a: f32, b: f32) -> f32 {
+        mix_restitution(a, b)
     }
 
     /// How two friction coefficients combine: [`friction_type`](Self::friction_type).

@@ -7,7 +7,7 @@ use crate::controllers::{
     WaveController,
 };
 use crate::geom::GeomId;
-use crate::geom_entry::GeomEntry;
+use crate::geom::entry::GeomEntry;
 use crate::objects::Objects;
 use crate::report::Event;
 use crate::shape::Vertices;

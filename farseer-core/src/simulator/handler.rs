@@ -2,7 +2,7 @@
 
 use super::Context;
 use crate::body::BodyId;
-use crate::contact::Contact;
+use crate::contacts::contact::Contact;
 use crate::controllers::{ControllerId, FluidContainer};
 use crate::geom::GeomId;
 use crate::joints::JointId;

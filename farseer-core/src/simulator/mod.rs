@@ -18,12 +18,13 @@ use std::ops::{Deref, DerefMut};
 
 use serde::{Deserialize, Serialize};
 
-use crate::arbiter::ArbiterList;
-use crate::broad_phase::BroadPhase;
-use crate::error::{finite, finite_vector};
+use crate::contacts::arbiter::ArbiterList;
+use crate::geom::surface::FrictionType;
 use crate::math::Vector2;
-use crate::methods::{BroadPhaseCollider, FrictionType, NarrowPhaseCollider};
+use crate::math::finite::{finite, finite_vector};
+use crate::methods::{BroadPhaseCollider, NarrowPhaseCollider};
 use crate::objects::Objects;
+use crate::pairs::BroadPhase;
 use crate::pipeline::Pipeline;
 use crate::report::{Event, Report, StepCounters, StepTimes};
 use crate::{Error, Result};

@@ -2,8 +2,8 @@
 
 use super::PhysicsSimulator;
 use super::tell::{Handler, tell_added, tell_removed};
+use crate::geom::filter::is_valid_pair;
 use crate::object_id::ObjectId;
-use crate::pair_filter::is_valid_pair;
 use crate::report::Event;
 
 /// How often callbacks are told of what callbacks did.

@@ -3,9 +3,9 @@
 use super::tell::Handler;
 use super::{EventHandler, PhysicsSimulator};
 use crate::body::BodyId;
-use crate::body_entry::Bodies;
+use crate::body::entry::Bodies;
 use crate::report::Event;
-use crate::solver::{PreStepSettings, SolverBodies, SolverBody, SolverPlace};
+use crate::solve::{PreStepSettings, SolverBodies, SolverBody, SolverPlace};
 
 /// What an engine that is built on this one solves: after joints and contacts, in every pass, on the same velocities.
 /// [`PhysicsSimulator::solve_with`] asks for it.

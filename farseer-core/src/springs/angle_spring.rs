@@ -2,12 +2,13 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::body::entry::Bodies;
+use crate::body::nobody::nobody;
 use crate::body::{Body, BodyId};
-use crate::body_entry::Bodies;
 use crate::checked_properties::checked_properties;
-use crate::error::{Result, finite};
+use crate::error::Result;
+use crate::math::finite::finite;
 use crate::math::scalar;
-use crate::nobody::nobody;
 use crate::springs::load::{Load, may_act};
 use crate::springs::{Constants, Pull, Spring, SpringKind};
 

@@ -2,11 +2,12 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::body::entry::Bodies;
+use crate::body::nobody::nobody;
 use crate::body::{Body, BodyId};
-use crate::body_entry::Bodies;
 use crate::checked_properties::checked_properties;
-use crate::error::{Result, finite};
-use crate::nobody::nobody;
+use crate::error::Result;
+use crate::math::finite::finite;
 use crate::springs::angle_spring::limited;
 use crate::springs::load::Load;
 use crate::springs::{Constants, Pull, Spring, SpringKind};

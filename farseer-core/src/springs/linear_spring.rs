@@ -2,14 +2,15 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::body::entry::Bodies;
+use crate::body::nobody::nobody;
 use crate::body::{Body, BodyId};
-use crate::body_entry::Bodies;
 use crate::checked_properties::checked_properties;
-use crate::error::{Result, finite, finite_vector};
+use crate::error::Result;
 use crate::joints::joint_body::is_non_zero;
 use crate::math::Vector2;
+use crate::math::finite::{finite, finite_vector};
 use crate::math::vector2::length;
-use crate::nobody::nobody;
 use crate::springs::load::{Load, may_act};
 use crate::springs::{Constants, Pull, SHORTEST, Spring, SpringKind, strength};
 

@@ -21,13 +21,14 @@ pub use linear_spring::LinearSpring;
 pub use spring_type::SpringType;
 
 use crate::body::BodyId;
-use crate::body_entry::Bodies;
+use crate::body::entry::Bodies;
 use crate::checked_properties::checked_properties;
-use crate::error::{Result, finite};
+use crate::error::Result;
 use crate::math::Vector2;
+use crate::math::finite::finite;
 use crate::math::vector2::dot;
 
-crate::arena::define_id! {
+crate::storage::arena::define_id! {
     /// Names a [`Spring`] of a simulator: the one that made it, its clones and what is loaded from its saves.
     SpringId
 }

@@ -7,7 +7,7 @@ use conformance::scenes::circles_in_a_pit;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use farseer_core::PhysicsSimulator;
-use measure::depth_scenes::{DepthScene, build, pile, traffic};
+use measure::scenes::depth::{DepthScene, build, pile, traffic};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 use twohalf::TwoHalfPhysicsSimulator;

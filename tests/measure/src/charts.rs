@@ -18,10 +18,9 @@ mod springs;
 mod stacks;
 mod swing;
 
-use super::error::Watch;
 use super::sweep::Subject;
+use super::watch::Watch;
 use conformance::scene::Scene;
-use std::fmt;
 
 /// A scene of the chart, with what is measured in it.
 pub struct ChartScene<S = Scene> {
@@ -64,20 +63,7 @@ impl<S> ChartScene<S> {
     }
 }
 
-// By hand, since what is derived would ask for scenes that can be copied.
-impl<S> Clone for ChartScene<S> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<S> Copy for ChartScene<S> {}
-
-impl<S> fmt::Debug for ChartScene<S> {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.debug_struct("ChartScene").field("name", &self.name).finish_non_exhaustive()
-    }
-}
+copied!(ChartScene);
 
 /// The sizes of a scene that has only one.
 const ONE_SIZE: &[usize] = &[0];

@@ -1,11 +1,10 @@
 //! The ways to simulate: the lines of a chart, the columns of a map.
 
-use super::ours::our_methods;
-#[cfg(feature = "peers")]
-use super::peers_2d::{box2d_methods, rapier_methods};
 use super::world::World;
+#[cfg(feature = "peers")]
+use crate::engines::peers_2d::{box2d_methods, rapier_methods};
+use crate::engines::plane::our_methods;
 use conformance::scene::Scene;
-use std::fmt;
 
 /// Whose engine it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -130,20 +129,7 @@ pub struct Method<S = Scene> {
     pub build: fn(&S, Setting) -> Built,
 }
 
-// By hand, since what is derived would ask for scenes that can be copied.
-impl<S> Clone for Method<S> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<S> Copy for Method<S> {}
-
-impl<S> fmt::Debug for Method<S> {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.debug_struct("Method").field("name", &self.name).finish_non_exhaustive()
-    }
-}
+copied!(Method);
 
 /// Columns of some settings, of which some are in the table of first failures.
 pub(crate) fn mapped(settings: impl IntoIterator<Item = Setting>, in_table: &[Setting]) -> Vec<Mapped> {
@@ -166,7 +152,7 @@ pub fn methods() -> Vec<Method> {
 /// Names and versions of the other engines among them, and of what they are reached through.
 pub fn peer_versions() -> Vec<(&'static str, String)> {
     #[cfg(feature = "peers")]
-    return super::peers_2d::peer_versions();
+    return crate::engines::peers_2d::peer_versions();
     #[cfg(not(feature = "peers"))]
     Vec::new()
 }

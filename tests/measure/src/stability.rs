@@ -1,7 +1,7 @@
 //! Where methods fail: families of scenes with a parameter that goes from easy to hard.
 //!
 //! A family is one entry of [`families`]. [`sheet`] says which methods and settings it is run with, [`map`] runs them
-//! and keeps what came of it, [`table`] and [`super::plot::heat`] tell.
+//! and keeps what came of it, [`table`] writes it down.
 //!
 //! Lengths are px, y points down, and 32 px are one metre; gravity is 320 px/s², which are 10 m/s². The floor's
 //! surface is y = 0. Friction is 0.5 and restitution 0 unless a family says otherwise. Scenes are named after those of
@@ -24,16 +24,14 @@ pub mod reasons;
 pub mod sheet;
 mod springs;
 mod stacks;
-mod stage;
 mod steps;
 mod sweeps;
 pub mod table;
 mod tunnels;
 
-use super::error::Watch;
+use super::watch::Watch;
 use super::world::World;
 use conformance::scene::Scene;
-use std::fmt;
 
 /// A step of a run that is about to be made.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -81,20 +79,7 @@ pub struct StabilityFamily<S = Scene> {
     pub broad_phases_matter: bool,
 }
 
-// By hand, since what is derived would ask for scenes that can be copied.
-impl<S> Clone for StabilityFamily<S> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<S> Copy for StabilityFamily<S> {}
-
-impl<S> fmt::Debug for StabilityFamily<S> {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.debug_struct("StabilityFamily").field("name", &self.name).finish_non_exhaustive()
-    }
-}
+copied!(StabilityFamily);
 
 /// What most families run for, in s.
 const SECONDS: f64 = 10.0;
@@ -108,7 +93,7 @@ impl<S> StabilityFamily<S> {
         unit: "",
         values: &[],
         quick_values: &[],
-        build: |_, _| unimplemented!("the scene of a family"),
+        build: |_, _| unreachable!("every family has scenes of its own"),
         seconds: |_| SECONDS,
         whole: f64::round,
         act: |_, _, _| {},

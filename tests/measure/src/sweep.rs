@@ -5,11 +5,11 @@
 //! machine does besides meets all of them, and the median over the turns is kept. Short runs are repeated until
 //! enough is measured; long ones take fewer turns, very long ones one.
 
-use super::error::Watch;
 use super::method::Setting;
 use super::shard::Shard;
 use super::stability::reasons::PANICKED;
 use super::stopwatch::Stopwatch;
+use super::watch::Watch;
 use super::world::World;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Duration;
@@ -378,7 +378,7 @@ fn median(mut times: Vec<Duration>) -> Option<Duration> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::error::{Last, in_reach};
+    use super::super::watch::last;
     use super::super::world::BodyState;
     use super::*;
 
@@ -406,15 +406,14 @@ mod tests {
     }
 
     /// A watch whose error is a multiple of how far the body came.
-    fn way(factor: f64) -> Last<impl FnMut(f64, &dyn World) -> Option<f64>> {
-        Last::new(move |_, world: &dyn World| Some(factor * world.body(0).position[0]))
+    fn way(factor: f64) -> Box<dyn Watch> {
+        last(move |_, world: &dyn World| Some(factor * world.body(0).position[0]))
     }
 
     /// What comes of a body that is not finite, or panics, when it is beyond an end.
     fn sweep(setting: Setting, end: f64, panics: bool) -> Sweep {
         let start: Start<'_> = Box::new(move || {
-            let other: Box<dyn Watch> = Box::new(way(2.0));
-            let watches = vec![("move", in_reach(way(1.0), f64::INFINITY)), ("other", other)];
+            let watches = vec![("move", way(1.0)), ("other", way(2.0))];
             Ok(Run { world: Box::new(Mover { place: 0.0, end, panics }), watches })
         });
         let trial = Trial { scene: "move", size: 0, method: "mover", setting, seconds: 1.0, start };
@@ -484,7 +483,7 @@ mod tests {
     fn trials() -> Vec<Trial<'static>> {
         let trial = |scene, size, setting| {
             let start: Start<'_> = Box::new(move || {
-                let watch: Box<dyn Watch> = Box::new(way(size as f64));
+                let watch = way(size as f64);
                 Ok(Run {
                     world: Box::new(Mover { place: 0.0, end: f64::INFINITY, panics: false }),
                     watches: vec![(scene, watch)],

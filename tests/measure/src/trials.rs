@@ -1,9 +1,9 @@
 //! What the sweep makes of the scenes of the chart.
 
 use super::charts::ChartScene;
-use super::error::Watch;
 use super::method::{Effort, Family, Method, Setting};
 use super::sweep::{Run, Start, Trial};
+use super::watch::Watch;
 use std::rc::Rc;
 
 /// From this number of bodies on fewer settings are tried.

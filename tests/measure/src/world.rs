@@ -84,6 +84,13 @@ pub enum Met {
     Platform(usize),
 }
 
+impl Met {
+    /// A pair with the lesser one first.
+    pub fn pair(a: Met, b: Met) -> (Met, Met) {
+        if a <= b { (a, b) } else { (b, a) }
+    }
+}
+
 /// A scene in some engine, being stepped. Bodies are named by their index in the scene. What only scenes in the plane or
 /// only scenes with depth ask for is there for those.
 pub trait World {
@@ -103,17 +110,17 @@ pub trait World {
 
     /// Sets velocities in px/s and rad/s. In the plane.
     fn set_velocity(&mut self, _index: usize, _velocity: [f64; 2], _angular_velocity: f64) {
-        unimplemented!("nobody sets velocities in scenes with depth");
+        unreachable!("nobody sets velocities in scenes with depth");
     }
 
     /// Changes the velocity of a body by an impulse at its centre of mass, in kg px/s. In the plane.
     fn apply_impulse(&mut self, _index: usize, _impulse: [f64; 2]) {
-        unimplemented!("nobody pushes in scenes with depth");
+        unreachable!("nobody pushes in scenes with depth");
     }
 
     /// Puts a body elsewhere: px and rad. In the plane.
     fn teleport(&mut self, _index: usize, _position: [f64; 2], _angle: f64) {
-        unimplemented!("nothing is put elsewhere in scenes with depth");
+        unreachable!("nothing is put elsewhere in scenes with depth");
     }
 
     /// Height in px of the ground or the platform that is straight below the middle of a body; `None` if there is none,

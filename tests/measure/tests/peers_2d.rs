@@ -8,8 +8,8 @@
 
 use conformance::scene::*;
 use farseer_core::math::Vector2;
+use measure::engines::peers_2d::{box2d_methods, rapier_methods};
 use measure::method::{Method, Setting};
-use measure::peers_2d::{box2d_methods, rapier_methods};
 use measure::world::{World, masses};
 use std::f64::consts::{PI, TAU};
 
@@ -414,7 +414,7 @@ fn a_bob_on_a_pin_joint_has_its_period_and_keeps_its_distance() {
     let expected = TAU * (160.0 / G).sqrt() * (1.0 + 0.1 * 0.1 / 16.0);
     in_both(&scene, |name, world| {
         near(name, period(world, 20.0, |world| world.body(1).position[0]), expected, 2e-3 * expected);
-        let [x, y] = world.body(1).position;
+        let [x, y] = world.body(1).place();
         near(name, x.hypot(y), 160.0, 0.1);
     });
 }

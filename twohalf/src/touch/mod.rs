@@ -86,7 +86,7 @@ struct Surfaces {
 impl Surfaces {
     fn combine(core: &PhysicsSimulator, geom: GeomRef<'_>, friction: f32, restitution: f32) -> Option<Self> {
         let friction = core.mix_friction(friction, geom.friction_coefficient());
-        let restitution = (restitution + geom.restitution_coefficient()) * 0.5;
+        let restitution = PhysicsSimulator::mix_restitution(restitution, geom.restitution_coefficient());
         (friction.is_finite() && restitution.is_finite()).then_some(Surfaces { friction, restitution })
     }
 }

@@ -53,11 +53,9 @@ impl World {
         let Subject { key, this, body, partner, partner_body, responds } = subject;
         let (TouchKey::Pair(older, _), Partner::Geom(other)) = (key, partner) else { return };
         let Some(arbiter) = core.arbiter(position) else { return };
-        let Some(restitution) = core
-            .geom(this)
-            .zip(core.geom(other))
-            .map(|(b, a)| (a.restitution_coefficient() + b.restitution_coefficient()) * 0.5)
-        else {
+        let Some(restitution) = core.geom(this).zip(core.geom(other)).map(|(b, a)| {
+            PhysicsSimulator::mix_restitution(a.restitution_coefficient(), b.restitution_coefficient())
+        }) else {
             return;
         };
         let friction = arbiter.friction();

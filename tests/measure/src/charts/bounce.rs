@@ -1,9 +1,9 @@
 //! Balls fall on the ground and bounce.
 
 use super::super::closed_forms::apex;
-use super::super::error::{Largest, Watch, Worst, in_reach};
+use super::super::watch::{Largest, Watch, in_reach, worst};
 use super::super::world::World;
-use super::build::{GRAVITY, Surface, ball, ground, scene};
+use super::build::{GRAVITY, ground, stage};
 use super::signals::Peaks;
 use super::{ChartScene, ONE_SIZE};
 use conformance::scene::Scene;
@@ -85,14 +85,13 @@ fn fall(ball: usize) -> f64 {
 }
 
 fn build(restitution: f64) -> Scene {
-    let mut scene = scene("bounce", "Balls fall on the ground.");
-    let surface = Surface { friction: 0.0, restitution };
-    ground(&mut scene, SPACING * (BALLS + 2) as f64, 0.0, surface);
+    let mut stage = stage("bounce").with_surface(0.0, restitution);
+    ground(&mut stage, SPACING * (BALLS + 2) as f64, 0.0);
     for index in 0..BALLS {
         let x = SPACING * (index as f64 - (BALLS - 1) as f64 / 2.0);
-        ball(&mut scene, RADIUS, 1.0, EDGES, [x, -RADIUS - fall(index)], surface);
+        stage.disc([x, -RADIUS - fall(index)], RADIUS, 1.0, EDGES);
     }
-    scene
+    stage.done()
 }
 
 /// Height of a ball's lowest point above the ground.
@@ -120,7 +119,8 @@ impl Apexes {
         let (peaks, counts, largest) = Default::default();
         // The last look comes up to a step before the end.
         let due = seconds - 0.1;
-        in_reach(Apexes { peaks, counts, asked, due, judge, largest, failed: None }, REACH)
+        let apexes = Apexes { peaks, counts, asked, due, judge, largest, failed: None };
+        in_reach(Box::new(apexes), REACH)
     }
 }
 
@@ -159,7 +159,7 @@ fn watch_apexes(restitution: f64, bounces: i32, seconds: f64) -> Box<dyn Watch> 
 fn watch_rest() -> Box<dyn Watch> {
     // The longest fall takes 1.18 s, and landing a step or two.
     let highest = |world: &dyn World| (0..BALLS).map(|ball| height(world, ball).abs()).fold(0.0, f64::max);
-    in_reach(Worst::new(move |time, world: &dyn World| (time > 1.3).then(|| highest(world))), REACH)
+    in_reach(worst(move |time, world: &dyn World| (time > 1.3).then(|| highest(world))), REACH)
 }
 
 /// Energy must never grow: an apex that is higher than the fall by more than a game bears is a failure.

@@ -1,10 +1,11 @@
 //! Thrown bodies that meet nothing.
 
 use super::super::closed_forms::{SteppedThrow, thrown};
-use super::super::error::{Watch, Worst, in_reach};
+use super::super::watch::{Watch, in_reach, worst};
 use super::super::world::{World, distance};
-use super::build::{GRAVITY, Surface, ball, scene, start, vector};
+use super::build::{GRAVITY, stage, start};
 use super::{ChartScene, ONE_SIZE};
+use crate::scenes::stage::vector;
 use conformance::scene::Scene;
 
 const SECONDS: f64 = 2.0;
@@ -43,14 +44,14 @@ pub(super) fn scenes() -> Vec<ChartScene> {
 }
 
 fn build(_: usize) -> Scene {
-    let mut scene = scene("throw", "Two throws, the second with linear drag.");
+    let mut stage = stage("throw").with_surface(0.0, 0.0);
     for (index, drag) in DRAG.into_iter().enumerate() {
         // Far enough apart that they do not meet.
-        let body = ball(&mut scene, 16.0, MASS, 12, [0.0, 1000.0 * index as f64], Surface::default());
-        scene.bodies[body].settings.linear_velocity = Some(vector(VELOCITY));
-        scene.bodies[body].settings.linear_drag = Some(drag as f32);
+        stage.disc([0.0, 1000.0 * index as f64], 16.0, MASS, 12);
+        stage.last().settings.linear_velocity = Some(vector(VELOCITY));
+        stage.last().settings.linear_drag = Some(drag as f32);
     }
-    scene
+    stage.done()
 }
 
 fn watch_continuous(scene: &Scene) -> Box<dyn Watch> {
@@ -62,7 +63,7 @@ fn watch_continuous(scene: &Scene) -> Box<dyn Watch> {
         };
         Some(off(0).max(off(1)))
     };
-    in_reach(Worst::new(error), 1e4)
+    in_reach(worst(error), 1e4)
 }
 
 fn watch_discrete(scene: &Scene) -> Box<dyn Watch> {
@@ -80,5 +81,5 @@ fn watch_discrete(scene: &Scene) -> Box<dyn Watch> {
         let off = |index: usize| distance(world.body(index).place(), laws[index].position);
         Some(off(0).max(off(1)))
     };
-    in_reach(Worst::new(error), 1e4)
+    in_reach(worst(error), 1e4)
 }

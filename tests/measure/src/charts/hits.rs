@@ -1,11 +1,12 @@
 //! Hits of free discs: a row of them, and one that is not met in the middle.
 
 use super::super::closed_forms::{after_hit, normal_of_oblique_hit};
-use super::super::error::{Last, Watch, Worst, in_reach};
+use super::super::watch::{Watch, in_reach, last, worst};
 use super::super::world::{World, masses};
-use super::build::{PRESS, Surface, ball, vector, weightless};
+use super::build::{PRESS, weightless};
 use super::invariants::{energy, momentum};
 use super::{ChartScene, ONE_SIZE};
+use crate::scenes::stage::vector;
 use conformance::scene::Scene;
 
 const RADIUS: f64 = 16.0;
@@ -119,26 +120,24 @@ fn build_touching(count: usize) -> Scene {
 
 /// A row of discs; the first one starts two discs away and arrives after a third of a second.
 fn row(count: usize, gap: f64) -> Scene {
-    let mut scene = weightless("newtons_cradle", "A disc hits a row of discs.");
-    let surface = Surface { friction: 0.0, restitution: 1.0 };
+    let mut stage = weightless("newtons_cradle").with_surface(0.0, 1.0);
     for index in 0..count {
         let away = if index == 0 { 4.0 * RADIUS } else { 0.0 };
         let x = index as f64 * (2.0 * RADIUS + gap) - away;
         // Corners of the polygons point along the row.
-        ball(&mut scene, RADIUS, 1.0, EDGES, [x, 0.0], surface);
+        stage.disc([x, 0.0], RADIUS, 1.0, EDGES);
     }
-    scene.bodies[0].settings.linear_velocity = Some(vector([SPEED, 0.0]));
-    scene
+    stage.scene_mut().bodies[0].settings.linear_velocity = Some(vector([SPEED, 0.0]));
+    stage.done()
 }
 
 fn build_oblique() -> Scene {
-    let mut scene = weightless("oblique_hit", "A disc hits another one, off its middle.");
-    let surface = Surface { friction: 0.0, restitution: RESTITUTION };
+    let mut stage = weightless("oblique_hit").with_surface(0.0, RESTITUTION);
     // So that it arrives between two steps, whatever the step.
-    ball(&mut scene, RADIUS, 1.0, 32, [-81.7, 0.0], surface);
-    ball(&mut scene, RADIUS, HEAVY, 32, [0.0, OFFSET], surface);
-    scene.bodies[0].settings.linear_velocity = Some(vector([SPEED, 0.0]));
-    scene
+    stage.disc([-81.7, 0.0], RADIUS, 1.0, 32);
+    stage.disc([0.0, OFFSET], RADIUS, HEAVY, 32);
+    stage.scene_mut().bodies[0].settings.linear_velocity = Some(vector([SPEED, 0.0]));
+    stage.done()
 }
 
 fn velocities_of_oblique() -> [[f64; 2]; 2] {
@@ -161,14 +160,14 @@ fn velocity_error(world: &dyn World, law: impl Fn(usize) -> [f64; 2]) -> f64 {
 }
 
 fn watch_who_moves(scene: &Scene) -> Box<dyn Watch> {
-    let last = scene.bodies.len() - 1;
-    let law = move |index: usize| if index == last { [SPEED, 0.0] } else { [0.0, 0.0] };
-    in_reach(Last::new(move |_, world| Some(velocity_error(world, law))), REACH)
+    let end = scene.bodies.len() - 1;
+    let law = move |index: usize| if index == end { [SPEED, 0.0] } else { [0.0, 0.0] };
+    in_reach(last(move |_, world| Some(velocity_error(world, law))), REACH)
 }
 
 fn watch_oblique(_: &Scene) -> Box<dyn Watch> {
     let law = velocities_of_oblique();
-    in_reach(Last::new(move |_, world| Some(velocity_error(world, |index| law[index]))), REACH)
+    in_reach(last(move |_, world| Some(velocity_error(world, |index| law[index]))), REACH)
 }
 
 /// Momentum comes from the first body alone, of mass 1.
@@ -178,12 +177,12 @@ fn watch_momentum(scene: &Scene, speed: f64) -> Box<dyn Watch> {
         let [x, y] = momentum(&masses, world);
         Some(100.0 * (x - speed).hypot(y) / speed)
     };
-    in_reach(Worst::new(error), REACH)
+    in_reach(worst(error), REACH)
 }
 
 fn watch_energy(scene: &Scene, after: f64) -> Box<dyn Watch> {
     let masses = masses(scene);
     let error =
         move |_: f64, world: &dyn World| Some(100.0 * (energy(&masses, 0.0, world) / after - 1.0).abs());
-    in_reach(Last::new(error), REACH)
+    in_reach(last(error), REACH)
 }

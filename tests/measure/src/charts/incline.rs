@@ -1,10 +1,11 @@
 //! Sliding, sticking and rolling on an incline.
 
 use super::super::closed_forms::{RollingPolygon, rolling_acceleration, stopping_distance};
-use super::super::error::{Last, Watch, Worst, in_reach};
+use super::super::watch::{Watch, in_reach, last, worst};
 use super::super::world::{World, masses};
-use super::build::{GRAVITY, PRESS, Slab, ball, ground, on_slope, rough, scene, slab, start, vector, wheel};
+use super::build::{GRAVITY, PRESS, ground, on_slope, stage, start};
 use super::{ChartScene, ONE_SIZE};
+use crate::scenes::stage::{Stage, vector};
 use conformance::scene::Scene;
 
 const FRICTION: f64 = 0.5;
@@ -12,7 +13,8 @@ const FRICTION: f64 = 0.5;
 const GENTLE: f64 = std::f64::consts::PI / 12.0;
 /// 20 degrees; what rolls would slip at friction below a third of its tangent, 0.12.
 const STEEP: f64 = std::f64::consts::PI / 9.0;
-const CRATE: Slab = Slab { width: 32.0, height: 16.0, mass: 1.0 };
+/// Width and height in px.
+const CRATE: [f64; 2] = [32.0, 16.0];
 const SPEED: f64 = 160.0;
 const RADIUS: f64 = 16.0;
 const ROLLING: f64 = 3.0;
@@ -80,32 +82,33 @@ pub(super) fn scenes() -> Vec<ChartScene> {
     ]
 }
 
-fn incline(name: &str, angle: f64) -> Scene {
-    let mut scene = scene(name, "An incline and what moves on it.");
-    ground(&mut scene, 1600.0, angle, rough(FRICTION));
-    scene
+fn incline(name: &str, angle: f64) -> Stage {
+    let mut stage = stage(name).with_surface(FRICTION, 0.0);
+    ground(&mut stage, 1600.0, angle);
+    stage
 }
 
 fn crate_on_incline(speed: f64) -> Scene {
-    let mut scene = incline("crate_on_incline", GENTLE);
-    let place = on_slope(GENTLE, 0.0, CRATE.height / 2.0 - PRESS);
-    let body = slab(&mut scene, CRATE, place, GENTLE, rough(FRICTION));
-    scene.bodies[body].settings.linear_velocity = Some(vector(on_slope(GENTLE, speed, 0.0)));
-    scene
+    let mut stage = incline("crate_on_incline", GENTLE);
+    let place = on_slope(GENTLE, 0.0, CRATE[1] / 2.0 - PRESS);
+    stage.boxed(place, CRATE, 1.0);
+    stage.last().rotation = Some(GENTLE as f32);
+    stage.last().settings.linear_velocity = Some(vector(on_slope(GENTLE, speed, 0.0)));
+    stage.done()
 }
 
 fn circle_on_incline() -> Scene {
-    let mut scene = incline("circle_on_incline", STEEP);
-    ball(&mut scene, RADIUS, 1.0, 64, on_slope(STEEP, 0.0, RADIUS - PRESS), rough(FRICTION));
-    scene
+    let mut stage = incline("circle_on_incline", STEEP);
+    stage.disc(on_slope(STEEP, 0.0, RADIUS - PRESS), RADIUS, 1.0, 64);
+    stage.done()
 }
 
 fn wheel_on_incline() -> Scene {
-    let mut scene = incline("polygon_on_incline", SLIGHT);
+    let mut stage = incline("polygon_on_incline", SLIGHT);
     // On a corner: it falls forward, and from then on rolls.
-    let place = on_slope(SLIGHT, 0.0, RADIUS - PRESS);
-    wheel(&mut scene, (RADIUS, CORNERS), place, SLIGHT, rough(FRICTION));
-    scene
+    stage.wheel(on_slope(SLIGHT, 0.0, RADIUS - PRESS), RADIUS, CORNERS);
+    stage.last().rotation = Some(SLIGHT as f32);
+    stage.done()
 }
 
 /// How far the moving body came from a place down a slope.
@@ -118,7 +121,7 @@ fn came(world: &dyn World, from: [f64; 2], angle: f64) -> f64 {
 fn watch_slide(scene: &Scene) -> Box<dyn Watch> {
     let from = start(scene, MOVING);
     let law = stopping_distance(SPEED, GRAVITY, GENTLE, FRICTION);
-    in_reach(Last::new(move |_, world| Some((came(world, from, GENTLE) - law).abs())), REACH)
+    in_reach(last(move |_, world| Some((came(world, from, GENTLE) - law).abs())), REACH)
 }
 
 fn watch_stick(_: &Scene) -> Box<dyn Watch> {
@@ -130,7 +133,7 @@ fn watch_stick(_: &Scene) -> Box<dyn Watch> {
         let from = *settled.get_or_insert_with(|| world.body(MOVING).place());
         Some(came(world, from, GENTLE).abs())
     };
-    in_reach(Worst::new(creep), REACH)
+    in_reach(worst(creep), REACH)
 }
 
 fn watch_roll(scene: &Scene) -> Box<dyn Watch> {
@@ -144,7 +147,7 @@ fn watch_roll(scene: &Scene) -> Box<dyn Watch> {
             100.0 * (acceleration / law - 1.0).abs()
         })
     };
-    in_reach(Last::new(error), REACH)
+    in_reach(last(error), REACH)
 }
 
 /// The wheel by its law, as the scene has it at first.
@@ -174,7 +177,7 @@ fn watch_roll_on_corners(scene: &Scene) -> Box<dyn Watch> {
         let late = time > ROLLING_ON_CORNERS / 2.0;
         late.then(|| 100.0 * (came(world, from, SLIGHT) / law.way() - 1.0).abs())
     };
-    in_reach(Last::new(error), REACH)
+    in_reach(last(error), REACH)
 }
 
 #[cfg(test)]

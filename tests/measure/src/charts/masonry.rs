@@ -2,8 +2,9 @@
 //! measured from how they stand when nothing overlaps.
 
 use super::ChartScene;
-use super::build::{PRESS, Slab, ground, rough, scene, slab, stone};
-use super::settled::{Rest, built_height, charts_of_rest, movable, toppled};
+use super::build::{PRESS, ground, stage};
+use super::settled::{Rest, built_height, charts_of_rest, toppled};
+use crate::scenes::movable;
 use conformance::scene::Scene;
 
 const FRICTION: f64 = 0.7;
@@ -49,13 +50,13 @@ pub(super) fn scenes() -> Vec<ChartScene> {
     scenes.extend(charts_of_rest(
         cards,
         ("card_house_height", |scene| {
-            CARDS.height(scene, built_height(&card_house(movable(scene).count(), 0.0)))
+            CARDS.height(scene, built_height(&card_house(movable(scene).len(), 0.0)))
         }),
         ("card_house_speed", |scene| CARDS.speed(scene)),
     ));
     scenes.extend(charts_of_rest(
         stones,
-        ("arch_height", |scene| ARCH.height(scene, built_height(&arch(movable(scene).count(), 0.0)))),
+        ("arch_height", |scene| ARCH.height(scene, built_height(&arch(movable(scene).len(), 0.0)))),
         ("arch_speed", |scene| ARCH.speed(scene)),
     ));
     scenes
@@ -66,13 +67,12 @@ pub(super) fn scenes() -> Vec<ChartScene> {
 fn card_house(count: usize, press: f64) -> Scene {
     let cards = |pairs: usize| (1..=pairs).map(|pairs| 3 * pairs - 1).sum::<usize>();
     let pairs = (1..).find(|&pairs| cards(pairs) >= count).unwrap_or(1);
-    let mut scene = scene(&format!("card_house_of_{}", cards(pairs)), "A house of cards.");
+    let mut stage = stage(format!("card_house_of_{}", cards(pairs))).with_surface(FRICTION, 0.0);
     let (sine, cosine) = LEAN.sin_cos();
     // A pair is so wide at its feet, and the next one begins two pixels from it.
     let spacing = 2.0 * (CARD * sine + THICKNESS * cosine) + 2.0;
     let rise = CARD * cosine + THICKNESS * sine - press;
-    ground(&mut scene, spacing * (pairs as f64 + 6.0), 0.0, rough(FRICTION));
-    let upright = Slab { width: THICKNESS, height: CARD, mass: 1.0 };
+    ground(&mut stage, spacing * (pairs as f64 + 6.0), 0.0);
     for storey in 0..pairs {
         let base = -(storey as f64) * (rise + THICKNESS - press);
         let count = pairs - storey;
@@ -81,29 +81,23 @@ fn card_house(count: usize, press: f64) -> Scene {
             for side in [-1.0, 1.0] {
                 // Inner upper corners meet at the apex.
                 let x = centre(index) + side * ((THICKNESS * cosine + CARD * sine) / 2.0 - press);
-                slab(
-                    &mut scene,
-                    upright,
-                    [x, base - rise / 2.0 + press / 2.0],
-                    -side * LEAN,
-                    rough(FRICTION),
-                );
+                stage.boxed([x, base - rise / 2.0 + press / 2.0], [THICKNESS, CARD], 1.0);
+                stage.last().rotation = Some((-side * LEAN) as f32);
             }
         }
         for index in 1..count {
             // A pixel shorter, so that it ends beside the next one.
-            let level = Slab { width: spacing - 1.0, height: THICKNESS, mass: 1.0 };
-            let x = centre(index) - spacing / 2.0;
-            slab(&mut scene, level, [x, base - rise - THICKNESS / 2.0 + press], 0.0, rough(FRICTION));
+            let place = [centre(index) - spacing / 2.0, base - rise - THICKNESS / 2.0 + press];
+            stage.boxed(place, [spacing - 1.0, THICKNESS], 1.0);
         }
     }
-    scene
+    stage.done()
 }
 
 /// A half circle of so many stones, each put so deep into its neighbours.
 fn arch(count: usize, press: f64) -> Scene {
-    let mut scene = scene(&format!("arch_of_{count}"), "An arch of wedge-shaped stones.");
-    ground(&mut scene, 4.0 * SPAN + 320.0, 0.0, rough(FRICTION));
+    let mut stage = stage(format!("arch_of_{count}")).with_surface(FRICTION, 0.0);
+    ground(&mut stage, 4.0 * SPAN + 320.0, 0.0);
     // Wider than their share by the overlap, so that neighbours touch.
     let slack = press / 2.0 / SPAN;
     for index in 0..count {
@@ -112,7 +106,7 @@ fn arch(count: usize, press: f64) -> Scene {
         let corner = |radius: f64, angle: f64| [-radius * angle.cos(), -radius * angle.sin()];
         let corners =
             [corner(SPAN, from), corner(SPAN + DEPTH, from), corner(SPAN + DEPTH, to), corner(SPAN, to)];
-        stone(&mut scene, &corners, rough(FRICTION));
+        stage.stone(&corners);
     }
-    scene
+    stage.done()
 }

@@ -2,7 +2,8 @@
 
 use super::ChartScene;
 use super::build::start;
-use super::settled::{Rest, Verdict, movable};
+use super::settled::{Rest, Verdict};
+use crate::scenes::movable;
 use conformance::scene::{BodyShape, GeomShape, Scene};
 use conformance::scenes::{circles_in_a_pit, vary};
 
@@ -71,7 +72,7 @@ fn lost(scene: &Scene) -> Verdict {
         };
         start(scene, wall)[0] + side * half
     });
-    let fallen: Vec<usize> = movable(scene).collect();
+    let fallen = movable(scene);
     let is_lost = move |[x, y]: [f64; 2]| x < left || x > right || y > 0.0;
     Box::new(move |world| fallen.iter().any(|&index| is_lost(world.body(index).place())).then_some("lost"))
 }

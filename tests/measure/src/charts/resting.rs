@@ -46,16 +46,16 @@ fn as_built(scene: &Scene, index: usize) -> Option<Placed> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::build::{Slab, rough, scene, slab};
+    use super::super::build::stage;
     use super::*;
 
     /// A scene of rectangles, given by width, height and centre.
     fn standing(rectangles: &[(f64, f64, [f64; 2])]) -> Scene {
-        let mut scene = scene("standing", "Boxes.");
+        let mut stage = stage("standing");
         for &(width, height, place) in rectangles {
-            slab(&mut scene, Slab { width, height, mass: 1.0 }, place, 0.0, rough(0.5));
+            stage.boxed(place, [width, height], 1.0);
         }
-        scene
+        stage.done()
     }
 
     /// Its upper side is at 0.

@@ -1,11 +1,12 @@
 //! What is measured where things should come to rest: how deep they are in each other, how fast they still move,
 //! and whether what was built still stands.
 
-use super::super::error::{Failing, Largest, Last, Watch, Worst};
 use super::super::penetration::Shapes;
-use super::super::world::World;
 use super::ChartScene;
 use super::build::start;
+use crate::scenes::movable;
+use crate::watch::{Largest, Watch, failing, greatest, last, mean_speed, worst};
+use crate::world::{World, distance};
 use conformance::scene::Scene;
 
 /// The last second of a run is looked at.
@@ -49,26 +50,19 @@ pub(super) fn charts_of_rest(
 /// Says what of a scene has come to ruin, if anything has.
 pub(super) type Verdict = Box<dyn Fn(&dyn World) -> Option<&'static str>>;
 
-/// The bodies of a scene that can move.
-pub(super) fn movable(scene: &Scene) -> impl Iterator<Item = usize> {
-    (0..scene.bodies.len()).filter(|&index| scene.bodies[index].is_static != Some(true))
-}
-
 /// What stands may move `slack` px from where it was built; what is farther away has toppled.
 pub(super) fn toppled(scene: &Scene, slack: f64) -> Verdict {
-    let places: Vec<(usize, [f64; 2])> = movable(scene).map(|index| (index, start(scene, index))).collect();
-    let moved = move |world: &dyn World, index: usize, start: [f64; 2]| {
-        let now = world.body(index).position;
-        (now[0] - start[0]).hypot(now[1] - start[1])
+    let places: Vec<(usize, [f64; 2])> =
+        movable(scene).into_iter().map(|index| (index, start(scene, index))).collect();
+    let has_left = move |world: &dyn World, &(index, start): &(usize, [f64; 2])| {
+        distance(world.body(index).place(), start) > slack
     };
-    Box::new(move |world| {
-        places.iter().any(|&(index, start)| moved(world, index, start) > slack).then_some("toppled")
-    })
+    Box::new(move |world| places.iter().any(|place| has_left(world, place)).then_some("toppled"))
 }
 
 /// The body that was built highest, and how high above 0 its centre is then, in px.
 fn top(scene: &Scene) -> Option<(usize, f64)> {
-    let bodies = movable(scene).map(|index| (index, -start(scene, index)[1]));
+    let bodies = movable(scene).into_iter().map(|index| (index, -start(scene, index)[1]));
     // Of two at one height the first.
     bodies.reduce(|top, other| if other.1 > top.1 { other } else { top })
 }
@@ -95,27 +89,21 @@ impl Rest {
             let is = -world.body(top?.0).position[1];
             Some(100.0 * (is / height - 1.0).abs())
         };
-        self.standing(scene, Last::new(error))
+        self.standing(scene, last(error))
     }
 
     /// Error: the speed of the fastest body in the last second, in px/s.
     pub(super) fn speed(self, scene: &Scene) -> Box<dyn Watch> {
-        let bodies: Vec<usize> = movable(scene).collect();
-        let fastest = move |world: &dyn World| {
-            bodies.iter().map(|&index| world.body(index).speed()).fold(0.0, f64::max)
-        };
+        let bodies = movable(scene);
+        let fastest = move |world: &dyn World| greatest(world, &bodies, |body| body.speed());
         self.standing(scene, self.worst_at_end(fastest))
     }
 
     /// Error: the root of the mean squared speed of the bodies in the last second, in px/s: where one that still
     /// rolls does not matter.
     pub(super) fn mean_speed(self, scene: &Scene) -> Box<dyn Watch> {
-        let bodies: Vec<usize> = movable(scene).collect();
-        let mean = move |world: &dyn World| {
-            let sum: f64 = bodies.iter().map(|&index| world.body(index).speed().powi(2)).sum();
-            (sum / bodies.len().max(1) as f64).sqrt()
-        };
-        self.standing(scene, self.worst_at_end(mean))
+        let bodies = movable(scene);
+        self.standing(scene, self.worst_at_end(move |world| mean_speed(world, &bodies)))
     }
 
     /// Error: the largest overlap of two shapes in the last second, in px.
@@ -131,16 +119,16 @@ impl Rest {
             largest.take(shapes.largest_overlap(world));
             Some(largest.get())
         };
-        self.standing(scene, Last::new(look))
+        self.standing(scene, last(look))
     }
 
     /// The largest of a value in the last second.
-    fn worst_at_end(self, value: impl Fn(&dyn World) -> f64 + 'static) -> impl Watch + 'static {
+    fn worst_at_end(self, value: impl Fn(&dyn World) -> f64 + 'static) -> Box<dyn Watch> {
         let from = self.seconds - WINDOW;
-        Worst::new(move |time, world: &dyn World| (time >= from).then(|| value(world)))
+        worst(move |time, world: &dyn World| (time >= from).then(|| value(world)))
     }
 
-    fn standing(self, scene: &Scene, watch: impl Watch + 'static) -> Box<dyn Watch> {
+    fn standing(self, scene: &Scene, watch: Box<dyn Watch>) -> Box<dyn Watch> {
         let starts = (0..scene.bodies.len()).map(|index| start(scene, index));
         let reach = 2e3 + 10.0 * starts.map(|p| p[0].hypot(p[1])).fold(0.0, f64::max);
         let ruin = (self.ruin)(scene);
@@ -148,6 +136,6 @@ impl Rest {
             let is_last_second = time >= self.seconds - WINDOW;
             is_last_second.then(|| ruin(world)).flatten()
         };
-        Box::new(Failing::new(watch, reach, verdict))
+        failing(watch, reach, verdict)
     }
 }

@@ -1,10 +1,11 @@
 //! A body on a spring without damping.
 
-use super::super::error::{Failing, Last, Watch};
+use super::super::watch::{Watch, failing, last};
 use super::super::world::World;
-use super::build::{body, vector, weightless};
+use super::build::weightless;
 use super::signals::Period;
 use super::{ChartScene, ONE_SIZE};
+use crate::scenes::stage::vector;
 use conformance::scene::{BodyShape, Scene, SpringKind, SpringSettings, SpringSpec};
 use std::f64::consts::TAU;
 
@@ -71,8 +72,8 @@ pub(super) fn scenes() -> Vec<ChartScene> {
 }
 
 fn build(frequency: f64) -> Scene {
-    let mut scene = weightless("spring", "A body on a spring.");
-    let body = body(&mut scene, BOB, [REST_LENGTH + AMPLITUDE, 0.0], 0.0);
+    let mut stage = weightless("spring");
+    let body = stage.body(BOB, [REST_LENGTH + AMPLITUDE, 0.0]);
     let kind = SpringKind::FixedLinear {
         body,
         body_attach_point: vector([0.0, 0.0]),
@@ -81,14 +82,14 @@ fn build(frequency: f64) -> Scene {
     let settings = SpringSettings { rest_length: Some(REST_LENGTH as f32), ..SpringSettings::default() };
     // Of a mass of 1.
     let spring_constant = (TAU * frequency).powi(2) as f32;
-    scene.springs.push(SpringSpec {
+    stage.scene_mut().springs.push(SpringSpec {
         kind,
         spring_constant,
         damping_constant: 0.0,
         settings,
         in_simulation: true,
     });
-    scene
+    stage.done()
 }
 
 fn stretch(world: &dyn World) -> f64 {
@@ -138,7 +139,8 @@ impl Watch for SwingPeriod {
 
 fn watch_frequency(frequency: f64) -> Box<dyn Watch> {
     let period = Period::default();
-    bounded(SwingPeriod { frequency, period, widest: 0.0, last: 0.0, last_wide: 0.0, is_dead: false })
+    let swing = SwingPeriod { frequency, period, widest: 0.0, last: 0.0, last_wide: 0.0, is_dead: false };
+    bounded(Box::new(swing))
 }
 
 /// Watches the amplitude in the last second and a half: more than one swing, and of the stiff spring so many that
@@ -151,11 +153,11 @@ fn watch_amplitude(seconds: f64) -> Box<dyn Watch> {
             100.0 * (farthest / AMPLITUDE - 1.0).abs()
         })
     };
-    bounded(Last::new(error))
+    bounded(last(error))
 }
 
 /// Another watch, in which a swing that has grown to twice its amplitude has failed: it goes on to grow.
-fn bounded(watch: impl Watch + 'static) -> Box<dyn Watch> {
+fn bounded(watch: Box<dyn Watch>) -> Box<dyn Watch> {
     let verdict = |_: f64, world: &dyn World| (stretch(world).abs() > 2.0 * AMPLITUDE).then_some("blew up");
-    Box::new(Failing::new(watch, REACH, verdict))
+    failing(watch, REACH, verdict)
 }

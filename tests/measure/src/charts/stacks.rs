@@ -3,11 +3,12 @@
 
 use super::super::world::World;
 use super::ChartScene;
-use super::build::{PRESS, Slab, ball, ground, rough, rows_of_triangle, scene, slab, start};
+use super::build::{PRESS, ground, rows_of_triangle, stage, start};
 use super::resting::height_of_boxes;
-use super::settled::{Rest, Verdict, built_height, charts_of_rest, movable, toppled};
+use super::settled::{Rest, Verdict, built_height, charts_of_rest, toppled};
+use crate::scenes::movable;
 use conformance::scene::Scene;
-use conformance::scenes::{pyramid, vary};
+use conformance::scenes::{pyramid, triangle, vary};
 
 const BOX: f64 = 32.0;
 const RADIUS: f64 = 16.0;
@@ -64,7 +65,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
     scenes.extend(charts_of_rest(
         boxes,
         ("box_stack_height", |scene| {
-            STACK.height(scene, built_height(&box_stack(movable(scene).count(), 0.0)))
+            STACK.height(scene, built_height(&box_stack(movable(scene).len(), 0.0)))
         }),
         ("box_stack_speed", |scene| STACK.speed(scene)),
     ));
@@ -76,7 +77,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
     scenes.extend(charts_of_rest(
         circles,
         ("circle_stack_height", |scene| {
-            CIRCLES.height(scene, built_height(&circle_stack(movable(scene).count(), 0.0)))
+            CIRCLES.height(scene, built_height(&circle_stack(movable(scene).len(), 0.0)))
         }),
         ("circle_stack_speed", |scene| CIRCLES.speed(scene)),
     ));
@@ -120,17 +121,17 @@ fn heavy_on_light(like: ChartScene) -> [ChartScene; 4] {
 
 /// Each box is put so deep into the one below.
 fn box_stack(count: usize, press: f64) -> Scene {
-    let mut scene = scene(&format!("box_stack_of_{count}"), "Boxes on each other.");
-    ground(&mut scene, 640.0, 0.0, rough(FRICTION));
+    let mut stage = stage(format!("box_stack_of_{count}")).with_surface(FRICTION, 0.0);
+    ground(&mut stage, 640.0, 0.0);
     let mut top = 0.0;
     for index in 0..count {
         // Widths differ a little, so that no two edges lie at exactly the same place (see `conformance::scenes`).
         let width = BOX + 0.2 * f64::from(vary(index, 2));
         top -= BOX - press;
         let place = [0.1 * f64::from(vary(index, 3)), top + BOX / 2.0];
-        slab(&mut scene, Slab { width, height: BOX, mass: 1.0 }, place, 0.0, rough(FRICTION));
+        stage.boxed(place, [width, BOX], 1.0);
     }
-    scene
+    stage.done()
 }
 
 /// A box that has shifted by half of itself, or turned by half a right angle, has fallen off. What is lower by its
@@ -156,36 +157,28 @@ fn toppled_or_sunk(scene: &Scene) -> Verdict {
 }
 
 fn two_boxes(ratio: f64) -> Scene {
-    let mut scene = scene("heavy_on_light", "A heavy box on a light one.");
-    ground(&mut scene, 640.0, 0.0, rough(FRICTION));
-    let light = Slab { width: BOX, height: BOX, mass: 1.0 };
-    slab(&mut scene, light, [0.0, PRESS - BOX / 2.0], 0.0, rough(FRICTION));
-    let heavy = Slab { width: BOX + 0.2, height: BOX, mass: ratio };
-    slab(&mut scene, heavy, [0.05, 2.0 * PRESS - 1.5 * BOX], 0.0, rough(FRICTION));
-    scene
+    let mut stage = stage("heavy_on_light").with_surface(FRICTION, 0.0);
+    ground(&mut stage, 640.0, 0.0);
+    stage.boxed([0.0, PRESS - BOX / 2.0], [BOX, BOX], 1.0);
+    stage.boxed([0.05, 2.0 * PRESS - 1.5 * BOX], [BOX + 0.2, BOX], ratio);
+    stage.done()
 }
 
 /// Each circle is put so deep into its neighbours.
 fn circle_stack(count: usize, press: f64) -> Scene {
-    const STOP: Slab = Slab { width: BOX, height: BOX, mass: 1.0 };
-    let mut scene = scene(&format!("circle_stack_of_{count}"), "Circles in rows between two stops.");
+    let mut stage = stage(format!("circle_stack_of_{count}")).with_surface(FRICTION, 0.0);
     let rows = rows_of_triangle(count);
     let spacing = 2.0 * RADIUS - press;
     let half = spacing * rows as f64 / 2.0;
-    ground(&mut scene, 2.0 * half + 640.0, 0.0, rough(FRICTION));
+    ground(&mut stage, 2.0 * half + 640.0, 0.0);
     for side in [-1.0, 1.0] {
         // One stands a little higher, again so that their edges differ.
-        let place = [side * (half + BOX / 2.0), -BOX / 2.0 + 0.1 * side];
-        let stop = slab(&mut scene, STOP, place, 0.0, rough(FRICTION));
-        scene.bodies[stop].is_static = Some(true);
+        stage.wall([side * (half + BOX / 2.0), -BOX / 2.0 + 0.1 * side], [BOX, BOX]);
     }
-    for row in 0..rows {
+    for (row, from_middle) in triangle(rows) {
         let y = press - RADIUS - row as f64 * 0.75_f64.sqrt() * spacing;
-        for column in 0..rows - row {
-            let x = spacing * (column as f64 - (rows - row - 1) as f64 / 2.0);
-            // Corners of the polygons point at all six neighbours.
-            ball(&mut scene, RADIUS, 1.0, 24, [x, y], rough(FRICTION));
-        }
+        // Corners of the polygons point at all six neighbours.
+        stage.disc([spacing * f64::from(from_middle), y], RADIUS, 1.0, 24);
     }
-    scene
+    stage.done()
 }

@@ -1,13 +1,14 @@
 //! Pendulums and chains.
 
 use super::super::closed_forms::pendulum_period;
-use super::super::error::{Last, Watch, Worst, in_reach};
+use super::super::watch::{Watch, in_reach, last, worst};
 use super::super::world::{World, masses, turned};
-use super::build::{GRAVITY, body, scene, start, vector};
+use super::build::{GRAVITY, stage, start};
 use super::invariants::energy;
 use super::signals::Period;
 use super::{ChartScene, ONE_SIZE};
-use conformance::scene::{BodyShape, JointKind, JointSettings, JointSpec, Scene};
+use crate::scenes::stage::vector;
+use conformance::scene::{BodyShape, JointKind, JointSpec, Scene};
 
 /// From the pivot to the centre of the bob.
 const LENGTH: f64 = 160.0;
@@ -67,49 +68,43 @@ pub(super) fn scenes() -> Vec<ChartScene> {
     ]
 }
 
-fn joint(scene: &mut Scene, kind: JointKind) {
-    scene.joints.push(JointSpec { kind, settings: JointSettings::default(), in_simulation: true });
-}
-
 /// The place at a distance from the origin, at an angle from straight down.
 fn hanging(length: f64, angle: f64) -> [f64; 2] {
     [length * angle.sin(), length * angle.cos()]
 }
 
 fn pendulum(amplitude: f64) -> Scene {
-    let mut scene = scene("pendulum", "A pendulum.");
-    let body = body(&mut scene, BOB, hanging(LENGTH, amplitude), 0.0);
-    joint(&mut scene, JointKind::FixedRevolute { body, anchor: vector([0.0, 0.0]) });
-    scene
+    let mut stage = stage("pendulum");
+    let body = stage.body(BOB, hanging(LENGTH, amplitude));
+    stage.joint(JointKind::FixedRevolute { body, anchor: vector([0.0, 0.0]) });
+    stage.done()
 }
 
 fn double_pendulum() -> Scene {
-    let mut scene = scene("double_pendulum", "A double pendulum.");
-    let body1 = body(&mut scene, BOB, [LENGTH, 0.0], 0.0);
-    let body2 = body(&mut scene, BOB, [2.0 * LENGTH, 0.0], 0.0);
-    joint(&mut scene, JointKind::FixedRevolute { body: body1, anchor: vector([0.0, 0.0]) });
-    joint(&mut scene, JointKind::Revolute { body1, body2, anchor: vector([LENGTH, 0.0]) });
-    scene
+    let mut stage = stage("double_pendulum");
+    let body1 = stage.body(BOB, [LENGTH, 0.0]);
+    let body2 = stage.body(BOB, [2.0 * LENGTH, 0.0]);
+    stage.joint(JointKind::FixedRevolute { body: body1, anchor: vector([0.0, 0.0]) });
+    stage.joint(JointKind::Revolute { body1, body2, anchor: vector([LENGTH, 0.0]) });
+    stage.done()
 }
 
 fn chain(count: usize) -> Scene {
-    let mut scene = scene(&format!("chain_of_{count}"), "A chain that hangs from one end.");
+    let mut stage = stage(format!("chain_of_{count}"));
     let angle = 60.0_f64.to_radians();
     let link = BodyShape::Rectangle { width: TIE_BREADTH, height: LINK as f32, mass: 1.0 };
     for index in 0..count {
         let top = LINK * index as f64;
         // Long along the chain: the angle of the screen turns the other way than that from straight down.
-        let body2 = body(&mut scene, link.clone(), hanging(top + LINK / 2.0, angle), -angle);
+        let body2 = stage.body(link.clone(), hanging(top + LINK / 2.0, angle));
+        stage.last().rotation = Some(-angle as f32);
         let anchor = vector(hanging(top, angle));
-        joint(
-            &mut scene,
-            match index.checked_sub(1) {
-                None => JointKind::FixedRevolute { body: body2, anchor },
-                Some(body1) => JointKind::Revolute { body1, body2, anchor },
-            },
-        );
+        stage.joint(match index.checked_sub(1) {
+            None => JointKind::FixedRevolute { body: body2, anchor },
+            Some(body1) => JointKind::Revolute { body1, body2, anchor },
+        });
     }
-    scene
+    stage.done()
 }
 
 fn watch_period(scene: &Scene, amplitude: f64) -> Box<dyn Watch> {
@@ -121,7 +116,7 @@ fn watch_period(scene: &Scene, amplitude: f64) -> Box<dyn Watch> {
         period.take(time, x.atan2(y));
         Some(100.0 * (period.mean()? / law - 1.0).abs())
     };
-    in_reach(Last::new(error), 1e4)
+    in_reach(last(error), 1e4)
 }
 
 fn watch_energy(scene: &Scene) -> Box<dyn Watch> {
@@ -135,7 +130,7 @@ fn watch_energy(scene: &Scene) -> Box<dyn Watch> {
         let change = energy - *first.get_or_insert(energy);
         Some(100.0 * change.abs() / scale)
     };
-    in_reach(Worst::new(error), 1e4)
+    in_reach(worst(error), 1e4)
 }
 
 /// A joint of two bodies, or of a body and the world, by where it is on each.
@@ -175,5 +170,5 @@ fn watch_gaps(scene: &Scene) -> Box<dyn Watch> {
         };
         Some(hinges.iter().map(gap).fold(0.0, f64::max))
     };
-    in_reach(Worst::new(gap), reach)
+    in_reach(worst(gap), reach)
 }

@@ -5,7 +5,7 @@ mod conveyor;
 mod throw;
 
 use crate::charts::ChartScene;
-use crate::depth_scenes::DepthScene;
+use crate::scenes::depth::DepthScene;
 
 /// A scene of the chart with depth; sizes are numbers of movable objects.
 pub type DepthChartScene = ChartScene<DepthScene>;

@@ -14,7 +14,7 @@ mod lanes;
 mod shadows;
 mod steps;
 
-use crate::depth_scenes::DepthScene;
+use crate::scenes::depth::DepthScene;
 use crate::stability::StabilityFamily;
 
 /// Scenes with depth of one kind, from easy to hard.

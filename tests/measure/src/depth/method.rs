@@ -1,10 +1,10 @@
 //! The ways to simulate a scene with depth.
 
-use crate::depth_scenes::DepthScene;
-use crate::method::{Built, Effort, Family, Mapped, Method, Setting, mapped};
+use crate::engines::depth::TwoHalf;
 #[cfg(feature = "peers")]
-use crate::peers::Rapier;
-use crate::peers::TwoHalf;
+use crate::engines::rapier3d::Rapier;
+use crate::method::{Built, Effort, Family, Mapped, Method, Setting, mapped};
+use crate::scenes::depth::DepthScene;
 use twohalf::Methods;
 
 /// A way to simulate a scene with depth.

@@ -4,16 +4,14 @@
 //! [`depth_methods`]. What comes of a run is a point of the same [`sweep`](super::sweep) and a cell of the same
 //! [`map`](super::stability::map) as those of the 2D engine, so that the same code draws and reports it.
 //!
-//! Scenes are those of [`crate::depth_scenes`]: px, X to the right, Y up, Z into the picture, gravity 100 px/s².
+//! Scenes are those of [`crate::scenes::depth`]: px, X to the right, Y up, Z into the picture, gravity 100 px/s².
 
 mod charts;
 mod families;
 mod method;
 mod planes;
-mod watch;
 
 pub use charts::{DepthChartScene, depth_chart_scenes};
 pub use families::{DepthFamily, depth_families};
 pub use method::{DepthMethod, depth_methods, depth_peer_versions};
 pub use planes::{PLANE_SCENE, PLANES, plane_methods, plane_point, plane_sizes, time_per_step};
-pub use watch::{Seen, watch};

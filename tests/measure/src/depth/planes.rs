@@ -1,10 +1,10 @@
 //! The same scene in 2D and in 2.5D, as the thesis compared them: circles that fall into a pit, all at one depth.
 
 use crate::charts::ChartScene;
-use crate::error::{Watch, Worst, in_reach};
+use crate::engines::plane::FarseerWorld;
 use crate::method::{Built, Family, Method, Setting};
-use crate::ours::FarseerWorld;
 use crate::sweep::Point;
+use crate::watch::{Watch, in_reach, worst};
 use crate::world::{BodyState, World, distance};
 use conformance::run::Run;
 use conformance::scene::Scene;
@@ -134,5 +134,5 @@ fn against_2d(scene: &Scene) -> Box<dyn Watch> {
         let off = |index| distance(world.body(index).position, reference.body(index).position);
         (0..world.body_count()).map(off).max_by(f64::total_cmp)
     };
-    in_reach(Worst::new(farthest), f64::INFINITY)
+    in_reach(worst(farthest), f64::INFINITY)
 }

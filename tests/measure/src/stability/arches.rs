@@ -2,9 +2,9 @@
 
 use super::parts::{Allowed, SPEED_LIMIT, all, calm, standing};
 use super::stacks::BOXES;
-use super::stage::{METRE, Stage};
 use super::{SECONDS, StabilityFamily};
-use crate::error::Watch;
+use crate::scenes::stage::{METRE, Stage};
+use crate::watch::Watch;
 use conformance::scene::{Outline, OutlineForm, Scene};
 use farseer_core::math::Vector2;
 use std::f32::consts::PI;

@@ -1,11 +1,12 @@
 //! Thin things that lean on each other, or knock each other over.
 
-use super::parts::{Allowed, SPEED_LIMIT, all, calm, ends_in, greatest, least, movable, standing};
+use super::parts::{Allowed, SPEED_LIMIT, all, calm, ends_in, standing};
 use super::reasons;
 use super::stacks::BOXES;
-use super::stage::{METRE, Stage};
 use super::{SECONDS, StabilityFamily};
-use crate::error::Watch;
+use crate::scenes::movable;
+use crate::scenes::stage::{METRE, Stage};
+use crate::watch::{Watch, greatest, least};
 use crate::world::World;
 use conformance::scene::Scene;
 use farseer_core::math::Vector2;

@@ -1,9 +1,10 @@
 //! Chains and nets of bodies that share points. Nothing in them touches anything but joints.
 
-use super::parts::{SPEED_LIMIT, all, calm, ends_in, greatest, joined, movable};
-use super::stage::{METRE, Stage};
+use super::parts::{SPEED_LIMIT, all, calm, ends_in, joined};
 use super::{Moment, SECONDS, StabilityFamily, reasons};
-use crate::error::Watch;
+use crate::scenes::movable;
+use crate::scenes::stage::{METRE, Stage};
+use crate::watch::{Watch, greatest};
 use crate::world::World;
 use conformance::scene::Scene;
 

@@ -2,10 +2,11 @@
 
 use super::Moment;
 use super::StabilityFamily;
-use super::parts::{SPEED_LIMIT, all, calm, ends_in, greatest, mean_speed, movable, never_above};
+use super::parts::{SPEED_LIMIT, all, calm, ends_in, never_above};
 use super::reasons;
-use super::stage::{METRE, Stage};
-use crate::error::Watch;
+use crate::scenes::movable;
+use crate::scenes::stage::{METRE, Stage};
+use crate::watch::{Watch, greatest, mean_speed};
 use crate::world::{World, distance, masses};
 use conformance::scene::Scene;
 use conformance::scenes::circles_in_a_pit;

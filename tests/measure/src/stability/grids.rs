@@ -1,9 +1,9 @@
 //! Shapes that a distance grid or separating axes cannot see well.
 
 use super::parts::{SPEED_LIMIT, all, calm, ends_in};
-use super::stage::{METRE, Stage};
 use super::{StabilityFamily, reasons};
-use crate::error::Watch;
+use crate::scenes::stage::{METRE, Stage};
+use crate::watch::Watch;
 use crate::world::{World, distance};
 use conformance::scene::{Outline, OutlineForm, Scene};
 use farseer_core::math::Vector2;

@@ -25,11 +25,6 @@ impl Verdict {
             Verdict::Absent(_) => "absent",
         }
     }
-
-    /// Whether there was a run that failed.
-    pub fn is_failure(&self) -> bool {
-        matches!(self, Verdict::Failed(_))
-    }
 }
 
 /// What came of one run.

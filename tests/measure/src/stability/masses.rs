@@ -2,7 +2,7 @@
 
 use super::StabilityFamily;
 use super::stacks::{BOXES, stands};
-use super::stage::{METRE, Stage};
+use crate::scenes::stage::{METRE, Stage};
 use conformance::scene::Scene;
 
 /// Ratios of the masses.

@@ -1,10 +1,11 @@
 //! Things that begin in each other, or lose at once what pressed them together.
 
-use super::parts::{SPEED_LIMIT, all, calm, ends_in, greatest, movable, never_above};
-use super::stage::{METRE, Stage};
+use super::parts::{SPEED_LIMIT, all, calm, ends_in, never_above};
 use super::{Moment, StabilityFamily, reasons};
-use crate::error::Watch;
 use crate::penetration::Shapes;
+use crate::scenes::movable;
+use crate::scenes::stage::{METRE, Stage};
+use crate::watch::{Watch, greatest};
 use crate::world::World;
 use conformance::scene::Scene;
 
@@ -48,14 +49,7 @@ const BASE: usize = 4;
 fn overlapping(overlap: f32) -> Scene {
     let mut stage = Stage::new().with_floor(40.0 * METRE);
     let spacing = METRE * (1.0 - overlap);
-    for row in 0..BASE {
-        let count = BASE - row;
-        for column in 0..count {
-            let from_centre = column as f32 - (count - 1) as f32 / 2.0;
-            let height = METRE / 2.0 + spacing * row as f32;
-            stage.solid([spacing * from_centre, -height], [METRE, METRE]);
-        }
-    }
+    stage.pyramid(BASE, 0.0, [spacing; 2]);
     stage.done()
 }
 

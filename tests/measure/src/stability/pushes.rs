@@ -1,9 +1,9 @@
 //! Friction at its limit.
 
 use super::parts::{SPEED_LIMIT, all, calm, ends_in};
-use super::stage::{GRAVITY, METRE, Stage};
 use super::{StabilityFamily, reasons};
-use crate::error::Watch;
+use crate::scenes::stage::{GRAVITY, METRE, Stage};
+use crate::watch::Watch;
 use crate::world::{World, distance};
 use conformance::scene::Scene;
 

@@ -1,9 +1,10 @@
 //! A doll of limbs with limited joints, thrown on the floor.
 
-use super::parts::{all, calm, ends_in, greatest, joined, mean_speed, movable};
-use super::stage::{METRE, Stage};
+use super::parts::{all, calm, ends_in, joined};
 use super::{StabilityFamily, reasons};
-use crate::error::Watch;
+use crate::scenes::movable;
+use crate::scenes::stage::{METRE, Stage};
+use crate::watch::{Watch, greatest, mean_speed};
 use conformance::scene::{JointKind, Scene};
 use farseer_core::math::Vector2;
 

@@ -1,9 +1,9 @@
 //! Springs that are stiffer than an explicit method can follow.
 
 use super::parts::{all, calm, never_above};
-use super::stage::{METRE, Stage};
 use super::{StabilityFamily, reasons};
-use crate::error::Watch;
+use crate::scenes::stage::{METRE, Stage};
+use crate::watch::Watch;
 use crate::world::World;
 use conformance::scene::{Scene, SpringKind, SpringSettings, SpringSpec};
 use farseer_core::math::Vector2;

@@ -1,9 +1,9 @@
 //! Boxes and circles on top of each other.
 
 use super::parts::{Allowed, SPEED_LIMIT, all, calm, standing};
-use super::stage::{METRE, Stage};
 use super::{SECONDS, StabilityFamily};
-use crate::error::Watch;
+use crate::scenes::stage::{METRE, Stage};
+use crate::watch::Watch;
 use conformance::scene::Scene;
 
 pub(super) const FAMILIES: [StabilityFamily; 3] = [
@@ -64,13 +64,7 @@ pub(super) fn pyramid(base: usize, centre: f32) -> Scene {
     const SPACING: f32 = 1.1 * METRE;
     let mut stage = Stage::new();
     stage.wall([centre, METRE], [(base + 10) as f32 * SPACING, 2.0 * METRE]);
-    for row in 0..base {
-        let count = base - row;
-        for column in 0..count {
-            let from_centre = column as f32 - (count - 1) as f32 / 2.0;
-            stage.solid([centre + SPACING * from_centre, -METRE * (row as f32 + 0.5)], [METRE, METRE]);
-        }
-    }
+    stage.pyramid(base, centre, [SPACING, METRE]);
     stage.done()
 }
 

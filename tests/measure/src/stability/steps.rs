@@ -2,9 +2,9 @@
 
 use super::parts::{Allowed, SPEED_LIMIT, all, calm, ends_in, standing};
 use super::stacks::{BOXES, vertical_stack};
-use super::stage::{METRE, Stage};
 use super::{Moment, SECONDS, StabilityFamily, reasons};
-use crate::error::Watch;
+use crate::scenes::stage::{METRE, Stage};
+use crate::watch::Watch;
 use crate::world::World;
 use conformance::scene::Scene;
 

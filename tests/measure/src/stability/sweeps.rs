@@ -1,11 +1,10 @@
 //! Scenes that are hard for broad phases which keep a sorted list.
 
-use super::parts::{
-    Allowed, SPEED_LIMIT, all, calm, each_reaches, ends_in, greatest, movable, never_above, standing,
-};
-use super::stage::{METRE, Stage};
+use super::parts::{Allowed, SPEED_LIMIT, all, calm, each_reaches, ends_in, never_above, standing};
 use super::{Moment, StabilityFamily, reasons};
-use crate::error::Watch;
+use crate::scenes::movable;
+use crate::scenes::stage::{METRE, Stage};
+use crate::watch::{Watch, greatest};
 use crate::world::World;
 use conformance::scene::Scene;
 use farseer_core::math::Vector2;

@@ -1,9 +1,10 @@
 //! Fast things and thin walls.
 
-use super::parts::{all, calm, each_reaches, greatest, movable, never_above};
-use super::stage::{METRE, Stage};
+use super::parts::{all, calm, each_reaches, never_above};
 use super::{StabilityFamily, reasons};
-use crate::error::Watch;
+use crate::scenes::movable;
+use crate::scenes::stage::{METRE, Stage};
+use crate::watch::{Watch, greatest};
 use crate::world::World;
 use conformance::scene::Scene;
 use farseer_core::math::Vector2;

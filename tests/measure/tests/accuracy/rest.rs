@@ -4,9 +4,9 @@ use crate::common::told::{Told, assert_right, chart, flat, starts, watched};
 use approx::assert_relative_eq;
 use measure::charts::chart_scenes;
 use measure::depth::depth_chart_scenes;
-use measure::error::{Failing, Largest, Last, Watch, Worst};
 use measure::method::{Family, Setting, methods};
 use measure::penetration::Shapes;
+use measure::watch::{Largest, failing, last, worst};
 use measure::world::{BodyState, World};
 
 /// Scenes of things that are built to stand, without the measure in the name.
@@ -229,8 +229,8 @@ fn the_largest_of_nothing_is_nan_and_nan_counts_as_infinite() {
 fn one_watch_keeps_the_worst_and_another_the_last() {
     let world = Told(Vec::new());
     let value = |time: f64, _: &dyn World| (time < 3.0).then_some(10.0 - 2.0 * time);
-    let mut worst = Worst::new(value);
-    let mut last = Last::new(value);
+    let mut worst = worst(value);
+    let mut last = last(value);
     for time in 0..5 {
         worst.see(f64::from(time), &world);
         last.see(f64::from(time), &world);
@@ -246,7 +246,7 @@ fn the_first_failure_is_the_one_that_is_told() {
         1 => Some("first"),
         _ => Some("second"),
     };
-    let mut watch = Failing::new(Worst::new(|_, _| Some(0.0)), 1.0, verdict);
+    let mut watch = failing(worst(|_, _| Some(0.0)), 1.0, verdict);
     watch.see(0.0, &world);
     assert_eq!((watch.error(), watch.failed()), (0.0, None));
     watch.see(1.0, &world);

@@ -1,7 +1,7 @@
 //! Worlds that are not as they should be, to show measures and judges what they should see.
 
 use measure::depth::{DepthMethod, depth_methods};
-use measure::depth_scenes::DepthScene;
+use measure::scenes::depth::DepthScene;
 use measure::world::{BodyState, World};
 
 /// A method of this workspace.

@@ -1,9 +1,8 @@
 //! Balls fall into a pit and come to rest, in three axes.
 
 use super::{DepthChartScene, SIZES};
-use crate::depth::{Seen, watch};
-use crate::depth_scenes::{DepthObject, DepthPlatform, DepthScene, DepthShape, Surface};
-use crate::error::Watch;
+use crate::scenes::depth::{DepthObject, DepthPlatform, DepthScene, DepthShape, Surface};
+use crate::watch::{Seen, Watch, watch};
 use crate::world::{World, distance};
 
 /// Layers of balls at first.

@@ -1,9 +1,8 @@
 //! Belts slide under boxes that were at rest, and friction takes the boxes along.
 
 use super::{DepthChartScene, SIZES};
-use crate::depth::{Seen, watch};
-use crate::depth_scenes::{DepthObject, DepthScene, GRAVITY, Surface};
-use crate::error::Watch;
+use crate::scenes::depth::{DepthObject, DepthScene, GRAVITY, Surface};
+use crate::watch::{Seen, Watch, watch};
 use crate::world::{World, distance};
 
 /// Boxes on a belt.

@@ -1,9 +1,8 @@
 //! A ball is thrown up, to the right and into the picture.
 
 use super::DepthChartScene;
-use crate::depth::{Seen, watch};
-use crate::depth_scenes::{DepthScene, GRAVITY, throw_in_x_and_z};
-use crate::error::Watch;
+use crate::scenes::depth::{DepthScene, GRAVITY, throw_in_x_and_z};
+use crate::watch::{Seen, Watch, watch};
 use crate::world::{World, distance};
 
 /// The ball lands where it started, in Y, after this time in s: 2 v / g.

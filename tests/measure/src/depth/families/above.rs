@@ -2,10 +2,9 @@
 
 use super::lanes::{ICE, at, each, largest, scene};
 use super::{DepthFamily, PLAIN};
-use crate::depth::Seen;
-use crate::depth_scenes::{DepthObject, DepthScene, GRAVITY};
-use crate::error::Watch;
+use crate::scenes::depth::{DepthObject, DepthScene, GRAVITY};
 use crate::stability::reasons::TOUCHED;
+use crate::watch::{Seen, Watch};
 use crate::world::BodyState;
 
 /// Along X, along Z, and back.

@@ -2,10 +2,9 @@
 
 use super::lanes::largest;
 use super::{DepthFamily, PLAIN};
-use crate::depth::{Seen, watch};
-use crate::depth_scenes::{DepthPlatform, DepthScene, DepthShape, GRAVITY, traffic};
-use crate::error::Watch;
+use crate::scenes::depth::{DepthPlatform, DepthScene, DepthShape, GRAVITY, traffic};
 use crate::stability::reasons::{BLEW_UP, LEFT, SANK};
+use crate::watch::{Seen, Watch, watch};
 use crate::world::World;
 
 /// Objects from which on a run is short.

@@ -2,10 +2,9 @@
 
 use super::lanes::{REST, STRAIGHT, each, largest, object, platform, scene};
 use super::{DepthFamily, PLAIN};
-use crate::depth::Seen;
-use crate::depth_scenes::DepthScene;
-use crate::error::Watch;
+use crate::scenes::depth::DepthScene;
 use crate::stability::reasons::{ASIDE, BOUNCED, SANK, STUCK, TOUCHED};
+use crate::watch::{Seen, Watch};
 use crate::world::BodyState;
 
 pub(super) const FAMILIES: [DepthFamily; 4] = [WALK_OFF, WALK_OFF_LOW, PASS_UNDER, PASS_UNDER_FAST];

@@ -2,10 +2,9 @@
 
 use super::lanes::{REST, each, largest, object, platform, scene};
 use super::{DepthFamily, PLAIN};
-use crate::depth::Seen;
-use crate::depth_scenes::DepthScene;
-use crate::error::Watch;
+use crate::scenes::depth::DepthScene;
 use crate::stability::reasons::{CLIMBED, SANK, STUCK, STUMBLED};
+use crate::watch::{Seen, Watch};
 use crate::world::BodyState;
 
 /// Height of the platforms, px.

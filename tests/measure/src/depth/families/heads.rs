@@ -2,9 +2,9 @@
 
 use super::lanes::{REST, each, largest, object, platform, scene};
 use super::{DepthFamily, PLAIN};
-use crate::depth::Seen;
-use crate::depth_scenes::DepthScene;
+use crate::scenes::depth::DepthScene;
 use crate::stability::reasons::{ASIDE, STUCK, TUNNELLED};
+use crate::watch::Seen;
 
 /// Height of the undersides, px.
 const UNDERSIDE: f32 = 400.0;

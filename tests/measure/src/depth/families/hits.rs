@@ -2,10 +2,9 @@
 
 use super::lanes::{ICE, RADIUS, at, each, largest, scene};
 use super::{DepthFamily, PLAIN};
-use crate::depth::{Seen, watch};
-use crate::depth_scenes::{DepthObject, DepthScene, Surface};
-use crate::error::Watch;
+use crate::scenes::depth::{DepthObject, DepthScene, Surface};
 use crate::stability::reasons::{MISSED, SLOWED, TOUCHED, WRONG_AXIS};
+use crate::watch::{Seen, Watch, watch};
 use crate::world::{BodyState, World};
 
 /// Half the extent of the post, in all axes, and of what is thrown, px.

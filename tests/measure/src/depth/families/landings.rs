@@ -2,10 +2,9 @@
 
 use super::lanes::{REST, each, largest, object, platform, scene};
 use super::{DepthFamily, PLAIN};
-use crate::depth::Seen;
-use crate::depth_scenes::DepthScene;
-use crate::error::Watch;
+use crate::scenes::depth::DepthScene;
 use crate::stability::reasons::{ASIDE, BOUNCED, MISSED, SANK, TUNNELLED};
+use crate::watch::{Seen, Watch};
 
 /// Height of the platforms' upper faces, px.
 const TOP: f32 = 60.0;

@@ -1,8 +1,7 @@
 //! Objects that do the same side by side, each in a lane of its own.
 
-use crate::depth::{Seen, watch};
-use crate::depth_scenes::{DepthObject, DepthPlatform, DepthScene, Surface};
-use crate::error::Watch;
+use crate::scenes::depth::{DepthObject, DepthPlatform, DepthScene, Surface};
+use crate::watch::{Seen, Watch, watch};
 use crate::world::{BodyState, World};
 
 /// From one lane to the next along X, px, and how much farther it is against Z. So nothing that leaves its lane along an

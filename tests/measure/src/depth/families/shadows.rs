@@ -2,10 +2,9 @@
 
 use super::lanes::{ICE, RADIUS, scene};
 use super::{DepthFamily, PLAIN};
-use crate::depth::{Seen, watch};
-use crate::depth_scenes::{DepthObject, DepthPlatform, DepthScene};
-use crate::error::Watch;
+use crate::scenes::depth::{DepthObject, DepthPlatform, DepthScene};
 use crate::stability::reasons::MISPLACED;
+use crate::watch::{Seen, Watch, watch};
 use crate::world::World;
 
 /// Plates along the way.

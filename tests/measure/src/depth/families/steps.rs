@@ -2,10 +2,9 @@
 
 use super::lanes::{each, object, platform, scene};
 use super::{DepthFamily, PLAIN};
-use crate::depth::Seen;
-use crate::depth_scenes::DepthScene;
-use crate::error::Watch;
+use crate::scenes::depth::DepthScene;
 use crate::stability::reasons::{CLIMBED, STUCK};
+use crate::watch::{Seen, Watch};
 
 /// Speed of what comes, px/s.
 const SPEED: f64 = 60.0;
@@ -100,7 +99,7 @@ fn must(is_ball: bool, climb: bool, height: f64) -> Box<dyn Watch> {
 mod tests {
     use super::super::lanes::RADIUS;
     use super::*;
-    use crate::depth_scenes::GRAVITY;
+    use crate::scenes::depth::GRAVITY;
 
     /// The highest step that a ball can climb, px: it keeps the part of its speed along the tangent at the edge, and
     /// that must lift it.

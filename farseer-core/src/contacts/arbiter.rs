@@ -1,0 +1,425 @@
+//! The contact state between two geoms, and the ordered list of all of them (behaviour chapter 03).
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use crate::contacts::contact::Contact;
+use crate::contacts::listed_pairs::ListedPairs;
+use crate::contacts::pair_table::GeomPairBitmap;
+use crate::geom::GeomId;
+use crate::geom::entry::Geoms;
+use crate::geom::surface::FrictionType;
+use crate::math::scalar::nearest_finite;
+
+/// Number of arbiters a new simulator holds ready.
+const INITIAL_POOL_SIZE: u32 = 128;
+
+/// Contacts an arbiter has room for before it allocates: the default number that is resolved.
+const CONTACT_CAPACITY: usize = 4;
+
+/// The contact state between two geoms. A has the smaller creation number.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(crate) struct Arbiter {
+    /// `None` only before first use.
+    pub(crate) geoms: Option<(GeomId, GeomId)>,
+    /// Fixed when the arbiter is set up. Infinite for coefficients whose sum is.
+    #[serde(with = "crate::storage::bits")]
+    pub(crate) friction: f32,
+    /// Not cleared by set-up: a pair that gets its old arbiter back continues with the old impulses.
+    pub(crate) contacts: Vec<Contact>,
+}
+
+impl Arbiter {
+    fn fresh() -> Self {
+        Arbiter { geoms: None, friction: 0.0, contacts: Vec::with_capacity(CONTACT_CAPACITY) }
+    }
+}
+
+/// The contact state between two geoms.
+#[derive(Debug, Clone, Copy)]
+#[doc(alias = "Arbiter")]
+pub struct ArbiterRef<'a> {
+    pub(crate) geoms: (GeomId, GeomId),
+    pub(crate) friction: f32,
+    pub(crate) contacts: &'a [Contact],
+}
+
+impl<'a> ArbiterRef<'a> {
+    /// The geom with the smaller creation number.
+    #[doc(alias("GeometryA", "GeomA"))]
+    pub fn geom_a(&self) -> GeomId {
+        self.geoms.0
+    }
+
+    /// The geom with the greater creation number.
+    #[doc(alias("GeometryB", "GeomB"))]
+    pub fn geom_b(&self) -> GeomId {
+        self.geoms.1
+    }
+
+    /// The combined friction, fixed when the boxes began to overlap. Infinite for coefficients whose sum is, and shown
+    /// as the greatest number then.
+    pub fn friction(&self) -> f32 {
+        nearest_finite(self.friction)
+    }
+
+    /// The contacts, deepest first.
+    #[doc(alias = "ContactList")]
+    pub fn contacts(&self) -> &'a [Contact] {
+        self.contacts
+    }
+}
+
+/// Arbiters in the order in which they are solved, and a pool of unused ones.
+///
+/// Arbiters have identity: list and pool hold handles, and both may hold the same handle twice, which happens
+/// in the original when a geom with a duplicated pair is removed.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(crate) struct ArbiterList {
+    pub(crate) arbiters: Vec<Arbiter>,
+    pub(crate) list: Vec<u32>,
+    /// A stack: the last one in is the first one out.
+    pool: Vec<u32>,
+    pairs: GeomPairBitmap,
+    /// By handle: whether an engine solves the arbiter itself in this update. Empty as long as there is none.
+    #[serde(skip)]
+    left_to_engine: Vec<bool>,
+    /// Up to date while a broad phase looks for pairs that [asks the list](Self::index_listed).
+    #[serde(skip)]
+    listed: ListedPairs,
+}
+
+impl Default for ArbiterList {
+    fn default() -> Self {
+        ArbiterList {
+            arbiters: (0..INITIAL_POOL_SIZE).map(|_| Arbiter::fresh()).collect(),
+            list: Vec::new(),
+            pool: (0..INITIAL_POOL_SIZE).collect(),
+            pairs: GeomPairBitmap::default(),
+            left_to_engine: Vec::new(),
+            listed: ListedPairs::default(),
+        }
+    }
+}
+
+impl ArbiterList {
+    #[inline]
+    pub(crate) fn len(&self) -> usize {
+        self.list.len()
+    }
+
+    #[inline]
+    pub(crate) fn at(&self, position: usize) -> &Arbiter {
+        &self.arbiters[self.list[position] as usize]
+    }
+
+    pub(crate) fn get_mut(&mut self, position: usize) -> Option<&mut Arbiter> {
+        self.list.get(position).map(|&handle| &mut self.arbiters[handle as usize])
+    }
+
+    /// Keeps an arbiter from being gathered by the solver.
+    pub(crate) fn leave_to_engine(&mut self, position: usize) {
+        if let Some(&handle) = self.list.get(position) {
+            self.left_to_engine.resize(self.arbiters.len(), false);
+            self.left_to_engine[handle as usize] = true;
+        }
+    }
+
+    pub(crate) fn take_back_from_engine(&mut self) {
+        self.left_to_engine.clear();
+    }
+
+    #[inline]
+    pub(crate) fn is_left_to_engine(&self, handle: u32) -> bool {
+        self.left_to_engine.get(handle as usize).is_some_and(|&is_left| is_left)
+    }
+
+    /// Notes what the list has now, for [`is_listed`](Self::is_listed) and
+    /// [`add_arbiter_unless_listed`](Self::add_arbiter_unless_listed).
+    pub(crate) fn index_listed(&mut self) {
+        self.listed.clear(self.arbiters.len());
+        for &handle in &self.list {
+            if let Some(pair) = self.arbiters[handle as usize].geoms {
+                self.listed.add(handle, pair);
+            }
+        }
+    }
+
+    /// Whether the list has an arbiter of a pair.
+    pub(crate) fn is_listed(&self, geom1: GeomId, geom2: GeomId) -> bool {
+        self.listed.contains((geom1, geom2)) || self.listed.contains((geom2, geom1))
+    }
+
+    /// Whether handles are in range, and every listed arbiter has geoms that exist: false only after loading
+    /// garbage.
+    pub(crate) fn is_valid(&self, geoms: &Geoms) -> bool {
+        let in_range = |&handle: &u32| (handle as usize) < self.arbiters.len();
+        self.pairs.is_valid()
+            && self.list.iter().all(in_range)
+            && self.pool.iter().all(in_range)
+            && self.list.iter().all(|&handle| {
+                self.arbiters[handle as usize]
+                    .geoms
+                    .is_some_and(|(a, b)| geoms.contains(a) && geoms.contains(b) && a != b)
+            })
+            && self
+                .arbiters
+                .iter()
+                .all(|arbiter| !arbiter.friction.is_nan() && arbiter.contacts.iter().all(Contact::is_finite))
+    }
+
+    /// Enters the pairs of the listed arbiters under the collision ids of the **previous** update, then numbers
+    /// the geoms anew. In an update in which geoms moved down in the list, the entries are wrong; the duplicate
+    /// and suppressed pairs that follow from it are part of the original's behaviour.
+    pub(crate) fn prepare_for_broad_phase_collision(&mut self, geoms: &mut Geoms) {
+        self.pairs.clear(geoms.list().len());
+        for &handle in &self.list {
+            if let Some((a, b)) = self.arbiters[handle as usize].geoms {
+                self.pairs.test_and_set(geoms[a].collision_id, geoms[b].collision_id);
+            }
+        }
+        for index in 0..geoms.list().len() {
+            let geom = geoms.list()[index];
+            geoms[geom].collision_id = index as i32;
+        }
+    }
+
+    /// Appends an arbiter for a pair, unless the pair is in the table.
+    pub(crate) fn add_arbiter_for_geom_pair(
+        &mut self,
+        geoms: &Geoms,
+        friction_type: FrictionType,
+        geom1: GeomId,
+        geom2: GeomId,
+    ) {
+        if !self.pairs.test_and_set(geoms[geom1].collision_id, geoms[geom2].collision_id) {
+            let handle = self.fetch();
+            self.set_up(handle, geoms, friction_type, geom1, geom2);
+            self.list.push(handle);
+        }
+    }
+
+    /// Appends an arbiter for a pair, unless the list has one: what the brute force collider does.
+    ///
+    /// Like the original, it takes an arbiter from the pool and sets it up before it looks; the one put back
+    /// stays on top.
+    pub(crate) fn add_arbiter_unless_listed(
+        &mut self,
+        geoms: &Geoms,
+        friction_type: FrictionType,
+        geom1: GeomId,
+        geom2: GeomId,
+    ) {
+        let handle = self.fetch();
+        let before = self.arbiters[handle as usize].geoms;
+        let pair = self.set_up(handle, geoms, friction_type, geom1, geom2);
+        self.listed.change(handle, before, pair);
+        if self.listed.contains(pair) {
+            self.pool.push(handle);
+        } else {
+            self.listed.add(handle, pair);
+            self.list.push(handle);
+        }
+    }
+
+    fn fetch(&mut self) -> u32 {
+        self.pool.pop().unwrap_or_else(|| {
+            self.arbiters.push(Arbiter::fresh());
+            self.arbiters.len() as u32 - 1
+        })
+    }
+
+    /// Makes an arbiter that of a pair, and answers its geoms as A and B. Its contacts stay.
+    fn set_up(
+        &mut self,
+        handle: u32,
+        geoms: &Geoms,
+        friction_type: FrictionType,
+        geom1: GeomId,
+        geom2: GeomId,
+    ) -> (GeomId, GeomId) {
+        let (a, b) = if geoms[geom1].number < geoms[geom2].number { (geom1, geom2) } else { (geom2, geom1) };
+        let (friction_a, friction_b) =
+            (geoms[a].geom.friction_coefficient, geoms[b].geom.friction_coefficient);
+        let arbiter = &mut self.arbiters[handle as usize];
+        arbiter.geoms = Some((a, b));
+        arbiter.friction = friction_type.mix(friction_a, friction_b);
+        (a, b)
+    }
+
+    /// Removes the arbiters that a predicate names, from the last to the first, and hands each pair to `left`
+    /// in that order. They go to the pool with their contacts.
+    pub(crate) fn remove_where(
+        &mut self,
+        mut is_leaving: impl FnMut(&Arbiter) -> bool,
+        mut left: impl FnMut(GeomId, GeomId),
+    ) {
+        let mut leaving = 0;
+        for position in (0..self.list.len()).rev() {
+            let handle = self.list[position];
+            let arbiter = &self.arbiters[handle as usize];
+            if is_leaving(arbiter) {
+                if let Some((a, b)) = arbiter.geoms {
+                    left(a, b);
+                }
+                self.pool.push(handle);
+                self.list[position] = u32::MAX;
+                leaving += 1;
+            }
+        }
+        if leaving > 0 {
+            self.list.retain(|&handle| handle != u32::MAX);
+        }
+    }
+
+    /// Takes the arbiters of removed geoms out, geom by geom (behaviour chapter 03, section 7.4): the list is scanned from
+    /// its end, each arbiter found goes to the pool, and the **first equal** one leaves the list, so that the same one is
+    /// found again. So of several arbiters of a pair the last one enters the pool as often as there are, and the others
+    /// are lost, as in the original.
+    pub(crate) fn remove_arbiters_of(&mut self, removed: &[GeomId]) {
+        let mut turns = BTreeMap::new();
+        for (turn, &geom) in removed.iter().enumerate() {
+            turns.entry(geom).or_insert(turn);
+        }
+        let mut leaving: Vec<Leaving> = Vec::new();
+        let mut places: BTreeMap<(GeomId, GeomId), usize> = BTreeMap::new();
+        for &handle in self.list.iter().rev() {
+            let Some((a, b)) = self.arbiters[handle as usize].geoms else { continue };
+            let Some(&turn) = turns.get(&a).into_iter().chain(turns.get(&b)).min() else { continue };
+            let place = *places.entry((a, b)).or_insert_with(|| {
+                leaving.push(Leaving { turn, handle, count: 0 });
+                leaving.len() - 1
+            });
+            leaving[place].count += 1;
+        }
+        // Within a turn they stay in the order in which they were found.
+        leaving.sort_by_key(|leaving| leaving.turn);
+        for Leaving { handle, count, .. } in leaving {
+            self.pool.extend(std::iter::repeat_n(handle, count));
+        }
+        let arbiters = &self.arbiters;
+        self.list.retain(|&handle| {
+            !arbiters[handle as usize].geoms.is_some_and(|pair| places.contains_key(&pair))
+        });
+    }
+}
+
+/// The arbiters of one pair that leave with a removed geom.
+struct Leaving {
+    /// Which of the removed geoms comes first.
+    turn: usize,
+    /// The last one in the list.
+    handle: u32,
+    /// How many there are.
+    count: usize,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::body::BodyId;
+    use crate::geom::entry::GeomEntry;
+    use crate::math::Vector2;
+    use crate::storage::arena::Id;
+
+    /// A sequence of numbers below a bound.
+    struct Numbers(u64);
+
+    impl Numbers {
+        fn below(&mut self, bound: usize) -> usize {
+            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (self.0 >> 33) as usize % bound
+        }
+    }
+
+    fn geoms() -> (Geoms, Vec<GeomId>) {
+        let body = BodyId::new(0, 0);
+        let mut geoms = Geoms::default();
+        let ids =
+            (0..6).map(|number| geoms.create(GeomEntry::new(number, body, Vector2::zeros(), 0.0))).collect();
+        (geoms, ids)
+    }
+
+    fn pair(ids: &[GeomId], numbers: &mut Numbers) -> (GeomId, GeomId) {
+        let first = numbers.below(ids.len() - 1);
+        (ids[first], ids[first + 1 + numbers.below(ids.len() - first - 1)])
+    }
+
+    /// List and pool hold arbiters twice, and some are in both.
+    fn shared_list(ids: &[GeomId], numbers: &mut Numbers) -> ArbiterList {
+        let mut arbiters = ArbiterList::default();
+        arbiters.arbiters.truncate(12);
+        for arbiter in &mut arbiters.arbiters {
+            arbiter.geoms = Some(pair(ids, numbers));
+        }
+        arbiters.list = (0..numbers.below(16)).map(|_| numbers.below(12) as u32).collect();
+        arbiters.pool = (0..numbers.below(16)).map(|_| numbers.below(12) as u32).collect();
+        arbiters
+    }
+
+    type Pairs = Vec<Option<(GeomId, GeomId)>>;
+
+    /// The pairs of all arbiters, list and pool.
+    fn state(list: &ArbiterList) -> (Pairs, Vec<u32>, Vec<u32>) {
+        (list.arbiters.iter().map(|arbiter| arbiter.geoms).collect(), list.list.clone(), list.pool.clone())
+    }
+
+    /// What the brute force collider does, as the chapter says it.
+    fn add_after_a_search(list: &mut ArbiterList, geoms: &Geoms, pair: (GeomId, GeomId)) {
+        let handle = list.fetch();
+        list.set_up(handle, geoms, FrictionType::Average, pair.0, pair.1);
+        if list.list.iter().any(|&listed| list.arbiters[listed as usize].geoms == Some(pair)) {
+            list.pool.push(handle);
+        } else {
+            list.list.push(handle);
+        }
+    }
+
+    #[test]
+    fn pairs_are_found_in_the_list_as_by_a_search_whoever_shares_an_arbiter() {
+        let (geoms, ids) = geoms();
+        for seed in 0..500 {
+            let mut numbers = Numbers(seed);
+            let mut list = shared_list(&ids, &mut numbers);
+            let mut searched = list.clone();
+            list.index_listed();
+            for _ in 0..20 {
+                let (a, b) = pair(&ids, &mut numbers);
+                list.add_arbiter_unless_listed(&geoms, FrictionType::Average, b, a);
+                add_after_a_search(&mut searched, &geoms, (a, b));
+                assert_eq!(state(&list), state(&searched), "seed {seed}");
+            }
+        }
+    }
+
+    /// Behaviour chapter 03, section 7.4, word for word.
+    fn remove_by_scans(list: &mut ArbiterList, geom: GeomId) {
+        let mut position = list.list.len();
+        while position > 0 {
+            position -= 1;
+            let handle = list.list[position];
+            let pair = list.arbiters[handle as usize].geoms;
+            if pair.is_some_and(|(a, b)| a == geom || b == geom) {
+                list.pool.push(handle);
+                let is_equal = |&other: &u32| list.arbiters[other as usize].geoms == pair;
+                let first_equal = list.list.iter().position(is_equal).expect("it is equal to itself");
+                list.list.remove(first_equal);
+            }
+        }
+    }
+
+    #[test]
+    fn removed_geoms_take_their_arbiters_out_as_one_scan_each_would() {
+        let (_, ids) = geoms();
+        for seed in 0..500 {
+            let mut numbers = Numbers(seed);
+            let mut list = shared_list(&ids, &mut numbers);
+            let mut scanned = list.clone();
+            let removed: Vec<GeomId> = (0..numbers.below(4)).map(|_| ids[numbers.below(6)]).collect();
+            list.remove_arbiters_of(&removed);
+            removed.iter().for_each(|&geom| remove_by_scans(&mut scanned, geom));
+            assert_eq!(state(&list), state(&scanned), "seed {seed}");
+        }
+    }
+}

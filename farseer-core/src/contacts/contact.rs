@@ -1,0 +1,81 @@
+//! Contacts of two geoms (behaviour chapter 03, section 1).
+
+use serde::{Deserialize, Serialize};
+
+use crate::math::Vector2;
+
+/// Names a contact from one update to the next: the vertex of one geom that touches another geom.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+pub struct ContactId {
+    /// Creation number of the geom that owns the vertex.
+    #[doc(alias = "Geom1Index")]
+    pub geom1: u32,
+    /// Vertex number given by the narrow phase.
+    #[doc(alias = "Geom1Vertex")]
+    pub vertex: i32,
+    /// Creation number of the geom that is touched.
+    #[doc(alias = "Geom2Index")]
+    pub geom2: u32,
+}
+
+/// A point at which two geoms touch.
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
+pub struct Contact {
+    /// Which vertex touches which geom.
+    #[doc(alias = "ContactId")]
+    pub id: ContactId,
+    /// World position, in the user's length unit.
+    #[doc(alias = "Position")]
+    pub position: Vector2,
+    /// Unit normal from geom A toward geom B.
+    #[doc(alias = "Normal")]
+    pub normal: Vector2,
+    /// Distance of the outlines along the normal; negative when they overlap.
+    #[doc(alias = "Separation")]
+    pub separation: f32,
+    pub(crate) normal_impulse: f32,
+    pub(crate) tangent_impulse: f32,
+}
+
+impl Contact {
+    /// A contact that has not carried any impulse yet.
+    pub fn new(position: Vector2, normal: Vector2, separation: f32, id: ContactId) -> Self {
+        Contact { id, position, normal, separation, normal_impulse: 0.0, tangent_impulse: 0.0 }
+    }
+
+    /// The same contact with impulses to begin the next solve with.
+    pub fn with_impulses(self, normal_impulse: f32, tangent_impulse: f32) -> Self {
+        Contact { normal_impulse, tangent_impulse, ..self }
+    }
+
+    /// Whether the contact can be solved: not if a handler has spoiled it, or a matrix of the user's is too large.
+    pub(crate) fn is_finite(&self) -> bool {
+        let Contact { id: _, position, normal, separation, normal_impulse, tangent_impulse } = self;
+        [position.x, position.y, normal.x, normal.y, *separation, *normal_impulse, *tangent_impulse]
+            .iter()
+            .all(|value| value.is_finite())
+    }
+
+    /// Impulse along the normal accumulated by the solver in the last update, mass times velocity, 0 or more.
+    pub fn normal_impulse(&self) -> f32 {
+        self.normal_impulse
+    }
+
+    /// Friction impulse accumulated by the solver in the last update, along `(normal.y, -normal.x)`.
+    pub fn tangent_impulse(&self) -> f32 {
+        self.tangent_impulse
+    }
+}
+
+/// Contacts are equal when their ids are, wherever they lie.
+impl PartialEq for Contact {
+    fn eq(&self, other: &Self) -> bool {
+        self.id == other.id
+    }
+}
+
+/// Index of the first contact with the same id.
+#[doc(alias("IndexOfSafe", "ContactList"))]
+pub fn index_of_safe(contacts: &[Contact], contact: &Contact) -> Option<usize> {
+    contacts.iter().position(|other| other == contact)
+}

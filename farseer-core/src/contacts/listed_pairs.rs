@@ -1,0 +1,55 @@
+//! Which pairs the arbiter list has, for a broad phase that asks for each (behaviour chapter 08, section 5).
+
+use crate::contacts::pair_id::PairId;
+use crate::geom::GeomId;
+use crate::storage::stamped_set::StampedSet;
+
+/// Both geoms of an arbiter, A first.
+type Pair = (GeomId, GeomId);
+
+/// How often the arbiter list has each pair, and each arbiter. The list may hold an arbiter twice, and the pool one that
+/// is in the list: when that one is set up for another pair, all of its entries change.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct ListedPairs {
+    /// By the slots of the geoms: no listed geom is gone.
+    pairs: StampedSet,
+    /// By handle of the arbiter.
+    entries: Vec<u32>,
+}
+
+fn key((a, b): Pair) -> i64 {
+    PairId::get_hash(a.slot() as i32, b.slot() as i32)
+}
+
+impl ListedPairs {
+    pub(crate) fn clear(&mut self, arbiter_count: usize) {
+        self.pairs.clear();
+        self.entries.clear();
+        self.entries.resize(arbiter_count, 0);
+    }
+
+    /// The list has got an entry.
+    pub(crate) fn add(&mut self, handle: u32, pair: Pair) {
+        *self.pairs.count_mut(key(pair)) += 1;
+        if handle as usize >= self.entries.len() {
+            self.entries.resize(handle as usize + 1, 0);
+        }
+        self.entries[handle as usize] += 1;
+    }
+
+    /// An arbiter is set up for another pair, with all of its entries.
+    pub(crate) fn change(&mut self, handle: u32, before: Option<Pair>, pair: Pair) {
+        let entries = self.entries.get(handle as usize).copied().unwrap_or(0);
+        if let Some(before) = before
+            && entries > 0
+        {
+            *self.pairs.count_mut(key(before)) -= entries;
+            *self.pairs.count_mut(key(pair)) += entries;
+        }
+    }
+
+    /// Whether the list has an arbiter of these geoms, as A and B.
+    pub(crate) fn contains(&self, pair: Pair) -> bool {
+        self.pairs.count(key(pair)) > 0
+    }
+}

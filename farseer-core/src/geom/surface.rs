@@ -1,0 +1,28 @@
+//! How the surfaces of two geoms combine.
+
+use serde::{Deserialize, Serialize};
+
+/// How the friction coefficients of two geoms combine.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+pub enum FrictionType {
+    /// The mean of both.
+    #[default]
+    Average,
+    /// The smaller one.
+    Minimum,
+}
+
+impl FrictionType {
+    pub(crate) fn mix(self, a: f32, b: f32) -> f32 {
+        match self {
+            FrictionType::Average => (a + b) / 2.0,
+            FrictionType::Minimum => crate::math::scalar::min(a, b),
+        }
+    }
+}
+
+/// How the restitution coefficients of two geoms combine: their mean.
+#[inline]
+pub(crate) fn mix_restitution(a: f32, b: f32) -> f32 {
+    (a + b) * 0.5
+}

@@ -1,0 +1,129 @@
+//! Which pairs of geoms may touch: the broad phases (behaviour chapter 08).
+//!
+//! The order in which pairs are found is the order of the arbiter list, and so the order in which impulses act.
+
+mod brute_force;
+mod endpoint;
+mod overlaps;
+mod selective_sweep;
+mod slot_table;
+mod sort;
+mod spatial_hash;
+mod sweep_and_prune;
+
+pub use selective_sweep::{SelectiveSweepOrder, SweepEnd};
+
+use serde::{Deserialize, Serialize};
+
+use crate::geom::GeomId;
+use crate::geom::entry::Geoms;
+use crate::geom::filter::Filter;
+use crate::methods::BroadPhaseCollider;
+use selective_sweep::SelectiveSweep;
+use spatial_hash::SpatialHash;
+use sweep_and_prune::SweepAndPrune;
+
+/// What a broad phase sees of the simulator while it looks for pairs.
+pub(crate) trait PairSink {
+    /// Whether somebody answers [`approve`](Self::approve); with some methods the answer replaces the box test.
+    fn has_approval(&self) -> bool;
+    /// Asks the user's handler whether the pair may collide.
+    fn approve(&mut self, geom1: GeomId, geom2: GeomId) -> bool;
+    /// The scene as it is now: the handler may have changed it.
+    fn filter(&self) -> Filter<'_>;
+    /// The geoms that take part. No handler changes the list.
+    fn geom_list(&self) -> &[GeomId];
+    /// Takes a pair whose boxes overlap.
+    fn register(&mut self, geom1: GeomId, geom2: GeomId);
+    /// Notes which pairs the arbiter list has, for [`register_unless_listed`](Self::register_unless_listed).
+    fn index_listed(&mut self);
+    /// Takes a pair found by the brute force method, which looks through the arbiter list itself.
+    fn register_unless_listed(&mut self, geom1: GeomId, geom2: GeomId);
+}
+
+/// The state of the chosen method.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(crate) enum BroadPhase {
+    SelectiveSweep(SelectiveSweep),
+    SweepAndPrune(SweepAndPrune),
+    BruteForce,
+    SpatialHash(SpatialHash),
+    /// Stands for a method while it looks for pairs and handlers look at the simulator.
+    AtWork(BroadPhaseCollider),
+}
+
+impl Default for BroadPhase {
+    fn default() -> Self {
+        BroadPhase::new(BroadPhaseCollider::default())
+    }
+}
+
+impl BroadPhase {
+    pub(crate) fn new(method: BroadPhaseCollider) -> Self {
+        match method {
+            BroadPhaseCollider::SelectiveSweep => BroadPhase::SelectiveSweep(SelectiveSweep::default()),
+            BroadPhaseCollider::SweepAndPrune => BroadPhase::SweepAndPrune(SweepAndPrune::default()),
+            BroadPhaseCollider::BruteForce => BroadPhase::BruteForce,
+            BroadPhaseCollider::SpatialHash { cell_size, auto_adjust_cell_size } => {
+                BroadPhase::SpatialHash(SpatialHash::new(cell_size, auto_adjust_cell_size))
+            }
+        }
+    }
+
+    pub(crate) fn method(&self) -> BroadPhaseCollider {
+        match self {
+            BroadPhase::SelectiveSweep(_) => BroadPhaseCollider::SelectiveSweep,
+            BroadPhase::SweepAndPrune(_) => BroadPhaseCollider::SweepAndPrune,
+            BroadPhase::BruteForce => BroadPhaseCollider::BruteForce,
+            BroadPhase::SpatialHash(hash) => hash.method(),
+            BroadPhase::AtWork(method) => *method,
+        }
+    }
+
+    /// A geom entered the geom list.
+    pub(crate) fn add(&mut self, id: GeomId, geoms: &Geoms) {
+        match self {
+            BroadPhase::SelectiveSweep(sweep) => sweep.add(id),
+            BroadPhase::SweepAndPrune(sweep) => sweep.add(id, geoms),
+            BroadPhase::BruteForce | BroadPhase::SpatialHash(_) | BroadPhase::AtWork(_) => {}
+        }
+    }
+
+    /// Geoms left the geom list: those that are not alive go.
+    pub(crate) fn retain(&mut self, is_alive: impl Fn(GeomId) -> bool, geoms: &Geoms) {
+        match self {
+            BroadPhase::SelectiveSweep(sweep) => sweep.retain(is_alive),
+            BroadPhase::SweepAndPrune(sweep) => sweep.retain(is_alive, geoms),
+            BroadPhase::BruteForce | BroadPhase::SpatialHash(_) | BroadPhase::AtWork(_) => {}
+        }
+    }
+
+    /// Begins anew in a simulator that a handler copied or saved while its method was at work.
+    pub(crate) fn restore(&mut self, geoms: &Geoms) {
+        if let BroadPhase::AtWork(method) = *self {
+            *self = BroadPhase::new(method);
+            geoms.list().iter().for_each(|&geom| self.add(geom, geoms));
+        }
+    }
+
+    /// Looks for pairs and hands them to the sink.
+    pub(crate) fn update(&mut self, sink: &mut impl PairSink) {
+        match self {
+            BroadPhase::SelectiveSweep(sweep) => sweep.update(sink),
+            BroadPhase::SweepAndPrune(sweep) => sweep.update(sink),
+            BroadPhase::BruteForce => brute_force::update(sink),
+            BroadPhase::SpatialHash(hash) => hash.update(sink),
+            BroadPhase::AtWork(_) => {}
+        }
+    }
+
+    /// Whether all geoms exist and all indices are in range: false only after loading garbage.
+    pub(crate) fn is_valid(&self, geoms: &Geoms) -> bool {
+        match self {
+            BroadPhase::SelectiveSweep(sweep) => sweep.is_valid(geoms),
+            BroadPhase::SweepAndPrune(sweep) => sweep.is_valid(geoms),
+            BroadPhase::BruteForce | BroadPhase::AtWork(_) => true,
+            BroadPhase::SpatialHash(hash) => hash.is_valid(),
+        }
+    }
+}

@@ -1,0 +1,357 @@
+//! Sorted interval ends, swept along the less crowded axis (behaviour chapter 08, section 2). The default.
+
+use serde::{Deserialize, Serialize};
+use wide::f32x4;
+
+use super::PairSink;
+use super::endpoint::Endpoint;
+use super::sort::introspective_sort;
+use crate::geom::GeomId;
+use crate::geom::entry::Geoms;
+use crate::shape::Aabb;
+
+/// The ends of all intervals on one axis. Their order is kept from one update to the next: it is what the next
+/// sort starts from, and with equal values the outcome depends on it.
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+struct Axis {
+    endpoints: Vec<Endpoint>,
+    #[serde(skip)]
+    unsorted: Vec<Endpoint>,
+}
+
+/// What became of a sort.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Ties {
+    Absent,
+    Present,
+}
+
+impl Axis {
+    fn add(&mut self, entry: usize) {
+        self.endpoints.push(Endpoint::begin(entry));
+        self.endpoints.push(Endpoint::end(entry));
+    }
+
+    /// Brings the ends into the order that the original's sort gives.
+    ///
+    /// Without ties there is only one order, whatever the method. With ties the original's own sort runs on the
+    /// previous order; where it fails, the order is (value, begin first, order of creation).
+    fn sort(&mut self, numbers: &[u32]) {
+        self.unsorted.clone_from(&self.endpoints);
+        if sort_without_ties(&mut self.endpoints) == Ties::Absent {
+            return;
+        }
+        std::mem::swap(&mut self.endpoints, &mut self.unsorted);
+        if introspective_sort(&mut self.endpoints).is_err() {
+            self.endpoints.sort_unstable_by(|a, b| {
+                let kind_and_number = |e: &Endpoint| (!e.is_begin(), numbers[e.entry()]);
+                // Adding zero makes both zeros one value.
+                (a.value + 0.0)
+                    .total_cmp(&(b.value + 0.0))
+                    .then_with(|| kind_and_number(a).cmp(&kind_and_number(b)))
+            });
+        }
+    }
+
+    /// Sum over all begins of the number of intervals open there, with the wrap-around of 32-bit integers.
+    fn overlap_count(&self) -> i32 {
+        let (mut count, mut depth) = (0i32, 0i32);
+        for endpoint in &self.endpoints {
+            if endpoint.is_begin() {
+                count = count.wrapping_add(depth);
+                depth += 1;
+            } else {
+                depth -= 1;
+            }
+        }
+        count
+    }
+}
+
+/// Sorts by (value, begin first), quickly if the list is nearly sorted, and answers whether that order is unique.
+fn sort_without_ties(endpoints: &mut [Endpoint]) -> Ties {
+    #[inline(always)]
+    fn is_before(a: Endpoint, b: Endpoint) -> bool {
+        a.value < b.value || (a.value == b.value && a.is_begin() && !b.is_begin())
+    }
+    // A list that is far from sorted, as after additions, is cheaper to sort from scratch.
+    let mut budget = endpoints.len() * 16;
+    for i in 1..endpoints.len() {
+        let inserted = endpoints[i];
+        let mut j = i;
+        while j > 0 && is_before(inserted, endpoints[j - 1]) {
+            endpoints[j] = endpoints[j - 1];
+            j -= 1;
+        }
+        endpoints[j] = inserted;
+        budget = budget.saturating_sub(i - j);
+        if budget == 0 {
+            endpoints.sort_unstable_by(|a, b| {
+                a.value.total_cmp(&b.value).then((!a.is_begin()).cmp(&!b.is_begin()))
+            });
+            break;
+        }
+    }
+    // Begin and end of one value are ordered; anything else that is not strictly ascending is a tie or NaN.
+    let is_unique = endpoints.windows(2).all(|pair| is_before(pair[0], pair[1]));
+    if is_unique { Ties::Absent } else { Ties::Present }
+}
+
+/// The geoms that are open at the current position of the sweep, oldest first, with their intervals on the other
+/// axis. What is closed leaves a gap that overlaps nothing; gaps are swept out when there are too many.
+#[derive(Debug, Clone, Default)]
+struct Active {
+    /// [`GAP`] where a geom was closed.
+    entries: Vec<u32>,
+    low: Vec<f32>,
+    high: Vec<f32>,
+    /// By entry: where it is.
+    positions: Vec<u32>,
+    gaps: usize,
+}
+
+/// Stands for a geom that is not open any more.
+const GAP: u32 = u32::MAX;
+
+impl Active {
+    fn begin(&mut self, entry_count: usize) {
+        self.entries.clear();
+        self.low.clear();
+        self.high.clear();
+        self.positions.resize(entry_count, 0);
+        self.gaps = 0;
+    }
+
+    #[inline]
+    fn push(&mut self, entry: usize, (low, high): (f32, f32)) {
+        self.positions[entry] = self.entries.len() as u32;
+        self.entries.push(entry as u32);
+        self.low.push(low);
+        self.high.push(high);
+    }
+
+    #[inline]
+    fn remove(&mut self, entry: usize) {
+        let position = self.positions[entry] as usize;
+        // With NaN among the ends, an interval may be closed that was never opened.
+        if self.entries.get(position) != Some(&(entry as u32)) {
+            return;
+        }
+        self.entries[position] = GAP;
+        (self.low[position], self.high[position]) = (f32::NAN, f32::NAN);
+        self.gaps += 1;
+        if self.gaps > 16 && self.gaps * 2 > self.entries.len() {
+            self.close_gaps();
+        }
+    }
+
+    fn close_gaps(&mut self) {
+        let mut kept = 0;
+        for position in 0..self.entries.len() {
+            let entry = self.entries[position];
+            if entry != GAP {
+                self.entries[kept] = entry;
+                (self.low[kept], self.high[kept]) = (self.low[position], self.high[position]);
+                self.positions[entry as usize] = kept as u32;
+                kept += 1;
+            }
+        }
+        self.entries.truncate(kept);
+        self.low.truncate(kept);
+        self.high.truncate(kept);
+        self.gaps = 0;
+    }
+
+    /// Calls `meet` with every entry whose interval overlaps or touches this one, oldest first.
+    #[inline]
+    fn for_each_overlap(&self, (low, high): (f32, f32), mut meet: impl FnMut(usize)) {
+        let (lows, highs) = (self.low.as_chunks::<4>(), self.high.as_chunks::<4>());
+        let (low4, high4) = (f32x4::splat(low), f32x4::splat(high));
+        for (chunk, (&active_low, &active_high)) in lows.0.iter().zip(highs.0).enumerate() {
+            let overlaps = low4.simd_le(f32x4::new(active_high)) & f32x4::new(active_low).simd_le(high4);
+            let mut overlaps = overlaps.to_bitmask();
+            while overlaps != 0 {
+                meet(self.entries[chunk * 4 + overlaps.trailing_zeros() as usize] as usize);
+                overlaps &= overlaps - 1;
+            }
+        }
+        let done = lows.0.len() * 4;
+        for (position, (&active_low, &active_high)) in (done..).zip(lows.1.iter().zip(highs.1)) {
+            if low <= active_high && active_low <= high {
+                meet(self.entries[position] as usize);
+            }
+        }
+    }
+}
+
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+pub(crate) struct SelectiveSweep {
+    /// In order of addition.
+    entries: Vec<GeomId>,
+    x: Axis,
+    y: Axis,
+    /// Creation number and box of every entry, gathered anew in each update.
+    #[serde(skip)]
+    numbers: Vec<u32>,
+    #[serde(skip)]
+    boxes: Vec<Aabb>,
+    #[serde(skip)]
+    active: Active,
+}
+
+impl SelectiveSweep {
+    pub(super) fn add(&mut self, id: GeomId) {
+        let entry = self.entries.len();
+        self.entries.push(id);
+        self.x.add(entry);
+        self.y.add(entry);
+    }
+
+    pub(super) fn retain(&mut self, alive: impl Fn(GeomId) -> bool) {
+        let mut next = 0;
+        let renumbered: Vec<Option<u32>> = self
+            .entries
+            .iter()
+            .map(|&id| {
+                alive(id).then(|| {
+                    next += 1;
+                    next - 1
+                })
+            })
+            .collect();
+        if next as usize == self.entries.len() {
+            return;
+        }
+        for axis in [&mut self.x, &mut self.y] {
+            axis.endpoints.retain_mut(|endpoint| match renumbered[endpoint.entry()] {
+                Some(entry) => {
+                    endpoint.key = entry * 2 + (endpoint.key & 1);
+                    true
+                }
+                None => false,
+            });
+        }
+        self.entries.retain(|&id| alive(id));
+    }
+
+    pub(super) fn update(&mut self, sink: &mut impl PairSink) {
+        self.gather(sink.filter().geoms);
+        self.x.sort(&self.numbers);
+        self.y.sort(&self.numbers);
+        if self.x.overlap_count() < self.y.overlap_count() {
+            self.sweep(true, sink);
+        } else {
+            self.sweep(false, sink);
+        }
+    }
+
+    /// Takes the boxes over into the interval ends.
+    fn gather(&mut self, geoms: &Geoms) {
+        self.numbers.clear();
+        self.boxes.clear();
+        for &id in &self.entries {
+            let geom = &geoms[id];
+            self.numbers.push(geom.number);
+            self.boxes.push(geom.aabb);
+        }
+        for endpoint in &mut self.x.endpoints {
+            let aabb = &self.boxes[endpoint.entry()];
+            endpoint.value = if endpoint.is_begin() { aabb.min.x } else { aabb.max.x };
+        }
+        for endpoint in &mut self.y.endpoints {
+            let aabb = &self.boxes[endpoint.entry()];
+            endpoint.value = if endpoint.is_begin() { aabb.min.y } else { aabb.max.y };
+        }
+    }
+
+    fn sweep(&mut self, along_x: bool, sink: &mut impl PairSink) {
+        let SelectiveSweep { entries, x, y, boxes, active, .. } = self;
+        let endpoints = if along_x { &x.endpoints } else { &y.endpoints };
+        active.begin(entries.len());
+        for &endpoint in endpoints {
+            let entry = endpoint.entry();
+            let aabb = &boxes[entry];
+            // A box that is a single point meets what is open but never becomes open itself.
+            let is_point = !(aabb.min.x != aabb.max.x || aabb.min.y != aabb.max.y);
+            if endpoint.is_begin() {
+                let other = if along_x { (aabb.min.y, aabb.max.y) } else { (aabb.min.x, aabb.max.x) };
+                active.for_each_overlap(other, |open| meet(entries[entry], entries[open], sink));
+                if !is_point {
+                    active.push(entry, other);
+                }
+            } else if !is_point {
+                active.remove(entry);
+            }
+        }
+    }
+
+    pub(super) fn is_valid(&self, geoms: &Geoms) -> bool {
+        let count = self.entries.len();
+        let ends_complete = |axis: &Axis| {
+            let mut missing = vec![true; count * 2];
+            axis.endpoints.len() == count * 2
+                && axis.endpoints.iter().all(|endpoint| {
+                    missing.get_mut(endpoint.key as usize).is_some_and(|m| std::mem::replace(m, false))
+                })
+        };
+        self.entries.iter().all(|&id| geoms.contains(id)) && ends_complete(&self.x) && ends_complete(&self.y)
+    }
+}
+
+/// Two boxes overlap on both axes: `opened` begins while `open` is open.
+fn meet(opened: GeomId, open: GeomId, sink: &mut impl PairSink) {
+    let filter = sink.filter();
+    if !filter.may_collide(&filter.geoms[opened], &filter.geoms[open]) {
+        return;
+    }
+    if sink.has_approval() && !sink.approve(opened, open) {
+        return;
+    }
+    sink.register(opened, open);
+}
+
+/// One end of an interval, named by the order in which the intervals were added.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SweepEnd {
+    /// Index of the interval.
+    pub interval: usize,
+    /// Whether it is the lower end.
+    pub is_begin: bool,
+}
+
+/// The order of interval ends on one axis over successive updates, as the selective sweep keeps it.
+///
+/// For tests and for tools that show what ties do; the simulator keeps its own.
+#[derive(Debug, Clone, Default)]
+pub struct SelectiveSweepOrder {
+    axis: Axis,
+    numbers: Vec<u32>,
+}
+
+impl SelectiveSweepOrder {
+    /// `count` intervals, begin and end of each in turn.
+    pub fn new(count: usize) -> Self {
+        let mut order = SelectiveSweepOrder::default();
+        for interval in 0..count {
+            order.axis.add(interval);
+            order.numbers.push(interval as u32);
+        }
+        order
+    }
+
+    /// Moves the intervals and sorts their ends, starting from the previous order. Intervals beyond the end of
+    /// the list keep their values.
+    pub fn update(&mut self, intervals: &[(f32, f32)]) {
+        for endpoint in &mut self.axis.endpoints {
+            if let Some(&(begin, end)) = intervals.get(endpoint.entry()) {
+                endpoint.value = if endpoint.is_begin() { begin } else { end };
+            }
+        }
+        self.axis.sort(&self.numbers);
+    }
+
+    /// The ends in their present order.
+    pub fn ends(&self) -> impl Iterator<Item = SweepEnd> + '_ {
+        self.axis.endpoints.iter().map(|e| SweepEnd { interval: e.entry(), is_begin: e.is_begin() })
+    }
+}

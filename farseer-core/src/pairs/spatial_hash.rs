@@ -1,0 +1,150 @@
+//! Square cells of adjustable size (behaviour chapter 08, section 4).
+
+use serde::{Deserialize, Serialize};
+
+use super::PairSink;
+use super::slot_table::SlotTable;
+use crate::contacts::pair_id::PairId;
+use crate::geom::GeomId;
+use crate::geom::entry::Geoms;
+use crate::math::scalar::{max, to_int};
+use crate::methods::BroadPhaseCollider;
+use crate::shape::Aabb;
+use crate::storage::stamped_set::StampedSet;
+
+/// Entries in all cells of an update, one for every cell that a geom covers: at most this many, and so many more for each
+/// geom. A geom whose entries do not fit any more is met with every other geom instead. The original fills the cells until
+/// memory is exhausted.
+const MAX_CELL_ENTRIES: u64 = 1 << 16;
+const MORE_CELL_ENTRIES_PER_GEOM: u64 = 64;
+
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(crate) struct SpatialHash {
+    #[serde(with = "crate::storage::bits")]
+    cell_size: f32,
+    auto_adjust_cell_size: bool,
+    /// Geoms by cell. Lists are emptied in every update; a cell that stays empty is forgotten in the next.
+    cells: SlotTable<(i32, i32), Vec<GeomId>>,
+    #[serde(skip)]
+    dead: Vec<(i32, i32)>,
+    #[serde(skip)]
+    oversized: Vec<GeomId>,
+    #[serde(skip)]
+    handled: StampedSet,
+}
+
+impl SpatialHash {
+    pub(super) fn new(cell_size: f32, auto_adjust_cell_size: bool) -> Self {
+        SpatialHash {
+            cell_size,
+            auto_adjust_cell_size,
+            cells: SlotTable::default(),
+            dead: Vec::new(),
+            oversized: Vec::new(),
+            handled: StampedSet::default(),
+        }
+    }
+
+    pub(super) fn method(&self) -> BroadPhaseCollider {
+        BroadPhaseCollider::SpatialHash {
+            cell_size: self.cell_size,
+            auto_adjust_cell_size: self.auto_adjust_cell_size,
+        }
+    }
+
+    pub(super) fn update(&mut self, sink: &mut impl PairSink) {
+        if sink.geom_list().is_empty() {
+            return;
+        }
+        self.fill(sink.geom_list(), sink.filter().geoms);
+        self.handled.clear();
+        self.dead.clear();
+        for slot in 0..self.cells.slot_count() {
+            self.meet_in_cell(slot, sink);
+        }
+        for i in 0..self.oversized.len() {
+            for j in 0..sink.geom_list().len() {
+                let other = sink.geom_list()[j];
+                if other != self.oversized[i] {
+                    meet(self.oversized[i], other, &mut self.handled, sink);
+                }
+            }
+        }
+        for &key in &self.dead {
+            self.cells.remove(key);
+        }
+    }
+
+    /// Puts every geom into the cells its box covers, and sets the cell size of the next update.
+    fn fill(&mut self, geom_list: &[GeomId], geoms: &Geoms) {
+        let inverse = 1.0 / self.cell_size;
+        let mut sum = 0.0f32;
+        let mut free_entries = MAX_CELL_ENTRIES + MORE_CELL_ENTRIES_PER_GEOM * geom_list.len() as u64;
+        self.oversized.clear();
+        for &id in geom_list {
+            let aabb = &geoms[id].aabb;
+            if self.auto_adjust_cell_size {
+                sum += max(aabb.max.x - aabb.min.x, aabb.max.y - aabb.min.y);
+            }
+            let (x0, x1) = (to_int(aabb.min.x * inverse), to_int(aabb.max.x * inverse).wrapping_add(1));
+            let (y0, y1) = (to_int(aabb.min.y * inverse), to_int(aabb.max.y * inverse).wrapping_add(1));
+            let span = |from: i32, to: i32| (i64::from(to) - i64::from(from)).max(0) as u64;
+            let covered = span(x0, x1).saturating_mul(span(y0, y1));
+            if covered > free_entries {
+                self.oversized.push(id);
+                continue;
+            }
+            free_entries -= covered;
+            for x in x0..x1 {
+                for y in y0..y1 {
+                    self.cells.get_or_insert_with((x, y), Vec::new).push(id);
+                }
+            }
+        }
+        if self.auto_adjust_cell_size {
+            self.cell_size = 2.0 * sum / geom_list.len() as f32;
+        }
+    }
+
+    fn meet_in_cell(&mut self, slot: usize, sink: &mut impl PairSink) {
+        let Some((key, list)) = self.cells.slot_mut(slot) else { return };
+        if list.is_empty() {
+            self.dead.push(*key);
+            return;
+        }
+        for (i, &a) in list.iter().enumerate() {
+            for &b in &list[i + 1..] {
+                meet(a, b, &mut self.handled, sink);
+            }
+        }
+        list.clear();
+    }
+
+    pub(super) fn is_valid(&self) -> bool {
+        self.cells.is_consistent()
+            && (0..self.cells.slot_count())
+                .filter_map(|slot| self.cells.slot(slot))
+                .all(|(_, list)| list.is_empty())
+    }
+}
+
+/// Two geoms share a cell. With a handler its answer replaces the box test, as in the original.
+fn meet(a: GeomId, b: GeomId, handled: &mut StampedSet, sink: &mut impl PairSink) {
+    let filter = sink.filter();
+    let (geom_a, geom_b) = (&filter.geoms[a], &filter.geoms[b]);
+    // Where nobody can observe the order, the cheapest test comes first.
+    let overlap = Aabb::intersect(&geom_a.aabb, &geom_b.aabb);
+    if !overlap && !sink.has_approval() {
+        return;
+    }
+    if !filter.may_collide(geom_a, geom_b) {
+        return;
+    }
+    if !handled.insert(PairId::get_id(geom_a.number as i32, geom_b.number as i32)) {
+        return;
+    }
+    let accepted = if sink.has_approval() { sink.approve(a, b) } else { overlap };
+    if accepted {
+        sink.register(a, b);
+    }
+}

@@ -1,0 +1,280 @@
+//! Objects of one kind, the list of those that take part, and what waits to enter or leave it (behaviour chapter 04,
+//! section 2).
+
+use serde::{Deserialize, Serialize};
+
+use crate::storage::arena::{Arena, Id};
+use crate::{Error, Result};
+
+/// Where an object stands in its life.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) struct Life {
+    /// It takes part.
+    pub(crate) is_listed: bool,
+    /// It waits to enter the list.
+    is_queued: bool,
+    /// Its id goes stale with the next update.
+    pub(crate) is_disposed: bool,
+}
+
+/// An object and where it stands.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+struct Entry<T> {
+    value: T,
+    life: Life,
+}
+
+/// Objects of one kind that enter and leave their list with updates.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(crate) struct Collection<T, I> {
+    entries: Arena<Entry<T>, I>,
+    list: Vec<I>,
+    added: Vec<I>,
+    removed: Vec<I>,
+    /// Their ids go stale with the next update.
+    disposed: Vec<I>,
+}
+
+impl<T, I> Default for Collection<T, I> {
+    fn default() -> Self {
+        Collection {
+            entries: Arena::default(),
+            list: Vec::new(),
+            added: Vec::new(),
+            removed: Vec::new(),
+            disposed: Vec::new(),
+        }
+    }
+}
+
+impl<T, I: Id + Ord> Collection<T, I> {
+    pub(crate) fn create(&mut self, value: T) -> I {
+        self.entries.insert(Entry { value, life: Life::default() })
+    }
+
+    /// Takes back what was made last, before it was added: nobody may know its id.
+    pub(crate) fn discard(&mut self, id: I) -> Option<T> {
+        self.entries.take_back(id).map(|entry| entry.value)
+    }
+
+    #[inline]
+    pub(crate) fn get(&self, id: I) -> Option<&T> {
+        self.entries.get(id).map(|entry| &entry.value)
+    }
+
+    #[inline]
+    pub(crate) fn get_mut(&mut self, id: I) -> Option<&mut T> {
+        self.entries.get_mut(id).map(|entry| &mut entry.value)
+    }
+
+    /// As [`get`](Self::get), but an error for a stale id, which names the argument.
+    pub(crate) fn find(&self, argument: &'static str, id: I) -> Result<&T> {
+        self.get(id).ok_or(Error::StaleId { argument })
+    }
+
+    /// As [`get_mut`](Self::get_mut), but an error for a stale id, which names the argument.
+    pub(crate) fn find_mut(&mut self, argument: &'static str, id: I) -> Result<&mut T> {
+        self.get_mut(id).ok_or(Error::StaleId { argument })
+    }
+
+    #[inline]
+    pub(crate) fn contains(&self, id: I) -> bool {
+        self.entries.contains(id)
+    }
+
+    /// All that live, in the list or not, in the order of their slots.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (I, &T)> {
+        self.entries.iter().map(|(id, entry)| (id, &entry.value))
+    }
+
+    /// Number of slots, used or not: the bound of every index.
+    pub(crate) fn slot_count(&self) -> usize {
+        self.entries.slot_count()
+    }
+
+    /// Where an object stands, unless the id is stale.
+    #[inline]
+    pub(crate) fn life(&self, id: I) -> Option<Life> {
+        self.entries.get(id).map(|entry| entry.life)
+    }
+
+    /// Those that take part, in the order in which they were added.
+    pub(crate) fn list(&self) -> &[I] {
+        &self.list
+    }
+
+    /// Those that take part or will from the next update on.
+    pub(crate) fn listed_or_queued(&self) -> impl Iterator<Item = &T> {
+        let entries = self.entries.iter().map(|(_, entry)| entry);
+        entries.filter(|entry| entry.life.is_listed || entry.life.is_queued).map(|entry| &entry.value)
+    }
+
+    /// True for a stale id, too.
+    pub(crate) fn is_disposed(&self, id: I) -> bool {
+        self.entries.get(id).is_none_or(|entry| entry.life.is_disposed)
+    }
+
+    /// The object at a position of the list, unless it was disposed.
+    #[inline]
+    pub(crate) fn at(&self, position: usize) -> Option<(I, &T)> {
+        let id = *self.list.get(position)?;
+        let entry = self.entries.get(id).filter(|entry| !entry.life.is_disposed)?;
+        Some((id, &entry.value))
+    }
+
+    /// What was disposed and is still there, in the order in which it was.
+    pub(crate) fn disposed(&self) -> &[I] {
+        &self.disposed
+    }
+
+    /// As [`at`](Self::at), to change.
+    #[inline]
+    pub(crate) fn at_mut(&mut self, position: usize) -> Option<(I, &mut T)> {
+        let id = *self.list.get(position)?;
+        let entry = self.entries.get_mut(id).filter(|entry| !entry.life.is_disposed)?;
+        Some((id, &mut entry.value))
+    }
+}
+
+/// Entering and leaving.
+impl<T, I: Id + Ord> Collection<T, I> {
+    pub(crate) fn add(&mut self, argument: &'static str, id: I) -> Result<()> {
+        let entry = self.entries.get_mut(id).ok_or(Error::StaleId { argument })?;
+        if !std::mem::replace(&mut entry.life.is_queued, true) {
+            self.added.push(id);
+        }
+        Ok(())
+    }
+
+    pub(crate) fn remove(&mut self, argument: &'static str, id: I) -> Result<()> {
+        self.entries.get(id).ok_or(Error::StaleId { argument })?;
+        self.removed.push(id);
+        Ok(())
+    }
+
+    pub(crate) fn dispose(&mut self, argument: &'static str, id: I) -> Result<()> {
+        let entry = self.entries.get_mut(id).ok_or(Error::StaleId { argument })?;
+        if !std::mem::replace(&mut entry.life.is_disposed, true) {
+            self.disposed.push(id);
+        }
+        Ok(())
+    }
+
+    /// Disposes the listed ones that a predicate names.
+    pub(crate) fn dispose_listed_where(&mut self, is_leaving: impl Fn(&T) -> bool) {
+        for &id in &self.list {
+            let Some(entry) = self.entries.get_mut(id) else { continue };
+            if !entry.life.is_disposed && is_leaving(&entry.value) {
+                entry.life.is_disposed = true;
+                self.disposed.push(id);
+            }
+        }
+    }
+
+    /// Whether [`process_added`](Self::process_added) has something to do.
+    pub(crate) fn has_added(&self) -> bool {
+        !self.added.is_empty()
+    }
+
+    /// What was added enters the list; answers which.
+    pub(crate) fn process_added(&mut self) -> Vec<I> {
+        let mut entered = std::mem::take(&mut self.added);
+        entered.retain(|&id| {
+            let Some(entry) = self.entries.get_mut(id) else { return false };
+            entry.life.is_queued = false;
+            !std::mem::replace(&mut entry.life.is_listed, true)
+        });
+        self.list.extend_from_slice(&entered);
+        entered
+    }
+
+    /// What was removed leaves the list. Answers what was to be removed, also what was not in the list.
+    pub(crate) fn process_removed(&mut self) -> Vec<I> {
+        let mut left = std::mem::take(&mut self.removed);
+        left.retain(|&id| {
+            let Some(entry) = self.entries.get_mut(id) else { return false };
+            entry.life.is_listed = false;
+            true
+        });
+        if !left.is_empty() {
+            self.list.retain(|&id| self.entries[id].life.is_listed);
+        }
+        left
+    }
+
+    /// What was disposed leaves the list, in list order; answers which.
+    pub(crate) fn process_disposed(&mut self) -> Vec<I> {
+        let mut left = Vec::new();
+        if !self.disposed.is_empty() {
+            let entries = &self.entries;
+            self.list.retain(|&id| {
+                let stays = !entries[id].life.is_disposed;
+                left.extend((!stays).then_some(id));
+                stays
+            });
+        }
+        left
+    }
+
+    /// The ids of what was disposed go stale. No list names them any more. Answers what it was.
+    pub(crate) fn free_disposed(&mut self) -> Vec<T> {
+        let disposed = std::mem::take(&mut self.disposed);
+        disposed.into_iter().filter_map(|id| self.entries.remove(id)).map(|entry| entry.value).collect()
+    }
+
+    /// Everything is gone, and all ids are stale.
+    pub(crate) fn clear(&mut self) {
+        self.entries.clear();
+        for list in [&mut self.list, &mut self.added, &mut self.removed, &mut self.disposed] {
+            list.clear();
+        }
+    }
+
+    /// Whether lists and flags agree: false only after loading garbage.
+    pub(crate) fn is_consistent(&self) -> bool {
+        let count =
+            |flag: fn(&Entry<T>) -> bool| self.entries.iter().filter(|(_, entry)| flag(entry)).count();
+        let all = |list: &[I], flag: fn(&Entry<T>) -> bool| {
+            list.iter().all(|&id| self.entries.get(id).is_some_and(flag))
+        };
+        self.entries.is_consistent()
+            && has_no_duplicates(&self.list)
+            && has_no_duplicates(&self.disposed)
+            && self.queue_is_consistent()
+            && self.list.len() == count(|entry| entry.life.is_listed)
+            && self.disposed.len() == count(|entry| entry.life.is_disposed)
+            && all(&self.list, |entry| entry.life.is_listed)
+            && all(&self.disposed, |entry| entry.life.is_disposed)
+    }
+
+    /// Whether those that wait to enter are those that are marked so. The queue may also name what is gone.
+    fn queue_is_consistent(&self) -> bool {
+        let waiting: Vec<I> =
+            self.added.iter().copied().filter(|&id| self.entries.get(id).is_some()).collect();
+        let marked = self.entries.iter().filter(|(_, entry)| entry.life.is_queued).count();
+        has_no_duplicates(&waiting)
+            && waiting.iter().all(|&id| self.entries.get(id).is_some_and(|entry| entry.life.is_queued))
+            && waiting.len() == marked
+    }
+}
+
+pub(crate) fn has_no_duplicates<T: Ord + Copy>(list: &[T]) -> bool {
+    let mut sorted = list.to_vec();
+    sorted.sort_unstable();
+    sorted.windows(2).all(|pair| pair[0] != pair[1])
+}
+
+impl<T, I: Id> std::ops::Index<I> for Collection<T, I> {
+    type Output = T;
+    #[inline]
+    fn index(&self, id: I) -> &T {
+        &self.entries[id].value
+    }
+}
+
+impl<T, I: Id> std::ops::IndexMut<I> for Collection<T, I> {
+    #[inline]
+    fn index_mut(&mut self, id: I) -> &mut T {
+        &mut self.entries[id].value
+    }
+}

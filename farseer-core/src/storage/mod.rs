@@ -1,0 +1,6 @@
+//! Ids that notice when they have gone stale, and lists of what they name.
+
+pub(crate) mod arena;
+pub(crate) mod bits;
+pub(crate) mod collection;
+pub(crate) mod stamped_set;

@@ -1,0 +1,89 @@
+//! Scenes in the 2.5D engine.
+
+use std::collections::HashMap;
+use twohalf::{BodyId, Methods, Partner, TwoHalfPhysicsSimulator};
+
+use super::wrapped;
+use crate::scenes::depth::{DepthScene, build};
+use crate::world::{BodyState, Met, World};
+
+/// A scene in the 2.5D engine.
+#[derive(Debug)]
+pub struct TwoHalf {
+    simulator: TwoHalfPhysicsSimulator,
+    bodies: Vec<BodyId>,
+    objects: HashMap<BodyId, usize>,
+}
+
+impl TwoHalf {
+    /// Builds a scene.
+    pub fn new(scene: &DepthScene) -> Self {
+        let (simulator, bodies) = build(scene);
+        let objects = bodies.iter().copied().zip(0..).collect();
+        TwoHalf { simulator, bodies, objects }
+    }
+
+    /// Builds a scene for other methods, and a number of iterations per step.
+    ///
+    /// # Panics
+    /// A scene with values that the engine refuses.
+    pub fn with_methods(scene: &DepthScene, methods: Methods, iterations: i32) -> Self {
+        let mut engine = Self::new(scene);
+        engine.simulator.set_iterations(iterations);
+        // Nothing of a scene takes part before its first step.
+        engine.simulator.set_methods(methods).unwrap_or_else(|error| panic!("{}: {error}", scene.name));
+        engine
+    }
+
+    /// The simulator.
+    pub fn simulator(&self) -> &TwoHalfPhysicsSimulator {
+        &self.simulator
+    }
+
+    fn met(&self, partner: Partner) -> Option<Met> {
+        match partner {
+            Partner::Ground => Some(Met::Ground),
+            Partner::Geom(geom) => {
+                let body = self.simulator.geom(geom)?.body();
+                self.objects.get(&body).copied().map(Met::Object)
+            }
+            Partner::Platform(id) => {
+                self.simulator.platforms().position(|known| known == id).map(Met::Platform)
+            }
+        }
+    }
+}
+
+impl World for TwoHalf {
+    fn step(&mut self, dt: f32) {
+        self.simulator.update(dt);
+    }
+
+    fn body(&self, index: usize) -> BodyState {
+        let Some(body) = self.simulator.body(self.bodies[index]) else { return BodyState::default() };
+        let (position, velocity) = (body.position3d(), body.linear_velocity());
+        BodyState {
+            position: [position.x, position.y, position.z].map(f64::from),
+            angle: wrapped(f64::from(body.rotation())),
+            velocity: [velocity.x, -velocity.y, body.linear_velocity_z()].map(f64::from),
+            angular_velocity: f64::from(body.angular_velocity()),
+        }
+    }
+
+    fn body_count(&self) -> usize {
+        self.bodies.len()
+    }
+
+    /// Where its shadow is drawn. `None` below the ground.
+    fn height_beneath(&self, index: usize) -> Option<f64> {
+        self.simulator.surface_beneath_body(self.bodies[index]).map(|surface| f64::from(surface.height))
+    }
+
+    fn touching(&self, pairs: &mut Vec<(Met, Met)>) {
+        for contact in self.simulator.contacts().filter(|contact| contact.normal_impulse > 0.0) {
+            if let (Some(a), Some(b)) = (self.met(Partner::Geom(contact.this)), self.met(contact.partner)) {
+                pairs.push(Met::pair(a, b));
+            }
+        }
+    }
+}

@@ -1,0 +1,213 @@
+//! Scenes in `rapier3d`: X, Y up and Z as in the scene. What is no ball turns about Z only.
+
+use rapier3d::prelude::{
+    CoefficientCombineRule, Collider, ColliderBuilder, ColliderHandle, FrictionModel, MassProperties,
+    PhysicsWorld, Pose, QueryFilter, Ray, RigidBody, RigidBodyBuilder, RigidBodyHandle, Rotation, Vector,
+};
+
+use super::wrapped;
+use crate::scenes::depth::{DepthObject, DepthPlatform, DepthScene, DepthShape, SCREEN_ANGLE, Surface};
+use crate::world::{BodyState, Met, World};
+
+/// Px that stand for a metre: `rapier3d` scales its tolerances with it. The size of a large object.
+const LENGTH_UNIT: f32 = 40.0;
+
+/// A scene in `rapier3d`. Nothing sleeps.
+#[expect(missing_debug_implementations, reason = "the world in it has none")]
+pub struct Rapier {
+    world: PhysicsWorld,
+    objects: Vec<RigidBodyHandle>,
+    /// Distance from the origin down to the lowest point, by rotation.
+    outlines: Vec<Lowest>,
+    /// By the index of a collider.
+    met: Vec<(ColliderHandle, Met)>,
+}
+
+enum Lowest {
+    Ball(f64),
+    /// Outline, y down.
+    Prism(Vec<[f64; 2]>),
+}
+
+impl Rapier {
+    /// Builds a scene with the settings that `rapier3d` has by default.
+    ///
+    /// # Panics
+    /// A shape that has no volume.
+    pub fn new(scene: &DepthScene) -> Self {
+        let mut world = PhysicsWorld::new();
+        world.gravity = Vector::new(0.0, -scene.gravity, 0.0);
+        world.integration_parameters.dt = scene.dt;
+        world.integration_parameters.length_unit = LENGTH_UNIT;
+        let up = rapier3d::na::Unit::new_unchecked(Vector::Y);
+        let ground = with_surface(ColliderBuilder::halfspace(up), scene.ground);
+        let (_, ground) = world.insert(RigidBodyBuilder::fixed(), ground);
+        let mut rapier =
+            Rapier { world, objects: Vec::new(), outlines: Vec::new(), met: vec![(ground, Met::Ground)] };
+        for object in &scene.objects {
+            rapier.add_object(object);
+        }
+        for (index, platform) in scene.platforms.iter().enumerate() {
+            let (_, collider) = rapier.world.insert(fixed(platform), platform_collider(platform));
+            rapier.met.push((collider, Met::Platform(index)));
+        }
+        rapier.met.sort_unstable_by_key(|(collider, _)| collider.into_raw_parts());
+        rapier
+    }
+
+    /// Builds a scene with settings for accuracy: friction at every point of contact, and no contacts that are
+    /// kept while a pair moves little.
+    pub fn accurate(scene: &DepthScene) -> Self {
+        let mut rapier = Self::new(scene);
+        rapier.world.integration_parameters.friction_model = FrictionModel::Coulomb;
+        rapier.world.integration_parameters.contact_recycling = false;
+        rapier
+    }
+
+    /// With another number of the solver's iterations per step; 4 is `rapier3d`'s default.
+    pub fn with_iterations(mut self, iterations: usize) -> Self {
+        self.world.integration_parameters.num_solver_iterations = iterations;
+        self
+    }
+
+    fn add_object(&mut self, object: &DepthObject) {
+        let outline = object.outline().unwrap_or_else(|error| panic!("{error}"));
+        let lowest = match object.shape {
+            DepthShape::Ball { radius } => Lowest::Ball(f64::from(radius)),
+            _ => Lowest::Prism(outline.iter().map(|v| [f64::from(v.x), f64::from(v.y)]).collect()),
+        };
+        let [x, y, z] = object.position;
+        let centre = Vector::new(x, (f64::from(y) + lowest.at(f64::from(object.rotation))) as f32, z);
+        let body = if object.is_static { RigidBodyBuilder::fixed() } else { movable(object) };
+        let body = body.pose(Pose::from_parts(centre, Rotation::from_rotation_z(-object.rotation)));
+        let collider = with_surface(shape(object).density(0.0), object.surface);
+        let (body, collider) = self.world.insert(body, collider);
+        self.met.push((collider, Met::Object(self.objects.len())));
+        self.objects.push(body);
+        self.outlines.push(lowest);
+    }
+
+    fn met(&self, collider: ColliderHandle) -> Met {
+        let key = collider.into_raw_parts();
+        match self.met.binary_search_by_key(&key, |(known, _)| known.into_raw_parts()) {
+            Ok(index) => self.met[index].1,
+            Err(_) => unreachable!("every collider of the world was noted when it was made"),
+        }
+    }
+}
+
+impl Lowest {
+    fn at(&self, rotation: f64) -> f64 {
+        let (sine, cosine) = rotation.sin_cos();
+        match self {
+            Lowest::Ball(radius) => *radius,
+            Lowest::Prism(outline) => {
+                outline.iter().map(|[x, y]| x * sine + y * cosine).fold(f64::NEG_INFINITY, f64::max)
+            }
+        }
+    }
+}
+
+/// A body with the mass and the moment of inertia that the object has in the 2D engine, about all axes.
+fn movable(object: &DepthObject) -> RigidBodyBuilder {
+    let body = object.body().unwrap_or_else(|error| panic!("{error}"));
+    let inertia = Vector::splat(body.moment_of_inertia());
+    let is_ball = matches!(object.shape, DepthShape::Ball { .. });
+    RigidBodyBuilder::dynamic()
+        .linvel(Vector::from(object.velocity))
+        .additional_mass_properties(MassProperties::new(Vector::ZERO, body.mass(), inertia))
+        .enabled_rotations(is_ball, is_ball, true)
+        .can_sleep(false)
+}
+
+fn shape(object: &DepthObject) -> ColliderBuilder {
+    match &object.shape {
+        DepthShape::Ball { radius } => ColliderBuilder::ball(*radius),
+        DepthShape::Box { size } => cuboid(*size),
+        DepthShape::Polygon { outline, depth } => {
+            let corner = |z: f32| outline.iter().map(move |v| Vector::new(v.x, -v.y, z));
+            let corners: Vec<Vector> = corner(-depth / 2.0).chain(corner(depth / 2.0)).collect();
+            ColliderBuilder::convex_hull(&corners).unwrap_or_else(|| panic!("{outline:?} has no area"))
+        }
+    }
+}
+
+fn cuboid([width, height, depth]: [f32; 3]) -> ColliderBuilder {
+    ColliderBuilder::cuboid(width / 2.0, height / 2.0, depth / 2.0)
+}
+
+fn fixed(platform: &DepthPlatform) -> RigidBody {
+    let [x, underside, z] = platform.position;
+    let centre = Vector::new(x, underside + platform.size[1] / 2.0, z);
+    let rotation = Rotation::from_rotation_z(-platform.rotation);
+    RigidBodyBuilder::fixed().pose(Pose::from_parts(centre, rotation)).build()
+}
+
+/// A cuboid, or the convex hull of its corners when its edges in depth do not run as the Z axis does.
+fn platform_collider(platform: &DepthPlatform) -> ColliderBuilder {
+    if platform.angle_in_z_axis == SCREEN_ANGLE {
+        return with_surface(cuboid(platform.size), platform.surface);
+    }
+    let cotangent = |degrees: i32| 1.0 / f64::from(degrees).to_radians().tan();
+    let shear = (cotangent(platform.angle_in_z_axis) - cotangent(SCREEN_ANGLE)) as f32;
+    // The shift along X of the world, in the axes of the tilted box.
+    let (sine, cosine) = platform.rotation.sin_cos();
+    let half = platform.size.map(|extent| extent / 2.0);
+    let corners = std::array::from_fn::<_, 8, _>(|index| {
+        let [x, y, z] = [0, 1, 2].map(|axis| if index >> axis & 1 == 0 { -half[axis] } else { half[axis] });
+        Vector::new(x + shear * z * cosine, y + shear * z * sine, z)
+    });
+    let hull = ColliderBuilder::convex_hull(&corners).unwrap_or_else(|| panic!("{platform:?} has no volume"));
+    with_surface(hull, platform.surface)
+}
+
+fn with_surface(collider: ColliderBuilder, surface: Surface) -> ColliderBuilder {
+    collider
+        .friction(surface.friction)
+        .friction_combine_rule(CoefficientCombineRule::Average)
+        .restitution(surface.restitution)
+        .restitution_combine_rule(CoefficientCombineRule::Average)
+}
+
+impl World for Rapier {
+    fn step(&mut self, dt: f32) {
+        self.world.integration_parameters.dt = dt;
+        self.world.step();
+    }
+
+    fn body(&self, index: usize) -> BodyState {
+        let body = &self.world.bodies[self.objects[index]];
+        let (centre, turn) = (body.translation(), body.rotation());
+        let angle = wrapped(-2.0 * f64::from(turn.z).atan2(f64::from(turn.w)));
+        let below = self.outlines[index].at(angle);
+        BodyState {
+            position: [f64::from(centre.x), f64::from(centre.y) - below, f64::from(centre.z)],
+            angle,
+            velocity: body.linvel().to_array().map(f64::from),
+            angular_velocity: -f64::from(body.angvel().z),
+        }
+    }
+
+    fn body_count(&self) -> usize {
+        self.objects.len()
+    }
+
+    /// What a ray from the middle straight down meets first.
+    fn height_beneath(&self, index: usize) -> Option<f64> {
+        let middle = self.world.bodies[self.objects[index]].translation();
+        let is_surface =
+            |collider: ColliderHandle, _: &Collider| !matches!(self.met(collider), Met::Object(_));
+        let filter = QueryFilter::new().predicate(&is_surface);
+        let ray = Ray::new(middle, -Vector::Y);
+        let (_, distance) = self.world.cast_ray(&ray, f32::MAX, true, filter)?;
+        Some(f64::from(middle.y - distance))
+    }
+
+    fn touching(&self, pairs: &mut Vec<(Met, Met)>) {
+        for pair in self.world.narrow_phase.contact_pairs() {
+            if pair.total_impulse_magnitude() > 0.0 {
+                pairs.push(Met::pair(self.met(pair.collider1), self.met(pair.collider2)));
+            }
+        }
+    }
+}
