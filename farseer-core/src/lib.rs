@@ -519,7 +519,7 @@ pub use controllers::{
 };
 pub use debug_view::{DebugShape, PhysicsSimulatorView};
 pub use error::{Error, Result};
-pub use factories::{BodyFactory, ComplexFactory, GeomFactory, JointFactory, SpringFactory};
+pub use factories::{BodyFactory, GeomFactory, JointFactory, SpringFactory};
 pub use geom::distance_grid::DistanceGrid;
 pub use geom::surface::FrictionType;
 pub use geom::view::GeomRef;
@@ -534,9 +534,10 @@ pub use object_id::ObjectId;
 pub use objects::{GeomPlacement, GeomPointPair, Objects, RayCastHit};
 pub use pairs::{SelectiveSweepOrder, SweepEnd};
 pub use path::{
-    Curve, CurveContinuity, CurveKey, CurveKeyCollection, CurveLoopType, CurveTangent, LinkType, Path,
+    ComplexFactory, Curve, CurveContinuity, CurveKey, CurveKeyCollection, CurveLoopType, CurveTangent,
+    LinkType, Path,
 };
-pub use report::{ArgumentNames, Event, Refusals, StepCounters, StepTimes};
+pub use report::{Event, StepCounters, StepTimes};
 pub use shape::{Aabb, Feature, Vertices, ray_helper};
 pub use simulator::{
     Constraints, Context, EventHandler, PhysicsSimulator, SavedSimulator, SolvedBodies, UserController,
@@ -545,6 +546,7 @@ pub use solve::{SolverBody, SolverPlace};
 pub use springs::{
     AngleSpring, FixedAngleSpring, FixedLinearSpring, LinearSpring, Spring, SpringId, SpringKind, SpringType,
 };
+pub use storage::refusals::{ArgumentNames, Refusals};
 
 /// The example of the README is run with those of the documentation.
 #[cfg(doctest)]

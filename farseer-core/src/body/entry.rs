@@ -3,9 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use crate::body::{Body, BodyId, Pose};
-use crate::geom::GeomId;
 use crate::math::Vector2;
 use crate::storage::collection::Collection;
+use crate::storage::ids::GeomId;
 
 /// The bodies of a simulator.
 pub(crate) type Bodies = Collection<BodyEntry, BodyId>;

@@ -13,12 +13,8 @@ use crate::math::finite::finite;
 use crate::math::matrix::create_rotation_z;
 use crate::math::vector2::{length, transform};
 use crate::math::{Matrix, Vector2, math_helper::TWO_PI, scalar};
-use crate::report::{ArgumentNames, Refusals};
-
-crate::storage::arena::define_id! {
-    /// Names a [`Body`] of a simulator: the one that made it, its clones and what is loaded from its saves.
-    BodyId
-}
+pub use crate::storage::ids::BodyId;
+use crate::storage::refusals::{ArgumentNames, Refusals};
 
 /// The state of motion of one rigid body. It has no shape; geoms attached to it have.
 ///

@@ -21,13 +21,11 @@ macro_rules! added {
 }
 
 mod body_factory;
-mod complex_factory;
 mod geom_factory;
 mod joint_factory;
 mod spring_factory;
 
 pub use body_factory::BodyFactory;
-pub use complex_factory::ComplexFactory;
 pub use geom_factory::GeomFactory;
 pub use joint_factory::JointFactory;
 pub use spring_factory::SpringFactory;

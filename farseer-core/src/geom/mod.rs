@@ -10,12 +10,8 @@ pub(crate) mod view;
 use serde::{Deserialize, Serialize};
 
 use crate::methods::CollisionCategory;
-use crate::report::{ArgumentNames, Refusals};
-
-crate::storage::arena::define_id! {
-    /// Names a geom of a simulator: the one that made it, its clones and what is loaded from its saves.
-    GeomId
-}
+pub use crate::storage::ids::GeomId;
+use crate::storage::refusals::{ArgumentNames, Refusals};
 
 /// How a geom collides: everything about it that may be changed freely. `simulator[geom]` is this;
 /// [`PhysicsSimulator::geom`](crate::PhysicsSimulator::geom) shows the shape and place as well.

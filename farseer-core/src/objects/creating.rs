@@ -14,8 +14,8 @@ use crate::math::finite::{finite, finite_vector};
 use crate::math::{Vector2, scalar};
 use crate::methods::NarrowPhaseCollider;
 use crate::object_id::ObjectId;
-use crate::report::Refusals;
 use crate::shape::Vertices;
+use crate::storage::refusals::Refusals;
 use crate::{Error, Result};
 
 /// Part of the shorter side of a geom's box that an automatic grid cell takes.

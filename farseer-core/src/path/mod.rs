@@ -1,5 +1,6 @@
 //! Curves through keys, and rows of linked bodies along them (behaviour chapter 14).
 
+mod complex_factory;
 mod curve;
 mod curve_key;
 mod curve_key_collection;
@@ -8,6 +9,7 @@ mod link;
 mod path;
 mod walk;
 
+pub use complex_factory::ComplexFactory;
 pub use curve::{Curve, CurveLoopType, CurveTangent};
 pub use curve_key::{CurveContinuity, CurveKey};
 pub use curve_key_collection::CurveKeyCollection;

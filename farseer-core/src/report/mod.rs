@@ -1,12 +1,10 @@
 //! What a simulator tells of its last update, and what it still has to tell.
 
 mod event;
-mod refusals;
 mod step_times;
 
 pub use event::Event;
 pub(crate) use event::Notice;
-pub use refusals::{ArgumentNames, Refusals};
 pub use step_times::StepTimes;
 pub(crate) use step_times::{Clock, Stopwatch};
 

@@ -84,8 +84,7 @@ impl Default for Settings {
 /// assert!((simulator[ball].position().y - 90.0).abs() < 1.0);
 /// # Ok::<(), farseer_core::Error>(())
 /// ```
-#[derive(Debug, Clone, Default, Serialize, Deserialize)]
-#[serde(remote = "Self")]
+#[derive(Debug, Clone, Default, Serialize)]
 pub struct PhysicsSimulator {
     settings: Settings,
     objects: Objects,

@@ -7,17 +7,15 @@
 //! [events](PhysicsSimulator::events), counters and times of the last update are not saved: the next one overwrites
 //! them and reads none of them.
 
-use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
+use serde::{Deserialize, Deserializer, de::Error as _};
 
-use super::PhysicsSimulator;
+use super::{PhysicsSimulator, Settings};
+use crate::contacts::arbiter::ArbiterList;
 use crate::limits::Limits;
+use crate::objects::Objects;
+use crate::pipeline::Pipeline;
+use crate::report::Report;
 use crate::{Error, Result};
-
-impl Serialize for PhysicsSimulator {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        PhysicsSimulator::serialize(self, serializer)
-    }
-}
 
 impl<'de> Deserialize<'de> for PhysicsSimulator {
     /// Within the default [`Limits`]; see [`SavedSimulator`].
@@ -25,6 +23,15 @@ impl<'de> Deserialize<'de> for PhysicsSimulator {
         let saved = SavedSimulator::deserialize(deserializer)?;
         saved.load(Limits::default()).map_err(D::Error::custom)
     }
+}
+
+/// What is saved of a simulator.
+#[derive(Deserialize)]
+struct Parts {
+    settings: Settings,
+    objects: Objects,
+    contacts: ArbiterList,
+    pipeline: Pipeline,
 }
 
 /// A simulator that was read and checked, and whose distance grids are still to be made: to load with other [`Limits`]
@@ -43,7 +50,8 @@ pub struct SavedSimulator(PhysicsSimulator);
 
 impl<'de> Deserialize<'de> for SavedSimulator {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let simulator = PhysicsSimulator::deserialize(deserializer)?;
+        let Parts { settings, objects, contacts, pipeline } = Parts::deserialize(deserializer)?;
+        let simulator = PhysicsSimulator { settings, objects, contacts, pipeline, report: Report::default() };
         simulator.check().map_err(D::Error::custom)?;
         Ok(SavedSimulator(simulator))
     }

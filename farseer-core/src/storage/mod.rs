@@ -3,4 +3,6 @@
 pub(crate) mod arena;
 pub(crate) mod bits;
 pub(crate) mod collection;
+pub(crate) mod ids;
+pub(crate) mod refusals;
 pub(crate) mod stamped_set;

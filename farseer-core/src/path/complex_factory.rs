@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::{LinkType, Links, Path};
 use crate::body::BodyId;
 use crate::controllers::{ControllerId, GravityController, GravityType};
 use crate::factories::JointFactory;
@@ -9,7 +10,6 @@ use crate::math::Vector2;
 use crate::math::finite::finite_vector;
 use crate::math::vector2::distance;
 use crate::objects::Objects;
-use crate::path::{LinkType, Links, Path};
 use crate::shape::Vertices;
 use crate::{Error, Result};
 
