@@ -1,6 +1,6 @@
 //! What both simulators can do, as far as these programs ask for it.
 
-use farseer_core::{BodyId, PhysicsSimulator};
+use farseer_core::{BodyId, Limits, PhysicsSimulator};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use twohalf::TwoHalfPhysicsSimulator;
@@ -20,6 +20,10 @@ pub trait Engine: Clone + Serialize + DeserializeOwned {
     fn restore(&mut self, snapshot: &[u8]) -> Result<(), String>;
     /// Lets so many seconds pass.
     fn update(&mut self, dt: f32);
+    /// What it may cost, which no save says.
+    fn limits(&self) -> Limits;
+    /// Sets what it may cost.
+    fn set_limits(&mut self, limits: Limits);
     /// Has no more passes per update than this.
     fn limit_iterations(&mut self, most: i32);
     /// What happened in the last update, as text.
@@ -45,6 +49,12 @@ impl Engine for PhysicsSimulator {
     }
     fn update(&mut self, dt: f32) {
         self.update(dt);
+    }
+    fn limits(&self) -> Limits {
+        self.limits()
+    }
+    fn set_limits(&mut self, limits: Limits) {
+        self.set_limits(limits);
     }
     fn limit_iterations(&mut self, most: i32) {
         self.set_iterations(self.iterations().min(most));
@@ -77,6 +87,12 @@ impl Engine for TwoHalfPhysicsSimulator {
     }
     fn update(&mut self, dt: f32) {
         self.update(dt);
+    }
+    fn limits(&self) -> Limits {
+        self.limits()
+    }
+    fn set_limits(&mut self, limits: Limits) {
+        self.set_limits(limits);
     }
     fn limit_iterations(&mut self, most: i32) {
         self.set_iterations(self.iterations().min(most));

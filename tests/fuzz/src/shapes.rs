@@ -7,7 +7,7 @@ use crate::random::Random;
 
 /// Outlines with more corners than this take long to make grids of, to try as separating axes, and to save after every
 /// call.
-const MOST_EDGES: i32 = 200;
+const MOST_EDGES: i32 = 100;
 /// What a grid's cells are made larger than, most of the time, for the same reason.
 const FINEST_CELL: f32 = 0.3;
 /// Corners that lie on each other and in line are frequent among these.

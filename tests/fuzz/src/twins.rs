@@ -65,7 +65,9 @@ fn moments<G: Game>(seed: u64, copy: Option<Copy<G::Simulator>>) -> Result<Vec<M
 }
 
 fn exchange<G: Game>(game: &mut G, copy: Copy<G::Simulator>) -> Result<(), String> {
-    let copy = copy(game.simulator())?;
+    let limits = game.simulator().limits();
+    let mut copy = copy(game.simulator())?;
+    copy.set_limits(limits);
     *game.simulator_mut() = copy;
     Ok(())
 }

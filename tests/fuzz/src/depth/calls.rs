@@ -13,7 +13,7 @@ use crate::random::Random;
 use crate::shapes::{outline, step};
 
 /// Objects of a kind beyond which no more are made.
-const MOST_GEOMS: usize = 50;
+const MOST_GEOMS: usize = 40;
 const MOST_PLATFORMS: usize = 12;
 /// More passes per update than this take long.
 const MOST_ITERATIONS: i32 = 1000;

@@ -71,7 +71,8 @@ impl Depth {
         Depth::with(simulator, random)
     }
 
-    fn with(simulator: TwoHalfPhysicsSimulator, random: Random) -> Result<Self> {
+    fn with(mut simulator: TwoHalfPhysicsSimulator, random: Random) -> Result<Self> {
+        simulator.set_limits(plane::LIMITS);
         let mut pools = Pools::foreign()?;
         pools.take_all(&simulator);
         Ok(Depth { random, simulator, pools })

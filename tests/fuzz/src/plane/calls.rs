@@ -15,7 +15,7 @@ use crate::random::Random;
 use crate::shapes::{outline, step};
 
 /// Objects of a kind beyond which no more are made.
-const MOST_GEOMS: usize = 60;
+const MOST_GEOMS: usize = 40;
 const MOST_LINKS: usize = 40;
 const MOST_CONTROLLERS: usize = 12;
 /// More passes per update than this take long.

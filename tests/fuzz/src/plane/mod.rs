@@ -14,7 +14,7 @@ mod things;
 
 use farseer_core::math::Vector2;
 use farseer_core::{
-    BodyFactory, BodyId, BodyInterpolation, BroadPhaseCollider, GeomFactory, GeomId, GeomPlacement,
+    BodyFactory, BodyId, BodyInterpolation, BroadPhaseCollider, GeomFactory, GeomId, GeomPlacement, Limits,
     MousePicker, NarrowPhaseCollider, Path, PhysicsSimulator, Result,
 };
 
@@ -27,6 +27,10 @@ use crate::game::{Call, Game};
 use crate::random::Random;
 use crate::scenes;
 use pools::Pools;
+
+/// Twins are loaded again and again, and make their distance grids each time: these are small.
+pub(crate) const LIMITS: Limits =
+    Limits { grid_work: 1 << 22, total_grid_work: 1 << 23, iterations: 1 << 16 };
 
 /// A simulator, ids to call it with, and what lives beside it.
 #[derive(Debug)]
@@ -80,7 +84,8 @@ impl Plane {
         Ok(plane)
     }
 
-    fn with(simulator: PhysicsSimulator, random: Random) -> Result<Self> {
+    fn with(mut simulator: PhysicsSimulator, random: Random) -> Result<Self> {
+        simulator.set_limits(LIMITS);
         let mut pools = Pools::foreign()?;
         pools.take_all(&simulator);
         Ok(Plane {
