@@ -10,13 +10,15 @@ use crate::random::Random;
 
 const LINKS: [LinkType; 4] =
     [LinkType::RevoluteJoint, LinkType::PinJoint, LinkType::SliderJoint, LinkType::LinearSpring];
+/// Links in a chain.
+const MOST_LINKS: f32 = 50.0;
 /// Bodies beyond which no chains are made.
 const CROWD: usize = 120;
 
 const CHAINS: &[Make<Path>] = &[
     |game| {
         let (factory, [start, end], link) = game.chain();
-        let (width, height, mass) = game.link_size();
+        let (width, height, mass) = game.link_size(start, end);
         factory.create_chain(&mut game.simulator, start, end, width, height, mass, link)
     },
     |game| {
@@ -26,14 +28,14 @@ const CHAINS: &[Make<Path>] = &[
     },
     |game| {
         let (factory, [start, end], link) = game.chain();
-        let (width, height, mass) = game.link_size();
+        let (width, height, mass) = game.link_size(start, end);
         let pin_end = game.random.toss();
         let simulator = &mut game.simulator;
         factory.create_pinned_chain(simulator, start, end, width, height, mass, true, pin_end, link)
     },
     |game| {
         let (factory, [start, end], link) = game.chain();
-        let (width, height, mass) = game.link_size();
+        let (width, height, mass) = game.link_size(start, end);
         let (link_width, pins) = (game.random.number(8.0, 20.0), (game.random.toss(), game.random.toss()));
         let simulator = &mut game.simulator;
         factory.create_chain_with_link_width(
@@ -42,7 +44,7 @@ const CHAINS: &[Make<Path>] = &[
     },
     |game| {
         let (factory, [start, end], link) = game.chain();
-        let (width, height, mass) = game.link_size();
+        let (width, height, mass) = game.link_size(start, end);
         let down = Vector2::new(0.0, 40.0);
         let points = [start, end, end + down, start + down];
         let (endless, group) = (game.random.toss(), game.random.count(0, 5));
@@ -131,10 +133,11 @@ impl Plane {
         (factory, [start, end], self.link())
     }
 
-    /// Width, height and mass of a link.
-    fn link_size(&mut self) -> (f32, f32, f32) {
+    /// Width, height and mass of a link; so wide that not too many fit between two points.
+    fn link_size(&mut self, start: Vector2, end: Vector2) -> (f32, f32, f32) {
         let random = &mut self.random;
-        (random.number(8.0, 20.0), random.number(4.0, 10.0), random.number(0.5, 2.0))
+        let least = (end - start).norm() / MOST_LINKS;
+        (random.number(8.0, 20.0).max(least), random.number(4.0, 10.0), random.number(0.5, 2.0))
     }
 
     fn give_geoms(&mut self, path: &mut Path) -> Result<()> {
