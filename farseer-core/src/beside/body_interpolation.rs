@@ -70,7 +70,7 @@ impl BodyInterpolation {
         Self::default()
     }
 
-    /// Takes the poses of the [listed](PhysicsSimulator::body_list) bodies; to be called after **every** update. Bodies
+    /// Takes the poses of the [listed](Objects::body_list) bodies; to be called after **every** update. Bodies
     /// that were not there after the update before are drawn where they are. Allocates only when there are more bodies
     /// than ever before.
     pub fn remember(&mut self, simulator: &Objects) {

@@ -11,7 +11,7 @@ use crate::{Error, Result};
 
 /// Makes geoms of simple shapes. All lengths are in the user's unit; y points down on the screen.
 ///
-/// Every method refuses a stale body, and whatever [`PhysicsSimulator::create_geom`] refuses.
+/// Every method refuses a stale body, and whatever [`Objects::create_geom`] refuses.
 #[derive(Debug, Clone, Copy)]
 pub struct GeomFactory;
 
@@ -148,7 +148,7 @@ impl GeomFactory {
         Ok(geoms)
     }
 
-    /// A copy of a geom on a body, at the same offsets; see [`PhysicsSimulator::clone_geom`].
+    /// A copy of a geom on a body, at the same offsets; see [`Objects::clone_geom`].
     ///
     /// # Errors
     /// A stale id; a geom without a distance grid, if the distance grid is selected.

@@ -18,7 +18,7 @@ impl Objects {
     /// Lets an object take part from the next update on. Adding a body does not add its geoms.
     ///
     /// # Errors
-    /// A stale id; [`Error::MissingBody`] for a joint or spring without one of its bodies.
+    /// A stale id; [`Error::MissingBody`](crate::Error::MissingBody) for a joint or spring without one of its bodies.
     #[doc(alias = "Add")]
     pub fn add(&mut self, object: impl Into<ObjectId>) -> Result<()> {
         match object.into() {

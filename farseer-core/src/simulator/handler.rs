@@ -31,7 +31,7 @@ pub trait EventHandler {
         true
     }
 
-    /// See [`Event::Separation`].
+    /// See [`Event::Separation`](crate::Event::Separation).
     #[doc(alias("OnSeparation", "SeparationEventHandler"))]
     fn on_separation(&mut self, context: &mut Context<'_>, this: GeomId, other: GeomId) {
         let _ = (context, this, other);
@@ -68,13 +68,13 @@ pub trait EventHandler {
         true
     }
 
-    /// See [`Event::BodyUpdated`].
+    /// See [`Event::BodyUpdated`](crate::Event::BodyUpdated).
     #[doc(alias("Updated", "UpdatedEventHandler"))]
     fn on_body_updated(&mut self, context: &mut Context<'_>, body: BodyId) {
         let _ = (context, body);
     }
 
-    /// See [`Event::BodyDisposed`].
+    /// See [`Event::BodyDisposed`](crate::Event::BodyDisposed).
     #[doc(alias = "Disposed")]
     fn on_body_disposed(&mut self, context: &mut Context<'_>, body: BodyId) {
         let _ = (context, body);

@@ -3,7 +3,7 @@
 use super::arena::define_id;
 
 define_id! {
-    /// Names a [`Body`] of a simulator: the one that made it, its clones and what is loaded from its saves.
+    /// Names a [`Body`](crate::Body) of a simulator: the one that made it, its clones and what is loaded from its saves.
     BodyId
 }
 
