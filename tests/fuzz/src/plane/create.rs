@@ -210,7 +210,8 @@ impl Plane {
 
     /// A concave outline in convex pieces, for which the narrow phase must be the other one.
     pub(super) fn create_pieces(&mut self) -> Result<()> {
-        let (outline, body, most) = (outline(&mut self.random), self.body(), self.random.count(1, 40));
+        let (outline, body, most) =
+            (outline(&mut self.random), self.body(), self.random.count(1, 40).min(40));
         let narrow_phase = self.simulator.narrow_phase_collider();
         self.simulator.set_narrow_phase_collider(NarrowPhaseCollider::Sat);
         let pieces = GeomFactory::create_sat_polygon_geom_in(&mut self.simulator, body, &outline, most);

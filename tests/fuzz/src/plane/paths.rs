@@ -11,9 +11,9 @@ use crate::random::Random;
 const LINKS: [LinkType; 4] =
     [LinkType::RevoluteJoint, LinkType::PinJoint, LinkType::SliderJoint, LinkType::LinearSpring];
 /// Links in a chain.
-const MOST_LINKS: f32 = 50.0;
+const MOST_LINKS: f32 = 20.0;
 /// Bodies beyond which no chains are made.
-const CROWD: usize = 120;
+const CROWD: usize = 40;
 
 const CHAINS: &[Make<Path>] = &[
     |game| {
