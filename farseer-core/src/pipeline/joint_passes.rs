@@ -4,7 +4,7 @@ use crate::body::Body;
 use crate::body::BodyId;
 use crate::body::entry::Bodies;
 use crate::joints::joint_body::{JointBodies, JointBody, JointPose};
-use crate::joints::{Joint, Joints};
+use crate::joints::{Joint, JointId, Joints};
 use crate::math::Vector2;
 use crate::report::{Event, Report};
 use crate::solve::{SolverBodies, SolverBody, SolverPlace};
@@ -108,17 +108,17 @@ impl JointPasses {
         self.seats.len()
     }
 
-    /// One pass of a joint. Answers whether it has acted.
+    /// One pass of the joint at a position, also if its own callback has just disposed it. Answers whether it has acted.
     pub(crate) fn solve(
         &mut self,
-        position: usize,
+        (position, id): (usize, JointId),
         joints: &mut Joints,
         bodies: &mut Bodies,
         solved: &mut SolverBodies,
         report: &mut Report,
     ) -> bool {
         let seat = self.seats[position];
-        let Some((id, joint)) = joints.at_mut(position).filter(|_| seat.is_due && !seat.is_dropped) else {
+        let Some(joint) = joints.get_mut(id).filter(|_| seat.is_due && !seat.is_dropped) else {
             return false;
         };
         let states = seat.places.map(|place| solved.body(place));

@@ -153,7 +153,7 @@ impl PhysicsSimulator {
         }
         let PhysicsSimulator { objects, pipeline, report, .. } = self;
         let has_acted = pipeline.joints.solve(
-            position,
+            (position, joint),
             &mut objects.joints,
             &mut objects.bodies,
             &mut pipeline.bodies,
