@@ -26,6 +26,10 @@ pub trait Engine: Clone + Serialize + DeserializeOwned {
     fn set_limits(&mut self, limits: Limits);
     /// Has no more passes per update than this.
     fn limit_iterations(&mut self, most: i32);
+    /// Number of geoms that live.
+    fn geoms(&self) -> usize;
+    /// Pairs that the last update tested, and contacts that it found.
+    fn work(&self) -> usize;
     /// What happened in the last update, as text.
     fn events(&self) -> String;
     /// Position and velocity of every body.
@@ -58,6 +62,12 @@ impl Engine for PhysicsSimulator {
     }
     fn limit_iterations(&mut self, most: i32) {
         self.set_iterations(self.iterations().min(most));
+    }
+    fn geoms(&self) -> usize {
+        self.geoms().count()
+    }
+    fn work(&self) -> usize {
+        self.counters().pairs_tested + self.contact_count()
     }
     fn events(&self) -> String {
         format!("{:?}", self.events())
@@ -96,6 +106,12 @@ impl Engine for TwoHalfPhysicsSimulator {
     }
     fn limit_iterations(&mut self, most: i32) {
         self.set_iterations(self.iterations().min(most));
+    }
+    fn geoms(&self) -> usize {
+        self.core().geoms().count()
+    }
+    fn work(&self) -> usize {
+        self.core().counters().pairs_tested + self.contacts().count()
     }
     fn events(&self) -> String {
         format!("{:?}", self.events())

@@ -7,8 +7,17 @@ use crate::random::Random;
 const OPENING: u64 = 25;
 /// Most calls of a game, and fewest.
 const CALLS: (usize, usize) = (30, 330);
+/// Most geoms of a game, and most work of all its updates. A crowd in one place has hundreds of thousands of contacts in
+/// every update; a game that has grown so large goes on with an empty simulator, and ids that are all stale.
+const MOST: Size = Size { geoms: 400, work: 100_000 };
 /// How many wild numbers in a hundred a game may use.
 const WILDNESS: [u64; 4] = [0, 1, 5, 15];
+
+/// How large a game is.
+struct Size {
+    geoms: usize,
+    work: usize,
+}
 
 /// What a call says that it has done.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -80,10 +89,18 @@ pub fn play<G: Game>(
     mut after: impl FnMut(&mut G, Outcome) -> Result<(), String>,
 ) -> Result<(), String> {
     let (mut game, calls) = start::<G>(seed);
+    let mut work = 0;
     for number in 0..calls {
         let call = next_call(&mut game, number as u64);
         before(&game);
         let outcome = (call.make)(&mut game);
+        if outcome == Outcome::Updated {
+            work += game.simulator().work();
+        }
+        if work > MOST.work || game.simulator().geoms() > MOST.geoms {
+            work = 0;
+            *game.simulator_mut() = G::Simulator::empty();
+        }
         after(&mut game, outcome).map_err(|what| format!("call {number}, {}: {what}", call.name))?;
     }
     Ok(())
