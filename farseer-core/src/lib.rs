@@ -78,7 +78,7 @@
 //!
 //! # Methods to choose from
 //!
-//! The defaults are the original's. Figures on this page were measured with this crate; those in code are measured again
+//! The defaults are the original's. [`Methods`] are all of them in one value; each has a setter of its own, too. Figures on this page were measured with this crate; those in code are measured again
 //! whenever its tests run.
 //!
 //! ## Broad phase
@@ -529,7 +529,7 @@ pub use joints::{
     JointKind, JointType, PinJoint, RevoluteJoint, SliderJoint, WeldJoint,
 };
 pub use limits::Limits;
-pub use methods::{BroadPhaseCollider, CollisionCategory, NarrowPhaseCollider};
+pub use methods::{BroadPhaseCollider, CollisionCategory, Methods, NarrowPhaseCollider};
 pub use object_id::ObjectId;
 pub use objects::{GeomPlacement, GeomPointPair, Objects, RayCastHit};
 pub use pairs::{SelectiveSweepOrder, SweepEnd};

@@ -5,6 +5,56 @@ use serde::{Deserialize, Serialize};
 use crate::math::finite::finite;
 use crate::{Error, Result};
 
+/// How a simulator computes: what belongs together is chosen together.
+///
+/// ```
+/// use farseer_core::{BroadPhaseCollider, Methods, NarrowPhaseCollider, PhysicsSimulator};
+/// let mut simulator = PhysicsSimulator::default();
+/// let methods =
+///     Methods::Faithful { broad: BroadPhaseCollider::SPATIAL_HASH, narrow: NarrowPhaseCollider::Sat };
+/// simulator.set_methods(methods)?;
+/// assert_eq!(simulator.narrow_phase_collider(), NarrowPhaseCollider::Sat);
+/// # Ok::<(), farseer_core::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub enum Methods {
+    /// Those of Farseer Physics 2.1.3, bit for bit (behaviour chapters 03 to 08). The default, with the original's broad
+    /// and narrow phase.
+    Faithful {
+        /// Which pairs may touch.
+        broad: BroadPhaseCollider,
+        /// Where they touch.
+        narrow: NarrowPhaseCollider,
+    },
+}
+
+impl Default for Methods {
+    fn default() -> Self {
+        Methods::Faithful { broad: BroadPhaseCollider::default(), narrow: NarrowPhaseCollider::default() }
+    }
+}
+
+impl Methods {
+    pub(crate) fn broad(self) -> BroadPhaseCollider {
+        let Methods::Faithful { broad, .. } = self;
+        broad
+    }
+
+    pub(crate) fn narrow(self) -> NarrowPhaseCollider {
+        let Methods::Faithful { narrow, .. } = self;
+        narrow
+    }
+
+    pub(crate) fn with_broad(self, broad: BroadPhaseCollider) -> Self {
+        Methods::Faithful { broad, narrow: self.narrow() }
+    }
+
+    pub(crate) fn with_narrow(self, narrow: NarrowPhaseCollider) -> Self {
+        Methods::Faithful { broad: self.broad(), narrow }
+    }
+}
+
 /// Where two geoms touch: the method of the narrow phase.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
 pub enum NarrowPhaseCollider {
@@ -37,6 +87,7 @@ pub enum BroadPhaseCollider {
     SpatialHash {
         /// Edge of a cell in the user's length unit; the original's default is 50.
         #[doc(alias = "CellSize")]
+        #[serde(with = "crate::storage::bits")]
         cell_size: f32,
         /// Whether each update sets the cell size to twice the mean longer side of the geoms' boxes.
         #[doc(alias = "AutoAdjustCellSize")]

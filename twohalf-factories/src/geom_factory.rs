@@ -11,7 +11,7 @@ pub struct TwoHalfGeomFactory;
 
 impl TwoHalfGeomFactory {
     /// A ball: its depth profile is [`DepthProfile::Round`]. Its outline is a regular polygon, which is what meets
-    /// others by the [methods of the thesis](twohalf::Methods::Thesis).
+    /// others by the [scheme of the thesis](twohalf::DepthScheme::Thesis).
     ///
     /// # Errors
     /// A radius that is not finite and greater than 0; fewer than 3 edges.

@@ -312,7 +312,7 @@
 //!   boxes do, ten do not. With 900 px/s² five do at 120 steps per second, and fall at 60.
 //! - **Only balls turn about X and Y.** A box that hangs over the front edge of a platform does not tip over it.
 //! - **Platforms do not carry.** One that is moved pushes out what it comes to overlap, and nothing rides on it.
-//! - [`Methods::Thesis`] is there to compare with: nothing ever meets in all three axes, and what meets along Z is a
+//! - [`DepthScheme::Thesis`] is there to compare with: nothing ever meets in all three axes, and what meets along Z is a
 //!   box and has no friction.
 //! - **Sprites are flat**, so there may be no right [drawing order](TwoHalfPhysicsSimulator::draw_order) for three
 //!   that cover each other in a circle.
@@ -356,7 +356,9 @@ pub use error::{Error, Result};
 pub use events::{Collision, Context, Event, EventHandler};
 pub use geom::TwoHalfGeom;
 pub use ground::{Ground, GroundMut};
-pub use methods::{Axis, Methods, Partner};
+#[allow(deprecated, reason = "the former name goes on")]
+pub use methods::Methods;
+pub use methods::{Axis, DepthScheme, Partner};
 pub use platform::{Platform, PlatformId, PlatformMut};
 pub use projection::Projection;
 pub use queries::Surface;

@@ -5,10 +5,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::PlatformId;
 
-/// How objects meet each other. Ground and platforms are the same with all of them.
+/// How objects with depth meet each other. Ground and platforms are the same with all of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
 #[non_exhaustive]
-pub enum Methods {
+pub enum DepthScheme {
     /// Contacts in three axes on the 2D engine's own methods: Farseer's pairs, contacts and sequential impulses
     /// in X and Y, and the same impulses along Z inside the same iterations. Balls are balls.
     #[default]
@@ -19,6 +19,10 @@ pub enum Methods {
     /// from the front is a box.
     Thesis,
 }
+
+/// The former name of [`DepthScheme`].
+#[deprecated(note = "use DepthScheme")]
+pub type Methods = DepthScheme;
 
 /// What a geom touches.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]

@@ -12,7 +12,7 @@ use crate::events::{Collision, Context, Event, EventHandler};
 use crate::shapes::{Along, RECENT, SHALLOW, entry_of_pieces, is_depth_last};
 use crate::touch::{Kept, TouchKey};
 use crate::world::{Reach, World};
-use crate::{Axis, Methods, Partner, Vector3};
+use crate::{Axis, DepthScheme, Partner, Vector3};
 
 /// A pair whose contact this engine looks for: the older geom first.
 #[derive(Debug, Clone, Copy)]
@@ -96,7 +96,7 @@ pub(crate) fn key_of(core: &PhysicsSimulator, geom1: GeomId, geom2: GeomId) -> O
 impl World {
     fn way_of(&mut self, core: &PhysicsSimulator, pair: SpacePair) -> Way {
         let (a, b) = (self.reach(pair.geom_a), self.reach(pair.geom_b));
-        if self.methods == Methods::Thesis {
+        if self.scheme == DepthScheme::Thesis {
             let is_near = a.z == b.z || (a.z - b.z).abs() < a.half.min(b.half);
             return if is_near { Way::Plane } else { Way::Space };
         }

@@ -10,7 +10,7 @@ use serde::{Deserialize, Deserializer, de::Error as _};
 use crate::depth::DepthProfile;
 use crate::error::damaged;
 use crate::world::World;
-use crate::{Methods, Result, TwoHalfPhysicsSimulator};
+use crate::{DepthScheme, Result, TwoHalfPhysicsSimulator};
 
 impl<'de> Deserialize<'de> for TwoHalfPhysicsSimulator {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -65,9 +65,9 @@ impl TwoHalfPhysicsSimulator {
         if !bodies_have_depth || !geoms_have_depth {
             return Err(damaged("an object has no depth"));
         }
-        let has_its_box = |geom| match (world.depths.profiles.get(geom), world.methods) {
+        let has_its_box = |geom| match (world.depths.profiles.get(geom), world.scheme) {
             // Where a ball's box would not be finite it keeps that of its outline.
-            (Some(DepthProfile::Round { radius }), Methods::Faithful) => core
+            (Some(DepthProfile::Round { radius }), DepthScheme::Faithful) => core
                 .geom(geom)
                 .and_then(|geom| geom.box_radius())
                 .is_none_or(|box_radius| box_radius == *radius),

@@ -11,7 +11,7 @@ use crate::events::Event;
 use crate::geom::TwoHalfGeom;
 use crate::platform::PlatformMut;
 use crate::world::World;
-use crate::{Error, Methods, Platform, PlatformId, Projection, Result, StepCounters, Vector2};
+use crate::{DepthScheme, Error, Platform, PlatformId, Projection, Result, StepCounters, Vector2};
 
 /// The Z axis of a screen whose angle is not given: straight up.
 const DEFAULT_ANGLE: i32 = 90;
@@ -216,9 +216,9 @@ impl TwoHalfPhysicsSimulator {
         Ok(self.core.set_max_contacts_to_resolve(max_contacts_to_resolve)?)
     }
 
-    /// How objects meet each other. Default [`Methods::Faithful`].
-    pub fn methods(&self) -> Methods {
-        self.world.methods
+    /// How objects meet each other. Default [`DepthScheme::Faithful`].
+    pub fn depth_scheme(&self) -> DepthScheme {
+        self.world.scheme
     }
 
     /// Chooses how objects meet each other.
@@ -226,16 +226,23 @@ impl TwoHalfPhysicsSimulator {
     /// # Errors
     /// If a geom takes part already ([`farseer_core::Error::GeomListNotEmpty`]; geoms that wait to be added do not
     /// count).
-    pub fn set_methods(&mut self, methods: Methods) -> Result<()> {
+    pub fn set_depth_scheme(&mut self, scheme: DepthScheme) -> Result<()> {
         if !self.core.geom_list().is_empty() {
             return Err(farseer_core::Error::GeomListNotEmpty.into());
         }
-        self.world.methods = methods;
+        self.world.scheme = scheme;
         let geoms: Vec<GeomId> = self.core.geoms().collect();
         for geom in geoms {
             self.fit_box(geom);
         }
         Ok(())
+    }
+
+    /// The former name of [`set_depth_scheme`](Self::set_depth_scheme).
+    #[deprecated(note = "use set_depth_scheme")]
+    #[allow(clippy::missing_errors_doc, reason = "it is where the link leads")]
+    pub fn set_methods(&mut self, scheme: DepthScheme) -> Result<()> {
+        self.set_depth_scheme(scheme)
     }
 
     /// Sets the Z that layer depth 0 and layer depth 1 stand for; see [`TwoHalfBody::layer_depth`]. By default 0
@@ -370,7 +377,7 @@ impl TwoHalfPhysicsSimulator {
     }
 
     /// Empties the simulator: bodies, geoms and platforms are gone and their ids are stale. Settings of the 2D engine
-    /// stay, but for the broad phase, which is Farseer's default again; so do screen and methods.
+    /// stay, but for the broad phase, which is Farseer's default again; so do screen and scheme.
     #[doc(alias = "Clear")]
     pub fn clear(&mut self) {
         self.core.clear();
@@ -473,7 +480,7 @@ impl TwoHalfPhysicsSimulator {
     pub fn set_depth_profile(&mut self, geom: GeomId, profile: DepthProfile) -> Result<()> {
         self.core.geom(geom).ok_or(stale("geom"))?;
         let profile = profile.check()?;
-        if let (DepthProfile::Round { radius }, Methods::Faithful) = (profile, self.world.methods) {
+        if let (DepthProfile::Round { radius }, DepthScheme::Faithful) = (profile, self.world.scheme) {
             self.core.set_box_radius(geom, Some(radius)).map_err(Error::from)?;
         }
         self.world.depths.profiles.insert(geom, profile);
@@ -483,8 +490,8 @@ impl TwoHalfPhysicsSimulator {
 
     /// Gives a ball the box of a ball while balls are balls; others have that of their outline.
     fn fit_box(&mut self, geom: GeomId) {
-        let radius = match (self.world.depths.profiles.get(geom), self.world.methods) {
-            (Some(DepthProfile::Round { radius }), Methods::Faithful) => Some(*radius),
+        let radius = match (self.world.depths.profiles.get(geom), self.world.scheme) {
+            (Some(DepthProfile::Round { radius }), DepthScheme::Faithful) => Some(*radius),
             _ => None,
         };
         // The radius was accepted when the profile was set; where the geom cannot have it, it keeps its outline's.

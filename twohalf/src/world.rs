@@ -13,13 +13,13 @@ use crate::solver::SpaceSolver;
 use crate::step::StepCounters;
 use crate::support::Support;
 use crate::touch::{BallContact, TouchList};
-use crate::{Methods, Projection, Vector2, Vector3};
+use crate::{DepthScheme, Projection, Vector2, Vector3};
 
 /// What this engine keeps beside the 2D engine.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct World {
     pub(crate) projection: Projection,
-    pub(crate) methods: Methods,
+    pub(crate) scheme: DepthScheme,
     /// Z of layer depth 0 and of layer depth 1.
     pub(crate) layer_range: (f32, f32),
     pub(crate) depths: Depths,
@@ -106,7 +106,7 @@ impl World {
         World {
             layer_range: (0.0, projection.height() as f32),
             projection,
-            methods: Methods::default(),
+            scheme: DepthScheme::default(),
             depths: Depths::default(),
             platforms: Platforms::default(),
             touches: TouchList::default(),

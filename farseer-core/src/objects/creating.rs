@@ -84,7 +84,7 @@ impl Objects {
         let placement = placement.check()?;
         let mut entry = self.new_entry(body, vertices, placement.offset, placement.rotation_offset)?;
         entry.grid_cell_size = placement.collision_grid_size;
-        if self.narrow_phase == NarrowPhaseCollider::DistanceGrid {
+        if self.methods.narrow() == NarrowPhaseCollider::DistanceGrid {
             if entry.grid_cell_size <= 0.0 {
                 entry.grid_cell_size = automatic_cell_size(&entry);
             }
@@ -128,7 +128,7 @@ impl Objects {
         finite_vector("offset", offset)?;
         finite("rotation_offset", rotation_offset)?;
         let source = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?.clone();
-        let grid = match (self.narrow_phase, source.grid) {
+        let grid = match (self.methods.narrow(), source.grid) {
             (NarrowPhaseCollider::DistanceGrid, None) => {
                 return Err(Error::MissingDistanceGrid { argument: "geom" });
             }

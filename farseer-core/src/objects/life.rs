@@ -112,7 +112,7 @@ impl Objects {
         if self.geoms.is_disposed(geom) {
             return;
         }
-        if self.narrow_phase == NarrowPhaseCollider::DistanceGrid {
+        if self.methods.narrow() == NarrowPhaseCollider::DistanceGrid {
             self.geoms[geom].grid = None;
         }
         self.geoms.dispose("geom", geom).expect("it is there");

@@ -22,7 +22,7 @@ use crate::geom::view::GeomRef;
 use crate::geom::{Geom, GeomId};
 use crate::joints::{Joint, JointId};
 use crate::limits::Limits;
-use crate::methods::NarrowPhaseCollider;
+use crate::methods::Methods;
 use crate::report::Notice;
 use crate::springs::{Spring, SpringId};
 use crate::storage::collection::Collection;
@@ -74,8 +74,8 @@ pub struct Objects {
     pub(crate) touched_geoms: Vec<GeomId>,
     /// What is still to be told: since the last update, or since no callback is running.
     pub(crate) pending: Vec<Notice>,
-    /// What geoms are made ready for, and how they are asked.
-    pub(crate) narrow_phase: NarrowPhaseCollider,
+    /// What geoms are made ready for, how they are asked, and what an update does with them.
+    pub(crate) methods: Methods,
     /// Not saved: a save cannot raise them.
     #[serde(skip)]
     limits: Limits,

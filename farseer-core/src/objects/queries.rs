@@ -40,7 +40,7 @@ impl Objects {
     pub fn geom_collides_with_point(&self, geom: GeomId, point: Vector2) -> bool {
         self.with_settled(geom, |geom| {
             geom.aabb.contains(point)
-                && touch::intersect(self.narrow_phase, geom, geom.pose.inverse.apply(point))
+                && touch::intersect(self.methods.narrow(), geom, geom.pose.inverse.apply(point))
         })
         .unwrap_or(false)
     }
@@ -52,13 +52,13 @@ impl Objects {
         if self.is_disposed(geom) || self.is_disposed(other) {
             return false;
         }
-        let is_ready =
-            |geom: &GeomEntry| geom.grid.is_some() || self.narrow_phase != NarrowPhaseCollider::DistanceGrid;
+        let is_ready = |geom: &GeomEntry| {
+            geom.grid.is_some() || self.methods.narrow() != NarrowPhaseCollider::DistanceGrid
+        };
         let holds_vertex = |holder: &GeomEntry, owner: &GeomEntry| {
-            owner
-                .world_vertices
-                .iter()
-                .any(|&vertex| touch::intersect(self.narrow_phase, holder, holder.pose.inverse.apply(vertex)))
+            owner.world_vertices.iter().any(|&vertex| {
+                touch::intersect(self.methods.narrow(), holder, holder.pose.inverse.apply(vertex))
+            })
         };
         self.with_settled(geom, |geom| {
             self.with_settled(other, |other| {

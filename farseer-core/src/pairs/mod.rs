@@ -49,7 +49,7 @@ pub(crate) enum BroadPhase {
     BruteForce,
     SpatialHash(SpatialHash),
     /// Stands for a method while it looks for pairs and handlers look at the simulator.
-    AtWork(BroadPhaseCollider),
+    AtWork,
 }
 
 impl Default for BroadPhase {
@@ -64,20 +64,18 @@ impl BroadPhase {
             BroadPhaseCollider::SelectiveSweep => BroadPhase::SelectiveSweep(SelectiveSweep::default()),
             BroadPhaseCollider::SweepAndPrune => BroadPhase::SweepAndPrune(SweepAndPrune::default()),
             BroadPhaseCollider::BruteForce => BroadPhase::BruteForce,
-            BroadPhaseCollider::SpatialHash { cell_size, auto_adjust_cell_size } => {
-                BroadPhase::SpatialHash(SpatialHash::new(cell_size, auto_adjust_cell_size))
-            }
+            BroadPhaseCollider::SpatialHash { .. } => BroadPhase::SpatialHash(SpatialHash::default()),
         }
     }
 
-    pub(crate) fn method(&self) -> BroadPhaseCollider {
-        match self {
-            BroadPhase::SelectiveSweep(_) => BroadPhaseCollider::SelectiveSweep,
-            BroadPhase::SweepAndPrune(_) => BroadPhaseCollider::SweepAndPrune,
-            BroadPhase::BruteForce => BroadPhaseCollider::BruteForce,
-            BroadPhase::SpatialHash(hash) => hash.method(),
-            BroadPhase::AtWork(method) => *method,
-        }
+    fn is_of(&self, method: BroadPhaseCollider) -> bool {
+        matches!(
+            (self, method),
+            (BroadPhase::SelectiveSweep(_), BroadPhaseCollider::SelectiveSweep)
+                | (BroadPhase::SweepAndPrune(_), BroadPhaseCollider::SweepAndPrune)
+                | (BroadPhase::BruteForce, BroadPhaseCollider::BruteForce)
+                | (BroadPhase::SpatialHash(_), BroadPhaseCollider::SpatialHash { .. })
+        )
     }
 
     /// A geom entered the geom list.
@@ -85,7 +83,7 @@ impl BroadPhase {
         match self {
             BroadPhase::SelectiveSweep(sweep) => sweep.add(id),
             BroadPhase::SweepAndPrune(sweep) => sweep.add(id, geoms),
-            BroadPhase::BruteForce | BroadPhase::SpatialHash(_) | BroadPhase::AtWork(_) => {}
+            BroadPhase::BruteForce | BroadPhase::SpatialHash(_) | BroadPhase::AtWork => {}
         }
     }
 
@@ -94,35 +92,40 @@ impl BroadPhase {
         match self {
             BroadPhase::SelectiveSweep(sweep) => sweep.retain(is_alive),
             BroadPhase::SweepAndPrune(sweep) => sweep.retain(is_alive, geoms),
-            BroadPhase::BruteForce | BroadPhase::SpatialHash(_) | BroadPhase::AtWork(_) => {}
+            BroadPhase::BruteForce | BroadPhase::SpatialHash(_) | BroadPhase::AtWork => {}
         }
     }
 
     /// Begins anew in a simulator that a handler copied or saved while its method was at work.
-    pub(crate) fn restore(&mut self, geoms: &Geoms) {
-        if let BroadPhase::AtWork(method) = *self {
+    pub(crate) fn restore(&mut self, method: BroadPhaseCollider, geoms: &Geoms) {
+        if !self.is_of(method) {
             *self = BroadPhase::new(method);
             geoms.list().iter().for_each(|&geom| self.add(geom, geoms));
         }
     }
 
-    /// Looks for pairs and hands them to the sink.
-    pub(crate) fn update(&mut self, sink: &mut impl PairSink) {
-        match self {
-            BroadPhase::SelectiveSweep(sweep) => sweep.update(sink),
-            BroadPhase::SweepAndPrune(sweep) => sweep.update(sink),
-            BroadPhase::BruteForce => brute_force::update(sink),
-            BroadPhase::SpatialHash(hash) => hash.update(sink),
-            BroadPhase::AtWork(_) => {}
+    /// Looks for pairs and hands them to the sink. The spatial hash may adjust its cells.
+    pub(crate) fn update(&mut self, method: &mut BroadPhaseCollider, sink: &mut impl PairSink) {
+        match (self, method) {
+            (BroadPhase::SelectiveSweep(sweep), _) => sweep.update(sink),
+            (BroadPhase::SweepAndPrune(sweep), _) => sweep.update(sink),
+            (BroadPhase::BruteForce, _) => brute_force::update(sink),
+            (
+                BroadPhase::SpatialHash(hash),
+                BroadPhaseCollider::SpatialHash { cell_size, auto_adjust_cell_size },
+            ) => hash.update(cell_size, *auto_adjust_cell_size, sink),
+            (BroadPhase::SpatialHash(_) | BroadPhase::AtWork, _) => {}
         }
     }
 
-    /// Whether all geoms exist and all indices are in range: false only after loading garbage.
-    pub(crate) fn is_valid(&self, geoms: &Geoms) -> bool {
+    /// Whether it is the method's state, all geoms exist and all indices are in range: false only after loading garbage.
+    pub(crate) fn is_valid(&self, method: BroadPhaseCollider, geoms: &Geoms) -> bool {
         match self {
+            BroadPhase::AtWork => true,
+            _ if !self.is_of(method) => false,
             BroadPhase::SelectiveSweep(sweep) => sweep.is_valid(geoms),
             BroadPhase::SweepAndPrune(sweep) => sweep.is_valid(geoms),
-            BroadPhase::BruteForce | BroadPhase::AtWork(_) => true,
+            BroadPhase::BruteForce => true,
             BroadPhase::SpatialHash(hash) => hash.is_valid(),
         }
     }

@@ -8,7 +8,6 @@ use crate::contacts::pair_id::PairId;
 use crate::geom::GeomId;
 use crate::geom::entry::Geoms;
 use crate::math::scalar::{max, to_int};
-use crate::methods::BroadPhaseCollider;
 use crate::shape::Aabb;
 use crate::storage::stamped_set::StampedSet;
 
@@ -18,11 +17,8 @@ use crate::storage::stamped_set::StampedSet;
 const MAX_CELL_ENTRIES: u64 = 1 << 16;
 const MORE_CELL_ENTRIES_PER_GEOM: u64 = 64;
 
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(crate) struct SpatialHash {
-    #[serde(with = "crate::storage::bits")]
-    cell_size: f32,
-    auto_adjust_cell_size: bool,
     /// Geoms by cell. Lists are emptied in every update; a cell that stays empty is forgotten in the next.
     cells: SlotTable<(i32, i32), Vec<GeomId>>,
     #[serde(skip)]
@@ -34,29 +30,19 @@ pub(crate) struct SpatialHash {
 }
 
 impl SpatialHash {
-    pub(super) fn new(cell_size: f32, auto_adjust_cell_size: bool) -> Self {
-        SpatialHash {
-            cell_size,
-            auto_adjust_cell_size,
-            cells: SlotTable::default(),
-            dead: Vec::new(),
-            oversized: Vec::new(),
-            handled: StampedSet::default(),
-        }
-    }
-
-    pub(super) fn method(&self) -> BroadPhaseCollider {
-        BroadPhaseCollider::SpatialHash {
-            cell_size: self.cell_size,
-            auto_adjust_cell_size: self.auto_adjust_cell_size,
-        }
-    }
-
-    pub(super) fn update(&mut self, sink: &mut impl PairSink) {
+    pub(super) fn update(
+        &mut self,
+        cell_size: &mut f32,
+        auto_adjust_cell_size: bool,
+        sink: &mut impl PairSink,
+    ) {
         if sink.geom_list().is_empty() {
             return;
         }
-        self.fill(sink.geom_list(), sink.filter().geoms);
+        self.fill(*cell_size, sink.geom_list(), sink.filter().geoms);
+        if auto_adjust_cell_size {
+            *cell_size = twice_the_mean_side(sink.geom_list(), sink.filter().geoms);
+        }
         self.handled.clear();
         self.dead.clear();
         for slot in 0..self.cells.slot_count() {
@@ -75,17 +61,13 @@ impl SpatialHash {
         }
     }
 
-    /// Puts every geom into the cells its box covers, and sets the cell size of the next update.
-    fn fill(&mut self, geom_list: &[GeomId], geoms: &Geoms) {
-        let inverse = 1.0 / self.cell_size;
-        let mut sum = 0.0f32;
+    /// Puts every geom into the cells its box covers.
+    fn fill(&mut self, cell_size: f32, geom_list: &[GeomId], geoms: &Geoms) {
+        let inverse = 1.0 / cell_size;
         let mut free_entries = MAX_CELL_ENTRIES + MORE_CELL_ENTRIES_PER_GEOM * geom_list.len() as u64;
         self.oversized.clear();
         for &id in geom_list {
             let aabb = &geoms[id].aabb;
-            if self.auto_adjust_cell_size {
-                sum += max(aabb.max.x - aabb.min.x, aabb.max.y - aabb.min.y);
-            }
             let (x0, x1) = (to_int(aabb.min.x * inverse), to_int(aabb.max.x * inverse).wrapping_add(1));
             let (y0, y1) = (to_int(aabb.min.y * inverse), to_int(aabb.max.y * inverse).wrapping_add(1));
             let span = |from: i32, to: i32| (i64::from(to) - i64::from(from)).max(0) as u64;
@@ -100,9 +82,6 @@ impl SpatialHash {
                     self.cells.get_or_insert_with((x, y), Vec::new).push(id);
                 }
             }
-        }
-        if self.auto_adjust_cell_size {
-            self.cell_size = 2.0 * sum / geom_list.len() as f32;
         }
     }
 
@@ -126,6 +105,16 @@ impl SpatialHash {
                 .filter_map(|slot| self.cells.slot(slot))
                 .all(|(_, list)| list.is_empty())
     }
+}
+
+/// The cell size of the next update: that of this one goes by the boxes of the one before.
+fn twice_the_mean_side(geom_list: &[GeomId], geoms: &Geoms) -> f32 {
+    let mut sum = 0.0f32;
+    for &id in geom_list {
+        let aabb = &geoms[id].aabb;
+        sum += max(aabb.max.x - aabb.min.x, aabb.max.y - aabb.min.y);
+    }
+    2.0 * sum / geom_list.len() as f32
 }
 
 /// Two geoms share a cell. With a handler its answer replaces the box test, as in the original.

@@ -15,11 +15,13 @@ impl PhysicsSimulator {
         if is_filtered {
             self.filter_listed_pairs(handler);
         }
-        let at_work = BroadPhase::AtWork(self.pipeline.broad_phase.method());
-        let mut broad_phase = std::mem::replace(&mut self.pipeline.broad_phase, at_work);
-        broad_phase.restore(&self.objects.geoms);
-        broad_phase.update(&mut PairFinder { simulator: self, handler: handler.reborrow(), is_filtered });
+        let mut method = self.objects.methods.broad();
+        let mut broad_phase = std::mem::replace(&mut self.pipeline.broad_phase, BroadPhase::AtWork);
+        broad_phase.restore(method, &self.objects.geoms);
+        let mut finder = PairFinder { simulator: self, handler: handler.reborrow(), is_filtered };
+        broad_phase.update(&mut method, &mut finder);
         self.pipeline.broad_phase = broad_phase;
+        self.objects.methods = self.objects.methods.with_broad(method);
     }
 
     /// Asks the handler about every pair that has an arbiter. Those that it refuses lose their contacts, and leave.
@@ -59,7 +61,7 @@ impl PhysicsSimulator {
             detect: settings.max_contacts_to_detect,
             resolve: settings.max_contacts_to_resolve,
         };
-        find_contacts(self.objects.narrow_phase, &self.objects.geoms, (a, b), limits, contacts);
+        find_contacts(self.objects.methods.narrow(), &self.objects.geoms, (a, b), limits, contacts);
         self.tell_collision(a, b, contacts, handler);
         self.tell_collision(b, a, contacts, handler);
         renew_contacts(&mut self.contacts.arbiters[handle].contacts, contacts);

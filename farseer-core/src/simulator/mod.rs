@@ -22,7 +22,7 @@ use crate::contacts::arbiter::ArbiterList;
 use crate::geom::surface::FrictionType;
 use crate::math::Vector2;
 use crate::math::finite::{finite, finite_vector};
-use crate::methods::{BroadPhaseCollider, NarrowPhaseCollider};
+use crate::methods::{BroadPhaseCollider, Methods, NarrowPhaseCollider};
 use crate::objects::Objects;
 use crate::pairs::BroadPhase;
 use crate::pipeline::Pipeline;
@@ -233,34 +233,49 @@ impl PhysicsSimulator {
         self.settings.friction_type = friction_type;
     }
 
+    /// The methods, with the present cell size if the broad phase has one. Default [`Methods::default`].
+    pub fn methods(&self) -> Methods {
+        self.objects.methods
+    }
+
+    /// Chooses the methods. Geoms that are there already are not made ready for another narrow phase; see
+    /// [`set_narrow_phase_collider`](Self::set_narrow_phase_collider).
+    ///
+    /// # Errors
+    /// If a geom is in the simulator already ([`Error::GeomListNotEmpty`]; geoms still waiting to be added do
+    /// not count), or a cell size is not finite.
+    pub fn set_methods(&mut self, methods: Methods) -> Result<()> {
+        if !self.geom_list().is_empty() {
+            return Err(Error::GeomListNotEmpty);
+        }
+        self.pipeline.broad_phase = BroadPhase::new(methods.broad().check()?);
+        self.objects.methods = methods;
+        Ok(())
+    }
+
     /// The narrow phase. Default [`NarrowPhaseCollider::DistanceGrid`].
     #[doc(alias = "NarrowPhaseCollider")]
     pub fn narrow_phase_collider(&self) -> NarrowPhaseCollider {
-        self.objects.narrow_phase
+        self.objects.methods.narrow()
     }
 
     /// Sets the narrow phase. Geoms made under SAT have no distance grid and touch nothing under the other.
     pub fn set_narrow_phase_collider(&mut self, narrow_phase: NarrowPhaseCollider) {
-        self.objects.narrow_phase = narrow_phase;
+        self.objects.methods = self.objects.methods.with_narrow(narrow_phase);
     }
 
     /// The broad phase, with its present cell size if it has one.
     #[doc(alias = "BroadPhaseCollider")]
     pub fn broad_phase_collider(&self) -> BroadPhaseCollider {
-        self.pipeline.broad_phase.method()
+        self.objects.methods.broad()
     }
 
     /// Sets the broad phase.
     ///
     /// # Errors
-    /// If a geom is in the simulation already ([`Error::GeomListNotEmpty`]; geoms still waiting to be added do
-    /// not count), or a cell size is not finite.
+    /// As [`set_methods`](Self::set_methods).
     pub fn set_broad_phase_collider(&mut self, method: BroadPhaseCollider) -> Result<()> {
-        if !self.geom_list().is_empty() {
-            return Err(Error::GeomListNotEmpty);
-        }
-        self.pipeline.broad_phase = BroadPhase::new(method.check()?);
-        Ok(())
+        self.set_methods(self.objects.methods.with_broad(method))
     }
 }
 

@@ -82,7 +82,7 @@ impl PhysicsSimulator {
             return damaged("a setting is not finite");
         }
         self.objects.check()?;
-        if !self.pipeline.broad_phase.is_valid(&self.objects.geoms) {
+        if !self.pipeline.broad_phase.is_valid(self.objects.methods.broad(), &self.objects.geoms) {
             return damaged("the broad phase names what is not there");
         }
         if !self.contacts.is_valid(&self.objects.geoms) {

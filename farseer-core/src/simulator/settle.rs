@@ -21,6 +21,7 @@ impl PhysicsSimulator {
     #[doc(alias = "Clear")]
     pub fn clear(&mut self) {
         self.objects.clear();
+        self.objects.methods = self.objects.methods.with_broad(Default::default());
         self.contacts = Default::default();
         self.pipeline = Default::default();
         self.report.clear();

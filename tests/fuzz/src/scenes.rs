@@ -7,7 +7,7 @@ use farseer_core::{
     BodyId, BroadPhaseCollider, FluidContainerRef, FluidDragController, GeomId, GravityController,
     InactivityController, JointFactory, NarrowPhaseCollider, PhysicsSimulator, SpringFactory, WaveController,
 };
-use twohalf::{DepthProfile, Methods, Platform, TwoHalfPhysicsSimulator, Vector3};
+use twohalf::{DepthProfile, DepthScheme, Platform, TwoHalfPhysicsSimulator, Vector3};
 use twohalf_factories::{TwoHalfBodyFactory, TwoHalfGeomFactory};
 
 use crate::plane::{create_floor, create_thing};
@@ -100,7 +100,7 @@ pub fn depth(kind: usize) -> Result<TwoHalfPhysicsSimulator> {
     let mut random = Random::new(kind as u64);
     let mut simulator = TwoHalfPhysicsSimulator::from_core(600, 60, world(kind)?)?;
     if kind % 4 == 3 {
-        simulator.set_methods(Methods::Thesis)?;
+        simulator.set_depth_scheme(DepthScheme::Thesis)?;
     }
     let (right, left) = (Vector3::new(30.0, 20.0, 30.0), Vector3::new(-80.0, 20.0, 30.0));
     Platform::with_rotation(&mut simulator, 120.0, 20.0, 60.0, right, -0.3, None)?;

@@ -4,8 +4,8 @@
 use conformance::fixtures::plane::{self, add_box, add_floor, pairs, simulator, v};
 use conformance::units::assert_words;
 use farseer_core::{
-    Body, BroadPhaseCollider, CollisionCategory, Error, Event, FrictionType, NarrowPhaseCollider,
-    PhysicsSimulator,
+    Body, BroadPhaseCollider, CollisionCategory, Error, Event, FrictionType, GeomPlacement, Methods,
+    NarrowPhaseCollider, PhysicsSimulator, Vertices,
 };
 
 #[test]
@@ -72,6 +72,59 @@ fn the_broad_phase_is_chosen_before_geoms_enter() {
     simulator.remove(geom).unwrap();
     simulator.process_added_and_removed();
     assert_eq!(simulator.set_broad_phase_collider(BroadPhaseCollider::SweepAndPrune), Ok(()));
+}
+
+#[test]
+fn methods_are_what_broad_and_narrow_phase_are() {
+    for (broad, narrow) in plane::methods() {
+        let (mut at_once, mut one_by_one) = (simulator(0.0), simulator(0.0));
+        at_once.set_methods(Methods::Faithful { broad, narrow }).unwrap();
+        one_by_one.set_broad_phase_collider(broad).unwrap();
+        one_by_one.set_narrow_phase_collider(narrow);
+        for simulator in [at_once, one_by_one] {
+            assert_eq!(simulator.methods(), Methods::Faithful { broad, narrow });
+            assert_eq!(simulator.broad_phase_collider(), broad);
+            assert_eq!(simulator.narrow_phase_collider(), narrow);
+        }
+    }
+}
+
+#[test]
+fn methods_that_are_refused_change_nothing() {
+    let narrow = NarrowPhaseCollider::Sat;
+    let broad = BroadPhaseCollider::SpatialHash { cell_size: f32::NAN, auto_adjust_cell_size: true };
+    let mut empty = simulator(0.0);
+    assert!(matches!(
+        empty.set_methods(Methods::Faithful { broad, narrow }),
+        Err(Error::InvalidArgument { argument: "cell_size", .. })
+    ));
+    assert_eq!(empty.methods(), Methods::default());
+
+    let mut simulator = simulator(0.0);
+    add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
+    simulator.process_added_and_removed();
+    let methods = Methods::Faithful { broad: BroadPhaseCollider::default(), narrow };
+    assert_eq!(simulator.set_methods(methods), Err(Error::GeomListNotEmpty));
+    assert_eq!(simulator.methods(), Methods::default());
+}
+
+/// Twice a box of finite corners may be wider than any number.
+#[test]
+fn a_cell_size_that_was_adjusted_beyond_numbers_is_saved() {
+    let mut simulator = simulator(0.0);
+    simulator.set_broad_phase_collider(BroadPhaseCollider::SPATIAL_HASH).unwrap();
+    simulator.set_narrow_phase_collider(NarrowPhaseCollider::Sat);
+    let body = simulator.create_body(Body::new());
+    let wide = Vertices::create_rectangle(3e38, 10.0).unwrap();
+    let geom = simulator.create_geom(body, wide, GeomPlacement::default()).unwrap();
+    simulator.add(body).unwrap();
+    simulator.add(geom).unwrap();
+    simulator.update(0.01);
+    let infinite = BroadPhaseCollider::SpatialHash { cell_size: f32::INFINITY, auto_adjust_cell_size: true };
+    assert_eq!(simulator.broad_phase_collider(), infinite);
+    let text = serde_json::to_string(&simulator).unwrap();
+    let loaded: PhysicsSimulator = serde_json::from_str(&text).unwrap();
+    assert_eq!(loaded.broad_phase_collider(), infinite);
 }
 
 /// Check 9.

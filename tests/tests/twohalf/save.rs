@@ -225,10 +225,10 @@ fn settings_of_balls_that_their_boxes_cannot_follow_are_saved_and_loaded() {
     let mut simulator = weightless();
     let body = ball(&mut simulator, 10.0, [0.0, 0.0, 0.0]);
     let geom = simulator.core().geoms_of(body)[0];
-    simulator.set_methods(twohalf::Methods::Thesis).unwrap();
+    simulator.set_depth_scheme(twohalf::DepthScheme::Thesis).unwrap();
     simulator.set_depth_profile(geom, twohalf::DepthProfile::Round { radius: 3.4e38 }).unwrap();
     simulator.body_mut(body).unwrap().core_mut().set_position(Vector2::new(1e38, 0.0));
-    simulator.set_methods(twohalf::Methods::Faithful).unwrap();
+    simulator.set_depth_scheme(twohalf::DepthScheme::Faithful).unwrap();
     let _ = loaded(&simulator);
 }
 

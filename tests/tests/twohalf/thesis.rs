@@ -7,17 +7,17 @@ use conformance::fixtures::depth::{
     DT, GRAVITY, SLOP, assert_near, assert_near3, ball, collisions_of, fix, geom_of, place, platform, run,
     run_until_hit, set_surface, solid, throw, velocity,
 };
-use twohalf::{Axis, BodyId, DepthProfile, Methods, TwoHalfPhysicsSimulator, Vector2, Vector3};
+use twohalf::{Axis, BodyId, DepthProfile, DepthScheme, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
 /// Velocities of a few hundred px/s after a few hundred operations of f32.
 const ROUNDING: f32 = 1e-3;
 
-const BOTH: [Methods; 2] = [Methods::Thesis, Methods::Faithful];
+const BOTH: [DepthScheme; 2] = [DepthScheme::Thesis, DepthScheme::Faithful];
 
-fn with(methods: Methods, gravity: f32) -> TwoHalfPhysicsSimulator {
+fn with(scheme: DepthScheme, gravity: f32) -> TwoHalfPhysicsSimulator {
     let gravity = Vector2::new(0.0, gravity);
     let mut simulator = TwoHalfPhysicsSimulator::with_angle_and_gravity(600, 60, gravity).unwrap();
-    simulator.set_methods(methods).unwrap();
+    simulator.set_depth_scheme(scheme).unwrap();
     simulator
 }
 
@@ -29,21 +29,21 @@ fn post(simulator: &mut TwoHalfPhysicsSimulator) -> BodyId {
 }
 
 #[test]
-fn methods_are_chosen_while_no_geom_takes_part() {
-    let mut simulator = with(Methods::Thesis, 0.0);
-    assert_eq!(simulator.methods(), Methods::Thesis);
+fn the_scheme_is_chosen_while_no_geom_takes_part() {
+    let mut simulator = with(DepthScheme::Thesis, 0.0);
+    assert_eq!(simulator.depth_scheme(), DepthScheme::Thesis);
     ball(&mut simulator, 10.0, [0.0, 500.0, 0.0]);
     // It only waits to be added.
-    simulator.set_methods(Methods::Faithful).unwrap();
+    simulator.set_depth_scheme(DepthScheme::Faithful).unwrap();
     run(&mut simulator, 1);
-    assert!(simulator.set_methods(Methods::Thesis).is_err());
-    assert_eq!(simulator.methods(), Methods::Faithful);
+    assert!(simulator.set_depth_scheme(DepthScheme::Thesis).is_err());
+    assert_eq!(simulator.depth_scheme(), DepthScheme::Faithful);
 }
 
 #[test]
 fn objects_at_different_depths_pass_each_other() {
-    for methods in BOTH {
-        let mut simulator = with(methods, 0.0);
+    for scheme in BOTH {
+        let mut simulator = with(scheme, 0.0);
         post(&mut simulator);
         let body = solid(&mut simulator, [20.0, 20.0, 20.0], [-100.0, 510.0, 30.5]);
         throw(&mut simulator, body, [80.0, 0.0, 0.0]);
@@ -54,8 +54,8 @@ fn objects_at_different_depths_pass_each_other() {
 
 #[test]
 fn objects_nearer_in_depth_than_half_the_smaller_depth_meet_in_the_plane() {
-    for methods in BOTH {
-        let mut simulator = with(methods, 0.0);
+    for scheme in BOTH {
+        let mut simulator = with(scheme, 0.0);
         post(&mut simulator);
         let body = solid(&mut simulator, [20.0, 20.0, 20.0], [-100.0, 510.0, 9.0]);
         throw(&mut simulator, body, [80.0, 0.0, 0.0]);
@@ -68,8 +68,8 @@ fn objects_nearer_in_depth_than_half_the_smaller_depth_meet_in_the_plane() {
 #[test]
 fn objects_farther_apart_in_depth_meet_along_z_even_where_they_come_from_the_side() {
     // 15 px behind the middle of a post of 40 px, without any motion in depth.
-    let hits = BOTH.map(|methods| {
-        let mut simulator = with(methods, 0.0);
+    let hits = BOTH.map(|scheme| {
+        let mut simulator = with(scheme, 0.0);
         post(&mut simulator);
         let body = solid(&mut simulator, [20.0, 20.0, 20.0], [-100.0, 510.0, 15.0]);
         throw(&mut simulator, body, [80.0, 0.0, 0.0]);
@@ -89,8 +89,8 @@ fn objects_farther_apart_in_depth_meet_along_z_even_where_they_come_from_the_sid
 
 #[test]
 fn what_comes_from_the_front_meets_along_z_with_both() {
-    for methods in BOTH {
-        let mut simulator = with(methods, 0.0);
+    for scheme in BOTH {
+        let mut simulator = with(scheme, 0.0);
         post(&mut simulator);
         let body = solid(&mut simulator, [20.0, 20.0, 20.0], [5.0, 510.0, -80.0]);
         throw(&mut simulator, body, [0.0, 0.0, 80.0]);
@@ -104,8 +104,8 @@ fn what_comes_from_the_front_meets_along_z_with_both() {
 
 #[test]
 fn it_lets_outlines_collide_along_z_whose_boxes_overlap_though_they_do_not() {
-    let speeds = BOTH.map(|methods| {
-        let mut simulator = with(methods, 0.0);
+    let speeds = BOTH.map(|scheme| {
+        let mut simulator = with(scheme, 0.0);
         let bars = [0.0, 40.0].map(|x| solid(&mut simulator, [100.0, 10.0, 10.0], [x, 500.0, -2.0 * x]));
         for body in bars {
             let mut view = simulator.body_mut(body).unwrap();
@@ -123,8 +123,8 @@ fn it_lets_outlines_collide_along_z_whose_boxes_overlap_though_they_do_not() {
 
 #[test]
 fn it_throws_what_lands_on_the_front_half_of_somebody_off_in_depth() {
-    let ends = BOTH.map(|methods| {
-        let mut simulator = with(methods, GRAVITY);
+    let ends = BOTH.map(|scheme| {
+        let mut simulator = with(scheme, GRAVITY);
         let below = solid(&mut simulator, [80.0, 60.0, 60.0], [0.0, 0.0, 0.0]);
         fix(&mut simulator, below);
         let body = solid(&mut simulator, [40.0, 20.0, 20.0], [0.0, 80.0, -15.0]);
@@ -138,8 +138,8 @@ fn it_throws_what_lands_on_the_front_half_of_somebody_off_in_depth() {
 
 #[test]
 fn it_takes_the_axis_from_the_depths_so_that_who_walks_to_the_edge_of_a_crate_is_thrown_off() {
-    let ends = BOTH.map(|methods| {
-        let mut simulator = with(methods, GRAVITY);
+    let ends = BOTH.map(|scheme| {
+        let mut simulator = with(scheme, GRAVITY);
         let below = solid(&mut simulator, [80.0, 60.0, 60.0], [0.0, 0.0, 0.0]);
         fix(&mut simulator, below);
         let body = solid(&mut simulator, [40.0, 20.0, 20.0], [0.0, 60.0, 0.0]);
@@ -155,8 +155,8 @@ fn it_takes_the_axis_from_the_depths_so_that_who_walks_to_the_edge_of_a_crate_is
 
 #[test]
 fn it_meets_balls_from_the_front_as_boxes() {
-    let normals = BOTH.map(|methods| {
-        let mut simulator = with(methods, 0.0);
+    let normals = BOTH.map(|scheme| {
+        let mut simulator = with(scheme, 0.0);
         post(&mut simulator);
         // 9 of 15 px beyond the upright edge.
         let body = ball(&mut simulator, 15.0, [29.0, 505.0, -80.0]);
@@ -171,8 +171,8 @@ fn it_meets_balls_from_the_front_as_boxes() {
 
 #[test]
 fn it_has_no_friction_in_depth_so_spin_goes_on_at_somebodys_front() {
-    let spins = BOTH.map(|methods| {
-        let mut simulator = with(methods, 0.0);
+    let spins = BOTH.map(|scheme| {
+        let mut simulator = with(scheme, 0.0);
         let wall = post(&mut simulator);
         let body = solid(&mut simulator, [30.0, 30.0, 20.0], [0.0, 505.0, -30.0]);
         for body in [wall, body] {
@@ -191,8 +191,8 @@ fn it_has_no_friction_in_depth_so_spin_goes_on_at_somebodys_front() {
 
 #[test]
 fn thin_objects_that_are_fast_in_depth_can_miss_each_other_with_both() {
-    for methods in BOTH {
-        let mut simulator = with(methods, 0.0);
+    for scheme in BOTH {
+        let mut simulator = with(scheme, 0.0);
         post(&mut simulator);
         let body = solid(&mut simulator, [20.0, 20.0, 10.0], [0.0, 510.0, -60.0]);
         // 120 px per step, 50 px of depth together.
@@ -204,8 +204,8 @@ fn thin_objects_that_are_fast_in_depth_can_miss_each_other_with_both() {
 
 #[test]
 fn ground_and_platforms_are_the_same_with_both() {
-    let ends = BOTH.map(|methods| {
-        let mut simulator = with(methods, GRAVITY);
+    let ends = BOTH.map(|scheme| {
+        let mut simulator = with(scheme, GRAVITY);
         platform(&mut simulator, [200.0, 40.0, 100.0], [0.0, 20.0, 0.0]);
         let on_platform = solid(&mut simulator, [40.0, 20.0, 20.0], [0.0, 100.0, -55.0]);
         let on_ground = ball(&mut simulator, 10.0, [300.0, 100.0, 0.0]);
@@ -222,7 +222,7 @@ fn ground_and_platforms_are_the_same_with_both() {
 #[test]
 fn a_wide_profile_makes_the_plane_the_axis_again() {
     // Half the smaller depth is what counts: two deep objects meet in the plane farther apart.
-    let mut simulator = with(Methods::Thesis, 0.0);
+    let mut simulator = with(DepthScheme::Thesis, 0.0);
     let wall = post(&mut simulator);
     let body = solid(&mut simulator, [20.0, 20.0, 20.0], [-100.0, 510.0, 15.0]);
     let geoms = [wall, body].map(|body| geom_of(&simulator, body));

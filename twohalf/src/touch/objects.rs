@@ -11,7 +11,7 @@ use crate::shapes::{
     span_of,
 };
 use crate::world::{Reach, World};
-use crate::{Methods, Partner, Vector2, Vector3};
+use crate::{DepthScheme, Partner, Vector2, Vector3};
 
 /// Finds the contacts of the pairs that the 2D engine has left to this one.
 pub(super) fn touch_objects(core: &PhysicsSimulator, world: &mut World) {
@@ -29,12 +29,12 @@ fn touch_pair(core: &PhysicsSimulator, world: &mut World, pair: SpacePair) -> Op
     let SpacePair { key, geom_a, geom_b } = pair;
     let (a, b) = (core.geom(geom_a)?, core.geom(geom_b)?);
     let kept = world.last.find(key).map(|touch| touch.kept);
-    let manifold = match world.methods {
-        Methods::Thesis => thesis(world, pair, a, b, kept),
-        Methods::Faithful => faithful(core, world, pair, a, b, kept),
+    let manifold = match world.scheme {
+        DepthScheme::Thesis => thesis(world, pair, a, b, kept),
+        DepthScheme::Faithful => faithful(core, world, pair, a, b, kept),
     }?;
     let mut surfaces = Surfaces::combine(core, b, a.friction_coefficient(), a.restitution_coefficient())?;
-    if world.methods == Methods::Thesis {
+    if world.scheme == DepthScheme::Thesis {
         surfaces.friction = 0.0;
     }
     let subject = Subject {

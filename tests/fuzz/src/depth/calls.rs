@@ -1,6 +1,6 @@
 //! The table of calls.
 
-use twohalf::{DepthProfile, Methods, Result, TwoHalfPhysicsSimulator};
+use twohalf::{DepthProfile, DepthScheme, Result, TwoHalfPhysicsSimulator};
 
 use super::create::{BODIES, GEOMS, Make, PLATFORMS};
 use super::edits::edit_body;
@@ -146,7 +146,9 @@ const SETTINGS: &[fn(&mut TwoHalfPhysicsSimulator, &mut Random) -> Result<()>] =
         Ok(())
     },
     |simulator, random| simulator.set_max_contacts_to_resolve(random.count(0, 8)),
-    |simulator, random| simulator.set_methods(random.pick(&[Methods::Faithful, Methods::Thesis])),
+    |simulator, random| {
+        simulator.set_depth_scheme(random.pick(&[DepthScheme::Faithful, DepthScheme::Thesis]))
+    },
     |simulator, random| {
         simulator.set_layer_depth_range(random.number(-10.0, 10.0), random.number(100.0, 1000.0))
     },

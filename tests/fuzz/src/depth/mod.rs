@@ -10,7 +10,7 @@ mod queries;
 
 use farseer_core::math::Vector2;
 use farseer_core::{NarrowPhaseCollider, PhysicsSimulator};
-use twohalf::{Methods, Result, TwoHalfPhysicsSimulator, Vector3};
+use twohalf::{DepthScheme, Result, TwoHalfPhysicsSimulator, Vector3};
 
 use create::create_thing;
 pub(crate) use numbers::check_numbers;
@@ -66,7 +66,7 @@ impl Depth {
         let angle = 1 + random.below(179) as i32;
         let mut simulator = TwoHalfPhysicsSimulator::from_core(600, angle, core)?;
         if random.chance(20) {
-            simulator.set_methods(Methods::Thesis)?;
+            simulator.set_depth_scheme(DepthScheme::Thesis)?;
         }
         Depth::with(simulator, random)
     }

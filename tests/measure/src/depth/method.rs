@@ -5,7 +5,7 @@ use crate::engines::depth::TwoHalf;
 use crate::engines::rapier3d::Rapier;
 use crate::method::{Built, Effort, Family, Mapped, Method, Setting, mapped};
 use crate::scenes::depth::DepthScene;
-use twohalf::Methods;
+use twohalf::DepthScheme;
 
 /// A way to simulate a scene with depth.
 pub type DepthMethod = Method<DepthScene>;
@@ -36,18 +36,18 @@ fn our_methods() -> Vec<DepthMethod> {
         recommended: Setting::fixed(1.0 / 60.0, 5),
         settings: our_settings,
         mapped: |effort| on_map(5, if effort == Effort::Full { &[20] } else { &[] }),
-        build: |scene, setting| build(scene, setting, Methods::Faithful),
+        build: |scene, setting| build(scene, setting, DepthScheme::Faithful),
     };
     let thesis = DepthMethod {
         name: "2.5D, thesis",
-        build: |scene, setting| build(scene, setting, Methods::Thesis),
+        build: |scene, setting| build(scene, setting, DepthScheme::Thesis),
         ..faithful
     };
     vec![faithful, thesis]
 }
 
-fn build(scene: &DepthScene, setting: Setting, methods: Methods) -> Built {
-    Ok(Box::new(TwoHalf::with_methods(scene, methods, setting.passes as i32)))
+fn build(scene: &DepthScene, setting: Setting, scheme: DepthScheme) -> Built {
+    Ok(Box::new(TwoHalf::with_scheme(scene, scheme, setting.passes as i32)))
 }
 
 /// `rapier3d` with its own defaults, and with those that make it more accurate: friction at every point of contact,

@@ -10,7 +10,7 @@ use conformance::run::Run;
 use conformance::scene::Scene;
 use conformance::scenes::circles_in_a_pit;
 use farseer_core::GeomPlacement;
-use twohalf::{Methods, TwoHalfPhysicsSimulator};
+use twohalf::{DepthScheme, TwoHalfPhysicsSimulator};
 
 /// Name of the scene.
 pub const PLANES: &str = "pit_in_2d_and_2.5d";
@@ -47,10 +47,13 @@ pub fn plane_methods() -> [Method; 3] {
         mapped: |_| Vec::new(),
         build: |scene, _| Ok(Box::new(FarseerWorld::new(scene)?)),
     };
-    let faithful =
-        Method { name: "2.5D, faithful", build: |scene, _| Deep::build(scene, Methods::Faithful), ..flat };
+    let faithful = Method {
+        name: "2.5D, faithful",
+        build: |scene, _| Deep::build(scene, DepthScheme::Faithful),
+        ..flat
+    };
     let thesis =
-        Method { name: "2.5D, thesis", build: |scene, _| Deep::build(scene, Methods::Thesis), ..flat };
+        Method { name: "2.5D, thesis", build: |scene, _| Deep::build(scene, DepthScheme::Thesis), ..flat };
     [flat, faithful, thesis]
 }
 
@@ -77,18 +80,18 @@ struct Deep {
 }
 
 impl Deep {
-    fn build(scene: &Scene, methods: Methods) -> Built {
+    fn build(scene: &Scene, scheme: DepthScheme) -> Built {
         let run = Run::build(scene).map_err(|error| error.to_string())?;
-        let deep = Self::of(&run, methods).map_err(|error| error.to_string())?;
+        let deep = Self::of(&run, scheme).map_err(|error| error.to_string())?;
         Ok(Box::new(deep))
     }
 
-    /// Those of a run, made anew in the same order: methods are chosen before anything takes part. Seen straight from
+    /// Those of a run, made anew in the same order: the scheme is chosen before anything takes part. Seen straight from
     /// above the ground, and without a ground, so that nothing but what is in the plane acts.
-    fn of(run: &Run<'_>, methods: Methods) -> twohalf::Result<Self> {
+    fn of(run: &Run<'_>, scheme: DepthScheme) -> twohalf::Result<Self> {
         let flat = run.simulator();
         let mut simulator = TwoHalfPhysicsSimulator::with_angle_and_gravity(600, 90, flat.gravity())?;
-        simulator.set_methods(methods)?;
+        simulator.set_depth_scheme(scheme)?;
         let bodies: Vec<_> =
             run.bodies().iter().map(|&body| simulator.create_body(flat[body].clone())).collect();
         for &body in &bodies {

@@ -1,7 +1,7 @@
 //! Scenes in the 2.5D engine.
 
 use std::collections::HashMap;
-use twohalf::{BodyId, Methods, Partner, TwoHalfPhysicsSimulator};
+use twohalf::{BodyId, DepthScheme, Partner, TwoHalfPhysicsSimulator};
 
 use super::wrapped;
 use crate::scenes::depth::{DepthScene, build};
@@ -23,15 +23,15 @@ impl TwoHalf {
         TwoHalf { simulator, bodies, objects }
     }
 
-    /// Builds a scene for other methods, and a number of iterations per step.
+    /// Builds a scene with a scheme, and a number of iterations per step.
     ///
     /// # Panics
     /// A scene with values that the engine refuses.
-    pub fn with_methods(scene: &DepthScene, methods: Methods, iterations: i32) -> Self {
+    pub fn with_scheme(scene: &DepthScene, scheme: DepthScheme, iterations: i32) -> Self {
         let mut engine = Self::new(scene);
         engine.simulator.set_iterations(iterations);
         // Nothing of a scene takes part before its first step.
-        engine.simulator.set_methods(methods).unwrap_or_else(|error| panic!("{}: {error}", scene.name));
+        engine.simulator.set_depth_scheme(scheme).unwrap_or_else(|error| panic!("{}: {error}", scene.name));
         engine
     }
 
