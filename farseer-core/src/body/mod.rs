@@ -639,6 +639,32 @@ impl Body {
         self.torque = 0.0;
     }
 
+    /// What the precise set reads before a step: the accelerations by forces, torque and gravity, which are forgotten then,
+    /// and by drag in proportion to the square of the velocity.
+    pub(crate) fn take_accelerations(&mut self, gravity: Vector2) -> (Vector2, f32) {
+        let mut force = std::mem::replace(&mut self.force, Vector2::zeros());
+        if self.is_quadratic_drag_enabled {
+            force -= self.linear_velocity * (length(self.linear_velocity) * self.quadratic_drag_coefficient);
+        }
+        let torque = std::mem::take(&mut self.torque);
+        let gravity = if self.ignore_gravity { Vector2::zeros() } else { gravity };
+        (gravity + force * self.inverse_mass, torque * self.inverse_moment_of_inertia)
+    }
+
+    /// What part of its velocity and of its spin the body loses to drag in a second, at the spin it has.
+    pub(crate) fn drag_rates(&self) -> (f32, f32) {
+        let spin_drag = self.rotational_drag_coefficient * self.angular_velocity.abs();
+        (self.linear_drag_coefficient * self.inverse_mass, spin_drag * self.inverse_moment_of_inertia)
+    }
+
+    /// Moves the body to where a step of the precise set has brought it.
+    pub(crate) fn end_step(&mut self, position: Vector2, turned_by: f32, velocity: Vector2, spin: f32) {
+        self.position = position;
+        self.normalize_rotation(self.rotation + turned_by);
+        (self.linear_velocity, self.angular_velocity) = (velocity, spin);
+        self.has_moved = true;
+    }
+
     /// Moves the body over `dt` seconds and answers whether its pose changed.
     #[inline]
     pub(crate) fn integrate_position(&mut self, dt: f32) -> bool {

@@ -1,0 +1,152 @@
+//! The bodies of a step, side by side: those that can be pushed from number 1 on, behind them what stands still. Number 0
+//! stands for everything that cannot be pushed.
+//!
+//! Between updates and in callbacks the [`Body`](crate::Body) is the truth: it is read before a step and written after it.
+
+use wide::f32x4;
+
+use super::vector::Pose;
+use crate::body::{Body, BodyId};
+use crate::math::lanes::sin_cos;
+use crate::math::Vector2;
+
+/// What all passes read and write of a body: velocity and spin, and how far it has gone in this substep.
+#[derive(Debug, Clone, Copy, Default)]
+#[repr(C, align(32))]
+pub(super) struct Hot {
+    pub(super) velocity: [f32; 4],
+    pub(super) step: [f32; 4],
+}
+
+/// The bodies by number. Lists of those that can be pushed are as long as a multiple of four.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Bodies {
+    /// Number of bodies that can be pushed: the last one has this number.
+    pub(super) count: usize,
+    pub(super) ids: Vec<Option<BodyId>>,
+    pub(super) hot: Vec<Hot>,
+    /// What the impulses of all contacts do to the velocity in a substep.
+    pub(super) warm: Vec<[f32; 4]>,
+    /// The velocity right after they did.
+    pub(super) begun: Vec<[f32; 4]>,
+    /// The velocity before the step.
+    pub(super) before: Vec<[f32; 4]>,
+    /// What forces add to the velocity in a substep.
+    pub(super) push: Vec<[f32; 4]>,
+    /// The way of the whole step.
+    pub(super) path: Vec<[f32; 4]>,
+    /// Reciprocals of mass and moment of inertia.
+    pub(super) inverses: Vec<[f32; 2]>,
+    /// The radius of a body that is one circle about its origin, third in the row, and then 1 as the fourth; else 0.
+    pub(super) circles: Vec<[f32; 4]>,
+    /// Of all bodies, with those that stand still.
+    pub(super) poses: Vec<Pose>,
+    pub(super) rotations: Vec<f32>,
+}
+
+/// A body that is read for a rebuilt list.
+pub(super) fn pose_of(body: &Body) -> (Pose, f32) {
+    let (position, rotation) = (body.position(), body.rotation());
+    let (sine, cosine) = sin_cos(f32x4::splat(rotation));
+    ([position.x, position.y, cosine.to_array()[0], sine.to_array()[0]], rotation)
+}
+
+/// Reciprocals as rows use them: what is so small that numbers lose digits there is 0.
+pub(super) fn inverses_of(body: &Body) -> [f32; 2] {
+    [body.inverse_mass(), body.inverse_moment_of_inertia()]
+        .map(|inverse| if inverse >= f32::MIN_POSITIVE { inverse } else { 0.0 })
+}
+
+impl Bodies {
+    /// First number of those that stand still.
+    pub(super) fn first_fixed(&self) -> usize {
+        self.hot.len()
+    }
+
+    /// Lists these bodies, first those that can be pushed.
+    pub(super) fn list<'a>(
+        &mut self,
+        movable: impl Iterator<Item = (BodyId, &'a Body)>,
+        fixed: impl Iterator<Item = (BodyId, &'a Body)>,
+    ) {
+        self.ids.clear();
+        self.poses.clear();
+        self.rotations.clear();
+        self.inverses.clear();
+        self.push_dummy();
+        movable.for_each(|(id, body)| self.push(id, body, inverses_of(body)));
+        self.count = self.ids.len() - 1;
+        while !self.ids.len().is_multiple_of(4) {
+            self.push_dummy();
+        }
+        let padded = self.ids.len();
+        fixed.for_each(|(id, body)| self.push(id, body, [0.0; 2]));
+        self.hot.clear();
+        self.hot.resize(padded, Hot::default());
+        for stream in [&mut self.warm, &mut self.begun, &mut self.before, &mut self.push, &mut self.path, &mut self.circles]
+        {
+            stream.clear();
+            stream.resize(padded, [0.0; 4]);
+        }
+    }
+
+    fn push_dummy(&mut self) {
+        self.ids.push(None);
+        self.poses.push([0.0, 0.0, 1.0, 0.0]);
+        self.rotations.push(0.0);
+        self.inverses.push([0.0; 2]);
+    }
+
+    fn push(&mut self, id: BodyId, body: &Body, inverses: [f32; 2]) {
+        let (pose, rotation) = pose_of(body);
+        self.ids.push(Some(id));
+        self.poses.push(pose);
+        self.rotations.push(rotation);
+        self.inverses.push(inverses);
+    }
+
+    /// Whether a body was moved since it was read.
+    #[inline(always)]
+    pub(super) fn was_moved(&self, number: usize, body: &Body) -> bool {
+        let (pose, position) = (&self.poses[number], body.position());
+        position.x != pose[0] || position.y != pose[1] || body.rotation() != self.rotations[number]
+    }
+
+    pub(super) fn move_to(&mut self, number: usize, body: &Body) {
+        (self.poses[number], self.rotations[number]) = pose_of(body);
+    }
+}
+
+/// Velocity, and what forces, gravity and drag add to it in every substep so that the whole step ends with the velocity that
+/// the exact law gives: with drag rate r, v' = a - r v ends at v E + a (1 - E) / r, E = exp(-r dt). Quadratic drag acts as it
+/// was when the step began.
+pub(super) fn read(body: &mut Body, gravity: Vector2, dt: f32, h: f32) -> ([f32; 4], [f32; 4]) {
+    body.apply_accumulated_impulse();
+    let (velocity, spin) = (body.linear_velocity, body.angular_velocity);
+    let (acceleration, turning) = body.take_accelerations(gravity);
+    let change = |velocity: f32, acceleration: f32, rate: f32| {
+        let (decay, grown) = decay(rate, dt);
+        velocity * decay + acceleration * grown
+    };
+    let (drag, rotational_drag) = body.drag_rates();
+    let parts = h / dt;
+    let push = [
+        change(velocity.x, acceleration.x, drag) * parts,
+        change(velocity.y, acceleration.y, drag) * parts,
+        change(spin, turning, rotational_drag) * parts,
+        0.0,
+    ];
+    ([velocity.x, velocity.y, spin, 0.0], push)
+}
+
+/// exp(-r t) - 1 and (1 - exp(-r t)) / r. The exponential as the reciprocal of its series: positive and falling for every
+/// rate, and right to 4e-8 for rates up to 0.03 / t.
+fn decay(rate: f32, t: f32) -> (f32, f32) {
+    let x = rate * t;
+    if x == 0.0 {
+        return (0.0, t);
+    }
+    let rest = 1.0 + x * (0.5 + x * (1.0 / 6.0 + x * (1.0 / 24.0)));
+    let series = x * rest;
+    (-series / (1.0 + series), t * rest / (1.0 + series))
+}

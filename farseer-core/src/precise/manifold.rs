@@ -1,0 +1,205 @@
+//! Where two convex outlines touch: at most two points, by closed forms for circles and by clipping for polygons (E. Catto,
+//! "Contact Manifolds", GDC 2007).
+
+use super::outline::Outline;
+use super::vector::{Pose, Turn, Vector, difference, dot, place, rotation, scaled, sum, turn, turn_back};
+
+/// Where two outlines touch or nearly do.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Manifold {
+    /// Unit normal from A to B.
+    pub(super) normal: Vector,
+    /// Number of points; 0 if they are further apart than contacts reach.
+    pub(super) count: usize,
+    /// Midway between the outlines, relative to the origin of A's body.
+    pub(super) points: [Vector; 2],
+    /// Distance along the normal, negative for an overlap.
+    pub(super) separations: [f32; 2],
+    /// Which corners meet: names a point from one step to the next.
+    pub(super) features: [u32; 2],
+    /// If there are no points: the outlines are at least this far apart, or this is 0.
+    pub(super) gap: f32,
+}
+
+impl Manifold {
+    fn apart(gap: f32) -> Self {
+        Manifold { gap, ..Manifold::default() }
+    }
+
+    fn of_point(normal: Vector, point: Vector, separation: f32, feature: u32, reach: f32) -> Self {
+        Manifold {
+            normal,
+            count: usize::from(separation < reach),
+            points: [point, [0.0; 2]],
+            separations: [separation, 0.0],
+            features: [feature, 0],
+            gap: separation,
+        }
+    }
+}
+
+/// The contacts of A and B, as far as `reach` apart.
+pub(super) fn collide(a: Outline<'_>, b: Outline<'_>, pose_a: Pose, pose_b: Pose, reach: f32) -> Manifold {
+    match (a.shape.count, b.shape.count) {
+        (0, 0) => circles(a, b, pose_a, pose_b, reach),
+        (0, _) => {
+            let mut found = polygon_and_circle(b, a, pose_b, pose_a, reach);
+            found.normal = scaled(found.normal, -1.0);
+            found.points[0] = sum(found.points[0], difference(place(pose_b), place(pose_a)));
+            found
+        }
+        (_, 0) => polygon_and_circle(a, b, pose_a, pose_b, reach),
+        _ => polygons(a, b, pose_a, pose_b, reach),
+    }
+}
+
+fn circles(a: Outline<'_>, b: Outline<'_>, pose_a: Pose, pose_b: Pose, reach: f32) -> Manifold {
+    let arm = turn(rotation(pose_a), a.shape.centre);
+    let centre_b = sum(place(pose_b), turn(rotation(pose_b), b.shape.centre));
+    let d = difference(difference(centre_b, place(pose_a)), arm);
+    let squared = dot(d, d);
+    let distance = squared.sqrt();
+    // Centres in one place are pushed apart along y.
+    let normal = if squared > f32::MIN_POSITIVE { scaled(d, 1.0 / distance) } else { [0.0, 1.0] };
+    let separation = distance - a.shape.radius - b.shape.radius;
+    let point = sum(arm, scaled(normal, a.shape.radius + 0.5 * separation));
+    Manifold::of_point(normal, point, separation, 0, reach)
+}
+
+fn polygon_and_circle(a: Outline<'_>, b: Outline<'_>, pose_a: Pose, pose_b: Pose, reach: f32) -> Manifold {
+    let q = rotation(pose_a);
+    let centre_b = sum(difference(place(pose_b), place(pose_a)), turn(rotation(pose_b), b.shape.centre));
+    let centre = turn_back(q, centre_b);
+    let (mut best, mut edge) = (f32::MIN, 0);
+    for (i, (&point, &normal)) in a.points.iter().zip(a.normals).enumerate() {
+        let separation = dot(normal, difference(centre, point));
+        if separation > best {
+            (best, edge) = (separation, i);
+        }
+    }
+    let ends = [a.points[edge], a.points[(edge + 1) % a.points.len()]];
+    let along = difference(ends[1], ends[0]);
+    let [from_first, from_second] = ends.map(|end| difference(centre, end));
+    // Beyond an end of the edge the corner is nearest, unless the centre is inside or on the edge itself.
+    let corner = if dot(from_first, along) < 0.0 {
+        Some(from_first)
+    } else if dot(from_second, along) > 0.0 {
+        Some(from_second)
+    } else {
+        None
+    };
+    let (normal, distance) = match corner.map(|d| (d, dot(d, d).sqrt())) {
+        Some((d, distance)) if best > 0.0 && distance > 0.0 => (scaled(d, 1.0 / distance), distance),
+        _ => (a.normals[edge], best),
+    };
+    let separation = distance - b.shape.radius;
+    let point = difference(centre, scaled(normal, b.shape.radius + 0.5 * separation));
+    Manifold::of_point(turn(q, normal), turn(q, point), separation, edge as u32, reach)
+}
+
+/// Greatest separation of an edge of `a` from `b`, whose place and turn relative to `a` are given.
+#[inline(always)]
+fn greatest_separation(a: Outline<'_>, b: Outline<'_>, at: Vector, q: Turn) -> (f32, usize) {
+    if a.shape.is_box && b.shape.is_box {
+        return separation_of_boxes(a, b, at, q);
+    }
+    let (mut best, mut edge) = (f32::MIN, 0);
+    for (i, (&point, &normal)) in a.points.iter().zip(a.normals).enumerate() {
+        let normal_in_b = turn_back(q, normal);
+        let nearest = b.points.iter().map(|&v| dot(normal_in_b, v)).fold(f32::MAX, |a, b| if b < a { b } else { a });
+        let separation = nearest + dot(normal, difference(at, point));
+        if separation > best {
+            (best, edge) = (separation, i);
+        }
+    }
+    (best, edge)
+}
+
+/// As [`greatest_separation`], of two boxes about their origins, which needs no corners; answers the edge whose normal it is.
+#[inline(always)]
+fn separation_of_boxes(a: Outline<'_>, b: Outline<'_>, at: Vector, q: Turn) -> (f32, usize) {
+    let (c, s) = (q[0].abs(), q[1].abs());
+    let [hx, hy] = b.shape.half;
+    let x = at[0].abs() - a.shape.half[0] - (hx * c + hy * s);
+    let y = at[1].abs() - a.shape.half[1] - (hx * s + hy * c);
+    let (best, outward) = if x > y {
+        (x, [if at[0] > 0.0 { 1.0 } else { -1.0 }, 0.0])
+    } else {
+        (y, [0.0, if at[1] > 0.0 { 1.0 } else { -1.0 }])
+    };
+    let edge = (0..4).find(|&i| dot(a.normals[i], outward) > 0.5).unwrap_or(0);
+    (best, edge)
+}
+
+/// The edge of `outline` that faces a direction most.
+fn facing_edge(outline: Outline<'_>, against: Vector) -> usize {
+    let (mut best, mut edge) = (f32::MAX, 0);
+    for (i, &normal) in outline.normals.iter().enumerate() {
+        let d = dot(normal, against);
+        if d < best {
+            (best, edge) = (d, i);
+        }
+    }
+    edge
+}
+
+fn polygons(a: Outline<'_>, b: Outline<'_>, pose_a: Pose, pose_b: Pose, reach: f32) -> Manifold {
+    let (qa, qb) = (rotation(pose_a), rotation(pose_b));
+    let apart = difference(place(pose_b), place(pose_a));
+    let (at, q) = (turn_back(qa, apart), turn_back(qa, qb));
+    let (separation_a, edge_a) = greatest_separation(a, b, at, q);
+    if separation_a > reach {
+        return Manifold::apart(separation_a);
+    }
+    let (at_back, q_back) = (turn_back(q, scaled(at, -1.0)), [q[0], -q[1]]);
+    let (separation_b, edge_b) = greatest_separation(b, a, at_back, q_back);
+    if separation_b > reach {
+        return Manifold::apart(separation_b);
+    }
+    // The edge of A is kept where both are about as good, so that it does not change with every step.
+    if separation_b > separation_a + 0.025 * reach {
+        let mut found = clip(b, a, at_back, q_back, edge_b, reach);
+        found.normal = turn(qb, scaled(found.normal, -1.0));
+        found.points = found.points.map(|point| sum(turn(qb, point), apart));
+        found.features = found.features.map(|feature| feature.rotate_left(16));
+        found
+    } else {
+        let mut found = clip(a, b, at, q, edge_a, reach);
+        found.normal = turn(qa, found.normal);
+        found.points = found.points.map(|point| turn(qa, point));
+        found
+    }
+}
+
+/// The part of the edge of `b` that faces an edge of `a`, between the ends of that edge. In the frame of `a`.
+fn clip(a: Outline<'_>, b: Outline<'_>, at: Vector, q: Turn, edge: usize, reach: f32) -> Manifold {
+    let normal = a.normals[edge];
+    let other = facing_edge(b, turn_back(q, normal));
+    let (next, other_next) = ((edge + 1) % a.points.len(), (other + 1) % b.points.len());
+    let (start, end) = (a.points[edge], a.points[next]);
+    let in_a = |point: Vector| sum(turn(q, point), at);
+    let (upper, lower) = (in_a(b.points[other]), in_a(b.points[other_next]));
+    let tangent = [-normal[1], normal[0]];
+    let along = |point: Vector| dot(difference(point, start), tangent);
+    let (length, upper_at, lower_at) = (along(end), along(upper), along(lower));
+    if upper_at < 0.0 || length < lower_at {
+        return Manifold::apart(0.0);
+    }
+    let span = upper_at - lower_at;
+    let between = |part: f32| sum(lower, scaled(difference(upper, lower), part));
+    let has_length = span > 1e-6 * length;
+    let low = if lower_at < 0.0 && has_length { between(-lower_at / span) } else { lower };
+    let high = if upper_at > length && has_length { between((length - lower_at) / span) } else { upper };
+    let feature = |corner: usize, other_corner: usize| ((corner as u32) << 16) | other_corner as u32;
+    let mut found = Manifold { normal, ..Manifold::default() };
+    for (point, feature) in [(low, feature(edge, other_next)), (high, feature(next, other))] {
+        let separation = dot(difference(point, start), normal);
+        if separation < reach {
+            found.points[found.count] = difference(point, scaled(normal, 0.5 * separation));
+            found.separations[found.count] = separation;
+            found.features[found.count] = feature;
+            found.count += 1;
+        }
+    }
+    found
+}

@@ -1,0 +1,116 @@
+//! The precise set: bodies, pairs and contacts of their own, behind the same API.
+//!
+//! It shares the objects with the faithful set, and nothing of its arithmetic. A step, in the order of [`step`]:
+//!
+//! 1. what was edited is taken over ([`sync`]);
+//! 2. pairs whose bounds part go, and new ones come ([`grid`], [`pairs`]);
+//! 3. pairs that moved are looked at ([`touch`], [`manifold`]), and rows come and go ([`rows`]);
+//! 4. bodies are read ([`bodies`]), velocities solved in substeps ([`passes`]), and bodies written ([`moving`]).
+//!
+//! Lengths are the user's; the numbers of the method are parts of one length ([`tuning`]).
+
+mod bodies;
+mod grid;
+mod manifold;
+mod moving;
+pub(crate) mod outline;
+mod pairs;
+mod passes;
+mod proxies;
+mod rows;
+mod saved;
+mod step;
+mod sync;
+mod told;
+mod touch;
+mod tuning;
+mod vector;
+
+use serde::{Deserialize, Serialize};
+
+use crate::geom::surface::FrictionType;
+pub(crate) use saved::Saved;
+pub(crate) use told::TouchingPair;
+
+use bodies::Bodies;
+use grid::Grid;
+use pairs::Pairs;
+use proxies::Proxies;
+use rows::{Palette, Rows};
+use touch::{Change, Touch};
+use tuning::Tuning;
+
+/// What the precise set keeps from step to step.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(into = "Saved", from = "Saved")]
+pub(crate) struct Precise {
+    tuning: Tuning,
+    /// Seconds of the substep that impulses were found for.
+    h: f32,
+    /// What was loaded, until the bodies are listed.
+    loaded: Option<Saved>,
+    /// Bodies or geoms came or went, or became what they were not.
+    is_stale: bool,
+    /// Something bounces.
+    bounces: bool,
+    friction: FrictionType,
+    bodies: Bodies,
+    proxies: Proxies,
+    grid: Grid,
+    pairs: Pairs,
+    rows: Rows,
+    palette: Palette,
+    /// Numbers of bodies and first proxies of geoms, by slot.
+    body_numbers: Vec<u32>,
+    first_proxies: Vec<u32>,
+    /// Bodies in the list that take no part because they are disabled.
+    absent: Vec<crate::body::BodyId>,
+    /// Pairs of geoms that begin or cease to touch in this step.
+    changes: Vec<Change>,
+    /// Some pair was refused or changed by a handler, for one step.
+    has_handled: bool,
+    /// Empty between stages.
+    lost: Vec<u32>,
+    found: Vec<[u32; 2]>,
+}
+
+impl Precise {
+    /// For things of about this size.
+    pub(crate) fn new(length_unit: f32) -> Self {
+        Precise {
+            tuning: Tuning::new(length_unit),
+            h: 0.0,
+            loaded: None,
+            is_stale: true,
+            bounces: false,
+            friction: FrictionType::default(),
+            bodies: Bodies::default(),
+            proxies: Proxies::default(),
+            grid: Grid::default(),
+            pairs: Pairs::default(),
+            rows: Rows::default(),
+            palette: Palette::default(),
+            body_numbers: Vec::new(),
+            first_proxies: Vec::new(),
+            absent: Vec::new(),
+            changes: Vec::new(),
+            has_handled: false,
+            lost: Vec::new(),
+            found: Vec::new(),
+        }
+    }
+
+    /// What the search for contacts takes of this.
+    fn touch(&mut self) -> Touch<'_> {
+        Touch {
+            bodies: &self.bodies,
+            proxies: &self.proxies,
+            pairs: &mut self.pairs,
+            rows: &mut self.rows,
+            palette: &mut self.palette,
+            tuning: &self.tuning,
+            friction: self.friction,
+            changes: &mut self.changes,
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! From velocities to places: the substeps of bodies, and the end of a step.
+
+use wide::f32x4;
+
+use super::bodies::{Bodies, Hot};
+use super::proxies::Proxies;
+use super::rows::{Palette, Row};
+use super::tuning::{Step, Tuning};
+use crate::math::lanes::{gather, select, sin_cos};
+
+/// A body that no row pushes is trusted to move evenly if its velocity has changed by less than this many times what its
+/// forces give.
+const EVENLY: f32 = 2.0;
+
+/// A substep begins: the impulses so far and the forces act.
+///
+/// What impulses do to a velocity is kept as one sum per body: after a substep it is what it was, and what the passes have
+/// added since.
+#[inline(always)]
+pub(super) fn begin_substep(bodies: &mut Bodies, is_first: bool) {
+    let Bodies { hot, warm, begun, push, .. } = bodies;
+    for (((hot, warm), begun), push) in hot.iter_mut().zip(warm).zip(begun).zip(push.iter()) {
+        let velocity = f32x4::new(hot.velocity);
+        if !is_first {
+            *warm = (f32x4::new(*warm) + (velocity - f32x4::new(*begun))).to_array();
+        }
+        *begun = (velocity + f32x4::new(*warm) + f32x4::new(*push)).to_array();
+        hot.velocity = *begun;
+    }
+}
+
+/// Bodies move by their velocities.
+#[inline(always)]
+pub(super) fn displace(bodies: &mut Bodies, h: f32, is_first: bool) {
+    let h = f32x4::splat(h);
+    for (hot, path) in bodies.hot.iter_mut().zip(&mut bodies.path) {
+        let step = f32x4::new(hot.velocity) * h;
+        hot.step = step.to_array();
+        *path = if is_first { hot.step } else { (f32x4::new(*path) + step).to_array() };
+    }
+}
+
+/// All substeps of bodies that nothing touches, at once.
+#[inline(always)]
+pub(super) fn fly(bodies: &mut Bodies, step: &Step) {
+    let (h, half) = (f32x4::splat(step.h), f32x4::splat(0.5));
+    let Bodies { hot, push, path, .. } = bodies;
+    for ((hot, push), path) in hot.iter_mut().zip(push.iter()).zip(path) {
+        let (mut velocity, push) = (f32x4::new(hot.velocity), f32x4::new(*push));
+        let mut way = f32x4::ZERO;
+        for _ in 0..step.substeps {
+            // The middle of the velocities before and after: what constant forces do exactly.
+            way += (velocity + half * push) * h;
+            velocity += push;
+        }
+        (hot.velocity, *path) = (velocity.to_array(), way.to_array());
+    }
+}
+
+/// Bodies with one row at most whose velocity has hardly changed: their substeps take the middle of the velocities before and
+/// after, which is exact under constant forces, instead of those after.
+#[inline(always)]
+pub(super) fn even_out(bodies: &mut Bodies, palette: &Palette, step: &Step) {
+    let back = -0.5 * step.h;
+    let most = EVENLY * step.substeps as f32;
+    for body in (1..=bodies.count).filter(|&body| palette.is_single(body)) {
+        let change = f32x4::new(bodies.hot[body].velocity) - f32x4::new(bodies.before[body]);
+        let [x, y, ..] = change.to_array();
+        let [px, py, ..] = bodies.push[body];
+        if x * x + y * y <= most * most * (px * px + py * py) {
+            let path = f32x4::new(bodies.path[body]) + change * f32x4::splat(back);
+            bodies.path[body] = path.to_array();
+        }
+    }
+}
+
+/// A bounce of two that touch nothing else: in this step they stand still against each other along the normal, so that a
+/// step with restitution 1 is the mirror image of itself and no energy is won or lost over ten thousand of them.
+pub(super) fn stand_still<const P: usize>(bodies: &mut Bodies, hot: &[Hot], palette: &Palette, dt: f32, row: &Row<P>, lanes: u32) {
+    for lane in (0..4).filter(|lane| lanes >> lane & 1 == 1) {
+        let (a, b) = (row.a[lane] as usize, row.b[lane] as usize);
+        if !palette.is_single(b) || (a != 0 && !palette.is_single(a)) {
+            continue;
+        }
+        let half = f32x4::splat(0.5 * dt);
+        let way = |body: usize| (f32x4::new(bodies.before[body]) + f32x4::new(hot[body].velocity)) * half;
+        let (way_a, way_b) = (if a == 0 { f32x4::ZERO } else { way(a) }, way(b));
+        let [x, y, ..] = (way_b - way_a).to_array();
+        let of = |lanes: f32x4| lanes.to_array()[lane];
+        let (nx, ny) = (of(row.normal_x), of(row.normal_y));
+        let (mass_a, mass_b) = (of(row.inverse_mass_a), of(row.inverse_mass_b));
+        let impulse = -(x * nx + y * ny) / (mass_a + mass_b);
+        let along = |amount: f32| f32x4::new([amount * nx, amount * ny, 0.0, 0.0]);
+        bodies.path[b] = (way_b + along(mass_b * impulse)).to_array();
+        if a != 0 {
+            bodies.path[a] = (way_a - along(mass_a * impulse)).to_array();
+        }
+    }
+}
+
+/// The poses after a step, from the rotations that are there already.
+#[inline(always)]
+pub(super) fn renew_poses(bodies: &mut Bodies) {
+    let count = bodies.hot.len();
+    let Bodies { poses, rotations, path, .. } = bodies;
+    let fours = poses[..count].as_chunks_mut::<4>().0.iter_mut();
+    for ((poses, rotations), path) in fours.zip(rotations[..count].as_chunks::<4>().0).zip(path.as_chunks::<4>().0) {
+        let [dx, dy, ..] = crate::math::lanes::columns(path);
+        let [x, y, ..] = crate::math::lanes::columns(poses);
+        let (sine, cosine) = sin_cos(f32x4::new(*rotations));
+        *poses = f32x4::transpose([x + dx, y + dy, cosine, sine]).map(f32x4::to_array);
+    }
+}
+
+/// How far proxies have come, and which have left their bounds.
+#[inline(always)]
+pub(super) fn follow(proxies: &mut Proxies, bodies: &Bodies, tuning: &Tuning) {
+    let scale = f32x4::splat(tuning.motion_scale());
+    let around = f32x4::splat(tuning.speculative);
+    let padded = proxies.movable.next_multiple_of(4);
+    let Proxies { all, boxes, bounds, motion, escaped, movable, .. } = proxies;
+    for four in (0..padded).step_by(4) {
+        let of = &all[four..four + 4];
+        let places: [u32; 4] = std::array::from_fn(|lane| of[lane].body);
+        let [x, y, c, s] = gather(&bodies.poses, &places);
+        let [dx, dy, turned, _] = gather(&bodies.path, &places);
+        let [cx, cy, hx, hy] = gather(boxes, &std::array::from_fn(|lane| (four + lane) as u32));
+        let radius = f32x4::new(std::array::from_fn(|lane| of[lane].shape.radius));
+        let reach = f32x4::new(std::array::from_fn(|lane| of[lane].shape.reach));
+        let (x, y) = (x + (c * cx - s * cy), y + (s * cx + c * cy));
+        let (ac, as_) = (c.abs(), s.abs());
+        let (ex, ey) = (ac * hx + as_ * hy + radius + around, as_ * hx + ac * hy + radius + around);
+        let [low_x, low_y, high_x, high_y] = gather(bounds, &std::array::from_fn(|lane| (four + lane) as u32));
+        let has_left = (x - ex).simd_lt(low_x)
+            | (y - ey).simd_lt(low_y)
+            | (x + ex).simd_gt(high_x)
+            | (y + ey).simd_gt(high_y);
+        let way = (dx.abs() + dy.abs() + reach * turned.abs()) * scale + f32x4::splat(0.999);
+        let most = f32x4::splat(1e9);
+        let way = select(way.simd_lt(most), way, most).to_array();
+        for (motion, way) in motion[four..four + 4].iter_mut().zip(way) {
+            *motion = motion.wrapping_add(way as u32);
+        }
+        let left = has_left.to_bitmask();
+        for lane in (0..4).filter(|lane| left >> lane & 1 == 1 && four + lane < *movable) {
+            escaped.push((four + lane) as u32);
+        }
+    }
+}

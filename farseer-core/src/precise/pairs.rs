@@ -1,0 +1,144 @@
+//! Pairs of proxies whose bounds overlap: they stay until the bounds part, and know what touched when.
+
+use super::rows::{Home, Kind};
+use super::vector::Vector;
+
+const NONE: u32 = u32::MAX;
+
+/// What the scan of all pairs reads: the pair is looked at once both have moved by more than `tolerance` since `since`.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Watch {
+    pub(super) proxies: [u32; 2],
+    pub(super) since: u32,
+    pub(super) tolerance: u32,
+}
+
+/// The tolerance of what is looked at by its row instead.
+pub(super) const BY_ROW: u32 = u32::MAX;
+
+/// Contacts as they were found last, to be kept while the two hardly move against each other.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Frozen {
+    /// Cosine and sine of A and of B then.
+    pub(super) turns: [f32; 4],
+    /// B's pose as seen from A.
+    pub(super) relative: [f32; 4],
+    pub(super) normal: Vector,
+    pub(super) count: u32,
+    /// Arms of A and of B, then.
+    pub(super) anchors: [[f32; 4]; 2],
+    pub(super) separations: [f32; 2],
+    pub(super) features: [u32; 2],
+}
+
+/// Everything else about a pair.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pair {
+    pub(super) kind: Kind,
+    /// Where its row is, if it has one.
+    pub(super) home: Option<Home>,
+    /// It touched when last told.
+    pub(super) is_told: bool,
+    /// Contacts push.
+    pub(super) responds: bool,
+    /// A handler refused it in this update.
+    pub(super) is_vetoed: bool,
+    next: [u32; 2],
+    previous: [u32; 2],
+}
+
+/// The pairs. A pair's number changes when another one goes.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Pairs {
+    pub(super) watched: Vec<Watch>,
+    pub(super) all: Vec<Pair>,
+    pub(super) frozen: Vec<Frozen>,
+    /// First link of each proxy's list: twice a pair's number, plus which side of it the proxy is.
+    heads: Vec<u32>,
+}
+
+impl Pairs {
+    /// Forgets all pairs.
+    pub(super) fn reset(&mut self, proxies: usize) {
+        self.watched.clear();
+        self.all.clear();
+        self.frozen.clear();
+        self.heads.clear();
+        self.heads.resize(proxies, NONE);
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.all.len()
+    }
+
+    /// The pairs of a proxy.
+    pub(super) fn of(&self, proxy: u32) -> impl Iterator<Item = usize> + '_ {
+        let mut link = self.heads[proxy as usize];
+        std::iter::from_fn(move || {
+            let at = (link != NONE).then_some((link >> 1) as usize)?;
+            link = self.all[at].next[(link & 1) as usize];
+            Some(at)
+        })
+    }
+
+    pub(super) fn contains(&self, [a, b]: [u32; 2]) -> bool {
+        self.of(b).any(|pair| self.watched[pair].proxies == [a, b])
+    }
+
+    /// A new pair, which nothing is known of. B is in few pairs: it can be pushed.
+    pub(super) fn push(&mut self, proxies: [u32; 2], kind: Kind, responds: bool) -> usize {
+        let at = self.all.len();
+        self.watched.push(Watch { proxies, since: 0, tolerance: 0 });
+        self.frozen.push(Frozen::default());
+        let links = [NONE; 2];
+        let (home, is_told, is_vetoed) = (None, false, false);
+        self.all.push(Pair { kind, home, is_told, responds, is_vetoed, next: links, previous: links });
+        for side in 0..2 {
+            self.link(at, side);
+        }
+        at
+    }
+
+    fn link(&mut self, pair: usize, side: usize) {
+        let head = &mut self.heads[self.watched[pair].proxies[side] as usize];
+        let link = (pair * 2 + side) as u32;
+        let next = std::mem::replace(head, link);
+        self.all[pair].next[side] = next;
+        self.all[pair].previous[side] = NONE;
+        if next != NONE {
+            self.all[(next >> 1) as usize].previous[(next & 1) as usize] = link;
+        }
+    }
+
+    /// Lets the neighbours of a link in its list name another one instead.
+    fn redirect(&mut self, pair: usize, side: usize, to_next: u32, to_previous: u32) {
+        let Pair { next, previous, .. } = self.all[pair];
+        match previous[side] {
+            NONE => self.heads[self.watched[pair].proxies[side] as usize] = to_next,
+            link => self.all[(link >> 1) as usize].next[(link & 1) as usize] = to_next,
+        }
+        if next[side] != NONE {
+            self.all[(next[side] >> 1) as usize].previous[(next[side] & 1) as usize] = to_previous;
+        }
+    }
+
+    /// Takes a pair out; it has no row any more. The last one has its number from then on: answers its home.
+    pub(super) fn remove(&mut self, pair: usize) -> Option<(Kind, Home)> {
+        for side in 0..2 {
+            let Pair { next, previous, .. } = self.all[pair];
+            self.redirect(pair, side, next[side], previous[side]);
+        }
+        let last = self.all.len() - 1;
+        if pair != last {
+            for side in 0..2 {
+                let link = (pair * 2 + side) as u32;
+                self.redirect(last, side, link, link);
+            }
+        }
+        self.watched.swap_remove(pair);
+        self.frozen.swap_remove(pair);
+        self.all.swap_remove(pair);
+        let moved = self.all.get(pair)?;
+        Some((moved.kind, moved.home?))
+    }
+}

@@ -1,0 +1,338 @@
+//! What the rows of contacts do to velocities, four at a time.
+//!
+//! Every substep: the impulses so far act again ([`gather_warm`], once per step); every row becomes a soft spring with a
+//! damper ([`solve_soft`]); bodies move; and every row is solved again, hard, so that what the springs pushed out does not
+//! stay as velocity ([`relax`]). That is the scheme of E. Catto, "Solver2D" (2024) and "Soft Constraints" (2011).
+//!
+//! **What is different: a spring learns its load.** A spring that carries a load rests where it is compressed by it: that is
+//! the sag of all soft methods, and no number of passes takes it away. Here the spring of a contact rests at an impulse of
+//! its own, `held`, at which its length is zero: in the spring's leak, l' = l - mass (u + bias s) k - leak (l - held). Once
+//! per step held follows the load, slowly, and only while nothing moves much ([`learn`]), as the integral term of a
+//! controller: it takes the sag away and adds no stiffness. A part of the load stays on the spring, so that contacts deep in
+//! a pile stay pressed; between that part and the whole load held stands still.
+//!
+//! With n the normal from A to B, t = (n.y, -n.x) and r the arm of a point: the relative velocity along n is
+//! (vB - vA) n + wB (rB x n) - wA (rA x n), and the same along t, where the arm is that of the middle of both points.
+
+use wide::f32x4;
+
+use super::bodies::Hot;
+use super::rows::{Colours, Point, Row};
+use super::tuning::{Learning, Softness};
+use crate::math::lanes::{gather, greater, positive, select, smaller};
+
+const ZERO: f32x4 = f32x4::ZERO;
+
+/// Velocity, or step, of the two sides of four rows.
+struct Sides {
+    a: [f32x4; 3],
+    b: [f32x4; 3],
+}
+
+#[inline(always)]
+fn velocities<const FIXED: bool, const P: usize>(row: &Row<P>, hot: &[Hot]) -> Sides {
+    sides::<FIXED, P>(row, |body| hot[body as usize].velocity)
+}
+
+#[inline(always)]
+fn steps<const FIXED: bool, const P: usize>(row: &Row<P>, hot: &[Hot]) -> Sides {
+    sides::<FIXED, P>(row, |body| hot[body as usize].step)
+}
+
+#[inline(always)]
+fn sides<const FIXED: bool, const P: usize>(row: &Row<P>, of: impl Fn(u32) -> [f32; 4]) -> Sides {
+    let columns = |bodies: &[u32; 4]| {
+        let [x, y, turn, _] = f32x4::transpose(bodies.map(|body| f32x4::new(of(body))));
+        [x, y, turn]
+    };
+    Sides { a: if FIXED { [ZERO; 3] } else { columns(&row.a) }, b: columns(&row.b) }
+}
+
+impl Sides {
+    #[inline(always)]
+    fn along_normal<const FIXED: bool, const P: usize>(&self, row: &Row<P>) -> f32x4 {
+        let [x, y] = self.apart::<FIXED>();
+        x * row.normal_x + y * row.normal_y
+    }
+
+    #[inline(always)]
+    fn along_tangent<const FIXED: bool, const P: usize>(&self, row: &Row<P>) -> f32x4 {
+        let [x, y] = self.apart::<FIXED>();
+        x * row.normal_y - y * row.normal_x
+    }
+
+    #[inline(always)]
+    fn apart<const FIXED: bool>(&self) -> [f32x4; 2] {
+        if FIXED { [self.b[0], self.b[1]] } else { [self.b[0] - self.a[0], self.b[1] - self.a[1]] }
+    }
+
+    /// What the turning of both adds at these arms.
+    #[inline(always)]
+    fn turning<const FIXED: bool>(&self, arm_a: f32x4, arm_b: f32x4) -> f32x4 {
+        if FIXED { self.b[2] * arm_b } else { self.b[2] * arm_b - self.a[2] * arm_a }
+    }
+
+    /// An impulse along a direction turns both.
+    #[inline(always)]
+    fn spin<const FIXED: bool, const P: usize>(&mut self, row: &Row<P>, impulse: f32x4, arm_a: f32x4, arm_b: f32x4) {
+        if !FIXED {
+            self.a[2] = self.a[2] - row.inverse_inertia_a * (arm_a * impulse);
+        }
+        self.b[2] = self.b[2] + row.inverse_inertia_b * (arm_b * impulse);
+    }
+
+    /// Writes the velocities back, after impulses along normal and tangent.
+    #[inline(always)]
+    fn store<const FIXED: bool, const P: usize>(&self, row: &Row<P>, hot: &mut [Hot], along: f32x4, across: f32x4) {
+        let x = along * row.normal_x + across * row.normal_y;
+        let y = along * row.normal_y - across * row.normal_x;
+        let mut put = |bodies: &[u32; 4], columns: [f32x4; 3]| {
+            let rows = f32x4::transpose([columns[0], columns[1], columns[2], ZERO]);
+            for (&body, velocity) in bodies.iter().zip(rows) {
+                hot[body as usize].velocity = velocity.to_array();
+            }
+        };
+        if !FIXED {
+            put(&row.a, [self.a[0] - row.inverse_mass_a * x, self.a[1] - row.inverse_mass_a * y, self.a[2]]);
+        }
+        put(&row.b, [self.b[0] + row.inverse_mass_b * x, self.b[1] + row.inverse_mass_b * y, self.b[2]]);
+    }
+}
+
+#[inline(always)]
+fn masses<const FIXED: bool, const P: usize>(row: &Row<P>) -> f32x4 {
+    if FIXED { row.inverse_mass_b } else { row.inverse_mass_a + row.inverse_mass_b }
+}
+
+#[inline(always)]
+fn magnitude(number: f32x4) -> f32x4 {
+    greater(number, ZERO - number)
+}
+
+/// Lets the springs of four rows learn their load.
+///
+/// How fast depends on how little the two move at the contact: not at all from a velocity of the gate on. One point rises
+/// while it is pressed in and what it carries is well above what it rests at. Of two points the sums are asked: rocking only
+/// shifts load from one to the other, and must not pump their springs.
+#[inline(always)]
+fn learn<const FIXED: bool, const P: usize>(row: &mut Row<P>, hot: &[Hot], learning: &Learning) {
+    let sides = velocities::<FIXED, P>(row, hot);
+    let slip = sides.along_tangent::<FIXED, P>(row) + sides.turning::<FIXED>(row.tangent_arm_a, row.tangent_arm_b);
+    let mut speed = magnitude(slip - row.tangent_speed);
+    let along = sides.along_normal::<FIXED, P>(row);
+    for point in &row.points {
+        speed = greater(speed, magnitude(along + sides.turning::<FIXED>(point.arm_a, point.arm_b)));
+    }
+    let stillness = positive(f32x4::splat(1.0) - speed * f32x4::splat(learning.inverse_gate));
+    let up = f32x4::splat(learning.up) * stillness;
+    let (learnt, down) = (f32x4::splat(learning.learnt), f32x4::splat(learning.down));
+    let sum = |of: fn(&Point) -> f32x4| row.points[1..].iter().fold(of(&row.points[0]), |sum, point| sum + of(point));
+    let (load, held) = (sum(|point| point.impulse), sum(|point| point.held));
+    let deepest = row.points[1..].iter().fold(row.points[0].separation, |least, p| smaller(least, p.separation));
+    let rises = (learnt * load).simd_gt(held) & deepest.simd_lt(ZERO) & up;
+    for point in &mut row.points {
+        let missing = point.impulse - point.held;
+        let excess = missing & missing.simd_lt(ZERO);
+        point.held = point.held + rises * positive(missing) + down * excess;
+    }
+}
+
+/// Sums what the impulses of all rows do to the velocity of each body in a substep; on the way springs learn.
+#[inline(always)]
+pub(super) fn gather_warm<const FIXED: bool, const P: usize>(
+    rows: &mut Colours<P>,
+    warm: &mut [[f32; 4]],
+    hot: &[Hot],
+    learning: &Learning,
+) {
+    rows.for_each(|row| {
+        learn::<FIXED, P>(row, hot, learning);
+        let sum = |of: fn(&Point) -> f32x4| row.points[1..].iter().fold(of(&row.points[0]), |sum, point| sum + of(point));
+        let along = sum(|point| point.impulse);
+        let turn_a = sum(|point| point.impulse * point.arm_a) + row.tangent_impulse * row.tangent_arm_a;
+        let turn_b = sum(|point| point.impulse * point.arm_b) + row.tangent_impulse * row.tangent_arm_b;
+        let x = along * row.normal_x + row.tangent_impulse * row.normal_y;
+        let y = along * row.normal_y - row.tangent_impulse * row.normal_x;
+        let mut add = |bodies: &[u32; 4], columns: [f32x4; 3]| {
+            let rows = f32x4::transpose([columns[0], columns[1], columns[2], ZERO]);
+            for (&body, change) in bodies.iter().zip(rows) {
+                let sum = &mut warm[body as usize];
+                *sum = (f32x4::new(*sum) + change).to_array();
+            }
+        };
+        if !FIXED {
+            let (mass, inertia) = (ZERO - row.inverse_mass_a, ZERO - row.inverse_inertia_a);
+            add(&row.a, [mass * x, mass * y, inertia * turn_a]);
+        }
+        add(&row.b, [row.inverse_mass_b * x, row.inverse_mass_b * y, row.inverse_inertia_b * turn_b]);
+    });
+}
+
+/// One pass over normals as soft springs. What is apart may come together by its distance and no further: a hard row with
+/// u >= -s / h.
+#[inline(always)]
+pub(super) fn solve_soft<const FIXED: bool, const P: usize>(
+    rows: &mut Colours<P>,
+    hot: &mut [Hot],
+    inverse_h: f32,
+    softness: Softness,
+    push: f32,
+) {
+    let one = f32x4::splat(1.0);
+    let (inverse_h, rate) = (f32x4::splat(inverse_h), f32x4::splat(softness.bias * softness.mass));
+    let (mass, leak) = (f32x4::splat(softness.mass), f32x4::splat(softness.impulse));
+    let fastest = f32x4::splat(-push);
+    rows.for_each(|row| {
+        let mut sides = velocities::<FIXED, P>(row, hot);
+        let mut along = sides.along_normal::<FIXED, P>(row);
+        let masses = masses::<FIXED, P>(row);
+        let mut sum = ZERO;
+        for at in 0..P {
+            let point = row.points[at];
+            let is_apart = point.separation.simd_gt(ZERO);
+            let bias = select(
+                is_apart,
+                point.separation * inverse_h,
+                greater(point.separation * rate, fastest),
+            );
+            let velocity = along + sides.turning::<FIXED>(point.arm_a, point.arm_b);
+            let part = select(is_apart, one, mass);
+            let leaked = (leak * (point.impulse - point.held)) & !is_apart;
+            let impulse = positive(point.impulse - (point.mass * (part * velocity + bias) + leaked));
+            let change = impulse - point.impulse;
+            row.points[at].impulse = impulse;
+            sum = sum + change;
+            along = along + masses * change;
+            sides.spin::<FIXED, P>(row, change, point.arm_a, point.arm_b);
+        }
+        sides.store::<FIXED, P>(row, hot, sum, ZERO);
+    });
+}
+
+/// One pass over normals and friction as hard rows, after the bodies have moved: separations follow them.
+#[inline(always)]
+pub(super) fn relax<const FIXED: bool, const P: usize>(rows: &mut Colours<P>, hot: &mut [Hot], inverse_h: f32) {
+    let inverse_h = f32x4::splat(inverse_h);
+    rows.for_each(|row| {
+        let moved = steps::<FIXED, P>(row, hot);
+        let moved_along = moved.along_normal::<FIXED, P>(row);
+        let mut sides = velocities::<FIXED, P>(row, hot);
+        let mut along = sides.along_normal::<FIXED, P>(row);
+        let across = sides.along_tangent::<FIXED, P>(row);
+        let masses = masses::<FIXED, P>(row);
+        let (mut sum, mut load) = (ZERO, ZERO);
+        for at in 0..P {
+            let point = row.points[at];
+            let separation =
+                point.separation + (moved_along + moved.turning::<FIXED>(point.arm_a, point.arm_b));
+            let velocity = along + sides.turning::<FIXED>(point.arm_a, point.arm_b);
+            let impulse =
+                positive(point.impulse - point.mass * (velocity + positive(separation) * inverse_h));
+            let change = impulse - point.impulse;
+            row.points[at].separation = separation;
+            row.points[at].impulse = impulse;
+            sum = sum + change;
+            load = load + impulse;
+            along = along + masses * change;
+            sides.spin::<FIXED, P>(row, change, point.arm_a, point.arm_b);
+        }
+        let slip = across + sides.turning::<FIXED>(row.tangent_arm_a, row.tangent_arm_b);
+        let most = row.friction * load;
+        let wanted = row.tangent_impulse - row.tangent_mass * (slip - row.tangent_speed);
+        let friction = greater(smaller(wanted, most), ZERO - most);
+        let change = friction - row.tangent_impulse;
+        row.tangent_impulse = friction;
+        sides.spin::<FIXED, P>(row, change, row.tangent_arm_a, row.tangent_arm_b);
+        sides.store::<FIXED, P>(row, hot, sum, change);
+    });
+}
+
+/// Notes how fast things approach each other, before the step.
+#[inline(always)]
+pub(super) fn note_approach<const FIXED: bool, const P: usize>(rows: &mut Colours<P>, hot: &[Hot]) {
+    rows.for_each(|row| {
+        let sides = velocities::<FIXED, P>(row, hot);
+        let along = sides.along_normal::<FIXED, P>(row);
+        for at in 0..P {
+            let Point { arm_a, arm_b, .. } = row.points[at];
+            row.approach[at] = along + sides.turning::<FIXED>(arm_a, arm_b);
+        }
+    });
+}
+
+/// After the step: what came fast enough and was pushed leaves as fast as its restitution says. Tells for each block that
+/// did which of its lanes.
+#[inline(always)]
+pub(super) fn bounce<const FIXED: bool, const P: usize>(
+    rows: &mut Colours<P>,
+    hot: &mut [Hot],
+    threshold: f32,
+    mut bounced: impl FnMut(&Row<P>, u32, &[Hot]),
+) {
+    let threshold = f32x4::splat(-threshold);
+    rows.for_each(|row| {
+        let restitution = std::array::from_fn::<f32x4, P, _>(|at| {
+            let is_due = threshold.simd_gt(row.approach[at]) & row.points[at].impulse.simd_gt(ZERO);
+            row.restitution & is_due
+        });
+        let due = restitution.iter().fold(0, |due, e| due | e.simd_gt(ZERO).to_bitmask());
+        if due == 0 {
+            return;
+        }
+        let mut sides = velocities::<FIXED, P>(row, hot);
+        let mut along = sides.along_normal::<FIXED, P>(row);
+        let masses = masses::<FIXED, P>(row);
+        let mut sum = ZERO;
+        for at in 0..P {
+            let point = row.points[at];
+            let velocity = along + sides.turning::<FIXED>(point.arm_a, point.arm_b);
+            let wanted = velocity + restitution[at] * row.approach[at];
+            let impulse = positive(point.impulse - point.mass * wanted);
+            let change = (impulse - point.impulse) & restitution[at].simd_gt(ZERO);
+            row.points[at].impulse = point.impulse + change;
+            sum = sum + change;
+            along = along + masses * change;
+            sides.spin::<FIXED, P>(row, change, point.arm_a, point.arm_b);
+        }
+        sides.store::<FIXED, P>(row, hot, sum, ZERO);
+        bounced(row, due, hot);
+    });
+}
+
+/// Normals and separations of circles that touch each other, all at once: there is nothing to clip. Tells the pairs that are
+/// further apart than contacts reach.
+#[inline(always)]
+pub(super) fn renew_circles(
+    rows: &mut Colours<1>,
+    poses: &[[f32; 4]],
+    circles: &[[f32; 4]],
+    reach: f32,
+    mut apart: impl FnMut(u32),
+) {
+    rows.for_each(|row| {
+        let [_, _, radius_a, is_round_a] = gather(circles, &row.a);
+        let [_, _, radius_b, is_round_b] = gather(circles, &row.b);
+        let are_round = (is_round_a * is_round_b).simd_gt(ZERO);
+        if are_round.to_bitmask() == 0 {
+            return;
+        }
+        let [ax, ay, _, _] = gather(poses, &row.a);
+        let [bx, by, _, _] = gather(poses, &row.b);
+        let (dx, dy) = (bx - ax, by - ay);
+        let squared = dx * dx + dy * dy;
+        let is_far = squared.simd_gt(f32x4::splat(f32::MIN_POSITIVE));
+        let distance = squared.sqrt();
+        let inverse = f32x4::splat(1.0) / select(is_far, distance, f32x4::splat(1.0));
+        let separation = distance - radius_a - radius_b;
+        let half = f32x4::splat(0.5) * separation;
+        row.normal_x = select(are_round, dx * inverse, row.normal_x);
+        row.normal_y = select(are_round, select(is_far, dy * inverse, f32x4::splat(1.0)), row.normal_y);
+        row.points[0].separation = select(are_round, separation, row.points[0].separation);
+        row.tangent_arm_a = select(are_round, ZERO - (radius_a + half), row.tangent_arm_a);
+        row.tangent_arm_b = select(are_round, radius_b + half, row.tangent_arm_b);
+        let gone = (separation.simd_gt(f32x4::splat(reach)) & are_round).to_bitmask();
+        for lane in (0..4).filter(|lane| gone >> lane & 1 == 1 && row.b[*lane] != 0) {
+            apart(row.pair[lane]);
+        }
+    });
+}

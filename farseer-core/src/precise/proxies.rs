@@ -1,0 +1,89 @@
+//! What pairs are of: the convex pieces of geoms, each with a box that is larger than it has to be, so that it need not be
+//! renewed in every step.
+
+use super::bodies::Bodies;
+use super::grid::Box2;
+use super::outline::{Corners, Shape};
+use super::tuning::Tuning;
+use super::vector::{rotation, turn};
+use crate::geom::GeomId;
+
+/// Boxes reach ahead of a body by what it moves in so many steps.
+const STEPS_AHEAD: f32 = 4.0;
+/// And around it by so much of its size at most.
+const MARGIN_OF_SIZE: f32 = 0.25;
+
+/// A convex piece of a geom.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Proxy {
+    pub(super) geom: GeomId,
+    /// Which piece of the geom it is.
+    pub(super) piece: u32,
+    /// The geom's creation number.
+    pub(super) number: u32,
+    /// Number of its body.
+    pub(super) body: u32,
+    pub(super) shape: Shape,
+    pub(super) friction: f32,
+    pub(super) restitution: f32,
+    /// Whether contacts push.
+    pub(super) responds: bool,
+    /// Speed of its surface along itself, if it stands still: a belt.
+    pub(super) surface_velocity: [f32; 3],
+}
+
+/// Those of bodies that can be pushed come first; lists of them are as long as a multiple of four.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Proxies {
+    pub(super) all: Vec<Proxy>,
+    /// Number of proxies of bodies that can be pushed.
+    pub(super) movable: usize,
+    pub(super) corners: Corners,
+    /// Centre and half sides of each shape's box in the body's frame.
+    pub(super) boxes: Vec<[f32; 4]>,
+    pub(super) bounds: Vec<Box2>,
+    /// Length of the way of every point of a proxy so far, at least: in parts of the unit, and wrapping.
+    pub(super) motion: Vec<u32>,
+    /// Those whose bounds are new: pairs are to be looked for.
+    pub(super) escaped: Vec<u32>,
+}
+
+impl Proxies {
+    pub(super) fn clear(&mut self) {
+        self.all.clear();
+        self.corners.clear();
+        self.boxes.clear();
+        self.bounds.clear();
+        self.motion.clear();
+        self.escaped.clear();
+    }
+
+    /// The box around a proxy, as wide as contacts reach.
+    #[inline]
+    pub(super) fn tight(&self, proxy: usize, bodies: &Bodies, tuning: &Tuning) -> Box2 {
+        let Proxy { body, shape, .. } = &self.all[proxy];
+        let pose = bodies.poses[*body as usize];
+        let q = rotation(pose);
+        let centre = turn(q, shape.centre);
+        let (c, s) = (q[0].abs(), q[1].abs());
+        let [hx, hy] = shape.half;
+        let around = shape.radius + tuning.speculative;
+        let (x, y) = (pose[0] + centre[0], pose[1] + centre[1]);
+        let (ex, ey) = (c * hx + s * hy + around, s * hx + c * hy + around);
+        [x - ex, y - ey, x + ex, y + ey]
+    }
+
+    /// Bounds with a margin, longer the faster the body is.
+    #[inline]
+    pub(super) fn widened(&self, proxy: usize, bodies: &Bodies, tuning: &Tuning, dt: f32) -> Box2 {
+        let tight = self.tight(proxy, bodies, tuning);
+        let Proxy { body, shape, .. } = &self.all[proxy];
+        let Some(hot) = bodies.hot.get(*body as usize) else { return tight };
+        let by_size = MARGIN_OF_SIZE * shape.reach;
+        let margin = if by_size < tuning.margin { by_size } else { tuning.margin };
+        let ahead = [0, 1].map(|axis| hot.velocity[axis] * (STEPS_AHEAD * dt));
+        let below = ahead.map(|way| if way < 0.0 { way - margin } else { -margin });
+        let above = ahead.map(|way| if way > 0.0 { way + margin } else { margin });
+        [tight[0] + below[0], tight[1] + below[1], tight[2] + above[0], tight[3] + above[1]]
+    }
+}

@@ -1,0 +1,391 @@
+//! Rows of contacts: they stay where they are from step to step, four side by side, in colours: no two rows of a colour
+//! share a body that can be pushed, so that their order does not matter. The last colour takes what finds no other, one
+//! row in each block, and is solved in order.
+
+use wide::f32x4;
+
+/// Number of colours; the last is for what finds no other.
+pub(super) const COLOURS: usize = 32;
+const LAST: u32 = COLOURS as u32 - 1;
+
+/// One contact point of four rows.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Point {
+    /// Arms of the normal about the bodies' origins: r x n.
+    pub(super) arm_a: f32x4,
+    pub(super) arm_b: f32x4,
+    /// What one unit of velocity along the normal weighs.
+    pub(super) mass: f32x4,
+    /// Impulse of a substep, 0 or more.
+    pub(super) impulse: f32x4,
+    /// Distance of the outlines, kept up while the bodies move.
+    pub(super) separation: f32x4,
+    /// The impulse at which the contact's spring rests: what it has learnt of its load.
+    pub(super) held: f32x4,
+}
+
+/// Four contacts with at most `P` points each.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Row<const P: usize> {
+    pub(super) a: [u32; 4],
+    pub(super) b: [u32; 4],
+    pub(super) pair: [u32; 4],
+    pub(super) normal_x: f32x4,
+    pub(super) normal_y: f32x4,
+    pub(super) inverse_mass_a: f32x4,
+    pub(super) inverse_mass_b: f32x4,
+    pub(super) inverse_inertia_a: f32x4,
+    pub(super) inverse_inertia_b: f32x4,
+    /// One friction row for both points, in their middle, along (normal y, -normal x).
+    pub(super) friction: f32x4,
+    pub(super) tangent_arm_a: f32x4,
+    pub(super) tangent_arm_b: f32x4,
+    pub(super) tangent_mass: f32x4,
+    pub(super) tangent_impulse: f32x4,
+    /// Speed of B against A along the tangent that friction aims at: belts.
+    pub(super) tangent_speed: f32x4,
+    pub(super) restitution: f32x4,
+    /// Velocities along the normal when the step began.
+    pub(super) approach: [f32x4; P],
+    pub(super) points: [Point; P],
+}
+
+impl<const P: usize> Default for Row<P> {
+    fn default() -> Self {
+        Row {
+            a: [0; 4],
+            b: [0; 4],
+            pair: [0; 4],
+            normal_x: f32x4::ZERO,
+            normal_y: f32x4::ZERO,
+            inverse_mass_a: f32x4::ZERO,
+            inverse_mass_b: f32x4::ZERO,
+            inverse_inertia_a: f32x4::ZERO,
+            inverse_inertia_b: f32x4::ZERO,
+            friction: f32x4::ZERO,
+            tangent_arm_a: f32x4::ZERO,
+            tangent_arm_b: f32x4::ZERO,
+            tangent_mass: f32x4::ZERO,
+            tangent_impulse: f32x4::ZERO,
+            tangent_speed: f32x4::ZERO,
+            restitution: f32x4::ZERO,
+            approach: [f32x4::ZERO; P],
+            points: [Point::default(); P],
+        }
+    }
+}
+
+/// One contact point.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct PointLane {
+    pub(super) arm_a: f32,
+    pub(super) arm_b: f32,
+    pub(super) mass: f32,
+    pub(super) impulse: f32,
+    pub(super) separation: f32,
+    pub(super) held: f32,
+}
+
+/// One row.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Lane {
+    pub(super) a: u32,
+    pub(super) b: u32,
+    pub(super) pair: u32,
+    pub(super) normal: [f32; 2],
+    pub(super) inverse_masses: [f32; 2],
+    pub(super) inverse_inertias: [f32; 2],
+    pub(super) friction: f32,
+    pub(super) tangent_arms: [f32; 2],
+    pub(super) tangent_mass: f32,
+    pub(super) tangent_impulse: f32,
+    pub(super) tangent_speed: f32,
+    pub(super) restitution: f32,
+    pub(super) points: [PointLane; 2],
+}
+
+#[inline(always)]
+fn get(of: &f32x4, lane: usize) -> f32 {
+    of.as_array()[lane]
+}
+
+#[inline(always)]
+fn set(of: &mut f32x4, lane: usize, value: f32) {
+    of.as_mut_array()[lane] = value;
+}
+
+impl<const P: usize> Row<P> {
+    fn lane(&self, at: usize) -> Lane {
+        let mut points = [PointLane::default(); 2];
+        for (lane, point) in points.iter_mut().zip(&self.points) {
+            *lane = PointLane {
+                arm_a: get(&point.arm_a, at),
+                arm_b: get(&point.arm_b, at),
+                mass: get(&point.mass, at),
+                impulse: get(&point.impulse, at),
+                separation: get(&point.separation, at),
+                held: get(&point.held, at),
+            };
+        }
+        Lane {
+            a: self.a[at],
+            b: self.b[at],
+            pair: self.pair[at],
+            normal: [get(&self.normal_x, at), get(&self.normal_y, at)],
+            inverse_masses: [get(&self.inverse_mass_a, at), get(&self.inverse_mass_b, at)],
+            inverse_inertias: [get(&self.inverse_inertia_a, at), get(&self.inverse_inertia_b, at)],
+            friction: get(&self.friction, at),
+            tangent_arms: [get(&self.tangent_arm_a, at), get(&self.tangent_arm_b, at)],
+            tangent_mass: get(&self.tangent_mass, at),
+            tangent_impulse: get(&self.tangent_impulse, at),
+            tangent_speed: get(&self.tangent_speed, at),
+            restitution: get(&self.restitution, at),
+            points,
+        }
+    }
+
+    fn set_lane(&mut self, at: usize, lane: &Lane) {
+        (self.a[at], self.b[at], self.pair[at]) = (lane.a, lane.b, lane.pair);
+        set(&mut self.normal_x, at, lane.normal[0]);
+        set(&mut self.normal_y, at, lane.normal[1]);
+        set(&mut self.inverse_mass_a, at, lane.inverse_masses[0]);
+        set(&mut self.inverse_mass_b, at, lane.inverse_masses[1]);
+        set(&mut self.inverse_inertia_a, at, lane.inverse_inertias[0]);
+        set(&mut self.inverse_inertia_b, at, lane.inverse_inertias[1]);
+        set(&mut self.friction, at, lane.friction);
+        set(&mut self.tangent_arm_a, at, lane.tangent_arms[0]);
+        set(&mut self.tangent_arm_b, at, lane.tangent_arms[1]);
+        set(&mut self.tangent_mass, at, lane.tangent_mass);
+        set(&mut self.tangent_impulse, at, lane.tangent_impulse);
+        set(&mut self.tangent_speed, at, lane.tangent_speed);
+        set(&mut self.restitution, at, lane.restitution);
+        for (point, from) in self.points.iter_mut().zip(&lane.points) {
+            set(&mut point.arm_a, at, from.arm_a);
+            set(&mut point.arm_b, at, from.arm_b);
+            set(&mut point.mass, at, from.mass);
+            set(&mut point.impulse, at, from.impulse);
+            set(&mut point.separation, at, from.separation);
+            set(&mut point.held, at, from.held);
+        }
+    }
+}
+
+/// The rows of one kind.
+#[derive(Debug, Clone)]
+pub(super) struct Colours<const P: usize> {
+    /// Which colours have rows, by bits.
+    pub(super) used: u32,
+    pub(super) blocks: [Vec<Row<P>>; COLOURS],
+    counts: [usize; COLOURS],
+}
+
+impl<const P: usize> Default for Colours<P> {
+    fn default() -> Self {
+        Colours { used: 0, blocks: std::array::from_fn(|_| Vec::new()), counts: [0; COLOURS] }
+    }
+}
+
+impl<const P: usize> Colours<P> {
+    fn clear(&mut self) {
+        self.used = 0;
+        self.counts = [0; COLOURS];
+        self.blocks.iter_mut().for_each(Vec::clear);
+    }
+
+    fn push(&mut self, colour: u32, lane: &Lane) -> u32 {
+        let blocks = &mut self.blocks[colour as usize];
+        let count = &mut self.counts[colour as usize];
+        let slot = if colour == LAST { blocks.len() * 4 } else { *count };
+        if slot % 4 == 0 {
+            blocks.push(Row::default());
+        }
+        blocks[slot / 4].set_lane(slot % 4, lane);
+        *count += 1;
+        self.used |= 1 << colour;
+        slot as u32
+    }
+
+    /// Takes a row out. Answers the pair whose row took its place.
+    fn remove(&mut self, colour: u32, slot: u32) -> Option<u32> {
+        let blocks = &mut self.blocks[colour as usize];
+        let count = &mut self.counts[colour as usize];
+        let last = if colour == LAST { (blocks.len() - 1) * 4 } else { *count - 1 };
+        let slot = slot as usize;
+        let moved = (slot != last).then(|| blocks[last / 4].lane(last % 4));
+        if let Some(lane) = &moved {
+            blocks[slot / 4].set_lane(slot % 4, lane);
+        }
+        if last % 4 == 0 {
+            blocks.pop();
+        } else {
+            blocks[last / 4].set_lane(last % 4, &Lane::default());
+        }
+        *count -= 1;
+        if *count == 0 {
+            self.used &= !(1 << colour);
+        }
+        moved.map(|lane| lane.pair)
+    }
+
+    /// The blocks of the colours that are used, in order.
+    #[inline(always)]
+    pub(super) fn for_each(&mut self, mut act: impl FnMut(&mut Row<P>)) {
+        let mut used = self.used;
+        while used != 0 {
+            let colour = used.trailing_zeros() as usize;
+            used &= used - 1;
+            self.blocks[colour].iter_mut().for_each(&mut act);
+        }
+    }
+
+    fn count(&self) -> usize {
+        self.counts.iter().sum()
+    }
+}
+
+/// What a row is between: two bodies that can be pushed, or one and something that does not give way, which then is A.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Kind {
+    pub(super) has_two_points: bool,
+    pub(super) is_fixed: bool,
+}
+
+/// Where a row lives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Home {
+    pub(super) colour: u32,
+    pub(super) slot: u32,
+}
+
+/// All rows of contacts.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Rows {
+    pub(super) two: Colours<2>,
+    pub(super) one: Colours<1>,
+    pub(super) two_fixed: Colours<2>,
+    pub(super) one_fixed: Colours<1>,
+}
+
+macro_rules! of_kind {
+    ($rows:expr, $kind:expr, $colours:ident => $act:expr) => {
+        match ($kind.has_two_points, $kind.is_fixed) {
+            (true, false) => {
+                let $colours = &mut $rows.two;
+                $act
+            }
+            (false, false) => {
+                let $colours = &mut $rows.one;
+                $act
+            }
+            (true, true) => {
+                let $colours = &mut $rows.two_fixed;
+                $act
+            }
+            (false, true) => {
+                let $colours = &mut $rows.one_fixed;
+                $act
+            }
+        }
+    };
+}
+
+impl Rows {
+    pub(super) fn clear(&mut self) {
+        self.two.clear();
+        self.one.clear();
+        self.two_fixed.clear();
+        self.one_fixed.clear();
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.two.used | self.one.used | self.two_fixed.used | self.one_fixed.used == 0
+    }
+
+    /// Number of points that are solved.
+    pub(super) fn point_count(&self) -> usize {
+        2 * (self.two.count() + self.two_fixed.count()) + self.one.count() + self.one_fixed.count()
+    }
+
+    pub(super) fn push(&mut self, kind: Kind, colour: u32, lane: &Lane) -> Home {
+        Home { colour, slot: of_kind!(self, kind, colours => colours.push(colour, lane)) }
+    }
+
+    /// Takes a row out. Answers the pair whose row has this home now.
+    pub(super) fn remove(&mut self, kind: Kind, home: Home) -> Option<u32> {
+        of_kind!(self, kind, colours => colours.remove(home.colour, home.slot))
+    }
+
+    #[inline]
+    pub(super) fn lane(&mut self, kind: Kind, home: Home) -> Lane {
+        let (block, at) = (home.slot as usize / 4, home.slot as usize % 4);
+        of_kind!(self, kind, colours => colours.blocks[home.colour as usize][block].lane(at))
+    }
+
+    #[inline]
+    pub(super) fn set_lane(&mut self, kind: Kind, home: Home, lane: &Lane) {
+        let (block, at) = (home.slot as usize / 4, home.slot as usize % 4);
+        of_kind!(self, kind, colours => colours.blocks[home.colour as usize][block].set_lane(at, lane));
+    }
+
+    /// The pair of a row has another number now.
+    pub(super) fn set_pair(&mut self, kind: Kind, home: Home, pair: u32) {
+        let (block, at) = (home.slot as usize / 4, home.slot as usize % 4);
+        of_kind!(self, kind, colours => colours.blocks[home.colour as usize][block].pair[at] = pair);
+    }
+
+    #[inline]
+    pub(super) fn set_separations(&mut self, kind: Kind, home: Home, separations: [f32; 2]) {
+        let (block, at) = (home.slot as usize / 4, home.slot as usize % 4);
+        of_kind!(self, kind, colours => {
+            let row = &mut colours.blocks[home.colour as usize][block];
+            for (point, separation) in row.points.iter_mut().zip(separations) {
+                set(&mut point.separation, at, separation);
+            }
+        });
+    }
+}
+
+/// Which colours are taken at each body, by bits: among rows of two bodies, and among those with something fixed. The last
+/// colour is never taken, and body 0, which stands for all that cannot be pushed, takes none.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Palette {
+    shared: Vec<u32>,
+    fixed: Vec<u32>,
+}
+
+impl Palette {
+    pub(super) fn reset(&mut self, bodies: usize) {
+        for taken in [&mut self.shared, &mut self.fixed] {
+            taken.clear();
+            taken.resize(bodies, 0);
+        }
+    }
+
+    fn of(&mut self, kind: Kind) -> &mut [u32] {
+        if kind.is_fixed { &mut self.fixed } else { &mut self.shared }
+    }
+
+    /// The first colour that is free at both bodies.
+    pub(super) fn free(&mut self, kind: Kind, bodies: [u32; 2]) -> u32 {
+        let taken = self.of(kind);
+        let both = bodies.iter().fold(0, |both, &body| both | taken[body as usize]);
+        (!both).trailing_zeros().min(LAST)
+    }
+
+    /// A row with this colour begins or ends.
+    pub(super) fn mark(&mut self, kind: Kind, bodies: [u32; 2], colour: u32, is_taken: bool) {
+        let taken = self.of(kind);
+        for body in bodies.into_iter().filter(|&body| body != 0 && colour != LAST) {
+            let bit = 1 << colour;
+            let colours = &mut taken[body as usize];
+            *colours = if is_taken { *colours | bit } else { *colours & !bit };
+        }
+    }
+
+    /// Whether a body has one row at most, but for those of the last colour.
+    #[inline(always)]
+    pub(super) fn is_single(&self, body: usize) -> bool {
+        let (shared, fixed) = (self.shared[body], self.fixed[body]);
+        (shared & shared.wrapping_sub(1)) | (fixed & fixed.wrapping_sub(1)) == 0 && (shared == 0 || fixed == 0)
+    }
+}

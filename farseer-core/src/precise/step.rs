@@ -1,0 +1,264 @@
+//! The stages of a step.
+
+use super::Precise;
+use super::bodies::read;
+use super::grid::overlap;
+use super::moving::{begin_substep, displace, even_out, fly, follow, renew_poses, stand_still};
+use super::passes::{bounce, gather_warm, note_approach, relax, renew_circles, solve_soft};
+use super::rows::Kind;
+use super::tuning::Step;
+use crate::geom::GeomId;
+use crate::math::Vector2;
+use crate::objects::Objects;
+use crate::report::{Event, Report};
+
+impl Precise {
+    /// Second stage: pairs whose bounds do not overlap any more go. Answers how many new ones there may be: those that
+    /// [`candidate`](Self::candidate) names, in the order of creation numbers.
+    pub(crate) fn find_pairs(&mut self) -> usize {
+        let escaped = std::mem::take(&mut self.proxies.escaped);
+        self.drop_parted(&escaped);
+        let mut found = std::mem::take(&mut self.found);
+        found.clear();
+        for &proxy in &escaped {
+            let bounds = self.proxies.bounds[proxy as usize];
+            self.grid.for_each_near(&bounds, |other| {
+                if other != proxy && overlap(&bounds, &self.proxies.bounds[other as usize]) {
+                    found.extend(self.ordered([proxy, other]).filter(|&pair| !self.pairs.contains(pair)));
+                }
+            });
+        }
+        let all = &self.proxies.all;
+        let key = |pair: &[u32; 2]| pair.map(|proxy| (all[proxy as usize].number, all[proxy as usize].piece));
+        found.sort_unstable_by_key(key);
+        found.dedup();
+        self.found = found;
+        self.proxies.escaped = escaped;
+        self.proxies.escaped.clear();
+        self.found.len()
+    }
+
+    fn drop_parted(&mut self, escaped: &[u32]) {
+        let mut lost = std::mem::take(&mut self.lost);
+        for &proxy in escaped {
+            let bounds = &self.proxies.bounds;
+            let has_parted = |&pair: &usize| {
+                let [a, b] = self.pairs.watched[pair].proxies;
+                !overlap(&bounds[a as usize], &bounds[b as usize])
+            };
+            lost.extend(self.pairs.of(proxy).filter(has_parted).map(|pair| pair as u32));
+        }
+        // From the last one on, so that numbers stay what they are.
+        lost.sort_unstable_by(|a, b| b.cmp(a));
+        lost.dedup();
+        for pair in lost.drain(..) {
+            self.touch().remove_pair(pair as usize);
+        }
+        self.lost = lost;
+    }
+
+    /// A pair as it is kept: what stands still first, else what was created first. None of what cannot move, or is one body.
+    pub(super) fn ordered(&self, [one, other]: [u32; 2]) -> Option<[u32; 2]> {
+        let is_movable = |proxy: u32| (proxy as usize) < self.proxies.movable;
+        let key = |proxy: u32| {
+            let proxy = &self.proxies.all[proxy as usize];
+            (proxy.number, proxy.piece)
+        };
+        let body = |proxy: u32| self.proxies.all[proxy as usize].body;
+        if body(one) == body(other) {
+            return None;
+        }
+        match (is_movable(one), is_movable(other)) {
+            (false, false) => None,
+            (false, true) => Some([one, other]),
+            (true, false) => Some([other, one]),
+            (true, true) if key(one) < key(other) => Some([one, other]),
+            (true, true) => Some([other, one]),
+        }
+    }
+
+    /// The geoms of a pair that was found.
+    pub(crate) fn candidate(&self, at: usize) -> (GeomId, GeomId) {
+        let [a, b] = self.found[at].map(|proxy| &self.proxies.all[proxy as usize]);
+        if a.number < b.number { (a.geom, b.geom) } else { (b.geom, a.geom) }
+    }
+
+    /// Takes a pair that was found.
+    pub(crate) fn accept(&mut self, at: usize) {
+        let proxies = self.found[at];
+        let responds = proxies.iter().all(|&proxy| self.proxies.all[proxy as usize].responds);
+        self.pairs.push(proxies, self.kind(proxies), responds);
+    }
+
+    pub(super) fn kind(&self, proxies: [u32; 2]) -> Kind {
+        let [a, b] = proxies.map(|proxy| self.proxies.all[proxy as usize].shape);
+        Kind {
+            has_two_points: a.count > 0 && b.count > 0,
+            is_fixed: proxies[0] as usize >= self.proxies.movable,
+        }
+    }
+
+    /// Third stage: what may have changed is looked at. Answers how many pairs that were.
+    pub(crate) fn find_contacts(&mut self, friction: crate::FrictionType) -> usize {
+        self.friction = friction;
+        if std::mem::take(&mut self.has_handled) {
+            self.forget_answers();
+        }
+        let mut lost = std::mem::take(&mut self.lost);
+        let reach = self.tuning.speculative;
+        renew_circles(&mut self.rows.one, &self.bodies.poses, &self.bodies.circles, reach, |pair| lost.push(pair));
+        lost.sort_unstable();
+        let circles = lost.len();
+        for pair in lost.drain(..) {
+            self.touch().look(pair as usize);
+        }
+        self.lost = lost;
+        circles + self.touch().scan()
+    }
+
+    /// What handlers have refused or changed was for one step.
+    fn forget_answers(&mut self) {
+        for pair in 0..self.pairs.len() {
+            if std::mem::take(&mut self.pairs.all[pair].is_vetoed) {
+                self.pairs.watched[pair].tolerance = 0;
+                self.pairs.frozen[pair].turns = [0.0; 4];
+            }
+        }
+    }
+
+    /// Fourth stage: forces are taken from the bodies. One whose velocity would not be finite keeps it and is disabled.
+    pub(crate) fn read_bodies(&mut self, objects: &mut Objects, gravity: Vector2, step: &Step, report: &mut Report) {
+        for number in 1..=self.bodies.count {
+            let Some((id, entry)) =
+                self.bodies.ids[number].and_then(|id| Some((id, objects.bodies.get_mut(id)?)))
+            else {
+                continue;
+            };
+            let (velocity, push) = read(&mut entry.body, gravity, step.dt, step.h);
+            let is_finite = (0..3).all(|i| (velocity[i] + push[i] * step.substeps as f32).is_finite());
+            if !is_finite {
+                entry.body.set_enabled(false);
+                report.push(Event::NotFinite { body: id, disabled: true });
+                self.is_stale = true;
+            }
+            let or_rest = |of: [f32; 4]| if is_finite { of } else { [0.0; 4] };
+            self.bodies.hot[number].velocity = or_rest(velocity);
+            self.bodies.before[number] = or_rest(velocity);
+            self.bodies.push[number] = or_rest(push);
+        }
+    }
+
+    /// The step that is due.
+    pub(crate) fn step_of(&self, dt: f32, substeps: u32) -> Step {
+        Step::new(dt, substeps, &self.tuning)
+    }
+
+    /// Fifth stage: velocities and ways.
+    pub(crate) fn solve(&mut self, step: &Step) {
+        if self.h != step.h {
+            self.scale_impulses(step.h);
+        }
+        if self.rows.is_empty() {
+            fly(&mut self.bodies, step);
+            return;
+        }
+        if self.bounces {
+            self.note_approaches();
+        }
+        self.gather_warm(step);
+        for substep in 0..step.substeps {
+            begin_substep(&mut self.bodies, substep == 0);
+            self.solve_soft(step);
+            displace(&mut self.bodies, step.h, substep == 0);
+            self.relax(step);
+        }
+        even_out(&mut self.bodies, &self.palette, step);
+        if self.bounces {
+            self.bounce(step);
+        }
+    }
+
+    /// Impulses are forces times the length of a substep: they follow it.
+    fn scale_impulses(&mut self, h: f32) {
+        let factor = if self.h > 0.0 { wide::f32x4::splat(h / self.h) } else { wide::f32x4::ZERO };
+        self.h = h;
+        let scale = |tangent: &mut wide::f32x4, points: &mut [super::rows::Point]| {
+            *tangent *= factor;
+            for point in points {
+                point.impulse *= factor;
+                point.held *= factor;
+            }
+        };
+        self.rows.two.for_each(|row| scale(&mut row.tangent_impulse, &mut row.points));
+        self.rows.one.for_each(|row| scale(&mut row.tangent_impulse, &mut row.points));
+        self.rows.two_fixed.for_each(|row| scale(&mut row.tangent_impulse, &mut row.points));
+        self.rows.one_fixed.for_each(|row| scale(&mut row.tangent_impulse, &mut row.points));
+    }
+
+    fn note_approaches(&mut self) {
+        let hot = &self.bodies.hot;
+        note_approach::<false, 2>(&mut self.rows.two, hot);
+        note_approach::<false, 1>(&mut self.rows.one, hot);
+        note_approach::<true, 2>(&mut self.rows.two_fixed, hot);
+        note_approach::<true, 1>(&mut self.rows.one_fixed, hot);
+    }
+
+    fn gather_warm(&mut self, step: &Step) {
+        let (warm, hot) = (&mut self.bodies.warm, &self.bodies.hot);
+        warm.fill([0.0; 4]);
+        gather_warm::<false, 2>(&mut self.rows.two, warm, hot, &step.learning);
+        gather_warm::<false, 1>(&mut self.rows.one, warm, hot, &step.learning);
+        gather_warm::<true, 2>(&mut self.rows.two_fixed, warm, hot, &step.learning);
+        gather_warm::<true, 1>(&mut self.rows.one_fixed, warm, hot, &step.learning);
+    }
+
+    fn solve_soft(&mut self, step: &Step) {
+        let (hot, inverse, push) = (&mut self.bodies.hot, 1.0 / step.h, self.tuning.push);
+        solve_soft::<false, 2>(&mut self.rows.two, hot, inverse, step.soft, push);
+        solve_soft::<false, 1>(&mut self.rows.one, hot, inverse, step.soft, push);
+        solve_soft::<true, 2>(&mut self.rows.two_fixed, hot, inverse, step.soft_fixed, push);
+        solve_soft::<true, 1>(&mut self.rows.one_fixed, hot, inverse, step.soft_fixed, push);
+    }
+
+    fn relax(&mut self, step: &Step) {
+        let (hot, inverse) = (&mut self.bodies.hot, 1.0 / step.h);
+        relax::<false, 2>(&mut self.rows.two, hot, inverse);
+        relax::<false, 1>(&mut self.rows.one, hot, inverse);
+        relax::<true, 2>(&mut self.rows.two_fixed, hot, inverse);
+        relax::<true, 1>(&mut self.rows.one_fixed, hot, inverse);
+    }
+
+    fn bounce(&mut self, step: &Step) {
+        let (threshold, dt) = (self.tuning.bounce, step.dt);
+        let Precise { rows, bodies, palette, .. } = self;
+        let mut hot = std::mem::take(&mut bodies.hot);
+        macro_rules! bounce_all {
+            ($fixed:literal, $points:literal, $rows:expr) => {
+                bounce::<$fixed, $points>($rows, &mut hot, threshold, |row, lanes, hot| {
+                    stand_still(bodies, hot, palette, dt, row, lanes)
+                })
+            };
+        }
+        bounce_all!(false, 2, &mut rows.two);
+        bounce_all!(false, 1, &mut rows.one);
+        bounce_all!(true, 2, &mut rows.two_fixed);
+        bounce_all!(true, 1, &mut rows.one_fixed);
+        bodies.hot = hot;
+    }
+
+    /// Sixth stage, after the bodies were written: poses, bounds, and who has left them.
+    pub(crate) fn follow(&mut self, dt: f32) {
+        renew_poses(&mut self.bodies);
+        follow(&mut self.proxies, &self.bodies, &self.tuning);
+        for at in 0..self.proxies.escaped.len() {
+            self.widen(self.proxies.escaped[at], dt);
+        }
+    }
+
+    /// Gives a proxy new bounds.
+    pub(super) fn widen(&mut self, proxy: u32, dt: f32) {
+        let bounds = self.proxies.widened(proxy as usize, &self.bodies, &self.tuning, dt);
+        self.proxies.bounds[proxy as usize] = bounds;
+        self.grid.set(proxy, &bounds);
+    }
+}

@@ -1,0 +1,369 @@
+//! Where pairs touch, and what of it is kept from step to step.
+//!
+//! A pair is looked at only when its bodies have moved so far that something can have changed. Then, while the two have
+//! hardly moved *against each other* since their contacts were found, normal and anchors stay as they are and only the
+//! distances are renewed, exactly; a tall stack would fall if they followed every tremble. Else the contacts are found anew,
+//! and take over the impulses of those with the same corners, or, if the corners have changed, of those that were nearest.
+
+use super::bodies::Bodies;
+use super::manifold::{Manifold, collide};
+use super::pairs::{BY_ROW, Frozen, Pairs};
+use super::proxies::{Proxies, Proxy};
+use super::rows::{Home, Lane, Palette, PointLane, Rows};
+use super::tuning::Tuning;
+use super::vector::{Pose, Vector, cross, difference, dot, length, place, rotation, sum, turn, turn_back};
+use crate::geom::surface::{FrictionType, mix_restitution};
+
+/// Bodies that have turned further than this have their contacts found anew: its cosine.
+const LARGEST_TURN: f32 = 0.98;
+/// A new point goes on from an old one whose anchor is nearer than this part of the smaller body.
+const NEAR: f32 = 0.4;
+/// Units after which a pair that is apart is looked at again in any case, so that motion sums cannot wrap unseen.
+const LONGEST_SLACK: f32 = 8.0;
+
+/// Finds contacts: the parts of the step that this takes.
+pub(super) struct Touch<'a> {
+    pub(super) bodies: &'a Bodies,
+    pub(super) proxies: &'a Proxies,
+    pub(super) pairs: &'a mut Pairs,
+    pub(super) rows: &'a mut Rows,
+    pub(super) palette: &'a mut Palette,
+    pub(super) tuning: &'a Tuning,
+    pub(super) friction: FrictionType,
+    /// Pairs of geoms that begin to touch, or may have ceased to, since this was told last.
+    pub(super) changes: &'a mut Vec<Change>,
+}
+
+/// Two proxies begin or cease to touch.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Change {
+    pub(super) proxies: [u32; 2],
+    pub(super) begins: bool,
+}
+
+/// What a pair is made of.
+#[derive(Clone, Copy)]
+struct Two<'a> {
+    a: &'a Proxy,
+    b: &'a Proxy,
+    pose_a: Pose,
+    pose_b: Pose,
+}
+
+impl Two<'_> {
+    /// B's pose as seen from A.
+    fn relative(&self) -> [f32; 4] {
+        let (qa, qb) = (rotation(self.pose_a), rotation(self.pose_b));
+        let [x, y] = turn_back(qa, self.apart());
+        let [c, s] = turn_back(qa, qb);
+        [x, y, c, s]
+    }
+
+    fn apart(&self) -> Vector {
+        difference(place(self.pose_b), place(self.pose_a))
+    }
+}
+
+impl<'a> Touch<'a> {
+    fn two(&self, pair: usize) -> Two<'a> {
+        let [a, b] = self.pairs.watched[pair].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
+        let pose = |proxy: &Proxy| self.bodies.poses[proxy.body as usize];
+        Two { a, b, pose_a: pose(a), pose_b: pose(b) }
+    }
+
+    fn motion(&self, pair: usize) -> u32 {
+        let [a, b] = self.pairs.watched[pair].proxies.map(|proxy| self.proxies.motion[proxy as usize]);
+        a.wrapping_add(b)
+    }
+
+    /// Looks at all pairs that have moved far enough. Answers how many.
+    pub(super) fn scan(&mut self) -> usize {
+        let mut looked_at = 0;
+        for pair in 0..self.pairs.len() {
+            let watch = self.pairs.watched[pair];
+            let [a, b] = watch.proxies.map(|proxy| self.proxies.motion[proxy as usize]);
+            let moved = a.wrapping_add(b).wrapping_sub(watch.since);
+            if moved >= watch.tolerance && watch.tolerance != BY_ROW {
+                looked_at += 1;
+                self.look(pair);
+            }
+        }
+        looked_at
+    }
+
+    /// Looks at a pair.
+    pub(super) fn look(&mut self, pair: usize) {
+        let two = self.two(pair);
+        let is_known = self.pairs.frozen[pair].count > 0 && self.pairs.watched[pair].tolerance != BY_ROW;
+        self.pairs.watched[pair].since = self.motion(pair);
+        if is_known && self.renew(pair, two) {
+            self.note_touch(pair, two);
+            return;
+        }
+        let outline = |proxy: &Proxy| self.proxies.corners.outline(proxy.shape);
+        let (a, b) = (outline(two.a), outline(two.b));
+        let found = collide(a, b, two.pose_a, two.pose_b, self.tuning.speculative);
+        if found.count == 0 {
+            self.part(pair, found.gap);
+        } else {
+            self.meet(pair, two, &found);
+            self.note_touch(pair, two);
+        }
+    }
+
+    /// The two touch once their outlines do or push each other: contacts that only reach ahead are not told. Until then the
+    /// pair is looked at in every step. They cease to when nothing is near any more; where nothing pushes, when the outlines
+    /// part.
+    fn note_touch(&mut self, pair: usize, two: Two<'_>) {
+        let state = self.pairs.all[pair];
+        let frozen = &self.pairs.frozen[pair];
+        let touches = match state.home {
+            Some(home) => self.rows.lane(state.kind, home).points[..frozen.count as usize]
+                .iter()
+                .any(|point| point.separation <= 0.0 || point.impulse > 0.0),
+            None => frozen.separations[..frozen.count as usize].iter().any(|&separation| separation <= 0.0),
+        };
+        let stays = touches || (state.is_told && state.responds);
+        if stays != state.is_told {
+            self.tell(pair, stays);
+        }
+        let scale = self.tuning.motion_scale();
+        self.pairs.watched[pair].tolerance = match (stays && state.responds, self.are_circles(two)) {
+            (false, _) => 0,
+            (true, true) if state.home.is_some() => BY_ROW,
+            (true, _) => (self.tuning.checked * scale) as u32,
+        };
+    }
+
+    fn tell(&mut self, pair: usize, begins: bool) {
+        self.pairs.all[pair].is_told = begins;
+        self.changes.push(Change { proxies: self.pairs.watched[pair].proxies, begins });
+    }
+
+    /// The two are further apart than contacts reach.
+    fn part(&mut self, pair: usize, gap: f32) {
+        self.remove_row(pair);
+        if self.pairs.all[pair].is_told {
+            self.tell(pair, false);
+        }
+        self.pairs.frozen[pair] = Frozen::default();
+        let slack = (gap - self.tuning.speculative).clamp(0.0, LONGEST_SLACK * self.tuning.unit);
+        self.pairs.watched[pair].tolerance = (slack * self.tuning.motion_scale()) as u32;
+    }
+
+    /// If the two have hardly moved against each other, normal and anchors stay, and separations are renewed.
+    fn renew(&mut self, pair: usize, two: Two<'_>) -> bool {
+        let frozen = &self.pairs.frozen[pair];
+        let (qa, qb) = (rotation(two.pose_a), rotation(two.pose_b));
+        let [ca, sa, cb, sb] = frozen.turns;
+        let [turned_a, turned_b] = [turn_back([ca, sa], qa), turn_back([cb, sb], qb)];
+        let [x, y, c, s] = two.relative();
+        let [x0, y0, c0, s0] = frozen.relative;
+        let sine = cross([c0, s0], [c, s]).abs();
+        let reach = if self.is_fixed(two.a) { two.b.shape.reach } else { two.a.shape.reach.max(two.b.shape.reach) };
+        let moved = length([x - x0, y - y0]) + reach * sine;
+        let is_same = turned_a[0] > LARGEST_TURN
+            && turned_b[0] > LARGEST_TURN
+            && moved < self.tuning.frozen - self.tuning.checked;
+        if !is_same {
+            return false;
+        }
+        let mut separations = frozen.separations;
+        for (separation, &[ax, ay, bx, by]) in separations.iter_mut().zip(&frozen.anchors) {
+            let apart = sum(two.apart(), difference(turn(turned_b, [bx, by]), turn(turned_a, [ax, ay])));
+            *separation += dot(apart, frozen.normal);
+        }
+        match self.pairs.all[pair].home {
+            Some(home) => self.rows.set_separations(self.pairs.all[pair].kind, home, separations),
+            None => return false,
+        }
+        true
+    }
+
+    fn is_fixed(&self, proxy: &Proxy) -> bool {
+        proxy.body as usize >= self.bodies.first_fixed()
+    }
+
+    /// The two touch, or nearly do.
+    fn meet(&mut self, pair: usize, two: Two<'_>, found: &Manifold) {
+        let state = self.pairs.all[pair];
+        let old = state.home.map(|home| self.rows.lane(state.kind, home));
+        let kept = self.kept(pair, two, found);
+        self.freeze(pair, two, found);
+        if !state.responds || state.is_vetoed {
+            return;
+        }
+        let old = old.unwrap_or_default();
+        let mut lane = self.lane(pair, two);
+        lane.tangent_impulse = old.tangent_impulse;
+        for (at, point) in lane.points.iter_mut().enumerate().take(found.count) {
+            if let Some(from) = kept[at] {
+                (point.impulse, point.held) = (old.points[from].impulse, old.points[from].held);
+            }
+        }
+        match state.home {
+            Some(home) => self.rows.set_lane(state.kind, home, &lane),
+            None => self.add_row(pair, &lane),
+        }
+    }
+
+    fn are_circles(&self, two: Two<'_>) -> bool {
+        let is_circle = |proxy: &Proxy| self.bodies.circles.get(proxy.body as usize).is_some_and(|row| row[3] > 0.0);
+        is_circle(two.a) && is_circle(two.b)
+    }
+
+    fn freeze(&mut self, pair: usize, two: Two<'_>, found: &Manifold) {
+        let count = if self.pairs.all[pair].kind.has_two_points { found.count } else { found.count.min(1) };
+        let apart = two.apart();
+        let anchors = found.points.map(|point| {
+            let [bx, by] = difference(point, apart);
+            [point[0], point[1], bx, by]
+        });
+        let [qa, qb] = [rotation(two.pose_a), rotation(two.pose_b)];
+        self.pairs.frozen[pair] = Frozen {
+            turns: [qa[0], qa[1], qb[0], qb[1]],
+            relative: two.relative(),
+            normal: found.normal,
+            count: count as u32,
+            anchors,
+            separations: found.separations,
+            features: found.features,
+        };
+    }
+
+    /// Which old point each new one goes on from: the one with its corners, else the nearest that is left over.
+    fn kept(&self, pair: usize, two: Two<'_>, found: &Manifold) -> [Option<usize>; 2] {
+        if !self.pairs.all[pair].kind.has_two_points {
+            return [Some(0), None];
+        }
+        let old = &self.pairs.frozen[pair];
+        let old_count = old.count as usize;
+        let mut kept = [None; 2];
+        let mut is_taken = [false; 2];
+        for new in 0..found.count {
+            let same = (0..old_count).find(|&o| !is_taken[o] && old.features[o] == found.features[new]);
+            if let Some(o) = same {
+                (kept[new], is_taken[o]) = (Some(o), true);
+            }
+        }
+        let size = if self.is_fixed(two.a) { two.b.shape.reach } else { two.a.shape.reach.min(two.b.shape.reach) };
+        for new in 0..found.count {
+            if kept[new].is_some() {
+                continue;
+            }
+            let mut nearest = (NEAR * size) * (NEAR * size);
+            for o in (0..old_count).filter(|&o| !is_taken[o]) {
+                let distance = self.squared_distance(old, o, two, found.points[new]);
+                if distance < nearest {
+                    (nearest, kept[new]) = (distance, Some(o));
+                }
+            }
+            if let Some(o) = kept[new] {
+                is_taken[o] = true;
+            }
+        }
+        kept
+    }
+
+    /// How far an old anchor is from a new one, on the body on which it is nearer.
+    fn squared_distance(&self, old: &Frozen, point: usize, two: Two<'_>, new: Vector) -> f32 {
+        let [ax, ay, bx, by] = old.anchors[point];
+        let [ca, sa, cb, sb] = old.turns;
+        let new_b = difference(new, two.apart());
+        let on_a = difference(turn_back([ca, sa], [ax, ay]), turn_back(rotation(two.pose_a), new));
+        let on_b = difference(turn_back([cb, sb], [bx, by]), turn_back(rotation(two.pose_b), new_b));
+        let (a, b) = (dot(on_a, on_a), dot(on_b, on_b));
+        if a < b { a } else { b }
+    }
+
+    /// The row of a pair as its contacts were found, without impulses.
+    fn lane(&self, pair: usize, two: Two<'_>) -> Lane {
+        let frozen = &self.pairs.frozen[pair];
+        let is_fixed = self.is_fixed(two.a);
+        let [[mass_a, inertia_a], [mass_b, inertia_b]] =
+            [two.a, two.b].map(|proxy| self.bodies.inverses[proxy.body as usize]);
+        let normal = frozen.normal;
+        let weight = |arm_a: f32, arm_b: f32| {
+            let inverse = mass_a + mass_b + inertia_a * arm_a * arm_a + inertia_b * arm_b * arm_b;
+            if inverse > 0.0 { 1.0 / inverse } else { 0.0 }
+        };
+        let mut points = [PointLane { separation: self.tuning.unit, ..PointLane::default() }; 2];
+        let (mut tangent_a, mut tangent_b) = (0.0, 0.0);
+        for (at, point) in points.iter_mut().enumerate().take(frozen.count as usize) {
+            let [ax, ay, bx, by] = frozen.anchors[at];
+            let (arm_a, arm_b) = (cross([ax, ay], normal), cross([bx, by], normal));
+            tangent_a -= dot([ax, ay], normal);
+            tangent_b -= dot([bx, by], normal);
+            *point = PointLane {
+                arm_a,
+                arm_b,
+                mass: weight(arm_a, arm_b),
+                separation: frozen.separations[at],
+                ..PointLane::default()
+            };
+        }
+        let parts = 1.0 / frozen.count as f32;
+        let tangent_arms = [tangent_a * parts, tangent_b * parts];
+        Lane {
+            a: if is_fixed { 0 } else { two.a.body },
+            b: two.b.body,
+            pair: pair as u32,
+            normal,
+            inverse_masses: [mass_a, mass_b],
+            inverse_inertias: [inertia_a, inertia_b],
+            friction: self.friction.mix(two.a.friction, two.b.friction),
+            tangent_arms,
+            tangent_mass: weight(tangent_arms[0], tangent_arms[1]),
+            tangent_impulse: 0.0,
+            tangent_speed: belt_speed(two.a, normal, frozen.anchors[0]),
+            restitution: mix_restitution(two.a.restitution, two.b.restitution),
+            points,
+        }
+    }
+
+    fn add_row(&mut self, pair: usize, lane: &Lane) {
+        let kind = self.pairs.all[pair].kind;
+        let colour = self.palette.free(kind, [lane.a, lane.b]);
+        self.palette.mark(kind, [lane.a, lane.b], colour, true);
+        self.pairs.all[pair].home = Some(self.rows.push(kind, colour, lane));
+    }
+
+    /// Takes the row of a pair out, if it has one.
+    pub(super) fn remove_row(&mut self, pair: usize) {
+        let kind = self.pairs.all[pair].kind;
+        let Some(home) = self.pairs.all[pair].home.take() else { return };
+        let Lane { a, b, .. } = self.rows.lane(kind, home);
+        self.palette.mark(kind, [a, b], home.colour, false);
+        if let Some(moved) = self.rows.remove(kind, home) {
+            self.pairs.all[moved as usize].home = Some(home);
+        }
+    }
+
+    /// Takes a pair out.
+    pub(super) fn remove_pair(&mut self, pair: usize) {
+        self.remove_row(pair);
+        if self.pairs.all[pair].is_told {
+            self.tell(pair, false);
+        }
+        if let Some((kind, home)) = self.pairs.remove(pair) {
+            self.rows.set_pair(kind, home, pair as u32);
+        }
+    }
+
+    /// A row as it was saved.
+    pub(super) fn restore_row(&mut self, pair: usize, colour: u32, set: impl FnOnce(&mut Lane)) {
+        let mut lane = self.lane(pair, self.two(pair));
+        set(&mut lane);
+        let kind = self.pairs.all[pair].kind;
+        self.palette.mark(kind, [lane.a, lane.b], colour, true);
+        let slot: Home = self.rows.push(kind, colour, &lane);
+        self.pairs.all[pair].home = Some(slot);
+    }
+}
+
+/// Speed of B against A along the tangent (normal y, -normal x) that a surface moving under it aims at.
+fn belt_speed(a: &Proxy, normal: Vector, [ax, ay, ..]: [f32; 4]) -> f32 {
+    let [x, y, spin] = a.surface_velocity;
+    let at = [x - spin * ay, y + spin * ax];
+    dot(at, [normal[1], -normal[0]])
+}

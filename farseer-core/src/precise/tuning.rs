@@ -1,0 +1,123 @@
+//! The numbers of the method, in the user's unit.
+
+use serde::{Deserialize, Serialize};
+
+/// How things that touch are kept together and apart. Lengths are parts of [`Methods::Precise`](crate::Methods)'
+/// `length_unit`, the size of things that a player looks at: a metre of a game in metres, 32 px of one in px.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Tuning {
+    /// Length that the lengths below are parts of.
+    pub(crate) unit: f32,
+    /// Outlines that are nearer than this have contacts, so that nothing has to be pushed out later.
+    pub(crate) speculative: f32,
+    /// Margin of the boxes of pairs.
+    pub(crate) margin: f32,
+    /// Bodies that moved less against each other since their contacts were looked for keep normal and anchors.
+    pub(crate) frozen: f32,
+    /// Motion after which separations are looked at again.
+    pub(crate) checked: f32,
+    /// Speed above which the springs of contacts do not learn their load.
+    pub(crate) gate: f32,
+    /// Greatest speed at which an overlap is undone.
+    pub(crate) push: f32,
+    /// Speed of approach below which nothing bounces.
+    pub(crate) bounce: f32,
+}
+
+impl Tuning {
+    /// For things of about this size.
+    pub(crate) fn new(unit: f32) -> Self {
+        Tuning {
+            unit,
+            speculative: 0.02 * unit,
+            margin: 0.05 * unit,
+            frozen: 0.05 * unit,
+            checked: 0.003 * unit,
+            gate: 0.05 * unit,
+            push: 3.0 * unit,
+            bounce: unit,
+        }
+    }
+
+    /// Motion sums count in parts of 2^-26 units, and wrap.
+    pub(crate) fn motion_scale(&self) -> f32 {
+        67_108_864.0 / self.unit
+    }
+}
+
+/// Frequency of a contact's spring in Hz, as far as the length of a substep allows; its damping ratio; and how many
+/// substeps a period of it must have.
+const FREQUENCY: f32 = 30.0;
+const DAMPING: f32 = 10.0;
+const SUBSTEPS_PER_PERIOD: f32 = 8.0;
+
+/// Parts per step of 1/60 s by which the load that a spring rests at follows the load it carries, up and down; and the part
+/// of the load that is left on the spring.
+const LEARNING: f32 = 0.02;
+const FORGETTING: f32 = 0.05;
+const RESERVE: f32 = 0.2;
+
+/// The numbers of one step.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Step {
+    /// Seconds of the whole step.
+    pub(super) dt: f32,
+    /// Number of substeps, and seconds of each.
+    pub(super) substeps: u32,
+    pub(super) h: f32,
+    /// Against another dynamic body, and against what does not give way.
+    pub(super) soft: Softness,
+    pub(super) soft_fixed: Softness,
+    pub(super) learning: Learning,
+}
+
+/// A spring with damper over a substep: what one pass does with a separation, a velocity and the impulse so far (E. Catto,
+/// "Soft Constraints", GDC 2011). With frequency f, damping ratio z and omega = 2 pi f, the exact implicit step is
+/// l' = l - mass (u + bias s) k - impulse l.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Softness {
+    pub(super) bias: f32,
+    pub(super) mass: f32,
+    pub(super) impulse: f32,
+}
+
+impl Softness {
+    fn new(frequency: f32, damping: f32, h: f32) -> Self {
+        let omega = 2.0 * std::f32::consts::PI * frequency;
+        let a1 = 2.0 * damping + h * omega;
+        let a2 = h * omega * a1;
+        let a3 = 1.0 / (1.0 + a2);
+        Softness { bias: omega / a1, mass: a2 * a3, impulse: a3 }
+    }
+}
+
+/// How springs learn their load in a step.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Learning {
+    pub(super) up: f32,
+    pub(super) down: f32,
+    /// Part of the load that the spring does not learn.
+    pub(super) learnt: f32,
+    pub(super) inverse_gate: f32,
+}
+
+impl Step {
+    pub(super) fn new(dt: f32, substeps: u32, tuning: &Tuning) -> Self {
+        let h = dt / substeps as f32;
+        let frequency = FREQUENCY.min(1.0 / (SUBSTEPS_PER_PERIOD * h));
+        let steps = dt * 60.0;
+        Step {
+            dt,
+            substeps,
+            h,
+            soft: Softness::new(frequency, DAMPING, h),
+            soft_fixed: Softness::new(2.0 * frequency, DAMPING, h),
+            learning: Learning {
+                up: (LEARNING * steps).min(1.0),
+                down: (FORGETTING * steps).min(1.0),
+                learnt: 1.0 - RESERVE,
+                inverse_gate: 1.0 / tuning.gate,
+            },
+        }
+    }
+}
