@@ -47,7 +47,7 @@ impl World {
             let (a, b) = (arbiter.geom_a(), arbiter.geom_b());
             let z = self.middle(core, a, b);
             let across = self.friction_along_z(core, a, b);
-            arbiter.contacts().iter().zip(0..).map(move |(contact, index)| TwoHalfContact {
+            arbiter.contacts().zip(0..).map(move |(contact, index)| TwoHalfContact {
                 this: b,
                 partner: Partner::Geom(a),
                 axis: Axis::Plane,

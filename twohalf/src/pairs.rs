@@ -51,7 +51,7 @@ impl KnownPairs {
 
 /// The impulse between two geoms that touch in the 2D engine.
 pub(crate) fn impulse_of(arbiter: ArbiterRef<'_>) -> f32 {
-    nearest_finite(arbiter.contacts().iter().map(Contact::normal_impulse).sum())
+    nearest_finite(arbiter.contacts().map(|contact| contact.normal_impulse()).sum())
 }
 
 /// What becomes of a pair whose boxes overlap in all three axes.
@@ -194,7 +194,7 @@ impl CoreHandler for Meeting<'_, '_> {
             return true;
         };
         let Some(collision) =
-            self.world.plane_collision(context.simulator(), [geom_a, geom_b], this, contacts)
+            self.world.plane_collision(context.simulator(), [geom_a, geom_b], this, contacts.iter().copied())
         else {
             return true;
         };
@@ -205,7 +205,7 @@ impl CoreHandler for Meeting<'_, '_> {
             self.world.update.vetoed.push(collision);
             let told = self
                 .world
-                .plane_collision(context.simulator(), [geom_a, geom_b], other, contacts)
+                .plane_collision(context.simulator(), [geom_a, geom_b], other, contacts.iter().copied())
                 .filter(|_| this == geom_b);
             self.world.update.halved.extend(told.map(|told| Collision { normal_impulse, ..told }));
         }
@@ -284,9 +284,10 @@ impl World {
         core: &PhysicsSimulator,
         [older, younger]: [GeomId; 2],
         this: GeomId,
-        contacts: &[Contact],
+        mut contacts: impl ExactSizeIterator<Item = Contact>,
     ) -> Option<Collision> {
-        let deepest = contacts.first()?;
+        let count = contacts.len();
+        let deepest = contacts.next()?;
         // The 2D engine's normals point to the younger geom.
         let (sign, other) = if younger == this { (1.0, older) } else { (-1.0, younger) };
         Some(Collision {
@@ -295,7 +296,7 @@ impl World {
             axis: Axis::Plane,
             normal: Vector3::new(sign * deepest.normal.x, -sign * deepest.normal.y, 0.0),
             position: Vector3::new(deepest.position.x, -deepest.position.y, self.middle(core, this, other)),
-            contacts: contacts.len() as u32,
+            contacts: count as u32,
             normal_impulse: 0.0,
             vetoed: false,
         })

@@ -149,7 +149,7 @@ impl World {
         }
         for contact in core.arbiters() {
             let (a, b) = (contact.geom_a(), contact.geom_b());
-            let Some(normal) = contact.contacts().first().map(|contact| contact.normal) else { continue };
+            let Some(normal) = contact.contacts().next().map(|contact| contact.normal) else { continue };
             let upward = Vector3::new(normal.x, -normal.y, 0.0);
             self.note_support(core, b, Partner::Geom(a), upward);
             self.note_support(core, a, Partner::Geom(b), -upward);

@@ -5,6 +5,7 @@
 
 pub(crate) mod entry;
 pub(crate) mod nobody;
+mod save;
 
 use serde::{Deserialize, Serialize};
 
@@ -24,8 +25,7 @@ use crate::storage::refusals::{ArgumentNames, Refusals};
 /// Methods that a game calls every frame return nothing. Given a value that is not finite they change nothing;
 /// the simulator reports the refusal as [`Event::RejectedInput`](crate::Event::RejectedInput) in its next update;
 /// after sixteen refusals only further arguments, each once.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-#[serde(remote = "Self")]
+#[derive(Debug, Clone)]
 pub struct Body {
     pub(crate) position: Vector2,
     pub(crate) rotation: f32,
@@ -701,46 +701,5 @@ impl Body {
     #[inline]
     pub(crate) fn has_moved(&self) -> bool {
         self.has_moved
-    }
-}
-
-impl Serialize for Body {
-    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        Body::serialize(self, serializer)
-    }
-}
-
-/// Refuses a body that no sequence of calls could have made.
-impl<'de> Deserialize<'de> for Body {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let body = Body::deserialize(deserializer)?;
-        let numbers = [
-            body.force.x,
-            body.force.y,
-            body.torque,
-            body.impulse.x,
-            body.impulse.y,
-            body.linear_drag_coefficient,
-            body.quadratic_drag_coefficient,
-            body.rotational_drag_coefficient,
-            body.idle_time,
-            body.minimum_velocity,
-        ];
-        let inverse = |value: f32| if body.is_static { 0.0 } else { 1.0 / value };
-        let is_valid = body.is_finite()
-            && numbers.iter().all(|number| number.is_finite())
-            && body.mass.is_finite()
-            && body.mass != 0.0
-            && body.moment_of_inertia.is_finite()
-            && body.moment_of_inertia > 0.0
-            && body.inverse_mass == inverse(body.mass)
-            && body.inverse_moment_of_inertia == inverse(body.moment_of_inertia)
-            && body.inverse_mass.is_finite()
-            && body.inverse_moment_of_inertia.is_finite();
-        if is_valid {
-            Ok(body)
-        } else {
-            Err(serde::de::Error::custom("the state of a body is not finite or contradicts itself"))
-        }
     }
 }

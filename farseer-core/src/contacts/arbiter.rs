@@ -40,12 +40,19 @@ impl Arbiter {
 #[derive(Debug, Clone, Copy)]
 #[doc(alias = "Arbiter")]
 pub struct ArbiterRef<'a> {
+    pub(crate) handle: u32,
     pub(crate) geoms: (GeomId, GeomId),
     pub(crate) friction: f32,
     pub(crate) contacts: &'a [Contact],
 }
 
 impl<'a> ArbiterRef<'a> {
+    /// Whether this is the other one itself: the list of a simulator may hold an arbiter twice, which is solved twice then
+    /// but has its contacts once.
+    pub fn is_same(&self, other: &Self) -> bool {
+        self.handle == other.handle
+    }
+
     /// The geom with the smaller creation number.
     #[doc(alias("GeometryA", "GeomA"))]
     pub fn geom_a(&self) -> GeomId {
@@ -66,8 +73,8 @@ impl<'a> ArbiterRef<'a> {
 
     /// The contacts, deepest first.
     #[doc(alias = "ContactList")]
-    pub fn contacts(&self) -> &'a [Contact] {
-        self.contacts
+    pub fn contacts(&self) -> impl ExactSizeIterator<Item = Contact> + use<'a> {
+        self.contacts.iter().copied()
     }
 }
 

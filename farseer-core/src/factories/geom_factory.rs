@@ -52,7 +52,7 @@ impl GeomFactory {
         simulator.create_geom(body, Vertices::create_ellipse(x_radius, y_radius, number_of_edges)?, placement)
     }
 
-    /// A circle as a regular polygon.
+    /// A circle as a regular polygon, which knows [what it stands for](crate::GeomRef::outline).
     ///
     /// # Errors
     /// A radius that is not finite and greater than 0; fewer than 3 edges, for which the original fails as well.
@@ -66,7 +66,7 @@ impl GeomFactory {
     ) -> Result<GeomId> {
         positive("radius", radius)?;
         check_edges(number_of_edges)?;
-        simulator.create_geom(body, Vertices::create_circle(radius, number_of_edges)?, placement)
+        simulator.create_circle_geom(body, (radius, number_of_edges), placement)
     }
 
     /// A polygon, recentred on its centroid.

@@ -7,6 +7,7 @@ use wide::f32x4;
 
 use crate::body::BodyId;
 use crate::geom::distance_grid::DistanceGrid;
+use crate::geom::outline::Outline;
 use crate::geom::{Geom, GeomId};
 use crate::math::{Matrix, Vector2, scalar};
 use crate::shape::{Aabb, Vertices};
@@ -174,6 +175,8 @@ pub(crate) struct GeomEntry {
     pub(crate) offset: Vector2,
     pub(crate) rotation_offset: f32,
     pub(crate) grid_cell_size: f32,
+    /// What the local vertices stand for.
+    pub(crate) outline: Outline,
     pub(crate) local_vertices: Vertices,
     #[serde(with = "crate::storage::bits")]
     pub(crate) world_vertices: Vertices,
@@ -211,6 +214,7 @@ impl GeomEntry {
             offset,
             rotation_offset,
             grid_cell_size: 0.0,
+            outline: Outline::Polygon,
             local_vertices: Vertices::default(),
             world_vertices: Vertices::default(),
             aabb: Aabb::default(),
@@ -230,6 +234,7 @@ impl GeomEntry {
     /// Takes the outline over. Until the body moves next, world vertices and box are the local ones.
     pub(crate) fn set_vertices(&mut self, mut vertices: Vertices) {
         vertices.force_counter_clockwise_order();
+        self.outline = Outline::Polygon;
         self.world_vertices.clone_from(&vertices);
         self.local_vertices = vertices;
         self.aabb = self.box_around(&self.local_vertices, Vector2::zeros());
@@ -344,6 +349,7 @@ impl GeomEntry {
             && self.world_vertices.iter().all(is_finite)
             && self.pose.to_floats().iter().all(|number| number.is_finite())
             && self.user_matrix.as_deref().is_none_or(matrix_is_finite)
+            && self.outline.fits(&self.local_vertices)
             && self.place_is_finite()
             && is_finite(&self.offset)
             && self.rotation_offset.is_finite()

@@ -4,6 +4,7 @@ pub(crate) mod distance_grid;
 pub(crate) mod entry;
 pub(crate) mod filter;
 pub(crate) mod grid_cache;
+pub(crate) mod outline;
 pub(crate) mod surface;
 pub(crate) mod view;
 

@@ -5,6 +5,7 @@ use crate::body::entry::BodyEntry;
 use crate::geom::Geom;
 use crate::geom::distance_grid::DistanceGrid;
 use crate::geom::entry::{GeomEntry, GeomPose};
+use crate::geom::outline::Outline;
 use crate::math::vector2::{transform, transform_normal};
 use crate::math::{Matrix, Vector2};
 use crate::shape::Feature;
@@ -111,6 +112,12 @@ impl<'a> GeomRef<'a> {
     #[doc(alias = "DistanceGridData")]
     pub fn distance_grid(&self) -> Option<&'a DistanceGrid> {
         self.entry.grid.as_deref()
+    }
+
+    /// What the polygon of the geom stands for. A copy has that of its original; other
+    /// [vertices](crate::PhysicsSimulator::set_vertices) stand for themselves.
+    pub fn outline(&self) -> Outline {
+        self.entry.outline
     }
 
     /// The outline in the geom's own coordinates, in the engine's winding.

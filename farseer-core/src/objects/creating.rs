@@ -10,6 +10,7 @@ use crate::body::{Body, BodyId};
 use crate::geom::GeomId;
 use crate::geom::distance_grid::DistanceGrid;
 use crate::geom::entry::GeomEntry;
+use crate::geom::outline::Outline;
 use crate::math::finite::{finite, finite_vector};
 use crate::math::{Vector2, scalar};
 use crate::methods::NarrowPhaseCollider;
@@ -93,6 +94,18 @@ impl Objects {
         Ok(self.insert_geom(entry))
     }
 
+    /// [`create_geom`](Self::create_geom) of a polygon that stands for a circle.
+    pub(crate) fn create_circle_geom(
+        &mut self,
+        body: BodyId,
+        (radius, number_of_edges): (f32, i32),
+        placement: GeomPlacement,
+    ) -> Result<GeomId> {
+        let geom = self.create_geom(body, Vertices::create_circle(radius, number_of_edges)?, placement)?;
+        self.geoms[geom].outline = Outline::Circle { radius };
+        Ok(geom)
+    }
+
     /// The grid over an outline, shared with geoms of equal outline and cell size.
     pub(super) fn distance_grid(&mut self, outline: &Vertices, cell_size: f32) -> Result<Arc<DistanceGrid>> {
         let Objects { grids, geoms, limits, .. } = self;
@@ -136,6 +149,7 @@ impl Objects {
             (NarrowPhaseCollider::Sat, _) => None,
         };
         let mut entry = self.new_entry(body, source.local_vertices, offset, rotation_offset)?;
+        entry.outline = source.outline;
         entry.geom = source.geom;
         entry.geom.rejected = Refusals::default();
         entry.geom.set_tag(0);

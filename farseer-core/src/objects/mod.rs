@@ -11,8 +11,6 @@ mod save;
 mod springs;
 mod world_queries;
 
-use serde::{Deserialize, Serialize};
-
 use crate::body::entry::Bodies;
 use crate::body::{Body, BodyId};
 use crate::controllers::{Controller, ControllerId};
@@ -30,6 +28,7 @@ use crate::storage::collection::Collection;
 pub use creating::GeomPlacement;
 pub(crate) use following::Followed;
 pub use queries::GeomPointPair;
+pub(crate) use save::SavedObjects;
 pub use world_queries::RayCastHit;
 
 /// The bodies, geoms, joints, springs and controllers of a simulator, and all that can be done to them between updates
@@ -61,7 +60,16 @@ pub use world_queries::RayCastHit;
 /// Objects live here and are named by ids. Their life is that of the original: *created* (exists but takes no part),
 /// *added* (takes part from the next update), *removed* (no longer takes part, may be added again), *disposed* (the id
 /// goes stale with the next update). Ids are those of one simulator: exchanging the objects of two lets updates fail.
-#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+/// They are neither made nor loaded without one:
+///
+/// ```compile_fail
+/// let objects = farseer_core::Objects::default();
+/// ```
+/// ```compile_fail
+/// let objects: farseer_core::Objects = postcard::from_bytes(&[])?;
+/// # Ok::<(), postcard::Error>(())
+/// ```
+#[derive(Debug, Clone)]
 pub struct Objects {
     pub(crate) bodies: Bodies,
     pub(crate) geoms: Geoms,
@@ -77,10 +85,28 @@ pub struct Objects {
     /// What geoms are made ready for, how they are asked, and what an update does with them.
     pub(crate) methods: Methods,
     /// Not saved: a save cannot raise them.
-    #[serde(skip)]
     limits: Limits,
-    #[serde(skip)]
     grids: GridCache,
+}
+
+impl Objects {
+    /// Nothing, and nothing was ever there. Not a public default: ids are those of one simulator.
+    pub(crate) fn none() -> Self {
+        Objects {
+            bodies: Collection::default(),
+            geoms: Collection::default(),
+            controllers: Collection::default(),
+            joints: Collection::default(),
+            springs: Collection::default(),
+            next_geom_number: 0,
+            touched_bodies: Vec::new(),
+            touched_geoms: Vec::new(),
+            pending: Vec::new(),
+            methods: Methods::default(),
+            limits: Limits::default(),
+            grids: GridCache::default(),
+        }
+    }
 }
 
 /// Access to what there is.

@@ -1,13 +1,43 @@
 //! What was loaded is checked, and completed.
 
+use serde::{Deserialize, Serialize};
+
 use super::Objects;
 use super::creating::GEOM_NUMBERS;
-use crate::body::Pose;
-use crate::body::entry::BodyEntry;
+use crate::body::entry::{Bodies, BodyEntry};
 use crate::body::nobody::check_bodies;
+use crate::body::{BodyId, Pose};
+use crate::controllers::{Controller, ControllerId};
 use crate::geom::GeomId;
-use crate::geom::entry::GeomEntry;
+use crate::geom::entry::{GeomEntry, Geoms};
+use crate::geom::grid_cache::GridCache;
+use crate::joints::{Joint, JointId};
+use crate::limits::Limits;
+use crate::methods::Methods;
+use crate::report::Notice;
+use crate::springs::{Spring, SpringId};
+use crate::storage::collection::Collection;
 use crate::{Error, Result};
+
+/// The fields of [`Objects`]. Not derived there: then anyone could load them past the check.
+#[derive(Serialize, Deserialize)]
+#[serde(remote = "Objects")]
+pub(crate) struct SavedObjects {
+    bodies: Bodies,
+    geoms: Geoms,
+    controllers: Collection<Controller, ControllerId>,
+    joints: Collection<Joint, JointId>,
+    springs: Collection<Spring, SpringId>,
+    next_geom_number: u32,
+    touched_bodies: Vec<BodyId>,
+    touched_geoms: Vec<GeomId>,
+    pending: Vec<Notice>,
+    methods: Methods,
+    #[serde(skip)]
+    limits: Limits,
+    #[serde(skip)]
+    grids: GridCache,
+}
 
 impl Objects {
     /// Geoms of equal outline and cell size share one grid again.

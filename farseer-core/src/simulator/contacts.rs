@@ -15,8 +15,14 @@ impl PhysicsSimulator {
 
     /// The arbiter at a position of the list, from 0; `None` beyond its end.
     pub fn arbiter(&self, position: usize) -> Option<ArbiterRef<'_>> {
-        let arbiter = (position < self.contacts.len()).then(|| self.contacts.at(position))?;
-        Some(ArbiterRef { geoms: arbiter.geoms?, friction: arbiter.friction, contacts: &arbiter.contacts })
+        let handle = *self.contacts.list.get(position)?;
+        let arbiter = self.contacts.at(position);
+        Some(ArbiterRef {
+            handle,
+            geoms: arbiter.geoms?,
+            friction: arbiter.friction,
+            contacts: &arbiter.contacts,
+        })
     }
 
     /// Number of [`arbiters`](Self::arbiters).
@@ -36,7 +42,7 @@ impl PhysicsSimulator {
     /// handler refused do not count: they have no contacts.
     pub fn overlaps(&self, geom: GeomId) -> Vec<GeomId> {
         let mut partners = Vec::new();
-        for arbiter in self.arbiters().filter(|arbiter| !arbiter.contacts().is_empty()) {
+        for arbiter in self.arbiters().filter(|arbiter| !arbiter.contacts.is_empty()) {
             let partner = match (arbiter.geom_a(), arbiter.geom_b()) {
                 (a, b) if a == geom => b,
                 (a, b) if b == geom => a,

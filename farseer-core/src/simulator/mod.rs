@@ -23,7 +23,7 @@ use crate::geom::surface::FrictionType;
 use crate::math::Vector2;
 use crate::math::finite::{finite, finite_vector};
 use crate::methods::{BroadPhaseCollider, Methods, NarrowPhaseCollider};
-use crate::objects::Objects;
+use crate::objects::{Objects, SavedObjects};
 use crate::pairs::BroadPhase;
 use crate::pipeline::Pipeline;
 use crate::report::{Event, Report, StepCounters, StepTimes};
@@ -84,14 +84,27 @@ impl Default for Settings {
 /// assert!((simulator[ball].position().y - 90.0).abs() < 1.0);
 /// # Ok::<(), farseer_core::Error>(())
 /// ```
-#[derive(Debug, Clone, Default, Serialize)]
+#[derive(Debug, Clone, Serialize)]
 pub struct PhysicsSimulator {
     settings: Settings,
+    #[serde(with = "SavedObjects")]
     objects: Objects,
     contacts: ArbiterList,
     pipeline: Pipeline,
     #[serde(skip)]
     report: Report,
+}
+
+impl Default for PhysicsSimulator {
+    fn default() -> Self {
+        PhysicsSimulator {
+            settings: Settings::default(),
+            objects: Objects::none(),
+            contacts: ArbiterList::default(),
+            pipeline: Pipeline::default(),
+            report: Report::default(),
+        }
+    }
 }
 
 impl Deref for PhysicsSimulator {

@@ -12,7 +12,7 @@ use serde::{Deserialize, Deserializer, de::Error as _};
 use super::{PhysicsSimulator, Settings};
 use crate::contacts::arbiter::ArbiterList;
 use crate::limits::Limits;
-use crate::objects::Objects;
+use crate::objects::{Objects, SavedObjects};
 use crate::pipeline::Pipeline;
 use crate::report::Report;
 use crate::{Error, Result};
@@ -29,6 +29,7 @@ impl<'de> Deserialize<'de> for PhysicsSimulator {
 #[derive(Deserialize)]
 struct Parts {
     settings: Settings,
+    #[serde(with = "SavedObjects")]
     objects: Objects,
     contacts: ArbiterList,
     pipeline: Pipeline,

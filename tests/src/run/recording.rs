@@ -153,7 +153,7 @@ fn contact_lines(run: &Run<'_>) -> Vec<Line> {
             geom_b: run.log.number(arbiter.geom_b()),
             contacts: arbiter.contacts().len(),
         }));
-        lines.extend(arbiter.contacts().iter().map(|contact| {
+        lines.extend(arbiter.contacts().map(|contact| {
             let id = [contact.id.geom1 as i32, contact.id.vertex, contact.id.geom2 as i32];
             let values = [
                 contact.position.x,

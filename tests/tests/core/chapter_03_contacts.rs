@@ -59,7 +59,7 @@ fn bodies_of_check_1() -> (PhysicsSimulator, [BodyId; 2], [GeomId; 2]) {
 
 fn impulses(simulator: &PhysicsSimulator) -> Vec<[f32; 2]> {
     let arbiter = simulator.arbiters().next().unwrap();
-    arbiter.contacts().iter().map(|contact| [contact.normal_impulse(), contact.tangent_impulse()]).collect()
+    arbiter.contacts().map(|contact| [contact.normal_impulse(), contact.tangent_impulse()]).collect()
 }
 
 /// Check 1, as far as impulses and motion show it: warm start from preset impulses, then `passes` solver passes, then
@@ -284,7 +284,7 @@ fn contacts_are_sorted_deepest_first() {
     simulator[body].set_rotation(0.05);
     simulator.update(0.01);
     let arbiter = simulator.arbiters().next().unwrap();
-    let separations: Vec<f32> = arbiter.contacts().iter().map(|contact| contact.separation).collect();
+    let separations: Vec<f32> = arbiter.contacts().map(|contact| contact.separation).collect();
     let expected = "bfdf2904 bfcd686c bfaf2e20 bf8d6f40 bf7e6680 bf1e70c0 bf1aec28 be79ebe0";
     conformance::units::assert_bits(&separations, &conformance::units::floats(expected), || {
         "depths".to_owned()

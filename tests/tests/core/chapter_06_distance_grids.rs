@@ -85,7 +85,7 @@ fn square_contacts(a_is_first: bool, limit: i32) -> Vec<Contact> {
     assert!(simulator.process_queues(0.01, None));
     simulator.find_pairs(None);
     simulator.collide_pairs(None);
-    simulator.arbiters().next().map_or(Vec::new(), |arbiter| arbiter.contacts().to_vec())
+    simulator.arbiters().next().map_or(Vec::new(), |arbiter| arbiter.contacts().collect())
 }
 
 /// Check 4: position, normal, separation, owner (0 is A) and vertex.

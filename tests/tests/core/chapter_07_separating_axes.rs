@@ -35,7 +35,7 @@ fn contacts(a: Placed, b: Placed, limit: i32) -> Vec<Contact> {
     assert!(simulator.process_queues(0.01, None));
     simulator.find_pairs(None);
     simulator.collide_pairs(None);
-    simulator.arbiters().next().map_or(Vec::new(), |arbiter| arbiter.contacts().to_vec())
+    simulator.arbiters().next().map_or(Vec::new(), |arbiter| arbiter.contacts().collect())
 }
 
 /// Position of a contact and the vertex it belongs to: owner (0 is A) and number.

@@ -4,8 +4,9 @@ use crate::joint_bench::{self, Bench, add_body};
 use conformance::fixtures::plane::{self, v};
 use conformance::units::{assert_words, floats};
 use farseer_core::{
-    AngleJoint, AngleLimitJoint, BodyId, Error, FixedAngleJoint, FixedAngleLimitJoint, FixedRevoluteJoint,
-    JointFactory, JointId, JointType, PhysicsSimulator, PinJoint, RevoluteJoint, SliderJoint, WeldJoint,
+    AngleJoint, AngleLimitJoint, BodyId, Context, Error, EventHandler, FixedAngleJoint, FixedAngleLimitJoint,
+    FixedRevoluteJoint, JointFactory, JointId, JointType, PhysicsSimulator, PinJoint, RevoluteJoint,
+    SliderJoint, WeldJoint,
 };
 
 /// A joint of a kind to edit.
@@ -476,9 +477,8 @@ fn welded_bodies_on_a_hinge_swing_as_recorded() {
     );
 }
 
-/// Check 15.
-#[test]
-fn a_joint_that_breaks_in_an_update_acts_in_one_pass_only() {
+/// A body that hangs on a joint too short for it, which breaks in the first pass.
+fn stretched_pin_joint() -> (PhysicsSimulator, BodyId, JointId) {
     let mut simulator = plane::simulator(10.0);
     let g = add_body(&mut simulator, (1.0, 1.0), v(0.0, 0.0), 0.0);
     simulator[g].set_is_static(true);
@@ -486,6 +486,13 @@ fn a_joint_that_breaks_in_an_update_acts_in_one_pass_only() {
     let joint = JointFactory::create_pin_joint_in(&mut simulator, g, v(0.0, 0.0), p, v(0.0, 0.0)).unwrap();
     simulator.joint_as_mut::<PinJoint>(joint).unwrap().set_target_distance(0.5).unwrap();
     simulator[joint].set_breakpoint(0.1).unwrap();
+    (simulator, p, joint)
+}
+
+/// Check 15.
+#[test]
+fn a_joint_that_breaks_in_an_update_acts_in_one_pass_only() {
+    let (mut simulator, p, joint) = stretched_pin_joint();
     let mut log = joint_bench::Log::default();
     for (y, velocity) in [("3f666666", "c0bfffff"), ("3f4d82e6", "c0baaa41")] {
         simulator.update_with(1.0 / 60.0, &mut log);
@@ -495,6 +502,40 @@ fn a_joint_that_breaks_in_an_update_acts_in_one_pass_only() {
         assert_words(&simulator[p].position().y, y);
         assert_words(&simulator[p].linear_velocity().y, velocity);
     }
+}
+
+/// Disposes joints as they break, and counts how often they act.
+#[derive(Default)]
+struct Cutter {
+    broke: usize,
+    updated: usize,
+}
+
+impl EventHandler for Cutter {
+    fn on_joint_broke(&mut self, context: &mut Context<'_>, joint: JointId) {
+        self.broke += 1;
+        context.dispose(joint).unwrap();
+    }
+
+    fn handles_joint_updates(&self) -> bool {
+        true
+    }
+
+    fn on_joint_updated(&mut self, _: &mut Context<'_>, _: JointId) {
+        self.updated += 1;
+    }
+}
+
+/// Disposing has no say in the pass that is running: the original's joint goes on to act.
+#[test]
+fn a_joint_that_is_disposed_when_it_breaks_acts_once_more() {
+    let (mut simulator, _, joint) = stretched_pin_joint();
+    let mut cutter = Cutter::default();
+    simulator.update_with(1.0 / 60.0, &mut cutter);
+    assert_eq!((cutter.broke, cutter.updated), (1, 1));
+    simulator.update_with(1.0 / 60.0, &mut cutter);
+    assert_eq!((cutter.broke, cutter.updated), (1, 1));
+    assert!(simulator.joint(joint).is_none());
 }
 
 /// Check 16.

@@ -2,7 +2,10 @@
 
 use conformance::fixtures::plane::{simulator, v};
 use conformance::units::{assert_words, floats};
-use farseer_core::{Body, BodyFactory, GeomFactory, GeomPlacement, PhysicsSimulator, Result, Vertices};
+use farseer_core::{
+    Body, BodyFactory, GeomFactory, GeomId, GeomPlacement, NarrowPhaseCollider, Outline, PhysicsSimulator,
+    Result, Vertices,
+};
 
 fn expect_moment(body: Result<Body>, moment: &str, inverse: &str) {
     let body = body.unwrap();
@@ -164,5 +167,79 @@ fn pieces_of_a_polygon_surround_its_centroid() {
         let piece = simulator.geom(piece).unwrap();
         // The centroid of the L is (1.5, 1).
         assert_eq!((piece.position(), piece.grid_cell_size()), (v(-1.5, -1.0), 1.0));
+    }
+}
+
+/// A circle in a simulator; under SAT, as no grid is fine enough for the smallest.
+fn circle_of(radius: f32, edges: i32) -> (PhysicsSimulator, GeomId) {
+    let mut simulator = simulator(0.0);
+    simulator.set_narrow_phase_collider(NarrowPhaseCollider::Sat);
+    let body = simulator.create_body(Body::new());
+    let placement = GeomPlacement { offset: v(3.0, 4.0), ..Default::default() };
+    let geom = GeomFactory::create_circle_geom(&mut simulator, body, radius, edges, placement).unwrap();
+    (simulator, geom)
+}
+
+fn circle(radius: f32) -> (PhysicsSimulator, GeomId) {
+    circle_of(radius, 12)
+}
+
+#[test]
+fn only_the_factory_of_circles_makes_circles() {
+    let (mut simulator, geom) = circle(5.0);
+    let body = simulator.body_of(geom).unwrap();
+    let polygon = Vertices::create_circle(5.0, 12).unwrap();
+    let same = simulator.create_geom(body, polygon, GeomPlacement::default()).unwrap();
+    let [circle, same] = [geom, same].map(|geom| simulator.geom(geom).unwrap());
+    assert_eq!((circle.outline(), same.outline()), (Outline::Circle { radius: 5.0 }, Outline::Polygon));
+    assert_eq!(circle.local_vertices(), same.local_vertices());
+}
+
+#[test]
+fn copies_of_circles_are_circles() {
+    let (mut simulator, geom) = circle(5.0);
+    let body = simulator.create_body(Body::new());
+    let copies = [
+        GeomFactory::create_geom_from(&mut simulator, body, geom).unwrap(),
+        GeomFactory::create_geom_from_with_offset(&mut simulator, body, geom, v(1.0, 2.0), 0.3).unwrap(),
+    ];
+    for copy in copies {
+        assert_eq!(simulator.geom(copy).unwrap().outline(), Outline::Circle { radius: 5.0 });
+    }
+}
+
+#[test]
+fn a_circle_that_is_given_other_vertices_is_a_polygon() {
+    let (mut simulator, geom) = circle(5.0);
+    assert!(simulator.set_vertices(geom, vec![v(f32::NAN, 0.0)]).is_err());
+    assert_eq!(simulator.geom(geom).unwrap().outline(), Outline::Circle { radius: 5.0 });
+    simulator.set_vertices(geom, Vertices::create_rectangle(2.0, 3.0).unwrap()).unwrap();
+    assert_eq!(simulator.geom(geom).unwrap().outline(), Outline::Polygon);
+}
+
+/// Of any size: the smallest are rounded by more than a part of their radius.
+#[test]
+fn circles_are_saved() {
+    for radius in [1e-44, 1e-38, 0.1, 5.0, 1e6, 1e18, 3e38] {
+        for edges in 3..100 {
+            let (simulator, geom) = circle_of(radius, edges);
+            let mut loaded = PhysicsSimulator::default();
+            loaded.restore(&simulator.snapshot()).unwrap();
+            assert_eq!(loaded.geom(geom).unwrap().outline(), Outline::Circle { radius });
+        }
+    }
+}
+
+#[test]
+fn a_circle_whose_corners_are_not_on_it_is_refused() {
+    let (simulator, _) = circle(5.0);
+    let saved = serde_json::to_string(&simulator).unwrap();
+    let of_radius = |radius: &str| {
+        saved.replace(r#"{"Circle":{"radius":5.0}}"#, &format!(r#"{{"Circle":{{"radius":{radius}}}}}"#))
+    };
+    assert!(serde_json::from_str::<PhysicsSimulator>(&of_radius("5.0")).is_ok());
+    for radius in ["5.00001", "4.99999", "-5.0", "0.0", "1e30"] {
+        let refused = serde_json::from_str::<PhysicsSimulator>(&of_radius(radius)).unwrap_err();
+        assert!(refused.to_string().contains("geom"), "{radius}: {refused}");
     }
 }

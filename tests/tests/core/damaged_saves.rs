@@ -352,3 +352,12 @@ fn refused_arguments_that_there_are_not_are_refused() {
         assert!(error.contains("refused argument"), "{error}");
     }
 }
+
+/// By the name of the type, too: what is derived for a private copy of its fields must not be within reach.
+#[test]
+fn a_body_that_contradicts_itself_is_refused_however_it_is_loaded() {
+    let mut saved = serde_json::to_value(Body::new()).unwrap();
+    assert!(Body::deserialize(&saved).is_ok());
+    saved["mass"] = 2.into();
+    assert!(Body::deserialize(&saved).is_err());
+}

@@ -89,13 +89,13 @@ fn impulses_that_the_engine_sets_are_there_in_the_next_update() {
     let (mut simulator, ..) = box_on_floor();
     run(&mut simulator, leave_all, |_| {});
     simulator.set_arbiter_impulses(0, 1, 3.0, -0.5);
-    let id = simulator.arbiter(0).unwrap().contacts()[1].id;
+    let id = simulator.arbiter(0).unwrap().contacts().nth(1).unwrap().id;
     let mut seen = None;
     run(
         &mut simulator,
         |simulator| {
             let arbiter = simulator.arbiter(0).unwrap();
-            seen = arbiter.contacts().iter().copied().find(|contact| contact.id == id);
+            seen = arbiter.contacts().find(|contact| contact.id == id);
             leave_all(simulator);
         },
         |_| {},

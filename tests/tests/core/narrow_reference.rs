@@ -97,7 +97,7 @@ fn pairs_touch_as_plain(edit: impl Fn(&mut PhysicsSimulator, &mut Random, GeomId
         assert!(simulator.process_queues(0.01, None));
         simulator.find_pairs(None);
         simulator.collide_pairs(None);
-        let found = simulator.arbiters().next().map_or(Vec::new(), |arbiter| arbiter.contacts().to_vec());
+        let found = simulator.arbiters().next().map_or(Vec::new(), |arbiter| arbiter.contacts().collect());
         let mut pair = [a, b].map(|geom| simulator.geom(geom).unwrap());
         pair.sort_by_key(|geom| geom.id());
         let [a, b] = pair;

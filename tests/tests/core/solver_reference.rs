@@ -88,15 +88,13 @@ impl Plain {
         let movers = ids.iter().map(|&id| mover(&simulator[id])).collect();
         let mut plain = Plain { ids, movers, pairs: Vec::new(), rows: Vec::new() };
         // The list may hold one arbiter twice, which has its contacts once.
-        let mut known: Vec<(*const farseer_core::Contact, usize)> = Vec::new();
+        let mut known: Vec<(farseer_core::ArbiterRef<'_>, usize)> = Vec::new();
         for arbiter in simulator.arbiters() {
-            let contacts = arbiter.contacts();
-            let known_at =
-                known.iter().find(|(pointer, _)| *pointer == contacts.as_ptr()).map(|(_, row)| *row);
+            let known_at = known.iter().find(|(known, _)| known.is_same(&arbiter)).map(|(_, row)| *row);
             let first = known_at.unwrap_or_else(|| {
-                known.push((contacts.as_ptr(), plain.rows.len()));
+                known.push((arbiter, plain.rows.len()));
                 let first = plain.rows.len();
-                plain.rows.extend(contacts.iter().map(|contact| Row {
+                plain.rows.extend(arbiter.contacts().map(|contact| Row {
                     p: [contact.position.x, contact.position.y],
                     n: [contact.normal.x, contact.normal.y],
                     separation: contact.separation,
@@ -115,7 +113,7 @@ impl Plain {
             plain.pairs.push(Pair {
                 a: index(a.body()),
                 b: index(b.body()),
-                rows: first..first + contacts.len(),
+                rows: first..first + arbiter.contacts().len(),
                 friction: arbiter.friction(),
                 restitution: (a.restitution_coefficient() + b.restitution_coefficient()) * 0.5,
                 has_response: a.collision_response_enabled() && b.collision_response_enabled(),
@@ -240,8 +238,8 @@ fn engine_bits(simulator: &PhysicsSimulator) -> Vec<u32> {
     }
     for arbiter in simulator.arbiters() {
         let impulses =
-            |c: &farseer_core::Contact| [c.normal_impulse().to_bits(), c.tangent_impulse().to_bits()];
-        bits.extend(arbiter.contacts().iter().flat_map(impulses));
+            |c: farseer_core::Contact| [c.normal_impulse().to_bits(), c.tangent_impulse().to_bits()];
+        bits.extend(arbiter.contacts().flat_map(impulses));
     }
     bits
 }

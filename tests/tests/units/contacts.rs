@@ -70,11 +70,11 @@ impl Pair {
         let Some(arbiter) = simulator.arbiters().next() else { return Vec::new() };
         assert_eq!([arbiter.geom_a(), arbiter.geom_b()], self.geoms);
         let recorded_id = |number: u32| self.ids[number as usize] as i64;
-        let named = |contact: &Contact| {
+        let named = |contact: Contact| {
             let id = contact.id;
-            (*contact, [recorded_id(id.geom1), i64::from(id.vertex), recorded_id(id.geom2)])
+            (contact, [recorded_id(id.geom1), i64::from(id.vertex), recorded_id(id.geom2)])
         };
-        arbiter.contacts().iter().map(named).collect()
+        arbiter.contacts().map(named).collect()
     }
 }
 

@@ -67,7 +67,7 @@ impl World {
         let known = last.map_or(&[][..], |touch| self.last.points_of(touch));
         let first_point = self.touches.points.len() as u32;
         for contact in arbiter.contacts() {
-            let feature = feature_of(contact, older);
+            let feature = feature_of(&contact, older);
             let before = known.iter().find(|point| point.feature == feature);
             self.touches.points.push(TouchPoint {
                 position: Vector3::new(contact.position.x, contact.position.y, z),
@@ -81,7 +81,7 @@ impl World {
                 ],
             });
         }
-        let Some(first) = arbiter.contacts().first() else { return };
+        let Some(first) = arbiter.contacts().next() else { return };
         self.touches.touches.push(Touch {
             key,
             this,

@@ -49,7 +49,7 @@ fn check_geom(geom: GeomRef<'_>) -> Result<(), String> {
 
 fn check_arbiter(arbiter: ArbiterRef<'_>) -> Result<(), String> {
     finite("friction", &[arbiter.friction()])?;
-    arbiter.contacts().iter().try_for_each(|contact| {
+    arbiter.contacts().try_for_each(|contact| {
         vector("contact position", contact.position)?;
         vector("contact normal", contact.normal)?;
         finite("separation", &[contact.separation])?;

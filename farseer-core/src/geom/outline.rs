@@ -1,0 +1,49 @@
+//! What the polygon of a geom stands for. Not in the original, whose circles are polygons and nothing else.
+
+use serde::{Deserialize, Serialize};
+
+use crate::math::Vector2;
+
+/// What the polygon of a geom stands for. The [faithful methods](crate::Methods::Faithful) go by the polygon alone, its
+/// box included.
+///
+/// ```
+/// use farseer_core::{Body, GeomFactory, GeomPlacement, Outline, PhysicsSimulator};
+/// let mut simulator = PhysicsSimulator::default();
+/// let body = simulator.create_body(Body::new());
+/// let ball = GeomFactory::create_circle_geom_in(&mut simulator, body, 10.0, 16, GeomPlacement::default())?;
+/// let geom = simulator.geom(ball).unwrap();
+/// assert_eq!((geom.outline(), geom.local_vertices().len()), (Outline::Circle { radius: 10.0 }, 16));
+/// # Ok::<(), farseer_core::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[non_exhaustive]
+pub enum Outline {
+    /// For itself.
+    #[default]
+    Polygon,
+    /// For the circle about the geom's origin that its corners lie on: what
+    /// [`GeomFactory::create_circle_geom`](crate::GeomFactory::create_circle_geom) makes, with as many corners as the
+    /// circle was given edges.
+    Circle {
+        /// In the user's length unit, greater than 0.
+        radius: f32,
+    },
+}
+
+/// How far corners may be from their circle, as a part of its radius: sine, cosine and two products are rounded, each by
+/// half of this at most.
+const ROUNDING: f64 = 2.0 * f32::EPSILON as f64;
+
+impl Outline {
+    /// Whether these can be its corners: false only after loading garbage.
+    pub(crate) fn fits(self, corners: &[Vector2]) -> bool {
+        let Outline::Circle { radius } = self else { return true };
+        // The smallest numbers are rounded by more than a part of them.
+        let slack = f64::from(radius) * ROUNDING + f64::from(f32::MIN_POSITIVE);
+        let is_on = |corner: &Vector2| {
+            (f64::from(corner.x).hypot(f64::from(corner.y)) - f64::from(radius)).abs() <= slack
+        };
+        radius.is_finite() && radius > 0.0 && corners.iter().all(is_on)
+    }
+}
