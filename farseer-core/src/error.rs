@@ -40,6 +40,14 @@ pub enum Error {
     /// The broad phase can be chosen only while no geom is in the simulation.
     #[error("the geom list must be empty when the broad phase collider is set")]
     GeomListNotEmpty,
+    /// The chosen [`Methods`](crate::Methods) do not have it.
+    #[error("the {methods} methods have no {what}")]
+    NotSupported {
+        /// What was asked for.
+        what: &'static str,
+        /// The methods that were chosen.
+        methods: &'static str,
+    },
     /// A geom made under separating axes has no distance grid to share with a clone.
     #[error("{argument} has no distance grid to share: it was disposed, or made while SAT was selected")]
     MissingDistanceGrid {

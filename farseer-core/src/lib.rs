@@ -502,6 +502,7 @@ mod objects;
 mod pairs;
 mod path;
 mod pipeline;
+mod precise;
 mod report;
 mod simulator;
 mod solve;

@@ -27,6 +27,14 @@ pub enum Methods {
         /// Where they touch.
         narrow: NarrowPhaseCollider,
     },
+    /// Faster and more accurate than the original could be, and not its bits: true circles and convex pieces, contacts that
+    /// persist, and a solver of substeps whose springs learn their load. [`iterations`](crate::PhysicsSimulator::iterations)
+    /// is the number of substeps; 4 is what to begin with.
+    Precise {
+        /// Size of things that a player looks at, in the user's length unit: how near and how slow is near and slow enough.
+        /// 32 for games in px, 1 for games in metres; things of a thirtieth to three hundred times this size behave well.
+        length_unit: f32,
+    },
 }
 
 impl Default for Methods {
@@ -36,22 +44,57 @@ impl Default for Methods {
 }
 
 impl Methods {
+    /// The precise set for games in px.
+    pub const PRECISE: Self = Methods::Precise { length_unit: 32.0 };
+
     pub(crate) fn broad(self) -> BroadPhaseCollider {
-        let Methods::Faithful { broad, .. } = self;
-        broad
+        match self {
+            Methods::Faithful { broad, .. } => broad,
+            Methods::Precise { .. } => BroadPhaseCollider::default(),
+        }
     }
 
+    /// The precise set asks no distance grids.
     pub(crate) fn narrow(self) -> NarrowPhaseCollider {
-        let Methods::Faithful { narrow, .. } = self;
-        narrow
+        match self {
+            Methods::Faithful { narrow, .. } => narrow,
+            Methods::Precise { .. } => NarrowPhaseCollider::Sat,
+        }
     }
 
+    /// With another broad phase, if it is the faithful set.
     pub(crate) fn with_broad(self, broad: BroadPhaseCollider) -> Self {
-        Methods::Faithful { broad, narrow: self.narrow() }
+        match self {
+            Methods::Faithful { narrow, .. } => Methods::Faithful { broad, narrow },
+            Methods::Precise { .. } => self,
+        }
     }
 
+    /// With another narrow phase, if it is the faithful set.
     pub(crate) fn with_narrow(self, narrow: NarrowPhaseCollider) -> Self {
-        Methods::Faithful { broad: self.broad(), narrow }
+        match self {
+            Methods::Faithful { broad, .. } => Methods::Faithful { broad, narrow },
+            Methods::Precise { .. } => self,
+        }
+    }
+
+    pub(crate) fn check_joints(self) -> Result<()> {
+        match self {
+            Methods::Faithful { .. } => Ok(()),
+            Methods::Precise { .. } => Err(Error::NotSupported { what: "joints", methods: "precise" }),
+        }
+    }
+
+    pub(crate) fn check(self) -> Result<Self> {
+        match self {
+            Methods::Faithful { broad, .. } => {
+                broad.check()?;
+            }
+            Methods::Precise { length_unit } => {
+                crate::math::finite::positive("length_unit", length_unit)?;
+            }
+        }
+        Ok(self)
     }
 }
 

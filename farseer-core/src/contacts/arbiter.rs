@@ -43,7 +43,23 @@ pub struct ArbiterRef<'a> {
     pub(crate) handle: u32,
     pub(crate) geoms: (GeomId, GeomId),
     pub(crate) friction: f32,
-    pub(crate) contacts: &'a [Contact],
+    pub(crate) contacts: Found<'a>,
+}
+
+/// The contacts of a pair, where they are kept or as they are read.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Found<'a> {
+    Kept(&'a [Contact]),
+    Read([Contact; 2], usize),
+}
+
+impl Found<'_> {
+    fn as_slice(&self) -> &[Contact] {
+        match self {
+            Found::Kept(contacts) => contacts,
+            Found::Read(contacts, count) => &contacts[..*count],
+        }
+    }
 }
 
 impl<'a> ArbiterRef<'a> {
@@ -74,7 +90,8 @@ impl<'a> ArbiterRef<'a> {
     /// The contacts, deepest first.
     #[doc(alias = "ContactList")]
     pub fn contacts(&self) -> impl ExactSizeIterator<Item = Contact> + use<'a> {
-        self.contacts.iter().copied()
+        let contacts = self.contacts;
+        (0..contacts.as_slice().len()).map(move |at| contacts.as_slice()[at])
     }
 }
 

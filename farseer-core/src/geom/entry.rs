@@ -10,6 +10,7 @@ use crate::geom::distance_grid::DistanceGrid;
 use crate::geom::outline::Outline;
 use crate::geom::{Geom, GeomId};
 use crate::math::{Matrix, Vector2, scalar};
+use crate::precise::outline::{Piece, pieces};
 use crate::shape::{Aabb, Vertices};
 use crate::storage::bits::Floats;
 use crate::storage::collection::Collection;
@@ -116,7 +117,12 @@ impl GeomPose {
     #[inline]
     pub(crate) fn of_body(position: Vector2, rotation: f32, offset: Vector2, rotation_offset: f32) -> Self {
         let angle = rotation + rotation_offset;
-        let (s, c) = scalar::sin_cos(angle);
+        GeomPose::turned(position, angle, scalar::sin_cos(angle), offset)
+    }
+
+    /// Of an angle with its sine and cosine.
+    #[inline]
+    fn turned(position: Vector2, angle: f32, (s, c): (f32, f32), offset: Vector2) -> Self {
         let mut matrix = PlaneMatrix { m11: c, m12: s, m21: -s, m22: c, m41: 0.0, m42: 0.0 };
         let offset = matrix.apply(offset);
         matrix.m41 = position.x + offset.x;
@@ -196,6 +202,9 @@ pub(crate) struct GeomEntry {
     /// Whether the grid was made from the present outline; it stays when the outline is replaced.
     #[serde(skip)]
     pub(crate) grid_fits_outline: bool,
+    /// The convex parts of the outline, once they were asked for.
+    #[serde(skip)]
+    pub(crate) pieces: std::sync::OnceLock<Arc<[Piece]>>,
     pub(crate) in_simulation: bool,
     pub(crate) is_sensor: bool,
     /// It was lent out for editing since the simulator last looked.
@@ -224,6 +233,7 @@ impl GeomEntry {
             refresh_is_due: false,
             grid: None,
             grid_fits_outline: false,
+            pieces: std::sync::OnceLock::new(),
             in_simulation: true,
             is_sensor: false,
             is_touched: false,
@@ -237,9 +247,15 @@ impl GeomEntry {
         self.outline = Outline::Polygon;
         self.world_vertices.clone_from(&vertices);
         self.local_vertices = vertices;
+        self.pieces = std::sync::OnceLock::new();
         self.aabb = self.box_around(&self.local_vertices, Vector2::zeros());
         self.refresh_is_due = true;
         self.note_whether_grid_fits();
+    }
+
+    /// The convex parts of the outline.
+    pub(crate) fn pieces(&self) -> &Arc<[Piece]> {
+        self.pieces.get_or_init(|| pieces(self))
     }
 
     /// Takes a grid over.
@@ -262,7 +278,20 @@ impl GeomEntry {
 
     /// Follows the body: matrix, world vertices and box.
     pub(crate) fn follow(&mut self, position: Vector2, rotation: f32) {
-        self.pose = GeomPose::of_body(position, rotation, self.offset, self.rotation_offset);
+        self.take_pose(GeomPose::of_body(position, rotation, self.offset, self.rotation_offset));
+    }
+
+    /// As [`follow`](Self::follow), of a body whose sine and cosine are known.
+    pub(crate) fn follow_turned(&mut self, position: Vector2, rotation: f32, turn: (f32, f32)) {
+        if self.rotation_offset == 0.0 {
+            self.take_pose(GeomPose::turned(position, rotation, turn, self.offset));
+        } else {
+            self.follow(position, rotation);
+        }
+    }
+
+    fn take_pose(&mut self, pose: GeomPose) {
+        self.pose = pose;
         self.user_matrix = None;
         self.refresh_is_due = false;
         self.refresh();

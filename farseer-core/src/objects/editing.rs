@@ -28,6 +28,7 @@ impl Objects {
         moved.follow(new_body.position(), new_body.rotation());
         self.bodies[old_body].detach(geom);
         self.bodies[body].geoms.push(geom);
+        self.has_new_structure = true;
         Ok(())
     }
 
@@ -47,6 +48,7 @@ impl Objects {
         let GeomEntry { local_vertices, .. } = check_place("vertices", replaced, &self.bodies[body])?;
         self.settle_body(body);
         self.geoms[geom].set_vertices(local_vertices);
+        self.has_new_structure = true;
         Ok(())
     }
 
@@ -121,6 +123,7 @@ impl Objects {
         entry.is_sensor = is_sensor;
         entry.geom.set_collision_response_enabled(!is_sensor);
         self.bodies[entry.body].body.set_is_static(is_sensor);
+        self.has_new_structure = true;
         Ok(())
     }
 

@@ -43,6 +43,24 @@ impl Objects {
         }
     }
 
+    /// Moves all geoms of a body to its pose, whose sine and cosine are known.
+    pub(crate) fn let_geoms_follow_turned(&mut self, body: BodyId, turn: (f32, f32)) -> Followed {
+        let entry = &mut self.bodies[body];
+        entry.body.pose_is_dirty = false;
+        let pose = entry.body.pose();
+        let mut are_finite = true;
+        for &geom in &entry.geoms {
+            let geom = &mut self.geoms[geom];
+            geom.follow_turned(pose.position, pose.rotation, turn);
+            are_finite &= geom.place_is_finite();
+        }
+        if !are_finite {
+            return self.let_geoms_follow(body, true);
+        }
+        entry.followed = pose;
+        Followed::Yes
+    }
+
     /// Moves the geoms of a body to its pose. Those that are there already stay, unless `all` are to be refreshed.
     ///
     /// Should the box of a geom not be finite there, the body is put back to the pose that was followed before; a

@@ -18,7 +18,8 @@ impl Objects {
     /// Lets an object take part from the next update on. Adding a body does not add its geoms.
     ///
     /// # Errors
-    /// A stale id; [`Error::MissingBody`](crate::Error::MissingBody) for a joint or spring without one of its bodies.
+    /// A stale id; [`Error::MissingBody`](crate::Error::MissingBody) for a joint or spring without one of its bodies;
+    /// [`Error::NotSupported`](crate::Error::NotSupported) for a joint under the precise methods.
     #[doc(alias = "Add")]
     pub fn add(&mut self, object: impl Into<ObjectId>) -> Result<()> {
         match object.into() {
@@ -26,6 +27,7 @@ impl Objects {
             ObjectId::Geom(geom) => self.geoms.add("geom", geom)?,
             ObjectId::Controller(controller) => self.controllers.add("controller", controller)?,
             ObjectId::Joint(joint) => {
+                self.methods.check_joints()?;
                 let held = self.joints.find("joint", joint)?;
                 check_bodies("joint", held.body1(), held.body2())?;
                 self.joints.add("joint", joint)?;
@@ -133,7 +135,9 @@ impl Objects {
             self.geoms[geom].in_simulation = true;
             tell(geom.into());
         }
-        self.bodies.process_added().into_iter().for_each(|body| tell(body.into()));
+        let bodies = self.bodies.process_added();
+        self.has_new_structure |= !entered.is_empty() || !bodies.is_empty();
+        bodies.into_iter().for_each(|body| tell(body.into()));
         self.controllers.process_added().into_iter().for_each(|controller| tell(controller.into()));
         self.joints.process_added().into_iter().for_each(|joint| tell(joint.into()));
         self.springs.process_added().into_iter().for_each(|spring| tell(spring.into()));
@@ -147,7 +151,9 @@ impl Objects {
             self.geoms[geom].in_simulation = false;
             tell(geom.into());
         }
-        self.bodies.process_removed().into_iter().for_each(|body| tell(body.into()));
+        let bodies = self.bodies.process_removed();
+        self.has_new_structure |= !left.is_empty() || !bodies.is_empty();
+        bodies.into_iter().for_each(|body| tell(body.into()));
         self.controllers.process_removed().into_iter().for_each(|controller| tell(controller.into()));
         self.joints.process_removed().into_iter().for_each(|joint| tell(joint.into()));
         self.springs.process_removed().into_iter().for_each(|spring| tell(spring.into()));
@@ -162,7 +168,9 @@ impl Objects {
         }
         let left = self.geoms.process_disposed();
         left.iter().for_each(|&geom| tell(geom.into()));
-        self.bodies.process_disposed().into_iter().for_each(|body| tell(body.into()));
+        let bodies = self.bodies.process_disposed();
+        self.has_new_structure |= !left.is_empty() || !bodies.is_empty();
+        bodies.into_iter().for_each(|body| tell(body.into()));
         self.controllers.process_disposed().into_iter().for_each(|controller| tell(controller.into()));
         self.springs.process_disposed().into_iter().for_each(|spring| tell(spring.into()));
         self.joints.process_disposed().into_iter().for_each(|joint| tell(joint.into()));

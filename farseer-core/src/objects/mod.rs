@@ -84,6 +84,8 @@ pub struct Objects {
     pub(crate) pending: Vec<Notice>,
     /// What geoms are made ready for, how they are asked, and what an update does with them.
     pub(crate) methods: Methods,
+    /// Bodies or geoms have entered or left their lists, or geoms have become what they were not.
+    pub(crate) has_new_structure: bool,
     /// Not saved: a save cannot raise them.
     limits: Limits,
     grids: GridCache,
@@ -103,6 +105,7 @@ impl Objects {
             touched_geoms: Vec::new(),
             pending: Vec::new(),
             methods: Methods::default(),
+            has_new_structure: false,
             limits: Limits::default(),
             grids: GridCache::default(),
         }

@@ -33,6 +33,7 @@ pub(crate) struct SavedObjects {
     touched_geoms: Vec<GeomId>,
     pending: Vec<Notice>,
     methods: Methods,
+    has_new_structure: bool,
     #[serde(skip)]
     limits: Limits,
     #[serde(skip)]

@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 use crate::contacts::contact::Contact;
 use crate::geom::GeomId;
 use crate::pairs::BroadPhase;
+use crate::precise::Precise;
 use crate::solve::{ContactSolver, SolverBodies};
 use joint_passes::JointPasses;
 
@@ -16,6 +17,8 @@ use joint_passes::JointPasses;
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(crate) struct Pipeline {
     pub(crate) broad_phase: BroadPhase,
+    /// Of the precise set, while it is chosen; everything else here is the faithful one's.
+    pub(crate) precise: Option<Box<Precise>>,
     /// The velocities of an update while it solves.
     #[serde(skip)]
     pub(crate) bodies: SolverBodies,

@@ -45,7 +45,7 @@ pub(super) struct Grid {
     /// First entry of each bucket.
     heads: Vec<u32>,
     /// Number of boxes in each level.
-    counts: [u32; LEVELS as usize],
+    counts: Vec<u32>,
     /// Levels that have boxes, by bits.
     used: u64,
 }
@@ -78,7 +78,8 @@ impl Grid {
         self.entries.resize(boxes, Entry::default());
         self.heads.clear();
         self.heads.resize((2 * boxes).next_power_of_two().max(16), NONE);
-        self.counts = [0; LEVELS as usize];
+        self.counts.clear();
+        self.counts.resize(LEVELS as usize, 0);
         self.used = 0;
     }
 

@@ -29,8 +29,8 @@ mod vector;
 use serde::{Deserialize, Serialize};
 
 use crate::geom::surface::FrictionType;
-pub(crate) use saved::Saved;
-pub(crate) use told::TouchingPair;
+use saved::Saved;
+pub(crate) use tuning::Step;
 
 use bodies::Bodies;
 use grid::Grid;
@@ -47,6 +47,8 @@ pub(crate) struct Precise {
     tuning: Tuning,
     /// Seconds of the substep that impulses were found for.
     h: f32,
+    /// Seconds of the last step: bounds reach ahead by what moves in a few of them.
+    dt: f32,
     /// What was loaded, until the bodies are listed.
     loaded: Option<Saved>,
     /// Bodies or geoms came or went, or became what they were not.
@@ -80,6 +82,7 @@ impl Precise {
         Precise {
             tuning: Tuning::new(length_unit),
             h: 0.0,
+            dt: 0.0,
             loaded: None,
             is_stale: true,
             bounces: false,

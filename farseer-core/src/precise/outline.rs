@@ -1,7 +1,7 @@
 //! Convex outlines as the precise set collides them: circles, and polygons without corners that turn by nothing.
 //!
-//! An outline of eight corners or more that all lie at one distance from the geom's origin, as the circle factory makes it,
-//! is a circle. A concave outline is cut into convex pieces once, which its geom and its clones share.
+//! What the circle factory made with eight corners or more is a circle; with fewer it is the polygon that it looks like. A
+//! concave outline is cut into convex pieces once, which its geom and its clones share.
 
 use std::sync::Arc;
 
@@ -10,10 +10,8 @@ use crate::geom::entry::GeomEntry;
 use crate::math::{Vector2, scalar};
 use crate::shape::Vertices;
 
-/// From this number of corners on a regular outline is a circle.
+/// From this number of corners on, what the circle factory made is a circle.
 const CIRCLE_CORNERS: usize = 8;
-/// How far the corners of a circle may differ from its radius, relative to it: rounding.
-const CIRCLE_TOLERANCE: f32 = 1e-4;
 /// Sine of the angle below which a corner does not turn.
 const STRAIGHT: f32 = 1e-4;
 
@@ -26,13 +24,18 @@ pub(crate) enum Piece {
     Polygon(Vec<Vector>),
 }
 
-/// The convex parts of the outline of a geom.
-pub(crate) fn pieces(outline: &Vertices) -> Arc<[Piece]> {
-    let corners: Vec<Vector> = outline.iter().map(|v| [v.x, v.y]).collect();
-    if let Some(radius) = radius_of_circle(&corners) {
-        return Arc::new([Piece::Circle { centre: [0.0, 0.0], radius }]);
+/// The convex parts of a geom.
+pub(crate) fn pieces(geom: &GeomEntry) -> Arc<[Piece]> {
+    match geom.outline {
+        crate::Outline::Circle { radius } if geom.local_vertices.len() >= CIRCLE_CORNERS => {
+            Arc::new([Piece::Circle { centre: [0.0, 0.0], radius }])
+        }
+        _ => pieces_of(&geom.local_vertices),
     }
-    let corners = simplified(corners);
+}
+
+fn pieces_of(outline: &Vertices) -> Arc<[Piece]> {
+    let corners = simplified(outline.iter().map(|v| [v.x, v.y]).collect());
     if is_convex(&corners) {
         return Arc::new([polygon_or_point(corners)]);
     }
@@ -46,21 +49,6 @@ pub(crate) fn pieces(outline: &Vertices) -> Arc<[Piece]> {
         // It crosses itself, or is longer than what can be cut.
         None => Arc::new([polygon_or_point(hull(corners))]),
     }
-}
-
-fn radius_of_circle(corners: &[Vector]) -> Option<f32> {
-    if corners.len() < CIRCLE_CORNERS {
-        return None;
-    }
-    let radius = length(corners[0]);
-    let side = length(difference(corners[1], corners[0]));
-    let tolerance = CIRCLE_TOLERANCE * radius;
-    let is_regular = (0..corners.len()).all(|i| {
-        let next = corners[(i + 1) % corners.len()];
-        (length(corners[i]) - radius).abs() <= tolerance
-            && (length(difference(next, corners[i])) - side).abs() <= 10.0 * tolerance
-    });
-    (radius > 0.0 && is_regular).then_some(radius)
 }
 
 /// A polygon that has shrunk to a point is a disc of no size.

@@ -99,6 +99,12 @@ impl Pairs {
         at
     }
 
+    /// The pair is looked at in full in the next step.
+    pub(super) fn look_again(&mut self, pair: usize) {
+        self.watched[pair].tolerance = 0;
+        self.frozen[pair].turns = [0.0; 4];
+    }
+
     fn link(&mut self, pair: usize, side: usize) {
         let head = &mut self.heads[self.watched[pair].proxies[side] as usize];
         let link = (pair * 2 + side) as u32;

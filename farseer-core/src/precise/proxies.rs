@@ -7,6 +7,8 @@ use super::outline::{Corners, Shape};
 use super::tuning::Tuning;
 use super::vector::{rotation, turn};
 use crate::geom::GeomId;
+use crate::geom::entry::GeomEntry;
+use crate::storage::arena::Id;
 
 /// Boxes reach ahead of a body by what it moves in so many steps.
 const STEPS_AHEAD: f32 = 4.0;
@@ -28,8 +30,17 @@ pub(super) struct Proxy {
     pub(super) restitution: f32,
     /// Whether contacts push.
     pub(super) responds: bool,
+    /// What decides whom it may meet.
+    pub(super) filter: [i32; 4],
     /// Speed of its surface along itself, if it stands still: a belt.
     pub(super) surface_velocity: [f32; 3],
+}
+
+/// What of a geom's settings decides whom it may meet.
+pub(super) fn filter_of(geom: &GeomEntry) -> [i32; 4] {
+    let geom = &geom.geom;
+    let (is, with) = (geom.collision_categories().bits(), geom.collides_with().bits());
+    [is, with, geom.collision_group(), i32::from(geom.collision_enabled())]
 }
 
 /// Those of bodies that can be pushed come first; lists of them are as long as a multiple of four.
@@ -56,6 +67,32 @@ impl Proxies {
         self.bounds.clear();
         self.motion.clear();
         self.escaped.clear();
+    }
+
+    /// Fills the list of those that can be pushed up to a multiple of four, with what has no body and meets nobody.
+    pub(super) fn fill_up(&mut self) {
+        while !self.all.len().is_multiple_of(4) {
+            self.push(Proxy {
+                geom: GeomId::new(u32::MAX, 0),
+                piece: 0,
+                number: 0,
+                body: 0,
+                shape: Shape::default(),
+                friction: 0.0,
+                restitution: 0.0,
+                responds: false,
+                filter: [0; 4],
+                surface_velocity: [0.0; 3],
+            });
+        }
+    }
+
+    pub(super) fn push(&mut self, proxy: Proxy) {
+        let Shape { centre: [x, y], half: [hx, hy], .. } = proxy.shape;
+        self.all.push(proxy);
+        self.boxes.push([x, y, hx, hy]);
+        self.bounds.push([0.0; 4]);
+        self.motion.push(0);
     }
 
     /// The box around a proxy, as wide as contacts reach.

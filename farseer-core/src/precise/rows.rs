@@ -266,23 +266,24 @@ pub(super) struct Rows {
     pub(super) one_fixed: Colours<1>,
 }
 
+/// The rows of a kind, borrowed as it says.
 macro_rules! of_kind {
-    ($rows:expr, $kind:expr, $colours:ident => $act:expr) => {
+    (($($borrow:tt)+) $rows:expr, $kind:expr, $colours:ident => $act:expr) => {
         match ($kind.has_two_points, $kind.is_fixed) {
             (true, false) => {
-                let $colours = &mut $rows.two;
+                let $colours = $($borrow)+ $rows.two;
                 $act
             }
             (false, false) => {
-                let $colours = &mut $rows.one;
+                let $colours = $($borrow)+ $rows.one;
                 $act
             }
             (true, true) => {
-                let $colours = &mut $rows.two_fixed;
+                let $colours = $($borrow)+ $rows.two_fixed;
                 $act
             }
             (false, true) => {
-                let $colours = &mut $rows.one_fixed;
+                let $colours = $($borrow)+ $rows.one_fixed;
                 $act
             }
         }
@@ -307,36 +308,36 @@ impl Rows {
     }
 
     pub(super) fn push(&mut self, kind: Kind, colour: u32, lane: &Lane) -> Home {
-        Home { colour, slot: of_kind!(self, kind, colours => colours.push(colour, lane)) }
+        Home { colour, slot: of_kind!((&mut) self, kind, colours => colours.push(colour, lane)) }
     }
 
     /// Takes a row out. Answers the pair whose row has this home now.
     pub(super) fn remove(&mut self, kind: Kind, home: Home) -> Option<u32> {
-        of_kind!(self, kind, colours => colours.remove(home.colour, home.slot))
+        of_kind!((&mut) self, kind, colours => colours.remove(home.colour, home.slot))
     }
 
     #[inline]
-    pub(super) fn lane(&mut self, kind: Kind, home: Home) -> Lane {
+    pub(super) fn lane(&self, kind: Kind, home: Home) -> Lane {
         let (block, at) = (home.slot as usize / 4, home.slot as usize % 4);
-        of_kind!(self, kind, colours => colours.blocks[home.colour as usize][block].lane(at))
+        of_kind!((&) self, kind, colours => colours.blocks[home.colour as usize][block].lane(at))
     }
 
     #[inline]
     pub(super) fn set_lane(&mut self, kind: Kind, home: Home, lane: &Lane) {
         let (block, at) = (home.slot as usize / 4, home.slot as usize % 4);
-        of_kind!(self, kind, colours => colours.blocks[home.colour as usize][block].set_lane(at, lane));
+        of_kind!((&mut) self, kind, colours => colours.blocks[home.colour as usize][block].set_lane(at, lane));
     }
 
     /// The pair of a row has another number now.
     pub(super) fn set_pair(&mut self, kind: Kind, home: Home, pair: u32) {
         let (block, at) = (home.slot as usize / 4, home.slot as usize % 4);
-        of_kind!(self, kind, colours => colours.blocks[home.colour as usize][block].pair[at] = pair);
+        of_kind!((&mut) self, kind, colours => colours.blocks[home.colour as usize][block].pair[at] = pair);
     }
 
     #[inline]
     pub(super) fn set_separations(&mut self, kind: Kind, home: Home, separations: [f32; 2]) {
         let (block, at) = (home.slot as usize / 4, home.slot as usize % 4);
-        of_kind!(self, kind, colours => {
+        of_kind!((&mut) self, kind, colours => {
             let row = &mut colours.blocks[home.colour as usize][block];
             for (point, separation) in row.points.iter_mut().zip(separations) {
                 set(&mut point.separation, at, separation);

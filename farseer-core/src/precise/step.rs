@@ -6,7 +6,8 @@ use super::grid::overlap;
 use super::moving::{begin_substep, displace, even_out, fly, follow, renew_poses, stand_still};
 use super::passes::{bounce, gather_warm, note_approach, relax, renew_circles, solve_soft};
 use super::rows::Kind;
-use super::tuning::Step;
+pub(crate) use super::tuning::Step;
+use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::math::Vector2;
 use crate::objects::Objects;
@@ -120,8 +121,7 @@ impl Precise {
     fn forget_answers(&mut self) {
         for pair in 0..self.pairs.len() {
             if std::mem::take(&mut self.pairs.all[pair].is_vetoed) {
-                self.pairs.watched[pair].tolerance = 0;
-                self.pairs.frozen[pair].turns = [0.0; 4];
+                self.pairs.look_again(pair);
             }
         }
     }
@@ -149,8 +149,86 @@ impl Precise {
     }
 
     /// The step that is due.
-    pub(crate) fn step_of(&self, dt: f32, substeps: u32) -> Step {
+    pub(crate) fn begin(&mut self, dt: f32, substeps: u32) -> Step {
+        self.dt = dt;
         Step::new(dt, substeps, &self.tuning)
+    }
+
+    /// Sixth stage: bodies are where the step has brought them. What would not be finite stays where and as it was, and
+    /// forgets the impulses that did it; of several that touch each other the one that was fastest is disabled.
+    pub(crate) fn write_bodies(&mut self, objects: &mut Objects, report: &mut Report) {
+        if !self.is_finite() {
+            self.put_back(objects, report);
+        }
+        for number in 1..=self.bodies.count {
+            let Some(entry) = self.bodies.ids[number].and_then(|id| objects.bodies.get_mut(id)) else { continue };
+            let ([x, y, ..], [dx, dy, turned, _]) = (self.bodies.poses[number], self.bodies.path[number]);
+            let [vx, vy, spin, _] = self.bodies.hot[number].velocity;
+            entry.body.end_step(Vector2::new(x + dx, y + dy), turned, Vector2::new(vx, vy), spin);
+            self.bodies.rotations[number] = entry.body.rotation();
+        }
+        renew_poses(&mut self.bodies);
+    }
+
+    fn is_finite(&self) -> bool {
+        let sum = (1..=self.bodies.count).fold(wide::f32x4::ZERO, |sum, number| {
+            let (pose, path) = (self.bodies.poses[number], self.bodies.path[number]);
+            let place = wide::f32x4::new(pose) + wide::f32x4::new(path);
+            sum + (place + wide::f32x4::new(self.bodies.hot[number].velocity)) * wide::f32x4::ZERO
+        });
+        sum.to_array() == [0.0; 4]
+    }
+
+    #[cold]
+    fn put_back(&mut self, objects: &mut Objects, report: &mut Report) {
+        let is_finite = |number: usize| {
+            let (pose, path) = (self.bodies.poses[number], self.bodies.path[number]);
+            let velocity = self.bodies.hot[number].velocity;
+            (0..3).all(|i| velocity[i].is_finite() && (path[i] + if i < 2 { pose[i] } else { 0.0 }).is_finite())
+        };
+        let lost: Vec<usize> = (1..=self.bodies.count).filter(|&number| !is_finite(number)).collect();
+        let speed = |number: usize| {
+            let [x, y, spin, _] = self.bodies.before[number].map(|v| f64::from(v));
+            x * x + y * y + spin * spin
+        };
+        let fastest = lost.iter().map(|&number| speed(number)).fold(0.0, f64::max);
+        for &number in &lost {
+            let disabled = speed(number) >= fastest;
+            (self.bodies.hot[number].velocity, self.bodies.path[number]) = (self.bodies.before[number], [0.0; 4]);
+            let Some(body) = self.bodies.ids[number] else { continue };
+            if let Some(entry) = objects.bodies.get_mut(body).filter(|_| disabled) {
+                entry.body.set_enabled(false);
+                self.is_stale = true;
+            }
+            report.push(Event::NotFinite { body, disabled });
+        }
+        self.forget_infinite_impulses();
+    }
+
+    /// Impulses that are not finite, and what springs have learnt of them, are forgotten.
+    fn forget_infinite_impulses(&mut self) {
+        let finite = |number: &mut wide::f32x4| *number &= (*number * wide::f32x4::ZERO).simd_eq(wide::f32x4::ZERO);
+        let forget = |tangent: &mut wide::f32x4, points: &mut [super::rows::Point]| {
+            finite(tangent);
+            for point in points {
+                [&mut point.impulse, &mut point.held, &mut point.separation].into_iter().for_each(finite);
+            }
+        };
+        self.rows.two.for_each(|row| forget(&mut row.tangent_impulse, &mut row.points));
+        self.rows.one.for_each(|row| forget(&mut row.tangent_impulse, &mut row.points));
+        self.rows.two_fixed.for_each(|row| forget(&mut row.tangent_impulse, &mut row.points));
+        self.rows.one_fixed.for_each(|row| forget(&mut row.tangent_impulse, &mut row.points));
+    }
+
+    /// Numbers of bodies that can be pushed.
+    pub(crate) fn body_count(&self) -> usize {
+        self.bodies.count
+    }
+
+    /// A body, whether it has moved, and sine and cosine of where it is now.
+    pub(crate) fn moved(&self, number: usize) -> Option<(BodyId, bool, (f32, f32))> {
+        let ([_, _, c, s], path) = (self.bodies.poses[number], self.bodies.path[number]);
+        Some((self.bodies.ids[number]?, path != [0.0; 4], (s, c)))
     }
 
     /// Fifth stage: velocities and ways.
@@ -246,18 +324,17 @@ impl Precise {
         bodies.hot = hot;
     }
 
-    /// Sixth stage, after the bodies were written: poses, bounds, and who has left them.
-    pub(crate) fn follow(&mut self, dt: f32) {
-        renew_poses(&mut self.bodies);
+    /// Last stage: who has left its bounds gets new ones.
+    pub(crate) fn follow(&mut self) {
         follow(&mut self.proxies, &self.bodies, &self.tuning);
         for at in 0..self.proxies.escaped.len() {
-            self.widen(self.proxies.escaped[at], dt);
+            self.widen(self.proxies.escaped[at]);
         }
     }
 
     /// Gives a proxy new bounds.
-    pub(super) fn widen(&mut self, proxy: u32, dt: f32) {
-        let bounds = self.proxies.widened(proxy as usize, &self.bodies, &self.tuning, dt);
+    pub(super) fn widen(&mut self, proxy: u32) {
+        let bounds = self.proxies.widened(proxy as usize, &self.bodies, &self.tuning, self.dt);
         self.proxies.bounds[proxy as usize] = bounds;
         self.grid.set(proxy, &bounds);
     }

@@ -12,6 +12,7 @@ use super::proxies::{Proxies, Proxy};
 use super::rows::{Home, Lane, Palette, PointLane, Rows};
 use super::tuning::Tuning;
 use super::vector::{Pose, Vector, cross, difference, dot, length, place, rotation, sum, turn, turn_back};
+use crate::geom::GeomId;
 use crate::geom::surface::{FrictionType, mix_restitution};
 
 /// Bodies that have turned further than this have their contacts found anew: its cosine.
@@ -34,11 +35,12 @@ pub(super) struct Touch<'a> {
     pub(super) changes: &'a mut Vec<Change>,
 }
 
-/// Two proxies begin or cease to touch.
-#[derive(Debug, Clone, Copy)]
+/// Two geoms begin or cease to touch with one of their pieces, that with the smaller creation number first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Change {
-    pub(super) proxies: [u32; 2],
+    pub(super) numbers: (u32, u32),
     pub(super) begins: bool,
+    pub(super) geoms: (GeomId, GeomId),
 }
 
 /// What a pair is made of.
@@ -137,7 +139,10 @@ impl<'a> Touch<'a> {
 
     fn tell(&mut self, pair: usize, begins: bool) {
         self.pairs.all[pair].is_told = begins;
-        self.changes.push(Change { proxies: self.pairs.watched[pair].proxies, begins });
+        let [a, b] = self.pairs.watched[pair].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
+        let (first, second) = if a.number < b.number { (a, b) } else { (b, a) };
+        let (numbers, geoms) = ((first.number, second.number), (first.geom, second.geom));
+        self.changes.push(Change { numbers, begins, geoms });
     }
 
     /// The two are further apart than contacts reach.
@@ -210,6 +215,10 @@ impl<'a> Touch<'a> {
     fn are_circles(&self, two: Two<'_>) -> bool {
         let is_circle = |proxy: &Proxy| self.bodies.circles.get(proxy.body as usize).is_some_and(|row| row[3] > 0.0);
         is_circle(two.a) && is_circle(two.b)
+    }
+
+    pub(super) fn are_two_circles(&self, pair: usize) -> bool {
+        self.are_circles(self.two(pair))
     }
 
     fn freeze(&mut self, pair: usize, two: Two<'_>, found: &Manifold) {

@@ -59,7 +59,7 @@ const RESERVE: f32 = 0.2;
 
 /// The numbers of one step.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Step {
+pub(crate) struct Step {
     /// Seconds of the whole step.
     pub(super) dt: f32,
     /// Number of substeps, and seconds of each.

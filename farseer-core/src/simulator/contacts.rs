@@ -1,38 +1,46 @@
 //! What touches, and what an engine that is built on this one does with it.
 
 use super::PhysicsSimulator;
-use crate::contacts::arbiter::ArbiterRef;
+use crate::contacts::arbiter::{ArbiterRef, Found};
 use crate::geom::GeomId;
 use crate::geom::surface::mix_restitution;
 
 /// Contacts.
 impl PhysicsSimulator {
-    /// The pairs whose boxes overlapped in the last update and which touch, in the order in which they are solved.
+    /// The pairs whose boxes overlapped in the last update and which touch, in the order in which they are solved; with the
+    /// precise set in no particular order, those of convex pieces of geoms each for itself.
     #[doc(alias = "ArbiterList")]
     pub fn arbiters(&self) -> impl Iterator<Item = ArbiterRef<'_>> {
-        (0..self.contacts.len()).filter_map(|position| self.arbiter(position))
+        let count = self.pipeline.precise.as_ref().map_or(self.contacts.len(), |precise| precise.pair_count());
+        (0..count).filter_map(|at| match &self.pipeline.precise {
+            Some(precise) => precise.touching(at),
+            None => self.listed_arbiter(at),
+        })
+    }
+
+    fn listed_arbiter(&self, position: usize) -> Option<ArbiterRef<'_>> {
+        let handle = *self.contacts.list.get(position)?;
+        let arbiter = self.contacts.at(position);
+        let contacts = Found::Kept(&arbiter.contacts);
+        Some(ArbiterRef { handle, geoms: arbiter.geoms?, friction: arbiter.friction, contacts })
     }
 
     /// The arbiter at a position of the list, from 0; `None` beyond its end.
     pub fn arbiter(&self, position: usize) -> Option<ArbiterRef<'_>> {
-        let handle = *self.contacts.list.get(position)?;
-        let arbiter = self.contacts.at(position);
-        Some(ArbiterRef {
-            handle,
-            geoms: arbiter.geoms?,
-            friction: arbiter.friction,
-            contacts: &arbiter.contacts,
-        })
+        if self.pipeline.precise.is_some() {
+            return self.arbiters().nth(position);
+        }
+        self.listed_arbiter(position)
     }
 
     /// Number of [`arbiters`](Self::arbiters).
     pub fn arbiter_count(&self) -> usize {
-        self.contacts.len()
+        self.pipeline.precise.as_ref().map_or(self.contacts.len(), |precise| precise.touching_count())
     }
 
     /// Number of contacts of all arbiters.
     pub fn contact_count(&self) -> usize {
-        self.arbiters().map(|arbiter| arbiter.contacts.len()).sum()
+        self.arbiters().map(|arbiter| arbiter.contacts().len()).sum()
     }
 
     /// The geoms that a geom touched in the last update, in the order in which the pairs are solved. The list of what is
@@ -42,7 +50,7 @@ impl PhysicsSimulator {
     /// handler refused do not count: they have no contacts.
     pub fn overlaps(&self, geom: GeomId) -> Vec<GeomId> {
         let mut partners = Vec::new();
-        for arbiter in self.arbiters().filter(|arbiter| !arbiter.contacts.is_empty()) {
+        for arbiter in self.arbiters().filter(|arbiter| arbiter.contacts().len() > 0) {
             let partner = match (arbiter.geom_a(), arbiter.geom_b()) {
                 (a, b) if a == geom => b,
                 (a, b) if b == geom => a,

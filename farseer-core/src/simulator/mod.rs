@@ -5,6 +5,7 @@ mod contacts;
 mod context;
 mod controllers;
 mod handler;
+mod precise;
 mod save;
 mod settle;
 mod solve;
@@ -26,6 +27,7 @@ use crate::methods::{BroadPhaseCollider, Methods, NarrowPhaseCollider};
 use crate::objects::{Objects, SavedObjects};
 use crate::pairs::BroadPhase;
 use crate::pipeline::Pipeline;
+use crate::precise::Precise;
 use crate::report::{Event, Report, StepCounters, StepTimes};
 use crate::{Error, Result};
 
@@ -252,17 +254,39 @@ impl PhysicsSimulator {
     }
 
     /// Chooses the methods. Geoms that are there already are not made ready for another narrow phase; see
-    /// [`set_narrow_phase_collider`](Self::set_narrow_phase_collider).
+    /// [`set_narrow_phase_collider`](Self::set_narrow_phase_collider). From the faithful set to the precise one and back,
+    /// between updates, everything stays but what the solver knows of contacts: what rests begins to rest anew.
     ///
     /// # Errors
-    /// If a geom is in the simulator already ([`Error::GeomListNotEmpty`]; geoms still waiting to be added do
-    /// not count), or a cell size is not finite.
+    /// A broad phase of the faithful set in place of another one if a geom is in the simulator already
+    /// ([`Error::GeomListNotEmpty`]; geoms still waiting to be added do not count); a cell size or length that is not finite,
+    /// or a length that is not greater than 0; the precise set while there are joints ([`Error::NotSupported`]).
     pub fn set_methods(&mut self, methods: Methods) -> Result<()> {
-        if !self.geom_list().is_empty() {
+        let methods = methods.check()?;
+        if self.objects.joints.listed_or_queued().next().is_some() {
+            methods.check_joints()?;
+        }
+        match methods {
+            Methods::Faithful { broad, .. } => self.set_faithful_pairs(broad)?,
+            Methods::Precise { .. } if methods == self.objects.methods => {}
+            Methods::Precise { length_unit } => {
+                self.contacts = Default::default();
+                self.pipeline.precise = Some(Box::new(Precise::new(length_unit)));
+            }
+        }
+        self.objects.methods = methods;
+        Ok(())
+    }
+
+    fn set_faithful_pairs(&mut self, broad: BroadPhaseCollider) -> Result<()> {
+        if self.pipeline.precise.is_none() && !self.geom_list().is_empty() {
             return Err(Error::GeomListNotEmpty);
         }
-        self.pipeline.broad_phase = BroadPhase::new(methods.broad().check()?);
-        self.objects.methods = methods;
+        self.pipeline.precise = None;
+        self.pipeline.broad_phase = BroadPhase::new(broad);
+        for &geom in self.objects.geoms.list() {
+            self.pipeline.broad_phase.add(geom, &self.objects.geoms);
+        }
         Ok(())
     }
 

@@ -3,7 +3,9 @@
 use super::PhysicsSimulator;
 use super::tell::{Handler, tell_added, tell_removed};
 use crate::geom::filter::is_valid_pair;
+use crate::methods::Methods;
 use crate::object_id::ObjectId;
+use crate::precise::Precise;
 use crate::report::Event;
 
 /// How often callbacks are told of what callbacks did.
@@ -24,6 +26,9 @@ impl PhysicsSimulator {
         self.objects.methods = self.objects.methods.with_broad(Default::default());
         self.contacts = Default::default();
         self.pipeline = Default::default();
+        if let Methods::Precise { length_unit } = self.objects.methods {
+            self.pipeline.precise = Some(Box::new(Precise::new(length_unit)));
+        }
         self.report.clear();
     }
 
@@ -109,6 +114,9 @@ impl PhysicsSimulator {
             tell_rejected(&mut report.events, body.into(), entry.body.rejected.take());
             pipeline.joints.take_velocity_up(body, &objects.bodies, &mut pipeline.bodies);
             objects.settle_body(body);
+            if let Some(precise) = &mut pipeline.precise {
+                precise.note_body(body, objects);
+            }
         }
         objects.touched_bodies = bodies;
         let mut geoms = std::mem::take(&mut objects.touched_geoms);
@@ -116,6 +124,9 @@ impl PhysicsSimulator {
             let Some(entry) = objects.geoms.get_mut(geom) else { continue };
             entry.is_touched = false;
             tell_rejected(&mut report.events, geom.into(), entry.geom.rejected.take());
+            if let Some(precise) = &mut pipeline.precise {
+                precise.note_geom(geom, objects);
+            }
         }
         objects.touched_geoms = geoms;
     }

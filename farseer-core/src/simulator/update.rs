@@ -53,7 +53,9 @@ impl PhysicsSimulator {
         let mut stopwatch = Stopwatch::start(clock);
         let goes_on = self.begin(dt, handler);
         stopwatch.lap(|times| &mut times.clean_up_time);
-        if goes_on {
+        if goes_on && self.pipeline.precise.is_some() {
+            self.run_precise(dt, dt_real, handler, &mut stopwatch);
+        } else if goes_on {
             self.look_for_pairs(handler);
             stopwatch.lap(|times| &mut times.broad_phase_collision_time);
             self.look_for_contacts(handler);

@@ -5,7 +5,7 @@ use crate::world::{BodyState, World};
 use conformance::run::Run;
 use conformance::scene::{BroadPhase, NarrowPhase, Scene};
 use farseer_core::math::Vector2;
-use farseer_core::{BodyId, PhysicsSimulator};
+use farseer_core::{BodyId, Methods, PhysicsSimulator};
 
 /// A scene in [`PhysicsSimulator`], without the log that a run keeps: a measured step does what a game's does.
 #[derive(Debug)]
@@ -107,6 +107,14 @@ pub fn our_methods() -> Vec<Method> {
             build: |scene, setting| build(scene, setting, NarrowPhase::DistanceGrid, BroadPhase::SpatialHash),
             ..broad_phase_variant
         },
+        Method {
+            name: "Precise",
+            recommended: Setting::fixed(1.0 / 60.0, 4),
+            settings: precise_settings,
+            mapped: |_| mapped(precise_settings(Effort::Quick), &[Setting::fixed(STEPS[0], 4)]),
+            build: build_precise,
+            ..method
+        },
     ]
 }
 
@@ -117,6 +125,24 @@ fn build(scene: &Scene, setting: Setting, narrow_phase: NarrowPhase, broad_phase
     let passes = i32::try_from(setting.passes).map_err(|_| format!("{} iterations", setting.passes))?;
     scene.simulator.solver.iterations = Some(passes);
     Ok(Box::new(FarseerWorld::new(&scene)?))
+}
+
+fn build_precise(scene: &Scene, setting: Setting) -> Built {
+    let mut scene = scene.clone();
+    scene.simulator.narrow_phase = Some(NarrowPhase::Sat);
+    let mut world = FarseerWorld::new(&scene)?;
+    world.simulator.set_iterations(i32::try_from(setting.passes).map_err(|error| error.to_string())?);
+    world.simulator.set_methods(Methods::PRECISE).map_err(|error| error.to_string())?;
+    Ok(Box::new(world))
+}
+
+/// Substeps as of the peers.
+fn precise_settings(effort: Effort) -> Vec<Setting> {
+    let quick = [(1.0 / 30.0, 4), (1.0 / 60.0, 2), (1.0 / 60.0, 4), (1.0 / 60.0, 8), (1.0 / 240.0, 4)];
+    let full = [(0.016, 4), (0.01, 4), (1.0 / 120.0, 4), (1.0 / 60.0, 16)];
+    let more = if effort == Effort::Full { &full[..] } else { &[] };
+    let fixed = quick.iter().chain(more).map(|&(dt, passes)| Setting::fixed(dt, passes));
+    fixed.chain([Setting::jitter(1.0 / 60.0, 4)]).collect()
 }
 
 /// The steps on a map in s: the usual one, that of games which read whole milliseconds, and a short one.

@@ -1,0 +1,246 @@
+//! What is saved of the precise set, and taken over when everything is listed anew: everything that a later bit depends on.
+//! What follows from that and from the objects is not.
+
+use serde::{Deserialize, Serialize};
+
+use super::Precise;
+use super::pairs::{BY_ROW, Frozen};
+use super::rows::{Home, Kind, Lane};
+use super::tuning::Tuning;
+use crate::geom::GeomId;
+
+/// The state of the precise set.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(crate) struct Saved {
+    tuning: Tuning,
+    h: f32,
+    dt: f32,
+    has_handled: bool,
+    proxies: Vec<SavedProxy>,
+    pairs: Vec<SavedPair>,
+}
+
+#[derive(Debug, Clone, Serialize, Deserialize)]
+struct SavedProxy {
+    geom: GeomId,
+    piece: u32,
+    is_movable: bool,
+    bounds: [f32; 4],
+    motion: u32,
+    has_escaped: bool,
+}
+
+#[derive(Debug, Clone, Serialize, Deserialize)]
+struct SavedPair {
+    /// Places in the list of saved proxies.
+    proxies: [u32; 2],
+    since: u32,
+    tolerance: u32,
+    is_told: bool,
+    is_vetoed: bool,
+    frozen: SavedContacts,
+    row: Option<SavedRow>,
+}
+
+#[derive(Debug, Clone, Serialize, Deserialize)]
+struct SavedContacts {
+    turns: [f32; 4],
+    relative: [f32; 4],
+    normal: [f32; 2],
+    count: u32,
+    anchors: [[f32; 4]; 2],
+    separations: [f32; 2],
+    features: [u32; 2],
+}
+
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+struct SavedRow {
+    colour: u32,
+    slot: u32,
+    tangent_impulse: f32,
+    impulses: [f32; 2],
+    held: [f32; 2],
+    masses: [f32; 2],
+    separations: [f32; 2],
+}
+
+impl From<Precise> for Saved {
+    fn from(precise: Precise) -> Self {
+        precise.save()
+    }
+}
+
+impl From<Saved> for Precise {
+    fn from(saved: Saved) -> Self {
+        Precise { h: saved.h, dt: saved.dt, loaded: Some(saved.clone()), ..Precise::new(saved.tuning.unit) }
+    }
+}
+
+impl Saved {
+    /// Whether everything is finite and names what is there: false only after loading garbage.
+    fn is_valid(&self) -> bool {
+        let finite = |numbers: &[f32]| numbers.iter().all(|number| number.is_finite());
+        let pair_is_valid = |pair: &SavedPair| {
+            let SavedContacts { turns, relative, normal, count, anchors, separations, .. } = &pair.frozen;
+            let row_is_valid = |row: &SavedRow| {
+                let SavedRow { tangent_impulse, impulses, held, masses, separations, .. } = row;
+                (row.colour as usize) < super::rows::COLOURS
+                    && finite(&[*tangent_impulse])
+                    && [impulses, held, masses, separations].iter().all(|numbers| finite(*numbers))
+            };
+            pair.proxies.iter().all(|&proxy| (proxy as usize) < self.proxies.len())
+                && *count <= 2
+                && finite(turns)
+                && finite(relative)
+                && finite(normal)
+                && finite(separations)
+                && anchors.iter().all(|anchor| finite(anchor))
+                && pair.row.as_ref().is_none_or(|row| *count > 0 && row_is_valid(row))
+        };
+        let Tuning { unit, .. } = self.tuning;
+        unit.is_finite()
+            && unit > 0.0
+            && self.tuning == Tuning::new(unit)
+            && self.h.is_finite()
+            && self.dt.is_finite()
+            && self.proxies.iter().all(|proxy| finite(&proxy.bounds))
+            && self.pairs.iter().all(pair_is_valid)
+    }
+}
+
+impl Precise {
+    /// Whether what was loaded can be used.
+    pub(crate) fn is_valid(&self) -> bool {
+        self.loaded.as_ref().is_none_or(Saved::is_valid)
+    }
+
+    /// The state to save.
+    pub(super) fn save(&self) -> Saved {
+        if let Some(loaded) = &self.loaded {
+            return loaded.clone();
+        }
+        let mut has_escaped = vec![false; self.proxies.all.len()];
+        self.proxies.escaped.iter().for_each(|&proxy| has_escaped[proxy as usize] = true);
+        let proxies = self.proxies.all.iter().enumerate().map(|(at, proxy)| SavedProxy {
+            geom: proxy.geom,
+            piece: proxy.piece,
+            is_movable: at < self.proxies.movable,
+            bounds: self.proxies.bounds[at],
+            motion: self.proxies.motion[at],
+            has_escaped: has_escaped[at],
+        });
+        Saved {
+            tuning: self.tuning,
+            h: self.h,
+            dt: self.dt,
+            has_handled: self.has_handled,
+            proxies: proxies.collect(),
+            pairs: (0..self.pairs.len()).map(|pair| self.save_pair(pair)).collect(),
+        }
+    }
+
+    fn save_pair(&self, pair: usize) -> SavedPair {
+        let (watch, state) = (self.pairs.watched[pair], self.pairs.all[pair]);
+        let Frozen { turns, relative, normal, count, anchors, separations, features } = self.pairs.frozen[pair];
+        SavedPair {
+            proxies: watch.proxies,
+            since: watch.since,
+            tolerance: watch.tolerance,
+            is_told: state.is_told,
+            is_vetoed: state.is_vetoed,
+            frozen: SavedContacts { turns, relative, normal, count, anchors, separations, features },
+            row: state.home.map(|home| self.save_row(state.kind, home)),
+        }
+    }
+
+    fn save_row(&self, kind: Kind, home: Home) -> SavedRow {
+        let Lane { tangent_impulse, points, .. } = self.rows.lane(kind, home);
+        SavedRow {
+            colour: home.colour,
+            slot: home.slot,
+            tangent_impulse,
+            impulses: points.map(|point| point.impulse),
+            held: points.map(|point| point.held),
+            masses: points.map(|point| point.mass),
+            separations: points.map(|point| point.separation),
+        }
+    }
+
+    /// Takes over what is known of the proxies and pairs that are still there.
+    pub(super) fn restore(&mut self, saved: &Saved) {
+        self.has_handled = saved.has_handled;
+        self.grid.reset(self.proxies.all.len());
+        self.pairs.reset(self.proxies.all.len());
+        self.rows.clear();
+        self.palette.reset(self.bodies.hot.len());
+        let places = self.restore_proxies(saved);
+        let mut rows = Vec::new();
+        for pair in &saved.pairs {
+            let [Some(a), Some(b)] = pair.proxies.map(|proxy| places[proxy as usize]) else { continue };
+            if self.ordered([a, b]) == Some([a, b]) {
+                rows.extend(self.restore_pair([a, b], pair));
+            }
+        }
+        // Only the order of rows in the last colour matters.
+        rows.sort_by_key(|&(_, row): &(usize, SavedRow)| (row.colour, row.slot));
+        for (pair, row) in rows {
+            self.touch().restore_row(pair, row.colour, |lane| {
+                lane.tangent_impulse = row.tangent_impulse;
+                for (at, point) in lane.points.iter_mut().enumerate() {
+                    point.impulse = row.impulses[at];
+                    point.held = row.held[at];
+                    point.separation = row.separations[at];
+                    if row.masses[at] == 0.0 {
+                        point.mass = 0.0;
+                    }
+                }
+            });
+        }
+    }
+
+    /// Answers where each saved proxy is now. One that can be pushed now and could not before, or the other way round, is
+    /// another one.
+    fn restore_proxies(&mut self, saved: &Saved) -> Vec<Option<u32>> {
+        let mut is_known = vec![false; self.proxies.all.len()];
+        let mut places = Vec::with_capacity(saved.proxies.len());
+        for proxy in &saved.proxies {
+            let place = self
+                .proxy_of(proxy.geom, proxy.piece)
+                .filter(|&place| ((place as usize) < self.proxies.movable) == proxy.is_movable)
+                .filter(|&place| !std::mem::replace(&mut is_known[place as usize], true));
+            if let Some(place) = place {
+                self.proxies.motion[place as usize] = proxy.motion;
+                self.enter_with(place, proxy.bounds);
+                self.proxies.escaped.extend(proxy.has_escaped.then_some(place));
+            }
+            places.push(place);
+        }
+        for at in (0..self.proxies.all.len()).filter(|&at| !is_known[at]) {
+            if at < self.proxies.movable || at >= self.proxies.movable.next_multiple_of(4) {
+                self.enter(at as u32);
+            }
+        }
+        places
+    }
+
+    /// Answers the pair and its row. A pair whose contacts push now and did not before, or the other way round, is looked at
+    /// anew.
+    fn restore_pair(&mut self, proxies: [u32; 2], saved: &SavedPair) -> Option<(usize, SavedRow)> {
+        if self.pairs.contains(proxies) {
+            return None;
+        }
+        let responds = proxies.iter().all(|&proxy| self.proxies.all[proxy as usize].responds);
+        let pair = self.pairs.push(proxies, self.kind(proxies), responds);
+        let SavedContacts { turns, relative, normal, count, anchors, separations, features } = saved.frozen;
+        self.pairs.frozen[pair] = Frozen { turns, relative, normal, count, anchors, separations, features };
+        let watch = &mut self.pairs.watched[pair];
+        (watch.since, watch.tolerance) = (saved.since, saved.tolerance);
+        let state = &mut self.pairs.all[pair];
+        (state.is_told, state.is_vetoed) = (saved.is_told, saved.is_vetoed);
+        let row = saved.row.filter(|_| responds);
+        if saved.tolerance == BY_ROW && (row.is_none() || !self.touch().are_two_circles(pair)) {
+            self.pairs.watched[pair].tolerance = 0;
+        }
+        row.map(|row| (pair, row))
+    }
+}

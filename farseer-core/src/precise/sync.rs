@@ -1,0 +1,249 @@
+//! What was edited is taken over: bodies that moved, and what came, went or became what it was not.
+
+use super::Precise;
+use super::bodies::inverses_of;
+use super::grid::Box2;
+use super::proxies::{Proxy, filter_of};
+use super::saved::Saved;
+use crate::body::BodyId;
+use crate::geom::GeomId;
+use crate::objects::Objects;
+
+const NONE: u32 = u32::MAX;
+
+/// Entry of a table by slot, which is as long as it must be.
+fn set(table: &mut Vec<u32>, slot: usize, number: u32) {
+    if table.len() <= slot {
+        table.resize(slot + 1, NONE);
+    }
+    table[slot] = number;
+}
+
+fn get(table: &[u32], slot: usize) -> Option<usize> {
+    table.get(slot).copied().filter(|&number| number != NONE).map(|number| number as usize)
+}
+
+impl Precise {
+    /// Bodies or geoms have entered or left their lists, or have become what they were not.
+    pub(crate) fn note_change(&mut self) {
+        self.is_stale = true;
+    }
+
+    /// A body was lent out for editing.
+    pub(crate) fn note_body(&mut self, id: BodyId, objects: &Objects) {
+        let Some(entry) = objects.bodies.get(id) else { return };
+        let body = &entry.body;
+        let Some(number) = get(&self.body_numbers, id.slot())
+            .filter(|&number| self.bodies.ids[number] == Some(id))
+        else {
+            self.is_stale = true;
+            return;
+        };
+        let is_movable = number < self.bodies.first_fixed();
+        if self.is_stale || !body.enabled() || is_movable != body.is_integrated() {
+            self.is_stale = true;
+            return;
+        }
+        let inverses = if is_movable { inverses_of(body) } else { [0.0; 2] };
+        let velocity = surface_velocity(is_movable, body);
+        let has_moved = self.bodies.was_moved(number, body);
+        let is_other = inverses != self.bodies.inverses[number];
+        self.bodies.inverses[number] = inverses;
+        if has_moved {
+            self.bodies.move_to(number, body);
+        }
+        for &geom in &entry.geoms {
+            self.renew_proxies(geom, objects, |proxy| {
+                let is_belt_changed = proxy.surface_velocity != velocity;
+                proxy.surface_velocity = velocity;
+                Renewal { moved: has_moved, contacts: is_other || is_belt_changed, pairs: has_moved }
+            });
+        }
+    }
+
+    /// A geom was lent out for editing.
+    pub(crate) fn note_geom(&mut self, id: GeomId, objects: &Objects) {
+        let Some(entry) = objects.geoms.get(id) else { return };
+        let geom = &entry.geom;
+        let (friction, restitution, responds) =
+            (geom.friction_coefficient(), geom.restitution_coefficient(), geom.collision_response_enabled());
+        self.bounces |= restitution > 0.0;
+        let mut may_meet_others = false;
+        self.renew_proxies(id, objects, |proxy| {
+            let is_other = proxy.friction != friction || proxy.restitution != restitution;
+            may_meet_others |= proxy.filter != filter_of(entry) || proxy.responds != responds;
+            (proxy.friction, proxy.restitution) = (friction, restitution);
+            Renewal { moved: false, contacts: is_other, pairs: may_meet_others }
+        });
+        self.is_stale |= may_meet_others;
+    }
+
+    /// Lets the proxies of a geom take something over, and what they touch with it.
+    fn renew_proxies(&mut self, geom: GeomId, objects: &Objects, mut take: impl FnMut(&mut Proxy) -> Renewal) {
+        let Some(first) = get(&self.first_proxies, geom.slot()) else { return };
+        let count = objects.geoms.get(geom).map_or(0, |entry| entry.pieces().len());
+        for at in first..(first + count).min(self.proxies.all.len()) {
+            if self.proxies.all[at].geom != geom {
+                return;
+            }
+            let renewal = take(&mut self.proxies.all[at]);
+            if renewal.moved {
+                self.proxies.motion[at] = self.proxies.motion[at].wrapping_add(1 << 30);
+                self.widen(at as u32);
+            }
+            if renewal.pairs {
+                self.proxies.escaped.push(at as u32);
+            }
+            if renewal.contacts || renewal.moved {
+                self.look_again(at as u32);
+            }
+        }
+    }
+
+    /// The pairs of a proxy are looked at in full in the next step.
+    fn look_again(&mut self, proxy: u32) {
+        let pairs: Vec<usize> = self.pairs.of(proxy).collect();
+        for pair in pairs {
+            self.pairs.look_again(pair);
+        }
+    }
+
+    /// First stage: everything is listed anew, if something has come or gone.
+    pub(crate) fn sync(&mut self, objects: &Objects) {
+        if self.is_stale || self.has_changed_flags(objects) {
+            let saved = self.loaded.take().unwrap_or_else(|| self.save());
+            self.list(objects, &saved);
+        }
+    }
+
+    /// What simulators do themselves, such as putting bodies to rest, is seen in the bodies.
+    fn has_changed_flags(&self, objects: &Objects) -> bool {
+        let ids = &self.bodies.ids[1..];
+        let is_other = |(at, id): (usize, &Option<BodyId>)| {
+            let is_movable = at < self.bodies.count;
+            id.is_some_and(|id| {
+                objects.bodies.get(id).is_none_or(|entry| {
+                    !entry.body.enabled() || (is_movable && !entry.body.is_integrated())
+                })
+            })
+        };
+        let is_back = |&id: &BodyId| objects.bodies.get(id).is_none_or(|entry| entry.body.enabled());
+        ids.iter().enumerate().any(is_other) || self.absent.iter().any(is_back)
+    }
+
+    /// Lists all bodies and geoms that take part, and takes over what is known of their pairs.
+    fn list(&mut self, objects: &Objects, saved: &Saved) {
+        self.is_stale = false;
+        self.list_bodies(objects);
+        self.list_proxies(objects);
+        self.bodies.circles.fill([0.0; 4]);
+        for proxy in &self.proxies.all[..self.proxies.movable] {
+            let circle = &mut self.bodies.circles[proxy.body as usize];
+            let is_alone = circle[2] == 0.0;
+            let is_round = is_alone && proxy.shape.count == 0 && proxy.shape.centre == [0.0, 0.0];
+            *circle = [0.0, 0.0, proxy.shape.radius.max(f32::MIN_POSITIVE), if is_round { 1.0 } else { 0.0 }];
+        }
+        self.restore(saved);
+    }
+
+    fn list_bodies(&mut self, objects: &Objects) {
+        let bodies = &objects.bodies;
+        let movable = || (0..bodies.list().len()).filter_map(|at| bodies.at(at));
+        self.body_numbers.clear();
+        let mut fixed = Vec::new();
+        let mut is_seen = vec![false; bodies.slot_count()];
+        let mut see = |id: BodyId| !std::mem::replace(&mut is_seen[id.slot()], true);
+        movable().filter(|(_, entry)| entry.body.is_integrated()).for_each(|(id, _)| {
+            see(id);
+        });
+        for at in 0..objects.geoms.list().len() {
+            let Some((_, geom)) = objects.geoms.at(at) else { continue };
+            if bodies.get(geom.body).is_some_and(|entry| entry.body.enabled()) && see(geom.body) {
+                fixed.push(geom.body);
+            }
+        }
+        self.bodies.list(
+            movable().filter(|(_, entry)| entry.body.is_integrated()).map(|(id, entry)| (id, &entry.body)),
+            fixed.iter().map(|&id| (id, &bodies[id].body)),
+        );
+        for (number, id) in self.bodies.ids.iter().enumerate() {
+            if let Some(id) = id {
+                set(&mut self.body_numbers, id.slot(), number as u32);
+            }
+        }
+        self.absent.clear();
+        self.absent.extend(movable().filter(|(_, entry)| !entry.body.enabled()).map(|(id, _)| id));
+    }
+
+    fn list_proxies(&mut self, objects: &Objects) {
+        self.proxies.clear();
+        self.first_proxies.clear();
+        self.bounces = false;
+        let first_fixed = self.bodies.first_fixed() as u32;
+        self.add_proxies(objects, |body| body < first_fixed);
+        self.proxies.movable = self.proxies.all.len();
+        self.proxies.fill_up();
+        self.add_proxies(objects, |body| body >= first_fixed);
+    }
+
+    fn add_proxies(&mut self, objects: &Objects, is_wanted: impl Fn(u32) -> bool) {
+        for at in 0..objects.geoms.list().len() {
+            let Some((id, geom)) = objects.geoms.at(at) else { continue };
+            let Some(body) = get(&self.body_numbers, geom.body.slot()) else { continue };
+            if !is_wanted(body as u32) {
+                continue;
+            }
+            let is_movable = body < self.bodies.first_fixed();
+            set(&mut self.first_proxies, id.slot(), self.proxies.all.len() as u32);
+            for (piece, outline) in geom.pieces().iter().enumerate() {
+                let shape = self.proxies.corners.add(outline, geom);
+                let restitution = geom.geom.restitution_coefficient();
+                self.bounces |= restitution > 0.0;
+                self.proxies.push(Proxy {
+                    geom: id,
+                    piece: piece as u32,
+                    number: geom.number,
+                    body: body as u32,
+                    shape,
+                    friction: geom.geom.friction_coefficient(),
+                    restitution,
+                    responds: geom.geom.collision_response_enabled(),
+                    filter: filter_of(geom),
+                    surface_velocity: surface_velocity(is_movable, &objects.bodies[geom.body].body),
+                });
+            }
+        }
+    }
+
+    /// The proxy of a piece of a geom, if it is listed.
+    pub(super) fn proxy_of(&self, geom: GeomId, piece: u32) -> Option<u32> {
+        let at = get(&self.first_proxies, geom.slot())? + piece as usize;
+        let proxy = self.proxies.all.get(at)?;
+        (proxy.geom == geom && proxy.piece == piece).then_some(at as u32)
+    }
+
+    /// New bounds for a proxy that nothing is known of; its pairs are looked for.
+    pub(super) fn enter(&mut self, proxy: u32) {
+        self.proxies.escaped.push(proxy);
+        self.widen(proxy);
+    }
+
+    /// Bounds as they were.
+    pub(super) fn enter_with(&mut self, proxy: u32, bounds: Box2) {
+        self.proxies.bounds[proxy as usize] = bounds;
+        self.grid.set(proxy, &bounds);
+    }
+}
+
+/// What is due after an edit.
+struct Renewal {
+    moved: bool,
+    contacts: bool,
+    pairs: bool,
+}
+
+/// What stands still and has a velocity is a belt.
+fn surface_velocity(is_movable: bool, body: &crate::body::Body) -> [f32; 3] {
+    let (velocity, spin) = (body.linear_velocity(), body.angular_velocity());
+    if is_movable { [0.0; 3] } else { [velocity.x, velocity.y, spin] }
+}

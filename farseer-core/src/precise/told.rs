@@ -1,0 +1,147 @@
+//! What games are told of touches.
+
+use super::Precise;
+use super::vector::{difference, dot, place, rotation, sum, turn, turn_back};
+use crate::contacts::arbiter::{ArbiterRef, Found};
+use crate::contacts::contact::{Contact, ContactId};
+use crate::geom::GeomId;
+use crate::math::Vector2;
+
+impl Precise {
+    /// Number of pairs, touching or not.
+    pub(crate) fn pair_count(&self) -> usize {
+        self.pairs.len()
+    }
+
+    /// Number of contacts that are solved.
+    pub(crate) fn contacts_solved(&self) -> usize {
+        self.rows.point_count()
+    }
+
+    /// Creation numbers of the geoms of a pair that touches, the smaller one first.
+    pub(crate) fn touching_numbers(&self, pair: usize) -> Option<(u32, u32)> {
+        self.pairs.all.get(pair).filter(|state| state.is_told)?;
+        let [a, b] = self.pairs.watched[pair].proxies.map(|proxy| self.proxies.all[proxy as usize].number);
+        Some(if a < b { (a, b) } else { (b, a) })
+    }
+
+    /// A pair by its number, if it touches.
+    pub(crate) fn touching(&self, pair: usize) -> Option<ArbiterRef<'static>> {
+        let state = self.pairs.all.get(pair).filter(|state| state.is_told)?;
+        let [a, b] = self.pairs.watched[pair].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
+        let is_flipped = a.number > b.number;
+        let frozen = &self.pairs.frozen[pair];
+        let lane = state.home.map(|home| self.rows.lane(state.kind, home));
+        let [pose_a, pose_b] = [a, b].map(|proxy| self.bodies.poses[proxy.body as usize]);
+        let [ca, sa, cb, sb] = frozen.turns;
+        let (turned_a, turned_b) = (turn_back([ca, sa], rotation(pose_a)), turn_back([cb, sb], rotation(pose_b)));
+        let normal = lane.map_or(frozen.normal, |lane| lane.normal);
+        let sign = if is_flipped { -1.0 } else { 1.0 };
+        let (first, second) = if is_flipped { (b, a) } else { (a, b) };
+        let mut contacts = [Contact::default(); 2];
+        for (at, contact) in contacts.iter_mut().enumerate().take(frozen.count as usize) {
+            let [ax, ay, bx, by] = frozen.anchors[at];
+            let on_a = sum(place(pose_a), turn(turned_a, [ax, ay]));
+            let on_b = sum(place(pose_b), turn(turned_b, [bx, by]));
+            let apart = frozen.separations[at] + dot(difference(on_b, on_a), normal);
+            let point = lane.map(|lane| lane.points[at]);
+            let vertex = frozen.features[at] as i32;
+            let id = ContactId { geom1: first.number, vertex, geom2: second.number };
+            let position = Vector2::new(0.5 * (on_a[0] + on_b[0]), 0.5 * (on_a[1] + on_b[1]));
+            let normal = Vector2::new(sign * normal[0], sign * normal[1]);
+            let separation = point.map_or(apart, |point| point.separation);
+            let impulses = point.map_or((0.0, 0.0), |point| {
+                (point.impulse, lane.map_or(0.0, |lane| lane.tangent_impulse) / frozen.count as f32)
+            });
+            *contact = Contact::new(position, normal, separation, id).with_impulses(impulses.0, impulses.1);
+        }
+        let geoms = (first.geom, second.geom);
+        let friction = self.friction.mix(a.friction, b.friction);
+        let contacts = Found::Read(contacts, frozen.count as usize);
+        Some(ArbiterRef { handle: pair as u32, geoms, friction, contacts })
+    }
+
+    /// What began or ceased to touch in this step, by geoms: each two geoms once, in the order of creation numbers.
+    pub(crate) fn take_changes(&mut self) -> Vec<((GeomId, GeomId), bool)> {
+        let mut changes = std::mem::take(&mut self.changes);
+        changes.sort_unstable();
+        changes.dedup();
+        changes.retain(|change| change.begins == self.do_touch(change.geoms));
+        changes.iter().map(|change| (change.geoms, change.begins)).collect()
+    }
+
+    /// Whether some pieces of two geoms touch.
+    fn do_touch(&self, geoms: (GeomId, GeomId)) -> bool {
+        self.pairs_between(geoms).any(|pair| self.pairs.all[pair].is_told)
+    }
+
+    /// The pairs of the pieces of two geoms.
+    fn pairs_between(&self, (one, other): (GeomId, GeomId)) -> impl Iterator<Item = usize> + '_ {
+        let first = self.proxy_of(other, 0).unwrap_or(u32::MAX);
+        let is_piece = move |at: &u32| self.proxies.all.get(*at as usize).is_some_and(|proxy| proxy.geom == other);
+        let is_with_one = move |pair: &usize| {
+            let proxies = self.pairs.watched[*pair].proxies;
+            proxies.iter().any(|&proxy| self.proxies.all[proxy as usize].geom == one)
+        };
+        (first..u32::MAX).take_while(is_piece).flat_map(|piece| self.pairs.of(piece)).filter(is_with_one)
+    }
+
+    /// The geoms of a pair, that with the smaller creation number first.
+    pub(crate) fn geoms_of(&self, pair: usize) -> (GeomId, GeomId) {
+        let [a, b] = self.pairs.watched[pair].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
+        if a.number < b.number { (a.geom, b.geom) } else { (b.geom, a.geom) }
+    }
+
+    /// Number of pairs that touch.
+    pub(crate) fn touching_count(&self) -> usize {
+        self.pairs.all.iter().filter(|pair| pair.is_told).count()
+    }
+
+    /// Number of contacts of two geoms.
+    pub(crate) fn contacts_between(&self, geoms: (GeomId, GeomId)) -> u32 {
+        let pairs = self.pairs_between(geoms);
+        pairs.filter(|&pair| self.pairs.all[pair].is_told).map(|pair| self.pairs.frozen[pair].count).sum()
+    }
+
+    /// The pairs that touch, those of the same geoms together, in the order of creation numbers.
+    pub(crate) fn touching_groups(&self) -> Vec<Vec<usize>> {
+        let mut pairs: Vec<_> =
+            (0..self.pairs.len()).filter_map(|pair| Some((self.touching_numbers(pair)?, pair))).collect();
+        pairs.sort_unstable();
+        pairs.chunk_by(|a, b| a.0 == b.0).map(|group| group.iter().map(|&(_, pair)| pair).collect()).collect()
+    }
+
+    /// A handler refuses a pair, or lets it be: refused ones push nothing in this step.
+    pub(crate) fn set_refused(&mut self, pair: usize, is_refused: bool) {
+        if is_refused {
+            self.refuse(pair);
+        }
+    }
+
+    /// A handler has refused what touches here: it pushes nothing in this step.
+    pub(crate) fn refuse(&mut self, pair: usize) {
+        self.has_handled = true;
+        self.pairs.all[pair].is_vetoed = true;
+        self.touch().remove_row(pair);
+    }
+
+    /// A handler may have taken contacts off the list: those push nothing in this step.
+    pub(crate) fn keep_contacts(&mut self, pair: usize, contacts: &[Contact]) {
+        let Some(touching) = self.touching(pair) else { return };
+        let is_kept = |contact: &Contact| contacts.iter().any(|kept| kept == contact);
+        if touching.contacts().all(|contact| is_kept(&contact)) {
+            return;
+        }
+        let state = self.pairs.all[pair];
+        let Some(home) = state.home else { return };
+        let mut lane = self.rows.lane(state.kind, home);
+        for (point, contact) in lane.points.iter_mut().zip(touching.contacts()) {
+            if !is_kept(&contact) {
+                (point.mass, point.impulse, point.held) = (0.0, 0.0, 0.0);
+            }
+        }
+        self.rows.set_lane(state.kind, home, &lane);
+        self.has_handled = true;
+        self.pairs.all[pair].is_vetoed = true;
+    }
+}

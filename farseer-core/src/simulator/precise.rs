@@ -1,0 +1,206 @@
+//! The update with the precise set: its stages, and what is told between them.
+
+use super::tell::Handler;
+use super::{EventHandler, PhysicsSimulator};
+use crate::contacts::contact::Contact;
+use crate::geom::GeomId;
+use crate::geom::filter::Filter;
+use crate::objects::Followed;
+use crate::precise::{Precise, Step};
+use crate::report::{Event, Stopwatch};
+
+impl PhysicsSimulator {
+    /// The state of the precise set, while it is chosen.
+    fn precise(&mut self) -> &mut Precise {
+        self.pipeline.precise.as_mut().expect("the precise set is chosen")
+    }
+
+    pub(super) fn run_precise(
+        &mut self,
+        dt: f32,
+        dt_real: f32,
+        handler: &mut Handler<'_>,
+        stopwatch: &mut Stopwatch<'_>,
+    ) {
+        let substeps = u32::try_from(self.settings.iterations).unwrap_or(0).min(self.limits().iterations).max(1);
+        let step = self.precise().begin(dt, substeps);
+        self.sync_precise();
+        self.find_precise_pairs(handler);
+        stopwatch.lap(|times| &mut times.broad_phase_collision_time);
+        let friction = self.settings.friction_type;
+        self.report.counters.pairs_tested = self.precise().find_contacts(friction);
+        self.tell_precise(handler);
+        stopwatch.lap(|times| &mut times.narrow_phase_collision_time);
+        self.update_controllers(dt, dt_real, handler);
+        self.update_springs(handler);
+        self.sync_precise();
+        self.read_precise(&step);
+        stopwatch.lap(|times| &mut times.apply_forces_time);
+        self.precise().solve(&step);
+        self.report.counters.passes = substeps;
+        stopwatch.lap(|times| &mut times.apply_impulses_time);
+        self.write_precise(handler);
+        stopwatch.lap(|times| &mut times.update_positions_time);
+    }
+
+    fn sync_precise(&mut self) {
+        let PhysicsSimulator { objects, pipeline, .. } = self;
+        if let Some(precise) = &mut pipeline.precise {
+            if std::mem::take(&mut objects.has_new_structure) {
+                precise.note_change();
+            }
+            precise.sync(objects);
+        }
+    }
+
+    fn read_precise(&mut self, step: &Step) {
+        let PhysicsSimulator { objects, pipeline, report, settings, .. } = self;
+        if let Some(precise) = &mut pipeline.precise {
+            precise.read_bodies(objects, settings.gravity, step, report);
+            report.counters.contacts_solved = precise.contacts_solved();
+        }
+    }
+
+    /// New pairs, as far as filters and the handler let them.
+    fn find_precise_pairs(&mut self, handler: &mut Handler<'_>) {
+        let (asks_about_new, asks_about_all) =
+            (handler.wants(|handler| handler.handles_broad_phase()), handler.wants(|handler| handler.filters_pairs()));
+        for at in 0..self.precise().find_pairs() {
+            let (a, b) = self.precise().candidate(at);
+            let filter = Filter { geoms: &self.objects.geoms, bodies: &self.objects.bodies };
+            let may_collide = match (self.objects.geoms.get(a), self.objects.geoms.get(b)) {
+                (Some(a), Some(b)) => filter.may_collide(a, b),
+                _ => false,
+            };
+            if may_collide && (!asks_about_new || self.approves_precise_pair(handler, a, b)) {
+                self.precise().accept(at);
+            }
+        }
+        if asks_about_all {
+            self.filter_precise_pairs(handler);
+        }
+    }
+
+    fn approves_precise_pair(&mut self, handler: &mut Handler<'_>, geom1: GeomId, geom2: GeomId) -> bool {
+        let ask = |handler: &mut dyn EventHandler, context: &mut super::Context<'_>| {
+            let is_accepted = handler.on_broad_phase_collision(context, geom1, geom2);
+            if !is_accepted {
+                context.simulator.report.push(Event::BroadPhaseVeto { geom1, geom2 });
+            }
+            is_accepted
+        };
+        self.tell(handler, ask).unwrap_or(true)
+    }
+
+    /// Asks the handler about every pair; those that it refuses push nothing in this update.
+    fn filter_precise_pairs(&mut self, handler: &mut Handler<'_>) {
+        for pair in 0..self.precise().pair_count() {
+            let (a, b) = self.precise().geoms_of(pair);
+            let is_accepted = self.tell(handler, |handler, context| handler.accepts_pair(context, a, b));
+            self.precise().set_refused(pair, is_accepted == Some(false));
+        }
+    }
+
+    /// What began and ceased to touch is told; a handler is asked about everything that touches, in the order of creation
+    /// numbers, and may refuse it.
+    fn tell_precise(&mut self, handler: &mut Handler<'_>) {
+        let changes = self.precise().take_changes();
+        self.report.counters.pairs_touching = self.precise().touching_count();
+        if handler.get().is_none() {
+            for &((a, b), begins) in &changes {
+                let contacts = self.precise().contacts_between((a, b));
+                for (this, other) in [(a, b), (b, a)] {
+                    self.report.push(if begins {
+                        Event::Collision { this, other, contacts, vetoed: false }
+                    } else {
+                        Event::Separation { this, other }
+                    });
+                }
+            }
+            return;
+        }
+        self.ask_about_touches(handler, &changes);
+        for ((a, b), _) in changes.into_iter().filter(|(_, begins)| !begins) {
+            for (this, other) in [(a, b), (b, a)] {
+                self.report.push(Event::Separation { this, other });
+                self.tell(handler, |handler, context| handler.on_separation(context, this, other));
+            }
+        }
+    }
+
+    fn ask_about_touches(&mut self, handler: &mut Handler<'_>, changes: &[((GeomId, GeomId), bool)]) {
+        let mut contacts = std::mem::take(&mut self.pipeline.new_contacts);
+        for group in self.precise().touching_groups() {
+            contacts.clear();
+            for &pair in &group {
+                contacts.extend(self.precise().touching(pair).into_iter().flat_map(|touching| touching.contacts()));
+            }
+            let Some(first) = self.precise().touching(group[0]) else { continue };
+            let (a, b) = first.geoms;
+            let begins = changes.iter().any(|&(geoms, begins)| begins && geoms == (a, b));
+            let is_accepted = self.ask_about_touch((a, b), begins, &mut contacts, handler)
+                && self.ask_about_touch((b, a), begins, &mut contacts, handler);
+            for &pair in &group {
+                if is_accepted {
+                    self.precise().keep_contacts(pair, &contacts);
+                } else {
+                    self.precise().refuse(pair);
+                }
+            }
+        }
+        self.pipeline.new_contacts = contacts;
+    }
+
+    /// Asks one side. Contacts that are taken off the list push nothing in this update.
+    fn ask_about_touch(
+        &mut self,
+        (this, other): (GeomId, GeomId),
+        begins: bool,
+        contacts: &mut Vec<Contact>,
+        handler: &mut Handler<'_>,
+    ) -> bool {
+        let count = contacts.len() as u32;
+        let is_accepted = self
+            .tell(handler, |handler, context| handler.on_collision(context, this, other, contacts))
+            .unwrap_or(true);
+        if begins {
+            self.report.push(Event::Collision { this, other, contacts: count, vetoed: !is_accepted });
+        }
+        is_accepted && !contacts.is_empty()
+    }
+
+    /// Bodies are where the step has brought them; geoms follow.
+    fn write_precise(&mut self, handler: &mut Handler<'_>) {
+        let PhysicsSimulator { objects, pipeline, report, .. } = self;
+        let Some(precise) = &mut pipeline.precise else { return };
+        precise.write_bodies(objects, report);
+        for number in 1..=precise.body_count() {
+            let Some((body, true, turn)) = precise.moved(number) else { continue };
+            if objects.bodies.get(body).is_none() {
+                continue;
+            }
+            report.counters.bodies_moved += 1;
+            match objects.let_geoms_follow_turned(body, turn) {
+                Followed::Yes => report.push(Event::BodyUpdated { body }),
+                Followed::PutBack { disabled } => {
+                    precise.note_change();
+                    report.push(Event::NotFinite { body, disabled });
+                }
+            }
+        }
+        precise.follow();
+        if handler.get().is_some() {
+            self.tell_bodies_moved(handler);
+        }
+    }
+
+    fn tell_bodies_moved(&mut self, handler: &mut Handler<'_>) {
+        for number in 1..=self.precise().body_count() {
+            if let Some((body, true, _)) = self.precise().moved(number)
+                && self.objects.bodies.get(body).is_some_and(|entry| entry.body.enabled())
+            {
+                self.tell(handler, |handler, context| handler.on_body_updated(context, body));
+            }
+        }
+    }
+}
