@@ -6,7 +6,7 @@
 
 use std::path::Path;
 
-use conformance::samples::{SCREEN, Scene, ball, border, crate_box, ragdoll, sample, splat_outline};
+use conformance::samples::{SCREEN, SampleScene, ball, border, crate_box, ragdoll, sample, splat_outline};
 use examples::{Result, SampleFilm, wants_debug_view};
 use farseer_core::math::Vector2;
 use farseer_core::shape::{PolygonCreationAssistance, Vertices};
@@ -99,8 +99,8 @@ fn trace(picture: &SoftwareCanvas) -> Result<Vec<Vertices>> {
 }
 
 /// What falls on the terrain.
-fn terrain(picture: &SoftwareCanvas) -> Result<Scene> {
-    let mut scene = Scene::new(150.0)?;
+fn terrain(picture: &SoftwareCanvas) -> Result<SampleScene> {
+    let mut scene = SampleScene::new(150.0)?;
     for outline in trace(picture)? {
         add_ground(&mut scene, &outline)?;
     }
@@ -125,7 +125,7 @@ fn terrain(picture: &SoftwareCanvas) -> Result<Scene> {
 }
 
 /// Adds a part of the ground, where it is in the picture.
-fn add_ground(scene: &mut Scene, outline: &Vertices) -> Result<()> {
+fn add_ground(scene: &mut SampleScene, outline: &Vertices) -> Result<()> {
     let simulator = scene.simulator_mut();
     let body = BodyFactory::create_polygon_body_in(simulator, outline, 1.0)?;
     simulator[body].set_is_static(true);
@@ -145,7 +145,7 @@ fn paint_blot() -> Result<SoftwareCanvas> {
     Ok(canvas)
 }
 
-fn add_blot(scene: &mut Scene, outline: &Vertices, position: Vector2) -> Result<()> {
+fn add_blot(scene: &mut SampleScene, outline: &Vertices, position: Vector2) -> Result<()> {
     let simulator = scene.simulator_mut();
     let body = BodyFactory::create_polygon_body_in(simulator, outline, 2.0)?;
     simulator[body].set_position(position);

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use conformance::samples::{BACKGROUND, SCREEN, Scene};
+use conformance::samples::{BACKGROUND, SCREEN, SampleScene};
 use farseer_core::PhysicsSimulatorView;
 use twohalf_render::{Canvas, Color, SoftwareCanvas, Texture2D, Transform, draw_debug_view};
 
@@ -29,7 +29,7 @@ pub struct SampleFilm {
 
 /// A scene at work, and the most contacts that a step solved.
 struct Filmed<'a> {
-    scene: &'a mut Scene,
+    scene: &'a mut SampleScene,
     most_contacts: usize,
 }
 
@@ -38,7 +38,7 @@ impl SampleFilm {
     ///
     /// # Errors
     /// A file that cannot be written, or what the scene fails with.
-    pub fn film(&self, folder: &Path, title: &str, scene: &mut Scene) -> Result<String> {
+    pub fn film(&self, folder: &Path, title: &str, scene: &mut SampleScene) -> Result<String> {
         let size = SCREEN.map(|side| side as u32);
         let mut backdrop = SoftwareCanvas::new(size[0], size[1])?;
         draw_backdrop(&mut backdrop, self.picture.as_ref());

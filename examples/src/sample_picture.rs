@@ -1,6 +1,6 @@
 //! What a sample scene looks like: its geoms, water, springs and joints.
 
-use conformance::samples::{Figure, Look, Rgba, SCREEN, Scene, wave_of};
+use conformance::samples::{Figure, Look, Rgba, SCREEN, SampleScene, wave_of};
 use farseer_core::math::Vector2;
 use farseer_core::{
     BodyId, FixedRevoluteJoint, JointId, JointKind, PhysicsSimulator, SpringId, SpringKind, WaveController,
@@ -22,7 +22,7 @@ pub(crate) fn color([red, green, blue, alpha]: Rgba) -> Color {
 }
 
 /// Draws a scene that has made at least one step.
-pub(crate) fn draw_sample(scene: &Scene, canvas: &mut dyn Canvas) {
+pub(crate) fn draw_sample(scene: &SampleScene, canvas: &mut dyn Canvas) {
     let simulator = scene.simulator();
     for look in scene.looks() {
         draw_look(simulator, look, canvas);

@@ -221,7 +221,8 @@
 //!
 //! ## Stacks
 //!
-//! Equal boxes of 20 with friction 0.5 on a floor, gravity 100, 1,000 updates of 0.01; tried were 3 to 10, 12, 15 and 20:
+//! The column of the example below, which is not that of the stability map: equal boxes of 20 with friction 0.5 on a floor,
+//! gravity 100, 1,000 updates of 0.01; tried were 3 to 10, 12, 15 and 20:
 //!
 //! | iterations | distance grid: stand | fall | SAT: stand | fall |
 //! |---|---|---|---|---|

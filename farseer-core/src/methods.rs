@@ -111,6 +111,13 @@ pub enum NarrowPhaseCollider {
     Sat,
 }
 
+impl NarrowPhaseCollider {
+    /// Whether it looks things up in distance grids, which are made with the geoms then.
+    pub(crate) fn uses_grids(self) -> bool {
+        self == NarrowPhaseCollider::DistanceGrid
+    }
+}
+
 /// Which pairs may touch: the method of the broad phase.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub enum BroadPhaseCollider {

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::invalid;
 use crate::ground::Ground;
-use crate::slots::SlotTable;
+use crate::id_table::IdTable;
 use crate::support::Support;
 use crate::{Result, Vector3};
 
@@ -142,8 +142,8 @@ impl DepthBody {
 /// Everything this engine keeps beside the objects of the 2D engine.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(crate) struct Depths {
-    pub(crate) bodies: SlotTable<BodyId, DepthBody>,
-    pub(crate) profiles: SlotTable<GeomId, DepthProfile>,
+    pub(crate) bodies: IdTable<BodyId, DepthBody>,
+    pub(crate) profiles: IdTable<GeomId, DepthProfile>,
 }
 
 /// Whether the solver can move a body.

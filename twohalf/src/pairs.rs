@@ -151,12 +151,12 @@ impl World {
 }
 
 /// Stands between the 2D engine and the game's handler.
-pub(crate) struct Meeting<'w, 'h> {
+pub(crate) struct PlaneHandler<'w, 'h> {
     pub(crate) world: &'w mut World,
     pub(crate) handler: Option<&'h mut dyn EventHandler>,
 }
 
-impl CoreHandler for Meeting<'_, '_> {
+impl CoreHandler for PlaneHandler<'_, '_> {
     fn filters_pairs(&self) -> bool {
         true
     }
@@ -246,7 +246,7 @@ impl CoreHandler for Meeting<'_, '_> {
     }
 }
 
-impl Meeting<'_, '_> {
+impl PlaneHandler<'_, '_> {
     /// Asks the game's handler about a pair that did not touch in the last update.
     fn is_approved(
         &mut self,

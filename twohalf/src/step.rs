@@ -4,7 +4,7 @@ use farseer_core::{BodyId, Event as CoreEvent, GeomId, PhysicsSimulator};
 
 use crate::depth::is_movable;
 use crate::events::{Collision, Context, Event, EventHandler};
-use crate::pairs::Meeting;
+use crate::pairs::PlaneHandler;
 use crate::world::{Source, World};
 use crate::{Partner, TwoHalfPhysicsSimulator, Vector3};
 
@@ -63,7 +63,7 @@ impl TwoHalfPhysicsSimulator {
     fn run(&mut self, dt: f32, mut handler: Option<&mut dyn EventHandler>) {
         let TwoHalfPhysicsSimulator { core, world } = self;
         world.begin();
-        let mut meeting = Meeting { world: &mut *world, handler: reborrow(&mut handler) };
+        let mut meeting = PlaneHandler { world: &mut *world, handler: reborrow(&mut handler) };
         let goes_on = core.process_queues(dt, Some(&mut meeting));
         world.tell_pending();
         world.take_events(core);
@@ -95,7 +95,7 @@ impl World {
 
     /// Second and third stage: which pairs meet, and where everything touches.
     fn meet(&mut self, core: &mut PhysicsSimulator, handler: &mut Option<&mut dyn EventHandler>) {
-        let mut meeting = Meeting { world: self, handler: reborrow(handler) };
+        let mut meeting = PlaneHandler { world: self, handler: reborrow(handler) };
         core.find_pairs(Some(&mut meeting));
         core.collide_pairs(Some(&mut meeting));
         self.take_events(core);
@@ -163,7 +163,7 @@ impl World {
                 disable(core, id);
             }
         }
-        let mut meeting = Meeting { world: self, handler: reborrow(handler) };
+        let mut meeting = PlaneHandler { world: self, handler: reborrow(handler) };
         core.integrate(dt, Some(&mut meeting));
         for &id in core.body_list() {
             if let (Some(state), Some(body)) = (self.depths.bodies.get_mut(id), core.body(id)) {
@@ -210,7 +210,7 @@ impl World {
         core: &mut PhysicsSimulator,
         handler: &mut Option<&mut dyn EventHandler>,
     ) {
-        let mut meeting = Meeting { world: self, handler: reborrow(handler) };
+        let mut meeting = PlaneHandler { world: self, handler: reborrow(handler) };
         core.settle(Some(&mut meeting));
     }
 

@@ -5,10 +5,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::depth::{Depths, is_movable};
 use crate::events::{Collision, Event};
+use crate::id_table::IdTable;
 use crate::pairs::{KnownPairs, SpacePair};
 use crate::platform::Platforms;
 use crate::shapes::ConvexPieces;
-use crate::slots::SlotTable;
 use crate::solver::SpaceSolver;
 use crate::step::StepCounters;
 use crate::support::Support;
@@ -54,7 +54,7 @@ pub(crate) struct Update {
     /// Pairs whose contacts this engine looks for.
     pub(crate) pairs: Vec<SpacePair>,
     /// Convex pieces of the outlines that were asked for.
-    pub(crate) pieces: SlotTable<GeomId, ConvexPieces>,
+    pub(crate) pieces: IdTable<GeomId, ConvexPieces>,
     pub(crate) scratch: Scratch,
     pub(crate) dt: f32,
     /// Contacts are being looked for: those that games may ask for are still the last update's.

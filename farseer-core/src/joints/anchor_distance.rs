@@ -28,6 +28,46 @@ pub(crate) struct AnchorDistance {
     pub(crate) effective_mass: f32,
 }
 
+/// For the `impl` of a joint with the field `anchors`.
+macro_rules! two_anchors {
+    () => {
+        /// The anchor in the first body's coordinates.
+        #[doc(alias = "Anchor1")]
+        pub fn anchor1(&self) -> Vector2 {
+            self.anchors.anchor1
+        }
+
+        /// The anchor in the second body's coordinates.
+        #[doc(alias = "Anchor2")]
+        pub fn anchor2(&self) -> Vector2 {
+            self.anchors.anchor2
+        }
+
+        /// Where the first anchor was when it was set or when the joint last prepared a step; beyond finite numbers the
+        /// nearest ones.
+        #[doc(alias = "WorldAnchor1")]
+        pub fn world_anchor1(&self) -> Vector2 {
+            self.anchors.world_anchor1.map($crate::math::scalar::nearest_finite)
+        }
+
+        /// Where the second anchor was when it was set or when the joint last prepared a step; beyond finite numbers the
+        /// nearest ones.
+        #[doc(alias = "WorldAnchor2")]
+        pub fn world_anchor2(&self) -> Vector2 {
+            self.anchors.world_anchor2.map($crate::math::scalar::nearest_finite)
+        }
+
+        pub(crate) fn set_anchor1(&mut self, anchor: Vector2, body1: &Body) -> Result<()> {
+            self.anchors.set_anchor1(anchor, body1)
+        }
+
+        pub(crate) fn set_anchor2(&mut self, anchor: Vector2, body2: &Body) -> Result<()> {
+            self.anchors.set_anchor2(anchor, body2)
+        }
+    };
+}
+pub(super) use two_anchors;
+
 impl AnchorDistance {
     pub(crate) fn new(anchor1: Vector2, body1: &Body, anchor2: Vector2, body2: &Body) -> Result<Self> {
         let mut anchors = AnchorDistance::default();

@@ -6,6 +6,7 @@ use crate::body::nobody::nobody;
 use crate::body::{Body, BodyId};
 use crate::checked_properties::checked_properties;
 use crate::error::Result;
+use crate::joints::bodies::two_bodies;
 use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
 use crate::joints::{Joint, JointKind};
 use crate::math::finite::finite;
@@ -14,8 +15,8 @@ use crate::math::scalar;
 /// Keeps the difference of two bodies' total rotations at a target. The bodies may move freely otherwise.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct AngleJoint {
-    pub(crate) body1: BodyId,
-    pub(crate) body2: BodyId,
+    body1: BodyId,
+    body2: BodyId,
     target_angle: f32,
     max_impulse: f32,
     #[serde(with = "crate::storage::bits")]
@@ -45,17 +46,7 @@ impl AngleJoint {
         }
     }
 
-    /// The first body.
-    #[doc(alias = "Body1")]
-    pub fn body1(&self) -> BodyId {
-        self.body1
-    }
-
-    /// The second body.
-    #[doc(alias = "Body2")]
-    pub fn body2(&self) -> BodyId {
-        self.body2
-    }
+    two_bodies! {}
 
     checked_properties! {
         /// Wanted total rotation of the second body minus that of the first, in radians. Default 0, whatever the
@@ -81,8 +72,15 @@ impl AngleJoint {
         error
     }
 
-    pub(crate) fn solve(&mut self, bodies: &mut JointBodies) -> bool {
+    pub(crate) fn solve(&mut self, _softness: f32, bodies: &mut JointBodies) -> bool {
         turn_together(bodies, self.velocity_bias, self.mass_factor, self.max_impulse)
+    }
+
+    /// It keeps none from step to step.
+    pub(crate) fn forget_impulse(&mut self) {}
+
+    pub(crate) fn impulse_is_finite(&self) -> bool {
+        true
     }
 
     pub(crate) fn is_valid(&self) -> bool {

@@ -6,6 +6,7 @@ use crate::body::nobody::nobody;
 use crate::body::{Body, BodyId};
 use crate::checked_properties::checked_properties;
 use crate::error::Result;
+use crate::joints::bodies::two_bodies;
 use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
 use crate::joints::limit::Limit;
 use crate::joints::{DEFAULT_SLOP, Joint, JointKind};
@@ -14,12 +15,12 @@ use crate::math::finite::finite;
 /// Keeps the difference of two bodies' total rotations in a range. The bodies may move freely otherwise.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct AngleLimitJoint {
-    pub(crate) body1: BodyId,
-    pub(crate) body2: BodyId,
+    body1: BodyId,
+    body2: BodyId,
     lower_limit: f32,
     upper_limit: f32,
     slop: f32,
-    pub(crate) limit: Limit,
+    limit: Limit,
     #[serde(with = "crate::storage::bits")]
     velocity_bias: f32,
     #[serde(with = "crate::storage::bits")]
@@ -55,17 +56,7 @@ impl AngleLimitJoint {
         }
     }
 
-    /// The first body.
-    #[doc(alias = "Body1")]
-    pub fn body1(&self) -> BodyId {
-        self.body1
-    }
-
-    /// The second body.
-    #[doc(alias = "Body2")]
-    pub fn body2(&self) -> BodyId {
-        self.body2
-    }
+    two_bodies! {}
 
     checked_properties! {
         /// Least total rotation of the second body minus that of the first, in radians. Nothing asks whether it
@@ -107,6 +98,14 @@ impl AngleLimitJoint {
         }
         turn_apart(bodies, impulse);
         true
+    }
+
+    pub(crate) fn forget_impulse(&mut self) {
+        self.limit = Limit::default();
+    }
+
+    pub(crate) fn impulse_is_finite(&self) -> bool {
+        self.limit.accumulated.is_finite()
     }
 
     pub(crate) fn is_valid(&self) -> bool {

@@ -6,6 +6,7 @@ use crate::body::nobody::nobody;
 use crate::body::{Body, BodyId};
 use crate::checked_properties::checked_properties;
 use crate::error::Result;
+use crate::joints::bodies::one_body;
 use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
 use crate::joints::{Joint, JointKind};
 use crate::math::finite::finite;
@@ -14,7 +15,7 @@ use crate::math::scalar;
 /// Keeps a body's total rotation at a target. The body may move freely otherwise.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct FixedAngleJoint {
-    pub(crate) body: BodyId,
+    body: BodyId,
     target_angle: f32,
     max_impulse: f32,
     #[serde(with = "crate::storage::bits")]
@@ -42,11 +43,7 @@ impl FixedAngleJoint {
         }
     }
 
-    /// The body.
-    #[doc(alias = "Body")]
-    pub fn body(&self) -> BodyId {
-        self.body
-    }
+    one_body! {}
 
     checked_properties! {
         /// Wanted total rotation in radians. Default 0, whatever the angle was when the joint was made.
@@ -70,7 +67,7 @@ impl FixedAngleJoint {
         error
     }
 
-    pub(crate) fn solve(&mut self, bodies: &mut JointBodies) -> bool {
+    pub(crate) fn solve(&mut self, _softness: f32, bodies: &mut JointBodies) -> bool {
         let body = bodies.first_mut();
         let impulse = (self.velocity_bias - body.angular_velocity) * self.mass_factor;
         if impulse == 0.0 {
@@ -78,6 +75,13 @@ impl FixedAngleJoint {
         }
         let magnitude = scalar::min(impulse.abs(), self.max_impulse);
         body.angular_velocity += body.inverse_inertia * scalar::sign(impulse) * magnitude;
+        true
+    }
+
+    /// It keeps none from step to step.
+    pub(crate) fn forget_impulse(&mut self) {}
+
+    pub(crate) fn impulse_is_finite(&self) -> bool {
         true
     }
 

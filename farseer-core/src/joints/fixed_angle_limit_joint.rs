@@ -6,6 +6,7 @@ use crate::body::nobody::nobody;
 use crate::body::{Body, BodyId};
 use crate::checked_properties::checked_properties;
 use crate::error::Result;
+use crate::joints::bodies::one_body;
 use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
 use crate::joints::limit::Limit;
 use crate::joints::{DEFAULT_SLOP, Joint, JointKind};
@@ -14,11 +15,11 @@ use crate::math::finite::finite;
 /// Keeps a body's total rotation in a range. The body may move freely otherwise.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct FixedAngleLimitJoint {
-    pub(crate) body: BodyId,
+    body: BodyId,
     lower_limit: f32,
     upper_limit: f32,
     slop: f32,
-    pub(crate) limit: Limit,
+    limit: Limit,
     #[serde(with = "crate::storage::bits")]
     velocity_bias: f32,
     #[serde(with = "crate::storage::bits")]
@@ -47,11 +48,7 @@ impl FixedAngleLimitJoint {
         }
     }
 
-    /// The body.
-    #[doc(alias = "Body")]
-    pub fn body(&self) -> BodyId {
-        self.body
-    }
+    one_body! {}
 
     checked_properties! {
         /// Least total rotation in radians. Nothing asks whether it is below the upper limit.
@@ -93,6 +90,14 @@ impl FixedAngleLimitJoint {
         }
         body.angular_velocity += body.inverse_inertia * impulse;
         true
+    }
+
+    pub(crate) fn forget_impulse(&mut self) {
+        self.limit = Limit::default();
+    }
+
+    pub(crate) fn impulse_is_finite(&self) -> bool {
+        self.limit.accumulated.is_finite()
     }
 
     pub(crate) fn is_valid(&self) -> bool {

@@ -6,6 +6,7 @@ use crate::body::nobody::nobody;
 use crate::body::{Body, BodyId};
 use crate::checked_properties::checked_properties;
 use crate::error::Result;
+use crate::joints::bodies::one_body;
 use crate::joints::joint_body::{Inverse2, JointBodies, JointPose, JointStep, is_non_zero};
 use crate::joints::{Joint, JointKind};
 use crate::math::Vector2;
@@ -19,12 +20,12 @@ pub(super) const BIAS_FACTOR: f32 = 0.8;
 /// Keeps a point of a body at a point of the world. The bias factor of the joint is 0.8 when it is made.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct FixedRevoluteJoint {
-    pub(crate) body: BodyId,
+    body: BodyId,
     anchor: Vector2,
     local_anchor: Vector2,
     max_impulse: f32,
     /// What was taken from the body, before it was limited.
-    pub(crate) accumulated: Vector2,
+    accumulated: Vector2,
     #[serde(with = "crate::storage::bits")]
     arm: Vector2,
     #[serde(with = "crate::storage::bits")]
@@ -53,11 +54,7 @@ impl FixedRevoluteJoint {
         }
     }
 
-    /// The body.
-    #[doc(alias = "Body")]
-    pub fn body(&self) -> BodyId {
-        self.body
-    }
+    one_body! {}
 
     /// The point of the world.
     #[doc(alias = "Anchor")]
@@ -121,6 +118,14 @@ impl FixedRevoluteJoint {
     #[inline]
     fn limited(&self, mut impulse: Vector2) -> Vector2 {
         if self.max_impulse < f32::MAX { truncate(&mut impulse, self.max_impulse) } else { impulse }
+    }
+
+    pub(crate) fn forget_impulse(&mut self) {
+        self.accumulated = Vector2::zeros();
+    }
+
+    pub(crate) fn impulse_is_finite(&self) -> bool {
+        self.accumulated.iter().all(|number| number.is_finite())
     }
 
     pub(crate) fn is_valid(&self) -> bool {

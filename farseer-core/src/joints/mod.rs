@@ -9,11 +9,12 @@
 mod anchor_distance;
 mod angle_joint;
 mod angle_limit_joint;
+mod bodies;
 mod fixed_angle_joint;
 mod fixed_angle_limit_joint;
 mod fixed_revolute_joint;
 pub(crate) mod joint_body;
-mod joint_type;
+mod kinds;
 mod limit;
 mod pin_joint;
 mod revolute_joint;
@@ -28,7 +29,7 @@ pub use angle_limit_joint::AngleLimitJoint;
 pub use fixed_angle_joint::FixedAngleJoint;
 pub use fixed_angle_limit_joint::FixedAngleLimitJoint;
 pub use fixed_revolute_joint::FixedRevoluteJoint;
-pub use joint_type::JointType;
+pub use kinds::{JointKind, JointType};
 pub use pin_joint::PinJoint;
 pub use revolute_joint::RevoluteJoint;
 pub use slider_joint::SliderJoint;
@@ -36,10 +37,10 @@ pub use weld_joint::WeldJoint;
 
 use crate::body::BodyId;
 use crate::checked_properties::checked_properties;
-use crate::math::Vector2;
 use crate::math::scalar::nearest_finite;
 use crate::storage::collection::Collection;
 use joint_body::{JointBodies, JointPose, JointStep};
+use kinds::each_kind;
 
 /// The joints of a simulator.
 pub(crate) type Joints = Collection<Joint, JointId>;
@@ -67,47 +68,6 @@ pub struct Joint {
     enabled: bool,
     tag: u64,
     kind: JointKind,
-}
-
-/// The kinds of joints.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-#[non_exhaustive]
-pub enum JointKind {
-    /// Two bodies at a fixed angle to each other.
-    Angle(AngleJoint),
-    /// Two bodies whose angle to each other stays in a range.
-    AngleLimit(AngleLimitJoint),
-    /// A body at a fixed angle.
-    FixedAngle(FixedAngleJoint),
-    /// A body whose angle stays in a range.
-    FixedAngleLimit(FixedAngleLimitJoint),
-    /// A body that turns about a point of the world.
-    FixedRevolute(FixedRevoluteJoint),
-    /// Two anchors at a fixed distance.
-    Pin(PinJoint),
-    /// Two bodies that turn about a common point.
-    Revolute(RevoluteJoint),
-    /// Two anchors whose distance stays in a range.
-    Slider(SliderJoint),
-    /// Two bodies that share a point and an angle.
-    Weld(WeldJoint),
-}
-
-/// Does the same to the joint of whatever kind.
-macro_rules! each_kind {
-    ($kind:expr, $joint:ident => $do:expr) => {
-        match $kind {
-            JointKind::Angle($joint) => $do,
-            JointKind::AngleLimit($joint) => $do,
-            JointKind::FixedAngle($joint) => $do,
-            JointKind::FixedAngleLimit($joint) => $do,
-            JointKind::FixedRevolute($joint) => $do,
-            JointKind::Pin($joint) => $do,
-            JointKind::Revolute($joint) => $do,
-            JointKind::Slider($joint) => $do,
-            JointKind::Weld($joint) => $do,
-        }
-    };
 }
 
 impl Joint {
@@ -184,17 +144,7 @@ impl Joint {
     }
 
     fn bodies(&self) -> (BodyId, Option<BodyId>) {
-        match &self.kind {
-            JointKind::Angle(joint) => (joint.body1, Some(joint.body2)),
-            JointKind::AngleLimit(joint) => (joint.body1, Some(joint.body2)),
-            JointKind::FixedAngle(joint) => (joint.body, None),
-            JointKind::FixedAngleLimit(joint) => (joint.body, None),
-            JointKind::FixedRevolute(joint) => (joint.body, None),
-            JointKind::Pin(joint) => (joint.body1, Some(joint.body2)),
-            JointKind::Revolute(joint) => (joint.body1, Some(joint.body2)),
-            JointKind::Slider(joint) => (joint.body1, Some(joint.body2)),
-            JointKind::Weld(joint) => (joint.body1, Some(joint.body2)),
-        }
+        each_kind!(&self.kind, joint => joint.bodies())
     }
 
     /// The joint of its kind.
@@ -218,17 +168,7 @@ impl Joint {
     }
 
     fn bodies_mut(&mut self) -> (&mut BodyId, Option<&mut BodyId>) {
-        match &mut self.kind {
-            JointKind::Angle(joint) => (&mut joint.body1, Some(&mut joint.body2)),
-            JointKind::AngleLimit(joint) => (&mut joint.body1, Some(&mut joint.body2)),
-            JointKind::FixedAngle(joint) => (&mut joint.body, None),
-            JointKind::FixedAngleLimit(joint) => (&mut joint.body, None),
-            JointKind::FixedRevolute(joint) => (&mut joint.body, None),
-            JointKind::Pin(joint) => (&mut joint.body1, Some(&mut joint.body2)),
-            JointKind::Revolute(joint) => (&mut joint.body1, Some(&mut joint.body2)),
-            JointKind::Slider(joint) => (&mut joint.body1, Some(&mut joint.body2)),
-            JointKind::Weld(joint) => (&mut joint.body1, Some(&mut joint.body2)),
-        }
+        each_kind!(&mut self.kind, joint => joint.bodies_mut())
     }
 
     /// The breaking test. Answers whether the joint broke just now; it is disabled then. As in the original the
@@ -252,17 +192,7 @@ impl Joint {
     /// One pass; answers whether the original raises JointUpdated.
     pub(crate) fn solve(&mut self, bodies: &mut JointBodies) -> bool {
         let softness = self.softness;
-        let has_acted = match &mut self.kind {
-            JointKind::Angle(joint) => joint.solve(bodies),
-            JointKind::AngleLimit(joint) => joint.solve(softness, bodies),
-            JointKind::FixedAngle(joint) => joint.solve(bodies),
-            JointKind::FixedAngleLimit(joint) => joint.solve(softness, bodies),
-            JointKind::FixedRevolute(joint) => joint.solve(softness, bodies),
-            JointKind::Pin(joint) => joint.solve(softness, bodies),
-            JointKind::Revolute(joint) => joint.solve(softness, bodies),
-            JointKind::Slider(joint) => joint.solve(softness, bodies),
-            JointKind::Weld(joint) => joint.solve(softness, bodies),
-        };
+        let has_acted = each_kind!(&mut self.kind, joint => joint.solve(softness, bodies));
         if !self.is_impulse_finite() {
             bodies.spoil();
         }
@@ -271,30 +201,11 @@ impl Joint {
 
     /// Forgets the impulse, so that the next pre-step starts afresh.
     pub(crate) fn forget_impulse(&mut self) {
-        match &mut self.kind {
-            JointKind::Angle(_) | JointKind::FixedAngle(_) => {}
-            JointKind::AngleLimit(joint) => joint.limit = limit::Limit::default(),
-            JointKind::FixedAngleLimit(joint) => joint.limit = limit::Limit::default(),
-            JointKind::Slider(joint) => joint.limit = limit::Limit::default(),
-            JointKind::Pin(joint) => joint.accumulated = 0.0,
-            JointKind::FixedRevolute(joint) => joint.accumulated = Vector2::zeros(),
-            JointKind::Revolute(joint) => joint.point.accumulated = Vector2::zeros(),
-            JointKind::Weld(joint) => joint.point.accumulated = Vector2::zeros(),
-        }
+        each_kind!(&mut self.kind, joint => joint.forget_impulse());
     }
 
     fn is_impulse_finite(&self) -> bool {
-        let finite = |v: Vector2| v.x.is_finite() && v.y.is_finite();
-        match &self.kind {
-            JointKind::Angle(_) | JointKind::FixedAngle(_) => true,
-            JointKind::AngleLimit(joint) => joint.limit.accumulated.is_finite(),
-            JointKind::FixedAngleLimit(joint) => joint.limit.accumulated.is_finite(),
-            JointKind::Slider(joint) => joint.limit.accumulated.is_finite(),
-            JointKind::Pin(joint) => joint.accumulated.is_finite(),
-            JointKind::FixedRevolute(joint) => finite(joint.accumulated),
-            JointKind::Revolute(joint) => finite(joint.point.accumulated),
-            JointKind::Weld(joint) => finite(joint.point.accumulated),
-        }
+        each_kind!(&self.kind, joint => joint.impulse_is_finite())
     }
 
     /// Whether settings and impulse are finite. What the pre-step makes anew from the bodies need not be, and is

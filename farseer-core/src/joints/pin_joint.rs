@@ -6,12 +6,12 @@ use crate::body::nobody::nobody;
 use crate::body::{Body, BodyId};
 use crate::checked_properties::checked_properties;
 use crate::error::Result;
-use crate::joints::anchor_distance::AnchorDistance;
+use crate::joints::anchor_distance::{AnchorDistance, two_anchors};
+use crate::joints::bodies::two_bodies;
 use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
 use crate::joints::{Joint, JointKind};
 use crate::math::Vector2;
 use crate::math::finite::finite;
-use crate::math::scalar::nearest_finite;
 use crate::math::vector2::length;
 
 /// Keeps an anchor of one body at a fixed distance from an anchor of another, like a rod.
@@ -19,11 +19,11 @@ use crate::math::vector2::length;
 /// Anchors on one spot have no direction to push in: the impulse only grows, and acts as a whole when they part.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct PinJoint {
-    pub(crate) body1: BodyId,
-    pub(crate) body2: BodyId,
-    pub(crate) anchors: AnchorDistance,
+    body1: BodyId,
+    body2: BodyId,
+    anchors: AnchorDistance,
     target_distance: f32,
-    pub(crate) accumulated: f32,
+    accumulated: f32,
     #[serde(with = "crate::storage::bits")]
     velocity_bias: f32,
 }
@@ -57,57 +57,15 @@ impl PinJoint {
         }
     }
 
-    /// The first body.
-    #[doc(alias = "Body1")]
-    pub fn body1(&self) -> BodyId {
-        self.body1
-    }
+    two_bodies! {}
 
-    /// The second body.
-    #[doc(alias = "Body2")]
-    pub fn body2(&self) -> BodyId {
-        self.body2
-    }
-
-    /// The anchor in the first body's coordinates.
-    #[doc(alias = "Anchor1")]
-    pub fn anchor1(&self) -> Vector2 {
-        self.anchors.anchor1
-    }
-
-    /// The anchor in the second body's coordinates.
-    #[doc(alias = "Anchor2")]
-    pub fn anchor2(&self) -> Vector2 {
-        self.anchors.anchor2
-    }
-
-    /// Where the first anchor was when it was set or when the joint last prepared a step; beyond finite numbers the
-    /// nearest ones.
-    #[doc(alias = "WorldAnchor1")]
-    pub fn world_anchor1(&self) -> Vector2 {
-        self.anchors.world_anchor1.map(nearest_finite)
-    }
-
-    /// Where the second anchor was when it was set or when the joint last prepared a step; beyond finite numbers the
-    /// nearest ones.
-    #[doc(alias = "WorldAnchor2")]
-    pub fn world_anchor2(&self) -> Vector2 {
-        self.anchors.world_anchor2.map(nearest_finite)
-    }
+    two_anchors! {}
 
     checked_properties! {
         /// Wanted distance of the anchors: at first the one they had when the joint was made, or 0 if it was made without
         /// its bodies. New anchors or bodies leave it as it is.
         #[doc(alias = "TargetDistance")]
         target_distance, set_target_distance;
-    }
-
-    pub(crate) fn set_anchor1(&mut self, anchor: Vector2, body1: &Body) -> Result<()> {
-        self.anchors.set_anchor1(anchor, body1)
-    }
-
-    pub(crate) fn set_anchor2(&mut self, anchor: Vector2, body2: &Body) -> Result<()> {
-        self.anchors.set_anchor2(anchor, body2)
     }
 
     pub(crate) fn pre_step(
@@ -128,6 +86,14 @@ impl PinJoint {
         let magnitude = wanted * self.anchors.effective_mass;
         self.accumulated += magnitude;
         self.anchors.push(magnitude, bodies)
+    }
+
+    pub(crate) fn forget_impulse(&mut self) {
+        self.accumulated = 0.0;
+    }
+
+    pub(crate) fn impulse_is_finite(&self) -> bool {
+        self.accumulated.is_finite()
     }
 
     pub(crate) fn is_valid(&self) -> bool {

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::body::nobody::nobody;
 use crate::body::{Body, BodyId};
 use crate::error::Result;
+use crate::joints::bodies::two_bodies;
 use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
 use crate::joints::shared_point::SharedPoint;
 use crate::joints::{Joint, JointKind};
@@ -13,9 +14,9 @@ use crate::math::Vector2;
 /// Keeps a point of two bodies together: a hinge. There is no limit to its impulse.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct RevoluteJoint {
-    pub(crate) body1: BodyId,
-    pub(crate) body2: BodyId,
-    pub(crate) point: SharedPoint,
+    body1: BodyId,
+    body2: BodyId,
+    point: SharedPoint,
 }
 
 impl RevoluteJoint {
@@ -28,17 +29,7 @@ impl RevoluteJoint {
         RevoluteJoint { body1: nobody(), body2: nobody(), point: SharedPoint::default() }
     }
 
-    /// The first body.
-    #[doc(alias = "Body1")]
-    pub fn body1(&self) -> BodyId {
-        self.body1
-    }
-
-    /// The second body.
-    #[doc(alias = "Body2")]
-    pub fn body2(&self) -> BodyId {
-        self.body2
-    }
+    two_bodies! {}
 
     /// The anchor last set, in world coordinates. It does not follow the bodies.
     #[doc(alias = "Anchor")]
@@ -66,6 +57,14 @@ impl RevoluteJoint {
 
     pub(crate) fn solve(&mut self, softness: f32, bodies: &mut JointBodies) -> bool {
         self.point.solve(softness, true, bodies)
+    }
+
+    pub(crate) fn forget_impulse(&mut self) {
+        self.point.forget_impulse();
+    }
+
+    pub(crate) fn impulse_is_finite(&self) -> bool {
+        self.point.impulse_is_finite()
     }
 
     pub(crate) fn is_valid(&self) -> bool {

@@ -15,7 +15,7 @@ pub(crate) struct SharedPoint {
     pub(crate) anchor: Vector2,
     local_anchor1: Vector2,
     local_anchor2: Vector2,
-    pub(crate) accumulated: Vector2,
+    accumulated: Vector2,
     #[serde(with = "crate::storage::bits")]
     pub(crate) arm1: Vector2,
     #[serde(with = "crate::storage::bits")]
@@ -88,6 +88,14 @@ impl SharedPoint {
             first.apply_angular_impulse(-cross(self.arm1, impulse));
         }
         true
+    }
+
+    pub(crate) fn forget_impulse(&mut self) {
+        self.accumulated = Vector2::zeros();
+    }
+
+    pub(crate) fn impulse_is_finite(&self) -> bool {
+        self.accumulated.iter().all(|number| number.is_finite())
     }
 
     pub(crate) fn is_valid(&self) -> bool {

@@ -6,24 +6,24 @@ use crate::body::nobody::nobody;
 use crate::body::{Body, BodyId};
 use crate::checked_properties::checked_properties;
 use crate::error::Result;
-use crate::joints::anchor_distance::AnchorDistance;
+use crate::joints::anchor_distance::{AnchorDistance, two_anchors};
+use crate::joints::bodies::two_bodies;
 use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
 use crate::joints::limit::Limit;
 use crate::joints::{DEFAULT_SLOP, Joint, JointKind};
 use crate::math::Vector2;
 use crate::math::finite::finite;
-use crate::math::scalar::nearest_finite;
 
 /// Keeps the distance of an anchor of one body and an anchor of another in a range, like a rope or a telescope.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct SliderJoint {
-    pub(crate) body1: BodyId,
-    pub(crate) body2: BodyId,
-    pub(crate) anchors: AnchorDistance,
+    body1: BodyId,
+    body2: BodyId,
+    anchors: AnchorDistance,
     min: f32,
     max: f32,
     slop: f32,
-    pub(crate) limit: Limit,
+    limit: Limit,
     #[serde(with = "crate::storage::bits")]
     velocity_bias: f32,
 }
@@ -60,43 +60,9 @@ impl SliderJoint {
         }
     }
 
-    /// The first body.
-    #[doc(alias = "Body1")]
-    pub fn body1(&self) -> BodyId {
-        self.body1
-    }
+    two_bodies! {}
 
-    /// The second body.
-    #[doc(alias = "Body2")]
-    pub fn body2(&self) -> BodyId {
-        self.body2
-    }
-
-    /// The anchor in the first body's coordinates.
-    #[doc(alias = "Anchor1")]
-    pub fn anchor1(&self) -> Vector2 {
-        self.anchors.anchor1
-    }
-
-    /// The anchor in the second body's coordinates.
-    #[doc(alias = "Anchor2")]
-    pub fn anchor2(&self) -> Vector2 {
-        self.anchors.anchor2
-    }
-
-    /// Where the first anchor was when it was set or when the joint last prepared a step; beyond finite numbers the
-    /// nearest ones.
-    #[doc(alias = "WorldAnchor1")]
-    pub fn world_anchor1(&self) -> Vector2 {
-        self.anchors.world_anchor1.map(nearest_finite)
-    }
-
-    /// Where the second anchor was when it was set or when the joint last prepared a step; beyond finite numbers the
-    /// nearest ones.
-    #[doc(alias = "WorldAnchor2")]
-    pub fn world_anchor2(&self) -> Vector2 {
-        self.anchors.world_anchor2.map(nearest_finite)
-    }
+    two_anchors! {}
 
     checked_properties! {
         /// Least distance of the anchors. Nothing asks whether it is below the greatest.
@@ -108,14 +74,6 @@ impl SliderJoint {
         /// Violation, a length, that is not corrected; its velocity is. Default 0.01.
         #[doc(alias = "Slop")]
         slop, set_slop;
-    }
-
-    pub(crate) fn set_anchor1(&mut self, anchor: Vector2, body1: &Body) -> Result<()> {
-        self.anchors.set_anchor1(anchor, body1)
-    }
-
-    pub(crate) fn set_anchor2(&mut self, anchor: Vector2, body2: &Body) -> Result<()> {
-        self.anchors.set_anchor2(anchor, body2)
     }
 
     /// The first body's position plus the arm of the last setter or pre-step.
@@ -143,6 +101,14 @@ impl SliderJoint {
         let wanted = -self.velocity_bias - self.anchors.speed(bodies) - softness * self.limit.accumulated;
         let magnitude = self.limit.accumulate(wanted * self.anchors.effective_mass);
         self.anchors.push(magnitude, bodies)
+    }
+
+    pub(crate) fn forget_impulse(&mut self) {
+        self.limit = Limit::default();
+    }
+
+    pub(crate) fn impulse_is_finite(&self) -> bool {
+        self.limit.accumulated.is_finite()
     }
 
     pub(crate) fn is_valid(&self) -> bool {

@@ -7,6 +7,7 @@ use crate::body::{Body, BodyId};
 use crate::checked_properties::checked_properties;
 use crate::error::Result;
 use crate::joints::angle_joint::turn_together;
+use crate::joints::bodies::two_bodies;
 use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
 use crate::joints::shared_point::SharedPoint;
 use crate::joints::{Joint, JointKind};
@@ -20,9 +21,9 @@ use crate::math::finite::finite;
 /// is not kept, and only the distance at the point counts for breaking.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct WeldJoint {
-    pub(crate) body1: BodyId,
-    pub(crate) body2: BodyId,
-    pub(crate) point: SharedPoint,
+    body1: BodyId,
+    body2: BodyId,
+    point: SharedPoint,
     target_angle: f32,
     max_impulse: f32,
     #[serde(with = "crate::storage::bits")]
@@ -55,17 +56,7 @@ impl WeldJoint {
         }
     }
 
-    /// The first body.
-    #[doc(alias = "Body1")]
-    pub fn body1(&self) -> BodyId {
-        self.body1
-    }
-
-    /// The second body.
-    #[doc(alias = "Body2")]
-    pub fn body2(&self) -> BodyId {
-        self.body2
-    }
+    two_bodies! {}
 
     /// The anchor last set, in world coordinates. It does not follow the bodies.
     #[doc(alias = "Anchor")]
@@ -107,6 +98,14 @@ impl WeldJoint {
         turn_together(bodies, self.angular_velocity_bias, self.mass_factor, self.max_impulse);
         // Pulling at the point does not turn the first body, though the warm start does.
         self.point.solve(softness, false, bodies)
+    }
+
+    pub(crate) fn forget_impulse(&mut self) {
+        self.point.forget_impulse();
+    }
+
+    pub(crate) fn impulse_is_finite(&self) -> bool {
+        self.point.impulse_is_finite()
     }
 
     pub(crate) fn is_valid(&self) -> bool {

@@ -13,7 +13,6 @@ use crate::geom::entry::GeomEntry;
 use crate::geom::outline::Outline;
 use crate::math::finite::{finite, finite_vector};
 use crate::math::{Vector2, scalar};
-use crate::methods::NarrowPhaseCollider;
 use crate::object_id::ObjectId;
 use crate::shape::Vertices;
 use crate::storage::refusals::Refusals;
@@ -85,7 +84,7 @@ impl Objects {
         let placement = placement.check()?;
         let mut entry = self.new_entry(body, vertices, placement.offset, placement.rotation_offset)?;
         entry.grid_cell_size = placement.collision_grid_size;
-        if self.methods.narrow() == NarrowPhaseCollider::DistanceGrid {
+        if self.methods.narrow().uses_grids() {
             if entry.grid_cell_size <= 0.0 {
                 entry.grid_cell_size = automatic_cell_size(&entry);
             }
@@ -141,20 +140,17 @@ impl Objects {
         finite_vector("offset", offset)?;
         finite("rotation_offset", rotation_offset)?;
         let source = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?.clone();
-        let grid = match (self.methods.narrow(), source.grid) {
-            (NarrowPhaseCollider::DistanceGrid, None) => {
-                return Err(Error::MissingDistanceGrid { argument: "geom" });
-            }
-            (NarrowPhaseCollider::DistanceGrid, grid) => grid,
-            (NarrowPhaseCollider::Sat, _) => None,
-        };
+        let uses_grids = self.methods.narrow().uses_grids();
+        if uses_grids && source.grid.is_none() {
+            return Err(Error::MissingDistanceGrid { argument: "geom" });
+        }
         let mut entry = self.new_entry(body, source.local_vertices, offset, rotation_offset)?;
         entry.outline = source.outline;
         entry.geom = source.geom;
         entry.geom.rejected = Refusals::default();
         entry.geom.set_tag(0);
         entry.grid_cell_size = source.grid_cell_size;
-        if let Some(grid) = grid {
+        if let Some(grid) = source.grid.filter(|_| uses_grids) {
             entry.set_grid(grid);
         }
         Ok(self.insert_geom(entry))

@@ -8,7 +8,6 @@ use crate::Result;
 use crate::body::BodyId;
 use crate::body::nobody::check_bodies;
 use crate::geom::GeomId;
-use crate::methods::NarrowPhaseCollider;
 use crate::object_id::ObjectId;
 use crate::report::Notice;
 use crate::storage::collection::Life;
@@ -114,7 +113,7 @@ impl Objects {
         if self.geoms.is_disposed(geom) {
             return;
         }
-        if self.methods.narrow() == NarrowPhaseCollider::DistanceGrid {
+        if self.methods.narrow().uses_grids() {
             self.geoms[geom].grid = None;
         }
         self.geoms.dispose("geom", geom).expect("it is there");

@@ -4,7 +4,6 @@ use super::Objects;
 use crate::geom::GeomId;
 use crate::geom::entry::GeomEntry;
 use crate::math::Vector2;
-use crate::methods::NarrowPhaseCollider;
 use crate::shape::Aabb;
 use crate::shape::ray_helper::{line_segment_aabb_intersect, line_segment_vertices_intersect};
 use crate::touch;
@@ -52,9 +51,7 @@ impl Objects {
         if self.is_disposed(geom) || self.is_disposed(other) {
             return false;
         }
-        let is_ready = |geom: &GeomEntry| {
-            geom.grid.is_some() || self.methods.narrow() != NarrowPhaseCollider::DistanceGrid
-        };
+        let is_ready = |geom: &GeomEntry| geom.grid.is_some() || !self.methods.narrow().uses_grids();
         let holds_vertex = |holder: &GeomEntry, owner: &GeomEntry| {
             owner.world_vertices.iter().any(|&vertex| {
                 touch::intersect(self.methods.narrow(), holder, holder.pose.inverse.apply(vertex))

@@ -13,7 +13,7 @@ use crate::shape::Aabb;
 /// The ends of all intervals on one axis. Their order is kept from one update to the next: it is what the next
 /// sort starts from, and with equal values the outcome depends on it.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
-struct Axis {
+struct SortedEnds {
     endpoints: Vec<Endpoint>,
     #[serde(skip)]
     unsorted: Vec<Endpoint>,
@@ -26,7 +26,7 @@ enum Ties {
     Present,
 }
 
-impl Axis {
+impl SortedEnds {
     fn add(&mut self, entry: usize) {
         self.endpoints.push(Endpoint::begin(entry));
         self.endpoints.push(Endpoint::end(entry));
@@ -188,8 +188,8 @@ impl Active {
 pub(crate) struct SelectiveSweep {
     /// In order of addition.
     entries: Vec<GeomId>,
-    x: Axis,
-    y: Axis,
+    x: SortedEnds,
+    y: SortedEnds,
     /// Creation number and box of every entry, gathered anew in each update.
     #[serde(skip)]
     numbers: Vec<u32>,
@@ -287,7 +287,7 @@ impl SelectiveSweep {
 
     pub(super) fn is_valid(&self, geoms: &Geoms) -> bool {
         let count = self.entries.len();
-        let ends_complete = |axis: &Axis| {
+        let ends_complete = |axis: &SortedEnds| {
             let mut missing = vec![true; count * 2];
             axis.endpoints.len() == count * 2
                 && axis.endpoints.iter().all(|endpoint| {
@@ -324,7 +324,7 @@ pub struct SweepEnd {
 /// For tests and for tools that show what ties do; the simulator keeps its own.
 #[derive(Debug, Clone, Default)]
 pub struct SelectiveSweepOrder {
-    axis: Axis,
+    axis: SortedEnds,
     numbers: Vec<u32>,
 }
 

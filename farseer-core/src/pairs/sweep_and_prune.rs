@@ -36,7 +36,7 @@ type PairKey = (u32, u32);
 type PairTable = SlotTable<PairKey, (GeomId, GeomId)>;
 
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
-struct Axis {
+struct SortedExtents {
     infos: Vec<ExtentInfo>,
     /// Ascending by value after every update.
     extents: Vec<Extent>,
@@ -61,7 +61,7 @@ fn pair_of(geom1: GeomId, geom2: GeomId, geoms: &Geoms) -> Option<(PairKey, (Geo
     }
 }
 
-impl Axis {
+impl SortedExtents {
     /// The extents of a new geom go where their values belong, and it takes over what is open there.
     fn insert(&mut self, geom: GeomId, min: f32, max: f32) {
         let info = self.infos.len() as u32;
@@ -194,8 +194,8 @@ impl Axis {
 
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(crate) struct SweepAndPrune {
-    x: Axis,
-    y: Axis,
+    x: SortedExtents,
+    y: SortedExtents,
     pairs: PairTable,
     #[serde(skip)]
     moved: Vec<GeomId>,

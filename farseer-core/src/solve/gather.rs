@@ -6,7 +6,8 @@ use super::kernel::{ContactRow, PairConstants};
 use super::lanes::LANES;
 use super::rows::side_by_side;
 use super::{
-    Batch, ContactSolver, Group, MIN_LANES_USED, NOBODY, PreStepSettings, RowPlace, SolverBodies, WideBatch,
+    Batch, ContactGroup, ContactSolver, MIN_LANES_USED, NOBODY, PreStepSettings, RowPlace, SolverBodies,
+    WideBatch,
 };
 use crate::body::entry::Bodies;
 use crate::contacts::arbiter::ArbiterList;
@@ -83,7 +84,7 @@ impl ContactSolver {
             self.contacts.extend_from_slice(&arbiter.contacts);
             (self.contacts.len() - arbiter.contacts.len()) as u32
         };
-        self.groups.push(Group {
+        self.groups.push(ContactGroup {
             body_a,
             body_b,
             first_contact,
@@ -133,7 +134,7 @@ impl ContactSolver {
         self.batches.push(Batch::One { group: index, first_row });
     }
 
-    fn single_row(&self, group: &Group, contact: u32, positions: &[[f32; 2]]) -> ContactRow<f32> {
+    fn single_row(&self, group: &ContactGroup, contact: u32, positions: &[[f32; 2]]) -> ContactRow<f32> {
         let contact = &self.contacts[contact as usize];
         let offset = |body: u32| {
             let position = positions[body as usize];

@@ -35,7 +35,7 @@ pub(crate) struct PreStepSettings {
 
 /// The contacts of one entry of the arbiter list.
 #[derive(Debug, Clone, Copy)]
-struct Group {
+struct ContactGroup {
     body_a: u32,
     body_b: u32,
     first_contact: u32,
@@ -82,7 +82,7 @@ const NOBODY: u32 = 0;
 /// The arrays of the solver, reused from update to update.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ContactSolver {
-    groups: Vec<Group>,
+    groups: Vec<ContactGroup>,
     contacts: Vec<Contact>,
     /// Where each contact's row is.
     row_places: Vec<RowPlace>,
@@ -122,7 +122,7 @@ impl ContactSolver {
             match self.batches[index] {
                 Batch::Four(_) => self.apply_to_four(all, index, &four),
                 Batch::One { group, first_row } => {
-                    let Group { body_a, body_b, is_dropped, .. } = self.groups[group as usize];
+                    let ContactGroup { body_a, body_b, is_dropped, .. } = self.groups[group as usize];
                     if is_dropped {
                         continue;
                     }

@@ -4,7 +4,7 @@
 //! at once. Each group goes into the first batch behind all earlier groups that share a body with it and that has
 //! room for a group with as many contacts.
 
-use super::Group;
+use super::ContactGroup;
 use super::lanes::LANES;
 
 /// Groups that share no movable body and have equally many contacts.
@@ -40,7 +40,7 @@ pub(super) struct Schedule {
 
 impl Schedule {
     /// Puts the groups into batches. `is_ordered` tells by body whether its groups must keep their order.
-    pub(super) fn build(&mut self, groups: &[Group], is_ordered: &[bool]) {
+    pub(super) fn build(&mut self, groups: &[ContactGroup], is_ordered: &[bool]) {
         self.batches.clear();
         self.last_batch.clear();
         self.last_batch.resize(is_ordered.len(), 0);
@@ -58,7 +58,7 @@ impl Schedule {
     }
 
     /// Finds or makes a batch from index `earliest` on.
-    fn place(&mut self, index: u32, group: &Group, earliest: u32) -> u32 {
+    fn place(&mut self, index: u32, group: &ContactGroup, earliest: u32) -> u32 {
         let row_count = group.contact_count as usize;
         let can_share = row_count <= MAX_ROWS && !group.is_alone;
         if can_share {

@@ -26,7 +26,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// What came of checking a scene.
 #[derive(Debug)]
-pub enum Verdict {
+pub enum Reproduction {
     /// Every byte of the trace is reproduced.
     Exact,
     /// Everything up to the step before something the original is not followed in, and the behaviour from
@@ -45,55 +45,55 @@ pub enum Verdict {
     Failed(String),
 }
 
-impl Verdict {
+impl Reproduction {
     /// Whether the scene was run and is as it should be.
     pub fn is_exact(&self) -> bool {
-        matches!(self, Verdict::Exact | Verdict::ExactUntil { .. })
+        matches!(self, Reproduction::Exact | Reproduction::ExactUntil { .. })
     }
 
     /// Whether the scene was left out as asked.
     pub fn is_skipped(&self) -> bool {
-        matches!(self, Verdict::Skipped(_))
+        matches!(self, Reproduction::Skipped(_))
     }
 
     /// Whether something is wrong.
     pub fn is_failure(&self) -> bool {
-        matches!(self, Verdict::Differs(_) | Verdict::Failed(_))
+        matches!(self, Reproduction::Differs(_) | Reproduction::Failed(_))
     }
 }
 
-impl fmt::Display for Verdict {
+impl fmt::Display for Reproduction {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Verdict::Exact => write!(f, "exact"),
-            Verdict::ExactUntil { step, original } => {
+            Reproduction::Exact => write!(f, "exact"),
+            Reproduction::ExactUntil { step, original } => {
                 write!(f, "exact until step {step}, as documented after it ({original})")
             }
-            Verdict::Skipped(features) => write!(f, "skipped ({features})"),
-            Verdict::Differs(difference) => write!(f, "{difference}"),
-            Verdict::Failed(reason) => write!(f, "failed: {reason}"),
+            Reproduction::Skipped(features) => write!(f, "skipped ({features})"),
+            Reproduction::Differs(difference) => write!(f, "{difference}"),
+            Reproduction::Failed(reason) => write!(f, "failed: {reason}"),
         }
     }
 }
 
 /// Checks a scene against the text of its trace, leaving it out if it needs what is to be skipped. A panic is
 /// caught and reported as a failure.
-pub fn check(scene: &Scene, trace: &str, skip: Features) -> Verdict {
+pub fn check(scene: &Scene, trace: &str, skip: Features) -> Reproduction {
     let needs = scene.features();
     if !needs.and(skip).is_empty() {
-        return Verdict::Skipped(needs.and(skip));
+        return Reproduction::Skipped(needs.and(skip));
     }
     let expected: Trace = match trace.parse() {
         Ok(expected) => expected,
-        Err(error) => return Verdict::Failed(format!("the trace {error}")),
+        Err(error) => return Reproduction::Failed(format!("the trace {error}")),
     };
     guard(|| judge(scene, &expected, trace, &record(scene)))
 }
 
 /// Makes a panic a failure.
-fn guard(check: impl FnOnce() -> Verdict) -> Verdict {
+fn guard(check: impl FnOnce() -> Reproduction) -> Reproduction {
     catch_unwind(AssertUnwindSafe(check))
-        .unwrap_or_else(|panic| Verdict::Failed(format!("panicked: {}", message(panic.as_ref()))))
+        .unwrap_or_else(|panic| Reproduction::Failed(format!("panicked: {}", message(panic.as_ref()))))
 }
 
 /// The text of a panic.
@@ -103,35 +103,35 @@ fn message(panic: &(dyn std::any::Any + Send)) -> &str {
 }
 
 /// Judges what happened in a run by what should have happened.
-pub fn judge(scene: &Scene, expected: &Trace, text: &str, recording: &Recording) -> Verdict {
+pub fn judge(scene: &Scene, expected: &Trace, text: &str, recording: &Recording) -> Reproduction {
     let unusual = match Unusual::of(scene, expected) {
         Ok(unusual) => unusual,
-        Err(reason) => return Verdict::Failed(reason),
+        Err(reason) => return Reproduction::Failed(reason),
     };
     if !is_header_of(scene, expected) {
-        return Verdict::Failed("the header of the trace is that of another scene".to_owned());
+        return Reproduction::Failed("the header of the trace is that of another scene".to_owned());
     }
     let Some(step) = unusual.first() else {
         if let Some((step, error)) = &recording.error {
-            return Verdict::Failed(format!("step {step}: {error}"));
+            return Reproduction::Failed(format!("step {step}: {error}"));
         }
         return match compare(expected, &recording.trace, None) {
-            Some(difference) => Verdict::Differs(Box::new(difference)),
+            Some(difference) => Reproduction::Differs(Box::new(difference)),
             None if recording.trace.to_string() != text => {
-                Verdict::Failed("the lines are equal, but the texts are not".to_owned())
+                Reproduction::Failed("the lines are equal, but the texts are not".to_owned())
             }
-            None => Verdict::Exact,
+            None => Reproduction::Exact,
         };
     };
     // A scene that cannot be built has nothing to compare but the first lines of the header.
     if step > 0
         && let Some(difference) = compare(expected, &recording.trace, Some(step))
     {
-        return Verdict::Differs(Box::new(difference));
+        return Reproduction::Differs(Box::new(difference));
     }
     match unusual.check(scene, recording) {
-        Ok(()) => Verdict::ExactUntil { step: step.saturating_sub(1), original: unusual.to_string() },
-        Err(reason) => Verdict::Failed(format!("the original: {unusual}; here: {reason}")),
+        Ok(()) => Reproduction::ExactUntil { step: step.saturating_sub(1), original: unusual.to_string() },
+        Err(reason) => Reproduction::Failed(format!("the original: {unusual}; here: {reason}")),
     }
 }
 
@@ -262,7 +262,7 @@ fn check_refusal(step: u32, recording: &Recording) -> Result<(), String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Verdict, guard};
+    use super::{Reproduction, guard};
 
     #[test]
     fn a_panic_is_a_failure_with_its_message() {
@@ -272,6 +272,6 @@ mod tests {
 
     #[test]
     fn what_does_not_panic_is_passed_on() {
-        assert!(guard(|| Verdict::Exact).is_exact());
+        assert!(guard(|| Reproduction::Exact).is_exact());
     }
 }

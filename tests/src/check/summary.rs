@@ -1,6 +1,6 @@
 //! Checks of whole folders, and their report.
 
-use super::{Entry, Verdict, check, entries};
+use super::{Entry, Reproduction, check, entries};
 use crate::file::read_text;
 use crate::scene::{Features, Scene};
 use std::collections::BTreeMap;
@@ -19,7 +19,7 @@ struct Count {
 }
 
 impl Count {
-    fn add(&mut self, verdict: &Verdict) {
+    fn add(&mut self, verdict: &Reproduction) {
         match verdict {
             verdict if verdict.is_exact() => self.exact += 1,
             verdict if verdict.is_skipped() => self.skipped += 1,
@@ -84,7 +84,7 @@ impl fmt::Display for Summary {
 
 /// A checked scene.
 struct Checked {
-    verdict: Verdict,
+    verdict: Reproduction,
     tags: Vec<String>,
 }
 
@@ -158,7 +158,7 @@ fn check_entries(
 }
 
 fn check_entry(entry: &Entry, skip: Features) -> Checked {
-    let failed = |reason: String, tags| Checked { verdict: Verdict::Failed(reason), tags };
+    let failed = |reason: String, tags| Checked { verdict: Reproduction::Failed(reason), tags };
     let Some(path) = &entry.scene else {
         return failed("has a trace, but no scene".to_owned(), Vec::new());
     };

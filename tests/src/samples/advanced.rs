@@ -3,11 +3,11 @@
 use farseer_core::math::Vector2;
 use farseer_core::{BodyFactory, GeomFactory, GeomPlacement, InactivityController, Result};
 
-use super::{BLACK, Drive, GOLD, Scene, WHITE, border, crate_box, map_outline};
+use super::{BLACK, Drive, GOLD, SampleScene, WHITE, border, crate_box, map_outline};
 
 /// Advanced 2: a controller disables crates that lie still.
-pub(super) fn inactivity_controller() -> Result<Scene> {
-    let mut scene = Scene::new(150.0)?;
+pub(super) fn inactivity_controller() -> Result<SampleScene> {
+    let mut scene = SampleScene::new(150.0)?;
     let mut controller = InactivityController::new();
     controller.set_activation_distance(120.0)?;
     controller.set_max_idle_time(2000.0)?;
@@ -24,8 +24,8 @@ pub(super) fn inactivity_controller() -> Result<Scene> {
 }
 
 /// Advanced 3: a polygon with the outline of a picture is pushed against a ball.
-pub(super) fn map_vertices_from_textures() -> Result<Scene> {
-    let mut scene = Scene::new(0.0)?;
+pub(super) fn map_vertices_from_textures() -> Result<SampleScene> {
+    let mut scene = SampleScene::new(0.0)?;
     let simulator = &mut scene.simulator;
     let mut outline = map_outline();
     let map = BodyFactory::create_polygon_body_in(simulator, &outline, 5.0)?;

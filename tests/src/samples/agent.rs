@@ -5,7 +5,7 @@ use std::f32::consts::FRAC_PI_4;
 use farseer_core::math::Vector2;
 use farseer_core::{BodyFactory, BodyId, CollisionCategory, GeomFactory, GeomPlacement, Result};
 
-use super::{BLACK, GOLD, Rgba, Scene};
+use super::{BLACK, GOLD, Rgba, SampleScene};
 
 /// Half the distance of the outer balls.
 const REACH: f32 = 40.0;
@@ -41,7 +41,7 @@ impl Agent {
     ///
     /// # Errors
     /// A position that is not finite.
-    pub fn add(&self, scene: &mut Scene, position: Vector2) -> Result<BodyId> {
+    pub fn add(&self, scene: &mut SampleScene, position: Vector2) -> Result<BodyId> {
         let simulator = &mut scene.simulator;
         let body = BodyFactory::create_rectangle_body_in(simulator, 2.0 * REACH, 2.0 * REACH, 5.0)?;
         simulator[body].set_position(position);

@@ -4,7 +4,7 @@ use farseer_core::math::{Vector2, vector2};
 use farseer_core::shape::Aabb;
 use farseer_core::{BodyId, PhysicsSimulator, Result};
 
-use super::{Actor, Pyramid, Scene, border, pyramid};
+use super::{Actor, Pyramid, SampleScene, border, pyramid};
 
 /// Blows what is to its right.
 #[derive(Debug, Clone, Copy)]
@@ -60,8 +60,8 @@ fn bodies_in(simulator: &PhysicsSimulator, reach: &Aabb) -> Vec<BodyId> {
 }
 
 /// Advanced 6: a heap of 105 blocks in the wind.
-pub(super) fn wind_and_explosions() -> Result<Scene> {
-    let mut scene = Scene::new(100.0)?;
+pub(super) fn wind_and_explosions() -> Result<SampleScene> {
+    let mut scene = SampleScene::new(100.0)?;
     scene.simulator.set_bias_factor(0.3)?;
     let heap = Pyramid {
         edge: 32.0,

@@ -3,7 +3,7 @@
 use farseer_core::math::Vector2;
 use farseer_core::{BodyFactory, BodyId, GeomFactory, GeomId, GeomPlacement, Result};
 
-use super::{BLACK, Rgba, Scene, WHITE};
+use super::{BLACK, Rgba, SampleScene, WHITE};
 
 const YELLOW: Rgba = [255, 255, 0, 255];
 
@@ -11,7 +11,7 @@ const YELLOW: Rgba = [255, 255, 0, 255];
 ///
 /// # Errors
 /// A position that is not finite.
-pub fn ball(scene: &mut Scene, position: Vector2) -> Result<(BodyId, GeomId)> {
+pub fn ball(scene: &mut SampleScene, position: Vector2) -> Result<(BodyId, GeomId)> {
     let simulator = &mut scene.simulator;
     let body = BodyFactory::create_circle_body_in(simulator, 12.0, 1.0)?;
     simulator[body].set_position(position);
@@ -26,7 +26,12 @@ pub fn ball(scene: &mut Scene, position: Vector2) -> Result<(BodyId, GeomId)> {
 ///
 /// # Errors
 /// A size that is not greater than 0.
-pub fn crate_box(scene: &mut Scene, width: f32, height: f32, position: Vector2) -> Result<(BodyId, GeomId)> {
+pub fn crate_box(
+    scene: &mut SampleScene,
+    width: f32,
+    height: f32,
+    position: Vector2,
+) -> Result<(BodyId, GeomId)> {
     let simulator = &mut scene.simulator;
     let body = BodyFactory::create_rectangle_body_in(simulator, width, height, 1.0)?;
     simulator[body].set_position(position);
@@ -44,7 +49,7 @@ pub fn crate_box(scene: &mut Scene, width: f32, height: f32, position: Vector2) 
 /// # Errors
 /// A size that is not greater than 0.
 pub fn rectangle_platform(
-    scene: &mut Scene,
+    scene: &mut SampleScene,
     width: f32,
     height: f32,
     position: Vector2,
@@ -83,7 +88,7 @@ pub struct Pyramid {
 ///
 /// # Errors
 /// Sizes that are not greater than 0.
-pub fn pyramid(scene: &mut Scene, pyramid: Pyramid) -> Result<Vec<(BodyId, GeomId)>> {
+pub fn pyramid(scene: &mut SampleScene, pyramid: Pyramid) -> Result<Vec<(BodyId, GeomId)>> {
     let Pyramid { edge, spacing, mass, friction, rows, origin } = pyramid;
     let simulator = &mut scene.simulator;
     // What the blocks are copied from takes no part, but takes a geom number.

@@ -3,7 +3,7 @@
 use farseer_core::math::Vector2;
 use farseer_core::{BodyFactory, BodyId, GeomFactory, GeomPlacement, Result};
 
-use super::{CENTRE, Rgba, SCREEN, Scene, WHITE};
+use super::{CENTRE, Rgba, SCREEN, SampleScene, WHITE};
 
 /// Thickness of the frame.
 const THICKNESS: f32 = 38.0;
@@ -14,7 +14,7 @@ const FILL: Rgba = [200, 200, 200, 150];
 ///
 /// # Errors
 /// None in an ordinary scene.
-pub fn border(scene: &mut Scene) -> Result<BodyId> {
+pub fn border(scene: &mut SampleScene) -> Result<BodyId> {
     let [width, height] = SCREEN;
     let simulator = &mut scene.simulator;
     let body = BodyFactory::create_rectangle_body_in(simulator, width, height, 1.0)?;

@@ -3,7 +3,7 @@
 use farseer_core::math::{Vector2, vector2};
 use farseer_core::{BodyFactory, BodyId, CollisionCategory, GeomFactory, GeomPlacement, Result};
 
-use super::{Agent, BLACK, CENTRE, Drive, Rgba, Scene, border};
+use super::{Agent, BLACK, CENTRE, Drive, Rgba, SampleScene, border};
 
 const RED: Rgba = [200, 0, 0, 175];
 const GREEN: Rgba = [0, 200, 0, 175];
@@ -33,7 +33,7 @@ pub struct Circles {
 ///
 /// # Errors
 /// A radius that is not greater than 0.
-pub fn circles(scene: &mut Scene, row: &Circles) -> Result<()> {
+pub fn circles(scene: &mut SampleScene, row: &Circles) -> Result<()> {
     let simulator = &mut scene.simulator;
     let first = BodyFactory::create_circle_body_in(simulator, row.radius, 0.5)?;
     simulator[first].set_position(row.start);
@@ -59,9 +59,9 @@ pub fn circles(scene: &mut Scene, row: &Circles) -> Result<()> {
 }
 
 /// Simple 5: four groups of rows, each of which collides with itself and with some of the others.
-pub(super) fn collision_categories() -> Result<Scene> {
+pub(super) fn collision_categories() -> Result<SampleScene> {
     let cat = CollisionCategory::cat;
-    let mut scene = Scene::new(0.0)?;
+    let mut scene = SampleScene::new(0.0)?;
     scene.simulator.set_max_contacts_to_detect(2);
     let agent = Agent::of_fifth_category()?.add(&mut scene, CENTRE)?;
     scene.act(Drive::along_x(agent, 1000.0));
@@ -88,9 +88,9 @@ pub(super) fn collision_categories() -> Result<Scene> {
 }
 
 /// Simple 8: 1600 balls in 40 rows, which collide with nothing but the agent.
-pub(super) fn broad_phase_collision_stress_test() -> Result<Scene> {
+pub(super) fn broad_phase_collision_stress_test() -> Result<SampleScene> {
     let cat = CollisionCategory::cat;
-    let mut scene = Scene::new(0.0)?;
+    let mut scene = SampleScene::new(0.0)?;
     scene.simulator.set_max_contacts_to_detect(2);
     let agent = Agent::of_fifth_category()?.add(&mut scene, CENTRE)?;
     scene.act(Drive::along_x(agent, 1000.0));

@@ -6,11 +6,11 @@ use farseer_core::{
     SpringFactory,
 };
 
-use super::{AngularDrive, BLACK, GOLD, Scene, WHITE, border};
+use super::{AngularDrive, BLACK, GOLD, SampleScene, WHITE, border};
 
 /// Advanced 4: five chains of different links.
-pub(super) fn chains_factory() -> Result<Scene> {
-    let mut scene = Scene::new(150.0)?;
+pub(super) fn chains_factory() -> Result<SampleScene> {
+    let mut scene = SampleScene::new(150.0)?;
     let point = Vector2::new;
     let plain = ComplexFactory::default();
     let soft = ComplexFactory {
@@ -50,8 +50,8 @@ pub(super) fn chains_factory() -> Result<Scene> {
 }
 
 /// Advanced 5: two wheels, pushed apart by a spring, drive in an endless track.
-pub(super) fn path_factory() -> Result<Scene> {
-    let mut scene = Scene::new(100.0)?;
+pub(super) fn path_factory() -> Result<SampleScene> {
+    let mut scene = SampleScene::new(100.0)?;
     let centre = Vector2::new(400.0, 500.0);
     let track = track(&mut scene, centre)?;
     for &geom in track.geoms() {
@@ -81,7 +81,7 @@ pub(super) fn path_factory() -> Result<Scene> {
     Ok(scene)
 }
 
-fn track(scene: &mut Scene, centre: Vector2) -> Result<Path> {
+fn track(scene: &mut SampleScene, centre: Vector2) -> Result<Path> {
     let points = [
         (-15.0, -50.0),
         (-50.0, -50.0),

@@ -4,7 +4,7 @@ use farseer_core::math::Vector2;
 use farseer_core::shape::Vertices;
 use farseer_core::{BodyFactory, Context, GeomFactory, GeomPlacement, JointFactory, JointId, Result};
 
-use super::{Actor, BLACK, GOLD, Scene, Table, WHITE, border, table};
+use super::{Actor, BLACK, GOLD, SampleScene, Table, WHITE, border, table};
 
 /// Disposes a weld that broke.
 #[derive(Debug)]
@@ -21,8 +21,8 @@ impl Actor for Weld {
 }
 
 /// Simple 10: two boxes welded to each other, two gears, and a table.
-pub(super) fn weld_joint_and_gears() -> Result<Scene> {
-    let mut scene = Scene::new(100.0)?;
+pub(super) fn weld_joint_and_gears() -> Result<SampleScene> {
+    let mut scene = SampleScene::new(100.0)?;
     welded_boxes(&mut scene)?;
     gears(&mut scene)?;
     let position = Vector2::new(200.0, 450.0);
@@ -35,7 +35,7 @@ pub(super) fn weld_joint_and_gears() -> Result<Scene> {
     Ok(scene)
 }
 
-fn welded_boxes(scene: &mut Scene) -> Result<()> {
+fn welded_boxes(scene: &mut SampleScene) -> Result<()> {
     let simulator = &mut scene.simulator;
     let mut bodies = Vec::new();
     for x in [250.0, 350.0] {
@@ -57,7 +57,7 @@ fn welded_boxes(scene: &mut Scene) -> Result<()> {
     Ok(())
 }
 
-fn gears(scene: &mut Scene) -> Result<()> {
+fn gears(scene: &mut SampleScene) -> Result<()> {
     let places = [Vector2::new(500.0, 200.0), Vector2::new(613.0, 200.0)];
     let mut bodies = Vec::new();
     for (place, group) in places.into_iter().zip([2, 3]) {

@@ -32,7 +32,7 @@ pub use circles::{Circles, circles};
 pub use drive::{AngularDrive, Drive};
 pub use outlines::{map_outline, splat_outline};
 pub use ragdoll::ragdoll;
-pub use scene::{Actor, Figure, Look, Scene};
+pub use scene::{Actor, Figure, Look, SampleScene};
 pub use spider::Spider;
 pub use springs::{Lever, Rope, Side};
 pub use table::{Table, table};
@@ -63,7 +63,7 @@ pub struct Sample {
     /// Name, as in the chapter.
     pub name: &'static str,
     /// Builds it as it is before its first step.
-    pub build: fn() -> Result<Scene>,
+    pub build: fn() -> Result<SampleScene>,
 }
 
 /// All samples that can be reproduced, in the order of the chapter.

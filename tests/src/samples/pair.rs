@@ -3,22 +3,22 @@
 use farseer_core::math::Vector2;
 use farseer_core::{BodyFactory, BodyId, GeomFactory, GeomPlacement, Result};
 
-use super::{BLACK, Drive, GOLD, Scene, WHITE, border};
+use super::{BLACK, Drive, GOLD, SampleScene, WHITE, border};
 
 /// Simple 2: the box is pushed against the ball.
-pub(super) fn two_bodies_with_geom() -> Result<Scene> {
+pub(super) fn two_bodies_with_geom() -> Result<SampleScene> {
     let (mut scene, rectangle) = ball_and_box()?;
     scene.act(Drive::along_x(rectangle, 50.0));
     Ok(scene)
 }
 
 /// Advanced 8: the same at rest, for lines that cross it.
-pub(super) fn line_intersections() -> Result<Scene> {
+pub(super) fn line_intersections() -> Result<SampleScene> {
     Ok(ball_and_box()?.0)
 }
 
-fn ball_and_box() -> Result<(Scene, BodyId)> {
-    let mut scene = Scene::new(0.0)?;
+fn ball_and_box() -> Result<(SampleScene, BodyId)> {
+    let mut scene = SampleScene::new(0.0)?;
     let simulator = &mut scene.simulator;
     let circle = BodyFactory::create_circle_body_in(simulator, 64.0, 1.0)?;
     simulator[circle].set_position(Vector2::new(725.0, 384.0));

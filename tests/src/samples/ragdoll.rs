@@ -3,7 +3,7 @@
 use farseer_core::math::Vector2;
 use farseer_core::{BodyFactory, BodyId, GeomFactory, GeomPlacement, JointFactory, PinJoint, Result};
 
-use super::{BLACK, Scene, WHITE, border, simple};
+use super::{BLACK, SampleScene, WHITE, border, simple};
 
 /// An ellipse: half axes, mass, edges and place.
 struct Part {
@@ -17,7 +17,7 @@ struct Part {
 ///
 /// # Errors
 /// A position that is not finite.
-pub fn ragdoll(scene: &mut Scene, position: Vector2) -> Result<[BodyId; 2]> {
+pub fn ragdoll(scene: &mut SampleScene, position: Vector2) -> Result<[BodyId; 2]> {
     let from = |place: Vector2, x, y| place + Vector2::new(x, y);
     let torso = Part { radii: [18.0, 34.0], mass: 6.0, edges: 14, place: position };
     let head = Part { radii: [10.0, 14.0], mass: 2.0, edges: 10, place: from(position, 0.0, -50.0) };
@@ -57,7 +57,7 @@ pub fn ragdoll(scene: &mut Scene, position: Vector2) -> Result<[BodyId; 2]> {
     Ok([torso, head])
 }
 
-fn ellipse(scene: &mut Scene, part: &Part) -> Result<BodyId> {
+fn ellipse(scene: &mut SampleScene, part: &Part) -> Result<BodyId> {
     let [x_radius, y_radius] = part.radii;
     let simulator = &mut scene.simulator;
     let body = BodyFactory::create_ellipse_body_in(simulator, x_radius, y_radius, part.mass)?;
@@ -70,8 +70,8 @@ fn ellipse(scene: &mut Scene, part: &Part) -> Result<BodyId> {
 }
 
 /// Simple 9: a ragdoll falls through obstacles.
-pub(super) fn ragdoll_scene() -> Result<Scene> {
-    let mut scene = Scene::new(100.0)?;
+pub(super) fn ragdoll_scene() -> Result<SampleScene> {
+    let mut scene = SampleScene::new(100.0)?;
     ragdoll(&mut scene, Vector2::new(612.0, 110.0))?;
     simple::obstacles(&mut scene)?;
     border(&mut scene)?;

@@ -69,25 +69,25 @@ pub enum Figure {
 
 /// A scene.
 #[derive(Debug)]
-pub struct Scene {
+pub struct SampleScene {
     pub(super) simulator: PhysicsSimulator,
     looks: Vec<Look>,
     actors: Vec<Box<dyn Actor>>,
 }
 
-impl Scene {
+impl SampleScene {
     /// An empty scene with this downward gravity in px/s².
     ///
     /// # Errors
     /// Gravity that is not finite.
     pub fn new(gravity: f32) -> Result<Self> {
         let simulator = PhysicsSimulator::new(Vector2::new(0.0, gravity))?;
-        Ok(Scene { simulator, looks: Vec::new(), actors: Vec::new() })
+        Ok(SampleScene { simulator, looks: Vec::new(), actors: Vec::new() })
     }
 
     /// The same, with separating axes instead of the distance grid.
     pub(super) fn with_sat(gravity: f32) -> Result<Self> {
-        let mut scene = Scene::new(gravity)?;
+        let mut scene = SampleScene::new(gravity)?;
         scene.simulator.set_narrow_phase_collider(NarrowPhaseCollider::Sat);
         Ok(scene)
     }

@@ -3,11 +3,11 @@
 use farseer_core::math::Vector2;
 use farseer_core::{BodyFactory, GeomFactory, GeomPlacement, Result};
 
-use super::{Agent, BLACK, CENTRE, Drive, GOLD, Pyramid, Scene, WHITE, border, pyramid};
+use super::{Agent, BLACK, CENTRE, Drive, GOLD, Pyramid, SampleScene, WHITE, border, pyramid};
 
 /// Simple 1: a body without a geom, which leaves through the border.
-pub(super) fn a_single_body() -> Result<Scene> {
-    let mut scene = Scene::new(0.0)?;
+pub(super) fn a_single_body() -> Result<SampleScene> {
+    let mut scene = SampleScene::new(0.0)?;
     let body = BodyFactory::create_rectangle_body_in(&mut scene.simulator, 128.0, 128.0, 1.0)?;
     scene.simulator[body].set_position(CENTRE);
     scene.show_rectangle(body, [128.0, 128.0], GOLD, BLACK);
@@ -17,8 +17,8 @@ pub(super) fn a_single_body() -> Result<Scene> {
 }
 
 /// Simple 3: the agent falls through obstacles.
-pub(super) fn multiple_geometries_and_static_bodies() -> Result<Scene> {
-    let mut scene = Scene::new(100.0)?;
+pub(super) fn multiple_geometries_and_static_bodies() -> Result<SampleScene> {
+    let mut scene = SampleScene::new(100.0)?;
     Agent::default().add(&mut scene, Vector2::new(512.0, 100.0))?;
     obstacles(&mut scene)?;
     border(&mut scene)?;
@@ -26,7 +26,7 @@ pub(super) fn multiple_geometries_and_static_bodies() -> Result<Scene> {
 }
 
 /// Adds the five obstacles.
-pub(super) fn obstacles(scene: &mut Scene) -> Result<()> {
+pub(super) fn obstacles(scene: &mut SampleScene) -> Result<()> {
     let mut geoms = Vec::new();
     let simulator = &mut scene.simulator;
     for (x, y) in [(-50.0, -200.0), (150.0, -100.0), (100.0, 50.0), (-100.0, 200.0), (-170.0, 0.0)] {
@@ -50,8 +50,8 @@ pub(super) fn obstacles(scene: &mut Scene) -> Result<()> {
 }
 
 /// Simple 4: a heap of 105 blocks, and the agent beside it.
-pub(super) fn stacked_objects() -> Result<Scene> {
-    let mut scene = Scene::new(50.0)?;
+pub(super) fn stacked_objects() -> Result<SampleScene> {
+    let mut scene = SampleScene::new(50.0)?;
     scene.simulator.set_bias_factor(0.2)?;
     scene.simulator.set_max_contacts_to_detect(2);
     let heap = Pyramid {

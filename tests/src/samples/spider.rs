@@ -6,7 +6,7 @@ use farseer_core::{
     Result,
 };
 
-use super::{Actor, Agent, BLACK, Scene, WHITE, border};
+use super::{Actor, Agent, BLACK, SampleScene, WHITE, border};
 
 /// Milliseconds of a step.
 const STEP: u32 = 10;
@@ -32,11 +32,11 @@ pub struct Spider {
 }
 
 impl Spider {
-    /// Adds a spider; let it [act](Scene::act).
+    /// Adds a spider; let it [act](SampleScene::act).
     ///
     /// # Errors
     /// A position that is not finite.
-    pub fn add(scene: &mut Scene, position: Vector2, collision_group: i32) -> Result<Self> {
+    pub fn add(scene: &mut SampleScene, position: Vector2, collision_group: i32) -> Result<Self> {
         let at = |x: f32| position + Vector2::new(x, 0.0);
         let simulator = &mut scene.simulator;
         let torso = BodyFactory::create_circle_body_in(simulator, 20.0, 1.0)?;
@@ -102,8 +102,8 @@ impl Actor for Spider {
 }
 
 /// Simple 7: sixteen spiders fall on the floor and walk, past an agent.
-pub(super) fn dynamic_angle_joints() -> Result<Scene> {
-    let mut scene = Scene::new(150.0)?;
+pub(super) fn dynamic_angle_joints() -> Result<SampleScene> {
+    let mut scene = SampleScene::new(150.0)?;
     scene.simulator.set_max_contacts_to_detect(5);
     scene.simulator.set_max_contacts_to_resolve(2)?;
     scene.simulator.set_iterations(10);

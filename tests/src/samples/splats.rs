@@ -3,14 +3,14 @@
 use farseer_core::math::Vector2;
 use farseer_core::{BodyFactory, GeomFactory, Result};
 
-use super::{BLACK, Rgba, Scene, border, splat_outline};
+use super::{BLACK, Rgba, SampleScene, border, splat_outline};
 
 /// Colours of neighbouring pieces.
 const REDS: [Rgba; 3] = [[214, 64, 72, 255], [186, 44, 58, 255], [232, 100, 96, 255]];
 
 /// Advanced 9: six blots of 21 convex pieces each fall on the floor, with separating axes.
-pub(super) fn auto_divide_geometry_with_sat() -> Result<Scene> {
-    let mut scene = Scene::with_sat(100.0)?;
+pub(super) fn auto_divide_geometry_with_sat() -> Result<SampleScene> {
+    let mut scene = SampleScene::with_sat(100.0)?;
     for (x, y) in
         [(200.0, 200.0), (500.0, 200.0), (800.0, 200.0), (200.0, 450.0), (500.0, 450.0), (800.0, 450.0)]
     {

@@ -3,7 +3,7 @@
 use farseer_core::math::Vector2;
 use farseer_core::{BodyFactory, BodyId, GeomFactory, GeomPlacement, JointFactory, Result, SpringFactory};
 
-use super::{BLACK, GOLD, Scene, WHITE};
+use super::{BLACK, GOLD, SampleScene, WHITE};
 
 /// The end of a lever that is held.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -40,7 +40,7 @@ impl Lever {
     ///
     /// # Errors
     /// A size that is not greater than 0.
-    pub fn add(&self, scene: &mut Scene) -> Result<BodyId> {
+    pub fn add(&self, scene: &mut SampleScene) -> Result<BodyId> {
         let [width, height] = self.size;
         let (offset, radius) = match self.side {
             Side::Left => (Vector2::new(-width / 2.0, 0.0), height),
@@ -92,7 +92,7 @@ impl Rope {
     ///
     /// # Errors
     /// A size or mass that is not greater than 0.
-    pub fn add(&self, scene: &mut Scene) -> Result<BodyId> {
+    pub fn add(&self, scene: &mut SampleScene) -> Result<BodyId> {
         let simulator = &mut scene.simulator;
         let first = BodyFactory::create_rectangle_body_in(simulator, self.edge, self.edge, self.mass)?;
         simulator[first].set_position(self.position);

@@ -3,19 +3,19 @@
 use farseer_core::math::Vector2;
 use farseer_core::{BodyFactory, GeomFactory, GeomPlacement, Result, SpringFactory};
 
-use super::{Agent, BLACK, GOLD, Lever, Rope, Scene, Side, border, rectangle_platform};
+use super::{Agent, BLACK, GOLD, Lever, Rope, SampleScene, Side, border, rectangle_platform};
 
 /// Collision group of platforms and levers, the border's.
 const GROUP: i32 = 100;
 
 /// Simple 6: three platforms with levers, two ropes and a ball on a spring.
-pub(super) fn linear_and_angular_springs() -> Result<Scene> {
-    let mut scene = Scene::new(200.0)?;
+pub(super) fn linear_and_angular_springs() -> Result<SampleScene> {
+    let mut scene = SampleScene::new(200.0)?;
     scene.simulator.set_max_contacts_to_detect(2);
     let agent = Agent::of_fifth_category()?.add(&mut scene, Vector2::new(512.0, 100.0))?;
 
     // Held on the upper corner of a platform, a step inward and some way down.
-    let platform = |scene: &mut Scene, height: f32, x, y| -> Result<Vector2> {
+    let platform = |scene: &mut SampleScene, height: f32, x, y| -> Result<Vector2> {
         let position = Vector2::new(x, y);
         rectangle_platform(scene, 102.0, height, position, GROUP)?;
         Ok(position)
@@ -75,7 +75,7 @@ pub(super) fn linear_and_angular_springs() -> Result<Scene> {
     Ok(scene)
 }
 
-fn hanging_ball(scene: &mut Scene) -> Result<()> {
+fn hanging_ball(scene: &mut SampleScene) -> Result<()> {
     let simulator = &mut scene.simulator;
     let ball = BodyFactory::create_circle_body_in(simulator, 40.0, 1.0)?;
     simulator[ball].set_position(Vector2::new(778.0, 200.0));

@@ -3,7 +3,7 @@
 use farseer_core::math::Vector2;
 use farseer_core::{BodyFactory, Context, GeomFactory, GeomId, GeomPlacement, JointFactory, JointId, Result};
 
-use super::{Actor, BLACK, Rgba, Scene};
+use super::{Actor, BLACK, Rgba, SampleScene};
 
 const BURLY_WOOD: Rgba = [222, 184, 135, 255];
 
@@ -49,7 +49,7 @@ impl Actor for Welds {
 ///
 /// # Errors
 /// A size that is not greater than 0.
-pub fn table(scene: &mut Scene, table: Table) -> Result<()> {
+pub fn table(scene: &mut SampleScene, table: Table) -> Result<()> {
     let Table { position, width, height, collision_group, breakpoints } = table;
     let down = height / 2.0 + 5.0;
     let left_place = Vector2::new(position.x - width / 2.0 + 10.0, position.y + down);

@@ -7,7 +7,7 @@ use farseer_core::{
     PhysicsSimulator, Result, WaveController,
 };
 
-use super::{Actor, Pyramid, SCREEN, Scene, border, crate_box, pyramid};
+use super::{Actor, Pyramid, SCREEN, SampleScene, border, crate_box, pyramid};
 
 /// Moves a wave that is not in the simulation, and disturbs it where something dips in.
 #[derive(Debug)]
@@ -35,8 +35,8 @@ impl Actor for Surf {
 }
 
 /// Water: ten blocks on a raft.
-pub(super) fn water() -> Result<Scene> {
-    let mut scene = Scene::new(250.0)?;
+pub(super) fn water() -> Result<SampleScene> {
+    let mut scene = SampleScene::new(250.0)?;
     let [width, height] = SCREEN;
     let margin = height * 0.05;
     let mut wave =

@@ -1,7 +1,7 @@
 //! The recorded runs of the original, reproduced.
 
 use crate::scenes::{self, golden_scene, golden_trace};
-use conformance::check::{Verdict, check, check_folders};
+use conformance::check::{Reproduction, check, check_folders};
 use conformance::compare::{Finding, Place, compare};
 use conformance::golden;
 use conformance::run::record;
@@ -170,7 +170,7 @@ fn a_scene_that_runs_differently_is_reported_as_different() {
     let mut scene = golden_scene(SCENE);
     scene.geoms[1].settings.friction = Some(0.25);
     let verdict = check(&scene, &golden_trace(SCENE), Features::default());
-    assert!(matches!(verdict, Verdict::Differs(_)), "{verdict}");
+    assert!(matches!(verdict, Reproduction::Differs(_)), "{verdict}");
 }
 
 #[test]
@@ -183,7 +183,7 @@ fn the_text_of_a_run_is_that_of_its_trace() {
 fn a_scene_that_needs_what_is_skipped_is_skipped() {
     let joints = Features::of(&[Feature::Joints]);
     let verdict = check(&golden_scene("joint_pin"), &golden_trace("joint_pin"), joints);
-    assert!(matches!(verdict, Verdict::Skipped(features) if features == joints), "{verdict}");
+    assert!(matches!(verdict, Reproduction::Skipped(features) if features == joints), "{verdict}");
 }
 
 #[test]

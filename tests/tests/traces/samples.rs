@@ -1,6 +1,8 @@
 //! The original's sample scenes against what was recorded from it (behaviour chapter 16, part E).
 
-use conformance::samples::{CENTRE, DT, Grenade, SAMPLES, Scene, ball, map_outline, sample, splat_outline};
+use conformance::samples::{
+    CENTRE, DT, Grenade, SAMPLES, SampleScene, ball, map_outline, sample, splat_outline,
+};
 use conformance::trace::hash::Fnv;
 use farseer_core::math::Vector2;
 use farseer_core::{BodyId, PhysicsSimulator};
@@ -32,13 +34,13 @@ fn counts(simulator: &PhysicsSimulator) -> [usize; 5] {
 }
 
 /// A sample after a number of steps.
-fn after(name: &str, steps: u32) -> Scene {
+fn after(name: &str, steps: u32) -> SampleScene {
     let mut scene = (sample(name).unwrap().build)().unwrap();
     run(&mut scene, steps);
     scene
 }
 
-fn run(scene: &mut Scene, steps: u32) {
+fn run(scene: &mut SampleScene, steps: u32) {
     for _ in 0..steps {
         scene.step().unwrap();
     }
@@ -124,13 +126,13 @@ records! {
 }
 
 /// Bits of the position of a body.
-fn place(scene: &Scene, body: BodyId) -> [u32; 2] {
+fn place(scene: &SampleScene, body: BodyId) -> [u32; 2] {
     let position = scene.simulator()[body].position();
     [position.x.to_bits(), position.y.to_bits()]
 }
 
 /// Bits of position and rotation of the body at a place in the list.
-fn pose(scene: &Scene, index: usize) -> [u32; 3] {
+fn pose(scene: &SampleScene, index: usize) -> [u32; 3] {
     let body = scene.simulator().body_list()[index];
     let [x, y] = place(scene, body);
     [x, y, scene.simulator()[body].rotation().to_bits()]
@@ -196,7 +198,7 @@ fn the_first_spider_walks_as_recorded() {
 
 #[test]
 fn spiders_bend_their_legs_at_the_401st_step() {
-    let target = |scene: &Scene| {
+    let target = |scene: &SampleScene| {
         let joint = scene.simulator().joint_list()[1];
         scene.simulator().joint_as::<farseer_core::AngleJoint>(joint).unwrap().target_angle()
     };
@@ -262,7 +264,7 @@ fn the_ends_of_the_chains_hang_as_recorded() {
 #[test]
 fn the_first_wheel_rolls_as_recorded() {
     // The border and the second wheel come after it.
-    let index = |scene: &Scene| scene.simulator().body_list().len() - 3;
+    let index = |scene: &SampleScene| scene.simulator().body_list().len() - 3;
     let mut scene = after("Advanced 5", 1);
     assert_eq!(pose(&scene, index(&scene)), [0x43AE_E396, 0x43FA_0C6D, 0x3A30_A9A2]);
     run(&mut scene, 199);
@@ -331,7 +333,7 @@ fn the_raft_floats_as_recorded() {
 
 #[test]
 fn a_grenade_throws_what_is_near_away_at_the_300th_step_and_only_then() {
-    let mut scene = Scene::new(0.0).unwrap();
+    let mut scene = SampleScene::new(0.0).unwrap();
     let near = ball(&mut scene, CENTRE + Vector2::new(60.0, 0.0)).unwrap().0;
     let far = ball(&mut scene, CENTRE + Vector2::new(160.0, 0.0)).unwrap().0;
     scene.act(Grenade::new(CENTRE));

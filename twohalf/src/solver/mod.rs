@@ -56,7 +56,7 @@ const WORLD: u32 = 0;
 
 /// The points of one contact.
 #[derive(Debug, Clone, Copy)]
-struct Group {
+struct ContactGroup {
     body_a: u32,
     body_b: u32,
     touch: u32,
@@ -76,7 +76,7 @@ pub(crate) struct SpaceSolver {
     /// By body slot: stamp of the update in which it was gathered, and where to.
     places: Vec<(u32, u32)>,
     stamp: u32,
-    groups: Vec<Group>,
+    groups: Vec<ContactGroup>,
     rows: Vec<Row>,
 }
 
@@ -96,7 +96,7 @@ impl SpaceSolver {
     /// Number of scalar rows that every iteration solves.
     pub(crate) fn row_count(&self) -> usize {
         // A normal and two tangents per point; a shared normal counts once.
-        let rows_of = |group: &Group| {
+        let rows_of = |group: &ContactGroup| {
             let normals = if group.shares_pressure { 1 } else { group.row_count };
             (normals + 2 * group.row_count) as usize
         };
@@ -181,7 +181,7 @@ impl SpaceSolver {
         for point in list.points_of(touch) {
             self.rows.push(Row::new(array(point.normal), array(point.position), centres, point));
         }
-        self.groups.push(Group {
+        self.groups.push(ContactGroup {
             body_a,
             body_b,
             touch: index,
@@ -232,7 +232,7 @@ impl SpaceSolver {
         &mut self,
         solved: &mut SolvedBodies<'_>,
         index: usize,
-        operation: impl FnOnce(&mut [Row], &Group, &mut [SpaceBody; 2]),
+        operation: impl FnOnce(&mut [Row], &ContactGroup, &mut [SpaceBody; 2]),
     ) {
         let group = self.groups[index];
         if group.is_dropped {

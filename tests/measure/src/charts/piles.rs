@@ -2,7 +2,7 @@
 
 use super::ChartScene;
 use super::build::start;
-use super::settled::{Rest, Verdict};
+use super::settled::{Rest, RuinCheck};
 use crate::scenes::movable;
 use conformance::scene::{BodyShape, GeomShape, Scene};
 use conformance::scenes::{circles_in_a_pit, vary};
@@ -64,7 +64,7 @@ fn boxes_in_a_pit(count: usize) -> Scene {
 }
 
 /// A body whose centre is beside the room between the walls, or below the floor, is lost.
-fn lost(scene: &Scene) -> Verdict {
+fn lost(scene: &Scene) -> RuinCheck {
     let [left, right] = [(LEFT_WALL, 1.0), (RIGHT_WALL, -1.0)].map(|(wall, side)| {
         let half = match scene.bodies[wall].shape {
             BodyShape::Rectangle { width, .. } => f64::from(width) / 2.0,

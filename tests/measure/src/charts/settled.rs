@@ -48,10 +48,10 @@ pub(super) fn charts_of_rest(
 }
 
 /// Says what of a scene has come to ruin, if anything has.
-pub(super) type Verdict = Box<dyn Fn(&dyn World) -> Option<&'static str>>;
+pub(super) type RuinCheck = Box<dyn Fn(&dyn World) -> Option<&'static str>>;
 
 /// What stands may move `slack` px from where it was built; what is farther away has toppled.
-pub(super) fn toppled(scene: &Scene, slack: f64) -> Verdict {
+pub(super) fn toppled(scene: &Scene, slack: f64) -> RuinCheck {
     let places: Vec<(usize, [f64; 2])> =
         movable(scene).into_iter().map(|index| (index, start(scene, index))).collect();
     let has_left = move |world: &dyn World, &(index, start): &(usize, [f64; 2])| {
@@ -77,7 +77,7 @@ pub(super) fn built_height(scene: &Scene) -> f64 {
 pub(super) struct Rest {
     pub seconds: f64,
     /// Asked in the last second alone, since what has come to ruin does not mend.
-    pub ruin: fn(&Scene) -> Verdict,
+    pub ruin: fn(&Scene) -> RuinCheck,
 }
 
 impl Rest {

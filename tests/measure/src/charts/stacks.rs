@@ -5,7 +5,7 @@ use super::super::world::World;
 use super::ChartScene;
 use super::build::{PRESS, ground, rows_of_triangle, stage, start};
 use super::resting::height_of_boxes;
-use super::settled::{Rest, Verdict, built_height, charts_of_rest, toppled};
+use super::settled::{Rest, RuinCheck, built_height, charts_of_rest, toppled};
 use crate::scenes::movable;
 use conformance::scene::Scene;
 use conformance::scenes::{pyramid, triangle, vary};
@@ -136,7 +136,7 @@ fn box_stack(count: usize, press: f64) -> Scene {
 
 /// A box that has shifted by half of itself, or turned by half a right angle, has fallen off. What is lower by its
 /// height with respect to what it stood on has passed through.
-fn toppled_or_sunk(scene: &Scene) -> Verdict {
+fn toppled_or_sunk(scene: &Scene) -> RuinCheck {
     const HALF_A_RIGHT_ANGLE: f64 = std::f64::consts::FRAC_PI_4;
     let places = [LIGHT, HEAVY_ONE].map(|index| start(scene, index)[0]);
     Box::new(move |world: &dyn World| {

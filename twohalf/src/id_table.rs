@@ -23,17 +23,17 @@ impl Slot for GeomId {
 /// Entries by id. The entry of a disposed object stays until its slot is used again; nobody finds it, because
 /// the id that is asked for is compared with the one of the entry.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(crate) struct SlotTable<I, T> {
+pub(crate) struct IdTable<I, T> {
     entries: Vec<Option<(I, T)>>,
 }
 
-impl<I, T> Default for SlotTable<I, T> {
+impl<I, T> Default for IdTable<I, T> {
     fn default() -> Self {
-        SlotTable { entries: Vec::new() }
+        IdTable { entries: Vec::new() }
     }
 }
 
-impl<I: Slot, T> SlotTable<I, T> {
+impl<I: Slot, T> IdTable<I, T> {
     pub(crate) fn insert(&mut self, id: I, value: T) {
         if id.slot() >= self.entries.len() {
             self.entries.resize_with(id.slot() + 1, || None);
@@ -76,14 +76,14 @@ impl<I: Slot, T> SlotTable<I, T> {
     }
 }
 
-impl<I: Slot, T> std::ops::Index<I> for SlotTable<I, T> {
+impl<I: Slot, T> std::ops::Index<I> for IdTable<I, T> {
     type Output = T;
     fn index(&self, id: I) -> &T {
         self.get(id).expect("the id is stale: what it named was disposed")
     }
 }
 
-impl<I: Slot, T> std::ops::IndexMut<I> for SlotTable<I, T> {
+impl<I: Slot, T> std::ops::IndexMut<I> for IdTable<I, T> {
     fn index_mut(&mut self, id: I) -> &mut T {
         self.get_mut(id).expect("the id is stale: what it named was disposed")
     }
