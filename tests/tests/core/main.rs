@@ -37,6 +37,8 @@ mod mouse_picker;
 mod narrow_reference;
 mod not_finite;
 mod physics;
+mod precise_motion;
+mod precise_saves;
 mod polygon_tools_random;
 mod rejected_input;
 mod snapshots;

@@ -1,0 +1,177 @@
+//! The precise set: what rests, slides, rolls, bounces and flies, against closed forms.
+
+use approx::assert_abs_diff_eq;
+use conformance::fixtures::plane::{add_box, add_circle, add_floor, simulator, v};
+use farseer_core::{BodyId, GeomId, Methods, PhysicsSimulator};
+
+const DT: f32 = 1.0 / 60.0;
+const GRAVITY: f32 = 320.0;
+
+/// An empty simulator with the precise set at its recommended setting, in px.
+fn precise() -> PhysicsSimulator {
+    let mut simulator = simulator(GRAVITY);
+    simulator.set_methods(Methods::PRECISE).unwrap();
+    simulator.set_iterations(4);
+    simulator
+}
+
+fn without_drag(simulator: &mut PhysicsSimulator, body: BodyId) {
+    simulator[body].set_linear_drag_coefficient(0.0);
+    simulator[body].set_rotational_drag_coefficient(0.0);
+}
+
+fn run(simulator: &mut PhysicsSimulator, steps: usize) {
+    (0..steps).for_each(|_| simulator.update(DT));
+}
+
+fn set_surface(simulator: &mut PhysicsSimulator, geom: GeomId, friction: f32, restitution: f32) {
+    simulator[geom].set_friction_coefficient(friction);
+    simulator[geom].set_restitution_coefficient(restitution);
+}
+
+#[test]
+fn a_thrown_body_is_where_the_parabola_says() {
+    let mut simulator = precise();
+    let (body, _) = add_box(&mut simulator, (20.0, 20.0), v(0.0, 0.0));
+    without_drag(&mut simulator, body);
+    simulator[body].set_linear_velocity(v(100.0, -200.0));
+    run(&mut simulator, 120);
+    let position = simulator[body].position();
+    // 120 roundings of numbers below 512 px.
+    assert_abs_diff_eq!(position.x, 200.0, epsilon = 0.01);
+    assert_abs_diff_eq!(position.y, -400.0 + 0.5 * GRAVITY * 4.0, epsilon = 0.01);
+}
+
+#[test]
+fn drag_slows_a_body_by_the_exponential_law() {
+    let mut simulator = precise();
+    simulator.set_gravity(v(0.0, 0.0)).unwrap();
+    let (body, _) = add_box(&mut simulator, (20.0, 20.0), v(0.0, 0.0));
+    simulator[body].set_linear_drag_coefficient(0.5);
+    simulator[body].set_linear_velocity(v(100.0, 0.0));
+    run(&mut simulator, 120);
+    // 120 steps, each right to a few units in the last place.
+    assert_abs_diff_eq!(simulator[body].linear_velocity().x, 100.0 * (-1.0_f32).exp(), epsilon = 0.002);
+}
+
+#[test]
+fn a_box_comes_to_rest_on_the_floor_within_a_thousandth_of_its_size() {
+    let mut simulator = precise();
+    let (_, floor) = add_floor(&mut simulator, (400.0, 20.0), v(0.0, 10.0));
+    let (body, geom) = add_box(&mut simulator, (32.0, 32.0), v(0.0, -40.0));
+    [floor, geom].into_iter().for_each(|geom| set_surface(&mut simulator, geom, 0.5, 0.0));
+    run(&mut simulator, 600);
+    assert_abs_diff_eq!(simulator[body].position().y, -16.0, epsilon = 0.032);
+    assert!(simulator[body].linear_velocity().norm() < 0.01, "{}", simulator[body].linear_velocity());
+}
+
+#[test]
+fn a_column_of_twenty_boxes_stands_for_a_minute() {
+    let mut simulator = precise();
+    let (_, floor) = add_floor(&mut simulator, (400.0, 20.0), v(0.0, 10.0));
+    set_surface(&mut simulator, floor, 0.5, 0.0);
+    let boxes: Vec<BodyId> = (0..20)
+        .map(|i| {
+            let (body, geom) = add_box(&mut simulator, (32.0, 32.0), v(0.0, -16.0 - 32.0 * i as f32));
+            set_surface(&mut simulator, geom, 0.5, 0.0);
+            body
+        })
+        .collect();
+    run(&mut simulator, 3600);
+    for (i, &body) in boxes.iter().enumerate() {
+        let position = simulator[body].position();
+        // The recommended setting sinks by 0.14 % of the column's height.
+        assert_abs_diff_eq!(position.y, -16.0 - 32.0 * i as f32, epsilon = 1.0);
+        assert_abs_diff_eq!(position.x, 0.0, epsilon = 0.5);
+    }
+}
+
+#[test]
+fn a_ball_that_loses_nothing_bounces_as_high_after_a_thousand_steps() {
+    let mut simulator = precise();
+    let (_, floor) = add_floor(&mut simulator, (400.0, 20.0), v(0.0, 10.0));
+    let (ball, geom) = add_circle(&mut simulator, 10.0, 32, v(0.0, -110.0));
+    [floor, geom].into_iter().for_each(|geom| set_surface(&mut simulator, geom, 0.0, 1.0));
+    without_drag(&mut simulator, ball);
+    run(&mut simulator, 900);
+    let highest = (0..100)
+        .map(|_| {
+            simulator.update(DT);
+            simulator[ball].position().y
+        })
+        .fold(0.0, f32::min);
+    // The top of the arc lies between two steps: within g dt^2 / 8, and rounding.
+    assert_abs_diff_eq!(highest, -110.0, epsilon = GRAVITY * DT * DT / 8.0 + 0.01);
+}
+
+#[test]
+fn a_sliding_box_stops_where_friction_says() {
+    let mut simulator = precise();
+    let (_, floor) = add_floor(&mut simulator, (2000.0, 20.0), v(0.0, 10.0));
+    let (body, geom) = add_box(&mut simulator, (32.0, 32.0), v(0.0, -16.0));
+    [floor, geom].into_iter().for_each(|geom| set_surface(&mut simulator, geom, 0.5, 0.0));
+    without_drag(&mut simulator, body);
+    run(&mut simulator, 60);
+    let start = simulator[body].position().x;
+    simulator[body].set_linear_velocity(v(200.0, 0.0));
+    run(&mut simulator, 180);
+    // v^2 / (2 mu g); the last step ends in the middle of itself.
+    let distance = 200.0 * 200.0 / (2.0 * 0.5 * GRAVITY);
+    assert_abs_diff_eq!(simulator[body].position().x - start, distance, epsilon = 0.1);
+}
+
+#[test]
+fn a_circle_of_the_factory_rolls_as_a_disc_and_not_as_a_polygon() {
+    let mut simulator = precise();
+    simulator.set_gravity(v(GRAVITY * 0.3, GRAVITY)).unwrap();
+    let (_, floor) = add_floor(&mut simulator, (4000.0, 20.0), v(0.0, 10.0));
+    let (ball, geom) = add_circle(&mut simulator, 16.0, 12, v(0.0, -16.0));
+    [floor, geom].into_iter().for_each(|geom| set_surface(&mut simulator, geom, 0.9, 0.0));
+    without_drag(&mut simulator, ball);
+    let inertia_ratio = simulator[ball].moment_of_inertia() / (simulator[ball].mass() * 16.0 * 16.0);
+    run(&mut simulator, 120);
+    let distance = 0.5 * (0.3 * GRAVITY / (1.0 + inertia_ratio)) * 4.0;
+    // 0.1 %: it starts to roll within the first steps.
+    assert_abs_diff_eq!(simulator[ball].position().x, distance, epsilon = 0.001 * distance);
+}
+
+#[test]
+fn a_concave_body_holds_what_lies_in_it() {
+    use farseer_core::{Body, GeomFactory, GeomPlacement, math::Vector2, shape::Vertices};
+    let mut simulator = precise();
+    let bowl = simulator.create_body(Body::new());
+    simulator[bowl].set_is_static(true);
+    let corners = [(-60.0, -40.0), (-50.0, -40.0), (-50.0, 0.0), (50.0, 0.0), (50.0, -40.0), (60.0, -40.0), (60.0, 10.0), (-60.0, 10.0)];
+    let outline: Vertices = corners.into_iter().map(|(x, y)| Vector2::new(x, y)).collect();
+    simulator.add(bowl).unwrap();
+    GeomFactory::create_polygon_geom_in(&mut simulator, bowl, &outline, GeomPlacement::default()).unwrap();
+    let (ball, _) = add_circle(&mut simulator, 10.0, 16, v(20.0, -60.0));
+    simulator[ball].set_linear_velocity(v(150.0, 0.0));
+    run(&mut simulator, 600);
+    let centroid = simulator[bowl].position();
+    let position = simulator[ball].position() - centroid;
+    assert!(position.x.abs() < 50.0 && position.y < 0.0 && position.y > -60.0, "{position}");
+}
+
+#[test]
+fn a_belt_carries_what_lies_on_it_at_its_speed() {
+    let mut simulator = precise();
+    let (belt, floor) = add_floor(&mut simulator, (4000.0, 20.0), v(0.0, 10.0));
+    let (body, geom) = add_box(&mut simulator, (32.0, 32.0), v(0.0, -16.0));
+    [floor, geom].into_iter().for_each(|geom| set_surface(&mut simulator, geom, 0.5, 0.0));
+    simulator[belt].set_linear_velocity(v(50.0, 0.0));
+    run(&mut simulator, 120);
+    assert_abs_diff_eq!(simulator[body].linear_velocity().x, 50.0, epsilon = 0.05);
+    assert_eq!(simulator[belt].position(), v(0.0, 10.0));
+}
+
+#[test]
+fn joints_are_refused_and_nothing_is_lost() {
+    use farseer_core::JointFactory;
+    let mut simulator = precise();
+    let (body, _) = add_box(&mut simulator, (32.0, 32.0), v(0.0, 0.0));
+    let refused = JointFactory::create_fixed_revolute_joint_in(&mut simulator, body, v(0.0, 0.0));
+    assert!(refused.is_err());
+    run(&mut simulator, 2);
+    assert!(simulator.joint_list().is_empty());
+}

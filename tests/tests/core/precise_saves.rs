@@ -1,0 +1,108 @@
+//! The precise set: what is saved, cloned and chosen in the middle of a run.
+
+use conformance::fixtures::plane::{add_box, add_circle, add_floor, simulator, v};
+use farseer_core::{BroadPhaseCollider, Methods, NarrowPhaseCollider, PhysicsSimulator};
+
+const DT: f32 = 1.0 / 60.0;
+
+/// Boxes and balls that fall into a pit, a few at a time.
+fn filling_pit() -> PhysicsSimulator {
+    let mut simulator = simulator(320.0);
+    simulator.set_methods(Methods::PRECISE).unwrap();
+    simulator.set_iterations(4);
+    add_floor(&mut simulator, (200.0, 20.0), v(0.0, 10.0));
+    add_floor(&mut simulator, (20.0, 400.0), v(-90.0, -200.0));
+    add_floor(&mut simulator, (20.0, 400.0), v(90.0, -200.0));
+    simulator
+}
+
+fn throw_in(simulator: &mut PhysicsSimulator, number: usize) {
+    let place = v(((number * 37) % 120) as f32 - 60.0, -300.0 - (number % 3) as f32 * 30.0);
+    let geom = if number.is_multiple_of(2) {
+        add_box(simulator, (20.0, 14.0 + (number % 5) as f32), place).1
+    } else {
+        add_circle(simulator, 8.0, 16, place).1
+    };
+    simulator[geom].set_friction_coefficient(0.4);
+    simulator[geom].set_restitution_coefficient(0.1 * (number % 4) as f32);
+}
+
+/// Steps both alike: a thing is thrown in every ten steps, and one is taken out now and then.
+fn play(simulator: &mut PhysicsSimulator, step: usize) {
+    if step.is_multiple_of(10) && step < 300 {
+        throw_in(simulator, step / 10);
+    }
+    if step % 83 == 82 {
+        let first = simulator.body_list()[3];
+        simulator.dispose(first).unwrap();
+    }
+    simulator.update(DT);
+}
+
+#[test]
+fn a_pile_that_builds_up_goes_on_with_the_same_bits_after_a_restore_in_every_step() {
+    let (mut plain, mut restored) = (filling_pit(), filling_pit());
+    for step in 0..500 {
+        play(&mut plain, step);
+        play(&mut restored, step);
+        assert_eq!(plain.events(), restored.events(), "step {step}");
+        assert!(plain.snapshot() == restored.snapshot(), "step {step}");
+        let mut next = simulator(1.0);
+        next.restore(&restored.snapshot()).unwrap();
+        restored = next;
+    }
+    assert!(plain.arbiter_count() > 20);
+}
+
+#[test]
+fn a_clone_goes_on_with_the_same_bits() {
+    let mut plain = filling_pit();
+    let mut cloned = filling_pit();
+    for step in 0..400 {
+        play(&mut plain, step);
+        play(&mut cloned, step);
+        cloned = cloned.clone();
+    }
+    assert!(plain.snapshot() == cloned.snapshot());
+}
+
+#[test]
+fn json_keeps_every_bit() {
+    let mut plain = filling_pit();
+    (0..200).for_each(|step| play(&mut plain, step));
+    let text = serde_json::to_string(&plain).unwrap();
+    let mut read: PhysicsSimulator = serde_json::from_str(&text).unwrap();
+    for step in 200..260 {
+        play(&mut plain, step);
+        play(&mut read, step);
+    }
+    assert!(plain.snapshot() == read.snapshot());
+}
+
+#[test]
+fn methods_may_change_in_the_middle_of_a_run() {
+    let mut simulator = filling_pit();
+    simulator.set_methods(Methods::default()).unwrap();
+    (0..20).for_each(|number| throw_in(&mut simulator, number));
+    for round in 0..6 {
+        let is_precise = round % 2 == 0;
+        let narrow = NarrowPhaseCollider::DistanceGrid;
+        let faithful = Methods::Faithful { broad: BroadPhaseCollider::SpatialHash { cell_size: 50.0, auto_adjust_cell_size: true }, narrow };
+        simulator.set_methods(if is_precise { Methods::PRECISE } else { faithful }).unwrap();
+        (0..60).for_each(|_| simulator.update(DT));
+        let is_inside = |position: farseer_core::math::Vector2| position.x.abs() < 100.0 && position.y < 5.0;
+        for &body in simulator.body_list() {
+            assert!(is_inside(simulator[body].position()) || simulator[body].is_static(), "round {round}");
+        }
+    }
+    assert!(simulator.arbiter_count() > 10);
+}
+
+#[test]
+fn a_length_that_is_no_length_is_refused() {
+    let mut simulator = simulator(320.0);
+    for length_unit in [0.0, -1.0, f32::NAN, f32::INFINITY] {
+        assert!(simulator.set_methods(Methods::Precise { length_unit }).is_err(), "{length_unit}");
+    }
+    assert_eq!(simulator.methods(), Methods::default());
+}
