@@ -155,6 +155,9 @@ impl Objects {
     /// Lets the box of a geom be that of a disc about the geom's origin instead of that of its outline, or again that of
     /// the outline: for engines that collide true circles, which reach beyond a polygon of as many corners.
     ///
+    /// The radius is the engine's, and need not be that of the [outline](crate::GeomRef::outline): any polygon may be the
+    /// picture of a ball, and a circle may be that of a cylinder.
+    ///
     /// # Errors
     /// A stale geom; a radius that is not finite and greater than 0, or with which the box would not be finite.
     pub fn set_box_radius(&mut self, geom: GeomId, radius: Option<f32>) -> Result<()> {
