@@ -78,6 +78,10 @@ impl Methods {
         }
     }
 
+    pub(crate) fn is_precise(self) -> bool {
+        matches!(self, Methods::Precise { .. })
+    }
+
     pub(crate) fn check_joints(self) -> Result<()> {
         match self {
             Methods::Faithful { .. } => Ok(()),

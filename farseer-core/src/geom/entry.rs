@@ -117,12 +117,7 @@ impl GeomPose {
     #[inline]
     pub(crate) fn of_body(position: Vector2, rotation: f32, offset: Vector2, rotation_offset: f32) -> Self {
         let angle = rotation + rotation_offset;
-        GeomPose::turned(position, angle, scalar::sin_cos(angle), offset)
-    }
-
-    /// Of an angle with its sine and cosine.
-    #[inline]
-    fn turned(position: Vector2, angle: f32, (s, c): (f32, f32), offset: Vector2) -> Self {
+        let (s, c) = scalar::sin_cos(angle);
         let mut matrix = PlaneMatrix { m11: c, m12: s, m21: -s, m22: c, m41: 0.0, m42: 0.0 };
         let offset = matrix.apply(offset);
         matrix.m41 = position.x + offset.x;
@@ -278,20 +273,7 @@ impl GeomEntry {
 
     /// Follows the body: matrix, world vertices and box.
     pub(crate) fn follow(&mut self, position: Vector2, rotation: f32) {
-        self.take_pose(GeomPose::of_body(position, rotation, self.offset, self.rotation_offset));
-    }
-
-    /// As [`follow`](Self::follow), of a body whose sine and cosine are known.
-    pub(crate) fn follow_turned(&mut self, position: Vector2, rotation: f32, turn: (f32, f32)) {
-        if self.rotation_offset == 0.0 {
-            self.take_pose(GeomPose::turned(position, rotation, turn, self.offset));
-        } else {
-            self.follow(position, rotation);
-        }
-    }
-
-    fn take_pose(&mut self, pose: GeomPose) {
-        self.pose = pose;
+        self.pose = GeomPose::of_body(position, rotation, self.offset, self.rotation_offset);
         self.user_matrix = None;
         self.refresh_is_due = false;
         self.refresh();

@@ -34,31 +34,16 @@ impl Objects {
     pub(crate) fn settle_body(&mut self, body: BodyId) {
         let Some(entry) = self.bodies.get(body) else { return };
         if entry.pending_pose().is_some() {
+            // With the precise set geoms are behind without anybody having moved them.
+            let was_moved = entry.body.pose_is_dirty || !self.methods.is_precise();
             match self.let_geoms_follow(body, true) {
+                Followed::Yes if !was_moved => {}
                 Followed::Yes => self.pending.push(Notice::BodyUpdated { body }),
                 Followed::PutBack { disabled } => {
                     self.pending.push(Notice::NotFinite { body, disabled });
                 }
             }
         }
-    }
-
-    /// Moves all geoms of a body to its pose, whose sine and cosine are known.
-    pub(crate) fn let_geoms_follow_turned(&mut self, body: BodyId, turn: (f32, f32)) -> Followed {
-        let entry = &mut self.bodies[body];
-        entry.body.pose_is_dirty = false;
-        let pose = entry.body.pose();
-        let mut are_finite = true;
-        for &geom in &entry.geoms {
-            let geom = &mut self.geoms[geom];
-            geom.follow_turned(pose.position, pose.rotation, turn);
-            are_finite &= geom.place_is_finite();
-        }
-        if !are_finite {
-            return self.let_geoms_follow(body, true);
-        }
-        entry.followed = pose;
-        Followed::Yes
     }
 
     /// Moves the geoms of a body to its pose. Those that are there already stay, unless `all` are to be refreshed.

@@ -13,6 +13,9 @@ use crate::math::Vector2;
 use crate::objects::Objects;
 use crate::report::{Event, Report};
 
+/// Coordinates end where this many times them are not finite any more.
+const FAR: f32 = 1e8;
+
 impl Precise {
     /// Second stage: pairs whose bounds do not overlap any more go. Answers how many new ones there may be: those that
     /// [`candidate`](Self::candidate) names, in the order of creation numbers.
@@ -173,7 +176,8 @@ impl Precise {
     fn is_finite(&self) -> bool {
         let sum = (1..=self.bodies.count).fold(wide::f32x4::ZERO, |sum, number| {
             let (pose, path) = (self.bodies.poses[number], self.bodies.path[number]);
-            let place = wide::f32x4::new(pose) + wide::f32x4::new(path);
+            // Corners are not far from their body: what is left of the numbers is enough for them.
+            let place = (wide::f32x4::new(pose) + wide::f32x4::new(path)) * wide::f32x4::splat(FAR);
             sum + (place + wide::f32x4::new(self.bodies.hot[number].velocity)) * wide::f32x4::ZERO
         });
         sum.to_array() == [0.0; 4]
@@ -184,7 +188,7 @@ impl Precise {
         let is_finite = |number: usize| {
             let (pose, path) = (self.bodies.poses[number], self.bodies.path[number]);
             let velocity = self.bodies.hot[number].velocity;
-            (0..3).all(|i| velocity[i].is_finite() && (path[i] + if i < 2 { pose[i] } else { 0.0 }).is_finite())
+            (0..3).all(|i| velocity[i].is_finite() && ((path[i] + if i < 2 { pose[i] } else { 0.0 }) * FAR).is_finite())
         };
         let lost: Vec<usize> = (1..=self.bodies.count).filter(|&number| !is_finite(number)).collect();
         let speed = |number: usize| {
@@ -225,10 +229,9 @@ impl Precise {
         self.bodies.count
     }
 
-    /// A body, whether it has moved, and sine and cosine of where it is now.
-    pub(crate) fn moved(&self, number: usize) -> Option<(BodyId, bool, (f32, f32))> {
-        let ([_, _, c, s], path) = (self.bodies.poses[number], self.bodies.path[number]);
-        Some((self.bodies.ids[number]?, path != [0.0; 4], (s, c)))
+    /// A body, and whether it has moved.
+    pub(crate) fn moved(&self, number: usize) -> Option<(BodyId, bool)> {
+        Some((self.bodies.ids[number]?, self.bodies.path[number] != [0.0; 4]))
     }
 
     /// Fifth stage: velocities and ways.

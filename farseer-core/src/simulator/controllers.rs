@@ -118,7 +118,12 @@ impl PhysicsSimulator {
         submerged: &mut Vertices,
         handler: &mut Handler<'_>,
     ) -> Found {
-        let Some(geom) = self.objects.geoms.get(geom) else { return Found::Dry };
+        let Some(body) = self.objects.body_of(geom) else { return Found::Dry };
+        if self.objects.methods.is_precise() {
+            // Its geoms follow when somebody looks.
+            self.objects.settle_body(body);
+        }
+        let geom = &self.objects.geoms[geom];
         match container {
             FluidContainerRef::Aabb(mut container) => collect_submerged(&mut container, geom, submerged),
             FluidContainerRef::Wave(wave) => {

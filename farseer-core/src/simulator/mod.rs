@@ -19,6 +19,7 @@ use std::ops::{Deref, DerefMut};
 
 use serde::{Deserialize, Serialize};
 
+use crate::body::BodyId;
 use crate::contacts::arbiter::ArbiterList;
 use crate::geom::surface::FrictionType;
 use crate::math::Vector2;
@@ -282,7 +283,10 @@ impl PhysicsSimulator {
         if self.pipeline.precise.is_none() && !self.geom_list().is_empty() {
             return Err(Error::GeomListNotEmpty);
         }
-        self.pipeline.precise = None;
+        if self.pipeline.precise.take().is_some() {
+            let bodies: Vec<BodyId> = self.objects.bodies().collect();
+            bodies.into_iter().for_each(|body| self.objects.settle_body(body));
+        }
         self.pipeline.broad_phase = BroadPhase::new(broad);
         for &geom in self.objects.geoms.list() {
             self.pipeline.broad_phase.add(geom, &self.objects.geoms);

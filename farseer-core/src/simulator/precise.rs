@@ -5,7 +5,6 @@ use super::{EventHandler, PhysicsSimulator};
 use crate::contacts::contact::Contact;
 use crate::geom::GeomId;
 use crate::geom::filter::Filter;
-use crate::objects::Followed;
 use crate::precise::{Precise, Step};
 use crate::report::{Event, Stopwatch};
 
@@ -169,24 +168,18 @@ impl PhysicsSimulator {
         is_accepted && !contacts.is_empty()
     }
 
-    /// Bodies are where the step has brought them; geoms follow.
+    /// Bodies are where the step has brought them. Their geoms follow when somebody looks at them: nothing here does.
     fn write_precise(&mut self, handler: &mut Handler<'_>) {
         let PhysicsSimulator { objects, pipeline, report, .. } = self;
         let Some(precise) = &mut pipeline.precise else { return };
         precise.write_bodies(objects, report);
         for number in 1..=precise.body_count() {
-            let Some((body, true, turn)) = precise.moved(number) else { continue };
+            let Some((body, true)) = precise.moved(number) else { continue };
             if objects.bodies.get(body).is_none() {
                 continue;
             }
             report.counters.bodies_moved += 1;
-            match objects.let_geoms_follow_turned(body, turn) {
-                Followed::Yes => report.push(Event::BodyUpdated { body }),
-                Followed::PutBack { disabled } => {
-                    precise.note_change();
-                    report.push(Event::NotFinite { body, disabled });
-                }
-            }
+            report.push(Event::BodyUpdated { body });
         }
         precise.follow();
         if handler.get().is_some() {
@@ -196,7 +189,7 @@ impl PhysicsSimulator {
 
     fn tell_bodies_moved(&mut self, handler: &mut Handler<'_>) {
         for number in 1..=self.precise().body_count() {
-            if let Some((body, true, _)) = self.precise().moved(number)
+            if let Some((body, true)) = self.precise().moved(number)
                 && self.objects.bodies.get(body).is_some_and(|entry| entry.body.enabled())
             {
                 self.tell(handler, |handler, context| handler.on_body_updated(context, body));

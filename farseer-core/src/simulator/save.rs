@@ -86,7 +86,7 @@ impl PhysicsSimulator {
         if !self.pipeline.broad_phase.is_valid(self.objects.methods.broad(), &self.objects.geoms) {
             return damaged("the broad phase names what is not there");
         }
-        let is_precise = matches!(self.objects.methods, crate::Methods::Precise { .. });
+        let is_precise = self.objects.methods.is_precise();
         if !self.pipeline.precise.as_ref().map_or(!is_precise, |precise| is_precise && precise.is_valid()) {
             return damaged("the precise set is not what the methods say, or not finite");
         }

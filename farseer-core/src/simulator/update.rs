@@ -131,7 +131,9 @@ impl PhysicsSimulator {
             return false;
         }
         self.process_all_queues(handler);
-        self.contacts.prepare_for_broad_phase_collision(&mut self.objects.geoms);
+        if self.pipeline.precise.is_none() {
+            self.contacts.prepare_for_broad_phase_collision(&mut self.objects.geoms);
+        }
         dt != 0.0 && self.settings.enabled
     }
 

@@ -86,8 +86,8 @@ fn methods_may_change_in_the_middle_of_a_run() {
     (0..20).for_each(|number| throw_in(&mut simulator, number));
     for round in 0..6 {
         let is_precise = round % 2 == 0;
-        let narrow = NarrowPhaseCollider::DistanceGrid;
-        let faithful = Methods::Faithful { broad: BroadPhaseCollider::SpatialHash { cell_size: 50.0, auto_adjust_cell_size: true }, narrow };
+        let (broad, narrow) = (BroadPhaseCollider::SPATIAL_HASH, NarrowPhaseCollider::Sat);
+        let faithful = Methods::Faithful { broad, narrow };
         simulator.set_methods(if is_precise { Methods::PRECISE } else { faithful }).unwrap();
         (0..60).for_each(|_| simulator.update(DT));
         let is_inside = |position: farseer_core::math::Vector2| position.x.abs() < 100.0 && position.y < 5.0;
