@@ -4,13 +4,16 @@ use wide::f32x4;
 
 use super::bodies::{Bodies, Hot};
 use super::proxies::Proxies;
-use super::rows::{Palette, Row};
+use super::rows::{Palette, Point, Row};
 use super::tuning::{Step, Tuning};
 use crate::math::lanes::{gather, select, sin_cos};
 
 /// A body that no row pushes is trusted to move evenly if its velocity has changed by less than this many times what its
 /// forces give.
 const EVENLY: f32 = 2.0;
+
+/// A bounce is straight if its points differ by no more than this part.
+const STRAIGHT: f32 = 1e-3;
 
 /// A substep begins: the impulses so far and the forces act.
 ///
@@ -74,27 +77,103 @@ pub(super) fn even_out(bodies: &mut Bodies, palette: &Palette, step: &Step) {
     }
 }
 
-/// A bounce of two that touch nothing else: in this step they stand still against each other along the normal, so that a
-/// step with restitution 1 is the mirror image of itself and no energy is won or lost over ten thousand of them.
-pub(super) fn stand_still<const P: usize>(bodies: &mut Bodies, hot: &[Hot], palette: &Palette, dt: f32, row: &Row<P>, lanes: u32) {
+/// A bounce of two that touch nothing else, in closed form where it turns neither: they fly until they meet, and leave each
+/// other for the rest of the step. What turns them stands still along the normal for this step instead: then a step with
+/// restitution 1 is the mirror image of itself. Either way no energy is won or lost over ten thousand steps.
+pub(super) fn leave<const P: usize>(
+    bodies: &mut Bodies,
+    hot: &mut [Hot],
+    palette: &Palette,
+    step: &Step,
+    row: &Row<P>,
+    lanes: u32,
+) {
     for lane in (0..4).filter(|lane| lanes >> lane & 1 == 1) {
-        let (a, b) = (row.a[lane] as usize, row.b[lane] as usize);
-        if !palette.is_single(b) || (a != 0 && !palette.is_single(a)) {
-            continue;
+        let bodies_of = [row.a[lane] as usize, row.b[lane] as usize];
+        if bodies_of.into_iter().all(|body| body == 0 || palette.is_single(body)) {
+            leave_one(bodies, hot, step, row, lane);
         }
-        let half = f32x4::splat(0.5 * dt);
-        let way = |body: usize| (f32x4::new(bodies.before[body]) + f32x4::new(hot[body].velocity)) * half;
-        let (way_a, way_b) = (if a == 0 { f32x4::ZERO } else { way(a) }, way(b));
-        let [x, y, ..] = (way_b - way_a).to_array();
-        let of = |lanes: f32x4| lanes.to_array()[lane];
-        let (nx, ny) = (of(row.normal_x), of(row.normal_y));
-        let (mass_a, mass_b) = (of(row.inverse_mass_a), of(row.inverse_mass_b));
-        let impulse = -(x * nx + y * ny) / (mass_a + mass_b);
-        let along = |amount: f32| f32x4::new([amount * nx, amount * ny, 0.0, 0.0]);
-        bodies.path[b] = (way_b + along(mass_b * impulse)).to_array();
-        if a != 0 {
-            bodies.path[a] = (way_a - along(mass_a * impulse)).to_array();
+    }
+}
+
+fn leave_one<const P: usize>(bodies: &mut Bodies, hot: &mut [Hot], step: &Step, row: &Row<P>, lane: usize) {
+    let [a, b] = [row.a[lane] as usize, row.b[lane] as usize];
+    let of = |lanes: &f32x4| lanes.as_array()[lane];
+    let (mass_a, mass_b) = (of(&row.inverse_mass_a), of(&row.inverse_mass_b));
+    let normal = f32x4::new([of(&row.normal_x), of(&row.normal_y), 0.0, 0.0]);
+    let along = |change: f32x4| {
+        let [x, y, ..] = (change * normal).to_array();
+        x + y
+    };
+    // Moves both against each other along the normal, by their masses.
+    let share = |amount: f32| {
+        let amount = normal * f32x4::splat(amount / (mass_a + mass_b));
+        (amount * f32x4::splat(-mass_a), amount * f32x4::splat(mass_b))
+    };
+    let half = f32x4::splat(0.5 * step.dt);
+    let way = |body: usize| (f32x4::new(bodies.before[body]) + f32x4::new(hot[body].velocity)) * half;
+    let (way_a, way_b) = (if a == 0 { f32x4::ZERO } else { way(a) }, way(b));
+    let push = |body: usize| f32x4::new(bodies.push[body]) * f32x4::splat(1.0 / step.h);
+    let flight = Flight {
+        gap: of(&row.gap[0]),
+        approach: of(&row.approach[0]),
+        acceleration: along(push(b) - push(a)),
+        restitution: of(&row.restitution),
+    };
+    let bounced = if is_straight(row, lane) { flight.bounce(step.dt) } else { None };
+    let (change_a, change_b) = share(bounced.map_or(0.0, |(way, _)| way) - along(way_b - way_a));
+    bodies.path[a] = (way_a + change_a).to_array();
+    bodies.path[b] = (way_b + change_b).to_array();
+    if let Some((_, velocity)) = bounced {
+        let [now_a, now_b] = [a, b].map(|body| f32x4::new(hot[body].velocity));
+        let (change_a, change_b) = share(velocity - along(now_b - now_a));
+        hot[a].velocity = (now_a + change_a).to_array();
+        hot[b].velocity = (now_b + change_b).to_array();
+    }
+}
+
+/// Whether equal impulses on all points of a row turn neither of the two, and all points meet at once.
+fn is_straight<const P: usize>(row: &Row<P>, lane: usize) -> bool {
+    let of = |lanes: &f32x4| lanes.as_array()[lane];
+    let sum = |of_point: fn(&Point) -> &f32x4| row.points.iter().map(|point| of(of_point(point))).sum::<f32>();
+    let (arm_a, arm_b) = (sum(|point| &point.arm_a), sum(|point| &point.arm_b));
+    let turning = of(&row.inverse_inertia_a) * arm_a * arm_a + of(&row.inverse_inertia_b) * arm_b * arm_b;
+    let moving = of(&row.inverse_mass_a) + of(&row.inverse_mass_b);
+    let approach = of(&row.approach[0]);
+    let is_like = |other: &f32x4| (of(other) - approach).abs() <= STRAIGHT * approach.abs();
+    turning <= STRAIGHT * STRAIGHT * moving
+        && row.points.iter().all(|point| of(&point.mass) > 0.0)
+        && row.approach.iter().all(is_like)
+}
+
+/// Two that come together along their normal, as it is when the step begins.
+struct Flight {
+    gap: f32,
+    approach: f32,
+    acceleration: f32,
+    restitution: f32,
+}
+
+impl Flight {
+    /// The way along the normal in the step, and the velocity after it. Nothing if they meet again in the step, or have
+    /// overlapped for longer than a step: what comes fast is noticed only once it has come too far, and then leaves from when
+    /// it met.
+    ///
+    /// With gap s, velocity u and acceleration a they meet where s + u t + a t^2 / 2 = 0: at t = 2 s / (w - u), with
+    /// w^2 = u^2 - 2 a s the square of the speed at which they do.
+    fn bounce(&self, dt: f32) -> Option<(f32, f32)> {
+        let Flight { gap, approach, acceleration, restitution } = *self;
+        let squared = approach * approach - 2.0 * acceleration * gap;
+        if !(approach < 0.0 && squared > 0.0) {
+            return None;
         }
+        let speed = squared.sqrt();
+        let met = 2.0 * gap / (speed - approach);
+        let rest = dt - met;
+        let leaving = restitution * speed;
+        let gap_after = rest * (leaving + 0.5 * acceleration * rest);
+        (met >= -dt && rest >= 0.0 && gap_after >= 0.0)
+            .then_some((gap_after - gap, leaving + acceleration * rest))
     }
 }
 

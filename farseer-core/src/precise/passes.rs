@@ -254,8 +254,20 @@ pub(super) fn note_approach<const FIXED: bool, const P: usize>(rows: &mut Colour
         let sides = velocities::<FIXED, P>(row, hot);
         let along = sides.along_normal::<FIXED, P>(row);
         for at in 0..P {
-            let Point { arm_a, arm_b, .. } = row.points[at];
+            let Point { arm_a, arm_b, separation, .. } = row.points[at];
             row.approach[at] = along + sides.turning::<FIXED>(arm_a, arm_b);
+            row.gap[at] = separation;
+            row.has_pushed[at] = ZERO;
+        }
+    });
+}
+
+/// Notes which points push: at the end of the step one that has separated two may have no impulse any more.
+#[inline(always)]
+pub(super) fn note_push<const P: usize>(rows: &mut Colours<P>) {
+    rows.for_each(|row| {
+        for at in 0..P {
+            row.has_pushed[at] = row.has_pushed[at] | row.points[at].impulse.simd_gt(ZERO);
         }
     });
 }
@@ -267,12 +279,12 @@ pub(super) fn bounce<const FIXED: bool, const P: usize>(
     rows: &mut Colours<P>,
     hot: &mut [Hot],
     threshold: f32,
-    mut bounced: impl FnMut(&Row<P>, u32, &[Hot]),
+    mut bounced: impl FnMut(&Row<P>, u32, &mut [Hot]),
 ) {
     let threshold = f32x4::splat(-threshold);
     rows.for_each(|row| {
         let restitution = std::array::from_fn::<f32x4, P, _>(|at| {
-            let is_due = threshold.simd_gt(row.approach[at]) & row.points[at].impulse.simd_gt(ZERO);
+            let is_due = threshold.simd_gt(row.approach[at]) & row.has_pushed[at];
             row.restitution & is_due
         });
         let due = restitution.iter().fold(0, |due, e| due | e.simd_gt(ZERO).to_bitmask());

@@ -45,8 +45,11 @@ pub(super) struct Row<const P: usize> {
     /// Speed of B against A along the tangent that friction aims at: belts.
     pub(super) tangent_speed: f32x4,
     pub(super) restitution: f32x4,
-    /// Velocities along the normal when the step began.
+    /// Velocities along the normal and separations when the step began, and whether a point has pushed since: what
+    /// restitution asks for.
     pub(super) approach: [f32x4; P],
+    pub(super) gap: [f32x4; P],
+    pub(super) has_pushed: [f32x4; P],
     pub(super) points: [Point; P],
 }
 
@@ -70,6 +73,8 @@ impl<const P: usize> Default for Row<P> {
             tangent_speed: f32x4::ZERO,
             restitution: f32x4::ZERO,
             approach: [f32x4::ZERO; P],
+            gap: [f32x4::ZERO; P],
+            has_pushed: [f32x4::ZERO; P],
             points: [Point::default(); P],
         }
     }

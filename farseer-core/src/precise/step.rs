@@ -3,8 +3,8 @@
 use super::Precise;
 use super::bodies::read;
 use super::grid::overlap;
-use super::moving::{begin_substep, displace, even_out, fly, follow, renew_poses, stand_still};
-use super::passes::{bounce, gather_warm, note_approach, relax, renew_circles, solve_soft};
+use super::moving::{begin_substep, displace, even_out, fly, follow, leave, renew_poses};
+use super::passes::{bounce, gather_warm, note_approach, note_push, relax, renew_circles, solve_soft};
 use super::rows::Kind;
 pub(crate) use super::tuning::Step;
 use crate::body::BodyId;
@@ -250,6 +250,9 @@ impl Precise {
         for substep in 0..step.substeps {
             begin_substep(&mut self.bodies, substep == 0);
             self.solve_soft(step);
+            if self.bounces {
+                self.note_pushes();
+            }
             displace(&mut self.bodies, step.h, substep == 0);
             self.relax(step);
         }
@@ -284,6 +287,13 @@ impl Precise {
         note_approach::<true, 1>(&mut self.rows.one_fixed, hot);
     }
 
+    fn note_pushes(&mut self) {
+        note_push(&mut self.rows.two);
+        note_push(&mut self.rows.one);
+        note_push(&mut self.rows.two_fixed);
+        note_push(&mut self.rows.one_fixed);
+    }
+
     fn gather_warm(&mut self, step: &Step) {
         let (warm, hot) = (&mut self.bodies.warm, &self.bodies.hot);
         warm.fill([0.0; 4]);
@@ -310,13 +320,13 @@ impl Precise {
     }
 
     fn bounce(&mut self, step: &Step) {
-        let (threshold, dt) = (self.tuning.bounce, step.dt);
+        let threshold = self.tuning.bounce;
         let Precise { rows, bodies, palette, .. } = self;
         let mut hot = std::mem::take(&mut bodies.hot);
         macro_rules! bounce_all {
             ($fixed:literal, $points:literal, $rows:expr) => {
                 bounce::<$fixed, $points>($rows, &mut hot, threshold, |row, lanes, hot| {
-                    stand_still(bodies, hot, palette, dt, row, lanes)
+                    leave(bodies, hot, palette, step, row, lanes)
                 })
             };
         }
