@@ -24,17 +24,18 @@ struct Cell {
     y: i32,
 }
 
-/// What is entered at a place in the grid.
+/// What is entered at a place in the grid: all that a search looks at, side by side.
 #[derive(Debug, Clone, Copy)]
 struct Entry {
-    cell: Option<Cell>,
+    bounds: Box2,
     next: u32,
     previous: u32,
+    cell: Option<Cell>,
 }
 
 impl Default for Entry {
     fn default() -> Self {
-        Entry { cell: None, next: NONE, previous: NONE }
+        Entry { bounds: [0.0; 4], next: NONE, previous: NONE, cell: None }
     }
 }
 
@@ -100,13 +101,15 @@ impl Grid {
         let inverse = 1.0 / cell_size(level);
         let middle = |axis: usize| 0.5 * bounds[axis] + 0.5 * bounds[axis + 2];
         let cell = Cell { level, x: number(middle(0), inverse), y: number(middle(1), inverse) };
-        if self.entries[number_of_box as usize].cell == Some(cell) {
+        let entry = &mut self.entries[number_of_box as usize];
+        entry.bounds = *bounds;
+        if entry.cell == Some(cell) {
             return;
         }
         self.take_out(number_of_box);
         let bucket = self.bucket(cell);
         let next = std::mem::replace(&mut self.heads[bucket], number_of_box);
-        self.entries[number_of_box as usize] = Entry { cell: Some(cell), next, previous: NONE };
+        self.entries[number_of_box as usize] = Entry { bounds: *bounds, next, previous: NONE, cell: Some(cell) };
         if next != NONE {
             self.entries[next as usize].previous = number_of_box;
         }
@@ -115,7 +118,7 @@ impl Grid {
     }
 
     fn take_out(&mut self, number_of_box: u32) {
-        let Entry { cell: Some(cell), next, previous } = self.entries[number_of_box as usize] else { return };
+        let Entry { cell: Some(cell), next, previous, .. } = self.entries[number_of_box as usize] else { return };
         if previous == NONE {
             let bucket = self.bucket(cell);
             self.heads[bucket] = next;
@@ -133,9 +136,9 @@ impl Grid {
         self.entries[number_of_box as usize].cell = None;
     }
 
-    /// Calls for every box that may overlap this one, itself included, once for each. In no order.
+    /// Calls for every box that overlaps this one, itself included: in no order, and for some of them twice.
     #[inline(always)]
-    pub(super) fn for_each_near(&self, bounds: &Box2, mut found: impl FnMut(u32)) {
+    pub(super) fn for_each_overlap(&self, bounds: &Box2, mut found: impl FnMut(u32)) {
         let mut used = self.used;
         while used != 0 {
             let level = used.trailing_zeros() as u8;
@@ -148,23 +151,24 @@ impl Grid {
             let span = |axis: usize| i64::from(high[axis]) - i64::from(low[axis]) + 1;
             let is_last = i32::from(level) == LEVELS - 1;
             if is_last || span(0).saturating_mul(span(1)) > self.entries.len() as i64 + 16 {
-                self.for_each_of_level(level, &mut found);
+                self.for_each_of_level(level, bounds, &mut found);
                 continue;
             }
             for y in low[1]..=high[1] {
                 for x in low[0]..=high[0] {
-                    self.for_each_in(Cell { level, x, y }, &mut found);
+                    self.for_each_in(Cell { level, x, y }, bounds, &mut found);
                 }
             }
         }
     }
 
+    /// What other cells have entered in the same bucket is looked at as well: that costs less than to tell them apart.
     #[inline(always)]
-    fn for_each_in(&self, cell: Cell, found: &mut impl FnMut(u32)) {
+    fn for_each_in(&self, cell: Cell, bounds: &Box2, found: &mut impl FnMut(u32)) {
         let mut at = self.heads[self.bucket(cell)];
         while at != NONE {
             let entry = &self.entries[at as usize];
-            if entry.cell == Some(cell) {
+            if overlap(&entry.bounds, bounds) {
                 found(at);
             }
             at = entry.next;
@@ -173,9 +177,9 @@ impl Grid {
 
     /// For a box that covers more cells than there are boxes.
     #[cold]
-    fn for_each_of_level(&self, level: u8, found: &mut impl FnMut(u32)) {
+    fn for_each_of_level(&self, level: u8, bounds: &Box2, found: &mut impl FnMut(u32)) {
         for (at, entry) in self.entries.iter().enumerate() {
-            if entry.cell.is_some_and(|cell| cell.level == level) {
+            if entry.cell.is_some_and(|cell| cell.level == level) && overlap(&entry.bounds, bounds) {
                 found(at as u32);
             }
         }
@@ -184,7 +188,7 @@ impl Grid {
 
 #[cfg(test)]
 mod tests {
-    use super::{Box2, Grid, level_of, cell_size, overlap};
+    use super::{Box2, Grid, cell_size, level_of, overlap};
 
     /// Boxes from tiny to huge, near and far.
     fn boxes() -> Vec<Box2> {
@@ -205,16 +209,16 @@ mod tests {
     }
 
     #[test]
-    fn every_overlapping_box_is_found_once() {
+    fn every_overlapping_box_is_found_and_no_other() {
         let boxes = boxes();
         let mut grid = Grid::default();
         grid.reset(boxes.len());
         boxes.iter().enumerate().for_each(|(i, bounds)| grid.set(i as u32, bounds));
         for bounds in &boxes {
             let mut found = Vec::new();
-            grid.for_each_near(bounds, |other| found.push(other as usize));
-            found.retain(|&other| overlap(bounds, &boxes[other]));
+            grid.for_each_overlap(bounds, |other| found.push(other as usize));
             found.sort_unstable();
+            found.dedup();
             let expected: Vec<usize> = (0..boxes.len()).filter(|&other| overlap(bounds, &boxes[other])).collect();
             assert_eq!(found, expected, "of {bounds:?}");
         }

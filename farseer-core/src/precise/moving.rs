@@ -120,7 +120,9 @@ fn leave_one<const P: usize>(bodies: &mut Bodies, hot: &mut [Hot], step: &Step, 
         acceleration: along(push(b) - push(a)),
         restitution: of(&row.restitution),
     };
-    let bounced = if is_straight(row, lane) { flight.bounce(step.dt) } else { None };
+    // Two that can both be pushed may have pushed others since they met.
+    let has_just_met = a == 0 || flight.gap >= 0.0;
+    let bounced = if has_just_met && is_straight(row, lane) { flight.bounce(step.dt) } else { None };
     let (change_a, change_b) = share(bounced.map_or(0.0, |(way, _)| way) - along(way_b - way_a));
     bodies.path[a] = (way_a + change_a).to_array();
     bodies.path[b] = (way_b + change_b).to_array();

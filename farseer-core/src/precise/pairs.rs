@@ -43,6 +43,12 @@ pub(super) struct Pair {
     pub(super) responds: bool,
     /// A handler refused it in this update.
     pub(super) is_vetoed: bool,
+}
+
+/// A pair in the lists of its proxies: what walks along them looks at.
+#[derive(Debug, Clone, Copy)]
+struct Links {
+    proxies: [u32; 2],
     next: [u32; 2],
     previous: [u32; 2],
 }
@@ -53,6 +59,7 @@ pub(super) struct Pairs {
     pub(super) watched: Vec<Watch>,
     pub(super) all: Vec<Pair>,
     pub(super) frozen: Vec<Frozen>,
+    links: Vec<Links>,
     /// First link of each proxy's list: twice a pair's number, plus which side of it the proxy is.
     heads: Vec<u32>,
 }
@@ -63,6 +70,7 @@ impl Pairs {
         self.watched.clear();
         self.all.clear();
         self.frozen.clear();
+        self.links.clear();
         self.heads.clear();
         self.heads.resize(proxies, NONE);
     }
@@ -76,13 +84,13 @@ impl Pairs {
         let mut link = self.heads[proxy as usize];
         std::iter::from_fn(move || {
             let at = (link != NONE).then_some((link >> 1) as usize)?;
-            link = self.all[at].next[(link & 1) as usize];
+            link = self.links[at].next[(link & 1) as usize];
             Some(at)
         })
     }
 
     pub(super) fn contains(&self, [a, b]: [u32; 2]) -> bool {
-        self.of(b).any(|pair| self.watched[pair].proxies == [a, b])
+        self.of(b).any(|pair| self.links[pair].proxies == [a, b])
     }
 
     /// A new pair, which nothing is known of. B is in few pairs: it can be pushed.
@@ -90,9 +98,8 @@ impl Pairs {
         let at = self.all.len();
         self.watched.push(Watch { proxies, since: 0, tolerance: 0 });
         self.frozen.push(Frozen::default());
-        let links = [NONE; 2];
-        let (home, is_told, is_vetoed) = (None, false, false);
-        self.all.push(Pair { kind, home, is_told, responds, is_vetoed, next: links, previous: links });
+        self.links.push(Links { proxies, next: [NONE; 2], previous: [NONE; 2] });
+        self.all.push(Pair { kind, home: None, is_told: false, responds, is_vetoed: false });
         for side in 0..2 {
             self.link(at, side);
         }
@@ -109,29 +116,29 @@ impl Pairs {
         let head = &mut self.heads[self.watched[pair].proxies[side] as usize];
         let link = (pair * 2 + side) as u32;
         let next = std::mem::replace(head, link);
-        self.all[pair].next[side] = next;
-        self.all[pair].previous[side] = NONE;
+        self.links[pair].next[side] = next;
+        self.links[pair].previous[side] = NONE;
         if next != NONE {
-            self.all[(next >> 1) as usize].previous[(next & 1) as usize] = link;
+            self.links[(next >> 1) as usize].previous[(next & 1) as usize] = link;
         }
     }
 
     /// Lets the neighbours of a link in its list name another one instead.
     fn redirect(&mut self, pair: usize, side: usize, to_next: u32, to_previous: u32) {
-        let Pair { next, previous, .. } = self.all[pair];
+        let Links { proxies, next, previous } = self.links[pair];
         match previous[side] {
-            NONE => self.heads[self.watched[pair].proxies[side] as usize] = to_next,
-            link => self.all[(link >> 1) as usize].next[(link & 1) as usize] = to_next,
+            NONE => self.heads[proxies[side] as usize] = to_next,
+            link => self.links[(link >> 1) as usize].next[(link & 1) as usize] = to_next,
         }
         if next[side] != NONE {
-            self.all[(next[side] >> 1) as usize].previous[(next[side] & 1) as usize] = to_previous;
+            self.links[(next[side] >> 1) as usize].previous[(next[side] & 1) as usize] = to_previous;
         }
     }
 
     /// Takes a pair out; it has no row any more. The last one has its number from then on: answers its home.
     pub(super) fn remove(&mut self, pair: usize) -> Option<(Kind, Home)> {
         for side in 0..2 {
-            let Pair { next, previous, .. } = self.all[pair];
+            let Links { next, previous, .. } = self.links[pair];
             self.redirect(pair, side, next[side], previous[side]);
         }
         let last = self.all.len() - 1;
@@ -143,6 +150,7 @@ impl Pairs {
         }
         self.watched.swap_remove(pair);
         self.frozen.swap_remove(pair);
+        self.links.swap_remove(pair);
         self.all.swap_remove(pair);
         let moved = self.all.get(pair)?;
         Some((moved.kind, moved.home?))

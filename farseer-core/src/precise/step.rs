@@ -26,8 +26,8 @@ impl Precise {
         found.clear();
         for &proxy in &escaped {
             let bounds = self.proxies.bounds[proxy as usize];
-            self.grid.for_each_near(&bounds, |other| {
-                if other != proxy && overlap(&bounds, &self.proxies.bounds[other as usize]) {
+            self.grid.for_each_overlap(&bounds, |other| {
+                if other != proxy {
                     found.extend(self.ordered([proxy, other]).filter(|&pair| !self.pairs.contains(pair)));
                 }
             });
