@@ -639,16 +639,15 @@ impl Body {
         self.torque = 0.0;
     }
 
-    /// What the precise set reads before a step: the accelerations by forces, torque and gravity, which are forgotten then,
-    /// and by drag in proportion to the square of the velocity.
-    pub(crate) fn take_accelerations(&mut self, gravity: Vector2) -> (Vector2, f32) {
+    /// What the precise set reads before a step: the accelerations by forces and torque, which are forgotten then, and by drag
+    /// in proportion to the square of the velocity.
+    pub(crate) fn take_accelerations(&mut self) -> (Vector2, f32) {
         let mut force = std::mem::replace(&mut self.force, Vector2::zeros());
         if self.is_quadratic_drag_enabled {
             force -= self.linear_velocity * (length(self.linear_velocity) * self.quadratic_drag_coefficient);
         }
         let torque = std::mem::take(&mut self.torque);
-        let gravity = if self.ignore_gravity { Vector2::zeros() } else { gravity };
-        (gravity + force * self.inverse_mass, torque * self.inverse_moment_of_inertia)
+        (force * self.inverse_mass, torque * self.inverse_moment_of_inertia)
     }
 
     /// What part of its velocity and of its spin the body loses to drag in a second, at the spin it has.

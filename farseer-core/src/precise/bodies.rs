@@ -33,6 +33,8 @@ pub(super) struct Bodies {
     pub(super) before: Vec<[f32; 4]>,
     /// What forces add to the velocity in a substep.
     pub(super) push: Vec<[f32; 4]>,
+    /// What a spring's force must add to the way of a body that touches nothing: see [`read`].
+    pub(super) forced: Vec<[f32; 4]>,
     /// The way of the whole step.
     pub(super) path: Vec<[f32; 4]>,
     /// Reciprocals of mass and moment of inertia.
@@ -83,7 +85,7 @@ impl Bodies {
         fixed.for_each(|(id, body)| self.push(id, body, [0.0; 2]));
         self.hot.clear();
         self.hot.resize(padded, Hot::default());
-        for stream in [&mut self.warm, &mut self.begun, &mut self.before, &mut self.push, &mut self.path, &mut self.circles]
+        for stream in [&mut self.warm, &mut self.begun, &mut self.before, &mut self.push, &mut self.forced, &mut self.path, &mut self.circles]
         {
             stream.clear();
             stream.resize(padded, [0.0; 4]);
@@ -120,10 +122,16 @@ impl Bodies {
 /// Velocity, and what forces, gravity and drag add to it in every substep so that the whole step ends with the velocity that
 /// the exact law gives: with drag rate r, v' = a - r v ends at v E + a (1 - E) / r, E = exp(-r dt). Quadratic drag acts as it
 /// was when the step began.
-pub(super) fn read(body: &mut Body, gravity: Vector2, dt: f32, h: f32) -> ([f32; 4], [f32; 4]) {
+///
+/// Forces that a game or a spring has applied may depend on the place. A way by the middle of the velocities would be too
+/// short then: an undamped spring would swing up. Theirs is that of the velocity after the step, as in the faithful set,
+/// which keeps the swing (the symplectic Euler method); `forced` is the difference.
+pub(super) fn read(body: &mut Body, gravity: Vector2, dt: f32, h: f32) -> Read {
     body.apply_accumulated_impulse();
     let (velocity, spin) = (body.linear_velocity, body.angular_velocity);
-    let (acceleration, turning) = body.take_accelerations(gravity);
+    let (force, turning) = body.take_accelerations();
+    let gravity = if body.ignore_gravity() { Vector2::zeros() } else { gravity };
+    let acceleration = gravity + force;
     let change = |velocity: f32, acceleration: f32, rate: f32| {
         let (decay, grown) = decay(rate, dt);
         velocity * decay + acceleration * grown
@@ -136,7 +144,19 @@ pub(super) fn read(body: &mut Body, gravity: Vector2, dt: f32, h: f32) -> ([f32;
         change(spin, turning, rotational_drag) * parts,
         0.0,
     ];
-    ([velocity.x, velocity.y, spin, 0.0], push)
+    let half = 0.5 * dt * dt;
+    Read {
+        velocity: [velocity.x, velocity.y, spin, 0.0],
+        push,
+        forced: [force.x * half, force.y * half, turning * half, 0.0],
+    }
+}
+
+/// What is read of a body before a step.
+pub(super) struct Read {
+    pub(super) velocity: [f32; 4],
+    pub(super) push: [f32; 4],
+    pub(super) forced: [f32; 4],
 }
 
 /// exp(-r t) - 1 and (1 - exp(-r t)) / r. The exponential as the reciprocal of its series: positive and falling for every

@@ -47,8 +47,8 @@ pub(super) fn displace(bodies: &mut Bodies, h: f32, is_first: bool) {
 #[inline(always)]
 pub(super) fn fly(bodies: &mut Bodies, step: &Step) {
     let (h, half) = (f32x4::splat(step.h), f32x4::splat(0.5));
-    let Bodies { hot, push, path, .. } = bodies;
-    for ((hot, push), path) in hot.iter_mut().zip(push.iter()).zip(path) {
+    let Bodies { hot, push, forced, path, .. } = bodies;
+    for (((hot, push), forced), path) in hot.iter_mut().zip(push.iter()).zip(forced.iter()).zip(path) {
         let (mut velocity, push) = (f32x4::new(hot.velocity), f32x4::new(*push));
         let mut way = f32x4::ZERO;
         for _ in 0..step.substeps {
@@ -56,7 +56,7 @@ pub(super) fn fly(bodies: &mut Bodies, step: &Step) {
             way += (velocity + half * push) * h;
             velocity += push;
         }
-        (hot.velocity, *path) = (velocity.to_array(), way.to_array());
+        (hot.velocity, *path) = (velocity.to_array(), (way + f32x4::new(*forced)).to_array());
     }
 }
 
@@ -71,7 +71,10 @@ pub(super) fn even_out(bodies: &mut Bodies, palette: &Palette, step: &Step) {
         let [x, y, ..] = change.to_array();
         let [px, py, ..] = bodies.push[body];
         if x * x + y * y <= most * most * (px * px + py * py) {
-            let path = f32x4::new(bodies.path[body]) + change * f32x4::splat(back);
+            let mut path = f32x4::new(bodies.path[body]) + change * f32x4::splat(back);
+            if palette.is_free(body) {
+                path += f32x4::new(bodies.forced[body]);
+            }
             bodies.path[body] = path.to_array();
         }
     }

@@ -388,6 +388,12 @@ impl Palette {
         }
     }
 
+    /// Whether a body has no row, but for those of the last colour.
+    #[inline(always)]
+    pub(super) fn is_free(&self, body: usize) -> bool {
+        self.shared[body] | self.fixed[body] == 0
+    }
+
     /// Whether a body has one row at most, but for those of the last colour.
     #[inline(always)]
     pub(super) fn is_single(&self, body: usize) -> bool {

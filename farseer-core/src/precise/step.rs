@@ -1,7 +1,7 @@
 //! The stages of a step.
 
 use super::Precise;
-use super::bodies::read;
+use super::bodies::{Read, read};
 use super::grid::overlap;
 use super::moving::{begin_substep, displace, even_out, fly, follow, leave, renew_poses};
 use super::passes::{bounce, gather_warm, note_approach, note_push, relax, renew_circles, solve_soft};
@@ -137,7 +137,7 @@ impl Precise {
             else {
                 continue;
             };
-            let (velocity, push) = read(&mut entry.body, gravity, step.dt, step.h);
+            let Read { velocity, push, forced } = read(&mut entry.body, gravity, step.dt, step.h);
             let is_finite = (0..3).all(|i| (velocity[i] + push[i] * step.substeps as f32).is_finite());
             if !is_finite {
                 entry.body.set_enabled(false);
@@ -148,6 +148,7 @@ impl Precise {
             self.bodies.hot[number].velocity = or_rest(velocity);
             self.bodies.before[number] = or_rest(velocity);
             self.bodies.push[number] = or_rest(push);
+            self.bodies.forced[number] = or_rest(forced);
         }
     }
 
