@@ -51,13 +51,16 @@ pub(crate) fn sin_cos(angle: f32x4) -> (f32x4, f32x4) {
     let x = (angle - turned * f32x4::splat(HALF_PI_HIGH)) - turned * f32x4::splat(HALF_PI_LOW);
     let x2 = x * x;
     let c = |number: f32| f32x4::splat(number);
-    let sine = x
-        + x * x2 * (c(-1.0 / 6.0) + x2 * (c(1.0 / 120.0) + x2 * (c(-1.0 / 5040.0) + x2 * c(1.0 / 362_880.0))));
+    let sine = x + x
+        * x2
+        * (c(-1.0 / 6.0) + x2 * (c(1.0 / 120.0) + x2 * (c(-1.0 / 5040.0) + x2 * c(1.0 / 362_880.0))));
     let cosine = one
         + x2 * (c(-0.5)
-            + x2 * (c(1.0 / 24.0) + x2 * (c(-1.0 / 720.0) + x2 * (c(1.0 / 40320.0) + x2 * c(-1.0 / 3_628_800.0)))));
+            + x2 * (c(1.0 / 24.0)
+                + x2 * (c(-1.0 / 720.0) + x2 * (c(1.0 / 40320.0) + x2 * c(-1.0 / 3_628_800.0)))));
     let quarter = quarters.map(|quarter| quarter as i32 & 3);
-    let mask = |is_set: [bool; 4]| f32x4::new(is_set.map(|set| if set { f32::from_bits(u32::MAX) } else { 0.0 }));
+    let mask =
+        |is_set: [bool; 4]| f32x4::new(is_set.map(|set| if set { f32::from_bits(u32::MAX) } else { 0.0 }));
     let is_odd = mask(quarter.map(|quarter| quarter & 1 == 1));
     let sign = |is_set: [bool; 4]| f32x4::new(is_set.map(|set| if set { -0.0 } else { 0.0 }));
     let sine_sign = sign(quarter.map(|quarter| quarter & 2 == 2));

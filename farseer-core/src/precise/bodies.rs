@@ -7,8 +7,8 @@ use wide::f32x4;
 
 use super::vector::Pose;
 use crate::body::{Body, BodyId};
-use crate::math::lanes::sin_cos;
 use crate::math::Vector2;
+use crate::math::lanes::sin_cos;
 
 /// What all passes read and write of a body: velocity and spin, and how far it has gone in this substep.
 #[derive(Debug, Clone, Copy, Default)]
@@ -85,8 +85,15 @@ impl Bodies {
         fixed.for_each(|(id, body)| self.push(id, body, [0.0; 2]));
         self.hot.clear();
         self.hot.resize(padded, Hot::default());
-        for stream in [&mut self.warm, &mut self.begun, &mut self.before, &mut self.push, &mut self.forced, &mut self.path, &mut self.circles]
-        {
+        for stream in [
+            &mut self.warm,
+            &mut self.begun,
+            &mut self.before,
+            &mut self.push,
+            &mut self.forced,
+            &mut self.path,
+            &mut self.circles,
+        ] {
             stream.clear();
             stream.resize(padded, [0.0; 4]);
         }

@@ -109,7 +109,8 @@ impl Grid {
         self.take_out(number_of_box);
         let bucket = self.bucket(cell);
         let next = std::mem::replace(&mut self.heads[bucket], number_of_box);
-        self.entries[number_of_box as usize] = Entry { bounds: *bounds, next, previous: NONE, cell: Some(cell) };
+        self.entries[number_of_box as usize] =
+            Entry { bounds: *bounds, next, previous: NONE, cell: Some(cell) };
         if next != NONE {
             self.entries[next as usize].previous = number_of_box;
         }
@@ -118,7 +119,9 @@ impl Grid {
     }
 
     fn take_out(&mut self, number_of_box: u32) {
-        let Entry { cell: Some(cell), next, previous, .. } = self.entries[number_of_box as usize] else { return };
+        let Entry { cell: Some(cell), next, previous, .. } = self.entries[number_of_box as usize] else {
+            return;
+        };
         if previous == NONE {
             let bucket = self.bucket(cell);
             self.heads[bucket] = next;
@@ -219,7 +222,8 @@ mod tests {
             grid.for_each_overlap(bounds, |other| found.push(other as usize));
             found.sort_unstable();
             found.dedup();
-            let expected: Vec<usize> = (0..boxes.len()).filter(|&other| overlap(bounds, &boxes[other])).collect();
+            let expected: Vec<usize> =
+                (0..boxes.len()).filter(|&other| overlap(bounds, &boxes[other])).collect();
             assert_eq!(found, expected, "of {bounds:?}");
         }
     }

@@ -106,7 +106,8 @@ fn greatest_separation(a: Outline<'_>, b: Outline<'_>, at: Vector, q: Turn) -> (
     let (mut best, mut edge) = (f32::MIN, 0);
     for (i, (&point, &normal)) in a.points.iter().zip(a.normals).enumerate() {
         let normal_in_b = turn_back(q, normal);
-        let nearest = b.points.iter().map(|&v| dot(normal_in_b, v)).fold(f32::MAX, |a, b| if b < a { b } else { a });
+        let nearest =
+            b.points.iter().map(|&v| dot(normal_in_b, v)).fold(f32::MAX, |a, b| if b < a { b } else { a });
         let separation = nearest + dot(normal, difference(at, point));
         if separation > best {
             (best, edge) = (separation, i);

@@ -74,6 +74,8 @@ pub(crate) struct Precise {
     /// Empty between stages.
     lost: Vec<u32>,
     found: Vec<[u32; 2]>,
+    /// Which proxy's search has last known a proxy as a partner.
+    known: Vec<u32>,
 }
 
 impl Precise {
@@ -100,6 +102,7 @@ impl Precise {
             has_handled: false,
             lost: Vec::new(),
             found: Vec::new(),
+            known: Vec::new(),
         }
     }
 

@@ -140,7 +140,8 @@ fn leave_one<const P: usize>(bodies: &mut Bodies, hot: &mut [Hot], step: &Step, 
 /// Whether equal impulses on all points of a row turn neither of the two, and all points meet at once.
 fn is_straight<const P: usize>(row: &Row<P>, lane: usize) -> bool {
     let of = |lanes: &f32x4| lanes.as_array()[lane];
-    let sum = |of_point: fn(&Point) -> &f32x4| row.points.iter().map(|point| of(of_point(point))).sum::<f32>();
+    let sum =
+        |of_point: fn(&Point) -> &f32x4| row.points.iter().map(|point| of(of_point(point))).sum::<f32>();
     let (arm_a, arm_b) = (sum(|point| &point.arm_a), sum(|point| &point.arm_b));
     let turning = of(&row.inverse_inertia_a) * arm_a * arm_a + of(&row.inverse_inertia_b) * arm_b * arm_b;
     let moving = of(&row.inverse_mass_a) + of(&row.inverse_mass_b);
@@ -188,7 +189,9 @@ pub(super) fn renew_poses(bodies: &mut Bodies) {
     let count = bodies.hot.len();
     let Bodies { poses, rotations, path, .. } = bodies;
     let fours = poses[..count].as_chunks_mut::<4>().0.iter_mut();
-    for ((poses, rotations), path) in fours.zip(rotations[..count].as_chunks::<4>().0).zip(path.as_chunks::<4>().0) {
+    for ((poses, rotations), path) in
+        fours.zip(rotations[..count].as_chunks::<4>().0).zip(path.as_chunks::<4>().0)
+    {
         let [dx, dy, ..] = crate::math::lanes::columns(path);
         let [x, y, ..] = crate::math::lanes::columns(poses);
         let (sine, cosine) = sin_cos(f32x4::new(*rotations));
@@ -214,7 +217,8 @@ pub(super) fn follow(proxies: &mut Proxies, bodies: &Bodies, tuning: &Tuning) {
         let (x, y) = (x + (c * cx - s * cy), y + (s * cx + c * cy));
         let (ac, as_) = (c.abs(), s.abs());
         let (ex, ey) = (ac * hx + as_ * hy + radius + around, as_ * hx + ac * hy + radius + around);
-        let [low_x, low_y, high_x, high_y] = gather(bounds, &std::array::from_fn(|lane| (four + lane) as u32));
+        let [low_x, low_y, high_x, high_y] =
+            gather(bounds, &std::array::from_fn(|lane| (four + lane) as u32));
         let has_left = (x - ex).simd_lt(low_x)
             | (y - ey).simd_lt(low_y)
             | (x + ex).simd_gt(high_x)

@@ -90,7 +90,9 @@ fn is_convex(corners: &[Vector]) -> bool {
     let edge = |i: usize| difference(corners[(i + 1) % count], corners[i % count]);
     let turns_left = |i: usize| cross(edge(i), edge(i + 1)) >= 0.0;
     let is_ahead = |i: usize| edge(i)[1] > 0.0 || (edge(i)[1] == 0.0 && edge(i)[0] > 0.0);
-    count <= 3 || ((0..count).all(turns_left) && (0..count).filter(|&i| is_ahead(i) && !is_ahead(i + 1)).count() <= 1)
+    count <= 3
+        || ((0..count).all(turns_left)
+            && (0..count).filter(|&i| is_ahead(i) && !is_ahead(i + 1)).count() <= 1)
 }
 
 /// The convex hull, by Andrew's monotone chain.
@@ -111,7 +113,12 @@ fn hull(mut corners: Vec<Vector>) -> Vec<Vector> {
     };
     let mut all = half(&mut corners.iter());
     all.extend(half(&mut corners.iter().rev()));
-    if all.is_empty() { corners.truncate(1); corners } else { simplified(all) }
+    if all.is_empty() {
+        corners.truncate(1);
+        corners
+    } else {
+        simplified(all)
+    }
 }
 
 /// A convex outline in the frame of its body.
@@ -184,7 +191,8 @@ impl Corners {
         let bound = |axis: usize, better: fn(f32, f32) -> bool| {
             points.iter().map(|p| p[axis]).reduce(|a, b| if better(a, b) { a } else { b }).unwrap_or(0.0)
         };
-        let (low, high) = ([0, 1].map(|axis| bound(axis, |a, b| a < b)), [0, 1].map(|axis| bound(axis, |a, b| a > b)));
+        let (low, high) =
+            ([0, 1].map(|axis| bound(axis, |a, b| a < b)), [0, 1].map(|axis| bound(axis, |a, b| a > b)));
         let centre = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
         let half = [0, 1].map(|axis| 0.5 * (high[axis] - low[axis]));
         let reach = points.iter().map(|&p| length(p)).fold(0.0, |a, b| if b > a { b } else { a });

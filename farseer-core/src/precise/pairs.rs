@@ -60,6 +60,8 @@ pub(super) struct Pairs {
     pub(super) all: Vec<Pair>,
     pub(super) frozen: Vec<Frozen>,
     links: Vec<Links>,
+    /// Number of pairs that touch.
+    pub(super) touching: usize,
     /// First link of each proxy's list: twice a pair's number, plus which side of it the proxy is.
     heads: Vec<u32>,
 }
@@ -71,6 +73,7 @@ impl Pairs {
         self.all.clear();
         self.frozen.clear();
         self.links.clear();
+        self.touching = 0;
         self.heads.clear();
         self.heads.resize(proxies, NONE);
     }
@@ -104,6 +107,20 @@ impl Pairs {
             self.link(at, side);
         }
         at
+    }
+
+    /// A pair begins or ceases to touch.
+    pub(super) fn set_told(&mut self, pair: usize, is_told: bool) {
+        let was_told = std::mem::replace(&mut self.all[pair].is_told, is_told);
+        self.touching = self.touching + usize::from(is_told) - usize::from(was_told);
+    }
+
+    /// The proxy on the other side of each pair of a proxy.
+    pub(super) fn partners(&self, proxy: u32) -> impl Iterator<Item = u32> + '_ {
+        self.of(proxy).map(move |pair| {
+            let [a, b] = self.links[pair].proxies;
+            if a == proxy { b } else { a }
+        })
     }
 
     /// The pair is looked at in full in the next step.

@@ -74,16 +74,28 @@ impl Sides {
 
     /// An impulse along a direction turns both.
     #[inline(always)]
-    fn spin<const FIXED: bool, const P: usize>(&mut self, row: &Row<P>, impulse: f32x4, arm_a: f32x4, arm_b: f32x4) {
+    fn spin<const FIXED: bool, const P: usize>(
+        &mut self,
+        row: &Row<P>,
+        impulse: f32x4,
+        arm_a: f32x4,
+        arm_b: f32x4,
+    ) {
         if !FIXED {
-            self.a[2] = self.a[2] - row.inverse_inertia_a * (arm_a * impulse);
+            self.a[2] -= row.inverse_inertia_a * (arm_a * impulse);
         }
-        self.b[2] = self.b[2] + row.inverse_inertia_b * (arm_b * impulse);
+        self.b[2] += row.inverse_inertia_b * (arm_b * impulse);
     }
 
     /// Writes the velocities back, after impulses along normal and tangent.
     #[inline(always)]
-    fn store<const FIXED: bool, const P: usize>(&self, row: &Row<P>, hot: &mut [Hot], along: f32x4, across: f32x4) {
+    fn store<const FIXED: bool, const P: usize>(
+        &self,
+        row: &Row<P>,
+        hot: &mut [Hot],
+        along: f32x4,
+        across: f32x4,
+    ) {
         let x = along * row.normal_x + across * row.normal_y;
         let y = along * row.normal_y - across * row.normal_x;
         let mut put = |bodies: &[u32; 4], columns: [f32x4; 3]| {
@@ -117,7 +129,8 @@ fn magnitude(number: f32x4) -> f32x4 {
 #[inline(always)]
 fn learn<const FIXED: bool, const P: usize>(row: &mut Row<P>, hot: &[Hot], learning: &Learning) {
     let sides = velocities::<FIXED, P>(row, hot);
-    let slip = sides.along_tangent::<FIXED, P>(row) + sides.turning::<FIXED>(row.tangent_arm_a, row.tangent_arm_b);
+    let slip =
+        sides.along_tangent::<FIXED, P>(row) + sides.turning::<FIXED>(row.tangent_arm_a, row.tangent_arm_b);
     let mut speed = magnitude(slip - row.tangent_speed);
     let along = sides.along_normal::<FIXED, P>(row);
     for point in &row.points {
@@ -126,9 +139,12 @@ fn learn<const FIXED: bool, const P: usize>(row: &mut Row<P>, hot: &[Hot], learn
     let stillness = positive(f32x4::splat(1.0) - speed * f32x4::splat(learning.inverse_gate));
     let up = f32x4::splat(learning.up) * stillness;
     let (learnt, down) = (f32x4::splat(learning.learnt), f32x4::splat(learning.down));
-    let sum = |of: fn(&Point) -> f32x4| row.points[1..].iter().fold(of(&row.points[0]), |sum, point| sum + of(point));
+    let sum = |of: fn(&Point) -> f32x4| {
+        row.points[1..].iter().fold(of(&row.points[0]), |sum, point| sum + of(point))
+    };
     let (load, held) = (sum(|point| point.impulse), sum(|point| point.held));
-    let deepest = row.points[1..].iter().fold(row.points[0].separation, |least, p| smaller(least, p.separation));
+    let deepest =
+        row.points[1..].iter().fold(row.points[0].separation, |least, p| smaller(least, p.separation));
     let rises = (learnt * load).simd_gt(held) & deepest.simd_lt(ZERO) & up;
     for point in &mut row.points {
         let missing = point.impulse - point.held;
@@ -147,7 +163,9 @@ pub(super) fn gather_warm<const FIXED: bool, const P: usize>(
 ) {
     rows.for_each(|row| {
         learn::<FIXED, P>(row, hot, learning);
-        let sum = |of: fn(&Point) -> f32x4| row.points[1..].iter().fold(of(&row.points[0]), |sum, point| sum + of(point));
+        let sum = |of: fn(&Point) -> f32x4| {
+            row.points[1..].iter().fold(of(&row.points[0]), |sum, point| sum + of(point))
+        };
         let along = sum(|point| point.impulse);
         let turn_a = sum(|point| point.impulse * point.arm_a) + row.tangent_impulse * row.tangent_arm_a;
         let turn_b = sum(|point| point.impulse * point.arm_b) + row.tangent_impulse * row.tangent_arm_b;
@@ -190,19 +208,16 @@ pub(super) fn solve_soft<const FIXED: bool, const P: usize>(
         for at in 0..P {
             let point = row.points[at];
             let is_apart = point.separation.simd_gt(ZERO);
-            let bias = select(
-                is_apart,
-                point.separation * inverse_h,
-                greater(point.separation * rate, fastest),
-            );
+            let bias =
+                select(is_apart, point.separation * inverse_h, greater(point.separation * rate, fastest));
             let velocity = along + sides.turning::<FIXED>(point.arm_a, point.arm_b);
             let part = select(is_apart, one, mass);
             let leaked = (leak * (point.impulse - point.held)) & !is_apart;
             let impulse = positive(point.impulse - (point.mass * (part * velocity + bias) + leaked));
             let change = impulse - point.impulse;
             row.points[at].impulse = impulse;
-            sum = sum + change;
-            along = along + masses * change;
+            sum += change;
+            along += masses * change;
             sides.spin::<FIXED, P>(row, change, point.arm_a, point.arm_b);
         }
         sides.store::<FIXED, P>(row, hot, sum, ZERO);
@@ -211,7 +226,11 @@ pub(super) fn solve_soft<const FIXED: bool, const P: usize>(
 
 /// One pass over normals and friction as hard rows, after the bodies have moved: separations follow them.
 #[inline(always)]
-pub(super) fn relax<const FIXED: bool, const P: usize>(rows: &mut Colours<P>, hot: &mut [Hot], inverse_h: f32) {
+pub(super) fn relax<const FIXED: bool, const P: usize>(
+    rows: &mut Colours<P>,
+    hot: &mut [Hot],
+    inverse_h: f32,
+) {
     let inverse_h = f32x4::splat(inverse_h);
     rows.for_each(|row| {
         let moved = steps::<FIXED, P>(row, hot);
@@ -231,9 +250,9 @@ pub(super) fn relax<const FIXED: bool, const P: usize>(rows: &mut Colours<P>, ho
             let change = impulse - point.impulse;
             row.points[at].separation = separation;
             row.points[at].impulse = impulse;
-            sum = sum + change;
-            load = load + impulse;
-            along = along + masses * change;
+            sum += change;
+            load += impulse;
+            along += masses * change;
             sides.spin::<FIXED, P>(row, change, point.arm_a, point.arm_b);
         }
         let slip = across + sides.turning::<FIXED>(row.tangent_arm_a, row.tangent_arm_b);
@@ -267,7 +286,7 @@ pub(super) fn note_approach<const FIXED: bool, const P: usize>(rows: &mut Colour
 pub(super) fn note_push<const P: usize>(rows: &mut Colours<P>) {
     rows.for_each(|row| {
         for at in 0..P {
-            row.has_pushed[at] = row.has_pushed[at] | row.points[at].impulse.simd_gt(ZERO);
+            row.has_pushed[at] |= row.points[at].impulse.simd_gt(ZERO);
         }
     });
 }
@@ -295,15 +314,15 @@ pub(super) fn bounce<const FIXED: bool, const P: usize>(
         let mut along = sides.along_normal::<FIXED, P>(row);
         let masses = masses::<FIXED, P>(row);
         let mut sum = ZERO;
-        for at in 0..P {
+        for (at, restitution) in restitution.into_iter().enumerate() {
             let point = row.points[at];
             let velocity = along + sides.turning::<FIXED>(point.arm_a, point.arm_b);
-            let wanted = velocity + restitution[at] * row.approach[at];
+            let wanted = velocity + restitution * row.approach[at];
             let impulse = positive(point.impulse - point.mass * wanted);
-            let change = (impulse - point.impulse) & restitution[at].simd_gt(ZERO);
+            let change = (impulse - point.impulse) & restitution.simd_gt(ZERO);
             row.points[at].impulse = point.impulse + change;
-            sum = sum + change;
-            along = along + masses * change;
+            sum += change;
+            along += masses * change;
             sides.spin::<FIXED, P>(row, change, point.arm_a, point.arm_b);
         }
         sides.store::<FIXED, P>(row, hot, sum, ZERO);

@@ -398,6 +398,7 @@ impl Palette {
     #[inline(always)]
     pub(super) fn is_single(&self, body: usize) -> bool {
         let (shared, fixed) = (self.shared[body], self.fixed[body]);
-        (shared & shared.wrapping_sub(1)) | (fixed & fixed.wrapping_sub(1)) == 0 && (shared == 0 || fixed == 0)
+        (shared & shared.wrapping_sub(1)) | (fixed & fixed.wrapping_sub(1)) == 0
+            && (shared == 0 || fixed == 0)
     }
 }

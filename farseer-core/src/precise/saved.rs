@@ -141,7 +141,8 @@ impl Precise {
 
     fn save_pair(&self, pair: usize) -> SavedPair {
         let (watch, state) = (self.pairs.watched[pair], self.pairs.all[pair]);
-        let Frozen { turns, relative, normal, count, anchors, separations, features } = self.pairs.frozen[pair];
+        let Frozen { turns, relative, normal, count, anchors, separations, features } =
+            self.pairs.frozen[pair];
         SavedPair {
             proxies: watch.proxies,
             since: watch.since,
@@ -235,8 +236,8 @@ impl Precise {
         self.pairs.frozen[pair] = Frozen { turns, relative, normal, count, anchors, separations, features };
         let watch = &mut self.pairs.watched[pair];
         (watch.since, watch.tolerance) = (saved.since, saved.tolerance);
-        let state = &mut self.pairs.all[pair];
-        (state.is_told, state.is_vetoed) = (saved.is_told, saved.is_vetoed);
+        self.pairs.all[pair].is_vetoed = saved.is_vetoed;
+        self.pairs.set_told(pair, saved.is_told);
         let row = saved.row.filter(|_| responds);
         if saved.tolerance == BY_ROW && (row.is_none() || !self.touch().are_two_circles(pair)) {
             self.pairs.watched[pair].tolerance = 0;

@@ -16,6 +16,9 @@ use crate::report::{Event, Report};
 /// Coordinates end where this many times them are not finite any more.
 const FAR: f32 = 1e8;
 
+/// No proxy's number.
+const NOBODY: u32 = u32::MAX;
+
 impl Precise {
     /// Second stage: pairs whose bounds do not overlap any more go. Answers how many new ones there may be: those that
     /// [`candidate`](Self::candidate) names, in the order of creation numbers.
@@ -24,14 +27,22 @@ impl Precise {
         self.drop_parted(&escaped);
         let mut found = std::mem::take(&mut self.found);
         found.clear();
+        let mut known = std::mem::take(&mut self.known);
+        if !escaped.is_empty() {
+            known.resize(self.proxies.all.len(), NOBODY);
+        }
         for &proxy in &escaped {
+            known[proxy as usize] = proxy;
+            self.pairs.partners(proxy).for_each(|partner| known[partner as usize] = proxy);
             let bounds = self.proxies.bounds[proxy as usize];
             self.grid.for_each_overlap(&bounds, |other| {
-                if other != proxy {
-                    found.extend(self.ordered([proxy, other]).filter(|&pair| !self.pairs.contains(pair)));
+                if known[other as usize] != proxy {
+                    found.extend(self.ordered([proxy, other]));
                 }
             });
         }
+        known.clear();
+        self.known = known;
         let all = &self.proxies.all;
         let key = |pair: &[u32; 2]| pair.map(|proxy| (all[proxy as usize].number, all[proxy as usize].piece));
         found.sort_unstable_by_key(key);
@@ -110,7 +121,9 @@ impl Precise {
         }
         let mut lost = std::mem::take(&mut self.lost);
         let reach = self.tuning.speculative;
-        renew_circles(&mut self.rows.one, &self.bodies.poses, &self.bodies.circles, reach, |pair| lost.push(pair));
+        renew_circles(&mut self.rows.one, &self.bodies.poses, &self.bodies.circles, reach, |pair| {
+            lost.push(pair)
+        });
         lost.sort_unstable();
         let circles = lost.len();
         for pair in lost.drain(..) {
@@ -130,7 +143,13 @@ impl Precise {
     }
 
     /// Fourth stage: forces are taken from the bodies. One whose velocity would not be finite keeps it and is disabled.
-    pub(crate) fn read_bodies(&mut self, objects: &mut Objects, gravity: Vector2, step: &Step, report: &mut Report) {
+    pub(crate) fn read_bodies(
+        &mut self,
+        objects: &mut Objects,
+        gravity: Vector2,
+        step: &Step,
+        report: &mut Report,
+    ) {
         for number in 1..=self.bodies.count {
             let Some((id, entry)) =
                 self.bodies.ids[number].and_then(|id| Some((id, objects.bodies.get_mut(id)?)))
@@ -165,7 +184,9 @@ impl Precise {
             self.put_back(objects, report);
         }
         for number in 1..=self.bodies.count {
-            let Some(entry) = self.bodies.ids[number].and_then(|id| objects.bodies.get_mut(id)) else { continue };
+            let Some(entry) = self.bodies.ids[number].and_then(|id| objects.bodies.get_mut(id)) else {
+                continue;
+            };
             let ([x, y, ..], [dx, dy, turned, _]) = (self.bodies.poses[number], self.bodies.path[number]);
             let [vx, vy, spin, _] = self.bodies.hot[number].velocity;
             entry.body.end_step(Vector2::new(x + dx, y + dy), turned, Vector2::new(vx, vy), spin);
@@ -189,17 +210,20 @@ impl Precise {
         let is_finite = |number: usize| {
             let (pose, path) = (self.bodies.poses[number], self.bodies.path[number]);
             let velocity = self.bodies.hot[number].velocity;
-            (0..3).all(|i| velocity[i].is_finite() && ((path[i] + if i < 2 { pose[i] } else { 0.0 }) * FAR).is_finite())
+            (0..3).all(|i| {
+                velocity[i].is_finite() && ((path[i] + if i < 2 { pose[i] } else { 0.0 }) * FAR).is_finite()
+            })
         };
         let lost: Vec<usize> = (1..=self.bodies.count).filter(|&number| !is_finite(number)).collect();
         let speed = |number: usize| {
-            let [x, y, spin, _] = self.bodies.before[number].map(|v| f64::from(v));
+            let [x, y, spin, _] = self.bodies.before[number].map(f64::from);
             x * x + y * y + spin * spin
         };
         let fastest = lost.iter().map(|&number| speed(number)).fold(0.0, f64::max);
         for &number in &lost {
             let disabled = speed(number) >= fastest;
-            (self.bodies.hot[number].velocity, self.bodies.path[number]) = (self.bodies.before[number], [0.0; 4]);
+            (self.bodies.hot[number].velocity, self.bodies.path[number]) =
+                (self.bodies.before[number], [0.0; 4]);
             let Some(body) = self.bodies.ids[number] else { continue };
             if let Some(entry) = objects.bodies.get_mut(body).filter(|_| disabled) {
                 entry.body.set_enabled(false);
@@ -212,7 +236,8 @@ impl Precise {
 
     /// Impulses that are not finite, and what springs have learnt of them, are forgotten.
     fn forget_infinite_impulses(&mut self) {
-        let finite = |number: &mut wide::f32x4| *number &= (*number * wide::f32x4::ZERO).simd_eq(wide::f32x4::ZERO);
+        let finite =
+            |number: &mut wide::f32x4| *number &= (*number * wide::f32x4::ZERO).simd_eq(wide::f32x4::ZERO);
         let forget = |tangent: &mut wide::f32x4, points: &mut [super::rows::Point]| {
             finite(tangent);
             for point in points {

@@ -33,8 +33,8 @@ impl Precise {
     pub(crate) fn note_body(&mut self, id: BodyId, objects: &Objects) {
         let Some(entry) = objects.bodies.get(id) else { return };
         let body = &entry.body;
-        let Some(number) = get(&self.body_numbers, id.slot())
-            .filter(|&number| self.bodies.ids[number] == Some(id))
+        let Some(number) =
+            get(&self.body_numbers, id.slot()).filter(|&number| self.bodies.ids[number] == Some(id))
         else {
             self.is_stale = true;
             return;
@@ -79,7 +79,12 @@ impl Precise {
     }
 
     /// Lets the proxies of a geom take something over, and what they touch with it.
-    fn renew_proxies(&mut self, geom: GeomId, objects: &Objects, mut take: impl FnMut(&mut Proxy) -> Renewal) {
+    fn renew_proxies(
+        &mut self,
+        geom: GeomId,
+        objects: &Objects,
+        mut take: impl FnMut(&mut Proxy) -> Renewal,
+    ) {
         let Some(first) = get(&self.first_proxies, geom.slot()) else { return };
         let count = objects.geoms.get(geom).map_or(0, |entry| entry.pieces().len());
         for at in first..(first + count).min(self.proxies.all.len()) {
@@ -122,9 +127,10 @@ impl Precise {
         let is_other = |(at, id): (usize, &Option<BodyId>)| {
             let is_movable = at < self.bodies.count;
             id.is_some_and(|id| {
-                objects.bodies.get(id).is_none_or(|entry| {
-                    !entry.body.enabled() || (is_movable && !entry.body.is_integrated())
-                })
+                objects
+                    .bodies
+                    .get(id)
+                    .is_none_or(|entry| !entry.body.enabled() || (is_movable && !entry.body.is_integrated()))
             })
         };
         let is_back = |&id: &BodyId| objects.bodies.get(id).is_none_or(|entry| entry.body.enabled());

@@ -34,7 +34,8 @@ impl Precise {
         let lane = state.home.map(|home| self.rows.lane(state.kind, home));
         let [pose_a, pose_b] = [a, b].map(|proxy| self.bodies.poses[proxy.body as usize]);
         let [ca, sa, cb, sb] = frozen.turns;
-        let (turned_a, turned_b) = (turn_back([ca, sa], rotation(pose_a)), turn_back([cb, sb], rotation(pose_b)));
+        let (turned_a, turned_b) =
+            (turn_back([ca, sa], rotation(pose_a)), turn_back([cb, sb], rotation(pose_b)));
         let normal = lane.map_or(frozen.normal, |lane| lane.normal);
         let sign = if is_flipped { -1.0 } else { 1.0 };
         let (first, second) = if is_flipped { (b, a) } else { (a, b) };
@@ -78,7 +79,8 @@ impl Precise {
     /// The pairs of the pieces of two geoms.
     fn pairs_between(&self, (one, other): (GeomId, GeomId)) -> impl Iterator<Item = usize> + '_ {
         let first = self.proxy_of(other, 0).unwrap_or(u32::MAX);
-        let is_piece = move |at: &u32| self.proxies.all.get(*at as usize).is_some_and(|proxy| proxy.geom == other);
+        let is_piece =
+            move |at: &u32| self.proxies.all.get(*at as usize).is_some_and(|proxy| proxy.geom == other);
         let is_with_one = move |pair: &usize| {
             let proxies = self.pairs.watched[*pair].proxies;
             proxies.iter().any(|&proxy| self.proxies.all[proxy as usize].geom == one)
@@ -94,7 +96,7 @@ impl Precise {
 
     /// Number of pairs that touch.
     pub(crate) fn touching_count(&self) -> usize {
-        self.pairs.all.iter().filter(|pair| pair.is_told).count()
+        self.pairs.touching
     }
 
     /// Number of contacts of two geoms.

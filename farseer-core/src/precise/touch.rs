@@ -67,6 +67,7 @@ impl Two<'_> {
 }
 
 impl<'a> Touch<'a> {
+    #[inline(always)]
     fn two(&self, pair: usize) -> Two<'a> {
         let [a, b] = self.pairs.watched[pair].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
         let pose = |proxy: &Proxy| self.bodies.poses[proxy.body as usize];
@@ -118,27 +119,33 @@ impl<'a> Touch<'a> {
     /// part.
     fn note_touch(&mut self, pair: usize, two: Two<'_>) {
         let state = self.pairs.all[pair];
-        let frozen = &self.pairs.frozen[pair];
-        let touches = match state.home {
-            Some(home) => self.rows.lane(state.kind, home).points[..frozen.count as usize]
-                .iter()
-                .any(|point| point.separation <= 0.0 || point.impulse > 0.0),
-            None => frozen.separations[..frozen.count as usize].iter().any(|&separation| separation <= 0.0),
-        };
-        let stays = touches || (state.is_told && state.responds);
+        let stays = (state.is_told && state.responds) || self.touches_now(pair);
         if stays != state.is_told {
             self.tell(pair, stays);
         }
-        let scale = self.tuning.motion_scale();
-        self.pairs.watched[pair].tolerance = match (stays && state.responds, self.are_circles(two)) {
-            (false, _) => 0,
-            (true, true) if state.home.is_some() => BY_ROW,
-            (true, _) => (self.tuning.checked * scale) as u32,
+        self.pairs.watched[pair].tolerance = if !(stays && state.responds) {
+            0
+        } else if state.home.is_some() && self.are_circles(two) {
+            BY_ROW
+        } else {
+            (self.tuning.checked * self.tuning.motion_scale()) as u32
         };
     }
 
+    fn touches_now(&self, pair: usize) -> bool {
+        let state = self.pairs.all[pair];
+        let frozen = &self.pairs.frozen[pair];
+        let count = frozen.count as usize;
+        match state.home {
+            Some(home) => self.rows.lane(state.kind, home).points[..count]
+                .iter()
+                .any(|point| point.separation <= 0.0 || point.impulse > 0.0),
+            None => frozen.separations[..count].iter().any(|&separation| separation <= 0.0),
+        }
+    }
+
     fn tell(&mut self, pair: usize, begins: bool) {
-        self.pairs.all[pair].is_told = begins;
+        self.pairs.set_told(pair, begins);
         let [a, b] = self.pairs.watched[pair].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
         let (first, second) = if a.number < b.number { (a, b) } else { (b, a) };
         let (numbers, geoms) = ((first.number, second.number), (first.geom, second.geom));
@@ -165,7 +172,8 @@ impl<'a> Touch<'a> {
         let [x, y, c, s] = two.relative();
         let [x0, y0, c0, s0] = frozen.relative;
         let sine = cross([c0, s0], [c, s]).abs();
-        let reach = if self.is_fixed(two.a) { two.b.shape.reach } else { two.a.shape.reach.max(two.b.shape.reach) };
+        let reach =
+            if self.is_fixed(two.a) { two.b.shape.reach } else { two.a.shape.reach.max(two.b.shape.reach) };
         let moved = length([x - x0, y - y0]) + reach * sine;
         let is_same = turned_a[0] > LARGEST_TURN
             && turned_b[0] > LARGEST_TURN
@@ -212,8 +220,10 @@ impl<'a> Touch<'a> {
         }
     }
 
+    #[inline(always)]
     fn are_circles(&self, two: Two<'_>) -> bool {
-        let is_circle = |proxy: &Proxy| self.bodies.circles.get(proxy.body as usize).is_some_and(|row| row[3] > 0.0);
+        let is_circle =
+            |proxy: &Proxy| self.bodies.circles.get(proxy.body as usize).is_some_and(|row| row[3] > 0.0);
         is_circle(two.a) && is_circle(two.b)
     }
 
@@ -249,27 +259,22 @@ impl<'a> Touch<'a> {
         let old_count = old.count as usize;
         let mut kept = [None; 2];
         let mut is_taken = [false; 2];
-        for new in 0..found.count {
-            let same = (0..old_count).find(|&o| !is_taken[o] && old.features[o] == found.features[new]);
-            if let Some(o) = same {
-                (kept[new], is_taken[o]) = (Some(o), true);
-            }
+        for (kept, feature) in kept.iter_mut().zip(found.features).take(found.count) {
+            *kept = (0..old_count).find(|&o| !is_taken[o] && old.features[o] == feature);
+            kept.iter().for_each(|&o| is_taken[o] = true);
         }
-        let size = if self.is_fixed(two.a) { two.b.shape.reach } else { two.a.shape.reach.min(two.b.shape.reach) };
-        for new in 0..found.count {
-            if kept[new].is_some() {
-                continue;
-            }
+        let size =
+            if self.is_fixed(two.a) { two.b.shape.reach } else { two.a.shape.reach.min(two.b.shape.reach) };
+        let lost = kept.iter_mut().zip(found.points).take(found.count).filter(|(kept, _)| kept.is_none());
+        for (kept, point) in lost {
             let mut nearest = (NEAR * size) * (NEAR * size);
             for o in (0..old_count).filter(|&o| !is_taken[o]) {
-                let distance = self.squared_distance(old, o, two, found.points[new]);
+                let distance = self.squared_distance(old, o, two, point);
                 if distance < nearest {
-                    (nearest, kept[new]) = (distance, Some(o));
+                    (nearest, *kept) = (distance, Some(o));
                 }
             }
-            if let Some(o) = kept[new] {
-                is_taken[o] = true;
-            }
+            kept.iter().for_each(|&o| is_taken[o] = true);
         }
         kept
     }

@@ -11,7 +11,8 @@ impl PhysicsSimulator {
     /// precise set in no particular order, those of convex pieces of geoms each for itself.
     #[doc(alias = "ArbiterList")]
     pub fn arbiters(&self) -> impl Iterator<Item = ArbiterRef<'_>> {
-        let count = self.pipeline.precise.as_ref().map_or(self.contacts.len(), |precise| precise.pair_count());
+        let count =
+            self.pipeline.precise.as_ref().map_or(self.contacts.len(), |precise| precise.pair_count());
         (0..count).filter_map(|at| match &self.pipeline.precise {
             Some(precise) => precise.touching(at),
             None => self.listed_arbiter(at),

@@ -21,7 +21,8 @@ impl PhysicsSimulator {
         handler: &mut Handler<'_>,
         stopwatch: &mut Stopwatch<'_>,
     ) {
-        let substeps = u32::try_from(self.settings.iterations).unwrap_or(0).min(self.limits().iterations).max(1);
+        let substeps =
+            u32::try_from(self.settings.iterations).unwrap_or(0).min(self.limits().iterations).max(1);
         let step = self.precise().begin(dt, substeps);
         self.sync_precise();
         self.find_precise_pairs(handler);
@@ -62,8 +63,10 @@ impl PhysicsSimulator {
 
     /// New pairs, as far as filters and the handler let them.
     fn find_precise_pairs(&mut self, handler: &mut Handler<'_>) {
-        let (asks_about_new, asks_about_all) =
-            (handler.wants(|handler| handler.handles_broad_phase()), handler.wants(|handler| handler.filters_pairs()));
+        let (asks_about_new, asks_about_all) = (
+            handler.wants(|handler| handler.handles_broad_phase()),
+            handler.wants(|handler| handler.filters_pairs()),
+        );
         for at in 0..self.precise().find_pairs() {
             let (a, b) = self.precise().candidate(at);
             let filter = Filter { geoms: &self.objects.geoms, bodies: &self.objects.bodies };
@@ -132,7 +135,9 @@ impl PhysicsSimulator {
         for group in self.precise().touching_groups() {
             contacts.clear();
             for &pair in &group {
-                contacts.extend(self.precise().touching(pair).into_iter().flat_map(|touching| touching.contacts()));
+                contacts.extend(
+                    self.precise().touching(pair).into_iter().flat_map(|touching| touching.contacts()),
+                );
             }
             let Some(first) = self.precise().touching(group[0]) else { continue };
             let (a, b) = first.geoms;

@@ -141,10 +141,20 @@ fn a_concave_body_holds_what_lies_in_it() {
     let mut simulator = precise();
     let bowl = simulator.create_body(Body::new());
     simulator[bowl].set_is_static(true);
-    let corners = [(-60.0, -40.0), (-50.0, -40.0), (-50.0, 0.0), (50.0, 0.0), (50.0, -40.0), (60.0, -40.0), (60.0, 10.0), (-60.0, 10.0)];
+    let corners = [
+        (-60.0, -40.0),
+        (-50.0, -40.0),
+        (-50.0, 0.0),
+        (50.0, 0.0),
+        (50.0, -40.0),
+        (60.0, -40.0),
+        (60.0, 10.0),
+        (-60.0, 10.0),
+    ];
     let mut outline: Vertices = corners.into_iter().map(|(x, y)| Vector2::new(x, y)).collect();
     simulator.add(bowl).unwrap();
-    GeomFactory::create_polygon_geom_in(&mut simulator, bowl, &mut outline, GeomPlacement::default()).unwrap();
+    GeomFactory::create_polygon_geom_in(&mut simulator, bowl, &mut outline, GeomPlacement::default())
+        .unwrap();
     let (ball, _) = add_circle(&mut simulator, 10.0, 16, v(20.0, -60.0));
     simulator[ball].set_linear_velocity(v(40.0, 0.0));
     run(&mut simulator, 600);
