@@ -76,14 +76,18 @@ impl Bodies {
         self.rotations.clear();
         self.inverses.clear();
         self.push_dummy();
-        movable.for_each(|(id, body)| self.push(id, body, inverses_of(body)));
+        self.hot.clear();
+        self.hot.push(Hot::default());
+        movable.for_each(|(id, body)| {
+            self.push(id, body, inverses_of(body));
+            self.hot.push(Hot { velocity: velocity_of(body), ..Hot::default() });
+        });
         self.count = self.ids.len() - 1;
         while !self.ids.len().is_multiple_of(4) {
             self.push_dummy();
         }
         let padded = self.ids.len();
         fixed.for_each(|(id, body)| self.push(id, body, [0.0; 2]));
-        self.hot.clear();
         self.hot.resize(padded, Hot::default());
         for stream in [
             &mut self.warm,
@@ -121,9 +125,21 @@ impl Bodies {
         position.x != pose[0] || position.y != pose[1] || body.rotation() != self.rotations[number]
     }
 
+    /// Takes over the velocity of an edited body.
+    pub(super) fn set_velocity(&mut self, number: usize, body: &Body) {
+        if let Some(hot) = self.hot.get_mut(number) {
+            hot.velocity = velocity_of(body);
+        }
+    }
+
     pub(super) fn move_to(&mut self, number: usize, body: &Body) {
         (self.poses[number], self.rotations[number]) = pose_of(body);
     }
+}
+
+fn velocity_of(body: &Body) -> [f32; 4] {
+    let velocity = body.linear_velocity();
+    [velocity.x, velocity.y, body.angular_velocity(), 0.0]
 }
 
 /// Velocity, and what forces, gravity and drag add to it in every substep so that the whole step ends with the velocity that

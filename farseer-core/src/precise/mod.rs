@@ -49,6 +49,8 @@ pub(crate) struct Precise {
     h: f32,
     /// Seconds of the last step: bounds reach ahead by what moves in a few of them.
     dt: f32,
+    /// What gravity adds to velocities in a step.
+    fall: vector::Vector,
     /// What was loaded, until the bodies are listed.
     loaded: Option<Saved>,
     /// Bodies or geoms came or went, or became what they were not.
@@ -85,6 +87,7 @@ impl Precise {
             tuning: Tuning::new(length_unit),
             h: 0.0,
             dt: 0.0,
+            fall: [0.0; 2],
             loaded: None,
             is_stale: true,
             bounces: false,
@@ -116,6 +119,8 @@ impl Precise {
             palette: &mut self.palette,
             tuning: &self.tuning,
             friction: self.friction,
+            dt: self.dt,
+            fall: self.fall,
             changes: &mut self.changes,
         }
     }

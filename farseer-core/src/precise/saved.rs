@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Precise;
 use super::pairs::{BY_ROW, Frozen};
+use super::proxies::Proxy;
 use super::rows::{Home, Kind, Lane};
 use super::tuning::Tuning;
 use crate::geom::GeomId;
@@ -28,6 +29,17 @@ struct SavedProxy {
     bounds: [f32; 4],
     motion: u32,
     has_escaped: bool,
+    known: Known,
+}
+
+/// What was known of a proxy and its body when contacts were looked for: what is otherwise was edited since.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+struct Known {
+    place: [f32; 3],
+    /// Reciprocals of mass and inertia, velocity of the surface, friction and restitution.
+    contacts: [f32; 7],
+    /// Whom it may meet, and whether it pushes.
+    filter: [i32; 5],
 }
 
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -103,7 +115,7 @@ impl Saved {
             && self.tuning == Tuning::new(unit)
             && self.h.is_finite()
             && self.dt.is_finite()
-            && self.proxies.iter().all(|proxy| finite(&proxy.bounds))
+            && self.proxies.iter().all(|proxy| finite(&proxy.bounds) && proxy.bounds[0] <= proxy.bounds[2])
             && self.pairs.iter().all(pair_is_valid)
     }
 }
@@ -128,6 +140,7 @@ impl Precise {
             bounds: self.proxies.bounds[at],
             motion: self.proxies.motion[at],
             has_escaped: has_escaped[at],
+            known: self.known_of(at),
         });
         Saved {
             tuning: self.tuning,
@@ -136,6 +149,19 @@ impl Precise {
             has_handled: self.has_handled,
             proxies: proxies.collect(),
             pairs: (0..self.pairs.len()).map(|pair| self.save_pair(pair)).collect(),
+        }
+    }
+
+    fn known_of(&self, proxy: usize) -> Known {
+        let Proxy { body, friction, restitution, surface_velocity, filter, responds, .. } =
+            self.proxies.all[proxy];
+        let ([x, y, ..], rotation) = (self.bodies.poses[body as usize], self.bodies.rotations[body as usize]);
+        let ([mass, inertia], [vx, vy, spin]) = (self.bodies.inverses[body as usize], surface_velocity);
+        let [is, with, group, enabled] = filter;
+        Known {
+            place: [x, y, rotation],
+            contacts: [mass, inertia, vx, vy, spin, friction, restitution],
+            filter: [is, with, group, enabled, i32::from(responds)],
         }
     }
 
@@ -168,20 +194,22 @@ impl Precise {
     }
 
     /// Takes over what is known of the proxies and pairs that are still there.
-    pub(super) fn restore(&mut self, saved: &Saved) {
+    pub(super) fn restore(&mut self, saved: &Saved, may_stay: impl Fn(GeomId, GeomId) -> bool) {
         self.has_handled = saved.has_handled;
         self.grid.reset(self.proxies.all.len());
         self.pairs.reset(self.proxies.all.len());
         self.rows.clear();
         self.palette.reset(self.bodies.hot.len());
-        let places = self.restore_proxies(saved);
+        let (places, edited) = self.restore_proxies(saved);
         let mut rows = Vec::new();
         for pair in &saved.pairs {
             let [Some(a), Some(b)] = pair.proxies.map(|proxy| places[proxy as usize]) else { continue };
-            if self.ordered([a, b]) == Some([a, b]) {
+            let [one, other] = [a, b].map(|proxy| self.proxies.all[proxy as usize].geom);
+            if self.ordered([a, b]) == Some([a, b]) && may_stay(one, other) {
                 rows.extend(self.restore_pair([a, b], pair));
             }
         }
+        edited.into_iter().for_each(|proxy| self.look_again(proxy));
         // Only the order of rows in the last colour matters.
         rows.sort_by_key(|&(_, row): &(usize, SavedRow)| (row.colour, row.slot));
         for (pair, row) in rows {
@@ -199,20 +227,19 @@ impl Precise {
         }
     }
 
-    /// Answers where each saved proxy is now. One that can be pushed now and could not before, or the other way round, is
-    /// another one.
-    fn restore_proxies(&mut self, saved: &Saved) -> Vec<Option<u32>> {
+    /// Answers where each saved proxy is now, and whose contacts are to be looked at again. One that can be pushed now and
+    /// could not before, or the other way round, is another one.
+    fn restore_proxies(&mut self, saved: &Saved) -> (Vec<Option<u32>>, Vec<u32>) {
         let mut is_known = vec![false; self.proxies.all.len()];
         let mut places = Vec::with_capacity(saved.proxies.len());
+        let mut edited = Vec::new();
         for proxy in &saved.proxies {
             let place = self
                 .proxy_of(proxy.geom, proxy.piece)
                 .filter(|&place| ((place as usize) < self.proxies.movable) == proxy.is_movable)
                 .filter(|&place| !std::mem::replace(&mut is_known[place as usize], true));
             if let Some(place) = place {
-                self.proxies.motion[place as usize] = proxy.motion;
-                self.enter_with(place, proxy.bounds);
-                self.proxies.escaped.extend(proxy.has_escaped.then_some(place));
+                edited.extend(self.restore_proxy(place, proxy).then_some(place));
             }
             places.push(place);
         }
@@ -221,7 +248,22 @@ impl Precise {
                 self.enter(at as u32);
             }
         }
-        places
+        (places, edited)
+    }
+
+    /// Answers whether something has changed that its contacts depend on.
+    fn restore_proxy(&mut self, place: u32, saved: &SavedProxy) -> bool {
+        let (then, now) = (saved.known, self.known_of(place as usize));
+        self.proxies.motion[place as usize] = saved.motion;
+        self.enter_with(place, saved.bounds);
+        let has_moved = then.place != now.place;
+        if has_moved {
+            self.jump(place);
+        }
+        if saved.has_escaped || has_moved || then.filter != now.filter {
+            self.proxies.escaped.push(place);
+        }
+        has_moved || then.contacts != now.contacts
     }
 
     /// Answers the pair and its row. A pair whose contacts push now and did not before, or the other way round, is looked at

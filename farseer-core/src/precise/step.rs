@@ -172,8 +172,8 @@ impl Precise {
     }
 
     /// The step that is due.
-    pub(crate) fn begin(&mut self, dt: f32, substeps: u32) -> Step {
-        self.dt = dt;
+    pub(crate) fn begin(&mut self, dt: f32, substeps: u32, gravity: Vector2) -> Step {
+        (self.dt, self.fall) = (dt, [gravity.x * dt, gravity.y * dt]);
         Step::new(dt, substeps, &self.tuning)
     }
 

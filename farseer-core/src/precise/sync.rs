@@ -7,6 +7,7 @@ use super::proxies::{Proxy, filter_of};
 use super::saved::Saved;
 use crate::body::BodyId;
 use crate::geom::GeomId;
+use crate::geom::filter::is_valid_pair;
 use crate::objects::Objects;
 
 const NONE: u32 = u32::MAX;
@@ -49,6 +50,7 @@ impl Precise {
         let has_moved = self.bodies.was_moved(number, body);
         let is_other = inverses != self.bodies.inverses[number];
         self.bodies.inverses[number] = inverses;
+        self.bodies.set_velocity(number, body);
         if has_moved {
             self.bodies.move_to(number, body);
         }
@@ -93,8 +95,7 @@ impl Precise {
             }
             let renewal = take(&mut self.proxies.all[at]);
             if renewal.moved {
-                self.proxies.motion[at] = self.proxies.motion[at].wrapping_add(1 << 30);
-                self.widen(at as u32);
+                self.jump(at as u32);
             }
             if renewal.pairs {
                 self.proxies.escaped.push(at as u32);
@@ -105,8 +106,15 @@ impl Precise {
         }
     }
 
+    /// A proxy is somewhere else now.
+    pub(super) fn jump(&mut self, proxy: u32) {
+        let motion = &mut self.proxies.motion[proxy as usize];
+        *motion = motion.wrapping_add(1 << 30);
+        self.widen(proxy);
+    }
+
     /// The pairs of a proxy are looked at in full in the next step.
-    fn look_again(&mut self, proxy: u32) {
+    pub(super) fn look_again(&mut self, proxy: u32) {
         let pairs: Vec<usize> = self.pairs.of(proxy).collect();
         for pair in pairs {
             self.pairs.look_again(pair);
@@ -149,7 +157,7 @@ impl Precise {
             let is_round = is_alone && proxy.shape.count == 0 && proxy.shape.centre == [0.0, 0.0];
             *circle = [0.0, 0.0, proxy.shape.radius.max(f32::MIN_POSITIVE), if is_round { 1.0 } else { 0.0 }];
         }
-        self.restore(saved);
+        self.restore(saved, |a, b| is_valid_pair((a, b), &objects.geoms, &objects.bodies));
     }
 
     fn list_bodies(&mut self, objects: &Objects) {

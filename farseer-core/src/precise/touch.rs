@@ -31,6 +31,9 @@ pub(super) struct Touch<'a> {
     pub(super) palette: &'a mut Palette,
     pub(super) tuning: &'a Tuning,
     pub(super) friction: FrictionType,
+    /// Seconds of the step, and what gravity adds to velocities in it.
+    pub(super) dt: f32,
+    pub(super) fall: Vector,
     /// Pairs of geoms that begin to touch, or may have ceased to, since this was told last.
     pub(super) changes: &'a mut Vec<Change>,
 }
@@ -114,12 +117,12 @@ impl<'a> Touch<'a> {
         }
     }
 
-    /// The two touch once their outlines do or push each other: contacts that only reach ahead are not told. Until then the
-    /// pair is looked at in every step. They cease to when nothing is near any more; where nothing pushes, when the outlines
+    /// The two touch once their outlines do or push each other, or will in this step: contacts that only reach ahead are not
+    /// told. Until then the pair is looked at in every step. They cease to when nothing is near any more; where nothing pushes, when the outlines
     /// part.
     fn note_touch(&mut self, pair: usize, two: Two<'_>) {
         let state = self.pairs.all[pair];
-        let stays = (state.is_told && state.responds) || self.touches_now(pair);
+        let stays = (state.is_told && state.responds) || self.touches_now(pair, two);
         if stays != state.is_told {
             self.tell(pair, stays);
         }
@@ -132,16 +135,29 @@ impl<'a> Touch<'a> {
         };
     }
 
-    fn touches_now(&self, pair: usize) -> bool {
+    fn touches_now(&self, pair: usize, two: Two<'_>) -> bool {
         let state = self.pairs.all[pair];
         let frozen = &self.pairs.frozen[pair];
         let count = frozen.count as usize;
         match state.home {
-            Some(home) => self.rows.lane(state.kind, home).points[..count]
-                .iter()
-                .any(|point| point.separation <= 0.0 || point.impulse > 0.0),
+            Some(home) => self.rows.lane(state.kind, home).points[..count].iter().zip(&frozen.anchors).any(
+                |(point, anchors)| {
+                    let gap = point.separation + self.dt * self.approach(two, frozen.normal, anchors);
+                    point.separation <= 0.0 || point.impulse > 0.0 || gap <= 0.0
+                },
+            ),
             None => frozen.separations[..count].iter().any(|&separation| separation <= 0.0),
         }
+    }
+
+    /// Velocity along the normal with which the two will come together in this step, if nothing but gravity changes it.
+    fn approach(&self, two: Two<'_>, normal: Vector, &[ax, ay, bx, by]: &[f32; 4]) -> f32 {
+        let velocity = |proxy: &Proxy, arm: Vector| {
+            let Some(hot) = self.bodies.hot.get(proxy.body as usize) else { return [0.0; 2] };
+            let [x, y, spin, _] = hot.velocity;
+            sum(self.fall, [x - spin * arm[1], y + spin * arm[0]])
+        };
+        dot(difference(velocity(two.b, [bx, by]), velocity(two.a, [ax, ay])), normal)
     }
 
     fn tell(&mut self, pair: usize, begins: bool) {

@@ -300,7 +300,8 @@ impl PhysicsSimulator {
         self.objects.methods.narrow()
     }
 
-    /// Sets the narrow phase. Geoms made under SAT have no distance grid and touch nothing under the other.
+    /// Sets the narrow phase. Geoms made under SAT have no distance grid and touch nothing under the other. The precise set
+    /// has contacts of its own: nothing changes.
     pub fn set_narrow_phase_collider(&mut self, narrow_phase: NarrowPhaseCollider) {
         self.objects.methods = self.objects.methods.with_narrow(narrow_phase);
     }
@@ -314,8 +315,11 @@ impl PhysicsSimulator {
     /// Sets the broad phase.
     ///
     /// # Errors
-    /// As [`set_methods`](Self::set_methods).
+    /// As [`set_methods`](Self::set_methods); [`Error::NotSupported`] with the precise set, which has pairs of its own.
     pub fn set_broad_phase_collider(&mut self, method: BroadPhaseCollider) -> Result<()> {
+        if self.objects.methods.is_precise() {
+            return Err(Error::NotSupported { what: "choice of a broad phase", methods: "precise" });
+        }
         self.set_methods(self.objects.methods.with_broad(method))
     }
 }

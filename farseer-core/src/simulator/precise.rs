@@ -23,7 +23,8 @@ impl PhysicsSimulator {
     ) {
         let substeps =
             u32::try_from(self.settings.iterations).unwrap_or(0).min(self.limits().iterations).max(1);
-        let step = self.precise().begin(dt, substeps);
+        let gravity = self.settings.gravity;
+        let step = self.precise().begin(dt, substeps, gravity);
         self.sync_precise();
         self.find_precise_pairs(handler);
         stopwatch.lap(|times| &mut times.broad_phase_collision_time);

@@ -62,7 +62,7 @@ impl PhysicsSimulator {
     /// A number that is not finite changes nothing and is reported.
     #[doc(alias("Joint.PreStep"))]
     pub fn pre_step(&mut self, inverse_dt: f32) {
-        if !self.accepts_step("inverse_dt", inverse_dt) {
+        if !self.accepts_step("inverse_dt", inverse_dt) || !self.has_stages() {
             return;
         }
         let settings = PreStepSettings {
@@ -79,7 +79,9 @@ impl PhysicsSimulator {
     /// Sixth stage, repeated: one pass over all joints, then one over all contacts.
     #[doc(alias("Joint.Update"))]
     pub fn solve_iteration(&mut self, handler: Option<&mut dyn EventHandler>) {
-        self.solve_once(&mut Handler::new(handler));
+        if self.has_stages() {
+            self.solve_once(&mut Handler::new(handler));
+        }
     }
 
     /// Fifth and sixth stage with constraints of another engine: the [pre-step](Self::pre_step), and all
@@ -91,7 +93,9 @@ impl PhysicsSimulator {
         constraints: &mut dyn Constraints,
         handler: Option<&mut dyn EventHandler>,
     ) {
-        self.solve(inverse_dt, Some(constraints), &mut Handler::new(handler));
+        if self.has_stages() {
+            self.solve(inverse_dt, Some(constraints), &mut Handler::new(handler));
+        }
     }
 
     pub(super) fn solve(

@@ -9,7 +9,7 @@ use crate::report::{Clock, Event, Stopwatch};
 impl PhysicsSimulator {
     /// Moves everything by `dt` seconds. Games call this with a fixed step.
     ///
-    /// A negative step runs backwards; 0 only lets things enter and leave. A step that is not finite, or so small
+    /// A negative step runs backwards, but with the [precise set](crate::Methods::Precise), which refuses it; 0 only lets things enter and leave. A step that is not finite, or so small
     /// that its reciprocal is not, changes nothing and is reported as [`Event::RejectedInput`].
     #[doc(alias = "Update")]
     pub fn update(&mut self, dt: f32) {
@@ -71,7 +71,9 @@ impl PhysicsSimulator {
     }
 }
 
-/// The stages one by one: for engines that are built on them, and for games that do something in between.
+/// The stages of the faithful set one by one: for engines that are built on them, and for games that do something in between.
+/// With the [precise set](crate::Methods::Precise) all but the first do nothing, which is reported as
+/// [`Event::RejectedInput`].
 impl PhysicsSimulator {
     /// First stage: things enter and leave, edited bodies take their geoms along, and pairs that have an arbiter
     /// are noted. Answers whether the update goes on: not if the simulator is disabled, or `dt` is 0 or refused.
@@ -95,14 +97,18 @@ impl PhysicsSimulator {
         "ArbiterList.AddArbiterForGeomPair"
     ))]
     pub fn find_pairs(&mut self, handler: Option<&mut dyn EventHandler>) {
-        self.look_for_pairs(&mut Handler::new(handler));
+        if self.has_stages() {
+            self.look_for_pairs(&mut Handler::new(handler));
+        }
     }
 
     /// Third stage: the narrow phase finds the contacts of every pair, deepest first, and takes over the impulses
     /// of those that were there before. Pairs without contacts leave.
     #[doc(alias("INarrowPhaseCollider.Collide", "ArbiterList.RemoveContactCountEqualsZero"))]
     pub fn collide_pairs(&mut self, handler: Option<&mut dyn EventHandler>) {
-        self.look_for_contacts(&mut Handler::new(handler));
+        if self.has_stages() {
+            self.look_for_contacts(&mut Handler::new(handler));
+        }
     }
 
     /// Fourth stage: controllers and springs act; impulses, gravity and drag become velocity. A body whose velocity
@@ -112,14 +118,18 @@ impl PhysicsSimulator {
     /// finite changes nothing and is reported.
     #[doc(alias("Spring.Update", "Controller.Update"))]
     pub fn apply_forces(&mut self, dt: f32, dt_real: f32, handler: Option<&mut dyn EventHandler>) {
-        self.collect_and_integrate_forces(dt, dt_real, &mut Handler::new(handler));
+        if self.has_stages() {
+            self.collect_and_integrate_forces(dt, dt_real, &mut Handler::new(handler));
+        }
     }
 
     /// Last stage: velocities become positions, and geoms follow. A body whose state would not be finite is put
     /// back to its last finite one and reported; a dynamic one is disabled. With a step that is not finite nothing
     /// moves, which is reported.
     pub fn integrate(&mut self, dt: f32, handler: Option<&mut dyn EventHandler>) {
-        self.move_bodies(dt, &mut Handler::new(handler));
+        if self.has_stages() {
+            self.move_bodies(dt, &mut Handler::new(handler));
+        }
     }
 }
 
@@ -128,6 +138,11 @@ impl PhysicsSimulator {
         self.report.clear();
         self.contacts.take_back_from_engine();
         if !self.accepts_step("dt", dt) || (dt != 0.0 && !self.accepts_step("dt", 1.0 / dt)) {
+            return false;
+        }
+        if dt < 0.0 && self.pipeline.precise.is_some() {
+            // What springs have learnt cannot be unlearnt.
+            self.report.push(Event::RejectedInput { object: None, argument: "dt" });
             return false;
         }
         self.process_all_queues(handler);
@@ -143,6 +158,15 @@ impl PhysicsSimulator {
             self.report.push(Event::RejectedInput { object: None, argument });
         }
         step.is_finite()
+    }
+
+    /// Whether stages can be called one by one; if not, the call is reported as refused.
+    pub(super) fn has_stages(&mut self) -> bool {
+        let has_stages = self.pipeline.precise.is_none();
+        if !has_stages {
+            self.report.push(Event::RejectedInput { object: None, argument: "stage" });
+        }
+        has_stages
     }
 
     fn collect_and_integrate_forces(&mut self, dt: f32, dt_real: f32, handler: &mut Handler<'_>) {

@@ -36,6 +36,12 @@ fn play(simulator: &mut PhysicsSimulator, step: usize) {
         let first = simulator.body_list()[3];
         simulator.dispose(first).unwrap();
     }
+    if step % 29 == 28 {
+        let last = *simulator.body_list().last().unwrap();
+        let position = simulator[last].position();
+        simulator[last].set_position(position - v(0.0, 20.0));
+        simulator[last].set_linear_velocity(v(60.0, -100.0));
+    }
     simulator.update(DT);
 }
 

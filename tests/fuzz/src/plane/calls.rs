@@ -1,7 +1,7 @@
 //! The table of calls.
 
 use farseer_core::math::Matrix;
-use farseer_core::{FrictionType, NarrowPhaseCollider, PhysicsSimulator, Result};
+use farseer_core::{FrictionType, Methods, NarrowPhaseCollider, PhysicsSimulator, Result};
 
 use super::controllers::{CONTROLLER_EDITS, edit_kind};
 use super::create::{BODIES, CONTROLLERS, GEOMS, JOINTS, Make, SPRINGS};
@@ -149,6 +149,13 @@ pub(super) const CALLS: &[Call<Plane>] = &[
     call("set_broad_phase_collider", 1, |game| {
         let method = broad_phase(&mut game.random);
         Outcome::of(game.simulator.set_broad_phase_collider(method))
+    }),
+    call("set_methods", 2, |game| {
+        let length_unit = game.random.number(0.5, 64.0);
+        let precise = Methods::Precise { length_unit };
+        let faithful =
+            Methods::Faithful { broad: broad_phase(&mut game.random), narrow: NarrowPhaseCollider::Sat };
+        Outcome::of(game.simulator.set_methods(game.random.pick(&[precise, faithful])))
     }),
     call("clear", 1, |game| {
         if !game.random.chance(8) {
