@@ -5,6 +5,7 @@ pub(crate) mod entry;
 pub(crate) mod filter;
 pub(crate) mod grid_cache;
 pub(crate) mod outline;
+pub(crate) mod pieces;
 pub(crate) mod surface;
 pub(crate) mod view;
 

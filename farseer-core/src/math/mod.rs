@@ -10,6 +10,7 @@ pub mod interpolators;
 pub(crate) mod lanes;
 pub mod math_helper;
 pub mod matrix;
+pub(crate) mod plane;
 pub mod scalar;
 pub mod vector2;
 

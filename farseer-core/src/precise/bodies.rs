@@ -5,10 +5,10 @@
 
 use wide::f32x4;
 
-use super::vector::Pose;
 use crate::body::{Body, BodyId};
 use crate::math::Vector2;
 use crate::math::lanes::sin_cos;
+use crate::math::plane::Pose;
 
 /// What all passes read and write of a body: velocity and spin, and how far it has gone in this substep.
 #[derive(Debug, Clone, Copy, Default)]

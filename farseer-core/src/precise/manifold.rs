@@ -2,7 +2,9 @@
 //! "Contact Manifolds", GDC 2007).
 
 use super::outline::Outline;
-use super::vector::{Pose, Turn, Vector, difference, dot, place, rotation, scaled, sum, turn, turn_back};
+use crate::math::plane::{
+    Pose, Turn, Vector, difference, dot, place, rotation, scaled, sum, turn, turn_back,
+};
 
 /// Where two outlines touch or nearly do.
 #[derive(Debug, Clone, Copy, Default)]

@@ -13,7 +13,7 @@ mod bodies;
 mod grid;
 mod manifold;
 mod moving;
-pub(crate) mod outline;
+mod outline;
 mod pairs;
 mod passes;
 mod proxies;
@@ -24,7 +24,6 @@ mod sync;
 mod told;
 mod touch;
 mod tuning;
-mod vector;
 
 use serde::{Deserialize, Serialize};
 
@@ -50,7 +49,7 @@ pub(crate) struct Precise {
     /// Seconds of the last step: bounds reach ahead by what moves in a few of them.
     dt: f32,
     /// What gravity adds to velocities in a step.
-    fall: vector::Vector,
+    fall: crate::math::plane::Vector,
     /// What was loaded, until the bodies are listed.
     loaded: Option<Saved>,
     /// Bodies or geoms came or went, or became what they were not.

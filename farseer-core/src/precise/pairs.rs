@@ -1,7 +1,7 @@
 //! Pairs of proxies whose bounds overlap: they stay until the bounds part, and know what touched when.
 
 use super::rows::{Home, Kind};
-use super::vector::Vector;
+use crate::math::plane::Vector;
 
 const NONE: u32 = u32::MAX;
 

@@ -5,9 +5,9 @@ use super::bodies::Bodies;
 use super::grid::Box2;
 use super::outline::{Corners, Shape};
 use super::tuning::Tuning;
-use super::vector::{rotation, turn};
 use crate::geom::GeomId;
 use crate::geom::entry::GeomEntry;
+use crate::math::plane::{rotation, turn};
 use crate::storage::arena::Id;
 
 /// Boxes reach ahead of a body by what it moves in so many steps.

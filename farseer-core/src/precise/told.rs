@@ -1,11 +1,11 @@
 //! What games are told of touches.
 
 use super::Precise;
-use super::vector::{difference, dot, place, rotation, sum, turn, turn_back};
 use crate::contacts::arbiter::{ArbiterRef, Found};
 use crate::contacts::contact::{Contact, ContactId};
 use crate::geom::GeomId;
 use crate::math::Vector2;
+use crate::math::plane::{difference, dot, place, rotation, sum, turn, turn_back};
 
 impl Precise {
     /// Number of pairs, touching or not.

@@ -11,9 +11,11 @@ use super::pairs::{BY_ROW, Frozen, Pairs};
 use super::proxies::{Proxies, Proxy};
 use super::rows::{Home, Lane, Palette, PointLane, Rows};
 use super::tuning::Tuning;
-use super::vector::{Pose, Vector, cross, difference, dot, length, place, rotation, sum, turn, turn_back};
 use crate::geom::GeomId;
 use crate::geom::surface::{FrictionType, mix_restitution};
+use crate::math::plane::{
+    Pose, Vector, cross, difference, dot, length, place, rotation, sum, turn, turn_back,
+};
 
 /// Bodies that have turned further than this have their contacts found anew: its cosine.
 const LARGEST_TURN: f32 = 0.98;
