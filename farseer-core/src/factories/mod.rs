@@ -14,7 +14,7 @@ macro_rules! added {
         #[allow(clippy::too_many_arguments, reason = "the original's signature")]
         pub fn $name(simulator: &mut Objects, $($argument: $type),*) -> Result<$made> {
             let made = Self::$plain(simulator, $($argument),*)?;
-            simulator.add(made)?;
+            simulator.add(made).inspect_err(|_| simulator.discard(std::iter::once(made.into())))?;
             Ok(made)
         }
     )*};

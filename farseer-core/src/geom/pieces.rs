@@ -61,7 +61,7 @@ fn polygon_or_point(corners: Vec<Vector>) -> Piece {
 }
 
 /// The corners in the order of positive area, without those that repeat their neighbour or do not turn.
-fn simplified(mut corners: Vec<Vector>) -> Vec<Vector> {
+pub(crate) fn simplified(mut corners: Vec<Vector>) -> Vec<Vector> {
     if area(&corners) < 0.0 {
         corners.reverse();
     }

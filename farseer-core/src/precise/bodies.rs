@@ -6,9 +6,9 @@
 use wide::f32x4;
 
 use crate::body::{Body, BodyId};
-use crate::math::Vector2;
 use crate::math::lanes::sin_cos;
 use crate::math::plane::Pose;
+use crate::math::{Vector2, scalar};
 
 /// What all passes read and write of a body: velocity and spin, and how far it has gone in this substep.
 #[derive(Debug, Clone, Copy, Default)]
@@ -46,10 +46,30 @@ pub(super) struct Bodies {
     pub(super) rotations: Vec<f32>,
 }
 
+/// Sine and cosine of rotations: quick for those of one turn, which all are but after spins that no number holds.
+#[inline(always)]
+pub(super) fn turn_of(rotations: f32x4) -> (f32x4, f32x4) {
+    let is_turn = rotations.simd_gt(f32x4::splat(-0.5)) & rotations.simd_lt(f32x4::splat(7.0));
+    let (sine, cosine) = sin_cos(rotations & is_turn);
+    if is_turn.all() { (sine, cosine) } else { turn_of_any(rotations, sine, cosine) }
+}
+
+#[cold]
+fn turn_of_any(rotations: f32x4, mut sine: f32x4, mut cosine: f32x4) -> (f32x4, f32x4) {
+    for (lane, rotation) in rotations.to_array().into_iter().enumerate() {
+        if !(rotation > -0.5 && rotation < 7.0) {
+            // Beyond, the sine of the core is no sine.
+            let (s, c) = if rotation.abs() < 1e18 { scalar::sin_cos(rotation) } else { (0.0, 1.0) };
+            (sine.as_mut_array()[lane], cosine.as_mut_array()[lane]) = (s, c);
+        }
+    }
+    (sine, cosine)
+}
+
 /// A body that is read for a rebuilt list.
 pub(super) fn pose_of(body: &Body) -> (Pose, f32) {
     let (position, rotation) = (body.position(), body.rotation());
-    let (sine, cosine) = sin_cos(f32x4::splat(rotation));
+    let (sine, cosine) = turn_of(f32x4::splat(rotation));
     ([position.x, position.y, cosine.to_array()[0], sine.to_array()[0]], rotation)
 }
 

@@ -27,6 +27,8 @@ mod tuning;
 
 use serde::{Deserialize, Serialize};
 
+use crate::body::BodyId;
+use crate::geom::GeomId;
 use crate::geom::surface::FrictionType;
 use saved::Saved;
 pub(crate) use tuning::Step;
@@ -67,7 +69,10 @@ pub(crate) struct Precise {
     body_numbers: Vec<u32>,
     first_proxies: Vec<u32>,
     /// Bodies in the list that take no part because they are disabled.
-    absent: Vec<crate::body::BodyId>,
+    absent: Vec<BodyId>,
+    /// Lent out for editing since the last look.
+    edited_bodies: Vec<BodyId>,
+    edited_geoms: Vec<GeomId>,
     /// Pairs of geoms that begin or cease to touch in this step.
     changes: Vec<Change>,
     /// Some pair was refused or changed by a handler, for one step.
@@ -100,6 +105,8 @@ impl Precise {
             body_numbers: Vec::new(),
             first_proxies: Vec::new(),
             absent: Vec::new(),
+            edited_bodies: Vec::new(),
+            edited_geoms: Vec::new(),
             changes: Vec::new(),
             has_handled: false,
             lost: Vec::new(),

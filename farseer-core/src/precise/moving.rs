@@ -2,11 +2,11 @@
 
 use wide::f32x4;
 
-use super::bodies::{Bodies, Hot};
+use super::bodies::{Bodies, Hot, turn_of};
 use super::proxies::Proxies;
 use super::rows::{Palette, Point, Row};
 use super::tuning::{Step, Tuning};
-use crate::math::lanes::{gather, select, sin_cos};
+use crate::math::lanes::{gather, select};
 
 /// A body that no row pushes is trusted to move evenly if its velocity has changed by less than this many times what its
 /// forces give.
@@ -127,12 +127,16 @@ fn leave_one<const P: usize>(bodies: &mut Bodies, hot: &mut [Hot], step: &Step, 
     let has_just_met = a == 0 || flight.gap >= 0.0;
     let bounced = if has_just_met && is_straight(row, lane) { flight.bounce(step.dt) } else { None };
     let (change_a, change_b) = share(bounced.map_or(0.0, |(way, _)| way) - along(way_b - way_a));
-    bodies.path[a] = (way_a + change_a).to_array();
+    if a != 0 {
+        bodies.path[a] = (way_a + change_a).to_array();
+    }
     bodies.path[b] = (way_b + change_b).to_array();
     if let Some((_, velocity)) = bounced {
         let [now_a, now_b] = [a, b].map(|body| f32x4::new(hot[body].velocity));
         let (change_a, change_b) = share(velocity - along(now_b - now_a));
-        hot[a].velocity = (now_a + change_a).to_array();
+        if a != 0 {
+            hot[a].velocity = (now_a + change_a).to_array();
+        }
         hot[b].velocity = (now_b + change_b).to_array();
     }
 }
@@ -194,7 +198,7 @@ pub(super) fn renew_poses(bodies: &mut Bodies) {
     {
         let [dx, dy, ..] = crate::math::lanes::columns(path);
         let [x, y, ..] = crate::math::lanes::columns(poses);
-        let (sine, cosine) = sin_cos(f32x4::new(*rotations));
+        let (sine, cosine) = turn_of(f32x4::new(*rotations));
         *poses = f32x4::transpose([x + dx, y + dy, cosine, sine]).map(f32x4::to_array);
     }
 }

@@ -1,7 +1,7 @@
 //! Convex outlines in the frame of their body: circles, and polygons with the normals of their edges.
 
 use crate::geom::entry::GeomEntry;
-use crate::geom::pieces::Piece;
+use crate::geom::pieces::{Piece, simplified};
 use crate::math::plane::{Vector, difference, length, sum, turn};
 use crate::math::scalar;
 
@@ -58,11 +58,17 @@ impl Corners {
                 let centre = to_body(centre);
                 Shape { radius, centre, reach: length(centre) + radius, ..Shape::default() }
             }
-            Piece::Polygon(corners) => self.add_polygon(corners.iter().map(|&corner| to_body(corner))),
+            Piece::Polygon(corners) => {
+                // Far from the body's origin small things lose corners.
+                self.add_polygon(simplified(corners.iter().map(|&corner| to_body(corner)).collect()))
+            }
         }
     }
 
-    fn add_polygon(&mut self, corners: impl Iterator<Item = Vector>) -> Shape {
+    fn add_polygon(&mut self, corners: Vec<Vector>) -> Shape {
+        if let [centre] = corners[..] {
+            return Shape { centre, reach: length(centre), ..Shape::default() };
+        }
         let start = self.points.len();
         self.points.extend(corners);
         let points = &self.points[start..];

@@ -15,6 +15,11 @@ const STEPS_AHEAD: f32 = 4.0;
 /// And around it by so much of its size at most.
 const MARGIN_OF_SIZE: f32 = 0.25;
 
+/// Beyond this coordinate squares of distances end, and nothing meets anything.
+const FARTHEST: f32 = 1e18;
+/// Overlaps nothing.
+const NOWHERE: Box2 = [f32::MAX, f32::MAX, f32::MIN, f32::MIN];
+
 /// A convex piece of a geom.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Proxy {
@@ -115,10 +120,14 @@ impl Proxies {
     pub(super) fn widened(&self, proxy: usize, bodies: &Bodies, tuning: &Tuning, dt: f32) -> Box2 {
         let tight = self.tight(proxy, bodies, tuning);
         let Proxy { body, shape, .. } = &self.all[proxy];
+        // Also if they are not numbers.
+        if !tight.iter().all(|bound| bound.abs() < FARTHEST) {
+            return NOWHERE;
+        }
         let Some(hot) = bodies.hot.get(*body as usize) else { return tight };
         let by_size = MARGIN_OF_SIZE * shape.reach;
         let margin = if by_size < tuning.margin { by_size } else { tuning.margin };
-        let ahead = [0, 1].map(|axis| hot.velocity[axis] * (STEPS_AHEAD * dt));
+        let ahead = [0, 1].map(|axis| (hot.velocity[axis] * (STEPS_AHEAD * dt)).clamp(-FARTHEST, FARTHEST));
         let below = ahead.map(|way| if way < 0.0 { way - margin } else { -margin });
         let above = ahead.map(|way| if way > 0.0 { way + margin } else { margin });
         [tight[0] + below[0], tight[1] + below[1], tight[2] + above[0], tight[3] + above[1]]

@@ -9,6 +9,7 @@ use super::proxies::Proxy;
 use super::rows::{Home, Kind, Lane};
 use super::tuning::Tuning;
 use crate::geom::GeomId;
+use crate::geom::surface::FrictionType;
 
 /// The state of the precise set.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -17,6 +18,7 @@ pub(crate) struct Saved {
     h: f32,
     dt: f32,
     has_handled: bool,
+    friction: FrictionType,
     proxies: Vec<SavedProxy>,
     pairs: Vec<SavedPair>,
 }
@@ -72,7 +74,8 @@ struct SavedRow {
     tangent_impulse: f32,
     impulses: [f32; 2],
     held: [f32; 2],
-    masses: [f32; 2],
+    /// A handler has taken the point off the list.
+    are_dropped: [bool; 2],
     separations: [f32; 2],
 }
 
@@ -84,7 +87,13 @@ impl From<Precise> for Saved {
 
 impl From<Saved> for Precise {
     fn from(saved: Saved) -> Self {
-        Precise { h: saved.h, dt: saved.dt, loaded: Some(saved.clone()), ..Precise::new(saved.tuning.unit) }
+        Precise {
+            h: saved.h,
+            dt: saved.dt,
+            friction: saved.friction,
+            loaded: Some(saved.clone()),
+            ..Precise::new(saved.tuning.unit)
+        }
     }
 }
 
@@ -95,10 +104,10 @@ impl Saved {
         let pair_is_valid = |pair: &SavedPair| {
             let SavedContacts { turns, relative, normal, count, anchors, separations, .. } = &pair.frozen;
             let row_is_valid = |row: &SavedRow| {
-                let SavedRow { tangent_impulse, impulses, held, masses, separations, .. } = row;
+                let SavedRow { tangent_impulse, impulses, held, separations, .. } = row;
                 (row.colour as usize) < super::rows::COLOURS
                     && finite(&[*tangent_impulse])
-                    && [impulses, held, masses, separations].iter().all(|numbers| finite(*numbers))
+                    && [impulses, held, separations].iter().all(|numbers| finite(*numbers))
             };
             pair.proxies.iter().all(|&proxy| (proxy as usize) < self.proxies.len())
                 && *count <= 2
@@ -115,7 +124,7 @@ impl Saved {
             && self.tuning == Tuning::new(unit)
             && self.h.is_finite()
             && self.dt.is_finite()
-            && self.proxies.iter().all(|proxy| finite(&proxy.bounds) && proxy.bounds[0] <= proxy.bounds[2])
+            && self.proxies.iter().all(|proxy| finite(&proxy.bounds))
             && self.pairs.iter().all(pair_is_valid)
     }
 }
@@ -147,6 +156,7 @@ impl Precise {
             h: self.h,
             dt: self.dt,
             has_handled: self.has_handled,
+            friction: self.friction,
             proxies: proxies.collect(),
             pairs: (0..self.pairs.len()).map(|pair| self.save_pair(pair)).collect(),
         }
@@ -188,7 +198,7 @@ impl Precise {
             tangent_impulse,
             impulses: points.map(|point| point.impulse),
             held: points.map(|point| point.held),
-            masses: points.map(|point| point.mass),
+            are_dropped: points.map(|point| point.mass == 0.0),
             separations: points.map(|point| point.separation),
         }
     }
@@ -219,7 +229,7 @@ impl Precise {
                     point.impulse = row.impulses[at];
                     point.held = row.held[at];
                     point.separation = row.separations[at];
-                    if row.masses[at] == 0.0 {
+                    if row.are_dropped[at] {
                         point.mass = 0.0;
                     }
                 }

@@ -115,7 +115,9 @@ impl Precise {
 
     /// Third stage: what may have changed is looked at. Answers how many pairs that were.
     pub(crate) fn find_contacts(&mut self, friction: crate::FrictionType) -> usize {
-        self.friction = friction;
+        if std::mem::replace(&mut self.friction, friction) != friction {
+            (0..self.pairs.len()).for_each(|pair| self.pairs.look_again(pair));
+        }
         if std::mem::take(&mut self.has_handled) {
             self.forget_answers();
         }
@@ -290,7 +292,8 @@ impl Precise {
 
     /// Impulses are forces times the length of a substep: they follow it.
     fn scale_impulses(&mut self, h: f32) {
-        let factor = if self.h > 0.0 { wide::f32x4::splat(h / self.h) } else { wide::f32x4::ZERO };
+        let factor = h / self.h;
+        let factor = wide::f32x4::splat(if factor.is_finite() { factor } else { 0.0 });
         self.h = h;
         let scale = |tangent: &mut wide::f32x4, points: &mut [super::rows::Point]| {
             *tangent *= factor;

@@ -30,8 +30,21 @@ impl Precise {
         self.is_stale = true;
     }
 
-    /// A body was lent out for editing.
-    pub(crate) fn note_body(&mut self, id: BodyId, objects: &Objects) {
+    /// A body was lent out for editing: what it is then is taken over when the next stage begins that asks for it.
+    pub(crate) fn note_body(&mut self, body: BodyId) {
+        self.edited_bodies.push(body);
+    }
+
+    /// A geom was lent out for editing.
+    pub(crate) fn note_geom(&mut self, geom: GeomId) {
+        self.edited_geoms.push(geom);
+    }
+
+    /// Nothing is done if all is to be listed anew, which sees the edits as well.
+    fn take_body(&mut self, id: BodyId, objects: &Objects) {
+        if self.is_stale {
+            return;
+        }
         let Some(entry) = objects.bodies.get(id) else { return };
         let body = &entry.body;
         let Some(number) =
@@ -41,7 +54,7 @@ impl Precise {
             return;
         };
         let is_movable = number < self.bodies.first_fixed();
-        if self.is_stale || !body.enabled() || is_movable != body.is_integrated() {
+        if !body.enabled() || is_movable != body.is_integrated() {
             self.is_stale = true;
             return;
         }
@@ -63,8 +76,10 @@ impl Precise {
         }
     }
 
-    /// A geom was lent out for editing.
-    pub(crate) fn note_geom(&mut self, id: GeomId, objects: &Objects) {
+    fn take_geom(&mut self, id: GeomId, objects: &Objects) {
+        if self.is_stale {
+            return;
+        }
         let Some(entry) = objects.geoms.get(id) else { return };
         let geom = &entry.geom;
         let (friction, restitution, responds) =
@@ -121,8 +136,18 @@ impl Precise {
         }
     }
 
-    /// First stage: everything is listed anew, if something has come or gone.
+    /// First stage: edits are taken over, and everything is listed anew, if something has come or gone.
     pub(crate) fn sync(&mut self, objects: &Objects) {
+        let mut bodies = std::mem::take(&mut self.edited_bodies);
+        for body in bodies.drain(..) {
+            self.take_body(body, objects);
+        }
+        self.edited_bodies = bodies;
+        let mut geoms = std::mem::take(&mut self.edited_geoms);
+        for geom in geoms.drain(..) {
+            self.take_geom(geom, objects);
+        }
+        self.edited_geoms = geoms;
         if self.is_stale || self.has_changed_flags(objects) {
             let saved = self.loaded.take().unwrap_or_else(|| self.save());
             self.list(objects, &saved);

@@ -272,6 +272,7 @@ impl PhysicsSimulator {
             Methods::Precise { .. } if methods == self.objects.methods => {}
             Methods::Precise { length_unit } => {
                 self.contacts = Default::default();
+                self.list_pairs_anew(methods.broad());
                 self.pipeline.precise = Some(Box::new(Precise::new(length_unit)));
             }
         }
@@ -287,11 +288,15 @@ impl PhysicsSimulator {
             let bodies: Vec<BodyId> = self.objects.bodies().collect();
             bodies.into_iter().for_each(|body| self.objects.settle_body(body));
         }
+        self.list_pairs_anew(broad);
+        Ok(())
+    }
+
+    fn list_pairs_anew(&mut self, broad: BroadPhaseCollider) {
         self.pipeline.broad_phase = BroadPhase::new(broad);
         for &geom in self.objects.geoms.list() {
             self.pipeline.broad_phase.add(geom, &self.objects.geoms);
         }
-        Ok(())
     }
 
     /// The narrow phase. Default [`NarrowPhaseCollider::DistanceGrid`].

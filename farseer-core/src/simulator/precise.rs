@@ -25,7 +25,6 @@ impl PhysicsSimulator {
             u32::try_from(self.settings.iterations).unwrap_or(0).min(self.limits().iterations).max(1);
         let gravity = self.settings.gravity;
         let step = self.precise().begin(dt, substeps, gravity);
-        self.sync_precise();
         self.find_precise_pairs(handler);
         stopwatch.lap(|times| &mut times.broad_phase_collision_time);
         let friction = self.settings.friction_type;
@@ -44,7 +43,8 @@ impl PhysicsSimulator {
         stopwatch.lap(|times| &mut times.update_positions_time);
     }
 
-    fn sync_precise(&mut self) {
+    /// Takes over what was edited, where the precise set is chosen.
+    pub(super) fn sync_precise(&mut self) {
         let PhysicsSimulator { objects, pipeline, .. } = self;
         if let Some(precise) = &mut pipeline.precise {
             if std::mem::take(&mut objects.has_new_structure) {

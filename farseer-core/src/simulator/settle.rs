@@ -115,7 +115,7 @@ impl PhysicsSimulator {
             pipeline.joints.take_velocity_up(body, &objects.bodies, &mut pipeline.bodies);
             objects.settle_body(body);
             if let Some(precise) = &mut pipeline.precise {
-                precise.note_body(body, objects);
+                precise.note_body(body);
             }
         }
         objects.touched_bodies = bodies;
@@ -125,7 +125,7 @@ impl PhysicsSimulator {
             entry.is_touched = false;
             tell_rejected(&mut report.events, geom.into(), entry.geom.rejected.take());
             if let Some(precise) = &mut pipeline.precise {
-                precise.note_geom(geom, objects);
+                precise.note_geom(geom);
             }
         }
         objects.touched_geoms = geoms;

@@ -146,6 +146,7 @@ impl PhysicsSimulator {
             return false;
         }
         self.process_all_queues(handler);
+        self.sync_precise();
         if self.pipeline.precise.is_none() {
             self.contacts.prepare_for_broad_phase_collision(&mut self.objects.geoms);
         }
