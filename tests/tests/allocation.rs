@@ -14,8 +14,8 @@ use conformance::fixtures::plane::{
 };
 use farseer_core::{
     BodyId, BodyInterpolation, BroadPhaseCollider, Context, Controller, EventHandler, FluidContainerRef,
-    FluidDragController, GravityController, InactivityController, JointFactory, JointId, NarrowPhaseCollider,
-    PhysicsSimulator, ScalingController, SpringFactory, SpringId, WaveController,
+    FluidDragController, GravityController, InactivityController, JointFactory, JointId, Methods,
+    NarrowPhaseCollider, PhysicsSimulator, ScalingController, SpringFactory, SpringId, WaveController,
 };
 
 /// The system's allocator, counting the calls of every thread for itself.
@@ -101,15 +101,39 @@ fn an_update_of_a_settled_scene_allocates_nothing() {
     assert!(allocating.is_empty(), "{allocating:#?}");
 }
 
+/// The settled scene, with the precise set for long enough to settle again.
+fn settled_precise_scene() -> PhysicsSimulator {
+    let mut simulator = settled_scene(Default::default());
+    simulator.set_methods(Methods::PRECISE).unwrap();
+    (0..600).for_each(|_| simulator.update(0.01));
+    assert!(simulator.contact_count() > 40, "nothing touches");
+    simulator
+}
+
+#[test]
+fn an_update_of_a_settled_scene_with_the_precise_set_allocates_nothing() {
+    let mut simulator = settled_precise_scene();
+    assert_eq!((0..300).map(|_| calls(|| simulator.update(0.01))).sum::<usize>(), 0);
+}
+
+#[test]
+fn callbacks_of_the_precise_set_allocate_nothing() {
+    let mut simulator = settled_precise_scene();
+    (0..2).for_each(|_| simulator.update_with(0.01, &mut Silent));
+    assert_eq!((0..100).map(|_| calls(|| simulator.update_with(0.01, &mut Silent))).sum::<usize>(), 0);
+}
+
+/// Edits whatever it is told of, and changes nothing.
+struct Silent;
+impl EventHandler for Silent {
+    fn on_body_updated(&mut self, context: &mut Context<'_>, body: farseer_core::BodyId) {
+        let body = context.body_mut(body).unwrap();
+        body.set_angular_velocity(body.angular_velocity());
+    }
+}
+
 #[test]
 fn callbacks_allocate_nothing() {
-    struct Silent;
-    impl EventHandler for Silent {
-        fn on_body_updated(&mut self, context: &mut Context<'_>, body: farseer_core::BodyId) {
-            let body = context.body_mut(body).unwrap();
-            body.set_angular_velocity(body.angular_velocity());
-        }
-    }
     for methods in methods() {
         let mut simulator = settled_scene(methods);
         simulator.update_with(0.01, &mut Silent);

@@ -82,6 +82,7 @@ pub(crate) struct Precise {
     found: Vec<[u32; 2]>,
     /// Which proxy's search has last known a proxy as a partner.
     known: Vec<u32>,
+    touching: Vec<((u32, u32), usize)>,
 }
 
 impl Precise {
@@ -112,6 +113,7 @@ impl Precise {
             lost: Vec::new(),
             found: Vec::new(),
             known: Vec::new(),
+            touching: Vec::new(),
         }
     }
 

@@ -130,10 +130,10 @@ impl Precise {
 
     /// The pairs of a proxy are looked at in full in the next step.
     pub(super) fn look_again(&mut self, proxy: u32) {
-        let pairs: Vec<usize> = self.pairs.of(proxy).collect();
-        for pair in pairs {
-            self.pairs.look_again(pair);
-        }
+        let mut pairs = std::mem::take(&mut self.lost);
+        pairs.extend(self.pairs.of(proxy).map(|pair| pair as u32));
+        pairs.drain(..).for_each(|pair| self.pairs.look_again(pair as usize));
+        self.lost = pairs;
     }
 
     /// First stage: edits are taken over, and everything is listed anew, if something has come or gone.

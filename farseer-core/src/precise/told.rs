@@ -19,7 +19,7 @@ impl Precise {
     }
 
     /// Creation numbers of the geoms of a pair that touches, the smaller one first.
-    pub(crate) fn touching_numbers(&self, pair: usize) -> Option<(u32, u32)> {
+    fn touching_numbers(&self, pair: usize) -> Option<(u32, u32)> {
         self.pairs.all.get(pair).filter(|state| state.is_told)?;
         let [a, b] = self.pairs.watched[pair].proxies.map(|proxy| self.proxies.all[proxy as usize].number);
         Some(if a < b { (a, b) } else { (b, a) })
@@ -105,12 +105,19 @@ impl Precise {
         pairs.filter(|&pair| self.pairs.all[pair].is_told).map(|pair| self.pairs.frozen[pair].count).sum()
     }
 
-    /// The pairs that touch, those of the same geoms together, in the order of creation numbers.
-    pub(crate) fn touching_groups(&self) -> Vec<Vec<usize>> {
-        let mut pairs: Vec<_> =
-            (0..self.pairs.len()).filter_map(|pair| Some((self.touching_numbers(pair)?, pair))).collect();
-        pairs.sort_unstable();
-        pairs.chunk_by(|a, b| a.0 == b.0).map(|group| group.iter().map(|&(_, pair)| pair).collect()).collect()
+    /// The pairs that touch with the creation numbers of their geoms, in the order of these. To be
+    /// [handed back](Self::keep_touching).
+    pub(crate) fn take_touching(&mut self) -> Vec<((u32, u32), usize)> {
+        let mut touching = std::mem::take(&mut self.touching);
+        touching.clear();
+        touching.extend((0..self.pairs.len()).filter_map(|pair| Some((self.touching_numbers(pair)?, pair))));
+        touching.sort_unstable();
+        touching
+    }
+
+    /// Takes the list back, so that the next one need not be allocated.
+    pub(crate) fn keep_touching(&mut self, touching: Vec<((u32, u32), usize)>) {
+        self.touching = touching;
     }
 
     /// A handler refuses a pair, or lets it be: refused ones push nothing in this step.

@@ -133,19 +133,20 @@ impl PhysicsSimulator {
 
     fn ask_about_touches(&mut self, handler: &mut Handler<'_>, changes: &[((GeomId, GeomId), bool)]) {
         let mut contacts = std::mem::take(&mut self.pipeline.new_contacts);
-        for group in self.precise().touching_groups() {
+        let touching = self.precise().take_touching();
+        for group in touching.chunk_by(|a, b| a.0 == b.0) {
             contacts.clear();
-            for &pair in &group {
+            for &(_, pair) in group {
                 contacts.extend(
                     self.precise().touching(pair).into_iter().flat_map(|touching| touching.contacts()),
                 );
             }
-            let Some(first) = self.precise().touching(group[0]) else { continue };
+            let Some(first) = self.precise().touching(group[0].1) else { continue };
             let (a, b) = first.geoms;
             let begins = changes.iter().any(|&(geoms, begins)| begins && geoms == (a, b));
             let is_accepted = self.ask_about_touch((a, b), begins, &mut contacts, handler)
                 && self.ask_about_touch((b, a), begins, &mut contacts, handler);
-            for &pair in &group {
+            for &(_, pair) in group {
                 if is_accepted {
                     self.precise().keep_contacts(pair, &contacts);
                 } else {
@@ -153,6 +154,7 @@ impl PhysicsSimulator {
                 }
             }
         }
+        self.precise().keep_touching(touching);
         self.pipeline.new_contacts = contacts;
     }
 
