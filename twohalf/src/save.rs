@@ -73,6 +73,9 @@ impl TwoHalfPhysicsSimulator {
                 .is_none_or(|box_radius| box_radius == *radius),
             _ => true,
         };
+        if !matches!(core.methods(), farseer_core::Methods::Faithful { .. }) {
+            return Err(damaged("the methods of the plane have no stages to build on"));
+        }
         if !core.geoms().all(has_its_box) {
             return Err(damaged("the box of a ball is not that of a ball"));
         }

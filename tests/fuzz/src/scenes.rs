@@ -5,7 +5,8 @@ use std::collections::VecDeque;
 use farseer_core::math::Vector2;
 use farseer_core::{
     BodyId, BroadPhaseCollider, FluidContainerRef, FluidDragController, GeomId, GravityController,
-    InactivityController, JointFactory, NarrowPhaseCollider, PhysicsSimulator, SpringFactory, WaveController,
+    InactivityController, JointFactory, Methods, NarrowPhaseCollider, PhysicsSimulator, SpringFactory,
+    WaveController,
 };
 use twohalf::{DepthProfile, DepthScheme, Platform, TwoHalfPhysicsSimulator, Vector3};
 use twohalf_factories::{TwoHalfBodyFactory, TwoHalfGeomFactory};
@@ -52,6 +53,30 @@ pub fn plane(kind: usize) -> Result<PhysicsSimulator> {
     add_springs(&mut simulator, &bodies)?;
     add_controllers(&mut simulator, &bodies, &geoms)?;
     simulator.geom_mut(geoms[0]).expect("it was just made").set_restitution_coefficient(0.6);
+    Ok(simulator)
+}
+
+/// Number of different scenes of the precise set.
+pub const PRECISE_KINDS: usize = 4;
+
+/// Things that fall on each other with the precise set, into water, with springs and controllers of all kinds.
+///
+/// # Errors
+/// None of these arguments is refused.
+pub fn precise(kind: usize) -> Result<PhysicsSimulator> {
+    let mut simulator = world(0)?;
+    simulator.set_methods(Methods::PRECISE)?;
+    simulator.set_iterations(4);
+    let mut random = Random::new(100 + kind as u64);
+    create_floor(&mut simulator)?;
+    let things = (0..20 * (kind + 1))
+        .map(|_| create_thing(&mut simulator, &mut random))
+        .collect::<farseer_core::Result<Vec<_>>>()?;
+    let bodies: Vec<BodyId> = things.iter().map(|thing| thing.0).collect();
+    let geoms: Vec<GeomId> = things.iter().map(|thing| thing.1).collect();
+    add_springs(&mut simulator, &bodies)?;
+    add_controllers(&mut simulator, &bodies, &geoms)?;
+    geoms.iter().step_by(3).for_each(|&geom| simulator[geom].set_restitution_coefficient(0.6));
     Ok(simulator)
 }
 

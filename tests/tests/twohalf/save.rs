@@ -3,7 +3,7 @@
 use conformance::fixtures::depth::{DT, ball, busy_scene, crate_box, run, simulator, weightless};
 use serde_json::{Value, json};
 use twohalf::farseer_core::{
-    BodyFactory, BroadPhaseCollider, GeomPlacement, NarrowPhaseCollider, PhysicsSimulator, Vertices,
+    BodyFactory, BroadPhaseCollider, GeomPlacement, Methods, NarrowPhaseCollider, PhysicsSimulator, Vertices,
 };
 use twohalf::{Event, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
@@ -125,6 +125,19 @@ fn a_save_with_a_damaged_2d_engine_is_refused() {
         saved["core"]["objects"]["bodies"]["list"][0] = json!({ "index": 99, "generation": 0 })
     });
     assert!(message.contains("damaged"), "{message}");
+}
+
+#[test]
+fn a_save_whose_plane_has_no_stages_is_refused() {
+    let mut precise = PhysicsSimulator::default();
+    precise.set_methods(Methods::PRECISE).unwrap();
+    let precise = serde_json::to_value(&precise).unwrap();
+    let message = refusal(|saved| {
+        saved["core"]["objects"]["methods"] = precise["objects"]["methods"].clone();
+        saved["core"]["pipeline"] = precise["pipeline"].clone();
+        saved["core"]["contacts"] = precise["contacts"].clone();
+    });
+    assert!(message.contains("no stages"), "{message}");
 }
 
 #[test]

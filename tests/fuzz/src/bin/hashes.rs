@@ -21,6 +21,10 @@ fn main() {
         let scene = scenes::depth(kind).expect("its arguments are accepted");
         say(&mut all, &format!("depth-{kind}"), stepped(scene, |simulator| simulator.update(1.0 / 60.0)));
     }
+    for kind in 0..scenes::PRECISE_KINDS {
+        let scene = scenes::precise(kind).expect("its arguments are accepted");
+        say(&mut all, &format!("precise-{kind}"), stepped(scene, |simulator| simulator.update(1.0 / 60.0)));
+    }
     (0..PLANE_GAMES).for_each(|seed| say(&mut all, &format!("plane-game-{seed}"), played::<Plane>(seed)));
     (0..DEPTH_GAMES).for_each(|seed| say(&mut all, &format!("depth-game-{seed}"), played::<Depth>(seed)));
     println!("{}", line("all", Moment::all(&all)));
