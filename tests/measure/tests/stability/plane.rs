@@ -17,8 +17,10 @@ const WRITTEN: Written = Written {
     sheets: || families().into_iter().map(|family| sheet(family, &our_methods(), Effort::Full)).collect(),
 };
 
+/// Those whose outcomes are not meant to change: the precise set still grows.
 fn our_methods() -> Vec<Method> {
-    methods().into_iter().filter(|method| method.family == Family::Ours).collect()
+    let is_finished = |method: &Method| method.family == Family::Ours && method.name != "Precise";
+    methods().into_iter().filter(is_finished).collect()
 }
 
 fn quick_values(name: &str) -> Vec<f64> {
