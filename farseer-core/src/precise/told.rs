@@ -18,9 +18,9 @@ impl Precise {
         self.rows.point_count()
     }
 
-    /// Creation numbers of the geoms of a pair that touches, the smaller one first.
+    /// Creation numbers of the geoms of a pair that touches and was not refused, the smaller one first.
     fn touching_numbers(&self, pair: usize) -> Option<(u32, u32)> {
-        self.pairs.all.get(pair).filter(|state| state.is_told)?;
+        self.pairs.all.get(pair).filter(|state| state.is_told && !state.is_vetoed)?;
         let [a, b] = self.pairs.watched[pair].proxies.map(|proxy| self.proxies.all[proxy as usize].number);
         Some(if a < b { (a, b) } else { (b, a) })
     }
@@ -118,13 +118,6 @@ impl Precise {
     /// Takes the list back, so that the next one need not be allocated.
     pub(crate) fn keep_touching(&mut self, touching: Vec<((u32, u32), usize)>) {
         self.touching = touching;
-    }
-
-    /// A handler refuses a pair, or lets it be: refused ones push nothing in this step.
-    pub(crate) fn set_refused(&mut self, pair: usize, is_refused: bool) {
-        if is_refused {
-            self.refuse(pair);
-        }
     }
 
     /// A handler has refused what touches here: it pushes nothing in this step.

@@ -79,6 +79,7 @@ impl<'a> Touch<'a> {
         Two { a, b, pose_a: pose(a), pose_b: pose(b) }
     }
 
+    #[inline(always)]
     fn motion(&self, pair: usize) -> u32 {
         let [a, b] = self.pairs.watched[pair].proxies.map(|proxy| self.proxies.motion[proxy as usize]);
         a.wrapping_add(b)
@@ -89,8 +90,7 @@ impl<'a> Touch<'a> {
         let mut looked_at = 0;
         for pair in 0..self.pairs.len() {
             let watch = self.pairs.watched[pair];
-            let [a, b] = watch.proxies.map(|proxy| self.proxies.motion[proxy as usize]);
-            let moved = a.wrapping_add(b).wrapping_sub(watch.since);
+            let moved = self.motion(pair).wrapping_sub(watch.since);
             if moved >= watch.tolerance && watch.tolerance != BY_ROW {
                 looked_at += 1;
                 self.look(pair);
@@ -120,8 +120,8 @@ impl<'a> Touch<'a> {
     }
 
     /// The two touch once their outlines do or push each other, or will in this step: contacts that only reach ahead are not
-    /// told. Until then the pair is looked at in every step. They cease to when nothing is near any more; where nothing pushes, when the outlines
-    /// part.
+    /// told. Until then the pair is looked at in every step. They cease to when nothing is near any more; where nothing
+    /// pushes, when the outlines part.
     fn note_touch(&mut self, pair: usize, two: Two<'_>) {
         let state = self.pairs.all[pair];
         let stays = (state.is_told && state.responds) || self.touches_now(pair, two);

@@ -37,7 +37,19 @@ impl PhysicsSimulator {
         self.remove_separated(handler);
     }
 
-    fn accepts_pair(&mut self, handler: &mut Handler<'_>, geom1: GeomId, geom2: GeomId) -> bool {
+    /// Asks the handler about a pair whose boxes have come to overlap; a refusal is an event.
+    pub(super) fn approves_pair(&mut self, handler: &mut Handler<'_>, geom1: GeomId, geom2: GeomId) -> bool {
+        let ask = |handler: &mut dyn EventHandler, context: &mut Context<'_>| {
+            let is_accepted = handler.on_broad_phase_collision(context, geom1, geom2);
+            if !is_accepted {
+                context.simulator.report.push(Event::BroadPhaseVeto { geom1, geom2 });
+            }
+            is_accepted
+        };
+        self.tell(handler, ask).unwrap_or(true)
+    }
+
+    pub(super) fn accepts_pair(&mut self, handler: &mut Handler<'_>, geom1: GeomId, geom2: GeomId) -> bool {
         self.tell(handler, |handler, context| handler.accepts_pair(context, geom1, geom2)).unwrap_or(true)
     }
 
@@ -119,14 +131,7 @@ impl PairSink for PairFinder<'_, '_> {
     }
 
     fn approve(&mut self, geom1: GeomId, geom2: GeomId) -> bool {
-        let ask = |handler: &mut dyn EventHandler, context: &mut Context<'_>| {
-            let is_accepted = handler.on_broad_phase_collision(context, geom1, geom2);
-            if !is_accepted {
-                context.simulator.report.push(Event::BroadPhaseVeto { geom1, geom2 });
-            }
-            is_accepted
-        };
-        self.simulator.tell(&mut self.handler, ask).unwrap_or(true)
+        self.simulator.approves_pair(&mut self.handler, geom1, geom2)
     }
 
     fn filter(&self) -> Filter<'_> {

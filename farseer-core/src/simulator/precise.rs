@@ -1,7 +1,7 @@
 //! The update with the precise set: its stages, and what is told between them.
 
 use super::tell::Handler;
-use super::{EventHandler, PhysicsSimulator};
+use super::PhysicsSimulator;
 use crate::contacts::contact::Contact;
 use crate::geom::GeomId;
 use crate::geom::filter::Filter;
@@ -29,6 +29,9 @@ impl PhysicsSimulator {
         stopwatch.lap(|times| &mut times.broad_phase_collision_time);
         let friction = self.settings.friction_type;
         self.report.counters.pairs_tested = self.precise().find_contacts(friction);
+        if handler.wants(|handler| handler.filters_pairs()) {
+            self.filter_precise_pairs(handler);
+        }
         self.tell_precise(handler);
         stopwatch.lap(|times| &mut times.narrow_phase_collision_time);
         self.update_controllers(dt, dt_real, handler);
@@ -64,10 +67,7 @@ impl PhysicsSimulator {
 
     /// New pairs, as far as filters and the handler let them.
     fn find_precise_pairs(&mut self, handler: &mut Handler<'_>) {
-        let (asks_about_new, asks_about_all) = (
-            handler.wants(|handler| handler.handles_broad_phase()),
-            handler.wants(|handler| handler.filters_pairs()),
-        );
+        let asks_about_new = handler.wants(|handler| handler.handles_broad_phase());
         for at in 0..self.precise().find_pairs() {
             let (a, b) = self.precise().candidate(at);
             let filter = Filter { geoms: &self.objects.geoms, bodies: &self.objects.bodies };
@@ -75,32 +75,19 @@ impl PhysicsSimulator {
                 (Some(a), Some(b)) => filter.may_collide(a, b),
                 _ => false,
             };
-            if may_collide && (!asks_about_new || self.approves_precise_pair(handler, a, b)) {
+            if may_collide && (!asks_about_new || self.approves_pair(handler, a, b)) {
                 self.precise().accept(at);
             }
         }
-        if asks_about_all {
-            self.filter_precise_pairs(handler);
-        }
-    }
-
-    fn approves_precise_pair(&mut self, handler: &mut Handler<'_>, geom1: GeomId, geom2: GeomId) -> bool {
-        let ask = |handler: &mut dyn EventHandler, context: &mut super::Context<'_>| {
-            let is_accepted = handler.on_broad_phase_collision(context, geom1, geom2);
-            if !is_accepted {
-                context.simulator.report.push(Event::BroadPhaseVeto { geom1, geom2 });
-            }
-            is_accepted
-        };
-        self.tell(handler, ask).unwrap_or(true)
     }
 
     /// Asks the handler about every pair; those that it refuses push nothing in this update.
     fn filter_precise_pairs(&mut self, handler: &mut Handler<'_>) {
         for pair in 0..self.precise().pair_count() {
             let (a, b) = self.precise().geoms_of(pair);
-            let is_accepted = self.tell(handler, |handler, context| handler.accepts_pair(context, a, b));
-            self.precise().set_refused(pair, is_accepted == Some(false));
+            if !self.accepts_pair(handler, a, b) {
+                self.precise().refuse(pair);
+            }
         }
     }
 

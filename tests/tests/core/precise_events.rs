@@ -117,6 +117,27 @@ fn what_a_handler_refuses_or_takes_off_the_list_pushes_nothing() {
     }
 }
 
+/// Refuses all pairs.
+struct Refuser;
+
+impl EventHandler for Refuser {
+    fn filters_pairs(&self) -> bool {
+        true
+    }
+
+    fn accepts_pair(&mut self, _: &mut Context<'_>, _: GeomId, _: GeomId) -> bool {
+        false
+    }
+}
+
+#[test]
+fn pairs_that_a_handler_filters_out_push_nothing() {
+    let (mut simulator, _, (body, _)) = falling_box();
+    (0..120).for_each(|_| simulator.update_with(DT, &mut Refuser));
+    let fallen = simulator[body].position().y + 40.0;
+    assert!((fallen - 0.5 * 320.0 * 4.0).abs() < 10.0, "{fallen}");
+}
+
 #[test]
 fn a_sensor_hears_of_what_passes_and_pushes_nothing() {
     let mut simulator = precise();
