@@ -1,7 +1,7 @@
 //! The update with the precise set: its stages, and what is told between them.
 
-use super::tell::Handler;
 use super::PhysicsSimulator;
+use super::tell::Handler;
 use crate::contacts::contact::Contact;
 use crate::geom::GeomId;
 use crate::geom::filter::Filter;
