@@ -378,6 +378,12 @@ impl Palette {
         (!both).trailing_zeros().min(LAST)
     }
 
+    /// This colour, unless a damaged save says that it is taken already: then the first free one.
+    pub(super) fn again(&mut self, kind: Kind, bodies: [u32; 2], colour: u32) -> u32 {
+        let is_taken = bodies.iter().any(|&body| self.of(kind)[body as usize] >> colour & 1 == 1);
+        if is_taken { self.free(kind, bodies) } else { colour }
+    }
+
     /// A row with this colour begins or ends.
     pub(super) fn mark(&mut self, kind: Kind, bodies: [u32; 2], colour: u32, is_taken: bool) {
         let taken = self.of(kind);

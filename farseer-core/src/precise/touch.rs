@@ -387,9 +387,10 @@ impl<'a> Touch<'a> {
         let mut lane = self.lane(pair, self.two(pair));
         set(&mut lane);
         let kind = self.pairs.all[pair].kind;
+        let colour = self.palette.again(kind, [lane.a, lane.b], colour);
         self.palette.mark(kind, [lane.a, lane.b], colour, true);
-        let slot: Home = self.rows.push(kind, colour, &lane);
-        self.pairs.all[pair].home = Some(slot);
+        let home: Home = self.rows.push(kind, colour, &lane);
+        self.pairs.all[pair].home = Some(home);
     }
 }
 
