@@ -17,8 +17,7 @@ impl Objects {
     /// Lets an object take part from the next update on. Adding a body does not add its geoms.
     ///
     /// # Errors
-    /// A stale id; [`Error::MissingBody`](crate::Error::MissingBody) for a joint or spring without one of its bodies;
-    /// [`Error::NotSupported`](crate::Error::NotSupported) for a joint under the precise methods.
+    /// A stale id; [`Error::MissingBody`](crate::Error::MissingBody) for a joint or spring without one of its bodies.
     #[doc(alias = "Add")]
     pub fn add(&mut self, object: impl Into<ObjectId>) -> Result<()> {
         match object.into() {
@@ -26,7 +25,6 @@ impl Objects {
             ObjectId::Geom(geom) => self.geoms.add("geom", geom)?,
             ObjectId::Controller(controller) => self.controllers.add("controller", controller)?,
             ObjectId::Joint(joint) => {
-                self.methods.check_joints()?;
                 let held = self.joints.find("joint", joint)?;
                 check_bodies("joint", held.body1(), held.body2())?;
                 self.joints.add("joint", joint)?;

@@ -39,6 +39,7 @@ mod not_finite;
 mod physics;
 mod polygon_tools_random;
 mod precise_events;
+mod precise_joints;
 mod precise_motion;
 mod precise_saves;
 mod rejected_input;
