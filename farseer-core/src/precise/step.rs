@@ -273,7 +273,7 @@ impl Precise {
         } else {
             self.solve_passes(step);
         }
-        self.joints.finish(&mut self.bodies, step.h);
+        self.joints.finish(&mut self.bodies);
     }
 
     fn solve_passes(&mut self, step: &Step) {
@@ -339,7 +339,7 @@ impl Precise {
         gather_warm::<false, 1>(&mut self.rows.one, warm, hot, &step.learning);
         gather_warm::<true, 2>(&mut self.rows.two_fixed, warm, hot, &step.learning);
         gather_warm::<true, 1>(&mut self.rows.one_fixed, warm, hot, &step.learning);
-        self.joints.begin_passes(warm, step.h);
+        self.joints.begin_passes(step.h);
     }
 
     fn solve_soft(&mut self, step: &Step) {

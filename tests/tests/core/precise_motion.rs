@@ -174,14 +174,3 @@ fn a_belt_carries_what_lies_on_it_at_its_speed() {
     assert_abs_diff_eq!(simulator[body].linear_velocity().x, 50.0, epsilon = 0.05);
     assert_eq!(simulator[belt].position(), v(0.0, 10.0));
 }
-
-#[test]
-fn joints_are_refused_and_nothing_is_lost() {
-    use farseer_core::JointFactory;
-    let mut simulator = precise();
-    let (body, _) = add_box(&mut simulator, (32.0, 32.0), v(0.0, 0.0));
-    let refused = JointFactory::create_fixed_revolute_joint_in(&mut simulator, body, v(0.0, 0.0));
-    assert!(refused.is_err());
-    run(&mut simulator, 2);
-    assert!(simulator.joint_list().is_empty());
-}

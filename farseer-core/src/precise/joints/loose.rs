@@ -1,13 +1,29 @@
-//! Joints outside of trees, one after the other: those that close loops, and those that may give way, as limits do. Their
-//! impulses are kept from step to step, and act again in each substep with those of contacts.
+//! Joints outside of trees: those that close loops, and those that may give way, as limits do.
+//!
+//! Trees are solved first. Then each of these pushes where it is not obeyed, and the trees answer as a whole: what a push of 1
+//! does to all velocities is found by [solving](super::tree) the trees once more with it. So trees stay whole, and a single
+//! loop, as of a bridge, is exact after one push. Where that were too much, as for a net, the two bodies answer alone, and
+//! trees are solved after them.
 
-use super::super::bodies::Hot;
 use super::hold::{End, Hold};
 use super::swing::{turn, turned};
-use super::tree::{Link, Vector, cross, dot, plus, spun};
+use super::tree::{Link, Node, Vector, dot, plus, solve, spun};
 
 /// The part of what is beyond a limit that a substep undoes: a limit is a wall, not a spring that is wound up.
 const UNDONE: f64 = 0.2;
+
+/// Bodies times numbers that are kept, up to which trees answer as a whole.
+const WHOLE: usize = 1000;
+
+/// The part of what the two bodies alone would answer that is added to what trees answer: a chain that is straight between two
+/// shores cannot be longer, whatever pulls.
+const YIELDING: f64 = 1e-3;
+
+/// Times that several joints of this kind take turns.
+const SWEEPS: usize = 4;
+
+/// A body that stands for what is no node.
+pub(super) const GROUND: u32 = u32::MAX;
 
 /// A joint outside of trees.
 #[derive(Debug, Clone, Copy)]
@@ -20,25 +36,32 @@ pub(super) struct Loose {
     angle: f64,
     direction: Vector,
     /// Impulses of a substep on the second body: along x and y, or along the direction, and turning.
-    pub(super) impulse: [f64; 3],
+    impulse: [f64; 3],
+    pub(super) force: [f32; 3],
 }
 
+/// One body of such a joint.
 #[derive(Debug, Clone, Copy)]
 struct Side {
+    node: u32,
     end: End,
-    /// Reciprocals of mass and inertia.
-    inverses: [f64; 2],
+    /// How far the ground has turned in this step.
+    turned: f64,
 }
 
-/// One number that is kept: its speed, what a pass may do, and what it has done.
+/// One number that is kept.
+#[derive(Debug, Clone, Copy)]
 struct Row {
+    /// Of its impulse in the joint.
+    at: usize,
     direction: Vector,
     arms: [f64; 2],
-    /// How far the number is from where it should be.
     error: Error,
     most: f64,
 }
 
+/// How far a number is from where it should be.
+#[derive(Debug, Clone, Copy)]
 enum Error {
     /// Beyond where it should be.
     Of(f64),
@@ -49,171 +72,345 @@ enum Error {
 /// What a pass asks for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Pass {
-    /// Velocities with which errors go.
+    /// Velocities with which errors go, by new impulses.
     Correct,
-    /// Velocities with which nothing changes.
+    /// Velocities with which nothing changes, by new impulses.
     Rest,
+    /// The same, by a change of the impulses of the last pass.
+    Relax,
+}
+
+/// What a push of 1 on a number does.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Answer {
+    joint: usize,
+    row: Option<Row>,
+    /// Of the number itself, and of velocities and impulses of all nodes.
+    own: f64,
+    nodes: Vec<[[f64; 3]; 2]>,
+}
+
+/// Velocities that obey all joints of a group as far as they can, from those that do not.
+pub(super) fn solve_group(
+    nodes: &mut [Node],
+    loose: &mut [Loose],
+    holds: &[Hold],
+    room: &mut Room,
+    (h, pass, stiff): (f64, Pass, f64),
+) {
+    match pass {
+        Pass::Correct => loose.iter().for_each(|joint| joint.act_again(nodes)),
+        Pass::Rest => loose.iter_mut().for_each(|joint| joint.impulse = [0.0; 3]),
+        Pass::Relax => {}
+    }
+    let is_whole = loose.len() * nodes.len() <= WHOLE;
+    if !is_whole {
+        for joint in loose.iter_mut() {
+            let hold = &holds[joint.hold as usize];
+            for row in joint.rows(hold, nodes, (h, pass)).into_iter().flatten() {
+                joint.push_alone(&row, hold, nodes, h, pass);
+            }
+        }
+    }
+    solve(nodes, stiff);
+    if is_whole && !loose.is_empty() {
+        room.find_answers(nodes, loose, holds, (h, pass, stiff));
+        for _ in 0..if room.count > 1 { SWEEPS } else { 1 } {
+            for answer in &room.answers[..room.count] {
+                let joint = &mut loose[answer.joint];
+                joint.push(answer, &holds[joint.hold as usize], nodes, h, pass);
+            }
+        }
+    }
+}
+
+/// Kept from pass to pass, so that nothing is allocated.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Room {
+    answers: Vec<Answer>,
+    count: usize,
+    nodes: Vec<Node>,
+}
+
+impl Room {
+    /// Finds what the trees answer to each number that is not obeyed, or has had to be.
+    fn find_answers(
+        &mut self,
+        nodes: &[Node],
+        loose: &[Loose],
+        holds: &[Hold],
+        (h, pass, stiff): (f64, Pass, f64),
+    ) {
+        self.count = 0;
+        for (at, joint) in loose.iter().enumerate() {
+            let hold = &holds[joint.hold as usize];
+            for row in joint.rows(hold, nodes, (h, pass)).into_iter().flatten() {
+                if !joint.is_idle(&row, hold, nodes, h, pass) {
+                    self.find_answer(nodes, joint, at, &row, stiff);
+                }
+            }
+        }
+    }
+
+    fn find_answer(&mut self, nodes: &[Node], joint: &Loose, at: usize, row: &Row, stiff: f64) {
+        self.nodes.clear();
+        self.nodes.extend_from_slice(nodes);
+        for node in &mut self.nodes {
+            (node.velocity, node.bias) = ([0.0; 3], [0.0; 3]);
+        }
+        joint.apply(row, 1.0, &mut self.nodes);
+        solve(&mut self.nodes, stiff);
+        if self.answers.len() == self.count {
+            self.answers.push(Answer::default());
+        }
+        let answer = &mut self.answers[self.count];
+        (answer.joint, answer.row) = (at, Some(*row));
+        answer.own = joint.speed_of(row, &self.nodes, false) + YIELDING * joint.alone(row, nodes);
+        answer.nodes.clear();
+        answer.nodes.extend(self.nodes.iter().map(|node| [node.velocity, node.impulse]));
+        self.count += 1;
+    }
 }
 
 impl Loose {
-    pub(super) fn new(at: usize, hold: &Hold, [dt, h]: [f64; 2], inverses: impl Fn(u32) -> [f64; 2]) -> Self {
-        let sides = hold.ends.map(|end| Side { end, inverses: inverses(end.body) });
-        let [x, y, turning] = hold.force.map(|force| f64::from(force) * h);
-        let mut loose = Loose {
-            hold: at as u32,
+    pub(super) fn new(at: u32, hold: &Hold, node_of: impl Fn(u32) -> u32) -> Self {
+        let sides = hold.ends.map(|end| Side { node: node_of(end.body), end, turned: 0.0 });
+        Loose {
+            hold: at,
             link: hold.link,
-            softness: hold.softness * dt / h,
-            rate: hold.bias_factor / dt,
+            softness: 0.0,
+            rate: 0.0,
             sides,
-            angle: hold.angle,
+            angle: 0.0,
             direction: [1.0, 0.0],
-            impulse: [x, y, turning],
-        };
-        if hold.link == Link::Distance {
-            loose.find_direction();
-            loose.impulse = [dot(loose.direction, [x, y]), 0.0, 0.0];
+            impulse: [0.0; 3],
+            force: [0.0; 3],
         }
-        loose
     }
 
-    /// Force on the second body.
-    pub(super) fn force(&self, h: f64) -> [f32; 3] {
+    /// A step begins.
+    pub(super) fn begin(&mut self, hold: &Hold, [dt, h]: [f64; 2]) {
+        for (side, &end) in self.sides.iter_mut().zip(&hold.ends) {
+            (side.end, side.turned) = (end, 0.0);
+        }
+        // An impulse of a substep is that part of one of an update.
+        (self.softness, self.rate) = (hold.softness * dt / h, hold.bias_factor / dt);
+        self.angle = hold.angle;
+        let [x, y, turning] = hold.force.map(|force| f64::from(force) * h);
+        self.impulse = [x, y, turning];
+        if hold.link == Link::Distance {
+            self.find_direction();
+            self.impulse = [dot(self.direction, [x, y]), 0.0, 0.0];
+        }
+    }
+
+    pub(super) fn is_soft(&self) -> bool {
+        self.softness > 0.0
+    }
+
+    /// Substeps have another length than it was begun with.
+    pub(super) fn stretch(&mut self, longer: f64) {
+        self.softness /= longer;
+        self.impulse = self.impulse.map(|impulse| impulse * longer);
+    }
+
+    /// The impulse so far is what held the joint in this step: as a force on the second body.
+    pub(super) fn keep_force(&mut self, h: f64) {
         let [x, y, turning] = self.impulse;
-        let [x, y] =
-            if self.link == Link::Distance { [self.direction[0] * x, self.direction[1] * x] } else { [x, y] };
-        [x, y, turning].map(|impulse| (impulse / h) as f32)
+        let [x, y] = match self.link {
+            Link::Distance => [self.direction[0] * x, self.direction[1] * x],
+            _ => [x, y],
+        };
+        self.force = [x, y, turning].map(|impulse| (impulse / h) as f32);
+    }
+
+    /// The nodes have moved in a substep.
+    pub(super) fn advance(&mut self, nodes: &[Node], h: f64) {
+        for side in &mut self.sides {
+            if let Some(node) = nodes.get(side.node as usize) {
+                side.end.place = node.place;
+                side.end.arm = turned(node.turn, side.end.arm);
+            } else {
+                let [x, y, angle] = side.end.velocity.map(|velocity| velocity * h);
+                side.end.place = plus(side.end.place, [x, y], 1.0);
+                side.end.arm = turned(turn(angle), side.end.arm);
+                side.turned += angle;
+            }
+        }
+        self.find_direction();
     }
 
     fn apart(&self) -> Vector {
-        let [a, b] = self.sides.map(|side| plus(side.end.place, side.end.arm, 1.0));
-        plus(b, a, -1.0)
+        plus(self.sides[1].end.point(), self.sides[0].end.point(), -1.0)
     }
 
-    /// Answers the distance of the anchors.
-    fn find_direction(&mut self) -> f64 {
+    /// Anchors on one spot have no direction: that which they had last is as good as any.
+    fn find_direction(&mut self) {
         let apart = self.apart();
         let distance = dot(apart, apart).sqrt();
         if distance > 0.0 {
             self.direction = [apart[0] / distance, apart[1] / distance];
         }
-        distance
     }
 
-    /// Bodies have moved in a substep.
-    pub(super) fn advance(&mut self, hot: &[Hot], h: f64) {
-        let mut angles = [0.0; 2];
-        for (side, turning) in self.sides.iter_mut().zip(&mut angles) {
-            let [x, y, angle] = match side.end.body {
-                0 => side.end.velocity.map(|velocity| velocity * h),
-                body => {
-                    let [x, y, angle, _] = hot[body as usize].step.map(f64::from);
-                    [x, y, angle]
-                }
-            };
-            side.end.place = plus(side.end.place, [x, y], 1.0);
-            side.end.arm = turned(turn(angle), side.end.arm);
-            *turning = angle;
-        }
-        self.angle += angles[1] - angles[0];
+    fn velocity_of(&self, side: &Side, nodes: &[Node]) -> [f64; 3] {
+        nodes.get(side.node as usize).map_or(side.end.velocity, |node| node.velocity)
     }
 
-    /// The impulses so far act: at the beginning of a step.
-    pub(super) fn warm(&self, warm: &mut [[f32; 4]]) {
-        let [x, y, turning] = self.impulse;
-        let (linear, angular) = match self.link {
-            Link::Distance => ([self.direction[0] * x, self.direction[1] * x], 0.0),
-            _ => ([x, y], turning),
-        };
-        for (side, sign) in self.sides.iter().zip([-1.0, 1.0]) {
-            let [mass, inertia] = side.inverses;
-            let change = [
-                sign * mass * linear[0],
-                sign * mass * linear[1],
-                sign * inertia * (cross(side.end.arm, linear) + angular),
-            ];
-            let of = &mut warm[side.end.body as usize];
-            (0..3).for_each(|i| of[i] += change[i] as f32);
-        }
-    }
-
-    /// One pass.
-    pub(super) fn solve(&mut self, hold: &Hold, hot: &mut [Hot], h: f64, pass: Pass) {
-        let mut velocities = self.sides.map(|side| match side.end.body {
-            0 => side.end.velocity,
-            body => {
-                let [x, y, spin, _] = hot[body as usize].velocity.map(f64::from);
-                [x, y, spin]
-            }
+    /// How far the anchors part in a time along a direction because their ways are bent: as the arms turn, and, if it is their
+    /// distance that counts, as they go round each other.
+    fn bend(&self, direction: Vector, distance: Option<f64>, nodes: &[Node], h: f64) -> f64 {
+        let [a, b] = self.sides.each_ref().map(|side| {
+            let ([x, y, spin], arm) = (self.velocity_of(side, nodes), side.end.arm);
+            (plus([x, y], spun(arm), spin), -spin * spin * dot(arm, direction))
         });
+        let across = dot(plus(b.0, a.0, -1.0), spun(direction));
+        let round =
+            distance.filter(|&distance| distance > 0.0).map_or(0.0, |distance| across * across / distance);
+        0.5 * h * h * (b.1 - a.1 + round)
+    }
+
+    /// The numbers that it keeps.
+    fn rows(&self, hold: &Hold, nodes: &[Node], (h, pass): (f64, Pass)) -> [Option<Row>; 3] {
+        let apart = self.apart();
+        let row = |at, direction, error, most| {
+            let arms = self.sides.map(|side| dot(spun(side.end.arm), direction));
+            Some(Row { at, direction, arms, error, most })
+        };
+        let bend = |direction, distance| {
+            if pass == Pass::Correct { self.bend(direction, distance, nodes, h) } else { 0.0 }
+        };
+        let point = |at: usize, direction, most| {
+            row(at, direction, Error::Of(apart[at] + bend(direction, None)), most)
+        };
         match self.link {
             Link::Distance => {
-                let distance = self.find_direction();
-                let row = self.row(self.direction, bounded(distance, hold), hold.most);
-                self.solve_row(0, &row, hold, &mut velocities, h, pass);
+                let distance = dot(apart, apart).sqrt();
+                let ahead = distance + bend(self.direction, Some(distance));
+                [row(0, self.direction, bounded(ahead, hold), hold.most), None, None]
             }
-            Link::Angle => self.solve_angle(hold, &mut velocities, h, pass),
+            Link::Angle => [None, None, self.angle_row(hold, nodes)],
+            Link::Point => [point(0, [1.0, 0.0], hold.most), point(1, [0.0, 1.0], hold.most), None],
+            // The greatest impulse of a weld is that of its angle.
             _ => {
-                let apart = self.apart();
-                // The greatest impulse of a weld is that of its angle.
-                let most = if self.link == Link::Point { hold.most } else { f64::MAX };
-                for (at, direction) in [[1.0, 0.0], [0.0, 1.0]].into_iter().enumerate() {
-                    let row = self.row(direction, Error::Of(apart[at]), most);
-                    self.solve_row(at, &row, hold, &mut velocities, h, pass);
-                }
-                if self.link == Link::Weld {
-                    self.solve_angle(hold, &mut velocities, h, pass);
-                }
-            }
-        }
-        for (side, [x, y, spin]) in self.sides.iter().zip(velocities) {
-            if side.end.body != 0 {
-                let velocity = &mut hot[side.end.body as usize].velocity;
-                [velocity[0], velocity[1], velocity[2]] = [x as f32, y as f32, spin as f32];
+                [point(0, [1.0, 0.0], f64::MAX), point(1, [0.0, 1.0], f64::MAX), self.angle_row(hold, nodes)]
             }
         }
     }
 
-    fn solve_angle(&mut self, hold: &Hold, velocities: &mut [[f64; 3]; 2], h: f64, pass: Pass) {
-        let row =
-            Row { direction: [0.0; 2], arms: [1.0; 2], error: bounded(self.angle, hold), most: hold.most };
-        self.solve_row(2, &row, hold, velocities, h, pass);
+    fn angle_row(&self, hold: &Hold, nodes: &[Node]) -> Option<Row> {
+        let turned = |side: Side| nodes.get(side.node as usize).map_or(side.turned, |node| node.path[2]);
+        let [a, b] = self.sides.map(turned);
+        let error = bounded(self.angle + b - a, hold);
+        Some(Row { at: 2, direction: [0.0; 2], arms: [1.0; 2], error, most: hold.most })
     }
 
-    fn row(&self, direction: Vector, error: Error, most: f64) -> Row {
-        Row { direction, arms: self.sides.map(|side| dot(spun(side.end.arm), direction)), error, most }
+    /// How fast a number changes.
+    fn speed_of(&self, row: &Row, nodes: &[Node], with_ground: bool) -> f64 {
+        let of = |side: &Side, arm: f64| {
+            let ground = if with_ground { side.end.velocity } else { [0.0; 3] };
+            let [x, y, spin] = nodes.get(side.node as usize).map_or(ground, |node| node.velocity);
+            dot([x, y], row.direction) + spin * arm
+        };
+        of(&self.sides[1], row.arms[1]) - of(&self.sides[0], row.arms[0])
     }
 
-    fn solve_row(
-        &mut self,
-        at: usize,
-        row: &Row,
-        hold: &Hold,
-        velocities: &mut [[f64; 3]; 2],
-        h: f64,
-        pass: Pass,
-    ) {
-        let along = |[x, y, spin]: [f64; 3], arm: f64| dot([x, y], row.direction) + spin * arm;
-        let speed = along(velocities[1], row.arms[1]) - along(velocities[0], row.arms[0]);
-        let square = dot(row.direction, row.direction);
-        let weight = |side: &Side, arm: f64| side.inverses[0] * square + side.inverses[1] * arm * arm;
-        let inverse = weight(&self.sides[0], row.arms[0]) + weight(&self.sides[1], row.arms[1]);
-        if inverse <= 0.0 {
-            return;
+    /// Whether a limit is obeyed, and has not had to push.
+    fn is_idle(&self, row: &Row, hold: &Hold, nodes: &[Node], h: f64, pass: Pass) -> bool {
+        match row.error {
+            Error::Of(_) => false,
+            Error::Room(_, sign) => {
+                let (wanted, ..) = self.wants(row, hold, h, pass);
+                self.impulse[row.at] == 0.0 && sign * (self.speed_of(row, nodes, true) - wanted) >= 0.0
+            }
         }
-        let (wanted, low, high) = row.error.asks(self, hold, h, pass, row.most);
-        let old = if self.impulse[at] < low || self.impulse[at] > high { 0.0 } else { self.impulse[at] };
-        let missing = wanted - speed - self.softness * old;
-        let impulse = (old + missing / (inverse + self.softness)).clamp(low, high);
-        let change = impulse - self.impulse[at];
-        self.impulse[at] = impulse;
-        for ((velocity, side), (arm, sign)) in
-            velocities.iter_mut().zip(&self.sides).zip(row.arms.into_iter().zip([-1.0, 1.0]))
-        {
-            let [mass, inertia] = side.inverses;
-            velocity[0] += sign * change * mass * row.direction[0];
-            velocity[1] += sign * change * mass * row.direction[1];
-            velocity[2] += sign * change * inertia * arm;
+    }
+
+    /// The impulses so far act anew.
+    fn act_again(&self, nodes: &mut [Node]) {
+        let [x, y, turning] = self.impulse;
+        let direction = match self.link {
+            Link::Distance => [self.direction[0] * x, self.direction[1] * x],
+            _ => [x, y],
+        };
+        let arms = self.sides.map(|side| dot(spun(side.end.arm), direction) + turning);
+        self.apply(&Row { at: 0, direction, arms, error: Error::Of(0.0), most: 0.0 }, 1.0, nodes);
+    }
+
+    /// Pushes both bodies.
+    fn apply(&self, row: &Row, impulse: f64, nodes: &mut [Node]) {
+        for ((side, arm), sign) in self.sides.iter().zip(row.arms).zip([-1.0, 1.0]) {
+            let Some(node) = nodes.get_mut(side.node as usize) else { continue };
+            let push = sign * impulse;
+            node.velocity[0] += push * row.direction[0] / node.mass;
+            node.velocity[1] += push * row.direction[1] / node.mass;
+            node.velocity[2] += push * arm / node.inertia;
         }
+    }
+
+    /// The speed that is asked for, and the least and greatest impulse.
+    fn wants(&self, row: &Row, hold: &Hold, h: f64, pass: Pass) -> (f64, f64, f64) {
+        let most = row.most;
+        match row.error {
+            Error::Of(error) if self.softness > 0.0 => (-error * self.rate, -most, most),
+            Error::Of(error) if pass == Pass::Correct => (-error / h, -most, most),
+            Error::Of(_) => (0.0, -most, most),
+            Error::Room(room, sign) => {
+                let beyond = if -room > hold.slop { -room - hold.slop } else { 0.0 };
+                let speed = match pass {
+                    // Until the limit there is as much way as there is room.
+                    _ if room >= 0.0 => -room / h,
+                    Pass::Correct => UNDONE * beyond / h,
+                    Pass::Rest | Pass::Relax => 0.0,
+                };
+                let (low, high) = if sign > 0.0 { (0.0, most) } else { (-most, 0.0) };
+                (sign * speed, low, high)
+            }
+        }
+    }
+
+    /// The change of an impulse that a number asks for, with what a push of 1 does to it.
+    fn change(&mut self, row: &Row, hold: &Hold, nodes: &[Node], own: f64, (h, pass): (f64, Pass)) -> f64 {
+        let (wanted, low, high) = self.wants(row, hold, h, pass);
+        let old = self.impulse[row.at];
+        let missing = wanted - self.speed_of(row, nodes, true) - self.softness * old;
+        let inverse = own + self.softness;
+        if inverse.is_nan() || inverse <= 0.0 {
+            return 0.0;
+        }
+        self.impulse[row.at] = (old + missing / inverse).clamp(low, high);
+        self.impulse[row.at] - old
+    }
+
+    /// What a push of 1 does to the number if only the two bodies answer.
+    fn alone(&self, row: &Row, nodes: &[Node]) -> f64 {
+        let of = |side: &Side, arm: f64| {
+            nodes
+                .get(side.node as usize)
+                .map_or(0.0, |node| dot(row.direction, row.direction) / node.mass + arm * arm / node.inertia)
+        };
+        of(&self.sides[0], row.arms[0]) + of(&self.sides[1], row.arms[1])
+    }
+
+    /// Pushes, and the trees answer.
+    fn push(&mut self, answer: &Answer, hold: &Hold, nodes: &mut [Node], h: f64, pass: Pass) {
+        let Some(row) = &answer.row else { return };
+        let change = self.change(row, hold, nodes, answer.own, (h, pass));
+        if change != 0.0 {
+            for (node, [velocity, impulse]) in nodes.iter_mut().zip(&answer.nodes) {
+                for i in 0..3 {
+                    node.velocity[i] += change * velocity[i];
+                    node.impulse[i] += change * impulse[i];
+                }
+            }
+        }
+    }
+
+    /// Pushes, and the two bodies answer.
+    fn push_alone(&mut self, row: &Row, hold: &Hold, nodes: &mut [Node], h: f64, pass: Pass) {
+        let own = self.alone(row, nodes);
+        let change = self.change(row, hold, nodes, own, (h, pass));
+        self.apply(row, change, nodes);
     }
 }
 
@@ -221,32 +418,10 @@ impl Loose {
 fn bounded(value: f64, hold: &Hold) -> Error {
     let [low, high] = hold.range;
     if low >= high {
-        Error::Of(value - low)
+        Error::Of(value - high)
     } else if value - low < high - value {
         Error::Room(value - low, 1.0)
     } else {
         Error::Room(high - value, -1.0)
-    }
-}
-
-impl Error {
-    /// The speed that is asked for, and the least and greatest impulse.
-    fn asks(&self, joint: &Loose, hold: &Hold, h: f64, pass: Pass, most: f64) -> (f64, f64, f64) {
-        match *self {
-            Error::Of(error) if joint.softness > 0.0 => (-error * joint.rate, -most, most),
-            Error::Of(_) if pass == Pass::Rest => (0.0, -most, most),
-            Error::Of(error) => (-error / h, -most, most),
-            Error::Room(room, sign) => {
-                // Until the limit there is as much way as there is room.
-                let beyond = if -room > hold.slop { -room - hold.slop } else { 0.0 };
-                let speed = match pass {
-                    _ if room >= 0.0 => -room / h,
-                    Pass::Correct => UNDONE * beyond / h,
-                    Pass::Rest => 0.0,
-                };
-                let (low, high) = if sign > 0.0 { (0.0, most) } else { (-most, 0.0) };
-                (sign * speed, low, high)
-            }
-        }
     }
 }

@@ -58,7 +58,8 @@ impl Precise {
             Keeps::Angle => Link::Angle,
             Keeps::Distance => Link::Distance,
         };
-        let softness = if link == Link::Angle { 0.0 } else { f64::from(joint.softness()) };
+        let yields = matches!(link, Link::Point | Link::Distance);
+        let softness = if yields { f64::from(joint.softness()) } else { 0.0 };
         let mut hold = Hold {
             joint: id,
             bodies: held.bodies,

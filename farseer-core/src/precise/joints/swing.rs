@@ -9,7 +9,10 @@
 
 use super::super::bodies::Bodies;
 use super::super::tuning::Step;
-use super::tree::{Link, Node, Vector, dot, plus, solve, spun};
+use super::Group;
+use super::hold::Hold;
+use super::loose::{Pass, Room, solve_group};
+use super::tree::{Link, Node, Vector, dot, plus, spun};
 
 /// An error is undone in one substep up to this part of the length unit; a greater one in more of them.
 const CLOSED_AT_ONCE: f64 = 0.5;
@@ -74,10 +77,26 @@ pub(super) fn aim(nodes: &mut [Node], h: f64, unit: f64) {
     }
 }
 
-/// Lets joints ask for velocities with which they go on to hold.
+/// Lets joints ask for velocities with which they go on to hold. A soft one yields to what it has held with already.
 #[inline]
 pub(super) fn rest(nodes: &mut [Node]) {
-    nodes.iter_mut().for_each(|node| node.bias = [0.0; 3]);
+    for at in 0..nodes.len() {
+        nodes[at].bias = [0.0; 3];
+        if nodes[at].softness > 0.0 {
+            let parent = nodes[nodes[at].parent as usize];
+            let node = &mut nodes[at];
+            let error = plus(plus(node.place, node.arm, 1.0), plus(parent.place, node.parent_arm, 1.0), -1.0);
+            let held = [node.kept_impulse[0], node.kept_impulse[1]];
+            let [x, y] = match node.link {
+                Link::Distance => {
+                    let beyond = dot(error, node.direction) - node.wanted;
+                    [beyond * node.rate + dot(held, node.direction) * node.softness, 0.0]
+                }
+                _ => plus([error[0] * node.rate, error[1] * node.rate], held, node.softness),
+            };
+            node.bias = [-x, -y, 0.0];
+        }
+    }
 }
 
 /// Bodies move, and the arms of their joints turn.
@@ -93,6 +112,22 @@ pub(super) fn advance(nodes: &mut [Node], h: f64) {
     for at in 0..nodes.len() {
         let turn = nodes[nodes[at].parent as usize].turn;
         nodes[at].parent_arm = turned(turn, nodes[at].parent_arm);
+        if nodes[at].link == Link::Distance {
+            let parent = nodes[nodes[at].parent as usize].place;
+            nodes[at].find_direction(parent);
+        }
+    }
+}
+
+impl Node {
+    /// Finds the direction from the anchor of the parent, whose origin is here. Anchors on one spot have none: that which they
+    /// had last is as good as any.
+    fn find_direction(&mut self, parent: Vector) {
+        let apart = plus(plus(self.place, self.arm, 1.0), plus(parent, self.parent_arm, 1.0), -1.0);
+        let distance = dot(apart, apart).sqrt();
+        if distance > 0.0 {
+            self.direction = [apart[0] / distance, apart[1] / distance];
+        }
     }
 }
 
@@ -157,10 +192,7 @@ fn aim_point(node: &Node, child: &Side, parent: &Side, h: f64, unit: f64) -> [f6
 fn aim_distance(node: &mut Node, child: &Side, parent: &Side, h: f64, unit: f64) -> f64 {
     let apart = plus(child.anchor(), parent.anchor(), -1.0);
     let distance = dot(apart, apart).sqrt();
-    // Anchors on one spot have no direction of their own: the one that they had last is as good as any.
-    if distance > 0.0 {
-        node.direction = [apart[0] / distance, apart[1] / distance];
-    }
+    node.find_direction(parent.place);
     let error = distance - node.wanted;
     if node.softness > 0.0 {
         return -error * node.rate;
@@ -204,7 +236,15 @@ pub(super) fn stiffen(nodes: &mut [Node], h: f64) {
 /// Moves a tree that nothing touches through all substeps of a step.
 ///
 /// What springs and games push with may depend on the place: it acts at the beginning, as with bodies that nothing holds.
-pub(super) fn swing(nodes: &mut [Node], bodies: &Bodies, step: &Step, unit: f64) {
+pub(super) fn swing(
+    group: &mut Group,
+    holds: &[Hold],
+    room: &mut Room,
+    bodies: &Bodies,
+    step: &Step,
+    unit: f64,
+) {
+    let Group { nodes, loose, .. } = group;
     // What is exact in each substep needs fewer of them.
     let parts = step.substeps.div_ceil(PARTS);
     let (dt, h) = (f64::from(step.dt), f64::from(step.dt) / f64::from(parts));
@@ -222,17 +262,20 @@ pub(super) fn swing(nodes: &mut [Node], bodies: &Bodies, step: &Step, unit: f64)
             }
         }
     }
+    loose.iter_mut().for_each(|loose| loose.stretch(longer));
     stiffen(nodes, h);
     for part in 0..parts {
         kick(nodes, if part == 0 { 0.5 } else { 1.0 });
         aim(nodes, h, unit);
-        solve(nodes, 1.0);
+        solve_group(nodes, loose, holds, room, (h, Pass::Correct, 1.0));
         advance(nodes, h);
+        loose.iter_mut().for_each(|loose| loose.advance(nodes, h));
     }
     nodes.iter_mut().for_each(|node| node.kept_impulse = node.impulse);
+    loose.iter_mut().for_each(|loose| loose.keep_force(h));
     kick(nodes, 0.5);
     rest(nodes);
-    solve(nodes, 0.0);
+    solve_group(nodes, loose, holds, room, (h, Pass::Rest, 0.0));
 }
 
 fn kick(nodes: &mut [Node], part: f64) {

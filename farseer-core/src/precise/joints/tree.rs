@@ -213,13 +213,16 @@ pub(super) fn solve(nodes: &mut [Node], stiff: f64) {
     }
     for at in (1..nodes.len()).rev() {
         let (before, rest) = nodes.split_at_mut(at);
-        let node = &mut rest[0];
-        node.hand_up(&mut before[node.parent as usize]);
+        if let Some(parent) = before.get_mut(rest[0].parent as usize) {
+            rest[0].hand_up(parent);
+        }
     }
-    nodes[0].lead();
-    for at in 1..nodes.len() {
+    for at in 0..nodes.len() {
         let (before, rest) = nodes.split_at_mut(at);
-        rest[0].follow(before[rest[0].parent as usize].work.velocity);
+        match before.get(rest[0].parent as usize) {
+            Some(parent) => rest[0].follow(parent.work.velocity),
+            None => rest[0].lead(),
+        }
     }
 }
 
