@@ -35,17 +35,23 @@ impl PlaneMatrix {
         Vector2::new(p.x * self.m11 + p.y * self.m21 + self.m41, p.x * self.m12 + p.y * self.m22 + self.m42)
     }
 
-    /// [`apply`](Self::apply) to every point, two at a time.
-    fn apply_to_all(&self, points: &[Vector2], results: &mut [Vector2]) {
+    /// [`apply`](Self::apply) to two points, side by side.
+    #[inline(always)]
+    fn apply_to_pair(&self, [a, b]: &[Vector2; 2]) -> f32x4 {
         let row1 = f32x4::new([self.m11, self.m12, self.m11, self.m12]);
         let row2 = f32x4::new([self.m21, self.m22, self.m21, self.m22]);
         let row4 = f32x4::new([self.m41, self.m42, self.m41, self.m42]);
+        let x = f32x4::new([a.x, a.x, b.x, b.x]);
+        let y = f32x4::new([a.y, a.y, b.y, b.y]);
+        x * row1 + y * row2 + row4
+    }
+
+    /// [`apply`](Self::apply) to every point, two at a time.
+    fn apply_to_all(&self, points: &[Vector2], results: &mut [Vector2]) {
         let (pairs, rest) = points.as_chunks::<2>();
         let (result_pairs, result_rest) = results.as_chunks_mut::<2>();
-        for ([a, b], result) in pairs.iter().zip(result_pairs) {
-            let x = f32x4::new([a.x, a.x, b.x, b.x]);
-            let y = f32x4::new([a.y, a.y, b.y, b.y]);
-            let [ax, ay, bx, by] = (x * row1 + y * row2 + row4).to_array();
+        for (pair, result) in pairs.iter().zip(result_pairs) {
+            let [ax, ay, bx, by] = self.apply_to_pair(pair).to_array();
             *result = [Vector2::new(ax, ay), Vector2::new(bx, by)];
         }
         for (&point, result) in rest.iter().zip(result_rest) {
@@ -153,12 +159,13 @@ fn is_finite(v: &Vector2) -> bool {
     v.x.is_finite() && v.y.is_finite()
 }
 
-/// Zeros if all points are finite, else NaN among them; two points at a time and without a branch for each.
-fn sum_of_zeros(points: &[Vector2]) -> f32x4 {
+/// Zeros if all points are finite where `place` has them, else NaN among them; two points at a time and without a branch
+/// for each.
+#[inline(always)]
+fn sum_of_zeros(points: &[Vector2], place: impl Fn(&[Vector2; 2]) -> f32x4) -> f32x4 {
     let (pairs, last) = points.as_chunks::<2>();
-    let last = last.first().map_or(f32x4::ZERO, |v| f32x4::new([v.x, v.y, 0.0, 0.0]));
-    let sum = |sum, [v, w]: &[Vector2; 2]| sum + f32x4::new([v.x, v.y, w.x, w.y]) * f32x4::ZERO;
-    pairs.iter().fold(last * f32x4::ZERO, sum)
+    let last = last.first().map_or(f32x4::ZERO, |&vertex| place(&[vertex, vertex]));
+    pairs.iter().fold(last * f32x4::ZERO, |sum, pair| sum + place(pair) * f32x4::ZERO)
 }
 
 /// The geoms of a simulator.
@@ -273,7 +280,12 @@ impl GeomEntry {
 
     /// Follows the body: matrix, world vertices and box.
     pub(crate) fn follow(&mut self, position: Vector2, rotation: f32) {
-        self.pose = GeomPose::of_body(position, rotation, self.offset, self.rotation_offset);
+        self.lie_at(GeomPose::of_body(position, rotation, self.offset, self.rotation_offset));
+    }
+
+    #[inline(always)]
+    pub(crate) fn lie_at(&mut self, pose: GeomPose) {
+        self.pose = pose;
         self.user_matrix = None;
         self.refresh_is_due = false;
         self.refresh();
@@ -322,7 +334,7 @@ impl GeomEntry {
             + f32x4::new([position.x, position.y, back.m41, back.m42]) * zero;
         // The box around an outline is finite where the outline is; that of a disc says nothing of it.
         if self.box_radius.is_some() {
-            sum += sum_of_zeros(&self.world_vertices);
+            sum += sum_of_zeros(&self.world_vertices, |[a, b]| f32x4::new([a.x, a.y, b.x, b.y]));
         }
         sum.simd_eq(zero).all()
     }
@@ -330,12 +342,11 @@ impl GeomEntry {
     /// Whether the geom's place would be finite with its body there.
     pub(crate) fn would_be_finite_at(&self, position: Vector2, rotation: f32) -> bool {
         let pose = GeomPose::of_body(position, rotation, self.offset, self.rotation_offset);
-        let are_finite =
-            |mut points: std::slice::Iter<'_, Vector2>| points.all(|&v| is_finite(&pose.matrix.apply(v)));
+        let sum = sum_of_zeros(&self.local_vertices, |pair| pose.matrix.apply_to_pair(pair));
         let disc = self.box_around(&[], pose.position);
         is_finite(&pose.position)
             && is_finite(&Vector2::new(pose.inverse.m41, pose.inverse.m42))
-            && are_finite(self.local_vertices.iter())
+            && sum.simd_eq(f32x4::ZERO).all()
             && (self.box_radius.is_none() || is_finite(&disc.min) && is_finite(&disc.max))
     }
 
