@@ -42,11 +42,13 @@ pub enum Methods {
     /// | a negative step, stages called one by one | refused and [reported](crate::Event::RejectedInput) |
     /// | a negative mass, an inverse inertia that is not a normal number | no push moves or turns the body: `f32::MAX` as the moment of inertia keeps it from turning |
     /// | a static body's velocity | a conveyor belt, as in the faithful set |
+    /// | [callbacks of a geom](crate::Geom::set_collision_callbacks_enabled), friction, restitution and tangent speed [set by a handler](crate::Context::set_contact_friction) | as in the faithful set |
     /// | joints | refused with [`Error::NotSupported`] |
     ///
     /// Geoms of the circle factory with eight edges or more are true circles, with fewer the polygons that they look like;
     /// concave outlines are cut into convex pieces. Collisions are events when they begin and separations when they end;
-    /// handlers are asked in every update in which two geoms touch. What a handler refuses, and contacts that it takes off the
+    /// handlers are asked in every update in which two geoms touch, unless the callbacks of both are switched off: such pairs
+    /// cost nothing. What a handler refuses, and contacts that it takes off the
     /// list, push nothing in that update. World vertices and boxes of geoms are computed when somebody asks for them.
     Precise {
         /// Size of things that a player looks at, in the user's length unit: how near and how slow is near and slow enough.

@@ -35,28 +35,30 @@ impl PlaneMatrix {
         Vector2::new(p.x * self.m11 + p.y * self.m21 + self.m41, p.x * self.m12 + p.y * self.m22 + self.m42)
     }
 
-    /// [`apply`](Self::apply) to two points, side by side.
-    #[inline(always)]
-    fn apply_to_pair(&self, [a, b]: &[Vector2; 2]) -> f32x4 {
+    /// [`apply`](Self::apply) to every point, two at a time.
+    fn apply_to_all(&self, points: &[Vector2], results: &mut [Vector2]) {
         let row1 = f32x4::new([self.m11, self.m12, self.m11, self.m12]);
         let row2 = f32x4::new([self.m21, self.m22, self.m21, self.m22]);
         let row4 = f32x4::new([self.m41, self.m42, self.m41, self.m42]);
-        let x = f32x4::new([a.x, a.x, b.x, b.x]);
-        let y = f32x4::new([a.y, a.y, b.y, b.y]);
-        x * row1 + y * row2 + row4
-    }
-
-    /// [`apply`](Self::apply) to every point, two at a time.
-    fn apply_to_all(&self, points: &[Vector2], results: &mut [Vector2]) {
         let (pairs, rest) = points.as_chunks::<2>();
         let (result_pairs, result_rest) = results.as_chunks_mut::<2>();
-        for (pair, result) in pairs.iter().zip(result_pairs) {
-            let [ax, ay, bx, by] = self.apply_to_pair(pair).to_array();
+        for ([a, b], result) in pairs.iter().zip(result_pairs) {
+            let x = f32x4::new([a.x, a.x, b.x, b.x]);
+            let y = f32x4::new([a.y, a.y, b.y, b.y]);
+            let [ax, ay, bx, by] = (x * row1 + y * row2 + row4).to_array();
             *result = [Vector2::new(ax, ay), Vector2::new(bx, by)];
         }
         for (&point, result) in rest.iter().zip(result_rest) {
             *result = self.apply(point);
         }
+    }
+
+    fn floats(&self) -> [f32; 6] {
+        [self.m11, self.m12, self.m21, self.m22, self.m41, self.m42]
+    }
+
+    fn is_finite(&self) -> bool {
+        self.floats().iter().all(|number| number.is_finite())
     }
 
     #[inline(always)]
@@ -137,11 +139,19 @@ impl GeomPose {
     }
 }
 
+impl GeomPose {
+    fn is_finite(&self) -> bool {
+        self.matrix.is_finite()
+            && self.inverse.is_finite()
+            && is_finite(&self.position)
+            && self.rotation.is_finite()
+    }
+}
+
 impl Floats for GeomPose {
     fn to_floats(&self) -> Vec<f32> {
-        let GeomPose { matrix: m, inverse: i, position, rotation } = *self;
-        let [m, i] = [m, i].map(|m| [m.m11, m.m12, m.m21, m.m22, m.m41, m.m42]);
-        [&m[..], &i[..], &[position.x, position.y, rotation]].concat()
+        let GeomPose { matrix, inverse, position, rotation } = self;
+        [&matrix.floats()[..], &inverse.floats(), &[position.x, position.y, *rotation]].concat()
     }
 
     fn from_floats(floats: &[f32]) -> Option<Self> {
@@ -159,13 +169,13 @@ fn is_finite(v: &Vector2) -> bool {
     v.x.is_finite() && v.y.is_finite()
 }
 
-/// Zeros if all points are finite where `place` has them, else NaN among them; two points at a time and without a branch
-/// for each.
+/// The sum of all points, in four parts: four points at a time and without a branch for each.
 #[inline(always)]
-fn sum_of_zeros(points: &[Vector2], place: impl Fn(&[Vector2; 2]) -> f32x4) -> f32x4 {
-    let (pairs, last) = points.as_chunks::<2>();
-    let last = last.first().map_or(f32x4::ZERO, |&vertex| place(&[vertex, vertex]));
-    pairs.iter().fold(last * f32x4::ZERO, |sum, pair| sum + place(pair) * f32x4::ZERO)
+fn sum_of(points: &[Vector2]) -> f32x4 {
+    let pair = |a: &Vector2, b: &Vector2| f32x4::new([a.x, a.y, b.x, b.y]);
+    let (fours, rest) = points.as_chunks::<4>();
+    let rest = rest.iter().fold(f32x4::ZERO, |sum, point| sum + pair(point, point));
+    fours.iter().fold(rest, |sum, [a, b, c, d]| sum + pair(a, b) + pair(c, d))
 }
 
 /// The geoms of a simulator.
@@ -334,19 +344,27 @@ impl GeomEntry {
             + f32x4::new([position.x, position.y, back.m41, back.m42]) * zero;
         // The box around an outline is finite where the outline is; that of a disc says nothing of it.
         if self.box_radius.is_some() {
-            sum += sum_of_zeros(&self.world_vertices, |[a, b]| f32x4::new([a.x, a.y, b.x, b.y]));
+            sum += sum_of(&self.world_vertices) * zero;
         }
-        sum.simd_eq(zero).all()
+        sum.simd_eq(zero).all() || self.great_place_is_finite()
+    }
+
+    /// As [`place_is_finite`](Self::place_is_finite), number by number: sums of finite ones need not be finite.
+    #[cold]
+    fn great_place_is_finite(&self) -> bool {
+        let (Aabb { min, max }, GeomPose { position, inverse, .. }) = (self.aabb, self.pose);
+        let numbers = [min.x, min.y, max.x, max.y, position.x, position.y, inverse.m41, inverse.m42];
+        numbers.iter().all(|number| number.is_finite()) && self.world_vertices.iter().all(is_finite)
     }
 
     /// Whether the geom's place would be finite with its body there.
     pub(crate) fn would_be_finite_at(&self, position: Vector2, rotation: f32) -> bool {
         let pose = GeomPose::of_body(position, rotation, self.offset, self.rotation_offset);
-        let sum = sum_of_zeros(&self.local_vertices, |pair| pose.matrix.apply_to_pair(pair));
+        let is_finite_there = |vertex: &Vector2| is_finite(&pose.matrix.apply(*vertex));
         let disc = self.box_around(&[], pose.position);
         is_finite(&pose.position)
             && is_finite(&Vector2::new(pose.inverse.m41, pose.inverse.m42))
-            && sum.simd_eq(f32x4::ZERO).all()
+            && self.local_vertices.iter().all(is_finite_there)
             && (self.box_radius.is_none() || is_finite(&disc.min) && is_finite(&disc.max))
     }
 
@@ -369,7 +387,7 @@ impl GeomEntry {
             && self.local_vertices.len() == self.world_vertices.len()
             && self.local_vertices.iter().all(is_finite)
             && self.world_vertices.iter().all(is_finite)
-            && self.pose.to_floats().iter().all(|number| number.is_finite())
+            && self.pose.is_finite()
             && self.user_matrix.as_deref().is_none_or(matrix_is_finite)
             && self.outline.fits(&self.local_vertices)
             && self.place_is_finite()
