@@ -138,7 +138,7 @@ fn callbacks_are_switched_while_things_touch() {
 fn with_all_switched_off_an_update_is_the_one_without_a_handler() {
     for methods in methods() {
         let (mut plain, mut silent) = (lively_scene(methods, 11), lively_scene(methods, 11));
-        [&mut plain, &mut silent].map(|simulator| simulator.update(0.01));
+        [&mut plain, &mut silent].into_iter().for_each(|simulator| simulator.update(0.01));
         let geoms: Vec<GeomId> = silent.geom_list().to_vec();
         switch_off(&mut silent, &geoms);
         let mut listener = Listener { refused: geoms.first().copied(), ..Listener::default() };
@@ -169,7 +169,7 @@ fn precise_events_are_the_same_whoever_is_asked() {
     let mut begun = 0;
     for _ in 0..200 {
         let all = [&mut heard, &mut half, &mut silent];
-        all.map(|simulator| simulator.update_with(0.01, &mut Listener::default()));
+        all.into_iter().for_each(|simulator| simulator.update_with(0.01, &mut Listener::default()));
         assert_eq!(heard.events(), half.events());
         assert_eq!(heard.events(), silent.events());
         assert_eq!(state(&heard), state(&half));

@@ -127,7 +127,7 @@ fn a_conveyor_goes_the_same_way_whoever_is_older() {
         choose(&mut simulator);
         let (body, geom) = add_box(&mut simulator, (32.0, 32.0), v(0.0, -16.0));
         let (_, floor) = add_floor(&mut simulator, (4000.0, 20.0), v(0.0, 10.0));
-        [geom, floor].map(|geom| simulator[geom].set_friction_coefficient(0.5));
+        [geom, floor].into_iter().for_each(|geom| simulator[geom].set_friction_coefficient(0.5));
         run(&mut simulator, 120, |context, _, _| context.set_contact_tangent_speed(50.0).unwrap());
         assert!(
             (simulator[body].linear_velocity().x + 50.0).abs() < 1.0,
