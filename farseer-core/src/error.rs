@@ -48,6 +48,9 @@ pub enum Error {
         /// The methods that were chosen.
         methods: &'static str,
     },
+    /// A callback that is asked about no collision has set how one goes.
+    #[error("there is no collision here: that can be set in `on_collision` alone")]
+    NoCollision,
     /// A geom made under separating axes has no distance grid to share with a clone.
     #[error("{argument} has no distance grid to share: it was disposed, or made while SAT was selected")]
     MissingDistanceGrid {

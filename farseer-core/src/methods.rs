@@ -46,10 +46,12 @@ pub enum Methods {
     /// | [`breakpoint`](crate::Joint::breakpoint) | as in the faithful set, but a joint breaks before it acts once more; there is hardly any error to measure, so see [`greatest_force`](crate::Joint::greatest_force) |
     /// | [`softness`](crate::Joint::softness), [`bias_factor`](crate::Joint::bias_factor) of joints | a soft joint of a point or distance yields to a steady load as far as it does in the faithful set; the bias factor of a hard one, and softness of an angle, mean nothing |
     /// | `max_impulse` of joints | the greatest impulse of a substep |
+    /// | [callbacks of a geom](crate::Geom::set_collision_callbacks_enabled), friction, restitution and tangent speed [set by a handler](crate::Context::set_contact_friction) | as in the faithful set |
     ///
     /// Geoms of the circle factory with eight edges or more are true circles, with fewer the polygons that they look like;
     /// concave outlines are cut into convex pieces. Collisions are events when they begin and separations when they end;
-    /// handlers are asked in every update in which two geoms touch. What a handler refuses, and contacts that it takes off the
+    /// handlers are asked in every update in which two geoms touch, unless the callbacks of both are switched off: such pairs
+    /// cost nothing. What a handler refuses, and contacts that it takes off the
     /// list, push nothing in that update. World vertices and boxes of geoms are computed when somebody asks for them.
     Precise {
         /// Size of things that a player looks at, in the user's length unit: how near and how slow is near and slow enough.

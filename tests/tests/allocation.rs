@@ -132,6 +132,28 @@ impl EventHandler for Silent {
     }
 }
 
+/// Sets how every collision goes.
+struct Setting;
+impl EventHandler for Setting {
+    fn on_collision(
+        &mut self,
+        context: &mut Context<'_>,
+        _: farseer_core::GeomId,
+        _: farseer_core::GeomId,
+        _: &mut Vec<farseer_core::Contact>,
+    ) -> bool {
+        context.set_contact_friction(0.7).is_ok() && context.set_contact_tangent_speed(0.0).is_ok()
+    }
+}
+
+#[test]
+fn callbacks_that_set_friction_allocate_nothing() {
+    for mut simulator in [settled_scene(Default::default()), settled_precise_scene()] {
+        (0..2).for_each(|_| simulator.update_with(0.01, &mut Setting));
+        assert_eq!((0..100).map(|_| calls(|| simulator.update_with(0.01, &mut Setting))).sum::<usize>(), 0);
+    }
+}
+
 #[test]
 fn callbacks_allocate_nothing() {
     for methods in methods() {

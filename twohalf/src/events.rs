@@ -111,7 +111,7 @@ impl Event {
 /// the next update.
 pub trait EventHandler {
     /// A geom touches another geom, its ground or a platform; called in every update in which it does, for two geoms
-    /// for both sides. `false` drops the contact in this update, and the second side is not asked: that is how
+    /// for both sides, unless its [callbacks](farseer_core::Geom::set_collision_callbacks_enabled) are switched off. `false` drops the contact in this update, and the second side is not asked: that is how
     /// platforms become one-way.
     #[doc(alias("OnCollision", "CollisionEventHandler"))]
     fn on_collision(&mut self, context: &mut Context<'_>, collision: &Collision) -> bool {
@@ -161,7 +161,8 @@ pub trait EventHandler {
     }
 }
 
-/// What a callback may do to the simulator that calls it.
+/// What a callback may do to the simulator that calls it. How a collision goes, which callbacks of the 2D engine may set for
+/// an update, cannot be set here.
 #[derive(Debug)]
 pub struct Context<'a> {
     pub(crate) core: farseer_core::Context<'a>,

@@ -480,20 +480,27 @@ impl TwoHalfPhysicsSimulator {
     pub fn set_depth_profile(&mut self, geom: GeomId, profile: DepthProfile) -> Result<()> {
         self.core.geom(geom).ok_or(stale("geom"))?;
         let profile = profile.check()?;
-        if let (DepthProfile::Round { radius }, DepthScheme::Faithful) = (profile, self.world.scheme) {
-            self.core.set_box_radius(geom, Some(radius)).map_err(Error::from)?;
+        match self.box_radius_of(profile) {
+            Some(radius) => self.core.set_box_radius(geom, Some(radius)).map_err(Error::from)?,
+            // A geom that cannot have the box of its outline keeps the one that it has.
+            None => _ = self.core.set_box_radius(geom, None),
         }
         self.world.depths.profiles.insert(geom, profile);
-        self.fit_box(geom);
         Ok(())
     }
 
-    /// Gives a ball the box of a ball while balls are balls; others have that of their outline.
-    fn fit_box(&mut self, geom: GeomId) {
-        let radius = match (self.world.depths.profiles.get(geom), self.world.scheme) {
-            (Some(DepthProfile::Round { radius }), DepthScheme::Faithful) => Some(*radius),
+    /// A ball has the box of a ball while balls are balls; others have that of their outline.
+    fn box_radius_of(&self, profile: DepthProfile) -> Option<f32> {
+        match (profile, self.world.scheme) {
+            (DepthProfile::Round { radius }, DepthScheme::Faithful) => Some(radius),
             _ => None,
-        };
+        }
+    }
+
+    /// Gives a geom the box of its depth profile.
+    fn fit_box(&mut self, geom: GeomId) {
+        let profile = self.world.depths.profiles.get(geom);
+        let radius = profile.and_then(|profile| self.box_radius_of(*profile));
         // The radius was accepted when the profile was set; where the geom cannot have it, it keeps its outline's.
         let _ = self.core.set_box_radius(geom, radius);
     }

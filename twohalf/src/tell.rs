@@ -21,6 +21,11 @@ fn takes_part(core: &PhysicsSimulator, geom: GeomId) -> bool {
         && core.geom(geom).and_then(|geom| core.body(geom.body())).is_some_and(|body| body.enabled())
 }
 
+/// Whether a handler is told of what a geom touches.
+fn is_told(core: &PhysicsSimulator, geom: GeomId) -> bool {
+    core.geom(geom).is_none_or(|geom| geom.collision_callbacks_enabled())
+}
+
 fn impulse_of_points(points: &[TouchPoint]) -> f32 {
     nearest_finite(points.iter().map(|point| point.normal_impulse).sum())
 }
@@ -75,7 +80,7 @@ impl World {
     ) -> bool {
         for is_partner in [true, false] {
             let Some(mut collision) = self.collision(touch, is_partner) else { continue };
-            if let Some(asked) = handler {
+            if let Some(asked) = handler.as_mut().filter(|_| is_told(core, collision.this)) {
                 let mut context = Context { core: core.context(), world: self };
                 collision.vetoed = !asked.on_collision(&mut context, &collision);
                 self.settle(core, handler);
@@ -102,7 +107,7 @@ impl World {
             };
             for (this, partner) in other_side.into_iter().chain([(touch.this, touch.partner)]) {
                 self.events.push(Event::Separation { this, partner });
-                if let Some(asked) = handler {
+                if let Some(asked) = handler.as_mut().filter(|_| is_told(core, this)) {
                     let mut context = Context { core: core.context(), world: self };
                     asked.on_separation(&mut context, this, partner);
                     self.settle(core, handler);

@@ -36,6 +36,7 @@ impl BodyEntry {
     }
 
     /// The pose, if the geoms have not followed it yet.
+    #[inline]
     pub(crate) fn pending_pose(&self) -> Option<(Vector2, f32)> {
         let (position, rotation) = (self.body.position(), self.body.rotation());
         let has_moved = position != self.followed.position || rotation != self.followed.rotation;

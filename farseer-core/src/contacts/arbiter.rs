@@ -9,7 +9,7 @@ use crate::contacts::listed_pairs::ListedPairs;
 use crate::contacts::pair_table::GeomPairBitmap;
 use crate::geom::GeomId;
 use crate::geom::entry::Geoms;
-use crate::geom::surface::FrictionType;
+use crate::geom::surface::{FrictionType, SetSurface};
 use crate::math::scalar::nearest_finite;
 
 /// Number of arbiters a new simulator holds ready.
@@ -109,6 +109,9 @@ pub(crate) struct ArbiterList {
     /// By handle: whether an engine solves the arbiter itself in this update. Empty as long as there is none.
     #[serde(skip)]
     left_to_engine: Vec<bool>,
+    /// By handle: what a handler has set about the surfaces in this update. Empty as long as there is nothing.
+    #[serde(skip)]
+    surfaces: Vec<SetSurface>,
     /// Up to date while a broad phase looks for pairs that [asks the list](Self::index_listed).
     #[serde(skip)]
     listed: ListedPairs,
@@ -122,6 +125,7 @@ impl Default for ArbiterList {
             pool: (0..INITIAL_POOL_SIZE).collect(),
             pairs: GeomPairBitmap::default(),
             left_to_engine: Vec::new(),
+            surfaces: Vec::new(),
             listed: ListedPairs::default(),
         }
     }
@@ -150,8 +154,25 @@ impl ArbiterList {
         }
     }
 
-    pub(crate) fn take_back_from_engine(&mut self) {
+    /// What engines have taken over and handlers have set was for one update.
+    pub(crate) fn forget_answers(&mut self) {
         self.left_to_engine.clear();
+        self.surfaces.clear();
+    }
+
+    /// Notes what a handler has set about an arbiter, if anything.
+    #[inline]
+    pub(crate) fn set_surface(&mut self, handle: usize, surface: SetSurface) {
+        if surface != SetSurface::default() {
+            self.surfaces.resize(self.arbiters.len(), SetSurface::default());
+            self.surfaces[handle] = surface;
+        }
+    }
+
+    /// What a handler has set about an arbiter in this update.
+    #[inline]
+    pub(crate) fn surface(&self, handle: u32) -> SetSurface {
+        self.surfaces.get(handle as usize).copied().unwrap_or_default()
     }
 
     #[inline]

@@ -53,6 +53,14 @@ impl PlaneMatrix {
         }
     }
 
+    fn floats(&self) -> [f32; 6] {
+        [self.m11, self.m12, self.m21, self.m22, self.m41, self.m42]
+    }
+
+    fn is_finite(&self) -> bool {
+        self.floats().iter().all(|number| number.is_finite())
+    }
+
     #[inline(always)]
     pub(crate) fn apply_normal(&self, n: Vector2) -> Vector2 {
         Vector2::new(n.x * self.m11 + n.y * self.m21, n.x * self.m12 + n.y * self.m22)
@@ -131,11 +139,19 @@ impl GeomPose {
     }
 }
 
+impl GeomPose {
+    fn is_finite(&self) -> bool {
+        self.matrix.is_finite()
+            && self.inverse.is_finite()
+            && is_finite(&self.position)
+            && self.rotation.is_finite()
+    }
+}
+
 impl Floats for GeomPose {
     fn to_floats(&self) -> Vec<f32> {
-        let GeomPose { matrix: m, inverse: i, position, rotation } = *self;
-        let [m, i] = [m, i].map(|m| [m.m11, m.m12, m.m21, m.m22, m.m41, m.m42]);
-        [&m[..], &i[..], &[position.x, position.y, rotation]].concat()
+        let GeomPose { matrix, inverse, position, rotation } = self;
+        [&matrix.floats()[..], &inverse.floats(), &[position.x, position.y, *rotation]].concat()
     }
 
     fn from_floats(floats: &[f32]) -> Option<Self> {
@@ -153,12 +169,13 @@ fn is_finite(v: &Vector2) -> bool {
     v.x.is_finite() && v.y.is_finite()
 }
 
-/// Zeros if all points are finite, else NaN among them; two points at a time and without a branch for each.
-fn sum_of_zeros(points: &[Vector2]) -> f32x4 {
-    let (pairs, last) = points.as_chunks::<2>();
-    let last = last.first().map_or(f32x4::ZERO, |v| f32x4::new([v.x, v.y, 0.0, 0.0]));
-    let sum = |sum, [v, w]: &[Vector2; 2]| sum + f32x4::new([v.x, v.y, w.x, w.y]) * f32x4::ZERO;
-    pairs.iter().fold(last * f32x4::ZERO, sum)
+/// The sum of all points, in four parts: four points at a time and without a branch for each.
+#[inline(always)]
+fn sum_of(points: &[Vector2]) -> f32x4 {
+    let pair = |a: &Vector2, b: &Vector2| f32x4::new([a.x, a.y, b.x, b.y]);
+    let (fours, rest) = points.as_chunks::<4>();
+    let rest = rest.iter().fold(f32x4::ZERO, |sum, point| sum + pair(point, point));
+    fours.iter().fold(rest, |sum, [a, b, c, d]| sum + pair(a, b) + pair(c, d))
 }
 
 /// The geoms of a simulator.
@@ -273,7 +290,12 @@ impl GeomEntry {
 
     /// Follows the body: matrix, world vertices and box.
     pub(crate) fn follow(&mut self, position: Vector2, rotation: f32) {
-        self.pose = GeomPose::of_body(position, rotation, self.offset, self.rotation_offset);
+        self.lie_at(GeomPose::of_body(position, rotation, self.offset, self.rotation_offset));
+    }
+
+    #[inline(always)]
+    pub(crate) fn lie_at(&mut self, pose: GeomPose) {
+        self.pose = pose;
         self.user_matrix = None;
         self.refresh_is_due = false;
         self.refresh();
@@ -322,20 +344,27 @@ impl GeomEntry {
             + f32x4::new([position.x, position.y, back.m41, back.m42]) * zero;
         // The box around an outline is finite where the outline is; that of a disc says nothing of it.
         if self.box_radius.is_some() {
-            sum += sum_of_zeros(&self.world_vertices);
+            sum += sum_of(&self.world_vertices) * zero;
         }
-        sum.simd_eq(zero).all()
+        sum.simd_eq(zero).all() || self.great_place_is_finite()
+    }
+
+    /// As [`place_is_finite`](Self::place_is_finite), number by number: sums of finite ones need not be finite.
+    #[cold]
+    fn great_place_is_finite(&self) -> bool {
+        let (Aabb { min, max }, GeomPose { position, inverse, .. }) = (self.aabb, self.pose);
+        let numbers = [min.x, min.y, max.x, max.y, position.x, position.y, inverse.m41, inverse.m42];
+        numbers.iter().all(|number| number.is_finite()) && self.world_vertices.iter().all(is_finite)
     }
 
     /// Whether the geom's place would be finite with its body there.
     pub(crate) fn would_be_finite_at(&self, position: Vector2, rotation: f32) -> bool {
         let pose = GeomPose::of_body(position, rotation, self.offset, self.rotation_offset);
-        let are_finite =
-            |mut points: std::slice::Iter<'_, Vector2>| points.all(|&v| is_finite(&pose.matrix.apply(v)));
+        let is_finite_there = |vertex: &Vector2| is_finite(&pose.matrix.apply(*vertex));
         let disc = self.box_around(&[], pose.position);
         is_finite(&pose.position)
             && is_finite(&Vector2::new(pose.inverse.m41, pose.inverse.m42))
-            && are_finite(self.local_vertices.iter())
+            && self.local_vertices.iter().all(is_finite_there)
             && (self.box_radius.is_none() || is_finite(&disc.min) && is_finite(&disc.max))
     }
 
@@ -358,7 +387,7 @@ impl GeomEntry {
             && self.local_vertices.len() == self.world_vertices.len()
             && self.local_vertices.iter().all(is_finite)
             && self.world_vertices.iter().all(is_finite)
-            && self.pose.to_floats().iter().all(|number| number.is_finite())
+            && self.pose.is_finite()
             && self.user_matrix.as_deref().is_none_or(matrix_is_finite)
             && self.outline.fits(&self.local_vertices)
             && self.place_is_finite()

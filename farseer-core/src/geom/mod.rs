@@ -26,6 +26,7 @@ pub struct Geom {
     pub(crate) restitution_coefficient: f32,
     pub(crate) collision_enabled: bool,
     pub(crate) collision_response_enabled: bool,
+    pub(crate) collision_callbacks_enabled: bool,
     tag: u64,
     /// Arguments refused since the simulator last looked.
     pub(crate) rejected: Refusals<GeomArguments>,
@@ -49,6 +50,7 @@ impl Default for Geom {
             restitution_coefficient: 0.0,
             collision_enabled: true,
             collision_response_enabled: true,
+            collision_callbacks_enabled: true,
             tag: 0,
             rejected: Refusals::default(),
         }
@@ -140,6 +142,20 @@ impl Geom {
     /// Switches the impulses of this geom's contacts.
     pub fn set_collision_response_enabled(&mut self, value: bool) {
         self.collision_response_enabled = value;
+    }
+
+    /// Whether a handler is told of what this geom touches: [`on_collision`](crate::EventHandler::on_collision) and
+    /// [`on_separation`](crate::EventHandler::on_separation) with this geom as `this`. Default true, as in the original,
+    /// whose geoms have their own callbacks; not in the original as a switch.
+    pub fn collision_callbacks_enabled(&self) -> bool {
+        self.collision_callbacks_enabled
+    }
+
+    /// Switches the callbacks of this geom. A geom that is not told refuses nothing, its partner is asked all the same, and
+    /// [events](crate::Event::Collision) are listed either way. With the precise set two geoms that are both switched off
+    /// are not even looked at for their callbacks, so that a game of thousands of things pays for those that it asks for.
+    pub fn set_collision_callbacks_enabled(&mut self, value: bool) {
+        self.collision_callbacks_enabled = value;
     }
 
     /// Whether these settings let the geom collide with one of those settings: collision is enabled on both, they

@@ -21,6 +21,14 @@ impl FrictionType {
     }
 }
 
+/// What a handler has set about the surfaces of two geoms that touch, for one update.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct SetSurface {
+    pub(crate) friction: Option<f32>,
+    pub(crate) restitution: Option<f32>,
+    pub(crate) tangent_speed: Option<f32>,
+}
+
 /// How the restitution coefficients of two geoms combine: their mean.
 #[inline]
 pub(crate) fn mix_restitution(a: f32, b: f32) -> f32 {

@@ -31,20 +31,29 @@ impl std::ops::Deref for GeomRef<'_> {
 }
 
 impl<'a> GeomRef<'a> {
-    /// Position and rotation of the body if it was moved and the geom has not followed yet.
-    pub(crate) fn pending(&self) -> Option<(Vector2, f32)> {
-        let pending = self.body.and_then(BodyEntry::pending_pose);
-        // A pose at which the geom would not be finite is not going to be followed: the body will be put back.
-        pending.filter(|&(position, rotation)| self.entry.would_be_finite_at(position, rotation))
+    /// Where it will lie if the body was moved and the geom has not followed yet.
+    #[inline]
+    pub(crate) fn pending(&self) -> Option<GeomPose> {
+        let (position, rotation) = self.body?.pending_pose()?;
+        self.pose_at(position, rotation)
     }
 
-    fn pose(&self) -> GeomPose {
-        match self.pending() {
-            None => self.entry.pose,
-            Some((position, rotation)) => {
-                GeomPose::of_body(position, rotation, self.entry.offset, self.entry.rotation_offset)
-            }
-        }
+    /// Nothing where the geom would not be finite: that is not going to be followed, the body will be put back.
+    #[cold]
+    fn pose_at(&self, position: Vector2, rotation: f32) -> Option<GeomPose> {
+        let GeomEntry { offset, rotation_offset, .. } = *self.entry;
+        let is_finite = self.entry.would_be_finite_at(position, rotation);
+        is_finite.then(|| GeomPose::of_body(position, rotation, offset, rotation_offset))
+    }
+
+    #[cold]
+    fn vertices_at(&self, pose: &GeomPose) -> Vertices {
+        self.entry.local_vertices.iter().map(|&vertex| pose.matrix.apply(vertex)).collect()
+    }
+
+    #[cold]
+    fn box_at(&self, pose: &GeomPose) -> Aabb {
+        self.entry.box_around(&self.vertices_at(pose), pose.position)
     }
 
     /// Creation number, counted from 0 per simulator and never reused. Of two geoms that touch, the one with
@@ -62,6 +71,7 @@ impl<'a> GeomRef<'a> {
 
     /// The body it is attached to.
     #[doc(alias = "Body")]
+    #[inline]
     pub fn body(&self) -> BodyId {
         self.entry.body
     }
@@ -128,22 +138,21 @@ impl<'a> GeomRef<'a> {
 
     /// The outline in the world.
     #[doc(alias = "WorldVertices")]
+    #[inline]
     pub fn world_vertices(&self) -> std::borrow::Cow<'a, Vertices> {
         match self.pending() {
             None => std::borrow::Cow::Borrowed(&self.entry.world_vertices),
-            Some(_) => {
-                let matrix = self.pose().matrix;
-                std::borrow::Cow::Owned(self.entry.local_vertices.iter().map(|&v| matrix.apply(v)).collect())
-            }
+            Some(pose) => std::borrow::Cow::Owned(self.vertices_at(&pose)),
         }
     }
 
     /// The box around the outline in the world.
     #[doc(alias = "AABB")]
+    #[inline]
     pub fn aabb(&self) -> Aabb {
         match self.pending() {
             None => self.entry.aabb,
-            Some(_) => self.entry.box_around(&self.world_vertices(), self.position()),
+            Some(pose) => self.box_at(&pose),
         }
     }
 
@@ -155,22 +164,25 @@ impl<'a> GeomRef<'a> {
 
     /// World position of the geom's origin.
     #[doc(alias = "Position")]
+    #[inline]
     pub fn position(&self) -> Vector2 {
-        self.pose().position
+        self.pending().map_or(self.entry.pose.position, |pose| pose.position)
     }
 
     /// The body's rotation plus the rotation offset, in radians.
     #[doc(alias = "Rotation")]
+    #[inline]
     pub fn rotation(&self) -> f32 {
-        self.pose().rotation
+        self.pending().map_or(self.entry.pose.rotation, |pose| pose.rotation)
     }
 
     /// From the geom's own coordinates to the world.
     #[doc(alias = "Matrix")]
+    #[inline]
     pub fn matrix(&self) -> Matrix {
         match (&self.entry.user_matrix, self.pending()) {
             (Some(matrix), None) => **matrix,
-            _ => self.pose().matrix.to_matrix(),
+            (_, pending) => pending.map_or(self.entry.pose.matrix, |pose| pose.matrix).to_matrix(),
         }
     }
 

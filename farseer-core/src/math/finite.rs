@@ -25,6 +25,15 @@ pub(crate) fn finite_vertices(argument: &'static str, vertices: &[Vector2]) -> R
     }
 }
 
+/// Refuses what is not finite or less than zero.
+pub(crate) fn zero_or_more(argument: &'static str, value: f32) -> Result<f32> {
+    if value.is_finite() && value >= 0.0 {
+        Ok(value)
+    } else {
+        Err(Error::invalid(argument, value, "finite and 0 or more"))
+    }
+}
+
 /// Refuses what is not finite or not greater than zero.
 pub(crate) fn positive(argument: &'static str, value: f32) -> Result<f32> {
     if value.is_finite() && value > 0.0 {

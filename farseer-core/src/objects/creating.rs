@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Objects;
 use crate::body::entry::BodyEntry;
-use crate::body::{Body, BodyId};
+use crate::body::{Body, BodyId, Pose};
 use crate::geom::GeomId;
 use crate::geom::distance_grid::DistanceGrid;
 use crate::geom::entry::GeomEntry;
@@ -225,10 +225,11 @@ pub(super) fn automatic_cell_size(entry: &GeomEntry) -> f32 {
 /// Refuses a geom of finite numbers that reaches beyond them where it is, where its body is, or where that may be put
 /// back to.
 pub(super) fn check_place(argument: &'static str, entry: GeomEntry, owner: &BodyEntry) -> Result<GeomEntry> {
-    let (body, followed) = (&owner.body, owner.followed);
+    let is_finite_at = |pose: Pose| entry.would_be_finite_at(pose.position, pose.rotation);
+    let pose = owner.body.pose();
     let is_finite = entry.is_valid()
-        && entry.would_be_finite_at(body.position(), body.rotation())
-        && entry.would_be_finite_at(followed.position, followed.rotation);
+        && is_finite_at(pose)
+        && (owner.pending_pose().is_none() || is_finite_at(owner.followed));
     if is_finite {
         Ok(entry)
     } else {

@@ -165,6 +165,10 @@ impl Objects {
         if let Some(radius) = radius.filter(|radius| !(radius.is_finite() && *radius > 0.0)) {
             return Err(Error::invalid("radius", radius, "finite and greater than 0"));
         }
+        if radius.is_none() && self.geoms[geom].box_radius.is_none() {
+            self.settle_body(body);
+            return Ok(());
+        }
         let mut resized = self.geoms[geom].clone();
         resized.set_box_radius(radius);
         check_place("radius", resized, &self.bodies[body])?;

@@ -112,9 +112,9 @@ impl Objects {
         let view = self.geom(geom)?;
         match view.pending() {
             None => Some(look(view.entry)),
-            Some((position, rotation)) => {
+            Some(pose) => {
                 let mut entry = view.entry.clone();
-                entry.follow(position, rotation);
+                entry.lie_at(pose);
                 Some(look(&entry))
             }
         }

@@ -39,9 +39,10 @@ impl SpatialHash {
         if sink.geom_list().is_empty() {
             return;
         }
-        self.fill(*cell_size, sink.geom_list(), sink.filter().geoms);
+        let sum_of_sides = self.fill(*cell_size, sink.geom_list(), sink.filter().geoms);
         if auto_adjust_cell_size {
-            *cell_size = twice_the_mean_side(sink.geom_list(), sink.filter().geoms);
+            // That of this update goes by the boxes of the one before.
+            *cell_size = 2.0 * sum_of_sides / sink.geom_list().len() as f32;
         }
         self.handled.clear();
         self.dead.clear();
@@ -61,13 +62,15 @@ impl SpatialHash {
         }
     }
 
-    /// Puts every geom into the cells its box covers.
-    fn fill(&mut self, cell_size: f32, geom_list: &[GeomId], geoms: &Geoms) {
+    /// Puts every geom into the cells its box covers, and sums up the longer sides of the boxes.
+    fn fill(&mut self, cell_size: f32, geom_list: &[GeomId], geoms: &Geoms) -> f32 {
         let inverse = 1.0 / cell_size;
         let mut free_entries = MAX_CELL_ENTRIES + MORE_CELL_ENTRIES_PER_GEOM * geom_list.len() as u64;
+        let mut sum_of_sides = 0.0f32;
         self.oversized.clear();
         for &id in geom_list {
             let aabb = &geoms[id].aabb;
+            sum_of_sides += max(aabb.max.x - aabb.min.x, aabb.max.y - aabb.min.y);
             let (x0, x1) = (to_int(aabb.min.x * inverse), to_int(aabb.max.x * inverse).wrapping_add(1));
             let (y0, y1) = (to_int(aabb.min.y * inverse), to_int(aabb.max.y * inverse).wrapping_add(1));
             let span = |from: i32, to: i32| (i64::from(to) - i64::from(from)).max(0) as u64;
@@ -83,6 +86,7 @@ impl SpatialHash {
                 }
             }
         }
+        sum_of_sides
     }
 
     fn meet_in_cell(&mut self, slot: usize, sink: &mut impl PairSink) {
@@ -105,16 +109,6 @@ impl SpatialHash {
                 .filter_map(|slot| self.cells.slot(slot))
                 .all(|(_, list)| list.is_empty())
     }
-}
-
-/// The cell size of the next update: that of this one goes by the boxes of the one before.
-fn twice_the_mean_side(geom_list: &[GeomId], geoms: &Geoms) -> f32 {
-    let mut sum = 0.0f32;
-    for &id in geom_list {
-        let aabb = &geoms[id].aabb;
-        sum += max(aabb.max.x - aabb.min.x, aabb.max.y - aabb.min.y);
-    }
-    2.0 * sum / geom_list.len() as f32
 }
 
 /// Two geoms share a cell. With a handler its answer replaces the box test, as in the original.

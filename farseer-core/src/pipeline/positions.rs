@@ -2,37 +2,36 @@
 
 use crate::body::BodyId;
 use crate::objects::{Followed, Objects};
+use crate::report::{Event, Report};
 
-/// What became of a body.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Moved {
-    /// It has never moved, or is not integrated.
-    Not,
-    /// It was updated; its pose changed or not.
-    Updated { has_changed: bool },
-    /// It was put back to its last finite state.
-    PutBack { disabled: bool },
-}
-
-/// Moves the body at a position of the list, unless it was disposed.
-pub(crate) fn move_body(objects: &mut Objects, position: usize, dt: f32) -> Option<(BodyId, Moved)> {
-    let (id, entry) = objects.bodies.at_mut(position)?;
+/// Moves the body at a position of the list, unless it was disposed, and answers it if it was updated. One that would not
+/// be finite is put back to its last finite state.
+pub(crate) fn move_body(
+    objects: &mut Objects,
+    report: &mut Report,
+    position: usize,
+    dt: f32,
+) -> Option<BodyId> {
+    let (body, entry) = objects.bodies.at_mut(position)?;
     if !entry.body.is_integrated() {
-        return Some((id, Moved::Not));
+        return None;
     }
     let before = entry.body.pose();
     let has_changed = entry.body.integrate_position(dt);
     if has_changed && !entry.body.is_finite() {
         entry.body.restore_pose(before);
         entry.body.set_enabled(false);
-        return Some((id, Moved::PutBack { disabled: true }));
+        report.push(Event::NotFinite { body, disabled: true });
+        return None;
     }
     if !entry.body.has_moved() {
-        return Some((id, Moved::Not));
+        return None;
     }
-    let moved = match objects.let_geoms_follow(id, has_changed) {
-        Followed::Yes => Moved::Updated { has_changed },
-        Followed::PutBack { disabled } => Moved::PutBack { disabled },
-    };
-    Some((id, moved))
+    if let Followed::PutBack { disabled } = objects.let_geoms_follow(body, has_changed) {
+        report.push(Event::NotFinite { body, disabled });
+        return None;
+    }
+    report.counters.bodies_moved += usize::from(has_changed);
+    report.push(Event::BodyUpdated { body });
+    Some(body)
 }

@@ -41,8 +41,12 @@ pub(super) struct Pair {
     pub(super) is_told: bool,
     /// Contacts push.
     pub(super) responds: bool,
+    /// A handler is told of it, from one side at least.
+    pub(super) is_heard: bool,
     /// A handler refused it in this update.
     pub(super) is_vetoed: bool,
+    /// A handler has set something about its surfaces in this update.
+    pub(super) is_set: bool,
 }
 
 /// A pair in the lists of its proxies: what walks along them looks at.
@@ -62,6 +66,8 @@ pub(super) struct Pairs {
     links: Vec<Links>,
     /// Number of pairs that touch.
     pub(super) touching: usize,
+    /// Number of those of which a handler is told.
+    pub(super) heard: usize,
     /// First link of each proxy's list: twice a pair's number, plus which side of it the proxy is.
     heads: Vec<u32>,
 }
@@ -73,7 +79,7 @@ impl Pairs {
         self.all.clear();
         self.frozen.clear();
         self.links.clear();
-        self.touching = 0;
+        (self.touching, self.heard) = (0, 0);
         self.heads.clear();
         self.heads.resize(proxies, NONE);
     }
@@ -97,12 +103,20 @@ impl Pairs {
     }
 
     /// A new pair, which nothing is known of. B is in few pairs: it can be pushed.
-    pub(super) fn push(&mut self, proxies: [u32; 2], kind: Kind, responds: bool) -> usize {
+    pub(super) fn push(&mut self, proxies: [u32; 2], kind: Kind, responds: bool, is_heard: bool) -> usize {
         let at = self.all.len();
         self.watched.push(Watch { proxies, since: 0, tolerance: 0 });
         self.frozen.push(Frozen::default());
         self.links.push(Links { proxies, next: [NONE; 2], previous: [NONE; 2] });
-        self.all.push(Pair { kind, home: None, is_told: false, responds, is_vetoed: false });
+        self.all.push(Pair {
+            kind,
+            home: None,
+            is_told: false,
+            responds,
+            is_heard,
+            is_vetoed: false,
+            is_set: false,
+        });
         for side in 0..2 {
             self.link(at, side);
         }
@@ -113,6 +127,17 @@ impl Pairs {
     pub(super) fn set_told(&mut self, pair: usize, is_told: bool) {
         let was_told = std::mem::replace(&mut self.all[pair].is_told, is_told);
         self.touching = self.touching + usize::from(is_told) - usize::from(was_told);
+        if self.all[pair].is_heard {
+            self.heard = self.heard + usize::from(is_told) - usize::from(was_told);
+        }
+    }
+
+    /// A handler is told of a pair from now on, or is not.
+    pub(super) fn set_heard(&mut self, pair: usize, is_heard: bool) {
+        let was_heard = std::mem::replace(&mut self.all[pair].is_heard, is_heard);
+        if self.all[pair].is_told {
+            self.heard = self.heard + usize::from(is_heard) - usize::from(was_heard);
+        }
     }
 
     /// The proxy on the other side of each pair of a proxy.

@@ -35,6 +35,8 @@ pub(super) struct Proxy {
     pub(super) restitution: f32,
     /// Whether contacts push.
     pub(super) responds: bool,
+    /// Whether a handler is told of what the geom touches.
+    pub(super) is_heard: bool,
     /// What decides whom it may meet.
     pub(super) filter: [i32; 4],
     /// Speed of its surface along itself, if it stands still: a belt.
@@ -86,6 +88,7 @@ impl Proxies {
                 friction: 0.0,
                 restitution: 0.0,
                 responds: false,
+                is_heard: false,
                 filter: [0; 4],
                 surface_velocity: [0.0; 3],
             });

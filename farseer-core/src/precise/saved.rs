@@ -77,6 +77,10 @@ struct SavedRow {
     /// A handler has taken the point off the list.
     are_dropped: [bool; 2],
     separations: [f32; 2],
+    /// Friction, restitution and tangent speed, if a handler has set them. For the rest of the step alone: the next one
+    /// begins with those of the geoms.
+    #[serde(skip)]
+    surface: Option<[f32; 3]>,
 }
 
 impl From<Precise> for Saved {
@@ -186,12 +190,13 @@ impl Precise {
             is_told: state.is_told,
             is_vetoed: state.is_vetoed,
             frozen: SavedContacts { turns, relative, normal, count, anchors, separations, features },
-            row: state.home.map(|home| self.save_row(state.kind, home)),
+            row: state.home.map(|home| self.save_row(state.kind, home, state.is_set)),
         }
     }
 
-    fn save_row(&self, kind: Kind, home: Home) -> SavedRow {
-        let Lane { tangent_impulse, points, .. } = self.rows.lane(kind, home);
+    fn save_row(&self, kind: Kind, home: Home, is_set: bool) -> SavedRow {
+        let Lane { tangent_impulse, points, friction, restitution, tangent_speed, .. } =
+            self.rows.lane(kind, home);
         SavedRow {
             colour: home.colour,
             slot: home.slot,
@@ -200,6 +205,7 @@ impl Precise {
             held: points.map(|point| point.held),
             are_dropped: points.map(|point| point.mass == 0.0),
             separations: points.map(|point| point.separation),
+            surface: is_set.then_some([friction, restitution, tangent_speed]),
         }
     }
 
@@ -223,7 +229,14 @@ impl Precise {
         // Only the order of rows in the last colour matters.
         rows.sort_by_key(|&(_, row): &(usize, SavedRow)| (row.colour, row.slot));
         for (pair, row) in rows {
+            if let Some([_, restitution, _]) = row.surface {
+                self.pairs.all[pair].is_set = true;
+                self.bounces |= restitution > 0.0;
+            }
             self.touch().restore_row(pair, row.colour, |lane| {
+                if let Some(surface) = row.surface {
+                    [lane.friction, lane.restitution, lane.tangent_speed] = surface;
+                }
                 lane.tangent_impulse = row.tangent_impulse;
                 for (at, point) in lane.points.iter_mut().enumerate() {
                     point.impulse = row.impulses[at];
@@ -282,8 +295,8 @@ impl Precise {
         if self.pairs.contains(proxies) {
             return None;
         }
-        let responds = proxies.iter().all(|&proxy| self.proxies.all[proxy as usize].responds);
-        let pair = self.pairs.push(proxies, self.kind(proxies), responds);
+        let pair = self.add_pair(proxies);
+        let responds = self.pairs.all[pair].responds;
         let SavedContacts { turns, relative, normal, count, anchors, separations, features } = saved.frozen;
         self.pairs.frozen[pair] = Frozen { turns, relative, normal, count, anchors, separations, features };
         let watch = &mut self.pairs.watched[pair];

@@ -101,8 +101,14 @@ impl Precise {
     /// Takes a pair that was found.
     pub(crate) fn accept(&mut self, at: usize) {
         let proxies = self.found[at];
-        let responds = proxies.iter().all(|&proxy| self.proxies.all[proxy as usize].responds);
-        self.pairs.push(proxies, self.kind(proxies), responds);
+        self.add_pair(proxies);
+    }
+
+    /// A pair of which nothing is known yet.
+    pub(super) fn add_pair(&mut self, proxies: [u32; 2]) -> usize {
+        let [a, b] = proxies.map(|proxy| &self.proxies.all[proxy as usize]);
+        let (responds, is_heard) = (a.responds && b.responds, a.is_heard || b.is_heard);
+        self.pairs.push(proxies, self.kind(proxies), responds, is_heard)
     }
 
     pub(super) fn kind(&self, proxies: [u32; 2]) -> Kind {
@@ -140,6 +146,9 @@ impl Precise {
         for pair in 0..self.pairs.len() {
             if std::mem::take(&mut self.pairs.all[pair].is_vetoed) {
                 self.pairs.look_again(pair);
+            }
+            if std::mem::take(&mut self.pairs.all[pair].is_set) {
+                self.touch().renew_surface(pair);
             }
         }
     }

@@ -74,7 +74,8 @@ impl Precise {
             self.renew_proxies(geom, objects, |proxy| {
                 let is_belt_changed = proxy.surface_velocity != velocity;
                 proxy.surface_velocity = velocity;
-                Renewal { moved: has_moved, contacts: is_other || is_belt_changed, pairs: has_moved }
+                let contacts = is_other || is_belt_changed;
+                Renewal { moved: has_moved, contacts, pairs: has_moved, callbacks: false }
             });
         }
     }
@@ -87,13 +88,15 @@ impl Precise {
         let geom = &entry.geom;
         let (friction, restitution, responds) =
             (geom.friction_coefficient(), geom.restitution_coefficient(), geom.collision_response_enabled());
+        let is_heard = geom.collision_callbacks_enabled();
         self.bounces |= restitution > 0.0;
         let mut may_meet_others = false;
         self.renew_proxies(id, objects, |proxy| {
             let is_other = proxy.friction != friction || proxy.restitution != restitution;
             may_meet_others |= proxy.filter != filter_of(entry) || proxy.responds != responds;
             (proxy.friction, proxy.restitution) = (friction, restitution);
-            Renewal { moved: false, contacts: is_other, pairs: may_meet_others }
+            let callbacks = std::mem::replace(&mut proxy.is_heard, is_heard) != is_heard;
+            Renewal { moved: false, contacts: is_other, pairs: may_meet_others, callbacks }
         });
         self.is_stale |= may_meet_others;
     }
@@ -121,7 +124,22 @@ impl Precise {
             if renewal.contacts || renewal.moved {
                 self.look_again(at as u32);
             }
+            if renewal.callbacks {
+                self.renew_callbacks(at as u32);
+            }
         }
+    }
+
+    /// Of which pairs of a proxy a handler is told.
+    fn renew_callbacks(&mut self, proxy: u32) {
+        let mut pairs = std::mem::take(&mut self.lost);
+        pairs.extend(self.pairs.of(proxy).map(|pair| pair as u32));
+        for pair in pairs.drain(..) {
+            let proxies = self.pairs.watched[pair as usize].proxies;
+            let is_heard = proxies.iter().any(|&proxy| self.proxies.all[proxy as usize].is_heard);
+            self.pairs.set_heard(pair as usize, is_heard);
+        }
+        self.lost = pairs;
     }
 
     /// A proxy is somewhere else now.
@@ -251,6 +269,7 @@ impl Precise {
                     friction: geom.geom.friction_coefficient(),
                     restitution,
                     responds: geom.geom.collision_response_enabled(),
+                    is_heard: geom.geom.collision_callbacks_enabled(),
                     filter: filter_of(geom),
                     surface_velocity: surface_velocity(is_movable, &objects.bodies[geom.body].body),
                 });
@@ -283,6 +302,7 @@ struct Renewal {
     moved: bool,
     contacts: bool,
     pairs: bool,
+    callbacks: bool,
 }
 
 /// What stands still and has a velocity is a belt.

@@ -4,6 +4,7 @@ use super::Precise;
 use crate::contacts::arbiter::{ArbiterRef, Found};
 use crate::contacts::contact::{Contact, ContactId};
 use crate::geom::GeomId;
+use crate::geom::surface::SetSurface;
 use crate::math::Vector2;
 use crate::math::plane::{difference, dot, place, rotation, sum, turn, turn_back};
 
@@ -105,12 +106,19 @@ impl Precise {
         pairs.filter(|&pair| self.pairs.all[pair].is_told).map(|pair| self.pairs.frozen[pair].count).sum()
     }
 
-    /// The pairs that touch with the creation numbers of their geoms, in the order of these. To be
-    /// [handed back](Self::keep_touching).
-    pub(crate) fn take_touching(&mut self) -> Vec<((u32, u32), usize)> {
+    /// The pairs that touch and of which somebody is told, or that only begin to touch, with the creation numbers of their
+    /// geoms, in the order of these. To be [handed back](Self::keep_touching).
+    pub(crate) fn take_touching(&mut self, changes: &[((GeomId, GeomId), bool)]) -> Vec<((u32, u32), usize)> {
         let mut touching = std::mem::take(&mut self.touching);
         touching.clear();
-        touching.extend((0..self.pairs.len()).filter_map(|pair| Some((self.touching_numbers(pair)?, pair))));
+        let with_numbers = |pair: usize| Some((self.touching_numbers(pair)?, pair));
+        let is_heard = |pair: &usize| self.pairs.all[*pair].is_heard;
+        let count = if self.pairs.heard > 0 { self.pairs.len() } else { 0 };
+        touching.extend((0..count).filter(is_heard).filter_map(with_numbers));
+        for &(geoms, _) in changes.iter().filter(|(_, begins)| *begins) {
+            let unheard = self.pairs_between(geoms).filter(|pair| !is_heard(pair));
+            touching.extend(unheard.filter_map(with_numbers));
+        }
         touching.sort_unstable();
         touching
     }
@@ -145,5 +153,19 @@ impl Precise {
         self.rows.set_lane(state.kind, home, &lane);
         self.has_handled = true;
         self.pairs.all[pair].is_vetoed = true;
+    }
+
+    /// A handler has set something about the surfaces of a pair, for this step.
+    pub(crate) fn set_surface(&mut self, pair: usize, set: SetSurface) {
+        let state = self.pairs.all[pair];
+        let Some(home) = state.home.filter(|_| set != SetSurface::default()) else { return };
+        let mut lane = self.rows.lane(state.kind, home);
+        lane.friction = set.friction.unwrap_or(lane.friction);
+        lane.restitution = set.restitution.unwrap_or(lane.restitution);
+        lane.tangent_speed = set.tangent_speed.map_or(lane.tangent_speed, |speed| lane.tangent_speed + speed);
+        self.bounces |= lane.restitution > 0.0;
+        self.rows.set_lane(state.kind, home, &lane);
+        self.has_handled = true;
+        self.pairs.all[pair].is_set = true;
     }
 }

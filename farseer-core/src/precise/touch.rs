@@ -353,6 +353,15 @@ impl<'a> Touch<'a> {
         }
     }
 
+    /// The surfaces of a row are again what they are without a handler.
+    pub(super) fn renew_surface(&mut self, pair: usize) {
+        let state = self.pairs.all[pair];
+        let Some(home) = state.home else { return };
+        let Lane { friction, restitution, tangent_speed, .. } = self.lane(pair, self.two(pair));
+        let lane = Lane { friction, restitution, tangent_speed, ..self.rows.lane(state.kind, home) };
+        self.rows.set_lane(state.kind, home, &lane);
+    }
+
     fn add_row(&mut self, pair: usize, lane: &Lane) {
         let kind = self.pairs.all[pair].kind;
         let colour = self.palette.free(kind, [lane.a, lane.b]);

@@ -5,6 +5,7 @@ use super::{Context, EventHandler, PhysicsSimulator};
 use crate::contacts::contact::Contact;
 use crate::geom::GeomId;
 use crate::geom::filter::Filter;
+use crate::geom::surface::SetSurface;
 use crate::pairs::{BroadPhase, PairSink};
 use crate::report::Event;
 use crate::touch::contacts_of_pair::{ContactLimits, find_contacts, renew_contacts};
@@ -54,7 +55,7 @@ impl PhysicsSimulator {
     }
 
     pub(super) fn look_for_contacts(&mut self, handler: &mut Handler<'_>) {
-        self.contacts.take_back_from_engine();
+        self.contacts.forget_answers();
         let mut contacts = std::mem::take(&mut self.pipeline.new_contacts);
         for position in 0..self.contacts.len() {
             self.collide_pair(position, &mut contacts, handler);
@@ -74,16 +75,18 @@ impl PhysicsSimulator {
             resolve: settings.max_contacts_to_resolve,
         };
         find_contacts(self.objects.methods.narrow(), &self.objects.geoms, (a, b), limits, contacts);
-        self.tell_collision(a, b, contacts, handler);
-        self.tell_collision(b, a, contacts, handler);
+        let mut surface = SetSurface::default();
+        self.tell_collision((a, b), contacts, &mut surface, handler);
+        self.tell_collision((b, a), contacts, &mut surface, handler);
+        self.contacts.set_surface(handle, surface);
         renew_contacts(&mut self.contacts.arbiters[handle].contacts, contacts);
     }
 
     fn tell_collision(
         &mut self,
-        this: GeomId,
-        other: GeomId,
+        (this, other): (GeomId, GeomId),
         contacts: &mut Vec<Contact>,
+        surface: &mut SetSurface,
         handler: &mut Handler<'_>,
     ) {
         if contacts.is_empty() {
@@ -92,8 +95,8 @@ impl PhysicsSimulator {
         let count = contacts.len() as u32;
         let event =
             |is_accepted: bool| Event::Collision { this, other, contacts: count, vetoed: !is_accepted };
-        let is_accepted = self.tell(handler, |handler, context| {
-            let is_accepted = handler.on_collision(context, this, other, contacts);
+        let is_accepted = self.tell_side(handler, this, |handler, context| {
+            let is_accepted = handler.on_collision(&mut context.with_surface(surface), this, other, contacts);
             context.simulator.report.push(event(is_accepted));
             contacts.retain(|contact| is_accepted && contact.is_finite());
             is_accepted
@@ -110,7 +113,7 @@ impl PhysicsSimulator {
         for (a, b) in separated.drain(..) {
             for (this, other) in [(a, b), (b, a)] {
                 self.report.push(Event::Separation { this, other });
-                self.tell(handler, |handler, context| handler.on_separation(context, this, other));
+                self.tell_side(handler, this, |handler, context| handler.on_separation(context, this, other));
             }
         }
         self.pipeline.separated = separated;

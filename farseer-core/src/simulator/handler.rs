@@ -17,8 +17,11 @@ use crate::springs::SpringId;
 /// Callbacks come in the original's order. Through the [`Context`] they edit bodies, geoms, joints, springs and
 /// controllers at once; what they add, remove or dispose enters or leaves with the next update.
 pub trait EventHandler {
-    /// Geom `this` touches `other`; called for both sides in every update in which there are contacts. `false`
-    /// drops the contacts of this update, and the second side is not asked. The list may be changed, too.
+    /// Geom `this` touches `other`; called in every update in which there are contacts, for both sides unless their
+    /// [callbacks](crate::Geom::set_collision_callbacks_enabled) are switched off. `false` drops the contacts of this update,
+    /// and the second side is not asked. The list may be changed, too: what is taken off it pushes nothing. Friction,
+    /// restitution and the speed of a conveyor may be set for this update by the [`Context`], as
+    /// [`set_contact_friction`](Context::set_contact_friction) says.
     #[doc(alias("OnCollision", "CollisionEventHandler"))]
     fn on_collision(
         &mut self,
@@ -31,7 +34,8 @@ pub trait EventHandler {
         true
     }
 
-    /// See [`Event::Separation`](crate::Event::Separation).
+    /// See [`Event::Separation`](crate::Event::Separation); not for geoms whose
+    /// [callbacks](crate::Geom::set_collision_callbacks_enabled) are switched off.
     #[doc(alias("OnSeparation", "SeparationEventHandler"))]
     fn on_separation(&mut self, context: &mut Context<'_>, this: GeomId, other: GeomId) {
         let _ = (context, this, other);

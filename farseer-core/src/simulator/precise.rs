@@ -5,6 +5,7 @@ use super::tell::Handler;
 use crate::contacts::contact::Contact;
 use crate::geom::GeomId;
 use crate::geom::filter::Filter;
+use crate::geom::surface::SetSurface;
 use crate::precise::{Precise, Step};
 use crate::report::{Event, Stopwatch};
 
@@ -145,8 +146,8 @@ impl PhysicsSimulator {
         }
     }
 
-    /// What began and ceased to touch is told; a handler is asked about everything that touches, in the order of creation
-    /// numbers, and may refuse it.
+    /// What began and ceased to touch is told; a handler is asked about everything that touches and has a side that is told,
+    /// in the order of creation numbers, and may refuse it.
     fn tell_precise(&mut self, handler: &mut Handler<'_>) {
         let changes = self.precise().take_changes();
         self.report.counters.pairs_touching = self.precise().touching_count();
@@ -167,14 +168,14 @@ impl PhysicsSimulator {
         for ((a, b), _) in changes.into_iter().filter(|(_, begins)| !begins) {
             for (this, other) in [(a, b), (b, a)] {
                 self.report.push(Event::Separation { this, other });
-                self.tell(handler, |handler, context| handler.on_separation(context, this, other));
+                self.tell_side(handler, this, |handler, context| handler.on_separation(context, this, other));
             }
         }
     }
 
     fn ask_about_touches(&mut self, handler: &mut Handler<'_>, changes: &[((GeomId, GeomId), bool)]) {
         let mut contacts = std::mem::take(&mut self.pipeline.new_contacts);
-        let touching = self.precise().take_touching();
+        let touching = self.precise().take_touching(changes);
         for group in touching.chunk_by(|a, b| a.0 == b.0) {
             contacts.clear();
             for &(_, pair) in group {
@@ -185,11 +186,13 @@ impl PhysicsSimulator {
             let Some(first) = self.precise().touching(group[0].1) else { continue };
             let (a, b) = first.geoms;
             let begins = changes.iter().any(|&(geoms, begins)| begins && geoms == (a, b));
-            let is_accepted = self.ask_about_touch((a, b), begins, &mut contacts, handler)
-                && self.ask_about_touch((b, a), begins, &mut contacts, handler);
+            let mut surface = SetSurface::default();
+            let is_accepted = self.ask_about_touch((a, b), begins, &mut contacts, &mut surface, handler)
+                && self.ask_about_touch((b, a), begins, &mut contacts, &mut surface, handler);
             for &(_, pair) in group {
                 if is_accepted {
                     self.precise().keep_contacts(pair, &contacts);
+                    self.precise().set_surface(pair, surface);
                 } else {
                     self.precise().refuse(pair);
                 }
@@ -205,11 +208,14 @@ impl PhysicsSimulator {
         (this, other): (GeomId, GeomId),
         begins: bool,
         contacts: &mut Vec<Contact>,
+        surface: &mut SetSurface,
         handler: &mut Handler<'_>,
     ) -> bool {
         let count = contacts.len() as u32;
         let is_accepted = self
-            .tell(handler, |handler, context| handler.on_collision(context, this, other, contacts))
+            .tell_side(handler, this, |handler, context| {
+                handler.on_collision(&mut context.with_surface(surface), this, other, contacts)
+            })
             .unwrap_or(true);
         if begins {
             self.report.push(Event::Collision { this, other, contacts: count, vetoed: !is_accepted });

@@ -1,6 +1,7 @@
 //! The one way in which a game is told something.
 
 use super::{Context, EventHandler, PhysicsSimulator};
+use crate::geom::GeomId;
 use crate::object_id::ObjectId;
 use crate::report::{Event, Notice, Report};
 
@@ -49,6 +50,19 @@ impl PhysicsSimulator {
         Some(answer)
     }
 
+    /// As [`tell`](Self::tell), what one side of a touch is told: nothing if its
+    /// [callbacks](crate::Geom::collision_callbacks_enabled) are switched off.
+    pub(super) fn tell_side<T>(
+        &mut self,
+        handler: &mut Handler<'_>,
+        this: GeomId,
+        tell: impl FnOnce(&mut dyn EventHandler, &mut Context<'_>) -> T,
+    ) -> Option<T> {
+        handler.get()?;
+        let is_told = self.objects.geoms.get(this).is_none_or(|entry| entry.geom.collision_callbacks_enabled);
+        if is_told { self.tell(handler, tell) } else { None }
+    }
+
     /// What has happened while nobody could be told.
     pub(super) fn deliver(&mut self, notice: Notice, handler: &mut Handler<'_>) {
         self.report.push(notice.into());
@@ -83,7 +97,7 @@ impl PhysicsSimulator {
     /// What callbacks may do to the simulator, to hand to callbacks of an engine. [`settle`](Self::settle) is due
     /// after each.
     pub fn context(&mut self) -> Context<'_> {
-        Context { simulator: self }
+        Context { simulator: self, surface: None }
     }
 
     /// Lets geoms follow bodies that were edited, and delivers what has happened meanwhile, as after every callback

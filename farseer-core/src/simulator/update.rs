@@ -3,7 +3,7 @@
 use super::tell::Handler;
 use super::{EventHandler, PhysicsSimulator};
 use crate::pipeline::forces::integrate_velocities;
-use crate::pipeline::positions::{Moved, move_body};
+use crate::pipeline::positions::move_body;
 use crate::report::{Clock, Event, Stopwatch};
 
 impl PhysicsSimulator {
@@ -136,7 +136,7 @@ impl PhysicsSimulator {
 impl PhysicsSimulator {
     fn begin(&mut self, dt: f32, handler: &mut Handler<'_>) -> bool {
         self.report.clear();
-        self.contacts.take_back_from_engine();
+        self.contacts.forget_answers();
         if !self.accepts_step("dt", dt) || (dt != 0.0 && !self.accepts_step("dt", 1.0 / dt)) {
             return false;
         }
@@ -185,16 +185,8 @@ impl PhysicsSimulator {
             return;
         }
         for position in 0..self.body_list().len() {
-            match move_body(&mut self.objects, position, dt) {
-                Some((body, Moved::Updated { has_changed })) => {
-                    self.report.counters.bodies_moved += usize::from(has_changed);
-                    self.report.push(Event::BodyUpdated { body });
-                    self.tell(handler, |handler, context| handler.on_body_updated(context, body));
-                }
-                Some((body, Moved::PutBack { disabled })) => {
-                    self.report.push(Event::NotFinite { body, disabled });
-                }
-                Some((_, Moved::Not)) | None => {}
+            if let Some(body) = move_body(&mut self.objects, &mut self.report, position, dt) {
+                self.tell(handler, |handler, context| handler.on_body_updated(context, body));
             }
         }
     }

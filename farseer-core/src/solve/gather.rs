@@ -84,13 +84,17 @@ impl ContactSolver {
             self.contacts.extend_from_slice(&arbiter.contacts);
             (self.contacts.len() - arbiter.contacts.len()) as u32
         };
+        let set = list.surface(handle);
         self.groups.push(ContactGroup {
             body_a,
             body_b,
             first_contact,
             contact_count: arbiter.contacts.len() as u32,
-            friction: arbiter.friction,
-            restitution: mix_restitution(a.geom.restitution_coefficient, b.geom.restitution_coefficient),
+            friction: set.friction.unwrap_or(arbiter.friction),
+            restitution: set.restitution.unwrap_or_else(|| {
+                mix_restitution(a.geom.restitution_coefficient, b.geom.restitution_coefficient)
+            }),
+            tangent_speed: set.tangent_speed.unwrap_or(0.0),
             is_alone: is_repeated || body_a == body_b,
             is_dropped: false,
         });
@@ -160,13 +164,14 @@ impl ContactSolver {
             first_row: self.wide_rows.len() as u32,
             row_count,
         };
-        let (mut friction, mut restitution) = ([0.0; LANES], [0.0; LANES]);
+        let [mut friction, mut restitution, mut tangent_speed] = [[0.0; LANES]; 3];
         let mut rows = [ContactRow::<f32>::default(); LANES];
         for (lane, &index) in group_indices.iter().enumerate() {
             let group = &self.groups[index as usize];
             (batch.groups[lane], batch.body_a[lane], batch.body_b[lane]) =
                 (index, group.body_a, group.body_b);
             (friction[lane], restitution[lane]) = (group.friction, group.restitution);
+            tangent_speed[lane] = group.tangent_speed;
         }
         for row in 0..row_count {
             for (lane, &index) in group_indices.iter().enumerate() {
@@ -178,7 +183,11 @@ impl ContactSolver {
             }
             self.wide_rows.push(side_by_side(&rows));
         }
-        batch.pair = PairConstants { friction: f32x4::new(friction), restitution: f32x4::new(restitution) };
+        batch.pair = PairConstants {
+            friction: f32x4::new(friction),
+            restitution: f32x4::new(restitution),
+            tangent_speed: f32x4::new(tangent_speed),
+        };
         self.batches.push(Batch::Four(batch));
     }
 }

@@ -31,6 +31,8 @@ impl<T: Lanes> BodyLanes<T> {
 pub(super) struct PairConstants<T> {
     pub(super) friction: T,
     pub(super) restitution: T,
+    /// Speed of B against A along the tangent at which friction aims.
+    pub(super) tangent_speed: T,
 }
 
 /// Place of body A among the two bodies of a pair. Body B is at 1, or at 0 as well if it is the same body, which
@@ -171,7 +173,8 @@ impl<T: Lanes> ContactRow<T> {
         let limit = pair.friction * self.normal_impulse;
         let tangent_speed = dot(self.relative_velocity::<B>(bodies), t);
         let old = self.tangent_impulse;
-        let wanted = old + self.tangent_mass * -tangent_speed;
+        // Less 0, which changes no bit, as the original has it.
+        let wanted = old + self.tangent_mass * -(tangent_speed - pair.tangent_speed);
         self.tangent_impulse = (-limit).or_greater(wanted.or_smaller(limit));
         let x = self.tangent_impulse - old;
         self.push_pair::<B>([t[0] * x, t[1] * x], bodies);

@@ -42,6 +42,7 @@ struct ContactGroup {
     contact_count: u32,
     friction: f32,
     restitution: f32,
+    tangent_speed: f32,
     /// Not to be solved side by side with others: it shares its rows with another group, or A and B are one body.
     is_alone: bool,
     /// It made a velocity infinite or NaN, and is out of this update.
@@ -147,7 +148,8 @@ impl ContactSolver {
         operation: impl Fn(&mut ContactRow<f32>, &PairConstants<f32>, &mut [BodyLanes<f32>; 2]),
     ) {
         let group = self.groups[group_index as usize];
-        let pair = PairConstants { friction: group.friction, restitution: group.restitution };
+        let ContactGroup { friction, restitution, tangent_speed, .. } = group;
+        let pair = PairConstants { friction, restitution, tangent_speed };
         let mut bodies = [group.body_a, group.body_b].map(|body| unpack_one(&all.states[body as usize]));
         for row in &mut self.rows[first_row as usize..(first_row + group.contact_count) as usize] {
             operation(row, &pair, &mut bodies);

@@ -62,6 +62,35 @@ fn run_until_told(simulator: &mut TwoHalfPhysicsSimulator, handler: &mut Listene
     panic!("nothing touches");
 }
 
+/// In the plane the 2D engine asks, along Z this one.
+#[test]
+fn a_geom_whose_callbacks_are_off_is_not_asked_and_its_partner_is() {
+    for axis in AXES {
+        let (mut simulator, bodies, _) = pair_along(axis, 1.0);
+        let [silent, heard] = bodies.map(|body| geom_of(&simulator, body));
+        simulator.geom_mut(silent).unwrap().set_collision_callbacks_enabled(false);
+        let mut listener = Listener::default();
+        let events = run_until_told(&mut simulator, &mut listener);
+        assert_eq!(events.len(), 2);
+        (0..60).for_each(|_| simulator.update_with(DT, &mut listener));
+        assert!(listener.collisions.iter().all(|collision| collision.this == heard));
+        assert!(listener.separations.iter().all(|&(this, _)| this == heard));
+        assert!(!listener.collisions.is_empty() && !listener.separations.is_empty());
+    }
+}
+
+#[test]
+fn a_geom_whose_callbacks_are_off_is_not_asked_about_ground_and_platform() {
+    for on_platform in [false, true] {
+        let (mut simulator, body, _) = falling(false, on_platform, 0.0);
+        let geom = geom_of(&simulator, body);
+        simulator.geom_mut(geom).unwrap().set_collision_callbacks_enabled(false);
+        let mut listener = Listener::that_refuses(|_, _| true);
+        (0..300).for_each(|_| simulator.update_with(DT, &mut listener));
+        assert!(listener.collisions.is_empty() && !told(&simulator).is_empty());
+    }
+}
+
 #[test]
 fn both_sides_are_told_of_a_hit_the_older_first_with_opposite_normals() {
     for axis in AXES {
