@@ -33,15 +33,19 @@ pub enum Methods {
     ///
     /// | setting | with the precise set |
     /// |---|---|
+    /// | [`enabled`](crate::PhysicsSimulator::enabled), [`gravity`](crate::PhysicsSimulator::gravity), [`Limits`](crate::Limits) | as in the faithful set |
     /// | [`iterations`](crate::PhysicsSimulator::iterations) | substeps of an update, 1 at least; 4 is what to begin with |
     /// | [`friction_type`](crate::PhysicsSimulator::friction_type), coefficients of geoms | as in the faithful set; changes count at once |
-    /// | [`bias_factor`](crate::PhysicsSimulator::bias_factor), [`allowed_penetration`](crate::PhysicsSimulator::allowed_penetration) | nothing: overlaps are undone by springs of their own, and none is left alone |
-    /// | [`max_contacts_to_detect`](crate::PhysicsSimulator::max_contacts_to_detect), [`max_contacts_to_resolve`](crate::PhysicsSimulator::max_contacts_to_resolve) | nothing: two convex pieces have two contacts at most |
-    /// | broad and narrow phase, distance grids, cell sizes | nothing, or an error where there can be one |
+    /// | [`bias_factor`](crate::PhysicsSimulator::bias_factor), [`allowed_penetration`](crate::PhysicsSimulator::allowed_penetration) | other values are refused with [`Error::NotSupported`]: overlaps are undone by springs of their own, and none is left alone. What was set before this set was chosen stays, for the way back |
+    /// | [`max_contacts_to_detect`](crate::PhysicsSimulator::max_contacts_to_detect), [`max_contacts_to_resolve`](crate::PhysicsSimulator::max_contacts_to_resolve) | contacts of two convex pieces, by the smaller of both: two at most, the deepest first; with 0 nothing touches |
+    /// | broad and narrow phase | the one is refused with [`Error::NotSupported`], the other refused and [reported](crate::Event::RejectedInput) |
+    /// | distance grids and their cell sizes | made and kept for the faithful set, and not asked |
+    /// | [`set_box_radius`](crate::Objects::set_box_radius) | queries see it; pairs are those of the outline |
     /// | [`set_matrix`](crate::Objects::set_matrix) | queries see it; contacts are those of the body's pose |
     /// | a negative step, stages called one by one | refused and [reported](crate::Event::RejectedInput) |
     /// | a negative mass, an inverse inertia that is not a normal number | no push moves or turns the body: `f32::MAX` as the moment of inertia keeps it from turning |
     /// | a static body's velocity | a conveyor belt, as in the faithful set |
+    /// | [kinematic](crate::Body::is_kinematic) bodies, [gravity scale](crate::Body::gravity_scale) | as in the faithful set |
     /// | joints | refused with [`Error::NotSupported`] |
     ///
     /// Geoms of the circle factory with eight edges or more are true circles, with fewer the polygons that they look like;

@@ -13,6 +13,7 @@ mod bodies;
 mod grid;
 mod manifold;
 mod moving;
+mod nearby;
 mod outline;
 mod pairs;
 mod passes;
@@ -59,6 +60,8 @@ pub(crate) struct Precise {
     /// Something bounces.
     bounces: bool,
     friction: FrictionType,
+    /// Contacts of two pieces, at most.
+    most_contacts: u32,
     bodies: Bodies,
     proxies: Proxies,
     grid: Grid,
@@ -68,6 +71,8 @@ pub(crate) struct Precise {
     /// Numbers of bodies and first proxies of geoms, by slot.
     body_numbers: Vec<u32>,
     first_proxies: Vec<u32>,
+    /// Places in the list of geoms that queries look at whatever the grid says.
+    loose: Vec<u32>,
     /// Bodies in the list that take no part because they are disabled.
     absent: Vec<BodyId>,
     /// Lent out for editing since the last look.
@@ -80,8 +85,8 @@ pub(crate) struct Precise {
     /// Empty between stages.
     lost: Vec<u32>,
     found: Vec<[u32; 2]>,
-    /// Which proxy's search has last known a proxy as a partner.
-    known: Vec<u32>,
+    /// Whether a proxy is a partner already of that whose pairs are looked for. All false between searches.
+    known: Vec<bool>,
     touching: Vec<((u32, u32), usize)>,
 }
 
@@ -97,6 +102,7 @@ impl Precise {
             is_stale: true,
             bounces: false,
             friction: FrictionType::default(),
+            most_contacts: 2,
             bodies: Bodies::default(),
             proxies: Proxies::default(),
             grid: Grid::default(),
@@ -105,6 +111,7 @@ impl Precise {
             palette: Palette::default(),
             body_numbers: Vec::new(),
             first_proxies: Vec::new(),
+            loose: Vec::new(),
             absent: Vec::new(),
             edited_bodies: Vec::new(),
             edited_geoms: Vec::new(),
@@ -127,6 +134,7 @@ impl Precise {
             palette: &mut self.palette,
             tuning: &self.tuning,
             friction: self.friction,
+            most_contacts: self.most_contacts as usize,
             dt: self.dt,
             fall: self.fall,
             changes: &mut self.changes,
