@@ -286,6 +286,10 @@ fn a_ball_leaves_a_moving_wall_with_twice_its_speed_more() {
         run(&mut simulator, 60);
         let expected = 2.0 * wall_speed - ball_speed;
         assert_abs_diff_eq!(simulator[ball].linear_velocity().x, expected, epsilon = 1e-3);
+        // They are 40 px apart until they meet, and the ball leaves from where they do.
+        let met = 40.0 / (wall_speed - ball_speed);
+        let expected = 60.0 + ball_speed * met + expected * (1.0 - met);
+        assert_abs_diff_eq!(simulator[ball].position().x, expected, epsilon = 0.01);
         assert_eq!(simulator[wall].linear_velocity(), v(wall_speed, 0.0));
     }
 }
