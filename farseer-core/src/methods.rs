@@ -33,11 +33,14 @@ pub enum Methods {
     ///
     /// | setting | with the precise set |
     /// |---|---|
+    /// | [`enabled`](crate::PhysicsSimulator::enabled), [`gravity`](crate::PhysicsSimulator::gravity), [`Limits`](crate::Limits) | as in the faithful set |
     /// | [`iterations`](crate::PhysicsSimulator::iterations) | substeps of an update, 1 at least; 4 is what to begin with |
     /// | [`friction_type`](crate::PhysicsSimulator::friction_type), coefficients of geoms | as in the faithful set; changes count at once |
-    /// | [`bias_factor`](crate::PhysicsSimulator::bias_factor), [`allowed_penetration`](crate::PhysicsSimulator::allowed_penetration) | nothing: overlaps are undone by springs of their own, and none is left alone |
-    /// | [`max_contacts_to_detect`](crate::PhysicsSimulator::max_contacts_to_detect), [`max_contacts_to_resolve`](crate::PhysicsSimulator::max_contacts_to_resolve) | nothing: two convex pieces have two contacts at most |
-    /// | broad and narrow phase, distance grids, cell sizes | nothing, or an error where there can be one |
+    /// | [`bias_factor`](crate::PhysicsSimulator::bias_factor), [`allowed_penetration`](crate::PhysicsSimulator::allowed_penetration) | other values are refused with [`Error::NotSupported`]: overlaps are undone by springs of their own, and none is left alone. What was set before this set was chosen stays, for the way back |
+    /// | [`max_contacts_to_detect`](crate::PhysicsSimulator::max_contacts_to_detect), [`max_contacts_to_resolve`](crate::PhysicsSimulator::max_contacts_to_resolve) | contacts of two convex pieces, by the smaller of both: two at most, the deepest first; with 0 nothing touches |
+    /// | broad and narrow phase | the one is refused with [`Error::NotSupported`], the other refused and [reported](crate::Event::RejectedInput) |
+    /// | distance grids and their cell sizes | made and kept for the faithful set, and not asked |
+    /// | [`set_box_radius`](crate::Objects::set_box_radius) | queries see it; pairs are those of the outline |
     /// | [`set_matrix`](crate::Objects::set_matrix) | queries see it; contacts are those of the body's pose |
     /// | a negative step, stages called one by one | refused and [reported](crate::Event::RejectedInput) |
     /// | a negative mass, an inverse inertia that is not a normal number | no push moves or turns the body: `f32::MAX` as the moment of inertia keeps it from turning |
@@ -47,6 +50,7 @@ pub enum Methods {
     /// | [`softness`](crate::Joint::softness), [`bias_factor`](crate::Joint::bias_factor) of joints | a soft joint of a point or distance yields to a steady load as far as it does in the faithful set; the bias factor of a hard one, and softness of an angle, mean nothing |
     /// | `max_impulse` of joints | the greatest impulse of a substep |
     /// | [callbacks of a geom](crate::Geom::set_collision_callbacks_enabled), friction, restitution and tangent speed [set by a handler](crate::Context::set_contact_friction) | as in the faithful set |
+    /// | [kinematic](crate::Body::is_kinematic) bodies, [gravity scale](crate::Body::gravity_scale) | as in the faithful set |
     ///
     /// Geoms of the circle factory with eight edges or more are true circles, with fewer the polygons that they look like;
     /// concave outlines are cut into convex pieces. Collisions are events when they begin and separations when they end;

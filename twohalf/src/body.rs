@@ -192,6 +192,11 @@ impl<S: Access> TwoHalfBody<S> {
         self.core().ignore_gravity()
     }
 
+    /// How strongly gravity acts on the body: times what it does to others. Default 1.
+    pub fn gravity_scale(&self) -> f32 {
+        self.core().gravity_scale()
+    }
+
     /// Drag per velocity, in all three axes. Default 0.001.
     #[doc(alias = "LinearDragCoefficient")]
     pub fn linear_drag_coefficient(&self) -> f32 {
@@ -405,6 +410,11 @@ impl<S: AccessMut> TwoHalfBody<S> {
     /// Lets gravity act on the body or not.
     pub fn set_ignore_gravity(&mut self, value: bool) {
         self.core_mut().set_ignore_gravity(value);
+    }
+
+    /// Sets how strongly gravity acts on the body. What is not finite is rejected.
+    pub fn set_gravity_scale(&mut self, value: f32) {
+        self.core_mut().set_gravity_scale(value);
     }
 
     /// Sets the drag per velocity, in all three axes. What is not finite is rejected.

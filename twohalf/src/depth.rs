@@ -148,7 +148,7 @@ pub(crate) struct Depths {
 
 /// Whether the solver can move a body.
 pub(crate) fn is_movable(core: &PhysicsSimulator, body: BodyId) -> bool {
-    core.body(body).is_some_and(|body| body.enabled() && !body.is_static())
+    core.body(body).is_some_and(|body| body.enabled() && !body.is_static() && !body.is_kinematic())
 }
 
 /// Distance from a body's origin down to the lowest point of its object geom at its present rotation; 0

@@ -179,9 +179,9 @@ impl World {
     fn keep_supports(&mut self, core: &PhysicsSimulator, last: &[(BodyId, Support)]) {
         let slow = 2.0 * core.gravity().y.abs() * self.update.dt.abs();
         for &(id, support) in last {
-            let is_slow = core
-                .body(id)
-                .is_some_and(|body| !body.ignore_gravity() && body.linear_velocity().y.abs() <= slow);
+            let is_slow = core.body(id).is_some_and(|body| {
+                !body.ignore_gravity() && body.linear_velocity().y.abs() <= slow * body.gravity_scale().abs()
+            });
             let is_there = self.exists(core, support.partner);
             let Some(state) = self.depths.bodies.get_mut(id).filter(|state| state.support.is_none()) else {
                 continue;

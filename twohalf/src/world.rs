@@ -187,7 +187,7 @@ impl World {
             return Vector3::zeros();
         };
         match state.motion {
-            _ if !is_movable(core, body) => Vector3::zeros(),
+            _ if !(is_movable(core, body) || plane.is_kinematic()) => Vector3::zeros(),
             Some(motion) => motion,
             None => {
                 let velocity = plane.linear_velocity();

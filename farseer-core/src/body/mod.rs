@@ -4,6 +4,7 @@
 //! y down, so that positive angles turn clockwise on the screen).
 
 pub(crate) mod entry;
+mod kinematic;
 pub(crate) mod nobody;
 mod save;
 
@@ -47,8 +48,12 @@ pub struct Body {
     rotational_drag_coefficient: f32,
     idle_time: f32,
     minimum_velocity: f32,
+    gravity_scale: f32,
     tag: u64,
     is_static: bool,
+    is_kinematic: bool,
+    /// Where a kinematic body is brought.
+    target: Option<kinematic::Target>,
     enabled: bool,
     ignore_gravity: bool,
     is_quadratic_drag_enabled: bool,
@@ -76,6 +81,7 @@ impl ArgumentNames for BodyArguments {
         "rotational_drag_coefficient",
         "idle_time",
         "minimum_velocity",
+        "gravity_scale",
         "amount",
         "point",
         "torque",
@@ -146,8 +152,11 @@ impl Body {
             rotational_drag_coefficient: 0.001,
             idle_time: 0.0,
             minimum_velocity: 55.0,
+            gravity_scale: 1.0,
             tag: 0,
             is_static: false,
+            is_kinematic: false,
+            target: None,
             enabled: true,
             ignore_gravity: false,
             is_quadratic_drag_enabled: false,
@@ -173,8 +182,10 @@ impl Body {
             quadratic_drag_coefficient: body.quadratic_drag_coefficient,
             enabled: body.enabled,
             tag: body.tag,
+            gravity_scale: body.gravity_scale,
             ignore_gravity: body.ignore_gravity,
             is_static: body.is_static,
+            is_kinematic: body.is_kinematic,
             ..Body::new()
         }
     }
@@ -217,9 +228,6 @@ impl Body {
     }
 
     finite_properties! {
-        /// Angular velocity in rad/s.
-        #[doc(alias = "AngularVelocity")]
-        angular_velocity, set_angular_velocity;
         /// Force per velocity that linear drag exerts, not scaled by mass. Default 0.001.
         #[doc(alias = "LinearDragCoefficient")]
         linear_drag_coefficient, set_linear_drag_coefficient;
@@ -235,6 +243,10 @@ impl Body {
         /// Speed from which on the body counts as moving. Default 55.
         #[doc(alias = "MinimumVelocity")]
         minimum_velocity, set_minimum_velocity;
+        /// How strongly the simulator's gravity acts on the body: times what it does to others. Default 1; 0 is as
+        /// [ignoring](Self::ignore_gravity) it, and with a negative number the body falls upward. Ours: the original has
+        /// only the switch.
+        gravity_scale, set_gravity_scale;
     }
 
     /// Position of the body's origin, its centre of mass.
@@ -249,6 +261,7 @@ impl Body {
         if self.accepts_vector("position", value) {
             self.position = value;
             self.pose_is_dirty = true;
+            self.target = None;
         }
     }
 
@@ -265,6 +278,7 @@ impl Body {
         if self.accepts("rotation", value) {
             self.normalize_rotation(value);
             self.pose_is_dirty = true;
+            self.target = None;
         }
     }
 
@@ -292,6 +306,23 @@ impl Body {
     pub fn set_linear_velocity(&mut self, value: Vector2) {
         if self.accepts_vector("linear_velocity", value) {
             self.linear_velocity = value;
+            self.target = None;
+        }
+    }
+
+    /// Angular velocity in rad/s.
+    #[doc(alias = "AngularVelocity")]
+    #[inline]
+    pub fn angular_velocity(&self) -> f32 {
+        self.angular_velocity
+    }
+
+    /// Sets the angular velocity. What is not finite is rejected.
+    #[inline]
+    pub fn set_angular_velocity(&mut self, value: f32) {
+        if self.accepts("angular_velocity", value) {
+            self.angular_velocity = value;
+            self.target = None;
         }
     }
 
@@ -320,11 +351,11 @@ impl Body {
             return Err(Error::invalid("mass", value, "large enough for a finite reciprocal"));
         }
         self.mass = value;
-        self.inverse_mass = if self.is_static { 0.0 } else { 1.0 / value };
+        self.renew_inverses();
         Ok(())
     }
 
-    /// Reciprocal of the mass; 0 for a static body.
+    /// Reciprocal of the mass; 0 for a static or kinematic body.
     #[doc(alias = "InverseMass")]
     #[inline]
     pub fn inverse_mass(&self) -> f32 {
@@ -347,11 +378,11 @@ impl Body {
             return Err(Error::invalid("moment_of_inertia", value, "large enough for a finite reciprocal"));
         }
         self.moment_of_inertia = value;
-        self.inverse_moment_of_inertia = if self.is_static { 0.0 } else { 1.0 / value };
+        self.renew_inverses();
         Ok(())
     }
 
-    /// Reciprocal of the moment of inertia; 0 for a static body.
+    /// Reciprocal of the moment of inertia; 0 for a static or kinematic body.
     #[doc(alias = "InverseMomentOfInertia")]
     #[inline]
     pub fn inverse_moment_of_inertia(&self) -> f32 {
@@ -366,11 +397,14 @@ impl Body {
     }
 
     /// Makes the body immovable or movable. Velocities and accumulated forces stay: what was applied to a
-    /// static body acts at once when it becomes dynamic.
+    /// static body acts at once when it becomes dynamic. A [kinematic](Self::is_kinematic) body becomes static, or stays what
+    /// it is.
     pub fn set_is_static(&mut self, value: bool) {
+        if value {
+            self.set_is_kinematic(false);
+        }
         self.is_static = value;
-        self.inverse_mass = if value { 0.0 } else { 1.0 / self.mass };
-        self.inverse_moment_of_inertia = if value { 0.0 } else { 1.0 / self.moment_of_inertia };
+        self.renew_inverses();
     }
 
     /// Force accumulated for the next update.
@@ -550,17 +584,21 @@ impl Body {
         self.clear_torque();
         self.clear_impulse();
         self.pose_is_dirty = true;
+        self.target = None;
     }
 
     fn normalize_rotation(&mut self, raw: f32) {
-        let mut turns = scalar::to_int(raw / TWO_PI);
-        if raw < 0.0 {
-            turns = turns.wrapping_sub(1);
-        }
+        let turns = whole_turns(raw);
         self.rotation = raw - turns as f32 * TWO_PI;
         self.revolutions = self.revolutions.wrapping_add(turns);
         self.total_rotation = self.rotation + self.revolutions as f32 * TWO_PI;
     }
+}
+
+/// The turns that are taken off a rotation.
+fn whole_turns(raw: f32) -> i32 {
+    let turns = scalar::to_int(raw / TWO_PI);
+    if raw < 0.0 { turns.wrapping_sub(1) } else { turns }
 }
 
 /// Where a body is and how far it has turned.
@@ -601,19 +639,25 @@ impl Body {
         sum == 0.0
     }
 
-    /// Adds gravity to the accumulated force.
+    /// What part of gravity acts on the body.
+    #[inline]
+    pub(crate) fn gravity_part(&self) -> f32 {
+        if self.ignore_gravity || self.is_immovable() { 0.0 } else { self.gravity_scale }
+    }
+
+    /// Adds gravity to the accumulated force. A scale of 1 changes no bit.
     #[inline]
     pub(crate) fn accumulate_gravity(&mut self, gravity: Vector2) {
         if !self.ignore_gravity {
-            self.force.x += gravity.x * self.mass;
-            self.force.y += gravity.y * self.mass;
+            self.force.x += gravity.x * self.mass * self.gravity_scale;
+            self.force.y += gravity.y * self.mass * self.gravity_scale;
         }
     }
 
     /// Turns the accumulated impulse into velocity. Also without any impulse: the addition turns -0 into +0.
     #[inline]
     pub(crate) fn apply_accumulated_impulse(&mut self) {
-        if !self.is_static {
+        if !self.is_immovable() {
             self.linear_velocity += self.impulse * self.inverse_mass;
         }
         self.impulse = Vector2::zeros();
@@ -662,6 +706,7 @@ impl Body {
         self.normalize_rotation(self.rotation + turned_by);
         (self.linear_velocity, self.angular_velocity) = (velocity, spin);
         self.has_moved = true;
+        self.land();
     }
 
     /// Moves the body over `dt` seconds and answers whether its pose changed.
@@ -680,6 +725,7 @@ impl Body {
             moved = true;
         }
         self.angular_velocity_bias = 0.0;
+        self.land();
         self.has_moved |= moved;
         moved
     }

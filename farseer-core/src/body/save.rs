@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::kinematic::Target;
 use super::{Body, BodyArguments};
 use crate::math::Vector2;
 use crate::storage::refusals::Refusals;
@@ -30,8 +31,11 @@ struct SavedBody {
     rotational_drag_coefficient: f32,
     idle_time: f32,
     minimum_velocity: f32,
+    gravity_scale: f32,
     tag: u64,
     is_static: bool,
+    is_kinematic: bool,
+    target: Option<Target>,
     enabled: bool,
     ignore_gravity: bool,
     is_quadratic_drag_enabled: bool,
@@ -62,14 +66,17 @@ impl<'de> Deserialize<'de> for Body {
             body.rotational_drag_coefficient,
             body.idle_time,
             body.minimum_velocity,
+            body.gravity_scale,
         ];
-        let inverse = |value: f32| if body.is_static { 0.0 } else { 1.0 / value };
+        let inverse = |value: f32| if body.is_immovable() { 0.0 } else { 1.0 / value };
         let is_valid = body.is_finite()
             && numbers.iter().all(|number| number.is_finite())
             && body.mass.is_finite()
             && body.mass != 0.0
             && body.moment_of_inertia.is_finite()
             && body.moment_of_inertia > 0.0
+            && !(body.is_static && body.is_kinematic)
+            && body.target.is_none_or(|target| body.is_kinematic && target.is_finite())
             && body.inverse_mass == inverse(body.mass)
             && body.inverse_moment_of_inertia == inverse(body.moment_of_inertia)
             && body.inverse_mass.is_finite()

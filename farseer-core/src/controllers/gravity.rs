@@ -129,11 +129,11 @@ impl GravityController {
             if bodies.is_disposed(id) || !body.enabled() || body.ignore_gravity() {
                 continue;
             }
-            let is_static = body.is_static();
+            let is_immovable = body.is_immovable();
             for &source in &self.bodies {
                 let body = &bodies[source].body;
                 let is_idle =
-                    bodies.is_disposed(source) || !body.enabled() || (is_static && body.is_static());
+                    bodies.is_disposed(source) || !body.enabled() || (is_immovable && body.is_immovable());
                 if source != id && !is_idle {
                     let position = body.position();
                     all_finite &= self.pull(&mut bodies[id].body, position);

@@ -57,9 +57,9 @@ impl InactivityController {
         vector2::length(body1.position() - body2.position()) <= self.activation_distance
     }
 
-    /// One pass over the listed bodies. Answers false if an idle time would not have been finite; that body keeps what
-    /// it had.
-    pub(crate) fn update(&mut self, dt: f32, bodies: &mut Bodies) -> bool {
+    /// One pass over the listed bodies. Notes whether some were disabled or enabled. Answers false if an idle time would not
+    /// have been finite; that body keeps what it had.
+    pub(crate) fn update(&mut self, dt: f32, bodies: &mut Bodies, has_switched: &mut bool) -> bool {
         let milliseconds = dt * 1000.0;
         let mut all_finite = true;
         self.bodies_enabled = 0;
@@ -72,7 +72,7 @@ impl InactivityController {
             self.bodies_enabled += 1;
             if body.moves() || !body.is_auto_idle() {
                 body.set_idle_time(0.0);
-                self.wake_around(id, bodies);
+                *has_switched |= self.wake_around(id, bodies);
                 continue;
             }
             let idle_time = body.idle_time() + milliseconds;
@@ -83,12 +83,15 @@ impl InactivityController {
             body.set_idle_time(idle_time);
             if idle_time >= self.max_idle_time {
                 body.set_enabled(false);
+                *has_switched = true;
             }
         }
         all_finite
     }
 
-    fn wake_around(&self, waking: BodyId, bodies: &mut Bodies) {
+    /// Answers whether there was one to wake.
+    fn wake_around(&self, waking: BodyId, bodies: &mut Bodies) -> bool {
+        let mut has_woken = false;
         for position in 0..bodies.list().len() {
             let id = bodies.list()[position];
             let body = &bodies[id].body;
@@ -99,8 +102,10 @@ impl InactivityController {
                 let body = &mut bodies[id].body;
                 body.set_enabled(true);
                 body.set_idle_time(0.0);
+                has_woken = true;
             }
         }
+        has_woken
     }
 
     pub(super) fn is_valid(&self) -> bool {

@@ -46,7 +46,7 @@ impl JointFactory {
         anchor: Vector2,
     ) -> Result<JointId> {
         let held = find(simulator, "body", body)?;
-        let is_static = held.1.is_static();
+        let is_static = held.1.is_immovable();
         let mut joint = FixedRevoluteJoint::new(held, anchor)?;
         if is_static {
             joint.set_enabled(false);

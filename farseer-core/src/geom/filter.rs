@@ -23,7 +23,7 @@ impl Filter<'_> {
         };
         body_a.body.enabled()
             && body_b.body.enabled()
-            && !(body_a.body.is_static() && body_b.body.is_static())
+            && !(body_a.body.is_immovable() && body_b.body.is_immovable())
             && !a.ignores(b.number)
             && !b.ignores(a.number)
     }
@@ -37,7 +37,7 @@ pub(crate) fn is_valid_pair((id_a, id_b): (GeomId, GeomId), geoms: &Geoms, bodie
     let (body_a, body_b): (&Body, &Body) = (&body_a.body, &body_b.body);
     !(geoms.is_disposed(id_a)
         || geoms.is_disposed(id_b)
-        || (body_a.is_static() && body_b.is_static())
+        || (body_a.is_immovable() && body_b.is_immovable())
         || !body_a.enabled()
         || !body_b.enabled()
         || a.geom.shares_group_with(&b.geom)

@@ -109,6 +109,7 @@ impl Objects {
         check_place("matrix", replaced, &self.bodies[body])?;
         self.settle_body(body);
         self.geoms[geom].set_matrix(matrix);
+        self.has_new_structure = true;
         Ok(())
     }
 
@@ -174,6 +175,7 @@ impl Objects {
         check_place("radius", resized, &self.bodies[body])?;
         self.settle_body(body);
         self.geoms[geom].set_box_radius(radius);
+        self.has_new_structure = true;
         Ok(())
     }
 }

@@ -63,6 +63,7 @@ impl Objects {
         move_geoms(entry, &mut self.geoms, before, true);
         let disabled = !entry.body.is_static();
         entry.body.set_enabled(entry.body.enabled() && !disabled);
+        self.has_new_structure = true;
         Followed::PutBack { disabled }
     }
 }

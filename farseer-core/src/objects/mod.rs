@@ -84,7 +84,7 @@ pub struct Objects {
     pub(crate) pending: Vec<Notice>,
     /// What geoms are made ready for, how they are asked, and what an update does with them.
     pub(crate) methods: Methods,
-    /// Bodies or geoms have entered or left their lists, or geoms have become what they were not.
+    /// Bodies or geoms have entered or left their lists, or have become what they were not without being lent out.
     pub(crate) has_new_structure: bool,
     /// Joints were lent out for editing since this was asked last.
     pub(crate) has_edited_joints: bool,

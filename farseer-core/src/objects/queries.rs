@@ -24,13 +24,21 @@ impl Objects {
     /// geoms will be.
     #[doc(alias = "Collide")]
     pub fn collide(&self, point: Vector2) -> Option<GeomId> {
-        self.geoms.list().iter().copied().find(|&geom| self.geom_collides_with_point(geom, point))
+        self.collide_among(self.geoms.list(), point)
+    }
+
+    pub(crate) fn collide_among(&self, geoms: &[GeomId], point: Vector2) -> Option<GeomId> {
+        geoms.iter().copied().find(|&geom| self.geom_collides_with_point(geom, point))
     }
 
     /// All geoms that hold a point of the world, in list order.
     #[doc(alias = "CollideAll")]
     pub fn collide_all(&self, point: Vector2) -> Vec<GeomId> {
-        self.geoms.list().iter().copied().filter(|&geom| self.geom_collides_with_point(geom, point)).collect()
+        self.collide_all_among(self.geoms.list(), point)
+    }
+
+    pub(crate) fn collide_all_among(&self, geoms: &[GeomId], point: Vector2) -> Vec<GeomId> {
+        geoms.iter().copied().filter(|&geom| self.geom_collides_with_point(geom, point)).collect()
     }
 
     /// Whether a geom holds a point of the world; a stale id holds none.

@@ -28,10 +28,20 @@ impl Objects {
     /// are not hit, though they stay listed until the next update. A ray that ends where it starts, or is not finite, hits
     /// nothing.
     ///
-    /// Looks at the box of every listed geom: the time grows with their number.
+    /// Looks at the box of every listed geom: the time grows with their number. A simulator with the precise set asks its grid
+    /// instead.
     pub fn ray_cast(&self, start: Vector2, end: Vector2) -> Option<RayCastHit> {
+        self.ray_cast_among(self.geoms.list(), start, end)
+    }
+
+    pub(crate) fn ray_cast_among(
+        &self,
+        geoms: &[GeomId],
+        start: Vector2,
+        end: Vector2,
+    ) -> Option<RayCastHit> {
         let ray = Ray::new(start, end)?;
-        let hits = self.geoms.list().iter().filter_map(|&geom| self.entry_of(&ray, geom));
+        let hits = geoms.iter().filter_map(|&geom| self.entry_of(&ray, geom));
         let nearest = hits.reduce(|nearest, hit| if hit.0 < nearest.0 { hit } else { nearest });
         nearest.map(|(_, hit)| hit)
     }
@@ -39,16 +49,29 @@ impl Objects {
     /// Every geom that a ray from `start` to `end` enters, once each where it enters it first, from the nearest to the
     /// farthest and in list order at equal distances. See [`ray_cast`](Self::ray_cast).
     pub fn ray_cast_all(&self, start: Vector2, end: Vector2) -> Vec<RayCastHit> {
+        self.ray_cast_all_among(self.geoms.list(), start, end)
+    }
+
+    pub(crate) fn ray_cast_all_among(
+        &self,
+        geoms: &[GeomId],
+        start: Vector2,
+        end: Vector2,
+    ) -> Vec<RayCastHit> {
         let Some(ray) = Ray::new(start, end) else { return Vec::new() };
         let mut hits: Vec<(f64, RayCastHit)> =
-            self.geoms.list().iter().filter_map(|&geom| self.entry_of(&ray, geom)).collect();
+            geoms.iter().filter_map(|&geom| self.entry_of(&ray, geom)).collect();
         hits.sort_by(|(a, _), (b, _)| a.total_cmp(b));
         hits.into_iter().map(|(_, hit)| hit).collect()
     }
 
     /// The geoms whose [boxes](crate::GeomRef::aabb) overlap a box or touch it, in list order, but for disposed ones.
-    /// None if its numbers are not finite, or `min` is greater than `max`. Looks at every listed geom.
+    /// None if its numbers are not finite, or `min` is greater than `max`. Looks at every listed geom, but as [`ray_cast`](Self::ray_cast).
     pub fn query_aabb(&self, aabb: &Aabb) -> Vec<GeomId> {
+        self.query_aabb_among(self.geoms.list(), aabb)
+    }
+
+    pub(crate) fn query_aabb_among(&self, geoms: &[GeomId], aabb: &Aabb) -> Vec<GeomId> {
         let is_finite = |v: Vector2| v.x.is_finite() && v.y.is_finite();
         let is_box = aabb.min.x <= aabb.max.x && aabb.min.y <= aabb.max.y;
         if !is_finite(aabb.min) || !is_finite(aabb.max) || !is_box {
@@ -58,7 +81,7 @@ impl Objects {
             !self.is_disposed(geom)
                 && self.with_settled(geom, |geom| Aabb::intersect(&geom.aabb, aabb)).unwrap_or(false)
         };
-        self.geoms.list().iter().copied().filter(overlaps).collect()
+        geoms.iter().copied().filter(overlaps).collect()
     }
 
     /// Where a ray enters a geom first, with the fraction in full precision.

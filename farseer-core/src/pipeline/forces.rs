@@ -14,9 +14,13 @@ pub(crate) fn integrate_velocities(bodies: &mut Bodies, gravity: Vector2, dt: f3
             continue;
         }
         let before = (body.linear_velocity, body.angular_velocity);
-        body.apply_accumulated_impulse();
-        body.accumulate_gravity(gravity);
-        body.integrate_velocity(dt);
+        if body.is_kinematic() {
+            body.begin_kinematic_step(dt);
+        } else {
+            body.apply_accumulated_impulse();
+            body.accumulate_gravity(gravity);
+            body.integrate_velocity(dt);
+        }
         if !body.is_finite() {
             (body.linear_velocity, body.angular_velocity) = before;
             body.set_enabled(false);

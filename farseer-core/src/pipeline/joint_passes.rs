@@ -48,7 +48,7 @@ fn state_of(body: &Body) -> JointBody {
         angular_velocity: body.angular_velocity,
         inverse_mass: body.inverse_mass,
         inverse_inertia: body.inverse_moment_of_inertia,
-        is_static: body.is_static(),
+        is_static: body.is_immovable(),
     }
 }
 
@@ -62,9 +62,9 @@ fn joint_bodies([one, two]: [JointBody; 2], are_one: bool) -> JointBodies {
     if are_one { JointBodies::one(one) } else { JointBodies::two(one, two) }
 }
 
-/// The gate of behaviour chapter 10, section 4: not all bodies are static, and not all are disabled.
+/// The gate of behaviour chapter 10, section 4: not all bodies are immovable, and not all are disabled.
 fn may_act(bodies: [&Body; 2]) -> bool {
-    bodies.iter().any(|body| !body.is_static()) && bodies.iter().any(|body| body.enabled())
+    bodies.iter().any(|body| !body.is_immovable()) && bodies.iter().any(|body| body.enabled())
 }
 
 /// The bodies of a joint; twice the same for a joint on one body.
@@ -172,8 +172,11 @@ fn pre_step_joint(
     let (id, joint) = joints.at_mut(position)?;
     let ids = bodies_of(joint);
     let bodies = [&all.get(ids[0])?.body, &all.get(ids[1])?.body];
-    let mut seat =
-        Seat { is_static: bodies.map(|body| body.is_static()), is_due: may_act(bodies), ..Seat::default() };
+    let mut seat = Seat {
+        is_static: bodies.map(|body| body.is_immovable()),
+        is_due: may_act(bodies),
+        ..Seat::default()
+    };
     if !(seat.is_due && joint.enabled()) {
         return Some(seat);
     }

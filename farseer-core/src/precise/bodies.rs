@@ -24,6 +24,8 @@ pub(super) struct Bodies {
     /// Number of bodies that can be pushed: the last one has this number.
     pub(super) count: usize,
     pub(super) ids: Vec<Option<BodyId>>,
+    /// Numbers of those among them that nothing pushes, but the game moves.
+    pub(super) kinematic: Vec<u32>,
     pub(super) hot: Vec<Hot>,
     /// What the impulses of all contacts do to the velocity in a substep.
     pub(super) warm: Vec<[f32; 4]>,
@@ -39,6 +41,8 @@ pub(super) struct Bodies {
     pub(super) path: Vec<[f32; 4]>,
     /// Reciprocals of mass and moment of inertia.
     pub(super) inverses: Vec<[f32; 2]>,
+    /// What part of gravity acts, of all that have inverses.
+    pub(super) gravity_parts: Vec<f32>,
     /// The radius of a body that is one circle about its origin, third in the row, and then 1 as the fourth; else 0.
     pub(super) circles: Vec<[f32; 4]>,
     /// Of all bodies, with those that stand still.
@@ -92,13 +96,18 @@ impl Bodies {
         fixed: impl Iterator<Item = (BodyId, &'a Body)>,
     ) {
         self.ids.clear();
+        self.kinematic.clear();
         self.poses.clear();
         self.rotations.clear();
         self.inverses.clear();
+        self.gravity_parts.clear();
         self.push_dummy();
         self.hot.clear();
         self.hot.push(Hot::default());
         movable.for_each(|(id, body)| {
+            if body.is_kinematic() {
+                self.kinematic.push(self.ids.len() as u32);
+            }
             self.push(id, body, inverses_of(body));
             self.hot.push(Hot { velocity: velocity_of(body), ..Hot::default() });
         });
@@ -128,6 +137,7 @@ impl Bodies {
         self.poses.push([0.0, 0.0, 1.0, 0.0]);
         self.rotations.push(0.0);
         self.inverses.push([0.0; 2]);
+        self.gravity_parts.push(0.0);
     }
 
     fn push(&mut self, id: BodyId, body: &Body, inverses: [f32; 2]) {
@@ -136,6 +146,11 @@ impl Bodies {
         self.poses.push(pose);
         self.rotations.push(rotation);
         self.inverses.push(inverses);
+        self.gravity_parts.push(body.gravity_part());
+    }
+
+    pub(super) fn is_kinematic(&self, number: usize) -> bool {
+        self.kinematic.binary_search(&(number as u32)).is_ok()
     }
 
     /// Whether a body was moved since it was read.
@@ -170,11 +185,14 @@ fn velocity_of(body: &Body) -> [f32; 4] {
 /// short then: an undamped spring would swing up. Theirs is that of the velocity after the step, as in the faithful set,
 /// which keeps the swing (the symplectic Euler method); `forced` is the difference.
 pub(super) fn read(body: &mut Body, gravity: Vector2, dt: f32, h: f32) -> Read {
+    if body.is_kinematic() {
+        body.begin_kinematic_step(dt);
+        return Read { velocity: velocity_of(body), push: [0.0; 4], forced: [0.0; 4] };
+    }
     body.apply_accumulated_impulse();
     let (velocity, spin) = (body.linear_velocity, body.angular_velocity);
     let (force, turning) = body.take_accelerations();
-    let gravity = if body.ignore_gravity() { Vector2::zeros() } else { gravity };
-    let acceleration = gravity + force;
+    let acceleration = gravity * body.gravity_part() + force;
     let change = |velocity: f32, acceleration: f32, rate: f32| {
         let (decay, grown) = decay(rate, dt);
         velocity * decay + acceleration * grown

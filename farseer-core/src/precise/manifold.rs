@@ -40,6 +40,22 @@ impl Manifold {
     }
 }
 
+impl Manifold {
+    /// Leaves so many points at most, the deepest.
+    #[inline(always)]
+    pub(super) fn keep_deepest(&mut self, most: usize) {
+        if self.count > most {
+            if self.separations[1] < self.separations[0] {
+                self.points.swap(0, 1);
+                self.separations.swap(0, 1);
+                self.features.swap(0, 1);
+            }
+            self.count = most;
+            self.gap = 0.0;
+        }
+    }
+}
+
 /// The contacts of A and B, as far as `reach` apart.
 pub(super) fn collide(a: Outline<'_>, b: Outline<'_>, pose_a: Pose, pose_b: Pose, reach: f32) -> Manifold {
     match (a.shape.count, b.shape.count) {

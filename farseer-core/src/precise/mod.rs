@@ -15,6 +15,7 @@ mod grid;
 mod joints;
 mod manifold;
 mod moving;
+mod nearby;
 mod outline;
 mod pairs;
 mod passes;
@@ -62,6 +63,8 @@ pub(crate) struct Precise {
     /// Something bounces.
     bounces: bool,
     friction: FrictionType,
+    /// Contacts of two pieces, at most.
+    most_contacts: u32,
     bodies: Bodies,
     proxies: Proxies,
     grid: Grid,
@@ -72,6 +75,8 @@ pub(crate) struct Precise {
     /// Numbers of bodies and first proxies of geoms, by slot.
     body_numbers: Vec<u32>,
     first_proxies: Vec<u32>,
+    /// Places in the list of geoms that queries look at whatever the grid says.
+    loose: Vec<u32>,
     /// Bodies in the list that take no part because they are disabled.
     absent: Vec<BodyId>,
     /// Lent out for editing since the last look.
@@ -84,8 +89,8 @@ pub(crate) struct Precise {
     /// Empty between stages.
     lost: Vec<u32>,
     found: Vec<[u32; 2]>,
-    /// Which proxy's search has last known a proxy as a partner.
-    known: Vec<u32>,
+    /// Whether a proxy is a partner already of that whose pairs are looked for. All false between searches.
+    known: Vec<bool>,
     touching: Vec<((u32, u32), usize)>,
 }
 
@@ -101,6 +106,7 @@ impl Precise {
             is_stale: true,
             bounces: false,
             friction: FrictionType::default(),
+            most_contacts: 2,
             bodies: Bodies::default(),
             proxies: Proxies::default(),
             grid: Grid::default(),
@@ -110,6 +116,7 @@ impl Precise {
             joints: Joints::default(),
             body_numbers: Vec::new(),
             first_proxies: Vec::new(),
+            loose: Vec::new(),
             absent: Vec::new(),
             edited_bodies: Vec::new(),
             edited_geoms: Vec::new(),
@@ -132,6 +139,7 @@ impl Precise {
             palette: &mut self.palette,
             tuning: &self.tuning,
             friction: self.friction,
+            most_contacts: self.most_contacts as usize,
             dt: self.dt,
             fall: self.fall,
             changes: &mut self.changes,

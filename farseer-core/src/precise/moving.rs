@@ -127,7 +127,7 @@ fn leave_one<const P: usize>(bodies: &mut Bodies, hot: &mut [Hot], step: &Step, 
         restitution: of(&row.restitution),
     };
     // Two that can both be pushed may have pushed others since they met.
-    let has_just_met = a == 0 || flight.gap >= 0.0;
+    let has_just_met = mass_a == 0.0 || flight.gap >= 0.0;
     let bounced = if has_just_met && is_straight(row, lane) { flight.bounce(step.dt) } else { None };
     let (change_a, change_b) = share(bounced.map_or(0.0, |(way, _)| way) - along(way_b - way_a));
     if a != 0 {

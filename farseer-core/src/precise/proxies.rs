@@ -1,6 +1,8 @@
 //! What pairs are of: the convex pieces of geoms, each with a box that is larger than it has to be, so that it need not be
 //! renewed in every step.
 
+use serde::{Deserialize, Serialize};
+
 use super::bodies::Bodies;
 use super::grid::Box2;
 use super::outline::{Corners, Shape};
@@ -20,16 +22,27 @@ const FARTHEST: f32 = 1e18;
 /// Overlaps nothing.
 const NOWHERE: Box2 = [f32::MAX, f32::MAX, f32::MIN, f32::MIN];
 
+/// What moves a body. Of two that meet the lesser one is first; one at least is dynamic.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+pub(super) enum Mobility {
+    Fixed,
+    Kinematic,
+    Dynamic,
+}
+
 /// A convex piece of a geom.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Proxy {
     pub(super) geom: GeomId,
     /// Which piece of the geom it is.
     pub(super) piece: u32,
+    /// The geom's place in the list of geoms.
+    pub(super) place: u32,
     /// The geom's creation number.
     pub(super) number: u32,
     /// Number of its body.
     pub(super) body: u32,
+    pub(super) mobility: Mobility,
     pub(super) shape: Shape,
     pub(super) friction: f32,
     pub(super) restitution: f32,
@@ -82,8 +95,10 @@ impl Proxies {
             self.push(Proxy {
                 geom: GeomId::new(u32::MAX, 0),
                 piece: 0,
+                place: 0,
                 number: 0,
                 body: 0,
+                mobility: Mobility::Fixed,
                 shape: Shape::default(),
                 friction: 0.0,
                 restitution: 0.0,

@@ -357,19 +357,24 @@ impl Rows {
 }
 
 /// Which colours are taken at each body, by bits: among rows of two bodies, and among those with something fixed. The last
-/// colour is never taken, and body 0, which stands for all that cannot be pushed, takes none.
+/// colour is never taken, and what cannot be pushed takes none: rows that share it do not disturb each other.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Palette {
     shared: Vec<u32>,
     fixed: Vec<u32>,
+    /// Whether a body can be pushed.
+    gives_way: Vec<bool>,
 }
 
 impl Palette {
-    pub(super) fn reset(&mut self, bodies: usize) {
+    /// For bodies with these reciprocals of mass and inertia.
+    pub(super) fn reset(&mut self, inverses: &[[f32; 2]]) {
         for taken in [&mut self.shared, &mut self.fixed] {
             taken.clear();
-            taken.resize(bodies, 0);
+            taken.resize(inverses.len(), 0);
         }
+        self.gives_way.clear();
+        self.gives_way.extend(inverses.iter().map(|&inverses| inverses != [0.0; 2]));
     }
 
     fn of(&mut self, kind: Kind) -> &mut [u32] {
@@ -391,10 +396,9 @@ impl Palette {
 
     /// A row with this colour begins or ends.
     pub(super) fn mark(&mut self, kind: Kind, bodies: [u32; 2], colour: u32, is_taken: bool) {
-        let taken = self.of(kind);
-        for body in bodies.into_iter().filter(|&body| body != 0 && colour != LAST) {
-            let bit = 1 << colour;
-            let colours = &mut taken[body as usize];
+        for body in bodies.into_iter().filter(|_| colour != LAST) {
+            let bit = if self.gives_way[body as usize] { 1 << colour } else { 0 };
+            let colours = &mut self.of(kind)[body as usize];
             *colours = if is_taken { *colours | bit } else { *colours & !bit };
         }
     }
@@ -411,5 +415,21 @@ impl Palette {
         let (shared, fixed) = (self.shared[body], self.fixed[body]);
         (shared & shared.wrapping_sub(1)) | (fixed & fixed.wrapping_sub(1)) == 0
             && (shared == 0 || fixed == 0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Kind, Palette};
+
+    #[test]
+    fn what_cannot_be_pushed_takes_no_colour() {
+        let kind = Kind { has_two_points: true, is_fixed: false };
+        let mut palette = Palette::default();
+        palette.reset(&[[0.0; 2], [0.0; 2], [1.0, 0.0], [1.0, 1.0]]);
+        palette.mark(kind, [1, 2], 0, true);
+        assert_eq!(palette.free(kind, [1, 3]), 0);
+        assert_eq!(palette.free(kind, [1, 2]), 1);
+        assert!(palette.is_free(1) && palette.is_single(2) && !palette.is_free(2));
     }
 }

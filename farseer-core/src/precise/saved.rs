@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Precise;
 use super::pairs::{BY_ROW, Frozen};
-use super::proxies::Proxy;
+use super::proxies::{Mobility, Proxy};
 use super::rows::{Home, Kind, Lane};
 use super::tuning::Tuning;
 use crate::geom::GeomId;
@@ -19,6 +19,7 @@ pub(crate) struct Saved {
     dt: f32,
     has_handled: bool,
     friction: FrictionType,
+    most_contacts: u32,
     proxies: Vec<SavedProxy>,
     pairs: Vec<SavedPair>,
 }
@@ -27,7 +28,7 @@ pub(crate) struct Saved {
 struct SavedProxy {
     geom: GeomId,
     piece: u32,
-    is_movable: bool,
+    mobility: Mobility,
     bounds: [f32; 4],
     motion: u32,
     has_escaped: bool,
@@ -95,6 +96,7 @@ impl From<Saved> for Precise {
             h: saved.h,
             dt: saved.dt,
             friction: saved.friction,
+            most_contacts: saved.most_contacts,
             loaded: Some(saved.clone()),
             ..Precise::new(saved.tuning.unit)
         }
@@ -149,7 +151,7 @@ impl Precise {
         let proxies = self.proxies.all.iter().enumerate().map(|(at, proxy)| SavedProxy {
             geom: proxy.geom,
             piece: proxy.piece,
-            is_movable: at < self.proxies.movable,
+            mobility: proxy.mobility,
             bounds: self.proxies.bounds[at],
             motion: self.proxies.motion[at],
             has_escaped: has_escaped[at],
@@ -161,6 +163,7 @@ impl Precise {
             dt: self.dt,
             has_handled: self.has_handled,
             friction: self.friction,
+            most_contacts: self.most_contacts,
             proxies: proxies.collect(),
             pairs: (0..self.pairs.len()).map(|pair| self.save_pair(pair)).collect(),
         }
@@ -215,7 +218,7 @@ impl Precise {
         self.grid.reset(self.proxies.all.len());
         self.pairs.reset(self.proxies.all.len());
         self.rows.clear();
-        self.palette.reset(self.bodies.hot.len());
+        self.palette.reset(&self.bodies.inverses[..self.bodies.hot.len()]);
         let (places, edited) = self.restore_proxies(saved);
         let mut rows = Vec::new();
         for pair in &saved.pairs {
@@ -250,8 +253,8 @@ impl Precise {
         }
     }
 
-    /// Answers where each saved proxy is now, and whose contacts are to be looked at again. One that can be pushed now and
-    /// could not before, or the other way round, is another one.
+    /// Answers where each saved proxy is now, and whose contacts are to be looked at again. One that is moved by
+    /// something else now than before is another one.
     fn restore_proxies(&mut self, saved: &Saved) -> (Vec<Option<u32>>, Vec<u32>) {
         let mut is_known = vec![false; self.proxies.all.len()];
         let mut places = Vec::with_capacity(saved.proxies.len());
@@ -259,7 +262,7 @@ impl Precise {
         for proxy in &saved.proxies {
             let place = self
                 .proxy_of(proxy.geom, proxy.piece)
-                .filter(|&place| ((place as usize) < self.proxies.movable) == proxy.is_movable)
+                .filter(|&place| self.proxies.all[place as usize].mobility == proxy.mobility)
                 .filter(|&place| !std::mem::replace(&mut is_known[place as usize], true));
             if let Some(place) = place {
                 edited.extend(self.restore_proxy(place, proxy).then_some(place));

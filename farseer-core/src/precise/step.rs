@@ -1,10 +1,11 @@
 //! The stages of a step.
 
 use super::Precise;
-use super::bodies::{Read, read};
+use super::bodies::{Bodies, Read, read};
 use super::grid::overlap;
 use super::moving::{begin_substep, displace, even_out, fly, follow, leave, renew_poses};
 use super::passes::{bounce, gather_warm, note_approach, note_push, relax, renew_circles, solve_soft};
+use super::proxies::{Mobility, Proxy};
 use super::rows::Kind;
 pub(crate) use super::tuning::Step;
 use crate::body::BodyId;
@@ -16,9 +17,6 @@ use crate::report::{Event, Report};
 /// Coordinates end where this many times them are not finite any more.
 const FAR: f32 = 1e8;
 
-/// No proxy's number.
-const NOBODY: u32 = u32::MAX;
-
 impl Precise {
     /// Second stage: pairs whose bounds do not overlap any more go. Answers how many new ones there may be: those that
     /// [`candidate`](Self::candidate) names, in the order of creation numbers.
@@ -28,20 +26,16 @@ impl Precise {
         let mut found = std::mem::take(&mut self.found);
         found.clear();
         let mut known = std::mem::take(&mut self.known);
-        if !escaped.is_empty() {
-            known.resize(self.proxies.all.len(), NOBODY);
-        }
         for &proxy in &escaped {
-            known[proxy as usize] = proxy;
-            self.pairs.partners(proxy).for_each(|partner| known[partner as usize] = proxy);
+            self.pairs.partners(proxy).for_each(|partner| known[partner as usize] = true);
             let bounds = self.proxies.bounds[proxy as usize];
             self.grid.for_each_overlap(&bounds, |other| {
-                if known[other as usize] != proxy {
+                if !known[other as usize] {
                     found.extend(self.ordered([proxy, other]));
                 }
             });
+            self.pairs.partners(proxy).for_each(|partner| known[partner as usize] = false);
         }
-        known.clear();
         self.known = known;
         let all = &self.proxies.all;
         let key = |pair: &[u32; 2]| pair.map(|proxy| (all[proxy as usize].number, all[proxy as usize].piece));
@@ -72,24 +66,16 @@ impl Precise {
         self.lost = lost;
     }
 
-    /// A pair as it is kept: what stands still first, else what was created first. None of what cannot move, or is one body.
+    /// A pair as it is kept: what gives way less first, else what was created first. None of what gives way nowhere, or is one
+    /// body.
     pub(super) fn ordered(&self, [one, other]: [u32; 2]) -> Option<[u32; 2]> {
-        let is_movable = |proxy: u32| (proxy as usize) < self.proxies.movable;
-        let key = |proxy: u32| {
-            let proxy = &self.proxies.all[proxy as usize];
-            (proxy.number, proxy.piece)
-        };
-        let body = |proxy: u32| self.proxies.all[proxy as usize].body;
-        if body(one) == body(other) {
+        let [proxy, partner] = [one, other].map(|proxy| &self.proxies.all[proxy as usize]);
+        let key = |proxy: &Proxy| (proxy.mobility, proxy.number, proxy.piece);
+        let may_be_pushed = [proxy, partner].iter().any(|proxy| proxy.mobility == Mobility::Dynamic);
+        if proxy.body == partner.body || !may_be_pushed {
             return None;
         }
-        match (is_movable(one), is_movable(other)) {
-            (false, false) => None,
-            (false, true) => Some([one, other]),
-            (true, false) => Some([other, one]),
-            (true, true) if key(one) < key(other) => Some([one, other]),
-            (true, true) => Some([other, one]),
-        }
+        Some(if key(proxy) < key(partner) { [one, other] } else { [other, one] })
     }
 
     /// The geoms of a pair that was found.
@@ -120,8 +106,10 @@ impl Precise {
     }
 
     /// Third stage: what may have changed is looked at. Answers how many pairs that were.
-    pub(crate) fn find_contacts(&mut self, friction: crate::FrictionType) -> usize {
-        if std::mem::replace(&mut self.friction, friction) != friction {
+    pub(crate) fn find_contacts(&mut self, friction: crate::FrictionType, most_contacts: u32) -> usize {
+        let has_friction_changed = std::mem::replace(&mut self.friction, friction) != friction;
+        let has_limit_changed = std::mem::replace(&mut self.most_contacts, most_contacts) != most_contacts;
+        if has_friction_changed || has_limit_changed {
             (0..self.pairs.len()).for_each(|pair| self.pairs.look_again(pair));
         }
         if std::mem::take(&mut self.has_handled) {
@@ -191,6 +179,7 @@ impl Precise {
     /// Sixth stage: bodies are where the step has brought them. What would not be finite stays where and as it was, and
     /// forgets the impulses that did it; of several that touch each other the one that was fastest is disabled.
     pub(crate) fn write_bodies(&mut self, objects: &mut Objects, report: &mut Report) {
+        self.end_kinematic();
         if !self.is_finite() {
             self.put_back(objects, report);
         }
@@ -204,6 +193,23 @@ impl Precise {
             self.bodies.rotations[number] = entry.body.rotation();
         }
         renew_poses(&mut self.bodies);
+        for at in 0..self.bodies.kinematic.len() {
+            let number = self.bodies.kinematic[at] as usize;
+            // Targets are reached to the last bit.
+            if let Some(entry) = self.bodies.ids[number].and_then(|id| objects.bodies.get(id)) {
+                self.bodies.move_to(number, &entry.body);
+            }
+        }
+    }
+
+    /// Kinematic bodies have come as far as their velocity says, whatever has touched them.
+    fn end_kinematic(&mut self) {
+        let Bodies { kinematic, hot, before, path, .. } = &mut self.bodies;
+        for &number in kinematic.iter() {
+            let number = number as usize;
+            hot[number].velocity = before[number];
+            path[number] = before[number].map(|velocity| velocity * self.dt);
+        }
     }
 
     fn is_finite(&self) -> bool {
@@ -238,6 +244,7 @@ impl Precise {
             let Some(body) = self.bodies.ids[number] else { continue };
             if let Some(entry) = objects.bodies.get_mut(body).filter(|_| disabled) {
                 entry.body.set_enabled(false);
+                entry.body.forget_target();
                 self.is_stale = true;
             }
             report.push(Event::NotFinite { body, disabled });

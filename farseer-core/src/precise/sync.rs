@@ -3,7 +3,7 @@
 use super::Precise;
 use super::bodies::inverses_of;
 use super::grid::Box2;
-use super::proxies::{Proxy, filter_of};
+use super::proxies::{Mobility, Proxy, filter_of};
 use super::saved::Saved;
 use crate::body::BodyId;
 use crate::geom::GeomId;
@@ -54,11 +54,16 @@ impl Precise {
             return;
         };
         let is_movable = number < self.bodies.first_fixed();
-        if !body.enabled() || is_movable != body.is_integrated() {
+        let inverses = if is_movable { inverses_of(body) } else { [0.0; 2] };
+        // What cannot be pushed takes no colour.
+        let is_same_kind = body.enabled()
+            && is_movable == body.is_integrated()
+            && self.bodies.is_kinematic(number) == (is_movable && body.is_kinematic())
+            && (inverses == [0.0; 2]) == (self.bodies.inverses[number] == [0.0; 2]);
+        if !is_same_kind {
             self.is_stale = true;
             return;
         }
-        let inverses = if is_movable { inverses_of(body) } else { [0.0; 2] };
         let velocity = surface_velocity(is_movable, body);
         let has_moved = self.bodies.was_moved(number, body);
         let is_other = inverses != self.bodies.inverses[number];
@@ -66,6 +71,7 @@ impl Precise {
         if is_other {
             self.note_joints();
         }
+        self.bodies.gravity_parts[number] = body.gravity_part();
         self.bodies.set_velocity(number, body);
         if has_moved {
             self.bodies.move_to(number, body);
@@ -169,13 +175,17 @@ impl Precise {
             self.take_geom(geom, objects);
         }
         self.edited_geoms = geoms;
-        if self.is_stale || self.has_changed_flags(objects) {
+        debug_assert!(
+            self.is_stale || !self.has_changed_flags(objects),
+            "what comes, goes and changes is noted"
+        );
+        if self.is_stale {
             let saved = self.loaded.take().unwrap_or_else(|| self.save());
             self.list(objects, &saved);
         }
     }
 
-    /// What simulators do themselves, such as putting bodies to rest, is seen in the bodies.
+    /// Whether a body takes part otherwise than it is listed: nobody has noted it then.
     fn has_changed_flags(&self, objects: &Objects) -> bool {
         let ids = &self.bodies.ids[1..];
         let is_other = |(at, id): (usize, &Option<BodyId>)| {
@@ -197,6 +207,7 @@ impl Precise {
         self.note_joints();
         self.list_bodies(objects);
         self.list_proxies(objects);
+        self.list_loose(objects);
         self.bodies.circles.fill([0.0; 4]);
         for proxy in &self.proxies.all[..self.proxies.movable] {
             let circle = &mut self.bodies.circles[proxy.body as usize];
@@ -239,12 +250,14 @@ impl Precise {
     fn list_proxies(&mut self, objects: &Objects) {
         self.proxies.clear();
         self.first_proxies.clear();
+        self.known.clear();
         self.bounces = false;
         let first_fixed = self.bodies.first_fixed() as u32;
         self.add_proxies(objects, |body| body < first_fixed);
         self.proxies.movable = self.proxies.all.len();
         self.proxies.fill_up();
         self.add_proxies(objects, |body| body >= first_fixed);
+        self.known.resize(self.proxies.all.len(), false);
     }
 
     fn add_proxies(&mut self, objects: &Objects, is_wanted: impl Fn(u32) -> bool) {
@@ -255,6 +268,11 @@ impl Precise {
                 continue;
             }
             let is_movable = body < self.bodies.first_fixed();
+            let mobility = match is_movable {
+                false => Mobility::Fixed,
+                true if self.bodies.is_kinematic(body) => Mobility::Kinematic,
+                true => Mobility::Dynamic,
+            };
             set(&mut self.first_proxies, id.slot(), self.proxies.all.len() as u32);
             for (piece, outline) in geom.pieces().iter().enumerate() {
                 let shape = self.proxies.corners.add(outline, geom);
@@ -263,8 +281,10 @@ impl Precise {
                 self.proxies.push(Proxy {
                     geom: id,
                     piece: piece as u32,
+                    place: at as u32,
                     number: geom.number,
                     body: body as u32,
+                    mobility,
                     shape,
                     friction: geom.geom.friction_coefficient(),
                     restitution,

@@ -8,7 +8,7 @@
 use super::bodies::Bodies;
 use super::manifold::{Manifold, collide};
 use super::pairs::{BY_ROW, Frozen, Pairs};
-use super::proxies::{Proxies, Proxy};
+use super::proxies::{Mobility, Proxies, Proxy};
 use super::rows::{Home, Lane, Palette, PointLane, Rows};
 use super::tuning::Tuning;
 use crate::geom::GeomId;
@@ -19,6 +19,8 @@ use crate::math::plane::{
 
 /// Bodies that have turned further than this have their contacts found anew: its cosine.
 const LARGEST_TURN: f32 = 0.98;
+/// And those on a kinematic one that has: what lies on a turntable turns with it, and its normal must.
+const LARGEST_TURN_OF_KINEMATIC: f32 = 0.99998;
 /// A new point goes on from an old one whose anchor is nearer than this part of the smaller body.
 const NEAR: f32 = 0.4;
 /// Units after which a pair that is apart is looked at again in any case, so that motion sums cannot wrap unseen.
@@ -33,6 +35,8 @@ pub(super) struct Touch<'a> {
     pub(super) palette: &'a mut Palette,
     pub(super) tuning: &'a Tuning,
     pub(super) friction: FrictionType,
+    /// Contacts of two pieces, at most.
+    pub(super) most_contacts: usize,
     /// Seconds of the step, and what gravity adds to velocities in it.
     pub(super) dt: f32,
     pub(super) fall: Vector,
@@ -110,7 +114,8 @@ impl<'a> Touch<'a> {
         }
         let outline = |proxy: &Proxy| self.proxies.corners.outline(proxy.shape);
         let (a, b) = (outline(two.a), outline(two.b));
-        let found = collide(a, b, two.pose_a, two.pose_b, self.tuning.speculative);
+        let mut found = collide(a, b, two.pose_a, two.pose_b, self.tuning.speculative);
+        found.keep_deepest(self.most_contacts);
         if found.count == 0 {
             self.part(pair, found.gap);
         } else {
@@ -157,7 +162,8 @@ impl<'a> Touch<'a> {
         let velocity = |proxy: &Proxy, arm: Vector| {
             let Some(hot) = self.bodies.hot.get(proxy.body as usize) else { return [0.0; 2] };
             let [x, y, spin, _] = hot.velocity;
-            sum(self.fall, [x - spin * arm[1], y + spin * arm[0]])
+            let part = self.bodies.gravity_parts[proxy.body as usize];
+            sum(self.fall.map(|fall| fall * part), [x - spin * arm[1], y + spin * arm[0]])
         };
         dot(difference(velocity(two.b, [bx, by]), velocity(two.a, [ax, ay])), normal)
     }
@@ -193,7 +199,8 @@ impl<'a> Touch<'a> {
         let reach =
             if self.is_fixed(two.a) { two.b.shape.reach } else { two.a.shape.reach.max(two.b.shape.reach) };
         let moved = length([x - x0, y - y0]) + reach * sine;
-        let is_same = turned_a[0] > LARGEST_TURN
+        let is_kinematic = two.a.mobility == Mobility::Kinematic;
+        let is_same = turned_a[0] > if is_kinematic { LARGEST_TURN_OF_KINEMATIC } else { LARGEST_TURN }
             && turned_b[0] > LARGEST_TURN
             && moved < self.tuning.frozen - self.tuning.checked;
         if !is_same {

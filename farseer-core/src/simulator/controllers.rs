@@ -47,11 +47,11 @@ impl PhysicsSimulator {
         dt_real: f32,
         handler: &mut Handler<'_>,
     ) -> bool {
-        let Objects { controllers, bodies, .. } = &mut self.objects;
+        let Objects { controllers, bodies, has_new_structure, .. } = &mut self.objects;
         match controllers[id].kind_mut() {
             ControllerKind::FluidDrag(_) => self.update_fluid_drag(id, handler),
             ControllerKind::Gravity(gravity) => gravity.update(bodies),
-            ControllerKind::Inactivity(inactivity) => inactivity.update(dt, bodies),
+            ControllerKind::Inactivity(inactivity) => inactivity.update(dt, bodies, has_new_structure),
             ControllerKind::Scaling(scaling) => {
                 scaling.update(dt, dt_real);
                 true

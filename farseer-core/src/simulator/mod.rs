@@ -6,6 +6,7 @@ mod context;
 mod controllers;
 mod handler;
 mod precise;
+mod queries;
 mod save;
 mod settle;
 mod solve;
@@ -188,9 +189,11 @@ impl PhysicsSimulator {
     /// Sets the part of an overlap that is undone per update.
     ///
     /// # Errors
-    /// What is not finite.
+    /// What is not finite; another number than it has with the precise set, which undoes overlaps in its own way.
     pub fn set_bias_factor(&mut self, bias_factor: f32) -> Result<()> {
-        self.settings.bias_factor = finite("bias_factor", bias_factor)?;
+        let bias_factor = finite("bias_factor", bias_factor)?;
+        self.check_faithful("bias factor", bias_factor != self.settings.bias_factor)?;
+        self.settings.bias_factor = bias_factor;
         Ok(())
     }
 
@@ -203,9 +206,20 @@ impl PhysicsSimulator {
     /// Sets the overlap that is left alone.
     ///
     /// # Errors
-    /// What is not finite.
+    /// What is not finite; another number than it has with the precise set, which leaves none alone.
     pub fn set_allowed_penetration(&mut self, allowed_penetration: f32) -> Result<()> {
-        self.settings.allowed_penetration = finite("allowed_penetration", allowed_penetration)?;
+        let allowed_penetration = finite("allowed_penetration", allowed_penetration)?;
+        let is_other = allowed_penetration != self.settings.allowed_penetration;
+        self.check_faithful("allowed penetration", is_other)?;
+        self.settings.allowed_penetration = allowed_penetration;
+        Ok(())
+    }
+
+    /// With the precise set a setting that it does not have cannot become another one.
+    fn check_faithful(&self, what: &'static str, is_other: bool) -> Result<()> {
+        if is_other && self.objects.methods.is_precise() {
+            return Err(Error::NotSupported { what, methods: "precise" });
+        }
         Ok(())
     }
 
@@ -215,8 +229,8 @@ impl PhysicsSimulator {
         self.settings.max_contacts_to_detect
     }
 
-    /// Sets the number of contacts to look for. A negative number is no limit for the distance grid, and leaves
-    /// one contact for SAT.
+    /// Sets the number of contacts to look for. A negative number is no limit for the distance grid and for the precise set,
+    /// and leaves one contact for SAT.
     pub fn set_max_contacts_to_detect(&mut self, max_contacts_to_detect: i32) {
         self.settings.max_contacts_to_detect = max_contacts_to_detect;
     }
@@ -258,6 +272,7 @@ impl PhysicsSimulator {
     /// Chooses the methods. Geoms that are there already are not made ready for another narrow phase; see
     /// [`set_narrow_phase_collider`](Self::set_narrow_phase_collider). From the faithful set to the precise one and back,
     /// between updates, everything stays but what the solver knows of contacts and joints: what rests begins to rest anew.
+    /// Settings that the precise set does not have stay what they are, for the way back.
     ///
     /// # Errors
     /// A broad phase of the faithful set in place of another one if a geom is in the simulator already
@@ -308,8 +323,11 @@ impl PhysicsSimulator {
     }
 
     /// Sets the narrow phase. Geoms made under SAT have no distance grid and touch nothing under the other. The precise set
-    /// has contacts of its own: nothing changes.
+    /// has contacts of its own: nothing changes, which is reported as [`Event::RejectedInput`].
     pub fn set_narrow_phase_collider(&mut self, narrow_phase: NarrowPhaseCollider) {
+        if self.objects.methods.is_precise() {
+            self.report.push(Event::RejectedInput { object: None, argument: "narrow_phase" });
+        }
         self.objects.methods = self.objects.methods.with_narrow(narrow_phase);
     }
 

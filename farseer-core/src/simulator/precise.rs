@@ -29,7 +29,8 @@ impl PhysicsSimulator {
         self.find_precise_pairs(handler);
         stopwatch.lap(|times| &mut times.broad_phase_collision_time);
         let friction = self.settings.friction_type;
-        self.report.counters.pairs_tested = self.precise().find_contacts(friction);
+        let most = self.most_precise_contacts();
+        self.report.counters.pairs_tested = self.precise().find_contacts(friction, most);
         if handler.wants(|handler| handler.filters_pairs()) {
             self.filter_precise_pairs(handler);
         }
@@ -46,6 +47,13 @@ impl PhysicsSimulator {
         stopwatch.lap(|times| &mut times.apply_impulses_time);
         self.write_precise(handler);
         stopwatch.lap(|times| &mut times.update_positions_time);
+    }
+
+    /// Contacts of two convex pieces, at most: a negative number to look for is no limit.
+    fn most_precise_contacts(&self) -> u32 {
+        let to_detect = u32::try_from(self.settings.max_contacts_to_detect).unwrap_or(2);
+        let to_resolve = u32::try_from(self.settings.max_contacts_to_resolve).unwrap_or(2);
+        to_detect.min(to_resolve).min(2)
     }
 
     /// Takes over what was edited, where the precise set is chosen.

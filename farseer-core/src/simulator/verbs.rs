@@ -11,8 +11,8 @@ use crate::joints::{Joint, JointId, JointType};
 use crate::limits::Limits;
 use crate::math::{Matrix, Vector2};
 use crate::object_id::ObjectId;
-use crate::objects::{GeomPlacement, GeomPointPair, RayCastHit};
-use crate::shape::{Aabb, Vertices};
+use crate::objects::{GeomPlacement, GeomPointPair};
+use crate::shape::Vertices;
 use crate::springs::{Spring, SpringId, SpringType};
 
 macro_rules! verbs {
@@ -64,15 +64,10 @@ verbs! {
         fn controller(controller: ControllerId) -> Option<&Controller>;
         fn controller_as<C: ControllerType>(controller: ControllerId) -> Result<&C>;
         fn controller_list() -> &[ControllerId];
-        fn collide(point: Vector2) -> Option<GeomId>;
-        fn collide_all(point: Vector2) -> Vec<GeomId>;
         fn geom_collides_with_point(geom: GeomId, point: Vector2) -> bool;
         fn geom_collides_with_geom(geom: GeomId, other: GeomId) -> bool;
         fn line_segment_all_geoms_intersect(point1: Vector2, point2: Vector2, detect_using_aabb: bool) -> Vec<GeomPointPair>;
         fn line_segment_geom_intersect(point1: Vector2, point2: Vector2, geom: GeomId, detect_using_aabb: bool) -> Vec<Vector2>;
-        fn ray_cast(start: Vector2, end: Vector2) -> Option<RayCastHit>;
-        fn ray_cast_all(start: Vector2, end: Vector2) -> Vec<RayCastHit>;
-        fn query_aabb(aabb: &Aabb) -> Vec<GeomId>;
     }
     changing {
         fn body_mut(body: BodyId) -> Option<&mut Body>;

@@ -116,9 +116,9 @@ impl AngleSpring {
         Pull::Done { error, has_acted: torque1 != 0.0 || torque2 != 0.0 }
     }
 
-    /// The torque on one of the bodies; 0 on a static one.
+    /// The torque on one of the bodies; 0 on one that is immovable.
     fn torque_on(&self, body: &Body, torque: f32, damping: f32) -> f32 {
-        if body.is_static() {
+        if body.is_immovable() {
             return 0.0;
         }
         limited(torque - damping * body.angular_velocity(), self.torque_multiplier, self.max_torque)

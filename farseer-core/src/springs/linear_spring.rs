@@ -128,7 +128,7 @@ impl LinearSpring {
         let force =
             difference * (1.0 / distance) * strength(constants, error, velocity, difference, distance);
 
-        let (moves1, moves2) = (!body1.is_static(), !body2.is_static());
+        let (moves1, moves2) = (!body1.is_immovable(), !body2.is_immovable());
         let mut load = Load::of(body1);
         if moves1 {
             load = load.with_force(force, point1 - body1.position());

@@ -31,5 +31,5 @@ impl Load {
 
 /// Whether a spring between two bodies has something to do.
 pub(crate) fn may_act(body1: &Body, body2: &Body) -> bool {
-    !(body1.is_static() && body2.is_static()) && (body1.enabled() || body2.enabled())
+    !(body1.is_immovable() && body2.is_immovable()) && (body1.enabled() || body2.enabled())
 }

@@ -376,15 +376,15 @@ impl Constraints for SpaceSolver {
 /// which they arrived: with that of the step as well, what falls on something immovable would gain height, hop for
 /// ever and creep down slopes. Contacts that were taken over from the 2D engine bounce as there, where it counts.
 fn pull_of(core: &PhysicsSimulator, touch: &Touch, inverse_dt: f32) -> [f32; 3] {
-    let falls =
-        |body: BodyId| is_movable(core, body) && core.body(body).is_some_and(|body| !body.ignore_gravity());
-    let sign = match (touch.partner_body.is_some_and(falls), falls(touch.body)) {
-        _ if touch.is_plane() => return [0.0; 3],
-        (false, true) => 1.0,
-        (true, false) => -1.0,
-        _ => return [0.0; 3],
+    let part_of = |id: BodyId| {
+        let body = core.body(id).filter(|body| is_movable(core, id) && !body.ignore_gravity());
+        body.map_or(0.0, |body| body.gravity_scale())
     };
-    let gravity = core.gravity() * sign;
+    let part = part_of(touch.body) - touch.partner_body.map_or(0.0, part_of);
+    if touch.is_plane() || part == 0.0 {
+        return [0.0; 3];
+    }
+    let gravity = core.gravity() * part;
     [gravity.x / inverse_dt, gravity.y / inverse_dt, 0.0]
 }
 

@@ -1,0 +1,73 @@
+//! Which geoms a query has to look at: those whose bounds it overlaps, by the grid of the pairs.
+
+use super::Precise;
+use crate::body::entry::BodyEntry;
+use crate::geom::GeomId;
+use crate::geom::entry::{GeomEntry, GeomPose};
+use crate::math::Vector2;
+use crate::objects::Objects;
+use crate::shape::Aabb;
+
+/// Beyond this coordinate bounds are nowhere.
+const FAR: f32 = 1e17;
+/// Roundings that bounds and places of geoms may differ by, as a part of the largest number among them.
+const ROUNDINGS: f32 = 64.0 * f32::EPSILON;
+/// Part of the speculative margin of all bounds that may be used up by what an outline's convex piece does not cover.
+const USED_UP: f32 = 0.25;
+
+impl Precise {
+    /// The geoms that may reach into a box, and others, in list order. Nothing if what is known is not what is there.
+    pub(crate) fn geoms_near(&self, aabb: &Aabb, objects: &Objects) -> Option<Vec<GeomId>> {
+        let Aabb { min, max } = *aabb;
+        let far = [min.x, min.y, max.x, max.y].iter().fold(0.0, |far: f32, x| far + x.abs());
+        // Also if it is not a number.
+        let is_near = far < FAR;
+        if self.is_stale || self.loaded.is_some() || objects.has_new_structure || !is_near {
+            return None;
+        }
+        let slack = ROUNDINGS * far;
+        let bounds = [min.x - slack, min.y - slack, max.x + slack, max.y + slack];
+        let mut places = self.loose.clone();
+        self.grid.for_each_overlap(&bounds, |proxy| places.push(self.proxies.all[proxy as usize].place));
+        let edited = objects.touched_bodies.iter().chain(&self.edited_bodies);
+        for &geom in
+            edited.filter_map(|&body| objects.bodies.get(body)).flat_map(|entry: &BodyEntry| &entry.geoms)
+        {
+            places.extend(self.proxy_of(geom, 0).map(|proxy| self.proxies.all[proxy as usize].place));
+        }
+        places.sort_unstable();
+        places.dedup();
+        let list = objects.geoms.list();
+        Some(places.into_iter().map(|place| list[place as usize]).collect())
+    }
+
+    /// Notes which geoms queries must look at wherever they are: those that are not, or not exactly, where pairs have them.
+    pub(super) fn list_loose(&mut self, objects: &Objects) {
+        let mut loose = std::mem::take(&mut self.loose);
+        loose.clear();
+        for at in 0..objects.geoms.list().len() {
+            let Some((id, geom)) = objects.geoms.at(at) else { continue };
+            loose.extend((!self.bounds_hold(id, geom)).then_some(at as u32));
+        }
+        self.loose = loose;
+    }
+
+    /// Whether a geom's world vertices and box lie within the bounds of its proxy, wherever its body is.
+    fn bounds_hold(&self, id: GeomId, geom: &GeomEntry) -> bool {
+        let is_elsewhere = geom.box_radius.is_some() || geom.user_matrix.is_some() || geom.refresh_is_due;
+        let Some(proxy) = self.proxy_of(id, 0).filter(|_| !is_elsewhere && geom.pieces().len() == 1) else {
+            return false;
+        };
+        let shape = self.proxies.all[proxy as usize].shape;
+        let slack = USED_UP * self.tuning.speculative;
+        let on_body = GeomPose::of_body(Vector2::zeros(), 0.0, geom.offset, geom.rotation_offset).matrix;
+        let is_covered = |&corner: &Vector2| {
+            let corner = on_body.apply(corner);
+            let [x, y] = [0, 1].map(|axis| {
+                shape.half[axis] + shape.radius + slack - (corner[axis] - shape.centre[axis]).abs()
+            });
+            x >= 0.0 && y >= 0.0
+        };
+        ROUNDINGS * shape.reach <= slack && geom.local_vertices.iter().all(is_covered)
+    }
+}

@@ -1,0 +1,127 @@
+//! The precise set: queries of a simulator ask its grid, and answer as those of `Objects`, which look at every geom.
+
+use conformance::fixtures::plane::{Random, add_box, add_circle, add_floor, simulator, v};
+use farseer_core::math::Vector2;
+use farseer_core::{
+    Aabb, BodyFactory, Context, EventHandler, GeomFactory, GeomId, GeomPlacement, Methods, Objects,
+    PhysicsSimulator, Vertices,
+};
+
+const DT: f32 = 1.0 / 60.0;
+
+/// Boxes, balls, concave and distant geoms, at rest and fast, near the origin and far from it.
+fn random_scene(random: &mut Random, centre: Vector2) -> PhysicsSimulator {
+    let mut simulator = simulator(320.0);
+    simulator.set_methods(Methods::PRECISE).unwrap();
+    simulator.set_iterations(2);
+    let place =
+        |random: &mut Random| centre + v(random.between(-500.0, 500.0), random.between(-500.0, 500.0));
+    for _ in 0..20 {
+        let size = (random.between(5.0, 300.0), random.between(5.0, 60.0));
+        let at = place(random);
+        let (body, _) = add_floor(&mut simulator, size, at);
+        simulator[body].set_rotation(random.between(0.0, 6.0));
+    }
+    for i in 0..40 {
+        let at = place(random);
+        let (body, _) = if i % 2 == 0 {
+            add_box(&mut simulator, (random.between(4.0, 40.0), random.between(4.0, 40.0)), at)
+        } else {
+            add_circle(&mut simulator, random.between(3.0, 30.0), 6 + i, at)
+        };
+        let speed = if i % 10 == 0 { 20_000.0 } else { 300.0 };
+        simulator[body].set_linear_velocity(v(random.between(-speed, speed), random.between(-speed, speed)));
+        simulator[body].set_angular_velocity(random.between(-5.0, 5.0));
+        simulator[body].set_is_kinematic(i % 7 == 0);
+    }
+    let corners = [v(0.0, 0.0), v(40.0, 0.0), v(40.0, 10.0), v(10.0, 10.0), v(10.0, 40.0), v(0.0, 40.0)];
+    let body = BodyFactory::create_rectangle_body_in(&mut simulator, 40.0, 40.0, 1.0).unwrap();
+    simulator[body].set_position(place(random));
+    let placement =
+        GeomPlacement { offset: v(200.0, -30.0), rotation_offset: 0.7, ..GeomPlacement::default() };
+    let mut outline = Vertices::from(corners.to_vec());
+    GeomFactory::create_polygon_geom_in(&mut simulator, body, &mut outline, placement).unwrap();
+    GeomFactory::create_rectangle_geom_in(&mut simulator, body, 30.0, 9.0, placement).unwrap();
+    simulator
+}
+
+/// Asks both in all ways at a random place.
+fn compare(simulator: &PhysicsSimulator, random: &mut Random, centre: Vector2) -> usize {
+    let objects: &Objects = simulator;
+    let mut place = || centre + v(random.between(-600.0, 600.0), random.between(-600.0, 600.0));
+    let (a, b, c) = (place(), place(), place());
+    assert_eq!(simulator.collide(a), objects.collide(a));
+    let inside = simulator.collide_all(a);
+    assert_eq!(inside, objects.collide_all(a));
+    assert_eq!(simulator.ray_cast(a, b), objects.ray_cast(a, b));
+    let hits = simulator.ray_cast_all(a, b);
+    assert_eq!(hits, objects.ray_cast_all(a, b));
+    let area = Aabb::new(Vector2::new(a.x.min(c.x), a.y.min(c.y)), Vector2::new(a.x.max(c.x), a.y.max(c.y)));
+    let within = simulator.query_aabb(&area);
+    assert_eq!(within, objects.query_aabb(&area));
+    inside.len() + hits.len() + within.len()
+}
+
+fn edit(simulator: &mut PhysicsSimulator, random: &mut Random, centre: Vector2) {
+    let body = random.pick(simulator.body_list());
+    let geom: Option<GeomId> = simulator.geoms_of(body).first().copied();
+    match (random.below(7), geom) {
+        (0, _) => simulator[body].set_position(centre + v(random.between(-500.0, 500.0), 0.0)),
+        (1, _) => simulator[body].set_rotation(random.between(0.0, 6.0)),
+        (2, _) => simulator[body].set_enabled(false),
+        (3, Some(geom)) => {
+            let mut matrix = simulator.geom(geom).unwrap().matrix();
+            matrix.m41 += random.between(-300.0, 300.0);
+            simulator.set_matrix(geom, &matrix).unwrap();
+        }
+        (4, Some(geom)) => simulator.set_box_radius(geom, Some(random.between(1.0, 200.0))).unwrap(),
+        (5, _) => simulator.dispose(body).unwrap(),
+        _ => simulator[body].set_is_static(true),
+    }
+}
+
+#[test]
+fn a_grid_answers_as_looking_at_every_geom_does() {
+    let mut answers = 0;
+    for (seed, centre) in [v(0.0, 0.0), v(3000.0, -900.0), v(1e6, 1e6), v(-4e7, 0.0)].into_iter().enumerate()
+    {
+        let random = &mut Random::new(seed as u64);
+        let mut simulator = random_scene(random, centre);
+        for step in 0..120 {
+            answers += compare(&simulator, random, centre);
+            if step % 4 == 3 {
+                edit(&mut simulator, random, centre);
+                answers += compare(&simulator, random, centre);
+            }
+            simulator.update(DT);
+        }
+    }
+    assert!(answers > 5000, "{answers}");
+}
+
+#[test]
+fn a_grid_answers_in_callbacks_as_looking_at_every_geom_does() {
+    struct Asks(Random, usize);
+    impl EventHandler for Asks {
+        fn on_body_updated(&mut self, context: &mut Context<'_>, _: farseer_core::BodyId) {
+            self.1 += compare(context.simulator(), &mut self.0, v(0.0, 0.0));
+        }
+        fn on_collision(
+            &mut self,
+            context: &mut Context<'_>,
+            this: GeomId,
+            _: GeomId,
+            _: &mut Vec<farseer_core::Contact>,
+        ) -> bool {
+            let body = context.body_of(this).unwrap();
+            let place = context[body].position() + v(self.0.between(-90.0, 90.0), 0.0);
+            context[body].set_position(place);
+            self.1 += compare(context.simulator(), &mut self.0, v(0.0, 0.0));
+            true
+        }
+    }
+    let mut simulator = random_scene(&mut Random::new(7), v(0.0, 0.0));
+    let mut handler = Asks(Random::new(8), 0);
+    (0..20).for_each(|_| simulator.update_with(DT, &mut handler));
+    assert!(handler.1 > 5000, "{}", handler.1);
+}
