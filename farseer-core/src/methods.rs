@@ -45,7 +45,7 @@ pub enum Methods {
     /// | joints | refused with [`Error::NotSupported`] |
     ///
     /// Geoms of the circle factory with eight edges or more are true circles, with fewer the polygons that they look like;
-    /// concave outlines are cut into convex pieces. Collisions are events when they begin and separations when they end;
+    /// those of the capsule factory are true capsules; concave outlines are cut into convex pieces. Collisions are events when they begin and separations when they end;
     /// handlers are asked in every update in which two geoms touch. What a handler refuses, and contacts that it takes off the
     /// list, push nothing in that update. World vertices and boxes of geoms are computed when somebody asks for them.
     Precise {

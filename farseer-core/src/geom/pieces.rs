@@ -1,11 +1,12 @@
-//! The convex parts of a geom, which the precise set collides: circles, and polygons without corners that turn by nothing.
+//! The convex parts of a geom, which the precise set collides: circles, capsules, and polygons without corners that turn by
+//! nothing.
 //!
-//! What the circle factory made with eight corners or more is a circle; with fewer it is the polygon that it looks like. A
-//! concave outline is cut into convex pieces once, which its geom and its clones share.
+//! What the circle factory made with eight corners or more is a circle; with fewer it is the polygon that it looks like.
+//! What the capsule factory made is a capsule. A concave outline is cut into convex pieces once, which its geom and its clones share.
 
 use std::sync::Arc;
 
-use super::outline::Outline;
+use super::outline::{Outline, half_of_capsule};
 use crate::geom::entry::GeomEntry;
 use crate::math::Vector2;
 use crate::math::plane::{Vector, cross, difference, dot, length};
@@ -21,6 +22,8 @@ const STRAIGHT: f32 = 1e-4;
 pub(crate) enum Piece {
     /// A disc about a point.
     Circle { centre: Vector, radius: f32 },
+    /// All that is as near to a segment.
+    Capsule { ends: [Vector; 2], radius: f32 },
     /// Corners in the order in which the shoelace area is positive.
     Polygon(Vec<Vector>),
 }
@@ -30,6 +33,10 @@ pub(crate) fn pieces(geom: &GeomEntry) -> Arc<[Piece]> {
     match geom.outline {
         Outline::Circle { radius } if geom.local_vertices.len() >= CIRCLE_CORNERS => {
             Arc::new([Piece::Circle { centre: [0.0, 0.0], radius }])
+        }
+        Outline::Capsule { height, end_radius } => {
+            let half = half_of_capsule(height, end_radius);
+            Arc::new([Piece::Capsule { ends: [[0.0, -half], [0.0, half]], radius: end_radius }])
         }
         _ => pieces_of(&geom.local_vertices),
     }

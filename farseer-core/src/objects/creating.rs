@@ -93,15 +93,15 @@ impl Objects {
         Ok(self.insert_geom(entry))
     }
 
-    /// [`create_geom`](Self::create_geom) of a polygon that stands for a circle.
-    pub(crate) fn create_circle_geom(
+    /// [`create_geom`](Self::create_geom) of a polygon that stands for something else.
+    pub(crate) fn create_geom_of(
         &mut self,
         body: BodyId,
-        (radius, number_of_edges): (f32, i32),
+        (vertices, outline): (Vertices, Outline),
         placement: GeomPlacement,
     ) -> Result<GeomId> {
-        let geom = self.create_geom(body, Vertices::create_circle(radius, number_of_edges)?, placement)?;
-        self.geoms[geom].outline = Outline::Circle { radius };
+        let geom = self.create_geom(body, vertices, placement)?;
+        self.geoms[geom].outline = outline;
         Ok(geom)
     }
 

@@ -12,11 +12,13 @@
 mod bodies;
 mod grid;
 mod manifold;
+mod meeting;
 mod moving;
 mod outline;
 mod pairs;
 mod passes;
 mod proxies;
+mod round;
 mod rows;
 mod saved;
 mod step;

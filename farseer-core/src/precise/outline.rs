@@ -1,19 +1,30 @@
-//! Convex outlines in the frame of their body: circles, and polygons with the normals of their edges.
+//! Convex outlines in the frame of their body: circles, capsules, and polygons with the normals of their edges.
 
 use crate::geom::entry::GeomEntry;
 use crate::geom::pieces::{Piece, simplified};
 use crate::math::plane::{Vector, difference, length, sum, turn};
 use crate::math::scalar;
 
+/// By what arithmetic an outline touches others.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) enum Family {
+    #[default]
+    Circle,
+    Polygon,
+    /// A polygon of two corners with a radius.
+    Capsule,
+}
+
 /// A convex outline in the frame of its body.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Shape {
+    pub(super) family: Family,
     /// Where its corners are in the pool; none for a circle.
     start: u32,
     pub(super) count: u32,
     /// A box about the body's origin, along its axes.
     pub(super) is_box: bool,
-    /// The radius of a circle, else 0.
+    /// The radius of a circle or capsule, else 0.
     pub(super) radius: f32,
     /// The box about it in the body's frame, without the radius: centre, and half of its sides.
     pub(super) centre: Vector,
@@ -58,11 +69,22 @@ impl Corners {
                 let centre = to_body(centre);
                 Shape { radius, centre, reach: length(centre) + radius, ..Shape::default() }
             }
+            &Piece::Capsule { ends, radius } => self.add_capsule(ends.map(to_body), radius),
             Piece::Polygon(corners) => {
                 // Far from the body's origin small things lose corners.
                 self.add_polygon(simplified(corners.iter().map(|&corner| to_body(corner)).collect()))
             }
         }
+    }
+
+    /// One that is so small, or so far from the body's origin, that its ends are one place is a circle.
+    fn add_capsule(&mut self, ends: [Vector; 2], radius: f32) -> Shape {
+        if length(difference(ends[0], ends[1])) == 0.0 {
+            let centre = ends[0];
+            return Shape { radius, centre, reach: length(centre) + radius, ..Shape::default() };
+        }
+        let core = self.add_polygon(ends.to_vec());
+        Shape { family: Family::Capsule, radius, reach: core.reach + radius, ..core }
     }
 
     fn add_polygon(&mut self, corners: Vec<Vector>) -> Shape {
@@ -90,6 +112,7 @@ impl Corners {
         let is_box = points.len() == 4
             && centre == [0.0, 0.0]
             && (0..4).all(|i| has_side(difference(points[(i + 1) % 4], points[i])));
-        Shape { start: start as u32, count: points.len() as u32, is_box, radius: 0.0, centre, half, reach }
+        let (family, count) = (Family::Polygon, points.len() as u32);
+        Shape { family, start: start as u32, count, is_box, radius: 0.0, centre, half, reach }
     }
 }

@@ -38,6 +38,7 @@ mod narrow_reference;
 mod not_finite;
 mod physics;
 mod polygon_tools_random;
+mod precise_capsules;
 mod precise_events;
 mod precise_motion;
 mod precise_saves;
