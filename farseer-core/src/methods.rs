@@ -42,11 +42,14 @@ pub enum Methods {
     /// | a negative step, stages called one by one | refused and [reported](crate::Event::RejectedInput) |
     /// | a negative mass, an inverse inertia that is not a normal number | no push moves or turns the body: `f32::MAX` as the moment of inertia keeps it from turning |
     /// | a static body's velocity | a conveyor belt, as in the faithful set |
+    /// | chains of edges | [made](crate::GeomFactory::create_chain_geom) and kept only here |
     /// | joints | refused with [`Error::NotSupported`] |
     ///
     /// Geoms of the circle factory with eight edges or more are true circles, with fewer the polygons that they look like;
-    /// those of the capsule factory are true capsules; concave outlines are cut into convex pieces. Collisions are events when they begin and separations when they end;
-    /// handlers are asked in every update in which two geoms touch. What a handler refuses, and contacts that it takes off the
+    /// those of the capsule factory are true capsules. Concave outlines are cut into convex pieces, and nothing catches on the
+    /// cuts; those of more than 1,000 corners, and those that cross themselves, are taken for filled up to their convex hull.
+    /// Collisions are events when two geoms begin to touch and separations when they end, whichever of their pieces it is;
+    /// handlers are asked in every update in which they do. What a handler refuses, and contacts that it takes off the
     /// list, push nothing in that update. World vertices and boxes of geoms are computed when somebody asks for them.
     Precise {
         /// Size of things that a player looks at, in the user's length unit: how near and how slow is near and slow enough.
@@ -104,6 +107,13 @@ impl Methods {
         match self {
             Methods::Faithful { .. } => Ok(()),
             Methods::Precise { .. } => Err(Error::NotSupported { what: "joints", methods: "precise" }),
+        }
+    }
+
+    pub(crate) fn check_chains(self) -> Result<()> {
+        match self {
+            Methods::Precise { .. } => Ok(()),
+            Methods::Faithful { .. } => Err(Error::NotSupported { what: "chains", methods: "faithful" }),
         }
     }
 

@@ -37,6 +37,13 @@ pub enum Outline {
         /// Of its round ends, in the user's length unit, greater than 0.
         end_radius: f32,
     },
+    /// For the edges between its points and nothing else: what
+    /// [`GeomFactory::create_chain_geom`](crate::GeomFactory::create_chain_geom) makes. It has no inside, and its points are
+    /// in the order in which they were given.
+    Chain {
+        /// Whether an edge goes from the last point to the first.
+        is_closed: bool,
+    },
 }
 
 /// How far corners may be from their circle, as a part of its radius: sine, cosine and two products are rounded, each by
@@ -53,7 +60,23 @@ impl Outline {
                 let half = half_of_capsule(height, end_radius);
                 height.is_finite() && half >= 0.0 && are_around([-half, half], end_radius, corners)
             }
+            Outline::Chain { is_closed } => {
+                let is_edge = |edge: &[Vector2]| edge[0] != edge[1];
+                let least = if is_closed { 3 } else { 2 };
+                corners.len() >= least
+                    && corners.windows(2).all(is_edge)
+                    && !(is_closed && corners[0] == corners[corners.len() - 1])
+            }
         }
+    }
+
+    pub(crate) fn is_chain(self) -> bool {
+        matches!(self, Outline::Chain { .. })
+    }
+
+    /// Whether no edge goes from the last corner to the first.
+    pub(crate) fn is_open(self) -> bool {
+        matches!(self, Outline::Chain { is_closed: false })
     }
 }
 

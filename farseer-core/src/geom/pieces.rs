@@ -7,8 +7,9 @@
 use std::sync::Arc;
 
 use super::outline::{Outline, half_of_capsule};
+use crate::geom::convex_parts::convex_parts;
 use crate::geom::entry::GeomEntry;
-use crate::math::Vector2;
+use crate::geom::seams::{Seam, edges_of_chain, seams_of_part};
 use crate::math::plane::{Vector, cross, difference, dot, length};
 use crate::shape::Vertices;
 
@@ -26,6 +27,10 @@ pub(crate) enum Piece {
     Capsule { ends: [Vector; 2], radius: f32 },
     /// Corners in the order in which the shoelace area is positive.
     Polygon(Vec<Vector>),
+    /// A polygon of which other parts of an outline go on, with what each of its edges is of that.
+    Part { corners: Vec<Vector>, seams: Vec<Seam> },
+    /// An edge of a chain, with the normal on its free side.
+    Edge { ends: [Vector; 2], normal: Vector, seam: Seam },
 }
 
 /// The convex parts of a geom.
@@ -38,6 +43,7 @@ pub(crate) fn pieces(geom: &GeomEntry) -> Arc<[Piece]> {
             let half = half_of_capsule(height, end_radius);
             Arc::new([Piece::Capsule { ends: [[0.0, -half], [0.0, half]], radius: end_radius }])
         }
+        Outline::Chain { is_closed } => edges_of_chain(&geom.local_vertices, is_closed).collect(),
         _ => pieces_of(&geom.local_vertices),
     }
 }
@@ -47,13 +53,8 @@ fn pieces_of(outline: &Vertices) -> Arc<[Piece]> {
     if is_convex(&corners) {
         return Arc::new([polygon_or_point(corners)]);
     }
-    let simple: Vertices = corners.iter().map(|&[x, y]| Vector2::new(x, y)).collect();
-    let parts = simple.decompose(i32::MAX).ok().filter(|parts| !parts.is_empty());
-    match parts {
-        Some(parts) => parts
-            .iter()
-            .map(|part| polygon_or_point(simplified(part.iter().map(|v| [v.x, v.y]).collect())))
-            .collect(),
+    match convex_parts(&corners) {
+        Some(parts) => parts.iter().map(|part| part_of(part, &corners)).collect(),
         // It crosses itself, or is longer than what can be cut.
         None => Arc::new([polygon_or_point(hull(corners))]),
     }
@@ -65,6 +66,11 @@ fn polygon_or_point(corners: Vec<Vector>) -> Piece {
         [centre] => Piece::Circle { centre, radius: 0.0 },
         _ => Piece::Polygon(corners),
     }
+}
+
+fn part_of(part: &[usize], outline: &[Vector]) -> Piece {
+    let corners = part.iter().map(|&corner| outline[corner]).collect();
+    Piece::Part { seams: seams_of_part(part, outline), corners }
 }
 
 /// The corners in the order of positive area, without those that repeat their neighbour or do not turn.

@@ -3,7 +3,7 @@
 
 use super::meeting::Meeting;
 use super::outline::{Family, Outline};
-use super::round;
+use super::{round, seams};
 use crate::math::plane::{
     Pose, Turn, Vector, difference, dot, place, rotation, scaled, sum, turn, turn_back,
 };
@@ -72,7 +72,7 @@ impl Manifold {
 
 /// The contacts of A and B, as far as `reach` apart.
 pub(super) fn collide(a: Outline<'_>, b: Outline<'_>, pose_a: Pose, pose_b: Pose, reach: f32) -> Manifold {
-    use Family::{Capsule, Circle, Polygon};
+    use Family::{Capsule, Circle, Polygon, Seamed};
     match (a.shape.family, b.shape.family) {
         (Circle, Circle) => circles(a, b, pose_a, pose_b, reach),
         (Circle, Polygon) => polygon_and_circle(b, a, pose_b, pose_a, reach).flipped(pose_b, pose_a),
@@ -80,6 +80,10 @@ pub(super) fn collide(a: Outline<'_>, b: Outline<'_>, pose_a: Pose, pose_b: Pose
         (Polygon, Polygon) => polygons(a, b, pose_a, pose_b, reach),
         (Circle, Capsule) => round::capsule_and_circle(b, a, pose_b, pose_a, reach).flipped(pose_b, pose_a),
         (Capsule, Circle) => round::capsule_and_circle(a, b, pose_a, pose_b, reach),
+        (Circle, Seamed) => seams::circle(b, a, pose_b, pose_a, reach).flipped(pose_b, pose_a),
+        (Seamed, Circle) => seams::circle(a, b, pose_a, pose_b, reach),
+        (Seamed, Capsule) | (Capsule, Seamed) => seams::capsule(&Meeting::new(a, b, pose_a, pose_b), reach),
+        (Seamed, _) | (_, Seamed) => seams::polygons(&Meeting::new(a, b, pose_a, pose_b), reach),
         (Capsule, _) | (_, Capsule) => round::capsule(&Meeting::new(a, b, pose_a, pose_b), reach),
     }
 }

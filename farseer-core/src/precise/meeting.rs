@@ -51,12 +51,12 @@ pub(super) enum Nearest {
 
 impl<'a> Side<'a> {
     /// A point of the other one in the frame of this one.
-    pub(super) fn from_other(&self, point: Vector) -> Vector {
+    pub(super) fn seen(self, point: Vector) -> Vector {
         sum(turn(self.q, point), self.at)
     }
 
     /// A direction of this one in the frame of the other one.
-    pub(super) fn to_other(&self, direction: Vector) -> Vector {
+    pub(super) fn for_other(self, direction: Vector) -> Vector {
         turn_back(self.q, direction)
     }
 
@@ -136,7 +136,7 @@ impl<'a> Meeting<'a> {
         let nearest = match near.end {
             None => Nearest::Edge(if is_b { Which::B } else { Which::A }, near.edge),
             Some(end) if is_b => {
-                let way = scaled(self.b.to_other(near.way), -1.0);
+                let way = scaled(self.b.for_other(near.way), -1.0);
                 Nearest::Corners { corner_a: near.corner, corner_b: end, way }
             }
             Some(end) => Nearest::Corners { corner_a: end, corner_b: near.corner, way: near.way },
@@ -159,7 +159,7 @@ struct Near {
 fn nearest_edge(one: &Side<'_>, other: &Side<'_>) -> Option<Near> {
     let mut nearest: Option<Near> = None;
     for (corner, &point) in other.outline.points.iter().enumerate() {
-        let point = one.from_other(point);
+        let point = one.seen(point);
         for edge in 0..one.outline.points.len() {
             let near = edge_and_point(one.outline, edge, point).map(|near| Near { corner, ..near });
             if let Some(near) =

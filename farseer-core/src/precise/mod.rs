@@ -21,6 +21,7 @@ mod proxies;
 mod round;
 mod rows;
 mod saved;
+mod seams;
 mod step;
 mod sync;
 mod told;

@@ -70,11 +70,11 @@ pub(super) fn are_apart(meeting: &Meeting<'_>, separation: f32, distance: f32) -
 }
 
 /// Whether a way from A to B goes along the normal of an edge.
-fn along_normal(meeting: &Meeting<'_>, which: Which, edge: usize, way: Vector) -> bool {
+pub(super) fn along_normal(meeting: &Meeting<'_>, which: Which, edge: usize, way: Vector) -> bool {
     let normal = meeting.side(which).outline.normals[edge];
     let from_a = match which {
         Which::A => normal,
-        Which::B => scaled(meeting.b.to_other(normal), -1.0),
+        Which::B => scaled(meeting.b.for_other(normal), -1.0),
     };
     dot(from_a, way) > ALIGNED * dot(way, way).sqrt()
 }

@@ -261,11 +261,15 @@ impl PhysicsSimulator {
     /// # Errors
     /// A broad phase of the faithful set in place of another one if a geom is in the simulator already
     /// ([`Error::GeomListNotEmpty`]; geoms still waiting to be added do not count); a cell size or length that is not finite,
-    /// or a length that is not greater than 0; the precise set while there are joints ([`Error::NotSupported`]).
+    /// or a length that is not greater than 0; the precise set while there are joints, the faithful
+    /// one while there are chains ([`Error::NotSupported`]).
     pub fn set_methods(&mut self, methods: Methods) -> Result<()> {
         let methods = methods.check()?;
         if self.objects.joints.listed_or_queued().next().is_some() {
             methods.check_joints()?;
+        }
+        if self.objects.geoms.listed_or_queued().any(|geom| geom.outline.is_chain()) {
+            methods.check_chains()?;
         }
         match methods {
             Methods::Faithful { broad, .. } => self.set_faithful_pairs(broad)?,

@@ -42,6 +42,7 @@ mod precise_capsules;
 mod precise_events;
 mod precise_motion;
 mod precise_saves;
+mod precise_terrain;
 mod rejected_input;
 mod snapshots;
 mod solver_reference;

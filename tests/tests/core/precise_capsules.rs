@@ -342,3 +342,12 @@ fn a_pile_with_capsules_goes_on_with_the_same_bits_after_a_restore_in_every_step
     }
     assert!(plain.arbiter_count() > 8);
 }
+
+/// Both of its ends are right above corners: two points, as anywhere else.
+#[test]
+fn a_capsule_lies_on_two_points_on_a_box_as_wide_as_its_core() {
+    let mut simulator = precise(0.0);
+    add_floor(&mut simulator, (HEIGHT - 2.0 * RADIUS, 20.0), v(0.0, 10.0));
+    add_capsule(&mut simulator, v(0.0, -RADIUS + 0.25), FRAC_PI_2);
+    assert_eq!(touches(&mut simulator).len(), 2);
+}
