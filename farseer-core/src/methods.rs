@@ -43,7 +43,10 @@ pub enum Methods {
     /// | a negative mass, an inverse inertia that is not a normal number | no push moves or turns the body: `f32::MAX` as the moment of inertia keeps it from turning |
     /// | a static body's velocity | a conveyor belt, as in the faithful set |
     /// | chains of edges | [made](crate::GeomFactory::create_chain_geom) and kept only here |
-    /// | joints | refused with [`Error::NotSupported`] |
+    /// | joints | exact: a tree of joints is solved at once, whatever hangs on it; loops, limits and joints with a greatest impulse one after the other |
+    /// | [`breakpoint`](crate::Joint::breakpoint) | as in the faithful set, but a joint breaks before it acts once more; there is hardly any error to measure, so see [`greatest_force`](crate::Joint::greatest_force) |
+    /// | [`softness`](crate::Joint::softness), [`bias_factor`](crate::Joint::bias_factor) of joints | a soft joint of a point or distance yields to a steady load as far as it does in the faithful set; the bias factor of a hard one, and softness of an angle, mean nothing |
+    /// | `max_impulse` of joints | the greatest impulse of a substep |
     ///
     /// Geoms of the circle factory with eight edges or more are true circles, with fewer the polygons that they look like;
     /// those of the capsule factory are true capsules. Concave outlines are cut into convex pieces, and nothing catches on the
@@ -101,13 +104,6 @@ impl Methods {
 
     pub(crate) fn is_precise(self) -> bool {
         matches!(self, Methods::Precise { .. })
-    }
-
-    pub(crate) fn check_joints(self) -> Result<()> {
-        match self {
-            Methods::Faithful { .. } => Ok(()),
-            Methods::Precise { .. } => Err(Error::NotSupported { what: "joints", methods: "precise" }),
-        }
     }
 
     pub(crate) fn check_chains(self) -> Result<()> {

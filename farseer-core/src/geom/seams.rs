@@ -38,7 +38,7 @@ pub(crate) fn edges_of_chain(points: &[Vector2], is_closed: bool) -> impl Iterat
     let points: Vec<Vector> = points.iter().map(|v| [v.x, v.y]).collect();
     let count = if is_closed { points.len() } else { points.len() - 1 };
     let ends = move |edge: usize| [points[edge], points[(edge + 1) % points.len()]];
-    let normals: Vec<Vector> = (0..count).map(|edge| ends(edge)).map(|[a, b]| normal(a, b)).collect();
+    let normals: Vec<Vector> = (0..count).map(&ends).map(|[a, b]| normal(a, b)).collect();
     (0..count).map(move |edge| {
         let [x, y] = normals[edge];
         let (has_before, has_after) = (is_closed || edge > 0, is_closed || edge + 1 < count);

@@ -22,7 +22,7 @@ pub(super) const BIAS_FACTOR: f32 = 0.8;
 pub struct FixedRevoluteJoint {
     body: BodyId,
     anchor: Vector2,
-    local_anchor: Vector2,
+    pub(super) local_anchor: Vector2,
     max_impulse: f32,
     /// What was taken from the body, before it was limited.
     accumulated: Vector2,

@@ -13,6 +13,7 @@ mod bodies;
 mod fixed_angle_joint;
 mod fixed_angle_limit_joint;
 mod fixed_revolute_joint;
+pub(crate) mod held;
 pub(crate) mod joint_body;
 mod kinds;
 mod limit;
@@ -37,7 +38,9 @@ pub use weld_joint::WeldJoint;
 
 use crate::body::BodyId;
 use crate::checked_properties::checked_properties;
+use crate::math::Vector2;
 use crate::math::scalar::nearest_finite;
+use crate::math::vector2::length;
 use crate::storage::collection::Collection;
 use joint_body::{JointBodies, JointPose, JointStep};
 use kinds::each_kind;
@@ -67,6 +70,10 @@ pub struct Joint {
     joint_error: f32,
     enabled: bool,
     tag: u64,
+    /// Of the last update, on the second body; the precise set's.
+    force: [f32; 3],
+    greatest_force: f32,
+    greatest_torque: f32,
     kind: JointKind,
 }
 
@@ -83,6 +90,9 @@ impl Joint {
             joint_error: 0.0,
             enabled: true,
             tag: 0,
+            force: [0.0; 3],
+            greatest_force: f32::MAX,
+            greatest_torque: f32::MAX,
             kind,
         }
     }
@@ -99,6 +109,41 @@ impl Joint {
         /// How much the joint yields; what the number means depends on the kind. Default 0: not at all.
         #[doc(alias = "Softness")]
         softness, set_softness;
+        /// Greatest force with which the joint holds: one that had to hold with more in an update breaks at its end. Default
+        /// [`f32::MAX`]. Only the [precise set](crate::Methods::Precise) measures forces; there hardly any error is left for
+        /// [`breakpoint`](Self::breakpoint) to measure.
+        greatest_force, set_greatest_force;
+        /// Greatest torque with which the joint holds the angle of its bodies, as [`greatest_force`](Self::greatest_force).
+        greatest_torque, set_greatest_torque;
+    }
+
+    /// The force with which the joint held its second body, or its only one, in the last substep of the last update, in
+    /// the user's unit of mass times length per s^2; the first body felt the opposite. Zero with the faithful set, which
+    /// does not measure it.
+    pub fn force(&self) -> Vector2 {
+        Vector2::new(self.force[0], self.force[1])
+    }
+
+    /// The torque with which the joint held the angle of its second body, or its only one, as [`force`](Self::force): what
+    /// a force at its anchor does to turn a body is not in it.
+    pub fn torque(&self) -> f32 {
+        self.force[2]
+    }
+
+    pub(crate) fn force_and_torque(&self) -> [f32; 3] {
+        self.force
+    }
+
+    /// Notes what held the joint in an update. Answers whether it was too much; the joint is disabled then.
+    pub(crate) fn bear(&mut self, force: [f32; 3]) -> bool {
+        self.force = force.map(|number| if number.is_finite() { number } else { 0.0 });
+        let [x, y, torque] = self.force;
+        let breaks = self.enabled
+            && !(length(Vector2::new(x, y)) <= self.greatest_force && torque.abs() <= self.greatest_torque);
+        if breaks {
+            self.enabled = false;
+        }
+        breaks
     }
 
     /// Error of the last update that found the joint enabled and a body it could move: an angle in radians or a
@@ -202,6 +247,7 @@ impl Joint {
     /// Forgets the impulse, so that the next pre-step starts afresh.
     pub(crate) fn forget_impulse(&mut self) {
         each_kind!(&mut self.kind, joint => joint.forget_impulse());
+        self.force = [0.0; 3];
     }
 
     fn is_impulse_finite(&self) -> bool {
@@ -211,8 +257,9 @@ impl Joint {
     /// Whether settings and impulse are finite. What the pre-step makes anew from the bodies need not be, and is
     /// saved as bits: the velocities that come of it are looked at before a body gets them.
     pub(crate) fn is_valid(&self) -> bool {
-        let settings = [self.bias_factor, self.breakpoint, self.softness];
-        settings.iter().all(|number| number.is_finite())
+        let settings =
+            [self.bias_factor, self.breakpoint, self.softness, self.greatest_force, self.greatest_torque];
+        settings.iter().chain(&self.force).all(|number| number.is_finite())
             && self.is_impulse_finite()
             && each_kind!(&self.kind, joint => joint.is_valid())
     }

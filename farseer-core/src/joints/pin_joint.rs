@@ -21,7 +21,7 @@ use crate::math::vector2::length;
 pub struct PinJoint {
     body1: BodyId,
     body2: BodyId,
-    anchors: AnchorDistance,
+    pub(super) anchors: AnchorDistance,
     target_distance: f32,
     accumulated: f32,
     #[serde(with = "crate::storage::bits")]

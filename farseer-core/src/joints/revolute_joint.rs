@@ -16,7 +16,7 @@ use crate::math::Vector2;
 pub struct RevoluteJoint {
     body1: BodyId,
     body2: BodyId,
-    point: SharedPoint,
+    pub(super) point: SharedPoint,
 }
 
 impl RevoluteJoint {

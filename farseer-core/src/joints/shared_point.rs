@@ -90,6 +90,15 @@ impl SharedPoint {
         true
     }
 
+    /// The point in the coordinates of both bodies.
+    pub(super) fn local_anchors(&self) -> [Vector2; 2] {
+        [self.local_anchor1, self.local_anchor2]
+    }
+
+    pub(super) fn show(&mut self, [arm1, arm2]: [Vector2; 2]) {
+        (self.arm1, self.arm2) = (arm1, arm2);
+    }
+
     pub(crate) fn forget_impulse(&mut self) {
         self.accumulated = Vector2::zeros();
     }

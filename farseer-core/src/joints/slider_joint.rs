@@ -19,7 +19,7 @@ use crate::math::finite::finite;
 pub struct SliderJoint {
     body1: BodyId,
     body2: BodyId,
-    anchors: AnchorDistance,
+    pub(super) anchors: AnchorDistance,
     min: f32,
     max: f32,
     slop: f32,

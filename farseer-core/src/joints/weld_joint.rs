@@ -23,8 +23,8 @@ use crate::math::finite::finite;
 pub struct WeldJoint {
     body1: BodyId,
     body2: BodyId,
-    point: SharedPoint,
-    target_angle: f32,
+    pub(super) point: SharedPoint,
+    pub(super) target_angle: f32,
     max_impulse: f32,
     #[serde(with = "crate::storage::bits")]
     angular_velocity_bias: f32,

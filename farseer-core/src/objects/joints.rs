@@ -65,6 +65,7 @@ impl Objects {
     /// A joint to edit, unless the id is stale.
     #[inline]
     pub fn joint_mut(&mut self, joint: JointId) -> Option<&mut Joint> {
+        self.has_edited_joints = true;
         self.joints.get_mut(joint)
     }
 
@@ -83,6 +84,7 @@ impl Objects {
     /// A stale id; a joint of another kind.
     pub fn joint_as_mut<J: JointType>(&mut self, joint: JointId) -> Result<&mut J> {
         let argument = "joint";
+        self.has_edited_joints = true;
         J::of_mut(self.joints.find_mut(argument, joint)?)
             .ok_or(Error::WrongKind { argument, expected: J::NAME })
     }
@@ -100,6 +102,7 @@ impl Objects {
     #[doc(alias("Body1", "FixedRevoluteJoint.Body", "FixedAngleJoint.Body", "FixedAngleLimitJoint.Body"))]
     pub fn set_joint_body1(&mut self, joint: JointId, body: BodyId) -> Result<()> {
         self.check_body("body", body)?;
+        self.has_edited_joints = true;
         self.joints.find_mut("joint", joint)?.set_body1(body);
         Ok(())
     }
@@ -111,6 +114,7 @@ impl Objects {
     #[doc(alias = "Body2")]
     pub fn set_joint_body2(&mut self, joint: JointId, body: BodyId) -> Result<()> {
         self.check_body("body", body)?;
+        self.has_edited_joints = true;
         let changed = self.joints.find_mut("joint", joint)?;
         if changed.body2().is_none() {
             return Err(Error::WrongKind { argument: "joint", expected: "joint between two bodies" });
@@ -143,6 +147,7 @@ impl Objects {
     /// A stale id; a body that was not set yet; a point that is not finite, or not in the world; a joint of another kind.
     #[doc(alias = "Anchor1")]
     pub fn set_joint_anchor1(&mut self, joint: JointId, anchor: Vector2) -> Result<()> {
+        self.has_edited_joints = true;
         let joint = self.joints.find_mut("joint", joint)?;
         let body1 = held_body(&self.bodies, "body1", joint.body1());
         match joint.kind_mut() {
@@ -159,6 +164,7 @@ impl Objects {
     /// A stale id; a body that was not set yet; a point that is not finite, or not in the world; a joint of another kind.
     #[doc(alias = "Anchor2")]
     pub fn set_joint_anchor2(&mut self, joint: JointId, anchor: Vector2) -> Result<()> {
+        self.has_edited_joints = true;
         let joint = self.joints.find_mut("joint", joint)?;
         let body2 = held_body(&self.bodies, "body2", joint.body2().unwrap_or(joint.body1()));
         match joint.kind_mut() {
@@ -189,6 +195,7 @@ impl Objects {
 
     /// A joint with its bodies; twice the same body if it has one.
     fn joint_and_bodies(&mut self, joint: JointId) -> Result<(&mut Joint, &Body, &Body)> {
+        self.has_edited_joints = true;
         let joint = self.joints.find_mut("joint", joint)?;
         check_bodies("joint", joint.body1(), joint.body2())?;
         let body1 = held_body(&self.bodies, "body1", joint.body1())?;
@@ -223,6 +230,7 @@ impl std::ops::IndexMut<JointId> for Objects {
     /// # Panics
     /// If the id is stale; see [`Objects::joint_mut`].
     fn index_mut(&mut self, joint: JointId) -> &mut Joint {
+        self.has_edited_joints = true;
         &mut self.joints[joint]
     }
 }

@@ -18,8 +18,7 @@ impl Objects {
     ///
     /// # Errors
     /// A stale id; [`Error::MissingBody`](crate::Error::MissingBody) for a joint or spring without one of its bodies;
-    /// [`Error::NotSupported`](crate::Error::NotSupported) for a joint under the precise methods, and for a chain under the
-    /// faithful ones.
+    /// [`Error::NotSupported`](crate::Error::NotSupported) for a chain under the faithful methods.
     #[doc(alias = "Add")]
     pub fn add(&mut self, object: impl Into<ObjectId>) -> Result<()> {
         match object.into() {
@@ -32,7 +31,6 @@ impl Objects {
             }
             ObjectId::Controller(controller) => self.controllers.add("controller", controller)?,
             ObjectId::Joint(joint) => {
-                self.methods.check_joints()?;
                 let held = self.joints.find("joint", joint)?;
                 check_bodies("joint", held.body1(), held.body2())?;
                 self.joints.add("joint", joint)?;

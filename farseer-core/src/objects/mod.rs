@@ -86,6 +86,8 @@ pub struct Objects {
     pub(crate) methods: Methods,
     /// Bodies or geoms have entered or left their lists, or geoms have become what they were not.
     pub(crate) has_new_structure: bool,
+    /// Joints were lent out for editing since this was asked last.
+    pub(crate) has_edited_joints: bool,
     /// Not saved: a save cannot raise them.
     limits: Limits,
     grids: GridCache,
@@ -106,6 +108,7 @@ impl Objects {
             pending: Vec::new(),
             methods: Methods::default(),
             has_new_structure: false,
+            has_edited_joints: false,
             limits: Limits::default(),
             grids: GridCache::default(),
         }

@@ -34,6 +34,9 @@ pub(crate) struct SavedObjects {
     pending: Vec<Notice>,
     methods: Methods,
     has_new_structure: bool,
+    /// What is loaded reads them anew.
+    #[serde(skip)]
+    has_edited_joints: bool,
     #[serde(skip)]
     limits: Limits,
     #[serde(skip)]

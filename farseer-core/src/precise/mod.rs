@@ -5,12 +5,14 @@
 //! 1. what was edited is taken over ([`sync`]);
 //! 2. pairs whose bounds part go, and new ones come ([`grid`], [`pairs`]);
 //! 3. pairs that moved are looked at ([`touch`], [`manifold`]), and rows come and go ([`rows`]);
-//! 4. bodies are read ([`bodies`]), velocities solved in substeps ([`passes`]), and bodies written ([`moving`]).
+//! 4. joints are read, and which of them can be solved at once ([`joints`]);
+//! 5. bodies are read ([`bodies`]), velocities solved in substeps ([`passes`]), and bodies written ([`moving`]).
 //!
 //! Lengths are the user's; the numbers of the method are parts of one length ([`tuning`]).
 
 mod bodies;
 mod grid;
+mod joints;
 mod manifold;
 mod meeting;
 mod moving;
@@ -38,6 +40,7 @@ pub(crate) use tuning::Step;
 
 use bodies::Bodies;
 use grid::Grid;
+use joints::Joints;
 use pairs::Pairs;
 use proxies::Proxies;
 use rows::{Palette, Rows};
@@ -68,6 +71,7 @@ pub(crate) struct Precise {
     pairs: Pairs,
     rows: Rows,
     palette: Palette,
+    joints: Joints,
     /// Numbers of bodies and first proxies of geoms, by slot.
     body_numbers: Vec<u32>,
     first_proxies: Vec<u32>,
@@ -106,6 +110,7 @@ impl Precise {
             pairs: Pairs::default(),
             rows: Rows::default(),
             palette: Palette::default(),
+            joints: Joints::default(),
             body_numbers: Vec::new(),
             first_proxies: Vec::new(),
             absent: Vec::new(),

@@ -3,6 +3,7 @@
 use wide::f32x4;
 
 use super::bodies::{Bodies, Hot, turn_of};
+use super::joints::Joints;
 use super::proxies::Proxies;
 use super::rows::{Palette, Point, Row};
 use super::tuning::{Step, Tuning};
@@ -60,13 +61,14 @@ pub(super) fn fly(bodies: &mut Bodies, step: &Step) {
     }
 }
 
-/// Bodies with one row at most whose velocity has hardly changed: their substeps take the middle of the velocities before and
+/// Bodies with one row at most, and no joint, whose velocity has hardly changed: their substeps take the middle of the velocities before and
 /// after, which is exact under constant forces, instead of those after.
 #[inline(always)]
-pub(super) fn even_out(bodies: &mut Bodies, palette: &Palette, step: &Step) {
+pub(super) fn even_out(bodies: &mut Bodies, palette: &Palette, joints: &Joints, step: &Step) {
     let back = -0.5 * step.h;
     let most = EVENLY * step.substeps as f32;
-    for body in (1..=bodies.count).filter(|&body| palette.is_single(body)) {
+    let is_single = |&body: &usize| palette.is_single(body) && !joints.holds(body);
+    for body in (1..=bodies.count).filter(is_single) {
         let change = f32x4::new(bodies.hot[body].velocity) - f32x4::new(bodies.before[body]);
         let [x, y, ..] = change.to_array();
         let [px, py, ..] = bodies.push[body];
@@ -86,14 +88,15 @@ pub(super) fn even_out(bodies: &mut Bodies, palette: &Palette, step: &Step) {
 pub(super) fn leave<const P: usize>(
     bodies: &mut Bodies,
     hot: &mut [Hot],
-    palette: &Palette,
+    (palette, joints): (&Palette, &Joints),
     step: &Step,
     row: &Row<P>,
     lanes: u32,
 ) {
     for lane in (0..4).filter(|lane| lanes >> lane & 1 == 1) {
         let bodies_of = [row.a[lane] as usize, row.b[lane] as usize];
-        if bodies_of.into_iter().all(|body| body == 0 || palette.is_single(body)) {
+        let is_alone = |body: usize| body == 0 || (palette.is_single(body) && !joints.holds(body));
+        if bodies_of.into_iter().all(is_alone) {
             leave_one(bodies, hot, step, row, lane);
         }
     }

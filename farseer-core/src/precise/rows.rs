@@ -307,6 +307,11 @@ impl Rows {
         self.two.used | self.one.used | self.two_fixed.used | self.one_fixed.used == 0
     }
 
+    /// Whether some row is in the last colour, of which bodies know nothing.
+    pub(super) fn has_last(&self) -> bool {
+        (self.two.used | self.one.used | self.two_fixed.used | self.one_fixed.used) >> LAST & 1 == 1
+    }
+
     /// Number of points that are solved.
     pub(super) fn point_count(&self) -> usize {
         2 * (self.two.count() + self.two_fixed.count()) + self.one.count() + self.one_fixed.count()

@@ -267,24 +267,33 @@ impl Precise {
         if self.h != step.h {
             self.scale_impulses(step.h);
         }
-        if self.rows.is_empty() {
+        self.joints.swing(&self.bodies, step);
+        if self.rows.is_empty() && self.joints.are_all_apart() {
             fly(&mut self.bodies, step);
-            return;
+        } else {
+            self.solve_passes(step);
         }
+        self.joints.finish(&mut self.bodies, step.h);
+    }
+
+    fn solve_passes(&mut self, step: &Step) {
         if self.bounces {
             self.note_approaches();
         }
         self.gather_warm(step);
         for substep in 0..step.substeps {
             begin_substep(&mut self.bodies, substep == 0);
+            self.joints.correct(&mut self.bodies, step.h);
             self.solve_soft(step);
             if self.bounces {
                 self.note_pushes();
             }
             displace(&mut self.bodies, step.h, substep == 0);
+            self.joints.advance(&self.bodies, step.h);
+            self.joints.relax(&mut self.bodies, step.h);
             self.relax(step);
         }
-        even_out(&mut self.bodies, &self.palette, step);
+        even_out(&mut self.bodies, &self.palette, &self.joints, step);
         if self.bounces {
             self.bounce(step);
         }
@@ -330,6 +339,7 @@ impl Precise {
         gather_warm::<false, 1>(&mut self.rows.one, warm, hot, &step.learning);
         gather_warm::<true, 2>(&mut self.rows.two_fixed, warm, hot, &step.learning);
         gather_warm::<true, 1>(&mut self.rows.one_fixed, warm, hot, &step.learning);
+        self.joints.begin_passes(warm, step.h);
     }
 
     fn solve_soft(&mut self, step: &Step) {
@@ -350,12 +360,12 @@ impl Precise {
 
     fn bounce(&mut self, step: &Step) {
         let threshold = self.tuning.bounce;
-        let Precise { rows, bodies, palette, .. } = self;
+        let Precise { rows, bodies, palette, joints, .. } = self;
         let mut hot = std::mem::take(&mut bodies.hot);
         macro_rules! bounce_all {
             ($fixed:literal, $points:literal, $rows:expr) => {
                 bounce::<$fixed, $points>($rows, &mut hot, threshold, |row, lanes, hot| {
-                    leave(bodies, hot, palette, step, row, lanes)
+                    leave(bodies, hot, (palette, joints), step, row, lanes)
                 })
             };
         }

@@ -20,7 +20,7 @@ fn set(table: &mut Vec<u32>, slot: usize, number: u32) {
     table[slot] = number;
 }
 
-fn get(table: &[u32], slot: usize) -> Option<usize> {
+pub(super) fn get(table: &[u32], slot: usize) -> Option<usize> {
     table.get(slot).copied().filter(|&number| number != NONE).map(|number| number as usize)
 }
 
@@ -63,6 +63,9 @@ impl Precise {
         let has_moved = self.bodies.was_moved(number, body);
         let is_other = inverses != self.bodies.inverses[number];
         self.bodies.inverses[number] = inverses;
+        if is_other {
+            self.note_joints();
+        }
         self.bodies.set_velocity(number, body);
         if has_moved {
             self.bodies.move_to(number, body);
@@ -173,6 +176,7 @@ impl Precise {
     /// Lists all bodies and geoms that take part, and takes over what is known of their pairs.
     fn list(&mut self, objects: &Objects, saved: &Saved) {
         self.is_stale = false;
+        self.note_joints();
         self.list_bodies(objects);
         self.list_proxies(objects);
         self.bodies.circles.fill([0.0; 4]);

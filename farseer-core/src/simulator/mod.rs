@@ -22,6 +22,7 @@ use serde::{Deserialize, Serialize};
 use crate::body::BodyId;
 use crate::contacts::arbiter::ArbiterList;
 use crate::geom::surface::FrictionType;
+use crate::joints::JointId;
 use crate::math::Vector2;
 use crate::math::finite::{finite, finite_vector};
 use crate::methods::{BroadPhaseCollider, Methods, NarrowPhaseCollider};
@@ -256,18 +257,14 @@ impl PhysicsSimulator {
 
     /// Chooses the methods. Geoms that are there already are not made ready for another narrow phase; see
     /// [`set_narrow_phase_collider`](Self::set_narrow_phase_collider). From the faithful set to the precise one and back,
-    /// between updates, everything stays but what the solver knows of contacts: what rests begins to rest anew.
+    /// between updates, everything stays but what the solver knows of contacts and joints: what rests begins to rest anew.
     ///
     /// # Errors
     /// A broad phase of the faithful set in place of another one if a geom is in the simulator already
     /// ([`Error::GeomListNotEmpty`]; geoms still waiting to be added do not count); a cell size or length that is not finite,
-    /// or a length that is not greater than 0; the precise set while there are joints, the faithful
-    /// one while there are chains ([`Error::NotSupported`]).
+    /// or a length that is not greater than 0; the faithful set while there are chains ([`Error::NotSupported`]).
     pub fn set_methods(&mut self, methods: Methods) -> Result<()> {
         let methods = methods.check()?;
-        if self.objects.joints.listed_or_queued().next().is_some() {
-            methods.check_joints()?;
-        }
         if self.objects.geoms.listed_or_queued().any(|geom| geom.outline.is_chain()) {
             methods.check_chains()?;
         }
@@ -279,6 +276,10 @@ impl PhysicsSimulator {
                 self.list_pairs_anew(methods.broad());
                 self.pipeline.precise = Some(Box::new(Precise::new(length_unit)));
             }
+        }
+        if methods.is_precise() != self.objects.methods.is_precise() {
+            let joints: Vec<JointId> = self.objects.joints.iter().map(|(id, _)| id).collect();
+            joints.into_iter().for_each(|joint| self.objects.joints[joint].forget_impulse());
         }
         self.objects.methods = methods;
         Ok(())

@@ -37,6 +37,7 @@ impl PhysicsSimulator {
         self.update_controllers(dt, dt_real, handler);
         self.update_springs(handler);
         self.sync_precise();
+        self.break_precise_joints(handler);
         self.read_precise(&step);
         stopwatch.lap(|times| &mut times.apply_forces_time);
         self.precise().solve(&step);
@@ -53,6 +54,9 @@ impl PhysicsSimulator {
             if std::mem::take(&mut objects.has_new_structure) {
                 precise.note_change();
             }
+            if std::mem::take(&mut objects.has_edited_joints) {
+                precise.note_joints();
+            }
             precise.sync(objects);
         }
     }
@@ -61,7 +65,57 @@ impl PhysicsSimulator {
         let PhysicsSimulator { objects, pipeline, report, settings, .. } = self;
         if let Some(precise) = &mut pipeline.precise {
             precise.read_bodies(objects, settings.gravity, step, report);
+            precise.read_joints(objects, step);
             report.counters.contacts_solved = precise.contacts_solved();
+        }
+    }
+
+    /// Joints that are too far from what they keep break before they act.
+    fn break_precise_joints(&mut self, handler: &mut Handler<'_>) {
+        let mut has_told = false;
+        for position in 0..self.joint_list().len() {
+            let PhysicsSimulator { objects, pipeline, .. } = self;
+            let (Some(precise), Some((joint, held))) = (&pipeline.precise, objects.joints.at_mut(position))
+            else {
+                continue;
+            };
+            if held.breakpoint() == f32::MAX || !held.enabled() {
+                continue;
+            }
+            let Some(error) = precise.joint_error((joint, &*held), &objects.bodies) else { continue };
+            held.note(error);
+            if held.breaks() {
+                objects.has_edited_joints = true;
+                self.report.push(Event::JointBroke { joint });
+                self.tell(handler, |handler, context| handler.on_joint_broke(context, joint));
+                has_told = true;
+            }
+        }
+        if has_told {
+            self.sync_precise();
+        }
+    }
+
+    /// What has held the joints is told.
+    fn write_precise_joints(&mut self, handler: &mut Handler<'_>) {
+        let PhysicsSimulator { objects, pipeline, report, .. } = self;
+        let Some(precise) = &mut pipeline.precise else { return };
+        let broken = report.events.len();
+        precise.write_joints(objects, report);
+        if handler.get().is_none() {
+            return;
+        }
+        for at in broken..self.report.events.len() {
+            if let Event::JointBroke { joint } = self.report.events[at] {
+                self.tell(handler, |handler, context| handler.on_joint_broke(context, joint));
+            }
+        }
+        let mut at = 0;
+        while handler.wants(|handler| handler.handles_joint_updates())
+            && let Some(joint) = self.precise().acting_joint(at)
+        {
+            self.tell(handler, |handler, context| handler.on_joint_updated(context, joint));
+            at += 1;
         }
     }
 
@@ -177,6 +231,7 @@ impl PhysicsSimulator {
             report.push(Event::BodyUpdated { body });
         }
         precise.follow();
+        self.write_precise_joints(handler);
         if handler.get().is_some() {
             self.tell_bodies_moved(handler);
         }

@@ -40,6 +40,7 @@ mod physics;
 mod polygon_tools_random;
 mod precise_capsules;
 mod precise_events;
+mod precise_joints;
 mod precise_motion;
 mod precise_saves;
 mod precise_terrain;

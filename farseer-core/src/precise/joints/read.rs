@@ -1,0 +1,150 @@
+//! Joints are read when they or their bodies have changed, followed in every step, and told what held them.
+
+use super::super::Precise;
+use super::super::sync::get;
+use super::super::tuning::Step;
+use super::Joints;
+use super::hold::{End, Hold};
+use super::tree::{Link, Vector};
+use crate::body::BodyId;
+use crate::body::entry::Bodies;
+use crate::joints::held::Keeps;
+use crate::joints::{Joint, JointId};
+use crate::math::{Vector2, scalar};
+use crate::objects::Objects;
+use crate::report::{Event, Report};
+
+fn vector(v: Vector2) -> Vector {
+    [f64::from(v.x), f64::from(v.y)]
+}
+
+fn shown([x, y]: Vector) -> Vector2 {
+    Vector2::new(x as f32, y as f32)
+}
+
+impl Precise {
+    /// One side of a joint, the world if there is no body; `None` if the body is stale.
+    fn end(&self, id: Option<BodyId>, anchor: Vector2, bodies: &Bodies) -> Option<End> {
+        let Some(id) = id else { return Some(End { arm: vector(anchor), ..End::default() }) };
+        let body = &bodies.get(id)?.body;
+        let number = get(&self.body_numbers, id.slot()).filter(|&number| self.bodies.ids[number] == Some(id));
+        let Some(number) = number else {
+            let (sine, cosine) = scalar::sin_cos(body.rotation());
+            let ([x, y], s, c) = (vector(anchor), f64::from(sine), f64::from(cosine));
+            let arm = [c * x - s * y, s * x + c * y];
+            return Some(End { place: vector(body.position()), arm, ..End::default() });
+        };
+        let gives_way = number < self.bodies.first_fixed() && self.bodies.inverses[number] != [0.0; 2];
+        let mut end = End {
+            body: if gives_way { number as u32 } else { 0 },
+            pose: number as u32,
+            anchor: vector(anchor),
+            ..End::default()
+        };
+        end.follow(&self.bodies);
+        Some(end)
+    }
+
+    /// A joint as it is now, unless it holds nothing that is there and gives way.
+    fn hold(&self, (id, joint): (JointId, &Joint), bodies: &Bodies) -> Option<Hold> {
+        let held = joint.held();
+        let ends = [
+            self.end(held.bodies.0, held.anchors[0], bodies)?,
+            self.end(Some(held.bodies.1), held.anchors[1], bodies)?,
+        ];
+        let link = match held.keeps {
+            Keeps::Point => Link::Point,
+            Keeps::PointAndAngle => Link::Weld,
+            Keeps::Angle => Link::Angle,
+            Keeps::Distance => Link::Distance,
+        };
+        let softness = if link == Link::Angle { 0.0 } else { f64::from(joint.softness()) };
+        let mut hold = Hold {
+            joint: id,
+            bodies: held.bodies,
+            link,
+            ends,
+            angle: 0.0,
+            range: held.range.map(f64::from),
+            slop: f64::from(held.slop).max(0.0),
+            most: f64::from(held.most).abs(),
+            softness: softness.max(0.0),
+            bias_factor: f64::from(joint.bias_factor()),
+            force: joint.force_and_torque(),
+        };
+        hold.turn(bodies);
+        Some(hold).filter(|hold| hold.ends[0].body != hold.ends[1].body)
+    }
+
+    /// How far a joint is from what it keeps; `None` if it holds nothing.
+    pub(crate) fn joint_error(&self, joint: (JointId, &Joint), bodies: &Bodies) -> Option<f32> {
+        Some(self.hold(joint, bodies)?.error() as f32)
+    }
+
+    /// Joints were lent out for editing.
+    pub(crate) fn note_joints(&mut self) {
+        self.joints.is_read = false;
+    }
+
+    /// Brings the joints to the poses of this step, and plans how they are solved.
+    pub(crate) fn read_joints(&mut self, objects: &Objects, step: &Step) {
+        let mut joints = std::mem::take(&mut self.joints);
+        if joints.is_read && joints.listed == objects.joints.list() {
+            joints.follow(&self.bodies, &objects.bodies);
+        } else {
+            joints.listed.clear();
+            joints.listed.extend_from_slice(objects.joints.list());
+            joints.holds.clear();
+            let all = (0..joints.listed.len()).filter_map(|at| objects.joints.at(at));
+            let holds = all.filter(|(_, joint)| joint.enabled());
+            joints.holds.extend(holds.filter_map(|joint| self.hold(joint, &objects.bodies)));
+            joints.plan(&self.bodies);
+            joints.is_read = true;
+        }
+        if !joints.holds.is_empty() {
+            let all_touched = self.rows.has_last();
+            let is_touched = |body: usize| all_touched || !self.palette.is_free(body);
+            joints.begin(&self.bodies, step, self.tuning.unit, is_touched);
+        }
+        self.joints = joints;
+    }
+
+    /// Joints learn how far they were from what they keep, where their anchors were, and what has held them; those that had
+    /// to hold with too much break.
+    pub(crate) fn write_joints(&mut self, objects: &mut Objects, report: &mut Report) {
+        for hold in &self.joints.holds {
+            let Some(joint) = objects.joints.get_mut(hold.joint) else { continue };
+            joint.note(hold.error() as f32);
+            joint.show_anchors(hold.ends.map(|end| shown(end.arm)), hold.ends.map(|end| shown(end.point())));
+            if joint.bear(hold.force) {
+                report.push(Event::JointBroke { joint: hold.joint });
+                self.joints.is_read = false;
+            }
+        }
+    }
+
+    /// The joints that acted in this update, by their place among them.
+    pub(crate) fn acting_joint(&self, at: usize) -> Option<JointId> {
+        self.joints.holds.get(at).map(|hold| hold.joint)
+    }
+}
+
+impl Hold {
+    /// Finds the angle that it keeps.
+    fn turn(&mut self, bodies: &Bodies) {
+        let of = |id: BodyId| bodies.get(id).map_or(0.0, |entry| f64::from(entry.body.total_rotation()));
+        if self.turns() {
+            self.angle = of(self.bodies.1) - self.bodies.0.map_or(0.0, of);
+        }
+    }
+}
+
+impl Joints {
+    /// Joints go where their bodies are.
+    fn follow(&mut self, bodies: &super::Bodies, objects: &Bodies) {
+        for hold in &mut self.holds {
+            hold.ends.iter_mut().for_each(|end| end.follow(bodies));
+            hold.turn(objects);
+        }
+    }
+}

@@ -1,0 +1,242 @@
+//! Where trees of joints go in a substep.
+//!
+//! **Positions, not only velocities.** A substep asks for the velocity v' with which the joints hold at its *end*: with r the
+//! arms, R the turning of a body in the substep and C the error of a point, C(x + h v') = 0. Linear in v' about the velocity
+//! v before the joints act: J v' = J v - C(x + h v) / h, of which v falls out but for the spin: for each side of a joint
+//! (x + R r) / h - w p, p the velocity of the anchor by a spin of 1. That is a step of SHAKE (J.-P. Ryckaert, G. Ciccotti,
+//! H. Berendsen 1977) with one iteration. Forces act by halves at the beginning and the end of a step, and the velocity after
+//! it obeys the joints (RATTLE, H. C. Andersen 1983): the method is symplectic, and energy neither drifts nor is damped.
+
+use super::super::bodies::Bodies;
+use super::super::tuning::Step;
+use super::tree::{Link, Node, Vector, dot, plus, solve, spun};
+
+/// An error is undone in one substep up to this part of the length unit; a greater one in more of them.
+const CLOSED_AT_ONCE: f64 = 0.5;
+
+/// Substeps of contacts in one of a tree that nothing touches.
+const PARTS: u32 = 2;
+
+/// The stiffness that the inertia of a body bears in a substep, as a part of it.
+const BORNE: f64 = 0.3;
+
+/// Cosine and sine of how far a body turns in a substep: a Taylor series, right to 1e-10 for less than 0.3.
+#[inline(always)]
+pub(super) fn turn(angle: f64) -> [f64; 2] {
+    if angle * angle > 1.0 {
+        let (sine, cosine) = libm::sincos(angle);
+        return [cosine, sine];
+    }
+    let x = angle * angle;
+    let sine = angle * (1.0 - x * (1.0 / 6.0) * (1.0 - x * (1.0 / 20.0) * (1.0 - x * (1.0 / 42.0))));
+    let cosine =
+        1.0 - x * 0.5 * (1.0 - x * (1.0 / 12.0) * (1.0 - x * (1.0 / 30.0) * (1.0 - x * (1.0 / 56.0))));
+    [cosine, sine]
+}
+
+/// Cosine, and sine less the angle: what a turn does to an arm besides taking it along. What the series leaves out is an
+/// error of 1e-6 of the arm for 0.3, which the next substep finds.
+#[inline(always)]
+fn aside_of_turn(angle: f64) -> [f64; 2] {
+    if angle * angle > 1.0 {
+        let [cosine, sine] = turn(angle);
+        return [cosine, sine - angle];
+    }
+    let x = angle * angle;
+    [1.0 - x * (0.5 - x * (1.0 / 24.0)), -angle * x * (1.0 / 6.0 - x * (1.0 / 120.0))]
+}
+
+#[inline(always)]
+pub(super) fn turned([c, s]: [f64; 2], [x, y]: Vector) -> Vector {
+    [c * x - s * y, s * x + c * y]
+}
+
+/// Lets joints ask for the velocities with which they hold at the end of a substep.
+#[inline]
+pub(super) fn aim(nodes: &mut [Node], h: f64, unit: f64) {
+    for node in nodes.iter_mut() {
+        node.turn = aside_of_turn(node.velocity[2] * h);
+    }
+    for at in 0..nodes.len() {
+        let parent = Side::of(&nodes[nodes[at].parent as usize], nodes[at].parent_arm);
+        let node = &mut nodes[at];
+        let child = Side::of(node, node.arm);
+        match node.link {
+            Link::Free | Link::Fixed => {}
+            Link::Point => node.bias = aim_point(node, &child, &parent, h, unit),
+            Link::Distance => node.bias[0] = aim_distance(node, &child, &parent, h, unit),
+            Link::Angle => node.bias[2] = aim_angle(node, &child, &parent, h),
+            Link::Weld => {
+                node.bias = aim_point(node, &child, &parent, h, unit);
+                node.bias[2] = aim_angle(node, &child, &parent, h);
+            }
+        }
+    }
+}
+
+/// Lets joints ask for velocities with which they go on to hold.
+#[inline]
+pub(super) fn rest(nodes: &mut [Node]) {
+    nodes.iter_mut().for_each(|node| node.bias = [0.0; 3]);
+}
+
+/// Bodies move, and the arms of their joints turn.
+#[inline]
+pub(super) fn advance(nodes: &mut [Node], h: f64) {
+    for node in nodes.iter_mut() {
+        let [x, y, spin] = node.velocity.map(|velocity| velocity * h);
+        node.place = plus(node.place, [x, y], 1.0);
+        node.path = [node.path[0] + x, node.path[1] + y, node.path[2] + spin];
+        node.turn = turn(spin);
+        node.arm = turned(node.turn, node.arm);
+    }
+    for at in 0..nodes.len() {
+        let turn = nodes[nodes[at].parent as usize].turn;
+        nodes[at].parent_arm = turned(turn, nodes[at].parent_arm);
+    }
+}
+
+/// One side of a joint as a substep begins.
+struct Side {
+    place: Vector,
+    velocity: [f64; 3],
+    arm: Vector,
+    /// The arm at the end of the substep, less the way that the turning at the beginning would take the anchor.
+    aside: Vector,
+    angle: f64,
+}
+
+impl Side {
+    #[inline(always)]
+    fn of(node: &Node, arm: Vector) -> Self {
+        Side {
+            place: node.place,
+            velocity: node.velocity,
+            arm,
+            aside: turned(node.turn, arm),
+            angle: node.path[2],
+        }
+    }
+
+    /// Where the anchor is at the end of the substep, less the way that its velocity at the beginning would take it.
+    #[inline(always)]
+    fn aside(&self) -> Vector {
+        plus(self.place, self.aside, 1.0)
+    }
+
+    #[inline(always)]
+    fn anchor(&self) -> Vector {
+        plus(self.place, self.arm, 1.0)
+    }
+
+    #[inline(always)]
+    fn anchor_velocity(&self) -> Vector {
+        plus([self.velocity[0], self.velocity[1]], spun(self.arm), self.velocity[2])
+    }
+}
+
+/// The part of an error of this size that is left for later substeps.
+#[inline(always)]
+fn postponed(size: f64, at_once: f64) -> f64 {
+    if size > at_once { 1.0 - at_once / size } else { 0.0 }
+}
+
+#[inline(always)]
+fn aim_point(node: &Node, child: &Side, parent: &Side, h: f64, unit: f64) -> [f64; 3] {
+    let error = plus(child.anchor(), parent.anchor(), -1.0);
+    if node.softness > 0.0 {
+        return [-error[0] * node.rate, -error[1] * node.rate, 0.0];
+    }
+    let later = postponed(dot(error, error).sqrt(), CLOSED_AT_ONCE * unit);
+    let [x, y] = plus(plus(child.aside(), parent.aside(), -1.0), error, -later);
+    let rate = -1.0 / h;
+    [x * rate, y * rate, 0.0]
+}
+
+#[inline(always)]
+fn aim_distance(node: &mut Node, child: &Side, parent: &Side, h: f64, unit: f64) -> f64 {
+    let apart = plus(child.anchor(), parent.anchor(), -1.0);
+    let distance = dot(apart, apart).sqrt();
+    // Anchors on one spot have no direction of their own: the one that they had last is as good as any.
+    if distance > 0.0 {
+        node.direction = [apart[0] / distance, apart[1] / distance];
+    }
+    let error = distance - node.wanted;
+    if node.softness > 0.0 {
+        return -error * node.rate;
+    }
+    let speed = dot(node.direction, plus(child.anchor_velocity(), parent.anchor_velocity(), -1.0));
+    let aside = plus(child.aside(), parent.aside(), -1.0);
+    let way = plus(child.anchor_velocity(), parent.anchor_velocity(), -1.0);
+    let ahead = plus(aside, way, h);
+    let later = error * postponed(error.abs(), CLOSED_AT_ONCE * unit);
+    speed - (dot(ahead, ahead).sqrt() - node.wanted - later) / h
+}
+
+#[inline(always)]
+fn aim_angle(node: &Node, child: &Side, parent: &Side, h: f64) -> f64 {
+    let error = node.wanted + child.angle - parent.angle;
+    -error * (1.0 - postponed(error.abs(), CLOSED_AT_ONCE)) / h
+}
+
+/// Tension makes a joint stiff against turning, and a stiff thing overshoots where a substep is too long for it: a chain
+/// whose links carry more than they weigh for long enough would be torn to pieces. What is more than the inertia bears is
+/// added to it, as an implicit step would (M. Tournier et al., "Stable constrained dynamics", 2015; S. Andrews et al.,
+/// "Geometric stiffness for real-time constrained multibody dynamics", 2017).
+pub(super) fn stiffen(nodes: &mut [Node], h: f64) {
+    for node in nodes.iter_mut() {
+        (node.stiffness, node.reach) = (0.0, dot(node.arm, node.arm));
+    }
+    for at in 0..nodes.len() {
+        let Node { parent, arm, parent_arm, impulse: [x, y, _], .. } = nodes[at];
+        nodes[at].stiffness += h * dot(arm, [x, y]);
+        let parent = &mut nodes[parent as usize];
+        parent.stiffness -= h * dot(parent_arm, [x, y]);
+        let reach = dot(parent_arm, parent_arm);
+        parent.reach = if reach > parent.reach { reach } else { parent.reach };
+    }
+    for node in nodes.iter_mut() {
+        let excess = node.stiffness - BORNE * (node.inertia + node.mass * node.reach);
+        node.stiffness = if excess > 0.0 && node.link != Link::Fixed { excess } else { 0.0 };
+    }
+}
+
+/// Moves a tree that nothing touches through all substeps of a step.
+///
+/// What springs and games push with may depend on the place: it acts at the beginning, as with bodies that nothing holds.
+pub(super) fn swing(nodes: &mut [Node], bodies: &Bodies, step: &Step, unit: f64) {
+    // What is exact in each substep needs fewer of them.
+    let parts = step.substeps.div_ceil(PARTS);
+    let (dt, h) = (f64::from(step.dt), f64::from(step.dt) / f64::from(parts));
+    let longer = f64::from(step.substeps) / f64::from(parts);
+    for node in nodes.iter_mut() {
+        node.substep = h;
+        node.softness /= longer;
+        node.impulse = node.impulse.map(|impulse| impulse * longer);
+        if node.body != 0 {
+            let (push, forced) = (bodies.push[node.body as usize], bodies.forced[node.body as usize]);
+            for i in 0..3 {
+                let at_once = f64::from(forced[i]) * 2.0 / dt;
+                node.push[i] = f64::from(push[i]) * longer - at_once / f64::from(parts);
+                node.velocity[i] += at_once;
+            }
+        }
+    }
+    stiffen(nodes, h);
+    for part in 0..parts {
+        kick(nodes, if part == 0 { 0.5 } else { 1.0 });
+        aim(nodes, h, unit);
+        solve(nodes, 1.0);
+        advance(nodes, h);
+    }
+    nodes.iter_mut().for_each(|node| node.kept_impulse = node.impulse);
+    kick(nodes, 0.5);
+    rest(nodes);
+    solve(nodes, 0.0);
+}
+
+fn kick(nodes: &mut [Node], part: f64) {
+    for node in nodes.iter_mut() {
+        (0..3).for_each(|i| node.velocity[i] += part * node.push[i]);
+    }
+}

@@ -1,0 +1,403 @@
+//! Bodies that joints hold together in the form of a tree, solved exactly and at once.
+//!
+//! What a joint's side of a tree does to the body on its other side is what one body would do: it has an inertia, a matrix of
+//! three rows, and a momentum (R. Featherstone, "The calculation of robot dynamics using articulated-body inertias", 1983).
+//! From the leaves up each joint hands its part of them to the parent: the motions that it leaves free are eliminated, the
+//! others are the parent's. From the root down velocities follow. That is the solution of M v' = M v + J^T l, J v' = b by an
+//! elimination that fills nothing in: its cost goes with the number of bodies, and no pass has to be repeated.
+//!
+//! A motion is the velocity of a point and the spin w. With r the arm from one point to another and p = (-r.y, r.x), the
+//! other's velocity is v + w p, and an inertia [A c; c^T d] at the other point is [A, c + A p; ., d + 2 c.p + p.A p] at the
+//! one. Each body is seen from its joint with the parent, a root from its origin.
+//!
+//! Numbers are `f64`: the reciprocal of an inertia that a long chain hands up loses half of its digits.
+
+pub(super) type Vector = [f64; 2];
+
+#[inline(always)]
+pub(super) fn dot(a: Vector, b: Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+#[inline(always)]
+pub(super) fn cross(a: Vector, b: Vector) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+/// Velocity of a point with this arm for a spin of 1.
+#[inline(always)]
+pub(super) fn spun(arm: Vector) -> Vector {
+    [-arm[1], arm[0]]
+}
+
+/// a + b s
+#[inline(always)]
+pub(super) fn plus(a: Vector, b: Vector, s: f64) -> Vector {
+    [a[0] + b[0] * s, a[1] + b[1] * s]
+}
+
+/// What a joint keeps of the motion of a body against its parent.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) enum Link {
+    /// Nothing: the root of a tree that is not fixed to the world.
+    #[default]
+    Free,
+    /// Everything: the root is the world, or what gives way to nothing; its velocity is given.
+    Fixed,
+    /// A point of both is one.
+    Point,
+    /// A point and the angle.
+    Weld,
+    /// The angle.
+    Angle,
+    /// The distance of two anchors.
+    Distance,
+}
+
+/// A symmetric matrix of two rows.
+#[derive(Debug, Clone, Copy, Default)]
+struct Symmetric {
+    xx: f64,
+    xy: f64,
+    yy: f64,
+}
+
+impl Symmetric {
+    #[inline(always)]
+    fn times(&self, v: Vector) -> Vector {
+        [self.xx * v[0] + self.xy * v[1], self.xy * v[0] + self.yy * v[1]]
+    }
+
+    /// self + s v v^T
+    #[inline(always)]
+    fn with(&self, v: Vector, s: f64) -> Self {
+        Symmetric {
+            xx: self.xx + s * v[0] * v[0],
+            xy: self.xy + s * v[0] * v[1],
+            yy: self.yy + s * v[1] * v[1],
+        }
+    }
+
+    #[inline(always)]
+    fn solve(&self, v: Vector) -> Vector {
+        let inverse = 1.0 / (self.xx * self.yy - self.xy * self.xy);
+        [(self.yy * v[0] - self.xy * v[1]) * inverse, (self.xx * v[1] - self.xy * v[0]) * inverse]
+    }
+}
+
+/// The inertia of a body, or of a body and all that hangs on it, and its momentum, at its joint.
+#[derive(Debug, Clone, Copy, Default)]
+struct Inertia {
+    mass: Symmetric,
+    coupling: Vector,
+    turning: f64,
+    momentum: Vector,
+    angular_momentum: f64,
+}
+
+impl Inertia {
+    /// Takes something else in, which is at a point with this arm.
+    #[inline(always)]
+    fn add(&mut self, other: &Inertia, arm: Vector) {
+        let p = spun(arm);
+        let moved = plus(other.coupling, other.mass.times(p), 1.0);
+        self.mass.xx += other.mass.xx;
+        self.mass.xy += other.mass.xy;
+        self.mass.yy += other.mass.yy;
+        self.coupling = plus(self.coupling, moved, 1.0);
+        self.turning += other.turning + (dot(other.coupling, p) + dot(moved, p));
+        self.momentum = plus(self.momentum, other.momentum, 1.0);
+        self.angular_momentum += other.angular_momentum + cross(arm, other.momentum);
+    }
+
+    /// Takes in something without inertia against turning.
+    #[inline(always)]
+    fn add_point(&mut self, mass: &Symmetric, momentum: Vector, arm: Vector) {
+        let p = spun(arm);
+        let moved = mass.times(p);
+        self.mass.xx += mass.xx;
+        self.mass.xy += mass.xy;
+        self.mass.yy += mass.yy;
+        self.coupling = plus(self.coupling, moved, 1.0);
+        self.turning += dot(moved, p);
+        self.momentum = plus(self.momentum, momentum, 1.0);
+        self.angular_momentum += cross(arm, momentum);
+    }
+
+    /// The velocity of a body with this inertia and nothing that holds it.
+    #[inline(always)]
+    fn free(&self) -> [f64; 3] {
+        let spin = self.without_place();
+        let spin = spin.angular_momentum / spin.turning;
+        let [x, y] = self.mass.solve(plus(self.momentum, self.coupling, -spin));
+        [x, y, spin]
+    }
+
+    /// What is left of it for one who only turns with it.
+    #[inline(always)]
+    fn without_place(&self) -> Inertia {
+        let weighed = self.mass.solve(self.coupling);
+        Inertia {
+            turning: self.turning - dot(self.coupling, weighed),
+            angular_momentum: self.angular_momentum - dot(weighed, self.momentum),
+            ..Inertia::default()
+        }
+    }
+}
+
+/// A body in a tree. Parents come before their children; a root is its own parent.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Node {
+    /// The body's number, the place of its parent in the tree and the number of the joint with it.
+    pub(super) body: u32,
+    pub(super) parent: u32,
+    pub(super) joint: u32,
+    pub(super) link: Link,
+    /// The joint calls this body its first, and the parent its second.
+    pub(super) is_first: bool,
+    pub(super) mass: f64,
+    pub(super) inertia: f64,
+    /// Added to the inertia while the joints pull: see [`stiffen`](super::swing::stiffen).
+    pub(super) stiffness: f64,
+    /// Square of the longest arm of a joint.
+    pub(super) reach: f64,
+    pub(super) velocity: [f64; 3],
+    /// What forces add to it in a substep.
+    pub(super) push: [f64; 3],
+    /// Where the origin is, how far it has come and turned in this step, and how far the body turns in this substep.
+    pub(super) place: Vector,
+    pub(super) path: [f64; 3],
+    pub(super) turn: Vector,
+    /// Arms of the joint on the body and on its parent, and the direction from the parent's anchor to the body's.
+    pub(super) arm: Vector,
+    pub(super) parent_arm: Vector,
+    pub(super) direction: Vector,
+    /// Velocity of the body against its parent at the joint that is asked for; of a distance the first counts.
+    pub(super) bias: [f64; 3],
+    /// Angle against the parent minus the wanted one when the step begins, or the wanted distance.
+    pub(super) wanted: f64,
+    /// Velocity per impulse with which the joint yields, and the part of its error that it undoes in a second then.
+    pub(super) softness: f64,
+    pub(super) rate: f64,
+    /// Impulse of the joint on the body.
+    pub(super) impulse: [f64; 3],
+    /// The impulse of the last substep in which bodies have moved.
+    pub(super) kept_impulse: [f64; 3],
+    /// Seconds of a substep.
+    pub(super) substep: f64,
+    pub(super) work: Work,
+}
+
+/// What a solution finds on its way.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Work {
+    /// What hangs on the body, and then with the body itself.
+    seen: Inertia,
+    /// From its own joint, or from the origin of a root, to that with the parent: of the parent.
+    lever: Vector,
+    /// Velocity at the joint, and spin.
+    velocity: [f64; 3],
+    /// Of the turning at the joint, which most joints leave free: 1 / d and A - c c^T / d, and the impulse against it.
+    inverse_turning: f64,
+    rest: Symmetric,
+    load: Vector,
+    /// Of a distance: inertia and impulse along it, and what moves across with a motion along.
+    along: [f64; 3],
+}
+
+/// Velocities that obey all joints, from those that do not, with this part of the stiffness.
+#[inline]
+pub(super) fn solve(nodes: &mut [Node], stiff: f64) {
+    for node in nodes.iter_mut() {
+        node.take_own(stiff);
+    }
+    for at in (1..nodes.len()).rev() {
+        let (before, rest) = nodes.split_at_mut(at);
+        let node = &mut rest[0];
+        node.hand_up(&mut before[node.parent as usize]);
+    }
+    nodes[0].lead();
+    for at in 1..nodes.len() {
+        let (before, rest) = nodes.split_at_mut(at);
+        rest[0].follow(before[rest[0].parent as usize].work.velocity);
+    }
+}
+
+impl Link {
+    /// Whether it is that of a joint.
+    pub(super) fn holds(self) -> bool {
+        !matches!(self, Link::Free | Link::Fixed)
+    }
+}
+
+impl Node {
+    /// The body's own inertia and momentum, at its joint.
+    #[inline(always)]
+    fn take_own(&mut self, stiff: f64) {
+        let Node { mass, velocity: [x, y, spin], arm, .. } = *self;
+        let inertia = self.inertia + stiff * self.stiffness;
+        let p = spun(arm);
+        let momentum = [mass * x, mass * y];
+        self.work.seen = Inertia {
+            mass: Symmetric { xx: mass, xy: 0.0, yy: mass },
+            coupling: [-mass * p[0], -mass * p[1]],
+            turning: inertia + mass * dot(p, p),
+            momentum,
+            angular_momentum: self.inertia * spin - cross(arm, momentum),
+        };
+    }
+
+    /// The parent has to move the body as far as the joint says.
+    #[inline(always)]
+    fn hand_up(&mut self, parent: &mut Node) {
+        let lever = plus(self.parent_arm, parent.arm, -1.0);
+        self.work.lever = lever;
+        let seen = &mut parent.work.seen;
+        match self.link {
+            Link::Free | Link::Fixed => {}
+            Link::Point => {
+                self.release_turning();
+                let (mass, momentum) = self.handed_point();
+                seen.add_point(&mass, momentum, lever);
+            }
+            Link::Distance => {
+                self.release_turning();
+                let (mass, momentum) = self.handed_distance();
+                seen.add_point(&mass, momentum, lever);
+            }
+            Link::Weld => {
+                let Inertia { mass, coupling, turning, momentum, angular_momentum } = self.work.seen;
+                let [x, y, spin] = self.bias;
+                let handed = Inertia {
+                    momentum: plus(plus(momentum, mass.times([x, y]), -1.0), coupling, -spin),
+                    angular_momentum: angular_momentum - dot(coupling, [x, y]) - turning * spin,
+                    ..self.work.seen
+                };
+                seen.add(&handed, lever);
+            }
+            Link::Angle => {
+                let handed = self.work.seen.without_place();
+                seen.turning += handed.turning;
+                seen.angular_momentum += handed.angular_momentum - handed.turning * self.bias[2];
+            }
+        }
+    }
+
+    /// The joint leaves the body's turning free.
+    #[inline(always)]
+    fn release_turning(&mut self) {
+        let Inertia { mass, coupling, turning, momentum, angular_momentum } = self.work.seen;
+        let inverse = 1.0 / turning;
+        self.work.inverse_turning = inverse;
+        self.work.rest = mass.with(coupling, -inverse);
+        self.work.load = plus(momentum, coupling, -angular_momentum * inverse);
+    }
+
+    #[inline(always)]
+    fn handed_point(&mut self) -> (Symmetric, Vector) {
+        let Work { mut rest, load, .. } = self.work;
+        let mut momentum = plus(load, rest.times([self.bias[0], self.bias[1]]), -1.0);
+        if self.softness > 0.0 {
+            // With l = R v - load and v = parent + bias - s l, what is handed up is (1 + s R)^-1 times the same.
+            let s = self.softness;
+            let yielding = Symmetric { xx: 1.0 + s * rest.xx, xy: s * rest.xy, yy: 1.0 + s * rest.yy };
+            momentum = yielding.solve(momentum);
+            let ([xx, xy], [_, yy]) =
+                (yielding.solve([rest.xx, rest.xy]), yielding.solve([rest.xy, rest.yy]));
+            rest = Symmetric { xx, xy, yy };
+            (self.work.rest, self.work.load) = (rest, momentum);
+        }
+        (rest, momentum)
+    }
+
+    #[inline(always)]
+    fn handed_distance(&mut self) -> (Symmetric, Vector) {
+        let Work { rest, load, .. } = self.work;
+        let (n, t) = (self.direction, spun(self.direction));
+        let along_t = rest.times(t);
+        let share = dot(n, along_t) / dot(t, along_t);
+        let stiff = dot(n, rest.times(n)) - share * dot(n, along_t);
+        let load = dot(n, load) - share * dot(t, load);
+        let yielding = 1.0 / (1.0 + self.softness * stiff);
+        let (stiff, push) = (stiff * yielding, (load - stiff * self.bias[0]) * yielding);
+        // What the joint does to the body, once the parent's velocity is known, is stiff times that minus push.
+        self.work.along = [stiff, push, share];
+        (Symmetric::default().with(n, stiff), [n[0] * push, n[1] * push])
+    }
+
+    /// The velocity of a root.
+    #[inline(always)]
+    fn lead(&mut self) {
+        if self.link == Link::Free {
+            self.velocity = self.work.seen.free();
+        }
+        self.work.velocity = self.velocity;
+    }
+
+    /// The velocity, once that of the parent at its joint is known.
+    #[inline(always)]
+    fn follow(&mut self, [x, y, spin]: [f64; 3]) {
+        let at_parent = plus([x, y], spun(self.work.lever), spin);
+        let Inertia { mass, coupling, turning, momentum, angular_momentum } = self.work.seen;
+        match self.link {
+            Link::Free | Link::Fixed => {}
+            Link::Point => self.follow_point(at_parent),
+            Link::Distance => self.follow_distance(at_parent),
+            Link::Weld => {
+                let at_joint = plus(at_parent, [self.bias[0], self.bias[1]], 1.0);
+                let spin = spin + self.bias[2];
+                let [fx, fy] = plus(plus(mass.times(at_joint), coupling, spin), momentum, -1.0);
+                self.impulse = [fx, fy, dot(coupling, at_joint) + turning * spin - angular_momentum];
+                self.move_with(at_joint, spin);
+            }
+            Link::Angle => {
+                let spin = spin + self.bias[2];
+                let alone = self.work.seen.without_place();
+                self.impulse = [0.0, 0.0, alone.turning * spin - alone.angular_momentum];
+                self.move_with(mass.solve(plus(momentum, coupling, -spin)), spin);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn follow_point(&mut self, at_parent: Vector) {
+        let mut at_joint = plus(at_parent, [self.bias[0], self.bias[1]], 1.0);
+        if self.softness > 0.0 {
+            let [x, y] = plus(self.work.rest.times(at_parent), self.work.load, -1.0);
+            at_joint = plus(at_joint, [x, y], -self.softness);
+            self.impulse = [x, y, 0.0];
+        } else {
+            let [x, y] = plus(self.work.rest.times(at_joint), self.work.load, -1.0);
+            self.impulse = [x, y, 0.0];
+        }
+        self.turn_freely(at_joint);
+    }
+
+    #[inline(always)]
+    fn follow_distance(&mut self, at_parent: Vector) {
+        let Work { along: [stiff, push, share], rest, load, .. } = self.work;
+        let (n, t) = (self.direction, spun(self.direction));
+        let along = dot(n, at_parent);
+        let impulse = stiff * along - push;
+        let along = along + self.bias[0] - self.softness * impulse;
+        // The direction across is free: its impulse is 0.
+        let across = dot(t, load) / dot(t, rest.times(t)) - share * along;
+        self.impulse = [n[0] * impulse, n[1] * impulse, 0.0];
+        self.turn_freely([n[0] * along + t[0] * across, n[1] * along + t[1] * across]);
+    }
+
+    /// The velocity of a body with this velocity at a joint that leaves its turning free.
+    #[inline(always)]
+    fn turn_freely(&mut self, at_joint: Vector) {
+        let Inertia { coupling, angular_momentum, .. } = self.work.seen;
+        let spin = (angular_momentum - dot(coupling, at_joint)) * self.work.inverse_turning;
+        self.move_with(at_joint, spin);
+    }
+
+    #[inline(always)]
+    fn move_with(&mut self, at_joint: Vector, spin: f64) {
+        self.work.velocity = [at_joint[0], at_joint[1], spin];
+        let [x, y] = plus(at_joint, spun(self.arm), -spin);
+        self.velocity = [x, y, spin];
+    }
+}

@@ -1,0 +1,413 @@
+//! The precise set: what joints hold, how exactly, and when they break.
+
+use approx::assert_abs_diff_eq;
+use conformance::fixtures::plane::{add_box, add_circle, add_floor, simulator, v};
+use farseer_core::math::Vector2;
+use farseer_core::{BodyId, Event, JointFactory, JointId, Methods, PhysicsSimulator, Result, RevoluteJoint};
+
+const DT: f32 = 1.0 / 60.0;
+const GRAVITY: f32 = 320.0;
+
+fn precise(gravity: f32) -> PhysicsSimulator {
+    let mut simulator = simulator(gravity);
+    simulator.set_methods(Methods::PRECISE).unwrap();
+    simulator.set_iterations(4);
+    simulator
+}
+
+fn run(simulator: &mut PhysicsSimulator, steps: usize) {
+    (0..steps).for_each(|_| simulator.update(DT));
+}
+
+/// A box without drag that meets nothing.
+fn ghost(simulator: &mut PhysicsSimulator, size: (f32, f32), position: Vector2) -> BodyId {
+    let (body, geom) = add_box(simulator, size, position);
+    simulator[geom].set_collision_enabled(false);
+    simulator[body].set_linear_drag_coefficient(0.0);
+    simulator[body].set_rotational_drag_coefficient(0.0);
+    body
+}
+
+fn joined(simulator: &mut PhysicsSimulator, joint: Result<JointId>) -> JointId {
+    let joint = joint.unwrap();
+    simulator.add(joint).unwrap();
+    joint
+}
+
+/// Links of 16 px that hang from the origin, at first level.
+fn chain(simulator: &mut PhysicsSimulator, count: usize) -> (Vec<BodyId>, Vec<JointId>) {
+    let (mut bodies, mut joints) = (Vec::new(), Vec::new());
+    for at in 0..count {
+        let left = 16.0 * at as f32;
+        let body = ghost(simulator, (16.0, 4.0), v(left + 8.0, 0.0));
+        let joint = match bodies.last() {
+            None => JointFactory::create_fixed_revolute_joint(simulator, body, v(0.0, 0.0)),
+            Some(&last) => JointFactory::create_revolute_joint(simulator, last, body, v(left, 0.0)),
+        };
+        joints.push(joined(simulator, joint));
+        bodies.push(body);
+    }
+    (bodies, joints)
+}
+
+fn energy(simulator: &PhysicsSimulator, bodies: &[BodyId], gravity: f32) -> f64 {
+    let of = |&body: &BodyId| {
+        let body = &simulator[body];
+        let [mass, inertia, spin] =
+            [body.mass(), body.moment_of_inertia(), body.angular_velocity()].map(f64::from);
+        let velocity = f64::from(body.linear_velocity().norm());
+        0.5 * mass * velocity * velocity + 0.5 * inertia * spin * spin
+            - mass * f64::from(gravity) * f64::from(body.position().y)
+    };
+    bodies.iter().map(of).sum()
+}
+
+#[test]
+fn a_pendulum_that_falls_from_level_keeps_its_energy_for_a_minute() {
+    let mut simulator = precise(GRAVITY);
+    let (bodies, _) = chain(&mut simulator, 1);
+    let before = energy(&simulator, &bodies, GRAVITY);
+    let scale = f64::from(simulator[bodies[0]].mass() * GRAVITY * 8.0);
+    for _ in 0..3600 {
+        simulator.update(DT);
+        // A method of second order swings about the true energy by (omega h)^2 / 12 and no further: omega is 6 / s.
+        let change = (energy(&simulator, &bodies, GRAVITY) - before) / scale;
+        assert!(change.abs() < 0.005, "{change}");
+    }
+}
+
+#[test]
+fn a_chain_of_200_that_swings_down_is_torn_by_less_than_a_tenth_of_a_px() {
+    let mut simulator = precise(GRAVITY);
+    let (_, joints) = chain(&mut simulator, 200);
+    for _ in 0..300 {
+        simulator.update(DT);
+        let worst = joints.iter().map(|&joint| simulator[joint].joint_error()).fold(0.0, f32::max);
+        assert!(worst < 0.1, "{worst} px");
+    }
+}
+
+#[test]
+fn a_ball_ten_thousand_times_as_heavy_hangs_on_a_chain_of_20() {
+    let mut simulator = precise(GRAVITY);
+    let (bodies, joints) = chain(&mut simulator, 20);
+    let ball = ghost(&mut simulator, (16.0, 16.0), v(328.0, 0.0));
+    let mass = simulator[bodies[0]].mass();
+    simulator[ball].set_mass(1e4 * mass).unwrap();
+    simulator[ball].set_moment_of_inertia(1e4 * mass * 40.0).unwrap();
+    let joint = JointFactory::create_revolute_joint(&mut simulator, bodies[19], ball, v(320.0, 0.0));
+    joined(&mut simulator, joint);
+    for _ in 0..600 {
+        simulator.update(DT);
+        let worst = joints.iter().map(|&joint| simulator[joint].joint_error()).fold(0.0, f32::max);
+        assert!(worst < 0.1, "{worst} px");
+    }
+}
+
+/// Two boxes and a joint of each kind between them.
+fn pairs() -> Vec<(&'static str, PhysicsSimulator, [BodyId; 2], JointId)> {
+    type Make = fn(&mut PhysicsSimulator, BodyId, BodyId) -> Result<JointId>;
+    let kinds: [(&'static str, Make); 6] = [
+        ("revolute", |s, a, b| JointFactory::create_revolute_joint(s, a, b, v(20.0, 3.0))),
+        ("weld", |s, a, b| JointFactory::create_weld_joint(s, a, b, v(20.0, 3.0))),
+        ("pin", |s, a, b| JointFactory::create_pin_joint(s, a, v(5.0, 2.0), b, v(-5.0, 4.0))),
+        ("slider", |s, a, b| {
+            JointFactory::create_slider_joint(s, a, v(5.0, 2.0), b, v(-5.0, 4.0), 20.0, 35.0)
+        }),
+        ("angle", |s, a, b| JointFactory::create_angle_joint(s, a, b)),
+        ("angle limit", |s, a, b| JointFactory::create_angle_limit_joint(s, a, b, -0.3, 0.3)),
+    ];
+    kinds
+        .into_iter()
+        .map(|(name, make)| {
+            let mut simulator = precise(0.0);
+            let a = ghost(&mut simulator, (24.0, 16.0), v(0.0, 0.0));
+            let b = ghost(&mut simulator, (16.0, 20.0), v(40.0, 0.0));
+            let joint = make(&mut simulator, a, b);
+            let joint = joined(&mut simulator, joint);
+            (name, simulator, [a, b], joint)
+        })
+        .collect()
+}
+
+/// Momentum, and angular momentum about the origin.
+fn momentum(simulator: &PhysicsSimulator, bodies: [BodyId; 2]) -> [f64; 3] {
+    let mut sum = [0.0; 3];
+    for body in bodies.map(|body| &simulator[body]) {
+        let [mass, inertia, spin] =
+            [body.mass(), body.moment_of_inertia(), body.angular_velocity()].map(f64::from);
+        let (place, velocity) = (body.position().map(f64::from), body.linear_velocity().map(f64::from));
+        sum[0] += mass * velocity.x;
+        sum[1] += mass * velocity.y;
+        sum[2] += mass * (place.x * velocity.y - place.y * velocity.x) + inertia * spin;
+    }
+    sum
+}
+
+#[test]
+fn joints_between_two_bodies_keep_momentum_and_angular_momentum() {
+    for (name, mut simulator, bodies, _) in pairs() {
+        simulator[bodies[0]].set_linear_velocity(v(30.0, -20.0));
+        simulator[bodies[1]].set_linear_velocity(v(-10.0, 40.0));
+        simulator[bodies[1]].set_angular_velocity(3.0);
+        let before = momentum(&simulator, bodies);
+        run(&mut simulator, 240);
+        let after = momentum(&simulator, bodies);
+        // 240 steps of roundings of numbers of this size; the last is about an origin that is up to 200 px away.
+        for i in 0..2 {
+            assert_abs_diff_eq!(after[i], before[i], epsilon = 1e-5 * 240.0);
+        }
+        let scale = before[2].abs().max(1000.0);
+        assert!((after[2] - before[2]).abs() < 1e-4 * scale, "{name}: {before:?} {after:?}");
+    }
+}
+
+#[test]
+fn every_joint_between_two_bodies_holds_what_it_keeps() {
+    for (name, mut simulator, bodies, joint) in pairs() {
+        simulator[bodies[0]].set_linear_velocity(v(30.0, -20.0));
+        simulator[bodies[1]].set_linear_velocity(v(-10.0, 40.0));
+        simulator[bodies[1]].set_angular_velocity(3.0);
+        for _ in 0..240 {
+            simulator.update(DT);
+            let error = simulator[joint].joint_error();
+            // In px and radians; beyond a limit its slop, of 0.01, is left.
+            assert!(error.abs() < 0.02, "{name}: {error}");
+        }
+    }
+}
+
+#[test]
+fn a_body_on_a_fixed_angle_falls_without_turning() {
+    let mut simulator = precise(GRAVITY);
+    let body = ghost(&mut simulator, (20.0, 20.0), v(0.0, 0.0));
+    let joint = JointFactory::create_fixed_angle_joint(&mut simulator, body);
+    joined(&mut simulator, joint);
+    simulator[body].apply_torque(1e6);
+    simulator[body].set_angular_velocity(5.0);
+    run(&mut simulator, 60);
+    assert_abs_diff_eq!(simulator[body].rotation(), 0.0, epsilon = 1e-6);
+    assert_abs_diff_eq!(simulator[body].position().y, 0.5 * GRAVITY, epsilon = 0.01);
+}
+
+#[test]
+fn a_body_turns_as_far_as_its_limit_and_stays_there() {
+    let mut simulator = precise(0.0);
+    let body = ghost(&mut simulator, (20.0, 20.0), v(0.0, 0.0));
+    let joint = JointFactory::create_fixed_angle_limit_joint(&mut simulator, body, -0.5, 1.0);
+    let joint = joined(&mut simulator, joint);
+    simulator[body].set_angular_velocity(2.0);
+    run(&mut simulator, 29);
+    assert_abs_diff_eq!(simulator[body].total_rotation(), 2.0 * 29.0 * DT, epsilon = 1e-4);
+    run(&mut simulator, 60);
+    assert_abs_diff_eq!(simulator[body].total_rotation(), 1.0, epsilon = 1e-3);
+    assert_abs_diff_eq!(simulator[body].angular_velocity(), 0.0, epsilon = 1e-4);
+    assert_eq!(simulator[joint].joint_error(), 0.0);
+}
+
+#[test]
+fn a_bridge_of_20_between_two_shores_bears_a_heavy_load() {
+    let mut simulator = precise(GRAVITY);
+    let (bodies, mut joints) = chain(&mut simulator, 20);
+    let shore = JointFactory::create_fixed_revolute_joint(&mut simulator, bodies[19], v(320.0, 0.0));
+    joints.push(joined(&mut simulator, shore));
+    let mass = simulator[bodies[10]].mass();
+    simulator[bodies[10]].set_mass(20.0 * mass).unwrap();
+    let mut worst: f32 = 0.0;
+    for _ in 0..600 {
+        simulator.update(DT);
+        worst = joints.iter().map(|&joint| simulator[joint].joint_error()).fold(worst, f32::max);
+    }
+    assert!(worst < 1.0, "{worst} px");
+    let speed = bodies.iter().map(|&body| simulator[body].linear_velocity().norm()).fold(0.0, f32::max);
+    assert!(simulator[bodies[10]].position().y < 40.0);
+    assert!(speed < 200.0, "{speed}");
+}
+
+#[test]
+fn a_rope_lets_a_ball_as_far_as_it_is_long() {
+    let mut simulator = precise(GRAVITY);
+    let (post, _) = add_floor(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
+    let ball = ghost(&mut simulator, (10.0, 10.0), v(30.0, 0.0));
+    let rope =
+        JointFactory::create_slider_joint(&mut simulator, post, v(0.0, 0.0), ball, v(0.0, 0.0), 0.0, 100.0);
+    joined(&mut simulator, rope);
+    let mut longest: f32 = 0.0;
+    for _ in 0..600 {
+        simulator.update(DT);
+        longest = longest.max(simulator[ball].position().norm());
+    }
+    assert!(longest > 99.9 && longest < 100.1, "{longest} px");
+}
+
+#[test]
+fn a_joint_breaks_when_it_has_to_hold_with_more_than_its_greatest_force() {
+    let mut simulator = precise(GRAVITY);
+    let (bodies, joints) = chain(&mut simulator, 3);
+    (0..3).for_each(|at| simulator[bodies[at]].set_rotation(0.0));
+    let weight = simulator[bodies[0]].mass() * GRAVITY;
+    // At the lowest point of the swing the first one bears more than their weight.
+    simulator[joints[0]].set_greatest_force(1.5 * 3.0 * weight).unwrap();
+    let mut broken = Vec::new();
+    for _ in 0..120 {
+        simulator.update(DT);
+        broken.extend(simulator.events().iter().filter_map(|event| match event {
+            Event::JointBroke { joint } => Some(*joint),
+            _ => None,
+        }));
+    }
+    assert_eq!(broken, [joints[0]]);
+    assert!(!simulator[joints[0]].enabled());
+    assert!(simulator[bodies[0]].position().y > 200.0);
+}
+
+#[test]
+fn what_hangs_still_holds_with_its_weight() {
+    let mut simulator = precise(GRAVITY);
+    let body = ghost(&mut simulator, (16.0, 16.0), v(0.0, 8.0));
+    let joint = JointFactory::create_fixed_revolute_joint(&mut simulator, body, v(0.0, 0.0));
+    let joint = joined(&mut simulator, joint);
+    run(&mut simulator, 10);
+    let weight = simulator[body].mass() * GRAVITY;
+    assert_abs_diff_eq!(simulator[joint].force().y, -weight, epsilon = 1e-3 * weight);
+    assert_abs_diff_eq!(simulator[joint].force().x, 0.0, epsilon = 1e-3 * weight);
+}
+
+#[test]
+fn a_joint_breaks_at_its_breakpoint_before_it_acts() {
+    let mut simulator = precise(0.0);
+    let (bodies, joints) = chain(&mut simulator, 1);
+    simulator[joints[0]].set_breakpoint(5.0).unwrap();
+    run(&mut simulator, 5);
+    simulator[bodies[0]].set_position(v(28.0, 0.0));
+    simulator.update(DT);
+    assert!(simulator.events().contains(&Event::JointBroke { joint: joints[0] }));
+    assert_abs_diff_eq!(simulator[joints[0]].joint_error(), 20.0, epsilon = 1e-4);
+    assert_eq!(simulator[bodies[0]].position(), v(28.0, 0.0));
+}
+
+#[test]
+fn an_edited_anchor_counts_from_the_next_update_on() {
+    let mut simulator = precise(0.0);
+    let (bodies, joints) = chain(&mut simulator, 1);
+    run(&mut simulator, 5);
+    simulator.joint_as_mut::<farseer_core::FixedRevoluteJoint>(joints[0]).unwrap();
+    simulator.set_joint_anchor(joints[0], v(8.0, 0.0)).unwrap();
+    simulator[bodies[0]].set_angular_velocity(4.0);
+    run(&mut simulator, 60);
+    assert_abs_diff_eq!(simulator[bodies[0]].position().x, 8.0, epsilon = 1e-3);
+    assert_abs_diff_eq!(simulator[bodies[0]].position().y, 0.0, epsilon = 1e-3);
+    assert_abs_diff_eq!(simulator[bodies[0]].angular_velocity(), 4.0, epsilon = 1e-3);
+}
+
+#[test]
+fn what_hangs_on_a_static_body_follows_it() {
+    let mut simulator = precise(GRAVITY);
+    let (post, _) = add_floor(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
+    let body = ghost(&mut simulator, (10.0, 10.0), v(0.0, 20.0));
+    let joint = JointFactory::create_revolute_joint(&mut simulator, post, body, v(0.0, 0.0));
+    joined(&mut simulator, joint);
+    run(&mut simulator, 5);
+    simulator[post].set_position(v(0.0, 6.0));
+    run(&mut simulator, 10);
+    assert_abs_diff_eq!(simulator[body].position().y, 26.0, epsilon = 1e-3);
+}
+
+#[test]
+fn a_soft_joint_yields_to_a_load_as_far_as_with_the_faithful_set() {
+    let sag = |methods: Methods| {
+        let mut simulator = precise(GRAVITY);
+        simulator.set_methods(methods).unwrap();
+        let body = ghost(&mut simulator, (16.0, 16.0), v(0.0, 8.0));
+        simulator[body].set_linear_drag_coefficient(1.0);
+        let joint = JointFactory::create_fixed_revolute_joint(&mut simulator, body, v(0.0, 0.0));
+        let joint = joined(&mut simulator, joint);
+        simulator[joint].set_softness(0.02).unwrap();
+        simulator[joint].set_bias_factor(0.2).unwrap();
+        run(&mut simulator, 1200);
+        simulator[body].position().y - 8.0
+    };
+    let (precise, faithful) = (sag(Methods::PRECISE), sag(Methods::default()));
+    assert!(faithful > 0.1);
+    // The faithful set's own springs against gravity converge to the same place.
+    assert!((precise / faithful - 1.0).abs() < 0.02, "{precise} {faithful}");
+}
+
+/// A torso, a head, and two arms with limits, over a floor.
+fn ragdoll(simulator: &mut PhysicsSimulator, at: Vector2, group: i32) -> Vec<JointId> {
+    let mut part = |size, offset| {
+        let (body, geom) = add_box(simulator, size, at + offset);
+        simulator[geom].set_collision_group(group);
+        simulator[geom].set_friction_coefficient(0.5);
+        body
+    };
+    let torso = part((16.0, 30.0), v(0.0, 0.0));
+    let limbs = [
+        (part((12.0, 12.0), v(0.0, -22.0)), v(0.0, -15.0)),
+        (part((24.0, 6.0), v(-20.0, -10.0)), v(-8.0, -10.0)),
+        (part((24.0, 6.0), v(20.0, -10.0)), v(8.0, -10.0)),
+        (part((6.0, 24.0), v(-5.0, 27.0)), v(-5.0, 15.0)),
+        (part((6.0, 24.0), v(5.0, 27.0)), v(5.0, 15.0)),
+    ];
+    let mut joints = Vec::new();
+    for (limb, anchor) in limbs {
+        let joint = JointFactory::create_revolute_joint(simulator, torso, limb, at + anchor);
+        joints.push(joined(simulator, joint));
+        let limit = JointFactory::create_angle_limit_joint(simulator, torso, limb, -0.8, 0.8);
+        joined(simulator, limit);
+    }
+    joints
+}
+
+fn ragdolls() -> (PhysicsSimulator, Vec<JointId>) {
+    let mut simulator = precise(GRAVITY);
+    add_floor(&mut simulator, (600.0, 20.0), v(0.0, 10.0));
+    let mut joints = ragdoll(&mut simulator, v(0.0, -60.0), 1);
+    joints.extend(ragdoll(&mut simulator, v(14.0, -150.0), 2));
+    (simulator, joints)
+}
+
+#[test]
+fn ragdolls_that_fall_on_each_other_come_to_rest_in_one_piece() {
+    let (mut simulator, joints) = ragdolls();
+    let mut worst: f32 = 0.0;
+    for _ in 0..900 {
+        simulator.update(DT);
+        worst = joints.iter().map(|&joint| simulator[joint].joint_error()).fold(worst, f32::max);
+    }
+    assert!(worst < 1.0, "{worst} px");
+    let speed = |&body: &BodyId| simulator[body].linear_velocity().norm();
+    let fastest = simulator.body_list().iter().map(speed).fold(0.0, f32::max);
+    assert!(fastest < 1.0, "{fastest} px/s");
+    let lowest = simulator.body_list().iter().map(|&body| simulator[body].position().y);
+    assert!(lowest.skip(1).all(|y| y < 0.0));
+}
+
+#[test]
+fn ragdolls_go_on_with_the_same_bits_after_a_restore_in_every_step() {
+    let ((mut plain, _), (mut restored, _)) = (ragdolls(), ragdolls());
+    for step in 0..300 {
+        plain.update(DT);
+        restored.update(DT);
+        assert!(plain.snapshot() == restored.snapshot(), "step {step}");
+        let mut next = simulator(1.0);
+        next.restore(&restored.snapshot()).unwrap();
+        restored = next;
+    }
+}
+
+#[test]
+fn joints_without_their_bodies_are_refused_and_bodies_that_go_take_their_joints_along() {
+    let mut simulator = precise(GRAVITY);
+    let empty = simulator.create_empty_joint::<RevoluteJoint>();
+    assert!(simulator.add(empty).is_err());
+    let (bodies, joints) = chain(&mut simulator, 5);
+    run(&mut simulator, 5);
+    simulator.dispose(bodies[2]).unwrap();
+    run(&mut simulator, 5);
+    assert_eq!(simulator.joint_list(), [joints[0], joints[1], joints[4]]);
+    let before = simulator[bodies[4]].position().y;
+    run(&mut simulator, 30);
+    assert!(simulator[bodies[4]].position().y > before + 20.0);
+    let _ = add_circle;
+}
