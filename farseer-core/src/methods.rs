@@ -45,6 +45,7 @@ pub enum Methods {
     /// | a negative step, stages called one by one | refused and [reported](crate::Event::RejectedInput) |
     /// | a negative mass, an inverse inertia that is not a normal number | no push moves or turns the body: `f32::MAX` as the moment of inertia keeps it from turning |
     /// | a static body's velocity | a conveyor belt, as in the faithful set |
+    /// | chains of edges | [made](crate::GeomFactory::create_chain_geom) and kept only here |
     /// | joints | exact: a tree of joints is solved at once, whatever hangs on it; loops, limits and joints with a greatest impulse one after the other |
     /// | [`breakpoint`](crate::Joint::breakpoint) | as in the faithful set, but a joint breaks before it acts once more; there is hardly any error to measure, so see [`greatest_force`](crate::Joint::greatest_force) |
     /// | [`softness`](crate::Joint::softness), [`bias_factor`](crate::Joint::bias_factor) of joints | a soft joint of a point or distance yields to a steady load as far as it does in the faithful set; the bias factor of a hard one, and softness of an angle, mean nothing |
@@ -53,9 +54,11 @@ pub enum Methods {
     /// | [kinematic](crate::Body::is_kinematic) bodies, [gravity scale](crate::Body::gravity_scale) | as in the faithful set |
     ///
     /// Geoms of the circle factory with eight edges or more are true circles, with fewer the polygons that they look like;
-    /// concave outlines are cut into convex pieces. Collisions are events when they begin and separations when they end;
-    /// handlers are asked in every update in which two geoms touch, unless the callbacks of both are switched off: such pairs
-    /// cost nothing. What a handler refuses, and contacts that it takes off the
+    /// those of the capsule factory are true capsules. Concave outlines are cut into convex pieces, and nothing catches on the
+    /// cuts; those of more than 1,000 corners, and those that cross themselves, are taken for filled up to their convex hull.
+    /// Collisions are events when two geoms begin to touch and separations when they end, whichever of their pieces it is;
+    /// handlers are asked in every update in which they do, unless the callbacks of both are switched off: such pairs cost
+    /// nothing. What a handler refuses, and contacts that it takes off the
     /// list, push nothing in that update. World vertices and boxes of geoms are computed when somebody asks for them.
     Precise {
         /// Size of things that a player looks at, in the user's length unit: how near and how slow is near and slow enough.
@@ -107,6 +110,13 @@ impl Methods {
 
     pub(crate) fn is_precise(self) -> bool {
         matches!(self, Methods::Precise { .. })
+    }
+
+    pub(crate) fn check_chains(self) -> Result<()> {
+        match self {
+            Methods::Precise { .. } => Ok(()),
+            Methods::Faithful { .. } => Err(Error::NotSupported { what: "chains", methods: "faithful" }),
+        }
     }
 
     pub(crate) fn check(self) -> Result<Self> {

@@ -74,7 +74,7 @@ impl Pen<'_> {
         (self.draw)(DebugShape::Text { position: Vector2::new(x, y), text, color: WHITE });
     }
 
-    /// Each edge before the dot at its start.
+    /// Each edge before the dot at its start. A chain is drawn as open as it is.
     fn outline(&mut self, geom: GeomId) {
         let PhysicsSimulatorView { enable_edge_view, enable_vertice_view, .. } = *self.view;
         if !(enable_edge_view || enable_vertice_view) {
@@ -84,8 +84,9 @@ impl Pen<'_> {
         let vertices = geom.world_vertices();
         let edge = Ink { thickness: self.view.edge_line_thickness, color: self.view.edge_color };
         let next = vertices.iter().cycle().skip(1);
-        for (&vertex, &next) in vertices.iter().zip(next) {
-            if enable_edge_view {
+        let edges = vertices.len() - usize::from(geom.outline().is_open());
+        for (index, (&vertex, &next)) in vertices.iter().zip(next).enumerate() {
+            if enable_edge_view && index < edges {
                 self.line(vertex, next, edge);
             }
             if enable_vertice_view {

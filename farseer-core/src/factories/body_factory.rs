@@ -58,6 +58,37 @@ impl BodyFactory {
         add(simulator, Self::create_circle_body(radius, mass)?)
     }
 
+    /// A solid capsule, upright: two half discs with a rectangle between them, along y. `height` is from tip to tip. The
+    /// original has none: this one is ours, for [`create_capsule_geom`](crate::GeomFactory::create_capsule_geom).
+    ///
+    /// # Errors
+    /// A height, radius or mass that is not finite and greater than 0, or so small that the moment of inertia vanishes; a
+    /// radius that is not less than half of the height.
+    pub fn create_capsule_body(height: f32, end_radius: f32, mass: f32) -> Result<Body> {
+        positive("height", height)?;
+        positive("end_radius", end_radius)?;
+        positive("mass", mass)?;
+        if end_radius >= 0.5 * height {
+            return Err(Error::invalid("end_radius", end_radius, "less than half of the height"));
+        }
+        let moment_of_inertia = inertia_of_capsule(f64::from(height), f64::from(end_radius), f64::from(mass));
+        let arguments = ("height, end_radius, mass", (height, end_radius, mass));
+        body(mass, not_too_large(arguments.0, arguments.1, moment_of_inertia as f32)?)
+    }
+
+    /// [`create_capsule_body`](Self::create_capsule_body), added to the simulator.
+    ///
+    /// # Errors
+    /// As the plain method.
+    pub fn create_capsule_body_in(
+        simulator: &mut Objects,
+        height: f32,
+        end_radius: f32,
+        mass: f32,
+    ) -> Result<BodyId> {
+        add(simulator, Self::create_capsule_body(height, end_radius, mass)?)
+    }
+
     /// A solid ellipse.
     ///
     /// # Errors
@@ -145,6 +176,19 @@ impl BodyFactory {
         let copy = Body::copy_of(simulator.body(body).ok_or(Error::StaleId { argument: "body" })?);
         add(simulator, copy)
     }
+}
+
+/// Of a rectangle 2 r wide and s = height - 2 r long, and of a disc of radius r whose halves sit at its ends. The centroid of
+/// a half disc lies c = 4 r / 3 pi from its straight side, about the middle of which its moment is m r^2 / 2: about its
+/// centroid that is m c^2 less, and about the middle of the capsule m (s / 2 + c)^2 more.
+fn inertia_of_capsule(height: f64, radius: f64, mass: f64) -> f64 {
+    use std::f64::consts::PI;
+    let side = height - 2.0 * radius;
+    let (rectangle, disc) = (2.0 * radius * side, PI * radius * radius);
+    let centroid = 4.0 * radius / (3.0 * PI);
+    let of_rectangle = (side * side + 4.0 * radius * radius) / 12.0;
+    let of_disc = radius * radius / 2.0 + side * side / 4.0 + side * centroid;
+    mass * (rectangle * of_rectangle + disc * of_disc) / (rectangle + disc)
 }
 
 /// Refuses a size of which the moment of inertia is infinite.

@@ -2,6 +2,7 @@
 
 use crate::body::BodyId;
 use crate::geom::GeomId;
+use crate::geom::outline::Outline;
 use crate::math::Vector2;
 use crate::math::finite::{finite_vector, positive};
 use crate::object_id::ObjectId;
@@ -66,7 +67,80 @@ impl GeomFactory {
     ) -> Result<GeomId> {
         positive("radius", radius)?;
         check_edges(number_of_edges)?;
-        simulator.create_circle_geom(body, (radius, number_of_edges), placement)
+        let corners = Vertices::create_circle(radius, number_of_edges)?;
+        simulator.create_geom_of(body, (corners, Outline::Circle { radius }), placement)
+    }
+
+    /// An upright capsule: two half discs with straight sides between them, along y. It is a polygon of `2 * edges + 2`
+    /// corners, which knows [what it stands for](crate::GeomRef::outline): the faithful methods and all queries and views go
+    /// by the polygon, the [precise](crate::Methods::Precise) ones by the true capsule, whatever the number of edges.
+    ///
+    /// `height` is from tip to tip, and each of its ends, of radius `end_radius`, has `edges` edges, as with
+    /// [`Vertices::create_capsule`]. The original has that outline and no factory for it: this one is ours.
+    ///
+    /// ```
+    /// use farseer_core::{BodyFactory, GeomFactory, GeomPlacement, Outline, PhysicsSimulator};
+    /// let mut simulator = PhysicsSimulator::default();
+    /// let hero = BodyFactory::create_capsule_body_in(&mut simulator, 60.0, 12.0, 1.0)?;
+    /// let placement = GeomPlacement::default();
+    /// let geom = GeomFactory::create_capsule_geom_in(&mut simulator, hero, 60.0, 12.0, 8, placement)?;
+    /// assert_eq!(simulator.geom(geom).unwrap().outline(), Outline::Capsule { height: 60.0, end_radius: 12.0 });
+    /// # Ok::<(), farseer_core::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A height or radius that is not finite and greater than 0; a radius that is not less than half of the height; no edges,
+    /// or too many.
+    pub fn create_capsule_geom(
+        simulator: &mut Objects,
+        body: BodyId,
+        height: f32,
+        end_radius: f32,
+        edges: i32,
+        placement: GeomPlacement,
+    ) -> Result<GeomId> {
+        let corners = Vertices::create_capsule(height, end_radius, edges)?;
+        simulator.create_geom_of(body, (corners, Outline::Capsule { height, end_radius }), placement)
+    }
+
+    /// A chain of edges between points, for terrain: nothing but its edges, each solid on one side, and nothing catches on a
+    /// point between two of them. Only the [precise methods](crate::Methods::Precise) have it. The original has none: this
+    /// one is ours.
+    ///
+    /// Who walks along the points has the solid side on the right hand, on a screen with y down: points from left to right
+    /// make a floor, points from right to left a ceiling. If the last point is the first one again the chain is closed:
+    /// clockwise it is a rock, anticlockwise a room. What comes from the solid side passes, and once its middle is on the
+    /// free side it is pushed out there; what is pushed in so far that its middle is behind an edge falls through. An open
+    /// end is as the edge of a table to what leans on it or rolls over it.
+    ///
+    /// Points are in the geom's coordinates, and stay where and in the order they are; the placement's cell size is without
+    /// meaning. Thousands of points are as good as a few: only edges that something is near to cost time. A chain has no
+    /// inside, so it holds no point, and its body is static. Should that be made dynamic later, its chains go on as what
+    /// they are, but do not meet other chains.
+    ///
+    /// ```
+    /// use farseer_core::{Body, GeomFactory, GeomPlacement, Methods, PhysicsSimulator, math::Vector2};
+    /// let mut simulator = PhysicsSimulator::default();
+    /// simulator.set_methods(Methods::PRECISE)?;
+    /// let ground = simulator.create_body(Body::new());
+    /// simulator[ground].set_is_static(true);
+    /// let hill = |i: u16| Vector2::new(f32::from(i) * 16.0, (f32::from(i) * 0.1).sin() * 40.0);
+    /// let hills: Vec<Vector2> = (0..1000).map(hill).collect();
+    /// GeomFactory::create_chain_geom_in(&mut simulator, ground, &hills, GeomPlacement::default())?;
+    /// # Ok::<(), farseer_core::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Fewer than two points, or three of a closed chain; a point that is not finite, or the same as that before it; a body
+    /// that is not static; [`Error::NotSupported`] under the faithful methods.
+    pub fn create_chain_geom(
+        simulator: &mut Objects,
+        body: BodyId,
+        points: &[Vector2],
+        placement: GeomPlacement,
+    ) -> Result<GeomId> {
+        let (points, is_closed) = check_chain(points)?;
+        simulator.create_geom_of(body, (Vertices::from(points), Outline::Chain { is_closed }), placement)
     }
 
     /// A polygon, recentred on its centroid.
@@ -179,6 +253,8 @@ impl GeomFactory {
         create_rectangle_geom_in = create_rectangle_geom(body: BodyId, width: f32, height: f32, placement: GeomPlacement) -> GeomId;
         create_ellipse_geom_in = create_ellipse_geom(body: BodyId, x_radius: f32, y_radius: f32, number_of_edges: i32, placement: GeomPlacement) -> GeomId;
         create_circle_geom_in = create_circle_geom(body: BodyId, radius: f32, number_of_edges: i32, placement: GeomPlacement) -> GeomId;
+        create_capsule_geom_in = create_capsule_geom(body: BodyId, height: f32, end_radius: f32, edges: i32, placement: GeomPlacement) -> GeomId;
+        create_chain_geom_in = create_chain_geom(body: BodyId, points: &[Vector2], placement: GeomPlacement) -> GeomId;
         create_polygon_geom_in = create_polygon_geom(body: BodyId, vertices: &mut Vertices, placement: GeomPlacement) -> GeomId;
         create_geom_from_in = create_geom_from(body: BodyId, geom: GeomId) -> GeomId;
         create_geom_from_with_offset_in = create_geom_from_with_offset(body: BodyId, geom: GeomId, offset: Vector2, rotation_offset: f32) -> GeomId;
@@ -188,6 +264,30 @@ impl GeomFactory {
 fn centroid_of(vertices: &Vertices) -> Result<Vector2> {
     finite_vector("vertices", vertices.get_centroid())
         .map_err(|_| Error::invalid("vertices", vertices, "an outline with an area"))
+}
+
+/// The points of a chain without the last one if that closes it, and whether it does.
+fn check_chain(points: &[Vector2]) -> Result<(&[Vector2], bool)> {
+    for &point in points {
+        finite_vector("points", point)?;
+    }
+    if let Some(twice) = points.windows(2).find(|edge| edge[0] == edge[1]) {
+        return Err(Error::invalid("points", twice[1], "another point than the one before it"));
+    }
+    match points {
+        [first, between @ .., last] if first == last => {
+            if between.len() < 2 {
+                return Err(Error::invalid(
+                    "points",
+                    points,
+                    "three points or more, if the last is the first",
+                ));
+            }
+            Ok((&points[..points.len() - 1], true))
+        }
+        [_, _, ..] => Ok((points, false)),
+        _ => Err(Error::invalid("points", points, "two points or more")),
+    }
 }
 
 fn check_edges(number_of_edges: i32) -> Result<()> {

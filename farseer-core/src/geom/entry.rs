@@ -253,10 +253,17 @@ impl GeomEntry {
         }
     }
 
+    /// Takes a polygon over.
+    pub(crate) fn set_vertices(&mut self, vertices: Vertices) {
+        self.set_outline(vertices, Outline::Polygon);
+    }
+
     /// Takes the outline over. Until the body moves next, world vertices and box are the local ones.
-    pub(crate) fn set_vertices(&mut self, mut vertices: Vertices) {
-        vertices.force_counter_clockwise_order();
-        self.outline = Outline::Polygon;
+    pub(crate) fn set_outline(&mut self, mut vertices: Vertices, outline: Outline) {
+        if !outline.is_chain() {
+            vertices.force_counter_clockwise_order();
+        }
+        self.outline = outline;
         self.world_vertices.clone_from(&vertices);
         self.local_vertices = vertices;
         self.pieces = std::sync::OnceLock::new();

@@ -1,11 +1,13 @@
 //! How a geom collides (behaviour chapter 05, section 3).
 
+pub(crate) mod convex_parts;
 pub(crate) mod distance_grid;
 pub(crate) mod entry;
 pub(crate) mod filter;
 pub(crate) mod grid_cache;
 pub(crate) mod outline;
 pub(crate) mod pieces;
+pub(crate) mod seams;
 pub(crate) mod surface;
 pub(crate) mod view;
 

@@ -1,13 +1,15 @@
-//! The convex parts of a geom, which the precise set collides: circles, and polygons without corners that turn by nothing.
+//! The convex parts of a geom, which the precise set collides: circles, capsules, and polygons without corners that turn by
+//! nothing.
 //!
-//! What the circle factory made with eight corners or more is a circle; with fewer it is the polygon that it looks like. A
-//! concave outline is cut into convex pieces once, which its geom and its clones share.
+//! What the circle factory made with eight corners or more is a circle; with fewer it is the polygon that it looks like.
+//! What the capsule factory made is a capsule. A concave outline is cut into convex pieces once, which its geom and its clones share.
 
 use std::sync::Arc;
 
-use super::outline::Outline;
+use super::outline::{Outline, half_of_capsule};
+use crate::geom::convex_parts::convex_parts;
 use crate::geom::entry::GeomEntry;
-use crate::math::Vector2;
+use crate::geom::seams::{Seam, edges_of_chain, seams_of_part};
 use crate::math::plane::{Vector, cross, difference, dot, length};
 use crate::shape::Vertices;
 
@@ -21,8 +23,14 @@ const STRAIGHT: f32 = 1e-4;
 pub(crate) enum Piece {
     /// A disc about a point.
     Circle { centre: Vector, radius: f32 },
+    /// All that is as near to a segment.
+    Capsule { ends: [Vector; 2], radius: f32 },
     /// Corners in the order in which the shoelace area is positive.
     Polygon(Vec<Vector>),
+    /// A polygon of which other parts of an outline go on, with what each of its edges is of that.
+    Part { corners: Vec<Vector>, seams: Vec<Seam> },
+    /// An edge of a chain, with the normal on its free side.
+    Edge { ends: [Vector; 2], normal: Vector, seam: Seam },
 }
 
 /// The convex parts of a geom.
@@ -31,6 +39,11 @@ pub(crate) fn pieces(geom: &GeomEntry) -> Arc<[Piece]> {
         Outline::Circle { radius } if geom.local_vertices.len() >= CIRCLE_CORNERS => {
             Arc::new([Piece::Circle { centre: [0.0, 0.0], radius }])
         }
+        Outline::Capsule { height, end_radius } => {
+            let half = half_of_capsule(height, end_radius);
+            Arc::new([Piece::Capsule { ends: [[0.0, -half], [0.0, half]], radius: end_radius }])
+        }
+        Outline::Chain { is_closed } => edges_of_chain(&geom.local_vertices, is_closed).collect(),
         _ => pieces_of(&geom.local_vertices),
     }
 }
@@ -40,13 +53,8 @@ fn pieces_of(outline: &Vertices) -> Arc<[Piece]> {
     if is_convex(&corners) {
         return Arc::new([polygon_or_point(corners)]);
     }
-    let simple: Vertices = corners.iter().map(|&[x, y]| Vector2::new(x, y)).collect();
-    let parts = simple.decompose(i32::MAX).ok().filter(|parts| !parts.is_empty());
-    match parts {
-        Some(parts) => parts
-            .iter()
-            .map(|part| polygon_or_point(simplified(part.iter().map(|v| [v.x, v.y]).collect())))
-            .collect(),
+    match convex_parts(&corners) {
+        Some(parts) => parts.iter().map(|part| part_of(part, &corners)).collect(),
         // It crosses itself, or is longer than what can be cut.
         None => Arc::new([polygon_or_point(hull(corners))]),
     }
@@ -58,6 +66,11 @@ fn polygon_or_point(corners: Vec<Vector>) -> Piece {
         [centre] => Piece::Circle { centre, radius: 0.0 },
         _ => Piece::Polygon(corners),
     }
+}
+
+fn part_of(part: &[usize], outline: &[Vector]) -> Piece {
+    let corners = part.iter().map(|&corner| outline[corner]).collect();
+    Piece::Part { seams: seams_of_part(part, outline), corners }
 }
 
 /// The corners in the order of positive area, without those that repeat their neighbour or do not turn.

@@ -216,7 +216,8 @@ impl<'a> GeomRef<'a> {
         self.entry.ignores(other.id())
     }
 
-    /// Signed distance to the outline of a point in the geom's coordinates, negative inside.
+    /// Signed distance to the outline of a point in the geom's coordinates, negative inside. A chain counts as if it were
+    /// closed here.
     #[doc(alias = "GetNearestDistance")]
     pub fn get_nearest_distance(&self, point: Vector2) -> f32 {
         nearest_distance(&self.entry.local_vertices, point)

@@ -117,7 +117,7 @@ impl Joint {
         greatest_torque, set_greatest_torque;
     }
 
-    /// The force with which the joint held its second body, or its only one, in the last substep of the last update, in
+    /// The force with which the joint held its second body, or its only one, in the mean of the last update, in
     /// the user's unit of mass times length per s^2; the first body felt the opposite. Zero with the faithful set, which
     /// does not measure it.
     pub fn force(&self) -> Vector2 {

@@ -80,9 +80,20 @@ impl Objects {
         vertices: impl Into<Vertices>,
         placement: GeomPlacement,
     ) -> Result<GeomId> {
-        let vertices = check_outline(vertices.into())?;
+        self.create_geom_of(body, (vertices.into(), Outline::Polygon), placement)
+    }
+
+    /// [`create_geom`](Self::create_geom) of a polygon that stands for something else.
+    pub(crate) fn create_geom_of(
+        &mut self,
+        body: BodyId,
+        (vertices, outline): (Vertices, Outline),
+        placement: GeomPlacement,
+    ) -> Result<GeomId> {
+        let vertices = check_outline(vertices)?;
         let placement = placement.check()?;
-        let mut entry = self.new_entry(body, vertices, placement.offset, placement.rotation_offset)?;
+        let mut entry =
+            self.new_entry(body, (vertices, outline), placement.offset, placement.rotation_offset)?;
         entry.grid_cell_size = placement.collision_grid_size;
         if self.methods.narrow().uses_grids() {
             if entry.grid_cell_size <= 0.0 {
@@ -91,18 +102,6 @@ impl Objects {
             entry.set_grid(self.distance_grid(&entry.local_vertices, entry.grid_cell_size)?);
         }
         Ok(self.insert_geom(entry))
-    }
-
-    /// [`create_geom`](Self::create_geom) of a polygon that stands for a circle.
-    pub(crate) fn create_circle_geom(
-        &mut self,
-        body: BodyId,
-        (radius, number_of_edges): (f32, i32),
-        placement: GeomPlacement,
-    ) -> Result<GeomId> {
-        let geom = self.create_geom(body, Vertices::create_circle(radius, number_of_edges)?, placement)?;
-        self.geoms[geom].outline = Outline::Circle { radius };
-        Ok(geom)
     }
 
     /// The grid over an outline, shared with geoms of equal outline and cell size.
@@ -116,7 +115,8 @@ impl Objects {
     /// Attaches a copy of a geom to a body, at the same offsets. Under the distance grid both share one grid.
     ///
     /// # Errors
-    /// A stale id; a geom without a distance grid, if the distance grid is selected; a box that is not finite.
+    /// A stale id; a geom without a distance grid, if the distance grid is selected; a box that is not finite; a chain for a
+    /// body that is not static, or under the faithful methods.
     #[doc(alias = "Geom(Body, Geom)")]
     #[doc(alias("DistanceGrid.Copy"))]
     pub fn clone_geom(&mut self, body: BodyId, geom: GeomId) -> Result<GeomId> {
@@ -144,8 +144,9 @@ impl Objects {
         if uses_grids && source.grid.is_none() {
             return Err(Error::MissingDistanceGrid { argument: "geom" });
         }
-        let mut entry = self.new_entry(body, source.local_vertices, offset, rotation_offset)?;
-        entry.outline = source.outline;
+        let outline = (source.local_vertices, source.outline);
+        let mut entry = self.new_entry(body, outline, offset, rotation_offset)?;
+        entry.pieces = source.pieces;
         entry.geom = source.geom;
         entry.geom.rejected = Refusals::default();
         entry.geom.set_tag(0);
@@ -159,11 +160,15 @@ impl Objects {
     fn new_entry(
         &mut self,
         body: BodyId,
-        vertices: Vertices,
+        (vertices, outline): (Vertices, Outline),
         offset: Vector2,
         rotation_offset: f32,
     ) -> Result<GeomEntry> {
         let owner = self.bodies.get(body).ok_or(Error::StaleId { argument: "body" })?;
+        if outline.is_chain() {
+            self.methods.check_chains()?;
+            check_may_hold_chain(body, owner)?;
+        }
         let (position, rotation) = (owner.body.position(), owner.body.rotation());
         if self.next_geom_number >= GEOM_NUMBERS {
             return Err(Error::invalid(
@@ -173,7 +178,7 @@ impl Objects {
             ));
         }
         let mut entry = GeomEntry::new(self.next_geom_number, body, offset, rotation_offset);
-        entry.set_vertices(vertices);
+        entry.set_outline(vertices, outline);
         entry.follow(position, rotation);
         check_place("geom", entry, owner)
     }
@@ -235,6 +240,11 @@ pub(super) fn check_place(argument: &'static str, entry: GeomEntry, owner: &Body
     } else {
         Err(Error::invalid(argument, entry.aabb, "small and near enough for a finite box in the world"))
     }
+}
+
+/// A chain has no inside, and so no mass to be pushed.
+pub(super) fn check_may_hold_chain(body: BodyId, owner: &BodyEntry) -> Result<()> {
+    if owner.body.is_static() { Ok(()) } else { Err(Error::invalid("body", body, "static, to have a chain")) }
 }
 
 /// Refuses what no geom can have.

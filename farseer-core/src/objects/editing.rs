@@ -1,7 +1,7 @@
 //! Changes that touch more than one object (behaviour chapter 05, section 3).
 
 use super::Objects;
-use super::creating::{automatic_cell_size, check_outline, check_place};
+use super::creating::{automatic_cell_size, check_may_hold_chain, check_outline, check_place};
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::geom::entry::GeomEntry;
@@ -14,11 +14,14 @@ impl Objects {
     /// Moves a geom to another body; its offsets stay.
     ///
     /// # Errors
-    /// A stale id; a box that is not finite at the other body.
+    /// A stale id; a box that is not finite at the other body; a chain for a body that is not static.
     #[doc(alias = "SetBody")]
     pub fn set_body(&mut self, geom: GeomId, body: BodyId) -> Result<()> {
         let old_body = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?.body;
         let new_owner = self.bodies.get(body).ok_or(Error::StaleId { argument: "body" })?;
+        if self.geoms[geom].outline.is_chain() {
+            check_may_hold_chain(body, new_owner)?;
+        }
         check_place("geom", self.geoms[geom].clone(), new_owner)?;
         self.settle_body(old_body);
         self.settle_body(body);

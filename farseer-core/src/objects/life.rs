@@ -17,12 +17,18 @@ impl Objects {
     /// Lets an object take part from the next update on. Adding a body does not add its geoms.
     ///
     /// # Errors
-    /// A stale id; [`Error::MissingBody`](crate::Error::MissingBody) for a joint or spring without one of its bodies.
+    /// A stale id; [`Error::MissingBody`](crate::Error::MissingBody) for a joint or spring without one of its bodies;
+    /// [`Error::NotSupported`](crate::Error::NotSupported) for a chain under the faithful methods.
     #[doc(alias = "Add")]
     pub fn add(&mut self, object: impl Into<ObjectId>) -> Result<()> {
         match object.into() {
             ObjectId::Body(body) => self.bodies.add("body", body)?,
-            ObjectId::Geom(geom) => self.geoms.add("geom", geom)?,
+            ObjectId::Geom(geom) => {
+                if self.geoms.find("geom", geom)?.outline.is_chain() {
+                    self.methods.check_chains()?;
+                }
+                self.geoms.add("geom", geom)?;
+            }
             ObjectId::Controller(controller) => self.controllers.add("controller", controller)?,
             ObjectId::Joint(joint) => {
                 let held = self.joints.find("joint", joint)?;

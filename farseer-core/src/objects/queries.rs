@@ -5,7 +5,9 @@ use crate::geom::GeomId;
 use crate::geom::entry::GeomEntry;
 use crate::math::Vector2;
 use crate::shape::Aabb;
-use crate::shape::ray_helper::{line_segment_aabb_intersect, line_segment_vertices_intersect};
+use crate::shape::ray_helper::{
+    line_intersect, line_segment_aabb_intersect, line_segment_vertices_intersect,
+};
 use crate::touch;
 
 /// A geom and where a segment crosses its outline.
@@ -20,7 +22,7 @@ pub struct GeomPointPair {
 impl Objects {
     /// The first geom in list order that holds a point of the world. Geoms that do not collide count, too.
     ///
-    /// Asks the narrow phase that is selected now. A body that was edited since the last update is asked where its
+    /// Asks the narrow phase that is selected now. A chain has no inside, and holds nothing. A body that was edited since the last update is asked where its
     /// geoms will be.
     #[doc(alias = "Collide")]
     pub fn collide(&self, point: Vector2) -> Option<GeomId> {
@@ -108,6 +110,9 @@ impl Objects {
         self.with_settled(geom, |geom| {
             if detect_using_aabb {
                 line_segment_aabb_intersect(point1, point2, &geom.aabb, &mut points);
+            } else if geom.outline.is_open() {
+                let crossing = |edge: &[Vector2]| line_intersect(edge[0], edge[1], point1, point2);
+                points.extend(geom.world_vertices.windows(2).filter_map(crossing));
             } else {
                 line_segment_vertices_intersect(point1, point2, &geom.world_vertices, &mut points);
             }

@@ -72,6 +72,11 @@ impl Objects {
         if !self.geoms_are_valid() {
             return damaged("a geom is not finite or not attached to its body");
         }
+        if self.geoms.listed_or_queued().any(|geom| geom.outline.is_chain())
+            && self.methods.check_chains().is_err()
+        {
+            return damaged("a chain takes part under the faithful methods");
+        }
         if !self.bodies_are_valid() {
             return damaged("a body names a geom that is not its own");
         }

@@ -23,7 +23,8 @@ impl Objects {
     /// The first geom that a ray from `start` to `end` enters; of several at one place, the first in list order.
     ///
     /// Nothing is filtered out: for rays that pass through some geoms look for the first other one in
-    /// [`ray_cast_all`](Self::ray_cast_all). Outlines are polygons, those of circles too. A geom that holds the start is
+    /// [`ray_cast_all`](Self::ray_cast_all). Outlines are polygons, those of circles and capsules too; a chain is entered
+    /// through its edges, from their free side. A geom that holds the start is
     /// hit only where the ray enters it again; one along whose edge the ray only grazes may be hit or not. Disposed geoms
     /// are not hit, though they stay listed until the next update. A ray that ends where it starts, or is not finite, hits
     /// nothing.
@@ -153,9 +154,10 @@ impl Ray {
         // Positive on the side of the ray that is behind an edge which is entered; an end that lies on the ray belongs
         // to that side. So two edges that meet on the ray have no gap between them.
         let side = |v: Wide| self.direction.cross(v.minus(self.start));
-        let is_mirrored = is_mirrored(outline);
+        let is_mirrored = is_mirrored(geom);
         let mut nearest: Option<(f64, Wide)> = None;
-        for (index, &from) in outline.iter().enumerate() {
+        let edges = outline.len() - usize::from(geom.outline.is_open());
+        for (index, &from) in outline.iter().enumerate().take(edges) {
             let to = outline[outline.next_index(index)];
             let (mut from, mut to) = (Wide::of(from), Wide::of(to));
             if is_mirrored {
@@ -176,8 +178,14 @@ impl Ray {
     }
 }
 
-/// Whether a matrix set by the user has turned the outline's winding round.
-fn is_mirrored(outline: &[Vector2]) -> bool {
+/// Whether the outside of an outline is on the other side of its edges: a matrix set by the user has turned its winding
+/// round, or it is a chain, whose points go the other way unless one has.
+fn is_mirrored(geom: &GeomEntry) -> bool {
+    if geom.outline.is_chain() {
+        let matrix = geom.pose.matrix;
+        return f64::from(matrix.m11) * f64::from(matrix.m22) > f64::from(matrix.m12) * f64::from(matrix.m21);
+    }
+    let outline = &geom.world_vertices;
     let Some(&origin) = outline.first() else { return false };
     let from_origin = |v: Vector2| Wide::of(v).minus(Wide::of(origin));
     let doubled_area: f64 =

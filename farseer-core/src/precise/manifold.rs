@@ -1,10 +1,15 @@
 //! Where two convex outlines touch: at most two points, by closed forms for circles and by clipping for polygons (E. Catto,
 //! "Contact Manifolds", GDC 2007).
 
-use super::outline::Outline;
+use super::meeting::Meeting;
+use super::outline::{Family, Outline};
+use super::{round, seams};
 use crate::math::plane::{
     Pose, Turn, Vector, difference, dot, place, rotation, scaled, sum, turn, turn_back,
 };
+
+/// By how much of the reach of contacts another edge must be better to be taken instead.
+pub(super) const PREFERRED: f32 = 0.025;
 
 /// Where two outlines touch or nearly do.
 #[derive(Debug, Clone, Copy, Default)]
@@ -24,11 +29,11 @@ pub(super) struct Manifold {
 }
 
 impl Manifold {
-    fn apart(gap: f32) -> Self {
+    pub(super) fn apart(gap: f32) -> Self {
         Manifold { gap, ..Manifold::default() }
     }
 
-    fn of_point(normal: Vector, point: Vector, separation: f32, feature: u32, reach: f32) -> Self {
+    pub(super) fn of_point(normal: Vector, point: Vector, separation: f32, feature: u32, reach: f32) -> Self {
         Manifold {
             normal,
             count: usize::from(separation < reach),
@@ -37,6 +42,31 @@ impl Manifold {
             features: [feature, 0],
             gap: separation,
         }
+    }
+
+    /// What was found in the frame of A, in that of the world.
+    #[inline(always)]
+    pub(super) fn turned(mut self, qa: Turn) -> Self {
+        self.normal = turn(qa, self.normal);
+        self.points = self.points.map(|point| turn(qa, point));
+        self
+    }
+
+    /// What was found in the frame of B as that of B against A, in that of the world; B's origin is so far from A's.
+    #[inline(always)]
+    pub(super) fn turned_from_b(mut self, qb: Turn, apart: Vector) -> Self {
+        self.normal = turn(qb, scaled(self.normal, -1.0));
+        self.points = self.points.map(|point| sum(turn(qb, point), apart));
+        self.features = self.features.map(|feature| feature.rotate_left(16));
+        self
+    }
+
+    /// B against A, of what was found as A against B.
+    pub(super) fn flipped(mut self, pose_a: Pose, pose_b: Pose) -> Self {
+        let apart = difference(place(pose_a), place(pose_b));
+        self.normal = scaled(self.normal, -1.0);
+        self.points = self.points.map(|point| sum(point, apart));
+        self
     }
 }
 
@@ -58,16 +88,19 @@ impl Manifold {
 
 /// The contacts of A and B, as far as `reach` apart.
 pub(super) fn collide(a: Outline<'_>, b: Outline<'_>, pose_a: Pose, pose_b: Pose, reach: f32) -> Manifold {
-    match (a.shape.count, b.shape.count) {
-        (0, 0) => circles(a, b, pose_a, pose_b, reach),
-        (0, _) => {
-            let mut found = polygon_and_circle(b, a, pose_b, pose_a, reach);
-            found.normal = scaled(found.normal, -1.0);
-            found.points[0] = sum(found.points[0], difference(place(pose_b), place(pose_a)));
-            found
-        }
-        (_, 0) => polygon_and_circle(a, b, pose_a, pose_b, reach),
-        _ => polygons(a, b, pose_a, pose_b, reach),
+    use Family::{Capsule, Circle, Polygon, Seamed};
+    match (a.shape.family, b.shape.family) {
+        (Circle, Circle) => circles(a, b, pose_a, pose_b, reach),
+        (Circle, Polygon) => polygon_and_circle(b, a, pose_b, pose_a, reach).flipped(pose_b, pose_a),
+        (Polygon, Circle) => polygon_and_circle(a, b, pose_a, pose_b, reach),
+        (Polygon, Polygon) => polygons(a, b, pose_a, pose_b, reach),
+        (Circle, Capsule) => round::capsule_and_circle(b, a, pose_b, pose_a, reach).flipped(pose_b, pose_a),
+        (Capsule, Circle) => round::capsule_and_circle(a, b, pose_a, pose_b, reach),
+        (Circle, Seamed) => seams::circle(b, a, pose_b, pose_a, reach).flipped(pose_b, pose_a),
+        (Seamed, Circle) => seams::circle(a, b, pose_a, pose_b, reach),
+        (Seamed, Capsule) | (Capsule, Seamed) => seams::capsule(&Meeting::new(a, b, pose_a, pose_b), reach),
+        (Seamed, _) | (_, Seamed) => seams::polygons(&Meeting::new(a, b, pose_a, pose_b), reach),
+        (Capsule, _) | (_, Capsule) => round::capsule(&Meeting::new(a, b, pose_a, pose_b), reach),
     }
 }
 
@@ -117,7 +150,7 @@ fn polygon_and_circle(a: Outline<'_>, b: Outline<'_>, pose_a: Pose, pose_b: Pose
 
 /// Greatest separation of an edge of `a` from `b`, whose place and turn relative to `a` are given.
 #[inline(always)]
-fn greatest_separation(a: Outline<'_>, b: Outline<'_>, at: Vector, q: Turn) -> (f32, usize) {
+pub(super) fn greatest_separation(a: Outline<'_>, b: Outline<'_>, at: Vector, q: Turn) -> (f32, usize) {
     if a.shape.is_box && b.shape.is_box {
         return separation_of_boxes(a, b, at, q);
     }
@@ -176,22 +209,15 @@ fn polygons(a: Outline<'_>, b: Outline<'_>, pose_a: Pose, pose_b: Pose, reach: f
         return Manifold::apart(separation_b);
     }
     // The edge of A is kept where both are about as good, so that it does not change with every step.
-    if separation_b > separation_a + 0.025 * reach {
-        let mut found = clip(b, a, at_back, q_back, edge_b, reach);
-        found.normal = turn(qb, scaled(found.normal, -1.0));
-        found.points = found.points.map(|point| sum(turn(qb, point), apart));
-        found.features = found.features.map(|feature| feature.rotate_left(16));
-        found
+    if separation_b > separation_a + PREFERRED * reach {
+        clip(b, a, at_back, q_back, edge_b, reach).turned_from_b(qb, apart)
     } else {
-        let mut found = clip(a, b, at, q, edge_a, reach);
-        found.normal = turn(qa, found.normal);
-        found.points = found.points.map(|point| turn(qa, point));
-        found
+        clip(a, b, at, q, edge_a, reach).turned(qa)
     }
 }
 
 /// The part of the edge of `b` that faces an edge of `a`, between the ends of that edge. In the frame of `a`.
-fn clip(a: Outline<'_>, b: Outline<'_>, at: Vector, q: Turn, edge: usize, reach: f32) -> Manifold {
+pub(super) fn clip(a: Outline<'_>, b: Outline<'_>, at: Vector, q: Turn, edge: usize, reach: f32) -> Manifold {
     let normal = a.normals[edge];
     let other = facing_edge(b, turn_back(q, normal));
     let (next, other_next) = ((edge + 1) % a.points.len(), (other + 1) % b.points.len());

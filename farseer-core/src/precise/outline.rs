@@ -1,19 +1,35 @@
-//! Convex outlines in the frame of their body: circles, and polygons with the normals of their edges.
+//! Convex outlines in the frame of their body: circles, capsules, and polygons with the normals of their edges.
 
 use crate::geom::entry::GeomEntry;
 use crate::geom::pieces::{Piece, simplified};
+use crate::geom::seams::Seam;
 use crate::math::plane::{Vector, difference, length, sum, turn};
 use crate::math::scalar;
+
+/// By what arithmetic an outline touches others.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) enum Family {
+    #[default]
+    Circle,
+    Polygon,
+    /// A polygon of two corners with a radius.
+    Capsule,
+    /// A polygon that others go on from; with two corners it is an edge of a chain, of which the first side is free.
+    Seamed,
+}
 
 /// A convex outline in the frame of its body.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Shape {
+    pub(super) family: Family,
     /// Where its corners are in the pool; none for a circle.
     start: u32,
+    /// Where the seams of its edges are, if it has any.
+    seams: u32,
     pub(super) count: u32,
     /// A box about the body's origin, along its axes.
     pub(super) is_box: bool,
-    /// The radius of a circle, else 0.
+    /// The radius of a circle or capsule, else 0.
     pub(super) radius: f32,
     /// The box about it in the body's frame, without the radius: centre, and half of its sides.
     pub(super) centre: Vector,
@@ -27,6 +43,8 @@ pub(super) struct Shape {
 pub(super) struct Corners {
     points: Vec<Vector>,
     normals: Vec<Vector>,
+    /// Of the edges of those outlines that have them.
+    seams: Vec<Seam>,
 }
 
 /// A shape with its corners and the normals of the edges that begin there.
@@ -35,17 +53,36 @@ pub(super) struct Outline<'a> {
     pub(super) shape: Shape,
     pub(super) points: &'a [Vector],
     pub(super) normals: &'a [Vector],
+    /// Of all outlines.
+    all_seams: &'a [Seam],
+}
+
+impl<'a> Outline<'a> {
+    /// What each edge is of the whole outline that this is a part of; empty if it is all of it.
+    pub(super) fn seams(&self) -> &'a [Seam] {
+        if self.shape.family == Family::Seamed {
+            &self.all_seams[self.shape.seams as usize..][..self.shape.count as usize]
+        } else {
+            &[]
+        }
+    }
 }
 
 impl Corners {
     pub(super) fn clear(&mut self) {
         self.points.clear();
         self.normals.clear();
+        self.seams.clear();
     }
 
     pub(super) fn outline(&self, shape: Shape) -> Outline<'_> {
         let range = shape.start as usize..(shape.start + shape.count) as usize;
-        Outline { shape, points: &self.points[range.clone()], normals: &self.normals[range] }
+        Outline {
+            shape,
+            points: &self.points[range.clone()],
+            normals: &self.normals[range],
+            all_seams: &self.seams,
+        }
     }
 
     /// Takes a piece of a geom into the frame of the geom's body.
@@ -58,11 +95,56 @@ impl Corners {
                 let centre = to_body(centre);
                 Shape { radius, centre, reach: length(centre) + radius, ..Shape::default() }
             }
+            &Piece::Capsule { ends, radius } => self.add_capsule(ends.map(to_body), radius),
+            Piece::Part { corners, seams } => {
+                let corners: Vec<Vector> = corners.iter().map(|&corner| to_body(corner)).collect();
+                let turned = seams.iter().map(|seam| seam.turned([cosine, sine]));
+                self.add_part(corners, turned)
+            }
+            Piece::Edge { ends, normal, seam } => {
+                let normal = turn([cosine, sine], *normal);
+                self.add_edge(ends.map(to_body), normal, seam.turned([cosine, sine]))
+            }
             Piece::Polygon(corners) => {
                 // Far from the body's origin small things lose corners.
                 self.add_polygon(simplified(corners.iter().map(|&corner| to_body(corner)).collect()))
             }
         }
+    }
+
+    /// One that is so small, or so far from the body's origin, that its ends are one place is a circle.
+    fn add_capsule(&mut self, ends: [Vector; 2], radius: f32) -> Shape {
+        if length(difference(ends[0], ends[1])) == 0.0 {
+            let centre = ends[0];
+            return Shape { radius, centre, reach: length(centre) + radius, ..Shape::default() };
+        }
+        let core = self.add_polygon(ends.to_vec());
+        Shape { family: Family::Capsule, radius, reach: core.reach + radius, ..core }
+    }
+
+    /// One that loses corners is a polygon like others.
+    fn add_part(&mut self, corners: Vec<Vector>, seams: impl Iterator<Item = Seam>) -> Shape {
+        let count = corners.len();
+        let has_length = |at: usize| length(difference(corners[(at + 1) % count], corners[at])) > 0.0;
+        if !(0..count).all(has_length) {
+            return self.add_polygon(simplified(corners));
+        }
+        let polygon = self.add_polygon(corners);
+        self.with_seams(polygon, seams)
+    }
+
+    /// Its normal is that of the points as they were given, before anything was rounded away.
+    fn add_edge(&mut self, ends: [Vector; 2], normal: Vector, seam: Seam) -> Shape {
+        let edge = self.add_polygon(ends.to_vec());
+        let normals = &mut self.normals[edge.start as usize..];
+        (normals[0], normals[1]) = (normal, [-normal[0], -normal[1]]);
+        self.with_seams(edge, [seam, Seam::INNER].into_iter())
+    }
+
+    fn with_seams(&mut self, shape: Shape, seams: impl Iterator<Item = Seam>) -> Shape {
+        let start = self.seams.len() as u32;
+        self.seams.extend(seams);
+        Shape { family: Family::Seamed, seams: start, ..shape }
     }
 
     fn add_polygon(&mut self, corners: Vec<Vector>) -> Shape {
@@ -90,6 +172,7 @@ impl Corners {
         let is_box = points.len() == 4
             && centre == [0.0, 0.0]
             && (0..4).all(|i| has_side(difference(points[(i + 1) % 4], points[i])));
-        Shape { start: start as u32, count: points.len() as u32, is_box, radius: 0.0, centre, half, reach }
+        let (family, count) = (Family::Polygon, points.len() as u32);
+        Shape { family, start: start as u32, seams: 0, count, is_box, radius: 0.0, centre, half, reach }
     }
 }

@@ -289,7 +289,7 @@ impl Precise {
         } else {
             self.solve_passes(step);
         }
-        self.joints.finish(&mut self.bodies);
+        self.joints.finish(&mut self.bodies, step.dt);
     }
 
     fn solve_passes(&mut self, step: &Step) {

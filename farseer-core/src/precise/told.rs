@@ -1,6 +1,7 @@
 //! What games are told of touches.
 
 use super::Precise;
+use super::touch::Change;
 use crate::contacts::arbiter::{ArbiterRef, Found};
 use crate::contacts::contact::{Contact, ContactId};
 use crate::geom::GeomId;
@@ -67,18 +68,23 @@ impl Precise {
     pub(crate) fn take_changes(&mut self) -> Vec<((GeomId, GeomId), bool)> {
         let mut changes = std::mem::take(&mut self.changes);
         changes.sort_unstable();
-        changes.dedup();
-        changes.retain(|change| change.begins == self.do_touch(change.geoms));
-        changes.iter().map(|change| (change.geoms, change.begins)).collect()
+        let of_two_geoms = changes.chunk_by(|one, other| one.numbers == other.numbers);
+        of_two_geoms.filter_map(|changes| self.change_of_geoms(changes)).collect()
     }
 
-    /// Whether some pieces of two geoms touch.
-    fn do_touch(&self, geoms: (GeomId, GeomId)) -> bool {
-        self.pairs_between(geoms).any(|pair| self.pairs.all[pair].is_told)
+    /// What changes of their pieces are for two geoms: they touch as long as some pieces do.
+    fn change_of_geoms(&self, changes: &[Change]) -> Option<((GeomId, GeomId), bool)> {
+        let geoms = changes.first()?.geoms;
+        let now = self.pairs_between(geoms).filter(|&pair| self.pairs.all[pair].is_told).count();
+        let begun = changes.iter().filter(|change| change.begins).count();
+        let before = (now + changes.len() - begun).saturating_sub(begun);
+        ((before > 0) != (now > 0)).then_some((geoms, now > 0))
     }
 
     /// The pairs of the pieces of two geoms.
     fn pairs_between(&self, (one, other): (GeomId, GeomId)) -> impl Iterator<Item = usize> + '_ {
+        // A chain may have thousands of pieces: the other one is walked along.
+        let (one, other) = if self.proxy_of(other, 1).is_some() { (other, one) } else { (one, other) };
         let first = self.proxy_of(other, 0).unwrap_or(u32::MAX);
         let is_piece =
             move |at: &u32| self.proxies.all.get(*at as usize).is_some_and(|proxy| proxy.geom == other);

@@ -25,9 +25,10 @@ pub(crate) fn collide(
 }
 
 /// Whether a point in the geom's own coordinates lies inside. A geom without a distance grid has no inside
-/// for that method; the original fails there.
+/// for that method; the original fails there. A chain has none at all.
 pub(crate) fn intersect(method: NarrowPhaseCollider, geom: &GeomEntry, local_point: Vector2) -> bool {
     match method {
+        _ if geom.outline.is_chain() => false,
         NarrowPhaseCollider::DistanceGrid => {
             geom.grid.as_ref().is_some_and(|grid| grid.intersect(local_point).is_some())
         }

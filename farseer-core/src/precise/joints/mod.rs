@@ -108,7 +108,7 @@ impl Joints {
             load(nodes, &bodies.hot);
             swing::aim(nodes, h, self.unit);
             solve_group(nodes, loose, &self.holds, &mut self.room, (h, Pass::Correct, 1.0));
-            nodes.iter_mut().for_each(|node| node.kept_impulse = node.impulse);
+            nodes.iter_mut().for_each(Node::keep_impulse);
             store(nodes, bodies);
         }
     }
@@ -130,13 +130,15 @@ impl Joints {
             load(nodes, &bodies.hot);
             swing::rest(nodes);
             solve_group(nodes, loose, &self.holds, &mut self.room, (h, Pass::Relax, 0.0));
-            loose.iter_mut().for_each(|loose| loose.keep_force(h));
+            nodes.iter_mut().for_each(Node::count_impulse);
+            loose.iter_mut().for_each(Loose::count_impulse);
             store(nodes, bodies);
         }
     }
 
     /// Where the groups that nothing touched have come to, and what has held all joints.
-    pub(super) fn finish(&mut self, bodies: &mut Bodies) {
+    pub(super) fn finish(&mut self, bodies: &mut Bodies, dt: f32) {
+        let dt = f64::from(dt);
         for group in &self.groups {
             for node in group.nodes.iter().filter(|node| node.body != 0 && group.is_apart) {
                 let ([vx, vy, spin], [x, y, turned]) = (node.velocity, node.path);
@@ -145,10 +147,10 @@ impl Joints {
             }
             for node in group.nodes.iter().filter(|node| node.link.holds()) {
                 self.holds[node.joint as usize].force =
-                    node.kept_impulse.map(|impulse| (node.sign() * impulse / node.substep) as f32);
+                    node.total.map(|impulse| (node.sign() * impulse / dt) as f32);
             }
             for loose in &group.loose {
-                self.holds[loose.hold as usize].force = loose.force;
+                self.holds[loose.hold as usize].force = loose.total.map(|impulse| (impulse / dt) as f32);
             }
         }
     }
@@ -223,6 +225,13 @@ impl Node {
         if self.is_first { -1.0 } else { 1.0 }
     }
 
+    /// The impulse that was found moves bodies.
+    #[inline(always)]
+    fn keep_impulse(&mut self) {
+        self.kept_impulse = self.impulse;
+        self.count_impulse();
+    }
+
     /// A step begins.
     #[inline(always)]
     fn begin(&mut self, bodies: &Bodies) {
@@ -246,7 +255,7 @@ impl Node {
             _ => self.sign() * (hold.angle - hold.range[1]),
         };
         self.impulse = hold.force.map(|force| self.sign() * f64::from(force) * h);
-        self.substep = h;
+        self.total = [0.0; 3];
         parent
     }
 }

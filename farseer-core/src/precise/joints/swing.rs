@@ -4,21 +4,18 @@
 //! arms, R the turning of a body in the substep and C the error of a point, C(x + h v') = 0. Linear in v' about the velocity
 //! v before the joints act: J v' = J v - C(x + h v) / h, of which v falls out but for the spin: for each side of a joint
 //! (x + R r) / h - w p, p the velocity of the anchor by a spin of 1. That is a step of SHAKE (J.-P. Ryckaert, G. Ciccotti,
-//! H. Berendsen 1977) with one iteration. Forces act by halves at the beginning and the end of a step, and the velocity after
+//! H. Berendsen 1977) with one iteration, or two. Forces act by halves at the beginning and the end of a step, and the velocity after
 //! it obeys the joints (RATTLE, H. C. Andersen 1983): the method is symplectic, and energy neither drifts nor is damped.
 
 use super::super::bodies::Bodies;
 use super::super::tuning::Step;
 use super::Group;
 use super::hold::Hold;
-use super::loose::{Pass, Room, solve_group};
+use super::loose::{Loose, Pass, Room, refine_group, solve_group};
 use super::tree::{Link, Node, Vector, dot, plus, spun};
 
 /// An error is undone in one substep up to this part of the length unit; a greater one in more of them.
 const CLOSED_AT_ONCE: f64 = 0.5;
-
-/// Substeps of contacts in one of a tree that nothing touches.
-const PARTS: u32 = 2;
 
 /// The stiffness that the inertia of a body bears in a substep, as a part of it.
 const BORNE: f64 = 0.3;
@@ -245,12 +242,12 @@ pub(super) fn swing(
     unit: f64,
 ) {
     let Group { nodes, loose, .. } = group;
-    // What is exact in each substep needs fewer of them.
-    let parts = step.substeps.div_ceil(PARTS);
+    // Nothing swings faster than the last of so many bodies.
+    let bodies_held = nodes.iter().filter(|node| node.body != 0).count();
+    let parts = step.substeps.min(bodies_held as u32);
     let (dt, h) = (f64::from(step.dt), f64::from(step.dt) / f64::from(parts));
     let longer = f64::from(step.substeps) / f64::from(parts);
     for node in nodes.iter_mut() {
-        node.substep = h;
         node.softness /= longer;
         node.impulse = node.impulse.map(|impulse| impulse * longer);
         if node.body != 0 {
@@ -266,16 +263,24 @@ pub(super) fn swing(
     stiffen(nodes, h);
     for part in 0..parts {
         kick(nodes, if part == 0 { 0.5 } else { 1.0 });
+        nodes.iter_mut().for_each(|node| node.before = node.velocity);
         aim(nodes, h, unit);
         solve_group(nodes, loose, holds, room, (h, Pass::Correct, 1.0));
+        aim(nodes, h, unit);
+        refine_group(nodes, loose, holds, room, h);
+        count_impulses(nodes, loose);
         advance(nodes, h);
         loose.iter_mut().for_each(|loose| loose.advance(nodes, h));
     }
-    nodes.iter_mut().for_each(|node| node.kept_impulse = node.impulse);
-    loose.iter_mut().for_each(|loose| loose.keep_force(h));
     kick(nodes, 0.5);
     rest(nodes);
     solve_group(nodes, loose, holds, room, (h, Pass::Rest, 0.0));
+    count_impulses(nodes, loose);
+}
+
+fn count_impulses(nodes: &mut [Node], loose: &mut [Loose]) {
+    nodes.iter_mut().for_each(Node::count_impulse);
+    loose.iter_mut().for_each(Loose::count_impulse);
 }
 
 fn kick(nodes: &mut [Node], part: f64) {

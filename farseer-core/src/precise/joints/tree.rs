@@ -162,6 +162,8 @@ pub(super) struct Node {
     /// Square of the longest arm of a joint.
     pub(super) reach: f64,
     pub(super) velocity: [f64; 3],
+    /// The velocity in this substep before joints act.
+    pub(super) before: [f64; 3],
     /// What forces add to it in a substep.
     pub(super) push: [f64; 3],
     /// Where the origin is, how far it has come and turned in this step, and how far the body turns in this substep.
@@ -181,10 +183,9 @@ pub(super) struct Node {
     pub(super) rate: f64,
     /// Impulse of the joint on the body.
     pub(super) impulse: [f64; 3],
-    /// The impulse of the last substep in which bodies have moved.
+    /// The impulse of the last substep in which bodies have moved, and that of the step so far.
     pub(super) kept_impulse: [f64; 3],
-    /// Seconds of a substep.
-    pub(super) substep: f64,
+    pub(super) total: [f64; 3],
     pub(super) work: Work,
 }
 
@@ -217,6 +218,26 @@ pub(super) fn solve(nodes: &mut [Node], stiff: f64) {
             rest[0].hand_up(parent);
         }
     }
+    follow_down(nodes);
+}
+
+/// [`solve`] with other velocities and biases, after it with the same arms and directions. No joint is soft.
+#[inline]
+pub(super) fn solve_again(nodes: &mut [Node]) {
+    for node in nodes.iter_mut() {
+        node.take_own_momentum();
+    }
+    for at in (1..nodes.len()).rev() {
+        let (before, rest) = nodes.split_at_mut(at);
+        if let Some(parent) = before.get_mut(rest[0].parent as usize) {
+            rest[0].hand_up_again(parent);
+        }
+    }
+    follow_down(nodes);
+}
+
+#[inline(always)]
+fn follow_down(nodes: &mut [Node]) {
     for at in 0..nodes.len() {
         let (before, rest) = nodes.split_at_mut(at);
         match before.get(rest[0].parent as usize) {
@@ -234,6 +255,12 @@ impl Link {
 }
 
 impl Node {
+    /// The impulse that was found has acted.
+    #[inline(always)]
+    pub(super) fn count_impulse(&mut self) {
+        (0..3).for_each(|i| self.total[i] += self.impulse[i]);
+    }
+
     /// The body's own inertia and momentum, at its joint.
     #[inline(always)]
     fn take_own(&mut self, stiff: f64) {
@@ -284,6 +311,49 @@ impl Node {
                 seen.angular_momentum += handed.angular_momentum - handed.turning * self.bias[2];
             }
         }
+    }
+
+    #[inline(always)]
+    fn take_own_momentum(&mut self) {
+        let Node { mass, velocity: [x, y, spin], arm, .. } = *self;
+        let momentum = [mass * x, mass * y];
+        self.work.seen.momentum = momentum;
+        self.work.seen.angular_momentum = self.inertia * spin - cross(arm, momentum);
+    }
+
+    /// What of [`hand_up`](Self::hand_up) depends on velocities and biases.
+    #[inline(always)]
+    fn hand_up_again(&mut self, parent: &mut Node) {
+        let seen = &mut parent.work.seen;
+        let Inertia { mass, coupling, turning, momentum, angular_momentum } = self.work.seen;
+        let Work { lever, rest, inverse_turning, .. } = self.work;
+        let [x, y, spin] = self.bias;
+        let (push, twist) = match self.link {
+            Link::Free | Link::Fixed => return,
+            Link::Point => {
+                self.work.load = plus(momentum, coupling, -angular_momentum * inverse_turning);
+                (plus(self.work.load, rest.times([x, y]), -1.0), 0.0)
+            }
+            Link::Distance => {
+                self.work.load = plus(momentum, coupling, -angular_momentum * inverse_turning);
+                let (n, t) = (self.direction, spun(self.direction));
+                let [stiff, _, share] = self.work.along;
+                let push = dot(n, self.work.load) - share * dot(t, self.work.load) - stiff * x;
+                self.work.along[1] = push;
+                ([n[0] * push, n[1] * push], 0.0)
+            }
+            Link::Weld => {
+                let push = plus(plus(momentum, mass.times([x, y]), -1.0), coupling, -spin);
+                (push, angular_momentum - dot(coupling, [x, y]) - turning * spin)
+            }
+            Link::Angle => {
+                let handed = self.work.seen.without_place();
+                seen.angular_momentum += handed.angular_momentum - handed.turning * spin;
+                return;
+            }
+        };
+        seen.momentum = plus(seen.momentum, push, 1.0);
+        seen.angular_momentum += twist + cross(lever, push);
     }
 
     /// The joint leaves the body's turning free.
