@@ -10,9 +10,11 @@ use super::rows::{Home, Kind, Lane};
 use super::tuning::Tuning;
 use crate::geom::GeomId;
 use crate::geom::surface::FrictionType;
+use crate::methods::Methods;
+use crate::objects::Objects;
 
 /// The state of the precise set.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Saved {
     tuning: Tuning,
     h: f32,
@@ -24,7 +26,7 @@ pub(crate) struct Saved {
     pairs: Vec<SavedPair>,
 }
 
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct SavedProxy {
     geom: GeomId,
     piece: u32,
@@ -45,7 +47,7 @@ struct Known {
     filter: [i32; 5],
 }
 
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct SavedPair {
     /// Places in the list of saved proxies.
     proxies: [u32; 2],
@@ -57,7 +59,7 @@ struct SavedPair {
     row: Option<SavedRow>,
 }
 
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct SavedContacts {
     turns: [f32; 4],
     relative: [f32; 4],
@@ -68,7 +70,7 @@ struct SavedContacts {
     features: [u32; 2],
 }
 
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 struct SavedRow {
     colour: u32,
     slot: u32,
@@ -130,15 +132,31 @@ impl Saved {
             && self.tuning == Tuning::new(unit)
             && self.h.is_finite()
             && self.dt.is_finite()
-            && self.proxies.iter().all(|proxy| finite(&proxy.bounds))
+            && self.proxies.iter().all(
+                |SavedProxy { bounds, known: Known { place, contacts, .. }, .. }| {
+                    finite(bounds) && finite(place) && finite(contacts)
+                },
+            )
             && self.pairs.iter().all(pair_is_valid)
     }
 }
 
 impl Precise {
-    /// Whether what was loaded can be used.
-    pub(crate) fn is_valid(&self) -> bool {
-        self.loaded.as_ref().is_none_or(Saved::is_valid)
+    /// Whether what was loaded can be used, and is of these methods.
+    pub(crate) fn is_valid(&self, methods: Methods) -> bool {
+        matches!(methods, Methods::Precise { length_unit } if length_unit == self.tuning.unit)
+            && self.loaded.as_ref().is_none_or(Saved::is_valid)
+    }
+
+    /// Lists what was loaded, for those who ask what touches before the next update. What was edited before the save counts
+    /// from that update on, which then lists everything once more.
+    pub(crate) fn list_loaded(&mut self, objects: &Objects) {
+        let Some(saved) = self.loaded.take() else { return };
+        self.list(objects, &saved);
+        if self.save() != saved {
+            self.is_stale = true;
+            self.loaded = Some(saved);
+        }
     }
 
     /// The state to save.
@@ -214,7 +232,7 @@ impl Precise {
 
     /// Takes over what is known of the proxies and pairs that are still there.
     pub(super) fn restore(&mut self, saved: &Saved, may_stay: impl Fn(GeomId, GeomId) -> bool) {
-        self.has_handled = saved.has_handled;
+        self.has_handled = saved.has_handled || saved.pairs.iter().any(|pair| pair.is_vetoed);
         self.grid.reset(self.proxies.all.len());
         self.pairs.reset(self.proxies.all.len());
         self.rows.clear();
@@ -307,7 +325,9 @@ impl Precise {
         self.pairs.all[pair].is_vetoed = saved.is_vetoed;
         self.pairs.set_told(pair, saved.is_told);
         let row = saved.row.filter(|_| responds);
-        if saved.tolerance == BY_ROW && (row.is_none() || !self.touch().are_two_circles(pair)) {
+        // What was refused is looked at again in the next step in any case.
+        let has_row = row.is_some() || saved.is_vetoed;
+        if saved.tolerance == BY_ROW && !(has_row && self.touch().are_two_circles(pair)) {
             self.pairs.watched[pair].tolerance = 0;
         }
         row.map(|row| (pair, row))

@@ -202,7 +202,7 @@ impl Precise {
     }
 
     /// Lists all bodies and geoms that take part, and takes over what is known of their pairs.
-    fn list(&mut self, objects: &Objects, saved: &Saved) {
+    pub(super) fn list(&mut self, objects: &Objects, saved: &Saved) {
         self.is_stale = false;
         self.note_joints();
         self.list_bodies(objects);

@@ -4,8 +4,9 @@ use super::PhysicsSimulator;
 use super::tell::Handler;
 use crate::contacts::contact::Contact;
 use crate::geom::GeomId;
-use crate::geom::filter::Filter;
+use crate::geom::filter::{Filter, is_valid_pair};
 use crate::geom::surface::SetSurface;
+use crate::objects::Objects;
 use crate::precise::{Precise, Step};
 use crate::report::{Event, Stopwatch};
 
@@ -144,6 +145,12 @@ impl PhysicsSimulator {
         }
     }
 
+    /// Whether nothing has parted two that touch: callbacks dispose and edit.
+    fn may_touch(&self, a: GeomId, b: GeomId) -> bool {
+        let Objects { geoms, bodies, .. } = &self.objects;
+        geoms.get(a).is_some() && geoms.get(b).is_some() && is_valid_pair((a, b), geoms, bodies)
+    }
+
     /// Asks the handler about every pair; those that it refuses push nothing in this update.
     fn filter_precise_pairs(&mut self, handler: &mut Handler<'_>) {
         for pair in 0..self.precise().pair_count() {
@@ -160,14 +167,15 @@ impl PhysicsSimulator {
         let changes = self.precise().take_changes();
         self.report.counters.pairs_touching = self.precise().touching_count();
         if handler.get().is_none() {
-            for &((a, b), begins) in &changes {
+            for &((a, b), _) in changes.iter().filter(|(_, begins)| *begins) {
                 let contacts = self.precise().contacts_between((a, b));
                 for (this, other) in [(a, b), (b, a)] {
-                    self.report.push(if begins {
-                        Event::Collision { this, other, contacts, vetoed: false }
-                    } else {
-                        Event::Separation { this, other }
-                    });
+                    self.report.push(Event::Collision { this, other, contacts, vetoed: false });
+                }
+            }
+            for &((a, b), _) in changes.iter().filter(|(_, begins)| !begins) {
+                for (this, other) in [(a, b), (b, a)] {
+                    self.report.push(Event::Separation { this, other });
                 }
             }
             return;
@@ -193,6 +201,10 @@ impl PhysicsSimulator {
             }
             let Some(first) = self.precise().touching(group[0].1) else { continue };
             let (a, b) = first.geoms;
+            if !self.may_touch(a, b) {
+                group.iter().for_each(|&(_, pair)| self.precise().refuse(pair));
+                continue;
+            }
             let begins = changes.iter().any(|&(geoms, begins)| begins && geoms == (a, b));
             let mut surface = SetSurface::default();
             let is_accepted = self.ask_about_touch((a, b), begins, &mut contacts, &mut surface, handler)

@@ -67,6 +67,9 @@ impl SavedSimulator {
         let mut simulator = self.0;
         simulator.set_limits(limits);
         simulator.objects.make_grids()?;
+        if let Some(precise) = &mut simulator.pipeline.precise {
+            precise.list_loaded(&simulator.objects);
+        }
         Ok(simulator)
     }
 }
@@ -86,8 +89,9 @@ impl PhysicsSimulator {
         if !self.pipeline.broad_phase.is_valid(self.objects.methods.broad(), &self.objects.geoms) {
             return damaged("the broad phase names what is not there");
         }
-        let is_precise = self.objects.methods.is_precise();
-        if !self.pipeline.precise.as_ref().map_or(!is_precise, |precise| is_precise && precise.is_valid()) {
+        let methods = self.objects.methods;
+        if !self.pipeline.precise.as_ref().map_or(!methods.is_precise(), |precise| precise.is_valid(methods))
+        {
             return damaged("the precise set is not what the methods say, or not finite");
         }
         if !self.contacts.is_valid(&self.objects.geoms) {

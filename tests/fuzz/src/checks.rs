@@ -63,6 +63,7 @@ mod tests {
 
     impl Game for Liar {
         type Simulator = PhysicsSimulator;
+        const SCENES: usize = 1;
 
         fn new(random: Random) -> Self {
             Liar::of(PhysicsSimulator::default(), random)

@@ -54,6 +54,8 @@ pub struct Call<G> {
 pub trait Game: Sized + 'static {
     /// The simulator that is called.
     type Simulator: Engine;
+    /// Number of its [scenes](crate::scenes).
+    const SCENES: usize;
 
     /// A game that begins with next to nothing.
     fn new(random: Random) -> Self;

@@ -21,6 +21,7 @@ pub mod saves;
 pub mod scene_texts;
 pub mod scenes;
 mod shapes;
+pub mod small;
 pub mod soak;
 #[cfg(feature = "programs")]
 pub mod subjects;

@@ -1,6 +1,6 @@
 //! Long runs in which things come and go.
 
-use farseer_core::BroadPhaseCollider;
+use farseer_core::Methods;
 
 use crate::scenes::Churn;
 
@@ -16,18 +16,15 @@ const PARTS: usize = 5;
 ///
 /// # Errors
 /// The lengths, if they grow.
-pub fn snapshots_stay_as_long(method: BroadPhaseCollider, updates: usize) -> Result<(), String> {
-    let lengths = snapshot_lengths(method, updates / PARTS).map_err(|error| error.to_string())?;
+pub fn snapshots_stay_as_long(methods: Methods, updates: usize) -> Result<(), String> {
+    let lengths = snapshot_lengths(methods, updates / PARTS).map_err(|error| error.to_string())?;
     let (early, late) = (lengths[1], lengths[PARTS - 1]);
     if late * 12 <= early * 13 { Ok(()) } else { Err(format!("longest snapshots: {lengths:?}")) }
 }
 
 /// Length of the longest snapshot in each part.
-fn snapshot_lengths(
-    method: BroadPhaseCollider,
-    updates: usize,
-) -> Result<[usize; PARTS], Box<dyn std::error::Error>> {
-    let mut churn = Churn::new(method)?;
+fn snapshot_lengths(methods: Methods, updates: usize) -> Result<[usize; PARTS], Box<dyn std::error::Error>> {
+    let mut churn = Churn::new(methods)?;
     let mut longest = [0; PARTS];
     for update in 0..PARTS * updates {
         if update % LIFE == 0 {

@@ -4,7 +4,8 @@ use crate::checks::{failed_calls_change_nothing, numbers_are_finite};
 use crate::game::Game;
 use crate::saves::{Fate, altered_json, altered_snapshot};
 use crate::scene_texts::altered_scene;
-use crate::scenes::BROAD_PHASES;
+use crate::scenes::methods;
+use crate::small::small_scene_holds;
 use crate::soak::snapshots_stay_as_long;
 use crate::textures::outlines_of_a_picture;
 use crate::twins::twins_stay_equal;
@@ -52,7 +53,8 @@ pub const SUBJECTS: &[Subject] = &[
     },
     Subject { name: "textures", about: "outlines of random pictures", check: outlines_of_a_picture },
     Subject { name: "scenes", about: "altered scenes of the recorded runs", check: altered_scene },
-    Subject { name: "soak", about: "a million updates of one broad phase, seeds 0 to 3", check: soak },
+    Subject { name: "small", about: "small scenes of the precise set", check: small_scene_holds },
+    Subject { name: "soak", about: "a million updates of one set of methods, seeds 0 to 4", check: soak },
 ];
 
 fn ignore(_: Fate) {}
@@ -64,5 +66,6 @@ fn game<G: Game>(seed: u64) -> Result<(), String> {
 }
 
 fn soak(seed: u64) -> Result<(), String> {
-    snapshots_stay_as_long(BROAD_PHASES[seed as usize % BROAD_PHASES.len()], 1_000_000)
+    let chosen = seed as usize % methods().count();
+    methods().skip(chosen).take(1).try_for_each(|methods| snapshots_stay_as_long(methods, 1_000_000))
 }

@@ -1,7 +1,7 @@
 //! Checks of behaviour chapter 08: broad phases. Callbacks are checked with the handlers, the sort itself where it is.
 
 use conformance::fixtures::plane::{
-    BROAD_PHASES, add_box, add_floor, is_finite, pairs, simulator, simulator_with, v,
+    BROAD_PHASES, add_box, add_floor, faithful, is_finite, pairs, simulator, simulator_with, v,
 };
 use farseer_core::{
     BodyId, BroadPhaseCollider, GeomId, GeomPairBitmap, PhysicsSimulator, SelectiveSweepOrder,
@@ -69,7 +69,7 @@ fn found(simulator: &mut PhysicsSimulator) -> Vec<(u32, u32)> {
 }
 
 fn six_boxes(broad: BroadPhaseCollider) -> (PhysicsSimulator, Vec<(BodyId, GeomId)>) {
-    let mut simulator = simulator_with(0.0, (broad, Default::default()));
+    let mut simulator = simulator_with(0.0, faithful(broad, Default::default()));
     let boxes =
         (0..6).map(|i| add_box(&mut simulator, BOX, v(7.0 * i as f32, 4.0 * (i % 3) as f32))).collect();
     (simulator, boxes)
@@ -178,7 +178,7 @@ fn points_meet_boxes_but_not_each_other() {
 /// would be refused now; it leaves the list by its contacts, and comes back.
 #[test]
 fn sweep_and_prune_goes_on_with_a_pair_it_once_accepted() {
-    let mut simulator = simulator_with(0.0, (BroadPhaseCollider::SweepAndPrune, Default::default()));
+    let mut simulator = simulator_with(0.0, faithful(BroadPhaseCollider::SweepAndPrune, Default::default()));
     let (_, a) = add_box(&mut simulator, BOX, v(0.0, 0.0));
     let (_, b) = add_box(&mut simulator, BOX, v(9.0, 1.0));
     assert_eq!(found(&mut simulator), [(0, 1)]);
@@ -189,7 +189,7 @@ fn sweep_and_prune_goes_on_with_a_pair_it_once_accepted() {
 /// Section 3.4.
 #[test]
 fn sweep_and_prune_forgets_resting_pairs_when_a_geom_is_removed() {
-    let mut simulator = simulator_with(0.0, (BroadPhaseCollider::SweepAndPrune, Default::default()));
+    let mut simulator = simulator_with(0.0, faithful(BroadPhaseCollider::SweepAndPrune, Default::default()));
     let (_, far) = add_box(&mut simulator, BOX, v(500.0, 0.0));
     add_box(&mut simulator, BOX, v(0.0, 0.0));
     add_box(&mut simulator, BOX, v(9.0, 1.0));

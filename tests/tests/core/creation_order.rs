@@ -1,15 +1,11 @@
 //! Slots are used again, creation numbers never: pairs, contact ids and callbacks follow the numbers.
 
 use conformance::fixtures::plane::{self, add_box, methods, pairs, simulator_with, v};
-use farseer_core::{
-    BodyId, BroadPhaseCollider, Contact, Context, EventHandler, GeomId, NarrowPhaseCollider, PhysicsSimulator,
-};
+use farseer_core::{BodyId, Contact, Context, EventHandler, GeomId, Methods, PhysicsSimulator};
 
 /// Three boxes far from each other, of which the first is disposed, and a new one that takes its slot next to the
 /// last. Answers the third and the new one.
-fn reused_slot(
-    methods: (BroadPhaseCollider, NarrowPhaseCollider),
-) -> (PhysicsSimulator, (BodyId, GeomId), (BodyId, GeomId)) {
+fn reused_slot(methods: Methods) -> (PhysicsSimulator, (BodyId, GeomId), (BodyId, GeomId)) {
     let mut simulator = simulator_with(0.0, methods);
     let (first, first_geom) = add_box(&mut simulator, (10.0, 10.0), v(-500.0, 0.0));
     add_box(&mut simulator, (10.0, 10.0), v(500.0, 0.0));

@@ -2,7 +2,8 @@
 
 use conformance::fixtures::plane::{Game, add_box, is_finite, lively_scene, methods, simulator_with, v};
 use farseer_core::{
-    Body, BroadPhaseCollider, GeomPlacement, NarrowPhaseCollider, PhysicsSimulator, Vertices, math::Matrix,
+    Body, BroadPhaseCollider, GeomPlacement, Methods, NarrowPhaseCollider, PhysicsSimulator, Vertices,
+    math::Matrix,
 };
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -55,7 +56,7 @@ fn can_be_added_to(mut simulator: PhysicsSimulator, what: &str) {
 }
 
 /// A scene in the middle of things: pairs, removed and waiting objects, edited bodies, free slots.
-fn busy_save(methods: (BroadPhaseCollider, NarrowPhaseCollider)) -> Value {
+fn busy_save(methods: Methods) -> Value {
     let mut simulator = lively_scene(methods, 5);
     let mut game = Game::default();
     for _ in 0..70 {
@@ -111,10 +112,13 @@ fn sample(paths: &[String], per_kind: usize) -> Vec<&String> {
     by_kind.into_values().flat_map(|list| spread(list.clone()).into_iter().map(move |i| list[i])).collect()
 }
 
-/// Every broad phase, and both narrow phases.
-fn some_methods() -> impl Iterator<Item = (BroadPhaseCollider, NarrowPhaseCollider)> {
-    let is_needed = |&(broad, narrow): &(BroadPhaseCollider, NarrowPhaseCollider)| {
-        narrow == NarrowPhaseCollider::DistanceGrid || broad == BroadPhaseCollider::SelectiveSweep
+/// Every broad phase, both narrow phases, and the precise set.
+fn some_methods() -> impl Iterator<Item = Methods> {
+    let is_needed = |methods: &Methods| match *methods {
+        Methods::Faithful { broad, narrow } => {
+            narrow == NarrowPhaseCollider::DistanceGrid || broad == BroadPhaseCollider::SelectiveSweep
+        }
+        _ => true,
     };
     methods().filter(is_needed)
 }

@@ -3,9 +3,7 @@
 use conformance::fixtures::plane::{
     Game, add_box, add_floor, lively_scene, methods, pairs, simulator_with, state, v,
 };
-use farseer_core::{
-    Body, BroadPhaseCollider, Event, GeomFactory, GeomPlacement, NarrowPhaseCollider, PhysicsSimulator,
-};
+use farseer_core::{Body, Event, GeomFactory, GeomPlacement, Methods, PhysicsSimulator};
 
 const STEPS: usize = 160;
 
@@ -90,7 +88,7 @@ fn a_loaded_simulator_goes_on_with_the_same_bits() {
 }
 
 /// Columns of equal boxes: on each axis many intervals begin and end at the same values, in every update.
-fn tied_scene(methods: (BroadPhaseCollider, NarrowPhaseCollider)) -> PhysicsSimulator {
+fn tied_scene(methods: Methods) -> PhysicsSimulator {
     let mut simulator = simulator_with(100.0, methods);
     add_floor(&mut simulator, (1000.0, 20.0), v(0.0, 100.0));
     for i in 0..30 {

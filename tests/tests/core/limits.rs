@@ -1,7 +1,7 @@
 //! No small input takes minutes or gigabytes: what a simulator may cost, and what costs no more than it must.
 
 use conformance::fixtures::plane::{
-    BROAD_PHASES, add_box, add_circle, add_floor, simulator, simulator_with, state, v,
+    BROAD_PHASES, add_box, add_circle, add_floor, faithful, simulator, simulator_with, state, v,
 };
 use conformance::run::Run;
 use conformance::scene::Scene;
@@ -228,7 +228,7 @@ fn the_limits_of_a_25d_simulator_are_those_of_its_core() {
 fn the_cells_of_the_spatial_hash_are_bounded_together() {
     let hash = BroadPhaseCollider::SpatialHash { cell_size: 0.5, auto_adjust_cell_size: false };
     let pairs = [hash, BroadPhaseCollider::BruteForce].map(|broad| {
-        let mut simulator = simulator_with(0.0, (broad, NarrowPhaseCollider::Sat));
+        let mut simulator = simulator_with(0.0, faithful(broad, NarrowPhaseCollider::Sat));
         for x in 0..3 {
             add_box(&mut simulator, (100.0, 100.0), v(x as f32 * 95.0, 0.0));
         }
@@ -258,7 +258,7 @@ impl EventHandler for AcceptsAll {
 /// A search of the list for every pair would be 5 * 10^10 comparisons.
 #[test]
 fn a_handler_that_accepts_every_pair_of_brute_force_makes_no_search_of_each() {
-    let methods = (BroadPhaseCollider::BruteForce, NarrowPhaseCollider::DistanceGrid);
+    let methods = faithful(BroadPhaseCollider::BruteForce, NarrowPhaseCollider::DistanceGrid);
     let mut simulator = simulator_with(0.0, methods);
     for x in 0..800 {
         add_circle(&mut simulator, 5.0, 4, v(x as f32 * 20.0, 0.0));
@@ -325,7 +325,8 @@ fn what_only_the_25d_engine_solves_is_solved() {
 #[test]
 fn many_objects_leave_in_one_update() {
     const COUNT: usize = 200_000;
-    let mut simulator = simulator_with(0.0, (BroadPhaseCollider::BruteForce, NarrowPhaseCollider::Sat));
+    let mut simulator =
+        simulator_with(0.0, faithful(BroadPhaseCollider::BruteForce, NarrowPhaseCollider::Sat));
     let outline = corners(10.0);
     let made: Vec<_> = (0..COUNT)
         .map(|_| {
@@ -360,7 +361,8 @@ fn many_objects_leave_in_one_update() {
 #[test]
 fn a_body_may_have_many_geoms() {
     const COUNT: usize = 200_000;
-    let mut simulator = simulator_with(0.0, (BroadPhaseCollider::BruteForce, NarrowPhaseCollider::Sat));
+    let mut simulator =
+        simulator_with(0.0, faithful(BroadPhaseCollider::BruteForce, NarrowPhaseCollider::Sat));
     let (body, other) = (simulator.create_body(Body::new()), simulator.create_body(Body::new()));
     let outline = corners(10.0);
     let start = Instant::now();
@@ -382,7 +384,7 @@ fn a_body_may_have_many_geoms() {
 
 /// A floor that overlaps everything, and a box that is another one in every round.
 fn churn(broad: BroadPhaseCollider, mut round: impl FnMut(&mut PhysicsSimulator, usize)) {
-    let mut simulator = simulator_with(100.0, (broad, NarrowPhaseCollider::DistanceGrid));
+    let mut simulator = simulator_with(100.0, faithful(broad, NarrowPhaseCollider::DistanceGrid));
     add_floor(&mut simulator, (200.0, 20.0), v(0.0, 100.0));
     add_box(&mut simulator, (20.0, 20.0), v(-50.0, 80.0));
     let mut lengths = [0; 2];

@@ -1,15 +1,13 @@
 //! Extreme numbers: nothing panics, no body becomes infinite, and nobody else notices.
 
 use conformance::fixtures::plane::{
-    Random, add_box, add_circle, add_floor, body_bits, body_is_finite, is_finite, lively_scene, methods,
-    not_finite, simulator_with, state, v,
+    Random, add_box, add_circle, add_floor, body_bits, body_is_finite, faithful, is_finite, lively_scene,
+    methods, not_finite, simulator_with, state, v,
 };
 use farseer_core::{
-    Body, BodyId, BroadPhaseCollider, Event, GeomFactory, GeomPlacement, NarrowPhaseCollider,
+    Body, BodyId, BroadPhaseCollider, Event, GeomFactory, GeomPlacement, Methods, NarrowPhaseCollider,
     PhysicsSimulator,
 };
-
-type Methods = (BroadPhaseCollider, NarrowPhaseCollider);
 
 /// What a body is given that it cannot bear.
 type Extreme = (&'static str, fn(&mut PhysicsSimulator, BodyId));
@@ -296,11 +294,10 @@ fn random_scenes_of_extreme_numbers_stay_finite() {
                 }
                 for event in simulator.events() {
                     if let Event::NotFinite { body, disabled } = *event {
-                        assert_eq!(
-                            disabled,
-                            !simulator[body].is_static(),
-                            "{methods:?} seed {seed} step {step}"
-                        );
+                        // Of several that the precise set puts back it disables the fastest.
+                        let is_pardoned = methods == Methods::PRECISE && !disabled;
+                        let is_right = is_pardoned || disabled != simulator[body].is_static();
+                        assert!(is_right, "{methods:?} seed {seed} step {step}");
                     }
                 }
             }
@@ -341,7 +338,7 @@ fn scenes_in_spatial_hashes_of_any_cell_size_stay_finite() {
     for cell_size in [0.0, -0.0, -5.0, 1e-30, 1e-45, 1e30, f32::MAX, -f32::MAX] {
         for auto_adjust_cell_size in [false, true] {
             let method = BroadPhaseCollider::SpatialHash { cell_size, auto_adjust_cell_size };
-            let mut simulator = lively_scene((method, NarrowPhaseCollider::DistanceGrid), 10);
+            let mut simulator = lively_scene(faithful(method, NarrowPhaseCollider::DistanceGrid), 10);
             for _ in 0..20 {
                 simulator.update(0.01);
                 assert!(is_finite(&simulator));

@@ -1,10 +1,8 @@
 //! Physics that must hold whatever the bits are: momentum, energy, friction.
 
-use conformance::fixtures::plane::{
-    NARROW_PHASES, Random, add_box, add_circle, add_floor, simulator_with, v,
-};
+use conformance::fixtures::plane::{Random, add_box, add_circle, add_floor, both_sets, simulator_with, v};
 use farseer_core::math::Vector2;
-use farseer_core::{BodyId, BroadPhaseCollider, PhysicsSimulator};
+use farseer_core::{BodyId, Methods, PhysicsSimulator};
 
 fn without_drag(simulator: &mut PhysicsSimulator, body: BodyId) {
     simulator[body].set_linear_drag_coefficient(0.0);
@@ -12,9 +10,9 @@ fn without_drag(simulator: &mut PhysicsSimulator, body: BodyId) {
 }
 
 /// Two bodies of random shape and mass on a collision course, without gravity and drag.
-fn collision_course(narrow: farseer_core::NarrowPhaseCollider, seed: u64) -> (PhysicsSimulator, [BodyId; 2]) {
+fn collision_course(methods: Methods, seed: u64) -> (PhysicsSimulator, [BodyId; 2]) {
     let mut random = Random::new(seed);
-    let mut simulator = simulator_with(0.0, (BroadPhaseCollider::SelectiveSweep, narrow));
+    let mut simulator = simulator_with(0.0, methods);
     let bodies = [-1.0, 1.0].map(|side| {
         let position = v(side * 40.0, random.between(-8.0, 8.0));
         let (body, geom) = if random.below(2) == 0 {
@@ -55,10 +53,10 @@ const MOMENTUM_ERROR_PER_UPDATE: f64 = 2.0 * (2.0 * 3.0 * 4.0 * 512.0 / 16_777_2
 
 #[test]
 fn two_free_bodies_that_collide_keep_their_momentum() {
-    for narrow in NARROW_PHASES {
+    for methods in both_sets() {
         let mut collided = 0;
         for seed in 0..40 {
-            let (mut simulator, bodies) = collision_course(narrow, seed);
+            let (mut simulator, bodies) = collision_course(methods, seed);
             let mut before = momentum(&simulator, &bodies);
             let mut touched = false;
             for step in 0..120 {
@@ -67,25 +65,30 @@ fn two_free_bodies_that_collide_keep_their_momentum() {
                 let after = momentum(&simulator, &bodies);
                 for (a, b) in before.iter().zip(after) {
                     let error = (a - b).abs();
-                    assert!(error < MOMENTUM_ERROR_PER_UPDATE, "{narrow:?} seed {seed} step {step}: {error}");
+                    assert!(
+                        error < MOMENTUM_ERROR_PER_UPDATE,
+                        "{methods:?} seed {seed} step {step}: {error}"
+                    );
                 }
                 before = after;
             }
             collided += u32::from(touched);
         }
-        assert!(collided > 30, "{narrow:?}: only {collided} pairs met");
+        assert!(collided > 30, "{methods:?}: only {collided} pairs met");
     }
 }
 
 #[test]
 fn momentum_is_exchanged_in_a_collision() {
-    let (mut simulator, [a, b]) = collision_course(Default::default(), 1);
-    let before = simulator[a].linear_velocity().x;
-    for _ in 0..120 {
-        simulator.update(0.01);
+    for methods in both_sets() {
+        let (mut simulator, [a, b]) = collision_course(methods, 1);
+        let before = simulator[a].linear_velocity().x;
+        for _ in 0..120 {
+            simulator.update(0.01);
+        }
+        assert!((simulator[a].linear_velocity().x - before).abs() > 10.0, "{methods:?}");
+        assert!(simulator[a].linear_velocity().x <= simulator[b].linear_velocity().x, "{methods:?}");
     }
-    assert!((simulator[a].linear_velocity().x - before).abs() > 10.0);
-    assert!(simulator[a].linear_velocity().x <= simulator[b].linear_velocity().x);
 }
 
 /// A ball that falls on a floor, with restitution 1 on both.
@@ -97,8 +100,8 @@ fn momentum_is_exchanged_in_a_collision() {
 fn a_perfectly_elastic_ball_gains_no_more_energy_than_position_correction_gives() {
     const GRAVITY: f32 = 100.0;
     const DT: f32 = 0.01;
-    for narrow in NARROW_PHASES {
-        let mut simulator = simulator_with(GRAVITY, (BroadPhaseCollider::SelectiveSweep, narrow));
+    for methods in both_sets() {
+        let mut simulator = simulator_with(GRAVITY, methods);
         let (_, floor) = add_floor(&mut simulator, (400.0, 40.0), v(0.0, 120.0));
         let (body, ball) = add_circle(&mut simulator, 10.0, 32, v(0.0, 0.0));
         without_drag(&mut simulator, body);
@@ -123,30 +126,30 @@ fn a_perfectly_elastic_ball_gains_no_more_energy_than_position_correction_gives(
             // Free flight: position and velocity are half a step apart, which shows as an energy that wavers.
             let wavers = 0.5 * GRAVITY * DT * speed_after.abs();
             let gained = energy(&simulator) - start - allowed - wavers;
-            assert!(gained < 1.0, "{narrow:?} step {step}: gained {gained} after {bounces} bounces");
+            assert!(gained < 1.0, "{methods:?} step {step}: gained {gained} after {bounces} bounces");
         }
-        assert!(bounces >= 3, "{narrow:?}: {bounces} bounces");
+        assert!(bounces >= 3, "{methods:?}: {bounces} bounces");
     }
 }
 
 #[test]
 fn a_ball_without_restitution_stays_on_the_floor() {
-    for narrow in NARROW_PHASES {
-        let mut simulator = simulator_with(100.0, (BroadPhaseCollider::SelectiveSweep, narrow));
+    for methods in both_sets() {
+        let mut simulator = simulator_with(100.0, methods);
         add_floor(&mut simulator, (400.0, 40.0), v(0.0, 120.0));
         let (body, _) = add_circle(&mut simulator, 10.0, 32, v(0.0, 0.0));
         for _ in 0..400 {
             simulator.update(0.01);
         }
         let position = simulator[body].position();
-        assert!((position.y - 90.0).abs() < 0.5, "{narrow:?}: {position:?}");
+        assert!((position.y - 90.0).abs() < 0.5, "{methods:?}: {position:?}");
         assert!(simulator[body].linear_velocity().y.abs() < 1.5);
     }
 }
 
 /// A box on a floor under a gravity that pulls sideways as well: how far it slides in 2 s.
-fn slide(narrow: farseer_core::NarrowPhaseCollider, friction: f32, slope: f32) -> f32 {
-    let mut simulator = simulator_with(0.0, (BroadPhaseCollider::SelectiveSweep, narrow));
+fn slide(methods: Methods, friction: f32, slope: f32) -> f32 {
+    let mut simulator = simulator_with(0.0, methods);
     simulator.set_gravity(v(100.0 * slope, 100.0)).unwrap();
     let (_, floor) = add_floor(&mut simulator, (4000.0, 40.0), v(0.0, 120.0));
     let (body, geom) = add_box(&mut simulator, (40.0, 20.0), v(0.0, 90.0));
@@ -160,26 +163,26 @@ fn slide(narrow: farseer_core::NarrowPhaseCollider, friction: f32, slope: f32) -
 
 #[test]
 fn a_box_rests_where_friction_exceeds_the_slope() {
-    for narrow in NARROW_PHASES {
-        let distance = slide(narrow, 0.5, 0.3);
-        assert!(distance.abs() < 1.0, "{narrow:?}: {distance}");
+    for methods in both_sets() {
+        let distance = slide(methods, 0.5, 0.3);
+        assert!(distance.abs() < 1.0, "{methods:?}: {distance}");
     }
 }
 
 #[test]
 fn a_box_slides_where_the_slope_exceeds_friction() {
-    for narrow in NARROW_PHASES {
+    for methods in both_sets() {
         // (0.5 - 0.2) * 100 over 2 s: 60; and 100 without friction.
-        let (rough, smooth) = (slide(narrow, 0.2, 0.5), slide(narrow, 0.0, 0.5));
-        assert!((rough - 60.0).abs() < 6.0, "{narrow:?}: {rough}");
-        assert!((smooth - 100.0).abs() < 3.0, "{narrow:?}: {smooth}");
+        let (rough, smooth) = (slide(methods, 0.2, 0.5), slide(methods, 0.0, 0.5));
+        assert!((rough - 60.0).abs() < 6.0, "{methods:?}: {rough}");
+        assert!((smooth - 100.0).abs() < 3.0, "{methods:?}: {smooth}");
     }
 }
 
 #[test]
 fn a_moving_static_floor_carries_a_box_along() {
-    for narrow in NARROW_PHASES {
-        let mut simulator = simulator_with(100.0, (BroadPhaseCollider::SelectiveSweep, narrow));
+    for methods in both_sets() {
+        let mut simulator = simulator_with(100.0, methods);
         let (belt, floor) = add_floor(&mut simulator, (4000.0, 40.0), v(0.0, 120.0));
         simulator[belt].set_linear_velocity(v(20.0, 0.0));
         let (body, geom) = add_box(&mut simulator, (40.0, 20.0), v(0.0, 90.0));
@@ -188,7 +191,7 @@ fn a_moving_static_floor_carries_a_box_along() {
         for _ in 0..200 {
             simulator.update(0.01);
         }
-        assert!((simulator[body].linear_velocity().x - 20.0).abs() < 1.0, "{narrow:?}");
+        assert!((simulator[body].linear_velocity().x - 20.0).abs() < 1.0, "{methods:?}");
         assert_eq!(simulator[belt].position(), v(0.0, 120.0));
     }
 }

@@ -1,7 +1,10 @@
 //! The precise set: what is saved, cloned and chosen in the middle of a run.
 
 use conformance::fixtures::plane::{add_box, add_circle, add_floor, simulator, v};
-use farseer_core::{BroadPhaseCollider, Methods, NarrowPhaseCollider, PhysicsSimulator};
+use farseer_core::{
+    BroadPhaseCollider, Contact, Context, EventHandler, GeomId, Methods, NarrowPhaseCollider,
+    PhysicsSimulator,
+};
 
 const DT: f32 = 1.0 / 60.0;
 
@@ -70,6 +73,54 @@ fn a_clone_goes_on_with_the_same_bits() {
         cloned = cloned.clone();
     }
     assert!(plain.snapshot() == cloned.snapshot());
+}
+
+#[test]
+fn what_touches_is_known_before_the_first_update_after_a_restore() {
+    let mut plain = filling_pit();
+    (0..200).for_each(|step| play(&mut plain, step));
+    // What is edited counts from the next update on.
+    let last = *plain.body_list().last().unwrap();
+    for is_edited in [false, true] {
+        if is_edited {
+            plain[last].set_linear_velocity(v(60.0, -100.0));
+            plain[last].set_mass(2.0).unwrap();
+        }
+        let mut restored = simulator(1.0);
+        restored.restore(&plain.snapshot()).unwrap();
+        assert!(plain.contact_count() > 10);
+        let touching = |simulator: &PhysicsSimulator| -> Vec<Contact> {
+            simulator.arbiters().flat_map(|arbiter| arbiter.contacts()).collect()
+        };
+        assert_eq!(touching(&restored), touching(&plain));
+        assert!(restored.snapshot() == plain.snapshot());
+    }
+}
+
+/// Refuses all collisions.
+struct Refuser;
+
+impl EventHandler for Refuser {
+    fn on_collision(&mut self, _: &mut Context<'_>, _: GeomId, _: GeomId, _: &mut Vec<Contact>) -> bool {
+        false
+    }
+}
+
+#[test]
+fn circles_that_were_refused_are_the_same_after_a_restore_and_a_pause() {
+    let mut plain = simulator(320.0);
+    plain.set_methods(Methods::PRECISE).unwrap();
+    for x in [0.0, 15.0] {
+        add_circle(&mut plain, 8.0, 16, v(x, 0.0));
+    }
+    (0..2).for_each(|_| plain.update_with(DT, &mut Refuser));
+    let mut restored = simulator(1.0);
+    restored.restore(&plain.snapshot()).unwrap();
+    for dt in [0.0, DT, 0.0] {
+        plain.update(dt);
+        restored.update(dt);
+        assert!(plain.snapshot() == restored.snapshot());
+    }
 }
 
 #[test]

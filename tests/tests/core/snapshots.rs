@@ -2,7 +2,7 @@
 
 use conformance::fixtures::depth;
 use conformance::fixtures::plane::{
-    BROAD_PHASES, Game, Random, add_box, is_finite, lively_scene, simulator, state, v,
+    BROAD_PHASES, Game, Random, add_box, faithful, is_finite, lively_scene, simulator, state, v,
 };
 use farseer_core::snapshot::SnapshotFormat;
 use farseer_core::{
@@ -18,7 +18,7 @@ const GRID: NarrowPhaseCollider = NarrowPhaseCollider::DistanceGrid;
 
 /// A scene with everything in it, some updates old.
 fn everything(broad_phase: BroadPhaseCollider, updates: u32) -> (PhysicsSimulator, Game) {
-    let mut simulator = lively_scene((broad_phase, GRID), 5);
+    let mut simulator = lively_scene(faithful(broad_phase, GRID), 5);
     add_joints(&mut simulator);
     add_springs(&mut simulator);
     add_rows(&mut simulator);

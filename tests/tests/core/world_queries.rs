@@ -1,15 +1,13 @@
 //! Ray casts, boxes and overlaps.
 
-use conformance::fixtures::plane::{Random, add_box, add_circle, add_floor, lively_scene, simulator, v};
+use conformance::fixtures::plane::{
+    Random, add_box, add_circle, add_floor, both_sets, lively_scene, simulator, simulator_with, v,
+};
 use farseer_core::math::{Matrix, Vector2};
 use farseer_core::{
-    Aabb, BodyFactory, BroadPhaseCollider, GeomFactory, GeomId, GeomPlacement, NarrowPhaseCollider,
-    PhysicsSimulator, Vertices,
+    Aabb, BodyFactory, GeomFactory, GeomId, GeomPlacement, Methods, PhysicsSimulator, Vertices,
 };
 use proptest::prelude::*;
-
-const DEFAULT_METHODS: (BroadPhaseCollider, NarrowPhaseCollider) =
-    (BroadPhaseCollider::SelectiveSweep, NarrowPhaseCollider::DistanceGrid);
 
 /// Boxes of 10 units at these places.
 fn boxes(places: &[Vector2]) -> (PhysicsSimulator, Vec<GeomId>) {
@@ -151,40 +149,44 @@ fn disposed_geoms_are_not_found_any_more() {
 
 #[test]
 fn a_sensor_knows_what_is_in_it() {
-    let mut simulator = simulator(0.0);
-    let (_, sensor) = add_floor(&mut simulator, (50.0, 50.0), v(0.0, 0.0));
-    simulator.set_is_sensor(sensor, true).unwrap();
-    let (inside, first) = add_circle(&mut simulator, 5.0, 16, v(-27.0, 0.0));
-    let (_, second) = add_box(&mut simulator, (10.0, 10.0), v(25.0, 0.0));
-    let (_, far) = add_box(&mut simulator, (10.0, 10.0), v(80.0, 0.0));
-    simulator.update(0.01);
-    let overlaps = |simulator: &PhysicsSimulator| simulator.overlaps(sensor);
-    assert_eq!(overlaps(&simulator), [first, second]);
-    assert_eq!((simulator.overlaps(second), simulator.overlaps(far)), (vec![sensor], vec![]));
-    simulator[inside].set_position(v(-300.0, 0.0));
-    simulator.update(0.01);
-    assert_eq!(overlaps(&simulator), [second]);
-    let gone = simulator.geom(far).unwrap().body();
-    simulator.dispose(gone).unwrap();
-    simulator.update(0.01);
-    assert!(simulator.overlaps(far).is_empty());
+    for methods in both_sets() {
+        let mut simulator = simulator_with(0.0, methods);
+        let (_, sensor) = add_floor(&mut simulator, (50.0, 50.0), v(0.0, 0.0));
+        simulator.set_is_sensor(sensor, true).unwrap();
+        let (inside, first) = add_circle(&mut simulator, 5.0, 16, v(-27.0, 0.0));
+        let (_, second) = add_box(&mut simulator, (10.0, 10.0), v(25.0, 0.0));
+        let (_, far) = add_box(&mut simulator, (10.0, 10.0), v(80.0, 0.0));
+        simulator.update(0.01);
+        let overlaps = |simulator: &PhysicsSimulator| simulator.overlaps(sensor);
+        assert_eq!(overlaps(&simulator), [first, second]);
+        assert_eq!((simulator.overlaps(second), simulator.overlaps(far)), (vec![sensor], vec![]));
+        simulator[inside].set_position(v(-300.0, 0.0));
+        simulator.update(0.01);
+        assert_eq!(overlaps(&simulator), [second]);
+        let gone = simulator.geom(far).unwrap().body();
+        simulator.dispose(gone).unwrap();
+        simulator.update(0.01);
+        assert!(simulator.overlaps(far).is_empty());
+    }
 }
 
 /// Boxes that overlap have an arbiter, whose list of contacts is empty as long as the outlines are apart.
 #[test]
 fn boxes_that_overlap_without_touching_are_no_overlap() {
-    let mut simulator = simulator(0.0);
-    let (_, circle) = add_circle(&mut simulator, 10.0, 32, v(0.0, 0.0));
-    let (_, other) = add_circle(&mut simulator, 10.0, 32, v(18.0, 18.0));
-    simulator.update(0.01);
-    let boxes = [circle, other].map(|geom| simulator.geom(geom).unwrap().aabb());
-    assert!(Aabb::intersect(&boxes[0], &boxes[1]));
-    assert!(simulator.overlaps(circle).is_empty());
+    for methods in both_sets() {
+        let mut simulator = simulator_with(0.0, methods);
+        let (_, circle) = add_circle(&mut simulator, 10.0, 32, v(0.0, 0.0));
+        let (_, other) = add_circle(&mut simulator, 10.0, 32, v(18.0, 18.0));
+        simulator.update(0.01);
+        let boxes = [circle, other].map(|geom| simulator.geom(geom).unwrap().aabb());
+        assert!(Aabb::intersect(&boxes[0], &boxes[1]));
+        assert!(simulator.overlaps(circle).is_empty());
+    }
 }
 
 #[test]
 fn hits_are_the_crossings_that_the_original_finds() {
-    let mut simulator = lively_scene(DEFAULT_METHODS, 7);
+    let mut simulator = lively_scene(Methods::default(), 7);
     for _ in 0..100 {
         simulator.update(0.01);
     }

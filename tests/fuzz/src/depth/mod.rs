@@ -31,6 +31,7 @@ pub struct Depth {
 
 impl Game for Depth {
     type Simulator = TwoHalfPhysicsSimulator;
+    const SCENES: usize = scenes::KINDS;
 
     fn new(random: Random) -> Self {
         Depth::try_new(random).expect("ordinary arguments are accepted")

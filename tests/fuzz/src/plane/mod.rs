@@ -15,7 +15,7 @@ mod things;
 use farseer_core::math::Vector2;
 use farseer_core::{
     BodyFactory, BodyId, BodyInterpolation, BroadPhaseCollider, GeomFactory, GeomId, GeomPlacement, Limits,
-    MousePicker, NarrowPhaseCollider, Path, PhysicsSimulator, Result,
+    Methods, MousePicker, NarrowPhaseCollider, Path, PhysicsSimulator, Result,
 };
 
 pub(crate) use edits::{BODY_EDITS, GEOM_EDITS};
@@ -45,6 +45,7 @@ pub struct Plane {
 
 impl Game for Plane {
     type Simulator = PhysicsSimulator;
+    const SCENES: usize = scenes::KINDS + scenes::PRECISE_KINDS;
 
     fn new(random: Random) -> Self {
         Plane::try_new(random).expect("ordinary arguments are accepted")
@@ -53,7 +54,11 @@ impl Game for Plane {
         Plane::with(simulator, random).expect("ordinary arguments are accepted")
     }
     fn scene(kind: usize) -> PhysicsSimulator {
-        scenes::plane(kind).expect("ordinary arguments are accepted")
+        let scene = match kind.checked_sub(scenes::KINDS) {
+            None => scenes::plane(kind),
+            Some(kind) => scenes::precise(kind),
+        };
+        scene.expect("ordinary arguments are accepted")
     }
     fn calls() -> &'static [Call<Self>] {
         calls::CALLS
@@ -76,6 +81,9 @@ impl Plane {
         simulator.set_broad_phase_collider(broad_phase(&mut random)).ok();
         if random.toss() {
             simulator.set_narrow_phase_collider(NarrowPhaseCollider::Sat);
+        }
+        if random.toss() {
+            simulator.set_methods(Methods::PRECISE)?;
         }
         let mut plane = Plane::with(simulator, random)?;
         if plane.random.chance(70) {

@@ -45,6 +45,7 @@ const STAGES: &[fn(&mut Plane)] = &[
 
 impl Game for StagedPlane {
     type Simulator = PhysicsSimulator;
+    const SCENES: usize = Plane::SCENES;
 
     fn new(random: Random) -> Self {
         StagedPlane(Plane::new(random))

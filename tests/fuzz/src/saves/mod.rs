@@ -6,7 +6,6 @@ pub(crate) mod trees;
 use crate::engine::Engine;
 use crate::game::{Game, Outcome, draw};
 use crate::random::Random;
-use crate::scenes;
 use crate::twins::{restored, through_json};
 
 /// Updates for which a simulator that was loaded is used.
@@ -65,7 +64,7 @@ pub fn altered_json<G: Game>(seed: u64) -> Result<Fate, String> {
 
 /// A scene in the middle of its run.
 fn base<G: Game>(random: &mut Random) -> G::Simulator {
-    let mut simulator = G::scene(random.below(scenes::KINDS));
+    let mut simulator = G::scene(random.below(G::SCENES));
     for _ in 0..20 + random.below(40) {
         simulator.update(0.01);
     }

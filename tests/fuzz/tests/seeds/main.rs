@@ -2,5 +2,6 @@
 
 mod play;
 mod saves;
+mod small;
 mod soak;
 mod texts_and_textures;
