@@ -5,6 +5,7 @@
 
 pub mod calculator;
 pub mod convert_units;
+pub(crate) mod decay;
 pub(crate) mod finite;
 pub mod interpolators;
 pub(crate) mod lanes;

@@ -8,7 +8,7 @@ use wide::f32x4;
 use crate::body::{Body, BodyId};
 use crate::math::lanes::sin_cos;
 use crate::math::plane::Pose;
-use crate::math::{Vector2, scalar};
+use crate::math::{Vector2, decay, scalar};
 
 /// What all passes read and write of a body: velocity and spin, and how far it has gone in this substep.
 #[derive(Debug, Clone, Copy, Default)]
@@ -194,7 +194,7 @@ pub(super) fn read(body: &mut Body, gravity: Vector2, dt: f32, h: f32) -> Read {
     let (force, turning) = body.take_accelerations();
     let acceleration = gravity * body.gravity_part() + force;
     let change = |velocity: f32, acceleration: f32, rate: f32| {
-        let (decay, grown) = decay(rate, dt);
+        let (decay, grown) = decay::over(rate, dt);
         velocity * decay + acceleration * grown
     };
     let (drag, rotational_drag) = body.drag_rates();
@@ -218,16 +218,4 @@ pub(super) struct Read {
     pub(super) velocity: [f32; 4],
     pub(super) push: [f32; 4],
     pub(super) forced: [f32; 4],
-}
-
-/// exp(-r t) - 1 and (1 - exp(-r t)) / r. The exponential as the reciprocal of its series: positive and falling for every
-/// rate, and right to 4e-8 for rates up to 0.03 / t.
-fn decay(rate: f32, t: f32) -> (f32, f32) {
-    let x = rate * t;
-    if x == 0.0 {
-        return (0.0, t);
-    }
-    let rest = 1.0 + x * (0.5 + x * (1.0 / 6.0 + x * (1.0 / 24.0)));
-    let series = x * rest;
-    (-series / (1.0 + series), t * rest / (1.0 + series))
 }

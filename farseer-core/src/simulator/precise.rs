@@ -38,7 +38,7 @@ impl PhysicsSimulator {
         self.tell_precise(handler);
         stopwatch.lap(|times| &mut times.narrow_phase_collision_time);
         self.update_controllers(dt, dt_real, handler);
-        self.update_springs(handler);
+        self.update_springs(Some(dt), handler);
         self.sync_precise();
         self.break_precise_joints(handler);
         self.read_precise(&step);

@@ -7,7 +7,7 @@ use crate::springs::{SpringId, SpringOutcome};
 
 impl PhysicsSimulator {
     /// Springs in list order: those that are beyond their breakpoint break, and act once more.
-    pub(super) fn update_springs(&mut self, handler: &mut Handler<'_>) {
+    pub(super) fn update_springs(&mut self, step: Option<f32>, handler: &mut Handler<'_>) {
         for position in 0..self.spring_list().len() {
             if let Some((id, spring)) = self.objects.springs.at_mut(position)
                 && spring.enabled()
@@ -16,14 +16,14 @@ impl PhysicsSimulator {
                     self.report.push(Event::SpringBroke { spring: id });
                     self.tell(handler, |handler, context| handler.on_spring_broke(context, id));
                 }
-                self.update_spring(id, handler);
+                self.update_spring(id, step, handler);
             }
         }
     }
 
-    fn update_spring(&mut self, spring: SpringId, handler: &mut Handler<'_>) {
+    fn update_spring(&mut self, spring: SpringId, step: Option<f32>, handler: &mut Handler<'_>) {
         let objects = &mut self.objects;
-        match objects.springs[spring].update(&mut objects.bodies) {
+        match objects.springs[spring].update(&mut objects.bodies, step) {
             SpringOutcome::Idle => {}
             SpringOutcome::NotFinite => self.report.push(Event::SpringNotFinite { spring }),
             SpringOutcome::Updated => {

@@ -175,7 +175,7 @@ impl PhysicsSimulator {
             return;
         }
         self.update_controllers(dt, dt_real, handler);
-        self.update_springs(handler);
+        self.update_springs(None, handler);
         integrate_velocities(&mut self.objects.bodies, self.settings.gravity, dt, &mut self.report);
     }
 

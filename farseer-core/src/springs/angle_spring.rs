@@ -10,6 +10,7 @@ use crate::error::Result;
 use crate::math::finite::finite;
 use crate::math::scalar;
 use crate::springs::load::{Load, may_act};
+use crate::springs::swing::inverse_inertia;
 use crate::springs::{Constants, Pull, Spring, SpringKind};
 
 /// Greatest target angle that can be set.
@@ -99,6 +100,7 @@ impl AngleSpring {
             return Pull::None;
         }
         let error = body2.total_rotation() - (body1.total_rotation() + self.target_angle);
+        let constants = constants.tuned(|| inverse_inertia(body1) + inverse_inertia(body2));
         let torque = constants.spring * error;
         let torque1 = self.torque_on(body1, torque, constants.damping);
         let torque2 = self.torque_on(body2, -torque, constants.damping);

@@ -10,6 +10,7 @@ use crate::error::Result;
 use crate::math::finite::finite;
 use crate::springs::angle_spring::limited;
 use crate::springs::load::Load;
+use crate::springs::swing::inverse_inertia;
 use crate::springs::{Constants, Pull, Spring, SpringKind};
 
 /// Turns a body towards an angle.
@@ -60,6 +61,7 @@ impl FixedAngleSpring {
             return Pull::None;
         }
         let error = self.target_angle - body.total_rotation();
+        let constants = constants.tuned(|| inverse_inertia(body));
         let torque = constants.spring * error - constants.damping * body.angular_velocity();
         let torque = limited(torque, self.torque_multiplier, self.max_torque);
         if !(error.is_finite() && Load::of(body).with_torque(torque).is_finite()) {

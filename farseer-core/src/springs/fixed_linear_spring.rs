@@ -12,6 +12,7 @@ use crate::math::Vector2;
 use crate::math::finite::{finite, finite_vector};
 use crate::math::vector2::length;
 use crate::springs::load::Load;
+use crate::springs::swing::inverse_mass_at;
 use crate::springs::{Constants, Pull, SHORTEST, Spring, SpringKind, strength};
 
 /// Pulls a point of a body to, or pushes it from, a point of the world until they are the rest length apart.
@@ -109,6 +110,8 @@ impl FixedLinearSpring {
             return Pull::None;
         }
         let error = distance - self.rest_length;
+        let constants =
+            constants.tuned(|| inverse_mass_at(body, point - body.position(), difference * (1.0 / distance)));
         let velocity = body.get_velocity_at_world_point(point);
         let force =
             difference * (1.0 / distance) * strength(constants, error, velocity, difference, distance);

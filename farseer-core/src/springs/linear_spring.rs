@@ -12,6 +12,7 @@ use crate::math::Vector2;
 use crate::math::finite::{finite, finite_vector};
 use crate::math::vector2::length;
 use crate::springs::load::{Load, may_act};
+use crate::springs::swing::inverse_mass_at;
 use crate::springs::{Constants, Pull, SHORTEST, Spring, SpringKind, strength};
 
 /// Pulls points of two bodies together, or pushes them apart, until they are the rest length apart.
@@ -124,6 +125,11 @@ impl LinearSpring {
             return Pull::None;
         }
         let error = distance - self.rest_length;
+        let constants = constants.tuned(|| {
+            let direction = difference * (1.0 / distance);
+            let one = inverse_mass_at(body1, point1 - body1.position(), direction);
+            one + inverse_mass_at(body2, point2 - body2.position(), direction)
+        });
         let velocity = body1.get_velocity_at_world_point(point1) - body2.get_velocity_at_world_point(point2);
         let force =
             difference * (1.0 / distance) * strength(constants, error, velocity, difference, distance);

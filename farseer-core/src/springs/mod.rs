@@ -11,6 +11,7 @@ mod fixed_linear_spring;
 mod linear_spring;
 mod load;
 mod spring_type;
+mod swing;
 
 use serde::{Deserialize, Serialize};
 
@@ -83,6 +84,8 @@ pub(crate) enum SpringOutcome {
 pub(crate) struct Constants {
     spring: f32,
     damping: f32,
+    /// Seconds of the step that they are [tuned](Self::tuned) to; `None` for the faithful set.
+    step: Option<f32>,
 }
 
 /// What a kind of spring has done.
@@ -219,9 +222,9 @@ impl Spring {
         breaks
     }
 
-    /// Applies force or torque, if the bodies let it.
-    pub(crate) fn update(&mut self, bodies: &mut Bodies) -> SpringOutcome {
-        let constants = Constants { spring: self.spring_constant, damping: self.damping_constant };
+    /// Applies force or torque, if the bodies let it; tuned to the length of a step, if there is one.
+    pub(crate) fn update(&mut self, bodies: &mut Bodies, step: Option<f32>) -> SpringOutcome {
+        let constants = Constants { spring: self.spring_constant, damping: self.damping_constant, step };
         let pull = match &self.kind {
             SpringKind::Angle(spring) => spring.pull(constants, bodies),
             SpringKind::FixedAngle(spring) => spring.pull(constants, bodies),

@@ -206,3 +206,74 @@ fn a_belt_carries_what_lies_on_it_at_its_speed() {
     assert_abs_diff_eq!(simulator[body].linear_velocity().x, 50.0, epsilon = 0.05);
     assert_eq!(simulator[belt].position(), v(0.0, 10.0));
 }
+
+#[test]
+fn an_undamped_spring_swings_with_its_own_frequency_and_keeps_its_swing() {
+    // 1 Hz, and 8 Hz, of which a step sees an eighth.
+    for frequency in [1.0_f32, 8.0] {
+        let mut simulator = precise();
+        simulator.set_gravity(v(0.0, 0.0)).unwrap();
+        let (body, geom) = add_box(&mut simulator, (20.0, 20.0), v(140.0, 0.0));
+        simulator[geom].set_collision_enabled(false);
+        without_drag(&mut simulator, body);
+        let omega = 2.0 * std::f32::consts::PI * frequency;
+        let constant = simulator[body].mass() * omega * omega;
+        let spring = farseer_core::SpringFactory::create_fixed_linear_spring(
+            &mut simulator,
+            body,
+            v(0.0, 0.0),
+            v(0.0, 0.0),
+            constant,
+            0.0,
+        )
+        .unwrap();
+        simulator
+            .spring_as_mut::<farseer_core::FixedLinearSpring>(spring)
+            .unwrap()
+            .set_rest_length(100.0)
+            .unwrap();
+        simulator.add(spring).unwrap();
+        let mut widest: f32 = 0.0;
+        let (mut last, mut crossings) = (40.0, Vec::new());
+        for step in 1..=1200 {
+            simulator.update(DT);
+            let stretch = simulator[body].position().x - 100.0;
+            if step > 1000 {
+                widest = widest.max(stretch.abs());
+            }
+            if last > 0.0 && stretch <= 0.0 {
+                crossings.push(step as f32 - stretch / (stretch - last));
+            }
+            last = stretch;
+        }
+        let periods = (crossings.len() - 1) as f32;
+        let period = (crossings[crossings.len() - 1] - crossings[0]) / periods * DT;
+        // Places between steps are taken from a straight line: within a hundredth of a step of each crossing.
+        assert_abs_diff_eq!(period * frequency, 1.0, epsilon = 1e-3);
+        // The swing is that of the velocities of a step: between steps it is a little wider than at them.
+        assert!(widest < 41.0 && widest > 37.0, "{frequency} Hz: {widest} px");
+    }
+}
+
+#[test]
+fn a_spring_that_is_too_stiff_for_any_step_stays_where_it_is() {
+    let mut simulator = precise();
+    let (body, geom) = add_box(&mut simulator, (20.0, 20.0), v(0.0, 100.0));
+    simulator[geom].set_collision_enabled(false);
+    let mass = simulator[body].mass();
+    let spring = farseer_core::SpringFactory::create_fixed_linear_spring(
+        &mut simulator,
+        body,
+        v(0.0, 0.0),
+        v(0.0, 0.0),
+        1e9 * mass,
+        1e5 * mass,
+    )
+    .unwrap();
+    simulator.add(spring).unwrap();
+    run(&mut simulator, 600);
+    let place = simulator[body].position();
+    // As stiff as a step bears, it stretches by its weight: below g dt^2 / 1.94.
+    assert!((100.0..100.0 + GRAVITY * DT * DT / 1.94).contains(&place.y), "{place}");
+    assert_abs_diff_eq!(place.x, 0.0, epsilon = 0.01);
+}

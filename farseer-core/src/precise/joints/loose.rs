@@ -15,9 +15,9 @@ const UNDONE: f64 = 0.2;
 /// Bodies times numbers that are kept, up to which trees answer as a whole.
 const WHOLE: usize = 1000;
 
-/// The part of what the two bodies alone would answer that is added to what trees answer: a chain that is straight between two
-/// shores cannot be longer, whatever pulls.
-const YIELDING: f64 = 1e-3;
+/// The part of what the two bodies alone would answer that is added to what trees answer where a loop closes: a chain that is
+/// straight between two shores cannot be longer, whatever pulls.
+const YIELDING: f64 = 1e-1;
 
 /// Times that several joints of this kind take turns.
 const SWEEPS: usize = 4;
@@ -183,7 +183,10 @@ impl Room {
         }
         let answer = &mut self.answers[self.count];
         (answer.joint, answer.row) = (at, Some(*row));
-        answer.own = joint.speed_of(row, &self.nodes, false) + YIELDING * joint.alone(row, nodes);
+        answer.own = joint.speed_of(row, &self.nodes, false);
+        if let Error::Of(_) = row.error {
+            answer.own += YIELDING * joint.alone(row, nodes);
+        }
         answer.nodes.clear();
         answer.nodes.extend(self.nodes.iter().map(|node| [node.velocity, node.impulse]));
         self.count += 1;
