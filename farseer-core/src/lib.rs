@@ -84,9 +84,8 @@
 //! ## Faithful or precise
 //!
 //! [`Methods::Faithful`], the default, is the original to the bit: for games that were balanced with it.
-//! [`Methods::Precise`] takes the same bodies, geoms, springs, controllers and handlers, and is faster and more accurate than
-//! the original could be: for everybody else, as long as there are no joints, which it does not have yet. What every setting
-//! means to it is in its table. Both can be chosen between updates, at any time.
+//! [`Methods::Precise`] takes the same bodies, geoms, joints, springs, controllers and handlers, and is faster and more
+//! accurate than the original could be: for everybody else. What every setting means to it is in its table. Both can be chosen between updates, at any time.
 //!
 //! ```
 //! use farseer_core::{BodyFactory, GeomFactory, GeomPlacement, Methods, PhysicsSimulator, math::Vector2};

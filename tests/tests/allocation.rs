@@ -117,6 +117,33 @@ fn an_update_of_a_settled_scene_with_the_precise_set_allocates_nothing() {
 }
 
 #[test]
+fn a_bridge_with_the_precise_set_allocates_nothing() {
+    let mut simulator = PhysicsSimulator::new(v(0.0, 300.0)).unwrap();
+    simulator.set_methods(Methods::PRECISE).unwrap();
+    let mut joints = Vec::new();
+    let mut planks: Vec<farseer_core::BodyId> = Vec::new();
+    for at in 0..10 {
+        let left = 16.0 * at as f32;
+        let mut plank = farseer_core::Body::new();
+        plank.set_position(v(left + 8.0, 0.0));
+        let plank = simulator.create_body(plank);
+        simulator.add(plank).unwrap();
+        joints.push(match planks.last() {
+            None => JointFactory::create_fixed_revolute_joint(&mut simulator, plank, v(left, 0.0)),
+            Some(&last) => JointFactory::create_revolute_joint(&mut simulator, last, plank, v(left, 0.0)),
+        });
+        if let Some(&last) = planks.last() {
+            joints.push(JointFactory::create_angle_limit_joint(&mut simulator, last, plank, -0.2, 0.2));
+        }
+        planks.push(plank);
+    }
+    joints.push(JointFactory::create_fixed_revolute_joint(&mut simulator, planks[9], v(160.0, 0.0)));
+    joints.into_iter().for_each(|joint| simulator.add(joint.unwrap()).unwrap());
+    (0..100).for_each(|_| simulator.update(0.01));
+    assert_eq!((0..100).map(|_| calls(|| simulator.update(0.01))).sum::<usize>(), 0);
+}
+
+#[test]
 fn callbacks_of_the_precise_set_allocate_nothing() {
     let mut simulator = settled_precise_scene();
     (0..2).for_each(|_| simulator.update_with(0.01, &mut Silent));

@@ -287,9 +287,7 @@ fn every_scene_of_the_chart_begins_well_with_every_method_of_ours() {
         let built = (scene.build)(scene.sizes[0]);
         for method in methods() {
             let Ok(mut world) = (method.build)(&built, Setting::fixed(1.0 / 240.0, 40)) else {
-                // The precise set has no joints.
-                let lacks_joints = method.name == "Precise" && !built.joints.is_empty();
-                assert!(method.family != Family::Ours || lacks_joints, "{} with {}", scene.name, method.name);
+                assert!(method.family != Family::Ours, "{} with {}", scene.name, method.name);
                 continue;
             };
             let mut watch = (scene.watch)(&built);
