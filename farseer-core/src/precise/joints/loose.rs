@@ -9,8 +9,9 @@ use super::hold::{End, Hold};
 use super::swing::{turn, turned};
 use super::tree::{Link, Node, Vector, dot, plus, solve, solve_again, spun};
 
-/// The part of what is beyond a limit that a substep undoes: a limit is a wall, not a spring that is wound up.
+/// The part of an error that a substep undoes, and up to which part of the length unit, or of a radian.
 const UNDONE: f64 = 0.2;
+const AT_ONCE: f64 = 0.5;
 
 /// Bodies times numbers that are kept, up to which trees answer as a whole.
 const WHOLE: usize = 1000;
@@ -32,6 +33,7 @@ pub(super) struct Loose {
     link: Link,
     softness: f64,
     rate: f64,
+    unit: f64,
     sides: [Side; 2],
     angle: f64,
     direction: Vector,
@@ -201,6 +203,7 @@ impl Loose {
             link: hold.link,
             softness: 0.0,
             rate: 0.0,
+            unit: 1.0,
             sides,
             angle: 0.0,
             direction: [1.0, 0.0],
@@ -210,7 +213,8 @@ impl Loose {
     }
 
     /// A step begins.
-    pub(super) fn begin(&mut self, hold: &Hold, [dt, h]: [f64; 2]) {
+    pub(super) fn begin(&mut self, hold: &Hold, [dt, h]: [f64; 2], unit: f64) {
+        self.unit = unit;
         for (side, &end) in self.sides.iter_mut().zip(&hold.ends) {
             (side.end, side.turned) = (end, 0.0);
         }
@@ -220,6 +224,7 @@ impl Loose {
         self.total = [0.0; 3];
         let [x, y, turning] = hold.force.map(|force| f64::from(force) * h);
         self.impulse = [x, y, turning];
+        self.direction = [1.0, 0.0];
         if hold.link == Link::Distance {
             self.find_direction();
             self.impulse = [dot(self.direction, [x, y]), 0.0, 0.0];
@@ -266,7 +271,7 @@ impl Loose {
         plus(self.sides[1].end.point(), self.sides[0].end.point(), -1.0)
     }
 
-    /// Anchors on one spot have no direction: that which they had last is as good as any.
+    /// Anchors on one spot have no direction: that which they had last in this step, or any, will do.
     fn find_direction(&mut self) {
         let apart = self.apart();
         let distance = dot(apart, apart).sqrt();
@@ -294,22 +299,31 @@ impl Loose {
 
     /// The numbers that it keeps.
     fn rows(&self, hold: &Hold, nodes: &[Node], (h, pass): (f64, Pass)) -> [Option<Row>; 3] {
-        let apart = self.apart();
+        let (apart, unit) = (self.apart(), self.unit);
         let row = |at, direction, error, most| {
             let arms = self.sides.map(|side| dot(spun(side.end.arm), direction));
             Some(Row { at, direction, arms, error, most })
         };
+        let is_soft = self.softness > 0.0;
         let bend = |direction, distance| {
-            if pass == Pass::Correct { self.bend(direction, distance, nodes, h) } else { 0.0 }
+            if pass == Pass::Correct && !is_soft { self.bend(direction, distance, nodes, h) } else { 0.0 }
         };
         let point = |at: usize, direction, most| {
-            row(at, direction, Error::Of(apart[at] + bend(direction, None)), most)
+            row(
+                at,
+                direction,
+                Error::Of(if is_soft { apart[at] } else { undone(apart[at], unit) + bend(direction, None) }),
+                most,
+            )
         };
         match self.link {
             Link::Distance => {
                 let distance = dot(apart, apart).sqrt();
-                let ahead = distance + bend(self.direction, Some(distance));
-                [row(0, self.direction, bounded(ahead, hold), hold.most), None, None]
+                let error = match bounded(distance, bend(self.direction, Some(distance)), hold, unit) {
+                    Error::Of(_) if is_soft => Error::Of(distance - hold.range[1]),
+                    error => error,
+                };
+                [row(0, self.direction, error, hold.most), None, None]
             }
             Link::Angle => [None, None, self.angle_row(hold, nodes)],
             Link::Point => [point(0, [1.0, 0.0], hold.most), point(1, [0.0, 1.0], hold.most), None],
@@ -323,7 +337,8 @@ impl Loose {
     fn angle_row(&self, hold: &Hold, nodes: &[Node]) -> Option<Row> {
         let turned = |side: Side| nodes.get(side.node as usize).map_or(side.turned, |node| node.path[2]);
         let [a, b] = self.sides.map(turned);
-        let error = bounded(self.angle + b - a, hold);
+        // Angles have a unit of their own.
+        let error = bounded(self.angle + b - a, 0.0, hold, 1.0);
         Some(Row { at: 2, direction: [0.0; 2], arms: [1.0; 2], error, most: hold.most })
     }
 
@@ -382,7 +397,7 @@ impl Loose {
                 let speed = match pass {
                     // Until the limit there is as much way as there is room.
                     _ if room >= 0.0 => -room / h,
-                    Pass::Correct => UNDONE * beyond / h,
+                    Pass::Correct => undone(beyond, self.unit) / h,
                     Pass::Rest | Pass::Relax => 0.0,
                 };
                 let (low, high) = if sign > 0.0 { (0.0, most) } else { (-most, 0.0) };
@@ -436,14 +451,20 @@ impl Loose {
     }
 }
 
-/// Where a number is that has to be in a range.
-fn bounded(value: f64, hold: &Hold) -> Error {
+/// The part of an error that a substep undoes. Loops may ask for what cannot be: then it must not be asked for at once.
+fn undone(error: f64, unit: f64) -> f64 {
+    UNDONE * error.clamp(-AT_ONCE * unit, AT_ONCE * unit)
+}
+
+/// Where a number is, and will be besides what its speed does, that has to be in a range.
+fn bounded(value: f64, bend: f64, hold: &Hold, unit: f64) -> Error {
     let [low, high] = hold.range;
+    let ahead = value + bend;
     if low >= high {
-        Error::Of(value - high)
-    } else if value - low < high - value {
-        Error::Room(value - low, 1.0)
+        Error::Of(undone(value - high, unit) + bend)
+    } else if ahead - low < high - ahead {
+        Error::Room(ahead - low, 1.0)
     } else {
-        Error::Room(high - value, -1.0)
+        Error::Room(high - ahead, -1.0)
     }
 }

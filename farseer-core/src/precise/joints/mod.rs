@@ -79,7 +79,11 @@ impl Joints {
         let times = [f64::from(step.dt), f64::from(step.h)];
         for group in &mut self.groups {
             begin_nodes(&mut group.nodes, &self.holds, bodies, times);
-            group.loose.iter_mut().for_each(|loose| loose.begin(&self.holds[loose.hold as usize], times));
+            let holds = &self.holds;
+            group
+                .loose
+                .iter_mut()
+                .for_each(|loose| loose.begin(&holds[loose.hold as usize], times, self.unit));
             let is_free = |node: &Node| node.body == 0 || !is_touched(node.body as usize);
             // A soft joint is not exact in any substep: it needs all of them.
             let is_soft =
@@ -165,7 +169,6 @@ fn node_of(seat: &Seat, holds: &[Hold], bodies: &Bodies) -> Node {
         link: if seat.body == 0 { Link::Fixed } else { Link::Free },
         mass,
         inertia,
-        direction: [1.0, 0.0],
         ..Node::default()
     };
     if let Some(at) = seat.hold {
@@ -256,6 +259,8 @@ impl Node {
         };
         self.impulse = hold.force.map(|force| self.sign() * f64::from(force) * h);
         self.total = [0.0; 3];
+        // Nothing that is not saved may matter.
+        self.direction = [1.0, 0.0];
         parent
     }
 }

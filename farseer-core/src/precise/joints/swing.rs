@@ -118,7 +118,7 @@ pub(super) fn advance(nodes: &mut [Node], h: f64) {
 
 impl Node {
     /// Finds the direction from the anchor of the parent, whose origin is here. Anchors on one spot have none: that which they
-    /// had last is as good as any.
+    /// had last in this step, or any, will do.
     fn find_direction(&mut self, parent: Vector) {
         let apart = plus(plus(self.place, self.arm, 1.0), plus(parent, self.parent_arm, 1.0), -1.0);
         let distance = dot(apart, apart).sqrt();
