@@ -113,7 +113,7 @@ impl Precise {
     /// Joints learn how far they were from what they keep, where their anchors were, and what has held them; those that had
     /// to hold with too much break.
     pub(crate) fn write_joints(&mut self, objects: &mut Objects, report: &mut Report) {
-        for hold in &self.joints.holds {
+        for hold in &mut self.joints.holds {
             let Some(joint) = objects.joints.get_mut(hold.joint) else { continue };
             joint.note(hold.error() as f32);
             joint.show_anchors(hold.ends.map(|end| shown(end.arm)), hold.ends.map(|end| shown(end.point())));
@@ -121,6 +121,8 @@ impl Precise {
                 report.push(Event::JointBroke { joint: hold.joint });
                 self.joints.is_read = false;
             }
+            // What is not finite is forgotten there, and has to be here.
+            hold.force = joint.force_and_torque();
         }
     }
 
