@@ -9,6 +9,7 @@ mod precise;
 mod queries;
 mod save;
 mod settle;
+mod sleep;
 mod solve;
 mod springs;
 mod tell;
@@ -51,6 +52,7 @@ struct Settings {
     max_contacts_to_detect: i32,
     max_contacts_to_resolve: i32,
     friction_type: FrictionType,
+    is_sleep_enabled: bool,
 }
 
 impl Default for Settings {
@@ -64,6 +66,7 @@ impl Default for Settings {
             max_contacts_to_detect: 10,
             max_contacts_to_resolve: 4,
             friction_type: FrictionType::Average,
+            is_sleep_enabled: true,
         }
     }
 }
@@ -262,6 +265,17 @@ impl PhysicsSimulator {
     /// Sets how friction combines, for pairs that begin to overlap later.
     pub fn set_friction_type(&mut self, friction_type: FrictionType) {
         self.settings.friction_type = friction_type;
+    }
+
+    /// Whether bodies that have come to rest sleep. Default true; only with the [precise set](Methods::Precise), which says
+    /// when they do. What sleeps costs nothing and does not move; it wakes by itself as soon as something could move it.
+    pub fn is_sleep_enabled(&self) -> bool {
+        self.settings.is_sleep_enabled
+    }
+
+    /// Sets whether bodies that have come to rest sleep. If not, all are awake from the next update on.
+    pub fn set_sleep_enabled(&mut self, value: bool) {
+        self.settings.is_sleep_enabled = value;
     }
 
     /// The methods, with the present cell size if the broad phase has one. Default [`Methods::default`].

@@ -55,6 +55,16 @@ impl Joints {
         self.seat_of.get(body).is_some_and(|&seat| seat != GROUND)
     }
 
+    /// The bodies that each joint ties together, moved or not; 0 for the world.
+    pub(super) fn ties(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
+        self.holds.iter().map(|hold| hold.ends.map(|end| end.pose as usize))
+    }
+
+    /// Whether nothing about joints has changed since they were read, of this list.
+    pub(super) fn are_read(&self, list: &[JointId]) -> bool {
+        self.is_read && self.listed == list
+    }
+
     /// Plans for the joints that were read.
     fn plan(&mut self, bodies: &Bodies) {
         let keys: Vec<Key> = self.holds.iter().map(Hold::key).collect();
