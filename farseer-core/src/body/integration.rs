@@ -27,6 +27,12 @@ impl Body {
         sum == 0.0
     }
 
+    /// Whether the velocity is finite: all that forces change.
+    #[inline]
+    pub(crate) fn moves_finitely(&self) -> bool {
+        self.linear_velocity.x * 0.0 + self.linear_velocity.y * 0.0 + self.angular_velocity * 0.0 == 0.0
+    }
+
     /// What part of gravity acts on the body.
     #[inline]
     pub(crate) fn gravity_part(&self) -> f32 {
