@@ -14,6 +14,7 @@ use crate::math::{Matrix, Vector2, scalar};
 use crate::shape::{Aabb, Vertices};
 use crate::storage::bits::Floats;
 use crate::storage::collection::Collection;
+use crate::storage::reusing_clone::reusing_clone;
 
 /// The part of a 4x4 matrix that matters in the plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -182,7 +183,7 @@ fn sum_of(points: &[Vector2]) -> f32x4 {
 pub(crate) type Geoms = Collection<GeomEntry, GeomId>;
 
 /// What the simulator keeps of a geom.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct GeomEntry {
     pub(crate) geom: Geom,
     /// Creation number, never reused: decides which geom of a pair is A, and enters contact ids.
@@ -223,6 +224,14 @@ pub(crate) struct GeomEntry {
     pub(crate) is_touched: bool,
     /// Creation numbers of other geoms and whether collision with them is ignored.
     ignored: Vec<(u32, bool)>,
+}
+
+reusing_clone! {
+    GeomEntry {
+        geom, number, collision_id, body, offset, rotation_offset, grid_cell_size, outline,
+        local_vertices, world_vertices, aabb, box_radius, pose, user_matrix, refresh_is_due, grid,
+        grid_fits_outline, pieces, in_simulation, is_sensor, is_touched, ignored
+    }
 }
 
 impl GeomEntry {

@@ -2,6 +2,8 @@
 //! more than twice as wide as the box; so it reaches at most a quarter of a cell beyond the cell it is in, and a level of
 //! large cells holds few boxes. Fast things have long boxes, and are in a level of their own for as long as they are fast.
 
+use crate::storage::reusing_clone::reusing_clone;
+
 /// Low and high corner.
 pub(super) type Box2 = [f32; 4];
 
@@ -40,7 +42,7 @@ impl Default for Entry {
 }
 
 /// Boxes by number.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Grid {
     entries: Vec<Entry>,
     /// First entry of each bucket.
@@ -50,6 +52,8 @@ pub(super) struct Grid {
     /// Levels that have boxes, by bits.
     used: u64,
 }
+
+reusing_clone! { Grid { entries, heads, counts, used } }
 
 /// Cells of a level are 2^(level + LOWEST) wide.
 fn level_of(bounds: &Box2) -> u8 {

@@ -5,6 +5,7 @@ use crate::geom::pieces::{Piece, simplified};
 use crate::geom::seams::Seam;
 use crate::math::plane::{Vector, difference, length, sum, turn};
 use crate::math::scalar;
+use crate::storage::reusing_clone::reusing_clone;
 
 /// By what arithmetic an outline touches others.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -39,13 +40,15 @@ pub(super) struct Shape {
 }
 
 /// Corners and outward normals of all polygons.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Corners {
     points: Vec<Vector>,
     normals: Vec<Vector>,
     /// Of the edges of those outlines that have them.
     seams: Vec<Seam>,
 }
+
+reusing_clone! { Corners { points, normals, seams } }
 
 /// A shape with its corners and the normals of the edges that begin there.
 #[derive(Clone, Copy)]

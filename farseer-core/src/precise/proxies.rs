@@ -11,6 +11,7 @@ use crate::geom::GeomId;
 use crate::geom::entry::GeomEntry;
 use crate::math::plane::{rotation, turn};
 use crate::storage::arena::Id;
+use crate::storage::reusing_clone::reusing_clone;
 
 /// Boxes reach ahead of a body by what it moves in so many steps.
 const STEPS_AHEAD: f32 = 4.0;
@@ -64,7 +65,7 @@ pub(super) fn filter_of(geom: &GeomEntry) -> [i32; 4] {
 }
 
 /// Those of bodies that can be pushed come first; lists of them are as long as a multiple of four.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Proxies {
     pub(super) all: Vec<Proxy>,
     /// Number of proxies of bodies that can be pushed.
@@ -78,6 +79,8 @@ pub(super) struct Proxies {
     /// Those whose bounds are new: pairs are to be looked for.
     pub(super) escaped: Vec<u32>,
 }
+
+reusing_clone! { Proxies { all, movable, corners, boxes, bounds, motion, escaped } }
 
 impl Proxies {
     pub(super) fn clear(&mut self) {
