@@ -156,8 +156,11 @@ impl Grid {
             let low = [bounds[0], bounds[1]].map(|x| number(x - reach(x), inverse));
             let high = [bounds[2], bounds[3]].map(|x| number(x + reach(x), inverse));
             let span = |axis: usize| i64::from(high[axis]) - i64::from(low[axis]) + 1;
+            let (width, height) = (span(0), span(1));
+            // Queries may come with boxes that are the wrong way round, and some large box may overlap them.
+            let is_reversed = width <= 0 || height <= 0;
             let is_last = i32::from(level) == LEVELS - 1;
-            if is_last || span(0).saturating_mul(span(1)) > self.entries.len() as i64 + 16 {
+            if is_last || is_reversed || width.saturating_mul(height) > self.entries.len() as i64 + 16 {
                 self.for_each_of_level(level, bounds, &mut found);
                 continue;
             }
