@@ -224,13 +224,15 @@ pub(crate) struct GeomEntry {
     pub(crate) is_touched: bool,
     /// Creation numbers of other geoms and whether collision with them is ignored.
     ignored: Vec<(u32, bool)>,
+    /// How often that has changed, wrapping: for who looks for what was edited.
+    pub(crate) ignore_changes: i32,
 }
 
 reusing_clone! {
     GeomEntry {
         geom, number, collision_id, body, offset, rotation_offset, grid_cell_size, outline,
         local_vertices, world_vertices, aabb, box_radius, pose, user_matrix, refresh_is_due, grid,
-        grid_fits_outline, pieces, in_simulation, is_sensor, is_touched, ignored
+        grid_fits_outline, pieces, in_simulation, is_sensor, is_touched, ignored, ignore_changes
     }
 }
 
@@ -259,6 +261,7 @@ impl GeomEntry {
             is_sensor: false,
             is_touched: false,
             ignored: Vec::new(),
+            ignore_changes: 0,
         }
     }
 
@@ -389,6 +392,7 @@ impl GeomEntry {
     }
 
     pub(crate) fn set_ignored(&mut self, number: u32, ignored: bool) {
+        self.ignore_changes = self.ignore_changes.wrapping_add(1);
         match self.ignored.iter_mut().find(|(other, _)| *other == number) {
             Some(entry) => entry.1 = ignored,
             None if ignored => self.ignored.push((number, true)),

@@ -52,16 +52,16 @@ pub(super) struct Proxy {
     /// Whether a handler is told of what the geom touches.
     pub(super) is_heard: bool,
     /// What decides whom it may meet.
-    pub(super) filter: [i32; 4],
+    pub(super) filter: [i32; 5],
     /// Speed of its surface along itself, if it stands still: a belt.
     pub(super) surface_velocity: [f32; 3],
 }
 
 /// What of a geom's settings decides whom it may meet.
-pub(super) fn filter_of(geom: &GeomEntry) -> [i32; 4] {
-    let geom = &geom.geom;
+pub(super) fn filter_of(entry: &GeomEntry) -> [i32; 5] {
+    let geom = &entry.geom;
     let (is, with) = (geom.collision_categories().bits(), geom.collides_with().bits());
-    [is, with, geom.collision_group(), i32::from(geom.collision_enabled())]
+    [is, with, geom.collision_group(), i32::from(geom.collision_enabled()), entry.ignore_changes]
 }
 
 /// Those of bodies that can be pushed come first; lists of them are as long as a multiple of four.
@@ -107,7 +107,7 @@ impl Proxies {
                 restitution: 0.0,
                 responds: false,
                 is_heard: false,
-                filter: [0; 4],
+                filter: [0; 5],
                 surface_velocity: [0.0; 3],
             });
         }
