@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::Body;
+use super::motion::whole_turns;
 use crate::math::finite::{finite, finite_vector};
 use crate::math::{Vector2, math_helper::TWO_PI};
 use crate::{Error, Result};
@@ -78,7 +79,7 @@ impl Body {
         if !self.is_kinematic {
             return Err(Error::WrongKind { argument: "body", expected: "kinematic body" });
         }
-        let rotation = rotation - super::whole_turns(rotation) as f32 * TWO_PI;
+        let rotation = rotation - whole_turns(rotation) as f32 * TWO_PI;
         self.target = Some(Target { position, rotation, progress: Progress::Due });
         Ok(())
     }

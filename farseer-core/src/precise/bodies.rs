@@ -9,6 +9,7 @@ use crate::body::{Body, BodyId};
 use crate::math::lanes::sin_cos;
 use crate::math::plane::Pose;
 use crate::math::{Vector2, decay, scalar};
+use crate::storage::reusing_clone::reusing_clone;
 
 /// What all passes read and write of a body: velocity and spin, and how far it has gone in this substep.
 #[derive(Debug, Clone, Copy, Default)]
@@ -19,7 +20,7 @@ pub(super) struct Hot {
 }
 
 /// The bodies by number. Lists of those that can be pushed are as long as a multiple of four.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Bodies {
     /// Number of bodies that can be pushed: the last one has this number.
     pub(super) count: usize,
@@ -50,6 +51,13 @@ pub(super) struct Bodies {
     /// Of all bodies, with those that stand still.
     pub(super) poses: Vec<Pose>,
     pub(super) rotations: Vec<f32>,
+}
+
+reusing_clone! {
+    Bodies {
+        count, ids, kinematic, hot, warm, begun, before, push, forced, path, inverses,
+        gravity_parts, circles, reaches, poses, rotations
+    }
 }
 
 /// Sine and cosine of rotations: quick for those of one turn, which all are but after spins that no number holds.

@@ -1,11 +1,15 @@
 //! Which bodies hang together: by contacts, joints and springs.
 
+use crate::storage::reusing_clone::reusing_clone;
+
 /// Sets of numbers that are joined; each goes by the least number in it, so that nothing depends on the order of joining.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Islands {
     /// A lesser number of the same set, or the number itself.
     above: Vec<u32>,
 }
+
+reusing_clone! { Islands { above } }
 
 impl Islands {
     /// Each number below this one for itself.

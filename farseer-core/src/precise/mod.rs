@@ -40,6 +40,7 @@ use serde::{Deserialize, Serialize};
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::geom::surface::FrictionType;
+use crate::storage::reusing_clone::reusing_clone;
 use saved::Saved;
 pub use sleep::WhyAwake;
 pub(crate) use tuning::Step;
@@ -55,7 +56,7 @@ use touch::{Change, Touch};
 use tuning::Tuning;
 
 /// What the precise set keeps from step to step.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize)]
 #[serde(into = "Saved", from = "Saved")]
 pub(crate) struct Precise {
     tuning: Tuning,
@@ -102,6 +103,14 @@ pub(crate) struct Precise {
     /// Whether a proxy is a partner already of that whose pairs are looked for. All false between searches.
     known: Vec<bool>,
     touching: Vec<((u32, u32), usize)>,
+}
+
+reusing_clone! {
+    Precise {
+        tuning, h, dt, fall, loaded, is_stale, bounces, friction, most_contacts, bodies, proxies,
+        grid, pairs, rows, palette, joints, sleep, body_numbers, first_proxies, loose, absent,
+        edited_bodies, edited_geoms, changes, has_handled, lost, found, known, touching
+    }
 }
 
 impl Precise {

@@ -2,6 +2,7 @@
 
 use super::rows::{Home, Kind};
 use crate::math::plane::Vector;
+use crate::storage::reusing_clone::reusing_clone;
 
 const NONE: u32 = u32::MAX;
 
@@ -59,7 +60,7 @@ struct Links {
 
 /// The pairs: first those that may change, then those of bodies that sleep. A pair's number changes when another one goes,
 /// falls asleep or wakes.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Pairs {
     pub(super) watched: Vec<Watch>,
     pub(super) all: Vec<Pair>,
@@ -74,6 +75,8 @@ pub(super) struct Pairs {
     /// First link of each proxy's list: twice a pair's number, plus which side of it the proxy is.
     heads: Vec<u32>,
 }
+
+reusing_clone! { Pairs { watched, all, frozen, links, awake, touching, heard, heads } }
 
 impl Pairs {
     /// Forgets all pairs.

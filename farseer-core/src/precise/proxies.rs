@@ -11,6 +11,7 @@ use crate::geom::GeomId;
 use crate::geom::entry::GeomEntry;
 use crate::math::plane::{rotation, turn};
 use crate::storage::arena::Id;
+use crate::storage::reusing_clone::reusing_clone;
 
 /// Boxes reach ahead of a body by what it moves in so many steps.
 const STEPS_AHEAD: f32 = 4.0;
@@ -52,20 +53,20 @@ pub(super) struct Proxy {
     /// Whether a handler is told of what the geom touches.
     pub(super) is_heard: bool,
     /// What decides whom it may meet.
-    pub(super) filter: [i32; 4],
+    pub(super) filter: [i32; 5],
     /// Speed of its surface along itself, if it stands still: a belt.
     pub(super) surface_velocity: [f32; 3],
 }
 
 /// What of a geom's settings decides whom it may meet.
-pub(super) fn filter_of(geom: &GeomEntry) -> [i32; 4] {
-    let geom = &geom.geom;
+pub(super) fn filter_of(entry: &GeomEntry) -> [i32; 5] {
+    let geom = &entry.geom;
     let (is, with) = (geom.collision_categories().bits(), geom.collides_with().bits());
-    [is, with, geom.collision_group(), i32::from(geom.collision_enabled())]
+    [is, with, geom.collision_group(), i32::from(geom.collision_enabled()), entry.ignore_changes]
 }
 
 /// Those of bodies that can be pushed come first; lists of them are as long as a multiple of four.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Proxies {
     pub(super) all: Vec<Proxy>,
     /// Number of proxies of bodies that can be pushed.
@@ -82,6 +83,8 @@ pub(super) struct Proxies {
     heads: Vec<u32>,
     next: Vec<u32>,
 }
+
+reusing_clone! { Proxies { all, movable, corners, boxes, bounds, motion, escaped, heads, next } }
 
 impl Proxies {
     pub(super) fn clear(&mut self) {
@@ -108,7 +111,7 @@ impl Proxies {
                 restitution: 0.0,
                 responds: false,
                 is_heard: false,
-                filter: [0; 4],
+                filter: [0; 5],
                 surface_velocity: [0.0; 3],
             });
         }

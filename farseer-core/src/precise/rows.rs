@@ -2,6 +2,7 @@
 //! share a body that can be pushed, so that their order does not matter. The last colour takes what finds no other, one
 //! row in each block, and is solved in order.
 
+use crate::storage::reusing_clone::reusing_clone;
 use wide::f32x4;
 
 /// Number of colours; the last is for what finds no other.
@@ -185,13 +186,15 @@ impl<const P: usize> Row<P> {
 }
 
 /// The rows of one kind.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub(super) struct Colours<const P: usize> {
     /// Which colours have rows, by bits.
     pub(super) used: u32,
     pub(super) blocks: [Vec<Row<P>>; COLOURS],
     counts: [usize; COLOURS],
 }
+
+reusing_clone! { [const P: usize] Colours<P> { used, blocks, counts } }
 
 impl<const P: usize> Default for Colours<P> {
     fn default() -> Self {
@@ -285,7 +288,7 @@ pub(super) struct Sleeping {
 }
 
 /// All rows of contacts.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Rows {
     asleep: Vec<Sleeping>,
     pub(super) two: Colours<2>,
@@ -293,6 +296,8 @@ pub(super) struct Rows {
     pub(super) two_fixed: Colours<2>,
     pub(super) one_fixed: Colours<1>,
 }
+
+reusing_clone! { Rows { asleep, two, one, two_fixed, one_fixed } }
 
 /// The rows of a kind, borrowed as it says.
 macro_rules! of_kind {
@@ -449,13 +454,15 @@ impl Sleeping {
 
 /// Which colours are taken at each body, by bits: among rows of two bodies, and among those with something fixed. The last
 /// colour is never taken, and what cannot be pushed takes none: rows that share it do not disturb each other.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Palette {
     shared: Vec<u32>,
     fixed: Vec<u32>,
     /// Whether a body can be pushed.
     gives_way: Vec<bool>,
 }
+
+reusing_clone! { Palette { shared, fixed, gives_way } }
 
 impl Palette {
     /// For bodies with these reciprocals of mass and inertia.

@@ -61,7 +61,7 @@ struct Known {
     /// Reciprocals of mass and inertia, velocity of the surface, friction and restitution.
     contacts: [f32; 7],
     /// Whom it may meet, and whether it pushes.
-    filter: [i32; 5],
+    filter: [i32; 6],
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -249,11 +249,11 @@ impl Precise {
         let Proxy { body, friction, restitution, surface_velocity, filter, responds, .. } =
             self.proxies.all[proxy];
         let ([mass, inertia], [vx, vy, spin]) = (self.bodies.inverses[body as usize], surface_velocity);
-        let [is, with, group, enabled] = filter;
+        let [is, with, group, enabled, ignores] = filter;
         Known {
             place: self.place_of(body as usize),
             contacts: [mass, inertia, vx, vy, spin, friction, restitution],
-            filter: [is, with, group, enabled, i32::from(responds)],
+            filter: [is, with, group, enabled, ignores, i32::from(responds)],
         }
     }
 

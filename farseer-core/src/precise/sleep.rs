@@ -25,6 +25,7 @@ use crate::joints::{Joint, JointId};
 use crate::math::Vector2;
 use crate::math::plane::{Vector, dot};
 use crate::objects::Objects;
+use crate::storage::reusing_clone::reusing_clone;
 
 /// Seconds for which all bodies of an island are at rest before it sleeps.
 pub(super) const REST: f32 = 0.5;
@@ -65,7 +66,7 @@ pub enum WhyAwake {
 const AWAKE: u32 = u32::MAX;
 
 /// Who sleeps, by number.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Sleep {
     /// Whether things fall asleep, and the gravity that they do it under.
     is_enabled: bool,
@@ -94,6 +95,13 @@ pub(super) struct Sleep {
     islands: Islands,
     least: Vec<f32>,
     falling: Vec<u32>,
+}
+
+reusing_clone! {
+    Sleep {
+        is_enabled, gravity, rest, next, borne, leaning, count, bodies, proxies, waking, touched, pushed, joints,
+        islands, least, falling
+    }
 }
 
 /// A joint as it was when what it holds fell asleep: should it be another one, that wakes.

@@ -33,6 +33,7 @@ use crate::pairs::BroadPhase;
 use crate::pipeline::Pipeline;
 use crate::precise::Precise;
 use crate::report::{Event, Report, StepCounters, StepTimes};
+use crate::storage::reusing_clone::reusing_clone;
 use crate::{Error, Result};
 
 pub use context::Context;
@@ -92,7 +93,10 @@ impl Default for Settings {
 /// assert!((simulator[ball].position().y - 90.0).abs() < 1.0);
 /// # Ok::<(), farseer_core::Error>(())
 /// ```
-#[derive(Debug, Clone, Serialize)]
+///
+/// A clone goes on with the same bits. To go back again and again, keep a simulator and use `clone_from`: it overwrites what
+/// is there, and allocates nothing where nothing new has come.
+#[derive(Debug, Serialize)]
 pub struct PhysicsSimulator {
     settings: Settings,
     #[serde(with = "SavedObjects")]
@@ -102,6 +106,8 @@ pub struct PhysicsSimulator {
     #[serde(skip)]
     report: Report,
 }
+
+reusing_clone! { PhysicsSimulator { settings, objects, contacts, pipeline, report } }
 
 impl Default for PhysicsSimulator {
     fn default() -> Self {
