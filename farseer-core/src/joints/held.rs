@@ -100,7 +100,7 @@ impl Joint {
         }
     }
 
-    /// Notes the error that an update has found, and what held the joint in it.
+    /// Notes the error that an update has found.
     pub(crate) fn note(&mut self, error: f32) {
         self.joint_error = error;
     }

@@ -109,11 +109,13 @@ impl Joint {
         /// How much the joint yields; what the number means depends on the kind. Default 0: not at all.
         #[doc(alias = "Softness")]
         softness, set_softness;
-        /// Greatest force with which the joint holds: one that had to hold with more in an update breaks at its end. Default
-        /// [`f32::MAX`]. Only the [precise set](crate::Methods::Precise) measures forces; there hardly any error is left for
+        /// Greatest force with which the joint holds, in the user's unit of mass times length per s^2: one that had to hold
+        /// with more in the mean of an update breaks at its end. Default [`f32::MAX`]. Only the
+        /// [precise set](crate::Methods::Precise) measures forces; there hardly any error is left for
         /// [`breakpoint`](Self::breakpoint) to measure.
         greatest_force, set_greatest_force;
-        /// Greatest torque with which the joint holds the angle of its bodies, as [`greatest_force`](Self::greatest_force).
+        /// Greatest torque with which the joint holds the angle of its bodies, in the user's unit of mass times length^2
+        /// per s^2, as [`greatest_force`](Self::greatest_force). Default [`f32::MAX`].
         greatest_torque, set_greatest_torque;
     }
 

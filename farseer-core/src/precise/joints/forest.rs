@@ -129,7 +129,7 @@ impl Planting<'_> {
     fn grow(&mut self, group: &mut Group) {
         let mut at = group.seats.len() - 1;
         while let Some(&seat) = group.seats.get(at) {
-            for (hold, body) in self.neighbours[seat.body as usize].clone() {
+            for (hold, body) in std::mem::take(&mut self.neighbours[seat.body as usize]) {
                 if body != 0 && self.seat_of[body as usize] == GROUND {
                     self.seat(group, body, at as u32, Some(hold));
                 }
@@ -141,12 +141,10 @@ impl Planting<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tree::Link;
     use super::{Forest, Key};
 
     fn plan(pairs: &[[u32; 2]], bodies: usize) -> Forest {
-        let keys: Vec<Key> =
-            pairs.iter().map(|&bodies| Key { bodies, link: Link::Point, is_bounded: false }).collect();
+        let keys: Vec<Key> = pairs.iter().map(|&bodies| Key { bodies, is_bounded: false }).collect();
         Forest::new(&keys, bodies)
     }
 

@@ -44,11 +44,10 @@ impl End {
     }
 }
 
-/// What the plan of trees depends on: it is made anew when this changes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// What of a joint the plan of trees depends on.
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Key {
     pub(super) bodies: [u32; 2],
-    pub(super) link: Link,
     /// It may give way: it has a range, or a greatest impulse.
     pub(super) is_bounded: bool,
 }
@@ -80,7 +79,6 @@ impl Hold {
         let [low, high] = self.range;
         Key {
             bodies: self.ends.map(|end| end.body),
-            link: self.link,
             is_bounded: low < high || self.most < f64::from(f32::MAX),
         }
     }

@@ -84,10 +84,10 @@ pub(super) enum Pass {
 }
 
 /// What a push of 1 on a number does.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub(super) struct Answer {
     joint: usize,
-    row: Option<Row>,
+    row: Row,
     /// Of the number itself, and of velocities and impulses of all nodes.
     own: f64,
     nodes: Vec<[[f64; 3]; 2]>,
@@ -180,15 +180,15 @@ impl Room {
         }
         joint.apply(row, 1.0, &mut self.nodes);
         solve(&mut self.nodes, stiff);
+        let mut own = joint.speed_of(row, &self.nodes, false);
+        if let Error::Of(_) = row.error {
+            own += YIELDING * joint.alone(row, nodes);
+        }
         if self.answers.len() == self.count {
-            self.answers.push(Answer::default());
+            self.answers.push(Answer { joint: at, row: *row, own, nodes: Vec::new() });
         }
         let answer = &mut self.answers[self.count];
-        (answer.joint, answer.row) = (at, Some(*row));
-        answer.own = joint.speed_of(row, &self.nodes, false);
-        if let Error::Of(_) = row.error {
-            answer.own += YIELDING * joint.alone(row, nodes);
-        }
+        (answer.joint, answer.row, answer.own) = (at, *row, own);
         answer.nodes.clear();
         answer.nodes.extend(self.nodes.iter().map(|node| [node.velocity, node.impulse]));
         self.count += 1;
@@ -431,8 +431,7 @@ impl Loose {
 
     /// Pushes, and the trees answer.
     fn push(&mut self, answer: &Answer, hold: &Hold, nodes: &mut [Node], h: f64, pass: Pass) {
-        let Some(row) = &answer.row else { return };
-        let change = self.change(row, hold, nodes, answer.own, (h, pass));
+        let change = self.change(&answer.row, hold, nodes, answer.own, (h, pass));
         if change != 0.0 {
             for (node, [velocity, impulse]) in nodes.iter_mut().zip(&answer.nodes) {
                 for i in 0..3 {

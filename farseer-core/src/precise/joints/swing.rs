@@ -4,8 +4,9 @@
 //! arms, R the turning of a body in the substep and C the error of a point, C(x + h v') = 0. Linear in v' about the velocity
 //! v before the joints act: J v' = J v - C(x + h v) / h, of which v falls out but for the spin: for each side of a joint
 //! (x + R r) / h - w p, p the velocity of the anchor by a spin of 1. That is a step of SHAKE (J.-P. Ryckaert, G. Ciccotti,
-//! H. Berendsen 1977) with one iteration, or two. Forces act by halves at the beginning and the end of a step, and the velocity after
-//! it obeys the joints (RATTLE, H. C. Andersen 1983): the method is symplectic, and energy neither drifts nor is damped.
+//! H. Berendsen 1977) with one iteration, or two. Forces act by halves at the beginning and the end of a step, and the
+//! velocity after it obeys the joints (RATTLE, H. C. Andersen 1983): as far as that goes the method is symplectic, and energy
+//! does not drift. Where joints pull so hard that [`stiffen`] adds to inertia, as in a whip, it takes energy away.
 
 use super::super::bodies::Bodies;
 use super::super::tuning::Step;
@@ -80,9 +81,9 @@ pub(super) fn rest(nodes: &mut [Node]) {
     for at in 0..nodes.len() {
         nodes[at].bias = [0.0; 3];
         if nodes[at].softness > 0.0 {
-            let parent = nodes[nodes[at].parent as usize];
+            let parent = nodes[nodes[at].parent as usize].place;
             let node = &mut nodes[at];
-            let error = plus(plus(node.place, node.arm, 1.0), plus(parent.place, node.parent_arm, 1.0), -1.0);
+            let error = node.apart(parent);
             let held = [node.kept_impulse[0], node.kept_impulse[1]];
             let [x, y] = match node.link {
                 Link::Distance => {
@@ -117,14 +118,21 @@ pub(super) fn advance(nodes: &mut [Node], h: f64) {
 }
 
 impl Node {
-    /// Finds the direction from the anchor of the parent, whose origin is here. Anchors on one spot have none: that which they
-    /// had last in this step, or any, will do.
-    fn find_direction(&mut self, parent: Vector) {
-        let apart = plus(plus(self.place, self.arm, 1.0), plus(parent, self.parent_arm, 1.0), -1.0);
+    /// Finds the direction from the anchor of the parent, whose origin is here, and answers the distance. Anchors on one spot
+    /// have none: that which they had last in this step, or any, will do.
+    fn find_direction(&mut self, parent: Vector) -> f64 {
+        let apart = self.apart(parent);
         let distance = dot(apart, apart).sqrt();
         if distance > 0.0 {
             self.direction = [apart[0] / distance, apart[1] / distance];
         }
+        distance
+    }
+
+    /// From the anchor of the parent, whose origin is here, to the body's.
+    #[inline(always)]
+    fn apart(&self, parent: Vector) -> Vector {
+        plus(plus(self.place, self.arm, 1.0), plus(parent, self.parent_arm, 1.0), -1.0)
     }
 }
 
@@ -187,16 +195,13 @@ fn aim_point(node: &Node, child: &Side, parent: &Side, h: f64, unit: f64) -> [f6
 
 #[inline(always)]
 fn aim_distance(node: &mut Node, child: &Side, parent: &Side, h: f64, unit: f64) -> f64 {
-    let apart = plus(child.anchor(), parent.anchor(), -1.0);
-    let distance = dot(apart, apart).sqrt();
-    node.find_direction(parent.place);
-    let error = distance - node.wanted;
+    let error = node.find_direction(parent.place) - node.wanted;
     if node.softness > 0.0 {
         return -error * node.rate;
     }
-    let speed = dot(node.direction, plus(child.anchor_velocity(), parent.anchor_velocity(), -1.0));
-    let aside = plus(child.aside(), parent.aside(), -1.0);
     let way = plus(child.anchor_velocity(), parent.anchor_velocity(), -1.0);
+    let speed = dot(node.direction, way);
+    let aside = plus(child.aside(), parent.aside(), -1.0);
     let ahead = plus(aside, way, h);
     let later = error * postponed(error.abs(), CLOSED_AT_ONCE * unit);
     speed - (dot(ahead, ahead).sqrt() - node.wanted - later) / h
