@@ -18,7 +18,8 @@ pub(super) struct Seat {
 pub(super) struct Group {
     /// Tree after tree, parents before their children.
     pub(super) seats: Vec<Seat>,
-    /// Joints that are in no tree because they close a loop or may give way.
+    /// All joints, and those that are in no tree because they close a loop or may give way.
+    pub(super) joints: Vec<u32>,
     pub(super) loose: Vec<u32>,
 }
 
@@ -116,6 +117,7 @@ impl Planting<'_> {
                 self.grow(&mut group);
             }
         }
+        group.joints = members.to_vec();
         group.loose = members.iter().copied().filter(|&at| is_loose[at as usize]).collect();
         group
     }

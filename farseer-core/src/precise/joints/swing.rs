@@ -71,6 +71,7 @@ pub(super) fn aim(nodes: &mut [Node], h: f64, unit: f64) {
                 node.bias = aim_point(node, &child, &parent, h, unit);
                 node.bias[2] = aim_angle(node, &child, &parent, h);
             }
+            Link::Line => node.bias = aim_line(node, &child, &parent, h, unit),
         }
     }
 }
@@ -110,9 +111,16 @@ pub(super) fn advance(nodes: &mut [Node], h: f64) {
     for at in 0..nodes.len() {
         let turn = nodes[nodes[at].parent as usize].turn;
         nodes[at].parent_arm = turned(turn, nodes[at].parent_arm);
-        if nodes[at].link == Link::Distance {
-            let parent = nodes[nodes[at].parent as usize].place;
-            nodes[at].find_direction(parent);
+        match nodes[at].link {
+            Link::Distance => {
+                let parent = nodes[nodes[at].parent as usize].place;
+                nodes[at].find_direction(parent);
+            }
+            Link::Line => {
+                let first = if nodes[at].is_first { nodes[at].turn } else { turn };
+                nodes[at].direction = turned(first, nodes[at].direction);
+            }
+            _ => {}
         }
     }
 }
@@ -131,7 +139,7 @@ impl Node {
 
     /// From the anchor of the parent, whose origin is here, to the body's.
     #[inline(always)]
-    fn apart(&self, parent: Vector) -> Vector {
+    pub(super) fn apart(&self, parent: Vector) -> Vector {
         plus(plus(self.place, self.arm, 1.0), plus(parent, self.parent_arm, 1.0), -1.0)
     }
 }
@@ -213,6 +221,26 @@ fn aim_angle(node: &Node, child: &Side, parent: &Side, h: f64) -> f64 {
     -error * (1.0 - postponed(error.abs(), CLOSED_AT_ONCE)) / h
 }
 
+/// What is off a line changes as the joint's bodies move against each other where the child's anchor is, and as the line turns.
+#[inline(always)]
+fn aim_line(node: &Node, child: &Side, parent: &Side, h: f64, unit: f64) -> [f64; 3] {
+    let turning = aim_angle(node, child, parent, h);
+    let across = spun(node.direction);
+    let first = if node.is_first { child } else { parent };
+    let apart = plus(child.anchor(), parent.anchor(), -1.0);
+    let way = plus(child.anchor_velocity(), parent.anchor_velocity(), -1.0);
+    let ahead = plus(plus(child.aside(), parent.aside(), -1.0), way, h);
+    let off = dot(across, apart);
+    let left = dot(turned(turn(first.velocity[2] * h), across), ahead)
+        - off * postponed(off.abs(), CLOSED_AT_ONCE * unit);
+    let along = dot(node.direction, apart);
+    // The line is the child's: it turns with a spin that is about to change.
+    let own = if node.is_first { along * (turning - (child.velocity[2] - parent.velocity[2])) } else { 0.0 };
+    let speed = dot(across, way) - parent.velocity[2] * along;
+    let [x, y] = across.map(|part| part * (speed + own - left / h));
+    [x, y, turning]
+}
+
 /// Tension makes a joint stiff against turning, and a stiff thing overshoots where a substep is too long for it: a chain
 /// whose links carry more than they weigh for long enough would be torn to pieces. What is more than the inertia bears is
 /// added to it, as an implicit step would (M. Tournier et al., "Stable constrained dynamics", 2015; S. Andrews et al.,
@@ -264,20 +292,23 @@ pub(super) fn swing(
             }
         }
     }
-    loose.iter_mut().for_each(|loose| loose.stretch(longer));
+    loose.iter_mut().for_each(|loose| loose.stretch(longer, h));
     stiffen(nodes, h);
     for part in 0..parts {
-        kick(nodes, if part == 0 { 0.5 } else { 1.0 });
+        let share = if part == 0 { 0.5 } else { 1.0 };
+        kick(nodes, share);
+        loose.iter_mut().for_each(|loose| loose.share(share));
         nodes.iter_mut().for_each(|node| node.before = node.velocity);
         aim(nodes, h, unit);
         solve_group(nodes, loose, holds, room, (h, Pass::Correct, 1.0));
         aim(nodes, h, unit);
-        refine_group(nodes, loose, holds, room, h);
+        refine_group(nodes, loose, room, h);
         count_impulses(nodes, loose);
         advance(nodes, h);
         loose.iter_mut().for_each(|loose| loose.advance(nodes, h));
     }
     kick(nodes, 0.5);
+    loose.iter_mut().for_each(|loose| loose.share(0.5));
     rest(nodes);
     solve_group(nodes, loose, holds, room, (h, Pass::Rest, 0.0));
     count_impulses(nodes, loose);

@@ -52,6 +52,8 @@ pub(super) enum Link {
     Angle,
     /// The distance of two anchors.
     Distance,
+    /// A line that is fixed in one of them, and the angle.
+    Line,
 }
 
 /// A symmetric matrix of two rows.
@@ -129,6 +131,18 @@ impl Inertia {
         let spin = twist / inertia;
         let [x, y] = self.mass.solve(plus(momentum.along, self.coupling, -spin));
         [x, y, spin]
+    }
+
+    /// What of it is left for one that slides along it in this direction.
+    #[inline(always)]
+    fn without_slide(&self, direction: Vector) -> Inertia {
+        let moved = self.mass.times(direction);
+        let (inverse, coupled) = (1.0 / dot(direction, moved), dot(self.coupling, direction));
+        Inertia {
+            mass: self.mass.with(moved, -inverse),
+            coupling: plus(self.coupling, moved, -coupled * inverse),
+            turning: self.turning - coupled * coupled * inverse,
+        }
     }
 
     /// Inertia and momentum that are left for one who only turns with it.
@@ -290,7 +304,11 @@ impl Node {
     /// The parent has to move the body as far as the joint says.
     #[inline(always)]
     fn hand_up_inertia(&mut self, parent: &mut Node) {
-        let lever = plus(self.parent_arm, parent.arm, -1.0);
+        let mut lever = plus(self.parent_arm, parent.arm, -1.0);
+        if self.link == Link::Line {
+            // What slides is held where it is.
+            lever = plus(lever, self.apart(parent.place), 1.0);
+        }
         self.work.lever = lever;
         let seen = &mut parent.work.seen;
         match self.link {
@@ -306,6 +324,7 @@ impl Node {
                 seen.add_point(&Symmetric::default().with(self.direction, stiff), lever);
             }
             Link::Weld => seen.add(&self.work.seen, lever),
+            Link::Line => seen.add(&self.work.seen.without_slide(self.direction), lever),
             Link::Angle => {
                 let (inertia, _) = self.work.seen.without_place(&Momentum::default());
                 seen.turning += inertia;
@@ -342,6 +361,14 @@ impl Node {
             Link::Weld => {
                 let push = plus(plus(along, mass.times([x, y]), -1.0), coupling, -spin);
                 handed.add(push, twist - dot(coupling, [x, y]) - turning * spin, lever);
+            }
+            Link::Line => {
+                let held = self.work.seen.without_slide(self.direction);
+                let slide = dot(self.direction, along) / dot(self.direction, mass.times(self.direction));
+                let push = plus(along, mass.times(self.direction), -slide);
+                let push = plus(plus(push, held.mass.times([x, y]), -1.0), held.coupling, -spin);
+                let twist = twist - dot(coupling, self.direction) * slide;
+                handed.add(push, twist - dot(held.coupling, [x, y]) - held.turning * spin, lever);
             }
             Link::Angle => {
                 let (inertia, twist) = self.work.seen.without_place(&self.work.momentum);
@@ -407,8 +434,15 @@ impl Node {
                 self.turn_freely(plus(at_joint, [x, y], -self.softness));
             }
             Link::Distance => self.follow_distance(at_parent),
-            Link::Weld => {
+            Link::Weld | Link::Line => {
                 let spin = spin + self.bias[2];
+                let mut at_joint = at_joint;
+                if self.link == Link::Line {
+                    // Along the line nothing holds it.
+                    let free = plus(plus(along, mass.times(at_joint), -1.0), coupling, -spin);
+                    let slide = dot(self.direction, free) / dot(self.direction, mass.times(self.direction));
+                    at_joint = plus(at_joint, self.direction, slide);
+                }
                 let [fx, fy] = plus(plus(mass.times(at_joint), coupling, spin), along, -1.0);
                 self.impulse = [fx, fy, dot(coupling, at_joint) + turning * spin - twist];
                 self.move_with(at_joint, spin);
