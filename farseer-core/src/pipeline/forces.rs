@@ -21,7 +21,7 @@ pub(crate) fn integrate_velocities(bodies: &mut Bodies, gravity: Vector2, dt: f3
             body.accumulate_gravity(gravity);
             body.integrate_velocity(dt);
         }
-        if !body.is_finite() {
+        if !body.moves_finitely() {
             (body.linear_velocity, body.angular_velocity) = before;
             body.set_enabled(false);
             report.push(Event::NotFinite { body: id, disabled: true });
