@@ -50,7 +50,7 @@ pub enum Methods {
     /// | joints | exact: a tree of joints is solved at once, whatever hangs on it, and answers as a whole where a loop closes, a limit holds or an impulse has a bound; in nets of more than a thousand bodies times such joints, each of these is solved alone |
     /// | springs | undamped ones swing with their own frequency and keep their swing; one that is too stiff for a step is as stiff as it bears |
     /// | [`breakpoint`](crate::Joint::breakpoint) | as in the faithful set, but a joint breaks before it acts once more; there is hardly any error to measure, so see [`greatest_force`](crate::Joint::greatest_force) |
-    /// | [`softness`](crate::Joint::softness), [`bias_factor`](crate::Joint::bias_factor) of joints | a soft joint of a point or distance yields to a steady load as far as it does in the faithful set; the bias factor of a hard one, and softness of an angle, mean nothing |
+    /// | [`softness`](crate::Joint::softness), [`bias_factor`](crate::Joint::bias_factor) of joints | a soft joint of a point or distance yields to a steady load as far as it does in the faithful set; its bias factor counts from 0 to 1; that of a hard one, and softness of an angle, mean nothing |
     /// | `max_impulse` of joints | the greatest impulse of a substep |
     /// | [motors](crate::Objects::set_joint_motor) and [limits](crate::Objects::set_joint_limits) of revolute joints, [prismatic](crate::PrismaticJoint) joints | only here: the faithful set refuses them with [`Error::NotSupported`] |
     /// | [callbacks of a geom](crate::Geom::set_collision_callbacks_enabled), friction, restitution and tangent speed [set by a handler](crate::Context::set_contact_friction) | as in the faithful set |

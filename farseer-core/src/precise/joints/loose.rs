@@ -6,7 +6,7 @@
 //! trees are solved after them.
 
 use super::hold::{End, Hold};
-use super::swing::{turn, turned};
+use super::swing::{aside_of_turn, turn, turned};
 use super::tree::{Link, Node, Vector, dot, plus, solve, solve_again, spun};
 
 /// The part of an error that a substep undoes, and up to which part of the length unit, or of a radian.
@@ -371,12 +371,21 @@ impl Loose {
     fn bend(&self, direction: Vector, distance: Option<f64>, nodes: &[Node], h: f64) -> f64 {
         let [a, b] = self.sides.each_ref().map(|side| {
             let ([x, y, spin], arm) = (self.velocity_of(side, nodes), side.end.arm);
-            (plus([x, y], spun(arm), spin), -spin * spin * dot(arm, direction))
+            let [cosine, sine] = aside_of_turn(spin * h);
+            let way = plus([x, y], spun(arm), spin);
+            (way, turned([cosine - 1.0, sine], arm))
         });
-        let across = dot(plus(b.0, a.0, -1.0), spun(direction));
-        let round =
-            distance.filter(|&distance| distance > 0.0).map_or(0.0, |distance| across * across / distance);
-        0.5 * h * h * (b.1 - a.1 + round)
+        let aside = plus(b.1, a.1, -1.0);
+        let bend = match distance {
+            Some(distance) => {
+                let way = plus(b.0, a.0, -1.0);
+                let ahead = plus(plus(self.apart(), way, h), aside, 1.0);
+                dot(ahead, ahead).sqrt() - distance - h * dot(way, direction)
+            }
+            None => dot(aside, direction),
+        };
+        // What turns so fast that this matters is not held to the last digit.
+        bend.clamp(-AT_ONCE * self.unit, AT_ONCE * self.unit)
     }
 
     /// How far the anchors part in a time because the line turns, along it and across, if nothing acts: its origins go
@@ -389,10 +398,9 @@ impl Loose {
         let way = plus([b[0], b[1]], [a[0], a[1]], -1.0);
         let slide = dot(along, plus(way, spun(origins), -spin));
         let round = spin * spin;
-        [
-            0.5 * h * h * round * dot(along, origins),
-            0.5 * h * h * (round * dot(across, origins) - 2.0 * spin * slide),
-        ]
+        let most = AT_ONCE * self.unit;
+        [dot(along, origins) * round, dot(across, origins) * round - 2.0 * spin * slide]
+            .map(|bend| (0.5 * h * h * bend).clamp(-most, most))
     }
 
     /// What a push along a direction does to turn the sides. What slides along a line is held where the second anchor is.

@@ -75,7 +75,8 @@ impl Precise {
             slop: f64::from(held.slop).max(0.0),
             most: f64::from(held.most).abs(),
             softness: softness.max(0.0),
-            bias_factor: f64::from(joint.bias_factor()),
+            // More than all of an error in an update would be undone again by the next one.
+            bias_factor: f64::from(joint.bias_factor()).clamp(0.0, 1.0),
             force: joint.force_and_torque(),
         };
         hold.turn(bodies);

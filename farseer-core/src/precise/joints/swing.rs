@@ -38,7 +38,7 @@ pub(super) fn turn(angle: f64) -> [f64; 2] {
 /// Cosine, and sine less the angle: what a turn does to an arm besides taking it along. What the series leaves out is an
 /// error of 1e-6 of the arm for 0.3, which the next substep finds.
 #[inline(always)]
-fn aside_of_turn(angle: f64) -> [f64; 2] {
+pub(super) fn aside_of_turn(angle: f64) -> [f64; 2] {
     if angle * angle > 1.0 {
         let [cosine, sine] = turn(angle);
         return [cosine, sine - angle];

@@ -220,6 +220,8 @@ pub(super) struct Work {
     inverse_turning: f64,
     rest: Symmetric,
     load: Vector,
+    /// The part of an impulse that is left where a joint is soft; of a distance the first counts.
+    yielding: Symmetric,
     /// Of a distance: inertia and impulse along it, and what moves across with a motion along.
     along: [f64; 3],
 }
@@ -343,11 +345,7 @@ impl Node {
             Link::Free | Link::Fixed => {}
             Link::Point => {
                 let load = plus(along, coupling, -twist * self.work.inverse_turning);
-                // What yields is pushed the less: with R = A - c c^T / d, 1 - s (1 + s R)^-1 R is (1 + s R)^-1.
-                self.work.load = match self.softness {
-                    0.0 => load,
-                    softness => plus(load, self.work.rest.times(load), -softness),
-                };
+                self.work.load = if self.softness > 0.0 { self.work.yielding.times(load) } else { load };
                 handed.add(plus(self.work.load, self.work.rest.times([x, y]), -1.0), 0.0, lever);
             }
             Link::Distance => {
@@ -355,7 +353,7 @@ impl Node {
                 let (n, t) = (self.direction, spun(self.direction));
                 let [stiff, push, share] = &mut self.work.along;
                 let load = dot(n, self.work.load) - *share * dot(t, self.work.load);
-                *push = load * (1.0 - self.softness * *stiff) - *stiff * x;
+                *push = load * self.work.yielding.xx - *stiff * x;
                 handed.add([n[0] * *push, n[1] * *push], 0.0, lever);
             }
             Link::Weld => {
@@ -390,10 +388,13 @@ impl Node {
     fn yield_as_soft(&mut self) {
         let (s, rest) = (self.softness, self.work.rest);
         if s > 0.0 {
-            let yielding = Symmetric { xx: 1.0 + s * rest.xx, xy: s * rest.xy, yy: 1.0 + s * rest.yy };
-            let ([xx, xy], [_, yy]) =
-                (yielding.solve([rest.xx, rest.xy]), yielding.solve([rest.xy, rest.yy]));
-            self.work.rest = Symmetric { xx, xy, yy };
+            let harder = Symmetric { xx: 1.0 + s * rest.xx, xy: s * rest.xy, yy: 1.0 + s * rest.yy };
+            let of = |x: Vector, y: Vector| {
+                let ([xx, xy], [_, yy]) = (harder.solve(x), harder.solve(y));
+                Symmetric { xx, xy, yy }
+            };
+            self.work.yielding = of([1.0, 0.0], [0.0, 1.0]);
+            self.work.rest = of([rest.xx, rest.xy], [rest.xy, rest.yy]);
         }
     }
 
@@ -405,7 +406,8 @@ impl Node {
         let share = dot(n, along_t) / dot(t, along_t);
         let stiff = dot(n, rest.times(n)) - share * dot(n, along_t);
         // What the joint does to the body, once the parent's velocity is known, is stiff times that minus a push.
-        let stiff = stiff / (1.0 + self.softness * stiff);
+        self.work.yielding.xx = 1.0 / (1.0 + self.softness * stiff);
+        let stiff = stiff * self.work.yielding.xx;
         self.work.along = [stiff, 0.0, share];
         stiff
     }
