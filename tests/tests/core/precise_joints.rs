@@ -1,7 +1,7 @@
 //! The precise set: what joints hold, how exactly, and when they break.
 
 use approx::assert_abs_diff_eq;
-use conformance::fixtures::plane::{add_box, add_floor, simulator, v};
+use conformance::fixtures::plane::{Random, add_box, add_floor, not_finite, simulator, v};
 use farseer_core::math::Vector2;
 use farseer_core::{BodyId, Event, JointFactory, JointId, Methods, PhysicsSimulator, Result, RevoluteJoint};
 
@@ -426,6 +426,48 @@ fn what_holds_with_more_than_there_are_numbers_goes_on_with_the_same_bits_after_
     }
     // It is no number, so it is not told.
     assert_eq!(plain[joints[0]].force().y, 0.0);
+}
+
+/// Joints at random between boxes at random: more than can be obeyed.
+fn contradictions(seed: u64) -> PhysicsSimulator {
+    let mut random = Random::new(seed);
+    let mut simulator = precise(GRAVITY);
+    let point = |random: &mut Random| v(random.between(-100.0, 100.0), random.between(-100.0, 100.0));
+    let bodies: Vec<BodyId> = (0..7)
+        .map(|_| {
+            let at = point(&mut random);
+            let body = ghost(&mut simulator, (20.0, 10.0), at);
+            simulator[body].set_rotation(random.between(0.0, 6.0));
+            body
+        })
+        .collect();
+    for _ in 0..16 {
+        let s = &mut simulator;
+        let (a, b, p) = (random.pick(&bodies), random.pick(&bodies), point(&mut random));
+        let (q, low) = (v(random.between(-30.0, 30.0), 5.0), random.between(-1.0, 0.5));
+        let joint = match random.below(6) {
+            _ if a == b => JointFactory::create_fixed_revolute_joint(s, a, p),
+            0 => JointFactory::create_revolute_joint(s, a, b, p),
+            1 => JointFactory::create_slider_joint(s, a, q, b, q, 10.0, 20.0),
+            2 => JointFactory::create_angle_joint(s, a, b),
+            3 => JointFactory::create_fixed_angle_limit_joint(s, a, low, low + 0.3),
+            4 => JointFactory::create_pin_joint(s, a, q, b, q),
+            _ => JointFactory::create_weld_joint(s, a, b, p),
+        };
+        joined(s, joint);
+    }
+    simulator
+}
+
+#[test]
+fn joints_that_contradict_each_other_reach_no_number_that_is_not_finite() {
+    for seed in 0..100 {
+        let mut simulator = contradictions(seed);
+        for step in 0..60 {
+            simulator.update(DT);
+            assert!(not_finite(&simulator).is_empty(), "seed {seed} step {step}");
+        }
+    }
 }
 
 #[test]
