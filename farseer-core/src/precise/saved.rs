@@ -163,7 +163,6 @@ impl Saved {
                 let is_there = (sleeper.first as usize) < self.sleepers.len();
                 is_there && finite(&sleeper.place) && finite(&sleeper.borne)
             })
-            && self.joints.iter().all(KnownJoint::is_finite)
     }
 }
 

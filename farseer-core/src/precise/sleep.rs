@@ -120,12 +120,6 @@ impl KnownJoint {
         joint.enabled().then(|| KnownJoint { joint: id, held: joint.held(), numbers })
     }
 
-    pub(super) fn is_finite(&self) -> bool {
-        let Held { anchors: [one, other], range: [low, high], slop, most, .. } = self.held;
-        let numbers = [one.x, one.y, other.x, other.y, low, high, slop, most];
-        numbers.iter().chain(&self.numbers).all(|number| number.is_finite())
-    }
-
     pub(super) fn bodies(&self) -> impl Iterator<Item = BodyId> {
         self.held.bodies.0.into_iter().chain([self.held.bodies.1])
     }

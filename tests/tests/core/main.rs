@@ -43,6 +43,7 @@ mod not_finite;
 mod physics;
 mod polygon_tools_random;
 mod precise_capsules;
+mod precise_drives;
 mod precise_events;
 mod precise_joints;
 mod precise_motion;

@@ -4,6 +4,7 @@ use super::super::Precise;
 use super::super::tuning::Step;
 use super::Joints;
 use super::hold::{End, Hold};
+use super::swing::turned;
 use super::tree::{Link, Vector};
 use crate::body::BodyId;
 use crate::body::entry::Bodies;
@@ -57,6 +58,7 @@ impl Precise {
             Keeps::PointAndAngle => Link::Weld,
             Keeps::Angle => Link::Angle,
             Keeps::Distance => Link::Distance,
+            Keeps::Line => Link::Line,
         };
         let yields = matches!(link, Link::Point | Link::Distance);
         let softness = if yields { f64::from(joint.softness()) } else { 0.0 };
@@ -66,11 +68,15 @@ impl Precise {
             link,
             ends,
             angle: 0.0,
+            local_axis: vector(held.axis),
+            axis: [0.0; 2],
+            drive: held.drive,
             range: held.range.map(f64::from),
             slop: f64::from(held.slop).max(0.0),
             most: f64::from(held.most).abs(),
             softness: softness.max(0.0),
-            bias_factor: f64::from(joint.bias_factor()),
+            // More than all of an error in an update would be undone again by the next one.
+            bias_factor: f64::from(joint.bias_factor()).clamp(0.0, 1.0),
             force: joint.force_and_torque(),
         };
         hold.turn(bodies);
@@ -91,7 +97,7 @@ impl Precise {
     pub(crate) fn read_joints(&mut self, objects: &Objects, step: &Step) {
         let mut joints = std::mem::take(&mut self.joints);
         if joints.are_read(objects.joints.list()) {
-            joints.follow(&self.bodies, &objects.bodies);
+            joints.follow(&self.bodies, objects);
         } else {
             joints.listed.clear();
             joints.listed.extend_from_slice(objects.joints.list());
@@ -133,21 +139,31 @@ impl Precise {
 }
 
 impl Hold {
-    /// Finds the angle that it keeps.
+    /// Finds the angle and the line that it keeps.
     fn turn(&mut self, bodies: &Bodies) {
         let of = |id: BodyId| bodies.get(id).map_or(0.0, |entry| f64::from(entry.body.total_rotation()));
         if self.turns() {
             self.angle = of(self.bodies.1) - self.bodies.0.map_or(0.0, of);
+        }
+        if self.link == Link::Line
+            && let Some(entry) = self.bodies.0.and_then(|id| bodies.get(id))
+        {
+            let (sine, cosine) = libm::sincos(f64::from(entry.body.rotation()));
+            self.axis = turned([cosine, sine], self.local_axis);
         }
     }
 }
 
 impl Joints {
     /// Joints go where their bodies are.
-    fn follow(&mut self, bodies: &super::Bodies, objects: &Bodies) {
+    fn follow(&mut self, bodies: &super::Bodies, objects: &Objects) {
         for hold in &mut self.holds {
             hold.ends.iter_mut().for_each(|end| end.follow(bodies));
-            hold.turn(objects);
+            hold.turn(&objects.bodies);
+            // What a motor seeks may change in every step: that is no reason to plan anew.
+            if hold.drive.is_some() {
+                hold.drive = objects.joints.get(hold.joint).and_then(Joint::drive).copied();
+            }
         }
     }
 }
