@@ -200,6 +200,7 @@ impl Objects {
         self.methods.check_driven(&edited)?;
         let is_driven = |joint: &Joint| joint.drive().is_some_and(|drive| !drive.is_idle());
         self.has_edited_joints |= is_driven(kept) != is_driven(&edited);
+        self.has_edited_drives |= kept.drive() != edited.drive();
         *kept = edited;
         Ok(())
     }

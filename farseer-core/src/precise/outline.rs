@@ -3,7 +3,7 @@
 use crate::geom::entry::GeomEntry;
 use crate::geom::pieces::{Piece, simplified};
 use crate::geom::seams::{self, Seam};
-use crate::math::plane::{Vector, difference, length, sum, turn};
+use crate::math::plane::{Vector, difference, dot, length, sum, turn};
 use crate::math::scalar;
 use crate::storage::reusing_clone::reusing_clone;
 
@@ -86,6 +86,15 @@ impl Corners {
             normals: &self.normals[range],
             all_seams: &self.seams,
         }
+    }
+
+    /// How far the surface is from the middle, at least.
+    pub(super) fn core(&self, shape: Shape) -> f32 {
+        let Outline { points, normals, .. } = self.outline(shape);
+        let inside =
+            points.iter().zip(normals).map(|(&point, &normal)| dot(normal, difference(point, shape.centre)));
+        let least = inside.reduce(|a, b| if b < a { b } else { a }).unwrap_or(0.0);
+        shape.radius + if least > 0.0 { least } else { 0.0 }
     }
 
     /// Takes a piece of a geom into the frame of the geom's body.
