@@ -396,6 +396,7 @@
 //! | [`PinJoint`] | two points at a distance: a rod | two bodies |
 //! | [`SliderJoint`] | two points in a range of distances: a rope, a telescope | two bodies |
 //! | [`WeldJoint`] | a common point and the angle | two bodies |
+//! | [`PrismaticJoint`] | a line and the angle: a piston, a lift; under the precise set | two bodies |
 //! | [`AngleJoint`], [`FixedAngleJoint`] | an angle | two bodies, body and world |
 //! | [`AngleLimitJoint`], [`FixedAngleLimitJoint`] | an angle in a range | two bodies, body and world |
 //!
@@ -561,7 +562,8 @@ pub use geom::view::GeomRef;
 pub use geom::{Geom, GeomId};
 pub use joints::{
     AngleJoint, AngleLimitJoint, FixedAngleJoint, FixedAngleLimitJoint, FixedRevoluteJoint, Joint, JointId,
-    JointKind, JointType, PinJoint, RevoluteJoint, SliderJoint, WeldJoint,
+    JointKind, JointLimits, JointMotor, JointType, PinJoint, PrismaticJoint, RevoluteJoint, SliderJoint,
+    WeldJoint,
 };
 pub use limits::Limits;
 pub use methods::{BroadPhaseCollider, CollisionCategory, Methods, NarrowPhaseCollider};
@@ -572,6 +574,7 @@ pub use path::{
     ComplexFactory, Curve, CurveContinuity, CurveKey, CurveKeyCollection, CurveLoopType, CurveTangent,
     LinkType, Path,
 };
+pub use precise::WhyAwake;
 pub use report::{Event, StepCounters, StepTimes};
 pub use shape::{Aabb, Feature, Vertices, ray_helper};
 pub use simulator::{

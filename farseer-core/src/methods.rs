@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::joints::{Joint, JointKind};
 use crate::math::finite::finite;
 use crate::{Error, Result};
 
@@ -49,8 +50,9 @@ pub enum Methods {
     /// | joints | exact: a tree of joints is solved at once, whatever hangs on it, and answers as a whole where a loop closes, a limit holds or an impulse has a bound; in nets of more than a thousand bodies times such joints, each of these is solved alone |
     /// | springs | undamped ones swing with their own frequency and keep their swing; one that is too stiff for a step is as stiff as it bears |
     /// | [`breakpoint`](crate::Joint::breakpoint) | as in the faithful set, but a joint breaks before it acts once more; there is hardly any error to measure, so see [`greatest_force`](crate::Joint::greatest_force) |
-    /// | [`softness`](crate::Joint::softness), [`bias_factor`](crate::Joint::bias_factor) of joints | a soft joint of a point or distance yields to a steady load as far as it does in the faithful set; the bias factor of a hard one, and softness of an angle, mean nothing |
+    /// | [`softness`](crate::Joint::softness), [`bias_factor`](crate::Joint::bias_factor) of joints | a soft joint of a point or distance yields to a steady load as far as it does in the faithful set; its bias factor counts from 0 to 1; that of a hard one, and softness of an angle, mean nothing |
     /// | `max_impulse` of joints | the greatest impulse of a substep |
+    /// | [motors](crate::Objects::set_joint_motor) and [limits](crate::Objects::set_joint_limits) of revolute joints, [prismatic](crate::PrismaticJoint) joints | only here: the faithful set refuses them with [`Error::NotSupported`] |
     /// | [callbacks of a geom](crate::Geom::set_collision_callbacks_enabled), friction, restitution and tangent speed [set by a handler](crate::Context::set_contact_friction) | as in the faithful set |
     /// | [kinematic](crate::Body::is_kinematic) bodies, [gravity scale](crate::Body::gravity_scale) | as in the faithful set |
     ///
@@ -113,11 +115,28 @@ impl Methods {
         matches!(self, Methods::Precise { .. })
     }
 
-    pub(crate) fn check_chains(self) -> Result<()> {
-        match self {
-            Methods::Precise { .. } => Ok(()),
-            Methods::Faithful { .. } => Err(Error::NotSupported { what: "chains", methods: "faithful" }),
+    /// Refuses a joint that these methods cannot solve.
+    pub(crate) fn check_joint(self, joint: &Joint) -> Result<()> {
+        match joint.kind() {
+            JointKind::Prismatic(_) => self.only_precise("prismatic joints"),
+            _ => self.check_driven(joint),
         }
+    }
+
+    /// Refuses a joint with a motor or limits that these methods do not have.
+    pub(crate) fn check_driven(self, joint: &Joint) -> Result<()> {
+        if joint.motor().is_some() {
+            self.only_precise("motors of joints")?;
+        }
+        if joint.limits().is_some() { self.only_precise("limits of such joints") } else { Ok(()) }
+    }
+
+    pub(crate) fn check_chains(self) -> Result<()> {
+        self.only_precise("chains")
+    }
+
+    fn only_precise(self, what: &'static str) -> Result<()> {
+        if self.is_precise() { Ok(()) } else { Err(Error::NotSupported { what, methods: "faithful" }) }
     }
 
     pub(crate) fn check(self) -> Result<Self> {

@@ -12,19 +12,23 @@ impl Body {
         self.enabled && !self.is_static
     }
 
+    /// Whether the position and rotation are finite.
+    #[inline]
+    pub(crate) fn place_is_finite(&self) -> bool {
+        let sum =
+            self.position.x * 0.0 + self.position.y * 0.0 + self.rotation * 0.0 + self.total_rotation * 0.0;
+        sum == 0.0
+    }
+
     /// Whether position, rotation and velocities are finite.
     pub(crate) fn is_finite(&self) -> bool {
-        let sum = self.position.x * 0.0
-            + self.position.y * 0.0
-            + self.rotation * 0.0
-            + self.total_rotation * 0.0
-            + self.linear_velocity.x * 0.0
+        let sum = self.linear_velocity.x * 0.0
             + self.linear_velocity.y * 0.0
             + self.angular_velocity * 0.0
             + self.linear_velocity_bias.x * 0.0
             + self.linear_velocity_bias.y * 0.0
             + self.angular_velocity_bias * 0.0;
-        sum == 0.0
+        sum == 0.0 && self.place_is_finite()
     }
 
     /// Whether the velocity is finite: all that forces change.
@@ -119,7 +123,9 @@ impl Body {
             moved = true;
         }
         self.angular_velocity_bias = 0.0;
-        self.land();
+        if self.is_kinematic {
+            self.land();
+        }
         self.has_moved |= moved;
         moved
     }

@@ -121,6 +121,13 @@ impl Body {
         self.target = Some(Target { progress: Progress::Moving, ..target }).filter(|_| self.is_finite());
     }
 
+    /// Whether the next update moves the body, if it is kinematic.
+    pub(crate) fn is_on_its_way(&self) -> bool {
+        let is_due = self.target.is_some_and(|target| target.progress != Progress::Reached);
+        let moves = self.linear_velocity != Vector2::zeros() || self.angular_velocity != 0.0;
+        is_due || (moves && self.target.is_none())
+    }
+
     /// The body stays where it is.
     pub(crate) fn forget_target(&mut self) {
         self.target = None;

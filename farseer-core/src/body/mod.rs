@@ -12,6 +12,7 @@ mod mass;
 mod motion;
 pub(crate) mod nobody;
 mod refused;
+mod rest;
 mod save;
 
 pub(crate) use self::motion::Pose;

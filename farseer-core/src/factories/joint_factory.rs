@@ -3,7 +3,7 @@
 use crate::body::{Body, BodyId};
 use crate::joints::{
     AngleJoint, AngleLimitJoint, FixedAngleJoint, FixedAngleLimitJoint, FixedRevoluteJoint, JointId,
-    PinJoint, RevoluteJoint, SliderJoint, WeldJoint,
+    PinJoint, PrismaticJoint, RevoluteJoint, SliderJoint, WeldJoint,
 };
 use crate::math::Vector2;
 use crate::math::finite::{finite, finite_vector};
@@ -185,6 +185,28 @@ impl JointFactory {
     }
 }
 
+/// Joints that the original does not have.
+impl JointFactory {
+    /// A second body that slides along an axis of the first, given as a direction of the world, through a point of the world.
+    /// The bodies keep the angle to each other that they have now. Only the [precise set](crate::Methods::Precise) has such
+    /// joints.
+    ///
+    /// # Errors
+    /// A stale body; what is not finite; an axis without length. Under the faithful methods it cannot be added.
+    #[doc(alias("line joint", "piston"))]
+    pub fn create_prismatic_joint(
+        simulator: &mut Objects,
+        body1: BodyId,
+        body2: BodyId,
+        anchor: Vector2,
+        axis: Vector2,
+    ) -> Result<JointId> {
+        let (first, second) = (find(simulator, "body1", body1)?, find(simulator, "body2", body2)?);
+        let joint = PrismaticJoint::new(first, second, anchor, axis)?;
+        simulator.create_joint(joint)
+    }
+}
+
 /// Made and added in one call.
 impl JointFactory {
     added! {
@@ -197,6 +219,7 @@ impl JointFactory {
         create_fixed_angle_joint_in = create_fixed_angle_joint(body: BodyId) -> JointId;
         create_angle_limit_joint_in = create_angle_limit_joint(body1: BodyId, body2: BodyId, min: f32, max: f32) -> JointId;
         create_fixed_angle_limit_joint_in = create_fixed_angle_limit_joint(body: BodyId, min: f32, max: f32) -> JointId;
+        create_prismatic_joint_in = create_prismatic_joint(body1: BodyId, body2: BodyId, anchor: Vector2, axis: Vector2) -> JointId;
         create_weld_joint_in = create_weld_joint(body1: BodyId, body2: BodyId, anchor: Vector2) -> JointId;
     }
 }

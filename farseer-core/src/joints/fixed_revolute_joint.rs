@@ -7,6 +7,7 @@ use crate::body::{Body, BodyId};
 use crate::checked_properties::checked_properties;
 use crate::error::Result;
 use crate::joints::bodies::one_body;
+use crate::joints::drive::Drive;
 use crate::joints::joint_body::{Inverse2, JointBodies, JointPose, JointStep, is_non_zero};
 use crate::joints::{Joint, JointKind};
 use crate::math::Vector2;
@@ -17,7 +18,9 @@ use crate::math::vector2::length;
 /// Its own bias factor; that of the other joints is 0.2.
 pub(super) const BIAS_FACTOR: f32 = 0.8;
 
-/// Keeps a point of a body at a point of the world. The bias factor of the joint is 0.8 when it is made.
+/// Keeps a point of a body at a point of the world. The bias factor of the joint is 0.8 when it is made. Under
+/// the precise set it can have a [motor](crate::Objects::set_joint_motor) and
+/// [limits](crate::Objects::set_joint_limits).
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct FixedRevoluteJoint {
     body: BodyId,
@@ -32,6 +35,7 @@ pub struct FixedRevoluteJoint {
     velocity_bias: Vector2,
     #[serde(with = "crate::storage::bits")]
     inverse: Inverse2,
+    pub(super) drive: Drive,
 }
 
 impl FixedRevoluteJoint {
@@ -51,6 +55,7 @@ impl FixedRevoluteJoint {
             arm: Vector2::zeros(),
             velocity_bias: Vector2::zeros(),
             inverse: Inverse2::default(),
+            drive: Drive::default(),
         }
     }
 
@@ -75,6 +80,7 @@ impl FixedRevoluteJoint {
         finite_vector("anchor", anchor)?;
         self.local_anchor = finite_vector("anchor", body.get_local_position(anchor))?;
         self.anchor = anchor;
+        self.drive.count_from(None, body);
         Ok(())
     }
 
@@ -130,6 +136,8 @@ impl FixedRevoluteJoint {
 
     pub(crate) fn is_valid(&self) -> bool {
         let vectors = [self.anchor, self.local_anchor];
-        self.max_impulse.is_finite() && vectors.iter().all(|v| v.x.is_finite() && v.y.is_finite())
+        self.max_impulse.is_finite()
+            && vectors.iter().all(|v| v.x.is_finite() && v.y.is_finite())
+            && self.drive.is_valid()
     }
 }

@@ -1,11 +1,13 @@
 //! What a joint asks for, whatever its kind: as methods see it that solve joints in their own way.
 
-use super::{Joint, JointKind};
+use serde::{Deserialize, Serialize};
+
+use super::{Drive, Joint, JointKind};
 use crate::body::BodyId;
 use crate::math::Vector2;
 
 /// What a joint keeps of the second body's motion against the first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) enum Keeps {
     /// A point.
     Point,
@@ -15,10 +17,12 @@ pub(crate) enum Keeps {
     Angle,
     /// The distance of two anchors.
     Distance,
+    /// A line, and the angle.
+    Line,
 }
 
 /// A joint's request.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Held {
     pub(crate) keeps: Keeps,
     /// The first is `None` for the world.
@@ -31,11 +35,24 @@ pub(crate) struct Held {
     pub(crate) slop: f32,
     /// Greatest impulse of a substep, or of the angle alone where a point is kept too.
     pub(crate) most: f32,
+    /// The line in the coordinates of the first body.
+    pub(crate) axis: Vector2,
+    /// What moves it along the way that is free.
+    pub(crate) drive: Option<Drive>,
 }
 
 impl Held {
     fn point(bodies: (Option<BodyId>, BodyId), anchors: [Vector2; 2]) -> Self {
-        Held { keeps: Keeps::Point, bodies, anchors, range: [0.0; 2], slop: 0.0, most: f32::MAX }
+        Held {
+            keeps: Keeps::Point,
+            bodies,
+            anchors,
+            range: [0.0; 2],
+            slop: 0.0,
+            most: f32::MAX,
+            axis: Vector2::zeros(),
+            drive: None,
+        }
     }
 
     fn angle(bodies: (Option<BodyId>, BodyId), range: [f32; 2]) -> Self {
@@ -47,6 +64,7 @@ impl Joint {
     /// What the joint asks for.
     pub(crate) fn held(&self) -> Held {
         let two = |body2: BodyId| (Some(self.body1()), body2);
+        let drive = self.drive().copied().filter(|drive| !drive.is_idle());
         match self.kind() {
             JointKind::Angle(joint) => Held {
                 most: joint.max_impulse(),
@@ -66,6 +84,7 @@ impl Joint {
             },
             JointKind::FixedRevolute(joint) => Held {
                 most: joint.max_impulse(),
+                drive,
                 ..Held::point((None, joint.body()), [joint.anchor(), joint.local_anchor])
             },
             JointKind::Pin(joint) => Held {
@@ -73,7 +92,16 @@ impl Joint {
                 range: [joint.target_distance(); 2],
                 ..Held::point(two(joint.body2()), [joint.anchor1(), joint.anchor2()])
             },
-            JointKind::Revolute(joint) => Held::point(two(joint.body2()), joint.point.local_anchors()),
+            JointKind::Prismatic(joint) => Held {
+                keeps: Keeps::Line,
+                range: [joint.target_angle; 2],
+                axis: joint.axis(),
+                drive,
+                ..Held::point(two(joint.body2()), joint.point.local_anchors())
+            },
+            JointKind::Revolute(joint) => {
+                Held { drive, ..Held::point(two(joint.body2()), joint.point.local_anchors()) }
+            }
             JointKind::Slider(joint) => Held {
                 keeps: Keeps::Distance,
                 range: [joint.min(), joint.max()],
@@ -93,6 +121,7 @@ impl Joint {
     pub(crate) fn show_anchors(&mut self, arms: [Vector2; 2], world: [Vector2; 2]) {
         match self.kind_mut() {
             JointKind::Revolute(joint) => joint.point.show(arms),
+            JointKind::Prismatic(joint) => joint.point.show(arms),
             JointKind::Weld(joint) => joint.point.show(arms),
             JointKind::Pin(joint) => joint.anchors.show(arms, world),
             JointKind::Slider(joint) => joint.anchors.show(arms, world),
@@ -100,7 +129,7 @@ impl Joint {
         }
     }
 
-    /// Notes the error that an update has found, and what held the joint in it.
+    /// Notes the error that an update has found.
     pub(crate) fn note(&mut self, error: f32) {
         self.joint_error = error;
     }

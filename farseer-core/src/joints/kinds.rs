@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::joints::{
     AngleJoint, AngleLimitJoint, FixedAngleJoint, FixedAngleLimitJoint, FixedRevoluteJoint, Joint, PinJoint,
-    RevoluteJoint, SliderJoint, WeldJoint,
+    PrismaticJoint, RevoluteJoint, SliderJoint, WeldJoint,
 };
 
 mod sealed {
@@ -85,6 +85,8 @@ joint_kinds! {
     FixedRevolute: FixedRevoluteJoint,
     /// Two anchors at a fixed distance.
     Pin: PinJoint,
+    /// Two bodies that slide along an axis.
+    Prismatic: PrismaticJoint,
     /// Two bodies that turn about a common point.
     Revolute: RevoluteJoint,
     /// Two anchors whose distance stays in a range.

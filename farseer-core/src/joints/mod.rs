@@ -10,6 +10,7 @@ mod anchor_distance;
 mod angle_joint;
 mod angle_limit_joint;
 mod bodies;
+mod drive;
 mod fixed_angle_joint;
 mod fixed_angle_limit_joint;
 mod fixed_revolute_joint;
@@ -18,6 +19,7 @@ pub(crate) mod joint_body;
 mod kinds;
 mod limit;
 mod pin_joint;
+mod prismatic_joint;
 mod revolute_joint;
 mod shared_point;
 mod slider_joint;
@@ -27,11 +29,14 @@ use serde::{Deserialize, Serialize};
 
 pub use angle_joint::AngleJoint;
 pub use angle_limit_joint::AngleLimitJoint;
+pub(crate) use drive::Drive;
+pub use drive::{JointLimits, JointMotor};
 pub use fixed_angle_joint::FixedAngleJoint;
 pub use fixed_angle_limit_joint::FixedAngleLimitJoint;
 pub use fixed_revolute_joint::FixedRevoluteJoint;
 pub use kinds::{JointKind, JointType};
 pub use pin_joint::PinJoint;
+pub use prismatic_joint::PrismaticJoint;
 pub use revolute_joint::RevoluteJoint;
 pub use slider_joint::SliderJoint;
 pub use weld_joint::WeldJoint;
@@ -109,11 +114,13 @@ impl Joint {
         /// How much the joint yields; what the number means depends on the kind. Default 0: not at all.
         #[doc(alias = "Softness")]
         softness, set_softness;
-        /// Greatest force with which the joint holds: one that had to hold with more in an update breaks at its end. Default
-        /// [`f32::MAX`]. Only the [precise set](crate::Methods::Precise) measures forces; there hardly any error is left for
+        /// Greatest force with which the joint holds, in the user's unit of mass times length per s^2: one that had to hold
+        /// with more in the mean of an update breaks at its end. Default [`f32::MAX`]. Only the
+        /// [precise set](crate::Methods::Precise) measures forces; there hardly any error is left for
         /// [`breakpoint`](Self::breakpoint) to measure.
         greatest_force, set_greatest_force;
-        /// Greatest torque with which the joint holds the angle of its bodies, as [`greatest_force`](Self::greatest_force).
+        /// Greatest torque with which the joint holds the angle of its bodies, in the user's unit of mass times length^2
+        /// per s^2, as [`greatest_force`](Self::greatest_force). Default [`f32::MAX`].
         greatest_torque, set_greatest_torque;
     }
 
@@ -195,6 +202,35 @@ impl Joint {
     /// The joint of its kind.
     pub fn kind(&self) -> &JointKind {
         &self.kind
+    }
+
+    /// The [motor](crate::Objects::set_joint_motor) that drives the joint.
+    pub fn motor(&self) -> Option<JointMotor> {
+        self.drive()?.motor()
+    }
+
+    /// The [limits](crate::Objects::set_joint_limits) within which the joint may move.
+    pub fn limits(&self) -> Option<JointLimits> {
+        self.drive()?.limits()
+    }
+
+    /// What of a joint leaves a way free on which it can be driven.
+    pub(crate) fn drive(&self) -> Option<&Drive> {
+        match &self.kind {
+            JointKind::Revolute(joint) => Some(&joint.drive),
+            JointKind::FixedRevolute(joint) => Some(&joint.drive),
+            JointKind::Prismatic(joint) => Some(&joint.drive),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn drive_mut(&mut self) -> Option<&mut Drive> {
+        match &mut self.kind {
+            JointKind::Revolute(joint) => Some(&mut joint.drive),
+            JointKind::FixedRevolute(joint) => Some(&mut joint.drive),
+            JointKind::Prismatic(joint) => Some(&mut joint.drive),
+            _ => None,
+        }
     }
 
     pub(crate) fn kind_mut(&mut self) -> &mut JointKind {

@@ -6,27 +6,36 @@ use crate::body::nobody::nobody;
 use crate::body::{Body, BodyId};
 use crate::error::Result;
 use crate::joints::bodies::two_bodies;
+use crate::joints::drive::Drive;
 use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
 use crate::joints::shared_point::SharedPoint;
 use crate::joints::{Joint, JointKind};
 use crate::math::Vector2;
 
-/// Keeps a point of two bodies together: a hinge. There is no limit to its impulse.
+/// Keeps a point of two bodies together: a hinge. There is no limit to its impulse. Under the precise set
+/// it can have a [motor](crate::Objects::set_joint_motor) and [limits](crate::Objects::set_joint_limits).
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct RevoluteJoint {
     body1: BodyId,
     body2: BodyId,
     pub(super) point: SharedPoint,
+    pub(super) drive: Drive,
 }
 
 impl RevoluteJoint {
     pub(crate) fn new(body1: (BodyId, &Body), body2: (BodyId, &Body), anchor: Vector2) -> Result<Joint> {
-        let point = SharedPoint::new(anchor, body1.1, body2.1)?;
-        Ok(Joint::of(JointKind::Revolute(RevoluteJoint { body1: body1.0, body2: body2.0, point })))
+        let mut joint = RevoluteJoint { body1: body1.0, body2: body2.0, ..RevoluteJoint::without_bodies() };
+        joint.set_anchor(anchor, body1.1, body2.1)?;
+        Ok(Joint::of(JointKind::Revolute(joint)))
     }
 
     pub(crate) fn without_bodies() -> Self {
-        RevoluteJoint { body1: nobody(), body2: nobody(), point: SharedPoint::default() }
+        RevoluteJoint {
+            body1: nobody(),
+            body2: nobody(),
+            point: SharedPoint::default(),
+            drive: Drive::default(),
+        }
     }
 
     two_bodies! {}
@@ -38,7 +47,9 @@ impl RevoluteJoint {
     }
 
     pub(crate) fn set_anchor(&mut self, anchor: Vector2, body1: &Body, body2: &Body) -> Result<()> {
-        self.point.set_anchor(anchor, body1, body2)
+        self.point.set_anchor(anchor, body1, body2)?;
+        self.drive.count_from(Some(body1), body2);
+        Ok(())
     }
 
     /// The first body's position plus the arm of the last pre-step.
@@ -68,6 +79,6 @@ impl RevoluteJoint {
     }
 
     pub(crate) fn is_valid(&self) -> bool {
-        self.point.is_valid()
+        self.point.is_valid() && self.drive.is_valid()
     }
 }

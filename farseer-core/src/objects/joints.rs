@@ -5,9 +5,10 @@ use crate::body::entry::Bodies;
 use crate::body::nobody::{check_bodies, nobody};
 use crate::body::{Body, BodyId};
 use crate::error::{Error, Result};
-use crate::joints::{Joint, JointId, JointKind, JointType};
+use crate::joints::{Joint, JointId, JointKind, JointLimits, JointMotor, JointType};
 use crate::math::Vector2;
 use crate::math::finite::finite_vector;
+use crate::math::scalar::nearest_finite;
 
 /// Joints.
 impl Objects {
@@ -123,8 +124,8 @@ impl Objects {
         Ok(())
     }
 
-    /// Moves the anchor of a revolute, fixed revolute or weld joint to a point of the world; the bodies hold on to it
-    /// where they are now.
+    /// Moves the anchor of a revolute, fixed revolute, weld or prismatic joint to a point of the world; the bodies hold on to it
+    /// where they are now, and [limits](Self::set_joint_limits) count from there.
     ///
     /// # Errors
     /// A stale id; a body that was not set yet; a point that is not finite, or too far from the bodies for finite arms; a
@@ -136,8 +137,92 @@ impl Objects {
             JointKind::Revolute(joint) => joint.set_anchor(anchor, body1, body2),
             JointKind::FixedRevolute(joint) => joint.set_anchor(anchor, body1),
             JointKind::Weld(joint) => joint.set_anchor(anchor, body1, body2),
-            _ => Err(wrong_kind("RevoluteJoint, FixedRevoluteJoint or WeldJoint")),
+            JointKind::Prismatic(joint) => joint.set_anchor(anchor, body1, body2),
+            _ => Err(wrong_kind("RevoluteJoint, FixedRevoluteJoint, WeldJoint or PrismaticJoint")),
         }
+    }
+
+    /// Gives a prismatic joint another axis, a direction of the world; the first body holds on to it at its angle now. Its
+    /// length does not matter.
+    ///
+    /// # Errors
+    /// A stale id; a body that was not set yet; an axis that is not finite or has no length; a joint of another kind.
+    pub fn set_joint_axis(&mut self, joint: JointId, axis: Vector2) -> Result<()> {
+        let (joint, body1, _) = self.joint_and_bodies(joint)?;
+        match joint.kind_mut() {
+            JointKind::Prismatic(joint) => joint.set_axis(axis, body1),
+            _ => Err(wrong_kind("PrismaticJoint")),
+        }
+    }
+
+    /// Gives a revolute, fixed revolute or prismatic joint a motor, or takes it away. It acts from the next update on.
+    ///
+    /// ```
+    /// use farseer_core::math::Vector2;
+    /// use farseer_core::{BodyFactory, JointFactory, JointMotor, Methods, PhysicsSimulator};
+    /// let mut simulator = PhysicsSimulator::default();
+    /// simulator.set_methods(Methods::PRECISE)?;
+    /// let wheel = BodyFactory::create_circle_body_in(&mut simulator, 10.0, 1.0)?;
+    /// let axle = JointFactory::create_fixed_revolute_joint_in(&mut simulator, wheel, Vector2::zeros())?;
+    /// simulator.set_joint_motor(axle, Some(JointMotor { speed: 3.0, greatest_effort: 1e6 }))?;
+    /// simulator.update(0.01);
+    /// assert!((simulator[wheel].angular_velocity() - 3.0).abs() < 0.001);
+    /// # Ok::<(), farseer_core::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A stale id; a joint of another kind; a speed that is not finite, an effort that is not finite and 0 or more; the
+    /// faithful methods, which have no motors ([`Error::NotSupported`]).
+    pub fn set_joint_motor(&mut self, joint: JointId, motor: Option<JointMotor>) -> Result<()> {
+        self.edit_drive(joint, |joint| joint.drive_mut().map(|drive| drive.set_motor(motor)))
+    }
+
+    /// Gives a revolute, fixed revolute or prismatic joint limits, or takes them away. They hold from the next update on: a
+    /// joint that is beyond them is brought back little by little.
+    ///
+    /// # Errors
+    /// A stale id; a joint of another kind; limits that are not finite, or in the wrong order; the faithful methods, which
+    /// have none for these joints ([`Error::NotSupported`]).
+    pub fn set_joint_limits(&mut self, joint: JointId, limits: Option<JointLimits>) -> Result<()> {
+        self.edit_drive(joint, |joint| joint.drive_mut().map(|drive| drive.set_limits(limits)))
+    }
+
+    /// Edits a copy, so that nothing changes if it is refused. Only what comes or goes changes how joints are solved.
+    fn edit_drive(
+        &mut self,
+        joint: JointId,
+        edit: impl FnOnce(&mut Joint) -> Option<Result<()>>,
+    ) -> Result<()> {
+        let kept = self.joints.find_mut("joint", joint)?;
+        let mut edited = kept.clone();
+        edit(&mut edited)
+            .ok_or_else(|| wrong_kind("RevoluteJoint, FixedRevoluteJoint or PrismaticJoint"))??;
+        self.methods.check_driven(&edited)?;
+        let is_driven = |joint: &Joint| joint.drive().is_some_and(|drive| !drive.is_idle());
+        self.has_edited_joints |= is_driven(kept) != is_driven(&edited);
+        *kept = edited;
+        Ok(())
+    }
+
+    /// How far a joint has moved on the way that it leaves free, as its [limits](Self::set_joint_limits) count: the angle of a
+    /// revolute or fixed revolute joint in radians, the way of a prismatic joint along its axis.
+    ///
+    /// # Errors
+    /// A stale id; a body that was not set yet; a joint of another kind.
+    pub fn joint_travel(&self, joint: JointId) -> Result<f32> {
+        let joint = self.joints.find("joint", joint)?;
+        let body1 = held_body(&self.bodies, "body1", joint.body1())?;
+        let body2 = joint.body2().map(|body2| held_body(&self.bodies, "body2", body2)).transpose()?;
+        let angle = match body2 {
+            Some(body2) => body2.total_rotation() - body1.total_rotation(),
+            None => body1.total_rotation(),
+        };
+        let travel = match (joint.kind(), joint.drive()) {
+            (JointKind::Prismatic(joint), _) => joint.travel(body1, body2.unwrap_or(body1)),
+            (_, Some(drive)) => angle - drive.reference,
+            _ => return Err(wrong_kind("RevoluteJoint, FixedRevoluteJoint or PrismaticJoint")),
+        };
+        Ok(nearest_finite(travel))
     }
 
     /// Moves the anchor of a pin or slider joint on its first body to a point in the coordinates of that body. The
@@ -174,8 +259,8 @@ impl Objects {
         }
     }
 
-    /// Where the anchor of a revolute, weld or slider joint is on its first body: the body's position now, and the arm
-    /// of the last update. Before the first update a revolute or weld joint has no arm.
+    /// Where the anchor of a revolute, weld, prismatic or slider joint is on its first body: the body's position now, and the arm
+    /// of the last update. Before the first update a revolute, weld or prismatic joint has no arm.
     ///
     /// # Errors
     /// A stale id; a body that was not set yet; a joint of another kind; an anchor that is so far away that it is not
@@ -187,8 +272,9 @@ impl Objects {
         let anchor = match joint.kind() {
             JointKind::Revolute(joint) => joint.current_anchor(body1),
             JointKind::Weld(joint) => joint.current_anchor(body1),
+            JointKind::Prismatic(joint) => joint.current_anchor(body1),
             JointKind::Slider(joint) => joint.current_anchor(body1),
-            _ => return Err(wrong_kind("RevoluteJoint, WeldJoint or SliderJoint")),
+            _ => return Err(wrong_kind("RevoluteJoint, WeldJoint, PrismaticJoint or SliderJoint")),
         };
         finite_vector("joint", anchor)
     }

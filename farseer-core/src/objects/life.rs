@@ -18,7 +18,8 @@ impl Objects {
     ///
     /// # Errors
     /// A stale id; [`Error::MissingBody`](crate::Error::MissingBody) for a joint or spring without one of its bodies;
-    /// [`Error::NotSupported`](crate::Error::NotSupported) for a chain under the faithful methods.
+    /// [`Error::NotSupported`](crate::Error::NotSupported) for a chain, a prismatic joint, a motor or a limit of a
+    /// revolute joint under the faithful methods.
     #[doc(alias = "Add")]
     pub fn add(&mut self, object: impl Into<ObjectId>) -> Result<()> {
         match object.into() {
@@ -33,6 +34,7 @@ impl Objects {
             ObjectId::Joint(joint) => {
                 let held = self.joints.find("joint", joint)?;
                 check_bodies("joint", held.body1(), held.body2())?;
+                self.methods.check_joint(held)?;
                 self.joints.add("joint", joint)?;
             }
             ObjectId::Spring(spring) => {

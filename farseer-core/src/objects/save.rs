@@ -77,6 +77,9 @@ impl Objects {
         {
             return damaged("a chain takes part under the faithful methods");
         }
+        if self.joints.listed_or_queued().any(|joint| self.methods.check_joint(joint).is_err()) {
+            return damaged("a joint takes part that the faithful methods do not have");
+        }
         if !self.bodies_are_valid() {
             return damaged("a body names a geom that is not its own");
         }

@@ -18,7 +18,8 @@ pub(crate) fn move_body(
     }
     let before = entry.body.pose();
     let has_changed = entry.body.integrate_position(dt);
-    if has_changed && !entry.body.is_finite() {
+    // A way is finite only if the velocity was.
+    if has_changed && !entry.body.place_is_finite() {
         entry.body.restore_pose(before);
         entry.body.set_enabled(false);
         report.push(Event::NotFinite { body, disabled: true });

@@ -6,12 +6,14 @@
 //! 2. pairs whose bounds part go, and new ones come ([`grid`], [`pairs`]);
 //! 3. pairs that moved are looked at ([`touch`], [`manifold`]), and rows come and go ([`rows`]);
 //! 4. joints are read, and which of them can be solved at once ([`joints`]);
-//! 5. bodies are read ([`bodies`]), velocities solved in substeps ([`passes`]), and bodies written ([`moving`]).
+//! 5. bodies are read ([`bodies`]), velocities solved in substeps ([`passes`]), and bodies written ([`moving`]);
+//! 6. what has come to rest falls asleep ([`sleep`]), until something wakes it ([`wake`]).
 //!
 //! Lengths are the user's; the numbers of the method are parts of one length ([`tuning`]).
 
 mod bodies;
 mod grid;
+mod islands;
 mod joints;
 mod manifold;
 mod meeting;
@@ -25,11 +27,13 @@ mod round;
 mod rows;
 mod saved;
 mod seams;
+mod sleep;
 mod step;
 mod sync;
 mod told;
 mod touch;
 mod tuning;
+mod wake;
 
 use serde::{Deserialize, Serialize};
 
@@ -38,6 +42,7 @@ use crate::geom::GeomId;
 use crate::geom::surface::FrictionType;
 use crate::storage::reusing_clone::reusing_clone;
 use saved::Saved;
+pub use sleep::WhyAwake;
 pub(crate) use tuning::Step;
 
 use bodies::Bodies;
@@ -46,6 +51,7 @@ use joints::Joints;
 use pairs::Pairs;
 use proxies::Proxies;
 use rows::{Palette, Rows};
+use sleep::Sleep;
 use touch::{Change, Touch};
 use tuning::Tuning;
 
@@ -76,6 +82,7 @@ pub(crate) struct Precise {
     rows: Rows,
     palette: Palette,
     joints: Joints,
+    sleep: Sleep,
     /// Numbers of bodies and first proxies of geoms, by slot.
     body_numbers: Vec<u32>,
     first_proxies: Vec<u32>,
@@ -101,7 +108,7 @@ pub(crate) struct Precise {
 reusing_clone! {
     Precise {
         tuning, h, dt, fall, loaded, is_stale, bounces, friction, most_contacts, bodies, proxies,
-        grid, pairs, rows, palette, joints, body_numbers, first_proxies, loose, absent,
+        grid, pairs, rows, palette, joints, sleep, body_numbers, first_proxies, loose, absent,
         edited_bodies, edited_geoms, changes, has_handled, lost, found, known, touching
     }
 }
@@ -126,6 +133,7 @@ impl Precise {
             rows: Rows::default(),
             palette: Palette::default(),
             joints: Joints::default(),
+            sleep: Sleep::default(),
             body_numbers: Vec::new(),
             first_proxies: Vec::new(),
             loose: Vec::new(),
@@ -149,6 +157,7 @@ impl Precise {
             pairs: &mut self.pairs,
             rows: &mut self.rows,
             palette: &mut self.palette,
+            sleep: &mut self.sleep,
             tuning: &self.tuning,
             friction: self.friction,
             most_contacts: self.most_contacts as usize,

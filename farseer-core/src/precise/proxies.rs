@@ -20,6 +20,7 @@ const MARGIN_OF_SIZE: f32 = 0.25;
 
 /// Beyond this coordinate squares of distances end, and nothing meets anything.
 const FARTHEST: f32 = 1e18;
+const NONE: u32 = u32::MAX;
 /// Overlaps nothing.
 const NOWHERE: Box2 = [f32::MAX, f32::MAX, f32::MIN, f32::MIN];
 
@@ -78,9 +79,12 @@ pub(super) struct Proxies {
     pub(super) motion: Vec<u32>,
     /// Those whose bounds are new: pairs are to be looked for.
     pub(super) escaped: Vec<u32>,
+    /// The first proxy of each body, and the next one of the same body.
+    heads: Vec<u32>,
+    next: Vec<u32>,
 }
 
-reusing_clone! { Proxies { all, movable, corners, boxes, bounds, motion, escaped } }
+reusing_clone! { Proxies { all, movable, corners, boxes, bounds, motion, escaped, heads, next } }
 
 impl Proxies {
     pub(super) fn clear(&mut self) {
@@ -119,6 +123,22 @@ impl Proxies {
         self.boxes.push([x, y, hx, hy]);
         self.bounds.push([0.0; 4]);
         self.motion.push(0);
+    }
+
+    /// Finds the proxies of so many bodies.
+    pub(super) fn link(&mut self, bodies: usize) {
+        self.heads.clear();
+        self.heads.resize(bodies, NONE);
+        self.next.clear();
+        for (at, proxy) in self.all.iter().enumerate() {
+            self.next.push(std::mem::replace(&mut self.heads[proxy.body as usize], at as u32));
+        }
+    }
+
+    /// The proxies of a body.
+    pub(super) fn of(&self, body: usize) -> impl Iterator<Item = u32> + '_ {
+        let listed = |at: u32| (at != NONE).then_some(at);
+        std::iter::successors(listed(self.heads[body]), move |&at| listed(self.next[at as usize]))
     }
 
     /// The box around a proxy, as wide as contacts reach.

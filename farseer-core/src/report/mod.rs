@@ -23,6 +23,8 @@ pub struct StepCounters {
     pub passes: u32,
     /// Bodies that changed their pose.
     pub bodies_moved: usize,
+    /// Bodies that sleep; 0 with the faithful set.
+    pub bodies_asleep: usize,
 }
 
 /// What is told of the last update. Nothing of it is saved: the next update overwrites it and reads none of it.

@@ -9,6 +9,7 @@ mod precise;
 mod queries;
 mod save;
 mod settle;
+mod sleep;
 mod solve;
 mod springs;
 mod tell;
@@ -52,6 +53,7 @@ struct Settings {
     max_contacts_to_detect: i32,
     max_contacts_to_resolve: i32,
     friction_type: FrictionType,
+    is_sleep_enabled: bool,
 }
 
 impl Default for Settings {
@@ -65,6 +67,7 @@ impl Default for Settings {
             max_contacts_to_detect: 10,
             max_contacts_to_resolve: 4,
             friction_type: FrictionType::Average,
+            is_sleep_enabled: true,
         }
     }
 }
@@ -270,6 +273,17 @@ impl PhysicsSimulator {
         self.settings.friction_type = friction_type;
     }
 
+    /// Whether bodies that have come to rest sleep. Default true; only with the [precise set](Methods::Precise), which says
+    /// when they do. What sleeps costs nothing and does not move; it wakes by itself as soon as something could move it.
+    pub fn is_sleep_enabled(&self) -> bool {
+        self.settings.is_sleep_enabled
+    }
+
+    /// Sets whether bodies that have come to rest sleep. If not, all are awake from the next update on.
+    pub fn set_sleep_enabled(&mut self, value: bool) {
+        self.settings.is_sleep_enabled = value;
+    }
+
     /// The methods, with the present cell size if the broad phase has one. Default [`Methods::default`].
     pub fn methods(&self) -> Methods {
         self.objects.methods
@@ -283,12 +297,14 @@ impl PhysicsSimulator {
     /// # Errors
     /// A broad phase of the faithful set in place of another one if a geom is in the simulator already
     /// ([`Error::GeomListNotEmpty`]; geoms still waiting to be added do not count); a cell size or length that is not finite,
-    /// or a length that is not greater than 0; the faithful set while there are chains ([`Error::NotSupported`]).
+    /// or a length that is not greater than 0; the faithful set while there are chains, prismatic joints, or joints with a
+    /// motor or limits that it does not have ([`Error::NotSupported`]).
     pub fn set_methods(&mut self, methods: Methods) -> Result<()> {
         let methods = methods.check()?;
         if self.objects.geoms.listed_or_queued().any(|geom| geom.outline.is_chain()) {
             methods.check_chains()?;
         }
+        self.objects.joints.listed_or_queued().try_for_each(|joint| methods.check_joint(joint))?;
         match methods {
             Methods::Faithful { broad, .. } => self.set_faithful_pairs(broad)?,
             Methods::Precise { .. } if methods == self.objects.methods => {}

@@ -1,7 +1,7 @@
 //! The precise set: what joints hold, how exactly, and when they break.
 
 use approx::assert_abs_diff_eq;
-use conformance::fixtures::plane::{add_box, add_floor, simulator, v};
+use conformance::fixtures::plane::{Random, add_box, add_floor, not_finite, simulator, v};
 use farseer_core::math::Vector2;
 use farseer_core::{BodyId, Event, JointFactory, JointId, Methods, PhysicsSimulator, Result, RevoluteJoint};
 
@@ -103,7 +103,8 @@ fn a_ball_ten_thousand_times_as_heavy_hangs_on_a_chain_of_20() {
     for _ in 0..600 {
         simulator.update(DT);
         let worst = joints.iter().map(|&joint| simulator[joint].joint_error()).fold(0.0, f32::max);
-        assert!(worst < 0.1, "{worst} px");
+        // Measured: 3e-5, which is the rounding of positions.
+        assert!(worst < 5e-5, "{worst} px");
     }
 }
 
@@ -174,8 +175,9 @@ fn every_joint_between_two_bodies_holds_what_it_keeps() {
         for _ in 0..240 {
             simulator.update(DT);
             let error = simulator[joint].joint_error();
-            // In px and radians. Beyond a limit its slop, of 0.01, is left, and as much again of what a step misses.
-            assert!(error.abs() < 0.03, "{name}: {error}");
+            // In px and radians: roundings. Beyond a limit its slop, of 0.01, is left, and as much of what a step misses.
+            let has_limits = ["slider", "angle limit"].contains(&name);
+            assert!(error.abs() < if has_limits { 0.03 } else { 2e-5 }, "{name}: {error}");
         }
     }
 }
@@ -221,10 +223,11 @@ fn a_bridge_of_20_between_two_shores_bears_a_heavy_load() {
         simulator.update(DT);
         worst = joints.iter().map(|&joint| simulator[joint].joint_error()).fold(worst, f32::max);
     }
-    assert!(worst < 1.0, "{worst} px");
+    // Measured: 0.076, 0.26 px and 0.73 px/s; a joint that closes a loop yields a little.
+    assert!(worst < 0.1, "{worst} px");
     let speed = bodies.iter().map(|&body| simulator[body].linear_velocity().norm()).fold(0.0, f32::max);
-    assert!(simulator[bodies[10]].position().y < 40.0);
-    assert!(speed < 200.0, "{speed}");
+    assert!(simulator[bodies[10]].position().y < 0.4);
+    assert!(speed < 1.0, "{speed}");
 }
 
 #[test]
@@ -379,7 +382,8 @@ fn ragdolls_that_fall_on_each_other_come_to_rest_in_one_piece() {
         simulator.update(DT);
         worst = joints.iter().map(|&joint| simulator[joint].joint_error()).fold(worst, f32::max);
     }
-    assert!(worst < 1.0, "{worst} px");
+    // Measured: 0.53, where one falls on the other.
+    assert!(worst < 0.7, "{worst} px");
     let speed = |&body: &BodyId| simulator[body].linear_velocity().norm();
     let fastest = simulator.body_list().iter().map(speed).fold(0.0, f32::max);
     assert!(fastest < 1.0, "{fastest} px/s");
@@ -397,6 +401,72 @@ fn ragdolls_go_on_with_the_same_bits_after_a_restore_in_every_step() {
         let mut next = simulator(1.0);
         next.restore(&restored.snapshot()).unwrap();
         restored = next;
+    }
+}
+
+#[test]
+fn what_holds_with_more_than_there_are_numbers_goes_on_with_the_same_bits_after_a_restore() {
+    let heavy = || {
+        let mut simulator = precise(GRAVITY);
+        let (bodies, joints) = chain(&mut simulator, 2);
+        for &body in &bodies {
+            simulator[body].set_mass(1e37).unwrap();
+            simulator[body].set_moment_of_inertia(1e38).unwrap();
+        }
+        (simulator, joints)
+    };
+    let ((mut plain, joints), (mut restored, _)) = (heavy(), heavy());
+    for step in 0..60 {
+        plain.update(DT);
+        restored.update(DT);
+        assert!(plain.snapshot() == restored.snapshot(), "step {step}");
+        let mut next = simulator(1.0);
+        next.restore(&restored.snapshot()).unwrap();
+        restored = next;
+    }
+    // It is no number, so it is not told.
+    assert_eq!(plain[joints[0]].force().y, 0.0);
+}
+
+/// Joints at random between boxes at random: more than can be obeyed.
+fn contradictions(seed: u64) -> PhysicsSimulator {
+    let mut random = Random::new(seed);
+    let mut simulator = precise(GRAVITY);
+    let point = |random: &mut Random| v(random.between(-100.0, 100.0), random.between(-100.0, 100.0));
+    let bodies: Vec<BodyId> = (0..7)
+        .map(|_| {
+            let at = point(&mut random);
+            let body = ghost(&mut simulator, (20.0, 10.0), at);
+            simulator[body].set_rotation(random.between(0.0, 6.0));
+            body
+        })
+        .collect();
+    for _ in 0..16 {
+        let s = &mut simulator;
+        let (a, b, p) = (random.pick(&bodies), random.pick(&bodies), point(&mut random));
+        let (q, low) = (v(random.between(-30.0, 30.0), 5.0), random.between(-1.0, 0.5));
+        let joint = match random.below(6) {
+            _ if a == b => JointFactory::create_fixed_revolute_joint(s, a, p),
+            0 => JointFactory::create_revolute_joint(s, a, b, p),
+            1 => JointFactory::create_slider_joint(s, a, q, b, q, 10.0, 20.0),
+            2 => JointFactory::create_angle_joint(s, a, b),
+            3 => JointFactory::create_fixed_angle_limit_joint(s, a, low, low + 0.3),
+            4 => JointFactory::create_pin_joint(s, a, q, b, q),
+            _ => JointFactory::create_weld_joint(s, a, b, p),
+        };
+        joined(s, joint);
+    }
+    simulator
+}
+
+#[test]
+fn joints_that_contradict_each_other_reach_no_number_that_is_not_finite() {
+    for seed in 0..100 {
+        let mut simulator = contradictions(seed);
+        for step in 0..60 {
+            simulator.update(DT);
+            assert!(not_finite(&simulator).is_empty(), "seed {seed} step {step}");
+        }
     }
 }
 

@@ -18,7 +18,8 @@ pub(super) struct Seat {
 pub(super) struct Group {
     /// Tree after tree, parents before their children.
     pub(super) seats: Vec<Seat>,
-    /// Joints that are in no tree because they close a loop or may give way.
+    /// All joints, and those that are in no tree because they close a loop or may give way.
+    pub(super) joints: Vec<u32>,
     pub(super) loose: Vec<u32>,
 }
 
@@ -116,6 +117,7 @@ impl Planting<'_> {
                 self.grow(&mut group);
             }
         }
+        group.joints = members.to_vec();
         group.loose = members.iter().copied().filter(|&at| is_loose[at as usize]).collect();
         group
     }
@@ -129,7 +131,7 @@ impl Planting<'_> {
     fn grow(&mut self, group: &mut Group) {
         let mut at = group.seats.len() - 1;
         while let Some(&seat) = group.seats.get(at) {
-            for (hold, body) in self.neighbours[seat.body as usize].clone() {
+            for (hold, body) in std::mem::take(&mut self.neighbours[seat.body as usize]) {
                 if body != 0 && self.seat_of[body as usize] == GROUND {
                     self.seat(group, body, at as u32, Some(hold));
                 }
@@ -141,12 +143,10 @@ impl Planting<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tree::Link;
     use super::{Forest, Key};
 
     fn plan(pairs: &[[u32; 2]], bodies: usize) -> Forest {
-        let keys: Vec<Key> =
-            pairs.iter().map(|&bodies| Key { bodies, link: Link::Point, is_bounded: false }).collect();
+        let keys: Vec<Key> = pairs.iter().map(|&bodies| Key { bodies, is_bounded: false }).collect();
         Forest::new(&keys, bodies)
     }
 

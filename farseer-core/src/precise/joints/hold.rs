@@ -1,9 +1,9 @@
 //! Joints as they are when a step begins.
 
 use super::super::bodies::Bodies;
-use super::tree::{Link, Vector, dot, plus};
+use super::tree::{Link, Vector, cross, dot, plus};
 use crate::body::BodyId;
-use crate::joints::JointId;
+use crate::joints::{Drive, JointId};
 
 /// One side of a joint.
 #[derive(Debug, Clone, Copy, Default)]
@@ -44,11 +44,10 @@ impl End {
     }
 }
 
-/// What the plan of trees depends on: it is made anew when this changes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// What of a joint the plan of trees depends on.
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Key {
     pub(super) bodies: [u32; 2],
-    pub(super) link: Link,
     /// It may give way: it has a range, or a greatest impulse.
     pub(super) is_bounded: bool,
 }
@@ -61,8 +60,13 @@ pub(super) struct Hold {
     pub(super) bodies: (Option<BodyId>, BodyId),
     pub(super) link: Link,
     pub(super) ends: [End; 2],
-    /// Angle of the second body against the first, if the joint keeps one.
+    /// Angle of the second body against the first, if the joint keeps or drives it.
     pub(super) angle: f64,
+    /// The line that it keeps: in the first body, and in the world.
+    pub(super) local_axis: Vector,
+    pub(super) axis: Vector,
+    /// What moves it along the way that it leaves free.
+    pub(super) drive: Option<Drive>,
     /// Where an angle or distance has to be.
     pub(super) range: [f64; 2],
     pub(super) slop: f64,
@@ -80,14 +84,13 @@ impl Hold {
         let [low, high] = self.range;
         Key {
             bodies: self.ends.map(|end| end.body),
-            link: self.link,
             is_bounded: low < high || self.most < f64::from(f32::MAX),
         }
     }
 
-    /// Whether it keeps an angle.
+    /// Whether it keeps or drives an angle.
     pub(super) fn turns(&self) -> bool {
-        matches!(self.link, Link::Angle | Link::Weld)
+        matches!(self.link, Link::Angle | Link::Weld | Link::Line) || self.drive.is_some()
     }
 
     /// How far the joint is from what it keeps: a length, or an angle in radians.
@@ -97,6 +100,7 @@ impl Hold {
         match self.link {
             Link::Distance => self.beyond(distance),
             Link::Angle => self.beyond(self.angle),
+            Link::Line => cross(self.axis, apart).abs(),
             _ => distance,
         }
     }

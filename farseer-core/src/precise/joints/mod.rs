@@ -17,7 +17,7 @@ use crate::joints::JointId;
 use crate::storage::reusing_clone::reusing_clone;
 use forest::{Forest, Seat};
 use hold::{End, Hold, Key};
-use loose::{GROUND, Loose, Pass, Room, solve_group};
+use loose::{GROUND, Keeps, Loose, Pass, Room, solve_group};
 use tree::{Link, Node};
 
 /// The joints of a step.
@@ -60,6 +60,16 @@ impl Joints {
         self.seat_of.get(body).is_some_and(|&seat| seat != GROUND)
     }
 
+    /// The bodies that each joint ties together, moved or not; 0 for the world.
+    pub(super) fn ties(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
+        self.holds.iter().map(|hold| hold.ends.map(|end| end.pose as usize))
+    }
+
+    /// Whether nothing about joints has changed since they were read, of this list.
+    pub(super) fn are_read(&self, list: &[JointId]) -> bool {
+        self.is_read && self.listed == list
+    }
+
     /// Plans for the joints that were read.
     fn plan(&mut self, bodies: &Bodies) {
         let keys: Vec<Key> = self.holds.iter().map(Hold::key).collect();
@@ -67,11 +77,7 @@ impl Joints {
         let holds = &self.holds;
         let group_of = |plan: forest::Group| Group {
             nodes: plan.seats.iter().map(|seat| node_of(seat, holds, bodies)).collect(),
-            loose: plan
-                .loose
-                .iter()
-                .map(|&at| Loose::new(at, &holds[at as usize], |body| seat_of[body as usize]))
-                .collect(),
+            loose: loose_of(&plan, holds, |body| seat_of[body as usize]),
             is_apart: false,
         };
         self.groups = groups.into_iter().map(group_of).collect();
@@ -159,7 +165,7 @@ impl Joints {
                     node.total.map(|impulse| (node.sign() * impulse / dt) as f32);
             }
             for loose in &group.loose {
-                self.holds[loose.hold as usize].force = loose.total.map(|impulse| (impulse / dt) as f32);
+                loose.tell(&mut self.holds[loose.hold as usize].force, dt);
             }
         }
     }
@@ -182,6 +188,13 @@ fn node_of(seat: &Seat, holds: &[Hold], bodies: &Bodies) -> Node {
         node.is_first = holds[at as usize].ends[0].body == seat.body;
     }
     node
+}
+
+/// What is solved outside of trees.
+fn loose_of(plan: &forest::Group, holds: &[Hold], seat_of: impl Fn(u32) -> u32) -> Vec<Loose> {
+    let driven = plan.joints.iter().filter(|&&at| holds[at as usize].drive.is_some());
+    let loose = plan.loose.iter().map(|&at| (at, Keeps::Joint)).chain(driven.map(|&at| (at, Keeps::Drive)));
+    loose.map(|(at, keeps)| Loose::new(at, keeps, &holds[at as usize], &seat_of)).collect()
 }
 
 /// A mass from its reciprocal. What cannot be moved is so heavy that nothing that is pushed can tell.
@@ -265,7 +278,7 @@ impl Node {
         self.impulse = hold.force.map(|force| self.sign() * f64::from(force) * h);
         self.total = [0.0; 3];
         // Nothing that is not saved may matter.
-        self.direction = [1.0, 0.0];
+        self.direction = if hold.link == Link::Line { hold.axis } else { [1.0, 0.0] };
         parent
     }
 }

@@ -1,10 +1,10 @@
 //! Joints are read when they or their bodies have changed, followed in every step, and told what held them.
 
 use super::super::Precise;
-use super::super::sync::get;
 use super::super::tuning::Step;
 use super::Joints;
 use super::hold::{End, Hold};
+use super::swing::turned;
 use super::tree::{Link, Vector};
 use crate::body::BodyId;
 use crate::body::entry::Bodies;
@@ -27,14 +27,15 @@ impl Precise {
     fn end(&self, id: Option<BodyId>, anchor: Vector2, bodies: &Bodies) -> Option<End> {
         let Some(id) = id else { return Some(End { arm: vector(anchor), ..End::default() }) };
         let body = &bodies.get(id)?.body;
-        let number = get(&self.body_numbers, id.slot()).filter(|&number| self.bodies.ids[number] == Some(id));
-        let Some(number) = number else {
+        let Some(number) = self.number_of(id) else {
             let (sine, cosine) = scalar::sin_cos(body.rotation());
             let ([x, y], s, c) = (vector(anchor), f64::from(sine), f64::from(cosine));
             let arm = [c * x - s * y, s * x + c * y];
             return Some(End { place: vector(body.position()), arm, ..End::default() });
         };
-        let gives_way = number < self.bodies.first_fixed() && self.bodies.inverses[number] != [0.0; 2];
+        let gives_way = number < self.bodies.first_fixed()
+            && self.bodies.inverses[number] != [0.0; 2]
+            && !self.sleep.is_asleep(number);
         let mut end = End {
             body: if gives_way { number as u32 } else { 0 },
             pose: number as u32,
@@ -57,6 +58,7 @@ impl Precise {
             Keeps::PointAndAngle => Link::Weld,
             Keeps::Angle => Link::Angle,
             Keeps::Distance => Link::Distance,
+            Keeps::Line => Link::Line,
         };
         let yields = matches!(link, Link::Point | Link::Distance);
         let softness = if yields { f64::from(joint.softness()) } else { 0.0 };
@@ -66,11 +68,15 @@ impl Precise {
             link,
             ends,
             angle: 0.0,
+            local_axis: vector(held.axis),
+            axis: [0.0; 2],
+            drive: held.drive,
             range: held.range.map(f64::from),
             slop: f64::from(held.slop).max(0.0),
             most: f64::from(held.most).abs(),
             softness: softness.max(0.0),
-            bias_factor: f64::from(joint.bias_factor()),
+            // More than all of an error in an update would be undone again by the next one.
+            bias_factor: f64::from(joint.bias_factor()).clamp(0.0, 1.0),
             force: joint.force_and_torque(),
         };
         hold.turn(bodies);
@@ -90,8 +96,8 @@ impl Precise {
     /// Brings the joints to the poses of this step, and plans how they are solved.
     pub(crate) fn read_joints(&mut self, objects: &Objects, step: &Step) {
         let mut joints = std::mem::take(&mut self.joints);
-        if joints.is_read && joints.listed == objects.joints.list() {
-            joints.follow(&self.bodies, &objects.bodies);
+        if joints.are_read(objects.joints.list()) {
+            joints.follow(&self.bodies, objects);
         } else {
             joints.listed.clear();
             joints.listed.extend_from_slice(objects.joints.list());
@@ -133,21 +139,31 @@ impl Precise {
 }
 
 impl Hold {
-    /// Finds the angle that it keeps.
+    /// Finds the angle and the line that it keeps.
     fn turn(&mut self, bodies: &Bodies) {
         let of = |id: BodyId| bodies.get(id).map_or(0.0, |entry| f64::from(entry.body.total_rotation()));
         if self.turns() {
             self.angle = of(self.bodies.1) - self.bodies.0.map_or(0.0, of);
+        }
+        if self.link == Link::Line
+            && let Some(entry) = self.bodies.0.and_then(|id| bodies.get(id))
+        {
+            let (sine, cosine) = libm::sincos(f64::from(entry.body.rotation()));
+            self.axis = turned([cosine, sine], self.local_axis);
         }
     }
 }
 
 impl Joints {
     /// Joints go where their bodies are.
-    fn follow(&mut self, bodies: &super::Bodies, objects: &Bodies) {
+    fn follow(&mut self, bodies: &super::Bodies, objects: &Objects) {
         for hold in &mut self.holds {
             hold.ends.iter_mut().for_each(|end| end.follow(bodies));
-            hold.turn(objects);
+            hold.turn(&objects.bodies);
+            // What a motor seeks may change in every step: that is no reason to plan anew.
+            if hold.drive.is_some() {
+                hold.drive = objects.joints.get(hold.joint).and_then(Joint::drive).copied();
+            }
         }
     }
 }

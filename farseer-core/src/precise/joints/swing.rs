@@ -4,8 +4,9 @@
 //! arms, R the turning of a body in the substep and C the error of a point, C(x + h v') = 0. Linear in v' about the velocity
 //! v before the joints act: J v' = J v - C(x + h v) / h, of which v falls out but for the spin: for each side of a joint
 //! (x + R r) / h - w p, p the velocity of the anchor by a spin of 1. That is a step of SHAKE (J.-P. Ryckaert, G. Ciccotti,
-//! H. Berendsen 1977) with one iteration, or two. Forces act by halves at the beginning and the end of a step, and the velocity after
-//! it obeys the joints (RATTLE, H. C. Andersen 1983): the method is symplectic, and energy neither drifts nor is damped.
+//! H. Berendsen 1977) with one iteration, or two. Forces act by halves at the beginning and the end of a step, and the
+//! velocity after it obeys the joints (RATTLE, H. C. Andersen 1983): as far as that goes the method is symplectic, and energy
+//! does not drift. Where joints pull so hard that [`stiffen`] adds to inertia, as in a whip, it takes energy away.
 
 use super::super::bodies::Bodies;
 use super::super::tuning::Step;
@@ -37,7 +38,7 @@ pub(super) fn turn(angle: f64) -> [f64; 2] {
 /// Cosine, and sine less the angle: what a turn does to an arm besides taking it along. What the series leaves out is an
 /// error of 1e-6 of the arm for 0.3, which the next substep finds.
 #[inline(always)]
-fn aside_of_turn(angle: f64) -> [f64; 2] {
+pub(super) fn aside_of_turn(angle: f64) -> [f64; 2] {
     if angle * angle > 1.0 {
         let [cosine, sine] = turn(angle);
         return [cosine, sine - angle];
@@ -70,6 +71,7 @@ pub(super) fn aim(nodes: &mut [Node], h: f64, unit: f64) {
                 node.bias = aim_point(node, &child, &parent, h, unit);
                 node.bias[2] = aim_angle(node, &child, &parent, h);
             }
+            Link::Line => node.bias = aim_line(node, &child, &parent, h, unit),
         }
     }
 }
@@ -80,9 +82,9 @@ pub(super) fn rest(nodes: &mut [Node]) {
     for at in 0..nodes.len() {
         nodes[at].bias = [0.0; 3];
         if nodes[at].softness > 0.0 {
-            let parent = nodes[nodes[at].parent as usize];
+            let parent = nodes[nodes[at].parent as usize].place;
             let node = &mut nodes[at];
-            let error = plus(plus(node.place, node.arm, 1.0), plus(parent.place, node.parent_arm, 1.0), -1.0);
+            let error = node.apart(parent);
             let held = [node.kept_impulse[0], node.kept_impulse[1]];
             let [x, y] = match node.link {
                 Link::Distance => {
@@ -109,22 +111,36 @@ pub(super) fn advance(nodes: &mut [Node], h: f64) {
     for at in 0..nodes.len() {
         let turn = nodes[nodes[at].parent as usize].turn;
         nodes[at].parent_arm = turned(turn, nodes[at].parent_arm);
-        if nodes[at].link == Link::Distance {
-            let parent = nodes[nodes[at].parent as usize].place;
-            nodes[at].find_direction(parent);
+        match nodes[at].link {
+            Link::Distance => {
+                let parent = nodes[nodes[at].parent as usize].place;
+                nodes[at].find_direction(parent);
+            }
+            Link::Line => {
+                let first = if nodes[at].is_first { nodes[at].turn } else { turn };
+                nodes[at].direction = turned(first, nodes[at].direction);
+            }
+            _ => {}
         }
     }
 }
 
 impl Node {
-    /// Finds the direction from the anchor of the parent, whose origin is here. Anchors on one spot have none: that which they
-    /// had last in this step, or any, will do.
-    fn find_direction(&mut self, parent: Vector) {
-        let apart = plus(plus(self.place, self.arm, 1.0), plus(parent, self.parent_arm, 1.0), -1.0);
+    /// Finds the direction from the anchor of the parent, whose origin is here, and answers the distance. Anchors on one spot
+    /// have none: that which they had last in this step, or any, will do.
+    fn find_direction(&mut self, parent: Vector) -> f64 {
+        let apart = self.apart(parent);
         let distance = dot(apart, apart).sqrt();
         if distance > 0.0 {
             self.direction = [apart[0] / distance, apart[1] / distance];
         }
+        distance
+    }
+
+    /// From the anchor of the parent, whose origin is here, to the body's.
+    #[inline(always)]
+    pub(super) fn apart(&self, parent: Vector) -> Vector {
+        plus(plus(self.place, self.arm, 1.0), plus(parent, self.parent_arm, 1.0), -1.0)
     }
 }
 
@@ -187,16 +203,13 @@ fn aim_point(node: &Node, child: &Side, parent: &Side, h: f64, unit: f64) -> [f6
 
 #[inline(always)]
 fn aim_distance(node: &mut Node, child: &Side, parent: &Side, h: f64, unit: f64) -> f64 {
-    let apart = plus(child.anchor(), parent.anchor(), -1.0);
-    let distance = dot(apart, apart).sqrt();
-    node.find_direction(parent.place);
-    let error = distance - node.wanted;
+    let error = node.find_direction(parent.place) - node.wanted;
     if node.softness > 0.0 {
         return -error * node.rate;
     }
-    let speed = dot(node.direction, plus(child.anchor_velocity(), parent.anchor_velocity(), -1.0));
-    let aside = plus(child.aside(), parent.aside(), -1.0);
     let way = plus(child.anchor_velocity(), parent.anchor_velocity(), -1.0);
+    let speed = dot(node.direction, way);
+    let aside = plus(child.aside(), parent.aside(), -1.0);
     let ahead = plus(aside, way, h);
     let later = error * postponed(error.abs(), CLOSED_AT_ONCE * unit);
     speed - (dot(ahead, ahead).sqrt() - node.wanted - later) / h
@@ -206,6 +219,26 @@ fn aim_distance(node: &mut Node, child: &Side, parent: &Side, h: f64, unit: f64)
 fn aim_angle(node: &Node, child: &Side, parent: &Side, h: f64) -> f64 {
     let error = node.wanted + child.angle - parent.angle;
     -error * (1.0 - postponed(error.abs(), CLOSED_AT_ONCE)) / h
+}
+
+/// What is off a line changes as the joint's bodies move against each other where the child's anchor is, and as the line turns.
+#[inline(always)]
+fn aim_line(node: &Node, child: &Side, parent: &Side, h: f64, unit: f64) -> [f64; 3] {
+    let turning = aim_angle(node, child, parent, h);
+    let across = spun(node.direction);
+    let first = if node.is_first { child } else { parent };
+    let apart = plus(child.anchor(), parent.anchor(), -1.0);
+    let way = plus(child.anchor_velocity(), parent.anchor_velocity(), -1.0);
+    let ahead = plus(plus(child.aside(), parent.aside(), -1.0), way, h);
+    let off = dot(across, apart);
+    let left = dot(turned(turn(first.velocity[2] * h), across), ahead)
+        - off * postponed(off.abs(), CLOSED_AT_ONCE * unit);
+    let along = dot(node.direction, apart);
+    // The line is the child's: it turns with a spin that is about to change.
+    let own = if node.is_first { along * (turning - (child.velocity[2] - parent.velocity[2])) } else { 0.0 };
+    let speed = dot(across, way) - parent.velocity[2] * along;
+    let [x, y] = across.map(|part| part * (speed + own - left / h));
+    [x, y, turning]
 }
 
 /// Tension makes a joint stiff against turning, and a stiff thing overshoots where a substep is too long for it: a chain
@@ -259,20 +292,23 @@ pub(super) fn swing(
             }
         }
     }
-    loose.iter_mut().for_each(|loose| loose.stretch(longer));
+    loose.iter_mut().for_each(|loose| loose.stretch(longer, h));
     stiffen(nodes, h);
     for part in 0..parts {
-        kick(nodes, if part == 0 { 0.5 } else { 1.0 });
+        let share = if part == 0 { 0.5 } else { 1.0 };
+        kick(nodes, share);
+        loose.iter_mut().for_each(|loose| loose.share(share));
         nodes.iter_mut().for_each(|node| node.before = node.velocity);
         aim(nodes, h, unit);
         solve_group(nodes, loose, holds, room, (h, Pass::Correct, 1.0));
         aim(nodes, h, unit);
-        refine_group(nodes, loose, holds, room, h);
+        refine_group(nodes, loose, room, h);
         count_impulses(nodes, loose);
         advance(nodes, h);
         loose.iter_mut().for_each(|loose| loose.advance(nodes, h));
     }
     kick(nodes, 0.5);
+    loose.iter_mut().for_each(|loose| loose.share(0.5));
     rest(nodes);
     solve_group(nodes, loose, holds, room, (h, Pass::Rest, 0.0));
     count_impulses(nodes, loose);

@@ -52,6 +52,8 @@ pub(super) enum Link {
     Angle,
     /// The distance of two anchors.
     Distance,
+    /// A line that is fixed in one of them, and the angle.
+    Line,
 }
 
 /// A symmetric matrix of two rows.
@@ -85,14 +87,19 @@ impl Symmetric {
     }
 }
 
-/// The inertia of a body, or of a body and all that hangs on it, and its momentum, at its joint.
+/// The inertia of a body, or of a body and all that hangs on it, at its joint.
 #[derive(Debug, Clone, Copy, Default)]
 struct Inertia {
     mass: Symmetric,
     coupling: Vector,
     turning: f64,
-    momentum: Vector,
-    angular_momentum: f64,
+}
+
+/// Its momentum there.
+#[derive(Debug, Clone, Copy, Default)]
+struct Momentum {
+    along: Vector,
+    turning: f64,
 }
 
 impl Inertia {
@@ -100,19 +107,14 @@ impl Inertia {
     #[inline(always)]
     fn add(&mut self, other: &Inertia, arm: Vector) {
         let p = spun(arm);
-        let moved = plus(other.coupling, other.mass.times(p), 1.0);
-        self.mass.xx += other.mass.xx;
-        self.mass.xy += other.mass.xy;
-        self.mass.yy += other.mass.yy;
-        self.coupling = plus(self.coupling, moved, 1.0);
-        self.turning += other.turning + (dot(other.coupling, p) + dot(moved, p));
-        self.momentum = plus(self.momentum, other.momentum, 1.0);
-        self.angular_momentum += other.angular_momentum + cross(arm, other.momentum);
+        self.add_point(&other.mass, arm);
+        self.coupling = plus(self.coupling, other.coupling, 1.0);
+        self.turning += other.turning + 2.0 * dot(other.coupling, p);
     }
 
     /// Takes in something without inertia against turning.
     #[inline(always)]
-    fn add_point(&mut self, mass: &Symmetric, momentum: Vector, arm: Vector) {
+    fn add_point(&mut self, mass: &Symmetric, arm: Vector) {
         let p = spun(arm);
         let moved = mass.times(p);
         self.mass.xx += mass.xx;
@@ -120,28 +122,43 @@ impl Inertia {
         self.mass.yy += mass.yy;
         self.coupling = plus(self.coupling, moved, 1.0);
         self.turning += dot(moved, p);
-        self.momentum = plus(self.momentum, momentum, 1.0);
-        self.angular_momentum += cross(arm, momentum);
     }
 
     /// The velocity of a body with this inertia and nothing that holds it.
     #[inline(always)]
-    fn free(&self) -> [f64; 3] {
-        let spin = self.without_place();
-        let spin = spin.angular_momentum / spin.turning;
-        let [x, y] = self.mass.solve(plus(self.momentum, self.coupling, -spin));
+    fn free(&self, momentum: &Momentum) -> [f64; 3] {
+        let (inertia, twist) = self.without_place(momentum);
+        let spin = twist / inertia;
+        let [x, y] = self.mass.solve(plus(momentum.along, self.coupling, -spin));
         [x, y, spin]
     }
 
-    /// What is left of it for one who only turns with it.
+    /// What of it is left for one that slides along it in this direction.
     #[inline(always)]
-    fn without_place(&self) -> Inertia {
-        let weighed = self.mass.solve(self.coupling);
+    fn without_slide(&self, direction: Vector) -> Inertia {
+        let moved = self.mass.times(direction);
+        let (inverse, coupled) = (1.0 / dot(direction, moved), dot(self.coupling, direction));
         Inertia {
-            turning: self.turning - dot(self.coupling, weighed),
-            angular_momentum: self.angular_momentum - dot(weighed, self.momentum),
-            ..Inertia::default()
+            mass: self.mass.with(moved, -inverse),
+            coupling: plus(self.coupling, moved, -coupled * inverse),
+            turning: self.turning - coupled * coupled * inverse,
         }
+    }
+
+    /// Inertia and momentum that are left for one who only turns with it.
+    #[inline(always)]
+    fn without_place(&self, momentum: &Momentum) -> (f64, f64) {
+        let weighed = self.mass.solve(self.coupling);
+        (self.turning - dot(self.coupling, weighed), momentum.turning - dot(weighed, momentum.along))
+    }
+}
+
+impl Momentum {
+    /// Takes in something at a point with this arm.
+    #[inline(always)]
+    fn add(&mut self, along: Vector, turning: f64, arm: Vector) {
+        self.along = plus(self.along, along, 1.0);
+        self.turning += turning + cross(arm, along);
     }
 }
 
@@ -194,6 +211,7 @@ pub(super) struct Node {
 pub(super) struct Work {
     /// What hangs on the body, and then with the body itself.
     seen: Inertia,
+    momentum: Momentum,
     /// From its own joint, or from the origin of a root, to that with the parent: of the parent.
     lever: Vector,
     /// Velocity at the joint, and spin.
@@ -202,6 +220,8 @@ pub(super) struct Work {
     inverse_turning: f64,
     rest: Symmetric,
     load: Vector,
+    /// The part of an impulse that is left where a joint is soft; of a distance the first counts.
+    yielding: Symmetric,
     /// Of a distance: inertia and impulse along it, and what moves across with a motion along.
     along: [f64; 3],
 }
@@ -210,30 +230,32 @@ pub(super) struct Work {
 #[inline]
 pub(super) fn solve(nodes: &mut [Node], stiff: f64) {
     for node in nodes.iter_mut() {
-        node.take_own(stiff);
+        node.take_own_inertia(stiff);
+        node.take_own_momentum();
     }
-    for at in (1..nodes.len()).rev() {
-        let (before, rest) = nodes.split_at_mut(at);
-        if let Some(parent) = before.get_mut(rest[0].parent as usize) {
-            rest[0].hand_up(parent);
-        }
-    }
+    hand_all_up(nodes, |node, parent| {
+        node.hand_up_inertia(parent);
+        node.hand_up_momentum(parent);
+    });
     follow_down(nodes);
 }
 
-/// [`solve`] with other velocities and biases, after it with the same arms and directions. No joint is soft.
+/// [`solve`] with other velocities and biases, after it with the same arms and directions.
 #[inline]
 pub(super) fn solve_again(nodes: &mut [Node]) {
-    for node in nodes.iter_mut() {
-        node.take_own_momentum();
-    }
+    nodes.iter_mut().for_each(Node::take_own_momentum);
+    hand_all_up(nodes, Node::hand_up_momentum);
+    follow_down(nodes);
+}
+
+#[inline(always)]
+fn hand_all_up(nodes: &mut [Node], hand_up: impl Fn(&mut Node, &mut Node)) {
     for at in (1..nodes.len()).rev() {
         let (before, rest) = nodes.split_at_mut(at);
         if let Some(parent) = before.get_mut(rest[0].parent as usize) {
-            rest[0].hand_up_again(parent);
+            hand_up(&mut rest[0], parent);
         }
     }
-    follow_down(nodes);
 }
 
 #[inline(always)]
@@ -261,148 +283,140 @@ impl Node {
         (0..3).for_each(|i| self.total[i] += self.impulse[i]);
     }
 
-    /// The body's own inertia and momentum, at its joint.
+    /// The body's own inertia, at its joint.
     #[inline(always)]
-    fn take_own(&mut self, stiff: f64) {
-        let Node { mass, velocity: [x, y, spin], arm, .. } = *self;
-        let inertia = self.inertia + stiff * self.stiffness;
+    fn take_own_inertia(&mut self, stiff: f64) {
+        let Node { mass, arm, .. } = *self;
         let p = spun(arm);
-        let momentum = [mass * x, mass * y];
         self.work.seen = Inertia {
             mass: Symmetric { xx: mass, xy: 0.0, yy: mass },
             coupling: [-mass * p[0], -mass * p[1]],
-            turning: inertia + mass * dot(p, p),
-            momentum,
-            angular_momentum: self.inertia * spin - cross(arm, momentum),
+            turning: self.inertia + stiff * self.stiffness + mass * dot(p, p),
         };
+    }
+
+    /// The body's own momentum, at its joint.
+    #[inline(always)]
+    fn take_own_momentum(&mut self) {
+        let Node { mass, velocity: [x, y, spin], arm, .. } = *self;
+        let along = [mass * x, mass * y];
+        self.work.momentum = Momentum { along, turning: self.inertia * spin - cross(arm, along) };
     }
 
     /// The parent has to move the body as far as the joint says.
     #[inline(always)]
-    fn hand_up(&mut self, parent: &mut Node) {
-        let lever = plus(self.parent_arm, parent.arm, -1.0);
+    fn hand_up_inertia(&mut self, parent: &mut Node) {
+        let mut lever = plus(self.parent_arm, parent.arm, -1.0);
+        if self.link == Link::Line {
+            // What slides is held where it is.
+            lever = plus(lever, self.apart(parent.place), 1.0);
+        }
         self.work.lever = lever;
         let seen = &mut parent.work.seen;
         match self.link {
             Link::Free | Link::Fixed => {}
             Link::Point => {
                 self.release_turning();
-                let (mass, momentum) = self.handed_point();
-                seen.add_point(&mass, momentum, lever);
+                self.yield_as_soft();
+                seen.add_point(&self.work.rest, lever);
             }
             Link::Distance => {
                 self.release_turning();
-                let (mass, momentum) = self.handed_distance();
-                seen.add_point(&mass, momentum, lever);
+                let stiff = self.find_along();
+                seen.add_point(&Symmetric::default().with(self.direction, stiff), lever);
             }
-            Link::Weld => {
-                let Inertia { mass, coupling, turning, momentum, angular_momentum } = self.work.seen;
-                let [x, y, spin] = self.bias;
-                let handed = Inertia {
-                    momentum: plus(plus(momentum, mass.times([x, y]), -1.0), coupling, -spin),
-                    angular_momentum: angular_momentum - dot(coupling, [x, y]) - turning * spin,
-                    ..self.work.seen
-                };
-                seen.add(&handed, lever);
-            }
+            Link::Weld => seen.add(&self.work.seen, lever),
+            Link::Line => seen.add(&self.work.seen.without_slide(self.direction), lever),
             Link::Angle => {
-                let handed = self.work.seen.without_place();
-                seen.turning += handed.turning;
-                seen.angular_momentum += handed.angular_momentum - handed.turning * self.bias[2];
+                let (inertia, _) = self.work.seen.without_place(&Momentum::default());
+                seen.turning += inertia;
             }
         }
     }
 
+    /// What of that depends on velocities and biases.
     #[inline(always)]
-    fn take_own_momentum(&mut self) {
-        let Node { mass, velocity: [x, y, spin], arm, .. } = *self;
-        let momentum = [mass * x, mass * y];
-        self.work.seen.momentum = momentum;
-        self.work.seen.angular_momentum = self.inertia * spin - cross(arm, momentum);
-    }
-
-    /// What of [`hand_up`](Self::hand_up) depends on velocities and biases.
-    #[inline(always)]
-    fn hand_up_again(&mut self, parent: &mut Node) {
-        let seen = &mut parent.work.seen;
-        let Inertia { mass, coupling, turning, momentum, angular_momentum } = self.work.seen;
-        let Work { lever, rest, inverse_turning, .. } = self.work;
+    fn hand_up_momentum(&mut self, parent: &mut Node) {
+        let handed = &mut parent.work.momentum;
+        let Inertia { mass, coupling, turning } = self.work.seen;
+        let (Momentum { along, turning: twist }, lever) = (self.work.momentum, self.work.lever);
         let [x, y, spin] = self.bias;
-        let (push, twist) = match self.link {
-            Link::Free | Link::Fixed => return,
+        match self.link {
+            Link::Free | Link::Fixed => {}
             Link::Point => {
-                self.work.load = plus(momentum, coupling, -angular_momentum * inverse_turning);
-                (plus(self.work.load, rest.times([x, y]), -1.0), 0.0)
+                let load = plus(along, coupling, -twist * self.work.inverse_turning);
+                self.work.load = if self.softness > 0.0 { self.work.yielding.times(load) } else { load };
+                handed.add(plus(self.work.load, self.work.rest.times([x, y]), -1.0), 0.0, lever);
             }
             Link::Distance => {
-                self.work.load = plus(momentum, coupling, -angular_momentum * inverse_turning);
+                self.work.load = plus(along, coupling, -twist * self.work.inverse_turning);
                 let (n, t) = (self.direction, spun(self.direction));
-                let [stiff, _, share] = self.work.along;
-                let push = dot(n, self.work.load) - share * dot(t, self.work.load) - stiff * x;
-                self.work.along[1] = push;
-                ([n[0] * push, n[1] * push], 0.0)
+                let [stiff, push, share] = &mut self.work.along;
+                let load = dot(n, self.work.load) - *share * dot(t, self.work.load);
+                *push = load * self.work.yielding.xx - *stiff * x;
+                handed.add([n[0] * *push, n[1] * *push], 0.0, lever);
             }
             Link::Weld => {
-                let push = plus(plus(momentum, mass.times([x, y]), -1.0), coupling, -spin);
-                (push, angular_momentum - dot(coupling, [x, y]) - turning * spin)
+                let push = plus(plus(along, mass.times([x, y]), -1.0), coupling, -spin);
+                handed.add(push, twist - dot(coupling, [x, y]) - turning * spin, lever);
+            }
+            Link::Line => {
+                let held = self.work.seen.without_slide(self.direction);
+                let slide = dot(self.direction, along) / dot(self.direction, mass.times(self.direction));
+                let push = plus(along, mass.times(self.direction), -slide);
+                let push = plus(plus(push, held.mass.times([x, y]), -1.0), held.coupling, -spin);
+                let twist = twist - dot(coupling, self.direction) * slide;
+                handed.add(push, twist - dot(held.coupling, [x, y]) - held.turning * spin, lever);
             }
             Link::Angle => {
-                let handed = self.work.seen.without_place();
-                seen.angular_momentum += handed.angular_momentum - handed.turning * spin;
-                return;
+                let (inertia, twist) = self.work.seen.without_place(&self.work.momentum);
+                handed.turning += twist - inertia * spin;
             }
-        };
-        seen.momentum = plus(seen.momentum, push, 1.0);
-        seen.angular_momentum += twist + cross(lever, push);
+        }
     }
 
     /// The joint leaves the body's turning free.
     #[inline(always)]
     fn release_turning(&mut self) {
-        let Inertia { mass, coupling, turning, momentum, angular_momentum } = self.work.seen;
-        let inverse = 1.0 / turning;
-        self.work.inverse_turning = inverse;
-        self.work.rest = mass.with(coupling, -inverse);
-        self.work.load = plus(momentum, coupling, -angular_momentum * inverse);
+        let Inertia { mass, coupling, turning } = self.work.seen;
+        self.work.inverse_turning = 1.0 / turning;
+        self.work.rest = mass.with(coupling, -self.work.inverse_turning);
     }
 
+    /// With l = R v - load and v = parent + bias - s l, what a soft joint hands up is (1 + s R)^-1 times a hard one's.
     #[inline(always)]
-    fn handed_point(&mut self) -> (Symmetric, Vector) {
-        let Work { mut rest, load, .. } = self.work;
-        let mut momentum = plus(load, rest.times([self.bias[0], self.bias[1]]), -1.0);
-        if self.softness > 0.0 {
-            // With l = R v - load and v = parent + bias - s l, what is handed up is (1 + s R)^-1 times the same.
-            let s = self.softness;
-            let yielding = Symmetric { xx: 1.0 + s * rest.xx, xy: s * rest.xy, yy: 1.0 + s * rest.yy };
-            momentum = yielding.solve(momentum);
-            let ([xx, xy], [_, yy]) =
-                (yielding.solve([rest.xx, rest.xy]), yielding.solve([rest.xy, rest.yy]));
-            rest = Symmetric { xx, xy, yy };
-            (self.work.rest, self.work.load) = (rest, momentum);
+    fn yield_as_soft(&mut self) {
+        let (s, rest) = (self.softness, self.work.rest);
+        if s > 0.0 {
+            let harder = Symmetric { xx: 1.0 + s * rest.xx, xy: s * rest.xy, yy: 1.0 + s * rest.yy };
+            let of = |x: Vector, y: Vector| {
+                let ([xx, xy], [_, yy]) = (harder.solve(x), harder.solve(y));
+                Symmetric { xx, xy, yy }
+            };
+            self.work.yielding = of([1.0, 0.0], [0.0, 1.0]);
+            self.work.rest = of([rest.xx, rest.xy], [rest.xy, rest.yy]);
         }
-        (rest, momentum)
     }
 
+    /// Finds, and answers, the inertia along the direction: across it the joint leaves the body free.
     #[inline(always)]
-    fn handed_distance(&mut self) -> (Symmetric, Vector) {
-        let Work { rest, load, .. } = self.work;
-        let (n, t) = (self.direction, spun(self.direction));
+    fn find_along(&mut self) -> f64 {
+        let (rest, n, t) = (self.work.rest, self.direction, spun(self.direction));
         let along_t = rest.times(t);
         let share = dot(n, along_t) / dot(t, along_t);
         let stiff = dot(n, rest.times(n)) - share * dot(n, along_t);
-        let load = dot(n, load) - share * dot(t, load);
-        let yielding = 1.0 / (1.0 + self.softness * stiff);
-        let (stiff, push) = (stiff * yielding, (load - stiff * self.bias[0]) * yielding);
-        // What the joint does to the body, once the parent's velocity is known, is stiff times that minus push.
-        self.work.along = [stiff, push, share];
-        (Symmetric::default().with(n, stiff), [n[0] * push, n[1] * push])
+        // What the joint does to the body, once the parent's velocity is known, is stiff times that minus a push.
+        self.work.yielding.xx = 1.0 / (1.0 + self.softness * stiff);
+        let stiff = stiff * self.work.yielding.xx;
+        self.work.along = [stiff, 0.0, share];
+        stiff
     }
 
     /// The velocity of a root.
     #[inline(always)]
     fn lead(&mut self) {
         if self.link == Link::Free {
-            self.velocity = self.work.seen.free();
+            self.velocity = self.work.seen.free(&self.work.momentum);
         }
         self.work.velocity = self.velocity;
     }
@@ -411,39 +425,37 @@ impl Node {
     #[inline(always)]
     fn follow(&mut self, [x, y, spin]: [f64; 3]) {
         let at_parent = plus([x, y], spun(self.work.lever), spin);
-        let Inertia { mass, coupling, turning, momentum, angular_momentum } = self.work.seen;
+        let at_joint = plus(at_parent, [self.bias[0], self.bias[1]], 1.0);
+        let Inertia { mass, coupling, turning } = self.work.seen;
+        let Momentum { along, turning: twist } = self.work.momentum;
         match self.link {
             Link::Free | Link::Fixed => {}
-            Link::Point => self.follow_point(at_parent),
+            Link::Point => {
+                let [x, y] = plus(self.work.rest.times(at_joint), self.work.load, -1.0);
+                self.impulse = [x, y, 0.0];
+                self.turn_freely(plus(at_joint, [x, y], -self.softness));
+            }
             Link::Distance => self.follow_distance(at_parent),
-            Link::Weld => {
-                let at_joint = plus(at_parent, [self.bias[0], self.bias[1]], 1.0);
+            Link::Weld | Link::Line => {
                 let spin = spin + self.bias[2];
-                let [fx, fy] = plus(plus(mass.times(at_joint), coupling, spin), momentum, -1.0);
-                self.impulse = [fx, fy, dot(coupling, at_joint) + turning * spin - angular_momentum];
+                let mut at_joint = at_joint;
+                if self.link == Link::Line {
+                    // Along the line nothing holds it.
+                    let free = plus(plus(along, mass.times(at_joint), -1.0), coupling, -spin);
+                    let slide = dot(self.direction, free) / dot(self.direction, mass.times(self.direction));
+                    at_joint = plus(at_joint, self.direction, slide);
+                }
+                let [fx, fy] = plus(plus(mass.times(at_joint), coupling, spin), along, -1.0);
+                self.impulse = [fx, fy, dot(coupling, at_joint) + turning * spin - twist];
                 self.move_with(at_joint, spin);
             }
             Link::Angle => {
                 let spin = spin + self.bias[2];
-                let alone = self.work.seen.without_place();
-                self.impulse = [0.0, 0.0, alone.turning * spin - alone.angular_momentum];
-                self.move_with(mass.solve(plus(momentum, coupling, -spin)), spin);
+                let (inertia, twist) = self.work.seen.without_place(&self.work.momentum);
+                self.impulse = [0.0, 0.0, inertia * spin - twist];
+                self.move_with(mass.solve(plus(along, coupling, -spin)), spin);
             }
         }
-    }
-
-    #[inline(always)]
-    fn follow_point(&mut self, at_parent: Vector) {
-        let mut at_joint = plus(at_parent, [self.bias[0], self.bias[1]], 1.0);
-        if self.softness > 0.0 {
-            let [x, y] = plus(self.work.rest.times(at_parent), self.work.load, -1.0);
-            at_joint = plus(at_joint, [x, y], -self.softness);
-            self.impulse = [x, y, 0.0];
-        } else {
-            let [x, y] = plus(self.work.rest.times(at_joint), self.work.load, -1.0);
-            self.impulse = [x, y, 0.0];
-        }
-        self.turn_freely(at_joint);
     }
 
     #[inline(always)]
@@ -462,8 +474,8 @@ impl Node {
     /// The velocity of a body with this velocity at a joint that leaves its turning free.
     #[inline(always)]
     fn turn_freely(&mut self, at_joint: Vector) {
-        let Inertia { coupling, angular_momentum, .. } = self.work.seen;
-        let spin = (angular_momentum - dot(coupling, at_joint)) * self.work.inverse_turning;
+        let twist = self.work.momentum.turning - dot(self.work.seen.coupling, at_joint);
+        let spin = twist * self.work.inverse_turning;
         self.move_with(at_joint, spin);
     }
 
