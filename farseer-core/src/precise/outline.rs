@@ -191,3 +191,17 @@ fn normal(start: Vector, end: Vector) -> Vector {
     let length = length(edge);
     if length.is_finite() { [edge[1] / length, -edge[0] / length] } else { seams::normal(start, end) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{length, normal};
+
+    #[test]
+    fn edges_of_any_length_have_a_normal() {
+        let corners = [[-4e30, 12.0], [f32::MAX, 1e-6], [1e31, -12.0], [f32::MIN, 0.0], [3.0, 4.0]];
+        for (at, start) in corners.into_iter().enumerate() {
+            let normal = normal(start, corners[(at + 1) % corners.len()]);
+            assert!((length(normal) - 1.0).abs() < 1e-6, "{start:?}: {normal:?}");
+        }
+    }
+}
