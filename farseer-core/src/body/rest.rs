@@ -18,14 +18,18 @@ impl Body {
         (self.linear_velocity, self.angular_velocity) = (Vector2::zeros(), 0.0);
     }
 
-    /// What forces and torque would give the body, unless it differs from this by more than `slack` at a point that far away:
-    /// then they have done nothing new, and are forgotten.
-    pub(crate) fn bears(&mut self, [x, y, turning]: [f32; 3], reach: f32, slack: f32) -> bool {
+    /// What the forces and the torque that wait would give the body.
+    pub(crate) fn accelerations(&self) -> [f32; 3] {
         let acceleration = self.force * self.inverse_mass;
-        let turned = self.torque * self.inverse_moment_of_inertia;
-        let change =
-            (acceleration.x - x).abs() + (acceleration.y - y).abs() + reach * (turned - turning).abs();
-        let bears = change <= slack && self.impulse == Vector2::zeros();
+        [acceleration.x, acceleration.y, self.torque * self.inverse_moment_of_inertia]
+    }
+
+    /// Whether the forces that wait give the body what it bears, but for `slack` at a point so far away: then they have done
+    /// nothing new, and are forgotten.
+    pub(crate) fn bears(&mut self, borne: [f32; 3], reach: f32, slack: f32) -> bool {
+        let now = self.accelerations();
+        let [x, y, turning] = [0, 1, 2].map(|at| (now[at] - borne[at]).abs());
+        let bears = x + y + reach * turning <= slack && self.impulse == Vector2::zeros();
         if bears {
             self.clear_force();
             self.clear_torque();

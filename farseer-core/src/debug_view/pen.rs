@@ -6,7 +6,7 @@ use crate::geom::GeomId;
 use crate::joints::{Joint, JointId, JointKind};
 use crate::math::{Vector2, vector2};
 use crate::springs::{Spring, SpringKind};
-use crate::{PhysicsSimulator, StepTimes};
+use crate::{Aabb, Island, PhysicsSimulator, StepTimes};
 
 const SPRING_DOT_RADIUS: f32 = 2.0;
 /// Side of the squares of joints.
@@ -37,6 +37,9 @@ impl Pen<'_> {
         }
         if view.enable_coordinate_axis_view {
             simulator.body_list().iter().for_each(|&body| self.axes(body));
+        }
+        if view.enable_island_view {
+            self.islands();
         }
         if view.enable_contact_view {
             self.contacts();
@@ -98,7 +101,23 @@ impl Pen<'_> {
     fn aabb(&mut self, geom: GeomId) {
         let Some(aabb) = self.simulator.geom(geom).map(|geom| geom.aabb()) else { return };
         let ink = Ink { thickness: self.view.aabb_line_thickness, color: self.view.aabb_color };
-        let (min, max) = (aabb.min, aabb.max);
+        self.frame(aabb, ink);
+    }
+
+    /// A box round the boxes of all geoms of an island.
+    fn islands(&mut self) {
+        for Island { bodies, is_asleep, .. } in self.simulator.islands() {
+            let geoms = bodies.iter().flat_map(|&body| self.simulator.geoms_of(body));
+            let boxes = geoms.filter_map(|&geom| self.simulator.geom(geom)).map(|geom| geom.aabb());
+            let view = self.view;
+            let color = if is_asleep { view.sleeping_island_color } else { view.island_color };
+            if let Some(around) = boxes.reduce(|a, b| Aabb::from_vertices(&[a.min, a.max, b.min, b.max])) {
+                self.frame(around, Ink { thickness: view.aabb_line_thickness, color });
+            }
+        }
+    }
+
+    fn frame(&mut self, Aabb { min, max }: Aabb, ink: Ink) {
         let corners = [min, Vector2::new(max.x, min.y), max, Vector2::new(min.x, max.y)];
         for index in 0..4 {
             self.line(corners[index], corners[(index + 1) % 4], ink);

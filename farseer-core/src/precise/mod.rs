@@ -43,7 +43,7 @@ use crate::geom::GeomId;
 use crate::geom::surface::FrictionType;
 use crate::storage::reusing_clone::reusing_clone;
 use saved::Saved;
-pub use sleep::WhyAwake;
+pub use sleep::{Island, WhyAwake};
 pub(crate) use tuning::Step;
 
 use bodies::Bodies;
@@ -53,7 +53,7 @@ use pairs::Pairs;
 use proxies::Proxies;
 use rows::{Palette, Rows};
 use sleep::Sleep;
-use touch::{Change, Touch};
+use touch::{Change, Looks, Touch};
 use tuning::Tuning;
 
 /// What the precise set keeps from step to step.
@@ -96,6 +96,7 @@ pub(crate) struct Precise {
     edited_geoms: Vec<GeomId>,
     /// Pairs of geoms that begin or cease to touch in this step.
     changes: Vec<Change>,
+    looks: Looks,
     /// Some pair was refused or changed by a handler, for one step.
     has_handled: bool,
     /// Those that go further in this step than they are thick, and what part of their ways they go; and the geoms that one of
@@ -114,7 +115,7 @@ reusing_clone! {
     Precise {
         tuning, h, dt, fall, loaded, is_stale, bounces, friction, most_contacts, bodies, proxies,
         grid, pairs, rows, palette, joints, sleep, body_numbers, first_proxies, loose, absent,
-        edited_bodies, edited_geoms, changes, has_handled, fast, flown, lost, found, known, touching
+        edited_bodies, edited_geoms, changes, looks, has_handled, fast, flown, lost, found, known, touching
     }
 }
 
@@ -146,6 +147,7 @@ impl Precise {
             edited_bodies: Vec::new(),
             edited_geoms: Vec::new(),
             changes: Vec::new(),
+            looks: Looks::default(),
             has_handled: false,
             fast: Vec::new(),
             flown: Vec::new(),
@@ -171,6 +173,7 @@ impl Precise {
             dt: self.dt,
             fall: self.fall,
             changes: &mut self.changes,
+            looks: &mut self.looks,
         }
     }
 }

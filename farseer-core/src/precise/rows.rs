@@ -342,6 +342,16 @@ impl Rows {
         (self.two.used | self.one.used | self.two_fixed.used | self.one_fixed.used) >> LAST & 1 == 1
     }
 
+    /// Number of rows of each colour, up to the last one that is used.
+    pub(super) fn per_colour(&self) -> Vec<usize> {
+        let used = self.two.used | self.one.used | self.two_fixed.used | self.one_fixed.used;
+        let counts = |colour: usize| {
+            let fixed = self.two_fixed.counts[colour] + self.one_fixed.counts[colour];
+            self.two.counts[colour] + self.one.counts[colour] + fixed
+        };
+        (0..(u32::BITS - used.leading_zeros()) as usize).map(counts).collect()
+    }
+
     /// Number of points that are solved.
     pub(super) fn point_count(&self) -> usize {
         2 * (self.two.count() + self.two_fixed.count()) + self.one.count() + self.one_fixed.count()

@@ -41,6 +41,8 @@ struct Sleeper {
     first: u32,
     place: [f32; 3],
     borne: [f32; 3],
+    /// It has just fallen asleep, and does not know yet what it bears.
+    is_fresh: bool,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -233,6 +235,7 @@ impl Precise {
                 first,
                 place: self.place_of(number),
                 borne: self.sleep.borne[number],
+                is_fresh: self.sleep.fresh.contains(&(number as u32)),
             });
         }
         sleepers
@@ -356,12 +359,13 @@ impl Precise {
         }
         // By the first of each island: one of it that sleeps again.
         let mut again = vec![None; saved.sleepers.len()];
-        for &Sleeper { body, first, place, borne } in &saved.sleepers {
+        for &Sleeper { body, first, place, borne, is_fresh } in &saved.sleepers {
             let may_sleep = |number: &usize| self.is_dynamic(*number) && !self.sleep.is_asleep(*number);
             let Some(number) = self.number_of(body).filter(may_sleep) else { continue };
             self.bodies.rest(number, 1.0);
             self.sleep.lay_down(number, again[first as usize], borne);
             again[first as usize] = Some(number);
+            self.sleep.fresh.extend(is_fresh.then_some(number as u32));
             if self.place_of(number) != place || !is_at_rest(body) {
                 self.sleep.note_waking(number);
             }

@@ -62,6 +62,17 @@ pub enum WhyAwake {
     },
 }
 
+/// Bodies that hang together by contacts, joints or springs: see
+/// [`PhysicsSimulator::islands`](crate::PhysicsSimulator::islands).
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Island {
+    /// In the order of the list of bodies.
+    pub bodies: Vec<BodyId>,
+    /// Whether they sleep.
+    pub is_asleep: bool,
+}
+
 /// In place of another number: the body is awake.
 const AWAKE: u32 = u32::MAX;
 
@@ -77,8 +88,9 @@ pub(super) struct Sleep {
     next: Vec<u32>,
     /// Accelerations by forces and torque that a body fell asleep under.
     pub(super) borne: Vec<[f32; 3]>,
-    /// Those of which it is something.
+    /// Those of which it is something; and of these those that have just fallen asleep.
     pub(super) leaning: Vec<u32>,
+    pub(super) fresh: Vec<u32>,
     /// How many sleep.
     pub(super) count: usize,
     /// Places of the lists in multiples of four, without those where all four sleep: of bodies that can be pushed, and of
@@ -99,7 +111,7 @@ pub(super) struct Sleep {
 
 reusing_clone! {
     Sleep {
-        is_enabled, gravity, rest, next, borne, leaning, count, bodies, proxies, waking, touched, pushed, joints,
+        is_enabled, gravity, rest, next, borne, leaning, fresh, count, bodies, proxies, waking, touched, pushed, joints,
         islands, least, falling
     }
 }
@@ -172,6 +184,7 @@ impl Sleep {
         self.borne.resize(bodies, [0.0; 3]);
         self.count = 0;
         self.leaning.clear();
+        self.fresh.clear();
         self.waking.clear();
         self.touched.clear();
         self.pushed.clear();
@@ -314,6 +327,25 @@ impl Precise {
         }
     }
 
+    /// The islands: those that are awake, then those that sleep, by their least numbers.
+    pub(crate) fn islands(&self, objects: &Objects) -> Vec<Island> {
+        let mut awake = Islands::default();
+        self.join_islands(objects, &mut awake);
+        let mut all: Vec<(bool, usize, usize)> = (1..=self.bodies.count)
+            .filter(|&number| self.is_dynamic(number))
+            .map(|number| match self.sleep.is_asleep(number) {
+                true => (true, self.sleep.first_with(number), number),
+                false => (false, awake.find(number as u32) as usize, number),
+            })
+            .collect();
+        all.sort_unstable();
+        let island = |bodies: &[(bool, usize, usize)]| Island {
+            bodies: bodies.iter().filter_map(|&(.., number)| self.bodies.ids[number]).collect(),
+            is_asleep: bodies[0].0,
+        };
+        all.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)).map(island).collect()
+    }
+
     /// Why a body that may sleep is awake; `None` if it sleeps, or never does.
     pub(crate) fn why_awake(&self, body: BodyId, objects: &Objects) -> Option<WhyAwake> {
         let number = self.number_of(body).filter(|&number| self.is_dynamic(number))?;
@@ -378,6 +410,7 @@ impl Precise {
             let borne = self.bodies.rest(body, self.dt);
             // The least number of an island is the first of it here.
             self.sleep.lay_down(body, (island != body).then_some(island), borne);
+            self.sleep.fresh.extend((borne != [0.0; 3]).then_some(number));
             if let Some(entry) = self.bodies.ids[body].and_then(|id| objects.bodies.get_mut(id)) {
                 entry.body.come_to_rest();
             }

@@ -7,6 +7,7 @@ use super::moving::{begin_substep, displace, even_out, fly, follow, leave, renew
 use super::passes::{bounce, gather_warm, note_approach, note_push, relax, renew_circles, solve_soft};
 use super::proxies::{Mobility, Proxy};
 use super::rows::Kind;
+use super::touch::Looks;
 pub(crate) use super::tuning::Step;
 use crate::body::BodyId;
 use crate::geom::GeomId;
@@ -108,6 +109,7 @@ impl Precise {
 
     /// Third stage: what may have changed is looked at. Answers how many pairs that were.
     pub(crate) fn find_contacts(&mut self, friction: crate::FrictionType, most_contacts: u32) -> usize {
+        self.looks = Looks::default();
         let has_friction_changed = std::mem::replace(&mut self.friction, friction) != friction;
         let has_limit_changed = std::mem::replace(&mut self.most_contacts, most_contacts) != most_contacts;
         if has_friction_changed || has_limit_changed {

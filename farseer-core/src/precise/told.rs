@@ -1,7 +1,7 @@
 //! What games are told of touches.
 
 use super::Precise;
-use super::touch::Change;
+use super::touch::{Change, Looks};
 use crate::contacts::arbiter::{ArbiterRef, Found};
 use crate::contacts::contact::{Contact, ContactId};
 use crate::geom::GeomId;
@@ -13,6 +13,16 @@ impl Precise {
     /// Number of pairs, touching or not.
     pub(crate) fn pair_count(&self) -> usize {
         self.pairs.len()
+    }
+
+    /// What became of the pairs that were looked at in this step.
+    pub(crate) fn looks(&self) -> Looks {
+        self.looks
+    }
+
+    /// Number of rows of contacts of each colour.
+    pub(crate) fn rows_per_colour(&self) -> Vec<usize> {
+        self.rows.per_colour()
     }
 
     /// Number of contacts that are solved.

@@ -44,6 +44,15 @@ pub(super) struct Touch<'a> {
     pub(super) fall: Vector,
     /// Pairs of geoms that begin to touch, or may have ceased to, since this was told last.
     pub(super) changes: &'a mut Vec<Change>,
+    pub(super) looks: &'a mut Looks,
+}
+
+/// What became of pairs that were looked at.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Looks {
+    /// Contacts were found anew, or kept.
+    pub(crate) made: usize,
+    pub(crate) kept: usize,
 }
 
 /// Two geoms begin or cease to touch with one of their pieces, that with the smaller creation number first.
@@ -111,6 +120,7 @@ impl<'a> Touch<'a> {
         let is_known = self.pairs.frozen[pair].count > 0 && self.pairs.watched[pair].tolerance != BY_ROW;
         self.pairs.watched[pair].since = self.motion(pair);
         if is_known && self.renew(pair, two) {
+            self.looks.kept += 1;
             self.note_touch(pair, two);
             return;
         }
@@ -121,6 +131,7 @@ impl<'a> Touch<'a> {
         if found.count == 0 {
             self.part(pair, found.gap);
         } else {
+            self.looks.made += 1;
             self.meet(pair, two, &found);
             self.note_touch(pair, two);
         }

@@ -8,6 +8,9 @@ use crate::body::BodyId;
 use crate::controllers::ControllerKind;
 use crate::objects::Objects;
 
+/// By which part the force that something bears may be another one once it does not move any more.
+const DAMPED: f32 = 0.25;
+
 impl Precise {
     /// The bodies of a pair are to wake, if they sleep.
     pub(super) fn note_waking(&mut self, pair: usize) {
@@ -96,6 +99,7 @@ impl Precise {
         pushed.dedup();
         pushed.retain(|&body| self.sleep.is_asleep(body as usize));
         let slack = self.slow() / REST;
+        self.learn_anew(objects);
         for body in pushed.drain(..).map(|body| body as usize) {
             let (borne, reach) = (self.sleep.borne[body], self.bodies.reaches[body]);
             if let Some(entry) = self.bodies.ids[body].and_then(|id| objects.bodies.get_mut(id))
@@ -105,6 +109,21 @@ impl Precise {
             }
         }
         self.sleep.pushed = pushed;
+    }
+
+    /// Who has just fallen asleep does not move any more, and springs that damp see it: what they do then is what it bears.
+    fn learn_anew(&mut self, objects: &Objects) {
+        let mut fresh = std::mem::take(&mut self.sleep.fresh);
+        fresh.retain(|&body| self.sleep.is_asleep(body as usize));
+        for body in fresh.drain(..).map(|body| body as usize) {
+            let Some(entry) = self.bodies.ids[body].and_then(|id| objects.bodies.get(id)) else { continue };
+            let (now, before) = (entry.body.accelerations(), self.sleep.borne[body]);
+            let is_near = |at: usize| (now[at] - before[at]).abs() <= DAMPED * before[at].abs();
+            if (0..3).all(is_near) {
+                self.sleep.borne[body] = now;
+            }
+        }
+        self.sleep.fresh = fresh;
     }
 
     /// Who may have been pushed: by springs and controllers, and those that bear something.

@@ -25,6 +25,12 @@ pub struct StepCounters {
     pub bodies_moved: usize,
     /// Bodies that sleep; 0 with the faithful set.
     pub bodies_asleep: usize,
+    /// Pairs of convex pieces whose contacts were found anew, because the two had moved against each other; 0 with the
+    /// faithful set, which finds all anew.
+    pub manifolds_made: usize,
+    /// Pairs of convex pieces that had moved so little against each other that only distances were renewed; 0 with the
+    /// faithful set.
+    pub manifolds_kept: usize,
 }
 
 /// What is told of the last update. Nothing of it is saved: the next update overwrites it and reads none of it.

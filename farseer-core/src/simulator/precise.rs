@@ -33,6 +33,8 @@ impl PhysicsSimulator {
         let friction = self.settings.friction_type;
         let most = self.most_precise_contacts();
         self.report.counters.pairs_tested = self.precise().find_contacts(friction, most);
+        let looks = self.precise().looks();
+        (self.report.counters.manifolds_made, self.report.counters.manifolds_kept) = (looks.made, looks.kept);
         if handler.wants(|handler| handler.filters_pairs()) {
             self.filter_precise_pairs(handler);
         }

@@ -204,10 +204,10 @@ fn what_hangs_on_a_spring_sleeps_and_falls_when_the_spring_goes() {
         Vector2::zeros(),
         Vector2::new(0.0, -50.0),
         100.0,
-        1.0,
+        10.0,
     )
     .unwrap();
-    run(&mut simulator, 30.0);
+    run(&mut simulator, 10.0);
     assert_eq!(simulator.why_awake(body), None);
     simulator.dispose(spring).unwrap();
     run(&mut simulator, 0.5);
@@ -340,4 +340,79 @@ fn nothing_is_told_of_what_sleeps_but_when_it_ceases_to_touch() {
     simulator.events().iter().filter(|event| told(event)).for_each(|event| {
         assert!(matches!(event, Event::BodyUpdated { body } if left.contains(body)), "{event:?}");
     });
+}
+
+#[test]
+fn islands_are_what_hangs_together() {
+    let (mut simulator, _, [left, middle, right]) = sleeping_columns();
+    simulator.wake(middle[0]);
+    let islands = simulator.islands();
+    let found: Vec<(&[BodyId], bool)> =
+        islands.iter().map(|island| (&island.bodies[..], island.is_asleep)).collect();
+    assert_eq!(found, [(&middle[..], false), (&left[..], true), (&right[..], true)]);
+}
+
+#[test]
+fn what_lies_still_keeps_its_contacts_from_step_to_step() {
+    let mut simulator = simulator();
+    simulator.set_sleep_enabled(false);
+    add_floor(&mut simulator);
+    let column = add_column(&mut simulator, 0.0, 5);
+    run(&mut simulator, 2.0);
+    assert_eq!(simulator.counters().manifolds_made, 0);
+    // Alternating: a body between two others has a row with each.
+    assert_eq!(simulator.rows_per_colour().iter().sum::<usize>(), 5);
+    simulator[column[4]].set_position(Vector2::new(5.0, -90.0));
+    simulator.update(DT);
+    assert_eq!(simulator.counters().manifolds_made, 1);
+}
+
+/// A scene that joins, sleeps, wakes, breaks and splits.
+fn busy() -> (PhysicsSimulator, Vec<BodyId>) {
+    let mut simulator = simulator();
+    add_floor(&mut simulator);
+    let mut bodies = add_column(&mut simulator, -100.0, 3);
+    bodies.extend(add_column(&mut simulator, 100.0, 2));
+    let rope: Vec<BodyId> =
+        (0..3).map(|i| add_box(&mut simulator, [0.0, -160.0 + 30.0 * i as f32], [10.0, 20.0])).collect();
+    for pair in rope.windows(2) {
+        let between = (simulator[pair[0]].position() + simulator[pair[1]].position()) * 0.5;
+        JointFactory::create_revolute_joint_in(&mut simulator, pair[0], pair[1], between).unwrap();
+    }
+    let above = Vector2::new(0.0, -175.0);
+    let hook = JointFactory::create_fixed_revolute_joint_in(&mut simulator, rope[0], above).unwrap();
+    simulator[hook].set_greatest_force(2e3).unwrap();
+    bodies.extend(rope);
+    (simulator, bodies)
+}
+
+#[test]
+fn a_scene_that_sleeps_and_wakes_goes_on_with_the_same_bits_after_a_restore_in_every_step() {
+    let (mut simulator, bodies) = busy();
+    let mut restored = simulator.clone();
+    let (mut most, mut least, mut breaks) = (0, usize::MAX, 0);
+    for step in 0..600 {
+        for simulator in [&mut simulator, &mut restored] {
+            match step {
+                // The rope is struck, a column pushed, a support goes, and the hook breaks.
+                150 => simulator[bodies[6]].apply_impulse(Vector2::new(200.0, 0.0)),
+                300 => simulator[bodies[0]].set_linear_velocity(Vector2::new(60.0, 0.0)),
+                400 => simulator.dispose(bodies[3]).unwrap(),
+                450 => simulator[bodies[7]].apply_impulse(Vector2::new(0.0, 5e3)),
+                _ => {}
+            }
+            simulator.update(DT);
+        }
+        breaks += simulator.events().iter().filter(|event| matches!(event, Event::JointBroke { .. })).count();
+        if step > 100 {
+            let asleep = simulator.counters().bodies_asleep;
+            (most, least) = (most.max(asleep), least.min(asleep));
+        }
+        let snapshot = restored.snapshot();
+        assert!(snapshot == simulator.snapshot(), "step {step}");
+        restored = PhysicsSimulator::default();
+        restored.restore(&snapshot).unwrap();
+    }
+    assert_eq!((most, breaks), (8, 1));
+    assert!(least < 5, "{least}");
 }
