@@ -1,6 +1,6 @@
 //! What it costs to go back: saving, restoring and cloning 1,000 bodies in a pile, with both sets.
 //!
-//! `cargo bench --profile tools -p measure --bench rollback` prints a table: the median of many calls in ms, and the bytes of a snapshot.
+//! `cargo bench -p measure --bench rollback` prints a table: the median of many calls in ms, and the bytes of a snapshot.
 
 use std::hint::black_box;
 use std::time::Instant;
