@@ -574,6 +574,7 @@ pub use path::{
     ComplexFactory, Curve, CurveContinuity, CurveKey, CurveKeyCollection, CurveLoopType, CurveTangent,
     LinkType, Path,
 };
+pub use precise::WhyAwake;
 pub use report::{Event, StepCounters, StepTimes};
 pub use shape::{Aabb, Feature, Vertices, ray_helper};
 pub use simulator::{

@@ -10,12 +10,12 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
 use conformance::fixtures::plane::{
-    self, add_box, add_circle, add_floor, faithful_methods, lively_scene, simulator_with, v,
+    self, NARROW_PHASES, add_box, add_circle, add_floor, faithful_methods, lively_scene, simulator_with, v,
 };
 use farseer_core::{
-    BodyId, BodyInterpolation, Context, Controller, EventHandler, FluidContainerRef, FluidDragController,
-    GravityController, InactivityController, JointFactory, JointId, Methods, PhysicsSimulator,
-    ScalingController, SpringFactory, SpringId, WaveController,
+    BodyId, BodyInterpolation, BroadPhaseCollider, Context, Controller, EventHandler, FluidContainerRef,
+    FluidDragController, GravityController, InactivityController, JointFactory, JointId, Methods,
+    PhysicsSimulator, ScalingController, SpringFactory, SpringId, WaveController,
 };
 
 /// The system's allocator, counting the calls of every thread for itself.
@@ -114,6 +114,26 @@ fn settled_precise_scene() -> PhysicsSimulator {
 fn an_update_of_a_settled_scene_with_the_precise_set_allocates_nothing() {
     let mut simulator = settled_precise_scene();
     assert_eq!((0..300).map(|_| calls(|| simulator.update(0.01))).sum::<usize>(), 0);
+}
+
+#[test]
+fn going_back_to_a_settled_scene_by_clone_from_allocates_nothing() {
+    let mut scenes: Vec<_> = NARROW_PHASES
+        .map(|narrow| settled_scene(plane::faithful(BroadPhaseCollider::default(), narrow)))
+        .into_iter()
+        .chain([settled_precise_scene()])
+        .collect();
+    for simulator in &mut scenes {
+        let mut kept = simulator.clone();
+        let mut calls_of = || {
+            let before = kept.clone();
+            (0..5).for_each(|_| simulator.update(0.01));
+            let there = calls(|| kept.clone_from(simulator));
+            there + calls(|| simulator.clone_from(&before))
+        };
+        calls_of();
+        assert_eq!((0..10).map(|_| calls_of()).sum::<usize>(), 0, "{:?}", simulator.methods());
+    }
 }
 
 #[test]

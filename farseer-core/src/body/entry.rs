@@ -6,12 +6,13 @@ use crate::body::{Body, BodyId, Pose};
 use crate::math::Vector2;
 use crate::storage::collection::Collection;
 use crate::storage::ids::GeomId;
+use crate::storage::reusing_clone::reusing_clone;
 
 /// The bodies of a simulator.
 pub(crate) type Bodies = Collection<BodyEntry, BodyId>;
 
 /// What the simulator keeps of a body.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct BodyEntry {
     pub(crate) body: Body,
     /// In the order in which they were attached.
@@ -21,6 +22,8 @@ pub(crate) struct BodyEntry {
     /// It was lent out for editing since the simulator last looked.
     pub(crate) is_touched: bool,
 }
+
+reusing_clone! { BodyEntry { body, geoms, followed, is_touched } }
 
 impl BodyEntry {
     pub(crate) fn new(body: Body) -> Self {

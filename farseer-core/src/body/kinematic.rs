@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::Body;
+use super::motion::whole_turns;
 use crate::math::finite::{finite, finite_vector};
 use crate::math::{Vector2, math_helper::TWO_PI};
 use crate::{Error, Result};
@@ -78,7 +79,7 @@ impl Body {
         if !self.is_kinematic {
             return Err(Error::WrongKind { argument: "body", expected: "kinematic body" });
         }
-        let rotation = rotation - super::whole_turns(rotation) as f32 * TWO_PI;
+        let rotation = rotation - whole_turns(rotation) as f32 * TWO_PI;
         self.target = Some(Target { position, rotation, progress: Progress::Due });
         Ok(())
     }
@@ -118,6 +119,13 @@ impl Body {
         self.linear_velocity = (target.position - self.position) / dt;
         self.angular_velocity = shorter / dt;
         self.target = Some(Target { progress: Progress::Moving, ..target }).filter(|_| self.is_finite());
+    }
+
+    /// Whether the next update moves the body, if it is kinematic.
+    pub(crate) fn is_on_its_way(&self) -> bool {
+        let is_due = self.target.is_some_and(|target| target.progress != Progress::Reached);
+        let moves = self.linear_velocity != Vector2::zeros() || self.angular_velocity != 0.0;
+        is_due || (moves && self.target.is_none())
     }
 
     /// The body stays where it is.

@@ -2,8 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::Body;
 use super::kinematic::Target;
-use super::{Body, BodyArguments};
+use super::refused::BodyArguments;
 use crate::math::Vector2;
 use crate::storage::refusals::Refusals;
 

@@ -11,6 +11,7 @@ use crate::geom::GeomId;
 use crate::geom::entry::Geoms;
 use crate::geom::surface::{FrictionType, SetSurface};
 use crate::math::scalar::nearest_finite;
+use crate::storage::reusing_clone::reusing_clone;
 
 /// Number of arbiters a new simulator holds ready.
 const INITIAL_POOL_SIZE: u32 = 128;
@@ -19,7 +20,7 @@ const INITIAL_POOL_SIZE: u32 = 128;
 const CONTACT_CAPACITY: usize = 4;
 
 /// The contact state between two geoms. A has the smaller creation number.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct Arbiter {
     /// `None` only before first use.
     pub(crate) geoms: Option<(GeomId, GeomId)>,
@@ -29,6 +30,8 @@ pub(crate) struct Arbiter {
     /// Not cleared by set-up: a pair that gets its old arbiter back continues with the old impulses.
     pub(crate) contacts: Vec<Contact>,
 }
+
+reusing_clone! { Arbiter { geoms, friction, contacts } }
 
 impl Arbiter {
     fn fresh() -> Self {
@@ -99,7 +102,7 @@ impl<'a> ArbiterRef<'a> {
 ///
 /// Arbiters have identity: list and pool hold handles, and both may hold the same handle twice, which happens
 /// in the original when a geom with a duplicated pair is removed.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct ArbiterList {
     pub(crate) arbiters: Vec<Arbiter>,
     pub(crate) list: Vec<u32>,
@@ -116,6 +119,8 @@ pub(crate) struct ArbiterList {
     #[serde(skip)]
     listed: ListedPairs,
 }
+
+reusing_clone! { ArbiterList { arbiters, list, pool, pairs, left_to_engine, surfaces, listed } }
 
 impl Default for ArbiterList {
     fn default() -> Self {

@@ -2,6 +2,7 @@
 
 use crate::contacts::pair_id::PairId;
 use crate::geom::GeomId;
+use crate::storage::reusing_clone::reusing_clone;
 use crate::storage::stamped_set::StampedSet;
 
 /// Both geoms of an arbiter, A first.
@@ -9,13 +10,15 @@ type Pair = (GeomId, GeomId);
 
 /// How often the arbiter list has each pair, and each arbiter. The list may hold an arbiter twice, and the pool one that
 /// is in the list: when that one is set up for another pair, all of its entries change.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct ListedPairs {
     /// By the slots of the geoms: no listed geom is gone.
     pairs: StampedSet,
     /// By handle of the arbiter.
     entries: Vec<u32>,
 }
+
+reusing_clone! { ListedPairs { pairs, entries } }
 
 fn key((a, b): Pair) -> i64 {
     PairId::get_hash(a.slot() as i32, b.slot() as i32)

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::storage::reusing_clone::reusing_clone;
 use crate::storage::stamped_set::StampedSet;
 
 /// A set of unordered pairs of collision ids.
@@ -9,12 +10,14 @@ use crate::storage::stamped_set::StampedSet;
 /// The original keeps a triangular bitmap; this keeps the indices of the bits that are set, so that its cost
 /// follows the number of pairs. The index is one-to-one for different ids below [`size`](Self::size). Other ids
 /// address the bit of another pair, or none at all, exactly as in the original.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize)]
 pub struct GeomPairBitmap {
     size: i64,
     #[serde(skip)]
     set_bits: StampedSet,
 }
+
+reusing_clone! { GeomPairBitmap { size, set_bits } }
 
 impl Default for GeomPairBitmap {
     /// An empty table for no geom at all.

@@ -14,6 +14,7 @@ use crate::math::{Matrix, Vector2, scalar};
 use crate::shape::{Aabb, Vertices};
 use crate::storage::bits::Floats;
 use crate::storage::collection::Collection;
+use crate::storage::reusing_clone::reusing_clone;
 
 /// The part of a 4x4 matrix that matters in the plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -182,7 +183,7 @@ fn sum_of(points: &[Vector2]) -> f32x4 {
 pub(crate) type Geoms = Collection<GeomEntry, GeomId>;
 
 /// What the simulator keeps of a geom.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct GeomEntry {
     pub(crate) geom: Geom,
     /// Creation number, never reused: decides which geom of a pair is A, and enters contact ids.
@@ -223,6 +224,16 @@ pub(crate) struct GeomEntry {
     pub(crate) is_touched: bool,
     /// Creation numbers of other geoms and whether collision with them is ignored.
     ignored: Vec<(u32, bool)>,
+    /// How often that has changed, wrapping: for who looks for what was edited.
+    pub(crate) ignore_changes: i32,
+}
+
+reusing_clone! {
+    GeomEntry {
+        geom, number, collision_id, body, offset, rotation_offset, grid_cell_size, outline,
+        local_vertices, world_vertices, aabb, box_radius, pose, user_matrix, refresh_is_due, grid,
+        grid_fits_outline, pieces, in_simulation, is_sensor, is_touched, ignored, ignore_changes
+    }
 }
 
 impl GeomEntry {
@@ -250,6 +261,7 @@ impl GeomEntry {
             is_sensor: false,
             is_touched: false,
             ignored: Vec::new(),
+            ignore_changes: 0,
         }
     }
 
@@ -380,6 +392,7 @@ impl GeomEntry {
     }
 
     pub(crate) fn set_ignored(&mut self, number: u32, ignored: bool) {
+        self.ignore_changes = self.ignore_changes.wrapping_add(1);
         match self.ignored.iter_mut().find(|(other, _)| *other == number) {
             Some(entry) => entry.1 = ignored,
             None if ignored => self.ignored.push((number, true)),

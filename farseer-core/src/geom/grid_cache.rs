@@ -9,12 +9,30 @@ use crate::shape::Vertices;
 use crate::{Error, Result};
 
 /// The grids of a simulator by outline and cell size, so that equal ones are built and kept once.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct GridCache {
     grids: BTreeMap<Box<[u32]>, Entry>,
     /// Work of all charged entries: no less than that of the grids in use.
     charged_work: u64,
     inserts_until_cleanup: usize,
+}
+
+/// Who goes back to an earlier state has the same grids most of the time: then `clone_from` makes no new keys.
+impl Clone for GridCache {
+    fn clone(&self) -> Self {
+        GridCache { grids: self.grids.clone(), ..*self }
+    }
+
+    fn clone_from(&mut self, source: &Self) {
+        let grids = std::mem::take(&mut self.grids);
+        *self = GridCache { grids, ..*source };
+        if self.grids.keys().eq(source.grids.keys()) {
+            let entries = self.grids.values_mut().zip(source.grids.values());
+            entries.for_each(|(entry, source)| entry.clone_from(source));
+        } else {
+            self.grids.clone_from(&source.grids);
+        }
+    }
 }
 
 #[derive(Debug, Clone)]

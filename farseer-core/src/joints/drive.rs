@@ -53,7 +53,7 @@ impl JointLimits {
 }
 
 /// The motor and the limits of a joint.
-#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Drive {
     motor: Option<JointMotor>,
     limits: Option<JointLimits>,

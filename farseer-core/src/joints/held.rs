@@ -1,11 +1,13 @@
 //! What a joint asks for, whatever its kind: as methods see it that solve joints in their own way.
 
+use serde::{Deserialize, Serialize};
+
 use super::{Drive, Joint, JointKind};
 use crate::body::BodyId;
 use crate::math::Vector2;
 
 /// What a joint keeps of the second body's motion against the first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) enum Keeps {
     /// A point.
     Point,
@@ -20,7 +22,7 @@ pub(crate) enum Keeps {
 }
 
 /// A joint's request.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Held {
     pub(crate) keeps: Keeps,
     /// The first is `None` for the world.

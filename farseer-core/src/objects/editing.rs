@@ -153,6 +153,8 @@ impl Objects {
         let number = self.geoms.get(other).ok_or(Error::StaleId { argument: "other" })?.number;
         let entry = self.geoms.get_mut(geom).ok_or(Error::StaleId { argument: "geom" })?;
         entry.set_ignored(number, ignored);
+        // It is edited as by a setter of its own: those may meet who did not.
+        self.geom_mut(geom);
         Ok(())
     }
 

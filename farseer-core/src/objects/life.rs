@@ -82,7 +82,10 @@ impl Objects {
                 self.dispose_geom(geom);
             }
             ObjectId::Controller(controller) => self.controllers.dispose("controller", controller)?,
-            ObjectId::Joint(joint) => self.joints.dispose("joint", joint)?,
+            ObjectId::Joint(joint) => {
+                self.joints.dispose("joint", joint)?;
+                self.has_edited_joints = true;
+            }
             ObjectId::Spring(spring) => self.springs.dispose("spring", spring)?,
         }
         Ok(())

@@ -24,6 +24,7 @@ use crate::methods::Methods;
 use crate::report::Notice;
 use crate::springs::{Spring, SpringId};
 use crate::storage::collection::Collection;
+use crate::storage::reusing_clone::reusing_clone;
 
 pub use creating::GeomPlacement;
 pub(crate) use following::Followed;
@@ -69,7 +70,7 @@ pub use world_queries::RayCastHit;
 /// let objects: farseer_core::Objects = postcard::from_bytes(&[])?;
 /// # Ok::<(), postcard::Error>(())
 /// ```
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Objects {
     pub(crate) bodies: Bodies,
     pub(crate) geoms: Geoms,
@@ -91,6 +92,13 @@ pub struct Objects {
     /// Not saved: a save cannot raise them.
     limits: Limits,
     grids: GridCache,
+}
+
+reusing_clone! {
+    Objects {
+        bodies, geoms, controllers, joints, springs, next_geom_number, touched_bodies,
+        touched_geoms, pending, methods, has_new_structure, has_edited_joints, limits, grids
+    }
 }
 
 impl Objects {

@@ -42,7 +42,7 @@ pub(crate) trait PairSink {
 }
 
 /// The state of the chosen method.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize)]
 pub(crate) enum BroadPhase {
     SelectiveSweep(SelectiveSweep),
     SweepAndPrune(SweepAndPrune),
@@ -50,6 +50,28 @@ pub(crate) enum BroadPhase {
     SpatialHash(SpatialHash),
     /// Stands for a method while it looks for pairs and handlers look at the simulator.
     AtWork,
+}
+
+/// `clone_from` keeps the room that lists of the default method have. What the others keep is a tree of small lists.
+impl Clone for BroadPhase {
+    fn clone(&self) -> Self {
+        match self {
+            BroadPhase::SelectiveSweep(state) => BroadPhase::SelectiveSweep(state.clone()),
+            BroadPhase::SweepAndPrune(state) => BroadPhase::SweepAndPrune(state.clone()),
+            BroadPhase::BruteForce => BroadPhase::BruteForce,
+            BroadPhase::SpatialHash(state) => BroadPhase::SpatialHash(state.clone()),
+            BroadPhase::AtWork => BroadPhase::AtWork,
+        }
+    }
+
+    fn clone_from(&mut self, source: &Self) {
+        match (self, source) {
+            (BroadPhase::SelectiveSweep(state), BroadPhase::SelectiveSweep(source)) => {
+                state.clone_from(source)
+            }
+            (state, source) => *state = source.clone(),
+        }
+    }
 }
 
 impl Default for BroadPhase {

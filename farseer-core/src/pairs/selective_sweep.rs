@@ -9,15 +9,18 @@ use super::sort::introspective_sort;
 use crate::geom::GeomId;
 use crate::geom::entry::Geoms;
 use crate::shape::Aabb;
+use crate::storage::reusing_clone::reusing_clone;
 
 /// The ends of all intervals on one axis. Their order is kept from one update to the next: it is what the next
 /// sort starts from, and with equal values the outcome depends on it.
-#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+#[derive(Debug, Default, Serialize, Deserialize)]
 struct SortedEnds {
     endpoints: Vec<Endpoint>,
     #[serde(skip)]
     unsorted: Vec<Endpoint>,
 }
+
+reusing_clone! { SortedEnds { endpoints, unsorted } }
 
 /// What became of a sort.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -99,7 +102,7 @@ fn sort_without_ties(endpoints: &mut [Endpoint]) -> Ties {
 
 /// The geoms that are open at the current position of the sweep, oldest first, with their intervals on the other
 /// axis. What is closed leaves a gap that overlaps nothing; gaps are swept out when there are too many.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 struct Active {
     /// [`GAP`] where a geom was closed.
     entries: Vec<u32>,
@@ -109,6 +112,8 @@ struct Active {
     positions: Vec<u32>,
     gaps: usize,
 }
+
+reusing_clone! { Active { entries, low, high, positions, gaps } }
 
 /// Stands for a geom that is not open any more.
 const GAP: u32 = u32::MAX;
@@ -184,7 +189,7 @@ impl Active {
     }
 }
 
-#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+#[derive(Debug, Default, Serialize, Deserialize)]
 pub(crate) struct SelectiveSweep {
     /// In order of addition.
     entries: Vec<GeomId>,
@@ -198,6 +203,8 @@ pub(crate) struct SelectiveSweep {
     #[serde(skip)]
     active: Active,
 }
+
+reusing_clone! { SelectiveSweep { entries, x, y, numbers, boxes, active } }
 
 impl SelectiveSweep {
     pub(super) fn add(&mut self, id: GeomId) {

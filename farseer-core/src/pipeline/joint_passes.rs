@@ -8,9 +8,10 @@ use crate::joints::{Joint, JointId, Joints};
 use crate::math::Vector2;
 use crate::report::{Event, Report};
 use crate::solve::{SolverBodies, SolverBody, SolverPlace};
+use crate::storage::reusing_clone::reusing_clone;
 
 /// What the passes of an update know of the joints in the list, by its positions.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct JointPasses {
     seats: Vec<Seat>,
     /// The places are known: a pass has begun since the pre-step.
@@ -18,6 +19,8 @@ pub(crate) struct JointPasses {
     /// Bodies have the velocities that they have in the solver.
     velocities_are_down: bool,
 }
+
+reusing_clone! { JointPasses { seats, are_placed, velocities_are_down } }
 
 /// A joint in the passes of an update.
 #[derive(Debug, Clone, Copy, Default)]

@@ -11,10 +11,11 @@ use crate::geom::GeomId;
 use crate::pairs::BroadPhase;
 use crate::precise::Precise;
 use crate::solve::{ContactSolver, SolverBodies};
+use crate::storage::reusing_clone::reusing_clone;
 use joint_passes::JointPasses;
 
 /// What the stages of an update keep, for themselves and for each other.
-#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+#[derive(Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Pipeline {
     pub(crate) broad_phase: BroadPhase,
     /// Of the precise set, while it is chosen; everything else here is the faithful one's.
@@ -32,3 +33,5 @@ pub(crate) struct Pipeline {
     #[serde(skip)]
     pub(crate) separated: Vec<(GeomId, GeomId)>,
 }
+
+reusing_clone! { Pipeline { broad_phase, precise, bodies, contacts, joints, new_contacts, separated } }

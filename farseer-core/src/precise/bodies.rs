@@ -9,6 +9,7 @@ use crate::body::{Body, BodyId};
 use crate::math::lanes::sin_cos;
 use crate::math::plane::Pose;
 use crate::math::{Vector2, decay, scalar};
+use crate::storage::reusing_clone::reusing_clone;
 
 /// What all passes read and write of a body: velocity and spin, and how far it has gone in this substep.
 #[derive(Debug, Clone, Copy, Default)]
@@ -19,7 +20,7 @@ pub(super) struct Hot {
 }
 
 /// The bodies by number. Lists of those that can be pushed are as long as a multiple of four.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Bodies {
     /// Number of bodies that can be pushed: the last one has this number.
     pub(super) count: usize,
@@ -45,9 +46,18 @@ pub(super) struct Bodies {
     pub(super) gravity_parts: Vec<f32>,
     /// The radius of a body that is one circle about its origin, third in the row, and then 1 as the fourth; else 0.
     pub(super) circles: Vec<[f32; 4]>,
+    /// How far a body reaches from its origin, at most; infinite for what never sleeps.
+    pub(super) reaches: Vec<f32>,
     /// Of all bodies, with those that stand still.
     pub(super) poses: Vec<Pose>,
     pub(super) rotations: Vec<f32>,
+}
+
+reusing_clone! {
+    Bodies {
+        count, ids, kinematic, hot, warm, begun, before, push, forced, path, inverses,
+        gravity_parts, circles, reaches, poses, rotations
+    }
 }
 
 /// Sine and cosine of rotations: quick for those of one turn, which all are but after spins that no number holds.
@@ -101,13 +111,18 @@ impl Bodies {
         self.rotations.clear();
         self.inverses.clear();
         self.gravity_parts.clear();
+        self.reaches.clear();
         self.push_dummy();
         self.hot.clear();
         self.hot.push(Hot::default());
+        self.reaches.push(f32::INFINITY);
         movable.for_each(|(id, body)| {
             if body.is_kinematic() {
                 self.kinematic.push(self.ids.len() as u32);
             }
+            // Without a geom a body reaches as far as a ring of its mass and inertia.
+            let ring = (body.moment_of_inertia() / body.mass()).sqrt();
+            self.reaches.push(if body.is_kinematic() { f32::INFINITY } else { ring });
             self.push(id, body, inverses_of(body));
             self.hot.push(Hot { velocity: velocity_of(body), ..Hot::default() });
         });
@@ -118,6 +133,7 @@ impl Bodies {
         let padded = self.ids.len();
         fixed.for_each(|(id, body)| self.push(id, body, [0.0; 2]));
         self.hot.resize(padded, Hot::default());
+        self.reaches.resize(padded, f32::INFINITY);
         for stream in [
             &mut self.warm,
             &mut self.begun,
@@ -158,6 +174,27 @@ impl Bodies {
     pub(super) fn was_moved(&self, number: usize, body: &Body) -> bool {
         let (pose, position) = (&self.poses[number], body.position());
         position.x != pose[0] || position.y != pose[1] || body.rotation() != self.rotations[number]
+    }
+
+    pub(super) fn moves(&self, number: usize) -> bool {
+        self.hot[number].velocity != [0.0; 4]
+    }
+
+    /// A body comes to rest. Answers the accelerations that it bears, after a step of so many seconds.
+    pub(super) fn rest(&mut self, number: usize, dt: f32) -> [f32; 3] {
+        let [x, y, turning, _] = self.forced[number].map(|way| way / (0.5 * dt * dt));
+        self.hot[number] = Hot::default();
+        for stream in [
+            &mut self.warm,
+            &mut self.begun,
+            &mut self.before,
+            &mut self.push,
+            &mut self.forced,
+            &mut self.path,
+        ] {
+            stream[number] = [0.0; 4];
+        }
+        [x, y, turning]
     }
 
     /// Takes over the velocity of an edited body.

@@ -2,6 +2,8 @@
 //! more than twice as wide as the box; so it reaches at most a quarter of a cell beyond the cell it is in, and a level of
 //! large cells holds few boxes. Fast things have long boxes, and are in a level of their own for as long as they are fast.
 
+use crate::storage::reusing_clone::reusing_clone;
+
 /// Low and high corner.
 pub(super) type Box2 = [f32; 4];
 
@@ -40,7 +42,7 @@ impl Default for Entry {
 }
 
 /// Boxes by number.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Grid {
     entries: Vec<Entry>,
     /// First entry of each bucket.
@@ -50,6 +52,8 @@ pub(super) struct Grid {
     /// Levels that have boxes, by bits.
     used: u64,
 }
+
+reusing_clone! { Grid { entries, heads, counts, used } }
 
 /// Cells of a level are 2^(level + LOWEST) wide.
 fn level_of(bounds: &Box2) -> u8 {
@@ -152,8 +156,11 @@ impl Grid {
             let low = [bounds[0], bounds[1]].map(|x| number(x - reach(x), inverse));
             let high = [bounds[2], bounds[3]].map(|x| number(x + reach(x), inverse));
             let span = |axis: usize| i64::from(high[axis]) - i64::from(low[axis]) + 1;
+            let (width, height) = (span(0), span(1));
+            // Queries may come with boxes that are the wrong way round, and some large box may overlap them.
+            let is_reversed = width <= 0 || height <= 0;
             let is_last = i32::from(level) == LEVELS - 1;
-            if is_last || span(0).saturating_mul(span(1)) > self.entries.len() as i64 + 16 {
+            if is_last || is_reversed || width.saturating_mul(height) > self.entries.len() as i64 + 16 {
                 self.for_each_of_level(level, bounds, &mut found);
                 continue;
             }

@@ -6,12 +6,14 @@
 //! 2. pairs whose bounds part go, and new ones come ([`grid`], [`pairs`]);
 //! 3. pairs that moved are looked at ([`touch`], [`manifold`]), and rows come and go ([`rows`]);
 //! 4. joints are read, and which of them can be solved at once ([`joints`]);
-//! 5. bodies are read ([`bodies`]), velocities solved in substeps ([`passes`]), and bodies written ([`moving`]).
+//! 5. bodies are read ([`bodies`]), velocities solved in substeps ([`passes`]), and bodies written ([`moving`]);
+//! 6. what has come to rest falls asleep ([`sleep`]), until something wakes it ([`wake`]).
 //!
 //! Lengths are the user's; the numbers of the method are parts of one length ([`tuning`]).
 
 mod bodies;
 mod grid;
+mod islands;
 mod joints;
 mod manifold;
 mod meeting;
@@ -25,18 +27,22 @@ mod round;
 mod rows;
 mod saved;
 mod seams;
+mod sleep;
 mod step;
 mod sync;
 mod told;
 mod touch;
 mod tuning;
+mod wake;
 
 use serde::{Deserialize, Serialize};
 
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::geom::surface::FrictionType;
+use crate::storage::reusing_clone::reusing_clone;
 use saved::Saved;
+pub use sleep::WhyAwake;
 pub(crate) use tuning::Step;
 
 use bodies::Bodies;
@@ -45,11 +51,12 @@ use joints::Joints;
 use pairs::Pairs;
 use proxies::Proxies;
 use rows::{Palette, Rows};
+use sleep::Sleep;
 use touch::{Change, Touch};
 use tuning::Tuning;
 
 /// What the precise set keeps from step to step.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize)]
 #[serde(into = "Saved", from = "Saved")]
 pub(crate) struct Precise {
     tuning: Tuning,
@@ -75,6 +82,7 @@ pub(crate) struct Precise {
     rows: Rows,
     palette: Palette,
     joints: Joints,
+    sleep: Sleep,
     /// Numbers of bodies and first proxies of geoms, by slot.
     body_numbers: Vec<u32>,
     first_proxies: Vec<u32>,
@@ -97,6 +105,14 @@ pub(crate) struct Precise {
     touching: Vec<((u32, u32), usize)>,
 }
 
+reusing_clone! {
+    Precise {
+        tuning, h, dt, fall, loaded, is_stale, bounces, friction, most_contacts, bodies, proxies,
+        grid, pairs, rows, palette, joints, sleep, body_numbers, first_proxies, loose, absent,
+        edited_bodies, edited_geoms, changes, has_handled, lost, found, known, touching
+    }
+}
+
 impl Precise {
     /// For things of about this size.
     pub(crate) fn new(length_unit: f32) -> Self {
@@ -117,6 +133,7 @@ impl Precise {
             rows: Rows::default(),
             palette: Palette::default(),
             joints: Joints::default(),
+            sleep: Sleep::default(),
             body_numbers: Vec::new(),
             first_proxies: Vec::new(),
             loose: Vec::new(),
@@ -140,6 +157,7 @@ impl Precise {
             pairs: &mut self.pairs,
             rows: &mut self.rows,
             palette: &mut self.palette,
+            sleep: &mut self.sleep,
             tuning: &self.tuning,
             friction: self.friction,
             most_contacts: self.most_contacts as usize,

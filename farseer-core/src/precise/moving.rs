@@ -1,5 +1,7 @@
 //! From velocities to places: the substeps of bodies, and the end of a step.
 
+use std::ops::Range;
+
 use wide::f32x4;
 
 use super::bodies::{Bodies, Hot, turn_of};
@@ -21,54 +23,68 @@ const STRAIGHT: f32 = 1e-3;
 /// What impulses do to a velocity is kept as one sum per body: after a substep it is what it was, and what the passes have
 /// added since.
 #[inline(always)]
-pub(super) fn begin_substep(bodies: &mut Bodies, is_first: bool) {
-    let Bodies { hot, warm, begun, push, .. } = bodies;
-    for (((hot, warm), begun), push) in hot.iter_mut().zip(warm).zip(begun).zip(push.iter()) {
-        let velocity = f32x4::new(hot.velocity);
-        if !is_first {
-            *warm = (f32x4::new(*warm) + (velocity - f32x4::new(*begun))).to_array();
+pub(super) fn begin_substep(bodies: &mut Bodies, runs: &[Range<usize>], is_first: bool) {
+    for run in runs.iter().cloned() {
+        let (hot, warm) = (&mut bodies.hot[run.clone()], &mut bodies.warm[run.clone()]);
+        let (begun, push) = (&mut bodies.begun[run.clone()], &bodies.push[run]);
+        for (((hot, warm), begun), push) in hot.iter_mut().zip(warm).zip(begun).zip(push) {
+            let velocity = f32x4::new(hot.velocity);
+            if !is_first {
+                *warm = (f32x4::new(*warm) + (velocity - f32x4::new(*begun))).to_array();
+            }
+            *begun = (velocity + f32x4::new(*warm) + f32x4::new(*push)).to_array();
+            hot.velocity = *begun;
         }
-        *begun = (velocity + f32x4::new(*warm) + f32x4::new(*push)).to_array();
-        hot.velocity = *begun;
     }
 }
 
 /// Bodies move by their velocities.
 #[inline(always)]
-pub(super) fn displace(bodies: &mut Bodies, h: f32, is_first: bool) {
+pub(super) fn displace(bodies: &mut Bodies, runs: &[Range<usize>], h: f32, is_first: bool) {
     let h = f32x4::splat(h);
-    for (hot, path) in bodies.hot.iter_mut().zip(&mut bodies.path) {
-        let step = f32x4::new(hot.velocity) * h;
-        hot.step = step.to_array();
-        *path = if is_first { hot.step } else { (f32x4::new(*path) + step).to_array() };
+    for run in runs.iter().cloned() {
+        for (hot, path) in bodies.hot[run.clone()].iter_mut().zip(&mut bodies.path[run]) {
+            let step = f32x4::new(hot.velocity) * h;
+            hot.step = step.to_array();
+            *path = if is_first { hot.step } else { (f32x4::new(*path) + step).to_array() };
+        }
     }
 }
 
 /// All substeps of bodies that nothing touches, at once.
 #[inline(always)]
-pub(super) fn fly(bodies: &mut Bodies, step: &Step) {
+pub(super) fn fly(bodies: &mut Bodies, runs: &[Range<usize>], step: &Step) {
     let (h, half) = (f32x4::splat(step.h), f32x4::splat(0.5));
-    let Bodies { hot, push, forced, path, .. } = bodies;
-    for (((hot, push), forced), path) in hot.iter_mut().zip(push.iter()).zip(forced.iter()).zip(path) {
-        let (mut velocity, push) = (f32x4::new(hot.velocity), f32x4::new(*push));
-        let mut way = f32x4::ZERO;
-        for _ in 0..step.substeps {
-            // The middle of the velocities before and after: what constant forces do exactly.
-            way += (velocity + half * push) * h;
-            velocity += push;
+    for run in runs.iter().cloned() {
+        let (hot, push) = (&mut bodies.hot[run.clone()], &bodies.push[run.clone()]);
+        let (forced, path) = (&bodies.forced[run.clone()], &mut bodies.path[run]);
+        for (((hot, push), forced), path) in hot.iter_mut().zip(push).zip(forced).zip(path) {
+            let (mut velocity, push) = (f32x4::new(hot.velocity), f32x4::new(*push));
+            let mut way = f32x4::ZERO;
+            for _ in 0..step.substeps {
+                // The middle of the velocities before and after: what constant forces do exactly.
+                way += (velocity + half * push) * h;
+                velocity += push;
+            }
+            (hot.velocity, *path) = (velocity.to_array(), (way + f32x4::new(*forced)).to_array());
         }
-        (hot.velocity, *path) = (velocity.to_array(), (way + f32x4::new(*forced)).to_array());
     }
 }
 
 /// Bodies with one row at most, and no joint, whose velocity has hardly changed: their substeps take the middle of the velocities before and
 /// after, which is exact under constant forces, instead of those after.
 #[inline(always)]
-pub(super) fn even_out(bodies: &mut Bodies, palette: &Palette, joints: &Joints, step: &Step) {
+pub(super) fn even_out(
+    bodies: &mut Bodies,
+    runs: &[Range<usize>],
+    palette: &Palette,
+    joints: &Joints,
+    step: &Step,
+) {
     let back = -0.5 * step.h;
     let most = EVENLY * step.substeps as f32;
     let is_single = |&body: &usize| palette.is_single(body) && !joints.holds(body);
-    for body in (1..=bodies.count).filter(is_single) {
+    for body in runs.iter().cloned().flatten().filter(is_single) {
         let change = f32x4::new(bodies.hot[body].velocity) - f32x4::new(bodies.before[body]);
         let [x, y, ..] = change.to_array();
         let [px, py, ..] = bodies.push[body];
@@ -192,28 +208,27 @@ impl Flight {
 
 /// The poses after a step, from the rotations that are there already.
 #[inline(always)]
-pub(super) fn renew_poses(bodies: &mut Bodies) {
-    let count = bodies.hot.len();
-    let Bodies { poses, rotations, path, .. } = bodies;
-    let fours = poses[..count].as_chunks_mut::<4>().0.iter_mut();
-    for ((poses, rotations), path) in
-        fours.zip(rotations[..count].as_chunks::<4>().0).zip(path.as_chunks::<4>().0)
-    {
-        let [dx, dy, ..] = crate::math::lanes::columns(path);
-        let [x, y, ..] = crate::math::lanes::columns(poses);
-        let (sine, cosine) = turn_of(f32x4::new(*rotations));
-        *poses = f32x4::transpose([x + dx, y + dy, cosine, sine]).map(f32x4::to_array);
+pub(super) fn renew_poses(bodies: &mut Bodies, runs: &[Range<usize>]) {
+    for run in runs.iter().cloned() {
+        let poses = bodies.poses[run.clone()].as_chunks_mut::<4>().0.iter_mut();
+        let rotations = bodies.rotations[run.clone()].as_chunks::<4>().0;
+        let paths = bodies.path[run].as_chunks::<4>().0;
+        for ((poses, rotations), path) in poses.zip(rotations).zip(paths) {
+            let [dx, dy, ..] = crate::math::lanes::columns(path);
+            let [x, y, ..] = crate::math::lanes::columns(poses);
+            let (sine, cosine) = turn_of(f32x4::new(*rotations));
+            *poses = f32x4::transpose([x + dx, y + dy, cosine, sine]).map(f32x4::to_array);
+        }
     }
 }
 
 /// How far proxies have come, and which have left their bounds.
 #[inline(always)]
-pub(super) fn follow(proxies: &mut Proxies, bodies: &Bodies, tuning: &Tuning) {
+pub(super) fn follow(proxies: &mut Proxies, bodies: &Bodies, runs: &[Range<usize>], tuning: &Tuning) {
     let scale = f32x4::splat(tuning.motion_scale());
     let around = f32x4::splat(tuning.speculative);
-    let padded = proxies.movable.next_multiple_of(4);
     let Proxies { all, boxes, bounds, motion, escaped, movable, .. } = proxies;
-    for four in (0..padded).step_by(4) {
+    for four in runs.iter().flat_map(|run| run.clone().step_by(4)) {
         let of = &all[four..four + 4];
         let places: [u32; 4] = std::array::from_fn(|lane| of[lane].body);
         let [x, y, c, s] = gather(&bodies.poses, &places);

@@ -2,9 +2,10 @@
 
 use crate::geom::entry::GeomEntry;
 use crate::geom::pieces::{Piece, simplified};
-use crate::geom::seams::Seam;
+use crate::geom::seams::{self, Seam};
 use crate::math::plane::{Vector, difference, length, sum, turn};
 use crate::math::scalar;
+use crate::storage::reusing_clone::reusing_clone;
 
 /// By what arithmetic an outline touches others.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -39,13 +40,15 @@ pub(super) struct Shape {
 }
 
 /// Corners and outward normals of all polygons.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Corners {
     points: Vec<Vector>,
     normals: Vec<Vector>,
     /// Of the edges of those outlines that have them.
     seams: Vec<Seam>,
 }
+
+reusing_clone! { Corners { points, normals, seams } }
 
 /// A shape with its corners and the normals of the edges that begin there.
 #[derive(Clone, Copy)]
@@ -154,11 +157,7 @@ impl Corners {
         let start = self.points.len();
         self.points.extend(corners);
         let points = &self.points[start..];
-        let normal = |i: usize| {
-            let edge = difference(points[(i + 1) % points.len()], points[i]);
-            let length = length(edge);
-            [edge[1] / length, -edge[0] / length]
-        };
+        let normal = |i: usize| normal(points[i], points[(i + 1) % points.len()]);
         self.normals.extend((0..points.len()).map(normal));
         let bound = |axis: usize, better: fn(f32, f32) -> bool| {
             points.iter().map(|p| p[axis]).reduce(|a, b| if better(a, b) { a } else { b }).unwrap_or(0.0)
@@ -175,4 +174,11 @@ impl Corners {
         let (family, count) = (Family::Polygon, points.len() as u32);
         Shape { family, start: start as u32, seams: 0, count, is_box, radius: 0.0, centre, half, reach }
     }
+}
+
+/// The outward normal of an edge.
+fn normal(start: Vector, end: Vector) -> Vector {
+    let edge = difference(end, start);
+    let length = length(edge);
+    if length.is_finite() { [edge[1] / length, -edge[0] / length] } else { seams::normal(start, end) }
 }

@@ -2,6 +2,7 @@
 
 use super::rows::{Home, Kind};
 use crate::math::plane::Vector;
+use crate::storage::reusing_clone::reusing_clone;
 
 const NONE: u32 = u32::MAX;
 
@@ -57,13 +58,16 @@ struct Links {
     previous: [u32; 2],
 }
 
-/// The pairs. A pair's number changes when another one goes.
-#[derive(Debug, Clone, Default)]
+/// The pairs: first those that may change, then those of bodies that sleep. A pair's number changes when another one goes,
+/// falls asleep or wakes.
+#[derive(Debug, Default)]
 pub(super) struct Pairs {
     pub(super) watched: Vec<Watch>,
     pub(super) all: Vec<Pair>,
     pub(super) frozen: Vec<Frozen>,
     links: Vec<Links>,
+    /// Number of those that may change.
+    pub(super) awake: usize,
     /// Number of pairs that touch.
     pub(super) touching: usize,
     /// Number of those of which a handler is told.
@@ -72,6 +76,8 @@ pub(super) struct Pairs {
     heads: Vec<u32>,
 }
 
+reusing_clone! { Pairs { watched, all, frozen, links, awake, touching, heard, heads } }
+
 impl Pairs {
     /// Forgets all pairs.
     pub(super) fn reset(&mut self, proxies: usize) {
@@ -79,6 +85,7 @@ impl Pairs {
         self.all.clear();
         self.frozen.clear();
         self.links.clear();
+        self.awake = 0;
         (self.touching, self.heard) = (0, 0);
         self.heads.clear();
         self.heads.resize(proxies, NONE);
@@ -165,36 +172,41 @@ impl Pairs {
         }
     }
 
-    /// Lets the neighbours of a link in its list name another one instead.
-    fn redirect(&mut self, pair: usize, side: usize, to_next: u32, to_previous: u32) {
-        let Links { proxies, next, previous } = self.links[pair];
-        match previous[side] {
-            NONE => self.heads[proxies[side] as usize] = to_next,
-            link => self.links[(link >> 1) as usize].next[(link & 1) as usize] = to_next,
-        }
-        if next[side] != NONE {
-            self.links[(next[side] >> 1) as usize].previous[(next[side] & 1) as usize] = to_previous;
+    /// Takes the last pair out; it has no row any more.
+    pub(super) fn pop(&mut self) {
+        let last = self.all.len() - 1;
+        self.unlink(last);
+        self.watched.pop();
+        self.frozen.pop();
+        self.links.pop();
+        self.all.pop();
+        self.awake = self.awake.min(last);
+    }
+
+    /// Two pairs change numbers.
+    pub(super) fn swap(&mut self, one: usize, other: usize) {
+        self.unlink(one);
+        self.unlink(other);
+        self.watched.swap(one, other);
+        self.frozen.swap(one, other);
+        self.links.swap(one, other);
+        self.all.swap(one, other);
+        for pair in [one, other] {
+            (0..2).for_each(|side| self.link(pair, side));
         }
     }
 
-    /// Takes a pair out; it has no row any more. The last one has its number from then on: answers its home.
-    pub(super) fn remove(&mut self, pair: usize) -> Option<(Kind, Home)> {
+    fn unlink(&mut self, pair: usize) {
         for side in 0..2 {
-            let Links { next, previous, .. } = self.links[pair];
-            self.redirect(pair, side, next[side], previous[side]);
-        }
-        let last = self.all.len() - 1;
-        if pair != last {
-            for side in 0..2 {
-                let link = (pair * 2 + side) as u32;
-                self.redirect(last, side, link, link);
+            let Links { proxies, next, previous } = self.links[pair];
+            match previous[side] {
+                NONE => self.heads[proxies[side] as usize] = next[side],
+                link => self.links[(link >> 1) as usize].next[(link & 1) as usize] = next[side],
+            }
+            if next[side] != NONE {
+                let link = next[side];
+                self.links[(link >> 1) as usize].previous[(link & 1) as usize] = previous[side];
             }
         }
-        self.watched.swap_remove(pair);
-        self.frozen.swap_remove(pair);
-        self.links.swap_remove(pair);
-        self.all.swap_remove(pair);
-        let moved = self.all.get(pair)?;
-        Some((moved.kind, moved.home?))
     }
 }

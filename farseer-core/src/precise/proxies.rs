@@ -11,6 +11,7 @@ use crate::geom::GeomId;
 use crate::geom::entry::GeomEntry;
 use crate::math::plane::{rotation, turn};
 use crate::storage::arena::Id;
+use crate::storage::reusing_clone::reusing_clone;
 
 /// Boxes reach ahead of a body by what it moves in so many steps.
 const STEPS_AHEAD: f32 = 4.0;
@@ -19,6 +20,7 @@ const MARGIN_OF_SIZE: f32 = 0.25;
 
 /// Beyond this coordinate squares of distances end, and nothing meets anything.
 const FARTHEST: f32 = 1e18;
+const NONE: u32 = u32::MAX;
 /// Overlaps nothing.
 const NOWHERE: Box2 = [f32::MAX, f32::MAX, f32::MIN, f32::MIN];
 
@@ -51,20 +53,20 @@ pub(super) struct Proxy {
     /// Whether a handler is told of what the geom touches.
     pub(super) is_heard: bool,
     /// What decides whom it may meet.
-    pub(super) filter: [i32; 4],
+    pub(super) filter: [i32; 5],
     /// Speed of its surface along itself, if it stands still: a belt.
     pub(super) surface_velocity: [f32; 3],
 }
 
 /// What of a geom's settings decides whom it may meet.
-pub(super) fn filter_of(geom: &GeomEntry) -> [i32; 4] {
-    let geom = &geom.geom;
+pub(super) fn filter_of(entry: &GeomEntry) -> [i32; 5] {
+    let geom = &entry.geom;
     let (is, with) = (geom.collision_categories().bits(), geom.collides_with().bits());
-    [is, with, geom.collision_group(), i32::from(geom.collision_enabled())]
+    [is, with, geom.collision_group(), i32::from(geom.collision_enabled()), entry.ignore_changes]
 }
 
 /// Those of bodies that can be pushed come first; lists of them are as long as a multiple of four.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Proxies {
     pub(super) all: Vec<Proxy>,
     /// Number of proxies of bodies that can be pushed.
@@ -77,7 +79,12 @@ pub(super) struct Proxies {
     pub(super) motion: Vec<u32>,
     /// Those whose bounds are new: pairs are to be looked for.
     pub(super) escaped: Vec<u32>,
+    /// The first proxy of each body, and the next one of the same body.
+    heads: Vec<u32>,
+    next: Vec<u32>,
 }
+
+reusing_clone! { Proxies { all, movable, corners, boxes, bounds, motion, escaped, heads, next } }
 
 impl Proxies {
     pub(super) fn clear(&mut self) {
@@ -104,7 +111,7 @@ impl Proxies {
                 restitution: 0.0,
                 responds: false,
                 is_heard: false,
-                filter: [0; 4],
+                filter: [0; 5],
                 surface_velocity: [0.0; 3],
             });
         }
@@ -116,6 +123,22 @@ impl Proxies {
         self.boxes.push([x, y, hx, hy]);
         self.bounds.push([0.0; 4]);
         self.motion.push(0);
+    }
+
+    /// Finds the proxies of so many bodies.
+    pub(super) fn link(&mut self, bodies: usize) {
+        self.heads.clear();
+        self.heads.resize(bodies, NONE);
+        self.next.clear();
+        for (at, proxy) in self.all.iter().enumerate() {
+            self.next.push(std::mem::replace(&mut self.heads[proxy.body as usize], at as u32));
+        }
+    }
+
+    /// The proxies of a body.
+    pub(super) fn of(&self, body: usize) -> impl Iterator<Item = u32> + '_ {
+        let listed = |at: u32| (at != NONE).then_some(at);
+        std::iter::successors(listed(self.heads[body]), move |&at| listed(self.next[at as usize]))
     }
 
     /// The box around a proxy, as wide as contacts reach.

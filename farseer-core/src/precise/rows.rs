@@ -2,6 +2,7 @@
 //! share a body that can be pushed, so that their order does not matter. The last colour takes what finds no other, one
 //! row in each block, and is solved in order.
 
+use crate::storage::reusing_clone::reusing_clone;
 use wide::f32x4;
 
 /// Number of colours; the last is for what finds no other.
@@ -109,6 +110,15 @@ pub(super) struct Lane {
     pub(super) points: [PointLane; 2],
 }
 
+impl Lane {
+    /// Whether the springs of its points are on their way to rest at more of their load, of which they learn this part.
+    pub(super) fn is_learning(&self, learnt: f32) -> bool {
+        let [one, two] = &self.points;
+        learnt * (one.impulse + two.impulse) > one.held + two.held
+            && (one.separation < 0.0 || two.separation < 0.0)
+    }
+}
+
 #[inline(always)]
 fn get(of: &f32x4, lane: usize) -> f32 {
     of.as_array()[lane]
@@ -176,13 +186,15 @@ impl<const P: usize> Row<P> {
 }
 
 /// The rows of one kind.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub(super) struct Colours<const P: usize> {
     /// Which colours have rows, by bits.
     pub(super) used: u32,
     pub(super) blocks: [Vec<Row<P>>; COLOURS],
     counts: [usize; COLOURS],
 }
+
+reusing_clone! { [const P: usize] Colours<P> { used, blocks, counts } }
 
 impl<const P: usize> Default for Colours<P> {
     fn default() -> Self {
@@ -255,21 +267,37 @@ pub(super) struct Kind {
     pub(super) is_fixed: bool,
 }
 
-/// Where a row lives.
+/// Where a row lives: in a colour, or [asleep](ASLEEP).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Home {
     pub(super) colour: u32,
     pub(super) slot: u32,
 }
 
+/// In place of a colour: the row is of bodies that sleep.
+const ASLEEP: u32 = u32::MAX;
+
+/// A row that nothing looks at.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sleeping {
+    lane: Lane,
+    /// Which it goes back to.
+    pub(super) colour: u32,
+    /// Seconds of the substeps that its impulses are of.
+    pub(super) h: f32,
+}
+
 /// All rows of contacts.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Rows {
+    asleep: Vec<Sleeping>,
     pub(super) two: Colours<2>,
     pub(super) one: Colours<1>,
     pub(super) two_fixed: Colours<2>,
     pub(super) one_fixed: Colours<1>,
 }
+
+reusing_clone! { Rows { asleep, two, one, two_fixed, one_fixed } }
 
 /// The rows of a kind, borrowed as it says.
 macro_rules! of_kind {
@@ -301,8 +329,10 @@ impl Rows {
         self.one.clear();
         self.two_fixed.clear();
         self.one_fixed.clear();
+        self.asleep.clear();
     }
 
+    /// Whether nothing is to be solved.
     pub(super) fn is_empty(&self) -> bool {
         self.two.used | self.one.used | self.two_fixed.used | self.one_fixed.used == 0
     }
@@ -323,30 +353,79 @@ impl Rows {
 
     /// Takes a row out. Answers the pair whose row has this home now.
     pub(super) fn remove(&mut self, kind: Kind, home: Home) -> Option<u32> {
+        if home.colour == ASLEEP {
+            self.asleep.swap_remove(home.slot as usize);
+            return self.asleep.get(home.slot as usize).map(|moved| moved.lane.pair);
+        }
         of_kind!((&mut) self, kind, colours => colours.remove(home.colour, home.slot))
+    }
+
+    /// A row goes to sleep, with the length of the substeps that its impulses are of. Answers its new home, and whose row has
+    /// the old one now.
+    pub(super) fn lay_down(&mut self, kind: Kind, home: Home, h: f32) -> (Home, Option<(u32, Home)>) {
+        if home.colour == ASLEEP {
+            return (home, None);
+        }
+        let lane = self.lane(kind, home);
+        let moved = self.remove(kind, home).map(|pair| (pair, home));
+        (self.push_asleep(Sleeping { lane, colour: home.colour, h }), moved)
+    }
+
+    pub(super) fn push_asleep(&mut self, sleeping: Sleeping) -> Home {
+        self.asleep.push(sleeping);
+        Home { colour: ASLEEP, slot: self.asleep.len() as u32 - 1 }
+    }
+
+    /// A row goes back to its colour, with impulses of substeps of this length.
+    pub(super) fn take_up(&mut self, kind: Kind, home: Home, h: f32) -> (Home, Option<(u32, Home)>) {
+        let Some(mut sleeping) = self.asleep(home) else { return (home, None) };
+        sleeping.scale(h);
+        let moved = self.remove(kind, home).map(|pair| (pair, home));
+        (self.push(kind, sleeping.colour, &sleeping.lane), moved)
+    }
+
+    /// A row that sleeps.
+    pub(super) fn asleep(&self, home: Home) -> Option<Sleeping> {
+        self.asleep.get(home.slot as usize).copied().filter(|_| home.colour == ASLEEP)
     }
 
     #[inline]
     pub(super) fn lane(&self, kind: Kind, home: Home) -> Lane {
         let (block, at) = (home.slot as usize / 4, home.slot as usize % 4);
+        if home.colour == ASLEEP {
+            return self.asleep[home.slot as usize].lane;
+        }
         of_kind!((&) self, kind, colours => colours.blocks[home.colour as usize][block].lane(at))
     }
 
     #[inline]
     pub(super) fn set_lane(&mut self, kind: Kind, home: Home, lane: &Lane) {
         let (block, at) = (home.slot as usize / 4, home.slot as usize % 4);
+        if home.colour == ASLEEP {
+            self.asleep[home.slot as usize].lane = *lane;
+            return;
+        }
         of_kind!((&mut) self, kind, colours => colours.blocks[home.colour as usize][block].set_lane(at, lane));
     }
 
     /// The pair of a row has another number now.
     pub(super) fn set_pair(&mut self, kind: Kind, home: Home, pair: u32) {
         let (block, at) = (home.slot as usize / 4, home.slot as usize % 4);
+        if home.colour == ASLEEP {
+            self.asleep[home.slot as usize].lane.pair = pair;
+            return;
+        }
         of_kind!((&mut) self, kind, colours => colours.blocks[home.colour as usize][block].pair[at] = pair);
     }
 
     #[inline]
     pub(super) fn set_separations(&mut self, kind: Kind, home: Home, separations: [f32; 2]) {
         let (block, at) = (home.slot as usize / 4, home.slot as usize % 4);
+        if home.colour == ASLEEP {
+            let points = &mut self.asleep[home.slot as usize].lane.points;
+            points.iter_mut().zip(separations).for_each(|(point, separation)| point.separation = separation);
+            return;
+        }
         of_kind!((&mut) self, kind, colours => {
             let row = &mut colours.blocks[home.colour as usize][block];
             for (point, separation) in row.points.iter_mut().zip(separations) {
@@ -356,15 +435,34 @@ impl Rows {
     }
 }
 
+impl Sleeping {
+    pub(super) fn new(lane: &Lane, colour: u32, h: f32) -> Self {
+        Sleeping { lane: *lane, colour, h }
+    }
+
+    /// Impulses are forces times the length of a substep.
+    fn scale(&mut self, h: f32) {
+        let factor = if h == self.h { 1.0 } else { h / self.h };
+        let factor = if factor.is_finite() { factor } else { 0.0 };
+        self.lane.tangent_impulse *= factor;
+        for point in &mut self.lane.points {
+            point.impulse *= factor;
+            point.held *= factor;
+        }
+    }
+}
+
 /// Which colours are taken at each body, by bits: among rows of two bodies, and among those with something fixed. The last
 /// colour is never taken, and what cannot be pushed takes none: rows that share it do not disturb each other.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Palette {
     shared: Vec<u32>,
     fixed: Vec<u32>,
     /// Whether a body can be pushed.
     gives_way: Vec<bool>,
 }
+
+reusing_clone! { Palette { shared, fixed, gives_way } }
 
 impl Palette {
     /// For bodies with these reciprocals of mass and inertia.

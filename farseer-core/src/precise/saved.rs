@@ -7,7 +7,9 @@ use super::Precise;
 use super::pairs::{BY_ROW, Frozen};
 use super::proxies::{Mobility, Proxy};
 use super::rows::{Home, Kind, Lane};
+use super::sleep::KnownJoint;
 use super::tuning::Tuning;
+use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::geom::surface::FrictionType;
 use crate::methods::Methods;
@@ -24,6 +26,21 @@ pub(crate) struct Saved {
     most_contacts: u32,
     proxies: Vec<SavedProxy>,
     pairs: Vec<SavedPair>,
+    /// The gravity that things sleep under, how long others have been at rest, and what sleeps.
+    gravity: [f32; 2],
+    rest: Vec<(BodyId, f32)>,
+    sleepers: Vec<Sleeper>,
+    joints: Vec<KnownJoint>,
+}
+
+/// A body that sleeps.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+struct Sleeper {
+    body: BodyId,
+    /// The place in this list of the first one of those that fell asleep together.
+    first: u32,
+    place: [f32; 3],
+    borne: [f32; 3],
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -44,7 +61,7 @@ struct Known {
     /// Reciprocals of mass and inertia, velocity of the surface, friction and restitution.
     contacts: [f32; 7],
     /// Whom it may meet, and whether it pushes.
-    filter: [i32; 5],
+    filter: [i32; 6],
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -74,6 +91,8 @@ struct SavedContacts {
 struct SavedRow {
     colour: u32,
     slot: u32,
+    /// Seconds of the substeps that its impulses are of, if it sleeps.
+    asleep: Option<f32>,
     tangent_impulse: f32,
     impulses: [f32; 2],
     held: [f32; 2],
@@ -112,9 +131,9 @@ impl Saved {
         let pair_is_valid = |pair: &SavedPair| {
             let SavedContacts { turns, relative, normal, count, anchors, separations, .. } = &pair.frozen;
             let row_is_valid = |row: &SavedRow| {
-                let SavedRow { tangent_impulse, impulses, held, separations, .. } = row;
+                let SavedRow { tangent_impulse, impulses, held, separations, asleep, .. } = row;
                 (row.colour as usize) < super::rows::COLOURS
-                    && finite(&[*tangent_impulse])
+                    && finite(&[*tangent_impulse, asleep.unwrap_or(0.0)])
                     && [impulses, held, separations].iter().all(|numbers| finite(*numbers))
             };
             pair.proxies.iter().all(|&proxy| (proxy as usize) < self.proxies.len())
@@ -138,6 +157,12 @@ impl Saved {
                 },
             )
             && self.pairs.iter().all(pair_is_valid)
+            && finite(&self.gravity)
+            && self.rest.iter().all(|&(_, rest)| rest.is_finite())
+            && self.sleepers.iter().all(|sleeper| {
+                let is_there = (sleeper.first as usize) < self.sleepers.len();
+                is_there && finite(&sleeper.place) && finite(&sleeper.borne)
+            })
     }
 }
 
@@ -184,19 +209,50 @@ impl Precise {
             most_contacts: self.most_contacts,
             proxies: proxies.collect(),
             pairs: (0..self.pairs.len()).map(|pair| self.save_pair(pair)).collect(),
+            gravity: self.sleep.gravity,
+            rest: self.save_rest().collect(),
+            sleepers: self.save_sleepers(),
+            joints: self.sleep.joints.clone(),
         }
+    }
+
+    fn save_rest(&self) -> impl Iterator<Item = (BodyId, f32)> + '_ {
+        let at_rest = self.sleep.awake(self.bodies.count).filter(|&number| self.sleep.rest[number] > 0.0);
+        at_rest.filter_map(|number| Some((self.bodies.ids[number]?, self.sleep.rest[number])))
+    }
+
+    fn save_sleepers(&self) -> Vec<Sleeper> {
+        let mut sleepers = Vec::with_capacity(self.sleep.count);
+        let mut places = vec![0; self.bodies.count + 1];
+        for number in (1..=self.bodies.count).filter(|&number| self.sleep.is_asleep(number)) {
+            let Some(body) = self.bodies.ids[number] else { continue };
+            places[number] = sleepers.len() as u32;
+            let first = places[self.sleep.first_with(number)];
+            sleepers.push(Sleeper {
+                body,
+                first,
+                place: self.place_of(number),
+                borne: self.sleep.borne[number],
+            });
+        }
+        sleepers
+    }
+
+    /// Position and rotation.
+    fn place_of(&self, number: usize) -> [f32; 3] {
+        let ([x, y, ..], rotation) = (self.bodies.poses[number], self.bodies.rotations[number]);
+        [x, y, rotation]
     }
 
     fn known_of(&self, proxy: usize) -> Known {
         let Proxy { body, friction, restitution, surface_velocity, filter, responds, .. } =
             self.proxies.all[proxy];
-        let ([x, y, ..], rotation) = (self.bodies.poses[body as usize], self.bodies.rotations[body as usize]);
         let ([mass, inertia], [vx, vy, spin]) = (self.bodies.inverses[body as usize], surface_velocity);
-        let [is, with, group, enabled] = filter;
+        let [is, with, group, enabled, ignores] = filter;
         Known {
-            place: [x, y, rotation],
+            place: self.place_of(body as usize),
             contacts: [mass, inertia, vx, vy, spin, friction, restitution],
-            filter: [is, with, group, enabled, i32::from(responds)],
+            filter: [is, with, group, enabled, ignores, i32::from(responds)],
         }
     }
 
@@ -218,9 +274,11 @@ impl Precise {
     fn save_row(&self, kind: Kind, home: Home, is_set: bool) -> SavedRow {
         let Lane { tangent_impulse, points, friction, restitution, tangent_speed, .. } =
             self.rows.lane(kind, home);
+        let sleeping = self.rows.asleep(home);
         SavedRow {
-            colour: home.colour,
+            colour: sleeping.map_or(home.colour, |row| row.colour),
             slot: home.slot,
+            asleep: sleeping.map(|row| row.h),
             tangent_impulse,
             impulses: points.map(|point| point.impulse),
             held: points.map(|point| point.held),
@@ -231,30 +289,46 @@ impl Precise {
     }
 
     /// Takes over what is known of the proxies and pairs that are still there.
-    pub(super) fn restore(&mut self, saved: &Saved, may_stay: impl Fn(GeomId, GeomId) -> bool) {
+    pub(super) fn restore(
+        &mut self,
+        saved: &Saved,
+        may_stay: impl Fn(GeomId, GeomId) -> bool,
+        is_at_rest: impl Fn(BodyId) -> bool,
+    ) {
         self.has_handled = saved.has_handled || saved.pairs.iter().any(|pair| pair.is_vetoed);
         self.grid.reset(self.proxies.all.len());
         self.pairs.reset(self.proxies.all.len());
         self.rows.clear();
         self.palette.reset(&self.bodies.inverses[..self.bodies.hot.len()]);
         let (places, edited) = self.restore_proxies(saved);
+        self.restore_sleep(saved, is_at_rest);
         let mut rows = Vec::new();
         for pair in &saved.pairs {
-            let [Some(a), Some(b)] = pair.proxies.map(|proxy| places[proxy as usize]) else { continue };
-            let [one, other] = [a, b].map(|proxy| self.proxies.all[proxy as usize].geom);
-            if self.ordered([a, b]) == Some([a, b]) && may_stay(one, other) {
-                rows.extend(self.restore_pair([a, b], pair));
+            let now = pair.proxies.map(|proxy| places[proxy as usize]);
+            let stays = now.first().copied().flatten().zip(now[1]).map(|(a, b)| [a, b]).filter(|&now| {
+                let [one, other] = now.map(|proxy| self.proxies.all[proxy as usize].geom);
+                self.ordered(now) == Some(now) && may_stay(one, other)
+            });
+            match stays {
+                Some(now) => rows.extend(self.restore_pair(now, pair)),
+                // What it rested on has gone.
+                None if pair.row.is_some() => now.into_iter().flatten().for_each(|proxy| {
+                    self.sleep.note_waking(self.proxies.all[proxy as usize].body as usize);
+                }),
+                None => {}
             }
         }
         edited.into_iter().for_each(|proxy| self.look_again(proxy));
         // Only the order of rows in the last colour matters.
-        rows.sort_by_key(|&(_, row): &(usize, SavedRow)| (row.colour, row.slot));
+        rows.sort_by_key(|(_, row): &(usize, SavedRow)| {
+            (row.asleep.map_or(row.colour, |_| u32::MAX), row.slot)
+        });
         for (pair, row) in rows {
             if let Some([_, restitution, _]) = row.surface {
                 self.pairs.all[pair].is_set = true;
                 self.bounces |= restitution > 0.0;
             }
-            self.touch().restore_row(pair, row.colour, |lane| {
+            self.touch().restore_row(pair, row.colour, row.asleep, |lane| {
                 if let Some(surface) = row.surface {
                     [lane.friction, lane.restitution, lane.tangent_speed] = surface;
                 }
@@ -269,6 +343,31 @@ impl Precise {
                 }
             });
         }
+        self.lay_pairs_down();
+    }
+
+    /// Who slept, and still may, does; a body that was edited since wakes the others of its island.
+    fn restore_sleep(&mut self, saved: &Saved, is_at_rest: impl Fn(BodyId) -> bool) {
+        self.sleep.gravity = saved.gravity;
+        for &(body, rest) in &saved.rest {
+            if let Some(number) = self.number_of(body).filter(|&number| number <= self.bodies.count) {
+                self.sleep.rest[number] = rest;
+            }
+        }
+        // By the first of each island: one of it that sleeps again.
+        let mut again = vec![None; saved.sleepers.len()];
+        for &Sleeper { body, first, place, borne } in &saved.sleepers {
+            let may_sleep = |number: &usize| self.is_dynamic(*number) && !self.sleep.is_asleep(*number);
+            let Some(number) = self.number_of(body).filter(may_sleep) else { continue };
+            self.bodies.rest(number, 1.0);
+            self.sleep.lay_down(number, again[first as usize], borne);
+            again[first as usize] = Some(number);
+            if self.place_of(number) != place || !is_at_rest(body) {
+                self.sleep.note_waking(number);
+            }
+        }
+        self.sleep.joints.clone_from(&saved.joints);
+        self.sleep.renew_runs(&self.proxies);
     }
 
     /// Answers where each saved proxy is now, and whose contacts are to be looked at again. One that is moved by
@@ -307,7 +406,7 @@ impl Precise {
         if saved.has_escaped || has_moved || then.filter != now.filter {
             self.proxies.escaped.push(place);
         }
-        has_moved || then.contacts != now.contacts
+        has_moved || then.contacts != now.contacts || then.filter != now.filter
     }
 
     /// Answers the pair and its row. A pair whose contacts push now and did not before, or the other way round, is looked at

@@ -18,7 +18,8 @@
 //! A row of edges on a line so has the normal of that line, whatever meets them where. Two points at one corner from two
 //! pieces share the load.
 //!
-//! Snapped to an edge, nothing that is apart from the piece may count as behind the edge: what is, is another piece's affair.
+//! Snapped to an edge, nothing may count as behind the edge that is apart from the piece, or not nearly as deep in it along w:
+//! what is, is another piece's affair.
 
 use super::manifold::{Manifold, PREFERRED};
 use super::meeting::{Meeting, Nearest, Side, Which};
@@ -32,6 +33,10 @@ use crate::math::plane::{
 const STRAIGHT: f32 = 1e-3;
 /// Sine of the angle by which a normal may be beyond a neighbour's, so that none is lost to rounding.
 const BEYOND: f32 = 0.01;
+
+/// Times the overlap along a normal that there may be behind the edge that is snapped to: that of an edge at an angle of 60
+/// degrees to it. Behind an edge that faces another way there is all of what is met, however thick.
+const DEEPER: f32 = 2.0;
 
 /// What becomes of a normal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -246,9 +251,10 @@ fn on_corners(
 fn snapped(meeting: &Meeting<'_>, axes: [Axes; 2], which: Which, separation: f32, reach: f32) -> Manifold {
     let Some((_, edge)) = axes[which as usize].outer else { return Manifold::apart(0.0) };
     let found = meeting.on_edge(which, edge, reach);
-    let deepest = -PREFERRED * reach - meeting.radius();
+    let overlap = if separation < 0.0 { -separation } else { 0.0 };
+    let deepest = -DEEPER * overlap - PREFERRED * reach - meeting.radius();
     let is_behind = found.separations[..found.count].iter().any(|&separation| separation < deepest);
-    if separation > 0.0 && is_behind { Manifold::apart(0.0) } else { found }
+    if is_behind { Manifold::apart(0.0) } else { found }
 }
 
 /// Of two verdicts that which leaves less, and whose it is.

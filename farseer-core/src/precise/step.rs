@@ -86,15 +86,16 @@ impl Precise {
 
     /// Takes a pair that was found.
     pub(crate) fn accept(&mut self, at: usize) {
-        let proxies = self.found[at];
-        self.add_pair(proxies);
+        let pair = self.add_pair(self.found[at]);
+        self.note_new(pair);
     }
 
     /// A pair of which nothing is known yet.
     pub(super) fn add_pair(&mut self, proxies: [u32; 2]) -> usize {
         let [a, b] = proxies.map(|proxy| &self.proxies.all[proxy as usize]);
         let (responds, is_heard) = (a.responds && b.responds, a.is_heard || b.is_heard);
-        self.pairs.push(proxies, self.kind(proxies), responds, is_heard)
+        let pair = self.pairs.push(proxies, self.kind(proxies), responds, is_heard);
+        self.touch().take_up(pair)
     }
 
     pub(super) fn kind(&self, proxies: [u32; 2]) -> Kind {
@@ -110,6 +111,7 @@ impl Precise {
         let has_friction_changed = std::mem::replace(&mut self.friction, friction) != friction;
         let has_limit_changed = std::mem::replace(&mut self.most_contacts, most_contacts) != most_contacts;
         if has_friction_changed || has_limit_changed {
+            self.wake_all();
             (0..self.pairs.len()).for_each(|pair| self.pairs.look_again(pair));
         }
         if std::mem::take(&mut self.has_handled) {
@@ -129,13 +131,14 @@ impl Precise {
         circles + self.touch().scan()
     }
 
-    /// What handlers have refused or changed was for one step.
+    /// What handlers have refused or changed was for one step; what sleeps keeps it until it wakes.
     fn forget_answers(&mut self) {
         for pair in 0..self.pairs.len() {
-            if std::mem::take(&mut self.pairs.all[pair].is_vetoed) {
+            let is_awake = pair < self.pairs.awake;
+            if std::mem::take(&mut self.pairs.all[pair].is_vetoed) && is_awake {
                 self.pairs.look_again(pair);
             }
-            if std::mem::take(&mut self.pairs.all[pair].is_set) {
+            if is_awake && std::mem::take(&mut self.pairs.all[pair].is_set) {
                 self.touch().renew_surface(pair);
             }
         }
@@ -149,9 +152,9 @@ impl Precise {
         step: &Step,
         report: &mut Report,
     ) {
-        for number in 1..=self.bodies.count {
-            let Some((id, entry)) =
-                self.bodies.ids[number].and_then(|id| Some((id, objects.bodies.get_mut(id)?)))
+        let Precise { bodies, sleep, is_stale, .. } = self;
+        for number in sleep.awake(bodies.count) {
+            let Some((id, entry)) = bodies.ids[number].and_then(|id| Some((id, objects.bodies.get_mut(id)?)))
             else {
                 continue;
             };
@@ -160,18 +163,19 @@ impl Precise {
             if !is_finite {
                 entry.body.set_enabled(false);
                 report.push(Event::NotFinite { body: id, disabled: true });
-                self.is_stale = true;
+                *is_stale = true;
             }
             let or_rest = |of: [f32; 4]| if is_finite { of } else { [0.0; 4] };
-            self.bodies.hot[number].velocity = or_rest(velocity);
-            self.bodies.before[number] = or_rest(velocity);
-            self.bodies.push[number] = or_rest(push);
-            self.bodies.forced[number] = or_rest(forced);
+            bodies.hot[number].velocity = or_rest(velocity);
+            bodies.before[number] = or_rest(velocity);
+            bodies.push[number] = or_rest(push);
+            bodies.forced[number] = or_rest(forced);
         }
     }
 
     /// The step that is due.
-    pub(crate) fn begin(&mut self, dt: f32, substeps: u32, gravity: Vector2) -> Step {
+    pub(crate) fn begin(&mut self, dt: f32, substeps: u32, gravity: Vector2, may_sleep: bool) -> Step {
+        self.set_sleep(may_sleep, gravity);
         (self.dt, self.fall) = (dt, [gravity.x * dt, gravity.y * dt]);
         Step::new(dt, substeps, &self.tuning)
     }
@@ -183,16 +187,17 @@ impl Precise {
         if !self.is_finite() {
             self.put_back(objects, report);
         }
-        for number in 1..=self.bodies.count {
-            let Some(entry) = self.bodies.ids[number].and_then(|id| objects.bodies.get_mut(id)) else {
+        let Precise { bodies, sleep, .. } = self;
+        for number in sleep.awake(bodies.count) {
+            let Some(entry) = bodies.ids[number].and_then(|id| objects.bodies.get_mut(id)) else {
                 continue;
             };
-            let ([x, y, ..], [dx, dy, turned, _]) = (self.bodies.poses[number], self.bodies.path[number]);
-            let [vx, vy, spin, _] = self.bodies.hot[number].velocity;
+            let ([x, y, ..], [dx, dy, turned, _]) = (bodies.poses[number], bodies.path[number]);
+            let [vx, vy, spin, _] = bodies.hot[number].velocity;
             entry.body.end_step(Vector2::new(x + dx, y + dy), turned, Vector2::new(vx, vy), spin);
-            self.bodies.rotations[number] = entry.body.rotation();
+            bodies.rotations[number] = entry.body.rotation();
         }
-        renew_poses(&mut self.bodies);
+        renew_poses(bodies, &sleep.bodies);
         for at in 0..self.bodies.kinematic.len() {
             let number = self.bodies.kinematic[at] as usize;
             // Targets are reached to the last bit.
@@ -213,7 +218,7 @@ impl Precise {
     }
 
     fn is_finite(&self) -> bool {
-        let sum = (1..=self.bodies.count).fold(wide::f32x4::ZERO, |sum, number| {
+        let sum = self.sleep.awake(self.bodies.count).fold(wide::f32x4::ZERO, |sum, number| {
             let (pose, path) = (self.bodies.poses[number], self.bodies.path[number]);
             // Corners are not far from their body: what is left of the numbers is enough for them.
             let place = (wide::f32x4::new(pose) + wide::f32x4::new(path)) * wide::f32x4::splat(FAR);
@@ -231,7 +236,8 @@ impl Precise {
                 velocity[i].is_finite() && ((path[i] + if i < 2 { pose[i] } else { 0.0 }) * FAR).is_finite()
             })
         };
-        let lost: Vec<usize> = (1..=self.bodies.count).filter(|&number| !is_finite(number)).collect();
+        let lost: Vec<usize> =
+            self.sleep.awake(self.bodies.count).filter(|&number| !is_finite(number)).collect();
         let speed = |number: usize| {
             let [x, y, spin, _] = self.bodies.before[number].map(f64::from);
             x * x + y * y + spin * spin
@@ -268,14 +274,10 @@ impl Precise {
         self.rows.one_fixed.for_each(|row| forget(&mut row.tangent_impulse, &mut row.points));
     }
 
-    /// Numbers of bodies that can be pushed.
-    pub(crate) fn body_count(&self) -> usize {
-        self.bodies.count
-    }
-
-    /// A body, and whether it has moved.
-    pub(crate) fn moved(&self, number: usize) -> Option<(BodyId, bool)> {
-        Some((self.bodies.ids[number]?, self.bodies.path[number] != [0.0; 4]))
+    /// The bodies that have moved.
+    pub(crate) fn moved(&self) -> impl Iterator<Item = BodyId> + '_ {
+        let has_moved = |&number: &usize| self.bodies.path[number] != [0.0; 4];
+        self.sleep.awake(self.bodies.count).filter(has_moved).filter_map(|number| self.bodies.ids[number])
     }
 
     /// Fifth stage: velocities and ways.
@@ -285,7 +287,7 @@ impl Precise {
         }
         self.joints.swing(&self.bodies, step);
         if self.rows.is_empty() && self.joints.are_all_apart() {
-            fly(&mut self.bodies, step);
+            fly(&mut self.bodies, &self.sleep.bodies, step);
         } else {
             self.solve_passes(step);
         }
@@ -298,18 +300,18 @@ impl Precise {
         }
         self.gather_warm(step);
         for substep in 0..step.substeps {
-            begin_substep(&mut self.bodies, substep == 0);
+            begin_substep(&mut self.bodies, &self.sleep.bodies, substep == 0);
             self.joints.correct(&mut self.bodies, step.h);
             self.solve_soft(step);
             if self.bounces {
                 self.note_pushes();
             }
-            displace(&mut self.bodies, step.h, substep == 0);
+            displace(&mut self.bodies, &self.sleep.bodies, step.h, substep == 0);
             self.joints.advance(&self.bodies, step.h);
             self.joints.relax(&mut self.bodies, step.h);
             self.relax(step);
         }
-        even_out(&mut self.bodies, &self.palette, &self.joints, step);
+        even_out(&mut self.bodies, &self.sleep.bodies, &self.palette, &self.joints, step);
         if self.bounces {
             self.bounce(step);
         }
@@ -350,7 +352,7 @@ impl Precise {
 
     fn gather_warm(&mut self, step: &Step) {
         let (warm, hot) = (&mut self.bodies.warm, &self.bodies.hot);
-        warm.fill([0.0; 4]);
+        self.sleep.bodies.iter().for_each(|run| warm[run.clone()].fill([0.0; 4]));
         gather_warm::<false, 2>(&mut self.rows.two, warm, hot, &step.learning);
         gather_warm::<false, 1>(&mut self.rows.one, warm, hot, &step.learning);
         gather_warm::<true, 2>(&mut self.rows.two_fixed, warm, hot, &step.learning);
@@ -394,7 +396,7 @@ impl Precise {
 
     /// Last stage: who has left its bounds gets new ones.
     pub(crate) fn follow(&mut self) {
-        follow(&mut self.proxies, &self.bodies, &self.tuning);
+        follow(&mut self.proxies, &self.bodies, &self.sleep.proxies, &self.tuning);
         for at in 0..self.proxies.escaped.len() {
             self.widen(self.proxies.escaped[at]);
         }

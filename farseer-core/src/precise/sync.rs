@@ -25,6 +25,11 @@ pub(super) fn get(table: &[u32], slot: usize) -> Option<usize> {
 }
 
 impl Precise {
+    /// The number of a body, if it is listed.
+    pub(super) fn number_of(&self, body: BodyId) -> Option<usize> {
+        get(&self.body_numbers, body.slot()).filter(|&number| self.bodies.ids[number] == Some(body))
+    }
+
     /// Bodies or geoms have entered or left their lists, or have become what they were not.
     pub(crate) fn note_change(&mut self) {
         self.is_stale = true;
@@ -47,9 +52,7 @@ impl Precise {
         }
         let Some(entry) = objects.bodies.get(id) else { return };
         let body = &entry.body;
-        let Some(number) =
-            get(&self.body_numbers, id.slot()).filter(|&number| self.bodies.ids[number] == Some(id))
-        else {
+        let Some(number) = self.number_of(id) else {
             self.is_stale = true;
             return;
         };
@@ -67,6 +70,11 @@ impl Precise {
         let velocity = surface_velocity(is_movable, body);
         let has_moved = self.bodies.was_moved(number, body);
         let is_other = inverses != self.bodies.inverses[number];
+        if has_moved || is_other || !body.rests_with(self.bodies.gravity_parts[number]) {
+            self.sleep.note_waking(number);
+        } else {
+            self.sleep.note_push(number);
+        }
         self.bodies.inverses[number] = inverses;
         if is_other {
             self.note_joints();
@@ -159,7 +167,10 @@ impl Precise {
     pub(super) fn look_again(&mut self, proxy: u32) {
         let mut pairs = std::mem::take(&mut self.lost);
         pairs.extend(self.pairs.of(proxy).map(|pair| pair as u32));
-        pairs.drain(..).for_each(|pair| self.pairs.look_again(pair as usize));
+        for pair in pairs.drain(..) {
+            self.pairs.look_again(pair as usize);
+            self.note_waking(pair as usize);
+        }
         self.lost = pairs;
     }
 
@@ -179,9 +190,13 @@ impl Precise {
             self.is_stale || !self.has_changed_flags(objects),
             "what comes, goes and changes is noted"
         );
+        self.note_joints_that_changed(objects);
+        self.wake_up();
         if self.is_stale {
             let saved = self.loaded.take().unwrap_or_else(|| self.save());
             self.list(objects, &saved);
+            self.note_joints_that_changed(objects);
+            self.wake_up();
         }
     }
 
@@ -208,14 +223,20 @@ impl Precise {
         self.list_bodies(objects);
         self.list_proxies(objects);
         self.list_loose(objects);
+        self.sleep.reset(self.bodies.hot.len());
         self.bodies.circles.fill([0.0; 4]);
         for proxy in &self.proxies.all[..self.proxies.movable] {
+            let reach = &mut self.bodies.reaches[proxy.body as usize];
+            *reach = if proxy.shape.reach > *reach { proxy.shape.reach } else { *reach };
             let circle = &mut self.bodies.circles[proxy.body as usize];
             let is_alone = circle[2] == 0.0;
             let is_round = is_alone && proxy.shape.count == 0 && proxy.shape.centre == [0.0, 0.0];
             *circle = [0.0, 0.0, proxy.shape.radius.max(f32::MIN_POSITIVE), if is_round { 1.0 } else { 0.0 }];
         }
-        self.restore(saved, |a, b| is_valid_pair((a, b), &objects.geoms, &objects.bodies));
+        let is_at_rest = |body| {
+            objects.bodies.get(body).is_some_and(|entry| entry.body.rests_with(entry.body.gravity_part()))
+        };
+        self.restore(saved, |a, b| is_valid_pair((a, b), &objects.geoms, &objects.bodies), is_at_rest);
     }
 
     fn list_bodies(&mut self, objects: &Objects) {
@@ -257,6 +278,7 @@ impl Precise {
         self.proxies.movable = self.proxies.all.len();
         self.proxies.fill_up();
         self.add_proxies(objects, |body| body >= first_fixed);
+        self.proxies.link(self.bodies.poses.len());
         self.known.resize(self.proxies.all.len(), false);
     }
 

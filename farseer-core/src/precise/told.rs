@@ -137,6 +137,9 @@ impl Precise {
     /// A handler has refused what touches here: it pushes nothing in this step.
     pub(crate) fn refuse(&mut self, pair: usize) {
         self.has_handled = true;
+        if self.pairs.all[pair].home.is_some() {
+            self.note_waking(pair);
+        }
         self.pairs.all[pair].is_vetoed = true;
         self.touch().remove_row(pair);
     }
@@ -150,6 +153,7 @@ impl Precise {
         }
         let state = self.pairs.all[pair];
         let Some(home) = state.home else { return };
+        self.note_waking(pair);
         let mut lane = self.rows.lane(state.kind, home);
         for (point, contact) in lane.points.iter_mut().zip(touching.contacts()) {
             if !is_kept(&contact) {
@@ -161,14 +165,27 @@ impl Precise {
         self.pairs.all[pair].is_vetoed = true;
     }
 
-    /// A handler has set something about the surfaces of a pair, for this step.
+    /// A handler lets a pair touch, and may have set something about its surfaces for this step. What sleeps wakes if that is
+    /// not what it fell asleep with.
     pub(crate) fn set_surface(&mut self, pair: usize, set: SetSurface) {
         let state = self.pairs.all[pair];
-        let Some(home) = state.home.filter(|_| set != SetSurface::default()) else { return };
+        let is_asleep = pair >= self.pairs.awake;
+        let Some(home) = state.home.filter(|_| is_asleep || set != SetSurface::default()) else {
+            if is_asleep && state.responds {
+                self.note_waking(pair);
+            }
+            return;
+        };
         let mut lane = self.rows.lane(state.kind, home);
-        lane.friction = set.friction.unwrap_or(lane.friction);
-        lane.restitution = set.restitution.unwrap_or(lane.restitution);
-        lane.tangent_speed = set.tangent_speed.map_or(lane.tangent_speed, |speed| lane.tangent_speed + speed);
+        let before = [lane.friction, lane.restitution, lane.tangent_speed];
+        let [friction, restitution, speed] = if is_asleep { self.touch().surface(pair) } else { before };
+        lane.friction = set.friction.unwrap_or(friction);
+        lane.restitution = set.restitution.unwrap_or(restitution);
+        lane.tangent_speed = set.tangent_speed.map_or(speed, |set| speed + set);
+        if is_asleep && before == [lane.friction, lane.restitution, lane.tangent_speed] {
+            return;
+        }
+        self.note_waking(pair);
         self.bounces |= lane.restitution > 0.0;
         self.rows.set_lane(state.kind, home, &lane);
         self.has_handled = true;

@@ -9,7 +9,8 @@ use super::bodies::Bodies;
 use super::manifold::{Manifold, collide};
 use super::pairs::{BY_ROW, Frozen, Pairs};
 use super::proxies::{Mobility, Proxies, Proxy};
-use super::rows::{Home, Lane, Palette, PointLane, Rows};
+use super::rows::{Home, Lane, Palette, PointLane, Rows, Sleeping};
+use super::sleep::Sleep;
 use super::tuning::Tuning;
 use crate::geom::GeomId;
 use crate::geom::surface::{FrictionType, mix_restitution};
@@ -33,6 +34,7 @@ pub(super) struct Touch<'a> {
     pub(super) pairs: &'a mut Pairs,
     pub(super) rows: &'a mut Rows,
     pub(super) palette: &'a mut Palette,
+    pub(super) sleep: &'a mut Sleep,
     pub(super) tuning: &'a Tuning,
     pub(super) friction: FrictionType,
     /// Contacts of two pieces, at most.
@@ -92,7 +94,7 @@ impl<'a> Touch<'a> {
     /// Looks at all pairs that have moved far enough. Answers how many.
     pub(super) fn scan(&mut self) -> usize {
         let mut looked_at = 0;
-        for pair in 0..self.pairs.len() {
+        for pair in 0..self.pairs.awake {
             let watch = self.pairs.watched[pair];
             let moved = self.motion(pair).wrapping_sub(watch.since);
             if moved >= watch.tolerance && watch.tolerance != BY_ROW {
@@ -360,11 +362,17 @@ impl<'a> Touch<'a> {
         }
     }
 
+    /// Friction, restitution and tangent speed of a pair without a handler.
+    pub(super) fn surface(&self, pair: usize) -> [f32; 3] {
+        let Lane { friction, restitution, tangent_speed, .. } = self.lane(pair, self.two(pair));
+        [friction, restitution, tangent_speed]
+    }
+
     /// The surfaces of a row are again what they are without a handler.
     pub(super) fn renew_surface(&mut self, pair: usize) {
         let state = self.pairs.all[pair];
         let Some(home) = state.home else { return };
-        let Lane { friction, restitution, tangent_speed, .. } = self.lane(pair, self.two(pair));
+        let [friction, restitution, tangent_speed] = self.surface(pair);
         let lane = Lane { friction, restitution, tangent_speed, ..self.rows.lane(state.kind, home) };
         self.rows.set_lane(state.kind, home, &lane);
     }
@@ -374,6 +382,9 @@ impl<'a> Touch<'a> {
         let colour = self.palette.free(kind, [lane.a, lane.b]);
         self.palette.mark(kind, [lane.a, lane.b], colour, true);
         self.pairs.all[pair].home = Some(self.rows.push(kind, colour, lane));
+        if [lane.a, lane.b].into_iter().any(|body| self.sleep.is_asleep(body as usize)) {
+            self.sleep.note_touch(pair);
+        }
     }
 
     /// Takes the row of a pair out, if it has one.
@@ -381,7 +392,8 @@ impl<'a> Touch<'a> {
         let kind = self.pairs.all[pair].kind;
         let Some(home) = self.pairs.all[pair].home.take() else { return };
         let Lane { a, b, .. } = self.rows.lane(kind, home);
-        self.palette.mark(kind, [a, b], home.colour, false);
+        let colour = self.rows.asleep(home).map_or(home.colour, |sleeping| sleeping.colour);
+        self.palette.mark(kind, [a, b], colour, false);
         if let Some(moved) = self.rows.remove(kind, home) {
             self.pairs.all[moved as usize].home = Some(home);
         }
@@ -389,23 +401,84 @@ impl<'a> Touch<'a> {
 
     /// Takes a pair out.
     pub(super) fn remove_pair(&mut self, pair: usize) {
+        if pair >= self.pairs.awake && self.pairs.all[pair].home.is_some() {
+            let bodies = self.pairs.watched[pair].proxies.map(|proxy| self.proxies.all[proxy as usize].body);
+            bodies.into_iter().for_each(|body| self.sleep.note_waking(body as usize));
+        }
         self.remove_row(pair);
         if self.pairs.all[pair].is_told {
             self.tell(pair, false);
         }
-        if let Some((kind, home)) = self.pairs.remove(pair) {
-            self.rows.set_pair(kind, home, pair as u32);
+        let at = if pair < self.pairs.awake { self.lay_down(pair) } else { pair };
+        self.swap_pairs(at, self.pairs.len() - 1);
+        self.pairs.pop();
+    }
+
+    /// Two pairs change numbers, and their rows know.
+    fn swap_pairs(&mut self, one: usize, other: usize) {
+        if one == other {
+            return;
+        }
+        self.pairs.swap(one, other);
+        for pair in [one, other] {
+            if let Some(home) = self.pairs.all[pair].home {
+                self.rows.set_pair(self.pairs.all[pair].kind, home, pair as u32);
+            }
+        }
+    }
+
+    /// A pair is among those that may change from now on. Answers its number then.
+    pub(super) fn take_up(&mut self, pair: usize) -> usize {
+        let at = self.pairs.awake;
+        self.swap_pairs(pair, at);
+        self.pairs.awake += 1;
+        at
+    }
+
+    /// A pair is among those of bodies that sleep from now on. Answers its number then.
+    pub(super) fn lay_down(&mut self, pair: usize) -> usize {
+        self.pairs.awake -= 1;
+        self.swap_pairs(pair, self.pairs.awake);
+        self.pairs.awake
+    }
+
+    /// The row of a pair falls asleep, with impulses of substeps of this length; or wakes.
+    pub(super) fn move_row(&mut self, pair: usize, falls_asleep: bool, h: f32) {
+        let kind = self.pairs.all[pair].kind;
+        let Some(home) = self.pairs.all[pair].home else { return };
+        let (home, moved) =
+            if falls_asleep { self.rows.lay_down(kind, home, h) } else { self.rows.take_up(kind, home, h) };
+        self.pairs.all[pair].home = Some(home);
+        if let Some((moved, home)) = moved {
+            self.pairs.all[moved as usize].home = Some(home);
         }
     }
 
     /// A row as it was saved.
-    pub(super) fn restore_row(&mut self, pair: usize, colour: u32, set: impl FnOnce(&mut Lane)) {
+    pub(super) fn restore_row(
+        &mut self,
+        pair: usize,
+        colour: u32,
+        asleep: Option<f32>,
+        set: impl FnOnce(&mut Lane),
+    ) {
         let mut lane = self.lane(pair, self.two(pair));
         set(&mut lane);
         let kind = self.pairs.all[pair].kind;
         let colour = self.palette.again(kind, [lane.a, lane.b], colour);
         self.palette.mark(kind, [lane.a, lane.b], colour, true);
-        let home: Home = self.rows.push(kind, colour, &lane);
+        // A damaged save may say that what is awake sleeps.
+        let is_still = |&body: &u32| {
+            body == 0 || self.sleep.is_asleep(body as usize) || self.bodies.is_kinematic(body as usize)
+        };
+        let home: Home = match asleep.filter(|_| [lane.a, lane.b].iter().all(is_still)) {
+            Some(h) => self.rows.push_asleep(Sleeping::new(&lane, colour, h)),
+            None => {
+                self.sleep.note_waking(lane.a as usize);
+                self.sleep.note_waking(lane.b as usize);
+                self.rows.push(kind, colour, &lane)
+            }
+        };
         self.pairs.all[pair].home = Some(home);
     }
 }

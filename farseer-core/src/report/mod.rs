@@ -1,5 +1,7 @@
 //! What a simulator tells of its last update, and what it still has to tell.
 
+use crate::storage::reusing_clone::reusing_clone;
+
 mod event;
 mod step_times;
 
@@ -21,10 +23,12 @@ pub struct StepCounters {
     pub passes: u32,
     /// Bodies that changed their pose.
     pub bodies_moved: usize,
+    /// Bodies that sleep; 0 with the faithful set.
+    pub bodies_asleep: usize,
 }
 
 /// What is told of the last update. Nothing of it is saved: the next update overwrites it and reads none of it.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct Report {
     pub(crate) events: Vec<Event>,
     pub(crate) counters: StepCounters,
@@ -32,6 +36,8 @@ pub(crate) struct Report {
     /// Empty: the other buffer of what is still to be told.
     pub(crate) delivered: Vec<Notice>,
 }
+
+reusing_clone! { Report { events, counters, step_times, delivered } }
 
 impl Report {
     /// An update begins.

@@ -29,8 +29,19 @@ pub const MAX_VERTICES: usize = 1 << 24;
 /// # Ok::<(), farseer_core::Error>(())
 /// ```
 #[doc(alias("FarseerGames.FarseerPhysics.Collisions.Vertices", "Vertices.ToString"))]
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Vertices(Vec<Vector2>);
+
+/// `clone_from` keeps the room that the list has.
+impl Clone for Vertices {
+    fn clone(&self) -> Self {
+        Vertices(self.0.clone())
+    }
+
+    fn clone_from(&mut self, source: &Self) {
+        self.0.clone_from(&source.0);
+    }
+}
 
 impl Deref for Vertices {
     type Target = Vec<Vector2>;

@@ -9,6 +9,7 @@ mod precise;
 mod queries;
 mod save;
 mod settle;
+mod sleep;
 mod solve;
 mod springs;
 mod tell;
@@ -32,6 +33,7 @@ use crate::pairs::BroadPhase;
 use crate::pipeline::Pipeline;
 use crate::precise::Precise;
 use crate::report::{Event, Report, StepCounters, StepTimes};
+use crate::storage::reusing_clone::reusing_clone;
 use crate::{Error, Result};
 
 pub use context::Context;
@@ -51,6 +53,7 @@ struct Settings {
     max_contacts_to_detect: i32,
     max_contacts_to_resolve: i32,
     friction_type: FrictionType,
+    is_sleep_enabled: bool,
 }
 
 impl Default for Settings {
@@ -64,6 +67,7 @@ impl Default for Settings {
             max_contacts_to_detect: 10,
             max_contacts_to_resolve: 4,
             friction_type: FrictionType::Average,
+            is_sleep_enabled: true,
         }
     }
 }
@@ -89,7 +93,10 @@ impl Default for Settings {
 /// assert!((simulator[ball].position().y - 90.0).abs() < 1.0);
 /// # Ok::<(), farseer_core::Error>(())
 /// ```
-#[derive(Debug, Clone, Serialize)]
+///
+/// A clone goes on with the same bits. To go back again and again, keep a simulator and use `clone_from`: it overwrites what
+/// is there, and allocates nothing where nothing new has come.
+#[derive(Debug, Serialize)]
 pub struct PhysicsSimulator {
     settings: Settings,
     #[serde(with = "SavedObjects")]
@@ -99,6 +106,8 @@ pub struct PhysicsSimulator {
     #[serde(skip)]
     report: Report,
 }
+
+reusing_clone! { PhysicsSimulator { settings, objects, contacts, pipeline, report } }
 
 impl Default for PhysicsSimulator {
     fn default() -> Self {
@@ -262,6 +271,17 @@ impl PhysicsSimulator {
     /// Sets how friction combines, for pairs that begin to overlap later.
     pub fn set_friction_type(&mut self, friction_type: FrictionType) {
         self.settings.friction_type = friction_type;
+    }
+
+    /// Whether bodies that have come to rest sleep. Default true; only with the [precise set](Methods::Precise), which says
+    /// when they do. What sleeps costs nothing and does not move; it wakes by itself as soon as something could move it.
+    pub fn is_sleep_enabled(&self) -> bool {
+        self.settings.is_sleep_enabled
+    }
+
+    /// Sets whether bodies that have come to rest sleep. If not, all are awake from the next update on.
+    pub fn set_sleep_enabled(&mut self, value: bool) {
+        self.settings.is_sleep_enabled = value;
     }
 
     /// The methods, with the present cell size if the broad phase has one. Default [`Methods::default`].

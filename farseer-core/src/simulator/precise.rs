@@ -26,7 +26,8 @@ impl PhysicsSimulator {
         let substeps =
             u32::try_from(self.settings.iterations).unwrap_or(0).min(self.limits().iterations).max(1);
         let gravity = self.settings.gravity;
-        let step = self.precise().begin(dt, substeps, gravity);
+        let may_sleep = self.settings.is_sleep_enabled;
+        let step = self.precise().begin(dt, substeps, gravity, may_sleep);
         self.find_precise_pairs(handler);
         stopwatch.lap(|times| &mut times.broad_phase_collision_time);
         let friction = self.settings.friction_type;
@@ -40,6 +41,7 @@ impl PhysicsSimulator {
         self.update_controllers(dt, dt_real, handler);
         self.update_springs(Some(dt), handler);
         self.sync_precise();
+        self.wake_disturbed();
         self.break_precise_joints(handler);
         self.read_precise(&step);
         stopwatch.lap(|times| &mut times.apply_forces_time);
@@ -47,6 +49,7 @@ impl PhysicsSimulator {
         self.report.counters.passes = substeps;
         stopwatch.lap(|times| &mut times.apply_impulses_time);
         self.write_precise(handler);
+        self.let_sleep(&step);
         stopwatch.lap(|times| &mut times.update_positions_time);
     }
 
@@ -68,6 +71,21 @@ impl PhysicsSimulator {
                 precise.note_joints();
             }
             precise.sync(objects);
+        }
+    }
+
+    fn wake_disturbed(&mut self) {
+        let PhysicsSimulator { objects, pipeline, .. } = self;
+        if let Some(precise) = &mut pipeline.precise {
+            precise.wake_disturbed(objects);
+        }
+    }
+
+    fn let_sleep(&mut self, step: &Step) {
+        let PhysicsSimulator { objects, pipeline, report, .. } = self;
+        if let Some(precise) = &mut pipeline.precise {
+            precise.fall_asleep(objects, step);
+            report.counters.bodies_asleep = precise.asleep_count();
         }
     }
 
@@ -248,24 +266,21 @@ impl PhysicsSimulator {
         let PhysicsSimulator { objects, pipeline, report, .. } = self;
         let Some(precise) = &mut pipeline.precise else { return };
         precise.write_bodies(objects, report);
-        for number in 1..=precise.body_count() {
-            let Some((body, true)) = precise.moved(number) else { continue };
-            if objects.bodies.get(body).is_none() {
-                continue;
-            }
+        let first = report.events.len();
+        for body in precise.moved().filter(|&body| objects.bodies.contains(body)) {
             report.counters.bodies_moved += 1;
             report.push(Event::BodyUpdated { body });
         }
         precise.follow();
         self.write_precise_joints(handler);
         if handler.get().is_some() {
-            self.tell_bodies_moved(handler);
+            self.tell_bodies_moved(first..first + self.report.counters.bodies_moved, handler);
         }
     }
 
-    fn tell_bodies_moved(&mut self, handler: &mut Handler<'_>) {
-        for number in 1..=self.precise().body_count() {
-            if let Some((body, true)) = self.precise().moved(number)
+    fn tell_bodies_moved(&mut self, events: std::ops::Range<usize>, handler: &mut Handler<'_>) {
+        for at in events {
+            if let Event::BodyUpdated { body } = self.report.events[at]
                 && self.objects.bodies.get(body).is_some_and(|entry| entry.body.enabled())
             {
                 self.tell(handler, |handler, context| handler.on_body_updated(context, body));

@@ -9,6 +9,7 @@ use crate::body::BodyId;
 use crate::body::entry::{Bodies, BodyEntry};
 use crate::report::{Event, Report};
 use crate::storage::arena::Id;
+use crate::storage::reusing_clone::reusing_clone;
 
 /// What the solver reads and changes of a body (behaviour chapter 03, section 6).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -30,7 +31,7 @@ pub struct SolverBody {
 pub struct SolverPlace(u32);
 
 /// The bodies that something is solved for, reused from update to update.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct SolverBodies {
     /// The immovable body that is none, then the bodies that something acts on.
     pub(super) states: Vec<BodyState>,
@@ -46,6 +47,8 @@ pub(crate) struct SolverBodies {
     /// Between pre-step and end: bodies may be gathered.
     is_open: bool,
 }
+
+reusing_clone! { SolverBodies { states, positions, is_ordered, ids, places, stamp, failed, is_open } }
 
 impl SolverBodies {
     /// An update begins: nothing is gathered yet.

@@ -16,6 +16,7 @@ use wide::f32x4;
 
 use crate::contacts::arbiter::ArbiterList;
 use crate::contacts::contact::Contact;
+use crate::storage::reusing_clone::reusing_clone;
 use kernel::{BodyLanes, ContactRow, PairConstants};
 use lanes::LANES;
 use rows::empty_lane;
@@ -81,7 +82,7 @@ const MIN_LANES_USED: u8 = 3;
 const NOBODY: u32 = 0;
 
 /// The arrays of the solver, reused from update to update.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct ContactSolver {
     groups: Vec<ContactGroup>,
     contacts: Vec<Contact>,
@@ -96,6 +97,13 @@ pub(crate) struct ContactSolver {
     /// By handle of the arbiter: stamp of the update, and the group that was made from it first.
     arbiter_groups: Vec<(u32, u32)>,
     stamp: u32,
+}
+
+reusing_clone! {
+    ContactSolver {
+        groups, contacts, row_places, schedule, batches, rows, wide_rows, arbiters, arbiter_groups,
+        stamp
+    }
 }
 
 /// Solving.

@@ -6,6 +6,7 @@
 
 use super::ContactGroup;
 use super::lanes::LANES;
+use crate::storage::reusing_clone::reusing_clone;
 
 /// Groups that share no movable body and have equally many contacts.
 #[derive(Debug, Clone, Copy)]
@@ -29,7 +30,7 @@ const MAX_ROWS: usize = 8;
 const SEARCHED: usize = 32;
 
 /// Scratch space of [`Schedule::build`], and its result.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Schedule {
     pub(super) batches: Vec<Batch>,
     /// By body: one more than the index of the last batch it is in.
@@ -37,6 +38,8 @@ pub(super) struct Schedule {
     /// By number of contacts: batches with room, in order.
     open: [Vec<u32>; MAX_ROWS + 1],
 }
+
+reusing_clone! { Schedule { batches, last_batch, open } }
 
 impl Schedule {
     /// Puts the groups into batches. `is_ordered` tells by body whether its groups must keep their order.

@@ -185,6 +185,11 @@ impl Spring {
         }
     }
 
+    /// The bodies at both ends.
+    pub(crate) fn ends(&self) -> [Option<BodyId>; 2] {
+        [Some(self.body1()), self.body2()]
+    }
+
     /// The spring of its kind.
     pub fn kind(&self) -> &SpringKind {
         &self.kind

@@ -2,6 +2,7 @@
 
 use std::marker::PhantomData;
 
+use crate::storage::reusing_clone::reusing_clone;
 use serde::{Deserialize, Serialize};
 
 /// A place in an [`Arena`] and the generation of what lies there.
@@ -47,7 +48,7 @@ pub(crate) use define_id;
 
 /// Slots that are reused; every reuse raises the slot's generation, so that an old id finds nothing. Takes ids of one
 /// kind only.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct Arena<T, I> {
     slots: Vec<Slot<T>>,
     free: Vec<u32>,
@@ -55,11 +56,15 @@ pub(crate) struct Arena<T, I> {
     ids: PhantomData<I>,
 }
 
-#[derive(Debug, Clone, Serialize, Deserialize)]
+reusing_clone! { [T: Clone, I] Arena<T, I> { slots, free, ids } }
+
+#[derive(Debug, Serialize, Deserialize)]
 struct Slot<T> {
     generation: u32,
     value: Option<T>,
 }
+
+reusing_clone! { [T: Clone] Slot<T> { generation, value } }
 
 impl<T, I> Default for Arena<T, I> {
     fn default() -> Self {

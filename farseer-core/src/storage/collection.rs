@@ -4,6 +4,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::storage::arena::{Arena, Id};
+use crate::storage::reusing_clone::reusing_clone;
 use crate::{Error, Result};
 
 /// Where an object stands in its life.
@@ -18,14 +19,16 @@ pub(crate) struct Life {
 }
 
 /// An object and where it stands.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize)]
 struct Entry<T> {
     value: T,
     life: Life,
 }
 
+reusing_clone! { [T: Clone] Entry<T> { value, life } }
+
 /// Objects of one kind that enter and leave their list with updates.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct Collection<T, I> {
     entries: Arena<Entry<T>, I>,
     list: Vec<I>,
@@ -34,6 +37,8 @@ pub(crate) struct Collection<T, I> {
     /// Their ids go stale with the next update.
     disposed: Vec<I>,
 }
+
+reusing_clone! { [T: Clone, I: Clone] Collection<T, I> { entries, list, added, removed, disposed } }
 
 impl<T, I> Default for Collection<T, I> {
     fn default() -> Self {

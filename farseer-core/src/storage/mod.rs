@@ -5,4 +5,5 @@ pub(crate) mod bits;
 pub(crate) mod collection;
 pub(crate) mod ids;
 pub(crate) mod refusals;
+pub(crate) mod reusing_clone;
 pub(crate) mod stamped_set;

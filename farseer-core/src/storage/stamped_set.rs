@@ -1,14 +1,18 @@
 //! A set of integers that is emptied in no time, and can count them.
 
+use crate::storage::reusing_clone::reusing_clone;
+
 /// Open addressing; an entry counts only if its stamp is the current one. Never enumerated, so the order inside
 /// cannot be observed.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub(crate) struct StampedSet {
     /// Key, stamp, and what is counted of the key.
     entries: Vec<(i64, u32, u32)>,
     stamp: u32,
     used: usize,
 }
+
+reusing_clone! { StampedSet { entries, stamp, used } }
 
 impl Default for StampedSet {
     fn default() -> Self {

@@ -4,9 +4,9 @@ use std::collections::VecDeque;
 
 use farseer_core::math::Vector2;
 use farseer_core::{
-    BodyId, BroadPhaseCollider, FluidContainerRef, FluidDragController, GeomId, GravityController,
-    InactivityController, JointFactory, Methods, NarrowPhaseCollider, PhysicsSimulator, SpringFactory,
-    WaveController,
+    Body, BodyFactory, BodyId, BroadPhaseCollider, FluidContainerRef, FluidDragController, GeomFactory,
+    GeomId, GeomPlacement, GravityController, InactivityController, JointFactory, Methods,
+    NarrowPhaseCollider, PhysicsSimulator, SpringFactory, WaveController,
 };
 use twohalf::{DepthProfile, DepthScheme, Platform, TwoHalfPhysicsSimulator, Vector3};
 use twohalf_factories::{TwoHalfBodyFactory, TwoHalfGeomFactory};
@@ -65,7 +65,8 @@ pub fn plane(kind: usize) -> Result<PhysicsSimulator> {
 /// Number of different scenes of the precise set.
 pub const PRECISE_KINDS: usize = 4;
 
-/// Things that fall on each other with the precise set, into water, with springs and controllers of all kinds.
+/// Things that fall on each other, on hills and on a lift with the precise set, and into water, with joints, springs and
+/// controllers of all kinds.
 ///
 /// # Errors
 /// None of these arguments is refused.
@@ -75,15 +76,44 @@ pub fn precise(kind: usize) -> Result<PhysicsSimulator> {
     simulator.set_iterations(4);
     let mut random = Random::new(100 + kind as u64);
     create_floor(&mut simulator)?;
+    create_hills(&mut simulator)?;
+    create_lift(&mut simulator)?;
     let things = (0..20 * (kind + 1))
         .map(|_| create_thing(&mut simulator, &mut random))
         .collect::<farseer_core::Result<Vec<_>>>()?;
     let bodies: Vec<BodyId> = things.iter().map(|thing| thing.0).collect();
     let geoms: Vec<GeomId> = things.iter().map(|thing| thing.1).collect();
+    for &body in bodies.iter().skip(10).step_by(3) {
+        let place = GeomPlacement::default();
+        GeomFactory::create_capsule_geom_in(&mut simulator, body, 30.0, 6.0, 6, place)?;
+    }
+    add_joints(&mut simulator, &bodies)?;
     add_springs(&mut simulator, &bodies)?;
     add_controllers(&mut simulator, &bodies, &geoms)?;
     geoms.iter().step_by(3).for_each(|&geom| simulator[geom].set_restitution_coefficient(0.6));
     Ok(simulator)
+}
+
+/// A chain on both sides of the floor.
+fn create_hills(simulator: &mut PhysicsSimulator) -> Result<()> {
+    let ground = simulator.create_body(Body::new());
+    simulator[ground].set_is_static(true);
+    simulator.add(ground)?;
+    let heights = [60.0, 110.0, 90.0, 109.0, 112.0, 110.0, 95.0, 100.0, 40.0];
+    let point = |(number, &y): (usize, &f32)| Vector2::new(number as f32 * 100.0 - 400.0, y);
+    let points: Vec<Vector2> = heights.iter().enumerate().map(point).collect();
+    GeomFactory::create_chain_geom_in(simulator, ground, &points, GeomPlacement::default())?;
+    Ok(())
+}
+
+fn create_lift(simulator: &mut PhysicsSimulator) -> Result<()> {
+    let lift = BodyFactory::create_rectangle_body_in(simulator, 60.0, 6.0, 1.0)?;
+    GeomFactory::create_rectangle_geom_in(simulator, lift, 60.0, 6.0, GeomPlacement::default())?;
+    simulator[lift].set_is_kinematic(true);
+    simulator[lift].set_position(Vector2::new(-60.0, 100.0));
+    simulator[lift].set_linear_velocity(Vector2::new(15.0, -30.0));
+    simulator[lift].set_angular_velocity(0.2);
+    Ok(())
 }
 
 fn add_joints(simulator: &mut PhysicsSimulator, b: &[BodyId]) -> Result<()> {

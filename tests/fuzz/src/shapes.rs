@@ -42,6 +42,31 @@ const OUTLINES: &[Make] = &[
     },
 ];
 
+/// Points of a chain: a walk to the right or the left, the points of an outline, or any points; closed now and then.
+pub(crate) fn chain(random: &mut Random) -> Vec<Vector2> {
+    let mut points = match random.below(3) {
+        0 => walk(random),
+        1 => outline(random).iter().copied().collect(),
+        _ => (0..random.below(12)).map(|_| random.vector(100.0)).collect(),
+    };
+    if random.toss() {
+        points.reverse();
+    }
+    if random.chance(30) {
+        points.extend(points.first().copied());
+    }
+    points
+}
+
+fn walk(random: &mut Random) -> Vec<Vector2> {
+    let mut point = Vector2::new(-150.0, 0.0);
+    let step = |_| {
+        point += Vector2::new(random.number(1.0, 60.0), random.number(-20.0, 20.0));
+        point
+    };
+    (0..12).map(step).collect()
+}
+
 /// A number of edges, not too many of them.
 pub(crate) fn edges(random: &mut Random, low: i32, high: i32) -> i32 {
     random.count(low, high).min(MOST_EDGES)

@@ -8,12 +8,20 @@ use crate::recording::Moment;
 /// How often in a hundred updates a twin is exchanged for its copy.
 const OFTEN: u64 = 20;
 
-/// Makes a simulator that must go on as the given one does.
-type Copy<E> = fn(&E) -> Result<E, String>;
+/// Makes a simulator that must go on as the given one does; may use what was exchanged for a copy last, some updates ago.
+type Copy<E> = fn(&E, E) -> Result<E, String>;
 
 /// Every way there is to make one.
-fn twins<E: Engine>() -> [(&'static str, Copy<E>); 3] {
-    [("restored", restored), ("cloned", |simulator| Ok(simulator.clone())), ("through JSON", through_json)]
+fn twins<E: Engine>() -> [(&'static str, Copy<E>); 4] {
+    [
+        ("restored", |simulator, _| restored(simulator)),
+        ("cloned", |simulator, _| Ok(simulator.clone())),
+        ("cloned over an older one", |simulator, mut older| {
+            older.clone_from(simulator);
+            Ok(older)
+        }),
+        ("through JSON", |simulator, _| through_json(simulator)),
+    ]
 }
 
 /// From its own snapshot.
@@ -49,14 +57,14 @@ pub fn twins_stay_equal<G: Game>(seed: u64) -> Result<(), String> {
 
 fn moments<G: Game>(seed: u64, copy: Option<Copy<G::Simulator>>) -> Result<Vec<Moment>, String> {
     let mut random = Random::new(seed ^ 0x0f0f);
-    let mut moments = Vec::new();
+    let (mut moments, mut older) = (Vec::new(), G::Simulator::empty());
     let after = |game: &mut G, outcome| {
         if outcome != Outcome::Updated {
             return Ok(());
         }
         moments.push(Moment::of(game.simulator()));
         match copy {
-            Some(copy) if random.chance(OFTEN) => exchange(game, copy),
+            Some(copy) if random.chance(OFTEN) => exchange(game, copy, &mut older),
             _ => Ok(()),
         }
     };
@@ -64,11 +72,11 @@ fn moments<G: Game>(seed: u64, copy: Option<Copy<G::Simulator>>) -> Result<Vec<M
     Ok(moments)
 }
 
-fn exchange<G: Game>(game: &mut G, copy: Copy<G::Simulator>) -> Result<(), String> {
+fn exchange<G: Game>(game: &mut G, copy: Copy<G::Simulator>, older: &mut G::Simulator) -> Result<(), String> {
     let limits = game.simulator().limits();
-    let mut copy = copy(game.simulator())?;
+    let mut copy = copy(game.simulator(), std::mem::replace(older, G::Simulator::empty()))?;
     copy.set_limits(limits);
-    *game.simulator_mut() = copy;
+    *older = std::mem::replace(game.simulator_mut(), copy);
     Ok(())
 }
 

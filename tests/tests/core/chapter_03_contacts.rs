@@ -1,10 +1,12 @@
 //! Checks of behaviour chapter 03: contacts, arbiters and the solver. Callbacks are checked with the handlers.
 
-use conformance::fixtures::plane::{self, add_box, add_floor, faithful, pairs, simulator, simulator_with, v};
+use conformance::fixtures::plane::{
+    self, add_box, add_floor, both_sets, faithful, pairs, simulator, simulator_with, v,
+};
 use conformance::units::assert_words;
 use farseer_core::{
     Body, BodyFactory, BodyId, BroadPhaseCollider, Contact, ContactId, Context, EventHandler, FrictionType,
-    GeomFactory, GeomId, GeomPlacement, PhysicsSimulator, index_of_safe,
+    GeomFactory, GeomId, GeomPlacement, Methods, PhysicsSimulator, index_of_safe,
 };
 
 const BOX: (f32, f32) = (10.0, 10.0);
@@ -223,7 +225,15 @@ fn a_body_enabled_again_continues_with_its_impulses() {
 }
 
 fn touching_boxes(friction_type: FrictionType, frictions: [f32; 2]) -> (PhysicsSimulator, [GeomId; 2]) {
-    let mut simulator = simulator(0.0);
+    touching_boxes_with(Methods::default(), friction_type, frictions)
+}
+
+fn touching_boxes_with(
+    methods: Methods,
+    friction_type: FrictionType,
+    frictions: [f32; 2],
+) -> (PhysicsSimulator, [GeomId; 2]) {
+    let mut simulator = simulator_with(0.0, methods);
     simulator.set_friction_type(friction_type);
     let geoms = [0.0, 9.0].map(|x| add_box(&mut simulator, BOX, v(x, 0.0)).1);
     for (geom, friction) in geoms.into_iter().zip(frictions) {
@@ -253,25 +263,27 @@ fn friction_is_fixed_when_boxes_begin_to_overlap() {
 /// Check 10.
 #[test]
 fn only_some_switches_part_boxes_that_touch() {
-    let after = |edit: &dyn Fn(&mut PhysicsSimulator, [GeomId; 2])| {
-        let (mut simulator, geoms) = touching_boxes(FrictionType::Average, [0.5, 0.5]);
-        edit(&mut simulator, geoms);
-        simulator.update(0.01);
-        (
-            simulator.arbiter_count(),
-            simulator.events().iter().any(|e| matches!(e, farseer_core::Event::Separation { .. })),
-        )
-    };
-    assert_eq!(after(&|simulator, [a, _]| simulator[a].set_collision_enabled(false)), (1, false));
-    assert_eq!(after(&|simulator, [a, b]| simulator.ignore_collision_with(a, b).unwrap()), (1, false));
-    let grouped =
-        after(&|simulator, geoms| geoms.iter().for_each(|&geom| simulator[geom].set_collision_group(7)));
-    assert_eq!(grouped, (0, false));
-    let none = farseer_core::CollisionCategory::NONE;
-    assert_eq!(after(&|simulator, [a, _]| simulator[a].set_collides_with(none)), (1, false));
-    let both =
-        after(&|simulator, geoms| geoms.iter().for_each(|&geom| simulator[geom].set_collides_with(none)));
-    assert_eq!(both, (0, false));
+    for methods in both_sets() {
+        let after = |edit: &dyn Fn(&mut PhysicsSimulator, [GeomId; 2])| {
+            let (mut simulator, geoms) = touching_boxes_with(methods, FrictionType::Average, [0.5, 0.5]);
+            edit(&mut simulator, geoms);
+            simulator.update(0.01);
+            (
+                simulator.arbiter_count(),
+                simulator.events().iter().any(|e| matches!(e, farseer_core::Event::Separation { .. })),
+            )
+        };
+        assert_eq!(after(&|simulator, [a, _]| simulator[a].set_collision_enabled(false)), (1, false));
+        assert_eq!(after(&|simulator, [a, b]| simulator.ignore_collision_with(a, b).unwrap()), (1, false));
+        let grouped =
+            after(&|simulator, geoms| geoms.iter().for_each(|&geom| simulator[geom].set_collision_group(7)));
+        assert_eq!(grouped, (0, false));
+        let none = farseer_core::CollisionCategory::NONE;
+        assert_eq!(after(&|simulator, [a, _]| simulator[a].set_collides_with(none)), (1, false));
+        let both =
+            after(&|simulator, geoms| geoms.iter().for_each(|&geom| simulator[geom].set_collides_with(none)));
+        assert_eq!(both, (0, false));
+    }
 }
 
 /// Check 11.

@@ -1,6 +1,6 @@
 //! Checks of behaviour chapter 05 on geoms. Those on outlines and boxes are with the shapes.
 
-use conformance::fixtures::plane::{add_box, pairs, simulator, v};
+use conformance::fixtures::plane::{add_box, both_sets, pairs, simulator, simulator_with, v};
 use conformance::units::{Words, assert_bits, floats};
 use farseer_core::math::Matrix;
 use farseer_core::{
@@ -81,16 +81,18 @@ fn the_distance_to_an_outline_is_negative_inside() {
 /// Check 15 and section 3.12.
 #[test]
 fn a_geom_that_is_no_sensor_makes_its_body_dynamic() {
-    let mut simulator = simulator(0.0);
-    let (body, geom) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
-    simulator[body].set_is_static(true);
-    simulator.set_is_sensor(geom, false).unwrap();
-    assert!(!simulator[body].is_static());
-    simulator.set_is_sensor(geom, true).unwrap();
-    assert!(simulator[body].is_static() && simulator.geom(geom).unwrap().is_sensor());
-    assert!(!simulator[geom].collision_response_enabled());
-    simulator.set_is_sensor(geom, false).unwrap();
-    assert!(simulator[geom].collision_response_enabled() && !simulator[body].is_static());
+    for methods in both_sets() {
+        let mut simulator = simulator_with(0.0, methods);
+        let (body, geom) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
+        simulator[body].set_is_static(true);
+        simulator.set_is_sensor(geom, false).unwrap();
+        assert!(!simulator[body].is_static());
+        simulator.set_is_sensor(geom, true).unwrap();
+        assert!(simulator[body].is_static() && simulator.geom(geom).unwrap().is_sensor());
+        assert!(!simulator[geom].collision_response_enabled());
+        simulator.set_is_sensor(geom, false).unwrap();
+        assert!(simulator[geom].collision_response_enabled() && !simulator[body].is_static());
+    }
 }
 
 /// Check 15 and section 3.4.
@@ -147,52 +149,58 @@ fn a_new_outline_lies_at_the_origin_until_the_body_moves() {
 /// Section 3.7.
 #[test]
 fn a_matrix_lasts_until_the_body_moves() {
-    let mut simulator = simulator(0.0);
-    let (body, geom) = add_box(&mut simulator, (10.0, 10.0), v(100.0, 0.0));
-    simulator.process_added_and_removed();
-    let mut moved = Matrix::identity();
-    moved.m41 = 7.0;
-    simulator.set_matrix(geom, &moved).unwrap();
-    let placed = simulator.geom(geom).unwrap();
-    assert_eq!((placed.aabb().min, placed.position()), (v(2.0, -5.0), v(100.0, 0.0)));
-    simulator[body].set_position(v(50.0, 0.0));
-    assert_eq!(simulator.geom(geom).unwrap().aabb().min, v(45.0, -5.0));
+    for methods in both_sets() {
+        let mut simulator = simulator_with(0.0, methods);
+        let (body, geom) = add_box(&mut simulator, (10.0, 10.0), v(100.0, 0.0));
+        simulator.process_added_and_removed();
+        let mut moved = Matrix::identity();
+        moved.m41 = 7.0;
+        simulator.set_matrix(geom, &moved).unwrap();
+        let placed = simulator.geom(geom).unwrap();
+        assert_eq!((placed.aabb().min, placed.position()), (v(2.0, -5.0), v(100.0, 0.0)));
+        simulator[body].set_position(v(50.0, 0.0));
+        assert_eq!(simulator.geom(geom).unwrap().aabb().min, v(45.0, -5.0));
+    }
 }
 
 #[test]
 fn a_geom_moved_to_another_body_lies_there_at_once() {
-    let mut simulator = simulator(0.0);
-    let (body, geom) = add_box(&mut simulator, (10.0, 10.0), v(100.0, 0.0));
-    let (other, _) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 50.0));
-    simulator.set_body(geom, other).unwrap();
-    assert_eq!(simulator.geom(geom).unwrap().position(), v(0.0, 50.0));
-    assert_eq!((simulator.geoms_of(body).len(), simulator.geoms_of(other).len()), (0, 2));
-    simulator[other].set_position(v(0.0, 70.0));
-    assert_eq!(simulator.geom(geom).unwrap().position(), v(0.0, 70.0));
-    simulator.update(0.01);
-    assert_eq!(pairs(&simulator), [], "geoms of one body do not collide");
+    for methods in both_sets() {
+        let mut simulator = simulator_with(0.0, methods);
+        let (body, geom) = add_box(&mut simulator, (10.0, 10.0), v(100.0, 0.0));
+        let (other, _) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 50.0));
+        simulator.set_body(geom, other).unwrap();
+        assert_eq!(simulator.geom(geom).unwrap().position(), v(0.0, 50.0));
+        assert_eq!((simulator.geoms_of(body).len(), simulator.geoms_of(other).len()), (0, 2));
+        simulator[other].set_position(v(0.0, 70.0));
+        assert_eq!(simulator.geom(geom).unwrap().position(), v(0.0, 70.0));
+        simulator.update(0.01);
+        assert_eq!(pairs(&simulator), [], "geoms of one body do not collide");
+    }
 }
 
 /// Section 3.11.
 #[test]
 fn ignoring_is_one_sided_and_taken_back_on_its_own_side() {
-    let mut simulator = simulator(0.0);
-    let (_, a) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
-    let (_, b) = add_box(&mut simulator, (10.0, 10.0), v(9.0, 1.0));
-    simulator.ignore_collision_with(a, b).unwrap();
-    let ignored = |simulator: &PhysicsSimulator| {
-        let (a, b) = (simulator.geom(a).unwrap(), simulator.geom(b).unwrap());
-        (a.is_geometry_ignored(b), b.is_geometry_ignored(a))
-    };
-    assert_eq!(ignored(&simulator), (true, false));
-    simulator.update(0.01);
-    assert_eq!(pairs(&simulator), []);
-    simulator.restore_collision_with(b, a).unwrap();
-    assert_eq!(ignored(&simulator), (true, false));
-    simulator.restore_collision_with(a, b).unwrap();
-    assert_eq!(ignored(&simulator), (false, false));
-    simulator.update(0.01);
-    assert_eq!(pairs(&simulator), [(0, 1)]);
+    for methods in both_sets() {
+        let mut simulator = simulator_with(0.0, methods);
+        let (_, a) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
+        let (_, b) = add_box(&mut simulator, (10.0, 10.0), v(9.0, 1.0));
+        simulator.ignore_collision_with(a, b).unwrap();
+        let ignored = |simulator: &PhysicsSimulator| {
+            let (a, b) = (simulator.geom(a).unwrap(), simulator.geom(b).unwrap());
+            (a.is_geometry_ignored(b), b.is_geometry_ignored(a))
+        };
+        assert_eq!(ignored(&simulator), (true, false));
+        simulator.update(0.01);
+        assert_eq!(pairs(&simulator), []);
+        simulator.restore_collision_with(b, a).unwrap();
+        assert_eq!(ignored(&simulator), (true, false));
+        simulator.restore_collision_with(a, b).unwrap();
+        assert_eq!(ignored(&simulator), (false, false));
+        simulator.update(0.01);
+        assert_eq!(pairs(&simulator), [(0, 1)]);
+    }
 }
 
 /// Section 3.3: a geom made under SAT has no grid, keeps the cell size it was given, and cannot be cloned under

@@ -66,6 +66,31 @@ fn a_copy_goes_on_with_the_same_bits() {
     }
 }
 
+/// As games go back: to what was kept a few steps ago, over what has become of it, where things have come and gone.
+#[test]
+fn going_back_by_clone_from_gives_the_same_bits() {
+    for methods in methods() {
+        let mut plain = lively_scene(methods, 4);
+        let (mut kept, mut back) = (plain.clone(), lively_scene(Default::default(), 5));
+        let mut game = Game::default();
+        let mut kept_game = game.clone();
+        for step in 0..STEPS {
+            if step % 9 == 4 {
+                kept.clone_from(&plain);
+                kept_game = game.clone();
+            }
+            game.step(&mut plain);
+            if step % 9 == 8 {
+                back.clone_from(&kept);
+                let mut back_game = kept_game.clone();
+                (0..5).for_each(|_| back_game.step(&mut back));
+                assert_eq!(plain.events(), back.events(), "{methods:?} step {step}");
+                assert!(plain.snapshot() == back.snapshot(), "{methods:?} step {step}");
+            }
+        }
+    }
+}
+
 /// Saved before every step for a while, so also with removals and additions waiting, and right after disposals.
 #[test]
 fn a_loaded_simulator_goes_on_with_the_same_bits() {

@@ -6,8 +6,8 @@ use conformance::fixtures::plane::{
     methods, not_finite, pairs, simulator, simulator_with, state, v,
 };
 use farseer_core::{
-    BodyId, BroadPhaseCollider, Contact, Context, Event, EventHandler, GeomId, Methods, NarrowPhaseCollider,
-    ObjectId, PhysicsSimulator,
+    BodyId, BroadPhaseCollider, CollisionCategory, Contact, Context, Event, EventHandler, GeomId, Methods,
+    NarrowPhaseCollider, ObjectId, PhysicsSimulator,
 };
 
 /// Writes down what it is told, in the words of [`Event`].
@@ -432,6 +432,66 @@ fn a_geom_disposed_inside_a_callback_has_no_later_contacts() {
         simulator.update(0.01);
         assert!(simulator.geom(disposed).is_none());
         assert_eq!(simulator.arbiter_count(), 0);
+    }
+}
+
+/// Ways to part a geom from what it touches.
+const PARTINGS: [fn(&mut Context<'_>, GeomId); 4] = [
+    |context, geom| context.dispose(geom).unwrap(),
+    |context, geom| {
+        let body = body_of(context, geom);
+        context.body_mut(body).unwrap().set_enabled(false);
+    },
+    |context, _| {
+        for geom in context.geom_list().to_vec() {
+            context.geom_mut(geom).unwrap().set_collision_group(3);
+        }
+    },
+    |context, _| {
+        for geom in context.geom_list().to_vec() {
+            context.geom_mut(geom).unwrap().set_collides_with(CollisionCategory::NONE);
+        }
+    },
+];
+
+/// Parts a geom from what it touches when it is told of the first collision, and notes who is asked.
+struct Parts {
+    part: fn(&mut Context<'_>, GeomId),
+    geom: GeomId,
+    asked: Vec<(GeomId, GeomId)>,
+}
+
+impl EventHandler for Parts {
+    fn on_collision(
+        &mut self,
+        context: &mut Context<'_>,
+        this: GeomId,
+        other: GeomId,
+        _: &mut Vec<Contact>,
+    ) -> bool {
+        if self.asked.is_empty() {
+            (self.part)(context, self.geom);
+        }
+        self.asked.push((this, other));
+        true
+    }
+}
+
+/// The precise set knows all contacts before it asks about the first.
+#[test]
+fn what_is_parted_inside_a_callback_is_not_asked_about_and_pushes_nothing() {
+    for (number, part) in PARTINGS.into_iter().enumerate() {
+        let mut simulator = stack(Methods::PRECISE);
+        simulator.update(0.01);
+        let [floor, middle, top] = simulator.geom_list()[..] else { panic!("three geoms") };
+        simulator[top].set_friction_coefficient(0.0);
+        let [body, thrown] = [middle, top].map(|geom| simulator.body_of(geom).unwrap());
+        simulator[thrown].set_linear_velocity(v(0.0, 500.0));
+        let mut handler = Parts { part, geom: top, asked: Vec::new() };
+        simulator.update_with(0.01, &mut handler);
+        assert_eq!(handler.asked, [(floor, middle), (middle, floor)], "parting {number}");
+        // The floor would not stop a push from above within a step, but it lies as it lay.
+        assert!(simulator[body].linear_velocity().norm() < 5.0, "parting {number}");
     }
 }
 

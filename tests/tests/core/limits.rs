@@ -7,7 +7,7 @@ use conformance::run::Run;
 use conformance::scene::Scene;
 use farseer_core::{
     Body, BroadPhaseCollider, Context, Error, Event, EventHandler, GeomId, GeomPlacement, JointFactory,
-    Limits, NarrowPhaseCollider, ObjectId, PhysicsSimulator, SavedSimulator, Vertices,
+    Limits, Methods, NarrowPhaseCollider, ObjectId, PhysicsSimulator, SavedSimulator, Vertices,
 };
 use serde_json::{Value, json};
 use std::time::Instant;
@@ -324,67 +324,75 @@ fn what_only_the_25d_engine_solves_is_solved() {
 /// One scan of the list for each would be 2 * 10^10 comparisons.
 #[test]
 fn many_objects_leave_in_one_update() {
-    const COUNT: usize = 200_000;
-    let mut simulator =
-        simulator_with(0.0, faithful(BroadPhaseCollider::BruteForce, NarrowPhaseCollider::Sat));
-    let outline = corners(10.0);
-    let made: Vec<_> = (0..COUNT)
-        .map(|_| {
-            let body = simulator.create_body(Body::new());
-            let geom = simulator.create_geom(body, outline.clone(), GeomPlacement::default()).unwrap();
-            simulator.add(body).unwrap();
-            simulator.add(geom).unwrap();
-            (body, geom)
-        })
-        .collect();
-    // No step: only what enters and leaves.
-    simulator.update(0.0);
-    let start = Instant::now();
-    for &(body, geom) in made.iter().rev().skip(1) {
-        simulator.remove(geom).unwrap();
-        simulator.remove(body).unwrap();
+    for methods in [faithful(BroadPhaseCollider::BruteForce, NarrowPhaseCollider::Sat), Methods::PRECISE] {
+        const COUNT: usize = 200_000;
+        let mut simulator = simulator_with(0.0, methods);
+        let outline = corners(10.0);
+        let made: Vec<_> = (0..COUNT)
+            .map(|_| {
+                let body = simulator.create_body(Body::new());
+                let geom = simulator.create_geom(body, outline.clone(), GeomPlacement::default()).unwrap();
+                simulator.add(body).unwrap();
+                simulator.add(geom).unwrap();
+                (body, geom)
+            })
+            .collect();
+        // No step: only what enters and leaves.
+        simulator.update(0.0);
+        let start = Instant::now();
+        for &(body, geom) in made.iter().rev().skip(1) {
+            simulator.remove(geom).unwrap();
+            simulator.remove(body).unwrap();
+        }
+        simulator.update(0.0);
+        assert!(start.elapsed().as_secs_f32() < DEADLINE_SECONDS);
+        let (body, geom) = made[COUNT - 1];
+        assert_eq!((simulator.body_list(), simulator.geom_list()), (&[body][..], &[geom][..]));
+        let removed = simulator.events().iter().map(|event| match event {
+            Event::Removed { object } => *object,
+            other => panic!("{other:?}"),
+        });
+        let geoms = made.iter().rev().skip(1).map(|&(_, geom)| ObjectId::from(geom));
+        let bodies = made.iter().rev().skip(1).map(|&(body, _)| ObjectId::from(body));
+        assert!(removed.eq(geoms.chain(bodies)), "in the order of the calls");
     }
-    simulator.update(0.0);
-    assert!(start.elapsed().as_secs_f32() < DEADLINE_SECONDS);
-    let (body, geom) = made[COUNT - 1];
-    assert_eq!((simulator.body_list(), simulator.geom_list()), (&[body][..], &[geom][..]));
-    let removed = simulator.events().iter().map(|event| match event {
-        Event::Removed { object } => *object,
-        other => panic!("{other:?}"),
-    });
-    let geoms = made.iter().rev().skip(1).map(|&(_, geom)| ObjectId::from(geom));
-    let bodies = made.iter().rev().skip(1).map(|&(body, _)| ObjectId::from(body));
-    assert!(removed.eq(geoms.chain(bodies)), "in the order of the calls");
 }
 
 /// A look at all geoms of the body for each would be 4 * 10^10 comparisons.
 #[test]
 fn a_body_may_have_many_geoms() {
-    const COUNT: usize = 200_000;
-    let mut simulator =
-        simulator_with(0.0, faithful(BroadPhaseCollider::BruteForce, NarrowPhaseCollider::Sat));
-    let (body, other) = (simulator.create_body(Body::new()), simulator.create_body(Body::new()));
-    let outline = corners(10.0);
-    let start = Instant::now();
-    let create = |simulator: &mut PhysicsSimulator| {
-        simulator.create_geom(body, outline.clone(), GeomPlacement::default()).unwrap()
-    };
-    for _ in 0..COUNT {
-        create(&mut simulator);
+    for methods in [faithful(BroadPhaseCollider::BruteForce, NarrowPhaseCollider::Sat), Methods::PRECISE] {
+        const COUNT: usize = 200_000;
+        let mut simulator = simulator_with(0.0, methods);
+        let (body, other) = (simulator.create_body(Body::new()), simulator.create_body(Body::new()));
+        let outline = corners(10.0);
+        let start = Instant::now();
+        let create = |simulator: &mut PhysicsSimulator| {
+            simulator.create_geom(body, outline.clone(), GeomPlacement::default()).unwrap()
+        };
+        for _ in 0..COUNT {
+            create(&mut simulator);
+        }
+        let snapshot = simulator.snapshot();
+        simulator.restore(&snapshot).unwrap();
+        assert_eq!(simulator.geoms_of(body).len(), COUNT);
+        simulator.dispose(body).unwrap();
+        simulator.update(0.0);
+        assert_eq!((simulator.geoms().count(), simulator.bodies().count()), (0, 1));
+        assert!(simulator.body(other).is_some());
+        assert!(start.elapsed().as_secs_f32() < DEADLINE_SECONDS);
     }
-    let snapshot = simulator.snapshot();
-    simulator.restore(&snapshot).unwrap();
-    assert_eq!(simulator.geoms_of(body).len(), COUNT);
-    simulator.dispose(body).unwrap();
-    simulator.update(0.0);
-    assert_eq!((simulator.geoms().count(), simulator.bodies().count()), (0, 1));
-    assert!(simulator.body(other).is_some());
-    assert!(start.elapsed().as_secs_f32() < DEADLINE_SECONDS);
+}
+
+/// All broad phases with distance grids, and the precise set.
+fn methods_of_grids() -> impl Iterator<Item = Methods> {
+    let faithful = |broad| faithful(broad, NarrowPhaseCollider::DistanceGrid);
+    BROAD_PHASES.into_iter().map(faithful).chain([Methods::PRECISE])
 }
 
 /// A floor that overlaps everything, and a box that is another one in every round.
-fn churn(broad: BroadPhaseCollider, mut round: impl FnMut(&mut PhysicsSimulator, usize)) {
-    let mut simulator = simulator_with(100.0, faithful(broad, NarrowPhaseCollider::DistanceGrid));
+fn churn(methods: Methods, mut round: impl FnMut(&mut PhysicsSimulator, usize)) {
+    let mut simulator = simulator_with(100.0, methods);
     add_floor(&mut simulator, (200.0, 20.0), v(0.0, 100.0));
     add_box(&mut simulator, (20.0, 20.0), v(-50.0, 80.0));
     let mut lengths = [0; 2];
@@ -396,14 +404,14 @@ fn churn(broad: BroadPhaseCollider, mut round: impl FnMut(&mut PhysicsSimulator,
         *length = simulator.snapshot().len();
     }
     // A swept list may be twice as long as it must be; numbers grow by a digit.
-    assert!(lengths[1] < lengths[0] + 400, "{broad:?}: {lengths:?}");
+    assert!(lengths[1] < lengths[0] + 400, "{methods:?}: {lengths:?}");
 }
 
 #[test]
 fn snapshots_do_not_grow_while_objects_come_and_go() {
-    for broad in BROAD_PHASES {
+    for methods in methods_of_grids() {
         let mut last = None;
-        churn(broad, |simulator, index| {
+        churn(methods, |simulator, index| {
             let (body, _) = add_box(simulator, (20.0, 20.0), v((index % 7) as f32 * 10.0, 82.0));
             last.replace(body).into_iter().for_each(|body| simulator.dispose(body).unwrap());
         });
@@ -412,9 +420,9 @@ fn snapshots_do_not_grow_while_objects_come_and_go() {
 
 #[test]
 fn snapshots_do_not_grow_while_an_object_is_used_again_and_again() {
-    for broad in BROAD_PHASES {
+    for methods in methods_of_grids() {
         let mut pooled = None;
-        churn(broad, |simulator, index| {
+        churn(methods, |simulator, index| {
             let (_, geom) = *pooled.get_or_insert_with(|| add_box(simulator, (20.0, 20.0), v(20.0, 82.0)));
             match index % 2 {
                 0 => simulator.add(geom).unwrap(),
@@ -427,9 +435,9 @@ fn snapshots_do_not_grow_while_an_object_is_used_again_and_again() {
 /// Nothing is swept out of lists while no step is made.
 #[test]
 fn snapshots_do_not_grow_while_objects_come_and_go_in_a_pause() {
-    for broad in BROAD_PHASES {
+    for methods in methods_of_grids() {
         let mut last = None;
-        churn(broad, |simulator, index| {
+        churn(methods, |simulator, index| {
             simulator.set_enabled(false);
             let (body, _) = add_box(simulator, (20.0, 20.0), v((index % 7) as f32 * 10.0, 82.0));
             last.replace(body).into_iter().for_each(|body| simulator.dispose(body).unwrap());

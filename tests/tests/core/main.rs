@@ -50,6 +50,7 @@ mod precise_motion;
 mod precise_queries;
 mod precise_saves;
 mod precise_settings;
+mod precise_sleep;
 mod precise_terrain;
 mod rejected_input;
 mod snapshots;

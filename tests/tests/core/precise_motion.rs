@@ -61,6 +61,7 @@ fn a_box_comes_to_rest_on_the_floor_within_a_thousandth_of_its_size() {
     let (body, geom) = add_box(&mut simulator, (32.0, 32.0), v(0.0, -40.0));
     [floor, geom].into_iter().for_each(|geom| set_surface(&mut simulator, geom, 0.5, 0.0));
     run(&mut simulator, 600);
+    // Measured: a twentieth of that.
     assert_abs_diff_eq!(simulator[body].position().y, -16.0, epsilon = 0.032);
     assert!(simulator[body].linear_velocity().norm() < 0.01, "{}", simulator[body].linear_velocity());
 }
@@ -80,30 +81,33 @@ fn column(count: usize) -> (PhysicsSimulator, Vec<BodyId>) {
     (simulator, boxes)
 }
 
-/// Each box is still, over the first, and as high as if nothing gave way, but for 0.3 % of the column's height: 0.14 % of
-/// twenty boxes and 0.26 % of forty is what springs that keep a reserve sink by.
-fn assert_stands(simulator: &PhysicsSimulator, boxes: &[BodyId]) {
+/// Each box is still, over the first, and as high as if nothing gave way, but for these numbers of px, along and up, and
+/// px/s, a tenth more than were measured: springs that keep a reserve sink, and forty boxes still sway.
+fn assert_stands(simulator: &PhysicsSimulator, boxes: &[BodyId], [along, up, fastest]: [f32; 3]) {
     for (i, &body) in boxes.iter().enumerate() {
         let (position, speed) = (simulator[body].position(), simulator[body].linear_velocity().norm());
-        let height = 32.0 * boxes.len() as f32;
-        assert_abs_diff_eq!(position.y, -16.0 - 32.0 * i as f32, epsilon = 0.003 * height);
-        assert_abs_diff_eq!(position.x, 0.0, epsilon = 0.003 * height);
-        // Forty boxes still sway by 0.05 px/s.
-        assert!(speed < 0.2, "box {i} of {} moves at {speed} px/s", boxes.len());
+        assert_abs_diff_eq!(position.y, -16.0 - 32.0 * i as f32, epsilon = up);
+        assert_abs_diff_eq!(position.x, 0.0, epsilon = along);
+        assert!(speed < fastest, "box {i} of {} moves at {speed} px/s", boxes.len());
     }
 }
+
+/// Measured: 0.070 px, 0.856 px, 0.0063 px/s.
+const TWENTY: [f32; 3] = [0.08, 0.94, 0.007];
+/// Measured: 2.07 px, 3.20 px, 0.115 px/s.
+const FORTY: [f32; 3] = [2.3, 3.5, 0.13];
 
 #[test]
 fn columns_of_twenty_and_forty_boxes_stand_for_a_minute() {
-    for count in [20, 40] {
+    for (count, bounds) in [(20, TWENTY), (40, FORTY)] {
         let (mut simulator, boxes) = column(count);
         run(&mut simulator, 3600);
-        assert_stands(&simulator, &boxes);
+        assert_stands(&simulator, &boxes, bounds);
     }
 }
 
 #[test]
-#[ignore = "it leans by 10 px then, and 2 px are asked for"]
+#[ignore = "it leans by 10 px then, and is to stand as before"]
 fn a_column_stands_still_again_after_a_hundred_times_the_mass_of_a_box_was_put_on_and_taken_off() {
     let (mut simulator, boxes) = column(20);
     run(&mut simulator, 600);
@@ -115,7 +119,7 @@ fn a_column_stands_still_again_after_a_hundred_times_the_mass_of_a_box_was_put_o
     run(&mut simulator, 600);
     simulator.dispose(load).unwrap();
     run(&mut simulator, 3600);
-    assert_stands(&simulator, &boxes);
+    assert_stands(&simulator, &boxes, TWENTY);
 }
 
 #[test]
@@ -149,7 +153,8 @@ fn a_sliding_box_stops_where_friction_says() {
     run(&mut simulator, 180);
     // v^2 / (2 mu g); the last step ends in the middle of itself.
     let distance = 200.0 * 200.0 / (2.0 * 0.5 * GRAVITY);
-    assert_abs_diff_eq!(simulator[body].position().x - start, distance, epsilon = 0.1);
+    // Measured: 0.0044 px.
+    assert_abs_diff_eq!(simulator[body].position().x - start, distance, epsilon = 0.005);
 }
 
 #[test]
@@ -203,7 +208,8 @@ fn a_belt_carries_what_lies_on_it_at_its_speed() {
     [floor, geom].into_iter().for_each(|geom| set_surface(&mut simulator, geom, 0.5, 0.0));
     simulator[belt].set_linear_velocity(v(50.0, 0.0));
     run(&mut simulator, 120);
-    assert_abs_diff_eq!(simulator[body].linear_velocity().x, 50.0, epsilon = 0.05);
+    // Measured: 1e-5.
+    assert_abs_diff_eq!(simulator[body].linear_velocity().x, 50.0, epsilon = 2e-5);
     assert_eq!(simulator[belt].position(), v(0.0, 10.0));
 }
 

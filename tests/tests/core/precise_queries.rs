@@ -125,3 +125,21 @@ fn a_grid_answers_in_callbacks_as_looking_at_every_geom_does() {
     (0..20).for_each(|_| simulator.update_with(DT, &mut handler));
     assert!(handler.1 > 5000, "{}", handler.1);
 }
+
+/// Row by row, or column by column, there would be four thousand million cells to look at.
+#[test]
+fn boxes_that_are_the_wrong_way_round_are_asked_about_as_others() {
+    let mut random = Random::new(3);
+    let mut simulator = random_scene(&mut random, v(0.0, 0.0));
+    (0..10).for_each(|_| simulator.update(DT));
+    let objects: &Objects = &simulator;
+    for (min, max) in [
+        (v(50.0, -1e9), v(-50.0, 1e9)),
+        (v(-1e9, 50.0), v(1e9, -50.0)),
+        (v(2.0, 2.0), v(-2.0, -2.0)),
+        (v(1e9, 1e9), v(-1e9, -1e9)),
+    ] {
+        let area = Aabb { min, max };
+        assert_eq!(simulator.query_aabb(&area), objects.query_aabb(&area), "{area:?}");
+    }
+}

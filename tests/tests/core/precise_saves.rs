@@ -1,9 +1,9 @@
 //! The precise set: what is saved, cloned and chosen in the middle of a run.
 
-use conformance::fixtures::plane::{add_box, add_circle, add_floor, simulator, v};
+use conformance::fixtures::plane::{Refuses, add_box, add_circle, add_floor, simulator, v};
 use farseer_core::{
-    BroadPhaseCollider, Contact, Context, EventHandler, GeomId, Methods, NarrowPhaseCollider,
-    PhysicsSimulator,
+    BroadPhaseCollider, Contact, Context, EventHandler, GeomId, JointFactory, JointId, Methods,
+    NarrowPhaseCollider, PhysicsSimulator,
 };
 
 const DT: f32 = 1.0 / 60.0;
@@ -97,15 +97,6 @@ fn what_touches_is_known_before_the_first_update_after_a_restore() {
     }
 }
 
-/// Refuses all collisions.
-struct Refuser;
-
-impl EventHandler for Refuser {
-    fn on_collision(&mut self, _: &mut Context<'_>, _: GeomId, _: GeomId, _: &mut Vec<Contact>) -> bool {
-        false
-    }
-}
-
 #[test]
 fn circles_that_were_refused_are_the_same_after_a_restore_and_a_pause() {
     let mut plain = simulator(320.0);
@@ -113,7 +104,7 @@ fn circles_that_were_refused_are_the_same_after_a_restore_and_a_pause() {
     for x in [0.0, 15.0] {
         add_circle(&mut plain, 8.0, 16, v(x, 0.0));
     }
-    (0..2).for_each(|_| plain.update_with(DT, &mut Refuser));
+    (0..2).for_each(|_| plain.update_with(DT, &mut Refuses::Collisions));
     let mut restored = simulator(1.0);
     restored.restore(&plain.snapshot()).unwrap();
     for dt in [0.0, DT, 0.0] {
@@ -121,6 +112,42 @@ fn circles_that_were_refused_are_the_same_after_a_restore_and_a_pause() {
         restored.update(dt);
         assert!(plain.snapshot() == restored.snapshot());
     }
+}
+
+/// Disposes a joint while it is told of a collision.
+struct Disposes(JointId);
+
+impl EventHandler for Disposes {
+    fn on_collision(
+        &mut self,
+        context: &mut Context<'_>,
+        _: GeomId,
+        _: GeomId,
+        _: &mut Vec<Contact>,
+    ) -> bool {
+        context.dispose(self.0).unwrap();
+        true
+    }
+}
+
+#[test]
+fn a_joint_that_is_disposed_while_collisions_are_told_does_not_act_restored_or_not() {
+    let mut plain = filling_pit();
+    let (lying, _) = add_box(&mut plain, (20.0, 20.0), v(0.0, -10.0));
+    let (hanging, _) = add_box(&mut plain, (20.0, 20.0), v(40.0, -100.0));
+    let joint = JointFactory::create_revolute_joint_in(&mut plain, lying, hanging, v(20.0, -55.0)).unwrap();
+    let hook = JointFactory::create_fixed_revolute_joint_in(&mut plain, hanging, v(40.0, -110.0)).unwrap();
+    (0..30).for_each(|_| plain.update(DT));
+    let force = plain[joint].force();
+    assert!(force.norm() > 1.0, "{force}");
+    let mut restored = simulator(1.0);
+    restored.restore(&plain.snapshot()).unwrap();
+    for simulator in [&mut plain, &mut restored] {
+        simulator.update_with(DT, &mut Disposes(joint));
+        assert!(simulator[hook].force().norm() > 1.0);
+    }
+    assert!(plain.snapshot() == restored.snapshot());
+    assert_eq!(plain[joint].force(), force, "it has acted once more");
 }
 
 #[test]

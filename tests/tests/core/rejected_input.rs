@@ -1,8 +1,10 @@
 //! Numbers that are not finite: every method that a game calls per frame refuses them, changes nothing, and the
 //! refusal is reported once.
 
-use conformance::fixtures::plane::{self, add_box, body_bits, rejected, simulator, state, v};
-use farseer_core::{Body, Event, Geom, GeomPlacement, ObjectId, PhysicsSimulator, Vertices};
+use conformance::fixtures::plane::{
+    self, add_box, body_bits, both_sets, rejected, simulator, simulator_with, state, v,
+};
+use farseer_core::{Body, Event, Geom, GeomPlacement, Methods, ObjectId, PhysicsSimulator, Vertices};
 
 const BAD: [f32; 3] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY];
 
@@ -44,8 +46,8 @@ const GEOM_METHODS: [Setter<Geom>; 2] = [
 ];
 
 /// Two boxes that touch, after a few updates.
-fn touching_boxes() -> PhysicsSimulator {
-    let mut simulator = simulator(10.0);
+fn touching_boxes(methods: Methods) -> PhysicsSimulator {
+    let mut simulator = simulator_with(10.0, methods);
     let (body, geom) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
     add_box(&mut simulator, (10.0, 10.0), v(8.0, 1.0));
     simulator[body].set_angular_velocity(0.1);
@@ -58,91 +60,101 @@ fn touching_boxes() -> PhysicsSimulator {
 
 #[test]
 fn bodies_refuse_what_is_not_finite_and_report_it_once() {
-    for (argument, method) in &BODY_METHODS[..25] {
-        for bad in BAD {
-            let (mut simulator, mut expected) = (touching_boxes(), touching_boxes());
-            let body = simulator.body_list()[0];
-            method(&mut simulator[body], bad);
-            assert_eq!(body_bits(&simulator[body]), body_bits(&expected[body]), "{argument} {bad}");
-            simulator.update(0.01);
-            expected.update(0.01);
-            assert_eq!(state(&simulator), state(&expected), "{argument} {bad}");
-            let report = Event::RejectedInput { object: Some(ObjectId::Body(body)), argument };
-            assert_eq!(rejected(&simulator), [*argument], "{bad}");
-            assert!(simulator.events().contains(&report));
-            simulator.update(0.01);
-            assert_eq!(rejected(&simulator), [] as [&str; 0], "reported again: {argument}");
+    for methods in both_sets() {
+        for (argument, method) in &BODY_METHODS[..25] {
+            for bad in BAD {
+                let (mut simulator, mut expected) = (touching_boxes(methods), touching_boxes(methods));
+                let body = simulator.body_list()[0];
+                method(&mut simulator[body], bad);
+                assert_eq!(body_bits(&simulator[body]), body_bits(&expected[body]), "{argument} {bad}");
+                simulator.update(0.01);
+                expected.update(0.01);
+                assert_eq!(state(&simulator), state(&expected), "{argument} {bad}");
+                let report = Event::RejectedInput { object: Some(ObjectId::Body(body)), argument };
+                assert_eq!(rejected(&simulator), [*argument], "{bad}");
+                assert!(simulator.events().contains(&report));
+                simulator.update(0.01);
+                assert_eq!(rejected(&simulator), [] as [&str; 0], "reported again: {argument}");
+            }
         }
     }
 }
 
 #[test]
 fn forces_refuse_to_add_up_to_infinity() {
-    let mut simulator = touching_boxes();
-    let body = simulator.body_list()[0];
-    let (argument, method) = BODY_METHODS[25];
-    method(&mut simulator[body], f32::NAN);
-    assert_eq!(simulator[body].force(), v(f32::MAX, 0.0));
-    simulator.update(0.01);
-    assert_eq!(rejected(&simulator), [argument]);
+    for methods in both_sets() {
+        let mut simulator = touching_boxes(methods);
+        let body = simulator.body_list()[0];
+        let (argument, method) = BODY_METHODS[25];
+        method(&mut simulator[body], f32::NAN);
+        assert_eq!(simulator[body].force(), v(f32::MAX, 0.0));
+        simulator.update(0.01);
+        assert_eq!(rejected(&simulator), [argument]);
+    }
 }
 
 #[test]
 fn geoms_refuse_what_is_not_finite_and_report_it_once() {
-    for (argument, method) in GEOM_METHODS {
-        for bad in BAD {
-            let (mut simulator, mut expected) = (touching_boxes(), touching_boxes());
-            let geom = simulator.geom_list()[0];
-            method(&mut simulator[geom], bad);
-            assert_eq!(simulator[geom].friction_coefficient(), 0.5);
-            assert_eq!(simulator[geom].restitution_coefficient(), 0.0);
-            simulator.update(0.01);
-            expected.update(0.01);
-            assert_eq!(state(&simulator), state(&expected));
-            let report = Event::RejectedInput { object: Some(ObjectId::Geom(geom)), argument };
-            assert_eq!(rejected(&simulator), [argument]);
-            assert!(simulator.events().contains(&report));
-            simulator.update(0.01);
-            assert_eq!(rejected(&simulator), [] as [&str; 0]);
+    for methods in both_sets() {
+        for (argument, method) in GEOM_METHODS {
+            for bad in BAD {
+                let (mut simulator, mut expected) = (touching_boxes(methods), touching_boxes(methods));
+                let geom = simulator.geom_list()[0];
+                method(&mut simulator[geom], bad);
+                assert_eq!(simulator[geom].friction_coefficient(), 0.5);
+                assert_eq!(simulator[geom].restitution_coefficient(), 0.0);
+                simulator.update(0.01);
+                expected.update(0.01);
+                assert_eq!(state(&simulator), state(&expected));
+                let report = Event::RejectedInput { object: Some(ObjectId::Geom(geom)), argument };
+                assert_eq!(rejected(&simulator), [argument]);
+                assert!(simulator.events().contains(&report));
+                simulator.update(0.01);
+                assert_eq!(rejected(&simulator), [] as [&str; 0]);
+            }
         }
     }
 }
 
 #[test]
 fn updates_refuse_steps_that_are_not_finite() {
-    // Steps so small that their reciprocal is infinite as well.
-    for dt in BAD.into_iter().chain([1e-39, -1e-39, f32::from_bits(1)]) {
-        let mut simulator = touching_boxes();
-        let before = state(&simulator);
-        simulator.update(dt);
-        assert_eq!(state(&simulator), before, "{dt}");
-        assert_eq!(simulator.events(), [Event::RejectedInput { object: None, argument: "dt" }]);
-        simulator.update(0.0);
-        assert_eq!(simulator.events(), []);
-        assert_eq!(state(&simulator), before, "{dt}");
+    for methods in both_sets() {
+        // Steps so small that their reciprocal is infinite as well.
+        for dt in BAD.into_iter().chain([1e-39, -1e-39, f32::from_bits(1)]) {
+            let mut simulator = touching_boxes(methods);
+            let before = state(&simulator);
+            simulator.update(dt);
+            assert_eq!(state(&simulator), before, "{dt}");
+            assert_eq!(simulator.events(), [Event::RejectedInput { object: None, argument: "dt" }]);
+            simulator.update(0.0);
+            assert_eq!(simulator.events(), []);
+            assert_eq!(state(&simulator), before, "{dt}");
+        }
     }
 }
 
 #[test]
 fn a_refused_step_leaves_what_waits_for_the_next() {
-    let mut simulator = touching_boxes();
-    let body = simulator.body_list()[0];
-    let (_, waiting) = add_box(&mut simulator, (10.0, 10.0), v(100.0, 0.0));
-    simulator[body].set_angular_velocity(f32::NAN);
-    simulator.update(f32::NAN);
-    assert_eq!(simulator.geom_list().len(), 2);
-    simulator.update(0.01);
-    assert!(simulator.geom_list().contains(&waiting));
-    assert_eq!(rejected(&simulator), ["angular_velocity"]);
+    for methods in both_sets() {
+        let mut simulator = touching_boxes(methods);
+        let body = simulator.body_list()[0];
+        let (_, waiting) = add_box(&mut simulator, (10.0, 10.0), v(100.0, 0.0));
+        simulator[body].set_angular_velocity(f32::NAN);
+        simulator.update(f32::NAN);
+        assert_eq!(simulator.geom_list().len(), 2);
+        simulator.update(0.01);
+        assert!(simulator.geom_list().contains(&waiting));
+        assert_eq!(rejected(&simulator), ["angular_velocity"]);
+    }
 }
 
 /// The stages are public; the ones that take a step or its reciprocal must not let it in either.
 #[test]
 fn stages_refuse_steps_that_are_not_finite() {
     for bad in BAD {
-        let mut simulator = touching_boxes();
+        let mut simulator = touching_boxes(Methods::default());
         assert!(!simulator.process_queues(bad, None));
-        let mut simulator = touching_boxes();
+        let mut simulator = touching_boxes(Methods::default());
         assert!(simulator.process_queues(0.01, None));
         simulator.find_pairs(None);
         simulator.collide_pairs(None);
@@ -227,21 +239,23 @@ fn queries_with_numbers_that_are_not_finite_find_nothing() {
 
 #[test]
 fn refusals_are_told_one_by_one_and_beyond_sixteen_each_argument_once() {
-    let mut simulator = touching_boxes();
-    let body = simulator.body_list()[0];
-    for _ in 0..20 {
-        simulator[body].set_position(v(f32::NAN, 0.0));
+    for methods in both_sets() {
+        let mut simulator = touching_boxes(methods);
+        let body = simulator.body_list()[0];
+        for _ in 0..20 {
+            simulator[body].set_position(v(f32::NAN, 0.0));
+        }
+        simulator[body].set_rotation(f32::NAN);
+        simulator[body].set_rotation(f32::NAN);
+        simulator.update(0.01);
+        let expected = [&["position"; 16][..], &["rotation"]].concat();
+        assert_eq!(rejected(&simulator), expected);
     }
-    simulator[body].set_rotation(f32::NAN);
-    simulator[body].set_rotation(f32::NAN);
-    simulator.update(0.01);
-    let expected = [&["position"; 16][..], &["rotation"]].concat();
-    assert_eq!(rejected(&simulator), expected);
 }
 
 /// Bytes of what a simulator keeps beside its contacts, after as many refusals as that.
-fn length_after_refusals(count: usize) -> usize {
-    let mut simulator = touching_boxes();
+fn length_after_refusals(methods: Methods, count: usize) -> usize {
+    let mut simulator = touching_boxes(methods);
     let (body, geom) = (simulator.body_list()[0], simulator.geom_list()[0]);
     let outline = simulator.geom(geom).unwrap().local_vertices().clone();
     for _ in 0..count {
@@ -255,5 +269,7 @@ fn length_after_refusals(count: usize) -> usize {
 
 #[test]
 fn refusals_do_not_pile_up_while_every_step_is_refused() {
-    assert_eq!(length_after_refusals(20), length_after_refusals(1000));
+    for methods in both_sets() {
+        assert_eq!(length_after_refusals(methods, 20), length_after_refusals(methods, 1000));
+    }
 }

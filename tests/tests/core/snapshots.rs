@@ -6,10 +6,10 @@ use conformance::fixtures::plane::{
 };
 use farseer_core::snapshot::SnapshotFormat;
 use farseer_core::{
-    Aabb, AabbFluidContainer, BodyFactory, BodyId, BroadPhaseCollider, ComplexFactory, Controller,
-    ControllerId, ControllerKind, Error, FluidContainerRef, FluidDragController, GravityController,
-    InactivityController, JointFactory, JointKind, LinkType, NarrowPhaseCollider, PhysicsSimulator,
-    ScalingController, SpringFactory, SpringKind, WaveController,
+    Aabb, AabbFluidContainer, BodyFactory, BodyId, ComplexFactory, Controller, ControllerId, ControllerKind,
+    Error, FluidContainerRef, FluidDragController, GravityController, InactivityController, JointFactory,
+    JointKind, LinkType, Methods, NarrowPhaseCollider, PhysicsSimulator, ScalingController, SpringFactory,
+    SpringKind, WaveController,
 };
 use flate2::Crc;
 use twohalf::TwoHalfPhysicsSimulator;
@@ -17,8 +17,8 @@ use twohalf::TwoHalfPhysicsSimulator;
 const GRID: NarrowPhaseCollider = NarrowPhaseCollider::DistanceGrid;
 
 /// A scene with everything in it, some updates old.
-fn everything(broad_phase: BroadPhaseCollider, updates: u32) -> (PhysicsSimulator, Game) {
-    let mut simulator = lively_scene(faithful(broad_phase, GRID), 5);
+fn everything(methods: Methods, updates: u32) -> (PhysicsSimulator, Game) {
+    let mut simulator = lively_scene(methods, 5);
     add_joints(&mut simulator);
     add_springs(&mut simulator);
     add_rows(&mut simulator);
@@ -125,7 +125,7 @@ fn add_controllers(simulator: &mut PhysicsSimulator) {
 /// What the scene has, by name.
 #[test]
 fn the_scene_has_everything_in_it() {
-    let (simulator, _) = everything(BroadPhaseCollider::SelectiveSweep, 70);
+    let (simulator, _) = everything(Methods::default(), 70);
     let name = |text: String| text.split('(').next().unwrap_or_default().to_owned();
     let mut kinds: Vec<String> = Vec::new();
     let (joints, springs) = (simulator.joint_list().iter(), simulator.spring_list().iter());
@@ -174,8 +174,8 @@ fn the_scene_has_everything_in_it() {
 
 #[test]
 fn a_restored_simulator_goes_on_with_the_same_bits() {
-    for broad_phase in BROAD_PHASES {
-        let (mut original, mut game) = everything(broad_phase, 0);
+    for methods in BROAD_PHASES.map(|broad| faithful(broad, GRID)).into_iter().chain([Methods::PRECISE]) {
+        let (mut original, mut game) = everything(methods, 0);
         for updates in [0, 41, 37, 60] {
             for _ in 0..updates {
                 game.step(&mut original);
@@ -183,40 +183,44 @@ fn a_restored_simulator_goes_on_with_the_same_bits() {
             let snapshot = original.snapshot();
             let mut restored = simulator(1.0);
             restored.restore(&snapshot).unwrap();
-            assert!(restored.snapshot() == snapshot, "{broad_phase:?}: the same bytes");
+            assert!(restored.snapshot() == snapshot, "{methods:?}: the same bytes");
             let (mut original, mut game) = (original.clone(), game.clone());
             let mut same_game = game.clone();
             for update in 0..60 {
                 game.step(&mut original);
                 same_game.step(&mut restored);
-                assert_eq!(state(&original), state(&restored), "{broad_phase:?}, update {update}");
+                assert_eq!(state(&original), state(&restored), "{methods:?}, update {update}");
                 assert_eq!(original.events(), restored.events());
             }
-            assert!(original.snapshot() == restored.snapshot(), "{broad_phase:?}: the same bytes later");
+            assert!(original.snapshot() == restored.snapshot(), "{methods:?}: the same bytes later");
         }
     }
 }
 
 #[test]
 fn what_waits_for_the_next_update_is_in_the_snapshot() {
-    let (mut original, _) = everything(BroadPhaseCollider::SelectiveSweep, 30);
-    let (body, _) = add_box(&mut original, (10.0, 10.0), v(8.0, 1.0));
-    original[body].apply_impulse(v(5.0, 5.0));
-    let moved = original.body_list()[11];
-    original[moved].set_position(v(3.0, 4.0));
-    let joint = original.joint_list()[2];
-    original.remove(joint).unwrap();
-    let spring = original.spring_list()[1];
-    original.dispose(spring).unwrap();
-    let mut restored = PhysicsSimulator::default();
-    restored.restore(&original.snapshot()).unwrap();
-    for simulator in [&mut original, &mut restored] {
-        simulator.update(0.01);
-        assert!(
-            simulator.is_listed(body) && !simulator.is_listed(joint) && simulator.spring(spring).is_none()
-        );
+    for methods in [Methods::default(), Methods::PRECISE] {
+        let (mut original, _) = everything(methods, 30);
+        let (body, _) = add_box(&mut original, (10.0, 10.0), v(8.0, 1.0));
+        original[body].apply_impulse(v(5.0, 5.0));
+        let moved = original.body_list()[11];
+        original[moved].set_position(v(3.0, 4.0));
+        let joint = original.joint_list()[2];
+        original.remove(joint).unwrap();
+        let spring = original.spring_list()[1];
+        original.dispose(spring).unwrap();
+        let mut restored = PhysicsSimulator::default();
+        restored.restore(&original.snapshot()).unwrap();
+        for simulator in [&mut original, &mut restored] {
+            simulator.update(0.01);
+            assert!(
+                simulator.is_listed(body)
+                    && !simulator.is_listed(joint)
+                    && simulator.spring(spring).is_none()
+            );
+        }
+        assert_eq!(state(&original), state(&restored));
     }
-    assert_eq!(state(&original), state(&restored));
 }
 
 /// A simulator that is to be left alone.
@@ -268,31 +272,33 @@ fn mutate(bytes: &mut Vec<u8>, random: &mut Random) {
 
 #[test]
 fn ten_thousand_mutated_snapshots_change_nothing() {
-    let (source, _) = everything(BroadPhaseCollider::SelectiveSweep, 70);
-    let snapshot = source.snapshot();
-    let mut random = Random::new(77);
-    let mut untouched = Untouched::new();
-    let mut unchanged = 0;
-    for _ in 0..10_000 {
-        let mut mutated = snapshot.clone();
-        for _ in 0..1 + random.below(3) {
-            mutate(&mut mutated, &mut random);
+    for methods in [Methods::default(), Methods::PRECISE] {
+        let (source, _) = everything(methods, 70);
+        let snapshot = source.snapshot();
+        let mut random = Random::new(77);
+        let mut untouched = Untouched::new();
+        let mut unchanged = 0;
+        for _ in 0..10_000 {
+            let mut mutated = snapshot.clone();
+            for _ in 0..1 + random.below(3) {
+                mutate(&mut mutated, &mut random);
+            }
+            // Half of them are hit in the header, too.
+            if random.below(2) == 0 && mutated.len() > 24 {
+                let at = random.below(24);
+                mutated[at] = random.next_u32() as u8;
+            }
+            if mutated == snapshot {
+                unchanged += 1;
+                let mut restored = PhysicsSimulator::default();
+                restored.restore(&mutated).unwrap();
+                assert!(restored.snapshot() == snapshot);
+            } else {
+                untouched.refuses(&mutated);
+            }
         }
-        // Half of them are hit in the header, too.
-        if random.below(2) == 0 && mutated.len() > 24 {
-            let at = random.below(24);
-            mutated[at] = random.next_u32() as u8;
-        }
-        if mutated == snapshot {
-            unchanged += 1;
-            let mut restored = PhysicsSimulator::default();
-            restored.restore(&mutated).unwrap();
-            assert!(restored.snapshot() == snapshot);
-        } else {
-            untouched.refuses(&mutated);
-        }
+        assert!(unchanged < 500, "{unchanged} of 10,000 mutations changed nothing");
     }
-    assert!(unchanged < 500, "{unchanged} of 10,000 mutations changed nothing");
 }
 
 #[test]
@@ -358,47 +364,51 @@ fn each_kind_of_damage_has_its_reason() {
 /// Whoever makes such bytes does it on purpose. Nothing panics, hangs or becomes infinite all the same.
 #[test]
 fn forged_contents_are_refused_or_run() {
-    let (source, _) = everything(BroadPhaseCollider::SelectiveSweep, 70);
-    let content = source.snapshot().split_off(24);
-    let mut random = Random::new(99);
-    let (mut refused, mut accepted) = (0, 0);
-    for round in 0..800 {
-        let mut forged = content.clone();
-        mutate(&mut forged, &mut random);
-        let mut simulator = PhysicsSimulator::default();
-        if simulator.restore(&contain(MAGIC, VERSION, &forged)).is_err() {
-            refused += 1;
-            continue;
+    for methods in [Methods::default(), Methods::PRECISE] {
+        let (source, _) = everything(methods, 70);
+        let content = source.snapshot().split_off(24);
+        let mut random = Random::new(99);
+        let (mut refused, mut accepted) = (0, 0);
+        for round in 0..800 {
+            let mut forged = content.clone();
+            mutate(&mut forged, &mut random);
+            let mut simulator = PhysicsSimulator::default();
+            if simulator.restore(&contain(MAGIC, VERSION, &forged)).is_err() {
+                refused += 1;
+                continue;
+            }
+            accepted += 1;
+            // Any number of passes is legitimate, but not every number ends today.
+            simulator.set_iterations(simulator.iterations().min(10));
+            for _ in 0..2 {
+                simulator.update(0.01);
+            }
+            assert!(is_finite(&simulator), "round {round}");
         }
-        accepted += 1;
-        // Any number of passes is legitimate, but not every number ends today.
-        simulator.set_iterations(simulator.iterations().min(10));
-        for _ in 0..2 {
-            simulator.update(0.01);
-        }
-        assert!(is_finite(&simulator), "round {round}");
+        assert!(refused > 200 && accepted > 50, "{refused} refused, {accepted} accepted");
     }
-    assert!(refused > 200 && accepted > 50, "{refused} refused, {accepted} accepted");
 }
 
 /// Lengths of lists in the content are not believed before their elements are there.
 #[test]
 fn enormous_lengths_are_refused() {
-    let (source, _) = everything(BroadPhaseCollider::SelectiveSweep, 10);
-    let content = source.snapshot().split_off(24);
-    let mut untouched = Untouched::new();
-    let mut refused = 0;
-    for at in (0..content.len()).step_by(251) {
-        let mut forged = content.clone();
-        forged.splice(at..at + 1, [0xFF, 0xFF, 0xFF, 0xFF, 0x0F]);
-        if PhysicsSimulator::default().restore(&contain(MAGIC, VERSION, &forged)).is_err() {
-            untouched.refuses(&contain(MAGIC, VERSION, &forged));
-            refused += 1;
+    for methods in [Methods::default(), Methods::PRECISE] {
+        let (source, _) = everything(methods, 10);
+        let content = source.snapshot().split_off(24);
+        let mut untouched = Untouched::new();
+        let mut refused = 0;
+        for at in (0..content.len()).step_by(251) {
+            let mut forged = content.clone();
+            forged.splice(at..at + 1, [0xFF, 0xFF, 0xFF, 0xFF, 0x0F]);
+            if PhysicsSimulator::default().restore(&contain(MAGIC, VERSION, &forged)).is_err() {
+                untouched.refuses(&contain(MAGIC, VERSION, &forged));
+                refused += 1;
+            }
         }
-    }
-    assert!(refused > 50, "{refused}");
-    for content in [vec![0xFF; 64], vec![0xFF; 100_000], Vec::new()] {
-        untouched.refuses(&contain(MAGIC, VERSION, &content));
+        assert!(refused > 50, "{refused}");
+        for content in [vec![0xFF; 64], vec![0xFF; 100_000], Vec::new()] {
+            untouched.refuses(&contain(MAGIC, VERSION, &content));
+        }
     }
 }
 

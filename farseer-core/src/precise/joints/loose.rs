@@ -8,6 +8,7 @@
 use super::hold::{End, Hold};
 use super::swing::{aside_of_turn, turn, turned};
 use super::tree::{Link, Node, Vector, dot, plus, solve, solve_again, spun};
+use crate::storage::reusing_clone::reusing_clone;
 
 /// The part of an error that a substep undoes, and up to which part of the length unit, or of a radian.
 const UNDONE: f64 = 0.2;
@@ -105,7 +106,7 @@ pub(super) enum Pass {
 }
 
 /// What a push of 1 on a number does.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub(super) struct Answer {
     joint: usize,
     row: Row,
@@ -113,6 +114,8 @@ pub(super) struct Answer {
     own: f64,
     nodes: Vec<[[f64; 3]; 2]>,
 }
+
+reusing_clone! { Answer { joint, row, own, nodes } }
 
 /// Velocities that obey all joints of a group as far as they can, from those that do not.
 pub(super) fn solve_group(
@@ -157,7 +160,7 @@ pub(super) fn refine_group(nodes: &mut [Node], loose: &mut [Loose], room: &mut R
 }
 
 /// Kept from pass to pass, so that nothing is allocated.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Room {
     answers: Vec<Answer>,
     count: usize,
@@ -165,6 +168,8 @@ pub(super) struct Room {
     idle: Vec<(usize, Row)>,
     kept: Vec<[[f64; 3]; 3]>,
 }
+
+reusing_clone! { Room { answers, count, idle, kept } }
 
 impl Room {
     /// Finds what the trees answer to each number that is not obeyed, or has had to be.

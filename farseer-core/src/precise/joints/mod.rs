@@ -14,13 +14,14 @@ mod tree;
 use super::bodies::{Bodies, Hot};
 use super::tuning::Step;
 use crate::joints::JointId;
+use crate::storage::reusing_clone::reusing_clone;
 use forest::{Forest, Seat};
 use hold::{End, Hold, Key};
 use loose::{GROUND, Keeps, Loose, Pass, Room, solve_group};
 use tree::{Link, Node};
 
 /// The joints of a step.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Joints {
     /// In the order of the list of joints; not those that hold nothing now.
     holds: Vec<Hold>,
@@ -34,14 +35,18 @@ pub(super) struct Joints {
     unit: f64,
 }
 
+reusing_clone! { Joints { holds, listed, is_read, groups, seat_of, room, unit } }
+
 /// Bodies that joints tie together.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 struct Group {
     nodes: Vec<Node>,
     loose: Vec<Loose>,
     /// Nothing touches it.
     is_apart: bool,
 }
+
+reusing_clone! { Group { nodes, loose, is_apart } }
 
 impl Joints {
     /// Whether all joints are in groups that nothing touches.
@@ -53,6 +58,16 @@ impl Joints {
     #[inline(always)]
     pub(super) fn holds(&self, body: usize) -> bool {
         self.seat_of.get(body).is_some_and(|&seat| seat != GROUND)
+    }
+
+    /// The bodies that each joint ties together, moved or not; 0 for the world.
+    pub(super) fn ties(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
+        self.holds.iter().map(|hold| hold.ends.map(|end| end.pose as usize))
+    }
+
+    /// Whether nothing about joints has changed since they were read, of this list.
+    pub(super) fn are_read(&self, list: &[JointId]) -> bool {
+        self.is_read && self.listed == list
     }
 
     /// Plans for the joints that were read.

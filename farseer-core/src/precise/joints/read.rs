@@ -1,7 +1,6 @@
 //! Joints are read when they or their bodies have changed, followed in every step, and told what held them.
 
 use super::super::Precise;
-use super::super::sync::get;
 use super::super::tuning::Step;
 use super::Joints;
 use super::hold::{End, Hold};
@@ -28,14 +27,15 @@ impl Precise {
     fn end(&self, id: Option<BodyId>, anchor: Vector2, bodies: &Bodies) -> Option<End> {
         let Some(id) = id else { return Some(End { arm: vector(anchor), ..End::default() }) };
         let body = &bodies.get(id)?.body;
-        let number = get(&self.body_numbers, id.slot()).filter(|&number| self.bodies.ids[number] == Some(id));
-        let Some(number) = number else {
+        let Some(number) = self.number_of(id) else {
             let (sine, cosine) = scalar::sin_cos(body.rotation());
             let ([x, y], s, c) = (vector(anchor), f64::from(sine), f64::from(cosine));
             let arm = [c * x - s * y, s * x + c * y];
             return Some(End { place: vector(body.position()), arm, ..End::default() });
         };
-        let gives_way = number < self.bodies.first_fixed() && self.bodies.inverses[number] != [0.0; 2];
+        let gives_way = number < self.bodies.first_fixed()
+            && self.bodies.inverses[number] != [0.0; 2]
+            && !self.sleep.is_asleep(number);
         let mut end = End {
             body: if gives_way { number as u32 } else { 0 },
             pose: number as u32,
@@ -96,7 +96,7 @@ impl Precise {
     /// Brings the joints to the poses of this step, and plans how they are solved.
     pub(crate) fn read_joints(&mut self, objects: &Objects, step: &Step) {
         let mut joints = std::mem::take(&mut self.joints);
-        if joints.is_read && joints.listed == objects.joints.list() {
+        if joints.are_read(objects.joints.list()) {
             joints.follow(&self.bodies, objects);
         } else {
             joints.listed.clear();

@@ -8,7 +8,7 @@ use farseer_core::{
 
 use super::Plane;
 use super::controllers::container;
-use crate::shapes::{edges, outline, placement};
+use crate::shapes::{chain, edges, outline, placement};
 
 /// Makes an object of some kind.
 pub(super) type Make<I> = fn(&mut Plane) -> Result<I>;
@@ -22,6 +22,11 @@ pub(super) const BODIES: &[Make<BodyId>] = &[
     |game| {
         let (radius, mass) = (game.random.number(1.0, 50.0), game.mass());
         BodyFactory::create_circle_body_in(&mut game.simulator, radius, mass)
+    },
+    |game| {
+        let (height, radius) = (game.random.number(10.0, 60.0), game.random.number(1.0, 15.0));
+        let mass = game.mass();
+        BodyFactory::create_capsule_body_in(&mut game.simulator, height, radius, mass)
     },
     |game| {
         let (x, y, mass) = (game.random.number(1.0, 50.0), game.random.number(1.0, 50.0), game.mass());
@@ -58,6 +63,17 @@ pub(super) const GEOMS: &[Make<GeomId>] = &[
         let (body, place) = (game.body(), placement(&mut game.random));
         let (radius, edges) = (game.random.number(1.0, 50.0), edges(&mut game.random, 3, 30));
         GeomFactory::create_circle_geom_in(&mut game.simulator, body, radius, edges, place)
+    },
+    |game| {
+        let (body, place) = (game.body(), placement(&mut game.random));
+        let (height, radius) = (game.random.number(10.0, 60.0), game.random.number(1.0, 15.0));
+        let edges = edges(&mut game.random, 1, 15);
+        GeomFactory::create_capsule_geom_in(&mut game.simulator, body, height, radius, edges, place)
+    },
+    |game| {
+        let (body, place) = (game.static_body(), placement(&mut game.random));
+        let points = chain(&mut game.random);
+        GeomFactory::create_chain_geom_in(&mut game.simulator, body, &points, place)
     },
     |game| {
         let (body, place) = (game.body(), placement(&mut game.random));
@@ -198,6 +214,13 @@ pub(super) const CONTROLLERS: &[Make<Controller>] = &[
 impl Plane {
     pub(super) fn body(&mut self) -> BodyId {
         self.random.pick(&self.pools.bodies)
+    }
+
+    /// A static one, if there is any: chains are refused to others.
+    fn static_body(&mut self) -> BodyId {
+        let is_static = |&body: &BodyId| self.simulator.body(body).is_some_and(Body::is_static);
+        let bodies: Vec<BodyId> = self.pools.bodies.iter().copied().filter(is_static).collect();
+        if bodies.is_empty() { self.body() } else { self.random.pick(&bodies) }
     }
 
     pub(super) fn geom(&mut self) -> GeomId {

@@ -21,6 +21,9 @@ pub(crate) const BODY_EDITS: &[Edit<Body>] = &[
     |body, random| drop(body.set_mass(random.number(0.1, 20.0))),
     |body, random| drop(body.set_moment_of_inertia(random.number(0.1, 2000.0))),
     |body, random| body.set_is_static(random.chance(20)),
+    |body, random| body.set_is_kinematic(random.chance(40)),
+    |body, random| drop(body.move_to(random.vector(300.0), random.number(-9.0, 9.0))),
+    |body, random| body.set_gravity_scale(random.number(-1.0, 3.0)),
     |body, random| body.set_enabled(random.chance(90)),
     |body, random| body.set_ignore_gravity(random.toss()),
     |body, random| body.set_is_quadratic_drag_enabled(random.toss()),
@@ -51,6 +54,7 @@ pub(crate) const GEOM_EDITS: &[Edit<Geom>] = &[
     |geom, random| geom.set_restitution_coefficient(random.number(0.0, 2.0)),
     |geom, random| geom.set_collision_enabled(random.chance(85)),
     |geom, random| geom.set_collision_response_enabled(random.chance(85)),
+    |geom, random| geom.set_collision_callbacks_enabled(random.chance(60)),
     |geom, random| geom.set_tag(random.bits()),
     |geom, _| {
         geom.set_collides_with(CollisionCategory::ALL);
@@ -62,6 +66,8 @@ pub(crate) const JOINT_EDITS: &[Edit<Joint>] = &[
     |joint, random| drop(joint.set_bias_factor(random.number(0.0, 1.0))),
     |joint, random| drop(joint.set_breakpoint(random.number(0.0, 100.0))),
     |joint, random| drop(joint.set_softness(random.number(0.0, 1.0))),
+    |joint, random| drop(joint.set_greatest_force(random.number(0.0, 1000.0))),
+    |joint, random| drop(joint.set_greatest_torque(random.number(0.0, 5000.0))),
     |joint, random| joint.set_enabled(random.chance(80)),
     |joint, random| joint.set_tag(random.bits()),
 ];

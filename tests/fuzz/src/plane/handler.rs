@@ -3,7 +3,7 @@
 use farseer_core::math::Vector2;
 use farseer_core::{
     Aabb, BodyId, Contact, ContactId, Context, ControllerId, EventHandler, FluidContainer, GeomId, JointId,
-    SpringId, UserController, Vertices,
+    Result, SpringId, UserController, Vertices,
 };
 
 use super::controllers::CONTROLLER_EDITS;
@@ -99,6 +99,13 @@ const CONTACT_EDITS: &[fn(&mut Vec<Contact>, &mut Random)] = &[
     |contacts, _| contacts.extend(contacts.first().copied()),
 ];
 
+/// What holds between two that touch, for the update in which they are asked.
+const SURFACE_EDITS: &[fn(&mut Context<'_>, &mut Random) -> Result<()>] = &[
+    |context, random| context.set_contact_friction(random.number(0.0, 2.0)),
+    |context, random| context.set_contact_restitution(random.number(0.0, 1.0)),
+    |context, random| context.set_contact_tangent_speed(random.number(-100.0, 100.0)),
+];
+
 impl<'a> Meddler<'a> {
     pub(super) fn new(mut random: Random, pools: &'a Pools, geoms: usize) -> Self {
         Meddler {
@@ -132,6 +139,9 @@ impl EventHandler for Meddler<'_> {
         self.meddle(context);
         if self.random.chance(5) {
             self.random.pick(CONTACT_EDITS)(contacts, &mut self.random);
+        }
+        if self.random.chance(10) {
+            drop(self.random.pick(SURFACE_EDITS)(context, &mut self.random));
         }
         self.random.chance(92)
     }

@@ -31,7 +31,7 @@ fn check_body(body: &Body) -> Result<(), String> {
     vector("force", body.force())?;
     finite("torque", &[body.torque()])?;
     vector("impulse", body.impulse())?;
-    finite("idle_time", &[body.idle_time()])?;
+    finite("idle_time", &[body.idle_time(), body.gravity_scale()])?;
     vector("velocity bias", body.get_velocity_bias_at_world_offset(Vector2::zeros()))?;
     finite("body matrix", body.get_body_matrix().iter())
 }
@@ -58,7 +58,9 @@ fn check_arbiter(arbiter: ArbiterRef<'_>) -> Result<(), String> {
 }
 
 fn check_joint(joint: &Joint) -> Result<(), String> {
-    finite("joint_error", &[joint.joint_error()])
+    finite("joint_error", &[joint.joint_error()])?;
+    vector("joint force", joint.force())?;
+    finite("joint torque", &[joint.torque()])
 }
 
 fn check_spring(spring: &Spring) -> Result<(), String> {

@@ -1,0 +1,138 @@
+//! How forces become velocity and velocity becomes motion, with both sets of methods.
+
+use super::Body;
+use crate::math::vector2::length;
+use crate::math::{Vector2, scalar};
+
+/// What the simulator does with a body that is enabled and not static (behaviour chapter 02, sections 5, 6).
+impl Body {
+    /// Whether the simulator moves the body.
+    #[inline]
+    pub(crate) fn is_integrated(&self) -> bool {
+        self.enabled && !self.is_static
+    }
+
+    /// Whether the position and rotation are finite.
+    #[inline]
+    pub(crate) fn place_is_finite(&self) -> bool {
+        let sum =
+            self.position.x * 0.0 + self.position.y * 0.0 + self.rotation * 0.0 + self.total_rotation * 0.0;
+        sum == 0.0
+    }
+
+    /// Whether position, rotation and velocities are finite.
+    pub(crate) fn is_finite(&self) -> bool {
+        let sum = self.linear_velocity.x * 0.0
+            + self.linear_velocity.y * 0.0
+            + self.angular_velocity * 0.0
+            + self.linear_velocity_bias.x * 0.0
+            + self.linear_velocity_bias.y * 0.0
+            + self.angular_velocity_bias * 0.0;
+        sum == 0.0 && self.place_is_finite()
+    }
+
+    /// Whether the velocity is finite: all that forces change.
+    #[inline]
+    pub(crate) fn moves_finitely(&self) -> bool {
+        self.linear_velocity.x * 0.0 + self.linear_velocity.y * 0.0 + self.angular_velocity * 0.0 == 0.0
+    }
+
+    /// What part of gravity acts on the body.
+    #[inline]
+    pub(crate) fn gravity_part(&self) -> f32 {
+        if self.ignore_gravity || self.is_immovable() { 0.0 } else { self.gravity_scale }
+    }
+
+    /// Adds gravity to the accumulated force. A scale of 1 changes no bit.
+    #[inline]
+    pub(crate) fn accumulate_gravity(&mut self, gravity: Vector2) {
+        if !self.ignore_gravity {
+            self.force.x += gravity.x * self.mass * self.gravity_scale;
+            self.force.y += gravity.y * self.mass * self.gravity_scale;
+        }
+    }
+
+    /// Turns the accumulated impulse into velocity. Also without any impulse: the addition turns -0 into +0.
+    #[inline]
+    pub(crate) fn apply_accumulated_impulse(&mut self) {
+        if !self.is_immovable() {
+            self.linear_velocity += self.impulse * self.inverse_mass;
+        }
+        self.impulse = Vector2::zeros();
+    }
+
+    /// Turns force and drag into velocity over `dt` seconds, then forgets the force.
+    #[inline]
+    pub(crate) fn integrate_velocity(&mut self, dt: f32) {
+        let v = self.linear_velocity;
+        let w = self.angular_velocity;
+        let mut drag = -v * self.linear_drag_coefficient;
+        if self.is_quadratic_drag_enabled {
+            let speed = length(v);
+            drag.x += -speed * self.quadratic_drag_coefficient * scalar::sign(v.x);
+            drag.y += -speed * self.quadratic_drag_coefficient * scalar::sign(v.y);
+        }
+        self.force += drag;
+        let rotational_drag = w * w * scalar::sign(w) * -self.rotational_drag_coefficient;
+        self.torque += rotational_drag;
+        self.linear_velocity += self.force * self.inverse_mass * dt;
+        self.angular_velocity += self.torque * self.inverse_moment_of_inertia * dt;
+        self.force = Vector2::zeros();
+        self.torque = 0.0;
+    }
+
+    /// What the precise set reads before a step: the accelerations by forces and torque, which are forgotten then, and by drag
+    /// in proportion to the square of the velocity.
+    pub(crate) fn take_accelerations(&mut self) -> (Vector2, f32) {
+        let mut force = std::mem::replace(&mut self.force, Vector2::zeros());
+        if self.is_quadratic_drag_enabled {
+            force -= self.linear_velocity * (length(self.linear_velocity) * self.quadratic_drag_coefficient);
+        }
+        let torque = std::mem::take(&mut self.torque);
+        (force * self.inverse_mass, torque * self.inverse_moment_of_inertia)
+    }
+
+    /// What part of its velocity and of its spin the body loses to drag in a second, at the spin it has.
+    pub(crate) fn drag_rates(&self) -> (f32, f32) {
+        let spin_drag = self.rotational_drag_coefficient * self.angular_velocity.abs();
+        (self.linear_drag_coefficient * self.inverse_mass, spin_drag * self.inverse_moment_of_inertia)
+    }
+
+    /// Moves the body to where a step of the precise set has brought it.
+    pub(crate) fn end_step(&mut self, position: Vector2, turned_by: f32, velocity: Vector2, spin: f32) {
+        self.position = position;
+        self.normalize_rotation(self.rotation + turned_by);
+        (self.linear_velocity, self.angular_velocity) = (velocity, spin);
+        self.has_moved = true;
+        self.land();
+    }
+
+    /// Moves the body over `dt` seconds and answers whether its pose changed.
+    #[inline]
+    pub(crate) fn integrate_position(&mut self, dt: f32) -> bool {
+        let mut moved = false;
+        let d = (self.linear_velocity + self.linear_velocity_bias) * dt;
+        if d.x != 0.0 || d.y != 0.0 {
+            self.position += d;
+            moved = true;
+        }
+        self.linear_velocity_bias = Vector2::zeros();
+        let turn = (self.angular_velocity + self.angular_velocity_bias) * dt;
+        if turn != 0.0 {
+            self.normalize_rotation(self.rotation + turn);
+            moved = true;
+        }
+        self.angular_velocity_bias = 0.0;
+        if self.is_kinematic {
+            self.land();
+        }
+        self.has_moved |= moved;
+        moved
+    }
+
+    /// Whether the original raises its Updated event at the end of every step: from the first movement on.
+    #[inline]
+    pub(crate) fn has_moved(&self) -> bool {
+        self.has_moved
+    }
+}

@@ -1,0 +1,143 @@
+//! Where a body is, and how it moves.
+
+use serde::{Deserialize, Serialize};
+
+use super::Body;
+use crate::math::vector2::length;
+use crate::math::{Vector2, math_helper::TWO_PI, scalar};
+
+impl Body {
+    /// Position of the body's origin, its centre of mass.
+    #[doc(alias = "Position")]
+    #[inline]
+    pub fn position(&self) -> Vector2 {
+        self.position
+    }
+
+    /// Moves the body; its geoms follow. What is not finite is rejected.
+    pub fn set_position(&mut self, value: Vector2) {
+        if self.accepts_vector("position", value) {
+            self.position = value;
+            self.pose_is_dirty = true;
+            self.target = None;
+        }
+    }
+
+    /// Rotation in radians, normally from 0 to 2 pi inclusive.
+    #[doc(alias = "Rotation")]
+    #[inline]
+    pub fn rotation(&self) -> f32 {
+        self.rotation
+    }
+
+    /// Turns the body; its geoms follow. The value is brought into the range of one turn, and the turns taken
+    /// off are **added** to [`revolutions`](Self::revolutions), as in the original. What is not finite is rejected.
+    pub fn set_rotation(&mut self, value: f32) {
+        if self.accepts("rotation", value) {
+            self.normalize_rotation(value);
+            self.pose_is_dirty = true;
+            self.target = None;
+        }
+    }
+
+    /// Whole turns taken so far.
+    #[doc(alias = "Revolutions")]
+    pub fn revolutions(&self) -> i32 {
+        self.revolutions
+    }
+
+    /// Rotation plus 2 pi for every revolution, in radians.
+    #[doc(alias = "TotalRotation")]
+    pub fn total_rotation(&self) -> f32 {
+        self.total_rotation
+    }
+
+    /// Velocity of the body's origin, per second.
+    #[doc(alias = "LinearVelocity")]
+    #[inline]
+    pub fn linear_velocity(&self) -> Vector2 {
+        self.linear_velocity
+    }
+
+    /// Sets the velocity. What is not finite is rejected. A static body keeps its velocity and does not move:
+    /// what touches it feels a conveyor belt.
+    pub fn set_linear_velocity(&mut self, value: Vector2) {
+        if self.accepts_vector("linear_velocity", value) {
+            self.linear_velocity = value;
+            self.target = None;
+        }
+    }
+
+    /// Angular velocity in rad/s.
+    #[doc(alias = "AngularVelocity")]
+    #[inline]
+    pub fn angular_velocity(&self) -> f32 {
+        self.angular_velocity
+    }
+
+    /// Sets the angular velocity. What is not finite is rejected.
+    #[inline]
+    pub fn set_angular_velocity(&mut self, value: f32) {
+        if self.accepts("angular_velocity", value) {
+            self.angular_velocity = value;
+            self.target = None;
+        }
+    }
+
+    /// Whether the speed is at least [`minimum_velocity`](Self::minimum_velocity); spin does not count.
+    #[doc(alias = "Moves")]
+    pub fn moves(&self) -> bool {
+        length(self.linear_velocity) >= self.minimum_velocity
+    }
+
+    /// Puts the body at rest at the origin without rotation; forces, torque and impulse are forgotten. Mass,
+    /// flags and drag stay, and so does the velocity with which the solver was pushing it out of an overlap.
+    #[doc(alias = "ResetDynamics")]
+    pub fn reset_dynamics(&mut self) {
+        self.linear_velocity = Vector2::zeros();
+        self.angular_velocity = 0.0;
+        self.position = Vector2::zeros();
+        self.rotation = 0.0;
+        self.revolutions = 0;
+        self.total_rotation = 0.0;
+        self.clear_force();
+        self.clear_torque();
+        self.clear_impulse();
+        self.pose_is_dirty = true;
+        self.target = None;
+    }
+
+    pub(super) fn normalize_rotation(&mut self, raw: f32) {
+        let turns = whole_turns(raw);
+        self.rotation = raw - turns as f32 * TWO_PI;
+        self.revolutions = self.revolutions.wrapping_add(turns);
+        self.total_rotation = self.rotation + self.revolutions as f32 * TWO_PI;
+    }
+
+    #[inline]
+    pub(crate) fn pose(&self) -> Pose {
+        let Body { position, rotation, revolutions, total_rotation, .. } = *self;
+        Pose { position, rotation, revolutions, total_rotation }
+    }
+
+    pub(crate) fn restore_pose(&mut self, pose: Pose) {
+        let Pose { position, rotation, revolutions, total_rotation } = pose;
+        (self.position, self.rotation) = (position, rotation);
+        (self.revolutions, self.total_rotation) = (revolutions, total_rotation);
+    }
+}
+
+/// The turns that are taken off a rotation.
+pub(super) fn whole_turns(raw: f32) -> i32 {
+    let turns = scalar::to_int(raw / TWO_PI);
+    if raw < 0.0 { turns.wrapping_sub(1) } else { turns }
+}
+
+/// Where a body is and how far it has turned.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Pose {
+    pub(crate) position: Vector2,
+    pub(crate) rotation: f32,
+    pub(crate) revolutions: i32,
+    pub(crate) total_rotation: f32,
+}

@@ -1,0 +1,433 @@
+//! What has come to rest sleeps, and costs nothing until something wakes it.
+//!
+//! **When.** A body is at rest while it moves by less than a [speed](Sleep::slow) that follows gravity and the size of
+//! things. [Islands](super::islands) of bodies that have all been at rest for [`REST`] seconds fall asleep together, if their
+//! contacts have learnt their load and nothing that they touch is on its way. Where one of an island is not at rest yet, all
+//! of it has rested no longer than that one: so an island is asked again only when it may be ready.
+//!
+//! **How.** Their rows and pairs are put aside, and the lists of bodies and proxies are gone through by [runs](Sleep::bodies)
+//! that leave out what sleeps. Nothing changes its number, so nothing else knows.
+//!
+//! **Until when.** One of them is edited, pushed by other forces than those it fell asleep under, or touched by what is awake;
+//! what it rests on moves, goes or is edited; a joint of it is edited; gravity changes. Then the whole island wakes, with the
+//! impulses it fell asleep with.
+
+use std::ops::Range;
+
+use serde::{Deserialize, Serialize};
+
+use super::islands::Islands;
+use super::proxies::{Mobility, Proxies};
+use super::{Precise, Step};
+use crate::body::BodyId;
+use crate::joints::held::Held;
+use crate::joints::{Joint, JointId};
+use crate::math::Vector2;
+use crate::math::plane::{Vector, dot};
+use crate::objects::Objects;
+use crate::storage::reusing_clone::reusing_clone;
+
+/// Seconds for which all bodies of an island are at rest before it sleeps.
+pub(super) const REST: f32 = 0.5;
+/// An island that only waits for something slow is asked again after the rest of this part of them.
+const NEARLY: f32 = 0.8;
+/// What is at rest moves slower than this part of the speed that a fall over one unit of length would give it, and than this
+/// many units a second where nothing falls.
+const SLOW: f32 = 1.0 / 64.0;
+const SLOWEST: f32 = 1e-3;
+/// Why a body does not sleep: see [`PhysicsSimulator::why_awake`](crate::PhysicsSimulator::why_awake).
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum WhyAwake {
+    /// Nothing sleeps: it is [switched off](crate::PhysicsSimulator::set_sleep_enabled), or the methods are the faithful set.
+    NothingSleeps,
+    /// The body is static or kinematic, or takes no part.
+    NeverSleeps,
+    /// The body moves too fast.
+    Moves {
+        /// Length per second below which it would be at rest.
+        limit: f32,
+    },
+    /// The body is at rest, but hangs together, by contacts, joints or springs, with one that is not.
+    HangsTogether {
+        /// The one that is not at rest.
+        with: BodyId,
+    },
+    /// All that hangs together with the body is at rest, but not for long enough, or its contacts still settle.
+    RestsSince {
+        /// Seconds that count.
+        seconds: f32,
+        /// Seconds after which it sleeps.
+        needed: f32,
+    },
+}
+
+/// In place of another number: the body is awake.
+const AWAKE: u32 = u32::MAX;
+
+/// Who sleeps, by number.
+#[derive(Debug, Default)]
+pub(super) struct Sleep {
+    /// Whether things fall asleep, and the gravity that they do it under.
+    is_enabled: bool,
+    pub(super) gravity: Vector,
+    /// Seconds for which a body has been at rest; what sleeps is never ready for it.
+    pub(super) rest: Vec<f32>,
+    /// The next one of those that fell asleep together, in a ring; or [`AWAKE`].
+    next: Vec<u32>,
+    /// Accelerations by forces and torque that a body fell asleep under.
+    pub(super) borne: Vec<[f32; 3]>,
+    /// Those of which it is something.
+    pub(super) leaning: Vec<u32>,
+    /// How many sleep.
+    pub(super) count: usize,
+    /// Places of the lists in multiples of four, without those where all four sleep: of bodies that can be pushed, and of
+    /// proxies of these.
+    pub(super) bodies: Vec<Range<usize>>,
+    pub(super) proxies: Vec<Range<usize>>,
+    /// Bodies that are to wake, pairs of which one side is, and bodies that forces were applied to: empty between stages.
+    pub(super) waking: Vec<u32>,
+    pub(super) touched: Vec<u32>,
+    pub(super) pushed: Vec<u32>,
+    /// Joints of what sleeps, in the order of their list.
+    pub(super) joints: Vec<KnownJoint>,
+    /// Of no use between steps: who hangs together, how long each island has rested at least, and who falls asleep.
+    islands: Islands,
+    least: Vec<f32>,
+    falling: Vec<u32>,
+}
+
+reusing_clone! {
+    Sleep {
+        is_enabled, gravity, rest, next, borne, leaning, count, bodies, proxies, waking, touched, pushed, joints,
+        islands, least, falling
+    }
+}
+
+/// A joint as it was when what it holds fell asleep: should it be another one, that wakes.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(super) struct KnownJoint {
+    pub(super) joint: JointId,
+    pub(super) held: Held,
+    /// Softness, bias factor and breakpoint.
+    pub(super) numbers: [f32; 3],
+}
+
+impl KnownJoint {
+    /// `None` if the joint is not enabled.
+    pub(super) fn of((id, joint): (JointId, &Joint)) -> Option<Self> {
+        let numbers = [joint.softness(), joint.bias_factor(), joint.breakpoint()];
+        joint.enabled().then(|| KnownJoint { joint: id, held: joint.held(), numbers })
+    }
+
+    pub(super) fn bodies(&self) -> impl Iterator<Item = BodyId> {
+        self.held.bodies.0.into_iter().chain([self.held.bodies.1])
+    }
+}
+
+impl Sleep {
+    #[inline(always)]
+    pub(super) fn is_asleep(&self, body: usize) -> bool {
+        self.next.get(body).is_some_and(|&next| next != AWAKE)
+    }
+
+    /// Those of these numbers, from 1 on, that are awake.
+    #[inline(always)]
+    pub(super) fn awake(&self, count: usize) -> impl Iterator<Item = usize> + '_ {
+        let numbers = self.bodies.iter().cloned().flatten();
+        numbers.filter(move |&number| number != 0 && number <= count && !self.is_asleep(number))
+    }
+
+    /// A row between what is awake and what sleeps has come.
+    pub(super) fn note_touch(&mut self, pair: usize) {
+        self.touched.push(pair as u32);
+    }
+
+    /// A body that may sleep is to wake.
+    pub(super) fn note_waking(&mut self, body: usize) {
+        if self.is_asleep(body) {
+            self.waking.push(body as u32);
+        }
+    }
+
+    /// Forces may have been applied to a body that may sleep.
+    pub(super) fn note_push(&mut self, body: usize) {
+        if self.is_asleep(body) {
+            self.pushed.push(body as u32);
+        }
+    }
+
+    /// All bodies are listed anew, and awake.
+    pub(super) fn reset(&mut self, bodies: usize) {
+        self.rest.clear();
+        self.rest.resize(bodies, 0.0);
+        self.next.clear();
+        self.next.resize(bodies, AWAKE);
+        self.borne.clear();
+        self.borne.resize(bodies, [0.0; 3]);
+        self.count = 0;
+        self.leaning.clear();
+        self.waking.clear();
+        self.touched.clear();
+        self.pushed.clear();
+    }
+
+    /// The runs follow who sleeps.
+    pub(super) fn renew_runs(&mut self, proxies: &Proxies) {
+        let Sleep { next, bodies, proxies: of_proxies, .. } = self;
+        let is_awake = |body: u32| next.get(body as usize) == Some(&AWAKE);
+        runs(next.len(), |number| is_awake(number as u32), bodies);
+        runs(proxies.movable.next_multiple_of(4), |at| is_awake(proxies.all[at].body), of_proxies);
+    }
+
+    /// A body falls asleep, with the others of a ring if there is one.
+    pub(super) fn lay_down(&mut self, body: usize, with: Option<usize>, borne: [f32; 3]) {
+        self.rest[body] = f32::NEG_INFINITY;
+        self.borne[body] = borne;
+        self.leaning.extend((borne != [0.0; 3]).then_some(body as u32));
+        let other = with.unwrap_or(body);
+        self.next[body] = body as u32;
+        self.next.swap(body, other);
+        self.count += 1;
+    }
+
+    /// All of a ring wake, and are handed over.
+    pub(super) fn take_up(&mut self, body: usize, mut woken: impl FnMut(u32)) {
+        let mut at = body;
+        while self.is_asleep(at) {
+            let next = std::mem::replace(&mut self.next[at], AWAKE) as usize;
+            self.rest[at] = 0.0;
+            self.count -= 1;
+            woken(at as u32);
+            at = next;
+        }
+    }
+
+    /// The least number of those that sleep together.
+    pub(super) fn first_with(&self, body: usize) -> usize {
+        let (mut first, mut at) = (body, self.next[body] as usize);
+        while at != body {
+            first = first.min(at);
+            at = self.next[at] as usize;
+        }
+        first
+    }
+}
+
+/// The runs of blocks of four in which something is.
+fn runs(count: usize, is_there: impl Fn(usize) -> bool, runs: &mut Vec<Range<usize>>) {
+    runs.clear();
+    for four in (0..count).step_by(4).filter(|&four| (four..four + 4).any(&is_there)) {
+        match runs.last_mut() {
+            Some(run) if run.end == four => run.end = four + 4,
+            _ => runs.push(four..four + 4),
+        }
+    }
+}
+
+/// Falling asleep.
+impl Precise {
+    /// Speed below which things are at rest.
+    pub(super) fn slow(&self) -> f32 {
+        let (gravity, unit) = (self.sleep.gravity, self.tuning.unit);
+        let fall = (2.0 * dot(gravity, gravity).sqrt() * unit).sqrt();
+        let (slow, slowest) = (SLOW * fall, SLOWEST * unit);
+        // Also if a square is not finite.
+        if slow > slowest && slow.is_finite() { slow } else { slowest }
+    }
+
+    /// Whether things may fall asleep, and under which gravity: all wake if that has changed.
+    pub(super) fn set_sleep(&mut self, is_enabled: bool, gravity: Vector2) {
+        let gravity = [gravity.x, gravity.y];
+        if !is_enabled || gravity != self.sleep.gravity {
+            self.wake_all();
+        }
+        (self.sleep.is_enabled, self.sleep.gravity) = (is_enabled, gravity);
+    }
+
+    /// Last stage: what has been at rest for long enough sleeps.
+    pub(crate) fn fall_asleep(&mut self, objects: &mut Objects, step: &Step) {
+        if !self.sleep.is_enabled || !self.note_rest() {
+            return;
+        }
+        let mut islands = std::mem::take(&mut self.sleep.islands);
+        self.join_islands(objects, &mut islands);
+        self.sleep.islands = islands;
+        self.find_least_rest(step.learning.learnt);
+        let mut falling = std::mem::take(&mut self.sleep.falling);
+        falling.clear();
+        falling.extend(
+            self.sleep
+                .awake(self.bodies.count)
+                .filter(|&body| !self.bodies.is_kinematic(body))
+                .map(|body| body as u32),
+        );
+        falling.retain(|&body| {
+            let island = self.sleep.islands.find(body);
+            let rest = self.sleep.least[island as usize];
+            self.sleep.rest[body as usize] = rest;
+            rest >= REST
+        });
+        if !falling.is_empty() {
+            self.lay_down(&falling, objects);
+        }
+        self.sleep.falling = falling;
+    }
+
+    /// Counts how long bodies have been at rest. Answers whether it has been long enough for one of them.
+    fn note_rest(&mut self) -> bool {
+        let slow = self.slow() * self.dt;
+        let mut is_ripe = false;
+        let Precise { bodies, sleep: Sleep { bodies: runs, rest, .. }, dt, .. } = self;
+        for run in runs.iter().cloned() {
+            let ways = bodies.path[run.clone()].iter().zip(&bodies.reaches[run.clone()]);
+            for (([x, y, turned, _], reach), rest) in ways.zip(&mut rest[run]) {
+                let is_slow = x.abs() + y.abs() + reach * turned.abs() < slow;
+                *rest = if is_slow { *rest + *dt } else { 0.0 };
+                is_ripe |= *rest >= REST;
+            }
+        }
+        is_ripe
+    }
+
+    /// Which bodies that are awake hang together: by rows, joints and springs.
+    fn join_islands(&self, objects: &Objects, islands: &mut Islands) {
+        islands.part(self.bodies.hot.len());
+        for pair in (0..self.pairs.awake).filter(|&pair| self.pairs.all[pair].home.is_some()) {
+            if let [(a, Mobility::Dynamic), (b, Mobility::Dynamic)] = self.sides(pair) {
+                islands.join(a as u32, b as u32);
+            }
+        }
+        let springs = (0..objects.springs.list().len()).filter_map(|at| objects.springs.at(at));
+        let by_springs = springs
+            .filter(|(_, spring)| spring.enabled())
+            .map(|(_, spring)| spring.ends().map(|body| body.and_then(|id| self.number_of(id)).unwrap_or(0)));
+        for [a, b] in self.joints.ties().chain(by_springs) {
+            if self.is_dynamic(a) && self.is_dynamic(b) {
+                islands.join(a as u32, b as u32);
+            }
+        }
+    }
+
+    /// Why a body that may sleep is awake; `None` if it sleeps, or never does.
+    pub(crate) fn why_awake(&self, body: BodyId, objects: &Objects) -> Option<WhyAwake> {
+        let number = self.number_of(body).filter(|&number| self.is_dynamic(number))?;
+        if self.sleep.is_asleep(number) {
+            return None;
+        }
+        let mut islands = Islands::default();
+        self.join_islands(objects, &mut islands);
+        let island = islands.find(number as u32);
+        let mut with =
+            self.sleep.awake(self.bodies.count).filter(|&other| islands.find(other as u32) == island);
+        let restless = with.find(|&other| self.sleep.rest[other] == 0.0);
+        Some(match restless {
+            _ if self.sleep.rest[number] == 0.0 => WhyAwake::Moves { limit: self.slow() },
+            Some(other) => WhyAwake::HangsTogether { with: self.bodies.ids[other]? },
+            None => WhyAwake::RestsSince { seconds: self.sleep.rest[number], needed: REST },
+        })
+    }
+
+    /// How long all of each island have rested; no longer than nearly long enough where one still waits for something.
+    fn find_least_rest(&mut self, learnt: f32) {
+        let mut least = std::mem::take(&mut self.sleep.least);
+        least.clear();
+        least.resize(self.bodies.hot.len(), f32::INFINITY);
+        let islands = &mut std::mem::take(&mut self.sleep.islands);
+        let mut limit = |body: usize, rest: f32| {
+            let least = &mut least[islands.find(body as u32) as usize];
+            *least = if rest < *least { rest } else { *least };
+        };
+        self.sleep.awake(self.bodies.count).for_each(|body| limit(body, self.sleep.rest[body]));
+        for &proxy in &self.proxies.escaped {
+            let body = self.proxies.all[proxy as usize].body as usize;
+            if self.is_dynamic(body) {
+                limit(body, NEARLY * REST);
+            }
+        }
+        for pair in 0..self.pairs.awake {
+            let state = &self.pairs.all[pair];
+            let Some(home) = state.home else { continue };
+            let [(a, mobility), (b, _)] = self.sides(pair);
+            if mobility == Mobility::Kinematic && self.bodies.moves(a) {
+                limit(b, 0.0);
+            } else if self.rows.lane(state.kind, home).is_learning(learnt) {
+                limit(b, NEARLY * REST);
+            }
+        }
+        for [a, b] in self.joints.ties() {
+            for (one, other) in [(a, b), (b, a)] {
+                if self.bodies.is_kinematic(one) && self.bodies.moves(one) && self.is_dynamic(other) {
+                    limit(other, 0.0);
+                }
+            }
+        }
+        (self.sleep.least, self.sleep.islands) = (least, std::mem::take(islands));
+    }
+
+    /// These fall asleep, each with the others of its island.
+    fn lay_down(&mut self, falling: &[u32], objects: &mut Objects) {
+        for &number in falling {
+            let body = number as usize;
+            let island = self.sleep.islands.find(number) as usize;
+            let borne = self.bodies.rest(body, self.dt);
+            // The least number of an island is the first of it here.
+            self.sleep.lay_down(body, (island != body).then_some(island), borne);
+            if let Some(entry) = self.bodies.ids[body].and_then(|id| objects.bodies.get_mut(id)) {
+                entry.body.come_to_rest();
+            }
+        }
+        self.lay_pairs_down();
+        self.lay_joints_down(objects);
+        self.sleep.renew_runs(&self.proxies);
+    }
+
+    /// Rows of bodies that sleep are put aside, and pairs of which no side can move.
+    pub(super) fn lay_pairs_down(&mut self) {
+        let h = self.h;
+        // From the last one on: what takes the place of another one has been looked at.
+        for pair in (0..self.pairs.awake).rev() {
+            let sides = self.sides(pair);
+            let is_any = |of: Mobility| sides.iter().any(|&(_, mobility)| mobility == of);
+            let is_asleep = is_any(Mobility::Dynamic)
+                && sides
+                    .iter()
+                    .all(|&(body, mobility)| mobility != Mobility::Dynamic || self.sleep.is_asleep(body));
+            if is_asleep {
+                self.touch().move_row(pair, true, h);
+            }
+            if is_asleep && !is_any(Mobility::Kinematic) {
+                self.touch().lay_down(pair);
+            }
+        }
+    }
+
+    /// Joints of what sleeps are remembered, and not solved.
+    fn lay_joints_down(&mut self, objects: &Objects) {
+        if self.joints.ties().any(|ties| ties.iter().any(|&body| self.sleep.is_asleep(body))) {
+            self.note_joints();
+        }
+        let all = (0..objects.joints.list().len()).filter_map(|at| objects.joints.at(at));
+        let mut joints = std::mem::take(&mut self.sleep.joints);
+        joints.clear();
+        joints.extend(all.filter_map(KnownJoint::of).filter(|joint| self.lies(joint)));
+        self.sleep.joints = joints;
+    }
+
+    /// Whether a joint holds a body that sleeps.
+    pub(super) fn lies(&self, joint: &KnownJoint) -> bool {
+        joint.bodies().any(|body| self.number_of(body).is_some_and(|number| self.sleep.is_asleep(number)))
+    }
+
+    /// The bodies of a pair.
+    pub(super) fn sides(&self, pair: usize) -> [(usize, Mobility); 2] {
+        self.pairs.watched[pair].proxies.map(|proxy| {
+            let proxy = &self.proxies.all[proxy as usize];
+            (proxy.body as usize, proxy.mobility)
+        })
+    }
+
+    pub(super) fn is_dynamic(&self, body: usize) -> bool {
+        body != 0 && body <= self.bodies.count && !self.bodies.is_kinematic(body)
+    }
+}

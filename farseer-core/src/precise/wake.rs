@@ -1,0 +1,239 @@
+//! What wakes those that [sleep](super::sleep).
+
+use super::Precise;
+use super::pairs::BY_ROW;
+use super::proxies::Mobility;
+use super::sleep::{KnownJoint, REST};
+use crate::body::BodyId;
+use crate::controllers::ControllerKind;
+use crate::objects::Objects;
+
+impl Precise {
+    /// The bodies of a pair are to wake, if they sleep.
+    pub(super) fn note_waking(&mut self, pair: usize) {
+        for (body, mobility) in self.sides(pair) {
+            if mobility == Mobility::Dynamic {
+                self.sleep.note_waking(body);
+            }
+        }
+    }
+
+    /// A pair has come. What nobody else would look at is: something has been put beside what sleeps.
+    pub(super) fn note_new(&mut self, pair: usize) {
+        let may_move = self.sides(pair).iter().any(|&(body, mobility)| match mobility {
+            Mobility::Fixed => false,
+            Mobility::Kinematic => true,
+            Mobility::Dynamic => !self.sleep.is_asleep(body),
+        });
+        if !may_move {
+            self.note_waking(pair);
+        }
+    }
+
+    /// What awake bodies have touched in this step, kinematic ones move, or other forces push than before, wakes.
+    pub(crate) fn wake_disturbed(&mut self, objects: &mut Objects) {
+        if self.sleep.count == 0 {
+            self.sleep.touched.clear();
+            return;
+        }
+        let mut touched = std::mem::take(&mut self.sleep.touched);
+        // What a handler has refused has lost its row.
+        touched.retain(|&pair| self.pairs.all[pair as usize].home.is_some());
+        touched.drain(..).for_each(|pair| self.note_waking(pair as usize));
+        self.sleep.touched = touched;
+        self.note_moving_kinematic(objects);
+        self.note_pushed(objects);
+        self.wake_up();
+        debug_assert!(self.is_awake_what_is_solved(), "rows and joints of what sleeps are put aside");
+    }
+
+    fn is_awake_what_is_solved(&self) -> bool {
+        (0..self.pairs.len()).all(|pair| {
+            let state = &self.pairs.all[pair];
+            state.home.is_none_or(|home| {
+                let is_asleep = self.rows.asleep(home).is_some();
+                self.sides(pair).iter().all(|&(body, mobility)| {
+                    mobility != Mobility::Dynamic || self.sleep.is_asleep(body) == is_asleep
+                })
+            })
+        })
+    }
+
+    /// Kinematic bodies that begin to move wake what lies on them, or hangs on them by a joint.
+    fn note_moving_kinematic(&mut self, objects: &Objects) {
+        for at in 0..self.bodies.kinematic.len() {
+            let number = self.bodies.kinematic[at] as usize;
+            let Some(id) = self.bodies.ids[number] else { continue };
+            if !objects.bodies.get(id).is_some_and(|entry| entry.body.is_on_its_way()) {
+                continue;
+            }
+            let mut pairs = std::mem::take(&mut self.lost);
+            let with_rows = |pair: &usize| self.pairs.all[*pair].home.is_some();
+            let of_body = self.proxies.of(number).flat_map(|proxy| self.pairs.of(proxy)).filter(with_rows);
+            pairs.extend(of_body.map(|pair| pair as u32));
+            pairs.drain(..).for_each(|pair| self.note_waking(pair as usize));
+            self.lost = pairs;
+            let joints = std::mem::take(&mut self.sleep.joints);
+            let of_body = joints.iter().filter(|joint| joint.bodies().any(|body| body == id));
+            of_body.for_each(|joint| self.note_ends(joint));
+            self.sleep.joints = joints;
+        }
+    }
+
+    fn note_ends(&mut self, joint: &KnownJoint) {
+        for body in joint.bodies() {
+            if let Some(number) = self.number_of(body) {
+                self.sleep.note_waking(number);
+            }
+        }
+    }
+
+    /// Bodies that other forces push than those they fell asleep under wake; of the others forces are forgotten.
+    fn note_pushed(&mut self, objects: &mut Objects) {
+        let mut pushed = std::mem::take(&mut self.sleep.pushed);
+        self.collect_pushed(objects, &mut pushed);
+        pushed.sort_unstable();
+        pushed.dedup();
+        pushed.retain(|&body| self.sleep.is_asleep(body as usize));
+        let slack = self.slow() / REST;
+        for body in pushed.drain(..).map(|body| body as usize) {
+            let (borne, reach) = (self.sleep.borne[body], self.bodies.reaches[body]);
+            if let Some(entry) = self.bodies.ids[body].and_then(|id| objects.bodies.get_mut(id))
+                && !entry.body.bears(borne, reach, slack)
+            {
+                self.sleep.note_waking(body);
+            }
+        }
+        self.sleep.pushed = pushed;
+    }
+
+    /// Who may have been pushed: by springs and controllers, and those that bear something.
+    fn collect_pushed(&self, objects: &Objects, pushed: &mut Vec<u32>) {
+        pushed.extend_from_slice(&self.sleep.leaning);
+        let mut note = |body: Option<BodyId>| {
+            let number = body.and_then(|body| self.number_of(body));
+            pushed.extend(number.filter(|&number| self.sleep.is_asleep(number)).map(|number| number as u32));
+        };
+        for (_, spring) in (0..objects.springs.list().len()).filter_map(|at| objects.springs.at(at)) {
+            spring.ends().into_iter().for_each(&mut note);
+        }
+        let controllers = &objects.controllers;
+        for (_, controller) in (0..controllers.list().len()).filter_map(|at| controllers.at(at)) {
+            match controller.kind() {
+                ControllerKind::FluidDrag(drag) => {
+                    drag.geoms().for_each(|geom| note(objects.geoms.get(geom).map(|geom| geom.body)));
+                }
+                // It pulls at everything.
+                ControllerKind::Gravity(_) => objects.bodies.list().iter().for_each(|&body| note(Some(body))),
+                _ => {}
+            }
+        }
+    }
+
+    /// Joints of what sleeps that have gone, come, or become others wake it.
+    pub(super) fn note_joints_that_changed(&mut self, objects: &Objects) {
+        if self.sleep.count == 0 || self.joints.are_read(objects.joints.list()) {
+            return;
+        }
+        let known = std::mem::take(&mut self.sleep.joints);
+        let mut is_known = vec![false; objects.joints.slot_count()];
+        let all = || (0..objects.joints.list().len()).filter_map(|at| objects.joints.at(at));
+        let mut is_listed = is_known.clone();
+        all().for_each(|(id, _)| is_listed[id.slot()] = true);
+        for joint in &known {
+            let now = objects.joints.get(joint.joint).map(|now| (joint.joint, now));
+            if now.and_then(KnownJoint::of) == Some(*joint) && is_listed[joint.joint.slot()] {
+                is_known[joint.joint.slot()] = true;
+            } else {
+                self.note_ends(joint);
+            }
+        }
+        for joint in all().filter(|(id, _)| !is_known[id.slot()]).filter_map(KnownJoint::of) {
+            self.note_ends(&joint);
+        }
+        self.sleep.joints = known;
+    }
+
+    /// Everything wakes.
+    pub(super) fn wake_all(&mut self) {
+        if self.sleep.count > 0 {
+            (1..=self.bodies.count).for_each(|body| self.sleep.note_waking(body));
+            self.wake_up();
+        }
+    }
+
+    /// A body wakes, and those that fell asleep with it.
+    pub(crate) fn wake(&mut self, body: BodyId) {
+        if let Some(number) = self.number_of(body) {
+            self.sleep.note_waking(number);
+            self.wake_up();
+        }
+    }
+
+    pub(crate) fn asleep_count(&self) -> usize {
+        self.sleep.count
+    }
+
+    pub(crate) fn is_asleep(&self, body: BodyId) -> bool {
+        self.number_of(body).is_some_and(|number| self.sleep.is_asleep(number))
+    }
+
+    /// Those that are to wake do, with all that fell asleep together with them.
+    pub(super) fn wake_up(&mut self) {
+        if self.sleep.waking.is_empty() {
+            return;
+        }
+        let waking = std::mem::take(&mut self.sleep.waking);
+        let mut woken = Vec::new();
+        waking.iter().for_each(|&body| self.sleep.take_up(body as usize, |body| woken.push(body)));
+        self.sleep.waking = waking;
+        self.sleep.waking.clear();
+        self.take_pairs_up(&woken);
+        let joints = self.sleep.joints.len();
+        let mut known = std::mem::take(&mut self.sleep.joints);
+        known.retain(|joint| self.lies(joint));
+        self.sleep.joints = known;
+        if self.sleep.joints.len() < joints {
+            self.note_joints();
+        }
+        let mut leaning = std::mem::take(&mut self.sleep.leaning);
+        leaning.retain(|&body| self.sleep.is_asleep(body as usize));
+        self.sleep.leaning = leaning;
+        self.sleep.renew_runs(&self.proxies);
+    }
+
+    /// The pairs of these bodies may change again, and their rows go back to their colours. In the order of creation numbers:
+    /// that of rows of the last colour matters.
+    fn take_pairs_up(&mut self, woken: &[u32]) {
+        let proxies = woken.iter().flat_map(|&body| self.proxies.of(body as usize));
+        let mut pairs: Vec<usize> = proxies.flat_map(|proxy| self.pairs.of(proxy)).collect();
+        let key = |pair: &usize| {
+            self.pairs.watched[*pair].proxies.map(|proxy| {
+                let proxy = &self.proxies.all[proxy as usize];
+                (proxy.number, proxy.piece)
+            })
+        };
+        pairs.sort_unstable_by_key(key);
+        pairs.dedup();
+        let h = self.h;
+        for &pair in &pairs {
+            let mut touch = self.touch();
+            touch.move_row(pair, false, h);
+            if touch.pairs.all[pair].home.is_none() {
+                touch.pairs.look_again(pair);
+            }
+            // Rows of circles follow their bodies, but not while they sleep.
+            if touch.pairs.watched[pair].tolerance == BY_ROW {
+                touch.look(pair);
+            }
+        }
+        pairs.retain(|&pair| pair >= self.pairs.awake);
+        // From the first one on, so that numbers stay what they are.
+        pairs.sort_unstable();
+        pairs.into_iter().for_each(|pair| {
+            self.touch().take_up(pair);
+        });
+        // What handlers have said was for one step.
+        self.has_handled = true;
+    }
+}

@@ -1,0 +1,341 @@
+//! What has come to rest under the precise set sleeps, and wakes when something could move it.
+
+use farseer_core::math::Vector2;
+use farseer_core::{
+    Body, BodyFactory, BodyId, Event, GeomFactory, GeomPlacement, JointFactory, Methods, PhysicsSimulator,
+    SpringFactory, WhyAwake,
+};
+
+const DT: f32 = 1.0 / 60.0;
+
+fn simulator() -> PhysicsSimulator {
+    let mut simulator = PhysicsSimulator::new(Vector2::new(0.0, 320.0)).unwrap();
+    simulator.set_methods(Methods::PRECISE).unwrap();
+    simulator.set_iterations(4);
+    simulator
+}
+
+fn add_box(simulator: &mut PhysicsSimulator, at: [f32; 2], size: [f32; 2]) -> BodyId {
+    let body = BodyFactory::create_rectangle_body_in(simulator, size[0], size[1], 1.0).unwrap();
+    simulator[body].set_position(Vector2::new(at[0], at[1]));
+    let placement = GeomPlacement::default();
+    let geom = GeomFactory::create_rectangle_geom_in(simulator, body, size[0], size[1], placement).unwrap();
+    simulator.geom_mut(geom).unwrap().set_friction_coefficient(0.5);
+    body
+}
+
+/// A floor with its top at y = 0.
+fn add_floor(simulator: &mut PhysicsSimulator) -> BodyId {
+    let floor = add_box(simulator, [0.0, 10.0], [800.0, 20.0]);
+    simulator[floor].set_is_static(true);
+    floor
+}
+
+/// A column of this many boxes of 20 at a place.
+fn add_column(simulator: &mut PhysicsSimulator, x: f32, count: usize) -> Vec<BodyId> {
+    (0..count).map(|i| add_box(simulator, [x, -10.0 - 20.0 * i as f32], [20.0, 20.0])).collect()
+}
+
+fn run(simulator: &mut PhysicsSimulator, seconds: f32) {
+    (0..(seconds / DT).round() as usize).for_each(|_| simulator.update(DT));
+}
+
+fn asleep(simulator: &PhysicsSimulator, bodies: &[BodyId]) -> usize {
+    bodies.iter().filter(|&&body| simulator.is_asleep(body)).count()
+}
+
+/// Three columns far from each other that sleep.
+fn sleeping_columns() -> (PhysicsSimulator, BodyId, [Vec<BodyId>; 3]) {
+    let mut simulator = simulator();
+    let floor = add_floor(&mut simulator);
+    let columns = [-200.0, 0.0, 200.0].map(|x| add_column(&mut simulator, x, 3));
+    run(&mut simulator, 5.0);
+    columns.iter().for_each(|column| assert_eq!(asleep(&simulator, column), 3));
+    (simulator, floor, columns)
+}
+
+#[test]
+fn what_sleeps_stays_where_it_is_to_the_last_bit() {
+    let (mut simulator, _, columns) = sleeping_columns();
+    let places = |simulator: &PhysicsSimulator| -> Vec<(u32, u32, u32)> {
+        let bits = |body: &Body| {
+            (body.position().x.to_bits(), body.position().y.to_bits(), body.rotation().to_bits())
+        };
+        columns.iter().flatten().map(|&body| bits(&simulator[body])).collect()
+    };
+    let before = places(&simulator);
+    run(&mut simulator, 2.0);
+    assert_eq!(places(&simulator), before);
+    assert!(columns.iter().flatten().all(|&body| simulator[body].linear_velocity() == Vector2::zeros()));
+}
+
+#[test]
+fn a_step_in_which_all_sleep_looks_at_no_pair_and_solves_nothing() {
+    let (mut simulator, ..) = sleeping_columns();
+    simulator.update(DT);
+    let counters = simulator.counters();
+    assert_eq!((counters.pairs_tested, counters.contacts_solved, counters.bodies_moved), (0, 0, 0));
+    assert_eq!((counters.bodies_asleep, counters.pairs_touching), (9, 9));
+    assert!(simulator.events().is_empty());
+}
+
+#[test]
+fn a_body_that_lands_wakes_what_it_lands_on_and_nothing_else() {
+    let (mut simulator, _, columns) = sleeping_columns();
+    add_box(&mut simulator, [0.0, -90.0], [20.0, 20.0]);
+    run(&mut simulator, 0.1);
+    assert_eq!(columns.each_ref().map(|column| asleep(&simulator, column)), [3, 3, 3], "it still falls");
+    run(&mut simulator, 0.3);
+    assert_eq!(columns.each_ref().map(|column| asleep(&simulator, column)), [3, 0, 3]);
+    run(&mut simulator, 5.0);
+    assert_eq!(columns.each_ref().map(|column| asleep(&simulator, column)), [3, 3, 3]);
+}
+
+#[test]
+fn an_island_sleeps_and_wakes_as_a_whole() {
+    let (mut simulator, _, [left, ..]) = sleeping_columns();
+    simulator[left[0]].apply_impulse(Vector2::new(30.0, 0.0));
+    simulator.update(DT);
+    assert_eq!(asleep(&simulator, &left), 0);
+    while asleep(&simulator, &left) == 0 {
+        simulator.update(DT);
+    }
+    assert_eq!(asleep(&simulator, &left), 3);
+}
+
+#[test]
+fn what_loses_its_support_falls() {
+    type Remove = fn(&mut PhysicsSimulator, BodyId);
+    let removals: [(&str, Remove); 6] = [
+        ("disposed", |simulator, floor| simulator.dispose(floor).unwrap()),
+        ("without a geom", |simulator, floor| simulator.remove(simulator.geoms_of(floor)[0]).unwrap()),
+        ("disabled", |simulator, floor| simulator[floor].set_enabled(false)),
+        ("moved", |simulator, floor| simulator[floor].set_position(Vector2::new(0.0, 300.0))),
+        ("made a sensor", |simulator, floor| {
+            let geom = simulator.geoms_of(floor)[0];
+            simulator.geom_mut(geom).unwrap().set_collision_response_enabled(false);
+        }),
+        ("filtered", |simulator, floor| {
+            let geom = simulator.geoms_of(floor)[0];
+            simulator.geom_mut(geom).unwrap().set_collision_enabled(false);
+        }),
+    ];
+    for (how, remove) in removals {
+        let (mut simulator, floor, columns) = sleeping_columns();
+        remove(&mut simulator, floor);
+        run(&mut simulator, 0.5);
+        for &body in columns.iter().flatten() {
+            assert!(simulator[body].linear_velocity().y > 100.0, "{how}: {:?}", simulator.why_awake(body));
+        }
+    }
+}
+
+#[test]
+fn a_lift_that_starts_wakes_what_stands_on_it() {
+    let mut simulator = simulator();
+    let lift = add_floor(&mut simulator);
+    simulator[lift].set_is_kinematic(true);
+    let column = add_column(&mut simulator, 0.0, 3);
+    run(&mut simulator, 5.0);
+    assert_eq!(asleep(&simulator, &column), 3);
+    simulator[lift].set_linear_velocity(Vector2::new(0.0, -30.0));
+    run(&mut simulator, 2.0);
+    assert_eq!(asleep(&simulator, &column), 0, "what is carried does not sleep");
+    // 60 px up, within what contacts give.
+    assert!((simulator[column[0]].position().y + 70.0).abs() < 0.2, "{}", simulator[column[0]].position());
+}
+
+#[test]
+fn a_belt_that_starts_wakes_what_lies_on_it() {
+    let (mut simulator, floor, columns) = sleeping_columns();
+    simulator[floor].set_linear_velocity(Vector2::new(10.0, 0.0));
+    run(&mut simulator, 1.0);
+    assert!(columns.iter().flatten().all(|&body| simulator[body].linear_velocity().x > 5.0));
+}
+
+#[test]
+fn gravity_that_changes_wakes_everything() {
+    let (mut simulator, _, columns) = sleeping_columns();
+    simulator.set_gravity(Vector2::new(0.0, -320.0)).unwrap();
+    run(&mut simulator, 0.5);
+    assert!(columns.iter().flatten().all(|&body| simulator[body].linear_velocity().y < -100.0));
+}
+
+#[test]
+fn with_sleep_switched_off_everything_is_awake() {
+    let (mut simulator, _, columns) = sleeping_columns();
+    simulator.set_sleep_enabled(false);
+    run(&mut simulator, 3.0);
+    assert!(columns.iter().all(|column| asleep(&simulator, column) == 0));
+    assert_eq!(simulator.why_awake(columns[0][0]), Some(WhyAwake::NothingSleeps));
+}
+
+#[test]
+fn a_wind_that_blows_on_lets_things_sleep_and_a_gust_wakes_them() {
+    let mut simulator = simulator();
+    add_floor(&mut simulator);
+    let body = add_box(&mut simulator, [0.0, -10.0], [20.0, 20.0]);
+    let blow = |simulator: &mut PhysicsSimulator, wind: f32, seconds: f32| {
+        for _ in 0..(seconds / DT) as usize {
+            simulator[body].apply_force(Vector2::new(wind, 0.0));
+            simulator.update(DT);
+        }
+    };
+    // Friction holds half of the weight, 320.
+    blow(&mut simulator, 100.0, 5.0);
+    assert!(simulator.is_asleep(body));
+    blow(&mut simulator, 250.0, 0.1);
+    assert!(simulator[body].linear_velocity().x > 5.0, "the gust pushes it in the very step it comes");
+    blow(&mut simulator, 100.0, 5.0);
+    assert!(simulator.is_asleep(body));
+    run(&mut simulator, DT);
+    assert!(!simulator.is_asleep(body), "the wind has gone");
+}
+
+#[test]
+fn what_hangs_on_a_spring_sleeps_and_falls_when_the_spring_goes() {
+    let mut simulator = simulator();
+    let body = add_box(&mut simulator, [0.0, 0.0], [20.0, 20.0]);
+    let spring = SpringFactory::create_fixed_linear_spring_in(
+        &mut simulator,
+        body,
+        Vector2::zeros(),
+        Vector2::new(0.0, -50.0),
+        100.0,
+        1.0,
+    )
+    .unwrap();
+    run(&mut simulator, 30.0);
+    assert_eq!(simulator.why_awake(body), None);
+    simulator.dispose(spring).unwrap();
+    run(&mut simulator, 0.5);
+    assert!(simulator[body].linear_velocity().y > 100.0);
+}
+
+#[test]
+fn what_hangs_on_a_joint_sleeps_and_falls_when_the_joint_goes() {
+    let mut simulator = simulator();
+    let bodies: Vec<BodyId> =
+        (0..3).map(|i| add_box(&mut simulator, [0.0, 30.0 * i as f32], [10.0, 20.0])).collect();
+    let first = Vector2::new(0.0, -15.0);
+    let hinge = JointFactory::create_fixed_revolute_joint_in(&mut simulator, bodies[0], first).unwrap();
+    for pair in bodies.windows(2) {
+        let between = (simulator[pair[0]].position() + simulator[pair[1]].position()) * 0.5;
+        JointFactory::create_revolute_joint_in(&mut simulator, pair[0], pair[1], between).unwrap();
+    }
+    run(&mut simulator, 2.0);
+    assert_eq!(asleep(&simulator, &bodies), 3);
+    simulator.dispose(hinge).unwrap();
+    run(&mut simulator, 0.5);
+    assert!(bodies.iter().all(|&body| simulator[body].linear_velocity().y > 100.0));
+}
+
+#[test]
+fn a_new_joint_wakes_what_it_holds() {
+    let (mut simulator, _, [left, middle, _]) = sleeping_columns();
+    JointFactory::create_pin_joint_in(&mut simulator, left[2], Vector2::zeros(), middle[2], Vector2::zeros())
+        .unwrap();
+    simulator.update(DT);
+    assert_eq!((asleep(&simulator, &left), asleep(&simulator, &middle)), (0, 0));
+}
+
+#[test]
+fn a_body_that_drifts_in_empty_space_does_not_sleep() {
+    let mut simulator = simulator();
+    simulator.set_gravity(Vector2::zeros()).unwrap();
+    let body = add_box(&mut simulator, [0.0, 0.0], [20.0, 20.0]);
+    simulator[body].set_linear_velocity(Vector2::new(0.5, 0.0));
+    simulator[body].set_linear_drag_coefficient(0.0);
+    run(&mut simulator, 10.0);
+    // 600 steps rounded to f32 at about 5 px: far below.
+    assert!((simulator[body].position().x - 5.0).abs() < 0.001);
+}
+
+#[test]
+fn a_pendulum_does_not_fall_asleep_where_it_turns() {
+    let mut simulator = simulator();
+    let body = add_box(&mut simulator, [20.0, 100.0], [10.0, 10.0]);
+    JointFactory::create_fixed_revolute_joint_in(&mut simulator, body, Vector2::zeros()).unwrap();
+    for _ in 0..1200 {
+        simulator.update(DT);
+        assert!(!simulator.is_asleep(body));
+    }
+}
+
+#[test]
+fn the_reason_for_being_awake_is_told() {
+    let mut simulator = simulator();
+    let floor = add_floor(&mut simulator);
+    let column = add_column(&mut simulator, 0.0, 2);
+    let falling = add_box(&mut simulator, [200.0, -300.0], [20.0, 20.0]);
+    run(&mut simulator, 0.3);
+    assert!(matches!(simulator.why_awake(falling), Some(WhyAwake::Moves { .. })));
+    assert_eq!(simulator.why_awake(floor), Some(WhyAwake::NeverSleeps));
+    assert!(matches!(simulator.why_awake(column[0]), Some(WhyAwake::RestsSince { .. })));
+    run(&mut simulator, 3.0);
+    assert_eq!(simulator.why_awake(column[0]), None);
+    simulator[column[1]].set_linear_velocity(Vector2::new(20.0, 0.0));
+    (0..2).for_each(|_| simulator.update(DT));
+    assert_eq!(simulator.why_awake(column[0]), Some(WhyAwake::HangsTogether { with: column[1] }));
+}
+
+#[test]
+fn what_a_handler_refuses_wakes_nothing() {
+    struct Refuser(farseer_core::GeomId);
+    impl farseer_core::EventHandler for Refuser {
+        fn on_collision(
+            &mut self,
+            _: &mut farseer_core::Context,
+            this: farseer_core::GeomId,
+            other: farseer_core::GeomId,
+            _: &mut Vec<farseer_core::Contact>,
+        ) -> bool {
+            ![this, other].contains(&self.0)
+        }
+    }
+    let (mut simulator, _, [left, ..]) = sleeping_columns();
+    let ghost = add_box(&mut simulator, [-200.0, -100.0], [20.0, 20.0]);
+    let mut refuser = Refuser(simulator.geoms_of(ghost)[0]);
+    (0..60).for_each(|_| simulator.update_with(DT, &mut refuser));
+    assert!(simulator[ghost].position().y > 0.0, "it has flown through");
+    assert_eq!(asleep(&simulator, &left), 3);
+}
+
+#[test]
+fn a_handler_is_asked_about_what_sleeps_and_wakes_it_by_another_answer() {
+    struct Asked {
+        count: usize,
+        refuses: bool,
+    }
+    impl farseer_core::EventHandler for Asked {
+        fn on_collision(
+            &mut self,
+            _: &mut farseer_core::Context,
+            _: farseer_core::GeomId,
+            _: farseer_core::GeomId,
+            _: &mut Vec<farseer_core::Contact>,
+        ) -> bool {
+            self.count += 1;
+            !self.refuses
+        }
+    }
+    let (mut simulator, _, columns) = sleeping_columns();
+    let mut handler = Asked { count: 0, refuses: false };
+    simulator.update_with(DT, &mut handler);
+    assert_eq!((handler.count, simulator.counters().bodies_asleep), (18, 9), "both sides of nine touches");
+    handler.refuses = true;
+    (0..30).for_each(|_| simulator.update_with(DT, &mut handler));
+    assert!(columns.iter().flatten().all(|&body| simulator[body].linear_velocity().y > 100.0));
+}
+
+#[test]
+fn nothing_is_told_of_what_sleeps_but_when_it_ceases_to_touch() {
+    let (mut simulator, _, [left, ..]) = sleeping_columns();
+    simulator.dispose(left[2]).unwrap();
+    simulator.update(DT);
+    let told = |event: &Event| matches!(event, Event::BodyUpdated { .. } | Event::Collision { .. });
+    assert_eq!(asleep(&simulator, &left[..2]), 0);
+    simulator.events().iter().filter(|event| told(event)).for_each(|event| {
+        assert!(matches!(event, Event::BodyUpdated { body } if left.contains(body)), "{event:?}");
+    });
+}
