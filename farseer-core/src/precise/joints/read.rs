@@ -97,7 +97,7 @@ impl Precise {
     pub(crate) fn read_joints(&mut self, objects: &Objects, step: &Step) {
         let mut joints = std::mem::take(&mut self.joints);
         if joints.are_read(objects.joints.list()) {
-            joints.follow(&self.bodies, objects);
+            joints.follow(&self.bodies, &objects.bodies);
         } else {
             joints.listed.clear();
             joints.listed.extend_from_slice(objects.joints.list());
@@ -156,14 +156,10 @@ impl Hold {
 
 impl Joints {
     /// Joints go where their bodies are.
-    fn follow(&mut self, bodies: &super::Bodies, objects: &Objects) {
+    fn follow(&mut self, bodies: &super::Bodies, objects: &Bodies) {
         for hold in &mut self.holds {
             hold.ends.iter_mut().for_each(|end| end.follow(bodies));
-            hold.turn(&objects.bodies);
-            // What a motor seeks may change in every step: that is no reason to plan anew.
-            if hold.drive.is_some() {
-                hold.drive = objects.joints.get(hold.joint).and_then(Joint::drive).copied();
-            }
+            hold.turn(objects);
         }
     }
 }
