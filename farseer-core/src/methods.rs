@@ -54,6 +54,8 @@ pub enum Methods {
     /// | `max_impulse` of joints | the greatest impulse of a substep |
     /// | [motors](crate::Objects::set_joint_motor) and [limits](crate::Objects::set_joint_limits) of revolute joints, [prismatic](crate::PrismaticJoint) joints | only here: the faithful set refuses them with [`Error::NotSupported`] |
     /// | [callbacks of a geom](crate::Geom::set_collision_callbacks_enabled), friction, restitution and tangent speed [set by a handler](crate::Context::set_contact_friction) | as in the faithful set |
+    /// | [sleep](crate::PhysicsSimulator::set_sleep_enabled) | only here: bodies that hang together by contacts, joints or springs sleep when all of them have moved slower, for half a second, than a hundredth of the speed that a fall over one length unit would give them, and no contact still settles. What sleeps costs nothing, and is told of only where a handler is asked about touches. It wakes when one of them is edited, pushed by other forces than it fell asleep under, touched by what is awake, refused by a handler or loses what holds it |
+    /// | [bullets](crate::Body::is_bullet) | only here: nothing passes through what is static, kinematic or asleep, and a bullet through nothing; a sensor that something flies through in one update hears of it, of no contacts, at its end |
     /// | [kinematic](crate::Body::is_kinematic) bodies, [gravity scale](crate::Body::gravity_scale) | as in the faithful set |
     ///
     /// Geoms of the circle factory with eight edges or more are true circles, with fewer the polygons that they look like;

@@ -55,6 +55,7 @@ pub struct Body {
     tag: u64,
     is_static: bool,
     is_kinematic: bool,
+    is_bullet: bool,
     /// Where a kinematic body is brought.
     target: Option<kinematic::Target>,
     enabled: bool,
@@ -137,6 +138,7 @@ impl Body {
             tag: 0,
             is_static: false,
             is_kinematic: false,
+            is_bullet: false,
             target: None,
             enabled: true,
             ignore_gravity: false,
@@ -167,6 +169,7 @@ impl Body {
             ignore_gravity: body.ignore_gravity,
             is_static: body.is_static,
             is_kinematic: body.is_kinematic,
+            is_bullet: body.is_bullet,
             ..Body::new()
         }
     }

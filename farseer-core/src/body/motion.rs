@@ -23,6 +23,19 @@ impl Body {
         }
     }
 
+    /// Whether the body passes through nothing, however fast it is. Default false. Ours, and only with the
+    /// [precise set](crate::Methods::Precise): there no body passes through what is static, kinematic or asleep; a bullet not
+    /// through other bodies either.
+    pub fn is_bullet(&self) -> bool {
+        self.is_bullet
+    }
+
+    /// Sets [`is_bullet`](Self::is_bullet). For few bodies that are small and fast: each asks in every step in which it goes
+    /// further than it is thick when it meets what is on its way.
+    pub fn set_is_bullet(&mut self, value: bool) {
+        self.is_bullet = value;
+    }
+
     /// Rotation in radians, normally from 0 to 2 pi inclusive.
     #[doc(alias = "Rotation")]
     #[inline]

@@ -36,6 +36,7 @@ struct SavedBody {
     tag: u64,
     is_static: bool,
     is_kinematic: bool,
+    is_bullet: bool,
     target: Option<Target>,
     enabled: bool,
     ignore_gravity: bool,

@@ -187,7 +187,7 @@ impl Objects {
         self.edit_drive(joint, |joint| joint.drive_mut().map(|drive| drive.set_limits(limits)))
     }
 
-    /// Edits a copy, so that nothing changes if it is refused.
+    /// Edits a copy, so that nothing changes if it is refused. Only what comes or goes changes how joints are solved.
     fn edit_drive(
         &mut self,
         joint: JointId,
@@ -198,7 +198,9 @@ impl Objects {
         edit(&mut edited)
             .ok_or_else(|| wrong_kind("RevoluteJoint, FixedRevoluteJoint or PrismaticJoint"))??;
         self.methods.check_driven(&edited)?;
-        self.has_edited_joints |= edited.motor() != kept.motor() || edited.limits() != kept.limits();
+        let is_driven = |joint: &Joint| joint.drive().is_some_and(|drive| !drive.is_idle());
+        self.has_edited_joints |= is_driven(kept) != is_driven(&edited);
+        self.has_edited_drives |= kept.drive() != edited.drive();
         *kept = edited;
         Ok(())
     }

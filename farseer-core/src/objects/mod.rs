@@ -89,6 +89,8 @@ pub struct Objects {
     pub(crate) has_new_structure: bool,
     /// Joints were lent out for editing since this was asked last.
     pub(crate) has_edited_joints: bool,
+    /// Motors or limits of joints have become others since this was asked last.
+    pub(crate) has_edited_drives: bool,
     /// Not saved: a save cannot raise them.
     limits: Limits,
     grids: GridCache,
@@ -97,7 +99,7 @@ pub struct Objects {
 reusing_clone! {
     Objects {
         bodies, geoms, controllers, joints, springs, next_geom_number, touched_bodies,
-        touched_geoms, pending, methods, has_new_structure, has_edited_joints, limits, grids
+        touched_geoms, pending, methods, has_new_structure, has_edited_joints, has_edited_drives, limits, grids
     }
 }
 
@@ -117,6 +119,7 @@ impl Objects {
             methods: Methods::default(),
             has_new_structure: false,
             has_edited_joints: false,
+            has_edited_drives: false,
             limits: Limits::default(),
             grids: GridCache::default(),
         }

@@ -38,6 +38,8 @@ pub(crate) struct SavedObjects {
     #[serde(skip)]
     has_edited_joints: bool,
     #[serde(skip)]
+    has_edited_drives: bool,
+    #[serde(skip)]
     limits: Limits,
     #[serde(skip)]
     grids: GridCache,

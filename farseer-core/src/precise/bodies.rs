@@ -48,6 +48,9 @@ pub(super) struct Bodies {
     pub(super) circles: Vec<[f32; 4]>,
     /// How far a body reaches from its origin, at most; infinite for what never sleeps.
     pub(super) reaches: Vec<f32>,
+    /// How far into a body its surface is from its middle, at least; and whether it passes nothing.
+    pub(super) cores: Vec<f32>,
+    pub(super) are_bullets: Vec<bool>,
     /// Of all bodies, with those that stand still.
     pub(super) poses: Vec<Pose>,
     pub(super) rotations: Vec<f32>,
@@ -56,7 +59,7 @@ pub(super) struct Bodies {
 reusing_clone! {
     Bodies {
         count, ids, kinematic, hot, warm, begun, before, push, forced, path, inverses,
-        gravity_parts, circles, reaches, poses, rotations
+        gravity_parts, circles, reaches, cores, are_bullets, poses, rotations
     }
 }
 
@@ -116,6 +119,8 @@ impl Bodies {
         self.hot.clear();
         self.hot.push(Hot::default());
         self.reaches.push(f32::INFINITY);
+        self.are_bullets.clear();
+        self.are_bullets.push(false);
         movable.for_each(|(id, body)| {
             if body.is_kinematic() {
                 self.kinematic.push(self.ids.len() as u32);
@@ -123,6 +128,7 @@ impl Bodies {
             // Without a geom a body reaches as far as a ring of its mass and inertia.
             let ring = (body.moment_of_inertia() / body.mass()).sqrt();
             self.reaches.push(if body.is_kinematic() { f32::INFINITY } else { ring });
+            self.are_bullets.push(body.is_bullet());
             self.push(id, body, inverses_of(body));
             self.hot.push(Hot { velocity: velocity_of(body), ..Hot::default() });
         });
@@ -134,6 +140,9 @@ impl Bodies {
         fixed.for_each(|(id, body)| self.push(id, body, [0.0; 2]));
         self.hot.resize(padded, Hot::default());
         self.reaches.resize(padded, f32::INFINITY);
+        self.are_bullets.resize(padded, false);
+        self.cores.clear();
+        self.cores.resize(padded, f32::INFINITY);
         for stream in [
             &mut self.warm,
             &mut self.begun,

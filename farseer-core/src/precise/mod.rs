@@ -12,6 +12,7 @@
 //! Lengths are the user's; the numbers of the method are parts of one length ([`tuning`]).
 
 mod bodies;
+mod flight;
 mod grid;
 mod islands;
 mod joints;
@@ -97,6 +98,10 @@ pub(crate) struct Precise {
     changes: Vec<Change>,
     /// Some pair was refused or changed by a handler, for one step.
     has_handled: bool,
+    /// Those that go further in this step than they are thick, and what part of their ways they go; and the geoms that one of
+    /// them has flown through, of which one is a sensor. Of no use between steps.
+    fast: Vec<(u32, f32)>,
+    flown: Vec<[(u32, GeomId); 2]>,
     /// Empty between stages.
     lost: Vec<u32>,
     found: Vec<[u32; 2]>,
@@ -109,7 +114,7 @@ reusing_clone! {
     Precise {
         tuning, h, dt, fall, loaded, is_stale, bounces, friction, most_contacts, bodies, proxies,
         grid, pairs, rows, palette, joints, sleep, body_numbers, first_proxies, loose, absent,
-        edited_bodies, edited_geoms, changes, has_handled, lost, found, known, touching
+        edited_bodies, edited_geoms, changes, has_handled, fast, flown, lost, found, known, touching
     }
 }
 
@@ -142,6 +147,8 @@ impl Precise {
             edited_geoms: Vec::new(),
             changes: Vec::new(),
             has_handled: false,
+            fast: Vec::new(),
+            flown: Vec::new(),
             lost: Vec::new(),
             found: Vec::new(),
             known: Vec::new(),

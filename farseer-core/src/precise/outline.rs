@@ -3,7 +3,7 @@
 use crate::geom::entry::GeomEntry;
 use crate::geom::pieces::{Piece, simplified};
 use crate::geom::seams::{self, Seam};
-use crate::math::plane::{Vector, difference, length, sum, turn};
+use crate::math::plane::{Vector, difference, dot, length, sum, turn};
 use crate::math::scalar;
 use crate::storage::reusing_clone::reusing_clone;
 
@@ -86,6 +86,15 @@ impl Corners {
             normals: &self.normals[range],
             all_seams: &self.seams,
         }
+    }
+
+    /// How far the surface is from the middle, at least.
+    pub(super) fn core(&self, shape: Shape) -> f32 {
+        let Outline { points, normals, .. } = self.outline(shape);
+        let inside =
+            points.iter().zip(normals).map(|(&point, &normal)| dot(normal, difference(point, shape.centre)));
+        let least = inside.reduce(|a, b| if b < a { b } else { a }).unwrap_or(0.0);
+        shape.radius + if least > 0.0 { least } else { 0.0 }
     }
 
     /// Takes a piece of a geom into the frame of the geom's body.
@@ -181,4 +190,18 @@ fn normal(start: Vector, end: Vector) -> Vector {
     let edge = difference(end, start);
     let length = length(edge);
     if length.is_finite() { [edge[1] / length, -edge[0] / length] } else { seams::normal(start, end) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{length, normal};
+
+    #[test]
+    fn edges_of_any_length_have_a_normal() {
+        let corners = [[-4e30, 12.0], [f32::MAX, 1e-6], [1e31, -12.0], [f32::MIN, 0.0], [3.0, 4.0]];
+        for (at, start) in corners.into_iter().enumerate() {
+            let normal = normal(start, corners[(at + 1) % corners.len()]);
+            assert!((length(normal) - 1.0).abs() < 1e-6, "{start:?}: {normal:?}");
+        }
+    }
 }

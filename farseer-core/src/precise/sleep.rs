@@ -33,7 +33,7 @@ pub(super) const REST: f32 = 0.5;
 const NEARLY: f32 = 0.8;
 /// What is at rest moves slower than this part of the speed that a fall over one unit of length would give it, and than this
 /// many units a second where nothing falls.
-const SLOW: f32 = 1.0 / 64.0;
+const SLOW: f32 = 0.01;
 const SLOWEST: f32 = 1e-3;
 /// Why a body does not sleep: see [`PhysicsSimulator::why_awake`](crate::PhysicsSimulator::why_awake).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -118,6 +118,11 @@ impl KnownJoint {
     pub(super) fn of((id, joint): (JointId, &Joint)) -> Option<Self> {
         let numbers = [joint.softness(), joint.bias_factor(), joint.breakpoint()];
         joint.enabled().then(|| KnownJoint { joint: id, held: joint.held(), numbers })
+    }
+
+    /// Whether the joint is still what it was.
+    pub(super) fn is_as_it_was(&self, objects: &Objects) -> bool {
+        objects.joints.get(self.joint).and_then(|now| KnownJoint::of((self.joint, now))) == Some(*self)
     }
 
     pub(super) fn bodies(&self) -> impl Iterator<Item = BodyId> {

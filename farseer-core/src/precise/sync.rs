@@ -80,6 +80,9 @@ impl Precise {
             self.note_joints();
         }
         self.bodies.gravity_parts[number] = body.gravity_part();
+        if is_movable {
+            self.bodies.are_bullets[number] = body.is_bullet();
+        }
         self.bodies.set_velocity(number, body);
         if has_moved {
             self.bodies.move_to(number, body);
@@ -226,6 +229,9 @@ impl Precise {
         self.sleep.reset(self.bodies.hot.len());
         self.bodies.circles.fill([0.0; 4]);
         for proxy in &self.proxies.all[..self.proxies.movable] {
+            let (core, of_proxy) =
+                (&mut self.bodies.cores[proxy.body as usize], self.proxies.corners.core(proxy.shape));
+            *core = if of_proxy < *core { of_proxy } else { *core };
             let reach = &mut self.bodies.reaches[proxy.body as usize];
             *reach = if proxy.shape.reach > *reach { proxy.shape.reach } else { *reach };
             let circle = &mut self.bodies.circles[proxy.body as usize];

@@ -135,22 +135,32 @@ impl Precise {
         if self.sleep.count == 0 || self.joints.are_read(objects.joints.list()) {
             return;
         }
-        let known = std::mem::take(&mut self.sleep.joints);
+        let mut is_listed = vec![false; objects.joints.slot_count()];
+        objects.joints.list().iter().for_each(|joint| is_listed[joint.slot()] = true);
+        let is_same = |joint: &KnownJoint| {
+            is_listed.get(joint.joint.slot()) == Some(&true) && joint.is_as_it_was(objects)
+        };
+        self.note_others(is_same);
         let mut is_known = vec![false; objects.joints.slot_count()];
-        let all = || (0..objects.joints.list().len()).filter_map(|at| objects.joints.at(at));
-        let mut is_listed = is_known.clone();
-        all().for_each(|(id, _)| is_listed[id.slot()] = true);
-        for joint in &known {
-            let now = objects.joints.get(joint.joint).map(|now| (joint.joint, now));
-            if now.and_then(KnownJoint::of) == Some(*joint) && is_listed[joint.joint.slot()] {
-                is_known[joint.joint.slot()] = true;
-            } else {
-                self.note_ends(joint);
-            }
+        for joint in &self.sleep.joints {
+            // A damaged save may name any.
+            is_known.get_mut(joint.joint.slot()).into_iter().for_each(|is_known| *is_known = true);
         }
-        for joint in all().filter(|(id, _)| !is_known[id.slot()]).filter_map(KnownJoint::of) {
+        let all = (0..objects.joints.list().len()).filter_map(|at| objects.joints.at(at));
+        for joint in all.filter(|(id, _)| !is_known[id.slot()]).filter_map(KnownJoint::of) {
             self.note_ends(&joint);
         }
+    }
+
+    /// Motors or limits were edited.
+    pub(crate) fn note_edited_drives(&mut self, objects: &Objects) {
+        self.note_others(|joint| joint.is_as_it_was(objects));
+    }
+
+    /// Those joints of what sleeps that are not the same wake it.
+    fn note_others(&mut self, is_same: impl Fn(&KnownJoint) -> bool) {
+        let known = std::mem::take(&mut self.sleep.joints);
+        known.iter().filter(|joint| !is_same(joint)).for_each(|joint| self.note_ends(joint));
         self.sleep.joints = known;
     }
 

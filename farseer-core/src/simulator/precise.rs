@@ -46,9 +46,14 @@ impl PhysicsSimulator {
         self.read_precise(&step);
         stopwatch.lap(|times| &mut times.apply_forces_time);
         self.precise().solve(&step);
+        if self.precise().find_fast() {
+            self.find_precise_pairs(handler);
+            self.precise().stop_fast(&step);
+        }
         self.report.counters.passes = substeps;
         stopwatch.lap(|times| &mut times.apply_impulses_time);
         self.write_precise(handler);
+        self.tell_flown(handler);
         self.let_sleep(&step);
         stopwatch.lap(|times| &mut times.update_positions_time);
     }
@@ -69,6 +74,9 @@ impl PhysicsSimulator {
             }
             if std::mem::take(&mut objects.has_edited_joints) {
                 precise.note_joints();
+            }
+            if std::mem::take(&mut objects.has_edited_drives) {
+                precise.note_edited_drives(objects);
             }
             precise.sync(objects);
         }
@@ -275,6 +283,27 @@ impl PhysicsSimulator {
         self.write_precise_joints(handler);
         if handler.get().is_some() {
             self.tell_bodies_moved(first..first + self.report.counters.bodies_moved, handler);
+        }
+    }
+
+    /// Tells of sensors through which something has flown between two looks.
+    fn tell_flown(&mut self, handler: &mut Handler<'_>) {
+        let mut at = 0;
+        while let Some((a, b)) = self.precise().flown(at) {
+            at += 1;
+            if !self.may_touch(a, b) {
+                continue;
+            }
+            for (this, other) in [(a, b), (b, a)] {
+                self.report.push(Event::Collision { this, other, contacts: 0, vetoed: false });
+                self.tell_side(handler, this, |handler, context| {
+                    handler.on_collision(context, this, other, &mut Vec::new())
+                });
+            }
+            for (this, other) in [(a, b), (b, a)] {
+                self.report.push(Event::Separation { this, other });
+                self.tell_side(handler, this, |handler, context| handler.on_separation(context, this, other));
+            }
         }
     }
 

@@ -45,6 +45,7 @@ mod polygon_tools_random;
 mod precise_capsules;
 mod precise_drives;
 mod precise_events;
+mod precise_fast;
 mod precise_joints;
 mod precise_motion;
 mod precise_queries;

@@ -2,8 +2,8 @@
 
 use farseer_core::math::Vector2;
 use farseer_core::{
-    Body, BodyFactory, BodyId, Event, GeomFactory, GeomPlacement, JointFactory, Methods, PhysicsSimulator,
-    SpringFactory, WhyAwake,
+    Body, BodyFactory, BodyId, CollisionCategory, Event, GeomFactory, GeomPlacement, JointFactory, Methods,
+    PhysicsSimulator, SpringFactory, WhyAwake,
 };
 
 const DT: f32 = 1.0 / 60.0;
@@ -117,7 +117,9 @@ fn what_loses_its_support_falls() {
         }),
         ("filtered", |simulator, floor| {
             let geom = simulator.geoms_of(floor)[0];
-            simulator.geom_mut(geom).unwrap().set_collision_enabled(false);
+            let geom = simulator.geom_mut(geom).unwrap();
+            geom.set_collides_with(CollisionCategory::NONE);
+            geom.set_collision_categories(CollisionCategory::NONE);
         }),
     ];
     for (how, remove) in removals {

@@ -97,7 +97,7 @@ impl Precise {
     pub(crate) fn read_joints(&mut self, objects: &Objects, step: &Step) {
         let mut joints = std::mem::take(&mut self.joints);
         if joints.are_read(objects.joints.list()) {
-            joints.follow(&self.bodies, &objects.bodies);
+            joints.follow(&self.bodies, objects);
         } else {
             joints.listed.clear();
             joints.listed.extend_from_slice(objects.joints.list());
@@ -156,10 +156,14 @@ impl Hold {
 
 impl Joints {
     /// Joints go where their bodies are.
-    fn follow(&mut self, bodies: &super::Bodies, objects: &Bodies) {
+    fn follow(&mut self, bodies: &super::Bodies, objects: &Objects) {
         for hold in &mut self.holds {
             hold.ends.iter_mut().for_each(|end| end.follow(bodies));
-            hold.turn(objects);
+            hold.turn(&objects.bodies);
+            // What a motor seeks may change in every step: that is no reason to plan anew.
+            if hold.drive.is_some() {
+                hold.drive = objects.joints.get(hold.joint).and_then(Joint::drive).copied();
+            }
         }
     }
 }

@@ -53,6 +53,8 @@ impl Scene {
         simulator.set_methods(Methods::PRECISE)?;
         simulator.set_iterations(random.pick(&SUBSTEPS));
         let has_room = random.chance(ROOMS);
+        // What falls asleep loses its last momentum, which is kept in the open.
+        simulator.set_sleep_enabled(has_room);
         let bounces = random.toss();
         let things = (0..1 + random.below(MOST_BODIES))
             .map(|_| create_body(&mut simulator, bounces, &mut random))

@@ -8,3 +8,11 @@ fn small_scenes_keep_their_bodies_their_momentum_and_their_energy() {
     let failures = failures(0..400, small_scene_holds);
     assert!(failures.is_empty(), "{failures:#?}");
 }
+
+/// Parts of them have edges that face away from the wall, and all of the wall is behind those.
+#[test]
+fn concave_bodies_that_have_come_deep_into_a_wall_are_not_thrown_about() {
+    let seeds = [1432, 2595, 4493, 6116, 7908, 8677, 9125, 10898, 16307, 18531, 18783];
+    let failures = failures(seeds, small_scene_holds);
+    assert!(failures.is_empty(), "{failures:#?}");
+}

@@ -133,6 +133,8 @@ fn build_precise(scene: &Scene, setting: Setting) -> Built {
     let mut world = FarseerWorld::new(&scene)?;
     world.simulator.set_iterations(i32::try_from(setting.passes).map_err(|error| error.to_string())?);
     world.simulator.set_methods(Methods::PRECISE).map_err(|error| error.to_string())?;
+    // Neither do the peers sleep where it is measured what a step costs, and what it leaves.
+    world.simulator.set_sleep_enabled(false);
     Ok(Box::new(world))
 }
 

@@ -1,0 +1,273 @@
+//! Nothing passes through what stands still, however fast it is; and a bullet through nothing.
+//!
+//! A body that goes further in a step than it is thick could be beyond a wall before anybody has noticed. Its way is cut where
+//! it first is in something by a part of the reach of contacts, and its velocity is the one that it has there; the next step
+//! finds them in touch. Where it only grazes nothing is cut.
+//!
+//! The time of the first touch is found by conservative advancement (B. Mirtich, "Impulse-based Dynamic Simulation", 1996,
+//! section 2.3): along an axis that separates the two, they come together no faster than by their velocity along it and what
+//! their turning can do at their reach, so that so far nothing can happen; and if they do not come together along it, never.
+
+use super::Precise;
+use super::outline::Outline;
+use super::proxies::Mobility;
+use super::tuning::Step;
+use crate::geom::GeomId;
+use crate::math::plane::{Pose, Vector, difference, dot, length, place, rotation, scaled, sum, turn};
+use crate::math::scalar;
+
+/// How far a body may be in something, and how exactly that is found, as parts of the reach of contacts.
+const DEEP: f32 = 0.5;
+const EXACT: f32 = 0.1;
+/// After so many advances a body stops short of what it has not reached.
+const ADVANCES: usize = 32;
+
+/// A convex piece on its way through a step.
+struct Flyer<'a> {
+    outline: Outline<'a>,
+    pose: Pose,
+    /// Way and angle of the whole step.
+    path: [f32; 4],
+}
+
+impl Flyer<'_> {
+    /// Where it is after a part of the step.
+    fn at(&self, part: f32) -> Pose {
+        let ([x, y, c, s], [dx, dy, turned, _]) = (self.pose, self.path);
+        if turned == 0.0 {
+            return [x + part * dx, y + part * dy, c, s];
+        }
+        let (sine, cosine) = scalar::sin_cos(part * turned);
+        let [c, s] = turn([cosine, sine], [c, s]);
+        [x + part * dx, y + part * dy, c, s]
+    }
+
+    /// Its corners, or the centre of a circle, as it lies there.
+    fn corners(&self, pose: Pose) -> impl Iterator<Item = Vector> + '_ {
+        let Outline { shape, points, .. } = &self.outline;
+        let points = if points.is_empty() { std::slice::from_ref(&shape.centre) } else { points };
+        points.iter().map(move |&point| sum(place(pose), turn(rotation(pose), point)))
+    }
+
+    /// How far it reaches in a direction.
+    fn support(&self, pose: Pose, direction: Vector) -> f32 {
+        let along = self.corners(pose).map(|corner| dot(corner, direction));
+        along.fold(f32::MIN, |most, one| if one > most { one } else { most }) + self.outline.shape.radius
+    }
+}
+
+/// Two pieces.
+struct Two<'a> {
+    a: Flyer<'a>,
+    b: Flyer<'a>,
+}
+
+impl Two<'_> {
+    /// Distance of the two along the axis that separates them best, negative if they overlap; and that axis, from A to B.
+    fn separation(&self, part: f32) -> (f32, Vector) {
+        let (pose_a, pose_b) = (self.a.at(part), self.b.at(part));
+        let mut best = (f32::MIN, [0.0, 1.0]);
+        let mut consider = |axis: Vector| {
+            let apart = -self.b.support(pose_b, scaled(axis, -1.0)) - self.a.support(pose_a, axis);
+            if apart > best.0 {
+                best = (apart, axis);
+            }
+        };
+        for &normal in self.a.outline.normals {
+            consider(turn(rotation(pose_a), normal));
+        }
+        for &normal in self.b.outline.normals {
+            consider(scaled(turn(rotation(pose_b), normal), -1.0));
+        }
+        if self.a.outline.shape.radius > 0.0 || self.b.outline.shape.radius > 0.0 {
+            for from in self.a.corners(pose_a) {
+                for to in self.b.corners(pose_b) {
+                    let way = difference(to, from);
+                    let distance = length(way);
+                    if distance > 0.0 {
+                        consider(scaled(way, 1.0 / distance));
+                    }
+                }
+            }
+        }
+        best
+    }
+
+    /// After which part of the step the two are in each other by `deep`, or by that much deeper than when it began; `None` if
+    /// they never are.
+    fn meet(&self, deep: f32, exact: f32) -> Option<f32> {
+        let way = difference(place(self.b.path), place(self.a.path));
+        let turning = |flyer: &Flyer<'_>| flyer.path[2].abs() * flyer.outline.shape.reach;
+        let turning = turning(&self.a) + turning(&self.b);
+        let (mut part, mut allowed) = (0.0, None);
+        for _ in 0..ADVANCES {
+            let (apart, axis) = self.separation(part);
+            let room = apart + *allowed.get_or_insert(if apart < 0.0 { deep - apart } else { deep });
+            if room <= exact {
+                return Some(part);
+            }
+            let closing = turning - dot(way, axis);
+            if closing <= 0.0 {
+                return None;
+            }
+            part += room / closing;
+            if !(part < 1.0) {
+                return None;
+            }
+        }
+        Some(part)
+    }
+
+    /// Whether A is an edge of a chain that B comes from behind.
+    fn is_free(&self) -> bool {
+        let [normal, _] = self.a.outline.normals else { return false };
+        if self.a.outline.seams().is_empty() {
+            return false;
+        }
+        let normal = turn(rotation(self.a.pose), *normal);
+        let on_edge = sum(place(self.a.pose), turn(rotation(self.a.pose), self.a.outline.points[0]));
+        let centre = sum(place(self.b.pose), turn(rotation(self.b.pose), self.b.outline.shape.centre));
+        let way = difference(place(self.b.path), place(self.a.path));
+        dot(difference(centre, on_edge), normal) < 0.0 || (dot(way, normal) >= 0.0 && self.b.path[2] == 0.0)
+    }
+}
+
+/// Whether the path of a body is longer than it is thick, and still a number that is of use.
+fn is_fast([x, y, turned, _]: [f32; 4], reach: f32, core: f32) -> bool {
+    let way = x.abs() + y.abs() + reach * turned.abs();
+    way > core && way < 1e18
+}
+
+impl Precise {
+    /// Notes who goes further in this step than it is thick, and widens the bounds of these by their way: pairs are to be
+    /// looked for. Answers whether somebody does.
+    pub(crate) fn find_fast(&mut self) -> bool {
+        self.fast.clear();
+        let Precise { bodies, sleep, fast, .. } = self;
+        fast.extend(sleep.awake(bodies.count).filter_map(|number| {
+            let is_fast = is_fast(bodies.path[number], bodies.reaches[number], bodies.cores[number]);
+            (is_fast && !bodies.is_kinematic(number)).then_some((number as u32, 1.0))
+        }));
+        for at in 0..self.fast.len() {
+            let number = self.fast[at].0 as usize;
+            let around = self.bodies.reaches[number] + self.tuning.speculative;
+            let ([x, y, ..], [dx, dy, ..]) = (self.bodies.poses[number], self.bodies.path[number]);
+            let low = |from: f32, way: f32| (if way < 0.0 { from + way } else { from }) - around;
+            let high = |from: f32, way: f32| (if way < 0.0 { from } else { from + way }) + around;
+            let swept = [low(x, dx), low(y, dy), high(x, dx), high(y, dy)];
+            let mut proxies = std::mem::take(&mut self.lost);
+            proxies.extend(self.proxies.of(number));
+            proxies.drain(..).for_each(|proxy| self.widen_by(proxy, swept));
+            self.lost = proxies;
+        }
+        !self.fast.is_empty()
+    }
+
+    fn widen_by(&mut self, proxy: u32, [low_x, low_y, high_x, high_y]: [f32; 4]) {
+        let [x, y, to_x, to_y] = self.proxies.bounds[proxy as usize];
+        if x <= low_x && y <= low_y && to_x >= high_x && to_y >= high_y {
+            return;
+        }
+        let least = |a: f32, b: f32| if a < b { a } else { b };
+        let most = |a: f32, b: f32| if a > b { a } else { b };
+        let bounds = [least(x, low_x), least(y, low_y), most(to_x, high_x), most(to_y, high_y)];
+        self.proxies.bounds[proxy as usize] = bounds;
+        self.grid.set(proxy, &bounds);
+        self.proxies.escaped.push(proxy);
+    }
+
+    /// Cuts the ways of those who are fast where they meet something.
+    pub(crate) fn stop_fast(&mut self, step: &Step) {
+        let mut fast = std::mem::take(&mut self.fast);
+        for (number, part) in &mut fast {
+            *part = self.first_meeting(*number as usize, |_| true);
+        }
+        self.note_flown(&fast);
+        for &(number, part) in fast.iter().filter(|&&(_, part)| part < 1.0) {
+            let number = number as usize;
+            self.bodies.path[number] = self.bodies.path[number].map(|way| way * part);
+            // Forces have acted for so long only.
+            let undone = (1.0 - part) * step.substeps as f32;
+            for (velocity, push) in self.bodies.hot[number].velocity.iter_mut().zip(self.bodies.push[number])
+            {
+                *velocity -= undone * push;
+            }
+        }
+        self.fast = fast;
+    }
+
+    /// After which part of the step a body meets one of these pairs that stops it.
+    fn first_meeting(&self, body: usize, is_wanted: impl Fn(usize) -> bool) -> f32 {
+        let pairs = self.proxies.of(body).flat_map(|proxy| self.pairs.of(proxy));
+        pairs
+            .filter(|&pair| is_wanted(pair) && self.stops(pair, body))
+            .filter_map(|pair| self.meeting(pair))
+            .fold(1.0, |first, part| if part < first { part } else { first })
+    }
+
+    /// Whether a body may not pass the other one of a pair.
+    fn stops(&self, pair: usize, body: usize) -> bool {
+        let state = &self.pairs.all[pair];
+        let [(a, mobility), (b, _)] = self.sides(pair);
+        let is_bullet = self.bodies.are_bullets[body];
+        let other = if a == body { b } else { a };
+        let stands_still = mobility != Mobility::Dynamic || self.sleep.is_asleep(other);
+        state.responds && !state.is_vetoed && (stands_still || is_bullet)
+    }
+
+    fn meeting(&self, pair: usize) -> Option<f32> {
+        let flyer = |proxy: u32| {
+            let proxy = &self.proxies.all[proxy as usize];
+            let path = self.bodies.path.get(proxy.body as usize).copied().unwrap_or_default();
+            let outline = self.proxies.corners.outline(proxy.shape);
+            Flyer { outline, pose: self.bodies.poses[proxy.body as usize], path }
+        };
+        let [a, b] = self.pairs.watched[pair].proxies.map(flyer);
+        let two = Two { a, b };
+        let reach = self.tuning.speculative;
+        if two.is_free() { None } else { two.meet(DEEP * reach, EXACT * reach) }
+    }
+
+    /// Notes the sensors that those who are fast pass in this step: outside of them before, and after.
+    fn note_flown(&mut self, fast: &[(u32, f32)]) {
+        self.flown.clear();
+        for &(number, part) in fast {
+            for proxy in self.proxies.of(number as usize) {
+                for pair in self.pairs.of(proxy) {
+                    let state = &self.pairs.all[pair];
+                    if state.responds || state.is_told || state.is_vetoed {
+                        continue;
+                    }
+                    let is_met = self.meeting(pair).is_some_and(|met| met < part);
+                    if is_met && self.is_left(pair, number as usize, part) {
+                        let [a, b] = self.pairs.watched[pair].proxies.map(|proxy| {
+                            let proxy = &self.proxies.all[proxy as usize];
+                            (proxy.number, proxy.geom)
+                        });
+                        self.flown.push(if a.0 < b.0 { [a, b] } else { [b, a] });
+                    }
+                }
+            }
+        }
+        self.flown.sort_unstable();
+        self.flown.dedup();
+    }
+
+    /// Whether the two of a pair are apart again after this part of the way of one of them.
+    fn is_left(&self, pair: usize, body: usize, part: f32) -> bool {
+        let flyer = |proxy: u32| {
+            let proxy = &self.proxies.all[proxy as usize];
+            let path = self.bodies.path.get(proxy.body as usize).copied().unwrap_or_default();
+            let part = if proxy.body as usize == body { part } else { 1.0 };
+            let outline = self.proxies.corners.outline(proxy.shape);
+            Flyer { outline, pose: self.bodies.poses[proxy.body as usize], path: path.map(|way| way * part) }
+        };
+        let [a, b] = self.pairs.watched[pair].proxies.map(flyer);
+        Two { a, b }.separation(1.0).0 > 0.0
+    }
+
+    /// The geoms that something has flown through in this step, one of which is a sensor; in the order of creation numbers.
+    pub(crate) fn flown(&self, at: usize) -> Option<(GeomId, GeomId)> {
+        self.flown.get(at).map(|&[(_, a), (_, b)]| (a, b))
+    }
+}
