@@ -6,7 +6,8 @@
 //! (x + R r) / h - w p, p the velocity of the anchor by a spin of 1. That is a step of SHAKE (J.-P. Ryckaert, G. Ciccotti,
 //! H. Berendsen 1977) with one iteration, or two. Forces act by halves at the beginning and the end of a step, and the
 //! velocity after it obeys the joints (RATTLE, H. C. Andersen 1983): as far as that goes the method is symplectic, and energy
-//! does not drift. Where joints pull so hard that [`stiffen`] adds to inertia, as in a whip, it takes energy away.
+//! does not drift. Where joints pull so hard that [`stiffen`] adds to inertia, as in a whip, it takes energy away. Large
+//! groups get whole kicks at the beginning instead, which makes the same way.
 
 use super::super::bodies::Bodies;
 use super::super::tuning::Step;
@@ -17,6 +18,13 @@ use super::tree::{Link, Node, Vector, dot, plus, spun};
 
 /// An error is undone in one substep up to this part of the length unit; a greater one in more of them.
 const CLOSED_AT_ONCE: f64 = 0.5;
+
+/// Groups up to this size are divided into all substeps, and those beyond the other one only where something turns fast.
+const FEW: u32 = 8;
+const MANY: u32 = 50;
+
+/// Radians that a body of a larger group may turn in a part of a step.
+const TURNED_AT_ONCE: f64 = 0.15;
 
 /// The stiffness that the inertia of a body bears in a substep, as a part of it.
 const BORNE: f64 = 0.3;
@@ -246,6 +254,15 @@ fn aim_line(node: &Node, child: &Side, parent: &Side, h: f64, unit: f64) -> [f64
 /// added to it, as an implicit step would (M. Tournier et al., "Stable constrained dynamics", 2015; S. Andrews et al.,
 /// "Geometric stiffness for real-time constrained multibody dynamics", 2017).
 pub(super) fn stiffen(nodes: &mut [Node], h: f64) {
+    find_stiffness(nodes, h);
+    for node in nodes.iter_mut() {
+        let excess = node.stiffness - BORNE * (node.inertia + node.mass * node.reach);
+        node.stiffness = if excess > 0.0 && node.link != Link::Fixed { excess } else { 0.0 };
+    }
+}
+
+/// How stiff the impulses of a substep of this length make bodies against turning.
+fn find_stiffness(nodes: &mut [Node], h: f64) {
     for node in nodes.iter_mut() {
         (node.stiffness, node.reach) = (0.0, dot(node.arm, node.arm));
     }
@@ -257,10 +274,34 @@ pub(super) fn stiffen(nodes: &mut [Node], h: f64) {
         let reach = dot(parent_arm, parent_arm);
         parent.reach = if reach > parent.reach { reach } else { parent.reach };
     }
-    for node in nodes.iter_mut() {
-        let excess = node.stiffness - BORNE * (node.inertia + node.mass * node.reach);
-        node.stiffness = if excess > 0.0 && node.link != Link::Fixed { excess } else { 0.0 };
+}
+
+/// Into how many parts a step is divided. Nothing swings faster than the last of so many bodies. Larger groups are slow but
+/// where they whip, and one part leaves hardly any error: they are divided as far as something turns fast, and those that are
+/// not very large as far as something is stiffer than it bears.
+fn parts_of(nodes: &mut [Node], bodies: u32, step: &Step) -> u32 {
+    if bodies <= FEW {
+        return step.substeps.min(bodies);
     }
+    let dt = f64::from(step.dt);
+    let turn = nodes.iter().fold(0.0, |turn: f64, node| turn.max((node.velocity[2] * dt).abs()));
+    let stiffness =
+        if bodies <= MANY { stiffness_by_borne(nodes, dt, f64::from(step.substeps)) } else { 0.0 };
+    let mut parts: u32 = 1;
+    while parts < step.substeps
+        && (f64::from(parts) * TURNED_AT_ONCE < turn || f64::from(parts * parts) < stiffness)
+    {
+        parts *= 2;
+    }
+    parts.min(step.substeps)
+}
+
+/// How stiff the stiffest body would be in one part, as a multiple of what it bears; an impulse is as long as its substep.
+fn stiffness_by_borne(nodes: &mut [Node], dt: f64, substeps: f64) -> f64 {
+    find_stiffness(nodes, dt * substeps);
+    let bodies = nodes.iter().filter(|node| node.link != Link::Fixed);
+    let stiffness = bodies.map(|node| node.stiffness / (BORNE * (node.inertia + node.mass * node.reach)));
+    stiffness.fold(0.0, f64::max)
 }
 
 /// Moves a tree that nothing touches through all substeps of a step.
@@ -275,9 +316,11 @@ pub(super) fn swing(
     unit: f64,
 ) {
     let Group { nodes, loose, .. } = group;
-    // Nothing swings faster than the last of so many bodies.
-    let bodies_held = nodes.iter().filter(|node| node.body != 0).count();
-    let parts = step.substeps.min(bodies_held as u32);
+    let bodies_held = nodes.iter().filter(|node| node.body != 0).count() as u32;
+    let parts = parts_of(nodes, bodies_held, step);
+    // Whole kicks before bodies move put them in the same places as halves before and after: velocities are those of half a
+    // substep ago, and need not be made to obey the joints once more.
+    let by_whole_kicks = bodies_held > MANY && loose.is_empty();
     let (dt, h) = (f64::from(step.dt), f64::from(step.dt) / f64::from(parts));
     let longer = f64::from(step.substeps) / f64::from(parts);
     for node in nodes.iter_mut() {
@@ -295,7 +338,7 @@ pub(super) fn swing(
     loose.iter_mut().for_each(|loose| loose.stretch(longer, h));
     stiffen(nodes, h);
     for part in 0..parts {
-        let share = if part == 0 { 0.5 } else { 1.0 };
+        let share = if part == 0 && !by_whole_kicks { 0.5 } else { 1.0 };
         kick(nodes, share);
         loose.iter_mut().for_each(|loose| loose.share(share));
         nodes.iter_mut().for_each(|node| node.before = node.velocity);
@@ -306,6 +349,9 @@ pub(super) fn swing(
         count_impulses(nodes, loose);
         advance(nodes, h);
         loose.iter_mut().for_each(|loose| loose.advance(nodes, h));
+    }
+    if by_whole_kicks {
+        return;
     }
     kick(nodes, 0.5);
     loose.iter_mut().for_each(|loose| loose.share(0.5));
