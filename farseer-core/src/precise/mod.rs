@@ -36,7 +36,7 @@ mod touch;
 mod tuning;
 mod wake;
 
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 
 use crate::body::BodyId;
 use crate::geom::GeomId;
@@ -57,8 +57,8 @@ use touch::{Change, Looks, Touch};
 use tuning::Tuning;
 
 /// What the precise set keeps from step to step.
-#[derive(Debug, Serialize, Deserialize)]
-#[serde(into = "Saved", from = "Saved")]
+#[derive(Debug, Deserialize)]
+#[serde(from = "Saved")]
 pub(crate) struct Precise {
     tuning: Tuning,
     /// Seconds of the substep that impulses were found for.

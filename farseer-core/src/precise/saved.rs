@@ -1,7 +1,7 @@
 //! What is saved of the precise set, and taken over when everything is listed anew: everything that a later bit depends on.
 //! What follows from that and from the objects is not.
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 
 use super::Precise;
 use super::pairs::{BY_ROW, Frozen};
@@ -107,9 +107,9 @@ struct SavedRow {
     surface: Option<[f32; 3]>,
 }
 
-impl From<Precise> for Saved {
-    fn from(precise: Precise) -> Self {
-        precise.save()
+impl Serialize for Precise {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.save().serialize(serializer)
     }
 }
 
