@@ -108,6 +108,25 @@ fn a_ball_ten_thousand_times_as_heavy_hangs_on_a_chain_of_20() {
     }
 }
 
+#[test]
+fn a_heavy_ball_that_falls_into_its_chain_does_not_burst_it() {
+    let mut simulator = precise(0.0);
+    // As if the chain began 30 degrees above level: the ball falls freely until the chain is taut.
+    simulator.set_gravity(v(-0.5 * GRAVITY, 0.866 * GRAVITY)).unwrap();
+    let (bodies, joints) = chain(&mut simulator, 12);
+    let ball = ghost(&mut simulator, (16.0, 16.0), v(200.0, 0.0));
+    let mass = simulator[bodies[0]].mass();
+    simulator[ball].set_mass(100.0 * mass).unwrap();
+    simulator[ball].set_moment_of_inertia(100.0 * mass * 40.0).unwrap();
+    let joint = JointFactory::create_revolute_joint(&mut simulator, bodies[11], ball, v(192.0, 0.0));
+    joined(&mut simulator, joint);
+    for _ in 0..600 {
+        simulator.update(DT);
+        let worst = joints.iter().map(|&joint| simulator[joint].joint_error()).fold(0.0, f32::max);
+        assert!(worst < 2.0, "{worst} px");
+    }
+}
+
 /// Two boxes and a joint of each kind between them.
 fn pairs() -> Vec<(&'static str, PhysicsSimulator, [BodyId; 2], JointId)> {
     type Make = fn(&mut PhysicsSimulator, BodyId, BodyId) -> Result<JointId>;

@@ -23,6 +23,9 @@ const CLOSED_AT_ONCE: f64 = 0.5;
 const FEW: u32 = 8;
 const MANY: u32 = 50;
 
+/// How often a part of a step is looked at anew because of a jerk.
+const JERKS: usize = 3;
+
 /// Radians that a body of a larger group may turn in a part of a step.
 const TURNED_AT_ONCE: f64 = 0.15;
 
@@ -134,6 +137,12 @@ pub(super) fn advance(nodes: &mut [Node], h: f64) {
 }
 
 impl Node {
+    /// What of its stiffness is more than the inertia bears.
+    fn excess(&self) -> f64 {
+        let excess = self.pull - BORNE * (self.inertia + self.mass * self.reach);
+        if excess > 0.0 && self.link != Link::Fixed { excess } else { 0.0 }
+    }
+
     /// Finds the direction from the anchor of the parent, whose origin is here, and answers the distance. Anchors on one spot
     /// have none: that which they had last in this step, or any, will do.
     fn find_direction(&mut self, parent: Vector) -> f64 {
@@ -256,21 +265,35 @@ fn aim_line(node: &Node, child: &Side, parent: &Side, h: f64, unit: f64) -> [f64
 pub(super) fn stiffen(nodes: &mut [Node], h: f64) {
     find_stiffness(nodes, h);
     for node in nodes.iter_mut() {
-        let excess = node.stiffness - BORNE * (node.inertia + node.mass * node.reach);
-        node.stiffness = if excess > 0.0 && node.link != Link::Fixed { excess } else { 0.0 };
+        node.stiffness = node.excess();
     }
+}
+
+/// [`stiffen`] anew where joints have had to pull far more than before: something has come to the end of its chain.
+fn stiffen_for_jerk(nodes: &mut [Node], h: f64) -> bool {
+    find_stiffness(nodes, h);
+    let is_jerked =
+        |node: &Node| node.excess() > node.stiffness + BORNE * (node.inertia + node.mass * node.reach);
+    let has_jerk = nodes.iter().any(is_jerked);
+    if has_jerk {
+        for node in nodes.iter_mut() {
+            let excess = node.excess();
+            node.stiffness = if excess > node.stiffness { excess } else { node.stiffness };
+        }
+    }
+    has_jerk
 }
 
 /// How stiff the impulses of a substep of this length make bodies against turning.
 fn find_stiffness(nodes: &mut [Node], h: f64) {
     for node in nodes.iter_mut() {
-        (node.stiffness, node.reach) = (0.0, dot(node.arm, node.arm));
+        (node.pull, node.reach) = (0.0, dot(node.arm, node.arm));
     }
     for at in 0..nodes.len() {
         let Node { parent, arm, parent_arm, impulse: [x, y, _], .. } = nodes[at];
-        nodes[at].stiffness += h * dot(arm, [x, y]);
+        nodes[at].pull += h * dot(arm, [x, y]);
         let parent = &mut nodes[parent as usize];
-        parent.stiffness -= h * dot(parent_arm, [x, y]);
+        parent.pull -= h * dot(parent_arm, [x, y]);
         let reach = dot(parent_arm, parent_arm);
         parent.reach = if reach > parent.reach { reach } else { parent.reach };
     }
@@ -300,7 +323,7 @@ fn parts_of(nodes: &mut [Node], bodies: u32, step: &Step) -> u32 {
 fn stiffness_by_borne(nodes: &mut [Node], dt: f64, substeps: f64) -> f64 {
     find_stiffness(nodes, dt * substeps);
     let bodies = nodes.iter().filter(|node| node.link != Link::Fixed);
-    let stiffness = bodies.map(|node| node.stiffness / (BORNE * (node.inertia + node.mass * node.reach)));
+    let stiffness = bodies.map(|node| node.pull / (BORNE * (node.inertia + node.mass * node.reach)));
     stiffness.fold(0.0, f64::max)
 }
 
@@ -344,6 +367,13 @@ pub(super) fn swing(
         nodes.iter_mut().for_each(|node| node.before = node.velocity);
         aim(nodes, h, unit);
         solve_group(nodes, loose, holds, room, (h, Pass::Correct, 1.0));
+        let mut looks = 0;
+        while looks < JERKS && stiffen_for_jerk(nodes, h) {
+            looks += 1;
+            nodes.iter_mut().for_each(|node| node.velocity = node.before);
+            aim(nodes, h, unit);
+            solve_group(nodes, loose, holds, room, (h, Pass::Correct, 1.0));
+        }
         aim(nodes, h, unit);
         refine_group(nodes, loose, room, h);
         count_impulses(nodes, loose);

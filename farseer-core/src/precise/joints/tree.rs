@@ -176,6 +176,8 @@ pub(super) struct Node {
     pub(super) inertia: f64,
     /// Added to the inertia while the joints pull: see [`stiffen`](super::swing::stiffen).
     pub(super) stiffness: f64,
+    /// How stiff the joints make it against turning by what they pull.
+    pub(super) pull: f64,
     /// Square of the longest arm of a joint.
     pub(super) reach: f64,
     pub(super) velocity: [f64; 3],
