@@ -90,6 +90,12 @@ pub(super) fn pose_of(body: &Body) -> (Pose, f32) {
     ([position.x, position.y, cosine.to_array()[0], sine.to_array()[0]], rotation)
 }
 
+/// How far a body reaches that has no geom: as far as a ring of its mass and inertia.
+pub(super) fn ring_of(body: &Body) -> f32 {
+    let ring = (body.moment_of_inertia() / body.mass()).abs().sqrt();
+    if ring.is_finite() { ring } else { 0.0 }
+}
+
 /// Reciprocals as rows use them: what is so small that numbers lose digits there is 0.
 pub(super) fn inverses_of(body: &Body) -> [f32; 2] {
     [body.inverse_mass(), body.inverse_moment_of_inertia()]
@@ -125,9 +131,7 @@ impl Bodies {
             if body.is_kinematic() {
                 self.kinematic.push(self.ids.len() as u32);
             }
-            // Without a geom a body reaches as far as a ring of its mass and inertia.
-            let ring = (body.moment_of_inertia() / body.mass()).sqrt();
-            self.reaches.push(if body.is_kinematic() { f32::INFINITY } else { ring });
+            self.reaches.push(if body.is_kinematic() { f32::INFINITY } else { 0.0 });
             self.are_bullets.push(body.is_bullet());
             self.push(id, body, inverses_of(body));
             self.hot.push(Hot { velocity: velocity_of(body), ..Hot::default() });
@@ -192,6 +196,9 @@ impl Bodies {
     /// A body comes to rest. Answers the accelerations that it bears, after a step of so many seconds.
     pub(super) fn rest(&mut self, number: usize, dt: f32) -> [f32; 3] {
         let [x, y, turning, _] = self.forced[number].map(|way| way / (0.5 * dt * dt));
+        let borne = [x, y, turning];
+        // The square of a step may be less than there are numbers.
+        let borne = if borne.iter().all(|number| number.is_finite()) { borne } else { [0.0; 3] };
         self.hot[number] = Hot::default();
         for stream in [
             &mut self.warm,
@@ -203,7 +210,7 @@ impl Bodies {
         ] {
             stream[number] = [0.0; 4];
         }
-        [x, y, turning]
+        borne
     }
 
     /// Takes over the velocity of an edited body.

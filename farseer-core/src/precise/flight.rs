@@ -143,6 +143,7 @@ impl Precise {
     /// looked for. Answers whether somebody does.
     pub(crate) fn find_fast(&mut self) -> bool {
         self.fast.clear();
+        self.flown.clear();
         let Precise { bodies, sleep, fast, .. } = self;
         fast.extend(sleep.awake(bodies.count).filter_map(|number| {
             let is_fast = is_fast(bodies.path[number], bodies.reaches[number], bodies.cores[number]);
@@ -173,7 +174,16 @@ impl Precise {
         let bounds = [least(x, low_x), least(y, low_y), most(to_x, high_x), most(to_y, high_y)];
         self.proxies.bounds[proxy as usize] = bounds;
         self.grid.set(proxy, &bounds);
-        self.proxies.escaped.push(proxy);
+        self.widened.push(proxy);
+    }
+
+    /// The new pairs there may be of those who are fast. None goes: that is told at the beginning of a step.
+    pub(crate) fn find_pairs_of_fast(&mut self) -> usize {
+        let mut widened = std::mem::take(&mut self.widened);
+        let found = self.search(&widened);
+        widened.clear();
+        self.widened = widened;
+        found
     }
 
     /// Cuts the ways of those who are fast where they meet something.
@@ -230,7 +240,6 @@ impl Precise {
 
     /// Notes the sensors that those who are fast pass in this step: outside of them before, and after.
     fn note_flown(&mut self, fast: &[(u32, f32)]) {
-        self.flown.clear();
         for &(number, part) in fast {
             for proxy in self.proxies.of(number as usize) {
                 for pair in self.pairs.of(proxy) {

@@ -103,6 +103,8 @@ pub(crate) struct Precise {
     /// them has flown through, of which one is a sensor. Of no use between steps.
     fast: Vec<(u32, f32)>,
     flown: Vec<[(u32, GeomId); 2]>,
+    /// Proxies whose bounds are wider for a step.
+    widened: Vec<u32>,
     /// Empty between stages.
     lost: Vec<u32>,
     found: Vec<[u32; 2]>,
@@ -115,7 +117,7 @@ reusing_clone! {
     Precise {
         tuning, h, dt, fall, loaded, is_stale, bounces, friction, most_contacts, bodies, proxies,
         grid, pairs, rows, palette, joints, sleep, body_numbers, first_proxies, loose, absent,
-        edited_bodies, edited_geoms, changes, looks, has_handled, fast, flown, lost, found, known, touching
+        edited_bodies, edited_geoms, changes, looks, has_handled, fast, flown, widened, lost, found, known, touching
     }
 }
 
@@ -151,6 +153,7 @@ impl Precise {
             has_handled: false,
             fast: Vec::new(),
             flown: Vec::new(),
+            widened: Vec::new(),
             lost: Vec::new(),
             found: Vec::new(),
             known: Vec::new(),

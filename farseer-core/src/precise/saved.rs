@@ -41,6 +41,8 @@ struct Sleeper {
     first: u32,
     place: [f32; 3],
     borne: [f32; 3],
+    /// Reciprocals of mass and inertia, and what part of gravity acts.
+    nature: [f32; 3],
     /// It has just fallen asleep, and does not know yet what it bears.
     is_fresh: bool,
 }
@@ -101,8 +103,9 @@ struct SavedRow {
     /// A handler has taken the point off the list.
     are_dropped: [bool; 2],
     separations: [f32; 2],
-    /// Friction, restitution and tangent speed, if a handler has set them. For the rest of the step alone: the next one
-    /// begins with those of the geoms.
+    /// Friction, restitution and tangent speed, if a handler has set them: of a row that sleeps.
+    kept: Option<[f32; 3]>,
+    /// The same of one that is awake. For the rest of the step alone: the next one begins with those of the geoms.
     #[serde(skip)]
     surface: Option<[f32; 3]>,
 }
@@ -133,9 +136,10 @@ impl Saved {
         let pair_is_valid = |pair: &SavedPair| {
             let SavedContacts { turns, relative, normal, count, anchors, separations, .. } = &pair.frozen;
             let row_is_valid = |row: &SavedRow| {
-                let SavedRow { tangent_impulse, impulses, held, separations, asleep, .. } = row;
+                let SavedRow { tangent_impulse, impulses, held, separations, asleep, kept, .. } = row;
                 (row.colour as usize) < super::rows::COLOURS
                     && finite(&[*tangent_impulse, asleep.unwrap_or(0.0)])
+                    && finite(&kept.unwrap_or_default())
                     && [impulses, held, separations].iter().all(|numbers| finite(*numbers))
             };
             pair.proxies.iter().all(|&proxy| (proxy as usize) < self.proxies.len())
@@ -163,7 +167,7 @@ impl Saved {
             && self.rest.iter().all(|&(_, rest)| rest.is_finite())
             && self.sleepers.iter().all(|sleeper| {
                 let is_there = (sleeper.first as usize) < self.sleepers.len();
-                is_there && finite(&sleeper.place) && finite(&sleeper.borne)
+                is_there && finite(&sleeper.place) && finite(&sleeper.borne) && finite(&sleeper.nature)
             })
     }
 }
@@ -235,10 +239,16 @@ impl Precise {
                 first,
                 place: self.place_of(number),
                 borne: self.sleep.borne[number],
+                nature: self.nature_of(number),
                 is_fresh: self.sleep.fresh.contains(&(number as u32)),
             });
         }
         sleepers
+    }
+
+    fn nature_of(&self, number: usize) -> [f32; 3] {
+        let [mass, inertia] = self.bodies.inverses[number];
+        [mass, inertia, self.bodies.gravity_parts[number]]
     }
 
     /// Position and rotation.
@@ -278,6 +288,7 @@ impl Precise {
         let Lane { tangent_impulse, points, friction, restitution, tangent_speed, .. } =
             self.rows.lane(kind, home);
         let sleeping = self.rows.asleep(home);
+        let surface = is_set.then_some([friction, restitution, tangent_speed]);
         SavedRow {
             colour: sleeping.map_or(home.colour, |row| row.colour),
             slot: home.slot,
@@ -287,7 +298,8 @@ impl Precise {
             held: points.map(|point| point.held),
             are_dropped: points.map(|point| point.mass == 0.0),
             separations: points.map(|point| point.separation),
-            surface: is_set.then_some([friction, restitution, tangent_speed]),
+            kept: surface.filter(|_| sleeping.is_some()),
+            surface: surface.filter(|_| sleeping.is_none()),
         }
     }
 
@@ -327,12 +339,13 @@ impl Precise {
             (row.asleep.map_or(row.colour, |_| u32::MAX), row.slot)
         });
         for (pair, row) in rows {
-            if let Some([_, restitution, _]) = row.surface {
+            let surface = row.kept.or(row.surface);
+            if let Some([_, restitution, _]) = surface {
                 self.pairs.all[pair].is_set = true;
                 self.bounces |= restitution > 0.0;
             }
             self.touch().restore_row(pair, row.colour, row.asleep, |lane| {
-                if let Some(surface) = row.surface {
+                if let Some(surface) = surface {
                     [lane.friction, lane.restitution, lane.tangent_speed] = surface;
                 }
                 lane.tangent_impulse = row.tangent_impulse;
@@ -359,18 +372,20 @@ impl Precise {
         }
         // By the first of each island: one of it that sleeps again.
         let mut again = vec![None; saved.sleepers.len()];
-        for &Sleeper { body, first, place, borne, is_fresh } in &saved.sleepers {
+        for &Sleeper { body, first, place, borne, nature, is_fresh } in &saved.sleepers {
             let may_sleep = |number: &usize| self.is_dynamic(*number) && !self.sleep.is_asleep(*number);
             let Some(number) = self.number_of(body).filter(may_sleep) else { continue };
             self.bodies.rest(number, 1.0);
             self.sleep.lay_down(number, again[first as usize], borne);
             again[first as usize] = Some(number);
             self.sleep.fresh.extend(is_fresh.then_some(number as u32));
-            if self.place_of(number) != place || !is_at_rest(body) {
+            // Forces may have been applied since.
+            self.sleep.note_push(number);
+            if self.place_of(number) != place || self.nature_of(number) != nature || !is_at_rest(body) {
                 self.sleep.note_waking(number);
             }
         }
-        self.sleep.joints.clone_from(&saved.joints);
+        self.sleep.joints = saved.joints.iter().filter(|joint| self.lies(joint)).copied().collect();
         self.sleep.renew_runs(&self.proxies);
     }
 

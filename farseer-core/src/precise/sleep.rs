@@ -301,7 +301,7 @@ impl Precise {
             let ways = bodies.path[run.clone()].iter().zip(&bodies.reaches[run.clone()]);
             for (([x, y, turned, _], reach), rest) in ways.zip(&mut rest[run]) {
                 let is_slow = x.abs() + y.abs() + reach * turned.abs() < slow;
-                *rest = if is_slow { *rest + *dt } else { 0.0 };
+                *rest = if is_slow { (*rest + *dt).min(REST) } else { 0.0 };
                 is_ripe |= *rest >= REST;
             }
         }

@@ -22,12 +22,20 @@ impl Precise {
     /// Second stage: pairs whose bounds do not overlap any more go. Answers how many new ones there may be: those that
     /// [`candidate`](Self::candidate) names, in the order of creation numbers.
     pub(crate) fn find_pairs(&mut self) -> usize {
-        let escaped = std::mem::take(&mut self.proxies.escaped);
+        let mut escaped = std::mem::take(&mut self.proxies.escaped);
         self.drop_parted(&escaped);
+        let found = self.search(&escaped);
+        escaped.clear();
+        self.proxies.escaped = escaped;
+        found
+    }
+
+    /// The new pairs there may be of these proxies.
+    pub(super) fn search(&mut self, escaped: &[u32]) -> usize {
         let mut found = std::mem::take(&mut self.found);
         found.clear();
         let mut known = std::mem::take(&mut self.known);
-        for &proxy in &escaped {
+        for &proxy in escaped {
             self.pairs.partners(proxy).for_each(|partner| known[partner as usize] = true);
             let bounds = self.proxies.bounds[proxy as usize];
             self.grid.for_each_overlap(&bounds, |other| {
@@ -43,8 +51,6 @@ impl Precise {
         found.sort_unstable_by_key(key);
         found.dedup();
         self.found = found;
-        self.proxies.escaped = escaped;
-        self.proxies.escaped.clear();
         self.found.len()
     }
 

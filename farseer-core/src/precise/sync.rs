@@ -1,7 +1,7 @@
 //! What was edited is taken over: bodies that moved, and what came, went or became what it was not.
 
 use super::Precise;
-use super::bodies::inverses_of;
+use super::bodies::{inverses_of, ring_of};
 use super::grid::Box2;
 use super::proxies::{Mobility, Proxy, filter_of};
 use super::saved::Saved;
@@ -76,6 +76,9 @@ impl Precise {
             self.sleep.note_push(number);
         }
         self.bodies.inverses[number] = inverses;
+        if is_movable {
+            self.measure_ring(number, objects);
+        }
         if is_other {
             self.note_joints();
         }
@@ -94,6 +97,16 @@ impl Precise {
                 let contacts = is_other || is_belt_changed;
                 Renewal { moved: has_moved, contacts, pairs: has_moved, callbacks: false }
             });
+        }
+    }
+
+    /// How far a body without geoms reaches.
+    fn measure_ring(&mut self, number: usize, objects: &Objects) {
+        let body = self.bodies.ids[number].and_then(|id| objects.bodies.get(id));
+        if let Some(entry) = body.filter(|entry| !entry.body.is_kinematic())
+            && self.proxies.of(number).next().is_none()
+        {
+            self.bodies.reaches[number] = ring_of(&entry.body);
         }
     }
 
@@ -227,6 +240,7 @@ impl Precise {
         self.list_proxies(objects);
         self.list_loose(objects);
         self.sleep.reset(self.bodies.hot.len());
+        (1..=self.bodies.count).for_each(|number| self.measure_ring(number, objects));
         self.bodies.circles.fill([0.0; 4]);
         for proxy in &self.proxies.all[..self.proxies.movable] {
             let (core, of_proxy) =

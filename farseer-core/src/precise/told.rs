@@ -191,7 +191,8 @@ impl Precise {
         let [friction, restitution, speed] = if is_asleep { self.touch().surface(pair) } else { before };
         lane.friction = set.friction.unwrap_or(friction);
         lane.restitution = set.restitution.unwrap_or(restitution);
-        lane.tangent_speed = set.tangent_speed.map_or(speed, |set| speed + set);
+        // Two that are finite may be more than there are numbers together.
+        lane.tangent_speed = set.tangent_speed.map_or(speed, |set| (speed + set).clamp(f32::MIN, f32::MAX));
         if is_asleep && before == [lane.friction, lane.restitution, lane.tangent_speed] {
             return;
         }

@@ -453,10 +453,29 @@ impl<'a> Touch<'a> {
         self.pairs.awake
     }
 
+    /// Two circles, whose row has followed them until now, are known as they lie.
+    fn freeze_circles(&mut self, pair: usize, home: Home) {
+        let two = self.two(pair);
+        let outline = |proxy: &Proxy| self.proxies.corners.outline(proxy.shape);
+        let found = collide(outline(two.a), outline(two.b), two.pose_a, two.pose_b, f32::MAX);
+        self.freeze(pair, two, &found);
+        let kind = self.pairs.all[pair].kind;
+        let now = self.lane(pair, two);
+        let mut lane = self.rows.lane(kind, home);
+        (lane.normal, lane.tangent_arms) = (now.normal, now.tangent_arms);
+        for (point, now) in lane.points.iter_mut().zip(&now.points) {
+            (point.arm_a, point.arm_b, point.separation) = (now.arm_a, now.arm_b, now.separation);
+        }
+        self.rows.set_lane(kind, home, &lane);
+    }
+
     /// The row of a pair falls asleep, with impulses of substeps of this length; or wakes.
     pub(super) fn move_row(&mut self, pair: usize, falls_asleep: bool, h: f32) {
         let kind = self.pairs.all[pair].kind;
         let Some(home) = self.pairs.all[pair].home else { return };
+        if falls_asleep && self.pairs.watched[pair].tolerance == BY_ROW && self.rows.asleep(home).is_none() {
+            self.freeze_circles(pair, home);
+        }
         let (home, moved) =
             if falls_asleep { self.rows.lay_down(kind, home, h) } else { self.rows.take_up(kind, home, h) };
         self.pairs.all[pair].home = Some(home);

@@ -1,7 +1,6 @@
 //! What wakes those that [sleep](super::sleep).
 
 use super::Precise;
-use super::pairs::BY_ROW;
 use super::proxies::Mobility;
 use super::sleep::{KnownJoint, REST};
 use crate::body::BodyId;
@@ -246,14 +245,9 @@ impl Precise {
         pairs.dedup();
         let h = self.h;
         for &pair in &pairs {
-            let mut touch = self.touch();
-            touch.move_row(pair, false, h);
-            if touch.pairs.all[pair].home.is_none() {
-                touch.pairs.look_again(pair);
-            }
-            // Rows of circles follow their bodies, but not while they sleep.
-            if touch.pairs.watched[pair].tolerance == BY_ROW {
-                touch.look(pair);
+            self.touch().move_row(pair, false, h);
+            if self.pairs.all[pair].home.is_none() {
+                self.pairs.look_again(pair);
             }
         }
         pairs.retain(|&pair| pair >= self.pairs.awake);

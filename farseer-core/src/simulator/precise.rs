@@ -28,7 +28,8 @@ impl PhysicsSimulator {
         let gravity = self.settings.gravity;
         let may_sleep = self.settings.is_sleep_enabled;
         let step = self.precise().begin(dt, substeps, gravity, may_sleep);
-        self.find_precise_pairs(handler);
+        let found = self.precise().find_pairs();
+        self.accept_precise_pairs(found, handler);
         stopwatch.lap(|times| &mut times.broad_phase_collision_time);
         let friction = self.settings.friction_type;
         let most = self.most_precise_contacts();
@@ -49,7 +50,8 @@ impl PhysicsSimulator {
         stopwatch.lap(|times| &mut times.apply_forces_time);
         self.precise().solve(&step);
         if self.precise().find_fast() {
-            self.find_precise_pairs(handler);
+            let found = self.precise().find_pairs_of_fast();
+            self.accept_precise_pairs(found, handler);
             self.precise().stop_fast(&step);
         }
         self.report.counters.passes = substeps;
@@ -158,9 +160,9 @@ impl PhysicsSimulator {
     }
 
     /// New pairs, as far as filters and the handler let them.
-    fn find_precise_pairs(&mut self, handler: &mut Handler<'_>) {
+    fn accept_precise_pairs(&mut self, found: usize, handler: &mut Handler<'_>) {
         let asks_about_new = handler.wants(|handler| handler.handles_broad_phase());
-        for at in 0..self.precise().find_pairs() {
+        for at in 0..found {
             let (a, b) = self.precise().candidate(at);
             let filter = Filter { geoms: &self.objects.geoms, bodies: &self.objects.bodies };
             let may_collide = match (self.objects.geoms.get(a), self.objects.geoms.get(b)) {

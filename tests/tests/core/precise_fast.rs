@@ -232,6 +232,9 @@ fn a_sensor_hears_once_of_what_flies_through_it_in_one_step() {
     }
     assert_abs_diff_eq!(simulator[body].position().x, 463.0, epsilon = 0.01);
     assert_eq!((ears.begun, ears.ended, events), (2, 2, 2), "each side once");
+    simulator[body].set_linear_velocity(v(1.0, 0.0));
+    simulator.update(DT);
+    assert!(simulator.events().iter().all(|event| matches!(event, Event::BodyUpdated { .. })));
 }
 
 #[test]
