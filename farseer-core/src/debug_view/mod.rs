@@ -70,13 +70,6 @@ pub struct PhysicsSimulatorView {
     /// Length of the crosses' lines.
     #[doc(alias = "CoordinateAxisLineLength")]
     pub coordinate_axis_line_length: f32,
-    /// Whether a box is drawn round each [island](PhysicsSimulator::islands). Default false. Ours, and only with the
-    /// [precise set](crate::Methods::Precise).
-    pub enable_island_view: bool,
-    /// Colour of the boxes of islands that are awake.
-    pub island_color: [u8; 4],
-    /// Colour of the boxes of islands that sleep.
-    pub sleeping_island_color: [u8; 4],
     /// Whether dots are drawn at the contacts.
     #[doc(alias = "EnableContactView")]
     pub enable_contact_view: bool,
@@ -157,9 +150,6 @@ impl Default for PhysicsSimulatorView {
             coordinate_axis_color: BLACK,
             coordinate_axis_line_thickness: 1.0,
             coordinate_axis_line_length: 20.0,
-            enable_island_view: false,
-            island_color: [200, 80, 0, 200],
-            sleeping_island_color: [0, 80, 200, 200],
             enable_contact_view: true,
             contact_color: [255, 0, 0, 150],
             contact_radius: 4.0,
@@ -184,7 +174,7 @@ impl Default for PhysicsSimulatorView {
 }
 
 impl PhysicsSimulatorView {
-    /// Hands out the shapes of all parts that are on, later ones on top: outlines and vertices, boxes, bodies, islands, contacts,
+    /// Hands out the shapes of all parts that are on, later ones on top: outlines and vertices, boxes, bodies, contacts,
     /// the panel, springs, revolute, pin and slider joints; of each what is in the simulator's list, in its order.
     ///
     /// What is disabled or broken is drawn as long as it is in its list. Angle springs and the other joints are never
@@ -192,5 +182,11 @@ impl PhysicsSimulatorView {
     #[doc(alias = "Draw")]
     pub fn draw(&self, simulator: &PhysicsSimulator, mut draw: impl FnMut(DebugShape)) {
         pen::Pen { view: self, simulator, draw: &mut draw }.draw_all();
+    }
+
+    /// Hands out a box round each [island](PhysicsSimulator::islands), orange, or blue if it sleeps, with lines as thick as those
+    /// of the boxes of geoms. Ours, and only with the [precise set](crate::Methods::Precise).
+    pub fn draw_islands(&self, simulator: &PhysicsSimulator, mut draw: impl FnMut(DebugShape)) {
+        pen::Pen { view: self, simulator, draw: &mut draw }.islands();
     }
 }

@@ -12,6 +12,9 @@ const SPRING_DOT_RADIUS: f32 = 2.0;
 /// Side of the squares of joints.
 const SQUARE: f32 = 10.0;
 const WHITE: [u8; 4] = [255; 4];
+/// Of islands.
+const AWAKE: [u8; 4] = [200, 80, 0, 200];
+const ASLEEP: [u8; 4] = [0, 80, 200, 200];
 
 /// Draws one thing.
 pub(super) struct Pen<'a> {
@@ -37,9 +40,6 @@ impl Pen<'_> {
         }
         if view.enable_coordinate_axis_view {
             simulator.body_list().iter().for_each(|&body| self.axes(body));
-        }
-        if view.enable_island_view {
-            self.islands();
         }
         if view.enable_contact_view {
             self.contacts();
@@ -105,14 +105,14 @@ impl Pen<'_> {
     }
 
     /// A box round the boxes of all geoms of an island.
-    fn islands(&mut self) {
+    pub(super) fn islands(&mut self) {
         for Island { bodies, is_asleep, .. } in self.simulator.islands() {
             let geoms = bodies.iter().flat_map(|&body| self.simulator.geoms_of(body));
             let boxes = geoms.filter_map(|&geom| self.simulator.geom(geom)).map(|geom| geom.aabb());
-            let view = self.view;
-            let color = if is_asleep { view.sleeping_island_color } else { view.island_color };
+            let color = if is_asleep { ASLEEP } else { AWAKE };
+            let thickness = self.view.aabb_line_thickness;
             if let Some(around) = boxes.reduce(|a, b| Aabb::from_vertices(&[a.min, a.max, b.min, b.max])) {
-                self.frame(around, Ink { thickness: view.aabb_line_thickness, color });
+                self.frame(around, Ink { thickness, color });
             }
         }
     }

@@ -3,7 +3,7 @@
 use farseer_core::math::Vector2;
 use farseer_core::{
     Body, BodyFactory, BodyId, CollisionCategory, Event, GeomFactory, GeomPlacement, JointFactory, Methods,
-    PhysicsSimulator, SpringFactory, WhyAwake,
+    PhysicsSimulator, PhysicsSimulatorView, SpringFactory, WhyAwake,
 };
 
 const DT: f32 = 1.0 / 60.0;
@@ -350,6 +350,9 @@ fn islands_are_what_hangs_together() {
     let found: Vec<(&[BodyId], bool)> =
         islands.iter().map(|island| (&island.bodies[..], island.is_asleep)).collect();
     assert_eq!(found, [(&middle[..], false), (&left[..], true), (&right[..], true)]);
+    let mut lines = 0;
+    PhysicsSimulatorView::default().draw_islands(&simulator, |_| lines += 1);
+    assert_eq!(lines, 12, "a box round each");
 }
 
 #[test]
