@@ -111,7 +111,7 @@ impl Two<'_> {
                 return None;
             }
             part += room / closing;
-            if !(part < 1.0) {
+            if part >= 1.0 || part.is_nan() {
                 return None;
             }
         }
