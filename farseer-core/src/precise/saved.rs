@@ -230,6 +230,8 @@ impl Precise {
     fn save_sleepers(&self) -> Vec<Sleeper> {
         let mut sleepers = Vec::with_capacity(self.sleep.count);
         let mut places = vec![0; self.bodies.count + 1];
+        let mut are_fresh = vec![false; self.bodies.count + 1];
+        self.sleep.fresh.iter().for_each(|&body| are_fresh[body as usize] = true);
         for number in (1..=self.bodies.count).filter(|&number| self.sleep.is_asleep(number)) {
             let Some(body) = self.bodies.ids[number] else { continue };
             places[number] = sleepers.len() as u32;
@@ -240,7 +242,7 @@ impl Precise {
                 place: self.place_of(number),
                 borne: self.sleep.borne[number],
                 nature: self.nature_of(number),
-                is_fresh: self.sleep.fresh.contains(&(number as u32)),
+                is_fresh: are_fresh[number],
             });
         }
         sleepers
@@ -320,7 +322,7 @@ impl Precise {
         let mut rows = Vec::new();
         for pair in &saved.pairs {
             let now = pair.proxies.map(|proxy| places[proxy as usize]);
-            let stays = now.first().copied().flatten().zip(now[1]).map(|(a, b)| [a, b]).filter(|&now| {
+            let stays = now[0].zip(now[1]).map(|(a, b)| [a, b]).filter(|&now| {
                 let [one, other] = now.map(|proxy| self.proxies.all[proxy as usize].geom);
                 self.ordered(now) == Some(now) && may_stay(one, other)
             });

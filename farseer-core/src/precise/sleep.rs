@@ -425,19 +425,26 @@ impl Precise {
         let h = self.h;
         // From the last one on: what takes the place of another one has been looked at.
         for pair in (0..self.pairs.awake).rev() {
-            let sides = self.sides(pair);
-            let is_any = |of: Mobility| sides.iter().any(|&(_, mobility)| mobility == of);
-            let is_asleep = is_any(Mobility::Dynamic)
-                && sides
-                    .iter()
-                    .all(|&(body, mobility)| mobility != Mobility::Dynamic || self.sleep.is_asleep(body));
-            if is_asleep {
-                self.touch().move_row(pair, true, h);
+            let is_awake = |&(body, mobility): &(usize, Mobility)| {
+                mobility == Mobility::Dynamic && !self.sleep.is_asleep(body)
+            };
+            if self.sides(pair).iter().any(is_awake) {
+                continue;
             }
-            if is_asleep && !is_any(Mobility::Kinematic) {
+            self.touch().move_row(pair, true, h);
+            if !self.may_change(pair) {
                 self.touch().lay_down(pair);
             }
         }
+    }
+
+    /// Whether one side of a pair may move.
+    pub(super) fn may_change(&self, pair: usize) -> bool {
+        self.sides(pair).iter().any(|&(body, mobility)| match mobility {
+            Mobility::Fixed => false,
+            Mobility::Kinematic => true,
+            Mobility::Dynamic => !self.sleep.is_asleep(body),
+        })
     }
 
     /// Joints of what sleeps are remembered, and not solved.

@@ -22,12 +22,7 @@ impl Precise {
 
     /// A pair has come. What nobody else would look at is: something has been put beside what sleeps.
     pub(super) fn note_new(&mut self, pair: usize) {
-        let may_move = self.sides(pair).iter().any(|&(body, mobility)| match mobility {
-            Mobility::Fixed => false,
-            Mobility::Kinematic => true,
-            Mobility::Dynamic => !self.sleep.is_asleep(body),
-        });
-        if !may_move {
+        if !self.may_change(pair) {
             self.note_waking(pair);
         }
     }
