@@ -453,11 +453,13 @@ impl Sleeping {
     /// Impulses are forces times the length of a substep.
     fn scale(&mut self, h: f32) {
         let factor = if h == self.h { 1.0 } else { h / self.h };
-        let factor = if factor.is_finite() { factor } else { 0.0 };
-        self.lane.tangent_impulse *= factor;
+        let scale = |impulse: &mut f32| {
+            *impulse *= factor;
+            *impulse = if impulse.is_finite() { *impulse } else { 0.0 };
+        };
+        scale(&mut self.lane.tangent_impulse);
         for point in &mut self.lane.points {
-            point.impulse *= factor;
-            point.held *= factor;
+            [&mut point.impulse, &mut point.held].into_iter().for_each(scale);
         }
     }
 }

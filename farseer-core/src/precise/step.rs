@@ -1,5 +1,7 @@
 //! The stages of a step.
 
+use wide::f32x4;
+
 use super::Precise;
 use super::bodies::{Bodies, Read, read};
 use super::grid::overlap;
@@ -17,6 +19,11 @@ use crate::report::{Event, Report};
 
 /// Coordinates end where this many times them are not finite any more.
 const FAR: f32 = 1e8;
+
+/// Nothing instead of what is not finite.
+fn finite(numbers: f32x4) -> f32x4 {
+    numbers & (numbers * f32x4::ZERO).simd_eq(f32x4::ZERO)
+}
 
 impl Precise {
     /// Second stage: pairs whose bounds do not overlap any more go. Answers how many new ones there may be: those that
@@ -226,11 +233,11 @@ impl Precise {
     }
 
     fn is_finite(&self) -> bool {
-        let sum = self.sleep.awake(self.bodies.count).fold(wide::f32x4::ZERO, |sum, number| {
+        let sum = self.sleep.awake(self.bodies.count).fold(f32x4::ZERO, |sum, number| {
             let (pose, path) = (self.bodies.poses[number], self.bodies.path[number]);
             // Corners are not far from their body: what is left of the numbers is enough for them.
-            let place = (wide::f32x4::new(pose) + wide::f32x4::new(path)) * wide::f32x4::splat(FAR);
-            sum + (place + wide::f32x4::new(self.bodies.hot[number].velocity)) * wide::f32x4::ZERO
+            let place = (f32x4::new(pose) + f32x4::new(path)) * f32x4::splat(FAR);
+            sum + (place + f32x4::new(self.bodies.hot[number].velocity)) * f32x4::ZERO
         });
         sum.to_array() == [0.0; 4]
     }
@@ -268,18 +275,29 @@ impl Precise {
 
     /// Impulses that are not finite, and what springs have learnt of them, are forgotten.
     fn forget_infinite_impulses(&mut self) {
-        let finite =
-            |number: &mut wide::f32x4| *number &= (*number * wide::f32x4::ZERO).simd_eq(wide::f32x4::ZERO);
-        let forget = |tangent: &mut wide::f32x4, points: &mut [super::rows::Point]| {
-            finite(tangent);
+        self.for_each_impulse(|impulse| *impulse = finite(*impulse));
+        let forget = |points: &mut [super::rows::Point]| {
+            points.iter_mut().for_each(|point| point.separation = finite(point.separation));
+        };
+        self.rows.two.for_each(|row| forget(&mut row.points));
+        self.rows.one.for_each(|row| forget(&mut row.points));
+        self.rows.two_fixed.for_each(|row| forget(&mut row.points));
+        self.rows.one_fixed.for_each(|row| forget(&mut row.points));
+    }
+
+    /// What rows that are awake have of impulses, and of what springs have learnt of them.
+    fn for_each_impulse(&mut self, change: impl Fn(&mut f32x4)) {
+        let change = |tangent: &mut f32x4, points: &mut [super::rows::Point]| {
+            change(tangent);
             for point in points {
-                [&mut point.impulse, &mut point.held, &mut point.separation].into_iter().for_each(finite);
+                change(&mut point.impulse);
+                change(&mut point.held);
             }
         };
-        self.rows.two.for_each(|row| forget(&mut row.tangent_impulse, &mut row.points));
-        self.rows.one.for_each(|row| forget(&mut row.tangent_impulse, &mut row.points));
-        self.rows.two_fixed.for_each(|row| forget(&mut row.tangent_impulse, &mut row.points));
-        self.rows.one_fixed.for_each(|row| forget(&mut row.tangent_impulse, &mut row.points));
+        self.rows.two.for_each(|row| change(&mut row.tangent_impulse, &mut row.points));
+        self.rows.one.for_each(|row| change(&mut row.tangent_impulse, &mut row.points));
+        self.rows.two_fixed.for_each(|row| change(&mut row.tangent_impulse, &mut row.points));
+        self.rows.one_fixed.for_each(|row| change(&mut row.tangent_impulse, &mut row.points));
     }
 
     /// The bodies that have moved.
@@ -327,20 +345,9 @@ impl Precise {
 
     /// Impulses are forces times the length of a substep: they follow it.
     fn scale_impulses(&mut self, h: f32) {
-        let factor = h / self.h;
-        let factor = wide::f32x4::splat(if factor.is_finite() { factor } else { 0.0 });
+        let factor = f32x4::splat(h / self.h);
         self.h = h;
-        let scale = |tangent: &mut wide::f32x4, points: &mut [super::rows::Point]| {
-            *tangent *= factor;
-            for point in points {
-                point.impulse *= factor;
-                point.held *= factor;
-            }
-        };
-        self.rows.two.for_each(|row| scale(&mut row.tangent_impulse, &mut row.points));
-        self.rows.one.for_each(|row| scale(&mut row.tangent_impulse, &mut row.points));
-        self.rows.two_fixed.for_each(|row| scale(&mut row.tangent_impulse, &mut row.points));
-        self.rows.one_fixed.for_each(|row| scale(&mut row.tangent_impulse, &mut row.points));
+        self.for_each_impulse(|impulse| *impulse = finite(*impulse * factor));
     }
 
     fn note_approaches(&mut self) {

@@ -7,6 +7,7 @@ use super::proxies::{Mobility, Proxy, filter_of};
 use super::saved::Saved;
 use crate::body::BodyId;
 use crate::geom::GeomId;
+use crate::geom::entry::GeomEntry;
 use crate::geom::filter::is_valid_pair;
 use crate::objects::Objects;
 
@@ -45,17 +46,10 @@ impl Precise {
         self.edited_geoms.push(geom);
     }
 
-    /// Nothing is done if all is to be listed anew, which sees the edits as well.
-    fn take_body(&mut self, id: BodyId, objects: &Objects) {
-        if self.is_stale {
-            return;
-        }
-        let Some(entry) = objects.bodies.get(id) else { return };
-        let body = &entry.body;
-        let Some(number) = self.number_of(id) else {
-            self.is_stale = true;
-            return;
-        };
+    /// Whether a body takes part otherwise than it is listed.
+    fn is_another_kind(&self, id: BodyId, objects: &Objects) -> bool {
+        let Some(body) = objects.bodies.get(id).map(|entry| &entry.body) else { return false };
+        let Some(number) = self.number_of(id) else { return true };
         let is_movable = number < self.bodies.first_fixed();
         let inverses = if is_movable { inverses_of(body) } else { [0.0; 2] };
         // What cannot be pushed takes no colour.
@@ -63,10 +57,24 @@ impl Precise {
             && is_movable == body.is_integrated()
             && self.bodies.is_kinematic(number) == (is_movable && body.is_kinematic())
             && (inverses == [0.0; 2]) == (self.bodies.inverses[number] == [0.0; 2]);
-        if !is_same_kind {
-            self.is_stale = true;
-            return;
-        }
+        !is_same_kind
+    }
+
+    /// Whether a geom may meet others than it could, or pushes others.
+    fn meets_others(&self, id: GeomId, objects: &Objects) -> bool {
+        let Some(entry) = objects.geoms.get(id) else { return false };
+        let (filter, responds) = (filter_of(entry), entry.geom.collision_response_enabled());
+        self.proxies_of(id, objects).any(|at| {
+            let proxy = &self.proxies.all[at];
+            proxy.filter != filter || proxy.responds != responds
+        })
+    }
+
+    fn take_body(&mut self, id: BodyId, objects: &Objects) {
+        let (Some(entry), Some(number)) = (objects.bodies.get(id), self.number_of(id)) else { return };
+        let body = &entry.body;
+        let is_movable = number < self.bodies.first_fixed();
+        let inverses = if is_movable { inverses_of(body) } else { [0.0; 2] };
         let velocity = surface_velocity(is_movable, body);
         let has_moved = self.bodies.was_moved(number, body);
         let is_other = inverses != self.bodies.inverses[number];
@@ -95,7 +103,7 @@ impl Precise {
                 let is_belt_changed = proxy.surface_velocity != velocity;
                 proxy.surface_velocity = velocity;
                 let contacts = is_other || is_belt_changed;
-                Renewal { moved: has_moved, contacts, pairs: has_moved, callbacks: false }
+                Renewal { moved: has_moved, contacts, callbacks: false }
             });
         }
     }
@@ -111,24 +119,24 @@ impl Precise {
     }
 
     fn take_geom(&mut self, id: GeomId, objects: &Objects) {
-        if self.is_stale {
-            return;
-        }
-        let Some(entry) = objects.geoms.get(id) else { return };
-        let geom = &entry.geom;
-        let (friction, restitution, responds) =
-            (geom.friction_coefficient(), geom.restitution_coefficient(), geom.collision_response_enabled());
+        let Some(GeomEntry { geom, .. }) = objects.geoms.get(id) else { return };
+        let (friction, restitution) = (geom.friction_coefficient(), geom.restitution_coefficient());
         let is_heard = geom.collision_callbacks_enabled();
         self.bounces |= restitution > 0.0;
-        let mut may_meet_others = false;
         self.renew_proxies(id, objects, |proxy| {
             let is_other = proxy.friction != friction || proxy.restitution != restitution;
-            may_meet_others |= proxy.filter != filter_of(entry) || proxy.responds != responds;
             (proxy.friction, proxy.restitution) = (friction, restitution);
             let callbacks = std::mem::replace(&mut proxy.is_heard, is_heard) != is_heard;
-            Renewal { moved: false, contacts: is_other, pairs: may_meet_others, callbacks }
+            Renewal { moved: false, contacts: is_other, callbacks }
         });
-        self.is_stale |= may_meet_others;
+    }
+
+    /// The places of a geom's proxies.
+    fn proxies_of(&self, geom: GeomId, objects: &Objects) -> impl Iterator<Item = usize> + use<'_> {
+        let first = get(&self.first_proxies, geom.slot()).unwrap_or(self.proxies.all.len());
+        let count = objects.geoms.get(geom).map_or(0, |entry| entry.pieces().len());
+        (first..(first + count).min(self.proxies.all.len()))
+            .take_while(move |&at| self.proxies.all[at].geom == geom)
     }
 
     /// Lets the proxies of a geom take something over, and what they touch with it.
@@ -138,17 +146,11 @@ impl Precise {
         objects: &Objects,
         mut take: impl FnMut(&mut Proxy) -> Renewal,
     ) {
-        let Some(first) = get(&self.first_proxies, geom.slot()) else { return };
-        let count = objects.geoms.get(geom).map_or(0, |entry| entry.pieces().len());
-        for at in first..(first + count).min(self.proxies.all.len()) {
-            if self.proxies.all[at].geom != geom {
-                return;
-            }
+        let Some(first) = self.proxies_of(geom, objects).next() else { return };
+        for at in first..first + self.proxies_of(geom, objects).count() {
             let renewal = take(&mut self.proxies.all[at]);
             if renewal.moved {
                 self.jump(at as u32);
-            }
-            if renewal.pairs {
                 self.proxies.escaped.push(at as u32);
             }
             if renewal.contacts || renewal.moved {
@@ -190,33 +192,33 @@ impl Precise {
         self.lost = pairs;
     }
 
-    /// First stage: edits are taken over, and everything is listed anew, if something has come or gone.
+    /// First stage: edits are taken over. If something has come or gone, or is of another kind, everything is listed anew from
+    /// what was known before any of them, as it is after loading.
     pub(crate) fn sync(&mut self, objects: &Objects) {
-        let mut bodies = std::mem::take(&mut self.edited_bodies);
-        for body in bodies.drain(..) {
-            self.take_body(body, objects);
-        }
-        self.edited_bodies = bodies;
-        let mut geoms = std::mem::take(&mut self.edited_geoms);
-        for geom in geoms.drain(..) {
-            self.take_geom(geom, objects);
-        }
-        self.edited_geoms = geoms;
+        let (mut bodies, mut geoms) =
+            (std::mem::take(&mut self.edited_bodies), std::mem::take(&mut self.edited_geoms));
+        self.is_stale = self.is_stale
+            || bodies.iter().any(|&body| self.is_another_kind(body, objects))
+            || geoms.iter().any(|&geom| self.meets_others(geom, objects));
         debug_assert!(
             self.is_stale || !self.has_changed_flags(objects),
             "what comes, goes and changes is noted"
         );
-        self.note_joints_that_changed(objects);
-        self.wake_up();
         if self.is_stale {
             let saved = self.loaded.take().unwrap_or_else(|| self.save());
             self.list(objects, &saved);
-            self.note_joints_that_changed(objects);
-            self.wake_up();
+        } else {
+            bodies.iter().for_each(|&body| self.take_body(body, objects));
+            geoms.iter().for_each(|&geom| self.take_geom(geom, objects));
         }
+        bodies.clear();
+        geoms.clear();
+        (self.edited_bodies, self.edited_geoms) = (bodies, geoms);
+        self.note_joints_that_changed(objects);
+        self.wake_up();
     }
 
-    /// Whether a body takes part otherwise than it is listed: nobody has noted it then.
+    /// Whether a body takes part or not against what is listed: nobody has noted it then.
     fn has_changed_flags(&self, objects: &Objects) -> bool {
         let ids = &self.bodies.ids[1..];
         let is_other = |(at, id): (usize, &Option<BodyId>)| {
@@ -363,7 +365,6 @@ impl Precise {
 struct Renewal {
     moved: bool,
     contacts: bool,
-    pairs: bool,
     callbacks: bool,
 }
 
