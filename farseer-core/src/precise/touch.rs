@@ -463,7 +463,8 @@ impl<'a> Touch<'a> {
         let kind = self.pairs.all[pair].kind;
         let now = self.lane(pair, two);
         let mut lane = self.rows.lane(kind, home);
-        (lane.normal, lane.tangent_arms) = (now.normal, now.tangent_arms);
+        (lane.normal, lane.tangent_arms, lane.tangent_mass) =
+            (now.normal, now.tangent_arms, now.tangent_mass);
         for (point, now) in lane.points.iter_mut().zip(&now.points) {
             (point.arm_a, point.arm_b, point.separation) = (now.arm_a, now.arm_b, now.separation);
         }
