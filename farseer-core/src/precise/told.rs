@@ -152,6 +152,8 @@ impl Precise {
         }
         self.pairs.all[pair].is_vetoed = true;
         self.touch().remove_row(pair);
+        // No row follows it any more.
+        self.pairs.watched[pair].tolerance = 0;
     }
 
     /// A handler may have taken contacts off the list: those push nothing in this step.
