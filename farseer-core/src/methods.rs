@@ -29,7 +29,8 @@ pub enum Methods {
         narrow: NarrowPhaseCollider,
     },
     /// Faster and more accurate than the original could be, and not its bits: true circles and convex pieces, contacts that
-    /// persist, and a solver of substeps whose springs learn their load. It takes the same bodies, geoms, springs and
+    /// persist, and solvers that are chosen by what hangs together: exact ones, and substeps whose springs learn their load. It
+    /// takes the same bodies, geoms, springs and
     /// controllers, asks the same handlers and tells the same events.
     ///
     /// | setting | with the precise set |
@@ -57,6 +58,14 @@ pub enum Methods {
     /// | [sleep](crate::PhysicsSimulator::set_sleep_enabled) | only here: bodies that hang together by contacts, joints or springs sleep when all of them have moved slower, for half a second, than a hundredth of the speed that a fall over one length unit would give them, and no contact still settles. What sleeps costs nothing, and is told of only where a handler is asked about touches. It wakes when one of them is edited, pushed by other forces than it fell asleep under, touched by what is awake, refused by a handler or loses what holds it |
     /// | [bullets](crate::Body::is_bullet) | only here: nothing passes through what is static, kinematic or asleep, and a bullet through nothing; a sensor that something flies through in one update hears of it, of no contacts, at its end |
     /// | [kinematic](crate::Body::is_kinematic) bodies, [gravity scale](crate::Body::gravity_scale) | as in the faithful set |
+    ///
+    /// **Which island is solved how.** What hangs together by contacts alone, and does not bounce in this update, is solved as
+    /// a whole where that pays. Of what was put in its place at rest (slower than a quarter of a unit per second) that is all
+    /// without rings, such as columns, with heavy things on light ones too, and high walls and card houses of 40 bodies or
+    /// more; of what has fallen together, columns of 16 bodies or more; of 400 bodies at most, and narrow enough. That stands
+    /// as rigid bodies do, with an overlap below a thousandth of a px where one unit is 32 px, whatever the substeps.
+    /// Everything else, and for two seconds what takes long to solve, goes by passes over all contacts.
+    /// [`islands`](crate::PhysicsSimulator::islands) tells which is which.
     ///
     /// Geoms of the circle factory with eight edges or more are true circles, with fewer the polygons that they look like;
     /// those of the capsule factory are true capsules. Concave outlines are cut into convex pieces, and nothing catches on the

@@ -6,12 +6,14 @@
 //! 2. pairs whose bounds part go, and new ones come ([`grid`], [`pairs`]);
 //! 3. pairs that moved are looked at ([`touch`], [`manifold`]), and rows come and go ([`rows`]);
 //! 4. joints are read, and which of them can be solved at once ([`joints`]);
-//! 5. bodies are read ([`bodies`]), velocities solved in substeps ([`passes`]), and bodies written ([`moving`]);
+//! 5. bodies are read ([`bodies`]), islands that can be are solved as a whole ([`direct`]), velocities of the others in
+//!    substeps ([`passes`]), and bodies written ([`moving`]);
 //! 6. what has come to rest falls asleep ([`sleep`]), until something wakes it ([`wake`]).
 //!
 //! Lengths are the user's; the numbers of the method are parts of one length ([`tuning`]).
 
 mod bodies;
+mod direct;
 mod flight;
 mod grid;
 mod islands;
@@ -47,6 +49,7 @@ pub use sleep::{Island, WhyAwake};
 pub(crate) use tuning::Step;
 
 use bodies::Bodies;
+use direct::Direct;
 use grid::Grid;
 use joints::Joints;
 use pairs::Pairs;
@@ -84,6 +87,7 @@ pub(crate) struct Precise {
     palette: Palette,
     joints: Joints,
     sleep: Sleep,
+    direct: Direct,
     /// Numbers of bodies and first proxies of geoms, by slot.
     body_numbers: Vec<u32>,
     first_proxies: Vec<u32>,
@@ -116,7 +120,7 @@ pub(crate) struct Precise {
 reusing_clone! {
     Precise {
         tuning, h, dt, fall, loaded, is_stale, bounces, friction, most_contacts, bodies, proxies,
-        grid, pairs, rows, palette, joints, sleep, body_numbers, first_proxies, loose, absent,
+        grid, pairs, rows, palette, joints, sleep, direct, body_numbers, first_proxies, loose, absent,
         edited_bodies, edited_geoms, changes, looks, has_handled, fast, flown, widened, lost, found, known, touching
     }
 }
@@ -142,6 +146,7 @@ impl Precise {
             palette: Palette::default(),
             joints: Joints::default(),
             sleep: Sleep::default(),
+            direct: Direct::default(),
             body_numbers: Vec::new(),
             first_proxies: Vec::new(),
             loose: Vec::new(),
@@ -170,6 +175,7 @@ impl Precise {
             rows: &mut self.rows,
             palette: &mut self.palette,
             sleep: &mut self.sleep,
+            direct: &mut self.direct,
             tuning: &self.tuning,
             friction: self.friction,
             most_contacts: self.most_contacts as usize,

@@ -17,7 +17,7 @@
 use wide::f32x4;
 
 use super::bodies::Hot;
-use super::rows::{Colours, Point, Row};
+use super::rows::{Colours, Lane, Point, Row};
 use super::tuning::{Learning, Softness};
 use crate::math::lanes::{gather, greater, positive, select, smaller};
 
@@ -341,29 +341,48 @@ pub(super) fn renew_circles(
     mut apart: impl FnMut(u32),
 ) {
     rows.for_each(|row| {
-        let [_, _, radius_a, is_round_a] = gather(circles, &row.a);
-        let [_, _, radius_b, is_round_b] = gather(circles, &row.b);
-        let are_round = (is_round_a * is_round_b).simd_gt(ZERO);
-        if are_round.to_bitmask() == 0 {
-            return;
-        }
-        let [ax, ay, _, _] = gather(poses, &row.a);
-        let [bx, by, _, _] = gather(poses, &row.b);
-        let (dx, dy) = (bx - ax, by - ay);
-        let squared = dx * dx + dy * dy;
-        let is_far = squared.simd_gt(f32x4::splat(f32::MIN_POSITIVE));
-        let distance = squared.sqrt();
-        let inverse = f32x4::splat(1.0) / select(is_far, distance, f32x4::splat(1.0));
-        let separation = distance - radius_a - radius_b;
-        let half = f32x4::splat(0.5) * separation;
-        row.normal_x = select(are_round, dx * inverse, row.normal_x);
-        row.normal_y = select(are_round, select(is_far, dy * inverse, f32x4::splat(1.0)), row.normal_y);
-        row.points[0].separation = select(are_round, separation, row.points[0].separation);
-        row.tangent_arm_a = select(are_round, ZERO - (radius_a + half), row.tangent_arm_a);
-        row.tangent_arm_b = select(are_round, radius_b + half, row.tangent_arm_b);
-        let gone = (separation.simd_gt(f32x4::splat(reach)) & are_round).to_bitmask();
+        let gone = renew_row(row, poses, circles, reach);
         for lane in (0..4).filter(|lane| gone >> lane & 1 == 1 && row.b[*lane] != 0) {
             apart(row.pair[lane]);
         }
     });
+}
+
+/// The same for one that is solved with its island. Answers whether the two are further apart than contacts reach.
+pub(super) fn renew_circle(lane: &mut Lane, poses: &[[f32; 4]], circles: &[[f32; 4]], reach: f32) -> bool {
+    let is_round = |body: u32| circles.get(body as usize).is_some_and(|circle| circle[3] > 0.0);
+    if !(is_round(lane.a) && is_round(lane.b)) {
+        return false;
+    }
+    let mut row = Row::<1>::default();
+    row.set_lane(0, lane);
+    let gone = renew_row(&mut row, poses, circles, reach);
+    *lane = row.lane(0);
+    gone & 1 == 1
+}
+
+/// Answers by bits which of four are further apart than contacts reach.
+#[inline(always)]
+fn renew_row(row: &mut Row<1>, poses: &[[f32; 4]], circles: &[[f32; 4]], reach: f32) -> u32 {
+    let [_, _, radius_a, is_round_a] = gather(circles, &row.a);
+    let [_, _, radius_b, is_round_b] = gather(circles, &row.b);
+    let are_round = (is_round_a * is_round_b).simd_gt(ZERO);
+    if are_round.to_bitmask() == 0 {
+        return 0;
+    }
+    let [ax, ay, _, _] = gather(poses, &row.a);
+    let [bx, by, _, _] = gather(poses, &row.b);
+    let (dx, dy) = (bx - ax, by - ay);
+    let squared = dx * dx + dy * dy;
+    let is_far = squared.simd_gt(f32x4::splat(f32::MIN_POSITIVE));
+    let distance = squared.sqrt();
+    let inverse = f32x4::splat(1.0) / select(is_far, distance, f32x4::splat(1.0));
+    let separation = distance - radius_a - radius_b;
+    let half = f32x4::splat(0.5) * separation;
+    row.normal_x = select(are_round, dx * inverse, row.normal_x);
+    row.normal_y = select(are_round, select(is_far, dy * inverse, f32x4::splat(1.0)), row.normal_y);
+    row.points[0].separation = select(are_round, separation, row.points[0].separation);
+    row.tangent_arm_a = select(are_round, ZERO - (radius_a + half), row.tangent_arm_a);
+    row.tangent_arm_b = select(are_round, radius_b + half, row.tangent_arm_b);
+    (separation.simd_gt(f32x4::splat(reach)) & are_round).to_bitmask()
 }

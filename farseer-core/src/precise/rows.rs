@@ -130,7 +130,7 @@ fn set(of: &mut f32x4, lane: usize, value: f32) {
 }
 
 impl<const P: usize> Row<P> {
-    fn lane(&self, at: usize) -> Lane {
+    pub(super) fn lane(&self, at: usize) -> Lane {
         let mut points = [PointLane::default(); 2];
         for (lane, point) in points.iter_mut().zip(&self.points) {
             *lane = PointLane {
@@ -159,7 +159,7 @@ impl<const P: usize> Row<P> {
         }
     }
 
-    fn set_lane(&mut self, at: usize, lane: &Lane) {
+    pub(super) fn set_lane(&mut self, at: usize, lane: &Lane) {
         (self.a[at], self.b[at], self.pair[at]) = (lane.a, lane.b, lane.pair);
         set(&mut self.normal_x, at, lane.normal[0]);
         set(&mut self.normal_y, at, lane.normal[1]);
@@ -267,37 +267,48 @@ pub(super) struct Kind {
     pub(super) is_fixed: bool,
 }
 
-/// Where a row lives: in a colour, or [asleep](ASLEEP).
+/// Where a row lives: in a colour, or aside, [asleep](ASLEEP) or [solved with its island](DIRECT).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Home {
     pub(super) colour: u32,
     pub(super) slot: u32,
 }
 
-/// In place of a colour: the row is of bodies that sleep.
+/// In place of a colour: the row is of bodies that sleep; or of an island that is solved as a whole.
 const ASLEEP: u32 = u32::MAX;
+const DIRECT: u32 = u32::MAX - 1;
 
-/// A row that nothing looks at.
+impl Home {
+    /// Whether the row is solved with its island.
+    pub(super) fn is_direct(self) -> bool {
+        self.colour == DIRECT
+    }
+}
+
+/// A row that no pass looks at.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Sleeping {
-    lane: Lane,
+pub(super) struct Aside {
+    pub(super) lane: Lane,
     /// Which it goes back to.
     pub(super) colour: u32,
     /// Seconds of the substeps that its impulses are of.
     pub(super) h: f32,
+    /// The impulses of points and friction as they were found last, if their rounded values still are those of the row.
+    pub(super) exact: [f64; 3],
 }
 
 /// All rows of contacts.
 #[derive(Debug, Default)]
 pub(super) struct Rows {
-    asleep: Vec<Sleeping>,
+    asleep: Vec<Aside>,
+    direct: Vec<Aside>,
     pub(super) two: Colours<2>,
     pub(super) one: Colours<1>,
     pub(super) two_fixed: Colours<2>,
     pub(super) one_fixed: Colours<1>,
 }
 
-reusing_clone! { Rows { asleep, two, one, two_fixed, one_fixed } }
+reusing_clone! { Rows { asleep, direct, two, one, two_fixed, one_fixed } }
 
 /// The rows of a kind, borrowed as it says.
 macro_rules! of_kind {
@@ -330,9 +341,29 @@ impl Rows {
         self.two_fixed.clear();
         self.one_fixed.clear();
         self.asleep.clear();
+        self.direct.clear();
     }
 
-    /// Whether nothing is to be solved.
+    /// The rows aside that this home is among.
+    #[inline(always)]
+    fn shelf(&self, home: Home) -> Option<&Vec<Aside>> {
+        match home.colour {
+            ASLEEP => Some(&self.asleep),
+            DIRECT => Some(&self.direct),
+            _ => None,
+        }
+    }
+
+    #[inline(always)]
+    fn shelf_mut(&mut self, home: Home) -> Option<&mut Vec<Aside>> {
+        match home.colour {
+            ASLEEP => Some(&mut self.asleep),
+            DIRECT => Some(&mut self.direct),
+            _ => None,
+        }
+    }
+
+    /// Whether no pass has anything to solve.
     pub(super) fn is_empty(&self) -> bool {
         self.two.used | self.one.used | self.two_fixed.used | self.one_fixed.used == 0
     }
@@ -354,7 +385,10 @@ impl Rows {
 
     /// Number of points that are solved.
     pub(super) fn point_count(&self) -> usize {
-        2 * (self.two.count() + self.two_fixed.count()) + self.one.count() + self.one_fixed.count()
+        let direct = self.direct.iter().map(|row| 1 + usize::from(row.lane.points[1].mass > 0.0));
+        let in_colours =
+            2 * (self.two.count() + self.two_fixed.count()) + self.one.count() + self.one_fixed.count();
+        in_colours + direct.sum::<usize>()
     }
 
     pub(super) fn push(&mut self, kind: Kind, colour: u32, lane: &Lane) -> Home {
@@ -363,47 +397,77 @@ impl Rows {
 
     /// Takes a row out. Answers the pair whose row has this home now.
     pub(super) fn remove(&mut self, kind: Kind, home: Home) -> Option<u32> {
-        if home.colour == ASLEEP {
-            self.asleep.swap_remove(home.slot as usize);
-            return self.asleep.get(home.slot as usize).map(|moved| moved.lane.pair);
+        if let Some(shelf) = self.shelf_mut(home) {
+            shelf.swap_remove(home.slot as usize);
+            return shelf.get(home.slot as usize).map(|moved| moved.lane.pair);
         }
         of_kind!((&mut) self, kind, colours => colours.remove(home.colour, home.slot))
     }
 
-    /// A row goes to sleep, with the length of the substeps that its impulses are of. Answers its new home, and whose row has
-    /// the old one now.
-    pub(super) fn lay_down(&mut self, kind: Kind, home: Home, h: f32) -> (Home, Option<(u32, Home)>) {
-        if home.colour == ASLEEP {
+    /// A row is put aside, asleep or to be solved with its island, with the length of the substeps that its impulses are of.
+    /// Answers its new home, and whose row has the old one now.
+    pub(super) fn put_aside(
+        &mut self,
+        kind: Kind,
+        home: Home,
+        is_direct: bool,
+        h: f32,
+    ) -> (Home, Option<(u32, Home)>) {
+        if home.colour == if is_direct { DIRECT } else { ASLEEP } {
             return (home, None);
         }
         let lane = self.lane(kind, home);
+        let row = self.aside(home).unwrap_or(Aside { lane, colour: home.colour, h, exact: [0.0; 3] });
         let moved = self.remove(kind, home).map(|pair| (pair, home));
-        (self.push_asleep(Sleeping { lane, colour: home.colour, h }), moved)
+        (self.push_aside(row, is_direct), moved)
     }
 
-    pub(super) fn push_asleep(&mut self, sleeping: Sleeping) -> Home {
-        self.asleep.push(sleeping);
-        Home { colour: ASLEEP, slot: self.asleep.len() as u32 - 1 }
+    pub(super) fn push_aside(&mut self, row: Aside, is_direct: bool) -> Home {
+        let home = Home { colour: if is_direct { DIRECT } else { ASLEEP }, slot: 0 };
+        let Some(shelf) = self.shelf_mut(home) else { return home };
+        shelf.push(row);
+        Home { slot: shelf.len() as u32 - 1, ..home }
     }
 
     /// A row goes back to its colour, with impulses of substeps of this length.
     pub(super) fn take_up(&mut self, kind: Kind, home: Home, h: f32) -> (Home, Option<(u32, Home)>) {
-        let Some(mut sleeping) = self.asleep(home) else { return (home, None) };
-        sleeping.scale(h);
+        let Some(mut row) = self.aside(home) else { return (home, None) };
+        row.scale(h);
         let moved = self.remove(kind, home).map(|pair| (pair, home));
-        (self.push(kind, sleeping.colour, &sleeping.lane), moved)
+        (self.push(kind, row.colour, &row.lane), moved)
+    }
+
+    /// A row that is aside.
+    pub(super) fn aside(&self, home: Home) -> Option<Aside> {
+        self.shelf(home)?.get(home.slot as usize).copied()
+    }
+
+    /// The rows that are solved with their islands.
+    pub(super) fn all_direct(&mut self) -> &mut [Aside] {
+        &mut self.direct
+    }
+
+    /// A row that is solved with its island.
+    #[inline(always)]
+    pub(super) fn direct(&self, home: Home) -> &Aside {
+        &self.direct[home.slot as usize]
+    }
+
+    #[inline(always)]
+    pub(super) fn direct_mut(&mut self, home: Home) -> &mut Aside {
+        &mut self.direct[home.slot as usize]
     }
 
     /// A row that sleeps.
-    pub(super) fn asleep(&self, home: Home) -> Option<Sleeping> {
-        self.asleep.get(home.slot as usize).copied().filter(|_| home.colour == ASLEEP)
+    pub(super) fn asleep(&self, home: Home) -> Option<Aside> {
+        self.aside(home).filter(|_| home.colour == ASLEEP)
     }
 
     #[inline]
     pub(super) fn lane(&self, kind: Kind, home: Home) -> Lane {
         let (block, at) = (home.slot as usize / 4, home.slot as usize % 4);
-        if home.colour == ASLEEP {
-            return self.asleep[home.slot as usize].lane;
+        if let Some(shelf) = self.shelf(home) {
+            return shelf[home.slot as usize].lane;
         }
         of_kind!((&) self, kind, colours => colours.blocks[home.colour as usize][block].lane(at))
     }
@@ -411,8 +475,8 @@ impl Rows {
     #[inline]
     pub(super) fn set_lane(&mut self, kind: Kind, home: Home, lane: &Lane) {
         let (block, at) = (home.slot as usize / 4, home.slot as usize % 4);
-        if home.colour == ASLEEP {
-            self.asleep[home.slot as usize].lane = *lane;
+        if let Some(shelf) = self.shelf_mut(home) {
+            shelf[home.slot as usize].lane = *lane;
             return;
         }
         of_kind!((&mut) self, kind, colours => colours.blocks[home.colour as usize][block].set_lane(at, lane));
@@ -421,8 +485,8 @@ impl Rows {
     /// The pair of a row has another number now.
     pub(super) fn set_pair(&mut self, kind: Kind, home: Home, pair: u32) {
         let (block, at) = (home.slot as usize / 4, home.slot as usize % 4);
-        if home.colour == ASLEEP {
-            self.asleep[home.slot as usize].lane.pair = pair;
+        if let Some(shelf) = self.shelf_mut(home) {
+            shelf[home.slot as usize].lane.pair = pair;
             return;
         }
         of_kind!((&mut) self, kind, colours => colours.blocks[home.colour as usize][block].pair[at] = pair);
@@ -431,8 +495,8 @@ impl Rows {
     #[inline]
     pub(super) fn set_separations(&mut self, kind: Kind, home: Home, separations: [f32; 2]) {
         let (block, at) = (home.slot as usize / 4, home.slot as usize % 4);
-        if home.colour == ASLEEP {
-            let points = &mut self.asleep[home.slot as usize].lane.points;
+        if let Some(shelf) = self.shelf_mut(home) {
+            let points = &mut shelf[home.slot as usize].lane.points;
             points.iter_mut().zip(separations).for_each(|(point, separation)| point.separation = separation);
             return;
         }
@@ -445,9 +509,14 @@ impl Rows {
     }
 }
 
-impl Sleeping {
-    pub(super) fn new(lane: &Lane, colour: u32, h: f32) -> Self {
-        Sleeping { lane: *lane, colour, h }
+impl Aside {
+    /// Impulses of points and friction.
+    #[inline(always)]
+    pub(super) fn impulses(&self) -> [f64; 3] {
+        let [one, two] = &self.lane.points;
+        let rounded = [one.impulse, two.impulse, self.lane.tangent_impulse];
+        let exact = |row: usize| self.exact[row] as f32 == rounded[row];
+        std::array::from_fn(|row| if exact(row) { self.exact[row] } else { f64::from(rounded[row]) })
     }
 
     /// Impulses are forces times the length of a substep.

@@ -4,6 +4,7 @@
 use serde::{Deserialize, Serialize, Serializer};
 
 use super::Precise;
+use super::direct::{Timing, Wear};
 use super::pairs::{BY_ROW, Frozen};
 use super::proxies::{Mobility, Proxy};
 use super::rows::{Home, Kind, Lane};
@@ -31,6 +32,9 @@ pub(crate) struct Saved {
     rest: Vec<(BodyId, f32)>,
     sleepers: Vec<Sleeper>,
     joints: Vec<KnownJoint>,
+    /// How islands have fared that were solved as a whole, and when islands are asked for next.
+    wear: Vec<(BodyId, Wear)>,
+    timing: Timing,
 }
 
 /// A body that sleeps.
@@ -97,6 +101,8 @@ struct SavedRow {
     slot: u32,
     /// Seconds of the substeps that its impulses are of, if it sleeps.
     asleep: Option<f32>,
+    /// The same if it is solved with its island, and its impulses with all their digits.
+    direct: Option<(f32, [f64; 3])>,
     tangent_impulse: f32,
     impulses: [f32; 2],
     held: [f32; 2],
@@ -136,9 +142,10 @@ impl Saved {
         let pair_is_valid = |pair: &SavedPair| {
             let SavedContacts { turns, relative, normal, count, anchors, separations, .. } = &pair.frozen;
             let row_is_valid = |row: &SavedRow| {
-                let SavedRow { tangent_impulse, impulses, held, separations, asleep, kept, .. } = row;
+                let SavedRow { tangent_impulse, impulses, held, separations, asleep, direct, kept, .. } = row;
                 (row.colour as usize) < super::rows::COLOURS
                     && finite(&[*tangent_impulse, asleep.unwrap_or(0.0)])
+                    && direct.is_none_or(|(h, exact)| h.is_finite() && exact.iter().all(|x| x.is_finite()))
                     && finite(&kept.unwrap_or_default())
                     && [impulses, held, separations].iter().all(|numbers| finite(*numbers))
             };
@@ -165,6 +172,7 @@ impl Saved {
             && self.pairs.iter().all(pair_is_valid)
             && finite(&self.gravity)
             && self.rest.iter().all(|&(_, rest)| rest.is_finite())
+            && self.wear.iter().all(|(_, wear)| wear.effort.is_finite())
             && self.sleepers.iter().all(|sleeper| {
                 let is_there = (sleeper.first as usize) < self.sleepers.len();
                 is_there && finite(&sleeper.place) && finite(&sleeper.borne) && finite(&sleeper.nature)
@@ -219,12 +227,20 @@ impl Precise {
             rest: self.save_rest().collect(),
             sleepers: self.save_sleepers(),
             joints: self.sleep.joints.clone(),
+            wear: self.save_wear().collect(),
+            timing: self.direct.timing,
         }
     }
 
     fn save_rest(&self) -> impl Iterator<Item = (BodyId, f32)> + '_ {
         let at_rest = self.sleep.awake(self.bodies.count).filter(|&number| self.sleep.rest[number] > 0.0);
         at_rest.filter_map(|number| Some((self.bodies.ids[number]?, self.sleep.rest[number])))
+    }
+
+    fn save_wear(&self) -> impl Iterator<Item = (BodyId, Wear)> + '_ {
+        let worn = (1..=self.bodies.count).map(|number| (number, self.direct.wear[number]));
+        let worn = worn.filter(|&(_, wear)| wear != Wear::default());
+        worn.filter_map(|(number, wear)| Some((self.bodies.ids[number]?, wear)))
     }
 
     fn save_sleepers(&self) -> Vec<Sleeper> {
@@ -289,12 +305,13 @@ impl Precise {
     fn save_row(&self, kind: Kind, home: Home, is_set: bool) -> SavedRow {
         let Lane { tangent_impulse, points, friction, restitution, tangent_speed, .. } =
             self.rows.lane(kind, home);
-        let sleeping = self.rows.asleep(home);
+        let (sleeping, aside) = (self.rows.asleep(home), self.rows.aside(home));
         let surface = is_set.then_some([friction, restitution, tangent_speed]);
         SavedRow {
-            colour: sleeping.map_or(home.colour, |row| row.colour),
+            colour: aside.map_or(home.colour, |row| row.colour),
             slot: home.slot,
             asleep: sleeping.map(|row| row.h),
+            direct: aside.filter(|_| sleeping.is_none()).map(|row| (row.h, row.exact)),
             tangent_impulse,
             impulses: points.map(|point| point.impulse),
             held: points.map(|point| point.held),
@@ -317,6 +334,7 @@ impl Precise {
         self.pairs.reset(self.proxies.all.len());
         self.rows.clear();
         self.palette.reset(&self.bodies.inverses[..self.bodies.hot.len()]);
+        self.restore_wear(saved);
         let (places, edited) = self.restore_proxies(saved);
         self.restore_sleep(saved, is_at_rest);
         let mut rows = Vec::new();
@@ -326,19 +344,22 @@ impl Precise {
                 let [one, other] = now.map(|proxy| self.proxies.all[proxy as usize].geom);
                 self.ordered(now) == Some(now) && may_stay(one, other)
             });
-            match stays {
-                Some(now) => rows.extend(self.restore_pair(now, pair)),
-                // What it rested on has gone.
-                None if pair.row.is_some() => now.into_iter().flatten().for_each(|proxy| {
+            let row = stays.and_then(|now| self.restore_pair(now, pair));
+            let was_direct = pair.row.is_some_and(|row| row.direct.is_some());
+            self.direct.timing.is_due |= was_direct && row.is_none();
+            rows.extend(row);
+            // What it rested on has gone.
+            if stays.is_none() && pair.row.is_some() {
+                now.into_iter().flatten().for_each(|proxy| {
                     self.sleep.note_waking(self.proxies.all[proxy as usize].body as usize);
-                }),
-                None => {}
+                });
             }
         }
         edited.into_iter().for_each(|proxy| self.look_again(proxy));
         // Only the order of rows in the last colour matters.
         rows.sort_by_key(|(_, row): &(usize, SavedRow)| {
-            (row.asleep.map_or(row.colour, |_| u32::MAX), row.slot)
+            let is_aside = row.asleep.is_some() || row.direct.is_some();
+            (if is_aside { u32::MAX } else { row.colour }, row.slot)
         });
         for (pair, row) in rows {
             let surface = row.kept.or(row.surface);
@@ -346,7 +367,8 @@ impl Precise {
                 self.pairs.all[pair].is_set = true;
                 self.bounces |= restitution > 0.0;
             }
-            self.touch().restore_row(pair, row.colour, row.asleep, |lane| {
+            let aside = row.asleep.map(|h| (h, None)).or(row.direct.map(|(h, exact)| (h, Some(exact))));
+            self.touch().restore_row(pair, row.colour, aside, |lane| {
                 if let Some(surface) = surface {
                     [lane.friction, lane.restitution, lane.tangent_speed] = surface;
                 }
@@ -362,6 +384,16 @@ impl Precise {
             });
         }
         self.lay_pairs_down();
+    }
+
+    fn restore_wear(&mut self, saved: &Saved) {
+        self.direct.timing = saved.timing;
+        for &(body, wear) in &saved.wear {
+            match self.number_of(body).filter(|&number| self.is_dynamic(number)) {
+                Some(number) => self.direct.wear[number] = wear,
+                None => self.direct.timing.is_due |= wear.is_direct,
+            }
+        }
     }
 
     /// Who slept, and still may, does; a body that was edited since wakes the others of its island.
@@ -410,6 +442,8 @@ impl Precise {
         for at in (0..self.proxies.all.len()).filter(|&at| !is_known[at]) {
             if at < self.proxies.movable || at >= self.proxies.movable.next_multiple_of(4) {
                 self.enter(at as u32);
+                // What has come may be an island that is to be solved as a whole from the beginning.
+                self.direct.timing.is_due = true;
             }
         }
         (places, edited)

@@ -71,6 +71,9 @@ pub struct Island {
     pub bodies: Vec<BodyId>,
     /// Whether they sleep.
     pub is_asleep: bool,
+    /// Whether they were solved as a whole in the last update, and not by passes over all contacts: see
+    /// [`Methods::Precise`](crate::Methods::Precise).
+    pub is_solved_whole: bool,
 }
 
 /// In place of another number: the body is awake.
@@ -342,6 +345,7 @@ impl Precise {
         let island = |bodies: &[(bool, usize, usize)]| Island {
             bodies: bodies.iter().filter_map(|&(.., number)| self.bodies.ids[number]).collect(),
             is_asleep: bodies[0].0,
+            is_solved_whole: !bodies[0].0 && bodies.iter().all(|&(.., number)| self.direct.is_direct(number)),
         };
         all.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)).map(island).collect()
     }

@@ -6,9 +6,11 @@ use super::Precise;
 use super::bodies::{Bodies, Read, read};
 use super::grid::overlap;
 use super::moving::{begin_substep, displace, even_out, fly, follow, leave, renew_poses};
-use super::passes::{bounce, gather_warm, note_approach, note_push, relax, renew_circles, solve_soft};
+use super::passes::{
+    bounce, gather_warm, note_approach, note_push, relax, renew_circle, renew_circles, solve_soft,
+};
 use super::proxies::{Mobility, Proxy};
-use super::rows::Kind;
+use super::rows::{Aside, Kind};
 use super::touch::Looks;
 pub(crate) use super::tuning::Step;
 use crate::body::BodyId;
@@ -137,6 +139,10 @@ impl Precise {
         renew_circles(&mut self.rows.one, &self.bodies.poses, &self.bodies.circles, reach, |pair| {
             lost.push(pair)
         });
+        for Aside { lane, .. } in self.rows.all_direct() {
+            let is_gone = renew_circle(lane, &self.bodies.poses, &self.bodies.circles, reach);
+            lost.extend(is_gone.then_some(lane.pair));
+        }
         lost.sort_unstable();
         let circles = lost.len();
         for pair in lost.drain(..) {
@@ -311,6 +317,8 @@ impl Precise {
         if self.h != step.h {
             self.scale_impulses(step.h);
         }
+        self.choose_methods();
+        self.solve_direct(step);
         self.joints.swing(&self.bodies, step);
         if self.rows.is_empty() && self.joints.are_all_apart() {
             fly(&mut self.bodies, &self.sleep.bodies, step);
@@ -318,6 +326,7 @@ impl Precise {
             self.solve_passes(step);
         }
         self.joints.finish(&mut self.bodies, step.dt);
+        self.finish_direct();
     }
 
     fn solve_passes(&mut self, step: &Step) {

@@ -181,8 +181,9 @@ impl Precise {
         self.widen(proxy);
     }
 
-    /// The pairs of a proxy are looked at in full in the next step.
+    /// The pairs of a proxy are looked at in full in the next step, and how they are solved is asked again.
     pub(super) fn look_again(&mut self, proxy: u32) {
+        self.direct.timing.may_be_due = true;
         let mut pairs = std::mem::take(&mut self.lost);
         pairs.extend(self.pairs.of(proxy).map(|pair| pair as u32));
         for pair in pairs.drain(..) {
@@ -242,6 +243,7 @@ impl Precise {
         self.list_proxies(objects);
         self.list_loose(objects);
         self.sleep.reset(self.bodies.hot.len());
+        self.direct.reset(self.bodies.hot.len());
         (1..=self.bodies.count).for_each(|number| self.measure_ring(number, objects));
         self.bodies.circles.fill([0.0; 4]);
         for proxy in &self.proxies.all[..self.proxies.movable] {

@@ -6,10 +6,11 @@
 //! and take over the impulses of those with the same corners, or, if the corners have changed, of those that were nearest.
 
 use super::bodies::Bodies;
+use super::direct::Direct;
 use super::manifold::{Manifold, collide};
 use super::pairs::{BY_ROW, Frozen, Pairs};
 use super::proxies::{Mobility, Proxies, Proxy};
-use super::rows::{Home, Lane, Palette, PointLane, Rows, Sleeping};
+use super::rows::{Aside, Home, Lane, Palette, PointLane, Rows};
 use super::sleep::Sleep;
 use super::tuning::Tuning;
 use crate::geom::GeomId;
@@ -35,6 +36,7 @@ pub(super) struct Touch<'a> {
     pub(super) rows: &'a mut Rows,
     pub(super) palette: &'a mut Palette,
     pub(super) sleep: &'a mut Sleep,
+    pub(super) direct: &'a mut Direct,
     pub(super) tuning: &'a Tuning,
     pub(super) friction: FrictionType,
     /// Contacts of two pieces, at most.
@@ -393,6 +395,7 @@ impl<'a> Touch<'a> {
         let kind = self.pairs.all[pair].kind;
         let colour = self.palette.free(kind, [lane.a, lane.b]);
         self.palette.mark(kind, [lane.a, lane.b], colour, true);
+        self.direct.note([lane.a, lane.b]);
         self.pairs.all[pair].home = Some(self.rows.push(kind, colour, lane));
         if [lane.a, lane.b].into_iter().any(|body| self.sleep.is_asleep(body as usize)) {
             self.sleep.note_touch(pair);
@@ -404,8 +407,9 @@ impl<'a> Touch<'a> {
         let kind = self.pairs.all[pair].kind;
         let Some(home) = self.pairs.all[pair].home.take() else { return };
         let Lane { a, b, .. } = self.rows.lane(kind, home);
-        let colour = self.rows.asleep(home).map_or(home.colour, |sleeping| sleeping.colour);
+        let colour = self.rows.aside(home).map_or(home.colour, |row| row.colour);
         self.palette.mark(kind, [a, b], colour, false);
+        self.direct.note([a, b]);
         if let Some(moved) = self.rows.remove(kind, home) {
             self.pairs.all[moved as usize].home = Some(home);
         }
@@ -478,8 +482,30 @@ impl<'a> Touch<'a> {
         if falls_asleep && self.pairs.watched[pair].tolerance == BY_ROW && self.rows.asleep(home).is_none() {
             self.freeze_circles(pair, home);
         }
-        let (home, moved) =
-            if falls_asleep { self.rows.lay_down(kind, home, h) } else { self.rows.take_up(kind, home, h) };
+        let moved = if falls_asleep {
+            self.rows.put_aside(kind, home, false, h)
+        } else {
+            self.rows.take_up(kind, home, h)
+        };
+        // What wakes may be solved as a whole again, and of what falls asleep nothing is.
+        self.direct.timing.is_due |= moved.0 != home;
+        self.settle(pair, moved);
+    }
+
+    /// The row of a pair is solved with its island from now on, or by the passes.
+    pub(super) fn hand_over(&mut self, pair: usize, is_direct: bool, h: f32) {
+        let kind = self.pairs.all[pair].kind;
+        let Some(home) = self.pairs.all[pair].home else { return };
+        let moved = if is_direct {
+            self.rows.put_aside(kind, home, true, h)
+        } else {
+            self.rows.take_up(kind, home, h)
+        };
+        self.settle(pair, moved);
+    }
+
+    /// A row has moved home, and another one into its old one.
+    fn settle(&mut self, pair: usize, (home, moved): (Home, Option<(u32, Home)>)) {
         self.pairs.all[pair].home = Some(home);
         if let Some((moved, home)) = moved {
             self.pairs.all[moved as usize].home = Some(home);
@@ -491,7 +517,7 @@ impl<'a> Touch<'a> {
         &mut self,
         pair: usize,
         colour: u32,
-        asleep: Option<f32>,
+        aside: Option<(f32, Option<[f64; 3]>)>,
         set: impl FnOnce(&mut Lane),
     ) {
         let mut lane = self.lane(pair, self.two(pair));
@@ -503,8 +529,13 @@ impl<'a> Touch<'a> {
         let is_still = |&body: &u32| {
             body == 0 || self.sleep.is_asleep(body as usize) || self.bodies.is_kinematic(body as usize)
         };
-        let home: Home = match asleep.filter(|_| [lane.a, lane.b].iter().all(is_still)) {
-            Some(h) => self.rows.push_asleep(Sleeping::new(&lane, colour, h)),
+        let may_be =
+            |&(_, exact): &(f32, Option<[f64; 3]>)| exact.is_some() || [lane.a, lane.b].iter().all(is_still);
+        let home: Home = match aside.filter(may_be) {
+            Some((h, exact)) => {
+                let row = Aside { lane, colour, h, exact: exact.unwrap_or_default() };
+                self.rows.push_aside(row, exact.is_some())
+            }
             None => {
                 self.sleep.note_waking(lane.a as usize);
                 self.sleep.note_waking(lane.b as usize);

@@ -51,7 +51,8 @@ impl PhysicsSimulator {
     }
 
     /// How many pairs of convex pieces that touch are solved in each colour: no two of a colour push the same body, so that
-    /// they can be solved side by side, but for those of the 32nd, which found no other. None with the faithful set.
+    /// they can be solved side by side, but for those of the 32nd, which found no other. Those of islands that are
+    /// [solved as a whole](Island::is_solved_whole) have none. None with the faithful set.
     pub fn rows_per_colour(&self) -> Vec<usize> {
         self.pipeline.precise.as_ref().map_or_else(Vec::new, |precise| precise.rows_per_colour())
     }

@@ -2,7 +2,8 @@
 
 use approx::assert_abs_diff_eq;
 use conformance::fixtures::plane::{add_box, add_circle, add_floor, simulator, v};
-use farseer_core::{BodyId, GeomId, Methods, PhysicsSimulator};
+use farseer_core::math::Vector2;
+use farseer_core::{BodyId, GeomId, JointFactory, Methods, PhysicsSimulator};
 
 const DT: f32 = 1.0 / 60.0;
 const GRAVITY: f32 = 320.0;
@@ -84,24 +85,34 @@ fn column(count: usize) -> (PhysicsSimulator, Vec<BodyId>) {
 }
 
 /// Each box is still, over the first, and as high as if nothing gave way, but for these numbers of px, along and up, and
-/// px/s, a tenth more than were measured: springs that keep a reserve sink, and forty boxes still sway.
+/// px/s.
 fn assert_stands(simulator: &PhysicsSimulator, boxes: &[BodyId], [along, up, fastest]: [f32; 3]) {
+    let mut worst = [0.0_f32; 3];
     for (i, &body) in boxes.iter().enumerate() {
         let (position, speed) = (simulator[body].position(), simulator[body].linear_velocity().norm());
-        assert_abs_diff_eq!(position.y, -16.0 - 32.0 * i as f32, epsilon = up);
-        assert_abs_diff_eq!(position.x, 0.0, epsilon = along);
-        assert!(speed < fastest, "box {i} of {} moves at {speed} px/s", boxes.len());
+        let off = [position.x.abs(), (position.y + 16.0 + 32.0 * i as f32).abs(), speed];
+        worst.iter_mut().zip(off).for_each(|(worst, off)| *worst = worst.max(off));
     }
+    assert!(
+        worst[0] <= along && worst[1] <= up && worst[2] <= fastest,
+        "{} boxes: {worst:?} against {:?}",
+        boxes.len(),
+        [along, up, fastest]
+    );
 }
 
-/// Measured: 0.070 px, 0.856 px, 0.0063 px/s.
-const TWENTY: [f32; 3] = [0.08, 0.94, 0.007];
-/// Measured: 2.07 px, 3.20 px, 0.115 px/s.
-const FORTY: [f32; 3] = [2.3, 3.5, 0.13];
+/// Two or three times what was measured: 1.8e-4 px/s; 0.015 px, 9e-5 px/s; 0.79 px, 0.13 px/s; 0.0044 px, 3.1e-4 px/s after
+/// a load; 0.0016 px, 0.029 px/s under one; 2e-5 px/s after a change of method. Along nothing moves at all.
+const TWENTY: [f32; 3] = [1e-3, 1e-3, 5e-4];
+const FORTY: [f32; 3] = [1e-3, 0.03, 3e-4];
+const TWO_HUNDRED: [f32; 3] = [1e-3, 1.6, 0.3];
+const LOADED: [f32; 3] = [1e-3, 0.01, 1e-3];
+const HEAVY: [f32; 3] = [1e-3, 0.005, 0.06];
+const CHANGED: [f32; 3] = [1e-3, 1e-3, 5e-5];
 
 #[test]
-fn columns_of_twenty_and_forty_boxes_stand_for_a_minute() {
-    for (count, bounds) in [(20, TWENTY), (40, FORTY)] {
+fn columns_of_boxes_stand_for_a_minute() {
+    for (count, bounds) in [(20, TWENTY), (40, FORTY), (200, TWO_HUNDRED)] {
         let (mut simulator, boxes) = column(count);
         run(&mut simulator, 3600);
         assert_stands(&simulator, &boxes, bounds);
@@ -109,19 +120,114 @@ fn columns_of_twenty_and_forty_boxes_stand_for_a_minute() {
 }
 
 #[test]
-#[ignore = "it leans by 10 px then, and is to stand as before"]
 fn a_column_stands_still_again_after_a_hundred_times_the_mass_of_a_box_was_put_on_and_taken_off() {
     let (mut simulator, boxes) = column(20);
     run(&mut simulator, 600);
-    let top = v(0.0, -16.0 - 32.0 * 20.0);
-    let (load, geom) = add_box(&mut simulator, (32.0, 32.0), top);
-    set_surface(&mut simulator, geom, 0.5, 0.0);
-    simulator[load].set_mass(100.0).unwrap();
-    simulator[load].set_moment_of_inertia(100.0 * 32.0 * 32.0 / 6.0).unwrap();
+    let load = load(&mut simulator, 20, 100.0);
     run(&mut simulator, 600);
     simulator.dispose(load).unwrap();
     run(&mut simulator, 3600);
-    assert_stands(&simulator, &boxes, TWENTY);
+    assert_stands(&simulator, &boxes, LOADED);
+}
+
+#[test]
+fn boxes_bear_ten_thousand_times_their_mass() {
+    let (mut simulator, boxes) = column(10);
+    load(&mut simulator, 10, 1e4);
+    run(&mut simulator, 600);
+    assert_stands(&simulator, &boxes, HEAVY);
+}
+
+/// A box of this mass on a column.
+fn load(simulator: &mut PhysicsSimulator, count: usize, mass: f32) -> BodyId {
+    let (load, geom) = add_box(simulator, (32.0, 32.0), v(0.0, -16.0 - 32.0 * count as f32));
+    set_surface(simulator, geom, 0.5, 0.0);
+    simulator[load].set_mass(mass).unwrap();
+    simulator[load].set_moment_of_inertia(mass * 32.0 * 32.0 / 6.0).unwrap();
+    load
+}
+
+fn are_solved_whole(simulator: &PhysicsSimulator) -> Vec<bool> {
+    simulator.islands().iter().map(|island| island.is_solved_whole).collect()
+}
+
+/// A wall of boxes of 32 px, as many in each of the rows, every other row half a box further.
+fn wall(simulator: &mut PhysicsSimulator, [rows, in_a_row]: [usize; 2], corner: Vector2, velocity: Vector2) {
+    for (row, at) in (0..rows).flat_map(|row| (0..in_a_row).map(move |at| (row, at))) {
+        let along = 32.0 * at as f32 + 16.0 * (row % 2) as f32;
+        let place = corner + v(along, -16.0 - 32.0 * row as f32);
+        let (body, geom) = add_box(simulator, (32.0, 32.0), place);
+        simulator[body].set_linear_velocity(velocity);
+        set_surface(simulator, geom, 0.5, 0.0);
+    }
+}
+
+#[test]
+fn columns_and_high_walls_are_solved_as_a_whole_and_low_ones_are_not() {
+    let (mut simulator, _) = column(5);
+    wall(&mut simulator, [14, 3], v(-190.0, 0.0), v(0.0, 0.0));
+    wall(&mut simulator, [3, 3], v(90.0, 0.0), v(0.0, 0.0));
+    run(&mut simulator, 60);
+    assert_eq!(are_solved_whole(&simulator), [true, true, false]);
+}
+
+#[test]
+fn a_wall_that_has_fallen_into_place_is_not_solved_as_a_whole() {
+    let (mut simulator, _) = column(5);
+    wall(&mut simulator, [14, 3], v(-190.0, -2.0), v(0.0, 20.0));
+    run(&mut simulator, 120);
+    let are_whole = are_solved_whole(&simulator);
+    assert!(are_whole[0] && !are_whole[1..].contains(&true), "{are_whole:?}");
+}
+
+#[test]
+fn a_column_that_changes_its_method_does_not_notice() {
+    let (mut simulator, boxes) = column(8);
+    run(&mut simulator, 120);
+    for _ in 0..2 {
+        assert_eq!(are_solved_whole(&simulator), [true]);
+        // A rope that hangs through.
+        let (ends, middle) = ([boxes[3], boxes[5]], v(0.0, 0.0));
+        let rope = JointFactory::create_slider_joint_in(
+            &mut simulator,
+            ends[0],
+            middle,
+            ends[1],
+            middle,
+            0.0,
+            100.0,
+        )
+        .unwrap();
+        run(&mut simulator, 3);
+        assert_eq!(are_solved_whole(&simulator), [false]);
+        assert_stands(&simulator, &boxes, CHANGED);
+        simulator.dispose(rope).unwrap();
+        run(&mut simulator, 3);
+        assert_stands(&simulator, &boxes, CHANGED);
+    }
+}
+
+#[test]
+fn a_ball_that_falls_on_a_column_leaves_it_as_fast_as_its_restitution_says() {
+    let (mut simulator, _) = column(1);
+    load(&mut simulator, 1, 1e4);
+    let (ball, geom) = add_circle(&mut simulator, 10.0, 32, v(0.0, -64.0 - 10.0 - 50.0));
+    set_surface(&mut simulator, geom, 0.0, 1.0);
+    without_drag(&mut simulator, ball);
+    run(&mut simulator, 20);
+    assert!(are_solved_whole(&simulator)[0]);
+    run(&mut simulator, 20);
+    let highest = (0..40).map(|_| {
+        simulator.update(DT);
+        simulator[ball].position().y
+    });
+    // The mean of the coefficients is a half: a quarter of the height. Of the speed that it comes with, 179 px/s, a step's
+    // gravity of 5.3 px/s may be missing.
+    assert_abs_diff_eq!(
+        highest.fold(0.0, f32::min),
+        -64.0 - 10.0 - 12.5,
+        epsilon = 12.5 * 2.0 * 5.3 / 179.0 + 0.3
+    );
 }
 
 #[test]

@@ -54,6 +54,11 @@ impl Joints {
         self.groups.iter().all(|group| group.is_apart)
     }
 
+    /// How many joints hold something.
+    pub(super) fn count(&self) -> usize {
+        self.holds.len()
+    }
+
     /// Whether some joint holds a body.
     #[inline(always)]
     pub(super) fn holds(&self, body: usize) -> bool {
@@ -198,7 +203,7 @@ fn loose_of(plan: &forest::Group, holds: &[Hold], seat_of: impl Fn(u32) -> u32) 
 }
 
 /// A mass from its reciprocal. What cannot be moved is so heavy that nothing that is pushed can tell.
-fn weight_of(inverse: f32) -> f64 {
+pub(super) fn weight_of(inverse: f32) -> f64 {
     if inverse > 0.0 { 1.0 / f64::from(inverse) } else { 1e60 }
 }
 

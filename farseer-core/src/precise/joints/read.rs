@@ -107,6 +107,8 @@ impl Precise {
             joints.holds.extend(holds.filter_map(|joint| self.hold(joint, &objects.bodies)));
             joints.plan(&self.bodies);
             joints.is_read = true;
+            let is_held = |body: usize| self.direct.is_direct(body) && joints.holds(body);
+            self.direct.timing.is_due |= (1..=self.bodies.count).any(is_held);
         }
         if !joints.holds.is_empty() {
             let all_touched = self.rows.has_last();

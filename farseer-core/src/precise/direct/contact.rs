@@ -1,0 +1,201 @@
+//! A contact as the direct method sees it: rows of at most two points along the normal, and one of friction.
+
+use super::factor::{Entry, Triple};
+use crate::precise::rows::Aside;
+
+/// In place of a body's place in its island: it does not give way.
+pub(super) const FIXED: u32 = u32::MAX;
+/// The row of friction, after those of the points.
+pub(super) const FRICTION: usize = 2;
+
+/// How much deeper than others a point has to be that nothing loads.
+const UNLOADED: f64 = 100.0;
+
+/// Rows by bits.
+pub(super) type Set = u8;
+
+/// What a contact is between.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Ends {
+    /// Places in the island, or [`FIXED`].
+    pub(super) bodies: [u32; 2],
+    /// Of the two bodies' block, if both give way.
+    pub(super) entry: Option<Entry>,
+}
+
+/// A contact between two bodies of an island. Rows are relative velocities u = d (vB - vA) + wB arm_b - wA arm_a, with d the
+/// normal for points and the tangent (normal y, -normal x) for friction.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Contact {
+    pub(super) bodies: [u32; 2],
+    pub(super) entry: Option<Entry>,
+    pub(super) normal: [f64; 2],
+    pub(super) arms_a: Triple,
+    pub(super) arms_b: Triple,
+    /// The rows there are.
+    pub(super) rows: Set,
+    /// What an impulse on each row weighs: velocity times this.
+    pub(super) masses: Triple,
+    /// The stiffness of each row in the present round.
+    pub(super) stiffness: Triple,
+    pub(super) friction: f64,
+    /// How great friction may be.
+    pub(super) bound: f64,
+    pub(super) separations: [f64; 2],
+    /// Velocity of each row by what does not give way.
+    pub(super) carried: Triple,
+    /// Velocity of each row above the one it may have: of points 0 and more, of friction 0.
+    pub(super) excess: Triple,
+    /// What the last direction would change of it.
+    pub(super) change: Triple,
+    /// Impulses of the whole step: now, when the step began, and when the round began.
+    pub(super) impulses: Triple,
+    pub(super) begun: Triple,
+    pub(super) centre: Triple,
+    /// Those that leave the least error.
+    pub(super) best: Triple,
+    /// Rows that yield as springs, rather than pressing nothing or sliding; and those that the factors were made for.
+    pub(super) active: Set,
+    pub(super) factored: Set,
+}
+
+impl Contact {
+    /// Of a row whose impulses are of so many parts of a step, with velocities before impulses act.
+    pub(super) fn new(row: &Aside, parts: f64, Ends { bodies, entry }: Ends) -> Self {
+        let lane = &row.lane;
+        let of_points = |of: fn(&crate::precise::rows::PointLane) -> f32, friction: f32| {
+            [of(&lane.points[0]), of(&lane.points[1]), friction].map(f64::from)
+        };
+        let is_there = |at: usize| lane.points[at].mass > 0.0;
+        let rows = u8::from(is_there(0)) | u8::from(is_there(1)) << 1 | 1 << FRICTION;
+        let mut impulses = row.impulses().map(|impulse| impulse * parts);
+        (0..2).filter(|&at| !is_there(at)).for_each(|at| impulses[at] = 0.0);
+        Contact {
+            bodies,
+            entry,
+            normal: lane.normal.map(f64::from),
+            arms_a: of_points(|point| point.arm_a, lane.tangent_arms[0]),
+            arms_b: of_points(|point| point.arm_b, lane.tangent_arms[1]),
+            rows,
+            masses: of_points(|point| point.mass, lane.tangent_mass),
+            stiffness: [0.0; 3],
+            friction: f64::from(lane.friction),
+            bound: 0.0,
+            separations: [lane.points[0].separation, lane.points[1].separation].map(f64::from),
+            carried: [0.0; 3],
+            excess: [0.0, 0.0, -f64::from(lane.tangent_speed)],
+            change: [0.0; 3],
+            impulses,
+            begun: impulses,
+            centre: impulses,
+            best: impulses,
+            active: 0,
+            factored: 0,
+        }
+    }
+
+    /// A moves by itself.
+    pub(super) fn carry(&mut self, velocity: Triple) {
+        self.carried = self.relative(velocity, [0.0; 3]);
+        (0..3).for_each(|row| self.excess[row] += self.carried[row]);
+    }
+
+    #[inline(always)]
+    pub(super) fn has(&self, row: usize) -> bool {
+        self.rows >> row & 1 == 1
+    }
+
+    /// Relative velocities of all rows, with this of members.
+    #[inline(always)]
+    pub(super) fn relative_of(&self, of: impl Fn(usize) -> Triple) -> Triple {
+        let [a, b] = self.bodies.map(|member| if member == FIXED { [0.0; 3] } else { of(member as usize) });
+        self.relative(a, b)
+    }
+
+    /// Relative velocities of all rows.
+    #[inline(always)]
+    pub(super) fn relative(&self, a: Triple, b: Triple) -> Triple {
+        let ([nx, ny], [x, y]) = (self.normal, [b[0] - a[0], b[1] - a[1]]);
+        let along = [x * nx + y * ny, x * nx + y * ny, x * ny - y * nx];
+        std::array::from_fn(|row| along[row] + b[2] * self.arms_b[row] - a[2] * self.arms_a[row])
+    }
+
+    /// What impulses do to A and to B: their sum, and how they turn each.
+    #[inline(always)]
+    pub(super) fn push(&self, impulses: Triple) -> [Triple; 2] {
+        let ([nx, ny], along) = (self.normal, impulses[0] + impulses[1]);
+        let (x, y) = (along * nx + impulses[2] * ny, along * ny - impulses[2] * nx);
+        let turn = |arms: &Triple| impulses[0] * arms[0] + impulses[1] * arms[1] + impulses[2] * arms[2];
+        [[-x, -y, -turn(&self.arms_a)], [x, y, turn(&self.arms_b)]]
+    }
+
+    /// Friction within its bound; what is no number stays none.
+    fn limited(&self, impulse: f64) -> f64 {
+        if impulse.abs() <= self.bound { impulse } else { self.bound.copysign(impulse) }
+    }
+
+    /// How far the rows are from what they are to be, as velocities: those that press are to stand still, the others may not
+    /// approach; friction stands still or is as great as it may be.
+    pub(super) fn residual(&self) -> f64 {
+        let mut worst = 0.0;
+        let mut note = |velocity: f64| worst = if velocity.abs() <= worst { worst } else { velocity.abs() };
+        for row in (0..2).filter(|&row| self.has(row)) {
+            let presses = self.impulses[row] > self.masses[row] * self.excess[row];
+            note(if presses { self.excess[row] } else { self.impulses[row] / self.masses[row] });
+        }
+        let (mass, impulse) = (self.masses[FRICTION], self.impulses[FRICTION]);
+        if mass > 0.0 {
+            let wanted = impulse - mass * self.excess[FRICTION];
+            let limited = self.limited(wanted);
+            note(if limited == wanted { self.excess[FRICTION] } else { (limited - impulse) / mass });
+        }
+        worst
+    }
+
+    /// The impulses of springs from those of the round on, within their bounds, and which are not at a bound.
+    #[inline(always)]
+    pub(super) fn law(&self, excess: Triple) -> (Triple, Set) {
+        let free: Triple = std::array::from_fn(|row| self.centre[row] - self.stiffness[row] * excess[row]);
+        let (mut impulses, mut active) = ([0.0; 3], 0);
+        for row in (0..2).filter(|&row| self.has(row) && free[row] > 0.0) {
+            impulses[row] = free[row];
+            active |= 1 << row;
+        }
+        let is_within = free[FRICTION].abs() <= self.bound;
+        impulses[FRICTION] = if is_within { free[FRICTION] } else { self.bound.copysign(free[FRICTION]) };
+        active |= u8::from(is_within && self.bound > 0.0) << FRICTION;
+        (impulses, active)
+    }
+
+    /// A first guess: what has pressed goes on to, whatever it takes, and what has stuck sticks.
+    pub(super) fn guess(&self) -> (Triple, Set) {
+        let free: Triple =
+            std::array::from_fn(|row| self.centre[row] - self.stiffness[row] * self.excess[row]);
+        let (mut impulses, mut active) = ([0.0; 3], 0);
+        for row in (0..2).filter(|&row| self.centre[row] > 0.0) {
+            impulses[row] = free[row];
+            active |= 1 << row;
+        }
+        let sticks = self.bound > 0.0 && self.centre[FRICTION].abs() < self.bound;
+        impulses[FRICTION] = if sticks { free[FRICTION] } else { self.limited(self.centre[FRICTION]) };
+        (impulses, active | u8::from(sticks) << FRICTION)
+    }
+
+    /// Whether a point is to be taken out of what it is in, if that is deeper than `reach`.
+    pub(super) fn is_pressed_out(&self, row: usize, reach: f64) -> bool {
+        self.has(row) && (self.impulses[row] > 0.0 || self.separations[row] < -UNLOADED * reach)
+    }
+
+    /// Friction is bounded by what presses.
+    #[inline(always)]
+    pub(super) fn bounded(&self) -> f64 {
+        self.friction * (self.impulses[0] + self.impulses[1])
+    }
+
+    /// Goes along the last direction by this part; answers whether the factors are of another set now.
+    pub(super) fn follow(&mut self, part: f64) -> bool {
+        (0..3).for_each(|row| self.excess[row] += part * self.change[row]);
+        (self.impulses, self.active) = self.law(self.excess);
+        self.active != self.factored
+    }
+}

@@ -1,0 +1,433 @@
+//! An island of bodies that touch, solved as a whole.
+//!
+//! The velocities v after a step are those of least 1/2 (v - v0) M (v - v0) under which nothing comes nearer than it may:
+//! with impulses l on rows J, M (v - v0) = J' l, where points press or part and friction sticks or slides within its bound.
+//! **Augmented Lagrangian**: rows are stiff springs, l = l0 - k J v, within their bounds; what springs yield is taken over
+//! into l0 from round to round until nothing is left of it, so that the result is that of rigid rows. **Semismooth Newton**:
+//! each round is a minimum of a function whose slope is piecewise linear; where the set of rows at their bounds does not
+//! change, one step with H = M + sum k j j' over the others is exact. H has a block per body, and a block per two that touch:
+//! on a column, an arch or a small pile its [factors](super::factor) cost little more than a pass over all rows. Friction's
+//! bounds follow what presses from step to step of Newton's method.
+//!
+//! J. C. Simo and T. A. Laursen, "An augmented Lagrangian treatment of contact problems involving friction" (1992), for
+//! springs with multipliers; K. Erleben, "Rigid body contact problems using proximal operators" (2017), for the same as
+//! proximal points.
+
+use super::contact::{Contact, FIXED, FRICTION};
+use super::factor::{Factor, Triple};
+use crate::storage::reusing_clone::reusing_clone;
+
+/// Softness of springs, as part of what one row's own weight would make of it: at first, by how much less from round to
+/// round while the set stays the same, and at least. Stiff ones yield less, and are harder to find the set with.
+const SOFTNESS: f64 = 1e-3;
+const STIFFER: f64 = 0.25;
+const STIFFEST: f64 = 6e-5;
+/// Most steps of Newton's method in a round, most rounds, and most steps of all.
+const NEWTON: usize = 25;
+const ROUNDS: usize = 6;
+const MOST: usize = 100;
+/// Halvings and secants on a line; it ends where this part of the first slope is left.
+const LINE: usize = 20;
+const LEVEL: f64 = 0.01;
+/// How far friction's bounds follow what presses in a step of Newton's method.
+const FOLLOW: f64 = 0.5;
+
+/// A body of the island.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Member {
+    pub(super) number: u32,
+    pub(super) mass: f64,
+    pub(super) inertia: f64,
+    pub(super) velocity: Triple,
+    /// What this step has changed of it, beside the impulses that were there before.
+    pub(super) change: Triple,
+    /// The change that leaves the least error.
+    pub(super) best: Triple,
+}
+
+impl Member {
+    /// What an impulse does to the velocity.
+    #[inline(always)]
+    fn yields(&self, [x, y, turn]: Triple) -> Triple {
+        [x / self.mass, y / self.mass, turn / self.inertia]
+    }
+
+    #[inline(always)]
+    fn weighed(&self, [x, y, turn]: Triple) -> Triple {
+        [self.mass * x, self.mass * y, self.inertia * turn]
+    }
+}
+
+#[inline(always)]
+fn dot(a: Triple, b: Triple) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+#[inline(always)]
+fn add(to: &mut Triple, part: Triple) {
+    to.iter_mut().zip(part).for_each(|(to, part)| *to += part);
+}
+
+/// What solving an island has taken.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Effort {
+    /// Steps of Newton's method.
+    pub(super) steps: usize,
+    /// Greatest velocity that is not as it is to be.
+    pub(super) residual: f64,
+}
+
+/// Bodies that hang together by contacts.
+#[derive(Debug, Default)]
+pub(super) struct Island {
+    pub(super) members: Vec<Member>,
+    pub(super) contacts: Vec<Contact>,
+    pub(super) factor: Factor,
+    /// Whether the factors are those of what is active now.
+    is_factored: bool,
+    softness: f64,
+    gradient: Vec<Triple>,
+    direction: Vec<Triple>,
+}
+
+reusing_clone! { Island { members, contacts, factor, is_factored, softness, gradient, direction } }
+
+impl Island {
+    /// The impulses so far act. Answers how far rows are from what they are to be.
+    pub(super) fn begin(&mut self, dt: f64, reach: f64) -> f64 {
+        (self.is_factored, self.softness) = (false, 0.0);
+        self.direction.resize(self.members.len(), [0.0; 3]);
+        let Island { members, contacts, .. } = self;
+        for contact in contacts.iter() {
+            for (&member, push) in contact.bodies.iter().zip(contact.push(contact.impulses)) {
+                if member != FIXED {
+                    let member = &mut members[member as usize];
+                    let change = member.yields(push);
+                    add(&mut member.velocity, change);
+                }
+            }
+        }
+        let mut worst = 0.0;
+        for contact in contacts {
+            let velocity = contact.relative_of(|member| members[member].velocity);
+            add(&mut contact.excess, velocity);
+            for row in 0..2 {
+                let gap = contact.separations[row] - reach;
+                contact.excess[row] += if gap > 0.0 { gap / dt } else { 0.0 };
+            }
+            contact.bound = contact.bounded();
+            worst = greater(contact.residual(), worst);
+        }
+        worst
+    }
+
+    /// Finds the impulses with which nothing is further from what it is to be than `enough`; goes on to `exact` while that
+    /// is easily had. The best of all rounds counts: near the end friction's bounds may go back and forth.
+    pub(super) fn solve(&mut self, enough: f64, exact: f64) -> Effort {
+        let mut effort = Effort { steps: 0, residual: f64::INFINITY };
+        let mut softness = SOFTNESS;
+        self.stiffen(softness);
+        for round in 0..ROUNDS {
+            let steps = self.round(round == 0, exact, MOST - effort.steps);
+            effort.steps += steps;
+            let residual = self.residual();
+            let is_better = residual < effort.residual;
+            let goes_on = residual < 0.25 * effort.residual;
+            if is_better || round == 0 {
+                effort.residual = residual;
+                self.members.iter_mut().for_each(|member| member.best = member.change);
+                self.contacts.iter_mut().for_each(|contact| contact.best = contact.impulses);
+            }
+            let is_enough = effort.residual <= exact || (effort.residual <= enough && !goes_on);
+            if is_enough || effort.steps >= MOST {
+                break;
+            }
+            if steps == 1 && softness > STIFFEST {
+                softness *= STIFFER;
+                self.stiffen(softness);
+            }
+        }
+        self.contacts.iter_mut().for_each(|contact| contact.impulses = contact.best);
+        for member in &mut self.members {
+            add(&mut member.velocity, member.best);
+        }
+        effort
+    }
+
+    fn stiffen(&mut self, softness: f64) {
+        if self.softness == softness {
+            return;
+        }
+        self.softness = softness;
+        self.is_factored = false;
+        for contact in &mut self.contacts {
+            contact.stiffness = contact.masses.map(|mass| mass / softness);
+        }
+    }
+
+    fn residual(&mut self) -> f64 {
+        let mut worst = 0.0;
+        for contact in &mut self.contacts {
+            contact.bound = contact.bounded();
+            worst = greater(contact.residual(), worst);
+        }
+        worst
+    }
+
+    /// The least of the springs' function, with the impulses now as those that springs begin with.
+    fn round(&mut self, is_first: bool, tolerance: f64, most: usize) -> usize {
+        for contact in &mut self.contacts {
+            contact.centre = contact.impulses;
+            let presses = contact.impulses[0] + contact.impulses[1];
+            let meets = (0..2).map(|row| (-contact.excess[row] * contact.masses[row]).max(0.0)).sum::<f64>();
+            contact.bound = contact.friction * if is_first && presses == 0.0 { meets } else { presses };
+            (contact.impulses, contact.active) =
+                if is_first { contact.guess() } else { contact.law(contact.excess) };
+        }
+        let mut is_guess = is_first;
+        for step in 1..=NEWTON.min(most) {
+            if self.newton(&mut is_guess, step < NEWTON, 0.1 * tolerance) {
+                return step;
+            }
+        }
+        NEWTON.min(most)
+    }
+
+    /// A step of Newton's method. Answers whether it is the last one.
+    fn newton(&mut self, is_guess: &mut bool, follows: bool, least: f64) -> bool {
+        if !self.is_factored || self.contacts.iter().any(|contact| contact.active != contact.factored) {
+            self.factorise();
+        }
+        let slope = self.descend();
+        let [by_change, by_direction] = self.weights();
+        let (is_same, greatest, slope_there) = self.try_whole(by_change + by_direction);
+        let mut part = 1.0;
+        if !is_same {
+            let mut slope = slope;
+            if std::mem::take(is_guess) {
+                // The slope of the guess is not that of the springs.
+                slope = self.slope(0.0, by_change, by_direction).0;
+                let descends = slope < 0.0;
+                if !descends {
+                    self.contacts.iter_mut().for_each(|contact| {
+                        contact.follow(-1.0);
+                    });
+                    return false;
+                }
+            }
+            if slope_there > 0.25 * -slope {
+                part = self.search(slope, by_change, by_direction);
+            }
+            self.contacts.iter_mut().for_each(|contact| {
+                contact.follow(part - 1.0);
+            });
+        }
+        *is_guess = false;
+        for (member, direction) in self.members.iter_mut().zip(&self.direction) {
+            add(&mut member.change, direction.map(|way| part * way));
+        }
+        let is_exact = is_same;
+        if follows && !is_exact {
+            for contact in &mut self.contacts {
+                contact.bound += FOLLOW * (contact.bounded() - contact.bound);
+                (contact.impulses, contact.active) = contact.law(contact.excess);
+            }
+        }
+        is_exact || part * greatest < least
+    }
+
+    /// Makes the factors of what is active.
+    fn factorise(&mut self) {
+        let Island { members, contacts, factor, .. } = self;
+        factor.begin(members.iter().map(|member| [member.mass, member.inertia]));
+        for contact in contacts {
+            contact.factored = contact.active;
+            if contact.active != 0 {
+                assemble(contact, factor);
+            }
+        }
+        factor.factorise();
+        self.is_factored = true;
+    }
+
+    /// The direction in which the function's least would be, were the set the same. Answers the slope along it.
+    fn descend(&mut self) -> f64 {
+        let Island { members, contacts, factor, gradient, direction, .. } = self;
+        gradient.clear();
+        gradient.extend(members.iter().map(|member| member.weighed(member.change).map(|momentum| -momentum)));
+        for contact in contacts {
+            let impulses = std::array::from_fn(|row| contact.impulses[row] - contact.begun[row]);
+            for (&member, push) in contact.bodies.iter().zip(contact.push(impulses)) {
+                if member != FIXED {
+                    add(&mut gradient[member as usize], push);
+                }
+            }
+        }
+        direction.clone_from(gradient);
+        factor.solve(direction);
+        -gradient.iter().zip(direction.iter()).map(|(&g, &way)| dot(g, way)).sum::<f64>()
+    }
+
+    /// The products of the direction with the change so far and with itself, by masses.
+    fn weights(&self) -> [f64; 2] {
+        let mut sums = [0.0; 2];
+        for (member, &way) in self.members.iter().zip(&self.direction) {
+            let weighed = member.weighed(way);
+            sums[0] += dot(weighed, member.change);
+            sums[1] += dot(weighed, way);
+        }
+        sums
+    }
+
+    /// Goes the whole way. Answers whether the set stays the same, the greatest change of a row, and the slope there.
+    fn try_whole(&mut self, weight: f64) -> (bool, f64, f64) {
+        let (mut is_same, mut greatest, mut slope) = (true, 0.0, weight);
+        let Island { contacts, direction, .. } = self;
+        for contact in contacts {
+            contact.change = contact.relative_of(|member| direction[member]);
+            (0..3).for_each(|row| contact.excess[row] += contact.change[row]);
+            let (impulses, active) = contact.law(contact.excess);
+            contact.impulses = impulses;
+            is_same &= active == contact.active;
+            greatest = contact.change.iter().fold(greatest, |most, change| greater(change.abs(), most));
+            slope -=
+                (0..3).map(|row| contact.change[row] * (impulses[row] - contact.begun[row])).sum::<f64>();
+        }
+        (is_same, greatest, slope)
+    }
+
+    /// Slope and curvature at a part of the way, from its end on.
+    fn slope(&self, part: f64, by_change: f64, by_direction: f64) -> (f64, f64) {
+        let (mut slope, mut curvature) = (by_change + part * by_direction, by_direction);
+        for contact in &self.contacts {
+            let excess = std::array::from_fn(|row| contact.excess[row] + (part - 1.0) * contact.change[row]);
+            let (impulses, active) = contact.law(excess);
+            for (row, change) in contact.change.into_iter().enumerate() {
+                slope -= change * (impulses[row] - contact.begun[row]);
+                let stiffness = if active >> row & 1 == 1 { contact.stiffness[row] } else { 0.0 };
+                curvature += stiffness * change * change;
+            }
+        }
+        (slope, curvature)
+    }
+
+    /// The part of the way at which the slope ends.
+    fn search(&self, first: f64, by_change: f64, by_direction: f64) -> f64 {
+        let (mut low, mut high, mut part) = (0.0, 1.0, 1.0);
+        for _ in 0..LINE {
+            let (slope, curvature) = self.slope(part, by_change, by_direction);
+            if slope.abs() < LEVEL * -first {
+                break;
+            }
+            if slope < 0.0 {
+                low = part
+            } else {
+                high = part
+            }
+            part -= slope / curvature;
+            if !(part > low && part < high) {
+                part = 0.5 * (low + high);
+            }
+        }
+        part
+    }
+
+    /// Ways that take points out of each other, loaded ones that are deeper than `reach` and others that are far deeper, by no more than `most`; no way if none
+    /// is. Separations are those after `dt` of the velocities, and then of the ways too.
+    pub(super) fn part(&mut self, dt: f64, [reach, most]: [f64; 2]) -> bool {
+        let Island { members, contacts, .. } = self;
+        let mut deepest = 0.0;
+        for contact in contacts {
+            let mut velocity = contact.relative_of(|member| members[member].velocity);
+            add(&mut velocity, contact.carried);
+            for (row, velocity) in velocity.into_iter().enumerate().take(2) {
+                contact.separations[row] += dt * velocity;
+                if contact.is_pressed_out(row, reach) {
+                    deepest = greater(-contact.separations[row], deepest);
+                }
+            }
+        }
+        let is_deep = deepest > reach;
+        if is_deep {
+            self.stiffen(SOFTNESS);
+            self.press_out([reach, most]);
+        }
+        is_deep
+    }
+
+    fn press_out(&mut self, [reach, most]: [f64; 2]) {
+        for contact in &mut self.contacts {
+            let deep = [0, 1].map(|row| contact.is_pressed_out(row, reach));
+            contact.active = u8::from(deep[0]) | u8::from(deep[1]) << 1;
+            let sticks = contact.active != 0 && contact.impulses[FRICTION].abs() < contact.bound;
+            contact.active |= u8::from(sticks) << FRICTION;
+        }
+        if !self.is_factored || self.contacts.iter().any(|contact| contact.active != contact.factored) {
+            self.factorise();
+        }
+        self.direction.fill([0.0; 3]);
+        for contact in &self.contacts {
+            let mut impulses = [0.0; 3];
+            for row in (0..2).filter(|&row| contact.active >> row & 1 == 1) {
+                let depth = -contact.separations[row];
+                impulses[row] = contact.stiffness[row] * if depth < most { depth.max(0.0) } else { most };
+            }
+            for (&member, push) in contact.bodies.iter().zip(contact.push(impulses)) {
+                if member != FIXED {
+                    add(&mut self.direction[member as usize], push);
+                }
+            }
+        }
+        self.factor.solve(&mut self.direction);
+        for contact in &mut self.contacts {
+            let [a, b] = contact.bodies.map(|member| match member {
+                FIXED => [0.0; 3],
+                member => self.direction[member as usize],
+            });
+            let way = contact.relative(a, b);
+            (0..2)
+                .filter(|&row| contact.rows >> row & 1 == 1)
+                .for_each(|row| contact.separations[row] += way[row]);
+        }
+    }
+
+    /// The way of each member beside that of its velocity, after [`part`](Self::part) has found one.
+    pub(super) fn ways(&self) -> &[Triple] {
+        &self.direction
+    }
+}
+
+/// The greater one; the first one if it is not a number.
+fn greater(one: f64, other: f64) -> f64 {
+    if one <= other { other } else { one }
+}
+
+/// Adds k j j' of the active rows of a contact: with n the normal and t the tangent, of two bodies the same in x and y.
+fn assemble(contact: &Contact, factor: &mut Factor) {
+    let stiffness: Triple =
+        std::array::from_fn(|row| if contact.active >> row & 1 == 1 { contact.stiffness[row] } else { 0.0 });
+    let ([nx, ny], along, across) = (contact.normal, stiffness[0] + stiffness[1], stiffness[2]);
+    let xx = along * nx * nx + across * ny * ny;
+    let xy = (along - across) * nx * ny;
+    let yy = along * ny * ny + across * nx * nx;
+    // What turning of one does to a push along x and y.
+    let turned = |arms: &Triple| {
+        let along = stiffness[0] * arms[0] + stiffness[1] * arms[1];
+        let across = stiffness[2] * arms[2];
+        [along * nx + across * ny, along * ny - across * nx]
+    };
+    let both =
+        |one: &Triple, other: &Triple| (0..3).map(|row| stiffness[row] * one[row] * other[row]).sum::<f64>();
+    let (arms_a, arms_b) = (&contact.arms_a, &contact.arms_b);
+    let ([ax, ay], [bx, by]) = (turned(arms_a), turned(arms_b));
+    let [a, b] = contact.bodies;
+    if a != FIXED {
+        factor.add(a, [xx, xy, yy, ax, ay, both(arms_a, arms_a)]);
+    }
+    if b != FIXED {
+        factor.add(b, [xx, xy, yy, bx, by, both(arms_b, arms_b)]);
+    }
+    if let Some(entry) = contact.entry {
+        factor.add_between(entry, [-xx, -xy, -ax, -xy, -yy, -ay, -bx, -by, -both(arms_a, arms_b)]);
+    }
+}

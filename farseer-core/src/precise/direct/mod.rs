@@ -1,0 +1,491 @@
+//! Islands that are solved [as a whole](island), by their graph: those of few bodies on which the factors fill in little.
+//! Columns, high houses and walls stand exactly then. What has rings is hard to solve while it moves, and the passes over all
+//! rows do well where it is small: arches, small pyramids and whatever has fallen on a pile are theirs, and so is what bounces
+//! or keeps this busy for long.
+//!
+//! A row has one home: those of such islands are taken out of their colours, and go back to them with the impulses that were
+//! found.
+
+mod contact;
+mod factor;
+mod island;
+
+use serde::{Deserialize, Serialize};
+
+use super::Precise;
+use super::bodies::Hot;
+use super::islands::Islands;
+use super::joints::weight_of;
+use super::pairs::Pairs;
+use super::proxies::{Mobility, Proxies};
+use super::rows::{Aside, Home, Lane, PointLane};
+use super::tuning::Step;
+use crate::storage::reusing_clone::reusing_clone;
+use contact::{Contact, Ends, FIXED};
+use factor::Triple;
+use island::{Island, Member};
+
+/// Most bodies of an island.
+const LARGEST: u32 = 400;
+/// What has come together from what was faster than this, in units of length per second, is left to the passes, unless it is
+/// without rings and has the first number of bodies. What has rings and fewer than the second number is too: they make it
+/// stand.
+const CALM: f32 = 0.25;
+const HIGH: u32 = 16;
+const MANY: u32 = 40;
+/// Most products of blocks per body that the factors of an island are made of.
+const FILLED: usize = 8;
+/// An island is left to the passes once its solutions take this many steps of Newton's method, and this many more per body, on
+/// the average over so many updates, for so many updates. Columns and others without rings get more: what they need is had from
+/// no pass, and a step costs them little.
+const BUSY: [f32; 2] = [10.0, 0.0];
+const BUSIER: [f32; 2] = [0.2, 0.1];
+const LONG: f32 = 30.0;
+const REST: u8 = 128;
+/// What has changed elsewhere is asked for its islands once in so many updates; at once if no more bodies are awake than this,
+/// and all are calm.
+const PERIOD: u8 = 16;
+const FEW: usize = 64;
+/// In units of length per second: the greatest error of a velocity that is left as it is; and the one in the update after a
+/// solution, for what has corrected velocities is to leave the impulses again.
+const QUIET: f64 = 1e-4;
+const EXACT: f64 = 2e-6;
+/// What a solution leaves of it at most, and if that is easily had: what it leaves adds up from update to update until it is
+/// not quiet any more.
+const ENOUGH: f64 = 1e-5;
+const SOLVED: f64 = 1e-9;
+/// Overlap in units of length, and as a part of coordinates, that is left as it is.
+const LEFT: f64 = 1e-5;
+const LEFT_OF_PLACE: f64 = 1e-6;
+
+/// How an island has fared so far, at each of its bodies.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub(super) struct Wear {
+    /// It is solved as a whole.
+    pub(super) is_direct: bool,
+    /// Steps of Newton's method per update, on the average.
+    pub(super) effort: f32,
+    /// It was solved in the last update.
+    pub(super) is_hot: bool,
+    /// Updates for which it is left to the passes.
+    pub(super) rest: u8,
+    /// It has come with what moved.
+    pub(super) is_loose: bool,
+}
+
+/// What is solved as a whole.
+#[derive(Debug, Default)]
+pub(super) struct Direct {
+    /// By body number.
+    pub(super) wear: Vec<Wear>,
+    pub(super) timing: Timing,
+    /// Whether the islands below are those that are to be solved as a whole.
+    is_listed: bool,
+    /// The first so many are in use.
+    islands: Vec<Whole>,
+    count: usize,
+    /// Empty between updates, but for the room they have.
+    unions: Islands,
+    census: Vec<Census>,
+    found: Vec<(u32, u32)>,
+    edges: Vec<[u32; 2]>,
+}
+
+reusing_clone! {
+    Direct { wear, timing, is_listed, islands, count, unions, census, found, edges }
+}
+
+/// When islands are asked for.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub(super) struct Timing {
+    /// Rows of islands that are solved as a whole have come or gone; or others have.
+    pub(super) is_due: bool,
+    pub(super) may_be_due: bool,
+    /// Updates for which the second has been so, and whether some body rests.
+    age: u8,
+    has_resting: bool,
+    /// How many joints there were.
+    joints: u32,
+}
+
+impl Timing {
+    /// Islands are asked for.
+    fn begin_again(&mut self) {
+        (self.is_due, self.may_be_due, self.age) = (false, false, 0);
+    }
+}
+
+/// An island, and where its contacts' rows are.
+#[derive(Debug, Default)]
+struct Whole {
+    island: Island,
+    homes: Vec<Home>,
+    ends: Vec<Ends>,
+    ways: Vec<Triple>,
+}
+
+reusing_clone! { Whole { island, homes, ends, ways } }
+
+/// What is counted of an island.
+#[derive(Debug, Clone, Copy, Default)]
+struct Census {
+    bodies: u32,
+    contacts: u32,
+    /// Bodies that are solved as a whole so far.
+    direct: u32,
+    /// Something in it is not for this, or bounces, or moves, or has come with what moved.
+    is_refused: bool,
+    bounces: bool,
+    moves: bool,
+    is_loose: bool,
+    /// Its place among those that are solved as a whole.
+    place: Option<u32>,
+}
+
+impl Census {
+    fn is_for_this(&self) -> bool {
+        let Census { bodies, contacts, direct, .. } = *self;
+        let is_built = !(self.moves || self.is_loose);
+        let pays = if contacts > bodies {
+            bodies >= MANY && (is_built || 2 * direct > bodies)
+        } else {
+            is_built || bodies >= HIGH
+        };
+        (2..=LARGEST).contains(&bodies) && pays && !(self.is_refused || self.bounces)
+    }
+}
+
+impl Direct {
+    /// All bodies are listed anew.
+    pub(super) fn reset(&mut self, bodies: usize) {
+        self.wear.clear();
+        self.wear.resize(bodies, Wear::default());
+        self.is_listed = false;
+        self.count = 0;
+    }
+
+    #[inline(always)]
+    pub(super) fn is_direct(&self, body: usize) -> bool {
+        self.wear.get(body).is_some_and(|wear| wear.is_direct)
+    }
+
+    /// A row between these bodies comes or goes.
+    #[inline(always)]
+    pub(super) fn note(&mut self, bodies: [u32; 2]) {
+        self.timing.is_due |= bodies.iter().any(|&body| self.is_direct(body as usize));
+        self.timing.may_be_due = true;
+    }
+
+    /// Whether islands are to be asked for now.
+    fn tick(&mut self, is_quick: bool) -> bool {
+        let Timing { is_due, may_be_due, age, has_resting, .. } = &mut self.timing;
+        if std::mem::take(has_resting) {
+            for wear in self.wear.iter_mut().filter(|wear| wear.rest > 0) {
+                wear.rest -= 1;
+                *may_be_due |= wear.rest == 0;
+                *has_resting |= wear.rest > 0;
+            }
+        }
+        *age = if *may_be_due { *age + 1 } else { 0 };
+        *is_due || (*may_be_due && (*age >= PERIOD || is_quick))
+    }
+}
+
+impl Precise {
+    /// Which islands are solved as a whole, if that may have changed.
+    pub(super) fn choose_methods(&mut self) {
+        if self.bounces {
+            let (hot, least) = (&self.bodies.hot, self.tuning.bounce);
+            self.direct.timing.is_due |=
+                self.rows.all_direct().iter().any(|row| bounces(&row.lane, hot, least));
+        }
+        let joints = self.joints.count() as u32;
+        self.direct.timing.may_be_due |= std::mem::replace(&mut self.direct.timing.joints, joints) != joints;
+        let is_quick = self.direct.timing.may_be_due
+            && self.bodies.count - self.sleep.count <= FEW
+            && !self.sleep.awake(self.bodies.count).any(|body| self.moves(body));
+        if self.direct.tick(is_quick) {
+            self.direct.timing.begin_again();
+            self.take_census();
+            self.plan_islands(true);
+            self.move_rows();
+            self.list_contacts();
+        } else if !self.direct.is_listed {
+            self.take_census();
+            self.plan_islands(false);
+            self.list_contacts();
+        }
+        self.direct.is_listed = true;
+    }
+
+    /// Whether a body is no longer calm.
+    fn moves(&self, body: usize) -> bool {
+        let ([x, y, ..], calm) = (self.bodies.hot[body].velocity, CALM * self.tuning.unit);
+        x * x + y * y > calm * calm
+    }
+
+    /// Islands of what is awake, how many bodies they have and which are not for this.
+    fn take_census(&mut self) {
+        let mut unions = std::mem::take(&mut self.direct.unions);
+        let mut census = std::mem::take(&mut self.direct.census);
+        self.join_contacts(&mut unions);
+        census.clear();
+        census.resize(self.bodies.hot.len(), Census::default());
+        for body in self.sleep.awake(self.bodies.count).filter(|&body| !self.bodies.is_kinematic(body)) {
+            let of = &mut census[unions.find(body as u32) as usize];
+            of.bodies += 1;
+            let wear = self.direct.wear[body];
+            of.direct += u32::from(wear.is_direct);
+            of.is_refused |= self.joints.holds(body) || wear.rest > 0;
+            of.moves |= self.moves(body);
+            of.is_loose |= wear.is_loose;
+        }
+        for pair in 0..self.pairs.awake {
+            let state = self.pairs.all[pair];
+            let Some(home) = state.home else { continue };
+            let body = self.sides(pair)[1].0 as u32;
+            let of = &mut census[unions.find(body) as usize];
+            let (hot, least) = (&self.bodies.hot, self.tuning.bounce);
+            of.contacts += 1;
+            of.bounces |= self.bounces && bounces(&self.rows.lane(state.kind, home), hot, least);
+        }
+        (self.direct.unions, self.direct.census) = (unions, census);
+    }
+
+    /// The islands that are solved as a whole are planned, in the order of their first bodies: those that may be, or those
+    /// that were.
+    fn plan_islands(&mut self, chooses: bool) {
+        let Precise { direct, bodies, pairs, proxies, sleep, .. } = self;
+        let Direct { islands, unions, census, found, edges, wear, timing, .. } = direct;
+        found.clear();
+        for body in sleep.awake(bodies.count) {
+            let root = unions.find(body as u32);
+            let of = &census[root as usize];
+            let is_wanted = if chooses { of.is_for_this() } else { wear[body].is_direct };
+            found.extend(is_wanted.then_some((root, body as u32)));
+            wear[body].is_loose |= chooses && of.moves;
+            if chooses && of.bounces && wear[body].rest == 0 {
+                wear[body].rest = PERIOD;
+                timing.has_resting = true;
+            }
+        }
+        found.sort_unstable();
+        if chooses {
+            wear.iter_mut().for_each(|wear| wear.is_direct = false);
+        }
+        let mut count = 0;
+        for members in found.chunk_by(|one, other| one.0 == other.0) {
+            if islands.len() == count {
+                islands.push(Whole::default());
+            }
+            let Whole { island, homes, ends, .. } = &mut islands[count];
+            homes.clear();
+            ends.clear();
+            island.members.clear();
+            island.members.extend(members.iter().map(|&(_, number)| Member { number, ..Member::default() }));
+            list_edges(members, pairs, proxies, edges);
+            let mut worn = worst(members, wear);
+            if island.factor.plan(members.len(), edges, FILLED * members.len()) {
+                census[members[0].0 as usize].place = Some(count as u32);
+                count += 1;
+            } else {
+                (worn.is_direct, worn.rest) = (false, REST);
+                timing.has_resting = true;
+            }
+            if chooses {
+                members.iter().for_each(|&(_, body)| wear[body as usize] = worn);
+            }
+        }
+        direct.count = count;
+    }
+
+    /// Rows go where their islands are solved.
+    fn move_rows(&mut self) {
+        for pair in 0..self.pairs.awake {
+            let Some(home) = self.pairs.all[pair].home else { continue };
+            let body = self.sides(pair)[1].0;
+            let (is_direct, was_direct) = (self.direct.is_direct(body), home.is_direct());
+            if is_direct != was_direct {
+                let h = self.h;
+                self.touch().hand_over(pair, is_direct, h);
+            }
+        }
+    }
+
+    /// The contacts of each island, in the order of creation numbers.
+    fn list_contacts(&mut self) {
+        let Precise { direct, pairs, proxies, rows, .. } = self;
+        let Direct { islands, unions, census, found, .. } = direct;
+        found.clear();
+        let all = (0..pairs.awake).filter(|&pair| pairs.all[pair].home.is_some_and(Home::is_direct));
+        found.extend(all.map(|pair| {
+            let body = proxies.all[pairs.watched[pair].proxies[1] as usize].body;
+            (census[unions.find(body) as usize].place.unwrap_or(0), pair as u32)
+        }));
+        let key = |&(place, pair): &(u32, u32)| {
+            let numbers = pairs.watched[pair as usize].proxies.map(|proxy| {
+                let proxy = &proxies.all[proxy as usize];
+                (proxy.number, proxy.piece)
+            });
+            (place, numbers)
+        };
+        found.sort_unstable_by_key(key);
+        for &(place, pair) in found.iter() {
+            let Some(home) = pairs.all[pair as usize].home else { continue };
+            let Whole { island, homes, ends, .. } = &mut islands[place as usize];
+            let Lane { a, b, .. } = rows.direct(home).lane;
+            let seat = |body: u32| island.members.binary_search_by_key(&body, |member| member.number);
+            let bodies = [a, b].map(|body| seat(body).map_or(FIXED, |seat| seat as u32));
+            let gives_way = bodies.iter().all(|&member| member != FIXED);
+            let entry = gives_way.then(|| island.factor.entry(bodies[0], bodies[1]));
+            homes.push(home);
+            ends.push(Ends { bodies, entry });
+        }
+    }
+
+    /// Bodies that contacts tie together.
+    fn join_contacts(&self, unions: &mut Islands) {
+        unions.part(self.bodies.hot.len());
+        for pair in (0..self.pairs.awake).filter(|&pair| self.pairs.all[pair].home.is_some()) {
+            if let [(a, Mobility::Dynamic), (b, Mobility::Dynamic)] = self.sides(pair) {
+                unions.join(a as u32, b as u32);
+            }
+        }
+    }
+
+    /// Solves the islands that are solved as a whole. What they do is written by [`finish_direct`](Self::finish_direct).
+    pub(super) fn solve_direct(&mut self, step: &Step) {
+        let unit = f64::from(self.tuning.unit);
+        for at in 0..self.direct.count {
+            let mut whole = std::mem::take(&mut self.direct.islands[at]);
+            let steps = self.solve_whole(&mut whole, step, unit);
+            self.note_effort(&whole.island, steps);
+            self.direct.islands[at] = whole;
+        }
+    }
+
+    /// Answers how many steps of Newton's method it has taken.
+    fn solve_whole(&mut self, whole: &mut Whole, step: &Step, unit: f64) -> usize {
+        let Precise { bodies, rows, .. } = self;
+        let (dt, parts) = (f64::from(step.dt), f64::from(step.substeps));
+        let Whole { island, homes, ends, ways } = whole;
+        let mut far = 0.0;
+        for member in &mut island.members {
+            let at = member.number as usize;
+            let ([x, y, ..], push) = (bodies.poses[at], bodies.push[at]);
+            far = [x, y].iter().fold(far, |far: f32, x| if x.abs() > far { x.abs() } else { far });
+            let velocity = bodies.hot[at].velocity;
+            member.velocity = std::array::from_fn(|i| f64::from(velocity[i]) + f64::from(push[i]) * parts);
+            member.change = [0.0; 3];
+            [member.mass, member.inertia] = bodies.inverses[at].map(weight_of);
+        }
+        let left = LEFT_OF_PLACE * f64::from(far);
+        let left = if left > LEFT * unit { left } else { LEFT * unit };
+        island.contacts.clear();
+        island.contacts.extend(homes.iter().zip(ends.iter()).map(|(&home, &ends)| {
+            let row = rows.direct(home);
+            let lane = &row.lane;
+            let mut contact = Contact::new(row, f64::from(step.dt / row.h), ends);
+            // What is moved by the game is always the first one.
+            if ends.bodies[0] == FIXED && lane.a != 0 {
+                let [x, y, spin, _] = bodies.hot[lane.a as usize].velocity.map(f64::from);
+                contact.carry([x, y, spin]);
+            }
+            contact
+        }));
+        let residual = island.begin(dt, left);
+        let is_hot = self.direct.wear[island.members[0].number as usize].is_hot;
+        let quiet = unit * if is_hot { EXACT } else { QUIET };
+        let steps = if residual > quiet { island.solve(unit * ENOUGH, unit * SOLVED).steps } else { 0 };
+        let most = f64::from(self.tuning.push) * dt;
+        let has_ways = island.part(dt, [left, most]);
+        ways.clear();
+        ways.extend(island.members.iter().enumerate().map(|(at, member)| {
+            let way = member.velocity.map(|velocity| velocity * dt);
+            if has_ways { std::array::from_fn(|i| way[i] + island.ways()[at][i]) } else { way }
+        }));
+        for (contact, &home) in island.contacts.iter().zip(homes.iter()) {
+            write(contact, rows.direct_mut(home), parts, step.h);
+        }
+        steps
+    }
+
+    /// An island that is busy for long is left to the passes.
+    fn note_effort(&mut self, island: &Island, steps: usize) {
+        let mut wear = self.direct.wear[island.members[0].number as usize];
+        wear.effort += (steps as f32 - wear.effort) / LONG;
+        wear.is_hot = steps > 0;
+        let has_rings = usize::from(island.contacts.len() > island.members.len());
+        if wear.effort > BUSY[has_rings] + BUSIER[has_rings] * island.members.len() as f32 {
+            (wear.effort, wear.rest) = (0.0, REST);
+            self.direct.timing.has_resting = true;
+            self.direct.timing.is_due = true;
+        }
+        for member in &island.members {
+            self.direct.wear[member.number as usize] = wear;
+        }
+    }
+
+    /// Bodies of islands that were solved as a whole move as was found.
+    pub(super) fn finish_direct(&mut self) {
+        let Precise { direct, bodies, .. } = self;
+        for Whole { island, ways, .. } in &direct.islands[..direct.count] {
+            for (member, way) in island.members.iter().zip(ways) {
+                let [x, y, spin] = member.velocity.map(|velocity| velocity as f32);
+                bodies.hot[member.number as usize].velocity = [x, y, spin, 0.0];
+                let [x, y, turned] = way.map(|way| way as f32);
+                bodies.path[member.number as usize] = [x, y, turned, 0.0];
+            }
+        }
+    }
+}
+
+/// Which of these bodies touch each other, as places in their list.
+fn list_edges(members: &[(u32, u32)], pairs: &Pairs, proxies: &Proxies, edges: &mut Vec<[u32; 2]>) {
+    let place = |body: u32| members.binary_search_by_key(&body, |member| member.1).ok();
+    edges.clear();
+    for (one, &(_, body)) in members.iter().enumerate() {
+        for pair in proxies.of(body as usize).flat_map(|proxy| pairs.of(proxy)) {
+            let [a, b] = pairs.watched[pair].proxies.map(|proxy| proxies.all[proxy as usize].body);
+            let other = if a == body { b } else { a };
+            if pairs.all[pair].home.is_some() && body < other {
+                edges.extend(place(other).map(|other| [one as u32, other as u32]));
+            }
+        }
+    }
+    edges.sort_unstable();
+    edges.dedup();
+}
+
+/// Whether two come together so fast that they bounce: that is for the passes.
+fn bounces(lane: &Lane, hot: &[Hot], least: f32) -> bool {
+    let [a, b] = [lane.a, lane.b].map(|body| hot[body as usize].velocity);
+    let along = lane.normal[0] * (b[0] - a[0]) + lane.normal[1] * (b[1] - a[1]);
+    let is_fast =
+        |point: &PointLane| point.mass > 0.0 && along + b[2] * point.arm_b - a[2] * point.arm_a < -least;
+    lane.restitution > 0.0 && lane.points.iter().any(is_fast)
+}
+
+/// How bodies have fared that are an island now.
+fn worst(members: &[(u32, u32)], wear: &[Wear]) -> Wear {
+    let first = Wear { is_direct: true, ..Wear::default() };
+    members.iter().map(|&(_, body)| wear[body as usize]).fold(first, |worst, wear| Wear {
+        effort: if wear.effort > worst.effort { wear.effort } else { worst.effort },
+        is_hot: worst.is_hot || wear.is_hot,
+        is_loose: worst.is_loose || wear.is_loose,
+        ..worst
+    })
+}
+
+/// A row takes over what was found. Its spring rests at what it carries, so that nothing sags if passes go on from here.
+fn write(contact: &Contact, row: &mut Aside, parts: f64, h: f32) {
+    let finite = |number: f64| if (number as f32).is_finite() { number } else { 0.0 };
+    row.h = h;
+    row.exact = contact.impulses.map(|impulse| finite(impulse / parts));
+    row.lane.tangent_impulse = row.exact[contact::FRICTION] as f32;
+    for (at, point) in row.lane.points.iter_mut().enumerate() {
+        point.impulse = row.exact[at] as f32;
+        point.held = point.impulse;
+        point.separation = finite(contact.separations[at]) as f32;
+    }
+}
