@@ -85,7 +85,8 @@
 //!
 //! [`Methods::Faithful`], the default, is the original to the bit: for games that were balanced with it.
 //! [`Methods::Precise`] takes the same bodies, geoms, joints, springs, controllers and handlers, and is faster and more
-//! accurate than the original could be: for everybody else. What every setting means to it is in its table. Both can be chosen between updates, at any time.
+//! accurate than the original could be: for everybody else. What every setting means to it is in its table. Both can be
+//! chosen between updates, at any time; [which when](guide::choosing) has a page.
 //!
 //! ```
 //! use farseer_core::{BodyFactory, GeomFactory, GeomPlacement, Methods, PhysicsSimulator, math::Vector2};

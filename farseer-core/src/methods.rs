@@ -36,7 +36,7 @@ pub enum Methods {
     /// | setting | with the precise set |
     /// |---|---|
     /// | [`enabled`](crate::PhysicsSimulator::enabled), [`gravity`](crate::PhysicsSimulator::gravity), [`Limits`](crate::Limits) | as in the faithful set |
-    /// | [`iterations`](crate::PhysicsSimulator::iterations) | substeps of an update, 1 at least; 4 is what to begin with. More than eight bodies that joints tie together and nothing touches take as few of them as their swing allows |
+    /// | [`iterations`](crate::PhysicsSimulator::iterations) | substeps of an update, 1 at least; 4 is what to begin with. More than three bodies that joints tie together and nothing touches take as few of them as their swing allows, and, if they are no more than fifty, up to twice as many where they whip |
     /// | [`friction_type`](crate::PhysicsSimulator::friction_type), coefficients of geoms | as in the faithful set; changes count at once |
     /// | [`bias_factor`](crate::PhysicsSimulator::bias_factor), [`allowed_penetration`](crate::PhysicsSimulator::allowed_penetration) | other values are refused with [`Error::NotSupported`]: overlaps are undone by springs of their own, and none is left alone. What was set before this set was chosen stays, for the way back |
     /// | [`max_contacts_to_detect`](crate::PhysicsSimulator::max_contacts_to_detect), [`max_contacts_to_resolve`](crate::PhysicsSimulator::max_contacts_to_resolve) | contacts of two convex pieces, by the smaller of both: two at most, the deepest first; with 0 nothing touches |

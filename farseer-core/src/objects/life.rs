@@ -144,10 +144,12 @@ impl Objects {
             tell(geom.into());
         }
         let bodies = self.bodies.process_added();
-        self.has_new_structure |= !entered.is_empty() || !bodies.is_empty();
+        self.has_new_members |= !entered.is_empty() || !bodies.is_empty();
         bodies.into_iter().for_each(|body| tell(body.into()));
         self.controllers.process_added().into_iter().for_each(|controller| tell(controller.into()));
-        self.joints.process_added().into_iter().for_each(|joint| tell(joint.into()));
+        let joints = self.joints.process_added();
+        self.has_edited_joints |= !joints.is_empty();
+        joints.into_iter().for_each(|joint| tell(joint.into()));
         self.springs.process_added().into_iter().for_each(|spring| tell(spring.into()));
         entered
     }
@@ -160,12 +162,23 @@ impl Objects {
             tell(geom.into());
         }
         let bodies = self.bodies.process_removed();
-        self.has_new_structure |= !left.is_empty() || !bodies.is_empty();
+        self.has_new_members |= !left.is_empty() || !bodies.is_empty();
         bodies.into_iter().for_each(|body| tell(body.into()));
         self.controllers.process_removed().into_iter().for_each(|controller| tell(controller.into()));
-        self.joints.process_removed().into_iter().for_each(|joint| tell(joint.into()));
+        let joints = self.joints.process_removed();
+        self.has_edited_joints |= !joints.is_empty();
+        joints.into_iter().for_each(|joint| tell(joint.into()));
         self.springs.process_removed().into_iter().for_each(|spring| tell(spring.into()));
         left
+    }
+
+    /// Whether something was added, removed or disposed since the last update.
+    pub(crate) fn has_queued(&self) -> bool {
+        self.geoms.has_queued()
+            || self.bodies.has_queued()
+            || self.controllers.has_queued()
+            || self.joints.has_queued()
+            || self.springs.has_queued()
     }
 
     /// What was disposed leaves the lists, in list order. Answers which geoms did.
@@ -177,11 +190,13 @@ impl Objects {
         let left = self.geoms.process_disposed();
         left.iter().for_each(|&geom| tell(geom.into()));
         let bodies = self.bodies.process_disposed();
-        self.has_new_structure |= !left.is_empty() || !bodies.is_empty();
+        self.has_new_members |= !left.is_empty() || !bodies.is_empty();
         bodies.into_iter().for_each(|body| tell(body.into()));
         self.controllers.process_disposed().into_iter().for_each(|controller| tell(controller.into()));
         self.springs.process_disposed().into_iter().for_each(|spring| tell(spring.into()));
-        self.joints.process_disposed().into_iter().for_each(|joint| tell(joint.into()));
+        let joints = self.joints.process_disposed();
+        self.has_edited_joints |= !joints.is_empty();
+        joints.into_iter().for_each(|joint| tell(joint.into()));
         left
     }
 

@@ -85,7 +85,8 @@ pub struct Objects {
     pub(crate) pending: Vec<Notice>,
     /// What geoms are made ready for, how they are asked, and what an update does with them.
     pub(crate) methods: Methods,
-    /// Bodies or geoms have entered or left their lists, or have become what they were not without being lent out.
+    /// Bodies or geoms have entered or left their lists; others have become what they were not without being lent out.
+    pub(crate) has_new_members: bool,
     pub(crate) has_new_structure: bool,
     /// Joints were lent out for editing since this was asked last.
     pub(crate) has_edited_joints: bool,
@@ -99,7 +100,7 @@ pub struct Objects {
 reusing_clone! {
     Objects {
         bodies, geoms, controllers, joints, springs, next_geom_number, touched_bodies,
-        touched_geoms, pending, methods, has_new_structure, has_edited_joints, has_edited_drives, limits, grids
+        touched_geoms, pending, methods, has_new_members, has_new_structure, has_edited_joints, has_edited_drives, limits, grids
     }
 }
 
@@ -117,6 +118,7 @@ impl Objects {
             touched_geoms: Vec::new(),
             pending: Vec::new(),
             methods: Methods::default(),
+            has_new_members: false,
             has_new_structure: false,
             has_edited_joints: false,
             has_edited_drives: false,

@@ -33,6 +33,7 @@ pub(crate) struct SavedObjects {
     touched_geoms: Vec<GeomId>,
     pending: Vec<Notice>,
     methods: Methods,
+    has_new_members: bool,
     has_new_structure: bool,
     /// What is loaded reads them anew.
     #[serde(skip)]

@@ -1,10 +1,12 @@
-//! The bodies of a step, side by side: those that can be pushed from number 1 on, behind them what stands still. Number 0
-//! stands for everything that cannot be pushed.
+//! The bodies of a step, side by side: those that can be pushed from number 1 on, in the order of the list of bodies, then
+//! room for some more, and behind that what stands still. Number 0 stands for everything that cannot be pushed. What has gone
+//! leaves its number empty until all are listed anew.
 //!
 //! Between updates and in callbacks the [`Body`](crate::Body) is the truth: it is read before a step and written after it.
 
 use wide::f32x4;
 
+use super::outline::Shape;
 use crate::body::{Body, BodyId};
 use crate::math::lanes::sin_cos;
 use crate::math::plane::Pose;
@@ -19,11 +21,21 @@ pub(super) struct Hot {
     pub(super) step: [f32; 4],
 }
 
+/// Those that can be pushed may become more by this part of them, and by so many, before all are listed anew.
+const ROOM: usize = 8;
+const LEAST_ROOM: usize = 8;
+
+/// Room for what may come.
+pub(super) fn room_for(count: usize) -> usize {
+    count / ROOM + LEAST_ROOM
+}
+
 /// The bodies by number. Lists of those that can be pushed are as long as a multiple of four.
 #[derive(Debug, Default)]
 pub(super) struct Bodies {
-    /// Number of bodies that can be pushed: the last one has this number.
+    /// The last one of those that can be pushed has this number; and how many of them there are.
     pub(super) count: usize,
+    pub(super) live: usize,
     pub(super) ids: Vec<Option<BodyId>>,
     /// Numbers of those among them that nothing pushes, but the game moves.
     pub(super) kinematic: Vec<u32>,
@@ -58,7 +70,7 @@ pub(super) struct Bodies {
 
 reusing_clone! {
     Bodies {
-        count, ids, kinematic, hot, warm, begun, before, push, forced, path, inverses,
+        count, live, ids, kinematic, hot, warm, begun, before, push, forced, path, inverses,
         gravity_parts, circles, reaches, cores, are_bullets, poses, rotations
     }
 }
@@ -137,11 +149,10 @@ impl Bodies {
             self.hot.push(Hot { velocity: velocity_of(body), ..Hot::default() });
         });
         self.count = self.ids.len() - 1;
-        while !self.ids.len().is_multiple_of(4) {
-            self.push_dummy();
-        }
-        let padded = self.ids.len();
-        fixed.for_each(|(id, body)| self.push(id, body, [0.0; 2]));
+        self.live = self.count;
+        let padded = (self.ids.len() + room_for(self.count)).next_multiple_of(4);
+        (self.ids.len()..padded).for_each(|_| self.push_dummy());
+        fixed.for_each(|(id, body)| self.add_fixed(id, body));
         self.hot.resize(padded, Hot::default());
         self.reaches.resize(padded, f32::INFINITY);
         self.are_bullets.resize(padded, false);
@@ -176,6 +187,59 @@ impl Bodies {
         self.rotations.push(rotation);
         self.inverses.push(inverses);
         self.gravity_parts.push(body.gravity_part());
+    }
+
+    /// One that stands still comes last.
+    pub(super) fn add_fixed(&mut self, id: BodyId, body: &Body) {
+        self.push(id, body, [0.0; 2]);
+    }
+
+    /// One that can be pushed comes behind the others, if there is room: answers its number.
+    pub(super) fn add_movable(&mut self, id: BodyId, body: &Body) -> Option<usize> {
+        let number = self.count + 1;
+        if number >= self.first_fixed() {
+            return None;
+        }
+        if body.is_kinematic() {
+            self.kinematic.push(number as u32);
+        }
+        self.ids[number] = Some(id);
+        self.move_to(number, body);
+        self.inverses[number] = inverses_of(body);
+        self.gravity_parts[number] = body.gravity_part();
+        self.are_bullets[number] = body.is_bullet();
+        self.set_velocity(number, body);
+        (self.count, self.live) = (number, self.live + 1);
+        Some(number)
+    }
+
+    /// A body has gone.
+    pub(super) fn forget(&mut self, number: usize) {
+        self.ids[number] = None;
+        if number >= self.first_fixed() {
+            return;
+        }
+        self.live -= 1;
+        self.kinematic.retain(|&kinematic| kinematic as usize != number);
+        self.rest(number, 1.0);
+        self.inverses[number] = [0.0; 2];
+        self.are_bullets[number] = false;
+        (self.reaches[number], self.cores[number]) = (f32::INFINITY, f32::INFINITY);
+        self.circles[number] = [0.0; 4];
+    }
+
+    /// How far a body reaches, how thick it is, and whether it is one circle, as its pieces say.
+    pub(super) fn measure(&mut self, number: usize, shapes: impl Iterator<Item = (Shape, f32)>) {
+        let mut reach = if self.is_kinematic(number) { f32::INFINITY } else { 0.0 };
+        let (mut core, mut circle, mut count) = (f32::INFINITY, [0.0; 4], 0);
+        for (shape, of_shape) in shapes {
+            core = if of_shape < core { of_shape } else { core };
+            reach = if shape.reach > reach { shape.reach } else { reach };
+            count += 1;
+            let is_round = count == 1 && shape.count == 0 && shape.centre == [0.0, 0.0];
+            circle = if is_round { [0.0, 0.0, shape.radius.max(f32::MIN_POSITIVE), 1.0] } else { [0.0; 4] };
+        }
+        (self.reaches[number], self.cores[number], self.circles[number]) = (reach, core, circle);
     }
 
     pub(super) fn is_kinematic(&self, number: usize) -> bool {
@@ -246,16 +310,13 @@ pub(super) fn read(body: &mut Body, gravity: Vector2, dt: f32, h: f32) -> Read {
     let (velocity, spin) = (body.linear_velocity, body.angular_velocity);
     let (force, turning) = body.take_accelerations();
     let acceleration = gravity * body.gravity_part() + force;
-    let change = |velocity: f32, acceleration: f32, rate: f32| {
-        let (decay, grown) = decay::over(rate, dt);
-        velocity * decay + acceleration * grown
-    };
     let (drag, rotational_drag) = body.drag_rates();
+    let ((decay, grown), turning_over) = (decay::over(drag, dt), decay::over(rotational_drag, dt));
     let parts = h / dt;
     let push = [
-        change(velocity.x, acceleration.x, drag) * parts,
-        change(velocity.y, acceleration.y, drag) * parts,
-        change(spin, turning, rotational_drag) * parts,
+        (velocity.x * decay + acceleration.x * grown) * parts,
+        (velocity.y * decay + acceleration.y * grown) * parts,
+        (spin * turning_over.0 + turning * turning_over.1) * parts,
         0.0,
     ];
     let half = 0.5 * dt * dt;
@@ -267,6 +328,7 @@ pub(super) fn read(body: &mut Body, gravity: Vector2, dt: f32, h: f32) -> Read {
 }
 
 /// What is read of a body before a step.
+#[derive(Default)]
 pub(super) struct Read {
     pub(super) velocity: [f32; 4],
     pub(super) push: [f32; 4],

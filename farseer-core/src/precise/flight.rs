@@ -145,10 +145,12 @@ impl Precise {
         self.fast.clear();
         self.flown.clear();
         let Precise { bodies, sleep, fast, .. } = self;
-        fast.extend(sleep.awake(bodies.count).filter_map(|number| {
+        sleep.awake(bodies.count).for_each(|number| {
             let is_fast = is_fast(bodies.path[number], bodies.reaches[number], bodies.cores[number]);
-            (is_fast && !bodies.is_kinematic(number)).then_some((number as u32, 1.0))
-        }));
+            if is_fast && !bodies.is_kinematic(number) {
+                fast.push((number as u32, 1.0));
+            }
+        });
         for at in 0..self.fast.len() {
             let number = self.fast[at].0 as usize;
             let around = self.bodies.reaches[number] + self.tuning.speculative;

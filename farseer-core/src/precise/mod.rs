@@ -20,6 +20,7 @@ mod islands;
 mod joints;
 mod manifold;
 mod meeting;
+mod members;
 mod moving;
 mod nearby;
 mod outline;
@@ -52,6 +53,7 @@ use bodies::Bodies;
 use direct::Direct;
 use grid::Grid;
 use joints::Joints;
+use nearby::Loose;
 use pairs::Pairs;
 use proxies::Proxies;
 use rows::{Palette, Rows};
@@ -72,8 +74,10 @@ pub(crate) struct Precise {
     fall: crate::math::plane::Vector,
     /// What was loaded, until the bodies are listed.
     loaded: Option<Saved>,
-    /// Bodies or geoms came or went, or became what they were not.
+    /// Bodies or geoms became what they were not.
     is_stale: bool,
+    /// Bodies or geoms came or went, and nothing else.
+    has_new_members: bool,
     /// Something bounces.
     bounces: bool,
     friction: FrictionType,
@@ -91,8 +95,8 @@ pub(crate) struct Precise {
     /// Numbers of bodies and first proxies of geoms, by slot.
     body_numbers: Vec<u32>,
     first_proxies: Vec<u32>,
-    /// Places in the list of geoms that queries look at whatever the grid says.
-    loose: Vec<u32>,
+    /// The geoms that queries look at whatever the grid says, in the order of their list.
+    loose: Vec<Loose>,
     /// Bodies in the list that take no part because they are disabled.
     absent: Vec<BodyId>,
     /// Lent out for editing since the last look.
@@ -119,7 +123,7 @@ pub(crate) struct Precise {
 
 reusing_clone! {
     Precise {
-        tuning, h, dt, fall, loaded, is_stale, bounces, friction, most_contacts, bodies, proxies,
+        tuning, h, dt, fall, loaded, is_stale, has_new_members, bounces, friction, most_contacts, bodies, proxies,
         grid, pairs, rows, palette, joints, sleep, direct, body_numbers, first_proxies, loose, absent,
         edited_bodies, edited_geoms, changes, looks, has_handled, fast, flown, widened, lost, found, known, touching
     }
@@ -135,6 +139,7 @@ impl Precise {
             fall: [0.0; 2],
             loaded: None,
             is_stale: true,
+            has_new_members: false,
             bounces: false,
             friction: FrictionType::default(),
             most_contacts: 2,

@@ -54,19 +54,16 @@ pub(super) fn displace(bodies: &mut Bodies, runs: &[Range<usize>], h: f32, is_fi
 /// All substeps of bodies that nothing touches, at once.
 #[inline(always)]
 pub(super) fn fly(bodies: &mut Bodies, runs: &[Range<usize>], step: &Step) {
-    let (h, half) = (f32x4::splat(step.h), f32x4::splat(0.5));
+    let (dt, substeps) = (f32x4::splat(step.dt), f32x4::splat(step.substeps as f32));
+    let half = f32x4::splat(0.5);
     for run in runs.iter().cloned() {
         let (hot, push) = (&mut bodies.hot[run.clone()], &bodies.push[run.clone()]);
         let (forced, path) = (&bodies.forced[run.clone()], &mut bodies.path[run]);
         for (((hot, push), forced), path) in hot.iter_mut().zip(push).zip(forced).zip(path) {
-            let (mut velocity, push) = (f32x4::new(hot.velocity), f32x4::new(*push));
-            let mut way = f32x4::ZERO;
-            for _ in 0..step.substeps {
-                // The middle of the velocities before and after: what constant forces do exactly.
-                way += (velocity + half * push) * h;
-                velocity += push;
-            }
-            (hot.velocity, *path) = (velocity.to_array(), (way + f32x4::new(*forced)).to_array());
+            // The middle of the velocities before and after: what constant forces do exactly.
+            let (velocity, push) = (f32x4::new(hot.velocity), f32x4::new(*push) * substeps);
+            let way = (velocity + half * push) * dt + f32x4::new(*forced);
+            (hot.velocity, *path) = ((velocity + push).to_array(), way.to_array());
         }
     }
 }

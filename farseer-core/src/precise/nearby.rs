@@ -15,6 +15,13 @@ const ROUNDINGS: f32 = 64.0 * f32::EPSILON;
 /// Part of the speculative margin of all bounds that may be used up by what an outline's convex piece does not cover.
 const USED_UP: f32 = 0.25;
 
+/// A geom that queries look at wherever it is, and its place in the list of geoms.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Loose {
+    pub(super) place: u32,
+    pub(super) geom: GeomId,
+}
+
 impl Precise {
     /// The geoms that may reach into a box, and others, in list order. Nothing if what is known is not what is there.
     pub(crate) fn geoms_near(&self, aabb: &Aabb, objects: &Objects) -> Option<Vec<GeomId>> {
@@ -22,12 +29,13 @@ impl Precise {
         let far = [min.x, min.y, max.x, max.y].iter().fold(0.0, |far: f32, x| far + x.abs());
         // Also if it is not a number.
         let is_near = far < FAR;
-        if self.is_stale || self.loaded.is_some() || objects.has_new_structure || !is_near {
+        let is_behind = self.is_stale || self.has_new_members || self.loaded.is_some();
+        if is_behind || objects.has_new_structure || objects.has_new_members || !is_near {
             return None;
         }
         let slack = ROUNDINGS * far;
         let bounds = [min.x - slack, min.y - slack, max.x + slack, max.y + slack];
-        let mut places = self.loose.clone();
+        let mut places: Vec<u32> = self.loose.iter().map(|loose| loose.place).collect();
         self.grid.for_each_overlap(&bounds, |proxy| places.push(self.proxies.all[proxy as usize].place));
         let edited = objects.touched_bodies.iter().chain(&self.edited_bodies);
         for &geom in
@@ -47,13 +55,15 @@ impl Precise {
         loose.clear();
         for at in 0..objects.geoms.list().len() {
             let Some((id, geom)) = objects.geoms.at(at) else { continue };
-            loose.extend((!self.bounds_hold(id, geom)).then_some(at as u32));
+            if !self.bounds_hold(id, geom) {
+                loose.push(Loose { place: at as u32, geom: id });
+            }
         }
         self.loose = loose;
     }
 
     /// Whether a geom's world vertices and box lie within the bounds of its proxy, wherever its body is.
-    fn bounds_hold(&self, id: GeomId, geom: &GeomEntry) -> bool {
+    pub(super) fn bounds_hold(&self, id: GeomId, geom: &GeomEntry) -> bool {
         let is_elsewhere = geom.box_radius.is_some() || geom.user_matrix.is_some() || geom.refresh_is_due;
         let Some(proxy) = self.proxy_of(id, 0).filter(|_| !is_elsewhere && geom.pieces().len() == 1) else {
             return false;

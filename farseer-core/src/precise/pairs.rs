@@ -91,6 +91,11 @@ impl Pairs {
         self.heads.resize(proxies, NONE);
     }
 
+    /// Expects so many proxies, with those that it has.
+    pub(super) fn grow(&mut self, proxies: usize) {
+        self.heads.resize(proxies, NONE);
+    }
+
     pub(super) fn len(&self) -> usize {
         self.all.len()
     }

@@ -3,7 +3,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::bodies::Bodies;
+use super::bodies::{Bodies, room_for};
 use super::grid::Box2;
 use super::outline::{Corners, Shape};
 use super::tuning::Tuning;
@@ -21,6 +21,8 @@ const MARGIN_OF_SIZE: f32 = 0.25;
 /// Beyond this coordinate squares of distances end, and nothing meets anything.
 const FARTHEST: f32 = 1e18;
 const NONE: u32 = u32::MAX;
+/// Nothing leaves it.
+const EVERYWHERE: Box2 = [f32::MIN, f32::MIN, f32::MAX, f32::MAX];
 /// Overlaps nothing.
 const NOWHERE: Box2 = [f32::MAX, f32::MAX, f32::MIN, f32::MIN];
 
@@ -58,6 +60,32 @@ pub(super) struct Proxy {
     pub(super) surface_velocity: [f32; 3],
 }
 
+impl Proxy {
+    /// In place of one: it has no body and meets nobody.
+    fn nothing() -> Self {
+        Proxy {
+            geom: GeomId::new(u32::MAX, 0),
+            piece: 0,
+            place: 0,
+            number: 0,
+            body: 0,
+            mobility: Mobility::Fixed,
+            shape: Shape::default(),
+            friction: 0.0,
+            restitution: 0.0,
+            responds: false,
+            is_heard: false,
+            filter: [0; 5],
+            surface_velocity: [0.0; 3],
+        }
+    }
+
+    /// Whether nothing is there.
+    pub(super) fn is_empty(&self) -> bool {
+        self.body == 0
+    }
+}
+
 /// What of a geom's settings decides whom it may meet.
 pub(super) fn filter_of(entry: &GeomEntry) -> [i32; 5] {
     let geom = &entry.geom;
@@ -65,12 +93,16 @@ pub(super) fn filter_of(entry: &GeomEntry) -> [i32; 5] {
     [is, with, geom.collision_group(), i32::from(geom.collision_enabled()), entry.ignore_changes]
 }
 
-/// Those of bodies that can be pushed come first; lists of them are as long as a multiple of four.
+/// Those of bodies that can be pushed come first, in the order of the list of geoms; then room for more, up to a multiple of
+/// four; then those of what stands still. What has gone leaves its place empty until all are listed anew.
 #[derive(Debug, Default)]
 pub(super) struct Proxies {
     pub(super) all: Vec<Proxy>,
-    /// Number of proxies of bodies that can be pushed.
+    /// Those before this place are of bodies that can be pushed, or gone; there is room up to the second one, where those of
+    /// what stands still begin; and how many there are of both.
     pub(super) movable: usize,
+    pub(super) first_fixed: usize,
+    pub(super) live: usize,
     pub(super) corners: Corners,
     /// Centre and half sides of each shape's box in the body's frame.
     pub(super) boxes: Vec<[f32; 4]>,
@@ -84,11 +116,12 @@ pub(super) struct Proxies {
     next: Vec<u32>,
 }
 
-reusing_clone! { Proxies { all, movable, corners, boxes, bounds, motion, escaped, heads, next } }
+reusing_clone! { Proxies { all, movable, first_fixed, live, corners, boxes, bounds, motion, escaped, heads, next } }
 
 impl Proxies {
     pub(super) fn clear(&mut self) {
         self.all.clear();
+        self.live = 0;
         self.corners.clear();
         self.boxes.clear();
         self.bounds.clear();
@@ -96,24 +129,12 @@ impl Proxies {
         self.escaped.clear();
     }
 
-    /// Fills the list of those that can be pushed up to a multiple of four, with what has no body and meets nobody.
-    pub(super) fn fill_up(&mut self) {
-        while !self.all.len().is_multiple_of(4) {
-            self.push(Proxy {
-                geom: GeomId::new(u32::MAX, 0),
-                piece: 0,
-                place: 0,
-                number: 0,
-                body: 0,
-                mobility: Mobility::Fixed,
-                shape: Shape::default(),
-                friction: 0.0,
-                restitution: 0.0,
-                responds: false,
-                is_heard: false,
-                filter: [0; 5],
-                surface_velocity: [0.0; 3],
-            });
+    /// Those of bodies that can be pushed are listed: there is room behind them.
+    pub(super) fn leave_room(&mut self) {
+        self.movable = self.all.len();
+        self.first_fixed = (self.movable + room_for(self.movable)).next_multiple_of(4);
+        while self.all.len() < self.first_fixed {
+            self.push(Proxy::nothing());
         }
     }
 
@@ -121,8 +142,43 @@ impl Proxies {
         let Shape { centre: [x, y], half: [hx, hy], .. } = proxy.shape;
         self.all.push(proxy);
         self.boxes.push([x, y, hx, hy]);
-        self.bounds.push([0.0; 4]);
+        self.bounds.push(EVERYWHERE);
         self.motion.push(0);
+        self.live += usize::from(!proxy.is_empty());
+    }
+
+    /// One more comes, if there is room: answers its place. Its bounds are to be found.
+    pub(super) fn add(&mut self, proxy: Proxy) -> Option<usize> {
+        let at = if proxy.mobility == Mobility::Fixed { self.all.len() } else { self.movable };
+        if at == self.all.len() {
+            self.push(proxy);
+            self.next.push(NONE);
+        } else if at < self.first_fixed {
+            let Shape { centre: [x, y], half: [hx, hy], .. } = proxy.shape;
+            (self.all[at], self.boxes[at], self.motion[at]) = (proxy, [x, y, hx, hy], 0);
+            (self.movable, self.live) = (at + 1, self.live + 1);
+        } else {
+            return None;
+        }
+        let body = proxy.body as usize;
+        if self.heads.len() <= body {
+            self.heads.resize(body + 1, NONE);
+        }
+        self.next[at] = std::mem::replace(&mut self.heads[body], at as u32);
+        Some(at)
+    }
+
+    /// One has gone, which is in no pair any more.
+    pub(super) fn forget(&mut self, proxy: u32) {
+        let (at, body) = (proxy as usize, self.all[proxy as usize].body as usize);
+        let next = std::mem::replace(&mut self.next[at], NONE);
+        let before = self.of(body).find(|&before| self.next[before as usize] == proxy);
+        match before {
+            Some(before) => self.next[before as usize] = next,
+            None => self.heads[body] = next,
+        }
+        (self.all[at], self.boxes[at], self.bounds[at]) = (Proxy::nothing(), [0.0; 4], EVERYWHERE);
+        self.live -= 1;
     }
 
     /// Finds the proxies of so many bodies.
@@ -131,7 +187,8 @@ impl Proxies {
         self.heads.resize(bodies, NONE);
         self.next.clear();
         for (at, proxy) in self.all.iter().enumerate() {
-            self.next.push(std::mem::replace(&mut self.heads[proxy.body as usize], at as u32));
+            let head = &mut self.heads[proxy.body as usize];
+            self.next.push(if proxy.is_empty() { NONE } else { std::mem::replace(head, at as u32) });
         }
     }
 

@@ -222,24 +222,41 @@ impl<const P: usize> Colours<P> {
         slot as u32
     }
 
-    /// Takes a row out. Answers the pair whose row took its place.
-    fn remove(&mut self, colour: u32, slot: u32) -> Option<u32> {
-        let blocks = &mut self.blocks[colour as usize];
-        let count = &mut self.counts[colour as usize];
-        let last = if colour == LAST { (blocks.len() - 1) * 4 } else { *count - 1 };
+    /// Takes a row out, and tells the pairs whose rows have another slot now.
+    fn remove(&mut self, colour: u32, slot: u32, mut moved: impl FnMut(u32, u32)) {
         let slot = slot as usize;
+        if colour == LAST {
+            self.remove_of_last(slot / 4, moved);
+        } else if let Some(pair) = self.swap_out(colour, slot) {
+            moved(pair, slot as u32);
+        }
+        self.counts[colour as usize] -= 1;
+        if self.counts[colour as usize] == 0 {
+            self.used &= !(1 << colour);
+        }
+    }
+
+    /// Of the last colour: the others keep their order.
+    fn remove_of_last(&mut self, block: usize, mut moved: impl FnMut(u32, u32)) {
+        let blocks = &mut self.blocks[LAST as usize];
+        blocks.remove(block);
+        for (at, row) in blocks.iter().enumerate().skip(block) {
+            moved(row.pair[0], at as u32 * 4);
+        }
+    }
+
+    /// The last row of a colour takes the place of another one. Answers its pair.
+    fn swap_out(&mut self, colour: u32, slot: usize) -> Option<u32> {
+        let blocks = &mut self.blocks[colour as usize];
+        let last = self.counts[colour as usize] - 1;
         let moved = (slot != last).then(|| blocks[last / 4].lane(last % 4));
         if let Some(lane) = &moved {
             blocks[slot / 4].set_lane(slot % 4, lane);
         }
-        if last % 4 == 0 {
+        if last.is_multiple_of(4) {
             blocks.pop();
         } else {
             blocks[last / 4].set_lane(last % 4, &Lane::default());
-        }
-        *count -= 1;
-        if *count == 0 {
-            self.used &= !(1 << colour);
         }
         moved.map(|lane| lane.pair)
     }
@@ -279,6 +296,11 @@ const ASLEEP: u32 = u32::MAX;
 const DIRECT: u32 = u32::MAX - 1;
 
 impl Home {
+    /// Whether the order of its colour's rows matters.
+    pub(super) fn is_in_order(self) -> bool {
+        self.colour == LAST
+    }
+
     /// Whether the row is solved with its island.
     pub(super) fn is_direct(self) -> bool {
         self.colour == DIRECT
@@ -306,9 +328,11 @@ pub(super) struct Rows {
     pub(super) one: Colours<1>,
     pub(super) two_fixed: Colours<2>,
     pub(super) one_fixed: Colours<1>,
+    /// Pairs whose rows have moved home: empty but for a moment.
+    moved: Vec<(u32, Home)>,
 }
 
-reusing_clone! { Rows { asleep, direct, two, one, two_fixed, one_fixed } }
+reusing_clone! { Rows { asleep, direct, two, one, two_fixed, one_fixed, moved } }
 
 /// The rows of a kind, borrowed as it says.
 macro_rules! of_kind {
@@ -395,31 +419,37 @@ impl Rows {
         Home { colour, slot: of_kind!((&mut) self, kind, colours => colours.push(colour, lane)) }
     }
 
-    /// Takes a row out. Answers the pair whose row has this home now.
-    pub(super) fn remove(&mut self, kind: Kind, home: Home) -> Option<u32> {
+    /// Takes a row out. The pairs whose rows have another home now are to be [taken](Self::take_moved).
+    pub(super) fn remove(&mut self, kind: Kind, home: Home) {
+        let Home { colour, slot } = home;
         if let Some(shelf) = self.shelf_mut(home) {
-            shelf.swap_remove(home.slot as usize);
-            return shelf.get(home.slot as usize).map(|moved| moved.lane.pair);
+            shelf.swap_remove(slot as usize);
+            let pair = shelf.get(slot as usize).map(|moved| moved.lane.pair);
+            self.moved.extend(pair.map(|pair| (pair, home)));
+            return;
         }
-        of_kind!((&mut) self, kind, colours => colours.remove(home.colour, home.slot))
+        let mut moved = std::mem::take(&mut self.moved);
+        of_kind!((&mut) self, kind, colours => {
+            colours.remove(colour, slot, |pair, slot| moved.push((pair, Home { colour, slot })));
+        });
+        self.moved = moved;
+    }
+
+    /// The pairs whose rows have moved, and where to.
+    pub(super) fn take_moved(&mut self) -> std::vec::Drain<'_, (u32, Home)> {
+        self.moved.drain(..)
     }
 
     /// A row is put aside, asleep or to be solved with its island, with the length of the substeps that its impulses are of.
-    /// Answers its new home, and whose row has the old one now.
-    pub(super) fn put_aside(
-        &mut self,
-        kind: Kind,
-        home: Home,
-        is_direct: bool,
-        h: f32,
-    ) -> (Home, Option<(u32, Home)>) {
+    /// Answers its new home.
+    pub(super) fn put_aside(&mut self, kind: Kind, home: Home, is_direct: bool, h: f32) -> Home {
         if home.colour == if is_direct { DIRECT } else { ASLEEP } {
-            return (home, None);
+            return home;
         }
         let lane = self.lane(kind, home);
         let row = self.aside(home).unwrap_or(Aside { lane, colour: home.colour, h, exact: [0.0; 3] });
-        let moved = self.remove(kind, home).map(|pair| (pair, home));
-        (self.push_aside(row, is_direct), moved)
+        self.remove(kind, home);
+        self.push_aside(row, is_direct)
     }
 
     pub(super) fn push_aside(&mut self, row: Aside, is_direct: bool) -> Home {
@@ -430,11 +460,11 @@ impl Rows {
     }
 
     /// A row goes back to its colour, with impulses of substeps of this length.
-    pub(super) fn take_up(&mut self, kind: Kind, home: Home, h: f32) -> (Home, Option<(u32, Home)>) {
-        let Some(mut row) = self.aside(home) else { return (home, None) };
+    pub(super) fn take_up(&mut self, kind: Kind, home: Home, h: f32) -> Home {
+        let Some(mut row) = self.aside(home) else { return home };
         row.scale(h);
-        let moved = self.remove(kind, home).map(|pair| (pair, home));
-        (self.push(kind, row.colour, &row.lane), moved)
+        self.remove(kind, home);
+        self.push(kind, row.colour, &row.lane)
     }
 
     /// A row that is aside.
@@ -554,6 +584,16 @@ impl Palette {
         }
         self.gives_way.clear();
         self.gives_way.extend(inverses.iter().map(|&inverses| inverses != [0.0; 2]));
+    }
+
+    /// A body has come, with these reciprocals of mass and inertia.
+    pub(super) fn add(&mut self, body: usize, inverses: [f32; 2]) {
+        self.gives_way[body] = inverses != [0.0; 2];
+    }
+
+    /// A body has gone, and its rows.
+    pub(super) fn forget(&mut self, body: usize) {
+        (self.shared[body], self.fixed[body], self.gives_way[body]) = (0, 0, false);
     }
 
     fn of(&mut self, kind: Kind) -> &mut [u32] {

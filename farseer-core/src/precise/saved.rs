@@ -1,4 +1,5 @@
 //! What is saved of the precise set, and taken over when everything is listed anew: everything that a later bit depends on.
+//! Pairs of what has gone are taken out in the order in which [`members`](super::members) does.
 //! What follows from that and from the objects is not.
 
 use serde::{Deserialize, Serialize, Serializer};
@@ -26,7 +27,9 @@ pub(crate) struct Saved {
     friction: FrictionType,
     most_contacts: u32,
     proxies: Vec<SavedProxy>,
+    /// First those that may change: so many.
     pairs: Vec<SavedPair>,
+    awake: u32,
     /// The gravity that things sleep under, how long others have been at rest, and what sleeps.
     gravity: [f32; 2],
     rest: Vec<(BodyId, f32)>,
@@ -98,6 +101,7 @@ struct SavedContacts {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 struct SavedRow {
     colour: u32,
+    /// Its place among the rows of the last colour, whose order matters; else 0.
     slot: u32,
     /// Seconds of the substeps that its impulses are of, if it sleeps.
     asleep: Option<f32>,
@@ -180,6 +184,24 @@ impl Saved {
     }
 }
 
+impl Saved {
+    /// The pairs without those that are lost, in the order in which they are once these were taken out, from the last one on.
+    fn order_without(&self, is_lost: impl Fn(usize) -> bool) -> Vec<usize> {
+        let mut order: Vec<usize> = (0..self.pairs.len()).collect();
+        let mut awake = (self.awake as usize).min(order.len());
+        for lost in (0..self.pairs.len()).rev().filter(|&at| is_lost(at)) {
+            if lost < awake {
+                awake -= 1;
+                order.swap(lost, awake);
+                order.swap_remove(awake);
+            } else {
+                order.swap_remove(lost);
+            }
+        }
+        order
+    }
+}
+
 impl Precise {
     /// Whether what was loaded can be used, and is of these methods.
     pub(crate) fn is_valid(&self, methods: Methods) -> bool {
@@ -205,7 +227,14 @@ impl Precise {
         }
         let mut has_escaped = vec![false; self.proxies.all.len()];
         self.proxies.escaped.iter().for_each(|&proxy| has_escaped[proxy as usize] = true);
-        let proxies = self.proxies.all.iter().enumerate().map(|(at, proxy)| SavedProxy {
+        let mut places = Vec::with_capacity(self.proxies.all.len());
+        let mut count = 0;
+        for proxy in &self.proxies.all {
+            places.push(count);
+            count += u32::from(!proxy.is_empty());
+        }
+        let listed = self.proxies.all.iter().enumerate().filter(|(_, proxy)| !proxy.is_empty());
+        let proxies = listed.map(|(at, proxy)| SavedProxy {
             geom: proxy.geom,
             piece: proxy.piece,
             mobility: proxy.mobility,
@@ -222,7 +251,8 @@ impl Precise {
             friction: self.friction,
             most_contacts: self.most_contacts,
             proxies: proxies.collect(),
-            pairs: (0..self.pairs.len()).map(|pair| self.save_pair(pair)).collect(),
+            pairs: (0..self.pairs.len()).map(|pair| self.save_pair(pair, &places)).collect(),
+            awake: self.pairs.awake as u32,
             gravity: self.sleep.gravity,
             rest: self.save_rest().collect(),
             sleepers: self.save_sleepers(),
@@ -287,12 +317,12 @@ impl Precise {
         }
     }
 
-    fn save_pair(&self, pair: usize) -> SavedPair {
+    fn save_pair(&self, pair: usize, places: &[u32]) -> SavedPair {
         let (watch, state) = (self.pairs.watched[pair], self.pairs.all[pair]);
         let Frozen { turns, relative, normal, count, anchors, separations, features } =
             self.pairs.frozen[pair];
         SavedPair {
-            proxies: watch.proxies,
+            proxies: watch.proxies.map(|proxy| places[proxy as usize]),
             since: watch.since,
             tolerance: watch.tolerance,
             is_told: state.is_told,
@@ -309,7 +339,7 @@ impl Precise {
         let surface = is_set.then_some([friction, restitution, tangent_speed]);
         SavedRow {
             colour: aside.map_or(home.colour, |row| row.colour),
-            slot: home.slot,
+            slot: if home.is_in_order() { home.slot } else { 0 },
             asleep: sleeping.map(|row| row.h),
             direct: aside.filter(|_| sleeping.is_none()).map(|row| (row.h, row.exact)),
             tangent_impulse,
@@ -337,30 +367,30 @@ impl Precise {
         self.restore_wear(saved);
         let (places, edited) = self.restore_proxies(saved);
         self.restore_sleep(saved, is_at_rest);
-        let mut rows = Vec::new();
-        for pair in &saved.pairs {
+        let stays = |pair: &SavedPair| {
             let now = pair.proxies.map(|proxy| places[proxy as usize]);
-            let stays = now[0].zip(now[1]).map(|(a, b)| [a, b]).filter(|&now| {
+            now[0].zip(now[1]).map(|(a, b)| [a, b]).filter(|&now| {
                 let [one, other] = now.map(|proxy| self.proxies.all[proxy as usize].geom);
                 self.ordered(now) == Some(now) && may_stay(one, other)
-            });
-            let row = stays.and_then(|now| self.restore_pair(now, pair));
+            })
+        };
+        let stays: Vec<_> = saved.pairs.iter().map(stays).collect();
+        for (pair, _) in
+            saved.pairs.iter().zip(&stays).filter(|(pair, stays)| stays.is_none() && pair.row.is_some())
+        {
+            self.lose_row(pair, &places);
+        }
+        let mut rows = Vec::new();
+        for at in saved.order_without(|at| stays[at].is_none()) {
+            let (pair, Some(now)) = (&saved.pairs[at], stays[at]) else { continue };
+            let row = self.restore_pair(now, pair);
             let was_direct = pair.row.is_some_and(|row| row.direct.is_some());
             self.direct.timing.is_due |= was_direct && row.is_none();
             rows.extend(row);
-            // What it rested on has gone.
-            if stays.is_none() && pair.row.is_some() {
-                now.into_iter().flatten().for_each(|proxy| {
-                    self.sleep.note_waking(self.proxies.all[proxy as usize].body as usize);
-                });
-            }
         }
         edited.into_iter().for_each(|proxy| self.look_again(proxy));
         // Only the order of rows in the last colour matters.
-        rows.sort_by_key(|(_, row): &(usize, SavedRow)| {
-            let is_aside = row.asleep.is_some() || row.direct.is_some();
-            (if is_aside { u32::MAX } else { row.colour }, row.slot)
-        });
+        rows.sort_by_key(|(_, row): &(usize, SavedRow)| row.slot);
         for (pair, row) in rows {
             let surface = row.kept.or(row.surface);
             if let Some([_, restitution, _]) = surface {
@@ -384,6 +414,16 @@ impl Precise {
             });
         }
         self.lay_pairs_down();
+    }
+
+    /// What a row's bodies rested on has gone, with the row.
+    fn lose_row(&mut self, pair: &SavedPair, places: &[Option<u32>]) {
+        let was_direct = pair.row.is_some_and(|row| row.direct.is_some());
+        self.direct.timing.is_due |= was_direct;
+        self.direct.timing.may_be_due = true;
+        for proxy in pair.proxies.iter().filter_map(|&proxy| places[proxy as usize]) {
+            self.sleep.note_waking(self.proxies.all[proxy as usize].body as usize);
+        }
     }
 
     fn restore_wear(&mut self, saved: &Saved) {
@@ -440,7 +480,7 @@ impl Precise {
             places.push(place);
         }
         for at in (0..self.proxies.all.len()).filter(|&at| !is_known[at]) {
-            if at < self.proxies.movable || at >= self.proxies.movable.next_multiple_of(4) {
+            if !self.proxies.all[at].is_empty() {
                 self.enter(at as u32);
                 // What has come may be an island that is to be solved as a whole from the beginning.
                 self.direct.timing.is_due = true;

@@ -76,8 +76,9 @@ pub struct Island {
     pub is_solved_whole: bool,
 }
 
-/// In place of another number: the body is awake.
+/// In place of another number: the body is awake; or there is none.
 const AWAKE: u32 = u32::MAX;
+const ABSENT: u32 = u32::MAX - 1;
 
 /// Who sleeps, by number.
 #[derive(Debug, Default)]
@@ -87,7 +88,7 @@ pub(super) struct Sleep {
     pub(super) gravity: Vector,
     /// Seconds for which a body has been at rest; what sleeps is never ready for it.
     pub(super) rest: Vec<f32>,
-    /// The next one of those that fell asleep together, in a ring; or [`AWAKE`].
+    /// The next one of those that fell asleep together, in a ring; or [`AWAKE`], or [`ABSENT`].
     next: Vec<u32>,
     /// Accelerations by forces and torque that a body fell asleep under.
     pub(super) borne: Vec<[f32; 3]>,
@@ -148,14 +149,14 @@ impl KnownJoint {
 impl Sleep {
     #[inline(always)]
     pub(super) fn is_asleep(&self, body: usize) -> bool {
-        self.next.get(body).is_some_and(|&next| next != AWAKE)
+        self.next.get(body).is_some_and(|&next| next < ABSENT)
     }
 
     /// Those of these numbers, from 1 on, that are awake.
     #[inline(always)]
     pub(super) fn awake(&self, count: usize) -> impl Iterator<Item = usize> + '_ {
         let numbers = self.bodies.iter().cloned().flatten();
-        numbers.filter(move |&number| number != 0 && number <= count && !self.is_asleep(number))
+        numbers.filter(move |&number| number <= count && self.next[number] == AWAKE)
     }
 
     /// A row between what is awake and what sleeps has come.
@@ -178,11 +179,12 @@ impl Sleep {
     }
 
     /// All bodies are listed anew, and awake.
-    pub(super) fn reset(&mut self, bodies: usize) {
+    pub(super) fn reset(&mut self, ids: &[Option<BodyId>]) {
+        let bodies = ids.len();
         self.rest.clear();
         self.rest.resize(bodies, 0.0);
         self.next.clear();
-        self.next.resize(bodies, AWAKE);
+        self.next.extend(ids.iter().map(|id| if id.is_some() { AWAKE } else { ABSENT }));
         self.borne.clear();
         self.borne.resize(bodies, [0.0; 3]);
         self.count = 0;
@@ -193,12 +195,32 @@ impl Sleep {
         self.pushed.clear();
     }
 
+    /// A body has come, awake.
+    pub(super) fn add(&mut self, body: usize) {
+        (self.next[body], self.rest[body]) = (AWAKE, 0.0);
+    }
+
+    /// A body has gone: those that fell asleep with it go on sleeping.
+    pub(super) fn forget(&mut self, body: usize) {
+        if self.is_asleep(body) {
+            let mut before = body;
+            while self.next[before] as usize != body {
+                before = self.next[before] as usize;
+            }
+            self.next[before] = self.next[body];
+            self.count -= 1;
+        }
+        (self.next[body], self.rest[body], self.borne[body]) = (ABSENT, 0.0, [0.0; 3]);
+        self.leaning.retain(|&other| other as usize != body);
+        self.fresh.retain(|&other| other as usize != body);
+    }
+
     /// The runs follow who sleeps.
     pub(super) fn renew_runs(&mut self, proxies: &Proxies) {
         let Sleep { next, bodies, proxies: of_proxies, .. } = self;
         let is_awake = |body: u32| next.get(body as usize) == Some(&AWAKE);
         runs(next.len(), |number| is_awake(number as u32), bodies);
-        runs(proxies.movable.next_multiple_of(4), |at| is_awake(proxies.all[at].body), of_proxies);
+        runs(proxies.first_fixed, |at| is_awake(proxies.all[at].body), of_proxies);
     }
 
     /// A body falls asleep, with the others of a ring if there is one.
@@ -477,6 +499,6 @@ impl Precise {
     }
 
     pub(super) fn is_dynamic(&self, body: usize) -> bool {
-        body != 0 && body <= self.bodies.count && !self.bodies.is_kinematic(body)
+        body <= self.bodies.count && self.bodies.ids[body].is_some() && !self.bodies.is_kinematic(body)
     }
 }

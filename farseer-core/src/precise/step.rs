@@ -118,7 +118,7 @@ impl Precise {
         let [a, b] = proxies.map(|proxy| self.proxies.all[proxy as usize].shape);
         Kind {
             has_two_points: a.count > 0 && b.count > 0,
-            is_fixed: proxies[0] as usize >= self.proxies.movable,
+            is_fixed: proxies[0] as usize >= self.proxies.first_fixed,
         }
     }
 
@@ -174,23 +174,27 @@ impl Precise {
         report: &mut Report,
     ) {
         let Precise { bodies, sleep, is_stale, .. } = self;
-        for number in sleep.awake(bodies.count) {
-            let Some((id, entry)) = bodies.ids[number].and_then(|id| Some((id, objects.bodies.get_mut(id)?)))
-            else {
-                continue;
-            };
-            let Read { velocity, push, forced } = read(&mut entry.body, gravity, step.dt, step.h);
-            let is_finite = (0..3).all(|i| (velocity[i] + push[i] * step.substeps as f32).is_finite());
-            if !is_finite {
-                entry.body.set_enabled(false);
-                report.push(Event::NotFinite { body: id, disabled: true });
-                *is_stale = true;
+        let substeps = f32x4::splat(step.substeps as f32);
+        for run in &sleep.bodies {
+            let (hot, before) = (&mut bodies.hot[run.clone()], &mut bodies.before[run.clone()]);
+            let (push, forced) = (&mut bodies.push[run.clone()], &mut bodies.forced[run.clone()]);
+            let ids = run.clone().zip(&bodies.ids[run.clone()]);
+            for ((((hot, before), push), forced), (number, id)) in
+                hot.iter_mut().zip(before).zip(push).zip(forced).zip(ids)
+            {
+                let entry = id.filter(|_| !sleep.is_asleep(number)).and_then(|id| objects.bodies.get_mut(id));
+                let (Some(id), Some(entry)) = (*id, entry) else { continue };
+                let mut read = read(&mut entry.body, gravity, step.dt, step.h);
+                let then = f32x4::new(read.velocity) + f32x4::new(read.push) * substeps;
+                if (then * f32x4::ZERO).to_array() != [0.0; 4] {
+                    read = Read::default();
+                    entry.body.set_enabled(false);
+                    report.push(Event::NotFinite { body: id, disabled: true });
+                    *is_stale = true;
+                }
+                (hot.velocity, *before) = (read.velocity, read.velocity);
+                (*push, *forced) = (read.push, read.forced);
             }
-            let or_rest = |of: [f32; 4]| if is_finite { of } else { [0.0; 4] };
-            bodies.hot[number].velocity = or_rest(velocity);
-            bodies.before[number] = or_rest(velocity);
-            bodies.push[number] = or_rest(push);
-            bodies.forced[number] = or_rest(forced);
         }
     }
 
@@ -209,14 +213,20 @@ impl Precise {
             self.put_back(objects, report);
         }
         let Precise { bodies, sleep, .. } = self;
-        for number in sleep.awake(bodies.count) {
-            let Some(entry) = bodies.ids[number].and_then(|id| objects.bodies.get_mut(id)) else {
-                continue;
-            };
-            let ([x, y, ..], [dx, dy, turned, _]) = (bodies.poses[number], bodies.path[number]);
-            let [vx, vy, spin, _] = bodies.hot[number].velocity;
-            entry.body.end_step(Vector2::new(x + dx, y + dy), turned, Vector2::new(vx, vy), spin);
-            bodies.rotations[number] = entry.body.rotation();
+        for run in &sleep.bodies {
+            let (hot, rotations) = (&bodies.hot[run.clone()], &mut bodies.rotations[run.clone()]);
+            let (poses, paths) = (&bodies.poses[run.clone()], &bodies.path[run.clone()]);
+            let ids = run.clone().zip(&bodies.ids[run.clone()]);
+            for ((((hot, rotation), pose), path), (number, id)) in
+                hot.iter().zip(rotations).zip(poses).zip(paths).zip(ids)
+            {
+                let id = id.filter(|_| !sleep.is_asleep(number));
+                let Some(entry) = id.and_then(|id| objects.bodies.get_mut(id)) else { continue };
+                let ([x, y, ..], [dx, dy, turned, _]) = (*pose, *path);
+                let [vx, vy, spin, _] = hot.velocity;
+                entry.body.end_step(Vector2::new(x + dx, y + dy), turned, Vector2::new(vx, vy), spin);
+                *rotation = entry.body.rotation();
+            }
         }
         renew_poses(bodies, &sleep.bodies);
         for at in 0..self.bodies.kinematic.len() {

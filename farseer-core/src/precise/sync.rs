@@ -11,10 +11,10 @@ use crate::geom::entry::GeomEntry;
 use crate::geom::filter::is_valid_pair;
 use crate::objects::Objects;
 
-const NONE: u32 = u32::MAX;
+pub(super) const NONE: u32 = u32::MAX;
 
 /// Entry of a table by slot, which is as long as it must be.
-fn set(table: &mut Vec<u32>, slot: usize, number: u32) {
+pub(super) fn set(table: &mut Vec<u32>, slot: usize, number: u32) {
     if table.len() <= slot {
         table.resize(slot + 1, NONE);
     }
@@ -31,9 +31,14 @@ impl Precise {
         get(&self.body_numbers, body.slot()).filter(|&number| self.bodies.ids[number] == Some(body))
     }
 
-    /// Bodies or geoms have entered or left their lists, or have become what they were not.
+    /// Bodies or geoms have become what they were not.
     pub(crate) fn note_change(&mut self) {
         self.is_stale = true;
+    }
+
+    /// Bodies or geoms have entered or left their lists.
+    pub(crate) fn note_members(&mut self) {
+        self.has_new_members = true;
     }
 
     /// A body was lent out for editing: what it is then is taken over when the next stage begins that asks for it.
@@ -49,7 +54,10 @@ impl Precise {
     /// Whether a body takes part otherwise than it is listed.
     fn is_another_kind(&self, id: BodyId, objects: &Objects) -> bool {
         let Some(body) = objects.bodies.get(id).map(|entry| &entry.body) else { return false };
-        let Some(number) = self.number_of(id) else { return true };
+        // Who has come is asked about elsewhere.
+        let Some(number) = self.number_of(id) else {
+            return !self.has_new_members && takes_part(id, objects);
+        };
         let is_movable = number < self.bodies.first_fixed();
         let inverses = if is_movable { inverses_of(body) } else { [0.0; 2] };
         // What cannot be pushed takes no colour.
@@ -106,6 +114,14 @@ impl Precise {
                 Renewal { moved: has_moved, contacts, callbacks: false }
             });
         }
+    }
+
+    /// How far a body reaches, how thick and how round it is.
+    pub(super) fn measure(&mut self, number: usize, objects: &Objects) {
+        let Precise { bodies, proxies, .. } = self;
+        let shapes = proxies.of(number).map(|proxy| proxies.all[proxy as usize].shape);
+        bodies.measure(number, shapes.map(|shape| (shape, proxies.corners.core(shape))));
+        self.measure_ring(number, objects);
     }
 
     /// How far a body without geoms reaches.
@@ -193,14 +209,19 @@ impl Precise {
         self.lost = pairs;
     }
 
-    /// First stage: edits are taken over. If something has come or gone, or is of another kind, everything is listed anew from
-    /// what was known before any of them, as it is after loading.
+    /// First stage: edits are taken over, and who has come and gone. If something is of another kind, everything is listed
+    /// anew from what was known before any of them, as it is after loading.
     pub(crate) fn sync(&mut self, objects: &Objects) {
         let (mut bodies, mut geoms) =
             (std::mem::take(&mut self.edited_bodies), std::mem::take(&mut self.edited_geoms));
         self.is_stale = self.is_stale
             || bodies.iter().any(|&body| self.is_another_kind(body, objects))
             || geoms.iter().any(|&geom| self.meets_others(geom, objects));
+        let has_new_members = std::mem::take(&mut self.has_new_members);
+        let before = (cfg!(debug_assertions) && has_new_members).then(|| self.save());
+        if has_new_members {
+            self.is_stale = self.is_stale || self.loaded.is_some() || !self.follow_members(objects);
+        }
         debug_assert!(
             self.is_stale || !self.has_changed_flags(objects),
             "what comes, goes and changes is noted"
@@ -217,6 +238,19 @@ impl Precise {
         (self.edited_bodies, self.edited_geoms) = (bodies, geoms);
         self.note_joints_that_changed(objects);
         self.wake_up();
+        debug_assert!(
+            before.is_none_or(|before| self.is_as_listed_anew(objects, &before)),
+            "who comes and goes changes no bit of the others"
+        );
+    }
+
+    /// Whether everything is as if it had been listed anew, from what was known before.
+    fn is_as_listed_anew(&self, objects: &Objects, before: &Saved) -> bool {
+        let mut anew = self.clone();
+        anew.list(objects, before);
+        anew.note_joints_that_changed(objects);
+        anew.wake_up();
+        anew.save() == self.save()
     }
 
     /// Whether a body takes part or not against what is listed: nobody has noted it then.
@@ -231,32 +265,20 @@ impl Precise {
                     .is_none_or(|entry| !entry.body.enabled() || (is_movable && !entry.body.is_integrated()))
             })
         };
-        let is_back = |&id: &BodyId| objects.bodies.get(id).is_none_or(|entry| entry.body.enabled());
+        let is_back = |&id: &BodyId| takes_part(id, objects);
         ids.iter().enumerate().any(is_other) || self.absent.iter().any(is_back)
     }
 
     /// Lists all bodies and geoms that take part, and takes over what is known of their pairs.
     pub(super) fn list(&mut self, objects: &Objects, saved: &Saved) {
-        self.is_stale = false;
+        (self.is_stale, self.has_new_members) = (false, false);
         self.note_joints();
         self.list_bodies(objects);
         self.list_proxies(objects);
         self.list_loose(objects);
-        self.sleep.reset(self.bodies.hot.len());
+        self.sleep.reset(&self.bodies.ids[..self.bodies.first_fixed()]);
         self.direct.reset(self.bodies.hot.len());
-        (1..=self.bodies.count).for_each(|number| self.measure_ring(number, objects));
-        self.bodies.circles.fill([0.0; 4]);
-        for proxy in &self.proxies.all[..self.proxies.movable] {
-            let (core, of_proxy) =
-                (&mut self.bodies.cores[proxy.body as usize], self.proxies.corners.core(proxy.shape));
-            *core = if of_proxy < *core { of_proxy } else { *core };
-            let reach = &mut self.bodies.reaches[proxy.body as usize];
-            *reach = if proxy.shape.reach > *reach { proxy.shape.reach } else { *reach };
-            let circle = &mut self.bodies.circles[proxy.body as usize];
-            let is_alone = circle[2] == 0.0;
-            let is_round = is_alone && proxy.shape.count == 0 && proxy.shape.centre == [0.0, 0.0];
-            *circle = [0.0, 0.0, proxy.shape.radius.max(f32::MIN_POSITIVE), if is_round { 1.0 } else { 0.0 }];
-        }
+        (1..=self.bodies.count).for_each(|number| self.measure(number, objects));
         let is_at_rest = |body| {
             objects.bodies.get(body).is_some_and(|entry| entry.body.rests_with(entry.body.gravity_part()))
         };
@@ -299,8 +321,7 @@ impl Precise {
         self.bounces = false;
         let first_fixed = self.bodies.first_fixed() as u32;
         self.add_proxies(objects, |body| body < first_fixed);
-        self.proxies.movable = self.proxies.all.len();
-        self.proxies.fill_up();
+        self.proxies.leave_room();
         self.add_proxies(objects, |body| body >= first_fixed);
         self.proxies.link(self.bodies.poses.len());
         self.known.resize(self.proxies.all.len(), false);
@@ -313,34 +334,42 @@ impl Precise {
             if !is_wanted(body as u32) {
                 continue;
             }
-            let is_movable = body < self.bodies.first_fixed();
-            let mobility = match is_movable {
-                false => Mobility::Fixed,
-                true if self.bodies.is_kinematic(body) => Mobility::Kinematic,
-                true => Mobility::Dynamic,
-            };
             set(&mut self.first_proxies, id.slot(), self.proxies.all.len() as u32);
-            for (piece, outline) in geom.pieces().iter().enumerate() {
-                let shape = self.proxies.corners.add(outline, geom);
-                let restitution = geom.geom.restitution_coefficient();
-                self.bounces |= restitution > 0.0;
-                self.proxies.push(Proxy {
-                    geom: id,
-                    piece: piece as u32,
-                    place: at as u32,
-                    number: geom.number,
-                    body: body as u32,
-                    mobility,
-                    shape,
-                    friction: geom.geom.friction_coefficient(),
-                    restitution,
-                    responds: geom.geom.collision_response_enabled(),
-                    is_heard: geom.geom.collision_callbacks_enabled(),
-                    filter: filter_of(geom),
-                    surface_velocity: surface_velocity(is_movable, &objects.bodies[geom.body].body),
-                });
+            for piece in 0..geom.pieces().len() {
+                if let Some(proxy) = self.proxy_for(at, piece, objects) {
+                    self.proxies.push(proxy);
+                }
             }
         }
+    }
+
+    /// A piece of a geom, by the place of that in the list, as it is now.
+    pub(super) fn proxy_for(&mut self, at: usize, piece: usize, objects: &Objects) -> Option<Proxy> {
+        let (id, geom) = objects.geoms.at(at)?;
+        let body = self.number_of(geom.body)?;
+        let is_movable = body < self.bodies.first_fixed();
+        let mobility = match is_movable {
+            false => Mobility::Fixed,
+            true if self.bodies.is_kinematic(body) => Mobility::Kinematic,
+            true => Mobility::Dynamic,
+        };
+        let restitution = geom.geom.restitution_coefficient();
+        self.bounces |= restitution > 0.0;
+        Some(Proxy {
+            geom: id,
+            piece: piece as u32,
+            place: at as u32,
+            number: geom.number,
+            body: body as u32,
+            mobility,
+            shape: self.proxies.corners.add(&geom.pieces()[piece], geom),
+            friction: geom.geom.friction_coefficient(),
+            restitution,
+            responds: geom.geom.collision_response_enabled(),
+            is_heard: geom.geom.collision_callbacks_enabled(),
+            filter: filter_of(geom),
+            surface_velocity: surface_velocity(is_movable, &objects.bodies[geom.body].body),
+        })
     }
 
     /// The proxy of a piece of a geom, if it is listed.
@@ -361,6 +390,14 @@ impl Precise {
         self.proxies.bounds[proxy as usize] = bounds;
         self.grid.set(proxy, &bounds);
     }
+}
+
+/// Whether a body or a geom of it is in the lists.
+fn takes_part(id: BodyId, objects: &Objects) -> bool {
+    let Some(entry) = objects.bodies.get(id).filter(|entry| entry.body.enabled()) else { return false };
+    let has_geoms =
+        || entry.geoms.iter().any(|&geom| objects.geoms.life(geom).is_some_and(|life| life.is_listed));
+    (entry.body.is_integrated() && objects.bodies.life(id).is_some_and(|life| life.is_listed)) || has_geoms()
 }
 
 /// What is due after an edit.

@@ -410,8 +410,14 @@ impl<'a> Touch<'a> {
         let colour = self.rows.aside(home).map_or(home.colour, |row| row.colour);
         self.palette.mark(kind, [a, b], colour, false);
         self.direct.note([a, b]);
-        if let Some(moved) = self.rows.remove(kind, home) {
-            self.pairs.all[moved as usize].home = Some(home);
+        self.rows.remove(kind, home);
+        self.follow_rows();
+    }
+
+    /// Pairs learn where their rows are that have moved.
+    fn follow_rows(&mut self) {
+        for (pair, home) in self.rows.take_moved() {
+            self.pairs.all[pair as usize].home = Some(home);
         }
     }
 
@@ -421,10 +427,16 @@ impl<'a> Touch<'a> {
             let bodies = self.pairs.watched[pair].proxies.map(|proxy| self.proxies.all[proxy as usize].body);
             bodies.into_iter().for_each(|body| self.sleep.note_waking(body as usize));
         }
-        self.remove_row(pair);
         if self.pairs.all[pair].is_told {
             self.tell(pair, false);
         }
+        self.forget_pair(pair);
+    }
+
+    /// Takes a pair out, one side of which may have gone: nobody is told.
+    pub(super) fn forget_pair(&mut self, pair: usize) {
+        self.remove_row(pair);
+        self.pairs.set_told(pair, false);
         let at = if pair < self.pairs.awake { self.lay_down(pair) } else { pair };
         self.swap_pairs(at, self.pairs.len() - 1);
         self.pairs.pop();
@@ -488,7 +500,7 @@ impl<'a> Touch<'a> {
             self.rows.take_up(kind, home, h)
         };
         // What wakes may be solved as a whole again, and of what falls asleep nothing is.
-        self.direct.timing.is_due |= moved.0 != home;
+        self.direct.timing.is_due |= moved != home;
         self.settle(pair, moved);
     }
 
@@ -504,12 +516,10 @@ impl<'a> Touch<'a> {
         self.settle(pair, moved);
     }
 
-    /// A row has moved home, and another one into its old one.
-    fn settle(&mut self, pair: usize, (home, moved): (Home, Option<(u32, Home)>)) {
+    /// A row has moved home, and others with it.
+    fn settle(&mut self, pair: usize, home: Home) {
         self.pairs.all[pair].home = Some(home);
-        if let Some((moved, home)) = moved {
-            self.pairs.all[moved as usize].home = Some(home);
-        }
+        self.follow_rows();
     }
 
     /// A row as it was saved.

@@ -145,7 +145,7 @@ impl Precise {
 
     /// Joints of what sleeps that have gone, come, or become others wake it.
     pub(super) fn note_joints_that_changed(&mut self, objects: &Objects) {
-        if self.sleep.count == 0 || self.joints.are_read(objects.joints.list()) {
+        if self.sleep.count == 0 || self.joints.are_read() {
             return;
         }
         let mut is_listed = vec![false; objects.joints.slot_count()];

@@ -73,6 +73,9 @@ impl PhysicsSimulator {
     pub(super) fn sync_precise(&mut self) {
         let PhysicsSimulator { objects, pipeline, .. } = self;
         if let Some(precise) = &mut pipeline.precise {
+            if std::mem::take(&mut objects.has_new_members) {
+                precise.note_members();
+            }
             if std::mem::take(&mut objects.has_new_structure) {
                 precise.note_change();
             }
@@ -112,6 +115,9 @@ impl PhysicsSimulator {
 
     /// Joints that are too far from what they keep break before they act.
     fn break_precise_joints(&mut self, handler: &mut Handler<'_>) {
+        if !self.precise().may_break_joints() {
+            return;
+        }
         let mut has_told = false;
         for position in 0..self.joint_list().len() {
             let PhysicsSimulator { objects, pipeline, .. } = self;
@@ -279,10 +285,10 @@ impl PhysicsSimulator {
         let Some(precise) = &mut pipeline.precise else { return };
         precise.write_bodies(objects, report);
         let first = report.events.len();
-        for body in precise.moved().filter(|&body| objects.bodies.contains(body)) {
+        precise.moved().filter(|&body| objects.bodies.contains(body)).for_each(|body| {
             report.counters.bodies_moved += 1;
             report.push(Event::BodyUpdated { body });
-        }
+        });
         precise.follow();
         self.write_precise_joints(handler);
         if handler.get().is_some() {

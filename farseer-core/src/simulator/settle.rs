@@ -37,17 +37,24 @@ impl PhysicsSimulator {
         self.pipeline.bodies.close();
         self.settle_edits(handler);
         let has_new_links = self.objects.has_new_links();
-        self.process_added(handler);
-        self.process_removed(handler);
+        if self.objects.has_queued() {
+            self.process_added(handler);
+            self.process_removed(handler);
+        }
         self.validate_controllers(handler);
         if has_new_links || !self.objects.bodies.disposed().is_empty() {
             self.objects.dispose_links_without_body();
         }
-        self.process_disposed(handler);
+        let has_queued = self.objects.has_queued();
+        if has_queued {
+            self.process_disposed(handler);
+        }
         let (geoms, bodies) = (&self.objects.geoms, &self.objects.bodies);
         let is_leaving = |pair: Option<_>| !pair.is_some_and(|pair| is_valid_pair(pair, geoms, bodies));
         self.contacts.remove_where(|arbiter| is_leaving(arbiter.geoms), |_, _| {});
-        self.objects.free_disposed();
+        if has_queued {
+            self.objects.free_disposed();
+        }
     }
 
     fn process_added(&mut self, handler: &mut Handler<'_>) {

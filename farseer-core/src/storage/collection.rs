@@ -181,6 +181,12 @@ impl<T, I: Id + Ord> Collection<T, I> {
         !self.added.is_empty()
     }
 
+    /// Whether something is to enter or to leave.
+    #[inline]
+    pub(crate) fn has_queued(&self) -> bool {
+        !(self.added.is_empty() && self.removed.is_empty() && self.disposed.is_empty())
+    }
+
     /// What was added enters the list; answers which.
     pub(crate) fn process_added(&mut self) -> Vec<I> {
         let mut entered = std::mem::take(&mut self.added);

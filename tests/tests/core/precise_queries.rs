@@ -99,6 +99,40 @@ fn a_grid_answers_as_looking_at_every_geom_does() {
     assert!(answers > 5000, "{answers}");
 }
 
+/// A box, of a body that takes part or does not, or two of one body.
+fn put_in(simulator: &mut PhysicsSimulator, random: &mut Random) {
+    let place = v(random.between(-500.0, 500.0), random.between(-500.0, 500.0));
+    let (body, _) = match random.below(3) {
+        0 => add_floor(simulator, (random.between(5.0, 90.0), 20.0), place),
+        _ => add_box(simulator, (random.between(4.0, 60.0), 30.0), place),
+    };
+    if random.below(4) == 0 {
+        let placement = GeomPlacement { offset: v(100.0, 20.0), ..GeomPlacement::default() };
+        GeomFactory::create_circle_geom_in(simulator, body, 9.0, 5, placement).unwrap();
+    }
+    simulator[body].set_enabled(random.below(5) > 0);
+}
+
+#[test]
+fn a_grid_answers_as_looking_at_every_geom_does_while_things_come_and_go() {
+    let mut answers = 0;
+    for seed in 0..4 {
+        let random = &mut Random::new(seed);
+        let mut simulator = random_scene(random, v(0.0, 0.0));
+        simulator.update(DT);
+        for _ in 0..120 {
+            (0..random.below(3)).for_each(|_| put_in(&mut simulator, random));
+            if random.below(2) == 0 {
+                let body = random.pick(simulator.body_list());
+                simulator.dispose(body).unwrap();
+            }
+            simulator.update(DT);
+            answers += compare(&simulator, random, v(0.0, 0.0));
+        }
+    }
+    assert!(answers > 2000, "{answers}");
+}
+
 #[test]
 fn a_grid_answers_in_callbacks_as_looking_at_every_geom_does() {
     struct Asks(Random, usize);

@@ -63,6 +63,42 @@ fn a_pile_that_builds_up_goes_on_with_the_same_bits_after_a_restore_in_every_ste
     assert!(plain.arbiter_count() > 20);
 }
 
+/// Small boxes on a plate, more than there are colours for rows, and one more thing in every few steps while others go.
+fn laden_plate() -> PhysicsSimulator {
+    let mut simulator = filling_pit();
+    add_floor(&mut simulator, (900.0, 20.0), v(0.0, 200.0));
+    let (plate, _) = add_box(&mut simulator, (800.0, 10.0), v(0.0, 180.0));
+    simulator[plate].set_mass(50.0).unwrap();
+    for number in 0..60 {
+        add_box(&mut simulator, (8.0, 8.0), v(number as f32 * 12.0 - 354.0, 170.0));
+    }
+    simulator
+}
+
+#[test]
+fn rows_that_no_colour_was_left_for_keep_their_order_when_things_come_and_go() {
+    let (mut plain, mut restored) = (laden_plate(), laden_plate());
+    let mut most = 0;
+    for step in 0..150 {
+        for simulator in [&mut plain, &mut restored] {
+            if step % 5 == 4 {
+                let going = simulator.body_list()[4 + (step * 7) % 40];
+                simulator.dispose(going).unwrap();
+            }
+            if step % 7 == 6 {
+                add_box(simulator, (8.0, 8.0), v((step * 5 % 700) as f32 - 350.0, 150.0));
+            }
+            simulator.update(DT);
+        }
+        most = most.max(plain.rows_per_colour().len());
+        assert!(plain.snapshot() == restored.snapshot(), "step {step}");
+        let mut next = simulator(1.0);
+        next.restore(&restored.snapshot()).unwrap();
+        restored = next;
+    }
+    assert_eq!(most, 32);
+}
+
 #[test]
 fn a_clone_goes_on_with_the_same_bits() {
     let mut plain = filling_pit();

@@ -164,6 +164,12 @@ impl Direct {
         self.count = 0;
     }
 
+    /// A body has gone.
+    pub(super) fn forget(&mut self, body: usize) {
+        self.timing.is_due |= self.wear[body].is_direct;
+        self.wear[body] = Wear::default();
+    }
+
     #[inline(always)]
     pub(super) fn is_direct(&self, body: usize) -> bool {
         self.wear.get(body).is_some_and(|wear| wear.is_direct)
@@ -202,7 +208,7 @@ impl Precise {
         let joints = self.joints.count() as u32;
         self.direct.timing.may_be_due |= std::mem::replace(&mut self.direct.timing.joints, joints) != joints;
         let is_quick = self.direct.timing.may_be_due
-            && self.bodies.count - self.sleep.count <= FEW
+            && self.bodies.live - self.sleep.count <= FEW
             && !self.sleep.awake(self.bodies.count).any(|body| self.moves(body));
         if self.direct.tick(is_quick) {
             self.direct.timing.begin_again();

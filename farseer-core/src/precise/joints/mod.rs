@@ -13,21 +13,21 @@ mod tree;
 
 use super::bodies::{Bodies, Hot};
 use super::tuning::Step;
-use crate::joints::JointId;
 use crate::storage::reusing_clone::reusing_clone;
 use forest::{Forest, Seat};
 use hold::{End, Hold, Key};
 use loose::{GROUND, Keeps, Loose, Pass, Room, solve_group};
-use tree::{Link, Node};
+use tree::{Link, Node, dot};
 
 /// The joints of a step.
 #[derive(Debug, Default)]
 pub(super) struct Joints {
     /// In the order of the list of joints; not those that hold nothing now.
     holds: Vec<Hold>,
-    /// The list when they were read, and whether nothing has changed since.
-    listed: Vec<JointId>,
+    /// Whether nothing about them, or the list of joints, has changed since they were read.
     is_read: bool,
+    /// Whether one of them breaks where it is too far from what it keeps.
+    may_break: bool,
     groups: Vec<Group>,
     /// By body number: the place in its group, or [`GROUND`].
     seat_of: Vec<u32>,
@@ -35,7 +35,7 @@ pub(super) struct Joints {
     unit: f64,
 }
 
-reusing_clone! { Joints { holds, listed, is_read, groups, seat_of, room, unit } }
+reusing_clone! { Joints { holds, is_read, may_break, groups, seat_of, room, unit } }
 
 /// Bodies that joints tie together.
 #[derive(Debug, Default)]
@@ -70,9 +70,14 @@ impl Joints {
         self.holds.iter().map(|hold| hold.ends.map(|end| end.pose as usize))
     }
 
-    /// Whether nothing about joints has changed since they were read, of this list.
-    pub(super) fn are_read(&self, list: &[JointId]) -> bool {
-        self.is_read && self.listed == list
+    /// Whether nothing about joints has changed since they were read.
+    pub(super) fn are_read(&self) -> bool {
+        self.is_read
+    }
+
+    /// Whether some joint may be too far from what it keeps to go on.
+    pub(super) fn may_break(&self) -> bool {
+        !self.is_read || self.may_break
     }
 
     /// Plans for the joints that were read.
@@ -214,7 +219,8 @@ fn begin_nodes(nodes: &mut [Node], holds: &[Hold], bodies: &Bodies, times: [f64;
         node.begin(bodies);
         if node.link.holds() {
             let side = node.hang(&holds[node.joint as usize], times);
-            let parent = node.parent as usize;
+            let (parent, reach) = (node.parent as usize, dot(side.arm, side.arm));
+            nodes[parent].reach = nodes[parent].reach.max(reach);
             if nodes[parent].link == Link::Fixed {
                 (nodes[parent].place, nodes[parent].velocity) = (side.place, side.velocity);
             }
@@ -265,7 +271,7 @@ impl Node {
         let ([x, y, ..], [vx, vy, spin, _]) = (bodies.poses[body], bodies.hot[body].velocity);
         self.place = [f64::from(x), f64::from(y)];
         self.velocity = [vx, vy, spin].map(f64::from);
-        self.path = [0.0; 3];
+        (self.path, self.reach) = ([0.0; 3], 0.0);
     }
 
     /// Hangs on a joint as it is now. Answers the side of the parent.
@@ -274,8 +280,13 @@ impl Node {
         let [first, second] = &hold.ends;
         let (parent, child) = if self.is_first { (second, first) } else { (first, second) };
         (self.arm, self.parent_arm) = (child.arm, parent.arm);
-        // An impulse of a substep is that part of one of an update.
-        (self.softness, self.rate) = (hold.softness * dt / h, hold.bias_factor / dt);
+        self.reach = dot(self.arm, self.arm);
+        if hold.softness > 0.0 {
+            // An impulse of a substep is that part of one of an update.
+            (self.softness, self.rate) = (hold.softness * dt / h, hold.bias_factor / dt);
+        } else {
+            self.softness = 0.0;
+        }
         self.wanted = match hold.link {
             Link::Distance => hold.range[1],
             _ => self.sign() * (hold.angle - hold.range[1]),

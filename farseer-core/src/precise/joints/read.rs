@@ -96,15 +96,14 @@ impl Precise {
     /// Brings the joints to the poses of this step, and plans how they are solved.
     pub(crate) fn read_joints(&mut self, objects: &Objects, step: &Step) {
         let mut joints = std::mem::take(&mut self.joints);
-        if joints.are_read(objects.joints.list()) {
+        if joints.is_read {
             joints.follow(&self.bodies, objects);
         } else {
-            joints.listed.clear();
-            joints.listed.extend_from_slice(objects.joints.list());
             joints.holds.clear();
-            let all = (0..joints.listed.len()).filter_map(|at| objects.joints.at(at));
-            let holds = all.filter(|(_, joint)| joint.enabled());
-            joints.holds.extend(holds.filter_map(|joint| self.hold(joint, &objects.bodies)));
+            let all = (0..objects.joints.list().len()).filter_map(|at| objects.joints.at(at));
+            let enabled = all.filter(|(_, joint)| joint.enabled());
+            joints.may_break = enabled.clone().any(|(_, joint)| joint.breakpoint() != f32::MAX);
+            joints.holds.extend(enabled.filter_map(|joint| self.hold(joint, &objects.bodies)));
             joints.plan(&self.bodies);
             joints.is_read = true;
             let is_held = |body: usize| self.direct.is_direct(body) && joints.holds(body);
@@ -132,6 +131,11 @@ impl Precise {
             // What is not finite is forgotten there, and has to be here.
             hold.force = joint.force_and_torque();
         }
+    }
+
+    /// Whether some joint breaks where it is too far from what it keeps.
+    pub(crate) fn may_break_joints(&self) -> bool {
+        self.joints.may_break()
     }
 
     /// The joints that acted in this update, by their place among them.

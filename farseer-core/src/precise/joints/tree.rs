@@ -10,6 +10,9 @@
 //! other's velocity is v + w p, and an inertia [A c; c^T d] at the other point is [A, c + A p; ., d + 2 c.p + p.A p] at the
 //! one. Each body is seen from its joint with the parent, a root from its origin.
 //!
+//! A tree is hinged if all of its joints keep points and none is soft. These are so common that what visits nodes is compiled
+//! for them once more.
+//!
 //! Numbers are `f64`: the reciprocal of an inertia that a long chain hands up loses half of its digits.
 
 pub(super) type Vector = [f64; 2];
@@ -181,6 +184,8 @@ pub(super) struct Node {
     /// Square of the longest arm of a joint.
     pub(super) reach: f64,
     pub(super) velocity: [f64; 3],
+    /// The spin in this substep that joints reckon with.
+    pub(super) expected_spin: f64,
     /// The velocity in this substep before joints act.
     pub(super) before: [f64; 3],
     /// What forces add to it in a substep.
@@ -232,42 +237,38 @@ pub(super) struct Work {
 #[inline]
 pub(super) fn solve(nodes: &mut [Node], stiff: f64) {
     for node in nodes.iter_mut() {
-        node.take_own_inertia(stiff);
-        node.take_own_momentum();
+        node.take_own(stiff);
     }
-    hand_all_up(nodes, |node, parent| {
-        node.hand_up_inertia(parent);
-        node.hand_up_momentum(parent);
-    });
-    follow_down(nodes);
+    for_each_up(nodes, Node::hand_up::<false>);
+    for_each_down(nodes, Node::follow::<false>);
 }
 
 /// [`solve`] with other velocities and biases, after it with the same arms and directions.
 #[inline]
 pub(super) fn solve_again(nodes: &mut [Node]) {
-    nodes.iter_mut().for_each(Node::take_own_momentum);
-    hand_all_up(nodes, Node::hand_up_momentum);
-    follow_down(nodes);
+    nodes.iter_mut().for_each(|node| node.take_own_momentum(node.velocity));
+    for_each_up(nodes, Node::hand_up_momentum::<false>);
+    for_each_down(nodes, Node::follow::<false>);
 }
 
+/// Visits nodes with their parents, children first.
 #[inline(always)]
-fn hand_all_up(nodes: &mut [Node], hand_up: impl Fn(&mut Node, &mut Node)) {
+pub(super) fn for_each_up(nodes: &mut [Node], mut visit: impl FnMut(&mut Node, &mut Node)) {
     for at in (1..nodes.len()).rev() {
         let (before, rest) = nodes.split_at_mut(at);
         if let Some(parent) = before.get_mut(rest[0].parent as usize) {
-            hand_up(&mut rest[0], parent);
+            visit(&mut rest[0], parent);
         }
     }
 }
 
+/// Visits nodes with their parents, parents first; a root has none.
 #[inline(always)]
-fn follow_down(nodes: &mut [Node]) {
+pub(super) fn for_each_down(nodes: &mut [Node], mut visit: impl FnMut(&mut Node, Option<&mut Node>)) {
     for at in 0..nodes.len() {
         let (before, rest) = nodes.split_at_mut(at);
-        match before.get(rest[0].parent as usize) {
-            Some(parent) => rest[0].follow(parent.work.velocity),
-            None => rest[0].lead(),
-        }
+        let parent = rest[0].parent as usize;
+        visit(&mut rest[0], before.get_mut(parent));
     }
 }
 
@@ -279,13 +280,30 @@ impl Link {
 }
 
 impl Node {
+    /// What its joint keeps: a point, in a tree that is hinged.
+    #[inline(always)]
+    pub(super) fn link<const HINGED: bool>(&self) -> Link {
+        if HINGED { Link::Point } else { self.link }
+    }
+
+    #[inline(always)]
+    pub(super) fn softness<const HINGED: bool>(&self) -> f64 {
+        if HINGED { 0.0 } else { self.softness }
+    }
+
     /// The impulse that was found has acted.
     #[inline(always)]
     pub(super) fn count_impulse(&mut self) {
         (0..3).for_each(|i| self.total[i] += self.impulse[i]);
     }
 
-    /// The body's own inertia, at its joint.
+    /// The body's own inertia and momentum, at its joint.
+    #[inline(always)]
+    pub(super) fn take_own(&mut self, stiff: f64) {
+        self.take_own_inertia(stiff);
+        self.take_own_momentum(self.velocity);
+    }
+
     #[inline(always)]
     fn take_own_inertia(&mut self, stiff: f64) {
         let Node { mass, arm, .. } = *self;
@@ -297,29 +315,35 @@ impl Node {
         };
     }
 
-    /// The body's own momentum, at its joint.
+    /// The body's own momentum with this velocity, at its joint.
     #[inline(always)]
-    fn take_own_momentum(&mut self) {
-        let Node { mass, velocity: [x, y, spin], arm, .. } = *self;
+    pub(super) fn take_own_momentum(&mut self, [x, y, spin]: [f64; 3]) {
+        let Node { mass, arm, .. } = *self;
         let along = [mass * x, mass * y];
         self.work.momentum = Momentum { along, turning: self.inertia * spin - cross(arm, along) };
     }
 
     /// The parent has to move the body as far as the joint says.
     #[inline(always)]
-    fn hand_up_inertia(&mut self, parent: &mut Node) {
+    pub(super) fn hand_up<const HINGED: bool>(&mut self, parent: &mut Node) {
+        self.hand_up_inertia::<HINGED>(parent);
+        self.hand_up_momentum::<HINGED>(parent);
+    }
+
+    #[inline(always)]
+    fn hand_up_inertia<const HINGED: bool>(&mut self, parent: &mut Node) {
         let mut lever = plus(self.parent_arm, parent.arm, -1.0);
-        if self.link == Link::Line {
+        if self.link::<HINGED>() == Link::Line {
             // What slides is held where it is.
             lever = plus(lever, self.apart(parent.place), 1.0);
         }
         self.work.lever = lever;
         let seen = &mut parent.work.seen;
-        match self.link {
+        match self.link::<HINGED>() {
             Link::Free | Link::Fixed => {}
             Link::Point => {
                 self.release_turning();
-                self.yield_as_soft();
+                self.yield_as_soft::<HINGED>();
                 seen.add_point(&self.work.rest, lever);
             }
             Link::Distance => {
@@ -338,16 +362,17 @@ impl Node {
 
     /// What of that depends on velocities and biases.
     #[inline(always)]
-    fn hand_up_momentum(&mut self, parent: &mut Node) {
+    pub(super) fn hand_up_momentum<const HINGED: bool>(&mut self, parent: &mut Node) {
         let handed = &mut parent.work.momentum;
         let Inertia { mass, coupling, turning } = self.work.seen;
         let (Momentum { along, turning: twist }, lever) = (self.work.momentum, self.work.lever);
         let [x, y, spin] = self.bias;
-        match self.link {
+        match self.link::<HINGED>() {
             Link::Free | Link::Fixed => {}
             Link::Point => {
                 let load = plus(along, coupling, -twist * self.work.inverse_turning);
-                self.work.load = if self.softness > 0.0 { self.work.yielding.times(load) } else { load };
+                self.work.load =
+                    if self.softness::<HINGED>() > 0.0 { self.work.yielding.times(load) } else { load };
                 handed.add(plus(self.work.load, self.work.rest.times([x, y]), -1.0), 0.0, lever);
             }
             Link::Distance => {
@@ -387,8 +412,8 @@ impl Node {
 
     /// With l = R v - load and v = parent + bias - s l, what a soft joint hands up is (1 + s R)^-1 times a hard one's.
     #[inline(always)]
-    fn yield_as_soft(&mut self) {
-        let (s, rest) = (self.softness, self.work.rest);
+    fn yield_as_soft<const HINGED: bool>(&mut self) {
+        let (s, rest) = (self.softness::<HINGED>(), self.work.rest);
         if s > 0.0 {
             let harder = Symmetric { xx: 1.0 + s * rest.xx, xy: s * rest.xy, yy: 1.0 + s * rest.yy };
             let of = |x: Vector, y: Vector| {
@@ -425,17 +450,19 @@ impl Node {
 
     /// The velocity, once that of the parent at its joint is known.
     #[inline(always)]
-    fn follow(&mut self, [x, y, spin]: [f64; 3]) {
+    pub(super) fn follow<const HINGED: bool>(&mut self, parent: Option<&mut Node>) {
+        let Some(parent) = parent else { return self.lead() };
+        let [x, y, spin] = parent.work.velocity;
         let at_parent = plus([x, y], spun(self.work.lever), spin);
         let at_joint = plus(at_parent, [self.bias[0], self.bias[1]], 1.0);
         let Inertia { mass, coupling, turning } = self.work.seen;
         let Momentum { along, turning: twist } = self.work.momentum;
-        match self.link {
+        match self.link::<HINGED>() {
             Link::Free | Link::Fixed => {}
             Link::Point => {
                 let [x, y] = plus(self.work.rest.times(at_joint), self.work.load, -1.0);
                 self.impulse = [x, y, 0.0];
-                self.turn_freely(plus(at_joint, [x, y], -self.softness));
+                self.turn_freely(plus(at_joint, [x, y], -self.softness::<HINGED>()));
             }
             Link::Distance => self.follow_distance(at_parent),
             Link::Weld | Link::Line => {

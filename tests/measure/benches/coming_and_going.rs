@@ -1,0 +1,104 @@
+//! What it costs that things come and go, with the precise set: crates in heaps, and something small beside them.
+//!
+//! `cargo bench -p measure --bench coming_and_going` prints by how much an update is longer in which a body comes, goes, or is
+//! exchanged, than one in which nothing happens: by the medians of both.
+
+use std::collections::VecDeque;
+use std::time::Instant;
+
+use conformance::fixtures::plane::{add_box, add_floor, simulator_with, v};
+use farseer_core::{BodyId, Methods, PhysicsSimulator};
+
+const DT: f32 = 1.0 / 60.0;
+const ROUNDS: usize = 41;
+/// Crates of a heap, and heaps of a row.
+const HEAP: usize = 20;
+const ROW: usize = 32;
+/// Bodies that are there to go.
+const SPARE: usize = 8;
+
+struct World {
+    simulator: PhysicsSimulator,
+    spare: VecDeque<BodyId>,
+    added: usize,
+}
+
+impl World {
+    /// So many crates that have fallen into heaps.
+    fn new(crates: usize, sleeps: bool) -> Self {
+        let mut simulator = simulator_with(320.0, Methods::PRECISE);
+        simulator.set_sleep_enabled(sleeps);
+        for heap in 0..crates / HEAP {
+            let place = v((heap % ROW) as f32 * 400.0, (heap / ROW) as f32 * 600.0);
+            add_floor(&mut simulator, (380.0, 20.0), place + v(0.0, 100.0));
+            for at in 0..HEAP {
+                let (row, column) = ((at / 5) as f32, (at % 5) as f32);
+                let shift = 3.0 * row + 0.3 * (at * heap % 7) as f32;
+                add_box(
+                    &mut simulator,
+                    (30.0, 30.0),
+                    place + v((column - 2.0) * 33.0 + shift, 70.0 - row * 34.0),
+                );
+            }
+        }
+        (0..if sleeps { 240 } else { 40 }).for_each(|_| simulator.update(DT));
+        let mut world = World { simulator, spare: VecDeque::new(), added: 0 };
+        (0..SPARE).for_each(|_| world.come());
+        world.simulator.update(DT);
+        world
+    }
+
+    fn come(&mut self) {
+        let place = v((self.added % 100) as f32 * 100.0, -400.0);
+        self.spare.push_back(add_box(&mut self.simulator, (10.0, 10.0), place).0);
+        self.added += 1;
+    }
+
+    fn go(&mut self) {
+        if let Some(body) = self.spare.pop_front() {
+            self.simulator.dispose(body).expect("it is there");
+        }
+    }
+
+    /// Microseconds of what happens with an update after it.
+    fn time(&mut self, happens: impl FnOnce(&mut Self)) -> f64 {
+        let start = Instant::now();
+        happens(self);
+        self.simulator.update(DT);
+        start.elapsed().as_secs_f64() * 1e6
+    }
+}
+
+fn median(mut times: Vec<f64>) -> f64 {
+    times.sort_unstable_by(f64::total_cmp);
+    times[times.len() / 2]
+}
+
+/// Microseconds more than nothing takes; what has happened is undone after each round.
+fn more(world: &mut World, happens: fn(&mut World), undo: fn(&mut World)) -> [f64; 2] {
+    let (mut plain, mut with) = (Vec::new(), Vec::new());
+    for _ in 0..ROUNDS {
+        plain.push(world.time(|_| {}));
+        with.push(world.time(happens));
+        world.time(undo);
+    }
+    let plain = median(plain);
+    [plain, median(with) - plain]
+}
+
+fn main() {
+    println!("| crates | | nothing | a body comes | goes | one comes, one goes |");
+    println!("|---|---|---|---|---|---|");
+    for (crates, sleeps) in [(1000, false), (10_000, false), (1000, true), (10_000, true)] {
+        let world = &mut World::new(crates, sleeps);
+        let [nothing, comes] = more(world, World::come, World::go);
+        let [_, goes] = more(world, World::go, World::come);
+        let exchange = |world: &mut World| {
+            world.come();
+            world.go();
+        };
+        let [_, both] = more(world, exchange, |_| {});
+        let state = if sleeps { "asleep" } else { "awake" };
+        println!("| {crates} | {state} | {nothing:.0} us | {comes:+.0} us | {goes:+.0} us | {both:+.0} us |");
+    }
+}
