@@ -9,6 +9,11 @@ use wide::f32x4;
 pub(super) const COLOURS: usize = 32;
 const LAST: u32 = COLOURS as u32 - 1;
 
+/// The first of these colours, by bits, or the last of all.
+fn first_of(colours: u32) -> u32 {
+    colours.trailing_zeros().min(LAST)
+}
+
 /// One contact point of four rows.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Point {
@@ -207,6 +212,12 @@ impl<const P: usize> Colours<P> {
         self.used = 0;
         self.counts = [0; COLOURS];
         self.blocks.iter_mut().for_each(Vec::clear);
+    }
+
+    /// The first of these colours in whose last block there is room, else the first.
+    fn choose(&self, free: u32) -> u32 {
+        let has_room = |&colour: &u32| free >> colour & 1 == 1 && self.counts[colour as usize] % 4 != 0;
+        (0..LAST).find(has_room).unwrap_or(first_of(free))
     }
 
     fn push(&mut self, colour: u32, lane: &Lane) -> u32 {
@@ -415,6 +426,11 @@ impl Rows {
         in_colours + direct.sum::<usize>()
     }
 
+    /// Which of these colours, by bits, a new row takes: blocks are filled before others begin.
+    pub(super) fn choose(&self, kind: Kind, free: u32) -> u32 {
+        of_kind!((&) self, kind, colours => colours.choose(free))
+    }
+
     pub(super) fn push(&mut self, kind: Kind, colour: u32, lane: &Lane) -> Home {
         Home { colour, slot: of_kind!((&mut) self, kind, colours => colours.push(colour, lane)) }
     }
@@ -600,17 +616,16 @@ impl Palette {
         if kind.is_fixed { &mut self.fixed } else { &mut self.shared }
     }
 
-    /// The first colour that is free at both bodies.
+    /// The colours that are free at both bodies, by bits.
     pub(super) fn free(&mut self, kind: Kind, bodies: [u32; 2]) -> u32 {
         let taken = self.of(kind);
-        let both = bodies.iter().fold(0, |both, &body| both | taken[body as usize]);
-        (!both).trailing_zeros().min(LAST)
+        !bodies.iter().fold(0, |both, &body| both | taken[body as usize])
     }
 
     /// This colour, unless a damaged save says that it is taken already: then the first free one.
     pub(super) fn again(&mut self, kind: Kind, bodies: [u32; 2], colour: u32) -> u32 {
         let is_taken = bodies.iter().any(|&body| self.of(kind)[body as usize] >> colour & 1 == 1);
-        if is_taken { self.free(kind, bodies) } else { colour }
+        if is_taken { first_of(self.free(kind, bodies)) } else { colour }
     }
 
     /// A row with this colour begins or ends.
@@ -639,7 +654,16 @@ impl Palette {
 
 #[cfg(test)]
 mod tests {
-    use super::{Kind, Palette};
+    use super::{Colours, Kind, Lane, Palette};
+
+    #[test]
+    fn a_new_row_fills_a_block_before_it_begins_another() {
+        let mut colours = Colours::<1>::default();
+        (0..4).for_each(|_| drop(colours.push(0, &Lane::default())));
+        colours.push(1, &Lane::default());
+        assert_eq!(colours.choose(!0), 1);
+        assert_eq!(colours.choose(!2), 0);
+    }
 
     #[test]
     fn what_cannot_be_pushed_takes_no_colour() {
@@ -647,8 +671,8 @@ mod tests {
         let mut palette = Palette::default();
         palette.reset(&[[0.0; 2], [0.0; 2], [1.0, 0.0], [1.0, 1.0]]);
         palette.mark(kind, [1, 2], 0, true);
-        assert_eq!(palette.free(kind, [1, 3]), 0);
-        assert_eq!(palette.free(kind, [1, 2]), 1);
+        assert_eq!(palette.free(kind, [1, 3]), !0);
+        assert_eq!(palette.free(kind, [1, 2]), !1);
         assert!(palette.is_free(1) && palette.is_single(2) && !palette.is_free(2));
     }
 }

@@ -23,6 +23,11 @@ use crate::math::plane::{
 const LARGEST_TURN: f32 = 0.98;
 /// And those on a kinematic one that has: what lies on a turntable turns with it, and its normal must.
 const LARGEST_TURN_OF_KINEMATIC: f32 = 0.99998;
+/// A body that turns further than this in a step, on what does not give way, has its contacts found in every step: it rolls,
+/// or topples, and its corners come down one after the other.
+const ROLLING: f32 = 0.01;
+/// Arms of such a contact are turned on by at most so far.
+const LARGEST_LEAD: f32 = 0.2;
 /// A new point goes on from an old one whose anchor is nearer than this part of the smaller body.
 const NEAR: f32 = 0.4;
 /// Units after which a pair that is apart is looked at again in any case, so that motion sums cannot wrap unseen.
@@ -217,6 +222,7 @@ impl<'a> Touch<'a> {
         let is_kinematic = two.a.mobility == Mobility::Kinematic;
         let is_same = turned_a[0] > if is_kinematic { LARGEST_TURN_OF_KINEMATIC } else { LARGEST_TURN }
             && turned_b[0] > LARGEST_TURN
+            && !(self.is_fixed(two.a) && self.turns(two.b).abs() > ROLLING)
             && moved < self.tuning.frozen - self.tuning.checked;
         if !is_same {
             return false;
@@ -231,6 +237,21 @@ impl<'a> Touch<'a> {
             None => return false,
         }
         true
+    }
+
+    /// How far a body turns in this step, if nothing changes its spin.
+    fn turns(&self, proxy: &Proxy) -> f32 {
+        self.bodies.hot.get(proxy.body as usize).map_or(0.0, |hot| hot.velocity[2] * self.dt)
+    }
+
+    /// The rotation that B's arms are turned on by, to where they are in the middle of the step: where a body rolls over a
+    /// corner on what does not give way, an arm from before the step would take energy from it in every step.
+    fn lead(&self, two: Two<'_>) -> Vector {
+        if !self.is_fixed(two.a) {
+            return [1.0, 0.0];
+        }
+        let half = (0.5 * self.turns(two.b)).clamp(-LARGEST_LEAD, LARGEST_LEAD);
+        [1.0 - 0.5 * half * half, half]
     }
 
     fn is_fixed(&self, proxy: &Proxy) -> bool {
@@ -343,8 +364,10 @@ impl<'a> Touch<'a> {
         };
         let mut points = [PointLane { separation: self.tuning.unit, ..PointLane::default() }; 2];
         let (mut tangent_a, mut tangent_b) = (0.0, 0.0);
+        let lead = self.lead(two);
         for (at, point) in points.iter_mut().enumerate().take(frozen.count as usize) {
             let [ax, ay, bx, by] = frozen.anchors[at];
+            let [bx, by] = turn(lead, [bx, by]);
             let (arm_a, arm_b) = (cross([ax, ay], normal), cross([bx, by], normal));
             tangent_a -= dot([ax, ay], normal);
             tangent_b -= dot([bx, by], normal);
@@ -393,7 +416,8 @@ impl<'a> Touch<'a> {
 
     fn add_row(&mut self, pair: usize, lane: &Lane) {
         let kind = self.pairs.all[pair].kind;
-        let colour = self.palette.free(kind, [lane.a, lane.b]);
+        let free = self.palette.free(kind, [lane.a, lane.b]);
+        let colour = self.rows.choose(kind, free);
         self.palette.mark(kind, [lane.a, lane.b], colour, true);
         self.direct.note([lane.a, lane.b]);
         self.pairs.all[pair].home = Some(self.rows.push(kind, colour, lane));

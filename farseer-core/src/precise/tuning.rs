@@ -55,7 +55,7 @@ const SUBSTEPS_PER_PERIOD: f32 = 8.0;
 /// of the load that is left on the spring.
 const LEARNING: f32 = 0.02;
 const FORGETTING: f32 = 0.05;
-const RESERVE: f32 = 0.2;
+const RESERVE: f32 = 0.3;
 
 /// The numbers of one step.
 #[derive(Debug, Clone, Copy)]
@@ -111,7 +111,7 @@ impl Step {
             substeps,
             h,
             soft: Softness::new(frequency, DAMPING, h),
-            soft_fixed: Softness::new(2.0 * frequency, DAMPING, h),
+            soft_fixed: Softness::new(1.5 * frequency, DAMPING, h),
             learning: Learning {
                 up: (LEARNING * steps).min(1.0),
                 down: (FORGETTING * steps).min(1.0),
