@@ -96,6 +96,7 @@ struct SavedContacts {
     anchors: [[f32; 4]; 2],
     separations: [f32; 2],
     features: [u32; 2],
+    lead: f32,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -144,7 +145,8 @@ impl Saved {
     fn is_valid(&self) -> bool {
         let finite = |numbers: &[f32]| numbers.iter().all(|number| number.is_finite());
         let pair_is_valid = |pair: &SavedPair| {
-            let SavedContacts { turns, relative, normal, count, anchors, separations, .. } = &pair.frozen;
+            let SavedContacts { turns, relative, normal, count, anchors, separations, lead, .. } =
+                &pair.frozen;
             let row_is_valid = |row: &SavedRow| {
                 let SavedRow { tangent_impulse, impulses, held, separations, asleep, direct, kept, .. } = row;
                 (row.colour as usize) < super::rows::COLOURS
@@ -159,6 +161,7 @@ impl Saved {
                 && finite(relative)
                 && finite(normal)
                 && finite(separations)
+                && lead.abs() <= 1.0
                 && anchors.iter().all(|anchor| finite(anchor))
                 && pair.row.as_ref().is_none_or(|row| *count > 0 && row_is_valid(row))
         };
@@ -319,7 +322,7 @@ impl Precise {
 
     fn save_pair(&self, pair: usize, places: &[u32]) -> SavedPair {
         let (watch, state) = (self.pairs.watched[pair], self.pairs.all[pair]);
-        let Frozen { turns, relative, normal, count, anchors, separations, features } =
+        let Frozen { turns, relative, normal, count, anchors, separations, features, lead } =
             self.pairs.frozen[pair];
         SavedPair {
             proxies: watch.proxies.map(|proxy| places[proxy as usize]),
@@ -327,7 +330,7 @@ impl Precise {
             tolerance: watch.tolerance,
             is_told: state.is_told,
             is_vetoed: state.is_vetoed,
-            frozen: SavedContacts { turns, relative, normal, count, anchors, separations, features },
+            frozen: SavedContacts { turns, relative, normal, count, anchors, separations, features, lead },
             row: state.home.map(|home| self.save_row(state.kind, home, state.is_set)),
         }
     }
@@ -512,8 +515,10 @@ impl Precise {
         }
         let pair = self.add_pair(proxies);
         let responds = self.pairs.all[pair].responds;
-        let SavedContacts { turns, relative, normal, count, anchors, separations, features } = saved.frozen;
-        self.pairs.frozen[pair] = Frozen { turns, relative, normal, count, anchors, separations, features };
+        let SavedContacts { turns, relative, normal, count, anchors, separations, features, lead } =
+            saved.frozen;
+        self.pairs.frozen[pair] =
+            Frozen { turns, relative, normal, count, anchors, separations, features, lead };
         let watch = &mut self.pairs.watched[pair];
         (watch.since, watch.tolerance) = (saved.since, saved.tolerance);
         self.pairs.all[pair].is_vetoed = saved.is_vetoed;

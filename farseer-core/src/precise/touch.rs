@@ -10,7 +10,7 @@ use super::direct::Direct;
 use super::manifold::{Manifold, collide};
 use super::pairs::{BY_ROW, Frozen, Pairs};
 use super::proxies::{Mobility, Proxies, Proxy};
-use super::rows::{Aside, Home, Lane, Palette, PointLane, Rows};
+use super::rows::{Aside, Home, Kind, Lane, Palette, PointLane, Rows};
 use super::sleep::Sleep;
 use super::tuning::Tuning;
 use crate::geom::GeomId;
@@ -26,7 +26,7 @@ const LARGEST_TURN_OF_KINEMATIC: f32 = 0.99998;
 /// A body that turns further than this in a step, on what does not give way, has its contacts found in every step: it rolls,
 /// or topples, and its corners come down one after the other.
 const ROLLING: f32 = 0.01;
-/// Arms of such a contact are turned on by at most so far.
+/// Arms of a contact are turned on by at most so far.
 const LARGEST_LEAD: f32 = 0.2;
 /// A new point goes on from an old one whose anchor is nearer than this part of the smaller body.
 const NEAR: f32 = 0.4;
@@ -222,7 +222,7 @@ impl<'a> Touch<'a> {
         let is_kinematic = two.a.mobility == Mobility::Kinematic;
         let is_same = turned_a[0] > if is_kinematic { LARGEST_TURN_OF_KINEMATIC } else { LARGEST_TURN }
             && turned_b[0] > LARGEST_TURN
-            && !(self.is_fixed(two.a) && self.turns(two.b).abs() > ROLLING)
+            && self.turn_on_fixed(pair, two).abs() <= ROLLING
             && moved < self.tuning.frozen - self.tuning.checked;
         if !is_same {
             return false;
@@ -239,19 +239,14 @@ impl<'a> Touch<'a> {
         true
     }
 
-    /// How far a body turns in this step, if nothing changes its spin.
-    fn turns(&self, proxy: &Proxy) -> f32 {
-        self.bodies.hot.get(proxy.body as usize).map_or(0.0, |hot| hot.velocity[2] * self.dt)
-    }
-
-    /// The rotation that B's arms are turned on by, to where they are in the middle of the step: where a body rolls over a
-    /// corner on what does not give way, an arm from before the step would take energy from it in every step.
-    fn lead(&self, two: Two<'_>) -> Vector {
-        if !self.is_fixed(two.a) {
-            return [1.0, 0.0];
+    /// How far a polygon that lies on something that does not give way turns in this step, if nothing changes its spin.
+    fn turn_on_fixed(&self, pair: usize, two: Two<'_>) -> f32 {
+        let Kind { has_two_points, is_fixed } = self.pairs.all[pair].kind;
+        if has_two_points && is_fixed {
+            self.bodies.hot[two.b.body as usize].velocity[2] * self.dt
+        } else {
+            0.0
         }
-        let half = (0.5 * self.turns(two.b)).clamp(-LARGEST_LEAD, LARGEST_LEAD);
-        [1.0 - 0.5 * half * half, half]
     }
 
     fn is_fixed(&self, proxy: &Proxy) -> bool {
@@ -308,6 +303,7 @@ impl<'a> Touch<'a> {
             anchors,
             separations: found.separations,
             features: found.features,
+            lead: (0.5 * self.turn_on_fixed(pair, two)).clamp(-LARGEST_LEAD, LARGEST_LEAD),
         };
     }
 
@@ -364,7 +360,7 @@ impl<'a> Touch<'a> {
         };
         let mut points = [PointLane { separation: self.tuning.unit, ..PointLane::default() }; 2];
         let (mut tangent_a, mut tangent_b) = (0.0, 0.0);
-        let lead = self.lead(two);
+        let lead = [1.0 - 0.5 * frozen.lead * frozen.lead, frozen.lead];
         for (at, point) in points.iter_mut().enumerate().take(frozen.count as usize) {
             let [ax, ay, bx, by] = frozen.anchors[at];
             let [bx, by] = turn(lead, [bx, by]);
