@@ -72,19 +72,13 @@ impl Sides {
         if FIXED { self.b[2] * arm_b } else { self.b[2] * arm_b - self.a[2] * arm_a }
     }
 
-    /// An impulse along a direction turns both.
+    /// Impulses turn both, given the sums of what they are times their arms.
     #[inline(always)]
-    fn spin<const FIXED: bool, const P: usize>(
-        &mut self,
-        row: &Row<P>,
-        impulse: f32x4,
-        arm_a: f32x4,
-        arm_b: f32x4,
-    ) {
+    fn turn<const FIXED: bool, const P: usize>(&mut self, row: &Row<P>, [of_a, of_b]: [f32x4; 2]) {
         if !FIXED {
-            self.a[2] -= row.inverse_inertia_a * (arm_a * impulse);
+            self.a[2] -= row.inverse_inertia_a * of_a;
         }
-        self.b[2] += row.inverse_inertia_b * (arm_b * impulse);
+        self.b[2] += row.inverse_inertia_b * of_b;
     }
 
     /// Writes the velocities back, after impulses along normal and tangent.
@@ -116,6 +110,42 @@ fn masses<const FIXED: bool, const P: usize>(row: &Row<P>) -> f32x4 {
     if FIXED { row.inverse_mass_b } else { row.inverse_mass_a + row.inverse_mass_b }
 }
 
+/// What a unit of impulse with some arms does by turning to the velocity with other arms: known before the impulses are, so
+/// that one point need not wait until another has changed velocities.
+#[inline(always)]
+fn turning_of<const FIXED: bool, const P: usize>(
+    row: &Row<P>,
+    [arm_a, arm_b]: [f32x4; 2],
+    [other_a, other_b]: [f32x4; 2],
+) -> f32x4 {
+    let of_b = row.inverse_inertia_b * (arm_b * other_b);
+    if FIXED { of_b } else { of_b + row.inverse_inertia_a * (arm_a * other_a) }
+}
+
+/// The velocities of the points along the normal.
+#[inline(always)]
+fn at_points<const FIXED: bool, const P: usize>(row: &Row<P>, sides: &Sides) -> [f32x4; P] {
+    let along = sides.along_normal::<FIXED, P>(row);
+    row.points.map(|point| along + sides.turning::<FIXED>(point.arm_a, point.arm_b))
+}
+
+/// What a unit of impulse at one point does to the velocity at the other.
+#[inline(always)]
+fn coupling<const FIXED: bool, const P: usize>(row: &Row<P>) -> f32x4 {
+    let [first, last] = [row.points[0].arms(), row.points[P - 1].arms()];
+    masses::<FIXED, P>(row) + turning_of::<FIXED, P>(row, first, last)
+}
+
+/// Sums of impulses times arms.
+#[inline(always)]
+fn torques<const P: usize>(row: &Row<P>, impulses: &[f32x4; P]) -> [f32x4; 2] {
+    let sum = |arm: fn(&Point) -> f32x4| {
+        let rest = row.points[1..].iter().zip(&impulses[1..]);
+        rest.fold(impulses[0] * arm(&row.points[0]), |sum, (point, &impulse)| sum + impulse * arm(point))
+    };
+    [sum(|point| point.arm_a), sum(|point| point.arm_b)]
+}
+
 #[inline(always)]
 fn magnitude(number: f32x4) -> f32x4 {
     greater(number, ZERO - number)
@@ -132,9 +162,8 @@ fn learn<const FIXED: bool, const P: usize>(row: &mut Row<P>, hot: &[Hot], learn
     let slip =
         sides.along_tangent::<FIXED, P>(row) + sides.turning::<FIXED>(row.tangent_arm_a, row.tangent_arm_b);
     let mut speed = magnitude(slip - row.tangent_speed);
-    let along = sides.along_normal::<FIXED, P>(row);
-    for point in &row.points {
-        speed = greater(speed, magnitude(along + sides.turning::<FIXED>(point.arm_a, point.arm_b)));
+    for velocity in at_points::<FIXED, P>(row, &sides) {
+        speed = greater(speed, magnitude(velocity));
     }
     let stillness = positive(f32x4::splat(1.0) - speed * f32x4::splat(learning.inverse_gate));
     let up = f32x4::splat(learning.up) * stillness;
@@ -202,24 +231,24 @@ pub(super) fn solve_soft<const FIXED: bool, const P: usize>(
     let fastest = f32x4::splat(-push);
     rows.for_each(|row| {
         let mut sides = velocities::<FIXED, P>(row, hot);
-        let mut along = sides.along_normal::<FIXED, P>(row);
-        let masses = masses::<FIXED, P>(row);
-        let mut sum = ZERO;
+        let mut velocity = at_points::<FIXED, P>(row, &sides);
+        let coupling = coupling::<FIXED, P>(row);
+        let (mut sum, mut changes) = (ZERO, [ZERO; P]);
         for at in 0..P {
             let point = row.points[at];
             let is_apart = point.separation.simd_gt(ZERO);
             let bias =
                 select(is_apart, point.separation * inverse_h, greater(point.separation * rate, fastest));
-            let velocity = along + sides.turning::<FIXED>(point.arm_a, point.arm_b);
-            let part = select(is_apart, one, mass);
             let leaked = (leak * (point.impulse - point.held)) & !is_apart;
-            let impulse = positive(point.impulse - (point.mass * (part * velocity + bias) + leaked));
-            let change = impulse - point.impulse;
+            let kept = point.impulse - (point.mass * bias + leaked);
+            let weight = point.mass * select(is_apart, one, mass);
+            let impulse = positive(kept - weight * velocity[at]);
+            changes[at] = impulse - point.impulse;
             row.points[at].impulse = impulse;
-            sum += change;
-            along += masses * change;
-            sides.spin::<FIXED, P>(row, change, point.arm_a, point.arm_b);
+            sum += changes[at];
+            velocity[P - 1] += coupling * changes[at];
         }
+        sides.turn::<FIXED, P>(row, torques(row, &changes));
         sides.store::<FIXED, P>(row, hot, sum, ZERO);
     });
 }
@@ -233,35 +262,34 @@ pub(super) fn relax<const FIXED: bool, const P: usize>(
 ) {
     let inverse_h = f32x4::splat(inverse_h);
     rows.for_each(|row| {
-        let moved = steps::<FIXED, P>(row, hot);
-        let moved_along = moved.along_normal::<FIXED, P>(row);
+        let moved = at_points::<FIXED, P>(row, &steps::<FIXED, P>(row, hot));
         let mut sides = velocities::<FIXED, P>(row, hot);
-        let mut along = sides.along_normal::<FIXED, P>(row);
-        let across = sides.along_tangent::<FIXED, P>(row);
-        let masses = masses::<FIXED, P>(row);
-        let (mut sum, mut load) = (ZERO, ZERO);
+        let mut velocity = at_points::<FIXED, P>(row, &sides);
+        let coupling = coupling::<FIXED, P>(row);
+        let tangent_arms = [row.tangent_arm_a, row.tangent_arm_b];
+        let mut slip =
+            sides.along_tangent::<FIXED, P>(row) + sides.turning::<FIXED>(tangent_arms[0], tangent_arms[1]);
+        let (mut sum, mut load, mut changes) = (ZERO, ZERO, [ZERO; P]);
         for at in 0..P {
             let point = row.points[at];
-            let separation =
-                point.separation + (moved_along + moved.turning::<FIXED>(point.arm_a, point.arm_b));
-            let velocity = along + sides.turning::<FIXED>(point.arm_a, point.arm_b);
-            let impulse =
-                positive(point.impulse - point.mass * (velocity + positive(separation) * inverse_h));
-            let change = impulse - point.impulse;
+            let separation = point.separation + moved[at];
+            let kept = point.impulse - point.mass * (positive(separation) * inverse_h);
+            let impulse = positive(kept - point.mass * velocity[at]);
+            changes[at] = impulse - point.impulse;
             row.points[at].separation = separation;
             row.points[at].impulse = impulse;
-            sum += change;
+            sum += changes[at];
             load += impulse;
-            along += masses * change;
-            sides.spin::<FIXED, P>(row, change, point.arm_a, point.arm_b);
+            velocity[P - 1] += coupling * changes[at];
+            slip += turning_of::<FIXED, P>(row, point.arms(), tangent_arms) * changes[at];
         }
-        let slip = across + sides.turning::<FIXED>(row.tangent_arm_a, row.tangent_arm_b);
         let most = row.friction * load;
         let wanted = row.tangent_impulse - row.tangent_mass * (slip - row.tangent_speed);
         let friction = greater(smaller(wanted, most), ZERO - most);
         let change = friction - row.tangent_impulse;
         row.tangent_impulse = friction;
-        sides.spin::<FIXED, P>(row, change, row.tangent_arm_a, row.tangent_arm_b);
+        let [of_a, of_b] = torques(row, &changes);
+        sides.turn::<FIXED, P>(row, [of_a + tangent_arms[0] * change, of_b + tangent_arms[1] * change]);
         sides.store::<FIXED, P>(row, hot, sum, change);
     });
 }
@@ -271,11 +299,9 @@ pub(super) fn relax<const FIXED: bool, const P: usize>(
 pub(super) fn note_approach<const FIXED: bool, const P: usize>(rows: &mut Colours<P>, hot: &[Hot]) {
     rows.for_each(|row| {
         let sides = velocities::<FIXED, P>(row, hot);
-        let along = sides.along_normal::<FIXED, P>(row);
+        row.approach = at_points::<FIXED, P>(row, &sides);
         for at in 0..P {
-            let Point { arm_a, arm_b, separation, .. } = row.points[at];
-            row.approach[at] = along + sides.turning::<FIXED>(arm_a, arm_b);
-            row.gap[at] = separation;
+            row.gap[at] = row.points[at].separation;
             row.has_pushed[at] = ZERO;
         }
     });
@@ -311,20 +337,19 @@ pub(super) fn bounce<const FIXED: bool, const P: usize>(
             return;
         }
         let mut sides = velocities::<FIXED, P>(row, hot);
-        let mut along = sides.along_normal::<FIXED, P>(row);
-        let masses = masses::<FIXED, P>(row);
-        let mut sum = ZERO;
+        let mut velocity = at_points::<FIXED, P>(row, &sides);
+        let coupling = coupling::<FIXED, P>(row);
+        let (mut sum, mut changes) = (ZERO, [ZERO; P]);
         for (at, restitution) in restitution.into_iter().enumerate() {
             let point = row.points[at];
-            let velocity = along + sides.turning::<FIXED>(point.arm_a, point.arm_b);
-            let wanted = velocity + restitution * row.approach[at];
+            let wanted = velocity[at] + restitution * row.approach[at];
             let impulse = positive(point.impulse - point.mass * wanted);
-            let change = (impulse - point.impulse) & restitution.simd_gt(ZERO);
-            row.points[at].impulse = point.impulse + change;
-            sum += change;
-            along += masses * change;
-            sides.spin::<FIXED, P>(row, change, point.arm_a, point.arm_b);
+            changes[at] = (impulse - point.impulse) & restitution.simd_gt(ZERO);
+            row.points[at].impulse = point.impulse + changes[at];
+            sum += changes[at];
+            velocity[P - 1] += coupling * changes[at];
         }
+        sides.turn::<FIXED, P>(row, torques(row, &changes));
         sides.store::<FIXED, P>(row, hot, sum, ZERO);
         bounced(row, due, hot);
     });

@@ -30,6 +30,13 @@ pub(super) struct Point {
     pub(super) held: f32x4,
 }
 
+impl Point {
+    #[inline(always)]
+    pub(super) fn arms(&self) -> [f32x4; 2] {
+        [self.arm_a, self.arm_b]
+    }
+}
+
 /// Four contacts with at most `P` points each.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Row<const P: usize> {

@@ -111,7 +111,7 @@ impl Step {
             substeps,
             h,
             soft: Softness::new(frequency, DAMPING, h),
-            soft_fixed: Softness::new(1.5 * frequency, DAMPING, h),
+            soft_fixed: Softness::new(2.0 * frequency, DAMPING, h),
             learning: Learning {
                 up: (LEARNING * steps).min(1.0),
                 down: (FORGETTING * steps).min(1.0),
