@@ -24,6 +24,8 @@ pub(super) struct Manifold {
     pub(super) separations: [f32; 2],
     /// Which corners meet: names a point from one step to the next.
     pub(super) features: [u32; 2],
+    /// Whether the normal is that of an edge of B.
+    pub(super) is_of_b: bool,
     /// If there are no points: the outlines are at least this far apart, or this is 0.
     pub(super) gap: f32,
 }
@@ -41,6 +43,7 @@ impl Manifold {
             separations: [separation, 0.0],
             features: [feature, 0],
             gap: separation,
+            ..Manifold::default()
         }
     }
 
@@ -58,6 +61,7 @@ impl Manifold {
         self.normal = turn(qb, scaled(self.normal, -1.0));
         self.points = self.points.map(|point| sum(turn(qb, point), apart));
         self.features = self.features.map(|feature| feature.rotate_left(16));
+        self.is_of_b = true;
         self
     }
 

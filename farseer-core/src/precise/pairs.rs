@@ -30,8 +30,8 @@ pub(super) struct Frozen {
     pub(super) anchors: [[f32; 4]; 2],
     pub(super) separations: [f32; 2],
     pub(super) features: [u32; 2],
-    /// How far the arms of B are turned on from then, to where they are in the middle of the step: where a body rolls over a
-    /// corner on what does not give way, arms from before the step would take energy from it in every step.
+    /// How far the arms of B's corners are turned on from then, to where they are in the middle of the step: where a body rolls
+    /// over a corner on what does not give way, arms from before the step would take energy from it in every step.
     pub(super) lead: f32,
 }
 

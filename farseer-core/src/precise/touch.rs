@@ -16,7 +16,7 @@ use super::tuning::Tuning;
 use crate::geom::GeomId;
 use crate::geom::surface::{FrictionType, mix_restitution};
 use crate::math::plane::{
-    Pose, Vector, cross, difference, dot, length, place, rotation, sum, turn, turn_back,
+    Pose, Vector, cross, difference, dot, length, place, rotation, scaled, sum, turn, turn_back,
 };
 
 /// Bodies that have turned further than this have their contacts found anew: its cosine.
@@ -295,6 +295,7 @@ impl<'a> Touch<'a> {
             [point[0], point[1], bx, by]
         });
         let [qa, qb] = [rotation(two.pose_a), rotation(two.pose_b)];
+        let lead = if found.is_of_b { 0.0 } else { 0.5 * self.turn_on_fixed(pair, two) };
         self.pairs.frozen[pair] = Frozen {
             turns: [qa[0], qa[1], qb[0], qb[1]],
             relative: two.relative(),
@@ -303,7 +304,7 @@ impl<'a> Touch<'a> {
             anchors,
             separations: found.separations,
             features: found.features,
-            lead: (0.5 * self.turn_on_fixed(pair, two)).clamp(-LARGEST_LEAD, LARGEST_LEAD),
+            lead: lead.clamp(-LARGEST_LEAD, LARGEST_LEAD),
         };
     }
 
@@ -363,7 +364,9 @@ impl<'a> Touch<'a> {
         let lead = [1.0 - 0.5 * frozen.lead * frozen.lead, frozen.lead];
         for (at, point) in points.iter_mut().enumerate().take(frozen.count as usize) {
             let [ax, ay, bx, by] = frozen.anchors[at];
-            let [bx, by] = turn(lead, [bx, by]);
+            // What is round about a corner does not turn with it.
+            let round = scaled(normal, two.b.shape.radius);
+            let [bx, by] = difference(turn(lead, sum([bx, by], round)), round);
             let (arm_a, arm_b) = (cross([ax, ay], normal), cross([bx, by], normal));
             tangent_a -= dot([ax, ay], normal);
             tangent_b -= dot([bx, by], normal);
