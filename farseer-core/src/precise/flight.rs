@@ -145,12 +145,15 @@ impl Precise {
         self.fast.clear();
         self.flown.clear();
         let Precise { bodies, sleep, fast, .. } = self;
-        sleep.awake(bodies.count).for_each(|number| {
-            let is_fast = is_fast(bodies.path[number], bodies.reaches[number], bodies.cores[number]);
-            if is_fast && !bodies.is_kinematic(number) {
-                fast.push((number as u32, 1.0));
+        for run in &sleep.bodies {
+            let (paths, reaches) = (&bodies.path[run.clone()], &bodies.reaches[run.clone()]);
+            let of = run.clone().zip(paths).zip(reaches).zip(&bodies.cores[run.clone()]);
+            for (((number, &path), &reach), &core) in of {
+                if is_fast(path, reach, core) && !sleep.is_asleep(number) && !bodies.is_kinematic(number) {
+                    fast.push((number as u32, 1.0));
+                }
             }
-        });
+        }
         for at in 0..self.fast.len() {
             let number = self.fast[at].0 as usize;
             let around = self.bodies.reaches[number] + self.tuning.speculative;

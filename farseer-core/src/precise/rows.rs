@@ -14,6 +14,16 @@ fn first_of(colours: u32) -> u32 {
     colours.trailing_zeros().min(LAST)
 }
 
+/// The colours of a set, by bits, in order.
+#[inline(always)]
+fn colours_of(mut set: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let colour = set.trailing_zeros();
+        set &= set.wrapping_sub(1);
+        (colour < u32::BITS).then_some(colour as usize)
+    })
+}
+
 /// One contact point of four rows.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Point {
@@ -282,16 +292,11 @@ impl<const P: usize> Colours<P> {
     /// The blocks of the colours that are used, in order.
     #[inline(always)]
     pub(super) fn for_each(&mut self, mut act: impl FnMut(&mut Row<P>)) {
-        let mut used = self.used;
-        while used != 0 {
-            let colour = used.trailing_zeros() as usize;
-            used &= used - 1;
-            self.blocks[colour].iter_mut().for_each(&mut act);
-        }
+        colours_of(self.used).for_each(|colour| self.blocks[colour].iter_mut().for_each(&mut act));
     }
 
     fn count(&self) -> usize {
-        self.counts.iter().sum()
+        colours_of(self.used).map(|colour| self.counts[colour]).sum()
     }
 }
 

@@ -13,7 +13,6 @@ use super::proxies::{Mobility, Proxy};
 use super::rows::{Aside, Kind};
 use super::touch::Looks;
 pub(crate) use super::tuning::Step;
-use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::math::Vector2;
 use crate::objects::Objects;
@@ -206,7 +205,8 @@ impl Precise {
     }
 
     /// Sixth stage: bodies are where the step has brought them. What would not be finite stays where and as it was, and
-    /// forgets the impulses that did it; of several that touch each other the one that was fastest is disabled.
+    /// forgets the impulses that did it; of several that touch each other the one that was fastest is disabled. Those who have
+    /// moved are the last ones that are told.
     pub(crate) fn write_bodies(&mut self, objects: &mut Objects, report: &mut Report) {
         self.end_kinematic();
         if !self.is_finite() {
@@ -226,6 +226,10 @@ impl Precise {
                 let [vx, vy, spin, _] = hot.velocity;
                 entry.body.end_step(Vector2::new(x + dx, y + dy), turned, Vector2::new(vx, vy), spin);
                 *rotation = entry.body.rotation();
+                if let Some(body) = id.filter(|_| *path != [0.0; 4]) {
+                    report.counters.bodies_moved += 1;
+                    report.push(Event::BodyUpdated { body });
+                }
             }
         }
         renew_poses(bodies, &sleep.bodies);
@@ -314,12 +318,6 @@ impl Precise {
         self.rows.one.for_each(|row| change(&mut row.tangent_impulse, &mut row.points));
         self.rows.two_fixed.for_each(|row| change(&mut row.tangent_impulse, &mut row.points));
         self.rows.one_fixed.for_each(|row| change(&mut row.tangent_impulse, &mut row.points));
-    }
-
-    /// The bodies that have moved.
-    pub(crate) fn moved(&self) -> impl Iterator<Item = BodyId> + '_ {
-        let has_moved = |&number: &usize| self.bodies.path[number] != [0.0; 4];
-        self.sleep.awake(self.bodies.count).filter(has_moved).filter_map(|number| self.bodies.ids[number])
     }
 
     /// Fifth stage: velocities and ways.

@@ -284,15 +284,11 @@ impl PhysicsSimulator {
         let PhysicsSimulator { objects, pipeline, report, .. } = self;
         let Some(precise) = &mut pipeline.precise else { return };
         precise.write_bodies(objects, report);
-        let first = report.events.len();
-        precise.moved().filter(|&body| objects.bodies.contains(body)).for_each(|body| {
-            report.counters.bodies_moved += 1;
-            report.push(Event::BodyUpdated { body });
-        });
+        let told = report.events.len();
         precise.follow();
         self.write_precise_joints(handler);
         if handler.get().is_some() {
-            self.tell_bodies_moved(first..first + self.report.counters.bodies_moved, handler);
+            self.tell_bodies_moved(told - self.report.counters.bodies_moved..told, handler);
         }
     }
 

@@ -95,6 +95,9 @@ impl Precise {
 
     /// Brings the joints to the poses of this step, and plans how they are solved.
     pub(crate) fn read_joints(&mut self, objects: &Objects, step: &Step) {
+        if self.joints.is_read && self.joints.holds.is_empty() {
+            return;
+        }
         let mut joints = std::mem::take(&mut self.joints);
         if joints.is_read {
             joints.follow(&self.bodies, objects);
