@@ -233,7 +233,8 @@ impl<const P: usize> Colours<P> {
 
     /// The first of these colours in whose last block there is room, else the first.
     fn choose(&self, free: u32) -> u32 {
-        let has_room = |&colour: &u32| free >> colour & 1 == 1 && self.counts[colour as usize] % 4 != 0;
+        let has_room =
+            |&colour: &u32| free >> colour & 1 == 1 && !self.counts[colour as usize].is_multiple_of(4);
         (0..LAST).find(has_room).unwrap_or(first_of(free))
     }
 
@@ -671,8 +672,9 @@ mod tests {
     #[test]
     fn a_new_row_fills_a_block_before_it_begins_another() {
         let mut colours = Colours::<1>::default();
-        (0..4).for_each(|_| drop(colours.push(0, &Lane::default())));
-        colours.push(1, &Lane::default());
+        for colour in [0, 0, 0, 0, 1] {
+            colours.push(colour, &Lane::default());
+        }
         assert_eq!(colours.choose(!0), 1);
         assert_eq!(colours.choose(!2), 0);
     }
