@@ -353,6 +353,9 @@ impl Precise {
             self.joints.advance(&self.bodies, step.h);
             self.joints.relax(&mut self.bodies, step.h);
             self.relax(step);
+            if self.bounces {
+                self.note_pushes();
+            }
         }
         even_out(&mut self.bodies, &self.sleep.bodies, &self.palette, &self.joints, step);
         if self.bounces {

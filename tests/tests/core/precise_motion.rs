@@ -249,6 +249,23 @@ fn a_ball_that_loses_nothing_bounces_as_high_after_a_thousand_steps() {
 }
 
 #[test]
+fn a_ball_bounces_off_a_wall_wherever_in_a_step_it_reaches_it() {
+    let way = 70.0 * DT;
+    for phase in 0..128 {
+        let mut simulator = simulator(0.0);
+        simulator.set_methods(Methods::PRECISE).unwrap();
+        simulator.set_iterations(4);
+        let (_, wall) = add_floor(&mut simulator, (20.0, 200.0), v(0.0, 0.0));
+        let (ball, geom) = add_circle(&mut simulator, 10.0, 32, v(25.0 + way * phase as f32 / 128.0, 0.0));
+        [wall, geom].into_iter().for_each(|geom| set_surface(&mut simulator, geom, 0.0, 1.0));
+        without_drag(&mut simulator, ball);
+        simulator[ball].set_linear_velocity(v(-70.0, 0.0));
+        run(&mut simulator, 30);
+        assert_abs_diff_eq!(simulator[ball].linear_velocity().x, 70.0, epsilon = 1e-3);
+    }
+}
+
+#[test]
 fn a_sliding_box_stops_where_friction_says() {
     let mut simulator = precise();
     let (_, floor) = add_floor(&mut simulator, (2000.0, 20.0), v(0.0, 10.0));
