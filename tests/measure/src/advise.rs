@@ -117,6 +117,9 @@ const FAITHFUL: Choice = Choice { name: "Faithful", islands: None, passes: 0, pa
 const PRECISE: Choice =
     Choice { name: "Precise", islands: Some(IslandChoice::ByItself), passes: 4, parts: 1 };
 
+const PASSES: Choice =
+    Choice { name: "Precise, passes alone", islands: Some(IslandChoice::Passes), ..PRECISE };
+
 /// What is tried.
 pub const CHOICES: [Choice; 7] = [
     FAITHFUL,
@@ -125,7 +128,7 @@ pub const CHOICES: [Choice; 7] = [
     Choice { passes: 2, ..PRECISE },
     PRECISE,
     Choice { passes: 8, ..PRECISE },
-    Choice { name: "Precise, passes alone", islands: Some(IslandChoice::Passes), ..PRECISE },
+    PASSES,
 ];
 
 impl Choice {
@@ -182,16 +185,19 @@ pub struct Advice {
     pub points: Vec<Point>,
 }
 
+/// Times that differ by less than this factor are alike.
+const CHANCE: f64 = 1.1;
 /// Name of the scene in charts.
 const SCENE: &str = "your_scene";
 
 impl Advice {
-    /// The cheapest that is exact enough.
+    /// The cheapest that is exact enough; of those that hardly take more, the most exact one.
     pub fn recommended(&self) -> Option<&Verdict> {
-        let fine = self.verdicts.iter().filter(|verdict| verdict.is_exact_enough(&self.asked));
-        fine.min_by(|a, b| {
-            a.microseconds_per_simulated_second.total_cmp(&b.microseconds_per_simulated_second)
-        })
+        let fine = || self.verdicts.iter().filter(|verdict| verdict.is_exact_enough(&self.asked));
+        let time = |verdict: &Verdict| verdict.microseconds_per_simulated_second;
+        let least = fine().map(time).fold(f64::INFINITY, f64::min);
+        let worst = |verdict: &Verdict| verdict.findings.worst(&self.asked).1;
+        fine().filter(|verdict| time(verdict) <= CHANCE * least).min_by(|a, b| worst(a).total_cmp(&worst(b)))
     }
 
     /// What a chart says of it.
@@ -206,18 +212,9 @@ impl Advice {
         }
     }
 
-    /// The lines of a chart, with what is to be ringed.
-    pub fn methods(&self) -> Vec<(&'static str, Setting)> {
-        let mut methods: Vec<(&'static str, Setting)> = Vec::new();
-        for choice in CHOICES.iter().rev() {
-            let setting = self.recommended().filter(|best| best.choice.name == choice.name);
-            let ringed = setting.map_or(Setting::fixed(0.0, 0), |best| best.setting);
-            if methods.iter().all(|(name, _)| *name != choice.name) {
-                methods.push((choice.name, ringed));
-            }
-        }
-        methods.reverse();
-        methods
+    /// The lines of a chart, with the settings that a game begins with: its own, and 4 substeps.
+    pub fn methods(&self) -> [(&'static str, Setting); 3] {
+        [FAITHFUL, PRECISE, PASSES].map(|choice| (choice.name, choice.setting(&self.asked)))
     }
 }
 
@@ -237,7 +234,13 @@ pub fn advise<E: Display>(
     let build = |choice: &Choice| built(asked, choice, &build);
     let reference = Rc::new(Reference::of(asked, &build)?);
     let (mut tried, mut absent) = (Vec::new(), Vec::new());
-    for choice in CHOICES {
+    let is_twice = |at: usize| {
+        let is_same = |other: &Choice| {
+            other.name == CHOICES[at].name && other.setting(asked) == CHOICES[at].setting(asked)
+        };
+        CHOICES[..at].iter().any(is_same)
+    };
+    for choice in (0..CHOICES.len()).filter(|&at| !is_twice(at)).map(|at| CHOICES[at]) {
         match build(&choice) {
             Ok(_) => tried.push((choice, Rc::new(RefCell::new(Findings::default())))),
             Err(reason) => absent.push((choice, reason)),
@@ -246,15 +249,27 @@ pub fn advise<E: Display>(
     let trial = |(choice, found): &(Choice, Shared)| trial(asked, *choice, &reference, found, &build);
     let mut sweep = Sweep::default();
     sweep.run(&tried.iter().map(trial).collect::<Vec<_>>(), &mut |_, _| {});
+    let mut verdicts: Vec<Verdict> =
+        tried.iter().filter_map(|tried| verdict(asked, tried, &sweep.points)).collect();
+    let by_itself = verdicts.iter().find(|verdict| verdict.choice == PRECISE).cloned();
+    if verdicts.pop_if(|last| by_itself.is_some_and(|other| is_the_same(last, &other))).is_some() {
+        absent.push((PASSES, "the same as Precise: nothing is solved as a whole".to_owned()));
+        sweep.points.retain(|point| point.method != PASSES.name);
+    }
     Ok(Advice {
         asked: *asked,
         movable: reference.movable(),
         resting: reference.resting(),
         predictable: reference.predictable(),
-        verdicts: tried.iter().filter_map(|tried| verdict(asked, tried, &sweep.points)).collect(),
+        verdicts,
         absent,
         points: sweep.points,
     })
+}
+
+/// Whether two runs were one, to the bit.
+fn is_the_same(one: &Verdict, other: &Verdict) -> bool {
+    one.choice == PASSES && (&one.findings, one.outcome) == (&other.findings, other.outcome)
 }
 
 /// What a run has found, shared with who watches it.

@@ -5,7 +5,7 @@ use super::{Asked, Outcome};
 use crate::stability::reasons::NOT_FINITE;
 use crate::watch::Watch;
 use crate::world::{BodyState, World, distance};
-use farseer_core::{IslandResidual, PhysicsSimulator};
+use farseer_core::PhysicsSimulator;
 use std::cell::RefCell;
 use std::rc::Rc;
 
@@ -25,9 +25,11 @@ pub(super) const FELL: &str = "falls";
 /// What is off in a run: lengths in the game's unit, speeds per s. `None` where nothing can be told.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Findings {
-    /// Greatest overlap of two outlines, as the precise set sees them: circles are round.
+    /// By how much the greatest overlap of two outlines is more than in a careful run at the same moment. Outlines are those of
+    /// the precise set: circles are round.
     pub overlap: f64,
-    /// Greatest distance of a joint from what it keeps; an angle counts as the way of a point one length unit away.
+    /// The same of the greatest distance of a joint from what it keeps; an angle counts as the way of a point one length unit
+    /// away.
     pub gap: f64,
     /// Fastest speed, in the last second, of what should rest then.
     pub unrest: Option<f64>,
@@ -37,7 +39,9 @@ pub struct Findings {
     pub fallen: usize,
     /// Furthest from the way of the careful runs that something goes, while these are on one.
     pub stray: Option<f64>,
-    /// Greatest difference of the energy of motion and height from that of the careful run, as a part of what is there.
+    /// Greatest difference of the energy of motion and height from that of the careful run, while ways can be told; then by how
+    /// much it is more than that ever has. As a part of the greatest energy of motion, and what lifting everything by a
+    /// length unit takes.
     pub energy: Option<f64>,
 }
 
@@ -96,7 +100,7 @@ impl Energy {
         movable.map(|body| f64::from(body.mass()) * gravity).sum()
     }
 
-    fn total(self) -> f64 {
+    pub(super) fn total(self) -> f64 {
         self.motion + self.height
     }
 }
@@ -126,14 +130,18 @@ impl Finder {
         let mut found = found.borrow_mut();
         let off = |body: usize| distance(bodies[body].position, look.bodies[body].position);
         let simulator = simulator.borrow();
-        let left = residual(&simulator, asked);
-        found.overlap = found.overlap.max(f64::from(left.overlap));
-        found.gap = found.gap.max(f64::from(left.gap.max(left.angle * asked.length_unit)));
-        if time > 0.0 && time <= reference.predictable() {
+        let [overlap, gap] = apart(&simulator, asked);
+        found.overlap = found.overlap.max(overlap - look.overlap);
+        found.gap = found.gap.max(gap - look.gap);
+        let is_told = time <= reference.predictable();
+        if is_told {
             found.stray = greater(found.stray, reference.moving_bodies().map(off));
         }
-        let differs = (Energy::of(&simulator).total() - look.energy.total()).abs() / reference.energy_scale;
-        found.energy = greater(found.energy, [differs].into_iter().filter(|part| part.is_finite()));
+        let energy = Energy::of(&simulator).total();
+        let differs =
+            if is_told { (energy - look.energy.total()).abs() } else { energy - reference.most_energy };
+        let part = Some(differs.max(0.0) / reference.energy_scale).filter(|part| part.is_finite());
+        found.energy = greater(found.energy, part.into_iter());
         if Reference::is_late(asked, time) {
             let resting = || reference.resting_bodies();
             found.unrest = greater(found.unrest, resting().map(|body| bodies[body].speed()));
@@ -171,19 +179,17 @@ fn greater(before: Option<f64>, values: impl Iterator<Item = f64>) -> Option<f64
     values.fold(before, |greatest, value| Some(greatest.map_or(value, |greatest| greatest.max(value))))
 }
 
-/// What is left of an error where everything is now, as the precise set sees it: a copy of the scene looks, whatever set
-/// moves it.
-fn residual(simulator: &PhysicsSimulator, asked: &Asked) -> IslandResidual {
+/// How deep outlines overlap and how far joints gape where everything is now, as the precise set sees it: a copy of the scene
+/// looks, whatever set moves it.
+pub(super) fn apart(simulator: &PhysicsSimulator, asked: &Asked) -> [f64; 2] {
     let mut copy = simulator.clone();
     copy.set_sleep_enabled(false);
-    if copy.set_methods(asked.precise()).is_ok() {
-        copy.update(INSTANT);
-    }
-    let mut worst = IslandResidual::default();
+    copy.set_methods(asked.precise()).expect("the careful runs have been of this set");
+    copy.update(INSTANT);
+    let mut worst = [0.0_f32; 2];
     for left in copy.islands().iter().map(|island| copy.island_residual(island)) {
-        worst.overlap = worst.overlap.max(left.overlap);
-        worst.gap = worst.gap.max(left.gap);
-        worst.angle = worst.angle.max(left.angle);
+        worst[0] = worst[0].max(left.overlap);
+        worst[1] = worst[1].max(left.gap).max(left.angle * asked.length_unit);
     }
-    worst
+    worst.map(f64::from)
 }

@@ -1,6 +1,6 @@
 //! How a scene really goes: two careful runs of the precise set, with different steps. What both agree on can be told.
 
-use super::findings::Energy;
+use super::findings::{Energy, apart};
 use super::{Asked, Choice, PRECISE};
 use crate::world::{BodyState, distance};
 use farseer_core::PhysicsSimulator;
@@ -21,6 +21,8 @@ pub(super) struct Look {
     pub(super) time: f64,
     pub(super) bodies: Vec<BodyState>,
     pub(super) energy: Energy,
+    pub(super) overlap: f64,
+    pub(super) gap: f64,
 }
 
 /// What is known of how a scene goes.
@@ -34,6 +36,8 @@ pub(super) struct Reference {
     predictable: f64,
     /// The greatest energy of motion, and what lifting everything by a length unit takes.
     pub(super) energy_scale: f64,
+    /// The greatest energy of motion and height at any time.
+    pub(super) most_energy: f64,
 }
 
 impl Reference {
@@ -43,23 +47,25 @@ impl Reference {
     ) -> Result<Self, String> {
         let (looks, is_movable, unit_energy) = careful(asked, CAREFUL[0], build)?;
         let (other, ..) = careful(asked, CAREFUL[1], build)?;
+        let is_same = |body: usize, at: usize| {
+            distance(looks[at].bodies[body].position, other[at].bodies[body].position)
+                <= SAME * asked.tolerance
+        };
+        // In one place by chance, after ways that cannot be told, is not where it has to be.
+        let is_told = |body: usize| (0..looks.len()).all(|at| is_same(body, at));
         let rests = (0..is_movable.len())
-            .map(|body| is_movable[body] && rests(asked, body, &looks) && rests(asked, body, &other))
-            .map(|rests| rests)
-            .collect::<Vec<_>>();
-        let is_same = |limit: f64, body: usize, at: usize| {
-            distance(looks[at].bodies[body].position, other[at].bodies[body].position) <= limit
-        };
-        let last = looks.len() - 1;
-        let rests =
-            rests.iter().enumerate().map(|(body, &rests)| rests && is_same(asked.tolerance, body, last));
-        let rests = rests.collect();
-        let are_same = |at: &usize| {
-            (0..is_movable.len()).all(|body| !is_movable[body] || is_same(SAME * asked.tolerance, body, *at))
-        };
+            .map(|body| {
+                is_movable[body]
+                    && is_told(body)
+                    && [&looks, &other].iter().all(|looks| rests(asked, body, looks))
+            })
+            .collect();
+        let are_same = |at: &usize| (0..is_movable.len()).all(|body| !is_movable[body] || is_same(body, *at));
         let predictable = (0..looks.len()).take_while(are_same).last().map_or(0.0, |at| looks[at].time);
-        let fastest = looks.iter().map(|look| look.energy.motion).fold(0.0, f64::max);
-        Ok(Reference { looks, is_movable, rests, predictable, energy_scale: fastest + unit_energy })
+        let greatest = |of: fn(&Look) -> f64| looks.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
+        let energy_scale = greatest(|look| look.energy.motion) + unit_energy;
+        let most_energy = greatest(|look| look.energy.total());
+        Ok(Reference { looks, is_movable, rests, predictable, energy_scale, most_energy })
     }
 
     pub(super) fn movable(&self) -> usize {
@@ -125,21 +131,22 @@ fn careful(
     let steps = (asked.seconds / f64::from(asked.dt)).round() as usize;
     let last_steps = (window(asked) / f64::from(asked.dt)) as usize;
     let stride = (steps / LOOKS).min(last_steps / LAST_LOOKS).max(1);
-    let mut looks = vec![look(&simulator, 0.0)];
+    let mut looks = vec![look(&simulator, asked, 0.0)];
     let dt = asked.dt / f32::from(parts);
     for step in 1..=steps {
         (0..parts).for_each(|_| simulator.update(dt));
         if step % stride == 0 || step == steps {
-            looks.push(look(&simulator, step as f64 * f64::from(asked.dt)));
+            looks.push(look(&simulator, asked, step as f64 * f64::from(asked.dt)));
             check(asked, &looks)?;
         }
     }
     Ok((looks, is_movable, unit_energy))
 }
 
-fn look(simulator: &PhysicsSimulator, time: f64) -> Look {
+fn look(simulator: &PhysicsSimulator, asked: &Asked, time: f64) -> Look {
     let bodies = simulator.bodies().map(|body| BodyState::of(&simulator[body])).collect();
-    Look { time, bodies, energy: Energy::of(simulator) }
+    let [overlap, gap] = apart(simulator, asked);
+    Look { time, bodies, energy: Energy::of(simulator), overlap, gap }
 }
 
 /// Refuses a run that cannot be what a game wants.
