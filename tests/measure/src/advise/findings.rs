@@ -1,11 +1,12 @@
 //! What is off in a run, in terms that mean something to a game.
 
-use super::reference::Reference;
+use super::reference::{Look, Reference};
 use super::{Asked, Outcome};
-use crate::stability::reasons::NOT_FINITE;
+use crate::stability::reasons::{MISPLACED, NOT_FINITE};
 use crate::watch::Watch;
 use crate::world::{BodyState, World, distance};
 use farseer_core::PhysicsSimulator;
+use farseer_core::math::Vector2;
 use std::cell::RefCell;
 use std::rc::Rc;
 
@@ -19,8 +20,8 @@ const CALM: f64 = 0.2;
 const ENERGY: f64 = 0.1;
 /// The step in which a copy of a scene looks for its contacts: nothing moves in it.
 const INSTANT: f32 = 1e-6;
-/// Why a run has failed in which something has fallen.
-pub(super) const FELL: &str = "falls";
+/// Why a run has failed in which something is lower than it should be by as much.
+const FELL: &str = "falls";
 
 /// What is off in a run: lengths in the game's unit, speeds per s. `None` where nothing can be told.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -143,12 +144,36 @@ impl Finder {
         let part = Some(differs.max(0.0) / reference.energy_scale).filter(|part| part.is_finite());
         found.energy = greater(found.energy, part.into_iter());
         if Reference::is_late(asked, time) {
-            let resting = || reference.resting_bodies();
-            found.unrest = greater(found.unrest, resting().map(|body| bodies[body].speed()));
-            found.displacement = greater(None, resting().map(off));
-            found.fallen = resting().filter(|&body| off(body) > LEFT * asked.tolerance).count();
+            self.outcome = found.judge_places(asked, reference, look, bodies, simulator.gravity());
         }
-        self.outcome = if found.fallen > 0 { Outcome::Failed(FELL) } else { Outcome::Fine };
+    }
+}
+
+impl Findings {
+    /// Where things are that should rest by now.
+    fn judge_places(
+        &mut self,
+        asked: &Asked,
+        reference: &Reference,
+        look: &Look,
+        bodies: &[BodyState],
+        gravity: Vector2,
+    ) -> Outcome {
+        let resting = || reference.resting_bodies();
+        let off = |body: usize| distance(bodies[body].position, look.bodies[body].position);
+        self.unrest = greater(self.unrest, resting().map(|body| bodies[body].speed()));
+        self.displacement = greater(None, resting().map(off));
+        self.fallen = resting().filter(|&body| off(body) > LEFT * asked.tolerance).count();
+        let down = gravity.try_normalize(0.0).unwrap_or_default();
+        let is_lower = |body: usize| {
+            let ([x, y], [there_x, there_y]) = (bodies[body].place(), look.bodies[body].place());
+            f64::from(down.x) * (x - there_x) + f64::from(down.y) * (y - there_y) > LEFT * asked.tolerance
+        };
+        match self.fallen {
+            0 => Outcome::Fine,
+            _ if resting().any(is_lower) => Outcome::Failed(FELL),
+            _ => Outcome::Failed(MISPLACED),
+        }
     }
 }
 

@@ -52,13 +52,14 @@ impl Advice {
         let Some(best) = self.recommended() else { return self.regret() };
         let time = |verdict: &Verdict| verdict.microseconds_per_simulated_second;
         let name = |verdict: &Verdict| called(&verdict.choice, verdict.setting);
-        let cheaper = self.verdicts.iter().filter(|other| time(other) < time(best));
+        let is_refused = |other: &&Verdict| time(other) < time(best) && !other.is_exact_enough(&self.asked);
+        let cheaper = self.verdicts.iter().filter(is_refused);
         let refused: Vec<String> =
             cheaper.map(|other| format!("{} ({})", name(other), self.judged(other))).collect();
         let why = if refused.is_empty() {
-            "nothing takes less".to_owned()
+            "nothing that is exact enough takes less".to_owned()
         } else {
-            format!("what takes less is not exact enough: {}", refused.join("; "))
+            format!("what else takes less is not: {}", refused.join("; "))
         };
         let (what, worst) = best.findings.worst(&self.asked);
         format!(
@@ -107,7 +108,8 @@ fn called(choice: &Choice, setting: Setting) -> String {
 fn short(value: f64) -> String {
     match value.abs() {
         size if size >= 100.0 => format!("{value:.0}"),
-        size if size >= 1.0 => format!("{value:.1}"),
+        size if size >= 10.0 => format!("{value:.1}"),
+        size if size >= 1.0 => format!("{value:.2}"),
         size if size >= 0.001 => format!("{value:.3}"),
         0.0 => "0".to_owned(),
         _ => "< 0.001".to_owned(),
