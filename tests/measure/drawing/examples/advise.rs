@@ -37,7 +37,7 @@ struct Arguments {
 
 fn main() -> Result<()> {
     let Arguments { scene, seconds, dt, length_unit, tolerance, out } = Arguments::parse();
-    let scene = Scene::from_file(scene)?;
+    let scene = Scene::from_file(scene).map_err(|error| error.to_string())?;
     let by_itself = asked_of(&scene);
     let asked = Asked {
         seconds: seconds.unwrap_or(by_itself.seconds),

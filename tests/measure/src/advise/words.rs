@@ -57,7 +57,7 @@ impl Advice {
         let refused: Vec<String> =
             cheaper.map(|other| format!("{} ({})", name(other), self.judged(other))).collect();
         let why = if refused.is_empty() {
-            "nothing that is exact enough takes less".to_owned()
+            "nothing that is exact enough takes clearly less".to_owned()
         } else {
             format!("what else takes less is not: {}", refused.join("; "))
         };
