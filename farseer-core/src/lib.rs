@@ -567,7 +567,7 @@ pub use joints::{
     WeldJoint,
 };
 pub use limits::Limits;
-pub use methods::{BroadPhaseCollider, CollisionCategory, Methods, NarrowPhaseCollider};
+pub use methods::{BroadPhaseCollider, CollisionCategory, IslandChoice, Methods, NarrowPhaseCollider};
 pub use object_id::ObjectId;
 pub use objects::{GeomPlacement, GeomPointPair, Objects, RayCastHit};
 pub use pairs::{SelectiveSweepOrder, SweepEnd};
@@ -575,7 +575,7 @@ pub use path::{
     ComplexFactory, Curve, CurveContinuity, CurveKey, CurveKeyCollection, CurveLoopType, CurveTangent,
     LinkType, Path,
 };
-pub use precise::{Island, WhyAwake};
+pub use precise::{Island, IslandCost, IslandMethod, IslandResidual, WhyAwake, WhyMethod};
 pub use report::{Event, StepCounters, StepTimes};
 pub use shape::{Aabb, Feature, Vertices, ray_helper};
 pub use simulator::{

@@ -56,6 +56,7 @@ pub enum Methods {
     /// | [motors](crate::Objects::set_joint_motor) and [limits](crate::Objects::set_joint_limits) of revolute joints, [prismatic](crate::PrismaticJoint) joints | only here: the faithful set refuses them with [`Error::NotSupported`] |
     /// | [callbacks of a geom](crate::Geom::set_collision_callbacks_enabled), friction, restitution and tangent speed [set by a handler](crate::Context::set_contact_friction) | as in the faithful set |
     /// | [sleep](crate::PhysicsSimulator::set_sleep_enabled) | only here: bodies that hang together by contacts, joints or springs sleep when all of them have moved slower, for half a second, than a hundredth of the speed that a fall over one length unit would give them, and no contact still settles. What sleeps costs nothing, and is told of only where a handler is asked about touches. It wakes when one of them is edited, pushed by other forces than it fell asleep under, touched by what is awake, refused by a handler or loses what holds it |
+    /// | [island choice](crate::PhysicsSimulator::set_island_choice) | only here: whether islands are solved as a whole where that pays, never, or wherever that can be |
     /// | [bullets](crate::Body::is_bullet) | only here: nothing passes through what is static, kinematic or asleep, and a bullet through nothing; a sensor that something flies through in one update hears of it, of no contacts, at its end |
     /// | [kinematic](crate::Body::is_kinematic) bodies, [gravity scale](crate::Body::gravity_scale) | as in the faithful set |
     ///
@@ -65,7 +66,9 @@ pub enum Methods {
     /// more; of what has fallen together, columns of 16 bodies or more; of 400 bodies at most, and narrow enough. That stands
     /// as rigid bodies do, with an overlap below a thousandth of a px where one unit is 32 px, whatever the substeps.
     /// Everything else, and for two seconds what takes long to solve, goes by passes over all contacts.
-    /// [`islands`](crate::PhysicsSimulator::islands) tells which is which.
+    /// [`islands`](crate::PhysicsSimulator::islands) tells which is which, why, and what it took, and
+    /// [`island_residual`](crate::PhysicsSimulator::island_residual) what is left of an error.
+    /// [`set_island_choice`](crate::PhysicsSimulator::set_island_choice) chooses for all of a scene instead.
     ///
     /// Geoms of the circle factory with eight edges or more are true circles, with fewer the polygons that they look like;
     /// those of the capsule factory are true capsules. Concave outlines are cut into convex pieces, and nothing catches on the
@@ -164,6 +167,20 @@ impl Methods {
         }
         Ok(self)
     }
+}
+
+/// How the precise set solves what hangs together by contacts alone: see
+/// [`set_island_choice`](crate::PhysicsSimulator::set_island_choice).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+pub enum IslandChoice {
+    /// Each island by the cheapest method that is exact enough: [as a whole where that pays](Methods::Precise). The default.
+    #[default]
+    ByItself,
+    /// By passes over all contacts, whatever stands there.
+    Passes,
+    /// As a whole wherever that can be: 2 to 400 bodies that no joint holds, in updates in which none of them bounces, and
+    /// narrow enough for a factor of the matrix. What has rings and moves takes far longer so than by passes.
+    Whole,
 }
 
 /// Where two geoms touch: the method of the narrow phase.

@@ -184,8 +184,11 @@ impl PhysicsSimulatorView {
         pen::Pen { view: self, simulator, draw: &mut draw }.draw_all();
     }
 
-    /// Hands out a box round each [island](PhysicsSimulator::islands), orange, or blue if it sleeps, with lines as thick as those
-    /// of the boxes of geoms. Ours, and only with the [precise set](crate::Methods::Precise).
+    /// Hands out a box round each [island](PhysicsSimulator::islands), with lines as thick as those of the boxes of geoms, in a
+    /// colour that says how it was solved: grey in [flight](crate::IslandMethod::Flight), violet if it
+    /// [swings](crate::IslandMethod::Swing), green as a [whole](crate::IslandMethod::Whole), orange by
+    /// [passes](crate::IslandMethod::Passes), blue [asleep](crate::IslandMethod::Asleep). Ours, and only with the
+    /// [precise set](crate::Methods::Precise).
     pub fn draw_islands(&self, simulator: &PhysicsSimulator, mut draw: impl FnMut(DebugShape)) {
         pen::Pen { view: self, simulator, draw: &mut draw }.islands();
     }

@@ -6,15 +6,23 @@ use crate::geom::GeomId;
 use crate::joints::{Joint, JointId, JointKind};
 use crate::math::{Vector2, vector2};
 use crate::springs::{Spring, SpringKind};
-use crate::{Aabb, Island, PhysicsSimulator, StepTimes};
+use crate::{Aabb, Island, IslandMethod, PhysicsSimulator, StepTimes};
 
 const SPRING_DOT_RADIUS: f32 = 2.0;
 /// Side of the squares of joints.
 const SQUARE: f32 = 10.0;
 const WHITE: [u8; 4] = [255; 4];
-/// Of islands.
-const AWAKE: [u8; 4] = [200, 80, 0, 200];
-const ASLEEP: [u8; 4] = [0, 80, 200, 200];
+
+/// The colour of an island that is solved so.
+fn color_of(method: IslandMethod) -> [u8; 4] {
+    match method {
+        IslandMethod::Asleep => [0, 80, 200, 200],
+        IslandMethod::Flight => [120, 120, 120, 200],
+        IslandMethod::Swing => [150, 0, 180, 200],
+        IslandMethod::Whole => [0, 140, 40, 200],
+        IslandMethod::Passes => [200, 80, 0, 200],
+    }
+}
 
 /// Draws one thing.
 pub(super) struct Pen<'a> {
@@ -106,11 +114,10 @@ impl Pen<'_> {
 
     /// A box round the boxes of all geoms of an island.
     pub(super) fn islands(&mut self) {
-        for Island { bodies, is_asleep, .. } in self.simulator.islands() {
+        for Island { bodies, method, .. } in self.simulator.islands() {
             let geoms = bodies.iter().flat_map(|&body| self.simulator.geoms_of(body));
             let boxes = geoms.filter_map(|&geom| self.simulator.geom(geom)).map(|geom| geom.aabb());
-            let color = if is_asleep { ASLEEP } else { AWAKE };
-            let thickness = self.view.aabb_line_thickness;
+            let (thickness, color) = (self.view.aabb_line_thickness, color_of(method));
             if let Some(around) = boxes.reduce(|a, b| Aabb::from_vertices(&[a.min, a.max, b.min, b.max])) {
                 self.frame(around, Ink { thickness, color });
             }

@@ -34,6 +34,7 @@ mod seams;
 mod sleep;
 mod step;
 mod sync;
+mod telling;
 mod told;
 mod touch;
 mod tuning;
@@ -46,7 +47,8 @@ use crate::geom::GeomId;
 use crate::geom::surface::FrictionType;
 use crate::storage::reusing_clone::reusing_clone;
 use saved::Saved;
-pub use sleep::{Island, WhyAwake};
+pub use sleep::WhyAwake;
+pub use telling::{Island, IslandCost, IslandMethod, IslandResidual, WhyMethod};
 pub(crate) use tuning::Step;
 
 use bodies::Bodies;

@@ -62,20 +62,6 @@ pub enum WhyAwake {
     },
 }
 
-/// Bodies that hang together by contacts, joints or springs: see
-/// [`PhysicsSimulator::islands`](crate::PhysicsSimulator::islands).
-#[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct Island {
-    /// In the order of the list of bodies.
-    pub bodies: Vec<BodyId>,
-    /// Whether they sleep.
-    pub is_asleep: bool,
-    /// Whether they were solved as a whole in the last update, and not by passes over all contacts: see
-    /// [`Methods::Precise`](crate::Methods::Precise).
-    pub is_solved_whole: bool,
-}
-
 /// In place of another number: the body is awake; or there is none.
 const AWAKE: u32 = u32::MAX;
 const ABSENT: u32 = u32::MAX - 1;
@@ -334,7 +320,7 @@ impl Precise {
     }
 
     /// Which bodies that are awake hang together: by rows, joints and springs.
-    fn join_islands(&self, objects: &Objects, islands: &mut Islands) {
+    pub(super) fn join_islands(&self, objects: &Objects, islands: &mut Islands) {
         islands.part(self.bodies.hot.len());
         for pair in (0..self.pairs.awake).filter(|&pair| self.pairs.all[pair].home.is_some()) {
             if let [(a, Mobility::Dynamic), (b, Mobility::Dynamic)] = self.sides(pair) {
@@ -350,26 +336,6 @@ impl Precise {
                 islands.join(a as u32, b as u32);
             }
         }
-    }
-
-    /// The islands: those that are awake, then those that sleep, by their least numbers.
-    pub(crate) fn islands(&self, objects: &Objects) -> Vec<Island> {
-        let mut awake = Islands::default();
-        self.join_islands(objects, &mut awake);
-        let mut all: Vec<(bool, usize, usize)> = (1..=self.bodies.count)
-            .filter(|&number| self.is_dynamic(number))
-            .map(|number| match self.sleep.is_asleep(number) {
-                true => (true, self.sleep.first_with(number), number),
-                false => (false, awake.find(number as u32) as usize, number),
-            })
-            .collect();
-        all.sort_unstable();
-        let island = |bodies: &[(bool, usize, usize)]| Island {
-            bodies: bodies.iter().filter_map(|&(.., number)| self.bodies.ids[number]).collect(),
-            is_asleep: bodies[0].0,
-            is_solved_whole: !bodies[0].0 && bodies.iter().all(|&(.., number)| self.direct.is_direct(number)),
-        };
-        all.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)).map(island).collect()
     }
 
     /// Why a body that may sleep is awake; `None` if it sleeps, or never does.

@@ -27,7 +27,7 @@ use crate::geom::surface::FrictionType;
 use crate::joints::JointId;
 use crate::math::Vector2;
 use crate::math::finite::{finite, finite_vector};
-use crate::methods::{BroadPhaseCollider, Methods, NarrowPhaseCollider};
+use crate::methods::{BroadPhaseCollider, IslandChoice, Methods, NarrowPhaseCollider};
 use crate::objects::{Objects, SavedObjects};
 use crate::pairs::BroadPhase;
 use crate::pipeline::Pipeline;
@@ -54,6 +54,7 @@ struct Settings {
     max_contacts_to_resolve: i32,
     friction_type: FrictionType,
     is_sleep_enabled: bool,
+    island_choice: IslandChoice,
 }
 
 impl Default for Settings {
@@ -68,6 +69,7 @@ impl Default for Settings {
             max_contacts_to_resolve: 4,
             friction_type: FrictionType::Average,
             is_sleep_enabled: true,
+            island_choice: IslandChoice::ByItself,
         }
     }
 }
@@ -282,6 +284,42 @@ impl PhysicsSimulator {
     /// Sets whether bodies that have come to rest sleep. If not, all are awake from the next update on.
     pub fn set_sleep_enabled(&mut self, value: bool) {
         self.settings.is_sleep_enabled = value;
+    }
+
+    /// How islands of contacts are solved. Default [`IslandChoice::ByItself`]; only with the
+    /// [precise set](Methods::Precise).
+    pub fn island_choice(&self) -> IslandChoice {
+        self.settings.island_choice
+    }
+
+    /// Sets how islands of contacts are solved, from the next update on: to compare methods, or to have the same one whatever
+    /// the game builds. It is for all of a scene: islands come, part and join in every update, so there is nothing that lasts
+    /// for which one could be set. What flies, swings or sleeps is not touched by it.
+    ///
+    /// ```
+    /// use farseer_core::{BodyFactory, GeomFactory, GeomPlacement, IslandChoice, IslandMethod, WhyMethod};
+    /// use farseer_core::{Methods, PhysicsSimulator, math::Vector2};
+    ///
+    /// let mut simulator = PhysicsSimulator::new(Vector2::new(0.0, 300.0))?;
+    /// simulator.set_methods(Methods::PRECISE)?;
+    /// for (row, height) in [20.0, 32.0, 32.0].into_iter().enumerate() {
+    ///     let body = BodyFactory::create_rectangle_body_in(&mut simulator, 32.0, height, 1.0)?;
+    ///     simulator[body].set_position(Vector2::new(0.0, if row == 0 { 10.0 } else { 16.0 - 32.0 * row as f32 }));
+    ///     simulator[body].set_is_static(row == 0);
+    ///     GeomFactory::create_rectangle_geom_in(&mut simulator, body, 32.0, height, GeomPlacement::default())?;
+    /// }
+    /// simulator.update(1.0 / 60.0);
+    /// let column = &simulator.islands()[0];
+    /// assert_eq!((column.method, column.why), (IslandMethod::Whole, WhyMethod::Pays));
+    ///
+    /// simulator.set_island_choice(IslandChoice::Passes);
+    /// simulator.update(1.0 / 60.0);
+    /// let column = &simulator.islands()[0];
+    /// assert_eq!((column.method, column.why), (IslandMethod::Passes, WhyMethod::Chosen));
+    /// # Ok::<(), farseer_core::Error>(())
+    /// ```
+    pub fn set_island_choice(&mut self, choice: IslandChoice) {
+        self.settings.island_choice = choice;
     }
 
     /// The methods, with the present cell size if the broad phase has one. Default [`Methods::default`].

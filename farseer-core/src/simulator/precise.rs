@@ -27,6 +27,8 @@ impl PhysicsSimulator {
             u32::try_from(self.settings.iterations).unwrap_or(0).min(self.limits().iterations).max(1);
         let gravity = self.settings.gravity;
         let may_sleep = self.settings.is_sleep_enabled;
+        let choice = self.settings.island_choice;
+        self.precise().set_island_choice(choice);
         let step = self.precise().begin(dt, substeps, gravity, may_sleep);
         let found = self.precise().find_pairs();
         self.accept_precise_pairs(found, handler);

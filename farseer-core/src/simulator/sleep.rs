@@ -2,7 +2,7 @@
 
 use super::PhysicsSimulator;
 use crate::body::BodyId;
-use crate::precise::{Island, WhyAwake};
+use crate::precise::{Island, IslandResidual, WhyAwake};
 
 /// Sleep. Only with the [precise set](crate::Methods::Precise), which says when things fall asleep and wake.
 impl PhysicsSimulator {
@@ -45,9 +45,17 @@ impl PhysicsSimulator {
 
     /// The islands of bodies that can be pushed and hang together by contacts, joints or springs, as they were at the end of
     /// the last update: first those that are awake, then those that sleep, each in the order of their first bodies. Found anew
-    /// with each call. None with the faithful set.
+    /// with each call. None with the faithful set. What was loaded knows no joints, nor what its last update took, until the
+    /// next one.
     pub fn islands(&self) -> Vec<Island> {
         self.pipeline.precise.as_ref().map_or_else(Vec::new, |precise| precise.islands(&self.objects))
+    }
+
+    /// What is left of an island's error after the last update: found anew from outlines, velocities and anchors with each
+    /// call, whatever the solver believes. Nothing of bodies that are not there any more; nothing with the faithful set.
+    pub fn island_residual(&self, island: &Island) -> IslandResidual {
+        let precise = self.pipeline.precise.as_ref();
+        precise.map_or_else(Default::default, |precise| precise.residual(&island.bodies, &self.objects))
     }
 
     /// How many pairs of convex pieces that touch are solved in each colour: no two of a colour push the same body, so that

@@ -26,6 +26,7 @@ macro_rules! copied {
     };
 }
 
+pub mod advise;
 pub mod charts;
 pub mod closed_forms;
 pub mod csv;

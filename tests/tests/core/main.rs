@@ -46,6 +46,7 @@ mod precise_capsules;
 mod precise_drives;
 mod precise_events;
 mod precise_fast;
+mod precise_islands;
 mod precise_joints;
 mod precise_motion;
 mod precise_queries;

@@ -13,13 +13,14 @@ mod island;
 use serde::{Deserialize, Serialize};
 
 use super::Precise;
-use super::bodies::Hot;
 use super::islands::Islands;
 use super::joints::weight_of;
 use super::pairs::Pairs;
 use super::proxies::{Mobility, Proxies};
 use super::rows::{Aside, Home, Lane, PointLane};
+use super::telling::WhyMethod;
 use super::tuning::Step;
+use crate::methods::IslandChoice;
 use crate::storage::reusing_clone::reusing_clone;
 use contact::{Contact, Ends, FIXED};
 use factor::Triple;
@@ -106,6 +107,8 @@ pub(super) struct Timing {
     has_resting: bool,
     /// How many joints there were.
     joints: u32,
+    /// What the game wants of islands.
+    choice: IslandChoice,
 }
 
 impl Timing {
@@ -122,19 +125,23 @@ struct Whole {
     homes: Vec<Home>,
     ends: Vec<Ends>,
     ways: Vec<Triple>,
+    /// Steps of Newton's method in the last update.
+    steps: usize,
 }
 
-reusing_clone! { Whole { island, homes, ends, ways } }
+reusing_clone! { Whole { island, homes, ends, ways, steps } }
 
 /// What is counted of an island.
 #[derive(Debug, Clone, Copy, Default)]
-struct Census {
+pub(super) struct Census {
     bodies: u32,
     contacts: u32,
     /// Bodies that are solved as a whole so far.
     direct: u32,
-    /// Something in it is not for this, or bounces, or moves, or has come with what moved.
-    is_refused: bool,
+    /// Updates for which it is left to the passes.
+    rest: u8,
+    /// A joint holds something in it, or something bounces, or moves, or has come with what moved.
+    is_held: bool,
     bounces: bool,
     moves: bool,
     is_loose: bool,
@@ -143,15 +150,42 @@ struct Census {
 }
 
 impl Census {
-    fn is_for_this(&self) -> bool {
+    /// Why it is not for this; `None` if it is.
+    pub(super) fn refusal(&self, choice: IslandChoice) -> Option<WhyMethod> {
+        let refusals = [
+            (self.bodies < 2, WhyMethod::OneBody),
+            (self.is_held, WhyMethod::Joints),
+            (choice == IslandChoice::Passes, WhyMethod::Chosen),
+            (self.bodies > LARGEST, WhyMethod::TooLarge),
+            (self.bounces, WhyMethod::Bounces),
+        ];
+        let refusal = refusals.into_iter().find(|(refuses, _)| *refuses).map(|(_, why)| why);
+        refusal.or_else(|| if choice == IslandChoice::Whole { None } else { self.price() })
+    }
+
+    pub(super) fn has_contacts(&self) -> bool {
+        self.contacts > 0
+    }
+
+    /// Why it is left to the passes.
+    pub(super) fn why_passes(&self, choice: IslandChoice) -> WhyMethod {
+        let rests = (self.rest > 0).then_some(WhyMethod::Rests { updates: self.rest });
+        let is_free = self.contacts == 0;
+        let joints = is_free.then_some(WhyMethod::Joints);
+        joints.or(self.refusal(choice)).or(rests).unwrap_or(WhyMethod::NotAskedYet)
+    }
+
+    /// Why it does not pay; `None` if it does.
+    fn price(&self) -> Option<WhyMethod> {
         let Census { bodies, contacts, direct, .. } = *self;
-        let is_built = !(self.moves || self.is_loose);
-        let pays = if contacts > bodies {
-            bodies >= MANY && (is_built || 2 * direct > bodies)
-        } else {
-            is_built || bodies >= HIGH
-        };
-        (2..=LARGEST).contains(&bodies) && pays && !(self.is_refused || self.bounces)
+        let (has_rings, is_built) = (contacts > bodies, !(self.moves || self.is_loose));
+        let refusals = [
+            (self.rest > 0, WhyMethod::Rests { updates: self.rest }),
+            (has_rings && bodies < MANY, WhyMethod::TooSmall),
+            (has_rings && !is_built && 2 * direct <= bodies, WhyMethod::Moves),
+            (!has_rings && !is_built && bodies < HIGH, WhyMethod::Moves),
+        ];
+        refusals.into_iter().find(|(refuses, _)| *refuses).map(|(_, why)| why)
     }
 }
 
@@ -182,6 +216,17 @@ impl Direct {
         self.timing.may_be_due = true;
     }
 
+    /// What the game wants of islands.
+    pub(super) fn choice(&self) -> IslandChoice {
+        self.timing.choice
+    }
+
+    /// The first body of each island that was solved as a whole, and the steps of Newton's method that this took.
+    pub(super) fn solved(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        let first = |whole: &Whole| Some((whole.island.members.first()?.number as usize, whole.steps));
+        self.islands[..self.count].iter().filter_map(first)
+    }
+
     /// Whether islands are to be asked for now.
     fn tick(&mut self, is_quick: bool) -> bool {
         let Timing { is_due, may_be_due, age, has_resting, .. } = &mut self.timing;
@@ -202,14 +247,18 @@ impl Precise {
     pub(super) fn choose_methods(&mut self) {
         if self.bounces {
             let (hot, least) = (&self.bodies.hot, self.tuning.bounce);
+            let velocity = |body: u32| hot[body as usize].velocity;
             self.direct.timing.is_due |=
-                self.rows.all_direct().iter().any(|row| bounces(&row.lane, hot, least));
+                self.rows.all_direct().iter().any(|row| bounces(&row.lane, velocity, least));
         }
         let joints = self.joints.count() as u32;
         self.direct.timing.may_be_due |= std::mem::replace(&mut self.direct.timing.joints, joints) != joints;
-        let is_quick = self.direct.timing.may_be_due
-            && self.bodies.live - self.sleep.count <= FEW
-            && !self.sleep.awake(self.bodies.count).any(|body| self.moves(body));
+        let is_calm = || {
+            self.bodies.live - self.sleep.count <= FEW
+                && !self.sleep.awake(self.bodies.count).any(|body| self.moves(self.bodies.hot[body].velocity))
+        };
+        let is_whole = self.direct.timing.choice == IslandChoice::Whole;
+        let is_quick = self.direct.timing.may_be_due && (is_whole || is_calm());
         if self.direct.tick(is_quick) {
             self.direct.timing.begin_again();
             self.take_census();
@@ -224,9 +273,15 @@ impl Precise {
         self.direct.is_listed = true;
     }
 
-    /// Whether a body is no longer calm.
-    fn moves(&self, body: usize) -> bool {
-        let ([x, y, ..], calm) = (self.bodies.hot[body].velocity, CALM * self.tuning.unit);
+    /// What the game wants of islands, from this update on.
+    pub(crate) fn set_island_choice(&mut self, choice: IslandChoice) {
+        let timing = &mut self.direct.timing;
+        timing.is_due |= std::mem::replace(&mut timing.choice, choice) != choice;
+    }
+
+    /// Whether a body of this velocity is no longer calm.
+    fn moves(&self, [x, y, ..]: [f32; 4]) -> bool {
+        let calm = CALM * self.tuning.unit;
         x * x + y * y > calm * calm
     }
 
@@ -234,7 +289,18 @@ impl Precise {
     fn take_census(&mut self) {
         let mut unions = std::mem::take(&mut self.direct.unions);
         let mut census = std::mem::take(&mut self.direct.census);
-        self.join_contacts(&mut unions);
+        self.count_islands(&mut unions, &mut census, |body| self.bodies.hot[body as usize].velocity);
+        (self.direct.unions, self.direct.census) = (unions, census);
+    }
+
+    /// Counts the islands of what is awake, with these velocities of bodies.
+    pub(super) fn count_islands(
+        &self,
+        unions: &mut Islands,
+        census: &mut Vec<Census>,
+        velocity: impl Fn(u32) -> [f32; 4],
+    ) {
+        self.join_contacts(unions);
         census.clear();
         census.resize(self.bodies.hot.len(), Census::default());
         for body in self.sleep.awake(self.bodies.count).filter(|&body| !self.bodies.is_kinematic(body)) {
@@ -242,8 +308,9 @@ impl Precise {
             of.bodies += 1;
             let wear = self.direct.wear[body];
             of.direct += u32::from(wear.is_direct);
-            of.is_refused |= self.joints.holds(body) || wear.rest > 0;
-            of.moves |= self.moves(body);
+            of.is_held |= self.joints.holds(body);
+            of.rest = of.rest.max(wear.rest);
+            of.moves |= self.moves(velocity(body as u32));
             of.is_loose |= wear.is_loose;
         }
         for pair in 0..self.pairs.awake {
@@ -251,11 +318,10 @@ impl Precise {
             let Some(home) = state.home else { continue };
             let body = self.sides(pair)[1].0 as u32;
             let of = &mut census[unions.find(body) as usize];
-            let (hot, least) = (&self.bodies.hot, self.tuning.bounce);
             of.contacts += 1;
-            of.bounces |= self.bounces && bounces(&self.rows.lane(state.kind, home), hot, least);
+            of.bounces |=
+                self.bounces && bounces(&self.rows.lane(state.kind, home), &velocity, self.tuning.bounce);
         }
-        (self.direct.unions, self.direct.census) = (unions, census);
     }
 
     /// The islands that are solved as a whole are planned, in the order of their first bodies: those that may be, or those
@@ -267,7 +333,7 @@ impl Precise {
         for body in sleep.awake(bodies.count) {
             let root = unions.find(body as u32);
             let of = &census[root as usize];
-            let is_wanted = if chooses { of.is_for_this() } else { wear[body].is_direct };
+            let is_wanted = if chooses { of.refusal(timing.choice).is_none() } else { wear[body].is_direct };
             found.extend(is_wanted.then_some((root, body as u32)));
             wear[body].is_loose |= chooses && of.moves;
             if chooses && of.bounces && wear[body].rest == 0 {
@@ -364,8 +430,8 @@ impl Precise {
         let unit = f64::from(self.tuning.unit);
         for at in 0..self.direct.count {
             let mut whole = std::mem::take(&mut self.direct.islands[at]);
-            let steps = self.solve_whole(&mut whole, step, unit);
-            self.note_effort(&whole.island, steps);
+            whole.steps = self.solve_whole(&mut whole, step, unit);
+            self.note_effort(&whole.island, whole.steps);
             self.direct.islands[at] = whole;
         }
     }
@@ -374,7 +440,7 @@ impl Precise {
     fn solve_whole(&mut self, whole: &mut Whole, step: &Step, unit: f64) -> usize {
         let Precise { bodies, rows, .. } = self;
         let (dt, parts) = (f64::from(step.dt), f64::from(step.substeps));
-        let Whole { island, homes, ends, ways } = whole;
+        let Whole { island, homes, ends, ways, .. } = whole;
         let mut far = 0.0;
         for member in &mut island.members {
             let at = member.number as usize;
@@ -422,7 +488,8 @@ impl Precise {
         wear.effort += (steps as f32 - wear.effort) / LONG;
         wear.is_hot = steps > 0;
         let has_rings = usize::from(island.contacts.len() > island.members.len());
-        if wear.effort > BUSY[has_rings] + BUSIER[has_rings] * island.members.len() as f32 {
+        let is_busy = wear.effort > BUSY[has_rings] + BUSIER[has_rings] * island.members.len() as f32;
+        if is_busy && self.direct.timing.choice != IslandChoice::Whole {
             (wear.effort, wear.rest) = (0.0, REST);
             self.direct.timing.has_resting = true;
             self.direct.timing.is_due = true;
@@ -464,8 +531,8 @@ fn list_edges(members: &[(u32, u32)], pairs: &Pairs, proxies: &Proxies, edges: &
 }
 
 /// Whether two come together so fast that they bounce: that is for the passes.
-fn bounces(lane: &Lane, hot: &[Hot], least: f32) -> bool {
-    let [a, b] = [lane.a, lane.b].map(|body| hot[body as usize].velocity);
+fn bounces(lane: &Lane, velocity: impl Fn(u32) -> [f32; 4], least: f32) -> bool {
+    let [a, b] = [lane.a, lane.b].map(velocity);
     let along = lane.normal[0] * (b[0] - a[0]) + lane.normal[1] * (b[1] - a[1]);
     let is_fast =
         |point: &PointLane| point.mass > 0.0 && along + b[2] * point.arm_b - a[2] * point.arm_a < -least;

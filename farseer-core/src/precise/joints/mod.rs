@@ -44,9 +44,11 @@ struct Group {
     loose: Vec<Loose>,
     /// Nothing touches it.
     is_apart: bool,
+    /// Into how many parts its last step was divided.
+    parts: u32,
 }
 
-reusing_clone! { Group { nodes, loose, is_apart } }
+reusing_clone! { Group { nodes, loose, is_apart, parts } }
 
 impl Joints {
     /// Whether all joints are in groups that nothing touches.
@@ -63,6 +65,13 @@ impl Joints {
     #[inline(always)]
     pub(super) fn holds(&self, body: usize) -> bool {
         self.seat_of.get(body).is_some_and(|&seat| seat != GROUND)
+    }
+
+    /// The bodies of groups that nothing touches, and into how many parts their step was divided.
+    pub(super) fn swinging(&self) -> impl Iterator<Item = (usize, u32)> + '_ {
+        let apart = self.groups.iter().filter(|group| group.is_apart);
+        let bodies = apart.flat_map(|group| group.nodes.iter().map(|node| (node.body as usize, group.parts)));
+        bodies.filter(|&(body, _)| body != 0)
     }
 
     /// The bodies that each joint ties together, moved or not; 0 for the world.
@@ -89,6 +98,7 @@ impl Joints {
             nodes: plan.seats.iter().map(|seat| node_of(seat, holds, bodies)).collect(),
             loose: loose_of(&plan, holds, |body| seat_of[body as usize]),
             is_apart: false,
+            parts: 0,
         };
         self.groups = groups.into_iter().map(group_of).collect();
         self.seat_of = seat_of;

@@ -47,7 +47,12 @@ impl Precise {
     }
 
     /// A joint as it is now, unless it holds nothing that is there and gives way.
-    fn hold(&self, (id, joint): (JointId, &Joint), bodies: &Bodies) -> Option<Hold> {
+    fn hold(&self, joint: (JointId, &Joint), bodies: &Bodies) -> Option<Hold> {
+        self.kept_by(joint, bodies).filter(|hold| hold.ends[0].body != hold.ends[1].body)
+    }
+
+    /// A joint as it is now, whether what it holds gives way or not; `None` if that is not there.
+    fn kept_by(&self, (id, joint): (JointId, &Joint), bodies: &Bodies) -> Option<Hold> {
         let held = joint.held();
         let ends = [
             self.end(held.bodies.0, held.anchors[0], bodies)?,
@@ -80,12 +85,17 @@ impl Precise {
             force: joint.force_and_torque(),
         };
         hold.turn(bodies);
-        Some(hold).filter(|hold| hold.ends[0].body != hold.ends[1].body)
+        Some(hold)
     }
 
     /// How far a joint is from what it keeps; `None` if it holds nothing.
     pub(crate) fn joint_error(&self, joint: (JointId, &Joint), bodies: &Bodies) -> Option<f32> {
         Some(self.hold(joint, bodies)?.error() as f32)
+    }
+
+    /// How far a joint is from what it keeps, asleep or not: a length, or an angle in radians if it keeps that alone.
+    pub(crate) fn joint_gap(&self, joint: (JointId, &Joint), bodies: &Bodies) -> Option<f32> {
+        Some(self.kept_by(joint, bodies)?.error() as f32)
     }
 
     /// Joints were lent out for editing.

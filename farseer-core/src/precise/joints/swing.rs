@@ -373,12 +373,13 @@ pub(super) fn swing(
     step: &Step,
     unit: f64,
 ) {
-    let Group { nodes, loose, .. } = group;
+    let Group { nodes, loose, parts: parts_told, .. } = group;
     let bodies_held = nodes.iter().filter(|node| node.body != 0).count() as u32;
     let (dt, substeps) = (f64::from(step.dt), f64::from(step.substeps));
     // In one part impulses would be so many times as long.
     find_stiffness(nodes, dt * substeps);
     let parts = parts_of(nodes, bodies_held, step);
+    *parts_told = parts;
     // Whole kicks before bodies move put them in the same places as halves before and after: velocities are those of half a
     // substep ago, and need not be made to obey the joints once more.
     let by_whole_kicks = bodies_held > MANY && loose.is_empty();

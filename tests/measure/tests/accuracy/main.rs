@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod advise;
 mod depth;
 mod farseer;
 mod measures;

@@ -1,0 +1,66 @@
+//! Which methods are exact enough for a scene, and which of these cost least.
+//!
+//! `cargo run --release --example advise -- SCENE.json` runs a scene of the tests' format with all choices there are, and
+//! prints what they take, how far they are off and which to take; `--out` says where to draw a chart of it. A game that has
+//! its scene in code calls [`measure::advise::advise`] with what builds it.
+
+use clap::Parser;
+use conformance::scene::Scene;
+use drawing::measuring::Result;
+use drawing::plot::lines::Chart;
+use drawing::plot::save;
+use measure::advise::{Asked, advise_on, asked_of};
+use std::fs;
+use std::path::PathBuf;
+
+/// Runs a scene with all choices there are, and says what to take.
+#[derive(Debug, Parser)]
+struct Arguments {
+    /// A scene as JSON, plain or compressed by gzip.
+    scene: PathBuf,
+    /// Simulated time in s [default: that of the scene].
+    #[arg(long)]
+    seconds: Option<f64>,
+    /// The game's time step in s [default: that of the scene].
+    #[arg(long)]
+    dt: Option<f32>,
+    /// Size of things in the scene's unit of length: 32 in px, 1 in metres.
+    #[arg(long, default_value_t = 32.0)]
+    length_unit: f32,
+    /// What nobody sees, as a length [default: a 32nd of the length unit].
+    #[arg(long)]
+    tolerance: Option<f64>,
+    /// A folder for a chart of error over time.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+fn main() -> Result<()> {
+    let Arguments { scene, seconds, dt, length_unit, tolerance, out } = Arguments::parse();
+    let scene = Scene::from_file(scene).map_err(|error| error.to_string())?;
+    let by_itself = asked_of(&scene);
+    let asked = Asked {
+        seconds: seconds.unwrap_or(by_itself.seconds),
+        dt: dt.unwrap_or(by_itself.dt),
+        length_unit,
+        tolerance: tolerance.unwrap_or(f64::from(length_unit) / 32.0),
+        ..by_itself
+    };
+    // Before anything is run: what cannot be written would be lost.
+    out.as_ref().map(fs::create_dir_all).transpose()?;
+    let advice = advise_on(&scene, &asked)?;
+    println!(
+        "{}: {}\n\n{}\n{}\n\n{}",
+        scene.name,
+        scene.about,
+        advice.table(),
+        advice.sentence(),
+        advice.notes()
+    );
+    if let Some(folder) = out {
+        let (subject, methods) = (advice.subject(), advice.methods());
+        save(&Chart { subject: &subject, methods: &methods, points: &advice.points }, &folder, "advice")?;
+        println!("\n{}", folder.join("advice.png").display());
+    }
+    Ok(())
+}

@@ -1,0 +1,147 @@
+//! Advice on a scene: who is recommended, who falls, and what is refused.
+
+use conformance::fixtures::plane::{add_box, add_floor, simulator, v};
+use conformance::scene::{Op, Scene, ScriptEntry, Target};
+use farseer_core::{IslandChoice, JointFactory, JointMotor, Methods, PhysicsSimulator};
+use measure::advise::{Advice, Asked, Verdict, advise, advise_on, asked_of};
+use measure::sweep::Outcome;
+
+const GRAVITY: f32 = 320.0;
+
+type Built = farseer_core::Result<PhysicsSimulator>;
+
+fn with(methods: Methods) -> PhysicsSimulator {
+    let mut simulator = simulator(GRAVITY);
+    simulator.set_methods(methods).unwrap();
+    simulator
+}
+
+/// Boxes of 32 px, one on the other, on a floor whose surface is at y = 0.
+fn column(methods: Methods, count: usize) -> PhysicsSimulator {
+    let mut simulator = with(methods);
+    add_floor(&mut simulator, (2000.0, 20.0), v(0.0, 10.0));
+    for row in 0..count {
+        add_box(&mut simulator, (32.0, 32.0), v(0.0, -16.0 - 32.0 * row as f32));
+    }
+    simulator
+}
+
+fn asked(seconds: f64) -> Asked {
+    Asked { seconds, ..Asked::default() }
+}
+
+fn is_faithful(verdict: &Verdict) -> bool {
+    verdict.choice.islands.is_none()
+}
+
+/// What came of the precise set as games have it.
+fn precise(advice: &Advice) -> &Verdict {
+    let is_default = |verdict: &&Verdict| {
+        verdict.choice.islands == Some(IslandChoice::ByItself) && verdict.setting.passes == 4
+    };
+    advice.verdicts.iter().find(is_default).unwrap()
+}
+
+#[test]
+fn for_a_column_of_twenty_it_recommends_precise_and_names_the_fall_of_the_faithful_set() {
+    let advice = advise(&asked(8.0), |methods| Built::Ok(column(methods, 20))).unwrap();
+    assert_eq!((advice.movable, advice.resting), (20, 20));
+    let best = advice.recommended().unwrap();
+    assert!(!is_faithful(best), "{best:?}");
+    let game = advice.verdicts.iter().find(|verdict| is_faithful(verdict)).unwrap();
+    assert_eq!(game.outcome, Outcome::Failed("falls"));
+    assert!(game.findings.fallen >= 10, "{:?}", game.findings);
+    let fall = format!("falls: {} of 20 leave their place", game.findings.fallen);
+    assert!(advice.table().contains(&fall), "{}", advice.table());
+    assert!(advice.sentence().starts_with("Take Precise"), "{}", advice.sentence());
+    // As the guide says of what is solved as a whole: an overlap below a thousandth of a px.
+    assert!(precise(&advice).findings.overlap < 1e-3);
+}
+
+#[test]
+fn what_cannot_be_built_with_the_faithful_set_is_told_and_does_without_it() {
+    let advice = advise(&asked(1.0), |methods| {
+        let mut simulator = with(methods);
+        let (wheel, _) = add_box(&mut simulator, (32.0, 32.0), v(0.0, 0.0));
+        let hub = JointFactory::create_fixed_revolute_joint_in(&mut simulator, wheel, v(0.0, 0.0))?;
+        simulator.set_joint_motor(hub, Some(JointMotor { speed: 1.0, greatest_effort: 1e6 }))?;
+        Built::Ok(simulator)
+    })
+    .unwrap();
+    assert!(!advice.verdicts.iter().any(is_faithful));
+    let refusals = advice.absent.iter().filter(|(choice, _)| choice.islands.is_none());
+    assert_eq!(refusals.clone().count(), 3);
+    refusals.for_each(|(_, reason)| assert!(reason.contains("motors"), "{reason}"));
+    assert!(advice.recommended().is_some());
+}
+
+#[test]
+fn a_game_that_is_of_the_precise_set_already_is_tried_with_distance_grids_too() {
+    let game = column(Methods::PRECISE, 2);
+    let advice = advise(&asked(1.0), |_| Built::Ok(game.clone())).unwrap();
+    let faithful = advice.verdicts.iter().find(|verdict| is_faithful(verdict)).unwrap();
+    assert_eq!((faithful.outcome, faithful.findings.fallen), (Outcome::Fine, 0));
+}
+
+#[test]
+fn passes_alone_are_not_another_choice_where_nothing_is_solved_as_a_whole() {
+    let flight = advise(&asked(1.0), |methods| {
+        let mut simulator = with(methods);
+        add_box(&mut simulator, (32.0, 32.0), v(0.0, 0.0));
+        Built::Ok(simulator)
+    })
+    .unwrap();
+    assert!(flight.absent.iter().any(|(choice, _)| choice.islands == Some(IslandChoice::Passes)));
+    let column = advise(&asked(1.0), |methods| Built::Ok(column(methods, 8))).unwrap();
+    assert_eq!(column.absent, []);
+}
+
+#[test]
+fn in_a_heap_only_what_lies_where_it_must_is_judged_by_its_place() {
+    let scene = conformance::scenes::circles_in_a_pit(40);
+    let advice = advise_on(&scene, &asked_of(&scene)).unwrap();
+    // Every run goes a way of its own after some hits; what lies somewhere else then has not fallen.
+    assert!(advice.predictable < 2.0, "{}", advice.predictable);
+    assert!(advice.resting < advice.movable, "{}", advice.resting);
+    assert_eq!(precise(&advice).outcome, Outcome::Fine, "{}", advice.table());
+}
+
+#[test]
+fn a_number_that_nothing_can_be_run_with_is_refused_by_its_name() {
+    let wrong = [
+        (Asked { seconds: f64::NAN, ..asked(1.0) }, "seconds"),
+        (Asked { dt: 0.0, ..asked(1.0) }, "dt"),
+        (Asked { length_unit: -32.0, ..asked(1.0) }, "length_unit"),
+        (Asked { tolerance: f64::INFINITY, ..asked(1.0) }, "tolerance"),
+        (Asked { dt: 0.5, ..asked(1.0) }, "steps"),
+    ];
+    for (asked, name) in wrong {
+        let error = advise(&asked, |methods| Built::Ok(column(methods, 1))).unwrap_err();
+        assert!(error.contains(name), "{error}");
+    }
+}
+
+#[test]
+fn a_scene_that_is_garbage_or_has_a_script_is_refused() {
+    assert!(Scene::from_json("garbage", "{\"format\": 1, \"bodies\": [{]}").is_err());
+    let mut scene = conformance::scenes::pyramid(2);
+    let op = Op::Disable { target: Target::Body, index: 1 };
+    scene.script.push(ScriptEntry { step: 1, until: None, every: 1, op });
+    let error = advise_on(&scene, &asked_of(&scene)).unwrap_err();
+    assert!(error.contains("script"), "{error}");
+    let mut scene = conformance::scenes::pyramid(2);
+    scene.bodies[1].position = Some(v(f32::NAN, 0.0));
+    assert!(advise_on(&scene, &asked_of(&scene)).is_err());
+}
+
+#[test]
+fn what_goes_off_to_infinity_with_every_method_is_refused() {
+    let error = advise(&asked(1.0), |methods| {
+        let mut simulator = with(methods);
+        let (body, _) = add_box(&mut simulator, (32.0, 32.0), v(0.0, 0.0));
+        simulator[body].set_linear_velocity(v(1e9, 0.0));
+        Built::Ok(simulator)
+    })
+    .unwrap_err();
+    assert!(error.contains("is lost"), "{error}");
+}
