@@ -36,7 +36,8 @@ fn a_lively_scene_is_lively() {
             most_pairs = most_pairs.max(simulator.arbiter_count());
             most_contacts = most_contacts.max(simulator.contact_count());
         }
-        assert!(most_pairs >= 15 && most_contacts >= 30, "{methods:?}: {most_pairs} {most_contacts}");
+        // Of 23 pairs in touch at most, 27 points with the precise set: circles and corners have one.
+        assert!(most_pairs >= 15 && most_contacts >= 25, "{methods:?}: {most_pairs} {most_contacts}");
     }
 }
 
