@@ -36,6 +36,7 @@ pub mod origin;
 pub mod penetration;
 pub mod scenes;
 pub mod shard;
+pub mod sleep;
 pub mod stability;
 pub mod stopwatch;
 pub mod sweep;
