@@ -37,6 +37,7 @@ pub mod origin;
 pub mod penetration;
 pub mod scenes;
 pub mod shard;
+pub mod sleep;
 pub mod stability;
 pub mod stopwatch;
 pub mod sweep;

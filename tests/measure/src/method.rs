@@ -119,6 +119,8 @@ pub struct Method<S = Scene> {
     pub family: Family,
     /// Whether it differs from another method in the broad phase alone: left out where that does not matter.
     pub is_broad_phase_variant: bool,
+    /// Whether what has come to rest sleeps in it, once that is [asked for](World::set_sleep_enabled).
+    pub sleeps: bool,
     /// What the engine's authors recommend or take by default, at the usual step.
     pub recommended: Setting,
     /// The points of its line. [`recommended`](Self::recommended) is one of them.

@@ -23,7 +23,7 @@ mod ragdolls;
 pub mod reasons;
 pub mod sheet;
 mod springs;
-mod stacks;
+pub(crate) mod stacks;
 mod steps;
 mod sweeps;
 pub mod table;

@@ -371,7 +371,7 @@ impl<'a> Entry<'a> {
 }
 
 /// The middle one of an odd number of times; nothing of none.
-fn median(mut times: Vec<Duration>) -> Option<Duration> {
+pub(crate) fn median(mut times: Vec<Duration>) -> Option<Duration> {
     times.sort_unstable();
     times.get(times.len() / 2).copied()
 }

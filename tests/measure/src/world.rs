@@ -123,6 +123,17 @@ pub trait World {
         unreachable!("nothing is put elsewhere in scenes with depth");
     }
 
+    /// Sets whether what has come to rest sleeps, as the engine does it by default; if not, all are awake from the next step
+    /// on. Nothing sleeps until it is asked for. In the plane.
+    fn set_sleep_enabled(&mut self, _is_enabled: bool) {
+        unreachable!("nothing sleeps in scenes with depth");
+    }
+
+    /// Whether a body that can move sleeps. Never with depth.
+    fn is_asleep(&self, _index: usize) -> bool {
+        false
+    }
+
     /// Height in px of the ground or the platform that is straight below the middle of a body; `None` if there is none,
     /// and always in the plane.
     fn height_beneath(&self, _index: usize) -> Option<f64> {

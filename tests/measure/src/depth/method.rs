@@ -32,6 +32,7 @@ fn our_methods() -> Vec<DepthMethod> {
         name: "2.5D, faithful",
         family: Family::Ours,
         is_broad_phase_variant: false,
+        sleeps: false,
         // The 2D engine's default iterations (behaviour chapter 06).
         recommended: Setting::fixed(1.0 / 60.0, 5),
         settings: our_settings,
@@ -58,6 +59,7 @@ fn rapier_methods() -> Vec<DepthMethod> {
         name: "rapier3d",
         family: Family::Peer,
         is_broad_phase_variant: false,
+        sleeps: false,
         recommended: Setting::fixed(1.0 / 60.0, 4),
         settings: rapier_settings,
         mapped: |_| on_map(4, &[]),

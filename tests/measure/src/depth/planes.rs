@@ -42,6 +42,7 @@ pub fn plane_methods() -> [Method; 3] {
         name: "2D",
         family: Family::Ours,
         is_broad_phase_variant: false,
+        sleeps: false,
         recommended: SETTING,
         settings: |_| vec![SETTING],
         mapped: |_| Vec::new(),

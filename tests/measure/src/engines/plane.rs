@@ -64,6 +64,14 @@ impl World for FarseerWorld {
         body.set_position(vector(position));
         body.set_rotation(angle as f32);
     }
+
+    fn set_sleep_enabled(&mut self, is_enabled: bool) {
+        self.simulator.set_sleep_enabled(is_enabled);
+    }
+
+    fn is_asleep(&self, index: usize) -> bool {
+        self.simulator.is_asleep(self.bodies[index])
+    }
 }
 
 fn vector(value: [f64; 2]) -> Vector2 {
@@ -76,6 +84,7 @@ pub fn our_methods() -> Vec<Method> {
         name: "Farseer, distance grid",
         family: Family::Ours,
         is_broad_phase_variant: false,
+        sleeps: false,
         // The original's default iterations (behaviour chapter 06).
         recommended: Setting::fixed(1.0 / 60.0, 5),
         settings,
@@ -109,6 +118,7 @@ pub fn our_methods() -> Vec<Method> {
         },
         Method {
             name: "Precise",
+            sleeps: true,
             recommended: Setting::fixed(1.0 / 60.0, 4),
             settings: precise_settings,
             mapped: |_| mapped(precise_settings(Effort::Quick), &[Setting::fixed(STEPS[0], 4)]),
@@ -134,7 +144,7 @@ fn build_precise(scene: &Scene, setting: Setting) -> Built {
     world.simulator.set_iterations(i32::try_from(setting.passes).map_err(|error| error.to_string())?);
     world.simulator.set_methods(Methods::PRECISE).map_err(|error| error.to_string())?;
     // Neither do the peers sleep where it is measured what a step costs, and what it leaves.
-    world.simulator.set_sleep_enabled(false);
+    world.set_sleep_enabled(false);
     Ok(Box::new(world))
 }
 

@@ -59,7 +59,7 @@ pub(super) fn vertical_stack(count: usize) -> Scene {
 }
 
 /// A pyramid about a place on the x axis.
-pub(super) fn pyramid(base: usize, centre: f32) -> Scene {
+pub(crate) fn pyramid(base: usize, centre: f32) -> Scene {
     /// Centre to centre in a row: a gap of a tenth.
     const SPACING: f32 = 1.1 * METRE;
     let mut stage = Stage::new();

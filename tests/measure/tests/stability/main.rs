@@ -10,3 +10,4 @@ mod depth;
 mod facts;
 mod judges;
 mod plane;
+mod sleep;

@@ -455,4 +455,13 @@ impl World for Box2d {
             self.turns.set(index, Some(angle), None);
         }
     }
+
+    fn set_sleep_enabled(&mut self, is_enabled: bool) {
+        self.is_broken |= self.world.get_mut().enable_sleeping(is_enabled).is_err();
+    }
+
+    fn is_asleep(&self, index: usize) -> bool {
+        let mut world = self.world.borrow_mut();
+        world.body(self.bodies[index]).and_then(|body| body.is_awake()).is_ok_and(|is_awake| !is_awake)
+    }
 }

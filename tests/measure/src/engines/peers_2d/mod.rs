@@ -13,7 +13,8 @@
 //!
 //! What differs: circles are true circles and not polygons; outlines that are not convex are cut into pieces that are;
 //! joints and contacts are as hard as the engine makes them, so that bias factors and allowed errors count for
-//! nothing; angles between two bodies are told apart up to whole turns. Nothing sleeps. Continuous collision is as it
+//! nothing; angles between two bodies are told apart up to whole turns. Nothing sleeps unless it
+//! is asked for. Continuous collision is as it
 //! is by default: of fast bodies against static ones, in both. Both hold speeds down to 12,800 px/s, so scenes that
 //! begin with more are refused, and Box2D bounces nothing that meets slower than 32 px/s.
 //!
@@ -37,6 +38,7 @@ pub fn rapier_methods() -> Vec<Method> {
         name: "rapier2d",
         family: Family::Peer,
         is_broad_phase_variant: false,
+        sleeps: true,
         recommended: RECOMMENDED,
         settings,
         mapped: on_map,
@@ -50,6 +52,7 @@ pub fn box2d_methods() -> Vec<Method> {
         name: "Box2D 3",
         family: Family::Peer,
         is_broad_phase_variant: false,
+        sleeps: true,
         recommended: RECOMMENDED,
         settings,
         mapped: on_map,

@@ -9,8 +9,8 @@ use conformance::scene::Scene;
 use rapier2d::prelude::{
     CoefficientCombineRule, ColliderBuilder, FixedJointBuilder, GenericJoint, GenericJointBuilder, Group,
     InteractionGroups, InteractionTestMode, JointAxesMask, JointAxis, MassProperties, MotorModel,
-    PhysicsWorld, Pose, RevoluteJointBuilder, RigidBodyBuilder, RigidBodyHandle, RopeJointBuilder,
-    SpringJointBuilder, Vector,
+    PhysicsWorld, Pose, RevoluteJointBuilder, RigidBodyActivation, RigidBodyBuilder, RigidBodyHandle,
+    RopeJointBuilder, SpringJointBuilder, Vector,
 };
 
 /// Stiffness in N/m of the spring that stands for a rod: rigid as far as floats go, like the engine's own joints.
@@ -210,5 +210,26 @@ impl World for Rapier {
         let place = Pose::new(Vector::from(position.map(metres)), angle as f32);
         self.world.bodies[self.bodies[index]].set_position(place, true);
         self.turns.set(index, Some(angle), None);
+    }
+
+    fn set_sleep_enabled(&mut self, is_enabled: bool) {
+        let limits =
+            if is_enabled { RigidBodyActivation::active() } else { RigidBodyActivation::cannot_sleep() };
+        for &handle in &self.bodies {
+            let body = &mut self.world.bodies[handle];
+            if !body.is_dynamic() {
+                continue;
+            }
+            if !is_enabled {
+                body.wake_up(true);
+            }
+            let activation = body.activation_mut();
+            activation.normalized_linear_threshold = limits.normalized_linear_threshold;
+            activation.angular_threshold = limits.angular_threshold;
+        }
+    }
+
+    fn is_asleep(&self, index: usize) -> bool {
+        self.world.bodies[self.bodies[index]].is_sleeping()
     }
 }
