@@ -10,6 +10,7 @@ mod contacts;
 mod joints;
 mod limits;
 mod motion;
+mod sleep;
 mod springs;
 
 use conformance::scene::*;

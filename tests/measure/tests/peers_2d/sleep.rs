@@ -1,0 +1,51 @@
+//! What has come to rest sleeps, if that is asked for.
+
+use super::{STEP, body, floor, geom, in_both, run, scene};
+use conformance::scene::*;
+use measure::world::World;
+
+/// A box that has lain on a floor for two seconds.
+fn with_box(sleeps: bool, check: impl Fn(&str, &mut dyn World, usize)) {
+    let mut scene = scene();
+    floor(&mut scene, 0.5, 0.0);
+    let (width, height) = (32.0, 32.0);
+    let index = body(&mut scene, BodyShape::Rectangle { width, height, mass: 1.0 }, [0.0, -16.0]);
+    geom(&mut scene, GeomShape::Rectangle { width, height }, 0.5, 0.0);
+    in_both(&scene, |name, world| {
+        if sleeps {
+            world.set_sleep_enabled(true);
+        }
+        run(world, 2.0);
+        check(name, world, index);
+    });
+}
+
+#[test]
+fn what_rests_sleeps_if_that_is_asked_for() {
+    with_box(true, |name, world, index| assert!(world.is_asleep(index), "{name}"));
+}
+
+#[test]
+fn what_rests_does_not_sleep_if_nobody_asks_for_that() {
+    with_box(false, |name, world, index| assert!(!world.is_asleep(index), "{name}"));
+}
+
+#[test]
+fn what_sleeps_is_awake_once_sleep_is_switched_off_and_stays_so() {
+    with_box(true, |name, world, index| {
+        world.set_sleep_enabled(false);
+        world.step(STEP);
+        assert!(!world.is_asleep(index), "{name}");
+        run(world, 2.0);
+        assert!(!world.is_asleep(index), "{name}");
+    });
+}
+
+#[test]
+fn what_sleeps_is_woken_by_an_impulse() {
+    with_box(true, |name, world, index| {
+        world.apply_impulse(index, [32.0, 0.0]);
+        world.step(STEP);
+        assert!(!world.is_asleep(index), "{name}");
+    });
+}
