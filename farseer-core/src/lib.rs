@@ -575,6 +575,8 @@ pub use path::{
     ComplexFactory, Curve, CurveContinuity, CurveKey, CurveKeyCollection, CurveLoopType, CurveTangent,
     LinkType, Path,
 };
+#[doc(hidden)]
+pub use precise::space::parts::{Fixture, SpaceBody, SpacePartner, SpacePoint, SpaceProfile, SpaceTouch};
 pub use precise::{Island, IslandCost, IslandMethod, IslandResidual, WhyAwake, WhyMethod};
 pub use report::{Event, StepCounters, StepTimes};
 pub use shape::{Aabb, Feature, Vertices, ray_helper};

@@ -273,7 +273,8 @@ impl<S: AccessMut> TwoHalfBody<S> {
     }
 
     fn state_mut(&mut self) -> &mut DepthBody {
-        &mut self.simulator.world_mut().depths.bodies[self.id]
+        let state = self.simulator.world_mut().depths.edit(self.id);
+        state.expect("the body was there when the view was made")
     }
 
     /// Whether the numbers that an argument leads to are finite; if not, the refusal is noted.

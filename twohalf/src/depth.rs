@@ -82,6 +82,9 @@ pub(crate) struct DepthBody {
     pub(crate) is_support_kept: bool,
     /// Arguments that setters of this engine have refused and nobody was told of yet.
     pub(crate) rejected: Refusals<DepthArguments>,
+    /// It is among the [news](Depths::news).
+    #[serde(skip)]
+    pub(crate) is_news: bool,
 }
 
 /// What setters of this engine refuse; what those of the 2D engine do is told by that.
@@ -144,6 +147,28 @@ impl DepthBody {
 pub(crate) struct Depths {
     pub(crate) bodies: IdTable<BodyId, DepthBody>,
     pub(crate) profiles: IdTable<GeomId, DepthProfile>,
+    /// Bodies of which something has changed that the precise set is to be told of.
+    #[serde(skip)]
+    pub(crate) news: Vec<BodyId>,
+    /// Whether it has been told of everything else.
+    #[serde(skip)]
+    pub(crate) is_told: bool,
+}
+
+impl Depths {
+    /// A body, to change it, or its geoms.
+    pub(crate) fn edit(&mut self, id: BodyId) -> Option<&mut DepthBody> {
+        let state = self.bodies.get_mut(id)?;
+        if !std::mem::replace(&mut state.is_news, true) {
+            self.news.push(id);
+        }
+        Some(state)
+    }
+
+    pub(crate) fn insert_body(&mut self, id: BodyId) {
+        self.bodies.insert(id, DepthBody::default());
+        self.edit(id);
+    }
 }
 
 /// Whether the solver can move a body.

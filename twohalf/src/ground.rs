@@ -97,8 +97,8 @@ impl<S: AccessMut> GroundMut<'_, S> {
     fn set(&mut self, argument: &'static str, value: f32, field: impl Fn(&mut Ground) -> &mut f32) {
         if !value.is_finite() {
             self.simulator.world_mut().reject(self.body, argument);
-        } else {
-            *field(&mut self.simulator.world_mut().depths.bodies[self.body].ground) = value;
+        } else if let Some(state) = self.simulator.world_mut().depths.edit(self.body) {
+            *field(&mut state.ground) = value;
         }
     }
 
@@ -116,9 +116,10 @@ impl<S: AccessMut> GroundMut<'_, S> {
             return Err(Error::GeomOfAnotherBody { argument: "object_geom" });
         }
         let before = self.lowest();
-        let ground = &mut self.simulator.world_mut().depths.bodies[self.body].ground;
-        ground.object_geom = Some(object_geom);
-        ground.shadow_image = shadow_image;
+        if let Some(state) = self.simulator.world_mut().depths.edit(self.body) {
+            state.ground.object_geom = Some(object_geom);
+            state.ground.shadow_image = shadow_image;
+        }
         let after = self.lowest();
         if let Some(body) = self.simulator.core_body_mut(self.body).filter(|_| before != after) {
             let position = plane_to_world(body.position(), before, 0.0);

@@ -358,6 +358,7 @@ mod id_table;
 mod methods;
 mod pairs;
 mod platform;
+mod precise;
 mod projection;
 mod queries;
 mod save;

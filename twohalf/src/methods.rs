@@ -13,6 +13,18 @@ pub enum DepthScheme {
     /// in X and Y, and the same impulses along Z inside the same iterations. Balls are balls.
     #[default]
     Faithful,
+    /// The [precise set](farseer_core::Methods::Precise) of the 2D engine in three axes: all of its contacts, sleep, islands and
+    /// bounded work, with the lengths of a screen (32 px). Balls are balls, and turn about all axes. More exact and several times
+    /// faster than `Faithful`.
+    ///
+    /// What is different from `Faithful`, besides what the precise set itself does otherwise: things come to rest and
+    /// [sleep](farseer_core::PhysicsSimulator::is_asleep); a collision becomes an [event](crate::Event::Collision) when it begins,
+    /// as with the precise set in the plane, and lasting ones are in
+    /// [`contacts`](crate::TwoHalfPhysicsSimulator::contacts); a contact that is slower than 32 px/s does not bounce; fronts and
+    /// backs touch in one point, in the middle of what they have in common; handlers that
+    /// [are asked about pairs](crate::EventHandler::handles_broad_phase) are asked once two boxes with their margins overlap; and
+    /// nothing that is faster than its own size in a step passes what stands still.
+    Precise,
     /// The thesis' own scheme (thesis 3.5), to compare with: objects whose depths differ by less than half the
     /// smaller depth meet in X and Y, as outlines; all others meet along Z only, when their footprints and their
     /// height intervals overlap, without friction. Nothing ever meets in all three axes, and a ball that is met

@@ -161,6 +161,39 @@ impl CoreHandler for PlaneHandler<'_, '_> {
         true
     }
 
+    fn handles_broad_phase(&self) -> bool {
+        // Otherwise it is asked where depths overlap: see `accepts_pair`.
+        self.world.scheme == DepthScheme::Precise
+            && self.handler.as_ref().is_some_and(|handler| handler.handles_broad_phase())
+    }
+
+    fn on_broad_phase_collision(
+        &mut self,
+        context: &mut farseer_core::Context<'_>,
+        geom1: GeomId,
+        geom2: GeomId,
+    ) -> bool {
+        let Some(handler) = &mut self.handler else { return true };
+        let accepted =
+            handler.on_broad_phase_collision(&mut Context::within(context, self.world), geom1, geom2);
+        self.world.tell_depths(context.simulator_mut());
+        if !accepted {
+            self.world.events.push(Event::BroadPhaseVeto { geom1, geom2 });
+        }
+        accepted
+    }
+
+    fn on_space_moved(&mut self, context: &mut farseer_core::Context<'_>) {
+        self.world.read_depths(context.simulator());
+    }
+
+    fn on_space_touches(&mut self, context: &mut farseer_core::Context<'_>) -> Vec<usize> {
+        match &mut self.handler {
+            Some(handler) => self.world.ask_about_touches(context, &mut **handler),
+            None => Vec::new(),
+        }
+    }
+
     fn accepts_pair(
         &mut self,
         context: &mut farseer_core::Context<'_>,

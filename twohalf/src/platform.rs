@@ -8,9 +8,23 @@ use crate::error::{invalid, stale};
 use crate::shapes::SlantedBox;
 use crate::{Projection, Result, TextureId, TwoHalfPhysicsSimulator, Vector3};
 
+/// So many platforms a simulator may have had.
+const MOST: u32 = (1 << 31) - 16;
+
 /// Names a platform of a simulator. Never reused.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub struct PlatformId(u32);
+
+impl PlatformId {
+    /// As the 2D engine below knows it.
+    pub(crate) fn number(self) -> u32 {
+        self.0
+    }
+
+    pub(crate) fn from_number(number: u32) -> Self {
+        PlatformId(number)
+    }
+}
 
 /// An immovable box: width along X, height, and depth along Z, in px.
 ///
@@ -256,12 +270,13 @@ impl PlatformMut<'_> {
 
     fn set(&mut self, platform: Platform) -> Result<()> {
         self.platforms.list[self.index].1 = platform.shaped(self.projection)?;
-        self.platforms.is_sorted = false;
+        (self.platforms.is_sorted, self.platforms.is_told) = (false, false);
         Ok(())
     }
 
     /// How it collides, to be changed: friction, restitution, categories, group, response.
     pub fn settings_mut(&mut self) -> &mut Geom {
+        self.platforms.is_told = false;
         &mut self.platforms.list[self.index].1.settings
     }
 }
@@ -275,6 +290,9 @@ pub(crate) struct Platforms {
     /// Derived: for the search by X.
     #[serde(skip)]
     is_sorted: bool,
+    /// The precise set knows them as they are.
+    #[serde(skip)]
+    is_told: bool,
     /// Bounds along X with the index into the list, by the left one, and the greatest right one up to here.
     #[serde(skip)]
     by_left: Vec<(f32, f32, u32)>,
@@ -283,23 +301,26 @@ pub(crate) struct Platforms {
 impl Platforms {
     pub(crate) fn insert(&mut self, platform: Platform) -> Result<PlatformId> {
         let id = PlatformId(self.next);
-        self.next =
-            self.next.checked_add(1).ok_or(invalid("platform", self.next, "one of fewer than 2^32"))?;
+        self.next = self.next.checked_add(1).filter(|&next| next < MOST).ok_or(invalid(
+            "platform",
+            self.next,
+            "one of fewer than 2^31 - 16",
+        ))?;
         self.list.push((id, platform));
-        self.is_sorted = false;
+        (self.is_sorted, self.is_told) = (false, false);
         Ok(id)
     }
 
     pub(crate) fn remove(&mut self, id: PlatformId) -> Result<()> {
         let index = self.index_of(id).ok_or(stale("platform"))?;
         self.list.remove(index);
-        self.is_sorted = false;
+        (self.is_sorted, self.is_told) = (false, false);
         Ok(())
     }
 
     pub(crate) fn clear(&mut self) {
         self.list.clear();
-        self.is_sorted = false;
+        (self.is_sorted, self.is_told) = (false, false);
     }
 
     pub(crate) fn index_of(&self, id: PlatformId) -> Option<usize> {
@@ -312,6 +333,16 @@ impl Platforms {
 
     pub(crate) fn iter(&self) -> impl DoubleEndedIterator<Item = (PlatformId, &Platform)> {
         self.list.iter().map(|(id, platform)| (*id, platform))
+    }
+
+    /// The precise set does not know them any more.
+    pub(crate) fn tell_again(&mut self) {
+        self.is_told = false;
+    }
+
+    /// Whether one has come, gone or been edited since this was asked last.
+    pub(crate) fn take_changed(&mut self) -> bool {
+        !std::mem::replace(&mut self.is_told, true)
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -362,7 +393,7 @@ impl Platforms {
     /// Whether everything is what the constructors could have made: false only after loading garbage. Computes the
     /// shapes anew.
     pub(crate) fn restore(&mut self, projection: &Projection) -> bool {
-        self.is_sorted = false;
+        (self.is_sorted, self.is_told) = (false, false);
         let in_order = self.list.windows(2).all(|pair| pair[0].0 < pair[1].0)
             && self.list.last().is_none_or(|(id, _)| id.0 < self.next);
         let are_valid = self.list.iter_mut().all(|(_, platform)| {

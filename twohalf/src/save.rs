@@ -67,14 +67,15 @@ impl TwoHalfPhysicsSimulator {
         }
         let has_its_box = |geom| match (world.depths.profiles.get(geom), world.scheme) {
             // Where a ball's box would not be finite it keeps that of its outline.
-            (Some(DepthProfile::Round { radius }), DepthScheme::Faithful) => core
+            (Some(DepthProfile::Round { radius }), DepthScheme::Faithful | DepthScheme::Precise) => core
                 .geom(geom)
                 .and_then(|geom| geom.box_radius())
                 .is_none_or(|box_radius| box_radius == *radius),
             _ => true,
         };
-        if !matches!(core.methods(), farseer_core::Methods::Faithful { .. }) {
-            return Err(damaged("the methods of the plane have no stages to build on"));
+        let is_precise = matches!(core.methods(), farseer_core::Methods::Precise { .. });
+        if is_precise != (world.scheme == DepthScheme::Precise) || is_precise != core.is_in_space() {
+            return Err(damaged("the methods of the plane are not those of the scheme"));
         }
         if !core.geoms().all(has_its_box) {
             return Err(damaged("the box of a ball is not that of a ball"));

@@ -5,7 +5,7 @@ use farseer_core::{Body, BodyId, Geom, GeomId, GeomPlacement, Limits, ObjectId, 
 use serde::Serialize;
 
 use crate::body::TwoHalfBody;
-use crate::depth::{DepthBody, DepthProfile, Depths};
+use crate::depth::{DepthProfile, Depths};
 use crate::error::{invalid, stale};
 use crate::events::Event;
 use crate::geom::TwoHalfGeom;
@@ -106,11 +106,15 @@ impl TwoHalfPhysicsSimulator {
     }
 }
 
+/// Size of what a player looks at, in px: see [`farseer_core::Methods::Precise`].
+const LENGTH_UNIT: f32 = 32.0;
+
 /// Gives a body of the 2D engine and its geoms their depth, unless they have it.
 fn adopt_body(core: &PhysicsSimulator, depths: &mut Depths, body: BodyId) {
     if depths.bodies.get(body).is_none() {
-        depths.bodies.insert(body, DepthBody::default());
+        depths.insert_body(body);
     }
+    depths.edit(body);
     for &id in core.geoms_of(body) {
         if let (None, Some(geom)) = (depths.profiles.get(id), core.geom(id)) {
             depths.profiles.insert(id, DepthProfile::default_of(geom));
@@ -230,6 +234,13 @@ impl TwoHalfPhysicsSimulator {
         if !self.core.geom_list().is_empty() {
             return Err(farseer_core::Error::GeomListNotEmpty.into());
         }
+        if scheme == DepthScheme::Precise {
+            self.core.enter_space(LENGTH_UNIT)?;
+        } else if self.world.scheme == DepthScheme::Precise {
+            self.core.set_methods(farseer_core::Methods::default())?;
+        }
+        self.world.platforms.tell_again();
+        self.world.depths.is_told = false;
         self.world.scheme = scheme;
         let geoms: Vec<GeomId> = self.core.geoms().collect();
         for geom in geoms {
@@ -284,7 +295,7 @@ impl TwoHalfPhysicsSimulator {
     #[doc(alias = "TwoHalfBody(TwoHalfPhysicsSimulator)")]
     pub fn create_body(&mut self, body: Body) -> BodyId {
         let body = self.core.create_body(body);
-        self.world.depths.bodies.insert(body, DepthBody::default());
+        self.world.depths.insert_body(body);
         body
     }
 
@@ -336,9 +347,10 @@ impl TwoHalfPhysicsSimulator {
         self.fit_box(copy);
         let owner = self.core.geom(geom).map(|geom| geom.body());
         let ground_of = |body: Option<BodyId>| self.world.depths.bodies.get(body?).map(|state| state.ground);
-        if ground_of(owner).is_some_and(|ground| ground.object_geom() == Some(geom)) {
-            let ground = &mut self.world.depths.bodies[body].ground;
-            ground.adopt_object(copy);
+        if ground_of(owner).is_some_and(|ground| ground.object_geom() == Some(geom))
+            && let Some(state) = self.world.depths.edit(body)
+        {
+            state.ground.adopt_object(copy);
         }
         Ok(copy)
     }
@@ -381,6 +393,10 @@ impl TwoHalfPhysicsSimulator {
     #[doc(alias = "Clear")]
     pub fn clear(&mut self) {
         self.core.clear();
+        if self.world.scheme == DepthScheme::Precise {
+            // The methods stay the same: nothing can be refused.
+            let _ = self.core.enter_space(LENGTH_UNIT);
+        }
         let world = &mut self.world;
         world.depths = Depths::default();
         world.platforms.clear();
@@ -420,9 +436,10 @@ impl TwoHalfPhysicsSimulator {
     pub fn set_body(&mut self, geom: GeomId, body: BodyId) -> Result<()> {
         let old = self.core.geom(geom).map(|geom| geom.body()).filter(|old| *old != body);
         self.core.set_body(geom, body)?;
-        if let Some(state) = old.and_then(|old| self.world.depths.bodies.get_mut(old)) {
+        if let Some(state) = old.and_then(|old| self.world.depths.edit(old)) {
             state.ground.let_go_of(geom);
         }
+        self.world.depths.edit(body);
         Ok(())
     }
 
@@ -478,7 +495,7 @@ impl TwoHalfPhysicsSimulator {
     /// A stale id; a depth that is not finite and 0 or more; a radius that is not finite and greater than 0, or so
     /// great that the ball does not end at finite X and Y where it is.
     pub fn set_depth_profile(&mut self, geom: GeomId, profile: DepthProfile) -> Result<()> {
-        self.core.geom(geom).ok_or(stale("geom"))?;
+        let body = self.core.geom(geom).ok_or(stale("geom"))?.body();
         let profile = profile.check()?;
         match self.box_radius_of(profile) {
             Some(radius) => self.core.set_box_radius(geom, Some(radius)).map_err(Error::from)?,
@@ -486,13 +503,14 @@ impl TwoHalfPhysicsSimulator {
             None => _ = self.core.set_box_radius(geom, None),
         }
         self.world.depths.profiles.insert(geom, profile);
+        self.world.depths.edit(body);
         Ok(())
     }
 
     /// A ball has the box of a ball while balls are balls; others have that of their outline.
     fn box_radius_of(&self, profile: DepthProfile) -> Option<f32> {
         match (profile, self.world.scheme) {
-            (DepthProfile::Round { radius }, DepthScheme::Faithful) => Some(radius),
+            (DepthProfile::Round { radius }, DepthScheme::Faithful | DepthScheme::Precise) => Some(radius),
             _ => None,
         }
     }

@@ -61,6 +61,9 @@ impl TwoHalfPhysicsSimulator {
     }
 
     fn run(&mut self, dt: f32, mut handler: Option<&mut dyn EventHandler>) {
+        if self.world.scheme == crate::DepthScheme::Precise {
+            return self.run_precise(dt, handler);
+        }
         let TwoHalfPhysicsSimulator { core, world } = self;
         world.begin();
         let mut meeting = PlaneHandler { world: &mut *world, handler: reborrow(&mut handler) };
@@ -82,7 +85,7 @@ impl TwoHalfPhysicsSimulator {
 
 impl World {
     /// What was refused between updates.
-    fn tell_pending(&mut self) {
+    pub(crate) fn tell_pending(&mut self) {
         if std::mem::take(&mut self.has_rejected) {
             for (body, state) in self.depths.bodies.iter_mut() {
                 let told = |argument| Event::RejectedInput { object: Some(body.into()), argument };
@@ -215,7 +218,7 @@ impl World {
     }
 
     /// Takes over what the 2D engine has reported since the last time.
-    fn take_events(&mut self, core: &PhysicsSimulator) {
+    pub(crate) fn take_events(&mut self, core: &PhysicsSimulator) {
         // Collisions come in the order of the list, those of a pair together: the older geom's first.
         let mut next = 0;
         let (mut vetoed_before, mut halved_before) = (0, 0);
@@ -259,7 +262,7 @@ impl World {
     }
 
     /// Fills in what is known only now: impulses, supports and counters.
-    fn finish(&mut self, core: &PhysicsSimulator) {
+    pub(crate) fn finish(&mut self, core: &PhysicsSimulator) {
         self.update.is_running = false;
         self.fill_impulses(core);
         self.find_supports(core);
@@ -280,7 +283,7 @@ impl World {
 
 /// Takes a body out of the simulation whose state would not have been finite.
 #[cold]
-fn disable(core: &mut PhysicsSimulator, id: BodyId) {
+pub(crate) fn disable(core: &mut PhysicsSimulator, id: BodyId) {
     if let Some(body) = core.body_mut(id) {
         body.set_enabled(false);
         core.report(CoreEvent::NotFinite { body: id, disabled: true });

@@ -95,7 +95,11 @@ impl World {
     }
 
     /// Contacts of the last update that are gone, unless they ended by something else than parting.
-    fn tell_separated(&mut self, core: &mut PhysicsSimulator, handler: &mut Option<&mut dyn EventHandler>) {
+    pub(crate) fn tell_separated(
+        &mut self,
+        core: &mut PhysicsSimulator,
+        handler: &mut Option<&mut dyn EventHandler>,
+    ) {
         for index in 0..self.last.touches.len() {
             let touch = self.last.touches[index];
             if touch.is_plane() || self.touches.find(touch.key).is_some() || !self.is_alive(core, &touch) {

@@ -194,6 +194,15 @@ impl Bodies {
         self.push(id, body, [0.0; 2]);
     }
 
+    /// Something that stands still and is no body comes last.
+    pub(super) fn add_fixture(&mut self, pose: Pose, rotation: f32) {
+        self.push_dummy();
+        self.poses.pop();
+        self.rotations.pop();
+        self.poses.push(pose);
+        self.rotations.push(rotation);
+    }
+
     /// One that can be pushed comes behind the others, if there is room: answers its number.
     pub(super) fn add_movable(&mut self, id: BodyId, body: &Body) -> Option<usize> {
         let number = self.count + 1;

@@ -23,16 +23,17 @@ const EXACT: f32 = 0.1;
 const ADVANCES: usize = 32;
 
 /// A convex piece on its way through a step.
-struct Flyer<'a> {
-    outline: Outline<'a>,
-    pose: Pose,
+#[derive(Clone, Copy)]
+pub(super) struct Flyer<'a> {
+    pub(super) outline: Outline<'a>,
+    pub(super) pose: Pose,
     /// Way and angle of the whole step.
-    path: [f32; 4],
+    pub(super) path: [f32; 4],
 }
 
 impl Flyer<'_> {
     /// Where it is after a part of the step.
-    fn at(&self, part: f32) -> Pose {
+    pub(super) fn at(&self, part: f32) -> Pose {
         let ([x, y, c, s], [dx, dy, turned, _]) = (self.pose, self.path);
         if turned == 0.0 {
             return [x + part * dx, y + part * dy, c, s];
@@ -50,21 +51,21 @@ impl Flyer<'_> {
     }
 
     /// How far it reaches in a direction.
-    fn support(&self, pose: Pose, direction: Vector) -> f32 {
+    pub(super) fn support(&self, pose: Pose, direction: Vector) -> f32 {
         let along = self.corners(pose).map(|corner| dot(corner, direction));
         along.fold(f32::MIN, |most, one| if one > most { one } else { most }) + self.outline.shape.radius
     }
 }
 
 /// Two pieces.
-struct Two<'a> {
-    a: Flyer<'a>,
-    b: Flyer<'a>,
+pub(super) struct Two<'a> {
+    pub(super) a: Flyer<'a>,
+    pub(super) b: Flyer<'a>,
 }
 
 impl Two<'_> {
     /// Distance of the two along the axis that separates them best, negative if they overlap; and that axis, from A to B.
-    fn separation(&self, part: f32) -> (f32, Vector) {
+    pub(super) fn separation(&self, part: f32) -> (f32, Vector) {
         let (pose_a, pose_b) = (self.a.at(part), self.b.at(part));
         let mut best = (f32::MIN, [0.0, 1.0]);
         let mut consider = |axis: Vector| {
@@ -93,29 +94,12 @@ impl Two<'_> {
         best
     }
 
-    /// After which part of the step the two are in each other by `deep`, or by that much deeper than when it began; `None` if
-    /// they never are.
-    fn meet(&self, deep: f32, exact: f32) -> Option<f32> {
+    /// Distance after a part of the step, and how fast it can become less, in lengths per step.
+    fn coming(&self, part: f32) -> (f32, f32) {
         let way = difference(place(self.b.path), place(self.a.path));
         let turning = |flyer: &Flyer<'_>| flyer.path[2].abs() * flyer.outline.shape.reach;
-        let turning = turning(&self.a) + turning(&self.b);
-        let (mut part, mut allowed) = (0.0, None);
-        for _ in 0..ADVANCES {
-            let (apart, axis) = self.separation(part);
-            let room = apart + *allowed.get_or_insert(if apart < 0.0 { deep - apart } else { deep });
-            if room <= exact {
-                return Some(part);
-            }
-            let closing = turning - dot(way, axis);
-            if closing <= 0.0 {
-                return None;
-            }
-            part += room / closing;
-            if part >= 1.0 || part.is_nan() {
-                return None;
-            }
-        }
-        Some(part)
+        let (apart, axis) = self.separation(part);
+        (apart, turning(&self.a) + turning(&self.b) - dot(way, axis))
     }
 
     /// Whether A is an edge of a chain that B comes from behind.
@@ -132,9 +116,30 @@ impl Two<'_> {
     }
 }
 
+/// After which part of the step two are in each other by `deep`, or by that much deeper than when it began; `None` if they
+/// never are. Asked for a part, the two tell how far they are apart, and how fast that can become less.
+fn meet(deep: f32, exact: f32, coming: impl Fn(f32) -> (f32, f32)) -> Option<f32> {
+    let (mut part, mut allowed) = (0.0, None);
+    for _ in 0..ADVANCES {
+        let (apart, closing) = coming(part);
+        let room = apart + *allowed.get_or_insert(if apart < 0.0 { deep - apart } else { deep });
+        if room <= exact {
+            return Some(part);
+        }
+        if closing <= 0.0 {
+            return None;
+        }
+        part += room / closing;
+        if part >= 1.0 || part.is_nan() {
+            return None;
+        }
+    }
+    Some(part)
+}
+
 /// Whether the path of a body is longer than it is thick, and still a number that is of use.
-fn is_fast([x, y, turned, _]: [f32; 4], reach: f32, core: f32) -> bool {
-    let way = x.abs() + y.abs() + reach * turned.abs();
+fn is_fast([x, y, turned, z]: [f32; 4], reach: f32, core: f32) -> bool {
+    let way = x.abs() + y.abs() + z.abs() + reach * turned.abs();
     way > core && way < 1e18
 }
 
@@ -144,11 +149,14 @@ impl Precise {
     pub(crate) fn find_fast(&mut self) -> bool {
         self.fast.clear();
         self.flown.clear();
+        // In three axes what overlaps does not tell on which way it came in: nothing is to get far into what stands still.
+        let most = if self.space.is_some() { self.tuning.speculative } else { f32::MAX };
         let Precise { bodies, sleep, fast, .. } = self;
         for run in &sleep.bodies {
             let (paths, reaches) = (&bodies.path[run.clone()], &bodies.reaches[run.clone()]);
             let of = run.clone().zip(paths).zip(reaches).zip(&bodies.cores[run.clone()]);
             for (((number, &path), &reach), &core) in of {
+                let core = if core < most { core } else { most };
                 if is_fast(path, reach, core) && !sleep.is_asleep(number) && !bodies.is_kinematic(number) {
                     fast.push((number as u32, 1.0));
                 }
@@ -161,24 +169,29 @@ impl Precise {
             let low = |from: f32, way: f32| (if way < 0.0 { from + way } else { from }) - around;
             let high = |from: f32, way: f32| (if way < 0.0 { from } else { from + way }) + around;
             let swept = [low(x, dx), low(y, dy), high(x, dx), high(y, dy)];
+            let dz = self.bodies.path[number][3];
             let mut proxies = std::mem::take(&mut self.lost);
             proxies.extend(self.proxies.of(number));
-            proxies.drain(..).for_each(|proxy| self.widen_by(proxy, swept));
+            proxies.drain(..).for_each(|proxy| self.widen_by(proxy, swept, dz));
             self.lost = proxies;
         }
         !self.fast.is_empty()
     }
 
-    fn widen_by(&mut self, proxy: u32, [low_x, low_y, high_x, high_y]: [f32; 4]) {
+    fn widen_by(&mut self, proxy: u32, [low_x, low_y, high_x, high_y]: [f32; 4], dz: f32) {
         let [x, y, to_x, to_y] = self.proxies.bounds[proxy as usize];
-        if x <= low_x && y <= low_y && to_x >= high_x && to_y >= high_y {
+        let body = self.proxies.all[proxy as usize].body;
+        let is_deeper =
+            self.space.as_mut().is_some_and(|space| space.widen_by(proxy, body, dz, self.tuning.speculative));
+        if x <= low_x && y <= low_y && to_x >= high_x && to_y >= high_y && !is_deeper {
             return;
         }
         let least = |a: f32, b: f32| if a < b { a } else { b };
         let most = |a: f32, b: f32| if a > b { a } else { b };
         let bounds = [least(x, low_x), least(y, low_y), most(to_x, high_x), most(to_y, high_y)];
         self.proxies.bounds[proxy as usize] = bounds;
-        self.grid.set(proxy, &bounds);
+        let cells = self.space.as_ref().map_or(bounds, |space| space.cells(proxy, &bounds));
+        self.grid.set(proxy, &cells);
         self.widened.push(proxy);
     }
 
@@ -227,10 +240,19 @@ impl Precise {
         let is_bullet = self.bodies.are_bullets[body];
         let other = if a == body { b } else { a };
         let stands_still = mobility != Mobility::Dynamic || self.sleep.is_asleep(other);
-        state.responds && !state.is_vetoed && (stands_still || is_bullet)
+        // In three axes who touches something is kept out of it by its contacts.
+        let is_kept_out = self.space.is_some() && self.pairs.frozen[pair].count > 0;
+        state.responds && !state.is_vetoed && (stands_still || is_bullet) && !is_kept_out
     }
 
     fn meeting(&self, pair: usize) -> Option<f32> {
+        let reach = self.tuning.speculative;
+        if let Some(space) = &self.space {
+            let proxies = self.pairs.watched[pair].proxies;
+            return meet(DEEP * reach, EXACT * reach, |part| {
+                space.coming(proxies, &self.proxies, &self.bodies, part)
+            });
+        }
         let flyer = |proxy: u32| {
             let proxy = &self.proxies.all[proxy as usize];
             let path = self.bodies.path.get(proxy.body as usize).copied().unwrap_or_default();
@@ -239,12 +261,14 @@ impl Precise {
         };
         let [a, b] = self.pairs.watched[pair].proxies.map(flyer);
         let two = Two { a, b };
-        let reach = self.tuning.speculative;
-        if two.is_free() { None } else { two.meet(DEEP * reach, EXACT * reach) }
+        if two.is_free() { None } else { meet(DEEP * reach, EXACT * reach, |part| two.coming(part)) }
     }
 
     /// Notes the sensors that those who are fast pass in this step: outside of them before, and after.
     fn note_flown(&mut self, fast: &[(u32, f32)]) {
+        if self.space.is_some() {
+            return;
+        }
         for &(number, part) in fast {
             for proxy in self.proxies.of(number as usize) {
                 for pair in self.pairs.of(proxy) {

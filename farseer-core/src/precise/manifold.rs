@@ -26,6 +26,10 @@ pub(super) struct Manifold {
     pub(super) features: [u32; 2],
     /// Whether the normal is that of an edge of B.
     pub(super) is_of_b: bool,
+    /// In three axes: part of the normal along the depth axis, and how far from its point a face that presses along that has its
+    /// pressure.
+    pub(super) normal_z: f32,
+    pub(super) spread: f32,
     /// If there are no points: the outlines are at least this far apart, or this is 0.
     pub(super) gap: f32,
 }

@@ -3,6 +3,7 @@
 
 use super::Precise;
 use super::nearby::Loose;
+use super::space::parts::is_geom;
 use super::sync::{NONE, set};
 use crate::body::BodyId;
 use crate::geom::GeomId;
@@ -63,7 +64,7 @@ impl Precise {
         pairs.dedup();
         for pair in pairs {
             if self.pairs.all[pair].home.is_some() {
-                self.note_waking(pair);
+                self.sides(pair).into_iter().for_each(|(body, _)| self.sleep.note_loss(body));
             }
             self.touch().forget_pair(pair);
         }
@@ -99,6 +100,7 @@ impl Precise {
         set(&mut self.body_numbers, id.slot(), number as u32);
         self.palette.add(number, self.bodies.inverses[number]);
         self.sleep.add(number);
+        self.add_body_in_space(number, id);
     }
 
     /// A geom by its place in the list.
@@ -115,6 +117,9 @@ impl Precise {
             };
             if piece == 0 {
                 set(&mut self.first_proxies, id.slot(), place as u32);
+            }
+            if let Some(space) = &mut self.space {
+                space.add_proxy(place, id);
             }
             let count = self.proxies.all.len();
             self.known.resize(count, false);
@@ -221,15 +226,17 @@ impl Members {
             }
             (*last, seen) = (pieces.end, seen + pieces.len());
         }
-        if seen < proxies.live {
+        let live = proxies.live - precise.fixture_count();
+        if seen < live {
             let is_gone = |&at: &usize| {
                 let proxy = &proxies.all[at];
-                let is_listed = objects.geoms.life(proxy.geom).is_some_and(|life| life.is_listed);
+                let is_listed =
+                    !is_geom(proxy.geom) || objects.geoms.life(proxy.geom).is_some_and(|life| life.is_listed);
                 !(proxy.is_empty() || is_listed)
             };
             self.gone_proxies.extend((0..proxies.all.len()).filter(is_gone).map(|at| at as u32));
         }
-        (seen + self.gone_proxies.len() == proxies.live).then_some(())
+        (seen + self.gone_proxies.len() == live).then_some(())
     }
 
     /// Whether bodies that can be pushed come and go with all that they have.
@@ -244,6 +251,12 @@ impl Members {
             let known = body.and_then(|body| precise.number_of(body));
             known.is_none_or(|number| number >= precise.bodies.first_fixed())
         };
+        // What stands still is listed before fixtures.
+        let is_new =
+            |&at: &usize| objects.geoms.at(at).is_some_and(|(_, geom)| self.new_bodies.contains(&geom.body));
+        if precise.fixture_count() > 0 && !self.new_geoms.iter().all(is_new) {
+            return false;
+        }
         self.gone_bodies.iter().all(|&number| precise.proxies.of(number).all(has_gone))
             && self.gone_proxies.iter().all(goes)
             && self.new_geoms.iter().all(comes)

@@ -10,6 +10,8 @@
 //!    substeps ([`passes`]), and bodies written ([`moving`]);
 //! 6. what has come to rest falls asleep ([`sleep`]), until something wakes it ([`wake`]).
 //!
+//! For an engine on top of this one all of it works in three axes ([`space`]).
+//!
 //! Lengths are the user's; the numbers of the method are parts of one length ([`tuning`]).
 
 mod bodies;
@@ -32,6 +34,7 @@ mod rows;
 mod saved;
 mod seams;
 mod sleep;
+pub(crate) mod space;
 mod step;
 mod sync;
 mod telling;
@@ -60,6 +63,7 @@ use pairs::Pairs;
 use proxies::Proxies;
 use rows::{Palette, Rows};
 use sleep::Sleep;
+use space::Space;
 use touch::{Change, Looks, Touch};
 use tuning::Tuning;
 
@@ -94,6 +98,8 @@ pub(crate) struct Precise {
     joints: Joints,
     sleep: Sleep,
     direct: Direct,
+    /// The depth axis, for an engine that has it.
+    space: Option<Box<Space>>,
     /// Numbers of bodies and first proxies of geoms, by slot.
     body_numbers: Vec<u32>,
     first_proxies: Vec<u32>,
@@ -126,7 +132,7 @@ pub(crate) struct Precise {
 reusing_clone! {
     Precise {
         tuning, h, dt, fall, loaded, is_stale, has_new_members, bounces, friction, most_contacts, bodies, proxies,
-        grid, pairs, rows, palette, joints, sleep, direct, body_numbers, first_proxies, loose, absent,
+        grid, pairs, rows, palette, joints, sleep, direct, space, body_numbers, first_proxies, loose, absent,
         edited_bodies, edited_geoms, changes, looks, has_handled, fast, flown, widened, lost, found, known, touching
     }
 }
@@ -154,6 +160,7 @@ impl Precise {
             joints: Joints::default(),
             sleep: Sleep::default(),
             direct: Direct::default(),
+            space: None,
             body_numbers: Vec::new(),
             first_proxies: Vec::new(),
             loose: Vec::new(),
@@ -183,6 +190,7 @@ impl Precise {
             palette: &mut self.palette,
             sleep: &mut self.sleep,
             direct: &mut self.direct,
+            space: self.space.as_deref(),
             tuning: &self.tuning,
             friction: self.friction,
             most_contacts: self.most_contacts as usize,

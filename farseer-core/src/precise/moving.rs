@@ -7,7 +7,7 @@ use wide::f32x4;
 use super::bodies::{Bodies, Hot, turn_of};
 use super::joints::Joints;
 use super::proxies::Proxies;
-use super::rows::{Palette, Point, Row};
+use super::rows::{Contacts, Palette, Point, Row};
 use super::tuning::{Step, Tuning};
 use crate::math::lanes::{gather, select};
 
@@ -83,9 +83,9 @@ pub(super) fn even_out(
     let is_single = |&body: &usize| palette.is_single(body) && !joints.holds(body);
     for body in runs.iter().cloned().flatten().filter(is_single) {
         let change = f32x4::new(bodies.hot[body].velocity) - f32x4::new(bodies.before[body]);
-        let [x, y, ..] = change.to_array();
-        let [px, py, ..] = bodies.push[body];
-        if x * x + y * y <= most * most * (px * px + py * py) {
+        let [x, y, _, z] = change.to_array();
+        let [px, py, _, pz] = bodies.push[body];
+        if x * x + y * y + z * z <= most * most * (px * px + py * py + pz * pz) {
             let mut path = f32x4::new(bodies.path[body]) + change * f32x4::splat(back);
             if palette.is_free(body) {
                 path += f32x4::new(bodies.forced[body]);
@@ -98,31 +98,39 @@ pub(super) fn even_out(
 /// A bounce of two that touch nothing else, in closed form where it turns neither: they fly until they meet, and leave each
 /// other for the rest of the step. What turns them stands still along the normal for this step instead: then a step with
 /// restitution 1 is the mirror image of itself. Either way no energy is won or lost over ten thousand steps.
-pub(super) fn leave<const P: usize>(
+pub(super) fn leave<const P: usize, R: Contacts<P>>(
     bodies: &mut Bodies,
     hot: &mut [Hot],
     (palette, joints): (&Palette, &Joints),
     step: &Step,
-    row: &Row<P>,
+    contacts: &R,
     lanes: u32,
 ) {
+    let row = contacts.row();
     for lane in (0..4).filter(|lane| lanes >> lane & 1 == 1) {
         let bodies_of = [row.a[lane] as usize, row.b[lane] as usize];
         let is_alone = |body: usize| body == 0 || (palette.is_single(body) && !joints.holds(body));
         if bodies_of.into_iter().all(is_alone) {
-            leave_one(bodies, hot, step, row, lane);
+            leave_one(bodies, hot, step, contacts, lane);
         }
     }
 }
 
-fn leave_one<const P: usize>(bodies: &mut Bodies, hot: &mut [Hot], step: &Step, row: &Row<P>, lane: usize) {
+fn leave_one<const P: usize, R: Contacts<P>>(
+    bodies: &mut Bodies,
+    hot: &mut [Hot],
+    step: &Step,
+    contacts: &R,
+    lane: usize,
+) {
+    let row = contacts.row();
     let [a, b] = [row.a[lane] as usize, row.b[lane] as usize];
     let of = |lanes: &f32x4| lanes.as_array()[lane];
     let (mass_a, mass_b) = (of(&row.inverse_mass_a), of(&row.inverse_mass_b));
-    let normal = f32x4::new([of(&row.normal_x), of(&row.normal_y), 0.0, 0.0]);
+    let normal = f32x4::new([of(&row.normal_x), of(&row.normal_y), 0.0, of(&contacts.normal_z())]);
     let along = |change: f32x4| {
-        let [x, y, ..] = (change * normal).to_array();
-        x + y
+        let [x, y, _, z] = (change * normal).to_array();
+        x + y + z
     };
     // Moves both against each other along the normal, by their masses.
     let share = |amount: f32| {
@@ -229,7 +237,7 @@ pub(super) fn follow(proxies: &mut Proxies, bodies: &Bodies, runs: &[Range<usize
         let of = &all[four..four + 4];
         let places: [u32; 4] = std::array::from_fn(|lane| of[lane].body);
         let [x, y, c, s] = gather(&bodies.poses, &places);
-        let [dx, dy, turned, _] = gather(&bodies.path, &places);
+        let [dx, dy, turned, dz] = gather(&bodies.path, &places);
         let [cx, cy, hx, hy] = gather(boxes, &std::array::from_fn(|lane| (four + lane) as u32));
         let radius = f32x4::new(std::array::from_fn(|lane| of[lane].shape.radius));
         let reach = f32x4::new(std::array::from_fn(|lane| of[lane].shape.reach));
@@ -242,7 +250,7 @@ pub(super) fn follow(proxies: &mut Proxies, bodies: &Bodies, runs: &[Range<usize
             | (y - ey).simd_lt(low_y)
             | (x + ex).simd_gt(high_x)
             | (y + ey).simd_gt(high_y);
-        let way = (dx.abs() + dy.abs() + reach * turned.abs()) * scale + f32x4::splat(0.999);
+        let way = (dx.abs() + dy.abs() + dz.abs() + reach * turned.abs()) * scale + f32x4::splat(0.999);
         let most = f32x4::splat(1e9);
         let way = select(way.simd_lt(most), way, most).to_array();
         for (motion, way) in motion[four..four + 4].iter_mut().zip(way) {

@@ -30,7 +30,12 @@ impl Precise {
         // Also if it is not a number.
         let is_near = far < FAR;
         let is_behind = self.is_stale || self.has_new_members || self.loaded.is_some();
-        if is_behind || objects.has_new_structure || objects.has_new_members || !is_near {
+        if is_behind
+            || self.space.is_some()
+            || objects.has_new_structure
+            || objects.has_new_members
+            || !is_near
+        {
             return None;
         }
         let slack = ROUNDINGS * far;

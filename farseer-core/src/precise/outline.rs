@@ -39,6 +39,19 @@ pub(super) struct Shape {
     pub(super) reach: f32,
 }
 
+impl Shape {
+    /// The same with a box and a reach that are so much longer on all sides.
+    pub(super) fn leaning(self, lean: f32) -> Self {
+        let [x, y] = self.half;
+        Shape {
+            half: [x + lean, y + lean],
+            reach: self.reach + lean,
+            is_box: self.is_box && lean == 0.0,
+            ..self
+        }
+    }
+}
+
 /// Corners and outward normals of all polygons.
 #[derive(Debug, Default)]
 pub(super) struct Corners {
@@ -122,6 +135,16 @@ impl Corners {
                 self.add_polygon(simplified(corners.iter().map(|&corner| to_body(corner)).collect()))
             }
         }
+    }
+
+    /// A box about the body's origin, with these halves of its sides.
+    pub(super) fn add_box(&mut self, [x, y]: Vector) -> Shape {
+        self.add_polygon(vec![[-x, -y], [x, -y], [x, y], [-x, y]])
+    }
+
+    /// A convex polygon about the body's origin.
+    pub(super) fn add_hull(&mut self, corners: &[Vector]) -> Shape {
+        self.add_polygon(corners.to_vec())
     }
 
     /// One that is so small, or so far from the body's origin, that its ends are one place is a circle.

@@ -1,5 +1,7 @@
 //! Pairs of proxies whose bounds overlap: they stay until the bounds part, and know what touched when.
 
+use serde::{Deserialize, Serialize};
+
 use super::rows::{Home, Kind};
 use crate::math::plane::Vector;
 use crate::storage::reusing_clone::reusing_clone;
@@ -33,6 +35,17 @@ pub(super) struct Frozen {
     /// How far the arms of B's corners are turned on from then, to where they are in the middle of the step: where a body rolls
     /// over a corner on what does not give way, arms from before the step would take energy from it in every step.
     pub(super) lead: f32,
+    /// In three axes.
+    pub(super) space: FrozenInSpace,
+}
+
+/// What contacts in three axes have beside that.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub(super) struct FrozenInSpace {
+    pub(super) normal_z: f32,
+    /// How far B was behind A.
+    pub(super) apart: f32,
+    pub(super) spread: f32,
 }
 
 /// Everything else about a pair.

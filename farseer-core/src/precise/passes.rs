@@ -17,103 +17,116 @@
 use wide::f32x4;
 
 use super::bodies::Hot;
-use super::rows::{Colours, Lane, Point, Row};
+use super::rows::{Block, Colours, Contacts, Lane, Point, Row};
 use super::tuning::{Learning, Softness};
 use crate::math::lanes::{gather, greater, positive, select, smaller};
 
 const ZERO: f32x4 = f32x4::ZERO;
 
-/// Velocity, or step, of the two sides of four rows.
-struct Sides {
-    a: [f32x4; 3],
-    b: [f32x4; 3],
+/// Velocity, or step, of the two sides of four rows: along x and y, turning, and along z.
+pub(super) struct Sides {
+    pub(super) a: [f32x4; 4],
+    pub(super) b: [f32x4; 4],
 }
 
 #[inline(always)]
-fn velocities<const FIXED: bool, const P: usize>(row: &Row<P>, hot: &[Hot]) -> Sides {
+pub(super) fn velocities<const FIXED: bool, const P: usize>(row: &Row<P>, hot: &[Hot]) -> Sides {
     sides::<FIXED, P>(row, |body| hot[body as usize].velocity)
 }
 
 #[inline(always)]
-fn steps<const FIXED: bool, const P: usize>(row: &Row<P>, hot: &[Hot]) -> Sides {
+pub(super) fn steps<const FIXED: bool, const P: usize>(row: &Row<P>, hot: &[Hot]) -> Sides {
     sides::<FIXED, P>(row, |body| hot[body as usize].step)
 }
 
 #[inline(always)]
 fn sides<const FIXED: bool, const P: usize>(row: &Row<P>, of: impl Fn(u32) -> [f32; 4]) -> Sides {
-    let columns = |bodies: &[u32; 4]| {
-        let [x, y, turn, _] = f32x4::transpose(bodies.map(|body| f32x4::new(of(body))));
-        [x, y, turn]
-    };
-    Sides { a: if FIXED { [ZERO; 3] } else { columns(&row.a) }, b: columns(&row.b) }
+    let columns = |bodies: &[u32; 4]| f32x4::transpose(bodies.map(|body| f32x4::new(of(body))));
+    Sides { a: if FIXED { [ZERO; 4] } else { columns(&row.a) }, b: columns(&row.b) }
 }
 
 impl Sides {
     #[inline(always)]
-    fn along_normal<const FIXED: bool, const P: usize>(&self, row: &Row<P>) -> f32x4 {
-        let [x, y] = self.apart::<FIXED>();
-        x * row.normal_x + y * row.normal_y
+    fn along_normal<const FIXED: bool, const P: usize, R: Contacts<P>>(&self, contacts: &R) -> f32x4 {
+        let ([x, y, z], row) = (self.apart::<FIXED>(), contacts.row());
+        let in_plane = x * row.normal_x + y * row.normal_y;
+        if R::IN_SPACE { in_plane + z * contacts.normal_z() } else { in_plane }
     }
 
     #[inline(always)]
     fn along_tangent<const FIXED: bool, const P: usize>(&self, row: &Row<P>) -> f32x4 {
-        let [x, y] = self.apart::<FIXED>();
+        let [x, y, _] = self.apart::<FIXED>();
         x * row.normal_y - y * row.normal_x
     }
 
     #[inline(always)]
-    fn apart<const FIXED: bool>(&self) -> [f32x4; 2] {
-        if FIXED { [self.b[0], self.b[1]] } else { [self.b[0] - self.a[0], self.b[1] - self.a[1]] }
+    pub(super) fn apart<const FIXED: bool>(&self) -> [f32x4; 3] {
+        let ([ax, ay, _, az], [bx, by, _, bz]) = (self.a, self.b);
+        if FIXED { [bx, by, bz] } else { [bx - ax, by - ay, bz - az] }
     }
 
     /// What the turning of both adds at these arms.
     #[inline(always)]
-    fn turning<const FIXED: bool>(&self, arm_a: f32x4, arm_b: f32x4) -> f32x4 {
+    pub(super) fn turning<const FIXED: bool>(&self, arm_a: f32x4, arm_b: f32x4) -> f32x4 {
         if FIXED { self.b[2] * arm_b } else { self.b[2] * arm_b - self.a[2] * arm_a }
     }
 
     /// Impulses turn both, given the sums of what they are times their arms.
     #[inline(always)]
-    fn turn<const FIXED: bool, const P: usize>(&mut self, row: &Row<P>, [of_a, of_b]: [f32x4; 2]) {
+    pub(super) fn turn<const FIXED: bool, const P: usize>(&mut self, row: &Row<P>, [of_a, of_b]: [f32x4; 2]) {
         if !FIXED {
             self.a[2] -= row.inverse_inertia_a * of_a;
         }
         self.b[2] += row.inverse_inertia_b * of_b;
     }
 
-    /// Writes the velocities back, after impulses along normal and tangent.
+    /// Writes the velocities back, after impulses along the normal.
     #[inline(always)]
-    fn store<const FIXED: bool, const P: usize>(
+    fn store_normal<const FIXED: bool, const P: usize, R: Contacts<P>>(
+        &self,
+        contacts: &R,
+        hot: &mut [Hot],
+        along: f32x4,
+    ) {
+        let row = contacts.row();
+        let z = if R::IN_SPACE { along * contacts.normal_z() } else { ZERO };
+        self.store::<FIXED, P>(row, hot, R::IN_SPACE, [along * row.normal_x, along * row.normal_y, z]);
+    }
+
+    /// Writes the velocities back, after this impulse on B and its opposite on A.
+    #[inline(always)]
+    pub(super) fn store<const FIXED: bool, const P: usize>(
         &self,
         row: &Row<P>,
         hot: &mut [Hot],
-        along: f32x4,
-        across: f32x4,
+        is_in_space: bool,
+        [x, y, z]: [f32x4; 3],
     ) {
-        let x = along * row.normal_x + across * row.normal_y;
-        let y = along * row.normal_y - across * row.normal_x;
-        let mut put = |bodies: &[u32; 4], columns: [f32x4; 3]| {
-            let rows = f32x4::transpose([columns[0], columns[1], columns[2], ZERO]);
+        let mut put = |bodies: &[u32; 4], [vx, vy, turn, vz]: [f32x4; 4]| {
+            let rows = f32x4::transpose([vx, vy, turn, if is_in_space { vz } else { ZERO }]);
             for (&body, velocity) in bodies.iter().zip(rows) {
                 hot[body as usize].velocity = velocity.to_array();
             }
         };
+        let ([ax, ay, turn_a, az], [bx, by, turn_b, bz]) = (self.a, self.b);
         if !FIXED {
-            put(&row.a, [self.a[0] - row.inverse_mass_a * x, self.a[1] - row.inverse_mass_a * y, self.a[2]]);
+            let mass = row.inverse_mass_a;
+            put(&row.a, [ax - mass * x, ay - mass * y, turn_a, az - mass * z]);
         }
-        put(&row.b, [self.b[0] + row.inverse_mass_b * x, self.b[1] + row.inverse_mass_b * y, self.b[2]]);
+        let mass = row.inverse_mass_b;
+        put(&row.b, [bx + mass * x, by + mass * y, turn_b, bz + mass * z]);
     }
 }
 
 #[inline(always)]
-fn masses<const FIXED: bool, const P: usize>(row: &Row<P>) -> f32x4 {
+pub(super) fn masses<const FIXED: bool, const P: usize>(row: &Row<P>) -> f32x4 {
     if FIXED { row.inverse_mass_b } else { row.inverse_mass_a + row.inverse_mass_b }
 }
 
 /// What a unit of impulse with some arms does by turning to the velocity with other arms: known before the impulses are, so
 /// that one point need not wait until another has changed velocities.
 #[inline(always)]
-fn turning_of<const FIXED: bool, const P: usize>(
+pub(super) fn turning_of<const FIXED: bool, const P: usize>(
     row: &Row<P>,
     [arm_a, arm_b]: [f32x4; 2],
     [other_a, other_b]: [f32x4; 2],
@@ -124,21 +137,24 @@ fn turning_of<const FIXED: bool, const P: usize>(
 
 /// The velocities of the points along the normal.
 #[inline(always)]
-fn at_points<const FIXED: bool, const P: usize>(row: &Row<P>, sides: &Sides) -> [f32x4; P] {
-    let along = sides.along_normal::<FIXED, P>(row);
-    row.points.map(|point| along + sides.turning::<FIXED>(point.arm_a, point.arm_b))
+pub(super) fn at_points<const FIXED: bool, const P: usize, R: Contacts<P>>(
+    contacts: &R,
+    sides: &Sides,
+) -> [f32x4; P] {
+    let along = sides.along_normal::<FIXED, P, R>(contacts);
+    contacts.row().points.map(|point| along + sides.turning::<FIXED>(point.arm_a, point.arm_b))
 }
 
 /// What a unit of impulse at one point does to the velocity at the other.
 #[inline(always)]
-fn coupling<const FIXED: bool, const P: usize>(row: &Row<P>) -> f32x4 {
+pub(super) fn coupling<const FIXED: bool, const P: usize>(row: &Row<P>) -> f32x4 {
     let [first, last] = [row.points[0].arms(), row.points[P - 1].arms()];
     masses::<FIXED, P>(row) + turning_of::<FIXED, P>(row, first, last)
 }
 
 /// Sums of impulses times arms.
 #[inline(always)]
-fn torques<const P: usize>(row: &Row<P>, impulses: &[f32x4; P]) -> [f32x4; 2] {
+pub(super) fn torques<const P: usize>(row: &Row<P>, impulses: &[f32x4; P]) -> [f32x4; 2] {
     let sum = |arm: fn(&Point) -> f32x4| {
         let rest = row.points[1..].iter().zip(&impulses[1..]);
         rest.fold(impulses[0] * arm(&row.points[0]), |sum, (point, &impulse)| sum + impulse * arm(point))
@@ -147,7 +163,7 @@ fn torques<const P: usize>(row: &Row<P>, impulses: &[f32x4; P]) -> [f32x4; 2] {
 }
 
 #[inline(always)]
-fn magnitude(number: f32x4) -> f32x4 {
+pub(super) fn magnitude(number: f32x4) -> f32x4 {
     greater(number, ZERO - number)
 }
 
@@ -155,16 +171,18 @@ fn magnitude(number: f32x4) -> f32x4 {
 ///
 /// How fast depends on how little the two move at the contact: not at all from a velocity of the gate on. One point rises
 /// while it is pressed in and what it carries is well above what it rests at. Of two points the sums are asked: rocking only
-/// shifts load from one to the other, and must not pump their springs.
+/// shifts load from one to the other, and must not pump their springs. The speed that is handed in is that across the normal.
 #[inline(always)]
-fn learn<const FIXED: bool, const P: usize>(row: &mut Row<P>, hot: &[Hot], learning: &Learning) {
-    let sides = velocities::<FIXED, P>(row, hot);
-    let slip =
-        sides.along_tangent::<FIXED, P>(row) + sides.turning::<FIXED>(row.tangent_arm_a, row.tangent_arm_b);
-    let mut speed = magnitude(slip - row.tangent_speed);
-    for velocity in at_points::<FIXED, P>(row, &sides) {
+pub(super) fn learn<const FIXED: bool, const P: usize, R: Contacts<P>>(
+    contacts: &mut R,
+    sides: &Sides,
+    mut speed: f32x4,
+    learning: &Learning,
+) {
+    for velocity in at_points::<FIXED, P, R>(contacts, sides) {
         speed = greater(speed, magnitude(velocity));
     }
+    let row = contacts.row_mut();
     let stillness = positive(f32x4::splat(1.0) - speed * f32x4::splat(learning.inverse_gate));
     let up = f32x4::splat(learning.up) * stillness;
     let (learnt, down) = (f32x4::splat(learning.learnt), f32x4::splat(learning.down));
@@ -185,13 +203,16 @@ fn learn<const FIXED: bool, const P: usize>(row: &mut Row<P>, hot: &[Hot], learn
 /// Sums what the impulses of all rows do to the velocity of each body in a substep; on the way springs learn.
 #[inline(always)]
 pub(super) fn gather_warm<const FIXED: bool, const P: usize>(
-    rows: &mut Colours<P>,
+    rows: &mut Colours<Row<P>>,
     warm: &mut [[f32; 4]],
     hot: &[Hot],
     learning: &Learning,
 ) {
     rows.for_each(|row| {
-        learn::<FIXED, P>(row, hot, learning);
+        let sides = velocities::<FIXED, P>(row, hot);
+        let slip = sides.along_tangent::<FIXED, P>(row)
+            + sides.turning::<FIXED>(row.tangent_arm_a, row.tangent_arm_b);
+        learn::<FIXED, P, _>(row, &sides, magnitude(slip - row.tangent_speed), learning);
         let sum = |of: fn(&Point) -> f32x4| {
             row.points[1..].iter().fold(of(&row.points[0]), |sum, point| sum + of(point))
         };
@@ -218,8 +239,8 @@ pub(super) fn gather_warm<const FIXED: bool, const P: usize>(
 /// One pass over normals as soft springs. What is apart may come together by its distance and no further: a hard row with
 /// u >= -s / h.
 #[inline(always)]
-pub(super) fn solve_soft<const FIXED: bool, const P: usize>(
-    rows: &mut Colours<P>,
+pub(super) fn solve_soft<const FIXED: bool, const P: usize, R: Contacts<P>>(
+    rows: &mut Colours<R>,
     hot: &mut [Hot],
     inverse_h: f32,
     softness: Softness,
@@ -229,9 +250,10 @@ pub(super) fn solve_soft<const FIXED: bool, const P: usize>(
     let (inverse_h, rate) = (f32x4::splat(inverse_h), f32x4::splat(softness.bias * softness.mass));
     let (mass, leak) = (f32x4::splat(softness.mass), f32x4::splat(softness.impulse));
     let fastest = f32x4::splat(-push);
-    rows.for_each(|row| {
-        let mut sides = velocities::<FIXED, P>(row, hot);
-        let mut velocity = at_points::<FIXED, P>(row, &sides);
+    rows.for_each(|contacts| {
+        let mut sides = velocities::<FIXED, P>(contacts.row(), hot);
+        let mut velocity = at_points::<FIXED, P, R>(contacts, &sides);
+        let row = contacts.row_mut();
         let coupling = coupling::<FIXED, P>(row);
         let (mut sum, mut changes) = (ZERO, [ZERO; P]);
         for at in 0..P {
@@ -249,39 +271,91 @@ pub(super) fn solve_soft<const FIXED: bool, const P: usize>(
             velocity[P - 1] += coupling * changes[at];
         }
         sides.turn::<FIXED, P>(row, torques(row, &changes));
-        sides.store::<FIXED, P>(row, hot, sum, ZERO);
+        sides.store_normal::<FIXED, P, R>(contacts, hot, sum);
     });
+}
+
+/// Impulses of two points after which neither has a velocity, given those that they are to lose: where both push. One after
+/// the other they would leave a part of what they do to each other, (coupling x mass)^2, and what meets face to face would
+/// turn.
+#[inline(always)]
+fn both_at_once<const P: usize>(row: &Row<P>, coupling: f32x4, due: &[f32x4; P]) -> (f32x4, [f32x4; P]) {
+    let (first, last) = (&row.points[0], &row.points[P - 1]);
+    let one = f32x4::splat(1.0);
+    let apart = one - coupling * coupling * (first.mass * last.mass);
+    let is_apart = apart.simd_gt(f32x4::splat(LEAST_APART));
+    let alone = last.mass * (coupling * (first.mass * due[0]) - due[P - 1]);
+    let change = alone / select(is_apart, apart, one);
+    let other = first.mass * (ZERO - due[0] - coupling * change);
+    let mut both = [last.impulse + change; P];
+    both[0] = first.impulse + other;
+    let holds = both[0].simd_ge(ZERO) & both[P - 1].simd_ge(ZERO) & is_apart;
+    (if P == 2 { holds } else { ZERO }, both)
+}
+
+/// Points that do nearly the same to a body are solved one after the other: 1 - (coupling x mass)^2.
+const LEAST_APART: f32 = 0.02;
+
+/// What a hard pass over the normals of four rows has done.
+pub(super) struct Relaxed<const P: usize> {
+    /// Velocities before.
+    pub(super) sides: Sides,
+    /// Sum of what was added to impulses, and what to each; and sum of the impulses.
+    pub(super) sum: f32x4,
+    pub(super) changes: [f32x4; P],
+    pub(super) load: f32x4,
+}
+
+/// Solves the normals of four rows as hard rows; velocities are not written yet.
+#[inline(always)]
+pub(super) fn relax_normals<const FIXED: bool, const P: usize, R: Contacts<P>>(
+    contacts: &mut R,
+    hot: &[Hot],
+    inverse_h: f32x4,
+) -> Relaxed<P> {
+    let moved = at_points::<FIXED, P, R>(contacts, &steps::<FIXED, P>(contacts.row(), hot));
+    let sides = velocities::<FIXED, P>(contacts.row(), hot);
+    let mut velocity = at_points::<FIXED, P, R>(contacts, &sides);
+    let row = contacts.row_mut();
+    let coupling = coupling::<FIXED, P>(row);
+    let (mut sum, mut load, mut changes) = (ZERO, ZERO, [ZERO; P]);
+    let mut separations = [ZERO; P];
+    let mut due = velocity;
+    for at in 0..P {
+        separations[at] = row.points[at].separation + moved[at];
+        due[at] = positive(separations[at]) * inverse_h + velocity[at];
+    }
+    let together = R::IN_SPACE.then(|| both_at_once(row, coupling, &due));
+    for at in 0..P {
+        let point = row.points[at];
+        let kept = point.impulse - point.mass * (positive(separations[at]) * inverse_h);
+        let alone = positive(kept - point.mass * velocity[at]);
+        let impulse = together.map_or(alone, |(hold, both)| select(hold, both[at], alone));
+        changes[at] = impulse - point.impulse;
+        row.points[at].separation = separations[at];
+        row.points[at].impulse = impulse;
+        sum += changes[at];
+        load += impulse;
+        velocity[P - 1] += coupling * changes[at];
+    }
+    Relaxed { sides, sum, changes, load }
 }
 
 /// One pass over normals and friction as hard rows, after the bodies have moved: separations follow them.
 #[inline(always)]
 pub(super) fn relax<const FIXED: bool, const P: usize>(
-    rows: &mut Colours<P>,
+    rows: &mut Colours<Row<P>>,
     hot: &mut [Hot],
     inverse_h: f32,
 ) {
     let inverse_h = f32x4::splat(inverse_h);
     rows.for_each(|row| {
-        let moved = at_points::<FIXED, P>(row, &steps::<FIXED, P>(row, hot));
-        let mut sides = velocities::<FIXED, P>(row, hot);
-        let mut velocity = at_points::<FIXED, P>(row, &sides);
-        let coupling = coupling::<FIXED, P>(row);
+        let Relaxed { mut sides, sum, changes, load } = relax_normals::<FIXED, P, _>(row, hot, inverse_h);
         let tangent_arms = [row.tangent_arm_a, row.tangent_arm_b];
         let mut slip =
             sides.along_tangent::<FIXED, P>(row) + sides.turning::<FIXED>(tangent_arms[0], tangent_arms[1]);
-        let (mut sum, mut load, mut changes) = (ZERO, ZERO, [ZERO; P]);
-        for at in 0..P {
-            let point = row.points[at];
-            let separation = point.separation + moved[at];
-            let kept = point.impulse - point.mass * (positive(separation) * inverse_h);
-            let impulse = positive(kept - point.mass * velocity[at]);
-            changes[at] = impulse - point.impulse;
-            row.points[at].separation = separation;
-            row.points[at].impulse = impulse;
-            sum += changes[at];
-            load += impulse;
-            velocity[P - 1] += coupling * changes[at];
-            slip += turning_of::<FIXED, P>(row, point.arms(), tangent_arms) * changes[at];
+        for (point, change) in row.points.iter().zip(changes) {
+            slip += turning_of::<FIXED, P>(row, point.arms(), tangent_arms) * change;
         }
         let most = row.friction * load;
         let wanted = row.tangent_impulse - row.tangent_mass * (slip - row.tangent_speed);
@@ -290,16 +364,23 @@ pub(super) fn relax<const FIXED: bool, const P: usize>(
         row.tangent_impulse = friction;
         let [of_a, of_b] = torques(row, &changes);
         sides.turn::<FIXED, P>(row, [of_a + tangent_arms[0] * change, of_b + tangent_arms[1] * change]);
-        sides.store::<FIXED, P>(row, hot, sum, change);
+        let x = sum * row.normal_x + change * row.normal_y;
+        let y = sum * row.normal_y - change * row.normal_x;
+        sides.store::<FIXED, P>(row, hot, false, [x, y, ZERO]);
     });
 }
 
 /// Notes how fast things approach each other, before the step.
 #[inline(always)]
-pub(super) fn note_approach<const FIXED: bool, const P: usize>(rows: &mut Colours<P>, hot: &[Hot]) {
-    rows.for_each(|row| {
-        let sides = velocities::<FIXED, P>(row, hot);
-        row.approach = at_points::<FIXED, P>(row, &sides);
+pub(super) fn note_approach<const FIXED: bool, const P: usize, R: Contacts<P>>(
+    rows: &mut Colours<R>,
+    hot: &[Hot],
+) {
+    rows.for_each(|contacts| {
+        let sides = velocities::<FIXED, P>(contacts.row(), hot);
+        let approach = at_points::<FIXED, P, R>(contacts, &sides);
+        let row = contacts.row_mut();
+        row.approach = approach;
         for at in 0..P {
             row.gap[at] = row.points[at].separation;
             row.has_pushed[at] = ZERO;
@@ -309,8 +390,9 @@ pub(super) fn note_approach<const FIXED: bool, const P: usize>(rows: &mut Colour
 
 /// Notes which points push: at the end of the step one that has separated two may have no impulse any more.
 #[inline(always)]
-pub(super) fn note_push<const P: usize>(rows: &mut Colours<P>) {
-    rows.for_each(|row| {
+pub(super) fn note_push<const P: usize, R: Contacts<P>>(rows: &mut Colours<R>) {
+    rows.for_each(|contacts| {
+        let row = contacts.row_mut();
         for at in 0..P {
             row.has_pushed[at] |= row.points[at].impulse.simd_gt(ZERO);
         }
@@ -320,14 +402,15 @@ pub(super) fn note_push<const P: usize>(rows: &mut Colours<P>) {
 /// After the step: what came fast enough and was pushed leaves as fast as its restitution says. Tells for each block that
 /// did which of its lanes.
 #[inline(always)]
-pub(super) fn bounce<const FIXED: bool, const P: usize>(
-    rows: &mut Colours<P>,
+pub(super) fn bounce<const FIXED: bool, const P: usize, R: Contacts<P>>(
+    rows: &mut Colours<R>,
     hot: &mut [Hot],
     threshold: f32,
-    mut bounced: impl FnMut(&Row<P>, u32, &mut [Hot]),
+    mut bounced: impl FnMut(&R, u32, &mut [Hot]),
 ) {
     let threshold = f32x4::splat(-threshold);
-    rows.for_each(|row| {
+    rows.for_each(|contacts| {
+        let row = contacts.row();
         let restitution = std::array::from_fn::<f32x4, P, _>(|at| {
             let is_due = threshold.simd_gt(row.approach[at]) & row.has_pushed[at];
             row.restitution & is_due
@@ -337,21 +420,25 @@ pub(super) fn bounce<const FIXED: bool, const P: usize>(
             return;
         }
         let mut sides = velocities::<FIXED, P>(row, hot);
-        let mut velocity = at_points::<FIXED, P>(row, &sides);
+        let mut velocity = at_points::<FIXED, P, R>(contacts, &sides);
+        let row = contacts.row_mut();
         let coupling = coupling::<FIXED, P>(row);
         let (mut sum, mut changes) = (ZERO, [ZERO; P]);
+        let excess = std::array::from_fn(|at| velocity[at] + restitution[at] * row.approach[at]);
+        let (hold, both) = both_at_once(row, coupling, &excess);
+        let hold = restitution.iter().fold(hold, |hold, e| hold & e.simd_gt(ZERO));
         for (at, restitution) in restitution.into_iter().enumerate() {
             let point = row.points[at];
             let wanted = velocity[at] + restitution * row.approach[at];
-            let impulse = positive(point.impulse - point.mass * wanted);
+            let impulse = select(hold, both[at], positive(point.impulse - point.mass * wanted));
             changes[at] = (impulse - point.impulse) & restitution.simd_gt(ZERO);
             row.points[at].impulse = point.impulse + changes[at];
             sum += changes[at];
             velocity[P - 1] += coupling * changes[at];
         }
         sides.turn::<FIXED, P>(row, torques(row, &changes));
-        sides.store::<FIXED, P>(row, hot, sum, ZERO);
-        bounced(row, due, hot);
+        sides.store_normal::<FIXED, P, R>(contacts, hot, sum);
+        bounced(contacts, due, hot);
     });
 }
 
@@ -359,7 +446,7 @@ pub(super) fn bounce<const FIXED: bool, const P: usize>(
 /// further apart than contacts reach.
 #[inline(always)]
 pub(super) fn renew_circles(
-    rows: &mut Colours<1>,
+    rows: &mut Colours<Row<1>>,
     poses: &[[f32; 4]],
     circles: &[[f32; 4]],
     reach: f32,

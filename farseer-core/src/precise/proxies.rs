@@ -13,13 +13,8 @@ use crate::math::plane::{rotation, turn};
 use crate::storage::arena::Id;
 use crate::storage::reusing_clone::reusing_clone;
 
-/// Boxes reach ahead of a body by what it moves in so many steps.
-const STEPS_AHEAD: f32 = 4.0;
-/// And around it by so much of its size at most.
-const MARGIN_OF_SIZE: f32 = 0.25;
-
 /// Beyond this coordinate squares of distances end, and nothing meets anything.
-const FARTHEST: f32 = 1e18;
+pub(super) const FARTHEST: f32 = 1e18;
 const NONE: u32 = u32::MAX;
 /// Nothing leaves it.
 const EVERYWHERE: Box2 = [f32::MIN, f32::MIN, f32::MAX, f32::MAX];
@@ -62,7 +57,7 @@ pub(super) struct Proxy {
 
 impl Proxy {
     /// In place of one: it has no body and meets nobody.
-    fn nothing() -> Self {
+    pub(super) fn nothing() -> Self {
         Proxy {
             geom: GeomId::new(u32::MAX, 0),
             piece: 0,
@@ -223,9 +218,8 @@ impl Proxies {
             return NOWHERE;
         }
         let Some(hot) = bodies.hot.get(*body as usize) else { return tight };
-        let by_size = MARGIN_OF_SIZE * shape.reach;
-        let margin = if by_size < tuning.margin { by_size } else { tuning.margin };
-        let ahead = [0, 1].map(|axis| (hot.velocity[axis] * (STEPS_AHEAD * dt)).clamp(-FARTHEST, FARTHEST));
+        let margin = tuning.margin_of(shape.reach);
+        let ahead = [0, 1].map(|axis| tuning.ahead(hot.velocity[axis] * dt));
         let below = ahead.map(|way| if way < 0.0 { way - margin } else { -margin });
         let above = ahead.map(|way| if way > 0.0 { way + margin } else { margin });
         [tight[0] + below[0], tight[1] + below[1], tight[2] + above[0], tight[3] + above[1]]

@@ -2,6 +2,7 @@
 //! share a body that can be pushed, so that their order does not matter. The last colour takes what finds no other, one
 //! row in each block, and is solved in order.
 
+use super::space::SpaceRow;
 use crate::storage::reusing_clone::reusing_clone;
 use wide::f32x4;
 
@@ -103,6 +104,44 @@ impl<const P: usize> Default for Row<P> {
     }
 }
 
+/// Four rows side by side, of whatever kind.
+pub(super) trait Block: Copy + Default {
+    fn lane(&self, at: usize) -> Lane;
+    fn set_lane(&mut self, at: usize, lane: &Lane);
+    fn pairs(&mut self) -> &mut [u32; 4];
+    fn points(&mut self) -> &mut [Point];
+}
+
+/// Four contacts as the passes see them: in the plane, or in three axes.
+pub(super) trait Contacts<const P: usize>: Block {
+    /// Whether the bodies move along the depth axis as well.
+    const IN_SPACE: bool;
+
+    fn row(&self) -> &Row<P>;
+    fn row_mut(&mut self) -> &mut Row<P>;
+    /// Part of the normal along the depth axis.
+    fn normal_z(&self) -> f32x4;
+}
+
+impl<const P: usize> Contacts<P> for Row<P> {
+    const IN_SPACE: bool = false;
+
+    #[inline(always)]
+    fn row(&self) -> &Row<P> {
+        self
+    }
+
+    #[inline(always)]
+    fn row_mut(&mut self) -> &mut Row<P> {
+        self
+    }
+
+    #[inline(always)]
+    fn normal_z(&self) -> f32x4 {
+        f32x4::ZERO
+    }
+}
+
 /// One contact point.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct PointLane {
@@ -130,6 +169,24 @@ pub(super) struct Lane {
     pub(super) tangent_speed: f32,
     pub(super) restitution: f32,
     pub(super) points: [PointLane; 2],
+    pub(super) space: SpaceLane,
+}
+
+/// What a row in three axes has beside that.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct SpaceLane {
+    pub(super) normal_z: f32,
+    /// Arms about the depth axis of the second tangent.
+    pub(super) across_arms: [f32; 2],
+    /// Radii of balls; 0 for what is none.
+    pub(super) radii: [f32; 2],
+    pub(super) across_impulse: f32,
+    pub(super) across_speed: f32,
+    /// How far from the middle of the contact its pressure is, where that is a face along the depth axis; else 0.
+    pub(super) spread: f32,
+    pub(super) twist_impulse: f32,
+    /// Impulses of the whole step: of the points, and of both tangents.
+    pub(super) totals: [f32; 4],
 }
 
 impl Lane {
@@ -142,28 +199,46 @@ impl Lane {
 }
 
 #[inline(always)]
-fn get(of: &f32x4, lane: usize) -> f32 {
+pub(super) fn get(of: &f32x4, lane: usize) -> f32 {
     of.as_array()[lane]
 }
 
 #[inline(always)]
-fn set(of: &mut f32x4, lane: usize, value: f32) {
+pub(super) fn set(of: &mut f32x4, lane: usize, value: f32) {
     of.as_mut_array()[lane] = value;
 }
 
-impl<const P: usize> Row<P> {
-    pub(super) fn lane(&self, at: usize) -> Lane {
-        let mut points = [PointLane::default(); 2];
-        for (lane, point) in points.iter_mut().zip(&self.points) {
-            *lane = PointLane {
-                arm_a: get(&point.arm_a, at),
-                arm_b: get(&point.arm_b, at),
-                mass: get(&point.mass, at),
-                impulse: get(&point.impulse, at),
-                separation: get(&point.separation, at),
-                held: get(&point.held, at),
-            };
-        }
+/// The points of one of four rows.
+#[inline(always)]
+pub(super) fn points_at<const P: usize>(points: &[Point; P], at: usize) -> [PointLane; 2] {
+    let mut lanes = [PointLane::default(); 2];
+    for (lane, point) in lanes.iter_mut().zip(points) {
+        *lane = PointLane {
+            arm_a: get(&point.arm_a, at),
+            arm_b: get(&point.arm_b, at),
+            mass: get(&point.mass, at),
+            impulse: get(&point.impulse, at),
+            separation: get(&point.separation, at),
+            held: get(&point.held, at),
+        };
+    }
+    lanes
+}
+
+#[inline(always)]
+pub(super) fn set_points_at<const P: usize>(points: &mut [Point; P], at: usize, lanes: &[PointLane; 2]) {
+    for (point, from) in points.iter_mut().zip(lanes) {
+        set(&mut point.arm_a, at, from.arm_a);
+        set(&mut point.arm_b, at, from.arm_b);
+        set(&mut point.mass, at, from.mass);
+        set(&mut point.impulse, at, from.impulse);
+        set(&mut point.separation, at, from.separation);
+        set(&mut point.held, at, from.held);
+    }
+}
+
+impl<const P: usize> Block for Row<P> {
+    fn lane(&self, at: usize) -> Lane {
         Lane {
             a: self.a[at],
             b: self.b[at],
@@ -177,11 +252,12 @@ impl<const P: usize> Row<P> {
             tangent_impulse: get(&self.tangent_impulse, at),
             tangent_speed: get(&self.tangent_speed, at),
             restitution: get(&self.restitution, at),
-            points,
+            points: points_at(&self.points, at),
+            space: SpaceLane::default(),
         }
     }
 
-    pub(super) fn set_lane(&mut self, at: usize, lane: &Lane) {
+    fn set_lane(&mut self, at: usize, lane: &Lane) {
         (self.a[at], self.b[at], self.pair[at]) = (lane.a, lane.b, lane.pair);
         set(&mut self.normal_x, at, lane.normal[0]);
         set(&mut self.normal_y, at, lane.normal[1]);
@@ -196,35 +272,36 @@ impl<const P: usize> Row<P> {
         set(&mut self.tangent_impulse, at, lane.tangent_impulse);
         set(&mut self.tangent_speed, at, lane.tangent_speed);
         set(&mut self.restitution, at, lane.restitution);
-        for (point, from) in self.points.iter_mut().zip(&lane.points) {
-            set(&mut point.arm_a, at, from.arm_a);
-            set(&mut point.arm_b, at, from.arm_b);
-            set(&mut point.mass, at, from.mass);
-            set(&mut point.impulse, at, from.impulse);
-            set(&mut point.separation, at, from.separation);
-            set(&mut point.held, at, from.held);
-        }
+        set_points_at(&mut self.points, at, &lane.points);
+    }
+
+    fn pairs(&mut self) -> &mut [u32; 4] {
+        &mut self.pair
+    }
+
+    fn points(&mut self) -> &mut [Point] {
+        &mut self.points
     }
 }
 
 /// The rows of one kind.
 #[derive(Debug)]
-pub(super) struct Colours<const P: usize> {
+pub(super) struct Colours<R> {
     /// Which colours have rows, by bits.
     pub(super) used: u32,
-    pub(super) blocks: [Vec<Row<P>>; COLOURS],
+    pub(super) blocks: [Vec<R>; COLOURS],
     counts: [usize; COLOURS],
 }
 
-reusing_clone! { [const P: usize] Colours<P> { used, blocks, counts } }
+reusing_clone! { [R: Clone] Colours<R> { used, blocks, counts } }
 
-impl<const P: usize> Default for Colours<P> {
+impl<R> Default for Colours<R> {
     fn default() -> Self {
         Colours { used: 0, blocks: std::array::from_fn(|_| Vec::new()), counts: [0; COLOURS] }
     }
 }
 
-impl<const P: usize> Colours<P> {
+impl<R: Block> Colours<R> {
     fn clear(&mut self) {
         self.used = 0;
         self.counts = [0; COLOURS];
@@ -243,7 +320,7 @@ impl<const P: usize> Colours<P> {
         let count = &mut self.counts[colour as usize];
         let slot = if colour == LAST { blocks.len() * 4 } else { *count };
         if slot % 4 == 0 {
-            blocks.push(Row::default());
+            blocks.push(R::default());
         }
         blocks[slot / 4].set_lane(slot % 4, lane);
         *count += 1;
@@ -269,8 +346,8 @@ impl<const P: usize> Colours<P> {
     fn remove_of_last(&mut self, block: usize, mut moved: impl FnMut(u32, u32)) {
         let blocks = &mut self.blocks[LAST as usize];
         blocks.remove(block);
-        for (at, row) in blocks.iter().enumerate().skip(block) {
-            moved(row.pair[0], at as u32 * 4);
+        for (at, row) in blocks.iter_mut().enumerate().skip(block) {
+            moved(row.pairs()[0], at as u32 * 4);
         }
     }
 
@@ -292,7 +369,7 @@ impl<const P: usize> Colours<P> {
 
     /// The blocks of the colours that are used, in order.
     #[inline(always)]
-    pub(super) fn for_each(&mut self, mut act: impl FnMut(&mut Row<P>)) {
+    pub(super) fn for_each(&mut self, mut act: impl FnMut(&mut R)) {
         colours_of(self.used).for_each(|colour| self.blocks[colour].iter_mut().for_each(&mut act));
     }
 
@@ -304,8 +381,10 @@ impl<const P: usize> Colours<P> {
 /// What a row is between: two bodies that can be pushed, or one and something that does not give way, which then is A.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Kind {
+    /// In three axes: neither of the two is a ball.
     pub(super) has_two_points: bool,
     pub(super) is_fixed: bool,
+    pub(super) is_in_space: bool,
 }
 
 /// Where a row lives: in a colour, or aside, [asleep](ASLEEP) or [solved with its island](DIRECT).
@@ -348,20 +427,58 @@ pub(super) struct Aside {
 pub(super) struct Rows {
     asleep: Vec<Aside>,
     direct: Vec<Aside>,
-    pub(super) two: Colours<2>,
-    pub(super) one: Colours<1>,
-    pub(super) two_fixed: Colours<2>,
-    pub(super) one_fixed: Colours<1>,
+    pub(super) two: Colours<Row<2>>,
+    pub(super) one: Colours<Row<1>>,
+    pub(super) two_fixed: Colours<Row<2>>,
+    pub(super) one_fixed: Colours<Row<1>>,
+    pub(super) space: SpaceRows,
     /// Pairs whose rows have moved home: empty but for a moment.
     moved: Vec<(u32, Home)>,
 }
 
-reusing_clone! { Rows { asleep, direct, two, one, two_fixed, one_fixed, moved } }
+reusing_clone! { Rows { asleep, direct, two, one, two_fixed, one_fixed, space, moved } }
+
+/// The rows in three axes.
+#[derive(Debug, Default)]
+pub(super) struct SpaceRows {
+    pub(super) prisms: Colours<SpaceRow<2>>,
+    pub(super) balls: Colours<SpaceRow<1>>,
+    pub(super) prisms_fixed: Colours<SpaceRow<2>>,
+    pub(super) balls_fixed: Colours<SpaceRow<1>>,
+}
+
+reusing_clone! { SpaceRows { prisms, balls, prisms_fixed, balls_fixed } }
+
+impl SpaceRows {
+    /// Calls for the points of all rows.
+    pub(super) fn for_each_point(&mut self, act: &mut impl FnMut(&mut [Point])) {
+        self.prisms.for_each(|row| act(row.points()));
+        self.balls.for_each(|row| act(row.points()));
+        self.prisms_fixed.for_each(|row| act(row.points()));
+        self.balls_fixed.for_each(|row| act(row.points()));
+    }
+}
 
 /// The rows of a kind, borrowed as it says.
 macro_rules! of_kind {
     (($($borrow:tt)+) $rows:expr, $kind:expr, $colours:ident => $act:expr) => {
         match ($kind.has_two_points, $kind.is_fixed) {
+            (true, false) if $kind.is_in_space => {
+                let $colours = $($borrow)+ $rows.space.prisms;
+                $act
+            }
+            (false, false) if $kind.is_in_space => {
+                let $colours = $($borrow)+ $rows.space.balls;
+                $act
+            }
+            (true, true) if $kind.is_in_space => {
+                let $colours = $($borrow)+ $rows.space.prisms_fixed;
+                $act
+            }
+            (false, true) if $kind.is_in_space => {
+                let $colours = $($borrow)+ $rows.space.balls_fixed;
+                $act
+            }
             (true, false) => {
                 let $colours = $($borrow)+ $rows.two;
                 $act
@@ -388,6 +505,10 @@ impl Rows {
         self.one.clear();
         self.two_fixed.clear();
         self.one_fixed.clear();
+        self.space.prisms.clear();
+        self.space.balls.clear();
+        self.space.prisms_fixed.clear();
+        self.space.balls_fixed.clear();
         self.asleep.clear();
         self.direct.clear();
     }
@@ -413,29 +534,40 @@ impl Rows {
 
     /// Whether no pass has anything to solve.
     pub(super) fn is_empty(&self) -> bool {
-        self.two.used | self.one.used | self.two_fixed.used | self.one_fixed.used == 0
+        self.used() == 0
+    }
+
+    /// Which colours have rows, by bits.
+    fn used(&self) -> u32 {
+        let SpaceRows { prisms, balls, prisms_fixed, balls_fixed } = &self.space;
+        let in_plane = self.two.used | self.one.used | self.two_fixed.used | self.one_fixed.used;
+        in_plane | prisms.used | balls.used | prisms_fixed.used | balls_fixed.used
     }
 
     /// Whether some row is in the last colour, of which bodies know nothing.
     pub(super) fn has_last(&self) -> bool {
-        (self.two.used | self.one.used | self.two_fixed.used | self.one_fixed.used) >> LAST & 1 == 1
+        self.used() >> LAST & 1 == 1
     }
 
     /// Number of rows of each colour, up to the last one that is used.
     pub(super) fn per_colour(&self) -> Vec<usize> {
-        let used = self.two.used | self.one.used | self.two_fixed.used | self.one_fixed.used;
+        let SpaceRows { prisms, balls, prisms_fixed, balls_fixed } = &self.space;
         let counts = |colour: usize| {
             let fixed = self.two_fixed.counts[colour] + self.one_fixed.counts[colour];
-            self.two.counts[colour] + self.one.counts[colour] + fixed
+            let in_plane = self.two.counts[colour] + self.one.counts[colour] + fixed;
+            let fixed = prisms_fixed.counts[colour] + balls_fixed.counts[colour];
+            in_plane + prisms.counts[colour] + balls.counts[colour] + fixed
         };
-        (0..(u32::BITS - used.leading_zeros()) as usize).map(counts).collect()
+        (0..(u32::BITS - self.used().leading_zeros()) as usize).map(counts).collect()
     }
 
     /// Number of points that are solved.
     pub(super) fn point_count(&self) -> usize {
         let direct = self.direct.iter().map(|row| 1 + usize::from(row.lane.points[1].mass > 0.0));
-        let in_colours =
-            2 * (self.two.count() + self.two_fixed.count()) + self.one.count() + self.one_fixed.count();
+        let SpaceRows { prisms, balls, prisms_fixed, balls_fixed } = &self.space;
+        let with_two = self.two.count() + self.two_fixed.count() + prisms.count() + prisms_fixed.count();
+        let with_one = self.one.count() + self.one_fixed.count() + balls.count() + balls_fixed.count();
+        let in_colours = 2 * with_two + with_one;
         in_colours + direct.sum::<usize>()
     }
 
@@ -548,7 +680,7 @@ impl Rows {
             shelf[home.slot as usize].lane.pair = pair;
             return;
         }
-        of_kind!((&mut) self, kind, colours => colours.blocks[home.colour as usize][block].pair[at] = pair);
+        of_kind!((&mut) self, kind, colours => colours.blocks[home.colour as usize][block].pairs()[at] = pair);
     }
 
     #[inline]
@@ -561,7 +693,7 @@ impl Rows {
         }
         of_kind!((&mut) self, kind, colours => {
             let row = &mut colours.blocks[home.colour as usize][block];
-            for (point, separation) in row.points.iter_mut().zip(separations) {
+            for (point, separation) in row.points().iter_mut().zip(separations) {
                 set(&mut point.separation, at, separation);
             }
         });
@@ -667,11 +799,11 @@ impl Palette {
 
 #[cfg(test)]
 mod tests {
-    use super::{Colours, Kind, Lane, Palette};
+    use super::{Colours, Kind, Lane, Palette, Row};
 
     #[test]
     fn a_new_row_fills_a_block_before_it_begins_another() {
-        let mut colours = Colours::<1>::default();
+        let mut colours = Colours::<Row<1>>::default();
         for colour in [0, 0, 0, 0, 1] {
             colours.push(colour, &Lane::default());
         }
@@ -681,7 +813,7 @@ mod tests {
 
     #[test]
     fn what_cannot_be_pushed_takes_no_colour() {
-        let kind = Kind { has_two_points: true, is_fixed: false };
+        let kind = Kind { has_two_points: true, is_fixed: false, is_in_space: false };
         let mut palette = Palette::default();
         palette.reset(&[[0.0; 2], [0.0; 2], [1.0, 0.0], [1.0, 1.0]]);
         palette.mark(kind, [1, 2], 0, true);

@@ -6,10 +6,11 @@ use serde::{Deserialize, Serialize, Serializer};
 
 use super::Precise;
 use super::direct::{Timing, Wear};
-use super::pairs::{BY_ROW, Frozen};
+use super::pairs::{BY_ROW, Frozen, FrozenInSpace};
 use super::proxies::{Mobility, Proxy};
-use super::rows::{Home, Kind, Lane};
+use super::rows::{Home, Kind, Lane, SpaceLane};
 use super::sleep::KnownJoint;
+use super::space::parts::Depths;
 use super::tuning::Tuning;
 use crate::body::BodyId;
 use crate::geom::GeomId;
@@ -35,6 +36,8 @@ pub(crate) struct Saved {
     rest: Vec<(BodyId, f32)>,
     sleepers: Vec<Sleeper>,
     joints: Vec<KnownJoint>,
+    /// Whether there is a depth axis.
+    is_in_space: bool,
     /// How islands have fared that were solved as a whole, and when islands are asked for next.
     wear: Vec<(BodyId, Wear)>,
     timing: Timing,
@@ -46,7 +49,7 @@ struct Sleeper {
     body: BodyId,
     /// The place in this list of the first one of those that fell asleep together.
     first: u32,
-    place: [f32; 3],
+    place: [f32; 4],
     borne: [f32; 3],
     /// Reciprocals of mass and inertia, and what part of gravity acts.
     nature: [f32; 3],
@@ -60,6 +63,8 @@ struct SavedProxy {
     piece: u32,
     mobility: Mobility,
     bounds: [f32; 4],
+    /// Along the depth axis.
+    depths: Depths,
     motion: u32,
     has_escaped: bool,
     known: Known,
@@ -68,7 +73,7 @@ struct SavedProxy {
 /// What was known of a proxy and its body when contacts were looked for: what is otherwise was edited since.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 struct Known {
-    place: [f32; 3],
+    place: [f32; 4],
     /// Reciprocals of mass and inertia, velocity of the surface, friction and restitution.
     contacts: [f32; 7],
     /// Whom it may meet, and whether it pushes.
@@ -97,6 +102,7 @@ struct SavedContacts {
     separations: [f32; 2],
     features: [u32; 2],
     lead: f32,
+    space: FrozenInSpace,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -109,6 +115,8 @@ struct SavedRow {
     /// The same if it is solved with its island, and its impulses with all their digits.
     direct: Option<(f32, [f64; 3])>,
     tangent_impulse: f32,
+    /// Of the second tangent, of twisting, and of the whole step: in three axes.
+    space: [f32; 6],
     impulses: [f32; 2],
     held: [f32; 2],
     /// A handler has taken the point off the list.
@@ -119,6 +127,11 @@ struct SavedRow {
     /// The same of one that is awake. For the rest of the step alone: the next one begins with those of the geoms.
     #[serde(skip)]
     surface: Option<[f32; 3]>,
+}
+
+fn saved_of(space: SpaceLane) -> [f32; 6] {
+    let [one, other, along, across] = space.totals;
+    [space.across_impulse, space.twist_impulse, one, other, along, across]
 }
 
 impl Serialize for Precise {
@@ -134,6 +147,7 @@ impl From<Saved> for Precise {
             dt: saved.dt,
             friction: saved.friction,
             most_contacts: saved.most_contacts,
+            space: saved.is_in_space.then(Box::default),
             loaded: Some(saved.clone()),
             ..Precise::new(saved.tuning.unit)
         }
@@ -145,14 +159,25 @@ impl Saved {
     fn is_valid(&self) -> bool {
         let finite = |numbers: &[f32]| numbers.iter().all(|number| number.is_finite());
         let pair_is_valid = |pair: &SavedPair| {
-            let SavedContacts { turns, relative, normal, count, anchors, separations, lead, .. } =
+            let SavedContacts { turns, relative, normal, count, anchors, separations, lead, space, .. } =
                 &pair.frozen;
             let row_is_valid = |row: &SavedRow| {
-                let SavedRow { tangent_impulse, impulses, held, separations, asleep, direct, kept, .. } = row;
+                let SavedRow {
+                    tangent_impulse,
+                    space,
+                    impulses,
+                    held,
+                    separations,
+                    asleep,
+                    direct,
+                    kept,
+                    ..
+                } = row;
                 (row.colour as usize) < super::rows::COLOURS
                     && finite(&[*tangent_impulse, asleep.unwrap_or(0.0)])
                     && direct.is_none_or(|(h, exact)| h.is_finite() && exact.iter().all(|x| x.is_finite()))
                     && finite(&kept.unwrap_or_default())
+                    && finite(space)
                     && [impulses, held, separations].iter().all(|numbers| finite(*numbers))
             };
             pair.proxies.iter().all(|&proxy| (proxy as usize) < self.proxies.len())
@@ -160,6 +185,7 @@ impl Saved {
                 && finite(turns)
                 && finite(relative)
                 && finite(normal)
+                && finite(&[space.normal_z, space.apart, space.spread])
                 && finite(separations)
                 && lead.abs() <= 1.0
                 && anchors.iter().all(|anchor| finite(anchor))
@@ -172,8 +198,8 @@ impl Saved {
             && self.h.is_finite()
             && self.dt.is_finite()
             && self.proxies.iter().all(
-                |SavedProxy { bounds, known: Known { place, contacts, .. }, .. }| {
-                    finite(bounds) && finite(place) && finite(contacts)
+                |SavedProxy { bounds, depths, known: Known { place, contacts, .. }, .. }| {
+                    finite(&[depths.low, depths.high]) && finite(bounds) && finite(place) && finite(contacts)
                 },
             )
             && self.pairs.iter().all(pair_is_valid)
@@ -215,7 +241,8 @@ impl Precise {
     /// Lists what was loaded, for those who ask what touches before the next update. What was edited before the save counts
     /// from that update on, which then lists everything once more.
     pub(crate) fn list_loaded(&mut self, objects: &Objects) {
-        let Some(saved) = self.loaded.take() else { return };
+        // The engine above tells of the depth axis first.
+        let Some(saved) = self.loaded.take_if(|saved| !saved.is_in_space) else { return };
         self.list(objects, &saved);
         if self.save() != saved {
             self.is_stale = true;
@@ -242,6 +269,7 @@ impl Precise {
             piece: proxy.piece,
             mobility: proxy.mobility,
             bounds: self.proxies.bounds[at],
+            depths: self.space.as_ref().map_or(Depths::default(), |space| space.depths(at)),
             motion: self.proxies.motion[at],
             has_escaped: has_escaped[at],
             known: self.known_of(at),
@@ -262,6 +290,7 @@ impl Precise {
             joints: self.sleep.joints.clone(),
             wear: self.save_wear().collect(),
             timing: self.direct.timing,
+            is_in_space: self.space.is_some(),
         }
     }
 
@@ -302,10 +331,10 @@ impl Precise {
         [mass, inertia, self.bodies.gravity_parts[number]]
     }
 
-    /// Position and rotation.
-    fn place_of(&self, number: usize) -> [f32; 3] {
+    /// Position and rotation, and where it is along the depth axis.
+    fn place_of(&self, number: usize) -> [f32; 4] {
         let ([x, y, ..], rotation) = (self.bodies.poses[number], self.bodies.rotations[number]);
-        [x, y, rotation]
+        [x, y, rotation, self.space.as_ref().map_or(0.0, |space| space.places[number])]
     }
 
     fn known_of(&self, proxy: usize) -> Known {
@@ -322,7 +351,7 @@ impl Precise {
 
     fn save_pair(&self, pair: usize, places: &[u32]) -> SavedPair {
         let (watch, state) = (self.pairs.watched[pair], self.pairs.all[pair]);
-        let Frozen { turns, relative, normal, count, anchors, separations, features, lead } =
+        let Frozen { turns, relative, normal, count, anchors, separations, features, lead, space } =
             self.pairs.frozen[pair];
         SavedPair {
             proxies: watch.proxies.map(|proxy| places[proxy as usize]),
@@ -330,13 +359,23 @@ impl Precise {
             tolerance: watch.tolerance,
             is_told: state.is_told,
             is_vetoed: state.is_vetoed,
-            frozen: SavedContacts { turns, relative, normal, count, anchors, separations, features, lead },
+            frozen: SavedContacts {
+                turns,
+                relative,
+                normal,
+                count,
+                anchors,
+                separations,
+                features,
+                lead,
+                space,
+            },
             row: state.home.map(|home| self.save_row(state.kind, home, state.is_set)),
         }
     }
 
     fn save_row(&self, kind: Kind, home: Home, is_set: bool) -> SavedRow {
-        let Lane { tangent_impulse, points, friction, restitution, tangent_speed, .. } =
+        let Lane { tangent_impulse, points, friction, restitution, tangent_speed, space, .. } =
             self.rows.lane(kind, home);
         let (sleeping, aside) = (self.rows.asleep(home), self.rows.aside(home));
         let surface = is_set.then_some([friction, restitution, tangent_speed]);
@@ -346,6 +385,7 @@ impl Precise {
             asleep: sleeping.map(|row| row.h),
             direct: aside.filter(|_| sleeping.is_none()).map(|row| (row.h, row.exact)),
             tangent_impulse,
+            space: saved_of(space),
             impulses: points.map(|point| point.impulse),
             held: points.map(|point| point.held),
             are_dropped: points.map(|point| point.mass == 0.0),
@@ -356,12 +396,7 @@ impl Precise {
     }
 
     /// Takes over what is known of the proxies and pairs that are still there.
-    pub(super) fn restore(
-        &mut self,
-        saved: &Saved,
-        may_stay: impl Fn(GeomId, GeomId) -> bool,
-        is_at_rest: impl Fn(BodyId) -> bool,
-    ) {
+    pub(super) fn restore(&mut self, saved: &Saved, objects: &Objects) {
         self.has_handled = saved.has_handled || saved.pairs.iter().any(|pair| pair.is_vetoed);
         self.grid.reset(self.proxies.all.len());
         self.pairs.reset(self.proxies.all.len());
@@ -369,12 +404,12 @@ impl Precise {
         self.palette.reset(&self.bodies.inverses[..self.bodies.hot.len()]);
         self.restore_wear(saved);
         let (places, edited) = self.restore_proxies(saved);
-        self.restore_sleep(saved, is_at_rest);
+        self.restore_sleep(saved, objects);
         let stays = |pair: &SavedPair| {
             let now = pair.proxies.map(|proxy| places[proxy as usize]);
             now[0].zip(now[1]).map(|(a, b)| [a, b]).filter(|&now| {
                 let [one, other] = now.map(|proxy| self.proxies.all[proxy as usize].geom);
-                self.ordered(now) == Some(now) && may_stay(one, other)
+                self.ordered(now) == Some(now) && self.may_stay((one, other), objects)
             })
         };
         let stays: Vec<_> = saved.pairs.iter().map(stays).collect();
@@ -406,6 +441,9 @@ impl Precise {
                     [lane.friction, lane.restitution, lane.tangent_speed] = surface;
                 }
                 lane.tangent_impulse = row.tangent_impulse;
+                let [across, twist, totals @ ..] = row.space;
+                (lane.space.across_impulse, lane.space.twist_impulse) = (across, twist);
+                lane.space.totals = totals;
                 for (at, point) in lane.points.iter_mut().enumerate() {
                     point.impulse = row.impulses[at];
                     point.held = row.held[at];
@@ -425,7 +463,7 @@ impl Precise {
         self.direct.timing.is_due |= was_direct;
         self.direct.timing.may_be_due = true;
         for proxy in pair.proxies.iter().filter_map(|&proxy| places[proxy as usize]) {
-            self.sleep.note_waking(self.proxies.all[proxy as usize].body as usize);
+            self.sleep.note_loss(self.proxies.all[proxy as usize].body as usize);
         }
     }
 
@@ -440,7 +478,7 @@ impl Precise {
     }
 
     /// Who slept, and still may, does; a body that was edited since wakes the others of its island.
-    fn restore_sleep(&mut self, saved: &Saved, is_at_rest: impl Fn(BodyId) -> bool) {
+    fn restore_sleep(&mut self, saved: &Saved, objects: &Objects) {
         self.sleep.gravity = saved.gravity;
         for &(body, rest) in &saved.rest {
             if let Some(number) = self.number_of(body).filter(|&number| number <= self.bodies.count) {
@@ -458,8 +496,16 @@ impl Precise {
             self.sleep.fresh.extend(is_fresh.then_some(number as u32));
             // Forces may have been applied since.
             self.sleep.note_push(number);
-            if self.place_of(number) != place || self.nature_of(number) != nature || !is_at_rest(body) {
+            if self.place_of(number) != place
+                || self.nature_of(number) != nature
+                || !self.is_at_rest(body, objects)
+            {
                 self.sleep.note_waking(number);
+                // Contacts are looked at with the velocity that it was given.
+                if let Some(entry) = objects.bodies.get(body) {
+                    self.bodies.set_velocity(number, &entry.body);
+                }
+                self.take_body_in_space(number, body);
             }
         }
         self.sleep.joints = saved.joints.iter().filter(|joint| self.lies(joint)).copied().collect();
@@ -496,7 +542,7 @@ impl Precise {
     fn restore_proxy(&mut self, place: u32, saved: &SavedProxy) -> bool {
         let (then, now) = (saved.known, self.known_of(place as usize));
         self.proxies.motion[place as usize] = saved.motion;
-        self.enter_with(place, saved.bounds);
+        self.enter_with(place, saved.bounds, saved.depths);
         let has_moved = then.place != now.place;
         if has_moved {
             self.jump(place);
@@ -515,10 +561,10 @@ impl Precise {
         }
         let pair = self.add_pair(proxies);
         let responds = self.pairs.all[pair].responds;
-        let SavedContacts { turns, relative, normal, count, anchors, separations, features, lead } =
+        let SavedContacts { turns, relative, normal, count, anchors, separations, features, lead, space } =
             saved.frozen;
         self.pairs.frozen[pair] =
-            Frozen { turns, relative, normal, count, anchors, separations, features, lead };
+            Frozen { turns, relative, normal, count, anchors, separations, features, lead, space };
         let watch = &mut self.pairs.watched[pair];
         (watch.since, watch.tolerance) = (saved.since, saved.tolerance);
         self.pairs.all[pair].is_vetoed = saved.is_vetoed;

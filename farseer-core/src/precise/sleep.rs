@@ -157,6 +157,14 @@ impl Sleep {
         }
     }
 
+    /// What a body rested on may have gone: it is to wake, and one that was about to fall asleep has to rest anew.
+    pub(super) fn note_loss(&mut self, body: usize) {
+        self.note_waking(body);
+        if let Some(rest) = self.rest.get_mut(body) {
+            *rest = 0.0;
+        }
+    }
+
     /// Forces may have been applied to a body that may sleep.
     pub(super) fn note_push(&mut self, body: usize) {
         if self.is_asleep(body) {
@@ -310,8 +318,8 @@ impl Precise {
         let Precise { bodies, sleep: Sleep { bodies: runs, rest, .. }, dt, .. } = self;
         for run in runs.iter().cloned() {
             let ways = bodies.path[run.clone()].iter().zip(&bodies.reaches[run.clone()]);
-            for (([x, y, turned, _], reach), rest) in ways.zip(&mut rest[run]) {
-                let is_slow = x.abs() + y.abs() + reach * turned.abs() < slow;
+            for (([x, y, turned, z], reach), rest) in ways.zip(&mut rest[run]) {
+                let is_slow = x.abs() + y.abs() + z.abs() + reach * turned.abs() < slow;
                 *rest = if is_slow { (*rest + *dt).min(REST) } else { 0.0 };
                 is_ripe |= *rest >= REST;
             }
@@ -405,6 +413,9 @@ impl Precise {
             self.sleep.fresh.extend((borne != [0.0; 3]).then_some(number));
             if let Some(entry) = self.bodies.ids[body].and_then(|id| objects.bodies.get_mut(id)) {
                 entry.body.come_to_rest();
+            }
+            if let (Some(space), Some(id)) = (&mut self.space, self.bodies.ids[body]) {
+                space.rest(body, id);
             }
         }
         self.lay_pairs_down();

@@ -11,6 +11,7 @@ use super::passes::{
 };
 use super::proxies::{Mobility, Proxy};
 use super::rows::{Aside, Kind};
+use super::space::parts::is_geom;
 use super::touch::Looks;
 pub(crate) use super::tuning::Step;
 use crate::geom::GeomId;
@@ -20,6 +21,9 @@ use crate::report::{Event, Report};
 
 /// Coordinates end where this many times them are not finite any more.
 const FAR: f32 = 1e8;
+
+/// The bounds of the ground.
+const BELOW: [f32; 4] = [f32::MIN, 0.0, f32::MAX, f32::MAX];
 
 /// Nothing instead of what is not finite.
 fn finite(numbers: f32x4) -> f32x4 {
@@ -46,11 +50,22 @@ impl Precise {
         for &proxy in escaped {
             self.pairs.partners(proxy).for_each(|partner| known[partner as usize] = true);
             let bounds = self.proxies.bounds[proxy as usize];
-            self.grid.for_each_overlap(&bounds, |other| {
+            let mut find = |other: u32| {
                 if !known[other as usize] {
                     found.extend(self.ordered([proxy, other]));
                 }
-            });
+            };
+            match &self.space {
+                None => self.grid.for_each_overlap(&bounds, find),
+                Some(space) => {
+                    self.grid.for_each_overlap(&space.cells(proxy, &bounds), |other| {
+                        if self.overlap([proxy, other]) {
+                            find(other);
+                        }
+                    });
+                    space.ground_beneath(proxy, &bounds).into_iter().for_each(find);
+                }
+            }
             self.pairs.partners(proxy).for_each(|partner| known[partner as usize] = false);
         }
         self.known = known;
@@ -65,11 +80,7 @@ impl Precise {
     fn drop_parted(&mut self, escaped: &[u32]) {
         let mut lost = std::mem::take(&mut self.lost);
         for &proxy in escaped {
-            let bounds = &self.proxies.bounds;
-            let has_parted = |&pair: &usize| {
-                let [a, b] = self.pairs.watched[pair].proxies;
-                !overlap(&bounds[a as usize], &bounds[b as usize])
-            };
+            let has_parted = |&pair: &usize| !self.overlap(self.pairs.watched[pair].proxies);
             lost.extend(self.pairs.of(proxy).filter(has_parted).map(|pair| pair as u32));
         }
         // From the last one on, so that numbers stay what they are.
@@ -81,13 +92,20 @@ impl Precise {
         self.lost = lost;
     }
 
+    /// Whether the bounds of two proxies overlap, in all axes that there are.
+    fn overlap(&self, [a, b]: [u32; 2]) -> bool {
+        let bounds = &self.proxies.bounds;
+        overlap(&bounds[a as usize], &bounds[b as usize])
+            && self.space.as_ref().is_none_or(|space| space.overlap(a, b))
+    }
+
     /// A pair as it is kept: what gives way less first, else what was created first. None of what gives way nowhere, or is one
     /// body.
     pub(super) fn ordered(&self, [one, other]: [u32; 2]) -> Option<[u32; 2]> {
         let [proxy, partner] = [one, other].map(|proxy| &self.proxies.all[proxy as usize]);
         let key = |proxy: &Proxy| (proxy.mobility, proxy.number, proxy.piece);
         let may_be_pushed = [proxy, partner].iter().any(|proxy| proxy.mobility == Mobility::Dynamic);
-        if proxy.body == partner.body || !may_be_pushed {
+        if proxy.body == partner.body || !may_be_pushed || !self.may_meet_ground([one, other]) {
             return None;
         }
         Some(if key(proxy) < key(partner) { [one, other] } else { [other, one] })
@@ -108,16 +126,26 @@ impl Precise {
     /// A pair of which nothing is known yet.
     pub(super) fn add_pair(&mut self, proxies: [u32; 2]) -> usize {
         let [a, b] = proxies.map(|proxy| &self.proxies.all[proxy as usize]);
-        let (responds, is_heard) = (a.responds && b.responds, a.is_heard || b.is_heard);
+        let (responds, is_heard) = (a.responds && b.responds, self.is_heard(proxies));
         let pair = self.pairs.push(proxies, self.kind(proxies), responds, is_heard);
         self.touch().take_up(pair)
     }
 
+    /// Whether a handler is told of a pair: of two geoms.
+    pub(super) fn is_heard(&self, proxies: [u32; 2]) -> bool {
+        let both = proxies.map(|proxy| &self.proxies.all[proxy as usize]);
+        both.iter().any(|proxy| proxy.is_heard) && both.iter().all(|proxy| is_geom(proxy.geom))
+    }
+
     pub(super) fn kind(&self, proxies: [u32; 2]) -> Kind {
         let [a, b] = proxies.map(|proxy| self.proxies.all[proxy as usize].shape);
-        Kind {
-            has_two_points: a.count > 0 && b.count > 0,
-            is_fixed: proxies[0] as usize >= self.proxies.first_fixed,
+        let is_fixed = proxies[0] as usize >= self.proxies.first_fixed;
+        match &self.space {
+            None => Kind { has_two_points: a.count > 0 && b.count > 0, is_fixed, is_in_space: false },
+            Some(space) => {
+                let has_two_points = !proxies.iter().any(|&proxy| space.is_round(proxy));
+                Kind { has_two_points, is_fixed, is_in_space: true }
+            }
         }
     }
 
@@ -172,7 +200,7 @@ impl Precise {
         step: &Step,
         report: &mut Report,
     ) {
-        let Precise { bodies, sleep, is_stale, .. } = self;
+        let Precise { bodies, sleep, is_stale, space, .. } = self;
         let substeps = f32x4::splat(step.substeps as f32);
         for run in &sleep.bodies {
             let (hot, before) = (&mut bodies.hot[run.clone()], &mut bodies.before[run.clone()]);
@@ -184,6 +212,9 @@ impl Precise {
                 let entry = id.filter(|_| !sleep.is_asleep(number)).and_then(|id| objects.bodies.get_mut(id));
                 let (Some(id), Some(entry)) = (*id, entry) else { continue };
                 let mut read = read(&mut entry.body, gravity, step.dt, step.h);
+                if let Some(space) = space {
+                    space.read(number, &entry.body, &mut read, step, id);
+                }
                 let then = f32x4::new(read.velocity) + f32x4::new(read.push) * substeps;
                 if (then * f32x4::ZERO).to_array() != [0.0; 4] {
                     read = Read::default();
@@ -200,6 +231,7 @@ impl Precise {
     /// The step that is due.
     pub(crate) fn begin(&mut self, dt: f32, substeps: u32, gravity: Vector2, may_sleep: bool) -> Step {
         self.set_sleep(may_sleep, gravity);
+        self.space.iter_mut().for_each(|space| space.rested.clear());
         (self.dt, self.fall) = (dt, [gravity.x * dt, gravity.y * dt]);
         Step::new(dt, substeps, &self.tuning)
     }
@@ -212,7 +244,7 @@ impl Precise {
         if !self.is_finite() {
             self.put_back(objects, report);
         }
-        let Precise { bodies, sleep, .. } = self;
+        let Precise { bodies, sleep, space, .. } = self;
         for run in &sleep.bodies {
             let (hot, rotations) = (&bodies.hot[run.clone()], &mut bodies.rotations[run.clone()]);
             let (poses, paths) = (&bodies.poses[run.clone()], &bodies.path[run.clone()]);
@@ -223,9 +255,12 @@ impl Precise {
                 let id = id.filter(|_| !sleep.is_asleep(number));
                 let Some(entry) = id.and_then(|id| objects.bodies.get_mut(id)) else { continue };
                 let ([x, y, ..], [dx, dy, turned, _]) = (*pose, *path);
-                let [vx, vy, spin, _] = hot.velocity;
+                let [vx, vy, spin, vz] = hot.velocity;
                 entry.body.end_step(Vector2::new(x + dx, y + dy), turned, Vector2::new(vx, vy), spin);
                 *rotation = entry.body.rotation();
+                if let (Some(space), Some(id)) = (&mut *space, id) {
+                    space.write(number, id, *path, vz);
+                }
                 if let Some(body) = id.filter(|_| *path != [0.0; 4]) {
                     report.counters.bodies_moved += 1;
                     report.push(Event::BodyUpdated { body });
@@ -259,7 +294,17 @@ impl Precise {
             let place = (f32x4::new(pose) + f32x4::new(path)) * f32x4::splat(FAR);
             sum + (place + f32x4::new(self.bodies.hot[number].velocity)) * f32x4::ZERO
         });
-        sum.to_array() == [0.0; 4]
+        sum.to_array() == [0.0; 4] && self.is_finite_in_space()
+    }
+
+    /// Also along the depth axis, and of what turns about all.
+    fn is_finite_in_space(&self) -> bool {
+        self.space.as_ref().is_none_or(|space| {
+            self.sleep.awake(self.bodies.count).all(|number| {
+                let place = (space.places[number] + self.bodies.path[number][3]) * FAR;
+                place.is_finite() && space.is_spin_finite(number)
+            })
+        })
     }
 
     #[cold]
@@ -267,15 +312,16 @@ impl Precise {
         let is_finite = |number: usize| {
             let (pose, path) = (self.bodies.poses[number], self.bodies.path[number]);
             let velocity = self.bodies.hot[number].velocity;
-            (0..3).all(|i| {
-                velocity[i].is_finite() && ((path[i] + if i < 2 { pose[i] } else { 0.0 }) * FAR).is_finite()
-            })
+            let z = self.space.as_ref().map_or(0.0, |space| space.places[number]);
+            let from = [pose[0], pose[1], 0.0, z];
+            let spins = self.space.as_ref().is_none_or(|space| space.is_spin_finite(number));
+            spins && (0..4).all(|i| velocity[i].is_finite() && ((path[i] + from[i]) * FAR).is_finite())
         };
         let lost: Vec<usize> =
             self.sleep.awake(self.bodies.count).filter(|&number| !is_finite(number)).collect();
         let speed = |number: usize| {
-            let [x, y, spin, _] = self.bodies.before[number].map(f64::from);
-            x * x + y * y + spin * spin
+            let [x, y, spin, z] = self.bodies.before[number].map(f64::from);
+            x * x + y * y + spin * spin + z * z
         };
         let fastest = lost.iter().map(|&number| speed(number)).fold(0.0, f64::max);
         for &number in &lost {
@@ -283,6 +329,9 @@ impl Precise {
             (self.bodies.hot[number].velocity, self.bodies.path[number]) =
                 (self.bodies.before[number], [0.0; 4]);
             let Some(body) = self.bodies.ids[number] else { continue };
+            if let Some(space) = &mut self.space {
+                space.stop_spinning(number);
+            }
             if let Some(entry) = objects.bodies.get_mut(body).filter(|_| disabled) {
                 entry.body.set_enabled(false);
                 entry.body.forget_target();
@@ -296,17 +345,21 @@ impl Precise {
     /// Impulses that are not finite, and what springs have learnt of them, are forgotten.
     fn forget_infinite_impulses(&mut self) {
         self.for_each_impulse(|impulse| *impulse = finite(*impulse));
-        let forget = |points: &mut [super::rows::Point]| {
+        let mut forget = |points: &mut [super::rows::Point]| {
             points.iter_mut().for_each(|point| point.separation = finite(point.separation));
         };
         self.rows.two.for_each(|row| forget(&mut row.points));
         self.rows.one.for_each(|row| forget(&mut row.points));
         self.rows.two_fixed.for_each(|row| forget(&mut row.points));
         self.rows.one_fixed.for_each(|row| forget(&mut row.points));
+        self.rows.space.for_each_point(&mut forget);
     }
 
     /// What rows that are awake have of impulses, and of what springs have learnt of them.
     fn for_each_impulse(&mut self, change: impl Fn(&mut f32x4)) {
+        if self.space.is_some() {
+            return self.for_each_impulse_in_space(&change);
+        }
         let change = |tangent: &mut f32x4, points: &mut [super::rows::Point]| {
             change(tangent);
             for point in points {
@@ -344,6 +397,7 @@ impl Precise {
         self.gather_warm(step);
         for substep in 0..step.substeps {
             begin_substep(&mut self.bodies, &self.sleep.bodies, substep == 0);
+            self.begin_spins(substep == 0);
             self.joints.correct(&mut self.bodies, step.h);
             self.solve_soft(step);
             if self.bounces {
@@ -371,14 +425,20 @@ impl Precise {
     }
 
     fn note_approaches(&mut self) {
+        if self.space.is_some() {
+            return self.note_approaches_in_space();
+        }
         let hot = &self.bodies.hot;
-        note_approach::<false, 2>(&mut self.rows.two, hot);
-        note_approach::<false, 1>(&mut self.rows.one, hot);
-        note_approach::<true, 2>(&mut self.rows.two_fixed, hot);
-        note_approach::<true, 1>(&mut self.rows.one_fixed, hot);
+        note_approach::<false, 2, _>(&mut self.rows.two, hot);
+        note_approach::<false, 1, _>(&mut self.rows.one, hot);
+        note_approach::<true, 2, _>(&mut self.rows.two_fixed, hot);
+        note_approach::<true, 1, _>(&mut self.rows.one_fixed, hot);
     }
 
     fn note_pushes(&mut self) {
+        if self.space.is_some() {
+            return self.note_pushes_in_space();
+        }
         note_push(&mut self.rows.two);
         note_push(&mut self.rows.one);
         note_push(&mut self.rows.two_fixed);
@@ -388,22 +448,32 @@ impl Precise {
     fn gather_warm(&mut self, step: &Step) {
         let (warm, hot) = (&mut self.bodies.warm, &self.bodies.hot);
         self.sleep.bodies.iter().for_each(|run| warm[run.clone()].fill([0.0; 4]));
-        gather_warm::<false, 2>(&mut self.rows.two, warm, hot, &step.learning);
-        gather_warm::<false, 1>(&mut self.rows.one, warm, hot, &step.learning);
-        gather_warm::<true, 2>(&mut self.rows.two_fixed, warm, hot, &step.learning);
-        gather_warm::<true, 1>(&mut self.rows.one_fixed, warm, hot, &step.learning);
+        if self.space.is_some() {
+            self.gather_warm_in_space(step);
+        } else {
+            gather_warm::<false, 2>(&mut self.rows.two, warm, hot, &step.learning);
+            gather_warm::<false, 1>(&mut self.rows.one, warm, hot, &step.learning);
+            gather_warm::<true, 2>(&mut self.rows.two_fixed, warm, hot, &step.learning);
+            gather_warm::<true, 1>(&mut self.rows.one_fixed, warm, hot, &step.learning);
+        }
         self.joints.begin_passes(step.h);
     }
 
     fn solve_soft(&mut self, step: &Step) {
+        if self.space.is_some() {
+            return self.solve_soft_in_space(step);
+        }
         let (hot, inverse, push) = (&mut self.bodies.hot, 1.0 / step.h, self.tuning.push);
-        solve_soft::<false, 2>(&mut self.rows.two, hot, inverse, step.soft, push);
-        solve_soft::<false, 1>(&mut self.rows.one, hot, inverse, step.soft, push);
-        solve_soft::<true, 2>(&mut self.rows.two_fixed, hot, inverse, step.soft_fixed, push);
-        solve_soft::<true, 1>(&mut self.rows.one_fixed, hot, inverse, step.soft_fixed, push);
+        solve_soft::<false, 2, _>(&mut self.rows.two, hot, inverse, step.soft, push);
+        solve_soft::<false, 1, _>(&mut self.rows.one, hot, inverse, step.soft, push);
+        solve_soft::<true, 2, _>(&mut self.rows.two_fixed, hot, inverse, step.soft_fixed, push);
+        solve_soft::<true, 1, _>(&mut self.rows.one_fixed, hot, inverse, step.soft_fixed, push);
     }
 
     fn relax(&mut self, step: &Step) {
+        if self.space.is_some() {
+            return self.relax_in_space(step);
+        }
         let (hot, inverse) = (&mut self.bodies.hot, 1.0 / step.h);
         relax::<false, 2>(&mut self.rows.two, hot, inverse);
         relax::<false, 1>(&mut self.rows.one, hot, inverse);
@@ -412,12 +482,15 @@ impl Precise {
     }
 
     fn bounce(&mut self, step: &Step) {
+        if self.space.is_some() {
+            return self.bounce_in_space(step);
+        }
         let threshold = self.tuning.bounce;
         let Precise { rows, bodies, palette, joints, .. } = self;
         let mut hot = std::mem::take(&mut bodies.hot);
         macro_rules! bounce_all {
             ($fixed:literal, $points:literal, $rows:expr) => {
-                bounce::<$fixed, $points>($rows, &mut hot, threshold, |row, lanes, hot| {
+                bounce::<$fixed, $points, _>($rows, &mut hot, threshold, |row, lanes, hot| {
                     leave(bodies, hot, (palette, joints), step, row, lanes)
                 })
             };
@@ -432,6 +505,9 @@ impl Precise {
     /// Last stage: who has left its bounds gets new ones.
     pub(crate) fn follow(&mut self) {
         follow(&mut self.proxies, &self.bodies, &self.sleep.proxies, &self.tuning);
+        if let Some(space) = &self.space {
+            space.follow(&mut self.proxies, &self.bodies, &self.sleep.proxies, &self.tuning);
+        }
         for at in 0..self.proxies.escaped.len() {
             self.widen(self.proxies.escaped[at]);
         }
@@ -441,6 +517,15 @@ impl Precise {
     pub(super) fn widen(&mut self, proxy: u32) {
         let bounds = self.proxies.widened(proxy as usize, &self.bodies, &self.tuning, self.dt);
         self.proxies.bounds[proxy as usize] = bounds;
-        self.grid.set(proxy, &bounds);
+        let Some(space) = &mut self.space else { return self.grid.set(proxy, &bounds) };
+        if proxy == space.ground {
+            self.proxies.bounds[proxy as usize] = BELOW;
+        }
+        let Proxy { body, shape, .. } = self.proxies.all[proxy as usize];
+        let speed = self.bodies.hot.get(body as usize).map_or(0.0, |hot| hot.velocity[3]);
+        space.widen(proxy, body, shape.reach, speed * self.dt, &self.tuning);
+        if space.is_in_grid(proxy) {
+            self.grid.set(proxy, &space.cells(proxy, &bounds));
+        }
     }
 }

@@ -3,12 +3,15 @@
 use super::Precise;
 use super::bodies::{inverses_of, ring_of};
 use super::grid::Box2;
+use super::outline::Shape;
 use super::proxies::{Mobility, Proxy, filter_of};
 use super::saved::Saved;
+use super::space::parts::{Depths, SpaceProfile, is_geom};
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::geom::entry::GeomEntry;
 use crate::geom::filter::is_valid_pair;
+use crate::geom::pieces::Piece;
 use crate::objects::Objects;
 
 pub(super) const NONE: u32 = u32::MAX;
@@ -84,9 +87,10 @@ impl Precise {
         let is_movable = number < self.bodies.first_fixed();
         let inverses = if is_movable { inverses_of(body) } else { [0.0; 2] };
         let velocity = surface_velocity(is_movable, body);
-        let has_moved = self.bodies.was_moved(number, body);
+        let has_moved = self.bodies.was_moved(number, body) || self.was_moved_in_space(number, id);
         let is_other = inverses != self.bodies.inverses[number];
-        if has_moved || is_other || !body.rests_with(self.bodies.gravity_parts[number]) {
+        let rests = body.rests_with(self.bodies.gravity_parts[number]) && self.rests_in_space(id);
+        if has_moved || is_other || !rests {
             self.sleep.note_waking(number);
         } else {
             self.sleep.note_push(number);
@@ -106,6 +110,7 @@ impl Precise {
         if has_moved {
             self.bodies.move_to(number, body);
         }
+        self.take_body_in_space(number, id);
         for &geom in &entry.geoms {
             self.renew_proxies(geom, objects, |proxy| {
                 let is_belt_changed = proxy.surface_velocity != velocity;
@@ -121,6 +126,9 @@ impl Precise {
         let Precise { bodies, proxies, .. } = self;
         let shapes = proxies.of(number).map(|proxy| proxies.all[proxy as usize].shape);
         bodies.measure(number, shapes.map(|shape| (shape, proxies.corners.core(shape))));
+        if let Some(space) = &mut self.space {
+            space.measure_ball(number, &self.proxies);
+        }
         self.measure_ring(number, objects);
     }
 
@@ -183,8 +191,7 @@ impl Precise {
         let mut pairs = std::mem::take(&mut self.lost);
         pairs.extend(self.pairs.of(proxy).map(|pair| pair as u32));
         for pair in pairs.drain(..) {
-            let proxies = self.pairs.watched[pair as usize].proxies;
-            let is_heard = proxies.iter().any(|&proxy| self.proxies.all[proxy as usize].is_heard);
+            let is_heard = self.is_heard(self.pairs.watched[pair as usize].proxies);
             self.pairs.set_heard(pair as usize, is_heard);
         }
         self.lost = pairs;
@@ -279,10 +286,19 @@ impl Precise {
         self.sleep.reset(&self.bodies.ids[..self.bodies.first_fixed()]);
         self.direct.reset(self.bodies.hot.len());
         (1..=self.bodies.count).for_each(|number| self.measure(number, objects));
-        let is_at_rest = |body| {
-            objects.bodies.get(body).is_some_and(|entry| entry.body.rests_with(entry.body.gravity_part()))
-        };
-        self.restore(saved, |a, b| is_valid_pair((a, b), &objects.geoms, &objects.bodies), is_at_rest);
+        self.restore(saved, objects);
+    }
+
+    /// Whether a body does not move, nor is pushed by anything but gravity.
+    pub(super) fn is_at_rest(&self, id: BodyId, objects: &Objects) -> bool {
+        let body = objects.bodies.get(id).map(|entry| &entry.body);
+        body.is_some_and(|body| body.rests_with(body.gravity_part())) && self.rests_in_space(id)
+    }
+
+    /// Whether a pair that is known may stay.
+    pub(super) fn may_stay(&self, geoms: (GeomId, GeomId), objects: &Objects) -> bool {
+        self.meets_fixture(geoms, objects)
+            .unwrap_or_else(|| is_valid_pair(geoms, &objects.geoms, &objects.bodies))
     }
 
     fn list_bodies(&mut self, objects: &Objects) {
@@ -305,6 +321,7 @@ impl Precise {
             movable().filter(|(_, entry)| entry.body.is_integrated()).map(|(id, entry)| (id, &entry.body)),
             fixed.iter().map(|&id| (id, &bodies[id].body)),
         );
+        self.list_fixtures();
         for (number, id) in self.bodies.ids.iter().enumerate() {
             if let Some(id) = id {
                 set(&mut self.body_numbers, id.slot(), number as u32);
@@ -323,6 +340,7 @@ impl Precise {
         self.add_proxies(objects, |body| body < first_fixed);
         self.proxies.leave_room();
         self.add_proxies(objects, |body| body >= first_fixed);
+        self.add_fixtures();
         self.proxies.link(self.bodies.poses.len());
         self.known.resize(self.proxies.all.len(), false);
     }
@@ -362,7 +380,7 @@ impl Precise {
             number: geom.number,
             body: body as u32,
             mobility,
-            shape: self.proxies.corners.add(&geom.pieces()[piece], geom),
+            shape: self.shape_of(id, geom, piece),
             friction: geom.geom.friction_coefficient(),
             restitution,
             responds: geom.geom.collision_response_enabled(),
@@ -372,9 +390,21 @@ impl Precise {
         })
     }
 
+    /// Its shape in the frame of its body.
+    fn shape_of(&mut self, id: GeomId, geom: &GeomEntry, piece: usize) -> Shape {
+        match self.space.as_ref().map(|space| space.profile(id)).filter(|profile| profile.is_round) {
+            Some(SpaceProfile { half_depth, .. }) => {
+                let circle = Piece::Circle { centre: [0.0; 2], radius: half_depth };
+                self.proxies.corners.add(&circle, geom)
+            }
+            None => self.proxies.corners.add(&geom.pieces()[piece], geom),
+        }
+    }
+
     /// The proxy of a piece of a geom, if it is listed.
     pub(super) fn proxy_of(&self, geom: GeomId, piece: u32) -> Option<u32> {
-        let at = get(&self.first_proxies, geom.slot())? + piece as usize;
+        let first = if is_geom(geom) { get(&self.first_proxies, geom.slot()) } else { self.fixture_of(geom) };
+        let at = first? + piece as usize;
         let proxy = self.proxies.all.get(at)?;
         (proxy.geom == geom && proxy.piece == piece).then_some(at as u32)
     }
@@ -386,9 +416,13 @@ impl Precise {
     }
 
     /// Bounds as they were.
-    pub(super) fn enter_with(&mut self, proxy: u32, bounds: Box2) {
+    pub(super) fn enter_with(&mut self, proxy: u32, bounds: Box2, depths: Depths) {
         self.proxies.bounds[proxy as usize] = bounds;
-        self.grid.set(proxy, &bounds);
+        let Some(space) = &mut self.space else { return self.grid.set(proxy, &bounds) };
+        space.set_depths(proxy, depths);
+        if space.is_in_grid(proxy) {
+            self.grid.set(proxy, &space.cells(proxy, &bounds));
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! What games are told of touches.
 
 use super::Precise;
+use super::space::parts::is_geom;
 use super::touch::{Change, Looks};
 use crate::contacts::arbiter::{ArbiterRef, Found};
 use crate::contacts::contact::{Contact, ContactId};
@@ -41,6 +42,9 @@ impl Precise {
     pub(crate) fn touching(&self, pair: usize) -> Option<ArbiterRef<'static>> {
         let state = self.pairs.all.get(pair).filter(|state| state.is_told)?;
         let [a, b] = self.pairs.watched[pair].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
+        if self.space.is_some() {
+            return None;
+        }
         let is_flipped = a.number > b.number;
         let frozen = &self.pairs.frozen[pair];
         let lane = state.home.map(|home| self.rows.lane(state.kind, home));
@@ -77,6 +81,7 @@ impl Precise {
     /// What began or ceased to touch in this step, by geoms: each two geoms once, in the order of creation numbers.
     pub(crate) fn take_changes(&mut self) -> Vec<((GeomId, GeomId), bool)> {
         let mut changes = std::mem::take(&mut self.changes);
+        changes.retain(|change| is_geom(change.geoms.1));
         changes.sort_unstable();
         let of_two_geoms = changes.chunk_by(|one, other| one.numbers == other.numbers);
         of_two_geoms.filter_map(|changes| self.change_of_geoms(changes)).collect()

@@ -8,10 +8,11 @@
 use super::bodies::Bodies;
 use super::direct::Direct;
 use super::manifold::{Manifold, collide};
-use super::pairs::{BY_ROW, Frozen, Pairs};
+use super::pairs::{BY_ROW, Frozen, FrozenInSpace, Pairs};
 use super::proxies::{Mobility, Proxies, Proxy};
-use super::rows::{Aside, Home, Kind, Lane, Palette, PointLane, Rows};
+use super::rows::{Aside, Home, Kind, Lane, Palette, PointLane, Rows, SpaceLane};
 use super::sleep::Sleep;
+use super::space::{Before, Space, tangents};
 use super::tuning::Tuning;
 use crate::geom::GeomId;
 use crate::geom::surface::{FrictionType, mix_restitution};
@@ -42,6 +43,7 @@ pub(super) struct Touch<'a> {
     pub(super) palette: &'a mut Palette,
     pub(super) sleep: &'a mut Sleep,
     pub(super) direct: &'a mut Direct,
+    pub(super) space: Option<&'a Space>,
     pub(super) tuning: &'a Tuning,
     pub(super) friction: FrictionType,
     /// Contacts of two pieces, at most.
@@ -126,14 +128,12 @@ impl<'a> Touch<'a> {
         let two = self.two(pair);
         let is_known = self.pairs.frozen[pair].count > 0 && self.pairs.watched[pair].tolerance != BY_ROW;
         self.pairs.watched[pair].since = self.motion(pair);
-        if is_known && self.renew(pair, two) {
+        if is_known && self.may_renew(pair, two) && self.renew(pair, two) {
             self.looks.kept += 1;
             self.note_touch(pair, two);
             return;
         }
-        let outline = |proxy: &Proxy| self.proxies.corners.outline(proxy.shape);
-        let (a, b) = (outline(two.a), outline(two.b));
-        let mut found = collide(a, b, two.pose_a, two.pose_b, self.tuning.speculative);
+        let mut found = self.collide(pair, two, self.tuning.speculative);
         found.keep_deepest(self.most_contacts);
         if found.count == 0 {
             self.part(pair, found.gap);
@@ -142,6 +142,34 @@ impl<'a> Touch<'a> {
             self.meet(pair, two, &found);
             self.note_touch(pair, two);
         }
+    }
+
+    fn collide(&self, pair: usize, two: Two<'_>, reach: f32) -> Manifold {
+        let outline = |proxy: &Proxy| self.proxies.corners.outline(proxy.shape);
+        let Some(space) = self.space else {
+            return collide(outline(two.a), outline(two.b), two.pose_a, two.pose_b, reach);
+        };
+        let [at_a, at_b] = self.pairs.watched[pair].proxies;
+        let solid =
+            |at: u32, proxy: &'a Proxy| space.solid(at, proxy, outline(proxy), (self.bodies, self.dt));
+        let Frozen { count, space: FrozenInSpace { normal_z, .. }, .. } = self.pairs.frozen[pair];
+        let before = match normal_z {
+            _ if count == 0 => Before::Nothing,
+            1.0 | -1.0 => Before::Depth(normal_z),
+            _ => Before::Plane,
+        };
+        let all = &self.proxies.all;
+        space.touch(solid(at_a, &all[at_a as usize]), solid(at_b, &all[at_b as usize]), before, reach)
+    }
+
+    /// Whether contacts may stay what they were if the two have not moved much: not those of balls, on which they wander, and
+    /// not those of outlines that have passed each other along the depth axis.
+    fn may_renew(&self, pair: usize, two: Two<'_>) -> bool {
+        self.space.is_none_or(|space| {
+            let (kind, proxies) = (self.pairs.all[pair].kind, self.pairs.watched[pair].proxies);
+            let is_in_plane = self.pairs.frozen[pair].space.normal_z.abs() < 1.0;
+            kind.has_two_points && (!is_in_plane || space.are_beside(proxies, space.apart(two.a, two.b)))
+        })
     }
 
     /// The two touch once their outlines do or push each other, or will in this step: contacts that only reach ahead are not
@@ -166,10 +194,12 @@ impl<'a> Touch<'a> {
         let state = self.pairs.all[pair];
         let frozen = &self.pairs.frozen[pair];
         let count = frozen.count as usize;
+        let along_depth = self.approach_along_depth(two, frozen.space.normal_z);
         match state.home {
             Some(home) => self.rows.lane(state.kind, home).points[..count].iter().zip(&frozen.anchors).any(
                 |(point, anchors)| {
-                    let gap = point.separation + self.dt * self.approach(two, frozen.normal, anchors);
+                    let in_plane = self.approach(two, frozen.normal, anchors);
+                    let gap = point.separation + self.dt * (in_plane + along_depth);
                     point.separation <= 0.0 || point.impulse > 0.0 || gap <= 0.0
                 },
             ),
@@ -186,6 +216,15 @@ impl<'a> Touch<'a> {
             sum(self.fall.map(|fall| fall * part), [x - spin * arm[1], y + spin * arm[0]])
         };
         dot(difference(velocity(two.b, [bx, by]), velocity(two.a, [ax, ay])), normal)
+    }
+
+    fn approach_along_depth(&self, two: Two<'_>, normal_z: f32) -> f32 {
+        if normal_z == 0.0 {
+            return 0.0;
+        }
+        let velocity =
+            |proxy: &Proxy| self.bodies.hot.get(proxy.body as usize).map_or(0.0, |hot| hot.velocity[3]);
+        normal_z * (velocity(two.b) - velocity(two.a))
     }
 
     fn tell(&mut self, pair: usize, begins: bool) {
@@ -228,9 +267,11 @@ impl<'a> Touch<'a> {
             return false;
         }
         let mut separations = frozen.separations;
+        let FrozenInSpace { normal_z, apart: apart_then, .. } = frozen.space;
+        let along_depth = self.space.map_or(0.0, |space| normal_z * (space.apart(two.a, two.b) - apart_then));
         for (separation, &[ax, ay, bx, by]) in separations.iter_mut().zip(&frozen.anchors) {
             let apart = sum(two.apart(), difference(turn(turned_b, [bx, by]), turn(turned_a, [ax, ay])));
-            *separation += dot(apart, frozen.normal);
+            *separation += dot(apart, frozen.normal) + along_depth;
         }
         match self.pairs.all[pair].home {
             Some(home) => self.rows.set_separations(self.pairs.all[pair].kind, home, separations),
@@ -241,7 +282,7 @@ impl<'a> Touch<'a> {
 
     /// How far a polygon that lies on something that does not give way turns in this step, if nothing changes its spin.
     fn turn_on_fixed(&self, pair: usize, two: Two<'_>) -> f32 {
-        let Kind { has_two_points, is_fixed } = self.pairs.all[pair].kind;
+        let Kind { has_two_points, is_fixed, .. } = self.pairs.all[pair].kind;
         if has_two_points && is_fixed {
             self.bodies.hot[two.b.body as usize].velocity[2] * self.dt
         } else {
@@ -264,7 +305,7 @@ impl<'a> Touch<'a> {
         }
         let old = old.unwrap_or_default();
         let mut lane = self.lane(pair, two);
-        lane.tangent_impulse = old.tangent_impulse;
+        carry_friction(&mut lane, &old);
         for (at, point) in lane.points.iter_mut().enumerate().take(found.count) {
             if let Some(from) = kept[at] {
                 (point.impulse, point.held) = (old.points[from].impulse, old.points[from].held);
@@ -278,6 +319,9 @@ impl<'a> Touch<'a> {
 
     #[inline(always)]
     fn are_circles(&self, two: Two<'_>) -> bool {
+        if self.space.is_some() {
+            return false;
+        }
         let is_circle =
             |proxy: &Proxy| self.bodies.circles.get(proxy.body as usize).is_some_and(|row| row[3] > 0.0);
         is_circle(two.a) && is_circle(two.b)
@@ -305,6 +349,11 @@ impl<'a> Touch<'a> {
             separations: found.separations,
             features: found.features,
             lead: lead.clamp(-LARGEST_LEAD, LARGEST_LEAD),
+            space: FrozenInSpace {
+                normal_z: found.normal_z,
+                apart: self.space.map_or(0.0, |space| space.apart(two.a, two.b)),
+                spread: found.spread,
+            },
         };
     }
 
@@ -380,7 +429,7 @@ impl<'a> Touch<'a> {
         }
         let parts = 1.0 / frozen.count as f32;
         let tangent_arms = [tangent_a * parts, tangent_b * parts];
-        Lane {
+        let lane = Lane {
             a: if is_fixed { 0 } else { two.a.body },
             b: two.b.body,
             pair: pair as u32,
@@ -395,6 +444,47 @@ impl<'a> Touch<'a> {
             tangent_speed: belt_speed(two.a, normal, frozen.anchors[0]).clamp(f32::MIN, f32::MAX),
             restitution: mix_restitution(two.a.restitution, two.b.restitution),
             points,
+            space: SpaceLane::default(),
+        };
+        match self.space {
+            None => lane,
+            Some(space) => self.lane_in_space(space, pair, two, lane),
+        }
+    }
+
+    /// The same in three axes.
+    fn lane_in_space(&self, space: &Space, pair: usize, two: Two<'_>, lane: Lane) -> Lane {
+        let Frozen { normal: [x, y], count, anchors, space: FrozenInSpace { normal_z, spread, .. }, .. } =
+            self.pairs.frozen[pair];
+        let (tangent, [ux, uy, _]) = tangents([x, y, normal_z]);
+        let points = &anchors[..count as usize];
+        let arms = |along: Vector| {
+            let sum = points.iter().fold([0.0; 2], |[of_a, of_b], &[ax, ay, bx, by]| {
+                [of_a + cross([ax, ay], along), of_b + cross([bx, by], along)]
+            });
+            sum.map(|arm| arm / count as f32)
+        };
+        let [at_a, at_b] = self.pairs.watched[pair].proxies;
+        let [friction, restitution] = if at_a == space.ground {
+            let [friction, restitution] = space.ground_of(at_b);
+            [self.friction.mix(friction, two.b.friction), mix_restitution(restitution, two.b.restitution)]
+        } else {
+            [lane.friction, lane.restitution]
+        };
+        Lane {
+            friction: friction.min(f32::MAX),
+            restitution,
+            tangent_arms: arms(tangent),
+            tangent_speed: belt_speed(two.a, [-tangent[1], tangent[0]], anchors[0]).clamp(f32::MIN, f32::MAX),
+            space: SpaceLane {
+                normal_z,
+                across_arms: arms([ux, uy]),
+                radii: [space.rolling_radius(at_a, two.a), space.rolling_radius(at_b, two.b)],
+                across_speed: belt_speed(two.a, [-uy, ux], anchors[0]).clamp(f32::MIN, f32::MAX),
+                spread,
+                ..SpaceLane::default()
+            },
+            ..lane
         }
     }
 
@@ -496,8 +586,7 @@ impl<'a> Touch<'a> {
     /// Two circles, whose row has followed them until now, are known as they lie.
     fn freeze_circles(&mut self, pair: usize, home: Home) {
         let two = self.two(pair);
-        let outline = |proxy: &Proxy| self.proxies.corners.outline(proxy.shape);
-        let found = collide(outline(two.a), outline(two.b), two.pose_a, two.pose_b, f32::MAX);
+        let found = self.collide(pair, two, f32::MAX);
         self.freeze(pair, two, &found);
         let kind = self.pairs.all[pair].kind;
         let now = self.lane(pair, two);
@@ -577,6 +666,22 @@ impl<'a> Touch<'a> {
         };
         self.pairs.all[pair].home = Some(home);
     }
+}
+
+/// Friction that was found before goes on, along tangents that may have turned.
+fn carry_friction(lane: &mut Lane, old: &Lane) {
+    lane.tangent_impulse = old.tangent_impulse;
+    (lane.space.twist_impulse, lane.space.totals) = (old.space.twist_impulse, old.space.totals);
+    let (along, across) = (old.tangent_impulse, old.space.across_impulse);
+    let is_same = lane.space.normal_z == old.space.normal_z && lane.normal == old.normal;
+    if across == 0.0 && (is_same || lane.space.normal_z == 0.0) {
+        return;
+    }
+    let of = |lane: &Lane| tangents([lane.normal[0], lane.normal[1], lane.space.normal_z]);
+    let (([tx, ty], [ux, uy, uz]), (tangent, second)) = (of(old), of(lane));
+    let [x, y, z] = [along * tx + across * ux, along * ty + across * uy, across * uz];
+    lane.tangent_impulse = dot([x, y], tangent);
+    lane.space.across_impulse = dot([x, y], [second[0], second[1]]) + z * second[2];
 }
 
 /// Speed of B against A along the tangent (normal y, -normal x) that a surface moving under it aims at.

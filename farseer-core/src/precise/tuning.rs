@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::proxies::FARTHEST;
+
 /// How things that touch are kept together and apart. Lengths are parts of [`Methods::Precise`](crate::Methods)'
 /// `length_unit`, the size of things that a player looks at: a metre of a game in metres, 32 px of one in px.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -39,11 +41,27 @@ impl Tuning {
         }
     }
 
+    /// Margin of the box of something that reaches so far.
+    pub(super) fn margin_of(&self, reach: f32) -> f32 {
+        let by_size = MARGIN_OF_SIZE * reach;
+        if by_size < self.margin { by_size } else { self.margin }
+    }
+
+    /// How far the box of something reaches ahead that goes so far in a step.
+    pub(super) fn ahead(&self, way: f32) -> f32 {
+        (way * STEPS_AHEAD).clamp(-FARTHEST, FARTHEST)
+    }
+
     /// Motion sums count in parts of 2^-26 units, and wrap.
     pub(crate) fn motion_scale(&self) -> f32 {
         67_108_864.0 / self.unit
     }
 }
+
+/// Boxes reach ahead of a body by what it moves in so many steps.
+const STEPS_AHEAD: f32 = 4.0;
+/// And around it by so much of its size at most.
+const MARGIN_OF_SIZE: f32 = 0.25;
 
 /// Frequency of a contact's spring in Hz, as far as the length of a substep allows; its damping ratio; and how many
 /// substeps a period of it must have.

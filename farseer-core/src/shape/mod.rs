@@ -13,6 +13,7 @@ mod measures;
 mod polygon_creation_assistance;
 pub mod ray_helper;
 mod simplify;
+mod slanted_box;
 mod static_tools;
 mod texture_outline;
 mod texture_polygons;
@@ -26,5 +27,7 @@ pub use boolean::PolyUnionError;
 pub use edges::{CrossingEdgeInfo, Edge, EdgeAlignment, EdgeIntersectInfo};
 pub use feature::Feature;
 pub use polygon_creation_assistance::PolygonCreationAssistance;
+#[doc(hidden)]
+pub use slanted_box::{BoxTouch, Face, SlantedBox};
 pub use vertices::Vertices;
 pub use winding::WindingOrder;

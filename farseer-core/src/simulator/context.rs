@@ -33,6 +33,12 @@ impl Context<'_> {
     pub fn simulator(&self) -> &PhysicsSimulator {
         self.simulator
     }
+
+    /// For engines with depth, which tell of edits at once.
+    #[doc(hidden)]
+    pub fn simulator_mut(&mut self) -> &mut PhysicsSimulator {
+        self.simulator
+    }
 }
 
 /// How a collision goes: what a handler may set in [`on_collision`](crate::EventHandler::on_collision), for all contacts of

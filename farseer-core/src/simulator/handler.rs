@@ -72,6 +72,20 @@ pub trait EventHandler {
         true
     }
 
+    /// For engines with depth: everything that touches is known, and nothing has been pushed yet. Answers the numbers of pairs
+    /// that push nothing in this update.
+    #[doc(hidden)]
+    fn on_space_touches(&mut self, context: &mut Context<'_>) -> Vec<usize> {
+        let _ = context;
+        Vec::new()
+    }
+
+    /// For engines with depth: bodies have moved, and nobody has been told yet.
+    #[doc(hidden)]
+    fn on_space_moved(&mut self, context: &mut Context<'_>) {
+        let _ = context;
+    }
+
     /// See [`Event::BodyUpdated`](crate::Event::BodyUpdated).
     #[doc(alias("Updated", "UpdatedEventHandler"))]
     fn on_body_updated(&mut self, context: &mut Context<'_>, body: BodyId) {

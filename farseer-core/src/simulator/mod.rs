@@ -11,6 +11,7 @@ mod save;
 mod settle;
 mod sleep;
 mod solve;
+mod space;
 mod springs;
 mod tell;
 mod update;

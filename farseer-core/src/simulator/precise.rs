@@ -38,10 +38,15 @@ impl PhysicsSimulator {
         self.report.counters.pairs_tested = self.precise().find_contacts(friction, most);
         let looks = self.precise().looks();
         (self.report.counters.manifolds_made, self.report.counters.manifolds_kept) = (looks.made, looks.kept);
-        if handler.wants(|handler| handler.filters_pairs()) {
-            self.filter_precise_pairs(handler);
+        if self.precise().is_in_space() {
+            self.precise().take_changes();
+            self.ask_about_space(handler);
+        } else {
+            if handler.wants(|handler| handler.filters_pairs()) {
+                self.filter_precise_pairs(handler);
+            }
+            self.tell_precise(handler);
         }
-        self.tell_precise(handler);
         stopwatch.lap(|times| &mut times.narrow_phase_collision_time);
         self.update_controllers(dt, dt_real, handler);
         self.update_springs(Some(dt), handler);
@@ -175,7 +180,15 @@ impl PhysicsSimulator {
             let filter = Filter { geoms: &self.objects.geoms, bodies: &self.objects.bodies };
             let may_collide = match (self.objects.geoms.get(a), self.objects.geoms.get(b)) {
                 (Some(a), Some(b)) => filter.may_collide(a, b),
-                _ => false,
+                _ => {
+                    let precise = self
+                        .pipeline
+                        .precise
+                        .as_mut()
+                        .filter(|precise| precise.meets_fixture((a, b), &self.objects) == Some(true));
+                    precise.into_iter().for_each(|precise| precise.accept(at));
+                    false
+                }
             };
             if may_collide && (!asks_about_new || self.approves_pair(handler, a, b)) {
                 self.precise().accept(at);
@@ -288,6 +301,9 @@ impl PhysicsSimulator {
         precise.write_bodies(objects, report);
         let told = report.events.len();
         precise.follow();
+        if precise.is_in_space() {
+            self.tell(handler, |handler, context| handler.on_space_moved(context));
+        }
         self.write_precise_joints(handler);
         if handler.get().is_some() {
             self.tell_bodies_moved(told - self.report.counters.bodies_moved..told, handler);

@@ -134,7 +134,7 @@ impl PhysicsSimulator {
 }
 
 impl PhysicsSimulator {
-    fn begin(&mut self, dt: f32, handler: &mut Handler<'_>) -> bool {
+    pub(super) fn begin(&mut self, dt: f32, handler: &mut Handler<'_>) -> bool {
         self.report.clear();
         self.contacts.forget_answers();
         if !self.accepts_step("dt", dt) || (dt != 0.0 && !self.accepts_step("dt", 1.0 / dt)) {

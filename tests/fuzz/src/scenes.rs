@@ -160,8 +160,10 @@ fn add_controllers(simulator: &mut PhysicsSimulator, b: &[BodyId], geoms: &[Geom
 pub fn depth(kind: usize) -> Result<TwoHalfPhysicsSimulator> {
     let mut random = Random::new(kind as u64);
     let mut simulator = TwoHalfPhysicsSimulator::from_core(600, 60, world(kind)?)?;
-    if kind % 4 == 3 {
-        simulator.set_depth_scheme(DepthScheme::Thesis)?;
+    match kind % 4 {
+        1 => simulator.set_depth_scheme(DepthScheme::Precise)?,
+        3 => simulator.set_depth_scheme(DepthScheme::Thesis)?,
+        _ => {}
     }
     let (right, left) = (Vector3::new(30.0, 20.0, 30.0), Vector3::new(-80.0, 20.0, 30.0));
     Platform::with_rotation(&mut simulator, 120.0, 20.0, 60.0, right, -0.3, None)?;

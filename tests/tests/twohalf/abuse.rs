@@ -15,7 +15,7 @@ fn assert_finite(simulator: &TwoHalfPhysicsSimulator, bodies: &[BodyId]) {
 }
 
 #[test]
-fn extreme_velocities_disable_bodies_and_leave_everything_finite() {
+pub(crate) fn extreme_velocities_disable_bodies_and_leave_everything_finite() {
     let mut disabled = 0;
     for speed in [1e10, 1e20, 1e30, 3e38] {
         let (mut simulator, bodies) = busy_scene();
@@ -32,7 +32,7 @@ fn extreme_velocities_disable_bodies_and_leave_everything_finite() {
 }
 
 #[test]
-fn extreme_gravity_forces_and_coefficients_leave_everything_finite() {
+pub(crate) fn extreme_gravity_forces_and_coefficients_leave_everything_finite() {
     for value in [1e-38, 1e20, 3e38, -3e38] {
         let (mut simulator, bodies) = busy_scene();
         simulator.set_gravity(Vector2::new(value, value)).unwrap();
@@ -49,7 +49,7 @@ fn extreme_gravity_forces_and_coefficients_leave_everything_finite() {
 }
 
 #[test]
-fn negative_masses_and_steps_leave_everything_finite() {
+pub(crate) fn negative_masses_and_steps_leave_everything_finite() {
     let (mut simulator, bodies) = busy_scene();
     simulator.body_mut(bodies[0]).unwrap().core_mut().set_mass(-1.0).unwrap();
     for dt in [0.01, -0.01, 0.0, 10.0, -10.0, 1e-38, 1e30] {
@@ -73,7 +73,7 @@ impl EventHandler for Disposer {
 }
 
 #[test]
-fn bodies_that_are_disposed_during_a_callback_are_gone_after_the_next_update() {
+pub(crate) fn bodies_that_are_disposed_during_a_callback_are_gone_after_the_next_update() {
     let (mut simulator, bodies) = busy_scene();
     for _ in 0..300 {
         simulator.update_with(0.01, &mut Disposer);

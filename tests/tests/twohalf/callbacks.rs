@@ -64,7 +64,7 @@ fn run_until_told(simulator: &mut TwoHalfPhysicsSimulator, handler: &mut Listene
 
 /// In the plane the 2D engine asks, along Z this one.
 #[test]
-fn a_geom_whose_callbacks_are_off_is_not_asked_and_its_partner_is() {
+pub(crate) fn a_geom_whose_callbacks_are_off_is_not_asked_and_its_partner_is() {
     for axis in AXES {
         let (mut simulator, bodies, _) = pair_along(axis, 1.0);
         let [silent, heard] = bodies.map(|body| geom_of(&simulator, body));
@@ -140,7 +140,7 @@ fn the_impulse_of_a_hit_is_the_reduced_mass_times_the_speed_times_1_plus_the_res
 }
 
 #[test]
-fn ground_and_platforms_are_told_to_the_object_with_a_normal_that_points_up() {
+pub(crate) fn ground_and_platforms_are_told_to_the_object_with_a_normal_that_points_up() {
     for (is_ball, on_platform) in FALLS {
         let (mut simulator, body, partner) = falling(is_ball, on_platform, 0.5);
         let mut listener = Listener::default();
@@ -158,7 +158,7 @@ fn ground_and_platforms_are_told_to_the_object_with_a_normal_that_points_up() {
 }
 
 #[test]
-fn what_rests_is_told_of_its_contact_in_every_update_with_the_impulse_that_holds_it() {
+pub(crate) fn what_rests_is_told_of_its_contact_in_every_update_with_the_impulse_that_holds_it() {
     for (is_ball, on_platform) in FALLS {
         let (mut simulator, _, partner) = falling(is_ball, on_platform, 0.0);
         run(&mut simulator, 300);
@@ -175,7 +175,7 @@ fn what_rests_is_told_of_its_contact_in_every_update_with_the_impulse_that_holds
 }
 
 #[test]
-fn a_refused_contact_does_nothing_in_every_axis() {
+pub(crate) fn a_refused_contact_does_nothing_in_every_axis() {
     for axis in AXES {
         let (mut simulator, bodies, direction) = pair_along(axis, 0.5);
         let mut listener = Listener::that_refuses(|_, _| true);
@@ -191,7 +191,7 @@ fn a_refused_contact_does_nothing_in_every_axis() {
 }
 
 #[test]
-fn a_refusal_is_told_among_the_events() {
+pub(crate) fn a_refusal_is_told_among_the_events() {
     for axis in AXES {
         let (mut simulator, bodies, _) = pair_along(axis, 0.5);
         let mut listener = Listener::that_refuses(|_, _| true);
@@ -210,7 +210,7 @@ fn second_side_refuses(context: &Context<'_>, collision: &Collision) -> bool {
 }
 
 #[test]
-fn the_second_side_may_refuse_as_well() {
+pub(crate) fn the_second_side_may_refuse_as_well() {
     for axis in AXES {
         let (mut simulator, bodies, direction) = pair_along(axis, 0.5);
         let mut listener = Listener::that_refuses(second_side_refuses);
@@ -247,7 +247,7 @@ fn a_refusal_of_the_second_side_hides_no_other_contact() {
 }
 
 #[test]
-fn a_refused_ground_or_platform_is_fallen_through() {
+pub(crate) fn a_refused_ground_or_platform_is_fallen_through() {
     for (is_ball, on_platform) in FALLS {
         let (mut simulator, body, partner) = falling(is_ball, on_platform, 0.5);
         let mut listener = Listener::that_refuses(|_, _| true);
@@ -272,7 +272,7 @@ impl EventHandler for OneWay {
 }
 
 #[test]
-fn a_one_way_platform_is_jumped_through_from_below_and_stood_on() {
+pub(crate) fn a_one_way_platform_is_jumped_through_from_below_and_stood_on() {
     for is_ball in [true, false] {
         let mut simulator = simulator();
         platform(&mut simulator, [200.0, 20.0, 100.0], [0.0, 60.0, 0.0]);
@@ -294,7 +294,7 @@ fn a_one_way_platform_is_jumped_through_from_below_and_stood_on() {
 }
 
 #[test]
-fn a_platform_that_refuses_nothing_is_not_jumped_through() {
+pub(crate) fn a_platform_that_refuses_nothing_is_not_jumped_through() {
     let mut simulator = simulator();
     platform(&mut simulator, [200.0, 20.0, 100.0], [0.0, 60.0, 0.0]);
     let body = ball(&mut simulator, 10.0, [0.0, 0.0, 0.0]);
@@ -337,7 +337,7 @@ fn a_sensor_feels_what_passes_through_it_along_every_axis_and_does_not_push() {
 }
 
 #[test]
-fn a_sensor_does_not_feel_what_passes_in_front_of_it_or_behind() {
+pub(crate) fn a_sensor_does_not_feel_what_passes_in_front_of_it_or_behind() {
     for z in [-31.0, 31.0] {
         let mut simulator = weightless();
         sensor(&mut simulator);
@@ -373,7 +373,7 @@ const PARTINGS: [Parting; 4] = [
 ];
 
 #[test]
-fn groups_categories_and_exceptions_count_in_every_axis() {
+pub(crate) fn groups_categories_and_exceptions_count_in_every_axis() {
     for axis in AXES {
         for parting in PARTINGS {
             let (mut simulator, bodies, direction) = pair_along(axis, 0.5);
@@ -388,7 +388,7 @@ fn groups_categories_and_exceptions_count_in_every_axis() {
 }
 
 #[test]
-fn geoms_of_different_groups_collide_in_every_axis() {
+pub(crate) fn geoms_of_different_groups_collide_in_every_axis() {
     for axis in AXES {
         let (mut simulator, bodies, direction) = pair_along(axis, 0.5);
         for (body, group) in bodies.into_iter().zip([3, 4]) {
@@ -401,7 +401,7 @@ fn geoms_of_different_groups_collide_in_every_axis() {
 }
 
 #[test]
-fn groups_categories_and_switches_count_for_platforms() {
+pub(crate) fn groups_categories_and_switches_count_for_platforms() {
     for way in 0..4 {
         for is_ball in [true, false] {
             let (mut simulator, body, partner) = falling(is_ball, true, 0.0);
@@ -437,7 +437,7 @@ fn groups_categories_and_switches_count_for_platforms() {
 }
 
 #[test]
-fn a_separation_is_told_once_to_each_side_in_every_axis() {
+pub(crate) fn a_separation_is_told_once_to_each_side_in_every_axis() {
     for axis in AXES {
         let (mut simulator, bodies, _) = pair_along(axis, 1.0);
         let geoms = bodies.map(|body| geom_of(&simulator, body));
@@ -460,7 +460,7 @@ fn a_separation_is_told_once_to_each_side_in_every_axis() {
 }
 
 #[test]
-fn a_bounce_off_the_ground_is_told_as_one_separation() {
+pub(crate) fn a_bounce_off_the_ground_is_told_as_one_separation() {
     for (is_ball, on_platform) in FALLS {
         let (mut simulator, body, partner) = falling(is_ball, on_platform, 0.5);
         let mut listener = Listener::default();
@@ -471,7 +471,7 @@ fn a_bounce_off_the_ground_is_told_as_one_separation() {
 }
 
 #[test]
-fn what_starts_and_stops_to_slide_in_depth_on_another_does_not_part_from_it() {
+pub(crate) fn what_starts_and_stops_to_slide_in_depth_on_another_does_not_part_from_it() {
     let mut simulator = simulator();
     let table = solid(&mut simulator, [200.0, 40.0, 200.0], [0.0, 0.0, 0.0]);
     fix(&mut simulator, table);
@@ -493,7 +493,7 @@ fn what_starts_and_stops_to_slide_in_depth_on_another_does_not_part_from_it() {
 }
 
 #[test]
-fn a_contact_that_ends_by_removing_disposing_or_disabling_is_no_separation() {
+pub(crate) fn a_contact_that_ends_by_removing_disposing_or_disabling_is_no_separation() {
     for way in 0..3 {
         for axis in AXES {
             let (mut simulator, bodies, _) = pair_along(axis, 0.0);
@@ -512,7 +512,7 @@ fn a_contact_that_ends_by_removing_disposing_or_disabling_is_no_separation() {
 }
 
 #[test]
-fn what_moves_only_along_z_is_told_as_updated_once_per_update() {
+pub(crate) fn what_moves_only_along_z_is_told_as_updated_once_per_update() {
     for is_ball in [true, false] {
         let mut simulator = weightless();
         let body = match is_ball {
@@ -537,7 +537,7 @@ fn what_moves_only_along_z_is_told_as_updated_once_per_update() {
 }
 
 #[test]
-fn a_body_that_moves_only_along_z_and_was_never_placed_is_told_only_while_it_moves() {
+pub(crate) fn a_body_that_moves_only_along_z_and_was_never_placed_is_told_only_while_it_moves() {
     use twohalf_factories::{TwoHalfBodyFactory, TwoHalfGeomFactory};
     let mut simulator = weightless();
     let body = TwoHalfBodyFactory::create_circle_body(&mut simulator, 10.0, 1.0).unwrap();

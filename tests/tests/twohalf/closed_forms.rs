@@ -83,7 +83,7 @@ fn a_platform_throws_back_to_the_square_of_the_restitution_times_the_height() {
 }
 
 #[test]
-fn a_fall_onto_a_platform_takes_the_square_root_of_2h_over_g() {
+pub(crate) fn a_fall_onto_a_platform_takes_the_square_root_of_2h_over_g() {
     for height in [20.0, 50.0, 300.0_f32] {
         for is_ball in [true, false] {
             let mut simulator = simulator();
@@ -104,7 +104,7 @@ fn a_fall_onto_a_platform_takes_the_square_root_of_2h_over_g() {
 }
 
 #[test]
-fn a_throw_goes_2_vx_vy_over_g_far_in_every_direction() {
+pub(crate) fn a_throw_goes_2_vx_vy_over_g_far_in_every_direction() {
     for direction in [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0], [0.6, 0.8]] {
         for [across, up] in [[100.0, 100.0], [60.0, 150.0], [150.0, 60.0]] {
             for is_ball in [true, false] {
@@ -159,7 +159,7 @@ fn rolling_end(direction: [f32; 2], inertia: f32, backspin: f32, on_platform: bo
 const ROLLING: f32 = 700.0 * 4e-6;
 
 #[test]
-fn a_sphere_thrown_flat_ends_up_rolling_at_five_sevenths_of_its_speed() {
+pub(crate) fn a_sphere_thrown_flat_ends_up_rolling_at_five_sevenths_of_its_speed() {
     for direction in DIRECTIONS {
         let [along, aside] = rolling_end(direction, 2.0 / 5.0, 0.0, false);
         assert_near(along, 90.0 * 5.0 / 7.0, ROLLING);
@@ -168,7 +168,7 @@ fn a_sphere_thrown_flat_ends_up_rolling_at_five_sevenths_of_its_speed() {
 }
 
 #[test]
-fn on_a_platform_discs_and_spheres_end_up_rolling_as_on_the_ground() {
+pub(crate) fn on_a_platform_discs_and_spheres_end_up_rolling_as_on_the_ground() {
     for direction in DIRECTIONS {
         for (inertia, expected) in [(0.5, 60.0), (0.4, 90.0 * 5.0 / 7.0)] {
             let [along, aside] = rolling_end(direction, inertia, 0.0, true);
@@ -179,7 +179,7 @@ fn on_a_platform_discs_and_spheres_end_up_rolling_as_on_the_ground() {
 }
 
 #[test]
-fn a_hoop_ends_up_rolling_at_half_of_its_speed() {
+pub(crate) fn a_hoop_ends_up_rolling_at_half_of_its_speed() {
     for direction in DIRECTIONS {
         let [along, _] = rolling_end(direction, 1.0, 0.0, false);
         assert_near(along, 45.0, ROLLING);
@@ -221,7 +221,8 @@ fn oblique_hit(
 }
 
 #[test]
-fn equal_balls_with_full_restitution_exchange_their_velocities_along_the_line_of_centres_and_keep_the_rest() {
+pub(crate) fn equal_balls_with_full_restitution_exchange_their_velocities_along_the_line_of_centres_and_keep_the_rest()
+ {
     let (before, after, hit) = oblique_hit([1.0, 1.0], 0.0, 1.0);
     let normal = hit.normal;
     assert_eq!(hit.axis, Axis::Oblique);
@@ -233,7 +234,7 @@ fn equal_balls_with_full_restitution_exchange_their_velocities_along_the_line_of
 }
 
 #[test]
-fn the_normal_of_two_balls_is_the_line_of_their_centres_at_the_hit() {
+pub(crate) fn the_normal_of_two_balls_is_the_line_of_their_centres_at_the_hit() {
     let (before, _, hit) = oblique_hit([1.0, 1.0], 0.0, 1.0);
     // The way until the centres are 25 px apart; origins are the radii above the lowest points.
     let start = Vector3::new(60.0, 14.0 + 10.0 - 15.0, 35.0);
@@ -247,7 +248,7 @@ fn the_normal_of_two_balls_is_the_line_of_their_centres_at_the_hit() {
 }
 
 #[test]
-fn an_oblique_hit_of_unequal_balls_has_the_impulse_of_the_closed_form() {
+pub(crate) fn an_oblique_hit_of_unequal_balls_has_the_impulse_of_the_closed_form() {
     for restitution in [0.0, 0.5, 1.0] {
         let masses = [2.0, 0.5];
         let (before, after, hit) = oblique_hit(masses, 0.0, restitution);
@@ -259,7 +260,7 @@ fn an_oblique_hit_of_unequal_balls_has_the_impulse_of_the_closed_form() {
 }
 
 #[test]
-fn an_oblique_hit_keeps_the_momentum_in_all_three_axes_with_friction_too() {
+pub(crate) fn an_oblique_hit_keeps_the_momentum_in_all_three_axes_with_friction_too() {
     for friction in [0.0, 0.5] {
         let masses = [2.0, 0.5];
         let (before, after, _) = oblique_hit(masses, friction, 0.5);
@@ -283,7 +284,7 @@ fn rubbing_hit(friction: f32) -> ([f32; 3], TwoHalfContact) {
 }
 
 #[test]
-fn friction_of_an_oblique_hit_is_its_coefficient_times_the_normal_impulse_while_the_balls_slide() {
+pub(crate) fn friction_of_an_oblique_hit_is_its_coefficient_times_the_normal_impulse_while_the_balls_slide() {
     let ([across, along, stopping], hit) = rubbing_hit(0.05);
     assert!(stopping > 0.05 * along);
     assert_near(across, 0.05 * along, ROUNDING);
@@ -299,7 +300,7 @@ fn friction_of_an_oblique_hit_stops_the_sliding_where_it_can() {
 }
 
 #[test]
-fn a_ball_flies_back_from_the_front_the_back_and_the_sides_of_a_box_at_the_same_speed() {
+pub(crate) fn a_ball_flies_back_from_the_front_the_back_and_the_sides_of_a_box_at_the_same_speed() {
     let faces = [
         [0.0, 0.0, -1.0],
         [0.0, 0.0, 1.0],
@@ -353,7 +354,7 @@ fn hit_the_edge(beyond: [f32; 2]) -> (Vector3, Vector3) {
 const LATE: f32 = 0.08 / 15.0;
 
 #[test]
-fn a_ball_that_hits_an_upright_edge_glances_off_by_the_normal_of_the_closed_form() {
+pub(crate) fn a_ball_that_hits_an_upright_edge_glances_off_by_the_normal_of_the_closed_form() {
     // 9 of 15 beyond the edge: the normal is (3, -4) / 5 in X and Z.
     let (normal, after) = hit_the_edge([9.0, -20.0]);
     assert_near3(normal, [0.6, 0.0, -0.8], LATE);
@@ -363,7 +364,7 @@ fn a_ball_that_hits_an_upright_edge_glances_off_by_the_normal_of_the_closed_form
 }
 
 #[test]
-fn a_ball_that_hits_a_level_edge_glances_off_upward() {
+pub(crate) fn a_ball_that_hits_a_level_edge_glances_off_upward() {
     let (normal, after) = hit_the_edge([-20.0, 9.0]);
     assert_near3(normal, [0.0, 0.6, -0.8], LATE);
     assert_near3(after, [0.0, 2.0 * 0.8 * 0.6 * 80.0, (1.0 - 2.0 * 0.64) * 80.0], 4.0 * 80.0 * LATE);
@@ -379,7 +380,7 @@ fn a_ball_that_hits_a_corner_glances_off_in_all_three_axes() {
 }
 
 #[test]
-fn a_box_pushed_along_z_into_another_shares_its_momentum_by_the_restitution() {
+pub(crate) fn a_box_pushed_along_z_into_another_shares_its_momentum_by_the_restitution() {
     for restitution in [0.0, 0.4, 1.0] {
         let mut simulator = weightless();
         let pusher = solid(&mut simulator, [40.0, 30.0, 30.0], [0.0, 500.0, 0.0]);

@@ -64,7 +64,7 @@ impl EventHandler for Editor {
 }
 
 #[test]
-fn edits_in_every_callback_are_safe() {
+pub(crate) fn edits_in_every_callback_are_safe() {
     for edit in EDITS {
         for on in ["collision", "separation", "broad phase", "updated"] {
             for scene in 0..5 {
@@ -91,7 +91,7 @@ fn edits_in_every_callback_are_safe() {
 }
 
 #[test]
-fn a_body_moved_away_in_a_callback_is_there_and_pushed_no_more() {
+pub(crate) fn a_body_moved_away_in_a_callback_is_there_and_pushed_no_more() {
     for axis in AXES {
         let (mut simulator, bodies, _) = pair_along(axis, 1.0);
         let mut editor = Editor { edit: EDITS[0], done: 2, on: "collision" };
@@ -103,7 +103,7 @@ fn a_body_moved_away_in_a_callback_is_there_and_pushed_no_more() {
 }
 
 #[test]
-fn a_body_disposed_in_a_callback_is_stale_after_the_next_update() {
+pub(crate) fn a_body_disposed_in_a_callback_is_stale_after_the_next_update() {
     for axis in AXES {
         let (mut simulator, bodies, _) = pair_along(axis, 1.0);
         let mut editor = Editor { edit: EDITS[2], done: 2, on: "collision" };
@@ -131,7 +131,7 @@ impl EventHandler for Asked {
 }
 
 #[test]
-fn a_handler_that_does_nothing_changes_no_bit() {
+pub(crate) fn a_handler_that_does_nothing_changes_no_bit() {
     let make = || {
         let (mut simulator, bodies) = busy_scene();
         let floor = platform(&mut simulator, [60.0, 30.0, 60.0], [140.0, 10.0, 15.0]);

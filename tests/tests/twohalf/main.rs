@@ -10,6 +10,7 @@ mod motion;
 mod one_plane;
 mod pairs;
 mod platforms;
+mod precise;
 mod queries;
 mod random;
 mod regressions;

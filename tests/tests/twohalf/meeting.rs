@@ -20,7 +20,7 @@ fn post(simulator: &mut TwoHalfPhysicsSimulator) -> BodyId {
 }
 
 #[test]
-fn objects_pass_in_front_of_and_behind_each_other() {
+pub(crate) fn objects_pass_in_front_of_and_behind_each_other() {
     for is_ball in [true, false] {
         for z in [-30.1, 30.1, -80.0, 80.0] {
             let mut simulator = weightless();
@@ -38,7 +38,7 @@ fn objects_pass_in_front_of_and_behind_each_other() {
 }
 
 #[test]
-fn boxes_whose_faces_only_touch_in_depth_pass_each_other() {
+pub(crate) fn boxes_whose_faces_only_touch_in_depth_pass_each_other() {
     let mut simulator = weightless();
     post(&mut simulator);
     let body = solid(&mut simulator, [20.0, 20.0, 20.0], [-100.0, 510.0, 30.0]);
@@ -88,7 +88,7 @@ fn first_hit(start: [f32; 3], speed: [f32; 3]) -> Collision {
 }
 
 #[test]
-fn two_boxes_that_come_together_diagonally_meet_along_the_axis_that_they_enter_last() {
+pub(crate) fn two_boxes_that_come_together_diagonally_meet_along_the_axis_that_they_enter_last() {
     for (start, speed, expected) in [
         // Gaps of 20 and 40.3 px, closing equally.
         ([-50.0, 0.0, -70.3], [300.0, 0.0, 300.0], [0.0, 0.0, -1.0]),
@@ -124,7 +124,8 @@ fn a_pair_that_enters_both_axes_at_once_meets_along_the_one_with_the_smaller_ove
 }
 
 #[test]
-fn a_pair_without_relative_motion_along_z_meets_in_the_plane_however_little_it_overlaps_in_depth() {
+pub(crate) fn a_pair_without_relative_motion_along_z_meets_in_the_plane_however_little_it_overlaps_in_depth()
+{
     let hit = first_hit([-50.0, 0.0, 29.9], [900.0, 0.0, 0.0]);
     assert_eq!(hit.axis, Axis::Plane);
 }
@@ -185,7 +186,7 @@ fn crossed_bars_meet_along_z_where_they_cross() {
 }
 
 #[test]
-fn crossed_bars_at_different_heights_pass_along_z() {
+pub(crate) fn crossed_bars_at_different_heights_pass_along_z() {
     let mut simulator = weightless();
     solid(&mut simulator, [10.0, 100.0, 10.0], [0.0, 500.0, 0.0]);
     let level = solid(&mut simulator, [100.0, 10.0, 10.0], [0.0, 601.0, -40.0]);
@@ -195,7 +196,7 @@ fn crossed_bars_at_different_heights_pass_along_z() {
 }
 
 #[test]
-fn slanted_bars_whose_boxes_overlap_but_whose_outlines_do_not_pass_along_z() {
+pub(crate) fn slanted_bars_whose_boxes_overlap_but_whose_outlines_do_not_pass_along_z() {
     let mut simulator = weightless();
     let bars = [0.0, 40.0].map(|x| solid(&mut simulator, [100.0, 10.0, 10.0], [x, 500.0, -2.0 * x]));
     for body in bars {
@@ -230,7 +231,7 @@ fn run_pressed(simulator: &mut TwoHalfPhysicsSimulator, [lower, upper]: [BodyId;
 }
 
 #[test]
-fn a_box_that_slides_on_another_in_depth_drags_it_with_friction_times_pressure() {
+pub(crate) fn a_box_that_slides_on_another_in_depth_drags_it_with_friction_times_pressure() {
     let (mut simulator, bodies) = pressed_stack([3.0, 1.0], 0.3);
     run_pressed(&mut simulator, bodies, 20);
     throw(&mut simulator, bodies[1], [0.0, 0.0, 40.0]);
@@ -242,7 +243,7 @@ fn a_box_that_slides_on_another_in_depth_drags_it_with_friction_times_pressure()
 }
 
 #[test]
-fn a_box_that_slid_on_another_in_depth_ends_up_moving_with_it() {
+pub(crate) fn a_box_that_slid_on_another_in_depth_ends_up_moving_with_it() {
     let (mut simulator, bodies) = pressed_stack([3.0, 1.0], 0.3);
     run_pressed(&mut simulator, bodies, 20);
     throw(&mut simulator, bodies[1], [0.0, 0.0, 40.0]);
@@ -254,7 +255,7 @@ fn a_box_that_slid_on_another_in_depth_ends_up_moving_with_it() {
 }
 
 #[test]
-fn without_friction_a_box_slides_on_another_in_depth_for_ever() {
+pub(crate) fn without_friction_a_box_slides_on_another_in_depth_for_ever() {
     let (mut simulator, bodies) = pressed_stack([3.0, 1.0], 0.0);
     run_pressed(&mut simulator, bodies, 20);
     throw(&mut simulator, bodies[1], [0.0, 0.0, 40.0]);
@@ -263,7 +264,7 @@ fn without_friction_a_box_slides_on_another_in_depth_for_ever() {
 }
 
 #[test]
-fn a_box_that_slides_obliquely_on_another_stops_straight_after_v_squared_over_2_mu_g() {
+pub(crate) fn a_box_that_slides_obliquely_on_another_stops_straight_after_v_squared_over_2_mu_g() {
     for [x, z] in [[0.6, 0.8], [0.8, -0.6], [0.0, 1.0], [-0.28, 0.96]] {
         let mut simulator = simulator();
         let table = solid(&mut simulator, [400.0, 20.0, 400.0], [0.0, 100.0, 0.0]);
@@ -302,7 +303,7 @@ fn spins_against_front(friction: f32) -> Vec<f32> {
 }
 
 #[test]
-fn a_contact_along_z_stops_spin_about_z_by_friction_at_its_points() {
+pub(crate) fn a_contact_along_z_stops_spin_about_z_by_friction_at_its_points() {
     let spins = spins_against_front(0.5);
     assert_near(spins[200], 0.0, ROUNDING);
     // 50 px/s² of friction at most half a diagonal (21.3 px) from the middle of a box with 150 px² of inertia; twice
@@ -315,13 +316,13 @@ fn a_contact_along_z_stops_spin_about_z_by_friction_at_its_points() {
 }
 
 #[test]
-fn without_friction_a_contact_along_z_leaves_spin_alone() {
+pub(crate) fn without_friction_a_contact_along_z_leaves_spin_alone() {
     let spins = spins_against_front(0.0);
     assert!(spins.iter().all(|&spin| spin == 3.0));
 }
 
 #[test]
-fn friction_along_z_contacts_slows_sliding_along_the_front() {
+pub(crate) fn friction_along_z_contacts_slows_sliding_along_the_front() {
     let mut simulator = weightless();
     let wall = solid(&mut simulator, [400.0, 400.0, 40.0], [0.0, 500.0, 0.0]);
     fix(&mut simulator, wall);
@@ -340,7 +341,7 @@ fn friction_along_z_contacts_slows_sliding_along_the_front() {
 }
 
 #[test]
-fn a_box_slides_in_depth_from_one_crate_to_the_next_without_stumbling() {
+pub(crate) fn a_box_slides_in_depth_from_one_crate_to_the_next_without_stumbling() {
     for phase in 0..8 {
         let mut simulator = simulator();
         for z in [0.0, 60.0] {
@@ -357,7 +358,7 @@ fn a_box_slides_in_depth_from_one_crate_to_the_next_without_stumbling() {
 }
 
 #[test]
-fn a_ball_rolls_in_depth_from_one_crate_to_the_next_without_stumbling() {
+pub(crate) fn a_ball_rolls_in_depth_from_one_crate_to_the_next_without_stumbling() {
     for phase in 0..8 {
         let mut simulator = simulator();
         for z in [0.0, 60.0] {
@@ -374,7 +375,7 @@ fn a_ball_rolls_in_depth_from_one_crate_to_the_next_without_stumbling() {
 }
 
 #[test]
-fn a_box_that_lands_2_px_inside_the_front_of_a_crate_at_16_px_per_step_stays_on_it() {
+pub(crate) fn a_box_that_lands_2_px_inside_the_front_of_a_crate_at_16_px_per_step_stays_on_it() {
     for phase in 0..16 {
         let mut simulator = simulator();
         let below = solid(&mut simulator, [80.0, 60.0, 60.0], [0.0, 0.0, 0.0]);
@@ -387,7 +388,7 @@ fn a_box_that_lands_2_px_inside_the_front_of_a_crate_at_16_px_per_step_stays_on_
 }
 
 #[test]
-fn a_ball_rests_on_a_crate_also_near_its_front_edge() {
+pub(crate) fn a_ball_rests_on_a_crate_also_near_its_front_edge() {
     for z in [0.0, -18.0, 18.0] {
         let mut simulator = simulator();
         let below = solid(&mut simulator, [80.0, 40.0, 40.0], [0.0, 0.0, 0.0]);
@@ -402,7 +403,7 @@ fn a_ball_rests_on_a_crate_also_near_its_front_edge() {
 }
 
 #[test]
-fn a_ball_between_two_boxes_in_depth_stays_where_it_is() {
+pub(crate) fn a_ball_between_two_boxes_in_depth_stays_where_it_is() {
     let mut simulator = simulator();
     for z in [-30.0, 30.0] {
         let wall = solid(&mut simulator, [80.0, 60.0, 40.04], [0.0, 0.0, z]);
@@ -415,7 +416,7 @@ fn a_ball_between_two_boxes_in_depth_stays_where_it_is() {
 }
 
 #[test]
-fn a_ball_is_caught_between_two_boxes_that_close_in_on_it() {
+pub(crate) fn a_ball_is_caught_between_two_boxes_that_close_in_on_it() {
     let mut simulator = weightless();
     let boxes = [-60.0, 60.0].map(|z| solid(&mut simulator, [60.0, 60.0, 40.0], [0.0, 500.0, z]));
     let body = ball(&mut simulator, 10.0, [0.0, 520.0, 0.0]);
@@ -431,7 +432,7 @@ fn a_ball_is_caught_between_two_boxes_that_close_in_on_it() {
 }
 
 #[test]
-fn a_ball_in_the_gap_between_two_crates_rests_on_both_edges() {
+pub(crate) fn a_ball_in_the_gap_between_two_crates_rests_on_both_edges() {
     for [x, z] in [[1.0, 0.0], [0.0, 1.0]] {
         let mut simulator = simulator();
         for sign in [-1.0, 1.0] {
@@ -502,7 +503,7 @@ fn a_ball_that_meets_a_moving_box_head_on_does_not_pass_through_it() {
 }
 
 #[test]
-fn a_ball_pushes_a_box_in_the_direction_of_their_contact() {
+pub(crate) fn a_ball_pushes_a_box_in_the_direction_of_their_contact() {
     let mut simulator = weightless();
     let still = crate_box(&mut simulator, [40.0, 40.0], [0.0, 500.0, 0.0]);
     // 6 of 10 px beyond the right front edge.
@@ -520,7 +521,7 @@ fn a_ball_pushes_a_box_in_the_direction_of_their_contact() {
 }
 
 #[test]
-fn equal_boxes_right_behind_each_other_meet_along_z() {
+pub(crate) fn equal_boxes_right_behind_each_other_meet_along_z() {
     for aside in [0.0, 1.0, 39.0] {
         let mut simulator = weightless();
         let still = solid(&mut simulator, [40.0; 3], [0.0, 500.0, 0.0]);
@@ -547,7 +548,7 @@ fn boxes_that_begin_with_a_small_overlap_in_depth_and_move_there_part_in_depth()
 }
 
 #[test]
-fn a_box_walks_off_a_crate_in_depth_only_when_all_of_its_footprint_has_left() {
+pub(crate) fn a_box_walks_off_a_crate_in_depth_only_when_all_of_its_footprint_has_left() {
     for sign in [-1.0, 1.0] {
         let mut simulator = simulator();
         let below = solid(&mut simulator, [80.0, 60.0, 60.0], [0.0, 0.0, 0.0]);

@@ -23,7 +23,7 @@ fn assert_near(value: f32, expected: f32, tolerance: f32) {
 }
 
 #[test]
-fn a_fall_from_a_height_takes_the_square_root_of_2h_over_g() {
+pub(crate) fn a_fall_from_a_height_takes_the_square_root_of_2h_over_g() {
     let mut simulator = simulator();
     let body = ball(&mut simulator, 10.0, [0.0, 100.0, 50.0]);
     let expected = (2.0 * 100.0 / GRAVITY).sqrt();
@@ -55,7 +55,7 @@ fn a_bounce_reaches_the_square_of_the_restitution_times_the_height() {
 }
 
 #[test]
-fn a_throw_upward_and_into_the_picture_lands_after_2v_over_g_at_the_range() {
+pub(crate) fn a_throw_upward_and_into_the_picture_lands_after_2v_over_g_at_the_range() {
     let mut simulator = simulator();
     let body = ball(&mut simulator, 10.0, [30.0, 0.0, 40.0]);
     throw(&mut simulator, body, [50.0, 100.0, 60.0]);
@@ -67,7 +67,7 @@ fn a_throw_upward_and_into_the_picture_lands_after_2v_over_g_at_the_range() {
 }
 
 #[test]
-fn a_sliding_box_stops_after_v_squared_over_2_mu_g_in_every_direction() {
+pub(crate) fn a_sliding_box_stops_after_v_squared_over_2_mu_g_in_every_direction() {
     for direction in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [0.6, 0.8], [0.8, -0.6]] {
         let mut simulator = simulator();
         let body = crate_box(&mut simulator, [60.0, 20.0], [0.0, 0.0, 0.0]);
@@ -86,7 +86,7 @@ fn a_sliding_box_stops_after_v_squared_over_2_mu_g_in_every_direction() {
 }
 
 #[test]
-fn without_friction_a_box_slides_on_with_its_velocity() {
+pub(crate) fn without_friction_a_box_slides_on_with_its_velocity() {
     let mut simulator = simulator();
     let body = crate_box(&mut simulator, [60.0, 20.0], [0.0, 0.0, 0.0]);
     throw(&mut simulator, body, [30.0, 0.0, 40.0]);
@@ -96,7 +96,7 @@ fn without_friction_a_box_slides_on_with_its_velocity() {
 }
 
 #[test]
-fn a_ball_thrown_flat_ends_up_rolling_at_two_thirds_of_its_speed() {
+pub(crate) fn a_ball_thrown_flat_ends_up_rolling_at_two_thirds_of_its_speed() {
     for direction in [[1.0, 0.0], [0.0, 1.0], [0.6, -0.8]] {
         let mut simulator = simulator();
         let body = ball(&mut simulator, 20.0, [0.0, 0.0, 0.0]);
@@ -128,7 +128,7 @@ fn a_box_dropped_flat_comes_to_rest_without_rocking() {
 }
 
 #[test]
-fn a_box_dropped_askew_comes_to_rest_on_a_side() {
+pub(crate) fn a_box_dropped_askew_comes_to_rest_on_a_side() {
     let mut simulator = simulator();
     let body = crate_box(&mut simulator, [60.0, 40.0], [0.0, 50.0, 0.0]);
     set_surface(&mut simulator, body, 0.5, 0.2);
@@ -142,7 +142,7 @@ fn a_box_dropped_askew_comes_to_rest_on_a_side() {
 }
 
 #[test]
-fn a_body_without_an_object_geom_falls_through_the_ground() {
+pub(crate) fn a_body_without_an_object_geom_falls_through_the_ground() {
     let mut simulator = simulator();
     let body = simulator.create_body(twohalf::farseer_core::Body::new());
     simulator.add(body).unwrap();
@@ -151,7 +151,7 @@ fn a_body_without_an_object_geom_falls_through_the_ground() {
 }
 
 #[test]
-fn an_object_geom_holds_the_body_only_while_its_collisions_have_a_response() {
+pub(crate) fn an_object_geom_holds_the_body_only_while_its_collisions_have_a_response() {
     let mut simulator = simulator();
     let body = ball(&mut simulator, 10.0, [0.0, 0.0, 0.0]);
     run(&mut simulator, 50);
@@ -163,7 +163,7 @@ fn an_object_geom_holds_the_body_only_while_its_collisions_have_a_response() {
 }
 
 #[test]
-fn an_object_geom_that_was_removed_does_not_hold_the_body() {
+pub(crate) fn an_object_geom_that_was_removed_does_not_hold_the_body() {
     let mut simulator = simulator();
     let body = ball(&mut simulator, 10.0, [0.0, 0.0, 0.0]);
     let geom = simulator.body(body).unwrap().ground().object_geom().unwrap();
@@ -184,7 +184,7 @@ fn a_force_along_z_accelerates_by_force_over_mass_for_one_update() {
 }
 
 #[test]
-fn an_impulse_along_z_changes_the_velocity_by_impulse_over_mass_at_the_next_update() {
+pub(crate) fn an_impulse_along_z_changes_the_velocity_by_impulse_over_mass_at_the_next_update() {
     let mut simulator = weightless();
     let body = ball(&mut simulator, 10.0, [0.0, 0.0, 0.0]);
     simulator.body_mut(body).unwrap().core_mut().set_mass(4.0).unwrap();
@@ -195,7 +195,7 @@ fn an_impulse_along_z_changes_the_velocity_by_impulse_over_mass_at_the_next_upda
 }
 
 #[test]
-fn drag_slows_along_z_as_along_x() {
+pub(crate) fn drag_slows_along_z_as_along_x() {
     for quadratic in [false, true] {
         let mut simulator = weightless();
         let body = crate_box(&mut simulator, [20.0, 20.0], [0.0, 500.0, 0.0]);
@@ -217,7 +217,7 @@ fn drag_slows_along_z_as_along_x() {
 }
 
 #[test]
-fn static_and_disabled_bodies_do_not_move_along_z() {
+pub(crate) fn static_and_disabled_bodies_do_not_move_along_z() {
     let mut simulator = weightless();
     let fixed = ball(&mut simulator, 10.0, [0.0, 0.0, 7.0]);
     simulator.body_mut(fixed).unwrap().set_is_static(true);
@@ -233,7 +233,7 @@ fn static_and_disabled_bodies_do_not_move_along_z() {
 }
 
 #[test]
-fn nothing_moves_along_z_while_the_simulator_is_disabled() {
+pub(crate) fn nothing_moves_along_z_while_the_simulator_is_disabled() {
     let mut simulator = simulator();
     let body = ball(&mut simulator, 10.0, [0.0, 100.0, 0.0]);
     throw(&mut simulator, body, [0.0, 0.0, 50.0]);
@@ -243,7 +243,7 @@ fn nothing_moves_along_z_while_the_simulator_is_disabled() {
 }
 
 #[test]
-fn a_bouncy_box_comes_to_rest_on_the_ground() {
+pub(crate) fn a_bouncy_box_comes_to_rest_on_the_ground() {
     let mut simulator = simulator();
     let body = crate_box(&mut simulator, [40.0, 20.0], [0.0, 30.0, 0.0]);
     set_surface(&mut simulator, body, 0.5, 0.6);
@@ -259,7 +259,7 @@ fn a_bouncy_box_comes_to_rest_on_the_ground() {
 }
 
 #[test]
-fn a_bouncy_box_does_not_creep_down_a_slope_below_its_friction_angle() {
+pub(crate) fn a_bouncy_box_does_not_creep_down_a_slope_below_its_friction_angle() {
     let mut simulator = simulator();
     let tilt = 0.3_f32;
     let slope = Vector3::new(0.0, 100.0, 0.0);

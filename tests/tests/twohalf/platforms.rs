@@ -49,43 +49,43 @@ fn assert_lands_and_stays(is_ball: bool, x: f32, z: f32, across: [f32; 2]) {
 }
 
 #[test]
-fn a_box_that_lands_2_px_inside_the_front_edge_at_16_px_per_step_stays() {
+pub(crate) fn a_box_that_lands_2_px_inside_the_front_edge_at_16_px_per_step_stays() {
     assert_lands_and_stays(false, 0.0, 50.0 - 10.0 + 2.0, [0.0; 2]);
 }
 
 #[test]
-fn a_box_that_lands_2_px_inside_the_back_edge_at_16_px_per_step_stays() {
+pub(crate) fn a_box_that_lands_2_px_inside_the_back_edge_at_16_px_per_step_stays() {
     assert_lands_and_stays(false, 0.0, 150.0 + 10.0 - 2.0, [0.0; 2]);
 }
 
 #[test]
-fn a_ball_whose_middle_lands_2_px_inside_the_front_edge_at_16_px_per_step_stays() {
+pub(crate) fn a_ball_whose_middle_lands_2_px_inside_the_front_edge_at_16_px_per_step_stays() {
     assert_lands_and_stays(true, 0.0, 50.0 + 2.0, [0.0; 2]);
 }
 
 #[test]
-fn a_box_whose_middle_lands_2_px_inside_the_left_edge_at_16_px_per_step_stays() {
+pub(crate) fn a_box_whose_middle_lands_2_px_inside_the_left_edge_at_16_px_per_step_stays() {
     assert_lands_and_stays(false, -100.0 + 2.0, 100.0, [0.0; 2]);
 }
 
 #[test]
-fn a_ball_whose_middle_lands_2_px_inside_the_left_edge_at_16_px_per_step_stays() {
+pub(crate) fn a_ball_whose_middle_lands_2_px_inside_the_left_edge_at_16_px_per_step_stays() {
     assert_lands_and_stays(true, -100.0 + 2.0, 100.0, [0.0; 2]);
 }
 
 #[test]
-fn a_box_that_comes_down_over_the_front_corner_stays() {
+pub(crate) fn a_box_that_comes_down_over_the_front_corner_stays() {
     assert_lands_and_stays(false, -98.0, 42.0, [0.0; 2]);
 }
 
 #[test]
-fn a_box_that_lands_while_it_moves_inward_over_the_front_edge_slides_on_along_the_top() {
+pub(crate) fn a_box_that_lands_while_it_moves_inward_over_the_front_edge_slides_on_along_the_top() {
     // 16 px down and 0.2 px inward per step; over the edge by more than the slop before it is down.
     assert_lands_and_stays(false, 0.0, 45.0, [0.0, 20.0]);
 }
 
 #[test]
-fn a_box_that_lands_with_a_little_of_it_over_the_left_edge_is_not_thrown_aside() {
+pub(crate) fn a_box_that_lands_with_a_little_of_it_over_the_left_edge_is_not_thrown_aside() {
     for phase in 0..16 {
         let mut simulator = simulator();
         block(&mut simulator);
@@ -98,7 +98,7 @@ fn a_box_that_lands_with_a_little_of_it_over_the_left_edge_is_not_thrown_aside()
 }
 
 #[test]
-fn a_ball_whose_middle_comes_down_beside_the_front_edge_falls_off_it() {
+pub(crate) fn a_ball_whose_middle_comes_down_beside_the_front_edge_falls_off_it() {
     let mut simulator = simulator();
     block(&mut simulator);
     let body = ball(&mut simulator, 10.0, [0.0, 80.0, 47.0]);
@@ -109,7 +109,7 @@ fn a_ball_whose_middle_comes_down_beside_the_front_edge_falls_off_it() {
 }
 
 #[test]
-fn a_box_walks_off_the_front_and_the_back_only_when_all_of_its_footprint_has_left() {
+pub(crate) fn a_box_walks_off_the_front_and_the_back_only_when_all_of_its_footprint_has_left() {
     for sign in [-1.0, 1.0] {
         let mut simulator = simulator();
         block(&mut simulator);
@@ -133,7 +133,7 @@ fn a_box_walks_off_the_front_and_the_back_only_when_all_of_its_footprint_has_lef
 }
 
 #[test]
-fn a_box_walks_off_the_left_and_the_right_edge_and_ends_up_on_the_ground() {
+pub(crate) fn a_box_walks_off_the_left_and_the_right_edge_and_ends_up_on_the_ground() {
     for sign in [-1.0, 1.0] {
         let mut simulator = simulator();
         block(&mut simulator);
@@ -156,7 +156,7 @@ fn a_box_walks_off_the_left_and_the_right_edge_and_ends_up_on_the_ground() {
 }
 
 #[test]
-fn a_ball_walks_off_each_of_the_four_edges_and_ends_up_on_the_ground() {
+pub(crate) fn a_ball_walks_off_each_of_the_four_edges_and_ends_up_on_the_ground() {
     for [x, z] in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]] {
         let mut simulator = simulator();
         block(&mut simulator);
@@ -200,7 +200,7 @@ fn what_jumps_under_a_platform_bumps_its_head_and_falls_back() {
 }
 
 #[test]
-fn what_jumps_beside_a_platform_does_not_bump_its_head() {
+pub(crate) fn what_jumps_beside_a_platform_does_not_bump_its_head() {
     for [x, z] in [[131.0, 100.0], [0.0, 29.0]] {
         let mut simulator = simulator();
         platform(&mut simulator, [200.0, 30.0, 100.0], [0.0, 100.0, 100.0]);
@@ -213,7 +213,7 @@ fn what_jumps_beside_a_platform_does_not_bump_its_head() {
 }
 
 #[test]
-fn objects_pass_under_a_platform_along_x_and_along_z() {
+pub(crate) fn objects_pass_under_a_platform_along_x_and_along_z() {
     for direction in [[1.0, 0.0], [0.0, 1.0], [-0.6, 0.8]] {
         for is_ball in [true, false] {
             let mut simulator = simulator();
@@ -268,7 +268,7 @@ fn hit_side(
 }
 
 #[test]
-fn objects_fly_back_from_the_front_the_back_and_the_sides_of_a_platform() {
+pub(crate) fn objects_fly_back_from_the_front_the_back_and_the_sides_of_a_platform() {
     for (side, extent) in SIDES {
         for is_ball in [true, false] {
             let (hit, _, after) = hit_side(side, extent, is_ball, 1.0);
@@ -281,7 +281,7 @@ fn objects_fly_back_from_the_front_the_back_and_the_sides_of_a_platform() {
 }
 
 #[test]
-fn objects_without_restitution_stop_at_the_front_the_back_and_the_sides_of_a_platform() {
+pub(crate) fn objects_without_restitution_stop_at_the_front_the_back_and_the_sides_of_a_platform() {
     for (side, extent) in SIDES {
         for is_ball in [true, false] {
             let (_, end, after) = hit_side(side, extent, is_ball, 0.0);
@@ -296,7 +296,7 @@ fn objects_without_restitution_stop_at_the_front_the_back_and_the_sides_of_a_pla
 }
 
 #[test]
-fn a_box_that_comes_diagonally_is_stopped_along_the_axis_that_it_enters_last() {
+pub(crate) fn a_box_that_comes_diagonally_is_stopped_along_the_axis_that_it_enters_last() {
     // It comes to the front left edge from 60 px before it and `beside` px beside it, by as much along both axes.
     for (beside, expected) in [(40.0, [0.0, 0.0, -1.0]), (80.0, [-1.0, 0.0, 0.0])] {
         let mut simulator = weightless();
@@ -310,7 +310,7 @@ fn a_box_that_comes_diagonally_is_stopped_along_the_axis_that_it_enters_last() {
 }
 
 #[test]
-fn a_box_that_enters_depth_first_and_height_last_lands_on_top() {
+pub(crate) fn a_box_that_enters_depth_first_and_height_last_lands_on_top() {
     let mut simulator = weightless();
     block(&mut simulator);
     // 40 px before the front and 60 px over the top.
@@ -322,7 +322,7 @@ fn a_box_that_enters_depth_first_and_height_last_lands_on_top() {
 }
 
 #[test]
-fn a_wide_hole_between_two_platforms_is_fallen_into() {
+pub(crate) fn a_wide_hole_between_two_platforms_is_fallen_into() {
     for [x, z] in [[1.0, 0.0], [0.0, 1.0]] {
         for is_ball in [true, false] {
             let mut simulator = simulator();
@@ -363,7 +363,7 @@ fn assert_crosses(direction: [f32; 2], gap: f32, is_ball: bool, speed: f32, phas
 }
 
 #[test]
-fn a_box_crosses_the_seam_of_two_platforms_without_stumbling() {
+pub(crate) fn a_box_crosses_the_seam_of_two_platforms_without_stumbling() {
     for direction in [[1.0, 0.0], [0.0, 1.0]] {
         for speed in [20.0, 50.0, 200.0] {
             (0..8).for_each(|phase| assert_crosses(direction, 0.0, false, speed, phase as f32 / 8.0));
@@ -381,13 +381,13 @@ fn a_ball_crosses_the_seam_of_two_platforms_without_stumbling() {
 }
 
 #[test]
-fn a_box_crosses_a_gap_that_is_narrower_than_half_of_it() {
+pub(crate) fn a_box_crosses_a_gap_that_is_narrower_than_half_of_it() {
     assert_crosses([0.0, 1.0], 8.0, false, 50.0, 0.0);
     assert_crosses([1.0, 0.0], 8.0, false, 50.0, 0.0);
 }
 
 #[test]
-fn what_stood_on_a_platform_that_is_removed_falls_to_the_ground() {
+pub(crate) fn what_stood_on_a_platform_that_is_removed_falls_to_the_ground() {
     for is_ball in [true, false] {
         let mut simulator = simulator();
         let floor = block(&mut simulator);
@@ -402,7 +402,7 @@ fn what_stood_on_a_platform_that_is_removed_falls_to_the_ground() {
 }
 
 #[test]
-fn what_stood_on_a_platform_that_is_moved_away_falls_to_the_ground() {
+pub(crate) fn what_stood_on_a_platform_that_is_moved_away_falls_to_the_ground() {
     let mut simulator = simulator();
     let floor = block(&mut simulator);
     let body = object(&mut simulator, false, [0.0, 60.0, 100.0]);
@@ -413,7 +413,7 @@ fn what_stood_on_a_platform_that_is_moved_away_falls_to_the_ground() {
 }
 
 #[test]
-fn a_body_without_an_object_geom_stands_on_platforms_all_the_same() {
+pub(crate) fn a_body_without_an_object_geom_stands_on_platforms_all_the_same() {
     let mut simulator = simulator();
     let floor = block(&mut simulator);
     let body = twohalf_factories::TwoHalfBodyFactory::create_rectangle_body(&mut simulator, 40.0, 20.0, 1.0)
@@ -429,7 +429,7 @@ fn a_body_without_an_object_geom_stands_on_platforms_all_the_same() {
 }
 
 #[test]
-fn friction_stops_a_box_on_a_platform_after_v_squared_over_2_mu_g() {
+pub(crate) fn friction_stops_a_box_on_a_platform_after_v_squared_over_2_mu_g() {
     for [x, z] in [[1.0, 0.0], [0.0, -1.0], [0.6, 0.8]] {
         let mut simulator = simulator();
         let floor = platform(&mut simulator, [800.0, 40.0, 800.0], [0.0, 20.0, 0.0]);
@@ -446,7 +446,7 @@ fn friction_stops_a_box_on_a_platform_after_v_squared_over_2_mu_g() {
 }
 
 #[test]
-fn leaving_a_platform_is_told_once() {
+pub(crate) fn leaving_a_platform_is_told_once() {
     let mut simulator = simulator();
     let floor = block(&mut simulator);
     let body = object(&mut simulator, false, [0.0, 60.0, 100.0]);

@@ -2,7 +2,7 @@
 
 use conformance::fixtures::depth::{
     DT, GRAVITY, SLOP, assert_near, assert_near3, ball, fix, geom_of, place, platform, run, set_surface,
-    simulator, solid, throw, velocity, weightless,
+    simulator, solid, throw, under_test, velocity, weightless,
 };
 use twohalf::{
     Axis, BodyId, DepthProfile, Drawable, GeomId, Partner, Platform, PlatformId, TextureId,
@@ -16,13 +16,13 @@ fn on_screen(simulator: &TwoHalfPhysicsSimulator, point: [f32; 3]) -> Vector2 {
 
 /// An empty simulator whose Z axis is at an angle, with everything that waits added.
 fn at_angle(angle: i32) -> TwoHalfPhysicsSimulator {
-    TwoHalfPhysicsSimulator::with_angle(600, angle).unwrap()
+    under_test(TwoHalfPhysicsSimulator::with_angle(600, angle).unwrap())
 }
 
 const ANGLES: [i32; 5] = [90, 60, 45, 120, 17];
 
 #[test]
-fn a_point_of_the_ground_is_found_from_where_it_appears() {
+pub(crate) fn a_point_of_the_ground_is_found_from_where_it_appears() {
     for angle in ANGLES {
         let simulator = at_angle(angle);
         for point in [[0.0, 0.0, 0.0], [123.25, 0.0, 77.5], [-310.0, 0.0, 12.125], [40.0, 0.0, -55.0]] {
@@ -35,7 +35,7 @@ fn a_point_of_the_ground_is_found_from_where_it_appears() {
 }
 
 #[test]
-fn a_point_of_the_screen_is_found_from_the_ground_below_it() {
+pub(crate) fn a_point_of_the_screen_is_found_from_the_ground_below_it() {
     for angle in ANGLES {
         let simulator = at_angle(angle);
         for point in [[0.0, 600.0], [320.0, 240.0], [-50.0, 599.0], [640.0, 0.0]].map(Vector2::from) {
@@ -46,7 +46,7 @@ fn a_point_of_the_screen_is_found_from_the_ground_below_it() {
 }
 
 #[test]
-fn the_lower_edge_of_the_screen_is_the_ground_at_depth_0() {
+pub(crate) fn the_lower_edge_of_the_screen_is_the_ground_at_depth_0() {
     for angle in ANGLES {
         assert_eq!(at_angle(angle).screen_to_ground(Vector2::new(70.0, 600.0)), Vector3::new(70.0, 0.0, 0.0));
     }
@@ -64,7 +64,7 @@ fn ball_behind_box(angle: i32) -> (TwoHalfPhysicsSimulator, [BodyId; 2]) {
 }
 
 #[test]
-fn a_geom_is_found_where_its_picture_is() {
+pub(crate) fn a_geom_is_found_where_its_picture_is() {
     for angle in ANGLES {
         let (simulator, [round, square]) = ball_behind_box(angle);
         let [ball_geom, box_geom] = [round, square].map(|body| geom_of(&simulator, body));
@@ -87,7 +87,7 @@ fn a_geom_is_found_where_its_picture_is() {
 }
 
 #[test]
-fn what_covers_each_other_is_found_in_the_order_of_the_list_and_picked_from_the_front() {
+pub(crate) fn what_covers_each_other_is_found_in_the_order_of_the_list_and_picked_from_the_front() {
     let (mut simulator, [round, square]) = ball_behind_box(90);
     let geoms = [round, square].map(|body| geom_of(&simulator, body));
     // The middle of the ball is at (100, 80) up from the lower edge, the box from (80, 60) to (140, 100).
@@ -104,7 +104,7 @@ fn what_covers_each_other_is_found_in_the_order_of_the_list_and_picked_from_the_
 }
 
 #[test]
-fn nothing_is_found_where_nothing_is_drawn() {
+pub(crate) fn nothing_is_found_where_nothing_is_drawn() {
     let (simulator, _) = ball_behind_box(60);
     let nowhere = Vector2::new(-500.0, 100.0);
     assert_eq!((simulator.collide(nowhere), simulator.pick_front(nowhere)), (None, None));
@@ -116,7 +116,7 @@ fn nothing_is_found_where_nothing_is_drawn() {
 }
 
 #[test]
-fn a_removed_geom_is_not_found() {
+pub(crate) fn a_removed_geom_is_not_found() {
     let (mut simulator, [round, _]) = ball_behind_box(90);
     let point = on_screen(&simulator, [100.0, 75.0, 60.0]);
     let geom = geom_of(&simulator, round);
@@ -127,7 +127,7 @@ fn a_removed_geom_is_not_found() {
 }
 
 #[test]
-fn a_platform_is_picked_at_its_front_and_at_its_top_and_no_geom_of_it_is_found() {
+pub(crate) fn a_platform_is_picked_at_its_front_and_at_its_top_and_no_geom_of_it_is_found() {
     for angle in ANGLES {
         let mut simulator = at_angle(angle);
         let id = platform(&mut simulator, [100.0, 40.0, 60.0], [0.0, 20.0, 100.0]);
@@ -143,7 +143,7 @@ fn a_platform_is_picked_at_its_front_and_at_its_top_and_no_geom_of_it_is_found()
 }
 
 #[test]
-fn what_stands_on_a_platform_is_picked_before_it() {
+pub(crate) fn what_stands_on_a_platform_is_picked_before_it() {
     let mut simulator = simulator();
     let id = platform(&mut simulator, [200.0, 40.0, 100.0], [0.0, 20.0, 100.0]);
     let body = solid(&mut simulator, [40.0, 20.0, 20.0], [0.0, 60.0, 120.0]);
@@ -195,7 +195,7 @@ fn the_contact_of_two_balls_is_between_them() {
 }
 
 #[test]
-fn the_friction_impulse_of_a_sliding_contact_is_its_coefficient_times_the_normal_one() {
+pub(crate) fn the_friction_impulse_of_a_sliding_contact_is_its_coefficient_times_the_normal_one() {
     let mut simulator = simulator();
     let body = ball(&mut simulator, 10.0, [0.0, 0.0, 0.0]);
     set_surface(&mut simulator, body, 0.2, 0.0);
@@ -221,7 +221,7 @@ fn original(simulator: &mut TwoHalfPhysicsSimulator) -> (BodyId, GeomId) {
 }
 
 #[test]
-fn a_cloned_body_has_the_place_in_depth_and_the_ground_of_the_original_and_no_geom() {
+pub(crate) fn a_cloned_body_has_the_place_in_depth_and_the_ground_of_the_original_and_no_geom() {
     let mut simulator = weightless();
     let (body, geom) = original(&mut simulator);
     let copy = simulator.clone_body(body).unwrap();
@@ -235,7 +235,8 @@ fn a_cloned_body_has_the_place_in_depth_and_the_ground_of_the_original_and_no_ge
 }
 
 #[test]
-fn a_cloned_geom_has_the_profile_and_the_settings_of_the_original_and_rests_on_the_ground_for_it() {
+pub(crate) fn a_cloned_geom_has_the_profile_and_the_settings_of_the_original_and_rests_on_the_ground_for_it()
+{
     let mut simulator = simulator();
     let (body, geom) = original(&mut simulator);
     let copy = simulator.clone_body(body).unwrap();
@@ -256,7 +257,7 @@ fn a_cloned_geom_has_the_profile_and_the_settings_of_the_original_and_rests_on_t
 }
 
 #[test]
-fn a_geom_that_is_no_object_geom_does_not_become_one_by_cloning() {
+pub(crate) fn a_geom_that_is_no_object_geom_does_not_become_one_by_cloning() {
     let mut simulator = weightless();
     let (body, geom) = original(&mut simulator);
     let second = simulator.clone_geom(body, geom).unwrap();
@@ -267,7 +268,7 @@ fn a_geom_that_is_no_object_geom_does_not_become_one_by_cloning() {
 }
 
 #[test]
-fn a_cleared_simulator_is_empty_and_its_ids_are_stale() {
+pub(crate) fn a_cleared_simulator_is_empty_and_its_ids_are_stale() {
     let mut simulator = simulator();
     let id = platform(&mut simulator, [200.0, 40.0, 100.0], [0.0, 20.0, 0.0]);
     let body = solid(&mut simulator, [40.0, 20.0, 20.0], [0.0, 61.0, 0.0]);
@@ -294,7 +295,7 @@ fn a_cleared_simulator_is_empty_and_its_ids_are_stale() {
 }
 
 #[test]
-fn a_cleared_simulator_can_be_filled_again() {
+pub(crate) fn a_cleared_simulator_can_be_filled_again() {
     let mut simulator = simulator();
     for _ in 0..3 {
         let id = platform(&mut simulator, [200.0, 40.0, 100.0], [0.0, 20.0, 0.0]);
@@ -307,7 +308,7 @@ fn a_cleared_simulator_can_be_filled_again() {
 }
 
 #[test]
-fn layer_depth_is_0_in_front_1_at_the_back_and_monotonic_in_z() {
+pub(crate) fn layer_depth_is_0_in_front_1_at_the_back_and_monotonic_in_z() {
     let mut simulator = weightless();
     let body = ball(&mut simulator, 10.0, [0.0, 0.0, 0.0]);
     let mut depth_at = |z: f32| {
@@ -324,7 +325,7 @@ fn layer_depth_is_0_in_front_1_at_the_back_and_monotonic_in_z() {
 }
 
 #[test]
-fn the_range_of_layer_depths_can_be_set_and_must_have_an_extent() {
+pub(crate) fn the_range_of_layer_depths_can_be_set_and_must_have_an_extent() {
     let mut simulator = weightless();
     let body = ball(&mut simulator, 10.0, [0.0, 0.0, 0.0]);
     simulator.set_layer_depth_range(-100.0, 100.0).unwrap();
@@ -336,7 +337,7 @@ fn the_range_of_layer_depths_can_be_set_and_must_have_an_extent() {
 }
 
 #[test]
-fn the_footprint_of_a_box_is_a_rectangle_and_of_a_ball_a_disc() {
+pub(crate) fn the_footprint_of_a_box_is_a_rectangle_and_of_a_ball_a_disc() {
     let mut simulator = weightless();
     let square = solid(&mut simulator, [40.0, 30.0, 20.0], [10.0, 5.0, 50.0]);
     let round = ball(&mut simulator, 12.0, [100.0, 7.0, -20.0]);
@@ -351,7 +352,7 @@ fn the_footprint_of_a_box_is_a_rectangle_and_of_a_ball_a_disc() {
 }
 
 #[test]
-fn the_footprint_of_a_turned_box_is_as_wide_as_it_is_now() {
+pub(crate) fn the_footprint_of_a_turned_box_is_as_wide_as_it_is_now() {
     let mut simulator = weightless();
     let body = solid(&mut simulator, [40.0, 40.0, 20.0], [0.0, 100.0, 0.0]);
     simulator.body_mut(body).unwrap().set_rotation(std::f32::consts::FRAC_PI_4);
@@ -363,7 +364,7 @@ fn the_footprint_of_a_turned_box_is_as_wide_as_it_is_now() {
 }
 
 #[test]
-fn footprints_overlap_when_extents_and_heights_do() {
+pub(crate) fn footprints_overlap_when_extents_and_heights_do() {
     let mut simulator = weightless();
     let a = solid(&mut simulator, [40.0, 40.0, 40.0], [0.0, 500.0, 0.0]);
     let others = [[39.0, 500.0, 39.0], [41.0, 500.0, 0.0], [0.0, 541.0, 0.0], [0.0, 500.0, 41.0]]
@@ -375,7 +376,7 @@ fn footprints_overlap_when_extents_and_heights_do() {
 }
 
 #[test]
-fn geoms_are_asked_whether_they_overlap_in_all_three_axes() {
+pub(crate) fn geoms_are_asked_whether_they_overlap_in_all_three_axes() {
     let mut simulator = weightless();
     let square = solid(&mut simulator, [40.0, 40.0, 40.0], [0.0, 500.0, 0.0]);
     let geom = geom_of(&simulator, square);
@@ -403,7 +404,7 @@ fn order(simulator: &TwoHalfPhysicsSimulator, bodies: &[BodyId], platforms: &[Pl
 }
 
 #[test]
-fn what_stands_behind_on_and_in_front_of_a_platform_is_drawn_around_it() {
+pub(crate) fn what_stands_behind_on_and_in_front_of_a_platform_is_drawn_around_it() {
     let mut simulator = simulator();
     let floor = platform(&mut simulator, [200.0, 40.0, 100.0], [0.0, 0.0, 100.0]);
     let in_front = solid(&mut simulator, [30.0, 60.0, 20.0], [0.0, 0.0, 35.0]);
@@ -414,7 +415,7 @@ fn what_stands_behind_on_and_in_front_of_a_platform_is_drawn_around_it() {
 }
 
 #[test]
-fn what_is_under_a_platform_is_drawn_before_it_wherever_its_middle_is() {
+pub(crate) fn what_is_under_a_platform_is_drawn_before_it_wherever_its_middle_is() {
     for z in [90.0, 100.0, 130.0] {
         let mut simulator = simulator();
         let roof = platform(&mut simulator, [200.0, 20.0, 100.0], [0.0, 80.0, 100.0]);
@@ -426,7 +427,7 @@ fn what_is_under_a_platform_is_drawn_before_it_wherever_its_middle_is() {
 }
 
 #[test]
-fn a_slope_is_drawn_before_what_stands_on_it_high_up_and_after_what_is_behind_it() {
+pub(crate) fn a_slope_is_drawn_before_what_stands_on_it_high_up_and_after_what_is_behind_it() {
     let mut simulator = weightless();
     let position = Vector3::new(0.0, 90.0, 100.0);
     let slope = Platform::with_rotation(&mut simulator, 300.0, 20.0, 100.0, position, 0.4, None).unwrap();
@@ -437,7 +438,7 @@ fn a_slope_is_drawn_before_what_stands_on_it_high_up_and_after_what_is_behind_it
 }
 
 #[test]
-fn of_objects_on_each_other_the_higher_is_drawn_later() {
+pub(crate) fn of_objects_on_each_other_the_higher_is_drawn_later() {
     let mut simulator = simulator();
     // Made from the highest to the lowest, so that it is not the order of making.
     let bodies =
@@ -447,7 +448,7 @@ fn of_objects_on_each_other_the_higher_is_drawn_later() {
 }
 
 #[test]
-fn of_objects_side_by_side_the_nearer_is_drawn_later() {
+pub(crate) fn of_objects_side_by_side_the_nearer_is_drawn_later() {
     let mut simulator = simulator();
     let far = solid(&mut simulator, [40.0, 60.0, 20.0], [0.0, 0.0, 90.0]);
     let near = solid(&mut simulator, [40.0, 60.0, 20.0], [10.0, 0.0, 60.0]);
@@ -458,7 +459,7 @@ fn of_objects_side_by_side_the_nearer_is_drawn_later() {
 }
 
 #[test]
-fn one_that_jumps_before_another_is_drawn_later_and_behind_it_earlier() {
+pub(crate) fn one_that_jumps_before_another_is_drawn_later_and_behind_it_earlier() {
     for (z, expected) in [(30.0, [1, 0]), (90.0, [0, 1])] {
         for height in [0.0, 10.0, 40.0] {
             let mut simulator = weightless();
@@ -471,7 +472,7 @@ fn one_that_jumps_before_another_is_drawn_later_and_behind_it_earlier() {
 }
 
 #[test]
-fn ties_are_drawn_in_the_order_in_which_they_were_made_and_the_order_stays() {
+pub(crate) fn ties_are_drawn_in_the_order_in_which_they_were_made_and_the_order_stays() {
     let mut simulator = weightless();
     let bodies = [0, 1, 2, 3]
         .map(|index| solid(&mut simulator, [40.0, 40.0, 40.0], [100.0 * index as f32, 0.0, 50.0]));
@@ -482,7 +483,7 @@ fn ties_are_drawn_in_the_order_in_which_they_were_made_and_the_order_stays() {
 }
 
 #[test]
-fn the_order_of_drawing_has_everything_that_takes_part_and_is_enabled_once() {
+pub(crate) fn the_order_of_drawing_has_everything_that_takes_part_and_is_enabled_once() {
     let mut simulator = weightless();
     let floor = platform(&mut simulator, [200.0, 40.0, 100.0], [0.0, 0.0, 100.0]);
     let there = ball(&mut simulator, 10.0, [0.0, 100.0, 0.0]);
@@ -519,7 +520,7 @@ fn what_lies_beyond_all_numbers_is_shown_at_the_nearest_ones() {
 }
 
 #[test]
-fn a_position_that_does_not_appear_on_the_screen_is_refused() {
+pub(crate) fn a_position_that_does_not_appear_on_the_screen_is_refused() {
     let mut simulator = at_angle(10);
     let body = ball(&mut simulator, 10.0, [0.0, 100.0, 5.0]);
     simulator.body_mut(body).unwrap().set_position3d(Vector3::new(0.0, 0.0, 3e38));

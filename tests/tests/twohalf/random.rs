@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use conformance::fixtures::depth::{DT, GRAVITY, SLOP, platform, run, set_platform_surface};
+use conformance::fixtures::depth::{DT, GRAVITY, SLOP, platform, run, set_platform_surface, under_test};
 use proptest::prelude::{Just, Strategy, prop_oneof};
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
 use twohalf::farseer_core::{BroadPhaseCollider, PhysicsSimulator, Vertices};
@@ -143,7 +143,7 @@ fn check<S: Strategy>(strategy: S, property: impl Fn(S::Value)) {
 }
 
 fn weightless_scene(things: &[Thing]) -> (TwoHalfPhysicsSimulator, Vec<BodyId>) {
-    let mut simulator = TwoHalfPhysicsSimulator::with_angle(600, 60).unwrap();
+    let mut simulator = under_test(TwoHalfPhysicsSimulator::with_angle(600, 60).unwrap());
     let bodies = things.iter().map(|&thing| make(&mut simulator, thing, 0.0, false)).collect();
     (simulator, bodies)
 }
@@ -151,7 +151,8 @@ fn weightless_scene(things: &[Thing]) -> (TwoHalfPhysicsSimulator, Vec<BodyId>) 
 /// With gravity, over the ground and two platforms: a level one below the objects and a slope beside it.
 fn heavy_scene(things: &[Thing]) -> (TwoHalfPhysicsSimulator, Vec<BodyId>) {
     let gravity = Vector2::new(0.0, GRAVITY);
-    let mut simulator = TwoHalfPhysicsSimulator::with_angle_and_gravity(600, 60, gravity).unwrap();
+    let mut simulator =
+        under_test(TwoHalfPhysicsSimulator::with_angle_and_gravity(600, 60, gravity).unwrap());
     let floor = platform(&mut simulator, [120.0, 30.0, 70.0], [40.0, 20.0, 40.0]);
     set_platform_surface(&mut simulator, floor, 0.4, 0.2);
     let position = Vector3::new(190.0, 30.0, 40.0);
@@ -198,7 +199,7 @@ fn energy(simulator: &TwoHalfPhysicsSimulator, bodies: &[BodyId]) -> f64 {
 }
 
 #[test]
-fn without_gravity_the_momentum_along_every_axis_stays() {
+pub(crate) fn without_gravity_the_momentum_along_every_axis_stays() {
     let contacts = Cell::new(0);
     check(things(40.0), |things| {
         let (mut simulator, bodies) = weightless_scene(&things);
@@ -218,7 +219,7 @@ fn without_gravity_the_momentum_along_every_axis_stays() {
 }
 
 #[test]
-fn without_gravity_the_kinetic_energy_does_not_grow() {
+pub(crate) fn without_gravity_the_kinetic_energy_does_not_grow() {
     check(things(40.0), |things| {
         let (mut simulator, bodies) = weightless_scene(&things);
         let start = kinetic(&simulator, &bodies);
@@ -235,7 +236,7 @@ fn without_gravity_the_kinetic_energy_does_not_grow() {
 }
 
 #[test]
-fn with_gravity_the_energy_grows_by_no_more_than_corrections_and_the_step_of_a_bounce_explain() {
+pub(crate) fn with_gravity_the_energy_grows_by_no_more_than_corrections_and_the_step_of_a_bounce_explain() {
     check(things(40.0), |things| {
         let (mut simulator, bodies) = heavy_scene(&things);
         let weight: f64 =
@@ -279,7 +280,7 @@ fn overlap(simulator: &TwoHalfPhysicsSimulator, body: BodyId, low: Vector3, high
 }
 
 #[test]
-fn after_settling_nothing_is_below_the_ground_or_inside_a_platform() {
+pub(crate) fn after_settling_nothing_is_below_the_ground_or_inside_a_platform() {
     check(things(40.0), |mut things| {
         things.iter_mut().for_each(|thing| thing.restitution = 0.0);
         let (mut simulator, bodies) = heavy_scene(&things);
@@ -306,7 +307,7 @@ fn after_settling_nothing_is_below_the_ground_or_inside_a_platform() {
 }
 
 #[test]
-fn while_things_fall_nothing_gets_through_the_ground_or_into_a_platform_by_more_than_a_step() {
+pub(crate) fn while_things_fall_nothing_gets_through_the_ground_or_into_a_platform_by_more_than_a_step() {
     check(things(40.0), |things| {
         let (mut simulator, bodies) = heavy_scene(&things);
         for _ in 0..400 {
@@ -327,7 +328,7 @@ fn assert_all_finite(simulator: &TwoHalfPhysicsSimulator, bodies: &[BodyId]) {
 }
 
 #[test]
-fn everything_stays_finite_at_any_speed() {
+pub(crate) fn everything_stays_finite_at_any_speed() {
     for speed in [3e3, 1e7, 1e18, 1e38] {
         check(things(speed), |things| {
             let (mut simulator, bodies) = heavy_scene(&things);
@@ -340,7 +341,7 @@ fn everything_stays_finite_at_any_speed() {
 }
 
 #[test]
-fn a_scene_that_was_saved_and_loaded_goes_on_with_the_same_bits() {
+pub(crate) fn a_scene_that_was_saved_and_loaded_goes_on_with_the_same_bits() {
     check((things(40.0), 1..300_usize), |(things, steps)| {
         for is_heavy in [true, false] {
             let (mut simulator, _) = if is_heavy { heavy_scene(&things) } else { weightless_scene(&things) };
@@ -358,7 +359,7 @@ fn a_scene_that_was_saved_and_loaded_goes_on_with_the_same_bits() {
 }
 
 #[test]
-fn a_scene_of_balls_does_the_same_with_every_broad_phase() {
+pub(crate) fn a_scene_of_balls_does_the_same_with_every_broad_phase() {
     // Their contacts are solved in the order of creation, whoever found them.
     let methods = [
         BroadPhaseCollider::SelectiveSweep,
@@ -370,7 +371,7 @@ fn a_scene_of_balls_does_the_same_with_every_broad_phase() {
         let ends = methods.map(|method| {
             let mut core = PhysicsSimulator::new(Vector2::new(0.0, GRAVITY)).unwrap();
             core.set_broad_phase_collider(method).unwrap();
-            let mut simulator = TwoHalfPhysicsSimulator::from_core(600, 60, core).unwrap();
+            let mut simulator = under_test(TwoHalfPhysicsSimulator::from_core(600, 60, core).unwrap());
             let as_ball = |thing: &Thing| Thing { form: Form::Ball, ..*thing };
             let balls: Vec<Thing> = things.iter().map(as_ball).collect();
             let bodies: Vec<BodyId> =

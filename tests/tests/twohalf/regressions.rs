@@ -8,7 +8,7 @@ use twohalf::{
 };
 
 #[test]
-fn what_parts_along_z_while_it_lands_stays_on_top() {
+pub(crate) fn what_parts_along_z_while_it_lands_stays_on_top() {
     for drift in [-20.0, 0.0, 20.0] {
         let mut simulator = simulator();
         let post = solid(&mut simulator, [100.0, 40.0, 40.0], [0.0, 0.0, 0.0]);
@@ -21,7 +21,7 @@ fn what_parts_along_z_while_it_lands_stays_on_top() {
 }
 
 #[test]
-fn what_is_faster_than_half_of_both_depths_per_step_does_not_come_out_behind() {
+pub(crate) fn what_is_faster_than_half_of_both_depths_per_step_does_not_come_out_behind() {
     for phase in 0..20 {
         let mut simulator = weightless();
         let post = solid(&mut simulator, [20.0, 60.0, 20.0], [0.0, 0.0, 0.0]);
@@ -36,7 +36,7 @@ fn what_is_faster_than_half_of_both_depths_per_step_does_not_come_out_behind() {
 }
 
 #[test]
-fn a_box_that_is_given_a_spin_about_x_and_y_stays_where_it_lies() {
+pub(crate) fn a_box_that_is_given_a_spin_about_x_and_y_stays_where_it_lies() {
     let mut simulator = simulator();
     let body = crate_box(&mut simulator, [40.0, 20.0], [0.0, 0.0, 0.0]);
     set_surface(&mut simulator, body, 0.5, 0.0);
@@ -46,7 +46,7 @@ fn a_box_that_is_given_a_spin_about_x_and_y_stays_where_it_lies() {
 }
 
 #[test]
-fn who_walks_off_an_edge_at_a_set_velocity_is_in_the_air_after_one_step() {
+pub(crate) fn who_walks_off_an_edge_at_a_set_velocity_is_in_the_air_after_one_step() {
     let mut simulator = simulator();
     platform(&mut simulator, [100.0, 40.0, 100.0], [0.0, 200.0, 0.0]);
     let body = crate_box(&mut simulator, [20.0, 30.0], [0.0, 241.0, 0.0]);
@@ -103,7 +103,7 @@ impl EventHandler for Refuses {
 }
 
 #[test]
-fn a_refused_platform_does_not_take_the_edge_of_a_solid_one_beside_it_away() {
+pub(crate) fn a_refused_platform_does_not_take_the_edge_of_a_solid_one_beside_it_away() {
     let height_with = |ghost: bool| {
         let mut simulator = simulator();
         platform(&mut simulator, [200.0, 20.0, 200.0], [100.0, 80.0, 0.0]);
@@ -131,7 +131,7 @@ impl EventHandler for Sticks {
 }
 
 #[test]
-fn a_body_that_is_made_immovable_where_it_lands_is_healthy() {
+pub(crate) fn a_body_that_is_made_immovable_where_it_lands_is_healthy() {
     let land = |build: fn(&mut TwoHalfPhysicsSimulator)| {
         let mut simulator = simulator();
         build(&mut simulator);

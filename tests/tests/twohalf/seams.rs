@@ -97,7 +97,7 @@ fn run_to(simulator: &mut TwoHalfPhysicsSimulator, body: BodyId, x: f32) {
 }
 
 #[test]
-fn a_box_slides_from_a_level_platform_onto_a_slope() {
+pub(crate) fn a_box_slides_from_a_level_platform_onto_a_slope() {
     for speed in [20.0, 50.0, 100.0, 200.0_f32] {
         for angle in [0.05, 0.1, 0.2, 0.3_f32] {
             for phase in 0..PHASES {
@@ -120,7 +120,7 @@ fn a_box_slides_from_a_level_platform_onto_a_slope() {
 }
 
 #[test]
-fn a_ball_rolls_from_a_level_platform_onto_a_slope() {
+pub(crate) fn a_ball_rolls_from_a_level_platform_onto_a_slope() {
     for speed in [20.0, 50.0, 100.0, 200.0_f32] {
         for angle in [0.05, 0.1, 0.2, 0.3_f32] {
             for phase in 0..PHASES {
@@ -186,7 +186,7 @@ fn over_slopes(is_ball: bool, friction: f32, along_z: bool, phase: usize) -> [f3
 }
 
 #[test]
-fn two_slopes_in_one_line_are_one_slope() {
+pub(crate) fn two_slopes_in_one_line_are_one_slope() {
     for (is_ball, friction) in [(true, 0.0), (true, 0.5), (false, 0.0), (false, 0.1)] {
         for along_z in [true, false] {
             for phase in 0..PHASES {
@@ -201,7 +201,7 @@ fn two_slopes_in_one_line_are_one_slope() {
 }
 
 #[test]
-fn who_lets_go_of_a_wall_and_jumps_comes_down_in_front_of_it() {
+pub(crate) fn who_lets_go_of_a_wall_and_jumps_comes_down_in_front_of_it() {
     for is_platform in [true, false] {
         for is_ball in [true, false] {
             for [x, z] in [[0.0, 1.0], [0.0, -1.0], [1.0, 0.0], [-1.0, 0.0]] {
@@ -246,7 +246,7 @@ fn mosaic(simulator: &mut TwoHalfPhysicsSimulator, is_platform: bool) {
 }
 
 #[test]
-fn who_walks_to_and_fro_over_a_floor_of_many_platforms_goes_where_he_wants() {
+pub(crate) fn who_walks_to_and_fro_over_a_floor_of_many_platforms_goes_where_he_wants() {
     for is_ball in [true, false] {
         for speed in [13.0, 47.0, 151.0_f32] {
             let mut simulator = simulator();
@@ -277,7 +277,7 @@ fn who_walks_to_and_fro_over_a_floor_of_many_platforms_goes_where_he_wants() {
 }
 
 #[test]
-fn who_walks_in_depth_over_a_floor_of_many_crates_goes_where_he_wants() {
+pub(crate) fn who_walks_in_depth_over_a_floor_of_many_crates_goes_where_he_wants() {
     for is_ball in [true, false] {
         for speed in [13.0, 47.0, 151.0_f32] {
             let mut simulator = simulator();
@@ -306,7 +306,7 @@ fn who_walks_in_depth_over_a_floor_of_many_crates_goes_where_he_wants() {
 }
 
 #[test]
-fn the_edge_of_a_seam_that_a_ball_rolls_over_carries_nothing() {
+pub(crate) fn the_edge_of_a_seam_that_a_ball_rolls_over_carries_nothing() {
     let mut simulator = simulator();
     for sign in [-1.0, 1.0] {
         platform(&mut simulator, [200.0, 20.0, 200.0], [100.0 * sign, 0.0, 0.0]);

@@ -78,7 +78,7 @@ fn assert_accelerates(simulator: &mut TwoHalfPhysicsSimulator, body: BodyId, ang
 }
 
 #[test]
-fn a_box_slides_down_a_slope_with_g_times_sine_less_friction_times_cosine() {
+pub(crate) fn a_box_slides_down_a_slope_with_g_times_sine_less_friction_times_cosine() {
     for angle in [0.3, -0.3, 0.6_f32] {
         for friction in [0.0, 0.1, 0.25] {
             let mut simulator = simulator();
@@ -95,7 +95,7 @@ fn a_box_slides_down_a_slope_with_g_times_sine_less_friction_times_cosine() {
 }
 
 #[test]
-fn a_box_sticks_to_a_slope_below_the_friction_angle() {
+pub(crate) fn a_box_sticks_to_a_slope_below_the_friction_angle() {
     for angle in [0.3, -0.3, 0.6_f32] {
         let friction = angle.abs().tan() * 1.2;
         let mut simulator = simulator();
@@ -110,7 +110,7 @@ fn a_box_sticks_to_a_slope_below_the_friction_angle() {
 }
 
 #[test]
-fn a_box_above_the_friction_angle_does_not_stick() {
+pub(crate) fn a_box_above_the_friction_angle_does_not_stick() {
     let (angle, friction) = (0.3_f32, 0.3_f32.tan() * 0.9);
     let mut simulator = simulator();
     slope(&mut simulator, angle, friction);
@@ -120,7 +120,7 @@ fn a_box_above_the_friction_angle_does_not_stick() {
 }
 
 #[test]
-fn a_ball_rolls_down_a_slope_with_g_times_sine_over_1_plus_its_inertia() {
+pub(crate) fn a_ball_rolls_down_a_slope_with_g_times_sine_over_1_plus_its_inertia() {
     for angle in [0.3, -0.3, 0.5_f32] {
         for inertia in [0.5, 0.4, 1.0] {
             let mut simulator = simulator();
@@ -139,7 +139,7 @@ fn a_ball_rolls_down_a_slope_with_g_times_sine_over_1_plus_its_inertia() {
 }
 
 #[test]
-fn a_ball_without_friction_slides_down_a_slope_without_turning() {
+pub(crate) fn a_ball_without_friction_slides_down_a_slope_without_turning() {
     let mut simulator = simulator();
     slope(&mut simulator, 0.4, 0.0);
     let body = ball_on(&mut simulator, 0.4, -150.0, 0.0);
@@ -149,7 +149,7 @@ fn a_ball_without_friction_slides_down_a_slope_without_turning() {
 }
 
 #[test]
-fn a_ball_that_rolls_across_a_slope_keeps_its_velocity_in_depth() {
+pub(crate) fn a_ball_that_rolls_across_a_slope_keeps_its_velocity_in_depth() {
     let angle = 0.3_f32;
     let mut simulator = simulator();
     slope(&mut simulator, angle, 0.8);
@@ -165,7 +165,7 @@ fn a_ball_that_rolls_across_a_slope_keeps_its_velocity_in_depth() {
 }
 
 #[test]
-fn friction_on_a_slope_turns_a_sliding_box_down_and_slows_it_along_z() {
+pub(crate) fn friction_on_a_slope_turns_a_sliding_box_down_and_slows_it_along_z() {
     // Full sliding: the friction mu N is against the velocity, so along Z it begins with mu g cos a.
     let (angle, friction) = (0.3_f32, 0.2);
     let mut simulator = simulator();
@@ -182,7 +182,7 @@ fn friction_on_a_slope_turns_a_sliding_box_down_and_slows_it_along_z() {
 }
 
 #[test]
-fn a_box_walks_off_a_slope_along_z() {
+pub(crate) fn a_box_walks_off_a_slope_along_z() {
     let mut simulator = simulator();
     slope(&mut simulator, 0.3, 2.0);
     let body = box_on(&mut simulator, 0.3, 0.0, 2.0);
@@ -217,7 +217,7 @@ fn on_top(simulator: &TwoHalfPhysicsSimulator, id: PlatformId, across: f32, deep
 }
 
 #[test]
-fn the_edges_of_a_sheared_platform_run_at_its_angle_on_the_screen() {
+pub(crate) fn the_edges_of_a_sheared_platform_run_at_its_angle_on_the_screen() {
     for angle in ANGLES {
         let mut simulator = simulator();
         let id = sheared(&mut simulator, angle);
@@ -233,7 +233,7 @@ fn the_edges_of_a_sheared_platform_run_at_its_angle_on_the_screen() {
 }
 
 #[test]
-fn objects_stand_on_the_whole_top_of_a_sheared_platform_as_it_is_drawn() {
+pub(crate) fn objects_stand_on_the_whole_top_of_a_sheared_platform_as_it_is_drawn() {
     for angle in ANGLES {
         for across in [-0.9, 0.0, 0.9] {
             for deep in [-0.9, 0.0, 0.9] {
@@ -255,7 +255,7 @@ fn objects_stand_on_the_whole_top_of_a_sheared_platform_as_it_is_drawn() {
 }
 
 #[test]
-fn objects_fall_beside_the_slanted_edges_of_a_sheared_platform() {
+pub(crate) fn objects_fall_beside_the_slanted_edges_of_a_sheared_platform() {
     for angle in ANGLES {
         for sign in [-1.0, 1.0] {
             for deep in [-0.8, 0.0, 0.8] {
@@ -280,7 +280,7 @@ fn objects_fall_beside_the_slanted_edges_of_a_sheared_platform() {
 }
 
 #[test]
-fn a_ball_rolls_off_the_slanted_edge_of_a_sheared_platform() {
+pub(crate) fn a_ball_rolls_off_the_slanted_edge_of_a_sheared_platform() {
     for sign in [-1.0, 1.0] {
         let mut simulator = simulator();
         sheared(&mut simulator, 90);
@@ -306,7 +306,7 @@ fn side_normal(angle: i32, sign: f32) -> Vector3 {
 }
 
 #[test]
-fn the_slanted_sides_of_a_sheared_platform_throw_balls_and_boxes_back_along_x_and_z() {
+pub(crate) fn the_slanted_sides_of_a_sheared_platform_throw_balls_and_boxes_back_along_x_and_z() {
     for angle in ANGLES {
         for sign in [-1.0, 1.0] {
             for is_ball in [true, false] {
@@ -359,7 +359,7 @@ fn a_ball_stops_at_the_slanted_side_where_it_is_drawn() {
 }
 
 #[test]
-fn the_front_of_a_sheared_platform_is_where_its_front_corners_are() {
+pub(crate) fn the_front_of_a_sheared_platform_is_where_its_front_corners_are() {
     // At 120 degrees the front is 40 * 1.1547 px to the right of the middle.
     let shift = -40.0 * shear_of(120);
     for (x, is_hit) in
@@ -377,7 +377,7 @@ fn the_front_of_a_sheared_platform_is_where_its_front_corners_are() {
 }
 
 #[test]
-fn a_thin_platform_carries_a_sheet_without_depth() {
+pub(crate) fn a_thin_platform_carries_a_sheet_without_depth() {
     let mut simulator = simulator();
     sheared(&mut simulator, 90);
     let body = solid(&mut simulator, [10.0, 10.0, 4.0], [0.0, 70.0, 60.0]);

@@ -30,7 +30,7 @@ fn tilted(
 }
 
 #[test]
-fn the_ground_is_beneath_every_point_that_is_not_below_it() {
+pub(crate) fn the_ground_is_beneath_every_point_that_is_not_below_it() {
     let simulator = weightless();
     for point in [[0.0, 0.0, 0.0], [-300.0, 50.0, -70.0], [1e6, 1e6, 1e6]] {
         assert_eq!(beneath(&simulator, point), Some((Partner::Ground, 0.0, Vector3::from(UP))));
@@ -41,7 +41,7 @@ fn the_ground_is_beneath_every_point_that_is_not_below_it() {
 }
 
 #[test]
-fn the_surface_beneath_the_lowest_point_of_what_rests_is_what_it_rests_on() {
+pub(crate) fn the_surface_beneath_the_lowest_point_of_what_rests_is_what_it_rests_on() {
     let mut simulator = simulator();
     platform(&mut simulator, [200.0, 40.0, 100.0], [0.0, 0.0, 0.0]);
     let on_platform = ball(&mut simulator, 10.0, [0.0, 41.0, 0.0]);
@@ -52,7 +52,7 @@ fn the_surface_beneath_the_lowest_point_of_what_rests_is_what_it_rests_on() {
 }
 
 #[test]
-fn a_level_platform_is_beneath_the_points_over_it_and_nothing_of_it_beneath_others() {
+pub(crate) fn a_level_platform_is_beneath_the_points_over_it_and_nothing_of_it_beneath_others() {
     let mut simulator = weightless();
     let id = platform(&mut simulator, [200.0, 40.0, 100.0], [10.0, 20.0, 100.0]);
     let top = Some((Partner::Platform(id), 60.0, Vector3::from(UP)));
@@ -73,7 +73,7 @@ fn a_level_platform_is_beneath_the_points_over_it_and_nothing_of_it_beneath_othe
 }
 
 #[test]
-fn the_highest_of_several_surfaces_below_the_point_counts() {
+pub(crate) fn the_highest_of_several_surfaces_below_the_point_counts() {
     let mut simulator = weightless();
     let low = platform(&mut simulator, [200.0, 10.0, 100.0], [0.0, 20.0, 0.0]);
     let high = platform(&mut simulator, [100.0, 10.0, 100.0], [0.0, 90.0, 0.0]);
@@ -88,7 +88,7 @@ fn the_highest_of_several_surfaces_below_the_point_counts() {
 }
 
 #[test]
-fn the_gap_between_two_platforms_shows_the_ground() {
+pub(crate) fn the_gap_between_two_platforms_shows_the_ground() {
     let mut simulator = weightless();
     for x in [-60.0, 60.0] {
         platform(&mut simulator, [100.0, 40.0, 100.0], [x, 20.0, 0.0]);
@@ -98,7 +98,7 @@ fn the_gap_between_two_platforms_shows_the_ground() {
 }
 
 #[test]
-fn a_slope_is_beneath_at_the_height_of_its_line_with_its_normal() {
+pub(crate) fn a_slope_is_beneath_at_the_height_of_its_line_with_its_normal() {
     for angle in [0.4, -0.4_f32] {
         let mut simulator = weightless();
         let id = tilted(&mut simulator, [30.0, 190.0, 0.0], angle, 0.0);
@@ -115,7 +115,7 @@ fn a_slope_is_beneath_at_the_height_of_its_line_with_its_normal() {
 }
 
 #[test]
-fn a_sheared_platform_is_beneath_what_is_drawn_over_its_top() {
+pub(crate) fn a_sheared_platform_is_beneath_what_is_drawn_over_its_top() {
     let mut simulator = weightless();
     let position = Vector3::new(0.0, 20.0, 60.0);
     let id = Platform::with_rotation_and_angle(&mut simulator, 100.0, 40.0, 80.0, position, 0.0, None, 120)
@@ -129,7 +129,7 @@ fn a_sheared_platform_is_beneath_what_is_drawn_over_its_top() {
 }
 
 #[test]
-fn beneath_a_body_is_what_is_beneath_the_middle_of_its_object_geom() {
+pub(crate) fn beneath_a_body_is_what_is_beneath_the_middle_of_its_object_geom() {
     let mut simulator = weightless();
     let id = platform(&mut simulator, [200.0, 40.0, 100.0], [0.0, 20.0, 100.0]);
     let over = ball(&mut simulator, 10.0, [99.0, 100.0, 100.0]);
@@ -143,7 +143,7 @@ fn beneath_a_body_is_what_is_beneath_the_middle_of_its_object_geom() {
 }
 
 #[test]
-fn a_removed_platform_is_beneath_nothing() {
+pub(crate) fn a_removed_platform_is_beneath_nothing() {
     let mut simulator = weightless();
     let id = platform(&mut simulator, [200.0, 40.0, 100.0], [0.0, 20.0, 100.0]);
     simulator.remove_platform(id).unwrap();
@@ -156,7 +156,7 @@ fn support(simulator: &TwoHalfPhysicsSimulator, body: BodyId) -> Option<Support>
 }
 
 #[test]
-fn in_the_air_nothing_holds_a_body_up() {
+pub(crate) fn in_the_air_nothing_holds_a_body_up() {
     let mut simulator = simulator();
     let body = ball(&mut simulator, 10.0, [0.0, 100.0, 0.0]);
     run(&mut simulator, 5);
@@ -165,7 +165,7 @@ fn in_the_air_nothing_holds_a_body_up() {
 }
 
 #[test]
-fn on_the_ground_the_ground_holds_a_body_up() {
+pub(crate) fn on_the_ground_the_ground_holds_a_body_up() {
     for is_ball in [true, false] {
         let mut simulator = simulator();
         let body = match is_ball {
@@ -184,7 +184,7 @@ fn on_the_ground_the_ground_holds_a_body_up() {
 }
 
 #[test]
-fn a_body_that_rests_is_grounded_in_every_update() {
+pub(crate) fn a_body_that_rests_is_grounded_in_every_update() {
     let mut simulator = simulator();
     let floor = platform(&mut simulator, [200.0, 40.0, 100.0], [300.0, 20.0, 0.0]);
     set_platform_surface(&mut simulator, floor, 0.5, 0.0);
@@ -207,7 +207,7 @@ fn a_body_that_rests_is_grounded_in_every_update() {
 }
 
 #[test]
-fn what_jumps_is_not_grounded_from_the_first_update_in_which_it_is_off_the_ground() {
+pub(crate) fn what_jumps_is_not_grounded_from_the_first_update_in_which_it_is_off_the_ground() {
     let mut simulator = simulator();
     let body = solid(&mut simulator, [40.0, 20.0, 20.0], [0.0, 0.0, 0.0]);
     run(&mut simulator, 50);
@@ -219,7 +219,7 @@ fn what_jumps_is_not_grounded_from_the_first_update_in_which_it_is_off_the_groun
 }
 
 #[test]
-fn a_platform_holds_up_what_stands_on_it() {
+pub(crate) fn a_platform_holds_up_what_stands_on_it() {
     let mut simulator = simulator();
     let id = platform(&mut simulator, [200.0, 40.0, 100.0], [0.0, 20.0, 100.0]);
     let body = solid(&mut simulator, [40.0, 20.0, 20.0], [0.0, 60.0, 45.0]);
@@ -230,7 +230,7 @@ fn a_platform_holds_up_what_stands_on_it() {
 }
 
 #[test]
-fn two_platforms_that_carry_one_box_are_both_among_its_supports() {
+pub(crate) fn two_platforms_that_carry_one_box_are_both_among_its_supports() {
     let mut simulator = simulator();
     let ids = [-60.0, 60.0].map(|x| platform(&mut simulator, [100.0, 40.0, 100.0], [x, 20.0, 0.0]));
     let body = solid(&mut simulator, [80.0, 20.0, 20.0], [0.0, 60.0, 0.0]);
@@ -271,7 +271,7 @@ fn grounded_on_slope(angle: f32) -> [bool; 2] {
 }
 
 #[test]
-fn a_body_is_grounded_on_slopes_up_to_60_degrees_and_not_on_steeper_ones() {
+pub(crate) fn a_body_is_grounded_on_slopes_up_to_60_degrees_and_not_on_steeper_ones() {
     for degrees in [10.0, 45.0, 59.0, -59.0_f32] {
         assert_eq!(grounded_on_slope(degrees.to_radians()), [true; 2], "{degrees}");
     }
@@ -281,7 +281,7 @@ fn a_body_is_grounded_on_slopes_up_to_60_degrees_and_not_on_steeper_ones() {
 }
 
 #[test]
-fn a_body_holds_up_another_one_and_is_not_held_up_by_it() {
+pub(crate) fn a_body_holds_up_another_one_and_is_not_held_up_by_it() {
     for is_ball in [true, false] {
         let mut simulator = simulator();
         let lower = solid(&mut simulator, [60.0, 30.0, 30.0], [0.0, 0.0, 0.0]);
@@ -300,7 +300,7 @@ fn a_body_holds_up_another_one_and_is_not_held_up_by_it() {
 }
 
 #[test]
-fn a_wall_holds_nobody_up() {
+pub(crate) fn a_wall_holds_nobody_up() {
     let mut simulator = simulator();
     let wall = platform(&mut simulator, [200.0, 200.0, 100.0], [0.0, -50.0, 100.0]);
     let body = solid(&mut simulator, [40.0, 20.0, 20.0], [0.0, 100.0, 39.5]);
@@ -312,7 +312,7 @@ fn a_wall_holds_nobody_up() {
 }
 
 #[test]
-fn what_stands_on_the_ground_beside_a_wall_is_grounded() {
+pub(crate) fn what_stands_on_the_ground_beside_a_wall_is_grounded() {
     let mut simulator = simulator();
     platform(&mut simulator, [200.0, 200.0, 100.0], [0.0, 0.0, 100.0]);
     let body = solid(&mut simulator, [40.0, 20.0, 20.0], [0.0, 0.0, 39.0]);
@@ -325,7 +325,7 @@ fn what_stands_on_the_ground_beside_a_wall_is_grounded() {
 }
 
 #[test]
-fn a_sensor_holds_nobody_up() {
+pub(crate) fn a_sensor_holds_nobody_up() {
     let mut simulator = simulator();
     let lower = solid(&mut simulator, [60.0, 30.0, 30.0], [0.0, 20.0, 0.0]);
     fix(&mut simulator, lower);
@@ -339,7 +339,7 @@ fn a_sensor_holds_nobody_up() {
 }
 
 #[test]
-fn what_is_bouncy_comes_to_rest_and_stays_grounded() {
+pub(crate) fn what_is_bouncy_comes_to_rest_and_stays_grounded() {
     for on_platform in [true, false] {
         for is_ball in [true, false] {
             for restitution in [0.1, 0.5, 0.8] {

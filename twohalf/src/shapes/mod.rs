@@ -11,16 +11,17 @@ mod nearest;
 mod overlap;
 mod prism_box;
 mod sat;
+#[cfg(test)]
 mod slanted_box;
 
 pub(crate) use ball::{ball_ball, ball_prism, ball_prism_through_face, entry_face_of_prism};
 pub(crate) use convex::ConvexPieces;
 pub(crate) use entry_order::{Along, RECENT, SHALLOW, is_depth_last};
+pub(crate) use farseer_core::shape::{Face, SlantedBox};
 pub(crate) use nearest::nearest;
 pub(crate) use overlap::{outlines_overlap, overlap_points, span_of};
 pub(crate) use prism_box::{BoxManifold, KeptAxis, prism_box};
 pub(crate) use sat::entry_of_pieces;
-pub(crate) use slanted_box::{Face, SlantedBox};
 
 use farseer_core::math::{Vector2, vector2};
 

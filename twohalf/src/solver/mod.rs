@@ -389,7 +389,7 @@ fn pull_of(core: &PhysicsSimulator, touch: &Touch, inverse_dt: f32) -> [f32; 3] 
 }
 
 /// Whether a body rolls in every direction: all of its geoms are round about its own centre.
-fn is_ball(core: &PhysicsSimulator, depths: &Depths, body: BodyId) -> bool {
+pub(crate) fn is_ball(core: &PhysicsSimulator, depths: &Depths, body: BodyId) -> bool {
     let geoms = core.geoms_of(body);
     let is_round = |profile: Option<&DepthProfile>| profile.is_some_and(|profile| profile.is_round());
     let is_centred = |offset: crate::Vector2| offset.x == 0.0 && offset.y == 0.0;

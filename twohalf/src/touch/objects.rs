@@ -31,7 +31,7 @@ fn touch_pair(core: &PhysicsSimulator, world: &mut World, pair: SpacePair) -> Op
     let kept = world.last.find(key).map(|touch| touch.kept);
     let manifold = match world.scheme {
         DepthScheme::Thesis => thesis(world, pair, a, b, kept),
-        DepthScheme::Faithful => faithful(core, world, pair, a, b, kept),
+        DepthScheme::Faithful | DepthScheme::Precise => faithful(core, world, pair, a, b, kept),
     }?;
     let mut surfaces = Surfaces::combine(core, b, a.friction_coefficient(), a.restitution_coefficient())?;
     if world.scheme == DepthScheme::Thesis {

@@ -245,6 +245,9 @@ impl Direct {
 impl Precise {
     /// Which islands are solved as a whole, if that may have changed.
     pub(super) fn choose_methods(&mut self) {
+        if self.space.is_some() {
+            return;
+        }
         if self.bounces {
             let (hot, least) = (&self.bodies.hot, self.tuning.bounce);
             let velocity = |body: u32| hot[body as usize].velocity;

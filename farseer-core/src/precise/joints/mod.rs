@@ -177,8 +177,11 @@ impl Joints {
         for group in &self.groups {
             for node in group.nodes.iter().filter(|node| node.body != 0 && group.is_apart) {
                 let ([vx, vy, spin], [x, y, turned]) = (node.velocity, node.path);
-                bodies.hot[node.body as usize].velocity = [vx as f32, vy as f32, spin as f32, 0.0];
-                bodies.path[node.body as usize] = [x as f32, y as f32, turned as f32, 0.0];
+                // Along the depth axis nothing holds them.
+                let (velocity, path) =
+                    (&mut bodies.hot[node.body as usize].velocity, &mut bodies.path[node.body as usize]);
+                *velocity = [vx as f32, vy as f32, spin as f32, velocity[3]];
+                *path = [x as f32, y as f32, turned as f32, path[3]];
             }
             for node in group.nodes.iter().filter(|node| node.link.holds()) {
                 self.holds[node.joint as usize].force =

@@ -147,7 +147,8 @@ const SETTINGS: &[fn(&mut TwoHalfPhysicsSimulator, &mut Random) -> Result<()>] =
     },
     |simulator, random| simulator.set_max_contacts_to_resolve(random.count(0, 8)),
     |simulator, random| {
-        simulator.set_depth_scheme(random.pick(&[DepthScheme::Faithful, DepthScheme::Thesis]))
+        let all = [DepthScheme::Faithful, DepthScheme::Precise, DepthScheme::Thesis];
+        simulator.set_depth_scheme(random.pick(&all))
     },
     |simulator, random| {
         simulator.set_layer_depth_range(random.number(-10.0, 10.0), random.number(100.0, 1000.0))

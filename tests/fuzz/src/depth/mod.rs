@@ -66,8 +66,10 @@ impl Depth {
         }
         let angle = 1 + random.below(179) as i32;
         let mut simulator = TwoHalfPhysicsSimulator::from_core(600, angle, core)?;
-        if random.chance(20) {
-            simulator.set_depth_scheme(DepthScheme::Thesis)?;
+        match random.below(10) {
+            0 | 1 => simulator.set_depth_scheme(DepthScheme::Thesis)?,
+            2..6 => simulator.set_depth_scheme(DepthScheme::Precise)?,
+            _ => {}
         }
         Depth::with(simulator, random)
     }

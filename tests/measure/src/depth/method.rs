@@ -44,7 +44,15 @@ fn our_methods() -> Vec<DepthMethod> {
         build: |scene, setting| build(scene, setting, DepthScheme::Thesis),
         ..faithful
     };
-    vec![faithful, thesis]
+    let precise = DepthMethod {
+        name: "2.5D, precise",
+        recommended: Setting::fixed(1.0 / 60.0, 4),
+        settings: |effort| settings(effort, 4, 1, [2, 8, 16]),
+        mapped: |_| on_map(4, &[]),
+        build: |scene, setting| build(scene, setting, DepthScheme::Precise),
+        ..faithful
+    };
+    vec![faithful, precise, thesis]
 }
 
 fn build(scene: &DepthScene, setting: Setting, scheme: DepthScheme) -> Built {

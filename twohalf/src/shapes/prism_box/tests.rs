@@ -3,7 +3,7 @@
 use super::*;
 use crate::shapes::Face;
 use crate::shapes::samples::{Random, points as outline, rectangle};
-use crate::shapes::slanted_box::tests::shape as random_box;
+use crate::shapes::slanted_box::shape as random_box;
 
 const SLOP: f32 = 0.05;
 /// From (0, 0, 0) to (100, 40, 60).

@@ -1,0 +1,345 @@
+//! A third axis, for an engine with depth on top of this one.
+//!
+//! Bodies move along it as they do along x and y, in the fourth place of their velocities and ways; outlines are extruded along
+//! it, or are balls, which turn about all axes. Pairs overlap in three axes, and are looked for over the floor, x and z, so
+//! that crowds on it cost what they cost in the plane. Contacts are found by [`solid`], and solved as [`rows`] in the same
+//! colours and substeps as those of the plane. The ground and boxes that stand still need no geoms: they are [`parts`].
+//!
+//! The engine above holds the truth about all this, as it does about geoms and bodies, and tells before every update.
+
+mod flight;
+mod overlap;
+pub(crate) mod parts;
+mod passes;
+mod rows;
+mod slant;
+mod solid;
+mod step;
+mod sync;
+mod told;
+
+use std::ops::Range;
+
+use super::bodies::Bodies;
+use super::grid::Box2;
+use super::outline::Outline;
+use super::proxies::{Mobility, Proxies, Proxy};
+use super::tuning::Tuning;
+use crate::body::BodyId;
+use crate::geom::GeomId;
+use crate::storage::reusing_clone::reusing_clone;
+use parts::{Depths, Fixture, SpaceBody, SpaceProfile};
+pub(super) use passes::{Spin, begin_spins, gather_warm_in_space, relax_in_space};
+pub(super) use rows::{SpaceRow, tangents};
+pub(super) use solid::Before;
+use solid::{Kind, Limits, Solid};
+
+/// What there is along the depth axis.
+#[derive(Debug, Default)]
+pub(crate) struct Space {
+    /// By slots: what the engine above has told.
+    pub(super) bodies: Vec<SpaceBody>,
+    profiles: Vec<SpaceProfile>,
+    pub(super) fixtures: Vec<Fixture>,
+    /// By number.
+    pub(super) places: Vec<f32>,
+    pub(super) spins: Vec<Spin>,
+    /// Whether a body is a ball, and any is.
+    pub(super) are_balls: Vec<bool>,
+    pub(super) has_balls: bool,
+    /// By proxy.
+    reach: Vec<Reach>,
+    depths: Vec<Depths>,
+    /// The proxy of the ground.
+    pub(super) ground: u32,
+    /// Who has fallen asleep in the last step.
+    pub(super) rested: Vec<BodyId>,
+}
+
+reusing_clone! {
+    Space { bodies, profiles, fixtures, places, spins, are_balls, has_balls, reach, depths, ground, rested }
+}
+
+/// How a proxy reaches along the axis.
+#[derive(Debug, Clone, Copy, Default)]
+struct Reach {
+    half: f32,
+    is_round: bool,
+    ground: Option<[f32; 2]>,
+}
+
+fn entry<T: Copy + Default>(table: &[T], slot: usize) -> T {
+    table.get(slot).copied().unwrap_or_default()
+}
+
+fn entry_mut<T: Clone + Default>(table: &mut Vec<T>, slot: usize) -> &mut T {
+    if table.len() <= slot {
+        table.resize(slot + 1, T::default());
+    }
+    &mut table[slot]
+}
+
+/// What the engine above tells.
+impl Space {
+    /// A fixture by its name, and its place in the list.
+    pub(super) fn fixture(&self, id: u32) -> Option<(usize, &Fixture)> {
+        let place = self.fixtures.binary_search_by_key(&id, |fixture| fixture.id).ok()?;
+        Some((place, &self.fixtures[place]))
+    }
+
+    pub(super) fn body(&self, id: BodyId) -> SpaceBody {
+        entry(&self.bodies, id.slot())
+    }
+
+    pub(super) fn body_mut(&mut self, id: BodyId) -> &mut SpaceBody {
+        entry_mut(&mut self.bodies, id.slot())
+    }
+
+    pub(super) fn profile(&self, id: GeomId) -> SpaceProfile {
+        entry(&self.profiles, id.slot())
+    }
+
+    pub(super) fn profile_mut(&mut self, id: GeomId) -> &mut SpaceProfile {
+        entry_mut(&mut self.profiles, id.slot())
+    }
+}
+
+/// Lists.
+impl Space {
+    /// Bodies are listed anew, fixtures behind them.
+    pub(super) fn list_bodies(&mut self, bodies: &Bodies) {
+        let Space { places, spins, are_balls, has_balls, bodies: told, fixtures, .. } = self;
+        let first_fixture = bodies.ids.len() - fixtures.len() - 1;
+        places.clear();
+        places.extend(bodies.ids.iter().map(|id| id.map_or(0.0, |id| entry(told, id.slot()).z)));
+        for (place, fixture) in places[first_fixture + 1..].iter_mut().zip(fixtures) {
+            *place = fixture.shape.centre.z;
+        }
+        spins.clear();
+        spins.resize(bodies.hot.len(), Spin::default());
+        are_balls.clear();
+        are_balls.resize(bodies.ids.len(), false);
+        *has_balls = false;
+    }
+
+    /// How the proxies reach.
+    pub(super) fn list_proxies(&mut self, proxies: &Proxies) {
+        self.reach.clear();
+        self.depths.clear();
+        self.depths.resize(proxies.all.len(), Depths::default());
+        for proxy in &proxies.all {
+            let reach = self.reach_of(proxy.geom);
+            self.reach.push(reach);
+        }
+    }
+
+    /// A body has come.
+    pub(super) fn add_body(&mut self, number: usize, id: BodyId) {
+        let told = self.body(id);
+        *entry_mut(&mut self.places, number) = told.z;
+        *entry_mut(&mut self.spins, number) = Spin::default();
+        *entry_mut(&mut self.are_balls, number) = false;
+    }
+
+    /// Whether a body turns about all axes: all that it has is round about its origin.
+    pub(super) fn measure_ball(&mut self, number: usize, proxies: &Proxies) {
+        let is_centred = |at: u32| self.is_round(at) && proxies.all[at as usize].shape.centre == [0.0; 2];
+        let mut of_body = proxies.of(number).peekable();
+        self.are_balls[number] = of_body.peek().is_some() && of_body.all(is_centred);
+        self.has_balls |= self.are_balls[number];
+    }
+
+    /// A proxy has come.
+    pub(super) fn add_proxy(&mut self, at: usize, geom: GeomId) {
+        let reach = self.reach_of(geom);
+        *entry_mut(&mut self.reach, at) = reach;
+        *entry_mut(&mut self.depths, at) = Depths::default();
+    }
+
+    fn reach_of(&self, geom: GeomId) -> Reach {
+        match parts::partner_of(geom) {
+            parts::SpacePartner::Ground => Reach::default(),
+            parts::SpacePartner::Fixture(id) => {
+                let half = self.fixture(id).map_or(0.0, |(_, fixture)| fixture.shape.half[2]);
+                Reach { half, ..Reach::default() }
+            }
+            parts::SpacePartner::Geom(geom) => {
+                let SpaceProfile { half_depth, is_round, ground } = self.profile(geom);
+                Reach { half: half_depth, is_round, ground }
+            }
+        }
+    }
+}
+
+/// Bounds.
+impl Space {
+    pub(super) fn is_round(&self, proxy: u32) -> bool {
+        self.reach[proxy as usize].is_round
+    }
+
+    /// Friction and restitution of the ground under a proxy.
+    pub(super) fn ground_of(&self, proxy: u32) -> [f32; 2] {
+        self.reach[proxy as usize].ground.unwrap_or_default()
+    }
+
+    /// The ground is below everything: no grid need know.
+    pub(super) fn is_in_grid(&self, proxy: u32) -> bool {
+        proxy != self.ground
+    }
+
+    /// What the grid is told of a proxy: its bounds over the floor.
+    pub(super) fn cells(&self, proxy: u32, &[left, _, right, _]: &Box2) -> Box2 {
+        let Depths { low, high } = self.depths[proxy as usize];
+        [left, low, right, high]
+    }
+
+    pub(super) fn depths(&self, proxy: usize) -> Depths {
+        self.depths[proxy]
+    }
+
+    pub(super) fn set_depths(&mut self, proxy: u32, depths: Depths) {
+        self.depths[proxy as usize] = depths;
+    }
+
+    pub(super) fn overlap(&self, a: u32, b: u32) -> bool {
+        self.depths[a as usize].overlap(self.depths[b as usize])
+    }
+
+    /// The ground, if it is beneath a proxy that rests on it.
+    pub(super) fn ground_beneath(&self, proxy: u32, &[.., bottom]: &Box2) -> Option<u32> {
+        (bottom >= 0.0 && self.reach[proxy as usize].ground.is_some()).then_some(self.ground)
+    }
+
+    pub(super) fn is_spin_finite(&self, number: usize) -> bool {
+        self.spins[number].velocity.iter().all(|velocity| velocity.is_finite())
+    }
+
+    /// A spin that is not finite is none.
+    pub(super) fn stop_spinning(&mut self, number: usize) {
+        if !self.is_spin_finite(number) {
+            self.spins[number] = Spin::default();
+        }
+    }
+
+    /// Whether something bounces on its ground.
+    fn bounces(&self) -> bool {
+        self.reach.iter().any(|reach| reach.ground.is_some_and(|[_, restitution]| restitution > 0.0))
+    }
+
+    /// Whether something rests on the ground.
+    pub(super) fn may_meet_ground(&self, proxy: u32) -> bool {
+        self.reach[proxy as usize].ground.is_some()
+    }
+
+    /// New bounds with a margin, longer the faster the body moves: see [`Proxies::widened`].
+    pub(super) fn widen(&mut self, proxy: u32, body: u32, reach: f32, ahead: f32, tuning: &Tuning) {
+        if proxy == self.ground {
+            self.depths[proxy as usize] = Depths { low: f32::MIN, high: f32::MAX };
+            return;
+        }
+        let (z, half) = (self.places[body as usize], self.reach[proxy as usize].half);
+        let margin = tuning.margin_of(reach) + tuning.speculative;
+        let ahead = tuning.ahead(ahead);
+        let (below, above) = if ahead < 0.0 { (ahead, 0.0) } else { (0.0, ahead) };
+        self.depths[proxy as usize] =
+            Depths { low: z - half - margin + below, high: z + half + margin + above };
+    }
+
+    /// Bounds that hold the way of a step. Answers whether they have become longer.
+    pub(super) fn widen_by(&mut self, proxy: u32, body: u32, way: f32, around: f32) -> bool {
+        let (z, half) = (self.places[body as usize], self.reach[proxy as usize].half + around);
+        let (below, above) = if way < 0.0 { (way, 0.0) } else { (0.0, way) };
+        let (low, high) = (z - half + below, z + half + above);
+        let depths = &mut self.depths[proxy as usize];
+        let is_deeper = low < depths.low || high > depths.high;
+        depths.low = if low < depths.low { low } else { depths.low };
+        depths.high = if high > depths.high { high } else { depths.high };
+        is_deeper
+    }
+
+    /// Who has left its bounds along the axis.
+    pub(super) fn follow(
+        &self,
+        proxies: &mut Proxies,
+        bodies: &Bodies,
+        runs: &[Range<usize>],
+        tuning: &Tuning,
+    ) {
+        let before = proxies.escaped.len();
+        for at in runs.iter().cloned().flatten().filter(|&at| at < proxies.movable) {
+            let body = proxies.all[at].body as usize;
+            let z = self.places[body];
+            let half = self.reach[at].half + tuning.speculative;
+            let Depths { low, high } = self.depths[at];
+            if bodies.path.get(body).is_some_and(|path| path[3] != 0.0) && (z - half < low || z + half > high)
+            {
+                proxies.escaped.push(at as u32);
+            }
+        }
+        if proxies.escaped.len() > before {
+            proxies.escaped.sort_unstable();
+            proxies.escaped.dedup();
+        }
+    }
+}
+
+/// Contacts.
+impl Space {
+    /// A proxy as something with depth.
+    pub(super) fn solid<'a>(
+        &self,
+        at: u32,
+        proxy: &Proxy,
+        outline: Outline<'a>,
+        (bodies, dt): (&Bodies, f32),
+    ) -> Solid<'a> {
+        let body = proxy.body as usize;
+        let Reach { half, is_round, .. } = self.reach[at as usize];
+        let kind = match (at == self.ground, is_round) {
+            (true, _) => Kind::Ground,
+            (false, true) => Kind::Ball,
+            (false, false) => Kind::Prism(half),
+        };
+        let fixture = at.checked_sub(self.ground + 1).and_then(|place| self.fixtures.get(place as usize));
+        let motion = bodies.ids[body].filter(|_| bodies.hot.len() > body).map(|id| self.body(id).motion);
+        Solid {
+            outline,
+            pose: bodies.poses[body],
+            kind,
+            z: self.places[body],
+            motion: motion.unwrap_or_default(),
+            ahead: bodies.hot.get(body).map_or([0.0; 3], |hot| {
+                let [x, y, _, z] = hot.velocity;
+                [x * dt, y * dt, z * dt]
+            }),
+            is_fixed: proxy.mobility == Mobility::Fixed,
+            slant: fixture.map(|fixture| fixture.shape).filter(|shape| shape.shear != 0.0),
+        }
+    }
+
+    pub(super) fn touch(
+        &self,
+        a: Solid<'_>,
+        b: Solid<'_>,
+        before: Before,
+        reach: f32,
+    ) -> super::manifold::Manifold {
+        solid::touch(a, b, before, Limits::new(reach))
+    }
+
+    /// How far B is behind A.
+    pub(super) fn apart(&self, a: &Proxy, b: &Proxy) -> f32 {
+        self.places[b.body as usize] - self.places[a.body as usize]
+    }
+
+    /// The radius of a ball that turns about all axes; else 0.
+    pub(super) fn rolling_radius(&self, at: u32, proxy: &Proxy) -> f32 {
+        let rolls = self.reach[at as usize].is_round && self.are_balls[proxy.body as usize];
+        if rolls { proxy.shape.radius } else { 0.0 }
+    }
+
+    /// Whether two extruded outlines still are beside each other along the axis.
+    pub(super) fn are_beside(&self, [a, b]: [u32; 2], apart: f32) -> bool {
+        a == self.ground || apart.abs() <= self.reach[a as usize].half + self.reach[b as usize].half
+    }
+}

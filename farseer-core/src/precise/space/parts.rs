@@ -1,0 +1,146 @@
+//! What an engine with depth tells of its bodies, geoms and fixtures.
+
+use serde::{Deserialize, Serialize};
+
+use crate::body::BodyId;
+use crate::geom::{Geom, GeomId};
+use crate::math::Vector2;
+use crate::shape::SlantedBox;
+use crate::storage::arena::Id;
+
+/// How a body moves along the depth axis, and a ball about the axes of the plane.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct SpaceBody {
+    /// Where it is, in units of length.
+    pub z: f32,
+    /// Velocity along the axis.
+    pub velocity: f32,
+    /// What forces add to it in a second.
+    pub acceleration: f32,
+    /// Way of the last step along x, y and z.
+    pub motion: [f32; 3],
+    /// About x and y, in rad/s: nothing to what is no ball, all of whose geoms are round about its origin.
+    pub angular_velocity: [f32; 2],
+}
+
+/// How a geom reaches along the depth axis.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct SpaceProfile {
+    /// How far to both sides.
+    pub half_depth: f32,
+    /// Whether it is a ball, and not its outline, extruded.
+    pub is_round: bool,
+    /// Friction and restitution of the ground that it rests on; without, it falls for ever.
+    pub ground: Option<[f32; 2]>,
+}
+
+/// Something that stands still and is no geom: a box with depth, which may be tilted in the plane.
+#[derive(Debug, Clone)]
+pub struct Fixture {
+    /// Its name, which no other one has had: less than 2^31, and greater than those of the fixtures before it.
+    pub id: u32,
+    /// Where it is, with y down.
+    pub shape: SlantedBox,
+    /// Its tilt in the plane, in rad.
+    pub rotation: f32,
+    /// Whom it may meet, and how.
+    pub settings: Geom,
+}
+
+/// What a geom touches that is no geom.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum SpacePartner {
+    /// Another geom.
+    Geom(GeomId),
+    /// A fixture, by its name.
+    Fixture(u32),
+    /// The plane y = 0, below everything.
+    Ground,
+}
+
+/// Two that touch in three axes.
+#[derive(Debug, Clone, Copy)]
+pub struct SpaceTouch {
+    /// The geom that is told; of two the younger one.
+    pub this: GeomId,
+    /// Its body.
+    pub body: BodyId,
+    /// What it touches.
+    pub partner: SpacePartner,
+    /// From the partner to this: x, y (down) and z.
+    pub normal: [f32; 3],
+    /// How many points.
+    pub count: usize,
+    /// The points, the first `count` of them.
+    pub points: [SpacePoint; 2],
+    /// Friction of both.
+    pub friction: f32,
+    /// Restitution of both.
+    pub restitution: f32,
+    /// Whether they push each other.
+    pub responds: bool,
+    /// Whether they touched, or were to touch, when the step began.
+    pub is_told: bool,
+}
+
+/// A point at which two touch.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct SpacePoint {
+    /// In the plane, y down.
+    pub position: Vector2,
+    /// Negative where they overlap.
+    pub separation: f32,
+    /// Which corner or edge it is, as long as it is the same.
+    pub feature: u32,
+    /// Of the last update.
+    pub impulse: f32,
+    /// Along both tangents.
+    pub friction_impulse: [f32; 2],
+}
+
+/// In place of geoms: the ground, and fixtures, from the last slot on.
+const GROUND: u32 = u32::MAX - 1;
+const FIRST_FIXTURE: u32 = u32::MAX - 2;
+/// Creation numbers of what is no geom, later than all others.
+const LAST_NUMBER: u32 = u32::MAX;
+
+/// The name of the ground, and of fixtures, among geoms.
+pub(in crate::precise) fn ground_id() -> GeomId {
+    GeomId::new(GROUND, 0)
+}
+
+pub(in crate::precise) fn fixture_id(fixture: &Fixture) -> GeomId {
+    GeomId::new(FIRST_FIXTURE - fixture.id, 0)
+}
+
+/// Whether it is the name of a geom.
+pub(in crate::precise) fn is_geom(id: GeomId) -> bool {
+    (id.slot() as u32) <= u32::MAX / 2
+}
+
+/// The creation number that it is given.
+pub(in crate::precise) fn number_of(id: GeomId) -> u32 {
+    LAST_NUMBER - (GROUND - id.slot() as u32)
+}
+
+/// What a name stands for.
+pub(in crate::precise) fn partner_of(id: GeomId) -> SpacePartner {
+    match id.slot() as u32 {
+        GROUND => SpacePartner::Ground,
+        slot if is_geom(id) || slot > FIRST_FIXTURE => SpacePartner::Geom(id),
+        slot => SpacePartner::Fixture(FIRST_FIXTURE - slot),
+    }
+}
+
+/// Bounds along the depth axis, as they are saved.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub(in crate::precise) struct Depths {
+    pub(in crate::precise) low: f32,
+    pub(in crate::precise) high: f32,
+}
+
+impl Depths {
+    pub(super) fn overlap(self, other: Depths) -> bool {
+        self.low <= other.high && other.low <= self.high
+    }
+}

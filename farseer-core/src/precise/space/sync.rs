@@ -1,0 +1,196 @@
+//! What the engine above has told is taken over.
+
+use super::parts::{self, Fixture, SpaceBody, SpacePartner, SpaceProfile, fixture_id, ground_id, is_geom};
+use super::{Space, Spin};
+use crate::body::BodyId;
+use crate::geom::GeomId;
+use crate::objects::Objects;
+use crate::precise::Precise;
+use crate::precise::outline::Shape;
+use crate::precise::proxies::{Mobility, Proxy};
+
+/// Told between updates.
+impl Precise {
+    pub(crate) fn is_in_space(&self) -> bool {
+        self.space.is_some()
+    }
+
+    /// There is a depth axis from now on.
+    pub(crate) fn enter_space(&mut self) {
+        self.space = Some(Box::default());
+    }
+
+    /// How a body moves along the depth axis.
+    pub(crate) fn set_space_body(&mut self, id: BodyId, told: SpaceBody) {
+        let Some(space) = &mut self.space else { return };
+        *space.body_mut(id) = told;
+        self.edited_bodies.push(id);
+    }
+
+    /// How a geom reaches along the depth axis.
+    pub(crate) fn set_space_profile(&mut self, id: GeomId, told: SpaceProfile) {
+        let Some(space) = &mut self.space else { return };
+        let known = space.profile_mut(id);
+        if *known != told {
+            *known = told;
+            self.is_stale |= self.proxy_of(id, 0).is_some();
+        }
+    }
+
+    /// What stands still and is no geom.
+    pub(crate) fn set_fixtures(&mut self, fixtures: impl Iterator<Item = Fixture>) {
+        let Some(space) = &mut self.space else { return };
+        space.fixtures.clear();
+        space.fixtures.extend(fixtures);
+        self.is_stale = true;
+    }
+
+    /// What the engine above is told of bodies after an update: of those that were awake.
+    pub(crate) fn space_moved(&self) -> impl Iterator<Item = (BodyId, SpaceBody)> + '_ {
+        let space = self.space.as_ref();
+        self.sleep.awake(self.bodies.count).filter_map(move |number| {
+            let id = self.bodies.ids[number]?;
+            Some((id, space?.body(id)))
+        })
+    }
+
+    /// Who has fallen asleep at the end of the last update.
+    pub(crate) fn space_rested(&self) -> impl Iterator<Item = (BodyId, SpaceBody)> + '_ {
+        self.space.iter().flat_map(|space| space.rested.iter().map(|&id| (id, space.body(id))))
+    }
+}
+
+impl Space {
+    /// Whether a body does not move along the depth axis, nor is pushed along it, nor rolls.
+    fn rests(&self, number: Option<usize>, id: BodyId) -> bool {
+        let SpaceBody { velocity, acceleration, angular_velocity, .. } = self.body(id);
+        let is_ball = number.is_some_and(|number| self.are_balls[number]);
+        velocity == 0.0 && acceleration == 0.0 && (angular_velocity == [0.0; 2] || !is_ball)
+    }
+}
+
+/// Taken over.
+impl Precise {
+    pub(in crate::precise) fn was_moved_in_space(&self, number: usize, id: BodyId) -> bool {
+        self.space.as_ref().is_some_and(|space| space.places[number] != space.body(id).z)
+    }
+
+    pub(in crate::precise) fn rests_in_space(&self, id: BodyId) -> bool {
+        self.space.as_ref().is_none_or(|space| space.rests(self.number_of(id), id))
+    }
+
+    pub(in crate::precise) fn take_body_in_space(&mut self, number: usize, id: BodyId) {
+        let Some(space) = &mut self.space else { return };
+        let told = space.body(id);
+        space.places[number] = told.z;
+        if let Some(hot) = self.bodies.hot.get_mut(number) {
+            hot.velocity[3] = told.velocity;
+            let [x, y] = told.angular_velocity;
+            space.spins[number] = Spin { velocity: [x, y, 0.0, 0.0], ..Spin::default() };
+        }
+    }
+
+    pub(in crate::precise) fn add_body_in_space(&mut self, number: usize, id: BodyId) {
+        if let Some(space) = &mut self.space {
+            space.add_body(number, id);
+        }
+        self.take_body_in_space(number, id);
+    }
+
+    /// The ground and fixtures are listed behind all bodies.
+    pub(in crate::precise) fn list_fixtures(&mut self) {
+        let Some(space) = &mut self.space else { return };
+        self.bodies.add_fixture([0.0, 0.0, 1.0, 0.0], 0.0);
+        for Fixture { shape, rotation, .. } in &space.fixtures {
+            let pose = [shape.centre.x, shape.centre.y, shape.cos, shape.sin];
+            self.bodies.add_fixture(pose, *rotation);
+        }
+        space.list_bodies(&self.bodies);
+        for number in 1..=self.bodies.count {
+            if let Some(id) = self.bodies.ids[number] {
+                self.take_body_in_space(number, id);
+            }
+        }
+    }
+
+    /// Their proxies are listed behind all others.
+    pub(in crate::precise) fn add_fixtures(&mut self) {
+        let Some(space) = &mut self.space else { return };
+        let first = self.bodies.ids.len() - space.fixtures.len();
+        space.ground = self.proxies.all.len() as u32;
+        self.proxies.push(proxy_for(ground_id(), first - 1, Shape::default()));
+        for (place, fixture) in space.fixtures.iter().enumerate() {
+            let Fixture { shape, settings, .. } = fixture;
+            let [x, y, depth] = shape.half;
+            // Sheared, it reaches further along x: its bounds and what is near are those of the widest box.
+            let lean = (shape.shear * depth).abs();
+            let shape = self.proxies.corners.add_box([x, y]).leaning(lean);
+            let restitution = settings.restitution_coefficient();
+            self.bounces |= restitution > 0.0;
+            self.proxies.push(Proxy {
+                friction: settings.friction_coefficient(),
+                restitution,
+                responds: settings.collision_response_enabled(),
+                ..proxy_for(fixture_id(fixture), first + place, shape)
+            });
+        }
+        space.list_proxies(&self.proxies);
+        self.bounces |= space.bounces();
+    }
+
+    /// Where the proxy of the ground or of a fixture is.
+    pub(in crate::precise) fn fixture_of(&self, id: GeomId) -> Option<usize> {
+        let space = self.space.as_ref()?;
+        match parts::partner_of(id) {
+            SpacePartner::Ground => Some(space.ground as usize),
+            SpacePartner::Fixture(id) => {
+                space.fixture(id).map(|(place, _)| space.ground as usize + 1 + place)
+            }
+            SpacePartner::Geom(_) => None,
+        }
+    }
+
+    /// The ground and the fixtures.
+    pub(in crate::precise) fn fixture_count(&self) -> usize {
+        self.space.as_ref().map_or(0, |space| space.fixtures.len() + 1)
+    }
+
+    /// Nobody meets the ground who does not rest on it.
+    pub(in crate::precise) fn may_meet_ground(&self, proxies: [u32; 2]) -> bool {
+        self.space.as_ref().is_none_or(|space| {
+            let [a, b] = proxies;
+            (a != space.ground || space.may_meet_ground(b)) && (b != space.ground || space.may_meet_ground(a))
+        })
+    }
+
+    /// Whether a geom may meet what is no geom; `None` for two geoms.
+    pub(crate) fn meets_fixture(&self, (a, b): (GeomId, GeomId), objects: &Objects) -> Option<bool> {
+        let (geom, other) = match (is_geom(a), is_geom(b)) {
+            (true, true) => return None,
+            (true, false) => (a, b),
+            (false, _) => (b, a),
+        };
+        let (Some(space), Some(entry)) = (&self.space, objects.geoms.get(geom)) else { return Some(false) };
+        let is_enabled = objects.bodies.get(entry.body).is_some_and(|body| body.body.enabled());
+        let meets = match parts::partner_of(other) {
+            SpacePartner::Ground => entry.geom.collision_enabled(),
+            SpacePartner::Fixture(id) => {
+                space.fixture(id).is_some_and(|(_, fixture)| entry.geom.may_collide_with(&fixture.settings))
+            }
+            SpacePartner::Geom(_) => false,
+        };
+        Some(is_enabled && meets && !objects.geoms.is_disposed(geom))
+    }
+}
+
+fn proxy_for(id: GeomId, body: usize, shape: Shape) -> Proxy {
+    Proxy {
+        geom: id,
+        number: parts::number_of(id),
+        body: body as u32,
+        mobility: Mobility::Fixed,
+        shape,
+        responds: true,
+        ..Proxy::nothing()
+    }
+}

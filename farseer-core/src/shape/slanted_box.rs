@@ -1,0 +1,333 @@
+//! The shape of a platform: a box, tilted about the z axis and sheared along x with depth.
+//!
+//! Frame: the plane's, x right, y **down**, z into the picture. A point of the box has three local coordinates:
+//! `across` and `down` in the tilted rectangle and `deep` along z, each within the half sizes; at depth `deep` from
+//! the centre the rectangle is shifted by `shear * deep` in x. That makes a parallelepiped whose front and back are
+//! at right angles to z and whose sides have the normals `(nx, ny, -shear * nx)`, not yet of unit length.
+//!
+//! Source: the closest point minimises the squared distance, which is convex and piecewise quadratic in `deep`;
+//! segments are clipped by the half-spaces of the faces (Cyrus and Beck 1978).
+
+use crate::math::{Vector2, Vector3, scalar};
+use serde::{Deserialize, Serialize};
+
+/// A box tilted about z and sheared along x.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct SlantedBox {
+    /// Its middle.
+    pub centre: Vector3,
+    /// Half of width, height and depth.
+    pub half: [f32; 3],
+    /// Cosine of the tilt, clockwise on the screen.
+    pub cos: f32,
+    /// Sine of it.
+    pub sin: f32,
+    /// Shift in x for every unit of depth from the centre.
+    pub shear: f32,
+}
+
+impl Default for SlantedBox {
+    fn default() -> Self {
+        SlantedBox { centre: Vector3::zeros(), half: [0.0; 3], cos: 1.0, sin: 0.0, shear: 0.0 }
+    }
+}
+
+/// A face of the box, named as it lies when level. The first four are in the order of the outline's edges.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Face {
+    /// Towards less y.
+    Top,
+    /// Towards less x.
+    Left,
+    /// Towards greater y.
+    Bottom,
+    /// Towards greater x.
+    Right,
+    /// Towards less z.
+    Front,
+    /// Towards greater z.
+    Back,
+}
+
+impl Face {
+    /// The sides, in the order of the outline's edges.
+    pub const SIDES: [Face; 4] = [Face::Top, Face::Left, Face::Bottom, Face::Right];
+    const ALL: [Face; 6] = [Face::Top, Face::Left, Face::Bottom, Face::Right, Face::Front, Face::Back];
+}
+
+/// Where a ball touches the box.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BoxTouch {
+    /// Unit vector from the box to the ball.
+    pub normal: Vector3,
+    /// Negative when they overlap.
+    pub separation: f32,
+    /// On the ball's surface.
+    pub point: Vector3,
+    /// The face through which the ball leaves, while its centre is inside.
+    pub face: Option<Face>,
+}
+
+/// The nearest coordinate within a half size.
+fn within(coordinate: f32, half: f32) -> f32 {
+    scalar::min(scalar::max(coordinate, -half), half)
+}
+
+/// How far a coordinate is beyond a half size, with its sign; 0 within.
+fn excess(coordinate: f32, half: f32) -> f32 {
+    coordinate - within(coordinate, half)
+}
+
+/// Closest point queries.
+impl SlantedBox {
+    /// Signed distance of a point to the surface, negative inside, and its unit gradient. None if not finite.
+    pub fn nearest(&self, point: Vector3) -> Option<(f32, Vector3)> {
+        let offset = point - self.centre;
+        let [width, height, depth] = self.half;
+        if self.contains(point) {
+            let face = self.nearest_face(point);
+            return Some((self.distance_to_face(face, point), self.face_normal(face)));
+        }
+        let deep = self.closest_deep(offset);
+        let (across, down) = self.local(offset, deep);
+        let excess_across = excess(across, width);
+        let excess_down = excess(down, height);
+        let is_inner = deep > -depth && deep < depth;
+        // Opposite one face only, its normal is known without dividing by a distance that may be tiny.
+        let face = match (excess_across, excess_down) {
+            // On the surface, as far as rounding goes.
+            (0.0, 0.0) if is_inner => Some(self.nearest_face(point)),
+            (0.0, 0.0) => Some(if deep < 0.0 { Face::Front } else { Face::Back }),
+            (a, 0.0) if is_inner => Some(if a < 0.0 { Face::Left } else { Face::Right }),
+            (0.0, d) if is_inner => Some(if d < 0.0 { Face::Top } else { Face::Bottom }),
+            _ => None,
+        };
+        if let Some(face) = face {
+            return Some((self.distance_to_face(face, point), self.face_normal(face)));
+        }
+        let plane = self.tilted(excess_across, excess_down);
+        let away = Vector3::new(plane.x, plane.y, offset.z - deep);
+        let distance = away.norm();
+        (distance > 0.0 && distance.is_finite()).then(|| (distance, away / distance))
+    }
+
+    /// Depth from the centre of the closest point of the box to a point outside.
+    fn closest_deep(&self, offset: Vector3) -> f32 {
+        let [width, height, depth] = self.half;
+        if self.shear == 0.0 {
+            return within(offset.z, depth);
+        }
+        // The local coordinates of the point move at these rates as `deep` grows.
+        let (across_rate, down_rate) = (-self.shear * self.cos, self.shear * self.sin);
+        let (across, down) = self.local(offset, 0.0);
+        // Half the derivative of the squared distance: rising, and linear between the depths at which a coordinate
+        // passes the edge of the rectangle.
+        let slope = |deep: f32| {
+            let (across, down) = (across + across_rate * deep, down + down_rate * deep);
+            let excess_across = excess(across, width);
+            let excess_down = excess(down, height);
+            deep - offset.z + excess_across * across_rate + excess_down * down_rate
+        };
+        let (mut low, mut high) = (-depth, depth);
+        let (mut slope_low, mut slope_high) = (slope(low), slope(high));
+        if slope_low >= 0.0 {
+            return low;
+        }
+        if slope_high <= 0.0 {
+            return high;
+        }
+        let bends = [
+            (width - across) / across_rate,
+            (-width - across) / across_rate,
+            (height - down) / down_rate,
+            (-height - down) / down_rate,
+        ];
+        for bend in bends {
+            // Bends outside, and those that no rate gives (infinite or not a number), are passed over.
+            if bend > low && bend < high {
+                let slope = slope(bend);
+                if slope < 0.0 {
+                    (low, slope_low) = (bend, slope);
+                } else {
+                    (high, slope_high) = (bend, slope);
+                }
+            }
+        }
+        let share = -slope_low / (slope_high - slope_low);
+        scalar::min(scalar::max(low + (high - low) * share, low), high)
+    }
+
+    /// Where a ball touches. `before` is where its centre was in the last step, relative to the box. While the centre
+    /// is inside, the ball leaves through the face that was `kept`, or else the one it came through, or else the
+    /// nearest.
+    pub fn ball_touch(
+        &self,
+        centre: Vector3,
+        before: Vector3,
+        radius: f32,
+        kept: Option<Face>,
+    ) -> Option<BoxTouch> {
+        let (distance, normal, face) = if self.contains(centre) {
+            let came = || self.entry_face(before, centre).unwrap_or_else(|| self.nearest_face(centre));
+            let face = kept.unwrap_or_else(came);
+            (self.distance_to_face(face, centre), self.face_normal(face), Some(face))
+        } else {
+            let (distance, normal) = self.nearest(centre)?;
+            (distance, normal, None)
+        };
+        let separation = distance - radius;
+        (separation < 0.0).then(|| BoxTouch { normal, separation, point: centre - normal * radius, face })
+    }
+}
+
+/// Faces.
+impl SlantedBox {
+    /// Outward normal of a face in the plane, unit length; zero for front and back.
+    pub fn plane_normal(&self, face: Face) -> Vector2 {
+        let SlantedBox { cos, sin, .. } = *self;
+        match face {
+            Face::Top => Vector2::new(sin, -cos),
+            Face::Left => Vector2::new(-cos, -sin),
+            Face::Bottom => Vector2::new(-sin, cos),
+            Face::Right => Vector2::new(cos, sin),
+            Face::Front | Face::Back => Vector2::zeros(),
+        }
+    }
+
+    /// Length of a side's normal `(nx, ny, -shear * nx)`.
+    pub fn stretch(&self, plane_normal: Vector2) -> f32 {
+        let lean = self.shear * plane_normal.x;
+        (1.0 + lean * lean).sqrt()
+    }
+
+    /// Outward unit normal of a face.
+    pub fn face_normal(&self, face: Face) -> Vector3 {
+        match face {
+            Face::Front => Vector3::new(0.0, 0.0, -1.0),
+            Face::Back => Vector3::new(0.0, 0.0, 1.0),
+            _ => {
+                let normal = self.plane_normal(face);
+                let stretch = self.stretch(normal);
+                Vector3::new(normal.x / stretch, normal.y / stretch, -self.shear * normal.x / stretch)
+            }
+        }
+    }
+
+    /// Signed distance of a point to the plane of a face, positive outside.
+    pub fn distance_to_face(&self, face: Face, point: Vector3) -> f32 {
+        let offset = point - self.centre;
+        let [width, height, depth] = self.half;
+        let half = match face {
+            Face::Front => return -offset.z - depth,
+            Face::Back => return offset.z - depth,
+            Face::Left | Face::Right => width,
+            Face::Top | Face::Bottom => height,
+        };
+        let normal = self.plane_normal(face);
+        let x = offset.x - self.shear * offset.z;
+        (normal.x * x + normal.y * offset.y - half) / self.stretch(normal)
+    }
+
+    /// The face whose plane is nearest to a point inside: the first one where several are.
+    pub fn nearest_face(&self, point: Vector3) -> Face {
+        let mut nearest = (Face::Top, self.distance_to_face(Face::Top, point));
+        for face in Face::ALL {
+            let distance = self.distance_to_face(face, point);
+            if distance > nearest.1 {
+                nearest = (face, distance);
+            }
+        }
+        nearest.0
+    }
+
+    /// The face through which the way from `before` to `now` enters the box; None if it begins inside or misses it.
+    pub fn entry_face(&self, before: Vector3, now: Vector3) -> Option<Face> {
+        let (mut entry, mut exit) = ((None, 0.0), 1.0f32);
+        for face in Face::ALL {
+            let from = self.distance_to_face(face, before);
+            let to = self.distance_to_face(face, now);
+            if from > 0.0 && to > 0.0 {
+                return None;
+            }
+            let share = from / (from - to);
+            if from > 0.0 && (entry.0.is_none() || share > entry.1) {
+                entry = (Some(face), share);
+            } else if to > 0.0 {
+                exit = scalar::min(exit, share);
+            }
+        }
+        entry.0.filter(|_| entry.1 <= exit)
+    }
+}
+
+/// Outlines and extents.
+impl SlantedBox {
+    /// A vector of the rectangle turned into the plane.
+    fn tilted(&self, across: f32, down: f32) -> Vector2 {
+        Vector2::new(across * self.cos - down * self.sin, across * self.sin + down * self.cos)
+    }
+
+    /// Coordinates in the rectangle at depth `deep` of a point at an offset from the centre.
+    fn local(&self, offset: Vector3, deep: f32) -> (f32, f32) {
+        let x = offset.x - self.shear * deep;
+        (x * self.cos + offset.y * self.sin, offset.y * self.cos - x * self.sin)
+    }
+
+    /// Whether a point is inside or on the surface.
+    pub fn contains(&self, point: Vector3) -> bool {
+        let offset = point - self.centre;
+        let [width, height, depth] = self.half;
+        let (across, down) = self.local(offset, offset.z);
+        offset.z.abs() <= depth && across.abs() <= width && down.abs() <= height
+    }
+
+    /// The rectangle about the origin, wound as the engine's outlines: from the top right corner to the left.
+    pub fn rectangle(&self) -> [Vector2; 4] {
+        let [width, height, _] = self.half;
+        [(width, -height), (-width, -height), (-width, height), (width, height)]
+            .map(|(across, down)| self.tilted(across, down))
+    }
+
+    /// Least and greatest coordinates.
+    pub fn bounds(&self) -> (Vector3, Vector3) {
+        let [width, height, depth] = self.half;
+        let (cos, sin) = (self.cos.abs(), self.sin.abs());
+        let x = width * cos + height * sin + self.shear.abs() * depth;
+        let reach = Vector3::new(x, width * sin + height * cos, depth);
+        (self.centre - reach, self.centre + reach)
+    }
+
+    /// The y of the topmost point on the vertical line at `x` and `z`, and the normal of the face there. None when
+    /// the line misses the box.
+    pub fn height_at(&self, x: f32, z: f32) -> Option<(f32, Vector3)> {
+        let [width, height, depth] = self.half;
+        let deep = z - self.centre.z;
+        let reaches = deep.abs() <= depth;
+        if !reaches {
+            return None;
+        }
+        let x = x - self.centre.x - self.shear * deep;
+        let (mut top, mut bottom, mut face) = (f32::NEG_INFINITY, f32::INFINITY, Face::Top);
+        // Both local coordinates are linear in y: `start + rate * y`.
+        let slabs = [
+            (-x * self.sin, self.cos, height, Face::Top, Face::Bottom),
+            (x * self.cos, self.sin, width, Face::Left, Face::Right),
+        ];
+        for (start, rate, half, low_face, high_face) in slabs {
+            if rate == 0.0 {
+                if start.abs() > half {
+                    return None;
+                }
+                continue;
+            }
+            let (at_low, at_high) = ((-half - start) / rate, (half - start) / rate);
+            let (low, high, first) =
+                if rate > 0.0 { (at_low, at_high, low_face) } else { (at_high, at_low, high_face) };
+            if low > top {
+                (top, face) = (low, first);
+            }
+            bottom = scalar::min(bottom, high);
+        }
+        (top <= bottom && top.is_finite()).then(|| (self.centre.y + top, self.face_normal(face)))
+    }
+}

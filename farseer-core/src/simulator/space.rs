@@ -1,0 +1,88 @@
+//! What an engine with depth on top of this one tells and asks: see [`precise::space`](crate::precise::space). Not for games.
+
+use super::tell::Handler;
+use super::{EventHandler, PhysicsSimulator};
+use crate::Result;
+use crate::body::BodyId;
+use crate::geom::GeomId;
+use crate::methods::Methods;
+use crate::precise::space::parts::{Fixture, SpaceBody, SpaceProfile, SpaceTouch};
+use crate::report::Stopwatch;
+
+#[doc(hidden)]
+impl PhysicsSimulator {
+    /// The precise set in three axes, whatever was chosen before.
+    ///
+    /// # Errors
+    /// As [`set_methods`](Self::set_methods) with [`Methods::Precise`].
+    pub fn enter_space(&mut self, length_unit: f32) -> Result<()> {
+        self.set_methods(Methods::Precise { length_unit })?;
+        if let Some(precise) = self.pipeline.precise.as_mut().filter(|precise| !precise.is_in_space()) {
+            precise.enter_space();
+        }
+        Ok(())
+    }
+
+    /// Whether there is a depth axis.
+    pub fn is_in_space(&self) -> bool {
+        self.pipeline.precise.as_ref().is_some_and(|precise| precise.is_in_space())
+    }
+
+    /// How a body moves along the depth axis.
+    pub fn set_space_body(&mut self, body: BodyId, told: SpaceBody) {
+        if let Some(precise) = &mut self.pipeline.precise {
+            precise.set_space_body(body, told);
+        }
+    }
+
+    /// How a geom reaches along the depth axis.
+    pub fn set_space_profile(&mut self, geom: GeomId, told: SpaceProfile) {
+        if let Some(precise) = &mut self.pipeline.precise {
+            precise.set_space_profile(geom, told);
+        }
+    }
+
+    /// What stands still and is no geom.
+    pub fn set_fixtures(&mut self, fixtures: impl Iterator<Item = Fixture>) {
+        if let Some(precise) = &mut self.pipeline.precise {
+            precise.set_fixtures(fixtures);
+        }
+    }
+
+    /// [`update_with_real_time`](Self::update_with_real_time) that answers whether anything could move.
+    pub fn update_in_space(&mut self, dt: f32, handler: Option<&mut dyn EventHandler>) -> bool {
+        let mut handler = Handler::new(handler);
+        let goes_on = self.begin(dt, &mut handler);
+        if goes_on && self.pipeline.precise.is_some() {
+            self.run_precise(dt, 0.0, &mut handler, &mut Stopwatch::start(None));
+        }
+        goes_on
+    }
+
+    /// Who was awake in an update, and moves like that along the depth axis after it.
+    pub fn space_moved(&self) -> impl Iterator<Item = (BodyId, SpaceBody)> + '_ {
+        self.pipeline.precise.iter().flat_map(|precise| precise.space_moved())
+    }
+
+    /// Who has fallen asleep at the end of the last update.
+    pub fn space_rested(&self) -> impl Iterator<Item = (BodyId, SpaceBody)> + '_ {
+        self.pipeline.precise.iter().flat_map(|precise| precise.space_rested())
+    }
+
+    /// What touches, in no particular order, with the number of each pair.
+    pub fn space_touches(&self) -> impl Iterator<Item = (usize, SpaceTouch)> + '_ {
+        let precise = self.pipeline.precise.as_ref();
+        let count = precise.map_or(0, |precise| precise.pair_count());
+        (0..count).filter_map(move |pair| Some((pair, precise?.space_touch(pair)?)))
+    }
+
+    /// The handler is asked about what touches, and pairs that it refuses push nothing in this update.
+    pub(super) fn ask_about_space(&mut self, handler: &mut Handler<'_>) {
+        let refused = self.tell(handler, |handler, context| handler.on_space_touches(context));
+        for pair in refused.into_iter().flatten() {
+            if let Some(precise) = &mut self.pipeline.precise {
+                precise.refuse(pair);
+            }
+        }
+    }
+}
