@@ -64,7 +64,7 @@ impl Precise {
         pairs.dedup();
         for pair in pairs {
             if self.pairs.all[pair].home.is_some() {
-                self.sides(pair).into_iter().for_each(|(body, _)| self.sleep.note_loss(body));
+                self.note_loss(pair);
             }
             self.touch().forget_pair(pair);
         }

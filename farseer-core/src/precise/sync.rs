@@ -211,7 +211,7 @@ impl Precise {
         pairs.extend(self.pairs.of(proxy).map(|pair| pair as u32));
         for pair in pairs.drain(..) {
             self.pairs.look_again(pair as usize);
-            self.note_waking(pair as usize);
+            self.note_loss(pair as usize);
         }
         self.lost = pairs;
     }

@@ -20,6 +20,11 @@ impl Precise {
         }
     }
 
+    /// What the bodies of a pair rested on may have gone.
+    pub(super) fn note_loss(&mut self, pair: usize) {
+        self.sides(pair).into_iter().for_each(|(body, _)| self.sleep.note_loss(body));
+    }
+
     /// A pair has come. What nobody else would look at is: something has been put beside what sleeps.
     pub(super) fn note_new(&mut self, pair: usize) {
         if !self.may_change(pair) {
