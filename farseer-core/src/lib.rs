@@ -576,7 +576,9 @@ pub use path::{
     LinkType, Path,
 };
 #[doc(hidden)]
-pub use precise::space::parts::{Fixture, SpaceBody, SpacePartner, SpacePoint, SpaceProfile, SpaceTouch};
+pub use precise::space::parts::{
+    Fixture, SpaceBody, SpaceChange, SpacePartner, SpacePoint, SpaceProfile, SpaceTouch,
+};
 pub use precise::{Island, IslandCost, IslandMethod, IslandResidual, WhyAwake, WhyMethod};
 pub use report::{Event, StepCounters, StepTimes};
 pub use shape::{Aabb, Feature, Vertices, ray_helper};

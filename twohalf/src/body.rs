@@ -128,7 +128,7 @@ impl<S: Access> TwoHalfBody<S> {
     /// straight up. `None` in the air. A body that leaves what it lies on for a single step, no faster than gravity
     /// makes it in two, still counts as held up.
     pub fn support(&self) -> Option<Support> {
-        self.state().support
+        self.simulator.world().support_of(self.simulator.core(), self.id)
     }
 
     /// Whether the body stood on something in the last update: the ground, a platform or another object that is no
@@ -153,7 +153,7 @@ impl<S: Access> TwoHalfBody<S> {
                 }
         };
         let mut supports = Vec::new();
-        for contact in world.contacts(core).filter(pushes) {
+        for contact in world.contacts_of(core, self.id).filter(pushes) {
             let below = match contact.partner {
                 _ if is_mine(contact.this) => {
                     Some(Support { partner: contact.partner, normal: contact.normal })

@@ -1,12 +1,14 @@
 //! The contacts of the last update, as a game sees them.
 
+use std::borrow::Cow;
+
 use farseer_core::math::scalar::nearest_finite;
-use farseer_core::{GeomId, PhysicsSimulator};
+use farseer_core::{BodyId, GeomId, PhysicsSimulator};
 
 use crate::tell::to_world;
 use crate::touch::{TouchKey, TouchList};
 use crate::world::World;
-use crate::{Axis, Partner, TwoHalfPhysicsSimulator, Vector3};
+use crate::{Axis, DepthScheme, Partner, TwoHalfPhysicsSimulator, Vector3};
 
 /// A point at which a geom touched something in the last update.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,6 +41,18 @@ impl TwoHalfPhysicsSimulator {
 }
 
 impl World {
+    /// The contact points of one body among others: of it alone, where these are found when somebody asks.
+    pub(crate) fn contacts_of<'a>(
+        &'a self,
+        core: &'a PhysicsSimulator,
+        body: BodyId,
+    ) -> Box<dyn Iterator<Item = TwoHalfContact> + 'a> {
+        if self.scheme == DepthScheme::Precise {
+            return Box::new(points_of(&self.list_touches_of(core, body)).into_iter());
+        }
+        Box::new(self.contacts(core))
+    }
+
     pub(crate) fn contacts<'a>(
         &'a self,
         core: &'a PhysicsSimulator,
@@ -61,20 +75,11 @@ impl World {
                 ]),
             })
         });
-        let list = self.finished_touches();
-        let others = list.touches.iter().filter(|touch| !touch.is_plane()).flat_map(|touch| {
-            list.points_of(touch).iter().map(|point| TwoHalfContact {
-                this: touch.this,
-                partner: touch.partner,
-                axis: touch.axis(),
-                position: to_world(point.position),
-                normal: to_world(touch.normal),
-                separation: point.separation,
-                normal_impulse: point.normal_impulse,
-                friction_impulse: length(point.friction_impulse),
-            })
-        });
-        in_plane.chain(others)
+        let list = match self.scheme {
+            DepthScheme::Precise => self.list_touches(core),
+            _ => Cow::Borrowed(self.finished_touches()),
+        };
+        in_plane.chain(points_of(&list))
     }
 
     /// The contacts of the last update that came to its end.
@@ -88,6 +93,22 @@ impl World {
         let list = self.finished_touches();
         numbers.and_then(|key| list.find(key)).map_or(&[], |touch| list.points_of(touch))
     }
+}
+
+fn points_of(list: &TouchList) -> Vec<TwoHalfContact> {
+    let others = list.touches.iter().filter(|touch| !touch.is_plane()).flat_map(|touch| {
+        list.points_of(touch).iter().map(|point| TwoHalfContact {
+            this: touch.this,
+            partner: touch.partner,
+            axis: touch.axis(),
+            position: to_world(point.position),
+            normal: to_world(touch.normal),
+            separation: point.separation,
+            normal_impulse: point.normal_impulse,
+            friction_impulse: length(point.friction_impulse),
+        })
+    });
+    others.collect()
 }
 
 fn length([x, y]: [f32; 2]) -> f32 {

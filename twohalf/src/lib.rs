@@ -44,6 +44,9 @@
 //!
 //! # The model
 //!
+//! How contacts are found and solved is the simulator's [`DepthScheme`]. A new one has the precise set in three axes; Farseer's
+//! own methods with depth beside them, and the thesis' scheme, are there to choose. The model is the same with all of them.
+//!
 //! ## Axes and signs
 //!
 #![doc = include_str!("../docs/axes.svg")]
@@ -87,9 +90,8 @@
 //! the body's Z, or a ball. What it covers of the ground from above is its [footprint](TwoHalfGeom::virtual_geom),
 //! which the thesis calls its virtual geom (3.5).
 //!
-//! Bodies move along X, Y and Z and turn about the depth axis. X, Y and rotation are moved by the 2D engine; along Z
-//! the same happens beside it (thesis 3.3): force and impulse become velocity, velocity becomes position, with the
-//! drag of X and Y. A body whose geoms are all balls about its centre has an angular velocity about
+//! Bodies move along X, Y and Z and turn about the depth axis. Along Z the same happens as in X and Y (thesis 3.3): force and
+//! impulse become velocity, velocity becomes position, with the drag of X and Y. A body whose geoms are all balls about its centre has an angular velocity about
 //! [all three axes](TwoHalfBody::angular_velocity3d), so that it rolls in every direction; only the one about the
 //! depth axis is drawn.
 //!
@@ -106,9 +108,9 @@
 //! that the seams of floors and walls are no obstacles. When nothing was entered just now, the smaller overlap decides.
 //! The least overlap alone would be wrong: who lands 5 px inside the front edge of a platform would be thrown off it.
 //!
-//! Restitution and friction are combined as in the 2D engine. Off the ground, platforms and immovable objects things
-//! bounce with the speed with which they arrived, without what gravity adds in the same step; between movable outlines
-//! in X and Y the 2D engine's rule counts it. Friction acts against the direction of sliding within
+//! Restitution and friction are combined as in the 2D engine. Things bounce with the speed with which they arrived, without what
+//! gravity adds in the same step; with the faithful scheme movable outlines do so in X and Y by the 2D engine's rule, which
+//! counts it. Friction acts against the direction of sliding within
 //! the surface, along Z as well, by Coulomb's law. [`TwoHalfPhysicsSimulator::contacts`] lists the contacts of the
 //! last update; callbacks and [events](TwoHalfPhysicsSimulator::events) tell partner, [`Axis`], normal and impulse,
 //! and a callback can refuse a contact.
@@ -296,26 +298,30 @@
 //!
 //! # Where it fails
 //!
-//! - **What is too fast passes through.** Contacts are looked for where things are at a step, not on the way between
-//!   two: along any axis, what moves farther per step than it and the other are thick together may miss the other; in
-//!   X and Y, where two outlines are the 2D engine's, already at half of that. Nothing passes the ground, which has no
-//!   underside.
-//! - **Floors and walls of immovable bodies trip in X and Y**, as in the 2D engine: their seams stop what slides over
-//!   them, and the lower corner of a wall can hold back who jumps while leaning against it. Build scenery of
+//! - **What is too fast passes through.** With the precise scheme nothing passes what stands still, but two that move, each
+//!   farther per step than it is thick, may miss each other. With the others contacts are looked for where things are at a
+//!   step, not on the way between two: along any axis, what moves farther per step than it and the other are thick together may
+//!   miss the other; in X and Y, where two outlines are the 2D engine's, already at half of that. Nothing passes the ground,
+//!   which has no underside.
+//! - **Floors and walls of immovable bodies trip in X and Y** with the faithful scheme, as in the 2D engine: their seams stop
+//!   what slides over them, and the lower corner of a wall can hold back who jumps while leaning against it. Build scenery of
 //!   [platforms](Platform): those are smooth.
 //! - **What turns freely and is pushed hard rocks**: a box that is pressed against a wall by a new velocity in every
 //!   update, farther per step than the contacts leave, stands on one corner after the other. Figures should not turn:
 //!   give them a huge moment of inertia.
-//! - **A pair may be told twice** after geoms were removed and added again: the 2D engine keeps Farseer's duplicate
-//!   arbiters.
-//! - **High stacks** do not stand, as in the 2D engine. Of boxes of 40 px on the ground, with the default settings, six
-//!   stand for 1,000 steps of 0.01 s with a gravity of 100 px/s², seven fall; and with 900 px/s² three fall:
+//! - **A pair may be told twice** with the faithful scheme after geoms were removed and added again: the 2D engine keeps
+//!   Farseer's duplicate arbiters.
+//! - **High stacks** do not stand with the faithful scheme, as in the 2D engine. Of boxes of 40 px on the ground, with the
+//!   default settings, six stand for 1,000 steps of 0.01 s with a gravity of 100 px/s², seven fall; and with 900 px/s² three
+//!   fall. With the precise scheme twenty stand with either:
 //!
 //!   ```
 //!   # use twohalf::farseer_core::{BodyFactory, GeomPlacement, Vertices};
-//!   # use twohalf::{TwoHalfPhysicsSimulator, Vector2, Vector3};
-//!   # fn stand(boxes: usize, gravity: f32) -> bool {
+//!   # use twohalf::{DepthScheme, TwoHalfPhysicsSimulator, Vector2, Vector3};
+//!   # use DepthScheme::{Faithful, Precise};
+//!   # fn stand(scheme: DepthScheme, boxes: usize, gravity: f32) -> bool {
 //!   #     let mut simulator = TwoHalfPhysicsSimulator::with_gravity(480, Vector2::new(0.0, gravity)).unwrap();
+//!   #     simulator.set_depth_scheme(scheme).unwrap();
 //!   #     let place = |i: usize| Vector3::new(100.0, 40.0 * i as f32, 30.0);
 //!   #     let mut make = |i: usize| {
 //!   #         let body = simulator.create_body(BodyFactory::create_rectangle_body(40.0, 40.0, 1.0)?);
@@ -333,8 +339,9 @@
 //!   #     let moved = |i: usize| simulator.body(column[i]).unwrap().position3d() - place(i);
 //!   #     (0..boxes).all(|i| moved(i).norm() < 10.0)
 //!   # }
-//!   assert!(stand(6, 100.0) && !stand(7, 100.0));
-//!   assert!(!stand(3, 900.0));
+//!   assert!(stand(Faithful, 6, 100.0) && !stand(Faithful, 7, 100.0));
+//!   assert!(!stand(Faithful, 3, 900.0));
+//!   assert!(stand(Precise, 20, 100.0) && stand(Precise, 20, 900.0));
 //!   ```
 //! - **Only balls turn about X and Y.** A box that hangs over the front edge of a platform does not tip over it.
 //! - **Platforms do not carry.** One that is moved pushes out what it comes to overlap, and nothing rides on it.
@@ -342,7 +349,7 @@
 //!   box and has no friction.
 //! - **Sprites are flat**, so there may be no right [drawing order](TwoHalfPhysicsSimulator::draw_order) for three
 //!   that cover each other in a circle.
-//! - **Not there yet**: joints, springs and controllers; sleep.
+//! - **Not there yet**: joints, springs and controllers with depth.
 
 #![forbid(unsafe_code)]
 

@@ -1,15 +1,18 @@
 //! An update with the precise set: the 2D engine below works in three axes, is told what it does not know, and tells what
 //! touches.
 
+use std::borrow::Cow;
+
 use farseer_core::{
-    BodyId, Fixture, GeomId, PhysicsSimulator, SpaceBody, SpacePartner, SpaceProfile, SpaceTouch,
+    BodyId, Fixture, GeomId, PhysicsSimulator, SpaceBody, SpaceChange, SpacePartner, SpaceProfile, SpaceTouch,
 };
 
 use crate::depth::is_movable;
 use crate::events::{Collision, Context, Event, EventHandler};
 use crate::pairs::PlaneHandler;
-use crate::step::{disable, reborrow};
-use crate::touch::{Kept, Touch, TouchKey, TouchPoint};
+use crate::step::{StepCounters, disable, reborrow};
+use crate::tell::{collision, is_told};
+use crate::touch::{Kept, Touch, TouchKey, TouchList, TouchPoint};
 use crate::world::World;
 use crate::{Partner, PlatformId, TwoHalfPhysicsSimulator, Vector3};
 
@@ -36,9 +39,16 @@ impl TwoHalfPhysicsSimulator {
             return;
         }
         world.rest(core);
-        world.list_touches(core);
         world.tell_changes(core, &mut handler);
-        world.finish(core);
+        world.count(core);
+    }
+}
+
+fn partner_of(partner: SpacePartner) -> Partner {
+    match partner {
+        SpacePartner::Ground => Partner::Ground,
+        SpacePartner::Fixture(number) => Partner::Platform(PlatformId::from_number(number)),
+        SpacePartner::Geom(geom) => Partner::Geom(geom),
     }
 }
 
@@ -131,43 +141,29 @@ impl World {
         }
     }
 
-    /// The contacts of this update.
-    fn list_touches(&mut self, core: &PhysicsSimulator) {
-        self.touches.clear();
-        for (_, found) in core.space_touches().filter(|(_, found)| is_touching(found)) {
-            self.push_touch(core, &found);
-        }
-        self.touches.sort();
-    }
-
-    fn push_touch(&mut self, core: &PhysicsSimulator, found: &SpaceTouch) -> Option<()> {
+    /// What touches, as this engine lists it, and its points.
+    fn touch_of(&self, core: &PhysicsSimulator, found: &SpaceTouch) -> Option<(Touch, [TouchPoint; 2])> {
         let number = core.geom(found.this)?.id();
-        let (key, partner, partner_body, z) = match found.partner {
-            SpacePartner::Ground => (TouchKey::Ground(number), Partner::Ground, None, self.z_of(found.body)),
-            SpacePartner::Fixture(number) => {
-                let id = PlatformId::from_number(number);
-                let z = self.z_of(found.body);
-                (TouchKey::Platform(number, id), Partner::Platform(id), None, z)
-            }
-            SpacePartner::Geom(other) => {
+        let partner = partner_of(found.partner);
+        let (key, partner_body, z) = match partner {
+            Partner::Ground => (TouchKey::Ground(number), None, self.z_of(found.body)),
+            Partner::Platform(id) => (TouchKey::Platform(number, id), None, self.z_of(found.body)),
+            Partner::Geom(other) => {
                 let view = core.geom(other)?;
                 let key = TouchKey::Pair(view.id(), number);
-                (key, Partner::Geom(other), Some(view.body()), self.middle(core, found.this, other))
+                (key, Some(view.body()), self.middle(core, found.this, other))
             }
         };
-        let first_point = self.touches.points.len() as u32;
         let normal = Vector3::from(found.normal);
-        for point in &found.points[..found.count] {
-            self.touches.points.push(TouchPoint {
-                position: Vector3::new(point.position.x, point.position.y, z),
-                normal,
-                separation: point.separation,
-                feature: point.feature,
-                normal_impulse: point.impulse,
-                friction_impulse: point.friction_impulse,
-            });
-        }
-        self.touches.touches.push(Touch {
+        let points = found.points.map(|point| TouchPoint {
+            position: Vector3::new(point.position.x, point.position.y, z),
+            normal,
+            separation: point.separation,
+            feature: point.feature,
+            normal_impulse: point.impulse,
+            friction_impulse: point.friction_impulse,
+        });
+        let touch = Touch {
             key,
             this: found.this,
             body: found.body,
@@ -175,30 +171,65 @@ impl World {
             partner_body,
             normal,
             kept: Kept::Nothing,
-            first_point,
+            first_point: 0,
             point_count: found.count as u32,
             friction: found.friction,
             restitution: found.restitution,
             responds: found.responds,
             shares_pressure: false,
             arbiter: 0,
-        });
-        Some(())
+        };
+        Some((touch, points))
+    }
+
+    /// The contacts of the last update, found in the engine below when somebody asks; what was loaded, until it moves on.
+    pub(crate) fn list_touches(&self, core: &PhysicsSimulator) -> Cow<'_, TouchList> {
+        if !core.knows_touches() {
+            return Cow::Borrowed(&self.touches);
+        }
+        Cow::Owned(self.list(core, core.space_touches()))
+    }
+
+    /// Those of one body, if they are found when somebody asks.
+    pub(crate) fn list_touches_of(&self, core: &PhysicsSimulator, body: BodyId) -> Cow<'_, TouchList> {
+        if !core.knows_touches() {
+            return Cow::Borrowed(&self.touches);
+        }
+        Cow::Owned(self.list(core, core.space_touches_of(body)))
+    }
+
+    fn list(&self, core: &PhysicsSimulator, found: impl Iterator<Item = SpaceTouch>) -> TouchList {
+        let mut list = TouchList::default();
+        let touches = found.filter(is_touching).filter_map(|found| self.touch_of(core, &found));
+        for (touch, points) in touches.filter(|(touch, _)| self.may_touch(core, touch.this, touch.partner)) {
+            let first_point = list.points.len() as u32;
+            list.points.extend_from_slice(&points[..touch.point_count as usize]);
+            list.touches.push(Touch { first_point, ..touch });
+        }
+        list.sort();
+        list
     }
 
     /// What begins and ceases to touch.
     fn tell_changes(&mut self, core: &mut PhysicsSimulator, handler: &mut Option<&mut dyn EventHandler>) {
-        for index in 0..self.touches.touches.len() {
-            let touch = self.touches.touches[index];
-            if self.last.find(touch.key).is_some() {
-                continue;
-            }
-            for is_partner in [true, false] {
-                let collision: Option<Collision> = self.collision(&touch, is_partner);
-                self.events.extend(collision.map(Event::Collision));
+        let changes = core.take_space_changes();
+        for begun in changes.iter().filter_map(|change| change.touch) {
+            for collision in self.collisions(core, &begun).into_iter().flatten() {
+                self.events.push(Event::Collision(collision));
             }
         }
-        self.tell_separated(core, handler);
+        for &SpaceChange { this, partner, .. } in changes.iter().filter(|change| change.touch.is_none()) {
+            let partner = partner_of(partner);
+            if self.may_touch(core, this, partner) {
+                self.tell_parted(core, handler, this, partner);
+            }
+        }
+    }
+
+    /// A contact, as both of its sides are told of it: the older geom first.
+    fn collisions(&self, core: &PhysicsSimulator, found: &SpaceTouch) -> [Option<Collision>; 2] {
+        let Some((touch, points)) = self.touch_of(core, found) else { return [None; 2] };
+        [true, false].map(|is_partner| collision(&touch, &points[..found.count], is_partner))
     }
 
     /// Asks a handler about everything that touches; answers what it refuses.
@@ -207,41 +238,44 @@ impl World {
         context: &mut farseer_core::Context<'_>,
         handler: &mut dyn EventHandler,
     ) -> Vec<usize> {
-        let mut found: Vec<(usize, SpaceTouch)> =
-            context.simulator().space_touches().filter(|(_, touch)| touch.is_told).collect();
-        found.sort_by_key(|(_, touch)| self.key_of_touch(context.simulator(), touch));
-        let mut refused = Vec::new();
-        for (pair, touch) in found {
-            self.touches.clear();
-            if self.push_touch(context.simulator(), &touch).is_none() {
-                continue;
-            }
-            let touch = self.touches.touches[0];
-            for is_partner in [true, false] {
-                let Some(collision) = self.collision(&touch, is_partner) else { continue };
-                let is_told = context
-                    .simulator()
-                    .geom(collision.this)
-                    .is_none_or(|geom| geom.collision_callbacks_enabled());
-                let accepts =
-                    !is_told || handler.on_collision(&mut Context::within(context, self), &collision);
-                self.tell_depths(context.simulator_mut());
-                if !accepts {
-                    refused.push(pair);
-                    self.events.push(Event::Collision(Collision { vetoed: true, ..collision }));
-                    break;
-                }
-            }
-        }
-        refused
+        let mut found: Vec<(usize, SpaceTouch)> = context.simulator().space_touches_heard().collect();
+        found.sort_by_key(|(_, touch)| self.touch_of(context.simulator(), touch).map(|(touch, _)| touch.key));
+        found.retain(|(_, touch)| !self.accepts_touch(context, handler, touch));
+        found.into_iter().map(|(pair, _)| pair).collect()
     }
 
-    fn key_of_touch(&self, core: &PhysicsSimulator, touch: &SpaceTouch) -> Option<TouchKey> {
-        let number = core.geom(touch.this)?.id();
-        Some(match touch.partner {
-            SpacePartner::Ground => TouchKey::Ground(number),
-            SpacePartner::Fixture(platform) => TouchKey::Platform(number, PlatformId::from_number(platform)),
-            SpacePartner::Geom(other) => TouchKey::Pair(core.geom(other)?.id(), number),
-        })
+    fn accepts_touch(
+        &mut self,
+        context: &mut farseer_core::Context<'_>,
+        handler: &mut dyn EventHandler,
+        touch: &SpaceTouch,
+    ) -> bool {
+        for collision in self.collisions(context.simulator(), touch).into_iter().flatten() {
+            if !is_told(context.simulator(), collision.this) {
+                continue;
+            }
+            let accepts = handler.on_collision(&mut Context::within(context, self), &collision);
+            self.tell_depths(context.simulator_mut());
+            if !accepts {
+                self.events.push(Event::Collision(Collision { vetoed: true, ..collision }));
+                return false;
+            }
+        }
+        true
+    }
+
+    /// What the update did.
+    fn count(&mut self, core: &PhysicsSimulator) {
+        let counters = core.counters();
+        let on_ground = core.on_ground_count();
+        self.update.is_running = false;
+        self.counters = StepCounters {
+            pairs_tested: counters.pairs_tested,
+            pairs_touching: counters.pairs_touching - on_ground,
+            ground_contacts: on_ground,
+            contacts_solved: counters.contacts_solved,
+            rows_solved: 3 * counters.contacts_solved,
+            bodies_moved: counters.bodies_moved,
+        };
     }
 }

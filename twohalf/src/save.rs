@@ -4,11 +4,15 @@
 //! to be told of refused arguments, movements and disposals is saved; the events and counters of the last update are
 //! not, because the next one overwrites them and reads none of them.
 
+use std::borrow::Cow;
+
 use farseer_core::{Limits, SavedSimulator};
-use serde::{Deserialize, Deserializer, de::Error as _};
+use serde::ser::SerializeStruct as _;
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 
 use crate::depth::DepthProfile;
 use crate::error::damaged;
+use crate::touch::TouchList;
 use crate::world::World;
 use crate::{DepthScheme, Result, TwoHalfPhysicsSimulator};
 
@@ -24,6 +28,22 @@ impl<'de> Deserialize<'de> for TwoHalfPhysicsSimulator {
 pub struct SavedTwoHalfSimulator {
     core: SavedSimulator,
     world: World,
+    touches: TouchList,
+}
+
+impl Serialize for TwoHalfPhysicsSimulator {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let TwoHalfPhysicsSimulator { core, world } = self;
+        let touches = match world.scheme {
+            DepthScheme::Precise => world.list_touches(core),
+            DepthScheme::Faithful | DepthScheme::Thesis => Cow::Borrowed(&world.touches),
+        };
+        let mut saved = serializer.serialize_struct("SavedTwoHalfSimulator", 3)?;
+        saved.serialize_field("core", core)?;
+        saved.serialize_field("world", world)?;
+        saved.serialize_field("touches", &*touches)?;
+        saved.end()
+    }
 }
 
 impl SavedTwoHalfSimulator {
@@ -33,7 +53,8 @@ impl SavedTwoHalfSimulator {
     /// What contradicts itself; [`farseer_core::Error::LimitExceeded`] for more than is allowed.
     pub fn load(self, limits: Limits) -> Result<TwoHalfPhysicsSimulator> {
         let core = self.core.load(limits)?;
-        let mut simulator = TwoHalfPhysicsSimulator { core, world: self.world };
+        let world = World { touches: self.touches, ..self.world };
+        let mut simulator = TwoHalfPhysicsSimulator { core, world };
         simulator.check()?;
         Ok(simulator)
     }

@@ -2,7 +2,6 @@
 
 use farseer_core::math::scalar::nearest_finite;
 use farseer_core::{Body, BodyId, Geom, GeomId, GeomPlacement, Limits, ObjectId, PhysicsSimulator, Vertices};
-use serde::Serialize;
 
 use crate::body::TwoHalfBody;
 use crate::depth::{DepthProfile, Depths};
@@ -41,7 +40,7 @@ const DEFAULT_ANGLE: i32 = 90;
 /// assert!(position.y.abs() < 0.1 && position.z == 30.0);
 /// # Ok::<(), twohalf::Error>(())
 /// ```
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone)]
 pub struct TwoHalfPhysicsSimulator {
     pub(crate) core: PhysicsSimulator,
     pub(crate) world: World,
@@ -65,7 +64,7 @@ impl TwoHalfPhysicsSimulator {
     /// A height that is not greater than 0; an angle that is not between 0 and 180.
     #[doc(alias = "TwoHalfPhysicsSimulator(int, int)")]
     pub fn with_angle(height: i32, angle: i32) -> Result<Self> {
-        Self::from_core(height, angle, PhysicsSimulator::default())
+        Self::empty(height, angle, PhysicsSimulator::default())
     }
 
     /// An empty simulator with gravity: acceleration in px/s² in screen orientation, so (0, 100) pulls down.
@@ -83,21 +82,34 @@ impl TwoHalfPhysicsSimulator {
     /// As [`with_angle`](Self::with_angle) and [`with_gravity`](Self::with_gravity).
     #[doc(alias = "TwoHalfPhysicsSimulator(int, int, Vector2)")]
     pub fn with_angle_and_gravity(height: i32, angle: i32, gravity: Vector2) -> Result<Self> {
-        Self::from_core(height, angle, PhysicsSimulator::new(gravity)?)
+        Self::empty(height, angle, PhysicsSimulator::new(gravity)?)
+    }
+
+    fn empty(height: i32, angle: i32, core: PhysicsSimulator) -> Result<Self> {
+        let mut simulator = Self::from_core(height, angle, core)?;
+        simulator.set_depth_scheme(DepthScheme::default())?;
+        Ok(simulator)
     }
 
     /// Takes over a 2D simulator, with its settings and all of its objects; those that wait to be added enter now.
     /// Its plane becomes that of X and Y: every body is at Z = 0, with its height so that y = 0 is the ground, and
     /// no body has an object geom yet. Every geom is a prism as deep as the shorter side of its outline's box.
     ///
-    /// This is also how a simulator gets another broad phase or other solver settings.
+    /// This is also how a simulator gets another broad phase or other solver settings. One of the
+    /// [precise set](farseer_core::Methods::Precise) becomes one of [`DepthScheme::Precise`], any other one of
+    /// [`DepthScheme::Faithful`].
     ///
     /// # Errors
     /// A height that is not greater than 0; an angle that is not between 0 and 180.
     pub fn from_core(height: i32, angle: i32, core: PhysicsSimulator) -> Result<Self> {
-        let world = World::new(Projection::new(height, angle)?);
+        let mut world = World::new(Projection::new(height, angle)?);
+        let is_precise = matches!(core.methods(), farseer_core::Methods::Precise { .. });
+        world.scheme = if is_precise { DepthScheme::Precise } else { DepthScheme::Faithful };
         let mut simulator = TwoHalfPhysicsSimulator { core, world };
         simulator.core.process_added_and_removed();
+        if is_precise {
+            simulator.core.enter_space(LENGTH_UNIT)?;
+        }
         let TwoHalfPhysicsSimulator { core, world } = &mut simulator;
         for body in core.bodies() {
             adopt_body(core, &mut world.depths, body);
@@ -220,7 +232,7 @@ impl TwoHalfPhysicsSimulator {
         Ok(self.core.set_max_contacts_to_resolve(max_contacts_to_resolve)?)
     }
 
-    /// How objects meet each other. Default [`DepthScheme::Faithful`].
+    /// How objects meet each other. Default [`DepthScheme::Precise`].
     pub fn depth_scheme(&self) -> DepthScheme {
         self.world.scheme
     }
@@ -229,7 +241,8 @@ impl TwoHalfPhysicsSimulator {
     ///
     /// # Errors
     /// If a geom takes part already ([`farseer_core::Error::GeomListNotEmpty`]; geoms that wait to be added do not
-    /// count).
+    /// count). From the precise set to another scheme, one of these that gets no
+    /// [distance grid](farseer_core::PhysicsSimulator::create_distance_grid).
     pub fn set_depth_scheme(&mut self, scheme: DepthScheme) -> Result<()> {
         if !self.core.geom_list().is_empty() {
             return Err(farseer_core::Error::GeomListNotEmpty.into());
@@ -237,6 +250,9 @@ impl TwoHalfPhysicsSimulator {
         if scheme == DepthScheme::Precise {
             self.core.enter_space(LENGTH_UNIT)?;
         } else if self.world.scheme == DepthScheme::Precise {
+            // The precise set does without.
+            let geoms: Vec<GeomId> = self.core.geoms().collect();
+            geoms.into_iter().try_for_each(|geom| self.core.create_distance_grid(geom))?;
             self.core.set_methods(farseer_core::Methods::default())?;
         }
         self.world.platforms.tell_again();

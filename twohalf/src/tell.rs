@@ -22,7 +22,7 @@ fn takes_part(core: &PhysicsSimulator, geom: GeomId) -> bool {
 }
 
 /// Whether a handler is told of what a geom touches.
-fn is_told(core: &PhysicsSimulator, geom: GeomId) -> bool {
+pub(crate) fn is_told(core: &PhysicsSimulator, geom: GeomId) -> bool {
     core.geom(geom).is_none_or(|geom| geom.collision_callbacks_enabled())
 }
 
@@ -30,28 +30,27 @@ fn impulse_of_points(points: &[TouchPoint]) -> f32 {
     nearest_finite(points.iter().map(|point| point.normal_impulse).sum())
 }
 
-impl World {
-    /// A contact of this engine, seen by one of its geoms.
-    pub(crate) fn collision(&self, touch: &Touch, is_partner: bool) -> Option<Collision> {
-        let points = self.touches.points_of(touch);
-        let deepest = points.iter().min_by(|a, b| a.separation.total_cmp(&b.separation))?;
-        let (this, partner, sign) = match (is_partner, touch.partner) {
-            (false, partner) => (touch.this, partner, 1.0),
-            (true, Partner::Geom(other)) => (other, Partner::Geom(touch.this), -1.0),
-            (true, _) => return None,
-        };
-        Some(Collision {
-            this,
-            partner,
-            axis: touch.axis(),
-            normal: to_world(touch.normal) * sign,
-            position: to_world(deepest.position),
-            contacts: touch.point_count,
-            normal_impulse: impulse_of_points(points),
-            vetoed: false,
-        })
-    }
+/// A contact of this engine, seen by one of its geoms.
+pub(crate) fn collision(touch: &Touch, points: &[TouchPoint], is_partner: bool) -> Option<Collision> {
+    let deepest = points.iter().min_by(|a, b| a.separation.total_cmp(&b.separation))?;
+    let (this, partner, sign) = match (is_partner, touch.partner) {
+        (false, partner) => (touch.this, partner, 1.0),
+        (true, Partner::Geom(other)) => (other, Partner::Geom(touch.this), -1.0),
+        (true, _) => return None,
+    };
+    Some(Collision {
+        this,
+        partner,
+        axis: touch.axis(),
+        normal: to_world(touch.normal) * sign,
+        position: to_world(deepest.position),
+        contacts: touch.point_count,
+        normal_impulse: impulse_of_points(points),
+        vetoed: false,
+    })
+}
 
+impl World {
     /// Tells of every contact that this engine has found, and drops those that the handler refuses. Then of those
     /// that are gone.
     pub(crate) fn tell_touches(
@@ -79,7 +78,8 @@ impl World {
         handler: &mut Option<&mut dyn EventHandler>,
     ) -> bool {
         for is_partner in [true, false] {
-            let Some(mut collision) = self.collision(touch, is_partner) else { continue };
+            let points = self.touches.points_of(touch);
+            let Some(mut collision) = collision(touch, points, is_partner) else { continue };
             if let Some(asked) = handler.as_mut().filter(|_| is_told(core, collision.this)) {
                 let mut context = Context { core: core.context(), world: self };
                 collision.vetoed = !asked.on_collision(&mut context, &collision);
@@ -102,27 +102,41 @@ impl World {
     ) {
         for index in 0..self.last.touches.len() {
             let touch = self.last.touches[index];
-            if touch.is_plane() || self.touches.find(touch.key).is_some() || !self.is_alive(core, &touch) {
+            if touch.is_plane()
+                || self.touches.find(touch.key).is_some()
+                || !self.may_touch(core, touch.this, touch.partner)
+            {
                 continue;
             }
-            let other_side = match touch.partner {
-                Partner::Geom(other) => Some((other, Partner::Geom(touch.this))),
-                _ => None,
-            };
-            for (this, partner) in other_side.into_iter().chain([(touch.this, touch.partner)]) {
-                self.events.push(Event::Separation { this, partner });
-                if let Some(asked) = handler.as_mut().filter(|_| is_told(core, this)) {
-                    let mut context = Context { core: core.context(), world: self };
-                    asked.on_separation(&mut context, this, partner);
-                    self.settle(core, handler);
-                }
+            self.tell_parted(core, handler, touch.this, touch.partner);
+        }
+    }
+
+    /// Tells both sides of a contact that it has ended, the older geom first.
+    pub(crate) fn tell_parted(
+        &mut self,
+        core: &mut PhysicsSimulator,
+        handler: &mut Option<&mut dyn EventHandler>,
+        this: GeomId,
+        partner: Partner,
+    ) {
+        let other_side = match partner {
+            Partner::Geom(other) => Some((other, Partner::Geom(this))),
+            _ => None,
+        };
+        for (this, partner) in other_side.into_iter().chain([(this, partner)]) {
+            self.events.push(Event::Separation { this, partner });
+            if let Some(asked) = handler.as_mut().filter(|_| is_told(core, this)) {
+                let mut context = Context { core: core.context(), world: self };
+                asked.on_separation(&mut context, this, partner);
+                self.settle(core, handler);
             }
         }
     }
 
     /// Whether both sides of a contact could still touch.
-    fn is_alive(&self, core: &PhysicsSimulator, touch: &Touch) -> bool {
-        takes_part(core, touch.this) && self.exists(core, touch.partner)
+    pub(crate) fn may_touch(&self, core: &PhysicsSimulator, this: GeomId, partner: Partner) -> bool {
+        takes_part(core, this) && self.exists(core, partner)
     }
 
     /// Gives the collisions among the events the impulses that the solver found.
@@ -216,6 +230,29 @@ impl World {
                 self.depths.bodies[body].support = None;
             }
         }
+    }
+
+    /// What holds a body up best.
+    pub(crate) fn support_of(&self, core: &PhysicsSimulator, body: BodyId) -> Option<Support> {
+        if self.scheme != crate::DepthScheme::Precise {
+            return self.depths.bodies.get(body)?.support;
+        }
+        let list = self.list_touches_of(core, body);
+        let mut best: Option<Support> = None;
+        for touch in list.touches.iter().filter(|touch| touch.responds) {
+            let normal = to_world(touch.normal);
+            let found = match touch.partner {
+                partner if touch.body == body => Support { partner, normal },
+                Partner::Geom(_) if touch.partner_body == Some(body) => {
+                    Support { partner: Partner::Geom(touch.this), normal: -normal }
+                }
+                _ => continue,
+            };
+            if found.normal.y > best.map_or(0.0, |best| best.normal.y) {
+                best = Some(found);
+            }
+        }
+        best
     }
 
     fn note_support(&mut self, core: &PhysicsSimulator, geom: GeomId, partner: Partner, normal: Vector3) {

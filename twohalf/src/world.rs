@@ -24,7 +24,9 @@ pub struct World {
     pub(crate) layer_range: (f32, f32),
     pub(crate) depths: Depths,
     pub(crate) platforms: Platforms,
-    /// Contacts of the last update. While an update looks for its own, those of the one before are in `last`.
+    /// Contacts of the last update. While an update looks for its own, those of the one before are in `last`. With the precise
+    /// set only what was loaded: the engine below knows what touches from the first update on.
+    #[serde(skip)]
     pub(crate) touches: TouchList,
     #[serde(skip)]
     pub(crate) last: TouchList,

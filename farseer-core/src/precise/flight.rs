@@ -9,8 +9,9 @@
 //! their turning can do at their reach, so that so far nothing can happen; and if they do not come together along it, never.
 
 use super::Precise;
+use super::grid::Box2;
 use super::outline::Outline;
-use super::proxies::Mobility;
+use super::proxies::{Mobility, Proxy};
 use super::tuning::Step;
 use crate::geom::GeomId;
 use crate::math::plane::{Pose, Vector, difference, dot, length, place, rotation, scaled, sum, turn};
@@ -143,6 +144,17 @@ fn is_fast([x, y, turned, z]: [f32; 4], reach: f32, core: f32) -> bool {
     way > core && way < 1e18
 }
 
+fn contains(outer: &Box2, inner: &Box2) -> bool {
+    outer[0] <= inner[0] && outer[1] <= inner[1] && outer[2] >= inner[2] && outer[3] >= inner[3]
+}
+
+/// The box around two boxes.
+fn both(one: &Box2, other: &Box2) -> Box2 {
+    let least = |axis: usize| if one[axis] < other[axis] { one[axis] } else { other[axis] };
+    let most = |axis: usize| if one[axis] > other[axis] { one[axis] } else { other[axis] };
+    [least(0), least(1), most(2), most(3)]
+}
+
 impl Precise {
     /// Notes who goes further in this step than it is thick, and widens the bounds of these by their way: pairs are to be
     /// looked for. Answers whether somebody does.
@@ -164,35 +176,63 @@ impl Precise {
         }
         for at in 0..self.fast.len() {
             let number = self.fast[at].0 as usize;
-            let around = self.bodies.reaches[number] + self.tuning.speculative;
-            let ([x, y, ..], [dx, dy, ..]) = (self.bodies.poses[number], self.bodies.path[number]);
-            let low = |from: f32, way: f32| (if way < 0.0 { from + way } else { from }) - around;
-            let high = |from: f32, way: f32| (if way < 0.0 { from } else { from + way }) + around;
-            let swept = [low(x, dx), low(y, dy), high(x, dx), high(y, dy)];
-            let dz = self.bodies.path[number][3];
             let mut proxies = std::mem::take(&mut self.lost);
             proxies.extend(self.proxies.of(number));
-            proxies.drain(..).for_each(|proxy| self.widen_by(proxy, swept, dz));
+            proxies.drain(..).for_each(|proxy| self.widen_by(proxy, self.bodies.path[number]));
             self.lost = proxies;
         }
         !self.fast.is_empty()
     }
 
-    fn widen_by(&mut self, proxy: u32, [low_x, low_y, high_x, high_y]: [f32; 4], dz: f32) {
-        let [x, y, to_x, to_y] = self.proxies.bounds[proxy as usize];
+    /// Bounds are to hold what a proxy covers on its way.
+    fn widen_by(&mut self, proxy: u32, path: [f32; 4]) {
+        let swept = self.swept(proxy, path);
+        if self.space.is_some() {
+            return self.widen_in_space(proxy, &swept, path[3]);
+        }
+        let bounds = self.proxies.bounds[proxy as usize];
+        if !contains(&bounds, &swept) {
+            self.proxies.bounds[proxy as usize] = both(&bounds, &swept);
+            self.grid.set(proxy, &self.proxies.bounds[proxy as usize]);
+            self.widened.push(proxy);
+        }
+    }
+
+    /// In three axes many are fast, by little: bounds that have become too small are new ones, good for some steps.
+    fn widen_in_space(&mut self, proxy: u32, swept: &Box2, way: f32) {
         let body = self.proxies.all[proxy as usize].body;
-        let is_deeper =
-            self.space.as_mut().is_some_and(|space| space.widen_by(proxy, body, dz, self.tuning.speculative));
-        if x <= low_x && y <= low_y && to_x >= high_x && to_y >= high_y && !is_deeper {
+        let Some(space) = &self.space else { return };
+        let depths = space.swept(proxy, body, way, self.tuning.speculative);
+        if contains(&self.proxies.bounds[proxy as usize], swept)
+            && space.depths(proxy as usize).contains(depths)
+        {
             return;
         }
-        let least = |a: f32, b: f32| if a < b { a } else { b };
-        let most = |a: f32, b: f32| if a > b { a } else { b };
-        let bounds = [least(x, low_x), least(y, low_y), most(to_x, high_x), most(to_y, high_y)];
+        self.widen(proxy);
+        let bounds = both(&self.proxies.bounds[proxy as usize], swept);
         self.proxies.bounds[proxy as usize] = bounds;
-        let cells = self.space.as_ref().map_or(bounds, |space| space.cells(proxy, &bounds));
-        self.grid.set(proxy, &cells);
+        if let Some(space) = &mut self.space {
+            space.set_depths(proxy, space.depths(proxy as usize).with(depths));
+            self.grid.set(proxy, &space.cells(proxy, &bounds));
+        }
         self.widened.push(proxy);
+    }
+
+    /// What a proxy covers on its way through the step, at least: in the plane with all that it can turn to.
+    fn swept(&self, proxy: u32, [dx, dy, turned, _]: [f32; 4]) -> Box2 {
+        let Proxy { body, shape, .. } = self.proxies.all[proxy as usize];
+        let [x, y, to_x, to_y] = if self.space.is_some() {
+            let turning = shape.reach * turned.abs().min(2.0);
+            let [x, y, to_x, to_y] = self.proxies.tight(proxy as usize, &self.bodies, &self.tuning);
+            [x - turning, y - turning, to_x + turning, to_y + turning]
+        } else {
+            let around = self.bodies.reaches[body as usize] + self.tuning.speculative;
+            let [x, y, ..] = self.bodies.poses[body as usize];
+            [x - around, y - around, x + around, y + around]
+        };
+        let low = |from: f32, way: f32| if way < 0.0 { from + way } else { from };
+        let high = |from: f32, way: f32| if way < 0.0 { from } else { from + way };
+        [low(x, dx), low(y, dy), high(to_x, dx), high(to_y, dy)]
     }
 
     /// The new pairs there may be of those who are fast. None goes: that is told at the beginning of a step.

@@ -64,6 +64,8 @@ pub(super) struct Pair {
     pub(super) is_vetoed: bool,
     /// A handler has set something about its surfaces in this update.
     pub(super) is_set: bool,
+    /// A is the ground of a world with depth.
+    pub(super) is_on_ground: bool,
 }
 
 /// A pair in the lists of its proxies: what walks along them looks at.
@@ -86,13 +88,15 @@ pub(super) struct Pairs {
     pub(super) awake: usize,
     /// Number of pairs that touch.
     pub(super) touching: usize,
+    /// Number of those that are pairs with the ground of a world with depth.
+    pub(super) on_ground: usize,
     /// Number of those of which a handler is told.
     pub(super) heard: usize,
     /// First link of each proxy's list: twice a pair's number, plus which side of it the proxy is.
     heads: Vec<u32>,
 }
 
-reusing_clone! { Pairs { watched, all, frozen, links, awake, touching, heard, heads } }
+reusing_clone! { Pairs { watched, all, frozen, links, awake, touching, on_ground, heard, heads } }
 
 impl Pairs {
     /// Forgets all pairs.
@@ -102,7 +106,7 @@ impl Pairs {
         self.frozen.clear();
         self.links.clear();
         self.awake = 0;
-        (self.touching, self.heard) = (0, 0);
+        (self.touching, self.on_ground, self.heard) = (0, 0, 0);
         self.heads.clear();
         self.heads.resize(proxies, NONE);
     }
@@ -144,6 +148,7 @@ impl Pairs {
             is_heard,
             is_vetoed: false,
             is_set: false,
+            is_on_ground: false,
         });
         for side in 0..2 {
             self.link(at, side);
@@ -155,6 +160,9 @@ impl Pairs {
     pub(super) fn set_told(&mut self, pair: usize, is_told: bool) {
         let was_told = std::mem::replace(&mut self.all[pair].is_told, is_told);
         self.touching = self.touching + usize::from(is_told) - usize::from(was_told);
+        if self.all[pair].is_on_ground {
+            self.on_ground = self.on_ground + usize::from(is_told) - usize::from(was_told);
+        }
         if self.all[pair].is_heard {
             self.heard = self.heard + usize::from(is_told) - usize::from(was_told);
         }

@@ -128,13 +128,15 @@ impl Precise {
         let [a, b] = proxies.map(|proxy| &self.proxies.all[proxy as usize]);
         let (responds, is_heard) = (a.responds && b.responds, self.is_heard(proxies));
         let pair = self.pairs.push(proxies, self.kind(proxies), responds, is_heard);
+        self.pairs.all[pair].is_on_ground =
+            self.space.as_ref().is_some_and(|space| space.ground == proxies[0]);
         self.touch().take_up(pair)
     }
 
-    /// Whether a handler is told of a pair: of two geoms.
+    /// Whether a handler is told of a pair.
     pub(super) fn is_heard(&self, proxies: [u32; 2]) -> bool {
         let both = proxies.map(|proxy| &self.proxies.all[proxy as usize]);
-        both.iter().any(|proxy| proxy.is_heard) && both.iter().all(|proxy| is_geom(proxy.geom))
+        both.iter().any(|proxy| proxy.is_heard && is_geom(proxy.geom))
     }
 
     pub(super) fn kind(&self, proxies: [u32; 2]) -> Kind {

@@ -30,7 +30,7 @@ pub(super) fn get(table: &[u32], slot: usize) -> Option<usize> {
 
 impl Precise {
     /// The number of a body, if it is listed.
-    pub(super) fn number_of(&self, body: BodyId) -> Option<usize> {
+    pub(crate) fn number_of(&self, body: BodyId) -> Option<usize> {
         get(&self.body_numbers, body.slot()).filter(|&number| self.bodies.ids[number] == Some(body))
     }
 

@@ -1,7 +1,6 @@
 //! What games are told of touches.
 
 use super::Precise;
-use super::space::parts::is_geom;
 use super::touch::{Change, Looks};
 use crate::contacts::arbiter::{ArbiterRef, Found};
 use crate::contacts::contact::{Contact, ContactId};
@@ -81,7 +80,6 @@ impl Precise {
     /// What began or ceased to touch in this step, by geoms: each two geoms once, in the order of creation numbers.
     pub(crate) fn take_changes(&mut self) -> Vec<((GeomId, GeomId), bool)> {
         let mut changes = std::mem::take(&mut self.changes);
-        changes.retain(|change| is_geom(change.geoms.1));
         changes.sort_unstable();
         let of_two_geoms = changes.chunk_by(|one, other| one.numbers == other.numbers);
         of_two_geoms.filter_map(|changes| self.change_of_geoms(changes)).collect()
@@ -97,7 +95,7 @@ impl Precise {
     }
 
     /// The pairs of the pieces of two geoms.
-    fn pairs_between(&self, (one, other): (GeomId, GeomId)) -> impl Iterator<Item = usize> + '_ {
+    pub(super) fn pairs_between(&self, (one, other): (GeomId, GeomId)) -> impl Iterator<Item = usize> + '_ {
         // A chain may have thousands of pieces: the other one is walked along.
         let (one, other) = if self.proxy_of(other, 1).is_some() { (other, one) } else { (one, other) };
         let first = self.proxy_of(other, 0).unwrap_or(u32::MAX);
@@ -157,6 +155,10 @@ impl Precise {
         }
         self.pairs.all[pair].is_vetoed = true;
         self.touch().remove_row(pair);
+        // In three axes who is refused has not begun to touch.
+        if self.space.is_some() && self.pairs.all[pair].is_told {
+            self.touch().tell(pair, false);
+        }
         // No row follows it any more.
         self.pairs.watched[pair].tolerance = 0;
     }

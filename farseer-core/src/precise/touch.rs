@@ -227,7 +227,7 @@ impl<'a> Touch<'a> {
         normal_z * (velocity(two.b) - velocity(two.a))
     }
 
-    fn tell(&mut self, pair: usize, begins: bool) {
+    pub(super) fn tell(&mut self, pair: usize, begins: bool) {
         self.pairs.set_told(pair, begins);
         let [a, b] = self.pairs.watched[pair].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
         let (first, second) = if a.number < b.number { (a, b) } else { (b, a) };

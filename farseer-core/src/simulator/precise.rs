@@ -39,7 +39,7 @@ impl PhysicsSimulator {
         let looks = self.precise().looks();
         (self.report.counters.manifolds_made, self.report.counters.manifolds_kept) = (looks.made, looks.kept);
         if self.precise().is_in_space() {
-            self.precise().take_changes();
+            self.report.counters.pairs_touching = self.precise().touching_count();
             self.ask_about_space(handler);
         } else {
             if handler.wants(|handler| handler.filters_pairs()) {

@@ -6,7 +6,7 @@ use crate::Result;
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::methods::Methods;
-use crate::precise::space::parts::{Fixture, SpaceBody, SpaceProfile, SpaceTouch};
+use crate::precise::space::parts::{Fixture, SpaceBody, SpaceChange, SpaceProfile, SpaceTouch};
 use crate::report::Stopwatch;
 
 #[doc(hidden)]
@@ -69,11 +69,38 @@ impl PhysicsSimulator {
         self.pipeline.precise.iter().flat_map(|precise| precise.space_rested())
     }
 
-    /// What touches, in no particular order, with the number of each pair.
-    pub fn space_touches(&self) -> impl Iterator<Item = (usize, SpaceTouch)> + '_ {
+    /// Whether what touches is known: not between loading and the next update.
+    pub fn knows_touches(&self) -> bool {
+        self.pipeline.precise.as_ref().is_some_and(|precise| precise.knows_touches())
+    }
+
+    /// Number of pairs with the ground that touch.
+    pub fn on_ground_count(&self) -> usize {
+        self.pipeline.precise.as_ref().map_or(0, |precise| precise.on_ground_count())
+    }
+
+    /// What began and ceased to touch in the last update.
+    pub fn take_space_changes(&mut self) -> Vec<SpaceChange> {
+        self.pipeline.precise.as_mut().map_or(Vec::new(), |precise| precise.take_space_changes())
+    }
+
+    /// What is near enough to touch, in no particular order.
+    pub fn space_touches(&self) -> impl Iterator<Item = SpaceTouch> + '_ {
         let precise = self.pipeline.precise.as_ref();
         let count = precise.map_or(0, |precise| precise.pair_count());
-        (0..count).filter_map(move |pair| Some((pair, precise?.space_touch(pair)?)))
+        (0..count).filter_map(move |pair| precise?.space_touch(pair))
+    }
+
+    /// The same of one body.
+    pub fn space_touches_of(&self, body: BodyId) -> impl Iterator<Item = SpaceTouch> + '_ {
+        let precise = self.pipeline.precise.as_ref();
+        let number = precise.and_then(|precise| Some((precise, precise.number_of(body)?)));
+        number.into_iter().flat_map(|(precise, number)| precise.space_touches_of(number))
+    }
+
+    /// What touches and has a side that listens, in no particular order, with the number of each pair.
+    pub fn space_touches_heard(&self) -> impl Iterator<Item = (usize, SpaceTouch)> + '_ {
+        self.pipeline.precise.iter().flat_map(|precise| precise.space_touches_heard())
     }
 
     /// The handler is asked about what touches, and pairs that it refuses push nothing in this update.

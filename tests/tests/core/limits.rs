@@ -308,6 +308,7 @@ fn a_joint_alone_is_something_to_solve() {
 #[test]
 fn what_only_the_25d_engine_solves_is_solved() {
     let mut simulator = TwoHalfPhysicsSimulator::with_gravity(480, v(0.0, 100.0)).unwrap();
+    simulator.set_depth_scheme(twohalf::DepthScheme::Faithful).unwrap();
     simulator.set_iterations(9);
     simulator.update(0.01);
     assert_eq!(simulator.core().counters().passes, 0);

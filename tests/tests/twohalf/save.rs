@@ -109,13 +109,13 @@ pub(crate) fn a_save_in_which_a_body_has_no_depth_is_refused() {
 
 #[test]
 pub(crate) fn a_save_whose_contact_has_no_points_is_refused() {
-    let message = refusal(|saved| saved["world"]["touches"]["touches"][0]["point_count"] = json!(0));
+    let message = refusal(|saved| saved["touches"]["touches"][0]["point_count"] = json!(0));
     assert!(message.contains("contacts"), "{message}");
 }
 
 #[test]
 pub(crate) fn a_save_whose_contact_has_infinite_friction_is_refused() {
-    let message = refusal(|saved| saved["world"]["touches"]["touches"][0]["friction"] = json!(1e300));
+    let message = refusal(|saved| saved["touches"]["touches"][0]["friction"] = json!(1e300));
     assert!(message.contains("contacts"), "{message}");
 }
 

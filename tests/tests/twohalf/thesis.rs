@@ -235,3 +235,18 @@ fn a_wide_profile_makes_the_plane_the_axis_again() {
     run(&mut simulator, 1);
     assert!(collisions_of(&simulator, geoms[1]).iter().all(|collision| collision.axis == Axis::Plane));
 }
+
+#[test]
+fn objects_made_before_another_scheme_was_chosen_meet_with_it() {
+    for scheme in BOTH {
+        let mut simulator =
+            TwoHalfPhysicsSimulator::with_angle_and_gravity(600, 60, Vector2::new(0.0, 100.0)).unwrap();
+        let below = solid(&mut simulator, [300.0, 20.0, 20.0], [0.0, 0.0, 0.0]);
+        let above = solid(&mut simulator, [24.0, 16.0, 16.0], [0.0, 20.0, 0.0]);
+        simulator.set_depth_scheme(scheme).unwrap();
+        (0..60).for_each(|_| simulator.update(0.01));
+        let height = |body: BodyId| simulator.body(body).unwrap().position3d().y;
+        // Without contacts it falls 18 px.
+        assert!(height(above) - height(below) > 19.0, "{scheme:?}: {}", height(above));
+    }
+}

@@ -245,16 +245,11 @@ impl Space {
             Depths { low: z - half - margin + below, high: z + half + margin + above };
     }
 
-    /// Bounds that hold the way of a step. Answers whether they have become longer.
-    pub(super) fn widen_by(&mut self, proxy: u32, body: u32, way: f32, around: f32) -> bool {
+    /// What a proxy covers along the axis on its way through a step.
+    pub(super) fn swept(&self, proxy: u32, body: u32, way: f32, around: f32) -> Depths {
         let (z, half) = (self.places[body as usize], self.reach[proxy as usize].half + around);
         let (below, above) = if way < 0.0 { (way, 0.0) } else { (0.0, way) };
-        let (low, high) = (z - half + below, z + half + above);
-        let depths = &mut self.depths[proxy as usize];
-        let is_deeper = low < depths.low || high > depths.high;
-        depths.low = if low < depths.low { low } else { depths.low };
-        depths.high = if high > depths.high { high } else { depths.high };
-        is_deeper
+        Depths { low: z - half + below, high: z + half + above }
     }
 
     /// Who has left its bounds along the axis.

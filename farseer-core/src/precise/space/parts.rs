@@ -83,6 +83,17 @@ pub struct SpaceTouch {
     pub is_told: bool,
 }
 
+/// Two that begin or cease to touch.
+#[derive(Debug, Clone, Copy)]
+pub struct SpaceChange {
+    /// The geom that is told; of two the younger one.
+    pub this: GeomId,
+    /// What it touches.
+    pub partner: SpacePartner,
+    /// How they touch, if they begin to.
+    pub touch: Option<SpaceTouch>,
+}
+
 /// A point at which two touch.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct SpacePoint {
@@ -142,5 +153,14 @@ pub(in crate::precise) struct Depths {
 impl Depths {
     pub(super) fn overlap(self, other: Depths) -> bool {
         self.low <= other.high && other.low <= self.high
+    }
+
+    pub(in crate::precise) fn contains(self, other: Depths) -> bool {
+        self.low <= other.low && self.high >= other.high
+    }
+
+    pub(in crate::precise) fn with(self, other: Depths) -> Depths {
+        let low = if other.low < self.low { other.low } else { self.low };
+        Depths { low, high: if other.high > self.high { other.high } else { self.high } }
     }
 }

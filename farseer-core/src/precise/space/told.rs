@@ -1,12 +1,64 @@
 //! What touches in three axes, as the engine above is told.
 
-use super::parts::{self, SpacePoint, SpaceTouch};
+use super::parts::{self, SpaceChange, SpacePoint, SpaceTouch};
+use crate::geom::GeomId;
 use crate::math::Vector2;
 use crate::math::plane::{place, sum};
 use crate::precise::Precise;
 use crate::precise::pairs::Frozen;
 
 impl Precise {
+    /// Whether what touches is known: not between loading and the next update.
+    pub(crate) fn knows_touches(&self) -> bool {
+        self.loaded.is_none()
+    }
+
+    /// What began and ceased to touch since this was asked last: two things once each, in the order of creation numbers. What
+    /// was refused has not begun.
+    pub(crate) fn take_space_changes(&mut self) -> Vec<SpaceChange> {
+        let changes = self.take_changes();
+        changes.into_iter().filter_map(|(geoms, begins)| self.space_change(geoms, begins)).collect()
+    }
+
+    fn space_change(&self, (older, younger): (GeomId, GeomId), begins: bool) -> Option<SpaceChange> {
+        let touch = begins.then(|| self.deepest_between((older, younger))).flatten();
+        if begins && touch.is_none() {
+            return None;
+        }
+        let (this, partner) = if parts::is_geom(younger) { (younger, older) } else { (older, younger) };
+        Some(SpaceChange { this, partner: parts::partner_of(partner), touch })
+    }
+
+    /// Of the pieces of two things that touch, those that are deepest in each other.
+    fn deepest_between(&self, geoms: (GeomId, GeomId)) -> Option<SpaceTouch> {
+        let told = self.pairs_between(geoms).filter(|&pair| self.pairs.all[pair].is_told);
+        let touches =
+            told.filter_map(|pair| Some((self.pairs.watched[pair].proxies, self.space_touch(pair)?)));
+        // The order of pairs is another one after loading, that of pieces is not.
+        let order = |(pieces, touch): &([u32; 2], SpaceTouch), (others, other): &([u32; 2], SpaceTouch)| {
+            touch.depth().total_cmp(&other.depth()).then_with(|| others.cmp(pieces))
+        };
+        touches.max_by(order).map(|(_, touch)| touch)
+    }
+
+    /// The pairs of a body that are near enough to touch.
+    pub(crate) fn space_touches_of(&self, number: usize) -> impl Iterator<Item = SpaceTouch> + '_ {
+        let proxies = self.proxies.of(number);
+        proxies.flat_map(|proxy| self.pairs.of(proxy)).filter_map(|pair| self.space_touch(pair))
+    }
+
+    /// Number of pairs with the ground that touch.
+    pub(crate) fn on_ground_count(&self) -> usize {
+        self.pairs.on_ground
+    }
+
+    /// What touches and has a side that listens, with the number of each pair.
+    pub(crate) fn space_touches_heard(&self) -> impl Iterator<Item = (usize, SpaceTouch)> + '_ {
+        let count = if self.pairs.heard > 0 { self.pairs.len() } else { 0 };
+        let is_heard = |pair: &usize| self.pairs.all[*pair].is_told && self.pairs.all[*pair].is_heard;
+        (0..count).filter(is_heard).filter_map(|pair| Some((pair, self.space_touch(pair)?)))
+    }
+
     /// A pair by its number, if it is near enough to touch. The younger geom is told, and the one that has a partner which is no geom.
     pub(crate) fn space_touch(&self, pair: usize) -> Option<SpaceTouch> {
         let state = self.pairs.all.get(pair).filter(|state| !state.is_vetoed)?;
@@ -52,5 +104,14 @@ impl Precise {
             responds: state.responds,
             is_told: state.is_told,
         })
+    }
+}
+
+impl SpaceTouch {
+    /// How deep the two are in each other.
+    fn depth(&self) -> f32 {
+        self.points[..self.count]
+            .iter()
+            .fold(f32::NEG_INFINITY, |deepest, point| deepest.max(-point.separation))
     }
 }

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use twohalf::{BodyId, DepthScheme, Partner, TwoHalfPhysicsSimulator};
 
 use super::wrapped;
-use crate::scenes::depth::{DepthScene, build};
+use crate::scenes::depth::{DepthScene, build_with};
 use crate::world::{BodyState, Met, World};
 
 /// A scene in the 2.5D engine.
@@ -16,9 +16,13 @@ pub struct TwoHalf {
 }
 
 impl TwoHalf {
-    /// Builds a scene.
+    /// Builds a scene with the scheme that a new simulator has.
     pub fn new(scene: &DepthScene) -> Self {
-        let (simulator, bodies) = build(scene);
+        Self::of(scene, DepthScheme::default())
+    }
+
+    fn of(scene: &DepthScene, scheme: DepthScheme) -> Self {
+        let (simulator, bodies) = build_with(scene, scheme);
         let objects = bodies.iter().copied().zip(0..).collect();
         TwoHalf { simulator, bodies, objects }
     }
@@ -28,10 +32,8 @@ impl TwoHalf {
     /// # Panics
     /// A scene with values that the engine refuses.
     pub fn with_scheme(scene: &DepthScene, scheme: DepthScheme, iterations: i32) -> Self {
-        let mut engine = Self::new(scene);
+        let mut engine = Self::of(scene, scheme);
         engine.simulator.set_iterations(iterations);
-        // Nothing of a scene takes part before its first step.
-        engine.simulator.set_depth_scheme(scheme).unwrap_or_else(|error| panic!("{}: {error}", scene.name));
         engine
     }
 

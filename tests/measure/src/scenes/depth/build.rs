@@ -1,7 +1,9 @@
 //! A scene in the 2.5D engine.
 
 use farseer_core::{Body, BodyFactory, GeomPlacement, Vertices};
-use twohalf::{BodyId, DepthProfile, Platform, Result, TwoHalfPhysicsSimulator, Vector2, Vector3};
+use twohalf::{
+    BodyId, DepthProfile, DepthScheme, Platform, Result, TwoHalfPhysicsSimulator, Vector2, Vector3,
+};
 
 use super::{DepthObject, DepthPlatform, DepthScene, DepthShape, SCREEN_ANGLE, Surface};
 
@@ -10,19 +12,28 @@ const SCREEN_HEIGHT: i32 = 600;
 /// Edges of a ball's outline.
 const EDGES: i32 = 24;
 
-/// Builds a scene: the simulator, and the bodies in the order of the scene's objects. The platforms are in the
-/// scene's order, too.
+/// Builds a scene with the scheme that a new simulator has: the simulator, and the bodies in the order of the scene's objects.
+/// The platforms are in the scene's order, too.
 ///
 /// # Panics
 /// A scene with values that the engine refuses, which none of this module's is.
 pub fn build(scene: &DepthScene) -> (TwoHalfPhysicsSimulator, Vec<BodyId>) {
-    try_build(scene).unwrap_or_else(|error| panic!("{}: {error}", scene.name))
+    build_with(scene, DepthScheme::default())
 }
 
-fn try_build(scene: &DepthScene) -> Result<(TwoHalfPhysicsSimulator, Vec<BodyId>)> {
+/// [`build`] with another scheme.
+///
+/// # Panics
+/// As that.
+pub fn build_with(scene: &DepthScene, scheme: DepthScheme) -> (TwoHalfPhysicsSimulator, Vec<BodyId>) {
+    try_build(scene, scheme).unwrap_or_else(|error| panic!("{}: {error}", scene.name))
+}
+
+fn try_build(scene: &DepthScene, scheme: DepthScheme) -> Result<(TwoHalfPhysicsSimulator, Vec<BodyId>)> {
     let gravity = Vector2::new(0.0, scene.gravity);
     let mut simulator =
         TwoHalfPhysicsSimulator::with_angle_and_gravity(SCREEN_HEIGHT, SCREEN_ANGLE, gravity)?;
+    simulator.set_depth_scheme(scheme)?;
     let bodies = scene
         .objects
         .iter()

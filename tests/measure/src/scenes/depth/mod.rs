@@ -12,7 +12,7 @@ mod hits;
 mod platforms;
 mod slopes;
 
-pub use build::build;
+pub use build::{build, build_with};
 pub use crowds::{pile, traffic};
 pub use falls::{ball_rolling, bounce, box_sliding, drop_onto_ground, throw_in_x_and_z, throw_onto_platform};
 pub use hits::{
