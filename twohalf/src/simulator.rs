@@ -232,6 +232,32 @@ impl TwoHalfPhysicsSimulator {
         Ok(self.core.set_max_contacts_to_resolve(max_contacts_to_resolve)?)
     }
 
+    /// Whether bodies that have come to rest sleep. Default true; only with [`DepthScheme::Precise`]. What sleeps costs nothing and
+    /// does not move; it wakes by itself as soon as something could move it.
+    pub fn is_sleep_enabled(&self) -> bool {
+        self.core.is_sleep_enabled()
+    }
+
+    /// Sets whether bodies that have come to rest sleep. If not, all are awake from the next update on.
+    pub fn set_sleep_enabled(&mut self, value: bool) {
+        self.core.set_sleep_enabled(value);
+    }
+
+    /// Whether a body slept at the end of the last update. False for stale ids.
+    pub fn is_asleep(&self, body: BodyId) -> bool {
+        self.core.is_asleep(body)
+    }
+
+    /// Why a body is awake, as it was at the end of the last update; `None` for one that sleeps, and for stale ids.
+    pub fn why_awake(&self, body: BodyId) -> Option<farseer_core::WhyAwake> {
+        self.core.why_awake(body)
+    }
+
+    /// Wakes a body, with all that fell asleep together with it. Nothing happens to one that is awake, or to stale ids.
+    pub fn wake(&mut self, body: BodyId) {
+        self.core.wake(body);
+    }
+
     /// How objects meet each other. Default [`DepthScheme::Precise`].
     pub fn depth_scheme(&self) -> DepthScheme {
         self.world.scheme

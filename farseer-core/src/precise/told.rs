@@ -1,6 +1,7 @@
 //! What games are told of touches.
 
 use super::Precise;
+use super::proxies::Mobility;
 use super::touch::{Change, Looks};
 use crate::contacts::arbiter::{ArbiterRef, Found};
 use crate::contacts::contact::{Contact, ContactId};
@@ -96,8 +97,10 @@ impl Precise {
 
     /// The pairs of the pieces of two geoms.
     pub(super) fn pairs_between(&self, (one, other): (GeomId, GeomId)) -> impl Iterator<Item = usize> + '_ {
-        // A chain may have thousands of pieces: the other one is walked along.
-        let (one, other) = if self.proxy_of(other, 1).is_some() { (other, one) } else { (one, other) };
+        // A chain may have thousands of pieces, and a floor thousands of pairs: the other one is walked along.
+        let is_movable = |at: u32| self.proxies.all[at as usize].mobility == Mobility::Dynamic;
+        let is_small = self.proxy_of(other, 1).is_none() && self.proxy_of(other, 0).is_some_and(is_movable);
+        let (one, other) = if is_small { (one, other) } else { (other, one) };
         let first = self.proxy_of(other, 0).unwrap_or(u32::MAX);
         let is_piece =
             move |at: &u32| self.proxies.all.get(*at as usize).is_some_and(|proxy| proxy.geom == other);

@@ -16,6 +16,8 @@ mod random;
 mod regressions;
 mod save;
 mod seams;
+mod sleep;
+
 mod slopes;
 mod supports;
 mod thesis;

@@ -8,6 +8,8 @@
 
 mod charts;
 mod families;
+#[cfg(feature = "peers")]
+pub mod fields;
 mod method;
 mod planes;
 

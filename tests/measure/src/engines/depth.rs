@@ -27,14 +27,21 @@ impl TwoHalf {
         TwoHalf { simulator, bodies, objects }
     }
 
-    /// Builds a scene with a scheme, and a number of iterations per step.
+    /// Builds a scene with a scheme, and a number of iterations per step. Nothing sleeps.
     ///
     /// # Panics
     /// A scene with values that the engine refuses.
     pub fn with_scheme(scene: &DepthScene, scheme: DepthScheme, iterations: i32) -> Self {
         let mut engine = Self::of(scene, scheme);
         engine.simulator.set_iterations(iterations);
+        engine.simulator.set_sleep_enabled(false);
         engine
+    }
+
+    /// What has come to rest may sleep.
+    pub fn with_sleep(mut self) -> Self {
+        self.simulator.set_sleep_enabled(true);
+        self
     }
 
     /// The simulator.

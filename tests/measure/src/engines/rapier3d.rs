@@ -2,7 +2,8 @@
 
 use rapier3d::prelude::{
     CoefficientCombineRule, Collider, ColliderBuilder, ColliderHandle, FrictionModel, MassProperties,
-    PhysicsWorld, Pose, QueryFilter, Ray, RigidBody, RigidBodyBuilder, RigidBodyHandle, Rotation, Vector,
+    PhysicsWorld, Pose, QueryFilter, Ray, RigidBody, RigidBodyActivation, RigidBodyBuilder, RigidBodyHandle,
+    Rotation, Vector,
 };
 
 use super::wrapped;
@@ -67,6 +68,16 @@ impl Rapier {
     /// With another number of the solver's iterations per step; 4 is `rapier3d`'s default.
     pub fn with_iterations(mut self, iterations: usize) -> Self {
         self.world.integration_parameters.num_solver_iterations = iterations;
+        self
+    }
+
+    /// What has come to rest may sleep.
+    pub fn with_sleep(mut self) -> Self {
+        for &body in &self.objects {
+            if let Some(body) = self.world.bodies.get_mut(body).filter(|body| body.is_dynamic()) {
+                *body.activation_mut() = RigidBodyActivation::active();
+            }
+        }
         self
     }
 

@@ -8,6 +8,7 @@
 mod build;
 mod crowds;
 mod falls;
+mod fields;
 mod hits;
 mod platforms;
 mod slopes;
@@ -15,6 +16,7 @@ mod slopes;
 pub use build::{build, build_with};
 pub use crowds::{pile, traffic};
 pub use falls::{ball_rolling, bounce, box_sliding, drop_onto_ground, throw_in_x_and_z, throw_onto_platform};
+pub use fields::{deep_field, flying, standing, street};
 pub use hits::{
     ball_against_box_edge, ball_against_box_front, balls_meeting_obliquely, box_pushed_into_box_along_z,
     row_of_three_hits,

@@ -1,0 +1,49 @@
+//! Many objects in the 2.5D engine beside `rapier3d`: flying, standing, at rest, in traffic, in a deep field, in a pile.
+//!
+//! `cargo run --release --features peers --example twohalf_vs_rapier3d` prints a table,
+//! `scene,objects,twohalf_ms,rapier3d_ms,ratio,twohalf_error,rapier3d_error`, and writes it to `target/twohalf_vs_rapier3d`.
+//! Times are for the machine they were made on; what may be quoted are ratios of one run.
+
+use clap::Parser;
+use drawing::measuring::Result;
+use std::path::PathBuf;
+
+/// Measures fields full of objects.
+#[derive(Debug, Parser)]
+struct Arguments {
+    /// Numbers of objects above this are left out.
+    #[arg(long, default_value_t = 10_000)]
+    most: usize,
+    /// Only scenes with this in their names.
+    #[arg(long, value_name = "NAME", default_value = "")]
+    scene: String,
+    /// Where to write.
+    #[arg(long, value_name = "DIR", default_value = "target/twohalf_vs_rapier3d")]
+    out: PathBuf,
+}
+
+#[cfg(feature = "peers")]
+fn main() -> Result<()> {
+    use measure::depth::fields::{SIZES, fields, fields_csv, run_field};
+    use measure::origin::{origin, origin_csv};
+    use std::fs;
+
+    let Arguments { most, scene, out } = Arguments::parse();
+    fs::create_dir_all(&out).map_err(|error| format!("cannot write to {}: {error}", out.display()))?;
+    let mut figures = Vec::new();
+    for field in fields().iter().filter(|field| field.name.contains(&scene)) {
+        eprintln!("{}: {}", field.name, field.about);
+        figures.extend(SIZES.into_iter().filter(|&size| size <= most).map(|size| run_field(field, size)));
+    }
+    let table = fields_csv(&figures);
+    fs::write(out.join("figures.csv"), &table)?;
+    fs::write(out.join("origin.csv"), origin_csv(&origin(measure::depth::depth_peer_versions())))?;
+    print!("{table}");
+    Ok(())
+}
+
+#[cfg(not(feature = "peers"))]
+fn main() -> Result<()> {
+    let _ = Arguments::parse();
+    Err("there is nothing to compare with: run with --features peers".into())
+}

@@ -1,0 +1,192 @@
+//! Many objects in the 2.5D engine and in `rapier3d`: what a step costs, and how far things are from where they should be.
+//!
+//! Both run as recommended, 1/60 s with 4 substeps, and take turns in one process. Nothing sleeps, but in the field that says
+//! so: there all has come to rest before it is timed.
+
+use super::depth_chart_scenes;
+use crate::csv::table;
+use crate::engines::depth::TwoHalf;
+use crate::engines::rapier3d::Rapier;
+use crate::scenes::depth::{DepthScene, deep_field, flying, standing, street};
+use crate::stopwatch::Stopwatch;
+use crate::watch::{Watch, worst};
+use crate::world::{World, distance};
+use serde::Serialize;
+use std::time::Duration;
+use twohalf::DepthScheme;
+
+/// A field, and what is known of it.
+#[derive(Clone, Copy)]
+#[expect(missing_debug_implementations, reason = "functions have none")]
+pub struct Field {
+    /// Its name.
+    pub name: &'static str,
+    /// One sentence.
+    pub about: &'static str,
+    build: fn(usize) -> DepthScene,
+    watch: fn(&DepthScene) -> Box<dyn Watch>,
+    /// Simulated time in s.
+    seconds: f64,
+    /// Seconds after which steps are timed, if things may sleep.
+    sleeps_after: Option<f64>,
+}
+
+/// What came of a field with a number of objects.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FieldFigures {
+    /// Name of the field.
+    pub scene: &'static str,
+    /// Objects that can move.
+    pub objects: usize,
+    /// CPU time of a step in ms.
+    pub twohalf_ms: f64,
+    /// The same of `rapier3d`.
+    pub rapier3d_ms: f64,
+    /// How many times as long `rapier3d` takes.
+    pub ratio: f64,
+    /// Largest error in px.
+    pub twohalf_error: f64,
+    /// The same of `rapier3d`.
+    pub rapier3d_error: f64,
+}
+
+/// Numbers of objects.
+pub const SIZES: [usize; 5] = [20, 40, 200, 1000, 10_000];
+const DT: f32 = 1.0 / 60.0;
+const SUBSTEPS: usize = 4;
+/// Steps of a turn.
+const TURN: u32 = 6;
+
+/// All fields.
+pub fn fields() -> Vec<Field> {
+    let flying = Field {
+        name: "flying",
+        about: "Balls and boxes fly; how far they are from their parabolas.",
+        build: flying,
+        watch: against_flight,
+        seconds: 2.0,
+        sleeps_after: None,
+    };
+    let standing = Field {
+        name: "standing",
+        about: "Figures stand on the ground; how far they get.",
+        build: standing,
+        watch: against_gliding,
+        ..flying
+    };
+    let resting = Field {
+        name: "resting",
+        about: "The same, and what rests may sleep; timed when it does.",
+        seconds: 5.0,
+        sleeps_after: Some(3.0),
+        ..standing
+    };
+    let street = Field {
+        name: "street",
+        about: "Figures stand, or glide past those in front and behind; how far they are from where they should be.",
+        build: street,
+        ..standing
+    };
+    let deep = Field {
+        name: "deep field",
+        about: "The same, in a field ten figures wide.",
+        build: deep_field,
+        ..street
+    };
+    let mut all = vec![flying, standing, resting, street, deep];
+    all.extend(depth_chart_scenes().into_iter().find(|scene| scene.name == "ball_pit_penetration").map(
+        |pit| Field {
+            name: "pile",
+            about: "Balls fall into a pit and lie in it; how deep they are in each other when they lie.",
+            build: pit.build,
+            watch: pit.watch,
+            seconds: pit.seconds,
+            ..flying
+        },
+    ));
+    all
+}
+
+/// Runs a field with so many objects.
+pub fn run_field(field: &Field, objects: usize) -> FieldFigures {
+    let scene = (field.build)(objects);
+    let mut ours = TwoHalf::with_scheme(&scene, DepthScheme::Precise, SUBSTEPS as i32);
+    let mut peer = Rapier::new(&scene).with_iterations(SUBSTEPS);
+    if field.sleeps_after.is_some() {
+        ours = ours.with_sleep();
+        peer = peer.with_sleep();
+    }
+    let mut runs = [Timed::new(field, &scene, Box::new(ours)), Timed::new(field, &scene, Box::new(peer))];
+    let steps = (field.seconds / f64::from(DT)).round() as u32;
+    for turn in 0..steps / TURN {
+        runs.iter_mut().for_each(|run| run.turn(turn));
+    }
+    let [twohalf_ms, rapier3d_ms] = runs.each_ref().map(Timed::ms_per_step);
+    let [twohalf_error, rapier3d_error] = runs.each_ref().map(|run| run.watch.error());
+    let ratio = rapier3d_ms / twohalf_ms;
+    FieldFigures { scene: field.name, objects, twohalf_ms, rapier3d_ms, ratio, twohalf_error, rapier3d_error }
+}
+
+/// A field in an engine.
+struct Timed {
+    world: Box<dyn World>,
+    watch: Box<dyn Watch>,
+    from: f64,
+    time: Duration,
+    steps: u32,
+}
+
+impl Timed {
+    fn new(field: &Field, scene: &DepthScene, world: Box<dyn World>) -> Self {
+        let mut watch = (field.watch)(scene);
+        watch.see(0.0, &*world);
+        let from = field.sleeps_after.unwrap_or(0.0);
+        Timed { world, watch, from, time: Duration::ZERO, steps: 0 }
+    }
+
+    fn turn(&mut self, turn: u32) {
+        let watch = Stopwatch::start();
+        (0..TURN).for_each(|_| self.world.step(DT));
+        let elapsed = watch.elapsed();
+        let now = f64::from((turn + 1) * TURN) * f64::from(DT);
+        if now > self.from {
+            (self.time, self.steps) = (self.time + elapsed, self.steps + TURN);
+        }
+        self.watch.see(now, &*self.world);
+    }
+
+    fn ms_per_step(&self) -> f64 {
+        self.time.as_secs_f64() * 1e3 / f64::from(self.steps)
+    }
+}
+
+/// Against the parabola that each began.
+fn against_flight(scene: &DepthScene) -> Box<dyn Watch> {
+    against(scene, f64::from(scene.gravity))
+}
+
+/// Against the straight way of each.
+fn against_gliding(scene: &DepthScene) -> Box<dyn Watch> {
+    against(scene, 0.0)
+}
+
+fn against(scene: &DepthScene, gravity: f64) -> Box<dyn Watch> {
+    let starts: Vec<[[f64; 3]; 2]> = scene
+        .objects
+        .iter()
+        .map(|object| [object.position, object.velocity].map(|of| of.map(f64::from)))
+        .collect();
+    worst(move |time, world| {
+        let of = |(index, [place, velocity]): (usize, &[[f64; 3]; 2])| {
+            let mut expected: [f64; 3] = std::array::from_fn(|axis| place[axis] + velocity[axis] * time);
+            expected[1] -= 0.5 * gravity * time * time;
+            distance(world.body(index).position, expected)
+        };
+        starts.iter().enumerate().map(of).reduce(f64::max)
+    })
+}
+
+/// As a table, a line for each field and number.
+pub fn fields_csv(figures: &[FieldFigures]) -> String {
+    table(figures)
+}

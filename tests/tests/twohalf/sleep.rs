@@ -1,0 +1,79 @@
+//! What rests in a world with depth sleeps, and wakes.
+
+use conformance::fixtures::depth::{ball, place, run, solid, with_scheme};
+use twohalf::{BodyId, DepthScheme, TwoHalfPhysicsSimulator, Vector3};
+
+/// A box on another one, both at rest for two seconds.
+fn two_at_rest(test: impl FnOnce(TwoHalfPhysicsSimulator, [BodyId; 2])) {
+    with_scheme(DepthScheme::Precise, || {
+        let mut simulator = conformance::fixtures::depth::simulator();
+        let below = solid(&mut simulator, [40.0, 20.0, 40.0], [0.0, 0.0, 0.0]);
+        let above = solid(&mut simulator, [20.0, 20.0, 20.0], [0.0, 20.0, 0.0]);
+        run(&mut simulator, 200);
+        test(simulator, [below, above]);
+    });
+}
+
+#[test]
+fn what_rests_sleeps() {
+    two_at_rest(|simulator, bodies| {
+        for body in bodies {
+            assert!(simulator.is_asleep(body));
+            assert_eq!(simulator.why_awake(body), None);
+        }
+    });
+}
+
+#[test]
+fn nothing_sleeps_if_it_is_not_to() {
+    two_at_rest(|mut simulator, bodies| {
+        simulator.set_sleep_enabled(false);
+        run(&mut simulator, 200);
+        assert!(!simulator.is_sleep_enabled());
+        assert!(bodies.iter().all(|&body| !simulator.is_asleep(body)));
+    });
+}
+
+#[test]
+fn a_body_wakes_with_what_it_fell_asleep_with() {
+    two_at_rest(|mut simulator, [below, above]| {
+        simulator.wake(above);
+        run(&mut simulator, 1);
+        assert!(!simulator.is_asleep(above) && !simulator.is_asleep(below));
+        assert!(simulator.why_awake(below).is_some());
+    });
+}
+
+#[test]
+fn a_ball_that_comes_in_depth_wakes_what_it_hits() {
+    two_at_rest(|mut simulator, [below, above]| {
+        let thrown = ball(&mut simulator, 5.0, [0.0, 25.0, -60.0]);
+        simulator.body_mut(thrown).unwrap().set_linear_velocity_z(400.0);
+        run(&mut simulator, 5);
+        assert!(simulator.is_asleep(above));
+        run(&mut simulator, 15);
+        assert!(!simulator.is_asleep(above));
+        assert!(place(&simulator, above).z > 0.1);
+        assert!(simulator.body(below).is_some());
+    });
+}
+
+#[test]
+fn an_impulse_in_depth_wakes() {
+    two_at_rest(|mut simulator, [_, above]| {
+        simulator.body_mut(above).unwrap().apply_impulse3d(Vector3::new(0.0, 0.0, 50.0));
+        run(&mut simulator, 2);
+        assert!(!simulator.is_asleep(above));
+        assert!(place(&simulator, above).z > 0.1);
+    });
+}
+
+#[test]
+fn a_world_that_sleeps_moves_nobody() {
+    two_at_rest(|mut simulator, bodies| {
+        let before = bodies.map(|body| place(&simulator, body));
+        run(&mut simulator, 1000);
+        assert_eq!(simulator.counters().bodies_moved, 0);
+        assert_eq!(bodies.map(|body| place(&simulator, body)), before);
+    });
+}
