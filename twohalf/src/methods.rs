@@ -20,8 +20,8 @@ pub enum DepthScheme {
     /// What is different from `Faithful`, besides what the precise set itself does otherwise: things come to rest and
     /// [sleep](farseer_core::PhysicsSimulator::is_asleep); a collision becomes an [event](crate::Event::Collision) when it begins,
     /// as with the precise set in the plane, and lasting ones are in
-    /// [`contacts`](crate::TwoHalfPhysicsSimulator::contacts); a contact that is slower than 32 px/s does not bounce; fronts and
-    /// backs touch in one point, in the middle of what they have in common; handlers that
+    /// [`contacts`](crate::TwoHalfPhysicsSimulator::contacts); what comes no faster than 32 px/s, or than gravity makes it in four
+    /// steps, does not bounce; fronts and backs touch in one point, in the middle of what they have in common; handlers that
     /// [are asked about pairs](crate::EventHandler::handles_broad_phase) are asked once two boxes with their margins overlap; and
     /// nothing that is faster than its own size in a step passes what stands still.
     ///

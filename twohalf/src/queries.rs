@@ -4,7 +4,7 @@ use farseer_core::{BodyId, GeomId};
 
 use crate::draw_order::Drawable;
 use crate::tell::to_world;
-use crate::{Partner, TwoHalfPhysicsSimulator, Vector2, Vector3};
+use crate::{Partner, TwoHalfPhysicsSimulator, Vector2, Vector3, VirtualGeom};
 
 /// What an object would fall on.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,6 +43,16 @@ impl TwoHalfPhysicsSimulator {
     /// What a player sees at a point of the screen: of all bodies and platforms there, the one that is
     /// [drawn last](Self::draw_order).
     pub fn pick_front(&self, point: Vector2) -> Option<Drawable> {
+        self.pick_front_where(point, |_| true)
+    }
+
+    /// As [`pick_front`](Self::pick_front), but only of what a filter lets through: it is asked about what has a picture at
+    /// the point, from the front to the back, until it answers true.
+    pub fn pick_front_where(
+        &self,
+        point: Vector2,
+        mut is_wanted: impl FnMut(Drawable) -> bool,
+    ) -> Option<Drawable> {
         let shows = |drawable: &Drawable| match *drawable {
             Drawable::Body(body) => {
                 let geoms = self.core.geoms_of(body);
@@ -53,7 +63,46 @@ impl TwoHalfPhysicsSimulator {
                 hull_holds(&corners, point)
             }),
         };
-        self.draw_order().into_iter().rev().find(shows)
+        self.draw_order().into_iter().rev().find(|drawable| shows(drawable) && is_wanted(*drawable))
+    }
+
+    /// The geoms whose [boxes](crate::TwoHalfGeom::virtual_geom) overlap a box of the world or touch it, in the order of the
+    /// geom list, but for disposed ones and what the filter does not let through. `low` has the least X, Y and Z in px, `high`
+    /// the greatest. None if a number is not finite, or one of `low` is greater than that of `high`. Platforms are no geoms,
+    /// and are not among them.
+    ///
+    /// Looks at the box of every listed geom: the time grows with their number. The filter is asked only about what is found.
+    pub fn query_box(
+        &self,
+        low: Vector3,
+        high: Vector3,
+        mut is_wanted: impl FnMut(GeomId) -> bool,
+    ) -> Vec<GeomId> {
+        let is_axis =
+            |axis: usize| low[axis].is_finite() && high[axis].is_finite() && low[axis] <= high[axis];
+        if !(0..3).all(is_axis) {
+            return Vec::new();
+        }
+        let is_near =
+            |geom: GeomId| self.geom(geom).is_some_and(|geom| meets_box(&geom.virtual_geom(), low, high));
+        let is_found = |&geom: &GeomId| !self.core.is_disposed(geom) && is_near(geom) && is_wanted(geom);
+        self.geom_list().iter().copied().filter(is_found).collect()
+    }
+
+    /// The geoms that [overlap](crate::TwoHalfGeom::collides_with_geom) another one in all three axes, a sensor for example,
+    /// in the order of the geom list, but for those of its own body, disposed ones and what the filter does not let through.
+    /// Categories, groups and whether a geom collides at all do not count. None for a stale id.
+    ///
+    /// Looks at the box of every listed geom, and at the shapes of those whose boxes meet. The filter is asked before the
+    /// shapes are looked at.
+    pub fn overlaps_of(&self, geom: GeomId, mut is_wanted: impl FnMut(GeomId) -> bool) -> Vec<GeomId> {
+        let Some(view) = self.geom(geom).filter(|_| !self.core.is_disposed(geom)) else { return Vec::new() };
+        let v = view.virtual_geom();
+        let (low, high) = (Vector3::new(v.left, v.bottom, v.front), Vector3::new(v.right, v.top, v.back));
+        let is_other = |other: GeomId| self.geom(other).is_some_and(|other| other.body() != view.body());
+        let mut found = self.query_box(low, high, |other| is_other(other) && is_wanted(other));
+        found.retain(|&other| view.collides_with_geom(other));
+        found
     }
 
     /// The point of the ground that appears at a point of the screen.
@@ -83,6 +132,16 @@ impl TwoHalfPhysicsSimulator {
         let middle = view.ground().object_geom().and_then(|geom| self.geom(geom));
         self.surface_beneath(middle.map_or(view.origin3d(), |geom| geom.position3d()))
     }
+}
+
+/// Whether the box of a geom overlaps another one or touches it.
+fn meets_box(geom: &VirtualGeom, low: Vector3, high: Vector3) -> bool {
+    geom.left <= high.x
+        && low.x <= geom.right
+        && geom.bottom <= high.y
+        && low.y <= geom.top
+        && geom.front <= high.z
+        && low.z <= geom.back
 }
 
 /// Whether the convex hull of some points holds another: no line through it has all of them on one side.

@@ -51,7 +51,8 @@ impl Precise {
         places.sort_unstable();
         places.dedup();
         let list = objects.geoms.list();
-        Some(places.into_iter().map(|place| list[place as usize]).collect())
+        // A damaged save may know of more than there is.
+        places.into_iter().map(|place| list.get(place as usize).copied()).collect()
     }
 
     /// Notes which geoms queries must look at wherever they are: those that are not, or not exactly, where pairs have them.

@@ -256,15 +256,22 @@ pub(super) fn solve_soft<const FIXED: bool, const P: usize, R: Contacts<P>>(
         let row = contacts.row_mut();
         let coupling = coupling::<FIXED, P>(row);
         let (mut sum, mut changes) = (ZERO, [ZERO; P]);
+        let (mut given, mut weights) = ([ZERO; P], [ZERO; P]);
         for at in 0..P {
             let point = row.points[at];
             let is_apart = point.separation.simd_gt(ZERO);
             let bias =
                 select(is_apart, point.separation * inverse_h, greater(point.separation * rate, fastest));
             let leaked = (leak * (point.impulse - point.held)) & !is_apart;
-            let kept = point.impulse - (point.mass * bias + leaked);
-            let weight = point.mass * select(is_apart, one, mass);
-            let impulse = positive(kept - weight * velocity[at]);
+            given[at] = point.mass * bias + leaked;
+            weights[at] = point.mass * select(is_apart, one, mass);
+        }
+        let lost = std::array::from_fn(|at| given[at] + weights[at] * velocity[at]);
+        let together = R::IN_SPACE.then(|| both_at_once(row, coupling, &weights, &lost));
+        for at in 0..P {
+            let point = row.points[at];
+            let alone = positive(point.impulse - given[at] - weights[at] * velocity[at]);
+            let impulse = together.map_or(alone, |(hold, both)| select(hold, both[at], alone));
             changes[at] = impulse - point.impulse;
             row.points[at].impulse = impulse;
             sum += changes[at];
@@ -275,22 +282,32 @@ pub(super) fn solve_soft<const FIXED: bool, const P: usize, R: Contacts<P>>(
     });
 }
 
-/// Impulses of two points after which neither has a velocity, given those that they are to lose: where both push. One after
-/// the other they would leave a part of what they do to each other, (coupling x mass)^2, and what meets face to face would
-/// turn.
+/// Impulses of two points solved together, and for which rows that can be done: given what a unit of velocity takes from each,
+/// and what each of them alone would lose. One after the other they would leave a part of what they do to each other,
+/// (coupling x weight)^2, and what meets face to face would turn.
+///
+/// Either both push, or one of them, or none (E. Catto, "Fast and Simple Physics using Sequential Impulses", GDC 2006).
 #[inline(always)]
-fn both_at_once<const P: usize>(row: &Row<P>, coupling: f32x4, due: &[f32x4; P]) -> (f32x4, [f32x4; P]) {
-    let (first, last) = (&row.points[0], &row.points[P - 1]);
+fn both_at_once<const P: usize>(
+    row: &Row<P>,
+    coupling: f32x4,
+    weights: &[f32x4; P],
+    lost: &[f32x4; P],
+) -> (f32x4, [f32x4; P]) {
+    let (first, last) = (row.points[0].impulse, row.points[P - 1].impulse);
+    let across = [weights[0] * coupling, weights[P - 1] * coupling];
     let one = f32x4::splat(1.0);
-    let apart = one - coupling * coupling * (first.mass * last.mass);
+    let apart = one - across[0] * across[1];
     let is_apart = apart.simd_gt(f32x4::splat(LEAST_APART));
-    let alone = last.mass * (coupling * (first.mass * due[0]) - due[P - 1]);
-    let change = alone / select(is_apart, apart, one);
-    let other = first.mass * (ZERO - due[0] - coupling * change);
-    let mut both = [last.impulse + change; P];
-    both[0] = first.impulse + other;
-    let holds = both[0].simd_ge(ZERO) & both[P - 1].simd_ge(ZERO) & is_apart;
-    (if P == 2 { holds } else { ZERO }, both)
+    let change = (across[1] * lost[0] - lost[P - 1]) / select(is_apart, apart, one);
+    let both = [first - lost[0] - across[0] * change, last + change];
+    let push = both[0].simd_ge(ZERO) & both[1].simd_ge(ZERO);
+    let first_alone = positive(first - lost[0] + across[0] * last);
+    let last_alone = positive(last - lost[P - 1] + across[1] * first);
+    let is_enough = (lost[P - 1] + across[1] * (first_alone - first) - last).simd_ge(ZERO);
+    let mut solved = [select(push, both[1], select(is_enough, ZERO, last_alone)); P];
+    solved[0] = select(push, both[0], select(is_enough, first_alone, ZERO));
+    (if P == 2 { is_apart } else { ZERO }, solved)
 }
 
 /// Points that do nearly the same to a body are solved one after the other: 1 - (coupling x mass)^2.
@@ -325,7 +342,9 @@ pub(super) fn relax_normals<const FIXED: bool, const P: usize, R: Contacts<P>>(
         separations[at] = row.points[at].separation + moved[at];
         due[at] = positive(separations[at]) * inverse_h + velocity[at];
     }
-    let together = R::IN_SPACE.then(|| both_at_once(row, coupling, &due));
+    let weights = std::array::from_fn(|at| row.points[at].mass);
+    let lost = std::array::from_fn(|at| weights[at] * due[at]);
+    let together = R::IN_SPACE.then(|| both_at_once(row, coupling, &weights, &lost));
     for at in 0..P {
         let point = row.points[at];
         let kept = point.impulse - point.mass * (positive(separations[at]) * inverse_h);
@@ -424,8 +443,10 @@ pub(super) fn bounce<const FIXED: bool, const P: usize, R: Contacts<P>>(
         let row = contacts.row_mut();
         let coupling = coupling::<FIXED, P>(row);
         let (mut sum, mut changes) = (ZERO, [ZERO; P]);
-        let excess = std::array::from_fn(|at| velocity[at] + restitution[at] * row.approach[at]);
-        let (hold, both) = both_at_once(row, coupling, &excess);
+        let weights = std::array::from_fn(|at| row.points[at].mass);
+        let excess = |at: usize| velocity[at] + restitution[at] * row.approach[at];
+        let lost = std::array::from_fn(|at| weights[at] * excess(at));
+        let (hold, both) = both_at_once(row, coupling, &weights, &lost);
         let hold = restitution.iter().fold(hold, |hold, e| hold & e.simd_gt(ZERO));
         for (at, restitution) in restitution.into_iter().enumerate() {
             let point = row.points[at];

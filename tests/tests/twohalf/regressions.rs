@@ -1,10 +1,12 @@
 //! Cases that once went wrong.
 
 use conformance::fixtures::depth::{
-    DT, ball, crate_box, fix, geom_of, place, platform, run, set_surface, simulator, solid, throw, weightless,
+    DT, GRAVITY, assert_near, ball, crate_box, fix, geom_of, place, platform, run, set_surface, simulator,
+    solid, throw, velocity, weightless, with_scheme,
 };
 use twohalf::{
-    BodyId, Collision, Context, Event, EventHandler, Partner, PlatformId, TwoHalfPhysicsSimulator, Vector3,
+    BodyId, Collision, Context, DepthScheme, Event, EventHandler, Partner, PlatformId,
+    TwoHalfPhysicsSimulator, Vector3,
 };
 
 #[test]
@@ -149,5 +151,40 @@ pub(crate) fn a_body_that_is_made_immovable_where_it_lands_is_healthy() {
     land(|_| ());
     land(|simulator| {
         platform(simulator, [100.0, 20.0, 100.0], [0.0, 0.0, 0.0]);
+    });
+}
+
+#[test]
+fn a_long_box_that_is_thrown_flat_against_a_ceiling_comes_back_flat_at_any_speed() {
+    with_scheme(DepthScheme::Precise, || {
+        for speed in [600.0, 5000.0, 20_000.0] {
+            let mut simulator = simulator();
+            platform(&mut simulator, [200.0, 30.0, 100.0], [10.0, 415.0, 0.0]);
+            // It touches after a step.
+            let body = solid(&mut simulator, [40.0, 20.0, 20.0], [0.0, 380.0 - speed * DT, 0.0]);
+            throw(&mut simulator, body, [0.0, speed, 0.0]);
+            run(&mut simulator, 20);
+            let view = simulator.body(body).unwrap();
+            // It would turn by several rad/s if its two corners were pushed one after the other.
+            assert!(view.angular_velocity().abs() < 1e-3, "{speed}: {}", view.angular_velocity());
+            assert!(view.velocity3d().y.abs() < 20.0 * GRAVITY * DT, "{speed}: {}", view.velocity3d().y);
+        }
+    });
+}
+
+#[test]
+fn where_nothing_falls_what_meets_slowly_bounces() {
+    with_scheme(DepthScheme::Precise, || {
+        let mut simulator = weightless();
+        let balls = [-20.0, 20.0].map(|z| ball(&mut simulator, 10.0, [0.0, 50.0, z]));
+        for (ball, speed) in balls.into_iter().zip([3.0, -3.0]) {
+            set_surface(&mut simulator, ball, 0.0, 1.0);
+            throw(&mut simulator, ball, [0.0, 0.0, speed]);
+        }
+        run(&mut simulator, 500);
+        // They have met after 10 / 3 s.
+        let [near, far] = balls.map(|ball| velocity(&simulator, ball).z);
+        assert_near(near, -3.0, 1e-3);
+        assert_near(far, 3.0, 1e-3);
     });
 }

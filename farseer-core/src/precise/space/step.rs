@@ -4,12 +4,16 @@ use super::passes::Spin;
 use super::{Space, begin_spins, gather_warm_in_space, relax_in_space};
 use crate::body::Body;
 use crate::math::decay;
+use crate::math::plane::length;
 use crate::precise::Precise;
 use crate::precise::bodies::Read;
 use crate::precise::moving::leave;
 use crate::precise::passes::{bounce, note_approach, note_push, solve_soft};
 use crate::precise::rows::SpaceRows;
 use crate::precise::tuning::Step;
+
+/// What comes no faster than gravity makes it in so many steps does not bounce.
+const STEPS_OF_REST: f32 = 4.0;
 
 impl Space {
     /// What moves a body along the axis, read with the rest: see [`read`](crate::precise::bodies::read).
@@ -133,7 +137,9 @@ impl Precise {
     }
 
     pub(in crate::precise) fn bounce_in_space(&mut self, step: &Step) {
-        let threshold = self.tuning.bounce;
+        // What rests comes no faster than gravity makes it in a step; where there is none everything bounces.
+        let resting = STEPS_OF_REST * length(self.fall);
+        let threshold = if resting < self.tuning.bounce { resting } else { self.tuning.bounce };
         let Precise { rows, bodies, palette, joints, .. } = self;
         let mut hot = std::mem::take(&mut bodies.hot);
         macro_rules! bounce_all {
