@@ -7,7 +7,7 @@
 
 use super::bodies::Bodies;
 use super::direct::Direct;
-use super::manifold::{Manifold, collide};
+use super::manifold::{Manifold, circles_meet, collide};
 use super::pairs::{BY_ROW, Frozen, FrozenInSpace, Pairs};
 use super::proxies::{Mobility, Proxies, Proxy};
 use super::rows::{Aside, Home, Kind, Lane, Palette, PointLane, Rows, SpaceLane};
@@ -147,7 +147,9 @@ impl<'a> Touch<'a> {
     fn collide(&self, pair: usize, two: Two<'_>, reach: f32) -> Manifold {
         let outline = |proxy: &Proxy| self.proxies.corners.outline(proxy.shape);
         let Some(space) = self.space else {
-            return collide(outline(two.a), outline(two.b), two.pose_a, two.pose_b, reach);
+            let found = collide(outline(two.a), outline(two.b), two.pose_a, two.pose_b, reach);
+            let is_new = found.count > 0 && !self.pairs.all[pair].is_told;
+            return if is_new && self.are_circles(two) { self.where_circles_meet(two, found) } else { found };
         };
         let [at_a, at_b] = self.pairs.watched[pair].proxies;
         let solid =
@@ -162,14 +164,28 @@ impl<'a> Touch<'a> {
         space.touch(solid(at_a, &all[at_a as usize]), solid(at_b, &all[at_b as usize]), before, reach)
     }
 
-    /// Whether contacts may stay what they were if the two have not moved much: not those of balls, on which they wander, and
-    /// not those of outlines that have passed each other along the depth axis.
+    /// Circles that come together push each other along the line on which their middles lie when they do, which is neither
+    /// that of the beginning of the step nor that of its end.
+    fn where_circles_meet(&self, two: Two<'_>, found: Manifold) -> Manifold {
+        let way = |proxy: &Proxy| {
+            let (body, part) = (proxy.body as usize, self.bodies.gravity_parts[proxy.body as usize]);
+            let fall = scaled(self.fall, 0.5 * part * self.dt);
+            self.bodies.hot.get(body).map_or([0.0; 2], |hot| {
+                sum(fall, scaled([hot.velocity[0], hot.velocity[1]], self.dt))
+            })
+        };
+        let way = difference(way(two.b), way(two.a));
+        let radii = [two.a.shape.radius, two.b.shape.radius];
+        circles_meet(two.apart(), way, radii).unwrap_or(found)
+    }
+
+    /// Whether contacts may stay what they were if the two have not moved much: not those of circles and balls, on which they
+    /// wander, and not those of outlines that have passed each other along the depth axis.
     fn may_renew(&self, pair: usize, two: Two<'_>) -> bool {
-        self.space.is_none_or(|space| {
-            let (kind, proxies) = (self.pairs.all[pair].kind, self.pairs.watched[pair].proxies);
-            let is_in_plane = self.pairs.frozen[pair].space.normal_z.abs() < 1.0;
-            kind.has_two_points && (!is_in_plane || space.are_beside(proxies, space.apart(two.a, two.b)))
-        })
+        let Some(space) = self.space else { return !self.are_circles(two) };
+        let (kind, proxies) = (self.pairs.all[pair].kind, self.pairs.watched[pair].proxies);
+        let is_in_plane = self.pairs.frozen[pair].space.normal_z.abs() < 1.0;
+        kind.has_two_points && (!is_in_plane || space.are_beside(proxies, space.apart(two.a, two.b)))
     }
 
     /// The two touch once their outlines do or push each other, or will in this step: contacts that only reach ahead are not
@@ -333,7 +349,13 @@ impl<'a> Touch<'a> {
 
     fn freeze(&mut self, pair: usize, two: Two<'_>, found: &Manifold) {
         let count = if self.pairs.all[pair].kind.has_two_points { found.count } else { found.count.min(1) };
-        let apart = two.apart();
+        let apart = if self.are_circles(two) {
+            // Where they meet: what pushes circles does not turn them.
+            let [ra, rb] = [two.a, two.b].map(|proxy| proxy.shape.radius);
+            scaled(found.normal, ra + rb + found.separations[0])
+        } else {
+            two.apart()
+        };
         let anchors = found.points.map(|point| {
             let [bx, by] = difference(point, apart);
             [point[0], point[1], bx, by]
