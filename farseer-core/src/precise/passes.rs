@@ -389,13 +389,20 @@ pub(super) fn relax<const FIXED: bool, const P: usize>(
     });
 }
 
-/// Notes how fast things approach each other, before the step.
+/// Notes how fast things that bounce approach each other, before the step. Answers whether some come faster than the threshold,
+/// and may bounce in this step.
 #[inline(always)]
 pub(super) fn note_approach<const FIXED: bool, const P: usize, R: Contacts<P>>(
     rows: &mut Colours<R>,
     hot: &[Hot],
-) {
+    threshold: f32,
+) -> bool {
+    let (threshold, mut may_bounce) = (f32x4::splat(-threshold), ZERO);
     rows.for_each(|contacts| {
+        let bounces = contacts.row().restitution.simd_gt(ZERO);
+        if bounces.to_bitmask() == 0 {
+            return;
+        }
         let sides = velocities::<FIXED, P>(contacts.row(), hot);
         let approach = at_points::<FIXED, P, R>(contacts, &sides);
         let row = contacts.row_mut();
@@ -403,8 +410,10 @@ pub(super) fn note_approach<const FIXED: bool, const P: usize, R: Contacts<P>>(
         for at in 0..P {
             row.gap[at] = row.points[at].separation;
             row.has_pushed[at] = ZERO;
+            may_bounce |= threshold.simd_gt(approach[at]) & bounces;
         }
     });
+    may_bounce.to_bitmask() != 0
 }
 
 /// Notes which points push: at the end of the step one that has separated two may have no impulse any more.

@@ -393,28 +393,26 @@ impl Precise {
     }
 
     fn solve_passes(&mut self, step: &Step) {
-        if self.bounces {
-            self.note_approaches();
-        }
+        let may_bounce = self.bounces && self.note_approaches();
         self.gather_warm(step);
         for substep in 0..step.substeps {
             begin_substep(&mut self.bodies, &self.sleep.bodies, substep == 0);
             self.begin_spins(substep == 0);
             self.joints.correct(&mut self.bodies, step.h);
             self.solve_soft(step);
-            if self.bounces {
+            if may_bounce {
                 self.note_pushes();
             }
             displace(&mut self.bodies, &self.sleep.bodies, step.h, substep == 0);
             self.joints.advance(&self.bodies, step.h);
             self.joints.relax(&mut self.bodies, step.h);
             self.relax(step);
-            if self.bounces {
+            if may_bounce {
                 self.note_pushes();
             }
         }
         even_out(&mut self.bodies, &self.sleep.bodies, &self.palette, &self.joints, step);
-        if self.bounces {
+        if may_bounce {
             self.bounce(step);
         }
     }
@@ -426,15 +424,16 @@ impl Precise {
         self.for_each_impulse(|impulse| *impulse = finite(*impulse * factor));
     }
 
-    fn note_approaches(&mut self) {
+    /// Answers whether something may bounce in this step.
+    fn note_approaches(&mut self) -> bool {
         if self.space.is_some() {
             return self.note_approaches_in_space();
         }
-        let hot = &self.bodies.hot;
-        note_approach::<false, 2, _>(&mut self.rows.two, hot);
-        note_approach::<false, 1, _>(&mut self.rows.one, hot);
-        note_approach::<true, 2, _>(&mut self.rows.two_fixed, hot);
-        note_approach::<true, 1, _>(&mut self.rows.one_fixed, hot);
+        let (hot, threshold) = (&self.bodies.hot, self.tuning.bounce);
+        note_approach::<false, 2, _>(&mut self.rows.two, hot, threshold)
+            | note_approach::<false, 1, _>(&mut self.rows.one, hot, threshold)
+            | note_approach::<true, 2, _>(&mut self.rows.two_fixed, hot, threshold)
+            | note_approach::<true, 1, _>(&mut self.rows.one_fixed, hot, threshold)
     }
 
     fn note_pushes(&mut self) {

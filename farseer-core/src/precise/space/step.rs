@@ -81,13 +81,14 @@ fn dragged(body: &Body, [x, y, _, z]: [f32; 4]) -> f32 {
 
 /// Passes.
 impl Precise {
-    pub(in crate::precise) fn note_approaches_in_space(&mut self) {
+    pub(in crate::precise) fn note_approaches_in_space(&mut self) -> bool {
+        let threshold = self.bounce_threshold_in_space();
         let (hot, SpaceRows { prisms, balls, prisms_fixed, balls_fixed }) =
             (&self.bodies.hot, &mut self.rows.space);
-        note_approach::<false, 2, _>(prisms, hot);
-        note_approach::<false, 1, _>(balls, hot);
-        note_approach::<true, 2, _>(prisms_fixed, hot);
-        note_approach::<true, 1, _>(balls_fixed, hot);
+        note_approach::<false, 2, _>(prisms, hot, threshold)
+            | note_approach::<false, 1, _>(balls, hot, threshold)
+            | note_approach::<true, 2, _>(prisms_fixed, hot, threshold)
+            | note_approach::<true, 1, _>(balls_fixed, hot, threshold)
     }
 
     pub(in crate::precise) fn note_pushes_in_space(&mut self) {
@@ -136,10 +137,15 @@ impl Precise {
         relax_in_space::<true, 1>(balls_fixed, hot, spins, inverse);
     }
 
-    pub(in crate::precise) fn bounce_in_space(&mut self, step: &Step) {
-        // What rests comes no faster than gravity makes it in a step; where there is none everything bounces.
+    /// Speed of approach below which nothing bounces. What rests comes no faster than gravity makes it in a step; where there is
+    /// none everything bounces.
+    fn bounce_threshold_in_space(&self) -> f32 {
         let resting = STEPS_OF_REST * length(self.fall);
-        let threshold = if resting < self.tuning.bounce { resting } else { self.tuning.bounce };
+        if resting < self.tuning.bounce { resting } else { self.tuning.bounce }
+    }
+
+    pub(in crate::precise) fn bounce_in_space(&mut self, step: &Step) {
+        let threshold = self.bounce_threshold_in_space();
         let Precise { rows, bodies, palette, joints, .. } = self;
         let mut hot = std::mem::take(&mut bodies.hot);
         macro_rules! bounce_all {
