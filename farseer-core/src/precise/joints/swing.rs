@@ -22,6 +22,7 @@ const CLOSED_AT_ONCE: f64 = 0.5;
 /// Groups up to these sizes are pendulums of one or a few, and small, and those beyond the last one large.
 const FEWEST: u32 = 3;
 const FEW: u32 = 8;
+const SEVERAL: u32 = 12;
 const MANY: u32 = 50;
 
 /// Into how many parts a substep may be divided.
@@ -39,7 +40,7 @@ const JERKS: usize = 3;
 const TURNED_AT_ONCE: f64 = 0.15;
 
 /// The stiffness that the inertia of a body bears in a substep, as a part of it.
-const BORNE: f64 = 0.3;
+const BORNE: f64 = 0.6;
 
 /// Cosine and sine of how far a body turns in a substep: a Taylor series, right to 1e-10 for less than 0.3.
 #[inline(always)]
@@ -382,7 +383,7 @@ pub(super) fn swing(
     *parts_told = parts;
     // Whole kicks before bodies move put them in the same places as halves before and after: velocities are those of half a
     // substep ago, and need not be made to obey the joints once more.
-    let by_whole_kicks = bodies_held > MANY && loose.is_empty();
+    let by_whole_kicks = bodies_held > SEVERAL && loose.is_empty();
     let h = dt / f64::from(parts);
     let longer = substeps / f64::from(parts);
     let mut is_hinged = true;
