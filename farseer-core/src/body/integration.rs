@@ -99,12 +99,15 @@ impl Body {
     }
 
     /// Moves the body to where a step of the precise set has brought it.
+    #[inline]
     pub(crate) fn end_step(&mut self, position: Vector2, turned_by: f32, velocity: Vector2, spin: f32) {
         self.position = position;
         self.normalize_rotation(self.rotation + turned_by);
         (self.linear_velocity, self.angular_velocity) = (velocity, spin);
         self.has_moved = true;
-        self.land();
+        if self.is_kinematic {
+            self.land();
+        }
     }
 
     /// Moves the body over `dt` seconds and answers whether its pose changed.

@@ -120,10 +120,15 @@ impl Body {
         self.target = None;
     }
 
+    #[inline]
     pub(super) fn normalize_rotation(&mut self, raw: f32) {
-        let turns = whole_turns(raw);
-        self.rotation = raw - turns as f32 * TWO_PI;
-        self.revolutions = self.revolutions.wrapping_add(turns);
+        if (0.0..TWO_PI).contains(&raw) {
+            self.rotation = raw;
+        } else {
+            let turns = whole_turns(raw);
+            self.rotation = raw - turns as f32 * TWO_PI;
+            self.revolutions = self.revolutions.wrapping_add(turns);
+        }
         self.total_rotation = self.rotation + self.revolutions as f32 * TWO_PI;
     }
 

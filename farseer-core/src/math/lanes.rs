@@ -45,8 +45,10 @@ pub(crate) fn columns(rows: &[[f32; 4]; 4]) -> [f32x4; 4] {
 #[inline(always)]
 pub(crate) fn sin_cos(angle: f32x4) -> (f32x4, f32x4) {
     let one = f32x4::splat(1.0);
-    let quarters = (angle * f32x4::splat(std::f32::consts::FRAC_2_PI)).to_array().map(nearest_whole);
-    let turned = f32x4::new(quarters);
+    // The nearest whole number of quarters, which is in the last binary digits of the sum; halves go up.
+    let shift = f32x4::splat(12_582_912.0);
+    let shifted = angle * f32x4::splat(std::f32::consts::FRAC_2_PI) + shift;
+    let turned = shifted - shift;
     // Pi / 2 in two parts, the first with few enough digits that its products with small whole numbers are exact.
     let x = (angle - turned * f32x4::splat(HALF_PI_HIGH)) - turned * f32x4::splat(HALF_PI_LOW);
     let x2 = x * x;
@@ -58,26 +60,17 @@ pub(crate) fn sin_cos(angle: f32x4) -> (f32x4, f32x4) {
         + x2 * (c(-0.5)
             + x2 * (c(1.0 / 24.0)
                 + x2 * (c(-1.0 / 720.0) + x2 * (c(1.0 / 40320.0) + x2 * c(-1.0 / 3_628_800.0)))));
-    let quarter = quarters.map(|quarter| quarter as i32 & 3);
-    let mask =
-        |is_set: [bool; 4]| f32x4::new(is_set.map(|set| if set { f32::from_bits(u32::MAX) } else { 0.0 }));
-    let is_odd = mask(quarter.map(|quarter| quarter & 1 == 1));
-    let sign = |is_set: [bool; 4]| f32x4::new(is_set.map(|set| if set { -0.0 } else { 0.0 }));
-    let sine_sign = sign(quarter.map(|quarter| quarter & 2 == 2));
-    let cosine_sign = sign(quarter.map(|quarter| (quarter + 1) & 2 == 2));
+    let quarter = shifted.to_array().map(f32::to_bits);
+    let of_bits = |bits: [u32; 4]| f32x4::new(bits.map(f32::from_bits));
+    let is_odd = of_bits(quarter.map(|quarter| (quarter & 1).wrapping_neg()));
+    let sine_sign = of_bits(quarter.map(|quarter| (quarter & 2) << 30));
+    let cosine_sign = of_bits(quarter.map(|quarter| (quarter.wrapping_add(1) & 2) << 30));
     (select(is_odd, cosine, sine) ^ sine_sign, select(is_odd, sine, cosine) ^ cosine_sign)
 }
 
 /// Pi / 2 with eleven binary digits, and the rest of it.
 const HALF_PI_HIGH: f32 = 1.570_312_5;
 const HALF_PI_LOW: f32 = (std::f64::consts::FRAC_PI_2 - 1.570_312_5) as f32;
-
-/// The nearest whole number of a small number; halves go up.
-#[inline(always)]
-fn nearest_whole(number: f32) -> f32 {
-    const SHIFT: f32 = 12_582_912.0;
-    (number + SHIFT) - SHIFT
-}
 
 #[cfg(test)]
 mod tests {

@@ -310,29 +310,25 @@ fn velocity_of(body: &Body) -> [f32; 4] {
 /// Forces that a game or a spring has applied may depend on the place. A way by the middle of the velocities would be too
 /// short then: an undamped spring would swing up. Theirs is that of the velocity after the step, as in the faithful set,
 /// which keeps the swing (the symplectic Euler method); `forced` is the difference.
+#[inline(always)]
 pub(super) fn read(body: &mut Body, gravity: Vector2, dt: f32, h: f32) -> Read {
     if body.is_kinematic() {
         body.begin_kinematic_step(dt);
         return Read { velocity: velocity_of(body), push: [0.0; 4], forced: [0.0; 4] };
     }
     body.apply_accumulated_impulse();
-    let (velocity, spin) = (body.linear_velocity, body.angular_velocity);
+    let velocity = f32x4::new(velocity_of(body));
     let (force, turning) = body.take_accelerations();
-    let acceleration = gravity * body.gravity_part() + force;
+    let forced = f32x4::new([force.x, force.y, turning, 0.0]);
+    let gravity = gravity * body.gravity_part();
+    let acceleration = f32x4::new([gravity.x, gravity.y, 0.0, 0.0]) + forced;
     let (drag, rotational_drag) = body.drag_rates();
-    let ((decay, grown), turning_over) = (decay::over(drag, dt), decay::over(rotational_drag, dt));
-    let parts = h / dt;
-    let push = [
-        (velocity.x * decay + acceleration.x * grown) * parts,
-        (velocity.y * decay + acceleration.y * grown) * parts,
-        (spin * turning_over.0 + turning * turning_over.1) * parts,
-        0.0,
-    ];
-    let half = 0.5 * dt * dt;
+    let (decay, grown) = decay::over_each(f32x4::new([drag, drag, rotational_drag, 0.0]), dt);
+    let gained = velocity * decay + acceleration * grown;
     Read {
-        velocity: [velocity.x, velocity.y, spin, 0.0],
-        push,
-        forced: [force.x * half, force.y * half, turning * half, 0.0],
+        velocity: velocity.to_array(),
+        push: (gained * f32x4::splat(h / dt)).to_array(),
+        forced: (forced * f32x4::splat(0.5 * dt * dt)).to_array(),
     }
 }
 

@@ -290,12 +290,16 @@ impl Precise {
     }
 
     fn is_finite(&self) -> bool {
-        let sum = self.sleep.awake(self.bodies.count).fold(f32x4::ZERO, |sum, number| {
-            let (pose, path) = (self.bodies.poses[number], self.bodies.path[number]);
-            // Corners are not far from their body: what is left of the numbers is enough for them.
-            let place = (f32x4::new(pose) + f32x4::new(path)) * f32x4::splat(FAR);
-            sum + (place + f32x4::new(self.bodies.hot[number].velocity)) * f32x4::ZERO
-        });
+        let Bodies { poses, path, hot, .. } = &self.bodies;
+        let mut sum = f32x4::ZERO;
+        for run in &self.sleep.bodies {
+            let of_run = poses[run.clone()].iter().zip(&path[run.clone()]).zip(&hot[run.clone()]);
+            for ((pose, path), hot) in of_run {
+                // Corners are not far from their body: what is left of the numbers is enough for them.
+                let place = (f32x4::new(*pose) + f32x4::new(*path)) * f32x4::splat(FAR);
+                sum += (place + f32x4::new(hot.velocity)) * f32x4::ZERO;
+            }
+        }
         sum.to_array() == [0.0; 4] && self.is_finite_in_space()
     }
 

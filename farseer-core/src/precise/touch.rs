@@ -170,9 +170,10 @@ impl<'a> Touch<'a> {
         let way = |proxy: &Proxy| {
             let (body, part) = (proxy.body as usize, self.bodies.gravity_parts[proxy.body as usize]);
             let fall = scaled(self.fall, 0.5 * part * self.dt);
-            self.bodies.hot.get(body).map_or([0.0; 2], |hot| {
-                sum(fall, scaled([hot.velocity[0], hot.velocity[1]], self.dt))
-            })
+            self.bodies
+                .hot
+                .get(body)
+                .map_or([0.0; 2], |hot| sum(fall, scaled([hot.velocity[0], hot.velocity[1]], self.dt)))
         };
         let way = difference(way(two.b), way(two.a));
         let radii = [two.a.shape.radius, two.b.shape.radius];
