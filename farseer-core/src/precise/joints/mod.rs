@@ -173,7 +173,7 @@ impl Joints {
 
     /// Where the groups that nothing touched have come to, and what has held all joints.
     pub(super) fn finish(&mut self, bodies: &mut Bodies, dt: f32) {
-        let dt = f64::from(dt);
+        let (dt, per_second) = (f64::from(dt), 1.0 / f64::from(dt));
         for group in &self.groups {
             for node in group.nodes.iter().filter(|node| node.body != 0 && group.is_apart) {
                 let ([vx, vy, spin], [x, y, turned]) = (node.velocity, node.path);
@@ -184,8 +184,9 @@ impl Joints {
                 *path = [x as f32, y as f32, turned as f32, path[3]];
             }
             for node in group.nodes.iter().filter(|node| node.link.holds()) {
+                let force_of_impulse = node.sign() * per_second;
                 self.holds[node.joint as usize].force =
-                    node.total.map(|impulse| (node.sign() * impulse / dt) as f32);
+                    node.total.map(|impulse| (impulse * force_of_impulse) as f32);
             }
             for loose in &group.loose {
                 loose.tell(&mut self.holds[loose.hold as usize].force, dt);
@@ -304,7 +305,8 @@ impl Node {
             Link::Distance => hold.range[1],
             _ => self.sign() * (hold.angle - hold.range[1]),
         };
-        self.impulse = hold.force.map(|force| self.sign() * f64::from(force) * h);
+        let impulse_of_force = self.sign() * h;
+        self.impulse = hold.force.map(|force| f64::from(force) * impulse_of_force);
         self.total = [0.0; 3];
         // Nothing that is not saved may matter.
         self.direction = if hold.link == Link::Line { hold.axis } else { [1.0, 0.0] };
