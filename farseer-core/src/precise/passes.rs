@@ -267,11 +267,13 @@ pub(super) fn solve_soft<const FIXED: bool, const P: usize, R: Contacts<P>>(
             weights[at] = point.mass * select(is_apart, one, mass);
         }
         let lost = std::array::from_fn(|at| given[at] + weights[at] * velocity[at]);
-        let together = R::IN_SPACE.then(|| both_at_once(row, coupling, &weights, &lost));
+        // In the plane the hard pass alone makes good for it.
+        let (hold, both) =
+            if R::IN_SPACE { both_at_once(row, coupling, &weights, &lost) } else { (ZERO, [ZERO; P]) };
         for at in 0..P {
             let point = row.points[at];
             let alone = positive(point.impulse - given[at] - weights[at] * velocity[at]);
-            let impulse = together.map_or(alone, |(hold, both)| select(hold, both[at], alone));
+            let impulse = select(hold, both[at], alone);
             changes[at] = impulse - point.impulse;
             row.points[at].impulse = impulse;
             sum += changes[at];
@@ -282,11 +284,11 @@ pub(super) fn solve_soft<const FIXED: bool, const P: usize, R: Contacts<P>>(
     });
 }
 
-/// Impulses of two points solved together, and for which rows that can be done: given what a unit of velocity takes from each,
-/// and what each of them alone would lose. One after the other they would leave a part of what they do to each other,
-/// (coupling x weight)^2, and what meets face to face would turn.
+/// Impulses of two points solved together, and for which rows that can be done: those in which both push then. Given what a
+/// unit of velocity takes from each, and what each of them alone would lose. One after the other they would leave a part of
+/// what they do to each other, (coupling x weight)^2: what meets face to face would turn, and what lies would rock.
 ///
-/// Either both push, or one of them, or none (E. Catto, "Fast and Simple Physics using Sequential Impulses", GDC 2006).
+/// That is the first case of two points as a whole (E. Catto, "Fast and Simple Physics using Sequential Impulses", GDC 2006).
 #[inline(always)]
 fn both_at_once<const P: usize>(
     row: &Row<P>,
@@ -294,20 +296,17 @@ fn both_at_once<const P: usize>(
     weights: &[f32x4; P],
     lost: &[f32x4; P],
 ) -> (f32x4, [f32x4; P]) {
+    if P == 1 {
+        return (ZERO, [ZERO; P]);
+    }
     let (first, last) = (row.points[0].impulse, row.points[P - 1].impulse);
     let across = [weights[0] * coupling, weights[P - 1] * coupling];
-    let one = f32x4::splat(1.0);
-    let apart = one - across[0] * across[1];
+    let apart = f32x4::splat(1.0) - across[0] * across[1];
     let is_apart = apart.simd_gt(f32x4::splat(LEAST_APART));
-    let change = (across[1] * lost[0] - lost[P - 1]) / select(is_apart, apart, one);
-    let both = [first - lost[0] - across[0] * change, last + change];
-    let push = both[0].simd_ge(ZERO) & both[1].simd_ge(ZERO);
-    let first_alone = positive(first - lost[0] + across[0] * last);
-    let last_alone = positive(last - lost[P - 1] + across[1] * first);
-    let is_enough = (lost[P - 1] + across[1] * (first_alone - first) - last).simd_ge(ZERO);
-    let mut solved = [select(push, both[1], select(is_enough, ZERO, last_alone)); P];
-    solved[0] = select(push, both[0], select(is_enough, first_alone, ZERO));
-    (if P == 2 { is_apart } else { ZERO }, solved)
+    let change = (across[1] * lost[0] - lost[P - 1]) / apart;
+    let mut both = [last + change; P];
+    both[0] = first - lost[0] - across[0] * change;
+    (is_apart & both[0].simd_ge(ZERO) & both[P - 1].simd_ge(ZERO), both)
 }
 
 /// Points that do nearly the same to a body are solved one after the other: 1 - (coupling x mass)^2.
@@ -344,12 +343,12 @@ pub(super) fn relax_normals<const FIXED: bool, const P: usize, R: Contacts<P>>(
     }
     let weights = std::array::from_fn(|at| row.points[at].mass);
     let lost = std::array::from_fn(|at| weights[at] * due[at]);
-    let together = R::IN_SPACE.then(|| both_at_once(row, coupling, &weights, &lost));
+    let (hold, both) = both_at_once(row, coupling, &weights, &lost);
     for at in 0..P {
         let point = row.points[at];
         let kept = point.impulse - point.mass * (positive(separations[at]) * inverse_h);
         let alone = positive(kept - point.mass * velocity[at]);
-        let impulse = together.map_or(alone, |(hold, both)| select(hold, both[at], alone));
+        let impulse = select(hold, both[at], alone);
         changes[at] = impulse - point.impulse;
         row.points[at].separation = separations[at];
         row.points[at].impulse = impulse;
