@@ -171,7 +171,8 @@ pub(super) fn magnitude(number: f32x4) -> f32x4 {
 ///
 /// How fast depends on how little the two move at the contact: not at all from a velocity of the gate on. One point rises
 /// while it is pressed in and what it carries is well above what it rests at. Of two points the sums are asked: rocking only
-/// shifts load from one to the other, and must not pump their springs. The speed that is handed in is that across the normal.
+/// shifts load from one to the other, and must not pump their springs. What is deep in something has no room, and would push
+/// ever harder. The speed that is handed in is that across the normal.
 #[inline(always)]
 pub(super) fn learn<const FIXED: bool, const P: usize, R: Contacts<P>>(
     contacts: &mut R,
@@ -192,7 +193,8 @@ pub(super) fn learn<const FIXED: bool, const P: usize, R: Contacts<P>>(
     let (load, held) = (sum(|point| point.impulse), sum(|point| point.held));
     let deepest =
         row.points[1..].iter().fold(row.points[0].separation, |least, p| smaller(least, p.separation));
-    let rises = (learnt * load).simd_gt(held) & deepest.simd_lt(ZERO) & up;
+    let is_sag = deepest.simd_lt(ZERO) & deepest.simd_gt(f32x4::splat(learning.deepest));
+    let rises = (learnt * load).simd_gt(held) & is_sag & up;
     for point in &mut row.points {
         let missing = point.impulse - point.held;
         let excess = missing & missing.simd_lt(ZERO);

@@ -3,6 +3,7 @@
 //! row in each block, and is solved in order.
 
 use super::space::SpaceRow;
+use super::tuning::Learning;
 use crate::storage::reusing_clone::reusing_clone;
 use wide::f32x4;
 
@@ -190,11 +191,13 @@ pub(super) struct SpaceLane {
 }
 
 impl Lane {
-    /// Whether the springs of its points are on their way to rest at more of their load, of which they learn this part.
-    pub(super) fn is_learning(&self, learnt: f32) -> bool {
+    /// Whether the springs of its points are on their way to rest at more of their load.
+    pub(super) fn is_learning(&self, learning: &Learning) -> bool {
         let [one, two] = &self.points;
-        learnt * (one.impulse + two.impulse) > one.held + two.held
-            && (one.separation < 0.0 || two.separation < 0.0)
+        let deepest = one.separation.min(two.separation);
+        learning.learnt * (one.impulse + two.impulse) > one.held + two.held
+            && deepest < 0.0
+            && deepest > learning.deepest
     }
 }
 

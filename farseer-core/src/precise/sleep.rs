@@ -18,6 +18,7 @@ use serde::{Deserialize, Serialize};
 
 use super::islands::Islands;
 use super::proxies::{Mobility, Proxies};
+use super::tuning::Learning;
 use super::{Precise, Step};
 use crate::body::BodyId;
 use crate::joints::held::Held;
@@ -290,7 +291,7 @@ impl Precise {
         let mut islands = std::mem::take(&mut self.sleep.islands);
         self.join_islands(objects, &mut islands);
         self.sleep.islands = islands;
-        self.find_least_rest(step.learning.learnt);
+        self.find_least_rest(&step.learning);
         let mut falling = std::mem::take(&mut self.sleep.falling);
         falling.clear();
         falling.extend(
@@ -366,7 +367,7 @@ impl Precise {
     }
 
     /// How long all of each island have rested; no longer than nearly long enough where one still waits for something.
-    fn find_least_rest(&mut self, learnt: f32) {
+    fn find_least_rest(&mut self, learning: &Learning) {
         let mut least = std::mem::take(&mut self.sleep.least);
         least.clear();
         least.resize(self.bodies.hot.len(), f32::INFINITY);
@@ -388,7 +389,7 @@ impl Precise {
             let [(a, mobility), (b, _)] = self.sides(pair);
             if mobility == Mobility::Kinematic && self.bodies.moves(a) {
                 limit(b, 0.0);
-            } else if self.rows.lane(state.kind, home).is_learning(learnt) {
+            } else if self.rows.lane(state.kind, home).is_learning(learning) {
                 limit(b, NEARLY * REST);
             }
         }

@@ -74,6 +74,8 @@ const SUBSTEPS_PER_PERIOD: f32 = 8.0;
 const LEARNING: f32 = 0.02;
 const FORGETTING: f32 = 0.05;
 const RESERVE: f32 = 0.3;
+/// An overlap of more than this part of the unit is no sag.
+const DEEPEST: f32 = 0.1;
 
 /// The numbers of one step.
 #[derive(Debug, Clone, Copy)]
@@ -117,6 +119,8 @@ pub(super) struct Learning {
     /// Part of the load that the spring does not learn.
     pub(super) learnt: f32,
     pub(super) inverse_gate: f32,
+    /// What is deeper than this in something, as a negative distance, does not learn.
+    pub(super) deepest: f32,
 }
 
 impl Step {
@@ -135,6 +139,7 @@ impl Step {
                 down: (FORGETTING * steps).min(1.0),
                 learnt: 1.0 - RESERVE,
                 inverse_gate: 1.0 / tuning.gate,
+                deepest: -DEEPEST * tuning.unit,
             },
         }
     }
