@@ -126,9 +126,9 @@ fn circles(a: Outline<'_>, b: Outline<'_>, pose_a: Pose, pose_b: Pose, reach: f3
 }
 
 /// The contact of circles that come together, B moving so far against A in this step: its normal is that of the moment when
-/// they touch, |apart + t way| = the sum of the radii, or when they are nearest if they pass each other, which lies in this
-/// step or the last one. Its separation is what the way along this normal uses up until then. `None` if they do not come
-/// together.
+/// they touch, |apart + t way| = the sum of the radii, or when they are nearest if they pass each other, from one step ago to
+/// the end of the next one: the last pass of a step looks a substep beyond it. Its separation is what the way along this normal
+/// uses up until then. `None` if they do not come together.
 pub(super) fn circles_meet(apart: Vector, way: Vector, [radius_a, radius_b]: [f32; 2]) -> Option<Manifold> {
     let radii = radius_a + radius_b;
     let (closing, squared) = (-dot(apart, way), dot(way, way));
@@ -137,7 +137,7 @@ pub(super) fn circles_meet(apart: Vector, way: Vector, [radius_a, radius_b]: [f3
     }
     let under_root = closing * closing - squared * (dot(apart, apart) - radii * radii);
     let nearest = closing - if under_root > 0.0 { under_root.sqrt() } else { 0.0 };
-    let part = (nearest / squared).clamp(-1.0, 1.0);
+    let part = (nearest / squared).clamp(-1.0, 2.0);
     let then = sum(apart, scaled(way, part));
     let distance = dot(then, then).sqrt();
     let normal = scaled(then, 1.0 / distance);

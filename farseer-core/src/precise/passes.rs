@@ -270,8 +270,11 @@ pub(super) fn solve_soft<const FIXED: bool, const P: usize, R: Contacts<P>>(
         }
         let lost = std::array::from_fn(|at| given[at] + weights[at] * velocity[at]);
         // In the plane the hard pass alone makes good for it.
-        let (hold, both) =
-            if R::IN_SPACE { both_at_once(row, coupling, &weights, &lost) } else { (ZERO, [ZERO; P]) };
+        let (hold, both) = if R::IN_SPACE {
+            both_at_once::<P, R>(row, coupling, &weights, &lost)
+        } else {
+            (ZERO, [ZERO; P])
+        };
         for at in 0..P {
             let point = row.points[at];
             let alone = positive(point.impulse - given[at] - weights[at] * velocity[at]);
@@ -286,13 +289,14 @@ pub(super) fn solve_soft<const FIXED: bool, const P: usize, R: Contacts<P>>(
     });
 }
 
-/// Impulses of two points solved together, and for which rows that can be done: those in which both push then. Given what a
-/// unit of velocity takes from each, and what each of them alone would lose. One after the other they would leave a part of
-/// what they do to each other, (coupling x weight)^2: what meets face to face would turn, and what lies would rock.
+/// Impulses of two points solved together, and for which rows that can be done: given what a unit of velocity takes from each,
+/// and what each of them alone would lose. One after the other they would leave a part of what they do to each other,
+/// (coupling x weight)^2: what meets face to face would turn, and what lies would rock.
 ///
-/// That is the first case of two points as a whole (E. Catto, "Fast and Simple Physics using Sequential Impulses", GDC 2006).
+/// Either both push, or one of them, or none (E. Catto, "Fast and Simple Physics using Sequential Impulses", GDC 2006). In the
+/// plane only the first case is worth its time.
 #[inline(always)]
-fn both_at_once<const P: usize>(
+fn both_at_once<const P: usize, R: Contacts<P>>(
     row: &Row<P>,
     coupling: f32x4,
     weights: &[f32x4; P],
@@ -303,12 +307,23 @@ fn both_at_once<const P: usize>(
     }
     let (first, last) = (row.points[0].impulse, row.points[P - 1].impulse);
     let across = [weights[0] * coupling, weights[P - 1] * coupling];
-    let apart = f32x4::splat(1.0) - across[0] * across[1];
+    let one = f32x4::splat(1.0);
+    let apart = one - across[0] * across[1];
     let is_apart = apart.simd_gt(f32x4::splat(LEAST_APART));
-    let change = (across[1] * lost[0] - lost[P - 1]) / apart;
-    let mut both = [last + change; P];
-    both[0] = first - lost[0] - across[0] * change;
-    (is_apart & both[0].simd_ge(ZERO) & both[P - 1].simd_ge(ZERO), both)
+    let change = (across[1] * lost[0] - lost[P - 1]) / select(is_apart, apart, one);
+    let both = [first - lost[0] - across[0] * change, last + change];
+    let push = both[0].simd_ge(ZERO) & both[1].simd_ge(ZERO);
+    let mut solved = [both[1]; P];
+    solved[0] = both[0];
+    if !R::IN_SPACE {
+        return (is_apart & push, solved);
+    }
+    let first_alone = positive(first - lost[0] + across[0] * last);
+    let last_alone = positive(last - lost[P - 1] + across[1] * first);
+    let is_enough = (lost[P - 1] + across[1] * (first_alone - first) - last).simd_ge(ZERO);
+    solved[P - 1] = select(push, both[1], select(is_enough, ZERO, last_alone));
+    solved[0] = select(push, both[0], select(is_enough, first_alone, ZERO));
+    (is_apart, solved)
 }
 
 /// Points that do nearly the same to a body are solved one after the other: 1 - (coupling x mass)^2.
@@ -345,7 +360,7 @@ pub(super) fn relax_normals<const FIXED: bool, const P: usize, R: Contacts<P>>(
     }
     let weights = std::array::from_fn(|at| row.points[at].mass);
     let lost = std::array::from_fn(|at| weights[at] * due[at]);
-    let (hold, both) = both_at_once(row, coupling, &weights, &lost);
+    let (hold, both) = both_at_once::<P, R>(row, coupling, &weights, &lost);
     for at in 0..P {
         let point = row.points[at];
         let kept = point.impulse - point.mass * (positive(separations[at]) * inverse_h);
@@ -456,7 +471,7 @@ pub(super) fn bounce<const FIXED: bool, const P: usize, R: Contacts<P>>(
         let weights = std::array::from_fn(|at| row.points[at].mass);
         let excess = |at: usize| velocity[at] + restitution[at] * row.approach[at];
         let lost = std::array::from_fn(|at| weights[at] * excess(at));
-        let (hold, both) = both_at_once(row, coupling, &weights, &lost);
+        let (hold, both) = both_at_once::<P, R>(row, coupling, &weights, &lost);
         let hold = restitution.iter().fold(hold, |hold, e| hold & e.simd_gt(ZERO));
         for (at, restitution) in restitution.into_iter().enumerate() {
             let point = row.points[at];
