@@ -103,6 +103,7 @@ impl World {
             acceleration,
             motion: state.motion.unwrap_or_default().into(),
             angular_velocity: [state.angular_velocity_x, state.angular_velocity_y],
+            target: state.target.filter(|_| body.is_kinematic()),
         };
         core.set_space_body(id, told);
     }
@@ -123,9 +124,10 @@ impl World {
     pub(crate) fn read_depths(&mut self, core: &PhysicsSimulator) {
         for (id, told) in core.space_moved() {
             let Some(state) = self.depths.bodies.get_mut(id) else { continue };
-            let SpaceBody { z, velocity, angular_velocity: [x, y], motion, .. } = told;
+            let SpaceBody { z, velocity, angular_velocity: [x, y], motion, target, .. } = told;
             (state.z, state.velocity_z, state.motion) = (z, velocity, Some(Vector3::from(motion)));
             (state.angular_velocity_x, state.angular_velocity_y) = (x, y);
+            state.target = target;
             // It has acted.
             state.force_z = 0.0;
         }

@@ -333,7 +333,8 @@ impl TwoHalfPhysicsSimulator {
     /// Gives a body its life and id. It takes part once it is [added](Self::add).
     ///
     /// It is at Z = 0, and without an object geom: its position in the plane of the 2D engine, (0, 0) if it is a
-    /// new one, is that of its origin. A [kinematic](Body::is_kinematic) one moves in that plane and keeps its Z.
+    /// new one, is that of its origin. A [kinematic](TwoHalfBody::set_is_kinematic)
+    /// one moves in three axes with [`DepthScheme::Precise`]; with the others in that plane, and keeps its Z.
     #[doc(alias = "TwoHalfBody(TwoHalfPhysicsSimulator)")]
     pub fn create_body(&mut self, body: Body) -> BodyId {
         let body = self.core.create_body(body);

@@ -333,6 +333,7 @@ impl Precise {
             let Some(body) = self.bodies.ids[number] else { continue };
             if let Some(space) = &mut self.space {
                 space.stop_spinning(number);
+                space.body_mut(body).target = None;
             }
             if let Some(entry) = objects.bodies.get_mut(body).filter(|_| disabled) {
                 entry.body.set_enabled(false);

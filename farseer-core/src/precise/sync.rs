@@ -7,7 +7,7 @@ use super::outline::Shape;
 use super::proxies::{Mobility, Proxy, filter_of};
 use super::saved::Saved;
 use super::space::parts::{Depths, SpaceProfile, is_geom};
-use crate::body::BodyId;
+use crate::body::{Body, BodyId};
 use crate::geom::GeomId;
 use crate::geom::entry::GeomEntry;
 use crate::geom::filter::is_valid_pair;
@@ -86,7 +86,7 @@ impl Precise {
         let body = &entry.body;
         let is_movable = number < self.bodies.first_fixed();
         let inverses = if is_movable { inverses_of(body) } else { [0.0; 2] };
-        let velocity = surface_velocity(is_movable, body);
+        let velocity = self.surface_velocity(id, is_movable, body);
         let has_moved = self.bodies.was_moved(number, body) || self.was_moved_in_space(number, id);
         let is_other = inverses != self.bodies.inverses[number];
         let rests = body.rests_with(self.bodies.gravity_parts[number]) && self.rests_in_space(id);
@@ -386,8 +386,15 @@ impl Precise {
             responds: geom.geom.collision_response_enabled(),
             is_heard: geom.geom.collision_callbacks_enabled(),
             filter: filter_of(geom),
-            surface_velocity: surface_velocity(is_movable, &objects.bodies[geom.body].body),
+            surface_velocity: self.surface_velocity(geom.body, is_movable, &objects.bodies[geom.body].body),
         })
+    }
+
+    /// What stands still and has a velocity is a belt.
+    fn surface_velocity(&self, id: BodyId, is_movable: bool, body: &Body) -> [f32; 4] {
+        let (velocity, spin) = (body.linear_velocity(), body.angular_velocity());
+        let along_depth = self.space.as_ref().map_or(0.0, |space| space.body(id).velocity);
+        if is_movable { [0.0; 4] } else { [velocity.x, velocity.y, spin, along_depth] }
     }
 
     /// Its shape in the frame of its body.
@@ -439,10 +446,4 @@ struct Renewal {
     moved: bool,
     contacts: bool,
     callbacks: bool,
-}
-
-/// What stands still and has a velocity is a belt.
-fn surface_velocity(is_movable: bool, body: &crate::body::Body) -> [f32; 3] {
-    let (velocity, spin) = (body.linear_velocity(), body.angular_velocity());
-    if is_movable { [0.0; 3] } else { [velocity.x, velocity.y, spin] }
 }

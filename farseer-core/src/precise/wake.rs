@@ -66,7 +66,8 @@ impl Precise {
         for at in 0..self.bodies.kinematic.len() {
             let number = self.bodies.kinematic[at] as usize;
             let Some(id) = self.bodies.ids[number] else { continue };
-            if !objects.bodies.get(id).is_some_and(|entry| entry.body.is_on_its_way()) {
+            let is_on_its_way = objects.bodies.get(id).is_some_and(|entry| entry.body.is_on_its_way());
+            if !is_on_its_way && !self.space.as_ref().is_some_and(|space| space.is_on_its_way(id)) {
                 continue;
             }
             let mut pairs = std::mem::take(&mut self.lost);

@@ -3,6 +3,7 @@
 mod abuse;
 mod api;
 mod callbacks;
+mod carried;
 mod closed_forms;
 mod edits;
 mod meeting;

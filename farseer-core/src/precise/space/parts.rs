@@ -13,7 +13,7 @@ use crate::storage::arena::Id;
 pub struct SpaceBody {
     /// Where it is, in units of length.
     pub z: f32,
-    /// Velocity along the axis.
+    /// Velocity along the axis: of what stands still that of its surface, a belt.
     pub velocity: f32,
     /// What forces add to it in a second.
     pub acceleration: f32,
@@ -21,6 +21,17 @@ pub struct SpaceBody {
     pub motion: [f32; 3],
     /// About x and y, in rad/s: nothing to what is no ball, all of whose geoms are round about its origin.
     pub angular_velocity: [f32; 2],
+    /// Where a kinematic body is brought: it is there after the next step, to the last bit, and stands still in the one after.
+    pub target: Option<SpaceTarget>,
+}
+
+/// Where a kinematic body is brought along the depth axis.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct SpaceTarget {
+    /// The place.
+    pub z: f32,
+    /// Whether the last step has brought it there.
+    pub is_reached: bool,
 }
 
 /// How a geom reaches along the depth axis.
