@@ -284,6 +284,7 @@ impl Precise {
         self.list_proxies(objects);
         self.list_loose(objects);
         self.sleep.reset(&self.bodies.ids[..self.bodies.first_fixed()]);
+        self.enter_moving_fixtures();
         self.direct.reset(self.bodies.hot.len());
         (1..=self.bodies.count).for_each(|number| self.measure(number, objects));
         self.restore(saved, objects);
@@ -318,6 +319,7 @@ impl Precise {
             }
         }
         self.bodies.list(
+            self.space.iter().flat_map(|space| space.moving_poses()),
             movable().filter(|(_, entry)| entry.body.is_integrated()).map(|(id, entry)| (id, &entry.body)),
             fixed.iter().map(|&id| (id, &bodies[id].body)),
         );
@@ -337,6 +339,7 @@ impl Precise {
         self.known.clear();
         self.bounces = false;
         let first_fixed = self.bodies.first_fixed() as u32;
+        self.add_moving_fixtures();
         self.add_proxies(objects, |body| body < first_fixed);
         self.proxies.leave_room();
         self.add_proxies(objects, |body| body >= first_fixed);
@@ -410,7 +413,8 @@ impl Precise {
 
     /// The proxy of a piece of a geom, if it is listed.
     pub(super) fn proxy_of(&self, geom: GeomId, piece: u32) -> Option<u32> {
-        let first = if is_geom(geom) { get(&self.first_proxies, geom.slot()) } else { self.fixture_of(geom) };
+        let first =
+            if is_geom(geom) { get(&self.first_proxies, geom.slot()) } else { self.proxy_of_fixture(geom) };
         let at = first? + piece as usize;
         let proxy = self.proxies.all.get(at)?;
         (proxy.geom == geom && proxy.piece == piece).then_some(at as u32)

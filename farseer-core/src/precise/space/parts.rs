@@ -45,7 +45,7 @@ pub struct SpaceProfile {
     pub ground: Option<[f32; 2]>,
 }
 
-/// Something that stands still and is no geom: a box with depth, which may be tilted in the plane.
+/// Something that nothing pushes and that is no geom: a box with depth, which may be tilted in the plane.
 #[derive(Debug, Clone)]
 pub struct Fixture {
     /// Its name, which no other one has had: less than 2^31, and greater than those of the fixtures before it.
@@ -56,6 +56,21 @@ pub struct Fixture {
     pub rotation: f32,
     /// Whom it may meet, and how.
     pub settings: Geom,
+    /// Speed of its surface along x, y and z, beside that of its own motion: a belt.
+    pub surface_velocity: [f32; 3],
+    /// How it moves, if it does not stand still.
+    pub motion: Option<FixtureMotion>,
+}
+
+/// How a fixture moves that does not stand still: as a kinematic body does, but for turning.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct FixtureMotion {
+    /// Velocity along x, y (down) and z.
+    pub velocity: [f32; 3],
+    /// Where its middle is brought, and whether the last step has brought it there; it stands still in the one after.
+    pub target: Option<([f32; 3], bool)>,
+    /// Way of the last step along x, y and z.
+    pub way: [f32; 3],
 }
 
 /// What a geom touches that is no geom.
