@@ -14,6 +14,7 @@ mod platforms;
 mod precise;
 mod queries;
 mod random;
+mod rays;
 mod regressions;
 mod save;
 mod seams;
