@@ -577,7 +577,8 @@ pub use path::{
 };
 #[doc(hidden)]
 pub use precise::space::parts::{
-    Fixture, SpaceBody, SpaceChange, SpacePartner, SpacePoint, SpaceProfile, SpaceTouch,
+    Fixture, FixtureMotion, SpaceBody, SpaceChange, SpacePartner, SpacePoint, SpaceProfile, SpaceTarget,
+    SpaceTouch,
 };
 pub use precise::{Island, IslandCost, IslandMethod, IslandResidual, WhyAwake, WhyMethod};
 pub use report::{Event, StepCounters, StepTimes};

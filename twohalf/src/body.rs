@@ -1,8 +1,9 @@
 //! Bodies as a game sees them.
 
-use farseer_core::{Body, BodyId};
+use farseer_core::{Body, BodyId, SpaceTarget};
 
 use crate::depth::{DepthBody, lowest};
+use crate::error::{invalid, only_precise};
 use crate::ground::{Ground, GroundMut};
 use crate::projection::{plane_to_world, world_to_plane};
 use crate::support::Support;
@@ -239,6 +240,11 @@ impl<S: Access> TwoHalfBody<S> {
         self.core().is_static()
     }
 
+    /// Whether the body is moved by the game alone: see [`set_is_kinematic`](Self::set_is_kinematic).
+    pub fn is_kinematic(&self) -> bool {
+        self.core().is_kinematic()
+    }
+
     /// Whether the body takes part in the simulation.
     #[doc(alias = "Enabled")]
     pub fn enabled(&self) -> bool {
@@ -311,15 +317,19 @@ impl<S: AccessMut> TwoHalfBody<S> {
         self.core_mut().set_rotation(value);
     }
 
-    /// Sets the velocity along X and down. What is not finite is rejected.
+    /// Sets the velocity along X and down. What is not finite is rejected. Of a static body, which it does not move, it is the
+    /// speed of its surface: a belt, which carries what lies on it by friction.
     pub fn set_linear_velocity(&mut self, value: Vector2) {
         self.core_mut().set_linear_velocity(value);
     }
 
-    /// Sets the velocity along Z. What is not finite is rejected.
+    /// Sets the velocity along Z. What is not finite is rejected. With
+    /// [`DepthScheme::Precise`](crate::DepthScheme::Precise) that of a static body, which it does not move, is the speed of its
+    /// surface: a belt, which carries what lies on it by friction.
     pub fn set_linear_velocity_z(&mut self, value: f32) {
         if self.accepts("linear_velocity_z", &[value]) {
-            self.state_mut().velocity_z = value;
+            let state = self.state_mut();
+            (state.velocity_z, state.target) = (value, None);
         }
     }
 
@@ -331,6 +341,40 @@ impl<S: AccessMut> TwoHalfBody<S> {
     /// Makes the body immovable, along Z as well, or movable.
     pub fn set_is_static(&mut self, value: bool) {
         self.core_mut().set_is_static(value);
+    }
+
+    /// Makes the body kinematic, or dynamic if it was: [`Body::set_is_kinematic`]. Nothing pushes a kinematic body; it goes on
+    /// with its velocity, or to where it is [told](Self::move_to3d) to, pushes what it touches, and carries it by friction.
+    ///
+    /// With [`DepthScheme::Precise`](crate::DepthScheme::Precise) it moves in three axes; with the others in X and Y, and keeps
+    /// its Z.
+    pub fn set_is_kinematic(&mut self, value: bool) {
+        self.core_mut().set_is_kinematic(value);
+        self.state_mut().target = None;
+    }
+
+    /// Lets the next update bring a [kinematic](Self::set_is_kinematic) body to where
+    /// [`set_position3d`](Self::set_position3d) would put it, to the last bit, at the rotation that it has now. It has the velocity that does, so that it
+    /// pushes and carries what it touches. In the update after that it stands still, unless it is told a new place or given
+    /// a velocity before.
+    ///
+    /// # Errors
+    /// What is not finite, in the world or on the screen; a body that is not kinematic; another scheme than
+    /// [`DepthScheme::Precise`](crate::DepthScheme::Precise), where nothing kinematic moves along Z.
+    pub fn move_to3d(&mut self, position3d: Vector3) -> crate::Result<()> {
+        if self.simulator.world().scheme != crate::DepthScheme::Precise {
+            return Err(only_precise("motion along Z of a kinematic body"));
+        }
+        let plane = world_to_plane(position3d, self.lowest());
+        let appears = self.simulator.world().projection.appears(plane, position3d.z);
+        let is_finite = appears && [plane.x, plane.y, position3d.z].iter().all(|number| number.is_finite());
+        if !is_finite {
+            return Err(invalid("position3d", position3d, "finite, also on the screen"));
+        }
+        let rotation = self.rotation();
+        self.core_mut().move_to(plane, rotation)?;
+        self.state_mut().target = Some(SpaceTarget { z: position3d.z, is_reached: false });
+        Ok(())
     }
 
     /// Lets the body take part in the simulation or not.
@@ -365,7 +409,8 @@ impl<S: AccessMut> TwoHalfBody<S> {
     pub fn set_velocity3d(&mut self, value: Vector3) {
         if self.accepts("velocity3d", value.as_slice()) {
             self.core_mut().set_linear_velocity(Vector2::new(value.x, -value.y));
-            self.state_mut().velocity_z = value.z;
+            let state = self.state_mut();
+            (state.velocity_z, state.target) = (value.z, None);
         }
     }
 
@@ -474,6 +519,7 @@ impl<S: AccessMut> TwoHalfBody<S> {
         let state = self.state_mut();
         (state.z, state.velocity_z, state.force_z, state.impulse_z) = (0.0, 0.0, 0.0, 0.0);
         (state.angular_velocity_x, state.angular_velocity_y) = (0.0, 0.0);
+        state.target = None;
     }
 
     /// Forgets the accumulated force along Z.

@@ -2,7 +2,7 @@
 
 use farseer_core::math::scalar::nearest_finite;
 use farseer_core::shape::Aabb;
-use farseer_core::{ArgumentNames, Body, BodyId, GeomId, GeomRef, PhysicsSimulator, Refusals};
+use farseer_core::{ArgumentNames, Body, BodyId, GeomId, GeomRef, PhysicsSimulator, Refusals, SpaceTarget};
 use serde::{Deserialize, Serialize};
 
 use crate::error::invalid;
@@ -75,6 +75,8 @@ pub(crate) struct DepthBody {
     pub(crate) bias_z: f32,
     pub(crate) force_z: f32,
     pub(crate) impulse_z: f32,
+    /// Where a kinematic body is brought.
+    pub(crate) target: Option<SpaceTarget>,
     pub(crate) ground: Ground,
     /// What held the body up best in the last update.
     pub(crate) support: Option<Support>,
@@ -110,6 +112,7 @@ impl DepthBody {
         self.motion_is_finite()
             && self.motion.is_none_or(|motion| motion.iter().all(|number| number.is_finite()))
             && numbers.iter().all(|number| number.is_finite())
+            && self.target.is_none_or(|target| target.z.is_finite())
             && self.ground.is_valid()
             && self.support.is_none_or(|support| support.normal.iter().all(|number| number.is_finite()))
     }

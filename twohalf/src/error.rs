@@ -28,6 +28,11 @@ pub(crate) fn invalid(
     farseer_core::Error::invalid(argument, value, requirement).into()
 }
 
+/// Something that only [`DepthScheme::Precise`](crate::DepthScheme::Precise) has.
+pub(crate) fn only_precise(what: &'static str) -> Error {
+    farseer_core::Error::NotSupported { what, methods: "faithful and thesis" }.into()
+}
+
 /// An id of something that was disposed.
 pub(crate) fn stale(argument: &'static str) -> Error {
     farseer_core::Error::StaleId { argument }.into()

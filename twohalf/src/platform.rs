@@ -1,12 +1,12 @@
-//! Platforms: immovable boxes with depth that objects stand on, bump into and pass under (thesis 3.6).
+//! Platforms: boxes with depth that nothing pushes, and that objects stand on, bump into and pass under (thesis 3.6).
 
-use farseer_core::Geom;
 use farseer_core::math::scalar;
+use farseer_core::{Fixture, FixtureMotion, Geom};
 use serde::{Deserialize, Serialize};
 
-use crate::error::{invalid, stale};
+use crate::error::{invalid, only_precise, stale};
 use crate::shapes::SlantedBox;
-use crate::{Projection, Result, TextureId, TwoHalfPhysicsSimulator, Vector3};
+use crate::{DepthScheme, Projection, Result, TextureId, TwoHalfPhysicsSimulator, Vector3};
 
 /// So many platforms a simulator may have had.
 const MOST: u32 = (1 << 31) - 16;
@@ -26,12 +26,15 @@ impl PlatformId {
     }
 }
 
-/// An immovable box: width along X, height, and depth along Z, in px.
+/// A box that nothing pushes: width along X, height, and depth along Z, in px.
 ///
 /// `rotation` tilts it about the middle of the box, in the plane of X and Y: a slope. `angle_in_z_axis` shears it, so
 /// that its edges in depth run at that angle on the screen; at the simulator's own angle it is a plain box.
 /// Objects land on it where their footprints overlap its, walk off every edge, bump into its sides, its front and its
 /// underside, and pass under it.
+///
+/// With [`DepthScheme::Precise`] it stands still or [moves](PlatformMut::set_velocity) and carries what stands on it, and its
+/// surface may be a [belt](PlatformMut::set_surface_speed).
 ///
 /// How it collides is in [`settings`](Self::settings), as a geom has them; friction and restitution are 0 until set.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -44,9 +47,39 @@ pub struct Platform {
     angle_in_z_axis: i32,
     shadow_image: Option<TextureId>,
     settings: Geom,
+    /// Of the surface along the level edges and along Z.
+    surface_speed: [f32; 2],
+    motion: Option<Motion>,
     /// Derived from the others.
     #[serde(skip)]
     shape: SlantedBox,
+}
+
+/// How a platform moves that does not stand still.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+struct Motion {
+    /// Its middle in the frame of the narrow phase: the truth about where it is.
+    centre: Vector3,
+    /// Where its position is brought.
+    target: Option<Vector3>,
+    /// As the 2D engine below has it.
+    told: FixtureMotion,
+}
+
+impl Motion {
+    /// Whether everything that enters arithmetic is finite: false only after loading garbage.
+    fn is_finite(&self) -> bool {
+        let FixtureMotion { velocity, target, way } = self.told;
+        let towards = target.map_or([0.0; 3], |(target, _)| target);
+        let position = self.target.unwrap_or_default();
+        let numbers = self.centre.iter().chain(position.iter()).copied();
+        numbers.chain(velocity).chain(towards).chain(way).all(|number| number.is_finite())
+    }
+}
+
+/// From the world, Y up, to the frame of the narrow phase, or back.
+fn flipped(v: Vector3) -> Vector3 {
+    Vector3::new(v.x, -v.y, v.z)
 }
 
 /// Making one. It takes part at once.
@@ -136,6 +169,8 @@ impl Platform {
             angle_in_z_axis,
             shadow_image,
             settings,
+            surface_speed: [0.0; 2],
+            motion: None,
             shape,
         };
         let platform = platform.shaped(&simulator.world.projection)?;
@@ -144,14 +179,14 @@ impl Platform {
 
     /// The platform with the shape that its numbers say.
     fn shaped(mut self, projection: &Projection) -> Result<Self> {
-        let Platform { width, height, depth, position3d, rotation, angle_in_z_axis, .. } = self;
+        let Platform { width, height, depth, position3d, rotation, angle_in_z_axis, motion, .. } = self;
         if !rotation.is_finite() {
             return Err(invalid("rotation", rotation, "finite"));
         }
         let (sin, cos) = scalar::sin_cos(rotation);
         let half = [width * 0.5, height * 0.5, depth * 0.5];
         self.shape = SlantedBox {
-            centre: Vector3::new(position3d.x, -(position3d.y + half[1]), position3d.z),
+            centre: motion.map_or(self.middle(position3d), |motion| motion.centre),
             half,
             cos,
             sin,
@@ -163,6 +198,54 @@ impl Platform {
             return Err(invalid("position3d", position3d, "finite and near enough for finite corners"));
         }
         Ok(self)
+    }
+
+    /// Where its middle is at a position, in the frame of the narrow phase.
+    fn middle(&self, position3d: Vector3) -> Vector3 {
+        Vector3::new(position3d.x, -(position3d.y + self.height * 0.5), position3d.z)
+    }
+
+    /// At another position.
+    fn at(&self, position3d: Vector3, projection: &Projection) -> Result<Self> {
+        let mut platform = Platform { position3d, ..self.clone() };
+        let centre = platform.middle(position3d);
+        platform.motion = platform.motion.map(|motion| Motion { centre, ..motion });
+        platform.shaped(projection)
+    }
+
+    /// As the 2D engine below is told of it.
+    pub(crate) fn fixture(&self, id: PlatformId) -> Fixture {
+        let ([along, across], SlantedBox { cos, sin, .. }) = (self.surface_speed, self.shape);
+        Fixture {
+            id: id.number(),
+            shape: self.shape,
+            rotation: self.rotation,
+            settings: self.settings.clone(),
+            surface_velocity: [along * cos, along * sin, across],
+            motion: self.told_motion(),
+        }
+    }
+
+    pub(crate) fn told_motion(&self) -> Option<FixtureMotion> {
+        self.motion.map(|motion| motion.told)
+    }
+
+    /// Whether it has what only the precise set can do.
+    fn is_precise(&self) -> bool {
+        self.motion.is_some() || self.surface_speed != [0.0; 2]
+    }
+
+    /// An update has brought it here.
+    fn has_moved(&mut self, centre: Vector3, told: FixtureMotion) {
+        let Some(motion) = &mut self.motion else { return };
+        let has_landed = told.target.is_some_and(|(_, is_reached)| is_reached);
+        if let Some(target) = motion.target.filter(|_| has_landed) {
+            self.position3d = target;
+        } else if centre != motion.centre {
+            self.position3d = Vector3::new(centre.x, -centre.y - self.height * 0.5, centre.z);
+        }
+        (motion.centre, motion.told, self.shape.centre) = (centre, told, centre);
+        motion.target = motion.target.filter(|_| told.target.is_some());
     }
 }
 
@@ -210,6 +293,17 @@ impl Platform {
         &self.settings
     }
 
+    /// Its velocity in the world, px/s: along X, up and along Z. One that is [told a place](PlatformMut::move_to) has that of its
+    /// way there for an update.
+    pub fn velocity(&self) -> Vector3 {
+        self.motion.map_or(Vector3::zeros(), |motion| flipped(motion.told.velocity.into()))
+    }
+
+    /// Speed of its surface, px/s: along its level edges, and along Z.
+    pub fn surface_speed(&self) -> [f32; 2] {
+        self.surface_speed
+    }
+
     /// The eight corners in the world: of the front face (smaller Z) clockwise on the screen, before it is tilted
     /// from the top left one on; then of the back face in the same order.
     pub fn corners(&self) -> [Vector3; 8] {
@@ -241,6 +335,7 @@ impl Platform {
 pub struct PlatformMut<'a> {
     pub(crate) platforms: &'a mut Platforms,
     pub(crate) projection: &'a Projection,
+    pub(crate) scheme: DepthScheme,
     pub(crate) index: usize,
 }
 
@@ -252,12 +347,13 @@ impl std::ops::Deref for PlatformMut<'_> {
 }
 
 impl PlatformMut<'_> {
-    /// Puts the platform elsewhere. Nothing is carried along: what it comes to overlap is pushed out.
+    /// Puts the platform elsewhere. Nothing is carried along: what it comes to overlap is pushed out. To move it with what
+    /// stands on it: [`set_velocity`](Self::set_velocity), [`move_to`](Self::move_to).
     ///
     /// # Errors
     /// As [`Platform::new`].
     pub fn set_position3d(&mut self, position3d: Vector3) -> Result<()> {
-        self.set(Platform { position3d, ..Platform::clone(self) })
+        self.set(self.at(position3d, self.projection)?)
     }
 
     /// Tilts the platform about its middle, rad, clockwise on the screen.
@@ -265,13 +361,91 @@ impl PlatformMut<'_> {
     /// # Errors
     /// What is not finite.
     pub fn set_rotation(&mut self, rotation: f32) -> Result<()> {
-        self.set(Platform { rotation, ..Platform::clone(self) })
+        self.set(Platform { rotation, ..Platform::clone(self) }.shaped(self.projection)?)
     }
 
     fn set(&mut self, platform: Platform) -> Result<()> {
-        self.platforms.list[self.index].1 = platform.shaped(self.projection)?;
+        self.platforms.list[self.index].1 = platform;
         (self.platforms.is_sorted, self.platforms.is_told) = (false, false);
         Ok(())
+    }
+
+    /// Lets the platform move, along X, **up** and along Z, px/s, until it is told otherwise. As a
+    /// [kinematic](crate::TwoHalfBody::set_is_kinematic) body it has infinite mass: it pushes what it touches, wakes it, and carries
+    /// it by friction, so that the platform and what stands on it need some. It passes through static things and other platforms.
+    ///
+    /// What stands on it goes down with it as fast as it falls. In a step that is half of what gravity adds to its velocity
+    /// faster than before: a lift whose speed grows by more than that per step is left until what stood on it has caught up.
+    ///
+    /// ```
+    /// use twohalf::{Platform, TwoHalfPhysicsSimulator, Vector3};
+    /// let mut simulator = TwoHalfPhysicsSimulator::new(480)?;
+    /// let lift = Platform::new(&mut simulator, 80.0, 10.0, 40.0, Vector3::zeros(), None)?;
+    /// simulator.platform_mut(lift).unwrap().set_velocity(Vector3::new(0.0, 60.0, 0.0))?;
+    /// (0..100).for_each(|_| simulator.update(0.01));
+    /// assert!((simulator.platform(lift).unwrap().position3d().y - 60.0).abs() < 0.001);
+    /// # Ok::<(), twohalf::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// What is not finite; another scheme than [`DepthScheme::Precise`].
+    pub fn set_velocity(&mut self, velocity: Vector3) -> Result<()> {
+        self.check_precise("moving platforms")?;
+        if !velocity.iter().all(|number| number.is_finite()) {
+            return Err(invalid("velocity", velocity, "finite"));
+        }
+        self.set_motion(flipped(velocity), None);
+        Ok(())
+    }
+
+    /// Lets the next update bring the platform to a [position](Platform::position3d), where it then is to the last bit, with the
+    /// velocity that does. In the update after that it stands still, unless it is told a new place or given a velocity before.
+    /// A place to which no finite velocity leads is forgotten.
+    ///
+    /// # Errors
+    /// As [`Platform::new`]; another scheme than [`DepthScheme::Precise`].
+    pub fn move_to(&mut self, position3d: Vector3) -> Result<()> {
+        self.check_precise("moving platforms")?;
+        self.at(position3d, self.projection)?;
+        let before = self.motion.map_or(Vector3::zeros(), |motion| motion.told.velocity.into());
+        self.set_motion(before, Some(position3d));
+        Ok(())
+    }
+
+    fn set_motion(&mut self, velocity: Vector3, target: Option<Vector3>) {
+        let platform = &mut self.platforms.list[self.index].1;
+        let towards = target.map(|target| (platform.middle(target).into(), false));
+        let way = platform.motion.map_or([0.0; 3], |motion| motion.told.way);
+        // What has stood still so far is something else to the engine below.
+        let stood_still = platform.motion.is_none();
+        platform.motion = Some(Motion {
+            centre: platform.shape.centre,
+            target,
+            told: FixtureMotion { velocity: velocity.into(), target: towards, way },
+        });
+        self.platforms.is_told &= !stood_still;
+        self.platforms.is_motion_told = false;
+    }
+
+    /// Makes the surface a belt: `along` px/s along its level edges, to the right, and `depth` px/s along Z. What lies on it is
+    /// carried by friction up to that speed; the sides carry as the top does. Default none.
+    ///
+    /// # Errors
+    /// What is not finite; another scheme than [`DepthScheme::Precise`].
+    pub fn set_surface_speed(&mut self, along: f32, depth: f32) -> Result<()> {
+        self.check_precise("belts of platforms")?;
+        for (argument, value) in [("along", along), ("depth", depth)] {
+            if !value.is_finite() {
+                return Err(invalid(argument, value, "finite"));
+            }
+        }
+        self.platforms.list[self.index].1.surface_speed = [along, depth];
+        self.platforms.is_told = false;
+        Ok(())
+    }
+
+    fn check_precise(&self, what: &'static str) -> Result<()> {
+        if self.scheme == DepthScheme::Precise { Ok(()) } else { Err(only_precise(what)) }
     }
 
     /// How it collides, to be changed: friction, restitution, categories, group, response.
@@ -293,6 +467,9 @@ pub(crate) struct Platforms {
     /// The precise set knows them as they are.
     #[serde(skip)]
     is_told: bool,
+    /// And how those move that do.
+    #[serde(skip)]
+    is_motion_told: bool,
     /// Bounds along X with the index into the list, by the left one, and the greatest right one up to here.
     #[serde(skip)]
     by_left: Vec<(f32, f32, u32)>,
@@ -343,6 +520,26 @@ impl Platforms {
     /// Whether one has come, gone or been edited since this was asked last.
     pub(crate) fn take_changed(&mut self) -> bool {
         !std::mem::replace(&mut self.is_told, true)
+    }
+
+    /// The motions of those that move, if one was edited since this was asked last.
+    pub(crate) fn edited_motions(&mut self) -> impl Iterator<Item = (PlatformId, FixtureMotion)> + '_ {
+        let is_told = std::mem::replace(&mut self.is_motion_told, true);
+        let edited = if is_told { &[][..] } else { &self.list };
+        edited.iter().filter_map(|(id, platform)| Some((*id, platform.told_motion()?)))
+    }
+
+    /// An update has brought a platform somewhere.
+    pub(crate) fn has_moved(&mut self, id: PlatformId, centre: Vector3, told: FixtureMotion) {
+        if let Some(index) = self.index_of(id) {
+            self.list[index].1.has_moved(centre, told);
+            self.is_sorted = false;
+        }
+    }
+
+    /// Whether one has what only the precise set can do.
+    pub(crate) fn are_precise(&self) -> bool {
+        self.list.iter().any(|(_, platform)| platform.is_precise())
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -400,7 +597,9 @@ impl Platforms {
             let sizes = [platform.width, platform.height, platform.depth];
             let is_valid = sizes.iter().all(|size| size.is_finite() && *size > 0.0)
                 && (1..180).contains(&platform.angle_in_z_axis)
-                && platform.settings.is_finite();
+                && platform.settings.is_finite()
+                && platform.surface_speed.iter().all(|speed| speed.is_finite())
+                && platform.motion.is_none_or(|motion| motion.is_finite());
             match platform.clone().shaped(projection) {
                 Ok(shaped) if is_valid => {
                     *platform = shaped;

@@ -4,7 +4,7 @@
 use std::borrow::Cow;
 
 use farseer_core::{
-    BodyId, Fixture, GeomId, PhysicsSimulator, SpaceBody, SpaceChange, SpacePartner, SpaceProfile, SpaceTouch,
+    BodyId, GeomId, PhysicsSimulator, SpaceBody, SpaceChange, SpacePartner, SpaceProfile, SpaceTouch,
 };
 
 use crate::depth::is_movable;
@@ -75,13 +75,11 @@ impl World {
         }
         self.depths.news = news;
         if self.platforms.take_changed() {
-            let fixtures = self.platforms.iter().map(|(id, platform)| Fixture {
-                id: id.number(),
-                shape: *platform.shape(),
-                rotation: platform.rotation(),
-                settings: platform.settings().clone(),
-            });
+            let fixtures = self.platforms.iter().map(|(id, platform)| platform.fixture(id));
             core.set_fixtures(fixtures);
+        }
+        for (id, motion) in self.platforms.edited_motions() {
+            core.set_fixture_motion(id.number(), motion);
         }
     }
 
@@ -103,6 +101,7 @@ impl World {
             acceleration,
             motion: state.motion.unwrap_or_default().into(),
             angular_velocity: [state.angular_velocity_x, state.angular_velocity_y],
+            target: state.target.filter(|_| body.is_kinematic()),
         };
         core.set_space_body(id, told);
     }
@@ -119,13 +118,17 @@ impl World {
         core.set_space_profile(id, told);
     }
 
-    /// Takes over where bodies have come along Z, before anybody is told that they moved.
+    /// Takes over where bodies have come along Z, and platforms, before anybody is told that they moved.
     pub(crate) fn read_depths(&mut self, core: &PhysicsSimulator) {
+        for (number, centre, motion) in core.fixtures_moved() {
+            self.platforms.has_moved(PlatformId::from_number(number), centre, motion);
+        }
         for (id, told) in core.space_moved() {
             let Some(state) = self.depths.bodies.get_mut(id) else { continue };
-            let SpaceBody { z, velocity, angular_velocity: [x, y], motion, .. } = told;
+            let SpaceBody { z, velocity, angular_velocity: [x, y], motion, target, .. } = told;
             (state.z, state.velocity_z, state.motion) = (z, velocity, Some(Vector3::from(motion)));
             (state.angular_velocity_x, state.angular_velocity_y) = (x, y);
+            state.target = target;
             // It has acted.
             state.force_z = 0.0;
         }

@@ -69,7 +69,7 @@ impl TwoHalfPhysicsSimulator {
     /// The geoms whose [boxes](crate::TwoHalfGeom::virtual_geom) overlap a box of the world or touch it, in the order of the
     /// geom list, but for disposed ones and what the filter does not let through. `low` has the least X, Y and Z in px, `high`
     /// the greatest. None if a number is not finite, or one of `low` is greater than that of `high`. Platforms are no geoms,
-    /// and are not among them.
+    /// and are not among them: see [`platforms_in_box`](Self::platforms_in_box).
     ///
     /// Looks at the box of every listed geom: the time grows with their number. The filter is asked only about what is found.
     pub fn query_box(

@@ -77,6 +77,9 @@ impl TwoHalfPhysicsSimulator {
         if !world.platforms.restore(&world.projection) {
             return Err(damaged("a platform is out of range"));
         }
+        if world.scheme != DepthScheme::Precise && world.platforms.are_precise() {
+            return Err(damaged("a platform moves, or is a belt, where none can"));
+        }
         let (near, far) = world.layer_range;
         if !((far - near).is_finite() && near < far) {
             return Err(damaged("the layer depth range is out of range"));

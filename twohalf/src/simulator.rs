@@ -5,7 +5,7 @@ use farseer_core::{Body, BodyId, Geom, GeomId, GeomPlacement, Limits, ObjectId, 
 
 use crate::body::TwoHalfBody;
 use crate::depth::{DepthProfile, Depths};
-use crate::error::{invalid, stale};
+use crate::error::{invalid, only_precise, stale};
 use crate::events::Event;
 use crate::geom::TwoHalfGeom;
 use crate::platform::PlatformMut;
@@ -268,10 +268,13 @@ impl TwoHalfPhysicsSimulator {
     /// # Errors
     /// If a geom takes part already ([`farseer_core::Error::GeomListNotEmpty`]; geoms that wait to be added do not
     /// count). From the precise set to another scheme, one of these that gets no
-    /// [distance grid](farseer_core::PhysicsSimulator::create_distance_grid).
+    /// [distance grid](farseer_core::PhysicsSimulator::create_distance_grid), and a [`Platform`] that moves or is a belt.
     pub fn set_depth_scheme(&mut self, scheme: DepthScheme) -> Result<()> {
         if !self.core.geom_list().is_empty() {
             return Err(farseer_core::Error::GeomListNotEmpty.into());
+        }
+        if scheme != DepthScheme::Precise && self.world.platforms.are_precise() {
+            return Err(only_precise("platforms that move or are belts"));
         }
         if scheme == DepthScheme::Precise {
             self.core.enter_space(LENGTH_UNIT)?;
@@ -333,7 +336,8 @@ impl TwoHalfPhysicsSimulator {
     /// Gives a body its life and id. It takes part once it is [added](Self::add).
     ///
     /// It is at Z = 0, and without an object geom: its position in the plane of the 2D engine, (0, 0) if it is a
-    /// new one, is that of its origin. A [kinematic](Body::is_kinematic) one moves in that plane and keeps its Z.
+    /// new one, is that of its origin. A [kinematic](TwoHalfBody::set_is_kinematic)
+    /// one moves in three axes with [`DepthScheme::Precise`]; with the others in that plane, and keeps its Z.
     #[doc(alias = "TwoHalfBody(TwoHalfPhysicsSimulator)")]
     pub fn create_body(&mut self, body: Body) -> BodyId {
         let body = self.core.create_body(body);
@@ -579,9 +583,9 @@ impl TwoHalfPhysicsSimulator {
 
     /// A platform to change, unless the id is stale.
     pub fn platform_mut(&mut self, platform: PlatformId) -> Option<PlatformMut<'_>> {
-        let World { platforms, projection, .. } = &mut self.world;
+        let World { platforms, projection, scheme, .. } = &mut self.world;
         let index = platforms.index_of(platform)?;
-        Some(PlatformMut { platforms, projection, index })
+        Some(PlatformMut { platforms, projection, scheme: *scheme, index })
     }
 
     /// The platforms, in the order in which they were made.

@@ -120,9 +120,10 @@ impl Bodies {
         self.hot.len()
     }
 
-    /// Lists these bodies, first those that can be pushed.
+    /// Lists these bodies, first those that can be pushed; before them what moves and is no body.
     pub(super) fn list<'a>(
         &mut self,
+        moving: impl Iterator<Item = (Pose, f32)>,
         movable: impl Iterator<Item = (BodyId, &'a Body)>,
         fixed: impl Iterator<Item = (BodyId, &'a Body)>,
     ) {
@@ -139,6 +140,14 @@ impl Bodies {
         self.reaches.push(f32::INFINITY);
         self.are_bullets.clear();
         self.are_bullets.push(false);
+        moving.for_each(|(pose, rotation)| {
+            self.kinematic.push(self.ids.len() as u32);
+            self.reaches.push(f32::INFINITY);
+            self.are_bullets.push(false);
+            self.add_fixture(pose, rotation);
+            self.hot.push(Hot::default());
+        });
+        let first = self.ids.len();
         movable.for_each(|(id, body)| {
             if body.is_kinematic() {
                 self.kinematic.push(self.ids.len() as u32);
@@ -149,7 +158,7 @@ impl Bodies {
             self.hot.push(Hot { velocity: velocity_of(body), ..Hot::default() });
         });
         self.count = self.ids.len() - 1;
-        self.live = self.count;
+        self.live = self.ids.len() - first;
         let padded = (self.ids.len() + room_for(self.count)).next_multiple_of(4);
         (self.ids.len()..padded).for_each(|_| self.push_dummy());
         fixed.for_each(|(id, body)| self.add_fixed(id, body));
@@ -194,7 +203,7 @@ impl Bodies {
         self.push(id, body, [0.0; 2]);
     }
 
-    /// Something that stands still and is no body comes last.
+    /// Something that is no body comes last.
     pub(super) fn add_fixture(&mut self, pose: Pose, rotation: f32) {
         self.push_dummy();
         self.poses.pop();

@@ -51,8 +51,8 @@ pub(super) struct Proxy {
     pub(super) is_heard: bool,
     /// What decides whom it may meet.
     pub(super) filter: [i32; 5],
-    /// Speed of its surface along itself, if it stands still: a belt.
-    pub(super) surface_velocity: [f32; 3],
+    /// Speed of its surface along itself, if it stands still: a belt. Along x and y, turning, and along the depth axis.
+    pub(super) surface_velocity: [f32; 4],
 }
 
 impl Proxy {
@@ -71,7 +71,7 @@ impl Proxy {
             responds: false,
             is_heard: false,
             filter: [0; 5],
-            surface_velocity: [0.0; 3],
+            surface_velocity: [0.0; 4],
         }
     }
 

@@ -75,7 +75,7 @@ struct SavedProxy {
 struct Known {
     place: [f32; 4],
     /// Reciprocals of mass and inertia, velocity of the surface, friction and restitution.
-    contacts: [f32; 7],
+    contacts: [f32; 8],
     /// Whom it may meet, and whether it pushes.
     filter: [i32; 6],
 }
@@ -340,11 +340,11 @@ impl Precise {
     fn known_of(&self, proxy: usize) -> Known {
         let Proxy { body, friction, restitution, surface_velocity, filter, responds, .. } =
             self.proxies.all[proxy];
-        let ([mass, inertia], [vx, vy, spin]) = (self.bodies.inverses[body as usize], surface_velocity);
+        let ([mass, inertia], [vx, vy, spin, vz]) = (self.bodies.inverses[body as usize], surface_velocity);
         let [is, with, group, enabled, ignores] = filter;
         Known {
             place: self.place_of(body as usize),
-            contacts: [mass, inertia, vx, vy, spin, friction, restitution],
+            contacts: [mass, inertia, vx, vy, spin, vz, friction, restitution],
             filter: [is, with, group, enabled, ignores, i32::from(responds)],
         }
     }

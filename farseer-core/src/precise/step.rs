@@ -228,6 +228,7 @@ impl Precise {
                 (*push, *forced) = (read.push, read.forced);
             }
         }
+        self.read_fixtures(step.dt);
     }
 
     /// The step that is due.
@@ -277,6 +278,7 @@ impl Precise {
                 self.bodies.move_to(number, &entry.body);
             }
         }
+        self.write_fixtures();
     }
 
     /// Kinematic bodies have come as far as their velocity says, whatever has touched them.
@@ -337,6 +339,7 @@ impl Precise {
             let Some(body) = self.bodies.ids[number] else { continue };
             if let Some(space) = &mut self.space {
                 space.stop_spinning(number);
+                space.body_mut(body).target = None;
             }
             if let Some(entry) = objects.bodies.get_mut(body).filter(|_| disabled) {
                 entry.body.set_enabled(false);

@@ -7,7 +7,7 @@ use super::outline::Shape;
 use super::proxies::{Mobility, Proxy, filter_of};
 use super::saved::Saved;
 use super::space::parts::{Depths, SpaceProfile, is_geom};
-use crate::body::BodyId;
+use crate::body::{Body, BodyId};
 use crate::geom::GeomId;
 use crate::geom::entry::GeomEntry;
 use crate::geom::filter::is_valid_pair;
@@ -86,7 +86,7 @@ impl Precise {
         let body = &entry.body;
         let is_movable = number < self.bodies.first_fixed();
         let inverses = if is_movable { inverses_of(body) } else { [0.0; 2] };
-        let velocity = surface_velocity(is_movable, body);
+        let velocity = self.surface_velocity(id, is_movable, body);
         let has_moved = self.bodies.was_moved(number, body) || self.was_moved_in_space(number, id);
         let is_other = inverses != self.bodies.inverses[number];
         let rests = body.rests_with(self.bodies.gravity_parts[number]) && self.rests_in_space(id);
@@ -284,6 +284,7 @@ impl Precise {
         self.list_proxies(objects);
         self.list_loose(objects);
         self.sleep.reset(&self.bodies.ids[..self.bodies.first_fixed()]);
+        self.enter_moving_fixtures();
         self.direct.reset(self.bodies.hot.len());
         (1..=self.bodies.count).for_each(|number| self.measure(number, objects));
         self.restore(saved, objects);
@@ -318,6 +319,7 @@ impl Precise {
             }
         }
         self.bodies.list(
+            self.space.iter().flat_map(|space| space.moving_poses()),
             movable().filter(|(_, entry)| entry.body.is_integrated()).map(|(id, entry)| (id, &entry.body)),
             fixed.iter().map(|&id| (id, &bodies[id].body)),
         );
@@ -337,6 +339,7 @@ impl Precise {
         self.known.clear();
         self.bounces = false;
         let first_fixed = self.bodies.first_fixed() as u32;
+        self.add_moving_fixtures();
         self.add_proxies(objects, |body| body < first_fixed);
         self.proxies.leave_room();
         self.add_proxies(objects, |body| body >= first_fixed);
@@ -386,8 +389,15 @@ impl Precise {
             responds: geom.geom.collision_response_enabled(),
             is_heard: geom.geom.collision_callbacks_enabled(),
             filter: filter_of(geom),
-            surface_velocity: surface_velocity(is_movable, &objects.bodies[geom.body].body),
+            surface_velocity: self.surface_velocity(geom.body, is_movable, &objects.bodies[geom.body].body),
         })
+    }
+
+    /// What stands still and has a velocity is a belt.
+    fn surface_velocity(&self, id: BodyId, is_movable: bool, body: &Body) -> [f32; 4] {
+        let (velocity, spin) = (body.linear_velocity(), body.angular_velocity());
+        let along_depth = self.space.as_ref().map_or(0.0, |space| space.body(id).velocity);
+        if is_movable { [0.0; 4] } else { [velocity.x, velocity.y, spin, along_depth] }
     }
 
     /// Its shape in the frame of its body.
@@ -403,7 +413,8 @@ impl Precise {
 
     /// The proxy of a piece of a geom, if it is listed.
     pub(super) fn proxy_of(&self, geom: GeomId, piece: u32) -> Option<u32> {
-        let first = if is_geom(geom) { get(&self.first_proxies, geom.slot()) } else { self.fixture_of(geom) };
+        let first =
+            if is_geom(geom) { get(&self.first_proxies, geom.slot()) } else { self.proxy_of_fixture(geom) };
         let at = first? + piece as usize;
         let proxy = self.proxies.all.get(at)?;
         (proxy.geom == geom && proxy.piece == piece).then_some(at as u32)
@@ -439,10 +450,4 @@ struct Renewal {
     moved: bool,
     contacts: bool,
     callbacks: bool,
-}
-
-/// What stands still and has a velocity is a belt.
-fn surface_velocity(is_movable: bool, body: &crate::body::Body) -> [f32; 3] {
-    let (velocity, spin) = (body.linear_velocity(), body.angular_velocity());
-    if is_movable { [0.0; 3] } else { [velocity.x, velocity.y, spin] }
 }

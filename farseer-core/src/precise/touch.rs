@@ -479,7 +479,7 @@ impl<'a> Touch<'a> {
     fn lane_in_space(&self, space: &Space, pair: usize, two: Two<'_>, lane: Lane) -> Lane {
         let Frozen { normal: [x, y], count, anchors, space: FrozenInSpace { normal_z, spread, .. }, .. } =
             self.pairs.frozen[pair];
-        let (tangent, [ux, uy, _]) = tangents([x, y, normal_z]);
+        let (tangent, [ux, uy, uz]) = tangents([x, y, normal_z]);
         let points = &anchors[..count as usize];
         let arms = |along: Vector| {
             let sum = points.iter().fold([0.0; 2], |[of_a, of_b], &[ax, ay, bx, by]| {
@@ -503,7 +503,8 @@ impl<'a> Touch<'a> {
                 normal_z,
                 across_arms: arms([ux, uy]),
                 radii: [space.rolling_radius(at_a, two.a), space.rolling_radius(at_b, two.b)],
-                across_speed: belt_speed(two.a, [-uy, ux], anchors[0]).clamp(f32::MIN, f32::MAX),
+                across_speed: (belt_speed(two.a, [-uy, ux], anchors[0]) + uz * two.a.surface_velocity[3])
+                    .clamp(f32::MIN, f32::MAX),
                 spread,
                 ..SpaceLane::default()
             },
@@ -709,7 +710,7 @@ fn carry_friction(lane: &mut Lane, old: &Lane) {
 
 /// Speed of B against A along the tangent (normal y, -normal x) that a surface moving under it aims at.
 fn belt_speed(a: &Proxy, normal: Vector, [ax, ay, ..]: [f32; 4]) -> f32 {
-    let [x, y, spin] = a.surface_velocity;
+    let [x, y, spin, _] = a.surface_velocity;
     let at = [x - spin * ay, y + spin * ax];
     dot(at, [normal[1], -normal[0]])
 }

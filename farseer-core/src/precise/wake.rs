@@ -65,8 +65,8 @@ impl Precise {
     fn note_moving_kinematic(&mut self, objects: &Objects) {
         for at in 0..self.bodies.kinematic.len() {
             let number = self.bodies.kinematic[at] as usize;
-            let Some(id) = self.bodies.ids[number] else { continue };
-            if !objects.bodies.get(id).is_some_and(|entry| entry.body.is_on_its_way()) {
+            let id = self.bodies.ids[number];
+            if !self.is_on_its_way(number, id, objects) {
                 continue;
             }
             let mut pairs = std::mem::take(&mut self.lost);
@@ -76,10 +76,20 @@ impl Precise {
             pairs.drain(..).for_each(|pair| self.note_waking(pair as usize));
             self.lost = pairs;
             let joints = std::mem::take(&mut self.sleep.joints);
-            let of_body = joints.iter().filter(|joint| joint.bodies().any(|body| body == id));
+            let of_body = joints.iter().filter(|joint| joint.bodies().any(|body| Some(body) == id));
             of_body.for_each(|joint| self.note_ends(joint));
             self.sleep.joints = joints;
         }
+    }
+
+    /// Whether the next step moves what is kinematic.
+    fn is_on_its_way(&self, number: usize, id: Option<BodyId>, objects: &Objects) -> bool {
+        let body = id.and_then(|id| objects.bodies.get(id));
+        body.is_some_and(|entry| entry.body.is_on_its_way())
+            || self.space.as_ref().is_some_and(|space| match id {
+                Some(id) => space.is_on_its_way(id),
+                None => space.is_fixture_on_its_way(number),
+            })
     }
 
     fn note_ends(&mut self, joint: &KnownJoint) {

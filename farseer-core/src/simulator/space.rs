@@ -5,8 +5,11 @@ use super::{EventHandler, PhysicsSimulator};
 use crate::Result;
 use crate::body::BodyId;
 use crate::geom::GeomId;
+use crate::math::Vector3;
 use crate::methods::Methods;
-use crate::precise::space::parts::{Fixture, SpaceBody, SpaceChange, SpaceProfile, SpaceTouch};
+use crate::precise::space::parts::{
+    Fixture, FixtureMotion, SpaceBody, SpaceChange, SpaceProfile, SpaceTouch,
+};
 use crate::report::Stopwatch;
 
 #[doc(hidden)]
@@ -42,11 +45,23 @@ impl PhysicsSimulator {
         }
     }
 
-    /// What stands still and is no geom.
+    /// What nothing pushes and is no geom.
     pub fn set_fixtures(&mut self, fixtures: impl Iterator<Item = Fixture>) {
         if let Some(precise) = &mut self.pipeline.precise {
             precise.set_fixtures(fixtures);
         }
+    }
+
+    /// How a fixture goes on that moves already.
+    pub fn set_fixture_motion(&mut self, id: u32, told: FixtureMotion) {
+        if let Some(precise) = &mut self.pipeline.precise {
+            precise.set_fixture_motion(id, told);
+        }
+    }
+
+    /// The fixtures that move: their names, where their middles are after an update, and how they move.
+    pub fn fixtures_moved(&self) -> impl Iterator<Item = (u32, Vector3, FixtureMotion)> + '_ {
+        self.pipeline.precise.iter().flat_map(|precise| precise.fixtures_moved())
     }
 
     /// [`update_with_real_time`](Self::update_with_real_time) that answers whether anything could move.

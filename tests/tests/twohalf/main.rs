@@ -3,6 +3,7 @@
 mod abuse;
 mod api;
 mod callbacks;
+mod carried;
 mod closed_forms;
 mod edits;
 mod meeting;
@@ -13,6 +14,7 @@ mod platforms;
 mod precise;
 mod queries;
 mod random;
+mod rays;
 mod regressions;
 mod save;
 mod seams;

@@ -7,6 +7,7 @@
 //!
 //! The engine above holds the truth about all this, as it does about geoms and bodies, and tells before every update.
 
+mod fixtures;
 mod flight;
 mod overlap;
 pub(crate) mod parts;
@@ -41,6 +42,10 @@ pub(crate) struct Space {
     pub(super) bodies: Vec<SpaceBody>,
     profiles: Vec<SpaceProfile>,
     pub(super) fixtures: Vec<Fixture>,
+    /// Number and proxy of each fixture; and the places of those that move, which have the numbers from 1 on.
+    numbers: Vec<u32>,
+    fixture_proxies: Vec<u32>,
+    moving: Vec<u32>,
     /// By number.
     pub(super) places: Vec<f32>,
     pub(super) spins: Vec<Spin>,
@@ -57,7 +62,9 @@ pub(crate) struct Space {
 }
 
 reusing_clone! {
-    Space { bodies, profiles, fixtures, places, spins, are_balls, has_balls, reach, depths, ground, rested }
+    Space {
+        bodies, profiles, fixtures, numbers, fixture_proxies, moving, places, spins, are_balls, has_balls, reach, depths, ground, rested
+    }
 }
 
 /// How a proxy reaches along the axis.
@@ -108,12 +115,11 @@ impl Space {
 impl Space {
     /// Bodies are listed anew, fixtures behind them.
     pub(super) fn list_bodies(&mut self, bodies: &Bodies) {
-        let Space { places, spins, are_balls, has_balls, bodies: told, fixtures, .. } = self;
-        let first_fixture = bodies.ids.len() - fixtures.len() - 1;
+        let Space { places, spins, are_balls, has_balls, bodies: told, fixtures, numbers, .. } = self;
         places.clear();
         places.extend(bodies.ids.iter().map(|id| id.map_or(0.0, |id| entry(told, id.slot()).z)));
-        for (place, fixture) in places[first_fixture + 1..].iter_mut().zip(fixtures) {
-            *place = fixture.shape.centre.z;
+        for (&number, fixture) in numbers.iter().zip(fixtures) {
+            places[number as usize] = fixture.shape.centre.z;
         }
         spins.clear();
         spins.resize(bodies.hot.len(), Spin::default());
@@ -295,8 +301,11 @@ impl Space {
             (false, true) => Kind::Ball,
             (false, false) => Kind::Prism(half),
         };
-        let fixture = at.checked_sub(self.ground + 1).and_then(|place| self.fixtures.get(place as usize));
-        let motion = bodies.ids[body].filter(|_| bodies.hot.len() > body).map(|id| self.body(id).motion);
+        let fixture = self.fixture_of(proxy);
+        let motion = match fixture {
+            Some(fixture) => fixture.motion.map(|motion| motion.way),
+            None => bodies.ids[body].filter(|_| bodies.hot.len() > body).map(|id| self.body(id).motion),
+        };
         Solid {
             outline,
             pose: bodies.poses[body],

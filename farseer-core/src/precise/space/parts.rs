@@ -13,7 +13,7 @@ use crate::storage::arena::Id;
 pub struct SpaceBody {
     /// Where it is, in units of length.
     pub z: f32,
-    /// Velocity along the axis.
+    /// Velocity along the axis: of what stands still that of its surface, a belt.
     pub velocity: f32,
     /// What forces add to it in a second.
     pub acceleration: f32,
@@ -21,6 +21,17 @@ pub struct SpaceBody {
     pub motion: [f32; 3],
     /// About x and y, in rad/s: nothing to what is no ball, all of whose geoms are round about its origin.
     pub angular_velocity: [f32; 2],
+    /// Where a kinematic body is brought: it is there after the next step, to the last bit, and stands still in the one after.
+    pub target: Option<SpaceTarget>,
+}
+
+/// Where a kinematic body is brought along the depth axis.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct SpaceTarget {
+    /// The place.
+    pub z: f32,
+    /// Whether the last step has brought it there.
+    pub is_reached: bool,
 }
 
 /// How a geom reaches along the depth axis.
@@ -34,7 +45,7 @@ pub struct SpaceProfile {
     pub ground: Option<[f32; 2]>,
 }
 
-/// Something that stands still and is no geom: a box with depth, which may be tilted in the plane.
+/// Something that nothing pushes and that is no geom: a box with depth, which may be tilted in the plane.
 #[derive(Debug, Clone)]
 pub struct Fixture {
     /// Its name, which no other one has had: less than 2^31, and greater than those of the fixtures before it.
@@ -45,6 +56,21 @@ pub struct Fixture {
     pub rotation: f32,
     /// Whom it may meet, and how.
     pub settings: Geom,
+    /// Speed of its surface along x, y and z, beside that of its own motion: a belt.
+    pub surface_velocity: [f32; 3],
+    /// How it moves, if it does not stand still.
+    pub motion: Option<FixtureMotion>,
+}
+
+/// How a fixture moves that does not stand still: as a kinematic body does, but for turning.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct FixtureMotion {
+    /// Velocity along x, y (down) and z.
+    pub velocity: [f32; 3],
+    /// Where its middle is brought, and whether the last step has brought it there; it stands still in the one after.
+    pub target: Option<([f32; 3], bool)>,
+    /// Way of the last step along x, y and z.
+    pub way: [f32; 3],
 }
 
 /// What a geom touches that is no geom.

@@ -1,5 +1,6 @@
 //! The stages of a step along the depth axis, and the passes over rows in three axes.
 
+use super::parts::{SpaceBody, SpaceTarget};
 use super::passes::Spin;
 use super::{Space, begin_spins, gather_warm_in_space, relax_in_space};
 use crate::body::Body;
@@ -25,11 +26,16 @@ impl Space {
         step: &Step,
         id: crate::body::BodyId,
     ) {
-        let told = self.body(id);
-        read.velocity[3] = told.velocity;
         if body.is_kinematic() {
+            self.begin_kinematic(id, step.dt);
+            read.velocity[3] = self.body(id).velocity;
             return;
         }
+        let told = self.body(id);
+        if told.target.is_some() {
+            self.body_mut(id).target = None;
+        }
+        read.velocity[3] = told.velocity;
         let (drag, rotational_drag) = body.drag_rates();
         let ((slowed, grown), (turning_slowed, _)) =
             (decay::over(drag, step.dt), decay::over(rotational_drag, step.dt));
@@ -54,10 +60,28 @@ impl Space {
         velocity: f32,
     ) {
         self.places[number] += way;
+        if let Some(target) = self.body_mut(id).target.as_mut().filter(|target| !target.is_reached) {
+            target.is_reached = true;
+            self.places[number] = target.z;
+        }
         let ([x, y, ..], z) = (self.spins[number].velocity, self.places[number]);
         let told = self.body_mut(id);
         (told.z, told.velocity, told.acceleration, told.angular_velocity) = (z, velocity, 0.0, [x, y]);
         told.motion = [x_way, y_way, way];
+    }
+
+    /// A kinematic body has the velocity along the axis that leads to where it is brought.
+    fn begin_kinematic(&mut self, id: crate::body::BodyId, dt: f32) {
+        let told = self.body_mut(id);
+        let Some(SpaceTarget { z, is_reached }) = told.target else { return };
+        told.velocity = if is_reached { 0.0 } else { (z - told.z) / dt };
+        told.target = told.target.filter(|_| !is_reached && told.velocity.is_finite());
+    }
+
+    /// Whether the next step moves a kinematic body along the axis.
+    pub(in crate::precise) fn is_on_its_way(&self, id: crate::body::BodyId) -> bool {
+        let SpaceBody { velocity, target, .. } = self.body(id);
+        target.map_or(velocity != 0.0, |target| !target.is_reached)
     }
 
     /// A body comes to rest.

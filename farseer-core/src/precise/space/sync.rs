@@ -1,13 +1,11 @@
 //! What the engine above has told is taken over.
 
-use super::parts::{self, Fixture, SpaceBody, SpacePartner, SpaceProfile, fixture_id, ground_id, is_geom};
+use super::parts::{self, SpaceBody, SpacePartner, SpaceProfile, is_geom};
 use super::{Space, Spin};
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::objects::Objects;
 use crate::precise::Precise;
-use crate::precise::outline::Shape;
-use crate::precise::proxies::{Mobility, Proxy};
 
 /// Told between updates.
 impl Precise {
@@ -35,14 +33,6 @@ impl Precise {
             *known = told;
             self.is_stale |= self.proxy_of(id, 0).is_some();
         }
-    }
-
-    /// What stands still and is no geom.
-    pub(crate) fn set_fixtures(&mut self, fixtures: impl Iterator<Item = Fixture>) {
-        let Some(space) = &mut self.space else { return };
-        space.fixtures.clear();
-        space.fixtures.extend(fixtures);
-        self.is_stale = true;
     }
 
     /// What the engine above is told of bodies after an update: of those that were awake.
@@ -97,62 +87,17 @@ impl Precise {
         self.take_body_in_space(number, id);
     }
 
-    /// The ground and fixtures are listed behind all bodies.
-    pub(in crate::precise) fn list_fixtures(&mut self) {
-        let Some(space) = &mut self.space else { return };
-        self.bodies.add_fixture([0.0, 0.0, 1.0, 0.0], 0.0);
-        for Fixture { shape, rotation, .. } in &space.fixtures {
-            let pose = [shape.centre.x, shape.centre.y, shape.cos, shape.sin];
-            self.bodies.add_fixture(pose, *rotation);
-        }
-        space.list_bodies(&self.bodies);
-        for number in 1..=self.bodies.count {
-            if let Some(id) = self.bodies.ids[number] {
-                self.take_body_in_space(number, id);
-            }
-        }
-    }
-
-    /// Their proxies are listed behind all others.
-    pub(in crate::precise) fn add_fixtures(&mut self) {
-        let Some(space) = &mut self.space else { return };
-        let first = self.bodies.ids.len() - space.fixtures.len();
-        space.ground = self.proxies.all.len() as u32;
-        self.proxies.push(proxy_for(ground_id(), first - 1, Shape::default()));
-        for (place, fixture) in space.fixtures.iter().enumerate() {
-            let Fixture { shape, settings, .. } = fixture;
-            let [x, y, depth] = shape.half;
-            // Sheared, it reaches further along x: its bounds and what is near are those of the widest box.
-            let lean = (shape.shear * depth).abs();
-            let shape = self.proxies.corners.add_box([x, y]).leaning(lean);
-            let restitution = settings.restitution_coefficient();
-            self.bounces |= restitution > 0.0;
-            self.proxies.push(Proxy {
-                friction: settings.friction_coefficient(),
-                restitution,
-                responds: settings.collision_response_enabled(),
-                ..proxy_for(fixture_id(fixture), first + place, shape)
-            });
-        }
-        space.list_proxies(&self.proxies);
-        self.bounces |= space.bounces();
-    }
-
     /// Where the proxy of the ground or of a fixture is.
-    pub(in crate::precise) fn fixture_of(&self, id: GeomId) -> Option<usize> {
+    pub(in crate::precise) fn proxy_of_fixture(&self, id: GeomId) -> Option<usize> {
         let space = self.space.as_ref()?;
         match parts::partner_of(id) {
             SpacePartner::Ground => Some(space.ground as usize),
             SpacePartner::Fixture(id) => {
-                space.fixture(id).map(|(place, _)| space.ground as usize + 1 + place)
+                let (place, _) = space.fixture(id)?;
+                space.fixture_proxies.get(place).map(|&proxy| proxy as usize)
             }
             SpacePartner::Geom(_) => None,
         }
-    }
-
-    /// The ground and the fixtures.
-    pub(in crate::precise) fn fixture_count(&self) -> usize {
-        self.space.as_ref().map_or(0, |space| space.fixtures.len() + 1)
     }
 
     /// Nobody meets the ground who does not rest on it.
@@ -180,17 +125,5 @@ impl Precise {
             SpacePartner::Geom(_) => false,
         };
         Some(is_enabled && meets && !objects.geoms.is_disposed(geom))
-    }
-}
-
-fn proxy_for(id: GeomId, body: usize, shape: Shape) -> Proxy {
-    Proxy {
-        geom: id,
-        number: parts::number_of(id),
-        body: body as u32,
-        mobility: Mobility::Fixed,
-        shape,
-        responds: true,
-        ..Proxy::nothing()
     }
 }

@@ -185,9 +185,15 @@ fn made<I>(
 fn edit_platform(game: &mut Depth) -> Outcome {
     let id = game.random.pick(&game.pools.platforms);
     let Some(mut platform) = game.simulator.platform_mut(id) else { return Outcome::Looked };
-    match game.random.below(3) {
+    match game.random.below(6) {
         0 => Outcome::of(platform.set_position3d(place(&mut game.random))),
         1 => Outcome::of(platform.set_rotation(game.random.number(-1.5, 1.5))),
+        2 => Outcome::of(platform.set_velocity(game.random.vector3(100.0))),
+        3 => Outcome::of(platform.move_to(place(&mut game.random))),
+        4 => {
+            let speeds = [0; 2].map(|_| game.random.number(-100.0, 100.0));
+            Outcome::of(platform.set_surface_speed(speeds[0], speeds[1]))
+        }
         _ => {
             game.random.pick(GEOM_EDITS)(platform.settings_mut(), &mut game.random);
             Outcome::Changed

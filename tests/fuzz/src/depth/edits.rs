@@ -17,7 +17,7 @@ pub(super) fn edit_body<A: AccessMut>(mut body: TwoHalfBody<A>, pools: &Pools, r
     edit(&mut body, pools, random);
 }
 
-fn edits<A: AccessMut>() -> [Edit<A>; 31] {
+fn edits<A: AccessMut>() -> [Edit<A>; 33] {
     [
         |body, _, random| body.set_position3d(place(random)),
         |body, _, random| body.set_position3d(place(random)),
@@ -27,6 +27,8 @@ fn edits<A: AccessMut>() -> [Edit<A>; 31] {
         |body, _, random| body.set_linear_velocity_z(random.number(-200.0, 200.0)),
         |body, _, random| body.set_angular_velocity(random.number(-20.0, 20.0)),
         |body, _, random| body.set_is_static(random.chance(20)),
+        |body, _, random| body.set_is_kinematic(random.chance(20)),
+        |body, _, random| drop(body.move_to3d(place(random))),
         |body, _, random| body.set_enabled(random.chance(90)),
         |body, _, random| body.apply_force(random.vector(1000.0)),
         |body, _, random| body.apply_impulse(random.vector(200.0)),

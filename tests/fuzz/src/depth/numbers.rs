@@ -13,6 +13,8 @@ pub(crate) fn check_numbers(simulator: &TwoHalfPhysicsSimulator) -> Result<(), S
     simulator.core().geoms().try_for_each(|geom| check_geom(simulator, geom))?;
     simulator.contacts().try_for_each(|contact| check_contact(&contact))?;
     simulator.platforms().filter_map(|id| simulator.platform(id)).try_for_each(|platform| {
+        vector("velocity of a platform", platform.velocity())?;
+        vector("position of a platform", platform.position3d())?;
         platform.corners().iter().try_for_each(|&corner| vector("corner of a platform", corner))
     })
 }

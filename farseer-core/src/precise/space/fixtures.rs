@@ -1,0 +1,242 @@
+//! What nothing pushes and is no geom: the ground, boxes that stand still, and boxes that the engine above moves.
+//!
+//! What moves is listed among the bodies, before all that can be pushed, as a kinematic one without an id; what stands still
+//! behind everything.
+
+use super::Space;
+use super::parts::{Fixture, FixtureMotion, fixture_id, ground_id, is_geom, number_of};
+use crate::geom::GeomId;
+use crate::math::Vector3;
+use crate::math::plane::Pose;
+use crate::precise::Precise;
+use crate::precise::bodies::Hot;
+use crate::precise::outline::Shape;
+use crate::precise::proxies::{Mobility, Proxy};
+
+/// The place of the ground among fixtures: none.
+const NO_PLACE: u32 = u32::MAX;
+
+fn on_hot([x, y, z]: [f32; 3]) -> [f32; 4] {
+    [x, y, 0.0, z]
+}
+
+fn pose_of(fixture: &Fixture) -> Pose {
+    let shape = &fixture.shape;
+    [shape.centre.x, shape.centre.y, shape.cos, shape.sin]
+}
+
+impl FixtureMotion {
+    /// The velocity of the step that begins.
+    fn begin(&mut self, centre: Vector3, dt: f32) {
+        let Some((target, is_reached)) = self.target else { return };
+        self.velocity =
+            if is_reached { [0.0; 3] } else { [0, 1, 2].map(|axis| (target[axis] - centre[axis]) / dt) };
+        if !self.velocity.iter().all(|velocity| velocity.is_finite()) {
+            self.velocity = [0.0; 3];
+        }
+        let stays = !is_reached && self.velocity != [0.0; 3];
+        self.target = self.target.filter(|_| stays);
+    }
+
+    /// Where a step has brought its middle. What would have come too far for numbers has been put back, and stands still.
+    fn end(&mut self, centre: Vector3, way: [f32; 3]) -> Vector3 {
+        let is_put_back = way == [0.0; 3] && self.velocity != [0.0; 3];
+        self.way = way;
+        if is_put_back {
+            (self.velocity, self.target) = ([0.0; 3], None);
+        }
+        match self.target.as_mut() {
+            Some((target, is_reached)) => {
+                *is_reached = true;
+                Vector3::from(*target)
+            }
+            None => centre + Vector3::from(way),
+        }
+    }
+
+    fn is_on_its_way(&self) -> bool {
+        self.target.map_or(self.velocity != [0.0; 3], |(_, is_reached)| !is_reached)
+    }
+}
+
+/// Told between updates.
+impl Precise {
+    /// What nothing pushes and is no geom.
+    pub(crate) fn set_fixtures(&mut self, fixtures: impl Iterator<Item = Fixture>) {
+        let Some(space) = &mut self.space else { return };
+        space.fixtures.clear();
+        space.fixtures.extend(fixtures);
+        let moving = (0..).zip(&space.fixtures).filter(|(_, fixture)| fixture.motion.is_some());
+        space.moving.clear();
+        space.moving.extend(moving.map(|(place, _)| place));
+        self.is_stale = true;
+    }
+
+    /// How a fixture that is no new one, and moves already, goes on.
+    pub(crate) fn set_fixture_motion(&mut self, id: u32, told: FixtureMotion) {
+        let Some(space) = &mut self.space else { return };
+        let Some((place, _)) = space.fixture(id) else { return };
+        space.fixtures[place].motion = Some(told);
+        let number = space.moving.binary_search(&(place as u32)).map_or(0, |at| at + 1);
+        if let Some(hot) = self.bodies.hot.get_mut(number).filter(|_| number > 0 && !self.is_stale) {
+            hot.velocity = on_hot(told.velocity);
+        }
+    }
+
+    /// The fixtures that move: their names, where their middles are, and how.
+    pub(crate) fn fixtures_moved(&self) -> impl Iterator<Item = (u32, Vector3, FixtureMotion)> + '_ {
+        self.space.iter().flat_map(|space| {
+            let moving = space.moving.iter().map(|&place| &space.fixtures[place as usize]);
+            moving.filter_map(|fixture| Some((fixture.id, fixture.shape.centre, fixture.motion?)))
+        })
+    }
+}
+
+/// Lists.
+impl Space {
+    /// Where those are that move.
+    pub(in crate::precise) fn moving_poses(&self) -> impl Iterator<Item = (Pose, f32)> + '_ {
+        let moving = self.moving.iter().map(|&place| &self.fixtures[place as usize]);
+        moving.map(|fixture| (pose_of(fixture), fixture.rotation))
+    }
+
+    /// What a proxy is of that is no geom's.
+    pub(super) fn fixture_of(&self, proxy: &Proxy) -> Option<&Fixture> {
+        if is_geom(proxy.geom) { None } else { self.fixtures.get(proxy.place as usize) }
+    }
+
+    /// Whether the next step moves a fixture, by its number among bodies.
+    pub(in crate::precise) fn is_fixture_on_its_way(&self, number: usize) -> bool {
+        let place = number.checked_sub(1).and_then(|at| self.moving.get(at));
+        let motion = place.and_then(|&place| self.fixtures[place as usize].motion);
+        motion.is_some_and(|motion| motion.is_on_its_way())
+    }
+}
+
+impl Precise {
+    /// The ground, and fixtures that stand still, are listed behind all bodies.
+    pub(in crate::precise) fn list_fixtures(&mut self) {
+        let Some(space) = &mut self.space else { return };
+        self.bodies.add_fixture([0.0, 0.0, 1.0, 0.0], 0.0);
+        let mut moving = 0;
+        space.numbers.clear();
+        for fixture in &space.fixtures {
+            let number = if let Some(motion) = fixture.motion {
+                moving += 1;
+                self.bodies.hot[moving].velocity = on_hot(motion.velocity);
+                moving
+            } else {
+                self.bodies.add_fixture(pose_of(fixture), fixture.rotation);
+                self.bodies.ids.len() - 1
+            };
+            space.numbers.push(number as u32);
+        }
+        space.list_bodies(&self.bodies);
+        for number in 1..=self.bodies.count {
+            if let Some(id) = self.bodies.ids[number] {
+                self.take_body_in_space(number, id);
+            }
+        }
+    }
+
+    /// Those that move never sleep.
+    pub(in crate::precise) fn enter_moving_fixtures(&mut self) {
+        let count = self.space.as_ref().map_or(0, |space| space.moving.len());
+        (1..=count).for_each(|number| self.sleep.add(number));
+    }
+
+    /// The proxies of those that move are listed first, so that those of who comes later are behind them.
+    pub(in crate::precise) fn add_moving_fixtures(&mut self) {
+        self.add_fixtures_of(Mobility::Kinematic);
+    }
+
+    /// The others behind all, after that of the ground.
+    pub(in crate::precise) fn add_fixtures(&mut self) {
+        let Some(space) = &mut self.space else { return };
+        let still = space.fixtures.len() - space.moving.len();
+        space.ground = self.proxies.all.len() as u32;
+        let ground = Proxy { place: NO_PLACE, ..proxy_for(ground_id(), self.bodies.ids.len() - still - 1) };
+        self.proxies.push(ground);
+        self.add_fixtures_of(Mobility::Fixed);
+        let Some(space) = &mut self.space else { return };
+        space.list_proxies(&self.proxies);
+        self.bounces |= space.bounces();
+    }
+
+    fn add_fixtures_of(&mut self, mobility: Mobility) {
+        let Precise { space: Some(space), proxies, bounces, .. } = self else { return };
+        space.fixture_proxies.resize(space.fixtures.len(), 0);
+        for (place, (fixture, &number)) in space.fixtures.iter().zip(&space.numbers).enumerate() {
+            let Fixture { shape, settings, surface_velocity: [vx, vy, vz], motion, .. } = fixture;
+            if motion.is_some() != (mobility == Mobility::Kinematic) {
+                continue;
+            }
+            let [x, y, depth] = shape.half;
+            // Sheared, it reaches further along x: its bounds and what is near are those of the widest box.
+            let lean = (shape.shear * depth).abs();
+            let shape = proxies.corners.add_box([x, y]).leaning(lean);
+            let restitution = settings.restitution_coefficient();
+            *bounces |= restitution > 0.0;
+            space.fixture_proxies[place] = proxies.all.len() as u32;
+            proxies.push(Proxy {
+                place: place as u32,
+                mobility,
+                shape,
+                friction: settings.friction_coefficient(),
+                restitution,
+                responds: settings.collision_response_enabled(),
+                surface_velocity: [*vx, *vy, 0.0, *vz],
+                ..proxy_for(fixture_id(fixture), number as usize)
+            });
+        }
+    }
+
+    /// The proxies of the ground and of the fixtures.
+    pub(in crate::precise) fn fixture_count(&self) -> usize {
+        self.space.as_ref().map_or(0, |space| space.fixtures.len() + 1)
+    }
+}
+
+/// Stages.
+impl Precise {
+    /// A step begins for those that move.
+    pub(in crate::precise) fn read_fixtures(&mut self, dt: f32) {
+        let Precise { space: Some(space), bodies, .. } = self else { return };
+        for (number, &place) in (1..).zip(&space.moving) {
+            let Fixture { shape, motion: Some(motion), .. } = &mut space.fixtures[place as usize] else {
+                continue;
+            };
+            motion.begin(shape.centre, dt);
+            let velocity = on_hot(motion.velocity);
+            bodies.hot[number] = Hot { velocity, ..Hot::default() };
+            bodies.before[number] = velocity;
+            (bodies.push[number], bodies.forced[number]) = ([0.0; 4], [0.0; 4]);
+        }
+    }
+
+    /// They are where the step has brought them.
+    pub(in crate::precise) fn write_fixtures(&mut self) {
+        let Precise { space: Some(space), bodies, .. } = self else { return };
+        for (number, &place) in (1..).zip(&space.moving) {
+            let fixture = &mut space.fixtures[place as usize];
+            let Some(motion) = &mut fixture.motion else { continue };
+            let [x, y, _, z] = bodies.path[number];
+            fixture.shape.centre = motion.end(fixture.shape.centre, [x, y, z]);
+            bodies.hot[number].velocity = on_hot(motion.velocity);
+            bodies.poses[number] = pose_of(fixture);
+            space.places[number] = fixture.shape.centre.z;
+        }
+    }
+}
+
+fn proxy_for(id: GeomId, body: usize) -> Proxy {
+    Proxy {
+        geom: id,
+        number: number_of(id),
+        body: body as u32,
+        mobility: Mobility::Fixed,
+        shape: Shape::default(),
+        responds: true,
+        ..Proxy::nothing()
+    }
+}
