@@ -10,6 +10,7 @@
 //!    ([`DrawPlatform`]); [`draw_ground_backdrop`] draws a floor along the model's Z axis, [`DebugView`] what the
 //!    engine works with, [`draw_debug_view`] what the 2D engine does.
 //! 3. **Other targets are easy**: everything is drawn through the small [`Canvas`] trait.
+//!    A [`View`] is one, too: a camera and a window for whatever draws.
 //! 4. **Names an XNA game expects**: [`SpriteBatch`], [`Texture2D`], [`Color`], with XNA's meaning of
 //!    rotation, origin, scale, tint and layer depth.
 //!
@@ -72,8 +73,10 @@ mod debug_view;
 mod draw_body;
 mod draw_platform;
 mod error;
+mod outline_of_line;
 mod plane_debug_view;
 mod png_file;
+mod rectangle;
 mod shadow;
 mod software;
 mod sprite_batch;
@@ -82,6 +85,7 @@ mod text;
 mod texture;
 mod texture_store;
 mod transform;
+mod view;
 
 pub use animation::Animation;
 pub use backdrop::{GroundBackdrop, draw_ground_backdrop};
@@ -93,13 +97,15 @@ pub use draw_body::DrawBody;
 pub use draw_platform::{DrawPlatform, PlatformLook};
 pub use error::{MAX_PIXELS, MAX_SIDE, RenderError, Result};
 pub use plane_debug_view::draw_debug_view;
+pub use rectangle::Rectangle;
 pub use shadow::{SHADOW_SCALE_LIMIT, shadow_scale};
 pub use software::SoftwareCanvas;
 pub use sprite_batch::{Sprite, SpriteBatch};
-pub use text::{CHARACTER_SIZE, draw_caption, draw_text, text_size};
+pub use text::{CHARACTER_SIZE, Text, draw_caption, draw_text, text_size};
 pub use texture::Texture2D;
 pub use texture_store::TextureStore;
 pub use transform::{Point, Transform};
+pub use view::View;
 
 /// The example of the README is run with those of the documentation.
 #[cfg(doctest)]

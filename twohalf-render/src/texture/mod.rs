@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use crate::error::check_size;
 use crate::png_file;
-use crate::{Color, Point, RenderError, Result};
+use crate::{Color, Point, Rectangle, RenderError, Result};
 
 /// A picture to draw. It cannot be changed; a clone shares its pixels and costs nothing.
 #[derive(Clone, PartialEq, Eq)]
@@ -84,6 +84,27 @@ impl Texture2D {
     #[doc(alias = "Save")]
     pub fn save_png(&self, path: impl AsRef<Path>) -> Result<()> {
         png_file::write(path.as_ref(), self.width(), self.height(), self.rgba8())
+    }
+
+    /// A copy of the part that lies in a rectangle; `None` if nothing does.
+    pub fn part(&self, source: Rectangle) -> Option<Texture2D> {
+        let inside = source.intersection(&Rectangle::new(0, 0, self.width(), self.height()));
+        let cut = |pixels: &[u8]| {
+            let rows = pixels.chunks_exact(4 * self.width() as usize);
+            let [first, length] = [inside.x, inside.width].map(|px| 4 * px as usize);
+            rows.skip(inside.y as usize)
+                .take(inside.height as usize)
+                .flat_map(|row| &row[first..first + length])
+                .copied()
+                .collect()
+        };
+        let image = || Image {
+            width: inside.width,
+            height: inside.height,
+            straight: cut(&self.image.straight),
+            premultiplied: cut(&self.image.premultiplied),
+        };
+        (!inside.is_empty()).then(|| Texture2D { image: Arc::new(image()) })
     }
 
     /// Width in px.

@@ -3,3 +3,4 @@
 mod bad_input;
 mod files;
 mod pixels;
+mod views;
