@@ -14,6 +14,9 @@
 //! 4. **Names an XNA game expects**: [`SpriteBatch`], [`Texture2D`], [`Color`], with XNA's meaning of
 //!    rotation, origin, scale, tint and layer depth.
 //!
+//! Games of the 2D engine alone are drawn with it as well: sprites, cameras, text and textures know of no depth,
+//! [`PictureBody`] makes things of pictures in both engines, and the example `plane_game` shows all of that.
+//!
 //! Screen axes everywhere: x right, y **down**, in px; angles in rad, positive clockwise on the screen.
 //! Colours are RGBA8 in sRGB with straight alpha. Bad input never panics: functions that return a [`Result`]
 //! refuse it with a [`RenderError`], functions that draw draw nothing.
@@ -73,7 +76,9 @@ mod debug_view;
 mod draw_body;
 mod draw_platform;
 mod error;
+mod jpeg_file;
 mod outline_of_line;
+mod picture_body;
 mod plane_debug_view;
 mod png_file;
 mod rectangle;
@@ -96,6 +101,7 @@ pub use debug_view::DebugView;
 pub use draw_body::DrawBody;
 pub use draw_platform::{DrawPlatform, PlatformLook};
 pub use error::{MAX_PIXELS, MAX_SIDE, RenderError, Result};
+pub use picture_body::{PictureBody, Tracing};
 pub use plane_debug_view::draw_debug_view;
 pub use rectangle::Rectangle;
 pub use shadow::{SHADOW_SCALE_LIMIT, shadow_scale};

@@ -2,5 +2,7 @@
 
 mod bad_input;
 mod files;
+mod names;
+mod picture_bodies;
 mod pixels;
 mod views;
