@@ -21,7 +21,8 @@
 //! Colours are RGBA8 in sRGB with straight alpha. Bad input never panics: functions that return a [`Result`]
 //! refuse it with a [`RenderError`], functions that draw draw nothing.
 //!
-//! A ball over a platform, drawn in the simulator's order:
+//! [`Scene`] draws a world with depth in one call. What it does, by hand, for a game with an order or shadows of its
+//! own: a ball over a platform, drawn in the simulator's order:
 //!
 //! ```
 //! use twohalf::{Drawable, Partner, Platform, TwoHalfPhysicsSimulator, Vector3};
@@ -82,6 +83,7 @@ mod picture_body;
 mod plane_debug_view;
 mod png_file;
 mod rectangle;
+mod scene;
 mod shadow;
 mod software;
 mod sprite_batch;
@@ -104,6 +106,7 @@ pub use error::{MAX_PIXELS, MAX_SIDE, RenderError, Result};
 pub use picture_body::{PictureBody, Tracing};
 pub use plane_debug_view::draw_debug_view;
 pub use rectangle::Rectangle;
+pub use scene::{Figure, Look, Picture, Scene, Textures};
 pub use shadow::{SHADOW_SCALE_LIMIT, shadow_scale};
 pub use software::SoftwareCanvas;
 pub use sprite_batch::{Sprite, SpriteBatch};

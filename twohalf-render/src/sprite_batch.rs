@@ -85,6 +85,16 @@ impl Sprite {
         }
     }
 
+    /// Draws it now, whatever its layer depth.
+    pub fn draw(&self, canvas: &mut dyn Canvas) {
+        let Sprite { texture, tint, .. } = self;
+        let (transform, clip) = (self.transform(), self.clip.as_deref());
+        match self.source {
+            Some(source) => canvas.draw_texture_part(texture, source, &transform, *tint, clip),
+            None => canvas.draw_texture(texture, &transform, *tint, clip),
+        }
+    }
+
     /// Takes the texture's px to the canvas: origin to zero, scale, turn, slant, move to the position.
     pub fn transform(&self) -> Transform {
         Transform::translation([-self.origin[0], -self.origin[1]])
@@ -126,14 +136,7 @@ impl Item {
     fn draw(&self, canvas: &mut dyn Canvas) {
         match self {
             Item::Text(text) => text.draw(canvas),
-            Item::Sprite(sprite) => {
-                let Sprite { texture, tint, .. } = sprite;
-                let (transform, clip) = (sprite.transform(), sprite.clip.as_deref());
-                match sprite.source {
-                    Some(source) => canvas.draw_texture_part(texture, source, &transform, *tint, clip),
-                    None => canvas.draw_texture(texture, &transform, *tint, clip),
-                }
-            }
+            Item::Sprite(sprite) => sprite.draw(canvas),
         }
     }
 }

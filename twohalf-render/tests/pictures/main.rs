@@ -5,4 +5,5 @@ mod files;
 mod names;
 mod picture_bodies;
 mod pixels;
+mod scenes;
 mod views;
