@@ -2,7 +2,7 @@
 
 use crate::canvas::MAX_COORDINATE;
 use crate::error::check_range;
-use crate::{Canvas, Color, Point, Result, Transform};
+use crate::{Canvas, Color, Point, Result, Texture2D, Transform};
 
 /// Narrowest floor tile, in px: below, lines would run together.
 const MIN_SPACING: f32 = 4.0;
@@ -78,6 +78,26 @@ pub fn draw_ground_backdrop(canvas: &mut dyn Canvas, backdrop: &GroundBackdrop) 
     floor.draw_tiles(canvas);
     floor.draw_lines(canvas);
     Ok(())
+}
+
+/// Draws a far layer of a scene behind it: a texture, repeated to the left and to the right over all that can be seen,
+/// its upper edge at `top` px.
+///
+/// Through a [`View`](crate::View) that scrolls, the layer moves `factor` times as fast as the scene: at 1 with it, at 0
+/// it stays where it is on the canvas, as the sky does; hills lie between. Nothing is drawn with a number that is not
+/// finite, or if more than 16,384 pieces would be seen.
+pub fn draw_parallax_layer(canvas: &mut dyn Canvas, texture: &Texture2D, top: f32, factor: f32) {
+    let [[left, _], [right, _]] = canvas.visible_area();
+    let width = texture.width() as f32;
+    let shift = left * (1.0 - factor);
+    let [first, last] = [((left - shift) / width).floor(), ((right - shift) / width).ceil()];
+    if !top.is_finite() || !(0.0..=MAX_ROWS).contains(&(last - first)) {
+        return;
+    }
+    for piece in 0..(last - first) as u32 {
+        let corner = [shift + (first + piece as f32) * width, top];
+        canvas.draw_texture(texture, &Transform::translation(corner), Color::WHITE, None);
+    }
 }
 
 /// Sky and floor in rows of one px.

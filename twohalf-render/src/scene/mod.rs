@@ -1,10 +1,12 @@
 //! A scene of the 2.5D engine in one call: its order, its shadows, and how each thing looks.
 
 mod look;
+mod patch;
 mod shadows;
 mod solid;
 
 pub use look::{Figure, Look, Picture, Textures};
+pub use patch::Patch;
 
 use twohalf::{BodyId, Drawable, TwoHalfPhysicsSimulator};
 
@@ -41,13 +43,14 @@ pub struct Scene<'a> {
     simulator: &'a TwoHalfPhysicsSimulator,
     shadow: &'a Texture2D,
     camera: Transform,
+    patches: &'a [Patch],
 }
 
 impl<'a> Scene<'a> {
     /// The scene as the simulator projects it, with this picture for all shadows, which is stretched over the
     /// footprint of what casts one.
     pub fn new(simulator: &'a TwoHalfPhysicsSimulator, shadow: &'a Texture2D) -> Self {
-        Scene { simulator, shadow, camera: Transform::IDENTITY }
+        Scene { simulator, shadow, camera: Transform::IDENTITY, patches: &[] }
     }
 
     /// A soft round shadow, to be made once.
@@ -59,6 +62,11 @@ impl<'a> Scene<'a> {
     /// The same through a camera; see [`Transform::camera`].
     pub fn camera(self, camera: &Transform) -> Self {
         Scene { camera: *camera, ..self }
+    }
+
+    /// The same with holes, water and other things in the ground, which are drawn in this order before everything.
+    pub fn patches(self, patches: &'a [Patch]) -> Self {
+        Scene { patches, ..self }
     }
 
     /// What lies in front at a point of the canvas, px: under the mouse, for example. Nothing with a camera that has no
@@ -75,6 +83,7 @@ impl<'a> Scene<'a> {
         let things: Vec<(Drawable, Look)> = order.into_iter().map(|thing| (thing, look(thing))).collect();
         let casts = Cast::all(self.simulator, self.shadow, &things);
         let on = |surface: Option<Drawable>| casts.iter().filter(move |cast| cast.surface == surface);
+        self.patches.iter().for_each(|patch| patch.draw(self.simulator, &mut view));
         on(None).for_each(|cast| cast.sprite.draw(&mut view));
         for (thing, look) in &things {
             match thing {

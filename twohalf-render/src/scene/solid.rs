@@ -3,6 +3,7 @@
 use twohalf::{BodyId, PlatformId, TwoHalfPhysicsSimulator, Vector3};
 
 use super::{Figure, Look, Textures};
+use crate::corners::{bend, corners_of, cross, distance};
 use crate::outline_of_line::outline_of_line;
 use crate::surface::{Face, corners_on_screen, to_screen};
 use crate::{Canvas, Color, DrawPlatform, PlatformLook, Point, SpriteBatch, Texture2D, Transform};
@@ -11,8 +12,7 @@ const STILL: Transform = Transform::IDENTITY;
 
 /// Most pieces of a texture beside each other on a face; more cannot be told apart.
 const MAX_TILES: f32 = 512.0;
-/// Sine of the angle up to which an outline goes straight on, and of that from which on a corner has an edge.
-const STRAIGHT: f32 = 1e-3;
+/// Sine of the angle from which on a corner of an outline is an edge of the solid.
 const SHARP: f32 = 0.5;
 
 pub(super) fn draw_platform(
@@ -82,7 +82,7 @@ pub(super) fn draw_body(
         let [near, middle, far] = [-half, 0.0, half]
             .map(|z| Point::from(simulator.projection().to_screen(Vector3::new(0.0, 0.0, z))));
         let moved = |point: Point, to: Point| [point[0] + to[0] - middle[0], point[1] + to[1] - middle[1]];
-        let outline = corners_of(view.screen_outline().into_iter().map(Point::from).collect());
+        let outline = corners_of(view.screen_outline().into_iter().map(Point::from));
         let front: Vec<Point> = outline.iter().map(|&point| moved(point, near)).collect();
         let back: Vec<Point> = outline.iter().map(|&point| moved(point, far)).collect();
         draw_sides(canvas, &front, &back, look);
@@ -123,17 +123,6 @@ fn draw_sides(canvas: &mut dyn Canvas, front: &[Point], back: &[Point], look: &P
     }
 }
 
-/// Without the points at which the outline goes straight on.
-fn corners_of(outline: Vec<Point>) -> Vec<Point> {
-    (0..outline.len()).filter(|&at| bend(&outline, at).abs() > STRAIGHT).map(|at| outline[at]).collect()
-}
-
-/// Sine of the angle by which an outline turns at a corner, positive clockwise.
-fn bend(outline: &[Point], at: usize) -> f32 {
-    let [a, b, c] = [outline.len() - 1, 0, 1].map(|step| outline[(at + step) % outline.len()]);
-    cross(a, b, c) / (distance(a, b) * distance(b, c)).max(f32::MIN_POSITIVE)
-}
-
 /// Four corners clockwise from the upper left one.
 fn upright(mut corners: [Point; 4]) -> [Point; 4] {
     let [a, b, c, _] = corners;
@@ -146,16 +135,6 @@ fn upright(mut corners: [Point; 4]) -> [Point; 4] {
     });
     corners.rotate_left(first.unwrap_or(0));
     corners
-}
-
-/// Twice the area of a triangle, positive if it is clockwise on the screen.
-fn cross(a: Point, b: Point, c: Point) -> f32 {
-    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-}
-
-fn distance(a: Point, b: Point) -> f32 {
-    let [x, y] = [b[0] - a[0], b[1] - a[1]];
-    (x * x + y * y).sqrt()
 }
 
 /// Least and greatest X and Y of a body's object geom on the screen, at its depth.

@@ -130,3 +130,49 @@ fn what_is_under_the_mouse_is_found_through_the_camera() {
     assert_eq!(scene.pick([50.0, 50.0]), Some(Drawable::Body(body)));
     assert_eq!(scene.pick([50.0, 190.0]), None);
 }
+
+#[test]
+fn a_hole_shows_its_wall_at_the_back_and_its_bottom_before_that() {
+    let simulator = world();
+    let mut canvas = SoftwareCanvas::new(200, 200).unwrap();
+    canvas.clear(Color::WHITE);
+    let hole = Patch::hole([50.0, 150.0], [20.0, 70.0]);
+    let shadow = Scene::soft_shadow();
+    Scene::new(&simulator, &shadow).patches(&[hole]).draw(&mut canvas, |_| Look::Nothing);
+    // From y = 130 to 180; the wall is 30 px high.
+    let colors = [128, 135, 158, 165, 178, 182].map(|y| canvas.pixel(100, y).unwrap());
+    assert_eq!(colors, [Color::WHITE, hole.edge, hole.edge, hole.color, hole.color, Color::WHITE]);
+}
+
+#[test]
+fn a_layer_moves_by_its_factor_of_the_camera() {
+    // One red column in each 50 px.
+    let mut pixels = vec![255; 4 * 50];
+    pixels[..4].copy_from_slice(&[255, 0, 0, 255]);
+    let texture = Texture2D::from_rgba8(50, 1, pixels).unwrap();
+    let red_at = |scroll: f32, factor: f32| {
+        let mut canvas = SoftwareCanvas::new(50, 4).unwrap();
+        let camera = Transform::translation([-scroll, 0.0]);
+        draw_parallax_layer(&mut View::new(&mut canvas).camera(&camera), &texture, 2.0, factor);
+        (0..50).filter(|&x| canvas.pixel(x, 2) == Some(RED)).collect::<Vec<u32>>()
+    };
+    assert_eq!(red_at(0.0, 0.5), [0]);
+    assert_eq!(red_at(20.0, 0.5), [40]);
+    assert_eq!(red_at(20.0, 1.0), [30]);
+    assert_eq!(red_at(20.0, 0.0), [0]);
+}
+
+#[test]
+fn the_room_of_a_box_reaches_from_its_front_to_its_back() {
+    let mut simulator = world();
+    add_box(&mut simulator, Vector3::new(100.0, 0.0, 60.0));
+    simulator.update(0.0);
+    let draw = |enable_box_view| {
+        let mut canvas = SoftwareCanvas::new(200, 200).unwrap();
+        let view = DebugView { enable_box_view, enable_virtual_geom_view: false, ..DebugView::default() };
+        DebugView { enable_ground_view: false, ..view }.draw(&simulator, &mut canvas);
+        [160, 80].map(|y| (y - 1..=y).any(|y| canvas.pixel(100, y).unwrap().a > 0))
+    };
+    // The lower edge at the front is at Y = 0 and Z = 40, the upper one at the back at Y = 40 and Z = 80.
+    assert_eq!([draw(true), draw(false)], [[true; 2], [false; 2]]);
+}
