@@ -2,7 +2,7 @@
 
 use crate::canvas::MAX_COORDINATE;
 use crate::error::check_range;
-use crate::{Canvas, Color, Point, Result, Transform};
+use crate::{Canvas, Color, Point, Result, Texture2D, Transform};
 
 /// Narrowest floor tile, in px: below, lines would run together.
 const MIN_SPACING: f32 = 4.0;
@@ -10,6 +10,9 @@ const MIN_SPACING: f32 = 4.0;
 /// Depth lines flatter than this (px to the side per px of depth, angle below about 3 degrees) cannot be told
 /// from the lines across and are left out.
 const MAX_SLOPE: f32 = 20.0;
+
+/// Most rows of the gradients, and most lines side by side: as many as a canvas has px.
+const MAX_ROWS: f32 = crate::MAX_SIDE as f32;
 
 /// How a ground backdrop looks. The floor is the plane Y = 0 as the engine projects it: depth Z goes up the
 /// screen, one px per unit, from the lower edge (Z = 0) to the horizon, and to the side along the Z axis'
@@ -51,7 +54,8 @@ impl GroundBackdrop {
     }
 }
 
-/// Draws sky, floor and the floor's grid over the whole canvas. Its height counts as the simulator's.
+/// Draws sky, floor and the floor's grid over all that can be seen of the canvas: through a [`View`](crate::View) the
+/// floor scrolls. The height of the canvas counts as the simulator's.
 ///
 /// What makes depth read: tiles of alternating shade, lines across at equal steps of Z, lines along Z at the
 /// Z axis' angle, and all of it paler and thinner towards the horizon.
@@ -67,28 +71,61 @@ pub fn draw_ground_backdrop(canvas: &mut dyn Canvas, backdrop: &GroundBackdrop) 
     check_range("angle", angle, f32::MIN_POSITIVE..=180.0_f32.next_down(), "between 0 and 180 degrees")?;
     check_range("spacing", spacing, MIN_SPACING..=MAX_COORDINATE, "4 to 1e6 px")?;
     let (sin, cos) = libm::sincos(f64::from(angle).to_radians());
-    let [width, height] = canvas.size().map(|side| side as f32);
-    let floor = Floor { slope: (cos / sin) as f32, width, height, backdrop };
-    draw_gradients(canvas, backdrop);
+    let height = canvas.size()[1] as f32;
+    let [[left, top], [right, bottom]] = canvas.visible_area();
+    let floor = Floor { slope: (cos / sin) as f32, left, right, height, backdrop };
+    draw_gradients(canvas, backdrop, [left, right], [top, bottom]);
     floor.draw_tiles(canvas);
     floor.draw_lines(canvas);
     Ok(())
 }
 
+/// Draws a far layer of a scene behind it: a texture, repeated to the left and to the right over all that can be seen,
+/// its upper edge at `top` px.
+///
+/// Through a [`View`](crate::View) that scrolls, the layer moves `factor` times as fast as the scene: at 1 with it, at 0
+/// it stays where it is on the canvas, as the sky does; hills lie between. Nothing is drawn with a number that is not
+/// finite, or if more than 16,384 pieces would be seen.
+pub fn draw_parallax_layer(canvas: &mut dyn Canvas, texture: &Texture2D, top: f32, factor: f32) {
+    let [[left, _], [right, _]] = canvas.visible_area();
+    let width = texture.width() as f32;
+    let shift = left * (1.0 - factor);
+    let [first, last] = [((left - shift) / width).floor(), ((right - shift) / width).ceil()];
+    if !top.is_finite() || !(0.0..=MAX_ROWS).contains(&(last - first)) {
+        return;
+    }
+    for piece in 0..(last - first) as u32 {
+        let corner = [shift + (first + piece as f32) * width, top];
+        canvas.draw_texture(texture, &Transform::translation(corner), Color::WHITE, None);
+    }
+}
+
 /// Sky and floor in rows of one px.
-fn draw_gradients(canvas: &mut dyn Canvas, backdrop: &GroundBackdrop) {
-    let [width, height] = canvas.size();
-    let horizon = height as f32 - backdrop.depth;
-    for row in 0..height {
-        let y = row as f32 + 0.5;
+fn draw_gradients(
+    canvas: &mut dyn Canvas,
+    backdrop: &GroundBackdrop,
+    [left, right]: Point,
+    [top, bottom]: Point,
+) {
+    let height = canvas.size()[1] as f32;
+    let horizon = height - backdrop.depth;
+    let [first, last] = [top.floor(), bottom.ceil()];
+    // A camera zooms out as far as it likes; more rows than this cannot be told apart.
+    let step = ((last - first) / MAX_ROWS).ceil().max(1.0);
+    let is_plain = [top, bottom] == [0.0, height];
+    // Rows that do not end where pixels do overlap, so that nothing shows between them.
+    let overlap = if is_plain { 0.0 } else { step };
+    let rows = (0..).map(|row| first + row as f32 * step).take_while(|&row| row < last);
+    for row in rows {
+        let y = row + 0.5 * step;
         let color = if y < horizon {
             // Squared: most of the change lies near the horizon, as in air.
-            let t = y / horizon;
+            let t = (y / horizon).max(0.0);
             backdrop.sky_top.lerp(backdrop.sky_horizon, t * t)
         } else {
-            backdrop.floor_near.lerp(backdrop.floor_far, (height as f32 - y) / backdrop.depth)
+            backdrop.floor_near.lerp(backdrop.floor_far, (height - y) / backdrop.depth)
         };
-        let [corner, size] = [[0.0, row as f32], [width as f32, 1.0]];
+        let [corner, size] = [[left, row], [right - left, step + overlap]];
         canvas.fill_rectangle(corner, size, &Transform::IDENTITY, color);
     }
 }
@@ -97,7 +134,8 @@ fn draw_gradients(canvas: &mut dyn Canvas, backdrop: &GroundBackdrop) {
 struct Floor<'a> {
     /// Px to the right per px of depth: the cotangent of the Z axis' angle.
     slope: f32,
-    width: f32,
+    left: f32,
+    right: f32,
     height: f32,
     backdrop: &'a GroundBackdrop,
 }
@@ -123,9 +161,10 @@ impl Floor<'_> {
             return 0..0;
         }
         let shifts = [near * self.slope, far * self.slope];
-        let first = -shifts[0].max(shifts[1]) / self.backdrop.spacing;
-        let last = (self.width - shifts[0].min(shifts[1])) / self.backdrop.spacing;
-        first.floor() as i32..last.ceil() as i32 + 1
+        let first = ((self.left - shifts[0].max(shifts[1])) / self.backdrop.spacing).floor();
+        let last = ((self.right - shifts[0].min(shifts[1])) / self.backdrop.spacing).ceil();
+        // Lines that cannot be told apart are left out.
+        if last - first > MAX_ROWS { 0..0 } else { first as i32..(last as i32).saturating_add(1) }
     }
 
     /// What the air leaves of a contrast at a depth: 1 near, a quarter at the horizon.
@@ -155,7 +194,8 @@ impl Floor<'_> {
             let color = self.backdrop.lines.with_opacity(self.contrast(near));
             let width = 0.6 + 1.2 * self.contrast(near);
             let y = self.height - near;
-            canvas.stroke_polyline(&[[0.0, y], [self.width, y]], false, width, &Transform::IDENTITY, color);
+            let across = [[self.left, y], [self.right, y]];
+            canvas.stroke_polyline(&across, false, width, &Transform::IDENTITY, color);
             for column in self.columns(near, far) {
                 let x = column as f32 * self.backdrop.spacing;
                 let line = [self.project(x, near), self.project(x, far)];
@@ -164,6 +204,6 @@ impl Floor<'_> {
         }
         let y = self.height - self.backdrop.depth;
         let horizon = self.backdrop.lines.with_opacity(0.5);
-        canvas.stroke_polyline(&[[0.0, y], [self.width, y]], false, 1.5, &Transform::IDENTITY, horizon);
+        canvas.stroke_polyline(&[[self.left, y], [self.right, y]], false, 1.5, &Transform::IDENTITY, horizon);
     }
 }

@@ -1,6 +1,6 @@
 //! What can be drawn on.
 
-use crate::{Color, Point, Texture2D, Transform};
+use crate::{Color, Point, Rectangle, Texture2D, Transform};
 
 /// A picture to draw on: x right, y **down**, in px; pixel (0, 0) is the square from (0, 0) to (1, 1), top
 /// left.
@@ -11,6 +11,12 @@ use crate::{Color, Point, Texture2D, Transform};
 pub trait Canvas {
     /// Width and height in px.
     fn size(&self) -> [u32; 2];
+
+    /// Least and greatest x and y of what can be seen, in the px in which things are drawn: of a plain canvas from 0
+    /// to its size. A [`View`](crate::View) shows another part.
+    fn visible_area(&self) -> [Point; 2] {
+        [[0.0, 0.0], self.size().map(|side| side as f32)]
+    }
 
     /// Gives every pixel this colour (it replaces, translucent or not).
     fn clear(&mut self, color: Color);
@@ -54,6 +60,21 @@ pub trait Canvas {
         tint: Color,
         clip: Option<&[Point]>,
     );
+
+    /// As [`draw_texture`](Self::draw_texture), of a part of the texture, whose upper left corner is the origin of
+    /// `transform`; nothing beside it shows. What of it lies outside of the texture is left out.
+    fn draw_texture_part(
+        &mut self,
+        texture: &Texture2D,
+        source: Rectangle,
+        transform: &Transform,
+        tint: Color,
+        clip: Option<&[Point]>,
+    ) {
+        if let Some(part) = texture.part(source) {
+            self.draw_texture(&part, transform, tint, clip);
+        }
+    }
 }
 
 /// Farthest from the origin that a corner of something drawn may lie, in px.

@@ -3,6 +3,7 @@
 use twohalf::farseer_core::PhysicsSimulatorView;
 use twohalf::{BodyId, GeomId, TwoHalfPhysicsSimulator, Vector3, VirtualGeom};
 
+use crate::corners::corners_of;
 use crate::plane_debug_view;
 use crate::surface::{corners_on_screen, to_screen};
 use crate::{Canvas, Color, Point, Transform};
@@ -36,6 +37,11 @@ pub struct DebugView {
     pub enable_virtual_geom_view: bool,
     /// Colour of the virtual geoms.
     pub virtual_geom_color: Color,
+    /// Whether the room that geoms take up is drawn: their outlines at their front and back, and the edges between;
+    /// of balls, the ball's outline and its disc at the height of its middle. Default false.
+    pub enable_box_view: bool,
+    /// Colour of that room.
+    pub box_color: Color,
     /// Whether the platforms are drawn: all edges of their boxes.
     pub enable_platform_view: bool,
     /// Colour of the platforms.
@@ -89,6 +95,8 @@ impl Default for DebugView {
             ground_color: Color::rgba(130, 60, 0, 220),
             enable_virtual_geom_view: true,
             virtual_geom_color: Color::rgba(0, 110, 60, 220),
+            enable_box_view: false,
+            box_color: Color::rgba(120, 0, 140, 200),
             enable_platform_view: true,
             platform_color: Color::rgba(0, 60, 200, 220),
             enable_edge_view: true,
@@ -122,6 +130,9 @@ impl DebugView {
         }
         if self.enable_platform_view {
             pen.platforms();
+        }
+        if self.enable_box_view {
+            simulator.geom_list().iter().for_each(|&geom| pen.room(geom));
         }
         for &geom in simulator.geom_list() {
             pen.outline(geom);
@@ -173,6 +184,28 @@ impl Pen<'_> {
         self.line(&on_ground, true, color.with_opacity(0.5));
         let at_bottom = self.footprint(&shape, shape.bottom);
         self.line(&at_bottom, true, color);
+    }
+
+    fn room(&mut self, geom: GeomId) {
+        let Some(geom) = self.simulator.geom(geom) else { return };
+        let (shape, color) = (geom.virtual_geom(), self.view.box_color);
+        let outline = corners_of(geom.screen_outline().into_iter().map(Point::from));
+        if shape.is_round {
+            let disc = self.footprint(&shape, 0.5 * (shape.bottom + shape.top));
+            self.line(&disc, true, color);
+            return self.line(&outline, true, color);
+        }
+        let middle = self.at(0.0, 0.0, 0.5 * (shape.front + shape.back));
+        let [near, far] = [shape.front, shape.back].map(|z| {
+            let to = self.at(0.0, 0.0, z);
+            let moved = |point: &Point| [point[0] + to[0] - middle[0], point[1] + to[1] - middle[1]];
+            outline.iter().map(moved).collect::<Vec<Point>>()
+        });
+        self.line(&near, true, color);
+        self.line(&far, true, color);
+        for (&from, &to) in near.iter().zip(&far) {
+            self.line(&[from, to], false, color);
+        }
     }
 
     fn footprint(&self, shape: &VirtualGeom, y: f32) -> Vec<Point> {

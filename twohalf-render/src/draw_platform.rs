@@ -2,6 +2,7 @@
 
 use twohalf::{PlatformId, TwoHalfPhysicsSimulator, Vector3};
 
+use crate::outline_of_line::across;
 use crate::shadow::Shadow;
 use crate::surface::{Face, corners_on_screen};
 use crate::{Color, Point, Sprite, SpriteBatch, TextureStore};
@@ -136,14 +137,12 @@ fn is_clockwise(&[a, b, c, _]: &[Point; 4]) -> bool {
 
 /// The outline of a line of some width.
 fn line(a: Point, b: Point, width: f32) -> [Point; 4] {
-    let [dx, dy] = [b[0] - a[0], b[1] - a[1]];
-    let length = (dx * dx + dy * dy).sqrt();
     // Half a width longer at either end, so that lines meet in corners; without a length, nothing.
-    let [x, y] = [dx, dy].map(|d| if length > 0.0 { 0.5 * width * d / length } else { 0.0 });
+    let [x, y] = across(a, b, width);
     [
-        [a[0] - x - y, a[1] - y + x],
-        [b[0] + x - y, b[1] + y + x],
-        [b[0] + x + y, b[1] + y - x],
-        [a[0] - x + y, a[1] - y - x],
+        [a[0] + y + x, a[1] - x + y],
+        [b[0] - y + x, b[1] + x + y],
+        [b[0] - y - x, b[1] + x - y],
+        [a[0] + y - x, a[1] - x - y],
     ]
 }

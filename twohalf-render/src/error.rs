@@ -40,6 +40,31 @@ pub enum RenderError {
         /// What the decoder said.
         source: Box<dyn std::error::Error + Send + Sync>,
     },
+    /// What was given as a JPEG picture is not one, or is larger than [`MAX_SIDE`] or [`MAX_PIXELS`] allow.
+    #[error("cannot decode the JPEG picture {name}")]
+    DecodeJpeg {
+        /// The file's path, or "in memory".
+        name: String,
+        /// What the decoder said.
+        source: Box<dyn std::error::Error + Send + Sync>,
+    },
+    /// No file has this name.
+    #[error("there is no picture {name} in {}", folder.display())]
+    NoPicture {
+        /// The name that was asked for.
+        name: String,
+        /// Where it was looked for.
+        folder: PathBuf,
+    },
+    /// The engine has refused what was asked of it.
+    #[error(transparent)]
+    Engine(#[from] twohalf::Error),
+}
+
+impl From<twohalf::farseer_core::Error> for RenderError {
+    fn from(error: twohalf::farseer_core::Error) -> Self {
+        RenderError::Engine(error.into())
+    }
 }
 
 /// Result of a call that makes, reads or writes a picture.

@@ -10,14 +10,19 @@
 //!    ([`DrawPlatform`]); [`draw_ground_backdrop`] draws a floor along the model's Z axis, [`DebugView`] what the
 //!    engine works with, [`draw_debug_view`] what the 2D engine does.
 //! 3. **Other targets are easy**: everything is drawn through the small [`Canvas`] trait.
+//!    A [`View`] is one, too: a camera and a window for whatever draws.
 //! 4. **Names an XNA game expects**: [`SpriteBatch`], [`Texture2D`], [`Color`], with XNA's meaning of
 //!    rotation, origin, scale, tint and layer depth.
+//!
+//! Games of the 2D engine alone are drawn with it as well: sprites, cameras, text and textures know of no depth,
+//! [`PictureBody`] makes things of pictures in both engines, and the example `plane_game` shows all of that.
 //!
 //! Screen axes everywhere: x right, y **down**, in px; angles in rad, positive clockwise on the screen.
 //! Colours are RGBA8 in sRGB with straight alpha. Bad input never panics: functions that return a [`Result`]
 //! refuse it with a [`RenderError`], functions that draw draw nothing.
 //!
-//! A ball over a platform, drawn in the simulator's order:
+//! [`Scene`] draws a world with depth in one call. What it does, by hand, for a game with an order or shadows of its
+//! own: a ball over a platform, drawn in the simulator's order:
 //!
 //! ```
 //! use twohalf::{Drawable, Partner, Platform, TwoHalfPhysicsSimulator, Vector3};
@@ -68,12 +73,18 @@ mod canvas;
 mod clip;
 mod color;
 mod contact_sheet;
+mod corners;
 mod debug_view;
 mod draw_body;
 mod draw_platform;
 mod error;
+mod jpeg_file;
+mod outline_of_line;
+mod picture_body;
 mod plane_debug_view;
 mod png_file;
+mod rectangle;
+mod scene;
 mod shadow;
 mod software;
 mod sprite_batch;
@@ -82,9 +93,10 @@ mod text;
 mod texture;
 mod texture_store;
 mod transform;
+mod view;
 
 pub use animation::Animation;
-pub use backdrop::{GroundBackdrop, draw_ground_backdrop};
+pub use backdrop::{GroundBackdrop, draw_ground_backdrop, draw_parallax_layer};
 pub use canvas::{Canvas, MAX_COORDINATE};
 pub use color::Color;
 pub use contact_sheet::ContactSheet;
@@ -92,14 +104,18 @@ pub use debug_view::DebugView;
 pub use draw_body::DrawBody;
 pub use draw_platform::{DrawPlatform, PlatformLook};
 pub use error::{MAX_PIXELS, MAX_SIDE, RenderError, Result};
+pub use picture_body::{PictureBody, Tracing};
 pub use plane_debug_view::draw_debug_view;
+pub use rectangle::Rectangle;
+pub use scene::{Figure, Look, Patch, Picture, Scene, Textures};
 pub use shadow::{SHADOW_SCALE_LIMIT, shadow_scale};
 pub use software::SoftwareCanvas;
 pub use sprite_batch::{Sprite, SpriteBatch};
-pub use text::{CHARACTER_SIZE, draw_caption, draw_text, text_size};
+pub use text::{CHARACTER_SIZE, Text, draw_caption, draw_text, text_size};
 pub use texture::Texture2D;
 pub use texture_store::TextureStore;
 pub use transform::{Point, Transform};
+pub use view::View;
 
 /// The example of the README is run with those of the documentation.
 #[cfg(doctest)]

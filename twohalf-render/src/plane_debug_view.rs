@@ -11,7 +11,8 @@ const LETTER_ADVANCE: f32 = 7.0;
 /// Px from the upper edge of a line, which is 15 px high, to its letters, which are 8 px high.
 const LETTER_TOP: f32 = 4.0;
 
-/// Draws what the 2D engine works with over a picture, one px per unit of the world.
+/// Draws what the 2D engine works with over a picture, one px per unit of the world; a [`View`](crate::View) shows it
+/// through a camera, the performance panel with it.
 ///
 /// For objects with depth there is [`DebugView`](crate::DebugView).
 ///

@@ -141,7 +141,8 @@ impl Canvas for SoftwareCanvas {
         let [width, height] = [texture.width() as f32, texture.height() as f32];
         let corners =
             [[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]].map(|corner| transform.apply(corner));
-        if !corners.iter().chain(clip.unwrap_or(&[])).all(|&corner| in_reach(corner)) {
+        let is_in_reach = corners.iter().chain(clip.unwrap_or(&[])).all(|&corner| in_reach(corner));
+        if tint.a == 0 || !is_in_reach {
             return;
         }
         let path = match clip {
@@ -149,6 +150,10 @@ impl Canvas for SoftwareCanvas {
             None => path_of(&corners, true, &Transform::IDENTITY),
         };
         let Some(path) = path else { return };
+        if let (1, 1, Some(color)) = (texture.width(), texture.height(), texture.pixel(0, 0)) {
+            // The same colour everywhere: nothing is to be sampled.
+            return self.fill(&path, Shader::SolidColor(skia_color(times(color, tint))));
+        }
         let pixels = if tint.with_alpha(255) == Color::WHITE {
             texture.premultiplied_rgba8()
         } else {
@@ -194,14 +199,23 @@ fn in_reach([x, y]: Point) -> bool {
     x.abs() <= MAX_COORDINATE && y.abs() <= MAX_COORDINATE
 }
 
+/// The product of two channels.
+fn product(a: u8, b: u8) -> u8 {
+    ((u32::from(a) * u32::from(b) + 127) / 255) as u8
+}
+
+/// A straight colour with a tint.
+fn times(a: Color, b: Color) -> Color {
+    Color::rgba(product(a.r, b.r), product(a.g, b.g), product(a.b, b.b), product(a.a, b.a))
+}
+
 /// Multiplies premultiplied pixels by the tint's red, green and blue; its alpha goes in as opacity elsewhere.
 fn tint_into(target: &mut Vec<u8>, pixels: &[u8], tint: Color) {
-    let times = |a: u8, b: u8| ((u32::from(a) * u32::from(b) + 127) / 255) as u8;
     target.clear();
     target.extend(
         pixels
             .chunks_exact(4)
-            .flat_map(|p| [times(p[0], tint.r), times(p[1], tint.g), times(p[2], tint.b), p[3]]),
+            .flat_map(|p| [product(p[0], tint.r), product(p[1], tint.g), product(p[2], tint.b), p[3]]),
     );
 }
 

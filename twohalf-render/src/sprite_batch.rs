@@ -1,6 +1,6 @@
 //! Sprites, collected and drawn back to front.
 
-use crate::{Canvas, Color, Point, Texture2D, Transform};
+use crate::{Canvas, Color, Point, Rectangle, Text, Texture2D, Transform, View};
 
 /// A texture at a place. Made with [`Sprite::new`] or [`Sprite::centered`], other fields as needed:
 ///
@@ -15,12 +15,15 @@ use crate::{Canvas, Color, Point, Texture2D, Transform};
 pub struct Sprite {
     /// The picture.
     pub texture: Texture2D,
+    /// The part of the texture that is shown: a cell of a sheet ([`Rectangle::cell`]). All of it if `None`.
+    #[doc(alias = "sourceRectangle")]
+    pub source: Option<Rectangle>,
     /// Where the texture's `origin` goes on the canvas, px.
     pub position: Point,
     /// Rotation about the origin in rad, screen orientation: positive turns clockwise.
     pub rotation: f32,
     /// The point of the texture that is put at `position` and about which it turns and scales, px from the
-    /// texture's top left corner.
+    /// top left corner of the texture, or of the part of it that is shown.
     pub origin: Point,
     /// Factors along the texture's x and y, before the rotation; negative ones mirror.
     pub scale: Point,
@@ -41,6 +44,7 @@ impl Sprite {
     pub fn new(texture: &Texture2D, position: impl Into<Point>) -> Self {
         Sprite {
             texture: texture.clone(),
+            source: None,
             position: position.into(),
             rotation: 0.0,
             origin: [0.0, 0.0],
@@ -55,6 +59,11 @@ impl Sprite {
     /// As [`Sprite::new`], with the middle of the texture at `position`.
     pub fn centered(texture: &Texture2D, position: impl Into<Point>) -> Self {
         Sprite { origin: texture.center(), ..Sprite::new(texture, position) }
+    }
+
+    /// A part of the texture, its top left corner at `position`, in front.
+    pub fn part(texture: &Texture2D, source: Rectangle, position: impl Into<Point>) -> Self {
+        Sprite { source: Some(source), ..Sprite::new(texture, position) }
     }
 
     /// A polygon of one colour, in front: corners in px of the canvas, convex or not.
@@ -76,6 +85,16 @@ impl Sprite {
         }
     }
 
+    /// Draws it now, whatever its layer depth.
+    pub fn draw(&self, canvas: &mut dyn Canvas) {
+        let Sprite { texture, tint, .. } = self;
+        let (transform, clip) = (self.transform(), self.clip.as_deref());
+        match self.source {
+            Some(source) => canvas.draw_texture_part(texture, source, &transform, *tint, clip),
+            None => canvas.draw_texture(texture, &transform, *tint, clip),
+        }
+    }
+
     /// Takes the texture's px to the canvas: origin to zero, scale, turn, slant, move to the position.
     pub fn transform(&self) -> Transform {
         Transform::translation([-self.origin[0], -self.origin[1]])
@@ -86,15 +105,40 @@ impl Sprite {
     }
 }
 
-/// Sprites of one picture, drawn back to front.
+/// Sprites and texts of one picture, drawn back to front.
 ///
-/// [`SpriteBatch::begin`] opens it, [`SpriteBatch::draw`] adds to it and [`SpriteBatch::end`] draws
-/// everything: larger layer depth first, equal ones in the order they were added. There is no way to draw
-/// outside of begin and end, and so no error for it.
+/// [`SpriteBatch::begin`] opens it, [`SpriteBatch::draw`] and [`SpriteBatch::draw_string`] add to it, and
+/// [`SpriteBatch::end`] draws everything: larger layer depth first, equal ones in the order they were added. There is
+/// no way to draw outside of begin and end, and so no error for it.
 #[derive(Debug, Clone, Default)]
 #[doc(alias = "Microsoft.Xna.Framework.Graphics.SpriteBatch")]
 pub struct SpriteBatch {
-    sprites: Vec<Sprite>,
+    items: Vec<Item>,
+    camera: Transform,
+}
+
+#[derive(Debug, Clone)]
+enum Item {
+    Sprite(Sprite),
+    Text(Text),
+}
+
+impl Item {
+    fn layer_depth(&self) -> f32 {
+        let depth = match self {
+            Item::Sprite(sprite) => sprite.layer_depth,
+            Item::Text(text) => text.layer_depth,
+        };
+        // `+ 0.0` makes -0 and 0 equal.
+        depth.clamp(0.0, 1.0) + 0.0
+    }
+
+    fn draw(&self, canvas: &mut dyn Canvas) {
+        match self {
+            Item::Text(text) => text.draw(canvas),
+            Item::Sprite(sprite) => sprite.draw(canvas),
+        }
+    }
 }
 
 impl SpriteBatch {
@@ -104,6 +148,13 @@ impl SpriteBatch {
         SpriteBatch::default()
     }
 
+    /// An empty batch whose sprites a camera takes to the canvas; see [`Transform::camera`]. With numbers that are not
+    /// finite nothing is drawn.
+    #[doc(alias = "Begin(SpriteBlendMode, SpriteSortMode, SaveStateMode, Matrix)")]
+    pub fn begin_with(camera: &Transform) -> Self {
+        SpriteBatch { camera: *camera, ..SpriteBatch::default() }
+    }
+
     /// Adds a sprite. One with a number that is not finite is dropped.
     #[doc(alias = "Draw")]
     pub fn draw(&mut self, sprite: Sprite) {
@@ -111,18 +162,24 @@ impl SpriteBatch {
         let points = [position, origin, scale, slant].into_iter().chain(sprite.clip.iter().flatten());
         let numbers = points.flatten().chain([rotation, layer_depth]);
         if numbers.copied().all(f32::is_finite) {
-            self.sprites.push(sprite);
+            self.items.push(Item::Sprite(sprite));
         }
     }
 
-    /// Draws all sprites and ends the batch.
+    /// Adds a text. One with a number that is not finite is dropped.
+    #[doc(alias = "DrawString")]
+    pub fn draw_string(&mut self, text: Text) {
+        if text.is_finite() {
+            self.items.push(Item::Text(text));
+        }
+    }
+
+    /// Draws everything and ends the batch.
     #[doc(alias = "End")]
     pub fn end(mut self, canvas: &mut dyn Canvas) {
-        let depth = |sprite: &Sprite| sprite.layer_depth.clamp(0.0, 1.0);
-        // Stable: sprites of equal depth stay in the order they were added. `+ 0.0` makes -0 and 0 equal.
-        self.sprites.sort_by(|a, b| (depth(b) + 0.0).total_cmp(&(depth(a) + 0.0)));
-        for sprite in &self.sprites {
-            canvas.draw_texture(&sprite.texture, &sprite.transform(), sprite.tint, sprite.clip.as_deref());
-        }
+        // Stable: what has equal depth stays in the order it was added.
+        self.items.sort_by(|a, b| b.layer_depth().total_cmp(&a.layer_depth()));
+        let mut view = View::new(canvas).camera(&self.camera);
+        self.items.iter().for_each(|item| item.draw(&mut view));
     }
 }

@@ -10,24 +10,106 @@ pub const CHARACTER_SIZE: u32 = 8;
 /// Largest scale a text is drawn at.
 const MAX_SCALE: u32 = 256;
 
+/// A text at a place, in the built-in font: 8 x 8 px a character, lines 8 px apart, at scale 1. `\n` begins a new
+/// line. ASCII and Latin-1 characters are known; others become `?`. Made with [`Text::new`], other fields as needed:
+///
+/// ```
+/// # use twohalf_render::{Color, SoftwareCanvas, SpriteBatch, Text};
+/// let title = Text { scale: [3.0, 3.0], rotation: -0.1, ..Text::centered("GAME OVER", [160.0, 100.0]) };
+/// assert_eq!(title.size(), [72.0, 8.0]);
+/// let mut batch = SpriteBatch::begin();
+/// batch.draw_string(title);
+/// batch.end(&mut SoftwareCanvas::new(320, 200)?);
+/// # Ok::<(), twohalf_render::RenderError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[doc(alias = "DrawString")]
+pub struct Text {
+    /// What is written.
+    pub text: String,
+    /// Where the `origin` goes on the canvas, px.
+    pub position: Point,
+    /// Rotation about the origin in rad, positive clockwise.
+    pub rotation: f32,
+    /// The point of the text that is put at `position` and about which it turns and scales, px at scale 1 from its
+    /// top left corner.
+    pub origin: Point,
+    /// Factors along x and y, before the rotation.
+    pub scale: Point,
+    /// Colour of the letters.
+    pub color: Color,
+    /// 0 front to 1 back; values outside are clamped.
+    #[doc(alias = "LayerDepth")]
+    pub layer_depth: f32,
+}
+
+impl Text {
+    /// White, its top left corner at `position`, at scale 1, in front.
+    pub fn new(text: impl Into<String>, position: impl Into<Point>) -> Self {
+        Text {
+            text: text.into(),
+            position: position.into(),
+            rotation: 0.0,
+            origin: [0.0, 0.0],
+            scale: [1.0, 1.0],
+            color: Color::WHITE,
+            layer_depth: 0.0,
+        }
+    }
+
+    /// As [`Text::new`], with the middle of the text at `position`.
+    pub fn centered(text: impl Into<String>, position: impl Into<Point>) -> Self {
+        let text = Text::new(text, position);
+        Text { origin: text.size().map(|side| 0.5 * side), ..text }
+    }
+
+    /// Width and height in px at scale 1.
+    #[doc(alias = "MeasureString")]
+    pub fn size(&self) -> Point {
+        text_size(&self.text, 1)
+    }
+
+    /// Draws it. With a number that is not finite nothing is drawn.
+    pub fn draw(&self, canvas: &mut dyn Canvas) {
+        if !self.is_finite() {
+            return;
+        }
+        let to_canvas = Transform::translation([-self.origin[0], -self.origin[1]])
+            .then(&Transform::scaling(self.scale))
+            .then(&Transform::rotation(self.rotation))
+            .then(&Transform::translation(self.position));
+        draw_characters(canvas, &self.text, &to_canvas, self.color);
+    }
+
+    pub(crate) fn is_finite(&self) -> bool {
+        let Text { position, origin, scale, rotation, layer_depth, .. } = self;
+        [position, origin, scale].into_iter().flatten().chain([rotation, layer_depth]).all(|n| n.is_finite())
+    }
+}
+
 /// Writes a text with its upper left corner at `position` (px, rounded to whole ones), every pixel of the
-/// font as a square of `scale` x `scale` px. `\n` begins a new line. ASCII and Latin-1 characters are known;
-/// others become `?`. A scale of 0 or above 256 draws nothing.
+/// font as a square of `scale` x `scale` px; [`Text`] can be turned and sorted with sprites. A scale of 0 or above 256
+/// draws nothing.
 pub fn draw_text(canvas: &mut dyn Canvas, text: &str, position: impl Into<Point>, scale: u32, color: Color) {
     if !(1..=MAX_SCALE).contains(&scale) {
         return;
     }
-    let [left, top] = position.into().map(f32::round);
-    let advance = (CHARACTER_SIZE * scale) as f32;
+    let corner = Transform::translation(position.into().map(f32::round));
+    draw_characters(canvas, text, &Transform::scaling([scale as f32; 2]).then(&corner), color);
+}
+
+fn draw_characters(canvas: &mut dyn Canvas, text: &str, to_canvas: &Transform, color: Color) {
+    let advance = CHARACTER_SIZE as f32;
     for (row, line) in text.split('\n').enumerate() {
         for (column, character) in line.chars().enumerate() {
-            let corner = [left + column as f32 * advance, top + row as f32 * advance];
-            draw_character(canvas, character, corner, scale as f32, color);
+            let corner = Transform::translation([column as f32 * advance, row as f32 * advance]);
+            draw_character(canvas, character, &corner.then(to_canvas), color);
         }
     }
 }
 
 /// Width and height in px that [`draw_text`] covers.
+#[doc(alias = "MeasureString")]
 pub fn text_size(text: &str, scale: u32) -> [f32; 2] {
     let columns = text.split('\n').map(|line| line.chars().count()).max().unwrap_or(0);
     let rows = text.split('\n').count();
@@ -46,16 +128,20 @@ pub fn draw_caption(canvas: &mut dyn Canvas, text: &str) {
     draw_text(canvas, text, [MARGIN, MARGIN], SCALE, Color::WHITE);
 }
 
-fn draw_character(canvas: &mut dyn Canvas, character: char, [x, y]: Point, scale: f32, color: Color) {
+fn draw_character(canvas: &mut dyn Canvas, character: char, to_canvas: &Transform, color: Color) {
     let glyph = BASIC_FONTS.get(character).or_else(|| LATIN_FONTS.get(character));
     let Some(rows) = glyph.or_else(|| BASIC_FONTS.get('?')) else { return };
+    // One polygon, so that no seams show where it is turned: to each run from the same corner and back to it, by edges
+    // that fill nothing.
+    let mut outline: Vec<Point> = Vec::new();
     for (row, bits) in (0u8..).zip(rows) {
         for (first, length) in runs(bits) {
-            let corner = [x + f32::from(first) * scale, y + f32::from(row) * scale];
-            let size = [f32::from(length) * scale, scale];
-            canvas.fill_rectangle(corner, size, &Transform::IDENTITY, color);
+            let [left, right, top, bottom] = [first, first + length, row, row + 1].map(f32::from);
+            outline.extend([[0.0, 0.0], [left, top], [right, top], [right, bottom], [left, bottom]]);
+            outline.push([left, top]);
         }
     }
+    canvas.fill_polygon(&outline, to_canvas, color);
 }
 
 /// First column and length of each run of set bits; the lowest bit is the leftmost pixel.

@@ -1,8 +1,13 @@
 //! Textures by the ids under which the simulator knows them.
 
+use std::path::{Path, PathBuf};
+
 use twohalf::TextureId;
 
-use crate::Texture2D;
+use crate::{RenderError, Result, Texture2D};
+
+/// What a name may lack.
+const ENDINGS: [&str; 4] = ["", ".png", ".jpg", ".jpeg"];
 
 /// The pictures of a game. The simulator keeps ids only: those of the shadows of bodies and platforms.
 ///
@@ -17,9 +22,53 @@ use crate::Texture2D;
 #[derive(Debug, Clone, Default)]
 pub struct TextureStore {
     textures: Vec<Texture2D>,
+    folder: PathBuf,
+    names: Vec<(String, TextureId)>,
+    missing: Vec<String>,
 }
 
 impl TextureStore {
+    /// A store that looks for names in a folder, as XNA's content manager does in its root directory; one made with
+    /// `default` looks in the current folder.
+    #[doc(alias = "RootDirectory")]
+    pub fn in_folder(folder: impl Into<PathBuf>) -> Self {
+        TextureStore { folder: folder.into(), ..TextureStore::default() }
+    }
+
+    /// The picture with this name in the folder, PNG or JPEG; the name may lack `.png`, `.jpg` or `.jpeg`, in this
+    /// order. It is read when it is asked for the first time, and has the same id from then on.
+    ///
+    /// # Errors
+    /// There is no such file, it cannot be read, or is no such picture. Nothing is kept then.
+    #[doc(alias = "Content.Load")]
+    pub fn load(&mut self, name: &str) -> Result<TextureId> {
+        if let Some(&(_, id)) = self.names.iter().find(|(known, _)| known == name) {
+            return Ok(id);
+        }
+        let texture = Texture2D::load(find(&self.folder, name)?)?;
+        Ok(self.keep(name, texture))
+    }
+
+    /// As [`load`](Self::load); what cannot be had is seen as magenta and black squares
+    /// ([`Texture2D::stand_in`]), and its name, with the reason, is in [`missing`](Self::missing).
+    pub fn load_or_stand_in(&mut self, name: &str) -> TextureId {
+        self.load(name).unwrap_or_else(|error| {
+            self.missing.push(format!("{name}: {error}"));
+            self.keep(name, Texture2D::stand_in())
+        })
+    }
+
+    /// What a stand-in was made for, each with the reason, in the order in which it was asked for.
+    pub fn missing(&self) -> &[String] {
+        &self.missing
+    }
+
+    fn keep(&mut self, name: &str, texture: Texture2D) -> TextureId {
+        let id = self.add(texture);
+        self.names.push((name.to_owned(), id));
+        id
+    }
+
     /// Keeps a texture and gives it an id.
     pub fn add(&mut self, texture: Texture2D) -> TextureId {
         let id =
@@ -33,4 +82,10 @@ impl TextureStore {
         let texture = self.textures.get(id.id as usize)?;
         ((texture.width(), texture.height()) == (id.width, id.height)).then_some(texture)
     }
+}
+
+fn find(folder: &Path, name: &str) -> Result<PathBuf> {
+    let paths = ENDINGS.map(|ending| folder.join(format!("{name}{ending}")));
+    let found = paths.into_iter().find(|path| path.is_file());
+    found.ok_or_else(|| RenderError::NoPicture { name: name.to_owned(), folder: folder.to_owned() })
 }

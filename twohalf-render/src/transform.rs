@@ -44,6 +44,35 @@ impl Transform {
         Transform { x_axis: [1.0, slopes[0]], y_axis: [0.0, 1.0 + slopes[1]], translation: [0.0, 0.0] }
     }
 
+    /// A camera that looks at the point `looks_at` of a scene and shows it at `on_canvas`, `zoom` times as large (1: as
+    /// it is; greater than 0), turned by `rotation` rad, positive clockwise.
+    ///
+    /// ```
+    /// # use twohalf_render::Transform;
+    /// let camera = Transform::camera([500.0, 40.0], 2.0, 0.0, [360.0, 240.0]);
+    /// assert_eq!(camera.apply([510.0, 40.0]), [380.0, 240.0]);
+    /// // Where in the scene something on the screen is: under a mouse, for example.
+    /// assert_eq!(camera.inverse().unwrap().apply([380.0, 240.0]), [510.0, 40.0]);
+    /// ```
+    pub fn camera(looks_at: Point, zoom: f32, rotation: f32, on_canvas: Point) -> Self {
+        Transform::translation(looks_at.map(|at| -at))
+            .then(&Transform::scaling([zoom; 2]))
+            .then(&Transform::rotation(rotation))
+            .then(&Transform::translation(on_canvas))
+    }
+
+    /// The way back; `None` if there is none, since an area becomes a line or a number is not finite.
+    #[doc(alias = "Invert")]
+    pub fn inverse(&self) -> Option<Self> {
+        let [[a, b], [c, d], [x, y]] =
+            [self.x_axis, self.y_axis, self.translation].map(|axis| axis.map(f64::from));
+        let area = a * d - b * c;
+        let columns = [[d, -b], [-c, a], [c * y - d * x, b * x - a * y]];
+        let [x_axis, y_axis, translation] = columns.map(|column| column.map(|n| (n / area) as f32));
+        let back = Transform { x_axis, y_axis, translation };
+        [x_axis, y_axis, translation].iter().flatten().all(|number| number.is_finite()).then_some(back)
+    }
+
     /// First `self`, then `next`.
     pub fn then(&self, next: &Transform) -> Self {
         Transform {
@@ -85,5 +114,18 @@ mod tests {
     fn then_applies_the_receiver_first() {
         let both = Transform::scaling([2.0, 3.0]).then(&Transform::translation([10.0, 20.0]));
         assert_eq!(both.apply([1.0, 1.0]), [12.0, 23.0]);
+    }
+
+    #[test]
+    fn a_flat_transform_has_no_way_back() {
+        assert_eq!(Transform::scaling([1.0, 0.0]).inverse(), None);
+        assert_eq!(Transform::translation([f32::NAN, 0.0]).inverse(), None);
+    }
+
+    #[test]
+    fn there_and_back_changes_nothing() {
+        // Powers of two and a quarter of a turn without rounding.
+        let turned = Transform { x_axis: [0.0, 2.0], y_axis: [-4.0, 0.0], translation: [3.0, -5.0] };
+        assert_eq!(turned.then(&turned.inverse().unwrap()).apply([7.0, 11.0]), [7.0, 11.0]);
     }
 }

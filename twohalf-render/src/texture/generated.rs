@@ -47,6 +47,15 @@ impl Texture2D {
         })
     }
 
+    /// What is seen where a picture is missing: 32 x 32 px, magenta and black in squares of 8 px.
+    pub fn stand_in() -> Self {
+        let square = |x: usize, y: usize| {
+            if (x / 8 + y / 8).is_multiple_of(2) { [255, 0, 255, 255] } else { [0, 0, 0, 255] }
+        };
+        let pixels: Vec<[u8; 4]> = (0..32).flat_map(|y| (0..32).map(move |x| square(x, y))).collect();
+        Texture2D::opaque(32, 32, pixels.concat())
+    }
+
     /// Light from the upper left on a ball, to be drawn over it, not rotated: a soft highlight, and shade on
     /// the far side. `diameter` in px as that of the ball.
     ///

@@ -6,8 +6,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::error::check_size;
-use crate::png_file;
-use crate::{Color, Point, RenderError, Result};
+use crate::{Color, Point, Rectangle, RenderError, Result};
+use crate::{jpeg_file, png_file};
 
 /// A picture to draw. It cannot be changed; a clone shares its pixels and costs nothing.
 #[derive(Clone, PartialEq, Eq)]
@@ -49,8 +49,12 @@ impl Texture2D {
 
     /// One opaque white px: to be stretched and tinted.
     pub(crate) fn white_pixel() -> Self {
-        let pixels = || vec![255; 4];
-        let image = Image { width: 1, height: 1, straight: pixels(), premultiplied: pixels() };
+        Texture2D::opaque(1, 1, vec![255; 4])
+    }
+
+    /// Pixels that fit the size, all of them opaque.
+    fn opaque(width: u32, height: u32, pixels: Vec<u8>) -> Self {
+        let image = Image { width, height, premultiplied: pixels.clone(), straight: pixels };
         Texture2D { image: Arc::new(image) }
     }
 
@@ -71,9 +75,7 @@ impl Texture2D {
     #[doc(alias = "FromFile")]
     pub fn load_png(path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
-        let bytes =
-            std::fs::read(path).map_err(|source| RenderError::ReadFile { path: path.to_owned(), source })?;
-        let (width, height, pixels) = png_file::decode(&path.display().to_string(), &bytes)?;
+        let (width, height, pixels) = png_file::decode(&path.display().to_string(), &read(path)?)?;
         Texture2D::from_rgba8(width, height, pixels)
     }
 
@@ -84,6 +86,51 @@ impl Texture2D {
     #[doc(alias = "Save")]
     pub fn save_png(&self, path: impl AsRef<Path>) -> Result<()> {
         png_file::write(path.as_ref(), self.width(), self.height(), self.rgba8())
+    }
+
+    /// A texture from the bytes of a PNG or JPEG picture; what it is its first bytes say.
+    ///
+    /// # Errors
+    /// The bytes are no such picture, or one that is too large.
+    pub fn decode(bytes: &[u8]) -> Result<Self> {
+        Texture2D::decode_named("in memory", bytes)
+    }
+
+    /// A texture from a PNG or JPEG file, as [`Texture2D::decode`].
+    ///
+    /// # Errors
+    /// The file cannot be read, or is no such picture, or one that is too large.
+    pub fn load(path: impl AsRef<Path>) -> Result<Self> {
+        let path = path.as_ref();
+        Texture2D::decode_named(&path.display().to_string(), &read(path)?)
+    }
+
+    fn decode_named(name: &str, bytes: &[u8]) -> Result<Self> {
+        let is_jpeg = bytes.starts_with(&jpeg_file::MAGIC);
+        let decode = if is_jpeg { jpeg_file::decode } else { png_file::decode };
+        let (width, height, pixels) = decode(name, bytes)?;
+        Texture2D::from_rgba8(width, height, pixels)
+    }
+
+    /// A copy of the part that lies in a rectangle; `None` if nothing does.
+    pub fn part(&self, source: Rectangle) -> Option<Texture2D> {
+        let inside = source.intersection(&Rectangle::new(0, 0, self.width(), self.height()));
+        let cut = |pixels: &[u8]| {
+            let rows = pixels.chunks_exact(4 * self.width() as usize);
+            let [first, length] = [inside.x, inside.width].map(|px| 4 * px as usize);
+            rows.skip(inside.y as usize)
+                .take(inside.height as usize)
+                .flat_map(|row| &row[first..first + length])
+                .copied()
+                .collect()
+        };
+        let image = || Image {
+            width: inside.width,
+            height: inside.height,
+            straight: cut(&self.image.straight),
+            premultiplied: cut(&self.image.premultiplied),
+        };
+        (!inside.is_empty()).then(|| Texture2D { image: Arc::new(image()) })
     }
 
     /// Width in px.
@@ -123,6 +170,10 @@ impl Texture2D {
     pub fn premultiplied_rgba8(&self) -> &[u8] {
         &self.image.premultiplied
     }
+}
+
+fn read(path: &Path) -> Result<Vec<u8>> {
+    std::fs::read(path).map_err(|source| RenderError::ReadFile { path: path.to_owned(), source })
 }
 
 impl std::fmt::Debug for Texture2D {

@@ -2,4 +2,8 @@
 
 mod bad_input;
 mod files;
+mod names;
+mod picture_bodies;
 mod pixels;
+mod scenes;
+mod views;

@@ -1,0 +1,87 @@
+//! How things of a scene look.
+
+use crate::{Color, PlatformLook, Point, Rectangle, Texture2D};
+
+/// How something in a [`Scene`](super::Scene) looks.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Look {
+    /// Not at all, without a shadow.
+    Nothing,
+    /// A flat picture, at the depth of the body's middle. For platforms, which are no pictures, nothing.
+    Picture(Picture),
+    /// A solid with top and sides, in plain colours: a platform, or the outline of each of a body's geoms along its
+    /// depth. Convex outlines look right.
+    Solid(PlatformLook),
+    /// The same with textures on it, where there are some.
+    Textured(PlatformLook, Textures),
+    /// A ball of this colour with a mark that shows its rotation, of the size of the body's object geom.
+    Ball(Color),
+    /// Somebody to stand in for a picture that is yet to be drawn.
+    Figure(Figure),
+}
+
+/// A flat picture of a body. Made with [`Picture::new`] or [`Picture::standing`], other fields as needed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Picture {
+    /// The texture.
+    pub texture: Texture2D,
+    /// The part of it that is shown; all of it if `None`.
+    pub source: Option<Rectangle>,
+    /// Multiplies every channel; its alpha is the opacity.
+    pub tint: Color,
+    /// Whether it is mirrored, left for right.
+    #[doc(alias = "SpriteEffects.FlipHorizontally")]
+    pub flip: bool,
+    /// Size of a px of the texture.
+    pub scale: f32,
+    /// Whether the middle of its lower edge is put where the body stands, upright. Otherwise its middle is at the
+    /// body's origin, and it turns with the body.
+    pub stands: bool,
+}
+
+impl Picture {
+    /// The texture about the body's origin, turning with it.
+    pub fn new(texture: &Texture2D) -> Self {
+        let texture = texture.clone();
+        Picture { texture, source: None, tint: Color::WHITE, flip: false, scale: 1.0, stands: false }
+    }
+
+    /// The texture upright on the body's feet.
+    pub fn standing(texture: &Texture2D) -> Self {
+        Picture { stands: true, ..Picture::new(texture) }
+    }
+
+    /// Of what is shown, px of the texture.
+    pub(super) fn size(&self) -> Point {
+        let all = Rectangle::new(0, 0, self.texture.width(), self.texture.height());
+        let shown = self.source.map_or(all, |source| source.intersection(&all));
+        [shown.width as f32, shown.height as f32]
+    }
+}
+
+/// Textures for the faces of a solid, repeated from the upper left corner of each face, one px of the texture a px.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Textures {
+    /// On the upper face of a platform or box.
+    pub top: Option<Texture2D>,
+    /// On the face towards the viewer.
+    pub front: Option<Texture2D>,
+}
+
+/// A stand-in for a figure: legs, body and head, as large as the body's object geom.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Figure {
+    /// Colour of the clothes.
+    pub color: Color,
+    /// Whether it looks to the left.
+    pub looks_left: bool,
+    /// How far it is in its walk, in steps; whole numbers stand.
+    pub stride: f32,
+}
+
+impl Figure {
+    /// Standing, looking to the right.
+    pub const fn new(color: Color) -> Self {
+        Figure { color, looks_left: false, stride: 0.0 }
+    }
+}

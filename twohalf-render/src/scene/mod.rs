@@ -1,0 +1,133 @@
+//! A scene of the 2.5D engine in one call: its order, its shadows, and how each thing looks.
+
+mod look;
+mod patch;
+mod shadows;
+mod solid;
+
+pub use look::{Figure, Look, Picture, Textures};
+pub use patch::Patch;
+
+use twohalf::{BodyId, Drawable, TwoHalfPhysicsSimulator};
+
+use crate::{Canvas, Point, Sprite, Texture2D, Transform, View};
+use shadows::{Cast, SHADOW_SIZE};
+
+/// Everything that a simulator of the 2.5D engine holds, drawn back to front with its shadows.
+///
+/// ```
+/// # use twohalf::*;
+/// # use twohalf_factories::*;
+/// # use twohalf_render::*;
+/// # let mut simulator = TwoHalfPhysicsSimulator::new(240)?;
+/// # Platform::new(&mut simulator, 120.0, 20.0, 60.0, Vector3::new(130.0, 10.0, 60.0), None)?;
+/// # let ball = TwoHalfBodyFactory::create_circle_body(&mut simulator, 20.0, 1.0)?;
+/// # let geom = TwoHalfGeomFactory::create_circle_geom(&mut simulator, ball, 20.0, 24)?;
+/// # simulator.body_mut(ball).unwrap().ground_mut().set_object_geom(geom, None)?;
+/// # simulator.update(0.0);
+/// # let mut canvas = SoftwareCanvas::new(320, 240)?;
+/// let camera = Transform::camera([160.0, 120.0], 1.0, 0.0, [160.0, 120.0]);
+/// let shadow = Scene::soft_shadow();
+/// Scene::new(&simulator, &shadow).camera(&camera).draw(&mut canvas, |thing| match thing {
+///     Drawable::Platform(_) => Look::Solid(PlatformLook::new(Color::rgb(150, 122, 96))),
+///     Drawable::Body(_) => Look::Ball(Color::rgb(210, 60, 50)),
+/// });
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// Light comes from straight above. A shadow lies on the highest surface beneath the middle of what casts it: the
+/// ground, a platform, or the level top of another body that is drawn as a [`Look::Solid`] or [`Look::Textured`]; it
+/// ends at the edge of that surface and shrinks with height ([`shadow_scale`](crate::shadow_scale)).
+#[derive(Debug, Clone)]
+pub struct Scene<'a> {
+    simulator: &'a TwoHalfPhysicsSimulator,
+    shadow: &'a Texture2D,
+    camera: Transform,
+    patches: &'a [Patch],
+}
+
+impl<'a> Scene<'a> {
+    /// The scene as the simulator projects it, with this picture for all shadows, which is stretched over the
+    /// footprint of what casts one.
+    pub fn new(simulator: &'a TwoHalfPhysicsSimulator, shadow: &'a Texture2D) -> Self {
+        Scene { simulator, shadow, camera: Transform::IDENTITY, patches: &[] }
+    }
+
+    /// A soft round shadow, to be made once.
+    pub fn soft_shadow() -> Texture2D {
+        // Sizes that are allowed are not refused.
+        Texture2D::shadow(SHADOW_SIZE[0], SHADOW_SIZE[1]).unwrap_or_else(|_| Texture2D::stand_in())
+    }
+
+    /// The same through a camera; see [`Transform::camera`].
+    pub fn camera(self, camera: &Transform) -> Self {
+        Scene { camera: *camera, ..self }
+    }
+
+    /// The same with holes, water and other things in the ground, which are drawn in this order before everything.
+    pub fn patches(self, patches: &'a [Patch]) -> Self {
+        Scene { patches, ..self }
+    }
+
+    /// What lies in front at a point of the canvas, px: under the mouse, for example. Nothing with a camera that has no
+    /// way back.
+    pub fn pick(&self, point: impl Into<Point>) -> Option<Drawable> {
+        let [x, y] = self.camera.inverse()?.apply(point.into());
+        self.simulator.pick_front(twohalf::Vector2::new(x, y))
+    }
+
+    /// Draws everything; `look` says how each thing looks, and is asked once for each.
+    pub fn draw(&self, canvas: &mut dyn Canvas, mut look: impl FnMut(Drawable) -> Look) {
+        let mut view = View::new(canvas).camera(&self.camera);
+        let order = self.simulator.draw_order();
+        let things: Vec<(Drawable, Look)> = order.into_iter().map(|thing| (thing, look(thing))).collect();
+        let casts = Cast::all(self.simulator, self.shadow, &things);
+        let on = |surface: Option<Drawable>| casts.iter().filter(move |cast| cast.surface == surface);
+        self.patches.iter().for_each(|patch| patch.draw(self.simulator, &mut view));
+        on(None).for_each(|cast| cast.sprite.draw(&mut view));
+        for (thing, look) in &things {
+            match thing {
+                Drawable::Platform(id) => solid::draw_platform(self.simulator, &mut view, *id, look),
+                Drawable::Body(id) => self.draw_body(&mut view, *id, look),
+            }
+            on(Some(*thing)).for_each(|cast| cast.sprite.draw(&mut view));
+        }
+    }
+
+    fn draw_body(&self, canvas: &mut dyn Canvas, id: BodyId, look: &Look) {
+        match look {
+            Look::Nothing => (),
+            Look::Picture(picture) => {
+                if let Some(sprite) = self.sprite(id, picture) {
+                    sprite.draw(canvas);
+                }
+            }
+            Look::Solid(look) => solid::draw_body(self.simulator, canvas, id, look, None),
+            Look::Textured(look, textures) => {
+                solid::draw_body(self.simulator, canvas, id, look, Some(textures))
+            }
+            Look::Ball(color) => solid::draw_ball(self.simulator, canvas, id, *color),
+            Look::Figure(figure) => solid::draw_figure(self.simulator, canvas, id, figure),
+        }
+    }
+
+    fn sprite(&self, id: BodyId, picture: &Picture) -> Option<Sprite> {
+        let body = self.simulator.body(id)?;
+        let [width, height] = picture.size();
+        let (position, origin, rotation) = if picture.stands {
+            let feet = self.simulator.projection().to_screen(body.position3d());
+            (feet, [0.5 * width, height], 0.0)
+        } else {
+            (body.position(), [0.5 * width, 0.5 * height], body.rotation())
+        };
+        let mirror = if picture.flip { -1.0 } else { 1.0 };
+        Some(Sprite {
+            source: picture.source,
+            origin,
+            rotation,
+            scale: [mirror * picture.scale, picture.scale],
+            tint: picture.tint,
+            ..Sprite::new(&picture.texture, position)
+        })
+    }
+}

@@ -1,0 +1,103 @@
+//! Which shadows a scene has, and on what they lie.
+
+use twohalf::{BodyId, Drawable, Partner, TwoHalfPhysicsSimulator, Vector3, VirtualGeom};
+
+use super::Look;
+use crate::shadow::{Lit, Shadow};
+use crate::{Color, Sprite, Texture2D};
+
+/// Of the picture that is stretched over footprints, px.
+pub(super) const SHADOW_SIZE: [u32; 2] = [32, 16];
+
+/// How much larger than its footprint the shadow of a thing is: its picture fades towards its edge.
+const SPREAD: f32 = 1.2;
+/// How deep the shadow of a flat picture is, to the depth of its footprint.
+const FLATNESS: f32 = 0.6;
+/// What rests lies in what is beneath it, up to this many px.
+const SUNK: f32 = 2.0;
+/// Tops that are tilted by more than this, rad, take no shadow.
+const LEVEL: f32 = 0.01;
+
+/// A shadow, and what it lies on: the ground if nothing.
+pub(super) struct Cast {
+    pub(super) surface: Option<Drawable>,
+    pub(super) sprite: Sprite,
+}
+
+impl Cast {
+    pub(super) fn all(
+        simulator: &TwoHalfPhysicsSimulator,
+        texture: &Texture2D,
+        things: &[(Drawable, Look)],
+    ) -> Vec<Cast> {
+        let tops: Vec<(BodyId, VirtualGeom)> =
+            things.iter().flat_map(|thing| tops(simulator, thing)).collect();
+        let bodies = things.iter().filter_map(|(thing, look)| match (thing, look) {
+            (_, Look::Nothing) | (Drawable::Platform(_), _) => None,
+            (Drawable::Body(id), look) => of_body(simulator, texture, *id, look, &tops),
+        });
+        let platforms = things.iter().filter_map(|(thing, look)| match (thing, look) {
+            (Drawable::Platform(id), Look::Solid(_) | Look::Textured(..)) => {
+                let corners = simulator.platform(*id)?.corners();
+                let [a, b, c, d] = [3, 2, 6, 7].map(|corner: usize| {
+                    let on_ground = Vector3::new(corners[corner].x, 0.0, corners[corner].z);
+                    simulator.projection().to_screen(on_ground).into()
+                });
+                let sprite = Sprite::polygon([a, b, c, d], Color::rgba(0, 0, 0, 70));
+                Some(Cast { surface: None, sprite })
+            }
+            _ => None,
+        });
+        platforms.chain(bodies).collect()
+    }
+}
+
+/// The level tops of a solid body.
+fn tops(simulator: &TwoHalfPhysicsSimulator, (thing, look): &(Drawable, Look)) -> Vec<(BodyId, VirtualGeom)> {
+    let (Drawable::Body(id), Look::Solid(_) | Look::Textured(..)) = (thing, look) else { return Vec::new() };
+    let Some(body) = simulator.body(*id) else { return Vec::new() };
+    let quarter = std::f32::consts::FRAC_PI_2;
+    let tilt = (body.rotation() + 0.5 * quarter).rem_euclid(quarter) - 0.5 * quarter;
+    let geoms = simulator.core().geoms_of(*id).iter().filter_map(|&geom| simulator.geom(geom));
+    let solids = geoms.map(|geom| geom.virtual_geom()).filter(|shape| !shape.is_round);
+    if tilt.abs() > LEVEL { Vec::new() } else { solids.map(|shape| (*id, shape)).collect() }
+}
+
+fn of_body(
+    simulator: &TwoHalfPhysicsSimulator,
+    texture: &Texture2D,
+    id: BodyId,
+    look: &Look,
+    tops: &[(BodyId, VirtualGeom)],
+) -> Option<Cast> {
+    let object = simulator.body(id)?.ground().object_geom()?;
+    let geom = simulator.geom(object)?;
+    let (shape, middle) = (geom.virtual_geom(), geom.position3d());
+    let surface = simulator.surface_beneath(middle)?;
+    let is_beneath = |(other, top): &&(BodyId, VirtualGeom)| {
+        *other != id
+            && (top.left..=top.right).contains(&middle.x)
+            && (top.front..=top.back).contains(&middle.z)
+            && (surface.height..=shape.bottom + SUNK).contains(&top.top)
+    };
+    let highest = tops.iter().filter(is_beneath).max_by(|a, b| a.1.top.total_cmp(&b.1.top));
+    let flat = matches!(look, Look::Picture(_) | Look::Figure(_) | Look::Ball(_));
+    let depth = (shape.back - shape.front) * if flat { FLATNESS } else { 1.0 };
+    let size = [shape.right - shape.left, depth];
+    let picture = [texture.width() as f32, texture.height() as f32];
+    let shadow = Shadow {
+        texture,
+        position_offset: [0.0; 2],
+        scale: [0, 1].map(|axis| SPREAD * size[axis] / picture[axis]),
+        color_tint: Color::WHITE,
+        layer_depth: 0.0,
+    };
+    let (on, lit) = match (highest, surface.partner) {
+        (Some((other, top)), _) => (Some(Drawable::Body(*other)), Lit::top(simulator, top)),
+        (None, Partner::Platform(platform)) => {
+            (Some(Drawable::Platform(platform)), Lit::surface(simulator, &surface))
+        }
+        (None, _) => (None, Lit::surface(simulator, &surface)),
+    };
+    Some(Cast { surface: on, sprite: shadow.sprite(simulator, lit, middle, Some(shape.bottom)) })
+}

@@ -1,0 +1,200 @@
+//! Solids of a scene, and stand-ins.
+
+use twohalf::{BodyId, PlatformId, TwoHalfPhysicsSimulator, Vector3};
+
+use super::{Figure, Look, Textures};
+use crate::corners::{bend, corners_of, cross, distance};
+use crate::outline_of_line::outline_of_line;
+use crate::surface::{Face, corners_on_screen, to_screen};
+use crate::{Canvas, Color, DrawPlatform, PlatformLook, Point, SpriteBatch, Texture2D, Transform};
+
+const STILL: Transform = Transform::IDENTITY;
+
+/// Most pieces of a texture beside each other on a face; more cannot be told apart.
+const MAX_TILES: f32 = 512.0;
+/// Sine of the angle from which on a corner of an outline is an edge of the solid.
+const SHARP: f32 = 0.5;
+
+pub(super) fn draw_platform(
+    simulator: &TwoHalfPhysicsSimulator,
+    canvas: &mut dyn Canvas,
+    id: PlatformId,
+    look: &Look,
+) {
+    let (look, textures) = match look {
+        Look::Solid(look) => (look, None),
+        Look::Textured(look, textures) => (look, Some(textures)),
+        _ => return,
+    };
+    let (Some(corners), Some(platform)) = (corners_on_screen(simulator, id), simulator.platform(id)) else {
+        return;
+    };
+    let mut look = *look;
+    for (face, texture, color, height) in [
+        (Face::Top, textures.and_then(|textures| textures.top.as_ref()), &mut look.top, platform.depth()),
+        (
+            Face::Front,
+            textures.and_then(|textures| textures.front.as_ref()),
+            &mut look.front,
+            platform.height(),
+        ),
+    ] {
+        let face = face.corners(&corners);
+        if let Some(texture) = texture {
+            *color = Color::TRANSPARENT;
+            if cross(face[0], face[1], face[2]) > 0.0 {
+                draw_tiles(canvas, texture, face, [platform.width(), height]);
+            }
+        }
+    }
+    // The other faces, and the edges over all of them.
+    let mut batch = SpriteBatch::begin();
+    simulator.draw_platform(&mut batch, id, &look, 0.0);
+    batch.end(canvas);
+}
+
+/// Repeats a texture over a face that is `size` px large, from its first corner to the second and the last.
+fn draw_tiles(canvas: &mut dyn Canvas, texture: &Texture2D, corners: [Point; 4], size: Point) {
+    let [a, b, _, d] = corners;
+    let axis = |to: Point, length: f32| [(to[0] - a[0]) / length, (to[1] - a[1]) / length];
+    let face = Transform { x_axis: axis(b, size[0]), y_axis: axis(d, size[1]), translation: a };
+    let tile = [texture.width() as f32, texture.height() as f32];
+    let [columns, rows] = [0, 1].map(|axis| (size[axis] / tile[axis]).ceil().min(MAX_TILES) as u32);
+    for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))) {
+        let corner = Transform::translation([column as f32 * tile[0], row as f32 * tile[1]]);
+        canvas.draw_texture(texture, &corner.then(&face), Color::WHITE, Some(&corners));
+    }
+}
+
+/// The outline of every geom, from its front to its back.
+pub(super) fn draw_body(
+    simulator: &TwoHalfPhysicsSimulator,
+    canvas: &mut dyn Canvas,
+    id: BodyId,
+    look: &PlatformLook,
+    textures: Option<&Textures>,
+) {
+    for &geom in simulator.core().geoms_of(id) {
+        let Some(view) = simulator.geom(geom) else { continue };
+        let shape = view.virtual_geom();
+        let half = 0.5 * (shape.back - shape.front);
+        // From the middle of the depth, where the outline is, to its front and back.
+        let [near, middle, far] = [-half, 0.0, half]
+            .map(|z| Point::from(simulator.projection().to_screen(Vector3::new(0.0, 0.0, z))));
+        let moved = |point: Point, to: Point| [point[0] + to[0] - middle[0], point[1] + to[1] - middle[1]];
+        let outline = corners_of(view.screen_outline().into_iter().map(Point::from));
+        let front: Vec<Point> = outline.iter().map(|&point| moved(point, near)).collect();
+        let back: Vec<Point> = outline.iter().map(|&point| moved(point, far)).collect();
+        draw_sides(canvas, &front, &back, look);
+        canvas.fill_polygon(&front, &STILL, look.front);
+        if let (Some(texture), &[a, b, c, d]) =
+            (textures.and_then(|textures| textures.front.as_ref()), &front[..])
+        {
+            let [a, b, c, d] = upright([a, b, c, d]);
+            draw_tiles(canvas, texture, [a, b, c, d], [distance(a, b), distance(a, d)]);
+        }
+        canvas.stroke_polyline(&front, true, look.edge_width, &STILL, look.edges);
+    }
+}
+
+/// The sides of a prism that can be seen: lighter the more they look up.
+fn draw_sides(canvas: &mut dyn Canvas, front: &[Point], back: &[Point], look: &PlatformLook) {
+    let turn: f32 = (0..front.len()).map(|i| cross(front[0], front[i], front[(i + 1) % front.len()])).sum();
+    for from in 0..front.len() {
+        let to = (from + 1) % front.len();
+        let [mut a, mut b, mut c, mut d] = [front[from], back[from], back[to], front[to]];
+        if turn < 0.0 {
+            [a, b, c, d] = [d, c, b, a];
+        }
+        if cross(a, b, c) <= 0.0 {
+            continue;
+        }
+        // Of the edge along the front, clockwise: to the right is a top, to the left an underside.
+        let up = (d[0] - a[0]) / distance(a, d).max(f32::MIN_POSITIVE);
+        let color =
+            if up > 0.0 { look.sides.lerp(look.top, up) } else { look.sides.lerp(look.underside, -up) };
+        canvas.fill_polygon(&[a, b, c, d], &STILL, color);
+        canvas.stroke_polyline(&[b, c], false, look.edge_width, &STILL, look.edges);
+        for (corner, [near, far]) in [(from, [front[from], back[from]]), (to, [front[to], back[to]])] {
+            if bend(front, corner).abs() > SHARP {
+                canvas.stroke_polyline(&[near, far], false, look.edge_width, &STILL, look.edges);
+            }
+        }
+    }
+}
+
+/// Four corners clockwise from the upper left one.
+fn upright(mut corners: [Point; 4]) -> [Point; 4] {
+    let [a, b, c, _] = corners;
+    if cross(a, b, c) < 0.0 {
+        corners.reverse();
+    }
+    let first = (0..4).min_by(|&a, &b| {
+        let [a, b] = [a, b].map(|corner: usize| corners[corner][0] + corners[corner][1]);
+        a.total_cmp(&b)
+    });
+    corners.rotate_left(first.unwrap_or(0));
+    corners
+}
+
+/// Least and greatest X and Y of a body's object geom on the screen, at its depth.
+fn bounds(simulator: &TwoHalfPhysicsSimulator, id: BodyId) -> Option<[Point; 2]> {
+    let body = simulator.body(id)?;
+    let shape = simulator.geom(body.ground().object_geom()?)?.virtual_geom();
+    let z = 0.5 * (shape.front + shape.back);
+    let [left, top] = to_screen(simulator, Vector3::new(shape.left, shape.top, z));
+    let [right, bottom] = to_screen(simulator, Vector3::new(shape.right, shape.bottom, z));
+    Some([[left, top], [right, bottom]])
+}
+
+pub(super) fn draw_ball(
+    simulator: &TwoHalfPhysicsSimulator,
+    canvas: &mut dyn Canvas,
+    id: BodyId,
+    color: Color,
+) {
+    let Some((body, [[left, top], [right, bottom]])) = simulator.body(id).zip(bounds(simulator, id)) else {
+        return;
+    };
+    let [rx, ry] = [0.5 * (right - left), 0.5 * (bottom - top)];
+    let center = [left + rx, top + ry];
+    canvas.fill_ellipse(center, [rx, ry], &STILL, color.darker(0.55));
+    canvas.fill_ellipse(center, [rx - 1.5, ry - 1.5], &STILL, color);
+    let turned = Transform::rotation(body.rotation()).then(&Transform::translation(center));
+    canvas.fill_ellipse([0.5 * rx, 0.0], [0.28 * rx, 0.28 * ry], &turned, color.darker(0.4));
+    canvas.fill_ellipse([-0.5 * rx, 0.0], [0.2 * rx, 0.2 * ry], &turned, color.darker(0.2));
+    let light = [center[0] - 0.35 * rx, center[1] - 0.4 * ry];
+    canvas.fill_ellipse(light, [0.3 * rx, 0.22 * ry], &STILL, Color::rgba(255, 255, 255, 120));
+}
+
+/// In units of the figure's height, from its feet up; x forwards.
+pub(super) fn draw_figure(
+    simulator: &TwoHalfPhysicsSimulator,
+    canvas: &mut dyn Canvas,
+    id: BodyId,
+    figure: &Figure,
+) {
+    let Some([[left, top], [right, bottom]]) = bounds(simulator, id) else { return };
+    let height = bottom - top;
+    let forwards = if figure.looks_left { -height } else { height };
+    let place =
+        Transform::scaling([forwards, -height]).then(&Transform::translation([0.5 * (left + right), bottom]));
+    let swing = libm::sin(f64::from(figure.stride) * std::f64::consts::PI) as f32;
+    let [hip, shoulder] = [[0.0, 0.42], [0.0, 0.74]];
+    let limb = |canvas: &mut dyn Canvas, from: Point, to: Point, width: f32, color: Color| {
+        canvas.fill_polygon(&outline_of_line(&[from, to], false, width), &place, color);
+        // Round ends.
+        for end in [from, to] {
+            canvas.fill_ellipse(end, [0.5 * width; 2], &place, color);
+        }
+    };
+    let (skin, trousers) = (Color::rgb(236, 190, 150), figure.color.darker(0.5));
+    limb(canvas, shoulder, [-0.2 * swing + 0.04, 0.44], 0.09, figure.color.darker(0.3));
+    limb(canvas, hip, [-0.16 * swing - 0.05, 0.05], 0.1, trousers.darker(0.25));
+    limb(canvas, hip, [0.16 * swing + 0.05, 0.05], 0.1, trousers);
+    limb(canvas, [0.0, 0.48], [0.0, 0.7], 0.22, figure.color);
+    limb(canvas, shoulder, [0.2 * swing + 0.1, 0.46], 0.09, figure.color.lighter(0.15));
+    canvas.fill_ellipse([0.02, 0.88], [0.11, 0.12], &place, skin);
+    canvas.fill_ellipse([0.0, 0.93], [0.11, 0.08], &place, figure.color.darker(0.65));
+    canvas.fill_ellipse([0.08, 0.88], [0.015, 0.02], &place, Color::BLACK);
+}

@@ -1,0 +1,177 @@
+//! A canvas seen through a camera, or through a window.
+
+use crate::clip::clip_to_convex;
+use crate::outline_of_line::outline_of_line;
+use crate::{Canvas, Color, Point, Rectangle, Texture2D, Transform};
+
+/// Corners of an ellipse that is cut.
+const ELLIPSE_CORNERS: u16 = 64;
+
+/// A canvas, seen through a camera and a rectangle outside of which nothing is drawn. It is a canvas itself, so that
+/// whatever draws can be scrolled, zoomed, turned or shown in a part of the screen: sprites, debug views, backdrops,
+/// scenes and text.
+///
+/// Two players beside each other:
+///
+/// ```
+/// # use twohalf_render::*;
+/// # let simulator = twohalf::TwoHalfPhysicsSimulator::new(200)?;
+/// let mut canvas = SoftwareCanvas::new(320, 200)?;
+/// for (side, player) in [(0, [90.0, 60.0]), (160, [700.0, 60.0])] {
+///     let half = Rectangle::new(side, 0, 160, 200);
+///     let camera = Transform::camera(player, 1.5, 0.0, [side as f32 + 80.0, 100.0]);
+///     let mut view = View::new(&mut canvas).camera(&camera).clip(half);
+///     draw_ground_backdrop(&mut view, &GroundBackdrop::new(120.0, 60.0))?;
+///     DebugView::default().draw(&simulator, &mut view);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// Widths of lines are in px of the canvas, whatever the camera. With a rectangle, joints of lines across its border
+/// are cut flat instead of round, and [`clear`](Canvas::clear) fills it, so that a translucent colour blends.
+pub struct View<'a> {
+    canvas: &'a mut dyn Canvas,
+    camera: Transform,
+    clip: Option<Rectangle>,
+}
+
+impl<'a> View<'a> {
+    /// The canvas as it is.
+    pub fn new(canvas: &'a mut dyn Canvas) -> Self {
+        View { canvas, camera: Transform::IDENTITY, clip: None }
+    }
+
+    /// The same with this camera, which takes what is drawn to the canvas; see [`Transform::camera`].
+    pub fn camera(self, camera: &Transform) -> Self {
+        View { camera: *camera, ..self }
+    }
+
+    /// The same, nothing being drawn outside of this rectangle of the canvas.
+    #[doc(alias = "ScissorRectangle")]
+    pub fn clip(self, rectangle: Rectangle) -> Self {
+        View { clip: Some(rectangle), ..self }
+    }
+
+    /// Takes points that are on the canvas already, through the rectangle.
+    fn fill_on_canvas(&mut self, points: &[Point], color: Color) {
+        match self.clip {
+            Some(clip) => {
+                let inside = clip_to_convex(points, &clip.corners());
+                self.canvas.fill_polygon(&inside, &Transform::IDENTITY, color);
+            }
+            None => self.canvas.fill_polygon(points, &Transform::IDENTITY, color),
+        }
+    }
+
+    /// Whether everything within `margin` px of these points of the canvas is drawn.
+    fn holds(&self, points: &[Point], margin: f32) -> bool {
+        let Some(clip) = self.clip else { return true };
+        let [low, _, high, _] = clip.corners();
+        let is_inside = |axis: usize, at: f32| at - margin >= low[axis] && at + margin <= high[axis];
+        points.iter().all(|point| is_inside(0, point[0]) && is_inside(1, point[1]))
+    }
+
+    /// What of the canvas is drawn on.
+    fn window(&self) -> Rectangle {
+        let [width, height] = self.canvas.size();
+        let all = Rectangle::new(0, 0, width, height);
+        self.clip.map_or(all, |clip| clip.intersection(&all))
+    }
+}
+
+impl Canvas for View<'_> {
+    fn size(&self) -> [u32; 2] {
+        self.canvas.size()
+    }
+
+    fn visible_area(&self) -> [Point; 2] {
+        let Some(back) = self.camera.inverse() else { return [[0.0; 2]; 2] };
+        let corners = self.window().corners().map(|corner| back.apply(corner));
+        let bound = |axis: usize, pick: fn(f32, f32) -> f32| {
+            corners.iter().map(|corner| corner[axis]).reduce(pick).unwrap_or(0.0)
+        };
+        [[bound(0, f32::min), bound(1, f32::min)], [bound(0, f32::max), bound(1, f32::max)]]
+    }
+
+    fn clear(&mut self, color: Color) {
+        match self.clip {
+            Some(clip) => self.canvas.fill_polygon(&clip.corners(), &Transform::IDENTITY, color),
+            None => self.canvas.clear(color),
+        }
+    }
+
+    fn fill_polygon(&mut self, points: &[Point], transform: &Transform, color: Color) {
+        let transform = transform.then(&self.camera);
+        if self.clip.is_none() {
+            return self.canvas.fill_polygon(points, &transform, color);
+        }
+        let points: Vec<Point> = points.iter().map(|&point| transform.apply(point)).collect();
+        if points.iter().flatten().all(|number| number.is_finite()) {
+            self.fill_on_canvas(&points, color);
+        }
+    }
+
+    fn fill_ellipse(&mut self, center: Point, radii: Point, transform: &Transform, color: Color) {
+        let whole = transform.then(&self.camera);
+        let [[x, y], [rx, ry]] = [center, radii];
+        let corners = [[x - rx, y - ry], [x + rx, y - ry], [x + rx, y + ry], [x - rx, y + ry]];
+        if self.holds(&corners.map(|corner| whole.apply(corner)), 0.0) {
+            return self.canvas.fill_ellipse(center, radii, &whole, color);
+        }
+        if rx > 0.0 && ry > 0.0 {
+            let corner = |index| {
+                let turn = f64::from(index) / f64::from(ELLIPSE_CORNERS) * std::f64::consts::TAU;
+                let (sin, cos) = libm::sincos(turn);
+                [x + rx * cos as f32, y + ry * sin as f32]
+            };
+            let corners: Vec<Point> = (0..ELLIPSE_CORNERS).map(corner).collect();
+            self.fill_polygon(&corners, transform, color);
+        }
+    }
+
+    fn stroke_polyline(
+        &mut self,
+        points: &[Point],
+        closed: bool,
+        width: f32,
+        transform: &Transform,
+        color: Color,
+    ) {
+        let transform = transform.then(&self.camera);
+        if self.clip.is_none() {
+            return self.canvas.stroke_polyline(points, closed, width, &transform, color);
+        }
+        let points: Vec<Point> = points.iter().map(|&point| transform.apply(point)).collect();
+        // Joints are round: nothing of a line is farther from its points than half of its width.
+        if self.holds(&points, 0.5 * width) {
+            self.canvas.stroke_polyline(&points, closed, width, &Transform::IDENTITY, color);
+        } else if width > 0.0 && points.iter().flatten().all(|number| number.is_finite()) {
+            self.fill_on_canvas(&outline_of_line(&points, closed, width), color);
+        }
+    }
+
+    fn draw_texture(
+        &mut self,
+        texture: &Texture2D,
+        transform: &Transform,
+        tint: Color,
+        clip: Option<&[Point]>,
+    ) {
+        let transform = transform.then(&self.camera);
+        let on_canvas: Option<Vec<Point>> =
+            clip.map(|clip| clip.iter().map(|&corner| self.camera.apply(corner)).collect());
+        let inside = match (&on_canvas, self.clip) {
+            (Some(clip), _) if !clip.iter().flatten().all(|number| number.is_finite()) => return,
+            (Some(clip), Some(window)) => Some(clip_to_convex(clip, &window.corners())),
+            (None, Some(window)) => Some(window.corners().to_vec()),
+            (clip, None) => clip.clone(),
+        };
+        self.canvas.draw_texture(texture, &transform, tint, inside.as_deref());
+    }
+}
+
+impl std::fmt::Debug for View<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "View({:?}, {:?})", self.camera, self.clip)
+    }
+}

@@ -1,0 +1,178 @@
+//! Scenes of the 2.5D engine, drawn in one call.
+
+use twohalf::{BodyId, Drawable, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3};
+use twohalf_factories::{TwoHalfBodyFactory, TwoHalfGeomFactory};
+use twohalf_render::*;
+
+const RED: Color = Color::rgb(255, 0, 0);
+
+/// Straight up the screen goes Z: a point is at x = X, y = 200 - Y - Z.
+fn world() -> TwoHalfPhysicsSimulator {
+    TwoHalfPhysicsSimulator::with_angle_and_gravity(200, 90, Vector2::new(0.0, 0.0)).unwrap()
+}
+
+/// A box of 40 x 40 x 40 px that stands at a place.
+fn add_box(simulator: &mut TwoHalfPhysicsSimulator, place: Vector3) -> BodyId {
+    let body = TwoHalfBodyFactory::create_rectangle_body(simulator, 40.0, 40.0, 1.0).unwrap();
+    let geom = TwoHalfGeomFactory::create_rectangle_geom(simulator, body, 40.0, 40.0).unwrap();
+    let mut view = simulator.body_mut(body).unwrap();
+    view.ground_mut().set_object_geom(geom, None).unwrap();
+    view.set_position3d(place);
+    body
+}
+
+/// Black shadows, as wide as they are in the middle.
+fn drawn(simulator: &TwoHalfPhysicsSimulator, look: impl FnMut(Drawable) -> Look) -> SoftwareCanvas {
+    let mut canvas = SoftwareCanvas::new(200, 200).unwrap();
+    canvas.clear(Color::WHITE);
+    let shadow = Texture2D::from_rgba8(1, 1, vec![0, 0, 0, 255]).unwrap();
+    Scene::new(simulator, &shadow).draw(&mut canvas, look);
+    canvas
+}
+
+fn plain() -> PlatformLook {
+    PlatformLook { top: Color::rgb(0, 255, 0), edge_width: 0.0, ..PlatformLook::new(RED) }
+}
+
+#[test]
+fn a_solid_shows_its_front_and_its_top() {
+    let mut simulator = world();
+    add_box(&mut simulator, Vector3::new(100.0, 0.0, 60.0));
+    simulator.update(0.0);
+    let canvas = drawn(&simulator, |_| Look::Solid(plain()));
+    // Its front is at Z = 40, from Y = 0 to 40; its top at Y = 40, from there to Z = 80.
+    assert_eq!(canvas.pixel(100, 158), Some(RED));
+    assert_eq!(canvas.pixel(100, 122), Some(RED));
+    assert_eq!(canvas.pixel(100, 118), Some(Color::rgb(0, 255, 0)));
+    assert_eq!(canvas.pixel(100, 82), Some(Color::rgb(0, 255, 0)));
+    assert_eq!(canvas.pixel(100, 78), Some(Color::WHITE));
+}
+
+#[test]
+fn a_shadow_lies_on_a_box_below_and_ends_at_the_edge_of_its_top() {
+    let mut simulator = world();
+    let below = add_box(&mut simulator, Vector3::new(100.0, 0.0, 60.0));
+    let above = add_box(&mut simulator, Vector3::new(115.0, 40.0, 60.0));
+    simulator.update(0.0);
+    let clear = Texture2D::from_rgba8(1, 1, vec![0; 4]).unwrap();
+    let canvas = drawn(&simulator, |thing| match thing {
+        Drawable::Body(id) if id == above => Look::Picture(Picture::new(&clear)),
+        Drawable::Body(id) if id == below => Look::Solid(plain()),
+        _ => Look::Nothing,
+    });
+    // 1.2 times as wide as the box above, from 91 to 139; the top below ends at 120.
+    let row: Vec<Color> = (0..200).map(|x| canvas.pixel(x, 100).unwrap()).collect();
+    assert_eq!([row[85], row[93], row[118]], [Color::rgb(0, 255, 0), Color::BLACK, Color::BLACK]);
+    assert_eq!([row[122], row[130]], [Color::WHITE, Color::WHITE]);
+}
+
+#[test]
+fn what_does_not_look_like_anything_is_not_drawn_and_casts_no_shadow() {
+    let mut simulator = world();
+    add_box(&mut simulator, Vector3::new(100.0, 30.0, 60.0));
+    Platform::new(&mut simulator, 50.0, 20.0, 30.0, Vector3::new(40.0, 40.0, 30.0), None).unwrap();
+    simulator.update(0.0);
+    let canvas = drawn(&simulator, |_| Look::Nothing);
+    assert!(canvas.rgba8().iter().all(|&byte| byte == 255));
+}
+
+#[test]
+fn a_standing_picture_has_its_feet_where_the_body_stands() {
+    let mut simulator = world();
+    add_box(&mut simulator, Vector3::new(100.0, 0.0, 60.0));
+    simulator.update(0.0);
+    let texture = Texture2D::from_rgba8(2, 3, [255, 0, 0, 255].repeat(6)).unwrap();
+    let canvas = drawn(&simulator, |_| Look::Picture(Picture { scale: 10.0, ..Picture::standing(&texture) }));
+    for (x, y) in (110..140).flat_map(|y| (90..110).map(move |x| (x, y))) {
+        assert_eq!(canvas.pixel(x, y), Some(RED), "({x}, {y})");
+    }
+    // Above it is nothing, and below it the shadow on the ground.
+    assert_eq!([canvas.pixel(100, 109), canvas.pixel(100, 141)], [Some(Color::WHITE), Some(Color::BLACK)]);
+}
+
+#[test]
+fn a_flipped_picture_shows_its_left_on_the_right() {
+    let mut simulator = world();
+    add_box(&mut simulator, Vector3::new(100.0, 0.0, 60.0));
+    simulator.update(0.0);
+    let texture = Texture2D::from_rgba8(2, 1, [[255, 0, 0, 255], [0, 0, 255, 255]].concat()).unwrap();
+    let picture = Picture { scale: 10.0, ..Picture::standing(&texture) };
+    let right =
+        |flip| drawn(&simulator, |_| Look::Picture(Picture { flip, ..picture.clone() })).pixel(108, 135);
+    assert_eq!([right(false), right(true)], [Some(Color::rgb(0, 0, 255)), Some(RED)]);
+}
+
+#[test]
+fn textures_repeat_over_the_faces_of_a_platform() {
+    let mut simulator = world();
+    Platform::new(&mut simulator, 80.0, 40.0, 40.0, Vector3::new(100.0, 0.0, 60.0), None).unwrap();
+    simulator.update(0.0);
+    let [red, blue] = [[255, 0, 0, 255], [0, 0, 255, 255]];
+    // Stripes of 10 px.
+    let stripes = Texture2D::from_rgba8(20, 1, [red.repeat(10), blue.repeat(10)].concat()).unwrap();
+    let textures = Textures { top: None, front: Some(stripes) };
+    let canvas = drawn(&simulator, |_| Look::Textured(plain(), textures.clone()));
+    for tile in 0..4 {
+        let colors = [65, 75].map(|x| canvas.pixel(x + 20 * tile, 140));
+        assert_eq!(colors, [Some(RED), Some(Color::rgb(0, 0, 255))], "{tile}");
+    }
+    assert_eq!(canvas.pixel(65, 118), Some(Color::rgb(0, 255, 0)));
+}
+
+#[test]
+fn what_is_under_the_mouse_is_found_through_the_camera() {
+    let mut simulator = world();
+    let body = add_box(&mut simulator, Vector3::new(100.0, 0.0, 60.0));
+    simulator.update(0.0);
+    let shadow = Scene::soft_shadow();
+    let scene =
+        Scene::new(&simulator, &shadow).camera(&Transform::camera([100.0, 120.0], 3.0, 0.0, [50.0, 50.0]));
+    assert_eq!(scene.pick([50.0, 50.0]), Some(Drawable::Body(body)));
+    assert_eq!(scene.pick([50.0, 190.0]), None);
+}
+
+#[test]
+fn a_hole_shows_its_wall_at_the_back_and_its_bottom_before_that() {
+    let simulator = world();
+    let mut canvas = SoftwareCanvas::new(200, 200).unwrap();
+    canvas.clear(Color::WHITE);
+    let hole = Patch::hole([50.0, 150.0], [20.0, 70.0]);
+    let shadow = Scene::soft_shadow();
+    Scene::new(&simulator, &shadow).patches(&[hole]).draw(&mut canvas, |_| Look::Nothing);
+    // From y = 130 to 180; the wall is 30 px high.
+    let colors = [128, 135, 158, 165, 178, 182].map(|y| canvas.pixel(100, y).unwrap());
+    assert_eq!(colors, [Color::WHITE, hole.edge, hole.edge, hole.color, hole.color, Color::WHITE]);
+}
+
+#[test]
+fn a_layer_moves_by_its_factor_of_the_camera() {
+    // One red column in each 50 px.
+    let mut pixels = vec![255; 4 * 50];
+    pixels[..4].copy_from_slice(&[255, 0, 0, 255]);
+    let texture = Texture2D::from_rgba8(50, 1, pixels).unwrap();
+    let red_at = |scroll: f32, factor: f32| {
+        let mut canvas = SoftwareCanvas::new(50, 4).unwrap();
+        let camera = Transform::translation([-scroll, 0.0]);
+        draw_parallax_layer(&mut View::new(&mut canvas).camera(&camera), &texture, 2.0, factor);
+        (0..50).filter(|&x| canvas.pixel(x, 2) == Some(RED)).collect::<Vec<u32>>()
+    };
+    assert_eq!(red_at(0.0, 0.5), [0]);
+    assert_eq!(red_at(20.0, 0.5), [40]);
+    assert_eq!(red_at(20.0, 1.0), [30]);
+    assert_eq!(red_at(20.0, 0.0), [0]);
+}
+
+#[test]
+fn the_room_of_a_box_reaches_from_its_front_to_its_back() {
+    let mut simulator = world();
+    add_box(&mut simulator, Vector3::new(100.0, 0.0, 60.0));
+    simulator.update(0.0);
+    let draw = |enable_box_view| {
+        let mut canvas = SoftwareCanvas::new(200, 200).unwrap();
+        let view = DebugView { enable_box_view, enable_virtual_geom_view: false, ..DebugView::default() };
+        DebugView { enable_ground_view: false, ..view }.draw(&simulator, &mut canvas);
+        [160, 80].map(|y| (y - 1..=y).any(|y| canvas.pixel(100, y).unwrap().a > 0))
+    };
+    // The lower edge at the front is at Y = 0 and Z = 40, the upper one at the back at Y = 40 and Z = 80.
+    assert_eq!([draw(true), draw(false)], [[true; 2], [false; 2]]);
+}
