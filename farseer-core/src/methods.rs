@@ -290,6 +290,32 @@ impl CollisionCategory {
     }
 }
 
+/// The categories by name, `CAT1 | CAT3`; `NONE` and `ALL`. The bit that is no category is shown as `0x80000000`.
+///
+/// ```
+/// use farseer_core::CollisionCategory;
+/// let players_and_walls = CollisionCategory::CAT1 | CollisionCategory::CAT3;
+/// assert_eq!(players_and_walls.to_string(), "CAT1 | CAT3");
+/// ```
+impl std::fmt::Display for CollisionCategory {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match *self {
+            Self::NONE => return f.write_str("NONE"),
+            Self::ALL => return f.write_str("ALL"),
+            _ => {}
+        }
+        let mut separator = "";
+        for number in (1..=31).filter(|number| self.0 & (1 << (number - 1)) != 0) {
+            write!(f, "{separator}CAT{number}")?;
+            separator = " | ";
+        }
+        if self.0 < 0 {
+            write!(f, "{separator}0x80000000")?;
+        }
+        Ok(())
+    }
+}
+
 macro_rules! categories {
     ($($name:ident = $number:literal, $alias:literal;)*) => {
         /// The categories by name.
@@ -354,5 +380,28 @@ impl std::ops::Not for CollisionCategory {
     /// All 31 categories that are not in the set.
     fn not(self) -> Self {
         CollisionCategory(!self.0 & Self::ALL.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::CollisionCategory;
+
+    #[test]
+    fn categories_are_shown_by_name_in_rising_order() {
+        let set = CollisionCategory::CAT31 | CollisionCategory::CAT2;
+        assert_eq!(set.to_string(), "CAT2 | CAT31");
+    }
+
+    #[test]
+    fn no_category_and_all_categories_have_names_of_their_own() {
+        assert_eq!(CollisionCategory::NONE.to_string(), "NONE");
+        assert_eq!(CollisionCategory::ALL.to_string(), "ALL");
+    }
+
+    #[test]
+    fn the_bit_that_is_no_category_is_not_hidden() {
+        assert_eq!(CollisionCategory::from_bits(i32::MIN | 1).to_string(), "CAT1 | 0x80000000");
+        assert_eq!(CollisionCategory::from_bits(-1).to_string().matches("CAT").count(), 31);
     }
 }
