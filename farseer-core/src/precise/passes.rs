@@ -423,11 +423,8 @@ pub(super) fn note_approach<const FIXED: bool, const P: usize, R: Contacts<P>>(
         let approach = at_points::<FIXED, P, R>(contacts, &sides);
         let row = contacts.row_mut();
         row.approach = approach;
-        for at in 0..P {
-            row.gap[at] = row.points[at].separation;
-            row.has_pushed[at] = ZERO;
-            may_bounce |= threshold.simd_gt(approach[at]) & bounces;
-        }
+        (row.gap, row.has_pushed) = (row.points.map(|point| point.separation), [ZERO; P]);
+        approach.into_iter().for_each(|approach| may_bounce |= threshold.simd_gt(approach) & bounces);
     });
     may_bounce.to_bitmask() != 0
 }
