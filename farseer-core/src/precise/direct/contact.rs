@@ -192,6 +192,17 @@ impl Contact {
         self.friction * (self.impulses[0] + self.impulses[1])
     }
 
+    /// Stops a row of this velocity by itself, within its bounds; answers the impulse that this takes.
+    pub(super) fn stopped(&mut self, row: usize, velocity: f64) -> Triple {
+        let wanted = self.impulses[row] - self.masses[row] * velocity;
+        self.bound = self.bounded();
+        let impulse = if row == FRICTION { self.limited(wanted) } else { wanted.max(0.0) };
+        let mut change = [0.0; 3];
+        change[row] = impulse - self.impulses[row];
+        self.impulses[row] = impulse;
+        change
+    }
+
     /// Goes along the last direction by this part; answers whether the factors are of another set now.
     pub(super) fn follow(&mut self, part: f64) -> bool {
         (0..3).for_each(|row| self.excess[row] += part * self.change[row]);

@@ -26,6 +26,8 @@ const STIFFEST: f64 = 6e-5;
 const NEWTON: usize = 25;
 const ROUNDS: usize = 6;
 const MOST: usize = 100;
+/// Over all rows, where rounds find nothing.
+const SWEEPS: usize = 8;
 /// Halvings and secants on a line; it ends where this part of the first slope is left.
 const LINE: usize = 20;
 const LEVEL: f64 = 0.01;
@@ -75,6 +77,8 @@ pub(super) struct Effort {
     pub(super) steps: usize,
     /// Greatest velocity that is not as it is to be.
     pub(super) residual: f64,
+    /// That is bearable, and no sweeps were needed.
+    pub(super) is_solved: bool,
 }
 
 /// Bodies that hang together by contacts.
@@ -122,9 +126,11 @@ impl Island {
     }
 
     /// Finds the impulses with which nothing is further from what it is to be than `enough`; goes on to `exact` while that
-    /// is easily had. The best of all rounds counts: near the end friction's bounds may go back and forth.
-    pub(super) fn solve(&mut self, enough: f64, exact: f64) -> Effort {
-        let mut effort = Effort { steps: 0, residual: f64::INFINITY };
+    /// is easily had. The best of all rounds counts: near the end friction's bounds may go back and forth. Where what presses
+    /// and what rubs raise each other (a wedge), no round may leave
+    /// what is bearable: then sweeps do.
+    pub(super) fn solve(&mut self, [bearable, enough, exact]: [f64; 3]) -> Effort {
+        let mut effort = Effort { steps: 0, residual: f64::INFINITY, is_solved: false };
         let mut softness = SOFTNESS;
         self.stiffen(softness);
         for round in 0..ROUNDS {
@@ -147,11 +153,32 @@ impl Island {
                 self.stiffen(softness);
             }
         }
-        self.contacts.iter_mut().for_each(|contact| contact.impulses = contact.best);
+        let is_solved = effort.residual <= bearable;
+        if is_solved {
+            self.contacts.iter_mut().for_each(|contact| contact.impulses = contact.best);
+        } else {
+            self.sweep();
+        }
         for member in &mut self.members {
             add(&mut member.velocity, member.best);
         }
-        effort
+        Effort { is_solved, ..effort }
+    }
+
+    /// Solves one row after the other, a few times, from what there was in the beginning: this never adds energy.
+    fn sweep(&mut self) {
+        let Island { members, contacts, .. } = self;
+        for contact in contacts.iter_mut() {
+            let change = contact.relative_of(|member| members[member].change);
+            (0..3).for_each(|row| contact.excess[row] -= change[row]);
+            contact.impulses = contact.begun;
+        }
+        members.iter_mut().for_each(|member| member.best = [0.0; 3]);
+        for _ in 0..SWEEPS {
+            for contact in contacts.iter_mut() {
+                [FRICTION, 0, 1].into_iter().for_each(|row| stop(contact, row, members));
+            }
+        }
     }
 
     fn stiffen(&mut self, softness: f64) {
@@ -394,6 +421,22 @@ impl Island {
     /// The way of each member beside that of its velocity, after [`part`](Self::part) has found one.
     pub(super) fn ways(&self) -> &[Triple] {
         &self.direction
+    }
+}
+
+/// Stops a row by itself, within its bounds.
+fn stop(contact: &mut Contact, row: usize, members: &mut [Member]) {
+    if contact.masses[row] <= 0.0 {
+        return;
+    }
+    let change = contact.relative_of(|member| members[member].best);
+    let impulse = contact.stopped(row, contact.excess[row] + change[row]);
+    for (&member, push) in contact.bodies.iter().zip(contact.push(impulse)) {
+        if member != FIXED {
+            let member = &mut members[member as usize];
+            let change = member.yields(push);
+            add(&mut member.best, change);
+        }
     }
 }
 

@@ -24,7 +24,7 @@ use crate::methods::IslandChoice;
 use crate::storage::reusing_clone::reusing_clone;
 use contact::{Contact, Ends, FIXED};
 use factor::Triple;
-use island::{Island, Member};
+use island::{Effort, Island, Member};
 
 /// Most bodies of an island.
 const LARGEST: u32 = 400;
@@ -55,6 +55,8 @@ const EXACT: f64 = 2e-6;
 /// not quiet any more.
 const ENOUGH: f64 = 1e-5;
 const SOLVED: f64 = 1e-9;
+/// What a solution may leave at least, whatever there was before: a solution that leaves more than either is none.
+const BEARABLE: f64 = 0.25;
 /// Overlap in units of length, and as a part of coordinates, that is left as it is.
 const LEFT: f64 = 1e-5;
 const LEFT_OF_PLACE: f64 = 1e-6;
@@ -433,14 +435,15 @@ impl Precise {
         let unit = f64::from(self.tuning.unit);
         for at in 0..self.direct.count {
             let mut whole = std::mem::take(&mut self.direct.islands[at]);
-            whole.steps = self.solve_whole(&mut whole, step, unit);
-            self.note_effort(&whole.island, whole.steps);
+            let effort = self.solve_whole(&mut whole, step, unit);
+            self.note_effort(&whole.island, effort);
+            whole.steps = effort.steps;
             self.direct.islands[at] = whole;
         }
     }
 
     /// Answers how many steps of Newton's method it has taken.
-    fn solve_whole(&mut self, whole: &mut Whole, step: &Step, unit: f64) -> usize {
+    fn solve_whole(&mut self, whole: &mut Whole, step: &Step, unit: f64) -> Effort {
         let Precise { bodies, rows, .. } = self;
         let (dt, parts) = (f64::from(step.dt), f64::from(step.substeps));
         let Whole { island, homes, ends, ways, .. } = whole;
@@ -471,7 +474,12 @@ impl Precise {
         let residual = island.begin(dt, left);
         let is_hot = self.direct.wear[island.members[0].number as usize].is_hot;
         let quiet = unit * if is_hot { EXACT } else { QUIET };
-        let steps = if residual > quiet { island.solve(unit * ENOUGH, unit * SOLVED).steps } else { 0 };
+        let bearable = if residual > unit * BEARABLE { residual } else { unit * BEARABLE };
+        let effort = if residual > quiet {
+            island.solve([bearable, unit * ENOUGH, unit * SOLVED])
+        } else {
+            Effort { steps: 0, residual, is_solved: true }
+        };
         let most = f64::from(self.tuning.push) * dt;
         let has_ways = island.part(dt, [left, most]);
         ways.clear();
@@ -482,17 +490,17 @@ impl Precise {
         for (contact, &home) in island.contacts.iter().zip(homes.iter()) {
             write(contact, rows.direct_mut(home), parts, step.h);
         }
-        steps
+        effort
     }
 
-    /// An island that is busy for long is left to the passes.
-    fn note_effort(&mut self, island: &Island, steps: usize) {
+    /// An island that is busy for long, or could not be solved, is left to the passes.
+    fn note_effort(&mut self, island: &Island, Effort { steps, is_solved, .. }: Effort) {
         let mut wear = self.direct.wear[island.members[0].number as usize];
         wear.effort += (steps as f32 - wear.effort) / LONG;
         wear.is_hot = steps > 0;
         let has_rings = usize::from(island.contacts.len() > island.members.len());
         let is_busy = wear.effort > BUSY[has_rings] + BUSIER[has_rings] * island.members.len() as f32;
-        if is_busy && self.direct.timing.choice != IslandChoice::Whole {
+        if (is_busy || !is_solved) && self.direct.timing.choice != IslandChoice::Whole {
             (wear.effort, wear.rest) = (0.0, REST);
             self.direct.timing.has_resting = true;
             self.direct.timing.is_due = true;
