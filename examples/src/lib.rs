@@ -1,5 +1,6 @@
 //! Shared code of the example programs.
 
+pub mod pinball;
 mod plane;
 mod recorder;
 mod sample_film;

@@ -545,7 +545,11 @@ mod springs;
 mod storage;
 mod touch;
 
-pub use beside::{BodyInterpolation, FixedStepClock, InterpolatedPose, MousePicker, snapshot};
+pub use beside::{
+    BodyInterpolation, CollisionHandler, Dispatch, Dispatched, EventLog, FixedStepClock, FluidHandler,
+    InterpolatedPose, MousePicker, ObjectHandler, SeparationHandler, SideTable, Subscription, TableId,
+    snapshot,
+};
 pub use body::{Body, BodyId};
 pub use contacts::{ArbiterRef, Contact, ContactId, GeomPairBitmap, PairId, index_of_safe};
 pub use controllers::{
@@ -569,7 +573,7 @@ pub use joints::{
 pub use limits::Limits;
 pub use methods::{BroadPhaseCollider, CollisionCategory, IslandChoice, Methods, NarrowPhaseCollider};
 pub use object_id::ObjectId;
-pub use objects::{GeomPlacement, GeomPointPair, Objects, RayCastHit};
+pub use objects::{GeomPlacement, GeomPointPair, Objects, RayCastHit, TypedJointId, TypedSpringId};
 pub use pairs::{SelectiveSweepOrder, SweepEnd};
 pub use path::{
     ComplexFactory, Curve, CurveContinuity, CurveKey, CurveKeyCollection, CurveLoopType, CurveTangent,

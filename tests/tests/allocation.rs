@@ -13,9 +13,9 @@ use conformance::fixtures::plane::{
     self, NARROW_PHASES, add_box, add_circle, add_floor, faithful_methods, lively_scene, simulator_with, v,
 };
 use farseer_core::{
-    BodyId, BodyInterpolation, BroadPhaseCollider, Context, Controller, EventHandler, FluidContainerRef,
-    FluidDragController, GravityController, InactivityController, JointFactory, JointId, Methods,
-    PhysicsSimulator, ScalingController, SpringFactory, SpringId, WaveController,
+    BodyId, BodyInterpolation, BroadPhaseCollider, Context, Controller, Dispatch, EventHandler,
+    FluidContainerRef, FluidDragController, GravityController, InactivityController, JointFactory, JointId,
+    Methods, PhysicsSimulator, ScalingController, SpringFactory, SpringId, WaveController,
 };
 
 /// The system's allocator, counting the calls of every thread for itself.
@@ -114,6 +114,24 @@ fn settled_precise_scene() -> PhysicsSimulator {
 fn an_update_of_a_settled_scene_with_the_precise_set_allocates_nothing() {
     let mut simulator = settled_precise_scene();
     assert_eq!((0..300).map(|_| calls(|| simulator.update(0.01))).sum::<usize>(), 0);
+}
+
+#[test]
+fn an_update_with_handlers_of_every_geom_allocates_nothing() {
+    let mut simulator = settled_precise_scene();
+    let mut dispatch = Dispatch::new();
+    for geom in simulator.geoms() {
+        dispatch.on_collision(geom, |count: &mut usize, _, _, _, _| {
+            *count += 1;
+            true
+        });
+    }
+    let mut count = 0;
+    // The first one makes room for lists of contacts.
+    simulator.update_with(0.01, &mut dispatch.with(&mut count));
+    let calls = calls(|| (0..300).for_each(|_| simulator.update_with(0.01, &mut dispatch.with(&mut count))));
+    assert!(count > 300 * 40, "all are asked in every update");
+    assert_eq!(calls, 0);
 }
 
 #[test]

@@ -23,6 +23,18 @@ impl Body {
         }
     }
 
+    /// Moves the body along x alone. What is not finite is rejected.
+    #[doc(alias = "Position.X")]
+    pub fn set_position_x(&mut self, x: f32) {
+        self.set_position(Vector2::new(x, self.position.y));
+    }
+
+    /// Moves the body along y alone. What is not finite is rejected.
+    #[doc(alias = "Position.Y")]
+    pub fn set_position_y(&mut self, y: f32) {
+        self.set_position(Vector2::new(self.position.x, y));
+    }
+
     /// Whether the body passes through nothing, however fast it is. Default false. Ours, and only with the
     /// [precise set](crate::Methods::Precise): there no body passes through what is static, kinematic or asleep; a bullet not
     /// through other bodies either.
@@ -79,6 +91,18 @@ impl Body {
             self.linear_velocity = value;
             self.target = None;
         }
+    }
+
+    /// Sets the velocity along x alone. What is not finite is rejected.
+    #[doc(alias = "LinearVelocity.X")]
+    pub fn set_linear_velocity_x(&mut self, x: f32) {
+        self.set_linear_velocity(Vector2::new(x, self.linear_velocity.y));
+    }
+
+    /// Sets the velocity along y alone. What is not finite is rejected.
+    #[doc(alias = "LinearVelocity.Y")]
+    pub fn set_linear_velocity_y(&mut self, y: f32) {
+        self.set_linear_velocity(Vector2::new(self.linear_velocity.x, y));
     }
 
     /// Angular velocity in rad/s.

@@ -11,12 +11,14 @@ pub mod interpolators;
 pub(crate) mod lanes;
 pub mod math_helper;
 pub mod matrix;
+pub(crate) mod one_line;
 pub(crate) mod plane;
 pub mod scalar;
 pub mod vector2;
 
 pub use convert_units::ConvertUnits;
 pub use interpolators::{BilinearInterpolator, CircularInterpolator};
+pub use one_line::OneLine;
 
 /// A point or direction of the plane. Positions in the user's length unit, screen y down. Sums, differences and
 /// comparison are its operators; everything else is in [`vector2`].

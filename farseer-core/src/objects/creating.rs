@@ -28,7 +28,8 @@ pub(super) const GEOM_NUMBERS: u32 = i32::MAX as u32;
 ///
 /// ```
 /// use farseer_core::{GeomPlacement, math::Vector2};
-/// let head = GeomPlacement { offset: Vector2::new(0.0, -40.0), ..Default::default() };
+/// let head = GeomPlacement::at(Vector2::new(0.0, -40.0)).turned(0.5);
+/// assert_eq!(head, GeomPlacement { offset: Vector2::new(0.0, -40.0), rotation_offset: 0.5, ..Default::default() });
 /// assert_eq!(head.collision_grid_size, 0.0);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -47,6 +48,23 @@ impl GeomPlacement {
     /// At the body's origin, with this cell size.
     pub fn with_grid_size(collision_grid_size: f32) -> Self {
         GeomPlacement { collision_grid_size, ..Default::default() }
+    }
+
+    /// At this place on the body: `GeomPlacement::at(head).turned(0.5).with_cells(2.0)`.
+    pub fn at(offset: Vector2) -> Self {
+        GeomPlacement { offset, ..Default::default() }
+    }
+
+    /// The same, turned against the body by so many radians.
+    #[must_use]
+    pub fn turned(self, rotation_offset: f32) -> Self {
+        GeomPlacement { rotation_offset, ..self }
+    }
+
+    /// The same with this cell size of the distance grid.
+    #[must_use]
+    pub fn with_cells(self, collision_grid_size: f32) -> Self {
+        GeomPlacement { collision_grid_size, ..self }
     }
 
     fn check(self) -> Result<Self> {

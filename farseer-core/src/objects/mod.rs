@@ -9,6 +9,7 @@ mod life;
 mod queries;
 mod save;
 mod springs;
+mod typed;
 mod world_queries;
 
 use crate::body::entry::Bodies;
@@ -23,6 +24,7 @@ use crate::limits::Limits;
 use crate::methods::Methods;
 use crate::report::Notice;
 use crate::springs::{Spring, SpringId};
+use crate::storage::arena::stale;
 use crate::storage::collection::Collection;
 use crate::storage::reusing_clone::reusing_clone;
 
@@ -30,6 +32,7 @@ pub use creating::GeomPlacement;
 pub(crate) use following::Followed;
 pub use queries::GeomPointPair;
 pub(crate) use save::SavedObjects;
+pub use typed::{TypedJointId, TypedSpringId};
 pub use world_queries::RayCastHit;
 
 /// The bodies, geoms, joints, springs and controllers of a simulator, and all that can be done to them between updates
@@ -165,6 +168,28 @@ impl Objects {
         Some(&mut entry.geom)
     }
 
+    /// Does the same to all bodies that take part, in the order in which they were added: the original's loop over
+    /// `BodyList`. Those that were disposed since the last update are among them.
+    ///
+    /// ```
+    /// use farseer_core::{BodyFactory, PhysicsSimulator};
+    /// let mut simulator = PhysicsSimulator::default();
+    /// let ball = BodyFactory::create_circle_body_in(&mut simulator, 10.0, 1.0)?;
+    /// simulator.update(0.01);
+    /// simulator.for_each_body_mut(|_, body| body.set_ignore_gravity(true));
+    /// assert!(simulator[ball].ignore_gravity());
+    /// # Ok::<(), farseer_core::Error>(())
+    /// ```
+    #[doc(alias = "BodyList.ForEach")]
+    pub fn for_each_body_mut(&mut self, mut act: impl FnMut(BodyId, &mut Body)) {
+        for at in 0..self.bodies.list().len() {
+            let id = self.bodies.list()[at];
+            if let Some(body) = self.body_mut(id) {
+                act(id, body);
+            }
+        }
+    }
+
     /// The geoms of a body, in the order in which they were attached; none if the id is stale.
     pub fn geoms_of(&self, body: BodyId) -> &[GeomId] {
         self.bodies.get(body).map_or(&[], |entry| &entry.geoms)
@@ -231,7 +256,7 @@ impl std::ops::IndexMut<BodyId> for Objects {
     /// If the id is stale; see [`Objects::body_mut`].
     #[inline]
     fn index_mut(&mut self, body: BodyId) -> &mut Body {
-        self.body_mut(body).expect("the id is stale: the body was disposed")
+        self.body_mut(body).unwrap_or_else(|| stale(body))
     }
 }
 
@@ -250,6 +275,6 @@ impl std::ops::IndexMut<GeomId> for Objects {
     /// If the id is stale; see [`Objects::geom_mut`].
     #[inline]
     fn index_mut(&mut self, geom: GeomId) -> &mut Geom {
-        self.geom_mut(geom).expect("the id is stale: the geom was disposed")
+        self.geom_mut(geom).unwrap_or_else(|| stale(geom))
     }
 }

@@ -11,7 +11,7 @@ use crate::joints::{Joint, JointId, JointType};
 use crate::limits::Limits;
 use crate::math::{Matrix, Vector2};
 use crate::object_id::ObjectId;
-use crate::objects::{GeomPlacement, GeomPointPair};
+use crate::objects::{GeomPlacement, GeomPointPair, TypedJointId, TypedSpringId};
 use crate::shape::Vertices;
 use crate::springs::{Spring, SpringId, SpringType};
 
@@ -56,10 +56,12 @@ verbs! {
         fn is_disposed(object: impl Into<ObjectId>) -> bool;
         fn joint(joint: JointId) -> Option<&Joint>;
         fn joint_as<J: JointType>(joint: JointId) -> Result<&J>;
+        fn typed_joint<J: JointType>(joint: JointId) -> Result<TypedJointId<J>>;
         fn joint_list() -> &[JointId];
         fn joint_current_anchor(joint: JointId) -> Result<Vector2>;
         fn spring(spring: SpringId) -> Option<&Spring>;
         fn spring_as<S: SpringType>(spring: SpringId) -> Result<&S>;
+        fn typed_spring<S: SpringType>(spring: SpringId) -> Result<TypedSpringId<S>>;
         fn spring_list() -> &[SpringId];
         fn controller(controller: ControllerId) -> Option<&Controller>;
         fn controller_as<C: ControllerType>(controller: ControllerId) -> Result<&C>;
@@ -72,6 +74,7 @@ verbs! {
     changing {
         fn body_mut(body: BodyId) -> Option<&mut Body>;
         fn geom_mut(geom: GeomId) -> Option<&mut Geom>;
+        fn for_each_body_mut(act: impl FnMut(BodyId, &mut Body));
         fn set_limits(limits: Limits);
         fn add(object: impl Into<ObjectId>) -> Result<()>;
         fn remove(object: impl Into<ObjectId>) -> Result<()>;

@@ -6,10 +6,17 @@ use crate::storage::reusing_clone::reusing_clone;
 use serde::{Deserialize, Serialize};
 
 /// A place in an [`Arena`] and the generation of what lies there.
-pub(crate) trait Id: Copy {
+pub(crate) trait Id: Copy + std::fmt::Debug {
     fn new(index: u32, generation: u32) -> Self;
     fn index(self) -> usize;
     fn generation(self) -> u32;
+}
+
+/// What indexing by the id of something that is gone comes to.
+#[cold]
+#[inline(never)]
+pub(crate) fn stale(id: impl Id) -> ! {
+    panic!("{id:?} is stale: what it named was disposed, or is of another simulator")
 }
 
 macro_rules! define_id {
@@ -162,13 +169,13 @@ impl<T, I: Id> std::ops::Index<I> for Arena<T, I> {
     type Output = T;
     #[inline(always)]
     fn index(&self, id: I) -> &T {
-        self.get(id).expect("the id is stale: what it named was disposed")
+        self.get(id).unwrap_or_else(|| stale(id))
     }
 }
 
 impl<T, I: Id> std::ops::IndexMut<I> for Arena<T, I> {
     #[inline(always)]
     fn index_mut(&mut self, id: I) -> &mut T {
-        self.get_mut(id).expect("the id is stale: what it named was disposed")
+        self.get_mut(id).unwrap_or_else(|| stale(id))
     }
 }

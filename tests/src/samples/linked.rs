@@ -4,20 +4,14 @@ use farseer_core::math::Vector2;
 use farseer_core::shape::Vertices;
 use farseer_core::{BodyFactory, Context, GeomFactory, GeomPlacement, JointFactory, JointId, Result};
 
-use super::{Actor, BLACK, GOLD, SampleScene, Table, WHITE, border, table};
+use super::scene::Known;
+use super::{BLACK, GOLD, SampleScene, Table, WHITE, border, table};
 
 /// Disposes a weld that broke.
-#[derive(Debug)]
-struct Weld(JointId);
-
-impl Actor for Weld {
-    fn joint_broke(&mut self, context: &mut Context<'_>, joint: JointId) {
-        if joint == self.0 {
-            // Its id is not stale: it is in the simulator that calls.
-            context.remove(joint).ok();
-            context.dispose(joint).ok();
-        }
-    }
+fn dispose_weld(_: &mut Known, context: &mut Context<'_>, weld: JointId) {
+    // Its id is not stale: it is in the simulator that calls.
+    context.remove(weld).ok();
+    context.dispose(weld).ok();
 }
 
 /// Simple 10: two boxes welded to each other, two gears, and a table.
@@ -53,7 +47,7 @@ fn welded_boxes(scene: &mut SampleScene) -> Result<()> {
     let weld = JointFactory::create_weld_joint_in(simulator, bodies[0], bodies[1], middle)?;
     simulator[weld].set_breakpoint(5.0)?;
     geoms.into_iter().for_each(|geom| scene.show(geom, WHITE, BLACK));
-    scene.act(Weld(weld));
+    scene.dispatch.on_joint_broke(weld, dispose_weld);
     Ok(())
 }
 

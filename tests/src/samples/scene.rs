@@ -1,10 +1,8 @@
 //! A scene: a simulator, what acts on it in every frame, and how it looks.
 
 use farseer_core::math::Vector2;
-use farseer_core::shape::Vertices;
 use farseer_core::{
-    BodyId, Context, ControllerId, EventHandler, GeomId, JointId, NarrowPhaseCollider, PhysicsSimulator,
-    Result,
+    BodyId, ControllerId, Dispatch, GeomId, JointId, NarrowPhaseCollider, PhysicsSimulator, Result, SideTable,
 };
 
 use super::{DT, Rgba};
@@ -29,16 +27,6 @@ pub trait Actor: std::fmt::Debug {
     fn after_step(&mut self, simulator: &mut PhysicsSimulator) -> Result<()> {
         let _ = simulator;
         Ok(())
-    }
-
-    /// A joint broke.
-    fn joint_broke(&mut self, context: &mut Context<'_>, joint: JointId) {
-        let _ = (context, joint);
-    }
-
-    /// A geom dipped into a fluid with these vertices.
-    fn fluid_entry(&mut self, context: &mut Context<'_>, geom: GeomId, vertices: &Vertices) {
-        let _ = (context, geom, vertices);
     }
 }
 
@@ -67,10 +55,21 @@ pub enum Figure {
     },
 }
 
+/// What the handlers of scenes know.
+#[derive(Debug, Default)]
+pub(super) struct Known {
+    /// The geoms that a weld keeps in one collision group.
+    pub(super) welded: SideTable<JointId, [GeomId; 2]>,
+    /// The wave of a fluid.
+    pub(super) waves: SideTable<ControllerId, ControllerId>,
+}
+
 /// A scene.
 #[derive(Debug)]
 pub struct SampleScene {
     pub(super) simulator: PhysicsSimulator,
+    pub(super) dispatch: Dispatch<Known>,
+    pub(super) known: Known,
     looks: Vec<Look>,
     actors: Vec<Box<dyn Actor>>,
 }
@@ -82,7 +81,13 @@ impl SampleScene {
     /// Gravity that is not finite.
     pub fn new(gravity: f32) -> Result<Self> {
         let simulator = PhysicsSimulator::new(Vector2::new(0.0, gravity))?;
-        Ok(SampleScene { simulator, looks: Vec::new(), actors: Vec::new() })
+        Ok(SampleScene {
+            simulator,
+            dispatch: Dispatch::new(),
+            known: Known::default(),
+            looks: Vec::new(),
+            actors: Vec::new(),
+        })
     }
 
     /// The same, with separating axes instead of the distance grid.
@@ -129,33 +134,10 @@ impl SampleScene {
         for actor in &mut self.actors {
             actor.before_step(&mut self.simulator)?;
         }
-        self.simulator.update_with(DT, &mut Listeners(&mut self.actors));
+        self.simulator.update_with(DT, &mut self.dispatch.with(&mut self.known));
         for actor in &mut self.actors {
             actor.after_step(&mut self.simulator)?;
         }
         Ok(())
-    }
-}
-
-/// Hands callbacks on to all actors.
-struct Listeners<'a>(&'a mut [Box<dyn Actor>]);
-
-impl EventHandler for Listeners<'_> {
-    fn on_joint_broke(&mut self, context: &mut Context<'_>, joint: JointId) {
-        for actor in &mut *self.0 {
-            actor.joint_broke(context, joint);
-        }
-    }
-
-    fn on_fluid_entry(
-        &mut self,
-        context: &mut Context<'_>,
-        _: ControllerId,
-        geom: GeomId,
-        vertices: &Vertices,
-    ) {
-        for actor in &mut *self.0 {
-            actor.fluid_entry(context, geom, vertices);
-        }
     }
 }

@@ -1,9 +1,10 @@
 //! A table whose legs break off (behaviour chapter 16, section B.3).
 
 use farseer_core::math::Vector2;
-use farseer_core::{BodyFactory, Context, GeomFactory, GeomId, GeomPlacement, JointFactory, JointId, Result};
+use farseer_core::{BodyFactory, Context, GeomFactory, GeomPlacement, JointFactory, JointId, Result};
 
-use super::{Actor, BLACK, Rgba, SampleScene};
+use super::scene::Known;
+use super::{BLACK, Rgba, SampleScene};
 
 const BURLY_WOOD: Rgba = [222, 184, 135, 255];
 
@@ -23,24 +24,10 @@ pub struct Table {
 }
 
 /// Lets the parts of a table collide when they come apart.
-#[derive(Debug)]
-struct Welds {
-    top: GeomId,
-    /// Each weld, and the leg it holds.
-    legs: [(JointId, GeomId); 2],
-}
-
-impl Actor for Welds {
-    fn joint_broke(&mut self, context: &mut Context<'_>, joint: JointId) {
-        for (weld, leg) in self.legs {
-            if weld != joint {
-                continue;
-            }
-            for part in [leg, self.top] {
-                if let Some(geom) = context.geom_mut(part) {
-                    geom.set_collision_group(0);
-                }
-            }
+fn come_apart(known: &mut Known, context: &mut Context<'_>, weld: JointId) {
+    for &part in known.welded.get(weld).into_iter().flatten() {
+        if let Some(geom) = context.geom_mut(part) {
+            geom.set_collision_group(0);
         }
     }
 }
@@ -80,7 +67,10 @@ pub fn table(scene: &mut SampleScene, table: Table) -> Result<()> {
     };
     let left_weld = weld(left, left_place + Vector2::new(5.0, -height / 2.0), breakpoints[0])?;
     let right_weld = weld(right, right_place + Vector2::new(-5.0, -height / 2.0), breakpoints[1])?;
-    scene.act(Welds { top: top_geom, legs: [(left_weld, left_geom), (right_weld, right_geom)] });
+    for (weld, leg) in [(left_weld, left_geom), (right_weld, right_geom)] {
+        scene.known.welded.insert(weld, [leg, top_geom]);
+        scene.dispatch.on_joint_broke(weld, come_apart);
+    }
     [top_geom, right_geom, left_geom].into_iter().for_each(|geom| scene.show(geom, BURLY_WOOD, BLACK));
     Ok(())
 }

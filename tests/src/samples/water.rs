@@ -7,9 +7,10 @@ use farseer_core::{
     PhysicsSimulator, Result, WaveController,
 };
 
+use super::scene::Known;
 use super::{Actor, Pyramid, SCREEN, SampleScene, border, crate_box, pyramid};
 
-/// Moves a wave that is not in the simulation, and disturbs it where something dips in.
+/// Moves a wave that is not in the simulation.
 #[derive(Debug)]
 struct Surf(ControllerId);
 
@@ -17,20 +18,27 @@ impl Actor for Surf {
     fn before_step(&mut self, simulator: &mut PhysicsSimulator) -> Result<()> {
         simulator.controller_as_mut::<WaveController>(self.0)?.update(0.01)
     }
+}
 
-    fn fluid_entry(&mut self, context: &mut Context<'_>, geom: GeomId, vertices: &Vertices) {
-        let Some(body) = context.geom(geom).and_then(|geom| context.body(geom.body())) else { return };
-        let mass = body.mass();
-        let splashes: Vec<_> = vertices
-            .iter()
-            .map(|&vertex| (vertex.x, body.get_velocity_at_world_point(vertex).y * mass / (100.0 * mass)))
-            .collect();
-        let wave = context.controller_mut(self.0).and_then(WaveController::of_mut);
-        let Some(wave) = wave else { return };
-        for (x, offset) in splashes {
-            // Refused is only what is not finite; nothing in this scene is.
-            wave.disturb(x, offset).ok();
-        }
+/// Disturbs the wave where something dips in.
+fn splash(
+    known: &mut Known,
+    context: &mut Context<'_>,
+    drag: ControllerId,
+    geom: GeomId,
+    vertices: &Vertices,
+) {
+    let Some(body) = context.body_of(geom).and_then(|body| context.body(body)) else { return };
+    let mass = body.mass();
+    let splashes: Vec<_> = vertices
+        .iter()
+        .map(|&vertex| (vertex.x, body.get_velocity_at_world_point(vertex).y * mass / (100.0 * mass)))
+        .collect();
+    let Some(&wave) = known.waves.get(drag) else { return };
+    let Some(wave) = context.controller_mut(wave).and_then(WaveController::of_mut) else { return };
+    for (x, offset) in splashes {
+        // Refused is only what is not finite; nothing in this scene is.
+        wave.disturb(x, offset).ok();
     }
 }
 
@@ -63,6 +71,8 @@ pub(super) fn water() -> Result<SampleScene> {
     }
     let drag = scene.simulator.create_controller(drag)?;
     scene.simulator.add(drag)?;
+    scene.known.waves.insert(drag, wave);
+    scene.dispatch.on_fluid_entry(drag, splash);
     scene.act(Surf(wave));
     border(&mut scene)?;
     Ok(scene)

@@ -1,0 +1,247 @@
+//! Handlers of single objects, as the original's events have them.
+
+use super::side_table::{SideTable, TableId};
+use crate::body::BodyId;
+use crate::contacts::Contact;
+use crate::controllers::ControllerId;
+use crate::geom::GeomId;
+use crate::joints::JointId;
+use crate::objects::Objects;
+use crate::shape::Vertices;
+use crate::simulator::{Context, EventHandler};
+use crate::springs::SpringId;
+
+/// What a game does when a geom touches another: as [`EventHandler::on_collision`], with the game first.
+pub type CollisionHandler<G> = fn(&mut G, &mut Context<'_>, GeomId, GeomId, &mut Vec<Contact>) -> bool;
+/// What a game does when a geom parts from another: as [`EventHandler::on_separation`], with the game first.
+pub type SeparationHandler<G> = fn(&mut G, &mut Context<'_>, GeomId, GeomId);
+/// What a game does when something happens to a body, joint or spring.
+pub type ObjectHandler<G, I> = fn(&mut G, &mut Context<'_>, I);
+/// What a game does when a geom dips into a fluid: as [`EventHandler::on_fluid_entry`], with the game first.
+pub type FluidHandler<G> = fn(&mut G, &mut Context<'_>, ControllerId, GeomId, &Vertices);
+
+/// Names one subscription of a [`Dispatch`], to end it by [`Dispatch::off`]. Never given out twice by the same one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Subscription(u64);
+
+/// Handlers of single geoms, bodies, joints, springs and fluids, in place of C#'s `geom.OnCollision += handler`: a game
+/// subscribes its functions, and an update calls those of what is touched. Not in the original, which has events for that.
+///
+/// Handlers are plain functions that are given the game: what they know is in `G`, and nothing is captured. Several of one
+/// object are called in the order in which they were subscribed. Of the answers of several collision handlers the last one
+/// counts, as with C#'s events; all are called. A handler may subscribe nothing while an update runs: it notes in the game
+/// what is to be subscribed after it.
+///
+/// Objects without a handler cost a lookup per callback; a geom whose
+/// [callbacks](crate::Geom::set_collision_callbacks_enabled) are switched off costs nothing. No call allocates. Handlers of
+/// what was disposed are never called again; [`forget_disposed`](Self::forget_disposed) frees their memory. A game that wants
+/// more than this, such as controllers of its own, writes an [`EventHandler`], which may hand on to
+/// [`with`](Self::with).
+///
+/// ```
+/// use farseer_core::{BodyFactory, Dispatch, GeomFactory, GeomPlacement, PhysicsSimulator, math::Vector2};
+///
+/// #[derive(Default)]
+/// struct Game { bumps: u32 }
+///
+/// let mut simulator = PhysicsSimulator::new(Vector2::new(0.0, 100.0))?;
+/// let floor = BodyFactory::create_rectangle_body_in(&mut simulator, 100.0, 10.0, 1.0)?;
+/// simulator[floor].set_is_static(true);
+/// let ground = GeomFactory::create_rectangle_geom_in(&mut simulator, floor, 100.0, 10.0, GeomPlacement::default())?;
+/// let ball = BodyFactory::create_circle_body_in(&mut simulator, 5.0, 1.0)?;
+/// simulator[ball].set_position(Vector2::new(0.0, -11.0));
+/// GeomFactory::create_circle_geom_in(&mut simulator, ball, 5.0, 16, GeomPlacement::default())?;
+///
+/// let mut game = Game::default();
+/// let mut dispatch = Dispatch::new();
+/// let bump = dispatch.on_collision(ground, |game: &mut Game, context, _, other, _| {
+///     game.bumps += 1;
+///     if let Some(body) = context.body_of(other) {
+///         context[body].set_linear_velocity(Vector2::new(0.0, -80.0));
+///     }
+///     true
+/// });
+/// (0..100).for_each(|_| simulator.update_with(0.01, &mut dispatch.with(&mut game)));
+/// assert_eq!(game.bumps, 1);
+///
+/// assert!(dispatch.off(bump));
+/// (0..200).for_each(|_| simulator.update_with(0.01, &mut dispatch.with(&mut game)));
+/// assert_eq!(game.bumps, 1, "it lies on the floor, and nobody counts");
+/// # Ok::<(), farseer_core::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Dispatch<G> {
+    last: u64,
+    collisions: Handlers<GeomId, CollisionHandler<G>>,
+    separations: Handlers<GeomId, SeparationHandler<G>>,
+    bodies_updated: Handlers<BodyId, ObjectHandler<G, BodyId>>,
+    bodies_disposed: Handlers<BodyId, ObjectHandler<G, BodyId>>,
+    joints_broken: Handlers<JointId, ObjectHandler<G, JointId>>,
+    springs_broken: Handlers<SpringId, ObjectHandler<G, SpringId>>,
+    fluid_entries: Handlers<ControllerId, FluidHandler<G>>,
+}
+
+impl<G> Default for Dispatch<G> {
+    fn default() -> Self {
+        Dispatch {
+            last: 0,
+            collisions: Handlers::default(),
+            separations: Handlers::default(),
+            bodies_updated: Handlers::default(),
+            bodies_disposed: Handlers::default(),
+            joints_broken: Handlers::default(),
+            springs_broken: Handlers::default(),
+            fluid_entries: Handlers::default(),
+        }
+    }
+}
+
+/// One method per event: how it is subscribed to.
+macro_rules! subscriptions {
+    ($($(#[$doc:meta])* $on:ident($list:ident, $id:ident: $of:ty, $handler:ty);)*) => {
+        impl<G> Dispatch<G> {
+            $(
+                $(#[$doc])*
+                pub fn $on(&mut self, $id: $of, handler: $handler) -> Subscription {
+                    self.last += 1;
+                    self.$list.add($id, Subscription(self.last), handler)
+                }
+            )*
+
+            /// Ends a subscription. Answers whether there was one.
+            #[doc(alias = "-=")]
+            pub fn off(&mut self, subscription: Subscription) -> bool {
+                false $(|| self.$list.end(subscription))*
+            }
+
+            /// Forgets the handlers of what was disposed, or is about to be with the next update.
+            pub fn forget_disposed(&mut self, objects: &Objects) {
+                $(self.$list.of.forget_disposed(objects);)*
+            }
+
+            /// Ends all subscriptions.
+            pub fn clear(&mut self) {
+                $(self.$list.of.clear();)*
+            }
+        }
+    };
+}
+
+subscriptions! {
+    /// Calls a handler whenever this geom touches another: see [`EventHandler::on_collision`].
+    #[doc(alias("OnCollision", "CollisionEventHandler", "+="))]
+    on_collision(collisions, geom: GeomId, CollisionHandler<G>);
+    /// Calls a handler whenever this geom parts from another: see [`EventHandler::on_separation`].
+    #[doc(alias("OnSeparation", "SeparationEventHandler"))]
+    on_separation(separations, geom: GeomId, SeparationHandler<G>);
+    /// Calls a handler whenever this body has moved: see [`Event::BodyUpdated`](crate::Event::BodyUpdated).
+    #[doc(alias("Updated", "UpdatedEventHandler"))]
+    on_body_updated(bodies_updated, body: BodyId, ObjectHandler<G, BodyId>);
+    /// Calls a handler when this body is disposed: see [`Event::BodyDisposed`](crate::Event::BodyDisposed).
+    #[doc(alias = "Disposed")]
+    on_body_disposed(bodies_disposed, body: BodyId, ObjectHandler<G, BodyId>);
+    /// Calls a handler when this joint breaks: see [`EventHandler::on_joint_broke`].
+    #[doc(alias = "Joint.Broke")]
+    on_joint_broke(joints_broken, joint: JointId, ObjectHandler<G, JointId>);
+    /// Calls a handler when this spring breaks: see [`EventHandler::on_spring_broke`].
+    #[doc(alias = "Spring.Broke")]
+    on_spring_broke(springs_broken, spring: SpringId, ObjectHandler<G, SpringId>);
+    /// Calls a handler when a geom dips into the fluid of this controller: see [`EventHandler::on_fluid_entry`].
+    #[doc(alias("Entry", "EntryEventHandler"))]
+    on_fluid_entry(fluid_entries, controller: ControllerId, FluidHandler<G>);
+}
+
+impl<G> Dispatch<G> {
+    /// Without any subscription.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Itself and the game, as the handler of an update: `simulator.update_with(dt, &mut dispatch.with(&mut game))`.
+    pub fn with<'a>(&'a self, game: &'a mut G) -> Dispatched<'a, G> {
+        Dispatched { dispatch: self, game }
+    }
+}
+
+/// A [`Dispatch`] and the game whose functions it calls.
+#[derive(Debug)]
+pub struct Dispatched<'a, G> {
+    dispatch: &'a Dispatch<G>,
+    game: &'a mut G,
+}
+
+impl<G> EventHandler for Dispatched<'_, G> {
+    fn on_collision(
+        &mut self,
+        context: &mut Context<'_>,
+        this: GeomId,
+        other: GeomId,
+        contacts: &mut Vec<Contact>,
+    ) -> bool {
+        let handlers = self.dispatch.collisions.of(this);
+        handlers.fold(true, |_, handler| handler(self.game, context, this, other, contacts))
+    }
+
+    fn on_separation(&mut self, context: &mut Context<'_>, this: GeomId, other: GeomId) {
+        self.dispatch.separations.of(this).for_each(|handler| handler(self.game, context, this, other));
+    }
+
+    fn on_body_updated(&mut self, context: &mut Context<'_>, body: BodyId) {
+        self.dispatch.bodies_updated.of(body).for_each(|handler| handler(self.game, context, body));
+    }
+
+    fn on_body_disposed(&mut self, context: &mut Context<'_>, body: BodyId) {
+        self.dispatch.bodies_disposed.of(body).for_each(|handler| handler(self.game, context, body));
+    }
+
+    fn on_joint_broke(&mut self, context: &mut Context<'_>, joint: JointId) {
+        self.dispatch.joints_broken.of(joint).for_each(|handler| handler(self.game, context, joint));
+    }
+
+    fn on_spring_broke(&mut self, context: &mut Context<'_>, spring: SpringId) {
+        self.dispatch.springs_broken.of(spring).for_each(|handler| handler(self.game, context, spring));
+    }
+
+    fn on_fluid_entry(
+        &mut self,
+        context: &mut Context<'_>,
+        controller: ControllerId,
+        geom: GeomId,
+        vertices: &Vertices,
+    ) {
+        let handlers = self.dispatch.fluid_entries.of(controller);
+        handlers.for_each(|handler| handler(self.game, context, controller, geom, vertices));
+    }
+}
+
+/// The handlers of one event, in the order in which they were subscribed.
+#[derive(Debug, Clone)]
+struct Handlers<I, H> {
+    of: SideTable<I, Vec<(Subscription, H)>>,
+}
+
+impl<I, H> Default for Handlers<I, H> {
+    fn default() -> Self {
+        Handlers { of: SideTable::default() }
+    }
+}
+
+impl<I: TableId, H: Copy> Handlers<I, H> {
+    fn add(&mut self, id: I, subscription: Subscription, handler: H) -> Subscription {
+        self.of.get_or_default(id).push((subscription, handler));
+        subscription
+    }
+
+    fn end(&mut self, subscription: Subscription) -> bool {
+        let mut lists = self.of.iter_mut().map(|(_, list)| list);
+        lists.any(|list| {
+            let at = list.iter().position(|&(of, _)| of == subscription);
+            at.map(|at| list.remove(at)).is_some()
+        })
+    }
+
+    #[inline]
+    fn of(&self, id: I) -> impl Iterator<Item = H> + '_ {
+        self.of.get(id).into_iter().flatten().map(|&(_, handler)| handler)
+    }
+}

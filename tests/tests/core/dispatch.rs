@@ -1,0 +1,161 @@
+//! Handlers of single geoms, bodies and joints.
+
+use conformance::fixtures::plane::{add_box, add_circle, add_floor, both_sets, simulator, simulator_with, v};
+use farseer_core::{BodyId, Dispatch, GeomId, JointFactory, Methods, PhysicsSimulator};
+
+type Words = Vec<&'static str>;
+
+/// A ball that lies in a floor.
+fn ball_in_floor(methods: Methods) -> (PhysicsSimulator, BodyId, [GeomId; 2]) {
+    let mut simulator = simulator_with(100.0, methods);
+    let (_, floor) = add_floor(&mut simulator, (100.0, 20.0), v(0.0, 10.0));
+    let (body, ball) = add_circle(&mut simulator, 10.0, 16, v(0.0, -9.0));
+    (simulator, body, [floor, ball])
+}
+
+#[test]
+fn handlers_of_a_geom_are_called_in_the_order_in_which_they_were_subscribed() {
+    for methods in both_sets() {
+        let (mut simulator, _, [_, ball]) = ball_in_floor(methods);
+        let mut dispatch = Dispatch::new();
+        dispatch.on_collision(ball, |words: &mut Words, _, _, _, _| {
+            words.push("first");
+            true
+        });
+        dispatch.on_collision(ball, |words, _, _, _, _| {
+            words.push("second");
+            true
+        });
+        let mut words = Words::new();
+        simulator.update_with(0.01, &mut dispatch.with(&mut words));
+        assert_eq!(words, ["first", "second"], "{methods:?}");
+    }
+}
+
+#[test]
+fn of_several_answers_the_last_one_counts_as_with_events_of_the_original() {
+    for (answers, falls) in [([true, false], true), ([false, true], false)] {
+        let (mut simulator, body, [_, ball]) = ball_in_floor(Methods::PRECISE);
+        let mut dispatch = Dispatch::new();
+        for answer in answers {
+            dispatch.on_collision(ball, if answer { |(), _, _, _, _| true } else { |(), _, _, _, _| false });
+        }
+        (0..100).for_each(|_| simulator.update_with(0.01, &mut dispatch.with(&mut ())));
+        assert_eq!(simulator[body].position().y > 20.0, falls, "{answers:?}");
+    }
+}
+
+#[test]
+fn only_the_handlers_of_the_geom_that_touches_are_called_with_it_first() {
+    let (mut simulator, _, [floor, ball]) = ball_in_floor(Methods::default());
+    let (_, elsewhere) = add_box(&mut simulator, (10.0, 10.0), v(500.0, 0.0));
+    let mut dispatch = Dispatch::new();
+    for geom in [ball, elsewhere] {
+        dispatch.on_collision(geom, |told: &mut Vec<[GeomId; 2]>, _, this, other, _| {
+            told.push([this, other]);
+            true
+        });
+    }
+    let mut told = Vec::new();
+    simulator.update_with(0.01, &mut dispatch.with(&mut told));
+    assert_eq!(told, [[ball, floor]]);
+}
+
+#[test]
+fn a_subscription_that_was_ended_is_not_called_and_the_others_of_the_geom_are() {
+    let (mut simulator, _, [_, ball]) = ball_in_floor(Methods::default());
+    let mut dispatch = Dispatch::new();
+    let ended = dispatch.on_collision(ball, |words: &mut Words, _, _, _, _| {
+        words.push("ended");
+        true
+    });
+    dispatch.on_collision(ball, |words, _, _, _, _| {
+        words.push("kept");
+        true
+    });
+    assert!(dispatch.off(ended));
+    assert!(!dispatch.off(ended), "it is not there any more");
+    let mut words = Words::new();
+    simulator.update_with(0.01, &mut dispatch.with(&mut words));
+    assert_eq!(words, ["kept"]);
+}
+
+#[test]
+fn the_handler_of_a_disposed_geom_is_not_called_for_what_takes_its_place() {
+    let (mut simulator, body, [_, ball]) = ball_in_floor(Methods::default());
+    let mut dispatch = Dispatch::new();
+    dispatch.on_collision(ball, |count: &mut usize, _, _, _, _| {
+        *count += 1;
+        true
+    });
+    simulator.dispose(body).unwrap();
+    simulator.update(0.01);
+    let (_, next) = add_circle(&mut simulator, 10.0, 16, v(0.0, -9.0));
+    assert_eq!(next.slot(), ball.slot());
+    let mut count = 0;
+    simulator.update_with(0.01, &mut dispatch.with(&mut count));
+    assert!(simulator.contact_count() > 0, "it touches the floor as well");
+    assert_eq!(count, 0);
+}
+
+#[test]
+fn what_parts_from_a_geom_is_told_to_its_handler() {
+    let (mut simulator, body, [floor, ball]) = ball_in_floor(Methods::PRECISE);
+    let mut dispatch = Dispatch::new();
+    dispatch.on_separation(ball, |partners: &mut Vec<GeomId>, _, _, other| partners.push(other));
+    let mut partners = Vec::new();
+    (0..10).for_each(|_| simulator.update_with(0.01, &mut dispatch.with(&mut partners)));
+    assert_eq!(partners, []);
+    simulator[body].set_position(v(0.0, -30.0));
+    simulator.update_with(0.01, &mut dispatch.with(&mut partners));
+    assert_eq!(partners, [floor]);
+}
+
+#[test]
+fn a_joint_that_breaks_is_told_to_its_handler_which_may_dispose_it() {
+    let mut simulator = simulator(100.0);
+    let (body, _) = add_box(&mut simulator, (10.0, 10.0), v(20.0, 0.0));
+    let [torn, held] = [0.0, 20.0]
+        .map(|x| JointFactory::create_fixed_revolute_joint_in(&mut simulator, body, v(x, 0.0)).unwrap());
+    simulator[torn].set_breakpoint(-1.0).unwrap();
+    let mut dispatch = Dispatch::new();
+    for joint in [torn, held] {
+        dispatch.on_joint_broke(joint, |broken: &mut Vec<_>, context, joint| {
+            broken.push(joint);
+            context.dispose(joint).unwrap();
+        });
+    }
+    let mut broken = Vec::new();
+    (0..3).for_each(|_| simulator.update_with(0.01, &mut dispatch.with(&mut broken)));
+    assert_eq!(broken, [torn]);
+    assert!(simulator.joint(torn).is_none() && simulator.joint(held).is_some());
+}
+
+#[test]
+fn bodies_that_move_or_are_disposed_are_told_to_their_handlers() {
+    let (mut simulator, body, _) = ball_in_floor(Methods::default());
+    let (still, _) = add_box(&mut simulator, (10.0, 10.0), v(500.0, 0.0));
+    let mut dispatch = Dispatch::new();
+    dispatch.on_body_updated(body, |words: &mut Words, _, _| words.push("moved"));
+    dispatch.on_body_disposed(body, |words, _, _| words.push("disposed"));
+    dispatch.on_body_disposed(still, |words, _, _| words.push("another"));
+    let mut words = Words::new();
+    simulator[body].set_position(v(1.0, -50.0));
+    simulator.update_with(0.01, &mut dispatch.with(&mut words));
+    assert_eq!(words, ["moved", "moved"], "by the setter and by the update, as it is always told");
+    words.clear();
+    simulator.dispose(body).unwrap();
+    simulator.update_with(0.01, &mut dispatch.with(&mut words));
+    assert_eq!(words, ["disposed"]);
+}
+
+#[test]
+fn handlers_of_what_was_disposed_are_freed_and_the_others_stay() {
+    let (mut simulator, body, [floor, ball]) = ball_in_floor(Methods::default());
+    let mut dispatch = Dispatch::new();
+    let [gone, kept] = [ball, floor].map(|geom| dispatch.on_separation(geom, |(), _, _, _| ()));
+    simulator.dispose(body).unwrap();
+    simulator.update(0.01);
+    dispatch.forget_disposed(&simulator);
+    assert!(!dispatch.off(gone) && dispatch.off(kept));
+}
