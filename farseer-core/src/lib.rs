@@ -506,7 +506,8 @@
 //!
 //! # More
 //!
-//! [`FixedStepClock`] and [`BodyInterpolation`] are for the game loop, [`ray_cast`](PhysicsSimulator::ray_cast),
+//! [`Dispatch`] has handlers of single geoms, [`SideTable`] what a game knows of objects, [`EventLog`] the events of several
+//! updates; [`FixedStepClock`] and [`BodyInterpolation`] are for the game loop, [`ray_cast`](PhysicsSimulator::ray_cast),
 //! [`query_aabb`](PhysicsSimulator::query_aabb), [`collide`](PhysicsSimulator::collide) and
 //! [`overlaps`](PhysicsSimulator::overlaps) for looking around, [`PhysicsSimulatorView`] for looking in. [`Vertices`] has
 //! the polygon tools, [`math`] the original's vectors, matrices and interpolation.

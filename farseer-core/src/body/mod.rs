@@ -112,6 +112,7 @@ macro_rules! finite_properties {
 
 impl Body {
     /// A dynamic body of mass 1 and moment of inertia 1, at rest at the origin.
+    #[doc(alias = "Body()")]
     pub fn new() -> Self {
         Body {
             position: Vector2::zeros(),

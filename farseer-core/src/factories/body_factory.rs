@@ -7,6 +7,7 @@ use crate::shape::Vertices;
 use crate::{Error, Result};
 
 /// Makes bodies with the moments of inertia of solid shapes. Mass and lengths are in the user's units.
+#[doc(alias = "BodyFactory.Instance")]
 #[derive(Debug, Clone, Copy)]
 pub struct BodyFactory;
 

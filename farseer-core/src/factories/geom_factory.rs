@@ -13,6 +13,7 @@ use crate::{Error, Result};
 /// Makes geoms of simple shapes. All lengths are in the user's unit; y points down on the screen.
 ///
 /// Every method refuses a stale body, and whatever [`Objects::create_geom`] refuses.
+#[doc(alias = "GeomFactory.Instance")]
 #[derive(Debug, Clone, Copy)]
 pub struct GeomFactory;
 

@@ -13,6 +13,7 @@ use crate::{Error, Result};
 /// Makes joints. Anchors and angles are taken from where the bodies are now, so place the bodies first.
 ///
 /// Lengths are in the user's unit, angles in radians.
+#[doc(alias = "JointFactory.Instance")]
 #[derive(Debug, Clone, Copy)]
 pub struct JointFactory;
 

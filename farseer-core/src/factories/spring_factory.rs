@@ -10,6 +10,7 @@ use crate::{Error, Result};
 ///
 /// Forces are mass times length per square second, torques force times length.
 #[doc(alias = "ControllerFactory")]
+#[doc(alias = "SpringFactory.Instance")]
 #[derive(Debug, Clone, Copy)]
 pub struct SpringFactory;
 

@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::Vector2;
 
-/// A vector on one line, `(1, -2.5)`: nalgebra prints a column over several. A precision is that of the components.
+/// A vector on one line, `(1, -2.5)`: nalgebra prints a column over several, and the original's text is [`to_text`](super::vector2::to_text)'s. A precision is that of the components.
 ///
 /// ```
 /// use farseer_core::math::{OneLine, Vector2};
@@ -12,7 +12,6 @@ use super::Vector2;
 /// assert_eq!(OneLine(velocity).to_string(), "(1, -2.5)");
 /// assert_eq!(format!("{:.2}", OneLine(velocity)), "(1.00, -2.50)");
 /// ```
-#[doc(alias = "Vector2.ToString")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OneLine(pub Vector2);
 

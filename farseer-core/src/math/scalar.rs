@@ -60,7 +60,7 @@ const ARGUMENT_LIMIT: f64 = 9_223_372_036_854_775_808.0;
 
 /// Sine of an angle in radians, evaluated in double precision by a portable implementation and rounded once.
 /// Arguments of 2^63 and more come back unchanged, as in the original.
-#[doc(alias = "Calculator.Sin")]
+#[doc(alias("Calculator.Sin", "Math.Sin"))]
 #[inline]
 pub fn sin(angle: f32) -> f32 {
     let x = f64::from(angle);
@@ -68,7 +68,7 @@ pub fn sin(angle: f32) -> f32 {
 }
 
 /// Cosine of an angle in radians; see [`sin`].
-#[doc(alias = "Calculator.Cos")]
+#[doc(alias("Calculator.Cos", "Math.Cos"))]
 #[inline]
 pub fn cos(angle: f32) -> f32 {
     let x = f64::from(angle);
@@ -87,7 +87,7 @@ pub fn sin_cos(angle: f32) -> (f32, f32) {
 }
 
 /// Angle of the vector `(x, y)` in radians, evaluated in double precision and rounded once.
-#[doc(alias = "Calculator.ATan2")]
+#[doc(alias("Calculator.ATan2", "Math.Atan2"))]
 #[inline]
 pub fn atan2(y: f32, x: f32) -> f32 {
     libm::atan2(f64::from(y), f64::from(x)) as f32

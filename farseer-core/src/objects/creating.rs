@@ -92,6 +92,7 @@ impl Objects {
     /// cell size; a cell size that would need more than 2^26 nodes; [`Error::LimitExceeded`] for a grid that is more
     /// work than the [limits](Self::limits) allow; a geom whose box in the world is not finite.
     #[doc(alias = "Geom(Body, Vertices, Vector2, float, float)")]
+    #[doc(alias = "Geom()")]
     pub fn create_geom(
         &mut self,
         body: BodyId,

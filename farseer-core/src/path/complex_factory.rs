@@ -38,6 +38,7 @@ const THIRD: f32 = f32::from_bits(0x3EAA_AAAB);
 /// chain.add_to_physics_simulator(&mut simulator);
 /// # Ok::<(), farseer_core::Error>(())
 /// ```
+#[doc(alias = "ComplexFactory.Instance")]
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ComplexFactory {
     /// Least distance of slider joints, in the user's length unit. Default 0.

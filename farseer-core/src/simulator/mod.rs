@@ -145,6 +145,7 @@ impl PhysicsSimulator {
     ///
     /// # Errors
     /// Gravity that is not finite.
+    #[doc(alias = "PhysicsSimulator()")]
     pub fn new(gravity: Vector2) -> Result<Self> {
         let mut simulator = PhysicsSimulator::default();
         simulator.set_gravity(gravity)?;
