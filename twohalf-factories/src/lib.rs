@@ -11,7 +11,7 @@
 //!
 //! [`set_depth_profile`](twohalf::TwoHalfPhysicsSimulator::set_depth_profile) gives a geom another depth, and
 //! [`Body::set_moment_of_inertia`](twohalf::farseer_core::Body::set_moment_of_inertia) a ball the 2/5 m r² of a solid
-//! one. Platforms make and add themselves: [`Platform::new`](twohalf::Platform::new).
+//! one. [`spawn`] does all of it in one call. Platforms make and add themselves: [`Platform::new`](twohalf::Platform::new).
 //!
 //! ```
 //! use twohalf::{DepthProfile, TwoHalfPhysicsSimulator, Vector2, Vector3};
@@ -38,9 +38,11 @@
 
 mod body_factory;
 mod geom_factory;
+mod spawn;
 
 pub use body_factory::TwoHalfBodyFactory;
 pub use geom_factory::TwoHalfGeomFactory;
+pub use spawn::{Ball, Figure, Prism, Spawned, Thing, spawn};
 
 /// The example of the README is run with those of the documentation.
 #[cfg(doctest)]

@@ -232,6 +232,16 @@ impl TwoHalfPhysicsSimulator {
         Ok(self.core.set_max_contacts_to_resolve(max_contacts_to_resolve)?)
     }
 
+    /// How the friction of two surfaces is combined: their mean, or the smaller. The default is the mean.
+    pub fn friction_type(&self) -> farseer_core::FrictionType {
+        self.core.friction_type()
+    }
+
+    /// Chooses how the friction of two surfaces is combined. With the smaller, what has none slides along everything.
+    pub fn set_friction_type(&mut self, friction_type: farseer_core::FrictionType) {
+        self.core.set_friction_type(friction_type);
+    }
+
     /// Whether bodies that have come to rest sleep. Default true; only with [`DepthScheme::Precise`]. What sleeps costs nothing and
     /// does not move; it wakes by itself as soon as something could move it.
     pub fn is_sleep_enabled(&self) -> bool {

@@ -21,5 +21,6 @@ mod seams;
 mod sleep;
 
 mod slopes;
+mod spawning;
 mod supports;
 mod thesis;

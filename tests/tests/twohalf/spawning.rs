@@ -1,0 +1,60 @@
+//! Things that are made in one call.
+
+use twohalf::{DepthProfile, TwoHalfPhysicsSimulator, Vector2, Vector3};
+use twohalf_factories::{Ball, Figure, Prism, Thing, spawn};
+
+fn simulator() -> TwoHalfPhysicsSimulator {
+    TwoHalfPhysicsSimulator::with_gravity(480, Vector2::new(0.0, 900.0)).unwrap()
+}
+
+#[test]
+fn a_spawned_prism_has_what_it_was_told() {
+    let mut simulator = simulator();
+    let thing = Prism::new([40.0, 30.0, 20.0]).mass(5.0).friction(0.7).restitution(0.2).at([9.0, 8.0, 7.0]);
+    let made = spawn(&mut simulator, thing).unwrap();
+    let (body, geom) = (simulator.body(made.body).unwrap(), &simulator.core()[made.geom]);
+    assert_eq!(body.position3d(), Vector3::new(9.0, 8.0, 7.0));
+    assert_eq!((body.mass(), body.ground().object_geom()), (5.0, Some(made.geom)));
+    assert_eq!((geom.friction_coefficient(), geom.restitution_coefficient()), (0.7, 0.2));
+    let ground = body.ground();
+    assert_eq!((ground.friction_coefficient(), ground.restitution_coefficient()), (0.7, 0.2));
+    assert_eq!(simulator.depth_profile(made.geom), Some(DepthProfile::Prism { depth: 20.0 }));
+}
+
+#[test]
+fn a_spawned_ball_is_round_and_solid() {
+    let mut simulator = simulator();
+    let made = spawn(&mut simulator, Ball::new(10.0).mass(2.0)).unwrap();
+    assert_eq!(simulator.depth_profile(made.geom), Some(DepthProfile::Round { radius: 10.0 }));
+    assert_eq!(simulator.core()[made.body].moment_of_inertia(), 80.0);
+}
+
+#[test]
+fn a_spawned_figure_does_not_topple_when_it_is_hit_above_its_middle() {
+    let mut simulator = simulator();
+    let figure = spawn(&mut simulator, Figure::new([30.0, 60.0, 20.0])).unwrap();
+    let ball = spawn(&mut simulator, Ball::new(8.0).mass(20.0).at([-60.0, 40.0, 0.0])).unwrap();
+    simulator.body_mut(ball.body).unwrap().set_linear_velocity(Vector2::new(600.0, 0.0));
+    (0..60).for_each(|_| simulator.update(1.0 / 60.0));
+    let figure = simulator.body(figure.body).unwrap();
+    assert!(figure.position3d().x > 1.0);
+    // An impulse of 2 x 20 x 600 at an arm of 30 px turns a moment of 1e20 by 1e-14 rad in a second.
+    assert!(figure.rotation().abs() < 1e-13);
+}
+
+#[test]
+fn a_thing_that_cannot_be_is_refused_by_name_and_nothing_is_made() {
+    let mut simulator = simulator();
+    let refused: [(Thing, &str); 5] = [
+        (Prism::new([0.0, 1.0, 1.0]), "width"),
+        (Ball::new(f32::NAN), "radius"),
+        (Prism::new([1.0; 3]).mass(-1.0), "mass"),
+        (Prism::new([1.0; 3]).friction(f32::INFINITY), "friction"),
+        (Figure::new([1.0; 3]).at([0.0, f32::NAN, 0.0]), "position3d"),
+    ];
+    for (thing, argument) in refused {
+        let error = spawn(&mut simulator, thing).unwrap_err().to_string();
+        assert!(error.contains(argument), "{error}");
+    }
+    assert_eq!(simulator.core().bodies().count(), 0);
+}
