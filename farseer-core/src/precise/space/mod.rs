@@ -12,6 +12,7 @@ mod flight;
 mod overlap;
 pub(crate) mod parts;
 mod passes;
+mod passing;
 mod rows;
 mod slant;
 mod solid;

@@ -5,6 +5,7 @@
 //! seam between two floors would stop what slides over it.
 
 use super::overlap::{Covered, covered};
+use super::passing::{passes_corner, passes_over};
 use super::slant;
 use crate::math::plane::{
     Pose, Vector, difference, dot, length, place, rotation, scaled, sum, turn, turn_back,
@@ -148,20 +149,8 @@ fn prisms(a: Solid<'_>, b: Solid<'_>, halves: f32, before: Before, limits: Limit
     if is_in_plane { plane } else { along_depth(a, b, side, gap) }
 }
 
-/// Whether two that are apart along one axis will be apart along the other one by the time they are not along the first.
-fn passes_corner(a: Solid<'_>, b: Solid<'_>, side: f32, (apart, gap): (f32, f32), plane: &Manifold) -> bool {
-    let way: [f32; 3] = std::array::from_fn(|axis| b.ahead[axis] - a.ahead[axis]);
-    let (parting, parting_along_depth) = (dot([way[0], way[1]], plane.normal), side * way[2]);
-    let (room, opening, inside, leaving) = if apart > 0.0 {
-        (apart, -parting, gap, parting_along_depth)
-    } else {
-        (gap, -parting_along_depth, apart, parting)
-    };
-    leaving > 0.0 && opening > 0.0 && inside + leaving * (room / opening) >= 0.0
-}
-
 /// The least distance of points.
-fn deepest(found: &Manifold) -> f32 {
+pub(super) fn deepest(found: &Manifold) -> f32 {
     let [one, other] = found.separations;
     if found.count > 1 && other < one { other } else { one }
 }
@@ -183,7 +172,10 @@ fn in_plane(a: Solid<'_>, b: Solid<'_>, halves: f32, limits: Limits) -> Manifold
     let flush = if a.is_fixed { flush_edge(a, b, limits) } else { None };
     match flush {
         Some((edge, at, q)) => clip(a.outline, b.outline, at, q, edge, limits.reach).turned(rotation(a.pose)),
-        None => collide(a.outline, b.outline, a.pose, b.pose, limits.reach),
+        None => {
+            let found = collide(a.outline, b.outline, a.pose, b.pose, limits.reach);
+            if a.is_fixed && passes_over(a, b, &found) { Manifold::apart(0.0) } else { found }
+        }
     }
 }
 
