@@ -296,6 +296,12 @@
 //! # Ok::<(), twohalf::Error>(())
 //! ```
 //!
+//! # Figures that walk
+//!
+//! The loop above sets velocities, which is enough on level ground. [`TwoHalfPhysicsSimulator::walk`] does what players expect
+//! beyond that: slopes, curbs, lifts, belts and walls, and jumps of a given height. `twohalf-factories` makes a figure in one
+//! call.
+//!
 //! # Where it fails
 //!
 //! - **What is too fast passes through.** With the precise scheme nothing passes what stands still, but two that move, each
@@ -381,6 +387,7 @@ mod texture_id;
 mod touch;
 mod view;
 mod virtual_geom;
+mod walk;
 mod world;
 
 pub use body::TwoHalfBody;
@@ -405,6 +412,7 @@ pub use support::Support;
 pub use texture_id::TextureId;
 pub use view::{Access, AccessMut};
 pub use virtual_geom::VirtualGeom;
+pub use walk::{Walk, Walker, Wish};
 
 pub use farseer_core;
 pub use farseer_core::math::{Vector2, Vector3};

@@ -44,7 +44,7 @@ impl TwoHalfPhysicsSimulator {
     }
 }
 
-fn partner_of(partner: SpacePartner) -> Partner {
+pub(crate) fn partner_of(partner: SpacePartner) -> Partner {
     match partner {
         SpacePartner::Ground => Partner::Ground,
         SpacePartner::Fixture(number) => Partner::Platform(PlatformId::from_number(number)),

@@ -13,6 +13,7 @@ use crate::solver::SpaceSolver;
 use crate::step::StepCounters;
 use crate::support::Support;
 use crate::touch::{BallContact, TouchList};
+use crate::walk::Top;
 use crate::{DepthScheme, Projection, Vector2, Vector3};
 
 /// What this engine keeps beside the 2D engine.
@@ -58,6 +59,8 @@ pub(crate) struct Update {
     /// Convex pieces of the outlines that were asked for.
     pub(crate) pieces: IdTable<GeomId, ConvexPieces>,
     pub(crate) scratch: Scratch,
+    /// What is near the figure that is about to walk.
+    pub(crate) tops: Vec<Top>,
     pub(crate) dt: f32,
     /// Contacts are being looked for: those that games may ask for are still the last update's.
     pub(crate) is_running: bool,

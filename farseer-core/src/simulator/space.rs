@@ -113,6 +113,13 @@ impl PhysicsSimulator {
         number.into_iter().flat_map(|(precise, number)| precise.space_touches_of(number))
     }
 
+    /// The geoms that are near a body, if not near enough to touch, and would push it.
+    pub fn space_neighbours_of(&self, body: BodyId) -> impl Iterator<Item = GeomId> + '_ {
+        let precise = self.pipeline.precise.as_ref();
+        let number = precise.and_then(|precise| Some((precise, precise.number_of(body)?)));
+        number.into_iter().flat_map(|(precise, number)| precise.space_neighbours_of(number))
+    }
+
     /// What touches and has a side that listens, in no particular order, with the number of each pair.
     pub fn space_touches_heard(&self) -> impl Iterator<Item = (usize, SpaceTouch)> + '_ {
         self.pipeline.precise.iter().flat_map(|precise| precise.space_touches_heard())

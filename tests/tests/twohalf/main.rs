@@ -24,3 +24,4 @@ mod slopes;
 mod spawning;
 mod supports;
 mod thesis;
+mod walking;

@@ -47,6 +47,22 @@ impl Precise {
         proxies.flat_map(|proxy| self.pairs.of(proxy)).filter_map(|pair| self.space_touch(pair))
     }
 
+    /// The geoms near a body that push it when they touch it, once for each pair of pieces.
+    pub(crate) fn space_neighbours_of(&self, number: usize) -> impl Iterator<Item = GeomId> + '_ {
+        let others = self.proxies.of(number).flat_map(move |proxy| {
+            self.pairs.of(proxy).filter(|&pair| self.pushes(pair)).map(move |pair| {
+                let [a, b] = self.pairs.watched[pair].proxies;
+                if a == proxy { b } else { a }
+            })
+        });
+        others.map(|other| self.proxies.all[other as usize].geom).filter(|&geom| parts::is_geom(geom))
+    }
+
+    fn pushes(&self, pair: usize) -> bool {
+        let state = &self.pairs.all[pair];
+        state.responds && !state.is_vetoed
+    }
+
     /// Number of pairs with the ground that touch.
     pub(crate) fn on_ground_count(&self) -> usize {
         self.pairs.on_ground

@@ -1,0 +1,219 @@
+//! What a figure stands on: the highest floor below its feet that it can reach.
+
+use farseer_core::math::vector2::transform;
+use farseer_core::{Body, Geom};
+
+use super::feet::Feet;
+use crate::shapes::SlantedBox;
+use crate::tell::to_world;
+use crate::{BodyId, DepthProfile, GeomId, Partner, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3};
+
+/// Ends of what is looked at are taken as far inside as this, px, where rounding cannot put them outside.
+const INSIDE: f32 = 1e-3;
+
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Floor {
+    pub(super) partner: Partner,
+    pub(super) height: f32,
+    /// The upward part of its normal.
+    pub(super) up: f32,
+}
+
+/// An edge of a prism that looks up.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Top {
+    geom: GeomId,
+    front: f32,
+    back: f32,
+    /// Y down, from right to left.
+    edge: [Vector2; 2],
+}
+
+/// Which floors can be reached: no higher than `highest`, no steeper than `least_up`, and not one of them.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Reach<'a> {
+    pub(super) tops: &'a [Top],
+    pub(super) geom: GeomId,
+    pub(super) highest: f32,
+    pub(super) least_up: f32,
+    pub(super) but: Option<Partner>,
+}
+
+impl Reach<'_> {
+    fn has(&self, floor: &Floor) -> bool {
+        floor.height <= self.highest && floor.up >= self.least_up && self.but != Some(floor.partner)
+    }
+}
+
+impl TwoHalfPhysicsSimulator {
+    /// The highest floor in reach below some feet.
+    pub(super) fn floor_below(&self, feet: &Feet, reach: &Reach<'_>) -> Option<Floor> {
+        let ground = Floor { partner: Partner::Ground, height: 0.0, up: 1.0 };
+        let settings = self.core.geom(reach.geom)?;
+        let floors = [ground].into_iter().chain(self.platforms_below(feet, reach, &settings));
+        let floors = floors.chain(geoms_below(feet, reach));
+        floors
+            .filter(|floor| reach.has(floor))
+            .reduce(|highest, floor| if floor.height > highest.height { floor } else { highest })
+    }
+
+    fn platforms_below<'a>(
+        &'a self,
+        feet: &'a Feet,
+        reach: &Reach<'_>,
+        settings: &'a Geom,
+    ) -> impl Iterator<Item = Floor> + 'a {
+        let low = Vector3::new(feet.left, -reach.highest, feet.front);
+        let high = Vector3::new(feet.right, f32::MAX, feet.back);
+        let near = self.world.platforms.overlapping(low, high);
+        near.filter(|(_, platform)| holds(platform, Some(settings))).filter_map(|(id, platform)| {
+            let (height, up) = top_of_box(platform.shape(), feet)?;
+            Some(Floor { partner: Partner::Platform(id), height, up })
+        })
+    }
+
+    /// How high a floor is below some feet.
+    pub(super) fn height_of(&self, partner: Partner, feet: &Feet, reach: &Reach<'_>) -> Option<f32> {
+        let top = match partner {
+            Partner::Ground => Some((0.0, 1.0)),
+            Partner::Platform(id) => top_of_box(self.platform(id)?.shape(), feet),
+            Partner::Geom(geom) => {
+                highest(reach.tops.iter().filter(|top| top.geom == geom), feet, reach.least_up)
+            }
+        };
+        top.map(|(height, _)| height)
+    }
+
+    /// The edges that look up of all prisms near a body, as far as they are within some depths.
+    pub(super) fn gather_tops(&self, body: BodyId, around: &Feet, tops: &mut Vec<Top>) {
+        tops.clear();
+        for geom in self.core.space_neighbours_of(body) {
+            let (Some(view), Some(profile)) = (self.core.geom(geom), self.world.depths.profiles.get(geom))
+            else {
+                continue;
+            };
+            let (z, half) = (self.world.z_of(view.body()), profile.half_depth());
+            if matches!(profile, DepthProfile::Round { .. }) || !around.meets_depth(z - half, z + half) {
+                continue;
+            }
+            let (matrix, corners) = (view.matrix(), view.local_vertices());
+            let edge = |at: usize| [at, (at + 1) % corners.len()].map(|at| transform(corners[at], &matrix));
+            // Edges go against the clock as seen with y down: what looks up goes to the left.
+            let looking_up = (0..corners.len()).map(edge).filter(|[a, b]| b.x < a.x);
+            tops.extend(looking_up.map(|edge| Top { geom, front: z - half, back: z + half, edge }));
+        }
+    }
+
+    /// Velocity of a floor at a place of the world, Y up, with that of its surface.
+    pub(super) fn velocity_of(&self, partner: Partner, place: Vector3) -> Vector3 {
+        match partner {
+            Partner::Ground => Vector3::zeros(),
+            Partner::Platform(id) => self.platform(id).map_or(Vector3::zeros(), |platform| {
+                let [along, depth] = platform.surface_speed();
+                let (sin, cos) = farseer_core::math::scalar::sin_cos(platform.rotation());
+                platform.velocity() + Vector3::new(along * cos, -along * sin, depth)
+            }),
+            Partner::Geom(geom) => self.core.geom(geom).map_or(Vector3::zeros(), |geom| {
+                let velocity_at =
+                    |body: &Body| body.get_velocity_at_world_point(Vector2::new(place.x, -place.y));
+                let plane = self.core.body(geom.body()).map_or(Vector2::zeros(), velocity_at);
+                let z = self.world.depths.bodies.get(geom.body()).map_or(0.0, |state| state.velocity_z);
+                Vector3::new(plane.x, -plane.y, z)
+            }),
+        }
+    }
+}
+
+/// The other side of a touch of a body.
+pub(super) fn partner_of(touch: &farseer_core::SpaceTouch, geom: GeomId) -> Option<Partner> {
+    let partner = crate::precise::partner_of(touch.partner);
+    match partner {
+        Partner::Geom(other) if other == geom => Some(Partner::Geom(touch.this)),
+        _ if touch.this == geom => Some(partner),
+        _ => None,
+    }
+}
+
+/// Whether a platform can hold a geom, up or back.
+pub(super) fn holds(platform: &Platform, geom: Option<&Geom>) -> bool {
+    let settings = platform.settings();
+    settings.collision_response_enabled() && geom.is_some_and(|geom| settings.may_collide_with(geom))
+}
+
+/// Floors that are prisms, once for each of their edges.
+fn geoms_below<'a>(feet: &'a Feet, reach: &Reach<'a>) -> impl Iterator<Item = Floor> + 'a {
+    let tops = reach.tops;
+    tops.iter().filter_map(move |top| {
+        let (height, up) = top_of_edge(top, feet)?;
+        Some(Floor { partner: Partner::Geom(top.geom), height, up })
+    })
+}
+
+/// Height and upward part of the normal of the highest of some edges above the feet that are not too steep: what is steep ends
+/// where what is flat begins, at the same height.
+fn highest<'a>(tops: impl Iterator<Item = &'a Top>, feet: &Feet, least_up: f32) -> Option<(f32, f32)> {
+    let flat = tops.filter_map(|top| top_of_edge(top, feet)).filter(|(_, up)| *up >= least_up);
+    flat.reduce(|highest, top| if top.0 > highest.0 { top } else { highest })
+}
+
+/// Of an edge, what lies above the feet.
+fn top_of_edge(top: &Top, feet: &Feet) -> Option<(f32, f32)> {
+    let [a, b] = top.edge;
+    if !feet.meets_depth(top.front, top.back) {
+        return None;
+    }
+    let way = b - a;
+    if b.x.max(feet.left) >= a.x.min(feet.right) {
+        return None;
+    }
+    let whole = feet.whole();
+    let y_at = |x: f32| a.y + way.y * ((x - a.x) / way.x);
+    let y = y_at(b.x.max(whole.left)).min(y_at(a.x.min(whole.right)));
+    Some((-y, -way.x / way.norm()))
+}
+
+/// Height and upward part of the normal of the highest point of a platform above the feet.
+fn top_of_box(shape: &SlantedBox, feet: &Feet) -> Option<(f32, f32)> {
+    let [width, height, depth] = shape.half;
+    let (front, back) = (feet.front.max(shape.centre.z - depth), feet.back.min(shape.centre.z + depth));
+    if front >= back {
+        return None;
+    }
+    let reach = width * shape.cos.abs() + height * shape.sin.abs();
+    // The corner on top, before it is sheared.
+    let ridge = -width * shape.sin.signum() * shape.cos + height * shape.cos.signum() * shape.sin;
+    let mut highest: Option<(f32, f32)> = None;
+    for z in depths_to_look_at(shape, feet, reach, [front, back]) {
+        let middle = shape.centre.x + shape.shear * (z - shape.centre.z);
+        let (low, high) = (middle - reach + INSIDE, middle + reach - INSIDE);
+        if feet.left.max(low) >= feet.right.min(high) {
+            continue;
+        }
+        let whole = feet.whole();
+        let (left, right) = (whole.left.max(low), whole.right.min(high));
+        for x in [left, right, (middle + ridge).clamp(left, right)] {
+            let top = shape.height_at(x, z).map(|(y, normal)| (-y, to_world(normal).y));
+            // At the ridge two faces meet, and the flatter one counts.
+            let flattest = shape.cos.abs().max(shape.sin.abs());
+            let top = top.map(|(y, up)| (y, if x == middle + ridge { flattest } else { up }));
+            highest = top.filter(|top| highest.is_none_or(|highest| top.0 > highest.0)).or(highest);
+        }
+    }
+    highest
+}
+
+/// Where a sheared box has corners above the feet: at their ends, and where its edges cross their sides.
+fn depths_to_look_at(
+    shape: &SlantedBox,
+    feet: &Feet,
+    reach: f32,
+    [front, back]: [f32; 2],
+) -> impl Iterator<Item = f32> {
+    let (front, back) = (front + INSIDE, (back - INSIDE).max(front + INSIDE));
+    let shear = shape.shear;
+    let centre = shape.centre;
+    let crossings = [feet.left, feet.right]
+        .map(|side| [-reach, reach].map(|edge| (side - centre.x - edge) / shear + centre.z));
+    let crossings = crossings.into_iter().flatten().filter(move |_| shear != 0.0);
+    [front, back].into_iter().chain(crossings.map(move |z| z.clamp(front, back)))
+}

@@ -1,0 +1,310 @@
+//! A step of a figure that walks.
+
+use farseer_core::math::scalar::nearest_finite;
+use farseer_core::{Body, SpaceTouch};
+
+use super::feet::Feet;
+use super::floor::{Floor, Reach, Top, partner_of};
+use super::walls::KEPT_OFF;
+use super::{Walker, Wish};
+use crate::{BodyId, GeomId, Partner, TwoHalfPhysicsSimulator, Vector2, Vector3};
+
+/// A floor is stood on from this distance on, px: what falls is caught by it within the step.
+const STANDS: f32 = 0.05;
+
+/// How far the soles are kept above the floor, px, so that the next one is no obstacle; near enough to touch.
+const CLEARS: f32 = 0.008;
+/// How far they are lifted over the edge of another floor, px: farther than contacts are kept apart.
+const OVER: f32 = 0.15;
+/// Who lands is no deeper in the floor than this, px.
+const SUNK: f32 = 1.0;
+/// How fast it comes down from there, px/s: what comes down faster is braked by what it comes down on.
+const SETTLES: f32 = 5.0;
+/// How far the feet are past an edge when they begin to come down from it, px: contacts that are known are looked at anew after
+/// less than that.
+const PASSED: f32 = 1.7;
+/// How far it is looked ahead for curbs beyond two steps, px: farther than what only touches is apart.
+const AHEAD: f32 = 0.3;
+/// What pushes down by more than this part of its normal does not stand in the way.
+const CEILING: f32 = 0.5;
+
+/// What a step begins with.
+#[derive(Clone, Copy)]
+pub(super) struct Stride<'a> {
+    body: BodyId,
+    /// Of the prisms near it.
+    tops: &'a [Top],
+    pub(super) geom: GeomId,
+    pub(super) feet: Feet,
+    /// Heights of the soles, of what can be stepped up, and of the top.
+    pub(super) soles: f32,
+    pub(super) knees: f32,
+    pub(super) head: f32,
+    place: Vector3,
+    velocity: Vector3,
+    /// Least upward part of the normal of a floor.
+    least_up: f32,
+    pub(super) dt: f32,
+}
+
+impl<'a> Stride<'a> {
+    fn reach(&self, above: f32) -> Reach<'a> {
+        let Stride { geom, least_up, .. } = *self;
+        Reach { tops: self.tops, geom, highest: self.soles + above, least_up, but: None }
+    }
+}
+
+impl TwoHalfPhysicsSimulator {
+    pub(super) fn stride(&mut self, body: BodyId, geom: GeomId, walker: &mut Walker, wish: Wish, dt: f32) {
+        let (Some(view), Some(outline)) = (self.body(body), self.geom(geom)) else { return };
+        let whole = outline.virtual_geom();
+        let (feet, head) = (Feet::of(&whole), whole.top);
+        let (place, velocity) = (view.origin3d(), view.velocity3d());
+        let (soles, least_up) = (view.position3d().y, walker.walk.least_up());
+        let knees = soles + if walker.floor.is_some() { walker.walk.step_up.max(STANDS) } else { STANDS };
+        let mut tops = std::mem::take(&mut self.world.update.tops);
+        self.gather_tops(body, &feet.widened(farthest(walker, velocity, dt)), &mut tops);
+        let stride =
+            Stride { body, tops: &tops, geom, feet, soles, knees, head, place, velocity, least_up, dt };
+        let velocity = self.next_velocity(&stride, walker, wish);
+        self.world.update.tops = tops;
+        walker.told = velocity.y;
+        if let Some(mut view) = self.body_mut(body) {
+            view.set_velocity3d(velocity);
+        }
+    }
+
+    fn next_velocity(&mut self, stride: &Stride<'_>, walker: &mut Walker, wish: Wish) -> Vector3 {
+        let Stride { place, dt, .. } = *stride;
+        let floor = self.floor_stood_on(stride, walker);
+        walker.aloft = if floor.is_some() { 0.0 } else { nearest_finite(walker.aloft + dt) };
+        walker.has_jumped &= floor.is_none();
+        if let Some(floor) = &floor {
+            walker.carried = self.velocity_of(floor.partner, Vector3::new(place.x, floor.height, place.z));
+        }
+        let may_jump = walker.aloft <= walker.walk.coyote_time && !walker.has_jumped;
+        match floor {
+            _ if wish.jump && may_jump => self.jumping(stride, walker, wish),
+            Some(floor) => self.walking(stride, walker, wish, floor),
+            None => self.flying(stride, walker, wish),
+        }
+    }
+
+    /// What the figure stands on before this step: near its soles; or farther below if it stood in the last step, too, and has
+    /// not been thrown up since.
+    fn floor_stood_on(&self, stride: &Stride<'_>, walker: &Walker) -> Option<Floor> {
+        let floor = self.floor_below(&stride.feet, &stride.reach(SUNK));
+        let floor = floor.or_else(|| self.floor_touched(stride))?;
+        let gap = stride.soles - floor.height;
+        let below = self.velocity_of(floor.partner, stride.place).y;
+        let kick = (2.0 * self.pull(stride.body, walker).norm() * walker.walk.snap).sqrt();
+        let is_thrown = stride.velocity.y > walker.told.max(below) + kick;
+        let stood = walker.floor.is_some();
+        let stands = if stood {
+            gap <= walker.walk.snap.max(STANDS) && !is_thrown
+        } else {
+            gap <= STANDS && stride.velocity.y <= below + kick.min(1.0)
+        };
+        stands.then_some(floor)
+    }
+
+    /// What has no level top, a ball for example, is stood on while it touches.
+    fn floor_touched(&self, stride: &Stride<'_>) -> Option<Floor> {
+        let support = self.body(stride.body)?.support()?;
+        let (partner, up) = (support.partner, support.normal.y);
+        (up >= stride.least_up).then_some(Floor { partner, height: stride.soles, up })
+    }
+
+    /// Acceleration by gravity in the air, px/s², along X and down.
+    fn pull(&self, body: BodyId, walker: &Walker) -> Vector2 {
+        let is_pulled = |body: &&Body| walker.is_held || !body.ignore_gravity();
+        self.gravity() * self.core.body(body).filter(is_pulled).map_or(0.0, Body::gravity_scale)
+    }
+
+    /// While a figure stands, velocities alone put it from one place on the floor to the next, and gravity is kept from it:
+    /// contacts that hold it up would rub. A body that ignores gravity by itself goes on doing so.
+    pub(super) fn hold(&mut self, body: BodyId, walker: &mut Walker, holds: bool) {
+        let Some(mut view) = self.body_mut(body) else { return };
+        if holds && !view.ignore_gravity() {
+            view.set_ignore_gravity(true);
+            walker.is_held = true;
+        } else if !holds && std::mem::take(&mut walker.is_held) {
+            view.set_ignore_gravity(false);
+        }
+    }
+
+    fn jumping(&mut self, stride: &Stride<'_>, walker: &mut Walker, wish: Wish) -> Vector3 {
+        (walker.floor, walker.has_jumped) = (None, true);
+        self.hold(stride.body, walker, false);
+        let level = self.level_velocity(stride, walker, wish, walker.walk.air_acceleration);
+        let start = (2.0 * self.pull(stride.body, walker).y.max(0.0) * walker.walk.jump_height).sqrt();
+        let velocity = Vector3::new(level.x, start + walker.carried.y, level.z);
+        self.held_off(stride, velocity, |_| true)
+    }
+
+    fn flying(&mut self, stride: &Stride<'_>, walker: &mut Walker, wish: Wish) -> Vector3 {
+        let has_left = walker.floor.take().is_some();
+        self.hold(stride.body, walker, false);
+        // What slides down a slope is not held up by wishes.
+        let slides = self.body(stride.body).is_some_and(|view| view.support().is_some());
+        let acceleration = if slides { 0.0 } else { walker.walk.air_acceleration };
+        let mut velocity = self.level_velocity(stride, walker, wish, acceleration);
+        if has_left && stride.velocity.y <= walker.told {
+            // It goes over an edge, and does not leap off by the slope that led there.
+            velocity.y = velocity.y.min(walker.carried.y.max(0.0));
+        }
+        self.held_off(stride, velocity, |_| true)
+    }
+
+    /// The velocity towards what is wished, no faster than an acceleration allows; Y as it was.
+    fn level_velocity(&self, stride: &Stride<'_>, walker: &Walker, wish: Wish, acceleration: f32) -> Vector3 {
+        let aim = Vector2::new(walker.carried.x + wish.x, walker.carried.z + wish.z);
+        let now = Vector2::new(stride.velocity.x, stride.velocity.z);
+        let (missing, most) = (aim - now, acceleration * stride.dt);
+        let size = missing.norm();
+        let next = if size > most { now + missing * (most / size) } else { aim };
+        Vector3::new(nearest_finite(next.x), stride.velocity.y, nearest_finite(next.y))
+    }
+
+    fn walking(&mut self, stride: &Stride<'_>, walker: &mut Walker, wish: Wish, floor: Floor) -> Vector3 {
+        walker.floor = Some(floor.partner);
+        let level = self.level_velocity(stride, walker, wish, walker.walk.acceleration);
+        let is_wall = |touch: &SpaceTouch| self.is_fixed(partner_of(touch, stride.geom));
+        let curb = self.curb_ahead(stride, walker, level, wish, &floor);
+        // A curb is a wall until the soles are over it, which they are before it is reached.
+        let knees = if curb.is_some() { stride.soles + STANDS } else { stride.knees };
+        let mut velocity = self.held_off(&Stride { knees, ..*stride }, level, is_wall);
+        let height = match curb {
+            Some(curb) => curb.height,
+            None => self.height_ahead(stride, walker, velocity, &floor) + clearance(stride, &floor),
+        };
+        velocity.y = walker.carried.y + (height - stride.soles) / stride.dt;
+        self.weigh_on(stride, walker, floor.partner);
+        self.hold(stride.body, walker, true);
+        velocity
+    }
+
+    /// Another floor that is as high or higher, and that the figure would come to in this step or the next; with what it is lifted
+    /// over its edge.
+    fn curb_ahead(
+        &self,
+        stride: &Stride<'_>,
+        walker: &Walker,
+        velocity: Vector3,
+        wish: Wish,
+        floor: &Floor,
+    ) -> Option<Floor> {
+        let way = (velocity - walker.carried) * (2.0 * stride.dt);
+        let wished = Vector3::new(wish.x, 0.0, wish.z);
+        let ahead = wished * (AHEAD / wished.norm().max(f32::MIN_POSITIVE));
+        let swept = stride.feet.swept(way + ahead);
+        let reach = Reach { but: Some(floor.partner), ..stride.reach(walker.walk.step_up) };
+        let curb = self.floor_below(&swept, &reach)?;
+        let over = Floor { height: curb.height + OVER, ..curb };
+        let here = self.height_of(curb.partner, &stride.feet, &reach);
+        let is_ahead = here.is_none_or(|here| here < curb.height - CLEARS);
+        (is_ahead && over.height > floor.height + CLEARS).then_some(over)
+    }
+
+    /// How high the floor is after this step. From one floor to a lower one the way down begins when nothing is left of the higher
+    /// one below the feet.
+    fn height_ahead(&self, stride: &Stride<'_>, walker: &Walker, velocity: Vector3, floor: &Floor) -> f32 {
+        let way = (velocity - walker.carried) * stride.dt;
+        let reach = stride.reach(walker.walk.step_up.max(STANDS));
+        let next = self.floor_below(&stride.feet.moved(way), &reach);
+        let next = next.filter(|next| stride.soles - next.height <= walker.walk.snap.max(STANDS));
+        let here = self.floor_below(&stride.feet.swept(way).widened(PASSED), &stride.reach(STANDS));
+        match (next, here) {
+            (Some(next), Some(here)) if next.partner != here.partner => next.height.max(here.height),
+            (Some(next), _) => next.height,
+            (None, _) => floor.height,
+        }
+    }
+
+    /// A velocity with which the figure comes to the surface of what it would run into, and no farther, so that it
+    /// does not lean on it.
+    fn held_off(
+        &self,
+        stride: &Stride<'_>,
+        mut velocity: Vector3,
+        is_wall: impl Fn(&SpaceTouch) -> bool,
+    ) -> Vector3 {
+        let touches = self.core.space_touches_of(stride.body);
+        for touch in touches.filter(|touch| touch.responds && is_wall(touch)) {
+            let Some(partner) = partner_of(&touch, stride.geom).filter(|&it| self.is_in_the_way(stride, it))
+            else {
+                continue;
+            };
+            let sign = if touch.this == stride.geom { 1.0 } else { -1.0 };
+            let [x, y, z] = touch.normal.map(|part| sign * part);
+            if (-CEILING..stride.least_up).contains(&y) {
+                let points = &touch.points[..touch.count];
+                let gap = points.iter().fold(f32::INFINITY, |least, point| least.min(point.separation));
+                let fastest = (gap - KEPT_OFF).max(0.0) / stride.dt;
+                let wall = self.velocity_of(partner, stride.place);
+                velocity += pushed_off(velocity - wall, Vector2::new(x, z), fastest);
+            }
+        }
+        self.held_off_platforms(stride, velocity)
+    }
+
+    /// Whether what a figure touches is too high to be stepped on. Level edges of platforms are [found](Self::held_off_platforms)
+    /// before they are touched.
+    fn is_in_the_way(&self, stride: &Stride<'_>, partner: Partner) -> bool {
+        match partner {
+            Partner::Geom(geom) => self.geom(geom).is_some_and(|geom| geom.virtual_geom().top > stride.knees),
+            Partner::Platform(id) => self.platform(id).is_some_and(|platform| platform.shape().shear != 0.0),
+            Partner::Ground => false,
+        }
+    }
+
+    fn is_fixed(&self, partner: Option<Partner>) -> bool {
+        match partner {
+            Some(Partner::Geom(geom)) => {
+                let body = self.core.geom(geom).and_then(|geom| self.core.body(geom.body()));
+                body.is_some_and(|body| body.is_static() || body.is_kinematic())
+            }
+            _ => true,
+        }
+    }
+
+    /// What the figure stands on bears its weight, which it does not feel itself.
+    fn weigh_on(&mut self, stride: &Stride<'_>, walker: &Walker, floor: Partner) {
+        let (Partner::Geom(geom), Some(body)) = (floor, self.core.body(stride.body)) else { return };
+        let weight = self.pull(stride.body, walker) * body.mass();
+        let Some(outline) = self.geom(geom) else { return };
+        // In the middle of what both have in common, so that nothing tips which carries.
+        let (whole, feet) = (outline.virtual_geom(), &stride.feet);
+        let x = 0.5 * (whole.left.max(feet.left) + whole.right.min(feet.right));
+        let below = Some(outline.body());
+        let below = below.and_then(|below| self.body_mut(below)).filter(|view| !view.is_static());
+        if let Some(mut view) = below.filter(|_| weight.iter().all(|part| part.is_finite())) {
+            let soles = Vector2::new(x, -stride.soles);
+            view.core_mut().apply_force_at_world_point(weight, soles);
+        }
+    }
+}
+
+/// How far from the feet a floor can be that is looked at in a step.
+fn farthest(walker: &Walker, velocity: Vector3, dt: f32) -> f32 {
+    let Walker { walk, carried, .. } = walker;
+    let fastest = velocity.norm() + carried.norm() + walk.acceleration.max(walk.air_acceleration) * dt;
+    nearest_finite(2.0 * dt * fastest + AHEAD + 1.0)
+}
+
+/// How far above its floor the soles are to be after this step.
+fn clearance(stride: &Stride<'_>, floor: &Floor) -> f32 {
+    let gap = stride.soles - floor.height;
+    let was_lifted = gap <= OVER + CLEARS;
+    if was_lifted { CLEARS.max(gap - SETTLES * stride.dt) } else { CLEARS }
+}
+
+/// What makes a velocity come no faster against a normal, as seen from above.
+fn pushed_off(velocity: Vector3, normal: Vector2, fastest: f32) -> Vector3 {
+    let excess = -velocity.x * normal.x - velocity.z * normal.y - fastest;
+    if excess <= 0.0 {
+        return Vector3::zeros();
+    }
+    let push = normal * (excess / normal.norm_squared());
+    Vector3::new(push.x, 0.0, push.y)
+}
