@@ -34,11 +34,16 @@
 //! # Ok::<(), twohalf::Error>(())
 //! ```
 
+//! How a game does what it needs with all this: [`recipes`].
+
 #![forbid(unsafe_code)]
 
 mod body_factory;
 mod geom_factory;
 mod spawn;
+
+#[doc = include_str!("recipes.md")]
+pub mod recipes {}
 
 pub use body_factory::TwoHalfBodyFactory;
 pub use geom_factory::TwoHalfGeomFactory;
