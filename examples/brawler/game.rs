@@ -6,7 +6,7 @@ use examples::Result;
 use twohalf::{
     BodyId, GeomId, Platform, PlatformId, TwoHalfPhysicsSimulator, Vector2, Vector3, Walk, Walker, Wish,
 };
-use twohalf_factories::{Ball, Figure, Prism, Thing, spawn};
+use twohalf_factories::{Ball, Figure, Prism, Thing, spawn, spawn_lane};
 
 pub(crate) const RATE: u32 = 120;
 const DT: f32 = 1.0 / RATE as f32;
@@ -96,7 +96,7 @@ pub(crate) struct Brawler {
     pub(crate) lift: PlatformId,
     pub(crate) door: PlatformId,
     /// The walls of the lane, which are not seen.
-    pub(crate) walls: Vec<PlatformId>,
+    pub(crate) walls: [PlatformId; 4],
     pub(crate) score: u32,
     /// Where blows have landed, and for how long that is still to be seen, s.
     pub(crate) blows: Vec<(Vector3, f32)>,
@@ -123,13 +123,7 @@ impl Brawler {
         let door = slab([DOOR, DOOR + 20.0], LANE, [TERRACE, TERRACE + 90.0])?;
         slab([-300.0, LIFT[1]], [LANE[1], LANE[1] + 8.0], [0.0, STREET + 34.0])?;
         slab([LIFT[1], END], [LANE[1], LANE[1] + 8.0], [0.0, TERRACE + 34.0])?;
-        let (tall, wide) = ([0.0, 900.0], [-300.0, END]);
-        let walls = vec![
-            slab(wide, [LANE[0] - 30.0, LANE[0]], tall)?,
-            slab(wide, [LANE[1], LANE[1] + 30.0], tall)?,
-            slab([-20.0, 0.0], LANE, tall)?,
-            slab([END, END + 20.0], LANE, tall)?,
-        ];
+        let walls = spawn_lane(&mut simulator, [0.0, END], LANE, 900.0)?;
         if let Some(mut belt) = simulator.platform_mut(belt) {
             belt.set_surface_speed(-60.0, 0.0)?;
         }

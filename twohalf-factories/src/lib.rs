@@ -40,6 +40,7 @@
 
 mod body_factory;
 mod geom_factory;
+mod lane;
 mod spawn;
 
 #[doc = include_str!("recipes.md")]
@@ -47,6 +48,7 @@ pub mod recipes {}
 
 pub use body_factory::TwoHalfBodyFactory;
 pub use geom_factory::TwoHalfGeomFactory;
+pub use lane::spawn_lane;
 pub use spawn::{Ball, Figure, Prism, Spawned, Thing, spawn};
 
 /// The example of the README is run with those of the documentation.

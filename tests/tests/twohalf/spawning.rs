@@ -1,7 +1,7 @@
 //! Things that are made in one call.
 
 use twohalf::{DepthProfile, TwoHalfPhysicsSimulator, Vector2, Vector3};
-use twohalf_factories::{Ball, Figure, Prism, Thing, spawn};
+use twohalf_factories::{Ball, Figure, Prism, Thing, spawn, spawn_lane};
 
 fn simulator() -> TwoHalfPhysicsSimulator {
     TwoHalfPhysicsSimulator::with_gravity(480, Vector2::new(0.0, 900.0)).unwrap()
@@ -57,4 +57,20 @@ fn a_thing_that_cannot_be_is_refused_by_name_and_nothing_is_made() {
         assert!(error.contains(argument), "{error}");
     }
     assert_eq!(simulator.core().bodies().count(), 0);
+}
+
+#[test]
+fn a_lane_that_cannot_be_adds_nothing() {
+    let mut simulator = simulator();
+    let (fine, far) = ([0.0, 100.0], [3e38, f32::MAX]);
+    for (x, z, height) in [
+        ([100.0, 0.0], fine, 50.0),
+        (fine, [0.0, f32::NAN], 50.0),
+        ([f32::MIN, f32::MAX], fine, 50.0),
+        (fine, fine, 0.0),
+        (far, far, f32::INFINITY),
+    ] {
+        assert!(spawn_lane(&mut simulator, x, z, height).is_err());
+        assert_eq!(simulator.platforms().count(), 0);
+    }
 }
