@@ -397,6 +397,34 @@ fn settled_scene_with_depth() -> twohalf::TwoHalfPhysicsSimulator {
 }
 
 #[test]
+fn walking_and_jumping_among_crates_allocates_nothing() {
+    let gravity = twohalf::Vector2::new(0.0, 900.0);
+    let mut simulator = twohalf::TwoHalfPhysicsSimulator::with_gravity(600, gravity).unwrap();
+    let place = twohalf::Vector3::new(0.0, 0.0, 200.0);
+    twohalf::Platform::new(&mut simulator, 100.0, 6.0, 60.0, place, None).unwrap();
+    for at in 0..5 {
+        depth::crate_box(&mut simulator, [20.0, 16.0], [60.0 + 21.0 * at as f32, 20.0, 200.0]);
+    }
+    let figure = depth::crate_box(&mut simulator, [20.0, 40.0], [40.0, 40.0, 200.0]);
+    simulator.body_mut(figure).unwrap().core_mut().set_moment_of_inertia(1e20).unwrap();
+    let mut walker = twohalf::Walker::new(twohalf::Walk::default());
+    // What the updates need for pairs that come and go is another matter.
+    let mut walk = |steps: usize| -> usize {
+        (0..steps)
+            .map(|step| {
+                let x = if step % 200 < 100 { 60.0 } else { -60.0 };
+                let wish = twohalf::Wish { x, jump: step % 70 == 0, ..twohalf::Wish::default() };
+                let calls = calls(|| simulator.walk(figure, &mut walker, wish, depth::DT).unwrap());
+                simulator.update(depth::DT);
+                calls
+            })
+            .sum()
+    };
+    walk(1000);
+    assert_eq!(walk(400), 0);
+}
+
+#[test]
 fn an_update_of_a_settled_scene_with_depth_allocates_nothing() {
     struct Silent;
     impl twohalf::EventHandler for Silent {}

@@ -53,7 +53,13 @@ impl<'a> GeomRef<'a> {
 
     #[cold]
     fn box_at(&self, pose: &GeomPose) -> Aabb {
-        self.entry.box_around(&self.vertices_at(pose), pose.position)
+        match self.entry.box_radius {
+            Some(_) => self.entry.box_around(&[], pose.position),
+            None => {
+                let vertices = self.entry.local_vertices.iter();
+                Aabb::from_points(vertices.map(|&vertex| pose.matrix.apply(vertex)))
+            }
+        }
     }
 
     /// Creation number, counted from 0 per simulator and never reused. Of two geoms that touch, the one with

@@ -55,14 +55,19 @@ impl Aabb {
         let max = Vector2::new(if dx > cx { dx } else { cx }, if dy > cy { dy } else { cy });
         if min.x == 0.0 || min.y == 0.0 || max.x == 0.0 || max.y == 0.0 {
             // Of zeros of both signs the first one counts.
-            return Self::from_vertices_in_order(vertices, first);
+            return Self::widened_in_order(first, vertices.iter().copied());
         }
         Aabb { min, max }
     }
 
-    fn from_vertices_in_order(vertices: &[Vector2], first: Vector2) -> Aabb {
+    /// As [`from_vertices`](Self::from_vertices), of vertices that are in no list.
+    pub(crate) fn from_points(mut points: impl Iterator<Item = Vector2>) -> Aabb {
+        points.next().map_or_else(Aabb::default, |first| Self::widened_in_order(first, points))
+    }
+
+    fn widened_in_order(first: Vector2, others: impl Iterator<Item = Vector2>) -> Aabb {
         let (mut min, mut max) = (first, first);
-        for v in vertices {
+        for v in others {
             if v.x < min.x {
                 min.x = v.x;
             }

@@ -119,6 +119,14 @@ impl Walker {
         Walker { walk, aloft: f32::MAX, ..Walker::default() }
     }
 
+    /// What was loaded may hold anything.
+    fn check(&self) -> Result<()> {
+        self.walk.check()?;
+        let numbers = [self.carried.x, self.carried.y, self.carried.z, self.told, self.aloft];
+        let wrong = numbers.into_iter().find(|number| !number.is_finite());
+        wrong.map_or(Ok(()), |number| Err(invalid("walker", number, "without numbers that are not finite")))
+    }
+
     /// Whether the figure stood, by the last call of [`walk`](TwoHalfPhysicsSimulator::walk): on a floor that is not too steep,
     /// also on the way over a curb or the edge of a slope; not from the step of a jump on. What to choose a picture by.
     pub fn is_grounded(&self) -> bool {
@@ -180,13 +188,13 @@ impl TwoHalfPhysicsSimulator {
     /// ```
     ///
     /// # Errors
-    /// A stale body, or one without an object geom; settings of the walk out of their ranges; a wish that is not finite; a `dt`
+    /// A stale body, or one without an object geom; settings of the walk out of their ranges, or a walker that was loaded with
+    /// numbers that are not finite; a wish that is not finite; a `dt`
     /// that is not finite and greater than 0; another scheme than [`DepthScheme::Precise`].
     pub fn walk(&mut self, body: BodyId, walker: &mut Walker, wish: Wish, dt: f32) -> Result<()> {
         if self.world.scheme != DepthScheme::Precise {
             return Err(only_precise("figures that walk"));
         }
-        walker.walk.check()?;
         for (argument, value) in [("wish.x", wish.x), ("wish.z", wish.z)] {
             if !value.is_finite() {
                 return Err(invalid(argument, value, "finite"));
@@ -196,7 +204,8 @@ impl TwoHalfPhysicsSimulator {
             return Err(invalid("dt", dt, "finite and greater than 0"));
         }
         let geom = self.body(body).ok_or(stale("body"))?.ground().object_geom();
-        let geom = geom.ok_or(invalid("body", body, "one with an object geom"))?;
+        let geom = geom.ok_or_else(|| invalid("body", body, "one with an object geom"))?;
+        walker.check()?;
         self.world.platforms.sort();
         self.stride(body, geom, walker, wish, dt);
         Ok(())

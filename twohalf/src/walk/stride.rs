@@ -25,6 +25,8 @@ const SETTLES: f32 = 5.0;
 const PASSED: f32 = 1.7;
 /// How far it is looked ahead for curbs beyond two steps, px: farther than what only touches is apart.
 const AHEAD: f32 = 0.3;
+/// What pushes up by more than this part of its normal holds.
+const HOLDS: f32 = 0.5;
 /// What pushes down by more than this part of its normal does not stand in the way.
 const CEILING: f32 = 0.5;
 
@@ -68,7 +70,7 @@ impl TwoHalfPhysicsSimulator {
             Stride { body, tops: &tops, geom, feet, soles, knees, head, place, velocity, least_up, dt };
         let velocity = self.next_velocity(&stride, walker, wish);
         self.world.update.tops = tops;
-        walker.told = velocity.y;
+        walker.told = nearest_finite(velocity.y);
         if let Some(mut view) = self.body_mut(body) {
             view.set_velocity3d(velocity);
         }
@@ -80,7 +82,8 @@ impl TwoHalfPhysicsSimulator {
         walker.aloft = if floor.is_some() { 0.0 } else { nearest_finite(walker.aloft + dt) };
         walker.has_jumped &= floor.is_none();
         if let Some(floor) = &floor {
-            walker.carried = self.velocity_of(floor.partner, Vector3::new(place.x, floor.height, place.z));
+            let place = Vector3::new(place.x, floor.height, place.z);
+            walker.carried = self.velocity_of(floor.partner, place).map(nearest_finite);
         }
         let may_jump = walker.aloft <= walker.walk.coyote_time && !walker.has_jumped;
         match floor {
@@ -93,8 +96,7 @@ impl TwoHalfPhysicsSimulator {
     /// What the figure stands on before this step: near its soles; or farther below if it stood in the last step, too, and has
     /// not been thrown up since.
     fn floor_stood_on(&self, stride: &Stride<'_>, walker: &Walker) -> Option<Floor> {
-        let floor = self.floor_below(&stride.feet, &stride.reach(SUNK));
-        let floor = floor.or_else(|| self.floor_touched(stride))?;
+        let floor = self.floor_below(&stride.feet, &stride.reach(SUNK))?;
         let gap = stride.soles - floor.height;
         let below = self.velocity_of(floor.partner, stride.place).y;
         let kick = (2.0 * self.pull(stride.body, walker).norm() * walker.walk.snap).sqrt();
@@ -106,13 +108,6 @@ impl TwoHalfPhysicsSimulator {
             gap <= STANDS && stride.velocity.y <= below + kick.min(1.0)
         };
         stands.then_some(floor)
-    }
-
-    /// What has no level top, a ball for example, is stood on while it touches.
-    fn floor_touched(&self, stride: &Stride<'_>) -> Option<Floor> {
-        let support = self.body(stride.body)?.support()?;
-        let (partner, up) = (support.partner, support.normal.y);
-        (up >= stride.least_up).then_some(Floor { partner, height: stride.soles, up })
     }
 
     /// Acceleration by gravity in the air, px/s², along X and down.
@@ -146,14 +141,22 @@ impl TwoHalfPhysicsSimulator {
         let has_left = walker.floor.take().is_some();
         self.hold(stride.body, walker, false);
         // What slides down a slope is not held up by wishes.
-        let slides = self.body(stride.body).is_some_and(|view| view.support().is_some());
-        let acceleration = if slides { 0.0 } else { walker.walk.air_acceleration };
+        let acceleration = if self.is_held_up(stride) { 0.0 } else { walker.walk.air_acceleration };
         let mut velocity = self.level_velocity(stride, walker, wish, acceleration);
         if has_left && stride.velocity.y <= walker.told {
             // It goes over an edge, and does not leap off by the slope that led there.
             velocity.y = velocity.y.min(walker.carried.y.max(0.0));
         }
         self.held_off(stride, velocity, |_| true)
+    }
+
+    /// Whether something pushes up more than sideways.
+    fn is_held_up(&self, stride: &Stride<'_>) -> bool {
+        self.core.space_touches_of(stride.body).any(|touch| {
+            let [.., up, _] = pushes(&touch, stride.geom);
+            let presses = touch.points[..touch.count].iter().any(|point| point.impulse > 0.0);
+            touch.responds && presses && up >= HOLDS
+        })
     }
 
     /// The velocity towards what is wished, no faster than an acceleration allows; Y as it was.
@@ -235,9 +238,8 @@ impl TwoHalfPhysicsSimulator {
             else {
                 continue;
             };
-            let sign = if touch.this == stride.geom { 1.0 } else { -1.0 };
-            let [x, y, z] = touch.normal.map(|part| sign * part);
-            if (-CEILING..stride.least_up).contains(&y) {
+            let [x, up, z] = pushes(&touch, stride.geom);
+            if (-CEILING..stride.least_up).contains(&up) {
                 let points = &touch.points[..touch.count];
                 let gap = points.iter().fold(f32::INFINITY, |least, point| least.min(point.separation));
                 let fastest = (gap - KEPT_OFF).max(0.0) / stride.dt;
@@ -297,6 +299,13 @@ fn clearance(stride: &Stride<'_>, floor: &Floor) -> f32 {
     let gap = stride.soles - floor.height;
     let was_lifted = gap <= OVER + CLEARS;
     if was_lifted { CLEARS.max(gap - SETTLES * stride.dt) } else { CLEARS }
+}
+
+/// The direction in which a touch pushes a geom, Y up.
+fn pushes(touch: &SpaceTouch, geom: GeomId) -> [f32; 3] {
+    let sign = if touch.this == geom { 1.0 } else { -1.0 };
+    let [x, y, z] = touch.normal;
+    [sign * x, -sign * y, sign * z]
 }
 
 /// What makes a velocity come no faster against a normal, as seen from above.
