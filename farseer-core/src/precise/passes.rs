@@ -361,17 +361,23 @@ pub(super) fn relax_normals<const FIXED: bool, const P: usize, R: Contacts<P>>(
     let weights = std::array::from_fn(|at| row.points[at].mass);
     let lost = std::array::from_fn(|at| weights[at] * due[at]);
     let (hold, both) = both_at_once::<P, R>(row, coupling, &weights, &lost);
+    let mut impulses = both;
+    if P == 1 || hold.to_bitmask() != 0b1111 {
+        for at in 0..P {
+            let point = row.points[at];
+            let kept = point.impulse - point.mass * (positive(separations[at]) * inverse_h);
+            let alone = positive(kept - point.mass * velocity[at]);
+            impulses[at] = select(hold, both[at], alone);
+            velocity[P - 1] += coupling * (impulses[at] - point.impulse);
+        }
+    }
     for at in 0..P {
-        let point = row.points[at];
-        let kept = point.impulse - point.mass * (positive(separations[at]) * inverse_h);
-        let alone = positive(kept - point.mass * velocity[at]);
-        let impulse = select(hold, both[at], alone);
-        changes[at] = impulse - point.impulse;
-        row.points[at].separation = separations[at];
-        row.points[at].impulse = impulse;
+        let point = &mut row.points[at];
+        changes[at] = impulses[at] - point.impulse;
+        point.separation = separations[at];
+        point.impulse = impulses[at];
         sum += changes[at];
-        load += impulse;
-        velocity[P - 1] += coupling * changes[at];
+        load += impulses[at];
     }
     Relaxed { sides, sum, changes, load }
 }
