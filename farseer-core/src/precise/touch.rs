@@ -22,6 +22,9 @@ use crate::math::plane::{
 
 /// Bodies that have turned further than this have their contacts found anew: its cosine.
 const LARGEST_TURN: f32 = 0.98;
+/// What is left of the error in separations, as a part of the unit: a normal that stays behind by an angle is wrong by that
+/// times the way that one has slid along the other.
+const LARGEST_ERROR: f32 = 3e-4;
 /// And those on a kinematic one that has: what lies on a turntable turns with it, and its normal must.
 const LARGEST_TURN_OF_KINEMATIC: f32 = 0.99998;
 /// A body that turns further than this in a step, on what does not give way, has its contacts found in every step: it rolls,
@@ -279,7 +282,8 @@ impl<'a> Touch<'a> {
         let is_same = turned_a[0] > if is_kinematic { LARGEST_TURN_OF_KINEMATIC } else { LARGEST_TURN }
             && turned_b[0] > LARGEST_TURN
             && self.turn_on_fixed(pair, two).abs() <= ROLLING
-            && moved < self.tuning.frozen - self.tuning.checked;
+            && moved < self.tuning.frozen - self.tuning.checked
+            && moved * turned_a[1].abs().max(turned_b[1].abs()) < LARGEST_ERROR * self.tuning.unit;
         if !is_same {
             return false;
         }
