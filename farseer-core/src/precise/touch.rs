@@ -22,11 +22,11 @@ use crate::math::plane::{
 
 /// Bodies that have turned further than this have their contacts found anew: its cosine.
 const LARGEST_TURN: f32 = 0.98;
+/// And those on a kinematic one that has: what lies on a turntable turns with it, and its normal must.
+const LARGEST_TURN_OF_KINEMATIC: f32 = 0.99998;
 /// What is left of the error in separations, as a part of the unit: a normal that stays behind by an angle is wrong by that
 /// times the way that one has slid along the other.
 const LARGEST_ERROR: f32 = 3e-4;
-/// And those on a kinematic one that has: what lies on a turntable turns with it, and its normal must.
-const LARGEST_TURN_OF_KINEMATIC: f32 = 0.99998;
 /// A body that turns further than this in a step, on what does not give way, has its contacts found in every step: it rolls,
 /// or topples, and its corners come down one after the other.
 const ROLLING: f32 = 0.01;
