@@ -50,6 +50,7 @@ pub struct Platform {
     /// Of the surface along the level edges and along Z.
     surface_speed: [f32; 2],
     motion: Option<Motion>,
+    is_one_way: bool,
     /// Derived from the others.
     #[serde(skip)]
     shape: SlantedBox,
@@ -171,6 +172,7 @@ impl Platform {
             settings,
             surface_speed: [0.0; 2],
             motion: None,
+            is_one_way: false,
             shape,
         };
         let platform = platform.shaped(&simulator.world.projection)?;
@@ -223,6 +225,7 @@ impl Platform {
             settings: self.settings.clone(),
             surface_velocity: [along * cos, along * sin, across],
             motion: self.told_motion(),
+            is_one_way: self.is_one_way,
         }
     }
 
@@ -232,7 +235,7 @@ impl Platform {
 
     /// Whether it has what only the precise set can do.
     fn is_precise(&self) -> bool {
-        self.motion.is_some() || self.surface_speed != [0.0; 2]
+        self.motion.is_some() || self.surface_speed != [0.0; 2] || self.is_one_way
     }
 
     /// An update has brought it here.
@@ -302,6 +305,11 @@ impl Platform {
     /// Speed of its surface, px/s: along its level edges, and along Z.
     pub fn surface_speed(&self) -> [f32; 2] {
         self.surface_speed
+    }
+
+    /// Whether only what is above its top lands on it, and everything else passes through it.
+    pub fn is_one_way(&self) -> bool {
+        self.is_one_way
     }
 
     /// The eight corners in the world: of the front face (smaller Z) clockwise on the screen, before it is tilted
@@ -441,6 +449,22 @@ impl PlatformMut<'_> {
         }
         self.platforms.list[self.index].1.surface_speed = [along, depth];
         self.platforms.is_told = false;
+        Ok(())
+    }
+
+    /// Opens the platform from below and from its sides: what jumps or is thrown up passes through it, and lands on its top when
+    /// it comes down. What stands on it when this is switched on stays there. To drop through it, a figure's geoms
+    /// cease to [collide](farseer_core::Geom::set_collides_with) with its categories until they are below the top. Default
+    /// false.
+    ///
+    /// # Errors
+    /// True with another scheme than [`DepthScheme::Precise`].
+    pub fn set_one_way(&mut self, value: bool) -> Result<()> {
+        if value {
+            self.check_precise("one-way platforms")?;
+        }
+        self.platforms.is_told &= self.is_one_way == value;
+        self.platforms.list[self.index].1.is_one_way = value;
         Ok(())
     }
 

@@ -78,7 +78,7 @@ impl TwoHalfPhysicsSimulator {
             return Err(damaged("a platform is out of range"));
         }
         if world.scheme != DepthScheme::Precise && world.platforms.are_precise() {
-            return Err(damaged("a platform moves, or is a belt, where none can"));
+            return Err(damaged("a platform moves, is a belt or one-way, where none can be"));
         }
         let (near, far) = world.layer_range;
         if !((far - near).is_finite() && near < far) {

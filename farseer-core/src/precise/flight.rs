@@ -282,7 +282,13 @@ impl Precise {
         let stands_still = mobility != Mobility::Dynamic || self.sleep.is_asleep(other);
         // In three axes who touches something is kept out of it by its contacts.
         let is_kept_out = self.space.is_some() && self.pairs.frozen[pair].count > 0;
-        state.responds && !state.is_vetoed && (stands_still || is_bullet) && !is_kept_out
+        let flies_through = || {
+            self.space.as_ref().is_some_and(|space| {
+                let proxies = self.pairs.watched[pair].proxies;
+                space.flies_through(proxies, &self.proxies, &self.bodies, self.tuning.speculative)
+            })
+        };
+        state.responds && !state.is_vetoed && (stands_still || is_bullet) && !is_kept_out && !flies_through()
     }
 
     fn meeting(&self, pair: usize) -> Option<f32> {

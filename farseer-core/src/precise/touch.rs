@@ -12,7 +12,7 @@ use super::pairs::{BY_ROW, Frozen, FrozenInSpace, Pairs};
 use super::proxies::{Mobility, Proxies, Proxy};
 use super::rows::{Aside, Home, Kind, Lane, Palette, PointLane, Rows, SpaceLane};
 use super::sleep::Sleep;
-use super::space::{Before, Space, tangents};
+use super::space::{Before, Space, lands_on, tangents};
 use super::tuning::Tuning;
 use crate::geom::GeomId;
 use crate::geom::surface::{FrictionType, mix_restitution};
@@ -140,11 +140,26 @@ impl<'a> Touch<'a> {
         found.keep_deepest(self.most_contacts);
         if found.count == 0 {
             self.part(pair, found.gap);
+        } else if self.passes_through(pair, two) {
+            self.part(pair, 0.0);
         } else {
             self.looks.made += 1;
             self.meet(pair, two, &found);
             self.note_touch(pair, two);
         }
+    }
+
+    /// Whether one of the two is open for the other one, which has not landed on it.
+    fn passes_through(&self, pair: usize, two: Two<'a>) -> bool {
+        let state = &self.pairs.all[pair];
+        let Some(space) = self.space.filter(|space| state.responds && space.is_one_way(two.a)) else {
+            return false;
+        };
+        let solid = |at: u32, proxy: &'a Proxy| {
+            space.solid(at, proxy, self.proxies.corners.outline(proxy.shape), (self.bodies, self.dt))
+        };
+        let [at_a, at_b] = self.pairs.watched[pair].proxies;
+        state.home.is_none() && !lands_on(solid(at_a, two.a), solid(at_b, two.b), self.tuning.speculative)
     }
 
     fn collide(&self, pair: usize, two: Two<'_>, reach: f32) -> Manifold {

@@ -9,6 +9,7 @@ mod edits;
 mod meeting;
 mod motion;
 mod one_plane;
+mod one_way;
 mod pairs;
 mod platforms;
 mod precise;

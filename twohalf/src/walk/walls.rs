@@ -19,7 +19,7 @@ impl TwoHalfPhysicsSimulator {
         let low = Vector3::new(swept.left, -stride.head, swept.front);
         let high = Vector3::new(swept.right, -stride.soles, swept.back);
         for (_, platform) in self.world.platforms.overlapping(low, high) {
-            if !holds(platform, self.core.geom(stride.geom).as_deref()) {
+            if platform.is_one_way() || !holds(platform, self.core.geom(stride.geom).as_deref()) {
                 continue;
             }
             let Some(wall) = wall_of(platform.shape(), stride) else { continue };

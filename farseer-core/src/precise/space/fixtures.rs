@@ -66,6 +66,7 @@ impl Precise {
         let Some(space) = &mut self.space else { return };
         space.fixtures.clear();
         space.fixtures.extend(fixtures);
+        space.has_one_way = space.fixtures.iter().any(|fixture| fixture.is_one_way);
         let moving = (0..).zip(&space.fixtures).filter(|(_, fixture)| fixture.motion.is_some());
         space.moving.clear();
         space.moving.extend(moving.map(|(place, _)| place));

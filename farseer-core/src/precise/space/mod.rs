@@ -9,6 +9,7 @@
 
 mod fixtures;
 mod flight;
+mod one_way;
 mod overlap;
 pub(crate) mod parts;
 mod passes;
@@ -30,6 +31,7 @@ use super::tuning::Tuning;
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::storage::reusing_clone::reusing_clone;
+pub(super) use one_way::lands_on;
 use parts::{Depths, Fixture, SpaceBody, SpaceProfile};
 pub(super) use passes::{Spin, begin_spins, gather_warm_in_space, relax_in_space};
 pub(super) use rows::{SpaceRow, tangents};
@@ -47,6 +49,8 @@ pub(crate) struct Space {
     numbers: Vec<u32>,
     fixture_proxies: Vec<u32>,
     moving: Vec<u32>,
+    /// Whether one of them is open from below.
+    has_one_way: bool,
     /// By number.
     pub(super) places: Vec<f32>,
     pub(super) spins: Vec<Spin>,
@@ -64,7 +68,7 @@ pub(crate) struct Space {
 
 reusing_clone! {
     Space {
-        bodies, profiles, fixtures, numbers, fixture_proxies, moving, places, spins, are_balls, has_balls, reach, depths, ground, rested
+        bodies, profiles, fixtures, numbers, fixture_proxies, moving, has_one_way, places, spins, are_balls, has_balls, reach, depths, ground, rested
     }
 }
 

@@ -60,6 +60,8 @@ pub struct Fixture {
     pub surface_velocity: [f32; 3],
     /// How it moves, if it does not stand still.
     pub motion: Option<FixtureMotion>,
+    /// Whether only what is above its top lands on it, and everything else passes through it.
+    pub is_one_way: bool,
 }
 
 /// How a fixture moves that does not stand still: as a kinematic body does, but for turning.
