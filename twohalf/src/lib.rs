@@ -299,7 +299,7 @@
 //! # Figures that walk
 //!
 //! The loop above sets velocities, which is enough on level ground. [`TwoHalfPhysicsSimulator::walk`] does what players expect
-//! beyond that: slopes, curbs, lifts, belts and walls, and jumps of a given height. `twohalf-factories` makes a figure in one
+//! beyond that: slopes, curbs, lifts, belts, one-way platforms and walls, and jumps of a given height. `twohalf-factories` makes a figure in one
 //! call.
 //!
 //! # Where it fails

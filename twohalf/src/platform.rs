@@ -453,9 +453,8 @@ impl PlatformMut<'_> {
     }
 
     /// Opens the platform from below and from its sides: what jumps or is thrown up passes through it, and lands on its top when
-    /// it comes down. What stands on it when this is switched on stays there. To drop through it, a figure's geoms
-    /// cease to [collide](farseer_core::Geom::set_collides_with) with its categories until they are below the top. Default
-    /// false.
+    /// it comes down. What stands on it when this is switched on stays there. To drop through it, a geom leaves out its
+    /// categories ([`Geom::set_collides_with`]) until it is below the top, and the platform those of the geom. Default false.
     ///
     /// # Errors
     /// True with another scheme than [`DepthScheme::Precise`].
