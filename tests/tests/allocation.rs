@@ -117,6 +117,15 @@ fn an_update_of_a_settled_scene_with_the_precise_set_allocates_nothing() {
 }
 
 #[test]
+fn the_order_of_drawing_is_found_again_without_allocating() {
+    let (mut simulator, _) = depth::busy_scene();
+    simulator.update(0.01);
+    let mut order = twohalf::DrawOrder::default();
+    assert!(calls(|| _ = order.sort(&simulator)) > 0);
+    assert_eq!(calls(|| (0..10).for_each(|_| _ = order.sort(&simulator))), 0);
+}
+
+#[test]
 fn an_update_with_handlers_of_every_geom_allocates_nothing() {
     let mut simulator = settled_precise_scene();
     let mut dispatch = Dispatch::new();

@@ -22,11 +22,14 @@ struct Item {
     drawable: Drawable,
     low: Vector3,
     high: Vector3,
-    /// Sides of a platform: outward normals and how far they reach along them.
-    sides: Option<[(Vector3, f32); 4]>,
+    /// The place of its sides, if it is a platform.
+    sides: Option<u32>,
     screen_low: Vector2,
     screen_high: Vector2,
 }
+
+/// Sides of a platform: outward normals and how far they reach along them.
+type Sides = [(Vector3, f32); 4];
 
 impl Item {
     fn of_points(drawable: Drawable, points: impl Iterator<Item = (Vector3, Vector2)>) -> Option<Self> {
@@ -50,7 +53,8 @@ impl Item {
     }
 
     /// The direction from this to the other along which they are farthest apart, or overlap least.
-    fn direction_to(&self, other: &Item) -> Vector3 {
+    fn direction_to(&self, other: &Item, all_sides: &[Sides]) -> Vector3 {
+        let sides_of = |item: &Item| item.sides.map(|at| &all_sides[at as usize]).into_iter().flatten();
         let mut best = (f32::NEG_INFINITY, Vector3::zeros());
         let mut consider = |gap: f32, n: Vector3| {
             if gap > best.0 {
@@ -62,10 +66,10 @@ impl Item {
             consider(other.low[axis] - self.high[axis], n);
             consider(self.low[axis] - other.high[axis], -n);
         }
-        for &(n, reach) in self.sides.iter().flatten() {
+        for &(n, reach) in sides_of(self) {
             consider(other.least_along(n) - reach, n);
         }
-        for &(n, reach) in other.sides.iter().flatten() {
+        for &(n, reach) in sides_of(other) {
             consider(self.least_along(n) - reach, -n);
         }
         best.1
@@ -73,13 +77,195 @@ impl Item {
 
     /// Whether this is drawn before the other. `to_viewer` is the direction of the line on which all points appear
     /// at one point of the screen.
-    fn is_below(&self, other: &Item, to_viewer: Vector3) -> bool {
-        let nearer = self.direction_to(other).dot(&to_viewer);
+    fn is_below(&self, other: &Item, sides: &[Sides], to_viewer: Vector3) -> bool {
+        let nearer = self.direction_to(other, sides).dot(&to_viewer);
         if nearer == 0.0 { self.middle() > other.middle() } else { nearer > 0.0 }
     }
+}
 
-    fn may_cover(&self, other: &Item) -> bool {
-        self.screen_low.y <= other.screen_high.y && other.screen_low.y <= self.screen_high.y
+/// Where an item appears on the screen.
+#[derive(Debug, Clone, Copy)]
+struct Appearance {
+    left: f32,
+    right: f32,
+    low: f32,
+    high: f32,
+    /// Its place among the items.
+    item: u32,
+}
+
+/// Lists of numbers, one behind the other.
+#[derive(Debug, Clone, Default)]
+struct Lists {
+    /// Where each begins; behind the last one, where it ends.
+    begins: Vec<u32>,
+    entries: Vec<u32>,
+}
+
+impl Lists {
+    /// Makes so many lists of pairs of a list and an entry, each in the order in which its entries come.
+    fn fill(&mut self, count: usize, pairs: impl Iterator<Item = [u32; 2]> + Clone) {
+        let Lists { begins, entries } = self;
+        begins.clear();
+        begins.resize(count + 2, 0);
+        pairs.clone().for_each(|[list, _]| begins[list as usize + 2] += 1);
+        for list in 2..begins.len() {
+            begins[list] += begins[list - 1];
+        }
+        entries.clear();
+        entries.resize(begins[count + 1] as usize, 0);
+        // One place ahead: by the end every list begins where the one before it ends.
+        for [list, entry] in pairs {
+            let next = &mut begins[list as usize + 1];
+            entries[*next as usize] = entry;
+            *next += 1;
+        }
+    }
+
+    fn range(&self, list: usize) -> std::ops::Range<usize> {
+        self.begins[list] as usize..self.begins[list + 1] as usize
+    }
+
+    fn of(&self, list: usize) -> &[u32] {
+        &self.entries[self.range(list)]
+    }
+}
+
+/// Strips of the screen, one below the other: who is in none together does not cover each other.
+#[derive(Debug, Clone, Copy)]
+struct Strips {
+    first: f32,
+    per_length: f32,
+    count: usize,
+}
+
+/// Items per strip, and the most strips, so that what is as high as the screen is not in too many.
+const ITEMS_PER_STRIP: usize = 16;
+const MOST_STRIPS: usize = 256;
+
+impl Strips {
+    fn over(appearances: &[Appearance]) -> Self {
+        let low = appearances.iter().map(|appearance| appearance.low).fold(f32::INFINITY, f32::min);
+        let high = appearances.iter().map(|appearance| appearance.high).fold(f32::NEG_INFINITY, f32::max);
+        let count = (appearances.len() / ITEMS_PER_STRIP).clamp(1, MOST_STRIPS);
+        Strips { first: low, per_length: count as f32 / (high - low), count }
+    }
+
+    /// The strip at a height. Conversion saturates, and what is no number is in the first one.
+    fn at(&self, y: f32) -> u32 {
+        (((y - self.first) * self.per_length) as u32).min(self.count as u32 - 1)
+    }
+
+    fn of(&self, appearance: &Appearance) -> std::ops::RangeInclusive<u32> {
+        self.at(appearance.low)..=self.at(appearance.high)
+    }
+}
+
+/// What is drawn over what, found again in every frame, in room that is kept: it allocates nothing once it has grown to the scene.
+///
+/// ```
+/// # use twohalf::{DrawOrder, TwoHalfPhysicsSimulator, Vector2};
+/// let mut simulator = TwoHalfPhysicsSimulator::with_gravity(600, Vector2::new(0.0, 100.0))?;
+/// let mut order = DrawOrder::default();
+/// for _ in 0..60 {
+///     simulator.update(1.0 / 60.0);
+///     for drawable in order.sort(&simulator) {
+///         // draw it
+///     }
+/// }
+/// # Ok::<(), twohalf::Error>(())
+/// ```
+#[derive(Debug, Clone, Default)]
+pub struct DrawOrder {
+    items: Vec<Item>,
+    sides: Vec<Sides>,
+    appearances: Vec<Appearance>,
+    /// Pairs of items, the one that is covered last.
+    covers: Vec<[u32; 2]>,
+    strips: Lists,
+    /// What each item covers.
+    covered: Lists,
+    is_visited: Vec<bool>,
+    path: Vec<[u32; 2]>,
+    order: Vec<Drawable>,
+}
+
+impl DrawOrder {
+    /// The bodies that take part and are enabled, and the platforms, as [`TwoHalfPhysicsSimulator::draw_order`] orders them.
+    pub fn sort(&mut self, simulator: &TwoHalfPhysicsSimulator) -> &[Drawable] {
+        self.items.clear();
+        self.sides.clear();
+        simulator.list_items(&mut self.items, &mut self.sides);
+        self.items.sort_unstable_by(|a, b| {
+            let height = a.low.y.total_cmp(&b.low.y);
+            b.middle().total_cmp(&a.middle()).then(height).then(a.drawable.cmp(&b.drawable))
+        });
+        self.find_covers(simulator.projection().to_viewer());
+        self.walk();
+        &self.order
+    }
+
+    /// Who covers whom, of those that appear at one place of the screen.
+    fn find_covers(&mut self, to_viewer: Vector3) {
+        let DrawOrder { items, sides, appearances, strips, covers, covered, .. } = self;
+        appearances.clear();
+        appearances.extend((0..).zip(items.iter()).map(|(item, of)| Appearance {
+            left: of.screen_low.x,
+            right: of.screen_high.x,
+            low: of.screen_low.y,
+            high: of.screen_high.y,
+            item,
+        }));
+        appearances.sort_unstable_by(|a, b| a.left.total_cmp(&b.left).then(a.item.cmp(&b.item)));
+        let parts = Strips::over(appearances);
+        let in_strips = (0..).zip(appearances.iter());
+        let in_strips = in_strips.flat_map(|(at, of)| parts.of(of).map(move |strip| [strip, at]));
+        strips.fill(parts.count, in_strips);
+        covers.clear();
+        for strip in 0..parts.count {
+            let present = strips.of(strip);
+            for (position, &a) in present.iter().enumerate() {
+                let a = &appearances[a as usize];
+                let others = present[position + 1..].iter().map(|&b| &appearances[b as usize]);
+                for b in others.take_while(|b| b.left <= a.right) {
+                    let higher = if a.low > b.low { a.low } else { b.low };
+                    // Two that are in several strips together are looked at in the first one.
+                    if a.low <= b.high && b.low <= a.high && parts.at(higher) as usize == strip {
+                        let [one, other] = [a, b].map(|appearance| &items[appearance.item as usize]);
+                        let is_below = one.is_below(other, sides, to_viewer);
+                        covers.push(if is_below { [b.item, a.item] } else { [a.item, b.item] });
+                    }
+                }
+            }
+        }
+        covered.fill(items.len(), covers.iter().copied());
+        for item in 0..items.len() {
+            let range = covered.range(item);
+            covered.entries[range].sort_unstable();
+        }
+    }
+
+    /// Depth first: everything below goes first.
+    fn walk(&mut self) {
+        let DrawOrder { items, covered, is_visited, path, order, .. } = self;
+        is_visited.clear();
+        is_visited.resize(items.len(), false);
+        order.clear();
+        for first in 0..items.len() {
+            if !std::mem::replace(&mut is_visited[first], true) {
+                path.push([first as u32, 0]);
+            }
+            while let Some([item, next]) = path.pop() {
+                let Some(&lower) = covered.of(item as usize).get(next as usize) else {
+                    order.push(items[item as usize].drawable);
+                    continue;
+                };
+                path.push([item, next + 1]);
+                if !std::mem::replace(&mut is_visited[lower as usize], true) {
+                    path.push([lower, 0]);
+                }
+            }
+        }
     }
 }
 
@@ -91,89 +277,44 @@ impl TwoHalfPhysicsSimulator {
     /// the direction in which their boxes, or the sides of a platform, are farthest apart or overlap least. Where
     /// that goes round in a circle, one of the pairs is in the wrong order. What covers nothing is ordered by Z,
     /// then by height, then as it was added.
+    ///
+    /// [`DrawOrder`] does the same without allocating in every frame.
     pub fn draw_order(&self) -> Vec<Drawable> {
-        let mut items: Vec<Item> = self.items().collect();
-        items.sort_by(|a, b| {
-            let height = a.low.y.total_cmp(&b.low.y);
-            b.middle().total_cmp(&a.middle()).then(height).then(a.drawable.cmp(&b.drawable))
-        });
-        let below = covered(&items, self.projection().to_viewer());
-        let mut order = Vec::with_capacity(items.len());
-        let mut is_visited = vec![false; items.len()];
-        let mut path: Vec<(usize, usize)> = Vec::new();
-        for index in 0..items.len() {
-            // Depth first: everything below goes first.
-            if !std::mem::replace(&mut is_visited[index], true) {
-                path.push((index, 0));
-            }
-            while let Some((item, next)) = path.pop() {
-                match below[item].get(next) {
-                    Some(&lower) => {
-                        path.push((item, next + 1));
-                        if !std::mem::replace(&mut is_visited[lower], true) {
-                            path.push((lower, 0));
-                        }
-                    }
-                    None => order.push(items[item].drawable),
-                }
-            }
-        }
-        order
+        let mut order = DrawOrder::default();
+        order.sort(self);
+        order.order
     }
 
-    fn items(&self) -> impl Iterator<Item = Item> + '_ {
-        let bodies = self.body_list().iter().filter_map(|&id| self.item_of_body(id));
-        let platforms = self.platforms().filter_map(|id| {
-            let platform = self.platform(id)?;
+    fn list_items(&self, items: &mut Vec<Item>, sides: &mut Vec<Sides>) {
+        items.extend(self.body_list().iter().filter_map(|&id| self.item_of_body(id)));
+        for id in self.platforms() {
+            let Some(platform) = self.platform(id) else { continue };
             let corners = platform.corners();
             let points = corners.into_iter().map(|corner| (corner, self.projection().to_screen(corner)));
-            let item = Item::of_points(Drawable::Platform(id), points)?;
+            let Some(item) = Item::of_points(Drawable::Platform(id), points) else { continue };
+            items.push(Item { sides: Some(sides.len() as u32), ..item });
             let shape = platform.shape();
-            let sides = Face::SIDES.map(|face| {
+            sides.push(Face::SIDES.map(|face| {
                 let normal = shape.face_normal(face);
-                (to_world(normal), shape.distance_to_face(face, Vector3::zeros()))
-            });
-            // The origin's distance from a side is the negative of how far the side reaches.
-            Some(Item { sides: Some(sides.map(|(normal, distance)| (normal, -distance))), ..item })
-        });
-        bodies.chain(platforms)
+                // The origin's distance from a side is the negative of how far the side reaches.
+                (to_world(normal), -shape.distance_to_face(face, Vector3::zeros()))
+            }));
+        }
     }
 
     fn item_of_body(&self, id: BodyId) -> Option<Item> {
         let body = self.body(id).filter(|body| body.enabled())?;
+        // The picture is flat: it appears at the middle of the body.
+        let z = self.world.z_of(id);
+        let shown = |p: Vector3| (p, self.projection().to_screen(Vector3::new(p.x, p.y, z)));
         let geoms = self.core.geoms_of(id).iter().filter_map(|&geom| self.geom(geom));
         let corners = geoms.flat_map(|geom| {
             let v = geom.virtual_geom();
-            let near = (Vector3::new(v.left, v.bottom, v.front), Vector3::new(v.right, v.top, v.back));
-            [near.0, near.1]
+            [Vector3::new(v.left, v.bottom, v.front), Vector3::new(v.right, v.top, v.back)]
         });
-        // The picture is flat: it appears at the middle of the body.
-        let (origin, z) = (body.origin3d(), self.world.z_of(id));
-        let on_screen = |p: Vector3| self.projection().to_screen(Vector3::new(p.x, p.y, z));
-        let corners = corners.map(|corner| (corner, on_screen(corner)));
-        let points: Vec<_> = corners.collect();
-        let origin = points.is_empty().then(|| (origin, on_screen(origin)));
-        Item::of_points(Drawable::Body(id), points.into_iter().chain(origin))
+        let of_geoms = Item::of_points(Drawable::Body(id), corners.map(shown));
+        of_geoms.or_else(|| Item::of_points(Drawable::Body(id), [shown(body.origin3d())].into_iter()))
     }
-}
-
-/// For every item the indices of those that it covers.
-fn covered(items: &[Item], to_viewer: Vector3) -> Vec<Vec<usize>> {
-    let mut below = vec![Vec::new(); items.len()];
-    let mut by_left: Vec<usize> = (0..items.len()).collect();
-    by_left.sort_by(|&a, &b| items[a].screen_low.x.total_cmp(&items[b].screen_low.x));
-    for (position, &a) in by_left.iter().enumerate() {
-        for &b in
-            by_left[position + 1..].iter().take_while(|&&b| items[b].screen_low.x <= items[a].screen_high.x)
-        {
-            if items[a].may_cover(&items[b]) {
-                let (lower, upper) = if items[a].is_below(&items[b], to_viewer) { (a, b) } else { (b, a) };
-                below[upper].push(lower);
-            }
-        }
-    }
-    below.iter_mut().for_each(|list| list.sort_unstable());
-    below
 }
 
 impl World {

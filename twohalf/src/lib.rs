@@ -393,7 +393,7 @@ mod world;
 pub use body::TwoHalfBody;
 pub use contacts::TwoHalfContact;
 pub use depth::DepthProfile;
-pub use draw_order::Drawable;
+pub use draw_order::{DrawOrder, Drawable};
 pub use error::{Error, Result};
 pub use events::{Collision, Context, Event, EventHandler};
 pub use geom::TwoHalfGeom;

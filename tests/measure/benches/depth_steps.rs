@@ -10,7 +10,7 @@ use farseer_core::PhysicsSimulator;
 use measure::scenes::depth::{DepthScene, build, pile, traffic};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
-use twohalf::TwoHalfPhysicsSimulator;
+use twohalf::{DrawOrder, TwoHalfPhysicsSimulator};
 
 /// Objects of the scenes that are measured.
 const TRAFFIC: [usize; 5] = [20, 40, 200, 1000, 10_000];
@@ -28,6 +28,19 @@ static MEANS: Mutex<Vec<(String, Vec<Duration>)>> = Mutex::new(Vec::new());
 #[divan::bench(args = TRAFFIC, sample_count = 5, sample_size = 1)]
 fn moving(bencher: Bencher<'_, '_>, count: usize) {
     measure(bencher, &traffic(count));
+}
+
+/// Finding in which order those are drawn.
+#[divan::bench(args = TRAFFIC, sample_count = 5, sample_size = 1)]
+fn drawing_order(bencher: Bencher<'_, '_>, count: usize) {
+    let make = || {
+        let (mut simulator, _) = build(&traffic(count));
+        (0..60).for_each(|_| simulator.update(PIT_DT));
+        (simulator, DrawOrder::default())
+    };
+    time(bencher, &format!("drawing_order_{count}"), make, |(simulator, order)| {
+        divan::black_box(order.sort(simulator));
+    });
 }
 
 /// Objects falling into a heap.

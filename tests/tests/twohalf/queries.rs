@@ -5,7 +5,7 @@ use conformance::fixtures::depth::{
     simulator, solid, throw, under_test, velocity, weightless,
 };
 use twohalf::{
-    Axis, BodyId, DepthProfile, Drawable, GeomId, Partner, Platform, PlatformId, TextureId,
+    Axis, BodyId, DepthProfile, DrawOrder, Drawable, GeomId, Partner, Platform, PlatformId, TextureId,
     TwoHalfPhysicsSimulator, Vector2, Vector3,
 };
 
@@ -412,6 +412,42 @@ pub(crate) fn what_stands_behind_on_and_in_front_of_a_platform_is_drawn_around_i
     let behind = solid(&mut simulator, [30.0, 60.0, 20.0], [0.0, 0.0, 165.0]);
     run(&mut simulator, 20);
     assert_eq!(order(&simulator, &[in_front, on_top, behind], &[floor]), [2, 100, 1, 0]);
+}
+
+#[test]
+pub(crate) fn what_stands_around_each_of_a_hundred_platforms_is_drawn_around_it() {
+    let mut simulator = simulator();
+    let mut groups = Vec::new();
+    for at in 0..100 {
+        let (x, y) = ((at % 10) as f32 * 130.0, (at / 10) as f32 * 47.0);
+        let floor = platform(&mut simulator, [100.0, 40.0, 100.0], [x, y, 100.0]);
+        let around = [[y, 165.0], [y + 40.0, 130.0], [y, 35.0]]
+            .map(|[height, z]| solid(&mut simulator, [30.0, 60.0, 20.0], [x, height, z]));
+        around.iter().for_each(|&body| fix(&mut simulator, body));
+        let [behind, on_top, in_front] = around.map(Drawable::Body);
+        groups.push([behind, Drawable::Platform(floor), on_top, in_front]);
+    }
+    run(&mut simulator, 1);
+    let order = simulator.draw_order();
+    let place = |drawable: Drawable| order.iter().position(|&drawn| drawn == drawable).unwrap();
+    for group in groups {
+        let places = group.map(place);
+        assert!(places.is_sorted(), "{places:?}");
+    }
+    assert_eq!(order.len(), 400);
+}
+
+#[test]
+pub(crate) fn an_order_that_is_kept_is_that_of_what_is_there_now() {
+    let (mut simulator, bodies) = conformance::fixtures::depth::busy_scene();
+    let mut order = DrawOrder::default();
+    for step in 0..300 {
+        run(&mut simulator, 1);
+        if step == 100 {
+            simulator.remove(bodies[0]).unwrap();
+        }
+        assert_eq!(order.sort(&simulator), simulator.draw_order());
+    }
 }
 
 #[test]
