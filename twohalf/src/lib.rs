@@ -355,7 +355,9 @@
 //!   box and has no friction.
 //! - **Sprites are flat**, so there may be no right [drawing order](TwoHalfPhysicsSimulator::draw_order) for three
 //!   that cover each other in a circle.
-//! - **Not there yet**: joints, springs and controllers with depth.
+//! - **Joints, springs and controllers are those of the plane**, made by
+//!   [`edit_objects`](TwoHalfPhysicsSimulator::edit_objects). With [`DepthScheme::Precise`] revolute joints and welds keep
+//!   their bodies together along Z, too; no other joint, and no spring, acts along Z yet.
 
 #![forbid(unsafe_code)]
 

@@ -411,6 +411,48 @@ impl TwoHalfPhysicsSimulator {
         Ok(copy)
     }
 
+    /// Lends out what lives in the 2D engine below, to make joints and springs between bodies, to edit and to dispose of them:
+    /// all that takes [`Objects`](farseer_core::Objects), as [`JointFactory`](farseer_core::JointFactory) and
+    /// [`SpringFactory`](farseer_core::SpringFactory) do. There y is down, and positions are those of the outlines, not of the grounds.
+    /// Bodies and geoms that are made there get a depth as those of [`from_core`](Self::from_core) do.
+    ///
+    /// With [`DepthScheme::Precise`] joints that keep a point, which are revolute ones and welds, keep it in depth: the
+    /// bodies that they tie together stay as far behind each other as they are, and move along Z as one; what is tied to
+    /// the world, or to what stands still, stays at its Z. All other joints, and springs, act in X and Y alone.
+    ///
+    /// ```
+    /// # use twohalf::{TwoHalfPhysicsSimulator, Vector2, farseer_core::{BodyFactory, JointFactory}};
+    /// let mut simulator = TwoHalfPhysicsSimulator::with_gravity(600, Vector2::new(0.0, 0.0))?;
+    /// let [one, other] = [0.0, 40.0].map(|x| {
+    ///     let body = simulator.create_body(BodyFactory::create_rectangle_body(20.0, 20.0, 1.0).unwrap());
+    ///     simulator.add(body).unwrap();
+    ///     simulator.body_mut(body).unwrap().core_mut().set_position(Vector2::new(x, -100.0));
+    ///     body
+    /// });
+    /// let joint = simulator.edit_objects(|objects| {
+    ///     let joint = JointFactory::create_revolute_joint(objects, one, other, Vector2::new(20.0, -100.0))?;
+    ///     objects.add(joint)?;
+    ///     Ok::<_, farseer_core::Error>(joint)
+    /// })?;
+    /// simulator.body_mut(one).unwrap().set_linear_velocity_z(60.0);
+    /// (0..60).for_each(|_| simulator.update(1.0 / 60.0));
+    /// // They share what one of them had.
+    /// assert!((simulator.body(other).unwrap().velocity3d().z - 30.0).abs() < 0.1);
+    /// assert!(simulator.core().joint(joint).is_some());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn edit_objects<R>(&mut self, edit: impl FnOnce(&mut farseer_core::Objects) -> R) -> R {
+        let answer = edit(&mut self.core);
+        let TwoHalfPhysicsSimulator { core, world } = self;
+        for body in core.bodies() {
+            let knows = |&geom: &GeomId| world.depths.profiles.get(geom).is_some();
+            if world.depths.bodies.get(body).is_none() || !core.geoms_of(body).iter().all(knows) {
+                adopt_body(core, &mut world.depths, body);
+            }
+        }
+        answer
+    }
+
     /// Lets an object take part from the next update on. Adding a body does not add its geoms.
     ///
     /// # Errors

@@ -392,6 +392,7 @@ impl Precise {
         self.joints.swing(&self.bodies, step);
         if self.rows.is_empty() && self.joints.are_all_apart() {
             fly(&mut self.bodies, &self.sleep.bodies, step);
+            self.joints.share_depth_of_flight(&mut self.bodies, step.dt);
         } else {
             self.solve_passes(step);
         }
@@ -410,10 +411,12 @@ impl Precise {
             if may_bounce {
                 self.note_pushes();
             }
+            self.joints.share_depth(&mut self.bodies);
             displace(&mut self.bodies, &self.sleep.bodies, step.h, substep == 0);
             self.joints.advance(&self.bodies, step.h);
             self.joints.relax(&mut self.bodies, step.h);
             self.relax(step);
+            self.joints.share_depth(&mut self.bodies);
             if may_bounce {
                 self.note_pushes();
             }

@@ -4,6 +4,7 @@
 //! whole. A group of bodies that joints tie together and nothing touches [swings](swing) by itself; one that touches
 //! something is solved in the passes of contacts.
 
+mod depth;
 mod forest;
 mod hold;
 mod loose;
@@ -14,6 +15,7 @@ mod tree;
 use super::bodies::{Bodies, Hot};
 use super::tuning::Step;
 use crate::storage::reusing_clone::reusing_clone;
+use depth::Tied;
 use forest::{Forest, Seat};
 use hold::{End, Hold, Key};
 use loose::{GROUND, Keeps, Loose, Pass, Room, solve_group};
@@ -31,11 +33,13 @@ pub(super) struct Joints {
     groups: Vec<Group>,
     /// By body number: the place in its group, or [`GROUND`].
     seat_of: Vec<u32>,
+    /// In three axes: who moves along the depth axis as one.
+    tied: Vec<Tied>,
     room: Room,
     unit: f64,
 }
 
-reusing_clone! { Joints { holds, is_read, may_break, groups, seat_of, room, unit } }
+reusing_clone! { Joints { holds, is_read, may_break, groups, seat_of, tied, room, unit } }
 
 /// Bodies that joints tie together.
 #[derive(Debug, Default)]
@@ -90,7 +94,11 @@ impl Joints {
     }
 
     /// Plans for the joints that were read.
-    fn plan(&mut self, bodies: &Bodies) {
+    fn plan(&mut self, bodies: &Bodies, is_in_space: bool) {
+        self.tied.clear();
+        if is_in_space {
+            self.tied = Tied::all(&self.holds, bodies.hot.len());
+        }
         let keys: Vec<Key> = self.holds.iter().map(Hold::key).collect();
         let Forest { groups, seat_of } = Forest::new(&keys, bodies.first_fixed());
         let holds = &self.holds;
@@ -128,6 +136,16 @@ impl Joints {
         for group in self.groups.iter_mut().filter(|group| group.is_apart) {
             swing::swing(group, &self.holds, &mut self.room, bodies, step, self.unit);
         }
+    }
+
+    /// What moves along the depth axis as one gets one velocity.
+    pub(super) fn share_depth(&self, bodies: &mut Bodies) {
+        self.tied.iter().for_each(|tied| tied.share(bodies));
+    }
+
+    /// And one way, after a step in which nothing has pushed it.
+    pub(super) fn share_depth_of_flight(&self, bodies: &mut Bodies, dt: f32) {
+        self.tied.iter().for_each(|tied| tied.share_way(bodies, dt));
     }
 
     /// The others get ready for the passes of a step.

@@ -113,11 +113,12 @@ impl Precise {
             joints.follow(&self.bodies, objects);
         } else {
             joints.holds.clear();
+            joints.tied.clear();
             let all = (0..objects.joints.list().len()).filter_map(|at| objects.joints.at(at));
             let enabled = all.filter(|(_, joint)| joint.enabled());
             joints.may_break = enabled.clone().any(|(_, joint)| joint.breakpoint() != f32::MAX);
             joints.holds.extend(enabled.filter_map(|joint| self.hold(joint, &objects.bodies)));
-            joints.plan(&self.bodies);
+            joints.plan(&self.bodies, self.space.is_some());
             joints.is_read = true;
             let is_held = |body: usize| self.direct.is_direct(body) && joints.holds(body);
             self.direct.timing.is_due |= (1..=self.bodies.count).any(is_held);
