@@ -10,9 +10,6 @@ use crate::math::plane::{Vector, difference, dot, place, rotation, turn};
 use crate::precise::bodies::Bodies;
 use crate::precise::proxies::{Proxies, Proxy};
 
-/// What does not stand on its top is no deeper below it than this many reaches of contacts.
-const REACHES: f32 = 1.0;
-
 impl Space {
     /// Whether a proxy is that of a fixture that is open from below.
     #[inline(always)]
@@ -53,7 +50,7 @@ pub(in crate::precise) fn lands_on(a: Solid<'_>, b: Solid<'_>, reach: f32) -> bo
     let up = up_of(a);
     let way = difference([b.motion[0], b.motion[1]], [a.motion[0], a.motion[1]]);
     let (deep, risen) = (depth_below(a, b, up), dot(way, up));
-    deep <= 0.0 || (risen <= 0.0 && deep <= REACHES * reach - risen)
+    deep <= 0.0 || (risen <= 0.0 && deep <= reach - risen)
 }
 
 /// How deep the lowest point of B is below the top of A; negative above it.
