@@ -357,7 +357,7 @@
 //!   that cover each other in a circle.
 //! - **Joints, springs and controllers are those of the plane**, made by
 //!   [`edit_objects`](TwoHalfPhysicsSimulator::edit_objects). With [`DepthScheme::Precise`] revolute joints and welds keep
-//!   their bodies together along Z, too; no other joint, and no spring, acts along Z yet.
+//!   their bodies together along Z, too, and linear springs between two bodies pull along all axes; no other joint or spring acts along Z yet.
 
 #![forbid(unsafe_code)]
 

@@ -418,7 +418,8 @@ impl TwoHalfPhysicsSimulator {
     ///
     /// With [`DepthScheme::Precise`] joints that keep a point, which are revolute ones and welds, keep it in depth: the
     /// bodies that they tie together stay as far behind each other as they are, and move along Z as one; what is tied to
-    /// the world, or to what stands still, stays at its Z. All other joints, and springs, act in X and Y alone.
+    /// the world, or to what stands still, stays at its Z. Linear springs pull along all three axes; the rest length that they are
+    /// made with is that of X and Y. All other joints and springs act in X and Y alone.
     ///
     /// ```
     /// # use twohalf::{TwoHalfPhysicsSimulator, Vector2, farseer_core::{BodyFactory, JointFactory}};

@@ -138,6 +138,11 @@ reusing_clone! {
 }
 
 impl Precise {
+    /// The depth axis, for an engine that has it.
+    pub(crate) fn space_mut(&mut self) -> Option<&mut Space> {
+        self.space.as_deref_mut()
+    }
+
     /// For things of about this size.
     pub(crate) fn new(length_unit: f32) -> Self {
         Precise {

@@ -22,8 +22,9 @@ impl PhysicsSimulator {
     }
 
     fn update_spring(&mut self, spring: SpringId, step: Option<f32>, handler: &mut Handler<'_>) {
-        let objects = &mut self.objects;
-        match objects.springs[spring].update(&mut objects.bodies, step) {
+        let PhysicsSimulator { objects, pipeline, .. } = self;
+        let space = pipeline.precise.as_mut().and_then(|precise| precise.space_mut());
+        match objects.springs[spring].update(&mut objects.bodies, space, step) {
             SpringOutcome::Idle => {}
             SpringOutcome::NotFinite => self.report.push(Event::SpringNotFinite { spring }),
             SpringOutcome::Updated => {

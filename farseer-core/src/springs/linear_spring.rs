@@ -10,14 +10,18 @@ use crate::error::Result;
 use crate::joints::joint_body::is_non_zero;
 use crate::math::Vector2;
 use crate::math::finite::{finite, finite_vector};
-use crate::math::vector2::length;
+use crate::math::vector2::{dot, length};
+use crate::precise::space::Space;
 use crate::springs::load::{Load, may_act};
 use crate::springs::swing::inverse_mass_at;
-use crate::springs::{Constants, Pull, SHORTEST, Spring, SpringKind, strength};
+use crate::springs::{Constants, Pull, SHORTEST, Spring, SpringKind, strength_along};
 
 /// Pulls points of two bodies together, or pushes them apart, until they are the rest length apart.
 ///
 /// Points closer than 0.00001 have no direction: there is no force then, whatever the rest length.
+///
+/// In an engine with depth both points are at the depths of their bodies, and the spring acts along all three axes; the rest
+/// length that it is made with is that of the plane.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct LinearSpring {
     pub(crate) body1: BodyId,
@@ -109,7 +113,7 @@ impl LinearSpring {
         rest_length, set_rest_length;
     }
 
-    pub(crate) fn pull(&self, constants: Constants, bodies: &mut Bodies) -> Pull {
+    pub(crate) fn pull(&self, constants: Constants, bodies: &mut Bodies, space: Option<&mut Space>) -> Pull {
         let (Some(entry1), Some(entry2)) = (bodies.get(self.body1), bodies.get(self.body2)) else {
             return Pull::None;
         };
@@ -120,7 +124,10 @@ impl LinearSpring {
         let point1 = body1.get_world_position(self.attach_point1);
         let point2 = body2.get_world_position(self.attach_point2);
         let difference = point1 - point2;
-        let distance = length(difference);
+        let [behind, receding] =
+            space.as_deref().map_or([0.0; 2], |space| space.behind(self.body1, self.body2));
+        let in_plane = length(difference);
+        let distance = if behind == 0.0 { in_plane } else { (in_plane * in_plane + behind * behind).sqrt() };
         if distance < SHORTEST {
             return Pull::None;
         }
@@ -131,8 +138,10 @@ impl LinearSpring {
             one + inverse_mass_at(body2, point2 - body2.position(), direction)
         });
         let velocity = body1.get_velocity_at_world_point(point1) - body2.get_velocity_at_world_point(point2);
-        let force =
-            difference * (1.0 / distance) * strength(constants, error, velocity, difference, distance);
+        let along = dot(velocity, difference);
+        let along = if behind == 0.0 { along } else { along + receding * behind };
+        let strength = strength_along(constants, error, along, distance);
+        let (force, force_z) = (difference * (1.0 / distance) * strength, behind / distance * strength);
 
         let (moves1, moves2) = (!body1.is_immovable(), !body2.is_immovable());
         let mut load = Load::of(body1);
@@ -146,12 +155,18 @@ impl LinearSpring {
         if moves2 {
             load = load.with_force(-force, point2 - body2.position());
         }
-        is_finite &= load.is_finite();
+        is_finite &= load.is_finite() && force_z.is_finite();
         if !is_finite {
             return Pull::NotFinite;
         }
 
-        let has_acted = is_non_zero(force);
+        if let Some(space) = space.filter(|_| force_z != 0.0) {
+            let inverses = [(moves1, body1), (moves2, body2)]
+                .map(|(moves, body)| if moves { body.inverse_mass() } else { 0.0 });
+            space.push_along_depth(self.body1, force_z * inverses[0]);
+            space.push_along_depth(self.body2, -force_z * inverses[1]);
+        }
+        let has_acted = is_non_zero(force) || force_z != 0.0;
         if has_acted && moves1 {
             bodies[self.body1].body.apply_force_at_world_point(force, point1);
         }

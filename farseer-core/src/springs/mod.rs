@@ -28,6 +28,7 @@ use crate::error::Result;
 use crate::math::Vector2;
 use crate::math::finite::finite;
 use crate::math::vector2::dot;
+use crate::precise::space::Space;
 
 crate::storage::arena::define_id! {
     /// Names a [`Spring`] of a simulator: the one that made it, its clones and what is loaded from its saves.
@@ -227,14 +228,19 @@ impl Spring {
         breaks
     }
 
-    /// Applies force or torque, if the bodies let it; tuned to the length of a step, if there is one.
-    pub(crate) fn update(&mut self, bodies: &mut Bodies, step: Option<f32>) -> SpringOutcome {
+    /// Applies force or torque, if the bodies let it, and a linear one also along the depth axis, if there is one; tuned to the length of a step, if there is one.
+    pub(crate) fn update(
+        &mut self,
+        bodies: &mut Bodies,
+        space: Option<&mut Space>,
+        step: Option<f32>,
+    ) -> SpringOutcome {
         let constants = Constants { spring: self.spring_constant, damping: self.damping_constant, step };
         let pull = match &self.kind {
             SpringKind::Angle(spring) => spring.pull(constants, bodies),
             SpringKind::FixedAngle(spring) => spring.pull(constants, bodies),
             SpringKind::FixedLinear(spring) => spring.pull(constants, bodies),
-            SpringKind::Linear(spring) => spring.pull(constants, bodies),
+            SpringKind::Linear(spring) => spring.pull(constants, bodies, space),
         };
         match pull {
             Pull::None => SpringOutcome::Idle,
@@ -262,7 +268,13 @@ impl Spring {
 /// Force of a linear spring along its direction.
 #[inline]
 fn strength(constants: Constants, error: f32, velocity: Vector2, difference: Vector2, distance: f32) -> f32 {
+    strength_along(constants, error, dot(velocity, difference), distance)
+}
+
+/// The same from the product of velocity and difference.
+#[inline]
+fn strength_along(constants: Constants, error: f32, along: f32, distance: f32) -> f32 {
     let stiffness = constants.spring * error;
-    let damping = constants.damping * dot(velocity, difference) / distance;
+    let damping = constants.damping * along / distance;
     -(stiffness + damping)
 }

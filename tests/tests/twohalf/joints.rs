@@ -1,10 +1,13 @@
-//! Joints that keep a point keep it in depth: what they tie together moves along Z as one.
+//! Joints that keep a point keep it in depth: what they tie together moves along Z as one. Linear springs pull along all axes.
 
 use conformance::fixtures::depth::{
     DT, assert_near, assert_near3, momentum, place, run, set_surface, simulator, solid, throw, velocity,
     weightless, with_scheme,
 };
-use farseer_core::{BodyFactory, Error, GeomFactory, GeomPlacement, JointFactory, JointId, Objects};
+use farseer_core::{
+    BodyFactory, Error, GeomFactory, GeomPlacement, JointFactory, JointId, LinearSpring, Objects,
+    SpringFactory,
+};
 use twohalf::{BodyId, DepthScheme, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
 /// Of coordinates up to 1000, over hundreds of steps.
@@ -227,4 +230,85 @@ fn bodies_that_are_made_while_objects_are_edited_have_a_depth() {
     });
     // As deep as the shorter side.
     assert_eq!(simulator.geom(geom).unwrap().depth_profile().half_depth(), 5.0);
+}
+
+/// A box of mass 1 on a spring of a constant, tied to a static one at a distance from it; the spring's own length is 0.
+fn sprung(constant: f32, damping: f32, apart: [f32; 3]) -> (TwoHalfPhysicsSimulator, BodyId) {
+    let mut simulator = weightless();
+    let fixed = solid(&mut simulator, [2.0; 3], [0.0, 300.0, 0.0]);
+    simulator.body_mut(fixed).unwrap().set_is_static(true);
+    let [x, y, z] = apart;
+    let body = solid(&mut simulator, [2.0; 3], [x, 300.0 + y, z]);
+    for body in [fixed, body] {
+        let geom = simulator.body(body).unwrap().ground().object_geom().unwrap();
+        simulator.geom_mut(geom).unwrap().set_collision_enabled(false);
+    }
+    simulator.edit_objects(|objects| {
+        let zero = Vector2::zeros();
+        let spring =
+            SpringFactory::create_linear_spring(objects, fixed, zero, body, zero, constant, damping).unwrap();
+        objects.spring_as_mut::<LinearSpring>(spring).unwrap().set_rest_length(0.0).unwrap();
+        objects.add(spring).unwrap();
+    });
+    (simulator, body)
+}
+
+#[test]
+fn a_spring_swings_along_any_axis_with_the_period_of_its_constant() {
+    precise(|| {
+        // 1 Hz: after half a period of 50 steps it is on the other side, after a whole one where it was.
+        let constant = (2.0 * std::f32::consts::PI).powi(2);
+        for apart in [[0.0, 0.0, 40.0], [24.0, 0.0, 32.0], [-20.0, 20.0, 10.0]] {
+            let (mut simulator, body) = sprung(constant, 0.0, apart);
+            let middle = Vector3::new(0.0, 300.0, 0.0);
+            run(&mut simulator, 50);
+            let apart = Vector3::from(apart);
+            assert!((place(&simulator, body) - middle + apart).norm() < 0.02 * apart.norm());
+            run(&mut simulator, 950);
+            assert!((place(&simulator, body) - middle - apart).norm() < 0.02 * apart.norm());
+        }
+    });
+}
+
+#[test]
+fn a_damped_spring_along_z_comes_to_rest_at_its_length() {
+    precise(|| {
+        let (mut simulator, body) = sprung(40.0, 8.0, [0.0, 0.0, 40.0]);
+        run(&mut simulator, 500);
+        assert_near3(place(&simulator, body), [0.0, 300.0, 0.0], 0.01);
+    });
+}
+
+#[test]
+fn a_spring_that_is_too_stiff_for_the_step_swings_within_bounds() {
+    precise(|| {
+        // It is as strong as 0.97 of what a step bears: the symplectic Euler method reaches 1 / sqrt(1 - 0.97) of the way then.
+        let most = 40.0 / 0.03f32.sqrt() + 0.1;
+        let (mut simulator, body) = sprung(1e9, 0.0, [0.0, 0.0, 40.0]);
+        for _ in 0..500 {
+            run(&mut simulator, 1);
+            assert!(place(&simulator, body).z.abs() <= most);
+        }
+    });
+}
+
+#[test]
+fn a_spring_between_two_keeps_their_momentum_along_z() {
+    precise(|| {
+        let mut simulator = weightless();
+        let bodies = [0.0, 60.0].map(|z| solid(&mut simulator, [10.0; 3], [z, 100.0, z]));
+        simulator.body_mut(bodies[1]).unwrap().set_mass(3.0).unwrap();
+        simulator.edit_objects(|objects| {
+            let zero = Vector2::zeros();
+            let spring =
+                SpringFactory::create_linear_spring(objects, bodies[0], zero, bodies[1], zero, 30.0, 1.0)
+                    .unwrap();
+            objects.add(spring).unwrap();
+        });
+        throw(&mut simulator, bodies[0], [0.0, 0.0, -40.0]);
+        let before = momentum(&simulator, &bodies);
+        run(&mut simulator, 300);
+        assert_near3(momentum(&simulator, &bodies), before.into(), 0.01);
+        assert!(velocity(&simulator, bodies[1]).z < 0.0);
+    });
 }

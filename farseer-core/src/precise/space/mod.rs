@@ -103,6 +103,17 @@ impl Space {
         entry(&self.bodies, id.slot())
     }
 
+    /// How far the first body is behind the second one, and how fast that becomes more.
+    pub(crate) fn behind(&self, first: BodyId, second: BodyId) -> [f32; 2] {
+        let (first, second) = (self.body(first), self.body(second));
+        [first.z - second.z, first.velocity - second.velocity]
+    }
+
+    /// A force acts along the axis in the step that comes.
+    pub(crate) fn push_along_depth(&mut self, id: BodyId, acceleration: f32) {
+        self.body_mut(id).acceleration += acceleration;
+    }
+
     pub(super) fn body_mut(&mut self, id: BodyId) -> &mut SpaceBody {
         entry_mut(&mut self.bodies, id.slot())
     }
