@@ -263,15 +263,14 @@ impl Space {
         let margin = tuning.margin_of(reach) + tuning.speculative;
         let ahead = tuning.ahead(ahead);
         let (below, above) = if ahead < 0.0 { (ahead, 0.0) } else { (0.0, ahead) };
-        self.depths[proxy as usize] =
-            Depths { low: z - half - margin + below, high: z + half + margin + above };
+        self.depths[proxy as usize] = Depths::new(z - half - margin + below, z + half + margin + above);
     }
 
     /// What a proxy covers along the axis on its way through a step.
     pub(super) fn swept(&self, proxy: u32, body: u32, way: f32, around: f32) -> Depths {
         let (z, half) = (self.places[body as usize], self.reach[proxy as usize].half + around);
         let (below, above) = if way < 0.0 { (way, 0.0) } else { (0.0, way) };
-        Depths { low: z - half + below, high: z + half + above }
+        Depths::new(z - half + below, z + half + above)
     }
 
     /// Who has left its bounds along the axis.

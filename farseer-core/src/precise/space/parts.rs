@@ -179,6 +179,11 @@ pub(in crate::precise) struct Depths {
 }
 
 impl Depths {
+    /// What is beyond all numbers ends at the last one: bounds are saved, and have to be finite for that.
+    pub(super) fn new(low: f32, high: f32) -> Self {
+        Depths { low: low.max(f32::MIN), high: high.min(f32::MAX) }
+    }
+
     pub(super) fn overlap(self, other: Depths) -> bool {
         self.low <= other.high && other.low <= self.high
     }

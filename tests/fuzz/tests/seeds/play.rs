@@ -24,6 +24,12 @@ fn a_2_5d_simulator_goes_on_as_its_restored_cloned_and_json_twins_do() {
 }
 
 #[test]
+fn a_game_whose_bodies_reach_the_end_of_all_numbers_along_z_can_be_restored() {
+    // Its snapshot held an infinite bound, and was refused.
+    holds_for!(814..815, twins_stay_equal::<Depth>);
+}
+
+#[test]
 fn calls_of_the_2d_engine_that_fail_or_look_change_nothing() {
     holds_for!(0..PLANE, failed_calls_change_nothing::<Plane>);
 }
