@@ -153,6 +153,9 @@ pub(crate) struct Depths {
     /// Bodies of which something has changed that the precise set is to be told of.
     #[serde(skip)]
     pub(crate) news: Vec<BodyId>,
+    /// Bodies that a force waits for until they can be moved.
+    #[serde(skip)]
+    pub(crate) waiting: Vec<BodyId>,
     /// Whether it has been told of everything else.
     #[serde(skip)]
     pub(crate) is_told: bool,

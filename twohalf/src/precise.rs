@@ -66,6 +66,15 @@ impl World {
         if !std::mem::replace(&mut self.depths.is_told, true) {
             core.bodies().for_each(|id| _ = self.depths.edit(id));
         }
+        let mut waiting = std::mem::take(&mut self.depths.waiting);
+        waiting.retain(|&id| {
+            let can_move = is_movable(core, id);
+            if can_move {
+                self.depths.edit(id);
+            }
+            !can_move && core.body(id).is_some()
+        });
+        self.depths.waiting = waiting;
         let mut news = std::mem::take(&mut self.depths.news);
         for id in news.drain(..) {
             self.tell_body(core, id);
@@ -86,7 +95,11 @@ impl World {
     fn tell_body(&mut self, core: &mut PhysicsSimulator, id: BodyId) {
         let (Some(body), Some(state)) = (core.body(id), self.depths.bodies.get_mut(id)) else { return };
         state.is_news = false;
-        let inverse_mass = if is_movable(core, id) { body.inverse_mass() } else { 0.0 };
+        let can_move = is_movable(core, id);
+        let inverse_mass = if can_move { body.inverse_mass() } else { 0.0 };
+        if !can_move && state.force_z != 0.0 && !self.depths.waiting.contains(&id) {
+            self.depths.waiting.push(id);
+        }
         let velocity = state.velocity_z + std::mem::take(&mut state.impulse_z) * inverse_mass;
         let acceleration = state.force_z * inverse_mass;
         if !(velocity.is_finite() && acceleration.is_finite()) {

@@ -1,10 +1,10 @@
 //! What a game may change while it is told of something; and that to listen changes nothing.
 
 use conformance::fixtures::depth::{
-    AXES, DT, assert_near3, busy_scene, falling, pair_along, place, platform, run_with, set_platform_surface,
-    set_surface, solid, throw,
+    AXES, DT, assert_near3, ball, busy_scene, falling, pair_along, place, platform, run, run_with,
+    set_platform_surface, set_surface, solid, throw, velocity, weightless, with_scheme,
 };
-use twohalf::{BodyId, Collision, Context, EventHandler, GeomId, Partner, Vector2, Vector3};
+use twohalf::{BodyId, Collision, Context, DepthScheme, EventHandler, GeomId, Partner, Vector2, Vector3};
 
 /// Edits a body in a callback.
 type Edit = fn(&mut Context<'_>, BodyId);
@@ -158,4 +158,22 @@ pub(crate) fn a_handler_that_does_nothing_changes_no_bit() {
         }
     }
     assert!(touching > 500);
+}
+
+#[test]
+fn a_force_along_z_waits_for_a_body_that_cannot_move_as_those_in_the_plane_do() {
+    with_scheme(DepthScheme::Precise, || {
+        let mut simulator = weightless();
+        let body = ball(&mut simulator, 10.0, [0.0, 100.0, 0.0]);
+        run(&mut simulator, 1);
+        let mut view = simulator.body_mut(body).unwrap();
+        view.set_enabled(false);
+        view.apply_force3d(Vector3::new(50.0, 0.0, 50.0));
+        run(&mut simulator, 3);
+        simulator.body_mut(body).unwrap().set_enabled(true);
+        run(&mut simulator, 1);
+        // Mass 1, for one step.
+        let velocity = velocity(&simulator, body);
+        assert_near3(velocity, [50.0 * DT, 0.0, 50.0 * DT], 1e-6);
+    });
 }
