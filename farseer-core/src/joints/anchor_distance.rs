@@ -97,8 +97,8 @@ impl AnchorDistance {
         length(self.world_anchor2 - self.world_anchor1)
     }
 
-    pub(super) fn show(&mut self, arms: [Vector2; 2], world: [Vector2; 2]) {
-        ([self.arm1, self.arm2], [self.world_anchor1, self.world_anchor2]) = (arms, world);
+    pub(super) fn show(&mut self, both: [[Vector2; 2]; 2]) {
+        [[self.arm1, self.world_anchor1], [self.arm2, self.world_anchor2]] = both;
     }
 
     /// Finds direction and effective mass, then applies the impulse of the last step. Anchors on one spot have

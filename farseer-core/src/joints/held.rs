@@ -117,14 +117,15 @@ impl Joint {
         }
     }
 
-    /// Shows where the anchors of the two bodies are, from the bodies and in the world.
-    pub(crate) fn show_anchors(&mut self, arms: [Vector2; 2], world: [Vector2; 2]) {
+    /// Shows where the first anchor is from its body; where a distance is kept, where both are, from their bodies and in the
+    /// world.
+    pub(crate) fn show_anchors(&mut self, arm: Vector2, both: impl FnOnce() -> [[Vector2; 2]; 2]) {
         match self.kind_mut() {
-            JointKind::Revolute(joint) => joint.point.show(arms),
-            JointKind::Prismatic(joint) => joint.point.show(arms),
-            JointKind::Weld(joint) => joint.point.show(arms),
-            JointKind::Pin(joint) => joint.anchors.show(arms, world),
-            JointKind::Slider(joint) => joint.anchors.show(arms, world),
+            JointKind::Revolute(joint) => joint.point.show(arm),
+            JointKind::Prismatic(joint) => joint.point.show(arm),
+            JointKind::Weld(joint) => joint.point.show(arm),
+            JointKind::Pin(joint) => joint.anchors.show(both()),
+            JointKind::Slider(joint) => joint.anchors.show(both()),
             _ => {}
         }
     }

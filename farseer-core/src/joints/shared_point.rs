@@ -95,8 +95,8 @@ impl SharedPoint {
         [self.local_anchor1, self.local_anchor2]
     }
 
-    pub(super) fn show(&mut self, [arm1, arm2]: [Vector2; 2]) {
-        (self.arm1, self.arm2) = (arm1, arm2);
+    pub(super) fn show(&mut self, arm: Vector2) {
+        self.arm1 = arm;
     }
 
     pub(crate) fn forget_impulse(&mut self) {

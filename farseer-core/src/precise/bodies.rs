@@ -331,9 +331,13 @@ pub(super) fn read(body: &mut Body, gravity: Vector2, dt: f32, h: f32) -> Read {
     let forced = f32x4::new([force.x, force.y, turning, 0.0]);
     let gravity = gravity * body.gravity_part();
     let acceleration = f32x4::new([gravity.x, gravity.y, 0.0, 0.0]) + forced;
-    let (drag, rotational_drag) = body.drag_rates();
-    let (decay, grown) = decay::over_each(f32x4::new([drag, drag, rotational_drag, 0.0]), dt);
-    let gained = velocity * decay + acceleration * grown;
+    let gained = match body.drag_rates() {
+        (0.0, 0.0) => acceleration * f32x4::splat(dt),
+        (drag, rotational_drag) => {
+            let (decay, grown) = decay::over_each(f32x4::new([drag, drag, rotational_drag, 0.0]), dt);
+            velocity * decay + acceleration * grown
+        }
+    };
     Read {
         velocity: velocity.to_array(),
         push: (gained * f32x4::splat(h / dt)).to_array(),

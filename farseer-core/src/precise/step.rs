@@ -218,7 +218,7 @@ impl Precise {
                     space.read(number, &entry.body, &mut read, step, id);
                 }
                 let then = f32x4::new(read.velocity) + f32x4::new(read.push) * substeps;
-                if (then * f32x4::ZERO).to_array() != [0.0; 4] {
+                if !(then * f32x4::ZERO).simd_eq(f32x4::ZERO).all() {
                     read = Read::default();
                     entry.body.set_enabled(false);
                     report.push(Event::NotFinite { body: id, disabled: true });
@@ -396,7 +396,7 @@ impl Precise {
         } else {
             self.solve_passes(step);
         }
-        self.joints.finish(&mut self.bodies, step.dt);
+        self.joints.finish(&mut self.bodies, step);
         self.finish_direct();
     }
 

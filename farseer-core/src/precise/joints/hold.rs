@@ -4,6 +4,7 @@ use super::super::bodies::Bodies;
 use super::tree::{Link, Vector, cross, dot, plus};
 use crate::body::BodyId;
 use crate::joints::{Drive, JointId};
+use crate::math::Vector2;
 
 /// One side of a joint.
 #[derive(Debug, Clone, Copy, Default)]
@@ -44,6 +45,11 @@ impl End {
     }
 }
 
+/// As users see it.
+pub(super) fn shown([x, y]: Vector) -> Vector2 {
+    Vector2::new(x as f32, y as f32)
+}
+
 /// What of a joint the plan of trees depends on.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Key {
@@ -77,6 +83,9 @@ pub(super) struct Hold {
     pub(super) bias_factor: f64,
     /// Force and torque on the second body.
     pub(super) force: [f32; 3],
+    /// What it tells of how it was when the step began: how far from what it keeps, and the arm of the first anchor.
+    pub(super) error: f32,
+    pub(super) arm: Vector2,
 }
 
 impl Hold {
@@ -94,7 +103,7 @@ impl Hold {
     }
 
     /// How far the joint is from what it keeps: a length, or an angle in radians.
-    pub(super) fn error(&self) -> f64 {
+    pub(super) fn find_error(&self) -> f64 {
         let apart = plus(self.ends[1].point(), self.ends[0].point(), -1.0);
         let distance = dot(apart, apart).sqrt();
         match self.link {

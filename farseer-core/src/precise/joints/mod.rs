@@ -2,10 +2,11 @@
 //!
 //! Joints that make trees are solved [exactly](tree), whatever hangs on them; [the others](loose) make the trees answer as a
 //! whole. A group of bodies that joints tie together and nothing touches [swings](swing) by itself; one that touches
-//! something is solved in the passes of contacts.
+//! something is solved in the passes of contacts. What is [hinged](hinged) swings in a way of its own.
 
 mod depth;
 mod forest;
+mod hinged;
 mod hold;
 mod loose;
 pub(super) mod read;
@@ -14,9 +15,11 @@ mod tree;
 
 use super::bodies::{Bodies, Hot};
 use super::tuning::Step;
+use crate::objects::Objects;
 use crate::storage::reusing_clone::reusing_clone;
 use depth::Tied;
 use forest::{Forest, Seat};
+use hinged::{Hinge, hinges_of};
 use hold::{End, Hold, Key};
 use loose::{GROUND, Keeps, Loose, Pass, Room, solve_group};
 use tree::{Link, Node, dot};
@@ -46,13 +49,17 @@ reusing_clone! { Joints { holds, is_read, may_break, groups, seat_of, tied, room
 struct Group {
     nodes: Vec<Node>,
     loose: Vec<Loose>,
+    /// The joints of the group.
+    holds: Vec<u32>,
+    /// The same tree again if all joints are hinges, else empty: what swings while nothing touches it.
+    hinges: Vec<Hinge>,
     /// Nothing touches it.
     is_apart: bool,
     /// Into how many parts its last step was divided.
     parts: u32,
 }
 
-reusing_clone! { Group { nodes, loose, is_apart, parts } }
+reusing_clone! { Group { nodes, loose, holds, hinges, is_apart, parts } }
 
 impl Joints {
     /// Whether all joints are in groups that nothing touches.
@@ -102,38 +109,45 @@ impl Joints {
         let keys: Vec<Key> = self.holds.iter().map(Hold::key).collect();
         let Forest { groups, seat_of } = Forest::new(&keys, bodies.first_fixed());
         let holds = &self.holds;
-        let group_of = |plan: forest::Group| Group {
-            nodes: plan.seats.iter().map(|seat| node_of(seat, holds, bodies)).collect(),
-            loose: loose_of(&plan, holds, |body| seat_of[body as usize]),
-            is_apart: false,
-            parts: 0,
+        let group_of = |plan: forest::Group| {
+            let nodes: Vec<Node> = plan.seats.iter().map(|seat| node_of(seat, holds, bodies)).collect();
+            let loose = loose_of(&plan, holds, |body| seat_of[body as usize]);
+            let hinges = if loose.is_empty() { hinges_of(&nodes, holds) } else { Vec::new() };
+            Group { nodes, loose, holds: plan.joints, hinges, is_apart: false, parts: 0 }
         };
         self.groups = groups.into_iter().map(group_of).collect();
         self.seat_of = seat_of;
     }
 
     /// A step begins.
-    fn begin(&mut self, bodies: &Bodies, step: &Step, unit: f32, is_touched: impl Fn(usize) -> bool) {
+    fn begin(
+        &mut self,
+        bodies: &Bodies,
+        objects: &Objects,
+        step: &Step,
+        unit: f32,
+        is_touched: impl Fn(usize) -> bool,
+    ) {
         self.unit = f64::from(unit);
         let times = [f64::from(step.dt), f64::from(step.h)];
-        for group in &mut self.groups {
-            begin_nodes(&mut group.nodes, &self.holds, bodies, times);
-            let holds = &self.holds;
-            group
-                .loose
-                .iter_mut()
-                .for_each(|loose| loose.begin(&holds[loose.hold as usize], times, self.unit));
+        let Joints { groups, holds, unit, .. } = self;
+        for group in groups {
             let is_free = |node: &Node| node.body == 0 || !is_touched(node.body as usize);
+            group.is_apart = group.nodes.iter().all(is_free);
+            if group.is_hinged() {
+                continue;
+            }
+            group.holds.iter().for_each(|&at| holds[at as usize].follow(bodies, objects));
+            begin_nodes(&mut group.nodes, holds, bodies, times);
+            group.loose.iter_mut().for_each(|loose| loose.begin(&holds[loose.hold as usize], times, *unit));
             // A soft joint is not exact in any substep: it needs all of them.
-            let is_soft =
-                group.nodes.iter().any(|node| node.softness > 0.0) || group.loose.iter().any(Loose::is_soft);
-            group.is_apart = !is_soft && group.nodes.iter().all(is_free);
+            group.is_apart &= !group.is_soft();
         }
     }
 
-    /// Moves the groups that nothing touches through all substeps.
+    /// Moves the groups that nothing touches, and that are not hinged, through all substeps.
     pub(super) fn swing(&mut self, bodies: &Bodies, step: &Step) {
-        for group in self.groups.iter_mut().filter(|group| group.is_apart) {
+        for group in self.groups.iter_mut().filter(|group| group.is_apart && !group.is_hinged()) {
             swing::swing(group, &self.holds, &mut self.room, bodies, step, self.unit);
         }
     }
@@ -189,10 +203,15 @@ impl Joints {
         }
     }
 
-    /// Where the groups that nothing touched have come to, and what has held all joints.
-    pub(super) fn finish(&mut self, bodies: &mut Bodies, dt: f32) {
-        let (dt, per_second) = (f64::from(dt), 1.0 / f64::from(dt));
-        for group in &self.groups {
+    /// Moves the hinged groups that nothing touches through all substeps; where all others that nothing touched have come to,
+    /// and what has held all joints.
+    pub(super) fn finish(&mut self, bodies: &mut Bodies, step: &Step) {
+        let (dt, per_second) = (f64::from(step.dt), 1.0 / f64::from(step.dt));
+        for group in &mut self.groups {
+            if group.is_hinged() {
+                group.parts = hinged::swing(&mut group.hinges, &mut self.holds, bodies, step, self.unit);
+                continue;
+            }
             for node in group.nodes.iter().filter(|node| node.body != 0 && group.is_apart) {
                 let ([vx, vy, spin], [x, y, turned]) = (node.velocity, node.path);
                 // Along the depth axis nothing holds them.
@@ -210,6 +229,17 @@ impl Joints {
                 loose.tell(&mut self.holds[loose.hold as usize].force, dt);
             }
         }
+    }
+}
+
+impl Group {
+    /// Whether it swings by its hinges in this step.
+    fn is_hinged(&self) -> bool {
+        self.is_apart && !self.hinges.is_empty()
+    }
+
+    fn is_soft(&self) -> bool {
+        self.nodes.iter().any(|node| node.softness > 0.0) || self.loose.iter().any(Loose::is_soft)
     }
 }
 

@@ -2,8 +2,7 @@
 
 use super::super::Precise;
 use super::super::tuning::Step;
-use super::Joints;
-use super::hold::{End, Hold};
+use super::hold::{End, Hold, shown};
 use super::swing::turned;
 use super::tree::{Link, Vector};
 use crate::body::BodyId;
@@ -16,10 +15,6 @@ use crate::report::{Event, Report};
 
 fn vector(v: Vector2) -> Vector {
     [f64::from(v.x), f64::from(v.y)]
-}
-
-fn shown([x, y]: Vector) -> Vector2 {
-    Vector2::new(x as f32, y as f32)
 }
 
 impl Precise {
@@ -83,6 +78,8 @@ impl Precise {
             // More than all of an error in an update would be undone again by the next one.
             bias_factor: f64::from(joint.bias_factor()).clamp(0.0, 1.0),
             force: joint.force_and_torque(),
+            error: 0.0,
+            arm: Vector2::zeros(),
         };
         hold.turn(bodies);
         Some(hold)
@@ -90,12 +87,12 @@ impl Precise {
 
     /// How far a joint is from what it keeps; `None` if it holds nothing.
     pub(crate) fn joint_error(&self, joint: (JointId, &Joint), bodies: &Bodies) -> Option<f32> {
-        Some(self.hold(joint, bodies)?.error() as f32)
+        Some(self.hold(joint, bodies)?.find_error() as f32)
     }
 
     /// How far a joint is from what it keeps, asleep or not: a length, or an angle in radians if it keeps that alone.
     pub(crate) fn joint_gap(&self, joint: (JointId, &Joint), bodies: &Bodies) -> Option<f32> {
-        Some(self.kept_by(joint, bodies)?.error() as f32)
+        Some(self.kept_by(joint, bodies)?.find_error() as f32)
     }
 
     /// Joints were lent out for editing.
@@ -109,9 +106,7 @@ impl Precise {
             return;
         }
         let mut joints = std::mem::take(&mut self.joints);
-        if joints.is_read {
-            joints.follow(&self.bodies, objects);
-        } else {
+        if !joints.is_read {
             joints.holds.clear();
             joints.tied.clear();
             let all = (0..objects.joints.list().len()).filter_map(|at| objects.joints.at(at));
@@ -126,7 +121,7 @@ impl Precise {
         if !joints.holds.is_empty() {
             let all_touched = self.rows.has_last();
             let is_touched = |body: usize| all_touched || !self.palette.is_free(body);
-            joints.begin(&self.bodies, step, self.tuning.unit, is_touched);
+            joints.begin(&self.bodies, objects, step, self.tuning.unit, is_touched);
         }
         self.joints = joints;
     }
@@ -136,8 +131,8 @@ impl Precise {
     pub(crate) fn write_joints(&mut self, objects: &mut Objects, report: &mut Report) {
         for hold in &mut self.joints.holds {
             let Some(joint) = objects.joints.get_mut(hold.joint) else { continue };
-            joint.note(hold.error() as f32);
-            joint.show_anchors(hold.ends.map(|end| shown(end.arm)), hold.ends.map(|end| shown(end.point())));
+            joint.note(hold.error);
+            joint.show_anchors(hold.arm, || hold.ends.map(|end| [shown(end.arm), shown(end.point())]));
             if joint.bear(hold.force) {
                 report.push(Event::JointBroke { joint: hold.joint });
                 self.joints.is_read = false;
@@ -172,18 +167,16 @@ impl Hold {
             self.axis = turned([cosine, sine], self.local_axis);
         }
     }
-}
 
-impl Joints {
-    /// Joints go where their bodies are.
-    fn follow(&mut self, bodies: &super::Bodies, objects: &Objects) {
-        for hold in &mut self.holds {
-            hold.ends.iter_mut().for_each(|end| end.follow(bodies));
-            hold.turn(&objects.bodies);
-            // What a motor seeks may change in every step: that is no reason to plan anew.
-            if hold.drive.is_some() {
-                hold.drive = objects.joints.get(hold.joint).and_then(Joint::drive).copied();
-            }
+    /// Goes where its bodies are, and finds how far it is from what it keeps.
+    pub(super) fn follow(&mut self, bodies: &super::Bodies, objects: &Objects) {
+        self.ends.iter_mut().for_each(|end| end.follow(bodies));
+        self.turn(&objects.bodies);
+        // What a motor seeks may change in every step: that is no reason to plan anew.
+        if self.drive.is_some() {
+            self.drive = objects.joints.get(self.joint).and_then(Joint::drive).copied();
         }
+        self.error = self.find_error() as f32;
+        self.arm = shown(self.ends[0].arm);
     }
 }

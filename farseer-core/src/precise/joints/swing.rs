@@ -17,7 +17,7 @@ use super::loose::{Loose, Pass, Room, refine_group, solve_group};
 use super::tree::{Link, Node, Vector, dot, for_each_down, for_each_up, plus, spun};
 
 /// An error is undone in one substep up to this part of the length unit; a greater one in more of them.
-const CLOSED_AT_ONCE: f64 = 0.5;
+pub(super) const CLOSED_AT_ONCE: f64 = 0.5;
 
 /// Groups up to these sizes are pendulums of one or a few, small, and those that get half kicks, and those beyond the last one
 /// large.
@@ -35,7 +35,7 @@ const FINER: u32 = 2;
 const UNEXPECTED: f64 = 0.01;
 
 /// How often a part of a step is looked at anew because of a jerk.
-const JERKS: usize = 3;
+pub(super) const JERKS: usize = 3;
 
 /// Radians that a body may turn in a part of a step.
 const TURNED_AT_ONCE: f64 = 0.15;
@@ -81,19 +81,19 @@ pub(super) fn turned([c, s]: [f64; 2], [x, y]: Vector) -> Vector {
 #[inline]
 pub(super) fn aim(nodes: &mut [Node], h: f64, unit: f64) {
     nodes.iter_mut().for_each(|node| node.expected_spin = node.velocity[2]);
-    for_each_down(nodes, |node, parent| node.aim::<false>(parent, h, unit));
+    for_each_down(nodes, |node, parent| node.aim(parent, h, unit));
 }
 
 /// Lets joints ask for velocities with which they go on to hold. A soft one yields to what it has held with already.
 #[inline]
 pub(super) fn rest(nodes: &mut [Node]) {
-    for_each_down(nodes, Node::rest::<false>);
+    for_each_down(nodes, Node::rest);
 }
 
 /// Bodies move, and the arms of their joints turn.
 #[inline]
 pub(super) fn advance(nodes: &mut [Node], h: f64) {
-    for_each_down(nodes, |node, parent| node.advance::<false>(parent, h));
+    for_each_down(nodes, |node, parent| node.advance(parent, h));
 }
 
 impl Node {
@@ -103,17 +103,17 @@ impl Node {
     }
 
     #[inline(always)]
-    fn aim<const HINGED: bool>(&mut self, parent: Option<&mut Node>, h: f64, unit: f64) {
+    fn aim(&mut self, parent: Option<&mut Node>, h: f64, unit: f64) {
         self.turn = aside_of_turn(self.expected_spin * h);
         let Some(parent) = parent else { return };
         let (parent, child) = (Side::of(parent, self.parent_arm), Side::of(self, self.arm));
-        match self.link::<HINGED>() {
+        match self.link {
             Link::Free | Link::Fixed => {}
-            Link::Point => self.bias = aim_point::<HINGED>(self, &child, &parent, h, unit),
+            Link::Point => self.bias = aim_point(self, &child, &parent, h, unit),
             Link::Distance => self.bias[0] = aim_distance(self, &child, &parent, h, unit),
             Link::Angle => self.bias[2] = aim_angle(self, &child, &parent, h),
             Link::Weld => {
-                self.bias = aim_point::<HINGED>(self, &child, &parent, h, unit);
+                self.bias = aim_point(self, &child, &parent, h, unit);
                 self.bias[2] = aim_angle(self, &child, &parent, h);
             }
             Link::Line => self.bias = aim_line(self, &child, &parent, h, unit),
@@ -121,9 +121,9 @@ impl Node {
     }
 
     #[inline(always)]
-    fn rest<const HINGED: bool>(&mut self, parent: Option<&mut Node>) {
+    fn rest(&mut self, parent: Option<&mut Node>) {
         self.bias = [0.0; 3];
-        let Some(parent) = parent.filter(|_| self.softness::<HINGED>() > 0.0) else { return };
+        let Some(parent) = parent.filter(|_| self.softness > 0.0) else { return };
         let error = self.apart(parent.place);
         let held = [self.kept_impulse[0], self.kept_impulse[1]];
         let [x, y] = match self.link {
@@ -137,7 +137,7 @@ impl Node {
     }
 
     #[inline(always)]
-    fn advance<const HINGED: bool>(&mut self, parent: Option<&mut Node>, h: f64) {
+    fn advance(&mut self, parent: Option<&mut Node>, h: f64) {
         let [x, y, spin] = self.velocity.map(|velocity| velocity * h);
         self.place = plus(self.place, [x, y], 1.0);
         self.path = [self.path[0] + x, self.path[1] + y, self.path[2] + spin];
@@ -145,7 +145,7 @@ impl Node {
         self.arm = turned(self.turn, self.arm);
         let Some(parent) = parent else { return };
         self.parent_arm = turned(parent.turn, self.parent_arm);
-        match self.link::<HINGED>() {
+        match self.link {
             Link::Distance => {
                 self.find_direction(parent.place);
             }
@@ -190,7 +190,7 @@ impl Node {
     /// The stiffness that the inertia bears.
     #[inline(always)]
     fn borne(&self) -> f64 {
-        BORNE * (self.inertia + self.mass * self.reach)
+        bears(self.inertia, self.mass, self.reach)
     }
 
     /// What of its stiffness is more than the inertia bears.
@@ -263,16 +263,22 @@ impl Side {
     }
 }
 
+/// The stiffness that the inertia of a body bears in a substep whose joints reach so far from its origin, squared.
+#[inline(always)]
+pub(super) fn bears(inertia: f64, mass: f64, reach: f64) -> f64 {
+    BORNE * (inertia + mass * reach)
+}
+
 /// The part of an error of this size that is left for later substeps.
 #[inline(always)]
-fn postponed(size: f64, at_once: f64) -> f64 {
+pub(super) fn postponed(size: f64, at_once: f64) -> f64 {
     if size > at_once { 1.0 - at_once / size } else { 0.0 }
 }
 
 #[inline(always)]
-fn aim_point<const HINGED: bool>(node: &Node, child: &Side, parent: &Side, h: f64, unit: f64) -> [f64; 3] {
+fn aim_point(node: &Node, child: &Side, parent: &Side, h: f64, unit: f64) -> [f64; 3] {
     let error = plus(child.anchor(), parent.anchor(), -1.0);
-    if node.softness::<HINGED>() > 0.0 {
+    if node.softness > 0.0 {
         return [-error[0] * node.rate, -error[1] * node.rate, 0.0];
     }
     let later = postponed(dot(error, error).sqrt(), CLOSED_AT_ONCE * unit);
@@ -345,26 +351,47 @@ fn find_stiffness(nodes: &mut [Node], h: f64) {
     for_each_down(nodes, |node, parent| node.note_pull(parent, h));
 }
 
-/// Into how many parts a step is divided. One leaves hardly any error in what is slow, but small groups are never so slow as to
-/// keep their energy in one; pendulums of a few bodies keep it best if the number is always the same. What turns fast needs
-/// more, as does, in groups that are not large, what would be stiffer than it bears: a whip more than there are substeps.
-fn parts_of(nodes: &[Node], bodies: u32, step: &Step) -> u32 {
-    if bodies <= FEWEST {
-        return bodies.min(step.substeps);
+/// How a step of a tree that nothing touches is divided.
+pub(super) struct Division {
+    pub(super) parts: u32,
+    /// Whole kicks before bodies move put them in the same places as halves before and after: velocities are those of half a
+    /// substep ago, and need not be made to obey the joints once more.
+    pub(super) by_whole_kicks: bool,
+    /// Bodies may turn by so many radians otherwise than was expected in a part.
+    pub(super) unexpected: f64,
+}
+
+impl Division {
+    /// For a tree of so many bodies, whose fastest spin is this, and which may be so many times stiffer than its inertia bears
+    /// in an undivided step. One part leaves hardly any error in what is slow, but small groups are never so slow as to
+    /// keep their energy in one; pendulums of a few bodies keep it best if the number is always the same. What turns fast
+    /// needs more, as does, in groups that are not large, what would be stiffer than it bears: a whip more than there are
+    /// substeps.
+    pub(super) fn of(bodies: u32, step: &Step, spin: f64, is_stiffer: impl Fn(f64) -> bool) -> Self {
+        let (by_whole_kicks, part) = match bodies {
+            0..=FEWEST => (false, 0.0),
+            ..=FEW => (false, 0.5),
+            _ => (bodies > SEVERAL, 1.0),
+        };
+        let parts = if bodies <= FEWEST {
+            bodies.min(step.substeps)
+        } else {
+            Self::parts_of_many(bodies, step, spin, is_stiffer)
+        };
+        Division { parts, by_whole_kicks, unexpected: part * UNEXPECTED }
     }
-    let is_large = bodies > MANY;
-    let turn = nodes.iter().fold(0.0, |turn: f64, node| turn.max(node.velocity[2].abs()));
-    let turn = turn * f64::from(step.dt);
-    let is_stiff = |parts: u32| {
-        let bears = BORNE_UNDIVIDED * f64::from(parts * parts);
-        nodes.iter().any(|node| node.pull > bears * node.borne() && node.link != Link::Fixed)
-    };
-    let most = if is_large { step.substeps } else { FINER * step.substeps };
-    let mut parts = if bodies <= FEW { 2 } else { 1 };
-    while parts < most && (f64::from(parts) * TURNED_AT_ONCE < turn || (!is_large && is_stiff(parts))) {
-        parts *= 2;
+
+    fn parts_of_many(bodies: u32, step: &Step, spin: f64, is_stiffer: impl Fn(f64) -> bool) -> u32 {
+        let is_large = bodies > MANY;
+        let turn = spin * f64::from(step.dt);
+        let is_stiff = |parts: u32| is_stiffer(BORNE_UNDIVIDED * f64::from(parts * parts));
+        let most = if is_large { step.substeps } else { FINER * step.substeps };
+        let mut parts = if bodies <= FEW { 2 } else { 1 };
+        while parts < most && (f64::from(parts) * TURNED_AT_ONCE < turn || (!is_large && is_stiff(parts))) {
+            parts *= 2;
+        }
+        parts.min(most)
     }
-    parts.min(most)
 }
 
 /// Moves a tree that nothing touches through all substeps of a step.
@@ -378,60 +405,53 @@ pub(super) fn swing(
     step: &Step,
     unit: f64,
 ) {
-    let Group { nodes, loose, parts: parts_told, .. } = group;
-    let bodies_held = nodes.iter().filter(|node| node.body != 0).count() as u32;
+    let Group { nodes, loose, parts, .. } = group;
     let (dt, substeps) = (f64::from(step.dt), f64::from(step.substeps));
     // In one part impulses would be so many times as long.
     find_stiffness(nodes, dt * substeps);
-    let parts = parts_of(nodes, bodies_held, step);
-    *parts_told = parts;
-    // Whole kicks before bodies move put them in the same places as halves before and after: velocities are those of half a
-    // substep ago, and need not be made to obey the joints once more.
-    let by_whole_kicks = bodies_held > SEVERAL && loose.is_empty();
-    let h = dt / f64::from(parts);
-    let longer = substeps / f64::from(parts);
-    let mut is_hinged = true;
-    for (at, node) in nodes.iter_mut().enumerate() {
-        node.divide(bodies, (dt, f64::from(parts)), longer);
-        is_hinged &= at == 0 || (node.link == Link::Point && node.softness == 0.0);
+    let bodies_held = nodes.iter().filter(|node| node.body != 0).count() as u32;
+    let spin = nodes.iter().fold(0.0, |spin: f64, node| spin.max(node.velocity[2].abs()));
+    let division = Division::of(bodies_held, step, spin, |bears| {
+        nodes.iter().any(|node| node.pull > bears * node.borne() && node.link != Link::Fixed)
+    });
+    *parts = division.parts;
+    let h = dt / f64::from(division.parts);
+    let longer = substeps / f64::from(division.parts);
+    for node in nodes.iter_mut() {
+        node.divide(bodies, (dt, f64::from(division.parts)), longer);
     }
     if loose.is_empty() {
-        let swing_tree = if is_hinged { swing_tree::<true> } else { swing_tree::<false> };
-        swing_tree(nodes, parts, (h, unit), by_whole_kicks);
+        swing_tree(nodes, &division, (h, unit));
     } else {
         loose.iter_mut().for_each(|loose| loose.stretch(longer, h));
-        swing_with_loose(group, holds, room, parts, (h, unit));
+        swing_with_loose(group, holds, room, division.parts, (h, unit));
     }
 }
 
 /// All parts of a step of a tree: as few passes over its nodes as there can be.
-fn swing_tree<const HINGED: bool>(
-    nodes: &mut [Node],
-    parts: u32,
-    (h, unit): (f64, f64),
-    by_whole_kicks: bool,
-) {
+fn swing_tree(nodes: &mut [Node], division: &Division, (h, unit): (f64, f64)) {
+    let Division { parts, by_whole_kicks, unexpected } = *division;
     for part in 0..parts {
         let share = if part == 0 && !by_whole_kicks { 0.5 } else { 1.0 };
         for node in nodes.iter_mut() {
             node.kick(share);
             (node.before, node.expected_spin) = (node.velocity, node.velocity[2]);
         }
-        correct_tree::<HINGED>(nodes, h, unit);
+        correct_tree(nodes, (h, unit), unexpected / h);
         for_each_down(nodes, |node, parent| {
             node.count_impulse();
-            node.advance::<HINGED>(parent, h);
+            node.advance(parent, h);
         });
     }
     if !by_whole_kicks {
         for_each_down(nodes, |node, parent| {
             node.kick(0.5);
-            node.rest::<HINGED>(parent);
+            node.rest(parent);
             node.take_own(0.0);
         });
-        for_each_up(nodes, Node::hand_up::<HINGED>);
+        for_each_up(nodes, Node::hand_up);
         for_each_down(nodes, |node, parent| {
-            node.follow::<HINGED>(parent);
+            node.follow(parent);
             node.count_impulse();
         });
     }
@@ -439,33 +459,24 @@ fn swing_tree<const HINGED: bool>(
 
 /// Finds the velocities with which joints hold at the end of a substep. It is looked once more where bodies turn otherwise
 /// than expected, and where there is a [jerk](Node::is_jerked).
-fn correct_tree<const HINGED: bool>(nodes: &mut [Node], h: f64, unit: f64) {
-    let bodies = nodes.len() as u32 - 1;
-    let part = if bodies <= FEWEST {
-        0.0
-    } else if bodies <= FEW {
-        0.5
-    } else {
-        1.0
-    };
-    let unexpected = part * UNEXPECTED / h;
+fn correct_tree(nodes: &mut [Node], (h, unit): (f64, f64), unexpected: f64) {
     let mut is_jerked = true;
     for look in 0..=JERKS {
         if is_jerked {
             for_each_down(nodes, |node, parent| {
-                node.aim::<HINGED>(parent, h, unit);
+                node.aim(parent, h, unit);
                 node.take_own(1.0);
             });
-            for_each_up(nodes, Node::hand_up::<HINGED>);
+            for_each_up(nodes, Node::hand_up);
         } else {
             for_each_down(nodes, |node, parent| {
-                node.aim::<HINGED>(parent, h, unit);
+                node.aim(parent, h, unit);
                 node.take_own_momentum(node.before);
             });
-            for_each_up(nodes, Node::hand_up_momentum::<HINGED>);
+            for_each_up(nodes, Node::hand_up_momentum);
         }
         for_each_down(nodes, |node, mut parent| {
-            node.follow::<HINGED>(parent.as_deref_mut());
+            node.follow(parent.as_deref_mut());
             node.note_pull(parent, h);
         });
         is_jerked = nodes.iter().any(Node::is_jerked);
@@ -521,41 +532,4 @@ fn swing_with_loose(
 fn count_impulses(nodes: &mut [Node], loose: &mut [Loose]) {
     nodes.iter_mut().for_each(Node::count_impulse);
     loose.iter_mut().for_each(Loose::count_impulse);
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Four rods one below the other, and one beside them, that swing from a fixed point.
-    fn rods() -> Vec<Node> {
-        let rod = |at: u32| Node {
-            body: at,
-            parent: if at == 5 { 2 } else { at - 1 },
-            link: Link::Point,
-            mass: 2.0,
-            inertia: 40.0,
-            velocity: [30.0, 0.0, 0.5 * f64::from(at)],
-            push: [0.0, 2.0, 0.0],
-            place: [0.0, 16.0 * f64::from(at) - 8.0],
-            arm: [0.0, -8.0],
-            parent_arm: [0.0, if at == 1 { 0.0 } else { 8.0 }],
-            reach: 64.0,
-            ..Node::default()
-        };
-        let root = Node { link: Link::Fixed, mass: 1e60, inertia: 1e60, ..Node::default() };
-        std::iter::once(root).chain((1..=5).map(rod)).collect()
-    }
-
-    #[test]
-    fn a_hinged_tree_goes_the_same_way_whether_it_is_known_to_be_hinged_or_not() {
-        let (mut known, mut unknown) = (rods(), rods());
-        for _ in 0..60 {
-            swing_tree::<true>(&mut known, 4, (1.0 / 240.0, 32.0), false);
-            swing_tree::<false>(&mut unknown, 4, (1.0 / 240.0, 32.0), false);
-        }
-        let state = |node: &Node| (node.place, node.velocity, node.total);
-        assert!(known.iter().map(state).eq(unknown.iter().map(state)));
-        assert!(known[4].place[0].abs() > 1.0, "it swings");
-    }
 }

@@ -10,8 +10,7 @@
 //! other's velocity is v + w p, and an inertia [A c; c^T d] at the other point is [A, c + A p; ., d + 2 c.p + p.A p] at the
 //! one. Each body is seen from its joint with the parent, a root from its origin.
 //!
-//! A tree is hinged if all of its joints keep points and none is soft. These are so common that what visits nodes is compiled
-//! for them once more.
+//! Trees whose joints all keep points, and that nothing touches, are solved by the same formulas in [`hinged`](super::hinged).
 //!
 //! Numbers are `f64`: the reciprocal of an inertia that a long chain hands up loses half of its digits.
 
@@ -61,7 +60,7 @@ pub(super) enum Link {
 
 /// A symmetric matrix of two rows.
 #[derive(Debug, Clone, Copy, Default)]
-struct Symmetric {
+pub(super) struct Symmetric {
     xx: f64,
     xy: f64,
     yy: f64,
@@ -69,13 +68,13 @@ struct Symmetric {
 
 impl Symmetric {
     #[inline(always)]
-    fn times(&self, v: Vector) -> Vector {
+    pub(super) fn times(&self, v: Vector) -> Vector {
         [self.xx * v[0] + self.xy * v[1], self.xy * v[0] + self.yy * v[1]]
     }
 
     /// self + s v v^T
     #[inline(always)]
-    fn with(&self, v: Vector, s: f64) -> Self {
+    pub(super) fn with(&self, v: Vector, s: f64) -> Self {
         Symmetric {
             xx: self.xx + s * v[0] * v[0],
             xy: self.xy + s * v[0] * v[1],
@@ -92,20 +91,31 @@ impl Symmetric {
 
 /// The inertia of a body, or of a body and all that hangs on it, at its joint.
 #[derive(Debug, Clone, Copy, Default)]
-struct Inertia {
-    mass: Symmetric,
-    coupling: Vector,
-    turning: f64,
+pub(super) struct Inertia {
+    pub(super) mass: Symmetric,
+    pub(super) coupling: Vector,
+    pub(super) turning: f64,
 }
 
 /// Its momentum there.
 #[derive(Debug, Clone, Copy, Default)]
-struct Momentum {
-    along: Vector,
-    turning: f64,
+pub(super) struct Momentum {
+    pub(super) along: Vector,
+    pub(super) turning: f64,
 }
 
 impl Inertia {
+    /// That of a body, at the point with this arm.
+    #[inline(always)]
+    pub(super) fn of(mass: f64, inertia: f64, arm: Vector) -> Self {
+        let p = spun(arm);
+        Inertia {
+            mass: Symmetric { xx: mass, xy: 0.0, yy: mass },
+            coupling: [-mass * p[0], -mass * p[1]],
+            turning: inertia + mass * dot(p, p),
+        }
+    }
+
     /// Takes something else in, which is at a point with this arm.
     #[inline(always)]
     fn add(&mut self, other: &Inertia, arm: Vector) {
@@ -117,7 +127,7 @@ impl Inertia {
 
     /// Takes in something without inertia against turning.
     #[inline(always)]
-    fn add_point(&mut self, mass: &Symmetric, arm: Vector) {
+    pub(super) fn add_point(&mut self, mass: &Symmetric, arm: Vector) {
         let p = spun(arm);
         let moved = mass.times(p);
         self.mass.xx += mass.xx;
@@ -129,7 +139,7 @@ impl Inertia {
 
     /// The velocity of a body with this inertia and nothing that holds it.
     #[inline(always)]
-    fn free(&self, momentum: &Momentum) -> [f64; 3] {
+    pub(super) fn free(&self, momentum: &Momentum) -> [f64; 3] {
         let (inertia, twist) = self.without_place(momentum);
         let spin = twist / inertia;
         let [x, y] = self.mass.solve(plus(momentum.along, self.coupling, -spin));
@@ -157,9 +167,16 @@ impl Inertia {
 }
 
 impl Momentum {
+    /// That of a body with this velocity, at the point with this arm.
+    #[inline(always)]
+    pub(super) fn of(mass: f64, inertia: f64, arm: Vector, [x, y, spin]: [f64; 3]) -> Self {
+        let along = [mass * x, mass * y];
+        Momentum { along, turning: inertia * spin - cross(arm, along) }
+    }
+
     /// Takes in something at a point with this arm.
     #[inline(always)]
-    fn add(&mut self, along: Vector, turning: f64, arm: Vector) {
+    pub(super) fn add(&mut self, along: Vector, turning: f64, arm: Vector) {
         self.along = plus(self.along, along, 1.0);
         self.turning += turning + cross(arm, along);
     }
@@ -239,24 +256,37 @@ pub(super) fn solve(nodes: &mut [Node], stiff: f64) {
     for node in nodes.iter_mut() {
         node.take_own(stiff);
     }
-    for_each_up(nodes, Node::hand_up::<false>);
-    for_each_down(nodes, Node::follow::<false>);
+    for_each_up(nodes, Node::hand_up);
+    for_each_down(nodes, Node::follow);
 }
 
 /// [`solve`] with other velocities and biases, after it with the same arms and directions.
 #[inline]
 pub(super) fn solve_again(nodes: &mut [Node]) {
     nodes.iter_mut().for_each(|node| node.take_own_momentum(node.velocity));
-    for_each_up(nodes, Node::hand_up_momentum::<false>);
-    for_each_down(nodes, Node::follow::<false>);
+    for_each_up(nodes, Node::hand_up_momentum);
+    for_each_down(nodes, Node::follow);
+}
+
+/// Has a place in a tree, in which parents come before their children.
+pub(super) trait Seated {
+    /// The parent's place; a root's own.
+    fn parent(&self) -> usize;
+}
+
+impl Seated for Node {
+    #[inline(always)]
+    fn parent(&self) -> usize {
+        self.parent as usize
+    }
 }
 
 /// Visits nodes with their parents, children first.
 #[inline(always)]
-pub(super) fn for_each_up(nodes: &mut [Node], mut visit: impl FnMut(&mut Node, &mut Node)) {
+pub(super) fn for_each_up<N: Seated>(nodes: &mut [N], mut visit: impl FnMut(&mut N, &mut N)) {
     for at in (1..nodes.len()).rev() {
         let (before, rest) = nodes.split_at_mut(at);
-        if let Some(parent) = before.get_mut(rest[0].parent as usize) {
+        if let Some(parent) = before.get_mut(rest[0].parent()) {
             visit(&mut rest[0], parent);
         }
     }
@@ -264,10 +294,10 @@ pub(super) fn for_each_up(nodes: &mut [Node], mut visit: impl FnMut(&mut Node, &
 
 /// Visits nodes with their parents, parents first; a root has none.
 #[inline(always)]
-pub(super) fn for_each_down(nodes: &mut [Node], mut visit: impl FnMut(&mut Node, Option<&mut Node>)) {
+pub(super) fn for_each_down<N: Seated>(nodes: &mut [N], mut visit: impl FnMut(&mut N, Option<&mut N>)) {
     for at in 0..nodes.len() {
         let (before, rest) = nodes.split_at_mut(at);
-        let parent = rest[0].parent as usize;
+        let parent = rest[0].parent();
         visit(&mut rest[0], before.get_mut(parent));
     }
 }
@@ -280,17 +310,6 @@ impl Link {
 }
 
 impl Node {
-    /// What its joint keeps: a point, in a tree that is hinged.
-    #[inline(always)]
-    pub(super) fn link<const HINGED: bool>(&self) -> Link {
-        if HINGED { Link::Point } else { self.link }
-    }
-
-    #[inline(always)]
-    pub(super) fn softness<const HINGED: bool>(&self) -> f64 {
-        if HINGED { 0.0 } else { self.softness }
-    }
-
     /// The impulse that was found has acted.
     #[inline(always)]
     pub(super) fn count_impulse(&mut self) {
@@ -306,44 +325,36 @@ impl Node {
 
     #[inline(always)]
     fn take_own_inertia(&mut self, stiff: f64) {
-        let Node { mass, arm, .. } = *self;
-        let p = spun(arm);
-        self.work.seen = Inertia {
-            mass: Symmetric { xx: mass, xy: 0.0, yy: mass },
-            coupling: [-mass * p[0], -mass * p[1]],
-            turning: self.inertia + stiff * self.stiffness + mass * dot(p, p),
-        };
+        self.work.seen = Inertia::of(self.mass, self.inertia + stiff * self.stiffness, self.arm);
     }
 
     /// The body's own momentum with this velocity, at its joint.
     #[inline(always)]
-    pub(super) fn take_own_momentum(&mut self, [x, y, spin]: [f64; 3]) {
-        let Node { mass, arm, .. } = *self;
-        let along = [mass * x, mass * y];
-        self.work.momentum = Momentum { along, turning: self.inertia * spin - cross(arm, along) };
+    pub(super) fn take_own_momentum(&mut self, velocity: [f64; 3]) {
+        self.work.momentum = Momentum::of(self.mass, self.inertia, self.arm, velocity);
     }
 
     /// The parent has to move the body as far as the joint says.
     #[inline(always)]
-    pub(super) fn hand_up<const HINGED: bool>(&mut self, parent: &mut Node) {
-        self.hand_up_inertia::<HINGED>(parent);
-        self.hand_up_momentum::<HINGED>(parent);
+    pub(super) fn hand_up(&mut self, parent: &mut Node) {
+        self.hand_up_inertia(parent);
+        self.hand_up_momentum(parent);
     }
 
     #[inline(always)]
-    fn hand_up_inertia<const HINGED: bool>(&mut self, parent: &mut Node) {
+    fn hand_up_inertia(&mut self, parent: &mut Node) {
         let mut lever = plus(self.parent_arm, parent.arm, -1.0);
-        if self.link::<HINGED>() == Link::Line {
+        if self.link == Link::Line {
             // What slides is held where it is.
             lever = plus(lever, self.apart(parent.place), 1.0);
         }
         self.work.lever = lever;
         let seen = &mut parent.work.seen;
-        match self.link::<HINGED>() {
+        match self.link {
             Link::Free | Link::Fixed => {}
             Link::Point => {
                 self.release_turning();
-                self.yield_as_soft::<HINGED>();
+                self.yield_as_soft();
                 seen.add_point(&self.work.rest, lever);
             }
             Link::Distance => {
@@ -362,17 +373,16 @@ impl Node {
 
     /// What of that depends on velocities and biases.
     #[inline(always)]
-    pub(super) fn hand_up_momentum<const HINGED: bool>(&mut self, parent: &mut Node) {
+    pub(super) fn hand_up_momentum(&mut self, parent: &mut Node) {
         let handed = &mut parent.work.momentum;
         let Inertia { mass, coupling, turning } = self.work.seen;
         let (Momentum { along, turning: twist }, lever) = (self.work.momentum, self.work.lever);
         let [x, y, spin] = self.bias;
-        match self.link::<HINGED>() {
+        match self.link {
             Link::Free | Link::Fixed => {}
             Link::Point => {
                 let load = plus(along, coupling, -twist * self.work.inverse_turning);
-                self.work.load =
-                    if self.softness::<HINGED>() > 0.0 { self.work.yielding.times(load) } else { load };
+                self.work.load = if self.softness > 0.0 { self.work.yielding.times(load) } else { load };
                 handed.add(plus(self.work.load, self.work.rest.times([x, y]), -1.0), 0.0, lever);
             }
             Link::Distance => {
@@ -412,8 +422,8 @@ impl Node {
 
     /// With l = R v - load and v = parent + bias - s l, what a soft joint hands up is (1 + s R)^-1 times a hard one's.
     #[inline(always)]
-    fn yield_as_soft<const HINGED: bool>(&mut self) {
-        let (s, rest) = (self.softness::<HINGED>(), self.work.rest);
+    fn yield_as_soft(&mut self) {
+        let (s, rest) = (self.softness, self.work.rest);
         if s > 0.0 {
             let harder = Symmetric { xx: 1.0 + s * rest.xx, xy: s * rest.xy, yy: 1.0 + s * rest.yy };
             let of = |x: Vector, y: Vector| {
@@ -450,19 +460,19 @@ impl Node {
 
     /// The velocity, once that of the parent at its joint is known.
     #[inline(always)]
-    pub(super) fn follow<const HINGED: bool>(&mut self, parent: Option<&mut Node>) {
+    pub(super) fn follow(&mut self, parent: Option<&mut Node>) {
         let Some(parent) = parent else { return self.lead() };
         let [x, y, spin] = parent.work.velocity;
         let at_parent = plus([x, y], spun(self.work.lever), spin);
         let at_joint = plus(at_parent, [self.bias[0], self.bias[1]], 1.0);
         let Inertia { mass, coupling, turning } = self.work.seen;
         let Momentum { along, turning: twist } = self.work.momentum;
-        match self.link::<HINGED>() {
+        match self.link {
             Link::Free | Link::Fixed => {}
             Link::Point => {
                 let [x, y] = plus(self.work.rest.times(at_joint), self.work.load, -1.0);
                 self.impulse = [x, y, 0.0];
-                self.turn_freely(plus(at_joint, [x, y], -self.softness::<HINGED>()));
+                self.turn_freely(plus(at_joint, [x, y], -self.softness));
             }
             Link::Distance => self.follow_distance(at_parent),
             Link::Weld | Link::Line => {

@@ -1,0 +1,401 @@
+//! Trees of which every joint keeps a point, and does not give way: chains, ropes, bridges, figures that hang.
+//!
+//! They are by far the most common, and solved as [`swing`](super::swing) solves any tree that nothing touches, with the same
+//! formulas. Here nothing is kept but what these joints need, anchors are followed in the one pass that reads bodies, and each
+//! pass does all that can be done where it is.
+
+use wide::f32x4;
+
+use super::super::bodies::Bodies;
+use super::super::tuning::Step;
+use super::hold::{Hold, shown};
+use super::swing::{CLOSED_AT_ONCE, Division, JERKS, aside_of_turn, bears, postponed, turn, turned};
+use super::tree::{
+    Inertia, Link, Momentum, Node, Seated, Symmetric, Vector, dot, for_each_down, for_each_up, plus, spun,
+};
+
+/// A body in such a tree. Parents come before their children; a root is its own parent.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Hinge {
+    /// The body's number, the place of its parent in the tree and the number of the joint with it.
+    body: u32,
+    parent: u32,
+    joint: u32,
+    /// Of a root whether it is free; others hang on their parent by a point.
+    link: Link,
+    is_first: bool,
+    /// 1 for the second body of a joint, which its force is on, and -1 for the first.
+    sign: f64,
+    mass: f64,
+    inertia: f64,
+    /// The stiffness that the inertia bears in a substep.
+    borne: f64,
+    /// The joint's anchors in the coordinates of the body and of its parent, and where they are from their origins.
+    anchor: Vector,
+    parent_anchor: Vector,
+    arm: Vector,
+    parent_arm: Vector,
+    place: Vector,
+    /// Velocity before joints act, with the spin that they reckon with, and what forces add to it in a part of a step.
+    velocity: [f64; 3],
+    expected_spin: f64,
+    push: [f64; 3],
+    /// Cosine and sine of what the body turns by: its rotation when the step begins, [what a turn does besides taking arms
+    /// along](aside_of_turn) while a part is solved, and the turn of a part when bodies move.
+    turn: Vector,
+    /// How stiff the joints make the body against turning by what they pull, and what is added to its inertia for that.
+    pull: f64,
+    stiffness: f64,
+    /// What hangs on the body, and then with the body itself.
+    seen: Inertia,
+    momentum: Momentum,
+    /// Of the turning, which the joint leaves free: 1 / d and A - c c^T / d, and the impulse against it.
+    inverse_turning: f64,
+    rest: Symmetric,
+    load: Vector,
+    /// Velocity of the body against its parent at the joint that is asked for, and that of the joint that is found, with
+    /// the spin.
+    bias: Vector,
+    found: [f64; 3],
+    impulse: Vector,
+    /// How far the origin has come, and the body has turned, in this step, and what the joint has done to it.
+    path: [f64; 3],
+    total: Vector,
+}
+
+impl Seated for Hinge {
+    #[inline(always)]
+    fn parent(&self) -> usize {
+        self.parent as usize
+    }
+}
+
+/// The tree again, if all of its joints are hinges.
+pub(super) fn hinges_of(nodes: &[Node], holds: &[Hold]) -> Vec<Hinge> {
+    let is_hinge = |node: &Node| {
+        let hold = &holds[node.joint as usize];
+        node.link == Link::Point && hold.softness == 0.0 && hold.drive.is_none()
+    };
+    let is_root = |node: &Node| !node.link.holds();
+    if !nodes.iter().all(|node| is_root(node) || is_hinge(node)) {
+        return Vec::new();
+    }
+    let mut hinges: Vec<Hinge> = nodes.iter().map(|node| hinge_of(node, holds)).collect();
+    // The farther its joints are from its origin, the more the inertia of a body bears.
+    let mut reaches: Vec<f64> = hinges.iter().map(|hinge| dot(hinge.anchor, hinge.anchor)).collect();
+    for hinge in hinges.iter().filter(|hinge| hinge.link.holds()) {
+        let reach = &mut reaches[hinge.parent as usize];
+        *reach = reach.max(dot(hinge.parent_anchor, hinge.parent_anchor));
+    }
+    for (hinge, reach) in hinges.iter_mut().zip(reaches) {
+        hinge.borne = bears(hinge.inertia, hinge.mass, reach);
+    }
+    hinges
+}
+
+fn hinge_of(node: &Node, holds: &[Hold]) -> Hinge {
+    let [anchor, parent_anchor] = if node.link.holds() {
+        let [first, second] = holds[node.joint as usize].ends.map(|end| end.anchor);
+        if node.is_first { [first, second] } else { [second, first] }
+    } else {
+        [[0.0; 2]; 2]
+    };
+    Hinge {
+        body: node.body,
+        parent: node.parent,
+        joint: node.joint,
+        link: node.link,
+        is_first: node.is_first,
+        sign: node.sign(),
+        mass: node.mass,
+        inertia: node.inertia,
+        borne: 0.0,
+        anchor,
+        parent_anchor,
+        arm: [0.0; 2],
+        parent_arm: [0.0; 2],
+        place: [0.0; 2],
+        velocity: [0.0; 3],
+        expected_spin: 0.0,
+        push: [0.0; 3],
+        turn: [1.0, 0.0],
+        pull: 0.0,
+        stiffness: 0.0,
+        seen: Inertia::default(),
+        momentum: Momentum::default(),
+        inverse_turning: 0.0,
+        rest: Symmetric::default(),
+        load: [0.0; 2],
+        bias: [0.0; 2],
+        found: [0.0; 3],
+        impulse: [0.0; 2],
+        path: [0.0; 3],
+        total: [0.0; 2],
+    }
+}
+
+/// Moves a tree that nothing touches through all parts of a step, and lets its joints tell how they were when it began and what
+/// has held them. Answers how many parts that were.
+pub(super) fn swing(
+    hinges: &mut [Hinge],
+    holds: &mut [Hold],
+    bodies: &mut Bodies,
+    step: &Step,
+    unit: f64,
+) -> u32 {
+    let dt = f64::from(step.dt);
+    let (mut spin, mut count) = (0.0_f64, 0);
+    for_each_down(hinges, |hinge, parent| {
+        hinge.begin(parent, holds, bodies, dt);
+        if hinge.body != 0 {
+            (spin, count) = (spin.max(hinge.velocity[2].abs()), count + 1);
+        }
+    });
+    let division = Division::of(count, step, spin, |bears| {
+        hinges.iter().any(|hinge| hinge.pull > bears * hinge.borne && hinge.link != Link::Fixed)
+    });
+    let (parts, whole) = (division.parts, division.by_whole_kicks);
+    let (h, unexpected) = (dt / f64::from(parts), division.unexpected * f64::from(parts) / dt);
+    let times = (step.dt, parts as f32, step.substeps as f32);
+    let first = if whole { 1.0 } else { 0.5 };
+    correct(hinges, (h, unit), unexpected, |hinge| {
+        hinge.divide(bodies, times);
+        hinge.kick(first);
+    });
+    for _ in 1..parts {
+        for_each_down(hinges, |hinge, parent| hinge.advance(parent, h));
+        correct(hinges, (h, unit), unexpected, |hinge| hinge.kick(1.0));
+    }
+    if !whole {
+        for_each_down(hinges, |hinge, parent| hinge.advance(parent, h));
+        rest(hinges);
+    }
+    for hinge in hinges {
+        if whole {
+            hinge.go(h);
+        }
+        hinge.finish(holds, bodies, 1.0 / dt);
+    }
+    parts
+}
+
+/// The second half of the last kick, and velocities that obey the joints where bodies have come to.
+fn rest(hinges: &mut [Hinge]) {
+    for hinge in hinges.iter_mut() {
+        hinge.kick(0.5);
+        (hinge.bias, hinge.stiffness) = ([0.0; 2], 0.0);
+        hinge.take_own();
+    }
+    for_each_up(hinges, Hinge::hand_up);
+    for_each_down(hinges, |hinge, parent| hinge.follow(parent.as_deref()));
+    hinges.iter_mut().for_each(Hinge::take_found);
+}
+
+/// Finds the velocities with which joints hold at the end of a part, which `begin` has brought bodies to the start of. It is
+/// looked once more where bodies turn otherwise than expected, and where there is a [jerk](Hinge::is_jerked).
+fn correct(hinges: &mut [Hinge], (h, unit): (f64, f64), unexpected: f64, begin: impl Fn(&mut Hinge)) {
+    let way = (h, -1.0 / h, CLOSED_AT_ONCE * unit);
+    for_each_down(hinges, |hinge, parent| {
+        begin(hinge);
+        hinge.aim(parent, way);
+    });
+    for look in 0..=JERKS {
+        for_each_up(hinges, Hinge::hand_up);
+        let mut is_off = false;
+        for_each_down(hinges, |hinge, parent| {
+            hinge.follow(parent.as_deref());
+            hinge.note_pull(parent, h);
+            is_off |= (hinge.found[2] - hinge.expected_spin).abs() > unexpected;
+        });
+        let is_jerked = hinges.iter().any(Hinge::is_jerked);
+        if look == JERKS || !(is_jerked || (look == 0 && is_off)) {
+            break;
+        }
+        for_each_down(hinges, |hinge, parent| {
+            if is_jerked {
+                hinge.stiffness = hinge.stiffness.max(hinge.excess());
+            }
+            hinge.expected_spin = hinge.found[2];
+            hinge.aim(parent, way);
+        });
+    }
+}
+
+impl Hinge {
+    /// A step begins: it is where its body is, and its joint was pulling with the force of the step before. What it pulls is
+    /// that of an undivided step.
+    #[inline(always)]
+    fn begin(&mut self, parent: Option<&mut Hinge>, holds: &mut [Hold], bodies: &Bodies, dt: f64) {
+        let body = self.body as usize;
+        if body != 0 {
+            let [x, y, c, s] = bodies.poses[body].map(f64::from);
+            let [vx, vy, spin, _] = bodies.before[body];
+            (self.place, self.turn) = ([x, y], [c, s]);
+            self.velocity = [vx, vy, spin].map(f64::from);
+        }
+        (self.path, self.total, self.pull) = ([0.0; 3], [0.0; 2], 0.0);
+        let Some(parent) = parent else { return };
+        let hold = &mut holds[self.joint as usize];
+        self.arm = turned(self.turn, self.anchor);
+        if parent.link == Link::Fixed {
+            let end = &mut hold.ends[usize::from(self.is_first)];
+            end.follow(bodies);
+            (parent.place, parent.velocity, self.parent_arm) = (end.place, end.velocity, end.arm);
+        } else {
+            self.parent_arm = turned(parent.turn, self.parent_anchor);
+        }
+        let error = self.apart(parent);
+        hold.error = dot(error, error).sqrt() as f32;
+        hold.arm = shown(if self.is_first { self.arm } else { self.parent_arm });
+        let pulling = self.sign * dt * dt;
+        let force = [f64::from(hold.force[0]) * pulling, f64::from(hold.force[1]) * pulling];
+        self.pull = dot(self.arm, force);
+        parent.pull -= dot(self.parent_arm, force);
+    }
+
+    /// Gets ready for so many parts of a step.
+    #[inline(always)]
+    fn divide(&mut self, bodies: &Bodies, (dt, parts, substeps): (f32, f32, f32)) {
+        self.pull *= 1.0 / f64::from(parts * parts);
+        self.stiffness = self.excess();
+        if self.body != 0 {
+            let [push, forced] = [&bodies.push, &bodies.forced].map(|of| f32x4::new(of[self.body as usize]));
+            let at_once = forced * f32x4::splat(2.0 / dt);
+            let push = (push * f32x4::splat(substeps) - at_once) * f32x4::splat(1.0 / parts);
+            let ([x, y, spin, _], at_once) = (push.to_array().map(f64::from), at_once.to_array());
+            self.push = [x, y, spin];
+            (0..3).for_each(|i| self.velocity[i] += f64::from(at_once[i]));
+        }
+    }
+
+    #[inline(always)]
+    fn kick(&mut self, share: f64) {
+        (0..3).for_each(|i| self.velocity[i] += share * self.push[i]);
+        self.expected_spin = self.velocity[2];
+    }
+
+    /// Asks for the velocity with which the joint holds at the end of a part: the error, that velocity times the reciprocal of
+    /// a part's length.
+    #[inline(always)]
+    fn aim(&mut self, parent: Option<&mut Hinge>, (h, rate, at_once): (f64, f64, f64)) {
+        self.turn = aside_of_turn(self.expected_spin * h);
+        self.take_own();
+        let Some(parent) = parent else { return };
+        let error = self.apart(parent);
+        let ahead = plus(self.place, turned(self.turn, self.arm), 1.0);
+        let mut way = plus(ahead, plus(parent.place, turned(parent.turn, self.parent_arm), 1.0), -1.0);
+        let size = dot(error, error);
+        if size > at_once * at_once {
+            way = plus(way, error, -postponed(size.sqrt(), at_once));
+        }
+        self.bias = [way[0] * rate, way[1] * rate];
+    }
+
+    /// The body's own inertia and momentum, at its joint.
+    #[inline(always)]
+    fn take_own(&mut self) {
+        self.seen = Inertia::of(self.mass, self.inertia + self.stiffness, self.arm);
+        self.momentum = Momentum::of(self.mass, self.inertia, self.arm, self.velocity);
+    }
+
+    /// The parent has to move the body as far as the joint says.
+    #[inline(always)]
+    fn hand_up(&mut self, parent: &mut Hinge) {
+        let lever = plus(self.parent_arm, parent.arm, -1.0);
+        let Inertia { mass, coupling, turning } = self.seen;
+        self.inverse_turning = 1.0 / turning;
+        self.rest = mass.with(coupling, -self.inverse_turning);
+        self.load = plus(self.momentum.along, coupling, -self.momentum.turning * self.inverse_turning);
+        parent.seen.add_point(&self.rest, lever);
+        parent.momentum.add(plus(self.load, self.rest.times(self.bias), -1.0), 0.0, lever);
+    }
+
+    /// The velocity at the joint, once that of the parent is known; of a root at its origin.
+    #[inline(always)]
+    fn follow(&mut self, parent: Option<&Hinge>) {
+        let Some(parent) = parent else {
+            self.found = if self.link == Link::Free { self.seen.free(&self.momentum) } else { self.velocity };
+            return;
+        };
+        let [x, y, spin] = parent.found;
+        let lever = plus(self.parent_arm, parent.arm, -1.0);
+        let at_joint = plus(plus([x, y], spun(lever), spin), self.bias, 1.0);
+        self.impulse = plus(self.rest.times(at_joint), self.load, -1.0);
+        let spin = (self.momentum.turning - dot(self.seen.coupling, at_joint)) * self.inverse_turning;
+        self.found = [at_joint[0], at_joint[1], spin];
+    }
+
+    /// The body moves as was found, and the joint has held.
+    #[inline(always)]
+    fn take_found(&mut self) {
+        let [x, y, spin] = self.found;
+        let [x, y] = plus([x, y], spun(self.arm), -spin);
+        self.velocity = [x, y, spin];
+        self.total = plus(self.total, self.impulse, 1.0);
+    }
+
+    /// The body moves on.
+    #[inline(always)]
+    fn go(&mut self, h: f64) {
+        self.take_found();
+        (0..3).for_each(|i| self.path[i] += self.velocity[i] * h);
+    }
+
+    /// The body moves on, and the arms of its joints turn.
+    #[inline(always)]
+    fn advance(&mut self, parent: Option<&mut Hinge>, h: f64) {
+        self.go(h);
+        let [x, y, spin] = self.velocity.map(|velocity| velocity * h);
+        self.place = plus(self.place, [x, y], 1.0);
+        self.turn = turn(spin);
+        self.arm = turned(self.turn, self.arm);
+        if let Some(parent) = parent {
+            self.parent_arm = turned(parent.turn, self.parent_arm);
+        }
+    }
+
+    /// How stiff the joint's impulse in a part of this length makes it, and its parent, against turning.
+    #[inline(always)]
+    fn note_pull(&mut self, parent: Option<&mut Hinge>, h: f64) {
+        self.pull = h * dot(self.arm, self.impulse);
+        if let Some(parent) = parent {
+            parent.pull -= h * dot(self.parent_arm, self.impulse);
+        }
+    }
+
+    /// Tells what came of the step.
+    #[inline(always)]
+    fn finish(&self, holds: &mut [Hold], bodies: &mut Bodies, per_second: f64) {
+        if self.body != 0 {
+            let body = self.body as usize;
+            let ([vx, vy, spin], [x, y, turned]) = (self.velocity, self.path);
+            // Along the depth axis nothing holds it.
+            let (velocity, path) = (&mut bodies.hot[body].velocity, &mut bodies.path[body]);
+            *velocity = [vx as f32, vy as f32, spin as f32, velocity[3]];
+            *path = [x as f32, y as f32, turned as f32, path[3]];
+        }
+        if self.link.holds() {
+            let [x, y] = self.total.map(|impulse| (impulse * self.sign * per_second) as f32);
+            holds[self.joint as usize].force = [x, y, 0.0];
+        }
+    }
+
+    /// What of its stiffness is more than the inertia bears.
+    #[inline(always)]
+    fn excess(&self) -> f64 {
+        let excess = self.pull - self.borne;
+        if excess > 0.0 && self.link != Link::Fixed { excess } else { 0.0 }
+    }
+
+    /// Whether joints have had to pull far more than before: something has come to the end of its chain.
+    #[inline(always)]
+    fn is_jerked(&self) -> bool {
+        self.pull > self.stiffness + 2.0 * self.borne && self.link != Link::Fixed
+    }
+
+    /// From the anchor of the parent to the body's.
+    #[inline(always)]
+    fn apart(&self, parent: &Hinge) -> Vector {
+        plus(plus(self.place, self.arm, 1.0), plus(parent.place, self.parent_arm, 1.0), -1.0)
+    }
+}
