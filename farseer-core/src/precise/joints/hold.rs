@@ -58,10 +58,16 @@ pub(super) struct Key {
     pub(super) is_bounded: bool,
 }
 
-/// A joint in a step.
+/// A joint in a step. What every step reads and writes comes first: of long chains that is all that need be in the cache.
 #[derive(Debug, Clone, Copy)]
+#[repr(C)]
 pub(super) struct Hold {
     pub(super) joint: JointId,
+    /// Force and torque on the second body.
+    pub(super) force: [f32; 3],
+    /// What it tells of how it was when the step began: how far from what it keeps, and the arm of the first anchor.
+    pub(super) error: f32,
+    pub(super) arm: Vector2,
     /// The first is `None` for the world.
     pub(super) bodies: (Option<BodyId>, BodyId),
     pub(super) link: Link,
@@ -81,11 +87,6 @@ pub(super) struct Hold {
     /// Velocity per impulse of an update with which it yields, and the part of an error that it undoes in an update then.
     pub(super) softness: f64,
     pub(super) bias_factor: f64,
-    /// Force and torque on the second body.
-    pub(super) force: [f32; 3],
-    /// What it tells of how it was when the step began: how far from what it keeps, and the arm of the first anchor.
-    pub(super) error: f32,
-    pub(super) arm: Vector2,
 }
 
 impl Hold {
