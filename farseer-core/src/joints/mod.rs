@@ -145,9 +145,7 @@ impl Joint {
     pub(crate) fn bear(&mut self, force: [f32; 3]) -> bool {
         self.force = force.map(|number| if number.is_finite() { number } else { 0.0 });
         let [x, y, torque] = self.force;
-        let bears_all = self.greatest_force == f32::MAX && self.greatest_torque == f32::MAX;
-        let breaks = !bears_all
-            && self.enabled
+        let breaks = self.enabled
             && !(length(Vector2::new(x, y)) <= self.greatest_force && torque.abs() <= self.greatest_torque);
         if breaks {
             self.enabled = false;
