@@ -171,10 +171,13 @@ pub(super) fn swing(
         rest(hinges);
     }
     for hinge in hinges {
-        if whole {
-            hinge.go(h);
-        }
-        hinge.finish(holds, bodies, 1.0 / dt);
+        let (velocity, path, total) = if whole {
+            let velocity = hinge.found_velocity();
+            (velocity, hinge.way(velocity, h), plus(hinge.total, hinge.impulse, 1.0))
+        } else {
+            (hinge.velocity, hinge.path, hinge.total)
+        };
+        hinge.tell(holds, bodies, (velocity, path, total.map(|impulse| impulse / dt)));
     }
     parts
 }
@@ -325,26 +328,32 @@ impl Hinge {
         self.found = [at_joint[0], at_joint[1], spin];
     }
 
+    /// The velocity at the origin, where that of the joint is found.
+    #[inline(always)]
+    fn found_velocity(&self) -> [f64; 3] {
+        let [x, y, spin] = self.found;
+        let [x, y] = plus([x, y], spun(self.arm), -spin);
+        [x, y, spin]
+    }
+
+    /// Where it is after so long with this velocity, from where it was when the step began.
+    #[inline(always)]
+    fn way(&self, velocity: [f64; 3], h: f64) -> [f64; 3] {
+        std::array::from_fn(|i| self.path[i] + velocity[i] * h)
+    }
+
     /// The body moves as was found, and the joint has held.
     #[inline(always)]
     fn take_found(&mut self) {
-        let [x, y, spin] = self.found;
-        let [x, y] = plus([x, y], spun(self.arm), -spin);
-        self.velocity = [x, y, spin];
+        self.velocity = self.found_velocity();
         self.total = plus(self.total, self.impulse, 1.0);
-    }
-
-    /// The body moves on.
-    #[inline(always)]
-    fn go(&mut self, h: f64) {
-        self.take_found();
-        (0..3).for_each(|i| self.path[i] += self.velocity[i] * h);
     }
 
     /// The body moves on, and the arms of its joints turn.
     #[inline(always)]
     fn advance(&mut self, parent: Option<&mut Hinge>, h: f64) {
-        self.go(h);
+        self.take_found();
+        self.path = self.way(self.velocity, h);
         let [x, y, spin] = self.velocity.map(|velocity| velocity * h);
         self.place = plus(self.place, [x, y], 1.0);
         self.turn = turn(spin);
@@ -363,19 +372,24 @@ impl Hinge {
         }
     }
 
-    /// Tells what came of the step.
+    /// Tells the body how it moves after the step and how far it has come, and the joint with what force it has held.
     #[inline(always)]
-    fn finish(&self, holds: &mut [Hold], bodies: &mut Bodies, per_second: f64) {
+    fn tell(
+        &self,
+        holds: &mut [Hold],
+        bodies: &mut Bodies,
+        (velocity, path, force): ([f64; 3], [f64; 3], Vector),
+    ) {
         if self.body != 0 {
             let body = self.body as usize;
-            let ([vx, vy, spin], [x, y, turned]) = (self.velocity, self.path);
             // Along the depth axis nothing holds it.
-            let (velocity, path) = (&mut bodies.hot[body].velocity, &mut bodies.path[body]);
-            *velocity = [vx as f32, vy as f32, spin as f32, velocity[3]];
-            *path = [x as f32, y as f32, turned as f32, path[3]];
+            let (velocity_told, path_told) = (&mut bodies.hot[body].velocity, &mut bodies.path[body]);
+            for i in 0..3 {
+                (velocity_told[i], path_told[i]) = (velocity[i] as f32, path[i] as f32);
+            }
         }
         if self.link.holds() {
-            let [x, y] = self.total.map(|impulse| (impulse * self.sign * per_second) as f32);
+            let [x, y] = force.map(|force| (force * self.sign) as f32);
             holds[self.joint as usize].force = [x, y, 0.0];
         }
     }

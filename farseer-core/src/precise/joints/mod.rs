@@ -49,7 +49,8 @@ reusing_clone! { Joints { holds, is_read, may_break, groups, seat_of, tied, room
 struct Group {
     nodes: Vec<Node>,
     loose: Vec<Loose>,
-    /// The joints of the group.
+    /// Its bodies that give way, and its joints.
+    bodies: Vec<u32>,
     holds: Vec<u32>,
     /// The same tree again if all joints are hinges, else empty: what swings while nothing touches it.
     hinges: Vec<Hinge>,
@@ -59,7 +60,7 @@ struct Group {
     parts: u32,
 }
 
-reusing_clone! { Group { nodes, loose, holds, hinges, is_apart, parts } }
+reusing_clone! { Group { nodes, loose, bodies, holds, hinges, is_apart, parts } }
 
 impl Joints {
     /// Whether all joints are in groups that nothing touches.
@@ -81,8 +82,7 @@ impl Joints {
     /// The bodies of groups that nothing touches, and into how many parts their step was divided.
     pub(super) fn swinging(&self) -> impl Iterator<Item = (usize, u32)> + '_ {
         let apart = self.groups.iter().filter(|group| group.is_apart);
-        let bodies = apart.flat_map(|group| group.nodes.iter().map(|node| (node.body as usize, group.parts)));
-        bodies.filter(|&(body, _)| body != 0)
+        apart.flat_map(|group| group.bodies.iter().map(|&body| (body as usize, group.parts)))
     }
 
     /// The bodies that each joint ties together, moved or not; 0 for the world.
@@ -113,7 +113,8 @@ impl Joints {
             let nodes: Vec<Node> = plan.seats.iter().map(|seat| node_of(seat, holds, bodies)).collect();
             let loose = loose_of(&plan, holds, |body| seat_of[body as usize]);
             let hinges = if loose.is_empty() { hinges_of(&nodes, holds) } else { Vec::new() };
-            Group { nodes, loose, holds: plan.joints, hinges, is_apart: false, parts: 0 }
+            let bodies = nodes.iter().map(|node| node.body).filter(|&body| body != 0).collect();
+            Group { nodes, loose, bodies, holds: plan.joints, hinges, is_apart: false, parts: 0 }
         };
         self.groups = groups.into_iter().map(group_of).collect();
         self.seat_of = seat_of;
@@ -132,8 +133,7 @@ impl Joints {
         let times = [f64::from(step.dt), f64::from(step.h)];
         let Joints { groups, holds, unit, .. } = self;
         for group in groups {
-            let is_free = |node: &Node| node.body == 0 || !is_touched(node.body as usize);
-            group.is_apart = group.nodes.iter().all(is_free);
+            group.is_apart = !group.bodies.iter().any(|&body| is_touched(body as usize));
             if group.is_hinged() {
                 continue;
             }
