@@ -1,0 +1,236 @@
+//! How numbers become arguments, answers become numbers, and the buffers for all that is no number.
+
+use std::cell::RefCell;
+use std::fmt::Display;
+
+use farseer_core::{CollisionCategory, Error, Vertices};
+use twohalf::{Vector2, Vector3};
+
+/// Why a call was refused, in words.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Failure(pub String);
+
+/// What comes of a call.
+pub type Outcome<T = ()> = Result<T, Failure>;
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        Failure(error.to_string())
+    }
+}
+
+impl From<twohalf::Error> for Failure {
+    fn from(error: twohalf::Error) -> Self {
+        Failure(error.to_string())
+    }
+}
+
+/// A refusal of an argument in the words of the engines.
+pub(crate) fn invalid<T>(
+    argument: &'static str,
+    value: impl Display,
+    requirement: &'static str,
+) -> Outcome<T> {
+    Err(Failure(format!("{argument} is {value}, but must be {requirement}")))
+}
+
+/// What passes between JavaScript and the module besides numbers.
+#[derive(Debug, Default)]
+struct Buffers {
+    text: String,
+    numbers: Vec<f64>,
+    bytes: Vec<u8>,
+}
+
+thread_local! {
+    static BUFFERS: RefCell<Buffers> = RefCell::default();
+}
+
+/// Runs a call: its value, or NaN with the reason left behind as text.
+pub(crate) fn answer<T: Answer>(call: impl FnOnce() -> Outcome<T>) -> f64 {
+    match call().and_then(Answer::number) {
+        Ok(number) => number,
+        Err(Failure(text)) => {
+            BUFFERS.with_borrow_mut(|buffers| buffers.text = text);
+            f64::NAN
+        }
+    }
+}
+
+/// Leaves numbers behind; answers how many.
+pub(crate) fn leave_numbers(numbers: impl IntoIterator<Item = f64>) -> f64 {
+    BUFFERS.with_borrow_mut(|buffers| {
+        buffers.numbers.clear();
+        buffers.numbers.extend(numbers);
+        buffers.numbers.len() as f64
+    })
+}
+
+/// Leaves bytes behind; answers how many.
+pub(crate) fn leave_bytes(bytes: Vec<u8>) -> f64 {
+    BUFFERS.with_borrow_mut(|buffers| {
+        buffers.bytes = bytes;
+        buffers.bytes.len() as f64
+    })
+}
+
+/// Looks at the bytes that JavaScript has left.
+pub(crate) fn with_bytes<T>(look: impl FnOnce(&[u8]) -> T) -> T {
+    BUFFERS.with_borrow(|buffers| look(&buffers.bytes))
+}
+
+/// The points that JavaScript has left as numbers, x and y in turns.
+pub(crate) fn points() -> Outcome<Vertices> {
+    BUFFERS.with_borrow(|buffers| {
+        if let Some(number) = buffers.numbers.iter().find(|number| !(**number as f32).is_finite()) {
+            return invalid("points", number, "finite");
+        }
+        let pairs = buffers.numbers.chunks_exact(2);
+        Ok(pairs.map(|pair| Vector2::new(pair[0] as f32, pair[1] as f32)).collect())
+    })
+}
+
+/// An argument that is made of one number.
+pub(crate) trait Argument: Sized {
+    /// Reads it; `name` is for the message of a refusal.
+    fn read(name: &'static str, number: f64) -> Outcome<Self>;
+}
+
+impl Argument for f32 {
+    fn read(name: &'static str, number: f64) -> Outcome<Self> {
+        let value = number as f32;
+        if value.is_finite() { Ok(value) } else { invalid(name, number, "finite") }
+    }
+}
+
+impl Argument for i32 {
+    fn read(name: &'static str, number: f64) -> Outcome<Self> {
+        let value = number as i32;
+        if f64::from(value) == number {
+            Ok(value)
+        } else {
+            invalid(name, number, "a whole number of 32 bits")
+        }
+    }
+}
+
+impl Argument for usize {
+    fn read(name: &'static str, number: f64) -> Outcome<Self> {
+        let value = number as u32;
+        if f64::from(value) == number {
+            Ok(value as usize)
+        } else {
+            invalid(name, number, "a whole number, 0 or more")
+        }
+    }
+}
+
+impl Argument for bool {
+    fn read(name: &'static str, number: f64) -> Outcome<Self> {
+        if number == 0.0 || number == 1.0 {
+            Ok(number == 1.0)
+        } else {
+            invalid(name, number, "true or false")
+        }
+    }
+}
+
+impl Argument for CollisionCategory {
+    fn read(name: &'static str, number: f64) -> Outcome<Self> {
+        i32::read(name, number).map(CollisionCategory::from_bits)
+    }
+}
+
+/// What a call may answer.
+pub(crate) trait Answer {
+    /// The number that stands for it; what is longer is left in the buffer of numbers, and this is how many there are.
+    fn number(self) -> Outcome<f64>;
+}
+
+impl Answer for () {
+    fn number(self) -> Outcome<f64> {
+        Ok(0.0)
+    }
+}
+
+impl Answer for f64 {
+    fn number(self) -> Outcome<f64> {
+        Ok(self)
+    }
+}
+
+impl Answer for f32 {
+    fn number(self) -> Outcome<f64> {
+        Ok(f64::from(self))
+    }
+}
+
+impl Answer for i32 {
+    fn number(self) -> Outcome<f64> {
+        Ok(f64::from(self))
+    }
+}
+
+impl Answer for bool {
+    fn number(self) -> Outcome<f64> {
+        Ok(f64::from(u8::from(self)))
+    }
+}
+
+impl Answer for Vector2 {
+    fn number(self) -> Outcome<f64> {
+        Ok(leave_numbers([self.x, self.y].map(f64::from)))
+    }
+}
+
+impl Answer for Vector3 {
+    fn number(self) -> Outcome<f64> {
+        Ok(leave_numbers([self.x, self.y, self.z].map(f64::from)))
+    }
+}
+
+/// Defines functions of the module: `fn name(argument: Type, ...) -> { body }`, whose body comes to an [`Outcome`].
+macro_rules! exports {
+    ($($(#[$doc:meta])* fn $name:ident($($argument:ident: $type:ty),* $(,)?) $body:block)*) => {$(
+        $(#[$doc])*
+        // Only the name is unsafe, for a linker that might find it twice; those of one module are told apart by the compiler.
+        #[cfg_attr(target_family = "wasm", allow(unsafe_code), unsafe(no_mangle))]
+        pub extern "C" fn $name($($argument: f64),*) -> f64 {
+            $crate::boundary::answer(|| {
+                $(let $argument = <$type as $crate::boundary::Argument>::read(stringify!($argument), $argument)?;)*
+                $body
+            })
+        }
+    )*};
+}
+pub(crate) use exports;
+
+exports! {
+    /// Where the message of the last refused call is in memory, in UTF-8.
+    fn text_pointer() { Ok(BUFFERS.with_borrow(|buffers| buffers.text.as_ptr() as usize as f64)) }
+
+    /// Its length in bytes.
+    fn text_length() { Ok(BUFFERS.with_borrow(|buffers| buffers.text.len() as f64)) }
+
+    /// Where the numbers that were left are in memory, as 64-bit floats.
+    fn numbers_pointer() { Ok(BUFFERS.with_borrow(|buffers| buffers.numbers.as_ptr() as usize as f64)) }
+
+    /// Makes room for numbers; answers where.
+    fn reserve_numbers(count: usize) {
+        Ok(BUFFERS.with_borrow_mut(|buffers| {
+            buffers.numbers.resize(count, 0.0);
+            buffers.numbers.as_ptr() as usize as f64
+        }))
+    }
+
+    /// Where the bytes that were left are in memory.
+    fn bytes_pointer() { Ok(BUFFERS.with_borrow(|buffers| buffers.bytes.as_ptr() as usize as f64)) }
+
+    /// Makes room for bytes; answers where.
+    fn reserve_bytes(count: usize) {
+        Ok(BUFFERS.with_borrow_mut(|buffers| {
+            buffers.bytes.resize(count, 0);
+            buffers.bytes.as_ptr() as usize as f64
+        }))
+    }
+}

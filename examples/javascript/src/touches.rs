@@ -1,0 +1,121 @@
+//! What began and ceased to touch, told once each, whatever the methods: those of the engines tell of it in several ways.
+
+use std::collections::BTreeSet;
+
+use farseer_core::{GeomId, JointId, ObjectId, PhysicsSimulator, SpringId};
+use twohalf::{BodyId, Partner, TwoHalfPhysicsSimulator};
+
+use crate::world::Engine;
+
+/// A geom and what it touches: of two geoms that with the smaller id is first.
+type Touch = (GeomId, Partner);
+
+/// What happened, for a game to hear of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Happening {
+    TouchBegin(GeomId, Partner),
+    TouchEnd(GeomId, Partner),
+    JointBroke(JointId),
+    SpringBroke(SpringId),
+    /// The body left the numbers that there are, and was put back and, if it can move, disabled.
+    NotFinite(BodyId),
+}
+
+/// What touches, and what happened since somebody asked.
+#[derive(Debug, Default)]
+pub(crate) struct Log {
+    touching: BTreeSet<Touch>,
+    happenings: Vec<Happening>,
+    /// Something was edited that ends touches of which the engines do not tell.
+    is_in_doubt: bool,
+}
+
+fn ordered(this: GeomId, partner: Partner) -> Touch {
+    match partner {
+        Partner::Geom(other) if other < this => (other, Partner::Geom(this)),
+        _ => (this, partner),
+    }
+}
+
+impl Log {
+    /// After a disposal, or something was switched on or off.
+    pub(crate) fn doubt(&mut self) {
+        self.is_in_doubt = true;
+    }
+
+    /// What happened since the last call.
+    pub(crate) fn drain(&mut self) -> impl Iterator<Item = Happening> + '_ {
+        self.happenings.drain(..)
+    }
+
+    /// After the engine was restored: what touches now is no news.
+    pub(crate) fn begin_anew(&mut self, engine: &Engine) {
+        *self = Log { touching: touching_now(engine), ..Log::default() };
+    }
+
+    /// Takes over what the last update tells.
+    pub(crate) fn follow(&mut self, engine: &Engine) {
+        self.follow_core(engine.core());
+        if let Engine::Depth(depth) = engine {
+            self.follow_depth(&depth.simulator);
+        }
+        if std::mem::take(&mut self.is_in_doubt) {
+            let now = touching_now(engine);
+            let ended: Vec<Touch> = self.touching.difference(&now).copied().collect();
+            ended.into_iter().for_each(|touch| self.end(touch));
+        }
+    }
+
+    fn begin(&mut self, touch: Touch) {
+        if self.touching.insert(touch) {
+            self.happenings.push(Happening::TouchBegin(touch.0, touch.1));
+        }
+    }
+
+    fn end(&mut self, touch: Touch) {
+        if self.touching.remove(&touch) {
+            self.happenings.push(Happening::TouchEnd(touch.0, touch.1));
+        }
+    }
+
+    fn follow_core(&mut self, simulator: &PhysicsSimulator) {
+        use farseer_core::Event;
+        for &event in simulator.events() {
+            match event {
+                Event::Collision { this, other, .. } => self.begin(ordered(this, Partner::Geom(other))),
+                Event::Separation { this, other } => self.end(ordered(this, Partner::Geom(other))),
+                Event::JointBroke { joint } => self.happenings.push(Happening::JointBroke(joint)),
+                Event::SpringBroke { spring } => self.happenings.push(Happening::SpringBroke(spring)),
+                Event::NotFinite { body, .. } => {
+                    self.doubt();
+                    self.happenings.push(Happening::NotFinite(body));
+                }
+                Event::Removed { object: ObjectId::Body(_) | ObjectId::Geom(_) } => self.doubt(),
+                _ => {}
+            }
+        }
+    }
+
+    fn follow_depth(&mut self, simulator: &TwoHalfPhysicsSimulator) {
+        use twohalf::Event;
+        for &event in simulator.events() {
+            match event {
+                Event::Collision(collision) => self.begin(ordered(collision.this, collision.partner)),
+                Event::Separation { this, partner } => self.end(ordered(this, partner)),
+                _ => {}
+            }
+        }
+    }
+}
+
+fn touching_now(engine: &Engine) -> BTreeSet<Touch> {
+    match engine {
+        Engine::Plane(simulator) => {
+            let touching = simulator.arbiters().filter(|arbiter| arbiter.contacts().len() > 0);
+            touching.map(|arbiter| ordered(arbiter.geom_a(), Partner::Geom(arbiter.geom_b()))).collect()
+        }
+        Engine::Depth(depth) => {
+            depth.simulator.contacts().map(|contact| ordered(contact.this, contact.partner)).collect()
+        }
+    }
+}
