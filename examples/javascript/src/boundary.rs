@@ -48,13 +48,14 @@ thread_local! {
 
 /// Runs a call: its value, or NaN with the reason left behind as text.
 pub(crate) fn answer<T: Answer>(call: impl FnOnce() -> Outcome<T>) -> f64 {
-    match call().and_then(Answer::number) {
-        Ok(number) => number,
-        Err(Failure(text)) => {
-            BUFFERS.with_borrow_mut(|buffers| buffers.text = text);
-            f64::NAN
-        }
-    }
+    call().and_then(Answer::number).unwrap_or_else(refuse)
+}
+
+#[cold]
+#[inline(never)]
+fn refuse(Failure(text): Failure) -> f64 {
+    BUFFERS.with_borrow_mut(|buffers| buffers.text = text);
+    f64::NAN
 }
 
 /// Leaves numbers behind; answers how many.

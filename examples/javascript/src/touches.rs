@@ -1,11 +1,14 @@
 //! What began and ceased to touch, told once each, whatever the methods: those of the engines tell of it in several ways.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, VecDeque};
 
 use farseer_core::{GeomId, JointId, ObjectId, PhysicsSimulator, SpringId};
 use twohalf::{BodyId, Partner, TwoHalfPhysicsSimulator};
 
 use crate::world::Engine;
+
+/// Of a game that never asks the oldest are forgotten.
+const MOST_HAPPENINGS: usize = 65_536;
 
 /// A geom and what it touches: of two geoms that with the smaller id is first.
 type Touch = (GeomId, Partner);
@@ -25,7 +28,7 @@ pub(crate) enum Happening {
 #[derive(Debug, Default)]
 pub(crate) struct Log {
     touching: BTreeSet<Touch>,
-    happenings: Vec<Happening>,
+    happenings: VecDeque<Happening>,
     /// Something was edited that ends touches of which the engines do not tell.
     is_in_doubt: bool,
 }
@@ -66,15 +69,22 @@ impl Log {
         }
     }
 
+    fn tell(&mut self, happening: Happening) {
+        if self.happenings.len() == MOST_HAPPENINGS {
+            self.happenings.pop_front();
+        }
+        self.happenings.push_back(happening);
+    }
+
     fn begin(&mut self, touch: Touch) {
         if self.touching.insert(touch) {
-            self.happenings.push(Happening::TouchBegin(touch.0, touch.1));
+            self.tell(Happening::TouchBegin(touch.0, touch.1));
         }
     }
 
     fn end(&mut self, touch: Touch) {
         if self.touching.remove(&touch) {
-            self.happenings.push(Happening::TouchEnd(touch.0, touch.1));
+            self.tell(Happening::TouchEnd(touch.0, touch.1));
         }
     }
 
@@ -84,11 +94,11 @@ impl Log {
             match event {
                 Event::Collision { this, other, .. } => self.begin(ordered(this, Partner::Geom(other))),
                 Event::Separation { this, other } => self.end(ordered(this, Partner::Geom(other))),
-                Event::JointBroke { joint } => self.happenings.push(Happening::JointBroke(joint)),
-                Event::SpringBroke { spring } => self.happenings.push(Happening::SpringBroke(spring)),
+                Event::JointBroke { joint } => self.tell(Happening::JointBroke(joint)),
+                Event::SpringBroke { spring } => self.tell(Happening::SpringBroke(spring)),
                 Event::NotFinite { body, .. } => {
                     self.doubt();
-                    self.happenings.push(Happening::NotFinite(body));
+                    self.tell(Happening::NotFinite(body));
                 }
                 Event::Removed { object: ObjectId::Body(_) | ObjectId::Geom(_) } => self.doubt(),
                 _ => {}

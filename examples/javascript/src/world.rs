@@ -68,8 +68,17 @@ impl Simulator {
     }
 
     pub(crate) fn with<T>(self, act: impl FnOnce(&mut World) -> Outcome<T>) -> Outcome<T> {
+        let (mut act, mut done) = (Some(act), None);
+        self.visit(&mut |world| done = act.take().map(|act| act(world)))?;
+        done.unwrap_or_else(|| Err(no_simulator()))
+    }
+
+    /// [`with`](Self::with), compiled once: every exported function has its own otherwise.
+    #[inline(never)]
+    fn visit(self, act: &mut dyn FnMut(&mut World)) -> Outcome {
         WORLDS.with_borrow_mut(|worlds| {
-            act(worlds.get_mut(self.0).and_then(Option::as_mut).ok_or_else(no_simulator)?)
+            act(worlds.get_mut(self.0).and_then(Option::as_mut).ok_or_else(no_simulator)?);
+            Ok(())
         })
     }
 
@@ -188,9 +197,14 @@ impl World {
         Ok(())
     }
 
-    /// Where everything is: x, y and rotation of each body, or x, y, z and rotation, in rows by slots; rows of slots that are
-    /// empty are NaN.
-    pub(crate) fn positions(&mut self) -> &[f32] {
+    /// The positions as they were when they were last brought up to date.
+    pub(crate) fn positions(&self) -> &[f32] {
+        &self.positions
+    }
+
+    /// Brings up to date where everything is: x, y and rotation of each body, or x, y, z and rotation, in rows by slots; rows of
+    /// slots that are empty are NaN.
+    pub(crate) fn refresh_positions(&mut self) {
         let World { engine, positions, .. } = self;
         positions.clear();
         match engine {
@@ -209,7 +223,6 @@ impl World {
                 }
             }
         }
-        positions
     }
 }
 

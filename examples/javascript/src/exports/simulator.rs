@@ -90,7 +90,10 @@ exports! {
 
     /// Brings the positions up to date; answers how many numbers they are.
     fn simulator_positions_length(simulator: Simulator) {
-        simulator.with(|world| Ok(world.positions().len() as f64))
+        simulator.with(|world| {
+            world.refresh_positions();
+            Ok(world.positions().len() as f64)
+        })
     }
 
     /// Where the positions are in memory, as 32-bit floats.
