@@ -10,3 +10,5 @@ pub mod exports;
 mod id_number;
 mod touches;
 mod world;
+
+pub use world::WITH_WALKERS;

@@ -179,7 +179,8 @@ impl Engine {
     }
 }
 
-const WITH_WALKERS: SnapshotFormat = SnapshotFormat { magic: *b"Walkers2", version: 1 };
+/// A snapshot in 2.5D, with what walks.
+pub const WITH_WALKERS: SnapshotFormat = SnapshotFormat { magic: *b"Walkers2", version: 1 };
 
 impl World {
     pub(crate) fn step(&mut self, dt: f32) {
