@@ -68,17 +68,8 @@ impl Simulator {
     }
 
     pub(crate) fn with<T>(self, act: impl FnOnce(&mut World) -> Outcome<T>) -> Outcome<T> {
-        let (mut act, mut done) = (Some(act), None);
-        self.visit(&mut |world| done = act.take().map(|act| act(world)))?;
-        done.unwrap_or_else(|| Err(no_simulator()))
-    }
-
-    /// [`with`](Self::with), compiled once: every exported function has its own otherwise.
-    #[inline(never)]
-    fn visit(self, act: &mut dyn FnMut(&mut World)) -> Outcome {
         WORLDS.with_borrow_mut(|worlds| {
-            act(worlds.get_mut(self.0).and_then(Option::as_mut).ok_or_else(no_simulator)?);
-            Ok(())
+            act(worlds.get_mut(self.0).and_then(Option::as_mut).ok_or_else(no_simulator)?)
         })
     }
 
