@@ -459,9 +459,9 @@ export class Platform implements Thing {
   protected constructor();
   userData: unknown;
   readonly isDisposed: boolean;
-  /** Its middle. */
+  /** x and z of its middle, and as y the height of its underside when level. */
   position3d: Vector3;
-  /** Its eight corners on the screen. */
+  /** Its eight corners on the screen: of the front, clockwise from the top left one, then of the back likewise. */
   readonly screenCorners: Vector2[];
   set velocity(value: Vector3);
   set surfaceSpeed(value: { along: number; depth: number });
@@ -543,7 +543,7 @@ export class DepthSimulator {
   ): Spawned;
   /** Four invisible walls around a level: left, right, front and back. */
   spawnLane(bounds: { left: number; right: number; front: number; back: number; height: number }): Platform[];
-  /** A platform with its middle at a place. It takes part at once. */
+  /** A platform at its {@link Platform.position3d}. It takes part at once. */
   createPlatform(size: Size, position3d: Vector3, options?: PlatformOptions): Platform;
   /** Gives the outline of a geom a depth. */
   setPrism(geom: Geom, depth: number): void;

@@ -16,7 +16,7 @@ const street = () => new DepthSimulator({ height: 480, angle: 60, gravity: { x: 
 
 test('things fall on the ground and on platforms, and events tell on which', () => {
   const simulator = street();
-  const platform = simulator.createPlatform({ width: 100, height: 40, depth: 60 }, { x: 200, y: 20, z: 80 });
+  const platform = simulator.createPlatform({ width: 100, height: 40, depth: 60 }, { x: 200, y: 0, z: 80 });
   const high = simulator.spawnPrism(CRATE, { position3d: { x: 200, y: 100, z: 80 } });
   const low = simulator.spawnBall(10, { position3d: { x: 50, y: 50, z: 80 } });
   steps(simulator, 120);
@@ -77,7 +77,7 @@ test('what is nearer is drawn later, and picked first', () => {
   const simulator = street();
   const back = simulator.spawnPrism(CRATE, { position3d: { x: 100, y: 0, z: 100 } });
   const front = simulator.spawnPrism(CRATE, { position3d: { x: 100, y: 0, z: 60 } });
-  const platform = simulator.createPlatform(CRATE, { x: 300, y: 15, z: 80 });
+  const platform = simulator.createPlatform(CRATE, { x: 300, y: 0, z: 80 });
   steps(simulator, 2);
   const order = simulator.drawOrder();
   assert.equal(order.length, 3);
@@ -96,7 +96,7 @@ test('a point of the ground is where it appears', () => {
 test('rays find geoms, platforms and the ground', () => {
   const simulator = street();
   const { geom } = simulator.spawnPrism(CRATE, { position3d: { x: 100, y: 0, z: 80 } });
-  const platform = simulator.createPlatform(CRATE, { x: 200, y: 15, z: 80 });
+  const platform = simulator.createPlatform(CRATE, { x: 200, y: 0, z: 80 });
   steps(simulator, 2);
   const down = (x) => simulator.rayCast3d({ x, y: 100, z: 80 }, { x, y: -10, z: 80 });
   assert.equal(down(100).partner, geom);
@@ -109,14 +109,14 @@ test('rays find geoms, platforms and the ground', () => {
 
 test('lifts carry, belts carry, and one-way platforms are open from below', () => {
   const simulator = street();
-  const lift = simulator.createPlatform({ width: 80, height: 10, depth: 80 }, { x: 100, y: 5, z: 80 });
+  const lift = simulator.createPlatform({ width: 80, height: 10, depth: 80 }, { x: 100, y: 0, z: 80 });
   lift.velocity = { x: 0, y: 30, z: 0 };
   const lifted = simulator.spawnPrism(CRATE, { position3d: { x: 100, y: 10, z: 80 } });
   const surfaceSpeed = { along: 50, depth: 0 };
-  const belt = simulator.createPlatform({ width: 400, height: 10, depth: 80 }, { x: 500, y: 5, z: 80 }, { surfaceSpeed });
+  const belt = simulator.createPlatform({ width: 400, height: 10, depth: 80 }, { x: 500, y: 0, z: 80 }, { surfaceSpeed });
   belt.setSurface({ frictionCoefficient: 0.8 });
   const carried = simulator.spawnPrism(CRATE, { position3d: { x: 400, y: 10, z: 80 } });
-  const place = { x: 800, y: 80, z: 80 };
+  const place = { x: 800, y: 75, z: 80 };
   simulator.createPlatform({ width: 100, height: 10, depth: 80 }, place, { isOneWay: true });
   const jumper = simulator.spawnPrism(CRATE, { position3d: { x: 800, y: 0, z: 80 } });
   jumper.body.velocity3d = { x: 0, y: 500, z: 0 };
