@@ -235,3 +235,64 @@ exports! {
         }))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exports::body::{body_circle, body_position, body_set_position};
+    use crate::exports::simulator::{
+        simulator_free, simulator_iterations, simulator_new, simulator_set_iterations, simulator_step,
+    };
+
+    fn text() -> String {
+        BUFFERS.with_borrow(|buffers| buffers.text.clone())
+    }
+
+    fn numbers() -> Vec<f64> {
+        BUFFERS.with_borrow(|buffers| buffers.numbers.clone())
+    }
+
+    #[test]
+    fn what_is_set_is_answered_bit_by_bit() {
+        let simulator = simulator_new(0.0, 100.0);
+        let body = body_circle(simulator, 10.0, 1.0);
+        let (x, y) = (f64::from(0.1_f32), f64::from(-123.456_f32));
+        assert_eq!(body_set_position(simulator, body, x, y), 0.0);
+        assert_eq!(body_position(simulator, body), 2.0);
+        assert_eq!(numbers(), [x, y]);
+    }
+
+    #[test]
+    fn a_refused_call_answers_nan_and_leaves_the_words_of_the_engine() {
+        let simulator = simulator_new(0.0, 100.0);
+        assert!(body_circle(simulator, -1.0, 1.0).is_nan());
+        assert_eq!(text(), "radius is -1.0, but must be finite and greater than 0");
+        assert!(body_position(simulator, 3.0).is_nan());
+        assert_eq!(text(), "body is stale: what it named was disposed");
+    }
+
+    #[test]
+    fn no_number_that_is_no_argument_gets_through() {
+        let simulator = simulator_new(0.0, 100.0);
+        for iterations in [0.5, f64::NAN, f64::INFINITY, -3e9] {
+            assert!(simulator_set_iterations(simulator, iterations).is_nan(), "{iterations}");
+        }
+        assert_eq!(simulator_iterations(simulator), 5.0);
+        for dt in [0.0, -0.1, f64::NAN, 1e300] {
+            assert!(simulator_step(simulator, dt).is_nan(), "{dt}");
+        }
+        assert!(bool::read("value", 0.5).is_err() && bool::read("value", 1.0) == Ok(true));
+    }
+
+    #[test]
+    fn numbers_of_simulators_are_used_again_and_unknown_ones_refused() {
+        let first = simulator_new(0.0, 0.0);
+        assert_eq!(simulator_free(first), 0.0);
+        assert!(simulator_step(first, 0.1).is_nan());
+        assert_eq!(text(), "the simulator was freed");
+        assert_eq!(simulator_new(0.0, 0.0), first);
+        for number in [-1.0, 0.5, 1e9, f64::NAN] {
+            assert!(simulator_free(number).is_nan(), "{number}");
+        }
+    }
+}

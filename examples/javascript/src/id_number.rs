@@ -78,7 +78,7 @@ mod tests {
 
     #[test]
     fn ids_come_back_from_their_numbers_over_the_whole_range() {
-        for parts in [(0, 0), (5, 0), (0, 7), (16_777_215, GENERATIONS - 1)] {
+        for parts in [(0_u32, 0), (5, 0), (0, 7), (16_777_215, GENERATIONS - 1)] {
             let id: BodyId = from_parts(parts).unwrap();
             assert_eq!(id.slot(), parts.0 as usize);
             assert_eq!(BodyId::read("body", to_number(id).unwrap()), Ok(id));

@@ -129,3 +129,21 @@ fn touching_now(engine: &Engine) -> BTreeSet<Touch> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_more_than_fits_the_oldest_are_forgotten() {
+        let mut simulator = PhysicsSimulator::default();
+        let bodies = [0; 2].map(|_| simulator.create_body(farseer_core::Body::new()));
+        let mut log = Log::default();
+        log.tell(Happening::NotFinite(bodies[0]));
+        (0..MOST_HAPPENINGS).for_each(|_| log.tell(Happening::NotFinite(bodies[1])));
+        let told: Vec<Happening> = log.drain().collect();
+        assert_eq!(told.len(), MOST_HAPPENINGS);
+        assert!(!told.contains(&Happening::NotFinite(bodies[0])));
+        assert_eq!(log.drain().count(), 0);
+    }
+}

@@ -73,6 +73,14 @@ impl Simulator {
         })
     }
 
+    /// After something that ends touches of which the engines do not tell.
+    pub(crate) fn doubt(self) -> Outcome {
+        self.with(|world| {
+            world.log.doubt();
+            Ok(())
+        })
+    }
+
     /// Does something to what both engines have.
     pub(crate) fn objects<T>(self, edit: impl FnOnce(&mut Objects) -> farseer_core::Result<T>) -> Outcome<T> {
         self.with(|world| Ok(world.engine.objects(edit)?))
@@ -118,6 +126,23 @@ impl Simulator {
         })
     }
 }
+
+/// Does what both engines do by the same name.
+macro_rules! either {
+    ($simulator:expr, |$engine:ident| $act:expr) => {
+        $simulator.with(|world| {
+            match &mut world.engine {
+                $crate::world::Engine::Plane($engine) => $act,
+                $crate::world::Engine::Depth(depth) => {
+                    let $engine = &mut depth.simulator;
+                    $act
+                }
+            }
+            Ok(())
+        })
+    };
+}
+pub(crate) use either;
 
 fn no_simulator() -> Failure {
     Failure("the simulator was freed".to_owned())

@@ -1,10 +1,12 @@
 //! Bodies.
 
-use farseer_core::{BodyFactory, BodyId};
+use farseer_core::{BodyFactory, BodyId, Error};
 use twohalf::Vector2;
 
 use crate::boundary::{exports, points};
-use crate::world::{Engine, Simulator};
+use crate::world::{Simulator, either};
+
+const STALE: Error = Error::StaleId { argument: "body" };
 
 exports! {
     /// A body with the moment of inertia of a rectangle.
@@ -35,13 +37,8 @@ exports! {
 
     /// Ends its life, and that of its geoms, with the next update.
     fn body_dispose(simulator: Simulator, body: BodyId) {
-        simulator.with(|world| {
-            world.log.doubt();
-            Ok(match &mut world.engine {
-                Engine::Plane(simulator) => simulator.dispose(body)?,
-                Engine::Depth(depth) => depth.simulator.dispose(body)?,
-            })
-        })
+        simulator.doubt()?;
+        either!(simulator, |engine| engine.dispose(body)?)
     }
 
     /// Whether it was disposed.
@@ -111,8 +108,8 @@ exports! {
 
     /// Sets whether nothing moves it.
     fn body_set_is_static(simulator: Simulator, body: BodyId, value: bool) {
-        simulator.with(|world| { world.log.doubt(); Ok(()) })?;
-        simulator.edit_body(body, |body| body.set_is_static(value))
+        simulator.doubt()?;
+        either!(simulator, |engine| engine.body_mut(body).ok_or(STALE)?.set_is_static(value))
     }
 
     /// Whether only its velocity moves it.
@@ -120,11 +117,8 @@ exports! {
 
     /// Sets whether only its velocity moves it.
     fn body_set_is_kinematic(simulator: Simulator, body: BodyId, value: bool) {
-        simulator.with(|world| { world.log.doubt(); Ok(()) })?;
-        simulator.with(|world| match &mut world.engine {
-            Engine::Plane(_) => Ok(None),
-            Engine::Depth(depth) => Ok(depth.simulator.body_mut(body).map(|mut body| body.set_is_kinematic(value))),
-        })?.map_or_else(|| simulator.edit_body(body, |body| body.set_is_kinematic(value)), Ok)
+        simulator.doubt()?;
+        either!(simulator, |engine| engine.body_mut(body).ok_or(STALE)?.set_is_kinematic(value))
     }
 
     /// Brings a kinematic body to a place and rotation in the next update.
@@ -145,8 +139,8 @@ exports! {
 
     /// Sets whether it takes part.
     fn body_set_enabled(simulator: Simulator, body: BodyId, value: bool) {
-        simulator.with(|world| { world.log.doubt(); Ok(()) })?;
-        simulator.edit_body(body, |body| body.set_enabled(value))
+        simulator.doubt()?;
+        either!(simulator, |engine| engine.body_mut(body).ok_or(STALE)?.set_enabled(value))
     }
 
     /// How much of the gravity it feels.
@@ -210,13 +204,7 @@ exports! {
 
     /// Wakes it.
     fn body_wake(simulator: Simulator, body: BodyId) {
-        simulator.with(|world| {
-            match &mut world.engine {
-                Engine::Plane(simulator) => simulator.wake(body),
-                Engine::Depth(depth) => depth.simulator.wake(body),
-            }
-            Ok(())
-        })
+        either!(simulator, |engine| engine.wake(body))
     }
 
     /// From the world to its own frame.

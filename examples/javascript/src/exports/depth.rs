@@ -219,7 +219,7 @@ exports! {
 
     /// Takes it away.
     fn platform_remove(simulator: Simulator, platform: PlatformId) {
-        simulator.with(|world| { world.log.doubt(); Ok(()) })?;
+        simulator.doubt()?;
         simulator.depth(|depth| Ok(depth.simulator.remove_platform(platform)?))
     }
 

@@ -4,7 +4,7 @@ use farseer_core::{BodyId, CollisionCategory, GeomFactory, GeomId, GeomPlacement
 use twohalf::Vector2;
 
 use crate::boundary::{exports, leave_numbers, points};
-use crate::world::{Engine, Simulator};
+use crate::world::{Simulator, either};
 
 fn placed(x: f32, y: f32, rotation_offset: f32, collision_grid_size: f32) -> GeomPlacement {
     GeomPlacement { offset: Vector2::new(x, y), rotation_offset, collision_grid_size }
@@ -64,13 +64,8 @@ exports! {
 
     /// Ends its life with the next update.
     fn geom_dispose(simulator: Simulator, geom: GeomId) {
-        simulator.with(|world| {
-            world.log.doubt();
-            Ok(match &mut world.engine {
-                Engine::Plane(simulator) => simulator.dispose(geom)?,
-                Engine::Depth(depth) => depth.simulator.dispose(geom)?,
-            })
-        })
+        simulator.doubt()?;
+        either!(simulator, |engine| engine.dispose(geom)?)
     }
 
     /// Whether it was disposed.
@@ -145,7 +140,7 @@ exports! {
 
     /// Sets whether new pairs with it are looked for.
     fn geom_set_collision_enabled(simulator: Simulator, geom: GeomId, value: bool) {
-        simulator.with(|world| { world.log.doubt(); Ok(()) })?;
+        simulator.doubt()?;
         simulator.edit_geom(geom, |geom| geom.set_collision_enabled(value))
     }
 
@@ -154,28 +149,17 @@ exports! {
 
     /// Sets whether it touches without pushing.
     fn geom_set_is_sensor(simulator: Simulator, geom: GeomId, value: bool) {
-        simulator.with(|world| Ok(match &mut world.engine {
-            Engine::Plane(simulator) => simulator.set_is_sensor(geom, value)?,
-            Engine::Depth(depth) => depth.simulator.set_is_sensor(geom, value)?,
-        }))
+        either!(simulator, |engine| engine.set_is_sensor(geom, value)?)
     }
 
     /// Two geoms no longer collide.
     fn geom_ignore_collision_with(simulator: Simulator, geom: GeomId, other: GeomId) {
-        simulator.with(|world| {
-            world.log.doubt();
-            Ok(match &mut world.engine {
-                Engine::Plane(simulator) => simulator.ignore_collision_with(geom, other)?,
-                Engine::Depth(depth) => depth.simulator.ignore_collision_with(geom, other)?,
-            })
-        })
+        simulator.doubt()?;
+        either!(simulator, |engine| engine.ignore_collision_with(geom, other)?)
     }
 
     /// Two geoms collide again.
     fn geom_restore_collision_with(simulator: Simulator, geom: GeomId, other: GeomId) {
-        simulator.with(|world| Ok(match &mut world.engine {
-            Engine::Plane(simulator) => simulator.restore_collision_with(geom, other)?,
-            Engine::Depth(depth) => depth.simulator.restore_collision_with(geom, other)?,
-        }))
+        either!(simulator, |engine| engine.restore_collision_with(geom, other)?)
     }
 }

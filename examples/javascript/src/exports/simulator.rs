@@ -1,13 +1,12 @@
 //! Making simulators, stepping and saving them.
 
 use farseer_core::{BroadPhaseCollider, FrictionType, Methods, NarrowPhaseCollider, PhysicsSimulator};
-use twohalf::Vector2;
+use twohalf::{Partner, Vector2};
 
-use crate::boundary::{exports, invalid, leave_bytes, leave_numbers, with_bytes};
+use crate::boundary::{Answer, Outcome, exports, invalid, leave_bytes, leave_numbers, with_bytes};
 use crate::id_number::to_number;
 use crate::touches::Happening;
-use crate::world::{Engine, Simulator};
-use twohalf::Partner;
+use crate::world::{Engine, Simulator, either};
 
 exports! {
     /// A 2D simulator with the faithful set of methods; answers its number.
@@ -34,10 +33,7 @@ exports! {
     /// Sets the gravity.
     fn simulator_set_gravity(simulator: Simulator, x: f32, y: f32) {
         let gravity = Vector2::new(x, y);
-        simulator.with(|world| Ok(match &mut world.engine {
-            Engine::Plane(simulator) => simulator.set_gravity(gravity)?,
-            Engine::Depth(depth) => depth.simulator.set_gravity(gravity)?,
-        }))
+        either!(simulator, |engine| engine.set_gravity(gravity)?)
     }
 
     /// The gravity.
@@ -45,13 +41,7 @@ exports! {
 
     /// Sets the passes of the solver.
     fn simulator_set_iterations(simulator: Simulator, iterations: i32) {
-        simulator.with(|world| {
-            match &mut world.engine {
-                Engine::Plane(simulator) => simulator.set_iterations(iterations),
-                Engine::Depth(depth) => depth.simulator.set_iterations(iterations),
-            }
-            Ok(())
-        })
+        either!(simulator, |engine| engine.set_iterations(iterations))
     }
 
     /// The passes of the solver.
@@ -60,24 +50,12 @@ exports! {
     /// Sets whether friction is the smaller one of two, instead of their mean.
     fn simulator_set_minimum_friction(simulator: Simulator, is_minimum: bool) {
         let friction_type = if is_minimum { FrictionType::Minimum } else { FrictionType::Average };
-        simulator.with(|world| {
-            match &mut world.engine {
-                Engine::Plane(simulator) => simulator.set_friction_type(friction_type),
-                Engine::Depth(depth) => depth.simulator.set_friction_type(friction_type),
-            }
-            Ok(())
-        })
+        either!(simulator, |engine| engine.set_friction_type(friction_type))
     }
 
     /// Sets whether bodies that have come to rest sleep.
     fn simulator_set_sleep_enabled(simulator: Simulator, value: bool) {
-        simulator.with(|world| {
-            match &mut world.engine {
-                Engine::Plane(simulator) => simulator.set_sleep_enabled(value),
-                Engine::Depth(depth) => depth.simulator.set_sleep_enabled(value),
-            }
-            Ok(())
-        })
+        either!(simulator, |engine| engine.set_sleep_enabled(value))
     }
 
     /// An update of so many seconds.
@@ -122,7 +100,7 @@ exports! {
     }
 }
 
-fn row(happening: Happening) -> crate::boundary::Outcome<[f64; 4]> {
+fn row(happening: Happening) -> Outcome<[f64; 4]> {
     Ok(match happening {
         Happening::TouchBegin(geom, partner) => touch(0.0, to_number(geom)?, partner)?,
         Happening::TouchEnd(geom, partner) => touch(1.0, to_number(geom)?, partner)?,
@@ -132,8 +110,7 @@ fn row(happening: Happening) -> crate::boundary::Outcome<[f64; 4]> {
     })
 }
 
-fn touch(kind: f64, geom: f64, partner: Partner) -> crate::boundary::Outcome<[f64; 4]> {
-    use crate::boundary::Answer;
+fn touch(kind: f64, geom: f64, partner: Partner) -> Outcome<[f64; 4]> {
     Ok(match partner {
         Partner::Geom(other) => [kind, geom, 0.0, other.number()?],
         Partner::Platform(platform) => [kind, geom, 1.0, platform.number()?],
