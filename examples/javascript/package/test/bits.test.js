@@ -8,7 +8,7 @@ import { Hash, SCENES, STEPS, play } from './scenes.js';
 
 await initialize();
 
-const arguments_ = ['run', '--quiet', '--locked', '-p', 'twohalf-javascript', '--bin', 'hashes'];
+const arguments_ = ['run', '--quiet', '--locked', '-p', 'twohalf-javascript', '--bin', 'javascript_scenes'];
 const printed = execFileSync('cargo', arguments_, { cwd: import.meta.dirname, encoding: 'utf8' });
 const natively = new Map(printed.trim().split('\n').map((line) => line.split(': ')));
 

@@ -1,4 +1,4 @@
-// The scenes of `src/bin/hashes.rs`, word for word.
+// The scenes of `src/bin/javascript_scenes.rs`, word for word.
 
 import { DepthSimulator, Simulator } from '../index.js';
 
