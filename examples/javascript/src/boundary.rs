@@ -75,6 +75,16 @@ pub(crate) fn leave_bytes(bytes: Vec<u8>) -> f64 {
     })
 }
 
+/// Exactly so much room, if there is so much.
+fn make_room<T: Clone + Default>(buffer: &mut Vec<T>, count: usize) -> Outcome {
+    buffer.clear();
+    if buffer.try_reserve_exact(count).is_err() {
+        return invalid("count", count, "so little that there is memory for it");
+    }
+    buffer.resize(count, T::default());
+    Ok(())
+}
+
 /// Looks at the bytes that JavaScript has left.
 pub(crate) fn with_bytes<T>(look: impl FnOnce(&[u8]) -> T) -> T {
     BUFFERS.with_borrow(|buffers| look(&buffers.bytes))
@@ -218,10 +228,10 @@ exports! {
 
     /// Makes room for numbers; answers where.
     fn reserve_numbers(count: usize) {
-        Ok(BUFFERS.with_borrow_mut(|buffers| {
-            buffers.numbers.resize(count, 0.0);
-            buffers.numbers.as_ptr() as usize as f64
-        }))
+        BUFFERS.with_borrow_mut(|buffers| {
+            make_room(&mut buffers.numbers, count)?;
+            Ok(buffers.numbers.as_ptr() as usize as f64)
+        })
     }
 
     /// Where the bytes that were left are in memory.
@@ -229,10 +239,10 @@ exports! {
 
     /// Makes room for bytes; answers where.
     fn reserve_bytes(count: usize) {
-        Ok(BUFFERS.with_borrow_mut(|buffers| {
-            buffers.bytes.resize(count, 0);
-            buffers.bytes.as_ptr() as usize as f64
-        }))
+        BUFFERS.with_borrow_mut(|buffers| {
+            make_room(&mut buffers.bytes, count)?;
+            Ok(buffers.bytes.as_ptr() as usize as f64)
+        })
     }
 }
 
