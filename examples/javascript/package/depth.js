@@ -1,7 +1,7 @@
 // The simulator in 2.5D.
 
 import { call, list, vector, vector3 } from './module.js';
-import { Body, Geom, Thing, assign, points } from './objects.js';
+import { Body, Geom, Thing, assign, finish, points } from './objects.js';
 import { World } from './simulator.js';
 
 const WALK_SETTINGS = [
@@ -118,7 +118,7 @@ export class Platform extends Thing {
     this.call('platform_move_to', x, y, z);
   }
 
-  remove() {
+  dispose() {
     this.call('platform_remove');
   }
 }
@@ -161,7 +161,7 @@ export class DepthSimulator extends World {
 
   spawnFigure(size, { mass = 70, position3d: { x, y, z } = { x: 0, y: 0, z: 0 }, walk = {} } = {}) {
     const spawned = this.#spawned('depth_spawn_figure', size.width, size.height, size.depth, mass, x, y, z);
-    spawned.body.walkSettings = walk;
+    finish(spawned.body, { walkSettings: walk });
     return spawned;
   }
 
@@ -172,7 +172,7 @@ export class DepthSimulator extends World {
 
   createPlatform({ width, height, depth }, { x, y, z }, { rotation = 0, ...settings } = {}) {
     const id = call('platform_new', this.handle, width, height, depth, x, y, z, rotation);
-    return assign(this.thing(Platform, id), settings);
+    return finish(this.thing(Platform, id), settings);
   }
 
   setPrism(geom, depth) {

@@ -471,7 +471,7 @@ export class Platform implements Thing {
   /** Lets the next step bring it to a place; it carries what stands on it. */
   moveTo(position3d: Vector3): void;
   /** Takes it away, at once. */
-  remove(): void;
+  dispose(): void;
 }
 
 /** What can be said of something that is spawned. */

@@ -65,6 +65,16 @@ export function assign(thing, options) {
   return thing;
 }
 
+/** The same for what was just made: it goes again if they are refused. */
+export function finish(thing, options) {
+  try {
+    return assign(thing, options);
+  } catch (error) {
+    thing.dispose();
+    throw error;
+  }
+}
+
 export class Body extends Thing {
   get slot() {
     return this.id % SLOTS;

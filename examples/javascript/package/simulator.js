@@ -1,7 +1,7 @@
 // What both simulators have, and the one in 2D.
 
 import { bytes, call, leaveBytes, leavePoints, list, vector, view } from './module.js';
-import { Body, Geom, Joint, Spring, assign } from './objects.js';
+import { Body, Geom, Joint, Spring, assign, finish } from './objects.js';
 
 const EVENT_TYPES = ['touchBegin', 'touchEnd', 'jointBroke', 'springBroke', 'notFinite'];
 const registry = new FinalizationRegistry((handle) => call('simulator_free', handle));
@@ -135,7 +135,7 @@ export class World {
   }
 
   #body(name, options, ...values) {
-    return assign(this.bodyOf(call(name, this.#handle, ...values)), options);
+    return finish(this.bodyOf(call(name, this.#handle, ...values)), options);
   }
 
   createRectangleBody(width, height, mass, options = {}) {
@@ -161,7 +161,7 @@ export class World {
 
   #geom(name, body, placement, settings, ...values) {
     const id = call(name, this.#handle, this.idOf(body, Body), ...values, ...placement);
-    return assign(this.geomOf(id), settings);
+    return finish(this.geomOf(id), settings);
   }
 
   createRectangleGeom(body, width, height, options = {}) {
@@ -192,7 +192,7 @@ export class World {
   }
 
   #joint(name, options, ...values) {
-    return assign(this.thing(Joint, call(name, this.#handle, ...values)), options);
+    return finish(this.thing(Joint, call(name, this.#handle, ...values)), options);
   }
 
   createRevoluteJoint(body1, body2, anchor, options = {}) {
@@ -246,7 +246,7 @@ export class World {
   }
 
   #spring(name, options, ...values) {
-    return assign(this.thing(Spring, call(name, this.#handle, ...values)), options);
+    return finish(this.thing(Spring, call(name, this.#handle, ...values)), options);
   }
 
   createLinearSpring(body1, point1, body2, point2, springConstant, dampingConstant, options = {}) {

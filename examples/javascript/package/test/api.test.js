@@ -183,6 +183,14 @@ test('what belongs to nobody or to somebody else is refused', () => {
   assert.throws(() => simulator.createCircleBody(5, 1, { colour: 1 }), { name: 'TypeError', message: /colour/ });
 });
 
+test('what was made with settings that are refused goes again', () => {
+  const simulator = new Simulator();
+  const refused = [{ mass: 0 }, { rotation: NaN }, { colour: 1 }];
+  for (const options of refused) assert.throws(() => simulator.createCircleBody(10, 1, options));
+  simulator.step(DT);
+  assert.equal(simulator.positions.length, 0);
+});
+
 test('handles of what is gone are noticed, also when its slot is used again', () => {
   const { simulator, body, ball } = ballOverFloor();
   steps(simulator, 2);

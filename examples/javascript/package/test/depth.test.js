@@ -27,7 +27,7 @@ test('things fall on the ground and on platforms, and events tell on which', () 
   const partners = new Map(simulator.drainEvents().map((event) => [event.geom, event.partner]));
   assert.equal(partners.get(high.geom), platform);
   assert.equal(partners.get(low.geom), 'ground');
-  platform.remove();
+  platform.dispose();
   assert.ok(platform.isDisposed);
   steps(simulator, 60);
   assert.ok(simulator.drainEvents().some((event) => event.type === 'touchEnd' && event.geom === high.geom));
