@@ -4,7 +4,7 @@ import { DepthSimulator, Platform } from '../package/index.js';
 
 const WIDTH = 800;
 const HEIGHT = 420;
-const LEVEL = { left: 0, right: 780, front: 10, back: 190 };
+const LEVEL = { left: 0, right: 730, front: 10, back: 190 };
 const FIGURE = { width: 28, height: 56, depth: 18 };
 
 export class Street {
@@ -35,7 +35,7 @@ export class Street {
     this.#platform(slope, { x: 222, y: 11, z: 130 }, { rotation: -0.31 }, '#a3b18a');
     this.lift = this.#platform({ width: 90, height: 12, depth: 80 }, { x: 470, y: 0, z: 130 }, {}, '#f28f3b');
     const belt = { surfaceSpeed: { along: 70, depth: 0 } };
-    this.#platform({ width: 230, height: 12, depth: 60 }, { x: 640, y: 0, z: 60 }, belt, '#588b8b');
+    this.#platform({ width: 230, height: 12, depth: 60 }, { x: 600, y: 0, z: 60 }, belt, '#588b8b');
   }
 
   #things() {
