@@ -52,13 +52,13 @@ export interface BodyOptions {
   isStatic?: boolean;
   /** Nothing pushes it; it goes on with its velocity, or to where it is told. Default false. */
   isKinematic?: boolean;
-  /** With the precise set nothing passes through it, however fast. Default false. */
+  /** Precise set: nothing ever passes through what stands still, and this not through what moves either. Default false. */
   isBullet?: boolean;
   /** Whether it takes part. Default true. */
   enabled?: boolean;
   /** How much of the gravity it feels. Default 1. */
   gravityScale?: number;
-  /** Default 0.001. */
+  /** Slows it down. Default 0.001. */
   linearDragCoefficient?: number;
   /** Default 0.001. */
   rotationalDragCoefficient?: number;
@@ -223,7 +223,7 @@ export class Spring implements Thing {
 interface World<AnyBody extends Body, Partner> {
   /** Acceleration of everything, y down. */
   gravity: Vector2;
-  /** Passes of the solver per step, or substeps with the precise set. Default 5. */
+  /** Substeps of a step with the precise set, 4 to begin with; passes of the solver with the faithful one. Default 5. */
   iterations: number;
   /** How the frictions of two geoms combine. Default `average`. */
   set frictionType(value: 'average' | 'minimum');
@@ -249,7 +249,7 @@ interface World<AnyBody extends Body, Partner> {
 
   createRectangleBody(width: number, height: number, mass: number, options?: BodyOptions): AnyBody;
   createCircleBody(radius: number, mass: number, options?: BodyOptions): AnyBody;
-  /** Upright: `height` from end to end, `endRadius` less than half of it. */
+  /** Upright: `height` from tip to tip, `endRadius` less than half of it. */
   createCapsuleBody(height: number, endRadius: number, mass: number, options?: BodyOptions): AnyBody;
   createPolygonBody(vertices: readonly Vector2[], mass: number, options?: BodyOptions): AnyBody;
   createBody(mass: number, momentOfInertia: number, options?: BodyOptions): AnyBody;
@@ -266,7 +266,7 @@ interface World<AnyBody extends Body, Partner> {
   ): Geom;
   /** Any simple outline; its centroid comes to lie at the offset. */
   createPolygonGeom(body: AnyBody, vertices: readonly Vector2[], options?: GeomOptions): Geom;
-  /** Precise set: edges as terrain on a static body, free on their left as one walks along them. */
+  /** Precise set: edges as terrain on a static body: points from left to right make a floor. Closed if the last is the first. */
   createChainGeom(body: AnyBody, points: readonly Vector2[], options?: GeomOptions): Geom;
 
   /** The anchor is a point of the world; bodies turn about it. */
