@@ -1,0 +1,308 @@
+//! How numbers become arguments, answers become numbers, and the buffers for all that is no number.
+
+use std::cell::RefCell;
+use std::fmt::Display;
+
+use farseer_core::{CollisionCategory, Error, Vertices};
+use twohalf::{Vector2, Vector3};
+
+/// Why a call was refused, in words.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Failure(pub String);
+
+/// What comes of a call.
+pub type Outcome<T = ()> = Result<T, Failure>;
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        Failure(error.to_string())
+    }
+}
+
+impl From<twohalf::Error> for Failure {
+    fn from(error: twohalf::Error) -> Self {
+        Failure(error.to_string())
+    }
+}
+
+/// A refusal of an argument in the words of the engines.
+pub(crate) fn invalid<T>(
+    argument: &'static str,
+    value: impl Display,
+    requirement: &'static str,
+) -> Outcome<T> {
+    Err(Failure(format!("{argument} is {value}, but must be {requirement}")))
+}
+
+/// What passes between JavaScript and the module besides numbers.
+#[derive(Debug, Default)]
+struct Buffers {
+    text: String,
+    numbers: Vec<f64>,
+    bytes: Vec<u8>,
+}
+
+thread_local! {
+    static BUFFERS: RefCell<Buffers> = RefCell::default();
+}
+
+/// Runs a call: its value, or NaN with the reason left behind as text.
+pub(crate) fn answer<T: Answer>(call: impl FnOnce() -> Outcome<T>) -> f64 {
+    call().and_then(Answer::number).unwrap_or_else(refuse)
+}
+
+#[cold]
+#[inline(never)]
+fn refuse(Failure(text): Failure) -> f64 {
+    BUFFERS.with_borrow_mut(|buffers| buffers.text = text);
+    f64::NAN
+}
+
+/// Leaves numbers behind; answers how many.
+pub(crate) fn leave_numbers(numbers: impl IntoIterator<Item = f64>) -> f64 {
+    BUFFERS.with_borrow_mut(|buffers| {
+        buffers.numbers.clear();
+        buffers.numbers.extend(numbers);
+        buffers.numbers.len() as f64
+    })
+}
+
+/// Leaves bytes behind; answers how many.
+pub(crate) fn leave_bytes(bytes: Vec<u8>) -> f64 {
+    BUFFERS.with_borrow_mut(|buffers| {
+        buffers.bytes = bytes;
+        buffers.bytes.len() as f64
+    })
+}
+
+/// Exactly so much room, if there is so much.
+fn make_room<T: Clone + Default>(buffer: &mut Vec<T>, count: usize) -> Outcome {
+    buffer.clear();
+    if buffer.try_reserve_exact(count).is_err() {
+        return invalid("count", count, "so little that there is memory for it");
+    }
+    buffer.resize(count, T::default());
+    Ok(())
+}
+
+/// Looks at the bytes that JavaScript has left.
+pub(crate) fn with_bytes<T>(look: impl FnOnce(&[u8]) -> T) -> T {
+    BUFFERS.with_borrow(|buffers| look(&buffers.bytes))
+}
+
+/// The points that JavaScript has left as numbers, x and y in turns.
+pub(crate) fn points() -> Outcome<Vertices> {
+    BUFFERS.with_borrow(|buffers| {
+        if let Some(number) = buffers.numbers.iter().find(|number| !(**number as f32).is_finite()) {
+            return invalid("points", number, "finite");
+        }
+        let pairs = buffers.numbers.chunks_exact(2);
+        Ok(pairs.map(|pair| Vector2::new(pair[0] as f32, pair[1] as f32)).collect())
+    })
+}
+
+/// An argument that is made of one number.
+pub(crate) trait Argument: Sized {
+    /// Reads it; `name` is for the message of a refusal.
+    fn read(name: &'static str, number: f64) -> Outcome<Self>;
+}
+
+impl Argument for f32 {
+    fn read(name: &'static str, number: f64) -> Outcome<Self> {
+        let value = number as f32;
+        if value.is_finite() { Ok(value) } else { invalid(name, number, "finite") }
+    }
+}
+
+impl Argument for i32 {
+    fn read(name: &'static str, number: f64) -> Outcome<Self> {
+        let value = number as i32;
+        if f64::from(value) == number {
+            Ok(value)
+        } else {
+            invalid(name, number, "a whole number of 32 bits")
+        }
+    }
+}
+
+impl Argument for usize {
+    fn read(name: &'static str, number: f64) -> Outcome<Self> {
+        let value = number as u32;
+        if f64::from(value) == number {
+            Ok(value as usize)
+        } else {
+            invalid(name, number, "a whole number, 0 or more")
+        }
+    }
+}
+
+impl Argument for bool {
+    fn read(name: &'static str, number: f64) -> Outcome<Self> {
+        if number == 0.0 || number == 1.0 {
+            Ok(number == 1.0)
+        } else {
+            invalid(name, number, "true or false")
+        }
+    }
+}
+
+impl Argument for CollisionCategory {
+    fn read(name: &'static str, number: f64) -> Outcome<Self> {
+        i32::read(name, number).map(CollisionCategory::from_bits)
+    }
+}
+
+/// What a call may answer.
+pub(crate) trait Answer {
+    /// The number that stands for it; what is longer is left in the buffer of numbers, and this is how many there are.
+    fn number(self) -> Outcome<f64>;
+}
+
+impl Answer for () {
+    fn number(self) -> Outcome<f64> {
+        Ok(0.0)
+    }
+}
+
+impl Answer for f64 {
+    fn number(self) -> Outcome<f64> {
+        Ok(self)
+    }
+}
+
+impl Answer for f32 {
+    fn number(self) -> Outcome<f64> {
+        Ok(f64::from(self))
+    }
+}
+
+impl Answer for i32 {
+    fn number(self) -> Outcome<f64> {
+        Ok(f64::from(self))
+    }
+}
+
+impl Answer for bool {
+    fn number(self) -> Outcome<f64> {
+        Ok(f64::from(u8::from(self)))
+    }
+}
+
+impl Answer for Vector2 {
+    fn number(self) -> Outcome<f64> {
+        Ok(leave_numbers([self.x, self.y].map(f64::from)))
+    }
+}
+
+impl Answer for Vector3 {
+    fn number(self) -> Outcome<f64> {
+        Ok(leave_numbers([self.x, self.y, self.z].map(f64::from)))
+    }
+}
+
+/// Defines functions of the module: `fn name(argument: Type, ...) -> { body }`, whose body comes to an [`Outcome`].
+macro_rules! exports {
+    ($($(#[$doc:meta])* fn $name:ident($($argument:ident: $type:ty),* $(,)?) $body:block)*) => {$(
+        $(#[$doc])*
+        // Only the name is unsafe, for a linker that might find it twice; those of one module are told apart by the compiler.
+        #[cfg_attr(target_family = "wasm", allow(unsafe_code), unsafe(no_mangle))]
+        pub extern "C" fn $name($($argument: f64),*) -> f64 {
+            $crate::boundary::answer(|| {
+                $(let $argument = <$type as $crate::boundary::Argument>::read(stringify!($argument), $argument)?;)*
+                $body
+            })
+        }
+    )*};
+}
+pub(crate) use exports;
+
+exports! {
+    /// Where the message of the last refused call is in memory, in UTF-8.
+    fn text_pointer() { Ok(BUFFERS.with_borrow(|buffers| buffers.text.as_ptr() as usize as f64)) }
+
+    /// Its length in bytes.
+    fn text_length() { Ok(BUFFERS.with_borrow(|buffers| buffers.text.len() as f64)) }
+
+    /// Where the numbers that were left are in memory, as 64-bit floats.
+    fn numbers_pointer() { Ok(BUFFERS.with_borrow(|buffers| buffers.numbers.as_ptr() as usize as f64)) }
+
+    /// Makes room for numbers; answers where.
+    fn reserve_numbers(count: usize) {
+        BUFFERS.with_borrow_mut(|buffers| {
+            make_room(&mut buffers.numbers, count)?;
+            Ok(buffers.numbers.as_ptr() as usize as f64)
+        })
+    }
+
+    /// Where the bytes that were left are in memory.
+    fn bytes_pointer() { Ok(BUFFERS.with_borrow(|buffers| buffers.bytes.as_ptr() as usize as f64)) }
+
+    /// Makes room for bytes; answers where.
+    fn reserve_bytes(count: usize) {
+        BUFFERS.with_borrow_mut(|buffers| {
+            make_room(&mut buffers.bytes, count)?;
+            Ok(buffers.bytes.as_ptr() as usize as f64)
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exports::body::{body_circle, body_position, body_set_position};
+    use crate::exports::simulator::{
+        simulator_free, simulator_iterations, simulator_new, simulator_set_iterations, simulator_step,
+    };
+
+    fn text() -> String {
+        BUFFERS.with_borrow(|buffers| buffers.text.clone())
+    }
+
+    fn numbers() -> Vec<f64> {
+        BUFFERS.with_borrow(|buffers| buffers.numbers.clone())
+    }
+
+    #[test]
+    fn what_is_set_is_answered_bit_by_bit() {
+        let simulator = simulator_new(0.0, 100.0);
+        let body = body_circle(simulator, 10.0, 1.0);
+        let (x, y) = (f64::from(0.1_f32), f64::from(-123.456_f32));
+        assert_eq!(body_set_position(simulator, body, x, y), 0.0);
+        assert_eq!(body_position(simulator, body), 2.0);
+        assert_eq!(numbers(), [x, y]);
+    }
+
+    #[test]
+    fn a_refused_call_answers_nan_and_leaves_the_words_of_the_engine() {
+        let simulator = simulator_new(0.0, 100.0);
+        assert!(body_circle(simulator, -1.0, 1.0).is_nan());
+        assert_eq!(text(), "radius is -1.0, but must be finite and greater than 0");
+        assert!(body_position(simulator, 3.0).is_nan());
+        assert_eq!(text(), "body is stale: what it named was disposed");
+    }
+
+    #[test]
+    fn no_number_that_is_no_argument_gets_through() {
+        let simulator = simulator_new(0.0, 100.0);
+        for iterations in [0.5, f64::NAN, f64::INFINITY, -3e9] {
+            assert!(simulator_set_iterations(simulator, iterations).is_nan(), "{iterations}");
+        }
+        assert_eq!(simulator_iterations(simulator), 5.0);
+        for dt in [0.0, -0.1, f64::NAN, 1e300] {
+            assert!(simulator_step(simulator, dt).is_nan(), "{dt}");
+        }
+        assert!(bool::read("value", 0.5).is_err() && bool::read("value", 1.0) == Ok(true));
+    }
+
+    #[test]
+    fn numbers_of_simulators_are_used_again_and_unknown_ones_refused() {
+        let first = simulator_new(0.0, 0.0);
+        assert_eq!(simulator_free(first), 0.0);
+        assert!(simulator_step(first, 0.1).is_nan());
+        assert_eq!(text(), "the simulator was freed");
+        assert_eq!(simulator_new(0.0, 0.0), first);
+        for number in [-1.0, 0.5, 1e9, f64::NAN] {
+            assert!(simulator_free(number).is_nan(), "{number}");
+        }
+    }
+}

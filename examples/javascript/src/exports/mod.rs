@@ -1,0 +1,9 @@
+//! The functions of the module, by what they are about.
+
+pub mod body;
+pub mod depth;
+pub mod geom;
+pub mod joint;
+pub mod query;
+pub mod simulator;
+pub mod spring;

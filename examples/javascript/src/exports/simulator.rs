@@ -1,0 +1,119 @@
+//! Making simulators, stepping and saving them.
+
+use farseer_core::{BroadPhaseCollider, FrictionType, Methods, NarrowPhaseCollider, PhysicsSimulator};
+use twohalf::{Partner, Vector2};
+
+use crate::boundary::{Answer, Outcome, exports, invalid, leave_bytes, leave_numbers, with_bytes};
+use crate::id_number::to_number;
+use crate::touches::Happening;
+use crate::world::{Engine, Simulator, either};
+
+exports! {
+    /// A 2D simulator with the faithful set of methods; answers its number.
+    fn simulator_new(gravity_x: f32, gravity_y: f32) {
+        let simulator = PhysicsSimulator::new(Vector2::new(gravity_x, gravity_y))?;
+        Ok(Simulator::keep(Engine::Plane(Box::new(simulator))))
+    }
+
+    /// Lets a simulator go.
+    fn simulator_free(simulator: Simulator) { simulator.free() }
+
+    /// Chooses the precise set of methods.
+    fn simulator_set_precise(simulator: Simulator, length_unit: f32) {
+        simulator.plane(|plane| Ok(plane.set_methods(Methods::Precise { length_unit })?))
+    }
+
+    /// Chooses the faithful set, with its default broad phase and the distance grid, or SAT.
+    fn simulator_set_faithful(simulator: Simulator, is_sat: bool) {
+        let narrow = if is_sat { NarrowPhaseCollider::Sat } else { NarrowPhaseCollider::DistanceGrid };
+        let broad = BroadPhaseCollider::default();
+        simulator.plane(|plane| Ok(plane.set_methods(Methods::Faithful { broad, narrow })?))
+    }
+
+    /// Sets the gravity.
+    fn simulator_set_gravity(simulator: Simulator, x: f32, y: f32) {
+        let gravity = Vector2::new(x, y);
+        either!(simulator, |engine| engine.set_gravity(gravity)?)
+    }
+
+    /// The gravity.
+    fn simulator_gravity(simulator: Simulator) { simulator.with(|world| Ok(world.engine.core().gravity())) }
+
+    /// Sets the passes of the solver.
+    fn simulator_set_iterations(simulator: Simulator, iterations: i32) {
+        either!(simulator, |engine| engine.set_iterations(iterations))
+    }
+
+    /// The passes of the solver.
+    fn simulator_iterations(simulator: Simulator) { simulator.with(|world| Ok(world.engine.core().iterations())) }
+
+    /// Sets whether friction is the smaller one of two, instead of their mean.
+    fn simulator_set_minimum_friction(simulator: Simulator, is_minimum: bool) {
+        let friction_type = if is_minimum { FrictionType::Minimum } else { FrictionType::Average };
+        either!(simulator, |engine| engine.set_friction_type(friction_type))
+    }
+
+    /// Sets whether bodies that have come to rest sleep.
+    fn simulator_set_sleep_enabled(simulator: Simulator, value: bool) {
+        either!(simulator, |engine| engine.set_sleep_enabled(value))
+    }
+
+    /// An update of so many seconds.
+    fn simulator_step(simulator: Simulator, dt: f32) {
+        if dt <= 0.0 {
+            return invalid("dt", dt, "greater than 0");
+        }
+        simulator.with(|world| { world.step(dt); Ok(()) })
+    }
+
+    /// Brings the positions up to date; answers how many numbers they are.
+    fn simulator_positions_length(simulator: Simulator) {
+        simulator.with(|world| {
+            world.refresh_positions();
+            Ok(world.positions().len() as f64)
+        })
+    }
+
+    /// Where the positions are in memory, as 32-bit floats.
+    fn simulator_positions_pointer(simulator: Simulator) {
+        simulator.with(|world| Ok(world.positions().as_ptr() as usize as f64))
+    }
+
+    /// Leaves what happened since the last call as numbers, four each: the kind, the thing, the kind of its partner, the
+    /// partner. Kinds: touch begins 0 or ends 1, joint 2 or spring 3 broke, body not finite 4; of partners: geom 0, platform 1,
+    /// ground 2.
+    fn simulator_drain_events(simulator: Simulator) {
+        simulator.with(|world| {
+            let rows: Vec<[f64; 4]> = world.log.drain().map(row).collect::<Result<_, _>>()?;
+            Ok(leave_numbers(rows.into_iter().flatten()))
+        })
+    }
+
+    /// Leaves a snapshot as bytes; answers how many.
+    fn simulator_snapshot(simulator: Simulator) {
+        simulator.with(|world| Ok(leave_bytes(world.engine.snapshot())))
+    }
+
+    /// Restores the snapshot that was left as bytes.
+    fn simulator_restore(simulator: Simulator) {
+        with_bytes(|bytes| simulator.with(|world| world.restore(bytes)))
+    }
+}
+
+fn row(happening: Happening) -> Outcome<[f64; 4]> {
+    Ok(match happening {
+        Happening::TouchBegin(geom, partner) => touch(0.0, to_number(geom)?, partner)?,
+        Happening::TouchEnd(geom, partner) => touch(1.0, to_number(geom)?, partner)?,
+        Happening::JointBroke(joint) => [2.0, to_number(joint)?, 0.0, 0.0],
+        Happening::SpringBroke(spring) => [3.0, to_number(spring)?, 0.0, 0.0],
+        Happening::NotFinite(body) => [4.0, to_number(body)?, 0.0, 0.0],
+    })
+}
+
+fn touch(kind: f64, geom: f64, partner: Partner) -> Outcome<[f64; 4]> {
+    Ok(match partner {
+        Partner::Geom(other) => [kind, geom, 0.0, other.number()?],
+        Partner::Platform(platform) => [kind, geom, 1.0, platform.number()?],
+        Partner::Ground => [kind, geom, 2.0, 0.0],
+    })
+}

@@ -1,0 +1,149 @@
+//! What began and ceased to touch, told once each, whatever the methods: those of the engines tell of it in several ways.
+
+use std::collections::{BTreeSet, VecDeque};
+
+use farseer_core::{GeomId, JointId, ObjectId, PhysicsSimulator, SpringId};
+use twohalf::{BodyId, Partner, TwoHalfPhysicsSimulator};
+
+use crate::world::Engine;
+
+/// Of a game that never asks the oldest are forgotten.
+const MOST_HAPPENINGS: usize = 65_536;
+
+/// A geom and what it touches: of two geoms that with the smaller id is first.
+type Touch = (GeomId, Partner);
+
+/// What happened, for a game to hear of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Happening {
+    TouchBegin(GeomId, Partner),
+    TouchEnd(GeomId, Partner),
+    JointBroke(JointId),
+    SpringBroke(SpringId),
+    /// The body left the numbers that there are, and was put back and, if it can move, disabled.
+    NotFinite(BodyId),
+}
+
+/// What touches, and what happened since somebody asked.
+#[derive(Debug, Default)]
+pub(crate) struct Log {
+    touching: BTreeSet<Touch>,
+    happenings: VecDeque<Happening>,
+    /// Something was edited that ends touches of which the engines do not tell.
+    is_in_doubt: bool,
+}
+
+fn ordered(this: GeomId, partner: Partner) -> Touch {
+    match partner {
+        Partner::Geom(other) if other < this => (other, Partner::Geom(this)),
+        _ => (this, partner),
+    }
+}
+
+impl Log {
+    /// After a disposal, or something was switched on or off.
+    pub(crate) fn doubt(&mut self) {
+        self.is_in_doubt = true;
+    }
+
+    /// What happened since the last call.
+    pub(crate) fn drain(&mut self) -> impl Iterator<Item = Happening> + '_ {
+        self.happenings.drain(..)
+    }
+
+    /// After the engine was restored: what touches now is no news.
+    pub(crate) fn begin_anew(&mut self, engine: &Engine) {
+        *self = Log { touching: touching_now(engine), ..Log::default() };
+    }
+
+    /// Takes over what the last update tells.
+    pub(crate) fn follow(&mut self, engine: &Engine) {
+        self.follow_core(engine.core());
+        if let Engine::Depth(depth) = engine {
+            self.follow_depth(&depth.simulator);
+        }
+        if std::mem::take(&mut self.is_in_doubt) {
+            let now = touching_now(engine);
+            let ended: Vec<Touch> = self.touching.difference(&now).copied().collect();
+            ended.into_iter().for_each(|touch| self.end(touch));
+        }
+    }
+
+    fn tell(&mut self, happening: Happening) {
+        if self.happenings.len() == MOST_HAPPENINGS {
+            self.happenings.pop_front();
+        }
+        self.happenings.push_back(happening);
+    }
+
+    fn begin(&mut self, touch: Touch) {
+        if self.touching.insert(touch) {
+            self.tell(Happening::TouchBegin(touch.0, touch.1));
+        }
+    }
+
+    fn end(&mut self, touch: Touch) {
+        if self.touching.remove(&touch) {
+            self.tell(Happening::TouchEnd(touch.0, touch.1));
+        }
+    }
+
+    fn follow_core(&mut self, simulator: &PhysicsSimulator) {
+        use farseer_core::Event;
+        for &event in simulator.events() {
+            match event {
+                Event::Collision { this, other, .. } => self.begin(ordered(this, Partner::Geom(other))),
+                Event::Separation { this, other } => self.end(ordered(this, Partner::Geom(other))),
+                Event::JointBroke { joint } => self.tell(Happening::JointBroke(joint)),
+                Event::SpringBroke { spring } => self.tell(Happening::SpringBroke(spring)),
+                Event::NotFinite { body, .. } => {
+                    self.doubt();
+                    self.tell(Happening::NotFinite(body));
+                }
+                Event::Removed { object: ObjectId::Body(_) | ObjectId::Geom(_) } => self.doubt(),
+                _ => {}
+            }
+        }
+    }
+
+    fn follow_depth(&mut self, simulator: &TwoHalfPhysicsSimulator) {
+        use twohalf::Event;
+        for &event in simulator.events() {
+            match event {
+                Event::Collision(collision) => self.begin(ordered(collision.this, collision.partner)),
+                Event::Separation { this, partner } => self.end(ordered(this, partner)),
+                _ => {}
+            }
+        }
+    }
+}
+
+fn touching_now(engine: &Engine) -> BTreeSet<Touch> {
+    match engine {
+        Engine::Plane(simulator) => {
+            let touching = simulator.arbiters().filter(|arbiter| arbiter.contacts().len() > 0);
+            touching.map(|arbiter| ordered(arbiter.geom_a(), Partner::Geom(arbiter.geom_b()))).collect()
+        }
+        Engine::Depth(depth) => {
+            depth.simulator.contacts().map(|contact| ordered(contact.this, contact.partner)).collect()
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_more_than_fits_the_oldest_are_forgotten() {
+        let mut simulator = PhysicsSimulator::default();
+        let bodies = [0; 2].map(|_| simulator.create_body(farseer_core::Body::new()));
+        let mut log = Log::default();
+        log.tell(Happening::NotFinite(bodies[0]));
+        (0..MOST_HAPPENINGS).for_each(|_| log.tell(Happening::NotFinite(bodies[1])));
+        let told: Vec<Happening> = log.drain().collect();
+        assert_eq!(told.len(), MOST_HAPPENINGS);
+        assert!(!told.contains(&Happening::NotFinite(bodies[0])));
+        assert_eq!(log.drain().count(), 0);
+    }
+}
