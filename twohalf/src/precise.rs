@@ -161,18 +161,17 @@ impl World {
     fn touch_of(&self, core: &PhysicsSimulator, found: &SpaceTouch) -> Option<(Touch, [TouchPoint; 2])> {
         let number = core.geom(found.this)?.id();
         let partner = partner_of(found.partner);
-        let (key, partner_body, z) = match partner {
-            Partner::Ground => (TouchKey::Ground(number), None, self.z_of(found.body)),
-            Partner::Platform(id) => (TouchKey::Platform(number, id), None, self.z_of(found.body)),
+        let (key, partner_body) = match partner {
+            Partner::Ground => (TouchKey::Ground(number), None),
+            Partner::Platform(id) => (TouchKey::Platform(number, id), None),
             Partner::Geom(other) => {
                 let view = core.geom(other)?;
-                let key = TouchKey::Pair(view.id(), number);
-                (key, Some(view.body()), self.middle(core, found.this, other))
+                (TouchKey::Pair(view.id(), number), Some(view.body()))
             }
         };
         let normal = Vector3::from(found.normal);
         let points = found.points.map(|point| TouchPoint {
-            position: Vector3::new(point.position.x, point.position.y, z),
+            position: Vector3::new(point.position.x, point.position.y, found.z),
             normal,
             separation: point.separation,
             feature: point.feature,
@@ -201,7 +200,7 @@ impl World {
     /// The contacts of the last update, found in the engine below when somebody asks; what was loaded, until it moves on.
     pub(crate) fn list_touches(&self, core: &PhysicsSimulator) -> Cow<'_, TouchList> {
         if !core.knows_touches() {
-            return Cow::Borrowed(&self.touches);
+            return self.loaded_touches(core);
         }
         Cow::Owned(self.list(core, core.space_touches()))
     }
@@ -209,9 +208,24 @@ impl World {
     /// Those of one body, if they are found when somebody asks.
     pub(crate) fn list_touches_of(&self, core: &PhysicsSimulator, body: BodyId) -> Cow<'_, TouchList> {
         if !core.knows_touches() {
-            return Cow::Borrowed(&self.touches);
+            return self.loaded_touches(core);
         }
         Cow::Owned(self.list(core, core.space_touches_of(body)))
+    }
+
+    /// Those that were loaded, but for what has gone since.
+    fn loaded_touches(&self, core: &PhysicsSimulator) -> Cow<'_, TouchList> {
+        let is_there = |touch: &Touch| self.may_touch(core, touch.this, touch.partner);
+        if self.touches.touches.iter().all(is_there) {
+            return Cow::Borrowed(&self.touches);
+        }
+        let mut list = TouchList::default();
+        for touch in self.touches.touches.iter().filter(|touch| is_there(touch)) {
+            let first_point = list.points.len() as u32;
+            list.points.extend_from_slice(self.touches.points_of(touch));
+            list.touches.push(Touch { first_point, ..*touch });
+        }
+        Cow::Owned(list)
     }
 
     fn list(&self, core: &PhysicsSimulator, found: impl Iterator<Item = SpaceTouch>) -> TouchList {

@@ -30,6 +30,7 @@ use super::proxies::{Mobility, Proxies, Proxy};
 use super::tuning::Tuning;
 use crate::body::BodyId;
 use crate::geom::GeomId;
+use crate::math::scalar::nearest_finite;
 use crate::storage::reusing_clone::reusing_clone;
 pub(super) use one_way::lands_on;
 use parts::{Depths, Fixture, SpaceBody, SpaceProfile};
@@ -251,6 +252,18 @@ impl Space {
     /// Whether something rests on the ground.
     pub(super) fn may_meet_ground(&self, proxy: u32) -> bool {
         self.reach[proxy as usize].ground.is_some()
+    }
+
+    /// The middle of what two proxies of these bodies both cover along the axis.
+    pub(super) fn middle(&self, proxies: [u32; 2], bodies: [u32; 2]) -> f32 {
+        let interval = |at: usize| {
+            let (z, half) = (self.places[bodies[at] as usize], self.reach[proxies[at] as usize].half);
+            [nearest_finite(z - half), nearest_finite(z + half)]
+        };
+        let ([near1, far1], [near2, far2]) = (interval(0), interval(1));
+        let near = if near1 > near2 { near1 } else { near2 };
+        let far = if far1 < far2 { far1 } else { far2 };
+        near * 0.5 + far * 0.5
     }
 
     /// New bounds with a margin, longer the faster the body moves: see [`Proxies::widened`].

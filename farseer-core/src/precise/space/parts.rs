@@ -97,6 +97,9 @@ pub struct SpaceTouch {
     pub partner: SpacePartner,
     /// From the partner to this: x, y (down) and z.
     pub normal: [f32; 3],
+    /// Where along the depth axis, as the two were in the last step: in the middle of what both geoms cover, and in that of the
+    /// body where the partner is no geom.
+    pub z: f32,
     /// How many points.
     pub count: usize,
     /// The points, the first `count` of them.

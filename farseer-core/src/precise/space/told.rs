@@ -78,11 +78,17 @@ impl Precise {
     /// A pair by its number, if it is near enough to touch. The younger geom is told, and the one that has a partner which is no geom.
     pub(crate) fn space_touch(&self, pair: usize) -> Option<SpaceTouch> {
         let state = self.pairs.all.get(pair).filter(|state| !state.is_vetoed)?;
-        self.space.as_ref()?;
-        let [a, b] = self.pairs.watched[pair].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
+        let space = self.space.as_ref()?;
+        let proxies = self.pairs.watched[pair].proxies;
+        let [a, b] = proxies.map(|proxy| &self.proxies.all[proxy as usize]);
         // Normals point from A to B.
         let is_b = !parts::is_geom(a.geom) || a.number < b.number;
         let (this, partner, sign) = if is_b { (b, a, 1.0) } else { (a, b, -1.0) };
+        let z = if parts::is_geom(partner.geom) {
+            space.middle(proxies, [a.body, b.body])
+        } else {
+            space.places[this.body as usize]
+        };
         let Frozen { normal: [x, y], count, anchors, separations, features, space: frozen, .. } =
             &self.pairs.frozen[pair];
         if *count == 0 {
@@ -113,6 +119,7 @@ impl Precise {
             body: self.bodies.ids[this.body as usize]?,
             partner: parts::partner_of(partner.geom),
             normal: [sign * x, sign * y, sign * frozen.normal_z],
+            z,
             count: *count as usize,
             points,
             friction: lane.map_or(0.0, |lane| lane.friction),
