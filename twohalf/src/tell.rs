@@ -219,11 +219,14 @@ impl World {
         }
     }
 
-    /// Forgets contacts and supports of what has left.
+    /// Forgets contacts and supports of what has left. Of contacts that are listed when somebody asks, what has left is not
+    /// listed, whether they were loaded or not.
     pub(crate) fn forget_what_left(&mut self, core: &PhysicsSimulator) {
-        let mut touches = std::mem::take(&mut self.touches.touches);
-        touches.retain(|touch| core.geom(touch.this).is_some() && self.exists(core, touch.partner));
-        self.touches.touches = touches;
+        if self.scheme != crate::DepthScheme::Precise {
+            let mut touches = std::mem::take(&mut self.touches.touches);
+            touches.retain(|touch| core.geom(touch.this).is_some() && self.exists(core, touch.partner));
+            self.touches.touches = touches;
+        }
         for &body in core.body_list() {
             let support = self.depths.bodies.get(body).and_then(|state| state.support);
             if support.is_some_and(|support| !self.exists(core, support.partner)) {
