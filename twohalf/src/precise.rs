@@ -161,13 +161,10 @@ impl World {
     fn touch_of(&self, core: &PhysicsSimulator, found: &SpaceTouch) -> Option<(Touch, [TouchPoint; 2])> {
         let number = core.geom(found.this)?.id();
         let partner = partner_of(found.partner);
-        let (key, partner_body) = match partner {
-            Partner::Ground => (TouchKey::Ground(number), None),
-            Partner::Platform(id) => (TouchKey::Platform(number, id), None),
-            Partner::Geom(other) => {
-                let view = core.geom(other)?;
-                (TouchKey::Pair(view.id(), number), Some(view.body()))
-            }
+        let key = match partner {
+            Partner::Ground => TouchKey::Ground(number),
+            Partner::Platform(id) => TouchKey::Platform(number, id),
+            Partner::Geom(other) => TouchKey::Pair(core.geom(other)?.id(), number),
         };
         let normal = Vector3::from(found.normal);
         let points = found.points.map(|point| TouchPoint {
@@ -183,7 +180,7 @@ impl World {
             this: found.this,
             body: found.body,
             partner,
-            partner_body,
+            partner_body: found.partner_body,
             normal,
             kept: Kept::Nothing,
             first_point: 0,

@@ -95,6 +95,8 @@ pub struct SpaceTouch {
     pub body: BodyId,
     /// What it touches.
     pub partner: SpacePartner,
+    /// The partner's body, if that is a geom: as `body` that of the last step.
+    pub partner_body: Option<BodyId>,
     /// From the partner to this: x, y (down) and z.
     pub normal: [f32; 3],
     /// Where along the depth axis, as the two were in the last step: in the middle of what both geoms cover, and in that of the

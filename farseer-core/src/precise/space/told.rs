@@ -84,10 +84,10 @@ impl Precise {
         // Normals point from A to B.
         let is_b = !parts::is_geom(a.geom) || a.number < b.number;
         let (this, partner, sign) = if is_b { (b, a, 1.0) } else { (a, b, -1.0) };
-        let z = if parts::is_geom(partner.geom) {
-            space.middle(proxies, [a.body, b.body])
+        let (z, partner_body) = if parts::is_geom(partner.geom) {
+            (space.middle(proxies, [a.body, b.body]), self.bodies.ids[partner.body as usize])
         } else {
-            space.places[this.body as usize]
+            (space.places[this.body as usize], None)
         };
         let Frozen { normal: [x, y], count, anchors, separations, features, space: frozen, .. } =
             &self.pairs.frozen[pair];
@@ -118,6 +118,7 @@ impl Precise {
             this: this.geom,
             body: self.bodies.ids[this.body as usize]?,
             partner: parts::partner_of(partner.geom),
+            partner_body,
             normal: [sign * x, sign * y, sign * frozen.normal_z],
             z,
             count: *count as usize,
