@@ -78,7 +78,7 @@ impl Start {
 }
 
 /// A 2.5D simulator, how its objects look, and its pictures.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Stage {
     simulator: TwoHalfPhysicsSimulator,
     textures: TextureStore,
@@ -254,6 +254,11 @@ impl Stage {
     /// The simulator, to look at.
     pub fn simulator(&self) -> &TwoHalfPhysicsSimulator {
         &self.simulator
+    }
+
+    /// The simulator, to meddle with it.
+    pub fn simulator_mut(&mut self) -> &mut TwoHalfPhysicsSimulator {
+        &mut self.simulator
     }
 
     /// Most contact points that a step solved.
