@@ -7,6 +7,7 @@
 use std::path::{Path, PathBuf};
 
 use examples::{Plane, RATE, Recorder, Result, SIZE, Stage, demo_scene_1, report, wants_debug_view};
+use twohalf::DepthScheme;
 use twohalf_render::SoftwareCanvas;
 
 /// Where the pictures go, seen from where the program was started.
@@ -57,7 +58,7 @@ fn film_2_5d(folder: &Path, wants_debug_view: bool) -> Result<String> {
         seconds: 5,
         stills: &[0.0, 0.5, 1.0, 1.5, 2.5, 4.9],
     };
-    let mut stage = demo_scene_1::depth(wants_debug_view)?;
+    let mut stage = demo_scene_1::depth(DepthScheme::default(), wants_debug_view)?;
     let step = |stage: &mut Stage| {
         stage.step();
         Ok(())

@@ -7,6 +7,7 @@
 use std::path::{Path, PathBuf};
 
 use examples::{Plane, RATE, Recorder, Result, SIZE, Stage, demo_scene_2, report, wants_debug_view};
+use twohalf::DepthScheme;
 use twohalf_render::SoftwareCanvas;
 
 /// Where the pictures go, seen from where the program was started.
@@ -58,7 +59,7 @@ fn film_2_5d(folder: &Path, wants_debug_view: bool) -> Result<String> {
         seconds: 6,
         stills: &[0.0, 0.6, 1.2, 1.8, 3.0, 5.9],
     };
-    let mut stage = demo_scene_2::depth(wants_debug_view)?;
+    let mut stage = demo_scene_2::depth(DepthScheme::default(), wants_debug_view)?;
     let step = |stage: &mut Stage| {
         stage.step();
         Ok(())

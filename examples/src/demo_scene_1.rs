@@ -1,5 +1,7 @@
 //! Demo Scene 1 of the thesis, in 2D and in 2.5D: what there is at its start.
 
+use farseer_core::math::scalar::{cos, sin};
+use twohalf::DepthScheme;
 use twohalf_render::{Canvas, GroundBackdrop, draw_ground_backdrop};
 
 use crate::{Plane, Result, Stage, Start};
@@ -12,10 +14,10 @@ pub fn plane() -> Result<Plane> {
     let mut plane = Plane::new()?;
     for index in 0..12 {
         let i = index as f32;
-        let radius = 22.0 + 7.0 * (i * 1.7).sin();
+        let radius = 22.0 + 7.0 * sin(i * 1.7);
         let column = (index * 5) % 12;
-        let x = 110.0 + 52.0 * column as f32 + 9.0 * (i * 2.3).cos();
-        plane.add_circle(radius, [x, 300.0 - 50.0 * i], [40.0 * (i * 1.3).sin(), 0.0])?;
+        let x = 110.0 + 52.0 * column as f32 + 9.0 * cos(i * 2.3);
+        plane.add_circle(radius, [x, 300.0 - 50.0 * i], [40.0 * sin(i * 1.3), 0.0])?;
     }
     Ok(plane)
 }
@@ -52,8 +54,8 @@ const STARTS: &[Start] = &[
 ///
 /// # Errors
 /// None with these sizes.
-pub fn depth(wants_debug_view: bool) -> Result<Stage> {
-    let mut stage = Stage::new(ANGLE, wants_debug_view)?;
+pub fn depth(scheme: DepthScheme, wants_debug_view: bool) -> Result<Stage> {
+    let mut stage = Stage::new(ANGLE, scheme, wants_debug_view)?;
     for start in STARTS {
         stage.add(start)?;
     }

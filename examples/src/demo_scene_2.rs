@@ -1,5 +1,7 @@
 //! Demo Scene 2 of the thesis, in 2D and in 2.5D: what there is at its start.
 
+use farseer_core::math::scalar::sin;
+use twohalf::DepthScheme;
 use twohalf_render::{Canvas, Color, GroundBackdrop, draw_ground_backdrop};
 
 use crate::{Plane, Result, Stage, Start, draw_hills};
@@ -17,9 +19,9 @@ pub fn plane() -> Result<Plane> {
     plane.add_platform([340.0, 24.0], [393.0, 335.0], TILT)?;
     for index in 0..8 {
         let i = index as f32;
-        let radius = 20.0 + 6.0 * (i * 1.7).sin();
+        let radius = 20.0 + 6.0 * sin(i * 1.7);
         let x = 90.0 + 48.0 * i;
-        plane.add_circle(radius, [x, 150.0 - 70.0 * (index % 4) as f32], [30.0 * (i * 1.3).sin(), 0.0])?;
+        plane.add_circle(radius, [x, 150.0 - 70.0 * (index % 4) as f32], [30.0 * sin(i * 1.3), 0.0])?;
     }
     let boxes = [([50.0, 40.0], [70.0, 90.0]), ([44.0, 44.0], [300.0, 60.0]), ([70.0, 36.0], [480.0, 200.0])];
     for (size, position) in boxes {
@@ -66,8 +68,8 @@ const STARTS: &[Start] = &[
 ///
 /// # Errors
 /// None with these sizes.
-pub fn depth(wants_debug_view: bool) -> Result<Stage> {
-    let mut stage = Stage::new(ANGLE, wants_debug_view)?;
+pub fn depth(scheme: DepthScheme, wants_debug_view: bool) -> Result<Stage> {
+    let mut stage = Stage::new(ANGLE, scheme, wants_debug_view)?;
     stage.add_platform([190.0, 26.0, 150.0], [115.0, 112.0, 130.0], 0.0, Color::rgb(150, 122, 96))?;
     stage.add_platform([340.0, 22.0, 150.0], [369.0, 57.0, 130.0], TILT, Color::rgb(128, 138, 150))?;
     stage.add_platform([1100.0, 30.0, 20.0], [240.0, 0.0, HORIZON + 10.0], 0.0, Color::rgb(82, 128, 74))?;

@@ -3,6 +3,7 @@
 //! The game is all here and knows no screen; [`Brawler::step`] takes what keys are down, whoever holds them.
 
 use crate::Result;
+use farseer_core::math::scalar::cos;
 use twohalf::{
     BodyId, GeomId, Platform, PlatformId, TwoHalfPhysicsSimulator, Vector2, Vector3, Walk, Walker, Wish,
 };
@@ -234,7 +235,7 @@ impl Brawler {
     }
 
     fn move_platforms(&mut self) -> Result<()> {
-        let part = (0.5 - 0.8 * (0.8 * self.time).cos()).clamp(0.0, 1.0);
+        let part = (0.5 - 0.8 * cos(0.8 * self.time)).clamp(0.0, 1.0);
         let opens = self.fighters[1..].iter().all(|thug| self.place(thug.body).x > DOOR);
         let (door, lift) = (self.door, self.lift);
         if let Some(mut lift) = self.simulator.platform_mut(lift) {

@@ -30,14 +30,19 @@ impl Paint {
         Ok(Paint { shadow: Scene::soft_shadow(), crate_box: Texture2D::crate_box(30, 30, WOOD)? })
     }
 
+    /// What follows the player: from the simulator's px to those of the picture.
+    pub fn camera(game: &Brawler) -> Transform {
+        let [width, height] = SIZE.map(|side| side as f32);
+        let x = game.player().x.clamp(0.4 * width, 1850.0) + 60.0;
+        Transform::camera([x, 0.5 * height], 1.0, 0.0, [0.5 * width, 0.5 * height])
+    }
+
     /// Draws the street about the player on a canvas of [`SIZE`].
     ///
     /// # Errors
     /// None.
     pub fn draw(&self, game: &Brawler, canvas: &mut dyn Canvas) -> Result<()> {
-        let [width, height] = SIZE.map(|side| side as f32);
-        let x = game.player().x.clamp(0.4 * width, 1850.0) + 60.0;
-        let camera = Transform::camera([x, 0.5 * height], 1.0, 0.0, [0.5 * width, 0.5 * height]);
+        let camera = Paint::camera(game);
         let mut view = View::new(canvas).camera(&camera);
         draw_ground_backdrop(&mut view, &GroundBackdrop::new(185.0, ANGLE as f32))?;
         draw_hills(canvas, 185.0);
