@@ -65,7 +65,7 @@ fn obey(arguments: &Arguments) -> Result<()> {
         return bench_all(&all, arguments.seconds);
     }
     if arguments.hashes {
-        return with_progress(&all, |scene| hashes::lines(scene)).map(|lines| print(&lines.concat()));
+        return print_hashes(&all);
     }
     if let Some(folder) = &arguments.pictures {
         return write_pictures(&all, folder);
@@ -134,6 +134,15 @@ fn bench_all(all: &[GalleryScene], seconds: f32) -> Result<()> {
     for bench::Figures { name, bodies, step, frame, picture } in figures {
         println!("{name:22} {bodies:7} {step:10.3} {frame:17.3} {picture:12.2}");
     }
+    Ok(())
+}
+
+fn print_hashes(all: &[GalleryScene]) -> Result<()> {
+    let lines = with_progress(all, |scene| {
+        let hashed = hashes::of(scene)?;
+        Ok(hashed.iter().map(|hashed| hashed.line(&scene.name)).collect::<Vec<_>>())
+    })?;
+    print(&lines.concat());
     Ok(())
 }
 

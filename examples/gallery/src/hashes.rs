@@ -2,37 +2,57 @@
 
 use examples::Result;
 
-use crate::play::{Player, Set};
+use crate::play::{Player, World};
 use crate::scenes::GalleryScene;
+use crate::show::{Half, Show};
 use crate::state;
 
 /// Steps of a scene.
-pub const STEPS: u32 = 600;
-/// Steps of one with thousands of objects.
+const STEPS: u32 = 600;
+/// Steps of one with thousands of objects, and how many these are.
 const FEW_STEPS: u32 = 60;
-/// Objects of which there are thousands.
 const MANY: usize = 5000;
 
-/// A line for each half of a scene: its name, what it is computed with, and the hash of its state after [`STEPS`] steps (60 if
-/// there are thousands of objects).
+/// What became of half a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Hashed {
+    /// `2D` or `2.5D`.
+    pub engine: &'static str,
+    /// The name of the set of methods.
+    pub set: &'static str,
+    /// Steps that were made: 600, or 60 if there are thousands of objects.
+    pub steps: u32,
+    /// The hash of its state.
+    pub hash: u64,
+}
+
+impl Hashed {
+    /// In words, after the name of the scene.
+    pub fn line(&self, scene: &str) -> String {
+        let Hashed { engine, set, steps, hash } = self;
+        format!("{scene} {engine} {set} {steps} {hash:016x}")
+    }
+}
+
+/// Plays a scene, and hashes its halves.
 ///
 /// # Errors
 /// What the scene fails with.
-pub fn lines(scene: &GalleryScene) -> Result<Vec<String>> {
+pub fn of(scene: &GalleryScene) -> Result<Vec<Hashed>> {
     let mut show = scene.build()?;
-    let bodies = |show: &crate::show::Show| {
-        show.halves().iter().map(|half| state::counts(half.play().world()).bodies).max().unwrap_or(0)
-    };
-    let steps = if bodies(&show) > MANY { FEW_STEPS } else { STEPS };
+    let steps = if most_bodies(&show) > MANY { FEW_STEPS } else { STEPS };
     (0..steps).try_for_each(|_| show.step(Player::Script))?;
-    let line = |half: &crate::show::Half| {
+    let hashed = |half: &Half| {
         let world = half.play().world();
         let engine = match world {
-            crate::play::World::Plane(_) => "2D",
-            crate::play::World::Depth(_) => "2.5D",
+            World::Plane(_) => "2D",
+            World::Depth(_) => "2.5D",
         };
-        let set = if half.set() == Set::Precise { "precise" } else { "faithful" };
-        format!("{} {engine} {set} {steps} {:016x}", scene.name, state::hash(world))
+        Hashed { engine, set: half.set().name(), steps, hash: state::hash(world) }
     };
-    Ok(show.halves().iter().map(line).collect())
+    Ok(show.halves().iter().map(hashed).collect())
+}
+
+fn most_bodies(show: &Show) -> usize {
+    show.halves().iter().map(|half| state::counts(half.play().world()).bodies).max().unwrap_or(0)
 }

@@ -154,10 +154,11 @@ impl Show {
             layers.draw(half.play.world(), &mut view);
             if !half.label.is_empty() {
                 let [left, top] = [place.clip.x, place.clip.y].map(|at| at as f32 + 6.0);
-                let shadow =
-                    Text { color: Color::BLACK, ..Text::new(label_of(half), [left + 1.0, top + 1.0]) };
-                shadow.draw(canvas);
-                Text::new(label_of(half), [left, top]).draw(canvas);
+                let scale = [if place.clip.width >= 500 { 2.0 } else { 1.25 }; 2];
+                let text = Text { scale, ..Text::new(label_of(half), [left, top]) };
+                let corner = [left + 1.0, top + 1.0];
+                Text { color: Color::BLACK, position: corner, ..text.clone() }.draw(canvas);
+                text.draw(canvas);
             }
         }
         Ok(())

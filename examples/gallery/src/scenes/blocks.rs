@@ -34,7 +34,9 @@ pub(super) struct Blocks {
 
 impl Blocks {
     /// A simulator, stepped so many times a second, of which a part of the world can be seen.
-    pub(super) fn new(simulator: PhysicsSimulator, rate: u32, seen: [Point; 2]) -> Self {
+    pub(super) fn new(mut simulator: PhysicsSimulator, rate: u32, seen: [Point; 2]) -> Self {
+        // So that everything is there to be seen before the first step.
+        simulator.update(0.0);
         let (size, camera) = fit(seen);
         Blocks { motor: Motor::Physics(Box::new(simulator), 1.0 / rate as f32), rate, size, camera }
     }
@@ -97,6 +99,10 @@ impl Play for Blocks {
                 .geoms_of(body)
                 .iter()
                 .for_each(|&geom| draw_geom(simulator, body, geom, color, &mut view));
+        }
+        if let Motor::Physics(..) = self.motor {
+            // Joints are where links touch.
+            return Ok(());
         }
         simulator.joint_list().iter().for_each(|&joint| draw_joint(simulator, joint, &mut view));
         simulator.spring_list().iter().for_each(|&spring| draw_spring(simulator, spring, &mut view));

@@ -78,7 +78,7 @@ pub(super) fn chain(set: Set, count: usize) -> Result<Box<dyn Play>> {
         let [from, to] = [hinge(index), hinge(index + 1)];
         let way = to - from;
         let link =
-            add_link(&mut simulator, [LINK, 5.0], 0.5 * (from + to), scalar::atan2(way.y, way.x), 0.2)?;
+            add_link(&mut simulator, [LINK, 8.0], 0.5 * (from + to), scalar::atan2(way.y, way.x), 0.2)?;
         hang(&mut simulator, before, link, from)?;
         before = Some(link);
     }

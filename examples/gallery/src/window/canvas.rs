@@ -1,0 +1,349 @@
+//! A canvas that a graphics card draws.
+
+use lyon_tessellation::math::point;
+use lyon_tessellation::path::Path;
+use lyon_tessellation::{BuffersBuilder, FillOptions, FillRule, FillTessellator, FillVertex, VertexBuffers};
+use macroquad::prelude as quad;
+use std::collections::HashMap;
+use twohalf_render::{Canvas, Color, MAX_COORDINATE, Point, Texture2D, Transform, clip_to_convex};
+
+/// Corners and indices that are handed over at once: less than a draw call of macroquad takes.
+const BATCH: [usize; 2] = [8000, 12_000];
+/// Outlines whose triangles are remembered; letters are always the same.
+const REMEMBERED: usize = 4096;
+/// Frames for which a texture that is not drawn is kept.
+const KEPT: u32 = 600;
+
+/// What is kept from frame to frame.
+#[derive(Default)]
+pub(crate) struct Ink {
+    textures: HashMap<usize, Uploaded>,
+    triangles: HashMap<Vec<[u32; 2]>, Vec<Point>>,
+    tessellator: FillTessellator,
+    frame: u32,
+}
+
+/// A texture on the graphics card, and the one it was made of: as long as that is here, no other has its address.
+struct Uploaded {
+    texture: quad::Texture2D,
+    _pixels: Texture2D,
+    last_drawn: u32,
+}
+
+/// The screen, for a frame.
+pub(crate) struct ScreenCanvas<'a> {
+    ink: &'a mut Ink,
+    size: Point,
+    mesh: quad::Mesh,
+}
+
+impl<'a> ScreenCanvas<'a> {
+    /// The screen, of this size in px.
+    pub(crate) fn new(ink: &'a mut Ink, size: Point) -> Self {
+        ink.frame = ink.frame.wrapping_add(1);
+        let frame = ink.frame;
+        ink.textures.retain(|_, uploaded| frame.wrapping_sub(uploaded.last_drawn) < KEPT);
+        if ink.triangles.len() > REMEMBERED {
+            ink.triangles.clear();
+        }
+        let mesh = quad::Mesh { vertices: Vec::new(), indices: Vec::new(), texture: None };
+        ScreenCanvas { ink, size, mesh }
+    }
+
+    /// Draws what is left.
+    pub(crate) fn end(mut self) {
+        self.flush();
+    }
+
+    fn flush(&mut self) {
+        if !self.mesh.indices.is_empty() {
+            quad::draw_mesh(&self.mesh);
+        }
+        self.mesh.vertices.clear();
+        self.mesh.indices.clear();
+    }
+
+    /// Makes room, and sets the texture of what comes.
+    fn prepare(&mut self, corners: usize, indices: usize, texture: Option<&quad::Texture2D>) {
+        let is_full =
+            self.mesh.vertices.len() + corners > BATCH[0] || self.mesh.indices.len() + indices > BATCH[1];
+        if is_full || self.mesh.texture.as_ref() != texture {
+            self.flush();
+            self.mesh.texture = texture.cloned();
+        }
+    }
+
+    /// Adds a convex polygon, each corner with its place in the texture.
+    fn fan(&mut self, corners: &[(Point, Point)], color: Color, texture: Option<&quad::Texture2D>) {
+        if corners.len() < 3 || corners.len() > BATCH[0] / 2 {
+            return;
+        }
+        self.prepare(corners.len(), 3 * corners.len(), texture);
+        let first = self.mesh.vertices.len() as u16;
+        self.mesh.vertices.extend(corners.iter().map(|&(at, on)| vertex(at, on, color)));
+        for index in 2..corners.len() as u16 {
+            self.mesh.indices.extend([first, first + index - 1, first + index]);
+        }
+    }
+
+    /// Adds triangles, three corners each.
+    fn triangles(&mut self, corners: &[(Point, Point)], color: Color, texture: Option<&quad::Texture2D>) {
+        for some in corners.chunks(3 * 1000) {
+            self.prepare(some.len(), some.len(), texture);
+            let first = self.mesh.vertices.len() as u16;
+            self.mesh.vertices.extend(some.iter().map(|&(at, on)| vertex(at, on, color)));
+            self.mesh.indices.extend((0..some.len() as u16).map(|index| first + index));
+        }
+    }
+
+    fn uploaded(&mut self, texture: &Texture2D) -> quad::Texture2D {
+        let frame = self.ink.frame;
+        let key = texture.rgba8().as_ptr() as usize;
+        let uploaded = self.ink.textures.entry(key).or_insert_with(|| {
+            let [width, height] = [texture.width(), texture.height()].map(|side| side as u16);
+            let made = quad::Texture2D::from_rgba8(width, height, texture.rgba8());
+            made.set_filter(quad::FilterMode::Linear);
+            Uploaded { texture: made, _pixels: texture.clone(), last_drawn: frame }
+        });
+        uploaded.last_drawn = frame;
+        uploaded.texture.clone()
+    }
+
+    fn line(&mut self, from: Point, to: Point, width: f32, color: Color) {
+        let [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+        let length = dx.hypot(dy);
+        if length > 0.0 {
+            let [x, y] = [-dy / length, dx / length].map(|side| 0.5 * width * side);
+            let corners = [
+                [from[0] + x, from[1] + y],
+                [to[0] + x, to[1] + y],
+                [to[0] - x, to[1] - y],
+                [from[0] - x, from[1] - y],
+            ];
+            self.fan(&corners.map(plain), color, None);
+        }
+    }
+
+    fn disc(&mut self, center: Point, radius: f32, color: Color) {
+        self.fill_ellipse(center, [radius; 2], &Transform::IDENTITY, color);
+    }
+}
+
+impl Canvas for ScreenCanvas<'_> {
+    fn size(&self) -> [u32; 2] {
+        self.size.map(|side| side as u32)
+    }
+
+    fn clear(&mut self, color: Color) {
+        self.mesh.vertices.clear();
+        self.mesh.indices.clear();
+        quad::clear_background(color_of(color));
+    }
+
+    fn fill_polygon(&mut self, points: &[Point], transform: &Transform, color: Color) {
+        if points.len() < 3 || color.a == 0 || !points.iter().all(|&at| is_in_reach(transform.apply(at))) {
+            return;
+        }
+        if is_convex(points) {
+            let corners: Vec<(Point, Point)> = points.iter().map(|&at| plain(transform.apply(at))).collect();
+            return self.fan(&corners, color, None);
+        }
+        let corners: Vec<(Point, Point)> =
+            self.ink.triangles_of(points).iter().map(|&at| plain(transform.apply(at))).collect();
+        self.triangles(&corners, color, None);
+    }
+
+    fn fill_ellipse(&mut self, center: Point, radii: Point, transform: &Transform, color: Color) {
+        let [[x, y], [rx, ry]] = [center, radii];
+        if !(rx > 0.0 && ry > 0.0)
+            || !is_in_reach(transform.apply([x + rx, y + ry]))
+            || !is_in_reach(transform.apply(center))
+        {
+            return;
+        }
+        let [across, down] = [transform.direction([rx, 0.0]), transform.direction([0.0, ry])];
+        let size = across[0].hypot(across[1]).max(down[0].hypot(down[1]));
+        // Corners that are no more than a fifth of a px off the ellipse.
+        let count = (2.5 * (10.0 * size).sqrt()).clamp(8.0, 96.0) as u16;
+        let middle = transform.apply(center);
+        let corner = |index: u16| {
+            let (sin, cos) = (f32::from(index) / f32::from(count) * std::f32::consts::TAU).sin_cos();
+            plain([middle[0] + cos * across[0] + sin * down[0], middle[1] + cos * across[1] + sin * down[1]])
+        };
+        let corners: Vec<(Point, Point)> = (0..count).map(corner).collect();
+        self.fan(&corners, color, None);
+    }
+
+    fn stroke_polyline(
+        &mut self,
+        points: &[Point],
+        closed: bool,
+        width: f32,
+        transform: &Transform,
+        color: Color,
+    ) {
+        let points: Vec<Point> = points.iter().map(|&at| transform.apply(at)).collect();
+        if points.len() < 2
+            || !(width > 0.0 && width <= MAX_COORDINATE)
+            || !points.iter().all(|&at| is_in_reach(at))
+        {
+            return;
+        }
+        points.windows(2).for_each(|ends| self.line(ends[0], ends[1], width, color));
+        if closed {
+            self.line(points[points.len() - 1], points[0], width, color);
+        }
+        // Thin lines show no gaps where they bend.
+        if width > 2.5 {
+            points.iter().for_each(|&at| self.disc(at, 0.5 * width, color));
+        }
+    }
+
+    fn draw_texture(
+        &mut self,
+        texture: &Texture2D,
+        transform: &Transform,
+        tint: Color,
+        clip: Option<&[Point]>,
+    ) {
+        let [width, height] = [texture.width() as f32, texture.height() as f32];
+        let on_texture = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+        let corners = on_texture.map(|[x, y]| transform.apply([x * width, y * height]));
+        let is_in_reach = corners.iter().chain(clip.unwrap_or(&[])).all(|&at| is_in_reach(at));
+        if tint.a == 0 || !is_in_reach {
+            return;
+        }
+        let uploaded = self.uploaded(texture);
+        let whole: [(Point, Point); 4] = std::array::from_fn(|at| (corners[at], on_texture[at]));
+        let Some(clip) = clip.filter(|clip| !holds_all(clip, &corners)) else {
+            return self.fan(&whole, tint, Some(&uploaded));
+        };
+        let Some(back) = transform.inverse() else { return };
+        let inside = clip_to_convex(clip, &corners);
+        let placed = |at: Point| {
+            let [x, y] = back.apply(at);
+            (at, [x / width, y / height])
+        };
+        if inside.len() < 3 {
+            return;
+        }
+        if is_convex(&inside) {
+            let placed: Vec<(Point, Point)> = inside.into_iter().map(placed).collect();
+            return self.fan(&placed, tint, Some(&uploaded));
+        }
+        let placed: Vec<(Point, Point)> =
+            self.ink.triangles_of(&inside).iter().map(|&at| placed(at)).collect();
+        self.triangles(&placed, tint, Some(&uploaded));
+    }
+}
+
+impl Ink {
+    /// The triangles that a polygon is cut into, where non-zero winding counts.
+    fn triangles_of(&mut self, points: &[Point]) -> &[Point] {
+        let key: Vec<[u32; 2]> = points.iter().map(|at| at.map(f32::to_bits)).collect();
+        let Ink { triangles, tessellator, .. } = self;
+        triangles.entry(key).or_insert_with(|| cut(tessellator, points))
+    }
+}
+
+fn cut(tessellator: &mut FillTessellator, points: &[Point]) -> Vec<Point> {
+    let mut path = Path::builder();
+    path.begin(point(points[0][0], points[0][1]));
+    for at in &points[1..] {
+        path.line_to(point(at[0], at[1]));
+    }
+    path.end(true);
+    let mut buffers: VertexBuffers<Point, u32> = VertexBuffers::new();
+    let mut builder =
+        BuffersBuilder::new(&mut buffers, |corner: FillVertex<'_>| corner.position().to_array());
+    let options = FillOptions::default().with_fill_rule(FillRule::NonZero).with_tolerance(0.05);
+    // What cannot be cut, since numbers are not finite or too far apart, is not drawn.
+    if tessellator.tessellate_path(&path.build(), &options, &mut builder).is_err() {
+        return Vec::new();
+    }
+    buffers.indices.iter().map(|&index| buffers.vertices[index as usize]).collect()
+}
+
+fn vertex(at: Point, on: Point, Color { r, g, b, a }: Color) -> quad::Vertex {
+    quad::Vertex::new(at[0], at[1], 0.0, on[0], on[1], quad::Color::from_rgba(r, g, b, a))
+}
+
+fn plain(at: Point) -> (Point, Point) {
+    (at, [0.0; 2])
+}
+
+fn color_of(Color { r, g, b, a }: Color) -> quad::Color {
+    quad::Color::from_rgba(r, g, b, a)
+}
+
+fn is_in_reach([x, y]: Point) -> bool {
+    x.abs() <= MAX_COORDINATE && y.abs() <= MAX_COORDINATE
+}
+
+/// Whether a polygon is convex and goes round once: every bend turns the same way, and all of them make one turn.
+fn is_convex(points: &[Point]) -> bool {
+    let count = points.len();
+    let edge = |index: usize| {
+        let [from, to] = [points[index % count], points[(index + 1) % count]];
+        [to[0] - from[0], to[1] - from[1]]
+    };
+    let (mut side, mut changes, mut goes_right) = (0.0_f32, 0, None);
+    for index in 0..count {
+        let [a, b] = [edge(index), edge(index + 1)];
+        let bend = a[0] * b[1] - a[1] * b[0];
+        if bend * side < 0.0 {
+            return false;
+        }
+        side = if bend == 0.0 { side } else { bend };
+        if a[0] != 0.0 {
+            let right = a[0] > 0.0;
+            changes += u32::from(goes_right.is_some_and(|before| before != right));
+            goes_right = Some(right);
+        }
+    }
+    // Once to the left and back; a polygon that goes round twice does so twice. The end joins the beginning.
+    side != 0.0 && changes <= 2
+}
+
+/// Whether a rectangle that is not turned holds all points; false of other outlines.
+fn holds_all(clip: &[Point], points: &[Point]) -> bool {
+    let [a, b, c, d] = match clip {
+        [a, b, c, d] => [*a, *b, *c, *d],
+        _ => return false,
+    };
+    let is_upright = a[1] == b[1] && b[0] == c[0] && c[1] == d[1] && d[0] == a[0];
+    let holds = |at: &Point| (a[0]..=c[0]).contains(&at[0]) && (a[1]..=c[1]).contains(&at[1]);
+    is_upright && points.iter().all(holds)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_square_is_convex_and_an_arrow_and_a_bow_tie_and_a_double_turn_are_not() {
+        let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+        assert!(is_convex(&square));
+        assert!(!is_convex(&[[0.0, 0.0], [2.0, 1.0], [0.0, 2.0], [1.0, 1.0]]));
+        assert!(!is_convex(&[[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]]));
+        assert!(!is_convex(&[square, square].concat()));
+        assert!(!is_convex(&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]]));
+    }
+
+    #[test]
+    fn what_is_cut_into_triangles_has_the_area_it_had_and_holes_stay_filled() {
+        let area = |points: &[Point]| {
+            let triangles = cut(&mut FillTessellator::new(), points);
+            let of = |t: &[Point]| {
+                0.5 * ((t[1][0] - t[0][0]) * (t[2][1] - t[0][1]) - (t[1][1] - t[0][1]) * (t[2][0] - t[0][0]))
+                    .abs()
+            };
+            triangles.chunks_exact(3).map(of).sum::<f32>()
+        };
+        let arrow = [[0.0, 0.0], [20.0, 10.0], [0.0, 20.0], [10.0, 10.0]];
+        assert!((area(&arrow) - 100.0).abs() < 1e-3, "{}", area(&arrow));
+        // Round twice: by winding that is not zero it is filled once.
+        let square = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]];
+        assert!((area(&[square, square].concat()) - 100.0).abs() < 1e-3);
+    }
+}
