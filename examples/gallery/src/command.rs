@@ -140,7 +140,7 @@ fn bench_all(all: &[GalleryScene], seconds: f32) -> Result<()> {
 fn print_hashes(all: &[GalleryScene]) -> Result<()> {
     let lines = with_progress(all, |scene| {
         let hashed = hashes::of(scene)?;
-        Ok(hashed.iter().map(|hashed| hashed.line(&scene.name)).collect::<Vec<_>>())
+        Ok(hashed.iter().enumerate().map(|(half, hashed)| hashed.line(&scene.name, half)).collect::<Vec<_>>())
     })?;
     print(&lines.concat());
     Ok(())

@@ -27,10 +27,10 @@ pub struct Hashed {
 }
 
 impl Hashed {
-    /// In words, after the name of the scene.
-    pub fn line(&self, scene: &str) -> String {
+    /// In words, after the name of the scene and the number of its half.
+    pub fn line(&self, scene: &str, half: usize) -> String {
         let Hashed { engine, set, steps, hash } = self;
-        format!("{scene} {engine} {set} {steps} {hash:016x}")
+        format!("{scene} {half} {hash:016x} {engine} {set} {steps}")
     }
 }
 

@@ -98,10 +98,13 @@ fn input() -> Input {
         .map(|touch| touch.position.to_array())
         .collect();
     let has_touch = !fingers.is_empty();
-    let is_down = !has_touch && quad::is_mouse_button_down(quad::MouseButton::Left);
+    // What went down and up between two frames was down for one.
+    let is_down = quad::is_mouse_button_down(quad::MouseButton::Left)
+        || quad::is_mouse_button_pressed(quad::MouseButton::Left);
+    let is_down = is_down && !has_touch;
     let mouse: [f32; 2] = quad::mouse_position().into();
-    let keys: KeySet =
-        KEYS.iter().filter(|(code, _)| quad::is_key_down(*code)).map(|&(_, key)| key).collect();
+    let is_key_down = |code| quad::is_key_down(code) || quad::is_key_pressed(code);
+    let keys: KeySet = KEYS.iter().filter(|(code, _)| is_key_down(*code)).map(|&(_, key)| key).collect();
     Input {
         size: [quad::screen_width(), quad::screen_height()],
         seconds: quad::get_frame_time(),
