@@ -92,9 +92,10 @@ async function printHashes() {
   const out = element("hashes");
   out.hidden = false;
   for (const [index, scene] of scenes.entries()) {
-    for (let half = 0; half < 2; half++) {
-      const hash = BigInt.asUintN(64, program.gallery_hash(index, half));
-      if (hash !== 0n) out.append(`${scene.name} ${half} ${hash.toString(16).padStart(16, "0")}\n`);
+    for (let number = 0; ; number++) {
+      const hash = BigInt.asUintN(64, program.gallery_hash(index, number));
+      if (hash === 0n) break;
+      out.append(`${scene.name} ${number} ${hash.toString(16).padStart(16, "0")}\n`);
       await new Promise((resolve) => setTimeout(resolve));
     }
   }

@@ -57,7 +57,24 @@ impl Half {
         self.set
     }
 
-    fn step(&mut self, player: Player) -> Result<()> {
+    /// From the start with each set that it has, the one that it begins with first.
+    ///
+    /// # Errors
+    /// What building it fails with.
+    pub fn with_each_set(&self) -> Result<Vec<Half>> {
+        let with = |set| Half::new(self.label, set, self.has_both, self.build.clone());
+        let mut all = vec![with(self.set)?];
+        if self.has_both {
+            all.push(with(self.set.other())?);
+        }
+        Ok(all)
+    }
+
+    /// Makes a step.
+    ///
+    /// # Errors
+    /// What the engine refuses.
+    pub fn step(&mut self, player: Player) -> Result<()> {
         self.hand.pull(self.play.world_mut());
         self.play.step(player)
     }
@@ -154,8 +171,10 @@ impl Show {
             layers.draw(half.play.world(), &mut view);
             if !half.label.is_empty() {
                 let [left, top] = [place.clip.x, place.clip.y].map(|at| at as f32 + 6.0);
-                let scale = [if place.clip.width >= 500 { 2.0 } else { 1.25 }; 2];
-                let text = Text { scale, ..Text::new(label_of(half), [left, top]) };
+                let text = Text::new(label_of(half), [left, top]);
+                // As large as it fits, but not huge.
+                let fits = (place.clip.width as f32 - 12.0) / text.size()[0];
+                let text = Text { scale: [fits.clamp(0.5, 2.0); 2], ..text };
                 let corner = [left + 1.0, top + 1.0];
                 Text { color: Color::BLACK, position: corner, ..text.clone() }.draw(canvas);
                 text.draw(canvas);

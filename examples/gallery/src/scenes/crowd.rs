@@ -18,6 +18,8 @@ const ANGLE: i32 = 70;
 const RADIUS: f32 = 9.0;
 /// Px of the field from one object to the next.
 const SPACING: f32 = 26.0;
+/// Force per px/s.
+const DRAG: f32 = 0.6;
 const COLORS: usize = 6;
 const GRASS: Color = Color::rgb(92, 138, 84);
 const SKY: Color = Color::rgb(30, 40, 52);
@@ -63,6 +65,8 @@ pub(super) fn crowd(set: Set, count: usize) -> Result<Box<dyn Play>> {
             if ball { Ball::new(RADIUS).restitution(0.5) } else { Prism::new([2.0 * RADIUS; 3]).upright() };
         let body = spawn(&mut simulator, thing.at(place))?.body;
         if let Some(mut body) = simulator.body_mut(body) {
+            // Nothing else slows what rolls on level ground.
+            body.set_linear_drag_coefficient(DRAG);
             body.set_velocity3d(Vector3::new(90.0 * vary(index, 2), 0.0, 90.0 * vary(index, 1)));
         }
         is_ball.resize(is_ball.len().max(body.slot() + 1), false);

@@ -22,11 +22,16 @@ struct Street {
 }
 
 pub(super) fn pinball() -> Result<Box<dyn Play>> {
-    Ok(Box::new(Table { pinball: Pinball::new()? }))
+    let mut pinball = Pinball::new()?;
+    // So that everything is there to be seen before the first step.
+    pinball.simulator_mut().update(0.0);
+    Ok(Box::new(Table { pinball }))
 }
 
 pub(super) fn brawler() -> Result<Box<dyn Play>> {
-    Ok(Box::new(Street { brawler: Brawler::new()?, paint: Paint::new()? }))
+    let mut brawler = Brawler::new()?;
+    brawler.simulator_mut().update(0.0);
+    Ok(Box::new(Street { brawler, paint: Paint::new()? }))
 }
 
 impl Play for Table {

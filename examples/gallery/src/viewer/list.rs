@@ -41,7 +41,7 @@ impl List {
     }
 
     /// Moves the choice by so many rows and columns, and into sight.
-    pub(super) fn step(&mut self, rows: i32, columns: i32, size: Point, count: usize) {
+    pub(super) fn step(&mut self, [rows, columns]: [i32; 2], size: Point, count: usize) {
         let by = rows * List::columns(size) as i32 + columns;
         self.at = (self.at as i32 + by).clamp(0, count as i32 - 1) as usize;
         let [[_, y], [_, height]] = self.place(size, self.at);

@@ -277,7 +277,10 @@ impl Viewer {
         if let Some(list) = &mut self.list {
             let (size, count) = (self.size, self.scenes.len());
             let step = |more, less| i32::from(hit(more)) - i32::from(hit(less));
-            list.step(step(Key::Down, Key::Up), step(Key::Right, Key::Left), size, count);
+            let way = [step(Key::Down, Key::Up), step(Key::Right, Key::Left)];
+            if way != [0, 0] {
+                list.step(way, size, count);
+            }
             let at = list.at;
             if hit(Key::Jump) {
                 self.choose(at);

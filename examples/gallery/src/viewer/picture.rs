@@ -11,6 +11,8 @@ use crate::state;
 
 /// Height of the title in px.
 pub(super) const TITLE: f32 = 36.0;
+/// Px at the upper right corner that a page has a button of its own on.
+const CORNER: f32 = 46.0;
 const INK: Color = Color::rgb(232, 236, 242);
 const PALE: Color = Color::rgb(160, 172, 190);
 const PAPER: Color = Color::rgb(14, 18, 26);
@@ -66,7 +68,7 @@ fn draw_title(viewer: &Viewer, canvas: &mut dyn Canvas) {
     let about: String = scene.about.chars().take(letters).collect();
     Text { color: PALE, ..Text::new(about, [8.0, 24.0]) }.draw(canvas);
     let facts = facts(viewer);
-    let facts = Text::new(&facts, [width - 8.0 - 8.0 * facts.len() as f32, 8.0]);
+    let facts = Text::new(&facts, [width - CORNER - 8.0 * facts.len() as f32, 8.0]);
     if facts.position[0] > end + 16.0 {
         Text { color: PALE, ..facts }.draw(canvas);
     }

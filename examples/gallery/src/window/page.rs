@@ -46,13 +46,13 @@ pub(super) extern "C" fn gallery_state() -> u32 {
     STATE.load(Ordering::Relaxed)
 }
 
-/// The hash of half a scene after its steps, as `gallery --hashes` prints it; 0 if there is no such half.
+/// A hash of a scene after its steps, by its number, as `gallery --hashes` prints it; 0 if there are no more.
 #[allow(unsafe_code)]
 #[unsafe(no_mangle)]
-pub(super) extern "C" fn gallery_hash(scene: u32, half: u32) -> u64 {
+pub(super) extern "C" fn gallery_hash(scene: u32, number: u32) -> u64 {
     let all = scenes();
     let hashes = all.get(scene as usize).and_then(|scene| hashes::of(scene).ok()).unwrap_or_default();
-    hashes.get(half as usize).map_or(0, |hashed| hashed.hash)
+    hashes.get(number as usize).map_or(0, |hashed| hashed.hash)
 }
 
 /// Does what the page wants, and tells it what is shown.

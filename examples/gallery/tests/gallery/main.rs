@@ -1,0 +1,4 @@
+//! What the gallery shows, and what a person can do with it, without a window.
+
+mod scenes;
+mod viewer;
