@@ -74,14 +74,17 @@ async function follow() {
   element("glcanvas").focus();
 }
 
-// What was chosen in the program itself goes into the address.
+// What was chosen in the program itself goes into the address: when it has changed there, so that an address that was just
+// chosen, and that the program has not heard of yet, stays.
+let before = -1;
 setInterval(() => {
-  if (element("stage").hidden || typeof wasm_exports === "undefined" || wanted() < 0) return;
-  const shown = scenes[wasm_exports.gallery_scene()];
-  if (shown !== undefined && shown.name !== scenes[wanted()].name && !document.hidden) {
-    history.replaceState(null, "", `#scene=${shown.name}`);
+  if (element("stage").hidden || typeof wasm_exports === "undefined") return;
+  const shown = wasm_exports.gallery_scene();
+  if (shown !== before && scenes[shown] !== undefined && wanted() !== shown) {
+    history.replaceState(null, "", `#scene=${scenes[shown].name}`);
   }
-}, 500);
+  before = shown;
+}, 250);
 
 // The states of all scenes after some hundred steps, to be compared with those of `gallery --hashes`.
 async function printHashes() {
