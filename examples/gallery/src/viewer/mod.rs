@@ -84,6 +84,8 @@ pub struct Viewer {
     message: (String, f32),
     /// Seconds that are due to be simulated.
     due: f64,
+    /// Ms that the last picture took.
+    drawing: f32,
     before: KeySet,
     /// Keys of the game that went down and were not seen by a step yet.
     pressed: KeySet,
@@ -116,6 +118,7 @@ impl Viewer {
             is_played: false,
             message: (String::new(), 0.0),
             due: 0.0,
+            drawing: 0.0,
             before: KeySet::default(),
             pressed: KeySet::default(),
             pointer: Use::Nothing,
@@ -153,8 +156,8 @@ impl Viewer {
         self.list.is_some()
     }
 
-    /// Mean ms of the last frames, and of the steps in them.
-    pub fn times(&self) -> [f32; 2] {
+    /// Mean ms of the last frames, of the steps in them, and of what [`drawn_in`](Self::drawn_in) was told.
+    pub fn times(&self) -> [f32; 3] {
         self.times.mean()
     }
 
@@ -182,6 +185,11 @@ impl Viewer {
         self.message = (message, MESSAGE);
     }
 
+    /// Is told how many seconds the last picture took, for the graph.
+    pub fn drawn_in(&mut self, seconds: f64) {
+        self.drawing = 1e3 * seconds as f32;
+    }
+
     /// Where the scene is drawn: corner and size.
     pub fn area(&self, size: Point) -> [Point; 2] {
         let (_, bar) = buttons::bar(size, self.has_layers);
@@ -207,7 +215,7 @@ impl Viewer {
         self.press(pressed);
         let start = clock();
         self.advance(f64::from(input.seconds), held, pressed, clock);
-        self.times.note(1e3 * input.seconds, 1e3 * (clock() - start) as f32);
+        self.times.note([1e3 * input.seconds, 1e3 * (clock() - start) as f32, self.drawing]);
     }
 
     /// All buttons on the screen.

@@ -1,34 +1,29 @@
 //! A canvas that a graphics card draws.
 
+use std::collections::HashMap;
+
 use lyon_tessellation::math::point;
 use lyon_tessellation::path::Path;
 use lyon_tessellation::{BuffersBuilder, FillOptions, FillRule, FillTessellator, FillVertex, VertexBuffers};
 use macroquad::prelude as quad;
-use std::collections::HashMap;
 use twohalf_render::{Canvas, Color, MAX_COORDINATE, Point, Texture2D, Transform, clip_to_convex};
+
+use super::atlas::{Atlas, Face};
 
 /// Corners and indices that are handed over at once: less than a draw call of macroquad takes.
 const BATCH: [usize; 2] = [8000, 12_000];
 /// Outlines whose triangles are remembered; letters are always the same.
 const REMEMBERED: usize = 4096;
-/// Frames for which a texture that is not drawn is kept.
-const KEPT: u32 = 600;
 
 /// What is kept from frame to frame.
-#[derive(Default)]
 pub(crate) struct Ink {
-    textures: HashMap<usize, Uploaded>,
+    atlas: Atlas,
     triangles: HashMap<Vec<[u32; 2]>, Vec<Point>>,
     tessellator: FillTessellator,
-    frame: u32,
 }
 
-/// A texture on the graphics card, and the one it was made of: as long as that is here, no other has its address.
-struct Uploaded {
-    texture: quad::Texture2D,
-    _pixels: Texture2D,
-    last_drawn: u32,
-}
+/// A corner of a triangle: where on the screen, and where in the picture, from 0 to 1.
+type Corner = (Point, Point);
 
 /// The screen, for a frame.
 pub(crate) struct ScreenCanvas<'a> {
@@ -40,9 +35,7 @@ pub(crate) struct ScreenCanvas<'a> {
 impl<'a> ScreenCanvas<'a> {
     /// The screen, of this size in px.
     pub(crate) fn new(ink: &'a mut Ink, size: Point) -> Self {
-        ink.frame = ink.frame.wrapping_add(1);
-        let frame = ink.frame;
-        ink.textures.retain(|_, uploaded| frame.wrapping_sub(uploaded.last_drawn) < KEPT);
+        ink.atlas.begin_frame();
         if ink.triangles.len() > REMEMBERED {
             ink.triangles.clear();
         }
@@ -64,68 +57,57 @@ impl<'a> ScreenCanvas<'a> {
     }
 
     /// Makes room, and sets the texture of what comes.
-    fn prepare(&mut self, corners: usize, indices: usize, texture: Option<&quad::Texture2D>) {
+    fn prepare(&mut self, corners: usize, indices: usize, face: &Face) {
         let is_full =
             self.mesh.vertices.len() + corners > BATCH[0] || self.mesh.indices.len() + indices > BATCH[1];
-        if is_full || self.mesh.texture.as_ref() != texture {
+        if is_full || self.mesh.texture.as_ref() != Some(&face.page) {
             self.flush();
-            self.mesh.texture = texture.cloned();
+            self.mesh.texture = Some(face.page.clone());
         }
     }
 
-    /// Adds a convex polygon, each corner with its place in the texture.
-    fn fan(&mut self, corners: &[(Point, Point)], color: Color, texture: Option<&quad::Texture2D>) {
+    /// Adds a convex polygon.
+    fn fan(&mut self, corners: &[Corner], color: Color, face: &Face) {
         if corners.len() < 3 || corners.len() > BATCH[0] / 2 {
             return;
         }
-        self.prepare(corners.len(), 3 * corners.len(), texture);
+        self.prepare(corners.len(), 3 * corners.len(), face);
         let first = self.mesh.vertices.len() as u16;
-        self.mesh.vertices.extend(corners.iter().map(|&(at, on)| vertex(at, on, color)));
+        self.mesh.vertices.extend(corners.iter().map(|&corner| vertex(corner, face, color)));
         for index in 2..corners.len() as u16 {
             self.mesh.indices.extend([first, first + index - 1, first + index]);
         }
     }
 
     /// Adds triangles, three corners each.
-    fn triangles(&mut self, corners: &[(Point, Point)], color: Color, texture: Option<&quad::Texture2D>) {
+    fn triangles(&mut self, corners: &[Corner], color: Color, face: &Face) {
         for some in corners.chunks(3 * 1000) {
-            self.prepare(some.len(), some.len(), texture);
+            self.prepare(some.len(), some.len(), face);
             let first = self.mesh.vertices.len() as u16;
-            self.mesh.vertices.extend(some.iter().map(|&(at, on)| vertex(at, on, color)));
+            self.mesh.vertices.extend(some.iter().map(|&corner| vertex(corner, face, color)));
             self.mesh.indices.extend((0..some.len() as u16).map(|index| first + index));
         }
     }
 
-    fn uploaded(&mut self, texture: &Texture2D) -> quad::Texture2D {
-        let frame = self.ink.frame;
-        let key = texture.rgba8().as_ptr() as usize;
-        let uploaded = self.ink.textures.entry(key).or_insert_with(|| {
-            let [width, height] = [texture.width(), texture.height()].map(|side| side as u16);
-            let made = quad::Texture2D::from_rgba8(width, height, texture.rgba8());
-            made.set_filter(quad::FilterMode::Linear);
-            Uploaded { texture: made, _pixels: texture.clone(), last_drawn: frame }
-        });
-        uploaded.last_drawn = frame;
-        uploaded.texture.clone()
+    fn face_of(&mut self, texture: &Texture2D) -> Option<Face> {
+        let face = self.ink.atlas.face(texture);
+        if face.is_some() {
+            return face;
+        }
+        self.flush();
+        self.ink.atlas.start_again();
+        self.ink.atlas.face(texture)
     }
 
-    fn line(&mut self, from: Point, to: Point, width: f32, color: Color) {
+    fn line(&mut self, from: Point, to: Point, width: f32, color: Color, face: &Face) {
         let [dx, dy] = [to[0] - from[0], to[1] - from[1]];
         let length = dx.hypot(dy);
         if length > 0.0 {
             let [x, y] = [-dy / length, dx / length].map(|side| 0.5 * width * side);
-            let corners = [
-                [from[0] + x, from[1] + y],
-                [to[0] + x, to[1] + y],
-                [to[0] - x, to[1] - y],
-                [from[0] - x, from[1] - y],
-            ];
-            self.fan(&corners.map(plain), color, None);
+            let [[a, b], [c, d]] = [from, to];
+            let corners = [[a + x, b + y], [c + x, d + y], [c - x, d - y], [a - x, b - y]];
+            self.fan(&corners.map(plain), color, face);
         }
-    }
-
-    fn disc(&mut self, center: Point, radius: f32, color: Color) {
-        self.fill_ellipse(center, [radius; 2], &Transform::IDENTITY, color);
     }
 }
 
@@ -144,13 +126,14 @@ impl Canvas for ScreenCanvas<'_> {
         if points.len() < 3 || color.a == 0 || !points.iter().all(|&at| is_in_reach(transform.apply(at))) {
             return;
         }
+        let white = self.ink.atlas.white();
         if is_convex(points) {
-            let corners: Vec<(Point, Point)> = points.iter().map(|&at| plain(transform.apply(at))).collect();
-            return self.fan(&corners, color, None);
+            let corners: Vec<Corner> = points.iter().map(|&at| plain(transform.apply(at))).collect();
+            return self.fan(&corners, color, &white);
         }
-        let corners: Vec<(Point, Point)> =
+        let corners: Vec<Corner> =
             self.ink.triangles_of(points).iter().map(|&at| plain(transform.apply(at))).collect();
-        self.triangles(&corners, color, None);
+        self.triangles(&corners, color, &white);
     }
 
     fn fill_ellipse(&mut self, center: Point, radii: Point, transform: &Transform, color: Color) {
@@ -170,8 +153,9 @@ impl Canvas for ScreenCanvas<'_> {
             let (sin, cos) = (f32::from(index) / f32::from(count) * std::f32::consts::TAU).sin_cos();
             plain([middle[0] + cos * across[0] + sin * down[0], middle[1] + cos * across[1] + sin * down[1]])
         };
-        let corners: Vec<(Point, Point)> = (0..count).map(corner).collect();
-        self.fan(&corners, color, None);
+        let corners: Vec<Corner> = (0..count).map(corner).collect();
+        let white = self.ink.atlas.white();
+        self.fan(&corners, color, &white);
     }
 
     fn stroke_polyline(
@@ -189,13 +173,15 @@ impl Canvas for ScreenCanvas<'_> {
         {
             return;
         }
-        points.windows(2).for_each(|ends| self.line(ends[0], ends[1], width, color));
+        let white = self.ink.atlas.white();
+        points.windows(2).for_each(|ends| self.line(ends[0], ends[1], width, color, &white));
         if closed {
-            self.line(points[points.len() - 1], points[0], width, color);
+            self.line(points[points.len() - 1], points[0], width, color, &white);
         }
         // Thin lines show no gaps where they bend.
         if width > 2.5 {
-            points.iter().for_each(|&at| self.disc(at, 0.5 * width, color));
+            let radii = [0.5 * width; 2];
+            points.iter().for_each(|&at| self.fill_ellipse(at, radii, &Transform::IDENTITY, color));
         }
     }
 
@@ -213,10 +199,10 @@ impl Canvas for ScreenCanvas<'_> {
         if tint.a == 0 || !is_in_reach {
             return;
         }
-        let uploaded = self.uploaded(texture);
-        let whole: [(Point, Point); 4] = std::array::from_fn(|at| (corners[at], on_texture[at]));
+        let Some(face) = self.face_of(texture) else { return };
+        let whole: [Corner; 4] = std::array::from_fn(|at| (corners[at], on_texture[at]));
         let Some(clip) = clip.filter(|clip| !holds_all(clip, &corners)) else {
-            return self.fan(&whole, tint, Some(&uploaded));
+            return self.fan(&whole, tint, &face);
         };
         let Some(back) = transform.inverse() else { return };
         let inside = clip_to_convex(clip, &corners);
@@ -228,12 +214,17 @@ impl Canvas for ScreenCanvas<'_> {
             return;
         }
         if is_convex(&inside) {
-            let placed: Vec<(Point, Point)> = inside.into_iter().map(placed).collect();
-            return self.fan(&placed, tint, Some(&uploaded));
+            let placed: Vec<Corner> = inside.into_iter().map(placed).collect();
+            return self.fan(&placed, tint, &face);
         }
-        let placed: Vec<(Point, Point)> =
-            self.ink.triangles_of(&inside).iter().map(|&at| placed(at)).collect();
-        self.triangles(&placed, tint, Some(&uploaded));
+        let placed: Vec<Corner> = self.ink.triangles_of(&inside).iter().map(|&at| placed(at)).collect();
+        self.triangles(&placed, tint, &face);
+    }
+}
+
+impl Default for Ink {
+    fn default() -> Self {
+        Ink { atlas: Atlas::new(), triangles: HashMap::new(), tessellator: FillTessellator::new() }
     }
 }
 
@@ -264,11 +255,12 @@ fn cut(tessellator: &mut FillTessellator, points: &[Point]) -> Vec<Point> {
     buffers.indices.iter().map(|&index| buffers.vertices[index as usize]).collect()
 }
 
-fn vertex(at: Point, on: Point, Color { r, g, b, a }: Color) -> quad::Vertex {
-    quad::Vertex::new(at[0], at[1], 0.0, on[0], on[1], quad::Color::from_rgba(r, g, b, a))
+fn vertex((at, on): Corner, face: &Face, Color { r, g, b, a }: Color) -> quad::Vertex {
+    let [x, y] = face.at(on);
+    quad::Vertex::new(at[0], at[1], 0.0, x, y, quad::Color::from_rgba(r, g, b, a))
 }
 
-fn plain(at: Point) -> (Point, Point) {
+fn plain(at: Point) -> Corner {
     (at, [0.0; 2])
 }
 

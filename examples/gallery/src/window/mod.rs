@@ -1,5 +1,6 @@
 //! The gallery in a window, or on a page.
 
+mod atlas;
 mod canvas;
 mod page;
 
@@ -81,11 +82,13 @@ async fn run(scenes: Vec<GalleryScene>, first: usize) {
             is_full = viewer.is_full();
             quad::set_fullscreen(is_full);
         }
+        let start = quad::get_time();
         let mut canvas = ScreenCanvas::new(&mut ink, input.size);
         if let Err(error) = viewer.draw(&mut canvas) {
             viewer.say(error.to_string());
         }
         canvas.end();
+        viewer.drawn_in(quad::get_time() - start);
         quad::next_frame().await;
     }
 }

@@ -12,8 +12,8 @@ use crate::{hashes, viewer::Viewer};
 static WANTED: AtomicI32 = AtomicI32::new(-1);
 /// The scene that is shown.
 static SHOWN: AtomicI32 = AtomicI32::new(-1);
-/// Mean ms of a frame and of its steps, as bits.
-static TIMES: [AtomicU32; 2] = [AtomicU32::new(0), AtomicU32::new(0)];
+/// Mean ms of a frame, of its steps and of its drawing, as bits.
+static TIMES: [AtomicU32; 3] = [AtomicU32::new(0), AtomicU32::new(0), AtomicU32::new(0)];
 /// What is on the screen: 1 the list, 2 something is held, 4 the first set is the precise one.
 static STATE: AtomicU32 = AtomicU32::new(0);
 
@@ -32,7 +32,7 @@ pub(super) extern "C" fn gallery_scene() -> i32 {
     SHOWN.load(Ordering::Relaxed)
 }
 
-/// Mean ms of a frame (0) or of its steps (1).
+/// Mean ms of a frame (0), of its steps (1) or of its drawing (2).
 #[allow(unsafe_code)]
 #[unsafe(no_mangle)]
 pub(super) extern "C" fn gallery_times(which: u32) -> f32 {
