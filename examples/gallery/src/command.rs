@@ -28,6 +28,9 @@ struct Arguments {
     /// Where the film goes: an animated PNG, and a page of stills beside it
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
+    /// Largest side of a film in px
+    #[arg(long, default_value_t = 960, value_name = "PX")]
+    size: u32,
     /// Shows outlines, boxes, contacts, islands, sleep and joints in a film
     #[arg(long)]
     debug: bool,
@@ -115,7 +118,7 @@ fn film_scene(arguments: &Arguments, scene: &GalleryScene) -> Result<()> {
     let all = arguments.debug;
     let layers = Layers { outlines: all, boxes: all, contacts: all, islands: all, sleep: all, joints: all };
     let bar = bar(0, &scene.title);
-    let film = Film { seconds: arguments.seconds, out, layers };
+    let film = Film { seconds: arguments.seconds, out, largest: arguments.size, layers };
     let filmed = film.film(scene, |done, frames| {
         bar.set_length(u64::from(frames));
         bar.set_position(u64::from(done));

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use examples::Result;
-use twohalf_render::{Animation, Canvas, Color, ContactSheet, SoftwareCanvas, draw_caption};
+use twohalf_render::{Animation, Canvas, Color, ContactSheet, SoftwareCanvas, Text};
 
 use crate::Layers;
 use crate::play::Player;
@@ -14,8 +14,8 @@ use crate::show::Show;
 const FRAME_RATE: u32 = 20;
 /// Stills on a contact sheet.
 const STILLS: u32 = 9;
-/// Largest side of a film in px.
-const LARGEST: f32 = 960.0;
+/// Sizes that a film may have, px.
+const SIZES: std::ops::RangeInclusive<u32> = 100..=4000;
 
 /// What is filmed.
 #[derive(Debug, Clone)]
@@ -24,6 +24,8 @@ pub struct Film {
     pub seconds: f32,
     /// The animation; the contact sheet goes beside it, with `_stills` in its name.
     pub out: PathBuf,
+    /// Largest side in px, 100 to 4000; a scene that is smaller is shown as it is.
+    pub largest: u32,
     /// What is shown of what the engines work with.
     pub layers: Layers,
 }
@@ -43,26 +45,31 @@ impl Film {
     /// Steps and draws a scene; `tell` hears after each frame how many are done, and of how many.
     ///
     /// # Errors
-    /// A time that is not greater than 0 or more than an hour, a file that cannot be written, and what the scene fails with.
+    /// A time that is not greater than 0 or more than an hour, a size out of range, a file that cannot be written, and what the scene fails with.
     pub fn film(&self, scene: &GalleryScene, mut tell: impl FnMut(u32, u32)) -> Result<Filmed> {
         if !(self.seconds > 0.0 && self.seconds <= 3600.0) {
             return Err(
                 format!("{} seconds: greater than 0, at most 3600, can be filmed", self.seconds).into()
             );
         }
+        if !SIZES.contains(&self.largest) {
+            return Err(format!("{} px: the largest side of a film is 100 to 4000 px", self.largest).into());
+        }
         let mut show = scene.build()?;
         let frames = (self.seconds * FRAME_RATE as f32).ceil() as u32;
-        let mut canvas = canvas_for(&show)?;
+        let mut canvas = canvas_for(&show, self.largest)?;
         let [width, height] = canvas.size();
         let mut animation = Animation::create(&self.out, width, height, frames, (1000 / FRAME_RATE) as u16)?;
         let mut sheet = ContactSheet::new(3, (width / 300).clamp(1, 64))?;
         for frame in 0..frames {
             draw(&show, &mut canvas, self.layers)?;
             let time = frame as f32 / FRAME_RATE as f32;
-            if frame * STILLS / frames != (frame + frames - 1) * STILLS / frames % STILLS || frame == 0 {
+            let still = |frame: u32| frame * STILLS / frames;
+            if frame == 0 || still(frame) != still(frame - 1) {
                 sheet.add(&canvas, format!("t = {time:.2} s"));
             }
-            draw_caption(&mut canvas, &format!("{}  t = {time:.2} s", scene.title));
+            // The upper corners have labels.
+            Text::new(format!("t = {time:.2} s"), [6.0, height as f32 - 14.0]).draw(&mut canvas);
             animation.add_frame(&canvas)?;
             tell(frame + 1, frames);
             // Steps that are due by the next frame; rates need not be multiples of that of the frames.
@@ -96,9 +103,9 @@ fn draw(show: &Show, canvas: &mut SoftwareCanvas, layers: Layers) -> Result<()> 
 }
 
 /// As large as the scene, if that is not too large.
-fn canvas_for(show: &Show) -> Result<SoftwareCanvas> {
+fn canvas_for(show: &Show, largest: u32) -> Result<SoftwareCanvas> {
     let [width, height] = show.size();
-    let zoom = (LARGEST / width.max(height)).min(1.0);
+    let zoom = (largest as f32 / width.max(height)).min(1.0);
     let [width, height] = [width, height].map(|side| (zoom * side).round().max(1.0) as u32);
     Ok(SoftwareCanvas::new(width, height)?)
 }
