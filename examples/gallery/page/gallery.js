@@ -50,6 +50,7 @@ function start() {
       await new Promise((resolve) => setTimeout(resolve, 20));
     }
     URL.revokeObjectURL(program);
+    if (matchMedia("(pointer: coarse)").matches) wasm_exports.gallery_has_touch();
     element("loading").hidden = true;
     return wasm_exports;
   })();

@@ -45,7 +45,8 @@ impl List {
         let by = rows * List::columns(size) as i32 + columns;
         self.at = (self.at as i32 + by).clamp(0, count as i32 - 1) as usize;
         let [[_, y], [_, height]] = self.place(size, self.at);
-        self.scroll((TOP - y).max(0.0) * -1.0 + (y + height + MARGIN - size[1]).max(0.0), size, count);
+        let [above, below] = [TOP - y, y + height + MARGIN - size[1]].map(|px| px.max(0.0));
+        self.scroll(below - above, size, count);
     }
 
     /// The entry at a point.

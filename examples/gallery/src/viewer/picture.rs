@@ -64,7 +64,7 @@ fn draw_title(viewer: &Viewer, canvas: &mut dyn Canvas) {
     let title = Text { scale: [scale; 2], color: INK, ..Text::new(&scene.title, [8.0, 5.0]) };
     let end = 8.0 + scale * title.size()[0];
     title.draw(canvas);
-    let letters = ((width - 16.0) / 8.0).max(1.0) as usize;
+    let letters = ((width - CORNER - 8.0) / 8.0).max(1.0) as usize;
     let about: String = scene.about.chars().take(letters).collect();
     Text { color: PALE, ..Text::new(about, [8.0, 24.0]) }.draw(canvas);
     let facts = facts(viewer);
@@ -110,13 +110,32 @@ fn draw_hints(viewer: &Viewer, canvas: &mut dyn Canvas) {
     if hint.is_empty() {
         return;
     }
-    let text = Text::new(hint, [0.0; 2]);
+    let text = Text::new(wrapped(hint, (viewer.size[0] / 8.0 - 3.0).max(8.0) as usize), [0.0; 2]);
     let [width, height] = text.size();
     let corner = [(0.5 * (viewer.size[0] - width)).max(4.0), TITLE + 8.0];
     let panel = [corner[0] - 8.0, corner[1] - 6.0];
     let still = Transform::IDENTITY;
     canvas.fill_rectangle(panel, [width + 16.0, height + 12.0], &still, Color::rgba(0, 0, 0, 170));
     Text { position: corner, ..text }.draw(canvas);
+}
+
+/// The same with lines of at most so many letters, if words are no longer.
+fn wrapped(text: &str, letters: usize) -> String {
+    let mut lines = String::new();
+    let mut length = 0;
+    for word in text.split(' ') {
+        let needed = word.chars().count();
+        if length > 0 && length + 1 + needed > letters {
+            lines.push('\n');
+            length = 0;
+        } else if length > 0 {
+            lines.push(' ');
+            length += 1;
+        }
+        lines.push_str(word);
+        length += needed;
+    }
+    lines
 }
 
 fn draw_help(canvas: &mut dyn Canvas, top: f32) {
@@ -151,5 +170,17 @@ fn is_lit(viewer: &Viewer, does: Does) -> bool {
         Key::Full => viewer.is_full,
         Key::List => viewer.list.is_some(),
         _ => layers.of(key).map_or(viewer.before.contains(key), |layer| *layer),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::wrapped;
+
+    #[test]
+    fn lines_are_broken_between_words() {
+        assert_eq!(wrapped("one two three", 8), "one two\nthree");
+        assert_eq!(wrapped("one two three", 80), "one two three");
+        assert_eq!(wrapped("toolong two", 3), "toolong\ntwo");
     }
 }

@@ -138,10 +138,8 @@ impl Canvas for ScreenCanvas<'_> {
 
     fn fill_ellipse(&mut self, center: Point, radii: Point, transform: &Transform, color: Color) {
         let [[x, y], [rx, ry]] = [center, radii];
-        if !(rx > 0.0 && ry > 0.0)
-            || !is_in_reach(transform.apply([x + rx, y + ry]))
-            || !is_in_reach(transform.apply(center))
-        {
+        let is_near = [center, [x + rx, y + ry]].iter().all(|&at| is_in_reach(transform.apply(at)));
+        if !(rx > 0.0 && ry > 0.0 && is_near) {
             return;
         }
         let [across, down] = [transform.direction([rx, 0.0]), transform.direction([0.0, ry])];

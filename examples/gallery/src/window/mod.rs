@@ -72,9 +72,9 @@ async fn run(scenes: Vec<GalleryScene>, first: usize) {
         Ok(viewer) => viewer,
         Err(error) => return macroquad::miniquad::error!("{}", error),
     };
-    let (mut ink, mut is_full) = (Ink::default(), false);
+    let (mut ink, mut fingers, mut is_full) = (Ink::default(), Fingers::default(), false);
     loop {
-        let input = input();
+        let input = input(&mut fingers);
         open_dropped(&mut viewer);
         page::meet(&mut viewer);
         viewer.frame(&input, &quad::get_time);
@@ -93,18 +93,35 @@ async fn run(scenes: Vec<GalleryScene>, first: usize) {
     }
 }
 
+/// Fingers of the last frame, by the numbers that the system gives them.
+#[derive(Default)]
+struct Fingers {
+    down: Vec<u64>,
+}
+
+impl Fingers {
+    /// Where fingers are, in the order in which they came; one that came and went between two frames was down for one.
+    fn places(&mut self) -> Vec<[f32; 2]> {
+        let is_up = |touch: &quad::Touch| {
+            matches!(touch.phase, quad::TouchPhase::Ended | quad::TouchPhase::Cancelled)
+        };
+        let mut touches = quad::touches();
+        touches.retain(|touch| !is_up(touch) || !self.down.contains(&touch.id));
+        let age = |touch: &quad::Touch| self.down.iter().position(|&id| id == touch.id).unwrap_or(usize::MAX);
+        touches.sort_by_key(|touch| (age(touch), touch.id));
+        self.down = touches.iter().map(|touch| touch.id).collect();
+        touches.iter().map(|touch| touch.position.to_array()).collect()
+    }
+}
+
 /// What a person does now.
-fn input() -> Input {
-    let fingers: Vec<[f32; 2]> = quad::touches()
-        .into_iter()
-        .filter(|touch| !matches!(touch.phase, quad::TouchPhase::Ended | quad::TouchPhase::Cancelled))
-        .map(|touch| touch.position.to_array())
-        .collect();
-    let has_touch = !fingers.is_empty();
+fn input(fingers: &mut Fingers) -> Input {
+    let fingers = fingers.places();
+    let is_touched = !fingers.is_empty();
     // What went down and up between two frames was down for one.
     let is_down = quad::is_mouse_button_down(quad::MouseButton::Left)
         || quad::is_mouse_button_pressed(quad::MouseButton::Left);
-    let is_down = is_down && !has_touch;
+    let is_down = is_down && !is_touched;
     let mouse: [f32; 2] = quad::mouse_position().into();
     let is_key_down = |code| quad::is_key_down(code) || quad::is_key_pressed(code);
     let keys: KeySet = KEYS.iter().filter(|(code, _)| is_key_down(*code)).map(|&(_, key)| key).collect();
@@ -115,7 +132,7 @@ fn input() -> Input {
         pointers: if is_down { vec![mouse] } else { fingers },
         // A notch of a wheel is 1, or 120, or px, by platform.
         wheel: -quad::mouse_wheel().1.signum() * f32::from(u8::from(quad::mouse_wheel().1 != 0.0)) * 60.0,
-        has_touch,
+        has_touch: is_touched || page::has_touch(),
     }
 }
 

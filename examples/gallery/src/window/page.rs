@@ -3,7 +3,7 @@
 //! A page has no arguments and no memory of ours: it calls these functions, which are known to the linker by name. Nothing else
 //! shares state with them than a few numbers.
 
-use std::sync::atomic::{AtomicI32, AtomicU32, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicI32, AtomicU32, Ordering};
 
 use crate::scenes::scenes;
 use crate::{hashes, viewer::Viewer};
@@ -12,6 +12,8 @@ use crate::{hashes, viewer::Viewer};
 static WANTED: AtomicI32 = AtomicI32::new(-1);
 /// The scene that is shown.
 static SHOWN: AtomicI32 = AtomicI32::new(-1);
+/// Whether the page knows of a touch screen.
+static HAS_TOUCH: AtomicBool = AtomicBool::new(false);
 /// Mean ms of a frame, of its steps and of its drawing, as bits.
 static TIMES: [AtomicU32; 3] = [AtomicU32::new(0), AtomicU32::new(0), AtomicU32::new(0)];
 /// What is on the screen: 1 the list, 2 something is held, 4 the first set is the precise one.
@@ -23,6 +25,13 @@ static STATE: AtomicU32 = AtomicU32::new(0);
 #[unsafe(no_mangle)]
 pub(super) extern "C" fn gallery_choose(scene: i32) {
     WANTED.store(scene, Ordering::Relaxed);
+}
+
+/// Says that there is a touch screen: games get buttons before anybody has touched it.
+#[allow(unsafe_code)]
+#[unsafe(no_mangle)]
+pub(super) extern "C" fn gallery_has_touch() {
+    HAS_TOUCH.store(true, Ordering::Relaxed);
 }
 
 /// The number of the scene that is shown, or -1.
@@ -53,6 +62,11 @@ pub(super) extern "C" fn gallery_hash(scene: u32, number: u32) -> u64 {
     let all = scenes();
     let hashes = all.get(scene as usize).and_then(|scene| hashes::of(scene).ok()).unwrap_or_default();
     hashes.get(number as usize).map_or(0, |hashed| hashed.hash)
+}
+
+/// Whether the page knows of a touch screen.
+pub(crate) fn has_touch() -> bool {
+    HAS_TOUCH.load(Ordering::Relaxed)
 }
 
 /// Does what the page wants, and tells it what is shown.

@@ -361,3 +361,72 @@ fn a_slow_machine_gets_less_time_and_not_an_endless_frame() {
     let after: Vec<u64> = twin.halves().iter().map(|half| state::hash(half.play().world())).collect();
     assert_eq!(hash(&viewer), after, "one step, and no more");
 }
+
+/// A number that follows from the one before, as if by chance.
+fn next(seed: &mut u32) -> u32 {
+    *seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+    *seed >> 8
+}
+
+#[test]
+fn whatever_is_pressed_at_random_nothing_breaks() {
+    const KEYS: [Key; 25] = [
+        Key::Left,
+        Key::Right,
+        Key::Up,
+        Key::Down,
+        Key::Jump,
+        Key::Punch,
+        Key::Grab,
+        Key::Pause,
+        Key::Step,
+        Key::Slow,
+        Key::Restart,
+        Key::Rewind,
+        Key::Methods,
+        Key::Outlines,
+        Key::Boxes,
+        Key::Contacts,
+        Key::Islands,
+        Key::Sleep,
+        Key::Joints,
+        Key::Graph,
+        Key::Help,
+        Key::Full,
+        Key::List,
+        Key::Before,
+        Key::After,
+    ];
+    let all: Vec<_> = scenes().into_iter().filter(|scene| !scene.name.starts_with("crowd")).collect();
+    let mut viewer = Viewer::new(all, 0).unwrap();
+    let mut canvas = SoftwareCanvas::new(300, 200).unwrap();
+    let mut seed = 1;
+    let (mut seen, mut pointers, mut keys) = (Vec::new(), Vec::new(), KeySet::default());
+    for at in 0..3000 {
+        let size = if next(&mut seed).is_multiple_of(50) { [0.0, 1.0] } else { [300.0, 200.0] };
+        if next(&mut seed).is_multiple_of(4) {
+            keys = (0..next(&mut seed) % 2).map(|_| KEYS[next(&mut seed) as usize % KEYS.len()]).collect();
+        }
+        if next(&mut seed).is_multiple_of(6) {
+            let mut place = || [(next(&mut seed) % 300) as f32, (next(&mut seed) % 200) as f32];
+            pointers = [place(), place()].to_vec();
+            pointers.truncate(next(&mut seed) as usize % 3);
+        }
+        let has_touch = at > 1500;
+        frame(
+            &mut viewer,
+            &Input { size, seconds: FRAME, keys, pointers: pointers.clone(), wheel: 0.0, has_touch },
+        );
+        if at % 20 == 0 {
+            viewer.draw(&mut canvas).unwrap();
+        }
+        assert!(
+            viewer.show().halves().iter().all(|half| state::is_finite(half.play().world())),
+            "frame {at}"
+        );
+        seen.push(viewer.at());
+    }
+    seen.sort_unstable();
+    seen.dedup();
+    assert!(seen.len() > 5, "{} scenes were visited", seen.len());
+}
