@@ -13,6 +13,7 @@ mod hand;
 pub mod hashes;
 pub mod keys;
 mod layers;
+mod lens;
 pub mod play;
 pub mod scenes;
 mod sheet;
@@ -22,3 +23,4 @@ pub mod viewer;
 pub mod window;
 
 pub use layers::Layers;
+pub use lens::Lens;

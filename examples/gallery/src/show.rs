@@ -7,6 +7,7 @@ use twohalf_render::{Canvas, Color, Point, Rectangle, Text, Transform, View};
 
 use crate::hand::Hand;
 use crate::layers::Layers;
+use crate::lens::Lens;
 use crate::play::{Play, Player, Set};
 use crate::sheet::Sheet;
 use crate::state;
@@ -101,6 +102,8 @@ pub struct Show {
     halves: Vec<Half>,
     /// Whose hand the pointer moves.
     held: Option<usize>,
+    /// Which part of each is seen.
+    lens: Lens,
 }
 
 /// Where a half is on the screen.
@@ -111,10 +114,19 @@ struct Place {
     clip: Rectangle,
 }
 
+impl Place {
+    /// Whether a point of the screen lies in it.
+    fn shows(&self, at: Point) -> bool {
+        let Rectangle { x, y, width, height } = self.clip;
+        let holds = |at: f32, low: u32, size: u32| at >= low as f32 && at < (low + size) as f32;
+        holds(at[0], x, width) && holds(at[1], y, height)
+    }
+}
+
 impl Show {
     /// Of at least one half.
     pub fn new(halves: Vec<Half>) -> Self {
-        Show { halves, held: None }
+        Show { halves, held: None, lens: Lens::default() }
     }
 
     /// What it consists of.
@@ -187,6 +199,7 @@ impl Show {
     fn places(&self, area: [Point; 2]) -> Vec<Place> {
         let beside = self.placed(area, 0);
         let above = self.placed(area, 1);
+        // All are seen through one lens, so it does not matter here.
         let zoom =
             |places: &[Place]| places.iter().map(|place| place.camera.x_axis[0]).fold(f32::MAX, f32::min);
         if zoom(&above) > zoom(&beside) { above } else { beside }
@@ -201,13 +214,49 @@ impl Show {
             let zoom = (cell[0] / width).min(cell[1] / height).max(1e-3);
             let mut middle = [corner[0] + 0.5 * cell[0], corner[1] + 0.5 * cell[1]];
             middle[axis] += index as f32 * (cell[axis] + GAP);
-            let camera = Transform::camera([0.5 * width, 0.5 * height], zoom, 0.0, middle);
-            let [left, top] = camera.apply([0.0; 2]).map(|at| at.max(0.0).round() as u32);
-            let [right, bottom] = camera.apply([width, height]).map(|at| at.max(0.0).round() as u32);
+            let whole = Lens::default().camera([width, height], zoom, middle);
+            let [left, top] = whole.apply([0.0; 2]).map(|at| at.max(0.0).round() as u32);
+            let [right, bottom] = whole.apply([width, height]).map(|at| at.max(0.0).round() as u32);
             let clip = Rectangle::new(left, top, right.saturating_sub(left), bottom.saturating_sub(top));
-            Place { camera, clip }
+            Place { camera: self.lens.camera([width, height], zoom, middle), clip }
         };
         self.halves.iter().enumerate().map(place).collect()
+    }
+
+    /// Which part of each picture is seen.
+    pub fn lens(&self) -> Lens {
+        self.lens
+    }
+
+    /// Shows another part of each picture.
+    pub fn set_lens(&mut self, lens: Lens) {
+        self.lens = lens;
+    }
+
+    /// So many times as close, about what is at a point of the canvas.
+    pub fn closer(&mut self, area: [Point; 2], factor: f32, at: Point) {
+        if let Some(part) = (0..self.halves.len()).find_map(|index| self.part(area, index, at)) {
+            self.lens = self.lens.closer(factor, part);
+        }
+    }
+
+    /// Moves what is seen along with a pointer.
+    pub fn pan(&mut self, area: [Point; 2], from: Point, to: Point) {
+        let parts = |at| (0..self.halves.len()).find_map(|index| self.part(area, index, at));
+        if let (Some(from), Some(to)) = (parts(from), parts(to)) {
+            self.lens = self.lens.moved([from[0] - to[0], from[1] - to[1]]);
+        }
+    }
+
+    /// Which part of a picture's width and height is at a point of the canvas, if that shows it.
+    fn part(&self, area: [Point; 2], index: usize, at: Point) -> Option<Point> {
+        let place = self.places(area)[index];
+        if !place.shows(at) {
+            return None;
+        }
+        let [width, height] = self.halves[index].play().size();
+        let [x, y] = place.camera.inverse()?.apply(at);
+        Some([x / width, y / height])
     }
 
     /// The pointer went down at a point of the canvas; answers whether something is held now.
@@ -249,9 +298,7 @@ impl Show {
     /// A point of the canvas in the px of a simulator.
     fn in_world(&self, area: [Point; 2], index: usize, at: Point, must_be_inside: bool) -> Option<Point> {
         let place = self.places(area)[index];
-        let Rectangle { x, y, width, height } = place.clip;
-        let is_inside = |at: f32, low: u32, size: u32| at >= low as f32 && at < (low + size) as f32;
-        if must_be_inside && !(is_inside(at[0], x, width) && is_inside(at[1], y, height)) {
+        if must_be_inside && !place.shows(at) {
             return None;
         }
         let play = self.halves[index].play();

@@ -29,6 +29,8 @@ const MOST_WORK: f64 = 0.03;
 const REWIND: f64 = 2.0;
 /// Seconds for which a message is shown.
 const MESSAGE: f32 = 4.0;
+/// How many times as close a px of the wheel brings.
+const CLOSER: f32 = 1.004;
 /// How far a pointer may move in the list and still choose, px.
 const TAP: f32 = 10.0;
 
@@ -43,8 +45,10 @@ pub struct Input {
     pub keys: KeySet,
     /// Where fingers are, or the mouse with its button down; in the order in which they went down.
     pub pointers: Vec<Point>,
-    /// How far the wheel was turned, px, positive down.
+    /// How far the wheel was turned, px, positive down, and where the mouse is.
     pub wheel: f32,
+    /// Where the mouse is.
+    pub hover: Point,
     /// Whether there is a touch screen: games get buttons then.
     pub has_touch: bool,
 }
@@ -56,8 +60,9 @@ enum Use {
     Nothing,
     /// It presses buttons.
     Buttons,
-    /// It holds something of the scene, or would if there had been something.
-    Scene,
+    /// It holds something of the scene, or, if nothing was there, moves what is seen: where it was last. With a second finger it
+    /// brings closer what is between them: how far apart they were last.
+    Scene { last: Point, apart: Option<f32> },
     /// It scrolls the list: where it went down, where it was last, and whether it has moved.
     List { from: Point, last: Point, has_moved: bool },
 }
@@ -206,7 +211,7 @@ impl Viewer {
         let on_screen = match self.pointer {
             Use::Buttons | Use::Nothing => buttons::pressed(&buttons, &input.pointers),
             // A second finger may press what the first one does not.
-            Use::Scene => buttons::pressed(&buttons, input.pointers.get(1..).unwrap_or(&[])),
+            Use::Scene { .. } => buttons::pressed(&buttons, input.pointers.get(1..).unwrap_or(&[])),
             Use::List { .. } => KeySet::default(),
         };
         let held = input.keys.or(on_screen);
@@ -232,11 +237,28 @@ impl Viewer {
         let (area, count) = (self.area(input.size), self.scenes.len());
         if let Some(list) = &mut self.list {
             list.scroll(input.wheel, input.size, count);
+        } else if input.wheel != 0.0 {
+            self.show.closer(area, CLOSER.powf(-input.wheel), input.hover);
         }
         let Some(&first) = input.pointers.first() else { return self.point_up() };
         match &mut self.pointer {
             Use::Nothing => self.point_down(first, input.size, buttons),
-            Use::Scene => self.show.drag(area, first),
+            Use::Scene { .. } if self.show.is_holding() => self.show.drag(area, first),
+            Use::Scene { last, apart } => {
+                match input.pointers.get(1).filter(|at| !buttons.iter().any(|button| button.holds(**at))) {
+                    Some(second) => {
+                        let now = (second[0] - first[0]).hypot(second[1] - first[1]).max(1.0);
+                        let between = [0, 1].map(|axis| 0.5 * (first[axis] + second[axis]));
+                        self.show.closer(area, now / apart.unwrap_or(now), between);
+                        *apart = Some(now);
+                    }
+                    None => {
+                        self.show.pan(area, *last, first);
+                        *apart = None;
+                    }
+                }
+                *last = first;
+            }
             Use::Buttons => (),
             Use::List { from, last, has_moved } => {
                 *has_moved |= (0..2).any(|axis| (first[axis] - from[axis]).abs() > TAP);
@@ -258,7 +280,7 @@ impl Viewer {
             (None, Some(_)) => Use::List { from: at, last: at, has_moved: false },
             (None, None) => {
                 self.show.grab(self.area(size), at);
-                Use::Scene
+                Use::Scene { last: at, apart: None }
             }
         };
     }
@@ -332,7 +354,9 @@ impl Viewer {
         if held.contains(Key::Rewind) {
             self.show.release();
             if let Some(then) = self.history.back(REWIND * seconds.min(MOST_SECONDS)) {
+                let lens = self.show.lens();
                 self.show = then;
+                self.show.set_lens(lens);
             }
             return;
         }

@@ -19,6 +19,7 @@ const PAPER: Color = Color::rgb(14, 18, 26);
 
 const HELP: &str = "\
 Mouse, finger   hold, drag and throw
+Wheel, pinch    look closer
 Esc             list of scenes
 PgUp PgDn       scene before, after
 P               pause

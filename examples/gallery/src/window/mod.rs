@@ -132,6 +132,7 @@ fn input(fingers: &mut Fingers) -> Input {
         pointers: if is_down { vec![mouse] } else { fingers },
         // A notch of a wheel is 1, or 120, or px, by platform.
         wheel: -quad::mouse_wheel().1.signum() * f32::from(u8::from(quad::mouse_wheel().1 != 0.0)) * 60.0,
+        hover: mouse,
         has_touch: is_touched || page::has_touch(),
     }
 }
