@@ -86,6 +86,11 @@ async function look() {
   check(await drag(page, mouse(page), 900, 600), "the mouse holds, drags and lets go");
   await page.keyboard.press("Escape");
   check(await becomes(page, (now) => now & LIST), "Escape opens the list");
+  await page.evaluate(() => { location.hash = ""; });
+  await page.waitForSelector("#cards a", { state: "visible" });
+  await page.evaluate(() => { location.hash = "#scene=pinball"; });
+  await shows(page, "pinball");
+  check(await page.evaluate(() => !element("stage").hidden), "from the cards it goes on");
   await page.context().close();
 }
 

@@ -69,8 +69,11 @@ async function follow() {
   const isShown = scene >= 0;
   element("stage").hidden = !isShown;
   element("list").hidden = isShown;
+  // What nobody sees costs no battery.
+  if (typeof wasm_exports !== "undefined") wasm_exports.gallery_rest(Number(!isShown));
   if (!isShown) return;
   const program = await start();
+  program.gallery_rest(Number(wanted() < 0));
   program.gallery_choose(scene);
   element("glcanvas").focus();
 }

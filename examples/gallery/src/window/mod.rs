@@ -74,6 +74,10 @@ async fn run(scenes: Vec<GalleryScene>, first: usize) {
     };
     let (mut ink, mut fingers, mut is_full) = (Ink::default(), Fingers::default(), false);
     loop {
+        if page::rests() {
+            quad::next_frame().await;
+            continue;
+        }
         let input = input(&mut fingers);
         open_dropped(&mut viewer);
         page::meet(&mut viewer);

@@ -12,6 +12,8 @@ use crate::{hashes, viewer::Viewer};
 static WANTED: AtomicI32 = AtomicI32::new(-1);
 /// The scene that is shown.
 static SHOWN: AtomicI32 = AtomicI32::new(-1);
+/// Whether the page shows something else.
+static RESTS: AtomicBool = AtomicBool::new(false);
 /// Whether the page knows of a touch screen.
 static HAS_TOUCH: AtomicBool = AtomicBool::new(false);
 /// Mean ms of a frame, of its steps and of its drawing, as bits.
@@ -25,6 +27,13 @@ static STATE: AtomicU32 = AtomicU32::new(0);
 #[unsafe(no_mangle)]
 pub(super) extern "C" fn gallery_choose(scene: i32) {
     WANTED.store(scene, Ordering::Relaxed);
+}
+
+/// Stops the time, and drawing, while something else is shown (not 0), or lets it go on (0).
+#[allow(unsafe_code)]
+#[unsafe(no_mangle)]
+pub(super) extern "C" fn gallery_rest(rests: u32) {
+    RESTS.store(rests != 0, Ordering::Relaxed);
 }
 
 /// Says that there is a touch screen: games get buttons before anybody has touched it.
@@ -62,6 +71,11 @@ pub(super) extern "C" fn gallery_hash(scene: u32, number: u32) -> u64 {
     let all = scenes();
     let hashes = all.get(scene as usize).and_then(|scene| hashes::of(scene).ok()).unwrap_or_default();
     hashes.get(number as usize).map_or(0, |hashed| hashed.hash)
+}
+
+/// Whether the page shows something else.
+pub(crate) fn rests() -> bool {
+    RESTS.load(Ordering::Relaxed)
 }
 
 /// Whether the page knows of a touch screen.
