@@ -6,8 +6,9 @@
 
 use std::path::{Path, PathBuf};
 
-use examples::{Plane, RATE, Recorder, Result, SIZE, Stage, Start, draw_hills, report, wants_debug_view};
-use twohalf_render::{Color, GroundBackdrop, SoftwareCanvas, draw_ground_backdrop};
+use examples::{Plane, RATE, Recorder, Result, SIZE, Stage, demo_scene_2, report, wants_debug_view};
+use twohalf::DepthScheme;
+use twohalf_render::SoftwareCanvas;
 
 /// Where the pictures go, seen from where the program was started.
 const FOLDER: &str = "target/demo_scene_2";
@@ -21,32 +22,8 @@ fn main() -> Result<()> {
     Ok(())
 }
 
-/// Tilt of the slope in rad.
-const TILT: f32 = 0.347;
-
-/// A level platform at the left, a slope next to it, and what falls on them.
-fn plane() -> Result<Plane> {
-    let mut plane = Plane::new()?;
-    plane.add_platform([200.0, 28.0], [130.0, 270.0], 0.0)?;
-    plane.add_platform([340.0, 24.0], [393.0, 335.0], TILT)?;
-    for index in 0..8 {
-        let i = index as f32;
-        let radius = 20.0 + 6.0 * (i * 1.7).sin();
-        let x = 90.0 + 48.0 * i;
-        plane.add_circle(radius, [x, 150.0 - 70.0 * (index % 4) as f32], [30.0 * (i * 1.3).sin(), 0.0])?;
-    }
-    let boxes = [([50.0, 40.0], [70.0, 90.0]), ([44.0, 44.0], [300.0, 60.0]), ([70.0, 36.0], [480.0, 200.0])];
-    for (size, position) in boxes {
-        plane.add_box(size, position, [0.0; 2])?;
-    }
-    for row in 0..3 {
-        plane.add_box([44.0, 40.0], [690.0, 428.0 - 41.0 * row as f32], [0.0; 2])?;
-    }
-    Ok(plane)
-}
-
 fn film_2d(folder: &Path) -> Result<String> {
-    let mut scene = plane()?;
+    let mut scene = demo_scene_2::plane()?;
     let mut backdrop = SoftwareCanvas::new(SIZE[0], SIZE[1])?;
     scene.draw_backdrop(&mut backdrop);
     let recorder = Recorder {
@@ -71,54 +48,9 @@ fn film_2d(folder: &Path) -> Result<String> {
     Ok(report("2D, the Farseer engine:", &summary, scene.bodies(), scene.most_contacts(), &end))
 }
 
-/// Direction of the Z axis in degrees.
-const ANGLE: i32 = 62;
-/// Z of the horizon.
-const HORIZON: f32 = 300.0;
-
-const STARTS: &[Start] = &[
-    // On the raised platform: balls that stay, that roll to the slope and down, off the front edge, off the left one.
-    Start::ball(20.0, [150.0, 200.0, 180.0], [0.0; 3]),
-    Start::ball(24.0, [95.0, 240.0, 130.0], [75.0, 0.0, 0.0]),
-    Start::ball(17.0, [150.0, 190.0, 85.0], [0.0, 0.0, -45.0]),
-    Start::ball(16.0, [80.0, 300.0, 165.0], [-40.0, 0.0, 0.0]),
-    // Crates on it: one flat, one that tips over the left edge.
-    Start::crate_box([54.0, 40.0], [80.0, 170.0, 80.0], [0.0; 3]),
-    Start::crate_box([60.0, 34.0], [12.0, 230.0, 120.0], [0.0; 3]),
-    // On the slope: balls that roll down, a crate that slides down, one that stays.
-    Start::ball(22.0, [420.0, 160.0, 170.0], [0.0; 3]),
-    Start::ball(18.0, [390.0, 230.0, 80.0], [0.0; 3]),
-    Start::crate_box([44.0, 36.0], [260.0, 150.0, 85.0], [0.0; 3]).turned(TILT).with_friction(0.0),
-    Start::crate_box([40.0, 36.0], [320.0, 180.0, 183.0], [0.0; 3]).turned(TILT).with_friction(0.9),
-    // Thrown up the slope, rolls back.
-    Start::ball(20.0, [660.0, 60.0, 120.0], [-300.0, 250.0, 0.0]),
-    // Under the raised platform, against the front of the slope, and behind both.
-    Start::ball(22.0, [20.0, 0.0, 110.0], [75.0, 0.0, 8.0]),
-    Start::ball(20.0, [440.0, 0.0, 5.0], [0.0, 0.0, 80.0]),
-    Start::ball(18.0, [200.0, 0.0, 245.0], [120.0, 0.0, 0.0]),
-    // A stack of crates at the right, for what comes down.
-    Start::crate_box([50.0, 44.0], [590.0, 0.0, 165.0], [0.0; 3]),
-    Start::crate_box([44.0, 40.0], [594.0, 44.0, 165.0], [0.0; 3]),
-    Start::crate_box([46.0, 46.0], [680.0, 120.0, 60.0], [0.0; 3]).turned(0.4),
-];
-
-/// A raised level platform at the left, a slope next to it down to the ground, a hedge at the horizon, and what falls.
-fn depth(wants_debug_view: bool) -> Result<Stage> {
-    let mut stage = Stage::new(ANGLE, wants_debug_view)?;
-    stage.add_platform([190.0, 26.0, 150.0], [115.0, 112.0, 130.0], 0.0, Color::rgb(150, 122, 96))?;
-    stage.add_platform([340.0, 22.0, 150.0], [369.0, 57.0, 130.0], TILT, Color::rgb(128, 138, 150))?;
-    stage.add_platform([1100.0, 30.0, 20.0], [240.0, 0.0, HORIZON + 10.0], 0.0, Color::rgb(82, 128, 74))?;
-    for start in STARTS {
-        stage.add(start)?;
-    }
-    stage.begin();
-    Ok(stage)
-}
-
 fn film_2_5d(folder: &Path, wants_debug_view: bool) -> Result<String> {
     let mut backdrop = SoftwareCanvas::new(SIZE[0], SIZE[1])?;
-    draw_ground_backdrop(&mut backdrop, &GroundBackdrop::new(HORIZON, ANGLE as f32))?;
-    draw_hills(&mut backdrop, HORIZON);
+    demo_scene_2::draw_backdrop(&mut backdrop)?;
     let recorder = Recorder {
         name: "demo_scene_2_2_5d",
         size: SIZE,
@@ -127,7 +59,7 @@ fn film_2_5d(folder: &Path, wants_debug_view: bool) -> Result<String> {
         seconds: 6,
         stills: &[0.0, 0.6, 1.2, 1.8, 3.0, 5.9],
     };
-    let mut stage = depth(wants_debug_view)?;
+    let mut stage = demo_scene_2::depth(DepthScheme::default(), wants_debug_view)?;
     let step = |stage: &mut Stage| {
         stage.step();
         Ok(())

@@ -1,5 +1,8 @@
 //! Shared code of the example programs.
 
+pub mod brawler;
+pub mod demo_scene_1;
+pub mod demo_scene_2;
 pub mod pinball;
 mod plane;
 mod recorder;
@@ -11,6 +14,7 @@ mod stage;
 pub use plane::Plane;
 pub use recorder::{Recorder, Summary};
 pub use sample_film::SampleFilm;
+pub use sample_picture::{draw_joint, draw_sample, draw_spring};
 pub use scenery::draw_hills;
 pub use stage::{Shape, Stage, Start};
 

@@ -18,7 +18,7 @@ const EARTH: Color = Color::rgb(150, 118, 80);
 const ON_THE_FLOOR: f32 = 1.5;
 
 /// A 2D simulator with a floor between two walls, and what is in it.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Plane {
     simulator: PhysicsSimulator,
     looks: Vec<(BodyId, Look)>,
@@ -136,6 +136,16 @@ impl Plane {
     /// Number of bodies, those that do not move among them.
     pub fn bodies(&self) -> usize {
         self.simulator.body_list().len()
+    }
+
+    /// The simulator, to look at.
+    pub fn simulator(&self) -> &PhysicsSimulator {
+        &self.simulator
+    }
+
+    /// The simulator, to meddle with it.
+    pub fn simulator_mut(&mut self) -> &mut PhysicsSimulator {
+        &mut self.simulator
     }
 
     /// Most contact points that a step solved.

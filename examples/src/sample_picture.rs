@@ -22,7 +22,7 @@ pub(crate) fn color([red, green, blue, alpha]: Rgba) -> Color {
 }
 
 /// Draws a scene that has made at least one step.
-pub(crate) fn draw_sample(scene: &SampleScene, canvas: &mut dyn Canvas) {
+pub fn draw_sample(scene: &SampleScene, canvas: &mut dyn Canvas) {
     let simulator = scene.simulator();
     for look in scene.looks() {
         draw_look(simulator, look, canvas);
@@ -70,7 +70,8 @@ fn draw_water(wave: &WaveController, canvas: &mut dyn Canvas) {
     canvas.stroke_polyline(&surface, false, 2.0, &Transform::IDENTITY, Color::WHITE);
 }
 
-fn draw_spring(simulator: &PhysicsSimulator, spring: SpringId, canvas: &mut dyn Canvas) {
+/// Draws a linear spring, or one that turns a body about the point in which the world holds it.
+pub fn draw_spring(simulator: &PhysicsSimulator, spring: SpringId, canvas: &mut dyn Canvas) {
     match simulator[spring].kind() {
         SpringKind::Linear(spring) => {
             let start = place(simulator, spring.body1(), spring.attach_point1());
@@ -137,7 +138,8 @@ fn holder(simulator: &PhysicsSimulator, body: BodyId) -> Option<&FixedRevoluteJo
         .find(|joint| joint.body() == body)
 }
 
-fn draw_joint(simulator: &PhysicsSimulator, id: JointId, canvas: &mut dyn Canvas) {
+/// Draws a joint that has a point or a rod to show, while it is enabled.
+pub fn draw_joint(simulator: &PhysicsSimulator, id: JointId, canvas: &mut dyn Canvas) {
     let joint = &simulator[id];
     if !joint.enabled() {
         return;

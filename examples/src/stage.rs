@@ -1,6 +1,8 @@
 //! A 2.5D scene: the engine, and how its objects look.
 
-use twohalf::{BodyId, Drawable, Partner, Platform, PlatformId, TwoHalfPhysicsSimulator, Vector2, Vector3};
+use twohalf::{
+    BodyId, DepthScheme, Drawable, Partner, Platform, PlatformId, TwoHalfPhysicsSimulator, Vector2, Vector3,
+};
 use twohalf_factories::{TwoHalfBodyFactory, TwoHalfGeomFactory};
 use twohalf_render::{
     Canvas, Color, DebugView, DrawBody, DrawPlatform, PlatformLook, SpriteBatch, Texture2D, TextureStore,
@@ -78,7 +80,7 @@ impl Start {
 }
 
 /// A 2.5D simulator, how its objects look, and its pictures.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Stage {
     simulator: TwoHalfPhysicsSimulator,
     textures: TextureStore,
@@ -95,10 +97,12 @@ impl Stage {
     ///
     /// # Errors
     /// An angle out of range.
-    pub fn new(angle: i32, wants_debug_view: bool) -> Result<Self> {
+    pub fn new(angle: i32, scheme: DepthScheme, wants_debug_view: bool) -> Result<Self> {
         let gravity = Vector2::new(0.0, GRAVITY);
+        let mut simulator = TwoHalfPhysicsSimulator::with_angle_and_gravity(SIZE[1] as i32, angle, gravity)?;
+        simulator.set_depth_scheme(scheme)?;
         Ok(Stage {
-            simulator: TwoHalfPhysicsSimulator::with_angle_and_gravity(SIZE[1] as i32, angle, gravity)?,
+            simulator,
             textures: TextureStore::default(),
             looks: Vec::new(),
             platforms: Vec::new(),
@@ -254,6 +258,11 @@ impl Stage {
     /// The simulator, to look at.
     pub fn simulator(&self) -> &TwoHalfPhysicsSimulator {
         &self.simulator
+    }
+
+    /// The simulator, to meddle with it.
+    pub fn simulator_mut(&mut self) -> &mut TwoHalfPhysicsSimulator {
+        &mut self.simulator
     }
 
     /// Most contact points that a step solved.

@@ -5,7 +5,15 @@ use crate::Point;
 /// What of `polygon` (any) lies inside of `convex` (either winding), cut edge by edge: Sutherland and Hodgman,
 /// Reentrant Polygon Clipping, 1974. Where a concave polygon falls apart, its pieces stay joined by edges without
 /// area, which fill nothing. Empty if there is no area to cut out.
-pub(crate) fn clip_to_convex(polygon: &[Point], convex: &[Point]) -> Vec<Point> {
+///
+/// ```
+/// # use twohalf_render::clip_to_convex;
+/// let square = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]];
+/// let beside = square.map(|[x, y]| [x + 6.0, y]);
+/// let common = clip_to_convex(&beside, &square);
+/// assert!(common.iter().all(|[x, _]| (6.0..=10.0).contains(x)));
+/// ```
+pub fn clip_to_convex(polygon: &[Point], convex: &[Point]) -> Vec<Point> {
     let area: f64 = edges(convex).map(|[a, b]| cross([0.0; 2], a, b)).sum();
     if polygon.len() < 3 || !(area != 0.0 && area.is_finite()) {
         return Vec::new();

@@ -98,6 +98,7 @@ mod view;
 pub use animation::Animation;
 pub use backdrop::{GroundBackdrop, draw_ground_backdrop, draw_parallax_layer};
 pub use canvas::{Canvas, MAX_COORDINATE};
+pub use clip::clip_to_convex;
 pub use color::Color;
 pub use contact_sheet::ContactSheet;
 pub use debug_view::DebugView;

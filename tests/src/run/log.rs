@@ -6,7 +6,7 @@ use farseer_core::{Contact, Context, ControllerId, EventHandler, GeomId, JointId
 use std::collections::HashMap;
 
 /// What a run subscribes to, and what it heard.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Log {
     /// Id in the scene of every geom ever created.
     numbers: HashMap<GeomId, usize>,

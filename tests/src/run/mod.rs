@@ -21,7 +21,7 @@ use farseer_core::{BodyId, ControllerId, GeomId, JointId, PhysicsSimulator, Scal
 use log::Log;
 
 /// A scene that is being simulated.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Run<'a> {
     scene: &'a Scene,
     simulator: PhysicsSimulator,

@@ -32,7 +32,7 @@ pub use circles::{Circles, circles};
 pub use drive::{AngularDrive, Drive};
 pub use outlines::{map_outline, splat_outline};
 pub use ragdoll::ragdoll;
-pub use scene::{Actor, Figure, Look, SampleScene};
+pub use scene::{Actor, CopyActor, Figure, Look, SampleScene};
 pub use spider::Spider;
 pub use springs::{Lever, Rope, Side};
 pub use table::{Table, table};

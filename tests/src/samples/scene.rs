@@ -10,7 +10,7 @@ use super::{DT, Rgba};
 /// What a scene does besides its physics (behaviour chapter 16, section B.1).
 ///
 /// Forces that are applied after a step take effect in the next one.
-pub trait Actor: std::fmt::Debug {
+pub trait Actor: std::fmt::Debug + CopyActor {
     /// Acts before every step.
     ///
     /// # Errors
@@ -27,6 +27,24 @@ pub trait Actor: std::fmt::Debug {
     fn after_step(&mut self, simulator: &mut PhysicsSimulator) -> Result<()> {
         let _ = simulator;
         Ok(())
+    }
+}
+
+/// A copy behind the same pointer: so that scenes can be copied in mid-run.
+pub trait CopyActor {
+    /// The copy.
+    fn copy(&self) -> Box<dyn Actor>;
+}
+
+impl<A: Actor + Clone + 'static> CopyActor for A {
+    fn copy(&self) -> Box<dyn Actor> {
+        Box::new(self.clone())
+    }
+}
+
+impl Clone for Box<dyn Actor> {
+    fn clone(&self) -> Self {
+        (**self).copy()
     }
 }
 
@@ -56,7 +74,7 @@ pub enum Figure {
 }
 
 /// What the handlers of scenes know.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Known {
     /// The geoms that a weld keeps in one collision group.
     pub(super) welded: SideTable<JointId, [GeomId; 2]>,
@@ -65,7 +83,7 @@ pub(super) struct Known {
 }
 
 /// A scene.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct SampleScene {
     pub(super) simulator: PhysicsSimulator,
     pub(super) dispatch: Dispatch<Known>,

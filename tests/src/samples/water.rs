@@ -11,7 +11,7 @@ use super::scene::Known;
 use super::{Actor, Pyramid, SCREEN, SampleScene, border, crate_box, pyramid};
 
 /// Moves a wave that is not in the simulation.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Surf(ControllerId);
 
 impl Actor for Surf {

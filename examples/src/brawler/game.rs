@@ -2,30 +2,32 @@
 //!
 //! The game is all here and knows no screen; [`Brawler::step`] takes what keys are down, whoever holds them.
 
-use examples::Result;
+use crate::Result;
+use farseer_core::math::scalar::cos;
 use twohalf::{
     BodyId, GeomId, Platform, PlatformId, TwoHalfPhysicsSimulator, Vector2, Vector3, Walk, Walker, Wish,
 };
 use twohalf_factories::{Ball, Figure, Prism, Thing, spawn, spawn_lane};
 
-pub(crate) const RATE: u32 = 120;
+/// Updates per second.
+pub const RATE: u32 = 120;
 const DT: f32 = 1.0 / RATE as f32;
 const GRAVITY: f32 = 900.0;
 /// Direction of the Z axis on the screen, degrees.
-pub(crate) const ANGLE: i32 = 70;
-pub(crate) const HEIGHT: i32 = 400;
+pub(super) const ANGLE: i32 = 70;
+pub(super) const HEIGHT: i32 = 400;
 
 /// Front and back of the street.
-pub(crate) const LANE: [f32; 2] = [10.0, 150.0];
+pub(super) const LANE: [f32; 2] = [10.0, 150.0];
 /// Height of the street, and of the terrace behind the lift.
-pub(crate) const STREET: f32 = 40.0;
-pub(crate) const TERRACE: f32 = 130.0;
+pub(super) const STREET: f32 = 40.0;
+pub(super) const TERRACE: f32 = 130.0;
 /// From where to where along X: a hole, a belt that runs to the left, a pond, and the lift.
-pub(crate) const HOLE: [f32; 2] = [560.0, 640.0];
+pub(super) const HOLE: [f32; 2] = [560.0, 640.0];
 const BELT: [f32; 2] = [980.0, 1120.0];
-pub(crate) const POND: [f32; 2] = [1200.0, 1340.0];
-pub(crate) const LIFT: [f32; 2] = [1340.0, 1430.0];
-pub(crate) const WATER: f32 = 30.0;
+pub(super) const POND: [f32; 2] = [1200.0, 1340.0];
+pub(super) const LIFT: [f32; 2] = [1340.0, 1430.0];
+pub(super) const WATER: f32 = 30.0;
 const END: f32 = 2100.0;
 const DOOR: f32 = 1640.0;
 
@@ -48,58 +50,64 @@ const CRATES: [[f32; 3]; 6] = [
 ];
 const BALLS: [[f32; 3]; 3] = [[320.0, STREET, 40.0], [1240.0, 60.0, 60.0], [1800.0, TERRACE, 80.0]];
 
-/// What is held down, x and z from -1 to 1, and what was pressed just now; `grab` lifts, and throws.
+/// What is held down, and what was pressed just now.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Keys {
-    pub(crate) x: f32,
-    pub(crate) z: f32,
-    pub(crate) jump: bool,
-    pub(crate) punch: bool,
-    pub(crate) grab: bool,
+pub struct Keys {
+    /// From -1, to the left, to 1.
+    pub x: f32,
+    /// From -1, to the front, to 1.
+    pub z: f32,
+    /// Jumps.
+    pub jump: bool,
+    /// Strikes.
+    pub punch: bool,
+    /// Lifts what is near, or throws what is held; only in the step in which it was pressed.
+    pub grab: bool,
 }
 
 /// Somebody who walks and strikes. The first one is the player's.
 #[derive(Debug, Clone)]
-pub(crate) struct Fighter {
-    pub(crate) body: BodyId,
+pub(super) struct Fighter {
+    pub(super) body: BodyId,
     geom: GeomId,
     walker: Walker,
-    pub(crate) health: u32,
-    pub(crate) looks_left: bool,
+    pub(super) health: u32,
+    pub(super) looks_left: bool,
     /// How far it has walked, in steps.
-    pub(crate) stride: f32,
+    pub(super) stride: f32,
     /// Seconds until it may strike again.
-    pub(crate) rests: f32,
+    pub(super) rests: f32,
     /// Seconds until it feels the last blow no more.
-    pub(crate) reels: f32,
+    pub(super) reels: f32,
 }
 
 /// Something to throw.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Load {
-    pub(crate) body: BodyId,
+pub(super) struct Load {
+    pub(super) body: BodyId,
     geom: GeomId,
-    pub(crate) is_ball: bool,
+    pub(super) is_ball: bool,
     /// Seconds since it was thrown; it does not meet who threw it for a moment.
     thrown: f32,
 }
 
 /// The game.
 #[derive(Debug, Clone)]
-pub(crate) struct Brawler {
-    pub(crate) simulator: TwoHalfPhysicsSimulator,
+pub struct Brawler {
+    pub(super) simulator: TwoHalfPhysicsSimulator,
     /// Who fights; the first is the player's.
-    pub(crate) fighters: Vec<Fighter>,
-    pub(crate) loads: Vec<Load>,
+    pub(super) fighters: Vec<Fighter>,
+    pub(super) loads: Vec<Load>,
     /// Which of them the player holds.
-    pub(crate) held: Option<usize>,
-    pub(crate) lift: PlatformId,
-    pub(crate) door: PlatformId,
+    pub(super) held: Option<usize>,
+    pub(super) lift: PlatformId,
+    pub(super) door: PlatformId,
     /// The walls of the lane, which are not seen.
-    pub(crate) walls: [PlatformId; 4],
-    pub(crate) score: u32,
+    pub(super) walls: [PlatformId; 4],
+    /// Points so far.
+    pub score: u32,
     /// Where blows have landed, and for how long that is still to be seen, s.
-    pub(crate) blows: Vec<(Vector3, f32)>,
+    pub(super) blows: Vec<(Vector3, f32)>,
     /// Steps for which the world stands still after a blow.
     hit_stop: u32,
     time: f32,
@@ -107,7 +115,10 @@ pub(crate) struct Brawler {
 
 impl Brawler {
     /// The start of the street.
-    pub(crate) fn new() -> Result<Self> {
+    ///
+    /// # Errors
+    /// None with these sizes.
+    pub fn new() -> Result<Self> {
         let mut simulator =
             TwoHalfPhysicsSimulator::with_angle_and_gravity(HEIGHT, ANGLE, Vector2::new(0.0, GRAVITY))?;
         let mut slab = |[left, right]: [f32; 2], [front, back]: [f32; 2], [low, high]: [f32; 2]| {
@@ -171,23 +182,36 @@ impl Brawler {
         Ok(())
     }
 
+    /// The simulator, to look at.
+    pub fn simulator(&self) -> &TwoHalfPhysicsSimulator {
+        &self.simulator
+    }
+
+    /// The simulator, to meddle with it.
+    pub fn simulator_mut(&mut self) -> &mut TwoHalfPhysicsSimulator {
+        &mut self.simulator
+    }
+
     /// Where a body stands.
-    pub(crate) fn place(&self, body: BodyId) -> Vector3 {
+    pub(super) fn place(&self, body: BodyId) -> Vector3 {
         self.simulator.body(body).map_or(Vector3::zeros(), |body| body.position3d())
     }
 
     /// Where the player's fighter stands.
-    pub(crate) fn player(&self) -> Vector3 {
+    pub(super) fn player(&self) -> Vector3 {
         self.place(self.fighters[0].body)
     }
 
     /// Height of the lift.
-    pub(crate) fn lift_height(&self) -> f32 {
+    pub(super) fn lift_height(&self) -> f32 {
         self.simulator.platform(self.lift).map_or(0.0, |lift| lift.position3d().y + TERRACE)
     }
 
     /// One step of 1 / [`RATE`] s.
-    pub(crate) fn step(&mut self, keys: Keys) -> Result<()> {
+    ///
+    /// # Errors
+    /// What the engine refuses: nothing, with what keys say.
+    pub fn step(&mut self, keys: Keys) -> Result<()> {
         self.blows.retain_mut(|(_, left)| {
             *left -= DT;
             *left > 0.0
@@ -211,7 +235,7 @@ impl Brawler {
     }
 
     fn move_platforms(&mut self) -> Result<()> {
-        let part = (0.5 - 0.8 * (0.8 * self.time).cos()).clamp(0.0, 1.0);
+        let part = (0.5 - 0.8 * cos(0.8 * self.time)).clamp(0.0, 1.0);
         let opens = self.fighters[1..].iter().all(|thug| self.place(thug.body).x > DOOR);
         let (door, lift) = (self.door, self.lift);
         if let Some(mut lift) = self.simulator.platform_mut(lift) {

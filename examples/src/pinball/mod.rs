@@ -1,5 +1,9 @@
 //! A pinball table: how a game uses handlers of single geoms, side tables, typed ids, sensors and collision categories.
 
+mod picture;
+
+pub use picture::{FELT, draw, play};
+
 use farseer_core::math::Vector2;
 use farseer_core::{
     BodyFactory, BodyId, CollisionCategory, Contact, Context, Dispatch, FixedAngleSpring, GeomFactory,
@@ -56,7 +60,7 @@ pub enum Thing {
 }
 
 /// The score, and all else that handlers know.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Game {
     /// Points so far.
     pub score: u32,
@@ -81,7 +85,7 @@ pub enum Side {
 }
 
 /// A flipper.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Flipper {
     body: BodyId,
     spring: TypedSpringId<FixedAngleSpring>,
@@ -90,7 +94,7 @@ struct Flipper {
 }
 
 /// The table, the game on it and the handlers between them.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Pinball {
     simulator: PhysicsSimulator,
     dispatch: Dispatch<Game>,
@@ -127,6 +131,11 @@ impl Pinball {
     /// The simulator, to look at.
     pub fn simulator(&self) -> &PhysicsSimulator {
         &self.simulator
+    }
+
+    /// The simulator, to meddle with it.
+    pub fn simulator_mut(&mut self) -> &mut PhysicsSimulator {
+        &mut self.simulator
     }
 
     /// The game.

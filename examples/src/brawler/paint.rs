@@ -1,95 +1,48 @@
-//! A small beat-'em-up: walk, jump, punch, lift and throw, over a hole, a belt, a pond and a lift, against thugs who chase.
-//!
-//! `cargo run --release --example brawler` lets a script play it, and writes an animation and a page of stills.
+//! What the street looks like.
 
-mod game;
-
-use std::path::Path;
-
-use examples::{Recorder, Result, draw_hills};
-use game::*;
 use twohalf::{Drawable, Vector3};
 use twohalf_render::*;
 
-/// Where the pictures go, seen from where the program was started.
-const FOLDER: &str = "target/brawler";
-const SIZE: [u32; 2] = [640, 400];
+use super::game::*;
+use crate::{Result, draw_hills};
+
+/// Width and height of the picture in px.
+pub const SIZE: [u32; 2] = [640, 400];
 const COAT: Color = Color::rgb(46, 110, 196);
 const THUG: Color = Color::rgb(176, 52, 44);
 const STONE: Color = Color::rgb(128, 120, 116);
 const AMBER: Color = Color::rgb(226, 160, 36);
 const WOOD: Color = Color::rgb(182, 128, 70);
 
-fn main() -> Result<()> {
-    let mut game = Brawler::new()?;
-    let recorder = Recorder {
-        name: "brawler",
-        size: SIZE,
-        shrink: 2,
-        steps_per_second: RATE,
-        seconds: 42,
-        stills: &[1.0, 3.0, 6.2, 11.0, 18.0, 24.0, 34.0, 37.0, 41.0],
-    };
-    let look = Paint { shadow: Scene::soft_shadow(), crate_box: Texture2D::crate_box(30, 30, WOOD)? };
-    let sky = SoftwareCanvas::new(SIZE[0], SIZE[1])?;
-    let step = |game: &mut Brawler| game.step(script(game));
-    let summary =
-        recorder.film(Path::new(FOLDER), &mut game, &sky, step, |game, canvas| look.draw(game, canvas))?;
-    println!(
-        "{} updates, {:.1} us each; {} points\n  animation: {}\n  stills:    {}",
-        summary.steps,
-        summary.mean_step.as_secs_f64() * 1e6,
-        game.score,
-        summary.animation.display(),
-        summary.contact_sheet.display(),
-    );
-    Ok(())
-}
-
-/// Somebody who knows the street, and presses the keys.
-fn script(game: &Brawler) -> Keys {
-    let me = game.player();
-    let is_at_edge =
-        (HOLE[0] - 14.0..HOLE[0] + 20.0).contains(&me.x) || (POND[0] - 12.0..POND[0]).contains(&me.x);
-    let near = |at: Vector3| (at.y - me.y).abs() < 40.0;
-    let ahead = game.fighters[1..].iter().map(|thug| (thug.health, game.place(thug.body)));
-    let ahead = ahead.filter(|(health, at)| *health > 0 && near(*at) && (at - me).norm() < 240.0);
-    let thug = ahead.map(|(_, at)| at).min_by(|a, b| (a - me).norm().total_cmp(&(b - me).norm()));
-    if let Some(at) = thug {
-        let (way, z) = (at - me, (at.z - me.z).clamp(-20.0, 20.0) / 20.0);
-        let throws = game.held.is_some() && way.z.abs() < 14.0;
-        let is_close = way.x.abs() < 38.0;
-        let x = if is_close { 0.01 * way.x.signum() } else { way.x.signum() };
-        return Keys {
-            x,
-            z,
-            grab: throws,
-            punch: is_close && way.z.abs() < 14.0,
-            jump: is_at_edge && x > 0.0,
-        };
-    }
-    let in_reach = |load: &Load| {
-        let way = game.place(load.body) - me;
-        (0.0..42.0).contains(&way.x) && way.z.abs() < 20.0 && near(game.place(load.body))
-    };
-    if game.held.is_none() && me.x < 1000.0 && game.loads.iter().any(in_reach) {
-        return Keys { grab: true, ..Keys::default() };
-    }
-    let waits = (LIFT[0] - 40.0..LIFT[0] - 13.0).contains(&me.x) && game.lift_height() > 12.0
-        || (LIFT[0] + 20.0..LIFT[1]).contains(&me.x) && me.y < TERRACE - 6.0;
-    Keys { x: f32::from(u8::from(!waits)), z: (80.0 - me.z) / 40.0, jump: is_at_edge, ..Keys::default() }
-}
-
-struct Paint {
+/// The pictures of the game.
+#[derive(Debug, Clone)]
+pub struct Paint {
     shadow: Texture2D,
     crate_box: Texture2D,
 }
 
 impl Paint {
-    fn draw(&self, game: &Brawler, canvas: &mut dyn Canvas) -> Result<()> {
+    /// Paints them.
+    ///
+    /// # Errors
+    /// None with these sizes.
+    pub fn new() -> Result<Self> {
+        Ok(Paint { shadow: Scene::soft_shadow(), crate_box: Texture2D::crate_box(30, 30, WOOD)? })
+    }
+
+    /// What follows the player: from the simulator's px to those of the picture.
+    pub fn camera(game: &Brawler) -> Transform {
         let [width, height] = SIZE.map(|side| side as f32);
         let x = game.player().x.clamp(0.4 * width, 1850.0) + 60.0;
-        let camera = Transform::camera([x, 0.5 * height], 1.0, 0.0, [0.5 * width, 0.5 * height]);
+        Transform::camera([x, 0.5 * height], 1.0, 0.0, [0.5 * width, 0.5 * height])
+    }
+
+    /// Draws the street about the player on a canvas of [`SIZE`].
+    ///
+    /// # Errors
+    /// None.
+    pub fn draw(&self, game: &Brawler, canvas: &mut dyn Canvas) -> Result<()> {
+        let camera = Paint::camera(game);
         let mut view = View::new(canvas).camera(&camera);
         draw_ground_backdrop(&mut view, &GroundBackdrop::new(185.0, ANGLE as f32))?;
         draw_hills(canvas, 185.0);
@@ -159,18 +112,4 @@ fn draw_water(game: &Brawler, canvas: &mut dyn Canvas) {
     let face = [at(left, WATER, front), at(right, WATER, front), at(right, 0.0, front), at(left, 0.0, front)];
     canvas.fill_polygon(&top, &Transform::IDENTITY, Color::rgba(70, 150, 220, 110));
     canvas.fill_polygon(&face, &Transform::IDENTITY, Color::rgba(40, 100, 180, 150));
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_script_plays_to_the_end_of_the_street() {
-        let mut game = Brawler::new().unwrap();
-        for _ in 0..60 * RATE {
-            game.step(script(&game)).unwrap();
-        }
-        assert!(game.fighters.len() == 1 && game.player().x > 1900.0, "{}", game.player());
-    }
 }
