@@ -41,14 +41,17 @@
 mod body_factory;
 mod geom_factory;
 mod lane;
+mod slope;
 mod spawn;
 
 #[doc = include_str!("recipes.md")]
+#[doc = include_str!("recipes_of_figures.md")]
 pub mod recipes {}
 
 pub use body_factory::TwoHalfBodyFactory;
 pub use geom_factory::TwoHalfGeomFactory;
 pub use lane::spawn_lane;
+pub use slope::spawn_slope;
 pub use spawn::{Ball, Figure, Prism, Spawned, Thing, spawn};
 
 /// The example of the README is run with those of the documentation.

@@ -4,7 +4,7 @@ use twohalf::{PlatformId, TwoHalfPhysicsSimulator, Vector3};
 
 use crate::outline_of_line::across;
 use crate::shadow::Shadow;
-use crate::surface::{Face, corners_on_screen};
+use crate::surface::{Face, above_ground, to_screen};
 use crate::{Color, Point, Sprite, SpriteBatch, TextureStore};
 
 /// How a platform looks in a game without art: a colour for every face, edges drawn after.
@@ -49,7 +49,8 @@ impl PlatformLook {
 
 /// Draws platforms of a simulator. A platform that does not exist draws nothing.
 pub trait DrawPlatform {
-    /// Adds the faces of a platform that can be seen. `layer_depth`: 0 front to 1 back.
+    /// Adds the faces of a platform that can be seen, as far as they are above the ground, Y = 0, which hides what is below:
+    /// of a lift in its shaft, or the foot of a slope. `layer_depth`: 0 front to 1 back.
     fn draw_platform(
         &self,
         batch: &mut SpriteBatch,
@@ -83,15 +84,20 @@ impl DrawPlatform for TwoHalfPhysicsSimulator {
         look: &PlatformLook,
         layer_depth: f32,
     ) {
-        let Some(corners) = corners_on_screen(self, platform) else { return };
+        let Some(platform) = self.platform(platform) else { return };
+        let corners = platform.corners();
+        let on_screen = |point: Vector3| to_screen(self, point);
         let faces = Face::ALL.map(|face| (face, face.corners(&corners)));
-        let visible = faces.iter().filter(|(_, corners)| is_clockwise(corners));
-        for (face, corners) in visible.clone() {
-            batch.draw(Sprite { layer_depth, ..Sprite::polygon(*corners, look.face(*face)) });
+        let visible = faces.into_iter().filter(|(_, corners)| is_clockwise(&corners.map(on_screen)));
+        let outlines: Vec<(Face, Vec<Point>)> = visible
+            .map(|(face, corners)| (face, above_ground(corners).into_iter().map(on_screen).collect()))
+            .collect();
+        for (face, outline) in &outlines {
+            batch.draw(Sprite { layer_depth, ..Sprite::polygon(outline.clone(), look.face(*face)) });
         }
-        for (_, corners) in visible {
-            for index in 0..4 {
-                let line = line(corners[index], corners[(index + 1) % 4], look.edge_width);
+        for (_, outline) in &outlines {
+            for (index, &from) in outline.iter().enumerate() {
+                let line = line(from, outline[(index + 1) % outline.len()], look.edge_width);
                 batch.draw(Sprite { layer_depth, ..Sprite::polygon(line, look.edges) });
             }
         }

@@ -64,6 +64,64 @@
 //! DebugView::default().draw(&simulator, &mut canvas);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # A camera that follows
+//!
+//! The [camera](Transform::camera) looks at a point of the scene in px of the simulator's screen, where bodies have their
+//! [`position`](twohalf::TwoHalfBody::position). Here it goes after the player, and after the floor below rather than the player's
+//! own height, so that it does not hop along with a jump; it stops where the level ends. The backdrop is drawn through the same
+//! camera, what stays where it is (scores, captions) without.
+//!
+//! ```
+//! use twohalf::{Drawable, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3, Walk, Walker, Wish};
+//! use twohalf_factories::spawn;
+//! use twohalf_render::*;
+//!
+//! const SCREEN: [u32; 2] = [320, 240];
+//! const LEVEL: f32 = 2000.0;
+//! const STEP: f32 = 1.0 / 60.0;
+//! let gravity = Vector2::new(0.0, 900.0);
+//! let mut simulator = TwoHalfPhysicsSimulator::with_angle_and_gravity(SCREEN[1] as i32, 70, gravity)?;
+//! Platform::new(&mut simulator, 200.0, 40.0, 100.0, Vector3::new(900.0, 0.0, 60.0), None)?;
+//! let size = [30.0, 60.0, 20.0];
+//! let player = spawn(&mut simulator, twohalf_factories::Figure::new(size).at([60.0, 0.0, 60.0]))?;
+//! let mut walker = Walker::new(Walk::default());
+//!
+//! let mut canvas = SoftwareCanvas::new(SCREEN[0], SCREEN[1])?;
+//! let shadow = Scene::soft_shadow();
+//! let middle = SCREEN.map(|side| 0.5 * side as f32);
+//! let mut looks_at = middle;
+//! for frame in 0..240 {
+//!     let wish = Wish { x: 200.0, jump: frame == 200, ..Wish::default() };
+//!     simulator.walk(player.body, &mut walker, wish, STEP)?;
+//!     simulator.update(STEP);
+//!
+//!     let floor = simulator.surface_beneath_body(player.body).map_or(0.0, |surface| surface.height);
+//!     let mut point = simulator.body(player.body).unwrap().position3d();
+//!     point.y = floor;
+//!     let goal = simulator.projection().to_screen(point);
+//!     // A tenth of the way in each frame, no farther than the ends of the level, and nothing below the ground.
+//!     let goal = [goal.x.clamp(middle[0], LEVEL - middle[0]), goal.y.min(middle[1])];
+//!     looks_at = [0, 1].map(|axis| looks_at[axis] + 0.1 * (goal[axis] - looks_at[axis]));
+//! }
+//! let camera = Transform::camera(looks_at, 1.0, 0.0, middle);
+//! draw_ground_backdrop(&mut View::new(&mut canvas).camera(&camera), &GroundBackdrop::new(120.0, 70.0))?;
+//! let scene = Scene::new(&simulator, &shadow).camera(&camera);
+//! scene.draw(&mut canvas, |thing| match thing {
+//!     Drawable::Platform(_) => Look::Solid(PlatformLook::new(Color::rgb(150, 122, 96))),
+//!     Drawable::Body(_) => Look::Figure(Figure::new(Color::rgb(40, 90, 200))),
+//! });
+//! draw_caption(&mut canvas, "score 0");
+//!
+//! // 800 px further to the right, the player is still in the picture, and under the mouse there.
+//! let place = simulator.body(player.body).unwrap().position();
+//! let seen = camera.apply(place.into());
+//! assert!(place.x > 800.0 && seen[0] > 160.0 && seen[0] < 220.0);
+//! assert_eq!(scene.pick(seen), Some(Drawable::Body(player.body)));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! [`SoftwareCanvas::save_png`] writes what is on the canvas, [`Animation`] all frames.
 
 #![forbid(unsafe_code)]
 

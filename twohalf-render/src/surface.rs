@@ -51,6 +51,21 @@ pub(crate) fn corners_on_screen(
     Some(corners.map(|corner| to_screen(simulator, corner)))
 }
 
+/// What of a convex face lies above the ground or on it: clockwise as the face, empty if nothing does.
+pub(crate) fn above_ground(face: [Vector3; 4]) -> Vec<Vector3> {
+    let mut kept = Vec::with_capacity(5);
+    for (index, &from) in face.iter().enumerate() {
+        let to = face[(index + 1) % face.len()];
+        if from.y >= 0.0 {
+            kept.push(from);
+        }
+        if from.y.min(to.y) < 0.0 && from.y.max(to.y) > 0.0 {
+            kept.push(from + (to - from) * (from.y / (from.y - to.y)));
+        }
+    }
+    kept
+}
+
 /// The slopes of [`Transform::slant`](crate::Transform::slant) that lift what lies on level ground straight up onto
 /// a surface.
 pub(crate) fn slopes(simulator: &TwoHalfPhysicsSimulator, surface: &Surface) -> Point {

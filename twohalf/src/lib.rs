@@ -127,7 +127,7 @@
 //!
 #![doc = include_str!("../docs/platform.svg")]
 //!
-//! A [`Platform`] is an immovable box (thesis 3.6): level, tilted to a slope, or sheared, so that its edges in
+//! A [`Platform`] is a box that nothing pushes (thesis 3.6): level, tilted to a slope, or sheared, so that its edges in
 //! depth run at an angle on the screen that is not the Z axis'. Objects land on it where their footprint is above
 //! it, walk off every edge, bump into its sides, its front and its underside, and pass under it. It is there for
 //! every object and costs nothing where nobody is near.
@@ -350,7 +350,9 @@
 //!   assert!(stand(Precise, 20, 100.0) && stand(Precise, 20, 900.0));
 //!   ```
 //! - **Only balls turn about X and Y.** A box that hangs over the front edge of a platform does not tip over it.
-//! - **Platforms do not carry.** One that is moved pushes out what it comes to overlap, and nothing rides on it.
+//! - **Platforms move and carry only with the precise scheme**, by [`move_to`](PlatformMut::move_to) or
+//!   [`set_velocity`](PlatformMut::set_velocity). One that is put elsewhere by [`set_position3d`](PlatformMut::set_position3d)
+//!   pushes out what it comes to overlap, and nothing rides on it.
 //! - [`DepthScheme::Thesis`] is there to compare with: nothing ever meets in all three axes, and what meets along Z is a
 //!   box and has no friction.
 //! - **Sprites are flat**, so there may be no right [drawing order](TwoHalfPhysicsSimulator::draw_order) for three

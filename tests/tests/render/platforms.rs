@@ -52,6 +52,36 @@ fn straight_from_the_front_a_level_platform_is_two_rectangles() {
 }
 
 #[test]
+fn what_of_a_platform_is_below_the_ground_is_not_drawn() {
+    let (mut simulator, id) = scene(90, 0.0);
+    let mut sink = |height: f32| {
+        let place = Vector3::new(200.0, height, 100.0);
+        simulator.platform_mut(id).unwrap().set_position3d(place).unwrap();
+        platform_picture(&simulator, id)
+    };
+    // Its front stands on the ground at Z = 70, and is 8 px high.
+    let canvas = sink(-12.0);
+    assert_eq!(
+        [521, 523, 529, 531].map(|y| canvas.pixel(200, y).unwrap()),
+        [GREEN, BLUE, BLUE, Color::TRANSPARENT]
+    );
+    let canvas = sink(-21.0);
+    assert!(pixels().all(|([x, y], _)| canvas.pixel(x, y) == Some(Color::TRANSPARENT)));
+}
+
+#[test]
+fn of_a_slope_that_ends_below_the_ground_nothing_is_drawn_beyond_its_foot() {
+    let (mut simulator, id) = scene(90, 0.5);
+    simulator.platform_mut(id).unwrap().set_position3d(Vector3::new(200.0, 0.0, 100.0)).unwrap();
+    // Its top goes through (200 + 10 sin 0.5, 10 + 10 cos 0.5), and falls by tan 0.5 per px: to the ground at 239.1.
+    assert_eq!(color_at(&simulator, id, [236.0, 0.0, 100.0]), Some(GREEN));
+    assert_eq!(color_at(&simulator, id, [242.0, 0.0, 100.0]), Some(Color::TRANSPARENT));
+    // The front is cut off level with the ground.
+    assert_eq!(color_at(&simulator, id, [200.0, 2.0, 70.0]), Some(BLUE));
+    assert_eq!(color_at(&simulator, id, [200.0, -2.0, 70.0]), Some(Color::TRANSPARENT));
+}
+
+#[test]
 fn a_platform_that_is_upside_down_shows_its_underside() {
     let (simulator, id) = scene(90, std::f32::consts::PI);
     assert_eq!(color_at(&simulator, id, [200.0, 50.0, 100.0]), Some(GRAY));

@@ -1,7 +1,7 @@
 //! Things that are made in one call.
 
 use twohalf::{DepthProfile, TwoHalfPhysicsSimulator, Vector2, Vector3};
-use twohalf_factories::{Ball, Figure, Prism, Thing, spawn, spawn_lane};
+use twohalf_factories::{Ball, Figure, Prism, Thing, spawn, spawn_lane, spawn_slope};
 
 fn simulator() -> TwoHalfPhysicsSimulator {
     TwoHalfPhysicsSimulator::with_gravity(480, Vector2::new(0.0, 900.0)).unwrap()
@@ -71,6 +71,44 @@ fn a_lane_that_cannot_be_adds_nothing() {
         (far, far, f32::INFINITY),
     ] {
         assert!(spawn_lane(&mut simulator, x, z, height).is_err());
+        assert_eq!(simulator.platforms().count(), 0);
+    }
+}
+
+#[test]
+fn the_upper_edge_of_a_slope_is_where_it_was_told() {
+    let mut simulator = simulator();
+    for (from, to) in
+        [([100.0, 20.0], [400.0, 140.0]), ([400.0, 120.0], [730.0, 0.0]), ([0.0, 30.0], [90.0, 30.0])]
+    {
+        let slope = spawn_slope(&mut simulator, from, to, [10.0, 90.0], 25.0).unwrap();
+        let corners = simulator.platform(slope).unwrap().corners();
+        for (corner, expected) in
+            [(0, [from[0], from[1], 10.0]), (1, [to[0], to[1], 10.0]), (4, [from[0], from[1], 90.0])]
+        {
+            assert!(
+                (corners[corner] - Vector3::from(expected)).norm() < 0.001,
+                "{corner}: {}",
+                corners[corner]
+            );
+        }
+        assert!(((corners[3] - corners[0]).norm() - 25.0).abs() < 0.001);
+    }
+}
+
+#[test]
+fn a_slope_that_cannot_be_is_refused() {
+    let mut simulator = simulator();
+    for (from, to, z, thickness) in [
+        ([0.0, 0.0], [0.0, 50.0], [0.0, 10.0], 5.0),
+        ([9.0, 0.0], [0.0, 50.0], [0.0, 10.0], 5.0),
+        ([0.0, f32::NAN], [9.0, 50.0], [0.0, 10.0], 5.0),
+        ([0.0, -f32::MAX], [9.0, f32::MAX], [0.0, 10.0], 5.0),
+        ([0.0, 0.0], [f32::INFINITY, 50.0], [0.0, 10.0], 5.0),
+        ([0.0, 0.0], [9.0, 50.0], [10.0, 10.0], 5.0),
+        ([0.0, 0.0], [9.0, 50.0], [0.0, 10.0], 0.0),
+    ] {
+        assert!(spawn_slope(&mut simulator, from, to, z, thickness).is_err());
         assert_eq!(simulator.platforms().count(), 0);
     }
 }

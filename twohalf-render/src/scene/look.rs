@@ -69,6 +69,9 @@ pub struct Textures {
 }
 
 /// A stand-in for a figure: legs, body and head, as large as the body's object geom.
+///
+/// It is only a look; somebody to be drawn like this is made by the `Figure` of `twohalf-factories`, which is to be named in full
+/// where both are used.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Figure {
     /// Colour of the clothes.

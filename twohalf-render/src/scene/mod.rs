@@ -35,6 +35,10 @@ use shadows::{Cast, SHADOW_SIZE};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
+/// Bodies are drawn once they take part: from the update on that follows their making, which may be `update(0.0)`. The ground
+/// hides what of a platform lies below it. A backdrop scrolls with the scene if it is drawn through the same camera:
+/// [a camera that follows](crate#a-camera-that-follows).
+///
 /// Light comes from straight above. A shadow lies on the highest surface beneath the middle of what casts it: the
 /// ground, a platform, or the level top of another body that is drawn as a [`Look::Solid`] or [`Look::Textured`]; it
 /// ends at the edge of that surface and shrinks with height ([`shadow_scale`](crate::shadow_scale)).

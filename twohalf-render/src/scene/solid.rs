@@ -5,7 +5,7 @@ use twohalf::{BodyId, PlatformId, TwoHalfPhysicsSimulator, Vector3};
 use super::{Figure, Look, Textures};
 use crate::corners::{bend, corners_of, cross, distance};
 use crate::outline_of_line::outline_of_line;
-use crate::surface::{Face, corners_on_screen, to_screen};
+use crate::surface::{Face, above_ground, to_screen};
 use crate::{Canvas, Color, DrawPlatform, PlatformLook, Point, SpriteBatch, Texture2D, Transform};
 
 const STILL: Transform = Transform::IDENTITY;
@@ -26,9 +26,9 @@ pub(super) fn draw_platform(
         Look::Textured(look, textures) => (look, Some(textures)),
         _ => return,
     };
-    let (Some(corners), Some(platform)) = (corners_on_screen(simulator, id), simulator.platform(id)) else {
-        return;
-    };
+    let Some(platform) = simulator.platform(id) else { return };
+    let corners = platform.corners();
+    let on_screen = |point: Vector3| to_screen(simulator, point);
     let mut look = *look;
     for (face, texture, color, height) in [
         (Face::Top, textures.and_then(|textures| textures.top.as_ref()), &mut look.top, platform.depth()),
@@ -39,11 +39,12 @@ pub(super) fn draw_platform(
             platform.height(),
         ),
     ] {
-        let face = face.corners(&corners);
+        let outline: Vec<Point> = above_ground(face.corners(&corners)).into_iter().map(on_screen).collect();
+        let face = face.corners(&corners).map(on_screen);
         if let Some(texture) = texture {
             *color = Color::TRANSPARENT;
-            if cross(face[0], face[1], face[2]) > 0.0 {
-                draw_tiles(canvas, texture, face, [platform.width(), height]);
+            if cross(face[0], face[1], face[2]) > 0.0 && !outline.is_empty() {
+                draw_tiles(canvas, texture, face, [platform.width(), height], &outline);
             }
         }
     }
@@ -53,8 +54,14 @@ pub(super) fn draw_platform(
     batch.end(canvas);
 }
 
-/// Repeats a texture over a face that is `size` px large, from its first corner to the second and the last.
-fn draw_tiles(canvas: &mut dyn Canvas, texture: &Texture2D, corners: [Point; 4], size: Point) {
+/// Repeats a texture over a face that is `size` px large, from its first corner to the second and the last, within an outline.
+fn draw_tiles(
+    canvas: &mut dyn Canvas,
+    texture: &Texture2D,
+    corners: [Point; 4],
+    size: Point,
+    outline: &[Point],
+) {
     let [a, b, _, d] = corners;
     let axis = |to: Point, length: f32| [(to[0] - a[0]) / length, (to[1] - a[1]) / length];
     let face = Transform { x_axis: axis(b, size[0]), y_axis: axis(d, size[1]), translation: a };
@@ -62,7 +69,7 @@ fn draw_tiles(canvas: &mut dyn Canvas, texture: &Texture2D, corners: [Point; 4],
     let [columns, rows] = [0, 1].map(|axis| (size[axis] / tile[axis]).ceil().min(MAX_TILES) as u32);
     for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))) {
         let corner = Transform::translation([column as f32 * tile[0], row as f32 * tile[1]]);
-        canvas.draw_texture(texture, &corner.then(&face), Color::WHITE, Some(&corners));
+        canvas.draw_texture(texture, &corner.then(&face), Color::WHITE, Some(outline));
     }
 }
 
@@ -91,7 +98,7 @@ pub(super) fn draw_body(
             (textures.and_then(|textures| textures.front.as_ref()), &front[..])
         {
             let [a, b, c, d] = upright([a, b, c, d]);
-            draw_tiles(canvas, texture, [a, b, c, d], [distance(a, b), distance(a, d)]);
+            draw_tiles(canvas, texture, [a, b, c, d], [distance(a, b), distance(a, d)], &[a, b, c, d]);
         }
         canvas.stroke_polyline(&front, true, look.edge_width, &STILL, look.edges);
     }

@@ -120,6 +120,21 @@ fn textures_repeat_over_the_faces_of_a_platform() {
 }
 
 #[test]
+fn a_texture_ends_with_its_face_where_the_ground_begins() {
+    let mut simulator = world();
+    Platform::new(&mut simulator, 80.0, 40.0, 40.0, Vector3::new(100.0, -25.0, 60.0), None).unwrap();
+    simulator.update(0.0);
+    // The lower half of it is red; 15 px of its blue upper half are above the ground, whose edge is at y = 160.
+    let [red, blue] = [[255, 0, 0, 255], [0, 0, 255, 255]];
+    let texture = Texture2D::from_rgba8(1, 40, [blue.repeat(20), red.repeat(20)].concat()).unwrap();
+    let textures = Textures { top: None, front: Some(texture) };
+    let canvas = drawn(&simulator, |_| Look::Textured(plain(), textures.clone()));
+    let without = drawn(&simulator, |_| Look::Nothing);
+    assert_eq!([147, 157].map(|y| canvas.pixel(100, y)), [Some(Color::rgb(0, 0, 255)); 2]);
+    assert_eq!([163, 175].map(|y| canvas.pixel(100, y)), [163, 175].map(|y| without.pixel(100, y)));
+}
+
+#[test]
 fn what_is_under_the_mouse_is_found_through_the_camera() {
     let mut simulator = world();
     let body = add_box(&mut simulator, Vector3::new(100.0, 0.0, 60.0));
