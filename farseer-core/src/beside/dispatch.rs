@@ -39,8 +39,8 @@ pub struct Subscription(u64);
 /// Objects without a handler cost a lookup per callback; a geom whose
 /// [callbacks](crate::Geom::set_collision_callbacks_enabled) are switched off costs nothing. No call allocates. Handlers of
 /// what was disposed are never called again; [`forget_disposed`](Self::forget_disposed) frees their memory. A game that wants
-/// more than this, such as fluid containers of its own, writes an [`EventHandler`], which may hand on to
-/// [`with`](Self::with).
+/// more than this, such as fluid containers of its own or a say in the broad phase, writes an [`EventHandler`], which may hand on
+/// to [`with`](Self::with): every method of events that the game subscribes to, since others are not called.
 ///
 /// ```
 /// use farseer_core::{BodyFactory, Dispatch, GeomFactory, GeomPlacement, PhysicsSimulator, math::Vector2};
@@ -82,6 +82,8 @@ pub struct Dispatch<G> {
     bodies_disposed: Handlers<BodyId, ObjectHandler<G, BodyId>>,
     joints_broken: Handlers<JointId, ObjectHandler<G, JointId>>,
     springs_broken: Handlers<SpringId, ObjectHandler<G, SpringId>>,
+    joints_updated: Handlers<JointId, ObjectHandler<G, JointId>>,
+    springs_updated: Handlers<SpringId, ObjectHandler<G, SpringId>>,
     fluid_entries: Handlers<ControllerId, FluidHandler<G>>,
     controllers: Handlers<ControllerId, ControllerHandler<G>>,
 }
@@ -96,6 +98,8 @@ impl<G> Default for Dispatch<G> {
             bodies_disposed: Handlers::default(),
             joints_broken: Handlers::default(),
             springs_broken: Handlers::default(),
+            joints_updated: Handlers::default(),
+            springs_updated: Handlers::default(),
             fluid_entries: Handlers::default(),
             controllers: Handlers::default(),
         }
@@ -152,6 +156,13 @@ subscriptions! {
     /// Calls a handler when this spring breaks: see [`EventHandler::on_spring_broke`].
     #[doc(alias = "Spring.Broke")]
     on_spring_broke(springs_broken, spring: SpringId, ObjectHandler<G, SpringId>);
+    /// Calls a handler whenever this joint has applied an impulse, several times per update: see
+    /// [`EventHandler::on_joint_updated`].
+    #[doc(alias("JointUpdated", "JointDelegate"))]
+    on_joint_updated(joints_updated, joint: JointId, ObjectHandler<G, JointId>);
+    /// Calls a handler whenever this spring has applied a force or torque: see [`EventHandler::on_spring_updated`].
+    #[doc(alias("SpringUpdated", "SpringDelegate"))]
+    on_spring_updated(springs_updated, spring: SpringId, ObjectHandler<G, SpringId>);
     /// Calls a handler when a geom dips into the fluid of this controller: see [`EventHandler::on_fluid_entry`].
     #[doc(alias("Entry", "EntryEventHandler"))]
     on_fluid_entry(fluid_entries, controller: ControllerId, FluidHandler<G>);
@@ -212,6 +223,22 @@ impl<G> EventHandler for Dispatched<'_, G> {
         self.dispatch.springs_broken.of(spring).for_each(|handler| handler(self.game, context, spring));
     }
 
+    fn handles_joint_updates(&self) -> bool {
+        self.dispatch.joints_updated.are_used
+    }
+
+    fn on_joint_updated(&mut self, context: &mut Context<'_>, joint: JointId) {
+        self.dispatch.joints_updated.of(joint).for_each(|handler| handler(self.game, context, joint));
+    }
+
+    fn handles_spring_updates(&self) -> bool {
+        self.dispatch.springs_updated.are_used
+    }
+
+    fn on_spring_updated(&mut self, context: &mut Context<'_>, spring: SpringId) {
+        self.dispatch.springs_updated.of(spring).for_each(|handler| handler(self.game, context, spring));
+    }
+
     fn on_fluid_entry(
         &mut self,
         context: &mut Context<'_>,
@@ -241,16 +268,19 @@ impl<G> UserController for Dispatched<'_, G> {
 #[derive(Debug, Clone)]
 struct Handlers<I, H> {
     of: SideTable<I, Vec<(Subscription, H)>>,
+    /// Whether there has ever been one: what is told most often asks for nothing else.
+    are_used: bool,
 }
 
 impl<I, H> Default for Handlers<I, H> {
     fn default() -> Self {
-        Handlers { of: SideTable::default() }
+        Handlers { of: SideTable::default(), are_used: false }
     }
 }
 
 impl<I: TableId, H: Copy> Handlers<I, H> {
     fn add(&mut self, id: I, subscription: Subscription, handler: H) -> Subscription {
+        self.are_used = true;
         self.of.get_or_default(id).push((subscription, handler));
         subscription
     }

@@ -3,8 +3,8 @@
 use conformance::fixtures::plane::{add_box, add_circle, add_floor, both_sets, simulator, simulator_with, v};
 use farseer_core::math::Vector2;
 use farseer_core::{
-    BodyFactory, BodyId, Controller, Dispatch, Event, GeomFactory, GeomId, GeomPlacement, JointFactory,
-    Methods, Objects, PhysicsSimulator,
+    BodyFactory, BodyId, Context, Controller, Dispatch, Event, EventHandler, GeomFactory, GeomId,
+    GeomPlacement, JointFactory, JointId, Methods, Objects, PhysicsSimulator, SpringFactory, SpringId,
 };
 
 type Words = Vec<&'static str>;
@@ -226,5 +226,55 @@ fn what_a_handler_makes_moves_as_if_it_were_made_after_the_update() {
         });
         assert_eq!(made_inside, made_after, "{methods:?}");
         assert_ne!(made_inside[2], v(4.0, -40.0), "{methods:?}: the pendulum swings");
+    }
+}
+
+/// Counts what is told of a joint and of a spring.
+struct Counting {
+    of: (JointId, SpringId),
+    counts: [u32; 2],
+}
+
+impl EventHandler for Counting {
+    fn handles_joint_updates(&self) -> bool {
+        true
+    }
+    fn on_joint_updated(&mut self, _: &mut Context<'_>, joint: JointId) {
+        self.counts[0] += u32::from(joint == self.of.0);
+    }
+    fn handles_spring_updates(&self) -> bool {
+        true
+    }
+    fn on_spring_updated(&mut self, _: &mut Context<'_>, spring: SpringId) {
+        self.counts[1] += u32::from(spring == self.of.1);
+    }
+}
+
+#[test]
+fn joints_and_springs_that_act_are_told_to_their_handlers_as_often_as_to_a_handler_of_all() {
+    for methods in both_sets() {
+        let mut simulator = simulator_with(100.0, methods);
+        // Two pendulums: nobody listens to the joint of the second.
+        let [(body, told), _] = [0.0, 100.0].map(|y| {
+            let (body, _) = add_box(&mut simulator, (10.0, 10.0), v(20.0, y));
+            (body, JointFactory::create_fixed_revolute_joint_in(&mut simulator, body, v(0.0, y)).unwrap())
+        });
+        let (end, fixed) = (v(0.0, 0.0), v(0.0, 9.0));
+        let spring =
+            SpringFactory::create_fixed_linear_spring_in(&mut simulator, body, end, fixed, 5.0, 0.1).unwrap();
+        let mut dispatch = Dispatch::new();
+        dispatch.on_joint_updated(told, |counts: &mut [u32; 2], _, _| counts[0] += 1);
+        let of_springs = dispatch.on_spring_updated(spring, |counts, _, _| counts[1] += 1);
+        let (mut twin, mut counts) = (simulator.clone(), [0, 0]);
+        let mut all = Counting { of: (told, spring), counts };
+        for _ in 0..20 {
+            simulator.update_with(0.01, &mut dispatch.with(&mut counts));
+            twin.update_with(0.01, &mut all);
+        }
+        assert_eq!(counts, all.counts, "{methods:?}");
+        assert!(counts[0] >= 20 && counts[1] >= 19, "{methods:?}: {counts:?}");
+        dispatch.off(of_springs);
+        simulator.update_with(0.01, &mut dispatch.with(&mut counts));
+        assert_eq!(counts[1], all.counts[1], "{methods:?}");
     }
 }
