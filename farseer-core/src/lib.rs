@@ -547,9 +547,9 @@ mod storage;
 mod touch;
 
 pub use beside::{
-    BodyInterpolation, CollisionHandler, Dispatch, Dispatched, EventLog, FixedStepClock, FluidHandler,
-    InterpolatedPose, MousePicker, ObjectHandler, SeparationHandler, SideTable, Subscription, TableId,
-    snapshot,
+    BodyInterpolation, CollisionHandler, ControllerHandler, Dispatch, Dispatched, EventLog, FixedStepClock,
+    FluidHandler, InterpolatedPose, MousePicker, ObjectHandler, SeparationHandler, SideTable, Subscription,
+    TableId, snapshot,
 };
 pub use body::{Body, BodyId};
 pub use contacts::{ArbiterRef, Contact, ContactId, GeomPairBitmap, PairId, index_of_safe};

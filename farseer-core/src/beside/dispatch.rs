@@ -8,7 +8,7 @@ use crate::geom::GeomId;
 use crate::joints::JointId;
 use crate::objects::Objects;
 use crate::shape::Vertices;
-use crate::simulator::{Context, EventHandler};
+use crate::simulator::{Context, EventHandler, UserController};
 use crate::springs::SpringId;
 
 /// What a game does when a geom touches another: as [`EventHandler::on_collision`], with the game first.
@@ -20,11 +20,15 @@ pub type ObjectHandler<G, I> = fn(&mut G, &mut Context<'_>, I);
 /// What a game does when a geom dips into a fluid: as [`EventHandler::on_fluid_entry`], with the game first.
 pub type FluidHandler<G> = fn(&mut G, &mut Context<'_>, ControllerId, GeomId, &Vertices);
 
+/// What a controller of the game's own does: as [`UserController::update`], with the game first. The two numbers are the step
+/// and what was given as real time, in seconds.
+pub type ControllerHandler<G> = fn(&mut G, &mut Context<'_>, ControllerId, f32, f32);
+
 /// Names one subscription of a [`Dispatch`], to end it by [`Dispatch::off`]. Never given out twice by the same one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Subscription(u64);
 
-/// Handlers of single geoms, bodies, joints, springs and fluids, in place of C#'s `geom.OnCollision += handler`: a game
+/// Handlers of single geoms, bodies, joints, springs and controllers, in place of C#'s `geom.OnCollision += handler`: a game
 /// subscribes its functions, and an update calls those of what is touched. Not in the original, which has events for that.
 ///
 /// Handlers are plain functions that are given the game: what they know is in `G`, and nothing is captured. Several of one
@@ -35,8 +39,8 @@ pub struct Subscription(u64);
 /// Objects without a handler cost a lookup per callback; a geom whose
 /// [callbacks](crate::Geom::set_collision_callbacks_enabled) are switched off costs nothing. No call allocates. Handlers of
 /// what was disposed are never called again; [`forget_disposed`](Self::forget_disposed) frees their memory. A game that wants
-/// more than this, such as controllers of its own, writes an [`EventHandler`], which may hand on to
-/// [`with`](Self::with).
+/// more than this, such as fluid containers of its own or a say in the broad phase, writes an [`EventHandler`], which may hand on
+/// to [`with`](Self::with): every method of events that the game subscribes to, since others are not called.
 ///
 /// ```
 /// use farseer_core::{BodyFactory, Dispatch, GeomFactory, GeomPlacement, PhysicsSimulator, math::Vector2};
@@ -78,7 +82,10 @@ pub struct Dispatch<G> {
     bodies_disposed: Handlers<BodyId, ObjectHandler<G, BodyId>>,
     joints_broken: Handlers<JointId, ObjectHandler<G, JointId>>,
     springs_broken: Handlers<SpringId, ObjectHandler<G, SpringId>>,
+    joints_updated: Handlers<JointId, ObjectHandler<G, JointId>>,
+    springs_updated: Handlers<SpringId, ObjectHandler<G, SpringId>>,
     fluid_entries: Handlers<ControllerId, FluidHandler<G>>,
+    controllers: Handlers<ControllerId, ControllerHandler<G>>,
 }
 
 impl<G> Default for Dispatch<G> {
@@ -91,7 +98,10 @@ impl<G> Default for Dispatch<G> {
             bodies_disposed: Handlers::default(),
             joints_broken: Handlers::default(),
             springs_broken: Handlers::default(),
+            joints_updated: Handlers::default(),
+            springs_updated: Handlers::default(),
             fluid_entries: Handlers::default(),
+            controllers: Handlers::default(),
         }
     }
 }
@@ -146,9 +156,20 @@ subscriptions! {
     /// Calls a handler when this spring breaks: see [`EventHandler::on_spring_broke`].
     #[doc(alias = "Spring.Broke")]
     on_spring_broke(springs_broken, spring: SpringId, ObjectHandler<G, SpringId>);
+    /// Calls a handler whenever this joint has applied an impulse, several times per update: see
+    /// [`EventHandler::on_joint_updated`].
+    #[doc(alias("JointUpdated", "JointDelegate"))]
+    on_joint_updated(joints_updated, joint: JointId, ObjectHandler<G, JointId>);
+    /// Calls a handler whenever this spring has applied a force or torque: see [`EventHandler::on_spring_updated`].
+    #[doc(alias("SpringUpdated", "SpringDelegate"))]
+    on_spring_updated(springs_updated, spring: SpringId, ObjectHandler<G, SpringId>);
     /// Calls a handler when a geom dips into the fluid of this controller: see [`EventHandler::on_fluid_entry`].
     #[doc(alias("Entry", "EntryEventHandler"))]
     on_fluid_entry(fluid_entries, controller: ControllerId, FluidHandler<G>);
+    /// Calls a handler in every update when the turn of this [user-defined](crate::Controller::user_defined) controller
+    /// comes: see [`UserController::update`]. Its state is in the game.
+    #[doc(alias("Controller", "Update"))]
+    on_controller_update(controllers, controller: ControllerId, ControllerHandler<G>);
 }
 
 impl<G> Dispatch<G> {
@@ -202,6 +223,22 @@ impl<G> EventHandler for Dispatched<'_, G> {
         self.dispatch.springs_broken.of(spring).for_each(|handler| handler(self.game, context, spring));
     }
 
+    fn handles_joint_updates(&self) -> bool {
+        self.dispatch.joints_updated.are_used
+    }
+
+    fn on_joint_updated(&mut self, context: &mut Context<'_>, joint: JointId) {
+        self.dispatch.joints_updated.of(joint).for_each(|handler| handler(self.game, context, joint));
+    }
+
+    fn handles_spring_updates(&self) -> bool {
+        self.dispatch.springs_updated.are_used
+    }
+
+    fn on_spring_updated(&mut self, context: &mut Context<'_>, spring: SpringId) {
+        self.dispatch.springs_updated.of(spring).for_each(|handler| handler(self.game, context, spring));
+    }
+
     fn on_fluid_entry(
         &mut self,
         context: &mut Context<'_>,
@@ -212,22 +249,38 @@ impl<G> EventHandler for Dispatched<'_, G> {
         let handlers = self.dispatch.fluid_entries.of(controller);
         handlers.for_each(|handler| handler(self.game, context, controller, geom, vertices));
     }
+
+    fn user_controller(&mut self, controller: ControllerId) -> Option<&mut dyn UserController> {
+        let is_known = self.dispatch.controllers.of(controller).next().is_some();
+        is_known.then_some(self as &mut dyn UserController)
+    }
+}
+
+/// Stands for every controller that somebody subscribed to.
+impl<G> UserController for Dispatched<'_, G> {
+    fn update(&mut self, context: &mut Context<'_>, controller: ControllerId, dt: f32, dt_real: f32) {
+        let handlers = self.dispatch.controllers.of(controller);
+        handlers.for_each(|handler| handler(self.game, context, controller, dt, dt_real));
+    }
 }
 
 /// The handlers of one event, in the order in which they were subscribed.
 #[derive(Debug, Clone)]
 struct Handlers<I, H> {
     of: SideTable<I, Vec<(Subscription, H)>>,
+    /// Whether there has ever been one: what is told most often asks for nothing else.
+    are_used: bool,
 }
 
 impl<I, H> Default for Handlers<I, H> {
     fn default() -> Self {
-        Handlers { of: SideTable::default() }
+        Handlers { of: SideTable::default(), are_used: false }
     }
 }
 
 impl<I: TableId, H: Copy> Handlers<I, H> {
     fn add(&mut self, id: I, subscription: Subscription, handler: H) -> Subscription {
+        self.are_used = true;
         self.of.get_or_default(id).push((subscription, handler));
         subscription
     }

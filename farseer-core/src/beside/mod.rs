@@ -10,7 +10,8 @@ pub mod snapshot;
 
 pub use body_interpolation::{BodyInterpolation, InterpolatedPose};
 pub use dispatch::{
-    CollisionHandler, Dispatch, Dispatched, FluidHandler, ObjectHandler, SeparationHandler, Subscription,
+    CollisionHandler, ControllerHandler, Dispatch, Dispatched, FluidHandler, ObjectHandler,
+    SeparationHandler, Subscription,
 };
 pub use event_log::EventLog;
 pub use fixed_step_clock::FixedStepClock;

@@ -18,7 +18,8 @@ pub use crate::storage::ids::GeomId;
 use crate::storage::refusals::{ArgumentNames, Refusals};
 
 /// How a geom collides: everything about it that may be changed freely. `simulator[geom]` is this;
-/// [`PhysicsSimulator::geom`](crate::PhysicsSimulator::geom) shows the shape and place as well.
+/// [`PhysicsSimulator::geom`](crate::PhysicsSimulator::geom) shows the shape and place as well: position, world vertices, box
+/// and body, which follow from the body.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Geom {
     pub(crate) collision_categories: CollisionCategory,

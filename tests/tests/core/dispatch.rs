@@ -1,7 +1,11 @@
 //! Handlers of single geoms, bodies and joints.
 
 use conformance::fixtures::plane::{add_box, add_circle, add_floor, both_sets, simulator, simulator_with, v};
-use farseer_core::{BodyId, Dispatch, GeomId, JointFactory, Methods, PhysicsSimulator};
+use farseer_core::math::Vector2;
+use farseer_core::{
+    BodyFactory, BodyId, Context, Controller, Dispatch, Event, EventHandler, GeomFactory, GeomId,
+    GeomPlacement, JointFactory, JointId, Methods, Objects, PhysicsSimulator, SpringFactory, SpringId,
+};
 
 type Words = Vec<&'static str>;
 
@@ -158,4 +162,119 @@ fn handlers_of_what_was_disposed_are_freed_and_the_others_stay() {
     simulator.update(0.01);
     dispatch.forget_disposed(&simulator);
     assert!(!dispatch.off(gone) && dispatch.off(kept));
+}
+
+#[test]
+fn a_controller_of_the_game_does_its_work_in_every_update_with_the_step_and_the_real_time() {
+    let mut simulator = simulator(0.0);
+    let controllers = [(); 2].map(|()| simulator.create_controller(Controller::user_defined()).unwrap());
+    controllers.iter().for_each(|&controller| simulator.add(controller).unwrap());
+    let (body, _) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
+    let mut dispatch = Dispatch::new();
+    dispatch.on_controller_update(controllers[0], |times: &mut Vec<[f32; 2]>, context, _, dt, dt_real| {
+        times.push([dt, dt_real]);
+        // Mass 1: a force of 100 gives a velocity of 1 in 0.01 s.
+        context.for_each_body_mut(|_, body| body.apply_force(Vector2::new(100.0, 0.0)));
+    });
+    let mut times = Vec::new();
+    simulator.update_with_real_time(0.01, 0.5, Some(&mut dispatch.with(&mut times)));
+    assert_eq!(times, [[0.01, 0.5]]);
+    assert_eq!(simulator[body].linear_velocity(), v(1.0, 0.0));
+    let missing = simulator.events().iter().filter_map(|event| match *event {
+        Event::MissingController { controller } => Some(controller),
+        _ => None,
+    });
+    assert_eq!(missing.collect::<Vec<_>>(), [controllers[1]], "nobody subscribed to the other one");
+    simulator[controllers[0]].set_enabled(false);
+    simulator.update_with(0.01, &mut dispatch.with(&mut times));
+    assert_eq!(times.len(), 1, "a disabled one has no turn");
+}
+
+#[test]
+fn what_a_handler_makes_moves_as_if_it_were_made_after_the_update() {
+    fn spark(objects: &mut Objects) {
+        let body = BodyFactory::create_circle_body_in(objects, 3.0, 1.0).unwrap();
+        objects[body].set_position(v(4.0, -40.0));
+        GeomFactory::create_circle_geom_in(objects, body, 3.0, 8, GeomPlacement::default()).unwrap();
+        objects[body].set_linear_velocity(v(5.0, 0.0));
+        JointFactory::create_fixed_revolute_joint_in(objects, body, v(-20.0, -40.0)).unwrap();
+    }
+    for methods in both_sets() {
+        let mut played = [true, false].map(|in_handler| {
+            let (mut simulator, _, [_, ball]) = ball_in_floor(methods);
+            let mut dispatch = Dispatch::new();
+            dispatch.on_collision(ball, |(is_new, makes): &mut (bool, bool), context, _, _, _| {
+                if std::mem::take(is_new) && *makes {
+                    spark(context);
+                }
+                true
+            });
+            let mut game = (true, in_handler);
+            simulator.update_with(0.01, &mut dispatch.with(&mut game));
+            assert!(!game.0, "it touches in the first update");
+            if !in_handler {
+                spark(&mut simulator);
+            }
+            assert_eq!(simulator.body_list().len(), 2, "it enters with the next update");
+            (0..100).for_each(|_| simulator.update_with(0.01, &mut dispatch.with(&mut game)));
+            assert_eq!(simulator.body_list().len(), 3);
+            simulator
+        });
+        let [made_inside, made_after] = played.each_mut().map(|simulator| {
+            let places = simulator.body_list().iter().map(|&body| simulator[body].position());
+            places.collect::<Vec<_>>()
+        });
+        assert_eq!(made_inside, made_after, "{methods:?}");
+        assert_ne!(made_inside[2], v(4.0, -40.0), "{methods:?}: the pendulum swings");
+    }
+}
+
+/// Counts what is told of a joint and of a spring.
+struct Counting {
+    of: (JointId, SpringId),
+    counts: [u32; 2],
+}
+
+impl EventHandler for Counting {
+    fn handles_joint_updates(&self) -> bool {
+        true
+    }
+    fn on_joint_updated(&mut self, _: &mut Context<'_>, joint: JointId) {
+        self.counts[0] += u32::from(joint == self.of.0);
+    }
+    fn handles_spring_updates(&self) -> bool {
+        true
+    }
+    fn on_spring_updated(&mut self, _: &mut Context<'_>, spring: SpringId) {
+        self.counts[1] += u32::from(spring == self.of.1);
+    }
+}
+
+#[test]
+fn joints_and_springs_that_act_are_told_to_their_handlers_as_often_as_to_a_handler_of_all() {
+    for methods in both_sets() {
+        let mut simulator = simulator_with(100.0, methods);
+        // Two pendulums: nobody listens to the joint of the second.
+        let [(body, told), _] = [0.0, 100.0].map(|y| {
+            let (body, _) = add_box(&mut simulator, (10.0, 10.0), v(20.0, y));
+            (body, JointFactory::create_fixed_revolute_joint_in(&mut simulator, body, v(0.0, y)).unwrap())
+        });
+        let (end, fixed) = (v(0.0, 0.0), v(0.0, 9.0));
+        let spring =
+            SpringFactory::create_fixed_linear_spring_in(&mut simulator, body, end, fixed, 5.0, 0.1).unwrap();
+        let mut dispatch = Dispatch::new();
+        dispatch.on_joint_updated(told, |counts: &mut [u32; 2], _, _| counts[0] += 1);
+        let of_springs = dispatch.on_spring_updated(spring, |counts, _, _| counts[1] += 1);
+        let (mut twin, mut counts) = (simulator.clone(), [0, 0]);
+        let mut all = Counting { of: (told, spring), counts };
+        for _ in 0..20 {
+            simulator.update_with(0.01, &mut dispatch.with(&mut counts));
+            twin.update_with(0.01, &mut all);
+        }
+        assert_eq!(counts, all.counts, "{methods:?}");
+        assert!(counts[0] >= 20 && counts[1] >= 19, "{methods:?}: {counts:?}");
+        dispatch.off(of_springs);
+        simulator.update_with(0.01, &mut dispatch.with(&mut counts));
+        assert_eq!(counts[1], all.counts[1], "{methods:?}");
+    }
 }

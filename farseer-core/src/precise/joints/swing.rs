@@ -368,10 +368,12 @@ impl Division {
     /// needs more, as does, in groups that are not large, what would be stiffer than it bears: a whip more than there are
     /// substeps.
     pub(super) fn of(bodies: u32, step: &Step, spin: f64, is_stiffer: impl Fn(f64) -> bool) -> Self {
-        let (by_whole_kicks, part) = match bodies {
-            0..=FEWEST => (false, 0.0),
-            ..=FEW => (false, 0.5),
-            _ => (bodies > SEVERAL, 1.0),
+        let (by_whole_kicks, part) = if bodies <= FEWEST {
+            (false, 0.0)
+        } else if bodies <= FEW {
+            (false, 0.5)
+        } else {
+            (bodies > SEVERAL, 1.0)
         };
         let parts = if bodies <= FEWEST {
             bodies.min(step.substeps)
