@@ -30,7 +30,6 @@ pub struct FixedLinearSpring {
     body_attach_point: Vector2,
     world_attach_point: Vector2,
     rest_length: f32,
-    #[serde(default)]
     world_attach_depth: Option<f32>,
 }
 

@@ -13,6 +13,7 @@ mod motion;
 mod one_plane;
 mod one_way;
 mod pairs;
+mod pins;
 mod platforms;
 mod precise;
 mod queries;

@@ -75,8 +75,11 @@ pub(super) struct Hold {
     /// Velocity per impulse of an update with which it yields, and the part of an error that it undoes in an update then.
     pub(super) softness: f64,
     pub(super) bias_factor: f64,
-    /// Force and torque on the second body.
+    /// How far the second body is behind the first, if that matters to the joint.
+    pub(super) behind: f64,
+    /// Force and torque on the second body; and what of the force is along the depth axis, where that is known.
     pub(super) force: [f32; 3],
+    pub(super) force_along_depth: f32,
 }
 
 impl Hold {
@@ -98,7 +101,7 @@ impl Hold {
         let apart = plus(self.ends[1].point(), self.ends[0].point(), -1.0);
         let distance = dot(apart, apart).sqrt();
         match self.link {
-            Link::Distance => self.beyond(distance),
+            Link::Distance => self.beyond((dot(apart, apart) + self.behind * self.behind).sqrt()),
             Link::Angle => self.beyond(self.angle),
             Link::Line => cross(self.axis, apart).abs(),
             _ => distance,

@@ -82,10 +82,22 @@ impl Precise {
             softness: softness.max(0.0),
             // More than all of an error in an update would be undone again by the next one.
             bias_factor: f64::from(joint.bias_factor()).clamp(0.0, 1.0),
+            behind: self.behind(held.keeps, held.bodies),
             force: joint.force_and_torque(),
+            force_along_depth: 0.0,
         };
         hold.turn(bodies);
         Some(hold)
+    }
+
+    /// How far the second body of a joint that keeps a distance is behind the first.
+    fn behind(&self, keeps: Keeps, bodies: (Option<BodyId>, BodyId)) -> f64 {
+        match (keeps, &self.space, bodies) {
+            (Keeps::Distance, Some(space), (Some(first), second)) => {
+                f64::from(-space.behind(first, second)[0])
+            }
+            _ => 0.0,
+        }
     }
 
     /// How far a joint is from what it keeps; `None` if it holds nothing.
@@ -111,9 +123,14 @@ impl Precise {
         let mut joints = std::mem::take(&mut self.joints);
         if joints.is_read {
             joints.follow(&self.bodies, objects);
+            if self.space.is_some() {
+                let of_distance = joints.holds.iter_mut().filter(|hold| hold.link == Link::Distance);
+                of_distance.for_each(|hold| hold.behind = self.behind(Keeps::Distance, hold.bodies));
+            }
         } else {
             joints.holds.clear();
             joints.tied.clear();
+            joints.spatial.clear();
             let all = (0..objects.joints.list().len()).filter_map(|at| objects.joints.at(at));
             let enabled = all.filter(|(_, joint)| joint.enabled());
             joints.may_break = enabled.clone().any(|(_, joint)| joint.breakpoint() != f32::MAX);
@@ -127,6 +144,9 @@ impl Precise {
             let all_touched = self.rows.has_last();
             let is_touched = |body: usize| all_touched || !self.palette.is_free(body);
             joints.begin(&self.bodies, step, self.tuning.unit, is_touched);
+            joints.begin_in_space(&self.bodies, step, self.tuning.unit, |id| {
+                self.space.as_ref().map_or(0.0, |space| space.place_and_velocity(id)[0])
+            });
         }
         self.joints = joints;
     }
@@ -138,7 +158,7 @@ impl Precise {
             let Some(joint) = objects.joints.get_mut(hold.joint) else { continue };
             joint.note(hold.error() as f32);
             joint.show_anchors(hold.ends.map(|end| shown(end.arm)), hold.ends.map(|end| shown(end.point())));
-            if joint.bear(hold.force) {
+            if joint.bear(hold.force, hold.force_along_depth) {
                 report.push(Event::JointBroke { joint: hold.joint });
                 self.joints.is_read = false;
             }
