@@ -27,7 +27,7 @@ const YIELDING: f64 = 1e-1;
 /// How often velocities are looked at: without loops, with them, and while it is not known who pushes.
 const LOOKS: usize = 2;
 const LOOKS_AT_LOOPS: usize = 3;
-const MOST_LOOKS: usize = 8;
+const MOST_LOOKS: usize = 16;
 
 /// Products of the factors beyond which numbers are made right one by one instead, and how many times.
 const PRODUCTS: usize = 2_000_000;
@@ -277,16 +277,18 @@ impl SpatialGroup {
         self.rows.iter_mut().for_each(|row| row.aim(&ties[row.tie as usize]));
         let Some(mut sparse) = self.sparse.take() else { return self.solve_by_turns(holds, h, pass) };
         let least = if self.is_looped { LOOKS_AT_LOOPS } else { LOOKS };
+        let mut has_stopped = false;
         for look in 0..MOST_LOOKS {
-            let (worst, others_push) = self.find_missing(holds, h, pass);
-            if worst * h <= EXACT * self.unit || (look >= least && !others_push) {
+            // In the end who has stopped to push does so for good: what it has not taken has to be shared among the others.
+            let (worst, others_push) = self.find_missing(holds, (h, pass), look < MOST_LOOKS / 2);
+            if !has_stopped && (worst * h <= EXACT * self.unit || (look >= least && !others_push)) {
                 break;
             }
             if look == 0 || others_push {
                 self.assemble(&mut sparse);
             }
             sparse.solve(&mut self.missing);
-            self.push_all();
+            has_stopped = self.push_all();
         }
         self.sparse = Some(sparse);
     }
@@ -307,7 +309,7 @@ impl SpatialGroup {
     }
 
     /// What is missing of each number. Answers the most that is missing, and whether others push than before.
-    fn find_missing(&mut self, holds: &[Hold], h: f64, pass: Pass) -> (f64, bool) {
+    fn find_missing(&mut self, holds: &[Hold], (h, pass): (f64, Pass), may_begin: bool) -> (f64, bool) {
         let (mut worst, mut others_push) = (0.0, false);
         for (row, missing) in self.rows.iter_mut().zip(&mut self.missing) {
             let tie = &self.ties[row.tie as usize];
@@ -317,7 +319,7 @@ impl SpatialGroup {
             let is_bound = (row.impulse <= low && *missing > 0.0) || (row.impulse >= high && *missing < 0.0);
             let answer = answer_of(row, row, [0, 0], tie, &self.inverses)
                 + answer_of(row, row, [1, 1], tie, &self.inverses);
-            let pushes = !is_bound && answer + row.softness > 0.0;
+            let pushes = !is_bound && (may_begin || row.is_active) && answer + row.softness > 0.0;
             others_push |= std::mem::replace(&mut row.is_active, pushes) != pushes;
             if pushes {
                 worst = f64::max(worst, missing.abs());
@@ -354,19 +356,22 @@ impl SpatialGroup {
         sparse.factor();
     }
 
-    /// All push by what the solution says, as far as their bounds let them.
-    fn push_all(&mut self) {
+    /// All push by what the solution says, as far as their bounds let them. Answers whether these have stopped one.
+    fn push_all(&mut self) -> bool {
+        let mut has_stopped = false;
         for at in 0..self.rows.len() {
             if self.rows[at].is_active {
-                self.push(at, self.missing[at]);
+                has_stopped |= self.push(at, self.missing[at]);
             }
         }
+        has_stopped
     }
 
-    /// Takes so much of an impulse.
-    fn push(&mut self, at: usize, less: f64) {
+    /// Takes so much of an impulse. Answers whether its bounds have stopped it.
+    fn push(&mut self, at: usize, less: f64) -> bool {
         let row = &mut self.rows[at];
-        let impulse = (row.impulse - less).clamp(row.bounds[0], row.bounds[1]);
+        let wanted = row.impulse - less;
+        let impulse = wanted.clamp(row.bounds[0], row.bounds[1]);
         let change = impulse - std::mem::replace(&mut row.impulse, impulse);
         for (side, push) in self.ties[row.tie as usize].sides.iter().zip(row.pushes) {
             if side.node != GROUND {
@@ -374,6 +379,7 @@ impl SpatialGroup {
                 (0..4).for_each(|i| self.velocities[node][i] += change * push[i] * self.inverses[node][i]);
             }
         }
+        impulse != wanted
     }
 
     /// One number after the other is made right, several times.
