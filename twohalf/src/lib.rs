@@ -356,8 +356,9 @@
 //! - **Sprites are flat**, so there may be no right [drawing order](TwoHalfPhysicsSimulator::draw_order) for three
 //!   that cover each other in a circle.
 //! - **Joints, springs and controllers are those of the plane**, made by
-//!   [`edit_objects`](TwoHalfPhysicsSimulator::edit_objects). With [`DepthScheme::Precise`] revolute joints and welds keep
-//!   their bodies together along Z, too, and linear springs between two bodies pull along all axes; no other joint or spring acts along Z yet.
+//!   [`edit_objects`](TwoHalfPhysicsSimulator::edit_objects). With [`DepthScheme::Precise`] joints that keep a point
+//!   or a line keep their bodies together along Z, too, and pins, sliders and linear springs act along all axes; with the
+//!   other schemes they act in X and Y alone.
 
 #![forbid(unsafe_code)]
 

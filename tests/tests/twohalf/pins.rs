@@ -135,7 +135,6 @@ fn a_pendulum_along_z_keeps_its_energy_for_ten_thousand_steps() {
             run(&mut simulator, 1);
             (least, most) = (least.min(energy(&simulator)), most.max(energy(&simulator)));
         }
-        println!("{before} {least} {most}");
         assert!(least > 0.99 * before && most < 1.01 * before);
     });
 }
@@ -211,14 +210,11 @@ fn a_chain_that_swings_in_depth_keeps_its_links_and_gains_no_energy() {
             chain[1..].iter().map(of).sum::<f32>()
         };
         let (before, fall) = (energy(&simulator), GRAVITY * 20.0 * 78.0);
-        for step in 0..3000 {
+        for _ in 0..3000 {
             run(&mut simulator, 1);
             for two in chain.windows(2) {
                 let apart = place(&simulator, two[1]) - place(&simulator, two[0]);
                 assert_near(apart.norm(), 20.0, 0.05);
-            }
-            if step % 500 == 0 {
-                println!("{}", (energy(&simulator) - before) / fall);
             }
             assert!(energy(&simulator) < before + 0.02 * fall);
         }
@@ -226,20 +222,15 @@ fn a_chain_that_swings_in_depth_keeps_its_links_and_gains_no_energy() {
 }
 
 #[test]
-fn a_heavy_load_on_a_light_rope_hangs_still() {
+fn a_load_of_ten_thousand_times_the_mass_of_its_links_swings_on_its_rope() {
     precise(|| {
-        for mass in [1e3, 1e4, 1e5, 1e6] {
-            let mut simulator = simulator();
-            let chain = chain(&mut simulator, 10, [0.6, 0.8]);
-            let load = chain[10];
-            let mut worst = 0f32;
-            simulator.body_mut(load).unwrap().set_mass(mass).unwrap();
-            for _ in 0..2000 {
-                run(&mut simulator, 1);
-                let apart = place(&simulator, load) - Vector3::from(HOOK);
-                worst = worst.max(apart.norm());
-            }
-            println!("{worst}");
+        let mut simulator = simulator();
+        let chain = chain(&mut simulator, 10, [0.6, 0.8]);
+        simulator.body_mut(chain[10]).unwrap().set_mass(1e4).unwrap();
+        for _ in 0..2000 {
+            run(&mut simulator, 1);
+            let apart = place(&simulator, chain[10]) - Vector3::from(HOOK);
+            assert!(apart.norm() < 200.1, "{apart:?}");
         }
     });
 }
@@ -374,7 +365,7 @@ fn a_rope_between_two_posts_holds_what_hangs_on_it() {
 }
 
 #[test]
-fn rods_that_are_too_long_for_their_way_buckle_and_stay_together() {
+fn rods_that_are_too_long_for_their_way_buckle_and_have_their_length() {
     precise(|| {
         let mut simulator = simulator();
         let beads = rope_between_posts(&mut simulator, 0.0);
@@ -382,45 +373,31 @@ fn rods_that_are_too_long_for_their_way_buckle_and_stay_together() {
             run(&mut simulator, 1);
             for two in beads.windows(2) {
                 let apart = place(&simulator, two[1]) - place(&simulator, two[0]);
-                if step < 6 {
-                    println!(
-                        "{step} {:?} {:?}",
-                        place(&simulator, two[1]) - Vector3::from(HOOK),
-                        velocity(&simulator, two[1])
-                    );
-                }
-                assert_near(apart.norm(), 11.0, if step < 100 { 2e9 } else { 0.2 });
+                // Where a loop closes a fifth of an error is undone in each of the five substeps of a step.
+                assert_near(apart.norm(), 11.0, if step < 20 { 11.0 } else { 0.01 });
+                assert!((place(&simulator, two[1]) - Vector3::from(HOOK)).norm() < 150.0);
             }
         }
     });
 }
 
 #[test]
-fn a_rope_that_is_too_short_for_its_posts_stays_within_bounds() {
+fn a_rope_that_is_too_short_for_its_posts_stays_between_them() {
     precise(|| {
         let mut simulator = simulator();
         let mut beads = vec![hook(&mut simulator)];
-        for at in 1..=10 {
-            let next = bead(&mut simulator, from_hook([0.0, 0.0, 20.0 * at as f32]));
-            beads.push(next);
-        }
+        beads.extend((1..=10u8).map(|at| bead(&mut simulator, from_hook([0.0, 0.0, 20.0 * f32::from(at)]))));
         simulator.body_mut(beads[10]).unwrap().set_is_static(true);
-        for two in beads.windows(2) {
-            pin(&mut simulator, two[0], two[1], 19.0);
-        }
-        let mut worst = 0.0f32;
-        for step in 0..1000 {
+        beads.windows(2).for_each(|two| _ = pin(&mut simulator, two[0], two[1], 19.0));
+        for _ in 0..1000 {
             run(&mut simulator, 1);
             for (at, &bead) in beads.iter().enumerate() {
                 let aside = place(&simulator, bead) - Vector3::from(from_hook([0.0, 0.0, 20.0 * at as f32]));
-                worst = worst.max(aside.norm());
-            }
-            if step % 100 == 99 {
-                println!("{worst}");
-                worst = 0.0;
+                // It is 10 px too short.
+                assert!(aside.norm() < 10.0, "{aside:?}");
             }
         }
-        panic!();
+        assert!(beads[1..10].iter().all(|&bead| velocity(&simulator, bead).norm() < 0.1));
     });
 }
 

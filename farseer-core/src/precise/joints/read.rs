@@ -84,7 +84,7 @@ impl Precise {
             bias_factor: f64::from(joint.bias_factor()).clamp(0.0, 1.0),
             behind: self.behind(held.keeps, held.bodies),
             force: joint.force_and_torque(),
-            force_along_depth: 0.0,
+            force_along_depth: joint.force_along_depth(),
         };
         hold.turn(bodies);
         Some(hold)
@@ -163,7 +163,7 @@ impl Precise {
                 self.joints.is_read = false;
             }
             // What is not finite is forgotten there, and has to be here.
-            hold.force = joint.force_and_torque();
+            (hold.force, hold.force_along_depth) = (joint.force_and_torque(), joint.force_along_depth());
         }
     }
 

@@ -59,7 +59,7 @@ pub(in super::super) struct SpatialGroup {
 }
 
 reusing_clone! {
-    SpatialGroup { bodies, inverses, velocities, undoing, ties, rows, shared, sparse, missing, is_looped, unit }
+    SpatialGroup { bodies, inverses,   velocities, undoing, ties, rows, shared, sparse, missing, is_looped, unit }
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -291,6 +291,9 @@ impl SpatialGroup {
             has_stopped = self.push_all();
         }
         self.sparse = Some(sparse);
+        if has_stopped {
+            self.solve_by_turns(holds, h, pass);
+        }
     }
 
     /// Tension makes a rope stiff against going aside, and a stiff thing overshoots where a substep is too long for it. What a
@@ -356,22 +359,27 @@ impl SpatialGroup {
         sparse.factor();
     }
 
-    /// All push by what the solution says, as far as their bounds let them. Answers whether these have stopped one.
+    /// All push by what the solution says; or those alone that their bounds stop, if there are such, because the others had
+    /// reckoned with more of them. Answers whether it was these.
     fn push_all(&mut self) -> bool {
-        let mut has_stopped = false;
+        let is_stopped = |row: &Row, less: f64| {
+            let wanted = row.impulse - less;
+            row.is_active && !(row.bounds[0]..=row.bounds[1]).contains(&wanted)
+        };
+        let has_stopped = self.rows.iter().zip(&self.missing).any(|(row, &less)| is_stopped(row, less));
         for at in 0..self.rows.len() {
-            if self.rows[at].is_active {
-                has_stopped |= self.push(at, self.missing[at]);
+            let (row, less) = (&self.rows[at], self.missing[at]);
+            if row.is_active && (!has_stopped || is_stopped(row, less)) {
+                self.push(at, less);
             }
         }
         has_stopped
     }
 
-    /// Takes so much of an impulse. Answers whether its bounds have stopped it.
-    fn push(&mut self, at: usize, less: f64) -> bool {
+    /// Takes so much of an impulse, as far as its bounds let it.
+    fn push(&mut self, at: usize, less: f64) {
         let row = &mut self.rows[at];
-        let wanted = row.impulse - less;
-        let impulse = wanted.clamp(row.bounds[0], row.bounds[1]);
+        let impulse = (row.impulse - less).clamp(row.bounds[0], row.bounds[1]);
         let change = impulse - std::mem::replace(&mut row.impulse, impulse);
         for (side, push) in self.ties[row.tie as usize].sides.iter().zip(row.pushes) {
             if side.node != GROUND {
@@ -379,7 +387,6 @@ impl SpatialGroup {
                 (0..4).for_each(|i| self.velocities[node][i] += change * push[i] * self.inverses[node][i]);
             }
         }
-        impulse != wanted
     }
 
     /// One number after the other is made right, several times.

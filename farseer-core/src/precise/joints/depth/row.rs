@@ -265,7 +265,7 @@ impl Row {
             self.end = if value - low < high - value { 1.0 } else { -1.0 };
             self.bounds = if self.end > 0.0 { [0.0, most] } else { [-most, 0.0] };
         }
-        self.impulse = 0.0;
+        (self.impulse, self.kept_impulse) = (0.0, 0.0);
     }
 
     /// Finds what a push does, with the bodies as they are.
