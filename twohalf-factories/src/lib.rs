@@ -41,6 +41,7 @@
 mod body_factory;
 mod geom_factory;
 mod lane;
+mod rope;
 mod spawn;
 
 #[doc = include_str!("recipes.md")]
@@ -49,6 +50,7 @@ pub mod recipes {}
 pub use body_factory::TwoHalfBodyFactory;
 pub use geom_factory::TwoHalfGeomFactory;
 pub use lane::spawn_lane;
+pub use rope::{Rope, RopeEnd, SpawnedRope, spawn_rope};
 pub use spawn::{Ball, Figure, Prism, Spawned, Thing, spawn};
 
 /// The example of the README is run with those of the documentation.

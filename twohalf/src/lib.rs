@@ -371,6 +371,7 @@ mod events;
 mod geom;
 mod ground;
 mod id_table;
+mod lengths;
 mod methods;
 mod pairs;
 mod platform;

@@ -20,6 +20,7 @@ mod queries;
 mod random;
 mod rays;
 mod regressions;
+mod ropes;
 mod save;
 mod seams;
 mod sleep;
