@@ -368,6 +368,7 @@ mod depth;
 mod draw_order;
 mod error;
 mod events;
+mod fields;
 mod geom;
 mod ground;
 mod id_table;
@@ -400,6 +401,7 @@ pub use depth::DepthProfile;
 pub use draw_order::{DrawOrder, Drawable};
 pub use error::{Error, Result};
 pub use events::{Collision, Context, Event, EventHandler};
+pub use fields::{Field, FieldId, Fluid, Region, Well};
 pub use geom::TwoHalfGeom;
 pub use ground::{Ground, GroundMut};
 #[allow(deprecated, reason = "the former name goes on")]

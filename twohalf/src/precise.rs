@@ -22,16 +22,18 @@ impl TwoHalfPhysicsSimulator {
         world.begin();
         world.update.dt = dt;
         world.tell_depths(core);
-        let goes_on = if handler.is_some() {
+        let goes_on = {
             let mut meeting = PlaneHandler { world: &mut *world, handler: reborrow(&mut handler) };
-            core.update_in_space(dt, Some(&mut meeting))
-        } else {
-            let goes_on = core.update_in_space(dt, None);
-            if goes_on {
+            core.begin_in_space(dt, meeting.handler.is_some().then_some(&mut meeting as _))
+        };
+        if goes_on {
+            world.act_fields(core, dt);
+            let mut meeting = PlaneHandler { world: &mut *world, handler: reborrow(&mut handler) };
+            core.go_on_in_space(dt, meeting.handler.is_some().then_some(&mut meeting as _));
+            if handler.is_none() {
                 world.read_depths(core);
             }
-            goes_on
-        };
+        }
         world.tell_pending();
         world.take_events(core);
         if !goes_on {

@@ -490,7 +490,7 @@ impl TwoHalfPhysicsSimulator {
         self.core.is_disposed(object)
     }
 
-    /// Empties the simulator: bodies, geoms and platforms are gone and their ids are stale. Settings of the 2D engine
+    /// Empties the simulator: bodies, geoms, platforms and fields are gone and their ids are stale. Settings of the 2D engine
     /// stay, but for the broad phase, which is Farseer's default again; so do screen and scheme.
     #[doc(alias = "Clear")]
     pub fn clear(&mut self) {
@@ -502,6 +502,7 @@ impl TwoHalfPhysicsSimulator {
         let world = &mut self.world;
         world.depths = Depths::default();
         world.platforms.clear();
+        world.fields.clear();
         world.touches.clear();
         world.last.clear();
         world.events.clear();

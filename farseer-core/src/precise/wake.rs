@@ -100,6 +100,13 @@ impl Precise {
         }
     }
 
+    /// Something has pushed a body: if it sleeps it is to be seen whether it bears that.
+    pub(super) fn note_pushed_body(&mut self, number: usize) {
+        if self.sleep.is_asleep(number) {
+            self.sleep.pushed.push(number as u32);
+        }
+    }
+
     /// Bodies that other forces push than those they fell asleep under wake; of the others forces are forgotten.
     fn note_pushed(&mut self, objects: &mut Objects) {
         let mut pushed = std::mem::take(&mut self.sleep.pushed);

@@ -6,6 +6,7 @@ mod callbacks;
 mod carried;
 mod closed_forms;
 mod edits;
+mod fields;
 mod fixed_springs;
 mod joints;
 mod meeting;

@@ -25,6 +25,16 @@ impl Precise {
         self.edited_bodies.push(id);
     }
 
+    /// A force gives a body so much along the depth axis in a second, in the step that comes, and has pushed it otherwise.
+    pub(crate) fn note_push(&mut self, id: BodyId, along_depth: f32) {
+        if let Some(space) = &mut self.space {
+            space.push_along_depth(id, along_depth);
+        }
+        if let Some(number) = self.number_of(id) {
+            self.note_pushed_body(number);
+        }
+    }
+
     /// How a geom reaches along the depth axis.
     pub(crate) fn set_space_profile(&mut self, id: GeomId, told: SpaceProfile) {
         let Some(space) = &mut self.space else { return };
