@@ -136,7 +136,7 @@ impl RopeEnd {
 ///
 /// # Errors
 /// Another scheme than [`DepthScheme::Precise`]; a stale body; ends that are not finite or at one point, without a length; numbers
-/// that are not as [`Rope`] says. Then nothing was made.
+/// that are not as [`Rope`] says. Then nothing takes part in the next update, and nothing is left after it.
 pub fn spawn_rope(simulator: &mut TwoHalfPhysicsSimulator, rope: Rope) -> Result<SpawnedRope> {
     rope.check()?;
     if simulator.depth_scheme() != DepthScheme::Precise {

@@ -102,7 +102,10 @@ impl World {
         if !can_move && state.force_z != 0.0 && !self.depths.waiting.contains(&id) {
             self.depths.waiting.push(id);
         }
-        let velocity = state.velocity_z + std::mem::take(&mut state.impulse_z) * inverse_mass;
+        // Nothing added to a negative zero would make it a positive one, which a save must not do.
+        let impulse = std::mem::take(&mut state.impulse_z);
+        let velocity =
+            if impulse == 0.0 { state.velocity_z } else { state.velocity_z + impulse * inverse_mass };
         let acceleration = state.force_z * inverse_mass;
         if !(velocity.is_finite() && acceleration.is_finite()) {
             disable(core, id);

@@ -116,13 +116,18 @@ impl Space {
     }
 
     /// What forces give a body along the axis in the step that comes.
-    pub(super) fn acceleration(&self, id: BodyId) -> f32 {
+    pub(crate) fn acceleration(&self, id: BodyId) -> f32 {
         self.body(id).acceleration
     }
 
     /// They have done nothing new.
     pub(super) fn forget_acceleration(&mut self, id: BodyId) {
         self.body_mut(id).acceleration = 0.0;
+    }
+
+    /// A body that takes no part has been pushed by nothing: its force would be kept nowhere until it does.
+    pub(crate) fn set_acceleration(&mut self, id: BodyId, acceleration: f32) {
+        self.body_mut(id).acceleration = acceleration;
     }
 
     /// A force acts along the axis in the step that comes.

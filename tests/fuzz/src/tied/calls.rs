@@ -154,8 +154,11 @@ fn create_rope(game: &mut Tied) -> Outcome {
     });
     let rope = Rope::new(ends[0], ends[1]).parts(1 + random.below(8)).mass(random.number(0.1, 5.0));
     let rope = rope.length(random.number(10.0, 200.0)).greatest_force(random.number(100.0, 1e6));
-    let made = spawn_rope(game.depth.simulator_mut(), rope);
-    Outcome::of(made.map(|rope| game.joints.extend(rope.joints)))
+    // What it had made when it was refused is disposed with the next update.
+    if let Ok(rope) = spawn_rope(game.depth.simulator_mut(), rope) {
+        game.joints.extend(rope.joints);
+    }
+    Outcome::Changed
 }
 
 fn field(random: &mut Random) -> Option<Field> {
