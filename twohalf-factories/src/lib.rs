@@ -39,6 +39,7 @@
 #![forbid(unsafe_code)]
 
 mod body_factory;
+mod door;
 mod geom_factory;
 mod lane;
 mod rope;
@@ -48,6 +49,7 @@ mod spawn;
 pub mod recipes {}
 
 pub use body_factory::TwoHalfBodyFactory;
+pub use door::{Door, spawn_door};
 pub use geom_factory::TwoHalfGeomFactory;
 pub use lane::spawn_lane;
 pub use rope::{Rope, RopeEnd, SpawnedRope, spawn_rope};

@@ -5,6 +5,7 @@ mod api;
 mod callbacks;
 mod carried;
 mod closed_forms;
+mod doors;
 mod edited_links;
 mod edits;
 mod fields;
