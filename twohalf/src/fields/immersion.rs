@@ -5,7 +5,7 @@ use farseer_core::{BodyId, GeomId, PhysicsSimulator};
 use super::{Field, FieldId, Region};
 use crate::depth::DepthProfile;
 use crate::world::World;
-use crate::{Result, TwoHalfPhysicsSimulator, Vector2};
+use crate::{Result, TwoHalfPhysicsSimulator};
 
 /// Corners of an outline on its way through the sides of a box.
 #[derive(Debug, Clone, Default)]
@@ -58,7 +58,7 @@ impl Container {
     /// The part of an extruded outline, exactly.
     fn of_prism(
         &self,
-        outline: impl Iterator<Item = Vector2>,
+        outline: impl Iterator<Item = [f64; 2]>,
         depths: [f64; 2],
         scratch: &mut Scratch,
     ) -> Option<Immersed> {
@@ -67,7 +67,7 @@ impl Container {
             return None;
         }
         scratch.outline.clear();
-        scratch.outline.extend(outline.map(|corner| [f64::from(corner.x), f64::from(corner.y)]));
+        scratch.outline.extend(outline);
         for (axis, bound, sign) in
             [(0, self.low[0], 1.0), (0, self.high[0], -1.0), (1, self.low[1], 1.0), (1, self.high[1], -1.0)]
         {
@@ -136,8 +136,14 @@ impl World {
                 Some(container.of_ball(at, f64::from(*radius)))
             }
             DepthProfile::Prism { .. } => {
-                let outline = geom.world_vertices();
-                container.of_prism(outline.iter().copied(), [z - half, z + half], scratch)
+                let outline = geom.local_vertices().iter().map(|corner| {
+                    let [x, y] = [corner.x, corner.y].map(f64::from);
+                    let along = |[of_x, of_y, at]: [f32; 3]| {
+                        f64::from(of_x) * x + f64::from(of_y) * y + f64::from(at)
+                    };
+                    [along([matrix.m11, matrix.m21, matrix.m41]), along([matrix.m12, matrix.m22, matrix.m42])]
+                });
+                container.of_prism(outline, [z - half, z + half], scratch)
             }
         };
         found.filter(|part| part.volume > 0.0)
