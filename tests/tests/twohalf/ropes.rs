@@ -4,7 +4,7 @@ use conformance::fixtures::depth::{
     GRAVITY, assert_near, assert_near3, ball, place, run, simulator, solid, throw, velocity, with_scheme,
 };
 use twohalf::farseer_core::JointId;
-use twohalf::{BodyId, DepthScheme, Event, TwoHalfPhysicsSimulator, Vector3};
+use twohalf::{BodyId, DepthScheme, Event, TwoHalfPhysicsSimulator, Vector2, Vector3};
 use twohalf_factories::{Rope, RopeEnd, SpawnedRope, spawn_rope};
 
 fn precise(test: impl FnOnce()) {
@@ -58,6 +58,25 @@ fn a_heavy_load_swings_on_a_rope_with_the_period_of_a_pendulum_along_any_axis() 
             let start = middles(&simulator, &rope)[5];
             run(&mut simulator, 630);
             assert_near3(middles(&simulator, &rope)[5], start.into(), 0.2);
+        }
+    });
+}
+
+#[test]
+fn three_hundred_times_the_mass_of_a_bead_swings_on_a_rope_at_sixty_steps_per_second() {
+    precise(|| {
+        for direction in [[60.0, 0.0, 80.0], [0.0, 0.0, 100.0], [0.0, 100.0, 0.0]] {
+            let mut simulator = simulator();
+            simulator.set_gravity(Vector2::new(0.0, 900.0)).unwrap();
+            let load = ball(&mut simulator, 8.0, below([direction[0], direction[1] + 8.0, direction[2]]));
+            simulator.body_mut(load).unwrap().set_mass(300.0).unwrap();
+            let rope = Rope::new(RopeEnd::Fixed(HOOK), RopeEnd::Body(load)).mass(11.0);
+            let rope = spawn_rope(&mut simulator, rope).unwrap();
+            for _ in 0..1200 {
+                simulator.update(1.0 / 60.0);
+                let middles = middles(&simulator, &rope);
+                assert!(middles.windows(2).all(|two| (two[1] - two[0]).norm() < 10.3));
+            }
         }
     });
 }

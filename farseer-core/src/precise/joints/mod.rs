@@ -60,7 +60,7 @@ reusing_clone! { Group { nodes, loose, is_apart, parts } }
 impl Joints {
     /// Whether all joints are in groups that nothing touches.
     pub(super) fn are_all_apart(&self) -> bool {
-        self.spatial.is_empty() && self.groups.iter().all(|group| group.is_apart)
+        self.spatial.iter().all(|group| group.is_apart()) && self.groups.iter().all(|group| group.is_apart)
     }
 
     /// How many joints hold something.
@@ -143,9 +143,16 @@ impl Joints {
     }
 
     /// A step begins in three axes; `depth_of` answers where along the depth axis a body is.
-    fn begin_in_space(&mut self, bodies: &Bodies, step: &Step, unit: f32, depth_of: impl Fn(BodyId) -> f32) {
+    fn begin_in_space(
+        &mut self,
+        bodies: &Bodies,
+        (step, unit): (&Step, f32),
+        is_touched: impl Fn(usize) -> bool,
+        depth_of: impl Fn(BodyId) -> f32,
+    ) {
         let times = [f64::from(step.dt), f64::from(step.h)];
         for group in &mut self.spatial {
+            group.part_from_others(&is_touched);
             group.begin(&self.holds, bodies, times, f64::from(unit), |hold, side| {
                 match (side, hold.bodies) {
                     (0, (None, _)) => 0.0,
@@ -156,11 +163,18 @@ impl Joints {
         }
     }
 
+    /// The groups in three axes that something touches.
+    fn mixed_in_space(&mut self) -> impl Iterator<Item = (&mut SpatialGroup, &[Hold])> {
+        let Joints { spatial, holds, .. } = self;
+        spatial.iter_mut().filter(|group| !group.is_apart()).map(|group| (group, &holds[..]))
+    }
+
     /// Moves the groups that nothing touches through all substeps.
     pub(super) fn swing(&mut self, bodies: &Bodies, step: &Step) {
         for group in self.groups.iter_mut().filter(|group| group.is_apart) {
             swing::swing(group, &self.holds, &mut self.room, bodies, step, self.unit);
         }
+        self.spatial.iter_mut().for_each(|group| group.swing(&self.holds, bodies, step));
     }
 
     /// What moves along the depth axis as one gets one velocity.
@@ -182,7 +196,7 @@ impl Joints {
     /// A pass before bodies move: joints will hold where they are then.
     pub(super) fn correct(&mut self, bodies: &mut Bodies, h: f32) {
         let h = f64::from(h);
-        self.spatial.iter_mut().for_each(|group| group.correct(&self.holds, bodies, h));
+        self.mixed_in_space().for_each(|(group, holds)| group.correct(holds, bodies, h));
         for Group { nodes, loose, .. } in self.groups.iter_mut().filter(|group| !group.is_apart) {
             load(nodes, &bodies.hot);
             swing::aim(nodes, h, self.unit);
@@ -195,7 +209,7 @@ impl Joints {
     /// Bodies have moved.
     pub(super) fn advance(&mut self, bodies: &Bodies, h: f32) {
         let h = f64::from(h);
-        self.spatial.iter_mut().for_each(|group| group.advance(bodies, h));
+        self.mixed_in_space().for_each(|(group, _)| group.advance(bodies, h));
         for Group { nodes, loose, .. } in self.groups.iter_mut().filter(|group| !group.is_apart) {
             load(nodes, &bodies.hot);
             swing::advance(nodes, h);
@@ -206,7 +220,7 @@ impl Joints {
     /// A pass after bodies have moved: velocities as joints allow them.
     pub(super) fn relax(&mut self, bodies: &mut Bodies, h: f32) {
         let h = f64::from(h);
-        self.spatial.iter_mut().for_each(|group| group.relax(&self.holds, bodies, h));
+        self.mixed_in_space().for_each(|(group, holds)| group.relax(holds, bodies, h));
         for Group { nodes, loose, .. } in self.groups.iter_mut().filter(|group| !group.is_apart) {
             load(nodes, &bodies.hot);
             swing::rest(nodes);
@@ -220,7 +234,7 @@ impl Joints {
     /// Where the groups that nothing touched have come to, and what has held all joints.
     pub(super) fn finish(&mut self, bodies: &mut Bodies, dt: f32) {
         let (dt, per_second) = (f64::from(dt), 1.0 / f64::from(dt));
-        self.spatial.iter().for_each(|group| group.finish(&mut self.holds, dt));
+        self.spatial.iter().for_each(|group| group.finish(&mut self.holds, bodies, dt));
         for group in &self.groups {
             for node in group.nodes.iter().filter(|node| node.body != 0 && group.is_apart) {
                 let ([vx, vy, spin], [x, y, turned]) = (node.velocity, node.path);

@@ -144,7 +144,7 @@ impl Precise {
             let all_touched = self.rows.has_last();
             let is_touched = |body: usize| all_touched || !self.palette.is_free(body);
             joints.begin(&self.bodies, step, self.tuning.unit, is_touched);
-            joints.begin_in_space(&self.bodies, step, self.tuning.unit, |id| {
+            joints.begin_in_space(&self.bodies, (step, self.tuning.unit), is_touched, |id| {
                 self.space.as_ref().map_or(0.0, |space| space.place_and_velocity(id)[0])
             });
         }

@@ -51,10 +51,15 @@ pub(in super::super) struct SpatialGroup {
     pub(super) missing: Vec<f64>,
     pub(super) is_looped: bool,
     pub(super) unit: f64,
+    /// Nothing touches it: it goes through a step by itself, each substep in so many parts.
+    pub(super) is_apart: bool,
+    pub(super) parts: u32,
+    /// The ways of its bodies then.
+    pub(super) ways: Vec<Motion>,
 }
 
 reusing_clone! {
-    SpatialGroup { bodies, inverses,   velocities, undoing, ties, rows, shared, sparse, missing, is_looped, unit }
+    SpatialGroup { bodies, inverses,   velocities, undoing, ties, rows, shared, sparse, missing, is_looped, unit, is_apart, parts, ways }
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -71,12 +76,22 @@ impl SpatialGroup {
         &self.bodies
     }
 
+    /// Whether nothing touches it.
+    pub(in super::super) fn is_apart(&self) -> bool {
+        self.is_apart
+    }
+
+    /// Finds that out.
+    pub(in super::super) fn part_from_others(&mut self, is_touched: impl Fn(usize) -> bool) {
+        self.is_apart = !self.bodies.iter().any(|&body| is_touched(body as usize));
+    }
+
     /// A step begins. `depth_of` answers where along the depth axis the body of a side is.
     pub(in super::super) fn begin(
         &mut self,
         holds: &[Hold],
         bodies: &Bodies,
-        times: [f64; 2],
+        [dt, h]: [f64; 2],
         unit: f64,
         depth_of: impl Fn(&Hold, usize) -> f32,
     ) {
@@ -93,18 +108,25 @@ impl SpatialGroup {
             (tie.line, tie.total, tie.direction) = (hold.axis, [0.0; 4], [1.0, 0.0, 0.0]);
             tie.find_direction();
         }
+        self.parts = if self.is_apart { self.parts_of(holds, h) } else { 1 };
+        let parts = f64::from(self.parts);
         for row in &mut self.rows {
             let tie = &self.ties[row.tie as usize];
-            row.begin(tie, &holds[tie.hold as usize], times);
+            row.begin(tie, &holds[tie.hold as usize], [dt, h / parts], parts);
         }
         if self.is_looped {
-            self.bind_loops(times[1]);
+            self.bind_loops(h / parts);
         }
     }
 
     /// A pass before bodies move: joints will hold where they are then.
     pub(in super::super) fn correct(&mut self, holds: &[Hold], bodies: &mut Bodies, h: f64) {
         self.load(bodies);
+        self.correct_velocities(holds, h);
+        self.store(bodies);
+    }
+
+    pub(super) fn correct_velocities(&mut self, holds: &[Hold], h: f64) {
         self.rows.iter_mut().for_each(|row| row.impulse = 0.0);
         self.solve(holds, h, Pass::Keep);
         self.rows.iter_mut().for_each(|row| row.kept_impulse = row.impulse);
@@ -114,12 +136,15 @@ impl SpatialGroup {
         for (undoing, velocity) in self.undoing.iter_mut().zip(&self.velocities) {
             *undoing = std::array::from_fn(|i| velocity[i] - undoing[i]);
         }
-        self.store(bodies);
     }
 
     /// Bodies have moved.
     pub(in super::super) fn advance(&mut self, bodies: &Bodies, h: f64) {
         self.load(bodies);
+        self.advance_ties(h);
+    }
+
+    pub(super) fn advance_ties(&mut self, h: f64) {
         let velocities = &self.velocities;
         self.ties.iter_mut().for_each(|tie| tie.advance(velocities, h));
     }
@@ -127,6 +152,11 @@ impl SpatialGroup {
     /// A pass after bodies have moved: velocities as joints allow them.
     pub(in super::super) fn relax(&mut self, holds: &[Hold], bodies: &mut Bodies, h: f64) {
         self.load(bodies);
+        self.relax_velocities(holds, h);
+        self.store(bodies);
+    }
+
+    pub(super) fn relax_velocities(&mut self, holds: &[Hold], h: f64) {
         for (undoing, velocity) in self.undoing.iter().zip(&mut self.velocities) {
             (0..4).for_each(|i| velocity[i] -= undoing[i]);
         }
@@ -136,11 +166,11 @@ impl SpatialGroup {
             let tie = &mut self.ties[row.tie as usize];
             row.count(tie.link, &mut tie.total);
         }
-        self.store(bodies);
     }
 
     /// What has held its joints in a step.
-    pub(in super::super) fn finish(&self, holds: &mut [Hold], dt: f64) {
+    pub(in super::super) fn finish(&self, holds: &mut [Hold], bodies: &mut Bodies, dt: f64) {
+        self.end_swing(bodies);
         for tie in &self.ties {
             let [x, y, turning, z] = tie.total.map(|impulse| (impulse / dt) as f32);
             let hold = &mut holds[tie.hold as usize];
@@ -148,7 +178,7 @@ impl SpatialGroup {
         }
     }
 
-    fn load(&mut self, bodies: &Bodies) {
+    pub(super) fn load(&mut self, bodies: &Bodies) {
         for (velocity, &body) in self.velocities.iter_mut().zip(&self.bodies) {
             *velocity = bodies.hot[body as usize].velocity.map(f64::from);
         }

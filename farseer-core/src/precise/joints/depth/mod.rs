@@ -9,6 +9,7 @@ mod group;
 mod plan;
 mod row;
 mod sparse;
+mod swing;
 mod tied;
 
 pub(super) use group::SpatialGroup;

@@ -232,7 +232,7 @@ impl Row {
     }
 
     /// A step begins: what does not change in it.
-    pub(super) fn begin(&mut self, tie: &Tie, hold: &Hold, [dt, h]: [f64; 2]) {
+    pub(super) fn begin(&mut self, tie: &Tie, hold: &Hold, [dt, h]: [f64; 2], parts: f64) {
         let drive = hold.drive.unwrap_or_default();
         match &mut self.what {
             // What a motor seeks may change in every step.
@@ -255,7 +255,7 @@ impl Row {
             // The greatest impulse of a weld is that of its angle.
             What::Axis(_) if tie.link == Link::Weld => f64::MAX,
             What::Depth | What::Across | What::Limits(_) => f64::MAX,
-            _ => hold.most,
+            _ => hold.most / parts,
         };
         self.bounds = [-most, most];
         let [low, high] = self.range(hold);
