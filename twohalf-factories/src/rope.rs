@@ -58,7 +58,8 @@ impl Rope {
         self
     }
 
-    /// The mass of the whole, finite and greater than 0. What hangs on it may weigh a few hundred times as much as a bead.
+    /// The mass of the whole, finite and greater than 0. What hangs on it may weigh three hundred times as much as a bead
+    /// at 60 steps per second; heavier things stretch it.
     pub fn mass(mut self, mass: f32) -> Self {
         self.mass = mass;
         self

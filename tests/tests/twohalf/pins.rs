@@ -222,11 +222,11 @@ fn a_chain_that_swings_in_depth_keeps_its_links_and_gains_no_energy() {
 }
 
 #[test]
-fn a_load_of_ten_thousand_times_the_mass_of_its_links_swings_on_its_rope() {
+fn a_load_of_a_hundred_thousand_times_the_mass_of_its_links_swings_on_its_rope() {
     precise(|| {
         let mut simulator = simulator();
         let chain = chain(&mut simulator, 10, [0.6, 0.8]);
-        simulator.body_mut(chain[10]).unwrap().set_mass(1e4).unwrap();
+        simulator.body_mut(chain[10]).unwrap().set_mass(1e5).unwrap();
         for _ in 0..2000 {
             run(&mut simulator, 1);
             let apart = place(&simulator, chain[10]) - Vector3::from(HOOK);

@@ -59,7 +59,7 @@ pub(in super::super) struct SpatialGroup {
 }
 
 reusing_clone! {
-    SpatialGroup { bodies, inverses,   velocities, undoing, ties, rows, shared, sparse, missing, is_looped, unit, is_apart, parts, ways }
+    SpatialGroup { bodies, inverses, velocities, undoing, ties, rows, shared, sparse, missing, is_looped, unit, is_apart, parts, ways }
 }
 
 #[derive(Debug, Clone, Copy)]
