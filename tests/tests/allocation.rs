@@ -434,6 +434,24 @@ fn walking_and_jumping_among_crates_allocates_nothing() {
 }
 
 #[test]
+fn an_update_of_ropes_that_swing_and_of_rafts_in_a_current_allocates_nothing() {
+    let mut simulator = twohalf::TwoHalfPhysicsSimulator::new(600).unwrap();
+    let pool = twohalf::Region::new([-500.0, 0.0, -500.0], [500.0, 100.0, 500.0]).unwrap();
+    let flow = twohalf::Vector3::new(0.0, 0.0, 0.1);
+    simulator.add_field(twohalf::Fluid { flow, ..twohalf::Fluid::water(pool, 1e-3) }).unwrap();
+    simulator.add_field(twohalf::Well { strength: 1e4, ..twohalf::Well::new([0.0, 300.0, 0.0]) }).unwrap();
+    depth::crate_box(&mut simulator, [40.0, 20.0], [200.0, 90.0, 0.0]);
+    depth::ball(&mut simulator, 10.0, [-200.0, 90.0, 0.0]);
+    let ends = [0.0, 90.0].map(|x| twohalf_factories::RopeEnd::Fixed([x, 300.0, x]));
+    let rope = twohalf_factories::Rope::new(ends[0], ends[1]).length(150.0);
+    let rope = twohalf_factories::spawn_rope(&mut simulator, rope).unwrap();
+    depth::throw(&mut simulator, rope.bodies[5], [0.0, 0.0, 5.0]);
+    (0..300).for_each(|_| simulator.update(depth::DT));
+    assert!(!simulator.is_asleep(rope.bodies[5]));
+    assert_eq!(calls(|| (0..100).for_each(|_| simulator.update(depth::DT))), 0);
+}
+
+#[test]
 fn an_update_of_a_settled_scene_with_depth_allocates_nothing() {
     struct Silent;
     impl twohalf::EventHandler for Silent {}

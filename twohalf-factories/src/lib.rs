@@ -39,8 +39,10 @@
 #![forbid(unsafe_code)]
 
 mod body_factory;
+mod door;
 mod geom_factory;
 mod lane;
+mod rope;
 mod slope;
 mod spawn;
 
@@ -49,8 +51,10 @@ mod spawn;
 pub mod recipes {}
 
 pub use body_factory::TwoHalfBodyFactory;
+pub use door::{Door, spawn_door};
 pub use geom_factory::TwoHalfGeomFactory;
 pub use lane::spawn_lane;
+pub use rope::{Rope, RopeEnd, SpawnedRope, spawn_rope};
 pub use slope::spawn_slope;
 pub use spawn::{Ball, Figure, Prism, Spawned, Thing, spawn};
 

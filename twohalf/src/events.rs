@@ -1,6 +1,6 @@
 //! What happens during an update, and who is told.
 
-use farseer_core::{Body, BodyId, Event as CoreEvent, Geom, GeomId, ObjectId};
+use farseer_core::{Body, BodyId, Event as CoreEvent, Geom, GeomId, JointId, ObjectId, SpringId};
 
 use crate::body::TwoHalfBody;
 use crate::geom::TwoHalfGeom;
@@ -72,6 +72,16 @@ pub enum Event {
         /// The object.
         object: ObjectId,
     },
+    /// A joint was too far from what it keeps, or had to hold with too much, and broke: it is disabled.
+    JointBroke {
+        /// The joint.
+        joint: JointId,
+    },
+    /// A spring was too far from its length, and broke: it is disabled.
+    SpringBroke {
+        /// The spring.
+        spring: SpringId,
+    },
     /// A setter or an update was given a value that is not finite, and changed nothing. Told once per object and
     /// argument, however often it was refused since the last update that told.
     RejectedInput {
@@ -97,6 +107,8 @@ impl Event {
             CoreEvent::BodyDisposed { body } => Event::BodyDisposed { body },
             CoreEvent::Added { object } => Event::Added { object },
             CoreEvent::Removed { object } => Event::Removed { object },
+            CoreEvent::JointBroke { joint } => Event::JointBroke { joint },
+            CoreEvent::SpringBroke { spring } => Event::SpringBroke { spring },
             CoreEvent::RejectedInput { object, argument } => Event::RejectedInput { object, argument },
             CoreEvent::NotFinite { body, disabled } => Event::NotFinite { body, disabled },
             _ => return None,
@@ -148,6 +160,17 @@ pub trait EventHandler {
     #[doc(alias = "Disposed")]
     fn on_body_disposed(&mut self, context: &mut Context<'_>, body: BodyId) {
         let _ = (context, body);
+    }
+
+    /// See [`Event::JointBroke`].
+    #[doc(alias = "Broke")]
+    fn on_joint_broke(&mut self, context: &mut Context<'_>, joint: JointId) {
+        let _ = (context, joint);
+    }
+
+    /// See [`Event::SpringBroke`].
+    fn on_spring_broke(&mut self, context: &mut Context<'_>, spring: SpringId) {
+        let _ = (context, spring);
     }
 
     /// An object entered its list.

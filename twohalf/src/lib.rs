@@ -358,8 +358,9 @@
 //! - **Sprites are flat**, so there may be no right [drawing order](TwoHalfPhysicsSimulator::draw_order) for three
 //!   that cover each other in a circle.
 //! - **Joints, springs and controllers are those of the plane**, made by
-//!   [`edit_objects`](TwoHalfPhysicsSimulator::edit_objects). With [`DepthScheme::Precise`] revolute joints and welds keep
-//!   their bodies together along Z, too, and linear springs between two bodies pull along all axes; no other joint or spring acts along Z yet.
+//!   [`edit_objects`](TwoHalfPhysicsSimulator::edit_objects). With [`DepthScheme::Precise`] joints that keep a point
+//!   or a line keep their bodies together along Z, too, and pins, sliders and linear springs act along all axes; with the
+//!   other schemes they act in X and Y alone.
 
 #![forbid(unsafe_code)]
 
@@ -369,9 +370,11 @@ mod depth;
 mod draw_order;
 mod error;
 mod events;
+mod fields;
 mod geom;
 mod ground;
 mod id_table;
+mod lengths;
 mod methods;
 mod pairs;
 mod platform;
@@ -400,6 +403,7 @@ pub use depth::DepthProfile;
 pub use draw_order::{DrawOrder, Drawable};
 pub use error::{Error, Result};
 pub use events::{Collision, Context, Event, EventHandler};
+pub use fields::{Field, FieldId, Fluid, Region, Well};
 pub use geom::TwoHalfGeom;
 pub use ground::{Ground, GroundMut};
 #[allow(deprecated, reason = "the former name goes on")]

@@ -5,7 +5,8 @@
 
 use farseer_core::math::scalar::nearest_finite;
 use farseer_core::{
-    ArbiterRef, BodyId, Contact, EventHandler as CoreHandler, GeomId, ObjectId, PhysicsSimulator,
+    ArbiterRef, BodyId, Contact, EventHandler as CoreHandler, GeomId, JointId, ObjectId, PhysicsSimulator,
+    SpringId,
 };
 
 use crate::events::{Collision, Context, Event, EventHandler};
@@ -263,6 +264,20 @@ impl CoreHandler for PlaneHandler<'_, '_> {
     fn on_body_disposed(&mut self, context: &mut farseer_core::Context<'_>, body: BodyId) {
         if let Some(handler) = &mut self.handler {
             handler.on_body_disposed(&mut Context::within(context, self.world), body);
+        }
+    }
+
+    fn on_joint_broke(&mut self, context: &mut farseer_core::Context<'_>, joint: JointId) {
+        if let Some(handler) = &mut self.handler {
+            handler.on_joint_broke(&mut Context::within(context, self.world), joint);
+            self.world.tell_depths(context.simulator_mut());
+        }
+    }
+
+    fn on_spring_broke(&mut self, context: &mut farseer_core::Context<'_>, spring: SpringId) {
+        if let Some(handler) = &mut self.handler {
+            handler.on_spring_broke(&mut Context::within(context, self.world), spring);
+            self.world.tell_depths(context.simulator_mut());
         }
     }
 

@@ -22,16 +22,18 @@ impl TwoHalfPhysicsSimulator {
         world.begin();
         world.update.dt = dt;
         world.tell_depths(core);
-        let goes_on = if handler.is_some() {
+        let goes_on = {
             let mut meeting = PlaneHandler { world: &mut *world, handler: reborrow(&mut handler) };
-            core.update_in_space(dt, Some(&mut meeting))
-        } else {
-            let goes_on = core.update_in_space(dt, None);
-            if goes_on {
+            core.begin_in_space(dt, meeting.handler.is_some().then_some(&mut meeting as _))
+        };
+        if goes_on {
+            world.act_fields(core, dt);
+            let mut meeting = PlaneHandler { world: &mut *world, handler: reborrow(&mut handler) };
+            core.go_on_in_space(dt, meeting.handler.is_some().then_some(&mut meeting as _));
+            if handler.is_none() {
                 world.read_depths(core);
             }
-            goes_on
-        };
+        }
         world.tell_pending();
         world.take_events(core);
         if !goes_on {
@@ -100,7 +102,10 @@ impl World {
         if !can_move && state.force_z != 0.0 && !self.depths.waiting.contains(&id) {
             self.depths.waiting.push(id);
         }
-        let velocity = state.velocity_z + std::mem::take(&mut state.impulse_z) * inverse_mass;
+        // Nothing added to a negative zero would make it a positive one, which a save must not do.
+        let impulse = std::mem::take(&mut state.impulse_z);
+        let velocity =
+            if impulse == 0.0 { state.velocity_z } else { state.velocity_z + impulse * inverse_mass };
         let acceleration = state.force_z * inverse_mass;
         if !(velocity.is_finite() && acceleration.is_finite()) {
             disable(core, id);

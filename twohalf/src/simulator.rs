@@ -418,8 +418,11 @@ impl TwoHalfPhysicsSimulator {
     ///
     /// With [`DepthScheme::Precise`] joints that keep a point, which are revolute ones and welds, keep it in depth: the
     /// bodies that they tie together stay as far behind each other as they are, and move along Z as one; what is tied to
-    /// the world, or to what stands still, stays at its Z. Linear springs pull along all three axes; the rest length that they are
-    /// made with is that of X and Y. All other joints and springs act in X and Y alone.
+    /// the world, or to what stands still, stays at its Z. So do prismatic joints. Pins, sliders and linear springs act along all
+    /// three axes, between points at the Z of their bodies; the length that they are made with is that of X and Y, until they
+    /// [take](Self::take_length) another. A spring to a point of the world does so if that point
+    /// [has a depth](farseer_core::FixedLinearSpring::set_world_attach_depth). Joints and springs that keep angles have nothing
+    /// to do along Z. With the other schemes all of them act in X and Y alone.
     ///
     /// ```
     /// # use twohalf::{TwoHalfPhysicsSimulator, Vector2, farseer_core::{BodyFactory, JointFactory}};
@@ -487,7 +490,7 @@ impl TwoHalfPhysicsSimulator {
         self.core.is_disposed(object)
     }
 
-    /// Empties the simulator: bodies, geoms and platforms are gone and their ids are stale. Settings of the 2D engine
+    /// Empties the simulator: bodies, geoms, platforms and fields are gone and their ids are stale. Settings of the 2D engine
     /// stay, but for the broad phase, which is Farseer's default again; so do screen and scheme.
     #[doc(alias = "Clear")]
     pub fn clear(&mut self) {
@@ -499,6 +502,7 @@ impl TwoHalfPhysicsSimulator {
         let world = &mut self.world;
         world.depths = Depths::default();
         world.platforms.clear();
+        world.fields.clear();
         world.touches.clear();
         world.last.clear();
         world.events.clear();

@@ -76,6 +76,7 @@ impl TwoHalfPhysicsSimulator {
         }
         world.prepare(core, dt);
         world.meet(core, &mut handler);
+        world.act_fields(core, dt);
         world.apply_forces(core, dt);
         world.solve(core, dt);
         world.integrate(core, dt, &mut handler);

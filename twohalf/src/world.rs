@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::depth::{Depths, is_movable};
 use crate::events::{Collision, Event};
+use crate::fields::Fields;
 use crate::id_table::IdTable;
 use crate::pairs::{KnownPairs, SpacePair};
 use crate::platform::Platforms;
@@ -25,6 +26,7 @@ pub struct World {
     pub(crate) layer_range: (f32, f32),
     pub(crate) depths: Depths,
     pub(crate) platforms: Platforms,
+    pub(crate) fields: Fields,
     /// Contacts of the last update. While an update looks for its own, those of the one before are in `last`. With the precise
     /// set only what was loaded: the engine below knows what touches from the first update on.
     #[serde(skip)]
@@ -114,6 +116,7 @@ impl World {
             scheme: DepthScheme::default(),
             depths: Depths::default(),
             platforms: Platforms::default(),
+            fields: Fields::default(),
             touches: TouchList::default(),
             last: TouchList::default(),
             update: Update::default(),

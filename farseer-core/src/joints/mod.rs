@@ -77,6 +77,7 @@ pub struct Joint {
     tag: u64,
     /// Of the last update, on the second body; the precise set's.
     force: [f32; 3],
+    force_along_depth: f32,
     greatest_force: f32,
     greatest_torque: f32,
     kind: JointKind,
@@ -96,6 +97,7 @@ impl Joint {
             enabled: true,
             tag: 0,
             force: [0.0; 3],
+            force_along_depth: 0.0,
             greatest_force: f32::MAX,
             greatest_torque: f32::MAX,
             kind,
@@ -137,16 +139,28 @@ impl Joint {
         self.force[2]
     }
 
+    /// What of the [force](Self::force) was along the depth axis, in an engine that has one: of pins and sliders, and of what
+    /// hangs together with them. 0 of all others.
+    pub fn force_along_depth(&self) -> f32 {
+        self.force_along_depth
+    }
+
     pub(crate) fn force_and_torque(&self) -> [f32; 3] {
         self.force
     }
 
     /// Notes what held the joint in an update. Answers whether it was too much; the joint is disabled then.
-    pub(crate) fn bear(&mut self, force: [f32; 3]) -> bool {
-        self.force = force.map(|number| if number.is_finite() { number } else { 0.0 });
+    pub(crate) fn bear(&mut self, force: [f32; 3], along_depth: f32) -> bool {
+        let finite = |number: f32| if number.is_finite() { number } else { 0.0 };
+        (self.force, self.force_along_depth) = (force.map(finite), finite(along_depth));
         let [x, y, torque] = self.force;
-        let breaks = self.enabled
-            && !(length(Vector2::new(x, y)) <= self.greatest_force && torque.abs() <= self.greatest_torque);
+        let in_plane = length(Vector2::new(x, y));
+        let force = if self.force_along_depth == 0.0 {
+            in_plane
+        } else {
+            length(Vector2::new(in_plane, self.force_along_depth))
+        };
+        let breaks = self.enabled && !(force <= self.greatest_force && torque.abs() <= self.greatest_torque);
         if breaks {
             self.enabled = false;
         }
@@ -283,7 +297,7 @@ impl Joint {
     /// Forgets the impulse, so that the next pre-step starts afresh.
     pub(crate) fn forget_impulse(&mut self) {
         each_kind!(&mut self.kind, joint => joint.forget_impulse());
-        self.force = [0.0; 3];
+        (self.force, self.force_along_depth) = ([0.0; 3], 0.0);
     }
 
     fn is_impulse_finite(&self) -> bool {
@@ -295,7 +309,7 @@ impl Joint {
     pub(crate) fn is_valid(&self) -> bool {
         let settings =
             [self.bias_factor, self.breakpoint, self.softness, self.greatest_force, self.greatest_torque];
-        settings.iter().chain(&self.force).all(|number| number.is_finite())
+        settings.iter().chain(&self.force).chain([&self.force_along_depth]).all(|number| number.is_finite())
             && self.is_impulse_finite()
             && each_kind!(&self.kind, joint => joint.is_valid())
     }

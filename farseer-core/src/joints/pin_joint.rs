@@ -17,6 +17,9 @@ use crate::math::vector2::length;
 /// Keeps an anchor of one body at a fixed distance from an anchor of another, like a rod.
 ///
 /// Anchors on one spot have no direction to push in: the impulse only grows, and acts as a whole when they part.
+///
+/// Under the [precise set](crate::Methods::Precise) of an engine with depth the anchors are at the depths of their bodies, and
+/// the joint acts along all three axes; the distance that it is made with is that of the plane.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct PinJoint {
     body1: BodyId,

@@ -15,6 +15,9 @@ use crate::math::Vector2;
 use crate::math::finite::finite;
 
 /// Keeps the distance of an anchor of one body and an anchor of another in a range, like a rope or a telescope.
+///
+/// Under the [precise set](crate::Methods::Precise) of an engine with depth the anchors are at the depths of their bodies, and
+/// the joint acts along all three axes.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct SliderJoint {
     body1: BodyId,

@@ -276,11 +276,10 @@ impl Bodies {
     }
 
     /// A body comes to rest. Answers the accelerations that it bears, after a step of so many seconds.
-    pub(super) fn rest(&mut self, number: usize, dt: f32) -> [f32; 3] {
-        let [x, y, turning, _] = self.forced[number].map(|way| way / (0.5 * dt * dt));
-        let borne = [x, y, turning];
+    pub(super) fn rest(&mut self, number: usize, dt: f32) -> [f32; 4] {
+        let borne = self.forced[number].map(|way| way / (0.5 * dt * dt));
         // The square of a step may be less than there are numbers.
-        let borne = if borne.iter().all(|number| number.is_finite()) { borne } else { [0.0; 3] };
+        let borne = if borne.iter().all(|number| number.is_finite()) { borne } else { [0.0; 4] };
         self.hot[number] = Hot::default();
         for stream in [
             &mut self.warm,

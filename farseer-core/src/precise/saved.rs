@@ -50,7 +50,7 @@ struct Sleeper {
     /// The place in this list of the first one of those that fell asleep together.
     first: u32,
     place: [f32; 4],
-    borne: [f32; 3],
+    borne: [f32; 4],
     /// Reciprocals of mass and inertia, and what part of gravity acts.
     nature: [f32; 3],
     /// It has just fallen asleep, and does not know yet what it bears.

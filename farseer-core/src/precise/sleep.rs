@@ -78,7 +78,7 @@ pub(super) struct Sleep {
     /// The next one of those that fell asleep together, in a ring; or [`AWAKE`], or [`ABSENT`].
     next: Vec<u32>,
     /// Accelerations by forces and torque that a body fell asleep under.
-    pub(super) borne: Vec<[f32; 3]>,
+    pub(super) borne: Vec<[f32; 4]>,
     /// Those of which it is something; and of these those that have just fallen asleep.
     pub(super) leaning: Vec<u32>,
     pub(super) fresh: Vec<u32>,
@@ -181,7 +181,7 @@ impl Sleep {
         self.next.clear();
         self.next.extend(ids.iter().map(|id| if id.is_some() { AWAKE } else { ABSENT }));
         self.borne.clear();
-        self.borne.resize(bodies, [0.0; 3]);
+        self.borne.resize(bodies, [0.0; 4]);
         self.count = 0;
         self.leaning.clear();
         self.fresh.clear();
@@ -205,7 +205,7 @@ impl Sleep {
             self.next[before] = self.next[body];
             self.count -= 1;
         }
-        (self.next[body], self.rest[body], self.borne[body]) = (ABSENT, 0.0, [0.0; 3]);
+        (self.next[body], self.rest[body], self.borne[body]) = (ABSENT, 0.0, [0.0; 4]);
         self.leaning.retain(|&other| other as usize != body);
         self.fresh.retain(|&other| other as usize != body);
     }
@@ -219,10 +219,10 @@ impl Sleep {
     }
 
     /// A body falls asleep, with the others of a ring if there is one.
-    pub(super) fn lay_down(&mut self, body: usize, with: Option<usize>, borne: [f32; 3]) {
+    pub(super) fn lay_down(&mut self, body: usize, with: Option<usize>, borne: [f32; 4]) {
         self.rest[body] = f32::NEG_INFINITY;
         self.borne[body] = borne;
-        self.leaning.extend((borne != [0.0; 3]).then_some(body as u32));
+        self.leaning.extend((borne != [0.0; 4]).then_some(body as u32));
         let other = with.unwrap_or(body);
         self.next[body] = body as u32;
         self.next.swap(body, other);
@@ -411,7 +411,7 @@ impl Precise {
             let borne = self.bodies.rest(body, self.dt);
             // The least number of an island is the first of it here.
             self.sleep.lay_down(body, (island != body).then_some(island), borne);
-            self.sleep.fresh.extend((borne != [0.0; 3]).then_some(number));
+            self.sleep.fresh.extend((borne != [0.0; 4]).then_some(number));
             if let Some(entry) = self.bodies.ids[body].and_then(|id| objects.bodies.get_mut(id)) {
                 entry.body.come_to_rest();
             }

@@ -100,6 +100,13 @@ impl Precise {
         }
     }
 
+    /// Something has pushed a body: if it sleeps it is to be seen whether it bears that.
+    pub(super) fn note_pushed_body(&mut self, number: usize) {
+        if self.sleep.is_asleep(number) {
+            self.sleep.pushed.push(number as u32);
+        }
+    }
+
     /// Bodies that other forces push than those they fell asleep under wake; of the others forces are forgotten.
     fn note_pushed(&mut self, objects: &mut Objects) {
         let mut pushed = std::mem::take(&mut self.sleep.pushed);
@@ -110,11 +117,14 @@ impl Precise {
         let slack = self.slow() / REST;
         self.learn_anew(objects);
         for body in pushed.drain(..).map(|body| body as usize) {
-            let (borne, reach) = (self.sleep.borne[body], self.bodies.reaches[body]);
-            if let Some(entry) = self.bodies.ids[body].and_then(|id| objects.bodies.get_mut(id))
-                && !entry.body.bears(borne, reach, slack)
-            {
+            let ([x, y, turning, z], reach) = (self.sleep.borne[body], self.bodies.reaches[body]);
+            let Some(id) = self.bodies.ids[body] else { continue };
+            let Some(entry) = objects.bodies.get_mut(id) else { continue };
+            let in_depth = self.space.as_ref().map_or(0.0, |space| (space.acceleration(id) - z).abs());
+            if in_depth > slack || !entry.body.bears([x, y, turning], reach, slack - in_depth) {
                 self.sleep.note_waking(body);
+            } else if let Some(space) = &mut self.space {
+                space.forget_acceleration(id);
             }
         }
         self.sleep.pushed = pushed;
@@ -125,10 +135,12 @@ impl Precise {
         let mut fresh = std::mem::take(&mut self.sleep.fresh);
         fresh.retain(|&body| self.sleep.is_asleep(body as usize));
         for body in fresh.drain(..).map(|body| body as usize) {
-            let Some(entry) = self.bodies.ids[body].and_then(|id| objects.bodies.get(id)) else { continue };
-            let (now, before) = (entry.body.accelerations(), self.sleep.borne[body]);
+            let Some(id) = self.bodies.ids[body] else { continue };
+            let Some(entry) = objects.bodies.get(id) else { continue };
+            let ([x, y, turning], before) = (entry.body.accelerations(), self.sleep.borne[body]);
+            let now = [x, y, turning, self.space.as_ref().map_or(0.0, |space| space.acceleration(id))];
             let is_near = |at: usize| (now[at] - before[at]).abs() <= DAMPED * before[at].abs();
-            if (0..3).all(is_near) {
+            if (0..4).all(is_near) {
                 self.sleep.borne[body] = now;
             }
         }

@@ -5,7 +5,7 @@ use super::{EventHandler, PhysicsSimulator};
 use crate::Result;
 use crate::body::BodyId;
 use crate::geom::GeomId;
-use crate::math::Vector3;
+use crate::math::{Vector2, Vector3};
 use crate::methods::Methods;
 use crate::precise::space::parts::{
     Fixture, FixtureMotion, SpaceBody, SpaceChange, SpaceProfile, SpaceTouch,
@@ -38,6 +38,25 @@ impl PhysicsSimulator {
         }
     }
 
+    /// A force, along the depth axis as well, and a torque act on a body in the update that comes. That is no edit: what sleeps
+    /// wakes if other forces push it than those it fell asleep under. Without a depth axis what is along it is left out. What
+    /// would not be finite is refused: answers whether it was not.
+    pub fn push_in_space(&mut self, id: BodyId, [x, y, z]: [f32; 3], torque: f32) -> bool {
+        let PhysicsSimulator { objects, pipeline, .. } = self;
+        let Some(body) = objects.bodies.get_mut(id).map(|entry| &mut entry.body) else { return true };
+        let along_depth = z * body.inverse_mass();
+        let sums = [body.force().x + x, body.force().y + y, body.torque() + torque, along_depth];
+        if !sums.iter().all(|sum| sum.is_finite()) {
+            return false;
+        }
+        body.apply_force(Vector2::new(x, y));
+        body.apply_torque(torque);
+        if let Some(precise) = &mut pipeline.precise {
+            precise.note_push(id, along_depth);
+        }
+        true
+    }
+
     /// How a geom reaches along the depth axis.
     pub fn set_space_profile(&mut self, geom: GeomId, told: SpaceProfile) {
         if let Some(precise) = &mut self.pipeline.precise {
@@ -64,14 +83,16 @@ impl PhysicsSimulator {
         self.pipeline.precise.iter().flat_map(|precise| precise.fixtures_moved())
     }
 
-    /// [`update_with_real_time`](Self::update_with_real_time) that answers whether anything could move.
-    pub fn update_in_space(&mut self, dt: f32, handler: Option<&mut dyn EventHandler>) -> bool {
-        let mut handler = Handler::new(handler);
-        let goes_on = self.begin(dt, &mut handler);
-        if goes_on && self.pipeline.precise.is_some() {
-            self.run_precise(dt, 0.0, &mut handler, &mut Stopwatch::start(None));
+    /// An update begins: objects enter and leave. Answers whether anything can move; then it [goes on](Self::go_on_in_space).
+    pub fn begin_in_space(&mut self, dt: f32, handler: Option<&mut dyn EventHandler>) -> bool {
+        self.begin(dt, &mut Handler::new(handler))
+    }
+
+    /// An update that has [begun](Self::begin_in_space) goes on, as one without a depth axis does.
+    pub fn go_on_in_space(&mut self, dt: f32, handler: Option<&mut dyn EventHandler>) {
+        if self.pipeline.precise.is_some() {
+            self.run_precise(dt, 0.0, &mut Handler::new(handler), &mut Stopwatch::start(None));
         }
-        goes_on
     }
 
     /// Who was awake in an update, and moves like that along the depth axis after it.

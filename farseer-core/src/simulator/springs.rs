@@ -23,8 +23,16 @@ impl PhysicsSimulator {
 
     fn update_spring(&mut self, spring: SpringId, step: Option<f32>, handler: &mut Handler<'_>) {
         let PhysicsSimulator { objects, pipeline, .. } = self;
+        let kept = match &pipeline.precise {
+            Some(precise) => precise.absent_in_space(objects.springs[spring].ends()),
+            None => [None; 2],
+        };
         let space = pipeline.precise.as_mut().and_then(|precise| precise.space_mut());
-        match objects.springs[spring].update(&mut objects.bodies, space, step) {
+        let outcome = objects.springs[spring].update(&mut objects.bodies, space, step);
+        if let Some(space) = pipeline.precise.as_mut().and_then(|precise| precise.space_mut()) {
+            kept.into_iter().flatten().for_each(|(body, push)| space.set_acceleration(body, push));
+        }
+        match outcome {
             SpringOutcome::Idle => {}
             SpringOutcome::NotFinite => self.report.push(Event::SpringNotFinite { spring }),
             SpringOutcome::Updated => {

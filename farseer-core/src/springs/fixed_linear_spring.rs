@@ -10,20 +10,27 @@ use crate::error::Result;
 use crate::joints::joint_body::is_non_zero;
 use crate::math::Vector2;
 use crate::math::finite::{finite, finite_vector};
-use crate::math::vector2::length;
+use crate::math::vector2::{dot, length};
+use crate::precise::space::Space;
 use crate::springs::load::Load;
 use crate::springs::swing::inverse_mass_at;
-use crate::springs::{Constants, Pull, SHORTEST, Spring, SpringKind, strength};
+use crate::springs::{
+    Constants, Pull, SHORTEST, Spring, SpringKind, along_with_depth, length_with_depth, strength_along,
+};
 
 /// Pulls a point of a body to, or pushes it from, a point of the world until they are the rest length apart.
 ///
 /// Points closer than 0.00001 have no direction: there is no force then, whatever the rest length.
+///
+/// In an engine with depth a spring whose point of the world [has a depth](Self::set_world_attach_depth) acts along all three
+/// axes: the point of the body is at the body's depth. Without, it acts in the plane alone.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct FixedLinearSpring {
     pub(crate) body: BodyId,
     body_attach_point: Vector2,
     world_attach_point: Vector2,
     rest_length: f32,
+    world_attach_depth: Option<f32>,
 }
 
 impl FixedLinearSpring {
@@ -42,6 +49,7 @@ impl FixedLinearSpring {
             body_attach_point,
             world_attach_point,
             rest_length: finite("rest_length", rest_length)?,
+            world_attach_depth: None,
         });
         Spring::of(kind, spring_constant, damping_constant)
     }
@@ -52,6 +60,7 @@ impl FixedLinearSpring {
             body_attach_point: Vector2::zeros(),
             world_attach_point: Vector2::zeros(),
             rest_length: 0.0,
+            world_attach_depth: None,
         }
     }
 
@@ -91,6 +100,21 @@ impl FixedLinearSpring {
         Ok(())
     }
 
+    /// Where the point of the world is along the depth axis, in the user's unit of length; `None`, as at first, for a spring
+    /// that acts in the plane alone. Nothing but an engine with depth looks at it.
+    pub fn world_attach_depth(&self) -> Option<f32> {
+        self.world_attach_depth
+    }
+
+    /// Sets [`world_attach_depth`](Self::world_attach_depth). The rest length stays.
+    ///
+    /// # Errors
+    /// What is not finite.
+    pub fn set_world_attach_depth(&mut self, value: Option<f32>) -> Result<()> {
+        self.world_attach_depth = value.map(|depth| finite("world_attach_depth", depth)).transpose()?;
+        Ok(())
+    }
+
     checked_properties! {
         /// Distance at which the spring is at rest: at first the one the points had when the spring was made, or 0
         /// if it was made without its body.
@@ -98,14 +122,19 @@ impl FixedLinearSpring {
         rest_length, set_rest_length;
     }
 
-    pub(crate) fn pull(&self, constants: Constants, bodies: &mut Bodies) -> Pull {
+    pub(crate) fn pull(&self, constants: Constants, bodies: &mut Bodies, space: Option<&mut Space>) -> Pull {
         let Some(body) = bodies.get_mut(self.body).map(|entry| &mut entry.body) else { return Pull::None };
         if !body.is_integrated() {
             return Pull::None;
         }
         let point = body.get_world_position(self.body_attach_point);
         let difference = point - self.world_attach_point;
-        let distance = length(difference);
+        let [behind, receding] =
+            self.world_attach_depth.zip(space.as_deref()).map_or([0.0; 2], |(depth, space)| {
+                let [z, velocity] = space.place_and_velocity(self.body);
+                [z - depth, velocity]
+            });
+        let distance = length_with_depth(difference, behind);
         if distance < SHORTEST {
             return Pull::None;
         }
@@ -113,20 +142,26 @@ impl FixedLinearSpring {
         let constants =
             constants.tuned(|| inverse_mass_at(body, point - body.position(), difference * (1.0 / distance)));
         let velocity = body.get_velocity_at_world_point(point);
-        let force =
-            difference * (1.0 / distance) * strength(constants, error, velocity, difference, distance);
-        if !Load::of(body).with_force(force, point - body.position()).is_finite() {
+        let along = along_with_depth(dot(velocity, difference), receding, behind);
+        let strength = strength_along(constants, error, along, distance);
+        let (force, force_z) = (difference * (1.0 / distance) * strength, behind / distance * strength);
+        if !(Load::of(body).with_force(force, point - body.position()).is_finite() && force_z.is_finite()) {
             return Pull::NotFinite;
         }
-        let has_acted = is_non_zero(force);
-        if has_acted {
+        if let Some(space) = space.filter(|_| force_z != 0.0) {
+            space.push_along_depth(self.body, force_z * body.inverse_mass());
+        }
+        if is_non_zero(force) {
             body.apply_force_at_world_point(force, point);
         }
-        Pull::Done { error, has_acted }
+        Pull::Done { error, has_acted: is_non_zero(force) || force_z != 0.0 }
     }
 
     pub(crate) fn is_valid(&self) -> bool {
         let vectors = [self.body_attach_point, self.world_attach_point];
-        self.rest_length.is_finite() && vectors.iter().all(|v| v.x.is_finite() && v.y.is_finite())
+        let depth = self.world_attach_depth.unwrap_or_default();
+        self.rest_length.is_finite()
+            && depth.is_finite()
+            && vectors.iter().all(|v| v.x.is_finite() && v.y.is_finite())
     }
 }

@@ -14,7 +14,9 @@ use crate::math::vector2::{dot, length};
 use crate::precise::space::Space;
 use crate::springs::load::{Load, may_act};
 use crate::springs::swing::inverse_mass_at;
-use crate::springs::{Constants, Pull, SHORTEST, Spring, SpringKind, strength_along};
+use crate::springs::{
+    Constants, Pull, SHORTEST, Spring, SpringKind, along_with_depth, length_with_depth, strength_along,
+};
 
 /// Pulls points of two bodies together, or pushes them apart, until they are the rest length apart.
 ///
@@ -126,8 +128,7 @@ impl LinearSpring {
         let difference = point1 - point2;
         let [behind, receding] =
             space.as_deref().map_or([0.0; 2], |space| space.behind(self.body1, self.body2));
-        let in_plane = length(difference);
-        let distance = if behind == 0.0 { in_plane } else { (in_plane * in_plane + behind * behind).sqrt() };
+        let distance = length_with_depth(difference, behind);
         if distance < SHORTEST {
             return Pull::None;
         }
@@ -138,8 +139,7 @@ impl LinearSpring {
             one + inverse_mass_at(body2, point2 - body2.position(), direction)
         });
         let velocity = body1.get_velocity_at_world_point(point1) - body2.get_velocity_at_world_point(point2);
-        let along = dot(velocity, difference);
-        let along = if behind == 0.0 { along } else { along + receding * behind };
+        let along = along_with_depth(dot(velocity, difference), receding, behind);
         let strength = strength_along(constants, error, along, distance);
         let (force, force_z) = (difference * (1.0 / distance) * strength, behind / distance * strength);
 

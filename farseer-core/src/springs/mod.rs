@@ -27,7 +27,7 @@ use crate::checked_properties::checked_properties;
 use crate::error::Result;
 use crate::math::Vector2;
 use crate::math::finite::finite;
-use crate::math::vector2::dot;
+use crate::math::vector2::length;
 use crate::precise::space::Space;
 
 crate::storage::arena::define_id! {
@@ -228,7 +228,8 @@ impl Spring {
         breaks
     }
 
-    /// Applies force or torque, if the bodies let it, and a linear one also along the depth axis, if there is one; tuned to the length of a step, if there is one.
+    /// Applies force or torque, if the bodies let it, and a linear one also along the depth axis, if there is one; tuned to the
+    /// length of a step, if there is one.
     pub(crate) fn update(
         &mut self,
         bodies: &mut Bodies,
@@ -239,7 +240,7 @@ impl Spring {
         let pull = match &self.kind {
             SpringKind::Angle(spring) => spring.pull(constants, bodies),
             SpringKind::FixedAngle(spring) => spring.pull(constants, bodies),
-            SpringKind::FixedLinear(spring) => spring.pull(constants, bodies),
+            SpringKind::FixedLinear(spring) => spring.pull(constants, bodies, space),
             SpringKind::Linear(spring) => spring.pull(constants, bodies, space),
         };
         match pull {
@@ -265,13 +266,20 @@ impl Spring {
     }
 }
 
-/// Force of a linear spring along its direction.
+/// How long a difference is that also has a part along the depth axis. Without one it is that of the plane to the last bit.
 #[inline]
-fn strength(constants: Constants, error: f32, velocity: Vector2, difference: Vector2, distance: f32) -> f32 {
-    strength_along(constants, error, dot(velocity, difference), distance)
+fn length_with_depth(difference: Vector2, behind: f32) -> f32 {
+    let in_plane = length(difference);
+    if behind == 0.0 { in_plane } else { (in_plane * in_plane + behind * behind).sqrt() }
 }
 
-/// The same from the product of velocity and difference.
+/// Product of velocity and difference that also have parts along the depth axis.
+#[inline]
+fn along_with_depth(in_plane: f32, receding: f32, behind: f32) -> f32 {
+    if behind == 0.0 { in_plane } else { in_plane + receding * behind }
+}
+
+/// Force of a linear spring along its direction, from the product of velocity and difference.
 #[inline]
 fn strength_along(constants: Constants, error: f32, along: f32, distance: f32) -> f32 {
     let stiffness = constants.spring * error;

@@ -26,9 +26,11 @@ pub mod soak;
 #[cfg(feature = "programs")]
 pub mod subjects;
 pub mod textures;
+mod tied;
 pub mod twins;
 
 pub use depth::Depth;
 pub use engine::Engine;
 pub use plane::{Plane, StagedPlane};
 pub use random::Random;
+pub use tied::Tied;

@@ -9,7 +9,7 @@ use crate::small::small_scene_holds;
 use crate::soak::snapshots_stay_as_long;
 use crate::textures::outlines_of_a_picture;
 use crate::twins::twins_stay_equal;
-use crate::{Depth, Plane, StagedPlane};
+use crate::{Depth, Plane, StagedPlane, Tied};
 
 /// Something that is tried for one seed after the other.
 #[derive(Debug, Clone, Copy)]
@@ -26,6 +26,11 @@ pub struct Subject {
 pub const SUBJECTS: &[Subject] = &[
     Subject { name: "plane", about: "random calls of the 2D engine, and its twins", check: game::<Plane> },
     Subject { name: "depth", about: "random calls of the 2.5D engine, and its twins", check: game::<Depth> },
+    Subject {
+        name: "tied",
+        about: "random calls of the 2.5D engine with joints, springs, ropes and fields, and its twins",
+        check: game::<Tied>,
+    },
     Subject {
         name: "stages",
         about: "stages of the 2D engine in any order",

@@ -23,6 +23,16 @@ pub(super) struct Group {
     pub(super) loose: Vec<u32>,
 }
 
+impl Group {
+    /// Joints that were given by their places in a list go by what stands there.
+    pub(super) fn name_holds(&mut self, names: &[u32]) {
+        let of_seats = self.seats.iter_mut().filter_map(|seat| seat.hold.as_mut());
+        for at in of_seats.chain(&mut self.joints).chain(&mut self.loose) {
+            *at = names[*at as usize];
+        }
+    }
+}
+
 /// The plan.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Forest {

@@ -63,8 +63,9 @@ pub(super) struct Key {
 #[repr(C)]
 pub(super) struct Hold {
     pub(super) joint: JointId,
-    /// Force and torque on the second body.
+    /// Force and torque on the second body; and what of the force is along the depth axis, where that is known.
     pub(super) force: [f32; 3],
+    pub(super) force_along_depth: f32,
     /// What it tells of how it was when the step began: how far from what it keeps, and the arm of the first anchor.
     pub(super) error: f32,
     pub(super) arm: Vector2,
@@ -87,6 +88,8 @@ pub(super) struct Hold {
     /// Velocity per impulse of an update with which it yields, and the part of an error that it undoes in an update then.
     pub(super) softness: f64,
     pub(super) bias_factor: f64,
+    /// How far the second body is behind the first, if that matters to the joint.
+    pub(super) behind: f64,
 }
 
 impl Hold {
@@ -108,7 +111,7 @@ impl Hold {
         let apart = plus(self.ends[1].point(), self.ends[0].point(), -1.0);
         let distance = dot(apart, apart).sqrt();
         match self.link {
-            Link::Distance => self.beyond(distance),
+            Link::Distance => self.beyond((dot(apart, apart) + self.behind * self.behind).sqrt()),
             Link::Angle => self.beyond(self.angle),
             Link::Line => cross(self.axis, apart).abs(),
             _ => distance,

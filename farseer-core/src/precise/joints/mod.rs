@@ -15,9 +15,10 @@ mod tree;
 
 use super::bodies::{Bodies, Hot};
 use super::tuning::Step;
+use crate::body::BodyId;
 use crate::objects::Objects;
 use crate::storage::reusing_clone::reusing_clone;
-use depth::Tied;
+use depth::{SpatialGroup, Tied, spatial_groups};
 use forest::{Forest, Seat};
 use hinged::{Hinge, hinges_of};
 use hold::{End, Hold, Key};
@@ -38,11 +39,13 @@ pub(super) struct Joints {
     seat_of: Vec<u32>,
     /// In three axes: who moves along the depth axis as one.
     tied: Vec<Tied>,
+    /// And what hangs together by joints of which one keeps a distance.
+    spatial: Vec<SpatialGroup>,
     room: Room,
     unit: f64,
 }
 
-reusing_clone! { Joints { holds, is_read, may_break, groups, seat_of, tied, room, unit } }
+reusing_clone! { Joints { holds, is_read, may_break, groups, seat_of, tied, spatial, room, unit } }
 
 /// Bodies that joints tie together.
 #[derive(Debug, Default)]
@@ -65,7 +68,7 @@ reusing_clone! { Group { nodes, loose, bodies, holds, hinges, is_apart, parts } 
 impl Joints {
     /// Whether all joints are in groups that nothing touches.
     pub(super) fn are_all_apart(&self) -> bool {
-        self.groups.iter().all(|group| group.is_apart)
+        self.spatial.iter().all(|group| group.is_apart()) && self.groups.iter().all(|group| group.is_apart)
     }
 
     /// How many joints hold something.
@@ -102,12 +105,20 @@ impl Joints {
 
     /// Plans for the joints that were read.
     fn plan(&mut self, bodies: &Bodies, is_in_space: bool) {
-        self.tied.clear();
+        (self.tied, self.spatial) = (Vec::new(), Vec::new());
+        let mut in_plane: Vec<u32> = (0..self.holds.len() as u32).collect();
         if is_in_space {
-            self.tied = Tied::all(&self.holds, bodies.hot.len());
+            (self.spatial, in_plane) = spatial_groups(&self.holds, bodies);
+            let of_plane: Vec<Hold> = in_plane.iter().map(|&at| self.holds[at as usize]).collect();
+            self.tied = Tied::all(&of_plane, bodies.hot.len());
         }
-        let keys: Vec<Key> = self.holds.iter().map(Hold::key).collect();
-        let Forest { groups, seat_of } = Forest::new(&keys, bodies.first_fixed());
+        let keys: Vec<Key> = in_plane.iter().map(|&at| self.holds[at as usize].key()).collect();
+        let Forest { mut groups, mut seat_of } = Forest::new(&keys, bodies.first_fixed());
+        groups.iter_mut().for_each(|group| group.name_holds(&in_plane));
+        for &body in self.spatial.iter().flat_map(SpatialGroup::bodies) {
+            // It is held, if by no tree.
+            seat_of[body as usize] = 0;
+        }
         let holds = &self.holds;
         let group_of = |plan: forest::Group| {
             let nodes: Vec<Node> = plan.seats.iter().map(|seat| node_of(seat, holds, bodies)).collect();
@@ -145,11 +156,40 @@ impl Joints {
         }
     }
 
+    /// A step begins in three axes; `depth_of` answers where along the depth axis a body is.
+    fn begin_in_space(
+        &mut self,
+        (bodies, objects): (&Bodies, &Objects),
+        (step, unit): (&Step, f32),
+        is_touched: impl Fn(usize) -> bool,
+        depth_of: impl Fn(BodyId) -> f32,
+    ) {
+        let times = [f64::from(step.dt), f64::from(step.h)];
+        for group in &mut self.spatial {
+            group.holds().for_each(|at| self.holds[at].follow(bodies, objects));
+            group.part_from_others(&is_touched);
+            group.begin(&self.holds, bodies, times, f64::from(unit), |hold, side| {
+                match (side, hold.bodies) {
+                    (0, (None, _)) => 0.0,
+                    (0, (Some(first), _)) => depth_of(first),
+                    (_, (_, second)) => depth_of(second),
+                }
+            });
+        }
+    }
+
+    /// The groups in three axes that something touches.
+    fn mixed_in_space(&mut self) -> impl Iterator<Item = (&mut SpatialGroup, &[Hold])> {
+        let Joints { spatial, holds, .. } = self;
+        spatial.iter_mut().filter(|group| !group.is_apart()).map(|group| (group, &holds[..]))
+    }
+
     /// Moves the groups that nothing touches, and that are not hinged, through all substeps.
     pub(super) fn swing(&mut self, bodies: &Bodies, step: &Step) {
         for group in self.groups.iter_mut().filter(|group| group.is_apart && !group.is_hinged()) {
             swing::swing(group, &self.holds, &mut self.room, bodies, step, self.unit);
         }
+        self.spatial.iter_mut().for_each(|group| group.swing(&self.holds, bodies, step));
     }
 
     /// What moves along the depth axis as one gets one velocity.
@@ -171,6 +211,7 @@ impl Joints {
     /// A pass before bodies move: joints will hold where they are then.
     pub(super) fn correct(&mut self, bodies: &mut Bodies, h: f32) {
         let h = f64::from(h);
+        self.mixed_in_space().for_each(|(group, holds)| group.correct(holds, bodies, h));
         for Group { nodes, loose, .. } in self.groups.iter_mut().filter(|group| !group.is_apart) {
             load(nodes, &bodies.hot);
             swing::aim(nodes, h, self.unit);
@@ -183,6 +224,7 @@ impl Joints {
     /// Bodies have moved.
     pub(super) fn advance(&mut self, bodies: &Bodies, h: f32) {
         let h = f64::from(h);
+        self.mixed_in_space().for_each(|(group, _)| group.advance(bodies, h));
         for Group { nodes, loose, .. } in self.groups.iter_mut().filter(|group| !group.is_apart) {
             load(nodes, &bodies.hot);
             swing::advance(nodes, h);
@@ -193,6 +235,7 @@ impl Joints {
     /// A pass after bodies have moved: velocities as joints allow them.
     pub(super) fn relax(&mut self, bodies: &mut Bodies, h: f32) {
         let h = f64::from(h);
+        self.mixed_in_space().for_each(|(group, holds)| group.relax(holds, bodies, h));
         for Group { nodes, loose, .. } in self.groups.iter_mut().filter(|group| !group.is_apart) {
             load(nodes, &bodies.hot);
             swing::rest(nodes);
@@ -207,6 +250,7 @@ impl Joints {
     /// and what has held all joints.
     pub(super) fn finish(&mut self, bodies: &mut Bodies, step: &Step) {
         let (dt, per_second) = (f64::from(step.dt), 1.0 / f64::from(step.dt));
+        self.spatial.iter().for_each(|group| group.finish(&mut self.holds, bodies, dt));
         for group in &mut self.groups {
             if group.is_hinged() {
                 group.parts = hinged::swing(&mut group.hinges, &mut self.holds, bodies, step, self.unit);

@@ -77,12 +77,24 @@ impl Precise {
             softness: softness.max(0.0),
             // More than all of an error in an update would be undone again by the next one.
             bias_factor: f64::from(joint.bias_factor()).clamp(0.0, 1.0),
+            behind: self.behind(held.keeps, held.bodies),
             force: joint.force_and_torque(),
+            force_along_depth: joint.force_along_depth(),
             error: 0.0,
             arm: Vector2::zeros(),
         };
         hold.turn(bodies);
         Some(hold)
+    }
+
+    /// How far the second body of a joint that keeps a distance is behind the first.
+    fn behind(&self, keeps: Keeps, bodies: (Option<BodyId>, BodyId)) -> f64 {
+        match (keeps, &self.space, bodies) {
+            (Keeps::Distance, Some(space), (Some(first), second)) => {
+                f64::from(-space.behind(first, second)[0])
+            }
+            _ => 0.0,
+        }
     }
 
     /// How far a joint is from what it keeps; `None` if it holds nothing.
@@ -106,9 +118,15 @@ impl Precise {
             return;
         }
         let mut joints = std::mem::take(&mut self.joints);
-        if !joints.is_read {
+        if joints.is_read {
+            if self.space.is_some() {
+                let of_distance = joints.holds.iter_mut().filter(|hold| hold.link == Link::Distance);
+                of_distance.for_each(|hold| hold.behind = self.behind(Keeps::Distance, hold.bodies));
+            }
+        } else {
             joints.holds.clear();
             joints.tied.clear();
+            joints.spatial.clear();
             let all = (0..objects.joints.list().len()).filter_map(|at| objects.joints.at(at));
             let enabled = all.filter(|(_, joint)| joint.enabled());
             joints.may_break = enabled.clone().any(|(_, joint)| joint.breakpoint() != f32::MAX);
@@ -122,6 +140,9 @@ impl Precise {
             let all_touched = self.rows.has_last();
             let is_touched = |body: usize| all_touched || !self.palette.is_free(body);
             joints.begin(&self.bodies, objects, step, self.tuning.unit, is_touched);
+            joints.begin_in_space((&self.bodies, objects), (step, self.tuning.unit), is_touched, |id| {
+                self.space.as_ref().map_or(0.0, |space| space.place_and_velocity(id)[0])
+            });
         }
         self.joints = joints;
     }
@@ -133,12 +154,12 @@ impl Precise {
             let Some(joint) = objects.joints.get_mut(hold.joint) else { continue };
             joint.note(hold.error);
             joint.show_anchors(hold.arm, || hold.ends.map(|end| [shown(end.arm), shown(end.point())]));
-            if joint.bear(hold.force) {
+            if joint.bear(hold.force, hold.force_along_depth) {
                 report.push(Event::JointBroke { joint: hold.joint });
                 self.joints.is_read = false;
             }
             // What is not finite is forgotten there, and has to be here.
-            hold.force = joint.force_and_torque();
+            (hold.force, hold.force_along_depth) = (joint.force_and_torque(), joint.force_along_depth());
         }
     }
 

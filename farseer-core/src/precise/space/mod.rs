@@ -110,6 +110,27 @@ impl Space {
         [first.z - second.z, first.velocity - second.velocity]
     }
 
+    /// Where a body is along the axis, and how it moves.
+    pub(crate) fn place_and_velocity(&self, id: BodyId) -> [f32; 2] {
+        let body = self.body(id);
+        [body.z, body.velocity]
+    }
+
+    /// What forces give a body along the axis in the step that comes.
+    pub(crate) fn acceleration(&self, id: BodyId) -> f32 {
+        self.body(id).acceleration
+    }
+
+    /// They have done nothing new.
+    pub(super) fn forget_acceleration(&mut self, id: BodyId) {
+        self.body_mut(id).acceleration = 0.0;
+    }
+
+    /// A body that takes no part has been pushed by nothing: its force would be kept nowhere until it does.
+    pub(crate) fn set_acceleration(&mut self, id: BodyId, acceleration: f32) {
+        self.body_mut(id).acceleration = acceleration;
+    }
+
     /// A force acts along the axis in the step that comes.
     pub(crate) fn push_along_depth(&mut self, id: BodyId, acceleration: f32) {
         self.body_mut(id).acceleration += acceleration;

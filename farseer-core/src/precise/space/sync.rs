@@ -25,6 +25,28 @@ impl Precise {
         self.edited_bodies.push(id);
     }
 
+    /// A force gives a body so much along the depth axis in a second, in the step that comes, and has pushed it otherwise.
+    pub(crate) fn note_push(&mut self, id: BodyId, along_depth: f32) {
+        let Some(number) = self.movable_number_of(id) else { return };
+        if let Some(space) = &mut self.space {
+            space.push_along_depth(id, along_depth);
+        }
+        self.note_pushed_body(number);
+    }
+
+    /// The number of a body that is moved in updates.
+    fn movable_number_of(&self, id: BodyId) -> Option<usize> {
+        self.number_of(id).filter(|&number| number < self.bodies.first_fixed())
+    }
+
+    /// Which of these bodies are not moved, and what pushes them along the depth axis.
+    pub(crate) fn absent_in_space(&self, ids: [Option<BodyId>; 2]) -> [Option<(BodyId, f32)>; 2] {
+        ids.map(|id| {
+            let (id, space) = (id?, self.space.as_ref()?);
+            self.movable_number_of(id).is_none().then(|| (id, space.acceleration(id)))
+        })
+    }
+
     /// How a geom reaches along the depth axis.
     pub(crate) fn set_space_profile(&mut self, id: GeomId, told: SpaceProfile) {
         let Some(space) = &mut self.space else { return };

@@ -89,7 +89,7 @@ pub(super) const PLATFORMS: &[Make<PlatformId>] = &[
 ];
 
 impl Depth {
-    pub(super) fn body(&mut self) -> BodyId {
+    pub(crate) fn body(&mut self) -> BodyId {
         self.random.pick(&self.pools.bodies)
     }
 

@@ -74,6 +74,11 @@ impl Depth {
         Depth::with(simulator, random)
     }
 
+    /// What is called, and where numbers come from.
+    pub(crate) fn parts(&mut self) -> (&mut TwoHalfPhysicsSimulator, &mut Random) {
+        (&mut self.simulator, &mut self.random)
+    }
+
     fn with(mut simulator: TwoHalfPhysicsSimulator, random: Random) -> Result<Self> {
         simulator.set_limits(plane::LIMITS);
         let mut pools = Pools::foreign()?;

@@ -18,7 +18,7 @@ use farseer_core::{
     Methods, MousePicker, NarrowPhaseCollider, Path, PhysicsSimulator, Result,
 };
 
-pub(crate) use edits::{BODY_EDITS, GEOM_EDITS};
+pub(crate) use edits::{BODY_EDITS, GEOM_EDITS, JOINT_EDITS, SPRING_EDITS};
 pub(crate) use numbers::check_numbers;
 pub use stages::StagedPlane;
 pub(crate) use things::create_thing;

@@ -3,7 +3,7 @@
 use fuzz::checks::{failed_calls_change_nothing, numbers_are_finite};
 use fuzz::long_run::failures;
 use fuzz::twins::twins_stay_equal;
-use fuzz::{Depth, Plane, StagedPlane};
+use fuzz::{Depth, Plane, StagedPlane, Tied};
 
 /// Fails with a line per seed.
 macro_rules! holds_for {
@@ -21,6 +21,21 @@ fn a_2d_simulator_goes_on_as_its_restored_cloned_and_json_twins_do() {
 #[test]
 fn a_2_5d_simulator_goes_on_as_its_restored_cloned_and_json_twins_do() {
     holds_for!(0..DEPTH, twins_stay_equal::<Depth>);
+}
+
+#[test]
+fn a_2_5d_simulator_with_joints_ropes_and_water_goes_on_as_its_twins_do() {
+    holds_for!(0..DEPTH, twins_stay_equal::<Tied>);
+}
+
+#[test]
+fn calls_that_tie_and_push_and_fail_change_nothing() {
+    holds_for!(0..DEPTH, failed_calls_change_nothing::<Tied>);
+}
+
+#[test]
+fn every_number_of_what_is_tied_and_pushed_is_finite() {
+    holds_for!(0..DEPTH, numbers_are_finite::<Tied>);
 }
 
 #[test]

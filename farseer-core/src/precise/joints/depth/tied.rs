@@ -1,16 +1,16 @@
 //! Joints that keep a point keep it in depth: the bodies that they tie together move along the depth axis as one, at the distance
 //! from each other that they have. Nothing turns them about the axes of the plane, so that this is all there is to solve.
 
-use super::super::bodies::Bodies;
-use super::super::islands::Islands;
-use super::hold::Hold;
-use super::tree::Link;
-use super::weight_of;
+use super::super::super::bodies::Bodies;
+use super::super::super::islands::Islands;
+use super::super::hold::Hold;
+use super::super::tree::Link;
+use super::super::weight_of;
 use crate::storage::reusing_clone::reusing_clone;
 
 /// Bodies that move along the depth axis as one.
 #[derive(Debug, Default)]
-pub(super) struct Tied {
+pub(in super::super) struct Tied {
     bodies: Vec<u32>,
     /// What does not give way and moves them, by its number; 0 is the world.
     carrier: Option<u32>,
@@ -20,10 +20,11 @@ reusing_clone! { Tied { bodies, carrier } }
 
 impl Tied {
     /// Who moves as one, in the order of their first bodies.
-    pub(super) fn all(holds: &[Hold], count: usize) -> Vec<Tied> {
+    pub(in super::super) fn all(holds: &[Hold], count: usize) -> Vec<Tied> {
         let mut unions = Islands::default();
         unions.part(count);
-        let keeping = || holds.iter().filter(|hold| matches!(hold.link, Link::Point | Link::Weld));
+        let keeping =
+            || holds.iter().filter(|hold| matches!(hold.link, Link::Point | Link::Weld | Link::Line));
         for hold in keeping() {
             if let [one, other] = hold.ends.map(|end| end.body)
                 && one != 0
@@ -77,7 +78,7 @@ impl Tied {
     }
 
     /// Its bodies get one velocity. It acts once, as all that joints do.
-    pub(super) fn share(&self, bodies: &mut Bodies) {
+    pub(in super::super) fn share(&self, bodies: &mut Bodies) {
         let velocity = self.velocity(bodies);
         for &body in &self.bodies {
             let now = &mut bodies.hot[body as usize].velocity[3];
@@ -87,7 +88,7 @@ impl Tied {
     }
 
     /// The same after a step in which nothing has pushed them, for the way that they have come.
-    pub(super) fn share_way(&self, bodies: &mut Bodies, dt: f32) {
+    pub(in super::super) fn share_way(&self, bodies: &mut Bodies, dt: f32) {
         let velocity = self.velocity(bodies);
         let way = match self.carrier {
             Some(_) => velocity * dt,

@@ -1,0 +1,71 @@
+//! The step of a group in three axes that nothing touches.
+//!
+//! Tension makes a rope stiff against going aside, and a stiff thing overshoots where a substep is too long for it. Where nothing
+//! touches the group its substeps are divided for that; where something does, they are as long as those of contacts.
+
+use super::super::super::bodies::Bodies;
+use super::super::super::tuning::Step;
+use super::super::hold::Hold;
+use super::group::SpatialGroup;
+use super::row::What;
+
+/// The stiffness that a part of a substep bears, as a part of what would overshoot: with the pull T of the links of a rope, their
+/// length l and mass m, 4 T h² / (l m) is 4 where it does.
+const BORNE: f64 = 0.1;
+
+/// A swing pulls three times as much at its lowest point as what hangs still, and is to be known before.
+const AHEAD: f64 = 3.0;
+
+/// Into how many parts a substep may be divided.
+const MOST: f64 = 24.0;
+
+impl SpatialGroup {
+    /// Into how many parts a substep is divided, by what held the joints in the last step.
+    pub(super) fn parts_of(&self, holds: &[Hold], h: f64) -> u32 {
+        let stiffness = self.rows.iter().filter(|row| row.what == What::Distance).map(|row| {
+            let tie = &self.ties[row.tie as usize];
+            let hold = &holds[tie.hold as usize];
+            let ([x, y, _], z) = (hold.force.map(f64::from), f64::from(hold.force_along_depth));
+            let inverse: f64 = tie.sides.iter().map(|side| side.inverse_mass(&self.inverses)).sum();
+            // Two links pull at each body.
+            2.0 * (x * x + y * y + z * z).sqrt() * inverse * h * h / tie.distance()
+        });
+        let stiffest = stiffness.filter(|stiffness| stiffness.is_finite()).fold(0.0, f64::max);
+        (0.25 * AHEAD * stiffest / BORNE).sqrt().ceil().clamp(1.0, MOST) as u32
+    }
+
+    /// Moves the group through all substeps.
+    pub(in super::super) fn swing(&mut self, holds: &[Hold], bodies: &Bodies, step: &Step) {
+        if !self.is_apart {
+            return;
+        }
+        self.load(bodies);
+        self.ways.clear();
+        self.ways.resize(self.bodies.len(), [0.0; 4]);
+        let part = 1.0 / f64::from(self.parts);
+        let h = f64::from(step.h) * part;
+        for _ in 0..step.substeps * self.parts {
+            for (velocity, &body) in self.velocities.iter_mut().zip(&self.bodies) {
+                let push = bodies.push[body as usize];
+                (0..4).for_each(|i| velocity[i] += f64::from(push[i]) * part);
+            }
+            self.correct_velocities(holds, h);
+            for (way, velocity) in self.ways.iter_mut().zip(&self.velocities) {
+                (0..4).for_each(|i| way[i] += velocity[i] * h);
+            }
+            self.advance_ties(h);
+            self.relax_velocities(holds, h);
+        }
+    }
+
+    /// Where the step has brought it.
+    pub(super) fn end_swing(&self, bodies: &mut Bodies) {
+        if !self.is_apart {
+            return;
+        }
+        for ((velocity, way), &body) in self.velocities.iter().zip(&self.ways).zip(&self.bodies) {
+            bodies.hot[body as usize].velocity = velocity.map(|velocity| velocity as f32);
+            bodies.path[body as usize] = way.map(|way| way as f32);
+        }
+    }
+}

@@ -1,0 +1,197 @@
+//! Ropes of the factories.
+
+use conformance::fixtures::depth::{
+    GRAVITY, assert_near, assert_near3, ball, place, run, simulator, solid, throw, velocity, with_scheme,
+};
+use twohalf::farseer_core::JointId;
+use twohalf::{BodyId, DepthScheme, Event, TwoHalfPhysicsSimulator, Vector2, Vector3};
+use twohalf_factories::{Rope, RopeEnd, SpawnedRope, spawn_rope};
+
+fn precise(test: impl FnOnce()) {
+    with_scheme(DepthScheme::Precise, test);
+}
+
+const HOOK: [f32; 3] = [0.0, 400.0, 30.0];
+
+fn below([x, y, z]: [f32; 3]) -> [f32; 3] {
+    [HOOK[0] + x, HOOK[1] - y, HOOK[2] + z]
+}
+
+fn middles(simulator: &TwoHalfPhysicsSimulator, rope: &SpawnedRope) -> Vec<Vector3> {
+    let middle = |&body: &BodyId| {
+        let middle = simulator.core().body(body).unwrap().position();
+        Vector3::new(middle.x, -middle.y, place(simulator, body).z)
+    };
+    rope.bodies.iter().map(middle).collect()
+}
+
+#[test]
+fn no_part_of_a_rope_gets_longer_while_it_swings() {
+    precise(|| {
+        let mut simulator = simulator();
+        let rope = Rope::new(RopeEnd::Fixed(HOOK), RopeEnd::Free(below([60.0, 0.0, 80.0]))).parts(8);
+        let rope = spawn_rope(&mut simulator, rope).unwrap();
+        let mut lowest = f32::MAX;
+        for _ in 0..2000 {
+            run(&mut simulator, 1);
+            let middles = middles(&simulator, &rope);
+            for two in middles.windows(2) {
+                assert!((two[1] - two[0]).norm() < 12.5 + 0.05);
+            }
+            lowest = lowest.min(middles[8].y);
+        }
+        assert_near(lowest, HOOK[1] - 100.0, 1.0);
+    });
+}
+
+#[test]
+fn a_heavy_load_swings_on_a_rope_with_the_period_of_a_pendulum_along_any_axis() {
+    precise(|| {
+        for [x, z] in [[1.0, 0.0], [0.0, 1.0], [0.8, -0.6]] {
+            let mut simulator = simulator();
+            let load = ball(&mut simulator, 5.0, below([20.0 * x, 98.0 + 5.0, 20.0 * z]));
+            simulator.body_mut(load).unwrap().set_mass(50.0).unwrap();
+            let rope = Rope::new(RopeEnd::Fixed(HOOK), RopeEnd::Body(load)).parts(5).mass(0.05);
+            let rope = spawn_rope(&mut simulator, rope).unwrap();
+            // 100.02 px long and 0.2 rad aside: after a period of 2 pi s, and a hundredth of their angle's square / 16 more,
+            // it is where it was.
+            let start = middles(&simulator, &rope)[5];
+            run(&mut simulator, 630);
+            assert_near3(middles(&simulator, &rope)[5], start.into(), 0.2);
+        }
+    });
+}
+
+#[test]
+fn three_hundred_times_the_mass_of_a_bead_swings_on_a_rope_at_sixty_steps_per_second() {
+    precise(|| {
+        for direction in [[60.0, 0.0, 80.0], [0.0, 0.0, 100.0], [0.0, 100.0, 0.0]] {
+            let mut simulator = simulator();
+            simulator.set_gravity(Vector2::new(0.0, 900.0)).unwrap();
+            let load = ball(&mut simulator, 8.0, below([direction[0], direction[1] + 8.0, direction[2]]));
+            simulator.body_mut(load).unwrap().set_mass(300.0).unwrap();
+            let rope = Rope::new(RopeEnd::Fixed(HOOK), RopeEnd::Body(load)).mass(11.0);
+            let rope = spawn_rope(&mut simulator, rope).unwrap();
+            for _ in 0..1200 {
+                simulator.update(1.0 / 60.0);
+                let middles = middles(&simulator, &rope);
+                assert!(middles.windows(2).all(|two| (two[1] - two[0]).norm() < 10.3));
+            }
+        }
+    });
+}
+
+#[test]
+fn a_rope_that_is_longer_than_its_way_sags_as_a_chain_does() {
+    precise(|| {
+        let mut simulator = simulator();
+        let rope =
+            Rope::new(RopeEnd::Fixed(HOOK), RopeEnd::Fixed(below([0.0, 0.0, 100.0]))).length(120.0).parts(20);
+        let rope = spawn_rope(&mut simulator, rope).unwrap();
+        (0..20).for_each(|_| {
+            run(&mut simulator, 100);
+            calm(&mut simulator, &rope);
+        });
+        // The catenary of this length: 2 a sinh(50 / a) = 120, so a = 47.0; the sag is a (cosh(50 / a) - 1) = 28.9. The polygon
+        // of twenty rods hangs a hundredth higher or lower.
+        assert_near(HOOK[1] - middles(&simulator, &rope)[10].y, catenary_sag(50.0, 60.0), 0.5);
+    });
+}
+
+/// The sag of a chain of twice this length between points that are twice as far apart as `half`.
+fn catenary_sag(half: f64, length: f64) -> f32 {
+    let (mut low, mut high) = (1.0, 1e4);
+    for _ in 0..100 {
+        let a: f64 = 0.5 * (low + high);
+        if a * (half / a).sinh() > length { low = a } else { high = a }
+    }
+    (low * ((half / low).cosh() - 1.0)) as f32
+}
+
+/// Takes most of the motion out of a rope.
+fn calm(simulator: &mut TwoHalfPhysicsSimulator, rope: &SpawnedRope) {
+    for &body in &rope.bodies[1..rope.bodies.len() - 1] {
+        let slower = velocity(simulator, body) * 0.2;
+        simulator.body_mut(body).unwrap().set_velocity3d(slower);
+    }
+}
+
+#[test]
+fn a_rope_lies_on_what_it_meets() {
+    precise(|| {
+        let mut simulator = simulator();
+        let table = solid(&mut simulator, [200.0, 60.0, 40.0], [0.0, 0.0, 30.0]);
+        simulator.body_mut(table).unwrap().set_is_static(true);
+        let ends = [RopeEnd::Free([-40.0, 80.0, 30.0]), RopeEnd::Free([40.0, 90.0, 30.0])];
+        let rope = spawn_rope(&mut simulator, Rope::new(ends[0], ends[1])).unwrap();
+        run(&mut simulator, 1000);
+        for middle in middles(&simulator, &rope) {
+            assert_near(middle.y, 60.0 + 2.0, 0.2);
+        }
+    });
+}
+
+fn broken(simulator: &TwoHalfPhysicsSimulator) -> Vec<JointId> {
+    let of = |event: &Event| match event {
+        Event::JointBroke { joint } => Some(*joint),
+        _ => None,
+    };
+    simulator.events().iter().filter_map(of).collect()
+}
+
+#[test]
+fn a_rope_tears_where_it_bears_most() {
+    precise(|| {
+        // Hanging still it bears the weight of ten of eleven beads at the top, the other one being the hook.
+        let mut simulator = simulator();
+        let rope = Rope::new(RopeEnd::Fixed(HOOK), RopeEnd::Free(below([0.0, 100.0, 0.0]))).mass(2.0);
+        let rope = spawn_rope(&mut simulator, rope.greatest_force(2.5 * 2.0 * GRAVITY)).unwrap();
+        run(&mut simulator, 100);
+        assert!(broken(&simulator).is_empty());
+        let held = simulator.core().joint(rope.joints[0]).unwrap().force().y.abs();
+        assert_near(held, 2.0 * GRAVITY * 10.0 / 11.0, 0.02 * GRAVITY);
+        throw(&mut simulator, rope.bodies[10], [0.0, 0.0, 2000.0]);
+        let mut torn = Vec::new();
+        for _ in 0..300 {
+            run(&mut simulator, 1);
+            torn.extend(broken(&simulator));
+        }
+        assert!(!torn.is_empty());
+        // What is torn off flies as far as it likes.
+        assert!((middles(&simulator, &rope)[10] - Vector3::from(HOOK)).norm() > 200.0);
+    });
+}
+
+#[test]
+fn what_cannot_be_a_rope_is_refused_and_leaves_nothing_behind() {
+    precise(|| {
+        let mut simulator = simulator();
+        let ends = [RopeEnd::Fixed(HOOK), RopeEnd::Free(below([0.0, 50.0, 0.0]))];
+        let rope = Rope::new(ends[0], ends[1]);
+        let stale = {
+            let body = ball(&mut simulator, 5.0, HOOK);
+            simulator.dispose(body).unwrap();
+            run(&mut simulator, 1);
+            body
+        };
+        for bad in [
+            rope.parts(0),
+            rope.parts(1001),
+            rope.mass(0.0),
+            rope.radius(f32::NAN),
+            rope.length(-1.0),
+            Rope::new(ends[0], ends[0]),
+            Rope::new(RopeEnd::Free([f32::INFINITY, 0.0, 0.0]), ends[1]),
+            Rope::new(ends[0], RopeEnd::Body(stale)),
+            rope.greatest_force(f32::NAN),
+            rope.mass(1e-44).parts(100),
+        ] {
+            assert!(spawn_rope(&mut simulator, bad).is_err(), "{bad:?}");
+            run(&mut simulator, 1);
+            assert_eq!((simulator.body_list().len(), simulator.core().joint_list().len()), (0, 0), "{bad:?}");
+        }
+        let mut faithful = TwoHalfPhysicsSimulator::new(100).unwrap();
+        faithful.set_depth_scheme(DepthScheme::Faithful).unwrap();
+        assert!(spawn_rope(&mut faithful, rope).is_err());
+    });
+}
