@@ -6,7 +6,7 @@
 use std::time::Instant;
 
 use twohalf::{BodyId, Drawable, GeomId, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3};
-use twohalf_factories::{TwoHalfBodyFactory, TwoHalfGeomFactory};
+use twohalf_factories::{TwoHalfBodyFactory, TwoHalfGeomFactory, spawn_slope};
 use twohalf_render::*;
 
 type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
@@ -66,7 +66,7 @@ impl Level {
         let simulator = &mut self.simulator;
         Platform::new(simulator, 200.0, 50.0, 90.0, Vector3::new(150.0, 0.0, 120.0), None)?;
         Platform::new(simulator, 120.0, 16.0, 70.0, Vector3::new(330.0, 110.0, 160.0), None)?;
-        Platform::with_rotation(simulator, 160.0, 16.0, 80.0, Vector3::new(560.0, 46.0, 170.0), -0.35, None)?;
+        spawn_slope(simulator, [482.0, 34.0], [632.0, 89.0], [130.0, 210.0], 16.0)?;
         Ok(())
     }
 

@@ -244,7 +244,8 @@ impl Brawler {
         }
         if let Some(mut door) = self.simulator.platform_mut(door) {
             let place = door.position3d();
-            let target = if opens { TERRACE - 95.0 } else { TERRACE };
+            // Upwards, where it is clear of the tallest: what sinks into a platform would be drawn in front of it.
+            let target = if opens { TERRACE + 75.0 } else { TERRACE };
             door.move_to(Vector3::new(place.x, place.y + (target - place.y).clamp(-0.5, 0.5), place.z))?;
         }
         Ok(())
