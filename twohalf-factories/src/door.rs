@@ -24,7 +24,7 @@ pub struct Door {
 }
 
 /// Makes a door and adds it to the simulator: at `hinge` X, Y and Z of the lower end of its hinge, as wide, high and thick as
-/// `size` says, px, at an angle. Its posts have no friction until [`posts`](Door::posts) are given some.
+/// `size` says, px, at an angle; the thickness becomes the nearest whole part of the width. Its posts have no friction until [`posts`](Door::posts) are given some.
 ///
 /// ```
 /// use std::f32::consts::FRAC_PI_2;
@@ -46,8 +46,8 @@ pub struct Door {
 /// ```
 ///
 /// # Errors
-/// Another scheme than [`DepthScheme::Precise`]; a size that is not finite and greater than 0, or so wide for its thickness that
-/// it would have more than 200 posts; a hinge or angle that is not finite. Then nothing was added.
+/// Another scheme than [`DepthScheme::Precise`]; a size that is not finite and greater than 0, thicker than wide, or so wide for
+/// its thickness that it would have more than 200 posts; a hinge or angle that is not finite. Then nothing was added.
 pub fn spawn_door(
     simulator: &mut TwoHalfPhysicsSimulator,
     hinge: [f32; 3],
@@ -63,7 +63,10 @@ pub fn spawn_door(
             Err(Error::invalid(argument, value, "finite and greater than 0"))?;
         }
     }
-    let count = (width / thickness).round().max(1.0);
+    if thickness > width {
+        Err(Error::invalid("thickness", thickness, "at most the width"))?;
+    }
+    let count = (width / thickness).round();
     if count > MOST {
         Err(Error::invalid("thickness", thickness, "at least a 200th of the width"))?;
     }

@@ -58,7 +58,8 @@ impl Rope {
         self
     }
 
-    /// The mass of the whole, finite and greater than 0. What hangs on it may weigh three hundred times as much as a bead
+    /// The mass of the whole with both ends free, finite and greater than 0: each of its parts and one more share it, and an end
+    /// that is tied to something leaves its share out. What hangs on it may weigh three hundred times as much as a bead
     /// at 60 steps per second; heavier things stretch it.
     pub fn mass(mut self, mass: f32) -> Self {
         self.mass = mass;
@@ -88,6 +89,9 @@ impl Rope {
             if !(value.is_finite() && value > 0.0) {
                 Err(Error::invalid(argument, value, "finite and greater than 0"))?;
             }
+        }
+        if !(self.greatest_force.is_finite() && self.greatest_force >= 0.0) {
+            Err(Error::invalid("greatest_force", self.greatest_force, "finite and at least 0"))?;
         }
         Ok(())
     }

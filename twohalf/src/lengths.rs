@@ -5,12 +5,13 @@ use farseer_core::{
     SpringId, SpringKind,
 };
 
-use crate::{Result, TwoHalfPhysicsSimulator, Vector2, Vector3};
+use crate::{DepthScheme, Result, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
 impl TwoHalfPhysicsSimulator {
     /// Gives a pin, a slider or a linear spring the length, px, that it has now between its points in all three axes, and answers
     /// it: what it is made with is that of X and Y alone. Of a slider it is the greatest distance. A spring to a point of the
-    /// world that [has no depth](FixedLinearSpring::set_world_attach_depth) acts in X and Y, and takes the length there.
+    /// world that [has no depth](FixedLinearSpring::set_world_attach_depth) acts in X and Y, and takes the length there; so does
+    /// everything with other schemes than [`DepthScheme::Precise`].
     ///
     /// ```
     /// # use twohalf::{TwoHalfPhysicsSimulator, Vector2, Vector3, farseer_core::{BodyFactory, JointFactory, PinJoint}};
@@ -33,7 +34,8 @@ impl TwoHalfPhysicsSimulator {
     /// ```
     ///
     /// # Errors
-    /// A stale id; anything else; points that are so far from each other that no number holds it. Then nothing has changed.
+    /// A stale id; anything else; points that are so far from each other that no number holds it, or nearer than the least
+    /// distance of a slider. Then nothing has changed.
     pub fn take_length(&mut self, object: impl Into<ObjectId>) -> Result<f32> {
         match object.into() {
             ObjectId::Joint(joint) => self.take_joint_length(joint),
@@ -54,6 +56,11 @@ impl TwoHalfPhysicsSimulator {
             _ => return Err(wrong_kind(argument)),
         };
         let length = self.distance([body1, body2], points)?;
+        if let JointKind::Slider(slider) = kind
+            && length < slider.min()
+        {
+            Err(Error::invalid("length", length, "at least the slider's least distance"))?;
+        }
         match kind {
             JointKind::Pin(_) => self.core.joint_as_mut::<PinJoint>(joint)?.set_target_distance(length)?,
             _ => self.core.joint_as_mut::<SliderJoint>(joint)?.set_max(length)?,
@@ -72,7 +79,8 @@ impl TwoHalfPhysicsSimulator {
                 Ok(length)
             }
             SpringKind::FixedLinear(kind) => {
-                let (point, depth) = (kind.world_attach_point(), kind.world_attach_depth());
+                let point = kind.world_attach_point();
+                let depth = kind.world_attach_depth().filter(|_| self.acts_along_depth());
                 let at = self.point(found.body1(), kind.body_attach_point())?;
                 let length = (at - Vector3::new(point.x, point.y, depth.unwrap_or(at.z))).norm();
                 self.core.spring_as_mut::<FixedLinearSpring>(spring)?.set_rest_length(length)?;
@@ -91,7 +99,12 @@ impl TwoHalfPhysicsSimulator {
     fn point(&self, id: BodyId, point: Vector2) -> Result<Vector3> {
         let body = self.core.body(id).ok_or(Error::StaleId { argument: "body" })?;
         let point = body.get_world_position(point);
-        Ok(Vector3::new(point.x, point.y, self.world.z_of(id)))
+        let z = if self.acts_along_depth() { self.world.z_of(id) } else { 0.0 };
+        Ok(Vector3::new(point.x, point.y, z))
+    }
+
+    fn acts_along_depth(&self) -> bool {
+        self.world.scheme == DepthScheme::Precise
     }
 }
 

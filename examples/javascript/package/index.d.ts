@@ -239,8 +239,9 @@ interface World<AnyBody extends Body, Partner> {
   /** Everything that can influence a later bit, to be restored later, here or on another machine. */
   snapshot(): Uint8Array;
   /**
-   * Becomes the simulator of a snapshot and goes on with the same bits. Handles made before it are good again; those of what
-   * is not in it are disposed. The events that nobody has asked for are gone.
+   * Becomes the simulator of a snapshot and goes on with the same bits. Handles of what lives now and in the snapshot stay good;
+   * those of what is not in it are disposed. What was disposed since may get a new handle, without `userData`: keep by `slot`
+   * what a game needs of it. The events that nobody has asked for are gone.
    * @throws {PhysicsError} for bytes that are no snapshot of such a simulator; then nothing has changed.
    */
   restore(snapshot: Uint8Array): void;

@@ -189,7 +189,7 @@ impl Precise {
                 }
             })
             .collect();
-        for (body, parts) in self.joints.swinging().filter(|&(body, _)| !self.sleep.is_asleep(body)) {
+        for (body, parts) in self.joints.swinging(substeps).filter(|&(body, _)| !self.sleep.is_asleep(body)) {
             told[body] = Told::new(IslandMethod::Swing, WhyMethod::NothingTouches, parts);
         }
         told.iter_mut().zip(rows).for_each(|(told, rows)| told.cost.rows = rows);

@@ -4,7 +4,7 @@ use conformance::fixtures::depth::{
     DT, GRAVITY, assert_near, assert_near3, momentum, place, run, simulator, solid, throw, velocity,
     weightless, with_scheme,
 };
-use farseer_core::{JointFactory, JointId, PinJoint, SliderJoint};
+use farseer_core::{IslandMethod, JointFactory, JointId, JointLimits, JointMotor, PinJoint, SliderJoint};
 use twohalf::{BodyId, DepthScheme, Event, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
 fn precise(test: impl FnOnce()) {
@@ -418,5 +418,71 @@ fn saved_and_loaded_at_any_step_ropes_go_on_with_the_same_bits() {
                 |of: &TwoHalfPhysicsSimulator| beads.iter().map(|&bead| place(of, bead)).collect::<Vec<_>>();
             assert_eq!(places(&loaded), places(&kept));
         }
+    });
+}
+
+/// A carriage on a level rail with something that hangs on it by a pin, and the joint of the rail.
+fn crane(simulator: &mut TwoHalfPhysicsSimulator) -> (BodyId, JointId) {
+    let post = hook(simulator);
+    let carriage = bead(simulator, from_hook([0.0, -20.0, 0.0]));
+    let load = bead(simulator, from_hook([0.0, -70.0, 0.0]));
+    pin(simulator, carriage, load, 50.0);
+    let rail = simulator.edit_objects(|objects| {
+        let middle = objects[carriage].position();
+        let along = Vector2::new(1.0, 0.0);
+        let rail = JointFactory::create_prismatic_joint(objects, post, carriage, middle, along).unwrap();
+        objects.add(rail).unwrap();
+        rail
+    });
+    (carriage, rail)
+}
+
+#[test]
+fn a_carriage_with_a_load_on_a_rope_stops_where_its_rail_ends_and_leaves_it_again() {
+    precise(|| {
+        let mut simulator = simulator();
+        let (carriage, rail) = crane(&mut simulator);
+        let limits = JointLimits { lower: -15.0, upper: 15.0 };
+        simulator.edit_objects(|objects| objects.set_joint_limits(rail, Some(limits))).unwrap();
+        for (speed, end) in [(20.0, 15.0), (-20.0, -15.0), (20.0, 15.0)] {
+            let motor = JointMotor { speed, greatest_effort: 1e6 };
+            simulator.edit_objects(|objects| objects.set_joint_motor(rail, Some(motor))).unwrap();
+            run(&mut simulator, 400);
+            assert!(simulator.core().body(carriage).unwrap().enabled());
+            // What gives way between a motor and a limit is a tenth of what a joint answers.
+            assert_near(place(&simulator, carriage).x - HOOK[0], end, 0.1);
+        }
+    });
+}
+
+#[test]
+fn what_has_pulled_along_z_is_forgotten_when_it_is_gone() {
+    precise(|| {
+        let mut simulator = simulator();
+        let hook = hook(&mut simulator);
+        let bob = bead(&mut simulator, from_hook([0.0, -60.0, 80.0]));
+        let below = bead(&mut simulator, from_hook([0.0, -80.0, 80.0]));
+        let rope = pin(&mut simulator, hook, bob, 100.0);
+        let hinge = simulator.edit_objects(|objects| {
+            let at = objects[bob].position();
+            let hinge = JointFactory::create_revolute_joint(objects, bob, below, at).unwrap();
+            objects.add(hinge).unwrap();
+            hinge
+        });
+        run(&mut simulator, 5);
+        assert!(simulator.core().joint(hinge).unwrap().force_along_depth().abs() > 1.0);
+        simulator.dispose(rope).unwrap();
+        run(&mut simulator, 2);
+        assert_eq!(simulator.core().joint(hinge).unwrap().force_along_depth(), 0.0);
+    });
+}
+
+#[test]
+fn what_swings_on_a_pin_is_told_to_swing() {
+    precise(|| {
+        let (mut simulator, bob, _) = pendulum([60.0, 0.0]);
+        run(&mut simulator, 3);
+        let island = simulator.core().islands().into_iter().find(|island| island.bodies.contains(&bob));
+        assert_eq!(island.map(|island| island.method), Some(IslandMethod::Swing));
     });
 }

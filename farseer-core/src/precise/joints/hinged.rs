@@ -237,7 +237,11 @@ impl Hinge {
             self.velocity = [vx, vy, spin].map(f64::from);
         }
         (self.path, self.total, self.pull) = ([0.0; 3], [0.0; 2], 0.0);
-        let Some(parent) = parent else { return };
+        let Some(parent) = parent else {
+            // Turned about, a zero might have got another sign.
+            self.arm = [0.0; 2];
+            return;
+        };
         let hold = &mut holds[self.joint as usize];
         self.arm = turned(self.turn, self.anchor);
         if parent.link == Link::Fixed {

@@ -83,9 +83,15 @@ impl Joints {
     }
 
     /// The bodies of groups that nothing touches, and into how many parts their step was divided.
-    pub(super) fn swinging(&self) -> impl Iterator<Item = (usize, u32)> + '_ {
+    pub(super) fn swinging(&self, substeps: u32) -> impl Iterator<Item = (usize, u32)> + '_ {
         let apart = self.groups.iter().filter(|group| group.is_apart);
-        apart.flat_map(|group| group.bodies.iter().map(|&body| (body as usize, group.parts)))
+        let in_plane = apart.flat_map(|group| group.bodies.iter().map(|&body| (body, group.parts)));
+        let apart = self.spatial.iter().filter(|group| group.is_apart());
+        let in_space = apart.flat_map(move |group| {
+            let parts = substeps * group.parts();
+            group.bodies().iter().map(move |&body| (body, parts))
+        });
+        in_plane.chain(in_space).map(|(body, parts)| (body as usize, parts))
     }
 
     /// The bodies that each joint ties together, moved or not; 0 for the world.
@@ -111,6 +117,9 @@ impl Joints {
             (self.spatial, in_plane) = spatial_groups(&self.holds, bodies);
             let of_plane: Vec<Hold> = in_plane.iter().map(|&at| self.holds[at as usize]).collect();
             self.tied = Tied::all(&of_plane, bodies.hot.len());
+        }
+        for &at in &in_plane {
+            self.holds[at as usize].force_along_depth = 0.0;
         }
         let keys: Vec<Key> = in_plane.iter().map(|&at| self.holds[at as usize].key()).collect();
         let Forest { mut groups, mut seat_of } = Forest::new(&keys, bodies.first_fixed());
@@ -323,7 +332,10 @@ fn begin_nodes(nodes: &mut [Node], holds: &[Hold], bodies: &Bodies, times: [f64;
     for at in 0..nodes.len() {
         let node = &mut nodes[at];
         node.begin(bodies);
-        if node.link.holds() {
+        if !node.link.holds() {
+            // Turned about, a zero might have got another sign.
+            node.arm = [0.0; 2];
+        } else {
             let side = node.hang(&holds[node.joint as usize], times);
             let (parent, reach) = (node.parent as usize, dot(side.arm, side.arm));
             nodes[parent].reach = nodes[parent].reach.max(reach);

@@ -86,6 +86,11 @@ impl SpatialGroup {
         self.is_apart
     }
 
+    /// Into how many parts its last substeps were divided.
+    pub(in super::super) fn parts(&self) -> u32 {
+        self.parts
+    }
+
     /// Finds that out.
     pub(in super::super) fn part_from_others(&mut self, is_touched: impl Fn(usize) -> bool) {
         self.is_apart = !self.bodies.iter().any(|&body| is_touched(body as usize));
@@ -269,14 +274,10 @@ impl SpatialGroup {
             let tie = &self.ties[row.tie as usize];
             let own = answer_of(row, row, [0, 0], tie, &self.inverses)
                 + answer_of(row, row, [1, 1], tie, &self.inverses);
-            sparse.set_diagonal(
-                at,
-                if row.is_active {
-                    own * if row.closes_loop { 1.0 + YIELDING } else { 1.0 } + row.softness
-                } else {
-                    1.0
-                },
-            );
+            // What a motor seeks and where its way ends are one number: both at once would have no solution.
+            let yields = row.closes_loop || matches!(row.what, What::Motor(_));
+            let own = if yields { own * (1.0 + YIELDING) } else { own };
+            sparse.set_diagonal(at, if row.is_active { own + row.softness } else { 1.0 });
         }
         for &Shared { node, rows: [a, b], sides: [of_a, of_b], entry } in &self.shared {
             let (a, b) = (&self.rows[a as usize], &self.rows[b as usize]);

@@ -100,6 +100,11 @@ impl SpatialGroup {
                 holders[of.node as usize].push((at as u32, side as u8));
             }
         }
+        let of_two = |of: &Vec<(u32, u8)>| of.len() * of.len().saturating_sub(1) / 2;
+        // Each of them makes a product of the factors at least.
+        if holders.iter().map(of_two).sum::<usize>() > PRODUCTS {
+            return;
+        }
         let mut ties = vec![BTreeSet::new(); self.rows.len()];
         for (node, holders) in holders.iter().enumerate() {
             for (at, &(row, side)) in holders.iter().enumerate() {
@@ -111,8 +116,11 @@ impl SpatialGroup {
             }
         }
         self.sparse = Sparse::plan(&ties, PRODUCTS);
-        if let Some(sparse) = &self.sparse {
-            self.shared.iter_mut().for_each(|of| of.entry = sparse.entry(of.rows[0], of.rows[1]));
+        match &self.sparse {
+            Some(sparse) => {
+                self.shared.iter_mut().for_each(|of| of.entry = sparse.entry(of.rows[0], of.rows[1]));
+            }
+            None => self.shared.clear(),
         }
     }
 }

@@ -42,6 +42,11 @@ impl Sparse {
         Some(sparse)
     }
 
+    /// Of how many products its factors are made.
+    pub(super) fn products(&self) -> usize {
+        self.targets.len()
+    }
+
     /// The rows that each one is tied to when it is eliminated, in the order of elimination.
     fn eliminate(&mut self, mut partners: Vec<BTreeSet<u32>>, most: usize) -> Option<Vec<BTreeSet<u32>>> {
         let mut waiting: BTreeSet<(usize, u32)> =

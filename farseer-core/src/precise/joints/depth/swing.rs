@@ -8,6 +8,7 @@ use super::super::super::tuning::Step;
 use super::super::hold::Hold;
 use super::group::SpatialGroup;
 use super::row::What;
+use super::sparse::Sparse;
 
 /// The stiffness that a part of a substep bears, as a part of what would overshoot: with the pull T of the links of a rope, their
 /// length l and mass m, 4 T h² / (l m) is 4 where it does.
@@ -16,8 +17,9 @@ const BORNE: f64 = 0.1;
 /// A swing pulls three times as much at its lowest point as what hangs still, and is to be known before.
 const AHEAD: f64 = 3.0;
 
-/// Into how many parts a substep may be divided.
+/// Into how many parts a substep may be divided, and how many products of the factors all of them may take: a large net bears less.
 const MOST: f64 = 24.0;
+const WORK: f64 = 1e6;
 
 impl SpatialGroup {
     /// Into how many parts a substep is divided, by what held the joints in the last step.
@@ -31,7 +33,9 @@ impl SpatialGroup {
             2.0 * (x * x + y * y + z * z).sqrt() * inverse * h * h / tie.distance()
         });
         let stiffest = stiffness.filter(|stiffness| stiffness.is_finite()).fold(0.0, f64::max);
-        (0.25 * AHEAD * stiffest / BORNE).sqrt().ceil().clamp(1.0, MOST) as u32
+        let products = self.sparse.as_ref().map_or(0, Sparse::products);
+        let most = (WORK / products as f64).clamp(1.0, MOST);
+        (0.25 * AHEAD * stiffest / BORNE).sqrt().ceil().clamp(1.0, most) as u32
     }
 
     /// Moves the group through all substeps.
