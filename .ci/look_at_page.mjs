@@ -109,9 +109,9 @@ async function finger(page) {
 async function drag(page, pointer, width, height) {
   for (const [x, y] of grid(width, height)) {
     await pointer.down([x, y]);
-    if (await becomes(page, (now) => now & HELD, 0.6)) {
+    if (await becomes(page, (now) => now & HELD, 1.5)) {
       await pointer.move([x, y - 40]);
-      const holds = await becomes(page, (now) => now & HELD, 0.5);
+      const holds = await becomes(page, (now) => now & HELD, 3);
       await pointer.up();
       return holds && becomes(page, (now) => !(now & HELD));
     }
