@@ -331,6 +331,7 @@ pub(super) fn read(body: &mut Body, gravity: Vector2, dt: f32, h: f32) -> Read {
     let gravity = gravity * body.gravity_part();
     let acceleration = f32x4::new([gravity.x, gravity.y, 0.0, 0.0]) + forced;
     let gained = match body.drag_rates() {
+        // The same as below, for less.
         (0.0, 0.0) => acceleration * f32x4::splat(dt),
         (drag, rotational_drag) => {
             let (decay, grown) = decay::over_each(f32x4::new([drag, drag, rotational_drag, 0.0]), dt);

@@ -1,8 +1,8 @@
 //! Joints that keep a point keep it in depth: what they tie together moves along Z as one. Linear springs pull along all axes.
 
 use conformance::fixtures::depth::{
-    DT, assert_near, assert_near3, momentum, place, run, set_surface, simulator, solid, throw, velocity,
-    weightless, with_scheme,
+    DT, assert_goes_on_after_loading, assert_near, assert_near3, momentum, place, run, set_surface,
+    simulator, solid, throw, velocity, weightless, with_scheme,
 };
 use farseer_core::{
     BodyFactory, Error, GeomFactory, GeomPlacement, JointFactory, JointId, LinearSpring, Objects,
@@ -207,17 +207,7 @@ fn saved_and_loaded_at_any_step_they_go_on_with_the_same_bits() {
         let mut simulator = simulator();
         let links = chain(&mut simulator);
         throw(&mut simulator, links[3], [20.0, 100.0, 200.0]);
-        for _ in 0..40 {
-            run(&mut simulator, 1);
-            let mut loaded = self::simulator();
-            loaded.restore(&simulator.snapshot()).unwrap();
-            let mut kept = simulator.clone();
-            run(&mut loaded, 30);
-            run(&mut kept, 30);
-            let places =
-                |of: &TwoHalfPhysicsSimulator| links.iter().map(|&link| place(of, link)).collect::<Vec<_>>();
-            assert_eq!(places(&loaded), places(&kept));
-        }
+        assert_goes_on_after_loading(&mut simulator, &links);
     });
 }
 

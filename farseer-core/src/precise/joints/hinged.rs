@@ -15,7 +15,7 @@ use super::tree::{
 };
 
 /// A body in such a tree. Parents come before their children; a root is its own parent.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Hinge {
     /// The body's number, the place of its parent in the tree and the number of the joint with it.
     body: u32,
@@ -109,28 +109,9 @@ fn hinge_of(node: &Node, holds: &[Hold]) -> Hinge {
         sign: node.sign(),
         mass: node.mass,
         inertia: node.inertia,
-        borne: 0.0,
         anchor,
         parent_anchor,
-        arm: [0.0; 2],
-        parent_arm: [0.0; 2],
-        place: [0.0; 2],
-        velocity: [0.0; 3],
-        expected_spin: 0.0,
-        push: [0.0; 3],
-        turn: [1.0, 0.0],
-        pull: 0.0,
-        stiffness: 0.0,
-        seen: Inertia::default(),
-        momentum: Momentum::default(),
-        inverse_turning: 0.0,
-        rest: Symmetric::default(),
-        load: [0.0; 2],
-        bias: [0.0; 2],
-        found: [0.0; 3],
-        impulse: [0.0; 2],
-        path: [0.0; 3],
-        total: [0.0; 2],
+        ..Hinge::default()
     }
 }
 
