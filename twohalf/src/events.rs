@@ -3,6 +3,7 @@
 use farseer_core::{Body, BodyId, Event as CoreEvent, Geom, GeomId, JointId, ObjectId, SpringId};
 
 use crate::body::TwoHalfBody;
+use crate::crush::Squeeze;
 use crate::geom::TwoHalfGeom;
 use crate::world::World;
 use crate::{Axis, Partner, Platform, PlatformId, Result, Vector3};
@@ -81,6 +82,14 @@ pub enum Event {
     SpringBroke {
         /// The spring.
         spring: SpringId,
+    },
+    /// A body that is [watched](crate::TwoHalfPhysicsSimulator::set_crush_tolerance) has less room between two sides than is
+    /// tolerated, from this update on.
+    Crushed {
+        /// The body.
+        body: BodyId,
+        /// By what, and how much.
+        squeeze: Squeeze,
     },
     /// A setter or an update was given a value that is not finite, and changed nothing. Told once per object and
     /// argument, however often it was refused since the last update that told.

@@ -366,6 +366,7 @@
 
 mod body;
 mod contacts;
+mod crush;
 mod depth;
 mod draw_order;
 mod error;
@@ -376,6 +377,7 @@ mod ground;
 mod id_table;
 mod lengths;
 mod methods;
+mod pace;
 mod pairs;
 mod platform;
 mod precise;
@@ -399,6 +401,7 @@ mod world;
 
 pub use body::TwoHalfBody;
 pub use contacts::TwoHalfContact;
+pub use crush::Squeeze;
 pub use depth::DepthProfile;
 pub use draw_order::{DrawOrder, Drawable};
 pub use error::{Error, Result};

@@ -21,6 +21,7 @@ impl TwoHalfPhysicsSimulator {
         let TwoHalfPhysicsSimulator { core, world } = self;
         world.begin();
         world.update.dt = dt;
+        world.slow_down(core);
         world.tell_depths(core);
         let goes_on = {
             let mut meeting = PlaneHandler { world: &mut *world, handler: reborrow(&mut handler) };
@@ -37,11 +38,14 @@ impl TwoHalfPhysicsSimulator {
         world.tell_pending();
         world.take_events(core);
         if !goes_on {
+            world.catch_up(core, false);
             world.stand_still(core);
             return;
         }
         world.rest(core);
+        world.catch_up(core, true);
         world.tell_changes(core, &mut handler);
+        world.tell_crushed(core);
         world.count(core);
     }
 }
@@ -55,7 +59,7 @@ pub(crate) fn partner_of(partner: SpacePartner) -> Partner {
 }
 
 /// Whether two have pushed each other in this update, or are not apart at its end.
-fn is_touching(found: &SpaceTouch) -> bool {
+pub(crate) fn is_touching(found: &SpaceTouch) -> bool {
     found.points[..found.count].iter().any(|point| point.impulse > 0.0 || point.separation <= APART)
 }
 

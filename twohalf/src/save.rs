@@ -10,8 +10,10 @@ use farseer_core::{Limits, SavedSimulator};
 use serde::ser::SerializeStruct as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 
+use crate::crush::CrushWatch;
 use crate::depth::DepthProfile;
 use crate::error::damaged;
+use crate::pace::Pace;
 use crate::touch::TouchList;
 use crate::world::World;
 use crate::{DepthScheme, Result, TwoHalfPhysicsSimulator};
@@ -82,6 +84,12 @@ impl TwoHalfPhysicsSimulator {
         }
         if !world.fields.is_valid() {
             return Err(damaged("a field is out of range"));
+        }
+        if !world.paces.iter().all(Pace::is_valid) {
+            return Err(damaged("the time of a body is out of range"));
+        }
+        if !world.crush_watches.iter().all(CrushWatch::is_valid) {
+            return Err(damaged("a tolerance of crushing is out of range"));
         }
         let (near, far) = world.layer_range;
         if !((far - near).is_finite() && near < far) {

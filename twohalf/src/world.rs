@@ -3,10 +3,12 @@
 use farseer_core::{BodyId, GeomId, PhysicsSimulator};
 use serde::{Deserialize, Serialize};
 
+use crate::crush::CrushWatch;
 use crate::depth::{Depths, is_movable};
 use crate::events::{Collision, Event};
 use crate::fields::Fields;
 use crate::id_table::IdTable;
+use crate::pace::Pace;
 use crate::pairs::{KnownPairs, SpacePair};
 use crate::platform::Platforms;
 use crate::shapes::ConvexPieces;
@@ -27,6 +29,10 @@ pub struct World {
     pub(crate) depths: Depths,
     pub(crate) platforms: Platforms,
     pub(crate) fields: Fields,
+    /// Bodies with a time of their own.
+    pub(crate) paces: Vec<Pace>,
+    /// Bodies of which it is told when they are crushed.
+    pub(crate) crush_watches: Vec<CrushWatch>,
     /// Contacts of the last update. While an update looks for its own, those of the one before are in `last`. With the precise
     /// set only what was loaded: the engine below knows what touches from the first update on.
     #[serde(skip)]
@@ -117,6 +123,8 @@ impl World {
             depths: Depths::default(),
             platforms: Platforms::default(),
             fields: Fields::default(),
+            paces: Vec::new(),
+            crush_watches: Vec::new(),
             touches: TouchList::default(),
             last: TouchList::default(),
             update: Update::default(),

@@ -206,6 +206,9 @@ impl TwoHalfPhysicsSimulator {
         let geom = self.body(body).ok_or(stale("body"))?.ground().object_geom();
         let geom = geom.ok_or_else(|| invalid("body", body, "one with an object geom"))?;
         walker.check()?;
+        if self.time_scale(body) == 0.0 {
+            return Ok(());
+        }
         self.world.platforms.sort();
         self.stride(body, geom, walker, wish, dt);
         Ok(())

@@ -46,7 +46,10 @@ pub(super) struct Stride<'a> {
     velocity: Vector3,
     /// Least upward part of the normal of a floor.
     least_up: f32,
+    /// Of the figure's own time.
     pub(super) dt: f32,
+    /// How fast that passes. What others do in a second of theirs takes longer in its own.
+    pub(super) pace: f32,
 }
 
 impl<'a> Stride<'a> {
@@ -62,12 +65,14 @@ impl TwoHalfPhysicsSimulator {
         let whole = outline.virtual_geom();
         let (feet, head) = (Feet::of(&whole), whole.top);
         let (place, velocity) = (view.origin3d(), view.velocity3d());
+        let pace = self.time_scale(body);
+        let dt = dt * pace;
         let (soles, least_up) = (view.position3d().y, walker.walk.least_up());
         let knees = soles + if walker.floor.is_some() { walker.walk.step_up.max(STANDS) } else { STANDS };
         let mut tops = std::mem::take(&mut self.world.update.tops);
         self.gather_tops(body, &feet.widened(farthest(walker, velocity, dt)), &mut tops);
         let stride =
-            Stride { body, tops: &tops, geom, feet, soles, knees, head, place, velocity, least_up, dt };
+            Stride { body, tops: &tops, geom, feet, soles, knees, head, place, velocity, least_up, dt, pace };
         let velocity = self.next_velocity(&stride, walker, wish);
         self.world.update.tops = tops;
         walker.told = nearest_finite(velocity.y);
@@ -83,7 +88,8 @@ impl TwoHalfPhysicsSimulator {
         walker.has_jumped &= floor.is_none();
         if let Some(floor) = &floor {
             let place = Vector3::new(place.x, floor.height, place.z);
-            walker.carried = self.velocity_of(floor.partner, place).map(nearest_finite);
+            walker.carried = self.velocity_of(floor.partner, place) / stride.pace;
+            walker.carried = walker.carried.map(nearest_finite);
         }
         let may_jump = walker.aloft <= walker.walk.coyote_time && !walker.has_jumped;
         match floor {
@@ -98,7 +104,7 @@ impl TwoHalfPhysicsSimulator {
     fn floor_stood_on(&self, stride: &Stride<'_>, walker: &Walker) -> Option<Floor> {
         let floor = self.floor_below(&stride.feet, &stride.reach(SUNK))?;
         let gap = stride.soles - floor.height;
-        let below = self.velocity_of(floor.partner, stride.place).y;
+        let below = self.velocity_of(floor.partner, stride.place).y / stride.pace;
         let kick = (2.0 * self.pull(stride.body, walker).norm() * walker.walk.snap).sqrt();
         let is_thrown = stride.velocity.y > walker.told.max(below) + kick;
         let stood = walker.floor.is_some();
@@ -243,7 +249,7 @@ impl TwoHalfPhysicsSimulator {
                 let points = &touch.points[..touch.count];
                 let gap = points.iter().fold(f32::INFINITY, |least, point| least.min(point.separation));
                 let fastest = (gap - KEPT_OFF).max(0.0) / stride.dt;
-                let wall = self.velocity_of(partner, stride.place);
+                let wall = self.velocity_of(partner, stride.place) / stride.pace;
                 velocity += pushed_off(velocity - wall, Vector2::new(x, z), fastest);
             }
         }
@@ -273,7 +279,7 @@ impl TwoHalfPhysicsSimulator {
     /// What the figure stands on bears its weight, which it does not feel itself.
     fn weigh_on(&mut self, stride: &Stride<'_>, walker: &Walker, floor: Partner) {
         let (Partner::Geom(geom), Some(body)) = (floor, self.core.body(stride.body)) else { return };
-        let weight = self.pull(stride.body, walker) * body.mass();
+        let weight = self.pull(stride.body, walker) * (body.mass() * stride.pace);
         let Some(outline) = self.geom(geom) else { return };
         // In the middle of what both have in common, so that nothing tips which carries.
         let (whole, feet) = (outline.virtual_geom(), &stride.feet);
