@@ -38,9 +38,12 @@
 
 #![forbid(unsafe_code)]
 
+mod block;
+mod blow;
 mod body_factory;
 mod door;
 mod geom_factory;
+mod grip;
 mod lane;
 mod rope;
 mod slope;
@@ -50,9 +53,12 @@ mod spawn;
 #[doc = include_str!("recipes_of_figures.md")]
 pub mod recipes {}
 
+pub use block::spawn_block;
+pub use blow::{Blow, strike};
 pub use body_factory::TwoHalfBodyFactory;
 pub use door::{Door, spawn_door};
 pub use geom_factory::TwoHalfGeomFactory;
+pub use grip::Grip;
 pub use lane::spawn_lane;
 pub use rope::{Rope, RopeEnd, SpawnedRope, spawn_rope};
 pub use slope::spawn_slope;
