@@ -38,6 +38,7 @@
 
 #![forbid(unsafe_code)]
 
+mod actor;
 mod block;
 mod blow;
 mod body_factory;
@@ -53,6 +54,7 @@ mod spawn;
 #[doc = include_str!("recipes_of_figures.md")]
 pub mod recipes {}
 
+pub use actor::Actor;
 pub use block::spawn_block;
 pub use blow::{Blow, strike};
 pub use body_factory::TwoHalfBodyFactory;

@@ -10,31 +10,28 @@ pub fn script(game: &Brawler) -> Keys {
     let is_at_edge =
         (HOLE[0] - 14.0..HOLE[0] + 20.0).contains(&me.x) || (POND[0] - 12.0..POND[0]).contains(&me.x);
     let near = |at: Vector3| (at.y - me.y).abs() < 40.0;
-    let ahead = game.fighters[1..].iter().map(|thug| (thug.health, game.place(thug.body)));
+    let ahead = game.fighters[1..].iter().map(|thug| (thug.health, game.place(thug.thing)));
     let ahead = ahead.filter(|(health, at)| *health > 0 && near(*at) && (at - me).norm() < 240.0);
     let thug = ahead.map(|(_, at)| at).min_by(|a, b| (a - me).norm().total_cmp(&(b - me).norm()));
     if let Some(at) = thug {
         let (way, z) = (at - me, (at.z - me.z).clamp(-20.0, 20.0) / 20.0);
-        let throws = game.held.is_some() && way.z.abs() < 14.0;
-        let is_close = way.x.abs() < 38.0;
+        let (throws, is_close) = (game.held.is_some() && way.z.abs() < 14.0, way.x.abs() < 38.0);
         let x = if is_close { 0.01 * way.x.signum() } else { way.x.signum() };
-        return Keys {
-            x,
-            z,
-            grab: throws,
-            punch: is_close && way.z.abs() < 14.0,
-            jump: is_at_edge && x > 0.0,
-        };
+        let punch = is_close && way.z.abs() < 14.0;
+        return Keys { x, z, grab: throws, punch, jump: is_at_edge && x > 0.0 };
     }
     let in_reach = |load: &Load| {
-        let way = game.place(load.body) - me;
-        (0.0..42.0).contains(&way.x) && way.z.abs() < 20.0 && near(game.place(load.body))
+        let way = game.place(load.thing) - me;
+        (0.0..42.0).contains(&way.x) && way.z.abs() < 20.0 && near(game.place(load.thing))
     };
-    if game.held.is_none() && me.x < 1000.0 && game.loads.iter().any(in_reach) {
+    if game.held.is_none() && me.x < 1000.0 && game.loads[1..].iter().any(in_reach) {
         return Keys { grab: true, ..Keys::default() };
     }
-    let waits = (LIFT[0] - 40.0..LIFT[0] - 13.0).contains(&me.x) && game.lift_height() > 12.0
-        || (LIFT[0] + 20.0..LIFT[1]).contains(&me.x) && me.y < TERRACE - 6.0;
+    let pressed = game.height_of(game.press) < TERRACE + 88.0;
+    let waits = (LIFT[0] - 40.0..LIFT[0] - 13.0).contains(&me.x)
+        && game.height_of(game.lift) + TERRACE > 12.0
+        || (LIFT[0] + 20.0..LIFT[1]).contains(&me.x) && me.y < TERRACE - 6.0
+        || (PRESS[0] - 40.0..PRESS[0] - 14.0).contains(&me.x) && pressed;
     Keys { x: f32::from(u8::from(!waits)), z: (80.0 - me.z) / 40.0, jump: is_at_edge, ..Keys::default() }
 }
 
