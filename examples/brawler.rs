@@ -30,7 +30,7 @@ fn main() -> Result<()> {
         "{} updates, {:.1} us each; {} points\n  animation: {}\n  stills:    {}",
         summary.steps,
         summary.mean_step.as_secs_f64() * 1e6,
-        game.score,
+        game.state.score,
         summary.animation.display(),
         summary.contact_sheet.display(),
     );

@@ -63,20 +63,14 @@ pub fn strike(
     blow: &Blow,
     mut is_target: impl FnMut(GeomId) -> bool,
 ) -> Result<Vec<GeomId>> {
-    blow.check()?;
-    let (low, high) = blow.hit_box(simulator, striker, to_left)?;
-    let own = striker.body;
-    let body_of = |simulator: &TwoHalfPhysicsSimulator, geom| simulator.core().body_of(geom);
-    let struck = {
-        let simulator = &*simulator;
-        simulator.query_box(low, high, |geom| body_of(simulator, geom) != Some(own) && is_target(geom))
-    };
+    let mut struck = in_reach(simulator, striker, to_left, blow)?;
+    struck.retain(|&geom| is_target(geom));
     if blow.stop > 0 && !struck.is_empty() {
-        simulator.stop_time(own, blow.stop)?;
+        simulator.stop_time(striker.body, blow.stop)?;
     }
     let [forwards, up] = blow.velocity;
     let velocity = Vector3::new(if to_left { -forwards } else { forwards }, up, 0.0);
-    for body in struck.iter().filter_map(|&geom| body_of(simulator, geom)).collect::<Vec<_>>() {
+    for body in struck.iter().filter_map(|&geom| simulator.core().body_of(geom)).collect::<Vec<_>>() {
         let Some(mut view) = simulator.body_mut(body) else { continue };
         if view.is_static() || view.is_kinematic() {
             continue;
@@ -87,6 +81,24 @@ pub fn strike(
         }
     }
     Ok(struck)
+}
+
+/// The geoms that a blow would reach, in the order of the geom list, but for those of whoever strikes: what can be struck, or taken
+/// up.
+///
+/// # Errors
+/// Somebody who is there no more; numbers that are not finite, or, of lengths, less than 0; heights of which the first is greater
+/// than the second.
+pub fn in_reach(
+    simulator: &TwoHalfPhysicsSimulator,
+    striker: Spawned,
+    to_left: bool,
+    blow: &Blow,
+) -> Result<Vec<GeomId>> {
+    blow.check()?;
+    let (low, high) = blow.hit_box(simulator, striker, to_left)?;
+    let is_other = |geom| simulator.core().body_of(geom) != Some(striker.body);
+    Ok(simulator.query_box(low, high, is_other))
 }
 
 impl Blow {

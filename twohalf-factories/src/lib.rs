@@ -44,7 +44,7 @@ mod blow;
 mod body_factory;
 mod door;
 mod geom_factory;
-mod grip;
+mod hands;
 mod lane;
 mod rope;
 mod slope;
@@ -56,11 +56,11 @@ pub mod recipes {}
 
 pub use actor::Actor;
 pub use block::spawn_block;
-pub use blow::{Blow, strike};
+pub use blow::{Blow, in_reach, strike};
 pub use body_factory::TwoHalfBodyFactory;
 pub use door::{Door, spawn_door};
 pub use geom_factory::TwoHalfGeomFactory;
-pub use grip::Grip;
+pub use hands::Hands;
 pub use lane::spawn_lane;
 pub use rope::{Rope, RopeEnd, SpawnedRope, spawn_rope};
 pub use slope::spawn_slope;

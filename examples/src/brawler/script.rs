@@ -10,21 +10,24 @@ pub fn script(game: &Brawler) -> Keys {
     let is_at_edge =
         (HOLE[0] - 14.0..HOLE[0] + 20.0).contains(&me.x) || (POND[0] - 12.0..POND[0]).contains(&me.x);
     let near = |at: Vector3| (at.y - me.y).abs() < 40.0;
-    let ahead = game.fighters[1..].iter().map(|thug| (thug.health, game.place(thug.thing)));
+    let ahead = game.fighters[1..].iter().map(|thug| (thug.health, thug.actor.place(&game.simulator)));
     let ahead = ahead.filter(|(health, at)| *health > 0 && near(*at) && (at - me).norm() < 240.0);
     let thug = ahead.map(|(_, at)| at).min_by(|a, b| (a - me).norm().total_cmp(&(b - me).norm()));
+    let wrecker = game.loads[0].thing.place(&game.simulator) - me;
+    let is_in_the_way = (0.0..44.0).contains(&wrecker.x) && wrecker.z.abs() < 24.0;
     if let Some(at) = thug {
         let (way, z) = (at - me, (at.z - me.z).clamp(-20.0, 20.0) / 20.0);
-        let (throws, is_close) = (game.held.is_some() && way.z.abs() < 14.0, way.x.abs() < 38.0);
+        let (throws, is_close) =
+            (game.state.hands.held().is_some() && way.z.abs() < 14.0, way.x.abs() < 52.0);
         let x = if is_close { 0.01 * way.x.signum() } else { way.x.signum() };
-        let punch = is_close && way.z.abs() < 14.0;
+        let punch = is_close && way.z.abs() < 14.0 || is_in_the_way;
         return Keys { x, z, grab: throws, punch, jump: is_at_edge && x > 0.0 };
     }
     let in_reach = |load: &Load| {
-        let way = game.place(load.thing) - me;
-        (0.0..42.0).contains(&way.x) && way.z.abs() < 20.0 && near(game.place(load.thing))
+        let way = load.thing.place(&game.simulator) - me;
+        (0.0..42.0).contains(&way.x) && way.z.abs() < 20.0 && near(load.thing.place(&game.simulator))
     };
-    if game.held.is_none() && me.x < 1000.0 && game.loads[1..].iter().any(in_reach) {
+    if game.state.hands.held().is_none() && me.x < 1000.0 && game.loads[1..].iter().any(in_reach) {
         return Keys { grab: true, ..Keys::default() };
     }
     let pressed = game.height_of(game.press) < TERRACE + 88.0;

@@ -1,7 +1,8 @@
 //! Boxes of the world through which things are seen: water, gas, fog.
 
-use twohalf::{Drawable, Region, TwoHalfPhysicsSimulator, Vector3};
+use twohalf::{Drawable, Field, Region, TwoHalfPhysicsSimulator, Vector3};
 
+use crate::canvas::MAX_COORDINATE;
 use crate::surface::to_screen;
 use crate::{Canvas, Color, Point, Transform};
 
@@ -22,6 +23,19 @@ impl Water {
     /// Clear water.
     pub const fn new(region: Region) -> Self {
         Water { region, color: Color::rgba(48, 128, 200, 125) }
+    }
+
+    /// All the water of a simulator: the fluids that have a density, unless they fill the world to one of its ends.
+    pub fn all_of(simulator: &TwoHalfPhysicsSimulator) -> Vec<Water> {
+        let fluids = simulator.fields().filter_map(|(_, field)| match field {
+            Field::Fluid(fluid) if fluid.density > 0.0 => Some(fluid.region),
+            _ => None,
+        });
+        let is_seen = |region: &Region| {
+            let size = region.high() - region.low();
+            size.iter().all(|side| *side < MAX_COORDINATE)
+        };
+        fluids.filter(is_seen).map(Water::new).collect()
     }
 
     /// The place in a list of things from back to front behind which it is drawn: what is farther back or in it comes before.
