@@ -49,6 +49,8 @@ pub struct Actor {
     pub stride: f32,
     /// For so many seconds of its own time nothing that is wished happens.
     pub stunned: f32,
+    /// For so many seconds of its own time it is not to strike again; what it does about that is for the game.
+    pub rests: f32,
 }
 
 impl Actor {
@@ -66,6 +68,7 @@ impl Actor {
             looks_left: false,
             stride: 0.0,
             stunned: 0.0,
+            rests: 0.0,
         })
     }
 
@@ -78,6 +81,7 @@ impl Actor {
         let time = dt * simulator.time_scale(self.thing.body);
         let is_stunned = self.stunned > 0.0;
         self.stunned = (self.stunned - time).max(0.0);
+        self.rests = (self.rests - time).max(0.0);
         let wish = if is_stunned { Wish::default() } else { wish };
         self.walker.walk.air_acceleration = if is_stunned { 0.0 } else { self.air_acceleration };
         simulator.walk(self.thing.body, &mut self.walker, wish, dt)?;

@@ -71,17 +71,6 @@ pub struct Keys {
 pub(super) struct Fighter {
     pub(super) actor: Actor,
     pub(super) health: u32,
-    /// Seconds until it may strike again.
-    pub(super) rests: f32,
-}
-
-/// Something to throw, or to strike.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Load {
-    pub(super) thing: Spawned,
-    pub(super) is_ball: bool,
-    /// For so many seconds it still fells whom it hits.
-    flies: f32,
 }
 
 /// The game.
@@ -91,8 +80,8 @@ pub struct Brawler {
     pub simulator: TwoHalfPhysicsSimulator,
     /// The first one is the player's.
     pub(super) fighters: Vec<Fighter>,
-    /// The first one hangs on the rope.
-    pub(super) loads: Vec<Load>,
+    /// To throw and to strike. The first one hangs on the rope.
+    pub(super) loads: Vec<Spawned>,
     pub(super) rope: SpawnedRope,
     pub(super) lift: PlatformId,
     pub(super) press: PlatformId,
@@ -110,9 +99,10 @@ pub struct State {
     pub score: u32,
     /// What the player holds.
     pub(super) hands: Hands,
-    /// Where blows have landed, and for how long that is still to be seen, s.
+    /// Where and when blows have landed.
     pub(super) blows: Vec<(Vector3, f32)>,
-    time: f32,
+    /// Seconds since it began.
+    pub(super) time: f32,
 }
 
 fn floor_at(x: f32) -> f32 {
@@ -144,18 +134,17 @@ impl Brawler {
         for [x, z] in FIGHTERS {
             let actor = Actor::spawn(&mut simulator, Figure::new(FIGURE).at([x, floor_at(x), z]))?;
             simulator.set_crush_tolerance(actor.thing.body, Some(12.0))?;
-            fighters.push(Fighter { actor, health: if fighters.is_empty() { 8 } else { 3 }, rests: 0.0 });
+            fighters.push(Fighter { actor, health: if fighters.is_empty() { 8 } else { 3 } });
         }
-        let wrecker = (Ball::new(17.0).mass(12.0).at([720.0, STREET + 22.0, 80.0]), true);
-        let crates =
-            CRATES.map(|[x, y, z]| (Prism::new([30.0; 3]).mass(6.0).at([x, floor_at(x) + y, z]), false));
+        let wrecker = Ball::new(17.0).mass(12.0).at([720.0, STREET + 22.0, 80.0]);
+        let crates = CRATES.map(|[x, y, z]| Prism::new([30.0; 3]).mass(6.0).at([x, floor_at(x) + y, z]));
         let ball = Ball::new(13.0).mass(2.0).restitution(0.6);
-        let balls = BALLS.map(|[x, z]| (ball.at([x, floor_at(x), z]), true));
+        let balls = BALLS.map(|[x, z]| ball.at([x, floor_at(x), z]));
         let mut loads = Vec::new();
-        for (thing, is_ball) in [wrecker].into_iter().chain(crates).chain(balls) {
-            loads.push(Load { thing: spawn(&mut simulator, thing)?, is_ball, flies: 0.0 });
+        for thing in [wrecker].into_iter().chain(crates).chain(balls) {
+            loads.push(spawn(&mut simulator, thing)?);
         }
-        let rope = Rope::new(RopeEnd::Fixed([720.0, 330.0, 80.0]), RopeEnd::Body(loads[0].thing.body));
+        let rope = Rope::new(RopeEnd::Fixed([720.0, 330.0, 80.0]), RopeEnd::Body(loads[0].body));
         let rope = spawn_rope(&mut simulator, rope.mass(0.4))?;
         let state = State::default();
         Ok(Brawler { simulator, fighters, loads, rope, lift, press, door, walls, state })
@@ -174,9 +163,6 @@ impl Brawler {
     /// One step of 1 / [`RATE`] s. Fails with what the engine refuses: nothing, with what keys say.
     pub fn step(&mut self, keys: Keys) -> Result<()> {
         self.state.time += DT;
-        self.state.blows.iter_mut().for_each(|(_, left)| *left -= DT);
-        self.state.blows.retain(|(_, left)| *left > 0.0);
-        self.loads.iter_mut().for_each(|load| load.flies -= DT);
         self.move_platforms()?;
         for at in 0..self.fighters.len() {
             let keys = if at == 0 { keys } else { self.chase(at) };
@@ -219,44 +205,31 @@ impl Brawler {
 
     /// A fighter does what its keys say, unless it reels from a blow. Thugs strike the player alone.
     fn steer(&mut self, at: usize, keys: Keys) -> Result<()> {
-        let player = self.fighters[0].actor.thing.geom;
-        let Fighter { actor, rests, .. } = &mut self.fighters[at];
+        let Brawler { simulator, fighters, loads, state: State { hands, .. }, .. } = self;
+        let player = fighters[0].actor.thing.geom;
+        let actor = &mut fighters[at].actor;
         let speed = if at == 0 { 150.0 } else { 90.0 };
         let wish = Wish { x: speed * keys.x, z: 0.7 * speed * keys.z, jump: keys.jump };
-        *rests -= DT;
-        if !actor.act(&mut self.simulator, wish, DT)? {
+        if !actor.act(simulator, wish, DT)? {
             return Ok(());
         }
-        let actor = *actor;
-        if keys.punch && *rests <= 0.0 {
-            *rests = if at == 0 { 0.3 } else { 0.9 };
-            let is_target = |geom| at == 0 || geom == player;
-            for struck in actor.strike(&mut self.simulator, &Blow::default(), is_target)? {
-                self.let_fly(struck);
-                self.hurt(struck, 1)?;
+        if keys.grab && hands.held().is_some() {
+            let forwards = if actor.looks_left { -500.0 } else { 500.0 };
+            hands.throw(simulator, Vector3::new(forwards, 120.0, 0.0))?;
+        } else if keys.grab {
+            let reach = Blow { heights: [0.0, 50.0], half_depth: 22.0, ..Blow::default() };
+            let near = in_reach(simulator, actor.thing, actor.looks_left, &reach)?;
+            if let Some(load) = loads[1..].iter().find(|load| near.contains(&load.geom)) {
+                hands.take(simulator, actor.thing, *load)?;
             }
         }
-        if keys.grab { self.grab(&actor) } else { Ok(()) }
-    }
-
-    /// Throws what is held, or lifts what lies before an actor.
-    fn grab(&mut self, actor: &Actor) -> Result<()> {
-        let Brawler { simulator, loads, state, .. } = self;
-        let side = if actor.looks_left { -1.0 } else { 1.0 };
-        if let Some(load) = state.hands.throw(simulator, Vector3::new(500.0 * side, 120.0, 0.0))? {
-            self.let_fly(load.geom);
-            return Ok(());
-        }
-        let reach = Blow { heights: [0.0, 50.0], half_depth: 22.0, ..Blow::default() };
-        let near = in_reach(simulator, actor.thing, actor.looks_left, &reach)?;
-        if let Some(load) = loads[1..].iter().find(|load| near.contains(&load.thing.geom)) {
-            state.hands.take(simulator, actor.thing, load.thing)?;
+        if keys.punch && actor.rests == 0.0 {
+            actor.rests = if at == 0 { 0.3 } else { 0.9 };
+            let is_target = |geom| at == 0 || geom == player;
+            let struck = actor.strike(simulator, &Blow::default(), is_target)?;
+            struck.into_iter().try_for_each(|geom| self.hurt(geom, 1))?;
         }
         Ok(())
-    }
-
-    fn let_fly(&mut self, geom: GeomId) {
-        self.loads.iter_mut().filter(|load| load.thing.geom == geom).for_each(|load| load.flies = 1.2);
     }
 
     /// A blow lands on a fighter.
@@ -272,18 +245,19 @@ impl Brawler {
             body.set_velocity3d(Vector3::new(300.0 * side, 320.0, 0.0));
         }
         self.simulator.stop_time(actor.thing.body, 8)?;
-        self.state.blows.push((actor.place(&self.simulator) + Vector3::new(0.0, 44.0, 0.0), 0.3));
+        let place = actor.place(&self.simulator) + Vector3::new(0.0, 44.0, 0.0);
+        self.state.blows.push((place, self.state.time));
         self.state.score += if at == 0 { 0 } else { 50 * damage };
         Ok(())
     }
 
     /// What flies fells whom it meets, and the press whom it crushes.
     fn look_at_events(&mut self) -> Result<()> {
-        let flies = |geom| self.loads.iter().any(|load| load.thing.geom == geom && load.flies > 0.0);
         let player = self.fighters[0].actor.thing.geom;
         let hurt = |event: &Event| match *event {
             Event::Collision(Collision { this, partner: Partner::Geom(load), normal_impulse, .. }) => {
-                (flies(load) && this != player && normal_impulse > 300.0).then_some(this)
+                let is_hit = normal_impulse > 950.0 && self.loads.iter().any(|it| it.geom == load);
+                (is_hit && this != player).then_some(this)
             }
             Event::Crushed { body, .. } => self.simulator.body(body)?.ground().object_geom(),
             _ => None,

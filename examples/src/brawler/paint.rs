@@ -1,6 +1,6 @@
 //! What the street looks like: all pictures are painted here.
 
-use twohalf::{Drawable, PlatformId};
+use twohalf::{BodyId, DepthProfile, Drawable};
 use twohalf_factories::Actor;
 use twohalf_render::*;
 
@@ -62,9 +62,9 @@ impl Paint {
         let (holes, waters) = ([Patch::hole(HOLE, LANE)], Water::all_of(&game.simulator));
         let scene = Scene::new(&game.simulator, &self.shadow).camera(&camera).patches(&holes).waters(&waters);
         scene.draw(canvas, |thing| self.look(game, thing));
-        for (place, left) in &game.state.blows {
+        for (place, at) in game.state.blows.iter().filter(|(_, at)| game.state.time - at < 0.3) {
             let [x, y] = camera.apply(game.simulator.projection().to_screen(*place).into());
-            draw_burst(canvas, [x, y - 40.0 * (0.3 - left)], "POW");
+            draw_burst(canvas, [x, y - 40.0 * (game.state.time - at)], "POW");
         }
         let health = "#".repeat(game.fighters[0].health as usize);
         draw_text(canvas, &health, [16.0, 16.0], 2, Color::rgb(255, 112, 100));
@@ -73,42 +73,41 @@ impl Paint {
     }
 
     fn look(&self, game: &Brawler, thing: Drawable) -> Look {
+        let plain = |color| Look::Solid(PlatformLook::new(color));
         match thing {
-            Drawable::Platform(id) => self.look_of_platform(game, id),
-            Drawable::Body(body) => {
-                if let Some(at) = game.fighters.iter().position(|fighter| fighter.actor.thing.body == body) {
-                    return Look::Figure(figure(game, at));
-                }
-                if let Some(bead) = game.rope.bodies.windows(2).find(|pair| pair[0] == body) {
-                    return Look::Line { to: bead[1], color: Color::rgb(206, 176, 120), width: 3.0 };
-                }
-                match game.loads.iter().position(|load| load.thing.body == body) {
-                    Some(0) => Look::Ball(STEEL),
-                    Some(at) if game.loads[at].is_ball => Look::Ball(AMBER),
-                    _ => Look::Textured(PlatformLook::new(WOOD), self.crate_box.clone()),
-                }
+            Drawable::Platform(id) if game.walls.contains(&id) => Look::Nothing,
+            Drawable::Platform(id) if id == game.lift => plain(AMBER),
+            Drawable::Platform(id) if id == game.press => plain(STEEL),
+            Drawable::Platform(id) if game.door.posts().contains(&id) => {
+                Look::Solid(PlatformLook { edge_width: 0.0, ..PlatformLook::new(WOOD.darker(0.25)) })
             }
+            Drawable::Platform(id) if game.simulator.platform(id).is_some_and(|it| it.depth() < 20.0) => {
+                Look::Textured(PlatformLook::new(WOOD.darker(0.4)), self.wall.clone())
+            }
+            Drawable::Platform(_) => Look::Textured(PlatformLook::new(STEEL), self.street.clone()),
+            Drawable::Body(body) => self.look_of_body(game, body),
         }
     }
 
-    fn look_of_platform(&self, game: &Brawler, id: PlatformId) -> Look {
-        let depth = game.simulator.platform(id).map_or(0.0, |platform| platform.depth());
-        match id {
-            id if game.walls.contains(&id) => Look::Nothing,
-            id if id == game.lift => Look::Solid(PlatformLook::new(AMBER)),
-            id if id == game.press => Look::Solid(PlatformLook::new(STEEL)),
-            id if game.door.posts().contains(&id) => {
-                Look::Solid(PlatformLook { edge_width: 0.0, ..PlatformLook::new(WOOD.darker(0.25)) })
-            }
-            _ if depth < 20.0 => Look::Textured(PlatformLook::new(WOOD.darker(0.4)), self.wall.clone()),
-            _ => Look::Textured(PlatformLook::new(STEEL), self.street.clone()),
+    fn look_of_body(&self, game: &Brawler, body: BodyId) -> Look {
+        if let Some(at) = game.fighters.iter().position(|fighter| fighter.actor.thing.body == body) {
+            return Look::Figure(figure(game, at));
+        }
+        if let Some(bead) = game.rope.bodies.windows(2).find(|pair| pair[0] == body) {
+            return Look::Line { to: bead[1], color: Color::rgb(206, 176, 120), width: 3.0 };
+        }
+        let geom = game.simulator.core().geoms_of(body).first();
+        match geom.and_then(|&geom| game.simulator.depth_profile(geom)) {
+            _ if body == game.loads[0].body => Look::Ball(STEEL),
+            Some(DepthProfile::Round { .. }) => Look::Ball(AMBER),
+            _ => Look::Textured(PlatformLook::new(WOOD), self.crate_box.clone()),
         }
     }
 }
 
 fn figure(game: &Brawler, at: usize) -> Figure {
-    let Fighter { ref actor, rests, health } = game.fighters[at];
-    let Actor { looks_left, stride, stunned, walker, .. } = *actor;
+    let Fighter { actor: Actor { looks_left, stride, stunned, rests, walker, .. }, health } =
+        game.fighters[at];
     let color = if at == 0 { COAT } else { THUGS[health as usize % 3] };
     let pose = match () {
         _ if stunned > 0.0 && health == 0 => Pose::Lies,

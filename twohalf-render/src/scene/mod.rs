@@ -54,6 +54,12 @@ pub struct Scene<'a> {
     waters: &'a [Water],
 }
 
+/// What is drawn at once: a thing by its place in the order, or water.
+enum Layer<'a> {
+    Thing(usize),
+    Water(&'a Water),
+}
+
 impl<'a> Scene<'a> {
     /// The scene as the simulator projects it, with this picture for all shadows, which is stretched over the
     /// footprint of what casts one.
@@ -98,18 +104,34 @@ impl<'a> Scene<'a> {
         let on = |surface: Option<Drawable>| casts.iter().filter(move |cast| cast.surface == surface);
         self.patches.iter().for_each(|patch| patch.draw(self.simulator, &mut view));
         on(None).for_each(|cast| cast.sprite.draw(&mut view));
-        let layer = |water: &Water| water.layer(self.simulator, things.iter().map(|(thing, _)| *thing));
-        let layers: Vec<usize> = self.waters.iter().map(layer).collect();
-        let waters = |at: usize| self.waters.iter().zip(&layers).filter(move |(_, layer)| **layer == at);
-        for (at, (thing, look)) in things.iter().enumerate() {
-            waters(at).for_each(|(water, _)| water.draw(self.simulator, &mut view));
+        for item in self.in_layers(things.iter().map(|(thing, _)| *thing)) {
+            let (thing, look) = match item {
+                Layer::Water(water) => {
+                    water.draw(self.simulator, &mut view);
+                    continue;
+                }
+                Layer::Thing(at) => &things[at],
+            };
             match thing {
                 Drawable::Platform(id) => solid::draw_platform(self.simulator, &mut view, *id, look),
                 Drawable::Body(id) => self.draw_body(&mut view, *id, look),
             }
             on(Some(*thing)).for_each(|cast| cast.sprite.draw(&mut view));
         }
-        waters(things.len()).for_each(|(water, _)| water.draw(self.simulator, &mut view));
+    }
+
+    /// Things in their order with what is seen through between them.
+    fn in_layers(&self, things: impl Iterator<Item = Drawable>) -> Vec<Layer<'a>> {
+        let things: Vec<Drawable> = things.collect();
+        let mut layers: Vec<Layer<'a>> = (0..things.len()).map(Layer::Thing).collect();
+        for water in self.waters {
+            let is_over = |layer: &Layer<'_>| matches!(layer, Layer::Thing(at) if water.is_behind(self.simulator, things[*at]));
+            let (over, mut below): (Vec<Layer<'a>>, Vec<Layer<'a>>) = layers.into_iter().partition(is_over);
+            below.push(Layer::Water(water));
+            below.extend(over);
+            layers = below;
+        }
+        layers
     }
 
     fn draw_body(&self, canvas: &mut dyn Canvas, id: BodyId, look: &Look) {

@@ -38,36 +38,13 @@ impl Water {
         fluids.filter(is_seen).map(Water::new).collect()
     }
 
-    /// The place in a list of things from back to front behind which it is drawn: what is farther back or in it comes before.
-    pub(super) fn layer(
-        &self,
-        simulator: &TwoHalfPhysicsSimulator,
-        things: impl Iterator<Item = Drawable>,
-    ) -> usize {
+    /// Whether something is drawn over it: what stands before it, floats above it, or adjoins it on the side to which the Z axis leans.
+    pub(super) fn is_behind(&self, simulator: &TwoHalfPhysicsSimulator, thing: Drawable) -> bool {
         let (low, high) = (self.region.low(), self.region.high());
-        let is_in_or_behind = |thing: Drawable| match thing {
-            Drawable::Body(id) => simulator.body(id).is_some_and(|body| {
-                let place = body.position3d();
-                let is_beside = place.x < low.x || place.x > high.x;
-                !is_beside && place.y < high.y && place.z >= low.z
-            }),
-            Drawable::Platform(id) => simulator.platform(id).is_some_and(|platform| {
-                let corners = platform.corners();
-                let least = |axis: usize| corners.iter().map(|corner| corner[axis]).fold(f32::MAX, f32::min);
-                let greatest =
-                    |axis: usize| corners.iter().map(|corner| corner[axis]).fold(f32::MIN, f32::max);
-                let is_below = greatest(1) <= low.y + NEAR && least(0) < high.x && greatest(0) > low.x;
-                // On the side from which the Z axis leans away, where the other side of it is seen through the water.
-                let is_beside = if simulator.angle() <= 90 {
-                    (greatest(0) - low.x).abs() <= NEAR
-                } else {
-                    (least(0) - high.x).abs() <= NEAR
-                };
-                least(2) >= high.z - NEAR || is_below || is_beside
-            }),
-        };
-        let last = things.enumerate().filter(|(_, thing)| is_in_or_behind(*thing)).last();
-        last.map_or(0, |(at, _)| at + 1)
+        let Some((least, greatest)) = bounds(simulator, thing) else { return false };
+        let is_aside =
+            if simulator.angle() <= 90 { least.x >= high.x - NEAR } else { greatest.x <= low.x + NEAR };
+        is_aside || greatest.z <= low.z + NEAR || least.y >= high.y - NEAR
     }
 
     pub(super) fn draw(&self, simulator: &TwoHalfPhysicsSimulator, canvas: &mut dyn Canvas) {
@@ -84,5 +61,30 @@ impl Water {
         canvas.fill_polygon(&surface, &still, self.color);
         canvas.fill_polygon(&front, &still, self.color.darker(0.3));
         canvas.stroke_polyline(&surface, true, 1.5, &still, Color::WHITE.with_alpha(self.color.a));
+    }
+}
+
+/// The least and the greatest X, Y and Z of something.
+fn bounds(simulator: &TwoHalfPhysicsSimulator, thing: Drawable) -> Option<(Vector3, Vector3)> {
+    match thing {
+        Drawable::Platform(id) => {
+            let corners = simulator.platform(id)?.corners();
+            let first = corners[0];
+            Some(
+                corners
+                    .iter()
+                    .fold((first, first), |(low, high), corner| (low.inf(corner), high.sup(corner))),
+            )
+        }
+        Drawable::Body(id) => {
+            let shapes = simulator.core().geoms_of(id).iter().filter_map(|&geom| simulator.geom(geom));
+            let ends = shapes.map(|geom| geom.virtual_geom()).map(|shape| {
+                (
+                    Vector3::new(shape.left, shape.bottom, shape.front),
+                    Vector3::new(shape.right, shape.top, shape.back),
+                )
+            });
+            ends.reduce(|(low, high), (other_low, other_high)| (low.inf(&other_low), high.sup(&other_high)))
+        }
     }
 }
