@@ -18,8 +18,8 @@ fn main() -> Result<()> {
         size: SIZE,
         shrink: 2,
         steps_per_second: RATE,
-        seconds: 42,
-        stills: &[1.0, 3.0, 6.2, 11.0, 18.0, 24.0, 34.0, 37.0, 41.0],
+        seconds: 27,
+        stills: &[1.4, 4.1, 4.8, 6.2, 9.7, 17.6, 18.8, 23.0, 24.2],
     };
     let look = Paint::new()?;
     let sky = SoftwareCanvas::new(SIZE[0], SIZE[1])?;

@@ -1,14 +1,12 @@
-//! A small beat-'em-up: a street with a hole, a belt, a pond, a lift, a door, a press, a ball on a rope, thugs who chase, crates and
-//! balls to throw.
-//!
-//! The game is all here and knows no screen; [`Brawler::step`] takes what keys are down, whoever holds them.
+//! The game. It knows no screen; [`Brawler::step`] takes what keys are down, whoever holds them.
 
 use std::f32::consts::FRAC_PI_2;
 
-use crate::Result;
 use farseer_core::math::scalar::cos;
 use twohalf::*;
 use twohalf_factories::*;
+
+use crate::Result;
 
 /// Updates per second.
 pub const RATE: u32 = 120;
@@ -30,26 +28,12 @@ pub(super) const PRESS: [f32; 2] = [1800.0, 1870.0];
 const DOOR: f32 = 1640.0;
 const END: f32 = 2100.0;
 
-/// X and Z of who is there, and what; of crates how high above the floor.
-const FIGHTERS: [[f32; 2]; 7] = [
-    [60.0, 80.0],
-    [420.0, 60.0],
-    [800.0, 110.0],
-    [880.0, 50.0],
-    [1560.0, 60.0],
-    [1600.0, 110.0],
-    [1980.0, 80.0],
-];
-const CRATES: [[f32; 3]; 6] = [
-    [200.0, 0.0, 90.0],
-    [780.0, 0.0, 110.0],
-    [780.0, 30.0, 110.0],
-    [900.0, 0.0, 40.0],
-    [1270.0, 0.0, 90.0],
-    [1500.0, 0.0, 90.0],
-];
+/// X and Z of thugs and balls; X, height over the floor and Z of crates.
+const THUGS: [[f32; 2]; 6] =
+    [[420.0, 60.0], [800.0, 110.0], [880.0, 50.0], [1560.0, 60.0], [1600.0, 110.0], [1980.0, 80.0]];
 const BALLS: [[f32; 2]; 3] = [[320.0, 40.0], [1240.0, 60.0], [1740.0, 110.0]];
-const FIGURE: [f32; 3] = [26.0, 56.0, 18.0];
+const CRATES: [[f32; 3]; 5] =
+    [[200.0, 0.0, 90.0], [780.0, 0.0, 110.0], [780.0, 30.0, 110.0], [900.0, 0.0, 40.0], [1500.0, 0.0, 90.0]];
 
 /// What is held down, and what was pressed just now.
 #[derive(Debug, Clone, Copy, Default)]
@@ -131,8 +115,9 @@ impl Brawler {
         let door = spawn_door(&mut simulator, hinge, [130.0, 90.0, 10.0], -FRAC_PI_2)?;
         let walls = spawn_lane(&mut simulator, [0.0, END], LANE, 900.0)?;
         let mut fighters = Vec::new();
-        for [x, z] in FIGHTERS {
-            let actor = Actor::spawn(&mut simulator, Figure::new(FIGURE).at([x, floor_at(x), z]))?;
+        for [x, z] in [[60.0, 80.0]].into_iter().chain(THUGS) {
+            let figure = Figure::new([26.0, 56.0, 18.0]).at([x, floor_at(x), z]);
+            let actor = Actor::spawn(&mut simulator, figure)?;
             simulator.set_crush_tolerance(actor.thing.body, Some(12.0))?;
             fighters.push(Fighter { actor, health: if fighters.is_empty() { 8 } else { 3 } });
         }
@@ -140,10 +125,9 @@ impl Brawler {
         let crates = CRATES.map(|[x, y, z]| Prism::new([30.0; 3]).mass(6.0).at([x, floor_at(x) + y, z]));
         let ball = Ball::new(13.0).mass(2.0).restitution(0.6);
         let balls = BALLS.map(|[x, z]| ball.at([x, floor_at(x), z]));
-        let mut loads = Vec::new();
-        for thing in [wrecker].into_iter().chain(crates).chain(balls) {
-            loads.push(spawn(&mut simulator, thing)?);
-        }
+        let things = [wrecker].into_iter().chain(crates).chain(balls);
+        let loads: Vec<Spawned> =
+            things.map(|thing| spawn(&mut simulator, thing)).collect::<twohalf::Result<_>>()?;
         let rope = Rope::new(RopeEnd::Fixed([720.0, 330.0, 80.0]), RopeEnd::Body(loads[0].body));
         let rope = spawn_rope(&mut simulator, rope.mass(0.4))?;
         let state = State::default();

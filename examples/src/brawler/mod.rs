@@ -1,4 +1,5 @@
-//! A small beat-'em-up: walk, jump, punch, lift and throw, over a hole, a belt, a pond and a lift, against thugs who chase.
+//! A small beat-'em-up: a street with a hole, a belt, a pond, a lift, a door, a press and a ball on a rope, thugs who chase, crates
+//! and balls to throw.
 
 mod game;
 mod paint;

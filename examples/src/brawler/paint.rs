@@ -11,8 +11,6 @@ use crate::scenery::{city_at_dusk, draw_burst};
 /// Width and height of the picture in px.
 pub const SIZE: [u32; 2] = [720, 480];
 const ZOOM: f32 = 1.2;
-/// From the lower edge to where the city begins.
-const HORIZON: f32 = 190.0;
 const COAT: Color = Color::rgb(46, 120, 214);
 const THUGS: [Color; 3] = [Color::rgb(196, 60, 48), Color::rgb(122, 74, 160), Color::rgb(60, 132, 84)];
 const AMBER: Color = Color::rgb(232, 168, 40);
@@ -27,6 +25,7 @@ pub struct Paint {
     crate_box: Textures,
     street: Textures,
     wall: Textures,
+    machine: Textures,
 }
 
 impl Paint {
@@ -35,12 +34,14 @@ impl Paint {
         let slabs = Texture2D::paving([40, 28], [6, 5], Color::rgb(150, 146, 150))?;
         let kerb = Texture2D::paving([60, 20], [4, 7], Color::rgb(112, 106, 112))?;
         let bricks = Texture2D::bricks([22, 11], [12, 8], Color::rgb(142, 82, 66))?;
+        let plates = Texture2D::paving([30, 14], [3, 10], AMBER)?;
         Ok(Paint {
             shadow: Scene::soft_shadow(),
             city: city_at_dusk()?,
             crate_box: Textures { front: Some(Texture2D::crate_box(30, 30, WOOD)?), top: None },
             street: Textures { top: Some(slabs), front: Some(kerb) },
             wall: Textures { top: None, front: Some(bricks) },
+            machine: Textures { top: Some(plates.clone()), front: Some(plates) },
         })
     }
 
@@ -56,9 +57,8 @@ impl Paint {
     pub fn draw(&self, game: &Brawler, canvas: &mut dyn Canvas) -> Result<()> {
         let camera = Paint::camera(game);
         let mut view = View::new(canvas).camera(&camera);
-        draw_ground_backdrop(&mut view, &GroundBackdrop::dusk(HORIZON, ANGLE as f32))?;
-        let top = HEIGHT as f32 - HORIZON - self.city.height() as f32;
-        draw_parallax_layer(&mut view, &self.city, top, 0.35);
+        draw_ground_backdrop(&mut view, &GroundBackdrop::dusk(190.0, ANGLE as f32))?;
+        draw_parallax_layer(&mut view, &self.city, 290.0 - self.city.height() as f32, 0.35);
         let (holes, waters) = ([Patch::hole(HOLE, LANE)], Water::all_of(&game.simulator));
         let scene = Scene::new(&game.simulator, &self.shadow).camera(&camera).patches(&holes).waters(&waters);
         scene.draw(canvas, |thing| self.look(game, thing));
@@ -73,11 +73,11 @@ impl Paint {
     }
 
     fn look(&self, game: &Brawler, thing: Drawable) -> Look {
-        let plain = |color| Look::Solid(PlatformLook::new(color));
         match thing {
             Drawable::Platform(id) if game.walls.contains(&id) => Look::Nothing,
-            Drawable::Platform(id) if id == game.lift => plain(AMBER),
-            Drawable::Platform(id) if id == game.press => plain(STEEL),
+            Drawable::Platform(id) if id == game.lift || id == game.press => {
+                Look::Textured(PlatformLook::new(AMBER), self.machine.clone())
+            }
             Drawable::Platform(id) if game.door.posts().contains(&id) => {
                 Look::Solid(PlatformLook { edge_width: 0.0, ..PlatformLook::new(WOOD.darker(0.25)) })
             }
