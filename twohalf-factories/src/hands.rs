@@ -160,6 +160,7 @@ impl Grip {
         let way = if distance > most { way * (most / distance) } else { way };
         load.set_ignore_gravity(true);
         load.set_velocity3d(way / dt);
+        load.set_angular_velocity(0.0);
         Some(())
     }
 

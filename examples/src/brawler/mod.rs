@@ -1,5 +1,4 @@
-//! A small beat-'em-up: a street with a hole, a belt, a pond, a lift, a door, a press and a ball on a rope, thugs who chase, crates
-//! and balls to throw.
+//! A small beat-'em-up: thugs who chase, what is thrown at them, and what a street has in store.
 
 mod game;
 mod paint;

@@ -19,13 +19,8 @@ pub fn script(game: &Brawler) -> Keys {
         let (is_close, is_level) = (way.x.abs() < 52.0, way.z.abs() < 14.0);
         let x = if is_close { 0.01 } else { 1.0 } * way.x.signum();
         let punch = is_close && is_level || game.loads.iter().any(in_reach);
-        return Keys {
-            x,
-            z: (way.z / 20.0).clamp(-1.0, 1.0),
-            grab: holds && is_level,
-            punch,
-            jump: jump && x > 0.5,
-        };
+        let (z, grab) = ((way.z / 20.0).clamp(-1.0, 1.0), holds && is_level);
+        return Keys { x, z, grab, punch, jump: jump && x > 0.5 };
     }
     let grab = !holds && me.x < 1000.0 && game.loads[1..].iter().any(in_reach);
     let waits = (LIFT[0] - 40.0..LIFT[0] - 13.0).contains(&me.x)
