@@ -12,6 +12,7 @@ mod edits;
 mod fields;
 mod fixed_springs;
 mod joints;
+mod ledges;
 mod meeting;
 mod motion;
 mod one_plane;

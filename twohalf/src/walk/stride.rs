@@ -5,24 +5,25 @@ use farseer_core::{Body, SpaceTouch};
 
 use super::feet::Feet;
 use super::floor::{Floor, Reach, Top, partner_of};
+use super::ledge::GRASP;
 use super::walls::KEPT_OFF;
 use super::{Walker, Wish};
 use crate::{BodyId, GeomId, Partner, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
 /// A floor is stood on from this distance on, px: what falls is caught by it within the step.
-const STANDS: f32 = 0.05;
+pub(super) const STANDS: f32 = 0.05;
 
 /// How far the soles are kept above the floor, px, so that the next one is no obstacle; near enough to touch.
 const CLEARS: f32 = 0.008;
 /// How far they are lifted over the edge of another floor, px: farther than contacts are kept apart.
-const OVER: f32 = 0.15;
+pub(super) const OVER: f32 = 0.15;
 /// Who lands is no deeper in the floor than this, px.
 const SUNK: f32 = 1.0;
 /// How fast it comes down from there, px/s: what comes down faster is braked by what it comes down on.
 const SETTLES: f32 = 5.0;
 /// How far the feet are past an edge when they begin to come down from it, px: contacts that are known are looked at anew after
 /// less than that.
-const PASSED: f32 = 1.7;
+pub(super) const PASSED: f32 = 1.7;
 /// How far it is looked ahead for curbs beyond two steps, px: farther than what only touches is apart.
 const AHEAD: f32 = 0.3;
 /// What pushes up by more than this part of its normal holds.
@@ -33,7 +34,7 @@ const CEILING: f32 = 0.5;
 /// What a step begins with.
 #[derive(Clone, Copy)]
 pub(super) struct Stride<'a> {
-    body: BodyId,
+    pub(super) body: BodyId,
     /// Of the prisms near it.
     tops: &'a [Top],
     pub(super) geom: GeomId,
@@ -42,8 +43,8 @@ pub(super) struct Stride<'a> {
     pub(super) soles: f32,
     pub(super) knees: f32,
     pub(super) head: f32,
-    place: Vector3,
-    velocity: Vector3,
+    pub(super) place: Vector3,
+    pub(super) velocity: Vector3,
     /// Least upward part of the normal of a floor.
     least_up: f32,
     /// Of the figure's own time.
@@ -53,7 +54,12 @@ pub(super) struct Stride<'a> {
 }
 
 impl<'a> Stride<'a> {
-    fn reach(&self, above: f32) -> Reach<'a> {
+    /// The same for what is between other heights.
+    pub(super) fn between(&self, knees: f32, head: f32) -> Self {
+        Stride { knees, head, ..*self }
+    }
+
+    pub(super) fn reach(&self, above: f32) -> Reach<'a> {
         let Stride { geom, least_up, .. } = *self;
         Reach { tops: self.tops, geom, highest: self.soles + above, least_up, but: None }
     }
@@ -83,6 +89,7 @@ impl TwoHalfPhysicsSimulator {
 
     fn next_velocity(&mut self, stride: &Stride<'_>, walker: &mut Walker, wish: Wish) -> Vector3 {
         let Stride { place, dt, .. } = *stride;
+        self.arrive(stride, walker);
         let floor = self.floor_stood_on(stride, walker);
         walker.aloft = if floor.is_some() { 0.0 } else { nearest_finite(walker.aloft + dt) };
         walker.has_jumped &= floor.is_none();
@@ -91,11 +98,18 @@ impl TwoHalfPhysicsSimulator {
             walker.carried = self.velocity_of(floor.partner, place) / stride.pace;
             walker.carried = walker.carried.map(nearest_finite);
         }
+        walker.ledge = walker.ledge.filter(|_| floor.is_none());
         let may_jump = walker.aloft <= walker.walk.coyote_time && !walker.has_jumped;
         match floor {
             _ if wish.jump && may_jump => self.jumping(stride, walker, wish),
             Some(floor) => self.walking(stride, walker, wish, floor),
-            None => self.flying(stride, walker, wish),
+            None => match self.hanging(stride, walker, wish) {
+                Some(velocity) => {
+                    walker.floor = None;
+                    velocity
+                }
+                None => self.flying(stride, walker, wish),
+            },
         }
     }
 
@@ -134,7 +148,7 @@ impl TwoHalfPhysicsSimulator {
         }
     }
 
-    fn jumping(&mut self, stride: &Stride<'_>, walker: &mut Walker, wish: Wish) -> Vector3 {
+    pub(super) fn jumping(&mut self, stride: &Stride<'_>, walker: &mut Walker, wish: Wish) -> Vector3 {
         (walker.floor, walker.has_jumped) = (None, true);
         self.hold(stride.body, walker, false);
         let level = self.level_velocity(stride, walker, wish, walker.walk.air_acceleration);
@@ -232,7 +246,7 @@ impl TwoHalfPhysicsSimulator {
 
     /// A velocity with which the figure comes to the surface of what it would run into, and no farther, so that it
     /// does not lean on it.
-    fn held_off(
+    pub(super) fn held_off(
         &self,
         stride: &Stride<'_>,
         mut velocity: Vector3,
@@ -266,7 +280,7 @@ impl TwoHalfPhysicsSimulator {
         }
     }
 
-    fn is_fixed(&self, partner: Option<Partner>) -> bool {
+    pub(super) fn is_fixed(&self, partner: Option<Partner>) -> bool {
         match partner {
             Some(Partner::Geom(geom)) => {
                 let body = self.core.geom(geom).and_then(|geom| self.core.body(geom.body()));
@@ -297,7 +311,8 @@ impl TwoHalfPhysicsSimulator {
 fn farthest(walker: &Walker, velocity: Vector3, dt: f32) -> f32 {
     let Walker { walk, carried, .. } = walker;
     let fastest = velocity.norm() + carried.norm() + walk.acceleration.max(walk.air_acceleration) * dt;
-    nearest_finite(2.0 * dt * fastest + AHEAD + 1.0)
+    let reaches = if walk.ledge_reach > 0.0 { GRASP } else { 0.0 };
+    nearest_finite(2.0 * dt * fastest + AHEAD + 1.0 + reaches)
 }
 
 /// How far above its floor the soles are to be after this step.

@@ -85,7 +85,7 @@ impl Feet {
 }
 
 /// What of a box is between the height that can be stepped up and the head, as seen from above.
-fn wall_of(shape: &SlantedBox, stride: &Stride<'_>) -> Option<Feet> {
+pub(super) fn wall_of(shape: &SlantedBox, stride: &Stride<'_>) -> Option<Feet> {
     if shape.shear != 0.0 {
         return None;
     }
