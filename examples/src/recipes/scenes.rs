@@ -24,7 +24,7 @@ macro_rules! recipes {
 recipes! {
     "a-level-and-a-figure-in-it" at 200.0: level, 0.0 "it stands", 0.7 "it pushes", 1.6 "it stops";
     "slopes-curbs-and-jumps" at 220.0: slope, 0.3 "up", 1.5 "it stands", 1.75 "it jumps";
-    "climbing-ledges" at 190.0: ledge, 0.5 "it jumps", 0.85 "it hangs", 1.9 "it is up";
+    "climbing-ledges" at 170.0: ledge, 0.5 "it jumps", 0.7 "it hangs", 1.9 "it is up";
     "a-lift" at 100.0: lift, 0.0 "down", 1.0 "it carries", 2.0 "up";
     "a-belt" at 200.0: belt, 0.0 "it lies there", 1.5 "it is carried", 3.0 "it goes on";
     "a-one-way-platform" at 100.0: one_way, 0.1 "below", 0.3 "through it", 1.2 "on it";
@@ -37,9 +37,9 @@ recipes! {
     "who-is-crushed" at 100.0: crush, 0.0 "room", 0.5 "less room", 0.8 "crushed";
     "lifting-and-throwing" at 180.0: throw, 0.1 "lifted", 0.6 "held", 0.95 "thrown";
     "who-meets-whom" at 190.0: categories, 0.3 "two of a kind", 1.0 "they pass", 1.6 "the crate stops";
-    "friction-of-both-sides" at 190.0: friction, 0.0 "0, 0.2, 0.6", 0.5 "on the same", 1.6 "ground";
+    "friction-of-both-sides" at 190.0: friction, 0.0 "0, 0.2 and 0.6 on 0.2", 0.4 "as 0.1, 0.2 and 0.4", 1.6 "0.1 goes on longest";
     "time-that-runs-back" at 190.0: rollback, 0.2 "it is kept", 1.1 "it goes on", 1.4 "back, and on";
-    "running" at 260.0: running, 0.2 "both start", 0.8 "140 px/s", 1.4 "and 260 px/s";
+    "running" at 200.0: running, 0.2 "both start", 0.6 "140 px/s", 1.0 "and 260 px/s";
     "somebody-who-chases-and-a-crowd" at 190.0: crowd, 0.0 "they come", 1.5 "nearer", 5.0 "from all sides";
     "what-is-thrown-strikes" at 170.0: strikes, 0.1 "it flies", 0.36 "it strikes", 0.9 "he lies";
     "a-camera-that-follows" at 150.0: camera, 0.0 "it begins", 1.5 "it follows", 3.0 "on and on";
@@ -117,7 +117,7 @@ fn belt(stage: &mut RecipeStage) -> Result<Step> {
 }
 
 fn one_way(stage: &mut RecipeStage) -> Result<Step> {
-    let shelf = stage.block([20.0, 190.0], [60.0, 70.0])?;
+    let shelf = spawn_block(&mut stage.simulator, [20.0, 190.0], [60.0, 70.0], [38.0, LANE[1]])?;
     stage.paint(&[shelf], AMBER);
     stage.simulator.platform_mut(shelf).ok_or("it is new")?.set_one_way(true)?;
     stage.actor([90.0, 0.0, 50.0])?;
@@ -206,7 +206,7 @@ fn blow(stage: &mut RecipeStage) -> Result<Step> {
 }
 
 fn crush(stage: &mut RecipeStage) -> Result<Step> {
-    let press = stage.block([50.0, 150.0], [85.0, 125.0])?;
+    let press = spawn_block(&mut stage.simulator, [50.0, 150.0], [85.0, 125.0], [38.0, LANE[1]])?;
     stage.paint(&[press], AMBER);
     stage.simulator.platform_mut(press).ok_or("it is new")?.set_velocity(Vector3::new(0.0, -45.0, 0.0))?;
     let thug = stage.actor([100.0, 0.0, 50.0])?;
@@ -262,11 +262,14 @@ fn categories(stage: &mut RecipeStage) -> Result<Step> {
 }
 
 fn friction(stage: &mut RecipeStage) -> Result<Step> {
+    let floor = stage.block([-100.0, 600.0], [0.0, 10.0])?;
+    let mut platform = stage.simulator.platform_mut(floor).ok_or("it is new")?;
+    platform.settings_mut().set_friction_coefficient(0.2);
     for (friction, z) in [(0.0, 80.0), (0.2, 50.0), (0.6, 20.0)] {
-        let thing = Prism::new([30.0, 24.0, 24.0]).friction(friction).at([60.0, 0.0, z]);
+        let thing = Prism::new([30.0, 24.0, 24.0]).friction(friction).at([60.0, 10.0, z]);
         let made = stage.thing(thing, AMBER.darker(0.8 * friction))?;
         let mut body = stage.simulator.body_mut(made.body).ok_or("it is new")?;
-        body.set_velocity3d(Vector3::new(160.0, 0.0, 0.0));
+        body.set_velocity3d(Vector3::new(200.0, 0.0, 0.0));
     }
     updating()
 }
@@ -305,7 +308,7 @@ fn running(stage: &mut RecipeStage) -> Result<Step> {
 
 fn crowd(stage: &mut RecipeStage) -> Result<Step> {
     let player = stage.actor([150.0, 0.0, 50.0])?.thing;
-    for i in 0..5u8 {
+    for i in 0..4u8 {
         let thug = stage.actor([260.0 + 22.0 * f32::from(i), 0.0, 15.0 + 17.0 * f32::from(i)])?;
         let geom = stage.simulator.geom_mut(thug.thing.geom).ok_or("it is new")?;
         geom.set_collision_categories(CollisionCategory::CAT2);

@@ -108,7 +108,8 @@ impl RecipeStage {
             Some(at) => {
                 let Actor { looks_left, stride, walker, stunned, .. } = self.actors[at];
                 let pose = match self.poses[at] {
-                    _ if stunned > 0.0 => twohalf_render::Pose::Reels,
+                    _ if stunned > 0.0 => Pose::Reels,
+                    Pose::Walks if walker.ledge().is_some() => Pose::Lifts,
                     Pose::Walks if !walker.is_grounded() => Pose::Jumps,
                     pose => pose,
                 };
@@ -134,6 +135,7 @@ impl RecipeStage {
             sky_horizon: Color::rgb(188, 214, 236),
             floor_near: floor,
             floor_far: floor,
+            spacing: 100.0,
             ..GroundBackdrop::new(LANE[1] + 10.0, ANGLE as f32)
         };
         canvas.clear(backdrop.sky_top);
