@@ -3,7 +3,7 @@
 use farseer_core::GeomId;
 use serde::{Deserialize, Serialize};
 
-use super::platform::PlatformId;
+use super::platform_id::PlatformId;
 
 /// What a geom touches.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]

@@ -1,36 +1,18 @@
 //! Platforms: boxes with depth that nothing pushes, and that objects stand on, bump into and pass under (thesis 3.6).
 
 use farseer_core::math::scalar;
-use farseer_core::{Fixture, FixtureMotion, Geom};
+use farseer_core::{
+    ArgumentNames, CollisionCategory, CollisionFilter, Fixture, FixtureMotion, Refusals, SurfaceCoefficients,
+};
 use serde::{Deserialize, Serialize};
 
+use super::platform_id::PlatformId;
+#[cfg(doc)]
+use crate::PlatformMut;
 use crate::error::invalid;
 use crate::projection::to_world;
 use crate::shapes::SlantedBox;
 use crate::{Projection, Result, TextureId, Vector3};
-
-/// So many platforms a simulator may have had.
-const MOST: u32 = (1 << 31) - 16;
-
-/// Names a platform of a simulator. Never reused.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default, Serialize, Deserialize)]
-pub struct PlatformId(u32);
-
-impl PlatformId {
-    /// The one after it, unless there have been too many.
-    pub(super) fn next(self) -> Option<Self> {
-        self.0.checked_add(1).filter(|&next| next < MOST).map(PlatformId)
-    }
-
-    /// As the 2D engine below knows it.
-    pub(crate) fn number(self) -> u32 {
-        self.0
-    }
-
-    pub(crate) fn from_number(number: u32) -> Self {
-        PlatformId(number)
-    }
-}
 
 /// A box that nothing pushes: width along X, height, and depth along Z, in px.
 ///
@@ -42,7 +24,8 @@ impl PlatformId {
 /// With [`DepthScheme::Precise`] it stands still or [moves](PlatformMut::set_velocity) and carries what stands on it, and its
 /// surface may be a [belt](PlatformMut::set_surface_speed).
 ///
-/// How it collides is in [`settings`](Self::settings), as a geom has them; friction and restitution are 0 until set.
+/// Whom it meets and how it rubs and bounces is set as with a geom, in the [view to change it](PlatformMut); friction and
+/// restitution are 0 until set.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Platform {
     width: f32,
@@ -52,7 +35,10 @@ pub struct Platform {
     rotation: f32,
     angle_in_z_axis: i32,
     shadow_image: Option<TextureId>,
-    settings: Geom,
+    filter: CollisionFilter,
+    surface: SurfaceCoefficients,
+    /// Arguments that setters have refused and nobody was told of yet.
+    rejected: Refusals<PlatformArguments>,
     /// Of the surface along the level edges and along Z.
     surface_speed: [f32; 2],
     motion: Option<Motion>,
@@ -60,6 +46,14 @@ pub struct Platform {
     /// Derived from the others.
     #[serde(skip)]
     shape: SlantedBox,
+}
+
+/// What setters of platforms refuse.
+#[derive(Debug)]
+struct PlatformArguments;
+
+impl ArgumentNames for PlatformArguments {
+    const NAMES: &'static [&'static str] = &["friction_coefficient", "restitution_coefficient"];
 }
 
 /// How a platform moves that does not stand still.
@@ -115,7 +109,9 @@ impl Platform {
             rotation,
             angle_in_z_axis,
             shadow_image,
-            settings: Geom::default(),
+            filter: CollisionFilter::default(),
+            surface: SurfaceCoefficients::default(),
+            rejected: Refusals::default(),
             surface_speed: [0.0; 2],
             motion: None,
             is_one_way: false,
@@ -187,8 +183,27 @@ impl Platform {
         self.is_one_way = value;
     }
 
-    pub(crate) fn settings_mut(&mut self) -> &mut Geom {
-        &mut self.settings
+    pub(crate) fn filter_mut(&mut self) -> &mut CollisionFilter {
+        &mut self.filter
+    }
+
+    /// To change one of its coefficients; what is not finite is noted as refused.
+    pub(crate) fn set_coefficient(
+        &mut self,
+        argument: &'static str,
+        value: f32,
+        field: impl Fn(&mut SurfaceCoefficients) -> &mut f32,
+    ) {
+        if value.is_finite() {
+            *field(&mut self.surface) = value;
+        } else {
+            self.rejected.note(argument);
+        }
+    }
+
+    /// Arguments that setters have refused since this was asked last.
+    pub(super) fn take_rejected(&mut self) -> impl Iterator<Item = &'static str> + '_ {
+        self.rejected.take()
     }
 
     /// Whether everything is what the constructors could have made: false only after loading garbage. Computes the shape anew.
@@ -196,7 +211,8 @@ impl Platform {
         let sizes = [self.width, self.height, self.depth];
         let is_valid = sizes.iter().all(|size| size.is_finite() && *size > 0.0)
             && (1..180).contains(&self.angle_in_z_axis)
-            && self.settings.is_finite()
+            && self.surface.friction.is_finite()
+            && self.surface.restitution.is_finite()
             && self.surface_speed.iter().all(|speed| speed.is_finite())
             && self.motion.is_none_or(|motion| motion.is_finite());
         match self.clone().shaped(projection) {
@@ -215,7 +231,8 @@ impl Platform {
             id: id.number(),
             shape: self.shape,
             rotation: self.rotation,
-            settings: self.settings.clone(),
+            filter: self.filter,
+            surface: self.surface,
             surface_velocity: [along * cos, along * sin, across],
             motion: self.told_motion(),
             is_one_way: self.is_one_way,
@@ -284,9 +301,51 @@ impl Platform {
         self.shadow_image
     }
 
-    /// How it collides: friction, restitution, categories, group, response.
-    pub fn settings(&self) -> &Geom {
-        &self.settings
+    /// Whom it may meet.
+    pub(crate) fn filter(&self) -> &CollisionFilter {
+        &self.filter
+    }
+
+    /// Friction, combined with a geom's by the simulator's friction type: the mean, or the smaller. Default 0, as a geom's.
+    #[doc(alias = "FrictionCoefficient")]
+    pub fn friction_coefficient(&self) -> f32 {
+        self.surface.friction
+    }
+
+    /// Bounciness, usually 0 to 1; the mean of it and a geom's acts. Default 0, as a geom's.
+    #[doc(alias = "RestitutionCoefficient")]
+    pub fn restitution_coefficient(&self) -> f32 {
+        self.surface.restitution
+    }
+
+    /// The categories it belongs to. Default all.
+    #[doc(alias = "CollisionCategories")]
+    pub fn collision_categories(&self) -> CollisionCategory {
+        self.filter.categories
+    }
+
+    /// The categories it collides with. It meets a geom if **either** one's mask meets the other's categories. Default all.
+    #[doc(alias = "CollidesWith")]
+    pub fn collides_with(&self) -> CollisionCategory {
+        self.filter.collides_with
+    }
+
+    /// It does not meet geoms of the same group; 0 is no group. Default 0.
+    #[doc(alias = "CollisionGroup")]
+    pub fn collision_group(&self) -> i32 {
+        self.filter.group
+    }
+
+    /// Whether it meets anything. Default true.
+    #[doc(alias = "CollisionEnabled")]
+    pub fn collision_enabled(&self) -> bool {
+        self.filter.is_enabled
+    }
+
+    /// Whether it pushes what touches it; touches are reported either way. Default true.
+    #[doc(alias = "CollisionResponseEnabled")]
+    pub fn collision_response_enabled(&self) -> bool {
+        self.filter.responds
     }
 
     /// Its velocity in the world, px/s: along X, up and along Z. One that is [told a place](PlatformMut::move_to) has that of its

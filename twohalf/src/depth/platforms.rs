@@ -3,7 +3,8 @@
 use farseer_core::FixtureMotion;
 use serde::{Deserialize, Serialize};
 
-use super::platform::{Platform, PlatformId};
+use super::platform::Platform;
+use super::platform_id::PlatformId;
 use crate::error::{invalid, stale};
 use crate::{Projection, Result, Vector3};
 
@@ -154,9 +155,9 @@ impl Platforms {
         })
     }
 
-    /// Arguments refused by the settings since the last update.
+    /// Arguments that setters have refused since the last update.
     pub(crate) fn take_rejected(&mut self) -> impl Iterator<Item = &'static str> + '_ {
-        self.list.iter_mut().flat_map(|(_, platform)| platform.settings_mut().take_rejected())
+        self.list.iter_mut().flat_map(|(_, platform)| platform.take_rejected())
     }
 
     /// Whether everything is what the constructors could have made: false only after loading garbage. Computes the

@@ -4,7 +4,7 @@ use farseer_core::{BodyId, GeomId};
 use serde::{Deserialize, Serialize};
 
 use super::partner::{Axis, Partner};
-use super::platform::PlatformId;
+use super::platform_id::PlatformId;
 use crate::Vector3;
 use crate::shapes::{Face, KeptAxis};
 

@@ -147,7 +147,7 @@ impl<S: Access> TwoHalfBody<S> {
                 && match contact.partner {
                     Partner::Geom(geom) => responds(geom),
                     Partner::Platform(id) => {
-                        world.platforms.get(id).is_some_and(|it| it.settings().collision_response_enabled())
+                        world.platforms.get(id).is_some_and(|it| it.collision_response_enabled())
                     }
                     Partner::Ground => true,
                 }

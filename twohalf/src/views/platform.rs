@@ -1,6 +1,6 @@
 //! A platform, to be changed.
 
-use farseer_core::Geom;
+use farseer_core::{CollisionCategory, CollisionFilter};
 
 use crate::depth::{DepthScheme, Platform, Platforms};
 use crate::error::{invalid, only_precise};
@@ -106,7 +106,7 @@ impl PlatformMut<'_> {
 
     /// Opens the platform from below and from its sides: what jumps or is thrown up passes through it, and lands on its top when
     /// it comes down. What stands on it when this is switched on stays there. To drop through it, a geom leaves out its
-    /// categories ([`Geom::set_collides_with`]) until it is below the top, and the platform those of the geom. Default false.
+    /// categories ([`Geom::set_collides_with`](farseer_core::Geom::set_collides_with)) until it is below the top, and the platform those of the geom. Default false.
     ///
     /// # Errors
     /// True with another scheme than [`DepthScheme::Precise`].
@@ -124,8 +124,44 @@ impl PlatformMut<'_> {
         if self.scheme == DepthScheme::Precise { Ok(()) } else { Err(only_precise(what)) }
     }
 
-    /// How it collides, to be changed: friction, restitution, categories, group, response.
-    pub fn settings_mut(&mut self) -> &mut Geom {
-        self.platforms.edit(self.index).settings_mut()
+    /// Sets the friction. What is not finite is rejected and reported by the next update.
+    pub fn set_friction_coefficient(&mut self, value: f32) {
+        let platform = self.platforms.edit(self.index);
+        platform.set_coefficient("friction_coefficient", value, |surface| &mut surface.friction);
+    }
+
+    /// Sets the bounciness. What is not finite is rejected and reported by the next update.
+    pub fn set_restitution_coefficient(&mut self, value: f32) {
+        let platform = self.platforms.edit(self.index);
+        platform.set_coefficient("restitution_coefficient", value, |surface| &mut surface.restitution);
+    }
+
+    /// Sets the categories that it belongs to.
+    pub fn set_collision_categories(&mut self, value: CollisionCategory) {
+        self.filter().categories = value;
+    }
+
+    /// Sets the categories that it collides with.
+    pub fn set_collides_with(&mut self, value: CollisionCategory) {
+        self.filter().collides_with = value;
+    }
+
+    /// Sets the group.
+    pub fn set_collision_group(&mut self, value: i32) {
+        self.filter().group = value;
+    }
+
+    /// Lets it meet things or not.
+    pub fn set_collision_enabled(&mut self, value: bool) {
+        self.filter().is_enabled = value;
+    }
+
+    /// Lets it push what touches it or not.
+    pub fn set_collision_response_enabled(&mut self, value: bool) {
+        self.filter().responds = value;
+    }
+
+    fn filter(&mut self) -> &mut CollisionFilter {
+        self.platforms.edit(self.index).filter_mut()
     }
 }

@@ -126,8 +126,8 @@ pub(super) fn partner_of(touch: &farseer_core::SpaceTouch, geom: GeomId) -> Opti
 
 /// Whether a platform can hold a geom, up or back.
 pub(super) fn holds(platform: &Platform, geom: Option<&Geom>) -> bool {
-    let settings = platform.settings();
-    settings.collision_response_enabled() && geom.is_some_and(|geom| settings.may_collide_with(geom))
+    platform.collision_response_enabled()
+        && geom.is_some_and(|geom| platform.filter().may_meet(&geom.filter()))
 }
 
 /// Floors that are prisms, once for each of their edges.

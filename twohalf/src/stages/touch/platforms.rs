@@ -24,7 +24,7 @@ impl Search<'_> {
             let low = Vector3::new(aabb.min.x, aabb.min.y, reach.z - reach.half);
             let high = Vector3::new(aabb.max.x, aabb.max.y, reach.z + reach.half);
             for (id, platform) in platforms.overlapping(low, high) {
-                if view.may_collide_with(platform.settings()) {
+                if view.filter().may_meet(platform.filter()) {
                     self.counters.pairs_tested += 1;
                     self.touch_platform(geom, view, id, platform);
                 }
@@ -45,8 +45,7 @@ impl Search<'_> {
             DepthProfile::Round { radius } => self.ball_on_box(view, radius, platform.shape(), kept),
             DepthProfile::Prism { .. } => self.prism_on_box(geom, view, platform.shape(), kept),
         }?;
-        let settings = platform.settings();
-        let (friction, restitution) = (settings.friction_coefficient(), settings.restitution_coefficient());
+        let (friction, restitution) = (platform.friction_coefficient(), platform.restitution_coefficient());
         let surfaces = Surfaces::combine(self.core, view, friction, restitution)?;
         let subject = Subject {
             key,
@@ -54,7 +53,7 @@ impl Search<'_> {
             body: view.body(),
             partner: Partner::Platform(id),
             partner_body: None,
-            responds: view.collision_response_enabled() && settings.collision_response_enabled(),
+            responds: view.collision_response_enabled() && platform.collision_response_enabled(),
         };
         self.add(subject, &manifold, surfaces);
         Some(())
