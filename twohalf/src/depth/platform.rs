@@ -21,7 +21,7 @@ use crate::{Projection, Result, TextureId, Vector3};
 /// Objects land on it where their footprints overlap its, walk off every edge, bump into its sides, its front and its
 /// underside, and pass under it.
 ///
-/// With [`DepthScheme::Precise`] it stands still or [moves](PlatformMut::set_velocity) and carries what stands on it, and its
+/// With [`DepthScheme::Precise`](crate::DepthScheme::Precise) it stands still or [moves](PlatformMut::set_velocity) and carries what stands on it, and its
 /// surface may be a [belt](PlatformMut::set_surface_speed).
 ///
 /// Whom it meets and how it rubs and bounces is set as with a geom, in the [view to change it](PlatformMut); friction and

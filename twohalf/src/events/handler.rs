@@ -21,7 +21,7 @@ pub trait EventHandler {
         true
     }
 
-    /// See [`Event::Separation`].
+    /// See [`Event::Separation`](crate::Event::Separation).
     #[doc(alias("OnSeparation", "SeparationEventHandler"))]
     fn on_separation(&mut self, context: &mut Context<'_>, this: GeomId, partner: Partner) {
         let _ = (context, this, partner);
@@ -40,25 +40,25 @@ pub trait EventHandler {
         true
     }
 
-    /// See [`Event::BodyUpdated`].
+    /// See [`Event::BodyUpdated`](crate::Event::BodyUpdated).
     #[doc(alias("Updated", "UpdatedEventHandler"))]
     fn on_body_updated(&mut self, context: &mut Context<'_>, body: BodyId) {
         let _ = (context, body);
     }
 
-    /// See [`Event::BodyDisposed`].
+    /// See [`Event::BodyDisposed`](crate::Event::BodyDisposed).
     #[doc(alias = "Disposed")]
     fn on_body_disposed(&mut self, context: &mut Context<'_>, body: BodyId) {
         let _ = (context, body);
     }
 
-    /// See [`Event::JointBroke`].
+    /// See [`Event::JointBroke`](crate::Event::JointBroke).
     #[doc(alias = "Broke")]
     fn on_joint_broke(&mut self, context: &mut Context<'_>, joint: JointId) {
         let _ = (context, joint);
     }
 
-    /// See [`Event::SpringBroke`].
+    /// See [`Event::SpringBroke`](crate::Event::SpringBroke).
     fn on_spring_broke(&mut self, context: &mut Context<'_>, spring: SpringId) {
         let _ = (context, spring);
     }

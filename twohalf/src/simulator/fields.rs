@@ -29,7 +29,7 @@ impl TwoHalfPhysicsSimulator {
     /// ```
     ///
     /// # Errors
-    /// Numbers that are not as [`Fluid`] and [`Well`] say.
+    /// Numbers that are not as [`Fluid`](crate::Fluid) and [`Well`](crate::Well) say.
     pub fn add_field(&mut self, field: impl Into<Field>) -> Result<FieldId> {
         self.world.fields.insert(field.into())
     }

@@ -25,7 +25,7 @@ impl TwoHalfPhysicsSimulator {
     /// none.
     ///
     /// # Errors
-    /// As [`PhysicsSimulator::set_body`].
+    /// As [`PhysicsSimulator::set_body`](farseer_core::PhysicsSimulator::set_body).
     #[doc(alias = "SetBody")]
     pub fn set_body(&mut self, geom: GeomId, body: BodyId) -> Result<()> {
         let old = self.core.geom(geom).map(|geom| geom.body()).filter(|old| *old != body);
@@ -37,7 +37,7 @@ impl TwoHalfPhysicsSimulator {
         Ok(())
     }
 
-    /// Replaces the outline of a geom; see [`PhysicsSimulator::set_vertices`]. Its depth profile stays.
+    /// Replaces the outline of a geom; see [`PhysicsSimulator::set_vertices`](farseer_core::PhysicsSimulator::set_vertices). Its depth profile stays.
     ///
     /// # Errors
     /// As there.
@@ -58,7 +58,7 @@ impl TwoHalfPhysicsSimulator {
         Ok(self.core.set_is_sensor(geom, is_sensor)?)
     }
 
-    /// Lets no new pair of the two geoms be found; see [`PhysicsSimulator::ignore_collision_with`].
+    /// Lets no new pair of the two geoms be found; see [`PhysicsSimulator::ignore_collision_with`](farseer_core::PhysicsSimulator::ignore_collision_with).
     ///
     /// # Errors
     /// A stale id.

@@ -151,7 +151,7 @@ impl TwoHalfPhysicsSimulator {
     /// # Errors
     /// If a geom takes part already ([`farseer_core::Error::GeomListNotEmpty`]; geoms that wait to be added do not
     /// count). From the precise set to another scheme, one of these that gets no
-    /// [distance grid](farseer_core::PhysicsSimulator::create_distance_grid), and a [`Platform`] that moves, is a belt or one-way.
+    /// [distance grid](farseer_core::PhysicsSimulator::create_distance_grid), and a [`Platform`](crate::Platform) that moves, is a belt or one-way.
     pub fn set_depth_scheme(&mut self, scheme: DepthScheme) -> Result<()> {
         if !self.core.geom_list().is_empty() {
             return Err(farseer_core::Error::GeomListNotEmpty.into());
@@ -184,7 +184,7 @@ impl TwoHalfPhysicsSimulator {
         self.set_depth_scheme(scheme)
     }
 
-    /// Sets the Z that layer depth 0 and layer depth 1 stand for; see [`TwoHalfBody::layer_depth`]. By default 0
+    /// Sets the Z that layer depth 0 and layer depth 1 stand for; see [`TwoHalfBody::layer_depth`](crate::TwoHalfBody::layer_depth). By default 0
     /// and the height of the screen.
     ///
     /// # Errors

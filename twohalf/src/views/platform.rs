@@ -7,7 +7,7 @@ use crate::error::{invalid, only_precise};
 use crate::projection::to_world;
 use crate::{Projection, Result, Vector3};
 
-/// A platform to change: what [`TwoHalfPhysicsSimulator::platform_mut`] gives. Dereferences to [`Platform`].
+/// A platform to change: what [`TwoHalfPhysicsSimulator::platform_mut`](crate::TwoHalfPhysicsSimulator::platform_mut) gives. Dereferences to [`Platform`].
 #[derive(Debug)]
 pub struct PlatformMut<'a> {
     pub(crate) platforms: &'a mut Platforms,
