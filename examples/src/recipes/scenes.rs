@@ -110,7 +110,7 @@ fn belt(stage: &mut RecipeStage) -> Result<Step> {
     stage.paint(&[belt], AMBER);
     let mut platform = stage.simulator.platform_mut(belt).ok_or("it is new")?;
     platform.set_surface_speed(60.0, 0.0)?;
-    platform.settings_mut().set_friction_coefficient(0.5);
+    platform.set_friction_coefficient(0.5);
     stage.crate_box([90.0, 20.0, 70.0])?;
     stage.actor([90.0, 20.0, 25.0])?;
     walking(|_| STILL)
@@ -264,7 +264,7 @@ fn categories(stage: &mut RecipeStage) -> Result<Step> {
 fn friction(stage: &mut RecipeStage) -> Result<Step> {
     let floor = stage.block([-100.0, 600.0], [0.0, 10.0])?;
     let mut platform = stage.simulator.platform_mut(floor).ok_or("it is new")?;
-    platform.settings_mut().set_friction_coefficient(0.2);
+    platform.set_friction_coefficient(0.2);
     for (friction, z) in [(0.0, 80.0), (0.2, 50.0), (0.6, 20.0)] {
         let thing = Prism::new([30.0, 24.0, 24.0]).friction(friction).at([60.0, 10.0, z]);
         let made = stage.thing(thing, AMBER.darker(0.8 * friction))?;

@@ -8,11 +8,9 @@ mod walls;
 
 use serde::{Deserialize, Serialize};
 
+use self::ledge::Ledge;
 #[cfg(doc)]
 use crate::TwoHalfBody;
-pub(crate) use floor::Top;
-
-use self::ledge::Ledge;
 use crate::error::{invalid, only_precise, stale};
 use crate::{BodyId, DepthScheme, Partner, Result, TwoHalfPhysicsSimulator, Vector3};
 
