@@ -464,3 +464,21 @@ fn an_update_of_a_settled_scene_with_depth_allocates_nothing() {
     });
     assert_eq!(calls, 0);
 }
+
+#[test]
+fn bodies_that_are_watched_that_stand_still_and_that_are_slow_cost_no_allocation() {
+    depth::with_scheme(twohalf::DepthScheme::Precise, || {
+        let mut simulator = settled_scene_with_depth();
+        simulator.set_sleep_enabled(false);
+        for (at, body) in simulator.body_list().to_vec().into_iter().enumerate() {
+            simulator.set_crush_tolerance(body, Some(0.5)).unwrap();
+            match at % 8 {
+                0 => simulator.set_time_scale(body, 0.0).unwrap(),
+                1 => simulator.set_time_scale(body, 0.5).unwrap(),
+                _ => (),
+            }
+        }
+        (0..200).for_each(|_| simulator.update(depth::DT));
+        assert_eq!(calls(|| (0..100).for_each(|_| simulator.update(depth::DT))), 0);
+    });
+}

@@ -78,18 +78,22 @@ impl Actor {
     /// # Errors
     /// As [`walk`](TwoHalfPhysicsSimulator::walk).
     pub fn act(&mut self, simulator: &mut TwoHalfPhysicsSimulator, wish: Wish, dt: f32) -> Result<bool> {
-        let time = dt * simulator.time_scale(self.thing.body);
+        let scale = simulator.time_scale(self.thing.body);
+        if scale == 0.0 {
+            return Ok(false);
+        }
+        let time = dt * scale;
         let is_stunned = self.stunned > 0.0;
         self.stunned = (self.stunned - time).max(0.0);
         self.rests = (self.rests - time).max(0.0);
         let wish = if is_stunned { Wish::default() } else { wish };
         self.walker.walk.air_acceleration = if is_stunned { 0.0 } else { self.air_acceleration };
         simulator.walk(self.thing.body, &mut self.walker, wish, dt)?;
-        if time > 0.0 && wish.x != 0.0 {
+        if wish.x != 0.0 {
             self.looks_left = wish.x < 0.0;
         }
         self.stride += time * Vector3::new(wish.x, 0.0, wish.z).norm() / STEP;
-        Ok(!is_stunned && time > 0.0)
+        Ok(!is_stunned)
     }
 
     /// [Strikes](strike) to where it looks.

@@ -2,6 +2,7 @@
 
 mod abuse;
 mod api;
+mod brawling;
 mod callbacks;
 mod carried;
 mod closed_forms;
