@@ -164,7 +164,11 @@ impl Objects {
             return Err(Error::MissingDistanceGrid { argument: "geom" });
         }
         let outline = (source.local_vertices, source.outline);
+        if source.one_way.is_some() {
+            self.methods.check_one_way()?;
+        }
         let mut entry = self.new_entry(body, outline, offset, rotation_offset)?;
+        entry.one_way = source.one_way;
         entry.pieces = source.pieces;
         entry.geom = source.geom;
         entry.geom.rejected = Refusals::default();

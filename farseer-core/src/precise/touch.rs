@@ -8,6 +8,7 @@
 use super::bodies::Bodies;
 use super::direct::Direct;
 use super::manifold::{Manifold, circles_meet, collide};
+use super::one_way::{Passage, Ways};
 use super::pairs::{BY_ROW, Frozen, FrozenInSpace, Pairs};
 use super::proxies::{Mobility, Proxies, Proxy};
 use super::rows::{Aside, Home, Kind, Lane, Palette, PointLane, Rows, SpaceLane};
@@ -138,9 +139,10 @@ impl<'a> Touch<'a> {
         }
         let mut found = self.collide(pair, two, self.tuning.speculative);
         found.keep_deepest(self.most_contacts);
+        let is_open = self.pairs.all[pair].passage != Passage::Closed && self.is_open(pair, two, &found);
         if found.count == 0 {
             self.part(pair, found.gap);
-        } else if self.passes_through(pair, two) {
+        } else if is_open || self.passes_through(pair, two) {
             self.part(pair, 0.0);
         } else {
             self.looks.made += 1;
@@ -149,7 +151,44 @@ impl<'a> Touch<'a> {
         }
     }
 
-    /// Whether one of the two is open for the other one, which has not landed on it.
+    /// The ways of the last step.
+    fn ways(&self) -> Ways<'_> {
+        let Touch { bodies, proxies, pairs, tuning, .. } = self;
+        Ways { bodies, proxies, pairs, reach: tuning.speculative, are_gone: true }
+    }
+
+    /// Whether one of two, of which one at least is one-way, is not kept out by the other one.
+    fn is_open(&mut self, pair: usize, two: Two<'a>, found: &Manifold) -> bool {
+        let known = self.pairs.all[pair].passage;
+        if known == Passage::Landed {
+            return false;
+        }
+        let mut passage = self.ways().settled(pair);
+        if passage == Passage::Apart && self.ways().is_above(pair) && self.come_together(two, found) {
+            passage = Passage::Landed;
+        }
+        if passage != known {
+            self.pairs.set_passage(self.proxies, pair, passage);
+        }
+        passage != Passage::Landed
+    }
+
+    /// Whether two come together where contacts reach from one to the other.
+    fn come_together(&self, two: Two<'_>, found: &Manifold) -> bool {
+        found.points[..found.count].iter().any(|&point| {
+            let [bx, by] = difference(point, two.apart());
+            self.approach(two, found.normal, &[point[0], point[1], bx, by]) < 0.0
+        })
+    }
+
+    /// What had landed has left once nothing of it is kept out any more.
+    pub(super) fn leave(&mut self, pair: usize) {
+        if self.pairs.all[pair].passage == Passage::Landed && !self.ways().is_kept_out(pair) {
+            self.pairs.set_passage(self.proxies, pair, Passage::Apart);
+        }
+    }
+
+    /// Whether one of the two is open for the other one in three axes, which has not landed on it.
     fn passes_through(&self, pair: usize, two: Two<'a>) -> bool {
         let state = &self.pairs.all[pair];
         let Some(space) = self.space.filter(|space| state.responds && space.is_one_way(two.a)) else {
@@ -273,6 +312,7 @@ impl<'a> Touch<'a> {
     /// The two are further apart than contacts reach.
     fn part(&mut self, pair: usize, gap: f32) {
         self.remove_row(pair);
+        self.leave(pair);
         if self.pairs.all[pair].is_told {
             self.tell(pair, false);
         }
@@ -592,6 +632,7 @@ impl<'a> Touch<'a> {
     /// Takes a pair out, one side of which may have gone: nobody is told.
     pub(super) fn forget_pair(&mut self, pair: usize) {
         self.remove_row(pair);
+        self.leave(pair);
         self.pairs.set_told(pair, false);
         let at = if pair < self.pairs.awake { self.lay_down(pair) } else { pair };
         self.swap_pairs(at, self.pairs.len() - 1);
