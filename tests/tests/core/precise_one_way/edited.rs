@@ -1,0 +1,6 @@
+//! One-way geoms of all shapes.
+
+use super::*;
+
+#[test]
+fn placeholder() {}
