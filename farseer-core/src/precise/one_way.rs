@@ -10,6 +10,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::Precise;
 use super::bodies::Bodies;
 use super::flight::{EXACT, Flyer, Two, meet};
 use super::pairs::Pairs;
@@ -73,7 +74,8 @@ impl Ways<'_> {
         Two { a, b }
     }
 
-    /// The pairs that share one passage with this one: those of the geom of what is one-way, and of the body of what is not.
+    /// The pairs that share one passage with this one: those of the geom of what is one-way, and of the body of what is not,
+    /// as far as its other geoms are not either.
     fn group(&self, pair: usize) -> impl Iterator<Item = usize> + '_ {
         let of = self.pairs.watched[pair].proxies;
         let body = self.proxies.all[of[1] as usize].body as usize;
@@ -93,14 +95,23 @@ impl Ways<'_> {
         self.group(pair).any(|other| self.pairs.all[other].home.is_some())
     }
 
+    /// Those of a group who overlap.
+    fn overlapping(&self, pair: usize) -> impl Iterator<Item = usize> + '_ {
+        self.group(pair).filter(|&pair| self.now(pair).separation(0.0).0 < 0.0)
+    }
+
+    /// Whether someone does.
+    pub(super) fn overlaps(&self, pair: usize) -> bool {
+        self.overlapping(pair).next().is_some()
+    }
+
     /// What becomes of a group that has not landed, now that bodies have gone their ways.
     pub(super) fn settled(&self, pair: usize) -> Passage {
-        let mut overlapping = self.group(pair).filter(|&pair| self.now(pair).separation(0.0).0 < 0.0);
         if self.pairs.all[pair].passage == Passage::Passes {
-            return if overlapping.next().is_some() { Passage::Passes } else { Passage::Apart };
+            return if self.overlaps(pair) { Passage::Passes } else { Passage::Apart };
         }
         // What overlaps has met, by the end of its way.
-        let met = overlapping.map(|pair| self.met(pair, self.first_meeting(pair).unwrap_or(1.0)));
+        let met = self.overlapping(pair).map(|pair| self.met(pair, self.first_meeting(pair).unwrap_or(1.0)));
         match met.reduce(earlier) {
             None => Passage::Apart,
             Some((_, true)) => Passage::Landed,
@@ -137,6 +148,25 @@ impl Ways<'_> {
     }
 }
 
+impl Precise {
+    /// What had landed has left once nothing of it is kept out, nor overlaps any more: that is asked before any pair is looked
+    /// at, because where pieces meet one lets go before the next one has it.
+    pub(super) fn let_go(&mut self) {
+        if self.proxies.one_way == 0 {
+            return;
+        }
+        for pair in 0..self.pairs.len() {
+            let state = &self.pairs.all[pair];
+            if state.passage == Passage::Landed && state.home.is_none() {
+                let ways = self.ways_ahead();
+                if !ways.is_kept_out(pair) && !ways.overlaps(pair) {
+                    self.pairs.set_passage(&self.proxies, pair, Passage::Apart);
+                }
+            }
+        }
+    }
+}
+
 impl Pairs {
     /// All pairs of a group stand so from now on.
     pub(super) fn set_passage(&mut self, proxies: &Proxies, pair: usize, passage: Passage) {
@@ -156,7 +186,11 @@ impl Pairs {
 fn is_of_group(proxies: &Proxies, [a, b]: [u32; 2], [one, other]: [u32; 2]) -> bool {
     let belongs = |proxy: u32, to: u32| {
         let (proxy, to) = (&proxies.all[proxy as usize], &proxies.all[to as usize]);
-        if to.one_way.is_some() { proxy.geom == to.geom } else { proxy.body == to.body }
+        if to.one_way.is_some() {
+            proxy.geom == to.geom
+        } else {
+            proxy.body == to.body && proxy.one_way.is_none()
+        }
     };
     (belongs(one, a) && belongs(other, b)) || (belongs(one, b) && belongs(other, a))
 }
@@ -182,9 +216,8 @@ fn before([x, y, c, s]: Pose, [dx, dy, turned, _]: [f32; 4]) -> Pose {
 fn is_above(piece: &Flyer<'_>, other: &Flyer<'_>, part: f32, direction: Vector, reach: f32) -> bool {
     let (pose, pose_of_other) = (piece.at(part), other.at(part));
     let direction = turn(rotation(pose), direction);
-    let height_over = |normal: Vector| {
-        -other.support(pose_of_other, scaled(normal, -1.0)) - piece.support(pose, normal)
-    };
+    let height_over =
+        |normal: Vector| -other.support(pose_of_other, scaled(normal, -1.0)) - piece.support(pose, normal);
     if piece.outline.shape.radius > 0.0 {
         let (apart, normal) = Two { a: *piece, b: *other }.separation(part);
         return dot(normal, direction) > HOLDS && apart >= -reach;

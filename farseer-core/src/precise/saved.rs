@@ -478,15 +478,7 @@ impl Precise {
                 }
             });
         }
-        self.leave_what_has_gone();
         self.lay_pairs_down();
-    }
-
-    /// What had landed on what has gone since has left it.
-    fn leave_what_has_gone(&mut self) {
-        for pair in 0..self.pairs.len() {
-            self.touch().leave(pair);
-        }
     }
 
     /// What a row's bodies rested on has gone, with the row.
@@ -511,7 +503,9 @@ impl Precise {
     /// Those proxies whose direction is another one.
     fn renew_turned(&mut self, saved: &Saved, places: &[Option<u32>]) {
         for (proxy, place) in saved.proxies.iter().zip(places) {
-            if let Some(place) = place.filter(|&now| self.proxies.all[now as usize].one_way != proxy.known.one_way) {
+            if let Some(place) =
+                place.filter(|&now| self.proxies.all[now as usize].one_way != proxy.known.one_way)
+            {
                 self.renew_passages(place);
             }
         }
@@ -601,10 +595,7 @@ impl Precise {
         if saved.has_escaped || has_moved || then.filter != now.filter {
             self.proxies.escaped.push(place);
         }
-        has_moved
-            || then.contacts != now.contacts
-            || then.filter != now.filter
-            || then.one_way != now.one_way
+        has_moved || then.contacts != now.contacts || then.filter != now.filter || then.one_way != now.one_way
     }
 
     /// Answers the pair and its row. A pair whose contacts push now and did not before, or the other way round, is looked at

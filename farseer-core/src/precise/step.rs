@@ -169,6 +169,7 @@ impl Precise {
     /// Third stage: what may have changed is looked at. Answers how many pairs that were.
     pub(crate) fn find_contacts(&mut self, friction: crate::FrictionType, most_contacts: u32) -> usize {
         self.looks = Looks::default();
+        self.let_go();
         let has_friction_changed = std::mem::replace(&mut self.friction, friction) != friction;
         let has_limit_changed = std::mem::replace(&mut self.most_contacts, most_contacts) != most_contacts;
         if has_friction_changed || has_limit_changed {

@@ -181,8 +181,8 @@ impl<'a> Touch<'a> {
         })
     }
 
-    /// What had landed has left once nothing of it is kept out any more.
-    pub(super) fn leave(&mut self, pair: usize) {
+    /// What a handler has refused has not landed, unless something else of it is kept out.
+    pub(super) fn forget_landing(&mut self, pair: usize) {
         if self.pairs.all[pair].passage == Passage::Landed && !self.ways().is_kept_out(pair) {
             self.pairs.set_passage(self.proxies, pair, Passage::Apart);
         }
@@ -312,7 +312,6 @@ impl<'a> Touch<'a> {
     /// The two are further apart than contacts reach.
     fn part(&mut self, pair: usize, gap: f32) {
         self.remove_row(pair);
-        self.leave(pair);
         if self.pairs.all[pair].is_told {
             self.tell(pair, false);
         }
@@ -632,7 +631,6 @@ impl<'a> Touch<'a> {
     /// Takes a pair out, one side of which may have gone: nobody is told.
     pub(super) fn forget_pair(&mut self, pair: usize) {
         self.remove_row(pair);
-        self.leave(pair);
         self.pairs.set_told(pair, false);
         let at = if pair < self.pairs.awake { self.lay_down(pair) } else { pair };
         self.swap_pairs(at, self.pairs.len() - 1);

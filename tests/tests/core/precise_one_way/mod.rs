@@ -8,9 +8,7 @@ mod ways;
 use conformance::fixtures::plane::{add_box, add_circle, add_floor, body_bits, simulator_with, v};
 use farseer_core::math::Vector2;
 use farseer_core::shape::Vertices;
-use farseer_core::{
-    BodyFactory, BodyId, GeomFactory, GeomId, GeomPlacement, Methods, PhysicsSimulator,
-};
+use farseer_core::{BodyFactory, BodyId, GeomFactory, GeomId, GeomPlacement, Methods, PhysicsSimulator};
 
 const RATES: [f32; 4] = [30.0, 60.0, 120.0, 240.0];
 const GRAVITY: f32 = 900.0;
@@ -85,7 +83,13 @@ fn assert_near(value: f32, expected: f32, tolerance: f32, what: &str) {
 }
 
 /// Fails unless a thing stands so high.
-fn assert_stands(simulator: &PhysicsSimulator, body: BodyId, (name, height): (&str, f32), top: f32, rate: f32) {
+fn assert_stands(
+    simulator: &PhysicsSimulator,
+    body: BodyId,
+    (name, height): (&str, f32),
+    top: f32,
+    rate: f32,
+) {
     let what = format!("{name} at {rate} Hz");
     assert_near(simulator[body].position().y, -top - height, REST, &what);
     assert!(simulator[body].linear_velocity().norm() < 0.5, "{what} moves");

@@ -19,7 +19,8 @@ fn what_falls_lands_from_any_height() {
 #[test]
 fn what_falls_moves_as_on_a_closed_one_to_the_last_bit() {
     for (name, add, height) in THINGS {
-        for (rate, above) in RATES.into_iter().flat_map(|rate| [5.0, 50.0, 333.0].map(|above| (rate, above))) {
+        for (rate, above) in RATES.into_iter().flat_map(|rate| [5.0, 50.0, 333.0].map(|above| (rate, above)))
+        {
             let (mut open, _, _) = stage();
             let (mut closed, _, platform) = stage();
             closed.set_one_way(platform, None).unwrap();
@@ -71,7 +72,9 @@ fn what_rises_from_below_flies_as_if_nothing_were_there() {
 #[test]
 fn what_has_risen_through_it_lands_on_it() {
     for (name, add, height) in THINGS {
-        for (rate, speed) in RATES.into_iter().flat_map(|rate| [450.0, 600.0, 700.0].map(|speed| (rate, speed))) {
+        for (rate, speed) in
+            RATES.into_iter().flat_map(|rate| [450.0, 600.0, 700.0].map(|speed| (rate, speed)))
+        {
             let (mut simulator, _, _) = stage();
             let (body, _) = add(&mut simulator, v(0.0, HALF + height + 1.0));
             simulator[body].set_linear_velocity(v(0.0, -speed));
