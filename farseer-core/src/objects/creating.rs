@@ -135,7 +135,7 @@ impl Objects {
     ///
     /// # Errors
     /// A stale id; a geom without a distance grid, if the distance grid is selected; a box that is not finite; a chain for a
-    /// body that is not static, or under the faithful methods.
+    /// body that is not static; a chain or a one-way geom under the faithful methods.
     #[doc(alias = "Geom(Body, Geom)")]
     #[doc(alias("DistanceGrid.Copy"))]
     pub fn clone_geom(&mut self, body: BodyId, geom: GeomId) -> Result<GeomId> {

@@ -121,21 +121,21 @@ impl Objects {
     /// For platforms that a figure jumps up through, valves and doors. The direction is given in the frame of the geom's body,
     /// turns with it, and counts by where it points, not by its length: (0, -1) is up on a body that is not turned.
     ///
-    /// - The geom *holds* what lands on it: what it meets while that is wholly above a side of it which looks within 60 degrees
-    ///   of the direction. Wholly above is each convex piece of the other one; a round side is all that looks so. What has
-    ///   landed is kept out by all of the geom until it has left its surface.
-    /// - All else *passes through*, and is told to nobody: what comes from behind or from the sides, what turns back before it
-    ///   is out, and what overlaps when one of the two is put where it is, when they may meet again, or when the direction is set.
-    ///   It passes until no convex piece of its body overlaps the geom any more, and moves to the last bit as if the geom were
-    ///   not there.
-    ///   What overlaps by less than contacts reach, a fiftieth of the length unit of the methods, and is above otherwise, has
-    ///   landed.
-    /// - Which it is is decided on the ways that both have gone in the step, at any speed, turning or not, whichever of them
-    ///   moves; what goes further in a step than it is thick lands as well. It is saved, and loaded.
-    /// - Where both geoms are one-way, what meets lands only if it does so on both.
-    /// - What a handler refuses has not landed: if it sinks in deeper than contacts reach, it passes through. To let
-    ///   something drop through a platform, refuse it, or part the categories of the two for as long as that takes.
-    /// - A sensor, or a geom whose collisions have no response, hears of what it overlaps however it came; rays, points and
+    /// - **What lands is held**: what is wholly above a side of the geom that looks within 60 degrees of the direction when the
+    ///   two meet, but for the reach of contacts, a fiftieth of the length unit of the methods. Each convex piece counts for
+    ///   itself; of what is round the place counts where they meet. A crate that comes with one corner beside the end of a
+    ///   platform, and below its top, does not land. What has landed is kept out by all of the geom until it has left it.
+    /// - **All else passes through** as if the geom were not there, to the last bit, and nobody is told: what comes from behind or
+    ///   from the sides, what turns back inside, and what overlaps by more than contacts reach once one of the two is put
+    ///   somewhere, they may meet again, or the direction is set. It passes until no piece of its body overlaps the geom any
+    ///   more.
+    /// - Which it is follows from the ways that both have gone in the step in which they meet: so it does not depend on how long
+    ///   steps are, nor on who of the two moves or turns. What goes further in a step than it is thick lands as well.
+    /// - Where both geoms are one-way, what lands must land on both. So a one-way geom of a body that falls falls through a floor;
+    ///   planks of a hanging bridge hold, and pass each other.
+    /// - What a handler refuses has not landed. To let something drop through a platform, refuse it or part the categories of the
+    ///   two until it has sunk in by more than contacts reach; it goes on by itself.
+    /// - A sensor, or a geom whose collisions have no response, hears of what it overlaps however that came. Rays, points and
     ///   boxes meet one-way geoms from all sides.
     ///
     /// It counts from the next update on. Only with the [precise set](crate::Methods::Precise); an engine with depth does not

@@ -78,6 +78,23 @@ fn one_that_sinks_on_what_stands_below_passes_over_it_and_does_not_wake_it() {
     }
 }
 
+#[test]
+fn one_that_rises_wakes_and_lifts_what_sleeps_on_something_else() {
+    for rate in RATES {
+        let (mut simulator, platform) = lift(v(0.0, 0.0), 0.0);
+        // A plank on two posts, one on each side of the lift.
+        for x in [-150.0, 150.0] {
+            add_floor(&mut simulator, (20.0, 20.0), v(x, -50.0));
+        }
+        let (plank, _) = add_box(&mut simulator, (320.0, 10.0), v(0.0, -65.0));
+        run_for(&mut simulator, 2.0, rate);
+        assert!(simulator.is_asleep(plank), "{rate} Hz");
+        simulator[platform].set_linear_velocity(v(0.0, -100.0));
+        run_for(&mut simulator, 1.0, rate);
+        assert_near(simulator[plank].position().y, -115.0, 0.5, &format!("the plank at {rate} Hz"));
+    }
+}
+
 /// A bar of 200 x 20 px about its middle that turns in a world without gravity, and a ball at rest in its way.
 fn turning(spin: f32, at: Vector2) -> (PhysicsSimulator, BodyId) {
     let (mut simulator, _) = lift(v(0.0, 0.0), spin);
