@@ -139,7 +139,7 @@ impl<'a> Touch<'a> {
         }
         let mut found = self.collide(pair, two, self.tuning.speculative);
         found.keep_deepest(self.most_contacts);
-        let is_open = self.pairs.all[pair].passage != Passage::Closed && self.is_open(pair, two, &found);
+        let is_open = self.proxies.one_way > 0 && self.is_open(pair, two, &found);
         if found.count == 0 {
             self.part(pair, found.gap);
         } else if is_open || self.passes_through(pair, two) {
@@ -158,9 +158,10 @@ impl<'a> Touch<'a> {
     }
 
     /// Whether one of two, of which one at least is one-way, is not kept out by the other one.
+    #[inline(never)]
     fn is_open(&mut self, pair: usize, two: Two<'a>, found: &Manifold) -> bool {
         let known = self.pairs.all[pair].passage;
-        if known == Passage::Landed {
+        if matches!(known, Passage::Closed | Passage::Landed) {
             return false;
         }
         let mut passage = self.ways().settled(pair);
@@ -282,6 +283,7 @@ impl<'a> Touch<'a> {
     }
 
     /// Velocity along the normal with which the two will come together in this step, if nothing but gravity changes it.
+    #[inline(always)]
     fn approach(&self, two: Two<'_>, normal: Vector, &[ax, ay, bx, by]: &[f32; 4]) -> f32 {
         let velocity = |proxy: &Proxy, arm: Vector| {
             let Some(hot) = self.bodies.hot.get(proxy.body as usize) else { return [0.0; 2] };
