@@ -307,10 +307,11 @@ impl Precise {
         }
     }
 
+    /// Of what has geoms: only those know whether they were moved since.
     fn save_ways(&self) -> impl Iterator<Item = (BodyId, [f32; 4])> + '_ {
         let count = if self.proxies.one_way > 0 { self.bodies.count } else { 0 };
         let ways = (1..=count).map(|number| (number, self.bodies.path[number]));
-        let ways = ways.filter(|&(_, way)| way != [0.0; 4]);
+        let ways = ways.filter(|&(number, way)| way != [0.0; 4] && self.proxies.of(number).next().is_some());
         ways.filter_map(|(number, way)| Some((self.bodies.ids[number]?, way)))
     }
 

@@ -147,7 +147,6 @@ impl Precise {
     fn take_geom(&mut self, id: GeomId, objects: &Objects) {
         let Some(entry) = objects.geoms.get(id) else { return };
         let (geom, one_way) = (&entry.geom, self.direction_of(entry));
-        let had_none = self.proxies.one_way == 0;
         let (friction, restitution) = (geom.friction_coefficient(), geom.restitution_coefficient());
         let is_heard = geom.collision_callbacks_enabled();
         self.bounces |= restitution > 0.0;
@@ -158,9 +157,6 @@ impl Precise {
             let passages = std::mem::replace(&mut proxy.one_way, one_way) != one_way;
             Renewal { moved: false, contacts: is_other || passages, callbacks, passages }
         });
-        if had_none && one_way.is_some() {
-            self.bodies.forget_ways();
-        }
     }
 
     /// The direction against which a geom holds: in three axes there is none.
@@ -254,6 +250,7 @@ impl Precise {
             || bodies.iter().any(|&body| self.is_another_kind(body, objects))
             || geoms.iter().any(|&geom| self.meets_others(geom, objects));
         let has_new_members = std::mem::take(&mut self.has_new_members);
+        let had_one_way = self.proxies.one_way > 0;
         let before = (cfg!(debug_assertions) && has_new_members).then(|| self.save());
         if has_new_members {
             self.is_stale = self.is_stale || self.loaded.is_some() || !self.follow_members(objects);
@@ -268,6 +265,9 @@ impl Precise {
         } else {
             bodies.iter().for_each(|&body| self.take_body(body, objects));
             geoms.iter().for_each(|&geom| self.take_geom(geom, objects));
+            if !had_one_way && self.proxies.one_way > 0 {
+                self.bodies.forget_ways();
+            }
         }
         bodies.clear();
         geoms.clear();
@@ -405,10 +405,6 @@ impl Precise {
         };
         let restitution = geom.geom.restitution_coefficient();
         self.bounces |= restitution > 0.0;
-        let one_way = self.direction_of(geom);
-        if one_way.is_some() && self.proxies.one_way == 0 {
-            self.bodies.forget_ways();
-        }
         Some(Proxy {
             geom: id,
             piece: piece as u32,
@@ -423,7 +419,7 @@ impl Precise {
             is_heard: geom.geom.collision_callbacks_enabled(),
             filter: filter_of(geom),
             surface_velocity: self.surface_velocity(geom.body, is_movable, &objects.bodies[geom.body].body),
-            one_way,
+            one_way: self.direction_of(geom),
         })
     }
 
