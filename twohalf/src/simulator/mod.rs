@@ -1,5 +1,6 @@
 //! The simulator: owns everything.
 
+mod crush;
 mod draw_order;
 mod fields;
 mod geoms;
@@ -11,6 +12,7 @@ mod rays;
 mod save;
 mod settings;
 mod snapshot;
+mod time;
 mod update;
 
 pub use draw_order::{DrawOrder, Drawable};

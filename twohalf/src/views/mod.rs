@@ -9,6 +9,7 @@ mod geom;
 mod ground;
 mod overlap;
 mod platform;
+mod squeeze;
 mod touching;
 mod virtual_geom;
 
@@ -20,5 +21,7 @@ pub use geom::TwoHalfGeom;
 pub use ground::GroundMut;
 pub(crate) use overlap::Placed;
 pub use platform::PlatformMut;
+pub use squeeze::Squeeze;
+pub(crate) use squeeze::squeeze;
 pub(crate) use touching::{list_touches, partner_of, touch_of};
 pub use virtual_geom::VirtualGeom;

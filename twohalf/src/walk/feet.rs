@@ -53,6 +53,10 @@ impl Feet {
         }
     }
 
+    pub(super) fn meets(&self, other: &Feet) -> bool {
+        self.left < other.right && other.left < self.right && self.meets_depth(other.front, other.back)
+    }
+
     pub(super) fn meets_depth(&self, front: f32, back: f32) -> bool {
         self.front < back && front < self.back
     }

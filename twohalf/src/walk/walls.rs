@@ -23,7 +23,7 @@ impl TwoHalfPhysicsSimulator {
                 continue;
             }
             let Some(wall) = wall_of(platform.shape(), stride) else { continue };
-            let moving = platform.velocity();
+            let moving = platform.velocity() / stride.pace;
             let (along_x, along_z) = stride.feet.ways_to(&wall);
             let x = Approach { way: (velocity.x - moving.x) * stride.dt, ends: along_x };
             let z = Approach { way: (velocity.z - moving.z) * stride.dt, ends: along_z };
@@ -85,7 +85,7 @@ impl Feet {
 }
 
 /// What of a box is between the height that can be stepped up and the head, as seen from above.
-fn wall_of(shape: &SlantedBox, stride: &Stride<'_>) -> Option<Feet> {
+pub(super) fn wall_of(shape: &SlantedBox, stride: &Stride<'_>) -> Option<Feet> {
     if shape.shear != 0.0 {
         return None;
     }
