@@ -33,6 +33,18 @@ macro_rules! define_id {
             pub fn slot(self) -> usize {
                 self.index as usize
             }
+
+            /// The whole id as a number, for what can keep nothing but numbers: the slot in the lower 32 bits, how often
+            /// that was used before in the upper ones.
+            pub fn to_bits(self) -> u64 {
+                u64::from(self.generation) << 32 | u64::from(self.index)
+            }
+
+            /// The id whose [number](Self::to_bits) this is. Any other number makes an id that names nothing, or
+            /// something else.
+            pub fn from_bits(bits: u64) -> Self {
+                $name { index: bits as u32, generation: (bits >> 32) as u32 }
+            }
         }
 
         impl $crate::storage::arena::Id for $name {

@@ -1,7 +1,7 @@
 //! Bodies.
 
+use farseer_core::math::Vector2;
 use farseer_core::{BodyFactory, BodyId, Error};
-use twohalf::Vector2;
 
 use crate::boundary::{exports, points};
 use crate::world::{Simulator, either};

@@ -10,8 +10,8 @@ use twohalf::{
 use twohalf_factories::{Ball, Figure, Prism, Spawned, Thing, spawn, spawn_lane};
 
 use crate::boundary::{Answer, Outcome, exports, leave_numbers};
-use crate::id_number::to_number;
-use crate::world::{Depth, Engine, Simulator};
+use crate::depth::Depth;
+use crate::world::{Engine, Simulator};
 
 impl Simulator {
     fn body3d<T>(
@@ -34,7 +34,7 @@ impl Simulator {
 
     fn spawn(self, thing: Thing) -> Outcome<f64> {
         let Spawned { body, geom } = self.depth(|depth| Ok(spawn(&mut depth.simulator, thing)?))?;
-        Ok(leave_numbers([to_number(body)?, to_number(geom)?]))
+        Ok(leave_numbers([body.number()?, geom.number()?]))
     }
 
     fn edit_platform<T>(
@@ -49,7 +49,7 @@ impl Simulator {
 
 fn drawable(drawable: Drawable) -> Outcome<[f64; 2]> {
     Ok(match drawable {
-        Drawable::Body(body) => [0.0, to_number(body)?],
+        Drawable::Body(body) => [0.0, body.number()?],
         Drawable::Platform(platform) => [1.0, platform.number()?],
     })
 }
@@ -323,7 +323,7 @@ exports! {
         simulator.depth(|depth| {
             let Some(hit) = depth.simulator.ray_cast3d(start, end, |_| true) else { return Ok(leave_numbers([])) };
             let partner = match hit.partner {
-                Partner::Geom(geom) => [0.0, to_number(geom)?],
+                Partner::Geom(geom) => [0.0, geom.number()?],
                 Partner::Platform(platform) => [1.0, platform.number()?],
                 Partner::Ground => [2.0, 0.0],
             };
