@@ -18,13 +18,18 @@ fn to_number(bits: u64) -> Outcome<f64> {
     }
 }
 
-fn from_number(number: f64) -> Option<u64> {
+/// No id has these bits.
+const NONE: u64 = u64::MAX;
+
+/// The bits of the id that a number stands for, or none.
+#[inline(never)]
+fn from_number(number: f64) -> u64 {
     if !(0.0..SLOTS * f64::from(GENERATIONS)).contains(&number) {
-        return None;
+        return NONE;
     }
     let generation = (number / SLOTS).floor();
     let slot = (number - generation * SLOTS) as u32;
-    Some(u64::from(generation as u32) << 32 | u64::from(slot))
+    u64::from(generation as u32) << 32 | u64::from(slot)
 }
 
 macro_rules! numbered {
@@ -32,8 +37,10 @@ macro_rules! numbered {
         impl Argument for $id {
             const REQUIREMENT: &'static str = "an id";
 
+            #[inline]
             fn read(number: f64) -> Option<Self> {
-                from_number(number).map(Self::from_bits)
+                let bits = from_number(number);
+                (bits != NONE).then(|| Self::from_bits(bits))
             }
         }
 

@@ -96,26 +96,38 @@ impl Simulator {
     }
 
     pub(crate) fn body<T>(self, body: BodyId, look: impl FnOnce(&Body) -> T) -> Outcome<T> {
-        let stale = Error::StaleId { argument: "body" };
-        self.with(|world| Ok(look(world.engine.core().body(body).ok_or(stale)?)))
+        self.with(|world| match world.engine.core().body(body) {
+            Some(body) => Ok(look(body)),
+            None => Err(stale("body")),
+        })
     }
 
     pub(crate) fn edit_body<T>(self, body: BodyId, edit: impl FnOnce(&mut Body) -> T) -> Outcome<T> {
-        let stale = Error::StaleId { argument: "body" };
         self.with(|world| match &mut world.engine {
-            Engine::Plane(simulator) => Ok(edit(simulator.body_mut(body).ok_or(stale)?)),
+            Engine::Plane(simulator) => match simulator.body_mut(body) {
+                Some(body) => Ok(edit(body)),
+                None => Err(stale("body")),
+            },
             #[cfg(feature = "depth")]
-            Engine::Depth(depth) => Ok(edit(depth.simulator.body_mut(body).ok_or(stale)?.core_mut())),
+            Engine::Depth(depth) => match depth.simulator.body_mut(body) {
+                Some(mut body) => Ok(edit(body.core_mut())),
+                None => Err(stale("body")),
+            },
         })
     }
 
     pub(crate) fn geom<T>(self, geom: GeomId, look: impl FnOnce(GeomRef<'_>) -> T) -> Outcome<T> {
-        let stale = Error::StaleId { argument: "geom" };
-        self.with(|world| Ok(look(world.engine.core().geom(geom).ok_or(stale)?)))
+        self.with(|world| match world.engine.core().geom(geom) {
+            Some(geom) => Ok(look(geom)),
+            None => Err(stale("geom")),
+        })
     }
 
     pub(crate) fn edit_geom<T>(self, geom: GeomId, edit: impl FnOnce(&mut Geom) -> T) -> Outcome<T> {
-        self.with(|world| Ok(edit(world.engine.geom_mut(geom)?)))
+        self.with(|world| match world.engine.geom_mut(geom) {
+            Some(geom) => Ok(edit(geom)),
+            None => Err(stale("geom")),
+        })
     }
 
     pub(crate) fn plane<T>(self, act: impl FnOnce(&mut PhysicsSimulator) -> Outcome<T>) -> Outcome<T> {
@@ -145,11 +157,21 @@ macro_rules! either {
 }
 pub(crate) use either;
 
+/// An id of something that was disposed.
+#[cold]
+#[inline(never)]
+pub(crate) fn stale(argument: &'static str) -> Failure {
+    Error::StaleId { argument }.into()
+}
+
+#[cold]
+#[inline(never)]
 fn no_simulator() -> Failure {
     Failure("the simulator was freed".to_owned())
 }
 
 impl Engine {
+    #[inline(never)]
     pub(crate) fn core(&self) -> &PhysicsSimulator {
         match self {
             Engine::Plane(simulator) => simulator,
@@ -167,13 +189,12 @@ impl Engine {
     }
 
     #[inline(never)]
-    fn geom_mut(&mut self, geom: GeomId) -> Outcome<&mut Geom> {
-        let geom = match self {
+    fn geom_mut(&mut self, geom: GeomId) -> Option<&mut Geom> {
+        match self {
             Engine::Plane(simulator) => simulator.geom_mut(geom),
             #[cfg(feature = "depth")]
             Engine::Depth(depth) => depth.simulator.geom_mut(geom),
-        };
-        Ok(geom.ok_or(Error::StaleId { argument: "geom" })?)
+        }
     }
 
     /// That of the engine itself in 2D; in 2.5D with the figures that walk.
