@@ -35,7 +35,10 @@ impl Depth {
     pub(crate) fn restore(&mut self, snapshot: &[u8]) -> Outcome {
         let (walkers, snapshot): (Vec<(BodyId, Walker)>, Vec<u8>) = WITH_WALKERS.read(snapshot)?;
         self.simulator.restore(&snapshot)?;
-        self.walkers = walkers.into_iter().collect();
+        self.walkers.clear();
+        walkers.into_iter().for_each(|(body, walker)| {
+            self.walkers.insert(body, walker);
+        });
         Ok(())
     }
 

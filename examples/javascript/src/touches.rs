@@ -150,16 +150,21 @@ impl Log {
 }
 
 fn touching_now(engine: &Engine) -> BTreeSet<Touch> {
+    let mut now = BTreeSet::new();
+    let mut note = |touch| {
+        now.insert(touch);
+    };
     match engine {
         Engine::Plane(simulator) => {
             let touching = simulator.arbiters().filter(|arbiter| arbiter.contacts().len() > 0);
-            touching.map(|arbiter| ordered(arbiter.geom_a(), Partner::Geom(arbiter.geom_b()))).collect()
+            touching.for_each(|arbiter| note(ordered(arbiter.geom_a(), Partner::Geom(arbiter.geom_b()))));
         }
         #[cfg(feature = "depth")]
         Engine::Depth(depth) => {
-            depth.simulator.contacts().map(|contact| ordered(contact.this, contact.partner)).collect()
+            depth.simulator.contacts().for_each(|contact| note(ordered(contact.this, contact.partner)));
         }
     }
+    now
 }
 
 #[cfg(test)]

@@ -16,6 +16,7 @@ use super::tuning::Step;
 use crate::geom::GeomId;
 use crate::math::plane::{Pose, Vector, difference, dot, length, place, rotation, scaled, sum, turn};
 use crate::math::scalar;
+use crate::storage::order::{joined, sort_by_number};
 
 /// How far a body may be in something, and how exactly that is found, as parts of the reach of contacts.
 const DEEP: f32 = 0.5;
@@ -333,7 +334,7 @@ impl Precise {
                 }
             }
         }
-        self.flown.sort_unstable();
+        sort_by_number(&mut self.flown, |geoms| joined(geoms.map(|(number, _)| number)));
         self.flown.dedup();
     }
 

@@ -17,6 +17,7 @@ use crate::geom::GeomId;
 use crate::geom::surface::FrictionType;
 use crate::methods::Methods;
 use crate::objects::Objects;
+use crate::storage::order::sort_by_number;
 
 /// The state of the precise set.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -428,7 +429,7 @@ impl Precise {
         }
         edited.into_iter().for_each(|proxy| self.look_again(proxy));
         // Only the order of rows in the last colour matters.
-        rows.sort_by_key(|(_, row): &(usize, SavedRow)| row.slot);
+        sort_by_number(&mut rows, |(_, row): &(usize, SavedRow)| row.slot.into());
         for (pair, row) in rows {
             let surface = row.kept.or(row.surface);
             if let Some([_, restitution, _]) = surface {

@@ -18,6 +18,7 @@ use crate::geom::GeomId;
 use crate::math::Vector2;
 use crate::objects::Objects;
 use crate::report::{Event, Report};
+use crate::storage::order::sort_by_number;
 
 /// Coordinates end where this many times them are not finite any more.
 const FAR: f32 = 1e8;
@@ -69,9 +70,7 @@ impl Precise {
             self.pairs.partners(proxy).for_each(|partner| known[partner as usize] = false);
         }
         self.known = known;
-        let all = &self.proxies.all;
-        let key = |pair: &[u32; 2]| pair.map(|proxy| (all[proxy as usize].number, all[proxy as usize].piece));
-        found.sort_unstable_by_key(key);
+        sort_by_number(&mut found, |&pair| self.proxies.creation_numbers(pair));
         found.dedup();
         self.found = found;
         self.found.len()
@@ -84,9 +83,9 @@ impl Precise {
             lost.extend(self.pairs.of(proxy).filter(has_parted).map(|pair| pair as u32));
         }
         // From the last one on, so that numbers stay what they are.
-        lost.sort_unstable_by(|a, b| b.cmp(a));
+        lost.sort_unstable();
         lost.dedup();
-        for pair in lost.drain(..) {
+        for pair in lost.drain(..).rev() {
             self.touch().remove_pair(pair as usize);
         }
         self.lost = lost;

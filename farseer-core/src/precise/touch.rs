@@ -68,7 +68,7 @@ pub(crate) struct Looks {
 }
 
 /// Two geoms begin or cease to touch with one of their pieces, that with the smaller creation number first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Change {
     pub(super) numbers: (u32, u32),
     pub(super) begins: bool,

@@ -2,6 +2,7 @@
 
 use std::marker::PhantomData;
 
+use crate::storage::order::joined;
 use crate::storage::reusing_clone::reusing_clone;
 use serde::{Deserialize, Serialize};
 
@@ -10,6 +11,11 @@ pub(crate) trait Id: Copy + std::fmt::Debug {
     fn new(index: u32, generation: u32) -> Self;
     fn index(self) -> usize;
     fn generation(self) -> u32;
+
+    /// A number that has the order of ids.
+    fn rank(self) -> u128 {
+        joined([self.index() as u32, self.generation()])
+    }
 }
 
 /// What indexing by the id of something that is gone comes to.
