@@ -212,7 +212,7 @@ impl Precise {
         self.widen(proxy);
         let bounds = both(&self.proxies.bounds[proxy as usize], swept);
         self.proxies.bounds[proxy as usize] = bounds;
-        if let Some(space) = &mut self.space {
+        if let Some(space) = self.space.as_deref_mut() {
             space.set_depths(proxy, space.depths(proxy as usize).with(depths));
             self.grid.set(proxy, &space.cells(proxy, &bounds));
         }

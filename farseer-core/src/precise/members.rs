@@ -118,7 +118,7 @@ impl Precise {
             if piece == 0 {
                 set(&mut self.first_proxies, id.slot(), place as u32);
             }
-            if let Some(space) = &mut self.space {
+            if let Some(space) = self.space.as_deref_mut() {
                 space.add_proxy(place, id);
             }
             let count = self.proxies.all.len();

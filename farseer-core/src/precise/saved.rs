@@ -10,6 +10,7 @@ use super::pairs::{BY_ROW, Frozen, FrozenInSpace};
 use super::proxies::{Mobility, Proxy};
 use super::rows::{Home, Kind, Lane, SpaceLane};
 use super::sleep::KnownJoint;
+use super::space::Held;
 use super::space::parts::Depths;
 use super::tuning::Tuning;
 use crate::body::BodyId;
@@ -148,7 +149,7 @@ impl From<Saved> for Precise {
             dt: saved.dt,
             friction: saved.friction,
             most_contacts: saved.most_contacts,
-            space: saved.is_in_space.then(Box::default),
+            space: saved.is_in_space.then(Held::new).flatten(),
             loaded: Some(saved.clone()),
             ..Precise::new(saved.tuning.unit)
         }
@@ -236,7 +237,10 @@ impl Precise {
     /// Whether what was loaded can be used, and is of these methods.
     pub(crate) fn is_valid(&self, methods: Methods) -> bool {
         matches!(methods, Methods::Precise { length_unit } if length_unit == self.tuning.unit)
-            && self.loaded.as_ref().is_none_or(Saved::is_valid)
+            && self
+                .loaded
+                .as_ref()
+                .is_none_or(|saved| saved.is_valid() && saved.is_in_space == self.space.is_some())
     }
 
     /// Lists what was loaded, for those who ask what touches before the next update. What was edited before the save counts

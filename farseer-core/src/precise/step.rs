@@ -336,7 +336,7 @@ impl Precise {
             (self.bodies.hot[number].velocity, self.bodies.path[number]) =
                 (self.bodies.before[number], [0.0; 4]);
             let Some(body) = self.bodies.ids[number] else { continue };
-            if let Some(space) = &mut self.space {
+            if let Some(space) = self.space.as_deref_mut() {
                 space.stop_spinning(number);
                 space.body_mut(body).target = None;
             }
@@ -527,7 +527,7 @@ impl Precise {
     pub(super) fn widen(&mut self, proxy: u32) {
         let bounds = self.proxies.widened(proxy as usize, &self.bodies, &self.tuning, self.dt);
         self.proxies.bounds[proxy as usize] = bounds;
-        let Some(space) = &mut self.space else { return self.grid.set(proxy, &bounds) };
+        let Some(space) = self.space.as_deref_mut() else { return self.grid.set(proxy, &bounds) };
         if proxy == space.ground {
             self.proxies.bounds[proxy as usize] = BELOW;
         }

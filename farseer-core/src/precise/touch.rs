@@ -12,7 +12,7 @@ use super::pairs::{BY_ROW, Frozen, FrozenInSpace, Pairs};
 use super::proxies::{Mobility, Proxies, Proxy};
 use super::rows::{Aside, Home, Kind, Lane, Palette, PointLane, Rows, SpaceLane};
 use super::sleep::Sleep;
-use super::space::{Before, Space, lands_on, tangents};
+use super::space::{Before, Held, Space, lands_on, tangents};
 use super::tuning::Tuning;
 use crate::geom::GeomId;
 use crate::geom::surface::{FrictionType, mix_restitution};
@@ -46,7 +46,7 @@ pub(super) struct Touch<'a> {
     pub(super) palette: &'a mut Palette,
     pub(super) sleep: &'a mut Sleep,
     pub(super) direct: &'a mut Direct,
-    pub(super) space: Option<&'a Space>,
+    pub(super) space: Option<Held<&'a Space>>,
     pub(super) tuning: &'a Tuning,
     pub(super) friction: FrictionType,
     /// Contacts of two pieces, at most.
@@ -488,7 +488,7 @@ impl<'a> Touch<'a> {
             points,
             space: SpaceLane::default(),
         };
-        match self.space {
+        match &self.space {
             None => lane,
             Some(space) => self.lane_in_space(space, pair, two, lane),
         }

@@ -124,7 +124,7 @@ impl Precise {
             let in_depth = self.space.as_ref().map_or(0.0, |space| (space.acceleration(id) - z).abs());
             if in_depth > slack || !entry.body.bears([x, y, turning], reach, slack - in_depth) {
                 self.sleep.note_waking(body);
-            } else if let Some(space) = &mut self.space {
+            } else if let Some(space) = self.space.as_deref_mut() {
                 space.forget_acceleration(id);
             }
         }
