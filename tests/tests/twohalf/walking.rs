@@ -52,7 +52,7 @@ impl Stage {
         let place = Vector3::from(place);
         let made = Platform::with_rotation(&mut self.simulator, width, height, depth, place, rotation, None)
             .unwrap();
-        self.simulator.platform_mut(made).unwrap().settings_mut().set_friction_coefficient(0.5);
+        self.simulator.platform_mut(made).unwrap().set_friction_coefficient(0.5);
         made
     }
 

@@ -4,8 +4,8 @@ use farseer_core::math::vector2::transform;
 use farseer_core::{Body, Geom};
 
 use super::feet::Feet;
-use crate::shapes::SlantedBox;
-use crate::tell::to_world;
+use crate::projection::to_world;
+use crate::shapes::{SlantedBox, Top};
 use crate::{BodyId, DepthProfile, GeomId, Partner, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
 /// Ends of what is looked at are taken as far inside as this, px, where rounding cannot put them outside.
@@ -17,16 +17,6 @@ pub(super) struct Floor {
     pub(super) height: f32,
     /// The upward part of its normal.
     pub(super) up: f32,
-}
-
-/// An edge of a prism that looks up.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Top {
-    geom: GeomId,
-    front: f32,
-    back: f32,
-    /// Y down, from right to left.
-    edge: [Vector2; 2],
 }
 
 /// Which floors can be reached: no higher than `highest`, no steeper than `least_up`, and not one of them.
@@ -92,7 +82,7 @@ impl TwoHalfPhysicsSimulator {
             else {
                 continue;
             };
-            let (z, half) = (self.world.z_of(view.body()), profile.half_depth());
+            let (z, half) = (self.world.depths.z_of(view.body()), profile.half_depth());
             if matches!(profile, DepthProfile::Round { .. }) || !around.meets_depth(z - half, z + half) {
                 continue;
             }
@@ -126,7 +116,7 @@ impl TwoHalfPhysicsSimulator {
 
 /// The other side of a touch of a body.
 pub(super) fn partner_of(touch: &farseer_core::SpaceTouch, geom: GeomId) -> Option<Partner> {
-    let partner = crate::precise::partner_of(touch.partner);
+    let partner = crate::views::partner_of(touch.partner);
     match partner {
         Partner::Geom(other) if other == geom => Some(Partner::Geom(touch.this)),
         _ if touch.this == geom => Some(partner),
@@ -136,8 +126,8 @@ pub(super) fn partner_of(touch: &farseer_core::SpaceTouch, geom: GeomId) -> Opti
 
 /// Whether a platform can hold a geom, up or back.
 pub(super) fn holds(platform: &Platform, geom: Option<&Geom>) -> bool {
-    let settings = platform.settings();
-    settings.collision_response_enabled() && geom.is_some_and(|geom| settings.may_collide_with(geom))
+    platform.collision_response_enabled()
+        && geom.is_some_and(|geom| platform.filter().may_meet(&geom.filter()))
 }
 
 /// Floors that are prisms, once for each of their edges.

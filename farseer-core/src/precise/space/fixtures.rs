@@ -6,6 +6,7 @@
 use super::Space;
 use super::parts::{Fixture, FixtureMotion, fixture_id, ground_id, is_geom, number_of};
 use crate::geom::GeomId;
+use crate::geom::surface::SurfaceCoefficients;
 use crate::math::Vector3;
 use crate::math::plane::Pose;
 use crate::precise::Precise;
@@ -169,7 +170,7 @@ impl Precise {
         let space = &mut **space;
         space.fixture_proxies.resize(space.fixtures.len(), 0);
         for (place, (fixture, &number)) in space.fixtures.iter().zip(&space.numbers).enumerate() {
-            let Fixture { shape, settings, surface_velocity: [vx, vy, vz], motion, .. } = fixture;
+            let Fixture { shape, filter, surface, surface_velocity: [vx, vy, vz], motion, .. } = fixture;
             if motion.is_some() != (mobility == Mobility::Kinematic) {
                 continue;
             }
@@ -177,16 +178,16 @@ impl Precise {
             // Sheared, it reaches further along x: its bounds and what is near are those of the widest box.
             let lean = (shape.shear * depth).abs();
             let shape = proxies.corners.add_box([x, y]).leaning(lean);
-            let restitution = settings.restitution_coefficient();
+            let SurfaceCoefficients { friction, restitution } = *surface;
             *bounces |= restitution > 0.0;
             space.fixture_proxies[place] = proxies.all.len() as u32;
             proxies.push(Proxy {
                 place: place as u32,
                 mobility,
                 shape,
-                friction: settings.friction_coefficient(),
+                friction,
                 restitution,
-                responds: settings.collision_response_enabled(),
+                responds: filter.responds,
                 surface_velocity: [*vx, *vy, 0.0, *vz],
                 ..proxy_for(fixture_id(fixture), number as usize)
             });

@@ -3,7 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use crate::body::BodyId;
-use crate::geom::{Geom, GeomId};
+use crate::geom::GeomId;
+use crate::geom::filter::CollisionFilter;
+use crate::geom::surface::SurfaceCoefficients;
 use crate::math::Vector2;
 use crate::shape::SlantedBox;
 use crate::storage::arena::Id;
@@ -54,8 +56,10 @@ pub struct Fixture {
     pub shape: SlantedBox,
     /// Its tilt in the plane, in rad.
     pub rotation: f32,
-    /// Whom it may meet, and how.
-    pub settings: Geom,
+    /// Whom it may meet.
+    pub filter: CollisionFilter,
+    /// How it rubs and bounces.
+    pub surface: SurfaceCoefficients,
     /// Speed of its surface along x, y and z, beside that of its own motion: a belt.
     pub surface_velocity: [f32; 3],
     /// How it moves, if it does not stand still.
