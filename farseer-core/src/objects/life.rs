@@ -10,7 +10,9 @@ use crate::body::nobody::check_bodies;
 use crate::geom::GeomId;
 use crate::object_id::ObjectId;
 use crate::report::Notice;
+use crate::storage::arena::Id as _;
 use crate::storage::collection::Life;
+use crate::storage::order::sort_by_number;
 
 /// What a game asks for: it happens with the next update.
 impl Objects {
@@ -214,7 +216,7 @@ impl Objects {
         let mut owners: Vec<BodyId> =
             self.geoms.free_disposed().into_iter().map(|geom| geom.body).filter(has_geoms).collect();
         // They may have been attached to other bodies after they were disposed.
-        owners.sort_unstable();
+        sort_by_number(&mut owners, |owner| owner.rank());
         owners.dedup();
         for body in owners {
             self.bodies[body].geoms.retain(|&geom| self.geoms.contains(geom));

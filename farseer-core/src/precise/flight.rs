@@ -17,6 +17,7 @@ use super::tuning::Step;
 use crate::geom::GeomId;
 use crate::math::plane::{Pose, Vector, difference, dot, length, place, rotation, scaled, sum, turn};
 use crate::math::scalar;
+use crate::storage::order::{joined, sort_by_number};
 
 /// How far a body may be in something, and how exactly that is found, as parts of the reach of contacts.
 const DEEP: f32 = 0.5;
@@ -212,7 +213,7 @@ impl Precise {
         self.widen(proxy);
         let bounds = both(&self.proxies.bounds[proxy as usize], swept);
         self.proxies.bounds[proxy as usize] = bounds;
-        if let Some(space) = &mut self.space {
+        if let Some(space) = self.space.as_deref_mut() {
             space.set_depths(proxy, space.depths(proxy as usize).with(depths));
             self.grid.set(proxy, &space.cells(proxy, &bounds));
         }
@@ -350,7 +351,7 @@ impl Precise {
                 }
             }
         }
-        self.flown.sort_unstable();
+        sort_by_number(&mut self.flown, |geoms| joined(geoms.map(|(number, _)| number)));
         self.flown.dedup();
     }
 

@@ -11,6 +11,7 @@ use crate::geom::GeomId;
 use crate::geom::entry::GeomEntry;
 use crate::math::plane::{Vector, rotation, turn};
 use crate::storage::arena::Id;
+use crate::storage::order::joined;
 use crate::storage::reusing_clone::reusing_clone;
 
 /// Beyond this coordinate squares of distances end, and nothing meets anything.
@@ -119,6 +120,12 @@ pub(super) struct Proxies {
 reusing_clone! { Proxies { all, movable, first_fixed, live, one_way, corners, boxes, bounds, motion, escaped, heads, next } }
 
 impl Proxies {
+    /// The creation numbers of two, as a number to [sort](sort_by_number) by.
+    pub(super) fn creation_numbers(&self, proxies: [u32; 2]) -> u128 {
+        let [a, b] = proxies.map(|proxy| &self.all[proxy as usize]);
+        joined([a.number, a.piece, b.number, b.piece])
+    }
+
     pub(super) fn clear(&mut self) {
         self.all.clear();
         (self.live, self.one_way) = (0, 0);

@@ -11,6 +11,7 @@ use super::pairs::{BY_ROW, Frozen, FrozenInSpace};
 use super::proxies::{Mobility, Proxy};
 use super::rows::{Home, Kind, Lane, SpaceLane};
 use super::sleep::KnownJoint;
+use super::space::Held;
 use super::space::parts::Depths;
 use super::tuning::Tuning;
 use crate::body::BodyId;
@@ -19,6 +20,7 @@ use crate::geom::surface::FrictionType;
 use crate::math::plane::Vector;
 use crate::methods::Methods;
 use crate::objects::Objects;
+use crate::storage::order::sort_by_number;
 
 /// The state of the precise set.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -154,7 +156,7 @@ impl From<Saved> for Precise {
             dt: saved.dt,
             friction: saved.friction,
             most_contacts: saved.most_contacts,
-            space: saved.is_in_space.then(Box::default),
+            space: saved.is_in_space.then(Held::new).flatten(),
             loaded: Some(saved.clone()),
             ..Precise::new(saved.tuning.unit)
         }
@@ -247,7 +249,10 @@ impl Precise {
     /// Whether what was loaded can be used, and is of these methods.
     pub(crate) fn is_valid(&self, methods: Methods) -> bool {
         matches!(methods, Methods::Precise { length_unit } if length_unit == self.tuning.unit)
-            && self.loaded.as_ref().is_none_or(Saved::is_valid)
+            && self
+                .loaded
+                .as_ref()
+                .is_none_or(|saved| saved.is_valid() && saved.is_in_space == self.space.is_some())
     }
 
     /// Lists what was loaded, for those who ask what touches before the next update. What was edited before the save counts
@@ -453,7 +458,7 @@ impl Precise {
         self.renew_turned(saved, &places);
         edited.into_iter().for_each(|proxy| self.look_again(proxy));
         // Only the order of rows in the last colour matters.
-        rows.sort_by_key(|(_, row): &(usize, SavedRow)| row.slot);
+        sort_by_number(&mut rows, |(_, row): &(usize, SavedRow)| row.slot.into());
         for (pair, row) in rows {
             let surface = row.kept.or(row.surface);
             if let Some([_, restitution, _]) = surface {

@@ -19,6 +19,7 @@ use crate::geom::GeomId;
 use crate::math::Vector2;
 use crate::objects::Objects;
 use crate::report::{Event, Report};
+use crate::storage::order::sort_by_number;
 
 /// Coordinates end where this many times them are not finite any more.
 const FAR: f32 = 1e8;
@@ -70,9 +71,7 @@ impl Precise {
             self.pairs.partners(proxy).for_each(|partner| known[partner as usize] = false);
         }
         self.known = known;
-        let all = &self.proxies.all;
-        let key = |pair: &[u32; 2]| pair.map(|proxy| (all[proxy as usize].number, all[proxy as usize].piece));
-        found.sort_unstable_by_key(key);
+        sort_by_number(&mut found, |&pair| self.proxies.creation_numbers(pair));
         found.dedup();
         self.found = found;
         self.found.len()
@@ -85,9 +84,9 @@ impl Precise {
             lost.extend(self.pairs.of(proxy).filter(has_parted).map(|pair| pair as u32));
         }
         // From the last one on, so that numbers stay what they are.
-        lost.sort_unstable_by(|a, b| b.cmp(a));
+        lost.sort_unstable();
         lost.dedup();
-        for pair in lost.drain(..) {
+        for pair in lost.drain(..).rev() {
             self.touch().remove_pair(pair as usize);
         }
         self.lost = lost;
@@ -353,7 +352,7 @@ impl Precise {
             (self.bodies.hot[number].velocity, self.bodies.path[number]) =
                 (self.bodies.before[number], [0.0; 4]);
             let Some(body) = self.bodies.ids[number] else { continue };
-            if let Some(space) = &mut self.space {
+            if let Some(space) = self.space.as_deref_mut() {
                 space.stop_spinning(number);
                 space.body_mut(body).target = None;
             }
@@ -547,7 +546,7 @@ impl Precise {
         let by = self.tuning.widening(shape.reach, self.dt, is_alone);
         let bounds = self.proxies.widened(proxy as usize, &self.bodies, &self.tuning, by);
         self.proxies.bounds[proxy as usize] = bounds;
-        let Some(space) = &mut self.space else { return self.grid.set(proxy, &bounds) };
+        let Some(space) = self.space.as_deref_mut() else { return self.grid.set(proxy, &bounds) };
         if proxy == space.ground {
             self.proxies.bounds[proxy as usize] = BELOW;
         }

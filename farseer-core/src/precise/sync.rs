@@ -128,7 +128,7 @@ impl Precise {
         let Precise { bodies, proxies, .. } = self;
         let shapes = proxies.of(number).map(|proxy| proxies.all[proxy as usize].shape);
         bodies.measure(number, shapes.map(|shape| (shape, proxies.corners.core(shape))));
-        if let Some(space) = &mut self.space {
+        if let Some(space) = self.space.as_deref_mut() {
             space.measure_ball(number, &self.proxies);
         }
         self.measure_ring(number, objects);
@@ -459,7 +459,7 @@ impl Precise {
     /// Bounds as they were.
     pub(super) fn enter_with(&mut self, proxy: u32, bounds: Box2, depths: Depths) {
         self.proxies.bounds[proxy as usize] = bounds;
-        let Some(space) = &mut self.space else { return self.grid.set(proxy, &bounds) };
+        let Some(space) = self.space.as_deref_mut() else { return self.grid.set(proxy, &bounds) };
         space.set_depths(proxy, depths);
         if space.is_in_grid(proxy) {
             self.grid.set(proxy, &space.cells(proxy, &bounds));

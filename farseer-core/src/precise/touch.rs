@@ -13,7 +13,7 @@ use super::pairs::{BY_ROW, Frozen, FrozenInSpace, Pairs};
 use super::proxies::{Mobility, Proxies, Proxy};
 use super::rows::{Aside, Home, Kind, Lane, Palette, PointLane, Rows, SpaceLane};
 use super::sleep::Sleep;
-use super::space::{Before, Space, lands_on, tangents};
+use super::space::{Before, Held, Space, lands_on, tangents};
 use super::tuning::Tuning;
 use crate::geom::GeomId;
 use crate::geom::surface::{FrictionType, mix_restitution};
@@ -47,7 +47,7 @@ pub(super) struct Touch<'a> {
     pub(super) palette: &'a mut Palette,
     pub(super) sleep: &'a mut Sleep,
     pub(super) direct: &'a mut Direct,
-    pub(super) space: Option<&'a Space>,
+    pub(super) space: Option<Held<&'a Space>>,
     pub(super) tuning: &'a Tuning,
     pub(super) friction: FrictionType,
     /// Contacts of two pieces, at most.
@@ -69,7 +69,7 @@ pub(crate) struct Looks {
 }
 
 /// Two geoms begin or cease to touch with one of their pieces, that with the smaller creation number first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Change {
     pub(super) numbers: (u32, u32),
     pub(super) begins: bool,
@@ -529,7 +529,7 @@ impl<'a> Touch<'a> {
             points,
             space: SpaceLane::default(),
         };
-        match self.space {
+        match &self.space {
             None => lane,
             Some(space) => self.lane_in_space(space, pair, two, lane),
         }
