@@ -164,6 +164,23 @@ fn going_back_to_a_settled_scene_by_clone_from_allocates_nothing() {
 }
 
 #[test]
+fn what_stands_on_a_one_way_geom_and_what_is_in_it_allocate_nothing() {
+    let mut simulator = simulator_with(300.0, Methods::PRECISE);
+    simulator.set_sleep_enabled(false);
+    let (_, platform) = add_floor(&mut simulator, (400.0, 40.0), v(0.0, 0.0));
+    simulator.set_one_way(platform, Some(v(0.0, -1.0))).unwrap();
+    for at in 0..5 {
+        add_box(&mut simulator, (20.0, 20.0), v(at as f32 * 30.0, -30.0));
+        let (inside, _) = add_circle(&mut simulator, 10.0, 12, v(at as f32 * 30.0, -15.0));
+        simulator[inside].set_ignore_gravity(true);
+        simulator[inside].set_linear_velocity(v(3.0, 0.0));
+    }
+    (0..60).for_each(|_| simulator.update(0.01));
+    assert_eq!((0..300).map(|_| calls(|| simulator.update(0.01))).sum::<usize>(), 0);
+    assert!(simulator.arbiter_count() >= 5);
+}
+
+#[test]
 fn a_bridge_with_the_precise_set_allocates_nothing() {
     let mut simulator = PhysicsSimulator::new(v(0.0, 300.0)).unwrap();
     simulator.set_methods(Methods::PRECISE).unwrap();

@@ -2,23 +2,30 @@
 
 use super::tell::Handler;
 use super::{EventHandler, PhysicsSimulator};
-use crate::Result;
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::math::{Vector2, Vector3};
 use crate::methods::Methods;
+use crate::precise::space::IS_THERE;
 use crate::precise::space::parts::{
     Fixture, FixtureMotion, SpaceBody, SpaceChange, SpaceProfile, SpaceTouch,
 };
 use crate::report::Stopwatch;
+use crate::{Error, Result};
 
 #[doc(hidden)]
 impl PhysicsSimulator {
     /// The precise set in three axes, whatever was chosen before.
     ///
     /// # Errors
-    /// As [`set_methods`](Self::set_methods) with [`Methods::Precise`].
+    /// As [`set_methods`](Self::set_methods) with [`Methods::Precise`]; [`Error::NotSupported`] without the feature `space`.
     pub fn enter_space(&mut self, length_unit: f32) -> Result<()> {
+        if !IS_THERE {
+            return Err(Error::NotSupported {
+                what: "depth axis: the feature `space` is off",
+                methods: "precise",
+            });
+        }
         self.set_methods(Methods::Precise { length_unit })?;
         if let Some(precise) = self.pipeline.precise.as_mut().filter(|precise| !precise.is_in_space()) {
             precise.enter_space();
