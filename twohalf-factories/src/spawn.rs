@@ -1,7 +1,7 @@
 //! Things of a game in one call: body, geom, depth, both frictions, what rests on the ground, and where.
 
 use twohalf::farseer_core::Error;
-use twohalf::{BodyId, DepthProfile, GeomId, Result, TextureId, TwoHalfPhysicsSimulator, Vector3};
+use twohalf::{BodyId, DepthProfile, Footprint, GeomId, Result, TextureId, TwoHalfPhysicsSimulator, Vector3};
 
 use crate::{TwoHalfBodyFactory, TwoHalfGeomFactory};
 
@@ -23,6 +23,7 @@ pub struct Spawned {
 enum Shape {
     Box { size: [f32; 3] },
     Ball { radius: f32 },
+    Upright(DepthProfile),
 }
 
 /// What [`spawn`] makes. [`Prism`], [`Ball`] and [`Figure`] begin one.
@@ -38,9 +39,17 @@ pub struct Thing {
     shadow: Option<TextureId>,
 }
 
-/// A box.
+/// A box, or a prism on end.
 #[derive(Debug, Clone, Copy)]
 pub struct Prism;
+
+/// A cylinder on end.
+#[derive(Debug, Clone, Copy)]
+pub struct Cylinder;
+
+/// A capsule on end.
+#[derive(Debug, Clone, Copy)]
+pub struct Capsule;
 
 /// A ball, which rolls in all directions.
 #[derive(Debug, Clone, Copy)]
@@ -55,6 +64,30 @@ impl Prism {
     #[expect(clippy::new_ret_no_self, reason = "all things are told the same")]
     pub fn new(size: [f32; 3]) -> Thing {
         Thing::of(Shape::Box { size })
+    }
+
+    /// A prism on end: a footprint and a height in px, of mass 1, friction 0.4, without bounce. It
+    /// [stays upright](DepthProfile::Upright).
+    pub fn footprint(footprint: Footprint, height: f32) -> Thing {
+        Thing::of(Shape::Upright(DepthProfile::Upright { footprint, height }))
+    }
+}
+
+impl Cylinder {
+    /// A cylinder on end: a radius and a height in px, of mass 1, friction 0.4, without bounce. It
+    /// [stays upright](DepthProfile::Cylinder).
+    #[expect(clippy::new_ret_no_self, reason = "all things are told the same")]
+    pub fn new(radius: f32, height: f32) -> Thing {
+        Thing::of(Shape::Upright(DepthProfile::Cylinder { radius, height }))
+    }
+}
+
+impl Capsule {
+    /// A capsule on end: a radius, and a height in px that is at least twice that, of mass 1, friction 0.4, without bounce. It
+    /// [stays upright](DepthProfile::Capsule).
+    #[expect(clippy::new_ret_no_self, reason = "all things are told the same")]
+    pub fn new(radius: f32, height: f32) -> Thing {
+        Thing::of(Shape::Upright(DepthProfile::Capsule { radius, height }))
     }
 }
 
@@ -140,6 +173,11 @@ impl Thing {
                 positive("depth", depth)?;
             }
             Shape::Ball { radius } => positive("radius", radius)?,
+            Shape::Upright(profile) => {
+                let [width, height] = front_of(profile);
+                positive("radius", width)?;
+                positive("height", height)?;
+            }
         }
         positive("mass", self.mass)?;
         finite("friction", self.friction)?;
@@ -154,6 +192,10 @@ impl Thing {
                 TwoHalfBodyFactory::create_rectangle_body(simulator, width, height, self.mass)
             }
             Shape::Ball { radius } => TwoHalfBodyFactory::create_circle_body(simulator, radius, self.mass),
+            Shape::Upright(profile) => {
+                let [width, height] = front_of(profile);
+                TwoHalfBodyFactory::create_rectangle_body(simulator, width, height, self.mass)
+            }
         }
     }
 
@@ -161,7 +203,7 @@ impl Thing {
         match self.shape {
             _ if self.is_upright => Some(NEVER_TURNS),
             Shape::Ball { radius } => Some(0.4 * self.mass * radius * radius),
-            Shape::Box { .. } => None,
+            Shape::Box { .. } | Shape::Upright(_) => None,
         }
     }
 
@@ -174,6 +216,12 @@ impl Thing {
             }
             Shape::Ball { radius } => {
                 TwoHalfGeomFactory::create_circle_geom(simulator, body, radius, CORNERS)
+            }
+            Shape::Upright(profile) => {
+                let [width, height] = front_of(profile);
+                let geom = TwoHalfGeomFactory::create_rectangle_geom(simulator, body, width, height)?;
+                simulator.set_depth_profile(geom, profile)?;
+                Ok(geom)
             }
         }
     }
@@ -195,6 +243,21 @@ impl Thing {
             view.set_position3d(self.position3d);
         }
         Ok(geom)
+    }
+}
+
+/// Width and height of something upright.
+fn front_of(profile: DepthProfile) -> [f32; 2] {
+    match profile {
+        DepthProfile::Cylinder { radius, height } | DepthProfile::Capsule { radius, height } => {
+            [2.0 * radius, height]
+        }
+        DepthProfile::Upright { footprint, height } => {
+            let (low, high) = footprint.bounds();
+            [high.x - low.x, height]
+        }
+        DepthProfile::Prism { depth } => [depth, depth],
+        DepthProfile::Round { radius } => [2.0 * radius; 2],
     }
 }
 

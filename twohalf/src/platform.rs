@@ -193,6 +193,7 @@ impl Platform {
             cos,
             sin,
             shear: projection.shear_of(angle_in_z_axis),
+            climb: 0.0,
         };
         let (low, high) = self.shape.bounds();
         // Differences within the box must be finite, too.

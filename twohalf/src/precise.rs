@@ -132,6 +132,7 @@ impl World {
             half_depth: profile.half_depth(),
             is_round: profile.is_round(),
             ground: ground.map(|ground| [ground.friction_coefficient(), ground.restitution_coefficient()]),
+            upright: profile.upright(),
         };
         core.set_space_profile(id, told);
     }

@@ -80,6 +80,9 @@ impl TwoHalfPhysicsSimulator {
         if world.scheme != DepthScheme::Precise && world.platforms.are_precise() {
             return Err(damaged("a platform moves, is a belt or one-way, where none can be"));
         }
+        if world.scheme != DepthScheme::Precise && world.has_uprights(core) {
+            return Err(damaged("a geom is upright, where none can be"));
+        }
         if !world.fields.is_valid() {
             return Err(damaged("a field is out of range"));
         }

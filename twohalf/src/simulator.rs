@@ -278,13 +278,17 @@ impl TwoHalfPhysicsSimulator {
     /// # Errors
     /// If a geom takes part already ([`farseer_core::Error::GeomListNotEmpty`]; geoms that wait to be added do not
     /// count). From the precise set to another scheme, one of these that gets no
-    /// [distance grid](farseer_core::PhysicsSimulator::create_distance_grid), and a [`Platform`] that moves, is a belt or one-way.
+    /// [distance grid](farseer_core::PhysicsSimulator::create_distance_grid), and a [`Platform`] that moves, is a belt or one-way; and an upright
+    /// geom.
     pub fn set_depth_scheme(&mut self, scheme: DepthScheme) -> Result<()> {
         if !self.core.geom_list().is_empty() {
             return Err(farseer_core::Error::GeomListNotEmpty.into());
         }
         if scheme != DepthScheme::Precise && self.world.platforms.are_precise() {
             return Err(only_precise("platforms that move, are belts or one-way"));
+        }
+        if scheme != DepthScheme::Precise && self.world.has_uprights(&self.core) {
+            return Err(only_precise("upright footprints"));
         }
         if scheme == DepthScheme::Precise {
             self.core.enter_space(LENGTH_UNIT)?;
@@ -592,14 +596,21 @@ impl TwoHalfPhysicsSimulator {
     }
 
     /// Sets how a geom's outline extends in depth. If it is its body's object geom, the body's origin stays, so
-    /// its height may change.
+    /// its height may change. What is upright gives the geom the outline that it has from the front, a rectangle.
     ///
     /// # Errors
     /// A stale id; a depth that is not finite and 0 or more; a radius that is not finite and greater than 0, or so
-    /// great that the ball does not end at finite X and Y where it is.
+    /// great that the ball does not end at finite X and Y where it is; a height that is not finite and greater than 0, or less than
+    /// twice the radius of a capsule; something upright with another scheme than [`DepthScheme::Precise`].
     pub fn set_depth_profile(&mut self, geom: GeomId, profile: DepthProfile) -> Result<()> {
         let body = self.core.geom(geom).ok_or(stale("geom"))?.body();
         let profile = profile.check()?;
+        if let Some(front) = profile.front() {
+            if self.world.scheme != DepthScheme::Precise {
+                return Err(only_precise("upright footprints"));
+            }
+            self.set_vertices(geom, front)?;
+        }
         match self.box_radius_of(profile) {
             Some(radius) => self.core.set_box_radius(geom, Some(radius)).map_err(Error::from)?,
             // A geom that cannot have the box of its outline keeps the one that it has.

@@ -183,6 +183,12 @@ impl World {
         self.update.reaches.get(geom.slot()).copied().unwrap_or_default()
     }
 
+    /// Whether a geom is upright, which only the precise set knows.
+    pub(crate) fn has_uprights(&self, core: &PhysicsSimulator) -> bool {
+        let profile = |geom: GeomId| self.depths.profiles.get(geom);
+        core.geoms().any(|geom| profile(geom).is_some_and(|profile| profile.upright().is_some()))
+    }
+
     /// Z of a body's middle.
     pub(crate) fn z_of(&self, body: BodyId) -> f32 {
         self.depths.bodies.get(body).map_or(0.0, |state| state.z)

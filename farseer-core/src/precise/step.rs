@@ -228,6 +228,7 @@ impl Precise {
                 (*push, *forced) = (read.push, read.forced);
             }
         }
+        self.begin_steady();
         self.read_fixtures(step.dt);
     }
 
@@ -278,6 +279,7 @@ impl Precise {
                 self.bodies.move_to(number, &entry.body);
             }
         }
+        self.end_steady();
         self.write_fixtures();
     }
 

@@ -172,9 +172,10 @@ impl<'a> Touch<'a> {
         let [at_a, at_b] = self.pairs.watched[pair].proxies;
         let solid =
             |at: u32, proxy: &'a Proxy| space.solid(at, proxy, outline(proxy), (self.bodies, self.dt));
-        let Frozen { count, space: FrozenInSpace { normal_z, .. }, .. } = self.pairs.frozen[pair];
+        let Frozen { count, normal, space: FrozenInSpace { normal_z, .. }, .. } = self.pairs.frozen[pair];
         let before = match normal_z {
             _ if count == 0 => Before::Nothing,
+            _ if space.was_over([at_a, at_b], normal) => Before::Over,
             1.0 | -1.0 => Before::Depth(normal_z),
             _ => Before::Plane,
         };
@@ -203,6 +204,10 @@ impl<'a> Touch<'a> {
     fn may_renew(&self, pair: usize, two: Two<'_>) -> bool {
         let Some(space) = self.space else { return !self.are_circles(two) };
         let (kind, proxies) = (self.pairs.all[pair].kind, self.pairs.watched[pair].proxies);
+        // What is upright may have come out from above or beside the other one.
+        if proxies.iter().any(|&proxy| space.is_upright(proxy)) {
+            return false;
+        }
         let is_in_plane = self.pairs.frozen[pair].space.normal_z.abs() < 1.0;
         kind.has_two_points && (!is_in_plane || space.are_beside(proxies, space.apart(two.a, two.b)))
     }
@@ -395,6 +400,7 @@ impl<'a> Touch<'a> {
                 normal_z: found.normal_z,
                 apart: self.space.map_or(0.0, |space| space.apart(two.a, two.b)),
                 spread: found.spread,
+                depths: found.depths,
             },
         };
     }

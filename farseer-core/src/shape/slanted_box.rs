@@ -1,9 +1,10 @@
-//! The shape of a platform: a box, tilted about the z axis and sheared along x with depth.
+//! The shape of a platform: a box, tilted about the z axis and sheared along x and y with depth.
 //!
 //! Frame: the plane's, x right, y **down**, z into the picture. A point of the box has three local coordinates:
 //! `across` and `down` in the tilted rectangle and `deep` along z, each within the half sizes; at depth `deep` from
-//! the centre the rectangle is shifted by `shear * deep` in x. That makes a parallelepiped whose front and back are
-//! at right angles to z and whose sides have the normals `(nx, ny, -shear * nx)`, not yet of unit length.
+//! the centre the rectangle is shifted by `shear * deep` in x and by `climb * deep` up. That makes a parallelepiped whose front
+//! and back are at right angles to z and whose sides have the normals `(nx, ny, climb * ny - shear * nx)`, not yet of unit
+//! length.
 //!
 //! Source: the closest point minimises the squared distance, which is convex and piecewise quadratic in `deep`;
 //! segments are clipped by the half-spaces of the faces (Cyrus and Beck 1978).
@@ -11,7 +12,7 @@
 use crate::math::{Vector2, Vector3, scalar};
 use serde::{Deserialize, Serialize};
 
-/// A box tilted about z and sheared along x.
+/// A box tilted about z and sheared along x and y.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SlantedBox {
     /// Its middle.
@@ -24,11 +25,13 @@ pub struct SlantedBox {
     pub sin: f32,
     /// Shift in x for every unit of depth from the centre.
     pub shear: f32,
+    /// How far it rises, against y, for every unit of depth.
+    pub climb: f32,
 }
 
 impl Default for SlantedBox {
     fn default() -> Self {
-        SlantedBox { centre: Vector3::zeros(), half: [0.0; 3], cos: 1.0, sin: 0.0, shear: 0.0 }
+        SlantedBox { centre: Vector3::zeros(), half: [0.0; 3], cos: 1.0, sin: 0.0, shear: 0.0, climb: 0.0 }
     }
 }
 
@@ -78,6 +81,24 @@ fn excess(coordinate: f32, half: f32) -> f32 {
     coordinate - within(coordinate, half)
 }
 
+/// What depth does to it.
+impl SlantedBox {
+    /// Whether its edges along z do not run along it.
+    pub fn is_sheared(&self) -> bool {
+        self.shear != 0.0 || self.climb != 0.0
+    }
+
+    /// Where its rectangle is at a depth from the centre, as seen from where it is at the centre.
+    pub fn shift(&self, deep: f32) -> Vector3 {
+        Vector3::new(self.shear * deep, -self.climb * deep, 0.0)
+    }
+
+    /// How fast a side with this normal in the plane comes forward with depth.
+    pub fn lean(&self, [x, y]: [f32; 2]) -> f32 {
+        self.shear * x - self.climb * y
+    }
+}
+
 /// Closest point queries.
 impl SlantedBox {
     /// Signed distance of a point to the surface, negative inside, and its unit gradient. None if not finite.
@@ -114,11 +135,14 @@ impl SlantedBox {
     /// Depth from the centre of the closest point of the box to a point outside.
     fn closest_deep(&self, offset: Vector3) -> f32 {
         let [width, height, depth] = self.half;
-        if self.shear == 0.0 {
+        if !self.is_sheared() {
             return within(offset.z, depth);
         }
         // The local coordinates of the point move at these rates as `deep` grows.
-        let (across_rate, down_rate) = (-self.shear * self.cos, self.shear * self.sin);
+        let (across_rate, down_rate) = (
+            -self.shear * self.cos + self.climb * self.sin,
+            self.shear * self.sin + self.climb * self.cos,
+        );
         let (across, down) = self.local(offset, 0.0);
         // Half the derivative of the squared distance: rising, and linear between the depths at which a coordinate
         // passes the edge of the rectangle.
@@ -194,9 +218,9 @@ impl SlantedBox {
         }
     }
 
-    /// Length of a side's normal `(nx, ny, -shear * nx)`.
+    /// Length of a side's normal that is not yet of unit length.
     pub fn stretch(&self, plane_normal: Vector2) -> f32 {
-        let lean = self.shear * plane_normal.x;
+        let lean = self.lean([plane_normal.x, plane_normal.y]);
         (1.0 + lean * lean).sqrt()
     }
 
@@ -208,7 +232,8 @@ impl SlantedBox {
             _ => {
                 let normal = self.plane_normal(face);
                 let stretch = self.stretch(normal);
-                Vector3::new(normal.x / stretch, normal.y / stretch, -self.shear * normal.x / stretch)
+                let lean = self.lean([normal.x, normal.y]);
+                Vector3::new(normal.x / stretch, normal.y / stretch, -lean / stretch)
             }
         }
     }
@@ -224,8 +249,8 @@ impl SlantedBox {
             Face::Top | Face::Bottom => height,
         };
         let normal = self.plane_normal(face);
-        let x = offset.x - self.shear * offset.z;
-        (normal.x * x + normal.y * offset.y - half) / self.stretch(normal)
+        let (x, y) = (offset.x - self.shear * offset.z, offset.y + self.climb * offset.z);
+        (normal.x * x + normal.y * y - half) / self.stretch(normal)
     }
 
     /// The face whose plane is nearest to a point inside: the first one where several are.
@@ -269,8 +294,8 @@ impl SlantedBox {
 
     /// Coordinates in the rectangle at depth `deep` of a point at an offset from the centre.
     fn local(&self, offset: Vector3, deep: f32) -> (f32, f32) {
-        let x = offset.x - self.shear * deep;
-        (x * self.cos + offset.y * self.sin, offset.y * self.cos - x * self.sin)
+        let (x, y) = (offset.x - self.shear * deep, offset.y + self.climb * deep);
+        (x * self.cos + y * self.sin, y * self.cos - x * self.sin)
     }
 
     /// Whether a point is inside or on the surface.
@@ -293,7 +318,8 @@ impl SlantedBox {
         let [width, height, depth] = self.half;
         let (cos, sin) = (self.cos.abs(), self.sin.abs());
         let x = width * cos + height * sin + self.shear.abs() * depth;
-        let reach = Vector3::new(x, width * sin + height * cos, depth);
+        let y = width * sin + height * cos + self.climb.abs() * depth;
+        let reach = Vector3::new(x, y, depth);
         (self.centre - reach, self.centre + reach)
     }
 
@@ -328,6 +354,6 @@ impl SlantedBox {
             }
             bottom = scalar::min(bottom, high);
         }
-        (top <= bottom && top.is_finite()).then(|| (self.centre.y + top, self.face_normal(face)))
+        (top <= bottom && top.is_finite()).then(|| (self.centre.y + top - self.climb * deep, self.face_normal(face)))
     }
 }

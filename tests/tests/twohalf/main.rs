@@ -32,4 +32,5 @@ mod slopes;
 mod spawning;
 mod supports;
 mod thesis;
+mod uprights;
 mod walking;

@@ -24,7 +24,7 @@ pub(super) fn touch_grounds(core: &PhysicsSimulator, world: &mut World) {
         let Some(profile) = world.depths.profiles.get(geom) else { continue };
         let manifold = match *profile {
             DepthProfile::Round { radius } => of_ball(view, state.z, radius),
-            DepthProfile::Prism { .. } => of_prism(view, state.z, core.allowed_penetration()),
+            _ => of_prism(view, state.z, core.allowed_penetration()),
         };
         let (friction, restitution) =
             (state.ground.friction_coefficient(), state.ground.restitution_coefficient());

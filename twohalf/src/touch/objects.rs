@@ -84,7 +84,8 @@ fn faithful(
             let manifold = ball_on_prism(core, world, a, radius, b, kept)?;
             Some(Manifold { normal: -manifold.normal, ..manifold })
         }
-        (DepthProfile::Prism { .. }, DepthProfile::Prism { .. }) => {
+        // What is upright is there with the precise set alone.
+        _ => {
             let points = &mut world.update.scratch.points;
             points.clear();
             overlap_points(&a.geom.world_vertices(), &b.geom.world_vertices(), points);
@@ -165,6 +166,9 @@ fn thesis(
 
 /// Whether two geoms overlap in all three axes.
 pub(crate) fn overlap(core: &PhysicsSimulator, world: &World, geom1: GeomId, geom2: GeomId) -> bool {
+    if let Some(overlap) = crate::upright::overlap(core, world, geom1, geom2) {
+        return overlap;
+    }
     let shape_of = |id: GeomId| shape(world, id, core.geom(id)?);
     let (Some(a), Some(b)) = (shape_of(geom1), shape_of(geom2)) else { return false };
     let on_prism = |ball: Shape<'_>, radius: f32, prism: Shape<'_>| {
@@ -177,7 +181,7 @@ pub(crate) fn overlap(core: &PhysicsSimulator, world: &World, geom1: GeomId, geo
         }
         (DepthProfile::Prism { .. }, DepthProfile::Round { radius }) => on_prism(b, radius, a),
         (DepthProfile::Round { radius }, DepthProfile::Prism { .. }) => on_prism(a, radius, b),
-        (DepthProfile::Prism { .. }, DepthProfile::Prism { .. }) => {
+        _ => {
             let reach = a.profile.half_depth() + b.profile.half_depth();
             let is_near = a.centre.z == b.centre.z || (a.centre.z - b.centre.z).abs() < reach;
             is_near && outlines_overlap(&a.geom.world_vertices(), &b.geom.world_vertices())

@@ -47,7 +47,7 @@ fn touch_platform(
     let kept = world.last.find(key).map(|touch| touch.kept);
     let manifold = match *world.depths.profiles.get(geom)? {
         DepthProfile::Round { radius } => of_ball(core, world, view, radius, platform.shape(), kept),
-        DepthProfile::Prism { .. } => of_prism(core, world, geom, view, platform.shape(), kept),
+        _ => of_prism(core, world, geom, view, platform.shape(), kept),
     }?;
     let settings = platform.settings();
     let surfaces =

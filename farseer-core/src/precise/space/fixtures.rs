@@ -173,8 +173,8 @@ impl Precise {
                 continue;
             }
             let [x, y, depth] = shape.half;
-            // Sheared, it reaches further along x: its bounds and what is near are those of the widest box.
-            let lean = (shape.shear * depth).abs();
+            // Sheared, it reaches further: its bounds and what is near are those of the widest box.
+            let lean = (shape.shear * depth).abs() + (shape.climb * depth).abs();
             let shape = proxies.corners.add_box([x, y]).leaning(lean);
             let restitution = settings.restitution_coefficient();
             *bounces |= restitution > 0.0;
