@@ -24,6 +24,12 @@ fn velocity(simulator: &TwoHalfPhysicsSimulator, body: BodyId) -> Vector3 {
     simulator.body(body).unwrap().velocity3d()
 }
 
+/// Things are in the lists, and nothing has moved.
+fn let_enter(simulator: &mut TwoHalfPhysicsSimulator) {
+    simulator.set_enabled(false);
+    simulator.update(DT);
+}
+
 fn wedge() -> Footprint {
     Footprint::new(&[[-20.0, -10.0], [20.0, -10.0], [0.0, 20.0]].map(Vector2::from)).unwrap()
 }
@@ -192,6 +198,7 @@ fn a_ball_bounces_off_a_cylinder_along_the_line_of_their_middles() {
         let ball = put(&mut simulator, Ball::new(10.0).friction(0.0).restitution(1.0), [-100.0, 20.0, 118.0]);
         let geom = simulator.body(post).unwrap().ground().object_geom().unwrap();
         simulator.geom_mut(geom).unwrap().set_restitution_coefficient(1.0);
+        simulator.geom_mut(geom).unwrap().set_friction_coefficient(0.0);
         throw(&mut simulator, ball, [100.0, 0.0, 0.0]);
         run(&mut simulator, 200);
         // The normal has sine 18/30: the velocity is turned by twice the angle to it.
@@ -233,13 +240,14 @@ fn what_is_upright_is_not_turned() {
             simulator.body_mut(body).unwrap().apply_torque(1e6);
             simulator.body_mut(body).unwrap().set_angular_velocity(5.0);
             throw(&mut simulator, body, [80.0, 0.0, 10.0]);
-            run(&mut simulator, 300);
+            run(&mut simulator, 600);
             assert_eq!(simulator.body(body).unwrap().rotation(), 0.0);
             // Turned by hand, it stands as it stood.
             let before = place(&simulator, body);
             simulator.body_mut(body).unwrap().set_rotation(1.0);
             run(&mut simulator, 100);
-            assert_near((place(&simulator, body) - before).norm(), 0.0, 0.1);
+            let way = place(&simulator, body) - before;
+            assert!(way.norm() < 0.1, "{thing:?}: {way:?} from {before:?}");
         }
     });
 }
@@ -324,6 +332,7 @@ fn rays_enter_what_is_upright_where_its_surface_is() {
         let cylinder = put(&mut simulator, Cylinder::new(10.0, 40.0), [0.0, 0.0, 100.0]);
         let capsule = put(&mut simulator, Capsule::new(10.0, 40.0), [100.0, 0.0, 100.0]);
         let prism = put(&mut simulator, Prism::footprint(wedge(), 40.0), [200.0, 0.0, 100.0]);
+        let_enter(&mut simulator);
         let hit = |from: [f32; 3], to: [f32; 3]| {
             simulator.ray_cast3d(from.into(), to.into(), |partner| partner != Partner::Ground)
         };
@@ -353,6 +362,7 @@ fn overlaps_of_what_is_upright_are_those_of_its_shape() {
         let corner = put(&mut simulator, Prism::new([10.0, 10.0, 10.0]), [13.0, 0.0, 113.0]);
         let ball = put(&mut simulator, Ball::new(5.0), [0.0, 42.0, 100.0]);
         let beside = put(&mut simulator, Cylinder::new(10.0, 40.0), [-14.0, 0.0, 86.0]);
+        let_enter(&mut simulator);
         let geom = |body: BodyId| simulator.body(body).unwrap().ground().object_geom().unwrap();
         let overlaps = |body: BodyId| simulator.overlaps_of(geom(body), |_| true);
         // The corner is 8 sqrt 2 from the middle, the ball 2 above the top, the other one 14 sqrt 2 aside.
@@ -371,6 +381,7 @@ fn only_the_precise_set_knows_what_is_upright() {
             let made = spawn(&mut simulator, Prism::new([20.0, 40.0, 20.0])).unwrap();
             assert!(simulator.set_depth_profile(made.geom, profile).is_err());
             assert!(spawn(&mut simulator, Cylinder::new(10.0, 40.0)).is_err());
+            simulator.update(DT);
             assert_eq!(simulator.core().bodies().count(), 1);
         });
     }
