@@ -139,8 +139,8 @@ impl World {
 
     /// Takes over where bodies have come along Z, and platforms, before anybody is told that they moved.
     pub(crate) fn read_depths(&mut self, core: &PhysicsSimulator) {
-        for (number, centre, motion) in core.fixtures_moved() {
-            self.platforms.has_moved(PlatformId::from_number(number), centre, motion);
+        for (number, centre, yaw, motion) in core.fixtures_moved() {
+            self.platforms.has_moved(PlatformId::from_number(number), centre, yaw, motion);
         }
         for (id, told) in core.space_moved() {
             let Some(state) = self.depths.bodies.get_mut(id) else { continue };

@@ -252,10 +252,16 @@ impl<'a> Touch<'a> {
         let velocity = |proxy: &Proxy, arm: Vector| {
             let Some(hot) = self.bodies.hot.get(proxy.body as usize) else { return [0.0; 2] };
             let [x, y, spin, _] = hot.velocity;
+            let spin = if self.turns_upright(proxy) { 0.0 } else { spin };
             let part = self.bodies.gravity_parts[proxy.body as usize];
             sum(self.fall.map(|fall| fall * part), [x - spin * arm[1], y + spin * arm[0]])
         };
         dot(difference(velocity(two.b, [bx, by]), velocity(two.a, [ax, ay])), normal)
+    }
+
+    /// Whether what something turns about is upright.
+    fn turns_upright(&self, proxy: &Proxy) -> bool {
+        proxy.mobility == Mobility::Kinematic && self.space.is_some_and(|space| space.turns(proxy))
     }
 
     fn approach_along_depth(&self, two: Two<'_>, normal_z: f32) -> f32 {
@@ -502,7 +508,7 @@ impl<'a> Touch<'a> {
 
     /// The same in three axes.
     fn lane_in_space(&self, space: &Space, pair: usize, two: Two<'_>, lane: Lane) -> Lane {
-        let Frozen { normal: [x, y], count, anchors, space: FrozenInSpace { normal_z, spread, .. }, .. } =
+        let Frozen { normal: [x, y], count, anchors, space: FrozenInSpace { normal_z, spread, depths, .. }, .. } =
             self.pairs.frozen[pair];
         let (tangent, [ux, uy, uz]) = tangents([x, y, normal_z]);
         let points = &anchors[..count as usize];
@@ -512,6 +518,17 @@ impl<'a> Touch<'a> {
             });
             sum.map(|arm| arm / count as f32)
         };
+        let (mut points_of, mut tangent_arms, mut across_arms) = (lane.points, arms(tangent), arms([ux, uy]));
+        if self.turns_upright(two.a) {
+            // About the upright axis: at r a turn has the velocity (-r.z, 0, r.x).
+            let arm = |at: usize, [x, _, z]: [f32; 3]| anchors[at][0] * z - depths[at] * x;
+            let mean = |axis| (0..count as usize).map(|at| arm(at, axis)).sum::<f32>() / count as f32;
+            for (at, point) in points_of.iter_mut().enumerate().take(count as usize) {
+                point.arm_a = arm(at, [x, y, normal_z]);
+            }
+            tangent_arms[0] = mean([tangent[0], tangent[1], 0.0]);
+            across_arms[0] = mean([ux, uy, uz]);
+        }
         let [at_a, at_b] = self.pairs.watched[pair].proxies;
         let [friction, restitution] = if at_a == space.ground {
             let [friction, restitution] = space.ground_of(at_b);
@@ -522,11 +539,12 @@ impl<'a> Touch<'a> {
         Lane {
             friction: friction.min(f32::MAX),
             restitution,
-            tangent_arms: arms(tangent),
+            tangent_arms,
+            points: points_of,
             tangent_speed: belt_speed(two.a, [-tangent[1], tangent[0]], anchors[0]).clamp(f32::MIN, f32::MAX),
             space: SpaceLane {
                 normal_z,
-                across_arms: arms([ux, uy]),
+                across_arms,
                 radii: [space.rolling_radius(at_a, two.a), space.rolling_radius(at_b, two.b)],
                 across_speed: (belt_speed(two.a, [-uy, ux], anchors[0]) + uz * two.a.surface_velocity[3])
                     .clamp(f32::MIN, f32::MAX),

@@ -32,5 +32,6 @@ mod slopes;
 mod spawning;
 mod supports;
 mod thesis;
+mod turned_platforms;
 mod uprights;
 mod walking;

@@ -226,8 +226,11 @@ impl Space {
         match parts::partner_of(geom) {
             parts::SpacePartner::Ground => Reach::default(),
             parts::SpacePartner::Fixture(id) => {
-                let half = self.fixture(id).map_or(0.0, |(_, fixture)| fixture.shape.half[2]);
-                Reach { half, ..Reach::default() }
+                let Some((_, fixture)) = self.fixture(id) else { return Reach::default() };
+                let half = if fixture.yaw.is_some() { fixtures::turning_reach(fixture) } else { fixture.shape.half[2] };
+                let upright = fixture.yaw.map(|_| Upright::of_box(&fixture.shape));
+                let upright = upright.map_or(0, |upright| self.add_upright(upright));
+                Reach { half, upright, ..Reach::default() }
             }
             parts::SpacePartner::Geom(geom) => {
                 let SpaceProfile { half_depth, is_round, ground, upright } = self.profile(geom);

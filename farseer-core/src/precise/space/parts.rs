@@ -97,6 +97,9 @@ pub struct Fixture {
     pub shape: SlantedBox,
     /// Its tilt in the plane, in rad.
     pub rotation: f32,
+    /// The angle by which it is turned about the upright axis through its middle, from x to z, if it is or is going to be: then it is
+    /// level.
+    pub yaw: Option<f32>,
     /// Whom it may meet, and how.
     pub settings: Geom,
     /// Speed of its surface along x, y and z, beside that of its own motion: a belt.
@@ -107,7 +110,7 @@ pub struct Fixture {
     pub is_one_way: bool,
 }
 
-/// How a fixture moves that does not stand still: as a kinematic body does, but for turning.
+/// How a fixture moves that does not stand still: as a kinematic body does, but for what it turns about.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct FixtureMotion {
     /// Velocity along x, y (down) and z.
@@ -116,6 +119,10 @@ pub struct FixtureMotion {
     pub target: Option<([f32; 3], bool)>,
     /// Way of the last step along x, y and z.
     pub way: [f32; 3],
+    /// How fast it turns about the upright axis, from x to z, in rad/s.
+    pub turning: f32,
+    /// The angle to which it is turned, and whether the last step has done so; it stands still in the one after.
+    pub yaw_target: Option<(f32, bool)>,
 }
 
 /// What a geom touches that is no geom.

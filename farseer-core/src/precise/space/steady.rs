@@ -2,9 +2,11 @@
 //! the contacts as if it had not.
 
 use super::Space;
+use super::parts::is_geom;
 use crate::body::Body;
 use crate::precise::Precise;
 use crate::precise::bodies::inverses_of;
+use crate::precise::proxies::Proxy;
 
 impl Space {
     /// Whether a body has something upright.
@@ -24,8 +26,9 @@ impl Precise {
     /// A proxy of something upright has been listed: its body does not turn.
     pub(in crate::precise) fn steady_body_of(&mut self, proxy: u32) {
         let Precise { space: Some(space), proxies, .. } = self else { return };
-        if space.is_upright(proxy) {
-            let number = proxies.all[proxy as usize].body as usize;
+        let Proxy { geom, body, .. } = proxies.all[proxy as usize];
+        if space.is_upright(proxy) && is_geom(geom) {
+            let number = body as usize;
             (*super::entry_mut(&mut space.are_upright, number), space.has_upright) = (true, true);
             self.steady(number);
         }

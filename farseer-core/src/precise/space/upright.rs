@@ -5,11 +5,12 @@
 //! are drawn out along the depth axis. What is round above and below, a capsule or a ball, is a footprint drawn out less far and
 //! all that is as near to it: that meets obliquely, too.
 
-use super::foot::{Foot, Gap};
+use super::foot::{Foot, Gap, Polygon};
 use super::parts::SpaceUpright;
 use super::solid::{Before, Limits, Solid};
 use crate::math::plane::{Vector, difference, length, place, scaled, sum};
 use crate::precise::manifold::Manifold;
+use crate::shape::SlantedBox;
 
 /// What something upright is.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -36,10 +37,16 @@ impl Upright {
                 // Its place is in the middle of its width, as that of its outline.
                 let middle = 0.5 * (low.x + high.x);
                 let corners = footprint.corners().iter().map(|corner| [corner.x - middle, corner.y]);
-                let foot = Foot::of(super::foot::Polygon::new(corners));
+                let foot = Foot::of(Polygon::new(corners));
                 Upright { foot, half: half_height, rounding: 0.0 }
             }
         }
+    }
+
+    /// A level box, turned as it is.
+    pub(super) fn of_box(shape: &SlantedBox) -> Self {
+        let foot = Foot::of(Polygon::new(shape.footprint()));
+        Upright { foot, half: shape.half[1], rounding: 0.0 }
     }
 
     pub(super) fn ball(radius: f32) -> Self {

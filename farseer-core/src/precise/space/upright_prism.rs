@@ -185,7 +185,7 @@ fn over(u: Standing<'_>, prism: &Extruded<'_, '_>, down: f32) -> Meeting {
     let [least, most] = prism.extent(0);
     let (left, right) = ((x + from).clamp(least, most), (x + to).clamp(least, most));
     let sole = y + down * u.shape.half;
-    let depth = z.clamp(prism.near, prism.far);
+    let depth = common_depth(u, prism);
     let Some([spot, other]) = prism.summit(left, right, -down) else {
         return Meeting::of_point(f32::MIN, [0.0, down, 0.0], [x, sole, depth], OVER);
     };
@@ -200,6 +200,14 @@ fn over(u: Standing<'_>, prism: &Extruded<'_, '_>, down: f32) -> Meeting {
     found.points = if found.count == 2 { [point(&first), point(&second)] } else { [point(&spot); 2] };
     found.feature = OVER + if down < 0.0 { 1 << 6 } else { 0 };
     found
+}
+
+/// The middle of what both cover along the depth axis, or between them.
+fn common_depth(u: Standing<'_>, prism: &Extruded<'_, '_>) -> f32 {
+    let foot = &u.shape.foot;
+    let near = (u.at[2] - foot.reach([0.0, -1.0])).max(prism.near);
+    let far = (u.at[2] + foot.reach([0.0, 1.0])).min(prism.far);
+    0.5 * near + 0.5 * far
 }
 
 /// The prism beside something upright.
