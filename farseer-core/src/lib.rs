@@ -581,7 +581,7 @@ pub use path::{
     LinkType, Path,
 };
 #[doc(hidden)]
-pub use precise::space::forms::{SpaceForm, apart_in_space};
+pub use precise::space::forms::{SpaceFoot, SpaceForm, apart_in_space};
 #[doc(hidden)]
 pub use precise::space::parts::{
     Fixture, FixtureMotion, SpaceBody, SpaceChange, SpacePartner, SpacePoint, SpaceProfile, SpaceTarget,

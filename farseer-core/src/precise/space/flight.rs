@@ -6,6 +6,7 @@
 use super::solid::{Kind, Solid};
 use super::upright::product;
 use super::{Space, slant, standing};
+use crate::math::Vector3;
 use crate::math::plane::{length, rotation, sum, turn};
 use crate::precise::bodies::Bodies;
 use crate::precise::flight::{Flyer, Two};
@@ -112,6 +113,7 @@ fn separation(a: Flying<'_>, b: Flying<'_>, part: f32) -> (f32, [f32; 3], f32) {
     match (a.kind, b.kind) {
         (Kind::Ground, _) => (-(b.plane.support(b.plane.at(part), [0.0, 1.0])), [0.0, -1.0, 0.0], 0.0),
         (Kind::Ball, Kind::Ball) => of_balls(a, b, part),
+        (Kind::Prism(_), Kind::Ball) if a.slant.is_some() => of_slant(a, b, part),
         _ => of_prisms(a, b, part),
     }
 }
@@ -122,6 +124,15 @@ fn of_balls(a: Flying<'_>, b: Flying<'_>, part: f32) -> (f32, [f32; 3], f32) {
     let distance = length([length([way[0], way[1]]), way[2]]);
     let axis = if distance > 0.0 { way.map(|way| way / distance) } else { [0.0, 1.0, 0.0] };
     (distance - a.radius() - b.radius(), axis, 0.0)
+}
+
+/// A ball and the nearest point of a box that leans or climbs.
+fn of_slant(a: Flying<'_>, ball: Flying<'_>, part: f32) -> (f32, [f32; 3], f32) {
+    let [x, y] = [0, 1].map(|axis| part * a.plane.path[axis]);
+    let moved = Vector3::new(x, y, part * a.plane.path[3]);
+    let nearest = a.slant.and_then(|shape| shape.nearest(Vector3::from(ball.centre(part)) - moved));
+    let (distance, axis) = nearest.unwrap_or((f32::MAX, Vector3::new(0.0, -1.0, 0.0)));
+    (distance - ball.radius(), axis.into(), 0.0)
 }
 
 fn of_prisms(a: Flying<'_>, b: Flying<'_>, part: f32) -> (f32, [f32; 3], f32) {

@@ -3,10 +3,13 @@
 use super::parts::SpaceUpright;
 use super::solid::{Kind, Solid};
 use super::standing;
+use super::foot::{Foot, Polygon};
 use super::upright::Upright;
+use super::upright_slant::roof_over;
 use crate::geom::pieces::simplified;
 use crate::math::Vector3;
 use crate::precise::outline::Corners;
+use crate::shape::SlantedBox;
 
 /// Something with depth where it is, with y down.
 #[derive(Debug, Clone, Copy)]
@@ -24,6 +27,40 @@ pub enum SpaceForm<'a> {
         /// How far it reaches to both sides.
         half: f32,
     },
+}
+
+/// What something covers of the floor: x and z, about a place.
+#[derive(Debug, Clone, Copy)]
+pub enum SpaceFoot<'a> {
+    /// A disc of a radius.
+    Disc(f32),
+    /// A convex polygon, at most 16 corners in the order of positive area.
+    Polygon(&'a [[f32; 2]]),
+}
+
+impl SpaceFoot<'_> {
+    fn foot(self) -> Foot {
+        match self {
+            SpaceFoot::Disc(radius) => Foot::disc(radius),
+            SpaceFoot::Polygon(corners) => Foot::of(Polygon::new(corners.iter().copied())),
+        }
+    }
+
+    /// Least and greatest x of what of it is between two z, as seen from its place.
+    pub fn span(self, near: f32, far: f32) -> Option<[f32; 2]> {
+        self.foot().span(near, far)
+    }
+
+    /// How far it is from another one at a place as seen from its own, negative where they overlap; and the direction to it.
+    pub fn gap(self, other: SpaceFoot<'_>, at: [f32; 2]) -> (f32, [f32; 2]) {
+        let gap = self.foot().gap(&other.foot(), at);
+        (gap.apart, gap.normal)
+    }
+
+    /// The highest place of a box, y down, over it at a place; and the direction out of the box there.
+    pub fn roof(self, at: [f32; 2], shape: &SlantedBox) -> Option<(f32, Vector3)> {
+        roof_over(shape, &self.foot(), at)
+    }
 }
 
 /// How far two are apart of which one at least is upright; negative where they overlap. Of two others nothing is known: they are

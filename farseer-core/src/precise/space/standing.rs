@@ -68,11 +68,10 @@ fn between([a, b]: [&Solid<'_>; 2], [one, other]: [&Upright; 2]) -> (f32, [f32; 
 fn from_prism(a: &Solid<'_>, shape: &Upright, prism: &Solid<'_>, half: f32) -> (f32, [f32; 3]) {
     let standing = Standing::new(a, shape);
     if shape.rounding == 0.0 {
-        let ways = match &prism.slant {
-            Some(slanted) => upright_slant::ways(standing, slanted, 0.0),
-            None => upright_prism::ways(standing, &Extruded::new(prism, half), 0.0),
+        return match &prism.slant {
+            Some(slanted) => upright_slant::parted(standing, slanted),
+            None => upright_prism::parted(standing, &Extruded::new(prism, half)),
         };
-        return (ways.best().apart, ways.best().normal);
     }
     let ball = nearest_ball(prism, a, shape);
     let [x, y] = ball.centre();

@@ -73,6 +73,44 @@ impl<'a> Standing<'a> {
     }
 }
 
+impl Standing<'_> {
+    /// The place of it that is farthest in a direction.
+    pub(super) fn farthest(&self, [x, y, z]: [f32; 3]) -> [f32; 3] {
+        let [foot_x, foot_z] = self.shape.foot.farthest(unit([x, z]));
+        let half = if y < 0.0 { -self.shape.half } else { self.shape.half };
+        [self.at[0] + foot_x, self.at[1] + half, self.at[2] + foot_z]
+    }
+
+    /// How far it is from a box, at least.
+    pub(super) fn clear_of(&self, low: [f32; 3], high: [f32; 3]) -> f32 {
+        let least = self.farthest([0.0, -1.0, 0.0])[1];
+        let most = self.farthest([0.0, 1.0, 0.0])[1];
+        let foot = &self.shape.foot;
+        let reach = |axis: Vector| [foot.reach(scaled(axis, -1.0)), foot.reach(axis)];
+        let ([left, right], [near, far]) = (reach([1.0, 0.0]), reach([0.0, 1.0]));
+        let mine = [
+            [self.at[0] - left, self.at[0] + right],
+            [least, most],
+            [self.at[2] - near, self.at[2] + far],
+        ];
+        let gaps = mine.iter().zip(low.iter().zip(high));
+        gaps.fold(0.0, |most, ([from, to], (low, high))| most.max(low - to).max(from - high))
+    }
+}
+
+fn unit(v: Vector) -> Vector {
+    let length = length(v);
+    if length > 0.0 { scaled(v, 1.0 / length) } else { [1.0, 0.0] }
+}
+
+/// An axis along which two are apart, from the upright one to the other.
+pub(super) type Axis = (f32, [f32; 3]);
+
+/// The one along which they are farthest apart.
+pub(super) fn farther(one: Axis, other: Axis) -> Axis {
+    if other.0 > one.0 { other } else { one }
+}
+
 /// A way in which two meet, or are apart.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Meeting {

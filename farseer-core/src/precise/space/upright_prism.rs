@@ -5,7 +5,9 @@
 
 use super::foot::{Foot, Polygon};
 use super::solid::{Before, Limits, Solid};
-use super::upright::{BESIDE, Meeting, OVER, Standing, Upright, Ways, ahead, choose, curved, is_over, manifold};
+use super::upright::{
+    Axis, BESIDE, Meeting, OVER, Standing, Upright, Ways, ahead, choose, curved, farther, is_over, manifold,
+};
 use crate::math::plane::{Vector, difference, dot, length, place, rotation, scaled, sum, turn};
 use crate::precise::manifold::Manifold;
 
@@ -253,6 +255,24 @@ fn beside(u: Standing<'_>, prism: &Extruded<'_, '_>, [top, bottom]: [f32; 2], re
     found
 }
 
+/// The axis along which something upright is farthest from a prism: of its edges, of what is seen of it from above, and upright.
+pub(super) fn parted(u: Standing<'_>, prism: &Extruded<'_, '_>) -> Axis {
+    let ([left, right], [high, low]) = (prism.extent(0), prism.extent(1));
+    let [x, y, z] = u.at;
+    let over = farther(
+        (high - y - u.shape.half, [0.0, 1.0, 0.0]),
+        (y - u.shape.half - low, [0.0, -1.0, 0.0]),
+    );
+    let rectangle = Polygon::rectangle([left - x, prism.near - z], [right - x, prism.far - z]);
+    let gap = u.shape.foot.gap(&Foot::of(rectangle), [0.0; 2]);
+    let beside = (gap.apart, [gap.normal[0], 0.0, gap.normal[1]]);
+    let edges = prism.edges().map(|(_, [start, _], out)| {
+        let [px, py, _] = u.farthest([-out[0], -out[1], 0.0]);
+        (dot(out, difference([px, py], start)), [-out[0], -out[1], 0.0])
+    });
+    edges.fold(farther(over, beside), farther)
+}
+
 /// Something upright and not round above and below, and a prism; which of them is A is told.
 pub(super) fn touch(
     a: Solid<'_>,
@@ -273,7 +293,9 @@ pub(super) fn touch(
     };
     let now = at([0.0; 3]);
     if now.best().apart > limits.reach {
-        return Manifold::apart(now.best().apart);
+        // How far it is off is not known from places of it alone: on a slope they change faster than it moves.
+        let ([left, right], [top, bottom]) = (prism.extent(0), prism.extent(1));
+        return Manifold::apart(standing.clear_of([left, top, prism.near], [right, bottom, prism.far]));
     }
     let is_new = before == Before::Nothing;
     match choose(&a, &b, &now, before, limits) {

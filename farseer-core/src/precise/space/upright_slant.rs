@@ -7,9 +7,11 @@
 use super::foot::{Foot, Polygon, summit};
 use super::slant::hull;
 use super::solid::{Before, Limits, Solid};
-use super::upright::{BESIDE, Meeting, OVER, Standing, Upright, Ways, ahead, choose, curved, is_over, manifold};
+use super::upright::{
+    Axis, BESIDE, Meeting, OVER, Standing, Upright, Ways, ahead, choose, curved, farther, is_over, manifold,
+};
 use crate::math::Vector3;
-use crate::math::plane::{Vector, dot, length, scaled, sum};
+use crate::math::plane::{Vector, cross, difference, dot, length, scaled, sum};
 use crate::precise::manifold::Manifold;
 use crate::shape::{Face, SlantedBox};
 
@@ -27,22 +29,23 @@ struct Roof {
 
 impl Roof {
     fn of(shape: &SlantedBox, face: Face, from: Vector) -> Option<Self> {
-        let at = Face::SIDES.iter().position(|&side| side == face)?;
-        let corners = shape.rectangle();
-        let (start, end) = (corners[at], corners[(at + 1) % 4]);
-        let (left, right) = if start.x <= end.x { (start, end) } else { (end, start) };
-        let depth = shape.half[2];
-        let corner = |of: crate::math::Vector2, deep: f32| {
-            [shape.centre.x + of.x + shape.shear * deep - from[0], shape.centre.z + deep - from[1]]
+        let corners = shape.corners();
+        // Of the front face, which begins with the left end of the top.
+        let [one, other] = match face {
+            Face::Top => [0, 1],
+            Face::Right => [1, 2],
+            Face::Bottom => [2, 3],
+            Face::Left => [3, 0],
+            Face::Front | Face::Back => return None,
         };
-        let part = Polygon::new([
-            corner(left, -depth),
-            corner(right, -depth),
-            corner(right, depth),
-            corner(left, depth),
-        ]);
-        let on = shape.centre + Vector3::new(left.x, left.y, 0.0);
-        (right.x > left.x).then(|| Roof { part, normal: shape.face_normal(face), on, from })
+        let seen = [one, other, other + 4, one + 4].map(|at| [corners[at].x - from[0], corners[at].z - from[1]]);
+        let area = cross(difference(seen[1], seen[0]), difference(seen[2], seen[0]));
+        let part = if area > 0.0 {
+            Polygon::new(seen)
+        } else {
+            Polygon::new([seen[1], seen[0], seen[3], seen[2]])
+        };
+        (area != 0.0).then(|| Roof { part, normal: shape.face_normal(face), on: corners[one], from })
     }
 
     /// How fast y grows along x and z.
@@ -97,6 +100,25 @@ fn over(u: Standing<'_>, shape: &SlantedBox, down: f32) -> Meeting {
     let point = [u.at[0] + at[0], 0.5 * (y + sole), u.at[2] + at[1]];
     Meeting::of_point(apart, [-out.x, -out.y, -out.z], point, OVER)
 }
+
+/// The highest place of a box, y down, over a footprint that is somewhere, and the direction out of it there; where it is a ridge
+/// that of the flatter side.
+pub(super) fn roof_over(shape: &SlantedBox, foot: &Foot, from: Vector) -> Option<(f32, Vector3)> {
+    let roofs = Face::SIDES.into_iter().filter(|&face| shape.face_normal(face).y < -1e-6);
+    let tops = roofs.filter_map(|face| {
+        let roof = Roof::of(shape, face, from)?;
+        let found = summit(foot, &roof.part, scaled(roof.slope(), -1.0))?;
+        Some((roof.y_at(found.at), roof.normal))
+    });
+    tops.reduce(|best, next| {
+        let is_same = (next.0 - best.0).abs() < RIDGE;
+        let is_better = if is_same { next.1.y < best.1.y } else { next.0 < best.0 };
+        if is_better { next } else { best }
+    })
+}
+
+/// Sides whose highest places are no farther apart in height meet in a ridge there.
+const RIDGE: f32 = 1e-3;
 
 /// Whether the way up a roof ends at one of its edges.
 fn ends_climb(roof: &Roof, edge: usize, down: f32) -> bool {
@@ -159,6 +181,23 @@ fn silhouette(shape: &SlantedBox, top: f32, bottom: f32) -> Vec<Vector> {
     hull(seen)
 }
 
+/// The axis along which something upright is farthest from a box: of its faces, of what is seen of it from above, and upright.
+pub(super) fn parted(u: Standing<'_>, shape: &SlantedBox) -> Axis {
+    let (low, high) = shape.bounds();
+    let [top, bottom] = [-1.0, 1.0].map(|side| u.at[1] + side * u.shape.half);
+    let over = farther((low.y - bottom, [0.0, 1.0, 0.0]), (top - high.y, [0.0, -1.0, 0.0]));
+    let seen = silhouette(shape, f32::MIN, f32::MAX);
+    let outline = Polygon::new(seen.iter().map(|&[x, z]| [x - u.at[0], z - u.at[2]]));
+    let gap = u.shape.foot.gap(&Foot::of(outline), [0.0; 2]);
+    let beside = (gap.apart, [gap.normal[0], 0.0, gap.normal[1]]);
+    let faces = Face::SIDES.into_iter().chain([Face::Front, Face::Back]).map(|face| {
+        let into = -shape.face_normal(face);
+        let nearest = Vector3::from(u.farthest(into.into()));
+        (shape.distance_to_face(face, nearest), into.into())
+    });
+    faces.fold(farther(over, beside), farther)
+}
+
 /// Something upright and not round above and below, and a box, which is A.
 pub(super) fn touch(
     a: Solid<'_>,
@@ -174,7 +213,9 @@ pub(super) fn touch(
     };
     let now = at([0.0; 3]);
     if now.best().apart > limits.reach {
-        return Manifold::apart(now.best().apart);
+        // How far it is off is not known from places of it alone: on a slope they change faster than it moves.
+        let (low, high) = shape.bounds();
+        return Manifold::apart(standing.clear_of(low.into(), high.into()));
     }
     let is_new = before == Before::Nothing;
     match choose(&a, &b, &now, before, limits) {
