@@ -231,20 +231,13 @@ impl Platform {
 
     /// As the 2D engine below is told of it.
     pub(crate) fn fixture(&self, id: PlatformId) -> Fixture {
-        let ([along, across], SlantedBox { cos, sin, turn: [turned, aside], .. }) =
-            (self.surface_speed, self.shape);
-        let surface_velocity = if self.yaw.is_some() {
-            [along * turned - across * aside, 0.0, along * aside + across * turned]
-        } else {
-            [along * cos, along * sin, across]
-        };
         Fixture {
             id: id.number(),
             shape: self.shape,
             rotation: self.rotation,
             settings: self.settings.clone(),
             yaw: self.yaw,
-            surface_velocity,
+            surface_velocity: self.surface_velocity(),
             motion: self.told_motion(),
             is_one_way: self.is_one_way,
         }
@@ -334,6 +327,21 @@ impl Platform {
     /// Speed of its surface, px/s: along its level edges, and along Z.
     pub fn surface_speed(&self) -> [f32; 2] {
         self.surface_speed
+    }
+
+    /// Velocity of its surface in the world, Y up, beside that of its own motion.
+    pub(crate) fn belt(&self) -> Vector3 {
+        flipped(self.surface_velocity().into())
+    }
+
+    fn surface_velocity(&self) -> [f32; 3] {
+        let ([along, across], SlantedBox { cos, sin, turn: [turned, aside], .. }) =
+            (self.surface_speed, self.shape);
+        if self.yaw.is_some() {
+            [along * turned - across * aside, 0.0, along * aside + across * turned]
+        } else {
+            [along * cos, along * sin, across]
+        }
     }
 
     /// Whether only what is above its top lands on it, and everything else passes through it.

@@ -1,6 +1,6 @@
 //! What stands upright, as the 2D engine below is told of it, and what games ask about it.
 
-use farseer_core::{Body, GeomId, GeomRef, PhysicsSimulator, SpaceForm, SpaceUpright, Vertices, apart_in_space};
+use farseer_core::{Body, GeomId, GeomRef, PhysicsSimulator, SpaceFoot, SpaceForm, SpaceUpright, Vertices, apart_in_space};
 
 use crate::depth::DepthProfile;
 use crate::shapes::ConvexPieces;
@@ -61,6 +61,19 @@ pub(crate) fn depths(upright: &SpaceUpright) -> [f32; 2] {
         SpaceUpright::Prism { footprint, .. } => {
             let (low, high) = footprint.bounds();
             [low.y, high.y]
+        }
+    }
+}
+
+/// Looks at what something upright covers of the floor.
+pub(crate) fn with_foot<R>(upright: &SpaceUpright, look: impl FnOnce(SpaceFoot<'_>) -> R) -> R {
+    match upright {
+        SpaceUpright::Cylinder { radius, .. } | SpaceUpright::Capsule { radius, .. } => {
+            look(SpaceFoot::Disc(*radius))
+        }
+        SpaceUpright::Prism { footprint, .. } => {
+            let corners: Vec<[f32; 2]> = footprint.corners().iter().map(|corner| [corner.x, corner.y]).collect();
+            look(SpaceFoot::Polygon(&corners))
         }
     }
 }

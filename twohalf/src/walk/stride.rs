@@ -4,7 +4,7 @@ use farseer_core::math::scalar::nearest_finite;
 use farseer_core::{Body, SpaceTouch};
 
 use super::feet::Feet;
-use super::floor::{Floor, Reach, Top, partner_of};
+use super::floor::{Floor, Reach, Top, partner_of, top_of_box};
 use super::walls::KEPT_OFF;
 use super::{Walker, Wish};
 use crate::{BodyId, GeomId, Partner, TwoHalfPhysicsSimulator, Vector2, Vector3};
@@ -25,6 +25,8 @@ const SETTLES: f32 = 5.0;
 const PASSED: f32 = 1.7;
 /// How far it is looked ahead for curbs beyond two steps, px: farther than what only touches is apart.
 const AHEAD: f32 = 0.3;
+/// How far around the feet something is to be as low as a curb to be none, px: farther than contacts reach.
+const NEAR: f32 = 1.0;
 /// What pushes up by more than this part of its normal holds.
 const HOLDS: f32 = 0.5;
 /// What pushes down by more than this part of its normal does not stand in the way.
@@ -60,7 +62,7 @@ impl TwoHalfPhysicsSimulator {
     pub(super) fn stride(&mut self, body: BodyId, geom: GeomId, walker: &mut Walker, wish: Wish, dt: f32) {
         let (Some(view), Some(outline)) = (self.body(body), self.geom(geom)) else { return };
         let whole = outline.virtual_geom();
-        let (feet, head) = (Feet::of(&whole), whole.top);
+        let (feet, head) = (Feet::of(&whole, outline.depth_profile()), whole.top);
         let (place, velocity) = (view.origin3d(), view.velocity3d());
         let (soles, least_up) = (view.position3d().y, walker.walk.least_up());
         let knees = soles + if walker.floor.is_some() { walker.walk.step_up.max(STANDS) } else { STANDS };
@@ -255,7 +257,12 @@ impl TwoHalfPhysicsSimulator {
     fn is_in_the_way(&self, stride: &Stride<'_>, partner: Partner) -> bool {
         match partner {
             Partner::Geom(geom) => self.geom(geom).is_some_and(|geom| geom.virtual_geom().top > stride.knees),
-            Partner::Platform(id) => self.platform(id).is_some_and(|platform| platform.shape().shear != 0.0),
+            Partner::Platform(id) => self.platform(id).is_some_and(|platform| {
+                let shape = platform.shape();
+                // What turns or climbs is as high as it is here.
+                let is_low = || top_of_box(shape, &stride.feet.widened(NEAR)).is_some_and(|top| top.0 <= stride.knees);
+                shape.shear != 0.0 || ((shape.climb != 0.0 || shape.is_turned()) && !is_low())
+            }),
             Partner::Ground => false,
         }
     }
