@@ -26,7 +26,7 @@ enum Shape {
     Upright(DepthProfile),
 }
 
-/// What [`spawn`] makes. [`Prism`], [`Ball`] and [`Figure`] begin one.
+/// What [`spawn`] makes. [`Prism`], [`Ball`], [`Cylinder`], [`Capsule`] and [`Figure`] begin one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use = "`spawn` makes it"]
 pub struct Thing {
@@ -55,7 +55,7 @@ pub struct Capsule;
 #[derive(Debug, Clone, Copy)]
 pub struct Ball;
 
-/// Somebody who is steered: an upright box without friction or bounce.
+/// Somebody who is steered: an upright cylinder without friction or bounce.
 #[derive(Debug, Clone, Copy)]
 pub struct Figure;
 
@@ -100,10 +100,16 @@ impl Ball {
 }
 
 impl Figure {
-    /// A figure of width, height and depth in px, of mass 70.
+    /// A figure of width, height and depth in px, of mass 70. It is a [`Cylinder`] of that height, whose diameter is the mean of
+    /// width and depth: two of them slide past each other, and one round a corner, where boxes would catch. Only with
+    /// [`DepthScheme::Precise`](twohalf::DepthScheme::Precise), as [walking](TwoHalfPhysicsSimulator::walk); elsewhere an upright
+    /// [`Prism`] does.
     #[expect(clippy::new_ret_no_self, reason = "all things are told the same")]
-    pub fn new(size: [f32; 3]) -> Thing {
-        Thing::of(Shape::Box { size }).mass(70.0).friction(0.0).upright()
+    pub fn new([width, height, depth]: [f32; 3]) -> Thing {
+        let size = Some([width, height, depth]).filter(|size| size.iter().all(|&side| side > 0.0));
+        // What is no size is refused as that.
+        let radius = if size.is_some() { 0.25 * width + 0.25 * depth } else { f32::NAN };
+        Cylinder::new(radius, height).mass(70.0).friction(0.0)
     }
 }
 
@@ -280,7 +286,8 @@ fn front_of(profile: DepthProfile) -> [f32; 2] {
 ///
 /// # Errors
 /// A size or mass that is not finite and greater than 0, or so small that the moment of inertia vanishes; a friction,
-/// restitution or position that is not finite. Then nothing was made.
+/// restitution or position that is not finite; something upright that is not as high as a capsule has to be, or with another
+/// scheme than [`DepthScheme::Precise`](twohalf::DepthScheme::Precise). Then nothing was made.
 pub fn spawn(simulator: &mut TwoHalfPhysicsSimulator, thing: Thing) -> Result<Spawned> {
     thing.check()?;
     let body = thing.body(simulator)?;

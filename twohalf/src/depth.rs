@@ -68,6 +68,11 @@ impl DepthProfile {
         }
     }
 
+    /// Whether it stands upright whatever happens, and its body does not turn.
+    pub fn is_upright(&self) -> bool {
+        self.upright().is_some()
+    }
+
     pub(crate) fn is_round(&self) -> bool {
         matches!(self, DepthProfile::Round { .. })
     }

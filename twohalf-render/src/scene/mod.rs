@@ -4,6 +4,7 @@ mod look;
 mod patch;
 mod shadows;
 mod solid;
+mod upright;
 
 pub use look::{Figure, Look, Picture, Textures};
 pub use patch::Patch;
