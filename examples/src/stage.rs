@@ -129,8 +129,8 @@ impl Stage {
         let place = Vector3::from(place);
         let id = Platform::with_rotation(&mut self.simulator, width, height, depth, place, rotation, image)?;
         let mut platform = self.simulator.platform_mut(id).ok_or("the platform is new")?;
-        platform.settings_mut().set_friction_coefficient(FRICTION);
-        platform.settings_mut().set_restitution_coefficient(RESTITUTION[1]);
+        platform.set_friction_coefficient(FRICTION);
+        platform.set_restitution_coefficient(RESTITUTION[1]);
         self.platforms.push((id, PlatformLook::new(color)));
         Ok(())
     }

@@ -562,8 +562,9 @@ pub use debug_view::{DebugShape, PhysicsSimulatorView};
 pub use error::{Error, Result};
 pub use factories::{BodyFactory, GeomFactory, JointFactory, SpringFactory};
 pub use geom::distance_grid::DistanceGrid;
+pub use geom::filter::CollisionFilter;
 pub use geom::outline::Outline;
-pub use geom::surface::FrictionType;
+pub use geom::surface::{FrictionType, SurfaceCoefficients};
 pub use geom::view::GeomRef;
 pub use geom::{Geom, GeomId};
 pub use joints::{

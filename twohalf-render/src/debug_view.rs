@@ -234,9 +234,8 @@ impl Pen<'_> {
         let shape = geom.virtual_geom();
         let VirtualGeom { left, right, front, back, .. } = shape;
         let rectangle = || vec![[left, front], [right, front], [right, back], [left, back]];
-        let corners = footprint_of(geom).unwrap_or_else(|| {
-            if shape.is_round { round(&shape) } else { rectangle() }
-        });
+        let corners =
+            footprint_of(geom).unwrap_or_else(|| if shape.is_round { round(&shape) } else { rectangle() });
         corners.into_iter().map(|[x, z]| self.at(x, y, z)).collect()
     }
 

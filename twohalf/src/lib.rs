@@ -364,63 +364,32 @@
 
 #![forbid(unsafe_code)]
 
-mod body;
-mod contacts;
 mod depth;
-mod draw_order;
 mod error;
 mod events;
-mod fields;
-mod geom;
-mod ground;
-mod id_table;
-mod lengths;
-mod methods;
-mod pairs;
-mod platform;
-mod precise;
 mod projection;
-mod queries;
-mod rays;
-mod save;
 mod shapes;
 mod simulator;
-mod snapshot;
-mod solver;
-mod step;
-mod support;
-mod tell;
+mod stages;
 mod texture_id;
-mod touch;
-mod upright;
-mod view;
-mod virtual_geom;
+mod views;
 mod walk;
-mod world;
 
-pub use body::TwoHalfBody;
-pub use contacts::TwoHalfContact;
-pub use depth::DepthProfile;
-pub use draw_order::{DrawOrder, Drawable};
+#[allow(deprecated, reason = "the former name goes on")]
+pub use depth::Methods;
+pub use depth::{
+    Axis, DepthProfile, DepthScheme, Field, FieldId, Fluid, Ground, Partner, Platform, PlatformId, Region,
+    Support, Well,
+};
 pub use error::{Error, Result};
 pub use events::{Collision, Context, Event, EventHandler};
-pub use fields::{Field, FieldId, Fluid, Region, Well};
-pub use geom::TwoHalfGeom;
-pub use ground::{Ground, GroundMut};
-#[allow(deprecated, reason = "the former name goes on")]
-pub use methods::Methods;
-pub use methods::{Axis, DepthScheme, Partner};
-pub use platform::{Platform, PlatformId, PlatformMut};
 pub use projection::Projection;
-pub use queries::Surface;
-pub use rays::RayHit3D;
-pub use save::SavedTwoHalfSimulator;
-pub use simulator::TwoHalfPhysicsSimulator;
-pub use step::StepCounters;
-pub use support::Support;
+pub use simulator::{DrawOrder, Drawable, RayHit3D, SavedTwoHalfSimulator, Surface, TwoHalfPhysicsSimulator};
+pub use stages::StepCounters;
 pub use texture_id::TextureId;
-pub use view::{Access, AccessMut};
-pub use virtual_geom::VirtualGeom;
+pub use views::{
+    Access, AccessMut, GroundMut, PlatformMut, TwoHalfBody, TwoHalfContact, TwoHalfGeom, VirtualGeom,
+};
 pub use walk::{Walk, Walker, Wish};
 
 pub use farseer_core;

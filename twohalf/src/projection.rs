@@ -149,6 +149,11 @@ fn cotangent(degrees: i32) -> f64 {
     }
 }
 
+/// From the frame of the plane with depth, y down, to the world, Y up, or back.
+pub(crate) fn to_world(v: Vector3) -> Vector3 {
+    Vector3::new(v.x, -v.y, v.z)
+}
+
 /// Position in the world of a body, from its origin in the plane.
 pub(crate) fn plane_to_world(plane: Vector2, lowest: f64, z: f32) -> Vector3 {
     Vector3::new(plane.x, shown(-f64::from(plane.y) - lowest), z)

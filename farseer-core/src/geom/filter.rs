@@ -1,9 +1,57 @@
 //! Which pairs may collide at all (behaviour chapters 03, section 4, and 08, section 1.2).
 
+use serde::{Deserialize, Serialize};
+
 use crate::body::Body;
 use crate::body::entry::Bodies;
 use crate::geom::GeomId;
 use crate::geom::entry::{GeomEntry, Geoms};
+use crate::methods::CollisionCategory;
+
+/// Whom something may meet, and whether that pushes: the part of a [`Geom`](crate::Geom) that says so, also for things of an
+/// engine that are not geoms of the core.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct CollisionFilter {
+    /// What it belongs to. Default all.
+    pub categories: CollisionCategory,
+    /// What it collides with. Two collide if **either** one's mask meets the other's categories. Default all.
+    pub collides_with: CollisionCategory,
+    /// What is of the same group does not collide; 0 is no group. Default 0.
+    pub group: i32,
+    /// Whether it collides at all. Default true.
+    pub is_enabled: bool,
+    /// Whether what touches it pushes, and is pushed; it is reported either way. Default true.
+    pub responds: bool,
+}
+
+impl Default for CollisionFilter {
+    fn default() -> Self {
+        let all = CollisionCategory::ALL;
+        CollisionFilter { categories: all, collides_with: all, group: 0, is_enabled: true, responds: true }
+    }
+}
+
+impl CollisionFilter {
+    /// Whether two may meet: both collide, they are not of one group, and their categories meet.
+    #[inline]
+    pub fn may_meet(&self, other: &CollisionFilter) -> bool {
+        self.is_enabled
+            && other.is_enabled
+            && !self.shares_group_with(other)
+            && self.meets_categories_of(other)
+    }
+
+    #[inline]
+    pub(crate) fn shares_group_with(&self, other: &CollisionFilter) -> bool {
+        self.group == other.group && self.group != 0
+    }
+
+    /// Agreement in one direction is enough, as in the original.
+    #[inline]
+    pub(crate) fn meets_categories_of(&self, other: &CollisionFilter) -> bool {
+        self.categories.intersects(other.collides_with) || other.categories.intersects(self.collides_with)
+    }
+}
 
 /// Geoms and bodies.
 #[derive(Clone, Copy)]
@@ -35,11 +83,12 @@ pub(crate) fn is_valid_pair((id_a, id_b): (GeomId, GeomId), geoms: &Geoms, bodie
     let (a, b) = (&geoms[id_a], &geoms[id_b]);
     let (Some(body_a), Some(body_b)) = (bodies.get(a.body), bodies.get(b.body)) else { return false };
     let (body_a, body_b): (&Body, &Body) = (&body_a.body, &body_b.body);
+    let (filter_a, filter_b) = (a.geom.filter(), b.geom.filter());
     !(geoms.is_disposed(id_a)
         || geoms.is_disposed(id_b)
         || (body_a.is_immovable() && body_b.is_immovable())
         || !body_a.enabled()
         || !body_b.enabled()
-        || a.geom.shares_group_with(&b.geom)
-        || !a.geom.meets_categories_of(&b.geom))
+        || filter_a.shares_group_with(&filter_b)
+        || !filter_a.meets_categories_of(&filter_b))
 }

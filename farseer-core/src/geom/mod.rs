@@ -16,6 +16,7 @@ use serde::{Deserialize, Serialize};
 use crate::methods::CollisionCategory;
 pub use crate::storage::ids::GeomId;
 use crate::storage::refusals::{ArgumentNames, Refusals};
+use filter::CollisionFilter;
 
 /// How a geom collides: everything about it that may be changed freely. `simulator[geom]` is this;
 /// [`PhysicsSimulator::geom`](crate::PhysicsSimulator::geom) shows the shape and place as well: position, world vertices, box
@@ -163,25 +164,22 @@ impl Geom {
 
     /// Whether these settings let the geom collide with one of those settings: collision is enabled on both, they
     /// are not of one group, and their categories meet. What else decides about two geoms of a simulator (their
-    /// bodies, and whom they ignore) is not asked: for things of an engine that are not geoms of the core.
+    /// bodies, and whom they ignore) is not asked.
     #[inline]
     pub fn may_collide_with(&self, other: &Geom) -> bool {
-        self.collision_enabled
-            && other.collision_enabled
-            && !self.shares_group_with(other)
-            && self.meets_categories_of(other)
+        self.filter().may_meet(&other.filter())
     }
 
+    /// Whom the geom may meet, in one value.
     #[inline]
-    pub(crate) fn shares_group_with(&self, other: &Geom) -> bool {
-        self.collision_group == other.collision_group && self.collision_group != 0
-    }
-
-    /// Agreement in one direction is enough, as in the original.
-    #[inline]
-    pub(crate) fn meets_categories_of(&self, other: &Geom) -> bool {
-        self.collision_categories.intersects(other.collides_with)
-            || other.collision_categories.intersects(self.collides_with)
+    pub fn filter(&self) -> CollisionFilter {
+        CollisionFilter {
+            categories: self.collision_categories,
+            collides_with: self.collides_with,
+            group: self.collision_group,
+            is_enabled: self.collision_enabled,
+            responds: self.collision_response_enabled,
+        }
     }
 
     /// A number for the user's own purposes, such as the place of a name in a list. Default 0.

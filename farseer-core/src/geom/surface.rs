@@ -21,6 +21,15 @@ impl FrictionType {
     }
 }
 
+/// How something rubs and bounces that is no geom of the core.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct SurfaceCoefficients {
+    /// Friction, finite; combined with the partner's. Default 0.
+    pub friction: f32,
+    /// Bounciness, finite, usually 0 to 1; the mean of both partners acts. Default 0.
+    pub restitution: f32,
+}
+
 /// What a handler has set about the surfaces of two geoms that touch, for one update.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct SetSurface {

@@ -508,8 +508,13 @@ impl<'a> Touch<'a> {
 
     /// The same in three axes.
     fn lane_in_space(&self, space: &Space, pair: usize, two: Two<'_>, lane: Lane) -> Lane {
-        let Frozen { normal: [x, y], count, anchors, space: FrozenInSpace { normal_z, spread, depths, .. }, .. } =
-            self.pairs.frozen[pair];
+        let Frozen {
+            normal: [x, y],
+            count,
+            anchors,
+            space: FrozenInSpace { normal_z, spread, depths, .. },
+            ..
+        } = self.pairs.frozen[pair];
         let (tangent, [ux, uy, uz]) = tangents([x, y, normal_z]);
         let points = &anchors[..count as usize];
         let arms = |along: Vector| {

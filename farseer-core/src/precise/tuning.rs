@@ -41,15 +41,15 @@ impl Tuning {
         }
     }
 
-    /// Margin of the box of something that reaches so far.
-    pub(super) fn margin_of(&self, reach: f32) -> f32 {
+    /// How much wider than something that reaches so far its box is made, which is `alone` if it is in no pair.
+    pub(super) fn widening(&self, reach: f32, dt: f32, alone: bool) -> Widening {
         let by_size = MARGIN_OF_SIZE * reach;
-        if by_size < self.margin { by_size } else { self.margin }
-    }
-
-    /// How far the box of something reaches ahead that goes so far in a step.
-    pub(super) fn ahead(&self, way: f32) -> f32 {
-        (way * STEPS_AHEAD).clamp(-FARTHEST, FARTHEST)
+        let most = if alone { MARGIN_ALONE * self.margin } else { self.margin };
+        Widening {
+            margin: if by_size < most { by_size } else { most },
+            seconds: STEPS_AHEAD * dt,
+            alone: if alone { reach } else { 0.0 },
+        }
     }
 
     /// Motion sums count in parts of 2^-26 units, and wrap.
@@ -60,6 +60,10 @@ impl Tuning {
 
 /// Boxes reach ahead of a body by what it moves in so many steps.
 const STEPS_AHEAD: f32 = 4.0;
+/// Where nothing is near there are no pairs which a wide box would keep for long. So it reaches farther, that it need not be
+/// renewed as often: ahead by so many times as many steps, up to the size of the thing, and around it by so many margins.
+const FARTHER_ALONE: f32 = 4.0;
+const MARGIN_ALONE: f32 = 4.0;
 /// And around it by so much of its size at most.
 const MARGIN_OF_SIZE: f32 = 0.25;
 
@@ -76,6 +80,28 @@ const FORGETTING: f32 = 0.05;
 const RESERVE: f32 = 0.3;
 /// An overlap of more than this part of the unit is no sag.
 const DEEPEST: f32 = 0.1;
+/// A sag of less than this part of the unit is nothing that sleep has to wait for.
+const SETTLED: f32 = 5e-4;
+
+/// How much wider than a thing its box is.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Widening {
+    /// On all sides.
+    pub(super) margin: f32,
+    /// Ahead, by what it moves in this time.
+    seconds: f32,
+    /// And farther, up to this length.
+    alone: f32,
+}
+
+impl Widening {
+    /// How far a box reaches ahead at this velocity.
+    pub(super) fn ahead(&self, velocity: f32) -> f32 {
+        let near = (velocity * self.seconds).clamp(-FARTHEST, FARTHEST);
+        let far = (near * FARTHER_ALONE).clamp(-self.alone, self.alone);
+        if far.abs() > near.abs() { far } else { near }
+    }
+}
 
 /// The numbers of one step.
 #[derive(Debug, Clone, Copy)]
@@ -121,6 +147,8 @@ pub(super) struct Learning {
     pub(super) inverse_gate: f32,
     /// What is deeper than this in something, as a negative distance, does not learn.
     pub(super) deepest: f32,
+    /// What is less deep need not learn before it sleeps.
+    pub(super) settled: f32,
 }
 
 impl Step {
@@ -140,6 +168,7 @@ impl Step {
                 learnt: 1.0 - RESERVE,
                 inverse_gate: 1.0 / tuning.gate,
                 deepest: -DEEPEST * tuning.unit,
+                settled: -SETTLED * tuning.unit,
             },
         }
     }

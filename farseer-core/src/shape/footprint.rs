@@ -60,7 +60,8 @@ impl Footprint {
         if way < 0.0 {
             kept[..count].reverse();
         }
-        let area: f32 = (1..count).map(|at| (kept[at] - kept[0]).perp(&(kept[(at + 1) % count] - kept[0]))).sum();
+        let area: f32 =
+            (1..count).map(|at| (kept[at] - kept[0]).perp(&(kept[(at + 1) % count] - kept[0]))).sum();
         if !(area.is_finite() && area > 0.0) {
             return refused("of a finite area that is not 0");
         }

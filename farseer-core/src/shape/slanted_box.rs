@@ -38,7 +38,15 @@ const LEVEL: [f32; 2] = [1.0, 0.0];
 
 impl Default for SlantedBox {
     fn default() -> Self {
-        SlantedBox { centre: Vector3::zeros(), half: [0.0; 3], cos: 1.0, sin: 0.0, shear: 0.0, climb: 0.0, turn: LEVEL }
+        SlantedBox {
+            centre: Vector3::zeros(),
+            half: [0.0; 3],
+            cos: 1.0,
+            sin: 0.0,
+            shear: 0.0,
+            climb: 0.0,
+            turn: LEVEL,
+        }
     }
 }
 
@@ -165,10 +173,8 @@ impl SlantedBox {
             return within(offset.z, depth);
         }
         // The local coordinates of the point move at these rates as `deep` grows.
-        let (across_rate, down_rate) = (
-            -self.shear * self.cos + self.climb * self.sin,
-            self.shear * self.sin + self.climb * self.cos,
-        );
+        let (across_rate, down_rate) =
+            (-self.shear * self.cos + self.climb * self.sin, self.shear * self.sin + self.climb * self.cos);
         let (across, down) = self.local(offset, 0.0);
         // Half the derivative of the squared distance: rising, and linear between the depths at which a coordinate
         // passes the edge of the rectangle.
@@ -408,6 +414,7 @@ impl SlantedBox {
             }
             bottom = scalar::min(bottom, high);
         }
-        (top <= bottom && top.is_finite()).then(|| (self.centre.y + top - self.climb * deep, self.face_normal(face)))
+        (top <= bottom && top.is_finite())
+            .then(|| (self.centre.y + top - self.climb * deep, self.face_normal(face)))
     }
 }

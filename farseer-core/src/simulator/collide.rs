@@ -103,6 +103,9 @@ impl PhysicsSimulator {
         });
         if is_accepted.is_none() {
             self.report.push(event(true));
+            if let Some(handler) = handler.get() {
+                handler.on_untold_collision(self, this, other, contacts);
+            }
         }
     }
 

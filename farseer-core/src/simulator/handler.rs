@@ -1,6 +1,6 @@
 //! Callbacks of a game (behaviour chapters 03, 04 and 08).
 
-use super::Context;
+use super::{Context, PhysicsSimulator};
 use crate::body::BodyId;
 use crate::contacts::contact::Contact;
 use crate::controllers::{ControllerId, FluidContainer};
@@ -78,6 +78,19 @@ pub trait EventHandler {
     fn on_space_touches(&mut self, context: &mut Context<'_>) -> Vec<usize> {
         let _ = context;
         Vec::new()
+    }
+
+    /// For engines built on this one: a geom touches another one, and is not told because its
+    /// [callbacks](crate::Geom::collision_callbacks_enabled) are switched off.
+    #[doc(hidden)]
+    fn on_untold_collision(
+        &mut self,
+        simulator: &PhysicsSimulator,
+        this: GeomId,
+        other: GeomId,
+        contacts: &[Contact],
+    ) {
+        let _ = (simulator, this, other, contacts);
     }
 
     /// For engines with depth: bodies have moved, and nobody has been told yet.

@@ -409,13 +409,13 @@ pub(crate) fn groups_categories_and_switches_count_for_platforms() {
             let Partner::Platform(id) = partner else { unreachable!() };
             let mut floor = simulator.platform_mut(id).unwrap();
             match way {
-                0 => floor.settings_mut().set_collision_group(7),
+                0 => floor.set_collision_group(7),
                 1 => {
-                    floor.settings_mut().set_collision_categories(CollisionCategory::from_bits(1));
-                    floor.settings_mut().set_collides_with(CollisionCategory::from_bits(1));
+                    floor.set_collision_categories(CollisionCategory::from_bits(1));
+                    floor.set_collides_with(CollisionCategory::from_bits(1));
                 }
-                2 => floor.settings_mut().set_collision_enabled(false),
-                _ => floor.settings_mut().set_collision_response_enabled(false),
+                2 => floor.set_collision_enabled(false),
+                _ => floor.set_collision_response_enabled(false),
             }
             let settings = simulator.geom_mut(geom).unwrap();
             settings.set_collision_group(7);

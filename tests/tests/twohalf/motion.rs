@@ -265,8 +265,8 @@ pub(crate) fn a_bouncy_box_does_not_creep_down_a_slope_below_its_friction_angle(
     let slope = Vector3::new(0.0, 100.0, 0.0);
     let slope = Platform::with_rotation(&mut simulator, 400.0, 20.0, 80.0, slope, tilt, None).unwrap();
     let mut slope = simulator.platform_mut(slope).unwrap();
-    slope.settings_mut().set_friction_coefficient(0.5);
-    slope.settings_mut().set_restitution_coefficient(0.5);
+    slope.set_friction_coefficient(0.5);
+    slope.set_restitution_coefficient(0.5);
     let body = crate_box(&mut simulator, [40.0, 20.0], [0.0, 0.0, 0.0]);
     set_surface(&mut simulator, body, 0.5, 0.5);
     let mut view = simulator.body_mut(body).unwrap();

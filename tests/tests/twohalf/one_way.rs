@@ -37,7 +37,7 @@ fn assert_flies_free(at: [f32; 3], velocity_of: [f32; 3], seconds: f32) {
     for rate in RATES {
         let fly = |is_there: bool| {
             let (mut simulator, made) = stage();
-            simulator.platform_mut(made).unwrap().settings_mut().set_collision_response_enabled(is_there);
+            simulator.platform_mut(made).unwrap().set_collision_response_enabled(is_there);
             let body = crate_box(&mut simulator, at);
             throw(&mut simulator, body, velocity_of);
             run_for(&mut simulator, seconds, rate);
@@ -196,7 +196,7 @@ fn a_figure_walks_through_it_as_if_nothing_were_there() {
             let made = platform(&mut simulator, [20.0, 20.0, 200.0], [100.0, 10.0, 0.0]);
             let mut view = simulator.platform_mut(made).unwrap();
             view.set_one_way(true).unwrap();
-            view.settings_mut().set_collision_response_enabled(is_there);
+            view.set_collision_response_enabled(is_there);
             let figure = solid(&mut simulator, [30.0, 60.0, 20.0], [0.0; 3]);
             simulator.body_mut(figure).unwrap().core_mut().set_moment_of_inertia(1e20).unwrap();
             let mut walker = Walker::new(Walk::default());

@@ -164,7 +164,7 @@ fn refuse_everything(simulator: &mut TwoHalfPhysicsSimulator) {
     view.ground_mut().set_friction_coefficient(nan);
     view.ground_mut().set_restitution_coefficient(nan);
     simulator.geom_mut(geom).unwrap().set_friction_coefficient(nan);
-    simulator.platform_mut(platform).unwrap().settings_mut().set_restitution_coefficient(nan);
+    simulator.platform_mut(platform).unwrap().set_restitution_coefficient(nan);
 }
 
 /// A ball above a platform that has been in an update.

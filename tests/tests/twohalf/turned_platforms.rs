@@ -20,10 +20,15 @@ fn put(simulator: &mut TwoHalfPhysicsSimulator, thing: Thing, at: [f32; 3]) -> B
     body
 }
 
-fn platform(simulator: &mut TwoHalfPhysicsSimulator, size: [f32; 3], at: [f32; 3], friction: f32) -> PlatformId {
+fn platform(
+    simulator: &mut TwoHalfPhysicsSimulator,
+    size: [f32; 3],
+    at: [f32; 3],
+    friction: f32,
+) -> PlatformId {
     let [width, height, depth] = size;
     let id = Platform::new(simulator, width, height, depth, at.into(), None).unwrap();
-    simulator.platform_mut(id).unwrap().settings_mut().set_friction_coefficient(friction);
+    simulator.platform_mut(id).unwrap().set_friction_coefficient(friction);
     id
 }
 
@@ -290,7 +295,8 @@ fn rays_and_surfaces_know_turned_platforms_and_slopes_along_z() {
         let surface = simulator.surface_beneath(Vector3::new(0.0, 200.0, 140.0)).unwrap();
         assert_near(surface.height, 50.0 + 40.0 * 0.5f32.tan(), 1e-3);
         assert_near(surface.normal.z, -(0.5f32.sin()), 1e-5);
-        let hit = |from: [f32; 3], to: [f32; 3]| simulator.ray_cast3d(from.into(), to.into(), |_| true).unwrap();
+        let hit =
+            |from: [f32; 3], to: [f32; 3]| simulator.ray_cast3d(from.into(), to.into(), |_| true).unwrap();
         assert_near(hit([0.0, 200.0, 140.0], [0.0, 0.0, 140.0]).point.y, surface.height, 1e-3);
         let side = hit([200.0, 10.0, 140.0], [400.0, 10.0, 140.0]);
         assert_eq!(side.partner, Partner::Platform(turned));

@@ -1,9 +1,12 @@
 //! Cylinders, capsules and prisms on end.
 
-use conformance::fixtures::depth::{DT, GRAVITY, assert_goes_on_after_loading, place, run, throw, with_scheme};
+use conformance::fixtures::depth::{
+    DT, GRAVITY, assert_goes_on_after_loading, place, run, throw, with_scheme,
+};
 use conformance::fixtures::depth::{simulator, weightless};
 use twohalf::{
-    BodyId, DepthProfile, DepthScheme, Footprint, Partner, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3,
+    BodyId, DepthProfile, DepthScheme, Footprint, Partner, Platform, TwoHalfPhysicsSimulator, Vector2,
+    Vector3,
 };
 use twohalf_factories::{Ball, Capsule, Cylinder, Prism, Thing, spawn};
 
@@ -131,7 +134,7 @@ fn a_cylinder_slides_down_a_slope_as_friction_lets_it() {
                     None,
                 );
                 let id = id.unwrap();
-                simulator.platform_mut(id).unwrap().settings_mut().set_friction_coefficient(friction);
+                simulator.platform_mut(id).unwrap().set_friction_coefficient(friction);
                 let body = put(&mut simulator, thing.friction(friction), [-200.0, 0.0, 100.0]);
                 let top = 210.0 + 200.0 * tilt.tan() + 10.0 / tilt.cos();
                 simulator.body_mut(body).unwrap().set_position3d(Vector3::new(
@@ -349,7 +352,10 @@ fn rays_enter_what_is_upright_where_its_surface_is() {
         assert!(hit([216.0, 10.0, 105.0], [260.0, 10.0, 105.0]).is_none());
         let geom = |body: BodyId| simulator.body(body).unwrap().ground().object_geom().unwrap();
         let sides = [cylinder, capsule, prism].map(|body| simulator.geom(geom(body)).unwrap().virtual_geom());
-        assert_eq!(sides.map(|side| (side.is_round, side.has_top)), [(true, true), (true, false), (false, true)]);
+        assert_eq!(
+            sides.map(|side| (side.is_round, side.has_top)),
+            [(true, true), (true, false), (false, true)]
+        );
         assert_eq!((sides[2].front, sides[2].back), (90.0, 120.0));
     });
 }

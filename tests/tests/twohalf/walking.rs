@@ -6,7 +6,8 @@ use conformance::fixtures::depth::{assert_near, place, set_surface, solid, veloc
 use std::cell::Cell;
 
 use twohalf::{
-    BodyId, DepthProfile, Partner, Platform, PlatformId, TwoHalfPhysicsSimulator, Vector2, Vector3, Walk, Walker, Wish,
+    BodyId, DepthProfile, Partner, Platform, PlatformId, TwoHalfPhysicsSimulator, Vector2, Vector3, Walk,
+    Walker, Wish,
 };
 
 const RATES: [f32; 4] = [30.0, 60.0, 120.0, 240.0];
@@ -54,7 +55,7 @@ impl Stage {
         let place = Vector3::from(place);
         let made = Platform::with_rotation(&mut self.simulator, width, height, depth, place, rotation, None)
             .unwrap();
-        self.simulator.platform_mut(made).unwrap().settings_mut().set_friction_coefficient(0.5);
+        self.simulator.platform_mut(made).unwrap().set_friction_coefficient(0.5);
         made
     }
 

@@ -82,9 +82,7 @@ fn of_body(
     let (shape, middle) = (geom.virtual_geom(), geom.position3d());
     let surface = simulator.surface_beneath(middle)?;
     let is_beneath = |(other, top): &&(BodyId, VirtualGeom)| {
-        *other != id
-            && covers(top, middle)
-            && (surface.height..=shape.bottom + SUNK).contains(&top.top)
+        *other != id && covers(top, middle) && (surface.height..=shape.bottom + SUNK).contains(&top.top)
     };
     let highest = tops.iter().filter(is_beneath).max_by(|a, b| a.1.top.total_cmp(&b.1.top));
     let flat = matches!(look, Look::Picture(_) | Look::Figure(_) | Look::Ball(_));

@@ -13,6 +13,7 @@ mod prism_box;
 mod sat;
 #[cfg(test)]
 mod slanted_box;
+mod top;
 
 pub(crate) use ball::{ball_ball, ball_prism, ball_prism_through_face, entry_face_of_prism};
 pub(crate) use convex::ConvexPieces;
@@ -22,6 +23,7 @@ pub(crate) use nearest::nearest;
 pub(crate) use overlap::{outlines_overlap, overlap_points, span_of};
 pub(crate) use prism_box::{BoxManifold, KeptAxis, prism_box};
 pub(crate) use sat::entry_of_pieces;
+pub(crate) use top::Top;
 
 use farseer_core::math::{Vector2, vector2};
 

@@ -148,7 +148,8 @@ impl Feet {
             return overlaps(SpaceFoot::Polygon(&corners), [self.left + half_x, self.front + half_z]);
         };
         let disc = SpaceFoot::Disc(round.radius);
-        let between = || round.between().is_some_and(|between| overlaps(SpaceFoot::Polygon(&between), [0.0; 2]));
+        let between =
+            || round.between().is_some_and(|between| overlaps(SpaceFoot::Polygon(&between), [0.0; 2]));
         overlaps(disc, round.from) || overlaps(disc, round.to) || between()
     }
 }

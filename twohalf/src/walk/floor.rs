@@ -4,8 +4,8 @@ use farseer_core::math::vector2::transform;
 use farseer_core::{Body, Geom, SpaceUpright};
 
 use super::feet::Feet;
-use crate::shapes::SlantedBox;
-use crate::tell::to_world;
+use crate::projection::to_world;
+use crate::shapes::{SlantedBox, Top};
 use crate::{BodyId, DepthProfile, GeomId, Partner, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
 /// Ends of what is looked at are taken as far inside as this, px, where rounding cannot put them outside.
@@ -17,18 +17,6 @@ pub(super) struct Floor {
     pub(super) height: f32,
     /// The upward part of its normal.
     pub(super) up: f32,
-}
-
-/// An edge of a prism that looks up, or the top of something upright.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Top {
-    geom: GeomId,
-    front: f32,
-    back: f32,
-    /// Y down, from right to left.
-    edge: [Vector2; 2],
-    /// What of that it is if it is upright, and its place on the floor.
-    upright: Option<(SpaceUpright, [f32; 2])>,
 }
 
 /// Which floors can be reached: no higher than `highest`, no steeper than `least_up`, and not one of them.
@@ -94,7 +82,7 @@ impl TwoHalfPhysicsSimulator {
             else {
                 continue;
             };
-            let (z, half) = (self.world.z_of(view.body()), profile.half_depth());
+            let (z, half) = (self.world.depths.z_of(view.body()), profile.half_depth());
             if let Some(upright) = profile.upright() {
                 tops.extend(self.top_of_upright(geom, *profile, upright));
                 continue;
@@ -122,10 +110,10 @@ impl TwoHalfPhysicsSimulator {
             return None;
         }
         let view = self.core.geom(geom)?;
-        let middle = crate::upright::middle(
+        let middle = crate::depth::upright::middle(
             view,
             self.core.body(view.body())?,
-            self.world.z_of(view.body()),
+            self.world.depths.z_of(view.body()),
         );
         let whole = self.geom(geom)?.virtual_geom();
         let edge = [Vector2::new(whole.right, -whole.top), Vector2::new(whole.left, -whole.top)];
@@ -137,9 +125,9 @@ impl TwoHalfPhysicsSimulator {
     pub(super) fn velocity_of(&self, partner: Partner, place: Vector3) -> Vector3 {
         match partner {
             Partner::Ground => Vector3::zeros(),
-            Partner::Platform(id) => self.platform(id).map_or(Vector3::zeros(), |platform| {
-                platform.velocity_at(place) + platform.belt()
-            }),
+            Partner::Platform(id) => self
+                .platform(id)
+                .map_or(Vector3::zeros(), |platform| platform.velocity_at(place) + platform.belt()),
             Partner::Geom(geom) => self.core.geom(geom).map_or(Vector3::zeros(), |geom| {
                 let velocity_at =
                     |body: &Body| body.get_velocity_at_world_point(Vector2::new(place.x, -place.y));
@@ -153,7 +141,7 @@ impl TwoHalfPhysicsSimulator {
 
 /// The other side of a touch of a body.
 pub(super) fn partner_of(touch: &farseer_core::SpaceTouch, geom: GeomId) -> Option<Partner> {
-    let partner = crate::precise::partner_of(touch.partner);
+    let partner = crate::views::partner_of(touch.partner);
     match partner {
         Partner::Geom(other) if other == geom => Some(Partner::Geom(touch.this)),
         _ if touch.this == geom => Some(partner),
@@ -163,8 +151,8 @@ pub(super) fn partner_of(touch: &farseer_core::SpaceTouch, geom: GeomId) -> Opti
 
 /// Whether a platform can hold a geom, up or back.
 pub(super) fn holds(platform: &Platform, geom: Option<&Geom>) -> bool {
-    let settings = platform.settings();
-    settings.collision_response_enabled() && geom.is_some_and(|geom| settings.may_collide_with(geom))
+    platform.collision_response_enabled()
+        && geom.is_some_and(|geom| platform.filter().may_meet(&geom.filter()))
 }
 
 /// Floors that are prisms, once for each of their edges.
@@ -192,7 +180,8 @@ fn top_of_edge(top: &Top, feet: &Feet) -> Option<(f32, f32)> {
         return None;
     }
     if let Some((upright, place)) = &top.upright {
-        return crate::upright::with_foot(upright, |foot| feet.meets(foot, *place)).then_some((-a.y, 1.0));
+        return crate::depth::upright::with_foot(upright, |foot| feet.meets(foot, *place))
+            .then_some((-a.y, 1.0));
     }
     let [left, right] = feet.whole().span(top.front, top.back)?;
     let y_at = |x: f32| a.y + way.y * ((x - a.x) / way.x);

@@ -9,8 +9,6 @@ use serde::{Deserialize, Serialize};
 
 #[cfg(doc)]
 use crate::TwoHalfBody;
-pub(crate) use floor::Top;
-
 use crate::error::{invalid, only_precise, stale};
 use crate::{BodyId, DepthProfile, DepthScheme, Partner, Result, TwoHalfPhysicsSimulator, Vector3};
 

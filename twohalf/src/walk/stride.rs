@@ -4,9 +4,10 @@ use farseer_core::math::scalar::nearest_finite;
 use farseer_core::{Body, SpaceTouch};
 
 use super::feet::Feet;
-use super::floor::{Floor, Reach, Top, partner_of, top_of_box};
+use super::floor::{Floor, Reach, partner_of, top_of_box};
 use super::walls::KEPT_OFF;
 use super::{Walker, Wish};
+use crate::shapes::Top;
 use crate::{BodyId, GeomId, Partner, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
 /// A floor is stood on from this distance on, px: what falls is caught by it within the step.
@@ -66,12 +67,12 @@ impl TwoHalfPhysicsSimulator {
         let (place, velocity) = (view.origin3d(), view.velocity3d());
         let (soles, least_up) = (view.position3d().y, walker.walk.least_up());
         let knees = soles + if walker.floor.is_some() { walker.walk.step_up.max(STANDS) } else { STANDS };
-        let mut tops = std::mem::take(&mut self.world.update.tops);
+        let mut tops = std::mem::take(&mut self.tops);
         self.gather_tops(body, &feet.widened(farthest(walker, velocity, dt)), &mut tops);
         let stride =
             Stride { body, tops: &tops, geom, feet, soles, knees, head, place, velocity, least_up, dt };
         let velocity = self.next_velocity(&stride, walker, wish);
-        self.world.update.tops = tops;
+        self.tops = tops;
         walker.told = nearest_finite(velocity.y);
         if let Some(mut view) = self.body_mut(body) {
             view.set_velocity3d(velocity);
@@ -260,7 +261,8 @@ impl TwoHalfPhysicsSimulator {
             Partner::Platform(id) => self.platform(id).is_some_and(|platform| {
                 let shape = platform.shape();
                 // What turns or climbs is as high as it is here.
-                let is_low = || top_of_box(shape, &stride.feet.widened(NEAR)).is_some_and(|top| top.0 <= stride.knees);
+                let is_low =
+                    || top_of_box(shape, &stride.feet.widened(NEAR)).is_some_and(|top| top.0 <= stride.knees);
                 shape.shear != 0.0 || ((shape.climb != 0.0 || shape.is_turned()) && !is_low())
             }),
             Partner::Ground => false,

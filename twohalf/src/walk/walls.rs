@@ -48,12 +48,8 @@ impl TwoHalfPhysicsSimulator {
 
 /// The way of a disc, without what leads closer to a wall from where it has come near to it.
 fn held_off_wall(round: &Round, wall: &Feet, way: [f32; 2]) -> [f32; 2] {
-    let corners = [
-        [wall.left, wall.front],
-        [wall.right, wall.front],
-        [wall.right, wall.back],
-        [wall.left, wall.back],
-    ];
+    let corners =
+        [[wall.left, wall.front], [wall.right, wall.front], [wall.right, wall.back], [wall.left, wall.back]];
     let disc = SpaceFoot::Disc(round.radius + SKIN + KEPT_OFF - ROUNDED);
     let gap = |part: f32| {
         let at = [0, 1].map(|axis| -round.from[axis] - part * way[axis]);

@@ -273,8 +273,8 @@ exports! {
     /// Sets its friction and bounciness.
     fn platform_set_surface(simulator: Simulator, platform: PlatformId, friction: f32, restitution: f32) {
         simulator.edit_platform(platform, |mut platform| {
-            platform.settings_mut().set_friction_coefficient(friction);
-            platform.settings_mut().set_restitution_coefficient(restitution);
+            platform.set_friction_coefficient(friction);
+            platform.set_restitution_coefficient(restitution);
             Ok(())
         })
     }

@@ -4,9 +4,10 @@
 //! behind everything.
 
 use super::Space;
-use super::upright::Upright;
 use super::parts::{Fixture, FixtureMotion, fixture_id, ground_id, is_geom, number_of};
+use super::upright::Upright;
 use crate::geom::GeomId;
+use crate::geom::surface::SurfaceCoefficients;
 use crate::math::Vector3;
 use crate::math::plane::{Pose, length};
 use crate::math::scalar;
@@ -131,7 +132,8 @@ impl Precise {
     ) -> impl Iterator<Item = (u32, Vector3, Option<f32>, FixtureMotion)> + '_ {
         self.space.iter().flat_map(|space| {
             let moving = space.moving.iter().map(|&place| &space.fixtures[place as usize]);
-            moving.filter_map(|fixture| Some((fixture.id, fixture.shape.centre, fixture.yaw, fixture.motion?)))
+            moving
+                .filter_map(|fixture| Some((fixture.id, fixture.shape.centre, fixture.yaw, fixture.motion?)))
         })
     }
 }
@@ -216,7 +218,7 @@ impl Precise {
         let Precise { space: Some(space), proxies, bounces, .. } = self else { return };
         space.fixture_proxies.resize(space.fixtures.len(), 0);
         for (place, (fixture, &number)) in space.fixtures.iter().zip(&space.numbers).enumerate() {
-            let Fixture { shape, settings, surface_velocity: [vx, vy, vz], motion, .. } = fixture;
+            let Fixture { shape, filter, surface, surface_velocity: [vx, vy, vz], motion, .. } = fixture;
             if motion.is_some() != (mobility == Mobility::Kinematic) {
                 continue;
             }
@@ -225,16 +227,16 @@ impl Precise {
             // Sheared, it reaches further: its bounds and what is near are those of the widest box.
             let lean = (shape.shear * depth).abs() + (shape.climb * depth).abs();
             let shape = proxies.corners.add_box([x, y]).leaning(lean);
-            let restitution = settings.restitution_coefficient();
+            let SurfaceCoefficients { friction, restitution } = *surface;
             *bounces |= restitution > 0.0;
             space.fixture_proxies[place] = proxies.all.len() as u32;
             proxies.push(Proxy {
                 place: place as u32,
                 mobility,
                 shape,
-                friction: settings.friction_coefficient(),
+                friction,
                 restitution,
-                responds: settings.collision_response_enabled(),
+                responds: filter.responds,
                 surface_velocity: [*vx, *vy, 0.0, *vz],
                 ..proxy_for(fixture_id(fixture), number as usize)
             });

@@ -85,13 +85,7 @@ impl Space {
 
 impl Space {
     /// The same of a pair of which one is upright.
-    fn coming_upright(
-        &self,
-        pair: [u32; 2],
-        proxies: &Proxies,
-        bodies: &Bodies,
-        part: f32,
-    ) -> (f32, f32) {
+    fn coming_upright(&self, pair: [u32; 2], proxies: &Proxies, bodies: &Bodies, part: f32) -> (f32, f32) {
         let [(a, way_a), (b, way_b)] = pair.map(|at| {
             let proxy = &proxies.all[at as usize];
             let path = bodies.path.get(proxy.body as usize).copied().unwrap_or_default();

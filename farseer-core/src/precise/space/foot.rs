@@ -126,7 +126,13 @@ impl Foot {
     /// Least and greatest x of what is of it between two z, from its place; none if nothing is.
     pub(super) fn span(&self, near: f32, far: f32) -> Option<[f32; 2]> {
         if self.is_disc() {
-            let off = if near > 0.0 { near } else if far < 0.0 { -far } else { 0.0 };
+            let off = if near > 0.0 {
+                near
+            } else if far < 0.0 {
+                -far
+            } else {
+                0.0
+            };
             let squared = self.radius * self.radius - off * off;
             return (near <= far && squared >= 0.0).then(|| [-squared.sqrt(), squared.sqrt()]);
         }
@@ -230,7 +236,11 @@ pub(super) fn summit(foot: &Foot, part: &Polygon, slope: Vector) -> Option<Summi
         consider(own, None);
     }
     if !foot.is_disc() {
-        foot.polygon.points().iter().filter(|&&corner| holds(part, corner)).for_each(|&at| consider(at, None));
+        foot.polygon
+            .points()
+            .iter()
+            .filter(|&&corner| holds(part, corner))
+            .for_each(|&at| consider(at, None));
     }
     for (edge, [start, end]) in part.edges().enumerate() {
         for at in inside(foot, start, end).into_iter().flatten() {

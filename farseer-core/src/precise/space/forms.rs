@@ -1,9 +1,9 @@
 //! How far something upright is from other things, whether or not they take part: for queries of the engine above.
 
+use super::foot::{Foot, Polygon};
 use super::parts::SpaceUpright;
 use super::solid::{Kind, Solid};
 use super::standing;
-use super::foot::{Foot, Polygon};
 use super::upright::Upright;
 use super::upright_slant::roof_over;
 use crate::geom::pieces::simplified;

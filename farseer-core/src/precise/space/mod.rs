@@ -42,11 +42,11 @@ use crate::shape::SlantedBox;
 use crate::storage::reusing_clone::reusing_clone;
 pub(super) use one_way::lands_on;
 use parts::{Depths, Fixture, SpaceBody, SpaceProfile};
-use upright::Upright;
 pub(super) use passes::{Spin, begin_spins, gather_warm_in_space, relax_in_space};
 pub(super) use rows::{SpaceRow, tangents};
 pub(super) use solid::Before;
 use solid::{Kind, Limits, Solid};
+use upright::Upright;
 
 /// What there is along the depth axis.
 #[derive(Debug, Default)]
@@ -227,7 +227,11 @@ impl Space {
             parts::SpacePartner::Ground => Reach::default(),
             parts::SpacePartner::Fixture(id) => {
                 let Some((_, fixture)) = self.fixture(id) else { return Reach::default() };
-                let half = if fixture.yaw.is_some() { fixtures::turning_reach(fixture) } else { fixture.shape.half[2] };
+                let half = if fixture.yaw.is_some() {
+                    fixtures::turning_reach(fixture)
+                } else {
+                    fixture.shape.half[2]
+                };
                 let upright = fixture.yaw.map(|_| Upright::of_box(&fixture.shape));
                 let upright = upright.map_or(0, |upright| self.add_upright(upright));
                 Reach { half, upright, ..Reach::default() }
@@ -324,14 +328,12 @@ impl Space {
     }
 
     /// New bounds with a margin, longer the faster the body moves: see [`Proxies::widened`].
-    pub(super) fn widen(&mut self, proxy: u32, body: u32, reach: f32, ahead: f32, tuning: &Tuning) {
+    pub(super) fn widen(&mut self, proxy: u32, body: u32, margin: f32, ahead: f32) {
         if proxy == self.ground {
             self.depths[proxy as usize] = Depths { low: f32::MIN, high: f32::MAX };
             return;
         }
         let (z, half) = (self.places[body as usize], self.reach[proxy as usize].half);
-        let margin = tuning.margin_of(reach) + tuning.speculative;
-        let ahead = tuning.ahead(ahead);
         let (below, above) = if ahead < 0.0 { (ahead, 0.0) } else { (0.0, ahead) };
         self.depths[proxy as usize] = Depths::new(z - half - margin + below, z + half + margin + above);
     }

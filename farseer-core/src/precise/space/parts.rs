@@ -3,7 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use crate::body::BodyId;
-use crate::geom::{Geom, GeomId};
+use crate::geom::GeomId;
+use crate::geom::filter::CollisionFilter;
+use crate::geom::surface::SurfaceCoefficients;
 use crate::math::Vector2;
 use crate::shape::{Footprint, SlantedBox};
 use crate::storage::arena::Id;
@@ -77,9 +79,8 @@ impl SpaceUpright {
     /// The box about it in the plane: its middle as seen from the origin of its geom, and half of its sides.
     pub(in crate::precise) fn front(&self) -> ([f32; 2], [f32; 2]) {
         match *self {
-            SpaceUpright::Cylinder { radius, half_height } | SpaceUpright::Capsule { radius, half_height } => {
-                ([0.0; 2], [radius, half_height])
-            }
+            SpaceUpright::Cylinder { radius, half_height }
+            | SpaceUpright::Capsule { radius, half_height } => ([0.0; 2], [radius, half_height]),
             SpaceUpright::Prism { footprint, half_height } => {
                 let (low, high) = footprint.bounds();
                 ([0.5 * (low.x + high.x), 0.0], [0.5 * (high.x - low.x), half_height])
@@ -100,8 +101,10 @@ pub struct Fixture {
     /// The angle by which it is turned about the upright axis through its middle, from x to z, if it is or is going to be: then it is
     /// level.
     pub yaw: Option<f32>,
-    /// Whom it may meet, and how.
-    pub settings: Geom,
+    /// Whom it may meet.
+    pub filter: CollisionFilter,
+    /// How it rubs and bounces.
+    pub surface: SurfaceCoefficients,
     /// Speed of its surface along x, y and z, beside that of its own motion: a belt.
     pub surface_velocity: [f32; 3],
     /// How it moves, if it does not stand still.

@@ -76,9 +76,9 @@ fn from_prism(a: &Solid<'_>, shape: &Upright, prism: &Solid<'_>, half: f32) -> (
     let ball = nearest_ball(prism, a, shape);
     let [x, y] = ball.centre();
     let found = match &prism.slant {
-        Some(slanted) => slanted.nearest(Vector3::new(x, y, ball.z)).map(|(distance, normal)| {
-            (distance - shape.rounding, [normal.x, normal.y], normal.z)
-        }),
+        Some(slanted) => slanted
+            .nearest(Vector3::new(x, y, ball.z))
+            .map(|(distance, normal)| (distance - shape.rounding, [normal.x, normal.y], normal.z)),
         None => nearness(*prism, half, ball, [0.0; 3], 0.0, f32::MAX),
     };
     found.map_or((f32::MAX, [0.0, 1.0, 0.0]), |(apart, [x, y], z)| (apart, [-x, -y, -z]))

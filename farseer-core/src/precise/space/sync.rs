@@ -142,7 +142,7 @@ impl Precise {
         let meets = match parts::partner_of(other) {
             SpacePartner::Ground => entry.geom.collision_enabled(),
             SpacePartner::Fixture(id) => {
-                space.fixture(id).is_some_and(|(_, fixture)| entry.geom.may_collide_with(&fixture.settings))
+                space.fixture(id).is_some_and(|(_, fixture)| entry.geom.filter().may_meet(&fixture.filter))
             }
             SpacePartner::Geom(_) => false,
         };

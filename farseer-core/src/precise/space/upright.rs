@@ -88,11 +88,8 @@ impl Standing<'_> {
         let foot = &self.shape.foot;
         let reach = |axis: Vector| [foot.reach(scaled(axis, -1.0)), foot.reach(axis)];
         let ([left, right], [near, far]) = (reach([1.0, 0.0]), reach([0.0, 1.0]));
-        let mine = [
-            [self.at[0] - left, self.at[0] + right],
-            [least, most],
-            [self.at[2] - near, self.at[2] + far],
-        ];
+        let mine =
+            [[self.at[0] - left, self.at[0] + right], [least, most], [self.at[2] - near, self.at[2] + far]];
         let gaps = mine.iter().zip(low.iter().zip(high));
         gaps.fold(0.0, |most, ([from, to], (low, high))| most.max(low - to).max(from - high))
     }
@@ -239,14 +236,14 @@ fn surface_point(
     // Of its axis the height that is nearest to the other one.
     let [low, high] = [-1.0, 1.0].map(|side| round.at[1] + side * round.shape.half);
     let near = other.at[1].clamp(low, high);
-    let y = if beside.normal[1] == 0.0 && low < high { overlapping(other, low, high).unwrap_or(near) } else { near };
+    let y = if beside.normal[1] == 0.0 && low < high {
+        overlapping(other, low, high).unwrap_or(near)
+    } else {
+        near
+    };
     let out = sign * (round.shape.rounding + 0.5 * apart);
     let foot = round.shape.foot.farthest([sign * normal[0], sign * normal[2]]);
-    [
-        round.at[0] + foot[0] + out * normal[0],
-        y + out * normal[1],
-        round.at[2] + foot[1] + out * normal[2],
-    ]
+    [round.at[0] + foot[0] + out * normal[0], y + out * normal[1], round.at[2] + foot[1] + out * normal[2]]
 }
 
 /// The middle of what of an interval of heights something covers.
@@ -382,7 +379,8 @@ pub(super) fn touch(
     limits: Limits,
 ) -> Manifold {
     let (one, other) = (Standing::new(&a, shapes[0]), Standing::new(&b, shapes[1]));
-    let moved = |way: [f32; 3]| Standing { at: std::array::from_fn(|axis| other.at[axis] + way[axis]), ..other };
+    let moved =
+        |way: [f32; 3]| Standing { at: std::array::from_fn(|axis| other.at[axis] + way[axis]), ..other };
     let (way, is_new) = (ahead(&a, &b), before == Before::Nothing);
     if shapes[0].rounding + shapes[1].rounding > 0.0 {
         let now = rounded(one, other);
@@ -443,8 +441,10 @@ mod tests {
     #[test]
     fn cylinders_are_apart_beside_and_above_each_other() {
         let (a, b) = (cylinder(10.0, 20.0), cylinder(5.0, 8.0));
-        let found =
-            ways(Standing { shape: &a, at: [0.0, 0.0, 0.0] }, Standing { shape: &b, at: [12.0, -30.0, 16.0] });
+        let found = ways(
+            Standing { shape: &a, at: [0.0, 0.0, 0.0] },
+            Standing { shape: &b, at: [12.0, -30.0, 16.0] },
+        );
         assert_eq!((found.beside.apart, found.beside.normal), (5.0, [0.6, 0.0, 0.8]));
         assert_eq!((found.over.apart, found.over.normal), (2.0, [0.0, -1.0, 0.0]));
     }
@@ -452,9 +452,8 @@ mod tests {
     #[test]
     fn capsules_are_apart_by_the_distance_of_their_axes() {
         let (a, b) = (capsule(5.0, 20.0), capsule(3.0, 13.0));
-        let apart = |at: [f32; 3]| {
-            rounded(Standing { shape: &a, at: [0.0; 3] }, Standing { shape: &b, at }).apart
-        };
+        let apart =
+            |at: [f32; 3]| rounded(Standing { shape: &a, at: [0.0; 3] }, Standing { shape: &b, at }).apart;
         assert_eq!(apart([6.0, 4.0, 8.0]), 2.0);
         // Axes end at 15 and at 29 - 10.
         assert!((apart([0.0, 29.0, 3.0]) - (-3.0)).abs() < 1e-5);

@@ -90,7 +90,8 @@ impl<'s, 'a> Extruded<'s, 'a> {
             }
             let width = high[0] - low[0];
             let spot = |x: f32| {
-                let y = if width > 0.0 { low[1] + (high[1] - low[1]) * ((x - low[0]) / width) } else { low[1] };
+                let y =
+                    if width > 0.0 { low[1] + (high[1] - low[1]) * ((x - low[0]) / width) } else { low[1] };
                 // A corner between both ends is no place of one face alone: what is flat lies level on it.
                 let is_corner = (x == low[0] && x > left) || (x == high[0] && x < right);
                 let out = if is_corner && !is_level(out) { [0.0, up] } else { out };
@@ -174,7 +175,10 @@ pub(super) fn ways(u: Standing<'_>, prism: &Extruded<'_, '_>, reach: f32) -> Way
     let [top, bottom] = prism.extent(1);
     let down = over(u, prism, 1.0);
     let up = over(u, prism, -1.0);
-    Ways { over: if up.apart > down.apart { up } else { down }, beside: beside(u, prism, [top, bottom], reach) }
+    Ways {
+        over: if up.apart > down.apart { up } else { down },
+        beside: beside(u, prism, [top, bottom], reach),
+    }
 }
 
 /// The prism below something upright, with `down` 1, or above it.
@@ -259,10 +263,8 @@ fn beside(u: Standing<'_>, prism: &Extruded<'_, '_>, [top, bottom]: [f32; 2], re
 pub(super) fn parted(u: Standing<'_>, prism: &Extruded<'_, '_>) -> Axis {
     let ([left, right], [high, low]) = (prism.extent(0), prism.extent(1));
     let [x, y, z] = u.at;
-    let over = farther(
-        (high - y - u.shape.half, [0.0, 1.0, 0.0]),
-        (y - u.shape.half - low, [0.0, -1.0, 0.0]),
-    );
+    let over =
+        farther((high - y - u.shape.half, [0.0, 1.0, 0.0]), (y - u.shape.half - low, [0.0, -1.0, 0.0]));
     let rectangle = Polygon::rectangle([left - x, prism.near - z], [right - x, prism.far - z]);
     let gap = u.shape.foot.gap(&Foot::of(rectangle), [0.0; 2]);
     let beside = (gap.apart, [gap.normal[0], 0.0, gap.normal[1]]);

@@ -38,13 +38,11 @@ impl Roof {
             Face::Left => [3, 0],
             Face::Front | Face::Back => return None,
         };
-        let seen = [one, other, other + 4, one + 4].map(|at| [corners[at].x - from[0], corners[at].z - from[1]]);
+        let seen =
+            [one, other, other + 4, one + 4].map(|at| [corners[at].x - from[0], corners[at].z - from[1]]);
         let area = cross(difference(seen[1], seen[0]), difference(seen[2], seen[0]));
-        let part = if area > 0.0 {
-            Polygon::new(seen)
-        } else {
-            Polygon::new([seen[1], seen[0], seen[3], seen[2]])
-        };
+        let part =
+            if area > 0.0 { Polygon::new(seen) } else { Polygon::new([seen[1], seen[0], seen[3], seen[2]]) };
         (area != 0.0).then(|| Roof { part, normal: shape.face_normal(face), on: corners[one], from })
     }
 
@@ -176,7 +174,12 @@ fn silhouette(shape: &SlantedBox, top: f32, bottom: f32) -> Vec<Vector> {
         }
         let height = low.y - high.y;
         let at = |y: f32| if height > 0.0 { high + (low - high) * ((y - high.y) / height) } else { low };
-        seen.extend([high, at(from), at(to)].map(|point| [point.x, point.z]).into_iter().skip(usize::from(height > 0.0)));
+        seen.extend(
+            [high, at(from), at(to)]
+                .map(|point| [point.x, point.z])
+                .into_iter()
+                .skip(usize::from(height > 0.0)),
+        );
     }
     hull(seen)
 }

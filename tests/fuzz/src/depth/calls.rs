@@ -3,7 +3,7 @@
 use twohalf::{DepthProfile, DepthScheme, Result, TwoHalfPhysicsSimulator};
 
 use super::create::{BODIES, GEOMS, Make, PLATFORMS};
-use super::edits::edit_body;
+use super::edits::{PLATFORM_EDITS, edit_body};
 use super::handler::Meddler;
 use super::queries::ask;
 use super::{Depth, create_thing, place};
@@ -195,7 +195,7 @@ fn edit_platform(game: &mut Depth) -> Outcome {
             Outcome::of(platform.set_surface_speed(speeds[0], speeds[1]))
         }
         _ => {
-            game.random.pick(GEOM_EDITS)(platform.settings_mut(), &mut game.random);
+            game.random.pick(PLATFORM_EDITS)(&mut platform, &mut game.random);
             Outcome::Changed
         }
     }

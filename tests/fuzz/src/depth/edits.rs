@@ -1,7 +1,7 @@
-//! Setters of bodies, through a simulator or the context of a callback.
+//! Setters of bodies, through a simulator or the context of a callback, and of platforms.
 
-use farseer_core::Body;
-use twohalf::{AccessMut, TextureId, TwoHalfBody};
+use farseer_core::{Body, CollisionCategory};
+use twohalf::{AccessMut, PlatformMut, TextureId, TwoHalfBody};
 
 use super::place;
 use super::pools::Pools;
@@ -62,3 +62,20 @@ fn edits<A: AccessMut>() -> [Edit<A>; 33] {
         |body, _, _| *body.core_mut() = Body::new(),
     ]
 }
+
+/// Changes how a platform collides.
+type EditPlatform = fn(&mut PlatformMut<'_>, &mut Random);
+
+pub(super) const PLATFORM_EDITS: &[EditPlatform] = &[
+    |platform, random| platform.set_collision_categories(CollisionCategory::from_bits(random.count(0, 15))),
+    |platform, random| platform.set_collides_with(CollisionCategory::from_bits(random.count(0, 15))),
+    |platform, random| platform.set_collision_group(random.count(-2, 3)),
+    |platform, random| platform.set_friction_coefficient(random.number(0.0, 2.0)),
+    |platform, random| platform.set_restitution_coefficient(random.number(0.0, 2.0)),
+    |platform, random| platform.set_collision_enabled(random.chance(85)),
+    |platform, random| platform.set_collision_response_enabled(random.chance(85)),
+    |platform, _| {
+        platform.set_collides_with(CollisionCategory::ALL);
+        platform.set_collision_categories(CollisionCategory::ALL);
+    },
+];

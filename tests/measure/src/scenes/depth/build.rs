@@ -87,8 +87,8 @@ fn add_platform(simulator: &mut TwoHalfPhysicsSimulator, platform: &DepthPlatfor
         platform.angle_in_z_axis,
     )?;
     if let Some(mut view) = simulator.platform_mut(id) {
-        view.settings_mut().set_friction_coefficient(platform.surface.friction);
-        view.settings_mut().set_restitution_coefficient(platform.surface.restitution);
+        view.set_friction_coefficient(platform.surface.friction);
+        view.set_restitution_coefficient(platform.surface.restitution);
     }
     Ok(())
 }

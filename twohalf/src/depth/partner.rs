@@ -1,0 +1,47 @@
+//! The words that contacts are described with: what is touched, and along which axes.
+
+use farseer_core::GeomId;
+use serde::{Deserialize, Serialize};
+
+use super::platform_id::PlatformId;
+
+/// What a geom touches.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+pub enum Partner {
+    /// Another object's geom.
+    Geom(GeomId),
+    /// A platform.
+    Platform(PlatformId),
+    /// The body's own ground: the plane Y = 0.
+    Ground,
+}
+
+impl Partner {
+    /// Whether it is the ground.
+    #[doc(alias = "IsGround")]
+    pub fn is_ground(&self) -> bool {
+        matches!(self, Partner::Ground)
+    }
+}
+
+/// Along which axes a contact pushes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum Axis {
+    /// X and Y: sides, tops and undersides.
+    Plane,
+    /// Z: fronts and backs.
+    Depth,
+    /// All three: a ball, or the slanted side of a platform.
+    Oblique,
+}
+
+impl Axis {
+    /// The axes of a normal.
+    pub(crate) fn of(normal_z: f32) -> Self {
+        match normal_z.abs() {
+            0.0 => Axis::Plane,
+            1.0 => Axis::Depth,
+            _ => Axis::Oblique,
+        }
+    }
+}

@@ -1,0 +1,406 @@
+//! Platforms: boxes with depth that nothing pushes, and that objects stand on, bump into and pass under (thesis 3.6).
+
+mod turned;
+
+use farseer_core::math::scalar;
+use farseer_core::{
+    ArgumentNames, CollisionCategory, CollisionFilter, Fixture, FixtureMotion, Refusals, SurfaceCoefficients,
+};
+use serde::{Deserialize, Serialize};
+
+use super::platform_id::PlatformId;
+#[cfg(doc)]
+use crate::PlatformMut;
+use crate::error::invalid;
+use crate::projection::to_world;
+use crate::shapes::SlantedBox;
+use crate::{Projection, Result, TextureId, Vector3};
+
+/// A box that nothing pushes: width along X, height, and depth along Z, in px.
+///
+/// `rotation` tilts it about the middle of the box, in the plane of X and Y: a slope. `angle_in_z_axis` shears it, so
+/// that its edges in depth run at that angle on the screen; at the simulator's own angle it is a plain box.
+/// Objects land on it where their footprints overlap its, walk off every edge, bump into its sides, its front and its
+/// underside, and pass under it.
+///
+/// With [`DepthScheme::Precise`](crate::DepthScheme::Precise) it stands still, [moves](PlatformMut::set_velocity) or
+/// [turns](PlatformMut::set_angular_velocity) about an upright axis, and carries what stands on it; its surface may be a
+/// [belt](PlatformMut::set_surface_speed), or [rise along Z](PlatformMut::set_pitch).
+///
+/// Whom it meets and how it rubs and bounces is set as with a geom, in the [view to change it](PlatformMut); friction and
+/// restitution are 0 until set.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct Platform {
+    width: f32,
+    height: f32,
+    depth: f32,
+    position3d: Vector3,
+    rotation: f32,
+    angle_in_z_axis: i32,
+    shadow_image: Option<TextureId>,
+    filter: CollisionFilter,
+    surface: SurfaceCoefficients,
+    /// Arguments that setters have refused and nobody was told of yet.
+    rejected: Refusals<PlatformArguments>,
+    /// Of the surface along the level edges and along Z.
+    surface_speed: [f32; 2],
+    motion: Option<Motion>,
+    is_one_way: bool,
+    /// How much its top rises towards the back.
+    pitch: f32,
+    /// By what it is turned about the upright axis, if it ever is.
+    yaw: Option<f32>,
+    /// Derived from the others.
+    #[serde(skip)]
+    shape: SlantedBox,
+}
+
+/// What setters of platforms refuse.
+#[derive(Debug)]
+struct PlatformArguments;
+
+impl ArgumentNames for PlatformArguments {
+    const NAMES: &'static [&'static str] = &["friction_coefficient", "restitution_coefficient"];
+}
+
+/// How a platform moves that does not stand still.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+struct Motion {
+    /// Its middle in the frame of the narrow phase: the truth about where it is.
+    centre: Vector3,
+    /// Where its position is brought.
+    target: Option<Vector3>,
+    /// As the 2D engine below has it.
+    told: FixtureMotion,
+}
+
+impl Motion {
+    /// Whether everything that enters arithmetic is finite: false only after loading garbage.
+    fn is_finite(&self) -> bool {
+        let FixtureMotion { velocity, target, way, turning, yaw_target } = self.told;
+        let turns = [turning, yaw_target.map_or(0.0, |(target, _)| target)];
+        let towards = target.map_or([0.0; 3], |(target, _)| target);
+        let position = self.target.unwrap_or_default();
+        let numbers = self.centre.iter().chain(position.iter()).copied();
+        numbers.chain(velocity).chain(towards).chain(way).chain(turns).all(|number| number.is_finite())
+    }
+}
+
+/// Making one, and making it otherwise.
+impl Platform {
+    /// A platform of these sizes: width, height and depth.
+    pub(crate) fn checked(
+        [width, height, depth]: [f32; 3],
+        position3d: Vector3,
+        rotation: f32,
+        angle_in_z_axis: i32,
+        shadow_image: Option<TextureId>,
+        projection: &Projection,
+    ) -> Result<Self> {
+        for (argument, value) in [("width", width), ("height", height), ("depth", depth)] {
+            if !(value.is_finite() && value > 0.0) {
+                return Err(invalid(argument, value, "finite and greater than 0"));
+            }
+        }
+        if !(1..180).contains(&angle_in_z_axis) {
+            return Err(invalid(
+                "angle_in_z_axis",
+                angle_in_z_axis,
+                "greater than 0 and less than 180 degrees",
+            ));
+        }
+        let platform = Platform {
+            width,
+            height,
+            depth,
+            position3d,
+            rotation,
+            angle_in_z_axis,
+            shadow_image,
+            filter: CollisionFilter::default(),
+            surface: SurfaceCoefficients::default(),
+            rejected: Refusals::default(),
+            surface_speed: [0.0; 2],
+            motion: None,
+            is_one_way: false,
+            pitch: 0.0,
+            yaw: None,
+            shape: SlantedBox::default(),
+        };
+        platform.shaped(projection)
+    }
+
+    /// The platform with the shape that its numbers say.
+    pub(super) fn shaped(mut self, projection: &Projection) -> Result<Self> {
+        let Platform { width, height, depth, position3d, rotation, angle_in_z_axis, motion, .. } = self;
+        if !rotation.is_finite() {
+            return Err(invalid("rotation", rotation, "finite"));
+        }
+        let (sin, cos) = scalar::sin_cos(rotation);
+        let half = [width * 0.5, height * 0.5, depth * 0.5];
+        let (turn_sin, turn_cos) = self.yaw.map_or((0.0, 1.0), scalar::sin_cos);
+        self.shape = SlantedBox {
+            centre: motion.map_or(self.middle(position3d), |motion| motion.centre),
+            half,
+            cos,
+            sin,
+            shear: projection.shear_of(angle_in_z_axis),
+            climb: self.climb(),
+            turn: [turn_cos, turn_sin],
+        };
+        self.check_turn()?;
+        let (low, high) = self.shape.bounds();
+        // Differences within the box must be finite, too.
+        if !(high - low).iter().chain(low.iter()).all(|number| number.is_finite()) {
+            return Err(invalid("position3d", position3d, "finite and near enough for finite corners"));
+        }
+        Ok(self)
+    }
+
+    /// Where its middle is at a position, in the frame of the narrow phase.
+    fn middle(&self, position3d: Vector3) -> Vector3 {
+        Vector3::new(position3d.x, -(position3d.y + self.height * 0.5), position3d.z)
+    }
+
+    /// At another position.
+    pub(crate) fn at(&self, position3d: Vector3, projection: &Projection) -> Result<Self> {
+        let mut platform = Platform { position3d, ..self.clone() };
+        let centre = platform.middle(position3d);
+        platform.motion = platform.motion.map(|motion| Motion { centre, ..motion });
+        platform.shaped(projection)
+    }
+
+    /// At another rotation.
+    pub(crate) fn tilted(&self, rotation: f32, projection: &Projection) -> Result<Self> {
+        Platform { rotation, ..self.clone() }.shaped(projection)
+    }
+
+    /// It moves with a velocity, or to a place. Answers whether it stood still so far, and so becomes something else to the
+    /// engine below.
+    pub(crate) fn set_motion(&mut self, velocity: Vector3, target: Option<Vector3>) -> bool {
+        let towards = target.map(|target| (self.middle(target).into(), false));
+        let told = self.motion.map(|motion| motion.told).unwrap_or_default();
+        let stood_still = self.motion.is_none();
+        self.motion = Some(Motion {
+            centre: self.shape.centre,
+            target,
+            told: FixtureMotion { velocity: velocity.into(), target: towards, ..told },
+        });
+        stood_still
+    }
+
+    /// Its surface is a belt.
+    pub(crate) fn with_surface_speed(&self, surface_speed: [f32; 2]) -> Result<Self> {
+        let platform = Platform { surface_speed, ..self.clone() };
+        platform.check_turn()?;
+        Ok(platform)
+    }
+
+    pub(crate) fn set_one_way(&mut self, value: bool) {
+        self.is_one_way = value;
+    }
+
+    pub(crate) fn filter_mut(&mut self) -> &mut CollisionFilter {
+        &mut self.filter
+    }
+
+    /// To change one of its coefficients; what is not finite is noted as refused.
+    pub(crate) fn set_coefficient(
+        &mut self,
+        argument: &'static str,
+        value: f32,
+        field: impl Fn(&mut SurfaceCoefficients) -> &mut f32,
+    ) {
+        if value.is_finite() {
+            *field(&mut self.surface) = value;
+        } else {
+            self.rejected.note(argument);
+        }
+    }
+
+    /// Arguments that setters have refused since this was asked last.
+    pub(super) fn take_rejected(&mut self) -> impl Iterator<Item = &'static str> + '_ {
+        self.rejected.take()
+    }
+
+    /// Whether everything is what the constructors could have made: false only after loading garbage. Computes the shape anew.
+    pub(super) fn restore(&mut self, projection: &Projection) -> bool {
+        let sizes = [self.width, self.height, self.depth];
+        let is_valid = sizes.iter().all(|size| size.is_finite() && *size > 0.0)
+            && (1..180).contains(&self.angle_in_z_axis)
+            && self.surface.friction.is_finite()
+            && self.surface.restitution.is_finite()
+            && self.surface_speed.iter().all(|speed| speed.is_finite())
+            && self.motion.is_none_or(|motion| motion.is_finite());
+        match self.clone().shaped(projection) {
+            Ok(shaped) if is_valid => {
+                *self = shaped;
+                true
+            }
+            _ => false,
+        }
+    }
+
+    /// As the 2D engine below is told of it.
+    pub(crate) fn fixture(&self, id: PlatformId) -> Fixture {
+        Fixture {
+            id: id.number(),
+            shape: self.shape,
+            rotation: self.rotation,
+            filter: self.filter,
+            surface: self.surface,
+            yaw: self.yaw,
+            surface_velocity: self.surface_velocity(),
+            motion: self.told_motion(),
+            is_one_way: self.is_one_way,
+        }
+    }
+
+    pub(crate) fn told_motion(&self) -> Option<FixtureMotion> {
+        self.motion.map(|motion| motion.told)
+    }
+
+    /// Whether it has what only the precise set can do.
+    pub(super) fn is_precise(&self) -> bool {
+        self.motion.is_some()
+            || self.surface_speed != [0.0; 2]
+            || self.is_one_way
+            || self.is_sloped_or_turned()
+    }
+
+    /// An update has brought it here.
+    pub(super) fn has_moved(&mut self, centre: Vector3, yaw: Option<f32>, told: FixtureMotion) {
+        let Some(motion) = &mut self.motion else { return };
+        let has_landed = told.target.is_some_and(|(_, is_reached)| is_reached);
+        if let Some(target) = motion.target.filter(|_| has_landed) {
+            self.position3d = target;
+        } else if centre != motion.centre {
+            self.position3d = Vector3::new(centre.x, -centre.y - self.height * 0.5, centre.z);
+        }
+        (motion.centre, motion.told, self.shape.centre) = (centre, told, centre);
+        if let Some(yaw) = yaw.filter(|_| yaw != self.yaw) {
+            let (sin, cos) = scalar::sin_cos(yaw);
+            (self.yaw, self.shape.turn) = (Some(yaw), [cos, sin]);
+        }
+        motion.target = motion.target.filter(|_| told.target.is_some());
+    }
+}
+
+/// What it is.
+impl Platform {
+    /// Width along X in px, before it is tilted.
+    pub fn width(&self) -> f32 {
+        self.width
+    }
+
+    /// Height in px, before it is tilted.
+    pub fn height(&self) -> f32 {
+        self.height
+    }
+
+    /// Depth along Z in px.
+    pub fn depth(&self) -> f32 {
+        self.depth
+    }
+
+    /// X and Z of the middle of the box, and as Y the height of its underside when level.
+    #[doc(alias = "Position3D")]
+    pub fn position3d(&self) -> Vector3 {
+        self.position3d
+    }
+
+    /// Tilt in rad, clockwise on the screen.
+    #[doc(alias = "Rotation")]
+    pub fn rotation(&self) -> f32 {
+        self.rotation
+    }
+
+    /// Direction of its edges in depth on the screen, degrees counterclockwise from the x axis.
+    pub fn angle_in_z_axis(&self) -> i32 {
+        self.angle_in_z_axis
+    }
+
+    /// The picture of its shadow.
+    pub fn shadow_image(&self) -> Option<TextureId> {
+        self.shadow_image
+    }
+
+    /// Whom it may meet.
+    pub(crate) fn filter(&self) -> &CollisionFilter {
+        &self.filter
+    }
+
+    /// Friction, combined with a geom's by the simulator's friction type: the mean, or the smaller. Default 0, as a geom's.
+    #[doc(alias = "FrictionCoefficient")]
+    pub fn friction_coefficient(&self) -> f32 {
+        self.surface.friction
+    }
+
+    /// Bounciness, usually 0 to 1; the mean of it and a geom's acts. Default 0, as a geom's.
+    #[doc(alias = "RestitutionCoefficient")]
+    pub fn restitution_coefficient(&self) -> f32 {
+        self.surface.restitution
+    }
+
+    /// The categories it belongs to. Default all.
+    #[doc(alias = "CollisionCategories")]
+    pub fn collision_categories(&self) -> CollisionCategory {
+        self.filter.categories
+    }
+
+    /// The categories it collides with. It meets a geom if **either** one's mask meets the other's categories. Default all.
+    #[doc(alias = "CollidesWith")]
+    pub fn collides_with(&self) -> CollisionCategory {
+        self.filter.collides_with
+    }
+
+    /// It does not meet geoms of the same group; 0 is no group. Default 0.
+    #[doc(alias = "CollisionGroup")]
+    pub fn collision_group(&self) -> i32 {
+        self.filter.group
+    }
+
+    /// Whether it meets anything. Default true.
+    #[doc(alias = "CollisionEnabled")]
+    pub fn collision_enabled(&self) -> bool {
+        self.filter.is_enabled
+    }
+
+    /// Whether it pushes what touches it; touches are reported either way. Default true.
+    #[doc(alias = "CollisionResponseEnabled")]
+    pub fn collision_response_enabled(&self) -> bool {
+        self.filter.responds
+    }
+
+    /// Its velocity in the world, px/s: along X, up and along Z. One that is [told a place](PlatformMut::move_to) has that of its
+    /// way there for an update.
+    pub fn velocity(&self) -> Vector3 {
+        to_world(self.told_velocity())
+    }
+
+    /// Speed of its surface, px/s: along its level edges, and along Z.
+    pub fn surface_speed(&self) -> [f32; 2] {
+        self.surface_speed
+    }
+
+    /// Whether only what is above its top lands on it, and everything else passes through it.
+    pub fn is_one_way(&self) -> bool {
+        self.is_one_way
+    }
+
+    /// The eight corners in the world: of the front face (smaller Z) clockwise on the screen, before it is tilted
+    /// from the top left one on; then of the back face in the same order.
+    pub fn corners(&self) -> [Vector3; 8] {
+        self.shape.corners().map(to_world)
+    }
+
+    /// The velocity that it was told, in the frame of the narrow phase.
+    pub(crate) fn told_velocity(&self) -> Vector3 {
+        self.motion.map_or(Vector3::zeros(), |motion| motion.told.velocity.into())
+    }
+
+    /// The shape in the frame of the narrow phase.
+    pub(crate) fn shape(&self) -> &SlantedBox {
+        &self.shape
+    }
+}

@@ -1,0 +1,93 @@
+//! What happened during an update.
+
+use farseer_core::{BodyId, Event as CoreEvent, GeomId, JointId, ObjectId, SpringId};
+
+use super::collision::Collision;
+use crate::depth::Partner;
+
+/// Something that happened during the last update, or was asked for since the one before.
+/// [`TwoHalfPhysicsSimulator::events`](crate::TwoHalfPhysicsSimulator::events) lists them, those of pairs that the 2D
+/// engine handles before the others.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Event {
+    /// A geom touches something. Told in every update in which it does, for two geoms once to each.
+    Collision(Collision),
+    /// A geom touched something in the last update and does not any more, or a handler has refused it now. For two
+    /// geoms told to each. Does not come when a contact ends by disabling, removing or disposing.
+    Separation {
+        /// The geom that is told.
+        this: GeomId,
+        /// What it touched.
+        partner: Partner,
+    },
+    /// The handler refused a pair whose boxes overlap.
+    BroadPhaseVeto {
+        /// First geom, as the handler was told.
+        geom1: GeomId,
+        /// Second geom.
+        geom2: GeomId,
+    },
+    /// A body was moved by a setter, or has moved at least once and was integrated, along Z or in X and Y.
+    BodyUpdated {
+        /// The body.
+        body: BodyId,
+    },
+    /// A body was disposed.
+    BodyDisposed {
+        /// The body; its id is stale after the update that reports this.
+        body: BodyId,
+    },
+    /// An object entered its list.
+    Added {
+        /// The object.
+        object: ObjectId,
+    },
+    /// An object left its list, or was to be removed without being in it.
+    Removed {
+        /// The object.
+        object: ObjectId,
+    },
+    /// A joint was too far from what it keeps, or had to hold with too much, and broke: it is disabled.
+    JointBroke {
+        /// The joint.
+        joint: JointId,
+    },
+    /// A spring was too far from its length, and broke: it is disabled.
+    SpringBroke {
+        /// The spring.
+        spring: SpringId,
+    },
+    /// A setter or an update was given a value that is not finite, and changed nothing. Told once per object and
+    /// argument, however often it was refused since the last update that told.
+    RejectedInput {
+        /// The object whose setter it was; `None` for the simulator itself and for platforms.
+        object: Option<ObjectId>,
+        /// Name of the argument.
+        argument: &'static str,
+    },
+    /// The state of a body stopped being finite. It was put back to its last finite state.
+    NotFinite {
+        /// The body.
+        body: BodyId,
+        /// Whether it was disabled: every dynamic body is, no static one.
+        disabled: bool,
+    },
+}
+
+impl Event {
+    /// An event of the 2D engine that means the same here. Collisions and separations are told apart elsewhere.
+    pub(crate) fn from_core(event: CoreEvent) -> Option<Self> {
+        Some(match event {
+            CoreEvent::BodyUpdated { body } => Event::BodyUpdated { body },
+            CoreEvent::BodyDisposed { body } => Event::BodyDisposed { body },
+            CoreEvent::Added { object } => Event::Added { object },
+            CoreEvent::Removed { object } => Event::Removed { object },
+            CoreEvent::JointBroke { joint } => Event::JointBroke { joint },
+            CoreEvent::SpringBroke { spring } => Event::SpringBroke { spring },
+            CoreEvent::RejectedInput { object, argument } => Event::RejectedInput { object, argument },
+            CoreEvent::NotFinite { body, disabled } => Event::NotFinite { body, disabled },
+            _ => return None,
+        })
+    }
+}

@@ -1,0 +1,75 @@
+//! Who is told while something happens.
+
+use farseer_core::{BodyId, GeomId, JointId, ObjectId, SpringId};
+
+use super::collision::Collision;
+use super::context::Context;
+use crate::depth::Partner;
+
+/// Callbacks of a game. Handlers belong to the game, never to the simulator, so that saving the simulator keeps
+/// everything.
+///
+/// Through the [`Context`] they edit bodies and geoms at once; what they add, remove or dispose enters or leaves with
+/// the next update.
+pub trait EventHandler {
+    /// A geom touches another geom, its ground or a platform; called in every update in which it does, for two geoms
+    /// for both sides, unless its [callbacks](farseer_core::Geom::set_collision_callbacks_enabled) are switched off. `false` drops the contact in this update, and the second side is not asked: that is how
+    /// platforms become one-way.
+    #[doc(alias("OnCollision", "CollisionEventHandler"))]
+    fn on_collision(&mut self, context: &mut Context<'_>, collision: &Collision) -> bool {
+        let _ = (context, collision);
+        true
+    }
+
+    /// See [`Event::Separation`](crate::Event::Separation).
+    #[doc(alias("OnSeparation", "SeparationEventHandler"))]
+    fn on_separation(&mut self, context: &mut Context<'_>, this: GeomId, partner: Partner) {
+        let _ = (context, this, partner);
+    }
+
+    /// Whether [`on_broad_phase_collision`](Self::on_broad_phase_collision) is to be asked.
+    fn handles_broad_phase(&self) -> bool {
+        false
+    }
+
+    /// The boxes of two geoms overlap in all three axes and they did not touch in the last update; `false` refuses
+    /// the pair in this update.
+    #[doc(alias("OnBroadPhaseCollision", "BroadPhaseCollisionHandler"))]
+    fn on_broad_phase_collision(&mut self, context: &mut Context<'_>, geom1: GeomId, geom2: GeomId) -> bool {
+        let _ = (context, geom1, geom2);
+        true
+    }
+
+    /// See [`Event::BodyUpdated`](crate::Event::BodyUpdated).
+    #[doc(alias("Updated", "UpdatedEventHandler"))]
+    fn on_body_updated(&mut self, context: &mut Context<'_>, body: BodyId) {
+        let _ = (context, body);
+    }
+
+    /// See [`Event::BodyDisposed`](crate::Event::BodyDisposed).
+    #[doc(alias = "Disposed")]
+    fn on_body_disposed(&mut self, context: &mut Context<'_>, body: BodyId) {
+        let _ = (context, body);
+    }
+
+    /// See [`Event::JointBroke`](crate::Event::JointBroke).
+    #[doc(alias = "Broke")]
+    fn on_joint_broke(&mut self, context: &mut Context<'_>, joint: JointId) {
+        let _ = (context, joint);
+    }
+
+    /// See [`Event::SpringBroke`](crate::Event::SpringBroke).
+    fn on_spring_broke(&mut self, context: &mut Context<'_>, spring: SpringId) {
+        let _ = (context, spring);
+    }
+
+    /// An object entered its list.
+    fn on_added(&mut self, object: ObjectId) {
+        let _ = object;
+    }
+
+    /// An object left its list, or was to be removed without being in it.
+    fn on_removed(&mut self, object: ObjectId) {
+        let _ = object;
+    }
+}

@@ -1,0 +1,133 @@
+//! The geoms of a simulator, and how they extend in depth.
+
+use farseer_core::math::scalar::nearest_finite;
+use farseer_core::{BodyId, Geom, GeomId, Vertices};
+
+use super::TwoHalfPhysicsSimulator;
+use crate::depth::{DepthProfile, DepthScheme};
+use crate::error::{only_precise, stale};
+use crate::views::TwoHalfGeom;
+use crate::{Error, Result};
+
+/// Geoms.
+impl TwoHalfPhysicsSimulator {
+    /// A geom to look at, unless the id is stale.
+    pub fn geom(&self, geom: GeomId) -> Option<TwoHalfGeom<'_>> {
+        TwoHalfGeom::new(&self.core, &self.world, geom)
+    }
+
+    /// The settings of a geom to change, unless the id is stale.
+    pub fn geom_mut(&mut self, geom: GeomId) -> Option<&mut Geom> {
+        self.core.geom_mut(geom)
+    }
+
+    /// Moves a geom to another body; its offsets stay. If it was the object geom of its old body, that body has
+    /// none.
+    ///
+    /// # Errors
+    /// As [`PhysicsSimulator::set_body`](farseer_core::PhysicsSimulator::set_body).
+    #[doc(alias = "SetBody")]
+    pub fn set_body(&mut self, geom: GeomId, body: BodyId) -> Result<()> {
+        let old = self.core.geom(geom).map(|geom| geom.body()).filter(|old| *old != body);
+        self.core.set_body(geom, body)?;
+        if let Some(state) = old.and_then(|old| self.world.depths.edit(old)) {
+            state.ground.let_go_of(geom);
+        }
+        self.world.depths.edit(body);
+        Ok(())
+    }
+
+    /// Replaces the outline of a geom; see [`PhysicsSimulator::set_vertices`](farseer_core::PhysicsSimulator::set_vertices). Its depth profile stays.
+    ///
+    /// # Errors
+    /// As there.
+    #[doc(alias = "SetVertices")]
+    pub fn set_vertices(&mut self, geom: GeomId, vertices: impl Into<Vertices>) -> Result<()> {
+        self.core.set_vertices(geom, vertices)?;
+        self.pipeline.forget_outline(geom);
+        Ok(())
+    }
+
+    /// Makes a geom a sensor (its body static, its contacts without response) or an ordinary geom. Sensors have
+    /// depth as everything else.
+    ///
+    /// # Errors
+    /// A stale id.
+    #[doc(alias = "IsSensor")]
+    pub fn set_is_sensor(&mut self, geom: GeomId, is_sensor: bool) -> Result<()> {
+        Ok(self.core.set_is_sensor(geom, is_sensor)?)
+    }
+
+    /// Lets no new pair of the two geoms be found; see [`PhysicsSimulator::ignore_collision_with`](farseer_core::PhysicsSimulator::ignore_collision_with).
+    ///
+    /// # Errors
+    /// A stale id.
+    #[doc(alias = "IgnoreCollisionWith")]
+    pub fn ignore_collision_with(&mut self, geom: GeomId, other: GeomId) -> Result<()> {
+        Ok(self.core.ignore_collision_with(geom, other)?)
+    }
+
+    /// Undoes [`ignore_collision_with`](Self::ignore_collision_with) of the same geom.
+    ///
+    /// # Errors
+    /// A stale id.
+    #[doc(alias = "RestoreCollisionWith")]
+    pub fn restore_collision_with(&mut self, geom: GeomId, other: GeomId) -> Result<()> {
+        Ok(self.core.restore_collision_with(geom, other)?)
+    }
+
+    /// How a geom's outline extends in depth, unless the id is stale.
+    pub fn depth_profile(&self, geom: GeomId) -> Option<DepthProfile> {
+        self.core.geom(geom)?;
+        self.world.depths.profiles.get(geom).copied()
+    }
+
+    /// Sets how a geom's outline extends in depth. If it is its body's object geom, the body's origin stays, so
+    /// its height may change. What is upright gives the geom the outline that it has from the front, a rectangle.
+    ///
+    /// # Errors
+    /// A stale id; a depth that is not finite and 0 or more; a radius that is not finite and greater than 0, or so
+    /// great that the ball does not end at finite X and Y where it is; a height that is not finite and greater than 0, or less than
+    /// twice the radius of a capsule; something upright with another scheme than [`DepthScheme::Precise`].
+    pub fn set_depth_profile(&mut self, geom: GeomId, profile: DepthProfile) -> Result<()> {
+        let body = self.core.geom(geom).ok_or(stale("geom"))?.body();
+        let profile = profile.check()?;
+        if let Some(front) = profile.front() {
+            if self.world.scheme != DepthScheme::Precise {
+                return Err(only_precise("upright footprints"));
+            }
+            self.set_vertices(geom, front)?;
+        }
+        match self.box_radius_of(profile) {
+            Some(radius) => self.core.set_box_radius(geom, Some(radius)).map_err(Error::from)?,
+            // A geom that cannot have the box of its outline keeps the one that it has.
+            None => _ = self.core.set_box_radius(geom, None),
+        }
+        self.world.depths.profiles.insert(geom, profile);
+        self.world.depths.edit(body);
+        Ok(())
+    }
+
+    /// A ball has the box of a ball while balls are balls; others have that of their outline.
+    fn box_radius_of(&self, profile: DepthProfile) -> Option<f32> {
+        match (profile, self.world.scheme) {
+            (DepthProfile::Round { radius }, DepthScheme::Faithful | DepthScheme::Precise) => Some(radius),
+            _ => None,
+        }
+    }
+
+    /// Gives a geom the box of its depth profile.
+    pub(super) fn fit_box(&mut self, geom: GeomId) {
+        let profile = self.world.depths.profiles.get(geom);
+        let radius = profile.and_then(|profile| self.box_radius_of(*profile));
+        // The radius was accepted when the profile was set; where the geom cannot have it, it keeps its outline's.
+        let _ = self.core.set_box_radius(geom, radius);
+    }
+
+    /// The least and greatest Z of a geom, beyond finite numbers the nearest ones; unless the id is stale.
+    pub fn depth_interval(&self, geom: GeomId) -> Option<(f32, f32)> {
+        let z = self.world.depths.z_of(self.core.geom(geom)?.body());
+        let half = self.world.depths.profiles.get(geom)?.half_depth();
+        Some((nearest_finite(z - half), nearest_finite(z + half)))
+    }
+}

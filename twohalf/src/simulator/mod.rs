@@ -1,0 +1,171 @@
+//! The simulator: owns everything.
+
+mod draw_order;
+mod fields;
+mod geoms;
+mod lengths;
+mod objects;
+mod platforms;
+mod queries;
+mod rays;
+mod save;
+mod settings;
+mod snapshot;
+mod update;
+
+pub use draw_order::{DrawOrder, Drawable};
+pub use queries::Surface;
+pub use rays::RayHit3D;
+pub use save::SavedTwoHalfSimulator;
+
+use farseer_core::{Body, BodyId, PhysicsSimulator};
+
+use crate::depth::{DepthScheme, World};
+use crate::shapes::Top;
+use crate::stages::{Pipeline, Report};
+use crate::views::{Access, AccessMut};
+use crate::{Projection, Result, Vector2};
+use objects::adopt_body;
+
+/// The Z axis of a screen whose angle is not given: straight up.
+const DEFAULT_ANGLE: i32 = 90;
+
+/// Owns bodies and geoms and moves them in steps, in three dimensions.
+///
+/// Objects are named by the ids of the 2D engine and live as they do there: *created*, *added* (takes part from
+/// the next update), *removed* and *disposed* (its id goes stale with the next update).
+///
+/// ```
+/// use twohalf::{TwoHalfPhysicsSimulator, Vector2, Vector3, farseer_core};
+/// use farseer_core::{BodyFactory, GeomPlacement, Vertices};
+///
+/// let mut simulator = TwoHalfPhysicsSimulator::with_gravity(480, Vector2::new(0.0, 100.0))?;
+/// let body = simulator.create_body(BodyFactory::create_rectangle_body(20.0, 20.0, 1.0)?);
+/// let geom = simulator.create_geom(body, Vertices::create_rectangle(20.0, 20.0)?, GeomPlacement::default())?;
+/// simulator.add(body)?;
+/// simulator.add(geom)?;
+///
+/// let mut crate_box = simulator.body_mut(body).unwrap();
+/// crate_box.ground_mut().set_object_geom(geom, None)?;
+/// crate_box.set_position3d(Vector3::new(100.0, 50.0, 30.0));
+/// for _ in 0..200 {
+///     simulator.update(0.01);
+/// }
+/// let position = simulator.body(body).unwrap().position3d();
+/// assert!(position.y.abs() < 0.1 && position.z == 30.0);
+/// # Ok::<(), twohalf::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct TwoHalfPhysicsSimulator {
+    pub(crate) core: PhysicsSimulator,
+    pub(crate) world: World,
+    pipeline: Pipeline,
+    report: Report,
+    /// Room: what is near the figure that is about to walk.
+    pub(crate) tops: Vec<Top>,
+}
+
+/// Making one.
+impl TwoHalfPhysicsSimulator {
+    /// An empty simulator without gravity, for a screen of `height` px whose Z axis points straight up.
+    ///
+    /// # Errors
+    /// A height that is not greater than 0.
+    #[doc(alias = "TwoHalfPhysicsSimulator(int)")]
+    pub fn new(height: i32) -> Result<Self> {
+        Self::with_angle(height, DEFAULT_ANGLE)
+    }
+
+    /// An empty simulator without gravity. `angle` is the direction of the Z axis on the screen, degrees
+    /// counterclockwise from the x axis.
+    ///
+    /// # Errors
+    /// A height that is not greater than 0; an angle that is not between 0 and 180.
+    #[doc(alias = "TwoHalfPhysicsSimulator(int, int)")]
+    pub fn with_angle(height: i32, angle: i32) -> Result<Self> {
+        Self::empty(height, angle, PhysicsSimulator::default())
+    }
+
+    /// An empty simulator with gravity: acceleration in px/s² in screen orientation, so (0, 100) pulls down.
+    ///
+    /// # Errors
+    /// A height that is not greater than 0; gravity that is not finite.
+    #[doc(alias = "TwoHalfPhysicsSimulator(int, Vector2)")]
+    pub fn with_gravity(height: i32, gravity: Vector2) -> Result<Self> {
+        Self::with_angle_and_gravity(height, DEFAULT_ANGLE, gravity)
+    }
+
+    /// An empty simulator with a Z axis at an angle and gravity.
+    ///
+    /// # Errors
+    /// As [`with_angle`](Self::with_angle) and [`with_gravity`](Self::with_gravity).
+    #[doc(alias = "TwoHalfPhysicsSimulator(int, int, Vector2)")]
+    pub fn with_angle_and_gravity(height: i32, angle: i32, gravity: Vector2) -> Result<Self> {
+        Self::empty(height, angle, PhysicsSimulator::new(gravity)?)
+    }
+
+    fn empty(height: i32, angle: i32, core: PhysicsSimulator) -> Result<Self> {
+        let mut simulator = Self::from_core(height, angle, core)?;
+        simulator.set_depth_scheme(DepthScheme::default())?;
+        Ok(simulator)
+    }
+
+    /// Takes over a 2D simulator, with its settings and all of its objects; those that wait to be added enter now.
+    /// Its plane becomes that of X and Y: every body is at Z = 0, with its height so that y = 0 is the ground, and
+    /// no body has an object geom yet. Every geom is a prism as deep as the shorter side of its outline's box.
+    ///
+    /// This is also how a simulator gets another broad phase or other solver settings. One of the
+    /// [precise set](farseer_core::Methods::Precise) becomes one of [`DepthScheme::Precise`], any other one of
+    /// [`DepthScheme::Faithful`].
+    ///
+    /// # Errors
+    /// A height that is not greater than 0; an angle that is not between 0 and 180.
+    pub fn from_core(height: i32, angle: i32, core: PhysicsSimulator) -> Result<Self> {
+        let mut world = World::new(Projection::new(height, angle)?);
+        let is_precise = matches!(core.methods(), farseer_core::Methods::Precise { .. });
+        world.scheme = if is_precise { DepthScheme::Precise } else { DepthScheme::Faithful };
+        let mut simulator = TwoHalfPhysicsSimulator::of(core, world);
+        simulator.core.process_added_and_removed();
+        if is_precise {
+            simulator.core.enter_space(LENGTH_UNIT)?;
+        }
+        let TwoHalfPhysicsSimulator { core, world, .. } = &mut simulator;
+        for body in core.bodies() {
+            adopt_body(core, &mut world.depths, body);
+        }
+        Ok(simulator)
+    }
+
+    /// One in which nothing has happened yet.
+    fn of(core: PhysicsSimulator, world: World) -> Self {
+        let (pipeline, report) = Default::default();
+        TwoHalfPhysicsSimulator { core, world, pipeline, report, tops: Vec::new() }
+    }
+}
+
+macro_rules! access {
+    ($($type:ty),*) => {$(
+        impl Access for $type {
+            fn core(&self) -> &PhysicsSimulator {
+                &self.core
+            }
+            fn world(&self) -> &World {
+                &self.world
+            }
+        }
+    )*};
+}
+
+access!(&TwoHalfPhysicsSimulator, &mut TwoHalfPhysicsSimulator);
+
+impl AccessMut for &mut TwoHalfPhysicsSimulator {
+    fn core_body_mut(&mut self, body: BodyId) -> Option<&mut Body> {
+        self.core.body_mut(body)
+    }
+    fn world_mut(&mut self) -> &mut World {
+        &mut self.world
+    }
+}
+
+/// Size of what a player looks at, in px: see [`farseer_core::Methods::Precise`].
+const LENGTH_UNIT: f32 = 32.0;

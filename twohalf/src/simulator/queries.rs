@@ -1,0 +1,165 @@
+//! What lies at a point of the screen, and what is beneath a point of the world.
+
+use farseer_core::{BodyId, GeomId};
+
+use super::draw_order::Drawable;
+use crate::projection::to_world;
+use crate::{Partner, TwoHalfPhysicsSimulator, Vector2, Vector3, VirtualGeom};
+
+/// What an object would fall on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Surface {
+    /// The ground or a platform.
+    pub partner: Partner,
+    /// Its height Y straight below, px.
+    pub height: f32,
+    /// Its unit normal in the world, Y up.
+    pub normal: Vector3,
+}
+
+/// In units of the allowed penetration: how deep something that rests lies in a surface at most. Usually it is one;
+/// what is heavily loaded sinks deeper.
+const SUNK: f32 = 4.0;
+
+impl TwoHalfPhysicsSimulator {
+    /// The first geom, in the order of the geom list, whose picture holds a point of the screen; see
+    /// [`TwoHalfGeom::collides_with_point`](crate::TwoHalfGeom::collides_with_point).
+    /// [`pick_front`](Self::pick_front) gives what a player sees there.
+    #[doc(alias = "Collide")]
+    pub fn collide(&self, point: Vector2) -> Option<GeomId> {
+        self.geom_list().iter().copied().find(|&geom| self.shows(geom, point))
+    }
+
+    /// All geoms whose picture holds a point of the screen, in the order of the geom list.
+    #[doc(alias = "CollideAll")]
+    pub fn collide_all(&self, point: Vector2) -> Vec<GeomId> {
+        self.geom_list().iter().copied().filter(|&geom| self.shows(geom, point)).collect()
+    }
+
+    fn shows(&self, geom: GeomId, point: Vector2) -> bool {
+        self.geom(geom).is_some_and(|geom| geom.collides_with_point(point))
+    }
+
+    /// What a player sees at a point of the screen: of all bodies and platforms there, the one that is
+    /// [drawn last](Self::draw_order).
+    pub fn pick_front(&self, point: Vector2) -> Option<Drawable> {
+        self.pick_front_where(point, |_| true)
+    }
+
+    /// As [`pick_front`](Self::pick_front), but only of what a filter lets through: it is asked about what has a picture at
+    /// the point, from the front to the back, until it answers true.
+    pub fn pick_front_where(
+        &self,
+        point: Vector2,
+        mut is_wanted: impl FnMut(Drawable) -> bool,
+    ) -> Option<Drawable> {
+        let shows = |drawable: &Drawable| match *drawable {
+            Drawable::Body(body) => {
+                let geoms = self.core.geoms_of(body);
+                geoms.iter().any(|&geom| self.core.is_listed(geom) && self.shows(geom, point))
+            }
+            Drawable::Platform(platform) => self.platform(platform).is_some_and(|platform| {
+                let corners = platform.corners().map(|corner| self.projection().to_screen(corner));
+                hull_holds(&corners, point)
+            }),
+        };
+        self.draw_order().into_iter().rev().find(|drawable| shows(drawable) && is_wanted(*drawable))
+    }
+
+    /// The geoms whose [boxes](crate::TwoHalfGeom::virtual_geom) overlap a box of the world or touch it, in the order of the
+    /// geom list, but for disposed ones and what the filter does not let through. `low` has the least X, Y and Z in px, `high`
+    /// the greatest. None if a number is not finite, or one of `low` is greater than that of `high`. Platforms are no geoms,
+    /// and are not among them: see [`platforms_in_box`](Self::platforms_in_box).
+    ///
+    /// Looks at the box of every listed geom: the time grows with their number. The filter is asked only about what is found.
+    pub fn query_box(
+        &self,
+        low: Vector3,
+        high: Vector3,
+        mut is_wanted: impl FnMut(GeomId) -> bool,
+    ) -> Vec<GeomId> {
+        let is_axis =
+            |axis: usize| low[axis].is_finite() && high[axis].is_finite() && low[axis] <= high[axis];
+        if !(0..3).all(is_axis) {
+            return Vec::new();
+        }
+        let is_near =
+            |geom: GeomId| self.geom(geom).is_some_and(|geom| meets_box(&geom.virtual_geom(), low, high));
+        let is_found = |&geom: &GeomId| !self.core.is_disposed(geom) && is_near(geom) && is_wanted(geom);
+        self.geom_list().iter().copied().filter(is_found).collect()
+    }
+
+    /// The geoms that [overlap](crate::TwoHalfGeom::collides_with_geom) another one in all three axes, a sensor for example,
+    /// in the order of the geom list, but for those of its own body, disposed ones and what the filter does not let through.
+    /// Categories, groups and whether a geom collides at all do not count. None for a stale id.
+    ///
+    /// Looks at the box of every listed geom, and at the shapes of those whose boxes meet. The filter is asked before the
+    /// shapes are looked at.
+    pub fn overlaps_of(&self, geom: GeomId, mut is_wanted: impl FnMut(GeomId) -> bool) -> Vec<GeomId> {
+        let Some(view) = self.geom(geom).filter(|_| !self.core.is_disposed(geom)) else { return Vec::new() };
+        let v = view.virtual_geom();
+        let (low, high) = (Vector3::new(v.left, v.bottom, v.front), Vector3::new(v.right, v.top, v.back));
+        let is_other = |other: GeomId| self.geom(other).is_some_and(|other| other.body() != view.body());
+        let mut found = self.query_box(low, high, |other| is_other(other) && is_wanted(other));
+        found.retain(|&other| view.collides_with_geom(other));
+        found
+    }
+
+    /// The point of the ground that appears at a point of the screen.
+    pub fn screen_to_ground(&self, point: Vector2) -> Vector3 {
+        self.projection().screen_to_ground(point)
+    }
+
+    /// The highest surface, ground or platform, that lies straight below a point of the world, or at its height:
+    /// what rests on a surface sinks into it by a fraction of a px, so surfaces up to four times the [allowed
+    /// penetration](farseer_core::PhysicsSimulator::allowed_penetration) above the point count. `None` for a point
+    /// below the ground.
+    pub fn surface_beneath(&self, point: Vector3) -> Option<Surface> {
+        let ground = Surface { partner: Partner::Ground, height: 0.0, normal: Vector3::new(0.0, 1.0, 0.0) };
+        let platforms = self.world.platforms.iter().filter_map(|(id, platform)| {
+            let (y, normal) = platform.shape().height_at(point.x, point.z)?;
+            Some(Surface { partner: Partner::Platform(id), height: -y, normal: to_world(normal) })
+        });
+        let reach = point.y + SUNK * self.core.allowed_penetration();
+        let below = platforms.chain([ground]).filter(|surface| surface.height <= reach);
+        below.max_by(|a, b| a.height.total_cmp(&b.height))
+    }
+
+    /// The surface straight below the middle of a body's object geom, or of its origin without one. `None` for a
+    /// stale id, and below the ground.
+    pub fn surface_beneath_body(&self, body: BodyId) -> Option<Surface> {
+        let view = self.body(body)?;
+        let middle = view.ground().object_geom().and_then(|geom| self.geom(geom));
+        self.surface_beneath(middle.map_or(view.origin3d(), |geom| geom.position3d()))
+    }
+}
+
+/// Whether the box of a geom overlaps another one or touches it.
+fn meets_box(geom: &VirtualGeom, low: Vector3, high: Vector3) -> bool {
+    geom.left <= high.x
+        && low.x <= geom.right
+        && geom.bottom <= high.y
+        && low.y <= geom.top
+        && geom.front <= high.z
+        && low.z <= geom.back
+}
+
+/// Whether the convex hull of some points holds another: no line through it has all of them on one side.
+fn hull_holds(points: &[Vector2], point: Vector2) -> bool {
+    let side = |a: Vector2, b: Vector2, p: Vector2| (b - a).perp(&(p - a));
+    let is_hull_edge = |a: Vector2, b: Vector2| a != b && points.iter().all(|&p| side(a, b, p) >= 0.0);
+    points.iter().all(|&a| points.iter().all(|&b| !is_hull_edge(a, b) || side(a, b, point) >= 0.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_hull_holds_what_is_between_its_corners_and_nothing_else() {
+        let corners = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0], [5.0, 5.0]].map(Vector2::from);
+        assert!(hull_holds(&corners, Vector2::new(2.0, 9.0)));
+        assert!(!hull_holds(&corners, Vector2::new(-1.0, 5.0)));
+        assert!(!hull_holds(&corners, Vector2::new(5.0, 10.5)));
+    }
+}

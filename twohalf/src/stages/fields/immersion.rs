@@ -1,0 +1,198 @@
+//! How much of a geom is in a box of the world, and where the middle of that is.
+
+use farseer_core::{BodyId, GeomId, PhysicsSimulator, SpaceUpright};
+
+use crate::Vector3;
+use crate::depth::upright::{depths as depths_of, half_height, middle as middle_of, span};
+use crate::depth::{DepthProfile, Depths, Fluid, Region};
+
+/// Corners of an outline on its way through the sides of a box.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Scratch {
+    outline: Vec<[f64; 2]>,
+    kept: Vec<[f64; 2]>,
+}
+
+/// A part of a geom.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Immersed {
+    /// px³
+    pub(super) volume: f64,
+    /// In the plane, y down.
+    pub(super) middle: [f64; 2],
+}
+
+/// A box in the frame of the plane, y down.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Container {
+    low: [f64; 3],
+    high: [f64; 3],
+}
+
+impl Container {
+    pub(super) fn new(region: &Region) -> Self {
+        let ([lx, ly, lz], [hx, hy, hz]): ([f32; 3], [f32; 3]) = (region.low().into(), region.high().into());
+        Container { low: [lx, -hy, lz].map(f64::from), high: [hx, -ly, hz].map(f64::from) }
+    }
+
+    /// How much of an interval is within along an axis.
+    fn within(&self, axis: usize, [low, high]: [f64; 2]) -> f64 {
+        (high.min(self.high[axis]) - low.max(self.low[axis])).max(0.0)
+    }
+
+    /// The part of a ball: what is below the surface, or above the bottom; at the sides as much of it as of its width.
+    fn of_ball(&self, [x, y, z]: [f64; 3], radius: f64) -> Immersed {
+        let below = |depth: f64| {
+            let depth = depth.clamp(0.0, 2.0 * radius);
+            std::f64::consts::PI * depth * depth * (3.0 * radius - depth) / 3.0
+        };
+        let (bottom, top) = (y + radius, y - radius);
+        let volume = (below(bottom - self.low[1]) - below(bottom - self.high[1])).max(0.0);
+        let beside = |axis: usize, at: f64| self.within(axis, [at - radius, at + radius]) / (2.0 * radius);
+        // What floats is pushed up below its middle: nothing turns it.
+        let middle = 0.5 * (top.max(self.low[1]) + bottom.min(self.high[1]));
+        Immersed { volume: volume * beside(0, x) * beside(2, z), middle: [x, middle] }
+    }
+
+    /// The part of something upright: of its height exactly, at the sides as much of it as of its width. A capsule counts as the
+    /// cylinder of its volume.
+    fn of_upright(&self, shape: &SpaceUpright, middle: Vector3) -> Option<Immersed> {
+        let [x, y, z] = [middle.x, middle.y, middle.z].map(f64::from);
+        let half = f64::from(half_height(shape));
+        let part = |axis: usize, at: f64, [low, high]: [f32; 2]| {
+            let ends = [at + f64::from(low), at + f64::from(high)];
+            self.within(axis, ends) / (ends[1] - ends[0])
+        };
+        let beside = part(0, x, span(shape)) * part(2, z, depths_of(shape));
+        let (top, bottom) = ((y - half).max(self.low[1]), (y + half).min(self.high[1]));
+        let volume = area_of(shape) * (bottom - top) * beside;
+        (volume > 0.0).then_some(Immersed { volume, middle: [x, 0.5 * (top + bottom)] })
+    }
+
+    /// The part of an extruded outline, exactly.
+    fn of_prism(
+        &self,
+        outline: impl Iterator<Item = [f64; 2]>,
+        depths: [f64; 2],
+        scratch: &mut Scratch,
+    ) -> Option<Immersed> {
+        let deep = self.within(2, depths);
+        if deep == 0.0 {
+            return None;
+        }
+        scratch.outline.clear();
+        scratch.outline.extend(outline);
+        for (axis, bound, sign) in
+            [(0, self.low[0], 1.0), (0, self.high[0], -1.0), (1, self.low[1], 1.0), (1, self.high[1], -1.0)]
+        {
+            scratch.cut(|corner| sign * (corner[axis] - bound));
+        }
+        let (area, middle) = area_and_middle(&scratch.outline)?;
+        Some(Immersed { volume: area * deep, middle })
+    }
+}
+
+/// What something upright covers of the floor, px²; of a capsule, as much as makes up for its round ends.
+fn area_of(shape: &SpaceUpright) -> f64 {
+    let disc = |radius: f32| std::f64::consts::PI * f64::from(radius) * f64::from(radius);
+    match shape {
+        SpaceUpright::Cylinder { radius, .. } => disc(*radius),
+        // Of a height 2 h the ends of radius r lack 2/3 pi r^3.
+        SpaceUpright::Capsule { radius, half_height } => {
+            disc(*radius) * (1.0 - f64::from(*radius) / (3.0 * f64::from(*half_height)))
+        }
+        SpaceUpright::Prism { footprint, .. } => {
+            let corners: Vec<[f64; 2]> =
+                footprint.corners().iter().map(|corner| [corner.x, corner.y].map(f64::from)).collect();
+            area_and_middle(&corners).map_or(0.0, |(area, _)| area)
+        }
+    }
+}
+
+impl Scratch {
+    /// Keeps what is on one side of a line (I. Sutherland, G. Hodgman, "Reentrant polygon clipping", 1974).
+    fn cut(&mut self, side: impl Fn([f64; 2]) -> f64) {
+        self.kept.clear();
+        let Some(&last) = self.outline.last() else { return };
+        let mut before = last;
+        for &corner in &self.outline {
+            let (from, to) = (side(before), side(corner));
+            if (from < 0.0) != (to < 0.0) {
+                let part = from / (from - to);
+                self.kept.push([0, 1].map(|axis| before[axis] + part * (corner[axis] - before[axis])));
+            }
+            if to >= 0.0 {
+                self.kept.push(corner);
+            }
+            before = corner;
+        }
+        std::mem::swap(&mut self.outline, &mut self.kept);
+    }
+}
+
+/// Area of a polygon, whichever way it goes round, and its centroid. `None` without an area.
+fn area_and_middle(outline: &[[f64; 2]]) -> Option<(f64, [f64; 2])> {
+    // From one of its corners, so that being far away costs no digits.
+    let &[ox, oy] = outline.first()?;
+    let (mut area, mut middle) = (0.0, [0.0; 2]);
+    for two in outline.windows(2) {
+        let [ax, ay, bx, by] = [two[0][0] - ox, two[0][1] - oy, two[1][0] - ox, two[1][1] - oy];
+        let part = 0.5 * (ax * by - bx * ay);
+        area += part;
+        middle[0] += part * (ax + bx) / 3.0;
+        middle[1] += part * (ay + by) / 3.0;
+    }
+    (area != 0.0 && area.is_finite()).then(|| (area.abs(), [ox + middle[0] / area, oy + middle[1] / area]))
+}
+
+/// The part of a geom that is in a box; of nothing there is none.
+pub(super) fn immersed(
+    core: &PhysicsSimulator,
+    depths: &Depths,
+    id: GeomId,
+    container: &Container,
+    scratch: &mut Scratch,
+) -> Option<Immersed> {
+    let geom = core.geom(id)?;
+    let z = f64::from(depths.z_of(geom.body()));
+    let half = f64::from(depths.profiles.get(id)?.half_depth());
+    if container.within(2, [z - half, z + half]) == 0.0 {
+        return None;
+    }
+    let matrix = geom.matrix();
+    let found = match depths.profiles.get(id)? {
+        DepthProfile::Round { radius } => {
+            let at = [f64::from(matrix.m41), f64::from(matrix.m42), z];
+            Some(container.of_ball(at, f64::from(*radius)))
+        }
+        profile if profile.upright().is_some() => {
+            let body = core.body(geom.body())?;
+            container.of_upright(&profile.upright()?, middle_of(geom, body, z as f32))
+        }
+        _ => {
+            let outline = geom.local_vertices().iter().map(|corner| {
+                let [x, y] = [corner.x, corner.y].map(f64::from);
+                let along =
+                    |[of_x, of_y, at]: [f32; 3]| f64::from(of_x) * x + f64::from(of_y) * y + f64::from(at);
+                [along([matrix.m11, matrix.m21, matrix.m41]), along([matrix.m12, matrix.m22, matrix.m42])]
+            });
+            container.of_prism(outline, [z - half, z + half], scratch)
+        }
+    };
+    found.filter(|part| part.volume > 0.0)
+}
+
+/// How much of a body is in a fluid, from 0 to 1 of the volume of its geoms.
+pub(crate) fn immersion_of(core: &PhysicsSimulator, depths: &Depths, fluid: &Fluid, body: BodyId) -> f32 {
+    let (region, everywhere) = (Container::new(&fluid.region), Container::new(&Region::EVERYWHERE));
+    let mut scratch = Scratch::default();
+    let mut volume = |geom: GeomId, container: &Container| {
+        immersed(core, depths, geom, container, &mut scratch).map_or(0.0, |part| part.volume)
+    };
+    let (mut within, mut whole) = (0.0, 0.0);
+    for &geom in core.geoms_of(body) {
+        within += volume(geom, &region);
+        whole += volume(geom, &everywhere);
+    }
+    if whole > 0.0 { (within / whole) as f32 } else { 0.0 }
+}

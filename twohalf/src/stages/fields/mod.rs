@@ -1,0 +1,162 @@
+//! What fields do in an update.
+
+mod immersion;
+
+use farseer_core::{Body, BodyId, PhysicsSimulator};
+
+use super::report::Report;
+use crate::Vector3;
+use crate::depth::{DepthScheme, Depths, Field, Fluid, World, is_movable};
+use crate::events::Event;
+use immersion::{Container, immersed};
+
+pub(super) use immersion::Scratch;
+pub(crate) use immersion::immersion_of;
+
+/// What all fields do to one body, in the frame of the plane, y down.
+#[derive(Debug, Clone, Copy, Default)]
+struct Sum {
+    /// px/s²
+    acceleration: [f64; 3],
+    /// What turns it, mass times px² per s².
+    torque: f64,
+    /// How fast fluids take it along, in 1/s, and where to: the mean of their flows by that.
+    rate: f64,
+    flow: [f64; 3],
+}
+
+/// All fields push all bodies that can be moved.
+pub(super) fn act(
+    core: &mut PhysicsSimulator,
+    world: &mut World,
+    report: &mut Report,
+    scratch: &mut Scratch,
+    dt: f32,
+) {
+    if world.fields.is_empty() {
+        return;
+    }
+    for at in 0..core.body_list().len() {
+        let id = core.body_list()[at];
+        if !is_movable(core, id) {
+            continue;
+        }
+        if let Some((force, torque)) = push_on(core, world, id, f64::from(dt), scratch) {
+            push(core, world, report, id, (force, torque));
+        }
+    }
+}
+
+/// Force and torque of all fields on a body, if there are any.
+fn push_on(
+    core: &PhysicsSimulator,
+    world: &World,
+    id: BodyId,
+    dt: f64,
+    scratch: &mut Scratch,
+) -> Option<([f32; 3], f32)> {
+    let body = core.body(id).filter(|body| body.inverse_mass() > 0.0)?;
+    let depths = &world.depths;
+    let mut sum = Sum::default();
+    let place = Vector3::new(body.position().x, -body.position().y, depths.z_of(id));
+    for (_, field) in world.fields.iter() {
+        match field {
+            Field::Well(well) if !body.ignore_gravity() => {
+                let [x, y, z]: [f32; 3] = well.acceleration_at(place).into();
+                sum.accelerate([x, -y, z].map(f64::from));
+            }
+            Field::Well(_) => {}
+            Field::Fluid(fluid) => immerse(core, depths, (id, body), fluid, &mut sum, scratch),
+        }
+    }
+    let velocity_z = depths.bodies.get(id).map_or(0.0, |state| state.velocity_z);
+    let mass = f64::from(body.mass());
+    let gravity = core.gravity() * if body.ignore_gravity() { 0.0 } else { body.gravity_scale() };
+    // The precise set goes by the middle of the velocities before and after a step as far as gravity makes them, and by that
+    // after it as far as forces do: what these hold against gravity moves by half a step of it less than its velocity says.
+    let ahead = if world.scheme == DepthScheme::Precise { 0.5 * dt as f32 } else { 0.0 };
+    let in_plane = body.linear_velocity() - gravity * ahead;
+    let velocity = [in_plane.x, in_plane.y, velocity_z].map(f64::from);
+    let spin = f64::from(body.angular_velocity());
+    let inertia = f64::from(body.moment_of_inertia());
+    let push = sum.over(velocity, [gravity.x, gravity.y, 0.0].map(f64::from), dt);
+    let torque = sum.torque - spin * inertia * taken(sum.rate, dt) / dt;
+    let force = push.map(|push| (push * mass) as f32);
+    (force != [0.0; 3] || torque != 0.0).then_some((force, torque as f32))
+}
+
+/// What a fluid does to all that a body has in it.
+fn immerse(
+    core: &PhysicsSimulator,
+    depths: &Depths,
+    (id, body): (BodyId, &Body),
+    fluid: &Fluid,
+    sum: &mut Sum,
+    scratch: &mut Scratch,
+) {
+    let container = Container::new(&fluid.region);
+    let inverse_mass = f64::from(body.inverse_mass());
+    let [flow_x, flow_y, flow_z]: [f32; 3] = fluid.flow.into();
+    let flow = [flow_x, -flow_y, flow_z].map(f64::from);
+    for &geom in core.geoms_of(id) {
+        let responds = core.geom(geom).is_some_and(|geom| geom.collision_response_enabled());
+        if !responds {
+            continue;
+        }
+        let Some(part) = immersed(core, depths, geom, &container, scratch) else { continue };
+        let lift = f64::from(fluid.density) * part.volume;
+        let [up_x, up_y] = [core.gravity().x, core.gravity().y].map(|part| -f64::from(part) * lift);
+        sum.accelerate([up_x * inverse_mass, up_y * inverse_mass, 0.0]);
+        let arm =
+            [part.middle[0] - f64::from(body.position().x), part.middle[1] - f64::from(body.position().y)];
+        sum.torque += arm[0] * up_y - arm[1] * up_x;
+        let rate = f64::from(fluid.drag) * part.volume * inverse_mass;
+        sum.rate += rate;
+        (0..3).for_each(|axis| sum.flow[axis] += rate * flow[axis]);
+    }
+}
+
+/// A force and a torque act in the update that comes.
+fn push(
+    core: &mut PhysicsSimulator,
+    world: &mut World,
+    report: &mut Report,
+    id: BodyId,
+    (force, torque): ([f32; 3], f32),
+) {
+    if !core.push_in_space(id, force, torque) {
+        report.events.push(Event::NotFinite { body: id, disabled: false });
+        return;
+    }
+    if world.scheme != DepthScheme::Precise
+        && let Some(state) = world.depths.bodies.get_mut(id)
+        && (state.force_z + force[2]).is_finite()
+    {
+        state.force_z += force[2];
+    }
+}
+
+impl Sum {
+    fn accelerate(&mut self, acceleration: [f64; 3]) {
+        (0..3).for_each(|axis| self.acceleration[axis] += acceleration[axis]);
+    }
+
+    /// The mean acceleration over a step, beside gravity. With k the rate, u the flow and a all that is constant, v' = a + k (u - v)
+    /// leads to v(t) = w + (v - w) e^(-k t), w = u + a / k.
+    fn over(&self, velocity: [f64; 3], gravity: [f64; 3], dt: f64) -> [f64; 3] {
+        let taken = taken(self.rate, dt);
+        std::array::from_fn(|axis| {
+            if taken == 0.0 {
+                return self.acceleration[axis];
+            }
+            let constant = self.acceleration[axis] + gravity[axis];
+            let leads_to = (self.flow[axis] + constant) / self.rate;
+            (leads_to - velocity[axis]) * taken / dt - gravity[axis]
+        })
+    }
+}
+
+/// The part of a velocity that is lost in a time.
+fn taken(rate: f64, dt: f64) -> f64 {
+    -libm::expm1(-rate * dt)
+}

@@ -1,0 +1,33 @@
+//! Impulses, forces and drag become velocity, along Z as well.
+
+use farseer_core::{BodyId, Event as CoreEvent, PhysicsSimulator};
+
+use crate::depth::{Depths, is_movable};
+
+/// Fourth stage.
+pub(super) fn apply(core: &mut PhysicsSimulator, depths: &mut Depths, dt: f32) {
+    for index in 0..core.body_list().len() {
+        let id = core.body_list()[index];
+        let (Some(body), Some(state)) = (core.body(id), depths.bodies.get_mut(id)) else { continue };
+        state.bias_z = 0.0;
+        if !is_movable(core, id) {
+            continue;
+        }
+        let before = (state.velocity_z, state.angular_velocity_x, state.angular_velocity_y);
+        state.integrate_velocity(body, dt);
+        if !state.motion_is_finite() {
+            (state.velocity_z, state.angular_velocity_x, state.angular_velocity_y) = before;
+            disable(core, id);
+        }
+    }
+    core.apply_forces(dt, 0.0, None);
+}
+
+/// Takes a body out of the simulation whose state would not have been finite.
+#[cold]
+pub(super) fn disable(core: &mut PhysicsSimulator, id: BodyId) {
+    if let Some(body) = core.body_mut(id) {
+        body.set_enabled(false);
+        core.report(CoreEvent::NotFinite { body: id, disabled: true });
+    }
+}

@@ -1,0 +1,114 @@
+//! Contacts in X and Y whose partners slide past each other along Z: found by the 2D engine, solved here, because
+//! friction acts along Z as well.
+
+use farseer_core::{Contact, PhysicsSimulator};
+
+use super::add::Subject;
+use crate::Vector3;
+use crate::depth::{Depths, Kept, Partner, Touch, TouchKey, TouchList, TouchPoint};
+
+/// Names a contact of the 2D engine from one update to the next.
+fn feature_of(contact: &Contact, older: u32) -> u32 {
+    (contact.id.vertex as u32).wrapping_mul(2) + u32::from(contact.id.geom1 == older)
+}
+
+/// Takes over the 2D engine's contacts that rub along Z, or did in the last update.
+pub(in crate::stages) fn take_over_plane_contacts(
+    core: &mut PhysicsSimulator,
+    depths: &Depths,
+    found: &mut TouchList,
+    last: &TouchList,
+) {
+    for position in 0..core.arbiter_count() {
+        if let Some(subject) = sliding_pair(core, depths, last, position) {
+            take_over(core, depths, found, last, (position, subject));
+        }
+    }
+    found.sort();
+}
+
+fn sliding_pair(
+    core: &PhysicsSimulator,
+    depths: &Depths,
+    last: &TouchList,
+    position: usize,
+) -> Option<Subject> {
+    let arbiter = core.arbiter(position)?;
+    let (a, b) = (core.geom(arbiter.geom_a())?, core.geom(arbiter.geom_b())?);
+    let velocity = |body| depths.bodies.get(body).map_or(0.0, |state| state.velocity_z);
+    let key = TouchKey::Pair(a.id(), b.id());
+    let slides = velocity(a.body()) != velocity(b.body());
+    let rubbed = || {
+        let known = last.find(key).filter(|touch| touch.is_plane());
+        known.is_some_and(|touch| last.points_of(touch).iter().any(|point| point.friction_impulse[1] != 0.0))
+    };
+    if !(a.collision_response_enabled() && b.collision_response_enabled()) || !(slides || rubbed()) {
+        return None;
+    }
+    Some(Subject {
+        key,
+        this: arbiter.geom_b(),
+        body: b.body(),
+        partner: Partner::Geom(arbiter.geom_a()),
+        partner_body: Some(a.body()),
+        responds: true,
+    })
+}
+
+fn take_over(
+    core: &mut PhysicsSimulator,
+    depths: &Depths,
+    found: &mut TouchList,
+    last: &TouchList,
+    (position, subject): (usize, Subject),
+) {
+    let Subject { key, this, body, partner, partner_body, responds } = subject;
+    let (TouchKey::Pair(older, _), Partner::Geom(other)) = (key, partner) else { return };
+    let Some(arbiter) = core.arbiter(position) else { return };
+    let Some(restitution) = core.geom(this).zip(core.geom(other)).map(|(b, a)| {
+        PhysicsSimulator::mix_restitution(a.restitution_coefficient(), b.restitution_coefficient())
+    }) else {
+        return;
+    };
+    let friction = arbiter.friction();
+    if !friction.is_finite() || !restitution.is_finite() {
+        return;
+    }
+    let z = depths.middle(core, this, other);
+    let known = last.find(key).filter(|touch| touch.is_plane());
+    let known = known.map_or(&[][..], |touch| last.points_of(touch));
+    let first_point = found.points.len() as u32;
+    for contact in arbiter.contacts() {
+        let feature = feature_of(&contact, older);
+        let before = known.iter().find(|point| point.feature == feature);
+        found.points.push(TouchPoint {
+            position: Vector3::new(contact.position.x, contact.position.y, z),
+            normal: Vector3::new(contact.normal.x, contact.normal.y, 0.0),
+            separation: contact.separation,
+            feature,
+            normal_impulse: contact.normal_impulse(),
+            friction_impulse: [
+                contact.tangent_impulse(),
+                before.map_or(0.0, |point| point.friction_impulse[1]),
+            ],
+        });
+    }
+    let Some(first) = arbiter.contacts().next() else { return };
+    found.touches.push(Touch {
+        key,
+        this,
+        body,
+        partner,
+        partner_body,
+        normal: Vector3::new(first.normal.x, first.normal.y, 0.0),
+        kept: Kept::Plane,
+        first_point,
+        point_count: arbiter.contacts().len() as u32,
+        friction,
+        restitution,
+        responds,
+        shares_pressure: false,
+        arbiter: position as u32,
+    });
+    core.leave_to_engine(position);
+}
