@@ -64,7 +64,7 @@ pub use hands::Hands;
 pub use lane::spawn_lane;
 pub use rope::{Rope, RopeEnd, SpawnedRope, spawn_rope};
 pub use slope::spawn_slope;
-pub use spawn::{Ball, Figure, Prism, Spawned, Thing, spawn};
+pub use spawn::{Ball, Capsule, Cylinder, Figure, Prism, Spawned, Thing, spawn};
 
 /// The example of the README is run with those of the documentation.
 #[cfg(doctest)]

@@ -136,6 +136,7 @@ mod debug_view;
 mod draw_body;
 mod draw_platform;
 mod error;
+mod footprint;
 mod jpeg_file;
 mod outline_of_line;
 mod picture_body;

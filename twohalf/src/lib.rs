@@ -394,7 +394,7 @@ pub use walk::{Walk, Walker, Wish};
 
 pub use farseer_core;
 pub use farseer_core::math::{Vector2, Vector3};
-pub use farseer_core::{BodyId, CollisionCategory, GeomId, ObjectId};
+pub use farseer_core::{BodyId, CollisionCategory, Footprint, GeomId, ObjectId};
 
 /// The example of the README is run with those of the documentation.
 #[cfg(doctest)]

@@ -86,8 +86,8 @@ impl Ways<'_> {
     /// How the other pairs of a group stand that has only now got this one.
     pub(super) fn joined(&self, pair: usize) -> Passage {
         let others = self.group(pair).filter(|&other| other != pair);
-        let known = others.map(|other| self.pairs.all[other].passage);
-        known.filter(|&passage| passage != Passage::Closed).next().unwrap_or(Passage::Apart)
+        let mut known = others.map(|other| self.pairs.all[other].passage);
+        known.find(|&passage| passage != Passage::Closed).unwrap_or(Passage::Apart)
     }
 
     /// Whether something pushes in the group of a pair.

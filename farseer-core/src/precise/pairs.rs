@@ -47,6 +47,8 @@ pub(super) struct FrozenInSpace {
     /// How far B was behind A.
     pub(super) apart: f32,
     pub(super) spread: f32,
+    /// Where the points were along the depth axis, as seen from A.
+    pub(super) depths: [f32; 2],
 }
 
 /// Everything else about a pair.

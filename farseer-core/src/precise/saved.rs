@@ -195,6 +195,7 @@ impl Saved {
                 && finite(relative)
                 && finite(normal)
                 && finite(&[space.normal_z, space.apart, space.spread])
+                && finite(&space.depths)
                 && finite(separations)
                 && lead.abs() <= 1.0
                 && anchors.iter().all(|anchor| finite(anchor))

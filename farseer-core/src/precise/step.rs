@@ -243,6 +243,7 @@ impl Precise {
                 (*push, *forced) = (read.push, read.forced);
             }
         }
+        self.begin_steady();
         self.read_fixtures(step.dt);
     }
 
@@ -293,6 +294,7 @@ impl Precise {
                 self.bodies.move_to(number, &entry.body);
             }
         }
+        self.end_steady();
         self.write_fixtures();
     }
 

@@ -86,7 +86,7 @@ impl Precise {
         let (Some(entry), Some(number)) = (objects.bodies.get(id), self.number_of(id)) else { return };
         let body = &entry.body;
         let is_movable = number < self.bodies.first_fixed();
-        let inverses = if is_movable { inverses_of(body) } else { [0.0; 2] };
+        let inverses = if is_movable { self.inverses_in_space(number, body) } else { [0.0; 2] };
         let velocity = self.surface_velocity(id, is_movable, body);
         let has_moved = self.bodies.was_moved(number, body) || self.was_moved_in_space(number, id);
         let is_other = inverses != self.bodies.inverses[number];
@@ -113,6 +113,7 @@ impl Precise {
             self.bodies.forget_way(number);
         }
         self.take_body_in_space(number, id);
+        self.steady_if_upright(number);
         for &geom in &entry.geoms {
             self.renew_proxies(geom, objects, |proxy| {
                 let is_belt_changed = proxy.surface_velocity != velocity;
@@ -312,6 +313,7 @@ impl Precise {
         self.list_bodies(objects);
         self.list_proxies(objects);
         self.list_loose(objects);
+        self.steady_all_bodies();
         self.sleep.reset(&self.bodies.ids[..self.bodies.first_fixed()]);
         self.enter_moving_fixtures();
         self.direct.reset(self.bodies.hot.len());
@@ -432,12 +434,16 @@ impl Precise {
 
     /// Its shape in the frame of its body.
     fn shape_of(&mut self, id: GeomId, geom: &GeomEntry, piece: usize) -> Shape {
-        match self.space.as_ref().map(|space| space.profile(id)).filter(|profile| profile.is_round) {
-            Some(SpaceProfile { half_depth, .. }) => {
+        match self.space.as_ref().map(|space| space.profile(id)) {
+            Some(SpaceProfile { upright: Some(upright), .. }) => {
+                let ([x, y], half) = upright.front();
+                self.proxies.corners.add_box_at([geom.offset.x + x, geom.offset.y + y], half)
+            }
+            Some(SpaceProfile { is_round: true, half_depth, .. }) => {
                 let circle = Piece::Circle { centre: [0.0; 2], radius: half_depth };
                 self.proxies.corners.add(&circle, geom)
             }
-            None => self.proxies.corners.add(&geom.pieces()[piece], geom),
+            _ => self.proxies.corners.add(&geom.pieces()[piece], geom),
         }
     }
 

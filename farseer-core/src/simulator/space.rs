@@ -85,8 +85,8 @@ impl PhysicsSimulator {
         }
     }
 
-    /// The fixtures that move: their names, where their middles are after an update, and how they move.
-    pub fn fixtures_moved(&self) -> impl Iterator<Item = (u32, Vector3, FixtureMotion)> + '_ {
+    /// The fixtures that move: their names, where their middles are after an update and how they are turned, and how they move.
+    pub fn fixtures_moved(&self) -> impl Iterator<Item = (u32, Vector3, Option<f32>, FixtureMotion)> + '_ {
         self.pipeline.precise.iter().flat_map(|precise| precise.fixtures_moved())
     }
 

@@ -36,4 +36,6 @@ mod spawning;
 mod supports;
 mod thesis;
 mod time_scale;
+mod turned_platforms;
+mod uprights;
 mod walking;

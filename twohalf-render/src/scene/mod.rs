@@ -5,6 +5,7 @@ mod look;
 mod patch;
 mod shadows;
 mod solid;
+mod upright;
 mod water;
 
 pub use look::{Figure, Look, Picture, Pose, Textures};

@@ -2,6 +2,7 @@
 
 use twohalf::{BodyId, PlatformId, TwoHalfPhysicsSimulator, Vector3};
 
+use super::upright::draw_upright;
 use super::{Look, Textures};
 use crate::corners::{bend, corners_of, cross, distance};
 use crate::surface::{Face, above_ground, to_screen};
@@ -96,6 +97,9 @@ pub(super) fn draw_body(
 ) {
     for &geom in simulator.core().geoms_of(id) {
         let Some(view) = simulator.geom(geom) else { continue };
+        if draw_upright(simulator, canvas, &view, look) {
+            continue;
+        }
         let shape = view.virtual_geom();
         let half = 0.5 * (shape.back - shape.front);
         // From the middle of the depth, where the outline is, to its front and back.

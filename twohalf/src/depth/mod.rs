@@ -15,6 +15,7 @@ mod profile;
 mod scheme;
 mod support;
 mod touches;
+pub(crate) mod upright;
 mod world;
 
 pub(crate) use body::{DepthBody, is_movable};

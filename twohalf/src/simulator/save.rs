@@ -78,7 +78,12 @@ impl TwoHalfPhysicsSimulator {
             return Err(damaged("a platform is out of range"));
         }
         if world.scheme != DepthScheme::Precise && world.platforms.are_precise() {
-            return Err(damaged("a platform moves, is a belt or one-way, where none can be"));
+            return Err(damaged(
+                "a platform moves, is a belt, one-way, turned or a slope along Z, where none can be",
+            ));
+        }
+        if world.scheme != DepthScheme::Precise && world.depths.have_uprights(core) {
+            return Err(damaged("a geom is upright, where none can be"));
         }
         if !world.fields.is_valid() {
             return Err(damaged("a field is out of range"));

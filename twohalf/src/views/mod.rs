@@ -11,6 +11,8 @@ mod overlap;
 mod platform;
 mod squeeze;
 mod touching;
+mod turned_platform;
+mod upright_overlap;
 mod virtual_geom;
 
 pub use access::{Access, AccessMut};

@@ -114,7 +114,7 @@ impl TwoHalfPhysicsSimulator {
         let is_free = self.world.platforms.overlapping(low, high).all(|(_, platform)| {
             platform.is_one_way()
                 || !holds(platform, self.core.geom(stride.geom).as_deref())
-                || !wall_of(platform.shape(), &there).is_some_and(|wall| wall.meets(&feet))
+                || !wall_of(platform.shape(), &there).is_some_and(|wall| feet.meets_box(&wall))
         });
         is_free && {
             let (low, high) =

@@ -12,7 +12,7 @@ use self::ledge::Ledge;
 #[cfg(doc)]
 use crate::TwoHalfBody;
 use crate::error::{invalid, only_precise, stale};
-use crate::{BodyId, DepthScheme, Partner, Result, TwoHalfPhysicsSimulator, Vector3};
+use crate::{BodyId, DepthProfile, DepthScheme, Partner, Result, TwoHalfPhysicsSimulator, Vector3};
 
 /// How a figure walks. Lengths in px, times in s, angles in rad.
 ///
@@ -165,7 +165,8 @@ impl Walker {
 
 impl TwoHalfPhysicsSimulator {
     /// Lets a figure walk, jump and fall as a player expects: to be called before each update, with the update's `dt` in s. The
-    /// figure is a body whose object geom is upright and does not turn (a huge moment of inertia), best without friction.
+    /// figure is a body whose object geom is upright and does not turn: best a [cylinder](DepthProfile::Cylinder), which slides past
+    /// others and round corners, or a box with a huge moment of inertia; best without friction.
     ///
     /// - Its velocity along X and Z, as seen from above, becomes what is wished, as fast as [`Walk::acceleration`] allows; up and
     ///   down slopes alike. What it stands on carries it: platforms that move, belts, bodies.
@@ -210,7 +211,7 @@ impl TwoHalfPhysicsSimulator {
     /// ```
     ///
     /// # Errors
-    /// A stale body, or one without an object geom; settings of the walk out of their ranges, or a walker that was loaded with
+    /// A stale body, one without an object geom, or whose object geom is a capsule, which has no soles; settings of the walk out of their ranges, or a walker that was loaded with
     /// numbers that are not finite; a wish that is not finite; a `dt`
     /// that is not finite and greater than 0; another scheme than [`DepthScheme::Precise`].
     pub fn walk(&mut self, body: BodyId, walker: &mut Walker, wish: Wish, dt: f32) -> Result<()> {
@@ -227,6 +228,10 @@ impl TwoHalfPhysicsSimulator {
         }
         let geom = self.body(body).ok_or(stale("body"))?.ground().object_geom();
         let geom = geom.ok_or_else(|| invalid("body", body, "one with an object geom"))?;
+        let profile = self.depth_profile(geom);
+        if profile.is_some_and(|profile| matches!(profile, DepthProfile::Capsule { .. })) {
+            return Err(invalid("body", body, "one whose object geom is no capsule"));
+        }
         walker.check()?;
         if self.time_scale(body) == 0.0 {
             return Ok(());

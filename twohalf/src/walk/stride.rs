@@ -4,7 +4,7 @@ use farseer_core::math::scalar::nearest_finite;
 use farseer_core::{Body, SpaceTouch};
 
 use super::feet::Feet;
-use super::floor::{Floor, Reach, partner_of};
+use super::floor::{Floor, Reach, partner_of, top_of_box};
 use super::ledge::GRASP;
 use super::walls::KEPT_OFF;
 use super::{Walker, Wish};
@@ -27,6 +27,8 @@ const SETTLES: f32 = 5.0;
 pub(super) const PASSED: f32 = 1.7;
 /// How far it is looked ahead for curbs beyond two steps, px: farther than what only touches is apart.
 const AHEAD: f32 = 0.3;
+/// How far around the feet something is to be as low as a curb to be none, px: farther than contacts reach.
+const NEAR: f32 = 1.0;
 /// What pushes up by more than this part of its normal holds.
 const HOLDS: f32 = 0.5;
 /// What pushes down by more than this part of its normal does not stand in the way.
@@ -70,7 +72,7 @@ impl TwoHalfPhysicsSimulator {
     pub(super) fn stride(&mut self, body: BodyId, geom: GeomId, walker: &mut Walker, wish: Wish, dt: f32) {
         let (Some(view), Some(outline)) = (self.body(body), self.geom(geom)) else { return };
         let whole = outline.virtual_geom();
-        let (feet, head) = (Feet::of(&whole), whole.top);
+        let (feet, head) = (Feet::of(&whole, outline.depth_profile()), whole.top);
         let (place, velocity) = (view.origin3d(), view.velocity3d());
         let pace = self.time_scale(body);
         let dt = dt * pace;
@@ -276,7 +278,13 @@ impl TwoHalfPhysicsSimulator {
     fn is_in_the_way(&self, stride: &Stride<'_>, partner: Partner) -> bool {
         match partner {
             Partner::Geom(geom) => self.geom(geom).is_some_and(|geom| geom.virtual_geom().top > stride.knees),
-            Partner::Platform(id) => self.platform(id).is_some_and(|platform| platform.shape().shear != 0.0),
+            Partner::Platform(id) => self.platform(id).is_some_and(|platform| {
+                let shape = platform.shape();
+                // What turns or climbs is as high as it is here.
+                let is_low =
+                    || top_of_box(shape, &stride.feet.widened(NEAR)).is_some_and(|top| top.0 <= stride.knees);
+                shape.shear != 0.0 || ((shape.climb != 0.0 || shape.is_turned()) && !is_low())
+            }),
             Partner::Ground => false,
         }
     }
