@@ -43,7 +43,7 @@ pub(crate) fn draw_burst(canvas: &mut dyn Canvas, center: Point, word: &str) {
     for (size, color) in [(1.0, ink), (0.9, Color::rgb(240, 176, 48)), (0.6, Color::rgb(255, 240, 150))] {
         let corner = |at: usize| {
             let angle = std::f32::consts::TAU * at as f32 / 20.0;
-            let far = size * if at % 2 == 0 { 38.0 } else { 22.0 };
+            let far = size * if at.is_multiple_of(2) { 38.0 } else { 22.0 };
             [center[0] + 1.3 * far * angle.cos(), center[1] + 0.8 * far * angle.sin()]
         };
         let star: Vec<Point> = (0..20).map(corner).collect();
