@@ -1,6 +1,7 @@
 //! The simulator: owns everything.
 
 mod draw_order;
+mod drawn;
 mod fields;
 mod geoms;
 mod lengths;
@@ -11,9 +12,11 @@ mod rays;
 mod save;
 mod settings;
 mod snapshot;
+mod sorted_again;
 mod update;
 
-pub use draw_order::{DrawOrder, Drawable};
+pub use draw_order::DrawOrder;
+pub use drawn::Drawable;
 pub use queries::Surface;
 pub use rays::RayHit3D;
 pub use save::SavedTwoHalfSimulator;
