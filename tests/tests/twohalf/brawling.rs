@@ -188,7 +188,7 @@ fn hands_go_on_after_loading() {
     let mut other = simulator.clone();
     other.restore(&simulator.snapshot()).unwrap();
     let mut loaded: Hands = serde_json::from_str(&serde_json::to_string(&hands).unwrap()).unwrap();
-    let mut play = |simulator: &mut TwoHalfPhysicsSimulator, hands: &mut Hands| {
+    let play = |simulator: &mut TwoHalfPhysicsSimulator, hands: &mut Hands| {
         for step in 0..60 {
             hands.carry(simulator, Vector3::new(0.0, 66.0, 0.0), 480.0, STEP).unwrap();
             if step == 30 {
