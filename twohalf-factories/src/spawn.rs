@@ -1,5 +1,6 @@
 //! Things of a game in one call: body, geom, depth, both frictions, what rests on the ground, and where.
 
+use serde::{Deserialize, Serialize};
 use twohalf::farseer_core::Error;
 use twohalf::{BodyId, DepthProfile, Footprint, GeomId, Result, TextureId, TwoHalfPhysicsSimulator, Vector3};
 
@@ -11,7 +12,7 @@ const NEVER_TURNS: f32 = 1e20;
 const CORNERS: i32 = 24;
 
 /// The ids of what was [spawned](spawn).
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Spawned {
     /// The body: where it is, its velocities, its ground.
     pub body: BodyId,

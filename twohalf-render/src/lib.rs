@@ -167,7 +167,7 @@ pub use error::{MAX_PIXELS, MAX_SIDE, RenderError, Result};
 pub use picture_body::{PictureBody, Tracing};
 pub use plane_debug_view::draw_debug_view;
 pub use rectangle::Rectangle;
-pub use scene::{Figure, Look, Patch, Picture, Scene, Textures};
+pub use scene::{Figure, Look, Patch, Picture, Pose, Scene, Textures, Water};
 pub use shadow::{SHADOW_SCALE_LIMIT, shadow_scale};
 pub use software::SoftwareCanvas;
 pub use sprite_batch::{Sprite, SpriteBatch};

@@ -388,7 +388,7 @@ pub use simulator::{DrawOrder, Drawable, RayHit3D, SavedTwoHalfSimulator, Surfac
 pub use stages::StepCounters;
 pub use texture_id::TextureId;
 pub use views::{
-    Access, AccessMut, GroundMut, PlatformMut, TwoHalfBody, TwoHalfContact, TwoHalfGeom, VirtualGeom,
+    Access, AccessMut, GroundMut, PlatformMut, Squeeze, TwoHalfBody, TwoHalfContact, TwoHalfGeom, VirtualGeom,
 };
 pub use walk::{Walk, Walker, Wish};
 

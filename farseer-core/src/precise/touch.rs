@@ -8,11 +8,12 @@
 use super::bodies::Bodies;
 use super::direct::Direct;
 use super::manifold::{Manifold, circles_meet, collide};
+use super::one_way::{Passage, Ways};
 use super::pairs::{BY_ROW, Frozen, FrozenInSpace, Pairs};
 use super::proxies::{Mobility, Proxies, Proxy};
 use super::rows::{Aside, Home, Kind, Lane, Palette, PointLane, Rows, SpaceLane};
 use super::sleep::Sleep;
-use super::space::{Before, Space, lands_on, tangents};
+use super::space::{Before, Held, Space, lands_on, tangents};
 use super::tuning::Tuning;
 use crate::geom::GeomId;
 use crate::geom::surface::{FrictionType, mix_restitution};
@@ -46,7 +47,7 @@ pub(super) struct Touch<'a> {
     pub(super) palette: &'a mut Palette,
     pub(super) sleep: &'a mut Sleep,
     pub(super) direct: &'a mut Direct,
-    pub(super) space: Option<&'a Space>,
+    pub(super) space: Option<Held<&'a Space>>,
     pub(super) tuning: &'a Tuning,
     pub(super) friction: FrictionType,
     /// Contacts of two pieces, at most.
@@ -68,7 +69,7 @@ pub(crate) struct Looks {
 }
 
 /// Two geoms begin or cease to touch with one of their pieces, that with the smaller creation number first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Change {
     pub(super) numbers: (u32, u32),
     pub(super) begins: bool,
@@ -138,9 +139,10 @@ impl<'a> Touch<'a> {
         }
         let mut found = self.collide(pair, two, self.tuning.speculative);
         found.keep_deepest(self.most_contacts);
+        let is_open = self.proxies.one_way > 0 && self.is_open(pair, two, &found);
         if found.count == 0 {
             self.part(pair, found.gap);
-        } else if self.passes_through(pair, two) {
+        } else if is_open || self.passes_through(pair, two) {
             self.part(pair, 0.0);
         } else {
             self.looks.made += 1;
@@ -149,7 +151,45 @@ impl<'a> Touch<'a> {
         }
     }
 
-    /// Whether one of the two is open for the other one, which has not landed on it.
+    /// The ways of the last step.
+    fn ways(&self) -> Ways<'_> {
+        let Touch { bodies, proxies, pairs, tuning, .. } = self;
+        Ways { bodies, proxies, pairs, reach: tuning.speculative, are_gone: true }
+    }
+
+    /// Whether one of two, of which one at least is one-way, is not kept out by the other one.
+    #[inline(never)]
+    fn is_open(&mut self, pair: usize, two: Two<'a>, found: &Manifold) -> bool {
+        let known = self.pairs.all[pair].passage;
+        if matches!(known, Passage::Closed | Passage::Landed) {
+            return false;
+        }
+        let mut passage = self.ways().settled(pair);
+        if passage == Passage::Apart && self.ways().is_above(pair) && self.come_together(two, found) {
+            passage = Passage::Landed;
+        }
+        if passage != known {
+            self.pairs.set_passage(self.proxies, pair, passage);
+        }
+        passage != Passage::Landed
+    }
+
+    /// Whether two come together where contacts reach from one to the other.
+    fn come_together(&self, two: Two<'_>, found: &Manifold) -> bool {
+        found.points[..found.count].iter().any(|&point| {
+            let [bx, by] = difference(point, two.apart());
+            self.approach(two, found.normal, &[point[0], point[1], bx, by]) < 0.0
+        })
+    }
+
+    /// What a handler has refused has not landed, unless something else of it is kept out.
+    pub(super) fn forget_landing(&mut self, pair: usize) {
+        if self.pairs.all[pair].passage == Passage::Landed && !self.ways().is_kept_out(pair) {
+            self.pairs.set_passage(self.proxies, pair, Passage::Apart);
+        }
+    }
+
+    /// Whether one of the two is open for the other one in three axes, which has not landed on it.
     fn passes_through(&self, pair: usize, two: Two<'a>) -> bool {
         let state = &self.pairs.all[pair];
         let Some(space) = self.space.filter(|space| state.responds && space.is_one_way(two.a)) else {
@@ -248,6 +288,7 @@ impl<'a> Touch<'a> {
     }
 
     /// Velocity along the normal with which the two will come together in this step, if nothing but gravity changes it.
+    #[inline(always)]
     fn approach(&self, two: Two<'_>, normal: Vector, &[ax, ay, bx, by]: &[f32; 4]) -> f32 {
         let velocity = |proxy: &Proxy, arm: Vector| {
             let Some(hot) = self.bodies.hot.get(proxy.body as usize) else { return [0.0; 2] };
@@ -500,7 +541,7 @@ impl<'a> Touch<'a> {
             points,
             space: SpaceLane::default(),
         };
-        match self.space {
+        match &self.space {
             None => lane,
             Some(space) => self.lane_in_space(space, pair, two, lane),
         }

@@ -2,23 +2,30 @@
 
 use super::tell::Handler;
 use super::{EventHandler, PhysicsSimulator};
-use crate::Result;
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::math::{Vector2, Vector3};
 use crate::methods::Methods;
+use crate::precise::space::IS_THERE;
 use crate::precise::space::parts::{
     Fixture, FixtureMotion, SpaceBody, SpaceChange, SpaceProfile, SpaceTouch,
 };
 use crate::report::Stopwatch;
+use crate::{Error, Result};
 
 #[doc(hidden)]
 impl PhysicsSimulator {
     /// The precise set in three axes, whatever was chosen before.
     ///
     /// # Errors
-    /// As [`set_methods`](Self::set_methods) with [`Methods::Precise`].
+    /// As [`set_methods`](Self::set_methods) with [`Methods::Precise`]; [`Error::NotSupported`] without the feature `space`.
     pub fn enter_space(&mut self, length_unit: f32) -> Result<()> {
+        if !IS_THERE {
+            return Err(Error::NotSupported {
+                what: "depth axis: the feature `space` is off",
+                methods: "precise",
+            });
+        }
         self.set_methods(Methods::Precise { length_unit })?;
         if let Some(precise) = self.pipeline.precise.as_mut().filter(|precise| !precise.is_in_space()) {
             precise.enter_space();
@@ -40,12 +47,13 @@ impl PhysicsSimulator {
 
     /// A force, along the depth axis as well, and a torque act on a body in the update that comes. That is no edit: what sleeps
     /// wakes if other forces push it than those it fell asleep under. Without a depth axis what is along it is left out. What
-    /// would not be finite is refused: answers whether it was not.
+    /// would not be finite, with what pushes the body already, is refused: answers whether it was not.
     pub fn push_in_space(&mut self, id: BodyId, [x, y, z]: [f32; 3], torque: f32) -> bool {
         let PhysicsSimulator { objects, pipeline, .. } = self;
         let Some(body) = objects.bodies.get_mut(id).map(|entry| &mut entry.body) else { return true };
         let along_depth = z * body.inverse_mass();
-        let sums = [body.force().x + x, body.force().y + y, body.torque() + torque, along_depth];
+        let pushed = pipeline.precise.as_ref().map_or(0.0, |precise| precise.pushed_along_depth(id));
+        let sums = [body.force().x + x, body.force().y + y, body.torque() + torque, pushed + along_depth];
         if !sums.iter().all(|sum| sum.is_finite()) {
             return false;
         }

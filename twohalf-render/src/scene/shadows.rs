@@ -33,7 +33,7 @@ impl Cast {
         let tops: Vec<(BodyId, VirtualGeom)> =
             things.iter().flat_map(|thing| tops(simulator, thing)).collect();
         let bodies = things.iter().filter_map(|(thing, look)| match (thing, look) {
-            (_, Look::Nothing) | (Drawable::Platform(_), _) => None,
+            (_, Look::Nothing | Look::Line { .. }) | (Drawable::Platform(_), _) => None,
             (Drawable::Body(id), look) => of_body(simulator, texture, *id, look, &tops),
         });
         let platforms = things.iter().filter_map(|(thing, look)| match (thing, look) {

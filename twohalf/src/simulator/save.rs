@@ -12,7 +12,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 
 use super::TwoHalfPhysicsSimulator;
 use crate::Result;
-use crate::depth::{DepthProfile, DepthScheme, TouchList, World};
+use crate::depth::{CrushWatch, DepthProfile, DepthScheme, Pace, TouchList, World};
 use crate::error::damaged;
 use crate::views::list_touches;
 
@@ -87,6 +87,12 @@ impl TwoHalfPhysicsSimulator {
         }
         if !world.fields.is_valid() {
             return Err(damaged("a field is out of range"));
+        }
+        if !world.paces.iter().all(Pace::is_valid) {
+            return Err(damaged("the time of a body is out of range"));
+        }
+        if !world.crush_watches.iter().all(CrushWatch::is_valid) {
+            return Err(damaged("a tolerance of crushing is out of range"));
         }
         let (near, far) = world.layer_range;
         if !((far - near).is_finite() && near < far) {

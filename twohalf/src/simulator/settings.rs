@@ -171,6 +171,10 @@ impl TwoHalfPhysicsSimulator {
             geoms.into_iter().try_for_each(|geom| self.core.create_distance_grid(geom))?;
             self.core.set_methods(farseer_core::Methods::default())?;
         }
+        if scheme != DepthScheme::Precise {
+            self.world.paces.clear();
+            self.world.crush_watches.clear();
+        }
         self.world.platforms.tell_again();
         self.world.depths.is_told = false;
         self.world.scheme = scheme;

@@ -98,6 +98,12 @@ impl Feet {
         }
     }
 
+    /// Whether they overlap what a box covers of the floor.
+    pub(super) fn meets_box(&self, covered: &Feet) -> bool {
+        let span = self.span(covered.front, covered.back);
+        span.is_some_and(|[left, right]| left < covered.right && covered.left < right)
+    }
+
     pub(super) fn meets_depth(&self, front: f32, back: f32) -> bool {
         self.front < back && front < self.back
     }

@@ -133,7 +133,7 @@ impl TwoHalfPhysicsSimulator {
                     |body: &Body| body.get_velocity_at_world_point(Vector2::new(place.x, -place.y));
                 let plane = self.core.body(geom.body()).map_or(Vector2::zeros(), velocity_at);
                 let z = self.world.depths.bodies.get(geom.body()).map_or(0.0, |state| state.velocity_z);
-                Vector3::new(plane.x, -plane.y, z)
+                Vector3::new(plane.x, -plane.y, z) * self.time_scale(geom.body())
             }),
         }
     }

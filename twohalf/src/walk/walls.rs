@@ -25,7 +25,7 @@ impl TwoHalfPhysicsSimulator {
                 continue;
             }
             let Some(wall) = wall_of(platform.shape(), stride) else { continue };
-            let moving = platform.velocity();
+            let moving = platform.velocity() / stride.pace;
             if let Some(round) = stride.feet.round {
                 let way = [velocity.x - moving.x, velocity.z - moving.z].map(|part| part * stride.dt);
                 let [x, z] = held_off_wall(&round, &wall, way).map(|part| part / stride.dt);
@@ -122,7 +122,7 @@ impl Feet {
 }
 
 /// What of a box is between the height that can be stepped up and the head, as seen from above.
-fn wall_of(shape: &SlantedBox, stride: &Stride<'_>) -> Option<Feet> {
+pub(super) fn wall_of(shape: &SlantedBox, stride: &Stride<'_>) -> Option<Feet> {
     if shape.is_sheared() || shape.is_turned() {
         return None;
     }

@@ -105,7 +105,7 @@ impl FixtureMotion {
 impl Precise {
     /// What nothing pushes and is no geom.
     pub(crate) fn set_fixtures(&mut self, fixtures: impl Iterator<Item = Fixture>) {
-        let Some(space) = &mut self.space else { return };
+        let Some(space) = self.space.as_deref_mut() else { return };
         space.fixtures.clear();
         space.fixtures.extend(fixtures);
         space.has_one_way = space.fixtures.iter().any(|fixture| fixture.is_one_way);
@@ -117,7 +117,7 @@ impl Precise {
 
     /// How a fixture that is no new one, and moves already, goes on.
     pub(crate) fn set_fixture_motion(&mut self, id: u32, told: FixtureMotion) {
-        let Some(space) = &mut self.space else { return };
+        let Some(space) = self.space.as_deref_mut() else { return };
         let Some((place, _)) = space.fixture(id) else { return };
         space.fixtures[place].motion = Some(told);
         let number = space.moving.binary_search(&(place as u32)).map_or(0, |at| at + 1);
@@ -167,7 +167,7 @@ impl Space {
 impl Precise {
     /// The ground, and fixtures that stand still, are listed behind all bodies.
     pub(in crate::precise) fn list_fixtures(&mut self) {
-        let Some(space) = &mut self.space else { return };
+        let Some(space) = self.space.as_deref_mut() else { return };
         self.bodies.add_fixture([0.0, 0.0, 1.0, 0.0], 0.0);
         let mut moving = 0;
         space.numbers.clear();
@@ -203,19 +203,20 @@ impl Precise {
 
     /// The others behind all, after that of the ground.
     pub(in crate::precise) fn add_fixtures(&mut self) {
-        let Some(space) = &mut self.space else { return };
+        let Some(space) = self.space.as_deref_mut() else { return };
         let still = space.fixtures.len() - space.moving.len();
         space.ground = self.proxies.all.len() as u32;
         let ground = Proxy { place: NO_PLACE, ..proxy_for(ground_id(), self.bodies.ids.len() - still - 1) };
         self.proxies.push(ground);
         self.add_fixtures_of(Mobility::Fixed);
-        let Some(space) = &mut self.space else { return };
+        let Some(space) = self.space.as_deref_mut() else { return };
         space.list_proxies(&self.proxies);
         self.bounces |= space.bounces();
     }
 
     fn add_fixtures_of(&mut self, mobility: Mobility) {
         let Precise { space: Some(space), proxies, bounces, .. } = self else { return };
+        let space = &mut **space;
         space.fixture_proxies.resize(space.fixtures.len(), 0);
         for (place, (fixture, &number)) in space.fixtures.iter().zip(&space.numbers).enumerate() {
             let Fixture { shape, filter, surface, surface_velocity: [vx, vy, vz], motion, .. } = fixture;
@@ -254,6 +255,7 @@ impl Precise {
     /// A step begins for those that move.
     pub(in crate::precise) fn read_fixtures(&mut self, dt: f32) {
         let Precise { space: Some(space), bodies, .. } = self else { return };
+        let space = &mut **space;
         for (number, &place) in (1..).zip(&space.moving) {
             let fixture = &mut space.fixtures[place as usize];
             let Fixture { shape, yaw, motion: Some(motion), .. } = fixture else { continue };
@@ -268,6 +270,7 @@ impl Precise {
     /// They are where the step has brought them.
     pub(in crate::precise) fn write_fixtures(&mut self) {
         let Precise { space: Some(space), bodies, .. } = self else { return };
+        let space = &mut **space;
         for (number, &place) in (1..).zip(&space.moving) {
             let fixture = &mut space.fixtures[place as usize];
             let Some(motion) = &mut fixture.motion else { continue };

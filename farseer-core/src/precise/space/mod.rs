@@ -81,6 +81,52 @@ pub(crate) struct Space {
     pub(super) rested: Vec<BodyId>,
 }
 
+/// Whether there can be a depth axis.
+pub(crate) const IS_THERE: bool = cfg!(feature = "space");
+
+/// That there is one. Without the feature there is no such value, so that the compiler leaves out all that a depth axis needs.
+#[cfg(feature = "space")]
+type Proof = ();
+#[cfg(not(feature = "space"))]
+type Proof = std::convert::Infallible;
+
+/// The depth axis of what has one: a `Space`, owned or lent.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Held<S> {
+    space: S,
+    proof: Proof,
+}
+
+impl Held<Box<Space>> {
+    /// A depth axis, if there can be one.
+    pub(super) fn new() -> Option<Self> {
+        #[cfg(feature = "space")]
+        return Some(Held { space: Box::default(), proof: () });
+        #[cfg(not(feature = "space"))]
+        None
+    }
+
+    pub(super) fn lend(&self) -> Held<&Space> {
+        Held { space: &self.space, proof: self.proof }
+    }
+}
+
+impl<S: std::ops::Deref<Target = Space>> std::ops::Deref for Held<S> {
+    type Target = Space;
+
+    #[inline(always)]
+    fn deref(&self) -> &Space {
+        &self.space
+    }
+}
+
+impl std::ops::DerefMut for Held<Box<Space>> {
+    #[inline(always)]
+    fn deref_mut(&mut self) -> &mut Space {
+        &mut self.space
+    }
+}
+
 reusing_clone! {
     Space {
         bodies, profiles, fixtures, numbers, fixture_proxies, moving, has_one_way, places, spins, are_balls, has_balls,

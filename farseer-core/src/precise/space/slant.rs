@@ -9,6 +9,7 @@ use crate::math::plane::{Vector, cross, difference, length, scaled};
 use crate::precise::manifold::Manifold;
 use crate::precise::outline::{Corners, Shape};
 use crate::shape::SlantedBox;
+use crate::storage::order::{joined, ordered, sort_by_number};
 
 /// What a box covers of the plane between two depths, about its centre.
 pub(super) fn swept(shape: &SlantedBox, near: f32, far: f32) -> (Corners, Shape) {
@@ -25,7 +26,7 @@ pub(super) fn swept(shape: &SlantedBox, near: f32, far: f32) -> (Corners, Shape)
 /// The convex hull, wound as the outlines of the precise set (A. Andrew, "Another efficient algorithm for convex hulls in two
 /// dimensions", 1979).
 pub(super) fn hull(mut points: Vec<Vector>) -> Vec<Vector> {
-    points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    sort_by_number(&mut points, |point| joined(point.map(ordered)));
     let mut chain: Vec<Vector> = Vec::with_capacity(points.len() + 1);
     let mut extend = |of: &mut dyn Iterator<Item = Vector>| {
         let first = chain.len();

@@ -37,7 +37,7 @@ impl<'s, 'a> Extruded<'s, 'a> {
         self.solid.outline.shape.radius
     }
 
-    fn to_world(&self, point: Vector) -> Vector {
+    fn to_world(self, point: Vector) -> Vector {
         sum(place(self.solid.pose), turn(rotation(self.solid.pose), point))
     }
 
