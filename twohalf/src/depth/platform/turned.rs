@@ -76,7 +76,10 @@ impl Platform {
     pub(super) fn surface_velocity(&self) -> [f32; 3] {
         let ([along, across], SlantedBox { cos, sin, turn: [turned, aside], .. }) =
             (self.surface_speed, self.shape);
-        if self.yaw.is_some() {
+        if self.yaw.is_some() && self.surface_speed == [0.0; 2] {
+            // Without the signs of zeros that turning leaves.
+            [0.0; 3]
+        } else if self.yaw.is_some() {
             [along * turned - across * aside, 0.0, along * aside + across * turned]
         } else {
             [along * cos, along * sin, across]
