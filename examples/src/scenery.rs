@@ -1,6 +1,8 @@
 //! What stands behind a 2.5D scene.
 
-use twohalf_render::{Canvas, Color, Point, SoftwareCanvas, Text, Texture2D, Transform};
+use twohalf_render::{
+    Canvas, Color, GroundBackdrop, Point, SoftwareCanvas, Text, Texture2D, Transform, draw_ground_backdrop,
+};
 
 use crate::Result;
 
@@ -43,7 +45,7 @@ pub(crate) fn draw_burst(canvas: &mut dyn Canvas, center: Point, word: &str) {
     for (size, color) in [(1.0, ink), (0.9, Color::rgb(240, 176, 48)), (0.6, Color::rgb(255, 240, 150))] {
         let corner = |at: usize| {
             let angle = std::f32::consts::TAU * at as f32 / 20.0;
-            let far = size * if at % 2 == 0 { 38.0 } else { 22.0 };
+            let far = size * if at.is_multiple_of(2) { 38.0 } else { 22.0 };
             [center[0] + 1.3 * far * angle.cos(), center[1] + 0.8 * far * angle.sin()]
         };
         let star: Vec<Point> = (0..20).map(corner).collect();
@@ -81,5 +83,13 @@ pub(crate) fn city_at_dusk() -> Result<Texture2D> {
             }
         }
     }
+    Ok(canvas.to_texture()?)
+}
+
+/// The evening sky and the ground under it, of the size of a picture, painted once: rows of colour take longer than a picture of them.
+pub(crate) fn sky_at_dusk([width, height]: [u32; 2], depth: f32) -> Result<Texture2D> {
+    let mut canvas = SoftwareCanvas::new(width, height)?;
+    let dusk = GroundBackdrop { lines: Color::TRANSPARENT, ..GroundBackdrop::dusk(depth, 90.0) };
+    draw_ground_backdrop(&mut canvas, &dusk)?;
     Ok(canvas.to_texture()?)
 }
