@@ -1,6 +1,8 @@
 //! What stands behind a 2.5D scene.
 
-use twohalf_render::{Canvas, Color, Point, SoftwareCanvas, Text, Texture2D, Transform};
+use twohalf_render::{
+    Canvas, Color, GroundBackdrop, Point, SoftwareCanvas, Text, Texture2D, Transform, draw_ground_backdrop,
+};
 
 use crate::Result;
 
@@ -81,5 +83,13 @@ pub(crate) fn city_at_dusk() -> Result<Texture2D> {
             }
         }
     }
+    Ok(canvas.to_texture()?)
+}
+
+/// The evening sky and the ground under it, of the size of a picture, painted once: rows of colour take longer than a picture of them.
+pub(crate) fn sky_at_dusk([width, height]: [u32; 2], depth: f32) -> Result<Texture2D> {
+    let mut canvas = SoftwareCanvas::new(width, height)?;
+    let dusk = GroundBackdrop { lines: Color::TRANSPARENT, ..GroundBackdrop::dusk(depth, 90.0) };
+    draw_ground_backdrop(&mut canvas, &dusk)?;
     Ok(canvas.to_texture()?)
 }

@@ -6,7 +6,7 @@ use twohalf_render::*;
 
 use super::game::*;
 use crate::Result;
-use crate::scenery::{city_at_dusk, draw_burst};
+use crate::scenery::{city_at_dusk, draw_burst, sky_at_dusk};
 
 /// Width and height of the picture in px.
 pub const SIZE: [u32; 2] = [720, 480];
@@ -21,6 +21,7 @@ const STEEL: Color = Color::rgb(92, 98, 112);
 #[derive(Debug, Clone)]
 pub struct Paint {
     shadow: Texture2D,
+    sky: Texture2D,
     city: Texture2D,
     crate_box: Textures,
     street: Textures,
@@ -37,6 +38,7 @@ impl Paint {
         let plates = Texture2D::paving([30, 14], [3, 10], AMBER)?;
         Ok(Paint {
             shadow: Scene::soft_shadow(),
+            sky: sky_at_dusk(SIZE, 235.0)?,
             city: city_at_dusk()?,
             crate_box: Textures { front: Some(Texture2D::crate_box(30, 30, WOOD)?), top: None },
             street: Textures { top: Some(slabs), front: Some(kerb) },
@@ -47,17 +49,15 @@ impl Paint {
 
     /// What follows the player: from the simulator's px to those of the picture.
     pub fn camera(game: &Brawler) -> Transform {
-        let [width, height] = SIZE.map(|side| side as f32);
-        let x = game.player().x.clamp(0.3 * width, 1860.0) + 60.0;
-        let y = HEIGHT as f32 + 6.0 - 0.5 * height / ZOOM;
-        Transform::camera([x, y], ZOOM, 0.0, [0.5 * width, 0.5 * height])
+        let [x, y] = [game.player().x.clamp(216.0, 1860.0) + 60.0, HEIGHT as f32 - 194.0];
+        Transform::camera([x, y], ZOOM, 0.0, SIZE.map(|side| 0.5 * side as f32))
     }
 
     /// Draws the street about the player on a canvas of [`SIZE`]; nothing of it is refused.
     pub fn draw(&self, game: &Brawler, canvas: &mut dyn Canvas) -> Result<()> {
         let camera = Paint::camera(game);
+        canvas.draw_texture(&self.sky, &Transform::IDENTITY, Color::WHITE, None);
         let mut view = View::new(canvas).camera(&camera);
-        draw_ground_backdrop(&mut view, &GroundBackdrop::dusk(190.0, ANGLE as f32))?;
         draw_parallax_layer(&mut view, &self.city, 290.0 - self.city.height() as f32, 0.35);
         let (holes, waters) = ([Patch::hole(HOLE, LANE)], Water::all_of(&game.simulator));
         let scene = Scene::new(&game.simulator, &self.shadow).camera(&camera).patches(&holes).waters(&waters);
