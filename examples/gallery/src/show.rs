@@ -80,19 +80,16 @@ impl Half {
         self.play.step(player)
     }
 
-    /// Goes on with the other set of methods; answers whether it had to begin again for that.
-    fn switch(&mut self) -> Result<bool> {
+    /// Goes on with the other set of methods.
+    fn switch(&mut self) -> Result<()> {
         if !self.has_both {
             return Err(format!("this scene needs the {} set", self.set.name()).into());
         }
         self.hand.release(self.play.world_mut());
         let other = self.set.other();
-        let begins_again = !state::switch(self.play.world_mut(), other)?;
-        if begins_again {
-            self.play = (self.build)(other)?;
-        }
+        state::switch(self.play.world_mut(), other)?;
         self.set = other;
-        Ok(begins_again)
+        Ok(())
     }
 }
 
@@ -154,7 +151,7 @@ impl Show {
         self.halves.iter_mut().try_for_each(|half| half.step(player))
     }
 
-    /// Goes on with the other set of methods; answers what came of it in words.
+    /// Goes on with the other set of methods; answers which it is in words.
     ///
     /// # Errors
     /// What refuses the other set.
@@ -162,8 +159,8 @@ impl Show {
         self.release();
         let mut words = Vec::new();
         for half in &mut self.halves {
-            let begins_again = half.switch()?;
-            words.push(format!("{}{}", half.set.name(), if begins_again { ", from the start" } else { "" }));
+            half.switch()?;
+            words.push(half.set.name());
         }
         Ok(words.join(" | "))
     }

@@ -61,12 +61,11 @@ pub fn is_finite(world: World<'_>) -> bool {
     }
 }
 
-/// Chooses a set of methods in mid-run. Answers false if that cannot be, since the 2.5D engine chooses before there are
-/// things.
+/// Chooses a set of methods in mid-run.
 ///
 /// # Errors
 /// What the other set does not have.
-pub fn switch(world: WorldMut<'_>, set: Set) -> Result<bool> {
+pub fn switch(world: WorldMut<'_>, set: Set) -> Result<()> {
     match world {
         WorldMut::Plane(simulator) => {
             let methods = match set {
@@ -74,8 +73,8 @@ pub fn switch(world: WorldMut<'_>, set: Set) -> Result<bool> {
                 Set::Precise => Methods::PRECISE,
             };
             simulator.set_methods(methods)?;
-            Ok(true)
         }
-        WorldMut::Depth(_) => Ok(false),
+        WorldMut::Depth(simulator) => simulator.set_depth_scheme(crate::scenes::scheme(set))?,
     }
+    Ok(())
 }

@@ -28,6 +28,7 @@ mod rays;
 mod regressions;
 mod ropes;
 mod save;
+mod scheme_in_mid_run;
 mod seams;
 mod sleep;
 

@@ -29,18 +29,6 @@ fn post(simulator: &mut TwoHalfPhysicsSimulator) -> BodyId {
 }
 
 #[test]
-fn the_scheme_is_chosen_while_no_geom_takes_part() {
-    let mut simulator = with(DepthScheme::Thesis, 0.0);
-    assert_eq!(simulator.depth_scheme(), DepthScheme::Thesis);
-    ball(&mut simulator, 10.0, [0.0, 500.0, 0.0]);
-    // It only waits to be added.
-    simulator.set_depth_scheme(DepthScheme::Faithful).unwrap();
-    run(&mut simulator, 1);
-    assert!(simulator.set_depth_scheme(DepthScheme::Thesis).is_err());
-    assert_eq!(simulator.depth_scheme(), DepthScheme::Faithful);
-}
-
-#[test]
 fn objects_at_different_depths_pass_each_other() {
     for scheme in BOTH {
         let mut simulator = with(scheme, 0.0);

@@ -64,6 +64,10 @@ impl<I: Slot, T> IdTable<I, T> {
     }
 
     /// All entries, in the order of their slots; those of disposed objects too.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (I, &T)> {
+        self.entries.iter().flatten().map(|(id, value)| (*id, value))
+    }
+
     pub(crate) fn iter_mut(&mut self) -> impl Iterator<Item = (I, &mut T)> {
         self.entries.iter_mut().flatten().map(|(id, value)| (*id, value))
     }

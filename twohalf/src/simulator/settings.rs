@@ -3,7 +3,7 @@
 use farseer_core::{BodyId, GeomId, Limits, PhysicsSimulator};
 
 use super::{LENGTH_UNIT, TwoHalfPhysicsSimulator};
-use crate::depth::DepthScheme;
+use crate::depth::{DepthScheme, Pace, World};
 use crate::error::{invalid, only_precise};
 use crate::{Projection, Result, Vector2};
 
@@ -146,43 +146,86 @@ impl TwoHalfPhysicsSimulator {
         self.world.scheme
     }
 
-    /// Chooses how objects meet each other.
+    /// Chooses how objects meet each other, between any two updates. Everything stays where it is and goes on as it moves; what
+    /// is known of contacts is forgotten: until the next update nothing touches, what sleeps wakes, and what rests begins to
+    /// rest anew. The scheme that it has already changes nothing.
     ///
     /// # Errors
-    /// If a geom takes part already ([`farseer_core::Error::GeomListNotEmpty`]; geoms that wait to be added do not
-    /// count). From the precise set to another scheme, one of these that gets no
-    /// [distance grid](farseer_core::PhysicsSimulator::create_distance_grid), and a [`Platform`](crate::Platform) that moves, is a belt, one-way, turned or a slope
-    /// along Z; and an upright geom.
+    /// Another scheme than the precise one, with what only that has ([`farseer_core::Error::NotSupported`]): a
+    /// [`Platform`](crate::Platform) that moves, is a belt, one-way, turned or a slope along Z, an upright geom, a body that is
+    /// [to be moved](crate::TwoHalfBody::move_to3d), has a [time of its own](Self::set_time_scale) or a
+    /// [crush tolerance](Self::set_crush_tolerance), chains, prismatic joints, joints with a motor or limits; or with a geom that gets no
+    /// [distance grid](farseer_core::PhysicsSimulator::create_distance_grid). A refused call has changed nothing.
+    ///
+    /// ```
+    /// use twohalf::{DepthScheme, TwoHalfPhysicsSimulator, Vector2, Vector3};
+    ///
+    /// let mut simulator = TwoHalfPhysicsSimulator::with_angle_and_gravity(480, 60, Vector2::new(0.0, 500.0))?;
+    /// let body = simulator.create_body(farseer_core::Body::new());
+    /// simulator.add(body)?;
+    /// simulator.body_mut(body).unwrap().set_position3d(Vector3::new(0.0, 100.0, 0.0));
+    /// (0..10).for_each(|_| simulator.update(0.01));
+    /// let before = simulator.body(body).unwrap().velocity3d();
+    /// simulator.set_depth_scheme(DepthScheme::Faithful)?;
+    /// assert_eq!(simulator.body(body).unwrap().velocity3d(), before);
+    /// # Ok::<(), twohalf::Error>(())
+    /// ```
     pub fn set_depth_scheme(&mut self, scheme: DepthScheme) -> Result<()> {
-        if !self.core.geom_list().is_empty() {
-            return Err(farseer_core::Error::GeomListNotEmpty.into());
+        let is_precise = scheme == DepthScheme::Precise;
+        if scheme == self.world.scheme && is_precise == self.core.is_in_space() {
+            return Ok(());
         }
-        if scheme != DepthScheme::Precise && self.world.platforms.are_precise() {
-            return Err(only_precise("platforms that move, are belts, one-way, turned or slopes along Z"));
-        }
-        if scheme != DepthScheme::Precise && self.world.depths.have_uprights(&self.core) {
-            return Err(only_precise("upright footprints"));
-        }
-        if scheme == DepthScheme::Precise {
+        if is_precise {
             self.core.enter_space(LENGTH_UNIT)?;
-        } else if self.world.scheme == DepthScheme::Precise {
-            // The precise set does without.
-            let geoms: Vec<GeomId> = self.core.geoms().collect();
-            geoms.into_iter().try_for_each(|geom| self.core.create_distance_grid(geom))?;
-            self.core.set_methods(farseer_core::Methods::default())?;
+        } else {
+            self.core = self.with_faithful_set()?;
         }
-        if scheme != DepthScheme::Precise {
-            self.world.paces.clear();
-            self.world.crush_watches.clear();
-        }
+        self.world.paces.retain(|pace| !pace.is_over());
+        self.world.scheme = scheme;
+        self.world.touches.clear();
         self.world.platforms.tell_again();
         self.world.depths.is_told = false;
-        self.world.scheme = scheme;
-        let geoms: Vec<GeomId> = self.core.geoms().collect();
-        for geom in geoms {
-            self.fit_box(geom);
+        for (_, state) in self.world.depths.bodies.iter_mut() {
+            (state.support, state.is_support_kept) = (None, false);
         }
+        let geoms: Vec<GeomId> = self.core.geoms().collect();
+        geoms.into_iter().for_each(|geom| self.fit_box(geom));
         Ok(())
+    }
+
+    fn what_only_the_precise_set_has(&self) -> Option<&'static str> {
+        let World { platforms, depths, paces, crush_watches, .. } = &self.world;
+        let has_target = || depths.bodies.iter().any(|(_, state)| state.target.is_some());
+        if platforms.are_precise() {
+            Some("platforms that move, are belts, one-way, turned or slopes along Z")
+        } else if depths.have_uprights(&self.core) {
+            Some("upright footprints")
+        } else if has_target() {
+            Some("motion along Z of a kinematic body")
+        } else if !paces.iter().all(Pace::is_over) {
+            Some("bodies with a time of their own")
+        } else {
+            (!crush_watches.is_empty()).then_some("crushing that is told")
+        }
+    }
+
+    /// The 2D engine with the faithful set, and without the contacts that it has.
+    fn with_faithful_set(&self) -> Result<PhysicsSimulator> {
+        if let Some(what) = self.what_only_the_precise_set_has() {
+            return Err(only_precise(what));
+        }
+        // A copy, since geoms get grids one by one and the last of them may be refused.
+        let mut core = self.core.clone();
+        if core.is_in_space() {
+            // The precise set does without.
+            let geoms: Vec<GeomId> = core.geoms().collect();
+            geoms.into_iter().try_for_each(|geom| core.create_distance_grid(geom))?;
+        } else {
+            // From the other one of the two: by way of the set that has no contacts of this one.
+            core.set_methods(farseer_core::Methods::PRECISE)?;
+        }
+        core.set_methods(farseer_core::Methods::default())?;
+        Ok(core)
     }
 
     /// The former name of [`set_depth_scheme`](Self::set_depth_scheme).

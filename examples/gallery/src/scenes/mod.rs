@@ -97,7 +97,7 @@ impl GalleryScene {
 }
 
 /// With depth: the scheme that stands for a set.
-fn scheme(set: Set) -> DepthScheme {
+pub(crate) fn scheme(set: Set) -> DepthScheme {
     match set {
         Set::Faithful => DepthScheme::Faithful,
         Set::Precise => DepthScheme::Precise,
