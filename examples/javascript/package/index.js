@@ -1,4 +1,10 @@
+import { load } from './module.js';
+
 export { DepthBody, DepthSimulator, Platform } from './depth.js';
-export { PhysicsError, initialize } from './module.js';
+export { PhysicsError } from './module.js';
 export { Body, Geom, Joint, Spring } from './objects.js';
 export { Simulator } from './simulator.js';
+
+export function initialize(source = new URL('./twohalf.wasm', import.meta.url)) {
+  return load(source);
+}

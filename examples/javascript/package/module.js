@@ -25,7 +25,7 @@ async function instantiate(source) {
   return (await WebAssembly.instantiate(await response.arrayBuffer())).instance;
 }
 
-export async function initialize(source = new URL('./twohalf.wasm', import.meta.url)) {
+export async function load(source) {
   loading ??= instantiate(source).then(
     (instance) => {
       functions = instance.exports;
@@ -41,6 +41,7 @@ export async function initialize(source = new URL('./twohalf.wasm', import.meta.
 /** Calls a function of the module; what it refuses is thrown. */
 export function call(name, ...values) {
   if (functions === null) throw new PhysicsError('await initialize() first');
+  if (functions[name] === undefined) throw new PhysicsError('a module of 2D alone was loaded: initialize that of twohalf');
   const answer = functions[name](...values);
   // Of all answers only a refusal is NaN.
   if (answer !== answer) throw new PhysicsError(text());

@@ -1,10 +1,11 @@
 //! How numbers become arguments, answers become numbers, and the buffers for all that is no number.
 
 use std::cell::RefCell;
-use std::fmt::Display;
 
+use farseer_core::math::Vector2;
+#[cfg(feature = "depth")]
+use farseer_core::math::Vector3;
 use farseer_core::{CollisionCategory, Error, Vertices};
-use twohalf::{Vector2, Vector3};
 
 /// Why a call was refused, in words.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,19 +20,11 @@ impl From<Error> for Failure {
     }
 }
 
-impl From<twohalf::Error> for Failure {
-    fn from(error: twohalf::Error) -> Self {
-        Failure(error.to_string())
-    }
-}
-
 /// A refusal of an argument in the words of the engines.
-pub(crate) fn invalid<T>(
-    argument: &'static str,
-    value: impl Display,
-    requirement: &'static str,
-) -> Outcome<T> {
-    Err(Failure(format!("{argument} is {value}, but must be {requirement}")))
+#[cold]
+#[inline(never)]
+pub(crate) fn invalid(argument: &'static str, value: f64, requirement: &'static str) -> Failure {
+    Failure(format!("{argument} is {value}, but must be {requirement}"))
 }
 
 /// What passes between JavaScript and the module besides numbers.
@@ -46,9 +39,13 @@ thread_local! {
     static BUFFERS: RefCell<Buffers> = RefCell::default();
 }
 
-/// Runs a call: its value, or NaN with the reason left behind as text.
-pub(crate) fn answer<T: Answer>(call: impl FnOnce() -> Outcome<T>) -> f64 {
-    call().and_then(Answer::number).unwrap_or_else(refuse)
+/// What a call comes to as a number: NaN if it was refused, with the reason left behind as text.
+#[inline(never)]
+pub(crate) fn answer<T: Answer>(outcome: Outcome<T>) -> f64 {
+    match outcome.and_then(Answer::number) {
+        Ok(number) => number,
+        Err(failure) => refuse(failure),
+    }
 }
 
 #[cold]
@@ -56,6 +53,13 @@ pub(crate) fn answer<T: Answer>(call: impl FnOnce() -> Outcome<T>) -> f64 {
 fn refuse(Failure(text): Failure) -> f64 {
     BUFFERS.with_borrow_mut(|buffers| buffers.text = text);
     f64::NAN
+}
+
+/// Refuses an argument.
+#[cold]
+#[inline(never)]
+pub(crate) fn refuse_argument(argument: &'static str, number: f64, requirement: &'static str) -> f64 {
+    refuse(invalid(argument, number, requirement))
 }
 
 /// Leaves numbers behind; answers how many.
@@ -79,7 +83,7 @@ pub(crate) fn leave_bytes(bytes: Vec<u8>) -> f64 {
 fn make_room<T: Clone + Default>(buffer: &mut Vec<T>, count: usize) -> Outcome {
     buffer.clear();
     if buffer.try_reserve_exact(count).is_err() {
-        return invalid("count", count, "so little that there is memory for it");
+        return Err(invalid("count", count as f64, "so little that there is memory for it"));
     }
     buffer.resize(count, T::default());
     Ok(())
@@ -94,7 +98,7 @@ pub(crate) fn with_bytes<T>(look: impl FnOnce(&[u8]) -> T) -> T {
 pub(crate) fn points() -> Outcome<Vertices> {
     BUFFERS.with_borrow(|buffers| {
         if let Some(number) = buffers.numbers.iter().find(|number| !(**number as f32).is_finite()) {
-            return invalid("points", number, "finite");
+            return Err(invalid("points", *number, "finite"));
         }
         let pairs = buffers.numbers.chunks_exact(2);
         Ok(pairs.map(|pair| Vector2::new(pair[0] as f32, pair[1] as f32)).collect())
@@ -103,52 +107,58 @@ pub(crate) fn points() -> Outcome<Vertices> {
 
 /// An argument that is made of one number.
 pub(crate) trait Argument: Sized {
-    /// Reads it; `name` is for the message of a refusal.
-    fn read(name: &'static str, number: f64) -> Outcome<Self>;
+    /// What the number must be, for the message of a refusal.
+    const REQUIREMENT: &'static str;
+
+    /// Reads it, if it is that.
+    fn read(number: f64) -> Option<Self>;
 }
 
 impl Argument for f32 {
-    fn read(name: &'static str, number: f64) -> Outcome<Self> {
+    const REQUIREMENT: &'static str = "finite";
+
+    #[inline]
+    fn read(number: f64) -> Option<Self> {
         let value = number as f32;
-        if value.is_finite() { Ok(value) } else { invalid(name, number, "finite") }
+        value.is_finite().then_some(value)
     }
 }
 
 impl Argument for i32 {
-    fn read(name: &'static str, number: f64) -> Outcome<Self> {
+    const REQUIREMENT: &'static str = "a whole number of 32 bits";
+
+    #[inline]
+    fn read(number: f64) -> Option<Self> {
         let value = number as i32;
-        if f64::from(value) == number {
-            Ok(value)
-        } else {
-            invalid(name, number, "a whole number of 32 bits")
-        }
+        (f64::from(value) == number).then_some(value)
     }
 }
 
 impl Argument for usize {
-    fn read(name: &'static str, number: f64) -> Outcome<Self> {
+    const REQUIREMENT: &'static str = "a whole number, 0 or more";
+
+    #[inline]
+    fn read(number: f64) -> Option<Self> {
         let value = number as u32;
-        if f64::from(value) == number {
-            Ok(value as usize)
-        } else {
-            invalid(name, number, "a whole number, 0 or more")
-        }
+        (f64::from(value) == number).then_some(value as usize)
     }
 }
 
 impl Argument for bool {
-    fn read(name: &'static str, number: f64) -> Outcome<Self> {
-        if number == 0.0 || number == 1.0 {
-            Ok(number == 1.0)
-        } else {
-            invalid(name, number, "true or false")
-        }
+    const REQUIREMENT: &'static str = "true or false";
+
+    #[inline]
+    fn read(number: f64) -> Option<Self> {
+        (number == 0.0 || number == 1.0).then_some(number == 1.0)
     }
 }
 
 impl Argument for CollisionCategory {
-    fn read(name: &'static str, number: f64) -> Outcome<Self> {
-        i32::read(name, number).map(CollisionCategory::from_bits)
+    const REQUIREMENT: &'static str = i32::REQUIREMENT;
+
+    #[inline]
+    fn read(number: f64) -> Option<Self> {
+        i32::read(number).map(CollisionCategory::from_bits)
     }
 }
 
@@ -194,6 +204,7 @@ impl Answer for Vector2 {
     }
 }
 
+#[cfg(feature = "depth")]
 impl Answer for Vector3 {
     fn number(self) -> Outcome<f64> {
         Ok(leave_numbers([self.x, self.y, self.z].map(f64::from)))
@@ -207,10 +218,15 @@ macro_rules! exports {
         // Only the name is unsafe, for a linker that might find it twice; those of one module are told apart by the compiler.
         #[cfg_attr(target_family = "wasm", allow(unsafe_code), unsafe(no_mangle))]
         pub extern "C" fn $name($($argument: f64),*) -> f64 {
-            $crate::boundary::answer(|| {
-                $(let $argument = <$type as $crate::boundary::Argument>::read(stringify!($argument), $argument)?;)*
-                $body
-            })
+            $(
+                let number = $argument;
+                let Some($argument) = <$type as $crate::boundary::Argument>::read(number) else {
+                    let requirement = <$type as $crate::boundary::Argument>::REQUIREMENT;
+                    return $crate::boundary::refuse_argument(stringify!($argument), number, requirement);
+                };
+            )*
+            let act = move || $body;
+            $crate::boundary::answer(act())
         }
     )*};
 }
@@ -291,7 +307,7 @@ mod tests {
         for dt in [0.0, -0.1, f64::NAN, 1e300] {
             assert!(simulator_step(simulator, dt).is_nan(), "{dt}");
         }
-        assert!(bool::read("value", 0.5).is_err() && bool::read("value", 1.0) == Ok(true));
+        assert!(bool::read(0.5).is_none() && bool::read(1.0) == Some(true));
     }
 
     #[test]

@@ -2,13 +2,35 @@
 
 use std::collections::{BTreeSet, VecDeque};
 
-use farseer_core::{GeomId, JointId, ObjectId, PhysicsSimulator, SpringId};
-use twohalf::{BodyId, Partner, TwoHalfPhysicsSimulator};
+use farseer_core::{BodyId, GeomId, JointId, ObjectId, PhysicsSimulator, SpringId};
+#[cfg(feature = "depth")]
+use twohalf::{PlatformId, TwoHalfPhysicsSimulator};
 
 use crate::world::Engine;
 
 /// Of a game that never asks the oldest are forgotten.
 const MOST_HAPPENINGS: usize = 65_536;
+
+/// What a geom touches.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Partner {
+    Geom(GeomId),
+    #[cfg(feature = "depth")]
+    Platform(PlatformId),
+    #[cfg(feature = "depth")]
+    Ground,
+}
+
+#[cfg(feature = "depth")]
+impl From<twohalf::Partner> for Partner {
+    fn from(partner: twohalf::Partner) -> Self {
+        match partner {
+            twohalf::Partner::Geom(geom) => Partner::Geom(geom),
+            twohalf::Partner::Platform(platform) => Partner::Platform(platform),
+            twohalf::Partner::Ground => Partner::Ground,
+        }
+    }
+}
 
 /// A geom and what it touches: of two geoms that with the smaller id is first.
 type Touch = (GeomId, Partner);
@@ -33,10 +55,10 @@ pub(crate) struct Log {
     is_in_doubt: bool,
 }
 
-fn ordered(this: GeomId, partner: Partner) -> Touch {
-    match partner {
+fn ordered(this: GeomId, partner: impl Into<Partner>) -> Touch {
+    match partner.into() {
         Partner::Geom(other) if other < this => (other, Partner::Geom(this)),
-        _ => (this, partner),
+        partner => (this, partner),
     }
 }
 
@@ -58,9 +80,10 @@ impl Log {
 
     /// Takes over what the last update tells.
     pub(crate) fn follow(&mut self, engine: &Engine) {
-        self.follow_core(engine.core());
-        if let Engine::Depth(depth) = engine {
-            self.follow_depth(&depth.simulator);
+        match engine {
+            Engine::Plane(simulator) => self.follow_plane(simulator),
+            #[cfg(feature = "depth")]
+            Engine::Depth(depth) => self.follow_depth(&depth.simulator),
         }
         if std::mem::take(&mut self.is_in_doubt) {
             let now = touching_now(engine);
@@ -88,7 +111,12 @@ impl Log {
         }
     }
 
-    fn follow_core(&mut self, simulator: &PhysicsSimulator) {
+    fn tell_not_finite(&mut self, body: BodyId) {
+        self.doubt();
+        self.tell(Happening::NotFinite(body));
+    }
+
+    fn follow_plane(&mut self, simulator: &PhysicsSimulator) {
         use farseer_core::Event;
         for &event in simulator.events() {
             match event {
@@ -96,22 +124,25 @@ impl Log {
                 Event::Separation { this, other } => self.end(ordered(this, Partner::Geom(other))),
                 Event::JointBroke { joint } => self.tell(Happening::JointBroke(joint)),
                 Event::SpringBroke { spring } => self.tell(Happening::SpringBroke(spring)),
-                Event::NotFinite { body, .. } => {
-                    self.doubt();
-                    self.tell(Happening::NotFinite(body));
-                }
+                Event::NotFinite { body, .. } => self.tell_not_finite(body),
                 Event::Removed { object: ObjectId::Body(_) | ObjectId::Geom(_) } => self.doubt(),
                 _ => {}
             }
         }
     }
 
+    /// The events of the 2.5D engine have in them those of the 2D engine below that mean the same to a game.
+    #[cfg(feature = "depth")]
     fn follow_depth(&mut self, simulator: &TwoHalfPhysicsSimulator) {
         use twohalf::Event;
         for &event in simulator.events() {
             match event {
                 Event::Collision(collision) => self.begin(ordered(collision.this, collision.partner)),
                 Event::Separation { this, partner } => self.end(ordered(this, partner)),
+                Event::JointBroke { joint } => self.tell(Happening::JointBroke(joint)),
+                Event::SpringBroke { spring } => self.tell(Happening::SpringBroke(spring)),
+                Event::NotFinite { body, .. } => self.tell_not_finite(body),
+                Event::Removed { object: ObjectId::Body(_) | ObjectId::Geom(_) } => self.doubt(),
                 _ => {}
             }
         }
@@ -119,15 +150,21 @@ impl Log {
 }
 
 fn touching_now(engine: &Engine) -> BTreeSet<Touch> {
+    let mut now = BTreeSet::new();
+    let mut note = |touch| {
+        now.insert(touch);
+    };
     match engine {
         Engine::Plane(simulator) => {
             let touching = simulator.arbiters().filter(|arbiter| arbiter.contacts().len() > 0);
-            touching.map(|arbiter| ordered(arbiter.geom_a(), Partner::Geom(arbiter.geom_b()))).collect()
+            touching.for_each(|arbiter| note(ordered(arbiter.geom_a(), Partner::Geom(arbiter.geom_b()))));
         }
+        #[cfg(feature = "depth")]
         Engine::Depth(depth) => {
-            depth.simulator.contacts().map(|contact| ordered(contact.this, contact.partner)).collect()
+            depth.simulator.contacts().for_each(|contact| note(ordered(contact.this, contact.partner)));
         }
     }
+    now
 }
 
 #[cfg(test)]

@@ -1,28 +1,20 @@
 //! The simulators that JavaScript holds by number.
 
 use std::cell::RefCell;
-use std::collections::BTreeMap;
 
-use farseer_core::snapshot::SnapshotFormat;
 use farseer_core::{Body, BodyId, Error, Geom, GeomId, GeomRef, Objects, PhysicsSimulator};
-use twohalf::{DrawOrder, TwoHalfPhysicsSimulator, Walker};
 
 use crate::boundary::{Argument, Failure, Outcome};
+#[cfg(feature = "depth")]
+use crate::depth::Depth;
 use crate::touches::Log;
 
 /// One of the two engines.
 #[derive(Debug)]
 pub(crate) enum Engine {
     Plane(Box<PhysicsSimulator>),
+    #[cfg(feature = "depth")]
     Depth(Box<Depth>),
-}
-
-/// The 2.5D engine, and what it leaves to the game to keep.
-#[derive(Debug)]
-pub(crate) struct Depth {
-    pub(crate) simulator: TwoHalfPhysicsSimulator,
-    pub(crate) walkers: BTreeMap<BodyId, Walker>,
-    pub(crate) order: DrawOrder,
 }
 
 /// A simulator and what is told of it.
@@ -38,19 +30,23 @@ pub(crate) struct World {
 pub(crate) struct Simulator(usize);
 
 thread_local! {
-    static WORLDS: RefCell<Vec<Option<World>>> = const { RefCell::new(Vec::new()) };
+    static WORLDS: RefCell<Vec<Option<Box<World>>>> = const { RefCell::new(Vec::new()) };
 }
 
 impl Argument for Simulator {
-    fn read(_: &'static str, number: f64) -> Outcome<Self> {
-        usize::read("simulator", number).map(Simulator)
+    const REQUIREMENT: &'static str = usize::REQUIREMENT;
+
+    #[inline]
+    fn read(number: f64) -> Option<Self> {
+        usize::read(number).map(Simulator)
     }
 }
 
 impl Simulator {
     /// Keeps a new one; answers its number.
+    #[inline(never)]
     pub(crate) fn keep(engine: Engine) -> f64 {
-        let world = World { engine, log: Log::default(), positions: Vec::new() };
+        let world = Box::new(World { engine, log: Log::default(), positions: Vec::new() });
         WORLDS.with_borrow_mut(|worlds| {
             let free = worlds.iter().position(Option::is_none).unwrap_or(worlds.len());
             if free == worlds.len() {
@@ -63,14 +59,27 @@ impl Simulator {
 
     /// Lets it go.
     pub(crate) fn free(self) -> Outcome {
-        let world = WORLDS.with_borrow_mut(|worlds| worlds.get_mut(self.0).and_then(Option::take));
-        world.map(drop).ok_or_else(no_simulator)
+        self.lend().map(drop).ok_or_else(no_simulator)
     }
 
+    #[inline(never)]
+    fn lend(self) -> Option<Box<World>> {
+        WORLDS.with_borrow_mut(|worlds| worlds.get_mut(self.0)?.take())
+    }
+
+    #[inline(never)]
+    fn give_back(self, world: Box<World>) {
+        WORLDS.with_borrow_mut(|worlds| worlds[self.0] = Some(world));
+    }
+
+    /// Does something with it. It is lent meanwhile, so that not every one of these is made a copy of what finds it; nothing
+    /// asks for a second one.
+    #[inline]
     pub(crate) fn with<T>(self, act: impl FnOnce(&mut World) -> Outcome<T>) -> Outcome<T> {
-        WORLDS.with_borrow_mut(|worlds| {
-            act(worlds.get_mut(self.0).and_then(Option::as_mut).ok_or_else(no_simulator)?)
-        })
+        let Some(mut world) = self.lend() else { return Err(no_simulator()) };
+        let outcome = act(&mut world);
+        self.give_back(world);
+        outcome
     }
 
     /// After something that ends touches of which the engines do not tell.
@@ -87,42 +96,45 @@ impl Simulator {
     }
 
     pub(crate) fn body<T>(self, body: BodyId, look: impl FnOnce(&Body) -> T) -> Outcome<T> {
-        let stale = Error::StaleId { argument: "body" };
-        self.with(|world| Ok(look(world.engine.core().body(body).ok_or(stale)?)))
+        self.with(|world| match world.engine.core().body(body) {
+            Some(body) => Ok(look(body)),
+            None => Err(stale("body")),
+        })
     }
 
     pub(crate) fn edit_body<T>(self, body: BodyId, edit: impl FnOnce(&mut Body) -> T) -> Outcome<T> {
-        let stale = Error::StaleId { argument: "body" };
         self.with(|world| match &mut world.engine {
-            Engine::Plane(simulator) => Ok(edit(simulator.body_mut(body).ok_or(stale)?)),
-            Engine::Depth(depth) => Ok(edit(depth.simulator.body_mut(body).ok_or(stale)?.core_mut())),
+            Engine::Plane(simulator) => match simulator.body_mut(body) {
+                Some(body) => Ok(edit(body)),
+                None => Err(stale("body")),
+            },
+            #[cfg(feature = "depth")]
+            Engine::Depth(depth) => match depth.simulator.body_mut(body) {
+                Some(mut body) => Ok(edit(body.core_mut())),
+                None => Err(stale("body")),
+            },
         })
     }
 
     pub(crate) fn geom<T>(self, geom: GeomId, look: impl FnOnce(GeomRef<'_>) -> T) -> Outcome<T> {
-        let stale = Error::StaleId { argument: "geom" };
-        self.with(|world| Ok(look(world.engine.core().geom(geom).ok_or(stale)?)))
+        self.with(|world| match world.engine.core().geom(geom) {
+            Some(geom) => Ok(look(geom)),
+            None => Err(stale("geom")),
+        })
     }
 
     pub(crate) fn edit_geom<T>(self, geom: GeomId, edit: impl FnOnce(&mut Geom) -> T) -> Outcome<T> {
-        let stale = Error::StaleId { argument: "geom" };
-        self.with(|world| match &mut world.engine {
-            Engine::Plane(simulator) => Ok(edit(simulator.geom_mut(geom).ok_or(stale)?)),
-            Engine::Depth(depth) => Ok(edit(depth.simulator.geom_mut(geom).ok_or(stale)?)),
+        self.with(|world| match world.engine.geom_mut(geom) {
+            Some(geom) => Ok(edit(geom)),
+            None => Err(stale("geom")),
         })
     }
 
     pub(crate) fn plane<T>(self, act: impl FnOnce(&mut PhysicsSimulator) -> Outcome<T>) -> Outcome<T> {
         self.with(|world| match &mut world.engine {
             Engine::Plane(simulator) => act(simulator),
+            #[cfg(feature = "depth")]
             Engine::Depth(_) => Err(Failure("only a Simulator can do that, not a DepthSimulator".to_owned())),
-        })
-    }
-
-    pub(crate) fn depth<T>(self, act: impl FnOnce(&mut Depth) -> Outcome<T>) -> Outcome<T> {
-        self.with(|world| match &mut world.engine {
-            Engine::Depth(depth) => act(depth),
-            Engine::Plane(_) => Err(Failure("only a DepthSimulator can do that".to_owned())),
         })
     }
 }
@@ -133,6 +145,7 @@ macro_rules! either {
         $simulator.with(|world| {
             match &mut world.engine {
                 $crate::world::Engine::Plane($engine) => $act,
+                #[cfg(feature = "depth")]
                 $crate::world::Engine::Depth(depth) => {
                     let $engine = &mut depth.simulator;
                     $act
@@ -144,14 +157,25 @@ macro_rules! either {
 }
 pub(crate) use either;
 
+/// An id of something that was disposed.
+#[cold]
+#[inline(never)]
+pub(crate) fn stale(argument: &'static str) -> Failure {
+    Error::StaleId { argument }.into()
+}
+
+#[cold]
+#[inline(never)]
 fn no_simulator() -> Failure {
     Failure("the simulator was freed".to_owned())
 }
 
 impl Engine {
+    #[inline(never)]
     pub(crate) fn core(&self) -> &PhysicsSimulator {
         match self {
             Engine::Plane(simulator) => simulator,
+            #[cfg(feature = "depth")]
             Engine::Depth(depth) => depth.simulator.core(),
         }
     }
@@ -159,14 +183,17 @@ impl Engine {
     pub(crate) fn objects<T>(&mut self, edit: impl FnOnce(&mut Objects) -> T) -> T {
         match self {
             Engine::Plane(simulator) => edit(simulator),
+            #[cfg(feature = "depth")]
             Engine::Depth(depth) => depth.simulator.edit_objects(edit),
         }
     }
 
-    fn update(&mut self, dt: f32) {
+    #[inline(never)]
+    fn geom_mut(&mut self, geom: GeomId) -> Option<&mut Geom> {
         match self {
-            Engine::Plane(simulator) => simulator.update(dt),
-            Engine::Depth(depth) => depth.simulator.update(dt),
+            Engine::Plane(simulator) => simulator.geom_mut(geom),
+            #[cfg(feature = "depth")]
+            Engine::Depth(depth) => depth.simulator.geom_mut(geom),
         }
     }
 
@@ -174,38 +201,28 @@ impl Engine {
     pub(crate) fn snapshot(&self) -> Vec<u8> {
         match self {
             Engine::Plane(simulator) => simulator.snapshot(),
-            Engine::Depth(depth) => {
-                let walkers: Vec<(BodyId, Walker)> =
-                    depth.walkers.iter().map(|(body, walker)| (*body, *walker)).collect();
-                WITH_WALKERS.write(&(walkers, depth.simulator.snapshot()))
-            }
+            #[cfg(feature = "depth")]
+            Engine::Depth(depth) => depth.snapshot(),
         }
     }
 
     fn restore(&mut self, snapshot: &[u8]) -> Outcome {
         match self {
-            Engine::Plane(simulator) => simulator.restore(snapshot)?,
-            Engine::Depth(depth) => {
-                let (walkers, snapshot): (Vec<(BodyId, Walker)>, Vec<u8>) = WITH_WALKERS.read(snapshot)?;
-                depth.simulator.restore(&snapshot)?;
-                depth.walkers = walkers.into_iter().collect();
-            }
+            Engine::Plane(simulator) => Ok(simulator.restore(snapshot)?),
+            #[cfg(feature = "depth")]
+            Engine::Depth(depth) => depth.restore(snapshot),
         }
-        Ok(())
     }
 }
 
-/// A snapshot in 2.5D, with what walks.
-pub const WITH_WALKERS: SnapshotFormat = SnapshotFormat { magic: *b"Walkers2", version: 1 };
-
 impl World {
     pub(crate) fn step(&mut self, dt: f32) {
-        self.engine.update(dt);
-        self.log.follow(&self.engine);
-        if let Engine::Depth(depth) = &mut self.engine {
-            let Depth { simulator, walkers, .. } = &mut **depth;
-            walkers.retain(|body, _| simulator.body(*body).is_some());
+        match &mut self.engine {
+            Engine::Plane(simulator) => simulator.update(dt),
+            #[cfg(feature = "depth")]
+            Engine::Depth(depth) => depth.update(dt),
         }
+        self.log.follow(&self.engine);
     }
 
     pub(crate) fn restore(&mut self, snapshot: &[u8]) -> Outcome {
@@ -231,19 +248,13 @@ impl World {
                     put(positions, body, [of.position().x, of.position().y, of.rotation()]);
                 }
             }
-            Engine::Depth(depth) => {
-                for body in depth.simulator.core().bodies() {
-                    if let Some(of) = depth.simulator.body(body) {
-                        let [x, y, z] = of.position3d().into();
-                        put(positions, body, [x, y, z, of.rotation()]);
-                    }
-                }
-            }
+            #[cfg(feature = "depth")]
+            Engine::Depth(depth) => depth.put_positions(positions),
         }
     }
 }
 
-fn put<const N: usize>(positions: &mut Vec<f32>, body: BodyId, row: [f32; N]) {
+pub(crate) fn put<const N: usize>(positions: &mut Vec<f32>, body: BodyId, row: [f32; N]) {
     positions.resize(N * body.slot(), f32::NAN);
     positions.extend(row);
 }

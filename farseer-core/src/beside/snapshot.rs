@@ -100,7 +100,7 @@ fn checksum(bytes: &[u8]) -> u32 {
     hasher.finalize()
 }
 
-const SIMULATOR: SnapshotFormat = SnapshotFormat { magic: *b"Farseer2", version: 10 };
+const SIMULATOR: SnapshotFormat = SnapshotFormat { magic: *b"Farseer2", version: 11 };
 
 impl PhysicsSimulator {
     /// The whole simulator as bytes, to [restore](Self::restore) later, in this program or another.
@@ -127,6 +127,7 @@ impl PhysicsSimulator {
     /// assert_eq!(simulator[body].position(), position);
     /// # Ok::<(), farseer_core::Error>(())
     /// ```
+    #[inline]
     pub fn snapshot(&self) -> Vec<u8> {
         SIMULATOR.write(self)
     }
@@ -138,6 +139,7 @@ impl PhysicsSimulator {
     /// # Errors
     /// Bytes that are no snapshot, were cut short or altered, or come from another version of the format;
     /// [`Error::LimitExceeded`] for more than the limits allow. The simulator is what it was, then.
+    #[inline]
     pub fn restore(&mut self, snapshot: &[u8]) -> Result<()> {
         *self = SIMULATOR.read::<SavedSimulator>(snapshot)?.load(self.limits())?;
         Ok(())

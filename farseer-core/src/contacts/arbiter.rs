@@ -11,6 +11,7 @@ use crate::geom::GeomId;
 use crate::geom::entry::Geoms;
 use crate::geom::surface::{FrictionType, SetSurface};
 use crate::math::scalar::nearest_finite;
+use crate::storage::order::sort_by_number;
 use crate::storage::reusing_clone::reusing_clone;
 
 /// Number of arbiters a new simulator holds ready.
@@ -344,7 +345,7 @@ impl ArbiterList {
             leaving[place].count += 1;
         }
         // Within a turn they stay in the order in which they were found.
-        leaving.sort_by_key(|leaving| leaving.turn);
+        sort_by_number(&mut leaving, |leaving| leaving.turn as u128);
         for Leaving { handle, count, .. } in leaving {
             self.pool.extend(std::iter::repeat_n(handle, count));
         }
@@ -356,6 +357,7 @@ impl ArbiterList {
 }
 
 /// The arbiters of one pair that leave with a removed geom.
+#[derive(Clone)]
 struct Leaving {
     /// Which of the removed geoms comes first.
     turn: usize,

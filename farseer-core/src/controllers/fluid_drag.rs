@@ -10,6 +10,7 @@ use crate::geom::GeomId;
 use crate::math::finite::{finite, finite_vector};
 use crate::math::{Vector2, vector2};
 use crate::shape::Vertices;
+use crate::storage::collection::has_no_duplicates;
 
 /// A geom with a smaller part of its vertices in the fluid has left it.
 const LEAVING_FRACTION: f32 = 0.15;
@@ -204,11 +205,8 @@ impl FluidDragController {
             self.gravity.x,
             self.gravity.y,
         ];
-        let mut geoms: Vec<GeomId> = self.geoms().collect();
-        geoms.sort_unstable();
-        container_is_valid
-            && numbers.iter().all(|number| number.is_finite())
-            && geoms.windows(2).all(|pair| pair[0] != pair[1])
+        let geoms: Vec<GeomId> = self.geoms().collect();
+        container_is_valid && numbers.iter().all(|number| number.is_finite()) && has_no_duplicates(&geoms)
     }
 }
 

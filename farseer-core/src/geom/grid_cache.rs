@@ -1,6 +1,6 @@
 //! Equal distance grids are made and kept once, within the limits of a simulator.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::sync::{Arc, Weak};
 
 use super::distance_grid::{DistanceGrid, GridPlan};
@@ -96,9 +96,11 @@ impl GridCache {
 
     /// Charges the grids in use, and nothing else.
     fn recount(&mut self, in_use: Vec<&DistanceGrid>) {
-        let in_use: BTreeSet<*const DistanceGrid> = in_use.into_iter().map(std::ptr::from_ref).collect();
+        let address = |grid: *const DistanceGrid| grid.addr();
+        let mut in_use: Vec<usize> = in_use.into_iter().map(|grid| address(grid)).collect();
+        in_use.sort_unstable();
         for entry in self.grids.values_mut() {
-            entry.is_charged = in_use.contains(&entry.grid.as_ptr());
+            entry.is_charged = in_use.binary_search(&address(entry.grid.as_ptr())).is_ok();
         }
         self.charged_work = self.grids.values().map(Entry::charged_work).sum();
     }

@@ -12,6 +12,7 @@ use crate::geom::entry::GeomEntry;
 use crate::geom::seams::{Seam, edges_of_chain, seams_of_part};
 use crate::math::plane::{Vector, cross, difference, dot, length};
 use crate::shape::Vertices;
+use crate::storage::order::{joined, ordered, sort_by_number};
 
 /// From this number of corners on, what the circle factory made is a circle.
 const CIRCLE_CORNERS: usize = 8;
@@ -111,7 +112,7 @@ fn is_convex(corners: &[Vector]) -> bool {
 
 /// The convex hull, by Andrew's monotone chain.
 fn hull(mut corners: Vec<Vector>) -> Vec<Vector> {
-    corners.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    sort_by_number(&mut corners, |corner| joined(corner.map(ordered)));
     let half = |corners: &mut dyn Iterator<Item = &Vector>| {
         let mut chain: Vec<Vector> = Vec::new();
         for &corner in corners {

@@ -10,7 +10,9 @@ use crate::body::nobody::check_bodies;
 use crate::geom::GeomId;
 use crate::object_id::ObjectId;
 use crate::report::Notice;
+use crate::storage::arena::Id as _;
 use crate::storage::collection::Life;
+use crate::storage::order::sort_by_number;
 
 /// What a game asks for: it happens with the next update.
 impl Objects {
@@ -18,16 +20,14 @@ impl Objects {
     ///
     /// # Errors
     /// A stale id; [`Error::MissingBody`](crate::Error::MissingBody) for a joint or spring without one of its bodies;
-    /// [`Error::NotSupported`](crate::Error::NotSupported) for a chain, a prismatic joint, a motor or a limit of a
+    /// [`Error::NotSupported`](crate::Error::NotSupported) for a chain, a one-way geom, a prismatic joint, a motor or a limit of a
     /// revolute joint under the faithful methods.
     #[doc(alias = "Add")]
     pub fn add(&mut self, object: impl Into<ObjectId>) -> Result<()> {
         match object.into() {
             ObjectId::Body(body) => self.bodies.add("body", body)?,
             ObjectId::Geom(geom) => {
-                if self.geoms.find("geom", geom)?.outline.is_chain() {
-                    self.methods.check_chains()?;
-                }
+                self.methods.check_geom(self.geoms.find("geom", geom)?)?;
                 self.geoms.add("geom", geom)?;
             }
             ObjectId::Controller(controller) => self.controllers.add("controller", controller)?,
@@ -216,7 +216,7 @@ impl Objects {
         let mut owners: Vec<BodyId> =
             self.geoms.free_disposed().into_iter().map(|geom| geom.body).filter(has_geoms).collect();
         // They may have been attached to other bodies after they were disposed.
-        owners.sort_unstable();
+        sort_by_number(&mut owners, |owner| owner.rank());
         owners.dedup();
         for body in owners {
             self.bodies[body].geoms.retain(|&geom| self.geoms.contains(geom));

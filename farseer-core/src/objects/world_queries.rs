@@ -5,6 +5,7 @@ use crate::geom::GeomId;
 use crate::geom::entry::GeomEntry;
 use crate::math::Vector2;
 use crate::shape::Aabb;
+use crate::storage::order::sort_by_number;
 
 /// Where a ray enters a geom.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,7 +63,8 @@ impl Objects {
         let Some(ray) = Ray::new(start, end) else { return Vec::new() };
         let mut hits: Vec<(f64, RayCastHit)> =
             geoms.iter().filter_map(|&geom| self.entry_of(&ray, geom)).collect();
-        hits.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+        // Fractions are 0 or more: such numbers have the order of their bits, with one zero of the two.
+        sort_by_number(&mut hits, |(fraction, _)| (fraction + 0.0).to_bits().into());
         hits.into_iter().map(|(_, hit)| hit).collect()
     }
 

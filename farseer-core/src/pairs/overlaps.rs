@@ -4,6 +4,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::geom::GeomId;
 use crate::geom::entry::Geoms;
+use crate::storage::arena::Id as _;
+use crate::storage::order::sort_by_number;
 
 /// Shorter lists are not swept.
 const MIN_SWEPT: usize = 32;
@@ -47,7 +49,7 @@ impl Overlaps {
     fn sweep(&mut self, geoms: &Geoms) {
         self.list.retain(|&geom| geoms.contains(geom));
         self.more.retain(|&(geom, _)| geoms.contains(geom));
-        self.list.sort_unstable();
+        sort_by_number(&mut self.list, |geom| geom.rank());
         for same in self.list.chunk_by(|a, b| a == b).filter(|same| same.len() > 1) {
             let more = same.len() as u32 - 1;
             match self.more.iter_mut().find(|(geom, _)| *geom == same[0]) {

@@ -9,6 +9,7 @@ use super::sort::introspective_sort;
 use crate::geom::GeomId;
 use crate::geom::entry::Geoms;
 use crate::shape::Aabb;
+use crate::storage::order::{joined, ordered, sort_by_number};
 use crate::storage::reusing_clone::reusing_clone;
 
 /// The ends of all intervals on one axis. Their order is kept from one update to the next: it is what the next
@@ -46,12 +47,9 @@ impl SortedEnds {
         }
         std::mem::swap(&mut self.endpoints, &mut self.unsorted);
         if introspective_sort(&mut self.endpoints).is_err() {
-            self.endpoints.sort_unstable_by(|a, b| {
-                let kind_and_number = |e: &Endpoint| (!e.is_begin(), numbers[e.entry()]);
+            sort_by_number(&mut self.endpoints, |end| {
                 // Adding zero makes both zeros one value.
-                (a.value + 0.0)
-                    .total_cmp(&(b.value + 0.0))
-                    .then_with(|| kind_and_number(a).cmp(&kind_and_number(b)))
+                joined([ordered(end.value + 0.0), u32::from(!end.is_begin()), numbers[end.entry()]])
             });
         }
     }

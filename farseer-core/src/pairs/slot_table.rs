@@ -26,9 +26,12 @@ struct Slots<K, V> {
 
 impl<K: Ord + Copy, V: Clone> From<Slots<K, V>> for SlotTable<K, V> {
     fn from(saved: Slots<K, V>) -> Self {
-        let occupied = saved.slots.iter().enumerate();
-        let index =
-            occupied.filter_map(|(slot, entry)| entry.as_ref().map(|(key, _)| (*key, slot as u32))).collect();
+        let mut index = BTreeMap::new();
+        for (slot, (key, _)) in
+            saved.slots.iter().enumerate().filter_map(|(slot, entry)| Some((slot, entry.as_ref()?)))
+        {
+            index.insert(*key, slot as u32);
+        }
         SlotTable { slots: saved.slots, free: saved.free, index }
     }
 }

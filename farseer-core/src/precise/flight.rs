@@ -10,16 +10,18 @@
 
 use super::Precise;
 use super::grid::Box2;
+use super::one_way::{Passage, Ways};
 use super::outline::Outline;
 use super::proxies::{Mobility, Proxy};
 use super::tuning::Step;
 use crate::geom::GeomId;
 use crate::math::plane::{Pose, Vector, difference, dot, length, place, rotation, scaled, sum, turn};
 use crate::math::scalar;
+use crate::storage::order::{joined, sort_by_number};
 
 /// How far a body may be in something, and how exactly that is found, as parts of the reach of contacts.
 const DEEP: f32 = 0.5;
-const EXACT: f32 = 0.1;
+pub(super) const EXACT: f32 = 0.1;
 /// After so many advances a body stops short of what it has not reached.
 const ADVANCES: usize = 32;
 
@@ -96,7 +98,7 @@ impl Two<'_> {
     }
 
     /// Distance after a part of the step, and how fast it can become less, in lengths per step.
-    fn coming(&self, part: f32) -> (f32, f32) {
+    pub(super) fn coming(&self, part: f32) -> (f32, f32) {
         let way = difference(place(self.b.path), place(self.a.path));
         let turning = |flyer: &Flyer<'_>| flyer.path[2].abs() * flyer.outline.shape.reach;
         let (apart, axis) = self.separation(part);
@@ -119,7 +121,7 @@ impl Two<'_> {
 
 /// After which part of the step two are in each other by `deep`, or by that much deeper than when it began; `None` if they
 /// never are. Asked for a part, the two tell how far they are apart, and how fast that can become less.
-fn meet(deep: f32, exact: f32, coming: impl Fn(f32) -> (f32, f32)) -> Option<f32> {
+pub(super) fn meet(deep: f32, exact: f32, coming: impl Fn(f32) -> (f32, f32)) -> Option<f32> {
     let (mut part, mut allowed) = (0.0, None);
     for _ in 0..ADVANCES {
         let (apart, closing) = coming(part);
@@ -211,7 +213,7 @@ impl Precise {
         self.widen(proxy);
         let bounds = both(&self.proxies.bounds[proxy as usize], swept);
         self.proxies.bounds[proxy as usize] = bounds;
-        if let Some(space) = &mut self.space {
+        if let Some(space) = self.space.as_deref_mut() {
             space.set_depths(proxy, space.depths(proxy as usize).with(depths));
             self.grid.set(proxy, &space.cells(proxy, &bounds));
         }
@@ -288,7 +290,23 @@ impl Precise {
                 space.flies_through(proxies, &self.proxies, &self.bodies, self.tuning.speculative)
             })
         };
-        state.responds && !state.is_vetoed && (stands_still || is_bullet) && !is_kept_out && !flies_through()
+        let is_open = || match state.passage {
+            Passage::Closed | Passage::Landed => false,
+            Passage::Passes => true,
+            Passage::Apart => !self.ways_ahead().lands(pair),
+        };
+        state.responds
+            && !state.is_vetoed
+            && (stands_still || is_bullet)
+            && !is_kept_out
+            && !flies_through()
+            && !is_open()
+    }
+
+    /// The ways of the step, before they are gone.
+    pub(super) fn ways_ahead(&self) -> Ways<'_> {
+        let Precise { bodies, proxies, pairs, tuning, .. } = self;
+        Ways { bodies, proxies, pairs, reach: tuning.speculative, are_gone: false }
     }
 
     fn meeting(&self, pair: usize) -> Option<f32> {
@@ -333,7 +351,7 @@ impl Precise {
                 }
             }
         }
-        self.flown.sort_unstable();
+        sort_by_number(&mut self.flown, |geoms| joined(geoms.map(|(number, _)| number)));
         self.flown.dedup();
     }
 

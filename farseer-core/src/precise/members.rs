@@ -60,9 +60,9 @@ impl Precise {
         let pairs = gone_proxies.iter().flat_map(|&proxy| self.pairs.of(proxy));
         let mut pairs: Vec<usize> = pairs.collect();
         // From the last one on, so that numbers stay what they are.
-        pairs.sort_unstable_by(|a, b| b.cmp(a));
+        pairs.sort_unstable();
         pairs.dedup();
-        for pair in pairs {
+        for pair in pairs.into_iter().rev() {
             if self.pairs.all[pair].home.is_some() {
                 self.note_loss(pair);
             }
@@ -118,9 +118,10 @@ impl Precise {
             if piece == 0 {
                 set(&mut self.first_proxies, id.slot(), place as u32);
             }
-            if let Some(space) = &mut self.space {
+            if let Some(space) = self.space.as_deref_mut() {
                 space.add_proxy(place, id);
             }
+            self.steady_body_of(place as u32);
             let count = self.proxies.all.len();
             self.known.resize(count, false);
             self.grid.grow(count);

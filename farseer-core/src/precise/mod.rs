@@ -25,6 +25,7 @@ mod meeting;
 mod members;
 mod moving;
 mod nearby;
+mod one_way;
 mod outline;
 mod pairs;
 mod passes;
@@ -63,7 +64,7 @@ use pairs::Pairs;
 use proxies::Proxies;
 use rows::{Palette, Rows};
 use sleep::Sleep;
-use space::Space;
+use space::{Held, Space};
 use touch::{Change, Looks, Touch};
 use tuning::Tuning;
 
@@ -99,7 +100,7 @@ pub(crate) struct Precise {
     sleep: Sleep,
     direct: Direct,
     /// The depth axis, for an engine that has it.
-    space: Option<Box<Space>>,
+    space: Option<Held<Box<Space>>>,
     /// Numbers of bodies and first proxies of geoms, by slot.
     body_numbers: Vec<u32>,
     first_proxies: Vec<u32>,
@@ -195,7 +196,7 @@ impl Precise {
             palette: &mut self.palette,
             sleep: &mut self.sleep,
             direct: &mut self.direct,
-            space: self.space.as_deref(),
+            space: self.space.as_ref().map(Held::lend),
             tuning: &self.tuning,
             friction: self.friction,
             most_contacts: self.most_contacts as usize,

@@ -2,7 +2,7 @@
 //! share a body that can be pushed, so that their order does not matter. The last colour takes what finds no other, one
 //! row in each block, and is solved in order.
 
-use super::space::SpaceRow;
+use super::space::{IS_THERE, SpaceRow};
 use super::tuning::Learning;
 use crate::storage::reusing_clone::reusing_clone;
 use wide::f32x4;
@@ -390,6 +390,12 @@ pub(super) struct Kind {
     pub(super) is_in_space: bool,
 }
 
+impl Kind {
+    fn is_in_space(self) -> bool {
+        IS_THERE && self.is_in_space
+    }
+}
+
 /// Where a row lives: in a colour, or aside, [asleep](ASLEEP) or [solved with its island](DIRECT).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Home {
@@ -466,19 +472,19 @@ impl SpaceRows {
 macro_rules! of_kind {
     (($($borrow:tt)+) $rows:expr, $kind:expr, $colours:ident => $act:expr) => {
         match ($kind.has_two_points, $kind.is_fixed) {
-            (true, false) if $kind.is_in_space => {
+            (true, false) if $kind.is_in_space() => {
                 let $colours = $($borrow)+ $rows.space.prisms;
                 $act
             }
-            (false, false) if $kind.is_in_space => {
+            (false, false) if $kind.is_in_space() => {
                 let $colours = $($borrow)+ $rows.space.balls;
                 $act
             }
-            (true, true) if $kind.is_in_space => {
+            (true, true) if $kind.is_in_space() => {
                 let $colours = $($borrow)+ $rows.space.prisms_fixed;
                 $act
             }
-            (false, true) if $kind.is_in_space => {
+            (false, true) if $kind.is_in_space() => {
                 let $colours = $($borrow)+ $rows.space.balls_fixed;
                 $act
             }

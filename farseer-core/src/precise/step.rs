@@ -6,6 +6,7 @@ use super::Precise;
 use super::bodies::{Bodies, Read, read};
 use super::grid::overlap;
 use super::moving::{begin_substep, displace, even_out, fly, follow, leave, renew_poses};
+use super::one_way::Passage;
 use super::passes::{
     bounce, gather_warm, note_approach, note_push, relax, renew_circle, renew_circles, solve_soft,
 };
@@ -18,6 +19,7 @@ use crate::geom::GeomId;
 use crate::math::Vector2;
 use crate::objects::Objects;
 use crate::report::{Event, Report};
+use crate::storage::order::sort_by_number;
 
 /// Coordinates end where this many times them are not finite any more.
 const FAR: f32 = 1e8;
@@ -69,9 +71,7 @@ impl Precise {
             self.pairs.partners(proxy).for_each(|partner| known[partner as usize] = false);
         }
         self.known = known;
-        let all = &self.proxies.all;
-        let key = |pair: &[u32; 2]| pair.map(|proxy| (all[proxy as usize].number, all[proxy as usize].piece));
-        found.sort_unstable_by_key(key);
+        sort_by_number(&mut found, |&pair| self.proxies.creation_numbers(pair));
         found.dedup();
         self.found = found;
         self.found.len()
@@ -84,9 +84,9 @@ impl Precise {
             lost.extend(self.pairs.of(proxy).filter(has_parted).map(|pair| pair as u32));
         }
         // From the last one on, so that numbers stay what they are.
-        lost.sort_unstable_by(|a, b| b.cmp(a));
+        lost.sort_unstable();
         lost.dedup();
-        for pair in lost.drain(..) {
+        for pair in lost.drain(..).rev() {
             self.touch().remove_pair(pair as usize);
         }
         self.lost = lost;
@@ -130,7 +130,21 @@ impl Precise {
         let pair = self.pairs.push(proxies, self.kind(proxies), responds, is_heard);
         self.pairs.all[pair].is_on_ground =
             self.space.as_ref().is_some_and(|space| space.ground == proxies[0]);
+        self.pairs.all[pair].passage = self.first_passage(pair);
+        if self.pairs.all[pair].passage != Passage::Closed {
+            self.pairs.all[pair].passage = self.ways_ahead().joined(pair);
+        }
         self.touch().take_up(pair)
+    }
+
+    /// How a pair stands of which nothing else is known.
+    pub(super) fn first_passage(&self, pair: usize) -> Passage {
+        let is_one_way = |proxy: u32| self.proxies.all[proxy as usize].one_way.is_some();
+        if self.pairs.all[pair].responds && self.pairs.watched[pair].proxies.into_iter().any(is_one_way) {
+            Passage::Apart
+        } else {
+            Passage::Closed
+        }
     }
 
     /// Whether a handler is told of a pair.
@@ -154,6 +168,7 @@ impl Precise {
     /// Third stage: what may have changed is looked at. Answers how many pairs that were.
     pub(crate) fn find_contacts(&mut self, friction: crate::FrictionType, most_contacts: u32) -> usize {
         self.looks = Looks::default();
+        self.let_go();
         let has_friction_changed = std::mem::replace(&mut self.friction, friction) != friction;
         let has_limit_changed = std::mem::replace(&mut self.most_contacts, most_contacts) != most_contacts;
         if has_friction_changed || has_limit_changed {
@@ -228,6 +243,7 @@ impl Precise {
                 (*push, *forced) = (read.push, read.forced);
             }
         }
+        self.begin_steady();
         self.read_fixtures(step.dt);
     }
 
@@ -278,6 +294,7 @@ impl Precise {
                 self.bodies.move_to(number, &entry.body);
             }
         }
+        self.end_steady();
         self.write_fixtures();
     }
 
@@ -337,7 +354,7 @@ impl Precise {
             (self.bodies.hot[number].velocity, self.bodies.path[number]) =
                 (self.bodies.before[number], [0.0; 4]);
             let Some(body) = self.bodies.ids[number] else { continue };
-            if let Some(space) = &mut self.space {
+            if let Some(space) = self.space.as_deref_mut() {
                 space.stop_spinning(number);
                 space.body_mut(body).target = None;
             }
@@ -531,7 +548,7 @@ impl Precise {
         let by = self.tuning.widening(shape.reach, self.dt, is_alone);
         let bounds = self.proxies.widened(proxy as usize, &self.bodies, &self.tuning, by);
         self.proxies.bounds[proxy as usize] = bounds;
-        let Some(space) = &mut self.space else { return self.grid.set(proxy, &bounds) };
+        let Some(space) = self.space.as_deref_mut() else { return self.grid.set(proxy, &bounds) };
         if proxy == space.ground {
             self.proxies.bounds[proxy as usize] = BELOW;
         }

@@ -9,6 +9,7 @@ use crate::geom::GeomId;
 use crate::geom::surface::SetSurface;
 use crate::math::Vector2;
 use crate::math::plane::{difference, dot, place, rotation, sum, turn, turn_back};
+use crate::storage::order::{joined, sort_by_number};
 
 impl Precise {
     /// Number of pairs, touching or not.
@@ -81,7 +82,9 @@ impl Precise {
     /// What began or ceased to touch in this step, by geoms: each two geoms once, in the order of creation numbers.
     pub(crate) fn take_changes(&mut self) -> Vec<((GeomId, GeomId), bool)> {
         let mut changes = std::mem::take(&mut self.changes);
-        changes.sort_unstable();
+        sort_by_number(&mut changes, |change| {
+            joined([change.numbers.0, change.numbers.1, u32::from(change.begins)])
+        });
         let of_two_geoms = changes.chunk_by(|one, other| one.numbers == other.numbers);
         of_two_geoms.filter_map(|changes| self.change_of_geoms(changes)).collect()
     }
@@ -158,6 +161,7 @@ impl Precise {
         }
         self.pairs.all[pair].is_vetoed = true;
         self.touch().remove_row(pair);
+        self.touch().forget_landing(pair);
         // In three axes who is refused has not begun to touch.
         if self.space.is_some() && self.pairs.all[pair].is_told {
             self.touch().tell(pair, false);

@@ -44,11 +44,10 @@ impl Tuning {
     /// How much wider than something that reaches so far its box is made, which is `alone` if it is in no pair.
     pub(super) fn widening(&self, reach: f32, dt: f32, alone: bool) -> Widening {
         let by_size = MARGIN_OF_SIZE * reach;
-        let most = if alone { MARGIN_ALONE * self.margin } else { self.margin };
         Widening {
-            margin: if by_size < most { by_size } else { most },
+            margin: if by_size < self.margin { by_size } else { self.margin },
             seconds: STEPS_AHEAD * dt,
-            alone: if alone { reach } else { 0.0 },
+            alone: if alone { ALONE * reach } else { 0.0 },
         }
     }
 
@@ -60,10 +59,10 @@ impl Tuning {
 
 /// Boxes reach ahead of a body by what it moves in so many steps.
 const STEPS_AHEAD: f32 = 4.0;
-/// Where nothing is near there are no pairs which a wide box would keep for long. So it reaches farther, that it need not be
-/// renewed as often: ahead by so many times as many steps, up to the size of the thing, and around it by so many margins.
-const FARTHER_ALONE: f32 = 4.0;
-const MARGIN_ALONE: f32 = 4.0;
+/// Where nothing is near there are no pairs which a long box would keep for long. So it reaches farther, that it need not be
+/// renewed as often: by so many times as many steps, up to so many times the size of the thing.
+const FARTHER_ALONE: f32 = 8.0;
+const ALONE: f32 = 2.0;
 /// And around it by so much of its size at most.
 const MARGIN_OF_SIZE: f32 = 0.25;
 
@@ -81,7 +80,7 @@ const RESERVE: f32 = 0.3;
 /// An overlap of more than this part of the unit is no sag.
 const DEEPEST: f32 = 0.1;
 /// A sag of less than this part of the unit is nothing that sleep has to wait for.
-const SETTLED: f32 = 5e-4;
+const SETTLED: f32 = 1e-3;
 
 /// How much wider than a thing its box is.
 #[derive(Debug, Clone, Copy)]

@@ -6,6 +6,7 @@ use super::sleep::{KnownJoint, REST};
 use crate::body::BodyId;
 use crate::controllers::ControllerKind;
 use crate::objects::Objects;
+use crate::storage::order::sort_by_number;
 
 /// By which part the force that something bears may be another one once it does not move any more.
 const DAMPED: f32 = 0.25;
@@ -123,7 +124,7 @@ impl Precise {
             let in_depth = self.space.as_ref().map_or(0.0, |space| (space.acceleration(id) - z).abs());
             if in_depth > slack || !entry.body.bears([x, y, turning], reach, slack - in_depth) {
                 self.sleep.note_waking(body);
-            } else if let Some(space) = &mut self.space {
+            } else if let Some(space) = self.space.as_deref_mut() {
                 space.forget_acceleration(id);
             }
         }
@@ -257,13 +258,7 @@ impl Precise {
     fn take_pairs_up(&mut self, woken: &[u32]) {
         let proxies = woken.iter().flat_map(|&body| self.proxies.of(body as usize));
         let mut pairs: Vec<usize> = proxies.flat_map(|proxy| self.pairs.of(proxy)).collect();
-        let key = |pair: &usize| {
-            self.pairs.watched[*pair].proxies.map(|proxy| {
-                let proxy = &self.proxies.all[proxy as usize];
-                (proxy.number, proxy.piece)
-            })
-        };
-        pairs.sort_unstable_by_key(key);
+        sort_by_number(&mut pairs, |&pair| self.proxies.creation_numbers(self.pairs.watched[pair].proxies));
         pairs.dedup();
         let h = self.h;
         for &pair in &pairs {

@@ -2,23 +2,30 @@
 
 use super::tell::Handler;
 use super::{EventHandler, PhysicsSimulator};
-use crate::Result;
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::math::{Vector2, Vector3};
 use crate::methods::Methods;
+use crate::precise::space::IS_THERE;
 use crate::precise::space::parts::{
     Fixture, FixtureMotion, SpaceBody, SpaceChange, SpaceProfile, SpaceTouch,
 };
 use crate::report::Stopwatch;
+use crate::{Error, Result};
 
 #[doc(hidden)]
 impl PhysicsSimulator {
     /// The precise set in three axes, whatever was chosen before.
     ///
     /// # Errors
-    /// As [`set_methods`](Self::set_methods) with [`Methods::Precise`].
+    /// As [`set_methods`](Self::set_methods) with [`Methods::Precise`]; [`Error::NotSupported`] without the feature `space`.
     pub fn enter_space(&mut self, length_unit: f32) -> Result<()> {
+        if !IS_THERE {
+            return Err(Error::NotSupported {
+                what: "depth axis: the feature `space` is off",
+                methods: "precise",
+            });
+        }
         self.set_methods(Methods::Precise { length_unit })?;
         if let Some(precise) = self.pipeline.precise.as_mut().filter(|precise| !precise.is_in_space()) {
             precise.enter_space();
@@ -79,8 +86,8 @@ impl PhysicsSimulator {
         }
     }
 
-    /// The fixtures that move: their names, where their middles are after an update, and how they move.
-    pub fn fixtures_moved(&self) -> impl Iterator<Item = (u32, Vector3, FixtureMotion)> + '_ {
+    /// The fixtures that move: their names, where their middles are after an update and how they are turned, and how they move.
+    pub fn fixtures_moved(&self) -> impl Iterator<Item = (u32, Vector3, Option<f32>, FixtureMotion)> + '_ {
         self.pipeline.precise.iter().flat_map(|precise| precise.fixtures_moved())
     }
 

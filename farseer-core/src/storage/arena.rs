@@ -2,6 +2,7 @@
 
 use std::marker::PhantomData;
 
+use crate::storage::order::joined;
 use crate::storage::reusing_clone::reusing_clone;
 use serde::{Deserialize, Serialize};
 
@@ -10,6 +11,11 @@ pub(crate) trait Id: Copy + std::fmt::Debug {
     fn new(index: u32, generation: u32) -> Self;
     fn index(self) -> usize;
     fn generation(self) -> u32;
+
+    /// A number that has the order of ids.
+    fn rank(self) -> u128 {
+        joined([self.index() as u32, self.generation()])
+    }
 }
 
 /// What indexing by the id of something that is gone comes to.
@@ -32,6 +38,18 @@ macro_rules! define_id {
             /// The slot the id names: small, and reused after disposal. For arrays kept beside the simulator.
             pub fn slot(self) -> usize {
                 self.index as usize
+            }
+
+            /// The whole id as a number, for what can keep nothing but numbers: the slot in the lower 32 bits, how often
+            /// that was used before in the upper ones.
+            pub fn to_bits(self) -> u64 {
+                u64::from(self.generation) << 32 | u64::from(self.index)
+            }
+
+            /// The id whose [number](Self::to_bits) this is. Any other number makes an id that names nothing, or
+            /// something else.
+            pub fn from_bits(bits: u64) -> Self {
+                $name { index: bits as u32, generation: (bits >> 32) as u32 }
             }
         }
 

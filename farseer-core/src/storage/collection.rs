@@ -4,6 +4,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::storage::arena::{Arena, Id};
+use crate::storage::order::sort_by_number;
 use crate::storage::reusing_clone::reusing_clone;
 use crate::{Error, Result};
 
@@ -269,10 +270,10 @@ impl<T, I: Id + Ord> Collection<T, I> {
     }
 }
 
-pub(crate) fn has_no_duplicates<T: Ord + Copy>(list: &[T]) -> bool {
-    let mut sorted = list.to_vec();
-    sorted.sort_unstable();
-    sorted.windows(2).all(|pair| pair[0] != pair[1])
+pub(crate) fn has_no_duplicates<I: Id>(list: &[I]) -> bool {
+    let mut ranks: Vec<u128> = list.iter().map(|id| id.rank()).collect();
+    sort_by_number(&mut ranks, |&rank| rank);
+    ranks.windows(2).all(|pair| pair[0] != pair[1])
 }
 
 impl<T, I: Id> std::ops::Index<I> for Collection<T, I> {

@@ -31,6 +31,6 @@ pub mod twins;
 
 pub use depth::Depth;
 pub use engine::Engine;
-pub use plane::{Plane, StagedPlane};
+pub use plane::{OneWayPlane, Plane, StagedPlane};
 pub use random::Random;
 pub use tied::Tied;

@@ -9,7 +9,7 @@ use crate::small::small_scene_holds;
 use crate::soak::snapshots_stay_as_long;
 use crate::textures::outlines_of_a_picture;
 use crate::twins::twins_stay_equal;
-use crate::{Depth, Plane, StagedPlane, Tied};
+use crate::{Depth, OneWayPlane, Plane, StagedPlane, Tied};
 
 /// Something that is tried for one seed after the other.
 #[derive(Debug, Clone, Copy)]
@@ -35,6 +35,11 @@ pub const SUBJECTS: &[Subject] = &[
         name: "stages",
         about: "stages of the 2D engine in any order",
         check: numbers_are_finite::<StagedPlane>,
+    },
+    Subject {
+        name: "one-way",
+        about: "random calls of the 2D engine with one-way geoms, and its twins",
+        check: game::<OneWayPlane>,
     },
     Subject {
         name: "saves",

@@ -23,4 +23,14 @@ impl PlatformId {
     pub(crate) fn from_number(number: u32) -> Self {
         PlatformId(number)
     }
+
+    /// The id as a number, for what can keep nothing but numbers: platforms are counted, and no number is used twice.
+    pub fn to_bits(self) -> u32 {
+        self.0
+    }
+
+    /// The id whose [number](Self::to_bits) this is. Any other number makes an id that names nothing.
+    pub fn from_bits(bits: u32) -> Self {
+        PlatformId(bits)
+    }
 }

@@ -29,7 +29,7 @@ pub(super) struct Item {
 }
 
 /// Sides of a platform: outward normals and how far they reach along them.
-pub(super) type Sides = [(Vector3, f32); 4];
+pub(super) type Sides = [(Vector3, f32); 6];
 
 impl Item {
     fn of_points(drawable: Drawable, points: impl Iterator<Item = (Vector3, Vector2)>) -> Option<Self> {
@@ -100,7 +100,8 @@ impl TwoHalfPhysicsSimulator {
             let Some(item) = Item::of_points(Drawable::Platform(id), points) else { continue };
             items.push(Item { sides: Some(sides.len() as u32), ..item });
             let shape = platform.shape();
-            sides.push(Face::SIDES.map(|face| {
+            let [top, left, bottom, right] = Face::SIDES;
+            sides.push([top, left, bottom, right, Face::Front, Face::Back].map(|face| {
                 let normal = shape.face_normal(face);
                 // The origin's distance from a side is the negative of how far the side reaches.
                 (to_world(normal), -shape.distance_to_face(face, Vector3::zeros()))

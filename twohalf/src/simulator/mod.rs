@@ -1,5 +1,6 @@
 //! The simulator: owns everything.
 
+mod crush;
 mod draw_order;
 mod drawn;
 mod fields;
@@ -13,6 +14,7 @@ mod save;
 mod settings;
 mod snapshot;
 mod sorted_again;
+mod time;
 mod update;
 
 pub use draw_order::DrawOrder;

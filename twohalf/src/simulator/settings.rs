@@ -151,13 +151,17 @@ impl TwoHalfPhysicsSimulator {
     /// # Errors
     /// If a geom takes part already ([`farseer_core::Error::GeomListNotEmpty`]; geoms that wait to be added do not
     /// count). From the precise set to another scheme, one of these that gets no
-    /// [distance grid](farseer_core::PhysicsSimulator::create_distance_grid), and a [`Platform`](crate::Platform) that moves, is a belt or one-way.
+    /// [distance grid](farseer_core::PhysicsSimulator::create_distance_grid), and a [`Platform`](crate::Platform) that moves, is a belt, one-way, turned or a slope
+    /// along Z; and an upright geom.
     pub fn set_depth_scheme(&mut self, scheme: DepthScheme) -> Result<()> {
         if !self.core.geom_list().is_empty() {
             return Err(farseer_core::Error::GeomListNotEmpty.into());
         }
         if scheme != DepthScheme::Precise && self.world.platforms.are_precise() {
-            return Err(only_precise("platforms that move, are belts or one-way"));
+            return Err(only_precise("platforms that move, are belts, one-way, turned or slopes along Z"));
+        }
+        if scheme != DepthScheme::Precise && self.world.depths.have_uprights(&self.core) {
+            return Err(only_precise("upright footprints"));
         }
         if scheme == DepthScheme::Precise {
             self.core.enter_space(LENGTH_UNIT)?;
@@ -166,6 +170,10 @@ impl TwoHalfPhysicsSimulator {
             let geoms: Vec<GeomId> = self.core.geoms().collect();
             geoms.into_iter().try_for_each(|geom| self.core.create_distance_grid(geom))?;
             self.core.set_methods(farseer_core::Methods::default())?;
+        }
+        if scheme != DepthScheme::Precise {
+            self.world.paces.clear();
+            self.world.crush_watches.clear();
         }
         self.world.platforms.tell_again();
         self.world.depths.is_told = false;

@@ -20,7 +20,7 @@ pub(crate) fn partner_of(partner: SpacePartner) -> Partner {
 }
 
 /// Whether two have pushed each other in this update, or are not apart at its end.
-fn is_touching(found: &SpaceTouch) -> bool {
+pub(super) fn is_touching(found: &SpaceTouch) -> bool {
     found.points[..found.count].iter().any(|point| point.impulse > 0.0 || point.separation <= APART)
 }
 

@@ -3,10 +3,10 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { test } from 'node:test';
-import { initialize } from '../index.js';
+import * as engine from '../index.js';
 import { Hash, SCENES, STEPS, play } from './scenes.js';
 
-await initialize();
+await engine.initialize();
 
 const arguments_ = ['run', '--quiet', '--locked', '-p', 'twohalf-javascript', '--bin', 'javascript_scenes'];
 const printed = execFileSync('cargo', arguments_, { cwd: import.meta.dirname, encoding: 'utf8' });
@@ -24,20 +24,20 @@ test('there is a native scene for each of these', () => {
 
 for (const [name, make] of Object.entries(SCENES)) {
   test(`${name}: 600 steps and the snapshot after them have the bits of the native engine`, () => {
-    const scene = make();
+    const scene = make(engine);
     const motion = play(scene);
     assert.equal(`${motion} ${hashOf(scene.simulator.snapshot())}`, natively.get(name));
   });
 
   test(`${name}: what is restored in mid-run goes on with the same bits, also in another simulator`, () => {
-    const scene = make();
+    const scene = make(engine);
     play(scene, 0, 200);
     const snapshot = scene.simulator.snapshot();
     const once = play(scene, 200, STEPS);
     scene.simulator.restore(snapshot);
     assert.equal(play(scene, 200, STEPS), once);
 
-    const other = make();
+    const other = make(engine);
     play(other, 0, 7);
     other.simulator.restore(snapshot);
     assert.equal(play(other, 200, STEPS), once);

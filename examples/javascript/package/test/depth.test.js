@@ -151,3 +151,18 @@ test('what only one of the engines can do is refused by the other, in words', ()
   assert.throws(() => faithful.walk(body, { x: 1 }, DT), { name: 'PhysicsError', message: /no figures that walk/ });
   assert.throws(() => new DepthSimulator({ height: 0 }), { name: 'PhysicsError', message: /height/ });
 });
+
+test('what is no longer finite is told, whichever engine finds it, once', () => {
+  const simulator = street();
+  const [along, flat] = [0, 1].map((number) => simulator.spawnBall(10, { position3d: { x: 100 * number, y: 200, z: 80 } }).body);
+  along.velocity3d = { x: 0, y: 0, z: 3e38 };
+  along.applyImpulse3d({ x: 0, y: 0, z: 3e38 });
+  flat.linearVelocity = { x: 3e38, y: 0 };
+  flat.applyForce({ x: 3e38, y: 0 });
+  flat.applyForce({ x: 3e37, y: 0 });
+  steps(simulator, 2);
+  const told = simulator.drainEvents().filter(({ type }) => type === 'notFinite').map(({ body }) => body);
+  assert.deepEqual(new Set(told), new Set([along, flat]));
+  assert.equal(told.length, 2);
+  assert.ok([along, flat].every(({ enabled }) => !enabled));
+});

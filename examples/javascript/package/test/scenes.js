@@ -1,6 +1,4 @@
-// The scenes of `src/bin/javascript_scenes.rs`, word for word.
-
-import { DepthSimulator, Simulator } from '../index.js';
+// The scenes of `src/bin/javascript_scenes.rs`, word for word; each is made of what an entry of the package exports.
 
 export const STEPS = 600;
 export const DT = Math.fround(1 / 60);
@@ -20,7 +18,7 @@ function floor(simulator) {
   return body;
 }
 
-export function pile(methods) {
+function pile({ Simulator }, methods) {
   const simulator = new Simulator({ gravity: { x: 0, y: 300 }, methods });
   floor(simulator);
   const surface = { frictionCoefficient: 0.4, restitutionCoefficient: 0.2 };
@@ -53,7 +51,7 @@ export function pile(methods) {
   return { simulator };
 }
 
-export function machines() {
+function machines({ Simulator }) {
   const simulator = new Simulator({ gravity: { x: 0, y: 300 } });
   const ground = floor(simulator);
   const bodies = [];
@@ -85,7 +83,7 @@ export function machines() {
   return { simulator, hanging };
 }
 
-export function street() {
+function street({ DepthSimulator }) {
   const simulator = new DepthSimulator({ height: 480, angle: 60, gravity: { x: 0, y: 900 } });
   simulator.spawnLane({ left: 0, right: 800, front: 0, back: 160, height: 1000 });
   simulator.createPlatform({ width: 120, height: 30, depth: 160 }, { x: 400, y: 15, z: 80 });
@@ -108,8 +106,8 @@ export function street() {
 }
 
 export const SCENES = {
-  pile: () => pile('precise'),
-  'faithful pile': () => pile('faithful'),
+  pile: (engine) => pile(engine, 'precise'),
+  'faithful pile': (engine) => pile(engine, 'faithful'),
   machines,
   street,
 };

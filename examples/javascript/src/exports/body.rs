@@ -1,12 +1,10 @@
 //! Bodies.
 
-use farseer_core::{BodyFactory, BodyId, Error};
-use twohalf::Vector2;
+use farseer_core::math::Vector2;
+use farseer_core::{BodyFactory, BodyId};
 
 use crate::boundary::{exports, points};
-use crate::world::{Simulator, either};
-
-const STALE: Error = Error::StaleId { argument: "body" };
+use crate::world::{Simulator, either, stale};
 
 exports! {
     /// A body with the moment of inertia of a rectangle.
@@ -109,7 +107,7 @@ exports! {
     /// Sets whether nothing moves it.
     fn body_set_is_static(simulator: Simulator, body: BodyId, value: bool) {
         simulator.doubt()?;
-        either!(simulator, |engine| engine.body_mut(body).ok_or(STALE)?.set_is_static(value))
+        either!(simulator, |engine| engine.body_mut(body).ok_or_else(|| stale("body"))?.set_is_static(value))
     }
 
     /// Whether only its velocity moves it.
@@ -118,7 +116,7 @@ exports! {
     /// Sets whether only its velocity moves it.
     fn body_set_is_kinematic(simulator: Simulator, body: BodyId, value: bool) {
         simulator.doubt()?;
-        either!(simulator, |engine| engine.body_mut(body).ok_or(STALE)?.set_is_kinematic(value))
+        either!(simulator, |engine| engine.body_mut(body).ok_or_else(|| stale("body"))?.set_is_kinematic(value))
     }
 
     /// Brings a kinematic body to a place and rotation in the next update.
@@ -140,7 +138,7 @@ exports! {
     /// Sets whether it takes part.
     fn body_set_enabled(simulator: Simulator, body: BodyId, value: bool) {
         simulator.doubt()?;
-        either!(simulator, |engine| engine.body_mut(body).ok_or(STALE)?.set_enabled(value))
+        either!(simulator, |engine| engine.body_mut(body).ok_or_else(|| stale("body"))?.set_enabled(value))
     }
 
     /// How much of the gravity it feels.

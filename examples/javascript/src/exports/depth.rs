@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use farseer_core::{BodyId, Error, GeomId};
+use farseer_core::{BodyId, GeomId};
 use twohalf::{
     DepthProfile, DepthScheme, DrawOrder, Drawable, Partner, Platform, PlatformId, PlatformMut, TwoHalfBody,
     TwoHalfPhysicsSimulator, Vector2, Vector3, Walk, Walker, Wish,
@@ -10,8 +10,8 @@ use twohalf::{
 use twohalf_factories::{Ball, Figure, Prism, Spawned, Thing, spawn, spawn_lane};
 
 use crate::boundary::{Answer, Outcome, exports, leave_numbers};
-use crate::id_number::to_number;
-use crate::world::{Depth, Engine, Simulator};
+use crate::depth::Depth;
+use crate::world::{Engine, Simulator, stale};
 
 impl Simulator {
     fn body3d<T>(
@@ -19,7 +19,10 @@ impl Simulator {
         body: BodyId,
         look: impl FnOnce(TwoHalfBody<&TwoHalfPhysicsSimulator>) -> T,
     ) -> Outcome<T> {
-        self.depth(|depth| Ok(look(depth.simulator.body(body).ok_or(Error::StaleId { argument: "body" })?)))
+        self.depth(|depth| match depth.simulator.body(body) {
+            Some(body) => Ok(look(body)),
+            None => Err(stale("body")),
+        })
     }
 
     fn edit_body3d<T>(
@@ -27,14 +30,15 @@ impl Simulator {
         body: BodyId,
         edit: impl FnOnce(TwoHalfBody<&mut TwoHalfPhysicsSimulator>) -> T,
     ) -> Outcome<T> {
-        self.depth(|depth| {
-            Ok(edit(depth.simulator.body_mut(body).ok_or(Error::StaleId { argument: "body" })?))
+        self.depth(|depth| match depth.simulator.body_mut(body) {
+            Some(body) => Ok(edit(body)),
+            None => Err(stale("body")),
         })
     }
 
     fn spawn(self, thing: Thing) -> Outcome<f64> {
         let Spawned { body, geom } = self.depth(|depth| Ok(spawn(&mut depth.simulator, thing)?))?;
-        Ok(leave_numbers([to_number(body)?, to_number(geom)?]))
+        Ok(leave_numbers([body.number()?, geom.number()?]))
     }
 
     fn edit_platform<T>(
@@ -42,14 +46,16 @@ impl Simulator {
         platform: PlatformId,
         edit: impl FnOnce(PlatformMut<'_>) -> twohalf::Result<T>,
     ) -> Outcome<T> {
-        let stale = Error::StaleId { argument: "platform" };
-        self.depth(|depth| Ok(edit(depth.simulator.platform_mut(platform).ok_or(stale)?)?))
+        self.depth(|depth| match depth.simulator.platform_mut(platform) {
+            Some(platform) => Ok(edit(platform)?),
+            None => Err(stale("platform")),
+        })
     }
 }
 
 fn drawable(drawable: Drawable) -> Outcome<[f64; 2]> {
     Ok(match drawable {
-        Drawable::Body(body) => [0.0, to_number(body)?],
+        Drawable::Body(body) => [0.0, body.number()?],
         Drawable::Platform(platform) => [1.0, platform.number()?],
     })
 }
@@ -230,16 +236,14 @@ exports! {
 
     /// Where it is.
     fn platform_position3d(simulator: Simulator, platform: PlatformId) {
-        let stale = Error::StaleId { argument: "platform" };
-        simulator.depth(|depth| Ok(depth.simulator.platform(platform).ok_or(stale)?.position3d()))
+        simulator.depth(|depth| Ok(depth.simulator.platform(platform).ok_or_else(|| stale("platform"))?.position3d()))
     }
 
     /// Leaves where its eight corners appear on the screen, those of the front first.
     fn platform_screen_corners(simulator: Simulator, platform: PlatformId) {
-        let stale = Error::StaleId { argument: "platform" };
         simulator.depth(|depth| {
             let projection = depth.simulator.projection();
-            let corners = depth.simulator.platform(platform).ok_or(stale)?.corners();
+            let corners = depth.simulator.platform(platform).ok_or_else(|| stale("platform"))?.corners();
             let points = corners.into_iter().map(|corner| projection.to_screen(corner));
             Ok(leave_numbers(points.flat_map(|point| [point.x, point.y]).map(f64::from)))
         })
@@ -323,7 +327,7 @@ exports! {
         simulator.depth(|depth| {
             let Some(hit) = depth.simulator.ray_cast3d(start, end, |_| true) else { return Ok(leave_numbers([])) };
             let partner = match hit.partner {
-                Partner::Geom(geom) => [0.0, to_number(geom)?],
+                Partner::Geom(geom) => [0.0, geom.number()?],
                 Partner::Platform(platform) => [1.0, platform.number()?],
                 Partner::Ground => [2.0, 0.0],
             };

@@ -1,7 +1,7 @@
 //! Geoms.
 
+use farseer_core::math::Vector2;
 use farseer_core::{BodyId, CollisionCategory, GeomFactory, GeomId, GeomPlacement};
-use twohalf::Vector2;
 
 use crate::boundary::{exports, leave_numbers, points};
 use crate::world::{Simulator, either};

@@ -1,9 +1,9 @@
 //! Joints.
 
+use farseer_core::math::Vector2;
 use farseer_core::{
     BodyId, Error, Joint, JointFactory, JointId, JointKind, JointLimits, JointMotor, Objects, Result,
 };
-use twohalf::Vector2;
 
 use crate::boundary::exports;
 use crate::world::Simulator;

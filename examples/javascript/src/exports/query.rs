@@ -1,15 +1,14 @@
 //! What lies where.
 
 use farseer_core::Aabb;
+use farseer_core::math::Vector2;
 use farseer_core::{CollisionCategory, GeomId};
-use twohalf::Vector2;
 
-use crate::boundary::{Outcome, exports, leave_numbers};
-use crate::id_number::to_number;
+use crate::boundary::{Answer, Outcome, exports, leave_numbers};
 use crate::world::{Engine, Simulator};
 
 fn leave_geoms(geoms: Vec<GeomId>) -> Outcome<f64> {
-    let numbers: Vec<f64> = geoms.into_iter().map(to_number).collect::<Outcome<_>>()?;
+    let numbers: Vec<f64> = geoms.into_iter().map(Answer::number).collect::<Outcome<_>>()?;
     Ok(leave_numbers(numbers))
 }
 
@@ -19,6 +18,7 @@ exports! {
         let point = Vector2::new(x, y);
         simulator.with(|world| leave_geoms(match &world.engine {
             Engine::Plane(simulator) => simulator.collide_all(point),
+            #[cfg(feature = "depth")]
             Engine::Depth(depth) => depth.simulator.collide_all(point),
         }))
     }
@@ -45,7 +45,7 @@ exports! {
             };
             let Some(hit) = hit else { return Ok(leave_numbers([])) };
             let [x, y, normal_x, normal_y] = [hit.point.x, hit.point.y, hit.normal.x, hit.normal.y].map(f64::from);
-            Ok(leave_numbers([to_number(hit.geom)?, x, y, normal_x, normal_y, f64::from(hit.fraction)]))
+            Ok(leave_numbers([hit.geom.number()?, x, y, normal_x, normal_y, f64::from(hit.fraction)]))
         })
     }
 
@@ -53,6 +53,7 @@ exports! {
     fn query_overlaps(simulator: Simulator, geom: GeomId) {
         simulator.with(|world| leave_geoms(match &world.engine {
             Engine::Plane(simulator) => simulator.overlaps(geom),
+            #[cfg(feature = "depth")]
             Engine::Depth(depth) => depth.simulator.overlaps_of(geom, |_| true),
         }))
     }

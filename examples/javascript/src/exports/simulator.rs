@@ -1,11 +1,10 @@
 //! Making simulators, stepping and saving them.
 
+use farseer_core::math::Vector2;
 use farseer_core::{BroadPhaseCollider, FrictionType, Methods, NarrowPhaseCollider, PhysicsSimulator};
-use twohalf::{Partner, Vector2};
 
 use crate::boundary::{Answer, Outcome, exports, invalid, leave_bytes, leave_numbers, with_bytes};
-use crate::id_number::to_number;
-use crate::touches::Happening;
+use crate::touches::{Happening, Partner};
 use crate::world::{Engine, Simulator, either};
 
 exports! {
@@ -61,7 +60,7 @@ exports! {
     /// An update of so many seconds.
     fn simulator_step(simulator: Simulator, dt: f32) {
         if dt <= 0.0 {
-            return invalid("dt", dt, "greater than 0");
+            return Err(invalid("dt", dt.into(), "greater than 0"));
         }
         simulator.with(|world| { world.step(dt); Ok(()) })
     }
@@ -102,18 +101,20 @@ exports! {
 
 fn row(happening: Happening) -> Outcome<[f64; 4]> {
     Ok(match happening {
-        Happening::TouchBegin(geom, partner) => touch(0.0, to_number(geom)?, partner)?,
-        Happening::TouchEnd(geom, partner) => touch(1.0, to_number(geom)?, partner)?,
-        Happening::JointBroke(joint) => [2.0, to_number(joint)?, 0.0, 0.0],
-        Happening::SpringBroke(spring) => [3.0, to_number(spring)?, 0.0, 0.0],
-        Happening::NotFinite(body) => [4.0, to_number(body)?, 0.0, 0.0],
+        Happening::TouchBegin(geom, partner) => touch(0.0, geom.number()?, partner)?,
+        Happening::TouchEnd(geom, partner) => touch(1.0, geom.number()?, partner)?,
+        Happening::JointBroke(joint) => [2.0, joint.number()?, 0.0, 0.0],
+        Happening::SpringBroke(spring) => [3.0, spring.number()?, 0.0, 0.0],
+        Happening::NotFinite(body) => [4.0, body.number()?, 0.0, 0.0],
     })
 }
 
 fn touch(kind: f64, geom: f64, partner: Partner) -> Outcome<[f64; 4]> {
     Ok(match partner {
         Partner::Geom(other) => [kind, geom, 0.0, other.number()?],
+        #[cfg(feature = "depth")]
         Partner::Platform(platform) => [kind, geom, 1.0, platform.number()?],
+        #[cfg(feature = "depth")]
         Partner::Ground => [kind, geom, 2.0, 0.0],
     })
 }

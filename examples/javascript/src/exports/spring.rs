@@ -1,7 +1,7 @@
 //! Springs.
 
+use farseer_core::math::Vector2;
 use farseer_core::{BodyId, Error, FixedLinearSpring, Objects, Result, Spring, SpringFactory, SpringId};
-use twohalf::Vector2;
 
 use crate::boundary::exports;
 use crate::world::Simulator;

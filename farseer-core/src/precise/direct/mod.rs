@@ -21,6 +21,7 @@ use super::rows::{Aside, Home, Lane, PointLane};
 use super::telling::WhyMethod;
 use super::tuning::Step;
 use crate::methods::IslandChoice;
+use crate::storage::order::sort_by_number;
 use crate::storage::reusing_clone::reusing_clone;
 use contact::{Contact, Ends, FIXED};
 use factor::Triple;
@@ -399,14 +400,9 @@ impl Precise {
             let body = proxies.all[pairs.watched[pair].proxies[1] as usize].body;
             (census[unions.find(body) as usize].place.unwrap_or(0), pair as u32)
         }));
-        let key = |&(place, pair): &(u32, u32)| {
-            let numbers = pairs.watched[pair as usize].proxies.map(|proxy| {
-                let proxy = &proxies.all[proxy as usize];
-                (proxy.number, proxy.piece)
-            });
-            (place, numbers)
-        };
-        found.sort_unstable_by_key(key);
+        // Island by island, in each in the order of creation numbers.
+        sort_by_number(found, |&(_, pair)| proxies.creation_numbers(pairs.watched[pair as usize].proxies));
+        sort_by_number(found, |&(place, _)| place.into());
         for &(place, pair) in found.iter() {
             let Some(home) = pairs.all[pair as usize].home else { continue };
             let Whole { island, homes, ends, .. } = &mut islands[place as usize];

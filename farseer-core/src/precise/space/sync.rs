@@ -1,7 +1,7 @@
 //! What the engine above has told is taken over.
 
 use super::parts::{self, SpaceBody, SpacePartner, SpaceProfile, is_geom};
-use super::{Space, Spin};
+use super::{Held, Space, Spin};
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::objects::Objects;
@@ -15,12 +15,12 @@ impl Precise {
 
     /// There is a depth axis from now on.
     pub(crate) fn enter_space(&mut self) {
-        self.space = Some(Box::default());
+        self.space = Held::new();
     }
 
     /// How a body moves along the depth axis.
     pub(crate) fn set_space_body(&mut self, id: BodyId, told: SpaceBody) {
-        let Some(space) = &mut self.space else { return };
+        let Some(space) = self.space.as_deref_mut() else { return };
         *space.body_mut(id) = told;
         self.edited_bodies.push(id);
     }
@@ -28,7 +28,7 @@ impl Precise {
     /// A force gives a body so much along the depth axis in a second, in the step that comes, and has pushed it otherwise.
     pub(crate) fn note_push(&mut self, id: BodyId, along_depth: f32) {
         let Some(number) = self.movable_number_of(id) else { return };
-        if let Some(space) = &mut self.space {
+        if let Some(space) = self.space.as_deref_mut() {
             space.push_along_depth(id, along_depth);
         }
         self.note_pushed_body(number);
@@ -54,7 +54,7 @@ impl Precise {
 
     /// How a geom reaches along the depth axis.
     pub(crate) fn set_space_profile(&mut self, id: GeomId, told: SpaceProfile) {
-        let Some(space) = &mut self.space else { return };
+        let Some(space) = self.space.as_deref_mut() else { return };
         let known = space.profile_mut(id);
         if *known != told {
             *known = told;
@@ -97,7 +97,7 @@ impl Precise {
     }
 
     pub(in crate::precise) fn take_body_in_space(&mut self, number: usize, id: BodyId) {
-        let Some(space) = &mut self.space else { return };
+        let Some(space) = self.space.as_deref_mut() else { return };
         let told = space.body(id);
         space.places[number] = told.z;
         if let Some(hot) = self.bodies.hot.get_mut(number) {
@@ -108,7 +108,7 @@ impl Precise {
     }
 
     pub(in crate::precise) fn add_body_in_space(&mut self, number: usize, id: BodyId) {
-        if let Some(space) = &mut self.space {
+        if let Some(space) = self.space.as_deref_mut() {
             space.add_body(number, id);
         }
         self.take_body_in_space(number, id);

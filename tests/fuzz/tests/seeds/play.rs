@@ -3,7 +3,7 @@
 use fuzz::checks::{failed_calls_change_nothing, numbers_are_finite};
 use fuzz::long_run::failures;
 use fuzz::twins::twins_stay_equal;
-use fuzz::{Depth, Plane, StagedPlane, Tied};
+use fuzz::{Depth, OneWayPlane, Plane, StagedPlane, Tied};
 
 /// Fails with a line per seed.
 macro_rules! holds_for {
@@ -16,6 +16,17 @@ macro_rules! holds_for {
 #[test]
 fn a_2d_simulator_goes_on_as_its_restored_cloned_and_json_twins_do() {
     holds_for!(0..PLANE, twins_stay_equal::<Plane>);
+}
+
+#[test]
+fn a_2d_simulator_with_one_way_geoms_goes_on_as_its_twins_do() {
+    holds_for!(0..PLANE, twins_stay_equal::<OneWayPlane>);
+}
+
+#[test]
+fn calls_amid_one_way_geoms_that_fail_change_nothing_and_leave_every_number_finite() {
+    holds_for!(0..PLANE, failed_calls_change_nothing::<OneWayPlane>);
+    holds_for!(0..PLANE, numbers_are_finite::<OneWayPlane>);
 }
 
 #[test]

@@ -27,15 +27,12 @@ pub(in super::super) fn spatial_groups(holds: &[Hold], bodies: &Bodies) -> (Vec<
     let mut root_of = |hold: &Hold| unions.find(hold.ends[0].body.max(hold.ends[1].body));
     let roots: Vec<u32> = holds.iter().map(&mut root_of).collect();
     let mut groups: Vec<(u32, Vec<u32>)> = Vec::new();
-    let has_distance: BTreeSet<u32> = holds
-        .iter()
-        .zip(&roots)
-        .filter(|(hold, _)| hold.link == Link::Distance)
-        .map(|(_, &root)| root)
-        .collect();
+    let distances = holds.iter().zip(&roots).filter(|(hold, _)| hold.link == Link::Distance);
+    let mut has_distance: Vec<u32> = distances.map(|(_, &root)| root).collect();
+    has_distance.sort_unstable();
     let mut others = Vec::new();
     for (at, &root) in roots.iter().enumerate() {
-        if !has_distance.contains(&root) {
+        if has_distance.binary_search(&root).is_err() {
             others.push(at as u32);
         } else if let Some((_, members)) = groups.iter_mut().find(|(of, _)| *of == root) {
             members.push(at as u32);

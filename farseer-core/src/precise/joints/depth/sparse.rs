@@ -49,8 +49,10 @@ impl Sparse {
 
     /// The rows that each one is tied to when it is eliminated, in the order of elimination.
     fn eliminate(&mut self, mut partners: Vec<BTreeSet<u32>>, most: usize) -> Option<Vec<BTreeSet<u32>>> {
-        let mut waiting: BTreeSet<(usize, u32)> =
-            partners.iter().enumerate().map(|(row, of_row)| (of_row.len(), row as u32)).collect();
+        let mut waiting = BTreeSet::new();
+        partners.iter().zip(0_u32..).for_each(|(of_row, row)| {
+            waiting.insert((of_row.len(), row));
+        });
         let (mut columns, mut products) = (Vec::with_capacity(partners.len()), 0);
         while let Some((degree, row)) = waiting.pop_first() {
             products += degree * (degree + 1) / 2;

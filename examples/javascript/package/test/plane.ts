@@ -1,0 +1,13 @@
+// What `tsc` must accept of the entry in 2D alone, and what it must refuse.
+
+import * as plane from '../plane.js';
+
+await plane.initialize();
+const simulator = new plane.Simulator({ gravity: { x: 0, y: 300 } });
+const body: plane.Body = simulator.createCircleBody(10, 1);
+simulator.drainEvents().forEach((event: plane.Event) => event.type);
+
+// @ts-expect-error it has no depth
+new plane.DepthSimulator({ height: 480 });
+
+export { body };

@@ -1,0 +1,84 @@
+//! The 2.5D engine, and what it leaves to the game to keep.
+
+use std::collections::BTreeMap;
+
+use farseer_core::BodyId;
+use farseer_core::snapshot::SnapshotFormat;
+use twohalf::{DrawOrder, PlatformId, TwoHalfPhysicsSimulator, Walker};
+
+use crate::boundary::{Answer, Argument, Failure, Outcome};
+use crate::world::{Engine, Simulator, put};
+
+#[derive(Debug)]
+pub(crate) struct Depth {
+    pub(crate) simulator: TwoHalfPhysicsSimulator,
+    pub(crate) walkers: BTreeMap<BodyId, Walker>,
+    pub(crate) order: DrawOrder,
+}
+
+/// A snapshot in 2.5D, with what walks.
+pub const WITH_WALKERS: SnapshotFormat = SnapshotFormat { magic: *b"Walkers2", version: 1 };
+
+impl Depth {
+    pub(crate) fn update(&mut self, dt: f32) {
+        let Depth { simulator, walkers, .. } = self;
+        simulator.update(dt);
+        walkers.retain(|body, _| simulator.body(*body).is_some());
+    }
+
+    pub(crate) fn snapshot(&self) -> Vec<u8> {
+        let walkers: Vec<(BodyId, Walker)> =
+            self.walkers.iter().map(|(body, walker)| (*body, *walker)).collect();
+        WITH_WALKERS.write(&(walkers, self.simulator.snapshot()))
+    }
+
+    pub(crate) fn restore(&mut self, snapshot: &[u8]) -> Outcome {
+        let (walkers, snapshot): (Vec<(BodyId, Walker)>, Vec<u8>) = WITH_WALKERS.read(snapshot)?;
+        self.simulator.restore(&snapshot)?;
+        self.walkers.clear();
+        walkers.into_iter().for_each(|(body, walker)| {
+            self.walkers.insert(body, walker);
+        });
+        Ok(())
+    }
+
+    /// Where everything is: x, y, z and rotation of each body, in rows by slots.
+    pub(crate) fn put_positions(&self, positions: &mut Vec<f32>) {
+        for body in self.simulator.core().bodies() {
+            if let Some(of) = self.simulator.body(body) {
+                let [x, y, z] = of.position3d().into();
+                put(positions, body, [x, y, z, of.rotation()]);
+            }
+        }
+    }
+}
+
+impl Simulator {
+    pub(crate) fn depth<T>(self, act: impl FnOnce(&mut Depth) -> Outcome<T>) -> Outcome<T> {
+        self.with(|world| match &mut world.engine {
+            Engine::Depth(depth) => act(depth),
+            Engine::Plane(_) => Err(Failure("only a DepthSimulator can do that".to_owned())),
+        })
+    }
+}
+
+impl From<twohalf::Error> for Failure {
+    fn from(error: twohalf::Error) -> Self {
+        Failure(error.to_string())
+    }
+}
+
+/// Numbers of platforms are never given out twice.
+impl Argument for PlatformId {
+    const REQUIREMENT: &'static str = "an id";
+
+    fn read(number: f64) -> Option<Self> {
+        usize::read(number).map(|number| PlatformId::from_bits(number as u32))
+    }
+}
+
+impl Answer for PlatformId {
+    fn number(self) -> Outcome<f64> {
+        Ok(f64::from(self.to_bits()))
+    }
+}
