@@ -316,7 +316,7 @@ fn a_field_that_adds_up_beyond_all_numbers_with_what_pushes_along_z_is_told_and_
             let body = ball(&mut simulator, 10.0, [0.0, 40.0, 40.0]);
             // Each alone is a number, and their sum is none.
             simulator
-                .add_field(Well { strength: 2e38, softness: 1e-3, ..Well::new([0.0, 40.0, 41.0]) })
+                .add_field(Well { strength: 2e38, softness: 1e-3, ..Well::new([0.0, 50.0, 41.0]) })
                 .unwrap();
             let mut view = simulator.body_mut(body).unwrap();
             view.set_mass(1.0).unwrap();

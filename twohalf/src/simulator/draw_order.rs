@@ -185,7 +185,10 @@ impl DrawOrder {
     /// Where those of the frame before are listed now, and which of them have moved.
     fn find_again(&mut self) {
         let DrawOrder { listed, before, now_at, at_slot, is_known, has_moved, .. } = self;
+        // What is listed now is what was before in the next frame: there is room for it.
+        before.reserve(listed.len().saturating_sub(before.len()));
         now_at.clear();
+        now_at.reserve(listed.len());
         let is_alike = listed.len() == before.len()
             && listed.iter().zip(before.iter()).all(|(now, before)| now.drawable == before.drawable);
         if is_alike {

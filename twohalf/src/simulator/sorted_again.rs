@@ -39,6 +39,10 @@ impl<E: Copy> SortedAgain<E> {
             if has_moved { self.moved.push(entry) } else { self.kept.push(entry) }
         }
         self.moved.extend(fresh);
+        // Whichever of them move the next time, there is room for them.
+        let count = self.kept.len() + self.moved.len();
+        self.kept.reserve(count - self.kept.len());
+        self.moved.reserve(count - self.moved.len());
         sort(&mut self.moved, &compare);
         self.merge(compare);
     }
