@@ -5,6 +5,7 @@ pub mod demo_scene_1;
 pub mod demo_scene_2;
 pub mod pinball;
 mod plane;
+pub mod recipes;
 mod recorder;
 mod sample_film;
 mod sample_picture;

@@ -1,6 +1,10 @@
 //! What stands behind a 2.5D scene.
 
-use twohalf_render::{Canvas, Color, Point, Transform};
+use twohalf_render::{
+    Canvas, Color, GroundBackdrop, Point, SoftwareCanvas, Text, Texture2D, Transform, draw_ground_backdrop,
+};
+
+use crate::Result;
 
 /// Draws clouds and two rows of hills that end at the horizon, `horizon` px above the lower edge.
 pub fn draw_hills(canvas: &mut dyn Canvas, horizon: f32) {
@@ -33,4 +37,59 @@ pub fn draw_hills(canvas: &mut dyn Canvas, horizon: f32) {
         }));
         canvas.fill_polygon(&outline, &Transform::IDENTITY, color);
     }
+}
+
+/// A star with a word on it.
+pub(crate) fn draw_burst(canvas: &mut dyn Canvas, center: Point, word: &str) {
+    let ink = Color::rgb(30, 22, 34);
+    for (size, color) in [(1.0, ink), (0.9, Color::rgb(240, 176, 48)), (0.6, Color::rgb(255, 240, 150))] {
+        let corner = |at: usize| {
+            let angle = std::f32::consts::TAU * at as f32 / 20.0;
+            let far = size * if at.is_multiple_of(2) { 38.0 } else { 22.0 };
+            [center[0] + 1.3 * far * angle.cos(), center[1] + 0.8 * far * angle.sin()]
+        };
+        let star: Vec<Point> = (0..20).map(corner).collect();
+        canvas.fill_polygon(&star, &Transform::IDENTITY, color);
+    }
+    Text { scale: [2.0; 2], color: Color::rgb(190, 40, 30), ..Text::centered(word, center) }.draw(canvas);
+}
+
+/// Houses before the evening sky, some of their windows lit. It can be repeated.
+pub(crate) fn city_at_dusk() -> Result<Texture2D> {
+    let [width, height] = [720.0, 170.0];
+    let mut canvas = SoftwareCanvas::new(width as u32, height as u32)?;
+    let mut fill = |[x, y]: Point, [width, height]: Point, color: Color| {
+        let corners = [[x, y], [x + width, y], [x + width, y + height], [x, y + height]];
+        canvas.fill_polygon(&corners, &Transform::IDENTITY, color);
+    };
+    let rows = [(Color::rgb(126, 92, 128), 6, 0.0, 18.0), (Color::rgb(72, 54, 92), 9, 20.0, 62.0)];
+    let mut random = 12_345_u32;
+    for (color, houses, shift, top) in rows {
+        let lot = width / houses as f32;
+        for house in 0..houses {
+            random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            let roof = top + (random >> 16) as f32 % 48.0;
+            let left = house as f32 * lot + shift * 0.25;
+            fill([left, roof], [lot - 10.0, height - roof], color);
+            fill([left + 12.0, roof - 8.0], [14.0, 8.0], color);
+            let (columns, floors) = (((lot - 24.0) / 14.0) as u32, ((height - roof) / 16.0) as u32);
+            for window in 0..columns * floors {
+                let at = [
+                    left + 8.0 + 14.0 * (window % columns) as f32,
+                    roof + 8.0 + 16.0 * (window / columns) as f32,
+                ];
+                let is_lit = (random >> (window % 23)) & 5 == 5;
+                fill(at, [7.0, 9.0], if is_lit { Color::rgb(255, 208, 128) } else { color.darker(0.25) });
+            }
+        }
+    }
+    Ok(canvas.to_texture()?)
+}
+
+/// The evening sky and the ground under it, of the size of a picture, painted once: rows of colour take longer than a picture of them.
+pub(crate) fn sky_at_dusk([width, height]: [u32; 2], depth: f32) -> Result<Texture2D> {
+    let mut canvas = SoftwareCanvas::new(width, height)?;
+    let dusk = GroundBackdrop { lines: Color::TRANSPARENT, ..GroundBackdrop::dusk(depth, 90.0) };
+    draw_ground_backdrop(&mut canvas, &dusk)?;
+    Ok(canvas.to_texture()?)
 }

@@ -582,13 +582,15 @@ pub use path::{
     LinkType, Path,
 };
 #[doc(hidden)]
+pub use precise::space::forms::{SpaceFoot, SpaceForm, apart_in_space};
+#[doc(hidden)]
 pub use precise::space::parts::{
     Fixture, FixtureMotion, SpaceBody, SpaceChange, SpacePartner, SpacePoint, SpaceProfile, SpaceTarget,
-    SpaceTouch,
+    SpaceTouch, SpaceUpright,
 };
 pub use precise::{Island, IslandCost, IslandMethod, IslandResidual, WhyAwake, WhyMethod};
 pub use report::{Event, StepCounters, StepTimes};
-pub use shape::{Aabb, Feature, Vertices, ray_helper};
+pub use shape::{Aabb, Feature, Footprint, Vertices, ray_helper};
 pub use simulator::{
     Constraints, Context, EventHandler, PhysicsSimulator, SavedSimulator, SolvedBodies, UserController,
 };

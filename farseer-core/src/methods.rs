@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::geom::entry::GeomEntry;
 use crate::joints::{Joint, JointKind};
 use crate::math::finite::finite;
 use crate::{Error, Result};
@@ -48,6 +49,7 @@ pub enum Methods {
     /// | a negative mass, an inverse inertia that is not a normal number | no push moves or turns the body: `f32::MAX` as the moment of inertia keeps it from turning |
     /// | a static body's velocity | a conveyor belt, as in the faithful set |
     /// | chains of edges | [made](crate::GeomFactory::create_chain_geom) and kept only here |
+    /// | [one-way geoms](crate::Objects::set_one_way) | only here: the faithful set refuses them with [`Error::NotSupported`] |
     /// | joints | exact: a tree of joints is solved at once, whatever hangs on it, and answers as a whole where a loop closes, a limit holds or an impulse has a bound; in nets of more than a thousand bodies times such joints, each of these is solved alone |
     /// | springs | undamped ones swing with their own frequency and keep their swing; one that is too stiff for a step is as stiff as it bears |
     /// | [`breakpoint`](crate::Joint::breakpoint) | as in the faithful set, but a joint breaks before it acts once more; there is hardly any error to measure, so see [`greatest_force`](crate::Joint::greatest_force) |
@@ -147,6 +149,18 @@ impl Methods {
 
     pub(crate) fn check_chains(self) -> Result<()> {
         self.only_precise("chains")
+    }
+
+    /// Refuses a geom that these methods do not have.
+    pub(crate) fn check_geom(self, geom: &GeomEntry) -> Result<()> {
+        if geom.outline.is_chain() {
+            self.check_chains()?;
+        }
+        if geom.one_way.is_some() { self.check_one_way() } else { Ok(()) }
+    }
+
+    pub(crate) fn check_one_way(self) -> Result<()> {
+        self.only_precise("one-way geoms")
     }
 
     fn only_precise(self, what: &'static str) -> Result<()> {

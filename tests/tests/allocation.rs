@@ -164,6 +164,23 @@ fn going_back_to_a_settled_scene_by_clone_from_allocates_nothing() {
 }
 
 #[test]
+fn what_stands_on_a_one_way_geom_and_what_is_in_it_allocate_nothing() {
+    let mut simulator = simulator_with(300.0, Methods::PRECISE);
+    simulator.set_sleep_enabled(false);
+    let (_, platform) = add_floor(&mut simulator, (400.0, 40.0), v(0.0, 0.0));
+    simulator.set_one_way(platform, Some(v(0.0, -1.0))).unwrap();
+    for at in 0..5 {
+        add_box(&mut simulator, (20.0, 20.0), v(at as f32 * 30.0, -30.0));
+        let (inside, _) = add_circle(&mut simulator, 10.0, 12, v(at as f32 * 30.0, -15.0));
+        simulator[inside].set_ignore_gravity(true);
+        simulator[inside].set_linear_velocity(v(3.0, 0.0));
+    }
+    (0..60).for_each(|_| simulator.update(0.01));
+    assert_eq!((0..300).map(|_| calls(|| simulator.update(0.01))).sum::<usize>(), 0);
+    assert!(simulator.arbiter_count() >= 5);
+}
+
+#[test]
 fn a_bridge_with_the_precise_set_allocates_nothing() {
     let mut simulator = PhysicsSimulator::new(v(0.0, 300.0)).unwrap();
     simulator.set_methods(Methods::PRECISE).unwrap();
@@ -463,4 +480,22 @@ fn an_update_of_a_settled_scene_with_depth_allocates_nothing() {
         (0..100).for_each(|_| simulator.update_with(depth::DT, &mut Silent));
     });
     assert_eq!(calls, 0);
+}
+
+#[test]
+fn bodies_that_are_watched_that_stand_still_and_that_are_slow_cost_no_allocation() {
+    depth::with_scheme(twohalf::DepthScheme::Precise, || {
+        let mut simulator = settled_scene_with_depth();
+        simulator.set_sleep_enabled(false);
+        for (at, body) in simulator.body_list().to_vec().into_iter().enumerate() {
+            simulator.set_crush_tolerance(body, Some(0.5)).unwrap();
+            match at % 8 {
+                0 => simulator.set_time_scale(body, 0.0).unwrap(),
+                1 => simulator.set_time_scale(body, 0.5).unwrap(),
+                _ => (),
+            }
+        }
+        (0..200).for_each(|_| simulator.update(depth::DT));
+        assert_eq!(calls(|| (0..100).for_each(|_| simulator.update(depth::DT))), 0);
+    });
 }

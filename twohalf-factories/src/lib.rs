@@ -38,9 +38,13 @@
 
 #![forbid(unsafe_code)]
 
+mod actor;
+mod block;
+mod blow;
 mod body_factory;
 mod door;
 mod geom_factory;
+mod hands;
 mod lane;
 mod rope;
 mod slope;
@@ -50,13 +54,17 @@ mod spawn;
 #[doc = include_str!("recipes_of_figures.md")]
 pub mod recipes {}
 
+pub use actor::Actor;
+pub use block::spawn_block;
+pub use blow::{Blow, in_reach, strike};
 pub use body_factory::TwoHalfBodyFactory;
 pub use door::{Door, spawn_door};
 pub use geom_factory::TwoHalfGeomFactory;
+pub use hands::Hands;
 pub use lane::spawn_lane;
 pub use rope::{Rope, RopeEnd, SpawnedRope, spawn_rope};
 pub use slope::spawn_slope;
-pub use spawn::{Ball, Figure, Prism, Spawned, Thing, spawn};
+pub use spawn::{Ball, Capsule, Cylinder, Figure, Prism, Spawned, Thing, spawn};
 
 /// The example of the README is run with those of the documentation.
 #[cfg(doctest)]

@@ -1,7 +1,8 @@
 //! Things of a game in one call: body, geom, depth, both frictions, what rests on the ground, and where.
 
+use serde::{Deserialize, Serialize};
 use twohalf::farseer_core::Error;
-use twohalf::{BodyId, DepthProfile, GeomId, Result, TextureId, TwoHalfPhysicsSimulator, Vector3};
+use twohalf::{BodyId, DepthProfile, Footprint, GeomId, Result, TextureId, TwoHalfPhysicsSimulator, Vector3};
 
 use crate::{TwoHalfBodyFactory, TwoHalfGeomFactory};
 
@@ -11,7 +12,7 @@ const NEVER_TURNS: f32 = 1e20;
 const CORNERS: i32 = 24;
 
 /// The ids of what was [spawned](spawn).
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Spawned {
     /// The body: where it is, its velocities, its ground.
     pub body: BodyId,
@@ -23,9 +24,10 @@ pub struct Spawned {
 enum Shape {
     Box { size: [f32; 3] },
     Ball { radius: f32 },
+    Upright(DepthProfile),
 }
 
-/// What [`spawn`] makes. [`Prism`], [`Ball`] and [`Figure`] begin one.
+/// What [`spawn`] makes. [`Prism`], [`Ball`], [`Cylinder`], [`Capsule`] and [`Figure`] begin one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use = "`spawn` makes it"]
 pub struct Thing {
@@ -38,15 +40,23 @@ pub struct Thing {
     shadow: Option<TextureId>,
 }
 
-/// A box.
+/// A box, or a prism on end.
 #[derive(Debug, Clone, Copy)]
 pub struct Prism;
+
+/// A cylinder on end.
+#[derive(Debug, Clone, Copy)]
+pub struct Cylinder;
+
+/// A capsule on end.
+#[derive(Debug, Clone, Copy)]
+pub struct Capsule;
 
 /// A ball, which rolls in all directions.
 #[derive(Debug, Clone, Copy)]
 pub struct Ball;
 
-/// Somebody who is steered: an upright box without friction or bounce.
+/// Somebody who is steered: an upright cylinder without friction or bounce.
 #[derive(Debug, Clone, Copy)]
 pub struct Figure;
 
@@ -55,6 +65,30 @@ impl Prism {
     #[expect(clippy::new_ret_no_self, reason = "all things are told the same")]
     pub fn new(size: [f32; 3]) -> Thing {
         Thing::of(Shape::Box { size })
+    }
+
+    /// A prism on end: a footprint and a height in px, of mass 1, friction 0.4, without bounce. It
+    /// [stays upright](DepthProfile::Upright).
+    pub fn footprint(footprint: Footprint, height: f32) -> Thing {
+        Thing::of(Shape::Upright(DepthProfile::Upright { footprint, height }))
+    }
+}
+
+impl Cylinder {
+    /// A cylinder on end: a radius and a height in px, of mass 1, friction 0.4, without bounce. It
+    /// [stays upright](DepthProfile::Cylinder).
+    #[expect(clippy::new_ret_no_self, reason = "all things are told the same")]
+    pub fn new(radius: f32, height: f32) -> Thing {
+        Thing::of(Shape::Upright(DepthProfile::Cylinder { radius, height }))
+    }
+}
+
+impl Capsule {
+    /// A capsule on end: a radius, and a height in px that is at least twice that, of mass 1, friction 0.4, without bounce. It
+    /// [stays upright](DepthProfile::Capsule).
+    #[expect(clippy::new_ret_no_self, reason = "all things are told the same")]
+    pub fn new(radius: f32, height: f32) -> Thing {
+        Thing::of(Shape::Upright(DepthProfile::Capsule { radius, height }))
     }
 }
 
@@ -67,10 +101,16 @@ impl Ball {
 }
 
 impl Figure {
-    /// A figure of width, height and depth in px, of mass 70.
+    /// A figure of width, height and depth in px, of mass 70. It is a [`Cylinder`] of that height, whose diameter is the mean of
+    /// width and depth: two of them slide past each other, and one round a corner, where boxes would catch. Only with
+    /// [`DepthScheme::Precise`](twohalf::DepthScheme::Precise), as [walking](TwoHalfPhysicsSimulator::walk); elsewhere an upright
+    /// [`Prism`] does.
     #[expect(clippy::new_ret_no_self, reason = "all things are told the same")]
-    pub fn new(size: [f32; 3]) -> Thing {
-        Thing::of(Shape::Box { size }).mass(70.0).friction(0.0).upright()
+    pub fn new([width, height, depth]: [f32; 3]) -> Thing {
+        let size = Some([width, height, depth]).filter(|size| size.iter().all(|&side| side > 0.0));
+        // What is no size is refused as that.
+        let radius = if size.is_some() { 0.25 * width + 0.25 * depth } else { f32::NAN };
+        Cylinder::new(radius, height).mass(70.0).friction(0.0)
     }
 }
 
@@ -140,6 +180,11 @@ impl Thing {
                 positive("depth", depth)?;
             }
             Shape::Ball { radius } => positive("radius", radius)?,
+            Shape::Upright(profile) => {
+                let [width, height] = front_of(profile);
+                positive("radius", width)?;
+                positive("height", height)?;
+            }
         }
         positive("mass", self.mass)?;
         finite("friction", self.friction)?;
@@ -154,6 +199,10 @@ impl Thing {
                 TwoHalfBodyFactory::create_rectangle_body(simulator, width, height, self.mass)
             }
             Shape::Ball { radius } => TwoHalfBodyFactory::create_circle_body(simulator, radius, self.mass),
+            Shape::Upright(profile) => {
+                let [width, height] = front_of(profile);
+                TwoHalfBodyFactory::create_rectangle_body(simulator, width, height, self.mass)
+            }
         }
     }
 
@@ -161,7 +210,7 @@ impl Thing {
         match self.shape {
             _ if self.is_upright => Some(NEVER_TURNS),
             Shape::Ball { radius } => Some(0.4 * self.mass * radius * radius),
-            Shape::Box { .. } => None,
+            Shape::Box { .. } | Shape::Upright(_) => None,
         }
     }
 
@@ -174,6 +223,12 @@ impl Thing {
             }
             Shape::Ball { radius } => {
                 TwoHalfGeomFactory::create_circle_geom(simulator, body, radius, CORNERS)
+            }
+            Shape::Upright(profile) => {
+                let [width, height] = front_of(profile);
+                let geom = TwoHalfGeomFactory::create_rectangle_geom(simulator, body, width, height)?;
+                simulator.set_depth_profile(geom, profile)?;
+                Ok(geom)
             }
         }
     }
@@ -198,6 +253,21 @@ impl Thing {
     }
 }
 
+/// Width and height of something upright.
+fn front_of(profile: DepthProfile) -> [f32; 2] {
+    match profile {
+        DepthProfile::Cylinder { radius, height } | DepthProfile::Capsule { radius, height } => {
+            [2.0 * radius, height]
+        }
+        DepthProfile::Upright { footprint, height } => {
+            let (low, high) = footprint.bounds();
+            [high.x - low.x, height]
+        }
+        DepthProfile::Prism { depth } => [depth, depth],
+        DepthProfile::Round { radius } => [2.0 * radius; 2],
+    }
+}
+
 /// Makes a thing and adds it to the simulator: it takes part from the next update.
 ///
 /// ```
@@ -217,7 +287,8 @@ impl Thing {
 ///
 /// # Errors
 /// A size or mass that is not finite and greater than 0, or so small that the moment of inertia vanishes; a friction,
-/// restitution or position that is not finite. Then nothing was made.
+/// restitution or position that is not finite; something upright that is not as high as a capsule has to be, or with another
+/// scheme than [`DepthScheme::Precise`](twohalf::DepthScheme::Precise). Then nothing was made.
 pub fn spawn(simulator: &mut TwoHalfPhysicsSimulator, thing: Thing) -> Result<Spawned> {
     thing.check()?;
     let body = thing.body(simulator)?;

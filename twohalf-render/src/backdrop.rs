@@ -52,6 +52,17 @@ impl GroundBackdrop {
             lines: Color::rgba(96, 66, 36, 150),
         }
     }
+
+    /// A dark floor under an evening sky.
+    pub fn dusk(depth: f32, angle: f32) -> Self {
+        GroundBackdrop {
+            sky_top: Color::rgb(58, 52, 110),
+            sky_horizon: Color::rgb(250, 168, 110),
+            floor_near: Color::rgb(70, 62, 70),
+            floor_far: Color::rgb(122, 100, 104),
+            ..GroundBackdrop::new(depth, angle)
+        }
+    }
 }
 
 /// Draws sky, floor and the floor's grid over all that can be seen of the canvas: through a [`View`](crate::View) the

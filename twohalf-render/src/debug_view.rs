@@ -1,15 +1,13 @@
 //! What the engine works with, drawn over a picture.
 
 use twohalf::farseer_core::PhysicsSimulatorView;
-use twohalf::{BodyId, GeomId, TwoHalfPhysicsSimulator, Vector3, VirtualGeom};
+use twohalf::{BodyId, DepthProfile, GeomId, TwoHalfGeom, TwoHalfPhysicsSimulator, Vector3, VirtualGeom};
 
 use crate::corners::corners_of;
+use crate::footprint::{footprint_of, round};
 use crate::plane_debug_view;
 use crate::surface::{corners_on_screen, to_screen};
 use crate::{Canvas, Color, Point, Transform};
-
-/// Corners of a round footprint.
-const ROUND_CORNERS: u8 = 24;
 
 /// Shows what a simulator works with: outlines, footprints, grounds, platforms and contacts, each where it is in
 /// depth.
@@ -178,11 +176,11 @@ impl Pen<'_> {
     }
 
     fn virtual_geom(&mut self, geom: GeomId) {
-        let Some(shape) = self.simulator.geom(geom).map(|geom| geom.virtual_geom()) else { return };
-        let color = self.view.virtual_geom_color;
-        let on_ground = self.footprint(&shape, 0.0);
+        let Some(geom) = self.simulator.geom(geom) else { return };
+        let (shape, color) = (geom.virtual_geom(), self.view.virtual_geom_color);
+        let on_ground = self.footprint(&geom, 0.0);
         self.line(&on_ground, true, color.with_opacity(0.5));
-        let at_bottom = self.footprint(&shape, shape.bottom);
+        let at_bottom = self.footprint(&geom, shape.bottom);
         self.line(&at_bottom, true, color);
     }
 
@@ -190,8 +188,11 @@ impl Pen<'_> {
         let Some(geom) = self.simulator.geom(geom) else { return };
         let (shape, color) = (geom.virtual_geom(), self.view.box_color);
         let outline = corners_of(geom.screen_outline().into_iter().map(Point::from));
+        if geom.depth_profile().is_upright() {
+            return self.room_of_upright(&geom, &outline);
+        }
         if shape.is_round {
-            let disc = self.footprint(&shape, 0.5 * (shape.bottom + shape.top));
+            let disc = self.footprint(&geom, 0.5 * (shape.bottom + shape.top));
             self.line(&disc, true, color);
             return self.line(&outline, true, color);
         }
@@ -208,21 +209,34 @@ impl Pen<'_> {
         }
     }
 
-    fn footprint(&self, shape: &VirtualGeom, y: f32) -> Vec<Point> {
-        let VirtualGeom { left, right, front, back, .. } = *shape;
-        if !shape.is_round {
-            return [[left, front], [right, front], [right, back], [left, back]]
-                .map(|[x, z]| self.at(x, y, z))
-                .to_vec();
-        }
-        let [middle_x, middle_z] = [0.5 * (left + right), 0.5 * (front + back)];
-        let [across, along] = [0.5 * (right - left), 0.5 * (back - front)];
-        let corner = |index| {
-            let turn = f64::from(index) / f64::from(ROUND_CORNERS);
-            let (sin, cos) = libm::sincos(turn * std::f64::consts::TAU);
-            self.at(middle_x + across * cos as f32, y, middle_z + along * sin as f32)
+    /// Its footprint below and above; between them the edges of a prism, or the sides of what is round. A capsule is as wide as that
+    /// where its ends begin.
+    fn room_of_upright(&mut self, geom: &TwoHalfGeom<'_>, outline: &[Point]) {
+        let (shape, color) = (geom.virtual_geom(), self.view.box_color);
+        let end = match geom.depth_profile() {
+            DepthProfile::Capsule { radius, .. } => radius,
+            _ => 0.0,
         };
-        (0..ROUND_CORNERS).map(corner).collect()
+        let low = self.footprint(geom, shape.bottom + end);
+        let high = self.footprint(geom, shape.top - end);
+        self.line(&low, true, color);
+        self.line(&high, true, color);
+        let every = if shape.is_round { low.len() / 4 } else { 1 };
+        for (&from, &to) in low.iter().zip(&high).step_by(every.max(1)) {
+            self.line(&[from, to], false, color);
+        }
+        if end > 0.0 {
+            self.line(outline, true, color);
+        }
+    }
+
+    fn footprint(&self, geom: &TwoHalfGeom<'_>, y: f32) -> Vec<Point> {
+        let shape = geom.virtual_geom();
+        let VirtualGeom { left, right, front, back, .. } = shape;
+        let rectangle = || vec![[left, front], [right, front], [right, back], [left, back]];
+        let corners =
+            footprint_of(geom).unwrap_or_else(|| if shape.is_round { round(&shape) } else { rectangle() });
+        corners.into_iter().map(|[x, z]| self.at(x, y, z)).collect()
     }
 
     fn platforms(&mut self) {

@@ -40,7 +40,7 @@ impl PlatformLook {
     fn face(&self, face: Face) -> Color {
         match face {
             Face::Top => self.top,
-            Face::Front => self.front,
+            Face::Front | Face::Back => self.front,
             Face::Left | Face::Right => self.sides,
             Face::Underside => self.underside,
         }

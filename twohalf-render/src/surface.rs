@@ -13,11 +13,13 @@ pub(crate) enum Face {
     Left,
     Right,
     Underside,
+    Back,
 }
 
 impl Face {
-    /// Those that can be seen: nobody looks from behind.
-    pub(crate) const ALL: [Face; 5] = [Face::Top, Face::Front, Face::Left, Face::Right, Face::Underside];
+    /// Those that can be seen: that what is the back can only of what is turned.
+    pub(crate) const ALL: [Face; 6] =
+        [Face::Top, Face::Front, Face::Left, Face::Right, Face::Underside, Face::Back];
 
     pub(crate) fn corners<T: Copy>(self, corners: &[T; 8]) -> [T; 4] {
         match self {
@@ -26,6 +28,7 @@ impl Face {
             Face::Left => [4, 0, 3, 7],
             Face::Right => [1, 5, 6, 2],
             Face::Underside => [3, 2, 6, 7],
+            Face::Back => [5, 4, 7, 6],
         }
         .map(|index: usize| corners[index])
     }

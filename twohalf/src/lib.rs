@@ -388,13 +388,13 @@ pub use simulator::{DrawOrder, Drawable, RayHit3D, SavedTwoHalfSimulator, Surfac
 pub use stages::StepCounters;
 pub use texture_id::TextureId;
 pub use views::{
-    Access, AccessMut, GroundMut, PlatformMut, TwoHalfBody, TwoHalfContact, TwoHalfGeom, VirtualGeom,
+    Access, AccessMut, GroundMut, PlatformMut, Squeeze, TwoHalfBody, TwoHalfContact, TwoHalfGeom, VirtualGeom,
 };
 pub use walk::{Walk, Walker, Wish};
 
 pub use farseer_core;
 pub use farseer_core::math::{Vector2, Vector3};
-pub use farseer_core::{BodyId, CollisionCategory, GeomId, ObjectId};
+pub use farseer_core::{BodyId, CollisionCategory, Footprint, GeomId, ObjectId};
 
 /// The example of the README is run with those of the documentation.
 #[cfg(doctest)]

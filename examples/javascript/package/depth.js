@@ -12,6 +12,8 @@ const WALK_SETTINGS = [
   'snap',
   'maxSlope',
   'coyoteTime',
+  'ledgeReach',
+  'climbSpeed',
 ];
 
 export class DepthBody extends Body {

@@ -415,6 +415,10 @@ export interface WalkSettings {
   maxSlope: number;
   /** How long one may still jump after an edge. Default 0.1. */
   coyoteTime: number;
+  /** How far over the soles the edges are that it takes hold of in the air; 0, the default, for none. */
+  ledgeReach: number;
+  /** How fast it climbs over an edge, px/s. Default 160. */
+  climbSpeed: number;
 }
 
 /** A body of the 2.5D engine. What it inherits is of its plane: x as in the world, y down. */

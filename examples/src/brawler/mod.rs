@@ -1,4 +1,4 @@
-//! A small beat-'em-up: walk, jump, punch, lift and throw, over a hole, a belt, a pond and a lift, against thugs who chase.
+//! A small beat-'em-up: thugs who chase, what is thrown at them, and what a street has in store.
 
 mod game;
 mod paint;

@@ -1,115 +1,121 @@
-//! What the street looks like.
+//! What the street looks like: all pictures are painted here.
 
-use twohalf::{Drawable, Vector3};
+use twohalf::{BodyId, DepthProfile, Drawable};
+use twohalf_factories::Actor;
 use twohalf_render::*;
 
 use super::game::*;
-use crate::{Result, draw_hills};
+use crate::Result;
+use crate::scenery::{city_at_dusk, draw_burst, sky_at_dusk};
 
 /// Width and height of the picture in px.
-pub const SIZE: [u32; 2] = [640, 400];
-const COAT: Color = Color::rgb(46, 110, 196);
-const THUG: Color = Color::rgb(176, 52, 44);
-const STONE: Color = Color::rgb(128, 120, 116);
-const AMBER: Color = Color::rgb(226, 160, 36);
-const WOOD: Color = Color::rgb(182, 128, 70);
+pub const SIZE: [u32; 2] = [720, 480];
+const ZOOM: f32 = 1.2;
+const COAT: Color = Color::rgb(46, 120, 214);
+const THUGS: [Color; 3] = [Color::rgb(196, 60, 48), Color::rgb(122, 74, 160), Color::rgb(60, 132, 84)];
+const AMBER: Color = Color::rgb(232, 168, 40);
+const WOOD: Color = Color::rgb(176, 118, 64);
+const STEEL: Color = Color::rgb(92, 98, 112);
 
 /// The pictures of the game.
 #[derive(Debug, Clone)]
 pub struct Paint {
     shadow: Texture2D,
-    crate_box: Texture2D,
+    sky: Texture2D,
+    city: Texture2D,
+    crate_box: Textures,
+    street: Textures,
+    wall: Textures,
+    machine: Textures,
 }
 
 impl Paint {
-    /// Paints them.
-    ///
-    /// # Errors
-    /// None with these sizes.
+    /// Paints them. None of these sizes is refused.
     pub fn new() -> Result<Self> {
-        Ok(Paint { shadow: Scene::soft_shadow(), crate_box: Texture2D::crate_box(30, 30, WOOD)? })
+        let slabs = Texture2D::paving([40, 28], [6, 5], Color::rgb(150, 146, 150))?;
+        let kerb = Texture2D::paving([60, 20], [4, 7], Color::rgb(112, 106, 112))?;
+        let bricks = Texture2D::bricks([22, 11], [12, 8], Color::rgb(142, 82, 66))?;
+        let plates = Texture2D::paving([30, 14], [3, 10], AMBER)?;
+        Ok(Paint {
+            shadow: Scene::soft_shadow(),
+            sky: sky_at_dusk(SIZE, 235.0)?,
+            city: city_at_dusk()?,
+            crate_box: Textures { front: Some(Texture2D::crate_box(30, 30, WOOD)?), top: None },
+            street: Textures { top: Some(slabs), front: Some(kerb) },
+            wall: Textures { top: None, front: Some(bricks) },
+            machine: Textures { top: Some(plates.clone()), front: Some(plates) },
+        })
     }
 
     /// What follows the player: from the simulator's px to those of the picture.
     pub fn camera(game: &Brawler) -> Transform {
-        let [width, height] = SIZE.map(|side| side as f32);
-        let x = game.player().x.clamp(0.4 * width, 1850.0) + 60.0;
-        Transform::camera([x, 0.5 * height], 1.0, 0.0, [0.5 * width, 0.5 * height])
+        let [x, y] = [game.player().x.clamp(216.0, 1860.0) + 60.0, HEIGHT as f32 - 194.0];
+        Transform::camera([x, y], ZOOM, 0.0, SIZE.map(|side| 0.5 * side as f32))
     }
 
-    /// Draws the street about the player on a canvas of [`SIZE`].
-    ///
-    /// # Errors
-    /// None.
+    /// Draws the street about the player on a canvas of [`SIZE`]; nothing of it is refused.
     pub fn draw(&self, game: &Brawler, canvas: &mut dyn Canvas) -> Result<()> {
         let camera = Paint::camera(game);
+        canvas.draw_texture(&self.sky, &Transform::IDENTITY, Color::WHITE, None);
         let mut view = View::new(canvas).camera(&camera);
-        draw_ground_backdrop(&mut view, &GroundBackdrop::new(185.0, ANGLE as f32))?;
-        draw_hills(canvas, 185.0);
-        let patches = [Patch::hole(HOLE, LANE), Patch::water(POND, LANE)];
-        let scene = Scene::new(&game.simulator, &self.shadow).camera(&camera).patches(&patches);
+        draw_parallax_layer(&mut view, &self.city, 290.0 - self.city.height() as f32, 0.35);
+        let (holes, waters) = ([Patch::hole(HOLE, LANE)], Water::all_of(&game.simulator));
+        let scene = Scene::new(&game.simulator, &self.shadow).camera(&camera).patches(&holes).waters(&waters);
         scene.draw(canvas, |thing| self.look(game, thing));
-        let mut view = View::new(canvas).camera(&camera);
-        draw_water(game, &mut view);
-        for (place, left) in &game.blows {
-            let [x, y] = on_screen(game, *place);
-            Text {
-                scale: [2.0; 2],
-                color: Color::rgb(255, 220, 60),
-                ..Text::centered("POW!", [x, y - 60.0 * (0.25 - left)])
-            }
-            .draw(&mut view);
+        for (place, at) in game.state.blows.iter().filter(|(_, at)| game.state.time - at < 0.3) {
+            let [x, y] = camera.apply(game.simulator.projection().to_screen(*place).into());
+            draw_burst(canvas, [x, y - 40.0 * (game.state.time - at)], "POW");
         }
-        draw_text(canvas, &format!("SCORE {:05}", game.score), [12.0, 24.0], 2, Color::WHITE);
-        draw_text(
-            canvas,
-            &"+".repeat(game.fighters[0].health as usize),
-            [12.0, 46.0],
-            2,
-            Color::rgb(240, 90, 80),
-        );
+        let health = "#".repeat(game.fighters[0].health as usize);
+        draw_text(canvas, &health, [16.0, 16.0], 2, Color::rgb(255, 112, 100));
+        draw_text(canvas, &format!("{:06}", game.state.score), [600.0, 16.0], 2, Color::WHITE);
         Ok(())
     }
 
     fn look(&self, game: &Brawler, thing: Drawable) -> Look {
         match thing {
             Drawable::Platform(id) if game.walls.contains(&id) => Look::Nothing,
-            Drawable::Platform(id) if id == game.lift => Look::Solid(PlatformLook::new(AMBER)),
-            Drawable::Platform(id) if id == game.door => Look::Solid(PlatformLook::new(WOOD)),
-            Drawable::Platform(_) => Look::Solid(PlatformLook::new(STONE)),
-            Drawable::Body(body) => {
-                let load = game.loads.iter().find(|load| load.body == body);
-                let fighter = game.fighters.iter().position(|fighter| fighter.body == body);
-                match (load, fighter) {
-                    (Some(load), _) if load.is_ball => Look::Ball(AMBER),
-                    (_, Some(at)) => {
-                        let Fighter { looks_left, stride, reels, .. } = game.fighters[at];
-                        let color = if at == 0 { COAT } else { THUG };
-                        let color = if reels > 0.0 { color.lighter(0.6) } else { color };
-                        Look::Figure(Figure { looks_left, stride, ..Figure::new(color) })
-                    }
-                    _ => {
-                        let textures = Textures { front: Some(self.crate_box.clone()), top: None };
-                        Look::Textured(PlatformLook::new(WOOD), textures)
-                    }
-                }
+            Drawable::Platform(id) if id == game.lift || id == game.press => {
+                Look::Textured(PlatformLook::new(AMBER), self.machine.clone())
             }
+            Drawable::Platform(id) if game.door.posts().contains(&id) => {
+                Look::Solid(PlatformLook { edge_width: 0.0, ..PlatformLook::new(WOOD.darker(0.25)) })
+            }
+            Drawable::Platform(id) if game.simulator.platform(id).is_some_and(|it| it.depth() < 20.0) => {
+                Look::Textured(PlatformLook::new(WOOD.darker(0.4)), self.wall.clone())
+            }
+            Drawable::Platform(_) => Look::Textured(PlatformLook::new(STEEL), self.street.clone()),
+            Drawable::Body(body) => self.look_of_body(game, body),
+        }
+    }
+
+    fn look_of_body(&self, game: &Brawler, body: BodyId) -> Look {
+        if let Some(at) = game.fighters.iter().position(|fighter| fighter.actor.thing.body == body) {
+            return Look::Figure(figure(game, at));
+        }
+        if let Some(bead) = game.rope.bodies.windows(2).find(|pair| pair[0] == body) {
+            return Look::Line { to: bead[1], color: Color::rgb(206, 176, 120), width: 3.0 };
+        }
+        let geom = game.simulator.core().geoms_of(body).first();
+        match geom.and_then(|&geom| game.simulator.depth_profile(geom)) {
+            _ if body == game.loads[0].body => Look::Ball(STEEL),
+            Some(DepthProfile::Round { .. }) => Look::Ball(AMBER),
+            _ => Look::Textured(PlatformLook::new(WOOD), self.crate_box.clone()),
         }
     }
 }
 
-fn on_screen(game: &Brawler, place: Vector3) -> [f32; 2] {
-    let point = game.simulator.projection().to_screen(place);
-    [point.x, point.y]
-}
-
-/// Its surface and its front, through which what is in it is seen.
-fn draw_water(game: &Brawler, canvas: &mut dyn Canvas) {
-    let at = |x: f32, y: f32, z: f32| on_screen(game, Vector3::new(x, y, z));
-    let ([left, right], [front, back]) = (POND, LANE);
-    let top =
-        [at(left, WATER, front), at(right, WATER, front), at(right, WATER, back), at(left, WATER, back)];
-    let face = [at(left, WATER, front), at(right, WATER, front), at(right, 0.0, front), at(left, 0.0, front)];
-    canvas.fill_polygon(&top, &Transform::IDENTITY, Color::rgba(70, 150, 220, 110));
-    canvas.fill_polygon(&face, &Transform::IDENTITY, Color::rgba(40, 100, 180, 150));
+fn figure(game: &Brawler, at: usize) -> Figure {
+    let Fighter { actor: Actor { looks_left, stride, stunned, rests, walker, .. }, health } =
+        game.fighters[at];
+    let color = if at == 0 { COAT } else { THUGS[health as usize % 3] };
+    let pose = match () {
+        _ if stunned > 0.0 && health == 0 => Pose::Lies,
+        _ if stunned > 0.0 => Pose::Reels,
+        _ if rests > if at == 0 { 0.12 } else { 0.7 } => Pose::Strikes,
+        _ if at == 0 && game.state.hands.held().is_some() => Pose::Lifts,
+        _ if !walker.is_grounded() => Pose::Jumps,
+        _ => Pose::Walks,
+    };
+    Figure { looks_left, stride, pose, ..Figure::new(color) }
 }

@@ -1,41 +1,34 @@
 //! Somebody who plays.
 
-use twohalf::Vector3;
+use twohalf_factories::Spawned;
 
 use super::game::*;
 
 /// Somebody who knows the street, and presses the keys.
 pub fn script(game: &Brawler) -> Keys {
-    let me = game.player();
-    let is_at_edge =
-        (HOLE[0] - 14.0..HOLE[0] + 20.0).contains(&me.x) || (POND[0] - 12.0..POND[0]).contains(&me.x);
-    let near = |at: Vector3| (at.y - me.y).abs() < 40.0;
-    let ahead = game.fighters[1..].iter().map(|thug| (thug.health, game.place(thug.body)));
-    let ahead = ahead.filter(|(health, at)| *health > 0 && near(*at) && (at - me).norm() < 240.0);
-    let thug = ahead.map(|(_, at)| at).min_by(|a, b| (a - me).norm().total_cmp(&(b - me).norm()));
-    if let Some(at) = thug {
-        let (way, z) = (at - me, (at.z - me.z).clamp(-20.0, 20.0) / 20.0);
-        let throws = game.held.is_some() && way.z.abs() < 14.0;
-        let is_close = way.x.abs() < 38.0;
-        let x = if is_close { 0.01 * way.x.signum() } else { way.x.signum() };
-        return Keys {
-            x,
-            z,
-            grab: throws,
-            punch: is_close && way.z.abs() < 14.0,
-            jump: is_at_edge && x > 0.0,
-        };
-    }
-    let in_reach = |load: &Load| {
-        let way = game.place(load.body) - me;
-        (0.0..42.0).contains(&way.x) && way.z.abs() < 20.0 && near(game.place(load.body))
+    let (me, holds) = (game.player(), game.state.hands.held().is_some());
+    let jump = (HOLE[0] - 14.0..HOLE[0] + 20.0).contains(&me.x) || (POND[0] - 12.0..POND[0]).contains(&me.x);
+    let in_reach = |load: &Spawned| {
+        let way = load.place(&game.simulator) - me;
+        (0.0..44.0).contains(&way.x) && way.y.abs() < 40.0 && way.z.abs() < 20.0
     };
-    if game.held.is_none() && me.x < 1000.0 && game.loads.iter().any(in_reach) {
-        return Keys { grab: true, ..Keys::default() };
+    let thugs = game.fighters[1..].iter().filter(|thug| thug.health > 0);
+    let ways = thugs.map(|thug| thug.actor.place(&game.simulator) - me);
+    let near = ways.filter(|way| way.y.abs() < 40.0 && way.norm() < 240.0);
+    if let Some(way) = near.min_by(|a, b| a.norm().total_cmp(&b.norm())) {
+        let (is_close, is_level) = (way.x.abs() < 52.0, way.z.abs() < 14.0);
+        let x = if is_close { 0.01 } else { 1.0 } * way.x.signum();
+        let punch = is_close && is_level || game.loads.iter().any(in_reach);
+        let (z, grab) = ((way.z / 20.0).clamp(-1.0, 1.0), holds && is_level);
+        return Keys { x, z, grab, punch, jump: jump && x > 0.5 };
     }
-    let waits = (LIFT[0] - 40.0..LIFT[0] - 13.0).contains(&me.x) && game.lift_height() > 12.0
-        || (LIFT[0] + 20.0..LIFT[1]).contains(&me.x) && me.y < TERRACE - 6.0;
-    Keys { x: f32::from(u8::from(!waits)), z: (80.0 - me.z) / 40.0, jump: is_at_edge, ..Keys::default() }
+    let grab = !holds && me.x < 1000.0 && game.loads[1..].iter().any(in_reach);
+    let waits = (LIFT[0] - 40.0..LIFT[0] - 13.0).contains(&me.x)
+        && game.height_of(game.lift) + TERRACE > 12.0
+        || (LIFT[0] + 20.0..LIFT[1]).contains(&me.x) && me.y < TERRACE - 6.0
+        || (PRESS[0] - 40.0..PRESS[0] - 14.0).contains(&me.x) && game.height_of(game.press) < TERRACE + 88.0;
+    let x = if waits || grab { 0.0 } else { 1.0 };
+    Keys { x, z: (80.0 - me.z) / 40.0, jump, grab, ..Keys::default() }
 }
 
 #[cfg(test)]
@@ -45,9 +38,7 @@ mod tests {
     #[test]
     fn the_script_plays_to_the_end_of_the_street() {
         let mut game = Brawler::new().unwrap();
-        for _ in 0..60 * RATE {
-            game.step(script(&game)).unwrap();
-        }
+        (0..60 * RATE).for_each(|_| game.step(script(&game)).unwrap());
         assert!(game.fighters.len() == 1 && game.player().x > 1900.0, "{}", game.player());
     }
 }

@@ -179,6 +179,9 @@ fn sum_of(points: &[Vector2]) -> f32x4 {
     fours.iter().fold(rest, |sum, [a, b, c, d]| sum + pair(a, b) + pair(c, d))
 }
 
+/// By how much the square of a direction may differ from 1: each coordinate is rounded once.
+const ONE: f32 = 4.0 * f32::EPSILON;
+
 /// The geoms of a simulator.
 pub(crate) type Geoms = Collection<GeomEntry, GeomId>;
 
@@ -220,6 +223,8 @@ pub(crate) struct GeomEntry {
     pub(crate) pieces: std::sync::OnceLock<Arc<[Piece]>>,
     pub(crate) in_simulation: bool,
     pub(crate) is_sensor: bool,
+    /// The direction out of the side that holds, in the frame of the body, of length 1: all else passes through.
+    pub(crate) one_way: Option<Vector2>,
     /// It was lent out for editing since the simulator last looked.
     pub(crate) is_touched: bool,
     /// Creation numbers of other geoms and whether collision with them is ignored.
@@ -232,7 +237,7 @@ reusing_clone! {
     GeomEntry {
         geom, number, collision_id, body, offset, rotation_offset, grid_cell_size, outline,
         local_vertices, world_vertices, aabb, box_radius, pose, user_matrix, refresh_is_due, grid,
-        grid_fits_outline, pieces, in_simulation, is_sensor, is_touched, ignored, ignore_changes
+        grid_fits_outline, pieces, in_simulation, is_sensor, one_way, is_touched, ignored, ignore_changes
     }
 }
 
@@ -259,6 +264,7 @@ impl GeomEntry {
             pieces: std::sync::OnceLock::new(),
             in_simulation: true,
             is_sensor: false,
+            one_way: None,
             is_touched: false,
             ignored: Vec::new(),
             ignore_changes: 0,
@@ -415,6 +421,7 @@ impl GeomEntry {
             && self.rotation_offset.is_finite()
             && self.geom.is_finite()
             && self.grid_cell_size.is_finite()
+            && self.one_way.is_none_or(|way| (way.x * way.x + way.y * way.y - 1.0).abs() < ONE)
             && self.box_radius.is_none_or(|radius| radius.is_finite() && radius > 0.0)
     }
 }

@@ -112,6 +112,12 @@ impl<'a> GeomRef<'a> {
         self.entry.is_sensor
     }
 
+    /// The direction out of the side that holds, in the frame of the body and of length 1, if the geom is
+    /// [open from all others](crate::Objects::set_one_way).
+    pub fn one_way(&self) -> Option<Vector2> {
+        self.entry.one_way
+    }
+
     /// Whether it was disposed and goes at the next update.
     #[doc(alias = "IsDisposed")]
     pub fn is_disposed(&self) -> bool {

@@ -135,7 +135,7 @@ impl Objects {
     ///
     /// # Errors
     /// A stale id; a geom without a distance grid, if the distance grid is selected; a box that is not finite; a chain for a
-    /// body that is not static, or under the faithful methods.
+    /// body that is not static; a chain or a one-way geom under the faithful methods.
     #[doc(alias = "Geom(Body, Geom)")]
     #[doc(alias("DistanceGrid.Copy"))]
     pub fn clone_geom(&mut self, body: BodyId, geom: GeomId) -> Result<GeomId> {
@@ -164,7 +164,11 @@ impl Objects {
             return Err(Error::MissingDistanceGrid { argument: "geom" });
         }
         let outline = (source.local_vertices, source.outline);
+        if source.one_way.is_some() {
+            self.methods.check_one_way()?;
+        }
         let mut entry = self.new_entry(body, outline, offset, rotation_offset)?;
+        entry.one_way = source.one_way;
         entry.pieces = source.pieces;
         entry.geom = source.geom;
         entry.geom.rejected = Refusals::default();

@@ -5,7 +5,8 @@ use super::creating::{automatic_cell_size, check_may_hold_chain, check_outline, 
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::geom::entry::GeomEntry;
-use crate::math::Matrix;
+use crate::math::finite::finite_vector;
+use crate::math::{Matrix, Vector2};
 use crate::shape::Vertices;
 use crate::{Error, Result};
 
@@ -116,6 +117,67 @@ impl Objects {
         Ok(())
     }
 
+    /// Lets a geom hold only what comes against a direction, and be open from all other sides; or closes it again with `None`.
+    /// For platforms that a figure jumps up through, valves and doors. The direction is given in the frame of the geom's body,
+    /// turns with it, and counts by where it points, not by its length: (0, -1) is up on a body that is not turned.
+    ///
+    /// - **What lands is held**: what is wholly above a side of the geom that looks within 60 degrees of the direction when the
+    ///   two meet, but for the reach of contacts, a fiftieth of the length unit of the methods. Each convex piece counts for
+    ///   itself; of what is round the place counts where they meet. A crate that comes with one corner beside the end of a
+    ///   platform, and below its top, does not land. What has landed is kept out by all of the geom until it has left it.
+    /// - **All else passes through** as if the geom were not there, to the last bit, and nobody is told: what comes from behind or
+    ///   from the sides, what turns back inside, and what overlaps by more than contacts reach once one of the two is put
+    ///   somewhere, they may meet again, or the direction is set. It passes until no piece of its body overlaps the geom any
+    ///   more.
+    /// - Which it is follows from the ways that both have gone in the step in which they meet: so it does not depend on how long
+    ///   steps are, nor on who of the two moves or turns. What goes further in a step than it is thick lands as well.
+    /// - Where both geoms are one-way, what lands must land on both. So a one-way geom of a body that falls falls through a floor;
+    ///   planks of a hanging bridge hold, and pass each other.
+    /// - What a handler refuses has not landed. To let something drop through a platform, refuse it or part the categories of the
+    ///   two until it has sunk in by more than contacts reach; it goes on by itself.
+    /// - A sensor, or a geom whose collisions have no response, hears of what it overlaps however that came. Rays, points and
+    ///   boxes meet one-way geoms from all sides.
+    ///
+    /// It counts from the next update on. Only with the [precise set](crate::Methods::Precise); an engine with depth does not
+    /// ask about it, and has platforms instead.
+    ///
+    /// ```
+    /// use farseer_core::math::Vector2;
+    /// use farseer_core::{BodyFactory, GeomFactory, GeomPlacement, Methods, PhysicsSimulator};
+    /// let mut simulator = PhysicsSimulator::new(Vector2::new(0.0, 900.0))?;
+    /// simulator.set_methods(Methods::PRECISE)?;
+    /// let mut make = |width: f32, height: f32, y: f32| {
+    ///     let body = BodyFactory::create_rectangle_body_in(&mut simulator, width, height, 1.0)?;
+    ///     simulator[body].set_position(Vector2::new(0.0, y));
+    ///     let place = GeomPlacement::default();
+    ///     let geom = GeomFactory::create_rectangle_geom_in(&mut simulator, body, width, height, place)?;
+    ///     Ok::<_, farseer_core::Error>((body, geom))
+    /// };
+    /// let (platform, top) = make(200.0, 20.0, 0.0)?;
+    /// let (figure, _) = make(20.0, 40.0, 60.0)?;
+    /// simulator[platform].set_is_static(true);
+    /// simulator.set_one_way(top, Some(Vector2::new(0.0, -1.0)))?;
+    /// // It jumps from below, through the platform, and lands on it.
+    /// simulator[figure].set_linear_velocity(Vector2::new(0.0, -500.0));
+    /// (0..120).for_each(|_| simulator.update(1.0 / 60.0));
+    /// assert!((simulator[figure].position().y - -30.0).abs() < 0.1);
+    /// # Ok::<(), farseer_core::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A stale id; a direction that is not finite or has no length; [`Error::NotSupported`] under the faithful methods.
+    pub fn set_one_way(&mut self, geom: GeomId, direction: Option<Vector2>) -> Result<()> {
+        self.geoms.find("geom", geom)?;
+        let direction = direction.map(unit).transpose()?;
+        if direction.is_some() {
+            self.methods.check_one_way()?;
+        }
+        self.geoms[geom].one_way = direction;
+        // It is edited as by a setter of its own.
+        self.geom_mut(geom);
+        Ok(())
+    }
+
     /// Makes a geom a sensor (its body static, its collisions without response) or an ordinary geom (its body
     /// dynamic, whatever it was before, and its collisions with response).
     ///
@@ -183,4 +245,15 @@ impl Objects {
         self.has_new_structure = true;
         Ok(())
     }
+}
+
+/// A direction of length 1.
+fn unit(direction: Vector2) -> Result<Vector2> {
+    finite_vector("direction", direction)?;
+    let [x, y] = [f64::from(direction.x), f64::from(direction.y)];
+    let length = (x * x + y * y).sqrt();
+    if length == 0.0 {
+        return Err(Error::invalid("direction", (direction.x, direction.y), "longer than 0"));
+    }
+    Ok(Vector2::new((x / length) as f32, (y / length) as f32))
 }

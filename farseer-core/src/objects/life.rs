@@ -20,16 +20,14 @@ impl Objects {
     ///
     /// # Errors
     /// A stale id; [`Error::MissingBody`](crate::Error::MissingBody) for a joint or spring without one of its bodies;
-    /// [`Error::NotSupported`](crate::Error::NotSupported) for a chain, a prismatic joint, a motor or a limit of a
+    /// [`Error::NotSupported`](crate::Error::NotSupported) for a chain, a one-way geom, a prismatic joint, a motor or a limit of a
     /// revolute joint under the faithful methods.
     #[doc(alias = "Add")]
     pub fn add(&mut self, object: impl Into<ObjectId>) -> Result<()> {
         match object.into() {
             ObjectId::Body(body) => self.bodies.add("body", body)?,
             ObjectId::Geom(geom) => {
-                if self.geoms.find("geom", geom)?.outline.is_chain() {
-                    self.methods.check_chains()?;
-                }
+                self.methods.check_geom(self.geoms.find("geom", geom)?)?;
                 self.geoms.add("geom", geom)?;
             }
             ObjectId::Controller(controller) => self.controllers.add("controller", controller)?,

@@ -75,10 +75,8 @@ impl Objects {
         if !self.geoms_are_valid() {
             return damaged("a geom is not finite or not attached to its body");
         }
-        if self.geoms.listed_or_queued().any(|geom| geom.outline.is_chain())
-            && self.methods.check_chains().is_err()
-        {
-            return damaged("a chain takes part under the faithful methods");
+        if self.geoms.listed_or_queued().any(|geom| self.methods.check_geom(geom).is_err()) {
+            return damaged("a geom takes part that the faithful methods do not have");
         }
         if self.joints.listed_or_queued().any(|joint| self.methods.check_joint(joint).is_err()) {
             return damaged("a joint takes part that the faithful methods do not have");

@@ -301,6 +301,18 @@ impl Bodies {
         }
     }
 
+    /// The last step has not brought a body to where it is.
+    pub(super) fn forget_way(&mut self, number: usize) {
+        if let Some(path) = self.path.get_mut(number) {
+            *path = [0.0; 4];
+        }
+    }
+
+    /// Ways are known from the next step on: they are saved only while something asks for them.
+    pub(super) fn forget_ways(&mut self) {
+        self.path.fill([0.0; 4]);
+    }
+
     pub(super) fn move_to(&mut self, number: usize, body: &Body) {
         (self.poses[number], self.rotations[number]) = pose_of(body);
     }

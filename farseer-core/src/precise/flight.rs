@@ -10,6 +10,7 @@
 
 use super::Precise;
 use super::grid::Box2;
+use super::one_way::{Passage, Ways};
 use super::outline::Outline;
 use super::proxies::{Mobility, Proxy};
 use super::tuning::Step;
@@ -20,7 +21,7 @@ use crate::storage::order::{joined, sort_by_number};
 
 /// How far a body may be in something, and how exactly that is found, as parts of the reach of contacts.
 const DEEP: f32 = 0.5;
-const EXACT: f32 = 0.1;
+pub(super) const EXACT: f32 = 0.1;
 /// After so many advances a body stops short of what it has not reached.
 const ADVANCES: usize = 32;
 
@@ -97,7 +98,7 @@ impl Two<'_> {
     }
 
     /// Distance after a part of the step, and how fast it can become less, in lengths per step.
-    fn coming(&self, part: f32) -> (f32, f32) {
+    pub(super) fn coming(&self, part: f32) -> (f32, f32) {
         let way = difference(place(self.b.path), place(self.a.path));
         let turning = |flyer: &Flyer<'_>| flyer.path[2].abs() * flyer.outline.shape.reach;
         let (apart, axis) = self.separation(part);
@@ -120,7 +121,7 @@ impl Two<'_> {
 
 /// After which part of the step two are in each other by `deep`, or by that much deeper than when it began; `None` if they
 /// never are. Asked for a part, the two tell how far they are apart, and how fast that can become less.
-fn meet(deep: f32, exact: f32, coming: impl Fn(f32) -> (f32, f32)) -> Option<f32> {
+pub(super) fn meet(deep: f32, exact: f32, coming: impl Fn(f32) -> (f32, f32)) -> Option<f32> {
     let (mut part, mut allowed) = (0.0, None);
     for _ in 0..ADVANCES {
         let (apart, closing) = coming(part);
@@ -289,7 +290,23 @@ impl Precise {
                 space.flies_through(proxies, &self.proxies, &self.bodies, self.tuning.speculative)
             })
         };
-        state.responds && !state.is_vetoed && (stands_still || is_bullet) && !is_kept_out && !flies_through()
+        let is_open = || match state.passage {
+            Passage::Closed | Passage::Landed => false,
+            Passage::Passes => true,
+            Passage::Apart => !self.ways_ahead().lands(pair),
+        };
+        state.responds
+            && !state.is_vetoed
+            && (stands_still || is_bullet)
+            && !is_kept_out
+            && !flies_through()
+            && !is_open()
+    }
+
+    /// The ways of the step, before they are gone.
+    pub(super) fn ways_ahead(&self) -> Ways<'_> {
+        let Precise { bodies, proxies, pairs, tuning, .. } = self;
+        Ways { bodies, proxies, pairs, reach: tuning.speculative, are_gone: false }
     }
 
     fn meeting(&self, pair: usize) -> Option<f32> {

@@ -30,6 +30,8 @@ pub(super) struct Manifold {
     /// pressure.
     pub(super) normal_z: f32,
     pub(super) spread: f32,
+    /// And where the points are along that, relative to A: where it matters.
+    pub(super) depths: [f32; 2],
     /// If there are no points: the outlines are at least this far apart, or this is 0.
     pub(super) gap: f32,
 }
@@ -87,6 +89,7 @@ impl Manifold {
                 self.points.swap(0, 1);
                 self.separations.swap(0, 1);
                 self.features.swap(0, 1);
+                self.depths.swap(0, 1);
             }
             self.count = most;
             self.gap = 0.0;

@@ -121,6 +121,7 @@ impl Precise {
             if let Some(space) = self.space.as_deref_mut() {
                 space.add_proxy(place, id);
             }
+            self.steady_body_of(place as u32);
             let count = self.proxies.all.len();
             self.known.resize(count, false);
             self.grid.grow(count);

@@ -25,6 +25,7 @@ mod meeting;
 mod members;
 mod moving;
 mod nearby;
+mod one_way;
 mod outline;
 mod pairs;
 mod passes;

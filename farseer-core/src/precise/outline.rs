@@ -142,6 +142,17 @@ impl Corners {
         self.add_polygon(vec![[-x, -y], [x, -y], [x, y], [-x, y]])
     }
 
+    /// A disc about the body's origin.
+    pub(super) fn add_ball(&mut self, radius: f32) -> Shape {
+        Shape { radius, reach: radius, ..Shape::default() }
+    }
+
+    /// A box anywhere, with these halves of its sides.
+    pub(super) fn add_box_at(&mut self, [x, y]: Vector, [half_x, half_y]: Vector) -> Shape {
+        let corners = [[-half_x, -half_y], [half_x, -half_y], [half_x, half_y], [-half_x, half_y]];
+        self.add_polygon(corners.map(|[dx, dy]| [x + dx, y + dy]).to_vec())
+    }
+
     /// A convex polygon about the body's origin.
     pub(super) fn add_hull(&mut self, corners: &[Vector]) -> Shape {
         self.add_polygon(corners.to_vec())

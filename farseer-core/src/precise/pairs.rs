@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::one_way::Passage;
 use super::rows::{Home, Kind};
 use crate::math::plane::Vector;
 use crate::storage::reusing_clone::reusing_clone;
@@ -46,6 +47,8 @@ pub(super) struct FrozenInSpace {
     /// How far B was behind A.
     pub(super) apart: f32,
     pub(super) spread: f32,
+    /// Where the points were along the depth axis, as seen from A.
+    pub(super) depths: [f32; 2],
 }
 
 /// Everything else about a pair.
@@ -66,6 +69,8 @@ pub(super) struct Pair {
     pub(super) is_set: bool,
     /// A is the ground of a world with depth.
     pub(super) is_on_ground: bool,
+    /// Whether one passes through the other.
+    pub(super) passage: Passage,
 }
 
 /// A pair in the lists of its proxies: what walks along them looks at.
@@ -130,6 +135,16 @@ impl Pairs {
         })
     }
 
+    /// Changes the pairs of a proxy, by the proxies that they are of.
+    pub(super) fn for_each_of(&mut self, proxy: u32, mut change: impl FnMut([u32; 2], &mut Pair)) {
+        let mut link = self.heads[proxy as usize];
+        while link != NONE {
+            let at = (link >> 1) as usize;
+            change(self.links[at].proxies, &mut self.all[at]);
+            link = self.links[at].next[(link & 1) as usize];
+        }
+    }
+
     pub(super) fn contains(&self, [a, b]: [u32; 2]) -> bool {
         self.of(b).any(|pair| self.links[pair].proxies == [a, b])
     }
@@ -149,6 +164,7 @@ impl Pairs {
             is_vetoed: false,
             is_set: false,
             is_on_ground: false,
+            passage: Passage::Closed,
         });
         for side in 0..2 {
             self.link(at, side);

@@ -9,7 +9,7 @@ use super::outline::{Corners, Shape};
 use super::tuning::{Tuning, Widening};
 use crate::geom::GeomId;
 use crate::geom::entry::GeomEntry;
-use crate::math::plane::{rotation, turn};
+use crate::math::plane::{Vector, rotation, turn};
 use crate::storage::arena::Id;
 use crate::storage::order::joined;
 use crate::storage::reusing_clone::reusing_clone;
@@ -54,6 +54,8 @@ pub(super) struct Proxy {
     pub(super) filter: [i32; 5],
     /// Speed of its surface along itself, if it stands still: a belt. Along x and y, turning, and along the depth axis.
     pub(super) surface_velocity: [f32; 4],
+    /// The direction against which it holds, in the frame of its body, if it is open from all others.
+    pub(super) one_way: Option<Vector>,
 }
 
 impl Proxy {
@@ -73,6 +75,7 @@ impl Proxy {
             is_heard: false,
             filter: [0; 5],
             surface_velocity: [0.0; 4],
+            one_way: None,
         }
     }
 
@@ -99,6 +102,8 @@ pub(super) struct Proxies {
     pub(super) movable: usize,
     pub(super) first_fixed: usize,
     pub(super) live: usize,
+    /// How many are one-way.
+    pub(super) one_way: usize,
     pub(super) corners: Corners,
     /// Centre and half sides of each shape's box in the body's frame.
     pub(super) boxes: Vec<[f32; 4]>,
@@ -112,7 +117,7 @@ pub(super) struct Proxies {
     next: Vec<u32>,
 }
 
-reusing_clone! { Proxies { all, movable, first_fixed, live, corners, boxes, bounds, motion, escaped, heads, next } }
+reusing_clone! { Proxies { all, movable, first_fixed, live, one_way, corners, boxes, bounds, motion, escaped, heads, next } }
 
 impl Proxies {
     /// The creation numbers of two, as a number to [sort](sort_by_number) by.
@@ -123,7 +128,7 @@ impl Proxies {
 
     pub(super) fn clear(&mut self) {
         self.all.clear();
-        self.live = 0;
+        (self.live, self.one_way) = (0, 0);
         self.corners.clear();
         self.boxes.clear();
         self.bounds.clear();
@@ -147,6 +152,7 @@ impl Proxies {
         self.bounds.push(EVERYWHERE);
         self.motion.push(0);
         self.live += usize::from(!proxy.is_empty());
+        self.one_way += usize::from(proxy.one_way.is_some());
     }
 
     /// One more comes, if there is room: answers its place. Its bounds are to be found.
@@ -159,6 +165,7 @@ impl Proxies {
             let Shape { centre: [x, y], half: [hx, hy], .. } = proxy.shape;
             (self.all[at], self.boxes[at], self.motion[at]) = (proxy, [x, y, hx, hy], 0);
             (self.movable, self.live) = (at + 1, self.live + 1);
+            self.one_way += usize::from(proxy.one_way.is_some());
         } else {
             return None;
         }
@@ -179,6 +186,7 @@ impl Proxies {
             Some(before) => self.next[before as usize] = next,
             None => self.heads[body] = next,
         }
+        self.one_way -= usize::from(self.all[at].one_way.is_some());
         (self.all[at], self.boxes[at], self.bounds[at]) = (Proxy::nothing(), [0.0; 4], EVERYWHERE);
         self.live -= 1;
     }

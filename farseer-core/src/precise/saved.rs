@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize, Serializer};
 
 use super::Precise;
 use super::direct::{Timing, Wear};
+use super::one_way::Passage;
 use super::pairs::{BY_ROW, Frozen, FrozenInSpace};
 use super::proxies::{Mobility, Proxy};
 use super::rows::{Home, Kind, Lane, SpaceLane};
@@ -16,6 +17,7 @@ use super::tuning::Tuning;
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::geom::surface::FrictionType;
+use crate::math::plane::Vector;
 use crate::methods::Methods;
 use crate::objects::Objects;
 use crate::storage::order::sort_by_number;
@@ -43,6 +45,8 @@ pub(crate) struct Saved {
     /// How islands have fared that were solved as a whole, and when islands are asked for next.
     wear: Vec<(BodyId, Wear)>,
     timing: Timing,
+    /// The ways of the last step, if something is one-way.
+    ways: Vec<(BodyId, [f32; 4])>,
 }
 
 /// A body that sleeps.
@@ -80,6 +84,8 @@ struct Known {
     contacts: [f32; 8],
     /// Whom it may meet, and whether it pushes.
     filter: [i32; 6],
+    /// The direction against which it holds.
+    one_way: Option<Vector>,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -90,6 +96,7 @@ struct SavedPair {
     tolerance: u32,
     is_told: bool,
     is_vetoed: bool,
+    passage: Passage,
     frozen: SavedContacts,
     row: Option<SavedRow>,
 }
@@ -188,6 +195,7 @@ impl Saved {
                 && finite(relative)
                 && finite(normal)
                 && finite(&[space.normal_z, space.apart, space.spread])
+                && finite(&space.depths)
                 && finite(separations)
                 && lead.abs() <= 1.0
                 && anchors.iter().all(|anchor| finite(anchor))
@@ -200,12 +208,17 @@ impl Saved {
             && self.h.is_finite()
             && self.dt.is_finite()
             && self.proxies.iter().all(
-                |SavedProxy { bounds, depths, known: Known { place, contacts, .. }, .. }| {
-                    finite(&[depths.low, depths.high]) && finite(bounds) && finite(place) && finite(contacts)
+                |SavedProxy { bounds, depths, known: Known { place, contacts, one_way, .. }, .. }| {
+                    finite(&[depths.low, depths.high])
+                        && finite(bounds)
+                        && finite(place)
+                        && finite(contacts)
+                        && finite(&one_way.unwrap_or_default())
                 },
             )
             && self.pairs.iter().all(pair_is_valid)
             && finite(&self.gravity)
+            && self.ways.iter().all(|(_, way)| finite(way))
             && self.rest.iter().all(|&(_, rest)| rest.is_finite())
             && self.wear.iter().all(|(_, wear)| wear.effort.is_finite())
             && self.sleepers.iter().all(|sleeper| {
@@ -296,7 +309,16 @@ impl Precise {
             wear: self.save_wear().collect(),
             timing: self.direct.timing,
             is_in_space: self.space.is_some(),
+            ways: self.save_ways().collect(),
         }
+    }
+
+    /// Of what has geoms: only those know whether they were moved since.
+    fn save_ways(&self) -> impl Iterator<Item = (BodyId, [f32; 4])> + '_ {
+        let count = if self.proxies.one_way > 0 { self.bodies.count } else { 0 };
+        let ways = (1..=count).map(|number| (number, self.bodies.path[number]));
+        let ways = ways.filter(|&(number, way)| way != [0.0; 4] && self.proxies.of(number).next().is_some());
+        ways.filter_map(|(number, way)| Some((self.bodies.ids[number]?, way)))
     }
 
     fn save_rest(&self) -> impl Iterator<Item = (BodyId, f32)> + '_ {
@@ -343,7 +365,7 @@ impl Precise {
     }
 
     fn known_of(&self, proxy: usize) -> Known {
-        let Proxy { body, friction, restitution, surface_velocity, filter, responds, .. } =
+        let Proxy { body, friction, restitution, surface_velocity, filter, responds, one_way, .. } =
             self.proxies.all[proxy];
         let ([mass, inertia], [vx, vy, spin, vz]) = (self.bodies.inverses[body as usize], surface_velocity);
         let [is, with, group, enabled, ignores] = filter;
@@ -351,6 +373,7 @@ impl Precise {
             place: self.place_of(body as usize),
             contacts: [mass, inertia, vx, vy, spin, vz, friction, restitution],
             filter: [is, with, group, enabled, ignores, i32::from(responds)],
+            one_way,
         }
     }
 
@@ -364,6 +387,7 @@ impl Precise {
             tolerance: watch.tolerance,
             is_told: state.is_told,
             is_vetoed: state.is_vetoed,
+            passage: state.passage,
             frozen: SavedContacts {
                 turns,
                 relative,
@@ -408,6 +432,7 @@ impl Precise {
         self.rows.clear();
         self.palette.reset(&self.bodies.inverses[..self.bodies.hot.len()]);
         self.restore_wear(saved);
+        self.restore_ways(saved);
         let (places, edited) = self.restore_proxies(saved);
         self.restore_sleep(saved, objects);
         let stays = |pair: &SavedPair| {
@@ -431,6 +456,7 @@ impl Precise {
             self.direct.timing.is_due |= was_direct && row.is_none();
             rows.extend(row);
         }
+        self.renew_turned(saved, &places);
         edited.into_iter().for_each(|proxy| self.look_again(proxy));
         // Only the order of rows in the last colour matters.
         sort_by_number(&mut rows, |(_, row): &(usize, SavedRow)| row.slot.into());
@@ -469,6 +495,26 @@ impl Precise {
         self.direct.timing.may_be_due = true;
         for proxy in pair.proxies.iter().filter_map(|&proxy| places[proxy as usize]) {
             self.sleep.note_loss(self.proxies.all[proxy as usize].body as usize);
+        }
+    }
+
+    /// Of the bodies that move now.
+    fn restore_ways(&mut self, saved: &Saved) {
+        for &(body, way) in &saved.ways {
+            if let Some(number) = self.number_of(body).filter(|&number| number <= self.bodies.count) {
+                self.bodies.path[number] = way;
+            }
+        }
+    }
+
+    /// Those proxies whose direction is another one.
+    fn renew_turned(&mut self, saved: &Saved, places: &[Option<u32>]) {
+        for (proxy, place) in saved.proxies.iter().zip(places) {
+            if let Some(place) =
+                place.filter(|&now| self.proxies.all[now as usize].one_way != proxy.known.one_way)
+            {
+                self.renew_passages(place);
+            }
         }
     }
 
@@ -551,11 +597,12 @@ impl Precise {
         let has_moved = then.place != now.place;
         if has_moved {
             self.jump(place);
+            self.bodies.forget_way(self.proxies.all[place as usize].body as usize);
         }
         if saved.has_escaped || has_moved || then.filter != now.filter {
             self.proxies.escaped.push(place);
         }
-        has_moved || then.contacts != now.contacts || then.filter != now.filter
+        has_moved || then.contacts != now.contacts || then.filter != now.filter || then.one_way != now.one_way
     }
 
     /// Answers the pair and its row. A pair whose contacts push now and did not before, or the other way round, is looked at
@@ -573,6 +620,9 @@ impl Precise {
         let watch = &mut self.pairs.watched[pair];
         (watch.since, watch.tolerance) = (saved.since, saved.tolerance);
         self.pairs.all[pair].is_vetoed = saved.is_vetoed;
+        if self.pairs.all[pair].passage != Passage::Closed && saved.passage != Passage::Closed {
+            self.pairs.all[pair].passage = saved.passage;
+        }
         self.pairs.set_told(pair, saved.is_told);
         let row = saved.row.filter(|_| responds);
         // What was refused is looked at again in the next step in any case.

@@ -6,6 +6,7 @@ use super::Precise;
 use super::bodies::{Bodies, Read, read};
 use super::grid::overlap;
 use super::moving::{begin_substep, displace, even_out, fly, follow, leave, renew_poses};
+use super::one_way::Passage;
 use super::passes::{
     bounce, gather_warm, note_approach, note_push, relax, renew_circle, renew_circles, solve_soft,
 };
@@ -129,7 +130,21 @@ impl Precise {
         let pair = self.pairs.push(proxies, self.kind(proxies), responds, is_heard);
         self.pairs.all[pair].is_on_ground =
             self.space.as_ref().is_some_and(|space| space.ground == proxies[0]);
+        self.pairs.all[pair].passage = self.first_passage(pair);
+        if self.pairs.all[pair].passage != Passage::Closed {
+            self.pairs.all[pair].passage = self.ways_ahead().joined(pair);
+        }
         self.touch().take_up(pair)
+    }
+
+    /// How a pair stands of which nothing else is known.
+    pub(super) fn first_passage(&self, pair: usize) -> Passage {
+        let is_one_way = |proxy: u32| self.proxies.all[proxy as usize].one_way.is_some();
+        if self.pairs.all[pair].responds && self.pairs.watched[pair].proxies.into_iter().any(is_one_way) {
+            Passage::Apart
+        } else {
+            Passage::Closed
+        }
     }
 
     /// Whether a handler is told of a pair.
@@ -153,6 +168,7 @@ impl Precise {
     /// Third stage: what may have changed is looked at. Answers how many pairs that were.
     pub(crate) fn find_contacts(&mut self, friction: crate::FrictionType, most_contacts: u32) -> usize {
         self.looks = Looks::default();
+        self.let_go();
         let has_friction_changed = std::mem::replace(&mut self.friction, friction) != friction;
         let has_limit_changed = std::mem::replace(&mut self.most_contacts, most_contacts) != most_contacts;
         if has_friction_changed || has_limit_changed {
@@ -227,6 +243,7 @@ impl Precise {
                 (*push, *forced) = (read.push, read.forced);
             }
         }
+        self.begin_steady();
         self.read_fixtures(step.dt);
     }
 
@@ -277,6 +294,7 @@ impl Precise {
                 self.bodies.move_to(number, &entry.body);
             }
         }
+        self.end_steady();
         self.write_fixtures();
     }
 

@@ -12,6 +12,7 @@ use crate::geom::GeomId;
 use crate::geom::entry::GeomEntry;
 use crate::geom::filter::is_valid_pair;
 use crate::geom::pieces::Piece;
+use crate::math::plane::Vector;
 use crate::objects::Objects;
 
 pub(super) const NONE: u32 = u32::MAX;
@@ -85,7 +86,7 @@ impl Precise {
         let (Some(entry), Some(number)) = (objects.bodies.get(id), self.number_of(id)) else { return };
         let body = &entry.body;
         let is_movable = number < self.bodies.first_fixed();
-        let inverses = if is_movable { inverses_of(body) } else { [0.0; 2] };
+        let inverses = if is_movable { self.inverses_in_space(number, body) } else { [0.0; 2] };
         let velocity = self.surface_velocity(id, is_movable, body);
         let has_moved = self.bodies.was_moved(number, body) || self.was_moved_in_space(number, id);
         let is_other = inverses != self.bodies.inverses[number];
@@ -109,14 +110,16 @@ impl Precise {
         self.bodies.set_velocity(number, body);
         if has_moved {
             self.bodies.move_to(number, body);
+            self.bodies.forget_way(number);
         }
         self.take_body_in_space(number, id);
+        self.steady_if_upright(number);
         for &geom in &entry.geoms {
             self.renew_proxies(geom, objects, |proxy| {
                 let is_belt_changed = proxy.surface_velocity != velocity;
                 proxy.surface_velocity = velocity;
                 let contacts = is_other || is_belt_changed;
-                Renewal { moved: has_moved, contacts, callbacks: false }
+                Renewal { moved: has_moved, contacts, callbacks: false, passages: false }
             });
         }
     }
@@ -143,7 +146,8 @@ impl Precise {
     }
 
     fn take_geom(&mut self, id: GeomId, objects: &Objects) {
-        let Some(GeomEntry { geom, .. }) = objects.geoms.get(id) else { return };
+        let Some(entry) = objects.geoms.get(id) else { return };
+        let (geom, one_way) = (&entry.geom, self.direction_of(entry));
         let (friction, restitution) = (geom.friction_coefficient(), geom.restitution_coefficient());
         let is_heard = geom.collision_callbacks_enabled();
         self.bounces |= restitution > 0.0;
@@ -151,8 +155,14 @@ impl Precise {
             let is_other = proxy.friction != friction || proxy.restitution != restitution;
             (proxy.friction, proxy.restitution) = (friction, restitution);
             let callbacks = std::mem::replace(&mut proxy.is_heard, is_heard) != is_heard;
-            Renewal { moved: false, contacts: is_other, callbacks }
+            let passages = std::mem::replace(&mut proxy.one_way, one_way) != one_way;
+            Renewal { moved: false, contacts: is_other || passages, callbacks, passages }
         });
+    }
+
+    /// The direction against which a geom holds: in three axes there is none.
+    fn direction_of(&self, geom: &GeomEntry) -> Option<Vector> {
+        geom.one_way.filter(|_| self.space.is_none()).map(|direction| [direction.x, direction.y])
     }
 
     /// The places of a geom's proxies.
@@ -172,7 +182,10 @@ impl Precise {
     ) {
         let Some(first) = self.proxies_of(geom, objects).next() else { return };
         for at in first..first + self.proxies_of(geom, objects).count() {
+            let was_one_way = self.proxies.all[at].one_way.is_some();
             let renewal = take(&mut self.proxies.all[at]);
+            self.proxies.one_way += usize::from(self.proxies.all[at].one_way.is_some());
+            self.proxies.one_way -= usize::from(was_one_way);
             if renewal.moved {
                 self.jump(at as u32);
                 self.proxies.escaped.push(at as u32);
@@ -182,6 +195,9 @@ impl Precise {
             }
             if renewal.callbacks {
                 self.renew_callbacks(at as u32);
+            }
+            if renewal.passages {
+                self.renew_passages(at as u32);
             }
         }
     }
@@ -193,6 +209,16 @@ impl Precise {
         for pair in pairs.drain(..) {
             let is_heard = self.is_heard(self.pairs.watched[pair as usize].proxies);
             self.pairs.set_heard(pair as usize, is_heard);
+        }
+        self.lost = pairs;
+    }
+
+    /// What the pairs of a proxy whose direction is another one knew of each other is forgotten.
+    pub(super) fn renew_passages(&mut self, proxy: u32) {
+        let mut pairs = std::mem::take(&mut self.lost);
+        pairs.extend(self.pairs.of(proxy).map(|pair| pair as u32));
+        for pair in pairs.drain(..) {
+            self.pairs.all[pair as usize].passage = self.first_passage(pair as usize);
         }
         self.lost = pairs;
     }
@@ -225,6 +251,7 @@ impl Precise {
             || bodies.iter().any(|&body| self.is_another_kind(body, objects))
             || geoms.iter().any(|&geom| self.meets_others(geom, objects));
         let has_new_members = std::mem::take(&mut self.has_new_members);
+        let had_one_way = self.proxies.one_way > 0;
         let before = (cfg!(debug_assertions) && has_new_members).then(|| self.save());
         if has_new_members {
             self.is_stale = self.is_stale || self.loaded.is_some() || !self.follow_members(objects);
@@ -239,6 +266,9 @@ impl Precise {
         } else {
             bodies.iter().for_each(|&body| self.take_body(body, objects));
             geoms.iter().for_each(|&geom| self.take_geom(geom, objects));
+            if !had_one_way && self.proxies.one_way > 0 {
+                self.bodies.forget_ways();
+            }
         }
         bodies.clear();
         geoms.clear();
@@ -283,6 +313,7 @@ impl Precise {
         self.list_bodies(objects);
         self.list_proxies(objects);
         self.list_loose(objects);
+        self.steady_all_bodies();
         self.sleep.reset(&self.bodies.ids[..self.bodies.first_fixed()]);
         self.enter_moving_fixtures();
         self.direct.reset(self.bodies.hot.len());
@@ -390,6 +421,7 @@ impl Precise {
             is_heard: geom.geom.collision_callbacks_enabled(),
             filter: filter_of(geom),
             surface_velocity: self.surface_velocity(geom.body, is_movable, &objects.bodies[geom.body].body),
+            one_way: self.direction_of(geom),
         })
     }
 
@@ -402,12 +434,16 @@ impl Precise {
 
     /// Its shape in the frame of its body.
     fn shape_of(&mut self, id: GeomId, geom: &GeomEntry, piece: usize) -> Shape {
-        match self.space.as_ref().map(|space| space.profile(id)).filter(|profile| profile.is_round) {
-            Some(SpaceProfile { half_depth, .. }) => {
+        match self.space.as_ref().map(|space| space.profile(id)) {
+            Some(SpaceProfile { upright: Some(upright), .. }) => {
+                let ([x, y], half) = upright.front();
+                self.proxies.corners.add_box_at([geom.offset.x + x, geom.offset.y + y], half)
+            }
+            Some(SpaceProfile { is_round: true, half_depth, .. }) => {
                 let circle = Piece::Circle { centre: [0.0; 2], radius: half_depth };
                 self.proxies.corners.add(&circle, geom)
             }
-            None => self.proxies.corners.add(&geom.pieces()[piece], geom),
+            _ => self.proxies.corners.add(&geom.pieces()[piece], geom),
         }
     }
 
@@ -450,4 +486,5 @@ struct Renewal {
     moved: bool,
     contacts: bool,
     callbacks: bool,
+    passages: bool,
 }

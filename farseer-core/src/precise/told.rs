@@ -161,6 +161,7 @@ impl Precise {
         }
         self.pairs.all[pair].is_vetoed = true;
         self.touch().remove_row(pair);
+        self.touch().forget_landing(pair);
         // In three axes who is refused has not begun to touch.
         if self.space.is_some() && self.pairs.all[pair].is_told {
             self.touch().tell(pair, false);

@@ -8,6 +8,7 @@
 use super::bodies::Bodies;
 use super::direct::Direct;
 use super::manifold::{Manifold, circles_meet, collide};
+use super::one_way::{Passage, Ways};
 use super::pairs::{BY_ROW, Frozen, FrozenInSpace, Pairs};
 use super::proxies::{Mobility, Proxies, Proxy};
 use super::rows::{Aside, Home, Kind, Lane, Palette, PointLane, Rows, SpaceLane};
@@ -138,9 +139,10 @@ impl<'a> Touch<'a> {
         }
         let mut found = self.collide(pair, two, self.tuning.speculative);
         found.keep_deepest(self.most_contacts);
+        let is_open = self.proxies.one_way > 0 && self.is_open(pair, two, &found);
         if found.count == 0 {
             self.part(pair, found.gap);
-        } else if self.passes_through(pair, two) {
+        } else if is_open || self.passes_through(pair, two) {
             self.part(pair, 0.0);
         } else {
             self.looks.made += 1;
@@ -149,7 +151,45 @@ impl<'a> Touch<'a> {
         }
     }
 
-    /// Whether one of the two is open for the other one, which has not landed on it.
+    /// The ways of the last step.
+    fn ways(&self) -> Ways<'_> {
+        let Touch { bodies, proxies, pairs, tuning, .. } = self;
+        Ways { bodies, proxies, pairs, reach: tuning.speculative, are_gone: true }
+    }
+
+    /// Whether one of two, of which one at least is one-way, is not kept out by the other one.
+    #[inline(never)]
+    fn is_open(&mut self, pair: usize, two: Two<'a>, found: &Manifold) -> bool {
+        let known = self.pairs.all[pair].passage;
+        if matches!(known, Passage::Closed | Passage::Landed) {
+            return false;
+        }
+        let mut passage = self.ways().settled(pair);
+        if passage == Passage::Apart && self.ways().is_above(pair) && self.come_together(two, found) {
+            passage = Passage::Landed;
+        }
+        if passage != known {
+            self.pairs.set_passage(self.proxies, pair, passage);
+        }
+        passage != Passage::Landed
+    }
+
+    /// Whether two come together where contacts reach from one to the other.
+    fn come_together(&self, two: Two<'_>, found: &Manifold) -> bool {
+        found.points[..found.count].iter().any(|&point| {
+            let [bx, by] = difference(point, two.apart());
+            self.approach(two, found.normal, &[point[0], point[1], bx, by]) < 0.0
+        })
+    }
+
+    /// What a handler has refused has not landed, unless something else of it is kept out.
+    pub(super) fn forget_landing(&mut self, pair: usize) {
+        if self.pairs.all[pair].passage == Passage::Landed && !self.ways().is_kept_out(pair) {
+            self.pairs.set_passage(self.proxies, pair, Passage::Apart);
+        }
+    }
+
+    /// Whether one of the two is open for the other one in three axes, which has not landed on it.
     fn passes_through(&self, pair: usize, two: Two<'a>) -> bool {
         let state = &self.pairs.all[pair];
         let Some(space) = self.space.filter(|space| state.responds && space.is_one_way(two.a)) else {
@@ -172,9 +212,10 @@ impl<'a> Touch<'a> {
         let [at_a, at_b] = self.pairs.watched[pair].proxies;
         let solid =
             |at: u32, proxy: &'a Proxy| space.solid(at, proxy, outline(proxy), (self.bodies, self.dt));
-        let Frozen { count, space: FrozenInSpace { normal_z, .. }, .. } = self.pairs.frozen[pair];
+        let Frozen { count, normal, space: FrozenInSpace { normal_z, .. }, .. } = self.pairs.frozen[pair];
         let before = match normal_z {
             _ if count == 0 => Before::Nothing,
+            _ if space.was_over([at_a, at_b], normal) => Before::Over,
             1.0 | -1.0 => Before::Depth(normal_z),
             _ => Before::Plane,
         };
@@ -203,6 +244,10 @@ impl<'a> Touch<'a> {
     fn may_renew(&self, pair: usize, two: Two<'_>) -> bool {
         let Some(space) = self.space else { return !self.are_circles(two) };
         let (kind, proxies) = (self.pairs.all[pair].kind, self.pairs.watched[pair].proxies);
+        // What is upright may have come out from above or beside the other one.
+        if proxies.iter().any(|&proxy| space.is_upright(proxy)) {
+            return false;
+        }
         let is_in_plane = self.pairs.frozen[pair].space.normal_z.abs() < 1.0;
         kind.has_two_points && (!is_in_plane || space.are_beside(proxies, space.apart(two.a, two.b)))
     }
@@ -243,14 +288,21 @@ impl<'a> Touch<'a> {
     }
 
     /// Velocity along the normal with which the two will come together in this step, if nothing but gravity changes it.
+    #[inline(always)]
     fn approach(&self, two: Two<'_>, normal: Vector, &[ax, ay, bx, by]: &[f32; 4]) -> f32 {
         let velocity = |proxy: &Proxy, arm: Vector| {
             let Some(hot) = self.bodies.hot.get(proxy.body as usize) else { return [0.0; 2] };
             let [x, y, spin, _] = hot.velocity;
+            let spin = if self.turns_upright(proxy) { 0.0 } else { spin };
             let part = self.bodies.gravity_parts[proxy.body as usize];
             sum(self.fall.map(|fall| fall * part), [x - spin * arm[1], y + spin * arm[0]])
         };
         dot(difference(velocity(two.b, [bx, by]), velocity(two.a, [ax, ay])), normal)
+    }
+
+    /// Whether what something turns about is upright.
+    fn turns_upright(&self, proxy: &Proxy) -> bool {
+        proxy.mobility == Mobility::Kinematic && self.space.is_some_and(|space| space.turns(proxy))
     }
 
     fn approach_along_depth(&self, two: Two<'_>, normal_z: f32) -> f32 {
@@ -395,6 +447,7 @@ impl<'a> Touch<'a> {
                 normal_z: found.normal_z,
                 apart: self.space.map_or(0.0, |space| space.apart(two.a, two.b)),
                 spread: found.spread,
+                depths: found.depths,
             },
         };
     }
@@ -496,8 +549,13 @@ impl<'a> Touch<'a> {
 
     /// The same in three axes.
     fn lane_in_space(&self, space: &Space, pair: usize, two: Two<'_>, lane: Lane) -> Lane {
-        let Frozen { normal: [x, y], count, anchors, space: FrozenInSpace { normal_z, spread, .. }, .. } =
-            self.pairs.frozen[pair];
+        let Frozen {
+            normal: [x, y],
+            count,
+            anchors,
+            space: FrozenInSpace { normal_z, spread, depths, .. },
+            ..
+        } = self.pairs.frozen[pair];
         let (tangent, [ux, uy, uz]) = tangents([x, y, normal_z]);
         let points = &anchors[..count as usize];
         let arms = |along: Vector| {
@@ -506,6 +564,17 @@ impl<'a> Touch<'a> {
             });
             sum.map(|arm| arm / count as f32)
         };
+        let (mut points_of, mut tangent_arms, mut across_arms) = (lane.points, arms(tangent), arms([ux, uy]));
+        if self.turns_upright(two.a) {
+            // About the upright axis: at r a turn has the velocity (-r.z, 0, r.x).
+            let arm = |at: usize, [x, _, z]: [f32; 3]| anchors[at][0] * z - depths[at] * x;
+            let mean = |axis| (0..count as usize).map(|at| arm(at, axis)).sum::<f32>() / count as f32;
+            for (at, point) in points_of.iter_mut().enumerate().take(count as usize) {
+                point.arm_a = arm(at, [x, y, normal_z]);
+            }
+            tangent_arms[0] = mean([tangent[0], tangent[1], 0.0]);
+            across_arms[0] = mean([ux, uy, uz]);
+        }
         let [at_a, at_b] = self.pairs.watched[pair].proxies;
         let [friction, restitution] = if at_a == space.ground {
             let [friction, restitution] = space.ground_of(at_b);
@@ -516,11 +585,12 @@ impl<'a> Touch<'a> {
         Lane {
             friction: friction.min(f32::MAX),
             restitution,
-            tangent_arms: arms(tangent),
+            tangent_arms,
+            points: points_of,
             tangent_speed: belt_speed(two.a, [-tangent[1], tangent[0]], anchors[0]).clamp(f32::MIN, f32::MAX),
             space: SpaceLane {
                 normal_z,
-                across_arms: arms([ux, uy]),
+                across_arms,
                 radii: [space.rolling_radius(at_a, two.a), space.rolling_radius(at_b, two.b)],
                 across_speed: (belt_speed(two.a, [-uy, ux], anchors[0]) + uz * two.a.surface_velocity[3])
                     .clamp(f32::MIN, f32::MAX),

@@ -9,6 +9,7 @@ pub(crate) mod distance;
 mod ear_clipping;
 mod edges;
 mod feature;
+mod footprint;
 mod measures;
 mod polygon_creation_assistance;
 pub mod ray_helper;
@@ -26,6 +27,7 @@ pub use aabb::Aabb;
 pub use boolean::PolyUnionError;
 pub use edges::{CrossingEdgeInfo, Edge, EdgeAlignment, EdgeIntersectInfo};
 pub use feature::Feature;
+pub use footprint::Footprint;
 pub use polygon_creation_assistance::PolygonCreationAssistance;
 #[doc(hidden)]
 pub use slanted_box::{BoxTouch, Face, SlantedBox};

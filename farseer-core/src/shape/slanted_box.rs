@@ -1,9 +1,12 @@
-//! The shape of a platform: a box, tilted about the z axis and sheared along x with depth.
+//! The shape of a platform: a box, tilted about the z axis and sheared along x and y with depth.
 //!
 //! Frame: the plane's, x right, y **down**, z into the picture. A point of the box has three local coordinates:
 //! `across` and `down` in the tilted rectangle and `deep` along z, each within the half sizes; at depth `deep` from
-//! the centre the rectangle is shifted by `shear * deep` in x. That makes a parallelepiped whose front and back are
-//! at right angles to z and whose sides have the normals `(nx, ny, -shear * nx)`, not yet of unit length.
+//! the centre the rectangle is shifted by `shear * deep` in x and by `climb * deep` up. That makes a parallelepiped whose front
+//! and back are at right angles to z and whose sides have the normals `(nx, ny, climb * ny - shear * nx)`, not yet of unit
+//! length.
+//!
+//! Last, all of that may be turned about the upright axis through the centre.
 //!
 //! Source: the closest point minimises the squared distance, which is convex and piecewise quadratic in `deep`;
 //! segments are clipped by the half-spaces of the faces (Cyrus and Beck 1978).
@@ -11,7 +14,7 @@
 use crate::math::{Vector2, Vector3, scalar};
 use serde::{Deserialize, Serialize};
 
-/// A box tilted about z and sheared along x.
+/// A box tilted about z and sheared along x and y.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SlantedBox {
     /// Its middle.
@@ -24,11 +27,26 @@ pub struct SlantedBox {
     pub sin: f32,
     /// Shift in x for every unit of depth from the centre.
     pub shear: f32,
+    /// How far it rises, against y, for every unit of depth.
+    pub climb: f32,
+    /// Cosine and sine of the angle by which all of that is turned about the upright axis through its middle, from x to z.
+    pub turn: [f32; 2],
 }
+
+/// Of what is not turned.
+const LEVEL: [f32; 2] = [1.0, 0.0];
 
 impl Default for SlantedBox {
     fn default() -> Self {
-        SlantedBox { centre: Vector3::zeros(), half: [0.0; 3], cos: 1.0, sin: 0.0, shear: 0.0 }
+        SlantedBox {
+            centre: Vector3::zeros(),
+            half: [0.0; 3],
+            cos: 1.0,
+            sin: 0.0,
+            shear: 0.0,
+            climb: 0.0,
+            turn: LEVEL,
+        }
     }
 }
 
@@ -78,11 +96,48 @@ fn excess(coordinate: f32, half: f32) -> f32 {
     coordinate - within(coordinate, half)
 }
 
+/// What depth does to it.
+impl SlantedBox {
+    /// Whether its edges along z do not run along it.
+    pub fn is_sheared(&self) -> bool {
+        self.shear != 0.0 || self.climb != 0.0
+    }
+
+    /// Where its rectangle is at a depth from the centre, as seen from where it is at the centre.
+    pub fn shift(&self, deep: f32) -> Vector3 {
+        Vector3::new(self.shear * deep, -self.climb * deep, 0.0)
+    }
+
+    /// Whether it is turned about an upright axis.
+    pub fn is_turned(&self) -> bool {
+        self.turn != LEVEL
+    }
+
+    /// Where a point is as seen from the middle, in the frame that is turned with the box.
+    fn offset(&self, point: Vector3) -> Vector3 {
+        self.turned_by(-1.0, point - self.centre)
+    }
+
+    /// From the frame that is turned with the box, with `way` 1; or into it, with -1.
+    fn turned_by(&self, way: f32, v: Vector3) -> Vector3 {
+        if !self.is_turned() {
+            return v;
+        }
+        let [cos, sin] = [self.turn[0], way * self.turn[1]];
+        Vector3::new(cos * v.x - sin * v.z, v.y, sin * v.x + cos * v.z)
+    }
+
+    /// How fast a side with this normal in the plane comes forward with depth.
+    pub fn lean(&self, [x, y]: [f32; 2]) -> f32 {
+        self.shear * x - self.climb * y
+    }
+}
+
 /// Closest point queries.
 impl SlantedBox {
     /// Signed distance of a point to the surface, negative inside, and its unit gradient. None if not finite.
     pub fn nearest(&self, point: Vector3) -> Option<(f32, Vector3)> {
-        let offset = point - self.centre;
+        let offset = self.offset(point);
         let [width, height, depth] = self.half;
         if self.contains(point) {
             let face = self.nearest_face(point);
@@ -108,17 +163,18 @@ impl SlantedBox {
         let plane = self.tilted(excess_across, excess_down);
         let away = Vector3::new(plane.x, plane.y, offset.z - deep);
         let distance = away.norm();
-        (distance > 0.0 && distance.is_finite()).then(|| (distance, away / distance))
+        (distance > 0.0 && distance.is_finite()).then(|| (distance, self.turned_by(1.0, away / distance)))
     }
 
     /// Depth from the centre of the closest point of the box to a point outside.
     fn closest_deep(&self, offset: Vector3) -> f32 {
         let [width, height, depth] = self.half;
-        if self.shear == 0.0 {
+        if !self.is_sheared() {
             return within(offset.z, depth);
         }
         // The local coordinates of the point move at these rates as `deep` grows.
-        let (across_rate, down_rate) = (-self.shear * self.cos, self.shear * self.sin);
+        let (across_rate, down_rate) =
+            (-self.shear * self.cos + self.climb * self.sin, self.shear * self.sin + self.climb * self.cos);
         let (across, down) = self.local(offset, 0.0);
         // Half the derivative of the squared distance: rising, and linear between the depths at which a coordinate
         // passes the edge of the rectangle.
@@ -194,28 +250,30 @@ impl SlantedBox {
         }
     }
 
-    /// Length of a side's normal `(nx, ny, -shear * nx)`.
+    /// Length of a side's normal that is not yet of unit length.
     pub fn stretch(&self, plane_normal: Vector2) -> f32 {
-        let lean = self.shear * plane_normal.x;
+        let lean = self.lean([plane_normal.x, plane_normal.y]);
         (1.0 + lean * lean).sqrt()
     }
 
     /// Outward unit normal of a face.
     pub fn face_normal(&self, face: Face) -> Vector3 {
-        match face {
+        let normal = match face {
             Face::Front => Vector3::new(0.0, 0.0, -1.0),
             Face::Back => Vector3::new(0.0, 0.0, 1.0),
             _ => {
                 let normal = self.plane_normal(face);
                 let stretch = self.stretch(normal);
-                Vector3::new(normal.x / stretch, normal.y / stretch, -self.shear * normal.x / stretch)
+                let lean = self.lean([normal.x, normal.y]);
+                Vector3::new(normal.x / stretch, normal.y / stretch, -lean / stretch)
             }
-        }
+        };
+        self.turned_by(1.0, normal)
     }
 
     /// Signed distance of a point to the plane of a face, positive outside.
     pub fn distance_to_face(&self, face: Face, point: Vector3) -> f32 {
-        let offset = point - self.centre;
+        let offset = self.offset(point);
         let [width, height, depth] = self.half;
         let half = match face {
             Face::Front => return -offset.z - depth,
@@ -224,8 +282,8 @@ impl SlantedBox {
             Face::Top | Face::Bottom => height,
         };
         let normal = self.plane_normal(face);
-        let x = offset.x - self.shear * offset.z;
-        (normal.x * x + normal.y * offset.y - half) / self.stretch(normal)
+        let (x, y) = (offset.x - self.shear * offset.z, offset.y + self.climb * offset.z);
+        (normal.x * x + normal.y * y - half) / self.stretch(normal)
     }
 
     /// The face whose plane is nearest to a point inside: the first one where several are.
@@ -269,16 +327,37 @@ impl SlantedBox {
 
     /// Coordinates in the rectangle at depth `deep` of a point at an offset from the centre.
     fn local(&self, offset: Vector3, deep: f32) -> (f32, f32) {
-        let x = offset.x - self.shear * deep;
-        (x * self.cos + offset.y * self.sin, offset.y * self.cos - x * self.sin)
+        let (x, y) = (offset.x - self.shear * deep, offset.y + self.climb * deep);
+        (x * self.cos + y * self.sin, y * self.cos - x * self.sin)
     }
 
     /// Whether a point is inside or on the surface.
     pub fn contains(&self, point: Vector3) -> bool {
-        let offset = point - self.centre;
+        let offset = self.offset(point);
         let [width, height, depth] = self.half;
         let (across, down) = self.local(offset, offset.z);
         offset.z.abs() <= depth && across.abs() <= width && down.abs() <= height
+    }
+
+    /// The corners of what of it is level, as seen from above and from its middle: x and z.
+    pub fn footprint(&self) -> [[f32; 2]; 4] {
+        let [width, _, depth] = self.half;
+        [(-width, -depth), (width, -depth), (width, depth), (-width, depth)].map(|(x, z)| {
+            let corner = self.turned_by(1.0, Vector3::new(x, 0.0, z));
+            [corner.x, corner.z]
+        })
+    }
+
+    /// The eight corners: of the front face, with smaller z before it is turned, from the top left one clockwise as seen with y
+    /// down, then of the back face in the same order.
+    pub fn corners(&self) -> [Vector3; 8] {
+        let [right, left, low_left, low_right] = self.rectangle();
+        let outline = [left, right, low_right, low_left];
+        std::array::from_fn(|at| {
+            let deep = if at < 4 { -self.half[2] } else { self.half[2] };
+            let corner = Vector3::new(outline[at % 4].x, outline[at % 4].y, deep) + self.shift(deep);
+            self.centre + self.turned_by(1.0, corner)
+        })
     }
 
     /// The rectangle about the origin, wound as the engine's outlines: from the top right corner to the left.
@@ -293,7 +372,13 @@ impl SlantedBox {
         let [width, height, depth] = self.half;
         let (cos, sin) = (self.cos.abs(), self.sin.abs());
         let x = width * cos + height * sin + self.shear.abs() * depth;
-        let reach = Vector3::new(x, width * sin + height * cos, depth);
+        let y = width * sin + height * cos + self.climb.abs() * depth;
+        let [c, s] = self.turn.map(f32::abs);
+        let reach = if self.is_turned() {
+            Vector3::new(c * x + s * depth, y, s * x + c * depth)
+        } else {
+            Vector3::new(x, y, depth)
+        };
         (self.centre - reach, self.centre + reach)
     }
 
@@ -301,12 +386,13 @@ impl SlantedBox {
     /// the line misses the box.
     pub fn height_at(&self, x: f32, z: f32) -> Option<(f32, Vector3)> {
         let [width, height, depth] = self.half;
-        let deep = z - self.centre.z;
+        let at = self.offset(Vector3::new(x, self.centre.y, z));
+        let (x, deep) = (at.x, at.z);
         let reaches = deep.abs() <= depth;
         if !reaches {
             return None;
         }
-        let x = x - self.centre.x - self.shear * deep;
+        let x = x - self.shear * deep;
         let (mut top, mut bottom, mut face) = (f32::NEG_INFINITY, f32::INFINITY, Face::Top);
         // Both local coordinates are linear in y: `start + rate * y`.
         let slabs = [
@@ -328,6 +414,7 @@ impl SlantedBox {
             }
             bottom = scalar::min(bottom, high);
         }
-        (top <= bottom && top.is_finite()).then(|| (self.centre.y + top, self.face_normal(face)))
+        (top <= bottom && top.is_finite())
+            .then(|| (self.centre.y + top - self.climb * deep, self.face_normal(face)))
     }
 }

@@ -337,13 +337,11 @@ impl PhysicsSimulator {
     /// # Errors
     /// A broad phase of the faithful set in place of another one if a geom is in the simulator already
     /// ([`Error::GeomListNotEmpty`]; geoms still waiting to be added do not count); a cell size or length that is not finite,
-    /// or a length that is not greater than 0; the faithful set while there are chains, prismatic joints, or joints with a
+    /// or a length that is not greater than 0; the faithful set while there are chains, one-way geoms, prismatic joints, or joints with a
     /// motor or limits that it does not have ([`Error::NotSupported`]).
     pub fn set_methods(&mut self, methods: Methods) -> Result<()> {
         let methods = methods.check()?;
-        if self.objects.geoms.listed_or_queued().any(|geom| geom.outline.is_chain()) {
-            methods.check_chains()?;
-        }
+        self.objects.geoms.listed_or_queued().try_for_each(|geom| methods.check_geom(geom))?;
         self.objects.joints.listed_or_queued().try_for_each(|joint| methods.check_joint(joint))?;
         match methods {
             Methods::Faithful { broad, .. } => self.set_faithful_pairs(broad)?,

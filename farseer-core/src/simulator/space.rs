@@ -47,12 +47,13 @@ impl PhysicsSimulator {
 
     /// A force, along the depth axis as well, and a torque act on a body in the update that comes. That is no edit: what sleeps
     /// wakes if other forces push it than those it fell asleep under. Without a depth axis what is along it is left out. What
-    /// would not be finite is refused: answers whether it was not.
+    /// would not be finite, with what pushes the body already, is refused: answers whether it was not.
     pub fn push_in_space(&mut self, id: BodyId, [x, y, z]: [f32; 3], torque: f32) -> bool {
         let PhysicsSimulator { objects, pipeline, .. } = self;
         let Some(body) = objects.bodies.get_mut(id).map(|entry| &mut entry.body) else { return true };
         let along_depth = z * body.inverse_mass();
-        let sums = [body.force().x + x, body.force().y + y, body.torque() + torque, along_depth];
+        let pushed = pipeline.precise.as_ref().map_or(0.0, |precise| precise.pushed_along_depth(id));
+        let sums = [body.force().x + x, body.force().y + y, body.torque() + torque, pushed + along_depth];
         if !sums.iter().all(|sum| sum.is_finite()) {
             return false;
         }
@@ -85,8 +86,8 @@ impl PhysicsSimulator {
         }
     }
 
-    /// The fixtures that move: their names, where their middles are after an update, and how they move.
-    pub fn fixtures_moved(&self) -> impl Iterator<Item = (u32, Vector3, FixtureMotion)> + '_ {
+    /// The fixtures that move: their names, where their middles are after an update and how they are turned, and how they move.
+    pub fn fixtures_moved(&self) -> impl Iterator<Item = (u32, Vector3, Option<f32>, FixtureMotion)> + '_ {
         self.pipeline.precise.iter().flat_map(|precise| precise.fixtures_moved())
     }
 

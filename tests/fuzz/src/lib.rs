@@ -28,9 +28,11 @@ pub mod subjects;
 pub mod textures;
 mod tied;
 pub mod twins;
+mod upright;
 
 pub use depth::Depth;
 pub use engine::Engine;
-pub use plane::{Plane, StagedPlane};
+pub use plane::{OneWayPlane, Plane, StagedPlane};
 pub use random::Random;
 pub use tied::Tied;
+pub use upright::Upright;

@@ -9,7 +9,7 @@ use crate::small::small_scene_holds;
 use crate::soak::snapshots_stay_as_long;
 use crate::textures::outlines_of_a_picture;
 use crate::twins::twins_stay_equal;
-use crate::{Depth, Plane, StagedPlane, Tied};
+use crate::{Depth, OneWayPlane, Plane, StagedPlane, Tied, Upright};
 
 /// Something that is tried for one seed after the other.
 #[derive(Debug, Clone, Copy)]
@@ -32,9 +32,19 @@ pub const SUBJECTS: &[Subject] = &[
         check: game::<Tied>,
     },
     Subject {
+        name: "upright",
+        about: "random calls of the 2.5D engine with what stands upright and platforms that turn, and its twins",
+        check: game::<Upright>,
+    },
+    Subject {
         name: "stages",
         about: "stages of the 2D engine in any order",
         check: numbers_are_finite::<StagedPlane>,
+    },
+    Subject {
+        name: "one-way",
+        about: "random calls of the 2D engine with one-way geoms, and its twins",
+        check: game::<OneWayPlane>,
     },
     Subject {
         name: "saves",

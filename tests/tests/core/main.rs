@@ -52,6 +52,7 @@ mod precise_fast;
 mod precise_islands;
 mod precise_joints;
 mod precise_motion;
+mod precise_one_way;
 mod precise_queries;
 mod precise_saves;
 mod precise_settings;

@@ -4,7 +4,9 @@ use conformance::fixtures::depth::{
     DT, GRAVITY, assert_near, assert_near3, ball, place, run, simulator, solid, throw, velocity, weightless,
     with_scheme,
 };
-use twohalf::{BodyId, DepthScheme, Error, FieldId, Fluid, Region, TwoHalfPhysicsSimulator, Vector3, Well};
+use twohalf::{
+    BodyId, DepthScheme, Error, Event, FieldId, Fluid, Region, TwoHalfPhysicsSimulator, Vector3, Well,
+};
 
 fn precise(test: impl FnOnce()) {
     with_scheme(DepthScheme::Precise, test);
@@ -304,4 +306,29 @@ fn forces_beyond_all_numbers_are_told_and_push_nothing() {
         assert!(!simulator.events().is_empty());
         assert!(velocity(&simulator, body).iter().all(|speed| *speed == 0.0));
     });
+}
+
+#[test]
+fn a_field_that_adds_up_beyond_all_numbers_with_what_pushes_along_z_is_told_and_left_out() {
+    for scheme in [DepthScheme::Faithful, DepthScheme::Precise] {
+        with_scheme(scheme, || {
+            let mut simulator = weightless();
+            let body = ball(&mut simulator, 10.0, [0.0, 40.0, 40.0]);
+            // Each alone is a number, and their sum is none.
+            simulator
+                .add_field(Well { strength: 2e38, softness: 1e-3, ..Well::new([0.0, 50.0, 41.0]) })
+                .unwrap();
+            let mut view = simulator.body_mut(body).unwrap();
+            view.set_mass(1.0).unwrap();
+            view.apply_force_z(3e38);
+            // So short that squares of what the force makes are numbers, too.
+            let dt = 1e-20;
+            simulator.update(dt);
+            let told = Event::NotFinite { body, disabled: false };
+            assert!(simulator.events().contains(&told), "{scheme:?}: {:?}", simulator.events());
+            assert!(simulator.body(body).unwrap().enabled(), "{scheme:?}");
+            let speed = velocity(&simulator, body).z;
+            assert!((speed / (3e38 * dt) - 1.0).abs() < 1e-3, "{scheme:?}: {speed}");
+        });
+    }
 }

@@ -2,15 +2,18 @@
 
 mod abuse;
 mod api;
+mod brawling;
 mod callbacks;
 mod carried;
 mod closed_forms;
+mod crush;
 mod doors;
 mod edited_links;
 mod edits;
 mod fields;
 mod fixed_springs;
 mod joints;
+mod ledges;
 mod meeting;
 mod motion;
 mod one_plane;
@@ -33,4 +36,7 @@ mod slopes;
 mod spawning;
 mod supports;
 mod thesis;
+mod time_scale;
+mod turned_platforms;
+mod uprights;
 mod walking;

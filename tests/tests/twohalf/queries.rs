@@ -443,8 +443,20 @@ pub(crate) fn an_order_that_is_kept_is_that_of_what_is_there_now() {
     let mut order = DrawOrder::default();
     for step in 0..300 {
         run(&mut simulator, 1);
-        if step == 100 {
-            simulator.remove(bodies[0]).unwrap();
+        match step {
+            100 => simulator.remove(bodies[0]).unwrap(),
+            140 => simulator.add(bodies[0]).unwrap(),
+            180 => {
+                let place = Vector3::new(20.0, 10.0, 40.0);
+                Platform::new(&mut simulator, 60.0, 10.0, 50.0, place, None).unwrap();
+            }
+            220 => simulator.body_mut(bodies[2]).unwrap().set_enabled(false),
+            240 => {
+                let first = simulator.platforms().next().unwrap();
+                simulator.remove_platform(first).unwrap();
+            }
+            260 => simulator.dispose(bodies[1]).unwrap(),
+            _ => {}
         }
         assert_eq!(order.sort(&simulator), simulator.draw_order());
     }

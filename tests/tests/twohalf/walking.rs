@@ -3,8 +3,11 @@
 //! Figures are 30 x 60 x 20 px with mass 70 and friction 0.4, so that nothing here is owed to smooth soles.
 
 use conformance::fixtures::depth::{assert_near, place, set_surface, solid, velocity};
+use std::cell::Cell;
+
 use twohalf::{
-    BodyId, Partner, Platform, PlatformId, TwoHalfPhysicsSimulator, Vector2, Vector3, Walk, Walker, Wish,
+    BodyId, DepthProfile, Partner, Platform, PlatformId, TwoHalfPhysicsSimulator, Vector2, Vector3, Walk,
+    Walker, Wish,
 };
 
 const RATES: [f32; 4] = [30.0, 60.0, 120.0, 240.0];
@@ -76,8 +79,17 @@ impl Stage {
     }
 }
 
+thread_local! {
+    /// Of the figures of a test.
+    static SHAPE: Cell<Option<DepthProfile>> = const { Cell::new(None) };
+}
+
 fn figure(simulator: &mut TwoHalfPhysicsSimulator, place: [f32; 3]) -> BodyId {
     let body = solid(simulator, [30.0, 60.0, 20.0], place);
+    if let Some(shape) = SHAPE.get() {
+        let geom = simulator.body(body).unwrap().ground().object_geom().unwrap();
+        simulator.set_depth_profile(geom, shape).unwrap();
+    }
     let mut view = simulator.body_mut(body).unwrap();
     view.set_mass(70.0).unwrap();
     view.core_mut().set_moment_of_inertia(1e20).unwrap();
@@ -475,4 +487,122 @@ fn numbers_at_their_limits_do_no_harm() {
         let (at, moves) = (stage.at(), velocity(&stage.simulator, stage.figure));
         assert!(at.iter().chain(moves.iter()).all(|part| part.is_finite()), "{at} {moves}");
     });
+}
+
+#[test]
+fn a_figure_that_is_a_cylinder_does_all_that() {
+    let all: [fn(); 27] = [
+        it_reaches_the_speed_that_is_wished_by_its_acceleration_and_keeps_it,
+        downhill_it_stays_on_the_floor_in_all_steps_at_the_speed_that_is_wished,
+        uphill_it_is_as_fast_as_on_level_ground,
+        it_stands_on_a_slope_without_sliding,
+        it_slides_down_what_is_too_steep_to_stand_on,
+        a_lift_carries_it_up_and_down_in_all_steps,
+        a_platform_and_a_belt_carry_what_stands_and_what_walks,
+        a_curb_is_walked_up_without_a_hop_and_without_losing_speed,
+        a_curb_is_walked_up_from_a_stand_beside_it,
+        what_is_higher_than_a_step_is_a_wall,
+        down_a_curb_it_stays_on_the_floor,
+        who_holds_a_wall_falls_as_if_it_were_not_there,
+        along_a_wall_it_keeps_its_speed,
+        it_jumps_as_high_as_it_is_told_at_any_step,
+        it_may_jump_for_a_while_after_an_edge_and_only_once,
+        a_crate_stays_where_it_was_landed_on_and_is_not_dragged_by_who_walks_on_it,
+        over_a_row_of_crates_it_does_not_hop,
+        it_pushes_what_is_light_and_not_what_is_heavy,
+        a_blow_throws_it_off_the_floor,
+        it_gets_out_of_a_crowd_that_mills_about,
+        it_says_what_it_stands_on,
+        a_curb_along_z_is_walked_up_too,
+        a_low_ceiling_ends_a_jump_and_holds_nobody_up,
+        a_figure_that_was_saved_with_the_simulator_goes_on_with_the_same_bits,
+        who_is_let_go_falls_and_slides_like_any_body,
+        what_cannot_be_walked_with_is_refused_and_changes_nothing,
+        numbers_at_their_limits_do_no_harm,
+    ];
+    SHAPE.set(Some(DepthProfile::Cylinder { radius: 15.0, height: 60.0 }));
+    all.into_iter().for_each(|test| test());
+    SHAPE.set(None);
+}
+
+#[test]
+fn round_a_corner_of_a_wall_a_cylinder_slides_and_a_box_does_not() {
+    for rate in RATES {
+        SHAPE.set(Some(DepthProfile::Cylinder { radius: 15.0, height: 60.0 }));
+        let mut stage = Stage::new(rate, [0.0, 0.0, 12.0]);
+        // Its corner is 12 px behind the middle of the figure, and 15 is where it would pass.
+        stage.platform([60.0, 80.0, 100.0], [130.0, 0.0, -50.0], 0.0);
+        stage.walk(RIGHT, 2.0, |_| {});
+        assert!(stage.at().x > 180.0 && stage.at().z > 14.9, "{rate}: {:?}", stage.at());
+        SHAPE.set(None);
+    }
+}
+
+#[test]
+fn two_cylinders_that_walk_at_each_other_pass_nineteen_twentieths_aside() {
+    for rate in RATES {
+        SHAPE.set(Some(DepthProfile::Cylinder { radius: 10.0, height: 60.0 }));
+        let mut stage = Stage::new(rate, [0.0, 0.0, 100.0]);
+        let other = figure(&mut stage.simulator, [100.0, 0.0, 119.0]);
+        let mut walker = Walker::new(Walk::default());
+        for _ in 0..(2.0 * rate) as usize {
+            let left = Wish { x: -150.0, ..STILL };
+            stage.simulator.walk(other, &mut walker, left, stage.dt).unwrap();
+            stage.step(RIGHT);
+        }
+        assert!(stage.at().x > 200.0 && place(&stage.simulator, other).x < -100.0, "{rate}");
+        // They come 300 px/s nearer to each other, and are in each other for a step.
+        let aside = place(&stage.simulator, other).z - stage.at().z;
+        assert!((20.0 - 30.0 / rate..21.0).contains(&aside), "{rate}: {aside}");
+        SHAPE.set(None);
+    }
+}
+
+#[test]
+fn up_and_down_a_slope_along_z_a_figure_keeps_its_speed() {
+    for shape in [Some(DepthProfile::Cylinder { radius: 15.0, height: 60.0 }), None] {
+        for rate in RATES {
+            SHAPE.set(shape);
+            let mut stage = Stage::new(rate, [0.0, 0.0, -200.0]);
+            let slope = stage.platform([200.0, 20.0, 400.0], [0.0, 65.0, 150.0], 0.0);
+            // Its lower end is level with the ground.
+            let pitch = (85.0f32 / 200.0).atan();
+            stage.simulator.platform_mut(slope).unwrap().set_pitch(pitch).unwrap();
+            stage.walk(Wish { z: 150.0, ..STILL }, 1.5, |_| {});
+            let start = stage.at();
+            assert!(start.z > 10.0, "{shape:?} {rate}: {start:?}");
+            stage.walk(Wish { z: 150.0, ..STILL }, 1.0, |stage| assert!(stage.walker.is_grounded()));
+            assert_near(stage.at().z - start.z, 150.0, 1.0);
+            assert_near(stage.soles() - start.y, 150.0 * pitch.tan(), 0.5);
+            stage.walk(Wish { z: -150.0, ..STILL }, 1.2, |stage| assert!(stage.walker.is_grounded()));
+            assert!(stage.at().z < start.z);
+            stage.walk(STILL, 0.5, |_| {});
+            let there = stage.at();
+            stage.walk(STILL, 0.5, |_| {});
+            assert_near((stage.at() - there).norm(), 0.0, 0.02);
+            SHAPE.set(None);
+        }
+    }
+}
+
+#[test]
+fn a_turning_platform_carries_who_stands_on_it_and_its_edge_is_where_it_is_turned_to() {
+    for shape in [Some(DepthProfile::Cylinder { radius: 15.0, height: 60.0 }), None] {
+        for rate in RATES {
+            SHAPE.set(shape);
+            let mut stage = Stage::new(rate, [100.0, 20.0, 0.0]);
+            let table = stage.platform([300.0, 20.0, 300.0], [0.0; 3], 0.0);
+            stage.simulator.platform_mut(table).unwrap().set_angular_velocity(0.5).unwrap();
+            stage.walk(STILL, 1.0, |_| {});
+            stage.walk(STILL, 2.0, |stage| assert!(stage.walker.is_grounded()));
+            let at = stage.at();
+            // It has turned by 1.5 but for what it took to be taken along.
+            assert_near(at.z.atan2(at.x), 1.5, 0.1);
+            assert_near((at.x * at.x + at.z * at.z).sqrt(), 100.0, 2.5);
+            // Past its edge it falls.
+            stage.walk(RIGHT, 2.5, |_| {});
+            assert_near(stage.soles(), 0.0, 0.1);
+            SHAPE.set(None);
+        }
+    }
 }

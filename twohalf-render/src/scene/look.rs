@@ -1,5 +1,7 @@
 //! How things of a scene look.
 
+use twohalf::BodyId;
+
 use crate::{Color, PlatformLook, Point, Rectangle, Texture2D};
 
 /// How something in a [`Scene`](super::Scene) looks.
@@ -18,6 +20,15 @@ pub enum Look {
     Ball(Color),
     /// Somebody to stand in for a picture that is yet to be drawn.
     Figure(Figure),
+    /// A line from the middle of the body to that of another one, without a shadow: a piece of a rope.
+    Line {
+        /// The other end.
+        to: BodyId,
+        /// Its colour.
+        color: Color,
+        /// Its width, px.
+        width: f32,
+    },
 }
 
 /// A flat picture of a body. Made with [`Picture::new`] or [`Picture::standing`], other fields as needed.
@@ -80,11 +91,31 @@ pub struct Figure {
     pub looks_left: bool,
     /// How far it is in its walk, in steps; whole numbers stand.
     pub stride: f32,
+    /// What it does.
+    pub pose: Pose,
+}
+
+/// What a [`Figure`] is seen doing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Pose {
+    /// It walks, or stands, as its stride says.
+    #[default]
+    Walks,
+    /// It strikes before it.
+    Strikes,
+    /// It walks, or stands, with its hands over its head.
+    Lifts,
+    /// It jumps, or falls.
+    Jumps,
+    /// It leans backwards, struck.
+    Reels,
+    /// It lies on its back, its feet where the body stands.
+    Lies,
 }
 
 impl Figure {
     /// Standing, looking to the right.
     pub const fn new(color: Color) -> Self {
-        Figure { color, looks_left: false, stride: 0.0 }
+        Figure { color, looks_left: false, stride: 0.0, pose: Pose::Walks }
     }
 }

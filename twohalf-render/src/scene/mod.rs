@@ -1,12 +1,16 @@
 //! A scene of the 2.5D engine in one call: its order, its shadows, and how each thing looks.
 
+mod figure;
 mod look;
 mod patch;
 mod shadows;
 mod solid;
+mod upright;
+mod water;
 
-pub use look::{Figure, Look, Picture, Textures};
+pub use look::{Figure, Look, Picture, Pose, Textures};
 pub use patch::Patch;
+pub use water::Water;
 
 use twohalf::{BodyId, Drawable, TwoHalfPhysicsSimulator};
 
@@ -48,13 +52,20 @@ pub struct Scene<'a> {
     shadow: &'a Texture2D,
     camera: Transform,
     patches: &'a [Patch],
+    waters: &'a [Water],
+}
+
+/// What is drawn at once: a thing by its place in the order, or water.
+enum Layer<'a> {
+    Thing(usize),
+    Water(&'a Water),
 }
 
 impl<'a> Scene<'a> {
     /// The scene as the simulator projects it, with this picture for all shadows, which is stretched over the
     /// footprint of what casts one.
     pub fn new(simulator: &'a TwoHalfPhysicsSimulator, shadow: &'a Texture2D) -> Self {
-        Scene { simulator, shadow, camera: Transform::IDENTITY, patches: &[] }
+        Scene { simulator, shadow, camera: Transform::IDENTITY, patches: &[], waters: &[] }
     }
 
     /// A soft round shadow, to be made once.
@@ -73,6 +84,11 @@ impl<'a> Scene<'a> {
         Scene { patches, ..self }
     }
 
+    /// The same with boxes that are seen through, which are drawn in this order.
+    pub fn waters(self, waters: &'a [Water]) -> Self {
+        Scene { waters, ..self }
+    }
+
     /// What lies in front at a point of the canvas, px: under the mouse, for example. Nothing with a camera that has no
     /// way back.
     pub fn pick(&self, point: impl Into<Point>) -> Option<Drawable> {
@@ -89,13 +105,34 @@ impl<'a> Scene<'a> {
         let on = |surface: Option<Drawable>| casts.iter().filter(move |cast| cast.surface == surface);
         self.patches.iter().for_each(|patch| patch.draw(self.simulator, &mut view));
         on(None).for_each(|cast| cast.sprite.draw(&mut view));
-        for (thing, look) in &things {
+        for item in self.in_layers(things.iter().map(|(thing, _)| *thing)) {
+            let (thing, look) = match item {
+                Layer::Water(water) => {
+                    water.draw(self.simulator, &mut view);
+                    continue;
+                }
+                Layer::Thing(at) => &things[at],
+            };
             match thing {
                 Drawable::Platform(id) => solid::draw_platform(self.simulator, &mut view, *id, look),
                 Drawable::Body(id) => self.draw_body(&mut view, *id, look),
             }
             on(Some(*thing)).for_each(|cast| cast.sprite.draw(&mut view));
         }
+    }
+
+    /// Things in their order with what is seen through between them.
+    fn in_layers(&self, things: impl Iterator<Item = Drawable>) -> Vec<Layer<'a>> {
+        let things: Vec<Drawable> = things.collect();
+        let mut layers: Vec<Layer<'a>> = (0..things.len()).map(Layer::Thing).collect();
+        for water in self.waters {
+            let is_over = |layer: &Layer<'_>| matches!(layer, Layer::Thing(at) if water.is_behind(self.simulator, things[*at]));
+            let (over, mut below): (Vec<Layer<'a>>, Vec<Layer<'a>>) = layers.into_iter().partition(is_over);
+            below.push(Layer::Water(water));
+            below.extend(over);
+            layers = below;
+        }
+        layers
     }
 
     fn draw_body(&self, canvas: &mut dyn Canvas, id: BodyId, look: &Look) {
@@ -111,7 +148,10 @@ impl<'a> Scene<'a> {
                 solid::draw_body(self.simulator, canvas, id, look, Some(textures))
             }
             Look::Ball(color) => solid::draw_ball(self.simulator, canvas, id, *color),
-            Look::Figure(figure) => solid::draw_figure(self.simulator, canvas, id, figure),
+            Look::Figure(figure) => figure::draw_figure(self.simulator, canvas, id, figure),
+            Look::Line { to, color, width } => {
+                solid::draw_line(self.simulator, canvas, [id, *to], *width, *color)
+            }
         }
     }
 

@@ -33,7 +33,7 @@ impl Cast {
         let tops: Vec<(BodyId, VirtualGeom)> =
             things.iter().flat_map(|thing| tops(simulator, thing)).collect();
         let bodies = things.iter().filter_map(|(thing, look)| match (thing, look) {
-            (_, Look::Nothing) | (Drawable::Platform(_), _) => None,
+            (_, Look::Nothing | Look::Line { .. }) | (Drawable::Platform(_), _) => None,
             (Drawable::Body(id), look) => of_body(simulator, texture, *id, look, &tops),
         });
         let platforms = things.iter().filter_map(|(thing, look)| match (thing, look) {
@@ -59,8 +59,15 @@ fn tops(simulator: &TwoHalfPhysicsSimulator, (thing, look): &(Drawable, Look)) -
     let quarter = std::f32::consts::FRAC_PI_2;
     let tilt = (body.rotation() + 0.5 * quarter).rem_euclid(quarter) - 0.5 * quarter;
     let geoms = simulator.core().geoms_of(*id).iter().filter_map(|&geom| simulator.geom(geom));
-    let solids = geoms.map(|geom| geom.virtual_geom()).filter(|shape| !shape.is_round);
+    let solids = geoms.map(|geom| geom.virtual_geom()).filter(|shape| shape.has_top);
     if tilt.abs() > LEVEL { Vec::new() } else { solids.map(|shape| (*id, shape)).collect() }
+}
+
+/// Whether something with a top is below a point, or above it.
+fn covers(top: &VirtualGeom, point: Vector3) -> bool {
+    let half = [0.5 * (top.right - top.left), 0.5 * (top.back - top.front)];
+    let [x, z] = [(point.x - top.left) / half[0] - 1.0, (point.z - top.front) / half[1] - 1.0];
+    if top.is_round { x * x + z * z <= 1.0 } else { x.abs() <= 1.0 && z.abs() <= 1.0 }
 }
 
 fn of_body(
@@ -75,10 +82,7 @@ fn of_body(
     let (shape, middle) = (geom.virtual_geom(), geom.position3d());
     let surface = simulator.surface_beneath(middle)?;
     let is_beneath = |(other, top): &&(BodyId, VirtualGeom)| {
-        *other != id
-            && (top.left..=top.right).contains(&middle.x)
-            && (top.front..=top.back).contains(&middle.z)
-            && (surface.height..=shape.bottom + SUNK).contains(&top.top)
+        *other != id && covers(top, middle) && (surface.height..=shape.bottom + SUNK).contains(&top.top)
     };
     let highest = tops.iter().filter(is_beneath).max_by(|a, b| a.1.top.total_cmp(&b.1.top));
     let flat = matches!(look, Look::Picture(_) | Look::Figure(_) | Look::Ball(_));

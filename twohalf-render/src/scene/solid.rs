@@ -2,9 +2,9 @@
 
 use twohalf::{BodyId, PlatformId, TwoHalfPhysicsSimulator, Vector3};
 
-use super::{Figure, Look, Textures};
+use super::upright::draw_upright;
+use super::{Look, Textures};
 use crate::corners::{bend, corners_of, cross, distance};
-use crate::outline_of_line::outline_of_line;
 use crate::surface::{Face, above_ground, to_screen};
 use crate::{Canvas, Color, DrawPlatform, PlatformLook, Point, SpriteBatch, Texture2D, Transform};
 
@@ -67,10 +67,24 @@ fn draw_tiles(
     let face = Transform { x_axis: axis(b, size[0]), y_axis: axis(d, size[1]), translation: a };
     let tile = [texture.width() as f32, texture.height() as f32];
     let [columns, rows] = [0, 1].map(|axis| (size[axis] / tile[axis]).ceil().min(MAX_TILES) as u32);
+    let seen = canvas.visible_area();
     for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))) {
         let corner = Transform::translation([column as f32 * tile[0], row as f32 * tile[1]]);
-        canvas.draw_texture(texture, &corner.then(&face), Color::WHITE, Some(outline));
+        let piece = corner.then(&face);
+        let [width, height] = tile;
+        let corners = [[0.0, 0.0], [width, 0.0], tile, [0.0, height]].map(|corner| piece.apply(corner));
+        if overlaps(&corners, seen) {
+            canvas.draw_texture(texture, &piece, Color::WHITE, Some(outline));
+        }
     }
+}
+
+/// Whether the box of some corners overlaps a box from its upper left to its lower right corner.
+fn overlaps(corners: &[Point; 4], [low, high]: [Point; 2]) -> bool {
+    (0..2).all(|axis| {
+        let ends = corners.map(|corner| corner[axis]);
+        ends.iter().any(|&end| end <= high[axis]) && ends.iter().any(|&end| end >= low[axis])
+    })
 }
 
 /// The outline of every geom, from its front to its back.
@@ -83,6 +97,9 @@ pub(super) fn draw_body(
 ) {
     for &geom in simulator.core().geoms_of(id) {
         let Some(view) = simulator.geom(geom) else { continue };
+        if draw_upright(simulator, canvas, &view, look) {
+            continue;
+        }
         let shape = view.virtual_geom();
         let half = 0.5 * (shape.back - shape.front);
         // From the middle of the depth, where the outline is, to its front and back.
@@ -145,7 +162,7 @@ fn upright(mut corners: [Point; 4]) -> [Point; 4] {
 }
 
 /// Least and greatest X and Y of a body's object geom on the screen, at its depth.
-fn bounds(simulator: &TwoHalfPhysicsSimulator, id: BodyId) -> Option<[Point; 2]> {
+pub(super) fn bounds(simulator: &TwoHalfPhysicsSimulator, id: BodyId) -> Option<[Point; 2]> {
     let body = simulator.body(id)?;
     let shape = simulator.geom(body.ground().object_geom()?)?.virtual_geom();
     let z = 0.5 * (shape.front + shape.back);
@@ -174,34 +191,15 @@ pub(super) fn draw_ball(
     canvas.fill_ellipse(light, [0.3 * rx, 0.22 * ry], &STILL, Color::rgba(255, 255, 255, 120));
 }
 
-/// In units of the figure's height, from its feet up; x forwards.
-pub(super) fn draw_figure(
+/// A line to another body.
+pub(super) fn draw_line(
     simulator: &TwoHalfPhysicsSimulator,
     canvas: &mut dyn Canvas,
-    id: BodyId,
-    figure: &Figure,
+    ends: [BodyId; 2],
+    width: f32,
+    color: Color,
 ) {
-    let Some([[left, top], [right, bottom]]) = bounds(simulator, id) else { return };
-    let height = bottom - top;
-    let forwards = if figure.looks_left { -height } else { height };
-    let place =
-        Transform::scaling([forwards, -height]).then(&Transform::translation([0.5 * (left + right), bottom]));
-    let swing = libm::sin(f64::from(figure.stride) * std::f64::consts::PI) as f32;
-    let [hip, shoulder] = [[0.0, 0.42], [0.0, 0.74]];
-    let limb = |canvas: &mut dyn Canvas, from: Point, to: Point, width: f32, color: Color| {
-        canvas.fill_polygon(&outline_of_line(&[from, to], false, width), &place, color);
-        // Round ends.
-        for end in [from, to] {
-            canvas.fill_ellipse(end, [0.5 * width; 2], &place, color);
-        }
-    };
-    let (skin, trousers) = (Color::rgb(236, 190, 150), figure.color.darker(0.5));
-    limb(canvas, shoulder, [-0.2 * swing + 0.04, 0.44], 0.09, figure.color.darker(0.3));
-    limb(canvas, hip, [-0.16 * swing - 0.05, 0.05], 0.1, trousers.darker(0.25));
-    limb(canvas, hip, [0.16 * swing + 0.05, 0.05], 0.1, trousers);
-    limb(canvas, [0.0, 0.48], [0.0, 0.7], 0.22, figure.color);
-    limb(canvas, shoulder, [0.2 * swing + 0.1, 0.46], 0.09, figure.color.lighter(0.15));
-    canvas.fill_ellipse([0.02, 0.88], [0.11, 0.12], &place, skin);
-    canvas.fill_ellipse([0.0, 0.93], [0.11, 0.08], &place, figure.color.darker(0.65));
-    canvas.fill_ellipse([0.08, 0.88], [0.015, 0.02], &place, Color::BLACK);
+    if let [Some(from), Some(to)] = ends.map(|id| simulator.body(id)) {
+        canvas.stroke_polyline(&[from.position().into(), to.position().into()], false, width, &STILL, color);
+    }
 }

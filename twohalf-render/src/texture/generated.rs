@@ -175,7 +175,7 @@ fn crate_front([x, y]: [f32; 2], [w, h]: [f32; 2], base: Color) -> Color {
 }
 
 /// A texture whose colour at the point (x, y), both 0 to 1 across the texture, is `color([x, y])`.
-fn generate(width: u32, height: u32, color: impl Fn([f32; 2]) -> Color) -> Result<Texture2D> {
+pub(super) fn generate(width: u32, height: u32, color: impl Fn([f32; 2]) -> Color) -> Result<Texture2D> {
     check_size(width, height)?;
     let mut pixels = Vec::with_capacity(width as usize * height as usize * 4);
     let at = |pixel: u32, sample: u32, length: u32| {

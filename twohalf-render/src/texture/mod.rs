@@ -1,6 +1,7 @@
 //! Pictures to draw: loaded, given as pixels, or generated.
 
 mod generated;
+mod masonry;
 
 use std::path::Path;
 use std::sync::Arc;

@@ -228,3 +228,27 @@ fn no_numbers_whatever_make_drawing_panic() {
     }
     assert!(canvas.pixel(0, 0).is_some());
 }
+
+#[test]
+fn walls_of_bad_bricks_are_refused() {
+    for brick in [[0, 10], [10, 3], [u32::MAX, 10]] {
+        assert!(is_refused(Texture2D::bricks(brick, [4, 4], RED)), "{brick:?}");
+        assert!(is_refused(Texture2D::paving(brick, [4, 4], RED)), "{brick:?}");
+    }
+    for count in [[0, 4], [4, 0], [u32::MAX, 4], [5000, 5000]] {
+        assert!(is_refused(Texture2D::bricks([10, 10], count, RED)), "{count:?}");
+    }
+}
+
+#[test]
+fn a_wall_goes_on_where_it_is_repeated() {
+    let wall = Texture2D::bricks([16, 8], [3, 4], RED).unwrap();
+    // Joints run along the edges of the texture: the dark line between two rows, all along.
+    for x in 0..48 {
+        let [first, last] = [0, 31].map(|y| wall.pixel(x, y).unwrap().r);
+        assert!(first < 200 && last < 200, "{x}: {first}, {last}");
+    }
+    // Of shifted rows the brick that is cut is the same at both sides.
+    let [left, right] = [2, 45].map(|x| wall.pixel(x, 12).unwrap());
+    assert_eq!(left, right);
+}

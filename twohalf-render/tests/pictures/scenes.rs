@@ -1,6 +1,6 @@
 //! Scenes of the 2.5D engine, drawn in one call.
 
-use twohalf::{BodyId, Drawable, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3};
+use twohalf::{BodyId, Drawable, Fluid, Platform, Region, TwoHalfPhysicsSimulator, Vector2, Vector3, Well};
 use twohalf_factories::{TwoHalfBodyFactory, TwoHalfGeomFactory};
 use twohalf_render::*;
 
@@ -190,4 +190,97 @@ fn the_room_of_a_box_reaches_from_its_front_to_its_back() {
     };
     // The lower edge at the front is at Y = 0 and Z = 40, the upper one at the back at Y = 40 and Z = 80.
     assert_eq!([draw(true), draw(false)], [[true; 2], [false; 2]]);
+}
+
+#[test]
+fn a_line_goes_from_the_middle_of_one_body_to_that_of_another_and_casts_no_shadow() {
+    let mut simulator = world();
+    let [from, to] = [60.0, 140.0].map(|x| add_box(&mut simulator, Vector3::new(x, 40.0, 60.0)));
+    simulator.update(0.0);
+    let canvas = drawn(&simulator, |thing| match thing {
+        Drawable::Body(id) if id == from => Look::Line { to, color: RED, width: 4.0 },
+        _ => Look::Nothing,
+    });
+    // Y = 60 and Z = 60 are at y = 80.
+    assert_eq!([62, 100, 138].map(|x| canvas.pixel(x, 80)), [Some(RED); 3]);
+    assert_eq!(
+        [(50, 80), (150, 80), (100, 84), (60, 140)].map(|(x, y)| canvas.pixel(x, y)),
+        [Some(Color::WHITE); 4]
+    );
+}
+
+/// The colour of a box at a place beside, in or over a pool from X = 50 to 150, Y = 0 to 50 and Z = 20 to 100.
+fn seen_through_water(place: Vector3) -> Color {
+    let mut simulator = world();
+    add_box(&mut simulator, place);
+    simulator.update(0.0);
+    let mut canvas = SoftwareCanvas::new(200, 200).unwrap();
+    canvas.clear(Color::WHITE);
+    let region = Region::new([50.0, 0.0, 20.0], [150.0, 50.0, 100.0]).unwrap();
+    let waters = [Water { region, color: Color::rgba(0, 0, 255, 128) }];
+    let shadow = Texture2D::from_rgba8(1, 1, vec![0; 4]).unwrap();
+    Scene::new(&simulator, &shadow).waters(&waters).draw(&mut canvas, |_| Look::Solid(plain()));
+    let middle = simulator.projection().to_screen(place + Vector3::new(0.0, 20.0, -20.0));
+    canvas.pixel(middle.x as u32, middle.y as u32).unwrap()
+}
+
+#[test]
+fn what_is_in_water_is_seen_through_it_and_what_is_before_or_over_it_is_not() {
+    for place in [[100.0, 5.0, 60.0], [100.0, 20.0, 50.0]] {
+        let color = seen_through_water(place.into());
+        assert!(color.r < 200 && color.b > 60, "{place:?}: {color:?}");
+    }
+    for place in [[100.0, 52.0, 60.0], [100.0, 5.0, -1.0]] {
+        assert_eq!(seen_through_water(place.into()), RED, "{place:?}");
+    }
+}
+
+#[test]
+fn the_waters_of_a_simulator_are_its_fluids_that_carry_and_have_an_end() {
+    let mut simulator = world();
+    let pool = Region::new([0.0; 3], [100.0; 3]).unwrap();
+    simulator.add_field(Fluid::water(pool, 1e-3)).unwrap();
+    simulator.add_field(Fluid::wind(pool, Vector3::x(), 1e-3)).unwrap();
+    simulator.add_field(Fluid::water(Region::EVERYWHERE, 1e-3)).unwrap();
+    simulator.add_field(Well::new([0.0; 3])).unwrap();
+    assert_eq!(Water::all_of(&simulator), [Water::new(pool)]);
+}
+
+#[test]
+fn every_pose_of_a_figure_looks_different_and_to_the_left_as_to_the_right() {
+    let mut simulator = world();
+    add_box(&mut simulator, Vector3::new(100.0, 0.0, 60.0));
+    simulator.update(0.0);
+    let all = [Pose::Walks, Pose::Strikes, Pose::Lifts, Pose::Jumps, Pose::Reels, Pose::Lies];
+    let picture = |pose, looks_left| {
+        let figure = Figure { pose, looks_left, stride: 0.3, ..Figure::new(RED) };
+        drawn(&simulator, |_| Look::Figure(figure))
+    };
+    let pictures: Vec<SoftwareCanvas> = all.iter().map(|&pose| picture(pose, false)).collect();
+    for (at, canvas) in pictures.iter().enumerate() {
+        assert!(pictures[..at].iter().all(|other| other != canvas), "{:?}", all[at]);
+        let mirrored = picture(all[at], true);
+        let differing = (0..200).flat_map(|y| (0..200).map(move |x| (x, y))).filter(|&(x, y)| {
+            let pair = [canvas.pixel(x, y), mirrored.pixel(199 - x, y)];
+            let [Some(a), Some(b)] = pair else { return true };
+            a.r.abs_diff(b.r) > 8 || a.g.abs_diff(b.g) > 8
+        });
+        // Edges are rounded otherwise, here and there; not mirrored, hundreds would differ.
+        let count = differing.count();
+        assert!(count < 60, "{:?}: {count}", all[at]);
+    }
+}
+
+#[test]
+fn only_the_tiles_of_a_face_that_are_seen_are_drawn_and_nothing_is_missing() {
+    let mut simulator = world();
+    Platform::new(&mut simulator, 3000.0, 40.0, 40.0, Vector3::new(100.0, 0.0, 60.0), None).unwrap();
+    simulator.update(0.0);
+    let tile = Texture2D::from_rgba8(10, 10, [255, 0, 0, 255].repeat(100)).unwrap();
+    let textures = Textures { top: Some(tile.clone()), front: Some(tile) };
+    let look = PlatformLook { edge_width: 0.0, ..plain() };
+    let canvas = drawn(&simulator, |_| Look::Textured(look, textures.clone()));
+    for (x, y) in (82..158).flat_map(|y| (0..200).map(move |x| (x, y))) {
+        assert_eq!(canvas.pixel(x, y), Some(RED), "({x}, {y})");
+    }
 }

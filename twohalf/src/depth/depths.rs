@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::body::DepthBody;
 use super::id_table::IdTable;
 use super::profile::DepthProfile;
+use super::upright::half_height;
 
 /// Everything this engine keeps beside the objects of the 2D engine.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
@@ -25,6 +26,12 @@ pub(crate) struct Depths {
 }
 
 impl Depths {
+    /// Whether a geom is upright, which only the precise set knows.
+    pub(crate) fn have_uprights(&self, core: &PhysicsSimulator) -> bool {
+        let profile = |geom: GeomId| self.profiles.get(geom);
+        core.geoms().any(|geom| profile(geom).is_some_and(|profile| profile.is_upright()))
+    }
+
     /// A body, to change it, or its geoms.
     pub(crate) fn edit(&mut self, id: BodyId) -> Option<&mut DepthBody> {
         let state = self.bodies.get_mut(id)?;
@@ -70,6 +77,9 @@ pub(crate) fn lowest(core: &PhysicsSimulator, depths: &Depths, body: BodyId) -> 
     let matrix = geom.matrix();
     // The geom's origin as seen from the body's: exact where they coincide.
     let offset = f64::from(matrix.m42) - f64::from(origin.position().y);
+    if let Some(upright) = depths.profiles.get(id).and_then(DepthProfile::upright) {
+        return f64::from(geom.offset().y) + f64::from(half_height(&upright));
+    }
     match depths.profiles.get(id) {
         Some(DepthProfile::Round { radius }) => offset + f64::from(*radius),
         _ => {

@@ -1,10 +1,12 @@
 //! What there is beside the 2D engine: data, and what follows from it alone. Knows no stage.
 
 mod body;
+mod crush_watch;
 mod depths;
 mod fields;
 mod ground;
 mod id_table;
+mod pace;
 mod partner;
 mod platform;
 mod platform_id;
@@ -13,13 +15,16 @@ mod profile;
 mod scheme;
 mod support;
 mod touches;
+pub(crate) mod upright;
 mod world;
 
 pub(crate) use body::{DepthBody, is_movable};
+pub(crate) use crush_watch::CrushWatch;
 pub(crate) use depths::{Depths, lowest};
 pub use fields::{Field, FieldId, Fluid, Region, Well};
 pub use ground::Ground;
 pub(crate) use id_table::IdTable;
+pub(crate) use pace::Pace;
 pub use partner::{Axis, Partner};
 pub use platform::Platform;
 pub use platform_id::PlatformId;

@@ -1,5 +1,7 @@
 //! Platforms: boxes with depth that nothing pushes, and that objects stand on, bump into and pass under (thesis 3.6).
 
+mod turned;
+
 use farseer_core::math::scalar;
 use farseer_core::{
     ArgumentNames, CollisionCategory, CollisionFilter, Fixture, FixtureMotion, Refusals, SurfaceCoefficients,
@@ -21,8 +23,9 @@ use crate::{Projection, Result, TextureId, Vector3};
 /// Objects land on it where their footprints overlap its, walk off every edge, bump into its sides, its front and its
 /// underside, and pass under it.
 ///
-/// With [`DepthScheme::Precise`](crate::DepthScheme::Precise) it stands still or [moves](PlatformMut::set_velocity) and carries what stands on it, and its
-/// surface may be a [belt](PlatformMut::set_surface_speed).
+/// With [`DepthScheme::Precise`](crate::DepthScheme::Precise) it stands still, [moves](PlatformMut::set_velocity) or
+/// [turns](PlatformMut::set_angular_velocity) about an upright axis, and carries what stands on it; its surface may be a
+/// [belt](PlatformMut::set_surface_speed), or [rise along Z](PlatformMut::set_pitch).
 ///
 /// Whom it meets and how it rubs and bounces is set as with a geom, in the [view to change it](PlatformMut); friction and
 /// restitution are 0 until set.
@@ -43,6 +46,10 @@ pub struct Platform {
     surface_speed: [f32; 2],
     motion: Option<Motion>,
     is_one_way: bool,
+    /// How much its top rises towards the back.
+    pitch: f32,
+    /// By what it is turned about the upright axis, if it ever is.
+    yaw: Option<f32>,
     /// Derived from the others.
     #[serde(skip)]
     shape: SlantedBox,
@@ -70,11 +77,12 @@ struct Motion {
 impl Motion {
     /// Whether everything that enters arithmetic is finite: false only after loading garbage.
     fn is_finite(&self) -> bool {
-        let FixtureMotion { velocity, target, way } = self.told;
+        let FixtureMotion { velocity, target, way, turning, yaw_target } = self.told;
+        let turns = [turning, yaw_target.map_or(0.0, |(target, _)| target)];
         let towards = target.map_or([0.0; 3], |(target, _)| target);
         let position = self.target.unwrap_or_default();
         let numbers = self.centre.iter().chain(position.iter()).copied();
-        numbers.chain(velocity).chain(towards).chain(way).all(|number| number.is_finite())
+        numbers.chain(velocity).chain(towards).chain(way).chain(turns).all(|number| number.is_finite())
     }
 }
 
@@ -115,6 +123,8 @@ impl Platform {
             surface_speed: [0.0; 2],
             motion: None,
             is_one_way: false,
+            pitch: 0.0,
+            yaw: None,
             shape: SlantedBox::default(),
         };
         platform.shaped(projection)
@@ -128,13 +138,17 @@ impl Platform {
         }
         let (sin, cos) = scalar::sin_cos(rotation);
         let half = [width * 0.5, height * 0.5, depth * 0.5];
+        let (turn_sin, turn_cos) = self.yaw.map_or((0.0, 1.0), scalar::sin_cos);
         self.shape = SlantedBox {
             centre: motion.map_or(self.middle(position3d), |motion| motion.centre),
             half,
             cos,
             sin,
             shear: projection.shear_of(angle_in_z_axis),
+            climb: self.climb(),
+            turn: [turn_cos, turn_sin],
         };
+        self.check_turn()?;
         let (low, high) = self.shape.bounds();
         // Differences within the box must be finite, too.
         if !(high - low).iter().chain(low.iter()).all(|number| number.is_finite()) {
@@ -165,18 +179,21 @@ impl Platform {
     /// engine below.
     pub(crate) fn set_motion(&mut self, velocity: Vector3, target: Option<Vector3>) -> bool {
         let towards = target.map(|target| (self.middle(target).into(), false));
-        let way = self.motion.map_or([0.0; 3], |motion| motion.told.way);
+        let told = self.motion.map(|motion| motion.told).unwrap_or_default();
         let stood_still = self.motion.is_none();
         self.motion = Some(Motion {
             centre: self.shape.centre,
             target,
-            told: FixtureMotion { velocity: velocity.into(), target: towards, way },
+            told: FixtureMotion { velocity: velocity.into(), target: towards, ..told },
         });
         stood_still
     }
 
-    pub(crate) fn set_surface_speed(&mut self, speed: [f32; 2]) {
-        self.surface_speed = speed;
+    /// Its surface is a belt.
+    pub(crate) fn with_surface_speed(&self, surface_speed: [f32; 2]) -> Result<Self> {
+        let platform = Platform { surface_speed, ..self.clone() };
+        platform.check_turn()?;
+        Ok(platform)
     }
 
     pub(crate) fn set_one_way(&mut self, value: bool) {
@@ -226,14 +243,14 @@ impl Platform {
 
     /// As the 2D engine below is told of it.
     pub(crate) fn fixture(&self, id: PlatformId) -> Fixture {
-        let ([along, across], SlantedBox { cos, sin, .. }) = (self.surface_speed, self.shape);
         Fixture {
             id: id.number(),
             shape: self.shape,
             rotation: self.rotation,
             filter: self.filter,
             surface: self.surface,
-            surface_velocity: [along * cos, along * sin, across],
+            yaw: self.yaw,
+            surface_velocity: self.surface_velocity(),
             motion: self.told_motion(),
             is_one_way: self.is_one_way,
         }
@@ -245,11 +262,14 @@ impl Platform {
 
     /// Whether it has what only the precise set can do.
     pub(super) fn is_precise(&self) -> bool {
-        self.motion.is_some() || self.surface_speed != [0.0; 2] || self.is_one_way
+        self.motion.is_some()
+            || self.surface_speed != [0.0; 2]
+            || self.is_one_way
+            || self.is_sloped_or_turned()
     }
 
     /// An update has brought it here.
-    pub(super) fn has_moved(&mut self, centre: Vector3, told: FixtureMotion) {
+    pub(super) fn has_moved(&mut self, centre: Vector3, yaw: Option<f32>, told: FixtureMotion) {
         let Some(motion) = &mut self.motion else { return };
         let has_landed = told.target.is_some_and(|(_, is_reached)| is_reached);
         if let Some(target) = motion.target.filter(|_| has_landed) {
@@ -258,6 +278,10 @@ impl Platform {
             self.position3d = Vector3::new(centre.x, -centre.y - self.height * 0.5, centre.z);
         }
         (motion.centre, motion.told, self.shape.centre) = (centre, told, centre);
+        if let Some(yaw) = yaw.filter(|_| yaw != self.yaw) {
+            let (sin, cos) = scalar::sin_cos(yaw);
+            (self.yaw, self.shape.turn) = (Some(yaw), [cos, sin]);
+        }
         motion.target = motion.target.filter(|_| told.target.is_some());
     }
 }
@@ -367,21 +391,7 @@ impl Platform {
     /// The eight corners in the world: of the front face (smaller Z) clockwise on the screen, before it is tilted
     /// from the top left one on; then of the back face in the same order.
     pub fn corners(&self) -> [Vector3; 8] {
-        let [width, height, depth] = self.shape.half;
-        let corner = |index: usize| {
-            let (across, down) = match index % 4 {
-                0 => (-width, -height),
-                1 => (width, -height),
-                2 => (width, height),
-                _ => (-width, height),
-            };
-            let z = if index < 4 { -depth } else { depth };
-            let SlantedBox { centre, cos, sin, shear, .. } = self.shape;
-            let x = centre.x + across * cos - down * sin + shear * z;
-            let y = centre.y + across * sin + down * cos;
-            Vector3::new(x, -y, centre.z + z)
-        };
-        std::array::from_fn(corner)
+        self.shape.corners().map(to_world)
     }
 
     /// The velocity that it was told, in the frame of the narrow phase.

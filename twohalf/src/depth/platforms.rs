@@ -74,6 +74,13 @@ impl Platforms {
         &mut self.list[index].1
     }
 
+    /// Lets one turn, as another one of which is told whether it stood still so far.
+    pub(crate) fn turn(&mut self, index: usize, platform: Platform, stood_still: bool) {
+        self.list[index].1 = platform;
+        self.is_told &= !stood_still;
+        self.is_motion_told = false;
+    }
+
     /// Lets one move.
     pub(crate) fn set_motion(&mut self, index: usize, velocity: Vector3, target: Option<Vector3>) {
         let stood_still = self.list[index].1.set_motion(velocity, target);
@@ -103,9 +110,15 @@ impl Platforms {
     }
 
     /// An update has brought a platform somewhere.
-    pub(crate) fn has_moved(&mut self, id: PlatformId, centre: Vector3, told: FixtureMotion) {
+    pub(crate) fn has_moved(
+        &mut self,
+        id: PlatformId,
+        centre: Vector3,
+        yaw: Option<f32>,
+        told: FixtureMotion,
+    ) {
         if let Some(index) = self.index_of(id) {
-            self.list[index].1.has_moved(centre, told);
+            self.list[index].1.has_moved(centre, yaw, told);
             self.is_sorted = false;
         }
     }

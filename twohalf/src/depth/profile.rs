@@ -1,8 +1,8 @@
 //! What a geom has beyond that of the 2D engine: depth.
 
-use farseer_core::GeomRef;
 use farseer_core::math::scalar::nearest_finite;
 use farseer_core::shape::Aabb;
+use farseer_core::{Footprint, GeomRef};
 use serde::{Deserialize, Serialize};
 
 use crate::Result;
@@ -21,6 +21,32 @@ pub enum DepthProfile {
         /// Radius in px, greater than 0.
         radius: f32,
     },
+    /// An upright cylinder about the geom's origin. It never turns, nor does its body: see [`Upright`](Self::Upright).
+    Cylinder {
+        /// Radius in px, greater than 0.
+        radius: f32,
+        /// Height in px, greater than 0.
+        height: f32,
+    },
+    /// An upright capsule about the geom's origin: a cylinder whose ends are halves of balls, so that it slides over edges. It
+    /// never turns, nor does its body: see [`Upright`](Self::Upright).
+    Capsule {
+        /// Radius in px, greater than 0.
+        radius: f32,
+        /// Height in px with both ends, at least twice the radius.
+        height: f32,
+    },
+    /// An upright prism: a footprint, drawn out along Y, half of its height above and half below the geom's origin. Only with
+    /// [`DepthScheme::Precise`](crate::DepthScheme::Precise), as cylinders and capsules.
+    ///
+    /// It stays upright: contacts and torques do not turn its body, and what a game turns by hand is its picture. Against others
+    /// that are upright, and platforms, its sides count wherever they look; against extruded outlines and balls as well.
+    Upright {
+        /// What it covers of X and Z, about the geom's origin.
+        footprint: Footprint,
+        /// Height in px, greater than 0.
+        height: f32,
+    },
 }
 
 impl DepthProfile {
@@ -28,8 +54,19 @@ impl DepthProfile {
     pub fn half_depth(&self) -> f32 {
         match *self {
             DepthProfile::Prism { depth } => depth * 0.5,
-            DepthProfile::Round { radius } => radius,
+            DepthProfile::Round { radius }
+            | DepthProfile::Cylinder { radius, .. }
+            | DepthProfile::Capsule { radius, .. } => radius,
+            DepthProfile::Upright { footprint, .. } => {
+                let (low, high) = footprint.bounds();
+                if -low.y > high.y { -low.y } else { high.y }
+            }
         }
+    }
+
+    /// Whether it stands upright whatever happens, and its body does not turn.
+    pub fn is_upright(&self) -> bool {
+        self.upright().is_some()
     }
 
     pub(crate) fn is_round(&self) -> bool {
@@ -51,6 +88,21 @@ impl DepthProfile {
             }
             DepthProfile::Round { radius } if !(radius.is_finite() && radius > 0.0) => {
                 Err(invalid("radius", radius, "finite and greater than 0"))
+            }
+            DepthProfile::Cylinder { radius, height } | DepthProfile::Capsule { radius, height } => {
+                let is_size = |size: f32| size.is_finite() && size > 0.0;
+                let is_capsule = matches!(self, DepthProfile::Capsule { .. });
+                if !is_size(radius) {
+                    return Err(invalid("radius", radius, "finite and greater than 0"));
+                }
+                if !is_size(height) || (is_capsule && height < 2.0 * radius) {
+                    let wanted = "finite and greater than 0, and no less than twice the radius of a capsule";
+                    return Err(invalid("height", height, wanted));
+                }
+                Ok(self)
+            }
+            DepthProfile::Upright { height, .. } if !(height.is_finite() && height > 0.0) => {
+                Err(invalid("height", height, "finite and greater than 0"))
             }
             _ => Ok(self),
         }

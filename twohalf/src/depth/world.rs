@@ -3,8 +3,10 @@
 use farseer_core::{BodyId, GeomId, PhysicsSimulator};
 use serde::{Deserialize, Serialize};
 
+use super::crush_watch::CrushWatch;
 use super::depths::Depths;
 use super::fields::Fields;
+use super::pace::Pace;
 use super::partner::Partner;
 use super::platforms::Platforms;
 use super::scheme::DepthScheme;
@@ -21,6 +23,10 @@ pub struct World {
     pub(crate) depths: Depths,
     pub(crate) platforms: Platforms,
     pub(crate) fields: Fields,
+    /// Bodies with a time of their own.
+    pub(crate) paces: Vec<Pace>,
+    /// Bodies of which it is told when they are crushed.
+    pub(crate) crush_watches: Vec<CrushWatch>,
     /// Contacts of the last update that came to its end. With the precise set only what was loaded: the engine below knows what
     /// touches from the first update on.
     #[serde(skip)]
@@ -39,6 +45,8 @@ impl World {
             depths: Depths::default(),
             platforms: Platforms::default(),
             fields: Fields::default(),
+            paces: Vec::new(),
+            crush_watches: Vec::new(),
             touches: TouchList::default(),
             has_rejected: false,
         }

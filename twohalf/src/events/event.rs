@@ -4,6 +4,7 @@ use farseer_core::{BodyId, Event as CoreEvent, GeomId, JointId, ObjectId, Spring
 
 use super::collision::Collision;
 use crate::depth::Partner;
+use crate::views::Squeeze;
 
 /// Something that happened during the last update, or was asked for since the one before.
 /// [`TwoHalfPhysicsSimulator::events`](crate::TwoHalfPhysicsSimulator::events) lists them, those of pairs that the 2D
@@ -57,6 +58,14 @@ pub enum Event {
     SpringBroke {
         /// The spring.
         spring: SpringId,
+    },
+    /// A body that is [watched](crate::TwoHalfPhysicsSimulator::set_crush_tolerance) has less room between two sides than is
+    /// tolerated, from this update on.
+    Crushed {
+        /// The body.
+        body: BodyId,
+        /// By what, and how much.
+        squeeze: Squeeze,
     },
     /// A setter or an update was given a value that is not finite, and changed nothing. Told once per object and
     /// argument, however often it was refused since the last update that told.

@@ -1,6 +1,6 @@
 //! The shape of platforms, which is the core's: closed forms, and comparisons with searches and marches.
 
-use farseer_core::math::{Vector2, Vector3, scalar};
+use farseer_core::math::{Vector3, scalar};
 
 use super::{Face, SlantedBox};
 use crate::shapes::samples::Random;
@@ -16,19 +16,34 @@ pub(in crate::shapes) fn shape(numbers: &mut Random, round: usize) -> SlantedBox
     let (sin, cos) = scalar::sin_cos(angle);
     let shear = [0.0, numbers.number(-2.0, 2.0)][round % 2];
     let half = [0; 3].map(|_| numbers.number(10.0, 50.0));
-    SlantedBox { centre: vector(numbers, 200.0), half, cos, sin, shear }
+    SlantedBox { centre: vector(numbers, 200.0), half, cos, sin, shear, ..SlantedBox::default() }
+}
+
+/// Some of them also climb along z, some are turned about an upright axis.
+fn turned(numbers: &mut Random, round: usize) -> SlantedBox {
+    let shape = shape(numbers, round);
+    let (sin, cos) = scalar::sin_cos(numbers.number(-4.0, 4.0));
+    let climb = numbers.number(-1.5, 1.5);
+    match round / 6 % 4 {
+        1 => SlantedBox { climb, ..shape },
+        2 => SlantedBox { turn: [cos, sin], ..shape },
+        3 => SlantedBox { climb, turn: [cos, sin], ..shape },
+        _ => shape,
+    }
 }
 
 /// Squared distance to the rectangle at a depth from the centre, in f64.
 fn squared_distance_at(shape: &SlantedBox, point: Vector3, deep: f64) -> f64 {
     let offset = (point - shape.centre).map(f64::from);
     let [width, height, _] = shape.half.map(f64::from);
-    let (cos, sin) = (f64::from(shape.cos), f64::from(shape.sin));
-    let x = offset.x - f64::from(shape.shear) * deep;
-    let across = x * cos + offset.y * sin;
-    let down = offset.y * cos - x * sin;
+    let (cos, sin, turn) = (f64::from(shape.cos), f64::from(shape.sin), shape.turn.map(f64::from));
+    let x = turn[0] * offset.x + turn[1] * offset.z - f64::from(shape.shear) * deep;
+    let y = offset.y + f64::from(shape.climb) * deep;
+    let z = turn[0] * offset.z - turn[1] * offset.x;
+    let across = x * cos + y * sin;
+    let down = y * cos - x * sin;
     let (across, down) = (across.abs() - width, down.abs() - height);
-    across.max(0.0).powi(2) + down.max(0.0).powi(2) + (offset.z - deep).powi(2)
+    across.max(0.0).powi(2) + down.max(0.0).powi(2) + (z - deep).powi(2)
 }
 
 /// By ternary search over the depth, where the function is convex.
@@ -51,6 +66,8 @@ const LEVEL: SlantedBox = SlantedBox {
     cos: 1.0,
     sin: 0.0,
     shear: 0.0,
+    climb: 0.0,
+    turn: [1.0, 0.0],
 };
 
 #[test]
@@ -58,7 +75,7 @@ fn distances_outside_are_those_of_a_search_over_the_depth() {
     let mut numbers = Random(1);
     let mut outside = 0;
     for round in 0..3000 {
-        let shape = shape(&mut numbers, round);
+        let shape = turned(&mut numbers, round);
         let point = shape.centre + vector(&mut numbers, 150.0);
         let (distance, normal) = shape.nearest(point).unwrap();
         let expected = distance_by_search(&shape, point);
@@ -79,7 +96,7 @@ fn distances_outside_are_those_of_a_search_over_the_depth() {
 fn inside_no_way_out_is_shorter_than_the_distance() {
     let mut numbers = Random(2);
     for round in 0..300 {
-        let shape = shape(&mut numbers, round);
+        let shape = turned(&mut numbers, round);
         let point = shape.centre + vector(&mut numbers, 15.0);
         if !shape.contains(point) {
             continue;
@@ -110,26 +127,22 @@ fn a_sheared_sides_normal_leans_towards_its_depth() {
     assert!((normal - Vector3::new(half_root, 0.0, -half_root)).norm() < 1e-6);
 }
 
-fn outline_at(shape: &SlantedBox, deep: f32) -> [Vector2; 4] {
-    let centre = Vector2::new(shape.centre.x + shape.shear * deep, shape.centre.y);
-    shape.rectangle().map(|corner| centre + corner)
-}
-
 #[test]
 fn the_bounds_are_those_of_the_corners() {
     let mut numbers = Random(3);
     for round in 0..100 {
-        let shape = shape(&mut numbers, round);
+        let shape = turned(&mut numbers, round);
         let (low, high) = shape.bounds();
-        let ends = [-1.0, 1.0].map(|end| outline_at(&shape, end * shape.half[2]));
-        let corners = || ends.iter().flatten();
-        let least = |coordinate: usize| corners().fold(f32::INFINITY, |least, c| least.min(c[coordinate]));
-        let greatest = |coordinate: usize| corners().fold(-f32::INFINITY, |most, c| most.max(c[coordinate]));
-        for coordinate in 0..2 {
-            assert!((least(coordinate) - low[coordinate]).abs() < 1e-3);
-            assert!((greatest(coordinate) - high[coordinate]).abs() < 1e-3);
+        let corners = shape.corners();
+        let least = |axis: usize| corners.iter().fold(f32::INFINITY, |least, c| least.min(c[axis]));
+        let greatest = |axis: usize| corners.iter().fold(-f32::INFINITY, |most, c| most.max(c[axis]));
+        for axis in 0..3 {
+            let ends = [least(axis) - low[axis], high[axis] - greatest(axis)];
+            // Of what is tilted or leans and is turned besides, they are not the least ones.
+            let is_exact = !shape.is_turned() || (shape.sin == 0.0 && shape.shear == 0.0);
+            assert!(ends.iter().all(|end| *end > -1e-3 && (*end < 1e-3 || !is_exact)));
         }
-        assert_eq!((low.z, high.z), (shape.centre.z - shape.half[2], shape.centre.z + shape.half[2]));
+        assert!(corners.iter().all(|&corner| shape.nearest(corner).unwrap().0.abs() < 1e-3));
     }
 }
 
@@ -145,7 +158,7 @@ fn the_entry_face_is_where_a_march_along_the_way_first_gets_inside() {
     let mut numbers = Random(4);
     let mut entered = 0;
     for round in 0..2000 {
-        let shape = shape(&mut numbers, round);
+        let shape = turned(&mut numbers, round);
         let (before, now) =
             (shape.centre + vector(&mut numbers, 120.0), shape.centre + vector(&mut numbers, 60.0));
         const STEPS: i32 = 2000;
@@ -209,7 +222,7 @@ fn the_top_on_a_vertical_line_is_where_a_march_down_first_gets_inside() {
     let mut numbers = Random(5);
     let mut hits = 0;
     for round in 0..1000 {
-        let shape = shape(&mut numbers, round);
+        let shape = turned(&mut numbers, round);
         let over = shape.centre + vector(&mut numbers, 40.0);
         let (low, high) = shape.bounds();
         let at = |step: i32| Vector3::new(over.x, low.y + (high.y - low.y) * (step as f32 / 2000.0), over.z);

@@ -1,84 +1,28 @@
 //! What is drawn over what.
 
-use farseer_core::BodyId;
+use std::cmp::Ordering;
 
-use crate::projection::to_world;
-use crate::shapes::Face;
-use crate::{PlatformId, TwoHalfPhysicsSimulator, Vector2, Vector3};
+use super::drawn::{Drawable, Item, Sides};
+use super::sorted_again::SortedAgain;
+use crate::{TwoHalfPhysicsSimulator, Vector3};
 
-/// Something to draw.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Drawable {
-    /// A body.
-    Body(BodyId),
-    /// A platform.
-    Platform(PlatformId),
-}
-
-/// The room that something takes up in the world, and where it appears on the screen.
+/// What orders items from the back to the front, and where one is listed.
 #[derive(Debug, Clone, Copy)]
-struct Item {
+struct ByDepth {
+    middle: f32,
+    height: f32,
     drawable: Drawable,
-    low: Vector3,
-    high: Vector3,
-    /// The place of its sides, if it is a platform.
-    sides: Option<u32>,
-    screen_low: Vector2,
-    screen_high: Vector2,
+    listed: u32,
 }
 
-/// Sides of a platform: outward normals and how far they reach along them.
-type Sides = [(Vector3, f32); 4];
-
-impl Item {
-    fn of_points(drawable: Drawable, points: impl Iterator<Item = (Vector3, Vector2)>) -> Option<Self> {
-        let mut item: Option<Item> = None;
-        for (p, s) in points {
-            let fresh = Item { drawable, low: p, high: p, sides: None, screen_low: s, screen_high: s };
-            let item = item.get_or_insert(fresh);
-            (item.low, item.high) = (item.low.inf(&p), item.high.sup(&p));
-            (item.screen_low, item.screen_high) = (item.screen_low.inf(&s), item.screen_high.sup(&s));
-        }
-        item
+impl ByDepth {
+    fn new(item: &Item, listed: u32) -> Self {
+        ByDepth { middle: item.middle(), height: item.low.y, drawable: item.drawable, listed }
     }
 
-    fn middle(&self) -> f32 {
-        (self.low.z + self.high.z) * 0.5
-    }
-
-    /// Least of the box along a direction.
-    fn least_along(&self, n: Vector3) -> f32 {
-        (0..3).map(|axis| n[axis] * if n[axis] > 0.0 { self.low[axis] } else { self.high[axis] }).sum()
-    }
-
-    /// The direction from this to the other along which they are farthest apart, or overlap least.
-    fn direction_to(&self, other: &Item, all_sides: &[Sides]) -> Vector3 {
-        let sides_of = |item: &Item| item.sides.map(|at| &all_sides[at as usize]).into_iter().flatten();
-        let mut best = (f32::NEG_INFINITY, Vector3::zeros());
-        let mut consider = |gap: f32, n: Vector3| {
-            if gap > best.0 {
-                best = (gap, n);
-            }
-        };
-        for axis in 0..3 {
-            let n = Vector3::ith(axis, 1.0);
-            consider(other.low[axis] - self.high[axis], n);
-            consider(self.low[axis] - other.high[axis], -n);
-        }
-        for &(n, reach) in sides_of(self) {
-            consider(other.least_along(n) - reach, n);
-        }
-        for &(n, reach) in sides_of(other) {
-            consider(self.least_along(n) - reach, -n);
-        }
-        best.1
-    }
-
-    /// Whether this is drawn before the other. `to_viewer` is the direction of the line on which all points appear
-    /// at one point of the screen.
-    fn is_below(&self, other: &Item, sides: &[Sides], to_viewer: Vector3) -> bool {
-        let nearer = self.direction_to(other, sides).dot(&to_viewer);
-        if nearer == 0.0 { self.middle() > other.middle() } else { nearer > 0.0 }
+    fn compare(&self, other: &Self) -> Ordering {
+        let height = self.height.total_cmp(&other.height);
+        other.middle.total_cmp(&self.middle).then(height).then(self.drawable.cmp(&other.drawable))
     }
 }
 
@@ -89,8 +33,26 @@ struct Appearance {
     right: f32,
     low: f32,
     high: f32,
-    /// Its place among the items.
+    /// Its place among the items, and where it is listed.
     item: u32,
+    listed: u32,
+}
+
+impl Appearance {
+    fn new(item: &Item, rank: u32, listed: u32) -> Self {
+        Appearance {
+            left: item.screen_low.x,
+            right: item.screen_high.x,
+            low: item.screen_low.y,
+            high: item.screen_high.y,
+            item: rank,
+            listed,
+        }
+    }
+
+    fn compare(&self, other: &Self) -> Ordering {
+        self.left.total_cmp(&other.left).then(self.item.cmp(&other.item))
+    }
 }
 
 /// Lists of numbers, one behind the other.
@@ -160,7 +122,8 @@ impl Strips {
     }
 }
 
-/// What is drawn over what, found again in every frame, in room that is kept: it allocates nothing once it has grown to the scene.
+/// What is drawn over what, found again in every frame, in room that is kept: it allocates nothing once it has grown to the scene, and only what
+/// has moved since the frame before is sorted again.
 ///
 /// ```
 /// # use twohalf::{DrawOrder, TwoHalfPhysicsSimulator, Vector2};
@@ -176,9 +139,21 @@ impl Strips {
 /// ```
 #[derive(Debug, Clone, Default)]
 pub struct DrawOrder {
+    /// As they are listed, and as they were in the frame before.
+    listed: Vec<Item>,
+    before: Vec<Item>,
+    /// By place in the list of the frame before, the one now.
+    now_at: Vec<u32>,
+    at_slot: Vec<u32>,
+    /// By place in the list: whether it was in the one before, whether it has moved since, and its place among the items.
+    is_known: Vec<bool>,
+    has_moved: Vec<bool>,
+    ranks: Vec<u32>,
+    by_depth: SortedAgain<ByDepth>,
+    /// From the back to the front.
     items: Vec<Item>,
     sides: Vec<Sides>,
-    appearances: Vec<Appearance>,
+    appearances: SortedAgain<Appearance>,
     /// Pairs of items, the one that is covered last.
     covers: Vec<[u32; 2]>,
     strips: Lists,
@@ -189,33 +164,103 @@ pub struct DrawOrder {
     order: Vec<Drawable>,
 }
 
+/// No place.
+const GONE: u32 = u32::MAX;
+
 impl DrawOrder {
     /// The bodies that take part and are enabled, and the platforms, as [`TwoHalfPhysicsSimulator::draw_order`] orders them.
     pub fn sort(&mut self, simulator: &TwoHalfPhysicsSimulator) -> &[Drawable] {
-        self.items.clear();
+        std::mem::swap(&mut self.listed, &mut self.before);
+        self.listed.clear();
         self.sides.clear();
-        simulator.list_items(&mut self.items, &mut self.sides);
-        self.items.sort_unstable_by(|a, b| {
-            let height = a.low.y.total_cmp(&b.low.y);
-            b.middle().total_cmp(&a.middle()).then(height).then(a.drawable.cmp(&b.drawable))
-        });
+        simulator.list_items(&mut self.listed, &mut self.sides);
+        self.find_again();
+        self.sort_by_depth();
+        self.sort_by_appearance();
         self.find_covers(simulator.projection().to_viewer());
         self.walk();
         &self.order
     }
 
+    /// Where those of the frame before are listed now, and which of them have moved.
+    fn find_again(&mut self) {
+        let DrawOrder { listed, before, now_at, at_slot, is_known, has_moved, .. } = self;
+        // What is listed now is what was before in the next frame: there is room for it.
+        before.reserve(listed.len().saturating_sub(before.len()));
+        now_at.clear();
+        now_at.reserve(listed.len());
+        let is_alike = listed.len() == before.len()
+            && listed.iter().zip(before.iter()).all(|(now, before)| now.drawable == before.drawable);
+        if is_alike {
+            now_at.extend(0..listed.len() as u32);
+        } else {
+            let platforms = listed.partition_point(|item| matches!(item.drawable, Drawable::Body(_)));
+            at_slot.clear();
+            for (place, item) in (0..).zip(listed.iter()) {
+                if let Drawable::Body(id) = item.drawable {
+                    at_slot.resize(at_slot.len().max(id.slot() + 1), GONE);
+                    at_slot[id.slot()] = place;
+                }
+            }
+            now_at.extend(before.iter().map(|item| {
+                let place = match item.drawable {
+                    Drawable::Body(id) => at_slot.get(id.slot()).copied(),
+                    Drawable::Platform(_) => listed[platforms..]
+                        .binary_search_by_key(&item.drawable, |item| item.drawable)
+                        .ok()
+                        .map(|at| (platforms + at) as u32),
+                };
+                let found =
+                    place.filter(|&place| place != GONE && listed[place as usize].drawable == item.drawable);
+                found.unwrap_or(GONE)
+            }));
+        }
+        for marks in [&mut *is_known, &mut *has_moved] {
+            marks.clear();
+            marks.resize(listed.len(), false);
+        }
+        for (before, &place) in before.iter().zip(now_at.iter()).filter(|(_, place)| **place != GONE) {
+            is_known[place as usize] = true;
+            has_moved[place as usize] = !before.is_where(&listed[place as usize]);
+        }
+    }
+
+    fn sort_by_depth(&mut self) {
+        let DrawOrder { listed, now_at, is_known, has_moved, ranks, by_depth, items, .. } = self;
+        let entry = |place: u32| ByDepth::new(&listed[place as usize], place);
+        let fresh =
+            (0..).zip(is_known.iter()).filter(|(_, is_known)| !**is_known).map(|(place, _)| entry(place));
+        let now = |before: &ByDepth| {
+            let place = now_at[before.listed as usize];
+            (place != GONE).then(|| (entry(place), has_moved[place as usize]))
+        };
+        by_depth.sort(now, fresh, ByDepth::compare);
+        items.clear();
+        ranks.clear();
+        ranks.resize(listed.len(), 0);
+        for (rank, sorted) in (0..).zip(by_depth.as_slice()) {
+            ranks[sorted.listed as usize] = rank;
+            items.push(listed[sorted.listed as usize]);
+        }
+    }
+
+    /// By their left sides.
+    fn sort_by_appearance(&mut self) {
+        let DrawOrder { listed, now_at, is_known, has_moved, ranks, appearances, .. } = self;
+        let entry = |place: u32| Appearance::new(&listed[place as usize], ranks[place as usize], place);
+        let fresh =
+            (0..).zip(is_known.iter()).filter(|(_, is_known)| !**is_known).map(|(place, _)| entry(place));
+        let now = |before: &Appearance| {
+            let place = now_at[before.listed as usize];
+            (place != GONE).then(|| (entry(place), has_moved[place as usize]))
+        };
+        appearances.sort(now, fresh, Appearance::compare);
+    }
+
     /// Who covers whom, of those that appear at one place of the screen.
     fn find_covers(&mut self, to_viewer: Vector3) {
         let DrawOrder { items, sides, appearances, strips, covers, covered, .. } = self;
-        appearances.clear();
-        appearances.extend((0..).zip(items.iter()).map(|(item, of)| Appearance {
-            left: of.screen_low.x,
-            right: of.screen_high.x,
-            low: of.screen_low.y,
-            high: of.screen_high.y,
-            item,
-        }));
-        appearances.sort_unstable_by(|a, b| a.left.total_cmp(&b.left).then(a.item.cmp(&b.item)));
+        let appearances = appearances.as_slice();
         let parts = Strips::over(appearances);
         let in_strips = (0..).zip(appearances.iter());
         let in_strips = in_strips.flat_map(|(at, of)| parts.of(of).map(move |strip| [strip, at]));
@@ -282,36 +327,5 @@ impl TwoHalfPhysicsSimulator {
         let mut order = DrawOrder::default();
         order.sort(self);
         order.order
-    }
-
-    fn list_items(&self, items: &mut Vec<Item>, sides: &mut Vec<Sides>) {
-        items.extend(self.body_list().iter().filter_map(|&id| self.item_of_body(id)));
-        for id in self.platforms() {
-            let Some(platform) = self.platform(id) else { continue };
-            let corners = platform.corners();
-            let points = corners.into_iter().map(|corner| (corner, self.projection().to_screen(corner)));
-            let Some(item) = Item::of_points(Drawable::Platform(id), points) else { continue };
-            items.push(Item { sides: Some(sides.len() as u32), ..item });
-            let shape = platform.shape();
-            sides.push(Face::SIDES.map(|face| {
-                let normal = shape.face_normal(face);
-                // The origin's distance from a side is the negative of how far the side reaches.
-                (to_world(normal), -shape.distance_to_face(face, Vector3::zeros()))
-            }));
-        }
-    }
-
-    fn item_of_body(&self, id: BodyId) -> Option<Item> {
-        let body = self.body(id).filter(|body| body.enabled())?;
-        // The picture is flat: it appears at the middle of the body.
-        let z = self.world.depths.z_of(id);
-        let shown = |p: Vector3| (p, self.projection().to_screen(Vector3::new(p.x, p.y, z)));
-        let geoms = self.core.geoms_of(id).iter().filter_map(|&geom| self.geom(geom));
-        let corners = geoms.flat_map(|geom| {
-            let v = geom.virtual_geom();
-            [Vector3::new(v.left, v.bottom, v.front), Vector3::new(v.right, v.top, v.back)]
-        });
-        let of_geoms = Item::of_points(Drawable::Body(id), corners.map(shown));
-        of_geoms.or_else(|| Item::of_points(Drawable::Body(id), [shown(body.origin3d())].into_iter()))
     }
 }

@@ -5,7 +5,7 @@ use farseer_core::{BodyId, Geom, GeomId, Vertices};
 
 use super::TwoHalfPhysicsSimulator;
 use crate::depth::{DepthProfile, DepthScheme};
-use crate::error::stale;
+use crate::error::{only_precise, stale};
 use crate::views::TwoHalfGeom;
 use crate::{Error, Result};
 
@@ -83,14 +83,21 @@ impl TwoHalfPhysicsSimulator {
     }
 
     /// Sets how a geom's outline extends in depth. If it is its body's object geom, the body's origin stays, so
-    /// its height may change.
+    /// its height may change. What is upright gives the geom the outline that it has from the front, a rectangle.
     ///
     /// # Errors
     /// A stale id; a depth that is not finite and 0 or more; a radius that is not finite and greater than 0, or so
-    /// great that the ball does not end at finite X and Y where it is.
+    /// great that the ball does not end at finite X and Y where it is; a height that is not finite and greater than 0, or less than
+    /// twice the radius of a capsule; something upright with another scheme than [`DepthScheme::Precise`].
     pub fn set_depth_profile(&mut self, geom: GeomId, profile: DepthProfile) -> Result<()> {
         let body = self.core.geom(geom).ok_or(stale("geom"))?.body();
         let profile = profile.check()?;
+        if let Some(front) = profile.front() {
+            if self.world.scheme != DepthScheme::Precise {
+                return Err(only_precise("upright footprints"));
+            }
+            self.set_vertices(geom, front)?;
+        }
         match self.box_radius_of(profile) {
             Some(radius) => self.core.set_box_radius(geom, Some(radius)).map_err(Error::from)?,
             // A geom that cannot have the box of its outline keeps the one that it has.

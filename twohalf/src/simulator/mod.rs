@@ -1,6 +1,8 @@
 //! The simulator: owns everything.
 
+mod crush;
 mod draw_order;
+mod drawn;
 mod fields;
 mod geoms;
 mod lengths;
@@ -11,9 +13,12 @@ mod rays;
 mod save;
 mod settings;
 mod snapshot;
+mod sorted_again;
+mod time;
 mod update;
 
-pub use draw_order::{DrawOrder, Drawable};
+pub use draw_order::DrawOrder;
+pub use drawn::Drawable;
 pub use queries::Surface;
 pub use rays::RayHit3D;
 pub use save::SavedTwoHalfSimulator;

@@ -183,6 +183,8 @@ impl TwoHalfPhysicsSimulator {
         world.depths = Depths::default();
         world.platforms.clear();
         world.fields.clear();
+        world.paces.clear();
+        world.crush_watches.clear();
         world.touches.clear();
         world.has_rejected = false;
         self.report.clear();

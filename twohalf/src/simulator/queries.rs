@@ -2,7 +2,7 @@
 
 use farseer_core::{BodyId, GeomId};
 
-use super::draw_order::Drawable;
+use super::drawn::Drawable;
 use crate::projection::to_world;
 use crate::{Partner, TwoHalfPhysicsSimulator, Vector2, Vector3, VirtualGeom};
 

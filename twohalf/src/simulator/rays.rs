@@ -1,6 +1,6 @@
 //! What a ray through the world enters, in three axes.
 
-use farseer_core::GeomId;
+use farseer_core::{GeomId, SpaceUpright};
 
 use crate::projection::to_world;
 use crate::shapes::{ConvexPieces, Face, SlantedBox};
@@ -97,6 +97,63 @@ impl Ray {
         (fraction <= 1.0).then_some((fraction, normal))
     }
 
+    /// What of the ray is within a radius of a line along y or of a point.
+    fn inside_round(&self, centre: Vector3, radius: f32, is_line: bool) -> Option<Inside> {
+        let level = |v: Vector3| if is_line { Vector3::new(v.x, 0.0, v.z) } else { v };
+        let (from, way) = (level(self.start - centre), level(self.way));
+        let (a, b, c) = (way.norm_squared(), from.dot(&way), from.norm_squared() - radius * radius);
+        if a == 0.0 {
+            return (c <= 0.0).then(Inside::new);
+        }
+        let root = b * b - a * c;
+        if root < 0.0 {
+            return None;
+        }
+        // The one of both that adds no two numbers of different signs is exact, and their product is c / a.
+        let sum = if b < 0.0 { root.sqrt() - b } else { -root.sqrt() - b };
+        let (one, other) = (sum / a, if sum == 0.0 { 0.0 } else { c / sum });
+        let (entered, left) = if one < other { (one, other) } else { (other, one) };
+        Some(Inside { entered, left, normal: (from + way * entered) / radius })
+    }
+
+    /// Between two heights as well.
+    fn between(&self, inside: Inside, middle: f32, half: f32) -> Option<Inside> {
+        let [up, down] = [-1.0, 1.0].map(|side| Vector3::new(0.0, side, 0.0));
+        let inside = self.cut(inside, up, Vector3::new(0.0, middle - half, 0.0))?;
+        self.cut(inside, down, Vector3::new(0.0, middle + half, 0.0))
+    }
+
+    fn inside_upright(&self, shape: &SpaceUpright, at: Vector3) -> Option<Inside> {
+        match *shape {
+            SpaceUpright::Cylinder { radius, half_height } => {
+                self.between(self.inside_round(at, radius, true)?, at.y, half_height)
+            }
+            SpaceUpright::Capsule { radius, half_height } => {
+                let half = half_height - radius;
+                let side = self.inside_round(at, radius, true);
+                let side = side.and_then(|side| self.between(side, at.y, half));
+                let [one, other] = [-half, half]
+                    .map(|end| self.inside_round(at + Vector3::new(0.0, end, 0.0), radius, false));
+                // All three are one: it is entered where the first of them is, and left where the last is.
+                let parts = [side, one, other].into_iter().flatten();
+                parts.reduce(|a, b| {
+                    let first = if b.entered < a.entered { b } else { a };
+                    Inside { left: a.left.max(b.left), ..first }
+                })
+            }
+            SpaceUpright::Prism { footprint, half_height } => {
+                let corners = footprint.corners();
+                let mut inside = self.between(Inside::new(), at.y, half_height)?;
+                for (number, &corner) in corners.iter().enumerate() {
+                    let edge = corners[(number + 1) % corners.len()] - corner;
+                    let out = Vector3::new(edge.y, 0.0, -edge.x) / edge.norm();
+                    inside = self.cut(inside, out, at + Vector3::new(corner.x, 0.0, corner.y))?;
+                }
+                Some(inside)
+            }
+        }
+    }
+
     fn inside_prism(&self, piece: &[Vector2], z: f32, half: f32) -> Option<Inside> {
         if piece.len() < 3 {
             return None;
@@ -173,6 +230,10 @@ impl TwoHalfPhysicsSimulator {
     fn entry_of(&self, ray: &Ray, id: GeomId) -> Option<Entry> {
         let (geom, profile) = (self.core.geom(id)?, *self.world.depths.profiles.get(id)?);
         let z = self.world.depths.z_of(geom.body());
+        if let Some(upright) = profile.upright() {
+            let at = crate::depth::upright::middle(geom, self.core.body(geom.body())?, z);
+            return ray.inside_upright(&upright, at)?.entry();
+        }
         if let DepthProfile::Round { radius } = profile {
             let centre = geom.position();
             return ray.entry_of_ball(Vector3::new(centre.x, centre.y, z), radius);

@@ -12,7 +12,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 
 use super::TwoHalfPhysicsSimulator;
 use crate::Result;
-use crate::depth::{DepthProfile, DepthScheme, TouchList, World};
+use crate::depth::{CrushWatch, DepthProfile, DepthScheme, Pace, TouchList, World};
 use crate::error::damaged;
 use crate::views::list_touches;
 
@@ -78,10 +78,21 @@ impl TwoHalfPhysicsSimulator {
             return Err(damaged("a platform is out of range"));
         }
         if world.scheme != DepthScheme::Precise && world.platforms.are_precise() {
-            return Err(damaged("a platform moves, is a belt or one-way, where none can be"));
+            return Err(damaged(
+                "a platform moves, is a belt, one-way, turned or a slope along Z, where none can be",
+            ));
+        }
+        if world.scheme != DepthScheme::Precise && world.depths.have_uprights(core) {
+            return Err(damaged("a geom is upright, where none can be"));
         }
         if !world.fields.is_valid() {
             return Err(damaged("a field is out of range"));
+        }
+        if !world.paces.iter().all(Pace::is_valid) {
+            return Err(damaged("the time of a body is out of range"));
+        }
+        if !world.crush_watches.iter().all(CrushWatch::is_valid) {
+            return Err(damaged("a tolerance of crushing is out of range"));
         }
         let (near, far) = world.layer_range;
         if !((far - near).is_finite() && near < far) {

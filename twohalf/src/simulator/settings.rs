@@ -3,7 +3,7 @@
 use farseer_core::{BodyId, GeomId, Limits, PhysicsSimulator};
 
 use super::{LENGTH_UNIT, TwoHalfPhysicsSimulator};
-use crate::depth::DepthScheme;
+use crate::depth::{DepthScheme, Pace, World};
 use crate::error::{invalid, only_precise};
 use crate::{Projection, Result, Vector2};
 
@@ -152,8 +152,9 @@ impl TwoHalfPhysicsSimulator {
     ///
     /// # Errors
     /// Another scheme than the precise one, with what only that has ([`farseer_core::Error::NotSupported`]): a
-    /// [`Platform`](crate::Platform) that moves, is a belt or one-way, a body that is [to be moved](crate::TwoHalfBody::move_to3d), chains, prismatic
-    /// joints, joints with a motor or limits; or with a geom that gets no
+    /// [`Platform`](crate::Platform) that moves, is a belt, one-way, turned or a slope along Z, an upright geom, a body that is
+    /// [to be moved](crate::TwoHalfBody::move_to3d), has a [time of its own](Self::set_time_scale) or a
+    /// [crush tolerance](Self::set_crush_tolerance), chains, prismatic joints, joints with a motor or limits; or with a geom that gets no
     /// [distance grid](farseer_core::PhysicsSimulator::create_distance_grid). A refused call has changed nothing.
     ///
     /// ```
@@ -179,6 +180,7 @@ impl TwoHalfPhysicsSimulator {
         } else {
             self.core = self.with_faithful_set()?;
         }
+        self.world.paces.retain(|pace| !pace.is_over());
         self.world.scheme = scheme;
         self.world.touches.clear();
         self.world.platforms.tell_again();
@@ -191,13 +193,26 @@ impl TwoHalfPhysicsSimulator {
         Ok(())
     }
 
+    fn what_only_the_precise_set_has(&self) -> Option<&'static str> {
+        let World { platforms, depths, paces, crush_watches, .. } = &self.world;
+        let has_target = || depths.bodies.iter().any(|(_, state)| state.target.is_some());
+        if platforms.are_precise() {
+            Some("platforms that move, are belts, one-way, turned or slopes along Z")
+        } else if depths.have_uprights(&self.core) {
+            Some("upright footprints")
+        } else if has_target() {
+            Some("motion along Z of a kinematic body")
+        } else if !paces.iter().all(Pace::is_over) {
+            Some("bodies with a time of their own")
+        } else {
+            (!crush_watches.is_empty()).then_some("crushing that is told")
+        }
+    }
+
     /// The 2D engine with the faithful set, and without the contacts that it has.
     fn with_faithful_set(&self) -> Result<PhysicsSimulator> {
-        if self.world.platforms.are_precise() {
-            return Err(only_precise("platforms that move, are belts or one-way"));
-        }
-        if self.world.depths.bodies.iter().any(|(_, state)| state.target.is_some()) {
-            return Err(only_precise("motion along Z of a kinematic body"));
+        if let Some(what) = self.what_only_the_precise_set_has() {
+            return Err(only_precise(what));
         }
         // A copy, since geoms get grids one by one and the last of them may be refused.
         let mut core = self.core.clone();

@@ -77,14 +77,15 @@ fn tell_profile(core: &mut PhysicsSimulator, depths: &Depths, id: GeomId) {
         half_depth: profile.half_depth(),
         is_round: profile.is_round(),
         ground: ground.map(|ground| [ground.friction_coefficient(), ground.restitution_coefficient()]),
+        upright: profile.upright(),
     };
     core.set_space_profile(id, told);
 }
 
 /// Takes over where bodies have come along Z, and platforms, before anybody is told that they moved.
 pub(super) fn read_depths(core: &PhysicsSimulator, world: &mut World) {
-    for (number, centre, motion) in core.fixtures_moved() {
-        world.platforms.has_moved(PlatformId::from_number(number), centre, motion);
+    for (number, centre, yaw, motion) in core.fixtures_moved() {
+        world.platforms.has_moved(PlatformId::from_number(number), centre, yaw, motion);
     }
     for (id, told) in core.space_moved() {
         let Some(state) = world.depths.bodies.get_mut(id) else { continue };

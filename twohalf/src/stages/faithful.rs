@@ -10,7 +10,7 @@ use crate::events::EventHandler;
 
 pub(super) fn update(parts: Parts<'_>, dt: f32, handler: Option<&mut dyn EventHandler>) {
     let Parts { core, world, pipeline, report } = parts;
-    let Pipeline { meeting, found, solver, seams, supports, immersion } = pipeline;
+    let Pipeline { meeting, found, solver, seams, supports, immersion, .. } = pipeline;
     report.begin();
     let mut game = PlaneHandler { world, report, meeting, handler };
     // 1: objects enter and leave.

@@ -3,12 +3,14 @@
 
 mod ask;
 mod collisions;
+mod crush;
 mod exchange;
 mod faithful;
 mod fields;
 mod forces;
 mod motion;
 mod outlines;
+mod pace;
 mod pairs;
 mod plane_handler;
 mod precise;
@@ -41,6 +43,8 @@ pub(crate) struct Pipeline {
     seams: Vec<touch::BallContact>,
     supports: Vec<supports::Held>,
     immersion: fields::Scratch,
+    /// Bodies that are in an update as others see them.
+    slowed: Vec<pace::Own>,
 }
 
 impl Pipeline {

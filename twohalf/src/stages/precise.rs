@@ -4,7 +4,9 @@
 use farseer_core::{PhysicsSimulator, SpaceChange};
 
 use super::collisions::collisions;
+use super::crush::tell_crushed;
 use super::exchange::{read_depths, rest, tell_depths};
+use super::pace::{catch_up, slow_down};
 use super::plane_handler::PlaneHandler;
 use super::report::{Report, StepCounters};
 use super::tell::tell_parted;
@@ -14,8 +16,9 @@ use crate::views::partner_of;
 
 pub(super) fn update(parts: Parts<'_>, dt: f32, handler: Option<&mut dyn EventHandler>) {
     let Parts { core, world, pipeline, report } = parts;
-    let Pipeline { meeting, immersion, .. } = pipeline;
+    let Pipeline { meeting, immersion, slowed, .. } = pipeline;
     report.begin();
+    slow_down(core, world, slowed);
     tell_depths(core, world, report);
     let mut game = PlaneHandler { world, report, meeting, handler };
     let is_told = game.handler.is_some();
@@ -30,11 +33,14 @@ pub(super) fn update(parts: Parts<'_>, dt: f32, handler: Option<&mut dyn EventHa
     game.report.tell_refused(game.world);
     game.take_events(core);
     if !goes_on {
+        catch_up(core, game.world, slowed, false);
         supports::forget_what_left(core, game.world);
         return;
     }
     rest(core, &mut game.world.depths);
+    catch_up(core, game.world, slowed, true);
     tell_changes(core, &mut game);
+    tell_crushed(core, game.world, game.report);
     count(core, game.report);
     // What was loaded is over: the engine below knows what touches.
     game.world.touches.clear();

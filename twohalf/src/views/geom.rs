@@ -64,7 +64,7 @@ impl<'a> TwoHalfGeom<'a> {
 
     /// The footprint: what of the geom meets others along Z (thesis 3.5).
     pub fn virtual_geom(&self) -> VirtualGeom {
-        VirtualGeom::of(self.geom, self.depth_profile(), self.z())
+        VirtualGeom::of(self.core, self.geom, self.depth_profile(), self.z())
     }
 
     /// Whether the geom's picture holds a point of the screen: its outline at the depth of its middle, or the disc
@@ -77,7 +77,7 @@ impl<'a> TwoHalfGeom<'a> {
                 let from = plane - self.geom.position();
                 from.x * from.x + from.y * from.y <= radius * radius
             }
-            DepthProfile::Prism { .. } => {
+            _ => {
                 let nearest = crate::shapes::nearest(&self.geom.world_vertices(), plane);
                 nearest.is_some_and(|nearest| nearest.distance <= 0.0)
             }

@@ -9,7 +9,10 @@ mod geom;
 mod ground;
 mod overlap;
 mod platform;
+mod squeeze;
 mod touching;
+mod turned_platform;
+mod upright_overlap;
 mod virtual_geom;
 
 pub use access::{Access, AccessMut};
@@ -20,5 +23,7 @@ pub use geom::TwoHalfGeom;
 pub use ground::GroundMut;
 pub(crate) use overlap::Placed;
 pub use platform::PlatformMut;
+pub use squeeze::Squeeze;
+pub(crate) use squeeze::squeeze;
 pub(crate) use touching::{list_touches, partner_of, touch_of};
 pub use virtual_geom::VirtualGeom;

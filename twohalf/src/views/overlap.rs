@@ -2,6 +2,7 @@
 
 use farseer_core::{GeomId, GeomRef, PhysicsSimulator};
 
+use super::upright_overlap;
 use crate::Vector3;
 use crate::depth::{DepthProfile, Depths};
 use crate::shapes::{ball_ball, ball_prism, outlines_overlap};
@@ -25,6 +26,9 @@ impl<'a> Placed<'a> {
 
 /// Whether two geoms overlap in all three axes.
 pub(crate) fn overlap(core: &PhysicsSimulator, depths: &Depths, geom1: GeomId, geom2: GeomId) -> bool {
+    if let Some(overlap) = upright_overlap::overlap(core, depths, geom1, geom2) {
+        return overlap;
+    }
     let (Some(a), Some(b)) = (Placed::of(core, depths, geom1), Placed::of(core, depths, geom2)) else {
         return false;
     };
@@ -38,7 +42,7 @@ pub(crate) fn overlap(core: &PhysicsSimulator, depths: &Depths, geom1: GeomId, g
         }
         (DepthProfile::Prism { .. }, DepthProfile::Round { radius }) => on_prism(b, radius, a),
         (DepthProfile::Round { radius }, DepthProfile::Prism { .. }) => on_prism(a, radius, b),
-        (DepthProfile::Prism { .. }, DepthProfile::Prism { .. }) => {
+        _ => {
             let reach = a.profile.half_depth() + b.profile.half_depth();
             let is_near = a.centre.z == b.centre.z || (a.centre.z - b.centre.z).abs() < reach;
             is_near && outlines_overlap(&a.geom.world_vertices(), &b.geom.world_vertices())

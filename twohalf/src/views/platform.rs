@@ -41,7 +41,7 @@ impl PlatformMut<'_> {
         self.set(self.tilted(rotation, self.projection)?)
     }
 
-    fn set(&mut self, platform: Platform) -> Result<()> {
+    pub(super) fn set(&mut self, platform: Platform) -> Result<()> {
         self.platforms.replace(self.index, platform);
         Ok(())
     }
@@ -92,7 +92,7 @@ impl PlatformMut<'_> {
     /// carried by friction up to that speed; the sides carry as the top does. Default none.
     ///
     /// # Errors
-    /// What is not finite; another scheme than [`DepthScheme::Precise`].
+    /// What is not finite; a platform that turns; another scheme than [`DepthScheme::Precise`].
     pub fn set_surface_speed(&mut self, along: f32, depth: f32) -> Result<()> {
         self.check_precise("belts of platforms")?;
         for (argument, value) in [("along", along), ("depth", depth)] {
@@ -100,7 +100,7 @@ impl PlatformMut<'_> {
                 return Err(invalid(argument, value, "finite"));
             }
         }
-        self.platforms.edit(self.index).set_surface_speed([along, depth]);
+        *self.platforms.edit(self.index) = self.with_surface_speed([along, depth])?;
         Ok(())
     }
 
@@ -120,7 +120,7 @@ impl PlatformMut<'_> {
         Ok(())
     }
 
-    fn check_precise(&self, what: &'static str) -> Result<()> {
+    pub(super) fn check_precise(&self, what: &'static str) -> Result<()> {
         if self.scheme == DepthScheme::Precise { Ok(()) } else { Err(only_precise(what)) }
     }
 

@@ -20,7 +20,7 @@ pub(crate) fn partner_of(partner: SpacePartner) -> Partner {
 }
 
 /// Whether two have pushed each other in this update, or are not apart at its end.
-fn is_touching(found: &SpaceTouch) -> bool {
+pub(super) fn is_touching(found: &SpaceTouch) -> bool {
     found.points[..found.count].iter().any(|point| point.impulse > 0.0 || point.separation <= APART)
 }
 
@@ -111,25 +111,46 @@ fn list(core: &PhysicsSimulator, world: &World, found: impl Iterator<Item = Spac
     list
 }
 
-/// What holds a body up best.
+/// What holds a body up best. Allocates nothing.
 pub(super) fn support_of(core: &PhysicsSimulator, world: &World, body: BodyId) -> Option<Support> {
     if world.scheme != DepthScheme::Precise {
         return world.depths.bodies.get(body)?.support;
     }
-    let list = list_touches_of(core, world, body);
-    let mut best: Option<Support> = None;
-    for touch in list.touches.iter().filter(|touch| touch.responds) {
-        let normal = to_world(touch.normal);
-        let found = match touch.partner {
-            partner if touch.body == body => Support { partner, normal },
-            Partner::Geom(_) if touch.partner_body == Some(body) => {
-                Support { partner: Partner::Geom(touch.this), normal: -normal }
+    let mut best = None;
+    if core.knows_touches() {
+        let touches = core.space_touches_of(body).filter(is_touching);
+        touches.for_each(|found| {
+            if let Some((touch, _)) = touch_of(core, &found) {
+                hold_up(core, world, body, &touch, &mut best);
             }
-            _ => continue,
-        };
-        if found.normal.y > best.map_or(0.0, |best| best.normal.y) {
-            best = Some(found);
-        }
+        });
+    } else {
+        world.touches.touches.iter().for_each(|touch| hold_up(core, world, body, touch, &mut best));
     }
-    best
+    best.map(|(support, _)| support)
+}
+
+/// A touch that pushes a body up more than the best one so far; of equal ones the first in the order of their names counts.
+fn hold_up(
+    core: &PhysicsSimulator,
+    world: &World,
+    body: BodyId,
+    touch: &Touch,
+    best: &mut Option<(Support, TouchKey)>,
+) {
+    let normal = to_world(touch.normal);
+    let found = match touch.partner {
+        partner if touch.body == body => Support { partner, normal },
+        Partner::Geom(_) if touch.partner_body == Some(body) => {
+            Support { partner: Partner::Geom(touch.this), normal: -normal }
+        }
+        _ => return,
+    };
+    let is_better = match *best {
+        Some((best, key)) => (found.normal.y, key) > (best.normal.y, touch.key),
+        None => found.normal.y > 0.0,
+    };
+    if touch.responds && is_better && world.may_touch(core, touch.this, touch.partner) {
+        *best = Some((found, touch.key));
+    }
 }

@@ -1,9 +1,10 @@
 //! Footprints: what of an object meets others along Z (thesis 3.5).
 
-use farseer_core::GeomRef;
 use farseer_core::math::scalar::nearest_finite;
+use farseer_core::{GeomRef, PhysicsSimulator, SpaceUpright};
 
-use crate::depth::DepthProfile;
+use crate::Vector3;
+use crate::depth::{DepthProfile, upright};
 
 /// The footprint of a geom in the plane of X and Z, and the heights between which the geom lies. In px, in the world,
 /// Y up; beyond finite numbers the nearest ones.
@@ -26,17 +27,22 @@ pub struct VirtualGeom {
     pub top: f32,
     /// Whether the footprint is a disc; otherwise it is a rectangle.
     pub is_round: bool,
+    /// Whether its top is as flat as its outline: not that of a ball or a capsule.
+    pub has_top: bool,
 }
 
 impl VirtualGeom {
-    pub(crate) fn of(geom: GeomRef<'_>, profile: DepthProfile, z: f32) -> Self {
+    pub(crate) fn of(core: &PhysicsSimulator, geom: GeomRef<'_>, profile: DepthProfile, z: f32) -> Self {
+        if let Some((upright, body)) = profile.upright().zip(core.body(geom.body())) {
+            return Self::of_upright(profile, &upright, upright::middle(geom, body, z));
+        }
         let half = profile.half_depth();
         let (low, high) = match profile {
             DepthProfile::Round { radius } => {
                 let (centre, reach) = (geom.position(), crate::Vector2::new(radius, radius));
                 (centre - reach, centre + reach)
             }
-            DepthProfile::Prism { .. } => {
+            _ => {
                 let aabb = geom.aabb();
                 (aabb.min, aabb.max)
             }
@@ -49,6 +55,22 @@ impl VirtualGeom {
             bottom: nearest_finite(-high.y),
             top: nearest_finite(-low.y),
             is_round: profile.is_round(),
+            has_top: !profile.is_round(),
+        }
+    }
+
+    fn of_upright(profile: DepthProfile, upright: &SpaceUpright, middle: Vector3) -> Self {
+        let ([left, right], half) = (upright::span(upright), upright::half_height(upright));
+        let [front, back] = upright::depths(upright);
+        VirtualGeom {
+            left: nearest_finite(middle.x + left),
+            right: nearest_finite(middle.x + right),
+            front: nearest_finite(middle.z + front),
+            back: nearest_finite(middle.z + back),
+            bottom: nearest_finite(-middle.y - half),
+            top: nearest_finite(-middle.y + half),
+            is_round: !matches!(profile, DepthProfile::Upright { .. }),
+            has_top: !matches!(profile, DepthProfile::Capsule { .. }),
         }
     }
 

@@ -1,6 +1,9 @@
-//! Where a figure stands: a rectangle of X and Z.
+//! Where a figure stands: a rectangle of X and Z, or a disc; and all that it passes on its way.
 
-use crate::{Vector3, VirtualGeom};
+use farseer_core::SpaceFoot;
+
+use crate::shapes::SlantedBox;
+use crate::{DepthProfile, Vector3, VirtualGeom};
 
 /// Two that are no farther in each other than this only touch, px.
 pub(super) const SKIN: f32 = 0.05;
@@ -11,20 +14,60 @@ pub(super) struct Feet {
     pub(super) right: f32,
     pub(super) front: f32,
     pub(super) back: f32,
+    /// What of that it is if it is round.
+    pub(super) round: Option<Round>,
+}
+
+/// A disc on its way from one place to another, X and Z.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Round {
+    pub(super) radius: f32,
+    pub(super) from: [f32; 2],
+    pub(super) to: [f32; 2],
+}
+
+impl Round {
+    /// What it passes between the discs at both ends.
+    fn between(&self) -> Option<[[f32; 2]; 4]> {
+        let way = [0, 1].map(|axis| self.to[axis] - self.from[axis]);
+        let length = (way[0] * way[0] + way[1] * way[1]).sqrt();
+        if length.is_nan() || length <= 0.0 {
+            return None;
+        }
+        let aside = [-way[1], way[0]].map(|part| part * (self.radius / length));
+        let corner = |at: [f32; 2], side: f32| [0, 1].map(|axis| at[axis] + side * aside[axis]);
+        Some([corner(self.from, -1.0), corner(self.to, -1.0), corner(self.to, 1.0), corner(self.from, 1.0)])
+    }
 }
 
 impl Feet {
-    pub(super) fn of(geom: &VirtualGeom) -> Self {
+    pub(super) fn of(geom: &VirtualGeom, profile: DepthProfile) -> Self {
         let [x, z] = [geom.right - geom.left, geom.back - geom.front].map(|size| SKIN.min(0.25 * size));
-        Feet { left: geom.left + x, right: geom.right - x, front: geom.front + z, back: geom.back - z }
+        let feet = Feet {
+            left: geom.left + x,
+            right: geom.right - x,
+            front: geom.front + z,
+            back: geom.back - z,
+            round: None,
+        };
+        let is_round = matches!(profile, DepthProfile::Cylinder { .. } | DepthProfile::Capsule { .. });
+        let middle = [0.5 * (feet.left + feet.right), 0.5 * (feet.front + feet.back)];
+        let round = Round { radius: 0.5 * (feet.right - feet.left), from: middle, to: middle };
+        Feet { round: is_round.then_some(round), ..feet }
+    }
+
+    pub(super) fn rectangle(left: f32, right: f32, front: f32, back: f32) -> Self {
+        Feet { left, right, front, back, round: None }
     }
 
     pub(super) fn moved(&self, way: Vector3) -> Self {
+        let moved = |at: [f32; 2]| [at[0] + way.x, at[1] + way.z];
         Feet {
             left: self.left + way.x,
             right: self.right + way.x,
             front: self.front + way.z,
             back: self.back + way.z,
+            round: self.round.map(|round| Round { from: moved(round.from), to: moved(round.to), ..round }),
         }
     }
 
@@ -36,6 +79,7 @@ impl Feet {
             right: self.right.max(moved.right),
             front: self.front.min(moved.front),
             back: self.back.max(moved.back),
+            round: self.round.zip(moved.round).map(|(from, to)| Round { to: to.to, ..from }),
         }
     }
 
@@ -50,10 +94,72 @@ impl Feet {
             right: self.right + margin,
             front: self.front - margin,
             back: self.back + margin,
+            round: self.round.map(|round| Round { radius: round.radius + margin, ..round }),
         }
+    }
+
+    /// Whether they overlap what a box covers of the floor.
+    pub(super) fn meets_box(&self, covered: &Feet) -> bool {
+        let span = self.span(covered.front, covered.back);
+        span.is_some_and(|[left, right]| left < covered.right && covered.left < right)
     }
 
     pub(super) fn meets_depth(&self, front: f32, back: f32) -> bool {
         self.front < back && front < self.back
     }
+
+    /// Least and greatest X of what of them is between two Z; none if nothing is.
+    pub(super) fn span(&self, front: f32, back: f32) -> Option<[f32; 2]> {
+        if !self.meets_depth(front, back) {
+            return None;
+        }
+        let Some(round) = self.round else { return Some([self.left, self.right]) };
+        let disc = |[x, z]: [f32; 2]| {
+            let span = SpaceFoot::Disc(round.radius).span(front - z, back - z);
+            span.map(|span| span.map(|end| end + x))
+        };
+        let between = round.between();
+        let between = between.and_then(|corners| SpaceFoot::Polygon(&corners).span(front, back));
+        let spans = [disc(round.from), disc(round.to), between];
+        spans.into_iter().flatten().reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
+    }
+
+    /// Height of the highest place of a box over them, and the upward part of the direction out of it there.
+    pub(super) fn roof(&self, shape: &SlantedBox) -> Option<(f32, f32)> {
+        let Some(round) = self.round else {
+            let corners = [
+                [self.left, self.front],
+                [self.right, self.front],
+                [self.right, self.back],
+                [self.left, self.back],
+            ];
+            return height_of(SpaceFoot::Polygon(&corners).roof([0.0; 2], shape));
+        };
+        let disc = |at: [f32; 2]| height_of(SpaceFoot::Disc(round.radius).roof(at, shape));
+        let between = round.between();
+        let between =
+            between.and_then(|corners| height_of(SpaceFoot::Polygon(&corners).roof([0.0; 2], shape)));
+        let all = [disc(round.from), disc(round.to), between];
+        all.into_iter().flatten().reduce(|a, b| if b.0 > a.0 { b } else { a })
+    }
+
+    /// Whether what something covers of the floor, about a place, overlaps them.
+    pub(super) fn meets(&self, other: SpaceFoot<'_>, [x, z]: [f32; 2]) -> bool {
+        let overlaps = |foot: SpaceFoot<'_>, [from_x, from_z]: [f32; 2]| {
+            foot.gap(other, [x - from_x, z - from_z]).0 < 0.0
+        };
+        let Some(round) = self.round else {
+            let (half_x, half_z) = (0.5 * (self.right - self.left), 0.5 * (self.back - self.front));
+            let corners = [[-half_x, -half_z], [half_x, -half_z], [half_x, half_z], [-half_x, half_z]];
+            return overlaps(SpaceFoot::Polygon(&corners), [self.left + half_x, self.front + half_z]);
+        };
+        let disc = SpaceFoot::Disc(round.radius);
+        let between =
+            || round.between().is_some_and(|between| overlaps(SpaceFoot::Polygon(&between), [0.0; 2]));
+        overlaps(disc, round.from) || overlaps(disc, round.to) || between()
+    }
+}
+
+fn height_of(found: Option<(f32, Vector3)>) -> Option<(f32, f32)> {
+    found.map(|(y, out)| (-y, -out.y))
 }

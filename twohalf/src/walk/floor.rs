@@ -1,7 +1,7 @@
 //! What a figure stands on: the highest floor below its feet that it can reach.
 
 use farseer_core::math::vector2::transform;
-use farseer_core::{Body, Geom};
+use farseer_core::{Body, Geom, SpaceUpright};
 
 use super::feet::Feet;
 use crate::projection::to_world;
@@ -83,6 +83,10 @@ impl TwoHalfPhysicsSimulator {
                 continue;
             };
             let (z, half) = (self.world.depths.z_of(view.body()), profile.half_depth());
+            if let Some(upright) = profile.upright() {
+                tops.extend(self.top_of_upright(geom, *profile, upright));
+                continue;
+            }
             if matches!(profile, DepthProfile::Round { .. }) || !around.meets_depth(z - half, z + half) {
                 continue;
             }
@@ -90,25 +94,46 @@ impl TwoHalfPhysicsSimulator {
             let edge = |at: usize| [at, (at + 1) % corners.len()].map(|at| transform(corners[at], &matrix));
             // Edges go against the clock as seen with y down: what looks up goes to the left.
             let looking_up = (0..corners.len()).map(edge).filter(|[a, b]| b.x < a.x);
-            tops.extend(looking_up.map(|edge| Top { geom, front: z - half, back: z + half, edge }));
+            tops.extend(looking_up.map(|edge| Top {
+                geom,
+                front: z - half,
+                back: z + half,
+                edge,
+                upright: None,
+            }));
         }
+    }
+
+    /// A capsule has none: it is stood on no more than a ball.
+    fn top_of_upright(&self, geom: GeomId, profile: DepthProfile, upright: SpaceUpright) -> Option<Top> {
+        if matches!(profile, DepthProfile::Capsule { .. }) {
+            return None;
+        }
+        let view = self.core.geom(geom)?;
+        let middle = crate::depth::upright::middle(
+            view,
+            self.core.body(view.body())?,
+            self.world.depths.z_of(view.body()),
+        );
+        let whole = self.geom(geom)?.virtual_geom();
+        let edge = [Vector2::new(whole.right, -whole.top), Vector2::new(whole.left, -whole.top)];
+        let (front, back) = (whole.front, whole.back);
+        Some(Top { geom, front, back, edge, upright: Some((upright, [middle.x, middle.z])) })
     }
 
     /// Velocity of a floor at a place of the world, Y up, with that of its surface.
     pub(super) fn velocity_of(&self, partner: Partner, place: Vector3) -> Vector3 {
         match partner {
             Partner::Ground => Vector3::zeros(),
-            Partner::Platform(id) => self.platform(id).map_or(Vector3::zeros(), |platform| {
-                let [along, depth] = platform.surface_speed();
-                let (sin, cos) = farseer_core::math::scalar::sin_cos(platform.rotation());
-                platform.velocity() + Vector3::new(along * cos, -along * sin, depth)
-            }),
+            Partner::Platform(id) => self
+                .platform(id)
+                .map_or(Vector3::zeros(), |platform| platform.velocity_at(place) + platform.belt()),
             Partner::Geom(geom) => self.core.geom(geom).map_or(Vector3::zeros(), |geom| {
                 let velocity_at =
                     |body: &Body| body.get_velocity_at_world_point(Vector2::new(place.x, -place.y));
                 let plane = self.core.body(geom.body()).map_or(Vector2::zeros(), velocity_at);
                 let z = self.world.depths.bodies.get(geom.body()).map_or(0.0, |state| state.velocity_z);
-                Vector3::new(plane.x, -plane.y, z)
+                Vector3::new(plane.x, -plane.y, z) * self.time_scale(geom.body())
             }),
         }
     }
@@ -149,21 +174,27 @@ fn highest<'a>(tops: impl Iterator<Item = &'a Top>, feet: &Feet, least_up: f32) 
 /// Of an edge, what lies above the feet.
 fn top_of_edge(top: &Top, feet: &Feet) -> Option<(f32, f32)> {
     let [a, b] = top.edge;
-    if !feet.meets_depth(top.front, top.back) {
-        return None;
-    }
+    let [left, right] = feet.span(top.front, top.back)?;
     let way = b - a;
-    if b.x.max(feet.left) >= a.x.min(feet.right) {
+    if b.x.max(left) >= a.x.min(right) {
         return None;
     }
-    let whole = feet.whole();
+    if let Some((upright, place)) = &top.upright {
+        return crate::depth::upright::with_foot(upright, |foot| feet.meets(foot, *place))
+            .then_some((-a.y, 1.0));
+    }
+    let [left, right] = feet.whole().span(top.front, top.back)?;
     let y_at = |x: f32| a.y + way.y * ((x - a.x) / way.x);
-    let y = y_at(b.x.max(whole.left)).min(y_at(a.x.min(whole.right)));
+    let y = y_at(b.x.max(left)).min(y_at(a.x.min(right)));
     Some((-y, -way.x / way.norm()))
 }
 
 /// Height and upward part of the normal of the highest point of a platform above the feet.
-fn top_of_box(shape: &SlantedBox, feet: &Feet) -> Option<(f32, f32)> {
+pub(super) fn top_of_box(shape: &SlantedBox, feet: &Feet) -> Option<(f32, f32)> {
+    if feet.round.is_some() || shape.climb != 0.0 || shape.is_turned() {
+        feet.roof(shape)?;
+        return feet.whole().roof(shape);
+    }
     let [width, height, depth] = shape.half;
     let (front, back) = (feet.front.max(shape.centre.z - depth), feet.back.min(shape.centre.z + depth));
     if front >= back {

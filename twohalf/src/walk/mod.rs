@@ -2,15 +2,17 @@
 
 mod feet;
 mod floor;
+mod ledge;
 mod stride;
 mod walls;
 
 use serde::{Deserialize, Serialize};
 
+use self::ledge::Ledge;
 #[cfg(doc)]
 use crate::TwoHalfBody;
 use crate::error::{invalid, only_precise, stale};
-use crate::{BodyId, DepthScheme, Partner, Result, TwoHalfPhysicsSimulator, Vector3};
+use crate::{BodyId, DepthProfile, DepthScheme, Partner, Result, TwoHalfPhysicsSimulator, Vector3};
 
 /// How a figure walks. Lengths in px, times in s, angles in rad.
 ///
@@ -38,6 +40,11 @@ pub struct Walk {
     pub max_slope: f32,
     /// For how long one may still jump after having walked over an edge, s. Default 0.1.
     pub coyote_time: f32,
+    /// How high over its soles an edge may be that a figure takes hold of while it falls, px: of platforms, and of static and kinematic
+    /// bodies. Default 0: it takes hold of none. What is a step for it is none to hold on to.
+    pub ledge_reach: f32,
+    /// How fast it climbs over an edge, px/s. Default 160.
+    pub climb_speed: f32,
 }
 
 impl Default for Walk {
@@ -50,6 +57,8 @@ impl Default for Walk {
             snap: 8.0,
             max_slope: 50f32.to_radians(),
             coyote_time: 0.1,
+            ledge_reach: 0.0,
+            climb_speed: 160.0,
         }
     }
 }
@@ -63,6 +72,8 @@ impl Walk {
             ("step_up", self.step_up),
             ("snap", self.snap),
             ("coyote_time", self.coyote_time),
+            ("ledge_reach", self.ledge_reach),
+            ("climb_speed", self.climb_speed),
         ];
         for (argument, value) in lengths {
             if !(value.is_finite() && value >= 0.0) {
@@ -108,6 +119,8 @@ pub struct Walker {
     has_jumped: bool,
     /// Gravity is kept from it.
     is_held: bool,
+    /// What it hangs on.
+    ledge: Option<Ledge>,
 }
 
 impl Walker {
@@ -121,6 +134,9 @@ impl Walker {
     fn check(&self) -> Result<()> {
         self.walk.check()?;
         let numbers = [self.carried.x, self.carried.y, self.carried.z, self.told, self.aloft];
+        if self.ledge.is_some_and(|ledge| !ledge.is_valid()) {
+            return Err(invalid("walker", self.ledge, "one that hangs on an edge along X or Z"));
+        }
         let wrong = numbers.into_iter().find(|number| !number.is_finite());
         wrong.map_or(Ok(()), |number| Err(invalid("walker", number, "without numbers that are not finite")))
     }
@@ -136,7 +152,12 @@ impl Walker {
         self.floor
     }
 
-    /// Velocity in the world, px/s, Y up, of what it stands on, or stood on last.
+    /// On whose edge it hangs, or over whose edge it climbs. What to choose a picture by.
+    pub fn ledge(&self) -> Option<Partner> {
+        self.ledge.map(|ledge| ledge.partner())
+    }
+
+    /// Velocity in the world, px/s, Y up, of what it stands or hangs on, or did last.
     pub fn carried(&self) -> Vector3 {
         self.carried
     }
@@ -144,7 +165,8 @@ impl Walker {
 
 impl TwoHalfPhysicsSimulator {
     /// Lets a figure walk, jump and fall as a player expects: to be called before each update, with the update's `dt` in s. The
-    /// figure is a body whose object geom is upright and does not turn (a huge moment of inertia), best without friction.
+    /// figure is a body whose object geom is upright and does not turn: best a [cylinder](DepthProfile::Cylinder), which slides past
+    /// others and round corners, or a box with a huge moment of inertia; best without friction.
     ///
     /// - Its velocity along X and Z, as seen from above, becomes what is wished, as fast as [`Walk::acceleration`] allows; up and
     ///   down slopes alike. What it stands on carries it: platforms that move, belts, bodies.
@@ -154,6 +176,9 @@ impl TwoHalfPhysicsSimulator {
     /// - It jumps as high as it is told, whatever the step is.
     /// - It leans on nothing: walls and, in the air, bodies stop it at their surface, so that their friction holds it neither up
     ///   nor back. On the floor it pushes bodies as hard as its mass and acceleration allow.
+    /// - While it falls, it takes hold of an edge within [`Walk::ledge_reach`] towards which it wishes, if there is room for it to
+    ///   stand there. Without a wish it hangs there, and goes where the edge goes; with the same wish it climbs over it, with the
+    ///   opposite one it lets go, and it may jump off.
     /// - Whoever throws it up, by an impulse or a velocity, is obeyed: it lets go of the floor from the speed on that would lift
     ///   it by more than [`Walk::snap`].
     ///
@@ -186,7 +211,7 @@ impl TwoHalfPhysicsSimulator {
     /// ```
     ///
     /// # Errors
-    /// A stale body, or one without an object geom; settings of the walk out of their ranges, or a walker that was loaded with
+    /// A stale body, one without an object geom, or whose object geom is a capsule, which has no soles; settings of the walk out of their ranges, or a walker that was loaded with
     /// numbers that are not finite; a wish that is not finite; a `dt`
     /// that is not finite and greater than 0; another scheme than [`DepthScheme::Precise`].
     pub fn walk(&mut self, body: BodyId, walker: &mut Walker, wish: Wish, dt: f32) -> Result<()> {
@@ -203,7 +228,14 @@ impl TwoHalfPhysicsSimulator {
         }
         let geom = self.body(body).ok_or(stale("body"))?.ground().object_geom();
         let geom = geom.ok_or_else(|| invalid("body", body, "one with an object geom"))?;
+        let profile = self.depth_profile(geom);
+        if profile.is_some_and(|profile| matches!(profile, DepthProfile::Capsule { .. })) {
+            return Err(invalid("body", body, "one whose object geom is no capsule"));
+        }
         walker.check()?;
+        if self.time_scale(body) == 0.0 {
+            return Ok(());
+        }
         self.world.platforms.sort();
         self.stride(body, geom, walker, wish, dt);
         Ok(())
@@ -217,7 +249,7 @@ impl TwoHalfPhysicsSimulator {
     pub fn let_go(&mut self, body: BodyId, walker: &mut Walker) -> Result<()> {
         self.body(body).ok_or(stale("body"))?;
         self.hold(body, walker, false);
-        (walker.floor, walker.aloft) = (None, f32::MAX);
+        (walker.floor, walker.ledge, walker.aloft) = (None, None, f32::MAX);
         Ok(())
     }
 }

@@ -4,28 +4,31 @@ use farseer_core::math::scalar::nearest_finite;
 use farseer_core::{Body, SpaceTouch};
 
 use super::feet::Feet;
-use super::floor::{Floor, Reach, partner_of};
+use super::floor::{Floor, Reach, partner_of, top_of_box};
+use super::ledge::GRASP;
 use super::walls::KEPT_OFF;
 use super::{Walker, Wish};
 use crate::shapes::Top;
 use crate::{BodyId, GeomId, Partner, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
 /// A floor is stood on from this distance on, px: what falls is caught by it within the step.
-const STANDS: f32 = 0.05;
+pub(super) const STANDS: f32 = 0.05;
 
 /// How far the soles are kept above the floor, px, so that the next one is no obstacle; near enough to touch.
 const CLEARS: f32 = 0.008;
 /// How far they are lifted over the edge of another floor, px: farther than contacts are kept apart.
-const OVER: f32 = 0.15;
+pub(super) const OVER: f32 = 0.15;
 /// Who lands is no deeper in the floor than this, px.
 const SUNK: f32 = 1.0;
 /// How fast it comes down from there, px/s: what comes down faster is braked by what it comes down on.
 const SETTLES: f32 = 5.0;
 /// How far the feet are past an edge when they begin to come down from it, px: contacts that are known are looked at anew after
 /// less than that.
-const PASSED: f32 = 1.7;
+pub(super) const PASSED: f32 = 1.7;
 /// How far it is looked ahead for curbs beyond two steps, px: farther than what only touches is apart.
 const AHEAD: f32 = 0.3;
+/// How far around the feet something is to be as low as a curb to be none, px: farther than contacts reach.
+const NEAR: f32 = 1.0;
 /// What pushes up by more than this part of its normal holds.
 const HOLDS: f32 = 0.5;
 /// What pushes down by more than this part of its normal does not stand in the way.
@@ -34,7 +37,7 @@ const CEILING: f32 = 0.5;
 /// What a step begins with.
 #[derive(Clone, Copy)]
 pub(super) struct Stride<'a> {
-    body: BodyId,
+    pub(super) body: BodyId,
     /// Of the prisms near it.
     tops: &'a [Top],
     pub(super) geom: GeomId,
@@ -43,15 +46,23 @@ pub(super) struct Stride<'a> {
     pub(super) soles: f32,
     pub(super) knees: f32,
     pub(super) head: f32,
-    place: Vector3,
-    velocity: Vector3,
+    pub(super) place: Vector3,
+    pub(super) velocity: Vector3,
     /// Least upward part of the normal of a floor.
     least_up: f32,
+    /// Of the figure's own time.
     pub(super) dt: f32,
+    /// How fast that passes. What others do in a second of theirs takes longer in its own.
+    pub(super) pace: f32,
 }
 
 impl<'a> Stride<'a> {
-    fn reach(&self, above: f32) -> Reach<'a> {
+    /// The same for what is between other heights.
+    pub(super) fn between(&self, knees: f32, head: f32) -> Self {
+        Stride { knees, head, ..*self }
+    }
+
+    pub(super) fn reach(&self, above: f32) -> Reach<'a> {
         let Stride { geom, least_up, .. } = *self;
         Reach { tops: self.tops, geom, highest: self.soles + above, least_up, but: None }
     }
@@ -61,14 +72,16 @@ impl TwoHalfPhysicsSimulator {
     pub(super) fn stride(&mut self, body: BodyId, geom: GeomId, walker: &mut Walker, wish: Wish, dt: f32) {
         let (Some(view), Some(outline)) = (self.body(body), self.geom(geom)) else { return };
         let whole = outline.virtual_geom();
-        let (feet, head) = (Feet::of(&whole), whole.top);
+        let (feet, head) = (Feet::of(&whole, outline.depth_profile()), whole.top);
         let (place, velocity) = (view.origin3d(), view.velocity3d());
+        let pace = self.time_scale(body);
+        let dt = dt * pace;
         let (soles, least_up) = (view.position3d().y, walker.walk.least_up());
         let knees = soles + if walker.floor.is_some() { walker.walk.step_up.max(STANDS) } else { STANDS };
         let mut tops = std::mem::take(&mut self.tops);
         self.gather_tops(body, &feet.widened(farthest(walker, velocity, dt)), &mut tops);
         let stride =
-            Stride { body, tops: &tops, geom, feet, soles, knees, head, place, velocity, least_up, dt };
+            Stride { body, tops: &tops, geom, feet, soles, knees, head, place, velocity, least_up, dt, pace };
         let velocity = self.next_velocity(&stride, walker, wish);
         self.tops = tops;
         walker.told = nearest_finite(velocity.y);
@@ -79,18 +92,27 @@ impl TwoHalfPhysicsSimulator {
 
     fn next_velocity(&mut self, stride: &Stride<'_>, walker: &mut Walker, wish: Wish) -> Vector3 {
         let Stride { place, dt, .. } = *stride;
+        self.arrive(stride, walker);
         let floor = self.floor_stood_on(stride, walker);
         walker.aloft = if floor.is_some() { 0.0 } else { nearest_finite(walker.aloft + dt) };
         walker.has_jumped &= floor.is_none();
         if let Some(floor) = &floor {
             let place = Vector3::new(place.x, floor.height, place.z);
-            walker.carried = self.velocity_of(floor.partner, place).map(nearest_finite);
+            walker.carried = self.velocity_of(floor.partner, place) / stride.pace;
+            walker.carried = walker.carried.map(nearest_finite);
         }
+        walker.ledge = walker.ledge.filter(|_| floor.is_none());
         let may_jump = walker.aloft <= walker.walk.coyote_time && !walker.has_jumped;
         match floor {
             _ if wish.jump && may_jump => self.jumping(stride, walker, wish),
             Some(floor) => self.walking(stride, walker, wish, floor),
-            None => self.flying(stride, walker, wish),
+            None => match self.hanging(stride, walker, wish) {
+                Some(velocity) => {
+                    walker.floor = None;
+                    velocity
+                }
+                None => self.flying(stride, walker, wish),
+            },
         }
     }
 
@@ -99,7 +121,7 @@ impl TwoHalfPhysicsSimulator {
     fn floor_stood_on(&self, stride: &Stride<'_>, walker: &Walker) -> Option<Floor> {
         let floor = self.floor_below(&stride.feet, &stride.reach(SUNK))?;
         let gap = stride.soles - floor.height;
-        let below = self.velocity_of(floor.partner, stride.place).y;
+        let below = self.velocity_of(floor.partner, stride.place).y / stride.pace;
         let kick = (2.0 * self.pull(stride.body, walker).norm() * walker.walk.snap).sqrt();
         let is_thrown = stride.velocity.y > walker.told.max(below) + kick;
         let stood = walker.floor.is_some();
@@ -129,7 +151,7 @@ impl TwoHalfPhysicsSimulator {
         }
     }
 
-    fn jumping(&mut self, stride: &Stride<'_>, walker: &mut Walker, wish: Wish) -> Vector3 {
+    pub(super) fn jumping(&mut self, stride: &Stride<'_>, walker: &mut Walker, wish: Wish) -> Vector3 {
         (walker.floor, walker.has_jumped) = (None, true);
         self.hold(stride.body, walker, false);
         let level = self.level_velocity(stride, walker, wish, walker.walk.air_acceleration);
@@ -227,7 +249,7 @@ impl TwoHalfPhysicsSimulator {
 
     /// A velocity with which the figure comes to the surface of what it would run into, and no farther, so that it
     /// does not lean on it.
-    fn held_off(
+    pub(super) fn held_off(
         &self,
         stride: &Stride<'_>,
         mut velocity: Vector3,
@@ -244,7 +266,7 @@ impl TwoHalfPhysicsSimulator {
                 let points = &touch.points[..touch.count];
                 let gap = points.iter().fold(f32::INFINITY, |least, point| least.min(point.separation));
                 let fastest = (gap - KEPT_OFF).max(0.0) / stride.dt;
-                let wall = self.velocity_of(partner, stride.place);
+                let wall = self.velocity_of(partner, stride.place) / stride.pace;
                 velocity += pushed_off(velocity - wall, Vector2::new(x, z), fastest);
             }
         }
@@ -256,12 +278,18 @@ impl TwoHalfPhysicsSimulator {
     fn is_in_the_way(&self, stride: &Stride<'_>, partner: Partner) -> bool {
         match partner {
             Partner::Geom(geom) => self.geom(geom).is_some_and(|geom| geom.virtual_geom().top > stride.knees),
-            Partner::Platform(id) => self.platform(id).is_some_and(|platform| platform.shape().shear != 0.0),
+            Partner::Platform(id) => self.platform(id).is_some_and(|platform| {
+                let shape = platform.shape();
+                // What turns or climbs is as high as it is here.
+                let is_low =
+                    || top_of_box(shape, &stride.feet.widened(NEAR)).is_some_and(|top| top.0 <= stride.knees);
+                shape.shear != 0.0 || ((shape.climb != 0.0 || shape.is_turned()) && !is_low())
+            }),
             Partner::Ground => false,
         }
     }
 
-    fn is_fixed(&self, partner: Option<Partner>) -> bool {
+    pub(super) fn is_fixed(&self, partner: Option<Partner>) -> bool {
         match partner {
             Some(Partner::Geom(geom)) => {
                 let body = self.core.geom(geom).and_then(|geom| self.core.body(geom.body()));
@@ -274,7 +302,7 @@ impl TwoHalfPhysicsSimulator {
     /// What the figure stands on bears its weight, which it does not feel itself.
     fn weigh_on(&mut self, stride: &Stride<'_>, walker: &Walker, floor: Partner) {
         let (Partner::Geom(geom), Some(body)) = (floor, self.core.body(stride.body)) else { return };
-        let weight = self.pull(stride.body, walker) * body.mass();
+        let weight = self.pull(stride.body, walker) * (body.mass() * stride.pace);
         let Some(outline) = self.geom(geom) else { return };
         // In the middle of what both have in common, so that nothing tips which carries.
         let (whole, feet) = (outline.virtual_geom(), &stride.feet);
@@ -292,7 +320,8 @@ impl TwoHalfPhysicsSimulator {
 fn farthest(walker: &Walker, velocity: Vector3, dt: f32) -> f32 {
     let Walker { walk, carried, .. } = walker;
     let fastest = velocity.norm() + carried.norm() + walk.acceleration.max(walk.air_acceleration) * dt;
-    nearest_finite(2.0 * dt * fastest + AHEAD + 1.0)
+    let reaches = if walk.ledge_reach > 0.0 { GRASP } else { 0.0 };
+    nearest_finite(2.0 * dt * fastest + AHEAD + 1.0 + reaches)
 }
 
 /// How far above its floor the soles are to be after this step.

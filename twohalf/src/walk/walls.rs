@@ -1,8 +1,10 @@
 //! What stands in the way of a figure: the sides of platforms, found before they are touched.
 //!
-//! Boxes whose edges lean in depth are left to the engine, which tells of them as soon as they are near.
+//! Boxes whose edges lean or climb in depth, and those that are turned, are left to the engine, which tells of them as soon as they are near.
 
-use super::feet::{Feet, SKIN};
+use farseer_core::SpaceFoot;
+
+use super::feet::{Feet, Round, SKIN};
 use super::floor::holds;
 use super::stride::Stride;
 use crate::shapes::SlantedBox;
@@ -23,7 +25,13 @@ impl TwoHalfPhysicsSimulator {
                 continue;
             }
             let Some(wall) = wall_of(platform.shape(), stride) else { continue };
-            let moving = platform.velocity();
+            let moving = platform.velocity() / stride.pace;
+            if let Some(round) = stride.feet.round {
+                let way = [velocity.x - moving.x, velocity.z - moving.z].map(|part| part * stride.dt);
+                let [x, z] = held_off_wall(&round, &wall, way).map(|part| part / stride.dt);
+                (velocity.x, velocity.z) = (moving.x + x, moving.z + z);
+                continue;
+            }
             let (along_x, along_z) = stride.feet.ways_to(&wall);
             let x = Approach { way: (velocity.x - moving.x) * stride.dt, ends: along_x };
             let z = Approach { way: (velocity.z - moving.z) * stride.dt, ends: along_z };
@@ -37,6 +45,35 @@ impl TwoHalfPhysicsSimulator {
         velocity
     }
 }
+
+/// The way of a disc, without what leads closer to a wall from where it has come near to it.
+fn held_off_wall(round: &Round, wall: &Feet, way: [f32; 2]) -> [f32; 2] {
+    let corners =
+        [[wall.left, wall.front], [wall.right, wall.front], [wall.right, wall.back], [wall.left, wall.back]];
+    let disc = SpaceFoot::Disc(round.radius + SKIN + KEPT_OFF - ROUNDED);
+    let gap = |part: f32| {
+        let at = [0, 1].map(|axis| -round.from[axis] - part * way[axis]);
+        disc.gap(SpaceFoot::Polygon(&corners), at)
+    };
+    let (now, _) = gap(0.0);
+    // Who is in it is pushed out by the engine, and not held back.
+    if now < -2.0 * (SKIN + KEPT_OFF) || gap(1.0).0 >= 0.0 {
+        return way;
+    }
+    let (mut before, mut after) = (0.0, 1.0);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (before + after);
+        if gap(middle).0 > 0.0 { before = middle } else { after = middle }
+    }
+    let (_, normal) = gap(before);
+    let closing = (way[0] * normal[0] + way[1] * normal[1]) * (1.0 - before);
+    if closing <= 0.0 { way } else { [0, 1].map(|axis| way[axis] - closing * normal[axis]) }
+}
+
+/// What rounding takes of a distance at most, px.
+const ROUNDED: f32 = 0.002;
+/// Each halves the part of a step within which a wall is come near to.
+const HALVINGS: usize = 12;
 
 /// A way along an axis, and how far it is to touch a wall from below and from above, with signs.
 struct Approach {
@@ -85,8 +122,8 @@ impl Feet {
 }
 
 /// What of a box is between the height that can be stepped up and the head, as seen from above.
-fn wall_of(shape: &SlantedBox, stride: &Stride<'_>) -> Option<Feet> {
-    if shape.shear != 0.0 {
+pub(super) fn wall_of(shape: &SlantedBox, stride: &Stride<'_>) -> Option<Feet> {
+    if shape.is_sheared() || shape.is_turned() {
         return None;
     }
     let (top, bottom) = (-stride.head, -stride.knees);
@@ -108,10 +145,5 @@ fn wall_of(shape: &SlantedBox, stride: &Stride<'_>) -> Option<Feet> {
         }
     }
     let depth = shape.half[2];
-    (left < right).then_some(Feet {
-        left,
-        right,
-        front: shape.centre.z - depth,
-        back: shape.centre.z + depth,
-    })
+    (left < right).then(|| Feet::rectangle(left, right, shape.centre.z - depth, shape.centre.z + depth))
 }

@@ -30,7 +30,7 @@ pub(super) fn pinball() -> Result<Box<dyn Play>> {
 
 pub(super) fn brawler() -> Result<Box<dyn Play>> {
     let mut brawler = Brawler::new()?;
-    brawler.simulator_mut().update(0.0);
+    brawler.simulator.update(0.0);
     Ok(Box::new(Street { brawler, paint: Paint::new()? }))
 }
 
@@ -101,11 +101,11 @@ impl Play for Street {
     }
 
     fn world(&self) -> World<'_> {
-        World::Depth(self.brawler.simulator())
+        World::Depth(&self.brawler.simulator)
     }
 
     fn world_mut(&mut self) -> WorldMut<'_> {
-        WorldMut::Depth(self.brawler.simulator_mut())
+        WorldMut::Depth(&mut self.brawler.simulator)
     }
 
     fn camera(&self) -> Transform {

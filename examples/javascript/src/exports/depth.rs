@@ -182,9 +182,11 @@ exports! {
     /// How a body walks.
     fn depth_set_walk(
         simulator: Simulator, body: BodyId, acceleration: f32, air_acceleration: f32, jump_height: f32,
-        step_up: f32, snap: f32, max_slope: f32, coyote_time: f32,
+        step_up: f32, snap: f32, max_slope: f32, coyote_time: f32, ledge_reach: f32, climb_speed: f32,
     ) {
-        let walk = Walk { acceleration, air_acceleration, jump_height, step_up, snap, max_slope, coyote_time };
+        let walk = Walk {
+            acceleration, air_acceleration, jump_height, step_up, snap, max_slope, coyote_time, ledge_reach, climb_speed,
+        };
         simulator.body3d(body, |_| ())?;
         simulator.depth(|depth| {
             depth.walkers.entry(body).or_insert_with(|| Walker::new(walk)).walk = walk;
@@ -192,13 +194,15 @@ exports! {
         })
     }
 
-    /// How a body walks: leaves the seven numbers.
+    /// How a body walks: leaves the nine numbers.
     fn depth_walk_settings(simulator: Simulator, body: BodyId) {
         simulator.depth(|depth| {
             let walk = depth.walkers.get(&body).map_or_else(Walk::default, |walker| walker.walk);
-            let Walk { acceleration, air_acceleration, jump_height, step_up, snap, max_slope, coyote_time } = walk;
-            let numbers = [acceleration, air_acceleration, jump_height, step_up, snap, max_slope, coyote_time];
-            Ok(leave_numbers(numbers.map(f64::from)))
+            let Walk { acceleration, air_acceleration, jump_height, step_up, snap, .. } = walk;
+            let Walk { max_slope, coyote_time, ledge_reach, climb_speed, .. } = walk;
+            let first = [acceleration, air_acceleration, jump_height, step_up, snap];
+            let last = [max_slope, coyote_time, ledge_reach, climb_speed];
+            Ok(leave_numbers(first.into_iter().chain(last).map(f64::from)))
         })
     }
 

@@ -5,10 +5,12 @@
 
 use super::Space;
 use super::parts::{Fixture, FixtureMotion, fixture_id, ground_id, is_geom, number_of};
+use super::upright::Upright;
 use crate::geom::GeomId;
 use crate::geom::surface::SurfaceCoefficients;
 use crate::math::Vector3;
-use crate::math::plane::Pose;
+use crate::math::plane::{Pose, length};
+use crate::math::scalar;
 use crate::precise::Precise;
 use crate::precise::bodies::Hot;
 use crate::precise::outline::Shape;
@@ -17,8 +19,23 @@ use crate::precise::proxies::{Mobility, Proxy};
 /// The place of the ground among fixtures: none.
 const NO_PLACE: u32 = u32::MAX;
 
-fn on_hot([x, y, z]: [f32; 3]) -> [f32; 4] {
-    [x, y, 0.0, z]
+/// What turns does so about the upright axis, in the place of turning in the plane: its contacts have the arms for that.
+fn on_hot(motion: &FixtureMotion) -> [f32; 4] {
+    let [x, y, z] = motion.velocity;
+    [x, y, motion.turning, z]
+}
+
+/// How far one that turns reaches along x and along z, whatever its angle is.
+pub(super) fn turning_reach(fixture: &Fixture) -> f32 {
+    let [x, _, z] = fixture.shape.half;
+    length([x, z])
+}
+
+/// An angle of one turn, from 0 on.
+fn wrapped(angle: f32) -> f32 {
+    let turn = 2.0 * std::f32::consts::PI;
+    let rest = angle % turn;
+    if rest < 0.0 { rest + turn } else { rest }
 }
 
 fn pose_of(fixture: &Fixture) -> Pose {
@@ -28,7 +45,8 @@ fn pose_of(fixture: &Fixture) -> Pose {
 
 impl FixtureMotion {
     /// The velocity of the step that begins.
-    fn begin(&mut self, centre: Vector3, dt: f32) {
+    fn begin(&mut self, centre: Vector3, yaw: f32, dt: f32) {
+        self.begin_turning(yaw, dt);
         let Some((target, is_reached)) = self.target else { return };
         self.velocity =
             if is_reached { [0.0; 3] } else { [0, 1, 2].map(|axis| (target[axis] - centre[axis]) / dt) };
@@ -37,6 +55,28 @@ impl FixtureMotion {
         }
         let stays = !is_reached && self.velocity != [0.0; 3];
         self.target = self.target.filter(|_| stays);
+    }
+
+    fn begin_turning(&mut self, yaw: f32, dt: f32) {
+        let Some((target, is_reached)) = self.yaw_target else { return };
+        self.turning = if is_reached { 0.0 } else { (target - yaw) / dt };
+        if !self.turning.is_finite() {
+            self.turning = 0.0;
+        }
+        let stays = !is_reached && self.turning != 0.0;
+        self.yaw_target = self.yaw_target.filter(|_| stays);
+    }
+
+    /// To what angle a step has turned it.
+    fn end_turning(&mut self, yaw: f32, turned: f32) -> f32 {
+        match self.yaw_target.as_mut() {
+            Some((target, is_reached)) => {
+                *is_reached = true;
+                *target
+            }
+            None if turned == 0.0 => yaw,
+            None => wrapped(yaw + turned),
+        }
     }
 
     /// Where a step has brought its middle. What would have come too far for numbers has been put back, and stands still.
@@ -56,7 +96,8 @@ impl FixtureMotion {
     }
 
     fn is_on_its_way(&self) -> bool {
-        self.target.map_or(self.velocity != [0.0; 3], |(_, is_reached)| !is_reached)
+        let turns = self.yaw_target.map_or(self.turning != 0.0, |(_, is_reached)| !is_reached);
+        turns || self.target.map_or(self.velocity != [0.0; 3], |(_, is_reached)| !is_reached)
     }
 }
 
@@ -81,15 +122,18 @@ impl Precise {
         space.fixtures[place].motion = Some(told);
         let number = space.moving.binary_search(&(place as u32)).map_or(0, |at| at + 1);
         if let Some(hot) = self.bodies.hot.get_mut(number).filter(|_| number > 0 && !self.is_stale) {
-            hot.velocity = on_hot(told.velocity);
+            hot.velocity = on_hot(&told);
         }
     }
 
-    /// The fixtures that move: their names, where their middles are, and how.
-    pub(crate) fn fixtures_moved(&self) -> impl Iterator<Item = (u32, Vector3, FixtureMotion)> + '_ {
+    /// The fixtures that move: their names, where their middles are and how they are turned, and how they move.
+    pub(crate) fn fixtures_moved(
+        &self,
+    ) -> impl Iterator<Item = (u32, Vector3, Option<f32>, FixtureMotion)> + '_ {
         self.space.iter().flat_map(|space| {
             let moving = space.moving.iter().map(|&place| &space.fixtures[place as usize]);
-            moving.filter_map(|fixture| Some((fixture.id, fixture.shape.centre, fixture.motion?)))
+            moving
+                .filter_map(|fixture| Some((fixture.id, fixture.shape.centre, fixture.yaw, fixture.motion?)))
         })
     }
 }
@@ -105,6 +149,11 @@ impl Space {
     /// What a proxy is of that is no geom's.
     pub(super) fn fixture_of(&self, proxy: &Proxy) -> Option<&Fixture> {
         if is_geom(proxy.geom) { None } else { self.fixtures.get(proxy.place as usize) }
+    }
+
+    /// Whether a proxy is that of a fixture that turns about the upright axis.
+    pub(in crate::precise) fn turns(&self, proxy: &Proxy) -> bool {
+        self.fixture_of(proxy).is_some_and(|fixture| fixture.yaw.is_some() && fixture.motion.is_some())
     }
 
     /// Whether the next step moves a fixture, by its number among bodies.
@@ -125,7 +174,7 @@ impl Precise {
         for fixture in &space.fixtures {
             let number = if let Some(motion) = fixture.motion {
                 moving += 1;
-                self.bodies.hot[moving].velocity = on_hot(motion.velocity);
+                self.bodies.hot[moving].velocity = on_hot(&motion);
                 moving
             } else {
                 self.bodies.add_fixture(pose_of(fixture), fixture.rotation);
@@ -175,8 +224,9 @@ impl Precise {
                 continue;
             }
             let [x, y, depth] = shape.half;
-            // Sheared, it reaches further along x: its bounds and what is near are those of the widest box.
-            let lean = (shape.shear * depth).abs();
+            let x = if fixture.yaw.is_some() { turning_reach(fixture) } else { x };
+            // Sheared, it reaches further: its bounds and what is near are those of the widest box.
+            let lean = (shape.shear * depth).abs() + (shape.climb * depth).abs();
             let shape = proxies.corners.add_box([x, y]).leaning(lean);
             let SurfaceCoefficients { friction, restitution } = *surface;
             *bounces |= restitution > 0.0;
@@ -207,11 +257,10 @@ impl Precise {
         let Precise { space: Some(space), bodies, .. } = self else { return };
         let space = &mut **space;
         for (number, &place) in (1..).zip(&space.moving) {
-            let Fixture { shape, motion: Some(motion), .. } = &mut space.fixtures[place as usize] else {
-                continue;
-            };
-            motion.begin(shape.centre, dt);
-            let velocity = on_hot(motion.velocity);
+            let fixture = &mut space.fixtures[place as usize];
+            let Fixture { shape, yaw, motion: Some(motion), .. } = fixture else { continue };
+            motion.begin(shape.centre, yaw.unwrap_or_default(), dt);
+            let velocity = on_hot(motion);
             bodies.hot[number] = Hot { velocity, ..Hot::default() };
             bodies.before[number] = velocity;
             (bodies.push[number], bodies.forced[number]) = ([0.0; 4], [0.0; 4]);
@@ -225,9 +274,21 @@ impl Precise {
         for (number, &place) in (1..).zip(&space.moving) {
             let fixture = &mut space.fixtures[place as usize];
             let Some(motion) = &mut fixture.motion else { continue };
-            let [x, y, _, z] = bodies.path[number];
+            let [x, y, turned, z] = bodies.path[number];
             fixture.shape.centre = motion.end(fixture.shape.centre, [x, y, z]);
-            bodies.hot[number].velocity = on_hot(motion.velocity);
+            let turned_to = fixture.yaw.map(|yaw| motion.end_turning(yaw, turned));
+            bodies.hot[number].velocity = on_hot(motion);
+            if let Some(yaw) = turned_to {
+                fixture.yaw = Some(yaw);
+                let (sine, cosine) = scalar::sin_cos(yaw);
+                fixture.shape.turn = [cosine, sine];
+                let proxy = space.fixture_proxies[place as usize] as usize;
+                let upright = Upright::of_box(&fixture.shape);
+                if let Some(known) = space.reach[proxy].upright.checked_sub(1) {
+                    space.uprights[known as usize] = upright;
+                }
+            }
+            let fixture = &space.fixtures[place as usize];
             bodies.poses[number] = pose_of(fixture);
             space.places[number] = fixture.shape.centre.z;
         }

@@ -3,8 +3,10 @@
 //! Outlines are apart as long as they are in the plane or along the depth axis, balls by their distance. Each of these tells an
 //! axis along which the two come together no faster than by their velocity, and by what turns in the plane.
 
-use super::solid::Kind;
-use super::{Space, slant};
+use super::solid::{Kind, Solid};
+use super::upright::product;
+use super::{Space, slant, standing};
+use crate::math::Vector3;
 use crate::math::plane::{length, rotation, sum, turn};
 use crate::precise::bodies::Bodies;
 use crate::precise::flight::{Flyer, Two};
@@ -69,6 +71,9 @@ impl Space {
         bodies: &Bodies,
         part: f32,
     ) -> (f32, f32) {
+        if self.is_upright(a) || self.is_upright(b) {
+            return self.coming_upright([a, b], proxies, bodies, part);
+        }
         let (a, b) = (self.flying(a, proxies, bodies), self.flying(b, proxies, bodies));
         let (apart, axis, leaning) = separation(a, b, part);
         let turning = |one: &Flying<'_>| one.plane.path[2].abs() * one.plane.outline.shape.reach;
@@ -78,11 +83,31 @@ impl Space {
     }
 }
 
+impl Space {
+    /// The same of a pair of which one is upright.
+    fn coming_upright(&self, pair: [u32; 2], proxies: &Proxies, bodies: &Bodies, part: f32) -> (f32, f32) {
+        let [(a, way_a), (b, way_b)] = pair.map(|at| {
+            let proxy = &proxies.all[at as usize];
+            let path = bodies.path.get(proxy.body as usize).copied().unwrap_or_default();
+            let outline = proxies.corners.outline(proxy.shape);
+            let plane = Flyer { outline, pose: bodies.poses[proxy.body as usize], path };
+            let mut solid = self.solid(at, proxy, outline, (bodies, 0.0));
+            (solid.pose, solid.z) = (plane.at(part), solid.z + part * path[3]);
+            (solid, path)
+        });
+        let (apart, axis) = standing::separation(a, b);
+        let turning = |solid: &Solid<'_>, path: [f32; 4]| path[2].abs() * solid.outline.shape.reach;
+        let way = [0, 1, 3].map(|at| way_b[at] - way_a[at]);
+        (apart, turning(&a, way_a) + turning(&b, way_b) - product(way, axis))
+    }
+}
+
 /// Distance of two, the axis along which it is, from A to B, and how much of the way along the depth axis adds to it.
 fn separation(a: Flying<'_>, b: Flying<'_>, part: f32) -> (f32, [f32; 3], f32) {
     match (a.kind, b.kind) {
         (Kind::Ground, _) => (-(b.plane.support(b.plane.at(part), [0.0, 1.0])), [0.0, -1.0, 0.0], 0.0),
         (Kind::Ball, Kind::Ball) => of_balls(a, b, part),
+        (Kind::Prism(_), Kind::Ball) if a.slant.is_some() => of_slant(a, b, part),
         _ => of_prisms(a, b, part),
     }
 }
@@ -93,6 +118,15 @@ fn of_balls(a: Flying<'_>, b: Flying<'_>, part: f32) -> (f32, [f32; 3], f32) {
     let distance = length([length([way[0], way[1]]), way[2]]);
     let axis = if distance > 0.0 { way.map(|way| way / distance) } else { [0.0, 1.0, 0.0] };
     (distance - a.radius() - b.radius(), axis, 0.0)
+}
+
+/// A ball and the nearest point of a box that leans or climbs.
+fn of_slant(a: Flying<'_>, ball: Flying<'_>, part: f32) -> (f32, [f32; 3], f32) {
+    let [x, y] = [0, 1].map(|axis| part * a.plane.path[axis]);
+    let moved = Vector3::new(x, y, part * a.plane.path[3]);
+    let nearest = a.slant.and_then(|shape| shape.nearest(Vector3::from(ball.centre(part)) - moved));
+    let (distance, axis) = nearest.unwrap_or((f32::MAX, Vector3::new(0.0, -1.0, 0.0)));
+    (distance - ball.radius(), axis.into(), 0.0)
 }
 
 fn of_prisms(a: Flying<'_>, b: Flying<'_>, part: f32) -> (f32, [f32; 3], f32) {
@@ -120,5 +154,5 @@ fn in_plane(a: Flying<'_>, b: Flying<'_>, part: f32) -> (f32, [f32; 2], f32) {
     let pose = [a.plane.pose[0], a.plane.pose[1], 1.0, 0.0];
     let swept = Flyer { outline: corners.outline(outline), pose, path: a.plane.path };
     let (apart, axis) = Two { a: swept, b: b.plane }.separation(part);
-    (apart, axis, (shape.shear * axis[0]).abs())
+    (apart, axis, shape.lean(axis).abs())
 }

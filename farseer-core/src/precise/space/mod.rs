@@ -9,6 +9,8 @@
 
 mod fixtures;
 mod flight;
+mod foot;
+pub(crate) mod forms;
 mod one_way;
 mod overlap;
 pub(crate) mod parts;
@@ -17,9 +19,14 @@ mod passing;
 mod rows;
 mod slant;
 mod solid;
+mod standing;
+mod steady;
 mod step;
 mod sync;
 mod told;
+mod upright;
+mod upright_prism;
+mod upright_slant;
 
 use std::ops::Range;
 
@@ -31,6 +38,7 @@ use super::tuning::Tuning;
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::math::scalar::nearest_finite;
+use crate::shape::SlantedBox;
 use crate::storage::reusing_clone::reusing_clone;
 pub(super) use one_way::lands_on;
 use parts::{Depths, Fixture, SpaceBody, SpaceProfile};
@@ -38,6 +46,7 @@ pub(super) use passes::{Spin, begin_spins, gather_warm_in_space, relax_in_space}
 pub(super) use rows::{SpaceRow, tangents};
 pub(super) use solid::Before;
 use solid::{Kind, Limits, Solid};
+use upright::Upright;
 
 /// What there is along the depth axis.
 #[derive(Debug, Default)]
@@ -58,6 +67,11 @@ pub(crate) struct Space {
     /// Whether a body is a ball, and any is.
     pub(super) are_balls: Vec<bool>,
     pub(super) has_balls: bool,
+    /// Whether a body has something upright, so that it does not turn, and any has.
+    pub(super) are_upright: Vec<bool>,
+    pub(super) has_upright: bool,
+    /// What stands upright.
+    uprights: Vec<Upright>,
     /// By proxy.
     reach: Vec<Reach>,
     depths: Vec<Depths>,
@@ -115,7 +129,8 @@ impl std::ops::DerefMut for Held<Box<Space>> {
 
 reusing_clone! {
     Space {
-        bodies, profiles, fixtures, numbers, fixture_proxies, moving, has_one_way, places, spins, are_balls, has_balls, reach, depths, ground, rested
+        bodies, profiles, fixtures, numbers, fixture_proxies, moving, has_one_way, places, spins, are_balls, has_balls,
+        are_upright, has_upright, uprights, reach, depths, ground, rested
     }
 }
 
@@ -125,6 +140,8 @@ struct Reach {
     half: f32,
     is_round: bool,
     ground: Option<[f32; 2]>,
+    /// Its place among what stands upright, from 1 on; 0 for what does not.
+    upright: u32,
 }
 
 fn entry<T: Copy + Default>(table: &[T], slot: usize) -> T {
@@ -200,6 +217,9 @@ impl Space {
     /// Bodies are listed anew, fixtures behind them.
     pub(super) fn list_bodies(&mut self, bodies: &Bodies) {
         let Space { places, spins, are_balls, has_balls, bodies: told, fixtures, numbers, .. } = self;
+        self.has_upright = false;
+        self.are_upright.clear();
+        self.are_upright.resize(bodies.ids.len(), false);
         places.clear();
         places.extend(bodies.ids.iter().map(|id| id.map_or(0.0, |id| entry(told, id.slot()).z)));
         for (&number, fixture) in numbers.iter().zip(fixtures) {
@@ -215,6 +235,7 @@ impl Space {
     /// How the proxies reach.
     pub(super) fn list_proxies(&mut self, proxies: &Proxies) {
         self.reach.clear();
+        self.uprights.clear();
         self.depths.clear();
         self.depths.resize(proxies.all.len(), Depths::default());
         for proxy in &proxies.all {
@@ -229,6 +250,7 @@ impl Space {
         *entry_mut(&mut self.places, number) = told.z;
         *entry_mut(&mut self.spins, number) = Spin::default();
         *entry_mut(&mut self.are_balls, number) = false;
+        *entry_mut(&mut self.are_upright, number) = false;
     }
 
     /// Whether a body turns about all axes: all that it has is round about its origin.
@@ -246,16 +268,24 @@ impl Space {
         *entry_mut(&mut self.depths, at) = Depths::default();
     }
 
-    fn reach_of(&self, geom: GeomId) -> Reach {
+    fn reach_of(&mut self, geom: GeomId) -> Reach {
         match parts::partner_of(geom) {
             parts::SpacePartner::Ground => Reach::default(),
             parts::SpacePartner::Fixture(id) => {
-                let half = self.fixture(id).map_or(0.0, |(_, fixture)| fixture.shape.half[2]);
-                Reach { half, ..Reach::default() }
+                let Some((_, fixture)) = self.fixture(id) else { return Reach::default() };
+                let half = if fixture.yaw.is_some() {
+                    fixtures::turning_reach(fixture)
+                } else {
+                    fixture.shape.half[2]
+                };
+                let upright = fixture.yaw.map(|_| Upright::of_box(&fixture.shape));
+                let upright = upright.map_or(0, |upright| self.add_upright(upright));
+                Reach { half, upright, ..Reach::default() }
             }
             parts::SpacePartner::Geom(geom) => {
-                let SpaceProfile { half_depth, is_round, ground } = self.profile(geom);
-                Reach { half: half_depth, is_round, ground }
+                let SpaceProfile { half_depth, is_round, ground, upright } = self.profile(geom);
+                let upright = upright.map_or(0, |upright| self.add_upright(Upright::new(upright)));
+                Reach { half: half_depth, is_round, ground, upright }
             }
         }
     }
@@ -265,6 +295,16 @@ impl Space {
 impl Space {
     pub(super) fn is_round(&self, proxy: u32) -> bool {
         self.reach[proxy as usize].is_round
+    }
+
+    /// Whether a proxy stands upright.
+    pub(super) fn is_upright(&self, proxy: u32) -> bool {
+        self.reach[proxy as usize].upright > 0
+    }
+
+    fn add_upright(&mut self, upright: Upright) -> u32 {
+        self.uprights.push(upright);
+        self.uprights.len() as u32
     }
 
     /// Friction and restitution of the ground under a proxy.
@@ -381,17 +421,19 @@ impl Space {
 impl Space {
     /// A proxy as something with depth.
     pub(super) fn solid<'a>(
-        &self,
+        &'a self,
         at: u32,
         proxy: &Proxy,
         outline: Outline<'a>,
         (bodies, dt): (&Bodies, f32),
     ) -> Solid<'a> {
         let body = proxy.body as usize;
-        let Reach { half, is_round, .. } = self.reach[at as usize];
+        let Reach { half, is_round, upright, .. } = self.reach[at as usize];
+        let upright = upright.checked_sub(1).map(|at| &self.uprights[at as usize]);
         let kind = match (at == self.ground, is_round) {
             (true, _) => Kind::Ground,
             (false, true) => Kind::Ball,
+            (false, false) if upright.is_some() => Kind::Upright,
             (false, false) => Kind::Prism(half),
         };
         let fixture = self.fixture_of(proxy);
@@ -410,7 +452,8 @@ impl Space {
                 [x * dt, y * dt, z * dt]
             }),
             is_fixed: proxy.mobility == Mobility::Fixed,
-            slant: fixture.map(|fixture| fixture.shape).filter(|shape| shape.shear != 0.0),
+            slant: fixture.map(|fixture| fixture.shape).filter(SlantedBox::is_sheared),
+            upright,
         }
     }
 
@@ -422,6 +465,11 @@ impl Space {
         reach: f32,
     ) -> super::manifold::Manifold {
         solid::touch(a, b, before, Limits::new(reach))
+    }
+
+    /// Whether this was the normal of two of which one is upright, and above or below the other one.
+    pub(super) fn was_over(&self, proxies: [u32; 2], normal: [f32; 2]) -> bool {
+        upright::is_over(normal[1]) && proxies.iter().any(|&proxy| self.is_upright(proxy))
     }
 
     /// How far B is behind A.

@@ -74,9 +74,14 @@ fn lean(a: Solid<'_>, b: Solid<'_>, up: Vector) -> f32 {
     let Some(shape) = a.slant else { return 0.0 };
     let half = match b.kind {
         Kind::Prism(half) => half,
+        // Its bounds: what is above them is above it.
+        Kind::Upright => b.outline.shape.half[0].max(b.outline.shape.radius),
         Kind::Ball | Kind::Ground => b.outline.shape.radius,
     };
     let ends = [b.z - half, b.z + half].map(|z| (z - shape.centre.z).clamp(-shape.half[2], shape.half[2]));
-    let [front, back] = ends.map(|z| shape.shear * z * up[0]);
+    let [front, back] = ends.map(|z| {
+        let shift = shape.shift(z);
+        dot([shift.x, shift.y], up)
+    });
     if front > back { front } else { back }
 }

@@ -7,7 +7,7 @@ use crate::geom::GeomId;
 use crate::geom::filter::CollisionFilter;
 use crate::geom::surface::SurfaceCoefficients;
 use crate::math::Vector2;
-use crate::shape::SlantedBox;
+use crate::shape::{Footprint, SlantedBox};
 use crate::storage::arena::Id;
 
 /// How a body moves along the depth axis, and a ball about the axes of the plane.
@@ -45,6 +45,48 @@ pub struct SpaceProfile {
     pub is_round: bool,
     /// Friction and restitution of the ground that it rests on; without, it falls for ever.
     pub ground: Option<[f32; 2]>,
+    /// What it is instead of its outline, if it stands upright whatever happens: then nothing turns its body.
+    pub upright: Option<SpaceUpright>,
+}
+
+/// What stands upright, about the origin of its geom.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum SpaceUpright {
+    /// A disc, drawn out along y.
+    Cylinder {
+        /// Of the disc.
+        radius: f32,
+        /// How far up and down.
+        half_height: f32,
+    },
+    /// All that is as near to an upright segment.
+    Capsule {
+        /// Of its ends, and all around.
+        radius: f32,
+        /// How far up and down, with its ends: no less than the radius.
+        half_height: f32,
+    },
+    /// A polygon in the plane of x and z, drawn out along y.
+    Prism {
+        /// The polygon.
+        footprint: Footprint,
+        /// How far up and down.
+        half_height: f32,
+    },
+}
+
+impl SpaceUpright {
+    /// The box about it in the plane: its middle as seen from the origin of its geom, and half of its sides.
+    pub(in crate::precise) fn front(&self) -> ([f32; 2], [f32; 2]) {
+        match *self {
+            SpaceUpright::Cylinder { radius, half_height }
+            | SpaceUpright::Capsule { radius, half_height } => ([0.0; 2], [radius, half_height]),
+            SpaceUpright::Prism { footprint, half_height } => {
+                let (low, high) = footprint.bounds();
+                ([0.5 * (low.x + high.x), 0.0], [0.5 * (high.x - low.x), half_height])
+            }
+        }
+    }
 }
 
 /// Something that nothing pushes and that is no geom: a box with depth, which may be tilted in the plane.
@@ -56,6 +98,9 @@ pub struct Fixture {
     pub shape: SlantedBox,
     /// Its tilt in the plane, in rad.
     pub rotation: f32,
+    /// The angle by which it is turned about the upright axis through its middle, from x to z, if it is or is going to be: then it is
+    /// level.
+    pub yaw: Option<f32>,
     /// Whom it may meet.
     pub filter: CollisionFilter,
     /// How it rubs and bounces.
@@ -68,7 +113,7 @@ pub struct Fixture {
     pub is_one_way: bool,
 }
 
-/// How a fixture moves that does not stand still: as a kinematic body does, but for turning.
+/// How a fixture moves that does not stand still: as a kinematic body does, but for what it turns about.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct FixtureMotion {
     /// Velocity along x, y (down) and z.
@@ -77,6 +122,10 @@ pub struct FixtureMotion {
     pub target: Option<([f32; 3], bool)>,
     /// Way of the last step along x, y and z.
     pub way: [f32; 3],
+    /// How fast it turns about the upright axis, from x to z, in rad/s.
+    pub turning: f32,
+    /// The angle to which it is turned, and whether the last step has done so; it stands still in the one after.
+    pub yaw_target: Option<(f32, bool)>,
 }
 
 /// What a geom touches that is no geom.

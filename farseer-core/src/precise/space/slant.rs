@@ -1,7 +1,7 @@
-//! Boxes whose edges along the depth axis do not run along it: sheared along x.
+//! Boxes whose edges along the depth axis do not run along it: sheared along x, or along y, which makes slopes along depth.
 //!
 //! What is beside one between two depths meets, in the plane, what the box covers there: the hull of its outlines at both. A side
-//! of it with the normal (nx, ny) in the plane has the normal (nx, ny, -shear nx) in three axes, not yet of unit length.
+//! of it with the normal (nx, ny) in the plane has the normal (nx, ny, climb ny - shear nx) in three axes, not yet of unit length.
 
 use super::solid::Solid;
 use crate::math::Vector3;
@@ -15,8 +15,8 @@ use crate::storage::order::{joined, ordered, sort_by_number};
 pub(super) fn swept(shape: &SlantedBox, near: f32, far: f32) -> (Corners, Shape) {
     let mut points: Vec<Vector> = Vec::with_capacity(8);
     for z in [near, far] {
-        let shift = shape.shear * (z - shape.centre.z);
-        points.extend(shape.rectangle().map(|corner| [corner.x + shift, corner.y]));
+        let shift = shape.shift(z - shape.centre.z);
+        points.extend(shape.rectangle().map(|corner| [corner.x + shift.x, corner.y + shift.y]));
     }
     let mut corners = Corners::default();
     let shape = corners.add_hull(&hull(points));
@@ -25,7 +25,7 @@ pub(super) fn swept(shape: &SlantedBox, near: f32, far: f32) -> (Corners, Shape)
 
 /// The convex hull, wound as the outlines of the precise set (A. Andrew, "Another efficient algorithm for convex hulls in two
 /// dimensions", 1979).
-fn hull(mut points: Vec<Vector>) -> Vec<Vector> {
+pub(super) fn hull(mut points: Vec<Vector>) -> Vec<Vector> {
     sort_by_number(&mut points, |point| joined(point.map(ordered)));
     let mut chain: Vec<Vector> = Vec::with_capacity(points.len() + 1);
     let mut extend = |of: &mut dyn Iterator<Item = Vector>| {
@@ -49,8 +49,8 @@ fn hull(mut points: Vec<Vector>) -> Vec<Vector> {
 
 /// Contacts in the plane with what a box covers, as they lie in three axes. Where an edge of it meets a face of the other one the
 /// normal is that of the face.
-pub(super) fn in_space(mut found: Manifold, shear: f32) -> Manifold {
-    let lean = -shear * found.normal[0];
+pub(super) fn in_space(mut found: Manifold, shape: &SlantedBox) -> Manifold {
+    let lean = -shape.lean(found.normal);
     if !found.is_of_b && lean != 0.0 {
         let stretch = length([1.0, lean]);
         found.normal = scaled(found.normal, 1.0 / stretch);

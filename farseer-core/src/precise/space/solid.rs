@@ -6,7 +6,8 @@
 
 use super::overlap::{Covered, covered};
 use super::passing::{passes_corner, passes_over};
-use super::slant;
+use super::upright::Upright;
+use super::{slant, standing};
 use crate::math::plane::{
     Pose, Vector, difference, dot, length, place, rotation, scaled, sum, turn, turn_back,
 };
@@ -30,6 +31,8 @@ pub(in crate::precise) struct Solid<'a> {
     pub(super) is_fixed: bool,
     /// Where it is sheared.
     pub(super) slant: Option<SlantedBox>,
+    /// What it is if it stands upright.
+    pub(super) upright: Option<&'a Upright>,
 }
 
 /// What an outline is in three axes.
@@ -41,6 +44,8 @@ pub(in crate::precise) enum Kind {
     Ball,
     /// Everything below y = 0, which is down.
     Ground,
+    /// What stands upright, whatever its outline.
+    Upright,
 }
 
 /// Along which axis two outlines touched in the step before.
@@ -50,10 +55,12 @@ pub(in crate::precise) enum Before {
     Plane,
     /// With this sign of the normal.
     Depth(f32),
+    /// One of the two is upright, and was above or below the other one.
+    Over,
 }
 
 impl Before {
-    fn flipped(self) -> Self {
+    pub(super) fn flipped(self) -> Self {
         if let Before::Depth(side) = self { Before::Depth(-side) } else { self }
     }
 }
@@ -81,6 +88,7 @@ const RECENT: f32 = 1.5;
 /// The contacts of A and B, of which A gives way less.
 pub(super) fn touch(a: Solid<'_>, b: Solid<'_>, before: Before, limits: Limits) -> Manifold {
     match (a.kind, b.kind) {
+        (Kind::Upright, _) | (_, Kind::Upright) => standing::touch(a, b, before, limits),
         (Kind::Ground, Kind::Ball) => ball_on_ground(a, b, limits.reach),
         (Kind::Ground, _) => prism_on_ground(a, b, limits.reach),
         (Kind::Ball, Kind::Ball) => balls(a, b, before, limits.reach),
@@ -98,9 +106,10 @@ pub(super) fn touch(a: Solid<'_>, b: Solid<'_>, before: Before, limits: Limits) 
 }
 
 /// B against A, of what was found as A against B.
-fn flipped(mut found: Manifold, a: Solid<'_>, b: Solid<'_>) -> Manifold {
+pub(super) fn flipped(mut found: Manifold, a: Solid<'_>, b: Solid<'_>) -> Manifold {
     found = found.flipped(a.pose, b.pose);
     found.normal_z = -found.normal_z;
+    found.depths = found.depths.map(|depth| depth + (b.z - a.z));
     found
 }
 
@@ -167,7 +176,7 @@ fn in_plane(a: Solid<'_>, b: Solid<'_>, halves: f32, limits: Limits) -> Manifold
             slant: None,
             ..a
         };
-        return slant::in_space(in_plane(swept, b, halves, limits), shape.shear);
+        return slant::in_space(in_plane(swept, b, halves, limits), &shape);
     }
     let flush = if a.is_fixed { flush_edge(a, b, limits) } else { None };
     match flush {
@@ -245,8 +254,11 @@ fn entered_in_plane(
 
 /// Front against back: one point, in the middle of what the outlines have in common.
 fn along_depth(a: Solid<'_>, b: Solid<'_>, side: f32, gap: f32) -> Manifold {
-    let shift = a.slant.map_or(0.0, |shape| shape.shear * side * shape.half[2]);
-    let pose = [a.pose[0] + shift, a.pose[1], a.pose[2], a.pose[3]];
+    let shift = a.slant.map_or([0.0; 2], |shape| {
+        let shift = shape.shift(side * shape.half[2]);
+        [shift.x, shift.y]
+    });
+    let pose = [a.pose[0] + shift[0], a.pose[1] + shift[1], a.pose[2], a.pose[3]];
     let Some(Covered { middle, spread }) = covered(a.outline, pose, b.outline, b.pose) else {
         return Manifold::apart(0.0);
     };
@@ -285,7 +297,13 @@ fn balls(a: Solid<'_>, b: Solid<'_>, before: Before, reach: f32) -> Manifold {
 
 /// Distance of a ball's middle from an extruded outline: in the plane from the outline, along the depth axis from its ends,
 /// and obliquely from its rims.
-fn prism_and_ball(prism: Solid<'_>, half: f32, ball: Solid<'_>, before: Before, reach: f32) -> Manifold {
+pub(super) fn prism_and_ball(
+    prism: Solid<'_>,
+    half: f32,
+    ball: Solid<'_>,
+    before: Before,
+    reach: f32,
+) -> Manifold {
     let radius = ball.outline.shape.radius;
     let [x, y] = ball.centre();
     let mut point = ball.outline;
@@ -370,7 +388,7 @@ fn meets_rim(
 const SECANTS: usize = 3;
 
 /// Distance of a ball from an extruded outline after a part of the step, and its normal.
-fn nearness(
+pub(super) fn nearness(
     prism: Solid<'_>,
     half: f32,
     ball: Solid<'_>,

@@ -34,6 +34,11 @@ impl Precise {
         self.note_pushed_body(number);
     }
 
+    /// What forces give a body along the depth axis in the step that comes, so far.
+    pub(crate) fn pushed_along_depth(&self, id: BodyId) -> f32 {
+        self.space.as_ref().map_or(0.0, |space| space.acceleration(id))
+    }
+
     /// The number of a body that is moved in updates.
     fn movable_number_of(&self, id: BodyId) -> Option<usize> {
         self.number_of(id).filter(|&number| number < self.bodies.first_fixed())

@@ -93,7 +93,7 @@ impl Depth {
         self.random.pick(&self.pools.bodies)
     }
 
-    pub(super) fn geom(&mut self) -> GeomId {
+    pub(crate) fn geom(&mut self) -> GeomId {
         self.random.pick(&self.pools.geoms)
     }
 

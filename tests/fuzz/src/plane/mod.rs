@@ -6,6 +6,7 @@ mod create;
 mod edits;
 mod handler;
 mod numbers;
+mod one_way;
 mod paths;
 mod pools;
 mod queries;
@@ -20,6 +21,7 @@ use farseer_core::{
 
 pub(crate) use edits::{BODY_EDITS, GEOM_EDITS, JOINT_EDITS, SPRING_EDITS};
 pub(crate) use numbers::check_numbers;
+pub use one_way::OneWayPlane;
 pub use stages::StagedPlane;
 pub(crate) use things::create_thing;
 

@@ -80,6 +80,7 @@ impl Game for StagedPlane {
     }
 }
 
-fn any_call(game: &mut Plane) -> Outcome {
+/// One of the calls of the 2D engine.
+pub(super) fn any_call(game: &mut Plane) -> Outcome {
     (draw::<Plane>(&mut game.random).make)(game)
 }

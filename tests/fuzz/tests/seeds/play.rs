@@ -3,7 +3,7 @@
 use fuzz::checks::{failed_calls_change_nothing, numbers_are_finite};
 use fuzz::long_run::failures;
 use fuzz::twins::twins_stay_equal;
-use fuzz::{Depth, Plane, StagedPlane, Tied};
+use fuzz::{Depth, OneWayPlane, Plane, StagedPlane, Tied, Upright};
 
 /// Fails with a line per seed.
 macro_rules! holds_for {
@@ -19,6 +19,17 @@ fn a_2d_simulator_goes_on_as_its_restored_cloned_and_json_twins_do() {
 }
 
 #[test]
+fn a_2d_simulator_with_one_way_geoms_goes_on_as_its_twins_do() {
+    holds_for!(0..PLANE, twins_stay_equal::<OneWayPlane>);
+}
+
+#[test]
+fn calls_amid_one_way_geoms_that_fail_change_nothing_and_leave_every_number_finite() {
+    holds_for!(0..PLANE, failed_calls_change_nothing::<OneWayPlane>);
+    holds_for!(0..PLANE, numbers_are_finite::<OneWayPlane>);
+}
+
+#[test]
 fn a_2_5d_simulator_goes_on_as_its_restored_cloned_and_json_twins_do() {
     holds_for!(0..DEPTH, twins_stay_equal::<Depth>);
 }
@@ -26,6 +37,21 @@ fn a_2_5d_simulator_goes_on_as_its_restored_cloned_and_json_twins_do() {
 #[test]
 fn a_2_5d_simulator_with_joints_ropes_and_water_goes_on_as_its_twins_do() {
     holds_for!(0..DEPTH, twins_stay_equal::<Tied>);
+}
+
+#[test]
+fn a_2_5d_simulator_with_what_stands_upright_and_what_turns_goes_on_as_its_twins_do() {
+    holds_for!(0..DEPTH, twins_stay_equal::<Upright>);
+}
+
+#[test]
+fn calls_that_stand_things_up_and_turn_platforms_and_fail_change_nothing() {
+    holds_for!(0..DEPTH, failed_calls_change_nothing::<Upright>);
+}
+
+#[test]
+fn every_number_of_what_stands_upright_is_finite() {
+    holds_for!(0..DEPTH, numbers_are_finite::<Upright>);
 }
 
 #[test]

@@ -13,6 +13,8 @@ const LEVEL: SlantedBox = SlantedBox {
     cos: 1.0,
     sin: 0.0,
     shear: 0.0,
+    climb: 0.0,
+    turn: [1.0, 0.0],
 };
 
 /// A prism of one piece between two depths.

@@ -1,7 +1,9 @@
 //! How much of a geom is in a box of the world, and where the middle of that is.
 
-use farseer_core::{BodyId, GeomId, PhysicsSimulator};
+use farseer_core::{BodyId, GeomId, PhysicsSimulator, SpaceUpright};
 
+use crate::Vector3;
+use crate::depth::upright::{depths as depths_of, half_height, middle as middle_of, span};
 use crate::depth::{DepthProfile, Depths, Fluid, Region};
 
 /// Corners of an outline on its way through the sides of a box.
@@ -52,6 +54,21 @@ impl Container {
         Immersed { volume: volume * beside(0, x) * beside(2, z), middle: [x, middle] }
     }
 
+    /// The part of something upright: of its height exactly, at the sides as much of it as of its width. A capsule counts as the
+    /// cylinder of its volume.
+    fn of_upright(&self, shape: &SpaceUpright, middle: Vector3) -> Option<Immersed> {
+        let [x, y, z] = [middle.x, middle.y, middle.z].map(f64::from);
+        let half = f64::from(half_height(shape));
+        let part = |axis: usize, at: f64, [low, high]: [f32; 2]| {
+            let ends = [at + f64::from(low), at + f64::from(high)];
+            self.within(axis, ends) / (ends[1] - ends[0])
+        };
+        let beside = part(0, x, span(shape)) * part(2, z, depths_of(shape));
+        let (top, bottom) = ((y - half).max(self.low[1]), (y + half).min(self.high[1]));
+        let volume = area_of(shape) * (bottom - top) * beside;
+        (volume > 0.0).then_some(Immersed { volume, middle: [x, 0.5 * (top + bottom)] })
+    }
+
     /// The part of an extruded outline, exactly.
     fn of_prism(
         &self,
@@ -72,6 +89,23 @@ impl Container {
         }
         let (area, middle) = area_and_middle(&scratch.outline)?;
         Some(Immersed { volume: area * deep, middle })
+    }
+}
+
+/// What something upright covers of the floor, px²; of a capsule, as much as makes up for its round ends.
+fn area_of(shape: &SpaceUpright) -> f64 {
+    let disc = |radius: f32| std::f64::consts::PI * f64::from(radius) * f64::from(radius);
+    match shape {
+        SpaceUpright::Cylinder { radius, .. } => disc(*radius),
+        // Of a height 2 h the ends of radius r lack 2/3 pi r^3.
+        SpaceUpright::Capsule { radius, half_height } => {
+            disc(*radius) * (1.0 - f64::from(*radius) / (3.0 * f64::from(*half_height)))
+        }
+        SpaceUpright::Prism { footprint, .. } => {
+            let corners: Vec<[f64; 2]> =
+                footprint.corners().iter().map(|corner| [corner.x, corner.y].map(f64::from)).collect();
+            area_and_middle(&corners).map_or(0.0, |(area, _)| area)
+        }
     }
 }
 
@@ -131,7 +165,11 @@ pub(super) fn immersed(
             let at = [f64::from(matrix.m41), f64::from(matrix.m42), z];
             Some(container.of_ball(at, f64::from(*radius)))
         }
-        DepthProfile::Prism { .. } => {
+        profile if profile.upright().is_some() => {
+            let body = core.body(geom.body())?;
+            container.of_upright(&profile.upright()?, middle_of(geom, body, z as f32))
+        }
+        _ => {
             let outline = geom.local_vertices().iter().map(|corner| {
                 let [x, y] = [corner.x, corner.y].map(f64::from);
                 let along =

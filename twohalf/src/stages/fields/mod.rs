@@ -124,15 +124,13 @@ fn push(
     id: BodyId,
     (force, torque): ([f32; 3], f32),
 ) {
-    if !core.push_in_space(id, force, torque) {
+    // The precise set adds up itself what is along Z.
+    let kept = world.depths.bodies.get_mut(id).filter(|_| world.scheme != DepthScheme::Precise);
+    let along_z = kept.as_ref().map_or(0.0, |state| state.force_z + force[2]);
+    if !(along_z.is_finite() && core.push_in_space(id, force, torque)) {
         report.events.push(Event::NotFinite { body: id, disabled: false });
-        return;
-    }
-    if world.scheme != DepthScheme::Precise
-        && let Some(state) = world.depths.bodies.get_mut(id)
-        && (state.force_z + force[2]).is_finite()
-    {
-        state.force_z += force[2];
+    } else if let Some(state) = kept {
+        state.force_z = along_z;
     }
 }
 

@@ -29,7 +29,7 @@ impl Search<'_> {
         }
         let manifold = match *depths.profiles.get(geom)? {
             DepthProfile::Round { radius } => of_ball(view, state.z, radius),
-            DepthProfile::Prism { .. } => of_prism(view, state.z, core.allowed_penetration()),
+            _ => of_prism(view, state.z, core.allowed_penetration()),
         }?;
         let (friction, restitution) =
             (state.ground.friction_coefficient(), state.ground.restitution_coefficient());

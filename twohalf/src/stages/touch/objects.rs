@@ -66,7 +66,8 @@ impl Search<'_> {
                 let manifold = self.ball_on_prism(a, radius, b, kept)?;
                 Some(Manifold { normal: -manifold.normal, ..manifold })
             }
-            (DepthProfile::Prism { .. }, DepthProfile::Prism { .. }) => {
+            // What is upright is there with the precise set alone.
+            _ => {
                 let points = &mut self.meeting.outlines.points;
                 points.clear();
                 overlap_points(&a.geom.world_vertices(), &b.geom.world_vertices(), points);

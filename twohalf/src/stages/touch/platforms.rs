@@ -43,7 +43,7 @@ impl Search<'_> {
         let kept = self.kept(key);
         let manifold = match *self.world.depths.profiles.get(geom)? {
             DepthProfile::Round { radius } => self.ball_on_box(view, radius, platform.shape(), kept),
-            DepthProfile::Prism { .. } => self.prism_on_box(geom, view, platform.shape(), kept),
+            _ => self.prism_on_box(geom, view, platform.shape(), kept),
         }?;
         let (friction, restitution) = (platform.friction_coefficient(), platform.restitution_coefficient());
         let surfaces = Surfaces::combine(self.core, view, friction, restitution)?;

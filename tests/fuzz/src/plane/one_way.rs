@@ -1,0 +1,68 @@
+//! Geoms that are open but from one side, amid everything else.
+
+use farseer_core::math::Vector2;
+use farseer_core::{Methods, PhysicsSimulator};
+
+use super::Plane;
+use super::stages::any_call;
+use crate::game::{Call, Game, Outcome};
+use crate::random::Random;
+
+/// A game of the precise set, whose geoms are given directions again and again.
+#[derive(Debug)]
+pub struct OneWayPlane(Plane);
+
+/// Directions, of which most are up: things fall, and land.
+fn set_one_way(game: &mut Plane) -> Outcome {
+    let geom = game.geom();
+    let direction = match game.random.below(8) {
+        0 => None,
+        1 => Some(game.random.vector(1.0)),
+        _ => Some(Vector2::new(0.0, -1.0)),
+    };
+    Outcome::of(game.simulator.set_one_way(geom, direction))
+}
+
+/// Throws a body up, or puts it somewhere.
+fn throw(game: &mut Plane) -> Outcome {
+    let id = game.body();
+    let speed = game.random.number(0.0, 400.0);
+    let place = game.random.chance(20).then(|| game.random.vector(150.0));
+    let Some(body) = game.simulator.body_mut(id) else { return Outcome::Looked };
+    body.set_linear_velocity(Vector2::new(0.0, -speed));
+    place.into_iter().for_each(|place| body.set_position(place));
+    Outcome::Changed
+}
+
+impl Game for OneWayPlane {
+    type Simulator = PhysicsSimulator;
+    const SCENES: usize = Plane::SCENES;
+
+    fn new(random: Random) -> Self {
+        let mut game = Plane::new(random);
+        game.simulator.set_methods(Methods::PRECISE).expect("all that there is can be of the precise set");
+        OneWayPlane(game)
+    }
+    fn of(simulator: PhysicsSimulator, random: Random) -> Self {
+        OneWayPlane(Plane::of(simulator, random))
+    }
+    fn scene(kind: usize) -> PhysicsSimulator {
+        Plane::scene(kind)
+    }
+    fn calls() -> &'static [Call<Self>] {
+        &[
+            Call { name: "a call", weight: 12, make: |game| any_call(&mut game.0) },
+            Call { name: "set_one_way", weight: 2, make: |game| set_one_way(&mut game.0) },
+            Call { name: "throw", weight: 1, make: |game| throw(&mut game.0) },
+        ]
+    }
+    fn random(&mut self) -> &mut Random {
+        &mut self.0.random
+    }
+    fn simulator(&self) -> &PhysicsSimulator {
+        &self.0.simulator
+    }
+    fn simulator_mut(&mut self) -> &mut PhysicsSimulator {
+        &mut self.0.simulator
+    }
+}

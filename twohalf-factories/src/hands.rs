@@ -1,0 +1,194 @@
+//! Carrying and throwing.
+
+use serde::{Deserialize, Serialize};
+use twohalf::farseer_core::Error;
+use twohalf::{GeomId, Result, TwoHalfPhysicsSimulator, Vector3};
+
+use crate::Spawned;
+
+/// So near they are not apart yet, px.
+const APART: f32 = 1.0;
+
+/// What somebody holds, and has just thrown: plain data, kept and saved where the game keeps its figures.
+///
+/// What is held has no weight and is brought to where it is held by its velocity, so that it still bumps into walls and
+/// people. It does not meet whoever holds it, nor after a throw until the two are apart: it has their
+/// [collision group](twohalf::farseer_core::Geom::set_collision_group). Whoever has none gets one of their own for good, a number
+/// near the greatest there is.
+///
+/// ```
+/// use twohalf::{TwoHalfPhysicsSimulator, Vector2, Vector3};
+/// use twohalf_factories::{Figure, Hands, Prism, spawn};
+///
+/// const STEP: f32 = 1.0 / 60.0;
+/// // Before the chest.
+/// const HELD_AT: Vector3 = Vector3::new(10.0, 34.0, 0.0);
+/// let mut simulator = TwoHalfPhysicsSimulator::with_gravity(480, Vector2::new(0.0, 900.0))?;
+/// let player = spawn(&mut simulator, Figure::new([30.0, 60.0, 20.0]).at([60.0, 0.0, 50.0]))?;
+/// let load = spawn(&mut simulator, Prism::new([30.0, 30.0, 30.0]).mass(5.0).at([100.0, 0.0, 50.0]))?;
+/// let mut hands = Hands::default();
+/// hands.take(&mut simulator, player, load)?;
+/// for _ in 0..30 {
+///     hands.carry(&mut simulator, HELD_AT, 480.0, STEP)?;
+///     simulator.update(STEP);
+/// }
+/// assert!((load.place(&simulator) - player.place(&simulator) - HELD_AT).norm() < 0.1);
+///
+/// // Thrown backwards, through whoever throws it.
+/// assert_eq!(hands.throw(&mut simulator, Vector3::new(-300.0, 100.0, 0.0))?, Some(load));
+/// for _ in 0..30 {
+///     hands.carry(&mut simulator, HELD_AT, 480.0, STEP)?;
+///     simulator.update(STEP);
+/// }
+/// assert!(load.place(&simulator).x < 60.0 - 30.0);
+/// # Ok::<(), twohalf::Error>(())
+/// ```
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Hands {
+    held: Option<Grip>,
+    /// Not apart from whoever threw it.
+    thrown: Vec<Grip>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+struct Grip {
+    holder: Spawned,
+    load: Spawned,
+    /// What the load had before.
+    group: i32,
+    ignored_gravity: bool,
+}
+
+impl Hands {
+    /// What is held.
+    pub fn held(&self) -> Option<Spawned> {
+        self.held.map(|grip| grip.load)
+    }
+
+    /// Lets somebody hold something; what was held is dropped.
+    ///
+    /// # Errors
+    /// One that is there no more.
+    pub fn take(
+        &mut self,
+        simulator: &mut TwoHalfPhysicsSimulator,
+        holder: Spawned,
+        load: Spawned,
+    ) -> Result<()> {
+        for (argument, Spawned { body, geom }) in [("holder", holder), ("load", load)] {
+            if simulator.body(body).is_none() || simulator.geom(geom).is_none() {
+                Err(Error::StaleId { argument })?;
+            }
+        }
+        self.throw(simulator, Vector3::zeros())?;
+        // Who is caught again before it was apart has its former group still.
+        let known = self.thrown.iter().position(|grip| grip.load == load).map(|at| self.thrown.remove(at));
+        let group = known.map_or_else(|| group_of(simulator, load.geom), |grip| grip.group);
+        let shared = match group_of(simulator, holder.geom) {
+            0 => i32::MAX - i32::try_from(holder.geom.slot()).unwrap_or(0),
+            own => own,
+        };
+        for geom in [holder.geom, load.geom] {
+            set_group(simulator, geom, shared);
+        }
+        let ignored_gravity = simulator.body(load.body).is_some_and(|body| body.ignore_gravity());
+        self.held = Some(Grip { holder, load, group, ignored_gravity });
+        Ok(())
+    }
+
+    /// Before every update of `dt` s: brings what is held to where it is held, as seen from the
+    /// [place](twohalf::TwoHalfBody::position3d) of whoever holds it, no faster than `speed` px/s; and lets what was thrown and is
+    /// apart now meet them again.
+    ///
+    /// # Errors
+    /// Numbers that are not finite; a speed less than 0, or a `dt` that is not greater than 0.
+    pub fn carry(
+        &mut self,
+        simulator: &mut TwoHalfPhysicsSimulator,
+        held_at: Vector3,
+        speed: f32,
+        dt: f32,
+    ) -> Result<()> {
+        if !(speed.is_finite() && speed >= 0.0) {
+            Err(Error::invalid("speed", speed, "finite and 0 or more"))?;
+        }
+        if !(dt.is_finite() && dt > 0.0) {
+            Err(Error::invalid("dt", dt, "finite and greater than 0"))?;
+        }
+        if !held_at.iter().all(|number| number.is_finite()) {
+            Err(Error::invalid("held_at", held_at, "finite"))?;
+        }
+        self.thrown.retain(|grip| !grip.has_parted(simulator));
+        self.held = self.held.filter(|grip| grip.bring(simulator, held_at, speed * dt, dt).is_some());
+        Ok(())
+    }
+
+    /// Lets go of what is held, with a velocity in the world, px/s, Y up, and answers what it was.
+    ///
+    /// # Errors
+    /// A velocity that is not finite.
+    pub fn throw(
+        &mut self,
+        simulator: &mut TwoHalfPhysicsSimulator,
+        velocity: Vector3,
+    ) -> Result<Option<Spawned>> {
+        if !velocity.iter().all(|number| number.is_finite()) {
+            Err(Error::invalid("velocity", velocity, "finite"))?;
+        }
+        let Some(grip) = self.held.take() else { return Ok(None) };
+        let Some(mut load) = simulator.body_mut(grip.load.body) else { return Ok(None) };
+        load.set_ignore_gravity(grip.ignored_gravity);
+        load.set_velocity3d(velocity);
+        self.thrown.push(grip);
+        Ok(Some(grip.load))
+    }
+}
+
+impl Grip {
+    /// Nothing, if one of the two is there no more.
+    fn bring(
+        &self,
+        simulator: &mut TwoHalfPhysicsSimulator,
+        held_at: Vector3,
+        most: f32,
+        dt: f32,
+    ) -> Option<()> {
+        let aim = simulator.body(self.holder.body)?.position3d() + held_at;
+        let mut load = simulator.body_mut(self.load.body)?;
+        let way = aim - load.position3d();
+        let distance = way.norm();
+        let way = if distance > most { way * (most / distance) } else { way };
+        load.set_ignore_gravity(true);
+        load.set_velocity3d(way / dt);
+        load.set_angular_velocity(0.0);
+        Some(())
+    }
+
+    /// Whether the two are apart: then they meet again. So they are if one is there no more.
+    fn has_parted(&self, simulator: &mut TwoHalfPhysicsSimulator) -> bool {
+        let shapes = [self.holder.geom, self.load.geom].map(|geom| simulator.geom(geom));
+        let [Some(a), Some(b)] = shapes.map(|geom| geom.map(|geom| geom.virtual_geom())) else {
+            return true;
+        };
+        let is_apart = |[low, high]: [f32; 2], [other_low, other_high]: [f32; 2]| {
+            low > other_high + APART || other_low > high + APART
+        };
+        let has_parted = is_apart([a.left, a.right], [b.left, b.right])
+            || is_apart([a.bottom, a.top], [b.bottom, b.top])
+            || is_apart([a.front, a.back], [b.front, b.back]);
+        if has_parted {
+            set_group(simulator, self.load.geom, self.group);
+        }
+        has_parted
+    }
+}
+
+fn group_of(simulator: &TwoHalfPhysicsSimulator, geom: GeomId) -> i32 {
+    simulator.core().geom(geom).map_or(0, |geom| geom.collision_group())
+}
+
+fn set_group(simulator: &mut TwoHalfPhysicsSimulator, geom: GeomId, group: i32) {
+    if let Some(settings) = simulator.geom_mut(geom) {
+        settings.set_collision_group(group);
+    }
+}

@@ -1,0 +1,76 @@
+//! What stands upright, as a solid.
+
+use twohalf::{DepthProfile, TwoHalfGeom, TwoHalfPhysicsSimulator, Vector3};
+
+use crate::corners::cross;
+use crate::footprint::footprint_of;
+use crate::surface::to_screen;
+use crate::{Canvas, PlatformLook, Point, Transform};
+
+const STILL: Transform = Transform::IDENTITY;
+/// Corners of each round end of a capsule.
+const END_CORNERS: u32 = 12;
+
+/// Draws an upright geom; answers whether it is one.
+pub(super) fn draw_upright(
+    simulator: &TwoHalfPhysicsSimulator,
+    canvas: &mut dyn Canvas,
+    geom: &TwoHalfGeom<'_>,
+    look: &PlatformLook,
+) -> bool {
+    let Some(footprint) = footprint_of(geom) else { return false };
+    if let DepthProfile::Capsule { radius, .. } = geom.depth_profile() {
+        draw_capsule(simulator, canvas, geom, radius, look);
+        return true;
+    }
+    let shape = geom.virtual_geom();
+    let at = |y: f32| -> Vec<Point> {
+        footprint.iter().map(|&[x, z]| to_screen(simulator, Vector3::new(x, y, z))).collect()
+    };
+    let (bottom, top) = (at(shape.bottom), at(shape.top));
+    for from in 0..footprint.len() {
+        let to = (from + 1) % footprint.len();
+        let side = [top[from], top[to], bottom[to], bottom[from]];
+        if cross(side[0], side[1], side[2]) <= 0.0 {
+            continue;
+        }
+        // The more a side looks to the left or right, the darker it is.
+        let ([ax, az], [bx, bz]) = (footprint[from], footprint[to]);
+        let aside = (bz - az).abs() / ((bx - ax).powi(2) + (bz - az).powi(2)).sqrt().max(f32::MIN_POSITIVE);
+        let color = look.front.lerp(look.sides, aside);
+        canvas.fill_polygon(&side, &STILL, color);
+        canvas.stroke_polyline(&side[2..], false, look.edge_width, &STILL, look.edges);
+        if !shape.is_round {
+            for upright in [[side[0], side[3]], [side[1], side[2]]] {
+                canvas.stroke_polyline(&upright, false, look.edge_width, &STILL, look.edges);
+            }
+        }
+    }
+    canvas.fill_polygon(&top, &STILL, look.top);
+    canvas.stroke_polyline(&top, true, look.edge_width, &STILL, look.edges);
+    true
+}
+
+/// Flat, as balls are.
+fn draw_capsule(
+    simulator: &TwoHalfPhysicsSimulator,
+    canvas: &mut dyn Canvas,
+    geom: &TwoHalfGeom<'_>,
+    radius: f32,
+    look: &PlatformLook,
+) {
+    let shape = geom.virtual_geom();
+    let (x, z) = (0.5 * (shape.left + shape.right), 0.5 * (shape.front + shape.back));
+    let end = |y: f32, first: f64| {
+        (0..=END_CORNERS).map(move |at| {
+            let angle = first + std::f64::consts::PI * f64::from(at) / f64::from(END_CORNERS);
+            let (sin, cos) = libm::sincos(angle);
+            Vector3::new(x + radius * cos as f32, y + radius * sin as f32, z)
+        })
+    };
+    let upper = end(shape.top - radius, 0.0);
+    let outline = upper.chain(end(shape.bottom + radius, std::f64::consts::PI));
+    let outline: Vec<Point> = outline.map(|point| to_screen(simulator, point)).collect();
+    canvas.fill_polygon(&outline, &STILL, look.front);
+    canvas.stroke_polyline(&outline, true, look.edge_width, &STILL, look.edges);
+}

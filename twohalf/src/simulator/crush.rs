@@ -1,0 +1,78 @@
+//! Who is squeezed, and of whom it is told.
+
+use farseer_core::BodyId;
+
+use super::TwoHalfPhysicsSimulator;
+use crate::Result;
+use crate::depth::{CrushWatch, DepthScheme};
+use crate::error::{invalid, only_precise, stale};
+use crate::views::{Squeeze, squeeze};
+
+/// What is squeezed.
+impl TwoHalfPhysicsSimulator {
+    /// How a body was squeezed at the end of the last update: along the axis of the three along which it lacks most room between two
+    /// sides that both push it. `None` unless there are two such sides, and for stale ids.
+    ///
+    /// A side is whatever pushes the body along an axis by more than sideways: ground, platforms, bodies, at rest or
+    /// moving. Things that only lie on each other lack some hundredths of a px; what goes on closing, as a lift below
+    /// a ceiling does, leaves less room with every update, at any length of step.
+    pub fn squeeze(&self, body: BodyId) -> Option<Squeeze> {
+        squeeze(&self.core, &self.world, body)
+    }
+
+    /// Lets [`Event::Crushed`](crate::Event::Crushed) tell of a body once it lacks more than `tolerance` px of room, in the update in which that
+    /// begins; again when it had room meanwhile. `None` ends it, as it is for all bodies at first.
+    ///
+    /// Crushing is told and nothing else: what becomes of who is crushed is for the game to say.
+    ///
+    /// ```
+    /// # use twohalf::{Event, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3};
+    /// # use twohalf::farseer_core::{BodyFactory, GeomPlacement, Vertices};
+    /// # let mut simulator = TwoHalfPhysicsSimulator::with_gravity(480, Vector2::new(0.0, 900.0))?;
+    /// # let body = simulator.create_body(BodyFactory::create_rectangle_body(20.0, 50.0, 1.0)?);
+    /// # let geom = simulator.create_geom(body, Vertices::create_rectangle(20.0, 50.0)?, GeomPlacement::default())?;
+    /// # simulator.add(body)?;
+    /// # simulator.add(geom)?;
+    /// # simulator.body_mut(body).unwrap().ground_mut().set_object_geom(geom, None)?;
+    /// // A press comes down on who stands below it.
+    /// let press = Platform::new(&mut simulator, 80.0, 20.0, 100.0, Vector3::new(0.0, 60.0, 0.0), None)?;
+    /// simulator.platform_mut(press).unwrap().set_velocity(Vector3::new(0.0, -30.0, 0.0))?;
+    /// simulator.set_crush_tolerance(body, Some(5.0))?;
+    /// let mut told = Vec::new();
+    /// for update in 0..120 {
+    ///     simulator.update(1.0 / 60.0);
+    ///     if simulator.events().iter().any(|event| matches!(event, Event::Crushed { .. })) {
+    ///         told.push(update);
+    ///     }
+    /// }
+    /// // Once: 15 px of way, at 30 px/s.
+    /// assert!(told.len() == 1 && told[0].abs_diff(30) <= 1, "{told:?}");
+    /// # Ok::<(), twohalf::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A stale body; a tolerance that is not finite and 0 or more; another scheme than [`DepthScheme::Precise`].
+    pub fn set_crush_tolerance(&mut self, body: BodyId, tolerance: Option<f32>) -> Result<()> {
+        if self.world.scheme != DepthScheme::Precise {
+            return Err(only_precise("crushing that is told"));
+        }
+        self.core.body(body).ok_or(stale("body"))?;
+        if let Some(tolerance) = tolerance.filter(|it| !(it.is_finite() && *it >= 0.0)) {
+            return Err(invalid("tolerance", tolerance, "finite and 0 or more"));
+        }
+        let watches = &mut self.world.crush_watches;
+        let known = watches.iter_mut().find(|watch| watch.body == body);
+        match (known, tolerance) {
+            (Some(watch), Some(tolerance)) => watch.tolerance = tolerance,
+            (None, Some(tolerance)) => watches.push(CrushWatch { body, tolerance, is_crushed: false }),
+            (_, None) => watches.retain(|watch| watch.body != body),
+        }
+        Ok(())
+    }
+
+    /// From how much lack of room on a body counts as crushed, px; `None` if nobody is told.
+    pub fn crush_tolerance(&self, body: BodyId) -> Option<f32> {
+        let watch = self.world.crush_watches.iter().find(|watch| watch.body == body);
+        watch.map(|watch| watch.tolerance)
+    }
+}
