@@ -321,12 +321,14 @@ fn a_field_that_adds_up_beyond_all_numbers_with_what_pushes_along_z_is_told_and_
             let mut view = simulator.body_mut(body).unwrap();
             view.set_mass(1.0).unwrap();
             view.apply_force_z(3e38);
-            run(&mut simulator, 1);
+            // So short that squares of what the force makes are numbers, too.
+            let dt = 1e-20;
+            simulator.update(dt);
             let told = Event::NotFinite { body, disabled: false };
             assert!(simulator.events().contains(&told), "{scheme:?}: {:?}", simulator.events());
             assert!(simulator.body(body).unwrap().enabled(), "{scheme:?}");
             let speed = velocity(&simulator, body).z;
-            assert!((speed / (3e38 * DT) - 1.0).abs() < 1e-3, "{scheme:?}: {speed}");
+            assert!((speed / (3e38 * dt) - 1.0).abs() < 1e-3, "{scheme:?}: {speed}");
         });
     }
 }
