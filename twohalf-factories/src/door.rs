@@ -10,7 +10,7 @@ const MOST: f32 = 200.0;
 
 /// A door that turns about an upright hinge: plain data that names its parts, kept and saved where the game keeps its things.
 ///
-/// Nothing of this engine turns about an upright axis. So a door is a row of upright posts, moving
+/// A [platform turns](twohalf::PlatformMut::turn_to) about its own middle. A door is a row of upright posts instead, moving
 /// [platforms](twohalf::Platform) as thick as the door, which go round the hinge together: where it is open or closed along X or Z
 /// it is a smooth wall, in between its sides have steps of its thickness. It pushes what it meets, and is pushed by nothing.
 ///

@@ -87,7 +87,8 @@
 #![doc = include_str!("../docs/shapes.svg")]
 //!
 //! A geom is an outline with a [`DepthProfile`]: a prism, the outline extended to half its depth before and behind
-//! the body's Z, or a ball. What it covers of the ground from above is its [footprint](TwoHalfGeom::virtual_geom),
+//! the body's Z, or a ball; or it stands upright: a cylinder, a capsule, or a prism on end with any convex footprint, whose
+//! body never turns. What it covers of the ground from above is its [footprint](TwoHalfGeom::virtual_geom),
 //! which the thesis calls its virtual geom (3.5).
 //!
 //! Bodies move along X, Y and Z and turn about the depth axis. Along Z the same happens as in X and Y (thesis 3.3): force and
@@ -102,6 +103,9 @@
 //! **last**, on the way that they really moved in the last update:
 //!
 #![doc = include_str!("../docs/meeting.svg")]
+//!
+//! What is upright meets everything above it, below it or beside it, along the way that it came in last as well; round footprints
+//! slide past each other along the line of their middles.
 //!
 //! They keep it while they touch. Prisms that do not move against each other along Z meet in X and Y, unless they only
 //! stand face to face along Z. What rests on a face or slides along it goes on doing so when the next one comes, so
@@ -128,7 +132,9 @@
 #![doc = include_str!("../docs/platform.svg")]
 //!
 //! A [`Platform`] is a box that nothing pushes (thesis 3.6): level, tilted to a slope, or sheared, so that its edges in
-//! depth run at an angle on the screen that is not the Z axis'. Objects land on it where their footprint is above
+//! depth run at an angle on the screen that is not the Z axis'. It may [rise along Z](PlatformMut::set_pitch), and a level one be
+//! [turned](PlatformMut::set_yaw) about an upright axis, or [turn](PlatformMut::set_angular_velocity) and carry what stands on
+//! it. Objects land on it where their footprint is above
 //! it, walk off every edge, bump into its sides, its front and its underside, and pass under it. It is there for
 //! every object and costs nothing where nobody is near.
 //!

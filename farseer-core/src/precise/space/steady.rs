@@ -77,10 +77,12 @@ impl Precise {
     pub(in crate::precise) fn end_steady(&mut self) {
         let Precise { space: Some(space), bodies, sleep, .. } = self else { return };
         if space.has_upright {
-            sleep.awake(bodies.count).filter(|&number| space.are_upright[number]).for_each(|number| {
+            // Of all that were renewed, some of which sleep beside those that are awake.
+            let renewed = sleep.bodies.iter().cloned().flatten();
+            for number in renewed.filter(|&number| super::entry(&space.are_upright, number)) {
                 let [x, y, ..] = bodies.poses[number];
                 bodies.poses[number] = [x, y, 1.0, 0.0];
-            });
+            }
         }
     }
 }

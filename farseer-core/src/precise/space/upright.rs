@@ -153,6 +153,17 @@ impl Ways {
     }
 }
 
+/// The nearest number of an interval. Whatever the numbers are, this answers.
+pub(super) fn within(number: f32, low: f32, high: f32) -> f32 {
+    if number < low {
+        low
+    } else if number > high {
+        high
+    } else {
+        number
+    }
+}
+
 pub(super) fn product(a: [f32; 3], b: [f32; 3]) -> f32 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
@@ -235,7 +246,7 @@ fn surface_point(
     let other = if a.shape.rounding > 0.0 { b } else { a };
     // Of its axis the height that is nearest to the other one.
     let [low, high] = [-1.0, 1.0].map(|side| round.at[1] + side * round.shape.half);
-    let near = other.at[1].clamp(low, high);
+    let near = within(other.at[1], low, high);
     let y = if beside.normal[1] == 0.0 && low < high {
         overlapping(other, low, high).unwrap_or(near)
     } else {

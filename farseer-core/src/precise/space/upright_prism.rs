@@ -7,6 +7,7 @@ use super::foot::{Foot, Polygon};
 use super::solid::{Before, Limits, Solid};
 use super::upright::{
     Axis, BESIDE, Meeting, OVER, Standing, Upright, Ways, ahead, choose, curved, farther, is_over, manifold,
+    within,
 };
 use crate::math::plane::{Vector, difference, dot, length, place, rotation, scaled, sum, turn};
 use crate::precise::manifold::Manifold;
@@ -102,7 +103,7 @@ impl<'s, 'a> Extruded<'s, 'a> {
         }
         let radius = self.radius();
         for centre in self.corners().filter(|_| radius > 0.0) {
-            let x = centre[0].clamp(left.min(right), right);
+            let x = within(centre[0], left, right);
             let aside = x - centre[0];
             let squared = radius * radius - aside * aside;
             if squared > 0.0 {
@@ -154,7 +155,7 @@ impl<'s, 'a> Extruded<'s, 'a> {
         }
         let radius = self.radius();
         for centre in self.corners().filter(|_| radius > 0.0) {
-            let off = centre[1].clamp(top, bottom) - centre[1];
+            let off = within(centre[1], top, bottom) - centre[1];
             let squared = radius * radius - off * off;
             if squared > 0.0 {
                 let out = [side * squared.sqrt() / radius, off / radius];
@@ -192,7 +193,7 @@ fn over(u: Standing<'_>, prism: &Extruded<'_, '_>, down: f32) -> Meeting {
     let [from, to] = foot.span(prism.near - z, prism.far - z).unwrap_or_else(whole);
     // Who is beside it altogether is measured against its nearer end.
     let [least, most] = prism.extent(0);
-    let (left, right) = ((x + from).clamp(least, most), (x + to).clamp(least, most));
+    let (left, right) = (within(x + from, least, most), within(x + to, least, most));
     let sole = y + down * u.shape.half;
     let depth = common_depth(u, prism);
     let Some([spot, other]) = prism.summit(left, right, -down) else {
@@ -240,7 +241,7 @@ fn beside(u: Standing<'_>, prism: &Extruded<'_, '_>, [top, bottom]: [f32; 2], re
     let near = sum([x, z], u.shape.foot.farthest(gap.normal));
     let place = |y: f32, apart: f32| {
         let [px, pz] = sum(near, scaled(gap.normal, 0.5 * apart));
-        [px, y, pz.clamp(prism.near, prism.far)]
+        [px, y, within(pz, prism.near, prism.far)]
     };
     let (normal, apart) = if nz.abs() < 1e-6 {
         ([-face.out[0], -face.out[1], 0.0], gap.apart * face.out[0].abs())
@@ -323,7 +324,7 @@ pub(super) fn nearest_height(prism: &Solid<'_>, [x, y, _]: [f32; 3], half: f32) 
     let extruded = Extruded::new(prism, 0.0);
     if extruded.solid.outline.points.is_empty() {
         let centre = extruded.to_world(extruded.solid.outline.shape.centre);
-        return centre[1].clamp(y - half, y + half);
+        return within(centre[1], y - half, y + half);
     }
     lowest_of(y - half, y + half, |height| extruded.distance([x, height]))
 }

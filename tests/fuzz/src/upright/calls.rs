@@ -17,7 +17,7 @@ const fn call(name: &'static str, weight: usize, make: fn(&mut Upright) -> Outco
 pub(super) const CALLS: &[Call<Upright>] = &[
     call("create a thing", 2, |game| {
         let made = (Depth::calls()[0].make)(&mut game.depth);
-        if game.depth.random().chance(70) {
+        if made == Outcome::Changed && game.depth.random().chance(70) {
             stand_up_last(game);
         }
         made
