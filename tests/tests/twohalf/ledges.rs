@@ -1,6 +1,6 @@
 //! Figures that take hold of edges, hang, and climb, at 30 to 240 steps per second. Gravity 900 px/s².
 //!
-//! Figures are cylinders of 25 x 60 px, and reach edges 75 px over their soles.
+//! Figures are 30 x 60 x 20 px, and reach edges 75 px over their soles.
 
 use conformance::fixtures::depth::{assert_near, fix, geom_of, place, platform, solid, velocity};
 use twohalf::{BodyId, Partner, PlatformId, TwoHalfPhysicsSimulator, Vector2, Vector3, Walk, Walker, Wish};
@@ -67,7 +67,7 @@ impl Stage {
 #[test]
 fn who_falls_beside_an_edge_and_wishes_towards_it_takes_hold_and_climbs_onto_it() {
     for rate in RATES {
-        let (mut stage, wall) = Stage::with_wall(rate, 200.0, [-14.5, 180.0, 50.0]);
+        let (mut stage, wall) = Stage::with_wall(rate, 200.0, [-17.0, 180.0, 50.0]);
         stage.hang(RIGHT);
         assert_eq!(stage.walker.ledge(), Some(Partner::Platform(wall)));
         // As high as it reaches, but for what it falls within a step.
@@ -76,7 +76,7 @@ fn who_falls_beside_an_edge_and_wishes_towards_it_takes_hold_and_climbs_onto_it(
         let mut highest = 0.0_f32;
         stage.walk(RIGHT, 1.2, |stage| {
             highest = highest.max(stage.at().y);
-            assert!(stage.at().x > 0.0 || stage.at().x <= -12.5 + 0.01 || stage.at().y >= 199.9, "{rate}");
+            assert!(stage.at().x > 0.0 || stage.at().x <= -15.0 + 0.01 || stage.at().y >= 199.9, "{rate}");
         });
         assert!(stage.walker.is_grounded() && stage.walker.ledge().is_none(), "{rate} {:?}", stage.at());
         assert_near(stage.at().y, 200.0, 0.05);
@@ -99,7 +99,7 @@ fn a_jump_reaches_an_edge_that_is_higher_than_it() {
 
 #[test]
 fn it_climbs_along_z_as_well() {
-    for (start, wish_z) in [(-14.5, 150.0), (114.5, -150.0)] {
+    for (start, wish_z) in [(-12.0, 150.0), (112.0, -150.0)] {
         for rate in RATES {
             let (mut stage, _) = Stage::with_wall(rate, 200.0, [100.0, 170.0, start]);
             let wish = Wish { z: wish_z, ..STILL };
