@@ -7,3 +7,4 @@ mod draw_order;
 mod plane_debug_view;
 mod platforms;
 mod shadows;
+mod uprights;

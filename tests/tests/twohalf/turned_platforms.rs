@@ -322,6 +322,10 @@ fn what_only_level_platforms_can_do_is_refused_to_others() {
         view.set_angular_velocity(1.0).unwrap();
         assert!(view.set_surface_speed(5.0, 0.0).is_err());
         assert!(view.set_angular_velocity(f32::INFINITY).is_err() && view.turn_to(f32::NAN).is_err());
+        view.turn_to(0.2).unwrap();
+        view.set_angular_velocity(0.0).unwrap();
+        view.turn_to(0.1).unwrap();
+        assert!(view.set_surface_speed(5.0, 0.0).is_err());
         view.set_angular_velocity(0.0).unwrap();
         view.set_surface_speed(5.0, 0.0).unwrap();
         assert!(view.set_angular_velocity(1.0).is_err());

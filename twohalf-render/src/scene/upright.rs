@@ -28,21 +28,33 @@ pub(super) fn draw_upright(
         footprint.iter().map(|&[x, z]| to_screen(simulator, Vector3::new(x, y, z))).collect()
     };
     let (bottom, top) = (at(shape.bottom), at(shape.top));
-    for from in 0..footprint.len() {
-        let to = (from + 1) % footprint.len();
-        let side = [top[from], top[to], bottom[to], bottom[from]];
-        if cross(side[0], side[1], side[2]) <= 0.0 {
-            continue;
-        }
+    let count = footprint.len();
+    let corner = |at: usize| at % count;
+    let is_seen = |from: usize| {
+        let (from, to) = (corner(from), corner(from + 1));
+        cross(top[from], top[to], bottom[to]) < 0.0
+    };
+    for from in (0..count).filter(|&from| is_seen(from)) {
+        let to = corner(from + 1);
         // The more a side looks to the left or right, the darker it is.
         let ([ax, az], [bx, bz]) = (footprint[from], footprint[to]);
         let aside = (bz - az).abs() / ((bx - ax).powi(2) + (bz - az).powi(2)).sqrt().max(f32::MIN_POSITIVE);
         let color = look.front.lerp(look.sides, aside);
+        // As far as the end of the next one of what is round, which is drawn over it: no gap is seen between them.
+        let end = if shape.is_round && is_seen(from + 1) { from + 2 } else { from + 1 };
+        let upper = (from..=end).map(|at| top[corner(at)]);
+        let side: Vec<Point> = upper.chain((from..=end).rev().map(|at| bottom[corner(at)])).collect();
         canvas.fill_polygon(&side, &STILL, color);
-        canvas.stroke_polyline(&side[2..], false, look.edge_width, &STILL, look.edges);
-        if !shape.is_round {
-            for upright in [[side[0], side[3]], [side[1], side[2]]] {
-                canvas.stroke_polyline(&upright, false, look.edge_width, &STILL, look.edges);
+    }
+    for from in (0..count).filter(|&from| is_seen(from)) {
+        let to = corner(from + 1);
+        canvas.stroke_polyline(&[bottom[from], bottom[to]], false, look.edge_width, &STILL, look.edges);
+        // The sides of what is round end where it is not seen any more.
+        let ends = [(from, is_seen(from + count - 1)), (to, is_seen(to))];
+        for (at, goes_on) in ends {
+            if !(shape.is_round && goes_on) {
+                let line = [top[at], bottom[at]];
+                canvas.stroke_polyline(&line, false, look.edge_width, &STILL, look.edges);
             }
         }
     }

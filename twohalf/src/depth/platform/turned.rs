@@ -56,7 +56,8 @@ impl Platform {
         if !is_level {
             return Err(invalid("yaw", yaw, "0 of a platform that is a slope, or leans"));
         }
-        let turns = self.angular_velocity() != 0.0;
+        let turns = |motion: Motion| motion.told.turning != 0.0 || motion.told.yaw_target.is_some();
+        let turns = self.motion.is_some_and(turns);
         if turns && self.surface_speed != [0.0; 2] {
             return Err(invalid("surface_speed", self.surface_speed, "0 of a platform that turns"));
         }
