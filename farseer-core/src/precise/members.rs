@@ -1,5 +1,6 @@
 //! Bodies and geoms that come and go, without all others being listed anew: what comes is the last in its list, and what goes
-//! leaves its place empty. All is as if it had been listed anew, to the last bit.
+//! leaves its place empty. All is as if it had been listed anew, to the last bit. Where geoms are one-way, all is: what passes
+//! them is known of whole bodies and geoms, and not of those alone that come and go.
 
 use super::Precise;
 use super::nearby::Loose;
@@ -29,7 +30,8 @@ impl Precise {
     /// Takes over who has come and gone. Answers whether that was possible: what has changed otherwise, or finds no room, is
     /// for a list made anew.
     pub(super) fn follow_members(&mut self, objects: &Objects) -> bool {
-        let members = Members::new(self, objects).filter(|members| members.find_room(self, objects));
+        let members = Members::new(self, objects)
+            .filter(|members| !members.meet_one_way(self, objects) && members.find_room(self, objects));
         let Some(members) = members else { return false };
         self.forget_members(&members);
         for &id in &members.new_bodies {
@@ -162,6 +164,12 @@ impl Precise {
 }
 
 impl Members {
+    /// Whether there are one-way geoms, or one comes.
+    fn meet_one_way(&self, precise: &Precise, objects: &Objects) -> bool {
+        let new = || self.new_geoms.iter().filter_map(|&at| objects.geoms.at(at));
+        precise.proxies.one_way > 0 || new().any(|(_, geom)| geom.one_way.is_some())
+    }
+
     /// `None` if those who are left are not what they were, or in another order.
     fn new(precise: &Precise, objects: &Objects) -> Option<Self> {
         let mut members = Members {
