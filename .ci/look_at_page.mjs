@@ -1,9 +1,10 @@
-// Opens the page of the gallery in Chromium as a person would: looks at it, presses a key, drags with the mouse and with a
-// finger, and compares the states of all scenes with those that the program has natively.
+// Opens the page of the gallery in Chromium as a person would: looks at it, presses keys, drags with the mouse and with a
+// finger, fills the screen, drops a file on it, and compares the states of all scenes with those that the program has natively.
 // node look_at_page.mjs ADDRESS CHROMIUM HASHES FOLDER, with playwright-core where node finds it from FOLDER.
 import { createRequire } from "node:module";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
+import { gunzipSync } from "node:zlib";
 
 const [address, executablePath, hashes, folder] = process.argv.slice(2);
 const { chromium } = createRequire(join(folder, "package.json"))("playwright-core");
@@ -84,6 +85,8 @@ async function look() {
   await page.evaluate(() => { location.hash = "#scene=pit_500"; });
   await shows(page, "pit_500");
   check(await drag(page, mouse(page), 900, 600), "the mouse holds, drags and lets go");
+  check(await fillsTheScreen(page), "the full screen comes and goes, however it was left before");
+  check(await drop(page), "a scene that is dropped on the page is shown");
   await page.keyboard.press("Escape");
   check(await becomes(page, (now) => now & LIST), "Escape opens the list");
   await page.evaluate(() => { location.hash = ""; });
@@ -119,6 +122,30 @@ async function drag(page, pointer, width, height) {
     await page.waitForTimeout(150);
   }
   return false;
+}
+
+// By the key, and then without it, as Escape does in a browser that has a screen.
+async function fillsTheScreen(page) {
+  const isFull = (wanted) => page.waitForFunction((wanted) => (document.fullscreenElement !== null) === wanted, wanted, { timeout: 5000 })
+    .then(() => page.waitForTimeout(500)).then(() => true, () => false);
+  for (let time = 0; time < 2; time++) {
+    await page.keyboard.press("f");
+    if (!(await isFull(true))) return false;
+    await page.evaluate(() => document.exitFullscreen());
+    if (!(await isFull(false))) return false;
+  }
+  return true;
+}
+
+async function drop(page) {
+  const text = gunzipSync(readFileSync("tests/golden/traces/stack_20.json.gz")).toString();
+  await page.evaluate((text) => {
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(new File([text], "mine.json"));
+    element("glcanvas").dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+  }, text);
+  const isShown = () => wasm_exports.gallery_scene() === scenes.length;
+  return page.waitForFunction(isShown, null, { timeout: 5000 }).then(() => true, () => false);
 }
 
 async function touch() {

@@ -90,6 +90,11 @@ setInterval(() => {
   before = shown;
 }, 250);
 
+// Of Escape, which ends the full screen, nobody hears but the page.
+document.addEventListener("fullscreenchange", () => {
+  if (!document.fullscreenElement && typeof wasm_exports !== "undefined") wasm_exports.gallery_has_left_full_screen();
+});
+
 // The states of all scenes after some hundred steps, to be compared with those of `gallery --hashes`.
 async function printHashes() {
   element("stage").hidden = false;

@@ -191,12 +191,12 @@ pub(super) struct SpaceLane {
 }
 
 impl Lane {
-    /// Whether the springs of its points are on their way to rest at more of their load, and have a way to go that counts.
+    /// Whether the springs of its points are on their way to rest at more of their load.
     pub(super) fn is_learning(&self, learning: &Learning) -> bool {
         let [one, two] = &self.points;
         let deepest = one.separation.min(two.separation);
         learning.learnt * (one.impulse + two.impulse) > one.held + two.held
-            && deepest < learning.settled
+            && deepest < 0.0
             && deepest > learning.deepest
     }
 }

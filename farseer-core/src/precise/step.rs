@@ -543,8 +543,13 @@ impl Precise {
 
     /// Gives a proxy new bounds.
     pub(super) fn widen(&mut self, proxy: u32) {
-        let Proxy { body, shape, .. } = self.proxies.all[proxy as usize];
         let is_alone = self.pairs.of(proxy).next().is_none();
+        self.widen_as(proxy, is_alone);
+    }
+
+    /// The same for a proxy that is alone, or counts as if it were not.
+    pub(super) fn widen_as(&mut self, proxy: u32, is_alone: bool) {
+        let Proxy { body, shape, .. } = self.proxies.all[proxy as usize];
         let by = self.tuning.widening(shape.reach, self.dt, is_alone);
         let bounds = self.proxies.widened(proxy as usize, &self.bodies, &self.tuning, by);
         self.proxies.bounds[proxy as usize] = bounds;

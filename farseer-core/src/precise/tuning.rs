@@ -79,8 +79,6 @@ const FORGETTING: f32 = 0.05;
 const RESERVE: f32 = 0.3;
 /// An overlap of more than this part of the unit is no sag.
 const DEEPEST: f32 = 0.1;
-/// A sag of less than this part of the unit is nothing that sleep has to wait for.
-const SETTLED: f32 = 1e-3;
 
 /// How much wider than a thing its box is.
 #[derive(Debug, Clone, Copy)]
@@ -146,8 +144,6 @@ pub(super) struct Learning {
     pub(super) inverse_gate: f32,
     /// What is deeper than this in something, as a negative distance, does not learn.
     pub(super) deepest: f32,
-    /// What is less deep need not learn before it sleeps.
-    pub(super) settled: f32,
 }
 
 impl Step {
@@ -167,7 +163,6 @@ impl Step {
                 learnt: 1.0 - RESERVE,
                 inverse_gate: 1.0 / tuning.gate,
                 deepest: -DEEPEST * tuning.unit,
-                settled: -SETTLED * tuning.unit,
             },
         }
     }

@@ -103,25 +103,6 @@ fn an_island_sleeps_and_wakes_as_a_whole() {
     assert_eq!(asleep(&simulator, &left), 3);
 }
 
-/// What is left of the sag of contacts after a push is nothing to wait for, however finely a step is divided: half a second
-/// of rest after at most as long a time of settling, where the sag takes seconds to go.
-#[test]
-fn a_pyramid_that_was_pushed_sleeps_again_once_it_has_rested() {
-    for (dt, substeps) in [(DT, 4), (DT, 16), (DT / 4.0, 4), (DT / 4.0, 32)] {
-        let mut simulator = simulator();
-        simulator.set_iterations(substeps);
-        add_floor(&mut simulator);
-        let place = |row: usize, at: usize| [20.0 * at as f32 + 10.0 * row as f32, -10.0 - 20.0 * row as f32];
-        let places = (0..6).flat_map(|row| (0..6 - row).map(move |at| place(row, at)));
-        let boxes: Vec<BodyId> = places.map(|at| add_box(&mut simulator, at, [20.0, 20.0])).collect();
-        run(&mut simulator, 8.0);
-        assert_eq!(asleep(&simulator, &boxes), 21, "{dt} s x {substeps}");
-        simulator[boxes[0]].apply_impulse(Vector2::new(60.0, 0.0));
-        (0..(1.0 / dt).round() as usize).for_each(|_| simulator.update(dt));
-        assert_eq!(asleep(&simulator, &boxes), 21, "{dt} s x {substeps}");
-    }
-}
-
 #[test]
 fn what_loses_its_support_falls() {
     type Remove = fn(&mut PhysicsSimulator, BodyId);

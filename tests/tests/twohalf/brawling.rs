@@ -16,7 +16,7 @@ fn actor(simulator: &mut TwoHalfPhysicsSimulator, at: [f32; 3]) -> Actor {
 }
 
 fn crate_box(simulator: &mut TwoHalfPhysicsSimulator, at: [f32; 3]) -> Spawned {
-    spawn(simulator, Prism::new([30.0; 3]).mass(5.0).at(at)).unwrap()
+    spawn(simulator, Prism::new([30.0; 3]).mass(5.0).upright().at(at)).unwrap()
 }
 
 #[test]
@@ -160,7 +160,9 @@ fn who_threw_something_meets_it_again_once_it_is_apart() {
     assert!(load.place(&simulator).x > 31.0 && !simulator.body(load.body).unwrap().ignore_gravity());
     simulator.body_mut(load.body).unwrap().set_velocity3d(Vector3::new(-300.0, 0.0, 0.0));
     (0..60).for_each(|_| carry(&mut hands, &mut simulator));
-    assert!(load.place(&simulator).x > player.place(&simulator).x + 29.5);
+    // Half a crate and the radius of a figure.
+    let (load, player) = (load.place(&simulator), player.place(&simulator));
+    assert!(load.x > player.x + 15.0 + 12.5 - 0.5, "{load:?} {player:?}");
 }
 
 #[test]
@@ -244,7 +246,8 @@ fn without_a_stop_blows_and_hands_do_with_every_scheme() {
     for scheme in [DepthScheme::Faithful, DepthScheme::Precise] {
         let mut simulator = simulator();
         simulator.set_depth_scheme(scheme).unwrap();
-        let player = spawn(&mut simulator, Figure::new([30.0, 60.0, 20.0]).at([0.0, 0.0, 50.0])).unwrap();
+        let figure = Prism::new([30.0, 60.0, 20.0]).upright();
+        let player = spawn(&mut simulator, figure.at([0.0, 0.0, 50.0])).unwrap();
         let load = crate_box(&mut simulator, [40.0, 0.0, 50.0]);
         simulator.update(STEP);
         let mut hands = Hands::default();

@@ -4,7 +4,7 @@
 
 use conformance::fixtures::depth::{assert_near, fix, geom_of, place, platform, solid, velocity};
 use twohalf::{BodyId, Partner, PlatformId, TwoHalfPhysicsSimulator, Vector2, Vector3, Walk, Walker, Wish};
-use twohalf_factories::{Figure, spawn};
+use twohalf_factories::{Figure, Prism, spawn};
 
 const RATES: [f32; 4] = [30.0, 60.0, 120.0, 240.0];
 const REACH: f32 = 75.0;
@@ -22,7 +22,8 @@ struct Stage {
 impl Stage {
     fn new(rate: f32, at: [f32; 3]) -> Self {
         let mut simulator = TwoHalfPhysicsSimulator::with_gravity(600, Vector2::new(0.0, 900.0)).unwrap();
-        let figure = spawn(&mut simulator, Figure::new([30.0, 60.0, 20.0]).at(at)).unwrap().body;
+        let figure = Prism::new([30.0, 60.0, 20.0]).mass(70.0).friction(0.0).upright();
+        let figure = spawn(&mut simulator, figure.at(at)).unwrap().body;
         let walker = Walker::new(Walk { ledge_reach: REACH, ..Walk::default() });
         Stage { simulator, figure, walker, dt: 1.0 / rate }
     }
@@ -107,6 +108,25 @@ fn it_climbs_along_z_as_well() {
             assert!(stage.walker.is_grounded());
             assert_near(stage.at().y, 200.0, 0.05);
             assert!((10.0..90.0).contains(&stage.at().z), "{:?}", stage.at());
+        }
+    }
+}
+
+#[test]
+fn a_round_figure_climbs_from_every_side() {
+    let ways = [([-14.0, 50.0], [1.0, 0.0]), ([214.0, 50.0], [-1.0, 0.0])];
+    let ways = ways.into_iter().chain([([100.0, -14.0], [0.0, 1.0]), ([100.0, 114.0], [0.0, -1.0])]);
+    for ([x, z], [wish_x, wish_z]) in ways {
+        for rate in RATES {
+            let (mut stage, _) = Stage::with_wall(rate, 200.0, [-500.0, 0.0, 50.0]);
+            // 25 px across.
+            let figure = Figure::new([30.0, 60.0, 20.0]).at([x, 170.0, z]);
+            stage.figure = spawn(&mut stage.simulator, figure).unwrap().body;
+            let wish = Wish { x: 150.0 * wish_x, z: 150.0 * wish_z, jump: false };
+            stage.hang(wish);
+            stage.walk(wish, 0.8, |_| ());
+            assert!(stage.walker.is_grounded(), "{rate}: {:?}", stage.at());
+            assert_near(stage.at().y, 200.0, 0.05);
         }
     }
 }

@@ -139,6 +139,11 @@ impl Viewer {
         self.is_full
     }
 
+    /// All of the screen is not wanted any more.
+    pub fn leave_full(&mut self) {
+        self.is_full = false;
+    }
+
     /// Whether the list of scenes is open.
     pub fn is_choosing(&self) -> bool {
         self.list.is_some()

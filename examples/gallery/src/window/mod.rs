@@ -81,6 +81,10 @@ async fn run(scenes: Vec<GalleryScene>, first: usize) {
         let input = input(&mut fingers);
         open_dropped(&mut viewer);
         page::meet(&mut viewer);
+        if page::has_left_full() {
+            viewer.leave_full();
+            is_full = false;
+        }
         viewer.frame(&input, &quad::get_time);
         if viewer.is_full() != is_full {
             is_full = viewer.is_full();

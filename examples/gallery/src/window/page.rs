@@ -16,6 +16,8 @@ static SHOWN: AtomicI32 = AtomicI32::new(-1);
 static RESTS: AtomicBool = AtomicBool::new(false);
 /// Whether the page knows of a touch screen.
 static HAS_TOUCH: AtomicBool = AtomicBool::new(false);
+/// Whether somebody has left the full screen in a way that only the page hears of.
+static HAS_LEFT_FULL: AtomicBool = AtomicBool::new(false);
 /// Mean ms of a frame, of its steps and of its drawing, as bits.
 static TIMES: [AtomicU32; 3] = [AtomicU32::new(0), AtomicU32::new(0), AtomicU32::new(0)];
 /// What is on the screen: 1 the list, 2 something is held, 4 the first set is the precise one.
@@ -41,6 +43,13 @@ pub(super) extern "C" fn gallery_rest(rests: u32) {
 #[unsafe(no_mangle)]
 pub(super) extern "C" fn gallery_has_touch() {
     HAS_TOUCH.store(true, Ordering::Relaxed);
+}
+
+/// Says that the full screen was left: by Escape, for example, which browsers keep for themselves.
+#[allow(unsafe_code)]
+#[unsafe(no_mangle)]
+pub(super) extern "C" fn gallery_has_left_full_screen() {
+    HAS_LEFT_FULL.store(true, Ordering::Relaxed);
 }
 
 /// The number of the scene that is shown, or -1.
@@ -81,6 +90,11 @@ pub(crate) fn rests() -> bool {
 /// Whether the page knows of a touch screen.
 pub(crate) fn has_touch() -> bool {
     HAS_TOUCH.load(Ordering::Relaxed)
+}
+
+/// Whether the full screen was left since this was asked last.
+pub(crate) fn has_left_full() -> bool {
+    HAS_LEFT_FULL.swap(false, Ordering::Relaxed)
 }
 
 /// Does what the page wants, and tells it what is shown.

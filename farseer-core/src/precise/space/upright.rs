@@ -349,8 +349,9 @@ pub(super) fn touched(
     for _ in 0..SECANTS {
         let part = before.0 + (after.0 - before.0) * before.1 / (before.1 - after.1);
         let then = along(part);
-        let apart = then.apart - part * product(way, then.normal);
-        found = Some(Meeting { apart, points: [(then.points[0].0, apart); 2], count: 1, ..then });
+        let closing = part * product(way, then.normal);
+        let points = then.points.map(|(point, apart)| (point, apart - closing));
+        found = Some(Meeting { apart: then.apart - closing, points, ..then });
         if then.apart > 0.0 {
             before = (part, then.apart);
         } else {

@@ -166,6 +166,9 @@ impl<'s, 'a> Extruded<'s, 'a> {
     }
 }
 
+/// What is nearer than the ends of a side by more than this part of the reach of contacts is a corner between them.
+const LEANS: f32 = 0.1;
+
 /// Whether a face is as good as level.
 fn is_level(out: Vector) -> bool {
     out[0].abs() < 1e-3
@@ -254,6 +257,12 @@ fn beside(u: Standing<'_>, prism: &Extruded<'_, '_>, [top, bottom]: [f32; 2], re
             (place(y, gap.apart), gap.apart + here)
         };
         (found.points, found.count) = ([at(high), at(low)], 2);
+        // What leans is nearest at a corner, which may be neither: then the farther one of both gives way to it.
+        let farther = usize::from(found.points[0].1 <= found.points[1].1);
+        let [far, near] = [found.points[farther].1, found.points[1 - farther].1];
+        if far > gap.apart + reach || near > gap.apart + LEANS * reach {
+            found.points[farther] = (place(face.at[1].clamp(high, low), gap.apart), gap.apart);
+        }
     } else if normal[1] != 0.0 {
         found.points = [(place(face.at[1], gap.apart), apart); 2];
     }
