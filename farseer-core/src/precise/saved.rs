@@ -457,13 +457,7 @@ impl Precise {
             rows.extend(row);
         }
         self.renew_turned(saved, &places);
-        for (proxy, has_moved) in edited {
-            // How wide its bounds are depends on whether it is in a pair.
-            if has_moved {
-                self.widen(proxy);
-            }
-            self.look_again(proxy);
-        }
+        edited.into_iter().for_each(|proxy| self.look_again(proxy));
         // Only the order of rows in the last colour matters.
         sort_by_number(&mut rows, |(_, row): &(usize, SavedRow)| row.slot.into());
         for (pair, row) in rows {
@@ -571,7 +565,7 @@ impl Precise {
 
     /// Answers where each saved proxy is now, and whose contacts are to be looked at again. One that is moved by
     /// something else now than before is another one.
-    fn restore_proxies(&mut self, saved: &Saved) -> (Vec<Option<u32>>, Vec<(u32, bool)>) {
+    fn restore_proxies(&mut self, saved: &Saved) -> (Vec<Option<u32>>, Vec<u32>) {
         let mut is_known = vec![false; self.proxies.all.len()];
         let mut places = Vec::with_capacity(saved.proxies.len());
         let mut edited = Vec::new();
@@ -581,8 +575,7 @@ impl Precise {
                 .filter(|&place| self.proxies.all[place as usize].mobility == proxy.mobility)
                 .filter(|&place| !std::mem::replace(&mut is_known[place as usize], true));
             if let Some(place) = place {
-                let (is_edited, has_moved) = self.restore_proxy(place, proxy);
-                edited.extend(is_edited.then_some((place, has_moved)));
+                edited.extend(self.restore_proxy(place, proxy).then_some(place));
             }
             places.push(place);
         }
@@ -596,8 +589,8 @@ impl Precise {
         (places, edited)
     }
 
-    /// Answers whether something has changed that its contacts depend on, and whether it is somewhere else.
-    fn restore_proxy(&mut self, place: u32, saved: &SavedProxy) -> (bool, bool) {
+    /// Answers whether something has changed that its contacts depend on.
+    fn restore_proxy(&mut self, place: u32, saved: &SavedProxy) -> bool {
         let (then, now) = (saved.known, self.known_of(place as usize));
         self.proxies.motion[place as usize] = saved.motion;
         self.enter_with(place, saved.bounds, saved.depths);
@@ -609,11 +602,7 @@ impl Precise {
         if saved.has_escaped || has_moved || then.filter != now.filter {
             self.proxies.escaped.push(place);
         }
-        let is_edited = has_moved
-            || then.contacts != now.contacts
-            || then.filter != now.filter
-            || then.one_way != now.one_way;
-        (is_edited, has_moved)
+        has_moved || then.contacts != now.contacts || then.filter != now.filter || then.one_way != now.one_way
     }
 
     /// Answers the pair and its row. A pair whose contacts push now and did not before, or the other way round, is looked at

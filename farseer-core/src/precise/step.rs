@@ -543,22 +543,15 @@ impl Precise {
 
     /// Gives a proxy new bounds.
     pub(super) fn widen(&mut self, proxy: u32) {
-        let is_alone = self.pairs.of(proxy).next().is_none();
-        self.widen_as(proxy, is_alone);
-    }
-
-    /// The same for a proxy that is alone, or counts as if it were not.
-    pub(super) fn widen_as(&mut self, proxy: u32, is_alone: bool) {
-        let Proxy { body, shape, .. } = self.proxies.all[proxy as usize];
-        let by = self.tuning.widening(shape.reach, self.dt, is_alone);
-        let bounds = self.proxies.widened(proxy as usize, &self.bodies, &self.tuning, by);
+        let bounds = self.proxies.widened(proxy as usize, &self.bodies, &self.tuning, self.dt);
         self.proxies.bounds[proxy as usize] = bounds;
-        let Some(space) = self.space.as_deref_mut() else { return self.grid.set(proxy, &bounds) };
+        let Some(space) = &mut self.space else { return self.grid.set(proxy, &bounds) };
         if proxy == space.ground {
             self.proxies.bounds[proxy as usize] = BELOW;
         }
+        let Proxy { body, shape, .. } = self.proxies.all[proxy as usize];
         let speed = self.bodies.hot.get(body as usize).map_or(0.0, |hot| hot.velocity[3]);
-        space.widen(proxy, body, by.margin + self.tuning.speculative, by.ahead(speed));
+        space.widen(proxy, body, shape.reach, speed * self.dt, &self.tuning);
         if space.is_in_grid(proxy) {
             self.grid.set(proxy, &space.cells(proxy, &bounds));
         }

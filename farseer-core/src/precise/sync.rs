@@ -227,8 +227,7 @@ impl Precise {
     pub(super) fn jump(&mut self, proxy: u32) {
         let motion = &mut self.proxies.motion[proxy as usize];
         *motion = motion.wrapping_add(1 << 30);
-        // While all are listed anew their pairs are not known yet.
-        self.widen_as(proxy, false);
+        self.widen(proxy);
     }
 
     /// The pairs of a proxy are looked at in full in the next step, and how they are solved is asked again.

@@ -41,14 +41,15 @@ impl Tuning {
         }
     }
 
-    /// How much wider than something that reaches so far its box is made, which is `alone` if it is in no pair.
-    pub(super) fn widening(&self, reach: f32, dt: f32, alone: bool) -> Widening {
+    /// Margin of the box of something that reaches so far.
+    pub(super) fn margin_of(&self, reach: f32) -> f32 {
         let by_size = MARGIN_OF_SIZE * reach;
-        Widening {
-            margin: if by_size < self.margin { by_size } else { self.margin },
-            seconds: STEPS_AHEAD * dt,
-            alone: if alone { ALONE * reach } else { 0.0 },
-        }
+        if by_size < self.margin { by_size } else { self.margin }
+    }
+
+    /// How far the box of something reaches ahead that goes so far in a step.
+    pub(super) fn ahead(&self, way: f32) -> f32 {
+        (way * STEPS_AHEAD).clamp(-FARTHEST, FARTHEST)
     }
 
     /// Motion sums count in parts of 2^-26 units, and wrap.
@@ -59,10 +60,6 @@ impl Tuning {
 
 /// Boxes reach ahead of a body by what it moves in so many steps.
 const STEPS_AHEAD: f32 = 4.0;
-/// Where nothing is near there are no pairs which a long box would keep for long. So it reaches farther, that it need not be
-/// renewed as often: by so many times as many steps, up to so many times the size of the thing.
-const FARTHER_ALONE: f32 = 8.0;
-const ALONE: f32 = 2.0;
 /// And around it by so much of its size at most.
 const MARGIN_OF_SIZE: f32 = 0.25;
 
@@ -79,26 +76,6 @@ const FORGETTING: f32 = 0.05;
 const RESERVE: f32 = 0.3;
 /// An overlap of more than this part of the unit is no sag.
 const DEEPEST: f32 = 0.1;
-
-/// How much wider than a thing its box is.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Widening {
-    /// On all sides.
-    pub(super) margin: f32,
-    /// Ahead, by what it moves in this time.
-    seconds: f32,
-    /// And farther, up to this length.
-    alone: f32,
-}
-
-impl Widening {
-    /// How far a box reaches ahead at this velocity.
-    pub(super) fn ahead(&self, velocity: f32) -> f32 {
-        let near = (velocity * self.seconds).clamp(-FARTHEST, FARTHEST);
-        let far = (near * FARTHER_ALONE).clamp(-self.alone, self.alone);
-        if far.abs() > near.abs() { far } else { near }
-    }
-}
 
 /// The numbers of one step.
 #[derive(Debug, Clone, Copy)]
