@@ -129,7 +129,8 @@ impl SlantedBox {
 
     /// How fast a side with this normal in the plane comes forward with depth.
     pub fn lean(&self, [x, y]: [f32; 2]) -> f32 {
-        self.shear * x - self.climb * y
+        // Where it does not climb, with the sign of the zero that shearing leaves.
+        if self.climb == 0.0 { self.shear * x } else { self.shear * x - self.climb * y }
     }
 }
 
