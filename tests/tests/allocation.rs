@@ -171,7 +171,7 @@ fn what_stands_on_a_one_way_geom_and_what_is_in_it_allocate_nothing() {
     simulator.set_one_way(platform, Some(v(0.0, -1.0))).unwrap();
     for at in 0..5 {
         add_box(&mut simulator, (20.0, 20.0), v(at as f32 * 30.0, -30.0));
-        let (inside, _) = add_circle(&mut simulator, 10.0, 12, v(at as f32 * 30.0, -15.0));
+        let (inside, _) = add_circle(&mut simulator, 5.0, 12, v(at as f32 * 30.0, 5.0));
         simulator[inside].set_ignore_gravity(true);
         simulator[inside].set_linear_velocity(v(3.0, 0.0));
     }
