@@ -230,7 +230,7 @@ impl Direct {
         self.islands[..self.count].iter().filter_map(first)
     }
 
-    /// Whether islands are to be asked for now.
+    /// Whether it is time to ask for islands.
     fn tick(&mut self, is_quick: bool) -> bool {
         let Timing { is_due, may_be_due, age, has_resting, .. } = &mut self.timing;
         if std::mem::take(has_resting) {
