@@ -39,7 +39,7 @@ impl TwoHalfPhysicsSimulator {
     /// simulator.platform_mut(press).unwrap().set_velocity(Vector3::new(0.0, -30.0, 0.0))?;
     /// simulator.set_crush_tolerance(body, Some(5.0))?;
     /// let mut told = Vec::new();
-    /// for update in 0..120 {
+    /// for update in 0..120_i32 {
     ///     simulator.update(1.0 / 60.0);
     ///     if simulator.events().iter().any(|event| matches!(event, Event::Crushed { .. })) {
     ///         told.push(update);
