@@ -194,9 +194,9 @@ fn what_is_upright_pushes_crates_along_both_axes() {
 
 /// A side that leans by rounding alone is held at both its ends.
 #[test]
-fn a_crate_that_may_tip_stays_upright_and_outside_of_a_cylinder_that_it_runs_into() {
+fn a_crate_that_may_tip_stays_upright_and_outside_of_what_is_round_that_it_runs_into() {
     precise(|| {
-        for thing in [Cylinder::new(12.5, 60.0)] {
+        for thing in [Cylinder::new(12.5, 60.0), Capsule::new(12.5, 60.0)] {
             let mut simulator = simulator();
             let post = put(&mut simulator, thing.mass(70.0).friction(0.0), [0.0, 0.0, 50.0]);
             let crate_body = put(&mut simulator, Prism::new([30.0; 3]).mass(5.0), [40.0, 0.0, 50.0]);

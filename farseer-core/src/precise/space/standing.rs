@@ -1,7 +1,7 @@
 //! Which of the ways to find contacts is that of two things of which one is upright.
 
 use super::solid::{Before, Kind, Limits, Solid, nearness, prism_and_ball};
-use super::upright::{Standing, Upright};
+use super::upright::{Standing, Upright, product};
 use super::upright_prism::Extruded;
 use super::{slant, upright, upright_prism, upright_slant};
 use crate::math::Vector3;
@@ -18,10 +18,10 @@ pub(super) fn touch(a: Solid<'_>, b: Solid<'_>, before: Before, limits: Limits) 
         ((Kind::Ball, _), (_, Some(other))) => upright::touch(a, b, [&round(&a), other], before, limits),
         ((_, Some(one)), (Kind::Ball, _)) => upright::touch(a, b, [one, &round(&b)], before, limits),
         ((Kind::Prism(half), _), (_, Some(upright))) if upright.rounding > 0.0 => {
-            on_prism(a, half, (b, upright), before, limits.reach)
+            on_prism(a, half, (b, upright), before, limits)
         }
         ((_, Some(upright)), (Kind::Prism(half), _)) if upright.rounding > 0.0 => {
-            let found = on_prism(b, half, (a, upright), before.flipped(), limits.reach);
+            let found = on_prism(b, half, (a, upright), before.flipped(), limits);
             super::solid::flipped(found, b, a)
         }
         ((Kind::Prism(half), _), (_, Some(upright))) => match &a.slant {
@@ -73,7 +73,7 @@ fn from_prism(a: &Solid<'_>, shape: &Upright, prism: &Solid<'_>, half: f32) -> (
             None => upright_prism::parted(standing, &Extruded::new(prism, half)),
         };
     }
-    let ball = nearest_ball(prism, a, shape);
+    let [ball, _] = nearest_balls(prism, a, shape, 0.0);
     let [x, y] = ball.centre();
     let found = match &prism.slant {
         Some(slanted) => slanted
@@ -99,32 +99,54 @@ fn on_prism(
     half: f32,
     (capsule, shape): (Solid<'_>, &Upright),
     before: Before,
-    reach: f32,
+    limits: Limits,
 ) -> Manifold {
-    let ball = nearest_ball(&prism, &capsule, shape);
     let before = if before == Before::Nothing { before } else { Before::Plane };
-    let mut found = match &prism.slant {
-        Some(slanted) => slant::ball(slanted, prism, ball, reach),
-        None => prism_and_ball(prism, half, ball, before, reach),
+    let touch = |ball: Solid<'_>| {
+        let mut found = match &prism.slant {
+            Some(slanted) => slant::ball(slanted, prism, ball, limits.reach),
+            None => prism_and_ball(prism, half, ball, before, limits.reach),
+        };
+        found.depths[0] = ball.z - found.normal_z * shape.rounding - prism.z;
+        found
     };
-    found.depths[0] = ball.z - found.normal_z * shape.rounding - prism.z;
+    let [upper, lower] = nearest_balls(&prism, &capsule, shape, limits.flush);
+    let mut found = touch(upper);
+    if upper.outline.shape.centre == lower.outline.shape.centre {
+        return found;
+    }
+    let other = touch(lower);
+    if found.count == 0 {
+        return other;
+    }
+    let normal = |of: &Manifold| [of.normal[0], of.normal[1], of.normal_z];
+    if other.count > 0 && product(normal(&found), normal(&other)) > ALONG {
+        found.count = 2;
+        found.points[1] = other.points[0];
+        found.depths[1] = other.depths[0];
+        found.separations[1] = other.separations[0];
+        found.features[1] = found.features[0] + 1;
+    }
     found
 }
 
-/// The ball of a capsule that is nearest to a prism or box.
-fn nearest_ball<'a>(prism: &Solid<'_>, capsule: &Solid<'a>, shape: &Upright) -> Solid<'a> {
+/// Normals whose product is more than this are those of one side.
+const ALONG: f32 = 0.999;
+
+/// The balls of a capsule that are nearest to a prism or box: one, or those at both ends of where its side lies along that.
+fn nearest_balls<'a>(prism: &Solid<'_>, capsule: &Solid<'a>, shape: &Upright, flush: f32) -> [Solid<'a>; 2] {
     let at = Standing::new(capsule, shape).at;
-    let height = match &prism.slant {
+    let heights = match &prism.slant {
         Some(slanted) => {
             let distance = |y: f32| {
                 let nearest = slanted.nearest(Vector3::new(at[0], y, at[2]));
                 nearest.map_or(f32::MAX, |(distance, _)| distance)
             };
-            upright_prism::lowest_of(at[1] - shape.half, at[1] + shape.half, distance)
+            upright_prism::lowest_of(at[1] - shape.half, at[1] + shape.half, flush, distance)
         }
-        None => upright_prism::nearest_height(prism, at, shape.half),
+        None => upright_prism::nearest_heights(prism, at, shape.half, flush),
     };
-    ball_of(*capsule, shape.rounding, height - at[1])
+    heights.map(|height| ball_of(*capsule, shape.rounding, height - at[1]))
 }
 
 /// The ball of a capsule that is so much below its middle.

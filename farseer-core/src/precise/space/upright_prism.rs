@@ -319,18 +319,19 @@ pub(super) fn touch(
     }
 }
 
-/// The height of a capsule's axis that is nearest to an outline.
-pub(super) fn nearest_height(prism: &Solid<'_>, [x, y, _]: [f32; 3], half: f32) -> f32 {
+/// The heights of a capsule's axis that are nearest to an outline: see [`lowest_of`].
+pub(super) fn nearest_heights(prism: &Solid<'_>, [x, y, _]: [f32; 3], half: f32, flush: f32) -> [f32; 2] {
     let extruded = Extruded::new(prism, 0.0);
     if extruded.solid.outline.points.is_empty() {
         let centre = extruded.to_world(extruded.solid.outline.shape.centre);
-        return within(centre[1], y - half, y + half);
+        return [within(centre[1], y - half, y + half); 2];
     }
-    lowest_of(y - half, y + half, |height| extruded.distance([x, height]))
+    lowest_of(y - half, y + half, flush, |height| extruded.distance([x, height]))
 }
 
-/// Where a convex function of heights is least, in the middle of where it is flat.
-pub(super) fn lowest_of(low: f32, high: f32, of: impl Fn(f32) -> f32) -> f32 {
+/// Where a convex function of heights is least; both ends of where it hardly is more, by so much, if that is long: a side that leans
+/// by rounding alone is held at both its ends.
+pub(super) fn lowest_of(low: f32, high: f32, flush: f32, of: impl Fn(f32) -> f32) -> [f32; 2] {
     let (mut from, mut to) = (low, high);
     for _ in 0..THIRDS {
         let third = (to - from) / 3.0;
@@ -347,8 +348,31 @@ pub(super) fn lowest_of(low: f32, high: f32, of: impl Fn(f32) -> f32) -> f32 {
     // At an end it is there to the last bit.
     let middle = 0.5 * (from + to);
     let better = |one: f32, other: f32| if of(other) < of(one) { other } else { one };
-    better(better(middle, low), high)
+    let lowest = better(better(middle, low), high);
+    if flush == 0.0 {
+        return [lowest; 2];
+    }
+    let most = of(lowest) + flush;
+    let end = |mut outside: f32| {
+        if of(outside) <= most {
+            return outside;
+        }
+        let mut inside = lowest;
+        for _ in 0..THIRDS {
+            let middle = 0.5 * (inside + outside);
+            *(if of(middle) <= most { &mut inside } else { &mut outside }) = middle;
+        }
+        inside
+    };
+    let (from, to) = (end(low), end(high));
+    // Within its ends, that the corners of a side are none of it.
+    let inset = INSET * (to - from);
+    if to - from > LONG * flush { [from + inset, to - inset] } else { [lowest; 2] }
 }
 
+/// What is so many times as long as it is deep is flat.
+const LONG: f32 = 10.0;
+/// Part of it that is left out at either end.
+const INSET: f32 = 0.05;
 /// Each leaves two thirds of what was left, all of them a three thousandth.
 const THIRDS: usize = 20;
