@@ -265,7 +265,7 @@ fn overlapping(other: Standing<'_>, low: f32, high: f32) -> Option<f32> {
 }
 
 /// Which way it is in which two meet; `None` if they only will, or pass each other.
-pub(super) fn choose<'w>(
+fn choose<'w>(
     a: &Solid<'_>,
     b: &Solid<'_>,
     ways: &'w Ways,
@@ -329,12 +329,7 @@ const SECANTS: usize = 4;
 
 /// What two that do not touch yet will touch in this step, B moving so far against A, where their surfaces are curved: the
 /// distance along the normal that they will have there, and that normal. `None` if they pass each other.
-pub(super) fn touched(
-    now: &Meeting,
-    way: [f32; 3],
-    reach: f32,
-    at: impl Fn([f32; 3]) -> Meeting,
-) -> Option<Meeting> {
+fn touched(now: &Meeting, way: [f32; 3], reach: f32, at: impl Fn([f32; 3]) -> Meeting) -> Option<Meeting> {
     let along = |part: f32| at(way.map(|axis| axis * part));
     let (mut before, mut after) = ((0.0, now.apart), (1.0, along(1.0).apart));
     if after.1 > -GRAZED * reach {
@@ -362,7 +357,7 @@ pub(super) fn touched(
 }
 
 /// A meeting as contacts of A and B.
-pub(super) fn manifold(a: &Solid<'_>, found: &Meeting, reach: f32) -> Manifold {
+fn manifold(a: &Solid<'_>, found: &Meeting, reach: f32) -> Manifold {
     let [x, y, z] = found.normal;
     let mut manifold = Manifold { normal: [x, y], normal_z: z, gap: found.apart, ..Manifold::default() };
     for (at, &(point, separation)) in found.points.iter().enumerate().take(found.count) {
@@ -378,7 +373,7 @@ pub(super) fn manifold(a: &Solid<'_>, found: &Meeting, reach: f32) -> Manifold {
 }
 
 /// The way of B against A in the step that comes.
-pub(super) fn ahead(a: &Solid<'_>, b: &Solid<'_>) -> [f32; 3] {
+fn ahead(a: &Solid<'_>, b: &Solid<'_>) -> [f32; 3] {
     std::array::from_fn(|axis| b.ahead[axis] - a.ahead[axis])
 }
 
@@ -393,26 +388,37 @@ pub(super) fn touch(
     let (one, other) = (Standing::new(&a, shapes[0]), Standing::new(&b, shapes[1]));
     let moved =
         |way: [f32; 3]| Standing { at: std::array::from_fn(|axis| other.at[axis] + way[axis]), ..other };
-    let (way, is_new) = (ahead(&a, &b), before == Before::Nothing);
     if shapes[0].rounding + shapes[1].rounding > 0.0 {
-        let now = rounded(one, other);
-        return curved(&a, now, is_new, way, limits.reach, |way| rounded(one, moved(way)));
+        let (now, is_new) = (rounded(one, other), before == Before::Nothing);
+        return curved(&a, now, is_new, ahead(&a, &b), limits.reach, |way| rounded(one, moved(way)));
     }
-    let ways = ways(one, other);
-    if ways.best().apart > limits.reach {
-        return Manifold::apart(ways.best().apart);
+    let now = ways(one, other);
+    if now.best().apart > limits.reach {
+        return Manifold::apart(now.best().apart);
     }
-    match choose(&a, &b, &ways, before, limits) {
+    chosen([&a, &b], &now, before, limits, |way| ways(one, moved(way)))
+}
+
+/// The contacts of A and B in the way in which they meet, of those that they do as B moves against A.
+pub(super) fn chosen(
+    [a, b]: [&Solid<'_>; 2],
+    now: &Ways,
+    before: Before,
+    limits: Limits,
+    at: impl Fn([f32; 3]) -> Ways,
+) -> Manifold {
+    match choose(a, b, now, before, limits) {
         None => Manifold::apart(0.0),
         Some(found) if found.is_curved => {
-            curved(&a, *found, is_new, way, limits.reach, |way| super::upright::ways(one, moved(way)).beside)
+            let is_new = before == Before::Nothing;
+            curved(a, *found, is_new, ahead(a, b), limits.reach, |way| at(way).beside)
         }
-        Some(found) => manifold(&a, found, limits.reach),
+        Some(found) => manifold(a, found, limits.reach),
     }
 }
 
 /// The contact of what is curved: until it is touched its normal is that of the moment in which it will be.
-pub(super) fn curved(
+fn curved(
     a: &Solid<'_>,
     now: Meeting,
     is_new: bool,

@@ -6,8 +6,7 @@
 use super::foot::{Foot, Polygon};
 use super::solid::{Before, Limits, Solid};
 use super::upright::{
-    Axis, BESIDE, Meeting, OVER, Standing, Upright, Ways, ahead, choose, curved, farther, is_over, manifold,
-    within,
+    Axis, BESIDE, Meeting, OVER, Standing, Upright, Ways, chosen, farther, is_over, within,
 };
 use crate::math::plane::{Vector, difference, dot, length, place, rotation, scaled, sum, turn};
 use crate::precise::manifold::Manifold;
@@ -309,14 +308,7 @@ pub(super) fn touch(
         let ([left, right], [top, bottom]) = (prism.extent(0), prism.extent(1));
         return Manifold::apart(standing.clear_of([left, top, prism.near], [right, bottom, prism.far]));
     }
-    let is_new = before == Before::Nothing;
-    match choose(&a, &b, &now, before, limits) {
-        None => Manifold::apart(0.0),
-        Some(found) if found.is_curved => {
-            curved(&a, *found, is_new, ahead(&a, &b), limits.reach, |way| at(way).beside)
-        }
-        Some(found) => manifold(&a, found, limits.reach),
-    }
+    chosen([&a, &b], &now, before, limits, at)
 }
 
 /// The heights of a capsule's axis that are nearest to an outline: see [`lowest_of`].

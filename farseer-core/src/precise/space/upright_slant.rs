@@ -7,9 +7,7 @@
 use super::foot::{Foot, Polygon, summit};
 use super::slant::hull;
 use super::solid::{Before, Limits, Solid};
-use super::upright::{
-    Axis, BESIDE, Meeting, OVER, Standing, Upright, Ways, ahead, choose, curved, farther, is_over, manifold,
-};
+use super::upright::{Axis, BESIDE, Meeting, OVER, Standing, Upright, Ways, chosen, farther, is_over};
 use crate::math::Vector3;
 use crate::math::plane::{Vector, cross, difference, dot, length, scaled, sum};
 use crate::precise::manifold::Manifold;
@@ -220,12 +218,5 @@ pub(super) fn touch(
         let (low, high) = shape.bounds();
         return Manifold::apart(standing.clear_of(low.into(), high.into()));
     }
-    let is_new = before == Before::Nothing;
-    match choose(&a, &b, &now, before, limits) {
-        None => Manifold::apart(0.0),
-        Some(found) if found.is_curved => {
-            curved(&a, *found, is_new, ahead(&a, &b), limits.reach, |way| at(way).beside)
-        }
-        Some(found) => manifold(&a, found, limits.reach),
-    }
+    chosen([&a, &b], &now, before, limits, at)
 }
