@@ -13,9 +13,12 @@ use serde::{Deserialize, Serialize};
 use super::Precise;
 use super::bodies::Bodies;
 use super::flight::{EXACT, Flyer, Two, meet};
+use super::manifold::Manifold;
 use super::pairs::Pairs;
 use super::proxies::{Proxies, Proxy};
-use crate::math::plane::{Pose, Vector, dot, rotation, scaled, turn, turn_back};
+use super::space::lands_on;
+use super::touch::{self, Touch};
+use crate::math::plane::{Pose, Vector, difference, dot, rotation, scaled, turn, turn_back};
 use crate::math::scalar;
 
 /// A side holds that looks within 60 degrees of the direction: the cosine of that.
@@ -164,6 +167,59 @@ impl Precise {
                 }
             }
         }
+    }
+}
+
+impl<'a> Touch<'a> {
+    /// The ways of the last step.
+    fn ways(&self) -> Ways<'_> {
+        let Touch { bodies, proxies, pairs, tuning, .. } = self;
+        Ways { bodies, proxies, pairs, reach: tuning.speculative, are_gone: true }
+    }
+
+    /// Whether one of two, of which one at least is one-way, is not kept out by the other one.
+    #[inline(never)]
+    pub(super) fn is_open(&mut self, pair: usize, two: touch::Two<'a>, found: &Manifold) -> bool {
+        let known = self.pairs.all[pair].passage;
+        if matches!(known, Passage::Closed | Passage::Landed) {
+            return false;
+        }
+        let mut passage = self.ways().settled(pair);
+        if passage == Passage::Apart && self.ways().is_above(pair) && self.come_together(two, found) {
+            passage = Passage::Landed;
+        }
+        if passage != known {
+            self.pairs.set_passage(self.proxies, pair, passage);
+        }
+        passage != Passage::Landed
+    }
+
+    /// Whether two come together where contacts reach from one to the other.
+    fn come_together(&self, two: touch::Two<'_>, found: &Manifold) -> bool {
+        found.points[..found.count].iter().any(|&point| {
+            let [bx, by] = difference(point, two.apart());
+            self.approach(two, found.normal, &[point[0], point[1], bx, by]) < 0.0
+        })
+    }
+
+    /// What a handler has refused has not landed, unless something else of it is kept out.
+    pub(super) fn forget_landing(&mut self, pair: usize) {
+        if self.pairs.all[pair].passage == Passage::Landed && !self.ways().is_kept_out(pair) {
+            self.pairs.set_passage(self.proxies, pair, Passage::Apart);
+        }
+    }
+
+    /// Whether one of the two is open for the other one in three axes, which has not landed on it.
+    pub(super) fn passes_through(&self, pair: usize, two: touch::Two<'a>) -> bool {
+        let state = &self.pairs.all[pair];
+        let Some(space) = self.space.filter(|space| state.responds && space.is_one_way(two.a)) else {
+            return false;
+        };
+        let solid = |at: u32, proxy: &'a Proxy| {
+            space.solid(at, proxy, self.proxies.corners.outline(proxy.shape), (self.bodies, self.dt))
+        };
+        let [at_a, at_b] = self.pairs.watched[pair].proxies;
+        state.home.is_none() && !lands_on(solid(at_a, two.a), solid(at_b, two.b), self.tuning.speculative)
     }
 }
 

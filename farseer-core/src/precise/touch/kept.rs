@@ -1,0 +1,161 @@
+//! What is known of the contacts of a pair from step to step.
+//!
+//! While the two have hardly moved against each other since their contacts were found, normal and anchors stay as they are
+//! and only the distances are renewed, exactly; a tall stack would fall if they followed every tremble. Contacts that are
+//! found anew take over the impulses of those with the same corners, or, if the corners have changed, of those that were
+//! nearest.
+
+use super::{Touch, Two};
+use crate::math::plane::{Vector, cross, difference, dot, length, rotation, scaled, sum, turn, turn_back};
+use crate::precise::manifold::Manifold;
+use crate::precise::pairs::{Frozen, FrozenInSpace};
+use crate::precise::proxies::Mobility;
+use crate::precise::rows::Kind;
+
+/// Bodies that have turned further than this have their contacts found anew: its cosine.
+const LARGEST_TURN: f32 = 0.98;
+/// And those on a kinematic one that has: what lies on a turntable turns with it, and its normal must.
+const LARGEST_TURN_OF_KINEMATIC: f32 = 0.99998;
+/// What is left of the error in separations, as a part of the unit: a normal that stays behind by an angle is wrong by that
+/// times the way that one has slid along the other.
+const LARGEST_ERROR: f32 = 3e-4;
+/// A body that turns further than this in a step, on what does not give way, has its contacts found in every step: it rolls,
+/// or topples, and its corners come down one after the other.
+const ROLLING: f32 = 0.01;
+/// Arms of a contact are turned on by at most so far.
+const LARGEST_LEAD: f32 = 0.2;
+/// A new point goes on from an old one whose anchor is nearer than this part of the smaller body.
+const NEAR: f32 = 0.4;
+
+impl Touch<'_> {
+    /// Whether contacts may stay what they were if the two have not moved much: not those of circles and balls, on which they
+    /// wander, and not those of outlines that have passed each other along the depth axis.
+    pub(super) fn may_renew(&self, pair: usize, two: Two<'_>) -> bool {
+        let Some(space) = self.space else { return !self.are_circles(two) };
+        let (kind, proxies) = (self.pairs.all[pair].kind, self.pairs.watched[pair].proxies);
+        // What is upright may have come out from above or beside the other one.
+        if proxies.iter().any(|&proxy| space.is_upright(proxy)) {
+            return false;
+        }
+        let is_in_plane = self.pairs.frozen[pair].space.normal_z.abs() < 1.0;
+        kind.has_two_points && (!is_in_plane || space.are_beside(proxies, space.apart(two.a, two.b)))
+    }
+
+    /// If the two have hardly moved against each other, normal and anchors stay, and separations are renewed.
+    pub(super) fn renew(&mut self, pair: usize, two: Two<'_>) -> bool {
+        let frozen = &self.pairs.frozen[pair];
+        let (qa, qb) = (rotation(two.pose_a), rotation(two.pose_b));
+        let [ca, sa, cb, sb] = frozen.turns;
+        let [turned_a, turned_b] = [turn_back([ca, sa], qa), turn_back([cb, sb], qb)];
+        let [x, y, c, s] = two.relative();
+        let [x0, y0, c0, s0] = frozen.relative;
+        let sine = cross([c0, s0], [c, s]).abs();
+        let reach =
+            if self.is_fixed(two.a) { two.b.shape.reach } else { two.a.shape.reach.max(two.b.shape.reach) };
+        let moved = length([x - x0, y - y0]) + reach * sine;
+        let is_kinematic = two.a.mobility == Mobility::Kinematic;
+        let is_same = turned_a[0] > if is_kinematic { LARGEST_TURN_OF_KINEMATIC } else { LARGEST_TURN }
+            && turned_b[0] > LARGEST_TURN
+            && self.turn_on_fixed(pair, two).abs() <= ROLLING
+            && moved < self.tuning.frozen - self.tuning.checked
+            && moved * turned_a[1].abs().max(turned_b[1].abs()) < LARGEST_ERROR * self.tuning.unit;
+        if !is_same {
+            return false;
+        }
+        let mut separations = frozen.separations;
+        let FrozenInSpace { normal_z, apart: apart_then, .. } = frozen.space;
+        let along_depth = self.space.map_or(0.0, |space| normal_z * (space.apart(two.a, two.b) - apart_then));
+        for (separation, &[ax, ay, bx, by]) in separations.iter_mut().zip(&frozen.anchors) {
+            let apart = sum(two.apart(), difference(turn(turned_b, [bx, by]), turn(turned_a, [ax, ay])));
+            *separation += dot(apart, frozen.normal) + along_depth;
+        }
+        match self.pairs.all[pair].home {
+            Some(home) => self.rows.set_separations(self.pairs.all[pair].kind, home, separations),
+            None => return false,
+        }
+        true
+    }
+
+    /// How far a polygon that lies on something that does not give way turns in this step, if nothing changes its spin.
+    fn turn_on_fixed(&self, pair: usize, two: Two<'_>) -> f32 {
+        let Kind { has_two_points, is_fixed, .. } = self.pairs.all[pair].kind;
+        if has_two_points && is_fixed {
+            self.bodies.hot[two.b.body as usize].velocity[2] * self.dt
+        } else {
+            0.0
+        }
+    }
+
+    pub(super) fn freeze(&mut self, pair: usize, two: Two<'_>, found: &Manifold) {
+        let count = if self.pairs.all[pair].kind.has_two_points { found.count } else { found.count.min(1) };
+        let apart = if self.are_circles(two) {
+            // Where they meet: what pushes circles does not turn them.
+            let [ra, rb] = [two.a, two.b].map(|proxy| proxy.shape.radius);
+            scaled(found.normal, ra + rb + found.separations[0])
+        } else {
+            two.apart()
+        };
+        let anchors = found.points.map(|point| {
+            let [bx, by] = difference(point, apart);
+            [point[0], point[1], bx, by]
+        });
+        let [qa, qb] = [rotation(two.pose_a), rotation(two.pose_b)];
+        let lead = if found.is_of_b { 0.0 } else { 0.5 * self.turn_on_fixed(pair, two) };
+        self.pairs.frozen[pair] = Frozen {
+            turns: [qa[0], qa[1], qb[0], qb[1]],
+            relative: two.relative(),
+            normal: found.normal,
+            count: count as u32,
+            anchors,
+            separations: found.separations,
+            features: found.features,
+            lead: lead.clamp(-LARGEST_LEAD, LARGEST_LEAD),
+            space: FrozenInSpace {
+                normal_z: found.normal_z,
+                apart: self.space.map_or(0.0, |space| space.apart(two.a, two.b)),
+                spread: found.spread,
+                depths: found.depths,
+            },
+        };
+    }
+
+    /// Which old point each new one goes on from: the one with its corners, else the nearest that is left over.
+    pub(super) fn kept(&self, pair: usize, two: Two<'_>, found: &Manifold) -> [Option<usize>; 2] {
+        if !self.pairs.all[pair].kind.has_two_points {
+            return [Some(0), None];
+        }
+        let old = &self.pairs.frozen[pair];
+        let old_count = old.count as usize;
+        let mut kept = [None; 2];
+        let mut is_taken = [false; 2];
+        for (kept, feature) in kept.iter_mut().zip(found.features).take(found.count) {
+            *kept = (0..old_count).find(|&o| !is_taken[o] && old.features[o] == feature);
+            kept.iter().for_each(|&o| is_taken[o] = true);
+        }
+        let size =
+            if self.is_fixed(two.a) { two.b.shape.reach } else { two.a.shape.reach.min(two.b.shape.reach) };
+        let lost = kept.iter_mut().zip(found.points).take(found.count).filter(|(kept, _)| kept.is_none());
+        for (kept, point) in lost {
+            let mut nearest = (NEAR * size) * (NEAR * size);
+            for o in (0..old_count).filter(|&o| !is_taken[o]) {
+                let distance = self.squared_distance(old, o, two, point);
+                if distance < nearest {
+                    (nearest, *kept) = (distance, Some(o));
+                }
+            }
+            kept.iter().for_each(|&o| is_taken[o] = true);
+        }
+        kept
+    }
+
+    /// How far an old anchor is from a new one, on the body on which it is nearer.
+    fn squared_distance(&self, old: &Frozen, point: usize, two: Two<'_>, new: Vector) -> f32 {
+        let [ax, ay, bx, by] = old.anchors[point];
+        let [ca, sa, cb, sb] = old.turns;
+        let new_b = difference(new, two.apart());
+        let on_a = difference(turn_back([ca, sa], [ax, ay]), turn_back(rotation(two.pose_a), new));
+        let on_b = difference(turn_back([cb, sb], [bx, by]), turn_back(rotation(two.pose_b), new_b));
+        let (a, b) = (dot(on_a, on_a), dot(on_b, on_b));
+        if a < b { a } else { b }
+    }
+}

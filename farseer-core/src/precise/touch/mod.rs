@@ -1,0 +1,221 @@
+//! Where pairs touch: which of them are looked at, and what comes of that.
+//!
+//! A pair is looked at only when its bodies have moved so far that something can have changed. Then, while the two have
+//! hardly moved *against each other* since their contacts were found, these are [kept](kept); else they are found anew.
+
+mod kept;
+mod lane;
+mod rows;
+mod touching;
+
+use super::bodies::Bodies;
+use super::direct::Direct;
+use super::manifold::{Manifold, circles_meet, collide};
+use super::pairs::{BY_ROW, Frozen, FrozenInSpace, Pairs};
+use super::proxies::{Proxies, Proxy};
+use super::rows::{Palette, Rows};
+use super::sleep::Sleep;
+use super::space::{Before, Held, Space};
+use super::tuning::Tuning;
+use crate::geom::surface::FrictionType;
+use crate::math::plane::{Pose, Vector, difference, place, rotation, scaled, sum, turn_back};
+use lane::carry_friction;
+pub(super) use touching::Change;
+
+/// Units after which a pair that is apart is looked at again in any case, so that motion sums cannot wrap unseen.
+const LONGEST_SLACK: f32 = 8.0;
+
+/// Finds contacts: the parts of the step that this takes.
+pub(super) struct Touch<'a> {
+    pub(super) bodies: &'a Bodies,
+    pub(super) proxies: &'a Proxies,
+    pub(super) pairs: &'a mut Pairs,
+    pub(super) rows: &'a mut Rows,
+    pub(super) palette: &'a mut Palette,
+    pub(super) sleep: &'a mut Sleep,
+    pub(super) direct: &'a mut Direct,
+    pub(super) space: Option<Held<&'a Space>>,
+    pub(super) tuning: &'a Tuning,
+    pub(super) friction: FrictionType,
+    /// Contacts of two pieces, at most.
+    pub(super) most_contacts: usize,
+    /// Seconds of the step, and what gravity adds to velocities in it.
+    pub(super) dt: f32,
+    pub(super) fall: Vector,
+    /// Pairs of geoms that begin to touch, or may have ceased to, since this was told last.
+    pub(super) changes: &'a mut Vec<Change>,
+    pub(super) looks: &'a mut Looks,
+}
+
+/// What became of pairs that were looked at.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Looks {
+    /// Contacts were found anew, or kept.
+    pub(crate) made: usize,
+    pub(crate) kept: usize,
+}
+
+/// What a pair is made of.
+#[derive(Clone, Copy)]
+pub(super) struct Two<'a> {
+    pub(super) a: &'a Proxy,
+    pub(super) b: &'a Proxy,
+    pub(super) pose_a: Pose,
+    pub(super) pose_b: Pose,
+}
+
+impl Two<'_> {
+    /// B's pose as seen from A.
+    pub(super) fn relative(&self) -> [f32; 4] {
+        let (qa, qb) = (rotation(self.pose_a), rotation(self.pose_b));
+        let [x, y] = turn_back(qa, self.apart());
+        let [c, s] = turn_back(qa, qb);
+        [x, y, c, s]
+    }
+
+    pub(super) fn apart(&self) -> Vector {
+        difference(place(self.pose_b), place(self.pose_a))
+    }
+}
+
+impl<'a> Touch<'a> {
+    #[inline(always)]
+    fn two(&self, pair: usize) -> Two<'a> {
+        let [a, b] = self.pairs.watched[pair].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
+        let pose = |proxy: &Proxy| self.bodies.poses[proxy.body as usize];
+        Two { a, b, pose_a: pose(a), pose_b: pose(b) }
+    }
+
+    #[inline(always)]
+    fn motion(&self, pair: usize) -> u32 {
+        let [a, b] = self.pairs.watched[pair].proxies.map(|proxy| self.proxies.motion[proxy as usize]);
+        a.wrapping_add(b)
+    }
+
+    /// Looks at all pairs that have moved far enough. Answers how many.
+    pub(super) fn scan(&mut self) -> usize {
+        let mut looked_at = 0;
+        for pair in 0..self.pairs.awake {
+            let watch = self.pairs.watched[pair];
+            let moved = self.motion(pair).wrapping_sub(watch.since);
+            if moved >= watch.tolerance && watch.tolerance != BY_ROW {
+                looked_at += 1;
+                self.look(pair);
+            }
+        }
+        looked_at
+    }
+
+    /// Looks at a pair.
+    pub(super) fn look(&mut self, pair: usize) {
+        let two = self.two(pair);
+        let is_known = self.pairs.frozen[pair].count > 0 && self.pairs.watched[pair].tolerance != BY_ROW;
+        self.pairs.watched[pair].since = self.motion(pair);
+        if is_known && self.may_renew(pair, two) && self.renew(pair, two) {
+            self.looks.kept += 1;
+            self.note_touch(pair, two);
+            return;
+        }
+        let mut found = self.collide(pair, two, self.tuning.speculative);
+        found.keep_deepest(self.most_contacts);
+        let is_open = self.proxies.one_way > 0 && self.is_open(pair, two, &found);
+        if found.count == 0 {
+            self.part(pair, found.gap);
+        } else if is_open || self.passes_through(pair, two) {
+            self.part(pair, 0.0);
+        } else {
+            self.looks.made += 1;
+            self.meet(pair, two, &found);
+            self.note_touch(pair, two);
+        }
+    }
+
+    fn collide(&self, pair: usize, two: Two<'_>, reach: f32) -> Manifold {
+        let outline = |proxy: &Proxy| self.proxies.corners.outline(proxy.shape);
+        let Some(space) = self.space else {
+            let found = collide(outline(two.a), outline(two.b), two.pose_a, two.pose_b, reach);
+            let is_new = found.count > 0 && !self.pairs.all[pair].is_told;
+            return if is_new && self.are_circles(two) { self.where_circles_meet(two, found) } else { found };
+        };
+        let [at_a, at_b] = self.pairs.watched[pair].proxies;
+        let solid =
+            |at: u32, proxy: &'a Proxy| space.solid(at, proxy, outline(proxy), (self.bodies, self.dt));
+        let Frozen { count, normal, space: FrozenInSpace { normal_z, .. }, .. } = self.pairs.frozen[pair];
+        let before = match normal_z {
+            _ if count == 0 => Before::Nothing,
+            _ if space.was_over([at_a, at_b], normal) => Before::Over,
+            1.0 | -1.0 => Before::Depth(normal_z),
+            _ => Before::Plane,
+        };
+        let all = &self.proxies.all;
+        space.touch(solid(at_a, &all[at_a as usize]), solid(at_b, &all[at_b as usize]), before, reach)
+    }
+
+    /// Circles that come together push each other along the line on which their middles lie when they do, which is neither
+    /// that of the beginning of the step nor that of its end.
+    fn where_circles_meet(&self, two: Two<'_>, found: Manifold) -> Manifold {
+        let way = |proxy: &Proxy| {
+            let (body, part) = (proxy.body as usize, self.bodies.gravity_parts[proxy.body as usize]);
+            let fall = scaled(self.fall, 0.5 * part * self.dt);
+            self.bodies
+                .hot
+                .get(body)
+                .map_or([0.0; 2], |hot| sum(fall, scaled([hot.velocity[0], hot.velocity[1]], self.dt)))
+        };
+        let way = difference(way(two.b), way(two.a));
+        let radii = [two.a.shape.radius, two.b.shape.radius];
+        circles_meet(two.apart(), way, radii).unwrap_or(found)
+    }
+
+    /// The two are further apart than contacts reach.
+    fn part(&mut self, pair: usize, gap: f32) {
+        self.remove_row(pair);
+        if self.pairs.all[pair].is_told {
+            self.tell(pair, false);
+        }
+        self.pairs.frozen[pair] = Frozen::default();
+        let slack = (gap - self.tuning.speculative).clamp(0.0, LONGEST_SLACK * self.tuning.unit);
+        self.pairs.watched[pair].tolerance = (slack * self.tuning.motion_scale()) as u32;
+    }
+
+    /// The two touch, or nearly do.
+    fn meet(&mut self, pair: usize, two: Two<'_>, found: &Manifold) {
+        let state = self.pairs.all[pair];
+        let old = state.home.map(|home| self.rows.lane(state.kind, home));
+        let kept = self.kept(pair, two, found);
+        self.freeze(pair, two, found);
+        if !state.responds || state.is_vetoed {
+            return;
+        }
+        let old = old.unwrap_or_default();
+        let mut lane = self.lane(pair, two);
+        carry_friction(&mut lane, &old);
+        for (at, point) in lane.points.iter_mut().enumerate().take(found.count) {
+            if let Some(from) = kept[at] {
+                (point.impulse, point.held) = (old.points[from].impulse, old.points[from].held);
+            }
+        }
+        match state.home {
+            Some(home) => self.rows.set_lane(state.kind, home, &lane),
+            None => self.add_row(pair, &lane),
+        }
+    }
+
+    #[inline(always)]
+    fn are_circles(&self, two: Two<'_>) -> bool {
+        if self.space.is_some() {
+            return false;
+        }
+        let is_circle =
+            |proxy: &Proxy| self.bodies.circles.get(proxy.body as usize).is_some_and(|row| row[3] > 0.0);
+        is_circle(two.a) && is_circle(two.b)
+    }
+
+    pub(super) fn are_two_circles(&self, pair: usize) -> bool {
+        self.are_circles(self.two(pair))
+    }
+
+    fn is_fixed(&self, proxy: &Proxy) -> bool {
+        proxy.body as usize >= self.bodies.first_fixed()
+    }
+}
