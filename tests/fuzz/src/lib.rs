@@ -5,6 +5,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod around;
 pub mod checks;
 mod depth;
 mod engine;

@@ -74,6 +74,13 @@ impl Depth {
         Depth::with(simulator, random)
     }
 
+    /// A game of the precise scheme. There are no geoms yet that it could be refused for.
+    pub(crate) fn precise(random: Random) -> Self {
+        let mut depth = Depth::new(random);
+        depth.simulator.set_depth_scheme(DepthScheme::Precise).expect("it is empty");
+        depth
+    }
+
     /// What is called, and where numbers come from.
     pub(crate) fn parts(&mut self) -> (&mut TwoHalfPhysicsSimulator, &mut Random) {
         (&mut self.simulator, &mut self.random)

@@ -1,10 +1,11 @@
 //! Geoms that are open but from one side, amid everything else.
 
+use farseer_core::Methods;
 use farseer_core::math::Vector2;
-use farseer_core::{Methods, PhysicsSimulator};
 
 use super::Plane;
 use super::stages::any_call;
+use crate::around::Around;
 use crate::game::{Call, Game, Outcome};
 use crate::random::Random;
 
@@ -34,20 +35,16 @@ fn throw(game: &mut Plane) -> Outcome {
     Outcome::Changed
 }
 
-impl Game for OneWayPlane {
-    type Simulator = PhysicsSimulator;
-    const SCENES: usize = Plane::SCENES;
+impl Around for OneWayPlane {
+    type Inner = Plane;
 
-    fn new(random: Random) -> Self {
+    fn begin(random: Random) -> Plane {
         let mut game = Plane::new(random);
         game.simulator.set_methods(Methods::PRECISE).expect("all that there is can be of the precise set");
-        OneWayPlane(game)
+        game
     }
-    fn of(simulator: PhysicsSimulator, random: Random) -> Self {
-        OneWayPlane(Plane::of(simulator, random))
-    }
-    fn scene(kind: usize) -> PhysicsSimulator {
-        Plane::scene(kind)
+    fn around(plane: Plane) -> Self {
+        OneWayPlane(plane)
     }
     fn calls() -> &'static [Call<Self>] {
         &[
@@ -56,13 +53,10 @@ impl Game for OneWayPlane {
             Call { name: "throw", weight: 1, make: |game| throw(&mut game.0) },
         ]
     }
-    fn random(&mut self) -> &mut Random {
-        &mut self.0.random
+    fn inner(&self) -> &Plane {
+        &self.0
     }
-    fn simulator(&self) -> &PhysicsSimulator {
-        &self.0.simulator
-    }
-    fn simulator_mut(&mut self) -> &mut PhysicsSimulator {
-        &mut self.0.simulator
+    fn inner_mut(&mut self) -> &mut Plane {
+        &mut self.0
     }
 }

@@ -1,10 +1,8 @@
 //! The stages of an update in any order, as an engine with mistakes might call them.
 
-use farseer_core::PhysicsSimulator;
-
 use super::Plane;
-use crate::game::{Call, Game, Outcome, draw};
-use crate::random::Random;
+use crate::around::Around;
+use crate::game::{Call, Outcome, draw};
 use crate::shapes::step;
 
 /// A game that calls stages in between. What stages leave to later stages of the same update is no part of a save, so
@@ -43,18 +41,11 @@ const STAGES: &[fn(&mut Plane)] = &[
     },
 ];
 
-impl Game for StagedPlane {
-    type Simulator = PhysicsSimulator;
-    const SCENES: usize = Plane::SCENES;
+impl Around for StagedPlane {
+    type Inner = Plane;
 
-    fn new(random: Random) -> Self {
-        StagedPlane(Plane::new(random))
-    }
-    fn of(simulator: PhysicsSimulator, random: Random) -> Self {
-        StagedPlane(Plane::of(simulator, random))
-    }
-    fn scene(kind: usize) -> PhysicsSimulator {
-        Plane::scene(kind)
+    fn around(plane: Plane) -> Self {
+        StagedPlane(plane)
     }
     fn calls() -> &'static [Call<Self>] {
         &[
@@ -69,14 +60,11 @@ impl Game for StagedPlane {
             },
         ]
     }
-    fn random(&mut self) -> &mut Random {
-        &mut self.0.random
+    fn inner(&self) -> &Plane {
+        &self.0
     }
-    fn simulator(&self) -> &PhysicsSimulator {
-        &self.0.simulator
-    }
-    fn simulator_mut(&mut self) -> &mut PhysicsSimulator {
-        &mut self.0.simulator
+    fn inner_mut(&mut self) -> &mut Plane {
+        &mut self.0
     }
 }
 

@@ -4,12 +4,12 @@ mod calls;
 mod links;
 
 use farseer_core::{JointId, SpringId};
-use twohalf::{DepthScheme, FieldId, TwoHalfPhysicsSimulator};
+use twohalf::FieldId;
 
+use crate::around::Around;
 use crate::depth::Depth;
 use crate::game::{Call, Game};
 use crate::random::Random;
-use crate::scenes;
 
 /// A game of the engine with depth, and what ties its things and pushes them.
 #[derive(Debug)]
@@ -20,35 +20,27 @@ pub struct Tied {
     fields: Vec<FieldId>,
 }
 
-impl Game for Tied {
-    type Simulator = TwoHalfPhysicsSimulator;
-    const SCENES: usize = scenes::KINDS;
+impl Around for Tied {
+    type Inner = Depth;
 
-    fn new(random: Random) -> Self {
-        let mut depth = Depth::new(random);
-        // Where joints act in depth; there are no geoms yet that it could be refused for.
-        depth.simulator_mut().set_depth_scheme(DepthScheme::Precise).expect("it is empty");
-        Tied { depth, joints: vec![], springs: vec![], fields: vec![] }
+    fn begin(random: Random) -> Depth {
+        // Where joints act in depth.
+        Depth::precise(random)
     }
-    fn of(simulator: TwoHalfPhysicsSimulator, random: Random) -> Self {
+    fn around(depth: Depth) -> Self {
+        let simulator = depth.simulator();
         let joints = simulator.core().joint_list().to_vec();
         let springs = simulator.core().spring_list().to_vec();
         let fields = simulator.fields().map(|(id, _)| id).collect();
-        Tied { depth: Depth::of(simulator, random), joints, springs, fields }
-    }
-    fn scene(kind: usize) -> TwoHalfPhysicsSimulator {
-        Depth::scene(kind)
+        Tied { depth, joints, springs, fields }
     }
     fn calls() -> &'static [Call<Self>] {
         calls::CALLS
     }
-    fn random(&mut self) -> &mut Random {
-        self.depth.random()
+    fn inner(&self) -> &Depth {
+        &self.depth
     }
-    fn simulator(&self) -> &TwoHalfPhysicsSimulator {
-        self.depth.simulator()
-    }
-    fn simulator_mut(&mut self) -> &mut TwoHalfPhysicsSimulator {
-        self.depth.simulator_mut()
+    fn inner_mut(&mut self) -> &mut Depth {
+        &mut self.depth
     }
 }

@@ -2,12 +2,10 @@
 
 mod calls;
 
-use twohalf::{DepthScheme, TwoHalfPhysicsSimulator};
-
+use crate::around::Around;
 use crate::depth::Depth;
-use crate::game::{Call, Game};
+use crate::game::Call;
 use crate::random::Random;
-use crate::scenes;
 
 /// A game of the engine with depth, in which things become upright.
 #[derive(Debug)]
@@ -15,32 +13,23 @@ pub struct Upright {
     depth: Depth,
 }
 
-impl Game for Upright {
-    type Simulator = TwoHalfPhysicsSimulator;
-    const SCENES: usize = scenes::KINDS;
+impl Around for Upright {
+    type Inner = Depth;
 
-    fn new(random: Random) -> Self {
-        let mut depth = Depth::new(random);
-        // No other one knows them; there are no geoms yet that it could be refused for.
-        depth.simulator_mut().set_depth_scheme(DepthScheme::Precise).expect("it is empty");
+    fn begin(random: Random) -> Depth {
+        // No other scheme knows what is upright.
+        Depth::precise(random)
+    }
+    fn around(depth: Depth) -> Self {
         Upright { depth }
-    }
-    fn of(simulator: TwoHalfPhysicsSimulator, random: Random) -> Self {
-        Upright { depth: Depth::of(simulator, random) }
-    }
-    fn scene(kind: usize) -> TwoHalfPhysicsSimulator {
-        Depth::scene(kind)
     }
     fn calls() -> &'static [Call<Self>] {
         calls::CALLS
     }
-    fn random(&mut self) -> &mut Random {
-        self.depth.random()
+    fn inner(&self) -> &Depth {
+        &self.depth
     }
-    fn simulator(&self) -> &TwoHalfPhysicsSimulator {
-        self.depth.simulator()
-    }
-    fn simulator_mut(&mut self) -> &mut TwoHalfPhysicsSimulator {
-        self.depth.simulator_mut()
+    fn inner_mut(&mut self) -> &mut Depth {
+        &mut self.depth
     }
 }
