@@ -4,7 +4,7 @@
 
 use conformance::fixtures::depth::{assert_near, fix, geom_of, place, platform, solid, velocity};
 use twohalf::{BodyId, Partner, PlatformId, TwoHalfPhysicsSimulator, Vector2, Vector3, Walk, Walker, Wish};
-use twohalf_factories::{Figure, Prism, spawn};
+use twohalf_factories::{Capsule, Figure, Prism, spawn};
 
 const RATES: [f32; 4] = [30.0, 60.0, 120.0, 240.0];
 const REACH: f32 = 75.0;
@@ -113,15 +113,15 @@ fn it_climbs_along_z_as_well() {
 }
 
 #[test]
-fn a_round_figure_climbs_from_every_side() {
+fn round_figures_climb_from_every_side() {
+    // 25 px across.
+    let figures = [Figure::new([30.0, 60.0, 20.0]), Capsule::new(12.5, 60.0).mass(70.0).friction(0.0)];
     let ways = [([-14.0, 50.0], [1.0, 0.0]), ([214.0, 50.0], [-1.0, 0.0])];
     let ways = ways.into_iter().chain([([100.0, -14.0], [0.0, 1.0]), ([100.0, 114.0], [0.0, -1.0])]);
     for ([x, z], [wish_x, wish_z]) in ways {
-        for rate in RATES {
+        for (figure, rate) in figures.into_iter().flat_map(|figure| RATES.map(|rate| (figure, rate))) {
             let (mut stage, _) = Stage::with_wall(rate, 200.0, [-500.0, 0.0, 50.0]);
-            // 25 px across.
-            let figure = Figure::new([30.0, 60.0, 20.0]).at([x, 170.0, z]);
-            stage.figure = spawn(&mut stage.simulator, figure).unwrap().body;
+            stage.figure = spawn(&mut stage.simulator, figure.at([x, 170.0, z])).unwrap().body;
             let wish = Wish { x: 150.0 * wish_x, z: 150.0 * wish_z, jump: false };
             stage.hang(wish);
             stage.walk(wish, 0.8, |_| ());

@@ -2,6 +2,7 @@
 
 use farseer_core::SpaceFoot;
 
+use super::rest::Ball;
 use crate::shapes::SlantedBox;
 use crate::{DepthProfile, Vector3, VirtualGeom};
 
@@ -16,6 +17,8 @@ pub(super) struct Feet {
     pub(super) back: f32,
     /// What of that it is if it is round.
     pub(super) round: Option<Round>,
+    /// Radius of the ball that the figure ends in below; 0 for soles.
+    end: f32,
 }
 
 /// A disc on its way from one place to another, X and Z.
@@ -49,6 +52,7 @@ impl Feet {
             front: geom.front + z,
             back: geom.back - z,
             round: None,
+            end: if let DepthProfile::Capsule { radius, .. } = profile { radius } else { 0.0 },
         };
         let is_round = matches!(profile, DepthProfile::Cylinder { .. } | DepthProfile::Capsule { .. });
         let middle = [0.5 * (feet.left + feet.right), 0.5 * (feet.front + feet.back)];
@@ -57,7 +61,18 @@ impl Feet {
     }
 
     pub(super) fn rectangle(left: f32, right: f32, front: f32, back: f32) -> Self {
-        Feet { left, right, front, back, round: None }
+        Feet { left, right, front, back, round: None, end: 0.0 }
+    }
+
+    /// What of them stands on something if the figure ends in a ball.
+    pub(super) fn ball(&self) -> Option<Ball> {
+        let round = self.round.filter(|_| self.end > 0.0)?;
+        Some(Ball { radius: self.end, at: round.from })
+    }
+
+    /// As if it ended in soles.
+    pub(super) fn flat(&self) -> Self {
+        Feet { end: 0.0, ..*self }
     }
 
     pub(super) fn moved(&self, way: Vector3) -> Self {
@@ -68,6 +83,7 @@ impl Feet {
             front: self.front + way.z,
             back: self.back + way.z,
             round: self.round.map(|round| Round { from: moved(round.from), to: moved(round.to), ..round }),
+            end: self.end,
         }
     }
 
@@ -80,6 +96,7 @@ impl Feet {
             front: self.front.min(moved.front),
             back: self.back.max(moved.back),
             round: self.round.zip(moved.round).map(|(from, to)| Round { to: to.to, ..from }),
+            end: self.end,
         }
     }
 
@@ -95,6 +112,7 @@ impl Feet {
             front: self.front - margin,
             back: self.back + margin,
             round: self.round.map(|round| Round { radius: round.radius + margin, ..round }),
+            end: self.end,
         }
     }
 

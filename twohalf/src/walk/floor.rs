@@ -4,6 +4,7 @@ use farseer_core::math::vector2::transform;
 use farseer_core::{Body, Geom, SpaceUpright};
 
 use super::feet::Feet;
+use super::rest::Rest;
 use crate::projection::to_world;
 use crate::shapes::{SlantedBox, Top};
 use crate::{BodyId, DepthProfile, GeomId, Partner, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3};
@@ -17,6 +18,35 @@ pub(super) struct Floor {
     pub(super) height: f32,
     /// The upward part of its normal.
     pub(super) up: f32,
+    /// How high the edge is on which a round end lies.
+    pub(super) edge: Option<f32>,
+    /// How that rises along X and Z.
+    pub(super) slope: [f32; 2],
+}
+
+impl Floor {
+    fn under_soles(partner: Partner, (height, up): (f32, f32)) -> Self {
+        Floor { partner, height, up, edge: None, slope: [0.0; 2] }
+    }
+
+    fn under_ball(partner: Partner, Rest { height, normal, edge }: Rest) -> Self {
+        let slope = [-normal.x / normal.y, -normal.z / normal.y];
+        Floor { partner, height, up: normal.y, edge, slope }
+    }
+
+    /// How much lower a round end of a radius lies on a slope than soles as wide as that.
+    pub(super) fn lower_than_soles(&self, radius: f32) -> f32 {
+        if self.edge.is_some() {
+            return 0.0;
+        }
+        let level = (1.0 - self.up * self.up).max(0.0).sqrt();
+        radius * (1.0 - (1.0 - level) / self.up)
+    }
+
+    /// How high what a round end touches leads it on a way.
+    pub(super) fn height_along(&self, way: Vector3) -> f32 {
+        self.height + self.slope[0] * way.x + self.slope[1] * way.z
+    }
 }
 
 /// Which floors can be reached: no higher than `highest`, no steeper than `least_up`, and not one of them.
@@ -27,18 +57,21 @@ pub(super) struct Reach<'a> {
     pub(super) highest: f32,
     pub(super) least_up: f32,
     pub(super) but: Option<Partner>,
+    /// An edge that is no higher than this holds a round end, however far that is past it.
+    pub(super) edges: f32,
 }
 
 impl Reach<'_> {
     fn has(&self, floor: &Floor) -> bool {
-        floor.height <= self.highest && floor.up >= self.least_up && self.but != Some(floor.partner)
+        let holds = floor.up >= self.least_up || floor.edge.is_some_and(|edge| edge <= self.edges);
+        floor.height <= self.highest && holds && self.but != Some(floor.partner)
     }
 }
 
 impl TwoHalfPhysicsSimulator {
     /// The highest floor in reach below some feet.
     pub(super) fn floor_below(&self, feet: &Feet, reach: &Reach<'_>) -> Option<Floor> {
-        let ground = Floor { partner: Partner::Ground, height: 0.0, up: 1.0 };
+        let ground = Floor::under_soles(Partner::Ground, (0.0, 1.0));
         let settings = self.core.geom(reach.geom)?;
         let floors = [ground].into_iter().chain(self.platforms_below(feet, reach, &settings));
         let floors = floors.chain(geoms_below(feet, reach));
@@ -57,12 +90,15 @@ impl TwoHalfPhysicsSimulator {
         let high = Vector3::new(feet.right, f32::MAX, feet.back);
         let near = self.world.platforms.overlapping(low, high);
         near.filter(|(_, platform)| holds(platform, Some(settings))).filter_map(|(id, platform)| {
-            let (height, up) = top_of_box(platform.shape(), feet)?;
-            Some(Floor { partner: Partner::Platform(id), height, up })
+            let (partner, shape) = (Partner::Platform(id), platform.shape());
+            match feet.ball() {
+                Some(ball) => Some(Floor::under_ball(partner, ball.on_box(shape)?)),
+                None => Some(Floor::under_soles(partner, top_of_box(shape, feet)?)),
+            }
         })
     }
 
-    /// How high a floor is below some feet.
+    /// How high a floor is below some feet, as if they were soles.
     pub(super) fn height_of(&self, partner: Partner, feet: &Feet, reach: &Reach<'_>) -> Option<f32> {
         let top = match partner {
             Partner::Ground => Some((0.0, 1.0)),
@@ -155,13 +191,19 @@ pub(super) fn holds(platform: &Platform, geom: Option<&Geom>) -> bool {
         && geom.is_some_and(|geom| platform.filter().may_meet(&geom.filter()))
 }
 
-/// Floors that are prisms, once for each of their edges.
+/// Floors that are prisms: below soles once for each of their edges, below a round end as a whole.
 fn geoms_below<'a>(feet: &'a Feet, reach: &Reach<'a>) -> impl Iterator<Item = Floor> + 'a {
-    let tops = reach.tops;
-    tops.iter().filter_map(move |top| {
-        let (height, up) = top_of_edge(top, feet)?;
-        Some(Floor { partner: Partner::Geom(top.geom), height, up })
-    })
+    let (tops, ball) = (reach.tops, feet.ball());
+    let by_edges = tops
+        .iter()
+        .filter(move |_| ball.is_none())
+        .filter_map(move |top| Some(Floor::under_soles(Partner::Geom(top.geom), top_of_edge(top, feet)?)));
+    let as_whole = ball.into_iter().flat_map(move |ball| {
+        let by_geoms = tops.chunk_by(|one, other| one.geom == other.geom);
+        by_geoms
+            .filter_map(move |tops| Some(Floor::under_ball(Partner::Geom(tops[0].geom), ball.on_tops(tops)?)))
+    });
+    by_edges.chain(as_whole)
 }
 
 /// Height and upward part of the normal of the highest of some edges above the feet that are not too steep: what is steep ends

@@ -48,6 +48,7 @@ impl TwoHalfPhysicsSimulator {
         walker: &mut Walker,
         wish: Wish,
     ) -> Option<Vector3> {
+        let stride = &stride.flat();
         let held = walker.ledge.take().filter(|ledge| !lets_go(ledge, stride, walker, wish));
         let ledge = held.or_else(|| self.ledge_to_take(stride, walker, wish))?;
         let height = self.height_of_ledge(stride, &ledge)?;
@@ -68,6 +69,7 @@ impl TwoHalfPhysicsSimulator {
     /// Whose feet have come over the edge stands there.
     pub(super) fn arrive(&self, stride: &Stride<'_>, walker: &mut Walker) {
         let Some(ledge) = walker.ledge else { return };
+        let stride = stride.flat();
         let here = self.height_of(ledge.partner, &stride.feet, &stride.reach(f32::MAX));
         if here.is_some_and(|here| here <= stride.soles + STANDS) {
             (walker.floor, walker.ledge) = (Some(ledge.partner), None);

@@ -3,16 +3,17 @@
 mod feet;
 mod floor;
 mod ledge;
+mod rest;
 mod stride;
 mod walls;
 
 use serde::{Deserialize, Serialize};
 
 use self::ledge::Ledge;
-#[cfg(doc)]
-use crate::TwoHalfBody;
 use crate::error::{invalid, only_precise, stale};
-use crate::{BodyId, DepthProfile, DepthScheme, Partner, Result, TwoHalfPhysicsSimulator, Vector3};
+use crate::{BodyId, DepthScheme, Partner, Result, TwoHalfPhysicsSimulator, Vector3};
+#[cfg(doc)]
+use crate::{DepthProfile, TwoHalfBody};
 
 /// How a figure walks. Lengths in px, times in s, angles in rad.
 ///
@@ -166,13 +167,16 @@ impl Walker {
 impl TwoHalfPhysicsSimulator {
     /// Lets a figure walk, jump and fall as a player expects: to be called before each update, with the update's `dt` in s. The
     /// figure is a body whose object geom is upright and does not turn: best a [cylinder](DepthProfile::Cylinder), which slides past
-    /// others and round corners, or a box with a huge moment of inertia; best without friction.
+    /// others and round corners, a [capsule](DepthProfile::Capsule), or a box with a huge moment of inertia; best without friction.
     ///
     /// - Its velocity along X and Z, as seen from above, becomes what is wished, as fast as [`Walk::acceleration`] allows; up and
     ///   down slopes alike. What it stands on carries it: platforms that move, belts, bodies.
     /// - It follows the floor: up curbs, down over edges, up and down slopes and lifts, without hopping. A slope up to
     ///   [`Walk::max_slope`] is stood on without sliding. The floor is the ground, platforms, and bodies that are
     ///   prisms; not balls.
+    /// - A capsule stands on what its round end touches: it lies on slopes without a gap, and sinks round an edge that it walks
+    ///   over, as far as the direction in which that holds it is no steeper than [`Walk::max_slope`]; from there it falls. It stands
+    ///   still before that as it does on a slope. Up a curb it is lifted as one with soles is, when it would touch its edge.
     /// - It jumps as high as it is told, whatever the step is.
     /// - It leans on nothing: walls and, in the air, bodies stop it at their surface, so that their friction holds it neither up
     ///   nor back. On the floor it pushes bodies as hard as its mass and acceleration allow.
@@ -211,9 +215,9 @@ impl TwoHalfPhysicsSimulator {
     /// ```
     ///
     /// # Errors
-    /// A stale body, one without an object geom, or whose object geom is a capsule, which has no soles; settings of the walk out of their ranges, or a walker that was loaded with
-    /// numbers that are not finite; a wish that is not finite; a `dt`
-    /// that is not finite and greater than 0; another scheme than [`DepthScheme::Precise`].
+    /// A stale body, or one without an object geom; settings of the walk out of their ranges, or a walker that was loaded with
+    /// numbers that are not finite; a wish that is not finite; a `dt` that is not finite and greater than 0; another scheme than
+    /// [`DepthScheme::Precise`].
     pub fn walk(&mut self, body: BodyId, walker: &mut Walker, wish: Wish, dt: f32) -> Result<()> {
         if self.world.scheme != DepthScheme::Precise {
             return Err(only_precise("figures that walk"));
@@ -228,10 +232,6 @@ impl TwoHalfPhysicsSimulator {
         }
         let geom = self.body(body).ok_or(stale("body"))?.ground().object_geom();
         let geom = geom.ok_or_else(|| invalid("body", body, "one with an object geom"))?;
-        let profile = self.depth_profile(geom);
-        if profile.is_some_and(|profile| matches!(profile, DepthProfile::Capsule { .. })) {
-            return Err(invalid("body", body, "one whose object geom is no capsule"));
-        }
         walker.check()?;
         if self.time_scale(body) == 0.0 {
             return Ok(());

@@ -4,9 +4,9 @@ use farseer_core::math::scalar::nearest_finite;
 use farseer_core::{Body, SpaceTouch};
 
 use super::feet::Feet;
-use super::floor::{Floor, Reach, partner_of, top_of_box};
+use super::floor::{Floor, Reach, partner_of};
 use super::ledge::GRASP;
-use super::walls::KEPT_OFF;
+use super::walls::pushes;
 use super::{Walker, Wish};
 use crate::shapes::Top;
 use crate::{BodyId, GeomId, Partner, TwoHalfPhysicsSimulator, Vector2, Vector3};
@@ -27,12 +27,8 @@ const SETTLES: f32 = 5.0;
 pub(super) const PASSED: f32 = 1.7;
 /// How far it is looked ahead for curbs beyond two steps, px: farther than what only touches is apart.
 const AHEAD: f32 = 0.3;
-/// How far around the feet something is to be as low as a curb to be none, px: farther than contacts reach.
-const NEAR: f32 = 1.0;
 /// What pushes up by more than this part of its normal holds.
 const HOLDS: f32 = 0.5;
-/// What pushes down by more than this part of its normal does not stand in the way.
-const CEILING: f32 = 0.5;
 
 /// What a step begins with.
 #[derive(Clone, Copy)]
@@ -49,7 +45,9 @@ pub(super) struct Stride<'a> {
     pub(super) place: Vector3,
     pub(super) velocity: Vector3,
     /// Least upward part of the normal of a floor.
-    least_up: f32,
+    pub(super) least_up: f32,
+    /// An edge no higher than this holds a round end, however far that is past it.
+    edges: f32,
     /// Of the figure's own time.
     pub(super) dt: f32,
     /// How fast that passes. What others do in a second of theirs takes longer in its own.
@@ -63,8 +61,24 @@ impl<'a> Stride<'a> {
     }
 
     pub(super) fn reach(&self, above: f32) -> Reach<'a> {
-        let Stride { geom, least_up, .. } = *self;
-        Reach { tops: self.tops, geom, highest: self.soles + above, least_up, but: None }
+        let Stride { geom, least_up, edges, .. } = *self;
+        Reach { tops: self.tops, geom, highest: self.soles + above, least_up, but: None, edges }
+    }
+
+    /// The same for a figure with soles.
+    pub(super) fn flat(&self) -> Self {
+        Stride { feet: self.feet.flat(), ..*self }
+    }
+
+    /// How high a floor is that a round end comes to. One that was lifted over an edge stays so, unless it goes down from there.
+    fn height_at(&self, next: &Floor, floor: &Floor) -> f32 {
+        let is_lifted = |edge: &f32| *edge <= self.soles && next.height >= floor.height;
+        next.edge.filter(|edge| is_lifted(edge) || next.up < self.least_up).unwrap_or(next.height)
+    }
+
+    /// How high a floor is that is stood on: a round end that was lifted over an edge stands as high as that.
+    fn height_on(&self, floor: &Floor) -> f32 {
+        floor.edge.filter(|&edge| edge <= self.edges).unwrap_or(floor.height)
     }
 }
 
@@ -80,8 +94,24 @@ impl TwoHalfPhysicsSimulator {
         let knees = soles + if walker.floor.is_some() { walker.walk.step_up.max(STANDS) } else { STANDS };
         let mut tops = std::mem::take(&mut self.tops);
         self.gather_tops(body, &feet.widened(farthest(walker, velocity, dt)), &mut tops);
-        let stride =
-            Stride { body, tops: &tops, geom, feet, soles, knees, head, place, velocity, least_up, dt, pace };
+        // Who falls past an edge is not caught by it.
+        let may_hold = walker.floor.is_some() || walker.ledge.is_some();
+        let edges = if may_hold { soles + STANDS } else { f32::MIN };
+        let stride = Stride {
+            body,
+            tops: &tops,
+            geom,
+            feet,
+            soles,
+            knees,
+            head,
+            place,
+            velocity,
+            least_up,
+            edges,
+            dt,
+            pace,
+        };
         let velocity = self.next_velocity(&stride, walker, wish);
         self.tops = tops;
         walker.told = nearest_finite(velocity.y);
@@ -120,7 +150,7 @@ impl TwoHalfPhysicsSimulator {
     /// not been thrown up since.
     fn floor_stood_on(&self, stride: &Stride<'_>, walker: &Walker) -> Option<Floor> {
         let floor = self.floor_below(&stride.feet, &stride.reach(SUNK))?;
-        let gap = stride.soles - floor.height;
+        let gap = stride.soles - stride.height_on(&floor);
         let below = self.velocity_of(floor.partner, stride.place).y / stride.pace;
         let kick = (2.0 * self.pull(stride.body, walker).norm() * walker.walk.snap).sqrt();
         let is_thrown = stride.velocity.y > walker.told.max(below) + kick;
@@ -198,7 +228,11 @@ impl TwoHalfPhysicsSimulator {
         let is_wall = |touch: &SpaceTouch| self.is_fixed(partner_of(touch, stride.geom));
         let curb = self.curb_ahead(stride, walker, level, wish, &floor);
         // A curb is a wall until the soles are over it, which they are before it is reached.
-        let knees = if curb.is_some() { stride.soles + STANDS } else { stride.knees };
+        let knees = match stride.feet.ball() {
+            Some(ball) => stride.knees + floor.lower_than_soles(ball.radius),
+            None if curb.is_some() => stride.soles + STANDS,
+            None => stride.knees,
+        };
         let mut velocity = self.held_off(&Stride { knees, ..*stride }, level, is_wall);
         let height = match curb {
             Some(curb) => curb.height,
@@ -223,6 +257,9 @@ impl TwoHalfPhysicsSimulator {
         let way = (velocity - walker.carried) * (2.0 * stride.dt);
         let wished = Vector3::new(wish.x, 0.0, wish.z);
         let ahead = wished * (AHEAD / wished.norm().max(f32::MIN_POSITIVE));
+        if stride.feet.ball().is_some() {
+            return self.rise_ahead(stride, walker, [way * 0.5, way + ahead]);
+        }
         let swept = stride.feet.swept(way + ahead);
         let reach = Reach { but: Some(floor.partner), ..stride.reach(walker.walk.step_up) };
         let curb = self.floor_below(&swept, &reach)?;
@@ -232,60 +269,42 @@ impl TwoHalfPhysicsSimulator {
         (is_ahead && over.height > floor.height + CLEARS).then_some(over)
     }
 
+    /// The same for a round end: an edge or a slope that it would come to, higher than what it touches now leads. Over an edge it is
+    /// lifted as soles are, since the way round that is steep at first; over the foot of a slope by as little as it can be.
+    fn rise_ahead(&self, stride: &Stride<'_>, walker: &Walker, ways: [Vector3; 2]) -> Option<Floor> {
+        let step_up = walker.walk.step_up;
+        let reach = Reach { edges: stride.soles + step_up, ..stride.reach(step_up) };
+        let here = self.floor_below(&stride.feet, &reach)?;
+        let [next, then] = ways.map(|way| {
+            let ahead = self.floor_below(&stride.feet.moved(way), &reach);
+            (ahead, here.height_along(way))
+        });
+        let foot = next.0.map_or(next.1, |floor| floor.height.max(next.1));
+        let rises = [next, then].into_iter().filter_map(|(ahead, along)| {
+            let ahead = ahead.filter(|ahead| ahead.height > along + CLEARS)?;
+            let height = ahead.edge.unwrap_or(foot);
+            (height <= reach.edges).then_some(Floor { height: height + OVER, ..ahead })
+        });
+        rises.reduce(|highest, rise| if rise.height > highest.height { rise } else { highest })
+    }
+
     /// How high the floor is after this step. From one floor to a lower one the way down begins when nothing is left of the higher
     /// one below the feet.
     fn height_ahead(&self, stride: &Stride<'_>, walker: &Walker, velocity: Vector3, floor: &Floor) -> f32 {
         let way = (velocity - walker.carried) * stride.dt;
         let reach = stride.reach(walker.walk.step_up.max(STANDS));
         let next = self.floor_below(&stride.feet.moved(way), &reach);
-        let next = next.filter(|next| stride.soles - next.height <= walker.walk.snap.max(STANDS));
+        let next = next.filter(|next| stride.soles - stride.height_on(next) <= walker.walk.snap.max(STANDS));
+        if stride.feet.ball().is_some() {
+            // A way that is no steeper than what it touches now does not press on that.
+            let along = floor.height_along(way).min(floor.edge.unwrap_or(f32::MAX));
+            return next.map_or(stride.height_on(floor), |next| stride.height_at(&next, floor).max(along));
+        }
         let here = self.floor_below(&stride.feet.swept(way).widened(PASSED), &stride.reach(STANDS));
         match (next, here) {
             (Some(next), Some(here)) if next.partner != here.partner => next.height.max(here.height),
             (Some(next), _) => next.height,
             (None, _) => floor.height,
-        }
-    }
-
-    /// A velocity with which the figure comes to the surface of what it would run into, and no farther, so that it
-    /// does not lean on it.
-    pub(super) fn held_off(
-        &self,
-        stride: &Stride<'_>,
-        mut velocity: Vector3,
-        is_wall: impl Fn(&SpaceTouch) -> bool,
-    ) -> Vector3 {
-        let touches = self.core.space_touches_of(stride.body);
-        for touch in touches.filter(|touch| touch.responds && is_wall(touch)) {
-            let Some(partner) = partner_of(&touch, stride.geom).filter(|&it| self.is_in_the_way(stride, it))
-            else {
-                continue;
-            };
-            let [x, up, z] = pushes(&touch, stride.geom);
-            if (-CEILING..stride.least_up).contains(&up) {
-                let points = &touch.points[..touch.count];
-                let gap = points.iter().fold(f32::INFINITY, |least, point| least.min(point.separation));
-                let fastest = (gap - KEPT_OFF).max(0.0) / stride.dt;
-                let wall = self.velocity_of(partner, stride.place) / stride.pace;
-                velocity += pushed_off(velocity - wall, Vector2::new(x, z), fastest);
-            }
-        }
-        self.held_off_platforms(stride, velocity)
-    }
-
-    /// Whether what a figure touches is too high to be stepped on. Level edges of platforms are [found](Self::held_off_platforms)
-    /// before they are touched.
-    fn is_in_the_way(&self, stride: &Stride<'_>, partner: Partner) -> bool {
-        match partner {
-            Partner::Geom(geom) => self.geom(geom).is_some_and(|geom| geom.virtual_geom().top > stride.knees),
-            Partner::Platform(id) => self.platform(id).is_some_and(|platform| {
-                let shape = platform.shape();
-                // What turns or climbs is as high as it is here.
-                let is_low =
-                    || top_of_box(shape, &stride.feet.widened(NEAR)).is_some_and(|top| top.0 <= stride.knees);
-                shape.shear != 0.0 || ((shape.climb != 0.0 || shape.is_turned()) && !is_low())
-            }),
-            Partner::Ground => false,
         }
     }
 
@@ -326,24 +345,7 @@ fn farthest(walker: &Walker, velocity: Vector3, dt: f32) -> f32 {
 
 /// How far above its floor the soles are to be after this step.
 fn clearance(stride: &Stride<'_>, floor: &Floor) -> f32 {
-    let gap = stride.soles - floor.height;
+    let gap = stride.soles - floor.edge.unwrap_or(floor.height);
     let was_lifted = gap <= OVER + CLEARS;
     if was_lifted { CLEARS.max(gap - SETTLES * stride.dt) } else { CLEARS }
-}
-
-/// The direction in which a touch pushes a geom, Y up.
-fn pushes(touch: &SpaceTouch, geom: GeomId) -> [f32; 3] {
-    let sign = if touch.this == geom { 1.0 } else { -1.0 };
-    let [x, y, z] = touch.normal;
-    [sign * x, -sign * y, sign * z]
-}
-
-/// What makes a velocity come no faster against a normal, as seen from above.
-fn pushed_off(velocity: Vector3, normal: Vector2, fastest: f32) -> Vector3 {
-    let excess = -velocity.x * normal.x - velocity.z * normal.y - fastest;
-    if excess <= 0.0 {
-        return Vector3::zeros();
-    }
-    let push = normal * (excess / normal.norm_squared());
-    Vector3::new(push.x, 0.0, push.y)
 }

@@ -1,21 +1,68 @@
-//! What stands in the way of a figure: the sides of platforms, found before they are touched.
+//! What stands in the way of a figure: what it touches, and the sides of platforms, found before they are touched.
 //!
 //! Boxes whose edges lean or climb in depth, and those that are turned, are left to the engine, which tells of them as soon as they are near.
 
-use farseer_core::SpaceFoot;
+use farseer_core::{SpaceFoot, SpaceTouch};
 
 use super::feet::{Feet, Round, SKIN};
-use super::floor::holds;
+use super::floor::{holds, partner_of, top_of_box};
 use super::stride::Stride;
 use crate::shapes::SlantedBox;
-use crate::{TwoHalfPhysicsSimulator, Vector3};
+use crate::{GeomId, Partner, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
 /// What is kept between a figure and a wall, px, so that rounding does not make it lean on it.
 pub(super) const KEPT_OFF: f32 = 0.1;
 
+/// How far around the feet something is to be as low as a curb to be none, px: farther than contacts reach.
+const NEAR: f32 = 1.0;
+/// What pushes down by more than this part of its normal does not stand in the way.
+const CEILING: f32 = 0.5;
+
 impl TwoHalfPhysicsSimulator {
+    /// A velocity with which the figure comes to the surface of what it would run into, and no farther, so that it
+    /// does not lean on it.
+    pub(super) fn held_off(
+        &self,
+        stride: &Stride<'_>,
+        mut velocity: Vector3,
+        is_wall: impl Fn(&SpaceTouch) -> bool,
+    ) -> Vector3 {
+        let touches = self.core.space_touches_of(stride.body);
+        for touch in touches.filter(|touch| touch.responds && is_wall(touch)) {
+            let Some(partner) = partner_of(&touch, stride.geom).filter(|&it| self.is_in_the_way(stride, it))
+            else {
+                continue;
+            };
+            let [x, up, z] = pushes(&touch, stride.geom);
+            if (-CEILING..stride.least_up).contains(&up) {
+                let points = &touch.points[..touch.count];
+                let gap = points.iter().fold(f32::INFINITY, |least, point| least.min(point.separation));
+                let fastest = (gap - KEPT_OFF).max(0.0) / stride.dt;
+                let wall = self.velocity_of(partner, stride.place) / stride.pace;
+                velocity += pushed_off(velocity - wall, Vector2::new(x, z), fastest);
+            }
+        }
+        self.held_off_platforms(stride, velocity)
+    }
+
+    /// Whether what a figure touches is too high to be stepped on. Level edges of platforms are [found](Self::held_off_platforms)
+    /// before they are touched.
+    fn is_in_the_way(&self, stride: &Stride<'_>, partner: Partner) -> bool {
+        match partner {
+            Partner::Geom(geom) => self.geom(geom).is_some_and(|geom| geom.virtual_geom().top > stride.knees),
+            Partner::Platform(id) => self.platform(id).is_some_and(|platform| {
+                let shape = platform.shape();
+                // What turns or climbs is as high as it is here.
+                let is_low =
+                    || top_of_box(shape, &stride.feet.widened(NEAR)).is_some_and(|top| top.0 <= stride.knees);
+                shape.shear != 0.0 || ((shape.climb != 0.0 || shape.is_turned()) && !is_low())
+            }),
+            Partner::Ground => false,
+        }
+    }
+
     /// A velocity that ends at the platforms that it would run into.
-    pub(super) fn held_off_platforms(&self, stride: &Stride<'_>, mut velocity: Vector3) -> Vector3 {
+    fn held_off_platforms(&self, stride: &Stride<'_>, mut velocity: Vector3) -> Vector3 {
         let way = velocity * stride.dt;
         let swept = stride.feet.swept(way).widened(SKIN + KEPT_OFF);
         let low = Vector3::new(swept.left, -stride.head, swept.front);
@@ -25,6 +72,9 @@ impl TwoHalfPhysicsSimulator {
                 continue;
             }
             let Some(wall) = wall_of(platform.shape(), stride) else { continue };
+            if stride.is_slope(platform.shape(), way) {
+                continue;
+            }
             let moving = platform.velocity() / stride.pace;
             if let Some(round) = stride.feet.round {
                 let way = [velocity.x - moving.x, velocity.z - moving.z].map(|part| part * stride.dt);
@@ -44,6 +94,35 @@ impl TwoHalfPhysicsSimulator {
         }
         velocity
     }
+}
+
+impl Stride<'_> {
+    /// Whether a box is a slope that a round end rolls up: of that no more is in the way than what it touches.
+    fn is_slope(&self, shape: &SlantedBox, way: Vector3) -> bool {
+        [self.feet, self.feet.moved(way)].into_iter().any(|feet| {
+            let rest = feet.ball().and_then(|ball| ball.on_box(shape));
+            rest.is_some_and(|rest| {
+                rest.edge.is_none() && rest.normal.y >= self.least_up && rest.height <= self.knees
+            })
+        })
+    }
+}
+
+/// The direction in which a touch pushes a geom, Y up.
+pub(super) fn pushes(touch: &SpaceTouch, geom: GeomId) -> [f32; 3] {
+    let sign = if touch.this == geom { 1.0 } else { -1.0 };
+    let [x, y, z] = touch.normal;
+    [sign * x, -sign * y, sign * z]
+}
+
+/// What makes a velocity come no faster against a normal, as seen from above.
+fn pushed_off(velocity: Vector3, normal: Vector2, fastest: f32) -> Vector3 {
+    let excess = -velocity.x * normal.x - velocity.z * normal.y - fastest;
+    if excess <= 0.0 {
+        return Vector3::zeros();
+    }
+    let push = normal * (excess / normal.norm_squared());
+    Vector3::new(push.x, 0.0, push.y)
 }
 
 /// The way of a disc, without what leads closer to a wall from where it has come near to it.

@@ -2,6 +2,8 @@
 //!
 //! Figures are 30 x 60 x 20 px with mass 70 and friction 0.4, so that nothing here is owed to smooth soles.
 
+mod round;
+
 use conformance::fixtures::depth::{assert_near, place, set_surface, solid, velocity};
 use std::cell::Cell;
 
@@ -12,6 +14,8 @@ use twohalf::{
 
 const RATES: [f32; 4] = [30.0, 60.0, 120.0, 240.0];
 const GRAVITY: f32 = 900.0;
+const CYLINDER: DepthProfile = DepthProfile::Cylinder { radius: 15.0, height: 60.0 };
+const CAPSULE: DepthProfile = DepthProfile::Capsule { radius: 15.0, height: 60.0 };
 const STILL: Wish = Wish { x: 0.0, z: 0.0, jump: false };
 const RIGHT: Wish = Wish { x: 150.0, z: 0.0, jump: false };
 
@@ -490,77 +494,8 @@ fn numbers_at_their_limits_do_no_harm() {
 }
 
 #[test]
-fn a_figure_that_is_a_cylinder_does_all_that() {
-    let all: [fn(); 27] = [
-        it_reaches_the_speed_that_is_wished_by_its_acceleration_and_keeps_it,
-        downhill_it_stays_on_the_floor_in_all_steps_at_the_speed_that_is_wished,
-        uphill_it_is_as_fast_as_on_level_ground,
-        it_stands_on_a_slope_without_sliding,
-        it_slides_down_what_is_too_steep_to_stand_on,
-        a_lift_carries_it_up_and_down_in_all_steps,
-        a_platform_and_a_belt_carry_what_stands_and_what_walks,
-        a_curb_is_walked_up_without_a_hop_and_without_losing_speed,
-        a_curb_is_walked_up_from_a_stand_beside_it,
-        what_is_higher_than_a_step_is_a_wall,
-        down_a_curb_it_stays_on_the_floor,
-        who_holds_a_wall_falls_as_if_it_were_not_there,
-        along_a_wall_it_keeps_its_speed,
-        it_jumps_as_high_as_it_is_told_at_any_step,
-        it_may_jump_for_a_while_after_an_edge_and_only_once,
-        a_crate_stays_where_it_was_landed_on_and_is_not_dragged_by_who_walks_on_it,
-        over_a_row_of_crates_it_does_not_hop,
-        it_pushes_what_is_light_and_not_what_is_heavy,
-        a_blow_throws_it_off_the_floor,
-        it_gets_out_of_a_crowd_that_mills_about,
-        it_says_what_it_stands_on,
-        a_curb_along_z_is_walked_up_too,
-        a_low_ceiling_ends_a_jump_and_holds_nobody_up,
-        a_figure_that_was_saved_with_the_simulator_goes_on_with_the_same_bits,
-        who_is_let_go_falls_and_slides_like_any_body,
-        what_cannot_be_walked_with_is_refused_and_changes_nothing,
-        numbers_at_their_limits_do_no_harm,
-    ];
-    SHAPE.set(Some(DepthProfile::Cylinder { radius: 15.0, height: 60.0 }));
-    all.into_iter().for_each(|test| test());
-    SHAPE.set(None);
-}
-
-#[test]
-fn round_a_corner_of_a_wall_a_cylinder_slides_and_a_box_does_not() {
-    for rate in RATES {
-        SHAPE.set(Some(DepthProfile::Cylinder { radius: 15.0, height: 60.0 }));
-        let mut stage = Stage::new(rate, [0.0, 0.0, 12.0]);
-        // Its corner is 12 px behind the middle of the figure, and 15 is where it would pass.
-        stage.platform([60.0, 80.0, 100.0], [130.0, 0.0, -50.0], 0.0);
-        stage.walk(RIGHT, 2.0, |_| {});
-        assert!(stage.at().x > 180.0 && stage.at().z > 14.9, "{rate}: {:?}", stage.at());
-        SHAPE.set(None);
-    }
-}
-
-#[test]
-fn two_cylinders_that_walk_at_each_other_pass_nineteen_twentieths_aside() {
-    for rate in RATES {
-        SHAPE.set(Some(DepthProfile::Cylinder { radius: 10.0, height: 60.0 }));
-        let mut stage = Stage::new(rate, [0.0, 0.0, 100.0]);
-        let other = figure(&mut stage.simulator, [100.0, 0.0, 119.0]);
-        let mut walker = Walker::new(Walk::default());
-        for _ in 0..(2.0 * rate) as usize {
-            let left = Wish { x: -150.0, ..STILL };
-            stage.simulator.walk(other, &mut walker, left, stage.dt).unwrap();
-            stage.step(RIGHT);
-        }
-        assert!(stage.at().x > 200.0 && place(&stage.simulator, other).x < -100.0, "{rate}");
-        // They come 300 px/s nearer to each other, and are in each other for a step.
-        let aside = place(&stage.simulator, other).z - stage.at().z;
-        assert!((20.0 - 30.0 / rate..21.0).contains(&aside), "{rate}: {aside}");
-        SHAPE.set(None);
-    }
-}
-
-#[test]
 fn up_and_down_a_slope_along_z_a_figure_keeps_its_speed() {
-    for shape in [Some(DepthProfile::Cylinder { radius: 15.0, height: 60.0 }), None] {
+    for shape in [Some(CYLINDER), Some(CAPSULE), None] {
         for rate in RATES {
             SHAPE.set(shape);
             let mut stage = Stage::new(rate, [0.0, 0.0, -200.0]);
@@ -587,7 +522,7 @@ fn up_and_down_a_slope_along_z_a_figure_keeps_its_speed() {
 
 #[test]
 fn a_turning_platform_carries_who_stands_on_it_and_its_edge_is_where_it_is_turned_to() {
-    for shape in [Some(DepthProfile::Cylinder { radius: 15.0, height: 60.0 }), None] {
+    for shape in [Some(CYLINDER), Some(CAPSULE), None] {
         for rate in RATES {
             SHAPE.set(shape);
             let mut stage = Stage::new(rate, [100.0, 20.0, 0.0]);
