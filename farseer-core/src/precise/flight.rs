@@ -180,17 +180,17 @@ impl Precise {
             let number = self.fast[at].0 as usize;
             let mut proxies = std::mem::take(&mut self.lost);
             proxies.extend(self.proxies.of(number));
-            proxies.drain(..).for_each(|proxy| self.widen_by(proxy, self.bodies.path[number]));
+            proxies.drain(..).for_each(|proxy| self.cover_way(proxy, self.bodies.path[number]));
             self.lost = proxies;
         }
         !self.fast.is_empty()
     }
 
     /// Bounds are to hold what a proxy covers on its way.
-    fn widen_by(&mut self, proxy: u32, path: [f32; 4]) {
+    fn cover_way(&mut self, proxy: u32, path: [f32; 4]) {
         let swept = self.swept(proxy, path);
         if self.space.is_some() {
-            return self.widen_in_space(proxy, &swept, path[3]);
+            return self.cover_way_in_space(proxy, &swept, path[3]);
         }
         let bounds = self.proxies.bounds[proxy as usize];
         if !contains(&bounds, &swept) {
@@ -201,7 +201,7 @@ impl Precise {
     }
 
     /// In three axes many are fast, by little: bounds that have become too small are new ones, good for some steps.
-    fn widen_in_space(&mut self, proxy: u32, swept: &Box2, way: f32) {
+    fn cover_way_in_space(&mut self, proxy: u32, swept: &Box2, way: f32) {
         let body = self.proxies.all[proxy as usize].body;
         let Some(space) = &self.space else { return };
         let depths = space.swept(proxy, body, way, self.tuning.speculative);

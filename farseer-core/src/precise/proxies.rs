@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::bodies::{Bodies, room_for};
 use super::grid::Box2;
 use super::outline::{Corners, Shape};
-use super::tuning::Tuning;
+use super::tuning::{Tuning, Widening};
 use crate::geom::GeomId;
 use crate::geom::entry::GeomEntry;
 use crate::math::plane::{Vector, rotation, turn};
@@ -225,16 +225,21 @@ impl Proxies {
 
     /// Bounds with a margin, longer the faster the body is.
     #[inline]
-    pub(super) fn widened(&self, proxy: usize, bodies: &Bodies, tuning: &Tuning, dt: f32) -> Box2 {
+    pub(super) fn widened(
+        &self,
+        proxy: usize,
+        bodies: &Bodies,
+        (tuning, widening): (&Tuning, Widening),
+        dt: f32,
+    ) -> Box2 {
         let tight = self.tight(proxy, bodies, tuning);
-        let Proxy { body, shape, .. } = &self.all[proxy];
         // Also if they are not numbers.
         if !tight.iter().all(|bound| bound.abs() < FARTHEST) {
             return NOWHERE;
         }
-        let Some(hot) = bodies.hot.get(*body as usize) else { return tight };
-        let margin = tuning.margin_of(shape.reach);
-        let ahead = [0, 1].map(|axis| tuning.ahead(hot.velocity[axis] * dt));
+        let Some(hot) = bodies.hot.get(self.all[proxy].body as usize) else { return tight };
+        let margin = widening.margin;
+        let ahead = [0, 1].map(|axis| widening.ahead(hot.velocity[axis] * dt));
         let below = ahead.map(|way| if way < 0.0 { way - margin } else { -margin });
         let above = ahead.map(|way| if way > 0.0 { way + margin } else { margin });
         [tight[0] + below[0], tight[1] + below[1], tight[2] + above[0], tight[3] + above[1]]

@@ -15,6 +15,7 @@ use super::rows::{Aside, Kind};
 use super::space::parts::is_geom;
 use super::touch::Looks;
 pub(crate) use super::tuning::Step;
+use super::tuning::Widening;
 use crate::geom::GeomId;
 use crate::math::Vector2;
 use crate::objects::Objects;
@@ -537,21 +538,32 @@ impl Precise {
             space.follow(&mut self.proxies, &self.bodies, &self.sleep.proxies, &self.tuning);
         }
         for at in 0..self.proxies.escaped.len() {
-            self.widen(self.proxies.escaped[at]);
+            let proxy = self.proxies.escaped[at];
+            let reach = self.proxies.all[proxy as usize].shape.reach;
+            let is_lonely = self.pairs.of(proxy).next().is_none();
+            self.widen_by(
+                proxy,
+                if is_lonely { self.tuning.widening_of_lonely(reach) } else { self.tuning.widening(reach) },
+            );
         }
     }
 
-    /// Gives a proxy new bounds.
+    /// Gives a proxy new bounds: the same whatever pairs it is in.
     pub(super) fn widen(&mut self, proxy: u32) {
-        let bounds = self.proxies.widened(proxy as usize, &self.bodies, &self.tuning, self.dt);
+        self.widen_by(proxy, self.tuning.widening(self.proxies.all[proxy as usize].shape.reach));
+    }
+
+    fn widen_by(&mut self, proxy: u32, widening: Widening) {
+        let tuning = (&self.tuning, widening);
+        let bounds = self.proxies.widened(proxy as usize, &self.bodies, tuning, self.dt);
         self.proxies.bounds[proxy as usize] = bounds;
         let Some(space) = &mut self.space else { return self.grid.set(proxy, &bounds) };
         if proxy == space.ground {
             self.proxies.bounds[proxy as usize] = BELOW;
         }
-        let Proxy { body, shape, .. } = self.proxies.all[proxy as usize];
+        let body = self.proxies.all[proxy as usize].body;
         let speed = self.bodies.hot.get(body as usize).map_or(0.0, |hot| hot.velocity[3]);
-        space.widen(proxy, body, shape.reach, speed * self.dt, &self.tuning);
+        space.widen(proxy, body, speed * self.dt, widening, self.tuning.speculative);
         if space.is_in_grid(proxy) {
             self.grid.set(proxy, &space.cells(proxy, &bounds));
         }

@@ -41,15 +41,15 @@ impl Tuning {
         }
     }
 
-    /// Margin of the box of something that reaches so far.
-    pub(super) fn margin_of(&self, reach: f32) -> f32 {
+    /// By how much the box of something that reaches so far is widened.
+    pub(super) fn widening(&self, reach: f32) -> Widening {
         let by_size = MARGIN_OF_SIZE * reach;
-        if by_size < self.margin { by_size } else { self.margin }
+        Widening { margin: if by_size < self.margin { by_size } else { self.margin }, lonely: 0.0 }
     }
 
-    /// How far the box of something reaches ahead that goes so far in a step.
-    pub(super) fn ahead(&self, way: f32) -> f32 {
-        (way * STEPS_AHEAD).clamp(-FARTHEST, FARTHEST)
+    /// The same for what is in no pair: a longer look ahead saves it searches, and costs no touches while nobody is there.
+    pub(super) fn widening_of_lonely(&self, reach: f32) -> Widening {
+        Widening { lonely: LONELY_OF_SIZE * reach, ..self.widening(reach) }
     }
 
     /// Motion sums count in parts of 2^-26 units, and wrap.
@@ -58,8 +58,28 @@ impl Tuning {
     }
 }
 
-/// Boxes reach ahead of a body by what it moves in so many steps.
+/// How far the box of a proxy reaches beyond it, so that it does not need a new one after every step.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Widening {
+    /// To all sides.
+    pub(super) margin: f32,
+    /// As far ahead as this it reaches by what it moves in many steps, not in few.
+    lonely: f32,
+}
+
+impl Widening {
+    /// How far the box reaches ahead of what goes so far in a step.
+    pub(super) fn ahead(&self, way: f32) -> f32 {
+        let (near, far) = (way * STEPS_AHEAD, (way * LONELY_STEPS_AHEAD).clamp(-self.lonely, self.lonely));
+        (if far.abs() > near.abs() { far } else { near }).clamp(-FARTHEST, FARTHEST)
+    }
+}
+
+/// Boxes reach ahead of a body by what it moves in so many steps; of one that is in no pair by so many, but by so much of its
+/// size at most: what it comes upon is not to be in a pair with it for long before it is touched.
 const STEPS_AHEAD: f32 = 4.0;
+const LONELY_STEPS_AHEAD: f32 = 32.0;
+const LONELY_OF_SIZE: f32 = 2.0;
 /// And around it by so much of its size at most.
 const MARGIN_OF_SIZE: f32 = 0.25;
 
@@ -142,5 +162,19 @@ impl Step {
                 deepest: -DEEPEST * tuning.unit,
             },
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_in_no_pair_looks_far_ahead_but_not_farther_than_it_is_wide() {
+        let tuning = Tuning::new(32.0);
+        let (lonely, other) = (tuning.widening_of_lonely(10.0), tuning.widening(10.0));
+        assert_eq!([0.5, 1.0, -1.0, 10.0].map(|way| other.ahead(way)), [2.0, 4.0, -4.0, 40.0]);
+        assert_eq!([0.5, 1.0, -1.0, 10.0].map(|way| lonely.ahead(way)), [16.0, 20.0, -20.0, 40.0]);
+        assert_eq!(lonely.margin, other.margin);
     }
 }

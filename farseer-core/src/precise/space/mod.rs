@@ -34,7 +34,7 @@ use super::bodies::Bodies;
 use super::grid::Box2;
 use super::outline::Outline;
 use super::proxies::{Mobility, Proxies, Proxy};
-use super::tuning::Tuning;
+use super::tuning::{Tuning, Widening};
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::math::scalar::nearest_finite;
@@ -374,14 +374,14 @@ impl Space {
     }
 
     /// New bounds with a margin, longer the faster the body moves: see [`Proxies::widened`].
-    pub(super) fn widen(&mut self, proxy: u32, body: u32, reach: f32, ahead: f32, tuning: &Tuning) {
+    pub(super) fn widen(&mut self, proxy: u32, body: u32, way: f32, widening: Widening, around: f32) {
         if proxy == self.ground {
             self.depths[proxy as usize] = Depths { low: f32::MIN, high: f32::MAX };
             return;
         }
         let (z, half) = (self.places[body as usize], self.reach[proxy as usize].half);
-        let margin = tuning.margin_of(reach) + tuning.speculative;
-        let ahead = tuning.ahead(ahead);
+        let margin = widening.margin + around;
+        let ahead = widening.ahead(way);
         let (below, above) = if ahead < 0.0 { (ahead, 0.0) } else { (0.0, ahead) };
         self.depths[proxy as usize] = Depths::new(z - half - margin + below, z + half + margin + above);
     }
