@@ -232,6 +232,32 @@ fn what_hangs_on_a_joint_sleeps_and_falls_when_the_joint_goes() {
     assert!(bodies.iter().all(|&body| simulator[body].linear_velocity().y > 100.0));
 }
 
+/// A box that sleeps on a static body without geoms, to which a pin holds it.
+fn sleeping_on_a_post() -> (PhysicsSimulator, [BodyId; 2]) {
+    let mut simulator = simulator();
+    let post = BodyFactory::create_rectangle_body_in(&mut simulator, 10.0, 10.0, 1.0).unwrap();
+    simulator[post].set_is_static(true);
+    let hanging = add_box(&mut simulator, [0.0, 40.0], [20.0, 20.0]);
+    let middle = Vector2::zeros();
+    JointFactory::create_pin_joint_in(&mut simulator, post, middle, hanging, middle).unwrap();
+    run(&mut simulator, 3.0);
+    assert!(simulator.is_asleep(hanging));
+    (simulator, [post, hanging])
+}
+
+#[test]
+fn what_hangs_on_a_body_without_geoms_wakes_when_that_is_moved_also_after_a_restore() {
+    let (mut plain, [post, hanging]) = sleeping_on_a_post();
+    plain[post].set_position(Vector2::new(0.0, 10.0));
+    let mut restored = simulator();
+    restored.restore(&plain.snapshot()).unwrap();
+    for simulator in [&mut plain, &mut restored] {
+        run(simulator, 1.0);
+        assert!((simulator[hanging].position().y - 50.0).abs() < 0.01, "{}", simulator[hanging].position());
+    }
+    assert!(plain.snapshot() == restored.snapshot());
+}
+
 #[test]
 fn a_new_joint_wakes_what_it_holds() {
     let (mut simulator, _, [left, middle, _]) = sleeping_columns();
