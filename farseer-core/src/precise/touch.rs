@@ -140,7 +140,7 @@ impl<'a> Touch<'a> {
         let mut found = self.collide(pair, two, self.tuning.speculative);
         found.keep_deepest(self.most_contacts);
         let is_open = self.proxies.one_way > 0 && self.is_open(pair, two, &found);
-        if found.count == 0 {
+        if !found.is_within_reach() {
             self.part(pair, found.gap);
         } else if is_open || self.passes_through(pair, two) {
             self.part(pair, 0.0);
@@ -576,14 +576,9 @@ impl<'a> Touch<'a> {
             across_arms[0] = mean([ux, uy, uz]);
         }
         let [at_a, at_b] = self.pairs.watched[pair].proxies;
-        let [friction, restitution] = if at_a == space.ground {
-            let [friction, restitution] = space.ground_of(at_b);
-            [self.friction.mix(friction, two.b.friction), mix_restitution(restitution, two.b.restitution)]
-        } else {
-            [lane.friction, lane.restitution]
-        };
+        let [friction, restitution] = space.surface([at_a, at_b], [two.a, two.b], self.friction);
         Lane {
-            friction: friction.min(f32::MAX),
+            friction,
             restitution,
             tangent_arms,
             points: points_of,

@@ -95,6 +95,9 @@ impl Precise {
             return None;
         }
         let lane = state.home.map(|home| self.rows.lane(state.kind, home));
+        // As they are now: a row may know only after the next step that they were edited.
+        let surface = lane.map(|_| space.surface(proxies, [a, b], self.friction));
+        let [friction, restitution] = surface.unwrap_or_default();
         let origin = place(self.bodies.poses[a.body as usize]);
         let mut points = [SpacePoint::default(); 2];
         for (at, point) in points.iter_mut().enumerate().take(*count as usize) {
@@ -123,8 +126,8 @@ impl Precise {
             z,
             count: *count as usize,
             points,
-            friction: lane.map_or(0.0, |lane| lane.friction),
-            restitution: lane.map_or(0.0, |lane| lane.restitution),
+            friction,
+            restitution,
             responds: state.responds,
             is_told: state.is_told,
         })
