@@ -69,6 +69,21 @@ fn an_impulse_in_depth_wakes() {
 }
 
 #[test]
+fn a_force_along_z_acts_once_also_where_it_does_not_keep_a_body_awake() {
+    two_at_rest(|mut simulator, [_, above]| {
+        let mass = simulator.body(above).unwrap().core().mass();
+        let mut has_slept = false;
+        for _ in 0..200 {
+            simulator.body_mut(above).unwrap().apply_force_z(0.1 * mass);
+            run(&mut simulator, 1);
+            assert_eq!(simulator.body(above).unwrap().force_z(), 0.0);
+            has_slept |= simulator.is_asleep(above);
+        }
+        assert!(has_slept);
+    });
+}
+
+#[test]
 fn a_world_that_sleeps_moves_nobody() {
     two_at_rest(|mut simulator, bodies| {
         let before = bodies.map(|body| place(&simulator, body));
