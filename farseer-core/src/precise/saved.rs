@@ -18,6 +18,7 @@ use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::geom::surface::FrictionType;
 use crate::math::plane::Vector;
+use crate::math::scalar::nearest_finite;
 use crate::methods::Methods;
 use crate::objects::Objects;
 use crate::storage::order::sort_by_number;
@@ -418,7 +419,8 @@ impl Precise {
             impulses: points.map(|point| point.impulse),
             held: points.map(|point| point.held),
             are_dropped: points.map(|point| point.mass == 0.0),
-            separations: points.map(|point| point.separation),
+            // What spins beyond all measure leaves a contact by more than there are numbers.
+            separations: points.map(|point| nearest_finite(point.separation)),
             kept: surface.filter(|_| sleeping.is_some()),
             surface: surface.filter(|_| sleeping.is_none()),
         }
