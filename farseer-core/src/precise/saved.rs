@@ -48,6 +48,8 @@ pub(crate) struct Saved {
     timing: Timing,
     /// The ways of the last step, if something is one-way.
     ways: Vec<(BodyId, [f32; 4])>,
+    /// Bodies that were woken since it was loaded.
+    woken: Vec<BodyId>,
 }
 
 /// A body that sleeps.
@@ -230,6 +232,13 @@ impl Saved {
 }
 
 impl Saved {
+    /// A body wakes once all is listed.
+    pub(super) fn wake(&mut self, body: BodyId) {
+        if !self.woken.contains(&body) {
+            self.woken.push(body);
+        }
+    }
+
     /// The pairs without those that are lost, in the order in which they are once these were taken out, from the last one on.
     fn order_without(&self, is_lost: impl Fn(usize) -> bool) -> Vec<usize> {
         let mut order: Vec<usize> = (0..self.pairs.len()).collect();
@@ -311,6 +320,7 @@ impl Precise {
             timing: self.direct.timing,
             is_in_space: self.space.is_some(),
             ways: self.save_ways().collect(),
+            woken: Vec::new(),
         }
     }
 
@@ -488,6 +498,10 @@ impl Precise {
             });
         }
         self.lay_pairs_down();
+        // One after the other, before what edits wake: the order of pairs depends on it.
+        let others = std::mem::take(&mut self.sleep.waking);
+        saved.woken.iter().for_each(|&body| self.wake(body));
+        self.sleep.waking.extend(others);
     }
 
     /// What a row's bodies rested on has gone, with the row.

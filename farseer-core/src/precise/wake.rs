@@ -235,6 +235,9 @@ impl Precise {
 
     /// A body wakes, and those that fell asleep with it.
     pub(crate) fn wake(&mut self, body: BodyId) {
+        if let Some(loaded) = &mut self.loaded {
+            loaded.wake(body);
+        }
         if let Some(number) = self.number_of(body) {
             self.sleep.note_waking(number);
             self.wake_up();

@@ -259,6 +259,20 @@ fn what_hangs_on_a_body_without_geoms_wakes_when_that_is_moved_also_after_a_rest
 }
 
 #[test]
+fn what_is_woken_right_after_a_restore_wakes_whatever_was_edited_before() {
+    let (mut plain, _, [_, middle, right]) = sleeping_columns();
+    plain[middle[2]].set_position(Vector2::new(0.0, -60.0));
+    let mut restored = simulator();
+    restored.restore(&plain.snapshot()).unwrap();
+    for simulator in [&mut plain, &mut restored] {
+        simulator.wake(right[0]);
+        simulator.update(DT);
+        assert_eq!(asleep(simulator, &right), 0);
+    }
+    assert!(plain.snapshot() == restored.snapshot());
+}
+
+#[test]
 fn a_new_joint_wakes_what_it_holds() {
     let (mut simulator, _, [left, middle, _]) = sleeping_columns();
     JointFactory::create_pin_joint_in(&mut simulator, left[2], Vector2::zeros(), middle[2], Vector2::zeros())

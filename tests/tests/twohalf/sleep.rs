@@ -45,6 +45,20 @@ fn a_body_wakes_with_what_it_fell_asleep_with() {
 }
 
 #[test]
+fn what_is_woken_right_after_a_restore_wakes() {
+    two_at_rest(|mut plain, [below, above]| {
+        let mut restored = conformance::fixtures::depth::simulator();
+        restored.restore(&plain.snapshot()).unwrap();
+        for simulator in [&mut plain, &mut restored] {
+            simulator.wake(above);
+            run(simulator, 1);
+            assert!(!simulator.is_asleep(above) && !simulator.is_asleep(below));
+        }
+        assert!(plain.snapshot() == restored.snapshot());
+    });
+}
+
+#[test]
 fn a_ball_that_comes_in_depth_wakes_what_it_hits() {
     two_at_rest(|mut simulator, [below, above]| {
         let thrown = ball(&mut simulator, 5.0, [0.0, 25.0, -60.0]);
