@@ -5,6 +5,7 @@
 
 #![forbid(unsafe_code)]
 
+mod calm;
 pub mod checks;
 mod depth;
 mod engine;
@@ -30,6 +31,7 @@ mod tied;
 pub mod twins;
 mod upright;
 
+pub use calm::{CalmDepth, CalmPlane};
 pub use depth::Depth;
 pub use engine::Engine;
 pub use plane::{OneWayPlane, Plane, StagedPlane};
