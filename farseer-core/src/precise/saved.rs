@@ -48,7 +48,7 @@ pub(crate) struct Saved {
     timing: Timing,
     /// The ways of the last step, if something is one-way.
     ways: Vec<(BodyId, [f32; 4])>,
-    /// Bodies that were woken since it was loaded.
+    /// Bodies that the game woke since the last update.
     woken: Vec<BodyId>,
 }
 
@@ -232,9 +232,9 @@ impl Saved {
 }
 
 impl Saved {
-    /// A body wakes once all is listed.
+    /// A body wakes once all is listed, if it sleeps.
     pub(super) fn wake(&mut self, body: BodyId) {
-        if !self.woken.contains(&body) {
+        if self.sleepers.iter().any(|sleeper| sleeper.body == body) && !self.woken.contains(&body) {
             self.woken.push(body);
         }
     }
@@ -320,7 +320,7 @@ impl Precise {
             timing: self.direct.timing,
             is_in_space: self.space.is_some(),
             ways: self.save_ways().collect(),
-            woken: Vec::new(),
+            woken: self.woken.clone(),
         }
     }
 
@@ -498,10 +498,9 @@ impl Precise {
             });
         }
         self.lay_pairs_down();
-        // One after the other, before what edits wake: the order of pairs depends on it.
-        let others = std::mem::take(&mut self.sleep.waking);
-        saved.woken.iter().for_each(|&body| self.wake(body));
-        self.sleep.waking.extend(others);
+        self.woken.clear();
+        self.woken.extend_from_slice(&saved.woken);
+        self.wake_woken();
     }
 
     /// What a row's bodies rested on has gone, with the row.
@@ -573,6 +572,7 @@ impl Precise {
                     self.bodies.set_velocity(number, &entry.body);
                 }
                 self.take_body_in_space(number, body);
+                self.steady_if_upright(number);
             }
         }
         self.sleep.joints = saved.joints.iter().filter(|joint| self.lies(joint)).copied().collect();

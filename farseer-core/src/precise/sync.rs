@@ -264,6 +264,7 @@ impl Precise {
             let saved = self.loaded.take().unwrap_or_else(|| self.save());
             self.list(objects, &saved);
         } else {
+            self.wake_woken();
             bodies.iter().for_each(|&body| self.take_body(body, objects));
             bodies.retain(|&body| self.number_of(body).is_none());
             if !bodies.is_empty() {

@@ -233,15 +233,28 @@ impl Precise {
         }
     }
 
-    /// A body wakes, and those that fell asleep with it.
+    /// A body wakes with the next update, and those that fell asleep with it: that is an edit like others.
     pub(crate) fn wake(&mut self, body: BodyId) {
         if let Some(loaded) = &mut self.loaded {
             loaded.wake(body);
+        } else if self.is_asleep(body) && !self.woken.contains(&body) {
+            self.woken.push(body);
         }
-        if let Some(number) = self.number_of(body) {
-            self.sleep.note_waking(number);
-            self.wake_up();
+    }
+
+    /// Those that the game woke do, one after the other and before those that edits wake: the order of pairs depends on it.
+    pub(super) fn wake_woken(&mut self) {
+        if self.woken.is_empty() {
+            return;
         }
+        let others = std::mem::take(&mut self.sleep.waking);
+        for body in std::mem::take(&mut self.woken) {
+            if let Some(number) = self.number_of(body) {
+                self.sleep.note_waking(number);
+                self.wake_up();
+            }
+        }
+        self.sleep.waking.extend(others);
     }
 
     pub(crate) fn asleep_count(&self) -> usize {

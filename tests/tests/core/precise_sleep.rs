@@ -386,6 +386,7 @@ fn nothing_is_told_of_what_sleeps_but_when_it_ceases_to_touch() {
 fn islands_are_what_hangs_together() {
     let (mut simulator, _, [left, middle, right]) = sleeping_columns();
     simulator.wake(middle[0]);
+    simulator.update(DT);
     let islands = simulator.islands();
     let found: Vec<(&[BodyId], bool)> =
         islands.iter().map(|island| (&island.bodies[..], island.is_asleep)).collect();
