@@ -4,6 +4,7 @@ use super::parts::{self, SpaceChange, SpacePoint, SpaceTouch};
 use crate::geom::GeomId;
 use crate::math::Vector2;
 use crate::math::plane::{place, sum};
+use crate::math::scalar::nearest_finite;
 use crate::precise::Precise;
 use crate::precise::pairs::Frozen;
 
@@ -110,8 +111,8 @@ impl Precise {
                     (lane.space.totals[at], shared, lane.points[at].separation)
                 });
             *point = SpacePoint {
-                position: Vector2::new(px, py),
-                separation,
+                position: Vector2::new(nearest_finite(px), nearest_finite(py)),
+                separation: nearest_finite(separation),
                 feature: features[at],
                 impulse,
                 friction_impulse,
