@@ -100,7 +100,7 @@ fn checksum(bytes: &[u8]) -> u32 {
     hasher.finalize()
 }
 
-const SIMULATOR: SnapshotFormat = SnapshotFormat { magic: *b"Farseer2", version: 12 };
+const SIMULATOR: SnapshotFormat = SnapshotFormat { magic: *b"Farseer2", version: 13 };
 
 impl PhysicsSimulator {
     /// The whole simulator as bytes, to [restore](Self::restore) later, in this program or another.

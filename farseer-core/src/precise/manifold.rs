@@ -3,6 +3,7 @@
 
 use super::meeting::Meeting;
 use super::outline::{Family, Outline};
+use super::proxies::FARTHEST;
 use super::{round, seams};
 use crate::math::plane::{
     Pose, Turn, Vector, difference, dot, place, rotation, scaled, sum, turn, turn_back,
@@ -81,6 +82,13 @@ impl Manifold {
 }
 
 impl Manifold {
+    /// Whether there are points, and all of them where squares of distances end not yet.
+    #[inline(always)]
+    pub(super) fn is_within_reach(&self) -> bool {
+        let points = self.points[..self.count].iter().flatten();
+        self.count > 0 && points.chain(&self.separations[..self.count]).all(|number| number.abs() < FARTHEST)
+    }
+
     /// Leaves so many points at most, the deepest.
     #[inline(always)]
     pub(super) fn keep_deepest(&mut self, most: usize) {

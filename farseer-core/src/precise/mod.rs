@@ -111,6 +111,8 @@ pub(crate) struct Precise {
     /// Lent out for editing since the last look.
     edited_bodies: Vec<BodyId>,
     edited_geoms: Vec<GeomId>,
+    /// Those that the game woke.
+    woken: Vec<BodyId>,
     /// Pairs of geoms that begin or cease to touch in this step.
     changes: Vec<Change>,
     looks: Looks,
@@ -134,7 +136,7 @@ reusing_clone! {
     Precise {
         tuning, h, dt, fall, loaded, is_stale, has_new_members, bounces, friction, most_contacts, bodies, proxies,
         grid, pairs, rows, palette, joints, sleep, direct, space, body_numbers, first_proxies, loose, absent,
-        edited_bodies, edited_geoms, changes, looks, has_handled, fast, flown, widened, lost, found, known, touching
+        edited_bodies, edited_geoms, woken, changes, looks, has_handled, fast, flown, widened, lost, found, known, touching
     }
 }
 
@@ -173,6 +175,7 @@ impl Precise {
             absent: Vec::new(),
             edited_bodies: Vec::new(),
             edited_geoms: Vec::new(),
+            woken: Vec::new(),
             changes: Vec::new(),
             looks: Looks::default(),
             has_handled: false,

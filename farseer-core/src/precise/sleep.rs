@@ -21,6 +21,7 @@ use super::proxies::{Mobility, Proxies};
 use super::tuning::Learning;
 use super::{Precise, Step};
 use crate::body::BodyId;
+use crate::body::entry::Bodies;
 use crate::joints::held::Held;
 use crate::joints::{Joint, JointId};
 use crate::math::Vector2;
@@ -114,20 +115,12 @@ pub(super) struct KnownJoint {
     pub(super) held: Held,
     /// Softness, bias factor and breakpoint.
     pub(super) numbers: [f32; 3],
+    /// Where those of its bodies are that are not listed, as nobody else would notice that they were moved: place, rotation,
+    /// and where along the depth axis.
+    pub(super) unlisted: [[f32; 4]; 2],
 }
 
 impl KnownJoint {
-    /// `None` if the joint is not enabled.
-    pub(super) fn of((id, joint): (JointId, &Joint)) -> Option<Self> {
-        let numbers = [joint.softness(), joint.bias_factor(), joint.breakpoint()];
-        joint.enabled().then(|| KnownJoint { joint: id, held: joint.held(), numbers })
-    }
-
-    /// Whether the joint is still what it was.
-    pub(super) fn is_as_it_was(&self, objects: &Objects) -> bool {
-        objects.joints.get(self.joint).and_then(|now| KnownJoint::of((self.joint, now))) == Some(*self)
-    }
-
     pub(super) fn bodies(&self) -> impl Iterator<Item = BodyId> {
         self.held.bodies.0.into_iter().chain([self.held.bodies.1])
     }
@@ -459,8 +452,30 @@ impl Precise {
         let all = (0..objects.joints.list().len()).filter_map(|at| objects.joints.at(at));
         let mut joints = std::mem::take(&mut self.sleep.joints);
         joints.clear();
-        joints.extend(all.filter_map(KnownJoint::of).filter(|joint| self.lies(joint)));
+        let known = all.filter_map(|joint| self.known_joint(joint, &objects.bodies));
+        joints.extend(known.filter(|joint| self.lies(joint)));
         self.sleep.joints = joints;
+    }
+
+    /// A joint as it is now; `None` if it is not enabled.
+    pub(super) fn known_joint(&self, (id, joint): (JointId, &Joint), bodies: &Bodies) -> Option<KnownJoint> {
+        if !joint.enabled() {
+            return None;
+        }
+        let held = joint.held();
+        let unlisted = [held.bodies.0, Some(held.bodies.1)];
+        let unlisted = unlisted.map(|id| id.map_or([0.0; 4], |id| self.place_of_unlisted(id, bodies)));
+        let numbers = [joint.softness(), joint.bias_factor(), joint.breakpoint()];
+        Some(KnownJoint { joint: id, held, numbers, unlisted })
+    }
+
+    fn place_of_unlisted(&self, id: BodyId, bodies: &Bodies) -> [f32; 4] {
+        let entry = bodies.get(id).filter(|_| self.number_of(id).is_none());
+        entry.map_or([0.0; 4], |entry| {
+            let (position, rotation) = (entry.body.position(), entry.body.rotation());
+            let z = self.space.as_ref().map_or(0.0, |space| space.place_and_velocity(id)[0]);
+            [position.x, position.y, rotation, z]
+        })
     }
 
     /// Whether a joint holds a body that sleeps.

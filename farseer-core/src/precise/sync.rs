@@ -264,7 +264,12 @@ impl Precise {
             let saved = self.loaded.take().unwrap_or_else(|| self.save());
             self.list(objects, &saved);
         } else {
+            self.wake_woken();
             bodies.iter().for_each(|&body| self.take_body(body, objects));
+            bodies.retain(|&body| self.number_of(body).is_none());
+            if !bodies.is_empty() {
+                self.note_joints_of_unlisted(&bodies);
+            }
             geoms.iter().for_each(|&geom| self.take_geom(geom, objects));
             if !had_one_way && self.proxies.one_way > 0 {
                 self.bodies.forget_ways();

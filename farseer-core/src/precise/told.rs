@@ -9,6 +9,7 @@ use crate::geom::GeomId;
 use crate::geom::surface::SetSurface;
 use crate::math::Vector2;
 use crate::math::plane::{difference, dot, place, rotation, sum, turn, turn_back};
+use crate::math::scalar::nearest_finite;
 use crate::storage::order::{joined, sort_by_number};
 
 impl Precise {
@@ -65,9 +66,11 @@ impl Precise {
             let point = lane.map(|lane| lane.points[at]);
             let vertex = frozen.features[at] as i32;
             let id = ContactId { geom1: first.number, vertex, geom2: second.number };
-            let position = Vector2::new(0.5 * (on_a[0] + on_b[0]), 0.5 * (on_a[1] + on_b[1]));
+            // Bodies may have been put at the end of all numbers since.
+            let position = [0, 1].map(|axis| nearest_finite(0.5 * (on_a[axis] + on_b[axis])));
+            let position = Vector2::new(position[0], position[1]);
             let normal = Vector2::new(sign * normal[0], sign * normal[1]);
-            let separation = point.map_or(apart, |point| point.separation);
+            let separation = nearest_finite(point.map_or(apart, |point| point.separation));
             let impulses = point.map_or((0.0, 0.0), |point| {
                 (point.impulse, lane.map_or(0.0, |lane| lane.tangent_impulse) / frozen.count as f32)
             });

@@ -178,31 +178,51 @@ impl Precise {
         }
         let mut is_listed = vec![false; objects.joints.slot_count()];
         objects.joints.list().iter().for_each(|joint| is_listed[joint.slot()] = true);
-        let is_same = |joint: &KnownJoint| {
-            is_listed.get(joint.joint.slot()) == Some(&true) && joint.is_as_it_was(objects)
-        };
-        self.note_others(is_same);
+        self.note_others(objects, |joint| is_listed.get(joint.joint.slot()) == Some(&true));
         let mut is_known = vec![false; objects.joints.slot_count()];
         for joint in &self.sleep.joints {
             // A damaged save may name any.
             is_known.get_mut(joint.joint.slot()).into_iter().for_each(|is_known| *is_known = true);
         }
         let all = (0..objects.joints.list().len()).filter_map(|at| objects.joints.at(at));
-        for joint in all.filter(|(id, _)| !is_known[id.slot()]).filter_map(KnownJoint::of) {
-            self.note_ends(&joint);
+        for joint in all.filter(|(id, _)| !is_known[id.slot()]) {
+            if let Some(joint) = self.known_joint(joint, &objects.bodies) {
+                self.note_ends(&joint);
+            }
         }
     }
 
     /// Motors or limits were edited.
     pub(crate) fn note_edited_drives(&mut self, objects: &Objects) {
-        self.note_others(|joint| joint.is_as_it_was(objects));
+        self.note_others(objects, |_| true);
     }
 
-    /// Those joints of what sleeps that are not the same wake it.
-    fn note_others(&mut self, is_same: impl Fn(&KnownJoint) -> bool) {
+    /// Those joints of what sleeps that may not stay, or are not what they were, wake it.
+    fn note_others(&mut self, objects: &Objects, may_stay: impl Fn(&KnownJoint) -> bool) {
         let known = std::mem::take(&mut self.sleep.joints);
-        known.iter().filter(|joint| !is_same(joint)).for_each(|joint| self.note_ends(joint));
+        for joint in &known {
+            if !(may_stay(joint) && self.is_as_it_was(joint, objects)) {
+                self.note_ends(joint);
+            }
+        }
         self.sleep.joints = known;
+    }
+
+    /// Whether a joint is still what it was.
+    fn is_as_it_was(&self, joint: &KnownJoint, objects: &Objects) -> bool {
+        let now = objects.joints.get(joint.joint).map(|now| (joint.joint, now));
+        now.and_then(|now| self.known_joint(now, &objects.bodies)) == Some(*joint)
+    }
+
+    /// Bodies that are not listed were edited: joints of theirs do not follow them, and are read again.
+    pub(super) fn note_joints_of_unlisted(&mut self, edited: &[BodyId]) {
+        let is_of = |(first, second): (Option<BodyId>, BodyId)| {
+            edited.contains(&second) || first.is_some_and(|first| edited.contains(&first))
+        };
+        let sleeping = self.sleep.joints.iter().map(|joint| joint.held.bodies);
+        if self.joints.of_unlisted().chain(sleeping).any(is_of) {
+            self.note_joints();
+        }
     }
 
     /// Everything wakes.
@@ -213,12 +233,28 @@ impl Precise {
         }
     }
 
-    /// A body wakes, and those that fell asleep with it.
+    /// A body wakes with the next update, and those that fell asleep with it: that is an edit like others.
     pub(crate) fn wake(&mut self, body: BodyId) {
-        if let Some(number) = self.number_of(body) {
-            self.sleep.note_waking(number);
-            self.wake_up();
+        if let Some(loaded) = &mut self.loaded {
+            loaded.wake(body);
+        } else if self.is_asleep(body) && !self.woken.contains(&body) {
+            self.woken.push(body);
         }
+    }
+
+    /// Those that the game woke do, one after the other and before those that edits wake: the order of pairs depends on it.
+    pub(super) fn wake_woken(&mut self) {
+        if self.woken.is_empty() {
+            return;
+        }
+        let others = std::mem::take(&mut self.sleep.waking);
+        for body in std::mem::take(&mut self.woken) {
+            if let Some(number) = self.number_of(body) {
+                self.sleep.note_waking(number);
+                self.wake_up();
+            }
+        }
+        self.sleep.waking.extend(others);
     }
 
     pub(crate) fn asleep_count(&self) -> usize {

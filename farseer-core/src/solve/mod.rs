@@ -248,9 +248,11 @@ impl ContactSolver {
     pub(crate) fn finish(&mut self, list: &mut ArbiterList) {
         for index in 0..self.arbiters.len() {
             let (handle, first_contact) = self.arbiters[index];
-            let is_dropped = self.groups[self.arbiter_groups[handle as usize].1 as usize].is_dropped;
+            let group = &self.groups[self.arbiter_groups[handle as usize].1 as usize];
+            let ContactGroup { contact_count, is_dropped, .. } = *group;
             let contacts = &mut list.arbiters[handle as usize].contacts;
-            for (contact, place) in contacts.iter_mut().zip(first_contact..) {
+            // Contacts that a stage out of turn has found since are none of these.
+            for (contact, place) in contacts.iter_mut().zip(first_contact..first_contact + contact_count) {
                 (contact.normal_impulse, contact.tangent_impulse) =
                     if is_dropped { (0.0, 0.0) } else { self.impulses(place) };
             }

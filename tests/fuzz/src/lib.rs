@@ -6,6 +6,7 @@
 #![forbid(unsafe_code)]
 
 pub mod around;
+mod calm;
 pub mod checks;
 mod depth;
 mod engine;
@@ -31,6 +32,7 @@ mod tied;
 pub mod twins;
 mod upright;
 
+pub use calm::{CalmDepth, CalmPlane};
 pub use depth::Depth;
 pub use engine::Engine;
 pub use plane::{OneWayPlane, Plane, StagedPlane};

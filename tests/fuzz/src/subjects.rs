@@ -9,7 +9,7 @@ use crate::small::small_scene_holds;
 use crate::soak::snapshots_stay_as_long;
 use crate::textures::outlines_of_a_picture;
 use crate::twins::twins_stay_equal;
-use crate::{Depth, OneWayPlane, Plane, StagedPlane, Tied, Upright};
+use crate::{CalmDepth, CalmPlane, Depth, OneWayPlane, Plane, StagedPlane, Tied, Upright};
 
 /// Something that is tried for one seed after the other.
 #[derive(Debug, Clone, Copy)]
@@ -45,6 +45,21 @@ pub const SUBJECTS: &[Subject] = &[
         name: "one-way",
         about: "random calls of the 2D engine with one-way geoms, and its twins",
         check: game::<OneWayPlane>,
+    },
+    Subject {
+        name: "calm",
+        about: "the 2D engine with what rests, sleeps, is shot and tied, of any mass, and its twins",
+        check: game::<CalmPlane>,
+    },
+    Subject {
+        name: "calm-upright",
+        about: "the 2.5D engine with what rests, rides and is slow, amid what stands upright, and its twins",
+        check: game::<CalmDepth<Upright>>,
+    },
+    Subject {
+        name: "calm-tied",
+        about: "the 2.5D engine with what rests, rides and is slow, amid joints, ropes and fields, and its twins",
+        check: game::<CalmDepth<Tied>>,
     },
     Subject {
         name: "saves",

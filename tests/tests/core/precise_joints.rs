@@ -3,7 +3,9 @@
 use approx::assert_abs_diff_eq;
 use conformance::fixtures::plane::{Random, add_box, add_floor, not_finite, simulator, v};
 use farseer_core::math::Vector2;
-use farseer_core::{BodyId, Event, JointFactory, JointId, Methods, PhysicsSimulator, Result, RevoluteJoint};
+use farseer_core::{
+    BodyFactory, BodyId, Event, JointFactory, JointId, Methods, PhysicsSimulator, Result, RevoluteJoint,
+};
 
 const DT: f32 = 1.0 / 60.0;
 const GRAVITY: f32 = 320.0;
@@ -329,6 +331,20 @@ fn an_edited_anchor_counts_from_the_next_update_on() {
 fn what_hangs_on_a_static_body_follows_it() {
     let mut simulator = precise(GRAVITY);
     let (post, _) = add_floor(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
+    let body = ghost(&mut simulator, (10.0, 10.0), v(0.0, 20.0));
+    let joint = JointFactory::create_revolute_joint(&mut simulator, post, body, v(0.0, 0.0));
+    joined(&mut simulator, joint);
+    run(&mut simulator, 5);
+    simulator[post].set_position(v(0.0, 6.0));
+    run(&mut simulator, 10);
+    assert_abs_diff_eq!(simulator[body].position().y, 26.0, epsilon = 1e-3);
+}
+
+#[test]
+fn what_hangs_on_a_static_body_without_geoms_follows_it() {
+    let mut simulator = precise(GRAVITY);
+    let post = BodyFactory::create_rectangle_body_in(&mut simulator, 10.0, 10.0, 1.0).unwrap();
+    simulator[post].set_is_static(true);
     let body = ghost(&mut simulator, (10.0, 10.0), v(0.0, 20.0));
     let joint = JointFactory::create_revolute_joint(&mut simulator, post, body, v(0.0, 0.0));
     joined(&mut simulator, joint);

@@ -232,6 +232,46 @@ fn what_hangs_on_a_joint_sleeps_and_falls_when_the_joint_goes() {
     assert!(bodies.iter().all(|&body| simulator[body].linear_velocity().y > 100.0));
 }
 
+/// A box that sleeps on a static body without geoms, to which a pin holds it.
+fn sleeping_on_a_post() -> (PhysicsSimulator, [BodyId; 2]) {
+    let mut simulator = simulator();
+    let post = BodyFactory::create_rectangle_body_in(&mut simulator, 10.0, 10.0, 1.0).unwrap();
+    simulator[post].set_is_static(true);
+    let hanging = add_box(&mut simulator, [0.0, 40.0], [20.0, 20.0]);
+    let middle = Vector2::zeros();
+    JointFactory::create_pin_joint_in(&mut simulator, post, middle, hanging, middle).unwrap();
+    run(&mut simulator, 3.0);
+    assert!(simulator.is_asleep(hanging));
+    (simulator, [post, hanging])
+}
+
+#[test]
+fn what_hangs_on_a_body_without_geoms_wakes_when_that_is_moved_also_after_a_restore() {
+    let (mut plain, [post, hanging]) = sleeping_on_a_post();
+    plain[post].set_position(Vector2::new(0.0, 10.0));
+    let mut restored = simulator();
+    restored.restore(&plain.snapshot()).unwrap();
+    for simulator in [&mut plain, &mut restored] {
+        run(simulator, 1.0);
+        assert!((simulator[hanging].position().y - 50.0).abs() < 0.01, "{}", simulator[hanging].position());
+    }
+    assert!(plain.snapshot() == restored.snapshot());
+}
+
+#[test]
+fn what_is_woken_right_after_a_restore_wakes_whatever_was_edited_before() {
+    let (mut plain, _, [_, middle, right]) = sleeping_columns();
+    plain[middle[2]].set_position(Vector2::new(0.0, -60.0));
+    let mut restored = simulator();
+    restored.restore(&plain.snapshot()).unwrap();
+    for simulator in [&mut plain, &mut restored] {
+        simulator.wake(right[0]);
+        simulator.update(DT);
+        assert_eq!(asleep(simulator, &right), 0);
+    }
+    assert!(plain.snapshot() == restored.snapshot());
+}
+
 #[test]
 fn a_new_joint_wakes_what_it_holds() {
     let (mut simulator, _, [left, middle, _]) = sleeping_columns();
@@ -346,6 +386,7 @@ fn nothing_is_told_of_what_sleeps_but_when_it_ceases_to_touch() {
 fn islands_are_what_hangs_together() {
     let (mut simulator, _, [left, middle, right]) = sleeping_columns();
     simulator.wake(middle[0]);
+    simulator.update(DT);
     let islands = simulator.islands();
     let found: Vec<(&[BodyId], bool)> =
         islands.iter().map(|island| (&island.bodies[..], island.is_asleep)).collect();

@@ -45,6 +45,20 @@ fn a_body_wakes_with_what_it_fell_asleep_with() {
 }
 
 #[test]
+fn what_is_woken_right_after_a_restore_wakes() {
+    two_at_rest(|mut plain, [below, above]| {
+        let mut restored = conformance::fixtures::depth::simulator();
+        restored.restore(&plain.snapshot()).unwrap();
+        for simulator in [&mut plain, &mut restored] {
+            simulator.wake(above);
+            run(simulator, 1);
+            assert!(!simulator.is_asleep(above) && !simulator.is_asleep(below));
+        }
+        assert!(plain.snapshot() == restored.snapshot());
+    });
+}
+
+#[test]
 fn a_ball_that_comes_in_depth_wakes_what_it_hits() {
     two_at_rest(|mut simulator, [below, above]| {
         let thrown = ball(&mut simulator, 5.0, [0.0, 25.0, -60.0]);
@@ -65,6 +79,21 @@ fn an_impulse_in_depth_wakes() {
         run(&mut simulator, 2);
         assert!(!simulator.is_asleep(above));
         assert!(place(&simulator, above).z > 0.1);
+    });
+}
+
+#[test]
+fn a_force_along_z_acts_once_also_where_it_does_not_keep_a_body_awake() {
+    two_at_rest(|mut simulator, [_, above]| {
+        let mass = simulator.body(above).unwrap().core().mass();
+        let mut has_slept = false;
+        for _ in 0..200 {
+            simulator.body_mut(above).unwrap().apply_force_z(0.1 * mass);
+            run(&mut simulator, 1);
+            assert_eq!(simulator.body(above).unwrap().force_z(), 0.0);
+            has_slept |= simulator.is_asleep(above);
+        }
+        assert!(has_slept);
     });
 }
 

@@ -20,6 +20,9 @@ pub(crate) struct Depths {
     /// Bodies that a force waits for until they can be moved.
     #[serde(skip)]
     pub(crate) waiting: Vec<BodyId>,
+    /// Bodies that it was told a force of: what a body weighs that does not move yet may become otherwise.
+    #[serde(skip)]
+    pub(crate) forced: Vec<BodyId>,
     /// Whether it has been told of everything else.
     #[serde(skip)]
     pub(crate) is_told: bool,

@@ -8,6 +8,17 @@ use crate::Vector3;
 use crate::depth::{Depths, PlatformId, World, is_movable};
 use crate::events::Event;
 
+/// An update begins: forces that have not acted in the last one are told again.
+pub(super) fn note_forced(depths: &mut Depths) {
+    let mut forced = std::mem::take(&mut depths.forced);
+    for id in forced.drain(..) {
+        if depths.bodies.get(id).is_some_and(|state| state.force_z != 0.0) {
+            depths.edit(id);
+        }
+    }
+    depths.forced = forced;
+}
+
 /// The 2D engine is told what has become otherwise along Z: all of it, if it knows nothing yet.
 pub(super) fn tell_depths(core: &mut PhysicsSimulator, world: &mut World, report: &mut Report) {
     let World { depths, platforms, .. } = world;
@@ -45,13 +56,18 @@ fn tell_body(core: &mut PhysicsSimulator, depths: &mut Depths, report: &mut Repo
     state.is_news = false;
     let can_move = is_movable(core, id);
     let inverse_mass = if can_move { body.inverse_mass() } else { 0.0 };
-    if !can_move && state.force_z != 0.0 && !depths.waiting.contains(&id) {
-        depths.waiting.push(id);
+    if state.force_z != 0.0 {
+        if can_move {
+            depths.forced.push(id);
+        } else if !depths.waiting.contains(&id) {
+            depths.waiting.push(id);
+        }
     }
-    // Nothing added to a negative zero would make it a positive one, which a save must not do.
+    // Nothing added to a negative zero would make it a positive one, and no force on a negative mass is a negative zero, which
+    // a save must not do.
     let impulse = std::mem::take(&mut state.impulse_z);
     let velocity = if impulse == 0.0 { state.velocity_z } else { state.velocity_z + impulse * inverse_mass };
-    let acceleration = state.force_z * inverse_mass;
+    let acceleration = if state.force_z == 0.0 { 0.0 } else { state.force_z * inverse_mass };
     if !(velocity.is_finite() && acceleration.is_finite()) {
         disable(core, id);
         report.events.push(Event::NotFinite { body: id, disabled: true });
@@ -98,12 +114,13 @@ pub(super) fn read_depths(core: &PhysicsSimulator, world: &mut World) {
     }
 }
 
-/// What has fallen asleep does not move.
+/// What has fallen asleep does not move, and what pushed it has acted.
 pub(super) fn rest(core: &PhysicsSimulator, depths: &mut Depths) {
     for (id, told) in core.space_rested() {
         let Some(state) = depths.bodies.get_mut(id).filter(|state| !state.is_news) else { continue };
         (state.z, state.velocity_z) = (told.z, 0.0);
         (state.angular_velocity_x, state.angular_velocity_y) = (0.0, 0.0);
         state.motion = Some(Vector3::zeros());
+        state.force_z = 0.0;
     }
 }

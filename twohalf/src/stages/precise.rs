@@ -5,7 +5,7 @@ use farseer_core::{PhysicsSimulator, SpaceChange};
 
 use super::collisions::collisions;
 use super::crush::tell_crushed;
-use super::exchange::{read_depths, rest, tell_depths};
+use super::exchange::{note_forced, read_depths, rest, tell_depths};
 use super::pace::{catch_up, slow_down};
 use super::plane_handler::PlaneHandler;
 use super::report::{Report, StepCounters};
@@ -19,6 +19,7 @@ pub(super) fn update(parts: Parts<'_>, dt: f32, handler: Option<&mut dyn EventHa
     let Pipeline { meeting, immersion, slowed, .. } = pipeline;
     report.begin();
     slow_down(core, world, slowed);
+    note_forced(&mut world.depths);
     tell_depths(core, world, report);
     let mut game = PlaneHandler { world, report, meeting, handler };
     let is_told = game.handler.is_some();

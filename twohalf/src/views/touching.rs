@@ -100,14 +100,17 @@ fn loaded_touches<'w>(core: &PhysicsSimulator, world: &'w World) -> Cow<'w, Touc
 }
 
 fn list(core: &PhysicsSimulator, world: &World, found: impl Iterator<Item = SpaceTouch>) -> TouchList {
-    let mut list = TouchList::default();
     let touches = found.filter(is_touching).filter_map(|found| touch_of(core, &found));
-    for (touch, points) in touches.filter(|(touch, _)| world.may_touch(core, touch.this, touch.partner)) {
+    let is_there = |(touch, _): &(Touch, _)| world.may_touch(core, touch.this, touch.partner);
+    let mut touches: Vec<(Touch, [TouchPoint; 2])> = touches.filter(is_there).collect();
+    // Points as well, so that what is left of a list is what would be listed without the others.
+    touches.sort_by_key(|(touch, _)| touch.key);
+    let mut list = TouchList::default();
+    for (touch, points) in touches {
         let first_point = list.points.len() as u32;
         list.points.extend_from_slice(&points[..touch.point_count as usize]);
         list.touches.push(Touch { first_point, ..touch });
     }
-    list.sort();
     list
 }
 

@@ -99,6 +99,15 @@ impl Joints {
         self.holds.iter().map(|hold| hold.ends.map(|end| end.pose as usize))
     }
 
+    /// The bodies of those joints of which one is not listed.
+    pub(super) fn of_unlisted(&self) -> impl Iterator<Item = (Option<BodyId>, BodyId)> + '_ {
+        let is_unlisted = |hold: &&Hold| {
+            let [first, second] = hold.ends.map(|end| end.pose == 0);
+            second || (first && hold.bodies.0.is_some())
+        };
+        self.holds.iter().filter(is_unlisted).map(|hold| hold.bodies)
+    }
+
     /// Whether nothing about joints has changed since they were read.
     pub(super) fn are_read(&self) -> bool {
         self.is_read

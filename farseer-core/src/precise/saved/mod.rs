@@ -47,6 +47,8 @@ pub(crate) struct Saved {
     timing: Timing,
     /// The ways of the last step, if something is one-way.
     ways: Vec<(BodyId, [f32; 4])>,
+    /// Bodies that the game woke since the last update.
+    woken: Vec<BodyId>,
 }
 
 /// A body that sleeps.

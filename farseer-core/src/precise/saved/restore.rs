@@ -2,6 +2,7 @@
 //! [`members`](crate::precise::members) does.
 
 use super::{Saved, SavedContacts, SavedPair, SavedProxy, SavedRow, Sleeper};
+use crate::body::BodyId;
 use crate::objects::Objects;
 use crate::precise::Precise;
 use crate::precise::one_way::Passage;
@@ -45,6 +46,9 @@ impl Precise {
         edited.into_iter().for_each(|proxy| self.look_again(proxy));
         self.restore_rows(rows);
         self.lay_pairs_down();
+        self.woken.clear();
+        self.woken.extend_from_slice(&saved.woken);
+        self.wake_woken();
     }
 
     /// The rows of pairs, as they were saved.
@@ -147,6 +151,7 @@ impl Precise {
                     self.bodies.set_velocity(number, &entry.body);
                 }
                 self.take_body_in_space(number, body);
+                self.steady_if_upright(number);
             }
         }
         self.sleep.joints = saved.joints.iter().filter(|joint| self.lies(joint)).copied().collect();
@@ -225,6 +230,13 @@ impl Precise {
 }
 
 impl Saved {
+    /// A body wakes once all is listed, if it sleeps.
+    pub(in crate::precise) fn wake(&mut self, body: BodyId) {
+        if self.sleepers.iter().any(|sleeper| sleeper.body == body) && !self.woken.contains(&body) {
+            self.woken.push(body);
+        }
+    }
+
     /// The pairs without those that are lost, in the order in which they are once these were taken out, from the last one on.
     fn order_without(&self, is_lost: impl Fn(usize) -> bool) -> Vec<usize> {
         let mut order: Vec<usize> = (0..self.pairs.len()).collect();

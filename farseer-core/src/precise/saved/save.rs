@@ -2,6 +2,7 @@
 
 use super::{Saved, SavedContacts, SavedPair, SavedProxy, SavedRow, Sleeper};
 use crate::body::BodyId;
+use crate::math::scalar::nearest_finite;
 use crate::precise::Precise;
 use crate::precise::direct::Wear;
 use crate::precise::pairs::Frozen;
@@ -51,6 +52,7 @@ impl Precise {
             timing: self.direct.timing,
             is_in_space: self.space.is_some(),
             ways: self.save_ways().collect(),
+            woken: self.woken.clone(),
         }
     }
 
@@ -135,7 +137,8 @@ impl Precise {
             impulses: points.map(|point| point.impulse),
             held: points.map(|point| point.held),
             are_dropped: points.map(|point| point.mass == 0.0),
-            separations: points.map(|point| point.separation),
+            // What spins beyond all measure leaves a contact by more than there are numbers.
+            separations: points.map(|point| nearest_finite(point.separation)),
             kept: surface.filter(|_| sleeping.is_some()),
             surface: surface.filter(|_| sleeping.is_none()),
         }

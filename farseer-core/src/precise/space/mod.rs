@@ -37,6 +37,7 @@ use super::proxies::{Mobility, Proxies, Proxy};
 use super::tuning::{Tuning, Widening};
 use crate::body::BodyId;
 use crate::geom::GeomId;
+use crate::geom::surface::{FrictionType, mix_restitution};
 use crate::math::scalar::nearest_finite;
 use crate::shape::SlantedBox;
 use crate::storage::reusing_clone::reusing_clone;
@@ -307,9 +308,15 @@ impl Space {
         self.uprights.len() as u32
     }
 
-    /// Friction and restitution of the ground under a proxy.
-    pub(super) fn ground_of(&self, proxy: u32) -> [f32; 2] {
-        self.reach[proxy as usize].ground.unwrap_or_default()
+    /// Friction and restitution where two proxies touch, whatever handlers set.
+    pub(super) fn surface(&self, proxies: [u32; 2], [a, b]: [&Proxy; 2], mix: FrictionType) -> [f32; 2] {
+        let [friction, restitution] = if proxies[0] == self.ground {
+            self.reach[proxies[1] as usize].ground.unwrap_or_default()
+        } else {
+            [a.friction, a.restitution]
+        };
+        // Of numbers that are too great for it the mix is none.
+        [mix.mix(friction, b.friction).min(f32::MAX), mix_restitution(restitution, b.restitution)]
     }
 
     /// The ground is below everything: no grid need know.

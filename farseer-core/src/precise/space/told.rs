@@ -4,6 +4,7 @@ use super::parts::{self, SpaceChange, SpacePoint, SpaceTouch};
 use crate::geom::GeomId;
 use crate::math::Vector2;
 use crate::math::plane::{place, sum};
+use crate::math::scalar::nearest_finite;
 use crate::precise::Precise;
 use crate::precise::pairs::Frozen;
 
@@ -95,6 +96,9 @@ impl Precise {
             return None;
         }
         let lane = state.home.map(|home| self.rows.lane(state.kind, home));
+        // As they are now: a row may know only after the next step that they were edited.
+        let surface = lane.map(|_| space.surface(proxies, [a, b], self.friction));
+        let [friction, restitution] = surface.unwrap_or_default();
         let origin = place(self.bodies.poses[a.body as usize]);
         let mut points = [SpacePoint::default(); 2];
         for (at, point) in points.iter_mut().enumerate().take(*count as usize) {
@@ -107,8 +111,8 @@ impl Precise {
                     (lane.space.totals[at], shared, lane.points[at].separation)
                 });
             *point = SpacePoint {
-                position: Vector2::new(px, py),
-                separation,
+                position: Vector2::new(nearest_finite(px), nearest_finite(py)),
+                separation: nearest_finite(separation),
                 feature: features[at],
                 impulse,
                 friction_impulse,
@@ -123,8 +127,8 @@ impl Precise {
             z,
             count: *count as usize,
             points,
-            friction: lane.map_or(0.0, |lane| lane.friction),
-            restitution: lane.map_or(0.0, |lane| lane.restitution),
+            friction,
+            restitution,
             responds: state.responds,
             is_told: state.is_told,
         })

@@ -93,14 +93,9 @@ impl Touch<'_> {
             across_arms[0] = mean([ux, uy, uz]);
         }
         let [at_a, at_b] = self.pairs.watched[pair].proxies;
-        let [friction, restitution] = if at_a == space.ground {
-            let [friction, restitution] = space.ground_of(at_b);
-            [self.friction.mix(friction, two.b.friction), mix_restitution(restitution, two.b.restitution)]
-        } else {
-            [lane.friction, lane.restitution]
-        };
+        let [friction, restitution] = space.surface([at_a, at_b], [two.a, two.b], self.friction);
         Lane {
-            friction: friction.min(f32::MAX),
+            friction,
             restitution,
             tangent_arms,
             points: points_of,

@@ -119,7 +119,7 @@ impl<'a> Touch<'a> {
         let mut found = self.collide(pair, two, self.tuning.speculative);
         found.keep_deepest(self.most_contacts);
         let is_open = self.proxies.one_way > 0 && self.is_open(pair, two, &found);
-        if found.count == 0 {
+        if !found.is_within_reach() {
             self.part(pair, found.gap);
         } else if is_open || self.passes_through(pair, two) {
             self.part(pair, 0.0);

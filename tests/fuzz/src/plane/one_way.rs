@@ -13,6 +13,13 @@ use crate::random::Random;
 #[derive(Debug)]
 pub struct OneWayPlane(Plane);
 
+impl OneWayPlane {
+    /// Makes a thing with body and geom.
+    pub(crate) fn create_thing(&mut self) -> Outcome {
+        (Plane::calls()[0].make)(&mut self.0)
+    }
+}
+
 /// Directions, of which most are up: things fall, and land.
 fn set_one_way(game: &mut Plane) -> Outcome {
     let geom = game.geom();

@@ -1,0 +1,120 @@
+//! Of the 2.5D engine.
+
+use farseer_core::{BodyId, CollisionCategory};
+use twohalf::{PlatformId, Result, TwoHalfPhysicsSimulator, Vector3};
+
+use super::{any_call, mass, rest};
+use crate::game::{Call, Game, Outcome};
+use crate::random::Random;
+
+/// A game in which bodies ride platforms that turn and move, are slow or stand still, are watched for being crushed, and meet
+/// bodies of any mass, amid the calls of another game.
+#[derive(Debug)]
+pub struct CalmDepth<G>(G);
+
+impl<G: Game<Simulator = TwoHalfPhysicsSimulator>> Game for CalmDepth<G> {
+    type Simulator = TwoHalfPhysicsSimulator;
+    const SCENES: usize = G::SCENES;
+
+    fn new(random: Random) -> Self {
+        CalmDepth(G::new(random))
+    }
+    fn of(simulator: TwoHalfPhysicsSimulator, random: Random) -> Self {
+        CalmDepth(G::of(simulator, random))
+    }
+    fn scene(kind: usize) -> TwoHalfPhysicsSimulator {
+        G::scene(kind)
+    }
+    fn calls() -> &'static [Call<Self>] {
+        const {
+            &[
+                Call { name: "create a thing", weight: 3, make: |game| (G::calls()[0].make)(&mut game.0) },
+                Call { name: "play as ever", weight: 3, make: |game| any_call(&mut game.0) },
+                Call { name: "turn or move a platform", weight: 2, make: Self::move_platform },
+                Call { name: "edit a body", weight: 3, make: Self::edit_body },
+                Call {
+                    name: "rest",
+                    weight: 20,
+                    make: |game| rest(game, |simulator, dt| simulator.update(dt)),
+                },
+            ]
+        }
+    }
+    fn random(&mut self) -> &mut Random {
+        self.0.random()
+    }
+    fn simulator(&self) -> &TwoHalfPhysicsSimulator {
+        self.0.simulator()
+    }
+    fn simulator_mut(&mut self) -> &mut TwoHalfPhysicsSimulator {
+        self.0.simulator_mut()
+    }
+}
+
+impl<G: Game<Simulator = TwoHalfPhysicsSimulator>> CalmDepth<G> {
+    fn move_platform(&mut self) -> Outcome {
+        let all: Vec<PlatformId> = self.simulator().platforms().collect();
+        if all.is_empty() {
+            return Outcome::Looked;
+        }
+        let (id, edit) = (self.random().pick(&all), self.random().below(5));
+        let (turn, way) = (self.random().number(-2.0, 2.0), self.random().vector3(60.0));
+        let Some(mut platform) = self.simulator_mut().platform_mut(id) else { return Outcome::Looked };
+        Outcome::of(match edit {
+            0 => platform.set_angular_velocity(turn),
+            1 => platform.turn_to(turn),
+            2 => platform.set_velocity(way),
+            3 => platform.set_velocity(Vector3::zeros()),
+            _ => {
+                platform.set_collides_with(CollisionCategory::ALL);
+                platform.set_collision_categories(CollisionCategory::ALL);
+                Ok(())
+            }
+        })
+    }
+
+    fn edit_body(&mut self) -> Outcome {
+        let all: Vec<BodyId> = self.simulator().core().bodies().collect();
+        if all.is_empty() {
+            return Outcome::Looked;
+        }
+        let id = self.random().pick(&all);
+        let mut random = self.random().split();
+        Outcome::of(random.pick(EDITS)(self.simulator_mut(), id, &mut random))
+    }
+}
+
+type Edit = fn(&mut TwoHalfPhysicsSimulator, BodyId, &mut Random) -> Result<()>;
+
+const EDITS: &[Edit] = &[
+    |simulator, body, random| simulator.set_time_scale(body, random.pick(&[0.0, 0.1, 0.5, 1.0])),
+    |simulator, body, random| simulator.stop_time(body, random.below(40) as u32),
+    |simulator, body, random| {
+        let tolerance = random.toss().then(|| random.number(0.0, 10.0));
+        simulator.set_crush_tolerance(body, tolerance)
+    },
+    |simulator, body, random| {
+        simulator.set_sleep_enabled(random.chance(85));
+        simulator.wake(body);
+        Ok(())
+    },
+    |simulator, body, random| {
+        let mass = mass(random);
+        simulator.body_mut(body).map_or(Ok(()), |mut body| body.set_mass(mass))
+    },
+    |simulator, body, random| {
+        let velocity = random.vector3(2000.0);
+        if let Some(mut body) = simulator.body_mut(body) {
+            body.core_mut().set_is_bullet(true);
+            body.set_velocity3d(velocity);
+        }
+        Ok(())
+    },
+    |simulator, body, random| {
+        let force = random.number(-20.0, 20.0);
+        if let Some(mut body) = simulator.body_mut(body) {
+            body.apply_force_z(force);
+        }
+        Ok(())
+    },
+];

@@ -1,0 +1,143 @@
+//! Of the 2D engine.
+
+use farseer_core::math::Vector2;
+use farseer_core::{BodyId, IslandChoice, JointFactory, JointId, Methods, PhysicsSimulator, Result};
+
+use super::{any_call, mass, rest};
+use crate::engine::Engine;
+use crate::game::{Call, Game, Outcome};
+use crate::plane::OneWayPlane;
+use crate::random::Random;
+
+/// A game of the precise set, with one-way geoms, bullets, joints and all methods for islands.
+#[derive(Debug)]
+pub struct CalmPlane(OneWayPlane);
+
+const CALLS: &[Call<CalmPlane>] = &[
+    Call { name: "create a thing", weight: 3, make: create_thing },
+    Call { name: "play as ever", weight: 3, make: |game| any_call(&mut game.0) },
+    Call { name: "tie", weight: 2, make: tie },
+    Call { name: "shoot", weight: 2, make: shoot },
+    Call { name: "change a setting", weight: 2, make: change_setting },
+    Call { name: "rest", weight: 20, make: |game| rest(game, |simulator, dt| simulator.update(dt)) },
+];
+
+impl Game for CalmPlane {
+    type Simulator = PhysicsSimulator;
+    const SCENES: usize = OneWayPlane::SCENES;
+
+    fn new(random: Random) -> Self {
+        CalmPlane(OneWayPlane::new(random))
+    }
+    fn of(simulator: PhysicsSimulator, random: Random) -> Self {
+        CalmPlane(OneWayPlane::of(simulator, random))
+    }
+    fn scene(kind: usize) -> PhysicsSimulator {
+        OneWayPlane::scene(kind)
+    }
+    fn calls() -> &'static [Call<Self>] {
+        CALLS
+    }
+    fn random(&mut self) -> &mut Random {
+        self.0.random()
+    }
+    fn simulator(&self) -> &PhysicsSimulator {
+        self.0.simulator()
+    }
+    fn simulator_mut(&mut self) -> &mut PhysicsSimulator {
+        self.0.simulator_mut()
+    }
+}
+
+impl CalmPlane {
+    fn body(&mut self) -> Option<BodyId> {
+        let count = self.simulator().bodies().count();
+        let at = self.random().below(count);
+        self.simulator().bodies().nth(at)
+    }
+}
+
+/// A thing of any mass.
+fn create_thing(game: &mut CalmPlane) -> Outcome {
+    let before = Engine::geoms(game.simulator());
+    let outcome = game.0.create_thing();
+    let mass = mass(game.random());
+    let last = game.simulator().bodies().last();
+    if Engine::geoms(game.simulator()) > before
+        && let Some(body) = last.and_then(|last| game.simulator_mut().body_mut(last))
+    {
+        body.set_mass(mass).ok();
+    }
+    outcome
+}
+
+type Tie = fn(&mut PhysicsSimulator, [BodyId; 2], &mut Random) -> Result<JointId>;
+
+const TIES: &[Tie] = &[
+    |simulator, [a, b], _| {
+        let middle = (simulator[a].position() + simulator[b].position()) * 0.5;
+        JointFactory::create_revolute_joint_in(simulator, a, b, middle)
+    },
+    |simulator, [a, b], _| {
+        JointFactory::create_pin_joint_in(simulator, a, Vector2::zeros(), b, Vector2::zeros())
+    },
+    |simulator, [a, b], random| {
+        let most = random.between(20.0, 200.0);
+        JointFactory::create_slider_joint_in(simulator, a, Vector2::zeros(), b, Vector2::zeros(), 0.0, most)
+    },
+    |simulator, [a, b], _| {
+        let middle = (simulator[a].position() + simulator[b].position()) * 0.5;
+        let weld = JointFactory::create_weld_joint(simulator, a, b, middle)?;
+        simulator.add(weld)?;
+        Ok(weld)
+    },
+    |simulator, [a, _], random| {
+        let anchor = simulator[a].position() + random.vector(40.0);
+        JointFactory::create_fixed_revolute_joint_in(simulator, a, anchor)
+    },
+];
+
+fn tie(game: &mut CalmPlane) -> Outcome {
+    let (Some(a), Some(b)) = (game.body(), game.body()) else { return Outcome::Looked };
+    let mut random = game.random().split();
+    // What was made is there, also if it may not be added.
+    drop(random.pick(TIES)(game.simulator_mut(), [a, b], &mut random));
+    Outcome::Changed
+}
+
+/// A bullet goes somewhere, fast.
+fn shoot(game: &mut CalmPlane) -> Outcome {
+    let (Some(id), velocity) = (game.body(), game.random().vector(5000.0)) else { return Outcome::Looked };
+    let is_bullet = game.random().chance(70);
+    let Some(body) = game.simulator_mut().body_mut(id) else { return Outcome::Looked };
+    body.set_is_bullet(is_bullet);
+    body.set_linear_velocity(velocity);
+    Outcome::Changed
+}
+
+const SETTINGS: &[fn(&mut PhysicsSimulator, &mut Random)] = &[
+    |simulator, random| {
+        let all = [IslandChoice::ByItself, IslandChoice::Passes, IslandChoice::Whole];
+        simulator.set_island_choice(random.pick(&all));
+    },
+    |simulator, random| simulator.set_sleep_enabled(random.chance(85)),
+    // What geoms are one-way is refused to the faithful set.
+    |simulator, random| {
+        let methods = if random.chance(30) { Methods::default() } else { Methods::PRECISE };
+        simulator.set_methods(methods).ok();
+    },
+    |simulator, random| simulator.set_gravity(random.vector(200.0)).unwrap_or_default(),
+    |simulator, random| simulator.set_iterations(1 + random.below(8) as i32),
+    |simulator, random| {
+        let all: Vec<BodyId> = simulator.bodies().collect();
+        if !all.is_empty() {
+            simulator.wake(random.pick(&all));
+        }
+    },
+];
+
+fn change_setting(game: &mut CalmPlane) -> Outcome {
+    let mut random = game.random().split();
+    random.pick(SETTINGS)(game.simulator_mut(), &mut random);
+    Outcome::Changed
+}
