@@ -67,7 +67,8 @@ impl SavedSimulator {
         let mut simulator = self.0;
         simulator.set_limits(limits);
         simulator.objects.make_grids()?;
-        if let Some(precise) = &mut simulator.pipeline.precise {
+        // Of a depth axis the engine above has to tell first.
+        if let Some(precise) = simulator.pipeline.precise.as_mut().filter(|precise| !precise.is_in_space()) {
             precise.list_loaded(&simulator.objects);
         }
         Ok(simulator)

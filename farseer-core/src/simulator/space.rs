@@ -118,6 +118,19 @@ impl PhysicsSimulator {
         self.pipeline.precise.as_ref().is_some_and(|precise| precise.knows_touches())
     }
 
+    /// Whether the depth axis is to be told of before what was loaded can be [listed](Self::list_loaded_in_space).
+    pub fn waits_for_depths(&self) -> bool {
+        self.pipeline.precise.as_ref().is_some_and(|precise| precise.waits_for_depths())
+    }
+
+    /// Lists what was loaded, once it was told where all is along the depth axis: for those who ask what is near before the next
+    /// update.
+    pub fn list_loaded_in_space(&mut self) {
+        if let Some(precise) = &mut self.pipeline.precise {
+            precise.list_loaded(&self.objects);
+        }
+    }
+
     /// Number of pairs with the ground that touch.
     pub fn on_ground_count(&self) -> usize {
         self.pipeline.precise.as_ref().map_or(0, |precise| precise.on_ground_count())

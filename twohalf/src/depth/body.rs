@@ -1,6 +1,6 @@
 //! What a body has beyond that of the 2D engine: motion along Z, and a ground.
 
-use farseer_core::{ArgumentNames, Body, BodyId, PhysicsSimulator, Refusals, SpaceTarget};
+use farseer_core::{ArgumentNames, Body, BodyId, PhysicsSimulator, Refusals, SpaceBody, SpaceTarget};
 use serde::{Deserialize, Serialize};
 
 use super::ground::Ground;
@@ -67,6 +67,18 @@ impl DepthBody {
     pub(crate) fn motion_is_finite(&self) -> bool {
         let numbers = [self.z, self.velocity_z, self.angular_velocity_x, self.angular_velocity_y];
         numbers.iter().all(|number| number.is_finite())
+    }
+
+    /// What the precise set is told of it, with a velocity and an acceleration along Z.
+    pub(crate) fn told(&self, velocity: f32, acceleration: f32, is_kinematic: bool) -> SpaceBody {
+        SpaceBody {
+            z: self.z,
+            velocity,
+            acceleration,
+            motion: self.motion.unwrap_or_default().into(),
+            angular_velocity: [self.angular_velocity_x, self.angular_velocity_y],
+            target: self.target.filter(|_| is_kinematic),
+        }
     }
 
     /// Impulse, force and drag become velocity, as the 2D engine does it for X and Y (behaviour chapter 02,

@@ -19,6 +19,24 @@ pub(super) fn note_forced(depths: &mut Depths) {
     depths.forced = forced;
 }
 
+/// What is near what is known before the next update, too, if it was loaded. Nothing acts yet, and all is told again then.
+pub(crate) fn list_loaded(core: &mut PhysicsSimulator, world: &World) {
+    if !core.waits_for_depths() {
+        return;
+    }
+    let bodies: Vec<BodyId> = core.bodies().collect();
+    for id in bodies {
+        let (Some(body), Some(state)) = (core.body(id), world.depths.bodies.get(id)) else { continue };
+        let told = state.told(state.velocity_z, 0.0, body.is_kinematic());
+        core.set_space_body(id, told);
+        for at in 0..core.geoms_of(id).len() {
+            tell_profile(core, &world.depths, core.geoms_of(id)[at]);
+        }
+    }
+    core.set_fixtures(world.platforms.iter().map(|(id, platform)| platform.fixture(id)));
+    core.list_loaded_in_space();
+}
+
 /// The 2D engine is told what has become otherwise along Z: all of it, if it knows nothing yet.
 pub(super) fn tell_depths(core: &mut PhysicsSimulator, world: &mut World, report: &mut Report) {
     let World { depths, platforms, .. } = world;
@@ -74,14 +92,7 @@ fn tell_body(core: &mut PhysicsSimulator, depths: &mut Depths, report: &mut Repo
         return;
     }
     state.velocity_z = velocity;
-    let told = SpaceBody {
-        z: state.z,
-        velocity,
-        acceleration,
-        motion: state.motion.unwrap_or_default().into(),
-        angular_velocity: [state.angular_velocity_x, state.angular_velocity_y],
-        target: state.target.filter(|_| body.is_kinematic()),
-    };
+    let told = state.told(velocity, acceleration, body.is_kinematic());
     core.set_space_body(id, told);
 }
 

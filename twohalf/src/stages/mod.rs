@@ -21,6 +21,7 @@ mod supports;
 mod tell;
 mod touch;
 
+pub(crate) use exchange::list_loaded;
 pub(crate) use fields::immersion_of;
 pub(crate) use report::Report;
 pub use report::StepCounters;

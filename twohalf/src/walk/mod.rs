@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use self::ledge::Ledge;
 use crate::error::{invalid, only_precise, stale};
+use crate::stages::list_loaded;
 use crate::{BodyId, DepthScheme, Partner, Result, TwoHalfPhysicsSimulator, Vector3};
 #[cfg(doc)]
 use crate::{DepthProfile, TwoHalfBody};
@@ -237,6 +238,7 @@ impl TwoHalfPhysicsSimulator {
             return Ok(());
         }
         self.world.platforms.sort();
+        list_loaded(&mut self.core, &self.world);
         self.stride(body, geom, walker, wish, dt);
         Ok(())
     }

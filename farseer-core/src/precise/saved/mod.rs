@@ -164,8 +164,7 @@ impl Precise {
     /// Lists what was loaded, for those who ask what touches before the next update. What was edited before the save counts
     /// from that update on, which then lists everything once more.
     pub(crate) fn list_loaded(&mut self, objects: &Objects) {
-        // The engine above tells of the depth axis first.
-        let Some(saved) = self.loaded.take_if(|saved| !saved.is_in_space) else { return };
+        let Some(saved) = self.loaded.take() else { return };
         self.list(objects, &saved);
         if self.save() != saved {
             self.is_stale = true;

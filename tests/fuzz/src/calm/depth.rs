@@ -1,26 +1,32 @@
 //! Of the 2.5D engine.
 
 use farseer_core::{BodyId, CollisionCategory};
-use twohalf::{PlatformId, Result, TwoHalfPhysicsSimulator, Vector3};
+use twohalf::{PlatformId, Result, TwoHalfPhysicsSimulator, Vector3, Walk, Walker, Wish};
 
 use super::{any_call, mass, rest};
 use crate::game::{Call, Game, Outcome};
 use crate::random::Random;
 
-/// A game in which bodies ride platforms that turn and move, are slow or stand still, are watched for being crushed, and meet
-/// bodies of any mass, amid the calls of another game.
+/// Figures that walk at the same time.
+const MOST_WALKERS: usize = 4;
+
+/// A game in which bodies ride platforms that turn and move, walk, are slow or stand still, are watched for being crushed, and
+/// meet bodies of any mass, amid the calls of another game.
 #[derive(Debug)]
-pub struct CalmDepth<G>(G);
+pub struct CalmDepth<G> {
+    game: G,
+    walkers: Vec<(BodyId, Walker, Wish)>,
+}
 
 impl<G: Game<Simulator = TwoHalfPhysicsSimulator>> Game for CalmDepth<G> {
     type Simulator = TwoHalfPhysicsSimulator;
     const SCENES: usize = G::SCENES;
 
     fn new(random: Random) -> Self {
-        CalmDepth(G::new(random))
+        CalmDepth { game: G::new(random), walkers: vec![] }
     }
     fn of(simulator: TwoHalfPhysicsSimulator, random: Random) -> Self {
-        CalmDepth(G::of(simulator, random))
+        CalmDepth { game: G::of(simulator, random), walkers: vec![] }
     }
     fn scene(kind: usize) -> TwoHalfPhysicsSimulator {
         G::scene(kind)
@@ -28,26 +34,23 @@ impl<G: Game<Simulator = TwoHalfPhysicsSimulator>> Game for CalmDepth<G> {
     fn calls() -> &'static [Call<Self>] {
         const {
             &[
-                Call { name: "create a thing", weight: 3, make: |game| (G::calls()[0].make)(&mut game.0) },
-                Call { name: "play as ever", weight: 3, make: |game| any_call(&mut game.0) },
+                Call { name: "create a thing", weight: 3, make: |game| (G::calls()[0].make)(&mut game.game) },
+                Call { name: "play as ever", weight: 3, make: |game| any_call(&mut game.game) },
                 Call { name: "turn or move a platform", weight: 2, make: Self::move_platform },
                 Call { name: "edit a body", weight: 3, make: Self::edit_body },
-                Call {
-                    name: "rest",
-                    weight: 20,
-                    make: |game| rest(game, |simulator, dt| simulator.update(dt)),
-                },
+                Call { name: "walk", weight: 2, make: Self::let_walk },
+                Call { name: "rest", weight: 20, make: Self::rest },
             ]
         }
     }
     fn random(&mut self) -> &mut Random {
-        self.0.random()
+        self.game.random()
     }
     fn simulator(&self) -> &TwoHalfPhysicsSimulator {
-        self.0.simulator()
+        self.game.simulator()
     }
     fn simulator_mut(&mut self) -> &mut TwoHalfPhysicsSimulator {
-        self.0.simulator_mut()
+        self.game.simulator_mut()
     }
 }
 
@@ -57,7 +60,7 @@ impl<G: Game<Simulator = TwoHalfPhysicsSimulator>> CalmDepth<G> {
         if all.is_empty() {
             return Outcome::Looked;
         }
-        let (id, edit) = (self.random().pick(&all), self.random().below(5));
+        let (id, edit) = (self.random().pick(&all), self.random().below(6));
         let (turn, way) = (self.random().number(-2.0, 2.0), self.random().vector3(60.0));
         let Some(mut platform) = self.simulator_mut().platform_mut(id) else { return Outcome::Looked };
         Outcome::of(match edit {
@@ -65,12 +68,47 @@ impl<G: Game<Simulator = TwoHalfPhysicsSimulator>> CalmDepth<G> {
             1 => platform.turn_to(turn),
             2 => platform.set_velocity(way),
             3 => platform.set_velocity(Vector3::zeros()),
+            4 => platform.set_one_way(turn > 0.0),
             _ => {
                 platform.set_collides_with(CollisionCategory::ALL);
                 platform.set_collision_categories(CollisionCategory::ALL);
                 Ok(())
             }
         })
+    }
+
+    /// A body walks from now on, or otherwise than before.
+    fn let_walk(&mut self) -> Outcome {
+        let all: Vec<BodyId> = self.simulator().core().bodies().collect();
+        if all.is_empty() {
+            return Outcome::Looked;
+        }
+        let random = self.random();
+        let wish =
+            Wish { x: random.number(-150.0, 150.0), z: random.number(-150.0, 150.0), jump: random.toss() };
+        let walk = Walk { ledge_reach: random.pick(&[0.0, 30.0]), ..Walk::default() };
+        let walker = (random.pick(&all), Walker::new(walk), wish);
+        let known = self.walkers.iter().position(|(body, ..)| *body == walker.0);
+        if self.walkers.len() < MOST_WALKERS && known.is_none() {
+            self.walkers.push(walker);
+            return Outcome::Looked;
+        }
+        let place = known.unwrap_or_else(|| self.random().below(MOST_WALKERS));
+        self.walkers[place] = walker;
+        Outcome::Looked
+    }
+
+    fn rest(&mut self) -> Outcome {
+        let mut walkers = std::mem::take(&mut self.walkers);
+        let outcome = rest(self, |simulator, dt| {
+            for (body, walker, wish) in &mut walkers {
+                // Some have gone, have no object geom, or are capsules.
+                simulator.walk(*body, walker, *wish, dt).ok();
+            }
+            simulator.update(dt);
+        });
+        self.walkers = walkers;
+        outcome
     }
 
     fn edit_body(&mut self) -> Outcome {

@@ -21,7 +21,7 @@ fn any_call<G: Game>(game: &mut G) -> Outcome {
 }
 
 /// Makes updates of 1/60 s with `update`.
-fn rest<G: Game>(game: &mut G, update: impl Fn(&mut G::Simulator, f32)) -> Outcome {
+fn rest<G: Game>(game: &mut G, mut update: impl FnMut(&mut G::Simulator, f32)) -> Outcome {
     for _ in 0..1 + game.random().below(MOST_UPDATES) {
         update(game.simulator_mut(), 1.0 / 60.0);
     }

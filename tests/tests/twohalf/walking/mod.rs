@@ -101,6 +101,27 @@ fn figure(simulator: &mut TwoHalfPhysicsSimulator, place: [f32; 3]) -> BodyId {
     body
 }
 
+/// What is near is asked for before the next update.
+#[test]
+fn it_walks_on_with_the_same_bits_after_a_load_in_every_step() {
+    for rate in RATES {
+        let mut stage = Stage::new(rate, [0.0, 20.0, 0.0]);
+        stage.crate_box([400.0, 20.0, 100.0], 500.0, [0.0; 3]);
+        stage.crate_box([20.0, 20.0, 20.0], 5.0, [60.0, 20.0, 0.0]);
+        stage.walk(RIGHT, 0.5, |stage| {
+            let saved = serde_json::to_string(&stage.simulator).unwrap();
+            let mut loaded = serde_json::from_str::<TwoHalfPhysicsSimulator>(&saved).unwrap();
+            loaded.walk(stage.figure, &mut stage.walker.clone(), RIGHT, stage.dt).unwrap();
+            loaded.update(stage.dt);
+            let mut other = stage.simulator.clone();
+            other.walk(stage.figure, &mut stage.walker.clone(), RIGHT, stage.dt).unwrap();
+            other.update(stage.dt);
+            let bits = |simulator| <[f32; 3]>::from(place(simulator, stage.figure)).map(f32::to_bits);
+            assert_eq!(bits(&loaded), bits(&other));
+        });
+    }
+}
+
 #[test]
 fn it_reaches_the_speed_that_is_wished_by_its_acceleration_and_keeps_it() {
     for rate in RATES {
