@@ -4,6 +4,7 @@ use farseer_core::{BodyId, CollisionCategory};
 use twohalf::{PlatformId, Result, TwoHalfPhysicsSimulator, Vector3, Walk, Walker, Wish};
 
 use super::{any_call, mass, rest};
+use crate::around::Around;
 use crate::game::{Call, Game, Outcome};
 use crate::random::Random;
 
@@ -18,18 +19,11 @@ pub struct CalmDepth<G> {
     walkers: Vec<(BodyId, Walker, Wish)>,
 }
 
-impl<G: Game<Simulator = TwoHalfPhysicsSimulator>> Game for CalmDepth<G> {
-    type Simulator = TwoHalfPhysicsSimulator;
-    const SCENES: usize = G::SCENES;
+impl<G: Game<Simulator = TwoHalfPhysicsSimulator> + 'static> Around for CalmDepth<G> {
+    type Inner = G;
 
-    fn new(random: Random) -> Self {
-        CalmDepth { game: G::new(random), walkers: vec![] }
-    }
-    fn of(simulator: TwoHalfPhysicsSimulator, random: Random) -> Self {
-        CalmDepth { game: G::of(simulator, random), walkers: vec![] }
-    }
-    fn scene(kind: usize) -> TwoHalfPhysicsSimulator {
-        G::scene(kind)
+    fn around(game: G) -> Self {
+        CalmDepth { game, walkers: vec![] }
     }
     fn calls() -> &'static [Call<Self>] {
         const {
@@ -43,18 +37,15 @@ impl<G: Game<Simulator = TwoHalfPhysicsSimulator>> Game for CalmDepth<G> {
             ]
         }
     }
-    fn random(&mut self) -> &mut Random {
-        self.game.random()
+    fn inner(&self) -> &G {
+        &self.game
     }
-    fn simulator(&self) -> &TwoHalfPhysicsSimulator {
-        self.game.simulator()
-    }
-    fn simulator_mut(&mut self) -> &mut TwoHalfPhysicsSimulator {
-        self.game.simulator_mut()
+    fn inner_mut(&mut self) -> &mut G {
+        &mut self.game
     }
 }
 
-impl<G: Game<Simulator = TwoHalfPhysicsSimulator>> CalmDepth<G> {
+impl<G: Game<Simulator = TwoHalfPhysicsSimulator> + 'static> CalmDepth<G> {
     fn move_platform(&mut self) -> Outcome {
         let all: Vec<PlatformId> = self.simulator().platforms().collect();
         if all.is_empty() {
@@ -102,7 +93,7 @@ impl<G: Game<Simulator = TwoHalfPhysicsSimulator>> CalmDepth<G> {
         let mut walkers = std::mem::take(&mut self.walkers);
         let outcome = rest(self, |simulator, dt| {
             for (body, walker, wish) in &mut walkers {
-                // Some have gone, have no object geom, or are capsules.
+                // Some have gone, or have no object geom.
                 simulator.walk(*body, walker, *wish, dt).ok();
             }
             simulator.update(dt);

@@ -4,6 +4,7 @@ use farseer_core::math::Vector2;
 use farseer_core::{BodyId, IslandChoice, JointFactory, JointId, Methods, PhysicsSimulator, Result};
 
 use super::{any_call, mass, rest};
+use crate::around::Around;
 use crate::engine::Engine;
 use crate::game::{Call, Game, Outcome};
 use crate::plane::OneWayPlane;
@@ -22,30 +23,20 @@ const CALLS: &[Call<CalmPlane>] = &[
     Call { name: "rest", weight: 20, make: |game| rest(game, |simulator, dt| simulator.update(dt)) },
 ];
 
-impl Game for CalmPlane {
-    type Simulator = PhysicsSimulator;
-    const SCENES: usize = OneWayPlane::SCENES;
+impl Around for CalmPlane {
+    type Inner = OneWayPlane;
 
-    fn new(random: Random) -> Self {
-        CalmPlane(OneWayPlane::new(random))
-    }
-    fn of(simulator: PhysicsSimulator, random: Random) -> Self {
-        CalmPlane(OneWayPlane::of(simulator, random))
-    }
-    fn scene(kind: usize) -> PhysicsSimulator {
-        OneWayPlane::scene(kind)
+    fn around(game: OneWayPlane) -> Self {
+        CalmPlane(game)
     }
     fn calls() -> &'static [Call<Self>] {
         CALLS
     }
-    fn random(&mut self) -> &mut Random {
-        self.0.random()
+    fn inner(&self) -> &OneWayPlane {
+        &self.0
     }
-    fn simulator(&self) -> &PhysicsSimulator {
-        self.0.simulator()
-    }
-    fn simulator_mut(&mut self) -> &mut PhysicsSimulator {
-        self.0.simulator_mut()
+    fn inner_mut(&mut self) -> &mut OneWayPlane {
+        &mut self.0
     }
 }
 
