@@ -327,10 +327,8 @@ fn an_edited_anchor_counts_from_the_next_update_on() {
     assert_abs_diff_eq!(simulator[bodies[0]].angular_velocity(), 4.0, epsilon = 1e-3);
 }
 
-#[test]
-fn what_hangs_on_a_static_body_follows_it() {
-    let mut simulator = precise(GRAVITY);
-    let (post, _) = add_floor(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
+/// Hangs something on a static body at the origin, and moves that.
+fn assert_is_followed(mut simulator: PhysicsSimulator, post: BodyId) {
     let body = ghost(&mut simulator, (10.0, 10.0), v(0.0, 20.0));
     let joint = JointFactory::create_revolute_joint(&mut simulator, post, body, v(0.0, 0.0));
     joined(&mut simulator, joint);
@@ -341,17 +339,18 @@ fn what_hangs_on_a_static_body_follows_it() {
 }
 
 #[test]
+fn what_hangs_on_a_static_body_follows_it() {
+    let mut simulator = precise(GRAVITY);
+    let (post, _) = add_floor(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
+    assert_is_followed(simulator, post);
+}
+
+#[test]
 fn what_hangs_on_a_static_body_without_geoms_follows_it() {
     let mut simulator = precise(GRAVITY);
     let post = BodyFactory::create_rectangle_body_in(&mut simulator, 10.0, 10.0, 1.0).unwrap();
     simulator[post].set_is_static(true);
-    let body = ghost(&mut simulator, (10.0, 10.0), v(0.0, 20.0));
-    let joint = JointFactory::create_revolute_joint(&mut simulator, post, body, v(0.0, 0.0));
-    joined(&mut simulator, joint);
-    run(&mut simulator, 5);
-    simulator[post].set_position(v(0.0, 6.0));
-    run(&mut simulator, 10);
-    assert_abs_diff_eq!(simulator[body].position().y, 26.0, epsilon = 1e-3);
+    assert_is_followed(simulator, post);
 }
 
 #[test]
