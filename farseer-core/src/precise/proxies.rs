@@ -229,7 +229,8 @@ impl Proxies {
         &self,
         proxy: usize,
         bodies: &Bodies,
-        (tuning, widening): (&Tuning, Widening),
+        tuning: &Tuning,
+        widening: Widening,
         dt: f32,
     ) -> Box2 {
         let tight = self.tight(proxy, bodies, tuning);
@@ -238,8 +239,8 @@ impl Proxies {
             return NOWHERE;
         }
         let Some(hot) = bodies.hot.get(self.all[proxy].body as usize) else { return tight };
-        let margin = widening.margin;
         let ahead = [0, 1].map(|axis| widening.ahead(hot.velocity[axis] * dt));
+        let margin = widening.margin;
         let below = ahead.map(|way| if way < 0.0 { way - margin } else { -margin });
         let above = ahead.map(|way| if way > 0.0 { way + margin } else { margin });
         [tight[0] + below[0], tight[1] + below[1], tight[2] + above[0], tight[3] + above[1]]

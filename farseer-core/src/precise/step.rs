@@ -540,11 +540,11 @@ impl Precise {
         for at in 0..self.proxies.escaped.len() {
             let proxy = self.proxies.escaped[at];
             let reach = self.proxies.all[proxy as usize].shape.reach;
-            let is_lonely = self.pairs.of(proxy).next().is_none();
-            self.widen_by(
-                proxy,
-                if is_lonely { self.tuning.widening_of_lonely(reach) } else { self.tuning.widening(reach) },
-            );
+            let widening = match self.pairs.of(proxy).next() {
+                None => self.tuning.widening_of_lonely(reach),
+                Some(_) => self.tuning.widening(reach),
+            };
+            self.widen_by(proxy, widening);
         }
     }
 
@@ -554,8 +554,7 @@ impl Precise {
     }
 
     fn widen_by(&mut self, proxy: u32, widening: Widening) {
-        let tuning = (&self.tuning, widening);
-        let bounds = self.proxies.widened(proxy as usize, &self.bodies, tuning, self.dt);
+        let bounds = self.proxies.widened(proxy as usize, &self.bodies, &self.tuning, widening, self.dt);
         self.proxies.bounds[proxy as usize] = bounds;
         let Some(space) = &mut self.space else { return self.grid.set(proxy, &bounds) };
         if proxy == space.ground {

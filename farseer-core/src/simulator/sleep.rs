@@ -65,7 +65,8 @@ impl PhysicsSimulator {
         self.pipeline.precise.as_ref().map_or_else(Vec::new, |precise| precise.rows_per_colour())
     }
 
-    /// Wakes a body with the next update, with all that fell asleep together with it. Nothing happens to one that is awake, or to stale ids.
+    /// Wakes a body in the next update, with all that fell asleep together with it. Nothing happens to one that is awake, or to
+    /// stale ids.
     pub fn wake(&mut self, body: BodyId) {
         if let Some(precise) = &mut self.pipeline.precise {
             precise.wake(body);

@@ -123,8 +123,8 @@ impl PhysicsSimulator {
         self.pipeline.precise.as_ref().is_some_and(|precise| precise.waits_for_depths())
     }
 
-    /// Lists what was loaded, once it was told where all is along the depth axis: for those who ask what is near before the next
-    /// update.
+    /// Lists what was loaded, once this was told where all is along the depth axis, so that those who ask before the next update
+    /// are told what is near. Does nothing if all is listed.
     pub fn list_loaded_in_space(&mut self) {
         if let Some(precise) = &mut self.pipeline.precise {
             precise.list_loaded(&self.objects);

@@ -136,7 +136,8 @@ impl TwoHalfPhysicsSimulator {
         self.core.why_awake(body)
     }
 
-    /// Wakes a body with the next update, with all that fell asleep together with it. Nothing happens to one that is awake, or to stale ids.
+    /// Wakes a body in the next update, with all that fell asleep together with it. Nothing happens to one that is awake, or to
+    /// stale ids.
     pub fn wake(&mut self, body: BodyId) {
         self.core.wake(body);
     }

@@ -19,7 +19,8 @@ pub(super) fn note_forced(depths: &mut Depths) {
     depths.forced = forced;
 }
 
-/// What is near what is known before the next update, too, if it was loaded. Nothing acts yet, and all is told again then.
+/// Lists what was loaded, if the core waits for depths to do so: who asks before the next update is told what is near. Nothing
+/// acts yet, and that update tells all again.
 pub(crate) fn list_loaded(core: &mut PhysicsSimulator, world: &World) {
     if !core.waits_for_depths() {
         return;
