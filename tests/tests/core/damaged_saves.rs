@@ -123,9 +123,9 @@ fn some_methods() -> impl Iterator<Item = Methods> {
     methods().filter(is_needed)
 }
 
-/// Puts each replacement at a sample of places, one at a time. Answers how many saves were refused, and of how many.
-fn replace_numbers_by(replacements: &[Value], per_kind: usize) -> (usize, usize) {
-    let (mut refused, mut tried) = (0, 0);
+/// Puts each replacement at a sample of places, one at a time. Answers which saves were not refused, and of how many.
+fn replace_numbers_by(replacements: &[Value], per_kind: usize) -> (Vec<String>, usize) {
+    let (mut accepted, mut tried) = (Vec::new(), 0);
     let mut failed = Vec::new();
     for methods in some_methods() {
         let mut save = busy_save(methods);
@@ -137,7 +137,8 @@ fn replace_numbers_by(replacements: &[Value], per_kind: usize) -> (usize, usize)
                 *save.pointer_mut(path).unwrap() = replacement.clone();
                 let what = format!("{methods:?} {path} = {replacement}");
                 match std::panic::catch_unwind(|| is_refused_or_runs(loaded(&save), &what)) {
-                    Ok(is_refused) => refused += usize::from(is_refused),
+                    Ok(true) => {}
+                    Ok(false) => accepted.push(what),
                     Err(_) => failed.push(what),
                 }
                 tried += 1;
@@ -146,11 +147,11 @@ fn replace_numbers_by(replacements: &[Value], per_kind: usize) -> (usize, usize)
         }
     }
     assert!(failed.is_empty(), "{failed:#?}");
-    (refused, tried)
+    (accepted, tried)
 }
 
-fn some_are_refused((refused, tried): (usize, usize)) {
-    assert!(refused > 0 && refused < tried, "{refused} of {tried} were refused");
+fn some_are_refused((accepted, tried): (Vec<String>, usize)) {
+    assert!(!accepted.is_empty() && accepted.len() < tried, "{} of {tried} were accepted", accepted.len());
 }
 
 #[test]
@@ -204,8 +205,10 @@ fn saves_with_bit_patterns_of_infinity_and_nan_are_refused_or_run() {
 
 #[test]
 fn saves_with_numbers_beyond_floats_or_none_are_refused() {
-    let (refused, tried) = replace_numbers_by(&[1e60.into(), Value::Null], 1);
-    assert_eq!(refused, tried);
+    let (mut accepted, _) = replace_numbers_by(&[1e60.into(), Value::Null], 1);
+    // Contacts that are awake have no number there.
+    accepted.retain(|what| !what.ends_with("/asleep = null"));
+    assert!(accepted.is_empty(), "{accepted:#?}");
 }
 
 /// Exchanges of two numbers of the same kind: references that exist but are wrong.

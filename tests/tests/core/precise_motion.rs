@@ -102,13 +102,13 @@ fn assert_stands(simulator: &PhysicsSimulator, boxes: &[BodyId], [along, up, fas
 }
 
 /// Two or three times what was measured: 1.8e-4 px/s; 0.015 px, 9e-5 px/s; 0.79 px, 0.13 px/s; 0.0044 px, 3.1e-4 px/s after
-/// a load; 0.0016 px, 0.029 px/s under one; 2e-5 px/s after a change of method. Along nothing moves at all.
+/// a load; 0.0016 px, 0.029 px/s under one; 6e-5 px/s after a change of method. Along nothing moves at all.
 const TWENTY: [f32; 3] = [1e-3, 1e-3, 5e-4];
 const FORTY: [f32; 3] = [1e-3, 0.03, 3e-4];
 const TWO_HUNDRED: [f32; 3] = [1e-3, 1.6, 0.3];
 const LOADED: [f32; 3] = [1e-3, 0.01, 1e-3];
 const HEAVY: [f32; 3] = [1e-3, 0.005, 0.06];
-const CHANGED: [f32; 3] = [1e-3, 1e-3, 5e-5];
+const CHANGED: [f32; 3] = [1e-3, 1e-3, 1.5e-4];
 
 #[test]
 fn columns_of_boxes_stand_for_a_minute() {
