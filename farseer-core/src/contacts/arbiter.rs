@@ -1,7 +1,5 @@
 //! The contact state between two geoms, and the ordered list of all of them (behaviour chapter 03).
 
-use std::collections::BTreeMap;
-
 use serde::{Deserialize, Serialize};
 
 use crate::contacts::contact::Contact;
@@ -329,39 +327,47 @@ impl ArbiterList {
     /// found again. So of several arbiters of a pair the last one enters the pool as often as there are, and the others
     /// are lost, as in the original.
     pub(crate) fn remove_arbiters_of(&mut self, removed: &[GeomId]) {
-        let mut turns = BTreeMap::new();
-        for (turn, &geom) in removed.iter().enumerate() {
-            turns.entry(geom).or_insert(turn);
-        }
+        let mut turns: Vec<(u64, usize)> = removed.iter().map(|geom| geom.to_bits()).zip(0..).collect();
+        sort_by_number(&mut turns, |&(geom, _)| geom.into());
+        turns.dedup_by_key(|(geom, _)| *geom);
+        let turn_of = |geom: GeomId| {
+            let at = turns.binary_search_by_key(&geom.to_bits(), |&(geom, _)| geom).ok()?;
+            Some(turns[at].1)
+        };
+        let turn_of_pair = |(a, b): (GeomId, GeomId)| turn_of(a).into_iter().chain(turn_of(b)).min();
         let mut leaving: Vec<Leaving> = Vec::new();
-        let mut places: BTreeMap<(GeomId, GeomId), usize> = BTreeMap::new();
-        for &handle in self.list.iter().rev() {
-            let Some((a, b)) = self.arbiters[handle as usize].geoms else { continue };
-            let Some(&turn) = turns.get(&a).into_iter().chain(turns.get(&b)).min() else { continue };
-            let place = *places.entry((a, b)).or_insert_with(|| {
-                leaving.push(Leaving { turn, handle, count: 0 });
-                leaving.len() - 1
-            });
-            leaving[place].count += 1;
+        for (found, &handle) in self.list.iter().rev().enumerate() {
+            let Some(geoms) = self.arbiters[handle as usize].geoms else { continue };
+            let turn = turn_of_pair(geoms);
+            leaving.extend(turn.map(|turn| Leaving { geoms, turn, found, handle, count: 1 }));
         }
-        // Within a turn they stay in the order in which they were found.
-        sort_by_number(&mut leaving, |leaving| leaving.turn as u128);
+        sort_by_number(&mut leaving, |&Leaving { geoms: (a, b), .. }| {
+            u128::from(a.to_bits()) << 64 | u128::from(b.to_bits())
+        });
+        leaving.dedup_by(|next, first| {
+            let is_same = next.geoms == first.geoms;
+            first.count += usize::from(is_same);
+            is_same
+        });
+        // Within a turn they leave in the order in which they were found.
+        sort_by_number(&mut leaving, |leaving| (leaving.turn as u128) << 64 | leaving.found as u128);
         for Leaving { handle, count, .. } in leaving {
             self.pool.extend(std::iter::repeat_n(handle, count));
         }
         let arbiters = &self.arbiters;
-        self.list.retain(|&handle| {
-            !arbiters[handle as usize].geoms.is_some_and(|pair| places.contains_key(&pair))
-        });
+        let leaves = |&handle: &u32| arbiters[handle as usize].geoms.and_then(turn_of_pair).is_some();
+        self.list.retain(|handle| !leaves(handle));
     }
 }
 
 /// The arbiters of one pair that leave with a removed geom.
 #[derive(Clone)]
 struct Leaving {
+    geoms: (GeomId, GeomId),
     /// Which of the removed geoms comes first.
     turn: usize,
-    /// The last one in the list.
+    /// How many were found before the last one in the list, and that one.
+    found: usize,
     handle: u32,
     /// How many there are.
     count: usize,

@@ -6,25 +6,23 @@ use serde::{Deserialize, Serialize};
 
 /// Keys with values in slots. A new key takes the slot freed last; enumeration goes by slot.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-#[serde(bound(
-    serialize = "K: Serialize, V: Serialize",
-    deserialize = "K: Deserialize<'de>, V: Deserialize<'de>"
-))]
-#[serde(from = "Slots<K, V>", into = "Slots<K, V>")]
-pub(super) struct SlotTable<K: Ord + Copy, V: Clone> {
+#[serde(bound(deserialize = "K: Deserialize<'de>, V: Deserialize<'de>"))]
+#[serde(from = "Slots<K, V>")]
+pub(super) struct SlotTable<K: Ord + Copy, V> {
     slots: Vec<Option<(K, V)>>,
     free: Vec<u32>,
+    #[serde(skip_serializing)]
     index: BTreeMap<K, u32>,
 }
 
 /// The saved form: the index follows from the slots.
-#[derive(Serialize, Deserialize)]
+#[derive(Deserialize)]
 struct Slots<K, V> {
     slots: Vec<Option<(K, V)>>,
     free: Vec<u32>,
 }
 
-impl<K: Ord + Copy, V: Clone> From<Slots<K, V>> for SlotTable<K, V> {
+impl<K: Ord + Copy, V> From<Slots<K, V>> for SlotTable<K, V> {
     fn from(saved: Slots<K, V>) -> Self {
         let mut index = BTreeMap::new();
         for (slot, (key, _)) in
@@ -36,19 +34,13 @@ impl<K: Ord + Copy, V: Clone> From<Slots<K, V>> for SlotTable<K, V> {
     }
 }
 
-impl<K: Ord + Copy, V: Clone> From<SlotTable<K, V>> for Slots<K, V> {
-    fn from(table: SlotTable<K, V>) -> Self {
-        Slots { slots: table.slots, free: table.free }
-    }
-}
-
-impl<K: Ord + Copy, V: Clone> Default for SlotTable<K, V> {
+impl<K: Ord + Copy, V> Default for SlotTable<K, V> {
     fn default() -> Self {
         SlotTable { slots: Vec::new(), free: Vec::new(), index: BTreeMap::new() }
     }
 }
 
-impl<K: Ord + Copy, V: Clone> SlotTable<K, V> {
+impl<K: Ord + Copy, V> SlotTable<K, V> {
     /// The value of a key, put in first if it is missing.
     pub(super) fn get_or_insert_with(&mut self, key: K, value: impl FnOnce() -> V) -> &mut V {
         let slot = match self.index.get(&key) {

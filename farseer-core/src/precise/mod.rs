@@ -16,6 +16,7 @@
 
 mod bodies;
 mod direct;
+mod elimination;
 mod flight;
 mod grid;
 mod islands;

@@ -10,6 +10,7 @@ use crate::joints::held::Keeps;
 use crate::math::plane::{Vector, difference, dot};
 use crate::methods::IslandChoice;
 use crate::objects::Objects;
+use crate::storage::order::{joined, sort_by_number};
 
 /// Bodies that hang together by contacts, joints or springs: see
 /// [`PhysicsSimulator::islands`](crate::PhysicsSimulator::islands).
@@ -150,7 +151,9 @@ impl Precise {
                 false => (false, awake.find(number as u32) as usize, number),
             })
             .collect();
-        all.sort_unstable();
+        sort_by_number(&mut all, |&(sleeps, first, number)| {
+            joined([sleeps.into(), first as u32, number as u32])
+        });
         let told = self.told();
         let island = |bodies: &[(bool, usize, usize)]| {
             let of_bodies = bodies.iter().map(|&(.., number)| told[number]);

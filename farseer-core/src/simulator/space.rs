@@ -33,6 +33,31 @@ impl PhysicsSimulator {
         Ok(())
     }
 
+    /// The faithful set, without the contacts so far, whatever was chosen before; geoms get the distance grids that the precise
+    /// set does without.
+    ///
+    /// # Errors
+    /// As [`create_distance_grid`](crate::Objects::create_distance_grid), and [`set_methods`](Self::set_methods) with
+    /// [`Methods::Faithful`].
+    pub fn leave_space(&mut self) -> Result<()> {
+        if !self.is_in_space() {
+            // From the faithful set: by way of the other one, which has no contacts of this one and refuses nothing of it.
+            self.set_methods(Methods::PRECISE)?;
+            return self.set_methods(Methods::default());
+        }
+        // Geoms get grids one by one, and the last of them may be refused.
+        let before = self.objects.clone();
+        let geoms: Vec<GeomId> = self.geoms().collect();
+        let left = geoms
+            .into_iter()
+            .try_for_each(|geom| self.objects.create_distance_grid(geom))
+            .and_then(|()| self.set_methods(Methods::default()));
+        if left.is_err() {
+            self.objects = before;
+        }
+        left
+    }
+
     /// Whether there is a depth axis.
     pub fn is_in_space(&self) -> bool {
         self.pipeline.precise.as_ref().is_some_and(|precise| precise.is_in_space())

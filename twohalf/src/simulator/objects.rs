@@ -127,6 +127,12 @@ impl TwoHalfPhysicsSimulator {
     /// ```
     pub fn edit_objects<R>(&mut self, edit: impl FnOnce(&mut farseer_core::Objects) -> R) -> R {
         let answer = edit(&mut self.core);
+        self.adopt_new();
+        answer
+    }
+
+    /// Takes notice of bodies and geoms that were made.
+    fn adopt_new(&mut self) {
         let TwoHalfPhysicsSimulator { core, world, .. } = self;
         for body in core.bodies() {
             let knows = |&geom: &GeomId| world.depths.profiles.get(geom).is_some();
@@ -134,7 +140,6 @@ impl TwoHalfPhysicsSimulator {
                 adopt_body(core, &mut world.depths, body);
             }
         }
-        answer
     }
 
     /// Lets an object take part from the next update on. Adding a body does not add its geoms.

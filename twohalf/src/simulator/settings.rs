@@ -178,8 +178,10 @@ impl TwoHalfPhysicsSimulator {
         }
         if is_precise {
             self.core.enter_space(LENGTH_UNIT)?;
+        } else if let Some(what) = self.what_only_the_precise_set_has() {
+            return Err(only_precise(what));
         } else {
-            self.core = self.with_faithful_set()?;
+            self.core.leave_space()?;
         }
         self.world.paces.retain(|pace| !pace.is_over());
         self.world.scheme = scheme;
@@ -208,25 +210,6 @@ impl TwoHalfPhysicsSimulator {
         } else {
             (!crush_watches.is_empty()).then_some("crushing that is told")
         }
-    }
-
-    /// The 2D engine with the faithful set, and without the contacts that it has.
-    fn with_faithful_set(&self) -> Result<PhysicsSimulator> {
-        if let Some(what) = self.what_only_the_precise_set_has() {
-            return Err(only_precise(what));
-        }
-        // A copy, since geoms get grids one by one and the last of them may be refused.
-        let mut core = self.core.clone();
-        if core.is_in_space() {
-            // The precise set does without.
-            let geoms: Vec<GeomId> = core.geoms().collect();
-            geoms.into_iter().try_for_each(|geom| core.create_distance_grid(geom))?;
-        } else {
-            // From the other one of the two: by way of the set that has no contacts of this one.
-            core.set_methods(farseer_core::Methods::PRECISE)?;
-        }
-        core.set_methods(farseer_core::Methods::default())?;
-        Ok(core)
     }
 
     /// The former name of [`set_depth_scheme`](Self::set_depth_scheme).

@@ -1,11 +1,8 @@
 //! A sparse symmetric matrix of 3x3 blocks, one row of blocks per body, and its factors L D L^T.
 //!
-//! The order of elimination is that of least degree, ties by number: on trees nothing fills in, and the work is that of
-//! articulated bodies. What fills in, and which products go where, is planned once per graph.
+//! In the [order of elimination](crate::precise::elimination) the work is that of articulated bodies on trees.
 
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
-
+use crate::precise::elimination::Elimination;
 use crate::storage::reusing_clone::reusing_clone;
 
 /// Velocity, or impulse, of a body: x, y and turning.
@@ -27,14 +24,7 @@ pub(super) struct Entry {
 pub(super) struct Factor {
     /// The graph that was planned for.
     edges: Vec<[u32; 2]>,
-    /// By body its place in the order of elimination, and the other way round.
-    places: Vec<u32>,
-    order: Vec<u32>,
-    /// By place: where its column begins; of each block of the columns the place of its row.
-    starts: Vec<u32>,
-    rows: Vec<u32>,
-    /// Where each product of two blocks of one column goes.
-    targets: Vec<u32>,
+    elimination: Elimination,
     diagonal: Vec<Symmetric>,
     inverse: Vec<Symmetric>,
     below: Vec<Block>,
@@ -43,125 +33,46 @@ pub(super) struct Factor {
     solution: Vec<Triple>,
 }
 
-reusing_clone! {
-    Factor {
-        edges, places, order, starts, rows, targets, diagonal, inverse, below, column, solution
-    }
-}
+reusing_clone! { Factor { edges, elimination, diagonal, inverse, below, column, solution } }
 
 impl Factor {
     /// Plans for so many bodies, of which these are tied to each other, each pair once and the lesser number first. Answers
     /// whether no more than `most` products of blocks are to be made.
     pub(super) fn plan(&mut self, count: usize, edges: &[[u32; 2]], most: usize) -> bool {
-        if self.edges == edges && self.places.len() == count {
-            return self.targets.len() <= most;
+        if self.edges == edges && self.elimination.places.len() == count {
+            return self.elimination.targets.len() <= most;
         }
         self.edges.clear();
         self.edges.extend_from_slice(edges);
-        self.order.clear();
-        self.places.clear();
-        self.places.resize(count, u32::MAX);
-        let Some(columns) = self.eliminate(most) else {
-            self.places.clear();
+        let products = |degree: usize| degree * degree.saturating_sub(1) / 2;
+        if !self.elimination.plan(count, edges, products, most) {
             return false;
-        };
-        self.lay_out(&columns);
-        true
-    }
-
-    /// The bodies that each one is tied to when it is eliminated, in the order of elimination.
-    fn eliminate(&mut self, most: usize) -> Option<Vec<Vec<u32>>> {
-        let mut partners = vec![Vec::new(); self.places.len()];
-        for &[a, b] in &self.edges {
-            partners[a as usize].push(b);
-            partners[b as usize].push(a);
         }
-        let mut heap: BinaryHeap<_> =
-            partners.iter().enumerate().map(|(body, of)| Reverse((of.len(), body))).collect();
-        let (mut columns, mut products) = (Vec::with_capacity(partners.len()), 0);
-        while let Some(Reverse((degree, body))) = heap.pop() {
-            if self.places[body] != u32::MAX || degree != partners[body].len() {
-                continue;
-            }
-            products += degree * degree.saturating_sub(1) / 2;
-            if products > most {
-                return None;
-            }
-            self.places[body] = self.order.len() as u32;
-            self.order.push(body as u32);
-            let column = std::mem::take(&mut partners[body]);
-            for &partner in &column {
-                let of_partner = &mut partners[partner as usize];
-                of_partner.retain(|&other| other != body as u32);
-                for &other in column.iter().filter(|&&other| other != partner) {
-                    if !of_partner.contains(&other) {
-                        of_partner.push(other);
-                    }
-                }
-                heap.push(Reverse((of_partner.len(), partner as usize)));
-            }
-            columns.push(column);
-        }
-        Some(columns)
-    }
-
-    fn lay_out(&mut self, columns: &[Vec<u32>]) {
-        self.starts.clear();
-        self.rows.clear();
-        self.starts.push(0);
-        for column in columns {
-            let start = self.rows.len();
-            self.rows.extend(column.iter().map(|&body| self.places[body as usize]));
-            self.rows[start..].sort_unstable();
-            self.starts.push(self.rows.len() as u32);
-        }
-        self.targets.clear();
-        for place in 0..columns.len() {
-            let column = self.column(place);
-            for (at, &row) in self.rows[column.clone()].iter().enumerate() {
-                for &above in &self.rows[column.start..column.start + at] {
-                    self.targets.push(self.find(above, row));
-                }
-            }
-        }
-        let (count, blocks) = (columns.len(), self.rows.len());
         self.diagonal.resize(count, [0.0; 6]);
         self.inverse.resize(count, [0.0; 6]);
         self.solution.resize(count, [0.0; 3]);
-        self.below.resize(blocks, [0.0; 9]);
-        let longest = columns.iter().map(Vec::len).max().unwrap_or(0);
-        self.column.resize(longest, [0.0; 9]);
-    }
-
-    #[inline(always)]
-    fn column(&self, place: usize) -> std::ops::Range<usize> {
-        self.starts[place] as usize..self.starts[place + 1] as usize
-    }
-
-    /// The block of a column at this row, which the plan has.
-    fn find(&self, column: u32, row: u32) -> u32 {
-        let range = self.column(column as usize);
-        (range.start + self.rows[range].partition_point(|&other| other < row)) as u32
+        self.below.resize(self.elimination.rows.len(), [0.0; 9]);
+        self.column.resize(self.elimination.longest(), [0.0; 9]);
+        true
     }
 
     /// Where the block of two bodies is that are tied.
     pub(super) fn entry(&self, a: u32, b: u32) -> Entry {
-        let (a, b) = (self.places[a as usize], self.places[b as usize]);
-        let (column, row) = if a < b { (a, b) } else { (b, a) };
-        Entry { at: self.find(column, row), is_turned: b < a }
+        let (at, is_turned) = self.elimination.entry(a, b);
+        Entry { at, is_turned }
     }
 
     /// A matrix of diagonal blocks alone.
     pub(super) fn begin(&mut self, masses: impl Iterator<Item = [f64; 2]>) {
         self.below.fill([0.0; 9]);
-        for (&place, [mass, inertia]) in self.places.iter().zip(masses) {
+        for (&place, [mass, inertia]) in self.elimination.places.iter().zip(masses) {
             self.diagonal[place as usize] = [mass, 0.0, mass, 0.0, 0.0, inertia];
         }
     }
 
     #[inline(always)]
     pub(super) fn add(&mut self, body: u32, block: Symmetric) {
-        let diagonal = &mut self.diagonal[self.places[body as usize] as usize];
+        let diagonal = &mut self.diagonal[self.elimination.places[body as usize] as usize];
         diagonal.iter_mut().zip(block).for_each(|(sum, part)| *sum += part);
     }
 
@@ -179,17 +90,17 @@ impl Factor {
     /// Makes the factors.
     pub(super) fn factorise(&mut self) {
         let mut product = 0;
-        for place in 0..self.order.len() {
+        for place in 0..self.elimination.order.len() {
             let inverse = inverted(&self.diagonal[place]);
             self.inverse[place] = inverse;
-            let column = self.column(place);
+            let column = self.elimination.column(place);
             for at in column.clone() {
                 let block = self.below[at];
                 let divided = divided(&block, &inverse);
-                let diagonal = &mut self.diagonal[self.rows[at] as usize];
+                let diagonal = &mut self.diagonal[self.elimination.rows[at] as usize];
                 take_own(diagonal, &divided, &block);
                 for above in &self.column[..at - column.start] {
-                    take(&mut self.below[self.targets[product] as usize], &divided, above);
+                    take(&mut self.below[self.elimination.targets[product] as usize], &divided, above);
                     product += 1;
                 }
                 self.column[at - column.start] = block;
@@ -200,29 +111,30 @@ impl Factor {
 
     /// Solves for a right-hand side by body, in place.
     pub(super) fn solve(&mut self, x: &mut [Triple]) {
-        for (value, &body) in self.solution.iter_mut().zip(&self.order) {
+        for (value, &body) in self.solution.iter_mut().zip(&self.elimination.order) {
             *value = x[body as usize];
         }
-        for place in 0..self.order.len() {
+        for place in 0..self.elimination.order.len() {
             let value = self.solution[place];
-            for at in self.column(place) {
-                let (block, below) = (&self.below[at], &mut self.solution[self.rows[at] as usize]);
+            for at in self.elimination.column(place) {
+                let (block, below) =
+                    (&self.below[at], &mut self.solution[self.elimination.rows[at] as usize]);
                 for (i, below) in below.iter_mut().enumerate() {
                     let [p, q, r] = [block[3 * i], block[3 * i + 1], block[3 * i + 2]];
                     *below -= p * value[0] + q * value[1] + r * value[2];
                 }
             }
         }
-        for place in (0..self.order.len()).rev() {
+        for place in (0..self.elimination.order.len()).rev() {
             let mut value = by(&self.inverse[place], self.solution[place]);
-            for at in self.column(place) {
-                let (block, below) = (&self.below[at], self.solution[self.rows[at] as usize]);
+            for at in self.elimination.column(place) {
+                let (block, below) = (&self.below[at], self.solution[self.elimination.rows[at] as usize]);
                 for (i, value) in value.iter_mut().enumerate() {
                     *value -= block[i] * below[0] + block[3 + i] * below[1] + block[6 + i] * below[2];
                 }
             }
             self.solution[place] = value;
-            x[self.order[place] as usize] = value;
+            x[self.elimination.order[place] as usize] = value;
         }
     }
 }

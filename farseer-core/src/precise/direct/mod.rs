@@ -21,7 +21,7 @@ use super::rows::{Aside, Home, Lane, PointLane};
 use super::telling::WhyMethod;
 use super::tuning::Step;
 use crate::methods::IslandChoice;
-use crate::storage::order::sort_by_number;
+use crate::storage::order::{joined, sort_by_number};
 use crate::storage::reusing_clone::reusing_clone;
 use contact::{Contact, Ends, FIXED};
 use factor::Triple;
@@ -347,7 +347,7 @@ impl Precise {
                 timing.has_resting = true;
             }
         }
-        found.sort_unstable();
+        sort_by_number(found, |&(root, body)| joined([root, body]));
         if chooses {
             wear.iter_mut().for_each(|wear| wear.is_direct = false);
         }
@@ -533,7 +533,7 @@ fn list_edges(members: &[(u32, u32)], pairs: &Pairs, proxies: &Proxies, edges: &
             }
         }
     }
-    edges.sort_unstable();
+    sort_by_number(edges, |&edge| joined(edge));
     edges.dedup();
 }
 

@@ -55,40 +55,29 @@ impl SpaceRows {
     }
 }
 
-/// The rows of a kind, borrowed as it says.
+/// The rows of a kind, borrowed as it says. What is done with them is compiled once for each kind of block, fixed or not.
 macro_rules! of_kind {
-    (($($borrow:tt)+) $rows:expr, $kind:expr, $colours:ident => $act:expr) => {
-        match ($kind.has_two_points, $kind.is_fixed) {
-            (true, false) if $kind.is_in_space() => {
-                let $colours = $($borrow)+ $rows.space.prisms;
-                $act
-            }
-            (false, false) if $kind.is_in_space() => {
-                let $colours = $($borrow)+ $rows.space.balls;
-                $act
-            }
-            (true, true) if $kind.is_in_space() => {
-                let $colours = $($borrow)+ $rows.space.prisms_fixed;
-                $act
-            }
-            (false, true) if $kind.is_in_space() => {
-                let $colours = $($borrow)+ $rows.space.balls_fixed;
+    (@of ($($borrow:tt)+) $is_fixed:expr, $fixed:expr, $other:expr) => {
+        if $is_fixed { $($borrow)+ $fixed } else { $($borrow)+ $other }
+    };
+    ($borrow:tt $rows:expr, $kind:expr, $colours:ident => $act:expr) => {
+        match ($kind.is_in_space(), $kind.has_two_points) {
+            (true, true) => {
+                let $colours =
+                    of_kind!(@of $borrow $kind.is_fixed, $rows.space.prisms_fixed, $rows.space.prisms);
                 $act
             }
             (true, false) => {
-                let $colours = $($borrow)+ $rows.two;
-                $act
-            }
-            (false, false) => {
-                let $colours = $($borrow)+ $rows.one;
-                $act
-            }
-            (true, true) => {
-                let $colours = $($borrow)+ $rows.two_fixed;
+                let $colours =
+                    of_kind!(@of $borrow $kind.is_fixed, $rows.space.balls_fixed, $rows.space.balls);
                 $act
             }
             (false, true) => {
-                let $colours = $($borrow)+ $rows.one_fixed;
+                let $colours = of_kind!(@of $borrow $kind.is_fixed, $rows.two_fixed, $rows.two);
+                $act
+            }
+            (false, false) => {
+                let $colours = of_kind!(@of $borrow $kind.is_fixed, $rows.one_fixed, $rows.one);
                 $act
             }
         }

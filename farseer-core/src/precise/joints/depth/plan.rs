@@ -1,7 +1,5 @@
 //! Which joints make groups in three axes, and what their numbers have to do with each other.
 
-use std::collections::BTreeSet;
-
 use super::super::super::bodies::Bodies;
 use super::super::super::islands::Islands;
 use super::super::hold::Hold;
@@ -10,6 +8,7 @@ use super::super::tree::Link;
 use super::group::{Shared, SpatialGroup};
 use super::row::{Row, Side, Tie, What};
 use super::sparse::Sparse;
+use crate::storage::order::{joined, sort_by_number};
 
 /// Products of the factors beyond which numbers are made right one by one instead.
 const PRODUCTS: usize = 2_000_000;
@@ -102,17 +101,19 @@ impl SpatialGroup {
         if holders.iter().map(of_two).sum::<usize>() > PRODUCTS {
             return;
         }
-        let mut ties = vec![BTreeSet::new(); self.rows.len()];
+        let mut ties = Vec::new();
         for (node, holders) in holders.iter().enumerate() {
             for (at, &(row, side)) in holders.iter().enumerate() {
                 for &(other, other_side) in &holders[at + 1..] {
-                    ties[row as usize].insert(other);
+                    ties.push([row, other]);
                     let (rows, sides) = ([row, other], [side, other_side]);
                     self.shared.push(Shared { node: node as u32, rows, sides, entry: 0 });
                 }
             }
         }
-        self.sparse = Sparse::plan(&ties, PRODUCTS);
+        sort_by_number(&mut ties, |&tie| joined(tie));
+        ties.dedup();
+        self.sparse = Sparse::plan(self.rows.len(), &ties, PRODUCTS);
         match &self.sparse {
             Some(sparse) => {
                 self.shared.iter_mut().for_each(|of| of.entry = sparse.entry(of.rows[0], of.rows[1]));

@@ -1,115 +1,44 @@
-//! A sparse symmetric matrix and its factors L D L^T.
-//!
-//! The order of elimination is that of least degree, ties by number: along a rope nothing fills in, and the work goes with its
-//! length. What fills in, and which product goes where, is planned once per graph.
+//! A sparse symmetric matrix of numbers and its factors L D L^T.
 
-use std::collections::BTreeSet;
-
+use crate::precise::elimination::Elimination;
 use crate::storage::reusing_clone::reusing_clone;
 
 /// The matrix, and then its factors. Rows and columns go by their place in the order of elimination.
 #[derive(Debug, Default)]
 pub(super) struct Sparse {
-    /// By row its place in the order.
-    places: Vec<u32>,
-    /// By place: where its column begins, and of each number below the diagonal the place of its row.
-    starts: Vec<u32>,
-    rows: Vec<u32>,
-    /// Where each product of two numbers of one column goes: on the diagonal, or below it.
-    targets: Vec<u32>,
+    elimination: Elimination,
     diagonal: Vec<f64>,
     below: Vec<f64>,
     column: Vec<f64>,
     solution: Vec<f64>,
 }
 
-reusing_clone! { Sparse { places, starts, rows, targets, diagonal, below, column, solution } }
+reusing_clone! { Sparse { elimination, diagonal, below, column, solution } }
 
 impl Sparse {
-    /// Plans for rows of which each is tied to those of greater numbers that are listed with it. `None` if that takes more than
-    /// `most` products.
-    pub(super) fn plan(ties: &[BTreeSet<u32>], most: usize) -> Option<Self> {
-        let mut partners = vec![BTreeSet::new(); ties.len()];
-        for (row, of_row) in ties.iter().enumerate() {
-            for &other in of_row {
-                partners[row].insert(other);
-                partners[other as usize].insert(row as u32);
-            }
-        }
-        let mut sparse = Sparse { places: vec![u32::MAX; ties.len()], ..Sparse::default() };
-        let columns = sparse.eliminate(partners, most)?;
-        sparse.lay_out(&columns);
-        Some(sparse)
+    /// Plans for so many rows, of which these are tied to each other: each pair once and the lesser number first, in order.
+    /// `None` if that takes more than `most` products.
+    pub(super) fn plan(count: usize, edges: &[[u32; 2]], most: usize) -> Option<Self> {
+        let mut elimination = Elimination::default();
+        // Those that go to the diagonal are counted too.
+        let products = |degree: usize| degree * (degree + 1) / 2;
+        elimination.plan(count, edges, products, most).then(|| Sparse {
+            diagonal: vec![0.0; count],
+            solution: vec![0.0; count],
+            below: vec![0.0; elimination.rows.len()],
+            column: vec![0.0; elimination.longest()],
+            elimination,
+        })
     }
 
     /// Of how many products its factors are made.
     pub(super) fn products(&self) -> usize {
-        self.targets.len()
-    }
-
-    /// The rows that each one is tied to when it is eliminated, in the order of elimination.
-    fn eliminate(&mut self, mut partners: Vec<BTreeSet<u32>>, most: usize) -> Option<Vec<BTreeSet<u32>>> {
-        let mut waiting = BTreeSet::new();
-        partners.iter().zip(0_u32..).for_each(|(of_row, row)| {
-            waiting.insert((of_row.len(), row));
-        });
-        let (mut columns, mut products) = (Vec::with_capacity(partners.len()), 0);
-        while let Some((degree, row)) = waiting.pop_first() {
-            products += degree * (degree + 1) / 2;
-            if products > most {
-                return None;
-            }
-            self.places[row as usize] = columns.len() as u32;
-            let column = std::mem::take(&mut partners[row as usize]);
-            for &partner in &column {
-                let of_partner = &mut partners[partner as usize];
-                waiting.remove(&(of_partner.len(), partner));
-                of_partner.remove(&row);
-                of_partner.extend(column.iter().filter(|&&other| other != partner));
-                waiting.insert((of_partner.len(), partner));
-            }
-            columns.push(column);
-        }
-        Some(columns)
-    }
-
-    fn lay_out(&mut self, columns: &[BTreeSet<u32>]) {
-        self.starts.push(0);
-        for column in columns {
-            let start = self.rows.len();
-            self.rows.extend(column.iter().map(|&row| self.places[row as usize]));
-            self.rows[start..].sort_unstable();
-            self.starts.push(self.rows.len() as u32);
-        }
-        for place in 0..columns.len() {
-            let column = self.column(place);
-            for (at, &row) in self.rows[column.clone()].iter().enumerate() {
-                for &above in &self.rows[column.start..column.start + at] {
-                    self.targets.push(self.find(above, row));
-                }
-            }
-        }
-        let longest = columns.iter().map(BTreeSet::len).max().unwrap_or(0);
-        self.diagonal.resize(columns.len(), 0.0);
-        self.solution.resize(columns.len(), 0.0);
-        self.below.resize(self.rows.len(), 0.0);
-        self.column.resize(longest, 0.0);
-    }
-
-    fn column(&self, place: usize) -> std::ops::Range<usize> {
-        self.starts[place] as usize..self.starts[place + 1] as usize
-    }
-
-    /// The number of a column at this row, which the plan has.
-    fn find(&self, column: u32, row: u32) -> u32 {
-        let range = self.column(column as usize);
-        (range.start + self.rows[range].partition_point(|&other| other < row)) as u32
+        self.elimination.targets.len()
     }
 
     /// Where the number of two tied rows is kept.
     pub(super) fn entry(&self, a: u32, b: u32) -> u32 {
-        let (a, b) = (self.places[a as usize], self.places[b as usize]);
-        self.find(a.min(b), a.max(b))
+        self.elimination.entry(a, b).0
     }
 
     /// All numbers are 0.
@@ -119,7 +48,7 @@ impl Sparse {
     }
 
     pub(super) fn set_diagonal(&mut self, row: usize, value: f64) {
-        self.diagonal[self.places[row] as usize] = value;
+        self.diagonal[self.elimination.places[row] as usize] = value;
     }
 
     pub(super) fn add_below(&mut self, entry: u32, value: f64) {
@@ -130,7 +59,7 @@ impl Sparse {
     pub(super) fn factor(&mut self) {
         let mut target = 0;
         for place in 0..self.diagonal.len() {
-            let column = self.column(place);
+            let column = self.elimination.column(place);
             let inverse = 1.0 / self.diagonal[place];
             self.diagonal[place] = inverse;
             for (kept, below) in self.column.iter_mut().zip(&mut self.below[column.clone()]) {
@@ -139,9 +68,9 @@ impl Sparse {
             }
             for at in 0..column.len() {
                 let factor = self.below[column.start + at];
-                self.diagonal[self.rows[column.start + at] as usize] -= factor * self.column[at];
+                self.diagonal[self.elimination.rows[column.start + at] as usize] -= factor * self.column[at];
                 for above in 0..at {
-                    self.below[self.targets[target] as usize] -= factor * self.column[above];
+                    self.below[self.elimination.targets[target] as usize] -= factor * self.column[above];
                     target += 1;
                 }
             }
@@ -150,9 +79,10 @@ impl Sparse {
 
     /// Solves for a right side, in place.
     pub(super) fn solve(&mut self, values: &mut [f64]) {
-        let Sparse { places, starts, rows, diagonal, below, solution, .. } = self;
+        let Sparse { elimination, diagonal, below, solution, .. } = self;
+        let Elimination { places, rows, .. } = &*elimination;
         values.iter().zip(places.iter()).for_each(|(&value, &place)| solution[place as usize] = value);
-        let columns = || starts.windows(2).map(|ends| ends[0] as usize..ends[1] as usize).enumerate();
+        let columns = || (0..places.len()).map(|place| (place, elimination.column(place)));
         for (place, column) in columns() {
             let value = solution[place];
             column.for_each(|at| solution[rows[at] as usize] -= below[at] * value);
@@ -171,9 +101,7 @@ mod tests {
 
     /// A matrix of this graph, each row heavier than what ties it, and a right side.
     fn check(count: u32, ties: &[[u32; 2]]) {
-        let mut above = vec![BTreeSet::new(); count as usize];
-        ties.iter().for_each(|&[a, b]| _ = above[a as usize].insert(b));
-        let mut sparse = Sparse::plan(&above, usize::MAX).unwrap();
+        let mut sparse = Sparse::plan(count as usize, ties, usize::MAX).unwrap();
         let value = |at: usize| 1.0 + 0.3 * at as f64;
         let mut dense = vec![vec![0.0; count as usize]; count as usize];
         sparse.clear();
@@ -198,7 +126,7 @@ mod tests {
     #[test]
     fn what_it_solves_it_has_solved() {
         check(4, &[[0, 1], [1, 2], [2, 3]]);
-        check(4, &[[0, 1], [1, 2], [2, 3], [0, 3], [1, 3]]);
+        check(4, &[[0, 1], [0, 3], [1, 2], [1, 3], [2, 3]]);
         let net: Vec<[u32; 2]> =
             (0..25).flat_map(|at| [[at, at + 1], [at, at + 5]]).filter(|ties| ties[1] < 25).collect();
         check(25, &net);
@@ -206,14 +134,13 @@ mod tests {
 
     #[test]
     fn along_a_rope_nothing_fills_in() {
-        let ties: Vec<BTreeSet<u32>> =
-            (0..50).map(|at| BTreeSet::from_iter((at < 49).then_some(at + 1))).collect();
-        assert_eq!(Sparse::plan(&ties, usize::MAX).unwrap().below.len(), 49);
+        let ties: Vec<[u32; 2]> = (0..49).map(|at| [at, at + 1]).collect();
+        assert_eq!(Sparse::plan(50, &ties, usize::MAX).unwrap().below.len(), 49);
     }
 
     #[test]
     fn what_takes_too_much_is_not_planned() {
-        let all: Vec<BTreeSet<u32>> = (0..30).map(|at| (at + 1..30).collect()).collect();
-        assert!(Sparse::plan(&all, 1000).is_none());
+        let all: Vec<[u32; 2]> = (0..30).flat_map(|a| (a + 1..30).map(move |b| [a, b])).collect();
+        assert!(Sparse::plan(30, &all, 1000).is_none());
     }
 }
