@@ -69,7 +69,7 @@ impl SavedSimulator {
         simulator.objects.make_grids()?;
         // Of a depth axis the engine above has to tell first.
         if let Some(precise) = simulator.pipeline.precise.as_mut().filter(|precise| !precise.is_in_space()) {
-            precise.list_loaded(&simulator.objects);
+            precise.list_loaded(&mut simulator.objects);
         }
         Ok(simulator)
     }

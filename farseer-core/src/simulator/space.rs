@@ -138,21 +138,16 @@ impl PhysicsSimulator {
         self.pipeline.precise.iter().flat_map(|precise| precise.space_rested())
     }
 
-    /// Whether what touches is known: not between loading and the next update.
+    /// Whether what touches is known, with all that is told of it: not between loading and the next update.
     pub fn knows_touches(&self) -> bool {
         self.pipeline.precise.as_ref().is_some_and(|precise| precise.knows_touches())
     }
 
-    /// Whether the depth axis is to be told of before what was loaded can be [listed](Self::list_loaded_in_space).
-    pub fn waits_for_depths(&self) -> bool {
-        self.pipeline.precise.as_ref().is_some_and(|precise| precise.waits_for_depths())
-    }
-
     /// Lists what was loaded, once this was told where all is along the depth axis, so that those who ask before the next update
-    /// are told what is near. Does nothing if all is listed.
+    /// are told what is near.
     pub fn list_loaded_in_space(&mut self) {
         if let Some(precise) = &mut self.pipeline.precise {
-            precise.list_loaded(&self.objects);
+            precise.list_loaded(&mut self.objects);
         }
     }
 

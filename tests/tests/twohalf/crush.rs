@@ -56,6 +56,20 @@ fn a_lift_below_a_ceiling_crushes_when_the_room_is_gone_at_every_rate() {
 }
 
 #[test]
+fn who_is_squeezed_is_so_right_after_a_load() {
+    // One that is slow is edited at the end of every update.
+    for scale in [1.0, 0.5, 0.0] {
+        let (mut simulator, figure, _) = lift_below_ceiling(60.0, 40.0);
+        simulator.set_time_scale(figure, scale).unwrap();
+        (0..60).for_each(|_| simulator.update(1.0 / 60.0));
+        let mut loaded = TwoHalfPhysicsSimulator::new(1).unwrap();
+        loaded.restore(&simulator.snapshot()).unwrap();
+        assert_eq!(loaded.squeeze(figure), simulator.squeeze(figure), "{scale}");
+        assert_eq!(loaded.squeeze(figure).is_some(), scale > 0.0, "{scale}");
+    }
+}
+
+#[test]
 fn it_is_told_again_after_there_was_room() {
     let (mut simulator, figure, [lift, _]) = lift_below_ceiling(60.0, 40.0);
     simulator.set_crush_tolerance(figure, Some(2.0)).unwrap();

@@ -45,6 +45,15 @@ fn a_body_wakes_with_what_it_fell_asleep_with() {
 }
 
 #[test]
+fn what_sleeps_does_so_right_after_a_restore() {
+    two_at_rest(|plain, bodies| {
+        let mut restored = conformance::fixtures::depth::simulator();
+        restored.restore(&plain.snapshot()).unwrap();
+        assert!(bodies.iter().all(|&body| restored.is_asleep(body)));
+    });
+}
+
+#[test]
 fn what_is_woken_right_after_a_restore_wakes() {
     two_at_rest(|mut plain, [below, above]| {
         let mut restored = conformance::fixtures::depth::simulator();

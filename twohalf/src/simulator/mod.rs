@@ -26,9 +26,9 @@ pub use save::SavedTwoHalfSimulator;
 use farseer_core::{Body, BodyId, PhysicsSimulator};
 
 use crate::depth::{DepthScheme, World};
-use crate::shapes::Top;
 use crate::stages::{Pipeline, Report};
 use crate::views::{Access, AccessMut};
+use crate::walk::Near;
 use crate::{Projection, Result, Vector2};
 use objects::adopt_body;
 
@@ -67,7 +67,7 @@ pub struct TwoHalfPhysicsSimulator {
     pipeline: Pipeline,
     report: Report,
     /// Room: what is near the figure that is about to walk.
-    pub(crate) tops: Vec<Top>,
+    pub(crate) near: Near,
 }
 
 /// Making one.
@@ -144,7 +144,7 @@ impl TwoHalfPhysicsSimulator {
     /// One in which nothing has happened yet.
     fn of(core: PhysicsSimulator, world: World) -> Self {
         let (pipeline, report) = Default::default();
-        TwoHalfPhysicsSimulator { core, world, pipeline, report, tops: Vec::new() }
+        TwoHalfPhysicsSimulator { core, world, pipeline, report, near: Near::default() }
     }
 }
 

@@ -14,6 +14,7 @@ use super::TwoHalfPhysicsSimulator;
 use crate::Result;
 use crate::depth::{CrushWatch, DepthProfile, DepthScheme, Pace, TouchList, World};
 use crate::error::damaged;
+use crate::stages::list_loaded;
 use crate::views::list_touches;
 
 impl<'de> Deserialize<'de> for TwoHalfPhysicsSimulator {
@@ -56,6 +57,7 @@ impl SavedTwoHalfSimulator {
         let world = World { touches: self.touches, ..self.world };
         let mut simulator = TwoHalfPhysicsSimulator::of(core, world);
         simulator.check()?;
+        list_loaded(&mut simulator.core, &simulator.world);
         Ok(simulator)
     }
 }

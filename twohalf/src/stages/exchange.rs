@@ -19,10 +19,10 @@ pub(super) fn note_forced(depths: &mut Depths) {
     depths.forced = forced;
 }
 
-/// Lists what was loaded, if the core waits for depths to do so: who asks before the next update is told what is near. Nothing
-/// acts yet, and that update tells all again.
+/// Lists what was loaded, so that who asks before the next update is told what touches and what is near. Nothing acts yet, and that
+/// update tells all again.
 pub(crate) fn list_loaded(core: &mut PhysicsSimulator, world: &World) {
-    if !core.waits_for_depths() {
+    if !core.is_in_space() {
         return;
     }
     let bodies: Vec<BodyId> = core.bodies().collect();

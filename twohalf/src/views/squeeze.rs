@@ -23,7 +23,7 @@ pub struct Squeeze {
 
 /// How a body is squeezed.
 pub(crate) fn squeeze(core: &PhysicsSimulator, world: &World, body: BodyId) -> Option<Squeeze> {
-    if world.scheme != DepthScheme::Precise || !core.knows_touches() {
+    if world.scheme != DepthScheme::Precise {
         return None;
     }
     let mut sides: [Option<(f32, Partner)>; 6] = [None; 6];
@@ -33,7 +33,9 @@ pub(crate) fn squeeze(core: &PhysicsSimulator, world: &World, body: BodyId) -> O
         for axis in 0..3 {
             if normal[axis].abs() >= FACES {
                 let side = &mut sides[2 * axis + usize::from(normal[axis] < 0.0)];
-                *side = side.filter(|(deepest, _)| *deepest >= depth).or(Some((depth, partner)));
+                // In whatever order they come.
+                let stays = |(deepest, known): &(f32, Partner)| (*deepest, partner) >= (depth, *known);
+                *side = side.filter(stays).or(Some((depth, partner)));
             }
         }
     }

@@ -7,7 +7,7 @@ use super::feet::Feet;
 use super::rest::Rest;
 use crate::projection::to_world;
 use crate::shapes::{SlantedBox, Top};
-use crate::{BodyId, DepthProfile, GeomId, Partner, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3};
+use crate::{DepthProfile, GeomId, Partner, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
 /// Ends of what is looked at are taken as far inside as this, px, where rounding cannot put them outside.
 const INSIDE: f32 = 1e-3;
@@ -110,10 +110,10 @@ impl TwoHalfPhysicsSimulator {
         top.map(|(height, _)| height)
     }
 
-    /// The edges that look up of all prisms near a body, as far as they are within some depths.
-    pub(super) fn gather_tops(&self, body: BodyId, around: &Feet, tops: &mut Vec<Top>) {
+    /// The edges that look up of all prisms among these, as far as they are within some depths.
+    pub(super) fn gather_tops(&self, geoms: &[GeomId], around: &Feet, tops: &mut Vec<Top>) {
         tops.clear();
-        for geom in self.core.space_neighbours_of(body) {
+        for &geom in geoms {
             let (Some(view), Some(profile)) = (self.core.geom(geom), self.world.depths.profiles.get(geom))
             else {
                 continue;

@@ -3,6 +3,7 @@
 mod feet;
 mod floor;
 mod ledge;
+mod near;
 mod rest;
 mod stride;
 mod walls;
@@ -10,8 +11,8 @@ mod walls;
 use serde::{Deserialize, Serialize};
 
 use self::ledge::Ledge;
+pub(crate) use self::near::Near;
 use crate::error::{invalid, only_precise, stale};
-use crate::stages::list_loaded;
 use crate::{BodyId, DepthScheme, Partner, Result, TwoHalfPhysicsSimulator, Vector3};
 #[cfg(doc)]
 use crate::{DepthProfile, TwoHalfBody};
@@ -238,7 +239,6 @@ impl TwoHalfPhysicsSimulator {
             return Ok(());
         }
         self.world.platforms.sort();
-        list_loaded(&mut self.core, &self.world);
         self.stride(body, geom, walker, wish, dt);
         Ok(())
     }

@@ -7,8 +7,7 @@ use super::feet::Feet;
 use super::floor::{Floor, Reach, partner_of};
 use super::ledge::GRASP;
 use super::walls::pushes;
-use super::{Walker, Wish};
-use crate::shapes::Top;
+use super::{Near, Walker, Wish};
 use crate::{BodyId, GeomId, Partner, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
 /// A floor is stood on from this distance on, px: what falls is caught by it within the step.
@@ -34,8 +33,7 @@ const HOLDS: f32 = 0.5;
 #[derive(Clone, Copy)]
 pub(super) struct Stride<'a> {
     pub(super) body: BodyId,
-    /// Of the prisms near it.
-    tops: &'a [Top],
+    pub(super) near: &'a Near,
     pub(super) geom: GeomId,
     pub(super) feet: Feet,
     /// Heights of the soles, of what can be stepped up, and of the top.
@@ -62,7 +60,7 @@ impl<'a> Stride<'a> {
 
     pub(super) fn reach(&self, above: f32) -> Reach<'a> {
         let Stride { geom, least_up, edges, .. } = *self;
-        Reach { tops: self.tops, geom, highest: self.soles + above, least_up, but: None, edges }
+        Reach { tops: &self.near.tops, geom, highest: self.soles + above, least_up, but: None, edges }
     }
 
     /// The same for a figure with soles.
@@ -74,6 +72,15 @@ impl<'a> Stride<'a> {
     fn height_at(&self, next: &Floor, floor: &Floor) -> f32 {
         let is_lifted = |edge: &f32| *edge <= self.soles && next.height >= floor.height;
         next.edge.filter(|edge| is_lifted(edge) || next.up < self.least_up).unwrap_or(next.height)
+    }
+
+    /// Whether something pushes up more than sideways.
+    fn is_held_up(&self) -> bool {
+        self.near.touches.iter().any(|touch| {
+            let [.., up, _] = pushes(touch, self.geom);
+            let presses = touch.points[..touch.count].iter().any(|point| point.impulse > 0.0);
+            touch.responds && presses && up >= HOLDS
+        })
     }
 
     /// How high a floor is that is stood on: a round end that was lifted over an edge stands as high as that.
@@ -92,14 +99,14 @@ impl TwoHalfPhysicsSimulator {
         let dt = dt * pace;
         let (soles, least_up) = (view.position3d().y, walker.walk.least_up());
         let knees = soles + if walker.floor.is_some() { walker.walk.step_up.max(STANDS) } else { STANDS };
-        let mut tops = std::mem::take(&mut self.tops);
-        self.gather_tops(body, &feet.widened(farthest(walker, velocity, dt)), &mut tops);
+        let mut near = std::mem::take(&mut self.near);
+        self.gather_near(body, &feet.widened(farthest(walker, velocity, dt)), &mut near);
         // Who falls past an edge is not caught by it.
         let may_hold = walker.floor.is_some() || walker.ledge.is_some();
         let edges = if may_hold { soles + STANDS } else { f32::MIN };
         let stride = Stride {
             body,
-            tops: &tops,
+            near: &near,
             geom,
             feet,
             soles,
@@ -113,7 +120,7 @@ impl TwoHalfPhysicsSimulator {
             pace,
         };
         let velocity = self.next_velocity(&stride, walker, wish);
-        self.tops = tops;
+        self.near = near;
         walker.told = nearest_finite(velocity.y);
         if let Some(mut view) = self.body_mut(body) {
             view.set_velocity3d(velocity);
@@ -194,22 +201,13 @@ impl TwoHalfPhysicsSimulator {
         let has_left = walker.floor.take().is_some();
         self.hold(stride.body, walker, false);
         // What slides down a slope is not held up by wishes.
-        let acceleration = if self.is_held_up(stride) { 0.0 } else { walker.walk.air_acceleration };
+        let acceleration = if stride.is_held_up() { 0.0 } else { walker.walk.air_acceleration };
         let mut velocity = self.level_velocity(stride, walker, wish, acceleration);
         if has_left && stride.velocity.y <= walker.told {
             // It goes over an edge, and does not leap off by the slope that led there.
             velocity.y = velocity.y.min(walker.carried.y.max(0.0));
         }
         self.held_off(stride, velocity, |_| true)
-    }
-
-    /// Whether something pushes up more than sideways.
-    fn is_held_up(&self, stride: &Stride<'_>) -> bool {
-        self.core.space_touches_of(stride.body).any(|touch| {
-            let [.., up, _] = pushes(&touch, stride.geom);
-            let presses = touch.points[..touch.count].iter().any(|point| point.impulse > 0.0);
-            touch.responds && presses && up >= HOLDS
-        })
     }
 
     /// The velocity towards what is wished, no faster than an acceleration allows; Y as it was.

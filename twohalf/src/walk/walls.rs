@@ -27,13 +27,12 @@ impl TwoHalfPhysicsSimulator {
         mut velocity: Vector3,
         is_wall: impl Fn(&SpaceTouch) -> bool,
     ) -> Vector3 {
-        let touches = self.core.space_touches_of(stride.body);
-        for touch in touches.filter(|touch| touch.responds && is_wall(touch)) {
-            let Some(partner) = partner_of(&touch, stride.geom).filter(|&it| self.is_in_the_way(stride, it))
+        for touch in stride.near.touches.iter().filter(|touch| touch.responds && is_wall(touch)) {
+            let Some(partner) = partner_of(touch, stride.geom).filter(|&it| self.is_in_the_way(stride, it))
             else {
                 continue;
             };
-            let [x, up, z] = pushes(&touch, stride.geom);
+            let [x, up, z] = pushes(touch, stride.geom);
             if (-CEILING..stride.least_up).contains(&up) {
                 let points = &touch.points[..touch.count];
                 let gap = points.iter().fold(f32::INFINITY, |least, point| least.min(point.separation));

@@ -16,7 +16,7 @@ use super::sleep::KnownJoint;
 use super::space::Held;
 use super::space::parts::Depths;
 use super::tuning::Tuning;
-use crate::body::BodyId;
+use crate::body::{Body, BodyId};
 use crate::geom::GeomId;
 use crate::geom::surface::FrictionType;
 use crate::math::plane::Vector;
@@ -160,13 +160,47 @@ impl From<Saved> for Precise {
     }
 }
 
+impl Saved {
+    /// The bodies that only the game moved, and that can be pushed now, or the other way round: as they were.
+    fn as_they_were(&self, objects: &Objects) -> Vec<(BodyId, Body)> {
+        let mut others: Vec<(BodyId, Body)> = Vec::new();
+        for proxy in self.proxies.iter().filter(|proxy| proxy.mobility != Mobility::Fixed) {
+            let was_kinematic = proxy.mobility == Mobility::Kinematic;
+            let Some(id) = objects.geoms.get(proxy.geom).map(|geom| geom.body) else { continue };
+            let Some(body) = objects.bodies.get(id).map(|entry| &entry.body) else { continue };
+            let is_known = || others.iter().any(|&(other, _)| other == id);
+            if body.is_integrated() && body.is_kinematic() != was_kinematic && !is_known() {
+                let mut body = body.clone();
+                body.set_is_kinematic(was_kinematic);
+                others.push((id, body));
+            }
+        }
+        others
+    }
+}
+
+/// These bodies change places with those that there are.
+fn exchange(others: &mut [(BodyId, Body)], objects: &mut Objects) {
+    for (id, other) in others {
+        if let Some(entry) = objects.bodies.get_mut(*id) {
+            std::mem::swap(&mut entry.body, other);
+        }
+    }
+}
+
 impl Precise {
     /// Lists what was loaded, for those who ask what touches before the next update. What was edited before the save counts
-    /// from that update on, which then lists everything once more.
-    pub(crate) fn list_loaded(&mut self, objects: &Objects) {
+    /// from that update on, which then lists everything once more. Who is kinematic since the last one, or is not any more, is
+    /// listed as it was in it: of another kind it would touch nothing.
+    pub(crate) fn list_loaded(&mut self, objects: &mut Objects) {
         let Some(saved) = self.loaded.take() else { return };
+        let mut others = saved.as_they_were(objects);
+        exchange(&mut others, objects);
         self.list(objects, &saved);
-        if self.save() != saved {
+        exchange(&mut others, objects);
+        self.edited_bodies.extend(others.into_iter().map(|(id, _)| id));
+        // Of the depth axis all is told again.
+        if self.is_in_space() || self.save() != saved {
             self.is_stale = true;
             self.loaded = Some(saved);
         }

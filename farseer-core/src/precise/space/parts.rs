@@ -148,6 +148,8 @@ pub struct SpaceTouch {
     pub body: BodyId,
     /// What it touches.
     pub partner: SpacePartner,
+    /// Which of its convex pieces touches which one of the partner's.
+    pub pieces: [u32; 2],
     /// The partner's body, if that is a geom: as `body` that of the last step.
     pub partner_body: Option<BodyId>,
     /// From the partner to this: x, y (down) and z.

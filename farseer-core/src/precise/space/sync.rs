@@ -13,11 +13,6 @@ impl Precise {
         self.space.is_some()
     }
 
-    /// Whether it was loaded, and nothing is listed yet because the depth axis is not told of.
-    pub(crate) fn waits_for_depths(&self) -> bool {
-        self.space.is_some() && self.loaded.is_some() && self.bodies.ids.is_empty()
-    }
-
     /// There is a depth axis from now on.
     pub(crate) fn enter_space(&mut self) {
         self.space = Held::new();

@@ -9,7 +9,7 @@ use crate::precise::Precise;
 use crate::precise::pairs::Frozen;
 
 impl Precise {
-    /// Whether what touches is known: not between loading and the next update.
+    /// Whether what touches is known, with all that is told of it: not between loading and the next update.
     pub(crate) fn knows_touches(&self) -> bool {
         self.loaded.is_none()
     }
@@ -122,6 +122,7 @@ impl Precise {
             this: this.geom,
             body: self.bodies.ids[this.body as usize]?,
             partner: parts::partner_of(partner.geom),
+            pieces: [this.piece, partner.piece],
             partner_body,
             normal: [sign * x, sign * y, sign * frozen.normal_z],
             z,
