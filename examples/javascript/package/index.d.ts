@@ -541,7 +541,10 @@ export class DepthSimulator {
   spawnPrism(size: Size, options?: SpawnOptions & { isUpright?: boolean }): Spawned;
   /** A ball, which rolls in all directions. */
   spawnBall(radius: number, options?: SpawnOptions): Spawned;
-  /** Somebody who walks: upright, of mass 70, without friction. */
+  /**
+   * Somebody who walks: an upright cylinder of mass 70, without friction, whose diameter is the mean of width and depth. Only with
+   * the precise set of methods, as walking.
+   */
   spawnFigure(
     size: Size,
     options?: { mass?: number; position3d?: Vector3; walk?: Partial<WalkSettings> },

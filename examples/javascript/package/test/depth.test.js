@@ -52,7 +52,8 @@ test('a figure walks as fast as it is told, jumps as high, and does not cross th
     simulator.walk(body, { x: 100 }, DT);
     simulator.step(DT);
   }
-  assert.ok(Math.abs(body.position3d.x - 285) < 0.5, `${body.position3d.x}`);
+  // It is a cylinder, whose diameter is the mean of width and depth.
+  assert.ok(Math.abs(body.position3d.x - 287.5) < 0.5, `${body.position3d.x}`);
 });
 
 test('a walk that is restored goes on, jump and all', () => {
@@ -147,7 +148,8 @@ test('what only one of the engines can do is refused by the other, in words', ()
   const simulator = street();
   assert.throws(() => Simulator.prototype.queryAabb.call(simulator, { x: 0, y: 0 }, { x: 1, y: 1 }), /DepthSimulator/);
   const faithful = new DepthSimulator({ height: 480, methods: 'faithful' });
-  const { body } = faithful.spawnFigure(FIGURE);
+  assert.throws(() => faithful.spawnFigure(FIGURE), { name: 'PhysicsError', message: /no upright footprints/ });
+  const { body } = faithful.spawnPrism(FIGURE, { isUpright: true });
   assert.throws(() => faithful.walk(body, { x: 1 }, DT), { name: 'PhysicsError', message: /no figures that walk/ });
   assert.throws(() => new DepthSimulator({ height: 0 }), { name: 'PhysicsError', message: /height/ });
 });
