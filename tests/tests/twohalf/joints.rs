@@ -168,7 +168,7 @@ fn a_blow_from_the_front_on_one_of_two_keeps_the_momentum_of_all() {
             throw(&mut simulator, hammer, [0.0, 0.0, 100.0]);
             run(&mut simulator, 200);
             assert_near(momentum(&simulator, &[hammer, bodies[0], bodies[1]]).z, 100.0, ROUNDING);
-            // Without restitution all move as one; the passes of a step leave 0.0034 of the blow between them.
+            // Without restitution all move as one; the passes of a step leave 0.0033 of the blow between them.
             for body in [hammer, bodies[0], bodies[1]] {
                 assert_near(velocity(&simulator, body).z, 20.0, 0.005 * 100.0);
             }
