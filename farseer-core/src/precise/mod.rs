@@ -117,6 +117,8 @@ pub(crate) struct Precise {
     /// Pairs of geoms that begin or cease to touch in this step.
     changes: Vec<Change>,
     looks: Looks,
+    /// Pairs that are to be looked at, while they are.
+    due: Vec<u32>,
     /// Some pair was refused or changed by a handler, for one step.
     has_handled: bool,
     /// Those that go further in this step than they are thick, and what part of their ways they go; and the geoms that one of
@@ -137,7 +139,7 @@ reusing_clone! {
     Precise {
         tuning, h, dt, fall, loaded, is_stale, has_new_members, bounces, friction, most_contacts, bodies, proxies,
         grid, pairs, rows, palette, joints, sleep, direct, space, body_numbers, first_proxies, loose, absent,
-        edited_bodies, edited_geoms, woken, changes, looks, has_handled, fast, flown, widened, lost, found, known, touching
+        edited_bodies, edited_geoms, woken, changes, looks, due, has_handled, fast, flown, widened, lost, found, known, touching
     }
 }
 
@@ -179,6 +181,7 @@ impl Precise {
             woken: Vec::new(),
             changes: Vec::new(),
             looks: Looks::default(),
+            due: Vec::new(),
             has_handled: false,
             fast: Vec::new(),
             flown: Vec::new(),
@@ -208,6 +211,7 @@ impl Precise {
             fall: self.fall,
             changes: &mut self.changes,
             looks: &mut self.looks,
+            due: &mut self.due,
         }
     }
 }

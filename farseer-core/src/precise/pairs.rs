@@ -7,7 +7,8 @@ use super::rows::{Home, Kind};
 use crate::math::plane::Vector;
 use crate::storage::reusing_clone::reusing_clone;
 
-const NONE: u32 = u32::MAX;
+/// No pair, and no link.
+pub(super) const NONE: u32 = u32::MAX;
 
 /// What the scan of all pairs reads: the pair is looked at once both have moved by more than `tolerance` since `since`.
 #[derive(Debug, Clone, Copy)]

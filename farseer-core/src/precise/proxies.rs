@@ -79,6 +79,10 @@ impl Proxy {
         }
     }
 
+    fn body_of_box(&self) -> Option<u32> {
+        self.shape.is_box.then_some(self.body)
+    }
+
     /// Whether nothing is there.
     pub(super) fn is_empty(&self) -> bool {
         self.body == 0
@@ -107,6 +111,8 @@ pub(super) struct Proxies {
     pub(super) corners: Corners,
     /// Centre and half sides of each shape's box in the body's frame.
     pub(super) boxes: Vec<[f32; 4]>,
+    /// Numbers of the bodies of those that are boxes about their origins.
+    pub(super) box_bodies: Vec<Option<u32>>,
     pub(super) bounds: Vec<Box2>,
     /// Length of the way of every point of a proxy so far, at least: in parts of the unit, and wrapping.
     pub(super) motion: Vec<u32>,
@@ -117,7 +123,7 @@ pub(super) struct Proxies {
     next: Vec<u32>,
 }
 
-reusing_clone! { Proxies { all, movable, first_fixed, live, one_way, corners, boxes, bounds, motion, escaped, heads, next } }
+reusing_clone! { Proxies { all, movable, first_fixed, live, one_way, corners, boxes, box_bodies, bounds, motion, escaped, heads, next } }
 
 impl Proxies {
     /// The creation numbers of two, as a number to [sort](sort_by_number) by.
@@ -131,6 +137,7 @@ impl Proxies {
         (self.live, self.one_way) = (0, 0);
         self.corners.clear();
         self.boxes.clear();
+        self.box_bodies.clear();
         self.bounds.clear();
         self.motion.clear();
         self.escaped.clear();
@@ -149,6 +156,7 @@ impl Proxies {
         let Shape { centre: [x, y], half: [hx, hy], .. } = proxy.shape;
         self.all.push(proxy);
         self.boxes.push([x, y, hx, hy]);
+        self.box_bodies.push(proxy.body_of_box());
         self.bounds.push(EVERYWHERE);
         self.motion.push(0);
         self.live += usize::from(!proxy.is_empty());
@@ -164,6 +172,7 @@ impl Proxies {
         } else if at < self.first_fixed {
             let Shape { centre: [x, y], half: [hx, hy], .. } = proxy.shape;
             (self.all[at], self.boxes[at], self.motion[at]) = (proxy, [x, y, hx, hy], 0);
+            self.box_bodies[at] = proxy.body_of_box();
             (self.movable, self.live) = (at + 1, self.live + 1);
             self.one_way += usize::from(proxy.one_way.is_some());
         } else {
@@ -188,6 +197,7 @@ impl Proxies {
         }
         self.one_way -= usize::from(self.all[at].one_way.is_some());
         (self.all[at], self.boxes[at], self.bounds[at]) = (Proxy::nothing(), [0.0; 4], EVERYWHERE);
+        self.box_bodies[at] = None;
         self.live -= 1;
     }
 

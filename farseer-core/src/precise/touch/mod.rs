@@ -3,6 +3,7 @@
 //! A pair is looked at only when its bodies have moved so far that something can have changed. Then, while the two have
 //! hardly moved *against each other* since their contacts were found, these are [kept](kept); else they are found anew.
 
+mod apart;
 mod kept;
 mod lane;
 mod rows;
@@ -11,7 +12,7 @@ mod touching;
 use super::bodies::Bodies;
 use super::direct::Direct;
 use super::manifold::{Manifold, circles_meet, collide};
-use super::pairs::{BY_ROW, Frozen, FrozenInSpace, Pairs};
+use super::pairs::{BY_ROW, Frozen, FrozenInSpace, Pairs, Watch};
 use super::proxies::{Proxies, Proxy};
 use super::rows::{Palette, Rows};
 use super::sleep::Sleep;
@@ -45,6 +46,8 @@ pub(super) struct Touch<'a> {
     /// Pairs of geoms that begin to touch, or may have ceased to, since this was told last.
     pub(super) changes: &'a mut Vec<Change>,
     pub(super) looks: &'a mut Looks,
+    /// Empty between scans, but for the room it has.
+    pub(super) due: &'a mut Vec<u32>,
 }
 
 /// What became of pairs that were looked at.
@@ -87,30 +90,41 @@ impl<'a> Touch<'a> {
     }
 
     #[inline(always)]
-    fn motion(&self, pair: usize) -> u32 {
-        let [a, b] = self.pairs.watched[pair].proxies.map(|proxy| self.proxies.motion[proxy as usize]);
+    fn motion(&self, watch: &Watch) -> u32 {
+        let [a, b] = watch.proxies.map(|proxy| self.proxies.motion[proxy as usize]);
         a.wrapping_add(b)
     }
 
     /// Looks at all pairs that have moved far enough. Answers how many.
     pub(super) fn scan(&mut self) -> usize {
-        let mut looked_at = 0;
-        for pair in 0..self.pairs.awake {
-            let watch = self.pairs.watched[pair];
-            let moved = self.motion(pair).wrapping_sub(watch.since);
-            if moved >= watch.tolerance && watch.tolerance != BY_ROW {
-                looked_at += 1;
-                self.look(pair);
-            }
+        let mut due = std::mem::take(self.due);
+        let looked_at = self.list_due(&mut due);
+        if self.space.is_none() && self.proxies.one_way == 0 {
+            self.part_boxes(&mut due);
         }
+        due.drain(..).for_each(|pair| self.look(pair as usize));
+        *self.due = due;
         looked_at
+    }
+
+    /// Lists them. While things move nobody foresees which these are: none is worth a branch.
+    fn list_due(&self, due: &mut Vec<u32>) -> usize {
+        let (awake, mut count) = (self.pairs.awake, 0);
+        due.resize(awake, 0);
+        for (pair, watch) in self.pairs.watched[..awake].iter().enumerate() {
+            let moved = self.motion(watch).wrapping_sub(watch.since);
+            due[count] = pair as u32;
+            count += usize::from((moved >= watch.tolerance) & (watch.tolerance != BY_ROW));
+        }
+        due.truncate(count);
+        count
     }
 
     /// Looks at a pair.
     pub(super) fn look(&mut self, pair: usize) {
         let two = self.two(pair);
         let is_known = self.pairs.frozen[pair].count > 0 && self.pairs.watched[pair].tolerance != BY_ROW;
-        self.pairs.watched[pair].since = self.motion(pair);
+        self.pairs.watched[pair].since = self.motion(&self.pairs.watched[pair]);
         if is_known && self.may_renew(pair, two) && self.renew(pair, two) {
             self.looks.kept += 1;
             self.note_touch(pair, two);
@@ -173,7 +187,9 @@ impl<'a> Touch<'a> {
         if self.pairs.all[pair].is_told {
             self.tell(pair, false);
         }
-        self.pairs.frozen[pair] = Frozen::default();
+        if self.pairs.frozen[pair].count > 0 {
+            self.pairs.frozen[pair] = Frozen::default();
+        }
         let slack = (gap - self.tuning.speculative).clamp(0.0, LONGEST_SLACK * self.tuning.unit);
         self.pairs.watched[pair].tolerance = (slack * self.tuning.motion_scale()) as u32;
     }
