@@ -153,6 +153,7 @@ mod texture;
 mod texture_store;
 mod transform;
 mod view;
+mod whole_move;
 
 pub use animation::Animation;
 pub use backdrop::{GroundBackdrop, draw_ground_backdrop, draw_parallax_layer};

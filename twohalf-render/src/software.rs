@@ -11,6 +11,7 @@ use crate::canvas::MAX_COORDINATE;
 use crate::clip::clip_to_convex;
 use crate::error::check_size;
 use crate::png_file;
+use crate::whole_move::{draw_moved, whole_move};
 use crate::{Canvas, Color, Point, Result, Texture2D, Transform};
 
 /// A picture in memory, drawn without graphics hardware, with smooth edges.
@@ -144,6 +145,10 @@ impl Canvas for SoftwareCanvas {
         let is_in_reach = corners.iter().chain(clip.unwrap_or(&[])).all(|&corner| in_reach(corner));
         if tint.a == 0 || !is_in_reach {
             return;
+        }
+        let is_as_it_is = tint == Color::WHITE && clip.is_none();
+        if let Some(corner) = whole_move(transform).filter(|_| is_as_it_is) {
+            return draw_moved(&mut self.pixmap, texture, corner);
         }
         let path = match clip {
             Some(clip) => path_of(&clip_to_convex(clip, &corners), true, &Transform::IDENTITY),
