@@ -11,7 +11,7 @@ use super::super::tuning::Step;
 use super::hold::{Hold, shown};
 use super::swing::{CLOSED_AT_ONCE, Division, JERKS, aside_of_turn, bears, postponed, turn, turned};
 use super::tree::{
-    Inertia, Link, Momentum, Node, Seated, Symmetric, Vector, dot, for_each_down, for_each_up, plus, spun,
+    Inertia, Link, Momentum, Node, Seated, Vector, dot, for_each_down, for_each_up, plus, spun,
 };
 
 /// A body in such a tree. Parents come before their children; a root is its own parent.
@@ -46,13 +46,11 @@ pub(super) struct Hinge {
     /// How stiff the joints make the body against turning by what they pull, and what is added to its inertia for that.
     pull: f64,
     stiffness: f64,
-    /// What hangs on the body, and then with the body itself.
+    /// What hangs on the body, and then with the body itself. Once it is handed up, what is left of mass and momentum where the
+    /// joint leaves the turning free: A - c c^T / d and its impulse; and 1 / d.
     seen: Inertia,
     momentum: Momentum,
-    /// Of the turning, which the joint leaves free: 1 / d and A - c c^T / d, and the impulse against it.
     inverse_turning: f64,
-    rest: Symmetric,
-    load: Vector,
     /// Velocity of the body against its parent at the joint that is asked for, and that of the joint that is found, with
     /// the spin.
     bias: Vector,
@@ -151,7 +149,8 @@ pub(super) fn swing(
         for_each_down(hinges, |hinge, parent| hinge.advance(parent, h));
         rest(hinges);
     }
-    for hinge in hinges {
+    // From the end, which was seen last.
+    for hinge in hinges.iter_mut().rev() {
         let (velocity, path, total) = if whole {
             let velocity = hinge.found_velocity();
             (velocity, hinge.way(velocity, h), plus(hinge.total, hinge.impulse, 1.0))
@@ -178,13 +177,16 @@ fn rest(hinges: &mut [Hinge]) {
 /// Finds the velocities with which joints hold at the end of a part, which `begin` has brought bodies to the start of. It is
 /// looked once more where bodies turn otherwise than expected, and where there is a [jerk](Hinge::is_jerked).
 fn correct(hinges: &mut [Hinge], (h, unit): (f64, f64), unexpected: f64, begin: impl Fn(&mut Hinge)) {
-    let way = (h, -1.0 / h, CLOSED_AT_ONCE * unit);
-    for_each_down(hinges, |hinge, parent| {
+    for hinge in hinges.iter_mut() {
         begin(hinge);
-        hinge.aim(parent, way);
-    });
+        hinge.get_ready(h);
+    }
+    let way = (-1.0 / h, CLOSED_AT_ONCE * unit);
     for look in 0..=JERKS {
-        for_each_up(hinges, Hinge::hand_up);
+        for_each_up(hinges, |hinge, parent| {
+            hinge.aim(parent, way);
+            hinge.hand_up(parent);
+        });
         let mut is_off = false;
         for_each_down(hinges, |hinge, parent| {
             hinge.follow(parent.as_deref());
@@ -195,13 +197,13 @@ fn correct(hinges: &mut [Hinge], (h, unit): (f64, f64), unexpected: f64, begin: 
         if look == JERKS || !(is_jerked || (look == 0 && is_off)) {
             break;
         }
-        for_each_down(hinges, |hinge, parent| {
+        for hinge in hinges.iter_mut() {
             if is_jerked {
                 hinge.stiffness = hinge.stiffness.max(hinge.excess());
             }
             hinge.expected_spin = hinge.found[2];
-            hinge.aim(parent, way);
-        });
+            hinge.get_ready(h);
+        }
     }
 }
 
@@ -262,13 +264,17 @@ impl Hinge {
         self.expected_spin = self.velocity[2];
     }
 
+    /// What of a part can be known of the body by itself.
+    #[inline(always)]
+    fn get_ready(&mut self, h: f64) {
+        self.turn = aside_of_turn(self.expected_spin * h);
+        self.take_own();
+    }
+
     /// Asks for the velocity with which the joint holds at the end of a part: the error, that velocity times the reciprocal of
     /// a part's length.
     #[inline(always)]
-    fn aim(&mut self, parent: Option<&mut Hinge>, (h, rate, at_once): (f64, f64, f64)) {
-        self.turn = aside_of_turn(self.expected_spin * h);
-        self.take_own();
-        let Some(parent) = parent else { return };
+    fn aim(&mut self, parent: &Hinge, (rate, at_once): (f64, f64)) {
         let error = self.apart(parent);
         let ahead = plus(self.place, turned(self.turn, self.arm), 1.0);
         let mut way = plus(ahead, plus(parent.place, turned(parent.turn, self.parent_arm), 1.0), -1.0);
@@ -292,10 +298,11 @@ impl Hinge {
         let lever = plus(self.parent_arm, parent.arm, -1.0);
         let Inertia { mass, coupling, turning } = self.seen;
         self.inverse_turning = 1.0 / turning;
-        self.rest = mass.with(coupling, -self.inverse_turning);
-        self.load = plus(self.momentum.along, coupling, -self.momentum.turning * self.inverse_turning);
-        parent.seen.add_point(&self.rest, lever);
-        parent.momentum.add(plus(self.load, self.rest.times(self.bias), -1.0), 0.0, lever);
+        let rest = mass.with(coupling, -self.inverse_turning);
+        let load = plus(self.momentum.along, coupling, -self.momentum.turning * self.inverse_turning);
+        (self.seen.mass, self.momentum.along) = (rest, load);
+        parent.seen.add_point(&rest, lever);
+        parent.momentum.add(plus(load, rest.times(self.bias), -1.0), 0.0, lever);
     }
 
     /// The velocity at the joint, once that of the parent is known; of a root at its origin.
@@ -308,7 +315,7 @@ impl Hinge {
         let [x, y, spin] = parent.found;
         let lever = plus(self.parent_arm, parent.arm, -1.0);
         let at_joint = plus(plus([x, y], spun(lever), spin), self.bias, 1.0);
-        self.impulse = plus(self.rest.times(at_joint), self.load, -1.0);
+        self.impulse = plus(self.seen.mass.times(at_joint), self.momentum.along, -1.0);
         let spin = (self.momentum.turning - dot(self.seen.coupling, at_joint)) * self.inverse_turning;
         self.found = [at_joint[0], at_joint[1], spin];
     }
