@@ -307,6 +307,9 @@ impl Precise {
 
     /// Counts how long bodies have been at rest. Answers whether it has been long enough for one of them.
     fn note_rest(&mut self) -> bool {
+        if self.sleep.bodies.is_empty() {
+            return false;
+        }
         let slow = self.slow() * self.dt;
         let mut is_ripe = false;
         let Precise { bodies, sleep: Sleep { bodies: runs, rest, .. }, dt, .. } = self;

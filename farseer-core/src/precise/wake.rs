@@ -115,8 +115,8 @@ impl Precise {
         pushed.sort_unstable();
         pushed.dedup();
         pushed.retain(|&body| self.sleep.is_asleep(body as usize));
-        let slack = self.slow() / REST;
         self.learn_anew(objects);
+        let slack = if pushed.is_empty() { 0.0 } else { self.slow() / REST };
         for body in pushed.drain(..).map(|body| body as usize) {
             let ([x, y, turning, z], reach) = (self.sleep.borne[body], self.bodies.reaches[body]);
             let Some(id) = self.bodies.ids[body] else { continue };
