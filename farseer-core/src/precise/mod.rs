@@ -139,7 +139,8 @@ reusing_clone! {
     Precise {
         tuning, h, dt, fall, loaded, is_stale, has_new_members, bounces, friction, most_contacts, bodies, proxies,
         grid, pairs, rows, palette, joints, sleep, direct, space, body_numbers, first_proxies, loose, absent,
-        edited_bodies, edited_geoms, woken, changes, looks, due, has_handled, fast, flown, widened, lost, found, known, touching
+        edited_bodies, edited_geoms, woken, changes, looks, due, has_handled, fast, flown, widened, lost, found,
+        known, touching
     }
 }
 

@@ -123,7 +123,11 @@ pub(super) struct Proxies {
     next: Vec<u32>,
 }
 
-reusing_clone! { Proxies { all, movable, first_fixed, live, one_way, corners, boxes, box_bodies, bounds, motion, escaped, heads, next } }
+reusing_clone! {
+    Proxies {
+        all, movable, first_fixed, live, one_way, corners, boxes, box_bodies, bounds, motion, escaped, heads, next
+    }
+}
 
 impl Proxies {
     /// The creation numbers of two, as a number to [sort](sort_by_number) by.

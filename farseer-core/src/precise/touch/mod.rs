@@ -107,7 +107,7 @@ impl<'a> Touch<'a> {
         looked_at
     }
 
-    /// Lists them. While things move nobody foresees which these are: none is worth a branch.
+    /// Lists these pairs, and answers how many they are. While things move nobody foresees which: none is worth a branch.
     fn list_due(&self, due: &mut Vec<u32>) -> usize {
         let (awake, mut count) = (self.pairs.awake, 0);
         due.resize(awake, 0);
@@ -187,6 +187,7 @@ impl<'a> Touch<'a> {
         if self.pairs.all[pair].is_told {
             self.tell(pair, false);
         }
+        // Most that part had no contacts: these are not written again.
         if self.pairs.frozen[pair].count > 0 {
             self.pairs.frozen[pair] = Frozen::default();
         }
