@@ -367,6 +367,11 @@ impl Precise {
         }
         self.absent.clear();
         self.absent.extend(movable().filter(|(_, entry)| !entry.body.enabled()).map(|(id, _)| id));
+        if let Some(space) = self.space.as_deref_mut() {
+            // What a field has done along the depth axis to what a handler has stopped since: no save has it.
+            let unmoved = movable().filter(|(_, entry)| !entry.body.is_integrated());
+            unmoved.for_each(|(id, _)| space.set_acceleration(id, 0.0));
+        }
     }
 
     fn list_proxies(&mut self, objects: &Objects) {

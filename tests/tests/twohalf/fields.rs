@@ -5,7 +5,8 @@ use conformance::fixtures::depth::{
     with_scheme,
 };
 use twohalf::{
-    BodyId, DepthScheme, Error, Event, FieldId, Fluid, Region, TwoHalfPhysicsSimulator, Vector3, Well,
+    BodyId, Collision, Context, DepthScheme, Error, Event, EventHandler, FieldId, Fluid, Region,
+    TwoHalfPhysicsSimulator, Vector3, Well,
 };
 
 fn precise(test: impl FnOnce()) {
@@ -156,6 +157,39 @@ fn wind_blows_light_things_away_faster() {
         for (body, rate) in bodies.into_iter().zip([1.0f32, 0.25]) {
             assert_near3(velocity(&simulator, body), (flow * (1.0 - (-rate).exp())).into(), 2e-3);
         }
+    });
+}
+
+/// Makes the first body immovable when it touches something, and lets it go when the second one does.
+struct Holds([BodyId; 2]);
+
+impl EventHandler for Holds {
+    fn on_collision(&mut self, context: &mut Context<'_>, collision: &Collision) -> bool {
+        let is_second = context.geom(collision.this).is_some_and(|geom| geom.body() == self.0[1]);
+        if let Some(mut body) = context.body_mut(self.0[0]) {
+            body.set_is_static(!is_second);
+        }
+        true
+    }
+}
+
+#[test]
+fn what_wind_did_to_a_body_that_was_stopped_in_that_update_is_over_when_the_body_is_free_again() {
+    precise(|| {
+        let mut simulator = simulator();
+        let bodies = [12.0, 60.0].map(|y| ball(&mut simulator, 10.0, [0.0, y, y]));
+        let wind = Fluid::wind(Region::EVERYWHERE, Vector3::new(0.0, 0.0, 500.0), 1.0 / BALL);
+        let wind = simulator.add_field(wind).unwrap();
+        let is_held = |simulator: &TwoHalfPhysicsSimulator| simulator.body(bodies[0]).unwrap().is_static();
+        while !is_held(&simulator) {
+            simulator.update_with(DT, &mut Holds(bodies));
+        }
+        simulator.remove_field(wind).unwrap();
+        let before = velocity(&simulator, bodies[0]).z;
+        while is_held(&simulator) {
+            simulator.update_with(DT, &mut Holds(bodies));
+        }
+        assert!(velocity(&simulator, bodies[0]).z <= before);
     });
 }
 
