@@ -16,6 +16,7 @@
 
 mod bodies;
 mod direct;
+pub(crate) mod dormant;
 mod elimination;
 mod flight;
 mod grid;

@@ -166,6 +166,15 @@ impl Sleep {
         }
     }
 
+    /// Whether all sleeps under this gravity, and nothing is to wake or bears anything that may have become otherwise.
+    pub(super) fn is_undisturbed(&self, gravity: Vector) -> bool {
+        let Sleep { bodies, waking, touched, pushed, leaning, fresh, .. } = self;
+        self.is_enabled
+            && self.gravity == gravity
+            && bodies.is_empty()
+            && [waking, touched, pushed, leaning, fresh].iter().all(|list| list.is_empty())
+    }
+
     /// All bodies are listed anew, and awake.
     pub(super) fn reset(&mut self, ids: &[Option<BodyId>]) {
         let bodies = ids.len();

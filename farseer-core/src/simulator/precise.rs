@@ -7,6 +7,7 @@ use crate::geom::GeomId;
 use crate::geom::filter::{Filter, is_valid_pair};
 use crate::geom::surface::SetSurface;
 use crate::objects::Objects;
+use crate::precise::dormant::Terms;
 use crate::precise::{Precise, Step};
 use crate::report::{Event, Stopwatch};
 
@@ -16,19 +17,23 @@ impl PhysicsSimulator {
         self.pipeline.precise.as_mut().expect("the precise set is chosen")
     }
 
+    /// Answers whether anything may have happened: not where all sleeps and nothing acts.
     pub(super) fn run_precise(
         &mut self,
         dt: f32,
         dt_real: f32,
         handler: &mut Handler<'_>,
         stopwatch: &mut Stopwatch<'_>,
-    ) {
+    ) -> bool {
         let substeps =
             u32::try_from(self.settings.iterations).unwrap_or(0).min(self.limits().iterations).max(1);
         let gravity = self.settings.gravity;
         let may_sleep = self.settings.is_sleep_enabled;
         let choice = self.settings.island_choice;
         self.precise().set_island_choice(choice);
+        if self.pass_dormant(dt, substeps, handler) {
+            return false;
+        }
         let step = self.precise().begin(dt, substeps, gravity, may_sleep);
         let found = self.precise().find_pairs();
         self.accept_precise_pairs(found, handler);
@@ -67,6 +72,31 @@ impl PhysicsSimulator {
         self.tell_flown(handler);
         self.let_sleep(&step);
         stopwatch.lap(|times| &mut times.update_positions_time);
+        true
+    }
+
+    /// Passes an update in which nothing can happen, if it is one.
+    fn pass_dormant(&mut self, dt: f32, substeps: u32, handler: &mut Handler<'_>) -> bool {
+        let Objects { springs, controllers, .. } = &self.objects;
+        if handler.get().is_some() || !springs.list().is_empty() || !controllers.list().is_empty() {
+            return false;
+        }
+        let terms = Terms {
+            dt,
+            substeps,
+            gravity: self.settings.gravity,
+            may_sleep: self.settings.is_sleep_enabled,
+            friction: self.settings.friction_type,
+            most_contacts: self.most_precise_contacts(),
+        };
+        let precise = self.precise();
+        if !precise.pass_dormant(&terms) {
+            return false;
+        }
+        let (touching, asleep) = (precise.touching_count(), precise.asleep_count());
+        let counters = &mut self.report.counters;
+        (counters.pairs_touching, counters.bodies_asleep, counters.passes) = (touching, asleep, substeps);
+        true
     }
 
     /// Contacts of two convex pieces, at most: a negative number to look for is no limit.

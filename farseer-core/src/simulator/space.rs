@@ -121,11 +121,11 @@ impl PhysicsSimulator {
         self.begin(dt, &mut Handler::new(handler))
     }
 
-    /// An update that has [begun](Self::begin_in_space) goes on, as one without a depth axis does.
-    pub fn go_on_in_space(&mut self, dt: f32, handler: Option<&mut dyn EventHandler>) {
-        if self.pipeline.precise.is_some() {
-            self.run_precise(dt, 0.0, &mut Handler::new(handler), &mut Stopwatch::start(None));
-        }
+    /// An update that has [begun](Self::begin_in_space) goes on, as one without a depth axis does. Answers whether anything may
+    /// have happened in it.
+    pub fn go_on_in_space(&mut self, dt: f32, handler: Option<&mut dyn EventHandler>) -> bool {
+        self.pipeline.precise.is_some()
+            && self.run_precise(dt, 0.0, &mut Handler::new(handler), &mut Stopwatch::start(None))
     }
 
     /// Who was awake in an update, and moves like that along the depth axis after it.

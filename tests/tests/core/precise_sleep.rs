@@ -2,8 +2,8 @@
 
 use farseer_core::math::Vector2;
 use farseer_core::{
-    Body, BodyFactory, BodyId, CollisionCategory, Event, GeomFactory, GeomPlacement, JointFactory, Methods,
-    PhysicsSimulator, PhysicsSimulatorView, SpringFactory, WhyAwake,
+    Body, BodyFactory, BodyId, CollisionCategory, Event, EventHandler, FrictionType, GeomFactory,
+    GeomPlacement, JointFactory, Methods, PhysicsSimulator, PhysicsSimulatorView, SpringFactory, WhyAwake,
 };
 
 const DT: f32 = 1.0 / 60.0;
@@ -77,6 +77,33 @@ fn a_step_in_which_all_sleep_looks_at_no_pair_and_solves_nothing() {
     assert_eq!((counters.pairs_tested, counters.contacts_solved, counters.bodies_moved), (0, 0, 0));
     assert_eq!((counters.bodies_asleep, counters.pairs_touching), (9, 9));
     assert!(simulator.events().is_empty());
+}
+
+/// Hears of nothing; but with a handler all stages are gone through, whatever sleeps.
+struct Listens;
+
+impl EventHandler for Listens {}
+
+#[test]
+fn updates_in_which_all_sleeps_and_those_after_them_have_the_same_bits_where_somebody_listens() {
+    let (mut alone, floor, columns) = sleeping_columns();
+    let mut heard = alone.clone();
+    let mut both = |updates: usize, edit: &dyn Fn(&mut PhysicsSimulator)| {
+        [&mut alone, &mut heard].into_iter().for_each(edit);
+        for _ in 0..updates {
+            alone.update(DT);
+            heard.update_with(DT, &mut Listens);
+            assert_eq!(alone.snapshot(), heard.snapshot());
+            assert_eq!(alone.counters(), heard.counters());
+            assert_eq!(alone.events(), heard.events());
+        }
+    };
+    both(10, &|_| ());
+    both(1, &|simulator| simulator.set_iterations(8));
+    both(60, &|simulator| simulator[columns[0][1]].apply_impulse(Vector2::new(40.0, 0.0)));
+    both(300, &|simulator| simulator[floor].set_position(Vector2::new(0.0, 30.0)));
+    both(10, &|simulator| simulator.set_friction_type(FrictionType::Minimum));
+    assert_eq!(columns.iter().map(|column| asleep(&alone, column)).sum::<usize>(), 0);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! What rests in a world with depth sleeps, and wakes.
 
-use conformance::fixtures::depth::{ball, place, run, solid, with_scheme};
-use twohalf::{BodyId, DepthScheme, TwoHalfPhysicsSimulator, Vector3};
+use conformance::fixtures::depth::{DT, ball, place, run, solid, with_scheme};
+use twohalf::{BodyId, DepthScheme, EventHandler, TwoHalfPhysicsSimulator, Vector3};
 
 /// A box on another one, both at rest for two seconds.
 fn two_at_rest(test: impl FnOnce(TwoHalfPhysicsSimulator, [BodyId; 2])) {
@@ -113,5 +113,33 @@ fn a_world_that_sleeps_moves_nobody() {
         run(&mut simulator, 1000);
         assert_eq!(simulator.counters().bodies_moved, 0);
         assert_eq!(bodies.map(|body| place(&simulator, body)), before);
+    });
+}
+
+/// Hears of nothing; but with a handler all stages are gone through, whatever sleeps.
+struct Listens;
+
+impl EventHandler for Listens {}
+
+#[test]
+fn updates_in_which_all_sleeps_and_those_after_them_have_the_same_bits_where_somebody_listens() {
+    two_at_rest(|mut alone, [_, above]| {
+        let mut heard = alone.clone();
+        let mut both = |updates: usize, edit: &dyn Fn(&mut TwoHalfPhysicsSimulator)| {
+            [&mut alone, &mut heard].into_iter().for_each(edit);
+            for _ in 0..updates {
+                alone.update(DT);
+                heard.update_with(DT, &mut Listens);
+                assert_eq!(alone.snapshot(), heard.snapshot());
+                assert_eq!(alone.counters(), heard.counters());
+                assert_eq!(alone.events(), heard.events());
+            }
+        };
+        both(10, &|_| ());
+        both(1, &|simulator| simulator.set_iterations(8));
+        let up = Vector3::new(0.0, 60.0, 0.0);
+        both(300, &|simulator| simulator.body_mut(above).unwrap().apply_impulse3d(up));
+        both(10, &|_| ());
+        assert!(alone.is_asleep(above));
     });
 }

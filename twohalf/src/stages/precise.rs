@@ -24,12 +24,16 @@ pub(super) fn update(parts: Parts<'_>, dt: f32, handler: Option<&mut dyn EventHa
     let mut game = PlaneHandler { world, report, meeting, handler };
     let is_told = game.handler.is_some();
     let goes_on = core.begin_in_space(dt, is_told.then_some(&mut game as _));
+    let mut has_happened = false;
     if goes_on {
         fields::act(core, game.world, game.report, immersion, dt);
-        core.go_on_in_space(dt, is_told.then_some(&mut game as _));
+        has_happened = core.go_on_in_space(dt, is_told.then_some(&mut game as _));
+    }
+    if has_happened {
         if !is_told {
             read_depths(core, game.world);
         }
+        rest(core, &mut game.world.depths);
     }
     game.report.tell_refused(game.world);
     game.take_events(core);
@@ -38,9 +42,10 @@ pub(super) fn update(parts: Parts<'_>, dt: f32, handler: Option<&mut dyn EventHa
         supports::forget_what_left(core, game.world);
         return;
     }
-    rest(core, &mut game.world.depths);
     catch_up(core, game.world, slowed, true);
-    tell_changes(core, &mut game);
+    if has_happened {
+        tell_changes(core, &mut game);
+    }
     tell_crushed(core, game.world, game.report);
     count(core, game.report);
     // What was loaded is over: the engine below knows what touches.

@@ -230,6 +230,12 @@ impl Direct {
         self.islands[..self.count].iter().filter_map(first)
     }
 
+    /// Whether no island is solved as a whole, and none is to be asked for.
+    pub(super) fn is_quiet(&self) -> bool {
+        let Timing { is_due, may_be_due, age, has_resting, .. } = self.timing;
+        self.is_listed && self.count == 0 && age == 0 && !(is_due || may_be_due || has_resting)
+    }
+
     /// Whether it is time to ask for islands.
     fn tick(&mut self, is_quick: bool) -> bool {
         let Timing { is_due, may_be_due, age, has_resting, .. } = &mut self.timing;
