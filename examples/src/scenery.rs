@@ -54,13 +54,15 @@ pub(crate) fn draw_burst(canvas: &mut dyn Canvas, center: Point, word: &str) {
     Text { scale: [2.0; 2], color: Color::rgb(190, 40, 30), ..Text::centered(word, center) }.draw(canvas);
 }
 
-/// Houses before the evening sky, some of their windows lit. It can be repeated.
-pub(crate) fn city_at_dusk() -> Result<Texture2D> {
+/// Houses before the evening sky, some of their windows lit, as large as a zoom shows them. It can be repeated.
+pub(crate) fn city_at_dusk(zoom: f32) -> Result<Texture2D> {
     let [width, height] = [720.0, 170.0];
-    let mut canvas = SoftwareCanvas::new(width as u32, height as u32)?;
+    let [columns, rows] = [width, height].map(|side| (zoom * side).round() as u32);
+    let mut canvas = SoftwareCanvas::new(columns, rows)?;
+    let shown = Transform::scaling([zoom; 2]);
     let mut fill = |[x, y]: Point, [width, height]: Point, color: Color| {
         let corners = [[x, y], [x + width, y], [x + width, y + height], [x, y + height]];
-        canvas.fill_polygon(&corners, &Transform::IDENTITY, color);
+        canvas.fill_polygon(&corners, &shown, color);
     };
     let rows = [(Color::rgb(126, 92, 128), 6, 0.0, 18.0), (Color::rgb(72, 54, 92), 9, 20.0, 62.0)];
     let mut random = 12_345_u32;

@@ -97,6 +97,10 @@ pub fn draw_ground_backdrop(canvas: &mut dyn Canvas, backdrop: &GroundBackdrop) 
 /// Through a [`View`](crate::View) that scrolls, the layer moves `factor` times as fast as the scene: at 1 with it, at 0
 /// it stays where it is on the canvas, as the sky does; hills lie between. Nothing is drawn with a number that is not
 /// finite, or if more than 16,384 pieces would be seen.
+///
+/// On a [`SoftwareCanvas`](crate::SoftwareCanvas) a layer that is as large as it is shown, and moved by whole px, is copied,
+/// which takes an eighth of the time: zoom it when it is painted, and round the camera's way times `factor` yourself, with a
+/// `factor` of 1 here.
 pub fn draw_parallax_layer(canvas: &mut dyn Canvas, texture: &Texture2D, top: f32, factor: f32) {
     let [[left, _], [right, _]] = canvas.visible_area();
     let width = texture.width() as f32;

@@ -11,6 +11,9 @@ use crate::scenery::{city_at_dusk, draw_burst, sky_at_dusk};
 /// Width and height of the picture in px.
 pub const SIZE: [u32; 2] = [720, 480];
 const ZOOM: f32 = 1.2;
+/// Where the city ends below, in px of the picture, and which part of the camera's way it goes.
+const HORIZON: f32 = 245.0;
+const FAR: f32 = 0.35;
 const COAT: Color = Color::rgb(46, 120, 214);
 const THUGS: [Color; 3] = [Color::rgb(196, 60, 48), Color::rgb(122, 74, 160), Color::rgb(60, 132, 84)];
 const AMBER: Color = Color::rgb(232, 168, 40);
@@ -39,7 +42,7 @@ impl Paint {
         Ok(Paint {
             shadow: Scene::soft_shadow(),
             sky: sky_at_dusk(SIZE, 235.0)?,
-            city: city_at_dusk()?,
+            city: city_at_dusk(ZOOM)?,
             crate_box: Textures { front: Some(Texture2D::crate_box(30, 30, WOOD)?), top: None },
             street: Textures { top: Some(slabs), front: Some(kerb) },
             wall: Textures { top: None, front: Some(bricks) },
@@ -57,8 +60,10 @@ impl Paint {
     pub fn draw(&self, game: &Brawler, canvas: &mut dyn Canvas) -> Result<()> {
         let camera = Paint::camera(game);
         canvas.draw_texture(&self.sky, &Transform::IDENTITY, Color::WHITE, None);
-        let mut view = View::new(canvas).camera(&camera);
-        draw_parallax_layer(&mut view, &self.city, 290.0 - self.city.height() as f32, 0.35);
+        // It is as large as it is to be seen, and goes by whole px: nothing of it is to be sampled.
+        let passed = Transform::translation([(FAR * camera.translation[0]).round(), 0.0]);
+        let mut view = View::new(canvas).camera(&passed);
+        draw_parallax_layer(&mut view, &self.city, HORIZON - self.city.height() as f32, 1.0);
         let (holes, waters) = ([Patch::hole(HOLE, LANE)], Water::all_of(&game.simulator));
         let scene = Scene::new(&game.simulator, &self.shadow).camera(&camera).patches(&holes).waters(&waters);
         scene.draw(canvas, |thing| self.look(game, thing));
