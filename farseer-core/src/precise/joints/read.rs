@@ -130,6 +130,7 @@ impl Precise {
             let all = (0..objects.joints.list().len()).filter_map(|at| objects.joints.at(at));
             let enabled = all.filter(|(_, joint)| joint.enabled());
             joints.may_break = enabled.clone().any(|(_, joint)| joint.breakpoint() != f32::MAX);
+            joints.holds.reserve(objects.joints.list().len());
             joints.holds.extend(enabled.filter_map(|joint| self.hold(joint, &objects.bodies)));
             joints.plan(&self.bodies, self.space.is_some());
             joints.is_read = true;
