@@ -248,11 +248,15 @@ impl Precise {
             return;
         }
         let others = std::mem::take(&mut self.sleep.waking);
+        let mut has_woken = false;
         for body in std::mem::take(&mut self.woken) {
             if let Some(number) = self.number_of(body) {
                 self.sleep.note_waking(number);
-                self.wake_up();
+                has_woken |= self.take_up_waking();
             }
+        }
+        if has_woken {
+            self.forget_who_slept();
         }
         self.sleep.waking.extend(others);
     }
@@ -267,15 +271,26 @@ impl Precise {
 
     /// Those that are to wake do, with all that fell asleep together with them.
     pub(super) fn wake_up(&mut self) {
-        if self.sleep.waking.is_empty() {
-            return;
+        if self.take_up_waking() {
+            self.forget_who_slept();
         }
-        let waking = std::mem::take(&mut self.sleep.waking);
+    }
+
+    /// Those that are to wake are awake, and so are their pairs. Answers whether there were any.
+    fn take_up_waking(&mut self) -> bool {
+        if self.sleep.waking.is_empty() {
+            return false;
+        }
+        let mut waking = std::mem::take(&mut self.sleep.waking);
         let mut woken = Vec::new();
-        waking.iter().for_each(|&body| self.sleep.take_up(body as usize, |body| woken.push(body)));
+        waking.drain(..).for_each(|body| self.sleep.take_up(body as usize, |body| woken.push(body)));
         self.sleep.waking = waking;
-        self.sleep.waking.clear();
         self.take_pairs_up(&woken);
+        true
+    }
+
+    /// What is kept of those that sleep, and how lists are gone through without them, follows who has woken.
+    fn forget_who_slept(&mut self) {
         let joints = self.sleep.joints.len();
         let mut known = std::mem::take(&mut self.sleep.joints);
         known.retain(|joint| self.lies(joint));
