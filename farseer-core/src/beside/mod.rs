@@ -1,6 +1,7 @@
 //! What stands beside a simulator; not in the original.
 
 mod body_interpolation;
+mod checksum;
 mod dispatch;
 mod event_log;
 mod fixed_step_clock;

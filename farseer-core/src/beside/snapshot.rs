@@ -14,6 +14,7 @@
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
+use super::checksum::checksum as checksum_of;
 use crate::simulator::{PhysicsSimulator, SavedSimulator};
 use crate::{Error, Result};
 
@@ -94,10 +95,7 @@ fn number(bytes: &[u8]) -> u64 {
 
 /// Of everything but the place where it is written.
 fn checksum(bytes: &[u8]) -> u32 {
-    let mut hasher = crc32fast::Hasher::new();
-    hasher.update(&bytes[..CHECKSUM.start]);
-    hasher.update(&bytes[CHECKSUM.end..]);
-    hasher.finalize()
+    checksum_of([&bytes[..CHECKSUM.start], &bytes[CHECKSUM.end..]])
 }
 
 const SIMULATOR: SnapshotFormat = SnapshotFormat { magic: *b"Farseer2", version: 13 };
