@@ -598,6 +598,8 @@ pub use solve::{SolverBody, SolverPlace};
 pub use springs::{
     AngleSpring, FixedAngleSpring, FixedLinearSpring, LinearSpring, Spring, SpringId, SpringKind, SpringType,
 };
+#[doc(hidden)]
+pub use storage::order;
 pub use storage::refusals::{ArgumentNames, Refusals};
 
 /// The example of the README is run with those of the documentation.

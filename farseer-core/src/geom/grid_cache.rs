@@ -1,6 +1,5 @@
 //! Equal distance grids are made and kept once, within the limits of a simulator.
 
-use std::collections::BTreeMap;
 use std::sync::{Arc, Weak};
 
 use super::distance_grid::{DistanceGrid, GridPlan};
@@ -8,10 +7,14 @@ use crate::limits::Limits;
 use crate::shape::Vertices;
 use crate::{Error, Result};
 
+/// Bits of cell size and outline.
+type Key = Box<[u32]>;
+
 /// The grids of a simulator by outline and cell size, so that equal ones are built and kept once.
 #[derive(Debug, Default)]
 pub(crate) struct GridCache {
-    grids: BTreeMap<Box<[u32]>, Entry>,
+    /// In the order of their keys.
+    grids: Vec<(Key, Entry)>,
     /// Work of all charged entries: no less than that of the grids in use.
     charged_work: u64,
     inserts_until_cleanup: usize,
@@ -26,9 +29,11 @@ impl Clone for GridCache {
     fn clone_from(&mut self, source: &Self) {
         let grids = std::mem::take(&mut self.grids);
         *self = GridCache { grids, ..*source };
-        if self.grids.keys().eq(source.grids.keys()) {
-            let entries = self.grids.values_mut().zip(source.grids.values());
-            entries.for_each(|(entry, source)| entry.clone_from(source));
+        let has_equal_keys = |((one, _), (other, _)): (&(Key, Entry), &(Key, Entry))| one == other;
+        let is_as_long = self.grids.len() == source.grids.len();
+        if is_as_long && self.grids.iter().zip(&source.grids).all(has_equal_keys) {
+            let entries = self.grids.iter_mut().zip(&source.grids);
+            entries.for_each(|((_, entry), (_, source))| entry.clone_from(source));
         } else {
             self.grids.clone_from(&source.grids);
         }
@@ -61,8 +66,12 @@ impl GridCache {
         in_use: impl FnOnce() -> Vec<&'a DistanceGrid>,
     ) -> Result<Arc<DistanceGrid>> {
         let bits = outline.iter().flat_map(|v| [v.x.to_bits(), v.y.to_bits()]);
-        let key: Box<[u32]> = std::iter::once(cell_size.to_bits()).chain(bits).collect();
-        let known = self.grids.get(&key).and_then(|entry| Some((entry.grid.upgrade()?, entry.is_charged)));
+        let key: Key = std::iter::once(cell_size.to_bits()).chain(bits).collect();
+        let place = self.place(&key).ok();
+        let known = place.and_then(|place| {
+            let entry = &self.grids[place].1;
+            Some((entry.grid.upgrade()?, entry.is_charged))
+        });
         if let Some((grid, true)) = known {
             return Ok(grid);
         }
@@ -72,10 +81,19 @@ impl GridCache {
         let grid = known.map_or_else(|| Arc::new(plan.sample(outline.clone())), |(grid, _)| grid);
         self.forget_unused();
         let entry = Entry { grid: Arc::downgrade(&grid), work: plan.work, is_charged: true };
-        if let Some(replaced) = self.grids.insert(key, entry) {
-            self.charged_work -= replaced.charged_work();
+        match self.place(&key) {
+            Ok(place) => {
+                let replaced = std::mem::replace(&mut self.grids[place].1, entry);
+                self.charged_work -= replaced.charged_work();
+            }
+            Err(place) => self.grids.insert(place, (key, entry)),
         }
         Ok(grid)
+    }
+
+    /// Where the grid of a key is, or would be.
+    fn place(&self, key: &Key) -> std::result::Result<usize, usize> {
+        self.grids.binary_search_by(|(other, _)| other.cmp(key))
     }
 
     /// Counts a new grid, if it fits beside the others.
@@ -99,17 +117,17 @@ impl GridCache {
         let address = |grid: *const DistanceGrid| grid.addr();
         let mut in_use: Vec<usize> = in_use.into_iter().map(|grid| address(grid)).collect();
         in_use.sort_unstable();
-        for entry in self.grids.values_mut() {
+        for (_, entry) in &mut self.grids {
             entry.is_charged = in_use.binary_search(&address(entry.grid.as_ptr())).is_ok();
         }
-        self.charged_work = self.grids.values().map(Entry::charged_work).sum();
+        self.charged_work = self.grids.iter().map(|(_, entry)| entry.charged_work()).sum();
     }
 
     /// Drops entries whose grid is gone, once for every doubling.
     fn forget_unused(&mut self) {
         if self.inserts_until_cleanup == 0 {
             let charged_work = &mut self.charged_work;
-            self.grids.retain(|_, entry| {
+            self.grids.retain(|(_, entry)| {
                 let is_alive = entry.grid.strong_count() > 0;
                 if !is_alive {
                     *charged_work -= entry.charged_work();

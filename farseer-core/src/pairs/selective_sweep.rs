@@ -87,9 +87,7 @@ fn sort_without_ties(endpoints: &mut [Endpoint]) -> Ties {
         endpoints[j] = inserted;
         budget = budget.saturating_sub(i - j);
         if budget == 0 {
-            endpoints.sort_unstable_by(|a, b| {
-                a.value.total_cmp(&b.value).then((!a.is_begin()).cmp(&!b.is_begin()))
-            });
+            sort_by_number(endpoints, |end| joined([ordered(end.value), u32::from(!end.is_begin())]));
             break;
         }
     }

@@ -4,15 +4,33 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+/// What can be a key.
+pub(super) trait Key: Copy {
+    /// A number that no other key has: all tables are looked up in the same way.
+    fn number(self) -> u64;
+}
+
+impl Key for (u32, u32) {
+    fn number(self) -> u64 {
+        (u64::from(self.0) << 32) | u64::from(self.1)
+    }
+}
+
+impl Key for (i32, i32) {
+    fn number(self) -> u64 {
+        (self.0 as u32, self.1 as u32).number()
+    }
+}
+
 /// Keys with values in slots. A new key takes the slot freed last; enumeration goes by slot.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(bound(deserialize = "K: Deserialize<'de>, V: Deserialize<'de>"))]
 #[serde(from = "Slots<K, V>")]
-pub(super) struct SlotTable<K: Ord + Copy, V> {
+pub(super) struct SlotTable<K: Key, V> {
     slots: Vec<Option<(K, V)>>,
     free: Vec<u32>,
     #[serde(skip_serializing)]
-    index: BTreeMap<K, u32>,
+    index: BTreeMap<u64, u32>,
 }
 
 /// The saved form: the index follows from the slots.
@@ -22,28 +40,28 @@ struct Slots<K, V> {
     free: Vec<u32>,
 }
 
-impl<K: Ord + Copy, V> From<Slots<K, V>> for SlotTable<K, V> {
+impl<K: Key, V> From<Slots<K, V>> for SlotTable<K, V> {
     fn from(saved: Slots<K, V>) -> Self {
         let mut index = BTreeMap::new();
         for (slot, (key, _)) in
             saved.slots.iter().enumerate().filter_map(|(slot, entry)| Some((slot, entry.as_ref()?)))
         {
-            index.insert(*key, slot as u32);
+            index.insert(key.number(), slot as u32);
         }
         SlotTable { slots: saved.slots, free: saved.free, index }
     }
 }
 
-impl<K: Ord + Copy, V> Default for SlotTable<K, V> {
+impl<K: Key, V> Default for SlotTable<K, V> {
     fn default() -> Self {
         SlotTable { slots: Vec::new(), free: Vec::new(), index: BTreeMap::new() }
     }
 }
 
-impl<K: Ord + Copy, V> SlotTable<K, V> {
+impl<K: Key, V> SlotTable<K, V> {
     /// The value of a key, put in first if it is missing.
     pub(super) fn get_or_insert_with(&mut self, key: K, value: impl FnOnce() -> V) -> &mut V {
-        let slot = match self.index.get(&key) {
+        let slot = match self.index.get(&key.number()) {
             Some(&slot) => slot as usize,
             None => self.insert_new(key, value()),
         };
@@ -59,12 +77,12 @@ impl<K: Ord + Copy, V> SlotTable<K, V> {
             }
         };
         self.slots[slot] = Some((key, value));
-        self.index.insert(key, slot as u32);
+        self.index.insert(key.number(), slot as u32);
         slot
     }
 
     pub(super) fn remove(&mut self, key: K) {
-        if let Some(slot) = self.index.remove(&key) {
+        if let Some(slot) = self.index.remove(&key.number()) {
             self.slots[slot as usize] = None;
             self.free.push(slot);
         }
@@ -108,15 +126,16 @@ mod tests {
     #[test]
     fn freed_slots_are_reused_last_freed_first() {
         let mut table = SlotTable::default();
-        for key in ['a', 'b', 'c'] {
+        let [a, b, c, d, e] = [(-1, 0), (0, -1), (-1, -1), (0, 0), (1, 0)];
+        for key in [a, b, c] {
             table.get_or_insert_with(key, || ());
         }
-        table.remove('a');
-        table.remove('c');
-        table.get_or_insert_with('d', || ());
-        table.get_or_insert_with('e', || ());
-        let order: String =
+        table.remove(a);
+        table.remove(c);
+        table.get_or_insert_with(d, || ());
+        table.get_or_insert_with(e, || ());
+        let order: Vec<(i32, i32)> =
             (0..table.slot_count()).filter_map(|slot| table.slot(slot)).map(|entry| entry.0).collect();
-        assert_eq!(order, "ebd");
+        assert_eq!(order, [e, b, d]);
     }
 }

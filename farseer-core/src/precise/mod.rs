@@ -133,7 +133,7 @@ pub(crate) struct Precise {
     found: Vec<[u32; 2]>,
     /// Whether a proxy is a partner already of that whose pairs are looked for. All false between searches.
     known: Vec<bool>,
-    touching: Vec<((u32, u32), usize)>,
+    touching: Vec<(u128, u32)>,
 }
 
 reusing_clone! {

@@ -10,7 +10,7 @@ use crate::geom::surface::SetSurface;
 use crate::math::Vector2;
 use crate::math::plane::{difference, dot, place, rotation, sum, turn, turn_back};
 use crate::math::scalar::nearest_finite;
-use crate::storage::order::{joined, sort_by_number};
+use crate::storage::order::{joined, sort_by_number, sort_numbered};
 
 impl Precise {
     /// Number of pairs, touching or not.
@@ -33,11 +33,11 @@ impl Precise {
         self.rows.point_count()
     }
 
-    /// Creation numbers of the geoms of a pair that touches and was not refused, the smaller one first.
-    fn touching_numbers(&self, pair: usize) -> Option<(u32, u32)> {
+    /// Creation numbers of the geoms of a pair that touches and was not refused, the smaller one first, as one.
+    fn touching_numbers(&self, pair: usize) -> Option<u128> {
         self.pairs.all.get(pair).filter(|state| state.is_told && !state.is_vetoed)?;
         let [a, b] = self.pairs.watched[pair].proxies.map(|proxy| self.proxies.all[proxy as usize].number);
-        Some(if a < b { (a, b) } else { (b, a) })
+        Some(joined(if a < b { [a, b] } else { [b, a] }))
     }
 
     /// A pair by its number, if it touches.
@@ -136,10 +136,10 @@ impl Precise {
 
     /// The pairs that touch and of which somebody is told, or that only begin to touch, with the creation numbers of their
     /// geoms, in the order of these. To be [handed back](Self::keep_touching).
-    pub(crate) fn take_touching(&mut self, changes: &[((GeomId, GeomId), bool)]) -> Vec<((u32, u32), usize)> {
+    pub(crate) fn take_touching(&mut self, changes: &[((GeomId, GeomId), bool)]) -> Vec<(u128, u32)> {
         let mut touching = std::mem::take(&mut self.touching);
         touching.clear();
-        let with_numbers = |pair: usize| Some((self.touching_numbers(pair)?, pair));
+        let with_numbers = |pair: usize| Some((self.touching_numbers(pair)?, pair as u32));
         let is_heard = |pair: &usize| self.pairs.all[*pair].is_heard;
         let count = if self.pairs.heard > 0 { self.pairs.len() } else { 0 };
         touching.extend((0..count).filter(is_heard).filter_map(with_numbers));
@@ -147,12 +147,12 @@ impl Precise {
             let unheard = self.pairs_between(geoms).filter(|pair| !is_heard(pair));
             touching.extend(unheard.filter_map(with_numbers));
         }
-        touching.sort_unstable();
+        sort_numbered(&mut touching);
         touching
     }
 
     /// Takes the list back, so that the next one need not be allocated.
-    pub(crate) fn keep_touching(&mut self, touching: Vec<((u32, u32), usize)>) {
+    pub(crate) fn keep_touching(&mut self, touching: Vec<(u128, u32)>) {
         self.touching = touching;
     }
 

@@ -277,13 +277,16 @@ impl PhysicsSimulator {
             contacts.clear();
             for &(_, pair) in group {
                 contacts.extend(
-                    self.precise().touching(pair).into_iter().flat_map(|touching| touching.contacts()),
+                    self.precise()
+                        .touching(pair as usize)
+                        .into_iter()
+                        .flat_map(|touching| touching.contacts()),
                 );
             }
-            let Some(first) = self.precise().touching(group[0].1) else { continue };
+            let Some(first) = self.precise().touching(group[0].1 as usize) else { continue };
             let (a, b) = first.geoms;
             if !self.may_touch(a, b) {
-                group.iter().for_each(|&(_, pair)| self.precise().refuse(pair));
+                group.iter().for_each(|&(_, pair)| self.precise().refuse(pair as usize));
                 continue;
             }
             let begins = changes.iter().any(|&(geoms, begins)| begins && geoms == (a, b));
@@ -292,10 +295,10 @@ impl PhysicsSimulator {
                 && self.ask_about_touch((b, a), begins, &mut contacts, &mut surface, handler);
             for &(_, pair) in group {
                 if is_accepted {
-                    self.precise().keep_contacts(pair, &contacts);
-                    self.precise().set_surface(pair, surface);
+                    self.precise().keep_contacts(pair as usize, &contacts);
+                    self.precise().set_surface(pair as usize, surface);
                 } else {
-                    self.precise().refuse(pair);
+                    self.precise().refuse(pair as usize);
                 }
             }
         }

@@ -4,7 +4,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::storage::arena::{Arena, Id};
-use crate::storage::order::sort_by_number;
+use crate::storage::order::sort_numbered;
 use crate::storage::reusing_clone::reusing_clone;
 use crate::{Error, Result};
 
@@ -244,35 +244,27 @@ impl<T, I: Id + Ord> Collection<T, I> {
 
     /// Whether lists and flags agree: false only after loading garbage.
     pub(crate) fn is_consistent(&self) -> bool {
-        let count =
-            |flag: fn(&Entry<T>) -> bool| self.entries.iter().filter(|(_, entry)| flag(entry)).count();
-        let all = |list: &[I], flag: fn(&Entry<T>) -> bool| {
-            list.iter().all(|&id| self.entries.get(id).is_some_and(flag))
-        };
+        // The queue may also name what is gone.
+        let is_there = |id: &I| self.entries.get(*id).is_some();
+        let waiting: Vec<I> = self.added.iter().copied().filter(is_there).collect();
         self.entries.is_consistent()
-            && has_no_duplicates(&self.list)
-            && has_no_duplicates(&self.disposed)
-            && self.queue_is_consistent()
-            && self.list.len() == count(|entry| entry.life.is_listed)
-            && self.disposed.len() == count(|entry| entry.life.is_disposed)
-            && all(&self.list, |entry| entry.life.is_listed)
-            && all(&self.disposed, |entry| entry.life.is_disposed)
+            && self.are_marked(&self.list, |life| life.is_listed)
+            && self.are_marked(&self.disposed, |life| life.is_disposed)
+            && self.are_marked(&waiting, |life| life.is_queued)
     }
 
-    /// Whether those that wait to enter are those that are marked so. The queue may also name what is gone.
-    fn queue_is_consistent(&self) -> bool {
-        let waiting: Vec<I> =
-            self.added.iter().copied().filter(|&id| self.entries.get(id).is_some()).collect();
-        let marked = self.entries.iter().filter(|(_, entry)| entry.life.is_queued).count();
-        has_no_duplicates(&waiting)
-            && waiting.iter().all(|&id| self.entries.get(id).is_some_and(|entry| entry.life.is_queued))
-            && waiting.len() == marked
+    /// Whether these are what has a mark, each once.
+    #[inline(never)]
+    fn are_marked(&self, list: &[I], mark: fn(&Life) -> bool) -> bool {
+        let is_marked = |&id: &I| self.entries.get(id).is_some_and(|entry| mark(&entry.life));
+        let marked = self.entries.iter().filter(|(_, entry)| mark(&entry.life)).count();
+        list.len() == marked && list.iter().all(is_marked) && has_no_duplicates(list)
     }
 }
 
 pub(crate) fn has_no_duplicates<I: Id>(list: &[I]) -> bool {
-    let mut ranks: Vec<u128> = list.iter().map(|id| id.rank()).collect();
-    sort_by_number(&mut ranks, |&rank| rank);
+    let mut ranks: Vec<(u128, u32)> = list.iter().map(|id| (id.rank(), 0)).collect();
+    sort_numbered(&mut ranks);
     ranks.windows(2).all(|pair| pair[0] != pair[1])
 }
 

@@ -4,7 +4,7 @@ pub(crate) mod arena;
 pub(crate) mod bits;
 pub(crate) mod collection;
 pub(crate) mod ids;
-pub(crate) mod order;
+pub mod order;
 pub(crate) mod refusals;
 pub(crate) mod reusing_clone;
 pub(crate) mod stamped_set;

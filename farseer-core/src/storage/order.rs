@@ -1,33 +1,42 @@
 //! Sorting by numbers. Every kind of list that is sorted has a sort of its own compiled for it, of five kilobytes and more;
-//! all those share one that are sorted by numbers alone, and not so often that two lists more would matter.
+//! all those share one that are sorted by numbers alone, and not so often that another list would matter. Public for engines
+//! built on this one.
 
 /// Puts a list in the order of numbers that its items have; what has the same number keeps its order.
-pub(crate) fn sort_by_number<T: Clone>(list: &mut [T], number: impl Fn(&T) -> u128) {
+pub fn sort_by_number<T>(list: &mut [T], number: impl Fn(&T) -> u128) {
     if list.len() < 2 {
         return;
     }
-    let numbers = list.iter().map(number).zip(0_u32..).collect();
-    let old = list.to_vec();
-    for (item, (_, place)) in list.iter_mut().zip(in_order(numbers)) {
-        *item = old[place as usize].clone();
+    let mut places: Vec<(u128, u32)> = list.iter().map(number).zip(0..).collect();
+    sort_numbered(&mut places);
+    for first in 0..list.len() {
+        // Around a ring of places of which each takes what is at the next one.
+        let mut place = first;
+        loop {
+            let next = std::mem::replace(&mut places[place].1, place as u32) as usize;
+            if next == first {
+                break;
+            }
+            list.swap(place, next);
+            place = next;
+        }
     }
 }
 
-/// Numbers with the places that they had.
+/// Puts places in the order of numbers, and those of the same number in their own, where they are.
 #[inline(never)]
-fn in_order(mut numbers: Vec<(u128, u32)>) -> Vec<(u128, u32)> {
-    numbers.sort_unstable();
-    numbers
+pub fn sort_numbered(places: &mut [(u128, u32)]) {
+    places.sort_unstable();
 }
 
 /// Numbers in a row as one, which has the order of the row.
-pub(crate) fn joined<const N: usize>(numbers: [u32; N]) -> u128 {
+pub fn joined<const N: usize>(numbers: [u32; N]) -> u128 {
     const { assert!(N <= 4) };
     numbers.into_iter().fold(0, |joined, number| joined << 32 | u128::from(number))
 }
 
 /// A number that has the order of [`f32::total_cmp`].
-pub(crate) fn ordered(value: f32) -> u32 {
+pub fn ordered(value: f32) -> u32 {
     let bits = value.to_bits();
     if bits >> 31 == 0 { bits | 1 << 31 } else { !bits }
 }

@@ -1,6 +1,7 @@
 //! All platforms of a simulator, and which of them are near.
 
 use farseer_core::FixtureMotion;
+use farseer_core::order::{ordered, sort_by_number};
 use serde::{Deserialize, Serialize};
 
 use super::platform::Platform;
@@ -142,7 +143,7 @@ impl Platforms {
             let (low, high) = platform.shape().bounds();
             self.by_left.push((low.x, high.x, index));
         }
-        self.by_left.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.2.cmp(&b.2)));
+        sort_by_number(&mut self.by_left, |&(left, ..)| ordered(left).into());
         let mut reach = f32::NEG_INFINITY;
         for entry in &mut self.by_left {
             reach = reach.max(entry.1);

@@ -1,5 +1,6 @@
 //! The contacts of an update, and what is remembered of those of the last.
 
+use farseer_core::order::joined;
 use farseer_core::{BodyId, GeomId};
 use serde::{Deserialize, Serialize};
 
@@ -17,6 +18,17 @@ pub(crate) enum TouchKey {
     Platform(u32, PlatformId),
     /// A geom and its body's ground.
     Ground(u32),
+}
+
+impl TouchKey {
+    /// A number that has the order of keys.
+    pub(crate) fn rank(self) -> u128 {
+        joined(match self {
+            TouchKey::Pair(older, younger) => [0, older, younger],
+            TouchKey::Platform(geom, platform) => [1, geom, platform.number()],
+            TouchKey::Ground(geom) => [2, geom, 0],
+        })
+    }
 }
 
 /// What a contact remembers of how it began.

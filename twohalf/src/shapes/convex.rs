@@ -7,10 +7,9 @@
 //! Mehlhorn, *Fast Triangulation of Simple Polygons*, 1983). The core's decomposition is not used: faithful to the
 //! original, it takes corners of up to a degree off, and refuses outlines of more than 177 vertices.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use farseer_core::Vertices;
 use farseer_core::math::{Matrix, Vector2, vector2};
+use farseer_core::order::{joined as joined_bits, ordered, sort_by_number, sort_numbered};
 
 use super::{cross64, doubled_area, edges};
 
@@ -206,15 +205,14 @@ impl Ears {
 /// Joins pieces along common edges as long as the result is convex: each in turn with the first of those behind it, until
 /// there is none that it can be joined with.
 fn join(pieces: &mut Vec<Vec<Vector2>>) {
-    let mut owners = EdgeOwners::default();
-    pieces.iter().enumerate().for_each(|(i, piece)| owners.add(piece, i));
+    let owners = EdgeOwners::of(pieces);
     let mut i = 0;
     while i < pieces.len() {
-        let mut neighbours =
-            owners.across(&pieces[i]).filter(|&j| j > i).collect::<BTreeSet<_>>().into_iter();
+        let mut neighbours: Vec<u32> = owners.across(&pieces[i]).filter(|&j| j as usize > i).collect();
+        neighbours.sort_unstable();
+        let mut neighbours = neighbours.into_iter().map(|j| j as usize);
         let other = neighbours.find_map(|j| Some((j, joined(&pieces[i], &pieces[j])?)));
         if let Some((j, joined)) = other {
-            owners.add(&pieces[j], i);
             pieces[i] = joined;
             pieces[j].clear();
         } else {
@@ -224,28 +222,34 @@ fn join(pieces: &mut Vec<Vec<Vector2>>) {
     pieces.retain(|piece| !piece.is_empty());
 }
 
-/// Which pieces have an edge, or have had it before they were joined.
-#[derive(Default)]
-struct EdgeOwners {
-    owners: BTreeMap<[u32; 4], Vec<usize>>,
-}
+/// Edges with the pieces that have them, in the order of the edges. What a piece takes over of one behind it need not be
+/// known: what is before a piece is never joined with it.
+struct EdgeOwners(Vec<(u128, u32)>);
 
 impl EdgeOwners {
-    fn add(&mut self, piece: &[Vector2], owner: usize) {
-        for (start, end) in edges(piece) {
-            self.owners.entry(edge_key(start, end)).or_default().push(owner);
+    fn of(pieces: &[Vec<Vector2>]) -> Self {
+        let mut owners = Vec::new();
+        for (piece, owner) in pieces.iter().zip(0..) {
+            owners.extend(edges(piece).map(|(start, end)| (edge_key(start, end), owner)));
         }
+        sort_numbered(&mut owners);
+        EdgeOwners(owners)
     }
 
     /// Those on the other side of a piece's edges.
-    fn across(&self, piece: &[Vector2]) -> impl Iterator<Item = usize> {
-        edges(piece).filter_map(|(start, end)| self.owners.get(&edge_key(end, start))).flatten().copied()
+    fn across(&self, piece: &[Vector2]) -> impl Iterator<Item = u32> {
+        edges(piece).flat_map(|(start, end)| {
+            let key = edge_key(end, start);
+            let first = self.0.partition_point(|&(other, _)| other < key);
+            let of_edge = self.0[first..].iter().take_while(move |(other, _)| *other == key);
+            of_edge.map(|&(_, owner)| owner)
+        })
     }
 }
 
 /// Equal for equal edges: adding zero makes both zeros one.
-fn edge_key(start: Vector2, end: Vector2) -> [u32; 4] {
-    [start.x, start.y, end.x, end.y].map(|number| (number + 0.0).to_bits())
+fn edge_key(start: Vector2, end: Vector2) -> u128 {
+    joined_bits([start.x, start.y, end.x, end.y].map(|number| (number + 0.0).to_bits()))
 }
 
 /// Two pieces as one, if they have an edge in common and are convex together.
@@ -264,7 +268,7 @@ fn joined(a: &[Vector2], b: &[Vector2]) -> Option<Vec<Vector2>> {
 /// The convex hull of any points, by Andrew's monotone chain.
 fn convex_hull(points: &[Vector2]) -> Vec<Vector2> {
     let mut sorted: Vec<Vector2> = points.to_vec();
-    sorted.sort_unstable_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+    sort_by_number(&mut sorted, |point| joined_bits([point.x, point.y].map(ordered)));
     let mut hull: Vec<Vector2> = Vec::with_capacity(sorted.len() + 1);
     add_chain(&mut hull, sorted.iter());
     add_chain(&mut hull, sorted.iter().rev());

@@ -1,6 +1,7 @@
 //! Asks a game about what touches with the precise set.
 
 use farseer_core::SpaceTouch;
+use farseer_core::order::sort_by_number;
 
 use super::collisions::{collisions, is_told};
 use super::exchange::tell_depths;
@@ -17,7 +18,10 @@ pub(super) fn ask_about_touches(
     report: &mut Report,
 ) -> Vec<usize> {
     let mut found: Vec<(usize, SpaceTouch)> = context.simulator().space_touches_heard().collect();
-    found.sort_by_key(|(_, touch)| touch_of(context.simulator(), touch).map(|(touch, _)| touch.key));
+    sort_by_number(&mut found, |(_, touch)| {
+        // None comes first.
+        touch_of(context.simulator(), touch).map_or(0, |(touch, _)| touch.key.rank() + 1)
+    });
     found.retain(|(_, touch)| !accepts_touch(handler, context, world, report, touch));
     found.into_iter().map(|(pair, _)| pair).collect()
 }

@@ -3,6 +3,7 @@
 
 use std::borrow::Cow;
 
+use farseer_core::order::sort_by_number;
 use farseer_core::{BodyId, PhysicsSimulator, SpacePartner, SpaceTouch};
 
 use crate::Vector3;
@@ -104,7 +105,7 @@ fn list(core: &PhysicsSimulator, world: &World, found: impl Iterator<Item = Spac
     let is_there = |(touch, _): &(Touch, _)| world.may_touch(core, touch.this, touch.partner);
     let mut touches: Vec<(Touch, [TouchPoint; 2])> = touches.filter(is_there).collect();
     // Points as well, so that what is left of a list is what would be listed without the others.
-    touches.sort_by_key(|(touch, _)| touch.key);
+    sort_by_number(&mut touches, |(touch, _)| touch.key.rank());
     let mut list = TouchList::default();
     for (touch, points) in touches {
         let first_point = list.points.len() as u32;
