@@ -1,22 +1,35 @@
 //! How numbers become arguments, answers become numbers, and the buffers for all that is no number.
 
 use std::cell::RefCell;
+use std::fmt::Display;
 
 use farseer_core::math::Vector2;
 #[cfg(feature = "depth")]
 use farseer_core::math::Vector3;
 use farseer_core::{CollisionCategory, Error, Vertices};
 
-/// Why a call was refused, in words.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Failure(pub String);
+/// A call was refused; why is left as text. That travels lightly: every function hands refusals on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Failure(());
 
 /// What comes of a call.
 pub type Outcome<T = ()> = Result<T, Failure>;
 
+impl Failure {
+    /// A refusal in these words.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn because(reason: &dyn Display) -> Self {
+        TEXT.set(reason.to_string());
+        Failure(())
+    }
+}
+
 impl From<Error> for Failure {
+    #[cold]
+    #[inline(never)]
     fn from(error: Error) -> Self {
-        Failure(error.to_string())
+        Failure::because(&error)
     }
 }
 
@@ -24,42 +37,33 @@ impl From<Error> for Failure {
 #[cold]
 #[inline(never)]
 pub(crate) fn invalid(argument: &'static str, value: f64, requirement: &'static str) -> Failure {
-    Failure(format!("{argument} is {value}, but must be {requirement}"))
+    Failure::because(&format_args!("{argument} is {value}, but must be {requirement}"))
 }
 
 /// What passes between JavaScript and the module besides numbers.
 #[derive(Debug, Default)]
 struct Buffers {
-    text: String,
     numbers: Vec<f64>,
     bytes: Vec<u8>,
 }
 
 thread_local! {
     static BUFFERS: RefCell<Buffers> = RefCell::default();
+    /// Why the last call was refused.
+    static TEXT: RefCell<String> = const { RefCell::new(String::new()) };
 }
 
 /// What a call comes to as a number: NaN if it was refused, with the reason left behind as text.
 #[inline(never)]
 pub(crate) fn answer<T: Answer>(outcome: Outcome<T>) -> f64 {
-    match outcome.and_then(Answer::number) {
-        Ok(number) => number,
-        Err(failure) => refuse(failure),
-    }
-}
-
-#[cold]
-#[inline(never)]
-fn refuse(Failure(text): Failure) -> f64 {
-    BUFFERS.with_borrow_mut(|buffers| buffers.text = text);
-    f64::NAN
+    outcome.and_then(Answer::number).unwrap_or(f64::NAN)
 }
 
 /// Refuses an argument.
 #[cold]
 #[inline(never)]
 pub(crate) fn refuse_argument(argument: &'static str, number: f64, requirement: &'static str) -> f64 {
-    refuse(invalid(argument, number, requirement))
+    answer::<f64>(Err(invalid(argument, number, requirement)))
 }
 
 /// Leaves numbers behind; answers how many.
@@ -234,10 +238,10 @@ pub(crate) use exports;
 
 exports! {
     /// Where the message of the last refused call is in memory, in UTF-8.
-    fn text_pointer() { Ok(BUFFERS.with_borrow(|buffers| buffers.text.as_ptr() as usize as f64)) }
+    fn text_pointer() { Ok(TEXT.with_borrow(|text| text.as_ptr() as usize as f64)) }
 
     /// Its length in bytes.
-    fn text_length() { Ok(BUFFERS.with_borrow(|buffers| buffers.text.len() as f64)) }
+    fn text_length() { Ok(TEXT.with_borrow(|text| text.len() as f64)) }
 
     /// Where the numbers that were left are in memory, as 64-bit floats.
     fn numbers_pointer() { Ok(BUFFERS.with_borrow(|buffers| buffers.numbers.as_ptr() as usize as f64)) }
@@ -271,7 +275,7 @@ mod tests {
     };
 
     fn text() -> String {
-        BUFFERS.with_borrow(|buffers| buffers.text.clone())
+        TEXT.with_borrow(String::clone)
     }
 
     fn numbers() -> Vec<f64> {

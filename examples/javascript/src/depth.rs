@@ -1,10 +1,8 @@
 //! The 2.5D engine, and what it leaves to the game to keep.
 
-use std::collections::BTreeMap;
-
-use farseer_core::BodyId;
 use farseer_core::snapshot::SnapshotFormat;
-use twohalf::{DrawOrder, PlatformId, TwoHalfPhysicsSimulator, Walker};
+use farseer_core::{BodyId, SideTable};
+use twohalf::{DrawOrder, PlatformId, TwoHalfPhysicsSimulator, Walk, Walker};
 
 use crate::boundary::{Answer, Argument, Failure, Outcome};
 use crate::world::{Engine, Simulator, put};
@@ -12,7 +10,7 @@ use crate::world::{Engine, Simulator, put};
 #[derive(Debug)]
 pub(crate) struct Depth {
     pub(crate) simulator: TwoHalfPhysicsSimulator,
-    pub(crate) walkers: BTreeMap<BodyId, Walker>,
+    pub(crate) walkers: SideTable<BodyId, Walker>,
     pub(crate) order: DrawOrder,
 }
 
@@ -23,12 +21,17 @@ impl Depth {
     pub(crate) fn update(&mut self, dt: f32) {
         let Depth { simulator, walkers, .. } = self;
         simulator.update(dt);
-        walkers.retain(|body, _| simulator.body(*body).is_some());
+        walkers.forget_disposed(simulator.core());
+    }
+
+    /// How a body walks, as long as nobody says otherwise.
+    pub(crate) fn walker(&self, body: BodyId) -> Walker {
+        self.walkers.get(body).copied().unwrap_or_else(|| Walker::new(Walk::default()))
     }
 
     pub(crate) fn snapshot(&self) -> Vec<u8> {
         let walkers: Vec<(BodyId, Walker)> =
-            self.walkers.iter().map(|(body, walker)| (*body, *walker)).collect();
+            self.walkers.iter().map(|(body, walker)| (body, *walker)).collect();
         WITH_WALKERS.write(&(walkers, self.simulator.snapshot()))
     }
 
@@ -36,9 +39,11 @@ impl Depth {
         let (walkers, snapshot): (Vec<(BodyId, Walker)>, Vec<u8>) = WITH_WALKERS.read(snapshot)?;
         self.simulator.restore(&snapshot)?;
         self.walkers.clear();
-        walkers.into_iter().for_each(|(body, walker)| {
+        for (body, walker) in
+            walkers.into_iter().filter(|(body, _)| !self.simulator.core().is_disposed(*body))
+        {
             self.walkers.insert(body, walker);
-        });
+        }
         Ok(())
     }
 
@@ -57,14 +62,16 @@ impl Simulator {
     pub(crate) fn depth<T>(self, act: impl FnOnce(&mut Depth) -> Outcome<T>) -> Outcome<T> {
         self.with(|world| match &mut world.engine {
             Engine::Depth(depth) => act(depth),
-            Engine::Plane(_) => Err(Failure("only a DepthSimulator can do that".to_owned())),
+            Engine::Plane(_) => Err(Failure::because(&"only a DepthSimulator can do that")),
         })
     }
 }
 
 impl From<twohalf::Error> for Failure {
+    #[cold]
+    #[inline(never)]
     fn from(error: twohalf::Error) -> Self {
-        Failure(error.to_string())
+        Failure::because(&error)
     }
 }
 

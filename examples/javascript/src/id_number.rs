@@ -14,7 +14,7 @@ fn to_number(bits: u64) -> Outcome<f64> {
     if slot < SLOTS && generation < GENERATIONS {
         Ok(slot + SLOTS * f64::from(generation))
     } else {
-        Err(Failure("there are too many things to number".to_owned()))
+        Err(Failure::because(&"there are too many things to number"))
     }
 }
 

@@ -87,7 +87,8 @@ impl Log {
         }
         if std::mem::take(&mut self.is_in_doubt) {
             let now = touching_now(engine);
-            let ended: Vec<Touch> = self.touching.difference(&now).copied().collect();
+            let ended: Vec<Touch> =
+                self.touching.iter().filter(|touch| !now.contains(touch)).copied().collect();
             ended.into_iter().for_each(|touch| self.end(touch));
         }
     }

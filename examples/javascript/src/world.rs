@@ -25,9 +25,9 @@ pub(crate) struct World {
     positions: Vec<f32>,
 }
 
-/// The number of a simulator.
+/// The number of a simulator; what is no number of one is found out with those that were freed.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Simulator(usize);
+pub(crate) struct Simulator(f64);
 
 thread_local! {
     static WORLDS: RefCell<Vec<Option<Box<World>>>> = const { RefCell::new(Vec::new()) };
@@ -38,7 +38,7 @@ impl Argument for Simulator {
 
     #[inline]
     fn read(number: f64) -> Option<Self> {
-        usize::read(number).map(Simulator)
+        Some(Simulator(number))
     }
 }
 
@@ -64,12 +64,13 @@ impl Simulator {
 
     #[inline(never)]
     fn lend(self) -> Option<Box<World>> {
-        WORLDS.with_borrow_mut(|worlds| worlds.get_mut(self.0)?.take())
+        let place = usize::read(self.0)?;
+        WORLDS.with_borrow_mut(|worlds| worlds.get_mut(place)?.take())
     }
 
     #[inline(never)]
     fn give_back(self, world: Box<World>) {
-        WORLDS.with_borrow_mut(|worlds| worlds[self.0] = Some(world));
+        WORLDS.with_borrow_mut(|worlds| worlds[self.0 as usize] = Some(world));
     }
 
     /// Does something with it. It is lent meanwhile, so that not every one of these is made a copy of what finds it; nothing
@@ -134,7 +135,7 @@ impl Simulator {
         self.with(|world| match &mut world.engine {
             Engine::Plane(simulator) => act(simulator),
             #[cfg(feature = "depth")]
-            Engine::Depth(_) => Err(Failure("only a Simulator can do that, not a DepthSimulator".to_owned())),
+            Engine::Depth(_) => Err(Failure::because(&"only a Simulator can do that, not a DepthSimulator")),
         })
     }
 }
@@ -167,7 +168,7 @@ pub(crate) fn stale(argument: &'static str) -> Failure {
 #[cold]
 #[inline(never)]
 fn no_simulator() -> Failure {
-    Failure("the simulator was freed".to_owned())
+    Failure::because(&"the simulator was freed")
 }
 
 impl Engine {

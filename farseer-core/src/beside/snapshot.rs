@@ -44,8 +44,9 @@ impl SnapshotFormat {
         let mut header = vec![0; HEADER_LENGTH];
         header[..MAGIC_LENGTH].copy_from_slice(&self.magic);
         header[VERSION].copy_from_slice(&self.version.to_le_bytes());
-        let mut bytes = postcard::to_extend(value, header)
-            .expect("memory takes everything, and the type can be written without describing itself");
+        let Ok(mut bytes) = postcard::to_extend(value, header) else {
+            panic!("memory takes everything, and the type can be written without describing itself")
+        };
         let length = (bytes.len() - HEADER_LENGTH) as u64;
         bytes[LENGTH].copy_from_slice(&length.to_le_bytes());
         let checksum = checksum(&bytes);

@@ -125,7 +125,7 @@ impl Objects {
         if self.methods.narrow().uses_grids() {
             self.geoms[geom].grid = None;
         }
-        self.geoms.dispose("geom", geom).expect("it is there");
+        let Ok(()) = self.geoms.dispose("geom", geom) else { unreachable!("it is there") };
     }
 }
 

@@ -1,11 +1,9 @@
 //! What the 2.5D engine has more.
 
-use std::collections::BTreeMap;
-
-use farseer_core::{BodyId, GeomId};
+use farseer_core::{BodyId, GeomId, SideTable};
 use twohalf::{
     DepthProfile, DepthScheme, DrawOrder, Drawable, Partner, Platform, PlatformId, PlatformMut, TwoHalfBody,
-    TwoHalfPhysicsSimulator, Vector2, Vector3, Walk, Walker, Wish,
+    TwoHalfPhysicsSimulator, Vector2, Vector3, Walk, Wish,
 };
 use twohalf_factories::{Ball, Figure, Prism, Spawned, Thing, spawn, spawn_lane};
 
@@ -65,7 +63,7 @@ exports! {
     fn depth_new(height: i32, angle: i32, gravity_x: f32, gravity_y: f32) {
         let gravity = Vector2::new(gravity_x, gravity_y);
         let simulator = TwoHalfPhysicsSimulator::with_angle_and_gravity(height, angle, gravity)?;
-        let (walkers, order) = (BTreeMap::new(), DrawOrder::default());
+        let (walkers, order) = (SideTable::new(), DrawOrder::default());
         Ok(Simulator::keep(Engine::Depth(Box::new(Depth { simulator, walkers, order }))))
     }
 
@@ -171,10 +169,9 @@ exports! {
     /// Lets a body walk; before each step of the same length.
     fn depth_walk(simulator: Simulator, body: BodyId, x: f32, z: f32, jump: bool, dt: f32) {
         simulator.depth(|depth| {
-            let Depth { simulator, walkers, .. } = depth;
-            let mut walker = walkers.get(&body).copied().unwrap_or_else(|| Walker::new(Walk::default()));
-            simulator.walk(body, &mut walker, Wish { x, z, jump }, dt)?;
-            walkers.insert(body, walker);
+            let mut walker = depth.walker(body);
+            depth.simulator.walk(body, &mut walker, Wish { x, z, jump }, dt)?;
+            depth.walkers.insert(body, walker);
             Ok(walker.is_grounded())
         })
     }
@@ -189,7 +186,9 @@ exports! {
         };
         simulator.body3d(body, |_| ())?;
         simulator.depth(|depth| {
-            depth.walkers.entry(body).or_insert_with(|| Walker::new(walk)).walk = walk;
+            let mut walker = depth.walker(body);
+            walker.walk = walk;
+            depth.walkers.insert(body, walker);
             Ok(())
         })
     }
@@ -197,7 +196,7 @@ exports! {
     /// How a body walks: leaves the nine numbers.
     fn depth_walk_settings(simulator: Simulator, body: BodyId) {
         simulator.depth(|depth| {
-            let walk = depth.walkers.get(&body).map_or_else(Walk::default, |walker| walker.walk);
+            let walk = depth.walker(body).walk;
             let Walk { acceleration, air_acceleration, jump_height, step_up, snap, .. } = walk;
             let Walk { max_slope, coyote_time, ledge_reach, climb_speed, .. } = walk;
             let first = [acceleration, air_acceleration, jump_height, step_up, snap];
@@ -209,10 +208,9 @@ exports! {
     /// Lets a figure fall without walking any more.
     fn depth_let_go(simulator: Simulator, body: BodyId) {
         simulator.depth(|depth| {
-            let Depth { simulator, walkers, .. } = depth;
-            let mut walker = walkers.get(&body).copied().unwrap_or_else(|| Walker::new(Walk::default()));
-            simulator.let_go(body, &mut walker)?;
-            walkers.insert(body, walker);
+            let mut walker = depth.walker(body);
+            depth.simulator.let_go(body, &mut walker)?;
+            depth.walkers.insert(body, walker);
             Ok(())
         })
     }
