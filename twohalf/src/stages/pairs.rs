@@ -4,6 +4,7 @@
 //! taken over by this one: balls, and outlines that met along Z.
 
 use farseer_core::math::scalar::nearest_finite;
+use farseer_core::order::{joined, sort_numbered};
 use farseer_core::{ArbiterRef, GeomId, PhysicsSimulator};
 
 use super::outlines::Outlines;
@@ -19,10 +20,10 @@ pub(super) struct SpacePair {
     pub(super) geom_b: GeomId,
 }
 
-/// The pairs that touched in the 2D engine in the last update, with the impulse between them.
+/// The pairs that touched in the 2D engine in the last update, with the bits of the impulse between them.
 #[derive(Debug, Clone, Default)]
 pub(super) struct KnownPairs {
-    sorted: Vec<((u32, u32), f32)>,
+    sorted: Vec<(u128, u32)>,
 }
 
 impl KnownPairs {
@@ -33,9 +34,9 @@ impl KnownPairs {
                 continue;
             };
             let impulse = impulse_of(arbiter);
-            self.sorted.push(((a.id(), b.id()), impulse));
+            self.sorted.push((joined([a.id(), b.id()]), impulse.to_bits()));
         }
-        self.sorted.sort_unstable_by_key(|(numbers, _)| *numbers);
+        sort_numbered(&mut self.sorted);
     }
 
     /// Whether two geoms touched in the 2D engine in the last update.
@@ -46,8 +47,8 @@ impl KnownPairs {
     /// The impulse between a pair, if it touched.
     pub(super) fn impulse(&self, key: TouchKey) -> Option<f32> {
         let TouchKey::Pair(a, b) = key else { return None };
-        let index = self.sorted.binary_search_by_key(&(a, b), |(numbers, _)| *numbers).ok()?;
-        Some(self.sorted[index].1)
+        let index = self.sorted.binary_search_by_key(&joined([a, b]), |(numbers, _)| *numbers).ok()?;
+        Some(f32::from_bits(self.sorted[index].1))
     }
 }
 
