@@ -39,9 +39,9 @@ impl Depth {
         let (walkers, snapshot): (Vec<(BodyId, Walker)>, Vec<u8>) = WITH_WALKERS.read(snapshot)?;
         self.simulator.restore(&snapshot)?;
         self.walkers.clear();
-        for (body, walker) in
-            walkers.into_iter().filter(|(body, _)| !self.simulator.core().is_disposed(*body))
-        {
+        // A damaged snapshot may name any slot.
+        let is_there = |body: BodyId| self.simulator.body(body).is_some();
+        for (body, walker) in walkers.into_iter().filter(|&(body, _)| is_there(body)) {
             self.walkers.insert(body, walker);
         }
         Ok(())
