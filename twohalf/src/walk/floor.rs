@@ -12,6 +12,9 @@ use crate::{DepthProfile, GeomId, Partner, Platform, TwoHalfPhysicsSimulator, Ve
 /// Ends of what is looked at are taken as far inside as this, px, where rounding cannot put them outside.
 const INSIDE: f32 = 1e-3;
 
+/// What of feet is between two depths ends no farther beside all of them than by this, px, which is more than rounding does.
+const ROUNDED: f32 = 1.0;
+
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Floor {
     pub(super) partner: Partner,
@@ -216,6 +219,10 @@ fn highest<'a>(tops: impl Iterator<Item = &'a Top>, feet: &Feet, least_up: f32) 
 /// Of an edge, what lies above the feet.
 fn top_of_edge(top: &Top, feet: &Feet) -> Option<(f32, f32)> {
     let [a, b] = top.edge;
+    // Most lie beside all of the feet.
+    if b.x >= feet.right + ROUNDED || a.x <= feet.left - ROUNDED {
+        return None;
+    }
     let [left, right] = feet.span(top.front, top.back)?;
     let way = b - a;
     if b.x.max(left) >= a.x.min(right) {
