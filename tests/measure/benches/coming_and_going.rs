@@ -34,14 +34,15 @@ impl World {
             for at in 0..HEAP {
                 let (row, column) = ((at / 5) as f32, (at % 5) as f32);
                 let shift = 3.0 * row + 0.3 * (at * heap % 7) as f32;
-                add_box(
-                    &mut simulator,
-                    (30.0, 30.0),
-                    place + v((column - 2.0) * 33.0 + shift, 70.0 - row * 34.0),
-                );
+                let place = place + v((column - 2.0) * 33.0 + shift, 70.0 - row * 34.0);
+                let (_, geom) = add_box(&mut simulator, (30.0, 30.0), place);
+                // What slides for ever does not fall asleep.
+                simulator.geom_mut(geom).expect("it is there").set_friction_coefficient(0.5);
             }
         }
-        (0..if sleeps { 240 } else { 40 }).for_each(|_| simulator.update(DT));
+        (0..if sleeps { 480 } else { 40 }).for_each(|_| simulator.update(DT));
+        let asleep = if sleeps { crates } else { 0 };
+        assert_eq!(simulator.counters().bodies_asleep, asleep);
         let mut world = World { simulator, spare: VecDeque::new(), added: 0 };
         (0..SPARE).for_each(|_| world.come());
         world.simulator.update(DT);
