@@ -1,11 +1,13 @@
 //! A saved simulator continues with the same bits, and a damaged save is refused.
 
-use conformance::fixtures::depth::{DT, ball, busy_scene, crate_box, run, simulator, weightless};
+use conformance::fixtures::depth::{
+    DT, ball, busy_scene, crate_box, run, set_surface, simulator, weightless, with_scheme,
+};
 use serde_json::{Value, json};
 use twohalf::farseer_core::{
     BodyFactory, BroadPhaseCollider, GeomPlacement, Methods, NarrowPhaseCollider, PhysicsSimulator, Vertices,
 };
-use twohalf::{Event, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3};
+use twohalf::{DepthScheme, Event, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
 fn loaded(simulator: &TwoHalfPhysicsSimulator) -> TwoHalfPhysicsSimulator {
     serde_json::from_str(&serde_json::to_string(simulator).unwrap()).unwrap()
@@ -125,6 +127,18 @@ pub(crate) fn a_save_with_a_damaged_2d_engine_is_refused() {
         saved["core"]["objects"]["bodies"]["list"][0] = json!({ "index": 99, "generation": 0 })
     });
     assert!(message.contains("damaged"), "{message}");
+}
+
+#[test]
+fn what_touches_with_a_restitution_beyond_all_numbers_is_saved_and_loaded() {
+    with_scheme(DepthScheme::Precise, || {
+        let mut simulator = simulator();
+        let body = crate_box(&mut simulator, [20.0, 20.0], [0.0, 0.0, 0.0]);
+        set_surface(&mut simulator, body, 0.5, f32::MAX);
+        run(&mut simulator, 1);
+        assert_eq!(simulator.contacts().count(), 2);
+        assert_eq!(loaded(&simulator).snapshot(), simulator.snapshot());
+    });
 }
 
 #[test]

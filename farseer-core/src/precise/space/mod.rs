@@ -315,8 +315,9 @@ impl Space {
         } else {
             [a.friction, a.restitution]
         };
-        // Of numbers that are too great for it the mix is none.
-        [mix.mix(friction, b.friction).min(f32::MAX), mix_restitution(restitution, b.restitution)]
+        // Of numbers that are too great for it a mix is none.
+        let restitution = mix_restitution(restitution, b.restitution).clamp(f32::MIN, f32::MAX);
+        [mix.mix(friction, b.friction).min(f32::MAX), restitution]
     }
 
     /// The ground is below everything: no grid need know.

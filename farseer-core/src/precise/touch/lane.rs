@@ -48,13 +48,13 @@ impl Touch<'_> {
             normal,
             inverse_masses: [mass_a, mass_b],
             inverse_inertias: [inertia_a, inertia_b],
-            // Of numbers that are too great for it the mix is none.
+            // Of numbers that are too great for it a mix is none.
             friction: self.friction.mix(two.a.friction, two.b.friction).min(f32::MAX),
             tangent_arms,
             tangent_mass: weight(tangent_arms[0], tangent_arms[1]),
             tangent_impulse: 0.0,
             tangent_speed: belt_speed(two.a, normal, frozen.anchors[0]).clamp(f32::MIN, f32::MAX),
-            restitution: mix_restitution(two.a.restitution, two.b.restitution),
+            restitution: mix_restitution(two.a.restitution, two.b.restitution).clamp(f32::MIN, f32::MAX),
             points,
             space: SpaceLane::default(),
         };
