@@ -86,6 +86,14 @@ pub fn sin_cos(angle: f32) -> (f32, f32) {
     (s as f32, c as f32)
 }
 
+/// Sine and cosine of an angle in radians, also of one so great that the original has none and answers with the angle: for what
+/// it does not know. The same bits as [`sin_cos`] for all others.
+#[inline]
+pub fn sin_cos_of_any(angle: f32) -> (f32, f32) {
+    let (s, c) = libm::sincos(f64::from(angle));
+    (s as f32, c as f32)
+}
+
 /// Angle of the vector `(x, y)` in radians, evaluated in double precision and rounded once.
 #[doc(alias("Calculator.ATan2", "Math.Atan2"))]
 #[inline]

@@ -262,6 +262,23 @@ fn a_platform_is_turned_to_an_angle_to_the_last_bit() {
 }
 
 #[test]
+fn a_platform_that_is_turned_by_more_than_sines_are_told_of_keeps_its_size() {
+    precise(|| {
+        let mut simulator = weightless();
+        let id = platform(&mut simulator, [60.0, 20.0, 40.0], [0.0, 10.0, 0.0], 0.0);
+        simulator.platform_mut(id).unwrap().turn_to(1e20).unwrap();
+        for _ in 0..2 {
+            simulator.update(DT);
+            let view = simulator.platform(id).unwrap();
+            let [across, along] = [1, 4].map(|corner| (view.corners()[corner] - view.corners()[0]).norm());
+            assert_near(across, 60.0, 1e-4);
+            assert_near(along, 40.0, 1e-4);
+        }
+        assert_eq!(simulator.platform(id).unwrap().yaw(), 1e20);
+    });
+}
+
+#[test]
 fn nothing_falls_through_a_slope_along_z_however_fast_it_is() {
     precise(|| {
         for thing in sliders().into_iter().chain([Ball::new(10.0)]) {

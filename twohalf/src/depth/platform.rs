@@ -136,9 +136,9 @@ impl Platform {
         if !rotation.is_finite() {
             return Err(invalid("rotation", rotation, "finite"));
         }
-        let (sin, cos) = scalar::sin_cos(rotation);
+        let (sin, cos) = scalar::sin_cos_of_any(rotation);
         let half = [width * 0.5, height * 0.5, depth * 0.5];
-        let (turn_sin, turn_cos) = self.yaw.map_or((0.0, 1.0), scalar::sin_cos);
+        let (turn_sin, turn_cos) = self.yaw.map_or((0.0, 1.0), scalar::sin_cos_of_any);
         self.shape = SlantedBox {
             centre: motion.map_or(self.middle(position3d), |motion| motion.centre),
             half,
@@ -279,7 +279,7 @@ impl Platform {
         }
         (motion.centre, motion.told, self.shape.centre) = (centre, told, centre);
         if let Some(yaw) = yaw.filter(|_| yaw != self.yaw) {
-            let (sin, cos) = scalar::sin_cos(yaw);
+            let (sin, cos) = scalar::sin_cos_of_any(yaw);
             (self.yaw, self.shape.turn) = (Some(yaw), [cos, sin]);
         }
         motion.target = motion.target.filter(|_| told.target.is_some());

@@ -280,7 +280,7 @@ impl Precise {
             bodies.hot[number].velocity = on_hot(motion);
             if let Some(yaw) = turned_to {
                 fixture.yaw = Some(yaw);
-                let (sine, cosine) = scalar::sin_cos(yaw);
+                let (sine, cosine) = scalar::sin_cos_of_any(yaw);
                 fixture.shape.turn = [cosine, sine];
                 let proxy = space.fixture_proxies[place as usize] as usize;
                 let upright = Upright::of_box(&fixture.shape);

@@ -39,7 +39,7 @@ impl Platform {
 
     /// How fast it climbs along Z.
     pub(super) fn climb(&self) -> f32 {
-        let (sin, cos) = scalar::sin_cos(self.pitch);
+        let (sin, cos) = scalar::sin_cos_of_any(self.pitch);
         if self.pitch == 0.0 { 0.0 } else { sin / cos }
     }
 
