@@ -14,7 +14,7 @@
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use super::checksum::checksum as checksum_of;
+use super::checksum::crc32;
 use crate::simulator::{PhysicsSimulator, SavedSimulator};
 use crate::{Error, Result};
 
@@ -96,7 +96,7 @@ fn number(bytes: &[u8]) -> u64 {
 
 /// Of everything but the place where it is written.
 fn checksum(bytes: &[u8]) -> u32 {
-    checksum_of([&bytes[..CHECKSUM.start], &bytes[CHECKSUM.end..]])
+    crc32([&bytes[..CHECKSUM.start], &bytes[CHECKSUM.end..]])
 }
 
 const SIMULATOR: SnapshotFormat = SnapshotFormat { magic: *b"Farseer2", version: 13 };

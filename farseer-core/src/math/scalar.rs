@@ -82,12 +82,11 @@ pub fn sin_cos(angle: f32) -> (f32, f32) {
     if x.abs() >= ARGUMENT_LIMIT && x.is_finite() {
         return (angle, angle);
     }
-    let (s, c) = libm::sincos(x);
-    (s as f32, c as f32)
+    sin_cos_of_any(angle)
 }
 
-/// Sine and cosine of an angle in radians, also of one so great that the original has none and answers with the angle: for what
-/// it does not know. The same bits as [`sin_cos`] for all others.
+/// Sine and cosine of an angle in radians, also of one so great (from 2^63 on) that the original, and [`sin_cos`] with it, answers
+/// with the angle: for things that the original does not have.
 #[inline]
 pub fn sin_cos_of_any(angle: f32) -> (f32, f32) {
     let (s, c) = libm::sincos(f64::from(angle));

@@ -2,7 +2,6 @@
 //! after all that a game does between two updates they would find it in memory that is far away.
 
 use super::Precise;
-use super::touch::Looks;
 use crate::FrictionType;
 use crate::math::Vector2;
 
@@ -28,10 +27,7 @@ impl Precise {
         if !(is_as_before && self.is_dormant()) {
             return false;
         }
-        (self.dt, self.fall) = (dt, [gravity.x * dt, gravity.y * dt]);
-        self.looks = Looks::default();
-        self.flown.clear();
-        self.space.iter_mut().for_each(|space| space.rested.clear());
+        self.dt = dt;
         true
     }
 
@@ -43,7 +39,6 @@ impl Precise {
             && self.widened.is_empty()
             && self.changes.is_empty()
             && !self.has_handled
-            && self.joints.are_read()
             && self.joints.count() == 0
             && !self.may_break_joints()
             && (self.space.is_some() || self.direct.is_quiet())

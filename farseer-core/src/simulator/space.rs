@@ -133,7 +133,7 @@ impl PhysicsSimulator {
         self.pipeline.precise.iter().flat_map(|precise| precise.space_moved())
     }
 
-    /// Who has fallen asleep at the end of the last update.
+    /// Who has fallen asleep at the end of the last update in which anything may have happened.
     pub fn space_rested(&self) -> impl Iterator<Item = (BodyId, SpaceBody)> + '_ {
         self.pipeline.precise.iter().flat_map(|precise| precise.space_rested())
     }

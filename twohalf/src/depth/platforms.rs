@@ -1,7 +1,6 @@
 //! All platforms of a simulator, and which of them are near.
 
 use farseer_core::FixtureMotion;
-use farseer_core::order::{ordered, sort_by_number};
 use serde::{Deserialize, Serialize};
 
 use super::platform::Platform;
@@ -143,7 +142,8 @@ impl Platforms {
             let (low, high) = platform.shape().bounds();
             self.by_left.push((low.x, high.x, index));
         }
-        sort_by_number(&mut self.by_left, |&(left, ..)| ordered(left).into());
+        // Where lifts move, in every update: in place.
+        self.by_left.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.2.cmp(&b.2)));
         let mut reach = f32::NEG_INFINITY;
         for entry in &mut self.by_left {
             reach = reach.max(entry.1);

@@ -12,7 +12,8 @@ use crate::{DepthProfile, GeomId, Partner, Platform, TwoHalfPhysicsSimulator, Ve
 /// Ends of what is looked at are taken as far inside as this, px, where rounding cannot put them outside.
 const INSIDE: f32 = 1e-3;
 
-/// What of feet is between two depths ends no farther beside all of them than by this, px, which is more than rounding does.
+/// What of feet is between two depths ends no farther beside all of them than by this, px: coordinates up to 2^23 px are rounded
+/// by half of it at most.
 const ROUNDED: f32 = 1.0;
 
 #[derive(Debug, Clone, Copy)]

@@ -71,7 +71,7 @@ impl Precise {
         })
     }
 
-    /// Who has fallen asleep at the end of the last update.
+    /// Who has fallen asleep at the end of the last update in which anything may have happened.
     pub(crate) fn space_rested(&self) -> impl Iterator<Item = (BodyId, SpaceBody)> + '_ {
         self.space.iter().flat_map(|space| space.rested.iter().map(|&id| (id, space.body(id))))
     }
