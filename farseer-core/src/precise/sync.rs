@@ -5,7 +5,7 @@ use super::bodies::{inverses_of, ring_of};
 use super::grid::Box2;
 use super::outline::Shape;
 use super::proxies::{Mobility, Proxy, filter_of};
-use super::saved::Saved;
+use super::saved::{Edits, Saved};
 use super::space::parts::{Depths, SpaceProfile, is_geom};
 use crate::body::{Body, BodyId};
 use crate::geom::GeomId;
@@ -262,7 +262,7 @@ impl Precise {
         );
         if self.is_stale {
             let saved = self.loaded.take().unwrap_or_else(|| self.save());
-            self.list(objects, &saved);
+            self.list(objects, &saved, Edits::Taken);
         } else {
             self.wake_woken();
             bodies.iter().for_each(|&body| self.take_body(body, objects));
@@ -289,7 +289,7 @@ impl Precise {
     /// Whether everything is as if it had been listed anew, from what was known before.
     fn is_as_listed_anew(&self, objects: &Objects, before: &Saved) -> bool {
         let mut anew = self.clone();
-        anew.list(objects, before);
+        anew.list(objects, before, Edits::Taken);
         anew.note_joints_that_changed(objects);
         anew.wake_up();
         anew.save() == self.save()
@@ -312,7 +312,7 @@ impl Precise {
     }
 
     /// Lists all bodies and geoms that take part, and takes over what is known of their pairs.
-    pub(super) fn list(&mut self, objects: &Objects, saved: &Saved) {
+    pub(super) fn list(&mut self, objects: &Objects, saved: &Saved, edits: Edits) {
         (self.is_stale, self.has_new_members) = (false, false);
         self.note_joints();
         self.list_bodies(objects);
@@ -323,7 +323,7 @@ impl Precise {
         self.enter_moving_fixtures();
         self.direct.reset(self.bodies.hot.len());
         (1..=self.bodies.count).for_each(|number| self.measure(number, objects));
-        self.restore(saved, objects);
+        self.restore(saved, objects, edits);
     }
 
     /// Whether a body does not move, nor is pushed by anything but gravity.

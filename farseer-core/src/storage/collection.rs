@@ -166,6 +166,15 @@ impl<T, I: Id + Ord> Collection<T, I> {
         Ok(())
     }
 
+    /// Lets what was disposed and is still there be found in the list once more, or not any more.
+    pub(crate) fn show_disposed(&mut self, are_shown: bool) {
+        for &id in &self.disposed {
+            if let Some(entry) = self.entries.get_mut(id) {
+                entry.life.is_disposed = !are_shown;
+            }
+        }
+    }
+
     /// Disposes the listed ones that a predicate names.
     pub(crate) fn dispose_listed_where(&mut self, is_leaving: impl Fn(&T) -> bool) {
         for &id in &self.list {

@@ -140,6 +140,15 @@ struct SavedRow {
     surface: Option<[f32; 3]>,
 }
 
+/// What becomes of edits since what is known, when everything is listed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Edits {
+    /// They count.
+    Taken,
+    /// Those that decide what touches wait for the next update.
+    Awaited,
+}
+
 impl Serialize for Precise {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         self.save().serialize(serializer)
@@ -161,43 +170,60 @@ impl From<Saved> for Precise {
 }
 
 impl Saved {
-    /// The bodies that only the game moved, and that can be pushed now, or the other way round: as they were.
+    /// The bodies that are of another kind by now, or have been disabled: as they were.
     fn as_they_were(&self, objects: &Objects) -> Vec<(BodyId, Body)> {
         let mut others: Vec<(BodyId, Body)> = Vec::new();
-        for proxy in self.proxies.iter().filter(|proxy| proxy.mobility != Mobility::Fixed) {
-            let was_kinematic = proxy.mobility == Mobility::Kinematic;
+        for proxy in &self.proxies {
             let Some(id) = objects.geoms.get(proxy.geom).map(|geom| geom.body) else { continue };
             let Some(body) = objects.bodies.get(id).map(|entry| &entry.body) else { continue };
             let is_known = || others.iter().any(|&(other, _)| other == id);
-            if body.is_integrated() && body.is_kinematic() != was_kinematic && !is_known() {
-                let mut body = body.clone();
-                body.set_is_kinematic(was_kinematic);
-                others.push((id, body));
+            if kind_of(body) != Some(proxy.mobility) && !is_known() {
+                others.push((id, of_kind(body.clone(), proxy.mobility)));
             }
         }
         others
     }
 }
 
-/// These bodies change places with those that there are.
-fn exchange(others: &mut [(BodyId, Body)], objects: &mut Objects) {
+/// What a body is listed as, if it is.
+fn kind_of(body: &Body) -> Option<Mobility> {
+    let kind = match (body.is_integrated(), body.is_kinematic()) {
+        (false, _) => Mobility::Fixed,
+        (true, true) => Mobility::Kinematic,
+        (true, false) => Mobility::Dynamic,
+    };
+    body.enabled().then_some(kind)
+}
+
+/// The same body, to be listed so.
+fn of_kind(mut body: Body, kind: Mobility) -> Body {
+    body.set_enabled(true);
+    body.set_is_kinematic(kind == Mobility::Kinematic);
+    body.set_is_static(kind == Mobility::Fixed);
+    body
+}
+
+/// These bodies change places with those that there are, and what was disposed is there again, or is not any more.
+fn go_back(others: &mut [(BodyId, Body)], objects: &mut Objects, is_back: bool) {
     for (id, other) in others {
         if let Some(entry) = objects.bodies.get_mut(*id) {
             std::mem::swap(&mut entry.body, other);
         }
     }
+    objects.bodies.show_disposed(is_back);
+    objects.geoms.show_disposed(is_back);
 }
 
 impl Precise {
     /// Lists what was loaded, for those who ask what touches before the next update. What was edited before the save counts
-    /// from that update on, which then lists everything once more. Who is kinematic since the last one, or is not any more, is
-    /// listed as it was in it: of another kind it would touch nothing.
+    /// from that update on, which then lists everything once more: who has been disabled or disposed since the last one, or is of
+    /// another kind, is listed as it was in it.
     pub(crate) fn list_loaded(&mut self, objects: &mut Objects) {
         let Some(saved) = self.loaded.take() else { return };
         let mut others = saved.as_they_were(objects);
-        exchange(&mut others, objects);
-        self.list(objects, &saved);
-        exchange(&mut others, objects);
+        go_back(&mut others, objects, true);
+        self.list(objects, &saved, Edits::Awaited);
+        go_back(&mut others, objects, false);
         self.edited_bodies.extend(others.into_iter().map(|(id, _)| id));
         // Of the depth axis all is told again.
         if self.is_in_space() || self.save() != saved {

@@ -1,7 +1,7 @@
 //! What was saved is taken over. Pairs of what has gone are taken out in the order in which
 //! [`members`](crate::precise::members) does.
 
-use super::{Saved, SavedContacts, SavedPair, SavedProxy, SavedRow, Sleeper};
+use super::{Edits, Saved, SavedContacts, SavedPair, SavedProxy, SavedRow, Sleeper};
 use crate::body::BodyId;
 use crate::objects::Objects;
 use crate::precise::Precise;
@@ -11,7 +11,7 @@ use crate::storage::order::sort_by_number;
 
 impl Precise {
     /// Takes over what is known of the proxies and pairs that are still there.
-    pub(in crate::precise) fn restore(&mut self, saved: &Saved, objects: &Objects) {
+    pub(in crate::precise) fn restore(&mut self, saved: &Saved, objects: &Objects, edits: Edits) {
         self.has_handled = saved.has_handled || saved.pairs.iter().any(|pair| pair.is_vetoed);
         self.grid.reset(self.proxies.all.len());
         self.pairs.reset(self.proxies.all.len());
@@ -19,13 +19,14 @@ impl Precise {
         self.palette.reset(&self.bodies.inverses[..self.bodies.hot.len()]);
         self.restore_wear(saved);
         self.restore_ways(saved);
-        let (places, edited) = self.restore_proxies(saved);
+        let (places, edited) = self.restore_proxies(saved, edits);
         self.restore_sleep(saved, objects);
         let stays = |pair: &SavedPair| {
             let now = pair.proxies.map(|proxy| places[proxy as usize]);
             now[0].zip(now[1]).map(|(a, b)| [a, b]).filter(|&now| {
                 let [one, other] = now.map(|proxy| self.proxies.all[proxy as usize].geom);
-                self.ordered(now) == Some(now) && self.may_stay((one, other), objects)
+                self.ordered(now) == Some(now)
+                    && (edits == Edits::Awaited || self.may_stay((one, other), objects))
             })
         };
         let stays: Vec<_> = saved.pairs.iter().map(stays).collect();
@@ -160,7 +161,7 @@ impl Precise {
 
     /// Answers where each saved proxy is now, and whose contacts are to be looked at again. One that is moved by
     /// something else now than before is another one.
-    fn restore_proxies(&mut self, saved: &Saved) -> (Vec<Option<u32>>, Vec<u32>) {
+    fn restore_proxies(&mut self, saved: &Saved, edits: Edits) -> (Vec<Option<u32>>, Vec<u32>) {
         let mut is_known = vec![false; self.proxies.all.len()];
         let mut places = Vec::with_capacity(saved.proxies.len());
         let mut edited = Vec::new();
@@ -170,7 +171,7 @@ impl Precise {
                 .filter(|&place| self.proxies.all[place as usize].mobility == proxy.mobility)
                 .filter(|&place| !std::mem::replace(&mut is_known[place as usize], true));
             if let Some(place) = place {
-                edited.extend(self.restore_proxy(place, proxy).then_some(place));
+                edited.extend(self.restore_proxy(place, proxy, edits).then_some(place));
             }
             places.push(place);
         }
@@ -185,8 +186,15 @@ impl Precise {
     }
 
     /// Answers whether something has changed that its contacts depend on.
-    fn restore_proxy(&mut self, place: u32, saved: &SavedProxy) -> bool {
-        let (then, now) = (saved.known, self.known_of(place as usize));
+    fn restore_proxy(&mut self, place: u32, saved: &SavedProxy, edits: Edits) -> bool {
+        let (then, mut now) = (saved.known, self.known_of(place as usize));
+        if edits == Edits::Awaited && then.filter != now.filter {
+            let [filter @ .., responds] = then.filter;
+            let proxy = &mut self.proxies.all[place as usize];
+            (proxy.filter, proxy.responds) = (filter, responds != 0);
+            self.edited_geoms.push(proxy.geom);
+            now.filter = then.filter;
+        }
         self.proxies.motion[place as usize] = saved.motion;
         self.enter_with(place, saved.bounds, saved.depths);
         let has_moved = then.place != now.place;

@@ -105,6 +105,9 @@ fn figures_walk_on_as_after_a_restore() {
     // What is near was edited between loading and walking; stands still in updates, and not between them; is near in another order.
     holds_for!([10_315, 10_591, 10_120], twins_stay_equal::<CalmDepth<Upright>>);
     holds_for!([10_122], twins_stay_equal::<CalmDepth<Tied>>);
+    // What is near was disabled since, or goes with the next update.
+    holds_for!([3198, 3787], twins_stay_equal::<CalmDepth<Upright>>);
+    holds_for!([3046], twins_stay_equal::<CalmDepth<Tied>>);
 }
 
 #[test]

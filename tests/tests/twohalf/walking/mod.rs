@@ -8,8 +8,8 @@ use conformance::fixtures::depth::{assert_near, place, set_surface, solid, veloc
 use std::cell::Cell;
 
 use twohalf::{
-    BodyId, DepthProfile, Partner, Platform, PlatformId, TwoHalfPhysicsSimulator, Vector2, Vector3, Walk,
-    Walker, Wish,
+    BodyId, CollisionCategory, DepthProfile, Partner, Platform, PlatformId, TwoHalfPhysicsSimulator,
+    Vector2, Vector3, Walk, Walker, Wish,
 };
 
 const RATES: [f32; 4] = [30.0, 60.0, 120.0, 240.0];
@@ -22,6 +22,7 @@ const RIGHT: Wish = Wish { x: 150.0, z: 0.0, jump: false };
 const JUMP: Wish = Wish { jump: true, ..RIGHT };
 
 /// A scene with one figure.
+#[derive(Clone)]
 struct Stage {
     simulator: TwoHalfPhysicsSimulator,
     figure: BodyId,
@@ -104,7 +105,7 @@ fn figure(simulator: &mut TwoHalfPhysicsSimulator, place: [f32; 3]) -> BodyId {
 }
 
 /// One that was loaded walks on with the same bits; what is near is asked for before the next update. Both are edited in between.
-fn assert_walks_on(stage: &Stage, edit: impl Fn(&mut TwoHalfPhysicsSimulator)) {
+fn assert_walks_on(stage: &Stage, name: &str, edit: impl Fn(&mut TwoHalfPhysicsSimulator)) {
     let saved = serde_json::to_string(&stage.simulator).unwrap();
     let loaded = serde_json::from_str::<TwoHalfPhysicsSimulator>(&saved).unwrap();
     let [one, other] = [loaded, stage.simulator.clone()].map(|mut simulator| {
@@ -113,43 +114,73 @@ fn assert_walks_on(stage: &Stage, edit: impl Fn(&mut TwoHalfPhysicsSimulator)) {
         simulator.update(stage.dt);
         <[f32; 3]>::from(place(&simulator, stage.figure)).map(f32::to_bits)
     });
-    assert_eq!(one, other);
+    assert_eq!(one, other, "{name}");
 }
 
-/// A stage with a crate of a height in the way.
-fn with_crate(rate: f32, height: f32) -> (Stage, BodyId) {
+/// A stage with a crate of a height in the way, and the crate that is the floor.
+fn with_crate(rate: f32, height: f32) -> (Stage, BodyId, BodyId) {
     let mut stage = Stage::new(rate, [0.0, 20.0, 0.0]);
-    stage.crate_box([400.0, 20.0, 100.0], 500.0, [0.0; 3]);
+    let floor = stage.crate_box([400.0, 20.0, 100.0], 500.0, [0.0; 3]);
     let crate_box = stage.crate_box([20.0, height, 20.0], 5.0, [60.0, 20.0, 0.0]);
-    (stage, crate_box)
+    (stage, crate_box, floor)
 }
 
 #[test]
 fn it_walks_on_with_the_same_bits_after_a_load_in_every_step() {
     for rate in RATES {
-        let (mut stage, _) = with_crate(rate, 20.0);
-        stage.walk(RIGHT, 0.5, |stage| assert_walks_on(stage, |_| ()));
+        let (mut stage, ..) = with_crate(rate, 20.0);
+        stage.walk(RIGHT, 0.5, |stage| assert_walks_on(stage, "", |_| ()));
     }
 }
 
 #[test]
 fn it_flies_on_with_the_same_bits_after_a_load_against_what_stands_still() {
     for rate in RATES {
-        let (mut stage, crate_box) = with_crate(rate, 200.0);
+        let (mut stage, crate_box, _) = with_crate(rate, 200.0);
         stage.simulator.set_time_scale(crate_box, 0.0).unwrap();
-        stage.walk(JUMP, 0.5, |stage| assert_walks_on(stage, |_| ()));
+        stage.walk(JUMP, 0.5, |stage| assert_walks_on(stage, "", |_| ()));
     }
 }
 
 #[test]
 fn it_flies_on_with_the_same_bits_after_a_load_if_what_it_touches_is_edited_before_it_does() {
     for rate in RATES {
-        let (mut stage, crate_box) = with_crate(rate, 200.0);
+        let (mut stage, crate_box, _) = with_crate(rate, 200.0);
         let geom = stage.simulator.core().geoms_of(crate_box)[0];
         stage.walk(JUMP, 0.5, |stage| {
-            assert_walks_on(stage, |simulator| {
+            assert_walks_on(stage, "edited after the load", |simulator| {
                 simulator.geom_mut(geom).unwrap().set_collision_response_enabled(false);
             });
+        });
+    }
+}
+
+/// What may have been done to what a figure touches, between the last update and the save.
+const EDITS: [(&str, fn(&mut TwoHalfPhysicsSimulator, BodyId)); 6] = [
+    ("disabled", |simulator, body| simulator.body_mut(body).unwrap().core_mut().set_enabled(false)),
+    ("static", |simulator, body| simulator.body_mut(body).unwrap().core_mut().set_is_static(true)),
+    ("kinematic", |simulator, body| simulator.body_mut(body).unwrap().core_mut().set_is_kinematic(true)),
+    ("disposed", |simulator, body| simulator.dispose(body).unwrap()),
+    ("pushes nothing", |simulator, body| {
+        let geom = simulator.core().geoms_of(body)[0];
+        simulator.geom_mut(geom).unwrap().set_collision_response_enabled(false);
+    }),
+    ("meets nothing", |simulator, body| {
+        let geom = simulator.core().geoms_of(body)[0];
+        simulator.geom_mut(geom).unwrap().set_collides_with(CollisionCategory::NONE);
+    }),
+];
+
+#[test]
+fn it_goes_on_with_the_same_bits_after_a_load_if_what_it_touches_was_edited_before_the_save() {
+    for (rate, (name, edit)) in RATES.into_iter().flat_map(|rate| EDITS.map(|edit| (rate, edit))) {
+        let (mut stage, crate_box, floor) = with_crate(rate, 200.0);
+        stage.walk(JUMP, 0.5, |stage| {
+            for body in [crate_box, floor] {
+                let mut edited = stage.clone();
+                edit(&mut edited.simulator, body);
+                assert_walks_on(&edited, name, |_| ());
+            }
         });
     }
 }
