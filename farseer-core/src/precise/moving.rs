@@ -68,26 +68,29 @@ pub(super) fn fly(bodies: &mut Bodies, runs: &[Range<usize>], step: &Step) {
     }
 }
 
-/// Bodies with one row at most, and no joint, whose velocity has hardly changed: their substeps take the middle of the velocities before and
-/// after, which is exact under constant forces, instead of those after.
+/// Bodies with one row at most, and no joint, whose velocity has hardly changed: their substeps take the middle of the velocities
+/// before and after, which is exact under constant forces, instead of those after. What touches something is moved by no more than
+/// the reach of its contacts: in a long frame it may have landed, and would be moved into what stopped it.
 #[inline(always)]
 pub(super) fn even_out(
     bodies: &mut Bodies,
     runs: &[Range<usize>],
-    palette: &Palette,
-    joints: &Joints,
+    (palette, joints): (&Palette, &Joints),
+    reach: f32,
     step: &Step,
 ) {
     let back = -0.5 * step.h;
     let most = EVENLY * step.substeps as f32;
+    let longest = reach * reach / (back * back);
     let is_single = |&body: &usize| palette.is_single(body) && !joints.holds(body);
     for body in runs.iter().cloned().flatten().filter(is_single) {
         let change = f32x4::new(bodies.hot[body].velocity) - f32x4::new(bodies.before[body]);
         let [x, y, _, z] = change.to_array();
         let [px, py, _, pz] = bodies.push[body];
-        if x * x + y * y + z * z <= most * most * (px * px + py * py + pz * pz) {
+        let (squared, is_free) = (x * x + y * y + z * z, palette.is_free(body));
+        if squared <= most * most * (px * px + py * py + pz * pz) && (is_free || squared <= longest) {
             let mut path = f32x4::new(bodies.path[body]) + change * f32x4::splat(back);
-            if palette.is_free(body) {
+            if is_free {
                 path += f32x4::new(bodies.forced[body]);
             }
             bodies.path[body] = path.to_array();

@@ -439,7 +439,8 @@ impl Precise {
                 self.note_pushes();
             }
         }
-        even_out(&mut self.bodies, &self.sleep.bodies, &self.palette, &self.joints, step);
+        let Precise { bodies, sleep, palette, joints, tuning, .. } = self;
+        even_out(bodies, &sleep.bodies, (palette, joints), tuning.speculative, step);
         if may_bounce {
             self.bounce(step);
         }

@@ -14,6 +14,7 @@ mod fields;
 mod fixed_springs;
 mod joints;
 mod ledges;
+mod long_frames;
 mod meeting;
 mod motion;
 mod one_plane;

@@ -8,8 +8,8 @@ use conformance::fixtures::depth::{assert_near, place, set_surface, solid, veloc
 use std::cell::Cell;
 
 use twohalf::{
-    BodyId, CollisionCategory, DepthProfile, Partner, Platform, PlatformId, TwoHalfPhysicsSimulator,
-    Vector2, Vector3, Walk, Walker, Wish,
+    BodyId, CollisionCategory, DepthProfile, Partner, Platform, PlatformId, TwoHalfPhysicsSimulator, Vector2,
+    Vector3, Walk, Walker, Wish,
 };
 
 const RATES: [f32; 4] = [30.0, 60.0, 120.0, 240.0];
