@@ -1,0 +1,100 @@
+// Takes out of a module, read and written in the text of `wasm-dis`, what only the words of a panic need: nobody ever sees them.
+// A panic ends in a trap, before and after.
+
+import { readFileSync } from 'node:fs';
+
+/** Expressions, each on lines of its own: its first line, and what it encloses, or null if that line is all of it. */
+function parse(lines) {
+  const top = [];
+  const open = [top];
+  for (const line of lines) {
+    const text = line.trim();
+    if (text === ')') {
+      open.pop();
+      continue;
+    }
+    const inner = text.split('(').length > text.split(')').length ? [] : null;
+    open.at(-1).push({ text, inner });
+    if (inner !== null) open.push(inner);
+  }
+  return top;
+}
+
+function print({ text, inner }) {
+  return inner === null ? text : [text, ...inner.map(print), ')'].join('\n');
+}
+
+const TRAP = { text: '(unreachable)', inner: null };
+const isTrap = (expression) => expression?.text === TRAP.text;
+
+const nameOf = ({ text }) => /\$[^\s)]+/.exec(text)?.[0];
+
+const returns = ({ text, inner }) => text.startsWith('(return') || (inner ?? []).some(returns);
+
+/** Whether a function ends in a trap, whichever way it goes: so do those that panic, and no others. */
+const isPanic = (definition) => isTrap(definition.inner?.at(-1)) && !returns(definition);
+
+/** Lets `list` trap where it would call one of `panics`, or leave a block for a trap. `leadsToTrap`: what follows `list` is one. */
+function shorten(list, panics, leadsToTrap, doomed) {
+  for (let index = list.length - 1; index >= 0; index--) {
+    const expression = list[index];
+    const { text, inner } = expression;
+    const name = nameOf(expression);
+    if (text.startsWith('(call $') && panics.has(name)) list[index] = TRAP;
+    else if (text === `(br ${name})` && doomed.has(name)) list[index] = TRAP;
+    else if (inner !== null) {
+      const isBlock = text === '(block' || text === `(block ${name}`;
+      const isDoomed = isBlock && (index + 1 < list.length ? isTrap(list[index + 1]) : leadsToTrap);
+      if (isDoomed) doomed.add(name);
+      shorten(inner, panics, isDoomed, doomed);
+      // What is compressed holds the same few bytes at each check, not a way out that differs from each to the next.
+      if (text === `(br_if ${name}` && doomed.has(name)) {
+        list[index] = { text: '(if', inner: [...inner, { text: '(then', inner: [TRAP] }] };
+      }
+    }
+  }
+}
+
+/** The bytes of a string as it is written in a module. */
+function bytesOf(text) {
+  const named = { t: '\t', n: '\n', r: '\r' };
+  const character = (code) => (code.length === 2 ? String.fromCharCode(parseInt(code, 16)) : (named[code] ?? code));
+  return Buffer.from(text.replace(/\\([0-9a-f]{2}|.)/g, (_, code) => character(code)), 'latin1');
+}
+
+/** Blanks, in a data segment, the places in the source that panics would tell: address and length of a path, line, column. */
+function blankPlaces(segment) {
+  const [, start, address, text] = /^(\(data .*\(i32\.const (\d+)\) )"(.*)"\)$/.exec(segment);
+  const bytes = bytesOf(text);
+  const paths = [];
+  for (let at = 0; at + 16 <= bytes.length; at += 4) {
+    const from = bytes.readUInt32LE(at) - address;
+    const to = from + bytes.readUInt32LE(at + 4);
+    if (from < 0 || to > bytes.length || to - from > 1000 || !/^[ -~]+\.rs$/.test(bytes.latin1Slice(from, to))) continue;
+    bytes.fill(0, at, at + 16);
+    paths.push([from, to]);
+  }
+  for (const [from, to] of paths) bytes.fill(0, from, to);
+  return `${start}"${bytes.toString('hex').replace(/../g, '\\$&')}")`;
+}
+
+const lines = readFileSync(0, 'utf8').trimEnd().split('\n');
+const rest = [];
+const functions = [];
+for (let index = 0; index < lines.length; index++) {
+  const line = lines[index];
+  if (line.startsWith(' (func ')) {
+    const end = lines.indexOf(' )', index);
+    functions.push(...parse(lines.slice(index, end + 1)));
+    index = end;
+  } else if (line.startsWith(' (data ')) rest.push(blankPlaces(line.trim()));
+  else if (line !== ')') rest.push(line);
+}
+
+const panics = new Set(functions.filter(isPanic).map(nameOf));
+for (const definition of functions) {
+  if (panics.has(nameOf(definition))) definition.inner = [TRAP];
+  else shorten(definition.inner, panics, false, new Set());
+}
+// By name: what is alike lies side by side, and compresses better.
+process.stdout.write([...rest, ...functions.map(print).sort(), ')\n'].join('\n'));
