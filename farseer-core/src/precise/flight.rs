@@ -55,8 +55,18 @@ impl Flyer<'_> {
 
     /// How far it reaches in a direction.
     pub(super) fn support(&self, pose: Pose, direction: Vector) -> f32 {
-        let along = self.corners(pose).map(|corner| dot(corner, direction));
-        along.fold(f32::MIN, |most, one| if one > most { one } else { most }) + self.outline.shape.radius
+        self.farthest(pose, direction).0 + self.outline.shape.radius
+    }
+
+    /// How far its corners reach in a direction, and which of them does.
+    fn farthest(&self, pose: Pose, direction: Vector) -> (f32, Vector) {
+        let along = self.corners(pose).map(|corner| (dot(corner, direction), corner));
+        along.fold((f32::MIN, [0.0; 2]), |most, one| if one.0 > most.0 { one } else { most })
+    }
+
+    /// The middle of the piece.
+    fn centre(&self, pose: Pose) -> Vector {
+        sum(place(pose), turn(rotation(pose), self.outline.shape.centre))
     }
 }
 
@@ -67,16 +77,48 @@ pub(super) struct Two<'a> {
 }
 
 impl Two<'_> {
-    /// Distance of the two along the axis that separates them best, negative if they overlap; and that axis, from A to B.
+    /// Distance of the two along the axis that separates them best, negative if they overlap; and that axis, from A to B. Along
+    /// none are they farther apart than any two of their corners: most axes are passed over for those that were nearest last.
     pub(super) fn separation(&self, part: f32) -> (f32, Vector) {
-        let (pose_a, pose_b) = (self.a.at(part), self.b.at(part));
+        let poses = [self.a.at(part), self.b.at(part)];
+        let radii = [self.a.outline.shape.radius, self.b.outline.shape.radius];
+        let apart = |axis: Vector| {
+            let (of_a, near_a) = self.a.farthest(poses[0], axis);
+            let (of_b, near_b) = self.b.farthest(poses[1], scaled(axis, -1.0));
+            (-(of_b + radii[1]) - (of_a + radii[0]), [near_a, near_b])
+        };
+        let at_most = |[near_a, near_b]: [Vector; 2], axis: Vector| {
+            -(dot(near_b, scaled(axis, -1.0)) + radii[1]) - (dot(near_a, axis) + radii[0])
+        };
+
+        // As far as they are apart along the axis that promises most, they are.
+        let mut nearest = apart(difference(self.b.centre(poses[1]), self.a.centre(poses[0]))).1;
+        let mut likely = (f32::MIN, [0.0, 1.0]);
+        self.for_each_axis(poses, |axis| {
+            let most = at_most(nearest, axis);
+            if most > likely.0 {
+                likely = (most, axis);
+            }
+        });
+        let (least, of_likely) = apart(likely.1);
+        nearest = of_likely;
         let mut best = (f32::MIN, [0.0, 1.0]);
-        let mut consider = |axis: Vector| {
-            let apart = -self.b.support(pose_b, scaled(axis, -1.0)) - self.a.support(pose_a, axis);
+        self.for_each_axis(poses, |axis| {
+            let most = at_most(nearest, axis);
+            if most < least || most <= best.0 {
+                return;
+            }
+            let (apart, of_axis) = apart(axis);
+            nearest = of_axis;
             if apart > best.0 {
                 best = (apart, axis);
             }
-        };
+        });
+        best
+    }
+
+    /// The axes along which the two may be farthest apart: of their sides, and if one is round, between corners.
+    fn for_each_axis(&self, [pose_a, pose_b]: [Pose; 2], mut consider: impl FnMut(Vector)) {
         for &normal in self.a.outline.normals {
             consider(turn(rotation(pose_a), normal));
         }
@@ -94,7 +136,6 @@ impl Two<'_> {
                 }
             }
         }
-        best
     }
 
     /// Distance after a part of the step, and how fast it can become less, in lengths per step.
@@ -113,7 +154,7 @@ impl Two<'_> {
         }
         let normal = turn(rotation(self.a.pose), *normal);
         let on_edge = sum(place(self.a.pose), turn(rotation(self.a.pose), self.a.outline.points[0]));
-        let centre = sum(place(self.b.pose), turn(rotation(self.b.pose), self.b.outline.shape.centre));
+        let centre = self.b.centre(self.b.pose);
         let way = difference(place(self.b.path), place(self.a.path));
         dot(difference(centre, on_edge), normal) < 0.0 || (dot(way, normal) >= 0.0 && self.b.path[2] == 0.0)
     }
