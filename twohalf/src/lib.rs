@@ -140,7 +140,7 @@
 //!
 //! [`TwoHalfBody::support`] says what holds a body up, ground, platform or another object, and
 //! [`TwoHalfBody::is_grounded`] whether one can stand on that. [`TwoHalfPhysicsSimulator::surface_beneath`] is
-//! where a shadow falls.
+//! where a shadow falls, or somebody who walks on: ground, platform or the top of another object.
 //!
 //! # A game loop
 //!
