@@ -142,6 +142,11 @@
 //! [`TwoHalfBody::is_grounded`] whether one can stand on that. [`TwoHalfPhysicsSimulator::surface_beneath`] is
 //! where a shadow falls, or somebody who walks on: ground, platform or the top of another object.
 //!
+//! What else a game may ask, each with a filter: what is [in a box](TwoHalfPhysicsSimulator::query_box), [on a
+//! ray](TwoHalfPhysicsSimulator::ray_cast3d), [in the way of a box](TwoHalfPhysicsSimulator::sweep_box) that is moved, what
+//! [overlaps a geom](TwoHalfPhysicsSimulator::overlaps_of), and what is [at a point of the
+//! screen](TwoHalfPhysicsSimulator::pick_front_where).
+//!
 //! # A game loop
 //!
 //! A beat-'em-up in small: a player who walks along X and Z and jumps, a crate to push, a ball, a platform. Velocity
@@ -390,7 +395,9 @@ pub use depth::{
 pub use error::{Error, Result};
 pub use events::{Collision, Context, Event, EventHandler};
 pub use projection::Projection;
-pub use simulator::{DrawOrder, Drawable, RayHit3D, SavedTwoHalfSimulator, Surface, TwoHalfPhysicsSimulator};
+pub use simulator::{
+    DrawOrder, Drawable, RayHit3D, SavedTwoHalfSimulator, Surface, SweepHit3D, TwoHalfPhysicsSimulator,
+};
 pub use stages::StepCounters;
 pub use texture_id::TextureId;
 pub use views::{

@@ -35,6 +35,7 @@ mod sleep;
 mod slopes;
 mod spawning;
 mod supports;
+mod sweeps;
 mod thesis;
 mod time_scale;
 mod turned_platforms;

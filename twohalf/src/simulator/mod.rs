@@ -20,7 +20,7 @@ mod update;
 
 pub use draw_order::DrawOrder;
 pub use drawn::Drawable;
-pub use rays::RayHit3D;
+pub use rays::{RayHit3D, SweepHit3D};
 pub use save::SavedTwoHalfSimulator;
 pub use surfaces::Surface;
 
