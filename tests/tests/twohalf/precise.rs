@@ -102,6 +102,8 @@ again! {
         a_throw_upward_and_into_the_picture_lands_after_2v_over_g_at_the_range,
         an_impulse_along_z_changes_the_velocity_by_impulse_over_mass_at_the_next_update,
         an_object_geom_holds_the_body_only_while_its_collisions_have_a_response,
+        an_object_geom_that_is_undone_does_not_hold_the_body_until_it_is_set_again,
+        an_object_geom_that_is_undone_is_undone_after_loading_too,
         an_object_geom_that_was_removed_does_not_hold_the_body,
         drag_slows_along_z_as_along_x,
         nothing_moves_along_z_while_the_simulator_is_disabled,
