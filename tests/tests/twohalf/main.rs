@@ -1,6 +1,7 @@
 //! The 2.5D engine.
 
 mod abuse;
+mod angles;
 mod api;
 mod brawling;
 mod callbacks;
