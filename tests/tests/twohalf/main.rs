@@ -4,6 +4,7 @@ mod abuse;
 mod angles;
 mod api;
 mod brawling;
+mod bullets;
 mod callbacks;
 mod carried;
 mod closed_forms;
