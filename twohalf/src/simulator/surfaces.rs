@@ -60,7 +60,9 @@ impl TwoHalfPhysicsSimulator {
             let (y, normal) = platform.shape().height_at(point.x, point.z)?;
             Some(Surface { partner: Partner::Platform(id), height: -y, normal: to_world(normal) })
         });
-        let holding = self.geom_list().iter().rev().copied().filter(|&geom| self.can_hold(geom));
+        // Most are apart in depth, which costs least to see.
+        let near = self.geom_list().iter().rev().copied().filter(|&geom| self.reaches_depth(geom, point.z));
+        let holding = near.filter(|&geom| self.can_hold(geom));
         let tops = holding.flat_map(|geom| self.tops_of(geom, [point.z; 2]));
         let geoms = tops.filter_map(|top| surface_of(&top, [point.x, point.z]));
         let reach = point.y + SUNK * self.core.allowed_penetration();
@@ -77,6 +79,14 @@ impl TwoHalfPhysicsSimulator {
         self.surface_beneath_where(middle, |partner| match partner {
             Partner::Geom(geom) => self.geom(geom).is_some_and(|geom| geom.body() != body),
             Partner::Platform(_) | Partner::Ground => true,
+        })
+    }
+
+    fn reaches_depth(&self, geom: GeomId, at: f32) -> bool {
+        let profile = self.world.depths.profiles.get(geom);
+        profile.zip(self.core.body_of(geom)).is_some_and(|(profile, body)| {
+            let (z, half) = (self.world.depths.z_of(body), profile.half_depth());
+            z - half <= at && at <= z + half
         })
     }
 
