@@ -198,15 +198,15 @@ impl Stage {
             match *drawable {
                 Drawable::Platform(id) => self.draw_platform(&mut batch, id, layer(place)),
                 Drawable::Body(id) => {
-                    // A shadow lies right before its platform, or on the ground, behind everything.
+                    // A shadow lies right before what it falls on, or on the ground, behind everything.
                     let surface = self.simulator.surface_beneath_body(id);
-                    let platform = surface.and_then(|surface| match surface.partner {
-                        Partner::Platform(id) => {
-                            order.iter().position(|other| *other == Drawable::Platform(id))
-                        }
-                        _ => None,
+                    let below = surface.and_then(|surface| match surface.partner {
+                        Partner::Platform(id) => Some(Drawable::Platform(id)),
+                        Partner::Geom(geom) => Some(Drawable::Body(self.simulator.geom(geom)?.body())),
+                        Partner::Ground => None,
                     });
-                    let of_shadow = platform.map_or(ON_THE_GROUND, layer);
+                    let below = below.and_then(|below| order.iter().position(|other| *other == below));
+                    let of_shadow = below.map_or(ON_THE_GROUND, layer);
                     self.draw_body(&mut batch, id, layer(place), of_shadow);
                 }
             }

@@ -140,7 +140,12 @@
 //!
 //! [`TwoHalfBody::support`] says what holds a body up, ground, platform or another object, and
 //! [`TwoHalfBody::is_grounded`] whether one can stand on that. [`TwoHalfPhysicsSimulator::surface_beneath`] is
-//! where a shadow falls.
+//! where a shadow falls, or somebody who walks on: ground, platform or the top of another object.
+//!
+//! What else a game may ask, each with a filter: what is [in a box](TwoHalfPhysicsSimulator::query_box), [on a
+//! ray](TwoHalfPhysicsSimulator::ray_cast3d), [in the way of a box](TwoHalfPhysicsSimulator::sweep_box) that is moved, what
+//! [overlaps a geom](TwoHalfPhysicsSimulator::overlaps_of), and what is [at a point of the
+//! screen](TwoHalfPhysicsSimulator::pick_front_where).
 //!
 //! # A game loop
 //!
@@ -311,7 +316,9 @@
 //! # Where it fails
 //!
 //! - **What is too fast passes through.** With the precise scheme nothing passes what stands still, but two that move, each
-//!   farther per step than it is thick, may miss each other. With the others contacts are looked for where things are at a
+//!   farther per step than it is thick, may miss each other, unless one is [marked](farseer_core::Body::set_is_bullet) as a bullet.
+//!   A bullet is stopped, but in the step after a hit up to 1.42 % of the speed is left: at 30,000 px/s and 0.01 s it passes a
+//!   plate of 4 px that is as light as itself. Of several that are marked and stand in a row it may pass one. With the others contacts are looked for where things are at a
 //!   step, not on the way between two: along any axis, what moves farther per step than it and the other are thick together may
 //!   miss the other; in X and Y, where two outlines are the 2D engine's, already at half of that. Nothing passes the ground,
 //!   which has no underside.
@@ -390,7 +397,9 @@ pub use depth::{
 pub use error::{Error, Result};
 pub use events::{Collision, Context, Event, EventHandler};
 pub use projection::Projection;
-pub use simulator::{DrawOrder, Drawable, RayHit3D, SavedTwoHalfSimulator, Surface, TwoHalfPhysicsSimulator};
+pub use simulator::{
+    DrawOrder, Drawable, RayHit3D, SavedTwoHalfSimulator, Surface, SweepHit3D, TwoHalfPhysicsSimulator,
+};
 pub use stages::StepCounters;
 pub use texture_id::TextureId;
 pub use views::{

@@ -320,8 +320,9 @@ impl Precise {
     fn stops(&self, pair: usize, body: usize) -> bool {
         let state = &self.pairs.all[pair];
         let [(a, mobility), (b, _)] = self.sides(pair);
-        let is_bullet = self.bodies.are_bullets[body];
         let other = if a == body { b } else { a };
+        // What comes towards a bullet would pass it where that is stopped.
+        let is_bullet = [body, other].iter().any(|&side| self.bodies.are_bullets.get(side) == Some(&true));
         let stands_still = mobility != Mobility::Dynamic || self.sleep.is_asleep(other);
         // In three axes who touches something is kept out of it by its contacts.
         let is_kept_out = self.space.is_some() && self.pairs.frozen[pair].count > 0;

@@ -171,6 +171,22 @@ fn two_bullets_meet_in_the_middle() {
 }
 
 #[test]
+fn what_comes_towards_a_bullet_does_not_pass_where_it_is_stopped() {
+    let mut simulator = simulator(0.0);
+    let [bullet, other] = [-1.0, 1.0].map(|side| {
+        let (body, _) = add_ball(&mut simulator, v(155.0 * side, 0.0), 2.0);
+        simulator[body].set_linear_velocity(v(-6000.0 * side, 0.0));
+        body
+    });
+    simulator[bullet].set_is_bullet(true);
+    (0..8).for_each(|_| simulator.update(DT));
+    assert!(simulator[bullet].position().x < simulator[other].position().x);
+    // Equal ones without restitution stop each other.
+    let speeds = [bullet, other].map(|body| simulator[body].linear_velocity().x);
+    assert!(speeds.iter().all(|speed| speed.abs() < 60.0), "{speeds:?}");
+}
+
+#[test]
 fn what_may_not_meet_a_wall_flies_through_it() {
     let mut simulator = simulator(0.0);
     let (_, wall) = add_wall(&mut simulator, 4.0);

@@ -1,8 +1,10 @@
 //! The 2.5D engine.
 
 mod abuse;
+mod angles;
 mod api;
 mod brawling;
+mod bullets;
 mod callbacks;
 mod carried;
 mod closed_forms;
@@ -36,6 +38,7 @@ mod sleep;
 mod slopes;
 mod spawning;
 mod supports;
+mod sweeps;
 mod thesis;
 mod time_scale;
 mod turned_platforms;

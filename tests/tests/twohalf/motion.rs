@@ -173,6 +173,52 @@ pub(crate) fn an_object_geom_that_was_removed_does_not_hold_the_body() {
 }
 
 #[test]
+pub(crate) fn an_object_geom_that_is_undone_does_not_hold_the_body_until_it_is_set_again() {
+    let mut simulator = simulator();
+    let body = ball(&mut simulator, 10.0, [0.0, 0.0, 0.0]);
+    let geom = simulator.body(body).unwrap().ground().object_geom().unwrap();
+    run(&mut simulator, 200);
+    let mut view = simulator.body_mut(body).unwrap();
+    let before = view.origin3d();
+    view.ground_mut().clear_object_geom();
+    // It stays where it is, and is where its origin is.
+    assert_eq!((view.origin3d(), view.position3d()), (before, before));
+    assert_eq!((view.ground().object_geom(), view.ground().shadow_image()), (None, None));
+    run(&mut simulator, 100);
+    // Falls for one second.
+    assert_near(place(&simulator, body).y - before.y, -0.5 * GRAVITY, 1.5);
+    let mut view = simulator.body_mut(body).unwrap();
+    view.set_velocity3d(Vector3::zeros());
+    view.ground_mut().set_object_geom(geom, None).unwrap();
+    view.set_position3d(Vector3::new(0.0, 5.0, 0.0));
+    run(&mut simulator, 200);
+    assert_near(place(&simulator, body).y, 0.0, 0.1);
+}
+
+#[test]
+pub(crate) fn an_object_geom_that_is_undone_is_undone_after_loading_too() {
+    let mut simulator = simulator();
+    let bodies = [0.0, 50.0].map(|x| ball(&mut simulator, 10.0, [x, 0.0, 0.0]));
+    run(&mut simulator, 200);
+    simulator.body_mut(bodies[0]).unwrap().ground_mut().clear_object_geom();
+    let mut loaded = self::simulator();
+    loaded.restore(&simulator.snapshot()).unwrap();
+    let mut read: TwoHalfPhysicsSimulator =
+        serde_json::from_str(&serde_json::to_string(&simulator).unwrap()).unwrap();
+    for other in [&mut loaded, &mut read] {
+        assert_eq!(other.body(bodies[0]).unwrap().ground().object_geom(), None);
+        let mut kept = simulator.clone();
+        run(other, 50);
+        run(&mut kept, 50);
+        for body in bodies {
+            assert_eq!(place(other, body), place(&kept, body));
+        }
+    }
+    run(&mut simulator, 50);
+    assert!(place(&simulator, bodies[0]).y < -2.0 && place(&simulator, bodies[1]).y > -0.1);
+}
+
+#[test]
 fn a_force_along_z_accelerates_by_force_over_mass_for_one_update() {
     let mut simulator = weightless();
     let body = ball(&mut simulator, 10.0, [0.0, 0.0, 0.0]);

@@ -143,3 +143,17 @@ fn updates_in_which_all_sleeps_and_those_after_them_have_the_same_bits_where_som
         assert!(alone.is_asleep(above));
     });
 }
+
+#[test]
+fn what_sleeps_on_the_ground_wakes_and_falls_when_its_object_geom_is_undone() {
+    two_at_rest(|mut simulator, [below, above]| {
+        simulator.body_mut(below).unwrap().ground_mut().clear_object_geom();
+        run(&mut simulator, 1);
+        assert!(!simulator.is_asleep(below) && !simulator.is_asleep(above));
+        run(&mut simulator, 50);
+        assert!(place(&simulator, below).y < -2.0);
+        // Who stood on it lands on its own ground.
+        run(&mut simulator, 150);
+        assert!(place(&simulator, above).y > -0.1);
+    });
+}

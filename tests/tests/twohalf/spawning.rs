@@ -1,7 +1,8 @@
 //! Things that are made in one call.
 
+use twohalf::farseer_core::FrictionType;
 use twohalf::{DepthProfile, TwoHalfPhysicsSimulator, Vector2, Vector3};
-use twohalf_factories::{Ball, Figure, Prism, Thing, spawn, spawn_lane, spawn_slope};
+use twohalf_factories::{Ball, Figure, Prism, Thing, spawn, spawn_block, spawn_lane, spawn_slope};
 
 fn simulator() -> TwoHalfPhysicsSimulator {
     TwoHalfPhysicsSimulator::with_gravity(480, Vector2::new(0.0, 900.0)).unwrap()
@@ -110,5 +111,42 @@ fn a_slope_that_cannot_be_is_refused() {
     ] {
         assert!(spawn_slope(&mut simulator, from, to, z, thickness).is_err());
         assert_eq!(simulator.platforms().count(), 0);
+    }
+}
+
+#[test]
+fn the_friction_type_is_chosen_after_things_are_there_and_acts_from_the_next_update_on() {
+    let mut simulator = simulator();
+    let crate_box = |friction| Prism::new([30.0, 20.0, 30.0]).friction(friction);
+    let floor = spawn_block(&mut simulator, [-500.0, 900.0], [0.0, 10.0], [-400.0, 400.0]).unwrap();
+    simulator.platform_mut(floor).unwrap().set_friction_coefficient(0.2);
+    let on_platform = spawn(&mut simulator, crate_box(0.6).at([0.0, 10.0, 0.0])).unwrap();
+    // Its ground has the friction that it has, unless it is told otherwise.
+    let on_ground = spawn(&mut simulator, crate_box(0.6).at([0.0, 0.0, 900.0])).unwrap();
+    simulator.body_mut(on_ground.body).unwrap().ground_mut().set_friction_coefficient(0.2);
+    (0..60).for_each(|_| simulator.update(1.0 / 120.0));
+    let bodies = [on_platform, on_ground].map(|made| made.body);
+    // Along X and Z at once: 300 px/s.
+    let start = Vector3::new(240.0, 0.0, 180.0);
+    for (kind, both) in [
+        (FrictionType::Average, 0.4),
+        (FrictionType::Minimum, 0.2),
+        (FrictionType::Average, 0.4),
+        (FrictionType::Minimum, 0.2),
+    ] {
+        simulator.set_friction_type(kind);
+        assert_eq!(simulator.friction_type(), kind);
+        for body in bodies {
+            let mut view = simulator.body_mut(body).unwrap();
+            view.set_velocity3d(start);
+            let place = view.position3d();
+            view.set_position3d(Vector3::new(0.0, place.y, if body == bodies[0] { 0.0 } else { 900.0 }));
+        }
+        (0..60).for_each(|_| simulator.update(1.0 / 120.0));
+        for body in bodies {
+            // Half a second of both times 900 px/s², a step of 60 more or less.
+            let lost = 300.0 - simulator.body(body).unwrap().velocity3d().norm();
+            assert!((lost - both * 450.0).abs() < 0.02 * both * 450.0, "{kind:?}: {lost}");
+        }
     }
 }

@@ -4,7 +4,8 @@ use conformance::fixtures::depth::{
     assert_near, assert_near3, ball, fix, geom_of, place, platform, run, set_platform_surface, set_surface,
     simulator, solid, throw, weightless,
 };
-use twohalf::{BodyId, Partner, Platform, PlatformId, Support, TwoHalfPhysicsSimulator, Vector3};
+use twohalf::farseer_core::{GeomPlacement, Vertices};
+use twohalf::{BodyId, Partner, Platform, PlatformId, Support, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
 const UP: [f32; 3] = [0.0, 1.0, 0.0];
 
@@ -149,6 +150,132 @@ pub(crate) fn a_removed_platform_is_beneath_nothing() {
     simulator.remove_platform(id).unwrap();
     assert_eq!(beneath(&simulator, [0.0, 100.0, 100.0]).unwrap().0, Partner::Ground);
     assert!(simulator.platform(id).is_none());
+}
+
+#[test]
+pub(crate) fn a_box_is_beneath_the_points_over_it_and_a_ball_is_not() {
+    let mut simulator = weightless();
+    let lower = solid(&mut simulator, [40.0, 20.0, 30.0], [100.0, 30.0, 50.0]);
+    ball(&mut simulator, 20.0, [0.0, 0.0, 0.0]);
+    simulator.update(0.0);
+    let top = Some((Partner::Geom(geom_of(&simulator, lower)), 50.0, Vector3::from(UP)));
+    let ground = Some((Partner::Ground, 0.0, Vector3::from(UP)));
+    for (point, expected) in [
+        ([100.0, 200.0, 50.0], top),
+        ([81.0, 50.0, 36.0], top),
+        ([119.0, 49.9, 64.0], top),
+        // Beside it, under it, within it, before its front and behind its back; and over the ball.
+        ([79.0, 200.0, 50.0], ground),
+        ([100.0, 20.0, 50.0], ground),
+        ([100.0, 40.0, 50.0], ground),
+        ([100.0, 200.0, 34.0], ground),
+        ([100.0, 200.0, 66.0], ground),
+        ([0.0, 200.0, 0.0], ground),
+    ] {
+        assert_eq!(beneath(&simulator, point), expected, "{point:?}");
+    }
+}
+
+#[test]
+pub(crate) fn a_tilted_box_is_beneath_at_the_height_of_its_edges_with_their_normals() {
+    let mut simulator = weightless();
+    let body = solid(&mut simulator, [40.0, 20.0, 30.0], [0.0, 90.0, 0.0]);
+    // Clockwise on the screen: the right end is the lower one.
+    simulator.body_mut(body).unwrap().set_rotation(0.4);
+    simulator.update(0.0);
+    let (sin, cos) = 0.4f32.sin_cos();
+    let centre = simulator.body(body).unwrap().origin3d();
+    // The corner on top is 20 to the left of the middle and 10 above it before it is turned.
+    let ridge = [centre.x - 20.0 * cos + 10.0 * sin, centre.y + 20.0 * sin + 10.0 * cos];
+    for (x, slope, normal) in [(10.0, -sin / cos, [sin, cos, 0.0]), (-1.0, cos / sin, [-cos, sin, 0.0])] {
+        let (partner, height, out) = beneath(&simulator, [ridge[0] + x, 500.0, 0.0]).unwrap();
+        assert_eq!(partner, Partner::Geom(geom_of(&simulator, body)));
+        assert_near(height, ridge[1] + slope * x, ROUNDING);
+        assert_near3(out, normal, 1e-5);
+    }
+}
+
+#[test]
+pub(crate) fn what_lets_everything_through_is_beneath_nothing() {
+    type Open = fn(&mut TwoHalfPhysicsSimulator, BodyId);
+    let opened: [Open; 4] = [
+        |simulator, body| simulator.set_is_sensor(geom_of(simulator, body), true).unwrap(),
+        |simulator, body| {
+            let geom = geom_of(simulator, body);
+            simulator.geom_mut(geom).unwrap().set_collision_enabled(false);
+        },
+        |simulator, body| simulator.body_mut(body).unwrap().set_enabled(false),
+        |simulator, body| simulator.dispose(body).unwrap(),
+    ];
+    for open in opened {
+        let mut simulator = weightless();
+        let body = solid(&mut simulator, [40.0, 20.0, 30.0], [0.0, 30.0, 0.0]);
+        simulator.update(0.0);
+        assert_eq!(beneath(&simulator, [0.0, 200.0, 0.0]).unwrap().1, 50.0);
+        open(&mut simulator, body);
+        assert_eq!(beneath(&simulator, [0.0, 200.0, 0.0]).unwrap().0, Partner::Ground);
+    }
+}
+
+#[test]
+pub(crate) fn the_surface_beneath_goes_on_below_what_the_filter_does_not_let_through() {
+    let mut simulator = weightless();
+    let block = platform(&mut simulator, [200.0, 10.0, 100.0], [0.0, 20.0, 0.0]);
+    let bodies = [60.0, 100.0].map(|y| solid(&mut simulator, [40.0, 20.0, 30.0], [0.0, y, 0.0]));
+    simulator.update(0.0);
+    let [low, high] = bodies.map(|body| Partner::Geom(geom_of(&simulator, body)));
+    let mut order = Vec::new();
+    while let Some(surface) =
+        simulator.surface_beneath_where(Vector3::new(0.0, 200.0, 0.0), |partner| !order.contains(&partner))
+    {
+        order.push(surface.partner);
+    }
+    assert_eq!(order, [high, low, Partner::Platform(block), Partner::Ground]);
+}
+
+#[test]
+pub(crate) fn beneath_a_cup_is_what_it_stands_on_and_not_its_own_floor() {
+    let mut simulator = weightless();
+    let cup = solid(&mut simulator, [4.0; 3], [0.0; 3]);
+    // Walls from -30 to -20 and from 20 to 30, and a floor 10 below the middle.
+    let outline = [
+        [-30.0, -20.0],
+        [-20.0, -20.0],
+        [-20.0, 10.0],
+        [20.0, 10.0],
+        [20.0, -20.0],
+        [30.0, -20.0],
+        [30.0, 20.0],
+        [-30.0, 20.0],
+    ];
+    let outline = Vertices::from(outline.map(Vector2::from).to_vec());
+    let geom = simulator.create_geom(cup, outline, GeomPlacement::default()).unwrap();
+    simulator.add(geom).unwrap();
+    let mut view = simulator.body_mut(cup).unwrap();
+    view.ground_mut().set_object_geom(geom, None).unwrap();
+    view.set_position3d(Vector3::new(0.0, 100.0, 0.0));
+    simulator.update(0.0);
+    let middle = simulator.geom(geom).unwrap().position3d();
+    assert_near(middle.y, 120.0, ROUNDING);
+    let from = [middle.x - 10.0, middle.y, middle.z];
+    let (partner, height, _) = beneath(&simulator, from).unwrap();
+    assert_eq!(partner, Partner::Geom(geom));
+    assert_near(height, 110.0, ROUNDING);
+    assert_eq!(simulator.surface_beneath_body(cup).unwrap().partner, Partner::Ground);
+}
+
+#[test]
+pub(crate) fn what_a_body_falls_on_was_the_surface_beneath_it() {
+    let mut simulator = simulator();
+    let lower = solid(&mut simulator, [60.0, 30.0, 30.0], [0.0, 0.0, 0.0]);
+    run(&mut simulator, 50);
+    let upper = solid(&mut simulator, [40.0, 20.0, 20.0], [5.0, 60.0, 0.0]);
+    simulator.update(0.0);
+    let surface = simulator.surface_beneath_body(upper).unwrap();
+    assert_eq!(surface.partner, Partner::Geom(geom_of(&simulator, lower)));
+    run(&mut simulator, 200);
+    assert_eq!(support(&simulator, upper).map(|support| support.partner), Some(surface.partner));
+    assert_near(place(&simulator, upper).y, surface.height, 0.2);
 }
 
 fn support(simulator: &TwoHalfPhysicsSimulator, body: BodyId) -> Option<Support> {

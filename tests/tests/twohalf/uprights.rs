@@ -433,3 +433,28 @@ fn only_the_precise_set_knows_what_is_upright() {
         }));
     });
 }
+
+#[test]
+fn the_top_of_what_is_upright_is_beneath_what_is_over_its_footprint_and_a_capsule_is_not() {
+    precise(|| {
+        for (thing, over, beside) in [
+            (Cylinder::new(10.0, 40.0), [7.0, 7.0], [7.2, 7.2]),
+            (Prism::footprint(wedge(), 40.0), [5.0, 12.0], [5.0, 13.0]),
+        ] {
+            let mut simulator = weightless();
+            let body = put(&mut simulator, thing, [100.0, 20.0, 50.0]);
+            let_enter(&mut simulator);
+            let beneath = |[x, z]: [f32; 2]| {
+                simulator.surface_beneath(Vector3::new(100.0 + x, 90.0, 50.0 + z)).unwrap()
+            };
+            let geom = simulator.body(body).unwrap().ground().object_geom().unwrap();
+            assert_eq!(beneath(over).partner, Partner::Geom(geom));
+            assert_near(beneath(over).height, 60.0, 1e-4);
+            assert_eq!(beneath(beside).partner, Partner::Ground);
+        }
+        let mut simulator = weightless();
+        put(&mut simulator, Capsule::new(10.0, 40.0), [0.0, 20.0, 0.0]);
+        let_enter(&mut simulator);
+        assert_eq!(simulator.surface_beneath(Vector3::new(0.0, 90.0, 0.0)).unwrap().partner, Partner::Ground);
+    });
+}

@@ -6,6 +6,7 @@
 
 mod ball;
 mod convex;
+mod course;
 mod entry_order;
 mod nearest;
 mod overlap;
@@ -17,6 +18,7 @@ mod top;
 
 pub(crate) use ball::{ball_ball, ball_prism, ball_prism_through_face, entry_face_of_prism};
 pub(crate) use convex::ConvexPieces;
+pub(crate) use course::{Course, Entry, entry_of_parts};
 pub(crate) use entry_order::{Along, RECENT, SHALLOW, is_depth_last};
 pub(crate) use farseer_core::shape::{Face, SlantedBox};
 pub(crate) use nearest::nearest;

@@ -14,14 +14,15 @@ mod save;
 mod settings;
 mod snapshot;
 mod sorted_again;
+mod surfaces;
 mod time;
 mod update;
 
 pub use draw_order::DrawOrder;
 pub use drawn::Drawable;
-pub use queries::Surface;
-pub use rays::RayHit3D;
+pub use rays::{RayHit3D, SweepHit3D};
 pub use save::SavedTwoHalfSimulator;
+pub use surfaces::Surface;
 
 use farseer_core::{Body, BodyId, PhysicsSimulator};
 

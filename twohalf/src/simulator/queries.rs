@@ -1,25 +1,9 @@
-//! What lies at a point of the screen, and what is beneath a point of the world.
+//! What lies at a point of the screen, and in a box of the world.
 
-use farseer_core::{BodyId, GeomId};
+use farseer_core::GeomId;
 
 use super::drawn::Drawable;
-use crate::projection::to_world;
-use crate::{Partner, TwoHalfPhysicsSimulator, Vector2, Vector3, VirtualGeom};
-
-/// What an object would fall on.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Surface {
-    /// The ground or a platform.
-    pub partner: Partner,
-    /// Its height Y straight below, px.
-    pub height: f32,
-    /// Its unit normal in the world, Y up.
-    pub normal: Vector3,
-}
-
-/// In units of the allowed penetration: how deep something that rests lies in a surface at most. Usually it is one;
-/// what is heavily loaded sinks deeper.
-const SUNK: f32 = 4.0;
+use crate::{TwoHalfPhysicsSimulator, Vector2, Vector3, VirtualGeom};
 
 impl TwoHalfPhysicsSimulator {
     /// The first geom, in the order of the geom list, whose picture holds a point of the screen; see
@@ -108,29 +92,6 @@ impl TwoHalfPhysicsSimulator {
     /// The point of the ground that appears at a point of the screen.
     pub fn screen_to_ground(&self, point: Vector2) -> Vector3 {
         self.projection().screen_to_ground(point)
-    }
-
-    /// The highest surface, ground or platform, that lies straight below a point of the world, or at its height:
-    /// what rests on a surface sinks into it by a fraction of a px, so surfaces up to four times the [allowed
-    /// penetration](farseer_core::PhysicsSimulator::allowed_penetration) above the point count. `None` for a point
-    /// below the ground.
-    pub fn surface_beneath(&self, point: Vector3) -> Option<Surface> {
-        let ground = Surface { partner: Partner::Ground, height: 0.0, normal: Vector3::new(0.0, 1.0, 0.0) };
-        let platforms = self.world.platforms.iter().filter_map(|(id, platform)| {
-            let (y, normal) = platform.shape().height_at(point.x, point.z)?;
-            Some(Surface { partner: Partner::Platform(id), height: -y, normal: to_world(normal) })
-        });
-        let reach = point.y + SUNK * self.core.allowed_penetration();
-        let below = platforms.chain([ground]).filter(|surface| surface.height <= reach);
-        below.max_by(|a, b| a.height.total_cmp(&b.height))
-    }
-
-    /// The surface straight below the middle of a body's object geom, or of its origin without one. `None` for a
-    /// stale id, and below the ground.
-    pub fn surface_beneath_body(&self, body: BodyId) -> Option<Surface> {
-        let view = self.body(body)?;
-        let middle = view.ground().object_geom().and_then(|geom| self.geom(geom));
-        self.surface_beneath(middle.map_or(view.origin3d(), |geom| geom.position3d()))
     }
 }
 

@@ -47,6 +47,8 @@ impl<S: AccessMut> GroundMut<'_, S> {
     /// The body's [`position3d`](crate::TwoHalfBody::position3d) stays: what was its height is now the height
     /// of the geom's lowest point, so the body's origin moves.
     ///
+    /// [`clear_object_geom`](Self::clear_object_geom) undoes it.
+    ///
     /// # Errors
     /// A stale geom, or one of another body.
     #[doc(alias = "setObjectGeom")]
@@ -66,6 +68,36 @@ impl<S: AccessMut> GroundMut<'_, S> {
             body.set_position(world_to_plane(position, after));
         }
         Ok(())
+    }
+
+    /// No geom of the body rests on the ground any more, and it has no shadow picture: the body falls through, until an object
+    /// geom is [set](Self::set_object_geom) again. Whoever sleeps on the ground wakes.
+    ///
+    /// The body stays where it is. What [`position3d`](crate::TwoHalfBody::position3d) tells from now on is its origin, not the
+    /// lowest point of a geom.
+    ///
+    /// ```
+    /// use twohalf::{TwoHalfPhysicsSimulator, Vector2, farseer_core};
+    /// use farseer_core::{BodyFactory, GeomPlacement, Vertices};
+    /// let mut simulator = TwoHalfPhysicsSimulator::with_gravity(480, Vector2::new(0.0, 900.0))?;
+    /// let thug = simulator.create_body(BodyFactory::create_rectangle_body(30.0, 60.0, 70.0)?);
+    /// let geom = simulator.create_geom(thug, Vertices::create_rectangle(30.0, 60.0)?, GeomPlacement::default())?;
+    /// simulator.add(thug)?;
+    /// simulator.add(geom)?;
+    /// simulator.body_mut(thug).unwrap().ground_mut().set_object_geom(geom, None)?;
+    /// (0..60).for_each(|_| simulator.update(1.0 / 60.0));
+    /// assert!(simulator.body(thug).unwrap().is_grounded());
+    /// // Knocked out, it falls out of the picture.
+    /// simulator.body_mut(thug).unwrap().ground_mut().clear_object_geom();
+    /// (0..60).for_each(|_| simulator.update(1.0 / 60.0));
+    /// assert!(simulator.body(thug).unwrap().position3d().y < -300.0);
+    /// # Ok::<(), twohalf::Error>(())
+    /// ```
+    pub fn clear_object_geom(&mut self) {
+        if let Some(state) = self.simulator.world_mut().depths.edit(self.body) {
+            state.ground = state.ground.without_object();
+            state.ground.shadow_image = None;
+        }
     }
 
     fn lowest(&self) -> f64 {

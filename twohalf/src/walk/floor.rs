@@ -1,13 +1,12 @@
 //! What a figure stands on: the highest floor below its feet that it can reach.
 
-use farseer_core::math::vector2::transform;
-use farseer_core::{Body, Geom, SpaceUpright};
+use farseer_core::{Body, Geom};
 
 use super::feet::Feet;
 use super::rest::Rest;
 use crate::projection::to_world;
 use crate::shapes::{SlantedBox, Top};
-use crate::{DepthProfile, GeomId, Partner, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3};
+use crate::{GeomId, Partner, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
 /// Ends of what is looked at are taken as far inside as this, px, where rounding cannot put them outside.
 const INSIDE: f32 = 1e-3;
@@ -114,51 +113,10 @@ impl TwoHalfPhysicsSimulator {
         top.map(|(height, _)| height)
     }
 
-    /// The edges that look up of all prisms among these, as far as they are within some depths.
+    /// What can be stood on of these, as far as it is within some depths.
     pub(super) fn gather_tops(&self, geoms: &[GeomId], around: &Feet, tops: &mut Vec<Top>) {
         tops.clear();
-        for &geom in geoms {
-            let (Some(view), Some(profile)) = (self.core.geom(geom), self.world.depths.profiles.get(geom))
-            else {
-                continue;
-            };
-            let (z, half) = (self.world.depths.z_of(view.body()), profile.half_depth());
-            if let Some(upright) = profile.upright() {
-                tops.extend(self.top_of_upright(geom, *profile, upright));
-                continue;
-            }
-            if matches!(profile, DepthProfile::Round { .. }) || !around.meets_depth(z - half, z + half) {
-                continue;
-            }
-            let (matrix, corners) = (view.matrix(), view.local_vertices());
-            let edge = |at: usize| [at, (at + 1) % corners.len()].map(|at| transform(corners[at], &matrix));
-            // Edges go against the clock as seen with y down: what looks up goes to the left.
-            let looking_up = (0..corners.len()).map(edge).filter(|[a, b]| b.x < a.x);
-            tops.extend(looking_up.map(|edge| Top {
-                geom,
-                front: z - half,
-                back: z + half,
-                edge,
-                upright: None,
-            }));
-        }
-    }
-
-    /// A capsule has none: it is stood on no more than a ball.
-    fn top_of_upright(&self, geom: GeomId, profile: DepthProfile, upright: SpaceUpright) -> Option<Top> {
-        if matches!(profile, DepthProfile::Capsule { .. }) {
-            return None;
-        }
-        let view = self.core.geom(geom)?;
-        let middle = crate::depth::upright::middle(
-            view,
-            self.core.body(view.body())?,
-            self.world.depths.z_of(view.body()),
-        );
-        let whole = self.geom(geom)?.virtual_geom();
-        let edge = [Vector2::new(whole.right, -whole.top), Vector2::new(whole.left, -whole.top)];
-        let (front, back) = (whole.front, whole.back);
-        Some(Top { geom, front, back, edge, upright: Some((upright, [middle.x, middle.z])) })
+        tops.extend(geoms.iter().flat_map(|&geom| self.tops_of(geom, [around.front, around.back])));
     }
 
     /// Velocity of a floor at a place of the world, Y up, with that of its surface.

@@ -17,7 +17,7 @@ pub(super) fn edit_body<A: AccessMut>(mut body: TwoHalfBody<A>, pools: &Pools, r
     edit(&mut body, pools, random);
 }
 
-fn edits<A: AccessMut>() -> [Edit<A>; 33] {
+fn edits<A: AccessMut>() -> [Edit<A>; 34] {
     [
         |body, _, random| body.set_position3d(place(random)),
         |body, _, random| body.set_position3d(place(random)),
@@ -58,6 +58,7 @@ fn edits<A: AccessMut>() -> [Edit<A>; 33] {
             let geom = random.pick(&pools.geoms);
             drop(body.ground_mut().set_object_geom(geom, random.toss().then_some(shadow)));
         },
+        |body, _, _| body.ground_mut().clear_object_geom(),
         |body, _, random| random.pick(BODY_EDITS)(body.core_mut(), random),
         |body, _, _| *body.core_mut() = Body::new(),
     ]

@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use farseer_core::math::{Vector2, scalar};
-use twohalf::{DepthProfile, Footprint, PlatformId};
+use twohalf::{DepthProfile, Footprint, PlatformId, Vector3};
 
 use super::Upright;
 use crate::depth::Depth;
@@ -50,6 +50,11 @@ pub(super) const CALLS: &[Call<Upright>] = &[
         black_box(simulator.overlaps_of(geom, |_| true));
         if let Some(hit) = simulator.ray_cast3d(ends[0], ends[1], |_| true) {
             assert!(hit.point.iter().chain(hit.normal.iter()).all(|number| number.is_finite()), "{hit:?}");
+        }
+        let high = ends[0] + Vector3::new(10.0, 30.0, 8.0);
+        if let Some(hit) = simulator.sweep_box(ends[0], high, ends[1], |_| true) {
+            assert!(hit.normal.iter().all(|number| number.is_finite()), "{hit:?}");
+            assert!((0.0..=1.0).contains(&hit.fraction), "{hit:?}");
         }
         Outcome::Looked
     }),

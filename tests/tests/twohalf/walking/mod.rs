@@ -3,6 +3,7 @@
 //! Figures are 30 x 60 x 20 px with mass 70 and friction 0.4, so that nothing here is owed to smooth soles.
 
 mod round;
+mod squeezed;
 
 use conformance::fixtures::depth::{assert_near, place, set_surface, solid, velocity};
 use std::cell::Cell;
