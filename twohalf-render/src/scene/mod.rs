@@ -1,5 +1,6 @@
 //! A scene of the 2.5D engine in one call: its order, its shadows, and how each thing looks.
 
+mod facet;
 mod figure;
 mod look;
 mod patch;
@@ -45,7 +46,8 @@ use shadows::{Cast, SHADOW_SIZE};
 ///
 /// Light comes from straight above. A shadow lies on the highest surface beneath the middle of what casts it: the
 /// ground, a platform, or the level top of another body that is drawn as a [`Look::Solid`] or [`Look::Textured`]; it
-/// ends at the edge of that surface and shrinks with height ([`shadow_scale`](crate::shadow_scale)).
+/// ends at the edge of that surface and shrinks with height ([`shadow_scale`](crate::shadow_scale)). That of a platform is as
+/// large as itself, and lies on all that is beneath it: the ground, and, if it hangs in the air, platforms and such tops.
 #[derive(Debug, Clone)]
 pub struct Scene<'a> {
     simulator: &'a TwoHalfPhysicsSimulator,
