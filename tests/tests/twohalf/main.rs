@@ -12,6 +12,7 @@ mod edited_links;
 mod edits;
 mod fields;
 mod fixed_springs;
+mod interpolation;
 mod joints;
 mod ledges;
 mod meeting;

@@ -22,8 +22,9 @@ const DARKNESS: Color = Color::rgba(0, 0, 0, 70);
 /// Tops that are tilted by more than this, rad, take no shadow.
 const LEVEL: f32 = 0.01;
 
-/// A shadow, and what it lies on: the ground if nothing.
+/// A shadow, what casts it, and what it lies on: the ground if nothing.
 pub(super) struct Cast {
+    pub(super) of: Drawable,
     pub(super) surface: Option<Drawable>,
     pub(super) sprite: Sprite,
 }
@@ -76,11 +77,11 @@ fn of_platform(
     let underside = Facet::underside(of, corners);
     let on_ground = underside.corners.iter().map(|corner| Vector3::new(corner.x, 0.0, corner.z));
     let on_ground: Vec<Point> = on_ground.map(|corner| to_screen(simulator, corner)).collect();
-    let mut casts = vec![Cast { surface: None, sprite: Sprite::polygon(on_ground, DARKNESS) }];
+    let mut casts = vec![Cast { of, surface: None, sprite: Sprite::polygon(on_ground, DARKNESS) }];
     if corners.iter().all(|corner| corner.y > 0.0) {
         casts.extend(facets.iter().filter(|facet| facet.of != of).filter_map(|facet| {
             let shaded = facet.shaded_by(&underside, simulator)?;
-            Some(Cast { surface: Some(facet.of), sprite: Sprite::polygon(shaded, DARKNESS) })
+            Some(Cast { of, surface: Some(facet.of), sprite: Sprite::polygon(shaded, DARKNESS) })
         }));
     }
     casts
@@ -126,5 +127,9 @@ fn of_body(
         }
         (None, _) => (None, Lit::surface(simulator, &surface)),
     };
-    Some(Cast { surface: on, sprite: shadow.sprite(simulator, lit, middle, Some(shape.bottom)) })
+    Some(Cast {
+        of: Drawable::Body(id),
+        surface: on,
+        sprite: shadow.sprite(simulator, lit, middle, Some(shape.bottom)),
+    })
 }

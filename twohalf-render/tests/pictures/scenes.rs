@@ -1,9 +1,10 @@
 //! Scenes of the 2.5D engine, drawn in one call.
 
 use twohalf::{
-    BodyId, DepthProfile, Drawable, Fluid, Platform, Region, TwoHalfPhysicsSimulator, Vector2, Vector3, Well,
+    BodyId, DepthProfile, Drawable, Fluid, Interpolation3D, Platform, Region, TwoHalfPhysicsSimulator,
+    Vector2, Vector3, Well,
 };
-use twohalf_factories::{TwoHalfBodyFactory, TwoHalfGeomFactory};
+use twohalf_factories::{Ball, TwoHalfBodyFactory, TwoHalfGeomFactory, spawn};
 use twohalf_render::*;
 
 const RED: Color = Color::rgb(255, 0, 0);
@@ -160,6 +161,91 @@ fn the_feet_of_who_stands_on_a_box_are_seen_before_its_top() {
         let at = (200.0 - 40.0 - 60.0 - aside) as u32 - 1;
         assert_eq!(canvas.pixel(100, at), Some(Color::rgb(0, 0, 255)), "{aside} px behind the middle");
     }
+}
+
+/// How far two pictures are apart where they are farthest, and in how many px they differ clearly.
+fn difference(a: &SoftwareCanvas, b: &SoftwareCanvas) -> (u8, usize) {
+    let ways = || a.rgba8().into_iter().zip(b.rgba8()).map(|(a, b)| a.abs_diff(b));
+    (ways().max().unwrap(), ways().filter(|way| *way > 40).count())
+}
+
+/// Before the last update a scene looked as it looks now between the updates, at their first end, and now at their second.
+fn assert_goes_back(
+    mut simulator: TwoHalfPhysicsSimulator,
+    shadow: &Texture2D,
+    look: impl Fn(Drawable) -> Look + Copy,
+) {
+    let draw = |simulator: &TwoHalfPhysicsSimulator, between: Option<(&Interpolation3D, f32)>| {
+        let mut canvas = SoftwareCanvas::new(200, 200).unwrap();
+        canvas.clear(Color::WHITE);
+        let mut scene = Scene::new(simulator, shadow);
+        if let Some((interpolation, fraction)) = between {
+            scene = scene.between(interpolation, fraction);
+        }
+        scene.draw(&mut canvas, look);
+        canvas
+    };
+    let mut interpolation = Interpolation3D::new();
+    let before = draw(&simulator, None);
+    interpolation.remember(&simulator);
+    simulator.update(0.01);
+    interpolation.remember(&simulator);
+    let now = draw(&simulator, None);
+    assert!(difference(&before, &now).1 > 20);
+    assert_eq!(draw(&simulator, Some((&interpolation, 1.0))), now);
+    // Edges are shaded by how much of a px they cover, in steps of 1/16 of it and of 1/256 px.
+    let (greatest, clearly) = difference(&draw(&simulator, Some((&interpolation, 0.0))), &before);
+    assert!(clearly == 0, "{clearly} px differ, by up to {greatest}");
+}
+
+#[test]
+fn between_two_updates_a_box_over_a_lift_is_drawn_with_its_shadow_on_the_way() {
+    let mut simulator = world();
+    let body = add_box(&mut simulator, Vector3::new(80.0, 61.0, 60.0));
+    let place = Vector3::new(90.0, 40.0, 60.0);
+    let lift = Platform::new(&mut simulator, 60.0, 20.0, 60.0, place, None).unwrap();
+    simulator.update(0.0);
+    simulator.platform_mut(lift).unwrap().set_velocity(Vector3::new(0.0, 400.0, 0.0)).unwrap();
+    simulator.body_mut(body).unwrap().set_velocity3d(Vector3::new(500.0, 400.0, -600.0));
+    let shadow = Texture2D::from_rgba8(1, 1, vec![0, 0, 0, 255]).unwrap();
+    assert_goes_back(simulator, &shadow, |_| Look::Solid(plain()));
+}
+
+#[test]
+fn between_two_updates_what_turns_is_drawn_on_its_way_round() {
+    let picture = Texture2D::from_rgba8(2, 2, [255, 0, 0, 255].repeat(4)).unwrap();
+    let looks = [
+        Look::Solid(plain()),
+        Look::Picture(Picture { scale: 20.0, ..Picture::new(&picture) }),
+        Look::Ball(RED),
+    ];
+    let clear = Texture2D::from_rgba8(1, 1, vec![0; 4]).unwrap();
+    for look in &looks {
+        let mut simulator = world();
+        let place = [100.0, 60.0, 60.0];
+        let body = match look {
+            Look::Ball(_) => spawn(&mut simulator, Ball::new(20.0).at(place)).unwrap().body,
+            _ => add_box(&mut simulator, place.into()),
+        };
+        simulator.body_mut(body).unwrap().core_mut().set_angular_velocity(30.0);
+        simulator.update(0.01);
+        assert_goes_back(simulator, &clear, |_| look.clone());
+    }
+}
+
+#[test]
+fn between_two_updates_a_line_ends_where_both_its_ends_are_drawn() {
+    let mut simulator = world();
+    let [from, to] = [60.0, 140.0].map(|x| add_box(&mut simulator, Vector3::new(x, 40.0, 60.0)));
+    simulator.update(0.0);
+    for (body, speed) in [(from, 800.0), (to, -900.0)] {
+        simulator.body_mut(body).unwrap().set_velocity3d(Vector3::new(0.0, speed, 300.0));
+    }
+    let clear = Texture2D::from_rgba8(1, 1, vec![0; 4]).unwrap();
+    assert_goes_back(simulator, &clear, |thing| match thing {
+        Drawable::Body(id) if id == from => Look::Line { to, color: RED, width: 4.0 },
+        _ => Look::Nothing,
+    });
 }
 
 #[test]
