@@ -9,9 +9,6 @@ use examples::brawler::{Brawler, Paint, RATE, SIZE, script};
 use examples::{Recorder, Result};
 use twohalf_render::SoftwareCanvas;
 
-/// Where the pictures go, seen from where the program was started.
-const FOLDER: &str = "target/brawler";
-
 fn main() -> Result<()> {
     let mut game = Brawler::new()?;
     let recorder = Recorder {
@@ -20,13 +17,12 @@ fn main() -> Result<()> {
         shrink: 2,
         steps_per_second: RATE,
         seconds: 27,
-        stills: &[1.4, 4.1, 4.8, 6.2, 9.7, 17.6, 18.8, 23.0, 24.2],
+        stills: &[1.4, 4.3, 5.6, 6.8, 9.7, 17.6, 18.3, 20.8, 23.6],
     };
-    let look = Paint::new()?;
-    let sky = SoftwareCanvas::new(SIZE[0], SIZE[1])?;
+    let (look, sky) = (Paint::new()?, SoftwareCanvas::new(SIZE[0], SIZE[1])?);
     let step = |game: &mut Brawler| game.step(script(game));
-    let summary =
-        recorder.film(Path::new(FOLDER), &mut game, &sky, step, |game, canvas| look.draw(game, canvas))?;
+    let folder = Path::new("target/brawler");
+    let summary = recorder.film(folder, &mut game, &sky, step, |game, canvas| look.draw(game, canvas))?;
     println!(
         "{} updates, {:.1} us each; {} points\n  animation: {}\n  stills:    {}",
         summary.steps,

@@ -4,12 +4,14 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use twohalf_render::{Animation, Canvas, ContactSheet, SoftwareCanvas, draw_caption};
+use twohalf_render::{Animation, Canvas, ContactSheet, SoftwareCanvas, Transform, View, draw_caption};
 
 use crate::Result;
 
 /// Frames per second of the animations.
 const FRAME_RATE: u32 = 20;
+/// Height of what [`draw_caption`] writes, px.
+const CAPTION: f32 = 32.0;
 
 /// Films a simulation.
 #[derive(Debug)]
@@ -72,7 +74,9 @@ impl Recorder {
             if stills.next_if(|&&due| due <= time).is_some() {
                 sheet.add(&canvas, format!("t = {time:.2} s"));
             }
-            draw_caption(&mut canvas, &format!("t = {time:.2} s"));
+            // In the lower left corner: games show at the top how they stand.
+            let below = Transform::translation([0.0, height as f32 - CAPTION]);
+            draw_caption(&mut View::new(&mut canvas).camera(&below), &format!("t = {time:.2} s"));
             animation.add_frame(&canvas)?;
             if frame % FRAME_RATE == 0 {
                 eprint!("\r{}: {time:.0} of {} s", self.name, self.seconds);

@@ -20,6 +20,12 @@ pub(crate) fn footprint_of(geom: &TwoHalfGeom<'_>) -> Option<Vec<[f32; 2]>> {
     }
 }
 
+/// X and Z of the corners of something's top.
+pub(crate) fn of_top(shape: &VirtualGeom) -> Vec<[f32; 2]> {
+    let VirtualGeom { left, right, front, back, is_round, .. } = *shape;
+    if is_round { round(shape) } else { vec![[left, front], [right, front], [right, back], [left, back]] }
+}
+
 /// The ellipse of a box.
 pub(crate) fn round(shape: &VirtualGeom) -> Vec<[f32; 2]> {
     let VirtualGeom { left, right, front, back, .. } = *shape;

@@ -2,7 +2,7 @@
 
 use twohalf::{Surface, TwoHalfPhysicsSimulator, Vector3, VirtualGeom};
 
-use crate::footprint::round;
+use crate::footprint::of_top;
 use crate::surface::{edge, slopes, to_screen};
 use crate::{Color, Point, Sprite, SpriteBatch, Texture2D, Transform};
 
@@ -65,14 +65,9 @@ impl Lit {
 
     /// The level top of something.
     pub(crate) fn top(simulator: &TwoHalfPhysicsSimulator, shape: &VirtualGeom) -> Self {
-        let VirtualGeom { left, right, front, back, top, is_round, .. } = *shape;
-        let corners = if is_round {
-            round(shape)
-        } else {
-            vec![[left, front], [right, front], [right, back], [left, back]]
-        };
-        let edge = corners.into_iter().map(|[x, z]| to_screen(simulator, Vector3::new(x, top, z)));
-        Lit { height: top, slant: [0.0; 2], edge: Some(edge.collect()) }
+        let on_screen = |[x, z]: [f32; 2]| to_screen(simulator, Vector3::new(x, shape.top, z));
+        let edge = of_top(shape).into_iter().map(on_screen);
+        Lit { height: shape.top, slant: [0.0; 2], edge: Some(edge.collect()) }
     }
 }
 

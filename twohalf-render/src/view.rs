@@ -71,11 +71,12 @@ impl<'a> View<'a> {
         points.iter().all(|point| is_inside(0, point[0]) && is_inside(1, point[1]))
     }
 
-    /// What of the canvas is drawn on.
-    fn window(&self) -> Rectangle {
-        let [width, height] = self.canvas.size();
-        let all = Rectangle::new(0, 0, width, height);
-        self.clip.map_or(all, |clip| clip.intersection(&all))
+    /// What of the canvas is drawn on: corners, clockwise from the upper left one. The canvas may be a view itself.
+    fn window(&self) -> [Point; 4] {
+        let [low, high] = self.canvas.visible_area();
+        let all = [low, [high[0], low[1]], high, [low[0], high[1]]];
+        let within = |corner: Point| [0, 1].map(|axis| corner[axis].max(low[axis]).min(high[axis]));
+        self.clip.map_or(all, |clip| clip.corners().map(within))
     }
 }
 
@@ -86,7 +87,7 @@ impl Canvas for View<'_> {
 
     fn visible_area(&self) -> [Point; 2] {
         let Some(back) = self.camera.inverse() else { return [[0.0; 2]; 2] };
-        let corners = self.window().corners().map(|corner| back.apply(corner));
+        let corners = self.window().map(|corner| back.apply(corner));
         let bound = |axis: usize, pick: fn(f32, f32) -> f32| {
             corners.iter().map(|corner| corner[axis]).reduce(pick).unwrap_or(0.0)
         };

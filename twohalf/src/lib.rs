@@ -156,12 +156,13 @@
 //! ```
 //! use twohalf::farseer_core::{Body, BodyFactory, GeomPlacement, Vertices};
 //! use twohalf::{
-//!     BodyId, Collision, Context, DepthProfile, Drawable, EventHandler, GeomId, Partner,
-//!     Platform, Result, TwoHalfPhysicsSimulator, Vector2, Vector3,
+//!     BodyId, Collision, Context, DepthProfile, Drawable, EventHandler, FixedStepClock, GeomId,
+//!     Interpolation3D, Partner, Platform, Result, TwoHalfPhysicsSimulator, Vector2, Vector3,
 //! };
+//! use std::time::Duration;
 //!
-//! /// Seconds per step.
-//! const STEP: f32 = 1.0 / 120.0;
+//! /// Length of a step: 120 per second.
+//! const STEP: Duration = Duration::from_nanos(8_333_333);
 //!
 //! /// What the player holds down: -1 to 1 along X and Z.
 //! #[derive(Clone, Copy, Default)]
@@ -192,8 +193,9 @@
 //!     crate_box: BodyId,
 //!     ball: BodyId,
 //!     sounds: Sounds,
-//!     /// Seconds that are not simulated yet.
-//!     waiting: f32,
+//!     clock: FixedStepClock,
+//!     /// For pictures between two updates.
+//!     interpolation: Interpolation3D,
 //! }
 //!
 //! /// A body with one geom, which rests on its ground.
@@ -248,14 +250,13 @@
 //!         Platform::new(&mut simulator, 200.0, 40.0, 100.0, place, None)?;
 //!
 //!         let sounds = Sounds { player: player_geom, met: Vec::new() };
-//!         Ok(Game { simulator, player, crate_box, ball, sounds, waiting: 0.0 })
+//!         let (clock, interpolation) = (FixedStepClock::new(STEP)?, Interpolation3D::new());
+//!         Ok(Game { simulator, player, crate_box, ball, sounds, clock, interpolation })
 //!     }
 //!
 //!     /// Called once per frame, with the time since the last one.
-//!     fn frame(&mut self, input: Input, seconds: f32) {
-//!         self.waiting += seconds.min(0.1); // A hitch is not made up for in a rush.
-//!         while self.waiting >= STEP {
-//!             self.waiting -= STEP;
+//!     fn frame(&mut self, input: Input, elapsed: Duration) {
+//!         for _ in 0..self.clock.advance(elapsed) {
 //!             self.step(input);
 //!         }
 //!     }
@@ -268,7 +269,8 @@
 //!             velocity.y = 350.0;
 //!         }
 //!         player.set_velocity3d(velocity);
-//!         self.simulator.update_with(STEP, &mut self.sounds);
+//!         self.simulator.update_with(self.clock.dt(), &mut self.sounds);
+//!         self.interpolation.remember(&self.simulator);
 //!     }
 //!
 //!     /// What to draw after the backdrop, back to front.
@@ -276,7 +278,7 @@
 //!         // For every body its shadow, below it at the height of `surface_beneath_body`,
 //!         // smaller the higher it flies; then its sprite at `position`, turned by `rotation`.
 //!         // For every platform the faces between its `corners`. The crate `twohalf-render`
-//!         // has all of it.
+//!         // has all of it, also between two updates, as `interpolation` has it.
 //!         self.simulator.draw_order()
 //!     }
 //! }
@@ -284,9 +286,10 @@
 //! let mut game = Game::new()?;
 //! let place = |game: &Game, body| game.simulator.body(body).unwrap().position3d();
 //!
+//! const FRAME: Duration = Duration::from_nanos(16_666_667);
 //! // Half a second to the right, pushing the crate.
 //! for _ in 0..30 {
-//!     game.frame(Input { x: 1.0, ..Input::default() }, 1.0 / 60.0);
+//!     game.frame(Input { x: 1.0, ..Input::default() }, FRAME);
 //! }
 //! assert!(place(&game, game.crate_box).x > 150.0);
 //! let crate_box = game.simulator.body(game.crate_box).unwrap();
@@ -295,7 +298,7 @@
 //!
 //! // A jump into the picture, onto the platform.
 //! for frame in 0..60 {
-//!     game.frame(Input { z: 1.0, jump: frame == 0, ..Input::default() }, 1.0 / 60.0);
+//!     game.frame(Input { z: 1.0, jump: frame == 0, ..Input::default() }, FRAME);
 //! }
 //! let support = game.simulator.body(game.player).unwrap().support().unwrap();
 //! assert!(matches!(support.partner, Partner::Platform(_)));
@@ -380,6 +383,7 @@
 mod depth;
 mod error;
 mod events;
+mod interpolation;
 mod projection;
 mod shapes;
 mod simulator;
@@ -396,6 +400,7 @@ pub use depth::{
 };
 pub use error::{Error, Result};
 pub use events::{Collision, Context, Event, EventHandler};
+pub use interpolation::{InterpolatedPose3D, Interpolation3D};
 pub use projection::Projection;
 pub use simulator::{
     DrawOrder, Drawable, RayHit3D, SavedTwoHalfSimulator, Surface, SweepHit3D, TwoHalfPhysicsSimulator,
@@ -409,7 +414,7 @@ pub use walk::{Walk, Walker, Wish};
 
 pub use farseer_core;
 pub use farseer_core::math::{Vector2, Vector3};
-pub use farseer_core::{BodyId, CollisionCategory, Footprint, GeomId, ObjectId};
+pub use farseer_core::{BodyId, CollisionCategory, FixedStepClock, Footprint, GeomId, ObjectId};
 
 /// The example of the README is run with those of the documentation.
 #[cfg(doctest)]

@@ -24,7 +24,7 @@ macro_rules! recipes {
 recipes! {
     "a-level-and-a-figure-in-it" at 200.0: level, 0.0 "it stands", 0.7 "it pushes", 1.6 "it stops";
     "slopes-curbs-and-jumps" at 220.0: slope, 0.3 "up", 1.5 "it stands", 1.75 "it jumps";
-    "climbing-ledges" at 170.0: ledge, 0.5 "it jumps", 0.7 "it hangs", 1.9 "it is up";
+    "climbing-ledges" at 170.0: ledge, 0.5 "it jumps", 0.7 "it hangs", 1.4 "it is up";
     "a-lift" at 100.0: lift, 0.0 "down", 1.0 "it carries", 2.0 "up";
     "a-belt" at 200.0: belt, 0.0 "it lies there", 1.5 "it is carried", 3.0 "it goes on";
     "a-one-way-platform" at 100.0: one_way, 0.1 "below", 0.3 "through it", 1.2 "on it";

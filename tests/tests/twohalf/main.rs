@@ -14,6 +14,7 @@ mod edited_links;
 mod edits;
 mod fields;
 mod fixed_springs;
+mod interpolation;
 mod joints;
 mod ledges;
 mod long_frames;

@@ -167,6 +167,7 @@ again! {
         layer_depth_is_0_in_front_1_at_the_back_and_monotonic_in_z,
         nothing_is_found_where_nothing_is_drawn,
         of_objects_on_each_other_the_higher_is_drawn_later,
+        what_stands_on_a_box_is_drawn_after_it_wherever_their_middles_are,
         of_objects_side_by_side_the_nearer_is_drawn_later,
         one_that_jumps_before_another_is_drawn_later_and_behind_it_earlier,
         the_footprint_of_a_box_is_a_rectangle_and_of_a_ball_a_disc,

@@ -5,8 +5,8 @@ use conformance::fixtures::depth::{
     simulator, solid, throw, under_test, velocity, weightless,
 };
 use twohalf::{
-    Axis, BodyId, DepthProfile, DrawOrder, Drawable, GeomId, Partner, Platform, PlatformId, TextureId,
-    TwoHalfPhysicsSimulator, Vector2, Vector3,
+    Axis, BodyId, DepthProfile, DepthScheme, DrawOrder, Drawable, GeomId, Partner, Platform, PlatformId,
+    TextureId, TwoHalfPhysicsSimulator, Vector2, Vector3,
 };
 
 /// Where a point of the world appears.
@@ -493,6 +493,66 @@ pub(crate) fn of_objects_on_each_other_the_higher_is_drawn_later() {
         [2, 1, 0].map(|level| solid(&mut simulator, [40.0, 30.0, 30.0], [0.0, 30.0 * level as f32, 5.0]));
     run(&mut simulator, 20);
     assert_eq!(order(&simulator, &bodies, &[]), [2, 1, 0]);
+}
+
+/// An empty simulator of the scheme that is tested, with gravity, whose Z axis is at an angle.
+fn world_at(angle: i32) -> TwoHalfPhysicsSimulator {
+    let gravity = Vector2::new(0.0, GRAVITY);
+    under_test(TwoHalfPhysicsSimulator::with_angle_and_gravity(600, angle, gravity).unwrap())
+}
+
+#[test]
+pub(crate) fn what_stands_on_a_box_is_drawn_after_it_wherever_their_middles_are() {
+    for angle in [70, 90, 110] {
+        for aside in [-12.0, -4.0, 0.0, 4.0, 12.0] {
+            for depth in [18.0, 40.0] {
+                let mut simulator = world_at(angle);
+                let upper = solid(&mut simulator, [26.0, 56.0, depth], [50.0, 40.0, 80.0 + aside]);
+                let lower = solid(&mut simulator, [40.0; 3], [50.0, 0.0, 80.0]);
+                for step in 0..60 {
+                    run(&mut simulator, 1);
+                    let order = order(&simulator, &[lower, upper], &[]);
+                    assert_eq!(
+                        order,
+                        [0, 1],
+                        "at {angle} degrees, {aside} px aside, {depth} px deep, step {step}"
+                    );
+                }
+            }
+            let mut simulator = world_at(angle);
+            let round = ball(&mut simulator, 10.0, [50.0, 40.0, 80.0 + aside]);
+            let lower = solid(&mut simulator, [40.0; 3], [50.0, 0.0, 80.0]);
+            run(&mut simulator, 1);
+            assert_eq!(
+                order(&simulator, &[lower, round], &[]),
+                [0, 1],
+                "a ball at {angle} degrees, {aside} px aside"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_capsule_that_stands_on_a_box_is_drawn_after_it_and_one_behind_it_before_it() {
+    // The box is 40 px deep; 31 px behind its middle a capsule of radius 9 stands 2 px behind its back.
+    for (height, aside, expected) in [
+        (40.0, -12.0, [0, 1]),
+        (40.0, 4.0, [0, 1]),
+        (40.0, 12.0, [0, 1]),
+        (0.0, 31.0, [1, 0]),
+        (0.0, -31.0, [0, 1]),
+    ] {
+        let mut simulator = world_at(70);
+        simulator.set_depth_scheme(DepthScheme::Precise).unwrap();
+        let figure = ball(&mut simulator, 9.0, [50.0, height, 80.0 + aside]);
+        let geom = geom_of(&simulator, figure);
+        simulator.set_depth_profile(geom, DepthProfile::Capsule { radius: 9.0, height: 56.0 }).unwrap();
+        simulator.body_mut(figure).unwrap().set_position3d(Vector3::new(50.0, height, 80.0 + aside));
+        let lower = solid(&mut simulator, [40.0; 3], [50.0, 0.0, 80.0]);
+        run(&mut simulator, 60);
+        assert_near(place(&simulator, figure).y, height, 4.0 * SLOP);
+        assert_eq!(order(&simulator, &[lower, figure], &[]), expected, "{aside} px aside");
+    }
 }
 
 #[test]

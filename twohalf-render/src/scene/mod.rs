@@ -1,5 +1,6 @@
 //! A scene of the 2.5D engine in one call: its order, its shadows, and how each thing looks.
 
+mod facet;
 mod figure;
 mod look;
 mod patch;
@@ -12,8 +13,9 @@ pub use look::{Figure, Look, Picture, Pose, Textures};
 pub use patch::Patch;
 pub use water::Water;
 
-use twohalf::{BodyId, Drawable, TwoHalfPhysicsSimulator};
+use twohalf::{BodyId, Drawable, InterpolatedPose3D, Interpolation3D, TwoHalfPhysicsSimulator, Vector3};
 
+use crate::surface::to_screen;
 use crate::{Canvas, Point, Sprite, Texture2D, Transform, View};
 use shadows::{Cast, SHADOW_SIZE};
 
@@ -45,7 +47,8 @@ use shadows::{Cast, SHADOW_SIZE};
 ///
 /// Light comes from straight above. A shadow lies on the highest surface beneath the middle of what casts it: the
 /// ground, a platform, or the level top of another body that is drawn as a [`Look::Solid`] or [`Look::Textured`]; it
-/// ends at the edge of that surface and shrinks with height ([`shadow_scale`](crate::shadow_scale)).
+/// ends at the edge of that surface and shrinks with height ([`shadow_scale`](crate::shadow_scale)). That of a platform is as
+/// large as itself, and lies on all that is beneath it: the ground, and, if it hangs in the air, platforms and such tops.
 #[derive(Debug, Clone)]
 pub struct Scene<'a> {
     simulator: &'a TwoHalfPhysicsSimulator,
@@ -53,6 +56,14 @@ pub struct Scene<'a> {
     camera: Transform,
     patches: &'a [Patch],
     waters: &'a [Water],
+    between: Option<(&'a Interpolation3D, f32)>,
+}
+
+/// How far from where it is something is drawn, px of the world, and by how much it is turned, rad.
+#[derive(Debug, Clone, Copy, Default)]
+struct Shift {
+    way: Vector3,
+    turn: f32,
 }
 
 /// What is drawn at once: a thing by its place in the order, or water.
@@ -65,7 +76,7 @@ impl<'a> Scene<'a> {
     /// The scene as the simulator projects it, with this picture for all shadows, which is stretched over the
     /// footprint of what casts one.
     pub fn new(simulator: &'a TwoHalfPhysicsSimulator, shadow: &'a Texture2D) -> Self {
-        Scene { simulator, shadow, camera: Transform::IDENTITY, patches: &[], waters: &[] }
+        Scene { simulator, shadow, camera: Transform::IDENTITY, patches: &[], waters: &[], between: None }
     }
 
     /// A soft round shadow, to be made once.
@@ -89,6 +100,58 @@ impl<'a> Scene<'a> {
         Scene { waters, ..self }
     }
 
+    /// The same with everything where it is between the last two updates, for games that draw more often than they update:
+    /// a [clock](twohalf::FixedStepClock) tells which part of the next one's time has passed.
+    ///
+    /// Bodies turn on the way, and platforms are moved, but not turned. What is remembered of neither is drawn where it is.
+    /// What covers what, and what is [picked](Self::pick), is as after the last update.
+    ///
+    /// ```
+    /// # use twohalf::*;
+    /// # use twohalf_factories::*;
+    /// # use twohalf_render::*;
+    /// # use std::time::Duration;
+    /// # let mut simulator = TwoHalfPhysicsSimulator::with_gravity(240, Vector2::new(0.0, 900.0))?;
+    /// # spawn(&mut simulator, Prism::new([40.0; 3]).mass(5.0).at([100.0, 90.0, 60.0]))?;
+    /// # let mut canvas = SoftwareCanvas::new(320, 240)?;
+    /// # let shadow = Scene::soft_shadow();
+    /// let mut clock = FixedStepClock::default();
+    /// let mut interpolation = Interpolation3D::new();
+    /// // In each frame, with the time since the one before:
+    /// # for _ in 0..5 {
+    /// # let elapsed = Duration::from_millis(7);
+    /// for _ in 0..clock.advance(elapsed) {
+    ///     simulator.update(clock.dt());
+    ///     interpolation.remember(&simulator);
+    /// }
+    /// let scene = Scene::new(&simulator, &shadow).between(&interpolation, clock.interpolation());
+    /// scene.draw(&mut canvas, |_| Look::Solid(PlatformLook::new(Color::rgb(176, 118, 64))));
+    /// # }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn between(self, interpolation: &'a Interpolation3D, fraction: f32) -> Self {
+        Scene { between: Some((interpolation, fraction)), ..self }
+    }
+
+    fn shift(&self, thing: Drawable) -> Shift {
+        let pose = self.between.and_then(|(interpolation, fraction)| {
+            let now = interpolation.pose(thing, 1.0)?;
+            Some((now, interpolation.pose(thing, fraction)?))
+        });
+        let shift = |(now, shown): (InterpolatedPose3D, InterpolatedPose3D)| Shift {
+            way: shown.place - now.place,
+            turn: shown.rotation - now.rotation,
+        };
+        pose.map(shift).unwrap_or_default()
+    }
+
+    /// A way of the world on the screen.
+    fn on_screen(&self, way: Vector3) -> Point {
+        let [x, y] = to_screen(self.simulator, Vector3::zeros());
+        let [to_x, to_y] = to_screen(self.simulator, way);
+        [to_x - x, to_y - y]
+    }
+
     /// What lies in front at a point of the canvas, px: under the mouse, for example. Nothing with a camera that has no
     /// way back.
     pub fn pick(&self, point: impl Into<Point>) -> Option<Drawable> {
@@ -104,7 +167,7 @@ impl<'a> Scene<'a> {
         let casts = Cast::all(self.simulator, self.shadow, &things);
         let on = |surface: Option<Drawable>| casts.iter().filter(move |cast| cast.surface == surface);
         self.patches.iter().for_each(|patch| patch.draw(self.simulator, &mut view));
-        on(None).for_each(|cast| cast.sprite.draw(&mut view));
+        on(None).for_each(|cast| self.shadow(cast, Vector3::zeros()).draw(&mut view));
         for item in self.in_layers(things.iter().map(|(thing, _)| *thing)) {
             let (thing, look) = match item {
                 Layer::Water(water) => {
@@ -113,12 +176,28 @@ impl<'a> Scene<'a> {
                 }
                 Layer::Thing(at) => &things[at],
             };
+            let shift = self.shift(*thing);
+            let moved = Transform::translation(self.on_screen(shift.way));
+            let mut view = View::new(&mut view).camera(&moved);
             match thing {
                 Drawable::Platform(id) => solid::draw_platform(self.simulator, &mut view, *id, look),
-                Drawable::Body(id) => self.draw_body(&mut view, *id, look),
+                Drawable::Body(id) => self.draw_body(&mut view, *id, look, shift),
             }
-            on(Some(*thing)).for_each(|cast| cast.sprite.draw(&mut view));
+            on(Some(*thing)).for_each(|cast| self.shadow(cast, shift.way).draw(&mut view));
         }
+    }
+
+    /// A shadow on a surface that is drawn this far from where it is: it goes along with what casts it, and its edge with the surface.
+    fn shadow(&self, cast: &Cast, surface: Vector3) -> Sprite {
+        let way = self.shift(cast.of).way - surface;
+        let [x, y] = self.on_screen(Vector3::new(way.x, 0.0, way.z));
+        let moved = |point: Point| [point[0] + x, point[1] + y];
+        let mut sprite = cast.sprite.clone();
+        sprite.position = moved(sprite.position);
+        if let (Drawable::Platform(_), Some(outline)) = (cast.of, &mut sprite.clip) {
+            outline.iter_mut().for_each(|corner| *corner = moved(*corner));
+        }
+        sprite
     }
 
     /// Things in their order with what is seen through between them.
@@ -135,22 +214,25 @@ impl<'a> Scene<'a> {
         layers
     }
 
-    fn draw_body(&self, canvas: &mut dyn Canvas, id: BodyId, look: &Look) {
+    fn draw_body(&self, canvas: &mut dyn Canvas, id: BodyId, look: &Look, shift: Shift) {
+        let turn = shift.turn;
         match look {
             Look::Nothing => (),
             Look::Picture(picture) => {
-                if let Some(sprite) = self.sprite(id, picture) {
+                if let Some(mut sprite) = self.sprite(id, picture) {
+                    sprite.rotation += if picture.stands { 0.0 } else { turn };
                     sprite.draw(canvas);
                 }
             }
-            Look::Solid(look) => solid::draw_body(self.simulator, canvas, id, look, None),
+            Look::Solid(look) => solid::draw_body(self.simulator, canvas, id, turn, look, None),
             Look::Textured(look, textures) => {
-                solid::draw_body(self.simulator, canvas, id, look, Some(textures))
+                solid::draw_body(self.simulator, canvas, id, turn, look, Some(textures))
             }
-            Look::Ball(color) => solid::draw_ball(self.simulator, canvas, id, *color),
+            Look::Ball(color) => solid::draw_ball(self.simulator, canvas, id, turn, *color),
             Look::Figure(figure) => figure::draw_figure(self.simulator, canvas, id, figure),
             Look::Line { to, color, width } => {
-                solid::draw_line(self.simulator, canvas, [id, *to], *width, *color)
+                let aside = self.on_screen(self.shift(Drawable::Body(*to)).way - shift.way);
+                solid::draw_line(self.simulator, canvas, [id, *to], aside, *width, *color)
             }
         }
     }

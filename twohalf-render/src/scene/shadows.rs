@@ -3,8 +3,10 @@
 use twohalf::{BodyId, Drawable, Partner, TwoHalfPhysicsSimulator, Vector3, VirtualGeom};
 
 use super::Look;
+use super::facet::Facet;
 use crate::shadow::{Lit, Shadow};
-use crate::{Color, Sprite, Texture2D};
+use crate::surface::to_screen;
+use crate::{Color, Point, Sprite, Texture2D};
 
 /// Of the picture that is stretched over footprints, px.
 pub(super) const SHADOW_SIZE: [u32; 2] = [32, 16];
@@ -14,12 +16,15 @@ const SPREAD: f32 = 1.2;
 /// How deep the shadow of a flat picture is, to the depth of its footprint.
 const FLATNESS: f32 = 0.6;
 /// What rests lies in what is beneath it, up to this many px.
-const SUNK: f32 = 2.0;
+pub(super) const SUNK: f32 = 2.0;
+/// The shadow of a platform.
+const DARKNESS: Color = Color::rgba(0, 0, 0, 70);
 /// Tops that are tilted by more than this, rad, take no shadow.
 const LEVEL: f32 = 0.01;
 
-/// A shadow, and what it lies on: the ground if nothing.
+/// A shadow, what casts it, and what it lies on: the ground if nothing.
 pub(super) struct Cast {
+    pub(super) of: Drawable,
     pub(super) surface: Option<Drawable>,
     pub(super) sprite: Sprite,
 }
@@ -36,19 +41,18 @@ impl Cast {
             (_, Look::Nothing | Look::Line { .. }) | (Drawable::Platform(_), _) => None,
             (Drawable::Body(id), look) => of_body(simulator, texture, *id, look, &tops),
         });
+        let mut facets: Vec<Facet> = tops.iter().map(|(id, top)| Facet::top(*id, top)).collect();
         let platforms = things.iter().filter_map(|(thing, look)| match (thing, look) {
             (Drawable::Platform(id), Look::Solid(_) | Look::Textured(..)) => {
-                let corners = simulator.platform(*id)?.corners();
-                let [a, b, c, d] = [3, 2, 6, 7].map(|corner: usize| {
-                    let on_ground = Vector3::new(corners[corner].x, 0.0, corners[corner].z);
-                    simulator.projection().to_screen(on_ground).into()
-                });
-                let sprite = Sprite::polygon([a, b, c, d], Color::rgba(0, 0, 0, 70));
-                Some(Cast { surface: None, sprite })
+                Some((*thing, simulator.platform(*id)?.corners()))
             }
             _ => None,
         });
-        platforms.chain(bodies).collect()
+        let platforms: Vec<(Drawable, [Vector3; 8])> = platforms.collect();
+        facets.extend(platforms.iter().flat_map(|(on, corners)| Facet::looking_up(*on, corners)));
+        let of_platforms =
+            platforms.iter().flat_map(|(of, corners)| of_platform(simulator, *of, corners, &facets));
+        of_platforms.chain(bodies).collect()
     }
 }
 
@@ -61,6 +65,26 @@ fn tops(simulator: &TwoHalfPhysicsSimulator, (thing, look): &(Drawable, Look)) -
     let geoms = simulator.core().geoms_of(*id).iter().filter_map(|&geom| simulator.geom(geom));
     let solids = geoms.map(|geom| geom.virtual_geom()).filter(|shape| shape.has_top);
     if tilt.abs() > LEVEL { Vec::new() } else { solids.map(|shape| (*id, shape)).collect() }
+}
+
+/// The shadows of a platform: on the ground, and, if it hangs in the air, on all that is beneath it.
+fn of_platform(
+    simulator: &TwoHalfPhysicsSimulator,
+    of: Drawable,
+    corners: &[Vector3; 8],
+    facets: &[Facet],
+) -> Vec<Cast> {
+    let underside = Facet::underside(of, corners);
+    let on_ground = underside.corners.iter().map(|corner| Vector3::new(corner.x, 0.0, corner.z));
+    let on_ground: Vec<Point> = on_ground.map(|corner| to_screen(simulator, corner)).collect();
+    let mut casts = vec![Cast { of, surface: None, sprite: Sprite::polygon(on_ground, DARKNESS) }];
+    if corners.iter().all(|corner| corner.y > 0.0) {
+        casts.extend(facets.iter().filter(|facet| facet.of != of).filter_map(|facet| {
+            let shaded = facet.shaded_by(&underside, simulator)?;
+            Some(Cast { of, surface: Some(facet.of), sprite: Sprite::polygon(shaded, DARKNESS) })
+        }));
+    }
+    casts
 }
 
 /// Whether something with a top is below a point, or above it.
@@ -103,5 +127,9 @@ fn of_body(
         }
         (None, _) => (None, Lit::surface(simulator, &surface)),
     };
-    Some(Cast { surface: on, sprite: shadow.sprite(simulator, lit, middle, Some(shape.bottom)) })
+    Some(Cast {
+        of: Drawable::Body(id),
+        surface: on,
+        sprite: shadow.sprite(simulator, lit, middle, Some(shape.bottom)),
+    })
 }

@@ -87,14 +87,19 @@ fn overlaps(corners: &[Point; 4], [low, high]: [Point; 2]) -> bool {
     })
 }
 
-/// The outline of every geom, from its front to its back.
+/// The outline of every geom, from its front to its back, turned by some rad more than the body is.
 pub(super) fn draw_body(
     simulator: &TwoHalfPhysicsSimulator,
     canvas: &mut dyn Canvas,
     id: BodyId,
+    turn: f32,
     look: &PlatformLook,
     textures: Option<&Textures>,
 ) {
+    let Some(origin) = simulator.body(id).map(|body| Point::from(body.position())) else { return };
+    let turned = Transform::translation(origin.map(|number| -number))
+        .then(&Transform::rotation(turn))
+        .then(&Transform::translation(origin));
     for &geom in simulator.core().geoms_of(id) {
         let Some(view) = simulator.geom(geom) else { continue };
         if draw_upright(simulator, canvas, &view, look) {
@@ -106,7 +111,8 @@ pub(super) fn draw_body(
         let [near, middle, far] = [-half, 0.0, half]
             .map(|z| Point::from(simulator.projection().to_screen(Vector3::new(0.0, 0.0, z))));
         let moved = |point: Point, to: Point| [point[0] + to[0] - middle[0], point[1] + to[1] - middle[1]];
-        let outline = corners_of(view.screen_outline().into_iter().map(Point::from));
+        let outline = view.screen_outline().into_iter().map(Point::from);
+        let outline = corners_of(outline.map(|point| if turn == 0.0 { point } else { turned.apply(point) }));
         let front: Vec<Point> = outline.iter().map(|&point| moved(point, near)).collect();
         let back: Vec<Point> = outline.iter().map(|&point| moved(point, far)).collect();
         draw_sides(canvas, &front, &back, look);
@@ -175,6 +181,7 @@ pub(super) fn draw_ball(
     simulator: &TwoHalfPhysicsSimulator,
     canvas: &mut dyn Canvas,
     id: BodyId,
+    turn: f32,
     color: Color,
 ) {
     let Some((body, [[left, top], [right, bottom]])) = simulator.body(id).zip(bounds(simulator, id)) else {
@@ -184,22 +191,25 @@ pub(super) fn draw_ball(
     let center = [left + rx, top + ry];
     canvas.fill_ellipse(center, [rx, ry], &STILL, color.darker(0.55));
     canvas.fill_ellipse(center, [rx - 1.5, ry - 1.5], &STILL, color);
-    let turned = Transform::rotation(body.rotation()).then(&Transform::translation(center));
+    let turned = Transform::rotation(body.rotation() + turn).then(&Transform::translation(center));
     canvas.fill_ellipse([0.5 * rx, 0.0], [0.28 * rx, 0.28 * ry], &turned, color.darker(0.4));
     canvas.fill_ellipse([-0.5 * rx, 0.0], [0.2 * rx, 0.2 * ry], &turned, color.darker(0.2));
     let light = [center[0] - 0.35 * rx, center[1] - 0.4 * ry];
     canvas.fill_ellipse(light, [0.3 * rx, 0.22 * ry], &STILL, Color::rgba(255, 255, 255, 120));
 }
 
-/// A line to another body.
+/// A line to another body, whose end is drawn some px aside.
 pub(super) fn draw_line(
     simulator: &TwoHalfPhysicsSimulator,
     canvas: &mut dyn Canvas,
     ends: [BodyId; 2],
+    aside: Point,
     width: f32,
     color: Color,
 ) {
     if let [Some(from), Some(to)] = ends.map(|id| simulator.body(id)) {
-        canvas.stroke_polyline(&[from.position().into(), to.position().into()], false, width, &STILL, color);
+        let [x, y] = Point::from(to.position());
+        let line = [from.position().into(), [x + aside[0], y + aside[1]]];
+        canvas.stroke_polyline(&line, false, width, &STILL, color);
     }
 }

@@ -1,7 +1,10 @@
 //! Scenes of the 2.5D engine, drawn in one call.
 
-use twohalf::{BodyId, Drawable, Fluid, Platform, Region, TwoHalfPhysicsSimulator, Vector2, Vector3, Well};
-use twohalf_factories::{TwoHalfBodyFactory, TwoHalfGeomFactory};
+use twohalf::{
+    BodyId, DepthProfile, Drawable, Fluid, Interpolation3D, Platform, Region, TwoHalfPhysicsSimulator,
+    Vector2, Vector3, Well,
+};
+use twohalf_factories::{Ball, TwoHalfBodyFactory, TwoHalfGeomFactory, spawn};
 use twohalf_render::*;
 
 const RED: Color = Color::rgb(255, 0, 0);
@@ -66,6 +69,73 @@ fn a_shadow_lies_on_a_box_below_and_ends_at_the_edge_of_its_top() {
     assert_eq!([row[122], row[130]], [Color::WHITE, Color::WHITE]);
 }
 
+/// The share of the light that the shadow of a platform leaves, of a white ground and of a green top.
+const SHADED: [Color; 2] = [Color::rgb(185, 185, 185), Color::rgb(0, 185, 0)];
+
+#[test]
+fn the_shadow_of_a_platform_in_the_air_lies_on_what_is_beneath_it_and_beyond_its_edge_on_the_ground() {
+    // A table from X = 20 to 80 whose top is at Y = 20, and above it, from X = 50 to 110, a plate of 10 px.
+    type Table = fn(&mut TwoHalfPhysicsSimulator);
+    let tables: [Table; 2] = [
+        |simulator| {
+            Platform::new(simulator, 60.0, 20.0, 60.0, Vector3::new(50.0, 0.0, 60.0), None).unwrap();
+        },
+        |simulator| {
+            let body = TwoHalfBodyFactory::create_rectangle_body(simulator, 60.0, 20.0, 1.0).unwrap();
+            let geom = TwoHalfGeomFactory::create_rectangle_geom(simulator, body, 60.0, 20.0).unwrap();
+            simulator.set_depth_profile(geom, DepthProfile::Prism { depth: 60.0 }).unwrap();
+            let mut view = simulator.body_mut(body).unwrap();
+            view.ground_mut().set_object_geom(geom, None).unwrap();
+            view.set_position3d(Vector3::new(50.0, 0.0, 60.0));
+        },
+    ];
+    for table in tables {
+        let mut simulator = world();
+        table(&mut simulator);
+        let place = Vector3::new(80.0, 90.0, 60.0);
+        let plate = Platform::new(&mut simulator, 60.0, 10.0, 40.0, place, None).unwrap();
+        simulator.update(0.0);
+        let clear = PlatformLook { top: Color::TRANSPARENT, front: Color::TRANSPARENT, ..plain() };
+        let canvas = drawn(&simulator, |thing| match thing {
+            Drawable::Platform(id) if id == plate => Look::Solid(clear),
+            _ => Look::Solid(plain()),
+        });
+        // At Z = 60 and 76 the table's top is at y = 120 and 104, the ground at y = 140 and 124.
+        let on_top = [(45, 120), (55, 120), (75, 104)].map(|(x, y)| canvas.pixel(x, y).unwrap());
+        assert_eq!(on_top, [plain().top, SHADED[1], SHADED[1]]);
+        let on_ground = [(95, 140), (105, 124), (115, 140)].map(|(x, y)| canvas.pixel(x, y).unwrap());
+        assert_eq!(on_ground, [SHADED[0], SHADED[0], Color::WHITE]);
+        // The plate reaches from Z = 40 to 80, the table from Z = 30 to 90.
+        let beyond = [(75, 95), (75, 145)].map(|(x, y)| canvas.pixel(x, y).unwrap());
+        assert_eq!(beyond, [plain().top; 2]);
+    }
+}
+
+#[test]
+fn the_shadow_of_a_platform_goes_down_a_slope_with_it_and_no_shadow_falls_upwards() {
+    let mut simulator = world();
+    // A slope from (60, 60) down to (140, 0) and a plate above it, and another slope that is above the plate.
+    let down = |height: f32| Vector3::new(100.0, 30.0 + height, 60.0);
+    let rotation = (60.0_f32 / 80.0).atan();
+    let slope = Platform::with_rotation(&mut simulator, 100.0, 1.0, 60.0, down(0.0), rotation, None).unwrap();
+    let plate =
+        Platform::new(&mut simulator, 60.0, 2.0, 20.0, Vector3::new(100.0, 75.0, 60.0), None).unwrap();
+    simulator.update(0.0);
+    let clear = PlatformLook { top: Color::TRANSPARENT, front: Color::TRANSPARENT, ..plain() };
+    let canvas = drawn(&simulator, |thing| match thing {
+        Drawable::Platform(id) if id == plate => Look::Solid(clear),
+        Drawable::Platform(id) if id == slope => Look::Solid(plain()),
+        _ => Look::Nothing,
+    });
+    let at = |x: f32, z: f32| {
+        let y = 60.0 - 0.75 * (x - 60.0);
+        canvas.pixel(x as u32, (200.0 - y - z) as u32).unwrap()
+    };
+    // From X = 70 to 130 and Z = 50 to 70.
+    assert_eq!([at(75.0, 54.0), at(75.0, 66.0), at(125.0, 54.0), at(125.0, 66.0)], [SHADED[1]; 4]);
+    assert_eq!([at(65.0, 60.0), at(75.0, 46.0), at(75.0, 75.0), at(134.0, 60.0)], [plain().top; 4]);
+}
+
 #[test]
 fn what_does_not_look_like_anything_is_not_drawn_and_casts_no_shadow() {
     let mut simulator = world();
@@ -74,6 +144,108 @@ fn what_does_not_look_like_anything_is_not_drawn_and_casts_no_shadow() {
     simulator.update(0.0);
     let canvas = drawn(&simulator, |_| Look::Nothing);
     assert!(canvas.rgba8().iter().all(|&byte| byte == 255));
+}
+
+#[test]
+fn the_feet_of_who_stands_on_a_box_are_seen_before_its_top() {
+    for aside in [-12.0, -4.0, 4.0, 12.0] {
+        let mut simulator = world();
+        let below = add_box(&mut simulator, Vector3::new(100.0, 0.0, 60.0));
+        add_box(&mut simulator, Vector3::new(100.0, 40.0, 60.0 + aside));
+        simulator.update(0.0);
+        let feet = Texture2D::from_rgba8(2, 2, [0, 0, 255, 255].repeat(4)).unwrap();
+        let canvas = drawn(&simulator, |thing| match thing {
+            Drawable::Body(id) if id == below => Look::Solid(plain()),
+            _ => Look::Picture(Picture::standing(&feet)),
+        });
+        let at = (200.0 - 40.0 - 60.0 - aside) as u32 - 1;
+        assert_eq!(canvas.pixel(100, at), Some(Color::rgb(0, 0, 255)), "{aside} px behind the middle");
+    }
+}
+
+/// How far two pictures are apart where they are farthest, and in how many px they differ clearly.
+fn difference(a: &SoftwareCanvas, b: &SoftwareCanvas) -> (u8, usize) {
+    let ways = || a.rgba8().into_iter().zip(b.rgba8()).map(|(a, b)| a.abs_diff(b));
+    (ways().max().unwrap(), ways().filter(|way| *way > 40).count())
+}
+
+/// Before the last update a scene looked as it looks now between the updates, at their first end, and now at their second.
+fn assert_goes_back(
+    mut simulator: TwoHalfPhysicsSimulator,
+    shadow: &Texture2D,
+    look: impl Fn(Drawable) -> Look + Copy,
+) {
+    let draw = |simulator: &TwoHalfPhysicsSimulator, between: Option<(&Interpolation3D, f32)>| {
+        let mut canvas = SoftwareCanvas::new(200, 200).unwrap();
+        canvas.clear(Color::WHITE);
+        let mut scene = Scene::new(simulator, shadow);
+        if let Some((interpolation, fraction)) = between {
+            scene = scene.between(interpolation, fraction);
+        }
+        scene.draw(&mut canvas, look);
+        canvas
+    };
+    let mut interpolation = Interpolation3D::new();
+    let before = draw(&simulator, None);
+    interpolation.remember(&simulator);
+    simulator.update(0.01);
+    interpolation.remember(&simulator);
+    let now = draw(&simulator, None);
+    assert!(difference(&before, &now).1 > 20);
+    assert_eq!(draw(&simulator, Some((&interpolation, 1.0))), now);
+    // Edges are shaded by how much of a px they cover, in steps of 1/16 of it and of 1/256 px.
+    let (greatest, clearly) = difference(&draw(&simulator, Some((&interpolation, 0.0))), &before);
+    assert!(clearly == 0, "{clearly} px differ, by up to {greatest}");
+}
+
+#[test]
+fn between_two_updates_a_box_over_a_lift_is_drawn_with_its_shadow_on_the_way() {
+    let mut simulator = world();
+    let body = add_box(&mut simulator, Vector3::new(80.0, 61.0, 60.0));
+    let place = Vector3::new(90.0, 40.0, 60.0);
+    let lift = Platform::new(&mut simulator, 60.0, 20.0, 60.0, place, None).unwrap();
+    simulator.update(0.0);
+    simulator.platform_mut(lift).unwrap().set_velocity(Vector3::new(0.0, 400.0, 0.0)).unwrap();
+    simulator.body_mut(body).unwrap().set_velocity3d(Vector3::new(500.0, 400.0, -600.0));
+    let shadow = Texture2D::from_rgba8(1, 1, vec![0, 0, 0, 255]).unwrap();
+    assert_goes_back(simulator, &shadow, |_| Look::Solid(plain()));
+}
+
+#[test]
+fn between_two_updates_what_turns_is_drawn_on_its_way_round() {
+    let picture = Texture2D::from_rgba8(2, 2, [255, 0, 0, 255].repeat(4)).unwrap();
+    let looks = [
+        Look::Solid(plain()),
+        Look::Picture(Picture { scale: 20.0, ..Picture::new(&picture) }),
+        Look::Ball(RED),
+    ];
+    let clear = Texture2D::from_rgba8(1, 1, vec![0; 4]).unwrap();
+    for look in &looks {
+        let mut simulator = world();
+        let place = [100.0, 60.0, 60.0];
+        let body = match look {
+            Look::Ball(_) => spawn(&mut simulator, Ball::new(20.0).at(place)).unwrap().body,
+            _ => add_box(&mut simulator, place.into()),
+        };
+        simulator.body_mut(body).unwrap().core_mut().set_angular_velocity(30.0);
+        simulator.update(0.01);
+        assert_goes_back(simulator, &clear, |_| look.clone());
+    }
+}
+
+#[test]
+fn between_two_updates_a_line_ends_where_both_its_ends_are_drawn() {
+    let mut simulator = world();
+    let [from, to] = [60.0, 140.0].map(|x| add_box(&mut simulator, Vector3::new(x, 40.0, 60.0)));
+    simulator.update(0.0);
+    for (body, speed) in [(from, 800.0), (to, -900.0)] {
+        simulator.body_mut(body).unwrap().set_velocity3d(Vector3::new(0.0, speed, 300.0));
+    }
+    let clear = Texture2D::from_rgba8(1, 1, vec![0; 4]).unwrap();
+    assert_goes_back(simulator, &clear, |thing| match thing {
+        Drawable::Body(id) if id == from => Look::Line { to, color: RED, width: 4.0 },
+        _ => Look::Nothing,
+    });
 }
 
 #[test]

@@ -152,3 +152,14 @@ fn a_backdrop_seen_through_a_camera_covers_all_of_its_window() {
     draw_ground_backdrop(&mut view, &backdrop).unwrap();
     assert!(canvas.rgba8().chunks(4).all(|pixel| pixel != [255, 255, 255, 255]));
 }
+
+#[test]
+fn what_is_seen_of_a_view_of_a_view_is_what_is_seen_through_both() {
+    let mut canvas = white(100, 80);
+    let mut outer = View::new(&mut canvas).camera(&Transform::translation([-300.0, 40.0]));
+    let moved = Transform::translation([7.0, -2.0]);
+    let inner = View::new(&mut outer).camera(&moved);
+    assert_eq!(inner.visible_area(), [[293.0, -38.0], [393.0, 42.0]]);
+    let cut = View::new(&mut outer).camera(&moved).clip(Rectangle::new(320, 0, 500, 500));
+    assert_eq!(cut.visible_area(), [[313.0, 2.0], [393.0, 42.0]]);
+}

@@ -17,7 +17,7 @@ struct ByDepth {
 
 impl ByDepth {
     fn new(item: &Item, listed: u32) -> Self {
-        ByDepth { middle: item.middle(), height: item.low.y, drawable: item.drawable, listed }
+        ByDepth { middle: item.middle, height: item.low.y, drawable: item.drawable, listed }
     }
 
     fn compare(&self, other: &Self) -> Ordering {
@@ -318,9 +318,10 @@ impl TwoHalfPhysicsSimulator {
     ///
     /// Of two that cover each other on the screen the one before the other comes later: separated in Z, the nearer
     /// one; on top of each other, the higher one; side by side, what the Z axis leans away from. What decides is
-    /// the direction in which their boxes, or the sides of a platform, are farthest apart or overlap least. Where
-    /// that goes round in a circle, one of the pairs is in the wrong order. What covers nothing is ordered by Z,
-    /// then by height, then as it was added.
+    /// the direction in which their boxes, or the sides of a platform, are farthest apart or overlap least. What has
+    /// a [top](crate::VirtualGeom::has_top) has a box as deep as itself, so that what stands on it comes later wherever
+    /// its middle is; balls and capsules are flat, at their middle. Where that goes round in a circle, one of the
+    /// pairs is in the wrong order. What covers nothing is ordered by Z, then by height, then as it was added.
     ///
     /// [`DrawOrder`] does the same without allocating in every frame.
     pub fn draw_order(&self) -> Vec<Drawable> {

@@ -22,6 +22,8 @@ pub(super) struct Item {
     pub(super) drawable: Drawable,
     pub(super) low: Vector3,
     pub(super) high: Vector3,
+    /// How far back it is where no direction tells: the Z of a body, the middle of a platform.
+    pub(super) middle: f32,
     /// The place of its sides, if it is a platform.
     pub(super) sides: Option<u32>,
     pub(super) screen_low: Vector2,
@@ -35,7 +37,8 @@ impl Item {
     fn of_points(drawable: Drawable, points: impl Iterator<Item = (Vector3, Vector2)>) -> Option<Self> {
         let mut item: Option<Item> = None;
         for (p, s) in points {
-            let fresh = Item { drawable, low: p, high: p, sides: None, screen_low: s, screen_high: s };
+            let fresh =
+                Item { drawable, low: p, high: p, middle: p.z, sides: None, screen_low: s, screen_high: s };
             let item = item.get_or_insert(fresh);
             (item.low, item.high) = (item.low.inf(&p), item.high.sup(&p));
             (item.screen_low, item.screen_high) = (item.screen_low.inf(&s), item.screen_high.sup(&s));
@@ -45,12 +48,8 @@ impl Item {
 
     /// Whether it is as far back, as high and as far to the left as another one, to the last bit.
     pub(super) fn is_where(&self, other: &Item) -> bool {
-        let place = |item: &Item| [item.middle(), item.low.y, item.screen_low.x].map(f32::to_bits);
+        let place = |item: &Item| [item.middle, item.low.y, item.screen_low.x].map(f32::to_bits);
         place(self) == place(other)
-    }
-
-    pub(super) fn middle(&self) -> f32 {
-        (self.low.z + self.high.z) * 0.5
     }
 
     /// Least of the box along a direction.
@@ -85,7 +84,7 @@ impl Item {
     /// at one point of the screen.
     pub(super) fn is_below(&self, other: &Item, sides: &[Sides], to_viewer: Vector3) -> bool {
         let nearer = self.direction_to(other, sides).dot(&to_viewer);
-        if nearer == 0.0 { self.middle() > other.middle() } else { nearer > 0.0 }
+        if nearer == 0.0 { self.middle > other.middle } else { nearer > 0.0 }
     }
 }
 
@@ -98,7 +97,8 @@ impl TwoHalfPhysicsSimulator {
             let corners = platform.corners();
             let points = corners.into_iter().map(|corner| (corner, self.projection().to_screen(corner)));
             let Some(item) = Item::of_points(Drawable::Platform(id), points) else { continue };
-            items.push(Item { sides: Some(sides.len() as u32), ..item });
+            let middle = (item.low.z + item.high.z) * 0.5;
+            items.push(Item { middle, sides: Some(sides.len() as u32), ..item });
             let shape = platform.shape();
             let [top, left, bottom, right] = Face::SIDES;
             sides.push([top, left, bottom, right, Face::Front, Face::Back].map(|face| {
@@ -109,17 +109,26 @@ impl TwoHalfPhysicsSimulator {
         }
     }
 
+    /// What has a top is a box from its front to its back, whether it is drawn as one or as a flat picture in it. A ball or a
+    /// capsule is flat: its picture appears at the middle of the body.
     fn item_of_body(&self, id: BodyId) -> Option<Item> {
         let body = self.body(id).filter(|body| body.enabled())?;
-        // The picture is flat: it appears at the middle of the body.
+        let drawable = Drawable::Body(id);
         let z = self.world.depths.z_of(id);
-        let shown = |p: Vector3| (p, self.projection().to_screen(Vector3::new(p.x, p.y, z)));
+        let shown = |p: Vector3| (p, self.projection().to_screen(p));
         let geoms = self.core.geoms_of(id).iter().filter_map(|&geom| self.geom(geom));
+        // Of all corners the two that appear farthest down and up, left and right, to whichever side the Z axis leans.
         let corners = geoms.flat_map(|geom| {
             let v = geom.virtual_geom();
-            [Vector3::new(v.left, v.bottom, v.front), Vector3::new(v.right, v.top, v.back)]
+            let [front, back] = if v.has_top { [v.front, v.back] } else { [z; 2] };
+            let [near, far] = if self.angle() <= 90 { [v.left, v.right] } else { [v.right, v.left] };
+            [Vector3::new(near, v.bottom, front), Vector3::new(far, v.top, back)]
         });
-        let of_geoms = Item::of_points(Drawable::Body(id), corners.map(shown));
-        of_geoms.or_else(|| Item::of_points(Drawable::Body(id), [shown(body.origin3d())].into_iter()))
+        let of_geoms = Item::of_points(drawable, corners.map(shown));
+        let origin = || {
+            let p = body.origin3d();
+            Item::of_points(drawable, [shown(Vector3::new(p.x, p.y, z))].into_iter())
+        };
+        Some(Item { middle: z, ..of_geoms.or_else(origin)? })
     }
 }

@@ -1,0 +1,64 @@
+//! Flat pieces of the surfaces of things: shadows of platforms fall from such on such.
+
+use twohalf::{BodyId, Drawable, TwoHalfPhysicsSimulator, Vector3, VirtualGeom};
+
+use super::shadows::SUNK;
+use crate::Point;
+use crate::clip::clip_to_convex;
+use crate::footprint::of_top;
+use crate::surface::{Face, to_screen};
+
+/// Y of the unit normal of what is too steep to take a shadow.
+const STEEP: f32 = 0.1;
+
+/// A convex piece of a plane.
+pub(super) struct Facet {
+    /// Of what it is a piece.
+    pub(super) of: Drawable,
+    pub(super) corners: Vec<Vector3>,
+    normal: Vector3,
+}
+
+impl Facet {
+    fn of_platform(of: Drawable, corners: &[Vector3; 8], face: Face) -> Self {
+        Facet { of, corners: face.corners(corners).to_vec(), normal: face.normal(corners).normalize() }
+    }
+
+    /// What of a platform looks down the most.
+    pub(super) fn underside(of: Drawable, corners: &[Vector3; 8]) -> Self {
+        let faces = Face::ALL.map(|face| Facet::of_platform(of, corners, face));
+        let lowest = faces.into_iter().min_by(|a, b| a.normal.y.total_cmp(&b.normal.y));
+        lowest.unwrap_or_else(|| Facet::of_platform(of, corners, Face::Underside))
+    }
+
+    /// What of a platform looks up.
+    pub(super) fn looking_up(of: Drawable, corners: &[Vector3; 8]) -> impl Iterator<Item = Self> {
+        let faces = Face::ALL.map(|face| Facet::of_platform(of, corners, face));
+        faces.into_iter().filter(|facet| facet.normal.y > STEEP)
+    }
+
+    /// The level top of a body.
+    pub(super) fn top(body: BodyId, shape: &VirtualGeom) -> Self {
+        let corners = of_top(shape).into_iter().map(|[x, z]| Vector3::new(x, shape.top, z));
+        Facet { of: Drawable::Body(body), corners: corners.collect(), normal: Vector3::y() }
+    }
+
+    fn height_at(&self, [x, z]: Point) -> f32 {
+        let corner = self.corners[0];
+        corner.y - (self.normal.x * (x - corner.x) + self.normal.z * (z - corner.z)) / self.normal.y
+    }
+
+    fn footprint(&self) -> Vec<Point> {
+        self.corners.iter().map(|corner| [corner.x, corner.z]).collect()
+    }
+
+    /// What of it lies in the shadow of something above it, on the screen; nothing if nothing does.
+    pub(super) fn shaded_by(&self, above: &Facet, simulator: &TwoHalfPhysicsSimulator) -> Option<Vec<Point>> {
+        let shaded = clip_to_convex(&above.footprint(), &self.footprint());
+        let share = 1.0 / shaded.len() as f32;
+        let middle = [0, 1].map(|axis| shaded.iter().map(|point| point[axis] * share).sum());
+        let is_beneath = self.height_at(middle) <= above.height_at(middle) + SUNK;
+        let on_it = |[x, z]: Point| to_screen(simulator, Vector3::new(x, self.height_at([x, z]), z));
+        (!shaded.is_empty() && is_beneath).then(|| shaded.into_iter().map(on_it).collect())
+    }
+}
