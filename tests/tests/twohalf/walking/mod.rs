@@ -156,8 +156,10 @@ fn it_flies_on_with_the_same_bits_after_a_load_if_what_it_touches_is_edited_befo
     }
 }
 
+type Edit = fn(&mut TwoHalfPhysicsSimulator, BodyId);
+
 /// What may have been done to what a figure touches, between the last update and the save.
-const EDITS: [(&str, fn(&mut TwoHalfPhysicsSimulator, BodyId)); 6] = [
+const EDITS: [(&str, Edit); 6] = [
     ("disabled", |simulator, body| simulator.body_mut(body).unwrap().core_mut().set_enabled(false)),
     ("static", |simulator, body| simulator.body_mut(body).unwrap().core_mut().set_is_static(true)),
     ("kinematic", |simulator, body| simulator.body_mut(body).unwrap().core_mut().set_is_kinematic(true)),
