@@ -321,10 +321,14 @@
 //! - **What is too fast passes through.** With the precise scheme nothing passes what stands still, but two that move, each
 //!   farther per step than it is thick, may miss each other, unless one is [marked](farseer_core::Body::set_is_bullet) as a bullet.
 //!   A bullet is stopped, but in the step after a hit up to 1.42 % of the speed is left: at 30,000 px/s and 0.01 s it passes a
-//!   plate of 4 px that is as light as itself. Of several that are marked and stand in a row it may pass one. With the others contacts are looked for where things are at a
-//!   step, not on the way between two: along any axis, what moves farther per step than it and the other are thick together may
-//!   miss the other; in X and Y, where two outlines are the 2D engine's, already at half of that. Nothing passes the ground,
-//!   which has no underside.
+//!   plate of 4 px that is as light as itself. Of several that are marked and stand in a row it may pass one. With the others
+//!   contacts are looked for where things are at a step, not on the way between two: along any axis, what moves farther per step
+//!   than it and the other are thick together may miss the other; in X and Y, where two outlines are the 2D engine's, already at
+//!   half of that. Nothing passes the ground, which has no underside.
+//! - **Towers of what is light fall under who jumps on them.** Contacts that carry much more than what they hold apart weighs
+//!   give way. A figure of mass 70 that jumps once a second for ten seconds on four crates of 40 px, 8 px beside their middle
+//!   and at 60 Hz, moves none of them by more than 0.1 px if each has its mass, by 0.4 px if it has 20, by 6 px if it has 12, and
+//!   by 27 px if it has 6.
 //! - **Floors and walls of immovable bodies trip in X and Y** with the faithful scheme, as in the 2D engine: their seams stop
 //!   what slides over them, and the lower corner of a wall can hold back who jumps while leaning against it. Build scenery of
 //!   [platforms](Platform): those are smooth.

@@ -79,6 +79,8 @@ pub enum WhyMethod {
         /// Updates after which that may be tried again.
         updates: u8,
     },
+    /// Passes: there is a depth axis, along which contacts are not solved as a whole.
+    HasDepth,
     /// Passes: nothing speaks against solving it as a whole, but in large scenes that is asked only in every 16th update.
     NotAskedYet,
 }
@@ -186,7 +188,9 @@ impl Precise {
                     let why = if is_chosen { WhyMethod::Chosen } else { WhyMethod::Pays };
                     Told::new(IslandMethod::Whole, why, 1)
                 } else if of.has_contacts() || self.joints.holds(body) {
-                    Told::new(IslandMethod::Passes, of.why_passes(self.direct.choice()), substeps)
+                    let why = of.why_passes(self.direct.choice());
+                    let why = if self.space.is_some() { WhyMethod::HasDepth } else { why };
+                    Told::new(IslandMethod::Passes, why, substeps)
                 } else {
                     Told::new(IslandMethod::Flight, WhyMethod::NothingTouches, 1)
                 }

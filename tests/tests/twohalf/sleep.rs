@@ -1,6 +1,7 @@
 //! What rests in a world with depth sleeps, and wakes.
 
 use conformance::fixtures::depth::{DT, ball, place, run, solid, with_scheme};
+use farseer_core::{IslandMethod, WhyMethod};
 use twohalf::{BodyId, DepthScheme, EventHandler, TwoHalfPhysicsSimulator, Vector3};
 
 /// A box on another one, both at rest for two seconds.
@@ -31,6 +32,17 @@ fn nothing_sleeps_if_it_is_not_to() {
         run(&mut simulator, 200);
         assert!(!simulator.is_sleep_enabled());
         assert!(bodies.iter().all(|&body| !simulator.is_asleep(body)));
+    });
+}
+
+#[test]
+fn what_touches_in_a_world_with_depth_is_solved_by_passes_and_says_why() {
+    two_at_rest(|mut simulator, [below, _]| {
+        simulator.wake(below);
+        run(&mut simulator, 1);
+        let islands = simulator.core().islands();
+        let told: Vec<_> = islands.iter().map(|island| (island.method, island.why)).collect();
+        assert_eq!(told, [(IslandMethod::Passes, WhyMethod::HasDepth)]);
     });
 }
 
