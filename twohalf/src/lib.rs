@@ -147,6 +147,17 @@
 //! [overlaps a geom](TwoHalfPhysicsSimulator::overlaps_of), and what is [at a point of the
 //! screen](TwoHalfPhysicsSimulator::pick_front_where).
 //!
+//! ## Joints, springs and ropes
+//!
+#![doc = include_str!("../docs/joints.svg")]
+//!
+//! The joints and springs of the 2D engine, made by [`edit_objects`](TwoHalfPhysicsSimulator::edit_objects). With
+//! [`DepthScheme::Precise`] those that keep a point or a line keep their bodies together along Z, too; pins, sliders and linear
+//! springs act along all axes, between points that are at the Z of their bodies, and
+//! [take](TwoHalfPhysicsSimulator::take_length) the length that they have there. All of them can be edited, added and removed at
+//! any time; what breaks because it holds too much is an [event](Event::JointBroke). `spawn_rope` and `spawn_door` are in the
+//! crate `twohalf-factories`. Water, wind and wells of gravity with depth are [fields](Field).
+//!
 //! # A game loop
 //!
 //! A beat-'em-up in small: a player who walks along X and Z and jumps, a crate to push, a ball, a platform. Velocity
@@ -377,10 +388,8 @@
 //!   box and has no friction.
 //! - **Sprites are flat**, so there may be no right [drawing order](TwoHalfPhysicsSimulator::draw_order) for three
 //!   that cover each other in a circle.
-//! - **Joints, springs and controllers are those of the plane**, made by
-//!   [`edit_objects`](TwoHalfPhysicsSimulator::edit_objects). With [`DepthScheme::Precise`] joints that keep a point
-//!   or a line keep their bodies together along Z, too, and pins, sliders and linear springs act along all axes; with the
-//!   other schemes they act in X and Y alone.
+//! - **The controllers of the 2D engine act in X and Y alone**, with every scheme, and so do joints and springs with another one
+//!   than [`DepthScheme::Precise`]. No joint is a hinge about an upright axis.
 
 #![forbid(unsafe_code)]
 

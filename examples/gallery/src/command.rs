@@ -37,6 +37,9 @@ struct Arguments {
     /// Steps all scenes and prints what that takes
     #[arg(long)]
     bench: bool,
+    /// Opens the window for so many seconds and prints how long its last frames took
+    #[arg(long, value_name = "SECONDS")]
+    times: Option<f64>,
     /// Prints hashes of all scenes after 600 steps
     #[arg(long)]
     hashes: bool,
@@ -73,11 +76,11 @@ fn obey(arguments: &Arguments) -> Result<()> {
     if let Some(folder) = &arguments.pictures {
         return write_pictures(&all, folder);
     }
-    open_window(all, arguments.scene.as_deref())
+    open_window(all, arguments)
 }
 
-fn open_window(mut all: Vec<GalleryScene>, name: Option<&str>) -> Result<()> {
-    let first = match name {
+fn open_window(mut all: Vec<GalleryScene>, arguments: &Arguments) -> Result<()> {
+    let first = match arguments.scene.as_deref() {
         None => 0,
         Some(name) => match all.iter().position(|scene| scene.name == name) {
             Some(at) => at,
@@ -87,7 +90,7 @@ fn open_window(mut all: Vec<GalleryScene>, name: Option<&str>) -> Result<()> {
             }
         },
     };
-    window::open(all, first);
+    window::open(all, first, arguments.times);
     Ok(())
 }
 

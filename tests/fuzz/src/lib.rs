@@ -8,6 +8,7 @@
 pub mod around;
 mod calm;
 pub mod checks;
+pub mod churn;
 mod depth;
 mod engine;
 mod finite;

@@ -1,7 +1,5 @@
 //! Scenes with a little of everything.
 
-use std::collections::VecDeque;
-
 use farseer_core::math::Vector2;
 use farseer_core::{
     Body, BodyFactory, BodyId, BroadPhaseCollider, FluidContainerRef, FluidDragController, GeomFactory,
@@ -190,65 +188,4 @@ fn add_object(simulator: &mut TwoHalfPhysicsSimulator, random: &mut Random, numb
     view.set_position3d(Vector3::new(x, y, z));
     view.set_velocity3d(Vector3::new(random.between(-50.0, 50.0), 0.0, random.between(-50.0, 50.0)));
     Ok(())
-}
-
-/// A scene in which things come and go, with joints and springs between them.
-#[derive(Debug)]
-pub struct Churn {
-    simulator: PhysicsSimulator,
-    random: Random,
-    living: VecDeque<BodyId>,
-}
-
-impl Churn {
-    /// Twelve things above a floor.
-    ///
-    /// # Errors
-    /// None of these arguments is refused.
-    pub fn new(methods: Methods) -> Result<Self> {
-        let mut simulator = PhysicsSimulator::new(Vector2::new(0.0, 100.0))?;
-        simulator.set_methods(methods)?;
-        create_floor(&mut simulator)?;
-        let mut churn = Churn { simulator, random: Random::new(5), living: VecDeque::new() };
-        for _ in 0..12 {
-            churn.add_thing()?;
-        }
-        Ok(churn)
-    }
-
-    fn add_thing(&mut self) -> Result<BodyId> {
-        let (body, _) = create_thing(&mut self.simulator, &mut self.random)?;
-        self.living.push_back(body);
-        Ok(body)
-    }
-
-    /// The oldest thing is disposed, another one comes; some are tied to an older one.
-    ///
-    /// # Errors
-    /// If the simulator refuses what it should take.
-    pub fn replace_one(&mut self, is_tied: bool) -> Result<()> {
-        let oldest = self.living.pop_front().ok_or("nothing lives")?;
-        self.simulator.dispose(oldest)?;
-        let other = self.living[self.random.below(self.living.len())];
-        let body = self.add_thing()?;
-        if is_tied {
-            let here = Vector2::zeros();
-            // The precise set has no joints.
-            if let Methods::Faithful { .. } = self.simulator.methods() {
-                JointFactory::create_pin_joint_in(&mut self.simulator, body, here, other, here)?;
-            }
-            SpringFactory::create_linear_spring_in(&mut self.simulator, body, here, other, here, 5.0, 1.0)?;
-        }
-        Ok(())
-    }
-
-    /// Lets time pass.
-    pub fn update(&mut self) {
-        self.simulator.update(0.01);
-    }
-
-    /// The simulator.
-    pub fn simulator(&self) -> &PhysicsSimulator {
-        &self.simulator
-    }
 }

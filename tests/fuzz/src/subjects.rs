@@ -1,12 +1,13 @@
 //! What the program `fuzz` tries.
 
 use crate::checks::{failed_calls_change_nothing, numbers_are_finite};
+use crate::churn::{DepthChurn, PlaneChurn};
 use crate::game::Game;
 use crate::saves::{Fate, altered_json, altered_snapshot};
 use crate::scene_texts::altered_scene;
 use crate::scenes::methods;
 use crate::small::small_scene_holds;
-use crate::soak::snapshots_stay_as_long;
+use crate::soak::stays_as_it_is;
 use crate::textures::outlines_of_a_picture;
 use crate::twins::twins_stay_equal;
 use crate::{CalmDepth, CalmPlane, Depth, OneWayPlane, Plane, StagedPlane, Tied, Upright};
@@ -85,6 +86,11 @@ pub const SUBJECTS: &[Subject] = &[
     Subject { name: "scenes", about: "altered scenes of the recorded runs", check: altered_scene },
     Subject { name: "small", about: "small scenes of the precise set", check: small_scene_holds },
     Subject { name: "soak", about: "a million updates of one set of methods, seeds 0 to 4", check: soak },
+    Subject {
+        name: "depth-soak",
+        about: "a million updates of the 2.5D engine, in which all that it has comes and goes",
+        check: soak_in_depth,
+    },
 ];
 
 fn ignore(_: Fate) {}
@@ -95,7 +101,16 @@ fn game<G: Game>(seed: u64) -> Result<(), String> {
     twins_stay_equal::<G>(seed)
 }
 
+/// Updates of a long run.
+const SOAK: usize = 1_000_000;
+
 fn soak(seed: u64) -> Result<(), String> {
-    let chosen = seed as usize % methods().count();
-    methods().skip(chosen).take(1).try_for_each(|methods| snapshots_stay_as_long(methods, 1_000_000))
+    let methods = methods().nth(seed as usize % methods().count()).ok_or("there are none")?;
+    let mut churn = PlaneChurn::new(methods).map_err(|error| error.to_string())?;
+    stays_as_it_is(&mut churn, SOAK)
+}
+
+fn soak_in_depth(seed: u64) -> Result<(), String> {
+    let mut churn = DepthChurn::new(seed).map_err(|error| error.to_string())?;
+    stays_as_it_is(&mut churn, SOAK)
 }

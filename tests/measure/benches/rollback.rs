@@ -1,20 +1,65 @@
-//! What it costs to go back: saving, restoring and cloning 1,000 bodies in a pile, with both sets.
+//! What it costs to go back: saving, restoring and cloning 1,000 bodies, in 2D with both sets and in 2.5D.
 //!
-//! `cargo bench -p measure --bench rollback` prints a table: the median of many calls in ms, and the bytes of a snapshot.
+//! `cargo bench -p measure --bench rollback` prints a table: the median of many calls in µs, and the bytes of a snapshot.
 
 use std::hint::black_box;
 use std::time::Instant;
 
 use conformance::fixtures::plane::{add_box, add_circle, add_floor, simulator_with, v};
 use farseer_core::{Methods, PhysicsSimulator};
+use measure::scenes::depth::{DepthScene, build, pile, street};
+use twohalf::TwoHalfPhysicsSimulator;
 
 const BODIES: usize = 1000;
-/// Updates until the pile lies.
+const DT: f32 = 1.0 / 60.0;
+/// Updates until a pile lies.
 const UPDATES: usize = 900;
+/// Updates of what never comes to rest.
+const MOVING_UPDATES: usize = 60;
 const CALLS: usize = 101;
+const ROWS: [&str; 7] =
+    ["contacts", "bytes of a snapshot", "`snapshot`", "`restore`", "`clone`", "`clone_from`", "`update`"];
 
-/// Boxes and circles of about 16 px that have fallen into a pit.
-fn pile(methods: Methods) -> PhysicsSimulator {
+/// What rollback asks of either engine.
+trait Engine: Clone {
+    fn contacts(&self) -> usize;
+    fn snapshot(&self) -> Vec<u8>;
+    fn restore(&mut self, snapshot: &[u8]);
+    fn update(&mut self);
+}
+
+impl Engine for PhysicsSimulator {
+    fn contacts(&self) -> usize {
+        self.contact_count()
+    }
+    fn snapshot(&self) -> Vec<u8> {
+        self.snapshot()
+    }
+    fn restore(&mut self, snapshot: &[u8]) {
+        self.restore(snapshot).expect("it was just saved");
+    }
+    fn update(&mut self) {
+        self.update(DT);
+    }
+}
+
+impl Engine for TwoHalfPhysicsSimulator {
+    fn contacts(&self) -> usize {
+        self.contacts().count()
+    }
+    fn snapshot(&self) -> Vec<u8> {
+        self.snapshot()
+    }
+    fn restore(&mut self, snapshot: &[u8]) {
+        self.restore(snapshot).expect("it was just saved");
+    }
+    fn update(&mut self) {
+        self.update(DT);
+    }
+}
+
+/// Boxes and circles of about 16 px that fall into a pit.
+fn plane_pile(methods: Methods) -> PhysicsSimulator {
     let mut simulator = simulator_with(320.0, methods);
     add_floor(&mut simulator, (700.0, 100.0), v(0.0, 50.0));
     for x in [-350.0, 350.0] {
@@ -29,44 +74,53 @@ fn pile(methods: Methods) -> PhysicsSimulator {
         };
         simulator[geom].set_friction_coefficient(0.4);
     }
-    (0..UPDATES).for_each(|_| simulator.update(1.0 / 60.0));
     simulator
 }
 
-/// Median time of a call in ms.
-fn median(mut call: impl FnMut()) -> f64 {
+fn depth(scene: &DepthScene) -> TwoHalfPhysicsSimulator {
+    build(scene).0
+}
+
+/// Median time of a call, as text.
+fn median(mut call: impl FnMut()) -> String {
     let mut times: Vec<f64> = (0..CALLS)
         .map(|_| {
             let start = Instant::now();
             call();
-            start.elapsed().as_secs_f64() * 1000.0
+            start.elapsed().as_secs_f64() * 1e6
         })
         .collect();
     times.sort_unstable_by(f64::total_cmp);
-    times[CALLS / 2]
+    format!("{:.1} µs", times[CALLS / 2])
 }
 
-fn row(name: &str, cells: [String; 2]) {
-    println!("| {name} | {} | {} |", cells[0], cells[1]);
+/// What is said of a simulator after so many updates, row by row.
+fn column(mut simulator: impl Engine, updates: usize) -> [String; ROWS.len()] {
+    (0..updates).for_each(|_| simulator.update());
+    let snapshot = simulator.snapshot();
+    let mut copy = simulator.clone();
+    [
+        simulator.contacts().to_string(),
+        snapshot.len().to_string(),
+        median(|| drop(black_box(simulator.snapshot()))),
+        median(|| copy.restore(&snapshot)),
+        median(|| drop(black_box(simulator.clone()))),
+        median(|| copy.clone_from(&simulator)),
+        median(|| copy.update()),
+    ]
 }
 
 fn main() {
-    let piles = [Methods::default(), Methods::PRECISE].map(pile);
-    let snapshots = piles.each_ref().map(PhysicsSimulator::snapshot);
-    let times = |call: fn(&PhysicsSimulator, &mut PhysicsSimulator, &[u8])| {
-        let time = |set: usize| {
-            let mut copy = piles[set].clone();
-            format!("{:.3} ms", median(|| call(&piles[set], &mut copy, &snapshots[set])))
-        };
-        [time(0), time(1)]
-    };
-    row("1,000 bodies in a pile", ["faithful".into(), "precise".into()]);
-    row("---", ["---".into(), "---".into()]);
-    row("contacts", piles.each_ref().map(|pile| pile.contact_count().to_string()));
-    row("bytes of a snapshot", snapshots.each_ref().map(|snapshot| snapshot.len().to_string()));
-    row("`snapshot`", times(|pile, _, _| drop(black_box(pile.snapshot()))));
-    row("`restore`", times(|_, copy, snapshot| copy.restore(snapshot).expect("it was just saved")));
-    row("`clone`", times(|pile, _, _| drop(black_box(pile.clone()))));
-    row("`clone_from`", times(|pile, copy, _| copy.clone_from(pile)));
-    row("`update`", times(|_, copy, _| copy.update(1.0 / 60.0)));
+    let columns = [
+        ("2D pile, faithful", column(plane_pile(Methods::default()), UPDATES)),
+        ("2D pile, precise", column(plane_pile(Methods::PRECISE), UPDATES)),
+        ("2.5D pile", column(depth(&pile(BODIES)), UPDATES)),
+        ("2.5D street, in motion", column(depth(&street(BODIES)), MOVING_UPDATES)),
+    ];
+    let row = |name: &str, cells: Vec<&str>| println!("| {name} | {} |", cells.join(" | "));
+    row("1,000 bodies", columns.iter().map(|(name, _)| *name).collect());
+    row("---", vec!["---"; columns.len()]);
+    for (at, name) in ROWS.iter().enumerate() {
+        row(name, columns.iter().map(|(_, cells)| cells[at].as_str()).collect());
+    }
 }

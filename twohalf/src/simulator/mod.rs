@@ -61,7 +61,7 @@ const DEFAULT_ANGLE: i32 = 90;
 /// assert!(position.y.abs() < 0.1 && position.z == 30.0);
 /// # Ok::<(), twohalf::Error>(())
 /// ```
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct TwoHalfPhysicsSimulator {
     pub(crate) core: PhysicsSimulator,
     pub(crate) world: World,
@@ -69,6 +69,29 @@ pub struct TwoHalfPhysicsSimulator {
     report: Report,
     /// Room: what is near the figure that is about to walk.
     pub(crate) near: Near,
+}
+
+/// [`clone_from`](Clone::clone_from) keeps the room that the lists of the 2D engine have: for games that go back to copies.
+impl Clone for TwoHalfPhysicsSimulator {
+    fn clone(&self) -> Self {
+        let TwoHalfPhysicsSimulator { core, world, pipeline, report, near } = self;
+        TwoHalfPhysicsSimulator {
+            core: core.clone(),
+            world: world.clone(),
+            pipeline: pipeline.clone(),
+            report: report.clone(),
+            near: near.clone(),
+        }
+    }
+
+    fn clone_from(&mut self, source: &Self) {
+        let TwoHalfPhysicsSimulator { core, world, pipeline, report, near } = source;
+        self.core.clone_from(core);
+        self.world.clone_from(world);
+        self.pipeline.clone_from(pipeline);
+        self.report.clone_from(report);
+        self.near.clone_from(near);
+    }
 }
 
 /// Making one.

@@ -238,7 +238,8 @@ fn telling_scenes() -> Vec<GalleryScene> {
     ]
 }
 
-/// What the samples of the original show, by their names there.
+/// What the samples of the original show, by their names there. Two of its twenty are missing: Advanced 1 keeps 120 balls alive at
+/// random places to show what a pool of objects saves, and Advanced 7 is empty until somebody puts polygons there to cut or to unite.
 const SAMPLE_TITLES: [[&str; 3]; 18] = [
     ["Water", "Water", "A raft with a heap of blocks on water that makes waves."],
     ["Simple 1", "A single body", "A body that is pushed and turned."],

@@ -48,8 +48,9 @@ const KEYS: &[(KeyCode, Key)] = &[
     (KeyCode::PageDown, Key::After),
 ];
 
-/// Opens a window with some scenes, and shows one of them; returns when it is closed.
-pub fn open(scenes: Vec<GalleryScene>, first: usize) {
+/// Opens a window with some scenes, and shows one of them; returns when it is closed. One that lasts for some seconds says then
+/// how long its last frames took.
+pub fn open(scenes: Vec<GalleryScene>, first: usize, lasts: Option<f64>) {
     let window = macroquad::conf::Conf {
         miniquad_conf: macroquad::miniquad::conf::Conf {
             window_title: "twohalf".to_owned(),
@@ -63,17 +64,18 @@ pub fn open(scenes: Vec<GalleryScene>, first: usize) {
         draw_call_index_capacity: 15_000,
         ..Default::default()
     };
-    macroquad::Window::from_config(window, run(scenes, first));
+    macroquad::Window::from_config(window, run(scenes, first, lasts));
 }
 
-async fn run(scenes: Vec<GalleryScene>, first: usize) {
+async fn run(scenes: Vec<GalleryScene>, first: usize, lasts: Option<f64>) {
     quad::simulate_mouse_with_touch(false);
     let mut viewer = match Viewer::new(scenes, first) {
         Ok(viewer) => viewer,
         Err(error) => return macroquad::miniquad::error!("{}", error),
     };
     let (mut ink, mut fingers, mut is_full) = (Ink::default(), Fingers::default(), false);
-    loop {
+    let opened = quad::get_time();
+    while lasts.is_none_or(|seconds| quad::get_time() - opened < seconds) {
         if page::rests() {
             quad::next_frame().await;
             continue;
@@ -99,6 +101,9 @@ async fn run(scenes: Vec<GalleryScene>, first: usize) {
         viewer.drawn_in(quad::get_time() - start);
         quad::next_frame().await;
     }
+    let [frame, steps, drawing] = viewer.times();
+    let name = &viewer.scenes()[viewer.at()].name;
+    println!("{name:14} frame {frame:7.2} ms, steps {steps:7.2} ms, drawing {drawing:7.2} ms");
 }
 
 /// Fingers of the last frame, by the numbers that the system gives them.

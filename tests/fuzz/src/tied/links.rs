@@ -6,14 +6,14 @@ use farseer_core::{BodyId, Error, JointFactory, JointId, Objects, SpringFactory,
 use crate::random::Random;
 
 /// Makes one between two bodies.
-pub(super) type Make<I> = fn(&mut Objects, [BodyId; 2], &mut Random) -> Result<I, Error>;
+pub(crate) type Make<I> = fn(&mut Objects, [BodyId; 2], &mut Random) -> Result<I, Error>;
 
 fn points(random: &mut Random) -> [Vector2; 2] {
     [random.vector(10.0), random.vector(10.0)]
 }
 
 /// Pins and sliders come first, and twice: they are what acts along all axes.
-pub(super) const JOINTS: &[Make<JointId>] = &[
+pub(crate) const JOINTS: &[Make<JointId>] = &[
     |objects, [a, b], random| {
         let [one, other] = points(random);
         JointFactory::create_pin_joint(objects, a, one, b, other)
@@ -46,7 +46,7 @@ pub(super) const JOINTS: &[Make<JointId>] = &[
     },
 ];
 
-pub(super) const SPRINGS: &[Make<SpringId>] = &[
+pub(crate) const SPRINGS: &[Make<SpringId>] = &[
     |objects, [a, b], random| {
         let [one, other] = points(random);
         let (spring, damping) = (random.number(0.0, 100.0), random.number(0.0, 5.0));

@@ -1,7 +1,7 @@
 //! Random games of the 2.5D engine with joints, springs, ropes and fields, which come and go amid the others' play.
 
 mod calls;
-mod links;
+pub(crate) mod links;
 
 use farseer_core::{JointId, SpringId};
 use twohalf::FieldId;
