@@ -1,6 +1,6 @@
 //! What began and ceased to touch, told once each, whatever the methods: those of the engines tell of it in several ways.
 
-use std::collections::{BTreeSet, VecDeque};
+use std::collections::VecDeque;
 
 use farseer_core::{BodyId, GeomId, JointId, ObjectId, PhysicsSimulator, SpringId};
 #[cfg(feature = "depth")]
@@ -49,7 +49,8 @@ pub(crate) enum Happening {
 /// What touches, and what happened since somebody asked.
 #[derive(Debug, Default)]
 pub(crate) struct Log {
-    touching: BTreeSet<Touch>,
+    /// In order, each once.
+    touching: Vec<Touch>,
     happenings: VecDeque<Happening>,
     /// Something was edited that ends touches of which the engines do not tell.
     is_in_doubt: bool,
@@ -87,8 +88,8 @@ impl Log {
         }
         if std::mem::take(&mut self.is_in_doubt) {
             let now = touching_now(engine);
-            let ended: Vec<Touch> =
-                self.touching.iter().filter(|touch| !now.contains(touch)).copied().collect();
+            let mut ended = self.touching.clone();
+            ended.retain(|touch| now.binary_search(touch).is_err());
             ended.into_iter().for_each(|touch| self.end(touch));
         }
     }
@@ -101,13 +102,15 @@ impl Log {
     }
 
     fn begin(&mut self, touch: Touch) {
-        if self.touching.insert(touch) {
+        if let Err(place) = self.touching.binary_search(&touch) {
+            self.touching.insert(place, touch);
             self.tell(Happening::TouchBegin(touch.0, touch.1));
         }
     }
 
     fn end(&mut self, touch: Touch) {
-        if self.touching.remove(&touch) {
+        if let Ok(place) = self.touching.binary_search(&touch) {
+            self.touching.remove(place);
             self.tell(Happening::TouchEnd(touch.0, touch.1));
         }
     }
@@ -150,11 +153,9 @@ impl Log {
     }
 }
 
-fn touching_now(engine: &Engine) -> BTreeSet<Touch> {
-    let mut now = BTreeSet::new();
-    let mut note = |touch| {
-        now.insert(touch);
-    };
+fn touching_now(engine: &Engine) -> Vec<Touch> {
+    let mut now = Vec::new();
+    let mut note = |touch| now.push(touch);
     match engine {
         Engine::Plane(simulator) => {
             let touching = simulator.arbiters().filter(|arbiter| arbiter.contacts().len() > 0);
@@ -165,6 +166,8 @@ fn touching_now(engine: &Engine) -> BTreeSet<Touch> {
             depth.simulator.contacts().for_each(|contact| note(ordered(contact.this, contact.partner)));
         }
     }
+    now.sort_unstable();
+    now.dedup();
     now
 }
 

@@ -94,7 +94,7 @@ impl Two<'_> {
         // As far as they are apart along the axis that promises most, they are.
         let mut nearest = apart(difference(self.b.centre(poses[1]), self.a.centre(poses[0]))).1;
         let mut likely = (f32::MIN, [0.0, 1.0]);
-        self.for_each_axis(poses, |axis| {
+        self.for_each_axis(poses, &mut |axis| {
             let most = at_most(nearest, axis);
             if most > likely.0 {
                 likely = (most, axis);
@@ -103,7 +103,7 @@ impl Two<'_> {
         let (least, of_likely) = apart(likely.1);
         nearest = of_likely;
         let mut best = (f32::MIN, [0.0, 1.0]);
-        self.for_each_axis(poses, |axis| {
+        self.for_each_axis(poses, &mut |axis| {
             let most = at_most(nearest, axis);
             if most < least || most <= best.0 {
                 return;
@@ -118,7 +118,7 @@ impl Two<'_> {
     }
 
     /// The axes along which the two may be farthest apart: of their sides, and if one is round, between corners.
-    fn for_each_axis(&self, [pose_a, pose_b]: [Pose; 2], mut consider: impl FnMut(Vector)) {
+    fn for_each_axis(&self, [pose_a, pose_b]: [Pose; 2], consider: &mut dyn FnMut(Vector)) {
         for &normal in self.a.outline.normals {
             consider(turn(rotation(pose_a), normal));
         }

@@ -40,6 +40,21 @@ fn a_ray_enters_a_box_and_a_platform_through_the_face_that_it_meets() {
 }
 
 #[test]
+fn no_normal_has_a_negative_zero() {
+    let mut simulator = weightless();
+    platform(&mut simulator, [40.0, 20.0, 30.0], [300.0, 90.0, 0.0]);
+    for aim in [[0.0, 0.0, 0.0], [300.0, 100.0, 0.0]] {
+        for axis in 0..3 {
+            let start = Vector3::from(aim) + Vector3::ith(axis, 80.0) + Vector3::new(0.0, 2.0, 0.0);
+            let Some(hit) = cast(&simulator, start.into(), [aim[0], aim[1] - 2.0, aim[2]]) else {
+                panic!("{start}")
+            };
+            assert!(hit.normal.iter().all(|part| part.to_bits() != (-0.0_f32).to_bits()), "{}", hit.normal);
+        }
+    }
+}
+
+#[test]
 fn a_ray_enters_a_ball_at_its_radius_and_passes_beside_it() {
     let mut simulator = weightless();
     let body = ball(&mut simulator, 20.0, [50.0, 80.0, 30.0]);

@@ -117,21 +117,13 @@ impl Course {
         if slides_along { None } else { inside.cut(distance, rate, normal) }
     }
 
-    /// By the planes across some axes that touch something convex with these corners: those that a point does not need.
-    fn cut_across(
-        &self,
-        inside: Inside,
-        axes: impl IntoIterator<Item = Vector3>,
-        corners: impl Iterator<Item = Vector3> + Clone,
-    ) -> Option<Inside> {
-        if !self.is_box() {
-            return Some(inside);
+    /// By the planes across an axis that touch something convex with these corners, which a point does not need.
+    fn cut_across(&self, mut inside: Inside, axis: Vector3, corners: &[Vector3]) -> Option<Inside> {
+        for normal in [axis, -axis] {
+            let outside = corners.iter().map(|corner| (self.start - corner).dot(&normal));
+            inside = self.cut_at(inside, normal, outside.fold(f32::INFINITY, f32::min))?;
         }
-        let normals = axes.into_iter().flat_map(|axis| [axis, -axis]);
-        normals.into_iter().try_fold(inside, |inside, normal| {
-            let nearest = corners.clone().map(|corner| (self.start - corner).dot(&normal));
-            self.cut_at(inside, normal, nearest.fold(f32::INFINITY, f32::min))
-        })
+        Some(inside)
     }
 
     /// Where it enters the ground.
@@ -140,16 +132,27 @@ impl Course {
     }
 
     pub(crate) fn entry_of_box(&self, shape: &SlantedBox) -> Option<Entry> {
-        let faces = Face::SIDES.into_iter().chain([Face::Front, Face::Back]);
-        let inside = faces.into_iter().try_fold(Inside::new(), |inside, face| {
-            self.cut_at(inside, shape.face_normal(face), shape.distance_to_face(face, self.start))
-        });
-        let axes = [0, 1, 2].map(|axis| Vector3::ith(axis, 1.0));
-        let corners = shape.corners();
-        let edges = [1, 3, 4].map(|next: usize| corners[next] - corners[0]);
-        let crossed = axes.into_iter().flat_map(|axis| edges.map(|edge| axis.cross(&edge)));
-        let crossed = crossed.filter_map(|axis| axis.try_normalize(0.0));
-        self.cut_across(inside?, axes.into_iter().chain(crossed), corners.into_iter())?.entry()
+        let mut inside = Inside::new();
+        for face in Face::SIDES.into_iter().chain([Face::Front, Face::Back]) {
+            inside =
+                self.cut_at(inside, shape.face_normal(face), shape.distance_to_face(face, self.start))?;
+        }
+        if self.is_box() {
+            let axes = [0, 1, 2].map(|axis| Vector3::ith(axis, 1.0));
+            let corners = shape.corners();
+            for axis in axes {
+                inside = self.cut_across(inside, axis, &corners)?;
+            }
+            for axis in axes {
+                for next in [1, 3, 4] {
+                    let crossed = axis.cross(&(corners[next] - corners[0]));
+                    if let Some(crossed) = crossed.try_normalize(0.0) {
+                        inside = self.cut_across(inside, crossed, &corners)?;
+                    }
+                }
+            }
+        }
+        inside.entry()
     }
 
     /// What of it is in a convex outline with negative area, drawn out to both sides of a depth.
@@ -165,8 +168,13 @@ impl Course {
             let normal = Vector3::new(-edge.y, edge.x, 0.0) / edge.norm();
             inside = self.cut(inside, normal, Vector3::new(a.x, a.y, 0.0))?;
         }
-        let corners = piece.iter().map(|corner| Vector3::new(corner.x, corner.y, 0.0));
-        self.cut_across(inside, [Vector3::x(), Vector3::y()], corners)
+        if self.is_box() {
+            let corners = piece.iter().map(|corner| Vector3::new(corner.x, corner.y, 0.0));
+            let corners: Vec<Vector3> = corners.collect();
+            inside = self.cut_across(inside, Vector3::x(), &corners)?;
+            inside = self.cut_across(inside, Vector3::y(), &corners)?;
+        }
+        Some(inside)
     }
 
     /// What of it is in something upright about a place.
@@ -188,8 +196,13 @@ impl Course {
                     let out = Vector3::new(edge.y, 0.0, -edge.x) / edge.norm();
                     inside = self.cut(inside, out, at + Vector3::new(corner.x, 0.0, corner.y))?;
                 }
-                let corners = corners.iter().map(|corner| at + Vector3::new(corner.x, 0.0, corner.y));
-                self.cut_across(inside, [Vector3::x(), Vector3::z()], corners)
+                if self.is_box() {
+                    let corners = corners.iter().map(|corner| at + Vector3::new(corner.x, 0.0, corner.y));
+                    let corners: Vec<Vector3> = corners.collect();
+                    inside = self.cut_across(inside, Vector3::x(), &corners)?;
+                    inside = self.cut_across(inside, Vector3::z(), &corners)?;
+                }
+                Some(inside)
             }
         }
     }
@@ -203,18 +216,25 @@ impl Course {
     /// axes, rods along its edges and balls about its corners.
     fn inside_rounded(&self, centre: Vector3, half: Vector3, radius: f32, ends: bool) -> Option<Inside> {
         let (core, middle) = (half + self.half, self.middle());
-        let is_round = |axis: usize| !(ends && axis == 1);
-        let blocks = (0..3).filter(|&axis| is_round(axis));
-        let blocks = blocks.map(|axis| middle.inside_block(centre, core + Vector3::ith(axis, radius)));
-        let has_rods = |axis: usize| if ends { axis == 1 } else { core[axis] > 0.0 };
-        let rods = (0..3).filter(|&axis| has_rods(axis)).flat_map(|axis| {
+        let mut whole: Option<Inside> = None;
+        let mut join = |part: Option<Inside>| {
+            if let Some(part) = part {
+                whole = Some(whole.map_or(part, |whole| whole.with(part)));
+            }
+        };
+        for axis in (0..3).filter(|&axis| !(ends && axis == 1)) {
+            join(middle.inside_block(centre, core + Vector3::ith(axis, radius)));
+        }
+        for axis in (0..3).filter(|&axis| if ends { axis == 1 } else { core[axis] > 0.0 }) {
             let reach = core[axis];
-            let across = core - Vector3::ith(axis, reach);
-            corners_of(across).map(move |corner| middle.inside_rod(centre + corner, radius, axis, reach))
-        });
-        let balls = corners_of(core).filter(|_| !ends);
-        let balls = balls.map(|corner| middle.inside_round(centre + corner, radius, None));
-        blocks.chain(rods).chain(balls).flatten().reduce(Inside::with)
+            for corner in corners_of(core - Vector3::ith(axis, reach)) {
+                join(middle.inside_rod(centre + corner, radius, axis, reach));
+            }
+        }
+        for corner in corners_of(core).filter(|_| !ends) {
+            join(middle.inside_round(centre + corner, radius, None));
+        }
+        whole
     }
 
     fn inside_block(&self, centre: Vector3, half: Vector3) -> Option<Inside> {
@@ -258,6 +278,8 @@ impl Course {
 
 /// The corners of a box about the origin, each once where it is flat.
 fn corners_of(half: Vector3) -> impl Iterator<Item = Vector3> {
-    let sides = move |axis: usize| [-half[axis], half[axis]].into_iter().skip(usize::from(half[axis] == 0.0));
-    sides(0).flat_map(move |x| sides(1).flat_map(move |y| sides(2).map(move |z| Vector3::new(x, y, z))))
+    let is_high = |corner: usize, axis: usize| corner >> (2 - axis) & 1 == 1;
+    let is_own = move |&corner: &usize| (0..3).all(|axis| half[axis] != 0.0 || is_high(corner, axis));
+    let side = move |corner: usize, axis: usize| if is_high(corner, axis) { half[axis] } else { -half[axis] };
+    (0..8).filter(is_own).map(move |corner| Vector3::from([0, 1, 2].map(|axis| side(corner, axis))))
 }

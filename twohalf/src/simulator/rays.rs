@@ -30,6 +30,11 @@ pub struct SweepHit3D {
     pub fraction: f32,
 }
 
+/// A normal of the world, whose zeros are not negative.
+fn outward(normal: Vector3) -> Vector3 {
+    to_world(normal).map(|part| part + 0.0)
+}
+
 impl TwoHalfPhysicsSimulator {
     /// The first thing that a ray from `start` to `end`, in the world, enters: a listed geom, a platform, or the ground, of
     /// those that the filter lets through. Of several at one place platforms come first, then geoms in the order of their
@@ -60,7 +65,7 @@ impl TwoHalfPhysicsSimulator {
         let (partner, (fraction, normal)) =
             self.first_entered(&ray, start.inf(&end), start.sup(&end), is_wanted)?;
         let point = to_world(ray.at(fraction));
-        Some(RayHit3D { partner, point, normal: to_world(normal), fraction })
+        Some(RayHit3D { partner, point, normal: outward(normal), fraction })
     }
 
     /// The first thing that a box of the world meets if it is moved by `way`, px: a listed geom, a platform, or the ground, of
@@ -100,7 +105,7 @@ impl TwoHalfPhysicsSimulator {
         let course = Course::of_box(to_world((low + high) * 0.5), to_world(way), (high - low) * 0.5)?;
         let (from, to) = (low.inf(&(low + way)), high.sup(&(high + way)));
         let (partner, (fraction, normal)) = self.first_entered(&course, from, to, is_wanted)?;
-        Some(SweepHit3D { partner, normal: to_world(normal), fraction })
+        Some(SweepHit3D { partner, normal: outward(normal), fraction })
     }
 
     /// What is entered first on a course, of what reaches into a box of the world around it.
@@ -111,15 +116,23 @@ impl TwoHalfPhysicsSimulator {
         high: Vector3,
         mut is_wanted: impl FnMut(Partner) -> bool,
     ) -> Option<(Partner, Entry)> {
-        let platforms = self
-            .platforms_in_box(low, high, |_| true)
-            .into_iter()
-            .filter_map(|id| Some((Partner::Platform(id), course.entry_of_box(self.platform(id)?.shape())?)));
-        let near = self.query_box(low, high, |_| true);
-        let geoms = near.into_iter().filter_map(|id| Some((Partner::Geom(id), self.entry_of(course, id)?)));
-        let ground = course.entry_of_ground().map(|entry| (Partner::Ground, entry));
-        let hits = platforms.chain(geoms).chain(ground).filter(|(partner, _)| is_wanted(*partner));
-        hits.reduce(|nearest, hit| if hit.1.0 < nearest.1.0 { hit } else { nearest })
+        let mut nearest: Option<(Partner, Entry)> = None;
+        let mut meet = |partner: Partner, entry: Option<Entry>| {
+            if let Some(entry) = entry
+                && is_wanted(partner)
+                && nearest.is_none_or(|(_, other)| entry.0 < other.0)
+            {
+                nearest = Some((partner, entry));
+            }
+        };
+        for id in self.platforms_in_box(low, high, |_| true) {
+            meet(Partner::Platform(id), self.platform(id).and_then(|view| course.entry_of_box(view.shape())));
+        }
+        for id in self.query_box(low, high, |_| true) {
+            meet(Partner::Geom(id), self.entry_of(course, id));
+        }
+        meet(Partner::Ground, course.entry_of_ground());
+        nearest
     }
 
     fn entry_of(&self, course: &Course, id: GeomId) -> Option<Entry> {

@@ -55,19 +55,29 @@ impl TwoHalfPhysicsSimulator {
         point: Vector3,
         mut is_wanted: impl FnMut(Partner) -> bool,
     ) -> Option<Surface> {
-        let ground = Surface { partner: Partner::Ground, height: 0.0, normal: Vector3::new(0.0, 1.0, 0.0) };
-        let platforms = self.world.platforms.iter().filter_map(|(id, platform)| {
-            let (y, normal) = platform.shape().height_at(point.x, point.z)?;
-            Some(Surface { partner: Partner::Platform(id), height: -y, normal: to_world(normal) })
-        });
-        // Most are apart in depth, which costs least to see.
-        let near = self.geom_list().iter().rev().copied().filter(|&geom| self.reaches_depth(geom, point.z));
-        let holding = near.filter(|&geom| self.can_hold(geom));
-        let tops = holding.flat_map(|geom| self.tops_of(geom, [point.z; 2]));
-        let geoms = tops.filter_map(|top| surface_of(&top, [point.x, point.z]));
         let reach = point.y + SUNK * self.core.allowed_penetration();
-        let below = geoms.chain(platforms).chain([ground]).filter(|surface| surface.height <= reach);
-        below.filter(|surface| is_wanted(surface.partner)).max_by(|a, b| a.height.total_cmp(&b.height))
+        let mut highest: Option<Surface> = None;
+        let mut find = |surface: Surface| {
+            let is_there = surface.height <= reach && is_wanted(surface.partner);
+            if is_there && highest.is_none_or(|other| surface.height >= other.height) {
+                highest = Some(surface);
+            }
+        };
+        // Most are apart in depth, which costs least to see.
+        for &geom in self.geom_list().iter().rev() {
+            if self.reaches_depth(geom, point.z) && self.can_hold(geom) {
+                self.for_each_top(geom, [point.z; 2], |top| {
+                    surface_of(&top, [point.x, point.z]).into_iter().for_each(&mut find);
+                });
+            }
+        }
+        for (id, platform) in self.world.platforms.iter() {
+            if let Some((y, normal)) = platform.shape().height_at(point.x, point.z) {
+                find(Surface { partner: Partner::Platform(id), height: -y, normal: to_world(normal) });
+            }
+        }
+        find(Surface { partner: Partner::Ground, height: 0.0, normal: Vector3::new(0.0, 1.0, 0.0) });
+        highest
     }
 
     /// The surface straight below the middle of a body's object geom, or of its origin without one; no geom of the body
@@ -101,24 +111,26 @@ impl TwoHalfPhysicsSimulator {
     }
 
     /// What of a geom can be stood on: of a prism, if it is within some depths, its edges that look up.
-    pub(crate) fn tops_of(&self, geom: GeomId, depths: [f32; 2]) -> impl Iterator<Item = Top> {
-        let of_prism = self.tops_of_prism(geom, depths).into_iter().flatten();
-        self.top_of_upright(geom).into_iter().chain(of_prism)
-    }
-
-    fn tops_of_prism(&self, geom: GeomId, [near, far]: [f32; 2]) -> Option<impl Iterator<Item = Top>> {
-        let (view, profile) = (self.core.geom(geom)?, *self.world.depths.profiles.get(geom)?);
-        let DepthProfile::Prism { depth } = profile else { return None };
+    pub(crate) fn for_each_top(&self, geom: GeomId, [near, far]: [f32; 2], mut find: impl FnMut(Top)) {
+        self.top_of_upright(geom).into_iter().for_each(&mut find);
+        let (Some(view), Some(&profile)) = (self.core.geom(geom), self.world.depths.profiles.get(geom))
+        else {
+            return;
+        };
+        let DepthProfile::Prism { depth } = profile else { return };
         let (z, half) = (self.world.depths.z_of(view.body()), depth * 0.5);
         let (front, back) = (z - half, z + half);
         if !(near <= back && front <= far) {
-            return None;
+            return;
         }
         let (matrix, corners) = (view.matrix(), view.local_vertices());
-        let edge = move |at: usize| [at, (at + 1) % corners.len()].map(|at| transform(corners[at], &matrix));
-        // Edges go against the clock as seen with y down: what looks up goes to the left.
-        let looking_up = (0..corners.len()).map(edge).filter(|[a, b]| b.x < a.x);
-        Some(looking_up.map(move |edge| Top { geom, front, back, edge, upright: None }))
+        for (at, &corner) in corners.iter().enumerate() {
+            // Edges go against the clock as seen with y down: what looks up goes to the left.
+            let edge = [corner, corners[(at + 1) % corners.len()]].map(|corner| transform(corner, &matrix));
+            if edge[1].x < edge[0].x {
+                find(Top { geom, front, back, edge, upright: None });
+            }
+        }
     }
 
     /// A capsule has none: it is stood on no more than a ball.

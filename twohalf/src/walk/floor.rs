@@ -116,7 +116,9 @@ impl TwoHalfPhysicsSimulator {
     /// What can be stood on of these, as far as it is within some depths.
     pub(super) fn gather_tops(&self, geoms: &[GeomId], around: &Feet, tops: &mut Vec<Top>) {
         tops.clear();
-        tops.extend(geoms.iter().flat_map(|&geom| self.tops_of(geom, [around.front, around.back])));
+        for &geom in geoms {
+            self.for_each_top(geom, [around.front, around.back], |top| tops.push(top));
+        }
     }
 
     /// Velocity of a floor at a place of the world, Y up, with that of its surface.
