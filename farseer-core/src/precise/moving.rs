@@ -70,7 +70,8 @@ pub(super) fn fly(bodies: &mut Bodies, runs: &[Range<usize>], step: &Step) {
 
 /// Bodies with one row at most, and no joint, whose velocity has hardly changed: their substeps take the middle of the velocities
 /// before and after, which is exact under constant forces, instead of those after. What touches something is moved by no more than
-/// the reach of its contacts: in a long frame it may have landed, and would be moved into what stopped it.
+/// the reach of its contacts, unless each substep adds what the last one does: in a long frame it may have landed, and would be
+/// moved into what stopped it.
 #[inline(always)]
 pub(super) fn even_out(
     bodies: &mut Bodies,
@@ -79,16 +80,20 @@ pub(super) fn even_out(
     reach: f32,
     step: &Step,
 ) {
-    let back = -0.5 * step.h;
-    let most = EVENLY * step.substeps as f32;
+    let (back, substeps) = (-0.5 * step.h, step.substeps as f32);
+    let most = EVENLY * substeps;
     let longest = reach * reach / (back * back);
+    let squared = |[x, y, _, z]: [f32; 4]| x * x + y * y + z * z;
     let is_single = |&body: &usize| palette.is_single(body) && !joints.holds(body);
     for body in runs.iter().cloned().flatten().filter(is_single) {
         let change = f32x4::new(bodies.hot[body].velocity) - f32x4::new(bodies.before[body]);
-        let [x, y, _, z] = change.to_array();
-        let [px, py, _, pz] = bodies.push[body];
-        let (squared, is_free) = (x * x + y * y + z * z, palette.is_free(body));
-        if squared <= most * most * (px * px + py * py + pz * pz) && (is_free || squared <= longest) {
+        let (size, push) = (squared(change.to_array()), bodies.push[body]);
+        let is_even = || {
+            let last = f32x4::new(push) + f32x4::new(bodies.warm[body]);
+            squared((change - last * f32x4::splat(substeps)).to_array()) <= longest
+        };
+        let is_free = palette.is_free(body);
+        if size <= most * most * squared(push) && (is_free || size <= longest || is_even()) {
             let mut path = f32x4::new(bodies.path[body]) + change * f32x4::splat(back);
             if is_free {
                 path += f32x4::new(bodies.forced[body]);

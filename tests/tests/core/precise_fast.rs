@@ -141,6 +141,23 @@ fn a_long_frame_leaves_nothing_below_a_floor() {
 }
 
 #[test]
+fn in_long_frames_a_box_slides_as_far_as_in_short_ones() {
+    for frame in [0.2, 0.05, DT] {
+        let mut simulator = simulator(600.0);
+        simulator.set_gravity(v(300.0, 600.0)).unwrap();
+        let (floor, surface) = add_box(&mut simulator, v(0.0, 10.0), (4000.0, 20.0));
+        simulator[floor].set_is_static(true);
+        let (body, geom) = add_box(&mut simulator, v(0.0, -10.0), (60.0, 20.0));
+        for geom in [surface, geom] {
+            simulator.geom_mut(geom).unwrap().set_friction_coefficient(0.0);
+        }
+        (0..(2.0 / frame).round() as usize).for_each(|_| simulator.update(frame));
+        // Half of the acceleration times the square of the time.
+        assert_abs_diff_eq!(simulator[body].position().x, 600.0, epsilon = 0.1);
+    }
+}
+
+#[test]
 fn only_a_bullet_stops_at_what_can_be_pushed() {
     for is_bullet in [true, false] {
         let mut simulator = simulator(0.0);
