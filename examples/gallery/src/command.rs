@@ -40,6 +40,9 @@ struct Arguments {
     /// Opens the window for so many seconds and prints how long its last frames took
     #[arg(long, value_name = "SECONDS")]
     times: Option<f64>,
+    /// How many samples of each px the window's edges are smoothed with: 1 is fastest without a graphics card
+    #[arg(long, default_value_t = 4, value_parser = clap::value_parser!(i32).range(1..=16))]
+    samples: i32,
     /// Prints hashes of all scenes after 600 steps
     #[arg(long)]
     hashes: bool,
@@ -90,7 +93,7 @@ fn open_window(mut all: Vec<GalleryScene>, arguments: &Arguments) -> Result<()> 
             }
         },
     };
-    window::open(all, first, arguments.times);
+    window::open(all, first, arguments.times, arguments.samples);
     Ok(())
 }
 

@@ -10,5 +10,5 @@ fn main() -> std::process::ExitCode {
 
 #[cfg(target_arch = "wasm32")]
 fn main() {
-    gallery::window::open(gallery::scenes::scenes(), 0, None);
+    gallery::window::open(gallery::scenes::scenes(), 0, None, 4);
 }

@@ -49,15 +49,15 @@ const KEYS: &[(KeyCode, Key)] = &[
 ];
 
 /// Opens a window with some scenes, and shows one of them; returns when it is closed. One that lasts for some seconds says then
-/// how long its last frames took.
-pub fn open(scenes: Vec<GalleryScene>, first: usize, lasts: Option<f64>) {
+/// how long its last frames took. Edges are smoothed with so many samples of each px.
+pub fn open(scenes: Vec<GalleryScene>, first: usize, lasts: Option<f64>, samples: i32) {
     let window = macroquad::conf::Conf {
         miniquad_conf: macroquad::miniquad::conf::Conf {
             window_title: "twohalf".to_owned(),
             window_width: 1280,
             window_height: 760,
             high_dpi: true,
-            sample_count: 4,
+            sample_count: samples,
             ..Default::default()
         },
         draw_call_vertex_capacity: 10_000,
