@@ -117,6 +117,8 @@ pub(crate) struct Precise {
     woken: Vec<BodyId>,
     /// Pairs of geoms that begin or cease to touch in this step.
     changes: Vec<Change>,
+    /// Empty between stages: see [`Touch`].
+    parted: Vec<(BodyId, f32)>,
     looks: Looks,
     /// Pairs that are to be looked at, while they are.
     due: Vec<u32>,
@@ -140,7 +142,7 @@ reusing_clone! {
     Precise {
         tuning, h, dt, fall, loaded, is_stale, has_new_members, bounces, friction, most_contacts, bodies, proxies,
         grid, pairs, rows, palette, joints, sleep, direct, space, body_numbers, first_proxies, loose, absent,
-        edited_bodies, edited_geoms, woken, changes, looks, due, has_handled, fast, flown, widened, lost, found,
+        edited_bodies, edited_geoms, woken, changes, parted, looks, due, has_handled, fast, flown, widened, lost, found,
         known, touching
     }
 }
@@ -182,6 +184,7 @@ impl Precise {
             edited_geoms: Vec::new(),
             woken: Vec::new(),
             changes: Vec::new(),
+            parted: Vec::new(),
             looks: Looks::default(),
             due: Vec::new(),
             has_handled: false,
@@ -212,6 +215,7 @@ impl Precise {
             dt: self.dt,
             fall: self.fall,
             changes: &mut self.changes,
+            parted: &mut self.parted,
             looks: &mut self.looks,
             due: &mut self.due,
         }

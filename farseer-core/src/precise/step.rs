@@ -88,8 +88,10 @@ impl Precise {
         lost.sort_unstable();
         lost.dedup();
         for pair in lost.drain(..).rev() {
+            self.touch().note_parting(pair as usize);
             self.touch().remove_pair(pair as usize);
         }
+        self.remember_sunk();
         self.lost = lost;
     }
 
@@ -194,7 +196,9 @@ impl Precise {
             self.touch().look(pair as usize);
         }
         self.lost = lost;
-        circles + self.touch().scan()
+        let looked_at = circles + self.touch().scan();
+        self.remember_sunk();
+        looked_at
     }
 
     /// What handlers have refused or changed was for one step; what sleeps keeps it until it wakes.

@@ -17,6 +17,8 @@ pub(crate) struct DepthBody {
     pub(crate) angular_velocity_y: f32,
     /// How the body moved in the last update, y down; `None` before its first.
     pub(crate) motion: Option<Vector3>,
+    /// How deep it was in what it parted from last: the precise set remembers.
+    pub(crate) sunk: f32,
     /// Velocity along Z that only undid overlap in the last update.
     #[serde(skip)]
     pub(crate) bias_z: f32,
@@ -55,7 +57,7 @@ impl ArgumentNames for DepthArguments {
 impl DepthBody {
     /// Whether everything that enters arithmetic is finite: false only after loading garbage.
     pub(crate) fn is_valid(&self) -> bool {
-        let numbers = [self.force_z, self.impulse_z];
+        let numbers = [self.force_z, self.impulse_z, self.sunk];
         self.motion_is_finite()
             && self.motion.is_none_or(|motion| motion.iter().all(|number| number.is_finite()))
             && numbers.iter().all(|number| number.is_finite())
@@ -76,6 +78,7 @@ impl DepthBody {
             velocity,
             acceleration,
             motion: self.motion.unwrap_or_default().into(),
+            sunk: self.sunk,
             angular_velocity: [self.angular_velocity_x, self.angular_velocity_y],
             target: self.target.filter(|_| is_kinematic),
         }

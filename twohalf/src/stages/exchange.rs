@@ -117,10 +117,10 @@ pub(super) fn read_depths(core: &PhysicsSimulator, world: &mut World) {
     }
     for (id, told) in core.space_moved() {
         let Some(state) = world.depths.bodies.get_mut(id) else { continue };
-        let SpaceBody { z, velocity, angular_velocity: [x, y], motion, target, .. } = told;
+        let SpaceBody { z, velocity, angular_velocity: [x, y], motion, sunk, target, .. } = told;
         (state.z, state.velocity_z, state.motion) = (z, velocity, Some(Vector3::from(motion)));
         (state.angular_velocity_x, state.angular_velocity_y) = (x, y);
-        state.target = target;
+        (state.sunk, state.target) = (sunk, target);
         // It has acted.
         state.force_z = 0.0;
     }
@@ -130,7 +130,7 @@ pub(super) fn read_depths(core: &PhysicsSimulator, world: &mut World) {
 pub(super) fn rest(core: &PhysicsSimulator, depths: &mut Depths) {
     for (id, told) in core.space_rested() {
         let Some(state) = depths.bodies.get_mut(id).filter(|state| !state.is_news) else { continue };
-        (state.z, state.velocity_z) = (told.z, 0.0);
+        (state.z, state.velocity_z, state.sunk) = (told.z, 0.0, told.sunk);
         (state.angular_velocity_x, state.angular_velocity_y) = (0.0, 0.0);
         state.motion = Some(Vector3::zeros());
         state.force_z = 0.0;

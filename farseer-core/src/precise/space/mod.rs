@@ -45,8 +45,8 @@ pub(super) use one_way::lands_on;
 use parts::{Depths, Fixture, SpaceBody, SpaceProfile};
 pub(super) use passes::{Spin, begin_spins, gather_warm_in_space, relax_in_space};
 pub(super) use rows::{SpaceRow, tangents};
-pub(super) use solid::Before;
-use solid::{Kind, Limits, Solid};
+pub(super) use solid::{Before, Limits};
+use solid::{Kind, Solid};
 use upright::Upright;
 
 /// What there is along the depth axis.
@@ -472,9 +472,9 @@ impl Space {
         a: Solid<'_>,
         b: Solid<'_>,
         before: Before,
-        reach: f32,
+        limits: Limits,
     ) -> super::manifold::Manifold {
-        solid::touch(a, b, before, Limits::new(reach))
+        solid::touch(a, b, before, limits)
     }
 
     /// Whether this was the normal of two of which one is upright, and above or below the other one.

@@ -23,6 +23,8 @@ pub struct SpaceBody {
     pub motion: [f32; 3],
     /// About x and y, in rad/s: nothing to what is no ball, all of whose geoms are round about its origin.
     pub angular_velocity: [f32; 2],
+    /// How deep it was in what it parted from last, if that gives way nowhere.
+    pub sunk: f32,
     /// Where a kinematic body is brought: it is there after the next step, to the last bit, and stands still in the one after.
     pub target: Option<SpaceTarget>,
 }

@@ -67,7 +67,7 @@ impl Before {
 
 /// How contacts are found.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Limits {
+pub(in crate::precise) struct Limits {
     /// How far contacts reach.
     pub(super) reach: f32,
     /// Faces that overlap by less are flush.
@@ -75,13 +75,24 @@ pub(super) struct Limits {
 }
 
 impl Limits {
-    pub(super) fn new(reach: f32) -> Self {
-        Limits { reach, flush: FLUSH * reach }
+    /// What is pressed against something sinks into it, and as deep into the next one that is flush with that: `sunk` is how deep
+    /// it is, or was when it parted. `None` for what gives way, which is not where it was built either.
+    pub(in crate::precise) fn new(reach: f32, sunk: Option<f32>) -> Self {
+        let flush = match sunk {
+            Some(sunk) => (EVEN * reach + sunk).min(DEEPEST * reach),
+            None => FLUSH * reach,
+        };
+        Limits { reach, flush }
     }
 }
 
-/// Part of the reach of contacts by which faces that are flush may overlap.
+/// Part of the reach of contacts by which faces that are flush may overlap where something gives way.
 const FLUSH: f32 = 0.05;
+/// The same of what does not, for what is not pressed: more than figures are kept above their floor, and than rounding leaves of
+/// places some 100,000 px away.
+const EVEN: f32 = 0.016;
+/// And for what is pressed most.
+const DEEPEST: f32 = 0.25;
 /// Steps after which nobody remembers on which way something came in.
 const RECENT: f32 = 1.5;
 

@@ -110,7 +110,7 @@ fn on_prism(
         found.depths[0] = ball.z - found.normal_z * shape.rounding - prism.z;
         found
     };
-    let [upper, lower] = nearest_balls(&prism, &capsule, shape, limits.flush);
+    let [upper, lower] = nearest_balls(&prism, &capsule, shape, FLAT * limits.reach);
     let mut found = touch(upper);
     if upper.outline.shape.centre == lower.outline.shape.centre {
         return found;
@@ -130,6 +130,8 @@ fn on_prism(
     found
 }
 
+/// Part of the reach of contacts by which a side may lean and be flat.
+const FLAT: f32 = 0.05;
 /// Normals whose product is more than this are those of one side.
 const ALONG: f32 = 0.999;
 

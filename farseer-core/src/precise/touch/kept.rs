@@ -62,18 +62,27 @@ impl Touch<'_> {
         if !is_same {
             return false;
         }
-        let mut separations = frozen.separations;
-        let FrozenInSpace { normal_z, apart: apart_then, .. } = frozen.space;
-        let along_depth = self.space.map_or(0.0, |space| normal_z * (space.apart(two.a, two.b) - apart_then));
-        for (separation, &[ax, ay, bx, by]) in separations.iter_mut().zip(&frozen.anchors) {
-            let apart = sum(two.apart(), difference(turn(turned_b, [bx, by]), turn(turned_a, [ax, ay])));
-            *separation += dot(apart, frozen.normal) + along_depth;
-        }
+        let separations = self.separations_now(frozen, two);
         match self.pairs.all[pair].home {
             Some(home) => self.rows.set_separations(self.pairs.all[pair].kind, home, separations),
             None => return false,
         }
         true
+    }
+
+    /// How far apart the points are by now at which contacts were found: only the first ones of them are any.
+    pub(super) fn separations_now(&self, frozen: &Frozen, two: Two<'_>) -> [f32; 2] {
+        let [ca, sa, cb, sb] = frozen.turns;
+        let (turned_a, turned_b) =
+            (turn_back([ca, sa], rotation(two.pose_a)), turn_back([cb, sb], rotation(two.pose_b)));
+        let FrozenInSpace { normal_z, apart: apart_then, .. } = frozen.space;
+        let along_depth = self.space.map_or(0.0, |space| normal_z * (space.apart(two.a, two.b) - apart_then));
+        let mut separations = frozen.separations;
+        for (separation, &[ax, ay, bx, by]) in separations.iter_mut().zip(&frozen.anchors) {
+            let apart = sum(two.apart(), difference(turn(turned_b, [bx, by]), turn(turned_a, [ax, ay])));
+            *separation += dot(apart, frozen.normal) + along_depth;
+        }
+        separations
     }
 
     /// How far a polygon that lies on something that does not give way turns in this step, if nothing changes its spin.

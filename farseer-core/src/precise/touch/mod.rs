@@ -7,6 +7,7 @@ mod apart;
 mod kept;
 mod lane;
 mod rows;
+mod sunk;
 mod touching;
 
 use super::bodies::Bodies;
@@ -16,8 +17,9 @@ use super::pairs::{BY_ROW, Frozen, FrozenInSpace, Pairs, Watch};
 use super::proxies::{Proxies, Proxy};
 use super::rows::{Palette, Rows};
 use super::sleep::Sleep;
-use super::space::{Before, Held, Space};
+use super::space::{Before, Held, Limits, Space};
 use super::tuning::Tuning;
+use crate::body::BodyId;
 use crate::geom::surface::FrictionType;
 use crate::math::plane::{Pose, Vector, difference, place, rotation, scaled, sum, turn_back};
 use lane::carry_friction;
@@ -45,6 +47,8 @@ pub(super) struct Touch<'a> {
     pub(super) fall: Vector,
     /// Pairs of geoms that begin to touch, or may have ceased to, since this was told last.
     pub(super) changes: &'a mut Vec<Change>,
+    /// Who has parted from what gives way nowhere, and how deep it was in that.
+    pub(super) parted: &'a mut Vec<(BodyId, f32)>,
     pub(super) looks: &'a mut Looks,
     /// Empty between scans, but for the room it has.
     pub(super) due: &'a mut Vec<u32>,
@@ -162,7 +166,8 @@ impl<'a> Touch<'a> {
             _ => Before::Plane,
         };
         let all = &self.proxies.all;
-        space.touch(solid(at_a, &all[at_a as usize]), solid(at_b, &all[at_b as usize]), before, reach)
+        let (a, b) = (solid(at_a, &all[at_a as usize]), solid(at_b, &all[at_b as usize]));
+        space.touch(a, b, before, Limits::new(reach, self.sunk_before(pair, two)))
     }
 
     /// Circles that come together push each other along the line on which their middles lie when they do, which is neither
@@ -183,6 +188,7 @@ impl<'a> Touch<'a> {
 
     /// The two are further apart than contacts reach.
     fn part(&mut self, pair: usize, gap: f32) {
+        self.note_parting(pair);
         self.remove_row(pair);
         if self.pairs.all[pair].is_told {
             self.tell(pair, false);

@@ -1,0 +1,57 @@
+//! How deep something has been pressed into what it touches: so deep it is in the next one, too, that is flush with that.
+
+use super::{Touch, Two};
+use crate::precise::Precise;
+
+impl Touch<'_> {
+    /// How deep the second one of a pair is in what it touches, or was in what it parted from last; `None` if the first one gives
+    /// way.
+    pub(super) fn sunk_before(&self, pair: usize, two: Two<'_>) -> Option<f32> {
+        let asks = self.pairs.all[pair].kind.has_two_points && self.is_fixed(two.a);
+        asks.then(|| self.sunk(two.b.body as usize))
+    }
+
+    fn sunk(&self, body: usize) -> f32 {
+        let id = self.bodies.ids[body];
+        let before = self.space.zip(id).map_or(0.0, |(space, id)| space.body(id).sunk);
+        let pairs = self.proxies.of(body).flat_map(|proxy| self.pairs.of(proxy));
+        pairs
+            .map(|pair| self.depth(pair))
+            .fold(before, |deepest, depth| if depth > deepest { depth } else { deepest })
+    }
+
+    /// How deep the two of a pair are in each other that push each other.
+    fn depth(&self, pair: usize) -> f32 {
+        let frozen = &self.pairs.frozen[pair];
+        if self.pairs.all[pair].home.is_none() {
+            return 0.0;
+        }
+        let separations = self.separations_now(frozen, self.two(pair));
+        let points = &separations[..frozen.count as usize];
+        points.iter().fold(0.0, |deepest, apart| if -apart > deepest { -apart } else { deepest })
+    }
+
+    /// The two are about to part.
+    pub(in crate::precise) fn note_parting(&mut self, pair: usize) {
+        let kind = self.pairs.all[pair].kind;
+        if !(kind.is_in_space && kind.is_fixed && kind.has_two_points && self.pairs.all[pair].home.is_some())
+        {
+            return;
+        }
+        if let Some(body) = self.bodies.ids[self.two(pair).b.body as usize] {
+            self.parted.push((body, self.depth(pair).min(f32::MAX)));
+        }
+    }
+}
+
+impl Precise {
+    /// Who has parted from what does not give way remembers how deep it was in that: it may come back to the same face.
+    pub(in crate::precise) fn remember_sunk(&mut self) {
+        let Precise { space: Some(space), parted, .. } = self else { return };
+        parted.iter().for_each(|&(body, _)| space.body_mut(body).sunk = 0.0);
+        for (body, depth) in parted.drain(..) {
+            let told = space.body_mut(body);
+            told.sunk = told.sunk.max(depth);
+        }
+    }
+}
