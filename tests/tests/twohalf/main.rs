@@ -14,6 +14,7 @@ mod edited_links;
 mod edits;
 mod fields;
 mod fixed_springs;
+mod flush;
 mod interpolation;
 mod joints;
 mod ledges;
