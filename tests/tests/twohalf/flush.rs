@@ -157,16 +157,20 @@ fn how_deep_it_was_pressed_is_saved() {
     with_scheme(DepthScheme::Precise, || {
         let mut simulator = simulator();
         platform(&mut simulator, [80.0, 40.0, 80.0], [0.0; 3]);
-        let body = figure(&mut simulator, [0.0, 36.0, -50.1]);
-        // Past the top after 14 steps, and down there again after 47.
-        let mut up = 30.0;
+        let body = figure(&mut simulator, [0.0, 34.0, -50.1]);
+        // 4 px above the top, and down there again after 57 steps.
+        let mut up = 45.0;
         while place(&simulator, body).y < 40.0 {
             throw(&mut simulator, body, [0.0, up, 150.0]);
             simulator.update(DT);
             up = velocity(&simulator, body).y;
         }
         throw(&mut simulator, body, [0.0, up, 0.0]);
+        // Deeper than what is flush without having been pressed.
+        let depth = place(&simulator, body).z + 50.0;
+        assert!(depth > LITTLE, "{depth}");
         assert_goes_on_after_loading(&mut simulator, &[body]);
+        run(&mut simulator, 1.0 / DT, 0.3);
         assert!(place(&simulator, body).y < 39.0);
     });
 }

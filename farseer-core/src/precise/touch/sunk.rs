@@ -5,9 +5,10 @@ use crate::precise::Precise;
 
 impl Touch<'_> {
     /// How deep the second one of a pair is in what it touches, or was in what it parted from last; `None` if the first one gives
-    /// way.
+    /// way, or is the ground, which has no edges.
     pub(super) fn sunk_before(&self, pair: usize, two: Two<'_>) -> Option<f32> {
-        let asks = self.pairs.all[pair].kind.has_two_points && self.is_fixed(two.a);
+        let state = &self.pairs.all[pair];
+        let asks = state.kind.has_two_points && self.is_fixed(two.a) && !state.is_on_ground;
         asks.then(|| self.sunk(two.b.body as usize))
     }
 
