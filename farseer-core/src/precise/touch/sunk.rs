@@ -2,6 +2,7 @@
 
 use super::{Touch, Two};
 use crate::precise::Precise;
+use crate::precise::pairs::Pair;
 
 impl Touch<'_> {
     /// How deep the second one of a pair is in what it touches, or was in what it parted from last; `None` if the first one gives
@@ -34,9 +35,8 @@ impl Touch<'_> {
 
     /// The two are about to part.
     pub(in crate::precise) fn note_parting(&mut self, pair: usize) {
-        let kind = self.pairs.all[pair].kind;
-        if !(kind.is_in_space && kind.is_fixed && kind.has_two_points && self.pairs.all[pair].home.is_some())
-        {
+        let Pair { kind, home, .. } = self.pairs.all[pair];
+        if self.space.is_none() || home.is_none() || !(kind.is_fixed && kind.has_two_points) {
             return;
         }
         if let Some(body) = self.bodies.ids[self.two(pair).b.body as usize] {
