@@ -213,7 +213,11 @@ fn beside_at(a: Standing<'_>, b: Standing<'_>, gap: &Gap) -> Vector {
     if a.shape.foot.is_disc() {
         return sum(sum(a.floor(), a.shape.foot.farthest(gap.normal)), half);
     }
-    sum(sum(b.floor(), b.shape.foot.farthest(scaled(gap.normal, -1.0))), scaled(half, -1.0))
+    if b.shape.foot.is_disc() {
+        return sum(sum(b.floor(), b.shape.foot.farthest(scaled(gap.normal, -1.0))), scaled(half, -1.0));
+    }
+    let facing = a.shape.foot.facing(&b.shape.foot, difference(b.floor(), a.floor()), gap.normal);
+    sum(sum(a.floor(), facing), half)
 }
 
 /// Two of which one is round above and below: the distance of what they are round about.
