@@ -243,26 +243,33 @@ impl Precise {
 
     /// In three axes many are fast, by little: bounds that have become too small are new ones, good for some steps.
     fn cover_way_in_space(&mut self, proxy: u32, swept: &Box2, way: f32) {
-        let body = self.proxies.all[proxy as usize].body;
-        let Some(space) = &self.space else { return };
-        let depths = space.swept(proxy, body, way, self.tuning.speculative);
-        if contains(&self.proxies.bounds[proxy as usize], swept)
-            && space.depths(proxy as usize).contains(depths)
-        {
+        if self.holds_way(proxy, swept, way) {
             return;
         }
         self.widen(proxy);
+        let body = self.proxies.all[proxy as usize].body;
         let bounds = both(&self.proxies.bounds[proxy as usize], swept);
         self.proxies.bounds[proxy as usize] = bounds;
         if let Some(space) = self.space.as_deref_mut() {
+            let depths = space.swept(proxy, body, way, self.tuning.speculative);
             space.set_depths(proxy, space.depths(proxy as usize).with(depths));
             self.grid.set(proxy, &space.cells(proxy, &bounds));
         }
         self.widened.push(proxy);
     }
 
+    /// Whether bounds hold what a proxy covers on its way, in three axes.
+    pub(super) fn holds_way(&self, proxy: u32, swept: &Box2, way: f32) -> bool {
+        let body = self.proxies.all[proxy as usize].body;
+        self.space.as_ref().is_none_or(|space| {
+            let depths = space.swept(proxy, body, way, self.tuning.speculative);
+            contains(&self.proxies.bounds[proxy as usize], swept)
+                && space.depths(proxy as usize).contains(depths)
+        })
+    }
+
     /// What a proxy covers on its way through the step, at least: in the plane with all that it can turn to.
-    fn swept(&self, proxy: u32, [dx, dy, turned, _]: [f32; 4]) -> Box2 {
+    pub(super) fn swept(&self, proxy: u32, [dx, dy, turned, _]: [f32; 4]) -> Box2 {
         let Proxy { body, shape, .. } = self.proxies.all[proxy as usize];
         let [x, y, to_x, to_y] = if self.space.is_some() {
             let turning = shape.reach * turned.abs().min(2.0);

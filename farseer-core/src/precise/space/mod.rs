@@ -472,9 +472,9 @@ impl Space {
         a: Solid<'_>,
         b: Solid<'_>,
         before: Before,
-        reach: f32,
+        (reach, usual): (f32, f32),
     ) -> super::manifold::Manifold {
-        solid::touch(a, b, before, Limits::new(reach))
+        solid::touch(a, b, before, Limits::new(reach, usual))
     }
 
     /// Whether this was the normal of two of which one is upright, and above or below the other one.

@@ -70,17 +70,19 @@ impl Before {
 pub(super) struct Limits {
     /// How far contacts reach.
     pub(super) reach: f32,
+    /// How far they do where nothing sweeps through what is in its way.
+    pub(super) usual: f32,
     /// Faces that overlap by less are flush.
     pub(super) flush: f32,
 }
 
 impl Limits {
-    pub(super) fn new(reach: f32) -> Self {
-        Limits { reach, flush: FLUSH * reach }
+    pub(super) fn new(reach: f32, usual: f32) -> Self {
+        Limits { reach, usual, flush: FLUSH * usual }
     }
 }
 
-/// Part of the reach of contacts by which faces that are flush may overlap.
+/// Part of the usual reach of contacts by which faces that are flush may overlap.
 const FLUSH: f32 = 0.05;
 /// Steps after which nobody remembers on which way something came in.
 const RECENT: f32 = 1.5;

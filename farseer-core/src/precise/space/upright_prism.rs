@@ -300,7 +300,7 @@ pub(super) fn touch(
         // B moves against A: the upright one the other way if it is A.
         let sign = if is_a { -1.0 } else { 1.0 };
         let u = Standing { at: std::array::from_fn(|axis| standing.at[axis] + sign * way[axis]), ..standing };
-        let ways = ways(u, &prism, limits.reach);
+        let ways = ways(u, &prism, limits.usual);
         if is_a { ways } else { ways.flipped() }
     };
     let now = at([0.0; 3]);

@@ -211,7 +211,7 @@ pub(super) fn touch(
     let standing = Standing::new(&b, upright);
     let at = |way: [f32; 3]| {
         let u = Standing { at: std::array::from_fn(|axis| standing.at[axis] + way[axis]), ..standing };
-        ways(u, shape, limits.reach).flipped()
+        ways(u, shape, limits.usual).flipped()
     };
     let now = at([0.0; 3]);
     if now.best().apart > limits.reach {
