@@ -303,7 +303,9 @@ impl Precise {
         self.note_flown(&fast);
         for &(number, part) in fast.iter().filter(|&&(_, part)| part < 1.0) {
             let number = number as usize;
+            let carried = self.carried(number, part);
             self.bodies.path[number] = self.bodies.path[number].map(|way| way * part);
+            self.bodies.path[number].iter_mut().zip(carried).for_each(|(way, carried)| *way += carried);
             // Forces have acted for so long only.
             let undone = (1.0 - part) * step.substeps as f32;
             for (velocity, push) in self.bodies.hot[number].velocity.iter_mut().zip(self.bodies.push[number])
@@ -312,6 +314,19 @@ impl Precise {
             }
         }
         self.fast = fast;
+    }
+
+    /// The way on which what a body meets after a part of the step takes it along for the rest: a box that moves.
+    fn carried(&self, body: usize, part: f32) -> [f32; 4] {
+        let Some(space) = &self.space else { return [0.0; 4] };
+        let mut pairs = self.proxies.of(body).flat_map(|proxy| self.pairs.of(proxy));
+        let met = pairs.find(|&pair| self.stops(pair, body) && self.meeting(pair) == Some(part));
+        let ([x, ..], [way, _, _, way_along_depth]) = (self.bodies.poses[body], self.bodies.path[body]);
+        let at = [x + part * way, space.places[body] + part * way_along_depth];
+        met.map_or([0.0; 4], |pair| {
+            let first = &self.proxies.all[self.pairs.watched[pair].proxies[0] as usize];
+            space.velocity_at(first, at, &self.bodies).map(|velocity| velocity * (1.0 - part) * self.dt)
+        })
     }
 
     /// After which part of the step a body meets one of these pairs that stops it.

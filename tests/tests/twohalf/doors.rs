@@ -178,6 +178,29 @@ fn nothing_passes_it_wherever_it_is_hit() {
 }
 
 #[test]
+fn nothing_that_is_thrown_at_it_passes_it_however_fast() {
+    precise(|| {
+        for (thing, speed) in
+            loads(8.0).into_iter().flat_map(|thing| [300.0, 3000.0, 30_000.0].map(|speed| (thing, speed)))
+        {
+            for away in [10.0, 30.0, 70.0, 110.0] {
+                let mut simulator = weightless();
+                let mut door = spawn_door(&mut simulator, HINGE, [150.0, 60.0, 6.0], 0.0).unwrap();
+                let at = [HINGE[0] + 110.0, 15.0, HINGE[2] + away];
+                let body = spawn(&mut simulator, thing.at(at)).unwrap().body;
+                throw(&mut simulator, body, [0.0, 0.0, -speed]);
+                for _ in 0..30 {
+                    door.turn_towards(&mut simulator, 3.0, 3.0 / 60.0).unwrap();
+                    simulator.update(1.0 / 60.0);
+                    let [along, apart] = beside(&door, place(&simulator, body));
+                    assert!(apart > 0.0 || along > 150.0, "{thing:?} at {speed} from {away}");
+                }
+            }
+        }
+    });
+}
+
+#[test]
 fn what_is_thrown_at_it_as_it_turns_bounces_off_with_the_speed_of_the_place_that_it_hits() {
     precise(|| {
         for part in [0.2, 0.5, 0.9] {

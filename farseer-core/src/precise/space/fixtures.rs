@@ -179,6 +179,15 @@ impl Space {
         solid
     }
 
+    /// Velocity of one at a place of x and z, without what turns in the plane; 0 of what is none.
+    pub(in crate::precise) fn velocity_at(&self, proxy: &Proxy, at: [f32; 2], bodies: &Bodies) -> [f32; 4] {
+        let body = proxy.body as usize;
+        let Some(motion) = self.fixture_of(proxy).and_then(|fixture| fixture.motion) else { return [0.0; 4] };
+        let out = [at[0] - bodies.poses[body][0], at[1] - self.places[body]];
+        let [x, y, z] = motion.velocity;
+        [x - motion.turning * out[1], y, 0.0, z + motion.turning * out[0]]
+    }
+
     /// How far one goes in a step at most, if that is farther than contacts reach; else 0.
     pub(in crate::precise) fn sweep(&self, proxy: &Proxy, bodies: &Bodies, tuning: &Tuning, dt: f32) -> f32 {
         let Some(fixture) = self.fixture_of(proxy).filter(|fixture| fixture.motion.is_some()) else {
