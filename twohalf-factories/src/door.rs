@@ -3,16 +3,12 @@
 use serde::{Deserialize, Serialize};
 use twohalf::farseer_core::Error;
 use twohalf::farseer_core::math::scalar;
-use twohalf::{DepthScheme, Platform, PlatformId, Result, TwoHalfPhysicsSimulator, Vector3};
+use twohalf::{Platform, PlatformId, Result, TwoHalfPhysicsSimulator, Vector3};
 
-/// So many posts a door may have.
-const MOST: f32 = 200.0;
-
-/// A door that turns about an upright hinge: plain data that names its parts, kept and saved where the game keeps its things.
+/// A door that turns about an upright hinge: plain data that names its platform, kept and saved where the game keeps its things.
 ///
-/// A [platform turns](twohalf::PlatformMut::turn_to) about its own middle. A door is a row of upright posts instead, moving
-/// [platforms](twohalf::Platform) as thick as the door, which go round the hinge together: where it is open or closed along X or Z
-/// it is a smooth wall, in between its sides have steps of its thickness. It pushes what it meets, and is pushed by nothing.
+/// It is a [platform](twohalf::Platform) that goes round the hinge and [turns](twohalf::PlatformMut::turn_to) in the same update. It
+/// pushes what it meets, with the speed that it has where it meets it, and is pushed by nothing.
 ///
 /// Angles are in radians: at 0 it points along X from its hinge, at a quarter of a turn to the back, along Z.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -20,11 +16,11 @@ pub struct Door {
     hinge: Vector3,
     width: f32,
     angle: f32,
-    posts: Vec<PlatformId>,
+    platform: PlatformId,
 }
 
 /// Makes a door and adds it to the simulator: at `hinge` X, Y and Z of the lower end of its hinge, as wide, high and thick as
-/// `size` says, px, at an angle; the thickness becomes the nearest whole part of the width. Its posts have no friction until [`posts`](Door::posts) are given some.
+/// `size` says, px, at an angle. It has no friction until its [`platform`](Door::platform) is given some.
 ///
 /// ```
 /// use std::f32::consts::FRAC_PI_2;
@@ -46,83 +42,74 @@ pub struct Door {
 /// ```
 ///
 /// # Errors
-/// Another scheme than [`DepthScheme::Precise`]; a size that is not finite and greater than 0, thicker than wide, or so wide for
-/// its thickness that it would have more than 200 posts; a hinge or angle that is not finite. Then nothing was added.
+/// Another scheme than [`DepthScheme::Precise`](twohalf::DepthScheme::Precise); a size that is not finite and greater than 0; a
+/// hinge or angle that is not finite, or a hinge so far away that not all corners are finite at every angle. Then nothing was added.
 pub fn spawn_door(
     simulator: &mut TwoHalfPhysicsSimulator,
     hinge: [f32; 3],
     size: [f32; 3],
     angle: f32,
 ) -> Result<Door> {
+    finite_angle(angle)?;
     let [width, height, thickness] = size;
-    if simulator.depth_scheme() != DepthScheme::Precise {
-        Err(Error::NotSupported { what: "doors", methods: "faithful and thesis" })?;
-    }
     for (argument, value) in [("width", width), ("height", height), ("thickness", thickness)] {
         if !(value.is_finite() && value > 0.0) {
             Err(Error::invalid(argument, value, "finite and greater than 0"))?;
         }
     }
-    if thickness > width {
-        Err(Error::invalid("thickness", thickness, "at most the width"))?;
+    check_hinge(hinge, width + thickness)?;
+    let place = place(hinge.into(), width, angle);
+    let platform = Platform::new(simulator, width, height, thickness, place, None)?;
+    let turned = simulator.platform_mut(platform).map_or(Ok(()), |mut view| view.set_yaw(angle));
+    if let Err(error) = turned {
+        simulator.remove_platform(platform)?;
+        return Err(error);
     }
-    let count = (width / thickness).round();
-    if count > MOST {
-        Err(Error::invalid("thickness", thickness, "at least a 200th of the width"))?;
-    }
-    let mut door = Door { hinge: hinge.into(), width, angle: finite_angle(angle)?, posts: Vec::new() };
-    let side = width / count;
-    for at in 0..count as usize {
-        let place = door.place(at, count, angle);
-        match Platform::new(simulator, side, height, side, place, None) {
-            Ok(post) => door.posts.push(post),
-            Err(error) => {
-                door.remove(simulator)?;
-                return Err(error);
-            }
-        }
-    }
-    Ok(door)
+    Ok(Door { hinge: hinge.into(), width, angle, platform })
 }
 
 fn finite_angle(angle: f32) -> Result<f32> {
     if angle.is_finite() { Ok(angle) } else { Err(Error::invalid("angle", angle, "finite"))? }
 }
 
-impl Door {
-    /// Where a post of so many is at an angle.
-    fn place(&self, at: usize, count: f32, angle: f32) -> Vector3 {
-        let (sine, cosine) = (scalar::sin(angle), scalar::cos(angle));
-        let out = (at as f32 + 0.5) * (self.width / count);
-        self.hinge + Vector3::new(cosine * out, 0.0, sine * out)
+/// Refuses a hinge about which not all that is as near as this is at a finite place.
+fn check_hinge(hinge: [f32; 3], reach: f32) -> Result<()> {
+    let span = |at: f32| (at + reach) - (at - reach);
+    if hinge[1].is_finite() && span(hinge[0]).is_finite() && span(hinge[2]).is_finite() {
+        return Ok(());
     }
+    Err(Error::invalid("hinge", hinge, "near enough for finite corners"))?
+}
 
+/// Where the platform of a door is at an angle.
+fn place(hinge: Vector3, width: f32, angle: f32) -> Vector3 {
+    let (sine, cosine) = scalar::sin_cos_of_any(angle);
+    hinge + Vector3::new(cosine, 0.0, sine) * (0.5 * width)
+}
+
+impl Door {
     /// The angle that it was brought to last.
     pub fn angle(&self) -> f32 {
         self.angle
     }
 
-    /// The platforms that it consists of, from the hinge out: their friction, what they meet, and how they are drawn.
-    pub fn posts(&self) -> &[PlatformId] {
-        &self.posts
+    /// The platform that it is: its friction, what it meets, and how it is drawn.
+    pub fn platform(&self) -> PlatformId {
+        self.platform
     }
 
-    /// Lets the next update bring the door to an angle. Its posts go there straight: a door that is to push what is in its way
+    /// Lets the next update bring the door to an angle. Its middle goes there straight: a door that is to push what is in its way
     /// turns by little in a step, as [`turn_towards`](Self::turn_towards) lets it.
     ///
     /// # Errors
-    /// An angle that is not finite; a post that was removed.
+    /// An angle that is not finite; a platform that was removed, or that cannot turn any more: a belt, or one that is tilted.
     pub fn turn_to(&mut self, simulator: &mut TwoHalfPhysicsSimulator, angle: f32) -> Result<()> {
         finite_angle(angle)?;
-        if self.posts.iter().any(|&post| simulator.platform(post).is_none()) {
-            Err(Error::StaleId { argument: "door" })?;
-        }
-        let count = self.posts.len() as f32;
-        for (at, &post) in self.posts.iter().enumerate() {
-            if let Some(mut post) = simulator.platform_mut(post) {
-                post.move_to(self.place(at, count, angle))?;
-            }
-        }
+        let Some(mut platform) = simulator.platform_mut(self.platform) else {
+            return Err(Error::StaleId { argument: "door" })?;
+        };
+        platform.turn_to(angle)?;
+        platform.move_to(place(self.hinge, self.width, angle))?;
         self.angle = angle;
         Ok(())
     }
@@ -151,8 +138,8 @@ impl Door {
     /// Takes the door away.
     ///
     /// # Errors
-    /// A post that was removed already.
+    /// A platform that was removed already.
     pub fn remove(self, simulator: &mut TwoHalfPhysicsSimulator) -> Result<()> {
-        self.posts.into_iter().try_for_each(|post| simulator.remove_platform(post))
+        simulator.remove_platform(self.platform)
     }
 }

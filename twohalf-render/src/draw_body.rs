@@ -7,20 +7,20 @@ use crate::{Color, Point, Sprite, SpriteBatch, Texture2D, TextureStore};
 
 /// Draws bodies of a simulator. A body that does not exist draws nothing.
 pub trait DrawBody {
-    /// Adds the shadow of a body: the shadow image of its ground, on the topmost surface (ground or platform) beneath
-    /// the origin of one of its geoms, usually the object geom. Without an image, without a surface (below the
+    /// Adds the shadow of a body: the shadow image of its ground, on the topmost surface (ground, platform, or top of a
+    /// body that can be stood on) beneath the origin of one of its geoms, usually the object geom. Without an image, without a surface (below the
     /// ground), or if the geom is not the body's, nothing is added.
     ///
-    /// The image is seen as it lies on level ground; on a slope it lies aslant. On a platform it ends at the edge of
-    /// the platform's face. Its middle is `position_offset` px, measured on level ground as seen on the screen, from
+    /// The image is seen as it lies on level ground; on a slope it lies aslant. Off the ground it ends at the edge of
+    /// the face that it lies on. Its middle is `position_offset` px, measured on level ground as seen on the screen, from
     /// the point straight below the geom's origin.
     ///
     /// With `is_shadow_resizable` the shadow is smaller the higher the geom's lowest point is over the surface
     /// below its origin (thesis 3.4), by the law of [`shadow_scale`](crate::shadow_scale) with the drawn width of the
     /// image as reference: a shadow at the height of its own width has lost half of what it can lose.
     ///
-    /// `layer_depth`: 0 front to 1 back. A shadow on the ground belongs behind everything, one on a platform just
-    /// before that platform; [`TwoHalfPhysicsSimulator::surface_beneath_body`] tells which it is.
+    /// `layer_depth`: 0 front to 1 back. A shadow on the ground belongs behind everything, one on a platform or body just
+    /// before that; [`TwoHalfPhysicsSimulator::surface_beneath_body`] tells which it is.
     #[doc(alias = "DrawShadow")]
     #[expect(clippy::too_many_arguments, reason = "the thesis' member has these")]
     fn draw_shadow(

@@ -85,22 +85,7 @@ impl DrawPlatform for TwoHalfPhysicsSimulator {
         layer_depth: f32,
     ) {
         let Some(platform) = self.platform(platform) else { return };
-        let corners = platform.corners();
-        let on_screen = |point: Vector3| to_screen(self, point);
-        let faces = Face::ALL.map(|face| (face, face.corners(&corners)));
-        let visible = faces.into_iter().filter(|(_, corners)| is_clockwise(&corners.map(on_screen)));
-        let outlines: Vec<(Face, Vec<Point>)> = visible
-            .map(|(face, corners)| (face, above_ground(corners).into_iter().map(on_screen).collect()))
-            .collect();
-        for (face, outline) in &outlines {
-            batch.draw(Sprite { layer_depth, ..Sprite::polygon(outline.clone(), look.face(*face)) });
-        }
-        for (_, outline) in &outlines {
-            for (index, &from) in outline.iter().enumerate() {
-                let line = line(from, outline[(index + 1) % outline.len()], look.edge_width);
-                batch.draw(Sprite { layer_depth, ..Sprite::polygon(line, look.edges) });
-            }
-        }
+        draw_faces(self, batch, &platform.corners(), look, layer_depth);
     }
 
     fn draw_platform_shadow(
@@ -122,6 +107,31 @@ impl DrawPlatform for TwoHalfPhysicsSimulator {
         let shadow = Shadow { texture, position_offset, scale, color_tint, layer_depth };
         let point = Vector3::new(middle.x, underside(&corners, middle), middle.z);
         shadow.draw_beneath(self, batch, point, is_shadow_resizable.then_some(lowest));
+    }
+}
+
+/// The faces of a platform with these corners.
+pub(crate) fn draw_faces(
+    simulator: &TwoHalfPhysicsSimulator,
+    batch: &mut SpriteBatch,
+    corners: &[Vector3; 8],
+    look: &PlatformLook,
+    layer_depth: f32,
+) {
+    let on_screen = |point: Vector3| to_screen(simulator, point);
+    let faces = Face::ALL.map(|face| (face, face.corners(corners)));
+    let visible = faces.into_iter().filter(|(_, corners)| is_clockwise(&corners.map(on_screen)));
+    let outlines: Vec<(Face, Vec<Point>)> = visible
+        .map(|(face, corners)| (face, above_ground(corners).into_iter().map(on_screen).collect()))
+        .collect();
+    for (face, outline) in &outlines {
+        batch.draw(Sprite { layer_depth, ..Sprite::polygon(outline.clone(), look.face(*face)) });
+    }
+    for (_, outline) in &outlines {
+        for (index, &from) in outline.iter().enumerate() {
+            let line = line(from, outline[(index + 1) % outline.len()], look.edge_width);
+            batch.draw(Sprite { layer_depth, ..Sprite::polygon(line, look.edges) });
+        }
     }
 }
 

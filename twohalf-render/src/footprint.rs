@@ -20,10 +20,11 @@ pub(crate) fn footprint_of(geom: &TwoHalfGeom<'_>) -> Option<Vec<[f32; 2]>> {
     }
 }
 
-/// X and Z of the corners of something's top.
-pub(crate) fn of_top(shape: &VirtualGeom) -> Vec<[f32; 2]> {
-    let VirtualGeom { left, right, front, back, is_round, .. } = *shape;
-    if is_round { round(shape) } else { vec![[left, front], [right, front], [right, back], [left, back]] }
+/// X and Z of the corners of the level top of a geom.
+pub(crate) fn of_top(geom: &TwoHalfGeom<'_>) -> Vec<[f32; 2]> {
+    let VirtualGeom { left, right, front, back, .. } = geom.virtual_geom();
+    let of_prism = || vec![[left, front], [right, front], [right, back], [left, back]];
+    footprint_of(geom).unwrap_or_else(of_prism)
 }
 
 /// The ellipse of a box.

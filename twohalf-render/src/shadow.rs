@@ -1,8 +1,7 @@
 //! Where a shadow lies, and how large it is when its object is in the air.
 
-use twohalf::{Surface, TwoHalfPhysicsSimulator, Vector3, VirtualGeom};
+use twohalf::{Surface, TwoHalfPhysicsSimulator, Vector3};
 
-use crate::footprint::of_top;
 use crate::surface::{edge, slopes, to_screen};
 use crate::{Color, Point, Sprite, SpriteBatch, Texture2D, Transform};
 
@@ -49,28 +48,6 @@ pub(crate) struct Shadow<'a> {
     pub(crate) layer_depth: f32,
 }
 
-/// What a shadow lies on: how high, how aslant on the screen, and where it ends there.
-pub(crate) struct Lit {
-    height: f32,
-    slant: Point,
-    edge: Option<Vec<Point>>,
-}
-
-impl Lit {
-    /// The ground or a platform.
-    pub(crate) fn surface(simulator: &TwoHalfPhysicsSimulator, surface: &Surface) -> Self {
-        let (slant, edge) = (slopes(simulator, surface), edge(simulator, surface));
-        Lit { height: surface.height, slant, edge }
-    }
-
-    /// The level top of something.
-    pub(crate) fn top(simulator: &TwoHalfPhysicsSimulator, shape: &VirtualGeom) -> Self {
-        let on_screen = |[x, z]: [f32; 2]| to_screen(simulator, Vector3::new(x, shape.top, z));
-        let edge = of_top(shape).into_iter().map(on_screen);
-        Lit { height: shape.top, slant: [0.0; 2], edge: Some(edge.collect()) }
-    }
-}
-
 impl Shadow<'_> {
     /// Adds it on the topmost surface beneath a point of the world, cut off at the surface's edge. With the height
     /// of what casts it, it is smaller the farther that is above the surface.
@@ -82,26 +59,29 @@ impl Shadow<'_> {
         lowest: Option<f32>,
     ) {
         if let Some(surface) = simulator.surface_beneath(point) {
-            batch.draw(self.sprite(simulator, Lit::surface(simulator, &surface), point, lowest));
+            let edge = edge(simulator, &surface, point.x);
+            batch.draw(self.sprite(simulator, &surface, edge, point, lowest));
         }
     }
 
-    /// It on a surface beneath a point.
+    /// It on a surface beneath a point, up to the surface's edge on the screen.
     pub(crate) fn sprite(
         &self,
         simulator: &TwoHalfPhysicsSimulator,
-        lit: Lit,
+        surface: &Surface,
+        edge: Option<Vec<Point>>,
         point: Vector3,
         lowest: Option<f32>,
     ) -> Sprite {
-        let below = to_screen(simulator, Vector3::new(point.x, lit.height, point.z));
+        let below = to_screen(simulator, Vector3::new(point.x, surface.height, point.z));
         let reference = self.texture.width() as f32 * self.scale[0].abs();
-        let size = lowest.map_or(1.0, |lowest| shadow_scale(lowest - lit.height, reference));
-        let to_canvas = Transform::slant(lit.slant).then(&Transform::translation(below));
+        let size = lowest.map_or(1.0, |lowest| shadow_scale(lowest - surface.height, reference));
+        let slant = slopes(simulator, surface);
+        let to_canvas = Transform::slant(slant).then(&Transform::translation(below));
         Sprite {
             scale: self.scale.map(|factor| factor * size),
-            slant: lit.slant,
-            clip: lit.edge,
+            slant,
+            clip: edge,
             tint: self.color_tint,
             layer_depth: self.layer_depth,
             ..Sprite::centered(self.texture, to_canvas.apply(self.position_offset))

@@ -1,8 +1,9 @@
 //! Surfaces of the world as they appear on the screen.
 
-use twohalf::{Partner, PlatformId, Surface, TwoHalfPhysicsSimulator, Vector3};
+use twohalf::{GeomId, Partner, PlatformId, Surface, TwoHalfPhysicsSimulator, Vector3, VirtualGeom};
 
 use crate::Point;
+use crate::footprint::footprint_of;
 
 /// The faces of a platform by its corners (front face first, clockwise from the top left, then the back face), each
 /// clockwise as seen from outside.
@@ -54,6 +55,29 @@ pub(crate) fn corners_on_screen(
     Some(corners.map(|corner| to_screen(simulator, corner)))
 }
 
+/// The corners of a platform, tilted and turned about the upright axis by some rad more about its middle.
+pub(crate) fn turned(corners: &[Vector3; 8], tilt: f32, yaw: f32) -> [Vector3; 8] {
+    if tilt == 0.0 && yaw == 0.0 {
+        return *corners;
+    }
+    let middle = |corners: &[Vector3]| corners.iter().sum::<Vector3>() / corners.len() as f32;
+    let ends = [middle(&corners[..4]), middle(&corners[4..])];
+    let (whole, [tilt, yaw]) = (middle(&ends), [tilt, yaw].map(|angle| libm::sincos(f64::from(angle))));
+    let about = |[x, y]: Point, (sine, cosine): (f64, f64)| {
+        let (x, y) = (f64::from(x), f64::from(y));
+        [(x * cosine - y * sine) as f32, (x * sine + y * cosine) as f32]
+    };
+    std::array::from_fn(|at| {
+        // Clockwise on the screen, with Y up; each end about its own middle, so that what leans leans on.
+        let end = ends[at / 4];
+        let out = corners[at] - end;
+        let [x, down] = about([out.x, -out.y], tilt);
+        let out = end + Vector3::new(x, -down, out.z) - whole;
+        let [x, z] = about([out.x, out.z], yaw);
+        whole + Vector3::new(x, out.y, z)
+    })
+}
+
 /// What of a convex face lies above the ground or on it: clockwise as the face, empty if nothing does.
 pub(crate) fn above_ground(face: [Vector3; 4]) -> Vec<Vector3> {
     let mut kept = Vec::with_capacity(5);
@@ -78,11 +102,58 @@ pub(crate) fn slopes(simulator: &TwoHalfPhysicsSimulator, surface: &Surface) -> 
     [-rise(1.0, 0.0), -rise(side, -1.0)]
 }
 
-/// The edge of a surface on the screen; `None` on the ground, which has none.
-pub(crate) fn edge(simulator: &TwoHalfPhysicsSimulator, surface: &Surface) -> Option<Vec<Point>> {
-    let Partner::Platform(platform) = surface.partner else { return None };
-    let corners = simulator.platform(platform)?.corners();
-    let towards = |face: &Face| face.normal(&corners).normalize().dot(&surface.normal);
-    let face = Face::ALL.into_iter().max_by(|a, b| towards(a).total_cmp(&towards(b)))?;
-    Some(face.corners(&corners).map(|corner| to_screen(simulator, corner)).to_vec())
+/// The edge of a surface that was found at some X on the screen; `None` on the ground, which has none.
+pub(crate) fn edge(simulator: &TwoHalfPhysicsSimulator, surface: &Surface, x: f32) -> Option<Vec<Point>> {
+    match surface.partner {
+        Partner::Ground => None,
+        Partner::Platform(id) => {
+            Some(edge_of_platform(simulator, &simulator.platform(id)?.corners(), surface))
+        }
+        Partner::Geom(id) => {
+            let corners = corners_of_top(simulator, id, surface, x).unwrap_or_default();
+            Some(corners.into_iter().map(|corner| to_screen(simulator, corner)).collect())
+        }
+    }
 }
+
+/// Of a platform with these corners: of that face of it which looks to where the surface does.
+pub(crate) fn edge_of_platform(
+    simulator: &TwoHalfPhysicsSimulator,
+    corners: &[Vector3; 8],
+    surface: &Surface,
+) -> Vec<Point> {
+    let towards = |face: &Face| face.normal(corners).normalize().dot(&surface.normal);
+    let face = Face::ALL.into_iter().max_by(|a, b| towards(a).total_cmp(&towards(b)));
+    face.unwrap_or(Face::Top).corners(corners).map(|corner| to_screen(simulator, corner)).to_vec()
+}
+
+/// Of what stands upright its whole top, of another prism the side of its outline that is a surface there, as deep as the prism is.
+fn corners_of_top(
+    simulator: &TwoHalfPhysicsSimulator,
+    id: GeomId,
+    surface: &Surface,
+    x: f32,
+) -> Option<Vec<Vector3>> {
+    let (geom, outline) = simulator.geom(id).zip(simulator.core().geom(id))?;
+    let VirtualGeom { top, front, back, .. } = geom.virtual_geom();
+    if let Some(footprint) = footprint_of(&geom) {
+        return Some(footprint.into_iter().map(|[x, z]| Vector3::new(x, top, z)).collect());
+    }
+    let points = outline.world_vertices();
+    let (count, point) = (points.len(), |at: usize| points[at % points.len()]);
+    // Wound against the clock with y down: what looks up goes to the left. A side may have corners between its ends.
+    let is_of_side = |at: &usize| {
+        let way = point(at + 1) - point(*at);
+        -way.y * surface.normal.x - way.x * surface.normal.y > SAME * way.norm()
+    };
+    let is_there = |&at: &usize| (point(at + 1).x..=point(at).x).contains(&x) && is_of_side(&at);
+    let found = (count..2 * count).find(is_there)?;
+    let before = (1..count).take_while(|step| is_of_side(&(found - step))).count();
+    let after = (1..count).take_while(|step| is_of_side(&(found + step))).count();
+    let ends = [point(found - before), point(found + 1 + after)];
+    let [near, far] = [front, back].map(|z| ends.map(|end| Vector3::new(end.x, -end.y, z)));
+    Some(vec![near[0], near[1], far[1], far[0]])
+}
+
+/// Normals whose product is more than this are one.
+const SAME: f32 = 0.9999;

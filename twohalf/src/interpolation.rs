@@ -12,6 +12,9 @@ pub struct InterpolatedPose3D {
     /// Rotation about the depth axis in rad, of a body not limited to one turn. Between two updates it goes the short way
     /// round, whatever whole turns lie between.
     pub rotation: f32,
+    /// The angle by which a platform is [turned](crate::Platform::yaw) about the upright axis, in rad, the short way round as well; 0
+    /// of a body.
+    pub yaw: f32,
 }
 
 impl InterpolatedPose3D {
@@ -19,11 +22,14 @@ impl InterpolatedPose3D {
         // In double precision, where no difference of two floats is infinite.
         let way = |from: f32, to: f32| f64::from(to) - f64::from(from);
         let along = |from: f32, way: f64| (f64::from(from) + way * fraction) as f32;
-        let turn = way(self.rotation, after.rotation);
-        let short_turn = turn - (turn / TAU).round() * TAU;
+        let turned = |from: f32, to: f32| {
+            let turn = way(from, to);
+            along(from, turn - (turn / TAU).round() * TAU)
+        };
         InterpolatedPose3D {
             place: self.place.zip_map(&after.place, |from, to| along(from, way(from, to))),
-            rotation: along(self.rotation, short_turn),
+            rotation: turned(self.rotation, after.rotation),
+            yaw: turned(self.yaw, after.yaw),
         }
     }
 }
@@ -88,12 +94,12 @@ impl Interpolation3D {
         let bodies = simulator.body_list().iter().filter_map(|&id| {
             let body = simulator.body(id)?;
             let rotation = body.core().total_rotation();
-            Some((Drawable::Body(id), InterpolatedPose3D { place: body.origin3d(), rotation }))
+            Some((Drawable::Body(id), InterpolatedPose3D { place: body.origin3d(), rotation, yaw: 0.0 }))
         });
         let platforms = simulator.platforms().filter_map(|id| {
             let platform = simulator.platform(id)?;
-            let (place, rotation) = (platform.position3d(), platform.rotation());
-            Some((Drawable::Platform(id), InterpolatedPose3D { place, rotation }))
+            let (place, rotation, yaw) = (platform.position3d(), platform.rotation(), platform.yaw());
+            Some((Drawable::Platform(id), InterpolatedPose3D { place, rotation, yaw }))
         });
         let fresh = |(thing, after)| Track { thing, before: after, after, jumps: false };
         self.tracks.clear();

@@ -83,8 +83,8 @@ impl Paint {
             Drawable::Platform(id) if id == game.lift || id == game.press => {
                 Look::Textured(PlatformLook::new(AMBER), self.machine.clone())
             }
-            Drawable::Platform(id) if game.door.posts().contains(&id) => {
-                Look::Solid(PlatformLook { edge_width: 0.0, ..PlatformLook::new(WOOD.darker(0.25)) })
+            Drawable::Platform(id) if id == game.door.platform() => {
+                Look::Solid(PlatformLook::new(WOOD.darker(0.25)))
             }
             Drawable::Platform(id) if game.simulator.platform(id).is_some_and(|it| it.depth() < 20.0) => {
                 Look::Textured(PlatformLook::new(WOOD.darker(0.4)), self.wall.clone())

@@ -136,7 +136,7 @@ fn hole(stage: &mut RecipeStage) -> Result<Step> {
 fn door(stage: &mut RecipeStage) -> Result<Step> {
     let hinge = [200.0, 0.0, 95.0];
     let mut door = spawn_door(&mut stage.simulator, hinge, [90.0, 80.0, 8.0], -FRAC_PI_2)?;
-    stage.paint(door.posts(), AMBER);
+    stage.paint(&[door.platform()], AMBER);
     stage.actor([80.0, 0.0, 40.0])?;
     Ok(Box::new(move |stage, dt| {
         door.turn_towards(&mut stage.simulator, 0.0, dt)?;

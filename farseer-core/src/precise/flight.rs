@@ -243,26 +243,33 @@ impl Precise {
 
     /// In three axes many are fast, by little: bounds that have become too small are new ones, good for some steps.
     fn cover_way_in_space(&mut self, proxy: u32, swept: &Box2, way: f32) {
-        let body = self.proxies.all[proxy as usize].body;
-        let Some(space) = &self.space else { return };
-        let depths = space.swept(proxy, body, way, self.tuning.speculative);
-        if contains(&self.proxies.bounds[proxy as usize], swept)
-            && space.depths(proxy as usize).contains(depths)
-        {
+        if self.holds_way(proxy, swept, way) {
             return;
         }
         self.widen(proxy);
+        let body = self.proxies.all[proxy as usize].body;
         let bounds = both(&self.proxies.bounds[proxy as usize], swept);
         self.proxies.bounds[proxy as usize] = bounds;
         if let Some(space) = self.space.as_deref_mut() {
+            let depths = space.swept(proxy, body, way, self.tuning.speculative);
             space.set_depths(proxy, space.depths(proxy as usize).with(depths));
             self.grid.set(proxy, &space.cells(proxy, &bounds));
         }
         self.widened.push(proxy);
     }
 
+    /// Whether bounds hold what a proxy covers on its way, in three axes.
+    pub(super) fn holds_way(&self, proxy: u32, swept: &Box2, way: f32) -> bool {
+        let body = self.proxies.all[proxy as usize].body;
+        self.space.as_ref().is_none_or(|space| {
+            let depths = space.swept(proxy, body, way, self.tuning.speculative);
+            contains(&self.proxies.bounds[proxy as usize], swept)
+                && space.depths(proxy as usize).contains(depths)
+        })
+    }
+
     /// What a proxy covers on its way through the step, at least: in the plane with all that it can turn to.
-    fn swept(&self, proxy: u32, [dx, dy, turned, _]: [f32; 4]) -> Box2 {
+    pub(super) fn swept(&self, proxy: u32, [dx, dy, turned, _]: [f32; 4]) -> Box2 {
         let Proxy { body, shape, .. } = self.proxies.all[proxy as usize];
         let [x, y, to_x, to_y] = if self.space.is_some() {
             let turning = shape.reach * turned.abs().min(2.0);
@@ -296,7 +303,9 @@ impl Precise {
         self.note_flown(&fast);
         for &(number, part) in fast.iter().filter(|&&(_, part)| part < 1.0) {
             let number = number as usize;
+            let carried = self.carried(number, part);
             self.bodies.path[number] = self.bodies.path[number].map(|way| way * part);
+            self.bodies.path[number].iter_mut().zip(carried).for_each(|(way, carried)| *way += carried);
             // Forces have acted for so long only.
             let undone = (1.0 - part) * step.substeps as f32;
             for (velocity, push) in self.bodies.hot[number].velocity.iter_mut().zip(self.bodies.push[number])
@@ -305,6 +314,19 @@ impl Precise {
             }
         }
         self.fast = fast;
+    }
+
+    /// The way on which what a body meets after a part of the step takes it along for the rest: a box that moves.
+    fn carried(&self, body: usize, part: f32) -> [f32; 4] {
+        let Some(space) = &self.space else { return [0.0; 4] };
+        let mut pairs = self.proxies.of(body).flat_map(|proxy| self.pairs.of(proxy));
+        let met = pairs.find(|&pair| self.stops(pair, body) && self.meeting(pair) == Some(part));
+        let ([x, ..], [way, _, _, way_along_depth]) = (self.bodies.poses[body], self.bodies.path[body]);
+        let at = [x + part * way, space.places[body] + part * way_along_depth];
+        met.map_or([0.0; 4], |pair| {
+            let first = &self.proxies.all[self.pairs.watched[pair].proxies[0] as usize];
+            space.velocity_at(first, at, &self.bodies).map(|velocity| velocity * (1.0 - part) * self.dt)
+        })
     }
 
     /// After which part of the step a body meets one of these pairs that stops it.

@@ -148,6 +148,8 @@ fn leave_one<const P: usize, R: Contacts<P>>(
     let half = f32x4::splat(0.5 * step.dt);
     let way = |body: usize| (f32x4::new(bodies.before[body]) + f32x4::new(hot[body].velocity)) * half;
     let (way_a, way_b) = (if a == 0 { f32x4::ZERO } else { way(a) }, way(b));
+    // What nothing pushes may turn, however far from its middle it is hit.
+    let turning = if a == 0 || mass_a > 0.0 { 0.0 } else { hot[a].velocity[2] * of(&row.points[0].arm_a) };
     let push = |body: usize| f32x4::new(bodies.push[body]) * f32x4::splat(1.0 / step.h);
     let flight = Flight {
         gap: of(&row.gap[0]),
@@ -158,14 +160,15 @@ fn leave_one<const P: usize, R: Contacts<P>>(
     // Two that can both be pushed may have pushed others since they met.
     let has_just_met = mass_a == 0.0 || flight.gap >= 0.0;
     let bounced = if has_just_met && is_straight(row, lane) { flight.bounce(step.dt) } else { None };
-    let (change_a, change_b) = share(bounced.map_or(0.0, |(way, _)| way) - along(way_b - way_a));
+    let apart = along(way_b - way_a) - turning * step.dt;
+    let (change_a, change_b) = share(bounced.map_or(0.0, |(way, _)| way) - apart);
     if a != 0 {
         bodies.path[a] = (way_a + change_a).to_array();
     }
     bodies.path[b] = (way_b + change_b).to_array();
     if let Some((_, velocity)) = bounced {
         let [now_a, now_b] = [a, b].map(|body| f32x4::new(hot[body].velocity));
-        let (change_a, change_b) = share(velocity - along(now_b - now_a));
+        let (change_a, change_b) = share(velocity - (along(now_b - now_a) - turning));
         if a != 0 {
             hot[a].velocity = (now_a + change_a).to_array();
         }

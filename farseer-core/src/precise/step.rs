@@ -249,7 +249,7 @@ impl Precise {
             }
         }
         self.begin_steady();
-        self.read_fixtures(step.dt);
+        self.read_fixtures();
     }
 
     /// The step that is due.
@@ -257,6 +257,7 @@ impl Precise {
         self.set_sleep(may_sleep, gravity);
         self.space.iter_mut().for_each(|space| space.rested.clear());
         (self.dt, self.fall) = (dt, [gravity.x * dt, gravity.y * dt]);
+        self.begin_fixtures(dt);
         Step::new(dt, substeps, &self.tuning)
     }
 

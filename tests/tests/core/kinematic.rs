@@ -294,6 +294,28 @@ fn a_ball_leaves_a_moving_wall_with_twice_its_speed_more() {
     }
 }
 
+#[test]
+fn a_ball_leaves_a_bat_that_turns_with_twice_the_speed_of_where_it_was_hit_more() {
+    for out in [-60.0, -30.0, 0.0, 30.0, 60.0] {
+        let mut simulator = with(Methods::PRECISE);
+        simulator.set_gravity(v(0.0, 0.0)).unwrap();
+        let (bat, of_bat) = add_kinematic(&mut simulator, (200.0, 10.0), 0.0, 0.0);
+        let (ball, of_ball) = add_circle(&mut simulator, 6.0, 16, v(out, -100.0));
+        set_surface(&mut simulator, of_bat, 0.0, 1.0);
+        set_surface(&mut simulator, of_ball, 0.0, 1.0);
+        simulator[ball].set_linear_drag_coefficient(0.0);
+        simulator[ball].set_linear_velocity(v(0.0, 200.0));
+        // It comes after 0.45 s: then the bat is level.
+        simulator[bat].set_rotation(0.45);
+        simulator[bat].set_angular_velocity(-1.0);
+        while simulator[ball].linear_velocity().y > 0.0 {
+            simulator.update(DT);
+        }
+        // In the step of the bounce the bat has turned by a sixtieth.
+        assert_abs_diff_eq!(-simulator[ball].linear_velocity().y, 200.0 + 2.0 * out, epsilon = 2.0);
+    }
+}
+
 /// A raft 200 crates long that carries them to the right.
 fn raft(simulator: &mut PhysicsSimulator) -> (BodyId, Vec<BodyId>) {
     let (raft, _) = add_kinematic(simulator, (7000.0, 20.0), 0.0, 10.0);

@@ -1,8 +1,9 @@
 //! Where the shadows of bodies lie, how large they are and where they end.
 
 use crate::canvases::{RED, drawn, picture, pixels, plain};
-use conformance::fixtures::depth::ball;
+use conformance::fixtures::depth::{ball, solid};
 use twohalf::{BodyId, GeomId, Platform, TextureId, TwoHalfPhysicsSimulator, Vector3};
+use twohalf_factories::{Cylinder, spawn};
 use twohalf_render::{Color, DrawBody, Point, SpriteBatch, TextureStore, shadow_scale};
 
 /// A simulator, a ball of radius 20 with a shadow of 40 x 40 px, and the pictures.
@@ -137,6 +138,25 @@ fn a_shadow_ends_at_the_slanting_right_edge_of_a_platform() {
     let to_edge = |[x, y]: Point| (800.0 - x - y) / std::f32::consts::SQRT_2;
     let to_side = |[x, y]: Point| 20.0 - (x - 345.0).abs().max((y - 450.0).abs());
     Scene::with_platform([245.0, 50.0, 100.0]).assert_covers(|point| to_side(point).min(to_edge(point)));
+}
+
+#[test]
+fn a_shadow_ends_at_the_edge_of_the_top_of_a_crate() {
+    // A crate as large as the box that is a platform elsewhere, and a cylinder.
+    let mut scene = Scene::new(45, [245.0, 50.0, 100.0]);
+    solid(&mut scene.simulator, [100.0, 50.0, 60.0], [200.0, 0.0, 100.0]);
+    scene.simulator.update(0.0);
+    let to_edge = |[x, y]: Point| (800.0 - x - y) / std::f32::consts::SQRT_2;
+    let to_side = |[x, y]: Point| 20.0 - (x - 345.0).abs().max((y - 450.0).abs());
+    scene.assert_covers(|point| to_side(point).min(to_edge(point)));
+    let mut scene = Scene::new(90, [110.0, 50.0, 100.0]);
+    let thing = Cylinder::new(25.0, 50.0).at([100.0, 0.0, 100.0]);
+    spawn(&mut scene.simulator, thing).unwrap();
+    scene.simulator.update(0.0);
+    // A rim of 24 corners is nowhere more than 0.3 px inside of its circle.
+    let to_rim = |[x, y]: Point| 24.85 - (x - 100.0).hypot(y - 450.0);
+    let to_side = |[x, y]: Point| 20.0 - (x - 110.0).abs().max((y - 450.0).abs());
+    scene.assert_covers(|point| to_side(point).min(to_rim(point)));
 }
 
 #[test]

@@ -340,6 +340,28 @@ fn a_platform_pushes_what_is_in_its_way_along_each_axis() {
 }
 
 #[test]
+fn nothing_is_left_behind_by_a_platform_that_goes_farther_in_a_step_than_it_is_thick() {
+    precise(|| {
+        for (axis, gap) in [0, 2].into_iter().flat_map(|axis| [0.1, 3.0, 8.0, 14.0].map(|gap| (axis, gap))) {
+            for size in [8.0, 20.0] {
+                let mut simulator = simulator();
+                let wall = platform(&mut simulator, [6.0, 40.0, 6.0], [0.0; 3]);
+                let (mut at, mut along) = ([0.0; 3], [0.0; 3]);
+                (at[axis], along[axis]) = (3.0 + gap + 0.5 * size, 900.0);
+                let pushed = solid(&mut simulator, [size; 3], at);
+                set_surface(&mut simulator, pushed, 0.0, 0.0);
+                set_velocity(&mut simulator, wall, along);
+                for _ in 0..30 {
+                    run_for(&mut simulator, 1.0 / 60.0, 60.0);
+                    assert!(above(&simulator, wall, pushed)[axis] > 3.0 + 0.5 * size - 0.2, "{size} {gap}");
+                }
+                assert_near(velocity(&simulator, pushed)[axis], 900.0, 0.5);
+            }
+        }
+    });
+}
+
+#[test]
 fn the_surface_of_a_platform_carries_along_x_and_z_up_to_its_speed_by_mu_g_t() {
     precise(|| {
         for rate in RATES {

@@ -2,9 +2,11 @@
 
 use std::f32::consts::FRAC_PI_2;
 
-use conformance::fixtures::depth::{DT, assert_near3, ball, place, run, simulator, solid, with_scheme};
-use twohalf::{DepthScheme, TwoHalfPhysicsSimulator, Vector3};
-use twohalf_factories::{Door, spawn_door};
+use conformance::fixtures::depth::{
+    DT, assert_near3, ball, place, run, simulator, solid, throw, velocity, weightless, with_scheme,
+};
+use twohalf::{DepthScheme, Footprint, TwoHalfPhysicsSimulator, Vector3, Wish};
+use twohalf_factories::{Actor, Ball, Capsule, Cylinder, Door, Figure, Prism, Thing, spawn, spawn_door};
 
 fn precise(test: impl FnOnce()) {
     with_scheme(DepthScheme::Precise, test);
@@ -19,19 +21,23 @@ fn door() -> (TwoHalfPhysicsSimulator, Door) {
     (simulator, door)
 }
 
+/// The middle of the door's platform, and how it is turned.
+fn middle(simulator: &TwoHalfPhysicsSimulator, door: &Door) -> (Vector3, f32) {
+    let platform = simulator.platform(door.platform()).unwrap();
+    (platform.position3d(), platform.yaw())
+}
+
 #[test]
-fn its_posts_are_on_a_line_from_the_hinge_at_every_angle() {
+fn it_points_from_its_hinge_at_every_angle() {
     precise(|| {
         let (mut simulator, mut door) = door();
-        assert_eq!(door.posts().len(), 10);
-        for angle in [0.3, 1.0, FRAC_PI_2, -2.0] {
+        for angle in [0.0, 0.3, 1.0, FRAC_PI_2, -2.0] {
             door.turn_to(&mut simulator, angle).unwrap();
             run(&mut simulator, 1);
-            for (at, &post) in door.posts().iter().enumerate() {
-                let out = 6.0 * at as f32 + 3.0;
-                let there = [HINGE[0] + out * angle.cos(), 0.0, HINGE[2] + out * angle.sin()];
-                assert_near3(simulator.platform(post).unwrap().position3d(), there, 1e-4);
-            }
+            let there = [HINGE[0] + 30.0 * angle.cos(), 0.0, HINGE[2] + 30.0 * angle.sin()];
+            let (place, yaw) = middle(&simulator, &door);
+            assert_near3(place, there, 1e-4);
+            assert_eq!(yaw, angle);
         }
     });
 }
@@ -48,9 +54,10 @@ fn it_turns_evenly_and_stops_where_it_is_to() {
         }
         assert_eq!(steps, 157);
         run(&mut simulator, 50);
-        let last = simulator.platform(door.posts()[9]).unwrap();
-        assert_near3(last.position3d(), [100.0, 0.0, 40.0 + 57.0], 1e-4);
-        assert_near3(last.velocity(), [0.0; 3], 0.0);
+        assert_near3(middle(&simulator, &door).0, [100.0, 0.0, 40.0 + 30.0], 1e-4);
+        let platform = simulator.platform(door.platform()).unwrap();
+        assert_near3(platform.velocity(), [0.0; 3], 0.0);
+        assert_eq!(platform.angular_velocity(), 0.0);
     });
 }
 
@@ -105,6 +112,210 @@ fn saved_in_its_turn_it_goes_on_with_the_same_bits() {
     });
 }
 
+/// Where something is along a door, from its hinge, and in front of its middle plane, at Z of a closed door.
+fn beside(door: &Door, at: Vector3) -> [f32; 2] {
+    let ((sine, cosine), out) = (door.angle().sin_cos(), at - Vector3::from(HINGE));
+    [cosine * out.x + sine * out.z, cosine * out.z - sine * out.x]
+}
+
+#[test]
+fn what_it_pushes_without_friction_slides_out_along_it_as_a_bead_on_a_rod_does() {
+    precise(|| {
+        let mut simulator = weightless();
+        let mut door = spawn_door(&mut simulator, HINGE, [150.0, 40.0, 10.0], 0.0).unwrap();
+        let (turning, start, off) = (1.0, 60.0, 5.0 + 8.0);
+        let body = ball(&mut simulator, 8.0, [HINGE[0] + start, 12.0, HINGE[2] + off]);
+        for step in 1..=120 {
+            door.turn_towards(&mut simulator, 3.0, turning * DT).unwrap();
+            run(&mut simulator, 1);
+            // Nothing acts along the door: r" = w^2 r, from rest beside it.
+            let turned = turning * step as f32 * DT;
+            let along = start * turned.cosh() + off * turned.sinh();
+            let [found, apart] = beside(&door, place(&simulator, body));
+            // A step takes it as far as 1.2 px, and turns the door meanwhile by a hundredth.
+            assert!((found - along).abs() < 0.01 * along, "{found}, not {along}, after {step}");
+            assert!((apart - off).abs() < 0.1, "{apart} after {step}");
+        }
+    });
+}
+
+/// What is pushed about.
+fn loads(size: f32) -> [Thing; 5] {
+    let wedge = [[-0.5, -0.3], [0.5, -0.3], [0.0, 0.6]].map(|[x, z]| [x * size, z * size].into());
+    [
+        Ball::new(0.5 * size),
+        Prism::new([size; 3]),
+        Cylinder::new(0.5 * size, size),
+        Capsule::new(0.5 * size, size),
+        Prism::footprint(Footprint::new(&wedge).unwrap(), size),
+    ]
+}
+
+#[test]
+fn nothing_passes_it_wherever_it_is_hit() {
+    precise(|| {
+        for (width, thickness, size) in [(60.0, 6.0, 8.0), (150.0, 6.0, 8.0), (150.0, 10.0, 20.0)] {
+            for (thing, part, gap) in loads(size).into_iter().flat_map(|thing| {
+                [0.15, 0.5, 0.85]
+                    .into_iter()
+                    .flat_map(move |part| [0.3, 2.0, 5.0].map(|gap| (thing, part, gap)))
+            }) {
+                let mut simulator = simulator();
+                let mut door = spawn_door(&mut simulator, HINGE, [width, 60.0, thickness], 0.0).unwrap();
+                let at = [HINGE[0] + part * width, 0.0, HINGE[2] + 0.5 * (thickness + size) + gap];
+                let body = spawn(&mut simulator, thing.at(at)).unwrap().body;
+                let mut before = beside(&door, place(&simulator, body));
+                while !door.turn_towards(&mut simulator, 2.8, 3.0 / 60.0).unwrap() {
+                    simulator.update(1.0 / 60.0);
+                    let now = beside(&door, place(&simulator, body));
+                    let is_past = now[1] < 0.0 && now[0] < width && before[1] > 0.0 && before[0] < width;
+                    assert!(!is_past, "{thing:?} of {size} at {part} of {width}, {gap} before it");
+                    before = now;
+                }
+            }
+        }
+    });
+}
+
+#[test]
+fn nothing_that_is_thrown_at_it_passes_it_however_fast() {
+    precise(|| {
+        for (thing, speed) in
+            loads(8.0).into_iter().flat_map(|thing| [300.0, 3000.0, 30_000.0].map(|speed| (thing, speed)))
+        {
+            for away in [10.0, 30.0, 70.0, 110.0] {
+                let mut simulator = weightless();
+                let mut door = spawn_door(&mut simulator, HINGE, [150.0, 60.0, 6.0], 0.0).unwrap();
+                let at = [HINGE[0] + 110.0, 15.0, HINGE[2] + away];
+                let body = spawn(&mut simulator, thing.at(at)).unwrap().body;
+                throw(&mut simulator, body, [0.0, 0.0, -speed]);
+                for _ in 0..30 {
+                    door.turn_towards(&mut simulator, 3.0, 3.0 / 60.0).unwrap();
+                    simulator.update(1.0 / 60.0);
+                    let [along, apart] = beside(&door, place(&simulator, body));
+                    assert!(apart > 0.0 || along > 150.0, "{thing:?} at {speed} from {away}");
+                }
+            }
+        }
+    });
+}
+
+#[test]
+fn what_is_thrown_at_it_as_it_turns_bounces_off_with_the_speed_of_the_place_that_it_hits() {
+    precise(|| {
+        for part in [0.2, 0.5, 0.9] {
+            let mut simulator = weightless();
+            let mut door = spawn_door(&mut simulator, HINGE, [100.0, 40.0, 8.0], -0.5).unwrap();
+            let out = 100.0 * part;
+            let thing = Ball::new(6.0).friction(0.0).restitution(1.0);
+            let body =
+                spawn(&mut simulator, thing.at([HINGE[0] + out, 14.0, HINGE[2] + 100.0])).unwrap().body;
+            simulator.platform_mut(door.platform()).unwrap().set_restitution_coefficient(1.0);
+            throw(&mut simulator, body, [0.0, 0.0, -200.0]);
+            // It comes by 0.45 s, in which the door turns level.
+            for _ in 0..80 {
+                door.turn_towards(&mut simulator, 2.0, 1.0 * DT).unwrap();
+                run(&mut simulator, 1);
+                if velocity(&simulator, body).z > 0.0 {
+                    break;
+                }
+            }
+            let normal = [-door.angle().sin(), 0.0, door.angle().cos()];
+            let away = velocity(&simulator, body).dot(&Vector3::from(normal));
+            let along = beside(&door, place(&simulator, body))[0];
+            // v' = v + 2 (w r + v . n).
+            let wanted = 200.0 * normal[2] + 2.0 * along;
+            assert!((away - wanted).abs() < 0.01 * wanted, "{away}, not {wanted}, at {part}");
+        }
+    });
+}
+
+/// A figure that walks by a door, or stands before it.
+fn figure(simulator: &mut TwoHalfPhysicsSimulator, at: [f32; 3]) -> Actor {
+    Actor::spawn(simulator, Figure::new([24.0, 50.0, 24.0]).at(at)).unwrap()
+}
+
+#[test]
+fn a_figure_that_walks_is_stopped_by_it_at_every_angle() {
+    precise(|| {
+        for angle in [-1.2, -0.6, -0.2, 0.0, 0.2, 0.6, 1.2] {
+            let mut simulator = simulator();
+            let door = spawn_door(&mut simulator, HINGE, [100.0, 80.0, 8.0], angle).unwrap();
+            // Straight at its middle.
+            let normal = Vector3::new(-angle.sin(), 0.0, angle.cos());
+            let middle = simulator.platform(door.platform()).unwrap().position3d();
+            let mut actor = figure(&mut simulator, (middle + normal * 60.0).into());
+            let wish = Wish { x: -200.0 * normal.x, z: -200.0 * normal.z, ..Wish::default() };
+            for _ in 0..150 {
+                actor.act(&mut simulator, wish, DT).unwrap();
+                run(&mut simulator, 1);
+            }
+            let [along, apart] = beside(&door, actor.place(&simulator));
+            assert!(
+                (apart - 4.0 - 12.0).abs() < 0.5 && (along - 50.0).abs() < 1.0,
+                "{angle}: {along} {apart}"
+            );
+        }
+    });
+}
+
+#[test]
+fn a_figure_that_stands_or_walks_in_its_way_is_pushed_by_it() {
+    precise(|| {
+        for (speed, dt) in [(1.0, 1.0 / 60.0), (3.0, 1.0 / 60.0), (3.0, 1.0 / 120.0)] {
+            for walks in [0.0, -150.0] {
+                let mut simulator = simulator();
+                let mut door = spawn_door(&mut simulator, HINGE, [100.0, 80.0, 8.0], 0.0).unwrap();
+                let mut actor = figure(&mut simulator, [HINGE[0] + 60.0, 0.0, HINGE[2] + 30.0]);
+                let mut farthest = 0.0f32;
+                while !door.turn_towards(&mut simulator, FRAC_PI_2, speed * dt).unwrap() {
+                    let wish = Wish { z: walks, ..Wish::default() };
+                    actor.act(&mut simulator, wish, dt).unwrap();
+                    simulator.update(dt);
+                    let [along, apart] = beside(&door, actor.place(&simulator));
+                    if (0.0..100.0).contains(&along) {
+                        assert!(apart > 4.0 + 12.0 - 1.0, "{speed} {walks}: {apart} at {along}");
+                    }
+                    farthest = farthest.max(actor.place(&simulator).z);
+                }
+                assert!(farthest > HINGE[2] + 40.0, "{speed} {walks}: {farthest}");
+            }
+        }
+    });
+}
+
+#[test]
+fn things_about_a_door_go_on_with_the_same_bits_after_loading() {
+    precise(|| {
+        let (mut simulator, mut door) = door();
+        let bodies: Vec<_> = loads(12.0)
+            .into_iter()
+            .zip(1..)
+            .map(|(thing, at)| {
+                let at = [HINGE[0] + 11.0 * at as f32, 0.0, HINGE[2] + 12.0 + 6.0 * at as f32];
+                spawn(&mut simulator, thing.at(at)).unwrap().body
+            })
+            .collect();
+        let places =
+            |of: &TwoHalfPhysicsSimulator| bodies.iter().map(|&body| place(of, body)).collect::<Vec<_>>();
+        for _ in 0..40 {
+            door.turn_towards(&mut simulator, 2.0, 3.0 * DT).unwrap();
+            run(&mut simulator, 1);
+            let mut loaded = self::simulator();
+            loaded.restore(&simulator.snapshot()).unwrap();
+            let mut kept = simulator.clone();
+            for of in [&mut loaded, &mut kept] {
+                let mut door = door.clone();
+                for _ in 0..20 {
+                    door.turn_towards(of, 2.0, 3.0 * DT).unwrap();
+                    run(of, 1);
+                }
+            }
+            assert_eq!(places(&loaded), places(&kept));
+        }
+    });
+}
+
 #[test]
 fn what_cannot_be_a_door_is_refused_and_adds_nothing() {
     precise(|| {
@@ -114,9 +325,9 @@ fn what_cannot_be_a_door_is_refused_and_adds_nothing() {
             (HINGE, [0.0, 80.0, 6.0], 0.0),
             (HINGE, [60.0, f32::NAN, 6.0], 0.0),
             (HINGE, [60.0, 80.0, -1.0], 0.0),
-            (HINGE, [60.0, 80.0, 0.1], 0.0),
             (HINGE, size, f32::INFINITY),
             ([f32::NAN, 0.0, 0.0], size, 0.0),
+            ([0.0; 3], [2e38, 80.0, 6.0], 0.0),
         ] {
             assert!(spawn_door(&mut simulator, hinge, size, angle).is_err());
             assert_eq!(simulator.platforms().count(), 0);
@@ -125,7 +336,7 @@ fn what_cannot_be_a_door_is_refused_and_adds_nothing() {
         assert!(door.turn_to(&mut simulator, f32::NAN).is_err());
         assert!(door.turn_towards(&mut simulator, 1.0, -1.0).is_err());
         assert_eq!(door.angle(), 0.0);
-        simulator.remove_platform(door.posts()[3]).unwrap();
+        simulator.remove_platform(door.platform()).unwrap();
         assert!(door.turn_to(&mut simulator, 1.0).is_err());
         let mut faithful = TwoHalfPhysicsSimulator::new(100).unwrap();
         faithful.set_depth_scheme(DepthScheme::Faithful).unwrap();

@@ -54,6 +54,18 @@ fn a_platform_is_drawn_on_the_way_between_two_updates() {
 }
 
 #[test]
+fn a_platform_that_turns_is_drawn_on_the_short_way_round() {
+    let mut simulator = simulator();
+    let lift = lift(&mut simulator);
+    simulator.platform_mut(lift).unwrap().set_yaw(std::f32::consts::TAU - 0.004).unwrap();
+    simulator.platform_mut(lift).unwrap().set_angular_velocity(0.4).unwrap();
+    // A whole turn counts as none from the first of these updates on.
+    let interpolation = remembered(&mut simulator);
+    let turned = interpolation.pose(Drawable::Platform(lift), 0.25).unwrap().yaw;
+    assert!((turned - 0.001).abs() < 1e-5, "{turned}");
+}
+
+#[test]
 fn rotations_go_the_short_way_round() {
     let mut simulator = weightless();
     let body = ball(&mut simulator, 10.0, [50.0, 60.0, 70.0]);

@@ -1,13 +1,14 @@
 //! Flat pieces of the surfaces of things: shadows of platforms fall from such on such.
 
-use twohalf::{BodyId, Drawable, TwoHalfPhysicsSimulator, Vector3, VirtualGeom};
+use twohalf::{BodyId, Drawable, TwoHalfGeom, TwoHalfPhysicsSimulator, Vector3};
 
-use super::shadows::SUNK;
 use crate::Point;
 use crate::clip::clip_to_convex;
 use crate::footprint::of_top;
 use crate::surface::{Face, to_screen};
 
+/// What rests lies in what is beneath it, up to this many px.
+const SUNK: f32 = 2.0;
 /// Y of the unit normal of what is too steep to take a shadow.
 const STEEP: f32 = 0.1;
 
@@ -37,9 +38,10 @@ impl Facet {
         faces.into_iter().filter(|facet| facet.normal.y > STEEP)
     }
 
-    /// The level top of a body.
-    pub(super) fn top(body: BodyId, shape: &VirtualGeom) -> Self {
-        let corners = of_top(shape).into_iter().map(|[x, z]| Vector3::new(x, shape.top, z));
+    /// The level top of a geom of a body.
+    pub(super) fn top(body: BodyId, geom: &TwoHalfGeom<'_>) -> Self {
+        let height = geom.virtual_geom().top;
+        let corners = of_top(geom).into_iter().map(|[x, z]| Vector3::new(x, height, z));
         Facet { of: Drawable::Body(body), corners: corners.collect(), normal: Vector3::y() }
     }
 

@@ -13,9 +13,11 @@ pub use look::{Figure, Look, Picture, Pose, Textures};
 pub use patch::Patch;
 pub use water::Water;
 
-use twohalf::{BodyId, Drawable, InterpolatedPose3D, Interpolation3D, TwoHalfPhysicsSimulator, Vector3};
+use twohalf::{
+    BodyId, Drawable, InterpolatedPose3D, Interpolation3D, PlatformId, TwoHalfPhysicsSimulator, Vector3,
+};
 
-use crate::surface::to_screen;
+use crate::surface::{to_screen, turned};
 use crate::{Canvas, Point, Sprite, Texture2D, Transform, View};
 use shadows::{Cast, SHADOW_SIZE};
 
@@ -64,6 +66,8 @@ pub struct Scene<'a> {
 struct Shift {
     way: Vector3,
     turn: f32,
+    /// A platform, about the upright axis.
+    yaw: f32,
 }
 
 /// What is drawn at once: a thing by its place in the order, or water.
@@ -103,7 +107,7 @@ impl<'a> Scene<'a> {
     /// The same with everything where it is between the last two updates, for games that draw more often than they update:
     /// a [clock](twohalf::FixedStepClock) tells which part of the next one's time has passed.
     ///
-    /// Bodies turn on the way, and platforms are moved, but not turned. What is remembered of neither is drawn where it is.
+    /// Bodies and platforms move and turn on the way. What is remembered of neither is drawn where it is.
     /// What covers what, and what is [picked](Self::pick), is as after the last update.
     ///
     /// ```
@@ -141,8 +145,16 @@ impl<'a> Scene<'a> {
         let shift = |(now, shown): (InterpolatedPose3D, InterpolatedPose3D)| Shift {
             way: shown.place - now.place,
             turn: shown.rotation - now.rotation,
+            yaw: shown.yaw - now.yaw,
         };
         pose.map(shift).unwrap_or_default()
+    }
+
+    /// The corners of a platform as it is turned where it is drawn, about where it is.
+    fn corners(&self, id: PlatformId) -> Option<[Vector3; 8]> {
+        let corners = self.simulator.platform(id)?.corners();
+        let Shift { turn, yaw, .. } = self.shift(Drawable::Platform(id));
+        Some(turned(&corners, turn, yaw))
     }
 
     /// A way of the world on the screen.
@@ -164,7 +176,7 @@ impl<'a> Scene<'a> {
         let mut view = View::new(canvas).camera(&self.camera);
         let order = self.simulator.draw_order();
         let things: Vec<(Drawable, Look)> = order.into_iter().map(|thing| (thing, look(thing))).collect();
-        let casts = Cast::all(self.simulator, self.shadow, &things);
+        let casts = Cast::all(self, &things);
         let on = |surface: Option<Drawable>| casts.iter().filter(move |cast| cast.surface == surface);
         self.patches.iter().for_each(|patch| patch.draw(self.simulator, &mut view));
         on(None).for_each(|cast| self.shadow(cast, Vector3::zeros()).draw(&mut view));
@@ -180,7 +192,7 @@ impl<'a> Scene<'a> {
             let moved = Transform::translation(self.on_screen(shift.way));
             let mut view = View::new(&mut view).camera(&moved);
             match thing {
-                Drawable::Platform(id) => solid::draw_platform(self.simulator, &mut view, *id, look),
+                Drawable::Platform(id) => self.draw_platform(&mut view, *id, look),
                 Drawable::Body(id) => self.draw_body(&mut view, *id, look, shift),
             }
             on(Some(*thing)).for_each(|cast| self.shadow(cast, shift.way).draw(&mut view));
@@ -212,6 +224,12 @@ impl<'a> Scene<'a> {
             layers = below;
         }
         layers
+    }
+
+    fn draw_platform(&self, canvas: &mut dyn Canvas, id: PlatformId, look: &Look) {
+        if let Some((platform, corners)) = self.simulator.platform(id).zip(self.corners(id)) {
+            solid::draw_platform(self.simulator, canvas, (platform, &corners), look);
+        }
     }
 
     fn draw_body(&self, canvas: &mut dyn Canvas, id: BodyId, look: &Look, shift: Shift) {

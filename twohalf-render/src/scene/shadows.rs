@@ -1,12 +1,12 @@
 //! Which shadows a scene has, and on what they lie.
 
-use twohalf::{BodyId, Drawable, Partner, TwoHalfPhysicsSimulator, Vector3, VirtualGeom};
+use twohalf::{BodyId, Drawable, GeomId, Partner, TwoHalfPhysicsSimulator, Vector3};
 
-use super::Look;
 use super::facet::Facet;
-use crate::shadow::{Lit, Shadow};
-use crate::surface::to_screen;
-use crate::{Color, Point, Sprite, Texture2D};
+use super::{Look, Scene};
+use crate::shadow::Shadow;
+use crate::surface::{edge, edge_of_platform, to_screen};
+use crate::{Color, Point, Sprite};
 
 /// Of the picture that is stretched over footprints, px.
 pub(super) const SHADOW_SIZE: [u32; 2] = [32, 16];
@@ -15,8 +15,6 @@ pub(super) const SHADOW_SIZE: [u32; 2] = [32, 16];
 const SPREAD: f32 = 1.2;
 /// How deep the shadow of a flat picture is, to the depth of its footprint.
 const FLATNESS: f32 = 0.6;
-/// What rests lies in what is beneath it, up to this many px.
-pub(super) const SUNK: f32 = 2.0;
 /// The shadow of a platform.
 const DARKNESS: Color = Color::rgba(0, 0, 0, 70);
 /// Tops that are tilted by more than this, rad, take no shadow.
@@ -30,21 +28,18 @@ pub(super) struct Cast {
 }
 
 impl Cast {
-    pub(super) fn all(
-        simulator: &TwoHalfPhysicsSimulator,
-        texture: &Texture2D,
-        things: &[(Drawable, Look)],
-    ) -> Vec<Cast> {
-        let tops: Vec<(BodyId, VirtualGeom)> =
-            things.iter().flat_map(|thing| tops(simulator, thing)).collect();
+    pub(super) fn all(scene: &Scene<'_>, things: &[(Drawable, Look)]) -> Vec<Cast> {
+        let simulator = scene.simulator;
+        let tops: Vec<(BodyId, GeomId)> = things.iter().flat_map(|thing| tops(simulator, thing)).collect();
         let bodies = things.iter().filter_map(|(thing, look)| match (thing, look) {
             (_, Look::Nothing | Look::Line { .. }) | (Drawable::Platform(_), _) => None,
-            (Drawable::Body(id), look) => of_body(simulator, texture, *id, look, &tops),
+            (Drawable::Body(id), look) => of_body(scene, *id, look, &tops),
         });
-        let mut facets: Vec<Facet> = tops.iter().map(|(id, top)| Facet::top(*id, top)).collect();
+        let tops = tops.iter().filter_map(|&(id, top)| Some(Facet::top(id, &simulator.geom(top)?)));
+        let mut facets: Vec<Facet> = tops.collect();
         let platforms = things.iter().filter_map(|(thing, look)| match (thing, look) {
             (Drawable::Platform(id), Look::Solid(_) | Look::Textured(..)) => {
-                Some((*thing, simulator.platform(*id)?.corners()))
+                Some((*thing, scene.corners(*id)?))
             }
             _ => None,
         });
@@ -57,14 +52,14 @@ impl Cast {
 }
 
 /// The level tops of a solid body.
-fn tops(simulator: &TwoHalfPhysicsSimulator, (thing, look): &(Drawable, Look)) -> Vec<(BodyId, VirtualGeom)> {
+fn tops(simulator: &TwoHalfPhysicsSimulator, (thing, look): &(Drawable, Look)) -> Vec<(BodyId, GeomId)> {
     let (Drawable::Body(id), Look::Solid(_) | Look::Textured(..)) = (thing, look) else { return Vec::new() };
     let Some(body) = simulator.body(*id) else { return Vec::new() };
     let quarter = std::f32::consts::FRAC_PI_2;
     let tilt = (body.rotation() + 0.5 * quarter).rem_euclid(quarter) - 0.5 * quarter;
-    let geoms = simulator.core().geoms_of(*id).iter().filter_map(|&geom| simulator.geom(geom));
-    let solids = geoms.map(|geom| geom.virtual_geom()).filter(|shape| shape.has_top);
-    if tilt.abs() > LEVEL { Vec::new() } else { solids.map(|shape| (*id, shape)).collect() }
+    let has_top = |&&geom: &&GeomId| simulator.geom(geom).is_some_and(|geom| geom.virtual_geom().has_top);
+    let solids = simulator.core().geoms_of(*id).iter().filter(has_top);
+    if tilt.abs() > LEVEL { Vec::new() } else { solids.map(|&geom| (*id, geom)).collect() }
 }
 
 /// The shadows of a platform: on the ground, and, if it hangs in the air, on all that is beneath it.
@@ -87,28 +82,22 @@ fn of_platform(
     casts
 }
 
-/// Whether something with a top is below a point, or above it.
-fn covers(top: &VirtualGeom, point: Vector3) -> bool {
-    let half = [0.5 * (top.right - top.left), 0.5 * (top.back - top.front)];
-    let [x, z] = [(point.x - top.left) / half[0] - 1.0, (point.z - top.front) / half[1] - 1.0];
-    if top.is_round { x * x + z * z <= 1.0 } else { x.abs() <= 1.0 && z.abs() <= 1.0 }
-}
-
-fn of_body(
-    simulator: &TwoHalfPhysicsSimulator,
-    texture: &Texture2D,
-    id: BodyId,
-    look: &Look,
-    tops: &[(BodyId, VirtualGeom)],
-) -> Option<Cast> {
+/// The shadow of a body: on the ground, a platform, or one of these tops.
+fn of_body(scene: &Scene<'_>, id: BodyId, look: &Look, tops: &[(BodyId, GeomId)]) -> Option<Cast> {
+    let (simulator, texture) = (scene.simulator, scene.shadow);
     let object = simulator.body(id)?.ground().object_geom()?;
     let geom = simulator.geom(object)?;
     let (shape, middle) = (geom.virtual_geom(), geom.position3d());
-    let surface = simulator.surface_beneath(middle)?;
-    let is_beneath = |(other, top): &&(BodyId, VirtualGeom)| {
-        *other != id && covers(top, middle) && (surface.height..=shape.bottom + SUNK).contains(&top.top)
+    let body_of = |geom: GeomId| tops.iter().find(|(_, top)| *top == geom).map(|(body, _)| *body);
+    let surface = simulator.surface_beneath_where(middle, |partner| match partner {
+        Partner::Geom(geom) => body_of(geom).is_some_and(|body| body != id),
+        Partner::Platform(_) | Partner::Ground => true,
+    })?;
+    let on = match surface.partner {
+        Partner::Geom(geom) => body_of(geom).map(Drawable::Body),
+        Partner::Platform(platform) => Some(Drawable::Platform(platform)),
+        Partner::Ground => None,
     };
-    let highest = tops.iter().filter(is_beneath).max_by(|a, b| a.1.top.total_cmp(&b.1.top));
     let flat = matches!(look, Look::Picture(_) | Look::Figure(_) | Look::Ball(_));
     let depth = (shape.back - shape.front) * if flat { FLATNESS } else { 1.0 };
     let size = [shape.right - shape.left, depth];
@@ -120,16 +109,13 @@ fn of_body(
         color_tint: Color::WHITE,
         layer_depth: 0.0,
     };
-    let (on, lit) = match (highest, surface.partner) {
-        (Some((other, top)), _) => (Some(Drawable::Body(*other)), Lit::top(simulator, top)),
-        (None, Partner::Platform(platform)) => {
-            (Some(Drawable::Platform(platform)), Lit::surface(simulator, &surface))
-        }
-        (None, _) => (None, Lit::surface(simulator, &surface)),
+    let edge = match surface.partner {
+        Partner::Platform(platform) => Some(edge_of_platform(simulator, &scene.corners(platform)?, &surface)),
+        _ => edge(simulator, &surface, middle.x),
     };
     Some(Cast {
         of: Drawable::Body(id),
         surface: on,
-        sprite: shadow.sprite(simulator, lit, middle, Some(shape.bottom)),
+        sprite: shadow.sprite(simulator, &surface, edge, middle, Some(shape.bottom)),
     })
 }

@@ -1,12 +1,13 @@
 //! Solids of a scene, and stand-ins.
 
-use twohalf::{BodyId, PlatformId, TwoHalfPhysicsSimulator, Vector3};
+use twohalf::{BodyId, Platform, TwoHalfPhysicsSimulator, Vector3};
 
 use super::upright::draw_upright;
 use super::{Look, Textures};
 use crate::corners::{bend, corners_of, cross, distance};
+use crate::draw_platform::draw_faces;
 use crate::surface::{Face, above_ground, to_screen};
-use crate::{Canvas, Color, DrawPlatform, PlatformLook, Point, SpriteBatch, Texture2D, Transform};
+use crate::{Canvas, Color, PlatformLook, Point, SpriteBatch, Texture2D, Transform};
 
 const STILL: Transform = Transform::IDENTITY;
 
@@ -18,7 +19,7 @@ const SHARP: f32 = 0.5;
 pub(super) fn draw_platform(
     simulator: &TwoHalfPhysicsSimulator,
     canvas: &mut dyn Canvas,
-    id: PlatformId,
+    (platform, corners): (&Platform, &[Vector3; 8]),
     look: &Look,
 ) {
     let (look, textures) = match look {
@@ -26,8 +27,6 @@ pub(super) fn draw_platform(
         Look::Textured(look, textures) => (look, Some(textures)),
         _ => return,
     };
-    let Some(platform) = simulator.platform(id) else { return };
-    let corners = platform.corners();
     let on_screen = |point: Vector3| to_screen(simulator, point);
     let mut look = *look;
     for (face, texture, color, height) in [
@@ -39,8 +38,8 @@ pub(super) fn draw_platform(
             platform.height(),
         ),
     ] {
-        let outline: Vec<Point> = above_ground(face.corners(&corners)).into_iter().map(on_screen).collect();
-        let face = face.corners(&corners).map(on_screen);
+        let outline: Vec<Point> = above_ground(face.corners(corners)).into_iter().map(on_screen).collect();
+        let face = face.corners(corners).map(on_screen);
         if let Some(texture) = texture {
             *color = Color::TRANSPARENT;
             if cross(face[0], face[1], face[2]) > 0.0 && !outline.is_empty() {
@@ -50,7 +49,7 @@ pub(super) fn draw_platform(
     }
     // The other faces, and the edges over all of them.
     let mut batch = SpriteBatch::begin();
-    simulator.draw_platform(&mut batch, id, &look, 0.0);
+    draw_faces(simulator, &mut batch, corners, &look, 0.0);
     batch.end(canvas);
 }
 

@@ -234,6 +234,45 @@ fn between_two_updates_what_turns_is_drawn_on_its_way_round() {
 }
 
 #[test]
+fn between_two_updates_platforms_are_drawn_on_their_way_round() {
+    let clear = Texture2D::from_rgba8(1, 1, vec![0; 4]).unwrap();
+    for height in [0.0, 40.0] {
+        let mut simulator = world();
+        let place = Vector3::new(100.0, height, 60.0);
+        let platform = Platform::new(&mut simulator, 80.0, 20.0, 10.0, place, None).unwrap();
+        simulator.update(0.0);
+        // It moves as it turns, and its shadow with it.
+        let mut view = simulator.platform_mut(platform).unwrap();
+        view.set_angular_velocity(40.0).unwrap();
+        view.set_velocity(Vector3::new(500.0, 0.0, 300.0)).unwrap();
+        simulator.update(0.01);
+        assert_goes_back(simulator, &clear, |_| Look::Solid(plain()));
+    }
+}
+
+#[test]
+fn between_two_updates_the_shadow_of_a_platform_on_one_that_turns_is_drawn_with_it() {
+    let mut simulator = world();
+    let table = Vector3::new(100.0, 0.0, 60.0);
+    let table = Platform::new(&mut simulator, 60.0, 20.0, 60.0, table, None).unwrap();
+    let above = Vector3::new(110.0, 60.0, 70.0);
+    let above = Platform::new(&mut simulator, 50.0, 6.0, 50.0, above, None).unwrap();
+    simulator.update(0.0);
+    simulator.platform_mut(table).unwrap().set_angular_velocity(30.0).unwrap();
+    simulator.update(0.01);
+    let clear = Texture2D::from_rgba8(1, 1, vec![0; 4]).unwrap();
+    assert_goes_back(simulator, &clear, |thing| match thing {
+        Drawable::Platform(id) if id == above => Look::Solid(PlatformLook {
+            top: Color::TRANSPARENT,
+            front: Color::TRANSPARENT,
+            sides: Color::TRANSPARENT,
+            ..plain()
+        }),
+        _ => Look::Solid(plain()),
+    });
+}
+
+#[test]
 fn between_two_updates_a_line_ends_where_both_its_ends_are_drawn() {
     let mut simulator = world();
     let [from, to] = [60.0, 140.0].map(|x| add_box(&mut simulator, Vector3::new(x, 40.0, 60.0)));

@@ -157,24 +157,9 @@ impl Course {
 
     /// What of it is in a convex outline with negative area, drawn out to both sides of a depth.
     pub(crate) fn inside_prism(&self, piece: &[Vector2], z: f32, half: f32) -> Option<Inside> {
-        if piece.len() < 3 {
-            return None;
-        }
-        let [front, back] = [-1.0, 1.0].map(|side| Vector3::new(0.0, 0.0, side));
-        let mut inside = self.cut(Inside::new(), front, Vector3::new(0.0, 0.0, z - half))?;
-        inside = self.cut(inside, back, Vector3::new(0.0, 0.0, z + half))?;
-        for (at, &a) in piece.iter().enumerate() {
-            let edge = piece[(at + 1) % piece.len()] - a;
-            let normal = Vector3::new(-edge.y, edge.x, 0.0) / edge.norm();
-            inside = self.cut(inside, normal, Vector3::new(a.x, a.y, 0.0))?;
-        }
-        if self.is_box() {
-            let corners = piece.iter().map(|corner| Vector3::new(corner.x, corner.y, 0.0));
-            let corners: Vec<Vector3> = corners.collect();
-            inside = self.cut_across(inside, Vector3::x(), &corners)?;
-            inside = self.cut_across(inside, Vector3::y(), &corners)?;
-        }
-        Some(inside)
+        let corner = |at: usize| Vector3::new(piece[at].x, piece[at].y, 0.0);
+        let centre = Vector3::new(0.0, 0.0, z);
+        if piece.len() < 3 { None } else { self.inside_drawn_out(2, centre, half, piece.len(), &corner) }
     }
 
     /// What of it is in something upright about a place.
@@ -187,24 +172,35 @@ impl Course {
                 self.inside_rounded(at, Vector3::new(0.0, half_height - radius, 0.0), radius, false)
             }
             SpaceUpright::Prism { footprint, half_height } => {
-                let up = Vector3::new(0.0, half_height, 0.0);
-                let mut inside = self.cut(Inside::new(), -Vector3::y(), at - up)?;
-                inside = self.cut(inside, Vector3::y(), at + up)?;
                 let corners = footprint.corners();
-                for (number, &corner) in corners.iter().enumerate() {
-                    let edge = corners[(number + 1) % corners.len()] - corner;
-                    let out = Vector3::new(edge.y, 0.0, -edge.x) / edge.norm();
-                    inside = self.cut(inside, out, at + Vector3::new(corner.x, 0.0, corner.y))?;
-                }
-                if self.is_box() {
-                    let corners = corners.iter().map(|corner| at + Vector3::new(corner.x, 0.0, corner.y));
-                    let corners: Vec<Vector3> = corners.collect();
-                    inside = self.cut_across(inside, Vector3::x(), &corners)?;
-                    inside = self.cut_across(inside, Vector3::z(), &corners)?;
-                }
-                Some(inside)
+                let corner = |at: usize| Vector3::new(corners[at].x, 0.0, corners[at].y);
+                self.inside_drawn_out(1, at, half_height, corners.len(), &corner)
             }
         }
+    }
+
+    /// What of it is in a convex outline, of which so many corners are told as seen from a place, drawn out along an axis.
+    fn inside_drawn_out(
+        &self,
+        axis: usize,
+        at: Vector3,
+        half: f32,
+        count: usize,
+        corner: &dyn Fn(usize) -> Vector3,
+    ) -> Option<Inside> {
+        let mut inside = self.within(Inside::new(), axis, at, half)?;
+        for number in 0..count {
+            let edge = corner((number + 1) % count) - corner(number);
+            let out = Vector3::ith(axis, 1.0).cross(&edge) / edge.norm();
+            inside = self.cut(inside, out, at + corner(number))?;
+        }
+        if self.is_box() {
+            let corners: Vec<Vector3> = (0..count).map(|number| at + corner(number)).collect();
+            for across in (0..3).filter(|&across| across != axis) {
+                inside = self.cut_across(inside, Vector3::ith(across, 1.0), &corners)?;
+            }
+        }
+        Some(inside)
     }
 
     /// What of it is in a ball.

@@ -76,7 +76,8 @@ impl PlatformMut<'_> {
 
     /// Lets the next update bring the platform to a [position](Platform::position3d), where it then is to the last bit, with the
     /// velocity that does. In the update after that it stands still, unless it is told a new place or given a velocity before.
-    /// A place to which no finite velocity leads is forgotten.
+    /// A place to which no finite velocity leads is forgotten. What goes farther than 128 px in an update pushes what it comes to
+    /// overlap, and nothing on its way.
     ///
     /// # Errors
     /// As [`Platform::new`]; another scheme than [`DepthScheme::Precise`].

@@ -5,19 +5,25 @@
 
 use super::Space;
 use super::parts::{Fixture, FixtureMotion, fixture_id, ground_id, is_geom, number_of};
-use super::upright::Upright;
+use super::solid::Solid;
+use super::upright::{Upright, within};
 use crate::geom::GeomId;
 use crate::geom::surface::SurfaceCoefficients;
 use crate::math::Vector3;
 use crate::math::plane::{Pose, length};
 use crate::math::scalar;
 use crate::precise::Precise;
-use crate::precise::bodies::Hot;
+use crate::precise::bodies::{Bodies, Hot};
 use crate::precise::outline::Shape;
 use crate::precise::proxies::{Mobility, Proxy};
+use crate::precise::tuning::Tuning;
+use crate::shape::SlantedBox;
 
 /// The place of the ground among fixtures: none.
 const NO_PLACE: u32 = u32::MAX;
+
+/// What goes farther in a step than so many units is put there, and sweeps nothing before it.
+const FARTHEST_SWEEP: f32 = 4.0;
 
 /// What turns does so about the upright axis, in the place of turning in the plane: its contacts have the arms for that.
 fn on_hot(motion: &FixtureMotion) -> [f32; 4] {
@@ -156,6 +162,43 @@ impl Space {
         self.fixture_of(proxy).is_some_and(|fixture| fixture.yaw.is_some() && fixture.motion.is_some())
     }
 
+    /// One that turns, as it moves where it is nearest to something else.
+    pub(in crate::precise) fn turning_on<'a>(
+        &self,
+        mut solid: Solid<'a>,
+        proxy: &Proxy,
+        other: &Solid<'_>,
+        (bodies, dt): (&Bodies, f32),
+    ) -> Solid<'a> {
+        let Some(fixture) = self.fixture_of(proxy).filter(|_| self.turns(proxy)) else { return solid };
+        let SlantedBox { half: [half, ..], turn: [cos, sin], .. } = fixture.shape;
+        let (x, z) = (other.centre()[0] - solid.pose[0], other.z - solid.z);
+        let along = within(cos * x + sin * z, -half, half) * bodies.hot[proxy.body as usize].velocity[2] * dt;
+        solid.ahead[0] -= along * sin;
+        solid.ahead[2] += along * cos;
+        solid
+    }
+
+    /// Velocity of one at a place of x and z, without what turns in the plane; 0 of what is none.
+    pub(in crate::precise) fn velocity_at(&self, proxy: &Proxy, at: [f32; 2], bodies: &Bodies) -> [f32; 4] {
+        let body = proxy.body as usize;
+        let Some(motion) = self.fixture_of(proxy).and_then(|fixture| fixture.motion) else { return [0.0; 4] };
+        let out = [at[0] - bodies.poses[body][0], at[1] - self.places[body]];
+        let [x, y, z] = motion.velocity;
+        [x - motion.turning * out[1], y, 0.0, z + motion.turning * out[0]]
+    }
+
+    /// How far one goes in a step at most, if that is farther than contacts reach; else 0.
+    pub(in crate::precise) fn sweep(&self, proxy: &Proxy, bodies: &Bodies, tuning: &Tuning, dt: f32) -> f32 {
+        let Some(fixture) = self.fixture_of(proxy).filter(|fixture| fixture.motion.is_some()) else {
+            return 0.0;
+        };
+        let [x, y, turning, z] = bodies.hot[proxy.body as usize].velocity;
+        let way = (length([length([x, y]), z]) + turning.abs() * turning_reach(fixture)) * dt;
+        let sweeps = way > tuning.speculative && way <= FARTHEST_SWEEP * tuning.unit;
+        if sweeps { way } else { 0.0 }
+    }
+
     /// Whether the next step moves a fixture, by its number among bodies.
     pub(in crate::precise) fn is_fixture_on_its_way(&self, number: usize) -> bool {
         let place = number.checked_sub(1).and_then(|at| self.moving.get(at));
@@ -252,14 +295,42 @@ impl Precise {
 
 /// Stages.
 impl Precise {
-    /// A step begins for those that move.
-    pub(in crate::precise) fn read_fixtures(&mut self, dt: f32) {
+    /// A step begins for those that move: what they meet is looked for with the velocities that they will have in it.
+    pub(in crate::precise) fn begin_fixtures(&mut self, dt: f32) {
         let Precise { space: Some(space), bodies, .. } = self else { return };
         let space = &mut **space;
         for (number, &place) in (1..).zip(&space.moving) {
             let fixture = &mut space.fixtures[place as usize];
             let Fixture { shape, yaw, motion: Some(motion), .. } = fixture else { continue };
             motion.begin(shape.centre, yaw.unwrap_or_default(), dt);
+            bodies.hot[number].velocity = on_hot(motion);
+        }
+        (0..space.moving.len()).for_each(|at| self.look_ahead(at, dt));
+    }
+
+    /// Of one that goes farther in a step than contacts reach all that is in its way is in a pair with it, and looked at.
+    fn look_ahead(&mut self, at: usize, dt: f32) {
+        let Some(space) = &self.space else { return };
+        let proxy = space.fixture_proxies[space.moving[at] as usize];
+        let one = &self.proxies.all[proxy as usize];
+        if space.sweep(one, &self.bodies, &self.tuning, dt) == 0.0 {
+            return;
+        }
+        let [x, y, _, z] = self.bodies.hot[one.body as usize].velocity.map(|velocity| velocity * dt);
+        if !self.holds_way(proxy, &self.swept(proxy, [x, y, 0.0, z]), z) {
+            self.enter(proxy);
+        }
+        let Precise { pairs, lost, .. } = self;
+        lost.extend(pairs.of(proxy).filter(|&pair| pairs.frozen[pair].count == 0).map(|pair| pair as u32));
+        lost.drain(..).for_each(|pair| pairs.watched[pair as usize].tolerance = 0);
+    }
+
+    /// They move in the step as it was begun.
+    pub(in crate::precise) fn read_fixtures(&mut self) {
+        let Precise { space: Some(space), bodies, .. } = self else { return };
+        let space = &mut **space;
+        for (number, &place) in (1..).zip(&space.moving) {
+            let Some(motion) = &space.fixtures[place as usize].motion else { continue };
             let velocity = on_hot(motion);
             bodies.hot[number] = Hot { velocity, ..Hot::default() };
             bodies.before[number] = velocity;

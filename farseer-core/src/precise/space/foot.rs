@@ -50,6 +50,15 @@ impl Polygon {
         along.fold(f32::MIN, |most, one| if one > most { one } else { most })
     }
 
+    /// From where to where what of it is farthest in a direction reaches aside: a corner, or an edge that lies across.
+    fn front(&self, direction: Vector, aside: Vector) -> [f32; 2] {
+        let places = self.points().iter().map(|&point| [dot(point, direction), dot(point, aside)]);
+        let farther = |one: Vector, other: Vector| if other[0] > one[0] { other } else { one };
+        let [most, there] = places.clone().reduce(farther).unwrap_or_default();
+        let is_level = |&[out, at]: &Vector| most - out <= LEVEL * (at - there).abs();
+        places.filter(is_level).fold([there; 2], |[low, high], [_, at]| [low.min(at), high.max(at)])
+    }
+
     /// The edge from which a point is farthest out: how far, the edge's ends, and its direction out.
     fn outermost(&self, point: Vector) -> (f32, [Vector; 2], Vector) {
         let mut best = (f32::MIN, [[0.0; 2]; 2], [1.0, 0.0]);
@@ -63,6 +72,9 @@ impl Polygon {
         best
     }
 }
+
+/// An edge that is aslant by no more than this, rise by run, lies across.
+const LEVEL: f32 = 1e-3;
 
 /// The direction out of an edge; none for one without length.
 fn outward(start: Vector, end: Vector) -> Option<Vector> {
@@ -157,6 +169,20 @@ impl Foot {
             add(low[0] + rate * (to - low[1]));
         }
         span
+    }
+
+    /// The place of it that is nearest to another one along the normal of the gap between both: in the middle of what of both is
+    /// there.
+    pub(super) fn facing(&self, other: &Foot, at: Vector, normal: Vector) -> Vector {
+        if self.is_disc() {
+            return self.farthest(normal);
+        }
+        let aside = [-normal[1], normal[0]];
+        let [low, high] = self.polygon.front(normal, aside);
+        let [from, to] =
+            if other.is_disc() { [0.0; 2] } else { other.polygon.front(scaled(normal, -1.0), aside) };
+        let middle = 0.5 * (low.max(from + dot(at, aside)) + high.min(to + dot(at, aside)));
+        sum(scaled(normal, self.reach(normal)), scaled(aside, middle))
     }
 
     /// How far another one, at a place as seen from this one's, is apart.
@@ -309,6 +335,21 @@ mod tests {
     fn squares_meet_along_the_side_that_parts_them_most() {
         let gap = square(10.0).gap(&square(5.0), [2.0, 14.5]);
         assert_eq!((gap.apart, gap.normal), (-0.5, [0.0, 1.0]));
+    }
+
+    #[test]
+    fn what_is_pushed_by_a_long_side_is_met_where_it_is_and_not_at_the_sides_end() {
+        let wall = Foot::of(Polygon::rectangle([-50.0, -3.0], [50.0, 3.0]));
+        // With a side of its own, in the middle of that; past the end of the wall in the middle of what is beside it.
+        let near = |small: &Foot, at: [f32; 2]| wall.facing(small, at, [0.0, 1.0]);
+        assert_eq!(near(&square(4.0), [20.0, 7.0]), [20.0, 3.0]);
+        assert_eq!(near(&square(4.0), [52.0, 7.0]), [49.0, 3.0]);
+        assert_eq!(near(&Foot::disc(4.0), [20.0, 7.0]), [20.0, 3.0]);
+        // With a corner there; and the wall's corner on its side.
+        let edgeways = Foot::of(Polygon::new([[0.0, -5.0], [5.0, 0.0], [0.0, 5.0], [-5.0, 0.0]]));
+        assert_eq!(near(&edgeways, [20.0, 8.0]), [20.0, 3.0]);
+        assert_eq!(square(4.0).facing(&edgeways, [9.0, 1.0], [1.0, 0.0]), [4.0, 1.0]);
+        assert_eq!(edgeways.facing(&square(4.0), [-9.0, 1.0], [-1.0, 0.0]), [-5.0, 0.0]);
     }
 
     #[test]

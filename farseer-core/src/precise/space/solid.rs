@@ -70,6 +70,8 @@ impl Before {
 pub(in crate::precise) struct Limits {
     /// How far contacts reach.
     pub(super) reach: f32,
+    /// How far they do where nothing sweeps through what is in its way.
+    pub(super) usual: f32,
     /// Faces that overlap by less are flush.
     pub(super) flush: f32,
 }
@@ -77,16 +79,16 @@ pub(in crate::precise) struct Limits {
 impl Limits {
     /// What is pressed against something sinks into it, and as deep into the next one that is flush with that: `sunk` is how deep
     /// it is, or was when it parted. `None` for what gives way, which is not where it was built either.
-    pub(in crate::precise) fn new(reach: f32, sunk: Option<f32>) -> Self {
+    pub(in crate::precise) fn new([reach, usual]: [f32; 2], sunk: Option<f32>) -> Self {
         let flush = match sunk {
-            Some(sunk) => (EVEN * reach + sunk).min(DEEPEST * reach),
-            None => FLUSH * reach,
+            Some(sunk) => (EVEN * usual + sunk).min(DEEPEST * usual),
+            None => FLUSH * usual,
         };
-        Limits { reach, flush }
+        Limits { reach, usual, flush }
     }
 }
 
-/// Part of the reach of contacts by which faces that are flush may overlap where something gives way.
+/// Part of the usual reach of contacts by which faces that are flush may overlap where something gives way.
 const FLUSH: f32 = 0.05;
 /// The same of what does not, for what is not pressed: more than figures are kept above their floor, and than rounding leaves of
 /// places some 100,000 px away.

@@ -213,7 +213,11 @@ fn beside_at(a: Standing<'_>, b: Standing<'_>, gap: &Gap) -> Vector {
     if a.shape.foot.is_disc() {
         return sum(sum(a.floor(), a.shape.foot.farthest(gap.normal)), half);
     }
-    sum(sum(b.floor(), b.shape.foot.farthest(scaled(gap.normal, -1.0))), scaled(half, -1.0))
+    if b.shape.foot.is_disc() {
+        return sum(sum(b.floor(), b.shape.foot.farthest(scaled(gap.normal, -1.0))), scaled(half, -1.0));
+    }
+    let facing = a.shape.foot.facing(&b.shape.foot, difference(b.floor(), a.floor()), gap.normal);
+    sum(sum(a.floor(), facing), half)
 }
 
 /// Two of which one is round above and below: the distance of what they are round about.
@@ -322,21 +326,21 @@ fn passes_edge(apart: &Meeting, within: &Meeting, way: [f32; 3]) -> bool {
     leaving > 0.0 && closing > 0.0 && within.apart + leaving * (apart.apart / closing) >= 0.0
 }
 
-/// Part of the reach of contacts by which what is curved may be touched before it is in the way.
+/// Part of the usual reach of contacts by which what is curved may be touched before it is in the way.
 const GRAZED: f32 = 0.02;
 /// Steps towards the time at which it is touched: each leaves less than a tenth of what was missing.
 const SECANTS: usize = 4;
 
 /// What two that do not touch yet will touch in this step, B moving so far against A, where their surfaces are curved: the
 /// distance along the normal that they will have there, and that normal. `None` if they pass each other.
-fn touched(now: &Meeting, way: [f32; 3], reach: f32, at: impl Fn([f32; 3]) -> Meeting) -> Option<Meeting> {
+fn touched(now: &Meeting, way: [f32; 3], usual: f32, at: impl Fn([f32; 3]) -> Meeting) -> Option<Meeting> {
     let along = |part: f32| at(way.map(|axis| axis * part));
     let (mut before, mut after) = ((0.0, now.apart), (1.0, along(1.0).apart));
-    if after.1 > -GRAZED * reach {
+    if after.1 > -GRAZED * usual {
         // One that is as far at the end may have been nearer on the way.
         let nearest = -product(way, now.normal) / product(way, way).max(f32::MIN_POSITIVE);
         after = (nearest.clamp(0.0, 1.0), along(nearest.clamp(0.0, 1.0)).apart);
-        if after.1 > -GRAZED * reach {
+        if after.1 > -GRAZED * usual {
             return None;
         }
     }
@@ -390,7 +394,7 @@ pub(super) fn touch(
         |way: [f32; 3]| Standing { at: std::array::from_fn(|axis| other.at[axis] + way[axis]), ..other };
     if shapes[0].rounding + shapes[1].rounding > 0.0 {
         let (now, is_new) = (rounded(one, other), before == Before::Nothing);
-        return curved(&a, now, is_new, ahead(&a, &b), limits.reach, |way| rounded(one, moved(way)));
+        return curved(&a, now, is_new, ahead(&a, &b), limits, |way| rounded(one, moved(way)));
     }
     let now = ways(one, other);
     if now.best().apart > limits.reach {
@@ -411,7 +415,7 @@ pub(super) fn chosen(
         None => Manifold::apart(0.0),
         Some(found) if found.is_curved => {
             let is_new = before == Before::Nothing;
-            curved(a, *found, is_new, ahead(a, b), limits.reach, |way| at(way).beside)
+            curved(a, *found, is_new, ahead(a, b), limits, |way| at(way).beside)
         }
         Some(found) => manifold(a, found, limits.reach),
     }
@@ -423,16 +427,16 @@ fn curved(
     now: Meeting,
     is_new: bool,
     way: [f32; 3],
-    reach: f32,
+    limits: Limits,
     at: impl Fn([f32; 3]) -> Meeting,
 ) -> Manifold {
-    if now.apart > reach {
+    if now.apart > limits.reach {
         return Manifold::apart(now.apart);
     }
     if !(is_new && now.is_curved && now.apart > 0.0) {
-        return manifold(a, &now, reach);
+        return manifold(a, &now, limits.reach);
     }
-    match touched(&now, way, reach, at) {
+    match touched(&now, way, limits.usual, at) {
         Some(found) => manifold(a, &found, f32::MAX),
         None => Manifold::apart(0.0),
     }

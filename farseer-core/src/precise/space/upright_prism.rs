@@ -233,11 +233,12 @@ fn beside(u: Standing<'_>, prism: &Extruded<'_, '_>, [top, bottom]: [f32; 2], re
     };
     let (left, right) = (side(-1.0), side(1.0));
     let rectangle = Polygon::rectangle([left.at[0] - x, prism.near - z], [right.at[0] - x, prism.far - z]);
-    let gap = u.shape.foot.gap(&Foot::of(rectangle), [0.0; 2]);
+    let seen = Foot::of(rectangle);
+    let gap = u.shape.foot.gap(&seen, [0.0; 2]);
     let [nx, nz] = gap.normal;
     let face = if nx > 0.0 { left } else { right };
     let (high, low) = (from.max(top), to.min(bottom));
-    let near = sum([x, z], u.shape.foot.farthest(gap.normal));
+    let near = sum([x, z], u.shape.foot.facing(&seen, [0.0; 2], gap.normal));
     let place = |y: f32, apart: f32| {
         let [px, pz] = sum(near, scaled(gap.normal, 0.5 * apart));
         [px, y, within(pz, prism.near, prism.far)]
@@ -299,7 +300,7 @@ pub(super) fn touch(
         // B moves against A: the upright one the other way if it is A.
         let sign = if is_a { -1.0 } else { 1.0 };
         let u = Standing { at: std::array::from_fn(|axis| standing.at[axis] + sign * way[axis]), ..standing };
-        let ways = ways(u, &prism, limits.reach);
+        let ways = ways(u, &prism, limits.usual);
         if is_a { ways } else { ways.flipped() }
     };
     let now = at([0.0; 3]);

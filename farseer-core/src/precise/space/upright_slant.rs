@@ -132,11 +132,12 @@ fn beside(u: Standing<'_>, shape: &SlantedBox, reach: f32) -> Meeting {
     let whole = || silhouette(shape, f32::MIN, f32::MAX);
     let seen = Some(silhouette(shape, from - reach, to + reach)).filter(|seen| seen.len() > 2);
     let seen = seen.unwrap_or_else(whole);
-    let outline = Polygon::new(seen.iter().map(|&[px, pz]| [px - x, pz - z]));
-    let gap = u.shape.foot.gap(&Foot::of(outline), [0.0; 2]);
+    let outline = Foot::of(Polygon::new(seen.iter().map(|&[px, pz]| [px - x, pz - z])));
+    let gap = u.shape.foot.gap(&outline, [0.0; 2]);
     let [nx, nz] = gap.normal;
     let (low, high) = shape.bounds();
-    let near = sum([x, z], sum(u.shape.foot.farthest(gap.normal), scaled(gap.normal, 0.5 * gap.apart)));
+    let facing = u.shape.foot.facing(&outline, [0.0; 2], gap.normal);
+    let near = sum([x, z], sum(facing, scaled(gap.normal, 0.5 * gap.apart)));
     let point = [near[0], 0.5 * (from.max(low.y) + to.min(high.y)), near[1]];
     let face = Face::SIDES.into_iter().map(|face| shape.face_normal(face)).find(|normal| {
         let level = length([normal.x, normal.z]);
@@ -210,7 +211,7 @@ pub(super) fn touch(
     let standing = Standing::new(&b, upright);
     let at = |way: [f32; 3]| {
         let u = Standing { at: std::array::from_fn(|axis| standing.at[axis] + way[axis]), ..standing };
-        ways(u, shape, limits.reach).flipped()
+        ways(u, shape, limits.usual).flipped()
     };
     let now = at([0.0; 3]);
     if now.best().apart > limits.reach {

@@ -30,7 +30,7 @@ impl Touch<'_> {
             if gap > self.tuning.speculative {
                 let pair = std::mem::replace(&mut due[at], NONE) as usize;
                 self.pairs.watched[pair].since = self.motion(&self.pairs.watched[pair]);
-                self.part(pair, gap);
+                self.part(pair, gap - self.tuning.speculative);
             }
         }
     }

@@ -14,14 +14,15 @@ use super::bodies::Bodies;
 use super::direct::Direct;
 use super::manifold::{Manifold, circles_meet, collide};
 use super::pairs::{BY_ROW, Frozen, FrozenInSpace, Pairs, Watch};
-use super::proxies::{Proxies, Proxy};
+use super::proxies::{Mobility, Proxies, Proxy};
 use super::rows::{Palette, Rows};
 use super::sleep::Sleep;
 use super::space::{Before, Held, Limits, Space};
 use super::tuning::Tuning;
 use crate::body::BodyId;
 use crate::geom::surface::FrictionType;
-use crate::math::plane::{Pose, Vector, difference, place, rotation, scaled, sum, turn_back};
+use crate::math::plane::{Pose, Vector, difference, length, place, rotation, scaled, sum, turn_back};
+use crate::math::scalar::nearest_finite;
 use lane::carry_friction;
 pub(super) use touching::Change;
 
@@ -134,11 +135,12 @@ impl<'a> Touch<'a> {
             self.note_touch(pair, two);
             return;
         }
-        let mut found = self.collide(pair, two, self.tuning.speculative);
+        let reach = self.reach(two);
+        let mut found = self.collide(pair, two, reach);
         found.keep_deepest(self.most_contacts);
         let is_open = self.proxies.one_way > 0 && self.is_open(pair, two, &found);
         if !found.is_within_reach() {
-            self.part(pair, found.gap);
+            self.part(pair, found.gap - reach);
         } else if is_open || self.passes_through(pair, two) {
             self.part(pair, 0.0);
         } else {
@@ -146,6 +148,19 @@ impl<'a> Touch<'a> {
             self.meet(pair, two, &found);
             self.note_touch(pair, two);
         }
+    }
+
+    /// How far contacts reach: as far as two can come in this step where one is a box that sweeps through what is in its way.
+    fn reach(&self, two: Two<'_>) -> f32 {
+        let (Some(space), Mobility::Kinematic) = (self.space, two.a.mobility) else {
+            return self.tuning.speculative;
+        };
+        let sweep = space.sweep(two.a, self.bodies, self.tuning, self.dt);
+        let comes = || {
+            let [x, y, _, z] = self.bodies.hot[two.b.body as usize].velocity;
+            length([length([x, y]), z]) * self.dt
+        };
+        self.tuning.speculative + if sweep > 0.0 { nearest_finite(sweep + comes()) } else { 0.0 }
     }
 
     fn collide(&self, pair: usize, two: Two<'_>, reach: f32) -> Manifold {
@@ -167,7 +182,9 @@ impl<'a> Touch<'a> {
         };
         let all = &self.proxies.all;
         let (a, b) = (solid(at_a, &all[at_a as usize]), solid(at_b, &all[at_b as usize]));
-        space.touch(a, b, before, Limits::new(reach, self.sunk_before(pair, two)))
+        let a = space.turning_on(a, two.a, &b, (self.bodies, self.dt));
+        let limits = Limits::new([reach, self.tuning.speculative], self.sunk_before(pair, two));
+        space.touch(a, b, before, limits)
     }
 
     /// Circles that come together push each other along the line on which their middles lie when they do, which is neither
@@ -187,7 +204,7 @@ impl<'a> Touch<'a> {
     }
 
     /// The two are further apart than contacts reach.
-    fn part(&mut self, pair: usize, gap: f32) {
+    fn part(&mut self, pair: usize, room: f32) {
         self.note_parting(pair);
         self.remove_row(pair);
         if self.pairs.all[pair].is_told {
@@ -197,7 +214,7 @@ impl<'a> Touch<'a> {
         if self.pairs.frozen[pair].count > 0 {
             self.pairs.frozen[pair] = Frozen::default();
         }
-        let slack = (gap - self.tuning.speculative).clamp(0.0, LONGEST_SLACK * self.tuning.unit);
+        let slack = room.clamp(0.0, LONGEST_SLACK * self.tuning.unit);
         self.pairs.watched[pair].tolerance = (slack * self.tuning.motion_scale()) as u32;
     }
 

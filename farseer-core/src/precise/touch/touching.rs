@@ -38,11 +38,13 @@ impl Touch<'_> {
         let frozen = &self.pairs.frozen[pair];
         let count = frozen.count as usize;
         let along_depth = self.approach_along_depth(two, frozen.space.normal_z);
+        let turning =
+            if self.turns_upright(two.a) { self.bodies.hot[two.a.body as usize].velocity[2] } else { 0.0 };
         match state.home {
             Some(home) => self.rows.lane(state.kind, home).points[..count].iter().zip(&frozen.anchors).any(
                 |(point, anchors)| {
                     let in_plane = self.approach(two, frozen.normal, anchors);
-                    let gap = point.separation + self.dt * (in_plane + along_depth);
+                    let gap = point.separation + self.dt * (in_plane + along_depth - turning * point.arm_a);
                     point.separation <= 0.0 || point.impulse > 0.0 || gap <= 0.0
                 },
             ),
