@@ -314,8 +314,10 @@ impl Island {
             contact.change = contact.relative_of(|member| direction[member]);
             (0..3).for_each(|row| contact.excess[row] += contact.change[row]);
             let (impulses, active) = contact.law(contact.excess);
+            // What slides may slide the other way there.
+            let slides_on = active >> FRICTION & 1 == 1 || impulses[FRICTION] == contact.impulses[FRICTION];
+            is_same &= active == contact.active && slides_on;
             contact.impulses = impulses;
-            is_same &= active == contact.active;
             greatest = contact.change.iter().fold(greatest, |most, change| greater(change.abs(), most));
             slope -=
                 (0..3).map(|row| contact.change[row] * (impulses[row] - contact.begun[row])).sum::<f64>();
