@@ -42,6 +42,7 @@ mod supports;
 mod sweeps;
 mod thesis;
 mod time_scale;
+mod towers;
 mod turned_platforms;
 mod uprights;
 mod walking;
