@@ -186,7 +186,7 @@ impl Precise {
         renew_circles(&mut self.rows.one, &self.bodies.poses, &self.bodies.circles, reach, |pair| {
             lost.push(pair)
         });
-        for Aside { lane, .. } in self.rows.all_direct() {
+        for Aside { lane, .. } in self.rows.all_direct_mut() {
             let is_gone = renew_circle(lane, &self.bodies.poses, &self.bodies.circles, reach);
             lost.extend(is_gone.then_some(lane.pair));
         }
@@ -420,7 +420,7 @@ impl Precise {
             self.solve_passes(step);
         }
         self.joints.finish(&mut self.bodies, step);
-        self.finish_direct();
+        self.finish_direct(step);
     }
 
     fn solve_passes(&mut self, step: &Step) {

@@ -72,14 +72,15 @@ pub enum WhyMethod {
     Moves,
     /// Passes: it has rings of contacts, and fewer than 40 bodies: passes make it stand.
     TooSmall,
-    /// Passes: it has more than 400 bodies.
+    /// Passes: it has more than 400 bodies; or, where there is a depth axis, more than 24 and rings of contacts.
     TooLarge,
     /// Passes: it has bounced, or was too busy or too wide to be solved as a whole.
     Rests {
         /// Updates after which that may be tried again.
         updates: u8,
     },
-    /// Passes: there is a depth axis, along which contacts are not solved as a whole.
+    /// Passes: there is a depth axis, and nothing in it lies on what weighs less than two thirds of it; or something rolls in it,
+    /// or presses along that axis.
     HasDepth,
     /// Passes: nothing speaks against solving it as a whole, but in large scenes that is asked only in every 16th update.
     NotAskedYet,
@@ -189,7 +190,6 @@ impl Precise {
                     Told::new(IslandMethod::Whole, why, 1)
                 } else if of.has_contacts() || self.joints.holds(body) {
                     let why = of.why_passes(self.direct.choice());
-                    let why = if self.space.is_some() { WhyMethod::HasDepth } else { why };
                     Told::new(IslandMethod::Passes, why, substeps)
                 } else {
                     Told::new(IslandMethod::Flight, WhyMethod::NothingTouches, 1)

@@ -268,6 +268,27 @@ fn forced_passes_solve_a_column_by_passes_and_forced_wholes_solve_a_heap_as_a_wh
 }
 
 #[test]
+fn what_slides_onto_something_light_in_a_whole_does_not_push_it_faster_than_itself() {
+    for rate in [30.0, 60.0, 120.0] {
+        for mass in [3.0, 6.0, 20.0] {
+            let mut simulator = precise();
+            simulator.set_island_choice(IslandChoice::Whole);
+            let light = add_box(&mut simulator, (40.0, 40.0), v(0.0, -20.0)).0;
+            let heavy = add_box(&mut simulator, (24.0, 60.0), v(-6.0, -73.0)).0;
+            simulator[light].set_mass(mass).unwrap();
+            simulator[heavy].set_mass(70.0).unwrap();
+            simulator[heavy].set_moment_of_inertia(1e20).unwrap();
+            simulator[heavy].set_linear_velocity(v(110.0, 190.0));
+            for _ in 0..rate as usize {
+                simulator.update(1.0 / rate);
+                let speed = simulator[light].linear_velocity().x.abs();
+                assert!(speed <= 110.0, "a box of {mass} at {rate} Hz: {speed}");
+            }
+        }
+    }
+}
+
+#[test]
 fn what_bounces_does_so_though_wholes_are_forced() {
     let highest = |choice| {
         let mut simulator = precise();

@@ -43,6 +43,7 @@ mod supports;
 mod sweeps;
 mod thesis;
 mod time_scale;
+mod towers;
 mod turned_platforms;
 mod uprights;
 mod walking;

@@ -1,5 +1,6 @@
 //! A contact as the direct method sees it: rows of at most two points along the normal, and one of friction.
 
+use super::depth::Rub;
 use super::factor::{Entry, Triple};
 use crate::precise::rows::Aside;
 
@@ -57,6 +58,7 @@ pub(super) struct Contact {
     /// Rows that yield as springs, rather than pressing nothing or sliding; and those that the factors were made for.
     pub(super) active: Set,
     pub(super) factored: Set,
+    pub(super) across: Rub,
 }
 
 impl Contact {
@@ -91,12 +93,14 @@ impl Contact {
             best: impulses,
             active: 0,
             factored: 0,
+            across: Rub::new(lane, parts),
         }
     }
 
-    /// A moves by itself.
-    pub(super) fn carry(&mut self, velocity: Triple) {
-        self.carried = self.relative(velocity, [0.0; 3]);
+    /// A moves by itself, with this arm of the tangent along the depth axis.
+    pub(super) fn carry(&mut self, [x, y, spin, z]: [f64; 4], across_arm: f64) {
+        self.carried = self.relative([x, y, spin], [0.0; 3]);
+        self.across.carried += spin * across_arm - z;
         (0..3).for_each(|row| self.excess[row] += self.carried[row]);
     }
 
@@ -130,7 +134,7 @@ impl Contact {
     }
 
     /// Friction within its bound; what is no number stays none.
-    fn limited(&self, impulse: f64) -> f64 {
+    pub(super) fn limited(&self, impulse: f64) -> f64 {
         if impulse.abs() <= self.bound { impulse } else { self.bound.copysign(impulse) }
     }
 

@@ -14,6 +14,7 @@
 //! proximal points.
 
 use super::contact::{Contact, FIXED, FRICTION};
+use super::depth::push as push_across;
 use super::factor::{Factor, Triple};
 use crate::storage::reusing_clone::reusing_clone;
 
@@ -45,6 +46,8 @@ pub(super) struct Member {
     pub(super) change: Triple,
     /// The change that leaves the least error.
     pub(super) best: Triple,
+    /// Velocity along the depth axis.
+    pub(super) depth: f64,
 }
 
 impl Member {
@@ -97,8 +100,9 @@ pub(super) struct Island {
 reusing_clone! { Island { members, contacts, factor, is_factored, softness, gradient, direction } }
 
 impl Island {
-    /// The impulses so far act. Answers how far rows are from what they are to be.
-    pub(super) fn begin(&mut self, dt: f64, reach: f64) -> f64 {
+    /// The impulses so far act. Answers how far rows are from what they are to be. What slips along the depth axis slips faster
+    /// than that.
+    pub(super) fn begin(&mut self, dt: f64, [reach, slips]: [f64; 2]) -> f64 {
         (self.is_factored, self.softness) = (false, 0.0);
         self.direction.resize(self.members.len(), [0.0; 3]);
         let Island { members, contacts, .. } = self;
@@ -110,6 +114,7 @@ impl Island {
                     add(&mut member.velocity, change);
                 }
             }
+            push_across(contact.bodies, members, contact.across.impulse);
         }
         let mut worst = 0.0;
         for contact in contacts {
@@ -119,6 +124,7 @@ impl Island {
                 let gap = contact.separations[row] - reach;
                 contact.excess[row] += if gap > 0.0 { gap / dt } else { 0.0 };
             }
+            contact.divide_friction(members, slips);
             contact.bound = contact.bounded();
             worst = greater(contact.residual(), worst);
         }
@@ -314,8 +320,10 @@ impl Island {
             contact.change = contact.relative_of(|member| direction[member]);
             (0..3).for_each(|row| contact.excess[row] += contact.change[row]);
             let (impulses, active) = contact.law(contact.excess);
+            // What slides may slide the other way there.
+            let slides_on = active >> FRICTION & 1 == 1 || impulses[FRICTION] == contact.impulses[FRICTION];
+            is_same &= active == contact.active && slides_on;
             contact.impulses = impulses;
-            is_same &= active == contact.active;
             greatest = contact.change.iter().fold(greatest, |most, change| greater(change.abs(), most));
             slope -=
                 (0..3).map(|row| contact.change[row] * (impulses[row] - contact.begun[row])).sum::<f64>();

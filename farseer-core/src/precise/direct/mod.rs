@@ -7,6 +7,7 @@
 //! found.
 
 mod contact;
+mod depth;
 mod factor;
 mod island;
 
@@ -24,6 +25,8 @@ use crate::methods::IslandChoice;
 use crate::storage::order::{joined, sort_by_number};
 use crate::storage::reusing_clone::reusing_clone;
 use contact::{Contact, Ends, FIXED};
+pub(super) use depth::{is_burden, is_upright};
+use depth::{is_in_plane, unload};
 use factor::Triple;
 use island::{Effort, Island, Member};
 
@@ -148,6 +151,10 @@ pub(super) struct Census {
     bounces: bool,
     moves: bool,
     is_loose: bool,
+    /// There is a depth axis; and a contact is not in the plane, or something bears far more than it weighs.
+    has_depth: bool,
+    is_deep: bool,
+    is_burdened: bool,
     /// Its place among those that are solved as a whole.
     place: Option<u32>,
 }
@@ -162,8 +169,12 @@ impl Census {
             (self.bodies > LARGEST, WhyMethod::TooLarge),
             (self.bounces, WhyMethod::Bounces),
         ];
-        let refusal = refusals.into_iter().find(|(refuses, _)| *refuses).map(|(_, why)| why);
-        refusal.or_else(|| if choice == IslandChoice::Whole { None } else { self.price() })
+        first(&refusals).or_else(|| if choice == IslandChoice::Whole { None } else { self.price() })
+    }
+
+    /// Whether it is left to the passes for a while.
+    fn waits(&self) -> bool {
+        (self.bounces || self.is_deep) && self.is_burdened == self.has_depth
     }
 
     pub(super) fn has_contacts(&self) -> bool {
@@ -182,14 +193,30 @@ impl Census {
     fn price(&self) -> Option<WhyMethod> {
         let Census { bodies, contacts, direct, .. } = *self;
         let (has_rings, is_built) = (contacts > bodies, !(self.moves || self.is_loose));
-        let refusals = [
-            (self.rest > 0, WhyMethod::Rests { updates: self.rest }),
-            (has_rings && bodies < MANY, WhyMethod::TooSmall),
-            (has_rings && !is_built && 2 * direct <= bodies, WhyMethod::Moves),
-            (!has_rings && !is_built && bodies < HIGH, WhyMethod::Moves),
-        ];
-        refusals.into_iter().find(|(refuses, _)| *refuses).map(|(_, why)| why)
+        let was_whole = 2 * direct > bodies;
+        let rests = (self.rest > 0, WhyMethod::Rests { updates: self.rest });
+        first(&if self.has_depth {
+            [
+                rests,
+                (self.is_deep, WhyMethod::HasDepth),
+                (!(self.is_burdened || was_whole), WhyMethod::HasDepth),
+                (has_rings && bodies > depth::MOST_WITH_RINGS, WhyMethod::TooLarge),
+            ]
+        } else {
+            [
+                rests,
+                (has_rings && bodies < MANY, WhyMethod::TooSmall),
+                (has_rings && !is_built && !was_whole, WhyMethod::Moves),
+                (!has_rings && !is_built && bodies < HIGH, WhyMethod::Moves),
+            ]
+        })
     }
+}
+
+/// The first reason that holds.
+#[inline(never)]
+fn first(refusals: &[(bool, WhyMethod)]) -> Option<WhyMethod> {
+    refusals.iter().find(|(refuses, _)| *refuses).map(|&(_, why)| why)
 }
 
 impl Direct {
@@ -212,11 +239,11 @@ impl Direct {
         self.wear.get(body).is_some_and(|wear| wear.is_direct)
     }
 
-    /// A row between these bodies comes or goes.
+    /// A row between these bodies comes or goes; where there is a depth axis, only some rows matter.
     #[inline(always)]
-    pub(super) fn note(&mut self, bodies: [u32; 2]) {
+    pub(super) fn note(&mut self, bodies: [u32; 2], has_depth: bool) {
         self.timing.is_due |= bodies.iter().any(|&body| self.is_direct(body as usize));
-        self.timing.may_be_due = true;
+        self.timing.may_be_due |= !has_depth;
     }
 
     /// What the game wants of islands.
@@ -254,14 +281,14 @@ impl Direct {
 impl Precise {
     /// Which islands are solved as a whole, if that may have changed.
     pub(super) fn choose_methods(&mut self) {
-        if self.space.is_some() {
-            return;
-        }
-        if self.bounces {
+        if self.bounces || self.space.is_some() {
             let (hot, least) = (&self.bodies.hot, self.tuning.bounce);
             let velocity = |body: u32| hot[body as usize].velocity;
-            self.direct.timing.is_due |=
-                self.rows.all_direct().iter().any(|row| bounces(&row.lane, velocity, least));
+            let is_refused = |lane: &Lane| {
+                let velocities = [lane.a, lane.b].map(velocity);
+                bounces(lane, velocities, least) || self.presses_across(lane, velocities)
+            };
+            self.direct.timing.is_due |= self.rows.all_direct().iter().any(|row| is_refused(&row.lane));
         }
         let joints = self.joints.count() as u32;
         self.direct.timing.may_be_due |= std::mem::replace(&mut self.direct.timing.joints, joints) != joints;
@@ -271,15 +298,16 @@ impl Precise {
         };
         let is_whole = self.direct.timing.choice == IslandChoice::Whole;
         let is_quick = self.direct.timing.may_be_due && (is_whole || is_calm());
-        if self.direct.tick(is_quick) {
+        let chooses = self.direct.tick(is_quick);
+        if chooses {
             self.direct.timing.begin_again();
+        }
+        if chooses || !self.direct.is_listed {
             self.take_census();
-            self.plan_islands(true);
-            self.move_rows();
-            self.list_contacts();
-        } else if !self.direct.is_listed {
-            self.take_census();
-            self.plan_islands(false);
+            self.plan_islands(chooses);
+            if chooses {
+                self.move_rows();
+            }
             self.list_contacts();
         }
         self.direct.is_listed = true;
@@ -331,8 +359,14 @@ impl Precise {
             let body = self.sides(pair)[1].0 as u32;
             let of = &mut census[unions.find(body) as usize];
             of.contacts += 1;
-            of.bounces |=
-                self.bounces && bounces(&self.rows.lane(state.kind, home), &velocity, self.tuning.bounce);
+            of.has_depth = self.space.is_some();
+            if self.bounces || of.has_depth {
+                let lane = self.rows.lane(state.kind, home);
+                let velocities = [lane.a, lane.b].map(&velocity);
+                of.bounces |= bounces(&lane, velocities, self.tuning.bounce);
+                of.is_deep |= self.presses_across(&lane, velocities);
+                of.is_burdened |= of.has_depth && is_burden(lane.inverse_masses, lane.normal, self.fall);
+            }
         }
     }
 
@@ -348,7 +382,7 @@ impl Precise {
             let is_wanted = if chooses { of.refusal(timing.choice).is_none() } else { wear[body].is_direct };
             found.extend(is_wanted.then_some((root, body as u32)));
             wear[body].is_loose |= chooses && of.moves;
-            if chooses && of.bounces && wear[body].rest == 0 {
+            if chooses && of.waits() && wear[body].rest == 0 {
                 wear[body].rest = PERIOD;
                 timing.has_resting = true;
             }
@@ -412,7 +446,12 @@ impl Precise {
         for &(place, pair) in found.iter() {
             let Some(home) = pairs.all[pair as usize].home else { continue };
             let Whole { island, homes, ends, .. } = &mut islands[place as usize];
-            let Lane { a, b, .. } = rows.direct(home).lane;
+            let lane = &mut rows.direct_mut(home).lane;
+            if !is_in_plane(lane) {
+                unload(lane);
+                continue;
+            }
+            let Lane { a, b, .. } = *lane;
             let seat = |body: u32| island.members.binary_search_by_key(&body, |member| member.number);
             let bodies = [a, b].map(|body| seat(body).map_or(FIXED, |seat| seat as u32));
             let gives_way = bodies.iter().all(|&member| member != FIXED);
@@ -456,6 +495,7 @@ impl Precise {
             far = [x, y].iter().fold(far, |far: f32, x| if x.abs() > far { x.abs() } else { far });
             let velocity = bodies.hot[at].velocity;
             member.velocity = std::array::from_fn(|i| f64::from(velocity[i]) + f64::from(push[i]) * parts);
+            member.depth = f64::from(velocity[3]) + f64::from(push[3]) * parts;
             member.change = [0.0; 3];
             [member.mass, member.inertia] = bodies.inverses[at].map(weight_of);
         }
@@ -468,12 +508,12 @@ impl Precise {
             let mut contact = Contact::new(row, f64::from(step.dt / row.h), ends);
             // What is moved by the game is always the first one.
             if ends.bodies[0] == FIXED && lane.a != 0 {
-                let [x, y, spin, _] = bodies.hot[lane.a as usize].velocity.map(f64::from);
-                contact.carry([x, y, spin]);
+                let velocity = bodies.hot[lane.a as usize].velocity.map(f64::from);
+                contact.carry(velocity, f64::from(lane.space.across_arms[0]));
             }
             contact
         }));
-        let residual = island.begin(dt, left);
+        let residual = island.begin(dt, [left, depth::SLIPS * unit]);
         let is_hot = self.direct.wear[island.members[0].number as usize].is_hot;
         let quiet = unit * if is_hot { EXACT } else { QUIET };
         let bearable = if residual > unit * BEARABLE { residual } else { unit * BEARABLE };
@@ -489,6 +529,9 @@ impl Precise {
             let way = member.velocity.map(|velocity| velocity * dt);
             if has_ways { std::array::from_fn(|i| way[i] + island.ways()[at][i]) } else { way }
         }));
+        if self.space.is_some() {
+            island.rub_across(unit);
+        }
         for (contact, &home) in island.contacts.iter().zip(homes.iter()) {
             write(contact, rows.direct_mut(home), parts, step.h);
         }
@@ -501,7 +544,12 @@ impl Precise {
         wear.effort += (steps as f32 - wear.effort) / LONG;
         wear.is_hot = steps > 0;
         let has_rings = usize::from(island.contacts.len() > island.members.len());
-        let is_busy = wear.effort > BUSY[has_rings] + BUSIER[has_rings] * island.members.len() as f32;
+        let most = if self.space.is_some() {
+            depth::BUSY
+        } else {
+            BUSY[has_rings] + BUSIER[has_rings] * island.members.len() as f32
+        };
+        let is_busy = wear.effort > most;
         if (is_busy || !is_solved) && self.direct.timing.choice != IslandChoice::Whole {
             (wear.effort, wear.rest) = (0.0, REST);
             self.direct.timing.has_resting = true;
@@ -513,14 +561,15 @@ impl Precise {
     }
 
     /// Bodies of islands that were solved as a whole move as was found.
-    pub(super) fn finish_direct(&mut self) {
+    pub(super) fn finish_direct(&mut self, step: &Step) {
         let Precise { direct, bodies, .. } = self;
         for Whole { island, ways, .. } in &direct.islands[..direct.count] {
             for (member, way) in island.members.iter().zip(ways) {
                 let [x, y, spin] = member.velocity.map(|velocity| velocity as f32);
-                bodies.hot[member.number as usize].velocity = [x, y, spin, 0.0];
+                let depth = member.depth as f32;
+                bodies.hot[member.number as usize].velocity = [x, y, spin, depth];
                 let [x, y, turned] = way.map(|way| way as f32);
-                bodies.path[member.number as usize] = [x, y, turned, 0.0];
+                bodies.path[member.number as usize] = [x, y, turned, depth * step.dt];
             }
         }
     }
@@ -543,9 +592,8 @@ fn list_edges(members: &[(u32, u32)], pairs: &Pairs, proxies: &Proxies, edges: &
     edges.dedup();
 }
 
-/// Whether two come together so fast that they bounce: that is for the passes.
-fn bounces(lane: &Lane, velocity: impl Fn(u32) -> [f32; 4], least: f32) -> bool {
-    let [a, b] = [lane.a, lane.b].map(velocity);
+/// Whether two with these velocities come together so fast that they bounce: that is for the passes.
+fn bounces(lane: &Lane, [a, b]: [[f32; 4]; 2], least: f32) -> bool {
     let along = lane.normal[0] * (b[0] - a[0]) + lane.normal[1] * (b[1] - a[1]);
     let is_fast =
         |point: &PointLane| point.mass > 0.0 && along + b[2] * point.arm_b - a[2] * point.arm_a < -least;
@@ -563,12 +611,20 @@ fn worst(members: &[(u32, u32)], wear: &[Wear]) -> Wear {
     })
 }
 
+/// Nothing instead of what is not finite in a row.
+#[inline(never)]
+fn finite(number: f64) -> f64 {
+    if (number as f32).is_finite() { number } else { 0.0 }
+}
+
 /// A row takes over what was found. Its spring rests at what it carries, so that nothing sags if passes go on from here.
 fn write(contact: &Contact, row: &mut Aside, parts: f64, h: f32) {
-    let finite = |number: f64| if (number as f32).is_finite() { number } else { 0.0 };
     row.h = h;
     row.exact = contact.impulses.map(|impulse| finite(impulse / parts));
     row.lane.tangent_impulse = row.exact[contact::FRICTION] as f32;
+    let ([one, two, along], across) = (contact.impulses, -contact.across.impulse);
+    row.lane.space.totals = [one, two, along, across].map(|impulse| finite(impulse) as f32);
+    row.lane.space.across_impulse = finite(across / parts) as f32;
     for (at, point) in row.lane.points.iter_mut().enumerate() {
         point.impulse = row.exact[at] as f32;
         point.held = point.impulse;

@@ -219,7 +219,11 @@ impl Rows {
     }
 
     /// The rows that are solved with their islands.
-    pub(super) fn all_direct(&mut self) -> &mut [Aside] {
+    pub(super) fn all_direct(&self) -> &[Aside] {
+        &self.direct
+    }
+
+    pub(super) fn all_direct_mut(&mut self) -> &mut [Aside] {
         &mut self.direct
     }
 

@@ -87,7 +87,7 @@ impl Precise {
     fn lose_row(&mut self, pair: &SavedPair, places: &[Option<u32>]) {
         let was_direct = pair.row.is_some_and(|row| row.direct.is_some());
         self.direct.timing.is_due |= was_direct;
-        self.direct.timing.may_be_due = true;
+        self.direct.timing.may_be_due |= self.space.is_none();
         for proxy in pair.proxies.iter().filter_map(|&proxy| places[proxy as usize]) {
             self.sleep.note_loss(self.proxies.all[proxy as usize].body as usize);
         }

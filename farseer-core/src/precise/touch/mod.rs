@@ -223,6 +223,7 @@ impl<'a> Touch<'a> {
         let state = self.pairs.all[pair];
         let old = state.home.map(|home| self.rows.lane(state.kind, home));
         let kept = self.kept(pair, two, found);
+        let was = self.pairs.frozen[pair].normal;
         self.freeze(pair, two, found);
         if !state.responds || state.is_vetoed {
             return;
@@ -235,6 +236,7 @@ impl<'a> Touch<'a> {
                 (point.impulse, point.held) = (old.points[from].impulse, old.points[from].held);
             }
         }
+        self.direct.timing.is_due |= self.is_burden(pair, found.normal) && !self.is_burden(pair, was);
         match state.home {
             Some(home) => self.rows.set_lane(state.kind, home, &lane),
             None => self.add_row(pair, &lane),

@@ -1,6 +1,8 @@
 //! Pairs and their rows come and go, and move.
 
 use super::Touch;
+use crate::math::plane::Vector;
+use crate::precise::direct::{is_burden, is_upright};
 use crate::precise::pairs::BY_ROW;
 use crate::precise::rows::{Aside, Home, Lane};
 
@@ -10,7 +12,7 @@ impl Touch<'_> {
         let free = self.palette.free(kind, [lane.a, lane.b]);
         let colour = self.rows.choose(kind, free);
         self.palette.mark(kind, [lane.a, lane.b], colour, true);
-        self.direct.note([lane.a, lane.b]);
+        self.direct.note([lane.a, lane.b], self.space.is_some());
         self.pairs.all[pair].home = Some(self.rows.push(kind, colour, lane));
         if [lane.a, lane.b].into_iter().any(|body| self.sleep.is_asleep(body as usize)) {
             self.sleep.note_touch(pair);
@@ -24,9 +26,22 @@ impl Touch<'_> {
         let Lane { a, b, .. } = self.rows.lane(kind, home);
         let colour = self.rows.aside(home).map_or(home.colour, |row| row.colour);
         self.palette.mark(kind, [a, b], colour, false);
-        self.direct.note([a, b]);
+        self.direct.note([a, b], self.space.is_some());
         self.rows.remove(kind, home);
         self.follow_rows();
+    }
+
+    /// Whether something heavy lies on something light by a normal of a pair, where there is a depth axis.
+    #[inline(always)]
+    pub(super) fn is_burden(&self, pair: usize, normal: Vector) -> bool {
+        self.space.is_some() && is_upright(normal, self.fall) && {
+            let [a, b] = self.pairs.watched[pair].proxies;
+            let inverse_mass = |proxy: u32| {
+                let body = self.proxies.all[proxy as usize].body;
+                self.bodies.inverses[body as usize][0]
+            };
+            is_burden([a, b].map(inverse_mass), normal, self.fall)
+        }
     }
 
     /// Pairs learn where their rows are that have moved.
@@ -114,7 +129,10 @@ impl Touch<'_> {
             self.rows.take_up(kind, home, h)
         };
         // What wakes may be solved as a whole again, and of what falls asleep nothing is.
-        self.direct.timing.is_due |= moved != home;
+        self.direct.timing.is_due |= moved != home
+            && (self.space.is_none()
+                || home.is_direct()
+                || self.is_burden(pair, self.pairs.frozen[pair].normal));
         self.settle(pair, moved);
     }
 
