@@ -181,6 +181,18 @@ impl Contact {
         (impulses, active | u8::from(sticks) << FRICTION)
     }
 
+    /// A first guess where nothing has pressed yet: all that is not apart presses, and sticks.
+    pub(super) fn guess_of_fresh(&mut self) -> (Triple, Set) {
+        let near = |row: usize| self.has(row) && self.excess[row] <= 0.0;
+        let points = u8::from(near(0)) | u8::from(near(1)) << 1;
+        let active = points | u8::from(points != 0 && self.friction > 0.0) << FRICTION;
+        self.bound = f64::INFINITY;
+        let impulses = std::array::from_fn(|row| {
+            if active >> row & 1 == 1 { -self.stiffness[row] * self.excess[row] } else { 0.0 }
+        });
+        (impulses, active)
+    }
+
     /// Whether a point is to be taken out of what it is in, if that is deeper than `reach`.
     pub(super) fn is_pressed_out(&self, row: usize, reach: f64) -> bool {
         self.has(row) && (self.impulses[row] > 0.0 || self.separations[row] < -UNLOADED * reach)

@@ -203,8 +203,13 @@ impl Island {
 
     /// The least of the springs' function, with the impulses now as those that springs begin with.
     fn round(&mut self, is_first: bool, tolerance: f64, most: usize) -> usize {
+        let is_fresh = is_first && self.contacts.iter().all(|contact| contact.impulses == [0.0; 3]);
         for contact in &mut self.contacts {
             contact.centre = contact.impulses;
+            if is_fresh {
+                (contact.impulses, contact.active) = contact.guess_of_fresh();
+                continue;
+            }
             let presses = contact.impulses[0] + contact.impulses[1];
             let meets = (0..2).map(|row| (-contact.excess[row] * contact.masses[row]).max(0.0)).sum::<f64>();
             contact.bound = contact.friction * if is_first && presses == 0.0 { meets } else { presses };
