@@ -181,16 +181,22 @@ impl Contact {
         (impulses, active | u8::from(sticks) << FRICTION)
     }
 
-    /// A first guess where nothing has pressed yet: all that is not apart presses, and sticks.
-    pub(super) fn guess_of_fresh(&mut self) -> (Triple, Set) {
-        let near = |row: usize| self.has(row) && self.excess[row] <= 0.0;
-        let points = u8::from(near(0)) | u8::from(near(1)) << 1;
+    /// A first guess where nothing has pressed yet: all that is not apart presses, and sticks. From one that meets to the next,
+    /// as the bodies come upon each other, the set would take a step for each body of a column.
+    pub(super) fn guess_of_fresh(&self) -> (Triple, Set) {
+        let is_near = |row: usize| self.has(row) && self.excess[row] <= 0.0;
+        let points = u8::from(is_near(0)) | u8::from(is_near(1)) << 1;
         let active = points | u8::from(points != 0 && self.friction > 0.0) << FRICTION;
-        self.bound = f64::INFINITY;
-        let impulses = std::array::from_fn(|row| {
-            if active >> row & 1 == 1 { -self.stiffness[row] * self.excess[row] } else { 0.0 }
-        });
+        let spring = |row: usize| -self.stiffness[row] * self.excess[row];
+        let impulses = std::array::from_fn(|row| if active >> row & 1 == 1 { spring(row) } else { 0.0 });
         (impulses, active)
+    }
+
+    /// Friction's bound at first, of what presses, or of what begins to.
+    pub(super) fn first_bound(&self) -> f64 {
+        let meets = (0..2).map(|row| (-self.excess[row] * self.masses[row]).max(0.0)).sum::<f64>();
+        let presses = self.impulses[0] + self.impulses[1];
+        self.friction * if presses == 0.0 { meets } else { presses }
     }
 
     /// Whether a point is to be taken out of what it is in, if that is deeper than `reach`.
