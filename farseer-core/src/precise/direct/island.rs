@@ -242,7 +242,7 @@ impl Island {
         for contact in &mut self.contacts {
             contact.centre = contact.impulses;
             contact.bound = match is_first {
-                true if is_fresh => f64::INFINITY,
+                true if is_fresh => contact.bound_of_fresh(),
                 true => contact.first_bound(),
                 false => contact.bounded(),
             };
@@ -297,7 +297,7 @@ impl Island {
         let is_exact = is_same;
         if follows && !is_exact {
             for contact in &mut self.contacts {
-                contact.bound += FOLLOW * (contact.bounded() - contact.bound);
+                contact.follow_bound(FOLLOW);
                 (contact.impulses, contact.active) = contact.law(contact.excess);
             }
         }
