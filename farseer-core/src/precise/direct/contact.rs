@@ -204,7 +204,8 @@ impl Contact {
     /// Friction's bound goes this part of the way to that of what presses now; the whole way from none.
     pub(super) fn follow_bound(&mut self, part: f64) {
         let bounded = self.bounded();
-        self.bound = if self.bound.is_finite() { self.bound + part * (bounded - self.bound) } else { bounded };
+        self.bound =
+            if self.bound.is_finite() { self.bound + part * (bounded - self.bound) } else { bounded };
     }
 
     /// Friction's bound at first, of what presses, or of what begins to.

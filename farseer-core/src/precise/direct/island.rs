@@ -153,7 +153,7 @@ impl Island {
     /// leave what is bearable: then sweeps do.
     pub(super) fn solve(&mut self, goal: &Goal) -> Effort {
         let mut effort = Effort { steps: 0, residual: f64::INFINITY, is_solved: false };
-        let has_rings = self.contacts.len() > self.members.len();
+        let has_rings = self.has_rings();
         let is_still = goal.begun < goal.still;
         let first = match has_rings {
             false => RIGID,
@@ -164,6 +164,9 @@ impl Island {
         for round in 0..ROUNDS {
             let steps = self.round(round == 0, goal.exact, MOST - effort.steps);
             effort.steps += steps;
+            if !has_rings {
+                self.obey_impulses();
+            }
             let goes_on = self.note_best(&mut effort);
             let is_near = has_rings && !is_still && effort.residual <= goal.near;
             let is_stuck = !goes_on && (effort.residual <= goal.enough || (has_rings && round > 0));
@@ -186,6 +189,37 @@ impl Island {
             add(&mut member.velocity, member.best);
         }
         Effort { is_solved, ..effort }
+    }
+
+    /// Whether rows can press each other: what is fixed counts as one body, and two pieces of one body that touch another make
+    /// a ring as well.
+    fn has_rings(&self) -> bool {
+        let is_fixed = |contact: &Contact| contact.bodies.contains(&FIXED);
+        self.contacts.len() + usize::from(!self.contacts.iter().any(is_fixed)) > self.members.len()
+    }
+
+    /// Changes are those that the impulses make, whatever was found of them: so momentum is kept by what stiff springs leave
+    /// to roundings, and by what no round has solved.
+    fn obey_impulses(&mut self) {
+        let Island { members, contacts, direction, .. } = self;
+        direction.fill([0.0; 3]);
+        for contact in contacts.iter() {
+            let impulses = std::array::from_fn(|row| contact.impulses[row] - contact.begun[row]);
+            for (&member, push) in contact.bodies.iter().zip(contact.push(impulses)) {
+                if member != FIXED {
+                    add(&mut direction[member as usize], push);
+                }
+            }
+        }
+        for (member, way) in members.iter_mut().zip(direction.iter_mut()) {
+            let change = member.yields(*way);
+            *way = std::array::from_fn(|axis| change[axis] - member.change[axis]);
+            member.change = change;
+        }
+        for contact in contacts {
+            let change = contact.relative_of(|member| direction[member]);
+            add(&mut contact.excess, change);
+        }
     }
 
     /// Keeps what a round has found, if it is the best so far. Answers whether it has left no quarter of the best before.
@@ -355,8 +389,10 @@ impl Island {
             contact.change = contact.relative_of(|member| direction[member]);
             (0..3).for_each(|row| contact.excess[row] += contact.change[row]);
             let (impulses, active) = contact.law(contact.excess);
+            // What slides may slide the other way there.
+            let slides_on = active >> FRICTION & 1 == 1 || impulses[FRICTION] == contact.impulses[FRICTION];
+            is_same &= active == contact.active && slides_on;
             contact.impulses = impulses;
-            is_same &= active == contact.active;
             greatest = contact.change.iter().fold(greatest, |most, change| greater(change.abs(), most));
             slope -=
                 (0..3).map(|row| contact.change[row] * (impulses[row] - contact.begun[row])).sum::<f64>();
