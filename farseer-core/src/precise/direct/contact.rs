@@ -185,6 +185,40 @@ impl Contact {
         (impulses, active | u8::from(sticks) << FRICTION)
     }
 
+    /// A first guess where nothing has pressed yet: all that is not apart presses, and sticks. From one that meets to the next,
+    /// as the bodies come upon each other, the set would take a step for each body of a column.
+    pub(super) fn guess_of_fresh(&self) -> (Triple, Set) {
+        let active = self.points_near() | u8::from(self.bound > 0.0) << FRICTION;
+        let spring = |row: usize| -self.stiffness[row] * self.excess[row];
+        let impulses = std::array::from_fn(|row| if active >> row & 1 == 1 { spring(row) } else { 0.0 });
+        (impulses, active)
+    }
+
+    /// Friction's bound in that guess: none.
+    pub(super) fn bound_of_fresh(&self) -> f64 {
+        if self.points_near() != 0 && self.friction > 0.0 { f64::INFINITY } else { 0.0 }
+    }
+
+    /// Points that would touch.
+    fn points_near(&self) -> Set {
+        let is_near = |row: usize| u8::from(self.has(row) && self.excess[row] <= 0.0);
+        is_near(0) | is_near(1) << 1
+    }
+
+    /// Friction's bound goes this part of the way to that of what presses now; the whole way from none.
+    pub(super) fn follow_bound(&mut self, part: f64) {
+        let bounded = self.bounded();
+        self.bound =
+            if self.bound.is_finite() { self.bound + part * (bounded - self.bound) } else { bounded };
+    }
+
+    /// Friction's bound at first, of what presses, or of what begins to.
+    pub(super) fn first_bound(&self) -> f64 {
+        let meets = (0..2).map(|row| (-self.excess[row] * self.masses[row]).max(0.0)).sum::<f64>();
+        let presses = self.impulses[0] + self.impulses[1];
+        self.friction * if presses == 0.0 { meets } else { presses }
+    }
+
     /// Whether a point is to be taken out of what it is in, if that is deeper than `reach`.
     pub(super) fn is_pressed_out(&self, row: usize, reach: f64) -> bool {
         self.has(row) && (self.impulses[row] > 0.0 || self.separations[row] < -UNLOADED * reach)

@@ -23,6 +23,13 @@ use crate::storage::reusing_clone::reusing_clone;
 const SOFTNESS: f64 = 1e-3;
 const STIFFER: f64 = 0.25;
 const STIFFEST: f64 = 6e-5;
+/// Softness at first where the set hardly changes: of what has rings and is still, and of what has none. In rings rows can press
+/// each other however hard, and stiff springs of a wrong set do; without rings they bear what comes and no more. It is what a
+/// tall column yields to: its slow swaying weighs little beside a row's own weight.
+const STIFF: f64 = 1e-5;
+const RIGID: f64 = 1e-8;
+/// A first round of such springs that takes more steps than this has had a wrong set: softer ones find it.
+const FEW: usize = 3;
 /// Most steps of Newton's method in a round, most rounds, and most steps of all.
 const NEWTON: usize = 25;
 const ROUNDS: usize = 6;
@@ -84,6 +91,21 @@ pub(super) struct Effort {
     pub(super) is_solved: bool,
 }
 
+/// What a solution is to leave, as velocities.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Goal {
+    /// What was off in the beginning.
+    pub(super) begun: f64,
+    /// At most: what leaves more is no solution.
+    pub(super) bearable: f64,
+    /// What is enough, and what is gone on to if that is easily had.
+    pub(super) enough: f64,
+    pub(super) exact: f64,
+    /// What has rings is still if it began with less than the first; if not, the second is enough.
+    pub(super) still: f64,
+    pub(super) near: f64,
+}
+
 /// Bodies that hang together by contacts.
 #[derive(Debug, Default)]
 pub(super) struct Island {
@@ -131,35 +153,39 @@ impl Island {
         worst
     }
 
-    /// Finds the impulses with which nothing is further from what it is to be than `enough`; goes on to `exact` while that
-    /// is easily had. The best of all rounds counts: near the end friction's bounds may go back and forth. Where what presses
-    /// and what rubs raise each other (a wedge), no round may leave
-    /// what is bearable: then sweeps do.
-    pub(super) fn solve(&mut self, [bearable, enough, exact]: [f64; 3]) -> Effort {
+    /// Finds the impulses with which nothing is further from what it is to be than the goal says. The best of all rounds
+    /// counts: near the end friction's bounds may go back and forth, and in rings they do so for long: there the first round
+    /// that does not leave a quarter is the last one. Where what presses and what rubs raise each other (a wedge), no round may
+    /// leave what is bearable: then sweeps do.
+    pub(super) fn solve(&mut self, goal: &Goal) -> Effort {
         let mut effort = Effort { steps: 0, residual: f64::INFINITY, is_solved: false };
-        let mut softness = SOFTNESS;
-        self.stiffen(softness);
+        let has_rings = self.has_rings();
+        let is_still = goal.begun < goal.still;
+        let first = match has_rings {
+            false => RIGID,
+            true if is_still => STIFF,
+            true => SOFTNESS,
+        };
+        self.stiffen(first);
         for round in 0..ROUNDS {
-            let steps = self.round(round == 0, exact, MOST - effort.steps);
+            let steps = self.round(round == 0, goal.exact, MOST - effort.steps);
             effort.steps += steps;
-            let residual = self.residual();
-            let is_better = residual < effort.residual;
-            let goes_on = residual < 0.25 * effort.residual;
-            if is_better || round == 0 {
-                effort.residual = residual;
-                self.members.iter_mut().for_each(|member| member.best = member.change);
-                self.contacts.iter_mut().for_each(|contact| contact.best = contact.impulses);
+            if !has_rings {
+                self.obey_impulses();
             }
-            let is_enough = effort.residual <= exact || (effort.residual <= enough && !goes_on);
-            if is_enough || effort.steps >= MOST {
+            let goes_on = self.note_best(&mut effort);
+            let is_near = has_rings && !is_still && effort.residual <= goal.near;
+            let is_stuck = !goes_on && (effort.residual <= goal.enough || (has_rings && round > 0));
+            if effort.residual <= goal.exact || is_near || is_stuck || effort.steps >= MOST {
                 break;
             }
-            if steps == 1 && softness > STIFFEST {
-                softness *= STIFFER;
-                self.stiffen(softness);
+            if self.softness < STIFFEST && steps > FEW {
+                self.stiffen(SOFTNESS);
+            } else if self.softness > STIFFEST && steps == 1 {
+                self.stiffen(STIFFER * self.softness);
             }
         }
-        let is_solved = effort.residual <= bearable;
+        let is_solved = effort.residual <= goal.bearable;
         if is_solved {
             self.contacts.iter_mut().for_each(|contact| contact.impulses = contact.best);
         } else {
@@ -169,6 +195,49 @@ impl Island {
             add(&mut member.velocity, member.best);
         }
         Effort { is_solved, ..effort }
+    }
+
+    /// Whether rows can press each other: what is fixed counts as one body, and two pieces of one body that touch another make
+    /// a ring as well.
+    fn has_rings(&self) -> bool {
+        let is_fixed = |contact: &Contact| contact.bodies.contains(&FIXED);
+        self.contacts.len() + usize::from(!self.contacts.iter().any(is_fixed)) > self.members.len()
+    }
+
+    /// Changes are those that the impulses make, whatever was found of them: so momentum is kept by what stiff springs leave
+    /// to roundings, and by what no round has solved.
+    fn obey_impulses(&mut self) {
+        let Island { members, contacts, direction, .. } = self;
+        direction.fill([0.0; 3]);
+        for contact in contacts.iter() {
+            let impulses = std::array::from_fn(|row| contact.impulses[row] - contact.begun[row]);
+            for (&member, push) in contact.bodies.iter().zip(contact.push(impulses)) {
+                if member != FIXED {
+                    add(&mut direction[member as usize], push);
+                }
+            }
+        }
+        for (member, way) in members.iter_mut().zip(direction.iter_mut()) {
+            let change = member.yields(*way);
+            *way = std::array::from_fn(|axis| change[axis] - member.change[axis]);
+            member.change = change;
+        }
+        for contact in contacts {
+            let change = contact.relative_of(|member| direction[member]);
+            add(&mut contact.excess, change);
+        }
+    }
+
+    /// Keeps what a round has found, if it is the best so far. Answers whether it has left no quarter of the best before.
+    fn note_best(&mut self, effort: &mut Effort) -> bool {
+        let residual = self.residual();
+        let goes_on = residual < 0.25 * effort.residual;
+        if residual < effort.residual || effort.residual == f64::INFINITY {
+            effort.residual = residual;
+            self.members.iter_mut().for_each(|member| member.best = member.change);
+            self.contacts.iter_mut().for_each(|contact| contact.best = contact.impulses);
+        }
+        goes_on
     }
 
     /// Solves one row after the other, a few times, from what there was in the beginning: this never adds energy.
@@ -209,13 +278,19 @@ impl Island {
 
     /// The least of the springs' function, with the impulses now as those that springs begin with.
     fn round(&mut self, is_first: bool, tolerance: f64, most: usize) -> usize {
+        let is_fresh = is_first && self.contacts.iter().all(|contact| contact.impulses == [0.0; 3]);
         for contact in &mut self.contacts {
             contact.centre = contact.impulses;
-            let presses = contact.impulses[0] + contact.impulses[1];
-            let meets = (0..2).map(|row| (-contact.excess[row] * contact.masses[row]).max(0.0)).sum::<f64>();
-            contact.bound = contact.friction * if is_first && presses == 0.0 { meets } else { presses };
-            (contact.impulses, contact.active) =
-                if is_first { contact.guess() } else { contact.law(contact.excess) };
+            contact.bound = match is_first {
+                true if is_fresh => contact.bound_of_fresh(),
+                true => contact.first_bound(),
+                false => contact.bounded(),
+            };
+            (contact.impulses, contact.active) = match is_first {
+                true if is_fresh => contact.guess_of_fresh(),
+                true => contact.guess(),
+                false => contact.law(contact.excess),
+            };
         }
         let mut is_guess = is_first;
         for step in 1..=NEWTON.min(most) {
@@ -262,7 +337,7 @@ impl Island {
         let is_exact = is_same;
         if follows && !is_exact {
             for contact in &mut self.contacts {
-                contact.bound += FOLLOW * (contact.bounded() - contact.bound);
+                contact.follow_bound(FOLLOW);
                 (contact.impulses, contact.active) = contact.law(contact.excess);
             }
         }

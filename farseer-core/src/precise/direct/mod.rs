@@ -28,7 +28,7 @@ use contact::{Contact, Ends, FIXED};
 pub(super) use depth::{is_burden, is_upright};
 use depth::{is_in_plane, unload};
 use factor::Triple;
-use island::{Effort, Island, Member};
+use island::{Effort, Goal, Island, Member};
 
 /// Most bodies of an island.
 const LARGEST: u32 = 400;
@@ -61,6 +61,10 @@ const ENOUGH: f64 = 1e-5;
 const SOLVED: f64 = 1e-9;
 /// What a solution may leave at least, whatever there was before: a solution that leaves more than either is none.
 const BEARABLE: f64 = 0.25;
+/// What has rings, and begins with less error than the first, is still: its set goes on as it was. Of what moves, the second is
+/// enough.
+const STILL: f64 = 3e-4;
+const NEAR: f64 = 0.01;
 /// Overlap in units of length, and as a part of coordinates, that is left as it is.
 const LEFT: f64 = 1e-5;
 const LEFT_OF_PLACE: f64 = 1e-6;
@@ -516,9 +520,15 @@ impl Precise {
         let residual = island.begin(dt, [left, depth::SLIPS * unit]);
         let is_hot = self.direct.wear[island.members[0].number as usize].is_hot;
         let quiet = unit * if is_hot { EXACT } else { QUIET };
-        let bearable = if residual > unit * BEARABLE { residual } else { unit * BEARABLE };
         let effort = if residual > quiet {
-            island.solve([bearable, unit * ENOUGH, unit * SOLVED])
+            island.solve(&Goal {
+                begun: residual,
+                bearable: if residual > unit * BEARABLE { residual } else { unit * BEARABLE },
+                enough: unit * ENOUGH,
+                exact: unit * SOLVED,
+                still: unit * STILL,
+                near: unit * NEAR,
+            })
         } else {
             Effort { steps: 0, residual, is_solved: true }
         };
