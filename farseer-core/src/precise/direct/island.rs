@@ -28,11 +28,11 @@ const STIFFEST: f64 = 6e-5;
 /// tall column yields to: its slow swaying weighs little beside a row's own weight.
 const STIFF: f64 = 1e-5;
 const RIGID: f64 = 1e-8;
-/// A first round of such springs that takes more steps than this has had a wrong set: softer ones find it.
-const FEW: usize = 3;
-/// Most steps of Newton's method in a round, most rounds, and most steps of all.
+/// A round of such springs that takes more steps than this has had a wrong set: all begins again with softer ones.
+const FEW: usize = 4;
+/// Most steps of Newton's method in a round, most rounds, one of them with stiff springs, and most steps of all.
 const NEWTON: usize = 25;
-const ROUNDS: usize = 6;
+const ROUNDS: usize = 7;
 const MOST: usize = 100;
 /// Over all rows, where rounds find nothing.
 const SWEEPS: usize = 8;
@@ -161,15 +161,24 @@ impl Island {
         let mut effort = Effort { steps: 0, residual: f64::INFINITY, is_solved: false };
         let has_rings = self.has_rings();
         let is_still = goal.begun < goal.still;
-        let first = match has_rings {
+        self.stiffen(match has_rings {
             false => RIGID,
             true if is_still => STIFF,
             true => SOFTNESS,
-        };
-        self.stiffen(first);
+        });
+        let mut is_first = true;
         for round in 0..ROUNDS {
-            let steps = self.round(round == 0, goal.exact, MOST - effort.steps);
+            let is_stiff = self.softness < STIFFEST;
+            let most = if is_stiff { FEW } else { MOST - effort.steps };
+            let (steps, is_found) = self.round(is_first, goal.exact, most);
             effort.steps += steps;
+            if is_stiff && !is_found {
+                self.begin_again();
+                self.stiffen(SOFTNESS);
+                is_first = true;
+                continue;
+            }
+            is_first = false;
             if !has_rings {
                 self.obey_impulses();
             }
@@ -179,9 +188,7 @@ impl Island {
             if effort.residual <= goal.exact || is_near || is_stuck || effort.steps >= MOST {
                 break;
             }
-            if self.softness < STIFFEST && steps > FEW {
-                self.stiffen(SOFTNESS);
-            } else if self.softness > STIFFEST && steps == 1 {
+            if self.softness > STIFFEST && steps == 1 {
                 self.stiffen(STIFFER * self.softness);
             }
         }
@@ -242,18 +249,25 @@ impl Island {
 
     /// Solves one row after the other, a few times, from what there was in the beginning: this never adds energy.
     fn sweep(&mut self) {
+        self.begin_again();
         let Island { members, contacts, .. } = self;
-        for contact in contacts.iter_mut() {
-            let change = contact.relative_of(|member| members[member].change);
-            (0..3).for_each(|row| contact.excess[row] -= change[row]);
-            contact.impulses = contact.begun;
-        }
         members.iter_mut().for_each(|member| member.best = [0.0; 3]);
         for _ in 0..SWEEPS {
             for contact in contacts.iter_mut() {
                 [FRICTION, 0, 1].into_iter().for_each(|row| stop(contact, row, members));
             }
         }
+    }
+
+    /// All is as it was in the beginning, but for the best so far.
+    fn begin_again(&mut self) {
+        let Island { members, contacts, .. } = self;
+        for contact in contacts {
+            let change = contact.relative_of(|member| members[member].change);
+            (0..3).for_each(|row| contact.excess[row] -= change[row]);
+            contact.impulses = contact.begun;
+        }
+        members.iter_mut().for_each(|member| member.change = [0.0; 3]);
     }
 
     fn stiffen(&mut self, softness: f64) {
@@ -277,7 +291,8 @@ impl Island {
     }
 
     /// The least of the springs' function, with the impulses now as those that springs begin with.
-    fn round(&mut self, is_first: bool, tolerance: f64, most: usize) -> usize {
+    /// Answers how many steps it took, and whether it was found.
+    fn round(&mut self, is_first: bool, tolerance: f64, most: usize) -> (usize, bool) {
         let is_fresh = is_first && self.contacts.iter().all(|contact| contact.impulses == [0.0; 3]);
         for contact in &mut self.contacts {
             contact.centre = contact.impulses;
@@ -295,10 +310,10 @@ impl Island {
         let mut is_guess = is_first;
         for step in 1..=NEWTON.min(most) {
             if self.newton(&mut is_guess, step < NEWTON, 0.1 * tolerance) {
-                return step;
+                return (step, true);
             }
         }
-        NEWTON.min(most)
+        (NEWTON.min(most), false)
     }
 
     /// A step of Newton's method. Answers whether it is the last one.
