@@ -575,8 +575,9 @@ impl Precise {
         let Precise { direct, bodies, .. } = self;
         for Whole { island, ways, .. } in &direct.islands[..direct.count] {
             for (member, way) in island.members.iter().zip(ways) {
-                let [x, y, spin] = member.velocity.map(|velocity| velocity as f32);
-                let depth = member.depth as f32;
+                // What is loaded has no negative zeros, as what cannot turn may get them here.
+                let [x, y, spin] = member.velocity.map(|velocity| velocity as f32 + 0.0);
+                let depth = member.depth as f32 + 0.0;
                 bodies.hot[member.number as usize].velocity = [x, y, spin, depth];
                 let [x, y, turned] = way.map(|way| way as f32);
                 bodies.path[member.number as usize] = [x, y, turned, depth * step.dt];

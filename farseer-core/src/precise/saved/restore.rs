@@ -126,6 +126,8 @@ impl Precise {
     /// Who slept, and still may, does; a body that was edited since wakes the others of its island.
     fn restore_sleep(&mut self, saved: &Saved, objects: &Objects) {
         self.sleep.gravity = saved.gravity;
+        // What wakes before the next step begins asks what lies on what.
+        self.fall = saved.gravity.map(|part| part * saved.dt);
         for &(body, rest) in &saved.rest {
             if let Some(number) = self.number_of(body).filter(|&number| number <= self.bodies.count) {
                 self.sleep.rest[number] = rest;
