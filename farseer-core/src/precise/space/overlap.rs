@@ -93,7 +93,8 @@ pub(super) fn covered(a: Outline<'_>, pose_a: Pose, b: Outline<'_>, pose_b: Pose
     middle_of(&common)
 }
 
-/// Centroid of a polygon, and the radius of gyration of its area about it, from the triangles of a fan.
+/// Centroid of a polygon, and the radius of gyration of its area about it, from the triangles of a fan; `None` where it has no area,
+/// or one too large for numbers.
 fn middle_of(corners: &Corners) -> Option<Covered> {
     let (first, doubled) = (corners.points[0], corners.doubled_area());
     if corners.count < 3 || doubled == 0.0 || !doubled.is_finite() {
@@ -108,6 +109,9 @@ fn middle_of(corners: &Corners) -> Option<Covered> {
     }
     let middle = scaled(moment, 1.0 / doubled);
     let squared = square / doubled - dot(middle, middle);
+    if !(squared + middle[0] + middle[1]).is_finite() {
+        return None;
+    }
     Some(Covered { middle: sum(first, middle), spread: if squared > 0.0 { squared.sqrt() } else { 0.0 } })
 }
 
@@ -127,6 +131,12 @@ mod tests {
         assert_eq!(covered.middle, [5.0, 3.0]);
         // Of a rectangle the square of the radius of gyration is (w^2 + h^2) / 12.
         assert!((covered.spread * covered.spread - (36.0 + 16.0) / 12.0).abs() < 1e-5);
+    }
+
+    #[test]
+    fn what_is_too_large_for_numbers_has_no_middle() {
+        // Fourth powers of 1e10 are not finite, while areas are.
+        assert!(middle_of(&polygon(&[[0.0, 0.0], [1e10, 0.0], [1e10, 1e10], [0.0, 1e10]])).is_none());
     }
 
     #[test]
