@@ -23,3 +23,12 @@ fn a_wedge_that_cannot_be_solved_as_a_whole_adds_no_energy() {
     let failures = failures([42_012, 37_610, 29_488], small_scene_holds);
     assert!(failures.is_empty(), "{failures:#?}");
 }
+
+/// Springs without softness of a set that was wrong, and friction that flipped from one bound to the other: up to 1e46 times the
+/// energy; and steps of Newton's method that were not those of impulses: momentum from nowhere.
+#[test]
+fn what_stiff_springs_do_not_find_at_once_is_found_otherwise() {
+    let failures =
+        failures([3222, 50_332, 12_038, 12_385, 16_601, 25_158, 15_571, 15_639], small_scene_holds);
+    assert!(failures.is_empty(), "{failures:#?}");
+}
