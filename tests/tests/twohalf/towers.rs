@@ -94,7 +94,7 @@ fn crates_as_heavy_as_who_jumps_on_them_stand_by_passes() {
 fn a_heavy_figure_may_walk_to_and_fro_on_a_tower_of_light_crates() {
     for rate in RATES {
         for mass in [3.0, 20.0] {
-            let back = |time: f32| if time as usize % 2 == 0 { 12.0 } else { -12.0 };
+            let back = |time: f32| if (time as usize).is_multiple_of(2) { 12.0 } else { -12.0 };
             let mut along = Stage::tower(rate, mass, -6.0);
             along.play(8.0, |time| Wish { x: back(time), ..STILL });
             along.assert_stands(&format!("crates of {mass}, along X"));

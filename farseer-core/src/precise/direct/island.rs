@@ -235,7 +235,7 @@ impl Island {
         }
     }
 
-    /// Keeps what a round has found, if it is the best so far. Answers whether it has left no quarter of the best before.
+    /// Keeps what a round has found, if it is the best so far. Answers whether that is less than a quarter of the best before.
     fn note_best(&mut self, effort: &mut Effort) -> bool {
         let residual = self.residual();
         let goes_on = residual < 0.25 * effort.residual;
