@@ -23,7 +23,7 @@ use crate::storage::reusing_clone::reusing_clone;
 const SOFTNESS: f64 = 1e-3;
 const STIFFER: f64 = 0.25;
 const STIFFEST: f64 = 6e-5;
-/// Softness at first where the set hardly changes: of what has rings and is still, and of what has none. In rings rows can press
+/// Softness at first where the set hardly changes: of what is still, with rings and without, and of what has none and is new. In rings rows can press
 /// each other however hard, and stiff springs of a wrong set do; without rings they bear what comes and no more. It is what a
 /// tall column yields to: its slow swaying weighs little beside a row's own weight.
 const STIFF: f64 = 1e-5;
@@ -101,7 +101,7 @@ pub(super) struct Goal {
     /// What is enough, and what is gone on to if that is easily had.
     pub(super) enough: f64,
     pub(super) exact: f64,
-    /// What has rings is still if it began with less than the first; if not, the second is enough.
+    /// What began with less than the first is still; of what has rings and is not, the second is enough.
     pub(super) still: f64,
     pub(super) near: f64,
 }
@@ -162,9 +162,9 @@ impl Island {
         let has_rings = self.has_rings();
         let is_still = goal.begun < goal.still;
         self.stiffen(match has_rings {
-            false => RIGID,
+            false if is_still || self.is_fresh() => RIGID,
             true if is_still => STIFF,
-            true => SOFTNESS,
+            _ => SOFTNESS,
         });
         let mut is_first = true;
         for round in 0..ROUNDS {
@@ -202,6 +202,11 @@ impl Island {
             add(&mut member.velocity, member.best);
         }
         Effort { is_solved, ..effort }
+    }
+
+    /// Whether nothing has pressed yet.
+    fn is_fresh(&self) -> bool {
+        self.contacts.iter().all(|contact| contact.impulses == [0.0; 3])
     }
 
     /// Whether rows can press each other: what is fixed counts as one body, and two pieces of one body that touch another make
@@ -293,7 +298,7 @@ impl Island {
     /// The least of the springs' function, with the impulses now as those that springs begin with.
     /// Answers how many steps it took, and whether it was found.
     fn round(&mut self, is_first: bool, tolerance: f64, most: usize) -> (usize, bool) {
-        let is_fresh = is_first && self.contacts.iter().all(|contact| contact.impulses == [0.0; 3]);
+        let is_fresh = is_first && self.is_fresh();
         for contact in &mut self.contacts {
             contact.centre = contact.impulses;
             contact.bound = match is_first {

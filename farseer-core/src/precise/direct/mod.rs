@@ -61,8 +61,7 @@ const ENOUGH: f64 = 1e-5;
 const SOLVED: f64 = 1e-9;
 /// What a solution may leave at least, whatever there was before: a solution that leaves more than either is none.
 const BEARABLE: f64 = 0.25;
-/// What has rings, and begins with less error than the first, is still: its set goes on as it was. Of what moves, the second is
-/// enough.
+/// What begins with less error than the first is still: its set goes on as it was. Of what has rings and moves, the second is enough.
 const STILL: f64 = 3e-4;
 const NEAR: f64 = 0.01;
 /// Overlap in units of length, and as a part of coordinates, that is left as it is.
