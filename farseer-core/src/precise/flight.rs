@@ -213,7 +213,7 @@ impl Precise {
             for (((number, &path), &reach), &core) in of {
                 let core = if core < most { core } else { most };
                 if is_fast(path, reach, core) && !sleep.is_asleep(number) && !bodies.is_kinematic(number) {
-                    fast.push((number as u32, 1.0));
+                    fast.push((number as u32, 1.0, None));
                 }
             }
         }
@@ -297,13 +297,13 @@ impl Precise {
     /// Cuts the ways of those who are fast where they meet something.
     pub(crate) fn stop_fast(&mut self, step: &Step) {
         let mut fast = std::mem::take(&mut self.fast);
-        for (number, part) in &mut fast {
-            *part = self.first_meeting(*number as usize, |_| true);
+        for (number, part, met) in &mut fast {
+            (*part, *met) = self.first_meeting(*number as usize);
         }
         self.note_flown(&fast);
-        for &(number, part) in fast.iter().filter(|&&(_, part)| part < 1.0) {
+        for &(number, part, met) in fast.iter().filter(|&&(_, part, _)| part < 1.0) {
             let number = number as usize;
-            let carried = self.carried(number, part);
+            let carried = met.map_or([0.0; 4], |pair| self.carried(number, part, pair));
             self.bodies.path[number] = self.bodies.path[number].map(|way| way * part);
             self.bodies.path[number].iter_mut().zip(carried).for_each(|(way, carried)| *way += carried);
             // Forces have acted for so long only.
@@ -317,25 +317,24 @@ impl Precise {
     }
 
     /// The way on which what a body meets after a part of the step takes it along for the rest: a box that moves.
-    fn carried(&self, body: usize, part: f32) -> [f32; 4] {
+    fn carried(&self, body: usize, part: f32, pair: usize) -> [f32; 4] {
         let Some(space) = &self.space else { return [0.0; 4] };
-        let mut pairs = self.proxies.of(body).flat_map(|proxy| self.pairs.of(proxy));
-        let met = pairs.find(|&pair| self.stops(pair, body) && self.meeting(pair) == Some(part));
         let ([x, ..], [way, _, _, way_along_depth]) = (self.bodies.poses[body], self.bodies.path[body]);
         let at = [x + part * way, space.places[body] + part * way_along_depth];
-        met.map_or([0.0; 4], |pair| {
-            let first = &self.proxies.all[self.pairs.watched[pair].proxies[0] as usize];
-            space.velocity_at(first, at, &self.bodies).map(|velocity| velocity * (1.0 - part) * self.dt)
-        })
+        let first = &self.proxies.all[self.pairs.watched[pair].proxies[0] as usize];
+        space.velocity_at(first, at, &self.bodies).map(|velocity| velocity * (1.0 - part) * self.dt)
     }
 
-    /// After which part of the step a body meets one of these pairs that stops it.
-    fn first_meeting(&self, body: usize, is_wanted: impl Fn(usize) -> bool) -> f32 {
-        let pairs = self.proxies.of(body).flat_map(|proxy| self.pairs.of(proxy));
-        pairs
-            .filter(|&pair| is_wanted(pair) && self.stops(pair, body))
-            .filter_map(|pair| self.meeting(pair))
-            .fold(1.0, |first, part| if part < first { part } else { first })
+    /// After which part of the step a body meets something that stops it, and in which pair; after the whole step if in none.
+    fn first_meeting(&self, body: usize) -> (f32, Option<usize>) {
+        let mut first = (1.0, None);
+        for pair in self.pairs.of_body(&self.proxies, body).filter(|&pair| self.stops(pair, body)) {
+            match self.meeting(pair) {
+                Some(part) if part < first.0 => first = (part, Some(pair)),
+                _ => {}
+            }
+        }
+        first
     }
 
     /// Whether a body may not pass the other one of a pair.
@@ -393,11 +392,11 @@ impl Precise {
     }
 
     /// Notes the sensors that those who are fast pass in this step: outside of them before, and after.
-    fn note_flown(&mut self, fast: &[(u32, f32)]) {
+    fn note_flown(&mut self, fast: &[(u32, f32, Option<usize>)]) {
         if self.space.is_some() {
             return;
         }
-        for &(number, part) in fast {
+        for &(number, part, _) in fast {
             for proxy in self.proxies.of(number as usize) {
                 for pair in self.pairs.of(proxy) {
                     let state = &self.pairs.all[pair];

@@ -124,9 +124,9 @@ pub(crate) struct Precise {
     due: Vec<u32>,
     /// Some pair was refused or changed by a handler, for one step.
     has_handled: bool,
-    /// Those that go further in this step than they are thick, and what part of their ways they go; and the geoms that one of
-    /// them has flown through, of which one is a sensor. Of no use between steps.
-    fast: Vec<(u32, f32)>,
+    /// Those that go further in this step than they are thick, what part of their ways they go, and in which pair they meet
+    /// something; and the geoms that one of them has flown through, of which one is a sensor. Of no use between steps.
+    fast: Vec<(u32, f32, Option<usize>)>,
     flown: Vec<[(u32, GeomId); 2]>,
     /// Proxies whose bounds are wider for a step.
     widened: Vec<u32>,

@@ -82,7 +82,7 @@ impl Ways<'_> {
     fn group(&self, pair: usize) -> impl Iterator<Item = usize> + '_ {
         let of = self.pairs.watched[pair].proxies;
         let body = self.proxies.all[of[1] as usize].body as usize;
-        let pairs = self.proxies.of(body).flat_map(|proxy| self.pairs.of(proxy));
+        let pairs = self.pairs.of_body(self.proxies, body);
         pairs.filter(move |&other| is_of_group(self.proxies, of, self.pairs.watched[other].proxies))
     }
 

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::one_way::Passage;
+use super::proxies::Proxies;
 use super::rows::{Home, Kind};
 use crate::math::plane::Vector;
 use crate::storage::reusing_clone::reusing_clone;
@@ -134,6 +135,28 @@ impl Pairs {
             link = self.links[at].next[(link & 1) as usize];
             Some(at)
         })
+    }
+
+    /// The pairs of all proxies of a body.
+    pub(super) fn of_body<'a>(
+        &'a self,
+        proxies: &'a Proxies,
+        body: usize,
+    ) -> impl Iterator<Item = usize> + use<'a> {
+        let (mut link, mut proxy) = (NONE, proxies.first_of(body));
+        std::iter::from_fn(move || self.next_of_body(proxies, &mut link, &mut proxy))
+    }
+
+    /// Apart, so that whoever asks shares it.
+    #[inline(never)]
+    fn next_of_body(&self, proxies: &Proxies, link: &mut u32, proxy: &mut Option<u32>) -> Option<usize> {
+        while *link == NONE {
+            let next = (*proxy)?;
+            (*link, *proxy) = (self.heads[next as usize], proxies.after(next));
+        }
+        let at = (*link >> 1) as usize;
+        *link = self.links[at].next[(*link & 1) as usize];
+        Some(at)
     }
 
     /// Changes the pairs of a proxy, by the proxies that they are of.

@@ -218,8 +218,16 @@ impl Proxies {
 
     /// The proxies of a body.
     pub(super) fn of(&self, body: usize) -> impl Iterator<Item = u32> + '_ {
-        let listed = |at: u32| (at != NONE).then_some(at);
-        std::iter::successors(listed(self.heads[body]), move |&at| listed(self.next[at as usize]))
+        std::iter::successors(self.first_of(body), move |&at| self.after(at))
+    }
+
+    pub(super) fn first_of(&self, body: usize) -> Option<u32> {
+        Some(self.heads[body]).filter(|&at| at != NONE)
+    }
+
+    /// The next proxy of the same body.
+    pub(super) fn after(&self, proxy: u32) -> Option<u32> {
+        Some(self.next[proxy as usize]).filter(|&at| at != NONE)
     }
 
     /// The box around a proxy, as wide as contacts reach.

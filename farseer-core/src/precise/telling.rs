@@ -176,7 +176,7 @@ impl Precise {
     /// What is told of each body that can be pushed, by number.
     fn told(&self) -> Vec<Told> {
         let (mut unions, mut census) = (Islands::default(), Vec::new());
-        self.count_islands(&mut unions, &mut census, |body| self.bodies.before[body as usize]);
+        self.count_islands(&mut unions, &mut census, &|body| self.bodies.before[body as usize]);
         let substeps = if self.h > 0.0 { (self.dt / self.h).round() as u32 } else { 0 };
         let rows = self.rows_by_body();
         let mut told: Vec<Told> = (0..self.bodies.hot.len())
@@ -227,7 +227,7 @@ impl Precise {
         let mut left = IslandResidual::default();
         let numbers = bodies.iter().filter_map(|&body| self.number_of(body));
         for body in numbers.filter(|&body| self.is_dynamic(body)) {
-            let pairs = self.proxies.of(body).flat_map(|proxy| self.pairs.of(proxy));
+            let pairs = self.pairs.of_body(&self.proxies, body);
             for pair in pairs.filter(|&pair| self.pairs.all[pair].home.is_some()) {
                 let [overlap, approach] = self.residual_of_pair(pair, objects);
                 (left.overlap, left.approach) = (left.overlap.max(overlap), left.approach.max(approach));

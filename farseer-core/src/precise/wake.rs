@@ -72,7 +72,7 @@ impl Precise {
             }
             let mut pairs = std::mem::take(&mut self.lost);
             let with_rows = |pair: &usize| self.pairs.all[*pair].home.is_some();
-            let of_body = self.proxies.of(number).flat_map(|proxy| self.pairs.of(proxy)).filter(with_rows);
+            let of_body = self.pairs.of_body(&self.proxies, number).filter(with_rows);
             pairs.extend(of_body.map(|pair| pair as u32));
             pairs.drain(..).for_each(|pair| self.note_waking(pair as usize));
             self.lost = pairs;
@@ -307,8 +307,10 @@ impl Precise {
     /// The pairs of these bodies may change again, and their rows go back to their colours. In the order of creation numbers:
     /// that of rows of the last colour matters.
     fn take_pairs_up(&mut self, woken: &[u32]) {
-        let proxies = woken.iter().flat_map(|&body| self.proxies.of(body as usize));
-        let mut pairs: Vec<usize> = proxies.flat_map(|proxy| self.pairs.of(proxy)).collect();
+        let mut pairs = Vec::new();
+        for &body in woken {
+            pairs.extend(self.pairs.of_body(&self.proxies, body as usize));
+        }
         sort_by_number(&mut pairs, |&pair| self.proxies.creation_numbers(self.pairs.watched[pair].proxies));
         pairs.dedup();
         let h = self.h;

@@ -116,6 +116,11 @@ impl Contact {
         self.relative(a, b)
     }
 
+    /// Relative velocities of all rows, with these of members.
+    pub(super) fn relative_in(&self, members: &[Triple]) -> Triple {
+        self.relative_of(|member| members[member])
+    }
+
     /// Relative velocities of all rows.
     #[inline(always)]
     pub(super) fn relative(&self, a: Triple, b: Triple) -> Triple {
@@ -171,12 +176,15 @@ impl Contact {
         (impulses, active)
     }
 
-    /// A first guess: what has pressed goes on to, whatever it takes, and what has stuck sticks.
-    pub(super) fn guess(&self) -> (Triple, Set) {
+    /// A first guess: what has pressed goes on to, whatever it takes, and what has stuck sticks. Where nothing has pressed yet
+    /// all that is not apart presses, and sticks: from one that meets to the next, as the bodies come upon each other, the set
+    /// would take a step for each body of a column.
+    pub(super) fn guess(&self, is_fresh: bool) -> (Triple, Set) {
+        let presses = |row: usize| if is_fresh { self.is_near(row) } else { self.centre[row] > 0.0 };
         let free: Triple =
             std::array::from_fn(|row| self.centre[row] - self.stiffness[row] * self.excess[row]);
         let (mut impulses, mut active) = ([0.0; 3], 0);
-        for row in (0..2).filter(|&row| self.centre[row] > 0.0) {
+        for row in (0..2).filter(|&row| presses(row)) {
             impulses[row] = free[row];
             active |= 1 << row;
         }
@@ -185,24 +193,15 @@ impl Contact {
         (impulses, active | u8::from(sticks) << FRICTION)
     }
 
-    /// A first guess where nothing has pressed yet: all that is not apart presses, and sticks. From one that meets to the next,
-    /// as the bodies come upon each other, the set would take a step for each body of a column.
-    pub(super) fn guess_of_fresh(&self) -> (Triple, Set) {
-        let active = self.points_near() | u8::from(self.bound > 0.0) << FRICTION;
-        let spring = |row: usize| -self.stiffness[row] * self.excess[row];
-        let impulses = std::array::from_fn(|row| if active >> row & 1 == 1 { spring(row) } else { 0.0 });
-        (impulses, active)
-    }
-
-    /// Friction's bound in that guess: none.
+    /// Friction's bound in the guess where nothing has pressed yet: none.
     pub(super) fn bound_of_fresh(&self) -> f64 {
-        if self.points_near() != 0 && self.friction > 0.0 { f64::INFINITY } else { 0.0 }
+        let is_near = self.is_near(0) || self.is_near(1);
+        if is_near && self.friction > 0.0 { f64::INFINITY } else { 0.0 }
     }
 
-    /// Points that would touch.
-    fn points_near(&self) -> Set {
-        let is_near = |row: usize| u8::from(self.has(row) && self.excess[row] <= 0.0);
-        is_near(0) | is_near(1) << 1
+    /// Whether a point would touch.
+    fn is_near(&self, row: usize) -> bool {
+        self.has(row) && self.excess[row] <= 0.0
     }
 
     /// Friction's bound goes this part of the way to that of what presses now; the whole way from none.
@@ -241,10 +240,15 @@ impl Contact {
         change
     }
 
+    /// The impulses, and what is active, are those of springs now.
+    pub(super) fn obey(&mut self) {
+        (self.impulses, self.active) = self.law(self.excess);
+    }
+
     /// Goes along the last direction by this part; answers whether the factors are of another set now.
     pub(super) fn follow(&mut self, part: f64) -> bool {
         (0..3).for_each(|row| self.excess[row] += part * self.change[row]);
-        (self.impulses, self.active) = self.law(self.excess);
+        self.obey();
         self.active != self.factored
     }
 }

@@ -221,21 +221,14 @@ impl Island {
     fn obey_impulses(&mut self) {
         let Island { members, contacts, direction, .. } = self;
         direction.fill([0.0; 3]);
-        for contact in contacts.iter() {
-            let impulses = std::array::from_fn(|row| contact.impulses[row] - contact.begun[row]);
-            for (&member, push) in contact.bodies.iter().zip(contact.push(impulses)) {
-                if member != FIXED {
-                    add(&mut direction[member as usize], push);
-                }
-            }
-        }
+        add_changes(contacts, direction);
         for (member, way) in members.iter_mut().zip(direction.iter_mut()) {
             let change = member.yields(*way);
             *way = std::array::from_fn(|axis| change[axis] - member.change[axis]);
             member.change = change;
         }
         for contact in contacts {
-            let change = contact.relative_of(|member| direction[member]);
+            let change = contact.relative_in(direction);
             add(&mut contact.excess, change);
         }
     }
@@ -266,13 +259,8 @@ impl Island {
 
     /// All is as it was in the beginning, but for the best so far.
     fn begin_again(&mut self) {
-        let Island { members, contacts, .. } = self;
-        for contact in contacts {
-            let change = contact.relative_of(|member| members[member].change);
-            (0..3).for_each(|row| contact.excess[row] -= change[row]);
-            contact.impulses = contact.begun;
-        }
-        members.iter_mut().for_each(|member| member.change = [0.0; 3]);
+        self.contacts.iter_mut().for_each(|contact| contact.impulses = contact.begun);
+        self.obey_impulses();
     }
 
     fn stiffen(&mut self, softness: f64) {
@@ -307,8 +295,7 @@ impl Island {
                 false => contact.bounded(),
             };
             (contact.impulses, contact.active) = match is_first {
-                true if is_fresh => contact.guess_of_fresh(),
-                true => contact.guess(),
+                true => contact.guess(is_fresh),
                 false => contact.law(contact.excess),
             };
         }
@@ -358,7 +345,7 @@ impl Island {
         if follows && !is_exact {
             for contact in &mut self.contacts {
                 contact.follow_bound(FOLLOW);
-                (contact.impulses, contact.active) = contact.law(contact.excess);
+                contact.obey();
             }
         }
         is_exact || part * greatest < least
@@ -383,14 +370,7 @@ impl Island {
         let Island { members, contacts, factor, gradient, direction, .. } = self;
         gradient.clear();
         gradient.extend(members.iter().map(|member| member.weighed(member.change).map(|momentum| -momentum)));
-        for contact in contacts {
-            let impulses = std::array::from_fn(|row| contact.impulses[row] - contact.begun[row]);
-            for (&member, push) in contact.bodies.iter().zip(contact.push(impulses)) {
-                if member != FIXED {
-                    add(&mut gradient[member as usize], push);
-                }
-            }
-        }
+        add_changes(contacts, gradient);
         direction.clone_from(gradient);
         factor.solve(direction);
         -gradient.iter().zip(direction.iter()).map(|(&g, &way)| dot(g, way)).sum::<f64>()
@@ -412,7 +392,7 @@ impl Island {
         let (mut is_same, mut greatest, mut slope) = (true, 0.0, weight);
         let Island { contacts, direction, .. } = self;
         for contact in contacts {
-            contact.change = contact.relative_of(|member| direction[member]);
+            contact.change = contact.relative_in(direction);
             (0..3).for_each(|row| contact.excess[row] += contact.change[row]);
             let (impulses, active) = contact.law(contact.excess);
             // What slides may slide the other way there.
@@ -502,19 +482,11 @@ impl Island {
                 let depth = -contact.separations[row];
                 impulses[row] = contact.stiffness[row] * if depth < most { depth.max(0.0) } else { most };
             }
-            for (&member, push) in contact.bodies.iter().zip(contact.push(impulses)) {
-                if member != FIXED {
-                    add(&mut self.direction[member as usize], push);
-                }
-            }
+            add_push(contact, impulses, &mut self.direction);
         }
         self.factor.solve(&mut self.direction);
         for contact in &mut self.contacts {
-            let [a, b] = contact.bodies.map(|member| match member {
-                FIXED => [0.0; 3],
-                member => self.direction[member as usize],
-            });
-            let way = contact.relative(a, b);
+            let way = contact.relative_in(&self.direction);
             (0..2)
                 .filter(|&row| contact.rows >> row & 1 == 1)
                 .for_each(|row| contact.separations[row] += way[row]);
@@ -524,6 +496,24 @@ impl Island {
     /// The way of each member beside that of its velocity, after [`part`](Self::part) has found one.
     pub(super) fn ways(&self) -> &[Triple] {
         &self.direction
+    }
+}
+
+/// Adds what the impulses of a contact do to members.
+fn add_push(contact: &Contact, impulses: Triple, pushes: &mut [Triple]) {
+    for (&member, push) in contact.bodies.iter().zip(contact.push(impulses)) {
+        if member != FIXED {
+            add(&mut pushes[member as usize], push);
+        }
+    }
+}
+
+/// Adds what impulses have changed for members since the step began.
+#[inline(never)]
+fn add_changes(contacts: &[Contact], pushes: &mut [Triple]) {
+    for contact in contacts {
+        let impulses = std::array::from_fn(|row| contact.impulses[row] - contact.begun[row]);
+        add_push(contact, impulses, pushes);
     }
 }
 

@@ -332,7 +332,7 @@ impl Precise {
     fn take_census(&mut self) {
         let mut unions = std::mem::take(&mut self.direct.unions);
         let mut census = std::mem::take(&mut self.direct.census);
-        self.count_islands(&mut unions, &mut census, |body| self.bodies.hot[body as usize].velocity);
+        self.count_islands(&mut unions, &mut census, &|body| self.bodies.hot[body as usize].velocity);
         (self.direct.unions, self.direct.census) = (unions, census);
     }
 
@@ -341,7 +341,7 @@ impl Precise {
         &self,
         unions: &mut Islands,
         census: &mut Vec<Census>,
-        velocity: impl Fn(u32) -> [f32; 4],
+        velocity: &dyn Fn(u32) -> [f32; 4],
     ) {
         self.join_contacts(unions);
         census.clear();
@@ -365,7 +365,7 @@ impl Precise {
             of.has_depth = self.space.is_some();
             if self.bounces || of.has_depth {
                 let lane = self.rows.lane(state.kind, home);
-                let velocities = [lane.a, lane.b].map(&velocity);
+                let velocities = [lane.a, lane.b].map(velocity);
                 of.bounces |= bounces(&lane, velocities, self.tuning.bounce);
                 of.is_deep |= self.presses_across(&lane, velocities);
                 of.is_burdened |= of.has_depth && is_burden(lane.inverse_masses, lane.normal, self.fall);
@@ -590,7 +590,7 @@ fn list_edges(members: &[(u32, u32)], pairs: &Pairs, proxies: &Proxies, edges: &
     let place = |body: u32| members.binary_search_by_key(&body, |member| member.1).ok();
     edges.clear();
     for (one, &(_, body)) in members.iter().enumerate() {
-        for pair in proxies.of(body as usize).flat_map(|proxy| pairs.of(proxy)) {
+        for pair in pairs.of_body(proxies, body as usize) {
             let [a, b] = pairs.watched[pair].proxies.map(|proxy| proxies.all[proxy as usize].body);
             let other = if a == body { b } else { a };
             if pairs.all[pair].home.is_some() && body < other {

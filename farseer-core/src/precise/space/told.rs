@@ -44,8 +44,7 @@ impl Precise {
 
     /// The pairs of a body that are near enough to touch.
     pub(crate) fn space_touches_of(&self, number: usize) -> impl Iterator<Item = SpaceTouch> + '_ {
-        let proxies = self.proxies.of(number);
-        proxies.flat_map(|proxy| self.pairs.of(proxy)).filter_map(|pair| self.space_touch(pair))
+        self.pairs.of_body(&self.proxies, number).filter_map(|pair| self.space_touch(pair))
     }
 
     /// The geoms near a body that push it when they touch it, once for each pair of pieces.

@@ -34,14 +34,16 @@ impl Touch<'_> {
     /// Whether something heavy lies on something light by a normal of a pair, where there is a depth axis.
     #[inline(always)]
     pub(super) fn is_burden(&self, pair: usize, normal: Vector) -> bool {
-        self.space.is_some() && is_upright(normal, self.fall) && {
-            let [a, b] = self.pairs.watched[pair].proxies;
-            let inverse_mass = |proxy: u32| {
-                let body = self.proxies.all[proxy as usize].body;
-                self.bodies.inverses[body as usize][0]
-            };
-            is_burden([a, b].map(inverse_mass), normal, self.fall)
-        }
+        self.space.is_some() && is_upright(normal, self.fall) && self.burdens(pair, normal)
+    }
+
+    #[inline(never)]
+    fn burdens(&self, pair: usize, normal: Vector) -> bool {
+        let inverse_masses = self.pairs.watched[pair].proxies.map(|proxy| {
+            let body = self.proxies.all[proxy as usize].body;
+            self.bodies.inverses[body as usize][0]
+        });
+        is_burden(inverse_masses, normal, self.fall)
     }
 
     /// Pairs learn where their rows are that have moved.

@@ -16,10 +16,8 @@ impl Touch<'_> {
     fn sunk(&self, body: usize) -> f32 {
         let id = self.bodies.ids[body];
         let before = self.space.zip(id).map_or(0.0, |(space, id)| space.body(id).sunk);
-        let pairs = self.proxies.of(body).flat_map(|proxy| self.pairs.of(proxy));
-        pairs
-            .map(|pair| self.depth(pair))
-            .fold(before, |deepest, depth| if depth > deepest { depth } else { deepest })
+        let depths = self.pairs.of_body(self.proxies, body).map(|pair| self.depth(pair));
+        depths.fold(before, |deepest, depth| if depth > deepest { depth } else { deepest })
     }
 
     /// How deep the two of a pair are in each other that push each other.
