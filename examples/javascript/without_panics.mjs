@@ -96,5 +96,20 @@ for (const definition of functions) {
   if (panics.has(nameOf(definition))) definition.inner = [TRAP];
   else shorten(definition.inner, panics, false, new Set());
 }
-// By name: what is alike lies side by side, and compresses better.
-process.stdout.write([...rest, ...functions.map(print).sort(), ')\n'].join('\n'));
+
+/** By name without its hash and without what it drops, then by parameters, then by size: what is alike lies side by side, and
+ * compresses better. */
+function compare(one, other) {
+  for (const [at, mine] of one.order.entries()) {
+    if (mine !== other.order[at]) return mine < other.order[at] ? -1 : 1;
+  }
+  return 0;
+}
+
+const printed = functions.map((definition) => {
+  const text = print(definition);
+  const name = nameOf(definition);
+  const alike = name.replace(/17h[0-9a-f]{16}E|\d+(?=drop_in_place)|(?<=drop_in_place).*/g, '');
+  return { text, order: [alike, definition.text.replace(name, ''), text.length] };
+});
+process.stdout.write([...rest, ...printed.sort(compare).map(({ text }) => text), ')\n'].join('\n'));
