@@ -1,7 +1,8 @@
 //! A contact as the direct method sees it: rows of at most two points along the normal, and one of friction.
 
+use super::block::Triple;
 use super::depth::Rub;
-use super::factor::{Entry, Triple};
+use super::factor::Entry;
 use crate::precise::rows::Aside;
 
 /// In place of a body's place in its island: it does not give way.

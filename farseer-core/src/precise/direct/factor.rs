@@ -2,15 +2,9 @@
 //!
 //! In the [order of elimination](crate::precise::elimination) the work is that of articulated bodies on trees.
 
+use super::block::{Block, Triple};
 use crate::precise::elimination::Elimination;
 use crate::storage::reusing_clone::reusing_clone;
-
-/// Velocity, or impulse, of a body: x, y and turning.
-pub(super) type Triple = [f64; 3];
-/// A symmetric block: xx, xy, yy, xz, yz, zz.
-pub(super) type Symmetric = [f64; 6];
-/// Any block, by rows.
-pub(super) type Block = [f64; 9];
 
 /// Where the block of two bodies is, and whether it is kept the other way round.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,21 +13,27 @@ pub(super) struct Entry {
     is_turned: bool,
 }
 
-/// The matrix, and then its factors.
+/// The matrix and its factors.
 #[derive(Debug, Default)]
 pub(super) struct Factor {
     /// The graph that was planned for.
     edges: Vec<[u32; 2]>,
     elimination: Elimination,
-    diagonal: Vec<Symmetric>,
-    inverse: Vec<Symmetric>,
+    /// The matrix: it is kept, since from one step of Newton's method to the next little of it changes.
+    on_diagonal: Vec<Block>,
+    off_diagonal: Vec<Block>,
+    /// What of it is left to eliminate, and the factors.
+    diagonal: Vec<Block>,
+    inverse: Vec<Block>,
     below: Vec<Block>,
     /// The blocks of a column before they are divided.
     column: Vec<Block>,
     solution: Vec<Triple>,
 }
 
-reusing_clone! { Factor { edges, elimination, diagonal, inverse, below, column, solution } }
+reusing_clone! {
+    Factor { edges, elimination, on_diagonal, off_diagonal, diagonal, inverse, below, column, solution }
+}
 
 impl Factor {
     /// Plans for so many bodies, of which these are tied to each other, each pair once and the lesser number first. Answers
@@ -48,11 +48,11 @@ impl Factor {
         if !self.elimination.plan(count, edges, products, most) {
             return false;
         }
-        self.diagonal.resize(count, [0.0; 6]);
-        self.inverse.resize(count, [0.0; 6]);
+        self.on_diagonal.resize(count, Block::default());
+        self.off_diagonal.resize(self.elimination.rows.len(), Block::default());
+        self.inverse.resize(count, Block::default());
         self.solution.resize(count, [0.0; 3]);
-        self.below.resize(self.elimination.rows.len(), [0.0; 9]);
-        self.column.resize(self.elimination.longest(), [0.0; 9]);
+        self.column.resize(self.elimination.longest(), Block::default());
         true
     }
 
@@ -64,43 +64,39 @@ impl Factor {
 
     /// A matrix of diagonal blocks alone.
     pub(super) fn begin(&mut self, masses: impl Iterator<Item = [f64; 2]>) {
-        self.below.fill([0.0; 9]);
+        self.off_diagonal.fill(Block::default());
         for (&place, [mass, inertia]) in self.elimination.places.iter().zip(masses) {
-            self.diagonal[place as usize] = [mass, 0.0, mass, 0.0, 0.0, inertia];
+            self.on_diagonal[place as usize] = Block::of_diagonal([mass, mass, inertia]);
         }
     }
 
     #[inline(always)]
-    pub(super) fn add(&mut self, body: u32, block: Symmetric) {
-        let diagonal = &mut self.diagonal[self.elimination.places[body as usize] as usize];
-        diagonal.iter_mut().zip(block).for_each(|(sum, part)| *sum += part);
+    pub(super) fn add(&mut self, body: u32, block: &Block) {
+        self.on_diagonal[self.elimination.places[body as usize] as usize].add(block);
     }
 
     /// Adds a block whose columns are A's and rows B's.
     #[inline(always)]
-    pub(super) fn add_between(&mut self, entry: Entry, [xx, xy, xz, yx, yy, yz, zx, zy, zz]: Block) {
-        let block = if entry.is_turned {
-            [xx, yx, zx, xy, yy, zy, xz, yz, zz]
-        } else {
-            [xx, xy, xz, yx, yy, yz, zx, zy, zz]
-        };
-        self.below[entry.at as usize].iter_mut().zip(block).for_each(|(sum, part)| *sum += part);
+    pub(super) fn add_between(&mut self, entry: Entry, block: &Block) {
+        let sum = &mut self.off_diagonal[entry.at as usize];
+        sum.add(&if entry.is_turned { block.turned() } else { *block });
     }
 
     /// Makes the factors.
     pub(super) fn factorise(&mut self) {
+        self.diagonal.clone_from(&self.on_diagonal);
+        self.below.clone_from(&self.off_diagonal);
         let mut product = 0;
         for place in 0..self.elimination.order.len() {
-            let inverse = inverted(&self.diagonal[place]);
+            let inverse = self.diagonal[place].inverse();
             self.inverse[place] = inverse;
             let column = self.elimination.column(place);
             for at in column.clone() {
                 let block = self.below[at];
-                let divided = divided(&block, &inverse);
-                let diagonal = &mut self.diagonal[self.elimination.rows[at] as usize];
-                take_own(diagonal, &divided, &block);
+                let divided = block.product(&inverse);
+                self.diagonal[self.elimination.rows[at] as usize].take(&divided.product(&block));
                 for above in &self.column[..at - column.start] {
-                    take(&mut self.below[self.elimination.targets[product] as usize], &divided, above);
+                    self.below[self.elimination.targets[product] as usize].take(&divided.product(above));
                     product += 1;
                 }
                 self.column[at - column.start] = block;
@@ -111,79 +107,28 @@ impl Factor {
 
     /// Solves for a right-hand side by body, in place.
     pub(super) fn solve(&mut self, x: &mut [Triple]) {
-        for (value, &body) in self.solution.iter_mut().zip(&self.elimination.order) {
+        let Factor { elimination, inverse, below, solution, .. } = self;
+        for (value, &body) in solution.iter_mut().zip(&elimination.order) {
             *value = x[body as usize];
         }
-        for place in 0..self.elimination.order.len() {
-            let value = self.solution[place];
-            for at in self.elimination.column(place) {
-                let (block, below) =
-                    (&self.below[at], &mut self.solution[self.elimination.rows[at] as usize]);
-                for (i, below) in below.iter_mut().enumerate() {
-                    let [p, q, r] = [block[3 * i], block[3 * i + 1], block[3 * i + 2]];
-                    *below -= p * value[0] + q * value[1] + r * value[2];
-                }
+        for place in 0..elimination.order.len() {
+            let value = solution[place];
+            for at in elimination.column(place) {
+                let part = below[at].times(value);
+                let under = &mut solution[elimination.rows[at] as usize];
+                *under = std::array::from_fn(|axis| under[axis] - part[axis]);
             }
         }
-        for place in (0..self.elimination.order.len()).rev() {
-            let mut value = by(&self.inverse[place], self.solution[place]);
-            for at in self.elimination.column(place) {
-                let (block, below) = (&self.below[at], self.solution[self.elimination.rows[at] as usize]);
-                for (i, value) in value.iter_mut().enumerate() {
-                    *value -= block[i] * below[0] + block[3 + i] * below[1] + block[6 + i] * below[2];
-                }
+        for place in (0..elimination.order.len()).rev() {
+            let mut value = inverse[place].times(solution[place]);
+            for at in elimination.column(place) {
+                let part = below[at].turned_times(solution[elimination.rows[at] as usize]);
+                value = std::array::from_fn(|axis| value[axis] - part[axis]);
             }
-            self.solution[place] = value;
-            x[self.elimination.order[place] as usize] = value;
+            solution[place] = value;
+            x[elimination.order[place] as usize] = value;
         }
     }
-}
-
-/// A block times the inverse of a symmetric one.
-#[inline(always)]
-fn divided(block: &Block, inverse: &Symmetric) -> Block {
-    let row = |i: usize| by(inverse, [block[3 * i], block[3 * i + 1], block[3 * i + 2]]);
-    let ([a, b, c], [d, e, f], [g, h, i]) = (row(0), row(1), row(2));
-    [a, b, c, d, e, f, g, h, i]
-}
-
-#[inline(always)]
-fn by([xx, xy, yy, xz, yz, zz]: &Symmetric, [x, y, z]: Triple) -> Triple {
-    [x * xx + y * xy + z * xz, x * xy + y * yy + z * yz, x * xz + y * yz + z * zz]
-}
-
-/// Element of the product of one block and another one turned.
-#[inline(always)]
-fn element(one: &Block, i: usize, other: &Block, j: usize) -> f64 {
-    one[3 * i] * other[3 * j] + one[3 * i + 1] * other[3 * j + 1] + one[3 * i + 2] * other[3 * j + 2]
-}
-
-#[inline(always)]
-fn take_own(from: &mut Symmetric, divided: &Block, block: &Block) {
-    for (entry, [i, j]) in from.iter_mut().zip([[0, 0], [0, 1], [1, 1], [0, 2], [1, 2], [2, 2]]) {
-        *entry -= element(divided, i, block, j);
-    }
-}
-
-#[inline(always)]
-fn take(from: &mut Block, divided: &Block, above: &Block) {
-    for (at, entry) in from.iter_mut().enumerate() {
-        *entry -= element(divided, at / 3, above, at % 3);
-    }
-}
-
-/// By the factors L D L^T of the block itself: cofactors lose the square of what this loses.
-#[inline(always)]
-fn inverted(&[xx, xy, yy, xz, yz, zz]: &Symmetric) -> Symmetric {
-    let first = 1.0 / xx;
-    let (l10, l20) = (xy * first, xz * first);
-    let second = 1.0 / (yy - l10 * xy);
-    let rest = yz - l20 * xy;
-    let l21 = rest * second;
-    let third = 1.0 / (zz - l20 * xz - l21 * rest);
-    let corner = l10 * l21 - l20;
-    let (b, c) = (-l21 * third, corner * third);
-    [first + l10 * l10 * second + corner * c, -l10 * second - l21 * c, second - l21 * b, c, b, third]
 }
 
 #[cfg(test)]
@@ -194,13 +139,12 @@ mod tests {
     fn tie(factor: &mut Factor, [a, b]: [u32; 2], k: f64) {
         // u = x_b + 0.5 z_b - x_a - 0.2 z_a + 0.3 (y_b - y_a)
         let (ja, jb) = ([-1.0, -0.3, -0.2], [1.0, 0.3, 0.5]);
-        let symmetric = |j: Triple| {
-            [j[0] * j[0], j[0] * j[1], j[1] * j[1], j[0] * j[2], j[1] * j[2], j[2] * j[2]].map(|x| k * x)
+        let block = |rows: Triple, columns: Triple| {
+            Block::of_rows(rows.map(|row| columns.map(|column| k * row * column)))
         };
-        factor.add(a, symmetric(ja));
-        factor.add(b, symmetric(jb));
-        let block = std::array::from_fn(|at| k * jb[at / 3] * ja[at % 3]);
-        factor.add_between(factor.entry(a, b), block);
+        factor.add(a, &block(ja, ja));
+        factor.add(b, &block(jb, jb));
+        factor.add_between(factor.entry(a, b), &block(jb, ja));
     }
 
     /// What the matrix of [`tie`] and unit masses does to a vector.

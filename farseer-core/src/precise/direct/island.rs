@@ -13,9 +13,10 @@
 //! springs with multipliers; K. Erleben, "Rigid body contact problems using proximal operators" (2017), for the same as
 //! proximal points.
 
-use super::contact::{Contact, FIXED, FRICTION};
+use super::block::{Block, Triple};
+use super::contact::{Contact, FIXED, FRICTION, Set};
 use super::depth::push as push_across;
-use super::factor::{Factor, Triple};
+use super::factor::Factor;
 use crate::storage::reusing_clone::reusing_clone;
 
 /// Softness of springs, as part of what one row's own weight would make of it: at first, by how much less from round to
@@ -354,12 +355,13 @@ impl Island {
     /// Makes the factors of what is active.
     fn factorise(&mut self) {
         let Island { members, contacts, factor, .. } = self;
-        factor.begin(members.iter().map(|member| [member.mass, member.inertia]));
-        for contact in contacts {
+        if !self.is_factored {
+            factor.begin(members.iter().map(|member| [member.mass, member.inertia]));
+            contacts.iter_mut().for_each(|contact| contact.factored = 0);
+        }
+        for contact in contacts.iter_mut().filter(|contact| contact.active != contact.factored) {
+            assemble(contact, factor);
             contact.factored = contact.active;
-            if contact.active != 0 {
-                assemble(contact, factor);
-            }
         }
         factor.factorise();
         self.is_factored = true;
@@ -538,10 +540,13 @@ fn greater(one: f64, other: f64) -> f64 {
     if one <= other { other } else { one }
 }
 
-/// Adds k j j' of the active rows of a contact: with n the normal and t the tangent, of two bodies the same in x and y.
+/// Adds k j j' of the rows of a contact that have become active, and takes away that of those that no longer are: with n the
+/// normal and t the tangent, of two bodies the same in x and y.
 fn assemble(contact: &Contact, factor: &mut Factor) {
-    let stiffness: Triple =
-        std::array::from_fn(|row| if contact.active >> row & 1 == 1 { contact.stiffness[row] } else { 0.0 });
+    let is_in = |set: Set, row: usize| f64::from(set >> row & 1);
+    let stiffness: Triple = std::array::from_fn(|row| {
+        (is_in(contact.active, row) - is_in(contact.factored, row)) * contact.stiffness[row]
+    });
     let ([nx, ny], along, across) = (contact.normal, stiffness[0] + stiffness[1], stiffness[2]);
     let xx = along * nx * nx + across * ny * ny;
     let xy = (along - across) * nx * ny;
@@ -558,12 +563,13 @@ fn assemble(contact: &Contact, factor: &mut Factor) {
     let ([ax, ay], [bx, by]) = (turned(arms_a), turned(arms_b));
     let [a, b] = contact.bodies;
     if a != FIXED {
-        factor.add(a, [xx, xy, yy, ax, ay, both(arms_a, arms_a)]);
+        factor.add(a, &Block::of_rows([[xx, xy, ax], [xy, yy, ay], [ax, ay, both(arms_a, arms_a)]]));
     }
     if b != FIXED {
-        factor.add(b, [xx, xy, yy, bx, by, both(arms_b, arms_b)]);
+        factor.add(b, &Block::of_rows([[xx, xy, bx], [xy, yy, by], [bx, by, both(arms_b, arms_b)]]));
     }
     if let Some(entry) = contact.entry {
-        factor.add_between(entry, [-xx, -xy, -ax, -xy, -yy, -ay, -bx, -by, -both(arms_a, arms_b)]);
+        let rows = [[-xx, -xy, -ax], [-xy, -yy, -ay], [-bx, -by, -both(arms_a, arms_b)]];
+        factor.add_between(entry, &Block::of_rows(rows));
     }
 }

@@ -6,6 +6,7 @@
 //! A row has one home: those of such islands are taken out of their colours, and go back to them with the impulses that were
 //! found.
 
+mod block;
 mod contact;
 mod depth;
 mod factor;
@@ -24,10 +25,10 @@ use super::tuning::Step;
 use crate::methods::IslandChoice;
 use crate::storage::order::{joined, sort_by_number};
 use crate::storage::reusing_clone::reusing_clone;
+use block::Triple;
 use contact::{Contact, Ends, FIXED};
 pub(super) use depth::{is_burden, is_upright};
 use depth::{is_in_plane, unload};
-use factor::Triple;
 use island::{Effort, Goal, Island, Member};
 
 /// Most bodies of an island.
