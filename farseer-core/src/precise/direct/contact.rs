@@ -1,8 +1,8 @@
 //! A contact as the direct method sees it: rows of at most two points along the normal, and one of friction.
 
 use super::block::Triple;
-use super::depth::Rub;
 use super::factor::Entry;
+use super::island::Member;
 use crate::precise::rows::Aside;
 
 /// In place of a body's place in its island: it does not give way.
@@ -59,11 +59,11 @@ pub(super) struct Contact {
     /// Rows that yield as springs, rather than pressing nothing or sliding; and those that the factors were made for.
     pub(super) active: Set,
     pub(super) factored: Set,
-    pub(super) across: Rub,
 }
 
 impl Contact {
     /// Of a row whose impulses are of so many parts of a step, with velocities before impulses act.
+    #[inline(always)]
     pub(super) fn new(row: &Aside, parts: f64, Ends { bodies, entry }: Ends) -> Self {
         let lane = &row.lane;
         let of_points = |of: fn(&crate::precise::rows::PointLane) -> f32, friction: f32| {
@@ -94,15 +94,40 @@ impl Contact {
             best: impulses,
             active: 0,
             factored: 0,
-            across: Rub::new(lane, parts),
         }
     }
 
-    /// A moves by itself, with this arm of the tangent along the depth axis.
-    pub(super) fn carry(&mut self, [x, y, spin, z]: [f64; 4], across_arm: f64) {
-        self.carried = self.relative([x, y, spin], [0.0; 3]);
-        self.across.carried += spin * across_arm - z;
+    /// A moves by itself.
+    #[inline(always)]
+    pub(super) fn carry(&mut self, velocity: Triple) {
+        self.carried = self.relative(velocity, [0.0; 3]);
         (0..3).for_each(|row| self.excess[row] += self.carried[row]);
+    }
+
+    /// Members move as they do now: they may come nearer by what points are apart, less `reach`, in `dt`.
+    #[inline(always)]
+    pub(super) fn meet(&mut self, members: &[Member], dt: f64, reach: f64) {
+        let velocity = self.relative_of(|member| members[member].velocity);
+        (0..3).for_each(|row| self.excess[row] += velocity[row]);
+        for row in 0..2 {
+            let gap = self.separations[row] - reach;
+            self.excess[row] += if gap > 0.0 { gap / dt } else { 0.0 };
+        }
+    }
+
+    /// Separations are those after `dt` of velocities. Answers how deep the deepest point is that is to be taken out of what it
+    /// is in, if that is deeper than `reach`.
+    #[inline(always)]
+    pub(super) fn advance(&mut self, members: &[Member], dt: f64, reach: f64) -> f64 {
+        let velocity = self.relative_of(|member| members[member].velocity);
+        let mut deepest = 0.0;
+        for row in 0..2 {
+            self.separations[row] += dt * (velocity[row] + self.carried[row]);
+            if self.is_pressed_out(row, reach) && -self.separations[row] > deepest {
+                deepest = -self.separations[row];
+            }
+        }
+        deepest
     }
 
     #[inline(always)]
@@ -141,11 +166,12 @@ impl Contact {
 
     /// Friction within its bound; what is no number stays none.
     pub(super) fn limited(&self, impulse: f64) -> f64 {
-        if impulse.abs() <= self.bound { impulse } else { self.bound.copysign(impulse) }
+        within(self.bound, impulse)
     }
 
     /// How far the rows are from what they are to be, as velocities: those that press are to stand still, the others may not
     /// approach; friction stands still or is as great as it may be.
+    #[inline(always)]
     pub(super) fn residual(&self) -> f64 {
         let mut worst = 0.0;
         let mut note = |velocity: f64| worst = if velocity.abs() <= worst { worst } else { velocity.abs() };
@@ -156,7 +182,7 @@ impl Contact {
         let (mass, impulse) = (self.masses[FRICTION], self.impulses[FRICTION]);
         if mass > 0.0 {
             let wanted = impulse - mass * self.excess[FRICTION];
-            let limited = self.limited(wanted);
+            let limited = within(self.bounded(), wanted);
             note(if limited == wanted { self.excess[FRICTION] } else { (limited - impulse) / mass });
         }
         worst
@@ -205,11 +231,10 @@ impl Contact {
         self.has(row) && self.excess[row] <= 0.0
     }
 
-    /// Friction's bound goes this part of the way to that of what presses now; the whole way from none.
-    pub(super) fn follow_bound(&mut self, part: f64) {
+    /// Friction's bound, gone this part of the way to that of what presses now; the whole way from none.
+    pub(super) fn followed_bound(&self, part: f64) -> f64 {
         let bounded = self.bounded();
-        self.bound =
-            if self.bound.is_finite() { self.bound + part * (bounded - self.bound) } else { bounded };
+        if self.bound.is_finite() { self.bound + part * (bounded - self.bound) } else { bounded }
     }
 
     /// Friction's bound at first, of what presses, or of what begins to.
@@ -220,6 +245,7 @@ impl Contact {
     }
 
     /// Whether a point is to be taken out of what it is in, if that is deeper than `reach`.
+    #[inline(always)]
     pub(super) fn is_pressed_out(&self, row: usize, reach: f64) -> bool {
         self.has(row) && (self.impulses[row] > 0.0 || self.separations[row] < -UNLOADED * reach)
     }
@@ -252,4 +278,10 @@ impl Contact {
         self.obey();
         self.active != self.factored
     }
+}
+
+/// At most so much, either way; what is no number stays none.
+#[inline(always)]
+fn within(bound: f64, impulse: f64) -> f64 {
+    if impulse.abs() <= bound { impulse } else { bound.copysign(impulse) }
 }

@@ -6,11 +6,12 @@
 //! against the slip, a part of it in the plane and a part along the axis, as the slip is. Contacts with other normals are left out
 //! while nothing presses on them; else the island is left to the passes.
 
-use super::contact::{Contact, FIXED, FRICTION};
+use super::contact::{FIXED, FRICTION};
 use super::island::{Island, Member};
+use super::whole::finite;
 use crate::math::plane::{Vector, dot};
 use crate::precise::Precise;
-use crate::precise::rows::Lane;
+use crate::precise::rows::{Lane, SpaceLane};
 
 /// What is so many times as heavy is heavy; it lies on what is below it by a normal of which the square of the
 /// upright part is this.
@@ -62,7 +63,7 @@ pub(super) struct Rub {
     /// Coefficient of friction.
     friction: f64,
     /// Velocity of B against A that is not that of members: of what does not give way, and of belts.
-    pub(super) carried: f64,
+    carried: f64,
     /// On B, of the whole step.
     pub(super) impulse: f64,
 }
@@ -79,6 +80,17 @@ impl Rub {
         }
     }
 
+    /// A moves by itself, and turns with this arm of the tangent along the axis.
+    pub(super) fn carry(&mut self, [_, _, spin, z]: [f64; 4], arm: f64) {
+        self.carried += spin * arm - z;
+    }
+
+    /// A row takes over what was found.
+    pub(super) fn write(&self, lane: &mut SpaceLane, parts: f64) {
+        lane.totals[3] = finite(-self.impulse) as f32;
+        lane.across_impulse = finite(-self.impulse / parts) as f32;
+    }
+
     /// Velocity of B against A.
     #[inline(never)]
     fn slip(&self, bodies: [u32; 2], members: &[Member]) -> f64 {
@@ -89,7 +101,7 @@ impl Rub {
 
 /// An impulse along the axis acts on B, and against A.
 #[inline(never)]
-pub(super) fn push(bodies: [u32; 2], members: &mut [Member], impulse: f64) {
+fn push(bodies: [u32; 2], members: &mut [Member], impulse: f64) {
     for (member, impulse) in bodies.into_iter().zip([-impulse, impulse]) {
         if member != FIXED {
             let member = &mut members[member as usize];
@@ -98,29 +110,39 @@ pub(super) fn push(bodies: [u32; 2], members: &mut [Member], impulse: f64) {
     }
 }
 
-impl Contact {
-    /// Before the plane is solved: of the friction of what slips faster than this along the axis, a part is for that.
-    pub(super) fn divide_friction(&mut self, members: &[Member], slips: f64) {
-        let (along, slip) = (self.excess[FRICTION], self.across.slip(self.bodies, members));
-        if slip.abs() > slips {
-            self.friction *= along.abs() / (along * along + slip * slip).sqrt();
+impl Island {
+    /// Before the plane is solved: what contacts do along the axis, as it acts so far.
+    pub(super) fn begin_across(&mut self) {
+        let Island { contacts, rubs, members, .. } = self;
+        for (contact, rub) in contacts.iter().zip(rubs) {
+            push(contact.bodies, members, rub.impulse);
         }
     }
-}
 
-impl Island {
-    /// After that: friction along the axis, within what the plane has left of its bounds.
+    /// Of the friction of what slips faster than this along the axis, a part is for that.
+    pub(super) fn divide_friction(&mut self, slips: f64) {
+        let Island { contacts, rubs, members, .. } = self;
+        for (contact, rub) in contacts.iter_mut().zip(rubs) {
+            let (along, slip) = (contact.excess[FRICTION], rub.slip(contact.bodies, members));
+            if slip.abs() > slips {
+                contact.friction *= along.abs() / (along * along + slip * slip).sqrt();
+            }
+        }
+    }
+
+    /// After the plane is solved: friction along the axis, within what the plane has left of its bounds.
     pub(super) fn rub_across(&mut self, unit: f64) {
-        let Island { contacts, members, .. } = self;
+        let Island { contacts, rubs, members, .. } = self;
         for _ in 0..SWEEPS {
             let mut is_settled = true;
-            for contact in contacts.iter_mut() {
-                let (rub, [one, two, along]) = (contact.across, contact.impulses);
+            for (contact, rub) in contacts.iter_mut().zip(rubs.iter_mut()) {
+                let [one, two, along] = contact.impulses;
                 let most = rub.friction * (one + two);
                 contact.bound = (most * most - along * along).max(0.0).sqrt();
                 let wanted = rub.impulse - rub.mass * rub.slip(contact.bodies, members);
-                contact.across.impulse = contact.limited(wanted);
-                let change = contact.across.impulse - rub.impulse;
+                let impulse = contact.limited(wanted);
+                let change = impulse - rub.impulse;
+                rub.impulse = impulse;
                 is_settled &= change.abs() <= SETTLED * unit * rub.mass;
                 push(contact.bodies, members, change);
             }

@@ -15,7 +15,7 @@
 
 use super::block::{Block, Triple};
 use super::contact::{Contact, FIXED, FRICTION, Set};
-use super::depth::push as push_across;
+use super::depth::Rub;
 use super::factor::Factor;
 use crate::storage::reusing_clone::reusing_clone;
 
@@ -29,8 +29,10 @@ const STIFFEST: f64 = 6e-5;
 /// tall column yields to: its slow swaying weighs little beside a row's own weight.
 const STIFF: f64 = 1e-5;
 const RIGID: f64 = 1e-8;
-/// A round of such springs that takes more steps than this has had a wrong set: all begins again with softer ones.
+/// A round of such springs that takes more steps than this, and leaves more than this part of what was off, has had a wrong set:
+/// all begins again with softer ones.
 const FEW: usize = 4;
+const LESS: f64 = 0.5;
 /// Most steps of Newton's method in a round, most rounds, one of them with stiff springs, and most steps of all.
 const NEWTON: usize = 25;
 const ROUNDS: usize = 7;
@@ -39,8 +41,9 @@ const MOST: usize = 100;
 const SWEEPS: usize = 8;
 /// Halvings and secants on a line; it ends where this part of the first slope is left.
 const LINE: usize = 20;
-const LEVEL: f64 = 0.01;
-/// How far friction's bounds follow what presses in a step of Newton's method.
+const LEVEL: f64 = 0.1;
+/// How far friction's bounds follow what presses in a step of Newton's method, and from round to round: in rings what presses
+/// may follow friction as much.
 const FOLLOW: f64 = 0.5;
 
 /// A body of the island.
@@ -61,7 +64,7 @@ pub(super) struct Member {
 impl Member {
     /// What an impulse does to the velocity.
     #[inline(always)]
-    fn yields(&self, [x, y, turn]: Triple) -> Triple {
+    pub(super) fn yields(&self, [x, y, turn]: Triple) -> Triple {
         [x / self.mass, y / self.mass, turn / self.inertia]
     }
 
@@ -77,7 +80,7 @@ fn dot(a: Triple, b: Triple) -> f64 {
 }
 
 #[inline(always)]
-fn add(to: &mut Triple, part: Triple) {
+pub(super) fn add(to: &mut Triple, part: Triple) {
     to.iter_mut().zip(part).for_each(|(to, part)| *to += part);
 }
 
@@ -112,6 +115,8 @@ pub(super) struct Goal {
 pub(super) struct Island {
     pub(super) members: Vec<Member>,
     pub(super) contacts: Vec<Contact>,
+    /// What contacts do along the depth axis; none if there is none.
+    pub(super) rubs: Vec<Rub>,
     pub(super) factor: Factor,
     /// Whether the factors are those of what is active now.
     is_factored: bool,
@@ -120,38 +125,18 @@ pub(super) struct Island {
     direction: Vec<Triple>,
 }
 
-reusing_clone! { Island { members, contacts, factor, is_factored, softness, gradient, direction } }
+reusing_clone! { Island { members, contacts, rubs, factor, is_factored, softness, gradient, direction } }
 
 impl Island {
-    /// The impulses so far act. Answers how far rows are from what they are to be. What slips along the depth axis slips faster
+    /// Impulses so far act. Answers how far rows are from what they are to be. What slips along the depth axis slips faster
     /// than that.
     pub(super) fn begin(&mut self, dt: f64, [reach, slips]: [f64; 2]) -> f64 {
         (self.is_factored, self.softness) = (false, 0.0);
         self.direction.resize(self.members.len(), [0.0; 3]);
         let Island { members, contacts, .. } = self;
-        for contact in contacts.iter() {
-            for (&member, push) in contact.bodies.iter().zip(contact.push(contact.impulses)) {
-                if member != FIXED {
-                    let member = &mut members[member as usize];
-                    let change = member.yields(push);
-                    add(&mut member.velocity, change);
-                }
-            }
-            push_across(contact.bodies, members, contact.across.impulse);
-        }
-        let mut worst = 0.0;
-        for contact in contacts {
-            let velocity = contact.relative_of(|member| members[member].velocity);
-            add(&mut contact.excess, velocity);
-            for row in 0..2 {
-                let gap = contact.separations[row] - reach;
-                contact.excess[row] += if gap > 0.0 { gap / dt } else { 0.0 };
-            }
-            contact.divide_friction(members, slips);
-            contact.bound = contact.bounded();
-            worst = greater(contact.residual(), worst);
-        }
-        worst
+        contacts.iter_mut().for_each(|contact| contact.meet(members, dt, reach));
+        self.divide_friction(slips);
+        self.residual()
     }
 
     /// Finds the impulses with which nothing is further from what it is to be than the goal says. The best of all rounds
@@ -173,7 +158,7 @@ impl Island {
             let most = if is_stiff { FEW } else { MOST - effort.steps };
             let (steps, is_found) = self.round(is_first, goal.exact, most);
             effort.steps += steps;
-            if is_stiff && !is_found {
+            if is_stiff && !is_found && !(self.residual() < LESS * goal.begun) {
                 self.begin_again();
                 self.stiffen(SOFTNESS);
                 is_first = true;
@@ -275,13 +260,8 @@ impl Island {
         }
     }
 
-    fn residual(&mut self) -> f64 {
-        let mut worst = 0.0;
-        for contact in &mut self.contacts {
-            contact.bound = contact.bounded();
-            worst = greater(contact.residual(), worst);
-        }
-        worst
+    fn residual(&self) -> f64 {
+        self.contacts.iter().fold(0.0, |worst, contact| greater(contact.residual(), worst))
     }
 
     /// The least of the springs' function, with the impulses now as those that springs begin with.
@@ -293,7 +273,7 @@ impl Island {
             contact.bound = match is_first {
                 true if is_fresh => contact.bound_of_fresh(),
                 true => contact.first_bound(),
-                false => contact.bounded(),
+                false => contact.followed_bound(FOLLOW),
             };
             (contact.impulses, contact.active) = match is_first {
                 true => contact.guess(is_fresh),
@@ -345,7 +325,7 @@ impl Island {
         let is_exact = is_same;
         if follows && !is_exact {
             for contact in &mut self.contacts {
-                contact.follow_bound(FOLLOW);
+                contact.bound = contact.followed_bound(FOLLOW);
                 contact.obey();
             }
         }
@@ -448,17 +428,9 @@ impl Island {
     /// is. Separations are those after `dt` of the velocities, and then of the ways too.
     pub(super) fn part(&mut self, dt: f64, [reach, most]: [f64; 2]) -> bool {
         let Island { members, contacts, .. } = self;
-        let mut deepest = 0.0;
-        for contact in contacts {
-            let mut velocity = contact.relative_of(|member| members[member].velocity);
-            add(&mut velocity, contact.carried);
-            for (row, velocity) in velocity.into_iter().enumerate().take(2) {
-                contact.separations[row] += dt * velocity;
-                if contact.is_pressed_out(row, reach) {
-                    deepest = greater(-contact.separations[row], deepest);
-                }
-            }
-        }
+        let deepest = contacts
+            .iter_mut()
+            .fold(0.0, |deepest, contact| greater(contact.advance(members, dt, reach), deepest));
         let is_deep = deepest > reach;
         if is_deep {
             self.stiffen(SOFTNESS);
@@ -502,6 +474,7 @@ impl Island {
 }
 
 /// Adds what the impulses of a contact do to members.
+#[inline(always)]
 fn add_push(contact: &Contact, impulses: Triple, pushes: &mut [Triple]) {
     for (&member, push) in contact.bodies.iter().zip(contact.push(impulses)) {
         if member != FIXED {
@@ -536,7 +509,8 @@ fn stop(contact: &mut Contact, row: usize, members: &mut [Member]) {
 }
 
 /// The greater one; the first one if it is not a number.
-fn greater(one: f64, other: f64) -> f64 {
+#[inline(always)]
+pub(super) fn greater(one: f64, other: f64) -> f64 {
     if one <= other { other } else { one }
 }
 

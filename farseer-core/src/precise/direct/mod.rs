@@ -11,25 +11,24 @@ mod contact;
 mod depth;
 mod factor;
 mod island;
+mod whole;
 
 use serde::{Deserialize, Serialize};
 
 use super::Precise;
 use super::islands::Islands;
-use super::joints::weight_of;
 use super::pairs::Pairs;
 use super::proxies::{Mobility, Proxies};
-use super::rows::{Aside, Home, Lane, PointLane};
+use super::rows::{Home, Lane, PointLane};
 use super::telling::WhyMethod;
-use super::tuning::Step;
 use crate::methods::IslandChoice;
 use crate::storage::order::{joined, sort_by_number};
 use crate::storage::reusing_clone::reusing_clone;
-use block::Triple;
-use contact::{Contact, Ends, FIXED};
+use contact::{Ends, FIXED};
 pub(super) use depth::{is_burden, is_upright};
 use depth::{is_in_plane, unload};
-use island::{Effort, Goal, Island, Member};
+use island::Member;
+use whole::Whole;
 
 /// Most bodies of an island.
 const LARGEST: u32 = 400;
@@ -52,23 +51,6 @@ const REST: u8 = 128;
 /// and all are calm.
 const PERIOD: u8 = 16;
 const FEW: usize = 64;
-/// In units of length per second: the greatest error of a velocity that is left as it is; and the one in the update after a
-/// solution, for what has corrected velocities is to leave the impulses again.
-const QUIET: f64 = 1e-4;
-const EXACT: f64 = 2e-6;
-/// What a solution leaves of it at most, and if that is easily had: what it leaves adds up from update to update until it is
-/// not quiet any more.
-const ENOUGH: f64 = 1e-5;
-const SOLVED: f64 = 1e-9;
-/// What a solution may leave at least, whatever there was before: a solution that leaves more than either is none.
-const BEARABLE: f64 = 0.25;
-/// What begins with less error than the first is still: its set goes on as it was. Of what has rings and moves, the second is enough.
-const STILL: f64 = 3e-4;
-const NEAR: f64 = 0.01;
-/// Overlap in units of length, and as a part of coordinates, that is left as it is.
-const LEFT: f64 = 1e-5;
-const LEFT_OF_PLACE: f64 = 1e-6;
-
 /// How an island has fared so far, at each of its bodies.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Wear {
@@ -127,19 +109,6 @@ impl Timing {
         (self.is_due, self.may_be_due, self.age) = (false, false, 0);
     }
 }
-
-/// An island, and where its contacts' rows are.
-#[derive(Debug, Default)]
-struct Whole {
-    island: Island,
-    homes: Vec<Home>,
-    ends: Vec<Ends>,
-    ways: Vec<Triple>,
-    /// Steps of Newton's method in the last update.
-    steps: usize,
-}
-
-reusing_clone! { Whole { island, homes, ends, ways, steps } }
 
 /// What is counted of an island.
 #[derive(Debug, Clone, Copy, Default)]
@@ -474,116 +443,6 @@ impl Precise {
             }
         }
     }
-
-    /// Solves the islands that are solved as a whole. What they do is written by [`finish_direct`](Self::finish_direct).
-    pub(super) fn solve_direct(&mut self, step: &Step) {
-        let unit = f64::from(self.tuning.unit);
-        for at in 0..self.direct.count {
-            let mut whole = std::mem::take(&mut self.direct.islands[at]);
-            let effort = self.solve_whole(&mut whole, step, unit);
-            self.note_effort(&whole.island, effort);
-            whole.steps = effort.steps;
-            self.direct.islands[at] = whole;
-        }
-    }
-
-    /// Answers how many steps of Newton's method it has taken.
-    fn solve_whole(&mut self, whole: &mut Whole, step: &Step, unit: f64) -> Effort {
-        let Precise { bodies, rows, .. } = self;
-        let (dt, parts) = (f64::from(step.dt), f64::from(step.substeps));
-        let Whole { island, homes, ends, ways, .. } = whole;
-        let mut far = 0.0;
-        for member in &mut island.members {
-            let at = member.number as usize;
-            let ([x, y, ..], push) = (bodies.poses[at], bodies.push[at]);
-            far = [x, y].iter().fold(far, |far: f32, x| if x.abs() > far { x.abs() } else { far });
-            let velocity = bodies.hot[at].velocity;
-            member.velocity = std::array::from_fn(|i| f64::from(velocity[i]) + f64::from(push[i]) * parts);
-            member.depth = f64::from(velocity[3]) + f64::from(push[3]) * parts;
-            member.change = [0.0; 3];
-            [member.mass, member.inertia] = bodies.inverses[at].map(weight_of);
-        }
-        let left = LEFT_OF_PLACE * f64::from(far);
-        let left = if left > LEFT * unit { left } else { LEFT * unit };
-        island.contacts.clear();
-        island.contacts.extend(homes.iter().zip(ends.iter()).map(|(&home, &ends)| {
-            let row = rows.direct(home);
-            let lane = &row.lane;
-            let mut contact = Contact::new(row, f64::from(step.dt / row.h), ends);
-            // What is moved by the game is always the first one.
-            if ends.bodies[0] == FIXED && lane.a != 0 {
-                let velocity = bodies.hot[lane.a as usize].velocity.map(f64::from);
-                contact.carry(velocity, f64::from(lane.space.across_arms[0]));
-            }
-            contact
-        }));
-        let residual = island.begin(dt, [left, depth::SLIPS * unit]);
-        let is_hot = self.direct.wear[island.members[0].number as usize].is_hot;
-        let quiet = unit * if is_hot { EXACT } else { QUIET };
-        let effort = if residual > quiet {
-            island.solve(&Goal {
-                begun: residual,
-                bearable: if residual > unit * BEARABLE { residual } else { unit * BEARABLE },
-                enough: unit * ENOUGH,
-                exact: unit * SOLVED,
-                still: unit * STILL,
-                near: unit * NEAR,
-            })
-        } else {
-            Effort { steps: 0, residual, is_solved: true }
-        };
-        let most = f64::from(self.tuning.push) * dt;
-        let has_ways = island.part(dt, [left, most]);
-        ways.clear();
-        ways.extend(island.members.iter().enumerate().map(|(at, member)| {
-            let way = member.velocity.map(|velocity| velocity * dt);
-            if has_ways { std::array::from_fn(|i| way[i] + island.ways()[at][i]) } else { way }
-        }));
-        if self.space.is_some() {
-            island.rub_across(unit);
-        }
-        for (contact, &home) in island.contacts.iter().zip(homes.iter()) {
-            write(contact, rows.direct_mut(home), parts, step.h);
-        }
-        effort
-    }
-
-    /// An island that is busy for long, or could not be solved, is left to the passes.
-    fn note_effort(&mut self, island: &Island, Effort { steps, is_solved, .. }: Effort) {
-        let mut wear = self.direct.wear[island.members[0].number as usize];
-        wear.effort += (steps as f32 - wear.effort) / LONG;
-        wear.is_hot = steps > 0;
-        let has_rings = usize::from(island.contacts.len() > island.members.len());
-        let most = if self.space.is_some() {
-            depth::BUSY
-        } else {
-            BUSY[has_rings] + BUSIER[has_rings] * island.members.len() as f32
-        };
-        let is_busy = wear.effort > most;
-        if (is_busy || !is_solved) && self.direct.timing.choice != IslandChoice::Whole {
-            (wear.effort, wear.rest) = (0.0, REST);
-            self.direct.timing.has_resting = true;
-            self.direct.timing.is_due = true;
-        }
-        for member in &island.members {
-            self.direct.wear[member.number as usize] = wear;
-        }
-    }
-
-    /// Bodies of islands that were solved as a whole move as was found.
-    pub(super) fn finish_direct(&mut self, step: &Step) {
-        let Precise { direct, bodies, .. } = self;
-        for Whole { island, ways, .. } in &direct.islands[..direct.count] {
-            for (member, way) in island.members.iter().zip(ways) {
-                // What is loaded has no negative zeros, as what cannot turn may get them here.
-                let [x, y, spin] = member.velocity.map(|velocity| velocity as f32 + 0.0);
-                let depth = member.depth as f32 + 0.0;
-                bodies.hot[member.number as usize].velocity = [x, y, spin, depth];
-                let [x, y, turned] = way.map(|way| way as f32);
-                bodies.path[member.number as usize] = [x, y, turned, depth * step.dt];
-            }
-        }
-    }
 }
 
 /// Which of these bodies touch each other, as places in their list.
@@ -620,25 +479,4 @@ fn worst(members: &[(u32, u32)], wear: &[Wear]) -> Wear {
         is_loose: worst.is_loose || wear.is_loose,
         ..worst
     })
-}
-
-/// Nothing instead of what is not finite in a row.
-#[inline(never)]
-fn finite(number: f64) -> f64 {
-    if (number as f32).is_finite() { number } else { 0.0 }
-}
-
-/// A row takes over what was found. Its spring rests at what it carries, so that nothing sags if passes go on from here.
-fn write(contact: &Contact, row: &mut Aside, parts: f64, h: f32) {
-    row.h = h;
-    row.exact = contact.impulses.map(|impulse| finite(impulse / parts));
-    row.lane.tangent_impulse = row.exact[contact::FRICTION] as f32;
-    let ([one, two, along], across) = (contact.impulses, -contact.across.impulse);
-    row.lane.space.totals = [one, two, along, across].map(|impulse| finite(impulse) as f32);
-    row.lane.space.across_impulse = finite(across / parts) as f32;
-    for (at, point) in row.lane.points.iter_mut().enumerate() {
-        point.impulse = row.exact[at] as f32;
-        point.held = point.impulse;
-        point.separation = finite(contact.separations[at]) as f32;
-    }
 }

@@ -1,0 +1,287 @@
+//! An island in an update: what its rows say, and what goes back to them.
+//!
+//! Mostly all is as it is to be. That is seen row by row; contacts are only made of the rows of what is to be solved.
+
+use super::block::Triple;
+use super::contact::{Contact, Ends, FIXED, FRICTION};
+use super::depth::{self, Rub};
+use super::island::{Effort, Goal, Island, add, greater};
+use super::{BUSIER, BUSY, LONG, REST};
+use crate::methods::IslandChoice;
+use crate::precise::Precise;
+use crate::precise::bodies::Bodies;
+use crate::precise::joints::weight_of;
+use crate::precise::rows::{Aside, Home, Rows};
+use crate::precise::tuning::Step;
+use crate::storage::reusing_clone::reusing_clone;
+
+/// In units of length per second: the greatest error of a velocity that is left as it is, of what is still; and the one in the
+/// update after a solution, for what has corrected velocities is to leave the impulses again.
+const QUIET: f64 = 1e-4;
+const EXACT: f64 = 2e-6;
+/// What a solution leaves of it at most, and if that is easily had: what it leaves adds up from update to update until it is
+/// not quiet any more. Of what has rings and moves, the last one is enough.
+const ENOUGH: f64 = 1e-5;
+const SOLVED: f64 = 1e-9;
+const NEAR: f64 = 0.01;
+/// What a solution may leave at least, whatever there was before: a solution that leaves more than either is none.
+const BEARABLE: f64 = 0.25;
+/// Overlap in units of length, and as a part of coordinates, that is left as it is.
+const LEFT: f64 = 1e-5;
+const LEFT_OF_PLACE: f64 = 1e-6;
+
+/// An island, and where its contacts' rows are.
+#[derive(Debug, Default)]
+pub(super) struct Whole {
+    pub(super) island: Island,
+    pub(super) homes: Vec<Home>,
+    pub(super) ends: Vec<Ends>,
+    ways: Vec<Triple>,
+    /// Of each contact of which nothing but these changes.
+    separations: Vec<[f64; 2]>,
+    /// Steps of Newton's method in the last update.
+    pub(super) steps: usize,
+}
+
+reusing_clone! { Whole { island, homes, ends, ways, separations, steps } }
+
+/// What rows are read with.
+struct Reading<'a> {
+    rows: &'a Rows,
+    bodies: &'a Bodies,
+    /// Seconds of the step, and the overlap that is left.
+    dt: f32,
+    left: f64,
+}
+
+impl Reading<'_> {
+    /// The contact of a row, which is all of it.
+    #[inline(always)]
+    fn contact(&self, home: Home, ends: Ends) -> Contact {
+        let row = self.rows.direct(home);
+        let mut contact = Contact::new(row, f64::from(self.dt / row.h), ends);
+        if let Some([x, y, spin, _]) = self.carried(row, ends) {
+            contact.carry([x, y, spin]);
+        }
+        contact
+    }
+
+    /// What it does along the depth axis.
+    fn rub(&self, home: Home, ends: Ends) -> Rub {
+        let row = self.rows.direct(home);
+        let mut rub = Rub::new(&row.lane, f64::from(self.dt / row.h));
+        if let Some(velocity) = self.carried(row, ends) {
+            rub.carry(velocity, f64::from(row.lane.space.across_arms[0]));
+        }
+        rub
+    }
+
+    /// Velocity of what is moved by the game, which is always the first one.
+    #[inline(always)]
+    fn carried(&self, row: &Aside, ends: Ends) -> Option<[f64; 4]> {
+        let is_moved = ends.bodies[0] == FIXED && row.lane.a != 0;
+        is_moved.then(|| self.bodies.hot[row.lane.a as usize].velocity.map(f64::from))
+    }
+}
+
+impl Whole {
+    /// Members move as they will without impulses. Answers the greatest coordinate.
+    fn take_bodies(&mut self, bodies: &Bodies, parts: f64) -> f32 {
+        let mut far = 0.0;
+        for member in &mut self.island.members {
+            let at = member.number as usize;
+            let ([x, y, ..], push) = (bodies.poses[at], bodies.push[at]);
+            far = [x, y].iter().fold(far, |far: f32, x| if x.abs() > far { x.abs() } else { far });
+            let velocity = bodies.hot[at].velocity;
+            member.velocity = std::array::from_fn(|i| f64::from(velocity[i]) + f64::from(push[i]) * parts);
+            member.depth = f64::from(velocity[3]) + f64::from(push[3]) * parts;
+            member.change = [0.0; 3];
+            [member.mass, member.inertia] = bodies.inverses[at].map(weight_of);
+        }
+        far
+    }
+
+    fn contacts(&self) -> impl Iterator<Item = (Home, Ends)> + use<'_> {
+        self.homes.iter().copied().zip(self.ends.iter().copied())
+    }
+
+    /// Impulses so far act in the plane.
+    fn press(&mut self, reading: &Reading<'_>) {
+        let Whole { island, homes, ends, .. } = self;
+        for (&home, &ends) in homes.iter().zip(ends.iter()) {
+            let contact = reading.contact(home, ends);
+            for (&member, push) in contact.bodies.iter().zip(contact.push(contact.impulses)) {
+                if member != FIXED {
+                    let member = &mut island.members[member as usize];
+                    let change = member.yields(push);
+                    add(&mut member.velocity, change);
+                }
+            }
+        }
+    }
+
+    /// How far rows are from what they are to be, and how deep points are in what they are in, if that is to change.
+    fn look(&mut self, reading: &Reading<'_>) -> [f64; 2] {
+        let Whole { island, homes, ends, separations, .. } = self;
+        let (members, dt) = (&island.members[..], f64::from(reading.dt));
+        let (mut residual, mut deepest) = (0.0, 0.0);
+        separations.clear();
+        separations.extend(homes.iter().zip(ends.iter()).map(|(&home, &ends)| {
+            let mut contact = reading.contact(home, ends);
+            contact.meet(members, dt, reading.left);
+            residual = greater(contact.residual(), residual);
+            deepest = greater(contact.advance(members, dt, reading.left), deepest);
+            contact.separations
+        }));
+        [residual, deepest]
+    }
+
+    /// Contacts of the rows; what they do along the depth axis acts, if there is one.
+    fn make_contacts(&mut self, reading: &Reading<'_>, has_depth: bool) {
+        let mut contacts = std::mem::take(&mut self.island.contacts);
+        contacts.clear();
+        contacts.extend(self.contacts().map(|(home, ends)| reading.contact(home, ends)));
+        self.island.contacts = contacts;
+        let mut rubs = std::mem::take(&mut self.island.rubs);
+        rubs.clear();
+        if has_depth {
+            rubs.extend(self.contacts().map(|(home, ends)| reading.rub(home, ends)));
+        }
+        self.island.rubs = rubs;
+        self.island.begin_across();
+    }
+
+    /// Ways are those of velocities, with those that take points out of each other.
+    fn find_ways(&mut self, dt: f64, has_more: bool) {
+        let Whole { island, ways, .. } = self;
+        ways.clear();
+        ways.extend(island.members.iter().enumerate().map(|(at, member)| {
+            let way = member.velocity.map(|velocity| velocity * dt);
+            if has_more { std::array::from_fn(|i| way[i] + island.ways()[at][i]) } else { way }
+        }));
+    }
+}
+
+impl Precise {
+    /// Solves the islands that are solved as a whole. What they do is written by [`finish_direct`](Self::finish_direct).
+    pub(in crate::precise) fn solve_direct(&mut self, step: &Step) {
+        let unit = f64::from(self.tuning.unit);
+        for at in 0..self.direct.count {
+            let mut whole = std::mem::take(&mut self.direct.islands[at]);
+            let effort = self.solve_whole(&mut whole, step, unit);
+            self.note_effort(&whole, effort);
+            whole.steps = effort.steps;
+            self.direct.islands[at] = whole;
+        }
+    }
+
+    /// Answers how many steps of Newton's method it has taken.
+    fn solve_whole(&mut self, whole: &mut Whole, step: &Step, unit: f64) -> Effort {
+        let Precise { bodies, rows, .. } = self;
+        let (dt, parts, has_depth) = (f64::from(step.dt), f64::from(step.substeps), self.space.is_some());
+        let far = LEFT_OF_PLACE * f64::from(whole.take_bodies(bodies, parts));
+        let left = if far > LEFT * unit { far } else { LEFT * unit };
+        let is_hot = self.direct.wear[whole.island.members[0].number as usize].is_hot;
+        let quiet = unit * if is_hot { EXACT } else { QUIET };
+        let reading = Reading { rows, bodies, dt: step.dt, left };
+        whole.press(&reading);
+        if !has_depth {
+            let [residual, deepest] = whole.look(&reading);
+            if residual <= quiet && deepest <= left {
+                whole.find_ways(dt, false);
+                for (&home, &separations) in whole.homes.iter().zip(&whole.separations) {
+                    let row = rows.direct_mut(home);
+                    let to_step = f64::from(step.dt / row.h);
+                    write(row, row.impulses().map(|impulse| impulse * to_step), separations, parts, step.h);
+                }
+                return Effort { steps: 0, residual, is_solved: true };
+            }
+        }
+        whole.make_contacts(&reading, has_depth);
+        let Whole { island, homes, .. } = whole;
+        let residual = island.begin(dt, [left, depth::SLIPS * unit]);
+        let effort = if residual > quiet {
+            island.solve(&Goal {
+                begun: residual,
+                bearable: if residual > unit * BEARABLE { residual } else { unit * BEARABLE },
+                enough: unit * ENOUGH,
+                exact: unit * SOLVED,
+                still: unit * QUIET,
+                near: unit * NEAR,
+            })
+        } else {
+            Effort { steps: 0, residual, is_solved: true }
+        };
+        let most = f64::from(self.tuning.push) * dt;
+        let has_more = island.part(dt, [left, most]);
+        island.rub_across(unit);
+        for (contact, &home) in island.contacts.iter().zip(homes.iter()) {
+            write(rows.direct_mut(home), contact.impulses, contact.separations, parts, step.h);
+        }
+        for (rub, &home) in island.rubs.iter().zip(homes.iter()) {
+            rub.write(&mut rows.direct_mut(home).lane.space, parts);
+        }
+        whole.find_ways(dt, has_more);
+        effort
+    }
+
+    /// An island that is busy for long, or could not be solved, is left to the passes.
+    fn note_effort(&mut self, whole: &Whole, Effort { steps, is_solved, .. }: Effort) {
+        let (bodies, contacts) = (whole.island.members.len(), whole.homes.len());
+        let mut wear = self.direct.wear[whole.island.members[0].number as usize];
+        wear.effort += (steps as f32 - wear.effort) / LONG;
+        wear.is_hot = steps > 0;
+        let has_rings = usize::from(contacts > bodies);
+        let most = if self.space.is_some() {
+            depth::BUSY
+        } else {
+            BUSY[has_rings] + BUSIER[has_rings] * bodies as f32
+        };
+        let is_busy = wear.effort > most;
+        if (is_busy || !is_solved) && self.direct.timing.choice != IslandChoice::Whole {
+            (wear.effort, wear.rest) = (0.0, REST);
+            self.direct.timing.has_resting = true;
+            self.direct.timing.is_due = true;
+        }
+        for member in &whole.island.members {
+            self.direct.wear[member.number as usize] = wear;
+        }
+    }
+
+    /// Bodies of islands that were solved as a whole move as was found.
+    pub(in crate::precise) fn finish_direct(&mut self, step: &Step) {
+        let Precise { direct, bodies, .. } = self;
+        for Whole { island, ways, .. } in &direct.islands[..direct.count] {
+            for (member, way) in island.members.iter().zip(ways) {
+                // What is loaded has no negative zeros, as what cannot turn may get them here.
+                let [x, y, spin] = member.velocity.map(|velocity| velocity as f32 + 0.0);
+                let depth = member.depth as f32 + 0.0;
+                bodies.hot[member.number as usize].velocity = [x, y, spin, depth];
+                let [x, y, turned] = way.map(|way| way as f32);
+                bodies.path[member.number as usize] = [x, y, turned, depth * step.dt];
+            }
+        }
+    }
+}
+
+/// Nothing instead of what is not finite in a row.
+#[inline(always)]
+pub(super) fn finite(number: f64) -> f64 {
+    if (number as f32).is_finite() { number } else { 0.0 }
+}
+
+/// A row takes over what was found, of the whole step. Its spring rests at what it carries, so that nothing sags if passes go on
+/// from here.
+#[inline(always)]
+fn write(row: &mut Aside, impulses: Triple, separations: [f64; 2], parts: f64, h: f32) {
+    row.h = h;
+    row.exact = impulses.map(|impulse| finite(impulse / parts));
+    row.lane.tangent_impulse = row.exact[FRICTION] as f32;
+    let totals = &mut row.lane.space.totals;
+    totals.iter_mut().zip(impulses).for_each(|(total, impulse)| *total = finite(impulse) as f32);
+    for (at, point) in row.lane.points.iter_mut().enumerate() {
+        point.impulse = row.exact[at] as f32;
+        point.held = point.impulse;
+        point.separation = finite(separations[at]) as f32;
+    }
+}
