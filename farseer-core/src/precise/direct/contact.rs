@@ -104,14 +104,14 @@ impl Contact {
         (0..3).for_each(|row| self.excess[row] += self.carried[row]);
     }
 
-    /// Members move as they do now: they may come nearer by what points are apart, less `reach`, in `dt`.
+    /// Members move as they do now: they may come nearer by what points are apart, less `reach`, so many times in a unit of time.
     #[inline(always)]
-    pub(super) fn meet(&mut self, members: &[Member], dt: f64, reach: f64) {
+    pub(super) fn meet(&mut self, members: &[Member], rate: f64, reach: f64) {
         let velocity = self.relative_of(|member| members[member].velocity);
         (0..3).for_each(|row| self.excess[row] += velocity[row]);
         for row in 0..2 {
             let gap = self.separations[row] - reach;
-            self.excess[row] += if gap > 0.0 { gap / dt } else { 0.0 };
+            self.excess[row] += if gap > 0.0 { gap * rate } else { 0.0 };
         }
     }
 
@@ -175,9 +175,13 @@ impl Contact {
     pub(super) fn residual(&self) -> f64 {
         let mut worst = 0.0;
         let mut note = |velocity: f64| worst = if velocity.abs() <= worst { worst } else { velocity.abs() };
-        for row in (0..2).filter(|&row| self.has(row)) {
-            let presses = self.impulses[row] > self.masses[row] * self.excess[row];
-            note(if presses { self.excess[row] } else { self.impulses[row] / self.masses[row] });
+        for row in 0..2 {
+            let (mass, impulse, excess) = (self.masses[row], self.impulses[row], self.excess[row]);
+            if impulse > mass * excess {
+                note(excess);
+            } else if impulse > 0.0 {
+                note(impulse / mass);
+            }
         }
         let (mass, impulse) = (self.masses[FRICTION], self.impulses[FRICTION]);
         if mass > 0.0 {
@@ -188,19 +192,20 @@ impl Contact {
         worst
     }
 
-    /// The impulses of springs from those of the round on, within their bounds, and which are not at a bound.
+    /// The impulses of springs from those of the round on, within their bounds, and which are not at a bound. What is not there
+    /// has no stiffness, and presses nothing.
     #[inline(always)]
     pub(super) fn law(&self, excess: Triple) -> (Triple, Set) {
-        let free: Triple = std::array::from_fn(|row| self.centre[row] - self.stiffness[row] * excess[row]);
-        let (mut impulses, mut active) = ([0.0; 3], 0);
-        for row in (0..2).filter(|&row| self.has(row) && free[row] > 0.0) {
-            impulses[row] = free[row];
-            active |= 1 << row;
-        }
-        let is_within = free[FRICTION].abs() <= self.bound;
-        impulses[FRICTION] = if is_within { free[FRICTION] } else { self.bound.copysign(free[FRICTION]) };
-        active |= u8::from(is_within && self.bound > 0.0) << FRICTION;
-        (impulses, active)
+        let [one, two, along]: Triple =
+            std::array::from_fn(|row| self.centre[row] - self.stiffness[row] * excess[row]);
+        let (first, second, sticks) = (one > 0.0, two > 0.0, along.abs() <= self.bound);
+        let impulses = [
+            if first { one } else { 0.0 },
+            if second { two } else { 0.0 },
+            if sticks { along } else { self.bound.copysign(along) },
+        ];
+        let is_bounded = sticks & (self.bound > 0.0);
+        (impulses, u8::from(first) | u8::from(second) << 1 | u8::from(is_bounded) << FRICTION)
     }
 
     /// A first guess: what has pressed goes on to, whatever it takes, and what has stuck sticks. Where nothing has pressed yet

@@ -24,9 +24,9 @@ use crate::storage::reusing_clone::reusing_clone;
 const SOFTNESS: f64 = 1e-3;
 const STIFFER: f64 = 0.25;
 const STIFFEST: f64 = 6e-5;
-/// Softness at first where the set hardly changes: of what is still, with rings and without, and of what has none and is new. In rings rows can press
-/// each other however hard, and stiff springs of a wrong set do; without rings they bear what comes and no more. It is what a
-/// tall column yields to: its slow swaying weighs little beside a row's own weight.
+/// Softness at first where the set hardly changes: of what is still, with rings and without, and of what has none and is new. In
+/// rings rows can press each other however hard, and stiff springs of a wrong set do; without rings they bear what comes and no
+/// more. It is what a tall column yields to: its slow swaying weighs little beside a row's own weight.
 const STIFF: f64 = 1e-5;
 const RIGID: f64 = 1e-8;
 /// A round of such springs that takes more steps than this, and leaves more than this part of what was off, has had a wrong set:
@@ -64,7 +64,7 @@ pub(super) struct Member {
 impl Member {
     /// What an impulse does to the velocity.
     #[inline(always)]
-    pub(super) fn yields(&self, [x, y, turn]: Triple) -> Triple {
+    fn yields(&self, [x, y, turn]: Triple) -> Triple {
         [x / self.mass, y / self.mass, turn / self.inertia]
     }
 
@@ -80,7 +80,7 @@ fn dot(a: Triple, b: Triple) -> f64 {
 }
 
 #[inline(always)]
-pub(super) fn add(to: &mut Triple, part: Triple) {
+fn add(to: &mut Triple, part: Triple) {
     to.iter_mut().zip(part).for_each(|(to, part)| *to += part);
 }
 
@@ -128,13 +128,33 @@ pub(super) struct Island {
 reusing_clone! { Island { members, contacts, rubs, factor, is_factored, softness, gradient, direction } }
 
 impl Island {
+    /// No impulses act so far.
+    pub(super) fn begin_pushes(&mut self) {
+        self.direction.clear();
+        self.direction.resize(self.members.len(), [0.0; 3]);
+    }
+
+    /// The impulses of a contact act.
+    #[inline(always)]
+    pub(super) fn push(&mut self, contact: &Contact) {
+        add_push(contact, contact.impulses, &mut self.direction);
+    }
+
+    /// Members move by what acts.
+    pub(super) fn obey_pushes(&mut self) {
+        let Island { members, direction, .. } = self;
+        for (member, &push) in members.iter_mut().zip(direction.iter()) {
+            let change = member.yields(push);
+            add(&mut member.velocity, change);
+        }
+    }
+
     /// Impulses so far act. Answers how far rows are from what they are to be. What slips along the depth axis slips faster
     /// than that.
     pub(super) fn begin(&mut self, dt: f64, [reach, slips]: [f64; 2]) -> f64 {
         (self.is_factored, self.softness) = (false, 0.0);
-        self.direction.resize(self.members.len(), [0.0; 3]);
         let Island { members, contacts, .. } = self;
-        contacts.iter_mut().for_each(|contact| contact.meet(members, dt, reach));
+        contacts.iter_mut().for_each(|contact| contact.meet(members, dt.recip(), reach));
         self.divide_friction(slips);
         self.residual()
     }
@@ -174,7 +194,8 @@ impl Island {
             if effort.residual <= goal.exact || is_near || is_stuck || effort.steps >= MOST {
                 break;
             }
-            if self.softness > STIFFEST && steps == 1 {
+            // In rings, bounds of friction are those of a guess in the first round: what was easily found there was not the set.
+            if self.softness > STIFFEST && steps == 1 && !(has_rings && round == 0) {
                 self.stiffen(STIFFER * self.softness);
             }
         }
@@ -312,7 +333,7 @@ impl Island {
                 }
             }
             if slope_there > 0.25 * -slope {
-                part = self.search(slope, by_change, by_direction);
+                part = self.search([slope, slope_there], by_change, by_direction);
             }
             self.contacts.iter_mut().for_each(|contact| {
                 contact.follow(part - 1.0);
@@ -403,9 +424,9 @@ impl Island {
         (slope, curvature)
     }
 
-    /// The part of the way at which the slope ends.
-    fn search(&self, first: f64, by_change: f64, by_direction: f64) -> f64 {
-        let (mut low, mut high, mut part) = (0.0, 1.0, 1.0);
+    /// The part of the way at which the slope ends, which is below zero in the beginning and above in the end.
+    fn search(&self, [first, last]: [f64; 2], by_change: f64, by_direction: f64) -> f64 {
+        let (mut low, mut high, mut part) = (0.0, 1.0, first / (first - last));
         for _ in 0..LINE {
             let (slope, curvature) = self.slope(part, by_change, by_direction);
             if slope.abs() < LEVEL * -first {

@@ -5,7 +5,7 @@
 use super::block::Triple;
 use super::contact::{Contact, Ends, FIXED, FRICTION};
 use super::depth::{self, Rub};
-use super::island::{Effort, Goal, Island, add, greater};
+use super::island::{Effort, Goal, Island, greater};
 use super::{BUSIER, BUSY, LONG, REST};
 use crate::methods::IslandChoice;
 use crate::precise::Precise;
@@ -49,17 +49,30 @@ reusing_clone! { Whole { island, homes, ends, ways, separations, steps } }
 struct Reading<'a> {
     rows: &'a Rows,
     bodies: &'a Bodies,
-    /// Seconds of the step, and the overlap that is left.
-    dt: f32,
+    step: &'a Step,
+    /// Substeps of the step.
+    parts: f64,
+    /// The overlap that is left.
     left: f64,
 }
 
 impl Reading<'_> {
-    /// The contact of a row, which is all of it.
+    /// In how many parts of a step the impulses of a row are told.
+    #[inline(always)]
+    fn parts_of(&self, row: &Aside) -> f64 {
+        if row.h == self.step.h { self.parts } else { self.other_parts(row.h) }
+    }
+
+    /// The step has changed; this hardly ever is.
+    #[cold]
+    fn other_parts(&self, h: f32) -> f64 {
+        f64::from(self.step.dt / h)
+    }
+
     #[inline(always)]
     fn contact(&self, home: Home, ends: Ends) -> Contact {
         let row = self.rows.direct(home);
-        let mut contact = Contact::new(row, f64::from(self.dt / row.h), ends);
+        let mut contact = Contact::new(row, self.parts_of(row), ends);
         if let Some([x, y, spin, _]) = self.carried(row, ends) {
             contact.carry([x, y, spin]);
         }
@@ -69,7 +82,7 @@ impl Reading<'_> {
     /// What it does along the depth axis.
     fn rub(&self, home: Home, ends: Ends) -> Rub {
         let row = self.rows.direct(home);
-        let mut rub = Rub::new(&row.lane, f64::from(self.dt / row.h));
+        let mut rub = Rub::new(&row.lane, self.parts_of(row));
         if let Some(velocity) = self.carried(row, ends) {
             rub.carry(velocity, f64::from(row.lane.space.across_arms[0]));
         }
@@ -101,54 +114,51 @@ impl Whole {
         far
     }
 
-    fn contacts(&self) -> impl Iterator<Item = (Home, Ends)> + use<'_> {
-        self.homes.iter().copied().zip(self.ends.iter().copied())
-    }
-
     /// Impulses so far act in the plane.
     fn press(&mut self, reading: &Reading<'_>) {
         let Whole { island, homes, ends, .. } = self;
+        island.begin_pushes();
         for (&home, &ends) in homes.iter().zip(ends.iter()) {
-            let contact = reading.contact(home, ends);
-            for (&member, push) in contact.bodies.iter().zip(contact.push(contact.impulses)) {
-                if member != FIXED {
-                    let member = &mut island.members[member as usize];
-                    let change = member.yields(push);
-                    add(&mut member.velocity, change);
-                }
-            }
+            island.push(&reading.contact(home, ends));
         }
+        island.obey_pushes();
     }
 
     /// How far rows are from what they are to be, and how deep points are in what they are in, if that is to change.
     fn look(&mut self, reading: &Reading<'_>) -> [f64; 2] {
         let Whole { island, homes, ends, separations, .. } = self;
-        let (members, dt) = (&island.members[..], f64::from(reading.dt));
-        let (mut residual, mut deepest) = (0.0, 0.0);
+        let (members, dt) = (&island.members[..], f64::from(reading.step.dt));
+        let (rate, mut residual, mut deepest) = (dt.recip(), 0.0, 0.0);
         separations.clear();
-        separations.extend(homes.iter().zip(ends.iter()).map(|(&home, &ends)| {
+        for (&home, &ends) in homes.iter().zip(ends.iter()) {
             let mut contact = reading.contact(home, ends);
-            contact.meet(members, dt, reading.left);
+            contact.meet(members, rate, reading.left);
             residual = greater(contact.residual(), residual);
             deepest = greater(contact.advance(members, dt, reading.left), deepest);
-            contact.separations
-        }));
+            separations.push(contact.separations);
+        }
         [residual, deepest]
     }
 
-    /// Contacts of the rows; what they do along the depth axis acts, if there is one.
-    fn make_contacts(&mut self, reading: &Reading<'_>, has_depth: bool) {
-        let mut contacts = std::mem::take(&mut self.island.contacts);
-        contacts.clear();
-        contacts.extend(self.contacts().map(|(home, ends)| reading.contact(home, ends)));
-        self.island.contacts = contacts;
-        let mut rubs = std::mem::take(&mut self.island.rubs);
-        rubs.clear();
-        if has_depth {
-            rubs.extend(self.contacts().map(|(home, ends)| reading.rub(home, ends)));
+    /// Nothing is to change but how far points are apart.
+    fn keep(&self, rows: &mut Rows, step: &Step, parts: f64) {
+        for (&home, &separations) in self.homes.iter().zip(&self.separations) {
+            let row = rows.direct_mut(home);
+            let scale = if row.h == step.h { 1.0 } else { f64::from(step.h / row.h) };
+            write(row, row.impulses().map(|impulse| impulse * scale), separations, parts, step.h);
         }
-        self.island.rubs = rubs;
-        self.island.begin_across();
+    }
+
+    /// Makes contacts of the rows; what they do along the depth axis acts, if there is one.
+    fn make_contacts(&mut self, reading: &Reading<'_>, has_depth: bool) {
+        let Whole { island, homes, ends, .. } = self;
+        island.contacts.clear();
+        island.rubs.clear();
+        for (&home, &ends) in homes.iter().zip(ends.iter()) {
+            island.contacts.push(reading.contact(home, ends));
+            island.rubs.extend(has_depth.then(|| reading.rub(home, ends)));
+        }
+        island.begin_across();
     }
 
     /// Ways are those of velocities, with those that take points out of each other.
@@ -183,17 +193,13 @@ impl Precise {
         let left = if far > LEFT * unit { far } else { LEFT * unit };
         let is_hot = self.direct.wear[whole.island.members[0].number as usize].is_hot;
         let quiet = unit * if is_hot { EXACT } else { QUIET };
-        let reading = Reading { rows, bodies, dt: step.dt, left };
+        let reading = Reading { rows, bodies, step, parts, left };
         whole.press(&reading);
         if !has_depth {
             let [residual, deepest] = whole.look(&reading);
             if residual <= quiet && deepest <= left {
+                whole.keep(rows, step, parts);
                 whole.find_ways(dt, false);
-                for (&home, &separations) in whole.homes.iter().zip(&whole.separations) {
-                    let row = rows.direct_mut(home);
-                    let to_step = f64::from(step.dt / row.h);
-                    write(row, row.impulses().map(|impulse| impulse * to_step), separations, parts, step.h);
-                }
                 return Effort { steps: 0, residual, is_solved: true };
             }
         }
@@ -216,7 +222,8 @@ impl Precise {
         let has_more = island.part(dt, [left, most]);
         island.rub_across(unit);
         for (contact, &home) in island.contacts.iter().zip(homes.iter()) {
-            write(rows.direct_mut(home), contact.impulses, contact.separations, parts, step.h);
+            let impulses = contact.impulses.map(|impulse| impulse / parts);
+            write(rows.direct_mut(home), impulses, contact.separations, parts, step.h);
         }
         for (rub, &home) in island.rubs.iter().zip(homes.iter()) {
             rub.write(&mut rows.direct_mut(home).lane.space, parts);
@@ -267,18 +274,17 @@ impl Precise {
 /// Nothing instead of what is not finite in a row.
 #[inline(always)]
 pub(super) fn finite(number: f64) -> f64 {
-    if (number as f32).is_finite() { number } else { 0.0 }
+    if number.abs() <= f64::from(f32::MAX) { number } else { 0.0 }
 }
 
-/// A row takes over what was found, of the whole step. Its spring rests at what it carries, so that nothing sags if passes go on
-/// from here.
+/// A row takes over impulses of a substep. Its spring rests at what it carries, so that nothing sags if passes go on from here.
 #[inline(always)]
 fn write(row: &mut Aside, impulses: Triple, separations: [f64; 2], parts: f64, h: f32) {
     row.h = h;
-    row.exact = impulses.map(|impulse| finite(impulse / parts));
+    row.exact = impulses.map(finite);
     row.lane.tangent_impulse = row.exact[FRICTION] as f32;
     let totals = &mut row.lane.space.totals;
-    totals.iter_mut().zip(impulses).for_each(|(total, impulse)| *total = finite(impulse) as f32);
+    totals.iter_mut().zip(impulses).for_each(|(total, impulse)| *total = finite(impulse * parts) as f32);
     for (at, point) in row.lane.points.iter_mut().enumerate() {
         point.impulse = row.exact[at] as f32;
         point.held = point.impulse;
