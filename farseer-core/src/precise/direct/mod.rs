@@ -1,7 +1,7 @@
 //! Islands that are solved [as a whole](island), by their graph: those of few bodies on which the factors fill in little.
 //! Columns, high houses and walls stand exactly then. What has rings is hard to solve while it moves, and the passes over all
 //! rows do well where it is small: arches, small pyramids and whatever has fallen on a pile are theirs, and so is what bounces
-//! or keeps this busy for long.
+//! or keeps this busy for long. But what [heavy things press on](loads) is not.
 //!
 //! A row has one home: those of such islands are taken out of their colours, and go back to them with the impulses that were
 //! found.
@@ -10,6 +10,8 @@ mod contact;
 mod depth;
 mod factor;
 mod island;
+mod loads;
+mod unsolved;
 
 use serde::{Deserialize, Serialize};
 
@@ -29,6 +31,7 @@ pub(super) use depth::{is_burden, is_upright};
 use depth::{is_in_plane, unload};
 use factor::Triple;
 use island::{Effort, Goal, Island, Member};
+use loads::differ;
 
 /// Most bodies of an island.
 const LARGEST: u32 = 400;
@@ -136,9 +139,11 @@ struct Whole {
     ways: Vec<Triple>,
     /// Steps of Newton's method in the last update.
     steps: usize,
+    /// It could not be solved, and goes by passes.
+    is_left: bool,
 }
 
-reusing_clone! { Whole { island, homes, ends, ways, steps } }
+reusing_clone! { Whole { island, homes, ends, ways, steps, is_left } }
 
 /// What is counted of an island.
 #[derive(Debug, Clone, Copy, Default)]
@@ -154,10 +159,12 @@ pub(super) struct Census {
     bounces: bool,
     moves: bool,
     is_loose: bool,
-    /// There is a depth axis; and a contact is not in the plane, or something bears far more than it weighs.
+    /// There is a depth axis; and a contact is not in the plane.
     has_depth: bool,
     is_deep: bool,
+    /// Something bears more than one and a half times what it weighs; or is jammed by what is far heavier.
     is_burdened: bool,
+    is_jammed: bool,
     /// Its place among those that are solved as a whole.
     place: Option<u32>,
 }
@@ -177,7 +184,7 @@ impl Census {
 
     /// Whether it is left to the passes for a while.
     fn waits(&self) -> bool {
-        (self.bounces || self.is_deep) && self.is_burdened == self.has_depth
+        (self.bounces || self.is_deep) && (self.is_burdened || !self.has_depth)
     }
 
     pub(super) fn has_contacts(&self) -> bool {
@@ -205,6 +212,8 @@ impl Census {
                 (!(self.is_burdened || was_whole), WhyMethod::HasDepth),
                 (has_rings && bodies > depth::MOST_WITH_RINGS, WhyMethod::TooLarge),
             ]
+        } else if self.is_loaded() {
+            [rests; 4]
         } else {
             [
                 rests,
@@ -295,12 +304,11 @@ impl Precise {
         }
         let joints = self.joints.count() as u32;
         self.direct.timing.may_be_due |= std::mem::replace(&mut self.direct.timing.joints, joints) != joints;
-        let is_calm = || {
-            self.bodies.live - self.sleep.count <= FEW
-                && !self.sleep.awake(self.bodies.count).any(|body| self.moves(self.bodies.hot[body].velocity))
-        };
+        let moves = |body: usize| self.moves(self.bodies.hot[body].velocity);
+        let is_calm = || !self.sleep.awake(self.bodies.count).any(moves);
         let is_whole = self.direct.timing.choice == IslandChoice::Whole;
-        let is_quick = self.direct.timing.may_be_due && (is_whole || is_calm());
+        let is_quick = self.direct.timing.may_be_due
+            && (is_whole || (self.is_few() && (is_calm() || self.has_new_load())));
         let chooses = self.direct.tick(is_quick);
         if chooses {
             self.direct.timing.begin_again();
@@ -314,6 +322,11 @@ impl Precise {
             self.list_contacts();
         }
         self.direct.is_listed = true;
+    }
+
+    /// Whether not many bodies are awake.
+    fn is_few(&self) -> bool {
+        self.bodies.live - self.sleep.count <= FEW
     }
 
     /// What the game wants of islands, from this update on.
@@ -344,6 +357,7 @@ impl Precise {
         velocity: &dyn Fn(u32) -> [f32; 4],
     ) {
         self.join_contacts(unions);
+        let least = self.least_burden();
         census.clear();
         census.resize(self.bodies.hot.len(), Census::default());
         for body in self.sleep.awake(self.bodies.count).filter(|&body| !self.bodies.is_kinematic(body)) {
@@ -359,16 +373,19 @@ impl Precise {
         for pair in 0..self.pairs.awake {
             let state = self.pairs.all[pair];
             let Some(home) = state.home else { continue };
-            let body = self.sides(pair)[1].0 as u32;
-            let of = &mut census[unions.find(body) as usize];
+            let sides = self.sides(pair).map(|(body, _)| body);
+            let of = &mut census[unions.find(sides[1] as u32) as usize];
             of.contacts += 1;
             of.has_depth = self.space.is_some();
-            if self.bounces || of.has_depth {
+            let inverse_masses = sides.map(|body| self.bodies.inverses[body][0]);
+            if self.bounces || of.has_depth || differ(inverse_masses, least) {
                 let lane = self.rows.lane(state.kind, home);
                 let velocities = [lane.a, lane.b].map(velocity);
                 of.bounces |= bounces(&lane, velocities, self.tuning.bounce);
                 of.is_deep |= self.presses_across(&lane, velocities);
-                of.is_burdened |= of.has_depth && is_burden(lane.inverse_masses, lane.normal, self.fall);
+                let [bears, is_jammed] = self.load(&lane);
+                of.is_burdened |= bears;
+                of.is_jammed |= is_jammed;
             }
         }
     }
@@ -474,7 +491,8 @@ impl Precise {
         }
     }
 
-    /// Solves the islands that are solved as a whole. What they do is written by [`finish_direct`](Self::finish_direct).
+    /// Solves the islands that are solved as a whole. What they do is written by [`finish_direct`](Self::finish_direct); those
+    /// that could not be solved are left to the passes.
     pub(super) fn solve_direct(&mut self, step: &Step) {
         let unit = f64::from(self.tuning.unit);
         for at in 0..self.direct.count {
@@ -484,21 +502,26 @@ impl Precise {
             whole.steps = effort.steps;
             self.direct.islands[at] = whole;
         }
+        self.leave_unsolved();
     }
 
     /// Answers how many steps of Newton's method it has taken.
     fn solve_whole(&mut self, whole: &mut Whole, step: &Step, unit: f64) -> Effort {
         let Precise { bodies, rows, .. } = self;
         let (dt, parts) = (f64::from(step.dt), f64::from(step.substeps));
-        let Whole { island, homes, ends, ways, .. } = whole;
+        let may_leave = self.direct.timing.choice != IslandChoice::Whole;
+        let Whole { island, homes, ends, ways, is_left, .. } = whole;
+        // With what forces do, without contacts.
+        let along = |at: usize, axis: usize| {
+            f64::from(bodies.hot[at].velocity[axis]) + f64::from(bodies.push[at][axis]) * parts
+        };
+        let free = |at: u32| std::array::from_fn(|axis| along(at as usize, axis));
         let mut far = 0.0;
         for member in &mut island.members {
             let at = member.number as usize;
-            let ([x, y, ..], push) = (bodies.poses[at], bodies.push[at]);
+            let [x, y, ..] = bodies.poses[at];
             far = [x, y].iter().fold(far, |far: f32, x| if x.abs() > far { x.abs() } else { far });
-            let velocity = bodies.hot[at].velocity;
-            member.velocity = std::array::from_fn(|i| f64::from(velocity[i]) + f64::from(push[i]) * parts);
-            member.depth = f64::from(velocity[3]) + f64::from(push[3]) * parts;
+            (member.velocity, member.depth) = (free(member.number), along(at, 3));
             member.change = [0.0; 3];
             [member.mass, member.inertia] = bodies.inverses[at].map(weight_of);
         }
@@ -531,15 +554,14 @@ impl Precise {
         } else {
             Effort { steps: 0, residual, is_solved: true }
         };
-        let most = f64::from(self.tuning.push) * dt;
-        let has_ways = island.part(dt, [left, most]);
-        ways.clear();
-        ways.extend(island.members.iter().enumerate().map(|(at, member)| {
-            let way = member.velocity.map(|velocity| velocity * dt);
-            if has_ways { std::array::from_fn(|i| way[i] + island.ways()[at][i]) } else { way }
-        }));
-        if self.space.is_some() {
-            island.rub_across(unit);
+        *is_left = may_leave && !effort.is_solved;
+        if *is_left {
+            island.cool(free);
+        } else {
+            island.go(ways, dt, [left, f64::from(self.tuning.push) * dt]);
+            if self.space.is_some() {
+                island.rub_across(unit);
+            }
         }
         for (contact, &home) in island.contacts.iter().zip(homes.iter()) {
             write(contact, rows.direct_mut(home), parts, step.h);
@@ -547,22 +569,23 @@ impl Precise {
         effort
     }
 
-    /// An island that is busy for long, or could not be solved, is left to the passes.
+    /// An island that is busy for long, or could not be solved, is left to the passes for a while. What may jam is tried again
+    /// at once: passes do worse than a solution every other update.
     fn note_effort(&mut self, island: &Island, Effort { steps, is_solved, .. }: Effort) {
         let mut wear = self.direct.wear[island.members[0].number as usize];
         wear.effort += (steps as f32 - wear.effort) / LONG;
         wear.is_hot = steps > 0;
         let has_rings = usize::from(island.contacts.len() > island.members.len());
-        let most = if self.space.is_some() {
-            depth::BUSY
-        } else {
-            BUSY[has_rings] + BUSIER[has_rings] * island.members.len() as f32
-        };
-        let is_busy = wear.effort > most;
-        if (is_busy || !is_solved) && self.direct.timing.choice != IslandChoice::Whole {
-            (wear.effort, wear.rest) = (0.0, REST);
-            self.direct.timing.has_resting = true;
-            self.direct.timing.is_due = true;
+        let by_size = BUSY[has_rings] + BUSIER[has_rings] * island.members.len() as f32;
+        let most = if self.space.is_some() { depth::BUSY } else { by_size };
+        let timing = &mut self.direct.timing;
+        if (wear.effort > most || !is_solved) && timing.choice != IslandChoice::Whole {
+            let goes_on = wear.effort <= depth::BUSY && island.may_jam();
+            timing.is_due |= !(is_solved && goes_on);
+            if !goes_on {
+                (wear.effort, wear.rest) = (0.0, REST);
+                timing.has_resting = true;
+            }
         }
         for member in &island.members {
             self.direct.wear[member.number as usize] = wear;
@@ -582,6 +605,19 @@ impl Precise {
                 bodies.path[member.number as usize] = [x, y, turned, depth * step.dt];
             }
         }
+    }
+}
+
+impl Island {
+    /// The way of each member in a step: by its velocity, and out of what is deeper than the first in something, by the second at
+    /// most.
+    fn go(&mut self, ways: &mut Vec<Triple>, dt: f64, limits: [f64; 2]) {
+        let has_ways = self.part(dt, limits);
+        ways.clear();
+        ways.extend(self.members.iter().enumerate().map(|(at, member)| {
+            let way = member.velocity.map(|velocity| velocity * dt);
+            if has_ways { std::array::from_fn(|i| way[i] + self.ways()[at][i]) } else { way }
+        }));
     }
 }
 
