@@ -65,9 +65,8 @@ impl Precise {
         if self.space.is_some() || self.is_few() { BURDEN } else { JAM }
     }
 
-    /// Whether there is a load that nothing has pressed against yet.
-    pub(super) fn has_new_load(&self) -> bool {
-        let is_new = |lane: &Lane| lane.points.iter().all(|point| point.impulse == 0.0);
+    /// Whether there is a load that is not borne as a whole.
+    pub(super) fn has_load(&self) -> bool {
         self.has_unlike()
             && (0..self.pairs.awake).any(|pair| {
                 let state = &self.pairs.all[pair];
@@ -75,8 +74,8 @@ impl Precise {
                     let inverse_masses = self.sides(pair).map(|(body, _)| self.bodies.inverses[body][0]);
                     differ(inverse_masses, BURDEN)
                 };
-                let lane = state.home.filter(|_| differs()).map(|home| self.rows.lane(state.kind, home));
-                lane.is_some_and(|lane| is_new(&lane) && self.load(&lane).contains(&true))
+                let home = state.home.filter(|home| !home.is_direct() && differs());
+                home.is_some_and(|home| self.load(&self.rows.lane(state.kind, home)).contains(&true))
             })
     }
 

@@ -307,8 +307,8 @@ impl Precise {
         let moves = |body: usize| self.moves(self.bodies.hot[body].velocity);
         let is_calm = || !self.sleep.awake(self.bodies.count).any(moves);
         let is_whole = self.direct.timing.choice == IslandChoice::Whole;
-        let is_quick = self.direct.timing.may_be_due
-            && (is_whole || (self.is_few() && (is_calm() || self.has_new_load())));
+        let is_quick =
+            self.direct.timing.may_be_due && (is_whole || (self.is_few() && (is_calm() || self.has_load())));
         let chooses = self.direct.tick(is_quick);
         if chooses {
             self.direct.timing.begin_again();
