@@ -66,8 +66,11 @@ pub enum Methods {
     /// a whole where that pays. Of what was put in its place at rest (slower than a quarter of a unit per second) that is all
     /// without rings, such as columns, with heavy things on light ones too, and high walls and card houses of 40 bodies or
     /// more; of what has fallen together, columns of 16 bodies or more; of 400 bodies at most, and narrow enough. That stands
-    /// as rigid bodies do, with an overlap below a thousandth of a px where one unit is 32 px, whatever the substeps. Where an
-    /// engine adds a depth axis, it is what bears something more than one and a half times as heavy as itself, moving or not.
+    /// as rigid bodies do, with an overlap below a thousandth of a px where one unit is 32 px, whatever the substeps. Moving or
+    /// not, so is what bears something more than one and a half times as heavy as itself: without rings, if it is three bodies
+    /// or more; and what something 16 times as heavy jams, with rings if it is 24 bodies at most. While more than 64 bodies are
+    /// awake, what bears is asked for only in every 16th update, and only 16 times as heavy counts. Where an
+    /// engine adds a depth axis, it is what bears something more than one and a half times as heavy alone.
     /// Everything else, and for two seconds what takes long to solve, goes by passes over all contacts.
     /// [`islands`](crate::PhysicsSimulator::islands) tells which is which, why, and what it took, and
     /// [`island_residual`](crate::PhysicsSimulator::island_residual) what is left of an error.

@@ -82,7 +82,8 @@ pub enum WhyMethod {
     /// Passes: there is a depth axis, and nothing in it lies on what weighs less than two thirds of it; or something rolls in it,
     /// or presses along that axis.
     HasDepth,
-    /// Passes: nothing speaks against solving it as a whole, but in large scenes that is asked only in every 16th update.
+    /// Passes: nothing speaks against solving it as a whole, but in large scenes that is asked only in every 16th update; or it could
+    /// not be solved so this time.
     NotAskedYet,
 }
 

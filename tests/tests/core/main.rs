@@ -51,6 +51,7 @@ mod precise_events;
 mod precise_fast;
 mod precise_islands;
 mod precise_joints;
+mod precise_loads;
 mod precise_motion;
 mod precise_one_way;
 mod precise_queries;

@@ -15,7 +15,7 @@ use crate::precise::rows::{Lane, SpaceLane};
 
 /// What is so many times as heavy is heavy; it lies on what is below it by a normal of which the square of the
 /// upright part is this.
-const BURDEN: f32 = 1.5;
+pub(super) const BURDEN: f32 = 1.5;
 const STEEP: f32 = 0.25;
 /// With rings of contacts, islands of more bodies are left to the passes.
 pub(super) const MOST_WITH_RINGS: u32 = 24;

@@ -1,7 +1,7 @@
 //! Islands that are solved [as a whole](island), by their graph: those of few bodies on which the factors fill in little.
 //! Columns, high houses and walls stand exactly then. What has rings is hard to solve while it moves, and the passes over all
 //! rows do well where it is small: arches, small pyramids and whatever has fallen on a pile are theirs, and so is what bounces
-//! or keeps this busy for long.
+//! or keeps this busy for long. But what [heavy things press on](loads) is not.
 //!
 //! A row has one home: those of such islands are taken out of their colours, and go back to them with the impulses that were
 //! found.
@@ -11,6 +11,8 @@ mod contact;
 mod depth;
 mod factor;
 mod island;
+mod loads;
+mod unsolved;
 mod whole;
 
 use serde::{Deserialize, Serialize};
@@ -28,6 +30,7 @@ use contact::{Ends, FIXED};
 pub(super) use depth::{is_burden, is_upright};
 use depth::{is_in_plane, unload};
 use island::Member;
+use loads::differ;
 use whole::Whole;
 
 /// Most bodies of an island.
@@ -124,10 +127,12 @@ pub(super) struct Census {
     bounces: bool,
     moves: bool,
     is_loose: bool,
-    /// There is a depth axis; and a contact is not in the plane, or something bears far more than it weighs.
+    /// There is a depth axis; and a contact is not in the plane.
     has_depth: bool,
     is_deep: bool,
+    /// Something bears more than one and a half times what it weighs; or is jammed by what is far heavier.
     is_burdened: bool,
+    is_jammed: bool,
     /// Its place among those that are solved as a whole.
     place: Option<u32>,
 }
@@ -147,7 +152,7 @@ impl Census {
 
     /// Whether it is left to the passes for a while.
     fn waits(&self) -> bool {
-        (self.bounces || self.is_deep) && self.is_burdened == self.has_depth
+        (self.bounces || self.is_deep) && (self.is_burdened || !self.has_depth)
     }
 
     pub(super) fn has_contacts(&self) -> bool {
@@ -175,6 +180,8 @@ impl Census {
                 (!(self.is_burdened || was_whole), WhyMethod::HasDepth),
                 (has_rings && bodies > depth::MOST_WITH_RINGS, WhyMethod::TooLarge),
             ]
+        } else if self.is_loaded() {
+            [rests; 4]
         } else {
             [
                 rests,
@@ -265,12 +272,11 @@ impl Precise {
         }
         let joints = self.joints.count() as u32;
         self.direct.timing.may_be_due |= std::mem::replace(&mut self.direct.timing.joints, joints) != joints;
-        let is_calm = || {
-            self.bodies.live - self.sleep.count <= FEW
-                && !self.sleep.awake(self.bodies.count).any(|body| self.moves(self.bodies.hot[body].velocity))
-        };
+        let moves = |body: usize| self.moves(self.bodies.hot[body].velocity);
+        let is_calm = || !self.sleep.awake(self.bodies.count).any(moves);
         let is_whole = self.direct.timing.choice == IslandChoice::Whole;
-        let is_quick = self.direct.timing.may_be_due && (is_whole || is_calm());
+        let is_quick =
+            self.direct.timing.may_be_due && (is_whole || (self.is_few() && (is_calm() || self.has_load())));
         let chooses = self.direct.tick(is_quick);
         if chooses {
             self.direct.timing.begin_again();
@@ -284,6 +290,11 @@ impl Precise {
             self.list_contacts();
         }
         self.direct.is_listed = true;
+    }
+
+    /// Whether not many bodies are awake.
+    fn is_few(&self) -> bool {
+        self.bodies.live - self.sleep.count <= FEW
     }
 
     /// What the game wants of islands, from this update on.
@@ -314,6 +325,7 @@ impl Precise {
         velocity: &dyn Fn(u32) -> [f32; 4],
     ) {
         self.join_contacts(unions);
+        let least = self.least_burden();
         census.clear();
         census.resize(self.bodies.hot.len(), Census::default());
         for body in self.sleep.awake(self.bodies.count).filter(|&body| !self.bodies.is_kinematic(body)) {
@@ -329,16 +341,19 @@ impl Precise {
         for pair in 0..self.pairs.awake {
             let state = self.pairs.all[pair];
             let Some(home) = state.home else { continue };
-            let body = self.sides(pair)[1].0 as u32;
-            let of = &mut census[unions.find(body) as usize];
+            let sides = self.sides(pair).map(|(body, _)| body);
+            let of = &mut census[unions.find(sides[1] as u32) as usize];
             of.contacts += 1;
             of.has_depth = self.space.is_some();
-            if self.bounces || of.has_depth {
+            let inverse_masses = sides.map(|body| self.bodies.inverses[body][0]);
+            if self.bounces || of.has_depth || differ(inverse_masses, least) {
                 let lane = self.rows.lane(state.kind, home);
                 let velocities = [lane.a, lane.b].map(velocity);
                 of.bounces |= bounces(&lane, velocities, self.tuning.bounce);
                 of.is_deep |= self.presses_across(&lane, velocities);
-                of.is_burdened |= of.has_depth && is_burden(lane.inverse_masses, lane.normal, self.fall);
+                let [bears, is_jammed] = self.load(&lane);
+                of.is_burdened |= bears;
+                of.is_jammed |= is_jammed;
             }
         }
     }
@@ -442,6 +457,19 @@ impl Precise {
                 unions.join(a as u32, b as u32);
             }
         }
+    }
+}
+
+impl Island {
+    /// The way of each member in a step: by its velocity, and out of what is deeper than the first in something, by the second at
+    /// most.
+    fn go(&mut self, ways: &mut Vec<Triple>, dt: f64, limits: [f64; 2]) {
+        let has_ways = self.part(dt, limits);
+        ways.clear();
+        ways.extend(self.members.iter().enumerate().map(|(at, member)| {
+            let way = member.velocity.map(|velocity| velocity * dt);
+            if has_ways { std::array::from_fn(|i| way[i] + self.ways()[at][i]) } else { way }
+        }));
     }
 }
 

@@ -41,9 +41,11 @@ pub(super) struct Whole {
     separations: Vec<[f64; 2]>,
     /// Steps of Newton's method in the last update.
     pub(super) steps: usize,
+    /// It could not be solved, and goes by passes.
+    pub(super) is_left: bool,
 }
 
-reusing_clone! { Whole { island, homes, ends, ways, separations, steps } }
+reusing_clone! { Whole { island, homes, ends, ways, separations, steps, is_left } }
 
 /// What rows are read with.
 struct Reading<'a> {
@@ -103,11 +105,10 @@ impl Whole {
         let mut far = 0.0;
         for member in &mut self.island.members {
             let at = member.number as usize;
-            let ([x, y, ..], push) = (bodies.poses[at], bodies.push[at]);
+            let [x, y, ..] = bodies.poses[at];
             far = [x, y].iter().fold(far, |far: f32, x| if x.abs() > far { x.abs() } else { far });
-            let velocity = bodies.hot[at].velocity;
-            member.velocity = std::array::from_fn(|i| f64::from(velocity[i]) + f64::from(push[i]) * parts);
-            member.depth = f64::from(velocity[3]) + f64::from(push[3]) * parts;
+            let [x, y, spin, depth] = free(bodies, at, parts);
+            (member.velocity, member.depth) = ([x, y, spin], depth);
             member.change = [0.0; 3];
             [member.mass, member.inertia] = bodies.inverses[at].map(weight_of);
         }
@@ -161,6 +162,17 @@ impl Whole {
         island.begin_across();
     }
 
+    /// Rows take over what was found.
+    fn write(&self, rows: &mut Rows, parts: f64, h: f32) {
+        for (contact, &home) in self.island.contacts.iter().zip(&self.homes) {
+            let impulses = contact.impulses.map(|impulse| impulse / parts);
+            write(rows.direct_mut(home), impulses, contact.separations, parts, h);
+        }
+        for (rub, &home) in self.island.rubs.iter().zip(&self.homes) {
+            rub.write(&mut rows.direct_mut(home).lane.space, parts);
+        }
+    }
+
     /// Ways are those of velocities, with those that take points out of each other.
     fn find_ways(&mut self, dt: f64, has_more: bool) {
         let Whole { island, ways, .. } = self;
@@ -173,7 +185,8 @@ impl Whole {
 }
 
 impl Precise {
-    /// Solves the islands that are solved as a whole. What they do is written by [`finish_direct`](Self::finish_direct).
+    /// Solves the islands that are solved as a whole. What they do is written by [`finish_direct`](Self::finish_direct); those
+    /// that could not be solved are left to the passes.
     pub(in crate::precise) fn solve_direct(&mut self, step: &Step) {
         let unit = f64::from(self.tuning.unit);
         for at in 0..self.direct.count {
@@ -183,6 +196,7 @@ impl Precise {
             whole.steps = effort.steps;
             self.direct.islands[at] = whole;
         }
+        self.leave_unsolved(&step.learning);
     }
 
     /// Answers how many steps of Newton's method it has taken.
@@ -193,6 +207,7 @@ impl Precise {
         let left = if far > LEFT * unit { far } else { LEFT * unit };
         let is_hot = self.direct.wear[whole.island.members[0].number as usize].is_hot;
         let quiet = unit * if is_hot { EXACT } else { QUIET };
+        whole.is_left = false;
         let reading = Reading { rows, bodies, step, parts, left };
         whole.press(&reading);
         if !has_depth {
@@ -204,10 +219,9 @@ impl Precise {
             }
         }
         whole.make_contacts(&reading, has_depth);
-        let Whole { island, homes, .. } = whole;
-        let residual = island.begin(dt, [left, depth::SLIPS * unit]);
+        let residual = whole.island.begin(dt, [left, depth::SLIPS * unit]);
         let effort = if residual > quiet {
-            island.solve(&Goal {
+            whole.island.solve(&Goal {
                 begun: residual,
                 bearable: if residual > unit * BEARABLE { residual } else { unit * BEARABLE },
                 enough: unit * ENOUGH,
@@ -218,39 +232,42 @@ impl Precise {
         } else {
             Effort { steps: 0, residual, is_solved: true }
         };
-        let most = f64::from(self.tuning.push) * dt;
-        let has_more = island.part(dt, [left, most]);
-        island.rub_across(unit);
-        for (contact, &home) in island.contacts.iter().zip(homes.iter()) {
-            let impulses = contact.impulses.map(|impulse| impulse / parts);
-            write(rows.direct_mut(home), impulses, contact.separations, parts, step.h);
+        whole.is_left = self.direct.timing.choice != IslandChoice::Whole && !effort.is_solved;
+        if whole.is_left {
+            whole.island.cool(|at| {
+                let [x, y, spin, _] = free(bodies, at as usize, parts);
+                [x, y, spin]
+            });
+        } else {
+            let has_more = whole.island.part(dt, [left, f64::from(self.tuning.push) * dt]);
+            whole.island.rub_across(unit);
+            whole.find_ways(dt, has_more);
         }
-        for (rub, &home) in island.rubs.iter().zip(homes.iter()) {
-            rub.write(&mut rows.direct_mut(home).lane.space, parts);
-        }
-        whole.find_ways(dt, has_more);
+        whole.write(rows, parts, step.h);
         effort
     }
 
-    /// An island that is busy for long, or could not be solved, is left to the passes.
+    /// An island that is busy for long, or could not be solved, is left to the passes for a while. What may jam is tried again
+    /// at once: passes do worse than a solution every other update.
     fn note_effort(&mut self, whole: &Whole, Effort { steps, is_solved, .. }: Effort) {
-        let (bodies, contacts) = (whole.island.members.len(), whole.homes.len());
-        let mut wear = self.direct.wear[whole.island.members[0].number as usize];
+        let (island, contacts) = (&whole.island, whole.homes.len());
+        let bodies = island.members.len();
+        let mut wear = self.direct.wear[island.members[0].number as usize];
         wear.effort += (steps as f32 - wear.effort) / LONG;
         wear.is_hot = steps > 0;
         let has_rings = usize::from(contacts > bodies);
-        let most = if self.space.is_some() {
-            depth::BUSY
-        } else {
-            BUSY[has_rings] + BUSIER[has_rings] * bodies as f32
-        };
-        let is_busy = wear.effort > most;
-        if (is_busy || !is_solved) && self.direct.timing.choice != IslandChoice::Whole {
-            (wear.effort, wear.rest) = (0.0, REST);
-            self.direct.timing.has_resting = true;
-            self.direct.timing.is_due = true;
+        let by_size = BUSY[has_rings] + BUSIER[has_rings] * bodies as f32;
+        let most = if self.space.is_some() { depth::BUSY } else { by_size };
+        let timing = &mut self.direct.timing;
+        if (wear.effort > most || !is_solved) && timing.choice != IslandChoice::Whole {
+            let goes_on = wear.effort <= depth::BUSY && island.may_jam(&whole.ends);
+            timing.is_due |= !(is_solved && goes_on);
+            if !goes_on {
+                (wear.effort, wear.rest) = (0.0, REST);
+                timing.has_resting = true;
+            }
         }
-        for member in &whole.island.members {
+        for member in &island.members {
             self.direct.wear[member.number as usize] = wear;
         }
     }
@@ -269,6 +286,13 @@ impl Precise {
             }
         }
     }
+}
+
+/// Velocity of a body with what forces do in so many substeps, without contacts.
+#[inline(always)]
+fn free(bodies: &Bodies, at: usize, parts: f64) -> [f64; 4] {
+    let (velocity, push) = (bodies.hot[at].velocity, bodies.push[at]);
+    std::array::from_fn(|axis| f64::from(velocity[axis]) + f64::from(push[axis]) * parts)
 }
 
 /// Nothing instead of what is not finite in a row.

@@ -32,3 +32,19 @@ fn what_stiff_springs_do_not_find_at_once_is_found_otherwise() {
         failures([3222, 50_332, 12_038, 12_385, 16_601, 25_158, 15_571, 15_639], small_scene_holds);
     assert!(failures.is_empty(), "{failures:#?}");
 }
+
+/// Passes cannot let go of what is hundreds of times as heavy as what it is jammed against: 16 to 140 % more energy.
+#[test]
+fn something_heavy_leaves_a_jam_no_faster_than_it_came() {
+    let seeds = [4010, 8862, 29_842, 163_458, 211_423, 220_780, 243_593];
+    let failures = failures(seeds, small_scene_holds);
+    assert!(failures.is_empty(), "{failures:#?}");
+}
+
+/// What could not be solved as a whole went on by passes with all the impulses that had jammed it.
+#[test]
+fn what_cannot_be_solved_as_a_whole_is_not_thrown_out_by_its_impulses_of_before() {
+    let seeds = [6591, 8068, 26_593, 28_878, 34_580, 40_819, 61_105, 69_678, 71_773];
+    let failures = failures(seeds, small_scene_holds);
+    assert!(failures.is_empty(), "{failures:#?}");
+}
