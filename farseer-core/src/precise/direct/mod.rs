@@ -20,7 +20,7 @@ use super::pairs::Pairs;
 use super::proxies::{Mobility, Proxies};
 use super::rows::{Aside, Home, Lane, PointLane};
 use super::telling::WhyMethod;
-use super::tuning::Step;
+use super::tuning::{Learning, Step};
 use crate::methods::IslandChoice;
 use crate::storage::order::{joined, sort_by_number};
 use crate::storage::reusing_clone::reusing_clone;
@@ -283,7 +283,7 @@ impl Direct {
 
 impl Precise {
     /// Which islands are solved as a whole, if that may have changed.
-    pub(super) fn choose_methods(&mut self) {
+    pub(super) fn choose_methods(&mut self, learning: &Learning) {
         if self.bounces || self.space.is_some() {
             let (hot, least) = (&self.bodies.hot, self.tuning.bounce);
             let velocity = |body: u32| hot[body as usize].velocity;
@@ -309,7 +309,7 @@ impl Precise {
             self.take_census();
             self.plan_islands(chooses);
             if chooses {
-                self.move_rows();
+                self.move_rows(learning);
             }
             self.list_contacts();
         }
@@ -420,13 +420,19 @@ impl Precise {
         direct.count = count;
     }
 
-    /// Rows go where their islands are solved.
-    fn move_rows(&mut self) {
+    /// Rows go where their islands are solved. What was solved as a whole carries what it did in the last step. Where things
+    /// have moved that may be a blow, and springs that rested at it would push against each other for a second: they rest at as
+    /// much of it as the passes would let them learn.
+    fn move_rows(&mut self, learning: &Learning) {
         for pair in 0..self.pairs.awake {
             let Some(home) = self.pairs.all[pair].home else { continue };
             let body = self.sides(pair)[1].0;
             let (is_direct, was_direct) = (self.direct.is_direct(body), home.is_direct());
             if is_direct != was_direct {
+                if was_direct && self.direct.wear[body].is_loose {
+                    let points = &mut self.rows.direct_mut(home).lane.points;
+                    points.iter_mut().for_each(|point| point.held *= learning.learnt);
+                }
                 let h = self.h;
                 self.touch().hand_over(pair, is_direct, h);
             }
