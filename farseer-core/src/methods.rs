@@ -64,8 +64,8 @@ pub enum Methods {
     ///
     /// **Which island is solved how.** What hangs together by contacts alone, and does not bounce in this update, is solved as
     /// a whole where that pays. Of what was put in its place at rest (slower than a quarter of a unit per second) that is all
-    /// without rings, such as columns, with heavy things on light ones too, and high walls and card houses of 40 bodies or
-    /// more; of what has fallen together, columns of 16 bodies or more; of 400 bodies at most, and narrow enough. That stands
+    /// without rings, such as columns, with heavy things on light ones too, and high walls, card houses and pyramids of 40 bodies
+    /// or more; of what has fallen together, columns of 16 bodies or more; of 400 bodies at most, and narrow enough. That stands
     /// as rigid bodies do, with an overlap below a thousandth of a px where one unit is 32 px, whatever the substeps. Moving or
     /// not, so is what bears something more than one and a half times as heavy as itself: without rings, if it is three bodies
     /// or more; and what something 16 times as heavy jams, with rings if it is 24 bodies at most. While more than 64 bodies are

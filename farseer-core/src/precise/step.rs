@@ -410,7 +410,7 @@ impl Precise {
         if self.h != step.h {
             self.scale_impulses(step.h);
         }
-        self.choose_methods();
+        self.choose_methods(&step.learning);
         self.solve_direct(step);
         self.joints.swing(&self.bodies, step);
         if self.rows.is_empty() && self.joints.are_all_apart() {

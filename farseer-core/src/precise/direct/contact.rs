@@ -121,8 +121,8 @@ impl Contact {
     pub(super) fn advance(&mut self, members: &[Member], dt: f64, reach: f64) -> f64 {
         let velocity = self.relative_of(|member| members[member].velocity);
         let mut deepest = 0.0;
-        for row in 0..2 {
-            self.separations[row] += dt * (velocity[row] + self.carried[row]);
+        for (row, velocity) in velocity.into_iter().enumerate().take(2) {
+            self.separations[row] += dt * (velocity + self.carried[row]);
             if self.is_pressed_out(row, reach) && -self.separations[row] > deepest {
                 deepest = -self.separations[row];
             }

@@ -178,7 +178,7 @@ impl Island {
             let most = if is_stiff { FEW } else { MOST - effort.steps };
             let (steps, is_found) = self.round(is_first, goal.exact, most);
             effort.steps += steps;
-            if is_stiff && !is_found && !(self.residual() < LESS * goal.begun) {
+            if is_stiff && !is_found && self.residual() >= LESS * goal.begun {
                 self.begin_again();
                 self.stiffen(SOFTNESS);
                 is_first = true;

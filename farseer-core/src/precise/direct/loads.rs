@@ -7,10 +7,10 @@
 //! Without rings of contacts a solution is cheap, and pays as soon as something bears more than its own weight: stacks under
 //! what jumps on them. Rings that move are dear, and heaps lie well by passes: there only what is far heavier counts.
 
+use super::Census;
+use super::contact::{Ends, FIXED};
 use super::depth::{BURDEN, MOST_WITH_RINGS, is_burden};
 use super::island::Island;
-use super::contact::{Ends, FIXED};
-use super::Census;
 use crate::precise::Precise;
 use crate::precise::rows::Lane;
 
@@ -41,9 +41,9 @@ impl Census {
 impl Island {
     /// Whether two in it are of such different masses that they may jam.
     pub(super) fn may_jam(&self, ends: &[Ends]) -> bool {
-        ends.iter().filter(|ends| !ends.bodies.contains(&FIXED)).any(|ends| {
-            differ(ends.bodies.map(|at| (1.0 / self.members[at as usize].mass) as f32), JAM)
-        })
+        ends.iter()
+            .filter(|ends| !ends.bodies.contains(&FIXED))
+            .any(|ends| differ(ends.bodies.map(|at| (1.0 / self.members[at as usize].mass) as f32), JAM))
     }
 }
 

@@ -2,6 +2,9 @@
 
 use super::{STEP, body, floor, geom, in_both, run, scene};
 use conformance::scene::*;
+use measure::method::methods;
+use measure::sleep::pushes::run_pushes;
+use measure::sleep::sleepers;
 use measure::world::World;
 
 /// A box that has lain on a floor for two seconds.
@@ -48,4 +51,17 @@ fn what_sleeps_is_woken_by_an_impulse() {
         world.step(STEP);
         assert!(!world.is_asleep(index), "{name}");
     });
+}
+
+#[test]
+fn a_pyramid_that_is_pushed_at_its_foot_rests_no_later_than_in_the_slower_of_both() {
+    let figures = run_pushes(&sleepers(methods())).expect("all have boxes");
+    for of_push in figures.chunk_by(|one, other| one.push == other.push) {
+        let rests = |is_ours: bool| {
+            let of = of_push.iter().filter(move |figures| (figures.method == "Precise") == is_ours);
+            of.map(|figures| figures.at_rest_again_after_s.expect("it rests")).fold(0.0, f64::max)
+        };
+        let (ours, slower) = (rests(true), rests(false));
+        assert!(ours <= slower, "{} m/s: {ours} s, {slower} s", of_push[0].push);
+    }
 }
