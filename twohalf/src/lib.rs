@@ -412,7 +412,7 @@ mod walk;
 pub use depth::Methods;
 pub use depth::{
     Axis, DepthProfile, DepthScheme, Field, FieldId, Fluid, Ground, Partner, Platform, PlatformId, Region,
-    Support, Well,
+    Support, Swing, Well,
 };
 pub use error::{Error, Result};
 pub use events::{Collision, Context, Event, EventHandler};

@@ -127,7 +127,11 @@ pub(super) fn read_depths(core: &PhysicsSimulator, world: &mut World) {
 }
 
 /// What has fallen asleep does not move, and what pushed it has acted.
-pub(super) fn rest(core: &PhysicsSimulator, depths: &mut Depths) {
+pub(super) fn rest(core: &PhysicsSimulator, world: &mut World) {
+    let World { depths, platforms, .. } = world;
+    for (number, _, _, motion) in core.fixtures_moved().filter(|(.., motion)| motion.swing.is_some()) {
+        platforms.has_rested(PlatformId::from_number(number), motion);
+    }
     for (id, told) in core.space_rested() {
         let Some(state) = depths.bodies.get_mut(id).filter(|state| !state.is_news) else { continue };
         (state.z, state.velocity_z, state.sunk) = (told.z, 0.0, told.sunk);

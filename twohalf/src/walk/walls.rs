@@ -49,6 +49,8 @@ impl TwoHalfPhysicsSimulator {
     fn is_in_the_way(&self, stride: &Stride<'_>, partner: Partner) -> bool {
         match partner {
             Partner::Geom(geom) => self.geom(geom).is_some_and(|geom| geom.virtual_geom().top > stride.knees),
+            // It is pushed open.
+            Partner::Platform(id) if self.platform(id).is_some_and(|it| it.swing().is_some()) => false,
             Partner::Platform(id) => self.platform(id).is_some_and(|platform| {
                 let shape = platform.shape();
                 // What turns or climbs is as high as it is here.
@@ -67,7 +69,10 @@ impl TwoHalfPhysicsSimulator {
         let low = Vector3::new(swept.left, -stride.head, swept.front);
         let high = Vector3::new(swept.right, -stride.soles, swept.back);
         for (_, platform) in self.world.platforms.overlapping(low, high) {
-            if platform.is_one_way() || !holds(platform, self.core.geom(stride.geom).as_deref()) {
+            if platform.is_one_way()
+                || platform.swing().is_some()
+                || !holds(platform, self.core.geom(stride.geom).as_deref())
+            {
                 continue;
             }
             let Some(wall) = wall_of(platform.shape(), stride) else { continue };

@@ -149,7 +149,7 @@ pub(super) struct Census {
     direct: u32,
     /// Updates for which it is left to the passes.
     rest: u8,
-    /// A joint holds something in it, or something bounces, or moves, or has come with what moved.
+    /// A joint or a hinge holds something in it, or something bounces, or moves, or has come with what moved.
     is_held: bool,
     bounces: bool,
     moves: bool,
@@ -359,9 +359,10 @@ impl Precise {
         for pair in 0..self.pairs.awake {
             let state = self.pairs.all[pair];
             let Some(home) = state.home else { continue };
-            let body = self.sides(pair)[1].0 as u32;
-            let of = &mut census[unions.find(body) as usize];
+            let [(_, mobility), (body, _)] = self.sides(pair);
+            let of = &mut census[unions.find(body as u32) as usize];
             of.contacts += 1;
+            of.is_held |= mobility == Mobility::Hinged;
             of.has_depth = self.space.is_some();
             if self.bounces || of.has_depth {
                 let lane = self.rows.lane(state.kind, home);

@@ -8,6 +8,7 @@
 use super::foot::{Foot, Gap, Polygon};
 use super::parts::SpaceUpright;
 use super::solid::{Before, Limits, Solid};
+use crate::math::Vector3;
 use crate::math::plane::{Vector, difference, length, place, scaled, sum};
 use crate::precise::manifold::Manifold;
 use crate::shape::SlantedBox;
@@ -43,9 +44,11 @@ impl Upright {
         }
     }
 
-    /// A level box, turned as it is.
-    pub(super) fn of_box(shape: &SlantedBox) -> Self {
-        let foot = Foot::of(Polygon::new(shape.footprint()));
+    /// A level box, turned as it is, whose place is not always its middle.
+    pub(super) fn of_box(shape: &SlantedBox, place: Vector3) -> Self {
+        let out = shape.centre - place;
+        let corners = shape.footprint().map(|[x, z]| [x + out.x, z + out.z]);
+        let foot = Foot::of(Polygon::new(corners));
         Upright { foot, half: shape.half[1], rounding: 0.0 }
     }
 

@@ -92,9 +92,10 @@ impl Touch<'_> {
             tangent_arms[0] = mean([tangent[0], tangent[1], 0.0]);
             across_arms[0] = mean([ux, uy, uz]);
         }
+        let swings = lane.inverse_inertias[0] > 0.0 && self.turns_upright(two.a);
         let [at_a, at_b] = self.pairs.watched[pair].proxies;
         let [friction, restitution] = space.surface([at_a, at_b], [two.a, two.b], self.friction);
-        Lane {
+        let mut lane = Lane {
             friction,
             restitution,
             tangent_arms,
@@ -110,7 +111,11 @@ impl Touch<'_> {
                 ..SpaceLane::default()
             },
             ..lane
+        };
+        if swings {
+            lane.weigh();
         }
+        lane
     }
 
     /// Friction, restitution and tangent speed of a pair without a handler.
