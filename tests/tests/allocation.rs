@@ -483,6 +483,29 @@ fn an_update_of_a_settled_scene_with_depth_allocates_nothing() {
 }
 
 #[test]
+fn a_door_that_swings_among_what_it_pushes_allocates_nothing() {
+    depth::with_scheme(twohalf::DepthScheme::Precise, || {
+        let mut simulator = settled_scene_with_depth();
+        simulator.set_sleep_enabled(false);
+        let door = twohalf_factories::SwingDoor::new([60.0, 0.0, 330.0], [100.0, 60.0, 6.0]).damping(0.0);
+        let door = twohalf_factories::spawn_swing_door(&mut simulator, door).unwrap();
+        let crate_box = depth::crate_box(&mut simulator, [20.0, 16.0], [140.0, 20.0, 345.0]);
+        let mut swing = |updates: usize| {
+            for _ in 0..updates {
+                let mut view = simulator.platform_mut(door).unwrap();
+                let turning = view.angular_velocity();
+                view.set_angular_velocity(turning + 0.01).unwrap();
+                simulator.body_mut(crate_box).unwrap().set_position3d([140.0, 20.0, 345.0].into());
+                simulator.update(depth::DT);
+            }
+        };
+        swing(400);
+        assert_eq!(calls(|| swing(200)), 0);
+        assert!(simulator.platform(door).unwrap().angular_velocity() != 0.0);
+    });
+}
+
+#[test]
 fn bodies_that_are_watched_that_stand_still_and_that_are_slow_cost_no_allocation() {
     depth::with_scheme(twohalf::DepthScheme::Precise, || {
         let mut simulator = settled_scene_with_depth();

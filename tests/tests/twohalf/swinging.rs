@@ -185,7 +185,8 @@ fn it_goes_past_no_stop_whatever_presses_it() {
         run(&mut simulator, 1);
         assert!((0.499..=0.5).contains(&yaw(&simulator, door)));
         for _ in 0..200 {
-            simulator.body_mut(body).unwrap().set_velocity3d(Vector3::new(0.0, 0.0, 200.0));
+            let aside = 20.0 * (140.0 - place(&simulator, body).x);
+            simulator.body_mut(body).unwrap().set_velocity3d(Vector3::new(aside, 0.0, 200.0));
             run(&mut simulator, 1);
             assert!((-0.3..=0.5).contains(&yaw(&simulator, door)));
         }

@@ -160,6 +160,27 @@ pub struct FixtureSwing {
     pub held: f32,
     /// It has become otherwise since that step.
     pub is_edited: bool,
+    /// That fixtures can swing.
+    pub proof: Swings,
+}
+
+/// That fixtures can swing. Without the feature there is no such value, so that the compiler leaves out all that swinging needs.
+#[cfg(feature = "swing")]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Swings;
+/// That fixtures can swing: they cannot.
+#[cfg(not(feature = "swing"))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum Swings {}
+
+impl Swings {
+    /// It, if they can.
+    pub fn new() -> Option<Self> {
+        #[cfg(feature = "swing")]
+        return Some(Swings);
+        #[cfg(not(feature = "swing"))]
+        None
+    }
 }
 
 /// What a geom touches that is no geom.

@@ -114,6 +114,11 @@ impl Swinging {
     }
 }
 
+/// None, where none can be: the compiler does not see by itself that a list is empty of which nothing can be made.
+fn there(swings: &mut [Swinging]) -> &mut [Swinging] {
+    if cfg!(feature = "swing") { swings } else { &mut [] }
+}
+
 /// Stages: see [`step`](crate::precise::step).
 impl Precise {
     /// A step is solved: those that are awake are listed, and what presses them against a stop meets what does not give way.
@@ -134,12 +139,15 @@ impl Precise {
         (0..space.swings.len()).for_each(|at| self.brace(at));
     }
 
-    /// Rows that press one against its stop are those of something that does not give way, as long as nothing presses it from the
-    /// other side.
+    /// Rows that press one against the stop at which it rests are those of something that does not give way, as long as nothing
+    /// presses it from the other side.
     fn brace(&mut self, at: usize) {
-        let Some(Swinging { number, swing, angle, .. }) = self.swing_at(at) else { return };
+        let Some(Swinging { number, swing, begun: [angle, turning], .. }) = self.swing_at(at) else { return };
         let [least, greatest] = swing.stops;
-        let towards = [angle - least < AT_STOP, greatest - angle < AT_STOP];
+        let pull = swing.stiffness * (swing.rest_angle - angle);
+        let rests =
+            |distance: f32, away: f32| distance < AT_STOP && away * turning <= 0.0 && away * pull <= 0.0;
+        let at_stop = [rests(angle - least, 1.0), rests(greatest - angle, -1.0)];
         let mut pairs = std::mem::take(&mut self.lost);
         let with_rows = |pair: &usize| self.pairs.all[*pair].home.is_some();
         pairs
@@ -149,7 +157,7 @@ impl Precise {
                 .iter()
                 .any(|&pair| self.pairs.all[pair as usize].is_told && self.turns_towards(pair as usize, side))
         };
-        let braced = [0, 1].map(|side| towards[side] && (towards[1 - side] || !is_pressed(1 - side)));
+        let braced = [0, 1].map(|side| at_stop[side] && (at_stop[1 - side] || !is_pressed(1 - side)));
         for &pair in &pairs {
             let is_braced = (0..2).any(|side| braced[side] && self.turns_towards(pair as usize, side));
             self.set_inertia(pair as usize, if is_braced { 0.0 } else { swing.inverse_inertia() });
@@ -222,7 +230,7 @@ impl Precise {
 
     fn for_each_swing(&mut self, mut act: impl FnMut(&mut Swinging, &mut Bodies)) {
         let Precise { space: Some(space), bodies, .. } = self else { return };
-        for swing in &mut space.swings {
+        for swing in there(&mut space.swings) {
             act(swing, bodies);
         }
     }
@@ -232,7 +240,7 @@ impl Precise {
         let has_last = self.rows.has_last();
         let Precise { space: Some(space), bodies, palette, sleep, tuning, .. } = self else { return };
         let Space { swings, fixtures, .. } = &mut **space;
-        for Swinging { number, place, swing, begun, held, .. } in swings {
+        for Swinging { number, place, swing, begun, held, .. } in there(swings) {
             let at = *number as usize;
             let mut torque = *held / step.h;
             let now = if palette.swings_freely(at) && !has_last {
@@ -246,7 +254,12 @@ impl Precise {
                 bodies.hot[at].velocity[2] = after[1];
                 after[0]
             } else {
-                swing.within(begun[0] + bodies.path[at][2])
+                let now = swing.within(begun[0] + bodies.path[at][2]);
+                let turning = &mut bodies.hot[at].velocity[2];
+                if (now == swing.stops[0] && *turning < 0.0) || (now == swing.stops[1] && *turning > 0.0) {
+                    *turning = 0.0;
+                }
+                now
             };
             bodies.path[at][2] = now - begun[0];
             if let Some(swing) = fixtures[*place as usize].motion.as_mut().and_then(|it| it.swing.as_mut()) {
@@ -282,9 +295,9 @@ impl Precise {
     pub(in crate::precise) fn number_named(&self, name: BodyId) -> Option<usize> {
         self.number_of(name).or_else(|| {
             let space = self.space.as_ref()?;
-            let (place, _) = space.fixture(parts::fixture_of_body(name)?)?;
-            let number = space.moving.binary_search(&(place as u32)).ok()? + 1;
-            space.swing_of(number).map(|_| number)
+            let (place, fixture) = space.fixture(parts::fixture_of_body(name)?)?;
+            fixture.swing()?;
+            Some(space.moving.binary_search(&(place as u32)).ok()? + 1)
         })
     }
 
@@ -318,7 +331,7 @@ impl Space {
     /// The fixture of a number, if it swings.
     fn swinging_fixture(&self, number: usize) -> Option<&parts::Fixture> {
         let place = *self.moving.get(number.checked_sub(1)?)?;
-        Some(&self.fixtures[place as usize]).filter(|fixture| fixture.swing().is_some())
+        self.fixtures.get(place as usize).filter(|fixture| fixture.swing().is_some())
     }
 
     fn swing_of(&self, number: usize) -> Option<&FixtureSwing> {
@@ -326,9 +339,9 @@ impl Space {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "swing"))]
 mod tests {
-    use super::FixtureSwing;
+    use super::{FixtureSwing, parts::Swings};
 
     fn swing(stiffness: f32, damping: f32) -> FixtureSwing {
         FixtureSwing {
@@ -341,6 +354,7 @@ mod tests {
             stops: [-2.0, 2.0],
             held: 0.0,
             is_edited: false,
+            proof: Swings,
         }
     }
 

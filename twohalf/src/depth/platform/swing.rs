@@ -1,6 +1,6 @@
 //! Platforms that swing about an upright hinge.
 
-use farseer_core::{FixtureMotion, FixtureSwing};
+use farseer_core::{Error, FixtureMotion, FixtureSwing, Swings};
 use serde::{Deserialize, Serialize};
 
 use super::{Motion, Platform};
@@ -72,8 +72,12 @@ impl Swing {
     }
 
     /// As the 2D engine below is told of it, of a platform whose middle is seen from the hinge like this while it is not turned.
-    fn told(&self, out: [f32; 2]) -> FixtureSwing {
-        FixtureSwing {
+    fn told(&self, out: [f32; 2]) -> Result<FixtureSwing> {
+        let refused = Error::NotSupported {
+            what: "platforms that swing, which are the feature `swing`",
+            methods: "compiled",
+        };
+        Ok(FixtureSwing {
             hinge: self.hinge,
             out,
             inertia: self.moment_of_inertia,
@@ -83,7 +87,8 @@ impl Swing {
             stops: [self.least_angle, self.greatest_angle],
             held: 0.0,
             is_edited: true,
-        }
+            proof: Swings::new().ok_or(refused)?,
+        })
     }
 
     fn from_told(told: &FixtureSwing) -> Self {
@@ -143,7 +148,7 @@ impl Platform {
         }
         let ([cos, sin], centre) = (self.shape.turn, self.shape.centre);
         let (x, z) = (centre.x - swing.hinge[0], centre.z - swing.hinge[1]);
-        let told = swing.told([x * cos + z * sin, z * cos - x * sin]);
+        let told = swing.told([x * cos + z * sin, z * cos - x * sin])?;
         let told = FixtureMotion { swing: Some(told), ..FixtureMotion::default() };
         let motion = Some(Motion { centre, target: None, told });
         Platform { motion, yaw: Some(yaw), ..self.clone() }.shaped(projection)
