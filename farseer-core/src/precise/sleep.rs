@@ -45,7 +45,7 @@ pub enum WhyAwake {
     NothingSleeps,
     /// The body is static or kinematic, or takes no part.
     NeverSleeps,
-    /// The body moves too fast.
+    /// The body moves too fast, or what swings about a hinge and leans on it does.
     Moves {
         /// Length per second below which it would be at rest.
         limit: f32,

@@ -260,8 +260,9 @@ impl Precise {
         self.sleep.waking.extend(others);
     }
 
+    /// How many bodies sleep.
     pub(crate) fn asleep_count(&self) -> usize {
-        self.sleep.count
+        self.sleep.count - self.swings_asleep()
     }
 
     pub(crate) fn is_asleep(&self, body: BodyId) -> bool {

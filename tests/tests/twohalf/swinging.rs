@@ -296,6 +296,9 @@ fn at_rest_it_sleeps_and_a_touch_a_kick_and_an_edit_wake_it() {
         assert_near(yaw(&simulator, door), 0.0, 2e-3);
         let still = yaw(&simulator, door);
         assert!(simulator.is_asleep(body));
+        // It is no body, and nothing is awake.
+        let asleep = |simulator: &TwoHalfPhysicsSimulator| simulator.core().counters().bodies_asleep;
+        assert_eq!(asleep(&simulator), 1);
         run(&mut simulator, 10);
         assert_eq!(yaw(&simulator, door), still);
         kick(&mut simulator, door, 1.0);

@@ -26,7 +26,8 @@ pub use swing::Swing;
 /// underside, and pass under it.
 ///
 /// With [`DepthScheme::Precise`](crate::DepthScheme::Precise) it stands still, [moves](PlatformMut::set_velocity) or
-/// [turns](PlatformMut::set_angular_velocity) about an upright axis, and carries what stands on it; its surface may be a
+/// [turns](PlatformMut::set_angular_velocity) about an upright axis, and carries what stands on it, or
+/// [swings](PlatformMut::set_swing) about a hinge as what presses on it tells it to; its surface may be a
 /// [belt](PlatformMut::set_surface_speed), or [rise along Z](PlatformMut::set_pitch).
 ///
 /// Whom it meets and how it rubs and bounces is set as with a geom, in the [view to change it](PlatformMut); friction and
@@ -79,8 +80,9 @@ struct Motion {
 impl Motion {
     /// Whether everything that enters arithmetic is finite: false only after loading garbage.
     fn is_finite(&self) -> bool {
-        let FixtureMotion { velocity, target, way, turning, yaw_target, swing } = self.told;
-        if swing.is_some_and(|swing| !swing::is_valid(&swing) || target.is_some() || yaw_target.is_some()) {
+        let FixtureMotion { velocity, target, way, turning, yaw_target, .. } = self.told;
+        let is_told = target.is_some() || yaw_target.is_some();
+        if self.told.swing().is_some_and(|swing| is_told || !swing::is_valid(swing)) {
             return false;
         }
         let turns = [turning, yaw_target.map_or(0.0, |(target, _)| target)];
@@ -173,7 +175,7 @@ impl Platform {
         let mut platform = Platform { position3d, ..self.clone() };
         let centre = platform.middle(position3d);
         platform.motion = platform.motion.map(|motion| Motion { centre, ..motion });
-        platform.take_hinge_along(centre - self.shape.centre);
+        platform.take_hinge_along(centre);
         platform.shaped(projection)
     }
 
@@ -382,7 +384,7 @@ impl Platform {
     /// Velocity of its middle in the world, px/s: along X, up and along Z. One that is [told a place](PlatformMut::move_to) has
     /// that of its way there for an update.
     pub fn velocity(&self) -> Vector3 {
-        to_world(self.told_velocity()) + self.swinging_velocity()
+        self.swinging_velocity().unwrap_or_else(|| to_world(self.told_velocity()))
     }
 
     /// Speed of its surface, px/s: along its level edges, and along Z.

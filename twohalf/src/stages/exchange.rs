@@ -129,7 +129,7 @@ pub(super) fn read_depths(core: &PhysicsSimulator, world: &mut World) {
 /// What has fallen asleep does not move, and what pushed it has acted.
 pub(super) fn rest(core: &PhysicsSimulator, world: &mut World) {
     let World { depths, platforms, .. } = world;
-    for (number, _, _, motion) in core.fixtures_moved().filter(|(.., motion)| motion.swing.is_some()) {
+    for (number, motion) in core.fixtures_that_swing() {
         platforms.has_rested(PlatformId::from_number(number), motion);
     }
     for (id, told) in core.space_rested() {

@@ -49,9 +49,11 @@ impl TwoHalfPhysicsSimulator {
     fn is_in_the_way(&self, stride: &Stride<'_>, partner: Partner) -> bool {
         match partner {
             Partner::Geom(geom) => self.geom(geom).is_some_and(|geom| geom.virtual_geom().top > stride.knees),
-            // It is pushed open.
-            Partner::Platform(id) if self.platform(id).is_some_and(|it| it.swing().is_some()) => false,
             Partner::Platform(id) => self.platform(id).is_some_and(|platform| {
+                // What swings is pushed open.
+                if platform.swing().is_some() {
+                    return false;
+                }
                 let shape = platform.shape();
                 // What turns or climbs is as high as it is here.
                 let is_low =

@@ -296,7 +296,7 @@ impl Precise {
         let joints = self.joints.count() as u32;
         self.direct.timing.may_be_due |= std::mem::replace(&mut self.direct.timing.joints, joints) != joints;
         let is_calm = || {
-            self.bodies.live - self.sleep.count <= FEW
+            self.bodies.live - self.asleep_count() <= FEW
                 && !self.sleep.awake(self.bodies.count).any(|body| self.moves(self.bodies.hot[body].velocity))
         };
         let is_whole = self.direct.timing.choice == IslandChoice::Whole;

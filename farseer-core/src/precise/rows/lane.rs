@@ -49,13 +49,11 @@ pub(in crate::precise) struct SpaceLane {
 }
 
 impl Lane {
-    /// Masses of its points, as arms and reciprocals of mass and inertia are now.
-    pub(in crate::precise) fn weigh(&mut self) {
+    /// The mass that is met at a point, as arms and reciprocals of mass and inertia are now.
+    pub(in crate::precise) fn weight(&self, point: &PointLane) -> f32 {
         let ([mass_a, mass_b], [inertia_a, inertia_b]) = (self.inverse_masses, self.inverse_inertias);
-        for point in self.points.iter_mut().filter(|point| point.mass > 0.0) {
-            let turning = inertia_a * point.arm_a * point.arm_a + inertia_b * point.arm_b * point.arm_b;
-            point.mass = 1.0 / (mass_a + mass_b + turning);
-        }
+        let turning = inertia_a * point.arm_a * point.arm_a + inertia_b * point.arm_b * point.arm_b;
+        1.0 / (mass_a + mass_b + turning)
     }
 
     /// Whether the springs of its points are on their way to rest at more of their load.

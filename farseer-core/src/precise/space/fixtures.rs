@@ -46,7 +46,12 @@ pub(super) fn place_of(fixture: &Fixture) -> Vector3 {
 
 /// A level one, as what stands upright.
 pub(super) fn upright_of(fixture: &Fixture) -> Upright {
-    Upright::of_box(&fixture.shape, place_of(fixture))
+    let (shape, mut corners) = (&fixture.shape, fixture.shape.footprint());
+    if fixture.swing().is_some() {
+        let out = shape.centre - place_of(fixture);
+        corners = corners.map(|[x, z]| [x + out.x, z + out.z]);
+    }
+    Upright::of_corners(corners, shape.half[1])
 }
 
 /// An angle of one turn, from 0 on.
@@ -93,7 +98,7 @@ impl FixtureMotion {
                 *target
             }
             None if turned == 0.0 => yaw,
-            None => self.swing.map_or_else(|| wrapped(yaw + turned), |swing| swing.within(yaw + turned)),
+            None => self.swing().map_or_else(|| wrapped(yaw + turned), |swing| swing.within(yaw + turned)),
         }
     }
 
@@ -141,7 +146,7 @@ impl Precise {
         let number = space.moving.binary_search(&(place as u32)).map_or(0, |at| at + 1);
         if let Some(hot) = self.bodies.hot.get_mut(number).filter(|_| number > 0 && !self.is_stale) {
             hot.velocity = on_hot(&told);
-            if known != Some(told) {
+            if told.swing().is_some() && known != Some(told) {
                 self.sleep.note_waking(number);
             }
         }
@@ -236,7 +241,7 @@ impl Precise {
             let number = if let Some(motion) = fixture.motion {
                 moving += 1;
                 self.bodies.hot[moving].velocity = on_hot(&motion);
-                if let Some(swing) = &motion.swing {
+                if let Some(swing) = motion.swing() {
                     self.bodies.inverses[moving] = [0.0, swing.inverse_inertia()];
                     self.bodies.kinematic.retain(|&number| number as usize != moving);
                 }
@@ -290,8 +295,8 @@ impl Precise {
             }
             let mobility = match motion {
                 None => Mobility::Fixed,
-                Some(FixtureMotion { swing: None, .. }) => Mobility::Kinematic,
-                Some(_) => Mobility::Hinged,
+                Some(motion) if motion.swing().is_some() => Mobility::Hinged,
+                Some(_) => Mobility::Kinematic,
             };
             let [x, y, depth] = shape.half;
             let x = if fixture.yaw.is_some() { turning_reach(fixture) } else { x };
@@ -330,7 +335,7 @@ impl Precise {
             let fixture = &mut space.fixtures[place as usize];
             let Fixture { shape, yaw, motion: Some(motion), .. } = fixture else { continue };
             motion.begin(shape.centre, yaw.unwrap_or_default(), dt);
-            if let Some(swing) = &mut motion.swing {
+            if let Some(swing) = motion.swing_mut() {
                 swing.is_edited = false;
             }
             bodies.hot[number].velocity = on_hot(motion);
@@ -378,14 +383,14 @@ impl Precise {
             let [x, y, turned, z] = bodies.path[number];
             fixture.shape.centre = motion.end(fixture.shape.centre, [x, y, z]);
             let turned_to = fixture.yaw.map(|yaw| motion.end_turning(yaw, turned));
-            if motion.swing.is_none() {
+            if motion.swing().is_none() {
                 bodies.hot[number].velocity = on_hot(motion);
             }
             if let Some(yaw) = turned_to {
                 fixture.yaw = Some(yaw);
                 let (sine, cosine) = scalar::sin_cos_of_any(yaw);
                 fixture.shape.turn = [cosine, sine];
-                if let Some(swing) = &motion.swing {
+                if let Some(swing) = motion.swing() {
                     fixture.shape.centre = swing.middle(fixture.shape.turn, fixture.shape.centre.y);
                     motion.turning = bodies.hot[number].velocity[2];
                 }

@@ -118,7 +118,7 @@ pub struct Fixture {
 impl Fixture {
     /// What it swings about.
     pub(super) fn swing(&self) -> Option<&FixtureSwing> {
-        self.motion.as_ref()?.swing.as_ref()
+        self.motion.as_ref()?.swing()
     }
 }
 
@@ -135,13 +135,27 @@ pub struct FixtureMotion {
     pub turning: f32,
     /// The angle to which it is turned, and whether the last step has done so; it stands still in the one after.
     pub yaw_target: Option<(f32, bool)>,
-    /// About what it swings, if it does: then nothing else moves it.
+    /// About what it swings, if it does: then nothing else moves it. To be [asked for](Self::swing).
     pub swing: Option<FixtureSwing>,
+}
+
+impl FixtureMotion {
+    /// About what it swings. Nothing, where nothing can: the compiler does not see by itself that there is none.
+    pub fn swing(&self) -> Option<&FixtureSwing> {
+        if Swings::ARE_THERE { self.swing.as_ref() } else { None }
+    }
+
+    /// The same, to change it.
+    pub fn swing_mut(&mut self) -> Option<&mut FixtureSwing> {
+        if Swings::ARE_THERE { self.swing.as_mut() } else { None }
+    }
 }
 
 /// What a fixture swings about: an upright hinge, about which it turns as what presses on it, a spring and a damper tell it to.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct FixtureSwing {
+    /// That fixtures can swing; first, so that no more of one is read where they cannot.
+    pub proof: Swings,
     /// The hinge, along x and z.
     pub hinge: [f32; 2],
     /// Where the middle of the box is as seen from there, while it is not turned.
@@ -160,8 +174,6 @@ pub struct FixtureSwing {
     pub held: f32,
     /// It has become otherwise since that step.
     pub is_edited: bool,
-    /// That fixtures can swing.
-    pub proof: Swings,
 }
 
 /// That fixtures can swing. Without the feature there is no such value, so that the compiler leaves out all that swinging needs.
@@ -174,6 +186,9 @@ pub struct Swings;
 pub enum Swings {}
 
 impl Swings {
+    /// Whether they can, where the compiler does not see by itself that nothing is there.
+    pub(in crate::precise) const ARE_THERE: bool = cfg!(feature = "swing");
+
     /// It, if they can.
     pub fn new() -> Option<Self> {
         #[cfg(feature = "swing")]

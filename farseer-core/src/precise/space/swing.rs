@@ -11,7 +11,7 @@
 //! hard rows, with no bounce.
 
 use super::Space;
-use super::parts::{self, FixtureSwing};
+use super::parts::{self, FixtureMotion, FixtureSwing, Swings};
 use crate::body::BodyId;
 use crate::precise::Precise;
 use crate::precise::bodies::Bodies;
@@ -114,9 +114,9 @@ impl Swinging {
     }
 }
 
-/// None, where none can be: the compiler does not see by itself that a list is empty of which nothing can be made.
-fn there(swings: &mut [Swinging]) -> &mut [Swinging] {
-    if cfg!(feature = "swing") { swings } else { &mut [] }
+/// Nothing, where nothing can swing: the compiler does not see by itself that such a list is empty.
+fn there<T>(list: &mut [T]) -> &mut [T] {
+    if Swings::ARE_THERE { list } else { &mut [] }
 }
 
 /// Stages: see [`step`](crate::precise::step).
@@ -126,7 +126,7 @@ impl Precise {
         let Precise { space: Some(space), bodies, sleep, .. } = self else { return };
         let Space { moving, fixtures, swings, .. } = &mut **space;
         swings.clear();
-        for (number, &place) in (1..).zip(&*moving) {
+        for (number, &place) in (1..).zip(&*there(moving)) {
             let fixture = &fixtures[place as usize];
             let Some(&swing) = fixture.swing().filter(|_| !sleep.is_asleep(number as usize)) else {
                 continue;
@@ -136,7 +136,7 @@ impl Precise {
             let held = swing.held * step.h;
             swings.push(Swinging { number, place, swing, begun, angle, held, has_moved: false });
         }
-        (0..space.swings.len()).for_each(|at| self.brace(at));
+        (0..there(&mut space.swings).len()).for_each(|at| self.brace(at));
     }
 
     /// Rows that press one against the stop at which it rests are those of something that does not give way, as long as nothing
@@ -190,7 +190,10 @@ impl Precise {
         let (Some(home), Some(mut lane)) = (state.home, self.row_of(pair)) else { return };
         if lane.inverse_inertias[0] != inverse_inertia {
             lane.inverse_inertias[0] = inverse_inertia;
-            lane.weigh();
+            let row = lane;
+            for point in lane.points.iter_mut().filter(|point| point.mass > 0.0) {
+                point.mass = row.weight(point);
+            }
             self.rows.set_lane(state.kind, home, &lane);
         }
     }
@@ -262,7 +265,7 @@ impl Precise {
                 now
             };
             bodies.path[at][2] = now - begun[0];
-            if let Some(swing) = fixtures[*place as usize].motion.as_mut().and_then(|it| it.swing.as_mut()) {
+            if let Some(swing) = fixtures[*place as usize].motion.as_mut().and_then(|it| it.swing_mut()) {
                 swing.held = if torque.is_finite() { torque } else { 0.0 };
             }
         }
@@ -273,27 +276,36 @@ impl Precise {
 impl Precise {
     /// Whether a number is that of a fixture that swings.
     pub(in crate::precise) fn swings(&self, number: usize) -> bool {
-        self.space.as_ref().is_some_and(|space| space.swing_of(number).is_some())
+        Swings::ARE_THERE && self.space.as_ref().is_some_and(|space| space.swing_of(number).is_some())
+    }
+
+    /// How many of those that sleep are no bodies, but swing.
+    pub(in crate::precise) fn swings_asleep(&self) -> usize {
+        let moving = self.space.as_ref().map_or(0, |space| space.moving.len());
+        let moving = if Swings::ARE_THERE { moving } else { 0 };
+        (1..=moving).filter(|&number| self.sleep.is_asleep(number)).count()
     }
 
     /// No pass takes them for bodies that touch one thing at most.
     pub(in crate::precise) fn note_swings(&mut self) {
         let Precise { space: Some(space), palette, .. } = self else { return };
-        let numbers = (1..=space.moving.len()).filter(|&number| space.swing_of(number).is_some());
+        let moving = if Swings::ARE_THERE { space.moving.len() } else { 0 };
+        let numbers = (1..=moving).filter(|&number| space.swing_of(number).is_some());
         numbers.for_each(|number| palette.note_swing(number));
     }
 
     /// What a body, or a fixture that sleeps as bodies do, is called in a save.
     pub(in crate::precise) fn name_of(&self, number: usize) -> Option<BodyId> {
-        self.bodies.ids[number].or_else(|| {
-            let fixture = self.space.as_ref()?.swinging_fixture(number)?;
-            Some(parts::fixture_body(fixture))
-        })
+        let of_fixture = || self.space.as_ref()?.swinging_fixture(number).map(parts::fixture_body);
+        self.bodies.ids[number].or_else(|| if Swings::ARE_THERE { of_fixture() } else { None })
     }
 
     /// The number of what is called so.
     pub(in crate::precise) fn number_named(&self, name: BodyId) -> Option<usize> {
         self.number_of(name).or_else(|| {
+            if !Swings::ARE_THERE {
+                return None;
+            }
             let space = self.space.as_ref()?;
             let (place, fixture) = space.fixture(parts::fixture_of_body(name)?)?;
             fixture.swing()?;
@@ -304,23 +316,37 @@ impl Precise {
     /// Whether one that sleeps may go on sleeping.
     pub(in crate::precise) fn is_swing_at_rest(&self, number: usize) -> bool {
         let fixture = self.space.as_ref().and_then(|space| space.swinging_fixture(number));
-        fixture
-            .and_then(|fixture| fixture.motion)
-            .is_some_and(|motion| motion.turning == 0.0 && motion.swing.is_some_and(|swing| !swing.is_edited))
+        Swings::ARE_THERE
+            && fixture.and_then(|fixture| fixture.motion).is_some_and(|motion| {
+                motion.turning == 0.0 && motion.swing().is_some_and(|swing| !swing.is_edited)
+            })
     }
 
     /// One wakes because it was edited: it has the velocity that it was given.
     pub(in crate::precise) fn take_swing(&mut self, number: usize) {
+        if !self.swings(number) {
+            return;
+        }
         let fixture = self.space.as_ref().and_then(|space| space.swinging_fixture(number));
         if let Some(motion) = fixture.and_then(|fixture| fixture.motion) {
             self.bodies.hot[number].velocity[2] = motion.turning;
         }
     }
 
+    /// The fixtures that swing: their names, and how they move.
+    pub(crate) fn fixtures_that_swing(&self) -> impl Iterator<Item = (u32, FixtureMotion)> + '_ {
+        let space = self.space.as_ref().filter(|_| Swings::ARE_THERE);
+        let all = space.into_iter().flat_map(|space| &space.fixtures);
+        all.filter(|fixture| fixture.swing().is_some())
+            .filter_map(|fixture| Some((fixture.id, fixture.motion?)))
+    }
+
     /// One has fallen asleep.
     pub(in crate::precise) fn rest_swing(&mut self, number: usize) {
-        let Some(space) = self.space.as_deref_mut() else { return };
-        if space.swing_of(number).is_some() {
+        if !self.swings(number) {
+            return;
+        }
+        if let Some(space) = self.space.as_deref_mut() {
             let place = space.moving[number - 1] as usize;
             space.fixtures[place].motion.iter_mut().for_each(|motion| motion.turning = 0.0);
         }
@@ -341,7 +367,7 @@ impl Space {
 
 #[cfg(all(test, feature = "swing"))]
 mod tests {
-    use super::{FixtureSwing, parts::Swings};
+    use super::{FixtureSwing, Swings};
 
     fn swing(stiffness: f32, damping: f32) -> FixtureSwing {
         FixtureSwing {

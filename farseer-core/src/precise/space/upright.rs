@@ -8,10 +8,8 @@
 use super::foot::{Foot, Gap, Polygon};
 use super::parts::SpaceUpright;
 use super::solid::{Before, Limits, Solid};
-use crate::math::Vector3;
 use crate::math::plane::{Vector, difference, length, place, scaled, sum};
 use crate::precise::manifold::Manifold;
-use crate::shape::SlantedBox;
 
 /// What something upright is.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -44,12 +42,9 @@ impl Upright {
         }
     }
 
-    /// A level box, turned as it is, whose place is not always its middle.
-    pub(super) fn of_box(shape: &SlantedBox, place: Vector3) -> Self {
-        let out = shape.centre - place;
-        let corners = shape.footprint().map(|[x, z]| [x + out.x, z + out.z]);
-        let foot = Foot::of(Polygon::new(corners));
-        Upright { foot, half: shape.half[1], rounding: 0.0 }
+    /// A level box with these corners of its footprint, as seen from its place, that is so high to both sides.
+    pub(super) fn of_corners(corners: [Vector; 4], half: f32) -> Self {
+        Upright { foot: Foot::of(Polygon::new(corners)), half, rounding: 0.0 }
     }
 
     pub(super) fn ball(radius: f32) -> Self {

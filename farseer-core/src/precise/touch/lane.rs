@@ -4,8 +4,9 @@ use super::{Touch, Two};
 use crate::geom::surface::mix_restitution;
 use crate::math::plane::{Vector, cross, difference, dot, scaled, sum, turn};
 use crate::precise::pairs::{Frozen, FrozenInSpace};
-use crate::precise::proxies::Proxy;
+use crate::precise::proxies::{Mobility, Proxy};
 use crate::precise::rows::{Lane, PointLane, SpaceLane};
+use crate::precise::space::parts::Swings;
 use crate::precise::space::{Space, tangents};
 
 impl Touch<'_> {
@@ -88,14 +89,16 @@ impl Touch<'_> {
             let mean = |axis| (0..count as usize).map(|at| arm(at, axis)).sum::<f32>() / count as f32;
             for (at, point) in points_of.iter_mut().enumerate().take(count as usize) {
                 point.arm_a = arm(at, [x, y, normal_z]);
+                if Swings::ARE_THERE && two.a.mobility == Mobility::Hinged {
+                    point.mass = lane.weight(point);
+                }
             }
             tangent_arms[0] = mean([tangent[0], tangent[1], 0.0]);
             across_arms[0] = mean([ux, uy, uz]);
         }
-        let swings = lane.inverse_inertias[0] > 0.0 && self.turns_upright(two.a);
         let [at_a, at_b] = self.pairs.watched[pair].proxies;
         let [friction, restitution] = space.surface([at_a, at_b], [two.a, two.b], self.friction);
-        let mut lane = Lane {
+        Lane {
             friction,
             restitution,
             tangent_arms,
@@ -111,11 +114,7 @@ impl Touch<'_> {
                 ..SpaceLane::default()
             },
             ..lane
-        };
-        if swings {
-            lane.weigh();
         }
-        lane
     }
 
     /// Friction, restitution and tangent speed of a pair without a handler.

@@ -117,14 +117,14 @@ impl Platform {
     }
 
     fn told_swing(&self) -> Option<&FixtureSwing> {
-        self.motion.as_ref()?.told.swing.as_ref()
+        self.motion.as_ref()?.told.swing()
     }
 
-    /// Velocity of its middle by swinging about a hinge beside that, in the world.
-    pub(super) fn swinging_velocity(&self) -> Vector3 {
-        let Some(FixtureSwing { hinge: [x, z], .. }) = self.told_swing() else { return Vector3::zeros() };
+    /// Velocity of its middle in the world, if that goes round a hinge.
+    pub(super) fn swinging_velocity(&self) -> Option<Vector3> {
+        let FixtureSwing { hinge: [x, z], .. } = self.told_swing()?;
         let (turning, centre) = (self.angular_velocity(), self.shape.centre);
-        Vector3::new(-turning * (centre.z - z), 0.0, turning * (centre.x - x))
+        Some(Vector3::new(-turning * (centre.z - z), 0.0, turning * (centre.x - x)))
     }
 
     /// Swinging, at rest at the angle that it has; or not any more, and standing still.
@@ -169,7 +169,7 @@ impl Platform {
     pub(super) fn put_at(&mut self, yaw: f32) -> Result<()> {
         let (y, turn) = (self.shape.centre.y, farseer_core::math::scalar::sin_cos_of_any(yaw));
         let Some(motion) = &mut self.motion else { return Ok(()) };
-        let Some(swing) = &mut motion.told.swing else { return Ok(()) };
+        let Some(swing) = motion.told.swing_mut() else { return Ok(()) };
         if !Swing::from_told(swing).is_within(yaw) {
             return Err(invalid("yaw", yaw, "between the stops of a platform that swings"));
         }
@@ -179,9 +179,10 @@ impl Platform {
         Ok(())
     }
 
-    /// The hinge moves with the platform.
-    pub(super) fn take_hinge_along(&mut self, way: Vector3) {
-        if let Some(swing) = self.motion.as_mut().and_then(|motion| motion.told.swing.as_mut()) {
+    /// The hinge moves with the platform, whose middle is to be there.
+    pub(super) fn take_hinge_along(&mut self, centre: Vector3) {
+        let way = centre - self.shape.centre;
+        if let Some(swing) = self.motion.as_mut().and_then(|motion| motion.told.swing_mut()) {
             swing.hinge = [swing.hinge[0] + way.x, swing.hinge[1] + way.z];
             swing.is_edited = true;
         }

@@ -57,7 +57,7 @@ impl Platform {
             return Err(invalid("yaw", yaw, "0 of a platform that is a slope, or leans"));
         }
         let turns = |Motion { told, .. }: Motion| {
-            told.turning != 0.0 || told.yaw_target.is_some() || told.swing.is_some()
+            told.turning != 0.0 || told.yaw_target.is_some() || told.swing().is_some()
         };
         let turns = self.motion.is_some_and(turns);
         if turns && self.surface_speed != [0.0; 2] {
