@@ -116,11 +116,6 @@ impl PhysicsSimulator {
         self.pipeline.precise.iter().flat_map(|precise| precise.fixtures_moved())
     }
 
-    /// The fixtures that swing: their names, and how they move after an update, whether they have fallen asleep in it or not.
-    pub fn fixtures_that_swing(&self) -> impl Iterator<Item = (u32, FixtureMotion)> + '_ {
-        self.pipeline.precise.iter().flat_map(|precise| precise.fixtures_that_swing())
-    }
-
     /// An update begins: objects enter and leave. Answers whether anything can move; then it [goes on](Self::go_on_in_space).
     pub fn begin_in_space(&mut self, dt: f32, handler: Option<&mut dyn EventHandler>) -> bool {
         self.begin(dt, &mut Handler::new(handler))

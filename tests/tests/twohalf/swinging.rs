@@ -351,6 +351,27 @@ fn what_keeps_it_open_sleeps_with_it_and_when_that_goes_it_closes() {
 }
 
 #[test]
+fn who_hits_it_wakes_what_sleeps_on_its_other_side() {
+    precise(|| {
+        let (mut simulator, door, body) = jammed();
+        assert!(simulator.is_asleep(body));
+        let thrown = ball(&mut simulator, 8.0, [130.0, 30.0, 60.0]);
+        throw(&mut simulator, thrown, [0.0, 0.0, 300.0]);
+        let mut has_woken = false;
+        for _ in 0..60 {
+            run(&mut simulator, 1);
+            has_woken |= !simulator.is_asleep(body);
+        }
+        assert!(has_woken);
+        // And all of it comes to rest again.
+        throw(&mut simulator, thrown, [0.0; 3]);
+        run(&mut simulator, 1500);
+        assert!(simulator.is_asleep(body), "{:?}", simulator.why_awake(body));
+        assert_eq!(turning(&simulator, door), 0.0);
+    });
+}
+
+#[test]
 fn saved_in_its_swing_it_goes_on_with_the_same_bits() {
     precise(|| {
         let mut simulator = simulator();

@@ -81,7 +81,7 @@ impl Motion {
     /// Whether everything that enters arithmetic is finite: false only after loading garbage.
     fn is_finite(&self) -> bool {
         let FixtureMotion { velocity, target, way, turning, yaw_target, .. } = self.told;
-        let is_told = target.is_some() || yaw_target.is_some();
+        let is_told = target.is_some() || yaw_target.is_some() || velocity != [0.0; 3];
         if self.told.swing().is_some_and(|swing| is_told || !swing::is_valid(swing)) {
             return false;
         }

@@ -187,7 +187,7 @@ pub enum Swings {}
 
 impl Swings {
     /// Whether they can, where the compiler does not see by itself that nothing is there.
-    pub(in crate::precise) const ARE_THERE: bool = cfg!(feature = "swing");
+    pub const ARE_THERE: bool = cfg!(feature = "swing");
 
     /// It, if they can.
     pub fn new() -> Option<Self> {

@@ -6,12 +6,12 @@
 //! them than of others: it is in the same colours, and hangs together with what it touches when that falls asleep.
 //!
 //! Where nothing touches it it swings as the law of a damped spring says, I x" + c x' + k x = 0, in closed form. Where something
-//! does, the spring pushes in every substep as it is stretched when that begins, and what its stretching on and the damper add
-//! follows the velocity that the passes find, so that this is the implicit Euler method: it loses energy, and wins none. Stops are
+//! does, the spring pushes in every substep as it is stretched when that begins; what it is stretched on by meanwhile, and the
+//! damper, follow the velocity that the passes find. That is the implicit Euler method: it loses energy, and wins none. Stops are
 //! hard rows, with no bounce.
 
 use super::Space;
-use super::parts::{self, FixtureMotion, FixtureSwing, Swings};
+use super::parts::{self, FixtureSwing, Swings};
 use crate::body::BodyId;
 use crate::precise::Precise;
 use crate::precise::bodies::Bodies;
@@ -175,7 +175,7 @@ impl Precise {
         Some(self.rows.lane(state.kind, state.home?))
     }
 
-    /// Whether all points of a row push what swings towards its least angle, or its greatest one.
+    /// Whether all points of a row push what swings towards its least angle, side 0, or its greatest one, side 1.
     fn turns_towards(&self, pair: usize, side: usize) -> bool {
         let sign = if side == 0 { 1.0 } else { -1.0 };
         self.row_of(pair).is_some_and(|lane| {
@@ -331,14 +331,6 @@ impl Precise {
         if let Some(motion) = fixture.and_then(|fixture| fixture.motion) {
             self.bodies.hot[number].velocity[2] = motion.turning;
         }
-    }
-
-    /// The fixtures that swing: their names, and how they move.
-    pub(crate) fn fixtures_that_swing(&self) -> impl Iterator<Item = (u32, FixtureMotion)> + '_ {
-        let space = self.space.as_ref().filter(|_| Swings::ARE_THERE);
-        let all = space.into_iter().flat_map(|space| &space.fixtures);
-        all.filter(|fixture| fixture.swing().is_some())
-            .filter_map(|fixture| Some((fixture.id, fixture.motion?)))
     }
 
     /// One has fallen asleep.
