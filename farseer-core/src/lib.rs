@@ -585,8 +585,8 @@ pub use path::{
 pub use precise::space::forms::{SpaceFoot, SpaceForm, apart_in_space};
 #[doc(hidden)]
 pub use precise::space::parts::{
-    Fixture, FixtureMotion, SpaceBody, SpaceChange, SpacePartner, SpacePoint, SpaceProfile, SpaceTarget,
-    SpaceTouch, SpaceUpright,
+    Fixture, FixtureMotion, FixtureSwing, SpaceBody, SpaceChange, SpacePartner, SpacePoint, SpaceProfile,
+    SpaceTarget, SpaceTouch, SpaceUpright, Swings,
 };
 pub use precise::{Island, IslandCost, IslandMethod, IslandResidual, WhyAwake, WhyMethod};
 pub use report::{Event, StepCounters, StepTimes};

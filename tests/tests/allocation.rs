@@ -483,6 +483,28 @@ fn an_update_of_a_settled_scene_with_depth_allocates_nothing() {
 }
 
 #[test]
+fn doors_that_swing_and_that_are_pressed_allocate_nothing() {
+    use twohalf_factories::{SwingDoor, spawn_swing_door};
+    depth::with_scheme(twohalf::DepthScheme::Precise, || {
+        let mut simulator = settled_scene_with_depth();
+        let door = |z: f32| SwingDoor::new([60.0, 0.0, z], [100.0, 60.0, 6.0]).damping(0.0);
+        let [free, pressed] = [800.0, 1100.0].map(|z| spawn_swing_door(&mut simulator, door(z)).unwrap());
+        simulator.platform_mut(free).unwrap().set_angular_velocity(3.0).unwrap();
+        let crate_box = depth::crate_box(&mut simulator, [20.0, 16.0], [140.0, 20.0, 1080.0]);
+        let mut swing = |updates: usize| {
+            for _ in 0..updates {
+                simulator.body_mut(crate_box).unwrap().set_velocity3d([0.0, 0.0, 10.0].into());
+                simulator.update(depth::DT);
+            }
+        };
+        swing(150);
+        assert_eq!(calls(|| swing(100)), 0);
+        let turning = [free, pressed].map(|id| simulator.platform(id).unwrap().angular_velocity());
+        assert!(turning.iter().all(|&turning| turning != 0.0), "{turning:?}");
+    });
+}
+
+#[test]
 fn bodies_that_are_watched_that_stand_still_and_that_are_slow_cost_no_allocation() {
     depth::with_scheme(twohalf::DepthScheme::Precise, || {
         let mut simulator = settled_scene_with_depth();

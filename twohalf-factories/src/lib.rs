@@ -49,6 +49,7 @@ mod lane;
 mod rope;
 mod slope;
 mod spawn;
+mod swing_door;
 
 #[doc = include_str!("recipes.md")]
 #[doc = include_str!("recipes_of_figures.md")]
@@ -65,6 +66,7 @@ pub use lane::spawn_lane;
 pub use rope::{Rope, RopeEnd, SpawnedRope, spawn_rope};
 pub use slope::spawn_slope;
 pub use spawn::{Ball, Capsule, Cylinder, Figure, Prism, Spawned, Thing, spawn};
+pub use swing_door::{SwingDoor, spawn_swing_door};
 
 /// The example of the README is run with those of the documentation.
 #[cfg(doctest)]

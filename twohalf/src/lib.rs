@@ -134,7 +134,8 @@
 //! A [`Platform`] is a box that nothing pushes (thesis 3.6): level, tilted to a slope, or sheared, so that its edges in
 //! depth run at an angle on the screen that is not the Z axis'. It may [rise along Z](PlatformMut::set_pitch), and a level one be
 //! [turned](PlatformMut::set_yaw) about an upright axis, or [turn](PlatformMut::set_angular_velocity) and carry what stands on
-//! it. Objects land on it where their footprint is above
+//! it. One that [swings](PlatformMut::set_swing) about an upright hinge is pushed by what presses on it, and comes back by a spring.
+//! Objects land on it where their footprint is above
 //! it, walk off every edge, bump into its sides, its front and its underside, and pass under it. It is there for
 //! every object and costs nothing where nobody is near.
 //!
@@ -155,7 +156,8 @@
 //! [`DepthScheme::Precise`] those that keep a point or a line keep their bodies together along Z, too; pins, sliders and linear
 //! springs act along all axes, between points that are at the Z of their bodies, and
 //! [take](TwoHalfPhysicsSimulator::take_length) the length that they have there. All of them can be edited, added and removed at
-//! any time; what breaks because it holds too much is an [event](Event::JointBroke). `spawn_rope` and `spawn_door` are in the
+//! any time; what breaks because it holds too much is an [event](Event::JointBroke). `spawn_rope`, `spawn_door` and
+//! `spawn_swing_door` are in the
 //! crate `twohalf-factories`. Water, wind and wells of gravity with depth are [fields](Field).
 //!
 //! # A game loop
@@ -412,7 +414,7 @@ mod walk;
 pub use depth::Methods;
 pub use depth::{
     Axis, DepthProfile, DepthScheme, Field, FieldId, Fluid, Ground, Partner, Platform, PlatformId, Region,
-    Support, Well,
+    Support, Swing, Well,
 };
 pub use error::{Error, Result};
 pub use events::{Collision, Context, Event, EventHandler};

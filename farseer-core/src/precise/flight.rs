@@ -212,7 +212,8 @@ impl Precise {
             let of = run.clone().zip(paths).zip(reaches).zip(&bodies.cores[run.clone()]);
             for (((number, &path), &reach), &core) in of {
                 let core = if core < most { core } else { most };
-                if is_fast(path, reach, core) && !sleep.is_asleep(number) && !bodies.is_kinematic(number) {
+                let is_body = || bodies.ids[number].is_some() && !bodies.is_kinematic(number);
+                if is_fast(path, reach, core) && !sleep.is_asleep(number) && is_body() {
                     fast.push((number as u32, 1.0, None));
                 }
             }

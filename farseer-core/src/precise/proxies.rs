@@ -27,7 +27,16 @@ const NOWHERE: Box2 = [f32::MAX, f32::MAX, f32::MIN, f32::MIN];
 pub(super) enum Mobility {
     Fixed,
     Kinematic,
+    /// About an upright hinge alone.
+    Hinged,
     Dynamic,
+}
+
+impl Mobility {
+    /// Whether something can push it.
+    pub(super) fn gives_way(self) -> bool {
+        self >= Mobility::Hinged
+    }
 }
 
 /// A convex piece of a geom.

@@ -45,7 +45,7 @@ pub enum WhyAwake {
     NothingSleeps,
     /// The body is static or kinematic, or takes no part.
     NeverSleeps,
-    /// The body moves too fast.
+    /// The body moves too fast, or what swings about a hinge and leans on it does.
     Moves {
         /// Length per second below which it would be at rest.
         limit: f32,
@@ -337,7 +337,8 @@ impl Precise {
     pub(super) fn join_islands(&self, objects: &Objects, islands: &mut Islands) {
         islands.part(self.bodies.hot.len());
         for pair in (0..self.pairs.awake).filter(|&pair| self.pairs.all[pair].home.is_some()) {
-            if let [(a, Mobility::Dynamic), (b, Mobility::Dynamic)] = self.sides(pair) {
+            let [(a, of_a), (b, of_b)] = self.sides(pair);
+            if of_a.gives_way() && of_b.gives_way() {
                 islands.join(a as u32, b as u32);
             }
         }
@@ -366,7 +367,11 @@ impl Precise {
         let restless = with.find(|&other| self.sleep.rest[other] == 0.0);
         Some(match restless {
             _ if self.sleep.rest[number] == 0.0 => WhyAwake::Moves { limit: self.slow() },
-            Some(other) => WhyAwake::HangsTogether { with: self.bodies.ids[other]? },
+            Some(other) => match self.bodies.ids[other] {
+                Some(with) => WhyAwake::HangsTogether { with },
+                // What swings is no body, and moves those that lean on it.
+                None => WhyAwake::Moves { limit: self.slow() },
+            },
             None => WhyAwake::RestsSince { seconds: self.sleep.rest[number], needed: REST },
         })
     }
@@ -423,6 +428,7 @@ impl Precise {
             if let (Some(space), Some(id)) = (&mut self.space, self.bodies.ids[body]) {
                 space.rest(body, id);
             }
+            self.rest_swing(body);
         }
         self.lay_pairs_down();
         self.lay_joints_down(objects);
@@ -434,9 +440,8 @@ impl Precise {
         let h = self.h;
         // From the last one on: what takes the place of another one has been looked at.
         for pair in (0..self.pairs.awake).rev() {
-            let is_awake = |&(body, mobility): &(usize, Mobility)| {
-                mobility == Mobility::Dynamic && !self.sleep.is_asleep(body)
-            };
+            let is_awake =
+                |&(body, mobility): &(usize, Mobility)| mobility.gives_way() && !self.sleep.is_asleep(body);
             if self.sides(pair).iter().any(is_awake) {
                 continue;
             }
@@ -452,7 +457,7 @@ impl Precise {
         self.sides(pair).iter().any(|&(body, mobility)| match mobility {
             Mobility::Fixed => false,
             Mobility::Kinematic => true,
-            Mobility::Dynamic => !self.sleep.is_asleep(body),
+            Mobility::Hinged | Mobility::Dynamic => !self.sleep.is_asleep(body),
         })
     }
 

@@ -411,6 +411,7 @@ impl Precise {
             self.scale_impulses(step.h);
         }
         self.choose_methods(&step.learning);
+        self.begin_swings(step);
         self.solve_direct(step);
         self.joints.swing(&self.bodies, step);
         if self.rows.is_empty() && self.joints.are_all_apart() {
@@ -421,24 +422,31 @@ impl Precise {
         }
         self.joints.finish(&mut self.bodies, step);
         self.finish_direct(step);
+        self.end_swings(step);
     }
 
     fn solve_passes(&mut self, step: &Step) {
         let may_bounce = self.bounces && self.note_approaches();
         self.gather_warm(step);
+        self.warm_swings();
         for substep in 0..step.substeps {
+            self.push_swings(step.h, substep == 0);
             begin_substep(&mut self.bodies, &self.sleep.bodies, substep == 0);
             self.begin_spins(substep == 0);
             self.joints.correct(&mut self.bodies, step.h);
+            self.hold_swings(step.h);
             self.solve_soft(step);
+            self.hold_swings(step.h);
             if may_bounce {
                 self.note_pushes();
             }
             self.joints.share_depth(&mut self.bodies);
             displace(&mut self.bodies, &self.sleep.bodies, step.h, substep == 0);
+            self.turn_swings();
             self.joints.advance(&self.bodies, step.h);
             self.joints.relax(&mut self.bodies, step.h);
             self.relax(step);
+            self.hold_swings(step.h);
             self.joints.share_depth(&mut self.bodies);
             if may_bounce {
                 self.note_pushes();

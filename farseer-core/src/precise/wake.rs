@@ -1,7 +1,6 @@
 //! What wakes those that [sleep](super::sleep).
 
 use super::Precise;
-use super::proxies::Mobility;
 use super::sleep::{KnownJoint, REST};
 use crate::body::BodyId;
 use crate::controllers::ControllerKind;
@@ -15,7 +14,7 @@ impl Precise {
     /// The bodies of a pair are to wake, if they sleep.
     pub(super) fn note_waking(&mut self, pair: usize) {
         for (body, mobility) in self.sides(pair) {
-            if mobility == Mobility::Dynamic {
+            if mobility.gives_way() {
                 self.sleep.note_waking(body);
             }
         }
@@ -55,9 +54,9 @@ impl Precise {
             let state = &self.pairs.all[pair];
             state.home.is_none_or(|home| {
                 let is_asleep = self.rows.asleep(home).is_some();
-                self.sides(pair).iter().all(|&(body, mobility)| {
-                    mobility != Mobility::Dynamic || self.sleep.is_asleep(body) == is_asleep
-                })
+                self.sides(pair)
+                    .iter()
+                    .all(|&(body, mobility)| !mobility.gives_way() || self.sleep.is_asleep(body) == is_asleep)
             })
         })
     }
@@ -261,8 +260,9 @@ impl Precise {
         self.sleep.waking.extend(others);
     }
 
+    /// How many bodies sleep.
     pub(crate) fn asleep_count(&self) -> usize {
-        self.sleep.count
+        self.sleep.count - self.swings_asleep()
     }
 
     pub(crate) fn is_asleep(&self, body: BodyId) -> bool {

@@ -41,6 +41,7 @@ mod slopes;
 mod spawning;
 mod supports;
 mod sweeps;
+mod swinging;
 mod thesis;
 mod time_scale;
 mod towers;

@@ -26,7 +26,7 @@ pub use ground::Ground;
 pub(crate) use id_table::IdTable;
 pub(crate) use pace::Pace;
 pub use partner::{Axis, Partner};
-pub use platform::Platform;
+pub use platform::{Platform, Swing};
 pub use platform_id::PlatformId;
 pub(crate) use platforms::Platforms;
 pub use profile::DepthProfile;

@@ -1,5 +1,6 @@
 //! Platforms: boxes with depth that nothing pushes, and that objects stand on, bump into and pass under (thesis 3.6).
 
+mod swing;
 mod turned;
 
 use farseer_core::math::scalar;
@@ -15,6 +16,7 @@ use crate::error::invalid;
 use crate::projection::to_world;
 use crate::shapes::SlantedBox;
 use crate::{Projection, Result, TextureId, Vector3};
+pub use swing::Swing;
 
 /// A box that nothing pushes: width along X, height, and depth along Z, in px.
 ///
@@ -24,7 +26,8 @@ use crate::{Projection, Result, TextureId, Vector3};
 /// underside, and pass under it.
 ///
 /// With [`DepthScheme::Precise`](crate::DepthScheme::Precise) it stands still, [moves](PlatformMut::set_velocity) or
-/// [turns](PlatformMut::set_angular_velocity) about an upright axis, and carries what stands on it; its surface may be a
+/// [turns](PlatformMut::set_angular_velocity) about an upright axis, and carries what stands on it, or
+/// [swings](PlatformMut::set_swing) about a hinge as what presses on it tells it to; its surface may be a
 /// [belt](PlatformMut::set_surface_speed), or [rise along Z](PlatformMut::set_pitch).
 ///
 /// Whom it meets and how it rubs and bounces is set as with a geom, in the [view to change it](PlatformMut); friction and
@@ -77,7 +80,11 @@ struct Motion {
 impl Motion {
     /// Whether everything that enters arithmetic is finite: false only after loading garbage.
     fn is_finite(&self) -> bool {
-        let FixtureMotion { velocity, target, way, turning, yaw_target } = self.told;
+        let FixtureMotion { velocity, target, way, turning, yaw_target, .. } = self.told;
+        let is_told = target.is_some() || yaw_target.is_some() || velocity != [0.0; 3];
+        if self.told.swing().is_some_and(|swing| is_told || !swing::is_valid(swing)) {
+            return false;
+        }
         let turns = [turning, yaw_target.map_or(0.0, |(target, _)| target)];
         let towards = target.map_or([0.0; 3], |(target, _)| target);
         let position = self.target.unwrap_or_default();
@@ -149,6 +156,7 @@ impl Platform {
             turn: [turn_cos, turn_sin],
         };
         self.check_turn()?;
+        self.check_hinge()?;
         let (low, high) = self.shape.bounds();
         // Differences within the box must be finite, too.
         if !(high - low).iter().chain(low.iter()).all(|number| number.is_finite()) {
@@ -167,6 +175,7 @@ impl Platform {
         let mut platform = Platform { position3d, ..self.clone() };
         let centre = platform.middle(position3d);
         platform.motion = platform.motion.map(|motion| Motion { centre, ..motion });
+        platform.take_hinge_along(centre);
         platform.shaped(projection)
     }
 
@@ -372,10 +381,10 @@ impl Platform {
         self.filter.responds
     }
 
-    /// Its velocity in the world, px/s: along X, up and along Z. One that is [told a place](PlatformMut::move_to) has that of its
-    /// way there for an update.
+    /// Velocity of its middle in the world, px/s: along X, up and along Z. One that is [told a place](PlatformMut::move_to) has
+    /// that of its way there for an update.
     pub fn velocity(&self) -> Vector3 {
-        to_world(self.told_velocity())
+        self.swinging_velocity().unwrap_or_else(|| to_world(self.told_velocity()))
     }
 
     /// Speed of its surface, px/s: along its level edges, and along Z.

@@ -74,6 +74,12 @@ impl Platforms {
         &mut self.list[index].1
     }
 
+    /// Lets one swing, or no more.
+    pub(crate) fn swing(&mut self, index: usize, platform: Platform) {
+        self.replace(index, platform);
+        self.is_motion_told = false;
+    }
+
     /// Lets one turn, as another one of which is told whether it stood still so far.
     pub(crate) fn turn(&mut self, index: usize, platform: Platform, stood_still: bool) {
         self.list[index].1 = platform;
@@ -120,6 +126,13 @@ impl Platforms {
         if let Some(index) = self.index_of(id) {
             self.list[index].1.has_moved(centre, yaw, told);
             self.is_sorted = false;
+        }
+    }
+
+    /// One that swings may have fallen asleep, unless it was edited since.
+    pub(crate) fn has_rested(&mut self, id: PlatformId, told: FixtureMotion) {
+        if let Some(index) = self.index_of(id).filter(|_| self.is_told && self.is_motion_told) {
+            self.list[index].1.has_rested(told);
         }
     }
 

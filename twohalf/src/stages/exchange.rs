@@ -1,6 +1,6 @@
 //! What the precise set is told of depth before a step, and what is taken over after it.
 
-use farseer_core::{BodyId, GeomId, PhysicsSimulator, SpaceBody, SpaceProfile};
+use farseer_core::{BodyId, GeomId, PhysicsSimulator, SpaceBody, SpaceProfile, Swings};
 
 use super::forces::disable;
 use super::report::Report;
@@ -127,7 +127,13 @@ pub(super) fn read_depths(core: &PhysicsSimulator, world: &mut World) {
 }
 
 /// What has fallen asleep does not move, and what pushed it has acted.
-pub(super) fn rest(core: &PhysicsSimulator, depths: &mut Depths) {
+pub(super) fn rest(core: &PhysicsSimulator, world: &mut World) {
+    let World { depths, platforms, .. } = world;
+    if Swings::ARE_THERE {
+        for (number, .., motion) in core.fixtures_moved().filter(|(.., motion)| motion.swing().is_some()) {
+            platforms.has_rested(PlatformId::from_number(number), motion);
+        }
+    }
     for (id, told) in core.space_rested() {
         let Some(state) = depths.bodies.get_mut(id).filter(|state| !state.is_news) else { continue };
         (state.z, state.velocity_z, state.sunk) = (told.z, 0.0, told.sunk);

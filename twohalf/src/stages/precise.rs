@@ -33,7 +33,7 @@ pub(super) fn update(parts: Parts<'_>, dt: f32, handler: Option<&mut dyn EventHa
         if !is_told {
             read_depths(core, game.world);
         }
-        rest(core, &mut game.world.depths);
+        rest(core, game.world);
     }
     game.report.tell_refused(game.world);
     game.take_events(core);

@@ -10,6 +10,7 @@ mod ground;
 mod overlap;
 mod platform;
 mod squeeze;
+mod swinging_platform;
 mod touching;
 mod turned_platform;
 mod upright_overlap;

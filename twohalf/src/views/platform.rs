@@ -25,7 +25,7 @@ impl std::ops::Deref for PlatformMut<'_> {
 
 impl PlatformMut<'_> {
     /// Puts the platform elsewhere. Nothing is carried along: what it comes to overlap is pushed out. To move it with what
-    /// stands on it: [`set_velocity`](Self::set_velocity), [`move_to`](Self::move_to).
+    /// stands on it: [`set_velocity`](Self::set_velocity), [`move_to`](Self::move_to). The hinge of one that swings goes along.
     ///
     /// # Errors
     /// As [`Platform::new`].
@@ -64,12 +64,13 @@ impl PlatformMut<'_> {
     /// ```
     ///
     /// # Errors
-    /// What is not finite; another scheme than [`DepthScheme::Precise`].
+    /// What is not finite; a platform that [swings](Self::set_swing); another scheme than [`DepthScheme::Precise`].
     pub fn set_velocity(&mut self, velocity: Vector3) -> Result<()> {
         self.check_precise("moving platforms")?;
         if !velocity.iter().all(|number| number.is_finite()) {
             return Err(invalid("velocity", velocity, "finite"));
         }
+        self.check_swings_not("velocity", velocity)?;
         self.platforms.set_motion(self.index, to_world(velocity), None);
         Ok(())
     }
@@ -80,10 +81,11 @@ impl PlatformMut<'_> {
     /// overlap, and nothing on its way.
     ///
     /// # Errors
-    /// As [`Platform::new`]; another scheme than [`DepthScheme::Precise`].
+    /// As [`Platform::new`]; a platform that [swings](Self::set_swing); another scheme than [`DepthScheme::Precise`].
     pub fn move_to(&mut self, position3d: Vector3) -> Result<()> {
         self.check_precise("moving platforms")?;
         self.at(position3d, self.projection)?;
+        self.check_swings_not("position3d", position3d)?;
         let before = self.told_velocity();
         self.platforms.set_motion(self.index, before, Some(position3d));
         Ok(())
@@ -93,7 +95,7 @@ impl PlatformMut<'_> {
     /// carried by friction up to that speed; the sides carry as the top does. Default none.
     ///
     /// # Errors
-    /// What is not finite; a platform that turns; another scheme than [`DepthScheme::Precise`].
+    /// What is not finite; a platform that turns or swings; another scheme than [`DepthScheme::Precise`].
     pub fn set_surface_speed(&mut self, along: f32, depth: f32) -> Result<()> {
         self.check_precise("belts of platforms")?;
         for (argument, value) in [("along", along), ("depth", depth)] {

@@ -31,10 +31,11 @@ impl PlatformMut<'_> {
     }
 
     /// Turns the platform about the upright axis through its middle, rad, from X to Z: counterclockwise as seen from above. Nothing
-    /// is carried along: see [`set_angular_velocity`](Self::set_angular_velocity). Default 0.
+    /// is carried along: see [`set_angular_velocity`](Self::set_angular_velocity). One that [swings](Self::set_swing) is put to
+    /// that angle about its hinge. Default 0.
     ///
     /// # Errors
-    /// What is not finite; a platform that is a slope, or whose edges in depth do not run along Z; another scheme than
+    /// What is not finite, or beyond the stops of one that swings; a platform that is a slope, or whose edges in depth do not run along Z; another scheme than
     /// [`DepthScheme::Precise`](crate::DepthScheme::Precise).
     pub fn set_yaw(&mut self, yaw: f32) -> Result<()> {
         self.check_precise("platforms that are turned about an upright axis")?;
@@ -43,7 +44,8 @@ impl PlatformMut<'_> {
 
     /// Lets the platform turn about the upright axis through its middle, rad/s, until it is told otherwise; from X to Z:
     /// counterclockwise as seen from above. It carries what stands on it by friction, pushes what its sides meet, and is pushed by
-    /// nothing. It may [move](Self::set_velocity) at the same time.
+    /// nothing. It may [move](Self::set_velocity) at the same time. One that [swings](Self::set_swing) does so about its hinge, from
+    /// this velocity on.
     ///
     /// ```
     /// use twohalf::{Platform, TwoHalfPhysicsSimulator, Vector3};
@@ -69,7 +71,7 @@ impl PlatformMut<'_> {
     /// far as the angle is from the one that it has: that may be several times around.
     ///
     /// # Errors
-    /// As [`set_angular_velocity`](Self::set_angular_velocity).
+    /// As [`set_angular_velocity`](Self::set_angular_velocity); a platform that [swings](Self::set_swing).
     pub fn turn_to(&mut self, yaw: f32) -> Result<()> {
         if !yaw.is_finite() {
             return Err(invalid("yaw", yaw, "finite"));

@@ -50,6 +50,10 @@ impl TwoHalfPhysicsSimulator {
         match partner {
             Partner::Geom(geom) => self.geom(geom).is_some_and(|geom| geom.virtual_geom().top > stride.knees),
             Partner::Platform(id) => self.platform(id).is_some_and(|platform| {
+                // What swings is pushed open.
+                if platform.swing().is_some() {
+                    return false;
+                }
                 let shape = platform.shape();
                 // What turns or climbs is as high as it is here.
                 let is_low =
@@ -67,7 +71,10 @@ impl TwoHalfPhysicsSimulator {
         let low = Vector3::new(swept.left, -stride.head, swept.front);
         let high = Vector3::new(swept.right, -stride.soles, swept.back);
         for (_, platform) in self.world.platforms.overlapping(low, high) {
-            if platform.is_one_way() || !holds(platform, self.core.geom(stride.geom).as_deref()) {
+            if platform.is_one_way()
+                || platform.swing().is_some()
+                || !holds(platform, self.core.geom(stride.geom).as_deref())
+            {
                 continue;
             }
             let Some(wall) = wall_of(platform.shape(), stride) else { continue };

@@ -124,7 +124,7 @@ pub(super) struct Census {
     direct: u32,
     /// Updates for which it is left to the passes.
     rest: u8,
-    /// A joint holds something in it, or something bounces, or moves, or has come with what moved.
+    /// A joint or a hinge holds something in it, or something bounces, or moves, or has come with what moved.
     is_held: bool,
     bounces: bool,
     moves: bool,
@@ -296,7 +296,7 @@ impl Precise {
 
     /// Whether not many bodies are awake.
     fn is_few(&self) -> bool {
-        self.bodies.live - self.sleep.count <= FEW
+        self.bodies.live - self.asleep_count() <= FEW
     }
 
     /// What the game wants of islands, from this update on.
@@ -343,9 +343,11 @@ impl Precise {
         for pair in 0..self.pairs.awake {
             let state = self.pairs.all[pair];
             let Some(home) = state.home else { continue };
-            let sides = self.sides(pair).map(|(body, _)| body);
-            let of = &mut census[unions.find(sides[1] as u32) as usize];
+            let [(one, mobility), (body, _)] = self.sides(pair);
+            let sides = [one, body];
+            let of = &mut census[unions.find(body as u32) as usize];
             of.contacts += 1;
+            of.is_held |= mobility == Mobility::Hinged;
             of.has_depth = self.space.is_some();
             let inverse_masses = sides.map(|body| self.bodies.inverses[body][0]);
             if self.bounces || of.has_depth || differ(inverse_masses, least) {

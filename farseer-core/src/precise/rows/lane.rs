@@ -49,6 +49,13 @@ pub(in crate::precise) struct SpaceLane {
 }
 
 impl Lane {
+    /// The mass that is met at a point, as arms and reciprocals of mass and inertia are now.
+    pub(in crate::precise) fn weight(&self, point: &PointLane) -> f32 {
+        let ([mass_a, mass_b], [inertia_a, inertia_b]) = (self.inverse_masses, self.inverse_inertias);
+        let turning = inertia_a * point.arm_a * point.arm_a + inertia_b * point.arm_b * point.arm_b;
+        1.0 / (mass_a + mass_b + turning)
+    }
+
     /// Whether the springs of its points are on their way to rest at more of their load.
     pub(in crate::precise) fn is_learning(&self, learning: &Learning) -> bool {
         let [one, two] = &self.points;

@@ -37,6 +37,16 @@ impl Palette {
         (self.shared[body], self.fixed[body], self.gives_way[body]) = (0, 0, false);
     }
 
+    /// A body never counts as one that nothing, or one row alone, touches: it swings, and has no rows with what is fixed.
+    pub(in crate::precise) fn note_swing(&mut self, body: usize) {
+        self.fixed[body] = 0b11;
+    }
+
+    /// Whether one that swings has no row, but for those of the last colour.
+    pub(in crate::precise) fn swings_freely(&self, body: usize) -> bool {
+        self.shared[body] == 0
+    }
+
     fn of(&mut self, kind: Kind) -> &mut [u32] {
         if kind.is_fixed { &mut self.fixed } else { &mut self.shared }
     }

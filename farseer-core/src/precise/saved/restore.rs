@@ -17,6 +17,7 @@ impl Precise {
         self.pairs.reset(self.proxies.all.len());
         self.rows.clear();
         self.palette.reset(&self.bodies.inverses[..self.bodies.hot.len()]);
+        self.note_swings();
         self.restore_wear(saved);
         self.restore_ways(saved);
         let (places, edited) = self.restore_proxies(saved, edits);
@@ -129,15 +130,17 @@ impl Precise {
         // What wakes before the next step begins asks what lies on what.
         self.fall = saved.gravity.map(|part| part * saved.dt);
         for &(body, rest) in &saved.rest {
-            if let Some(number) = self.number_of(body).filter(|&number| number <= self.bodies.count) {
+            if let Some(number) = self.number_named(body).filter(|&number| number <= self.bodies.count) {
                 self.sleep.rest[number] = rest;
             }
         }
         // By the first of each island: one of it that sleeps again.
         let mut again = vec![None; saved.sleepers.len()];
         for &Sleeper { body, first, place, borne, nature, is_fresh } in &saved.sleepers {
-            let may_sleep = |number: &usize| self.is_dynamic(*number) && !self.sleep.is_asleep(*number);
-            let Some(number) = self.number_of(body).filter(may_sleep) else { continue };
+            let may_sleep = |&number: &usize| {
+                (self.is_dynamic(number) || self.swings(number)) && !self.sleep.is_asleep(number)
+            };
+            let Some(number) = self.number_named(body).filter(may_sleep) else { continue };
             self.bodies.rest(number, 1.0);
             self.sleep.lay_down(number, again[first as usize], borne);
             again[first as usize] = Some(number);
@@ -146,9 +149,10 @@ impl Precise {
             self.sleep.note_push(number);
             if self.place_of(number) != place
                 || self.nature_of(number) != nature
-                || !self.is_at_rest(body, objects)
+                || !(self.is_at_rest(body, objects) || self.is_swing_at_rest(number))
             {
                 self.sleep.note_waking(number);
+                self.take_swing(number);
                 // Contacts are looked at with the velocity that it was given.
                 if let Some(entry) = objects.bodies.get(body) {
                     self.bodies.set_velocity(number, &entry.body);

@@ -66,7 +66,7 @@ impl Precise {
 
     fn save_rest(&self) -> impl Iterator<Item = (BodyId, f32)> + '_ {
         let at_rest = self.sleep.awake(self.bodies.count).filter(|&number| self.sleep.rest[number] > 0.0);
-        at_rest.filter_map(|number| Some((self.bodies.ids[number]?, self.sleep.rest[number])))
+        at_rest.filter_map(|number| Some((self.name_of(number)?, self.sleep.rest[number])))
     }
 
     fn save_wear(&self) -> impl Iterator<Item = (BodyId, Wear)> + '_ {
@@ -81,7 +81,7 @@ impl Precise {
         let mut are_fresh = vec![false; self.bodies.count + 1];
         self.sleep.fresh.iter().for_each(|&body| are_fresh[body as usize] = true);
         for number in (1..=self.bodies.count).filter(|&number| self.sleep.is_asleep(number)) {
-            let Some(body) = self.bodies.ids[number] else { continue };
+            let Some(body) = self.name_of(number) else { continue };
             places[number] = sleepers.len() as u32;
             let first = places[self.sleep.first_with(number)];
             sleepers.push(Sleeper {

@@ -4,7 +4,7 @@
 //! behind everything.
 
 use super::Space;
-use super::parts::{Fixture, FixtureMotion, fixture_id, ground_id, is_geom, number_of};
+use super::parts::{Fixture, FixtureMotion, FixtureSwing, fixture_id, ground_id, is_geom, number_of};
 use super::solid::Solid;
 use super::upright::{Upright, within};
 use crate::geom::GeomId;
@@ -34,7 +34,24 @@ fn on_hot(motion: &FixtureMotion) -> [f32; 4] {
 /// How far one that turns reaches along x and along z, whatever its angle is.
 pub(super) fn turning_reach(fixture: &Fixture) -> f32 {
     let [x, _, z] = fixture.shape.half;
-    length([x, z])
+    let [out_x, out_z] = fixture.swing().map_or([0.0; 2], |swing| swing.out);
+    length([x + out_x.abs(), z + out_z.abs()])
+}
+
+/// The place that a fixture goes by, about which it turns: its hinge, or its middle.
+pub(super) fn place_of(fixture: &Fixture) -> Vector3 {
+    let centre = fixture.shape.centre;
+    fixture.swing().map_or(centre, |FixtureSwing { hinge: [x, z], .. }| Vector3::new(*x, centre.y, *z))
+}
+
+/// A level one, as what stands upright.
+pub(super) fn upright_of(fixture: &Fixture) -> Upright {
+    let (shape, mut corners) = (&fixture.shape, fixture.shape.footprint());
+    if fixture.swing().is_some() {
+        let out = shape.centre - place_of(fixture);
+        corners = corners.map(|[x, z]| [x + out.x, z + out.z]);
+    }
+    Upright::of_corners(corners, shape.half[1])
 }
 
 /// An angle of one turn, from 0 on.
@@ -45,8 +62,8 @@ fn wrapped(angle: f32) -> f32 {
 }
 
 fn pose_of(fixture: &Fixture) -> Pose {
-    let shape = &fixture.shape;
-    [shape.centre.x, shape.centre.y, shape.cos, shape.sin]
+    let (shape, place) = (&fixture.shape, place_of(fixture));
+    [place.x, place.y, shape.cos, shape.sin]
 }
 
 impl FixtureMotion {
@@ -81,7 +98,7 @@ impl FixtureMotion {
                 *target
             }
             None if turned == 0.0 => yaw,
-            None => wrapped(yaw + turned),
+            None => self.swing().map_or_else(|| wrapped(yaw + turned), |swing| swing.within(yaw + turned)),
         }
     }
 
@@ -125,10 +142,13 @@ impl Precise {
     pub(crate) fn set_fixture_motion(&mut self, id: u32, told: FixtureMotion) {
         let Some(space) = self.space.as_deref_mut() else { return };
         let Some((place, _)) = space.fixture(id) else { return };
-        space.fixtures[place].motion = Some(told);
+        let known = space.fixtures[place].motion.replace(told);
         let number = space.moving.binary_search(&(place as u32)).map_or(0, |at| at + 1);
         if let Some(hot) = self.bodies.hot.get_mut(number).filter(|_| number > 0 && !self.is_stale) {
             hot.velocity = on_hot(&told);
+            if told.swing().is_some() && known != Some(told) {
+                self.sleep.note_waking(number);
+            }
         }
     }
 
@@ -173,7 +193,10 @@ impl Space {
         let Some(fixture) = self.fixture_of(proxy).filter(|_| self.turns(proxy)) else { return solid };
         let SlantedBox { half: [half, ..], turn: [cos, sin], .. } = fixture.shape;
         let (x, z) = (other.centre()[0] - solid.pose[0], other.z - solid.z);
-        let along = within(cos * x + sin * z, -half, half) * bodies.hot[proxy.body as usize].velocity[2] * dt;
+        let middle = fixture.swing().map_or(0.0, |swing| swing.out[0]);
+        let along = within(cos * x + sin * z, middle - half, middle + half)
+            * bodies.hot[proxy.body as usize].velocity[2]
+            * dt;
         solid.ahead[0] -= along * sin;
         solid.ahead[2] += along * cos;
         solid
@@ -218,6 +241,10 @@ impl Precise {
             let number = if let Some(motion) = fixture.motion {
                 moving += 1;
                 self.bodies.hot[moving].velocity = on_hot(&motion);
+                if let Some(swing) = motion.swing() {
+                    self.bodies.inverses[moving] = [0.0, swing.inverse_inertia()];
+                    self.bodies.kinematic.retain(|&number| number as usize != moving);
+                }
                 moving
             } else {
                 self.bodies.add_fixture(pose_of(fixture), fixture.rotation);
@@ -233,7 +260,7 @@ impl Precise {
         }
     }
 
-    /// Those that move never sleep.
+    /// Those that move are awake, and never sleep if they do not swing.
     pub(in crate::precise) fn enter_moving_fixtures(&mut self) {
         let count = self.space.as_ref().map_or(0, |space| space.moving.len());
         (1..=count).for_each(|number| self.sleep.add(number));
@@ -241,7 +268,7 @@ impl Precise {
 
     /// The proxies of those that move are listed first, so that those of who comes later are behind them.
     pub(in crate::precise) fn add_moving_fixtures(&mut self) {
-        self.add_fixtures_of(Mobility::Kinematic);
+        self.add_fixtures_of(true);
     }
 
     /// The others behind all, after that of the ground.
@@ -251,21 +278,26 @@ impl Precise {
         space.ground = self.proxies.all.len() as u32;
         let ground = Proxy { place: NO_PLACE, ..proxy_for(ground_id(), self.bodies.ids.len() - still - 1) };
         self.proxies.push(ground);
-        self.add_fixtures_of(Mobility::Fixed);
+        self.add_fixtures_of(false);
         let Some(space) = self.space.as_deref_mut() else { return };
         space.list_proxies(&self.proxies);
         self.bounces |= space.bounces();
     }
 
-    fn add_fixtures_of(&mut self, mobility: Mobility) {
+    fn add_fixtures_of(&mut self, moving: bool) {
         let Precise { space: Some(space), proxies, bounces, .. } = self else { return };
         let space = &mut **space;
         space.fixture_proxies.resize(space.fixtures.len(), 0);
         for (place, (fixture, &number)) in space.fixtures.iter().zip(&space.numbers).enumerate() {
             let Fixture { shape, filter, surface, surface_velocity: [vx, vy, vz], motion, .. } = fixture;
-            if motion.is_some() != (mobility == Mobility::Kinematic) {
+            if motion.is_some() != moving {
                 continue;
             }
+            let mobility = match motion {
+                None => Mobility::Fixed,
+                Some(motion) if motion.swing().is_some() => Mobility::Hinged,
+                Some(_) => Mobility::Kinematic,
+            };
             let [x, y, depth] = shape.half;
             let x = if fixture.yaw.is_some() { turning_reach(fixture) } else { x };
             // Sheared, it reaches further: its bounds and what is near are those of the widest box.
@@ -303,6 +335,9 @@ impl Precise {
             let fixture = &mut space.fixtures[place as usize];
             let Fixture { shape, yaw, motion: Some(motion), .. } = fixture else { continue };
             motion.begin(shape.centre, yaw.unwrap_or_default(), dt);
+            if let Some(swing) = motion.swing_mut() {
+                swing.is_edited = false;
+            }
             bodies.hot[number].velocity = on_hot(motion);
         }
         (0..space.moving.len()).for_each(|at| self.look_ahead(at, dt));
@@ -348,20 +383,26 @@ impl Precise {
             let [x, y, turned, z] = bodies.path[number];
             fixture.shape.centre = motion.end(fixture.shape.centre, [x, y, z]);
             let turned_to = fixture.yaw.map(|yaw| motion.end_turning(yaw, turned));
-            bodies.hot[number].velocity = on_hot(motion);
+            if motion.swing().is_none() {
+                bodies.hot[number].velocity = on_hot(motion);
+            }
             if let Some(yaw) = turned_to {
                 fixture.yaw = Some(yaw);
                 let (sine, cosine) = scalar::sin_cos_of_any(yaw);
                 fixture.shape.turn = [cosine, sine];
+                if let Some(swing) = motion.swing() {
+                    fixture.shape.centre = swing.middle(fixture.shape.turn, fixture.shape.centre.y);
+                    motion.turning = bodies.hot[number].velocity[2];
+                }
                 let proxy = space.fixture_proxies[place as usize] as usize;
-                let upright = Upright::of_box(&fixture.shape);
+                let upright = upright_of(fixture);
                 if let Some(known) = space.reach[proxy].upright.checked_sub(1) {
                     space.uprights[known as usize] = upright;
                 }
             }
             let fixture = &space.fixtures[place as usize];
             bodies.poses[number] = pose_of(fixture);
-            space.places[number] = fixture.shape.centre.z;
+            space.places[number] = place_of(fixture).z;
         }
     }
 }

@@ -22,6 +22,7 @@ mod solid;
 mod standing;
 mod steady;
 mod step;
+mod swing;
 mod sync;
 mod told;
 mod upright;
@@ -60,6 +61,8 @@ pub(crate) struct Space {
     numbers: Vec<u32>,
     fixture_proxies: Vec<u32>,
     moving: Vec<u32>,
+    /// Those that swing, in a step.
+    swings: Vec<swing::Swinging>,
     /// Whether one of them is open from below.
     has_one_way: bool,
     /// By number.
@@ -130,7 +133,7 @@ impl std::ops::DerefMut for Held<Box<Space>> {
 
 reusing_clone! {
     Space {
-        bodies, profiles, fixtures, numbers, fixture_proxies, moving, has_one_way, places, spins, are_balls, has_balls,
+        bodies, profiles, fixtures, numbers, fixture_proxies, moving, swings, has_one_way, places, spins, are_balls, has_balls,
         are_upright, has_upright, uprights, reach, depths, ground, rested
     }
 }
@@ -224,7 +227,7 @@ impl Space {
         places.clear();
         places.extend(bodies.ids.iter().map(|id| id.map_or(0.0, |id| entry(told, id.slot()).z)));
         for (&number, fixture) in numbers.iter().zip(fixtures) {
-            places[number as usize] = fixture.shape.centre.z;
+            places[number as usize] = fixtures::place_of(fixture).z;
         }
         spins.clear();
         spins.resize(bodies.hot.len(), Spin::default());
@@ -279,7 +282,7 @@ impl Space {
                 } else {
                     fixture.shape.half[2]
                 };
-                let upright = fixture.yaw.map(|_| Upright::of_box(&fixture.shape));
+                let upright = fixture.yaw.map(|_| fixtures::upright_of(fixture));
                 let upright = upright.map_or(0, |upright| self.add_upright(upright));
                 Reach { half, upright, ..Reach::default() }
             }

@@ -115,6 +115,13 @@ pub struct Fixture {
     pub is_one_way: bool,
 }
 
+impl Fixture {
+    /// What it swings about.
+    pub(super) fn swing(&self) -> Option<&FixtureSwing> {
+        self.motion.as_ref()?.swing()
+    }
+}
+
 /// How a fixture moves that does not stand still: as a kinematic body does, but for what it turns about.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct FixtureMotion {
@@ -128,6 +135,67 @@ pub struct FixtureMotion {
     pub turning: f32,
     /// The angle to which it is turned, and whether the last step has done so; it stands still in the one after.
     pub yaw_target: Option<(f32, bool)>,
+    /// About what it swings, if it does: then nothing else moves it. To be [asked for](Self::swing).
+    pub swing: Option<FixtureSwing>,
+}
+
+impl FixtureMotion {
+    /// About what it swings. Nothing, where nothing can: the compiler does not see by itself that there is none.
+    pub fn swing(&self) -> Option<&FixtureSwing> {
+        if Swings::ARE_THERE { self.swing.as_ref() } else { None }
+    }
+
+    /// The same, to change it.
+    pub fn swing_mut(&mut self) -> Option<&mut FixtureSwing> {
+        if Swings::ARE_THERE { self.swing.as_mut() } else { None }
+    }
+}
+
+/// What a fixture swings about: an upright hinge, about which it turns as what presses on it, a spring and a damper tell it to.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct FixtureSwing {
+    /// That fixtures can swing; first, so that no more of one is read where they cannot.
+    pub proof: Swings,
+    /// The hinge, along x and z.
+    pub hinge: [f32; 2],
+    /// Where the middle of the box is as seen from there, while it is not turned.
+    pub out: [f32; 2],
+    /// Moment of inertia about the hinge.
+    pub inertia: f32,
+    /// Torque of the spring per rad.
+    pub stiffness: f32,
+    /// Torque of the damper per rad/s.
+    pub damping: f32,
+    /// The angle towards which the spring turns it.
+    pub rest_angle: f32,
+    /// The least and the greatest angle to which it turns.
+    pub stops: [f32; 2],
+    /// The torque by which damper and stops have held it at the end of the last step.
+    pub held: f32,
+    /// It has become otherwise since that step.
+    pub is_edited: bool,
+}
+
+/// That fixtures can swing. Without the feature there is no such value, so that the compiler leaves out all that swinging needs.
+#[cfg(feature = "swing")]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Swings;
+/// That fixtures can swing: they cannot.
+#[cfg(not(feature = "swing"))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum Swings {}
+
+impl Swings {
+    /// Whether they can, where the compiler does not see by itself that nothing is there.
+    pub const ARE_THERE: bool = cfg!(feature = "swing");
+
+    /// It, if they can.
+    pub fn new() -> Option<Self> {
+        #[cfg(feature = "swing")]
+        return Some(Swings);
+        #[cfg(not(feature = "swing"))]
+        None
+    }
 }
 
 /// What a geom touches that is no geom.
@@ -212,6 +280,16 @@ pub(in crate::precise) fn ground_id() -> GeomId {
 
 pub(in crate::precise) fn fixture_id(fixture: &Fixture) -> GeomId {
     GeomId::new(FIRST_FIXTURE - fixture.id, 0)
+}
+
+/// The name of a fixture among bodies, for one that falls asleep with them; and the fixture of such a name.
+pub(super) fn fixture_body(fixture: &Fixture) -> BodyId {
+    BodyId::new(FIRST_FIXTURE - fixture.id, 0)
+}
+
+pub(super) fn fixture_of_body(body: BodyId) -> Option<u32> {
+    let slot = body.slot() as u32;
+    (slot > u32::MAX / 2 && slot <= FIRST_FIXTURE).then(|| FIRST_FIXTURE - slot)
 }
 
 /// Whether it is the name of a geom.

@@ -10,7 +10,6 @@ use super::parts::SpaceUpright;
 use super::solid::{Before, Limits, Solid};
 use crate::math::plane::{Vector, difference, length, place, scaled, sum};
 use crate::precise::manifold::Manifold;
-use crate::shape::SlantedBox;
 
 /// What something upright is.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -43,10 +42,9 @@ impl Upright {
         }
     }
 
-    /// A level box, turned as it is.
-    pub(super) fn of_box(shape: &SlantedBox) -> Self {
-        let foot = Foot::of(Polygon::new(shape.footprint()));
-        Upright { foot, half: shape.half[1], rounding: 0.0 }
+    /// A level box with these corners of its footprint, as seen from its place, that is so high to both sides.
+    pub(super) fn of_corners(corners: [Vector; 4], half: f32) -> Self {
+        Upright { foot: Foot::of(Polygon::new(corners)), half, rounding: 0.0 }
     }
 
     pub(super) fn ball(radius: f32) -> Self {

@@ -4,8 +4,9 @@ use super::{Touch, Two};
 use crate::geom::surface::mix_restitution;
 use crate::math::plane::{Vector, cross, difference, dot, scaled, sum, turn};
 use crate::precise::pairs::{Frozen, FrozenInSpace};
-use crate::precise::proxies::Proxy;
+use crate::precise::proxies::{Mobility, Proxy};
 use crate::precise::rows::{Lane, PointLane, SpaceLane};
+use crate::precise::space::parts::Swings;
 use crate::precise::space::{Space, tangents};
 
 impl Touch<'_> {
@@ -88,6 +89,9 @@ impl Touch<'_> {
             let mean = |axis| (0..count as usize).map(|at| arm(at, axis)).sum::<f32>() / count as f32;
             for (at, point) in points_of.iter_mut().enumerate().take(count as usize) {
                 point.arm_a = arm(at, [x, y, normal_z]);
+                if Swings::ARE_THERE && two.a.mobility == Mobility::Hinged {
+                    point.mass = lane.weight(point);
+                }
             }
             tangent_arms[0] = mean([tangent[0], tangent[1], 0.0]);
             across_arms[0] = mean([ux, uy, uz]);

@@ -152,7 +152,7 @@ impl<'a> Touch<'a> {
 
     /// How far contacts reach: as far as two can come in this step where one is a box that sweeps through what is in its way.
     fn reach(&self, two: Two<'_>) -> f32 {
-        let (Some(space), Mobility::Kinematic) = (self.space, two.a.mobility) else {
+        let (Some(space), Mobility::Kinematic | Mobility::Hinged) = (self.space, two.a.mobility) else {
             return self.tuning.speculative;
         };
         let sweep = space.sweep(two.a, self.bodies, self.tuning, self.dt);

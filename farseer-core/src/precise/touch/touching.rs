@@ -72,7 +72,8 @@ impl Touch<'_> {
 
     /// Whether what something turns about is upright.
     pub(super) fn turns_upright(&self, proxy: &Proxy) -> bool {
-        proxy.mobility == Mobility::Kinematic && self.space.is_some_and(|space| space.turns(proxy))
+        matches!(proxy.mobility, Mobility::Kinematic | Mobility::Hinged)
+            && self.space.is_some_and(|space| space.turns(proxy))
     }
 
     fn approach_along_depth(&self, two: Two<'_>, normal_z: f32) -> f32 {

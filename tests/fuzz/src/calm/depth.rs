@@ -7,6 +7,7 @@ use super::{any_call, mass, rest};
 use crate::around::Around;
 use crate::game::{Call, Game, Outcome};
 use crate::random::Random;
+use crate::upright::swing;
 
 /// Figures that walk at the same time.
 const MOST_WALKERS: usize = 4;
@@ -51,8 +52,10 @@ impl<G: Game<Simulator = TwoHalfPhysicsSimulator> + 'static> CalmDepth<G> {
         if all.is_empty() {
             return Outcome::Looked;
         }
-        let (id, edit) = (self.random().pick(&all), self.random().below(6));
+        let (id, edit) = (self.random().pick(&all), self.random().below(8));
         let (turn, way) = (self.random().number(-2.0, 2.0), self.random().vector3(60.0));
+        let middle = self.simulator().platform(id).map_or(Vector3::zeros(), |platform| platform.position3d());
+        let swing = swing(middle, self.random());
         let Some(mut platform) = self.simulator_mut().platform_mut(id) else { return Outcome::Looked };
         Outcome::of(match edit {
             0 => platform.set_angular_velocity(turn),
@@ -60,6 +63,7 @@ impl<G: Game<Simulator = TwoHalfPhysicsSimulator> + 'static> CalmDepth<G> {
             2 => platform.set_velocity(way),
             3 => platform.set_velocity(Vector3::zeros()),
             4 => platform.set_one_way(turn > 0.0),
+            5 | 6 => platform.set_swing(swing),
             _ => {
                 platform.set_collides_with(CollisionCategory::ALL);
                 platform.set_collision_categories(CollisionCategory::ALL);

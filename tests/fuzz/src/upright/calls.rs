@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use farseer_core::math::{Vector2, scalar};
-use twohalf::{DepthProfile, Footprint, PlatformId, Vector3};
+use twohalf::{DepthProfile, Footprint, PlatformId, Swing, Vector3};
 
 use super::Upright;
 use crate::depth::Depth;
@@ -35,11 +35,13 @@ pub(super) const CALLS: &[Call<Upright>] = &[
         let Some(id) = platform(game) else { return Outcome::Looked };
         let (simulator, random) = game.depth.parts();
         let Some(mut platform) = simulator.platform_mut(id) else { return Outcome::Looked };
-        Outcome::of(match random.below(5) {
+        Outcome::of(match random.below(8) {
             0 => platform.set_pitch(random.number(-1.5, 1.5)),
             1 => platform.set_yaw(random.number(-4.0, 4.0)),
             2 => platform.set_angular_velocity(random.number(-3.0, 3.0)),
             3 => platform.turn_to(random.number(-4.0, 4.0)),
+            4 | 5 => platform.set_swing(swing(platform.position3d(), random)),
+            6 => platform.clear_swing(),
             _ => platform.set_rotation(0.0),
         })
     }),
@@ -68,6 +70,21 @@ pub(super) const CALLS: &[Call<Upright>] = &[
 fn platform(game: &mut Upright) -> Option<PlatformId> {
     let all: Vec<PlatformId> = game.depth.simulator().platforms().collect();
     (!all.is_empty()).then(|| game.depth.random().pick(&all))
+}
+
+/// About a hinge beside the middle of a platform.
+pub(crate) fn swing(middle: Vector3, random: &mut Random) -> Swing {
+    let inertia = random.pick(&[1.0, 300.0, 1e4, 1e7]);
+    let frequency = random.pick(&[0.0, 0.3, 6.0, 400.0]);
+    Swing {
+        hinge: [middle.x + random.number(-40.0, 40.0), middle.z + random.number(-10.0, 10.0)],
+        moment_of_inertia: inertia,
+        stiffness: inertia * frequency * frequency,
+        damping: inertia * random.pick(&[0.0, 0.5, 20.0]),
+        rest_angle: random.number(-2.0, 2.0),
+        least_angle: random.pick(&[-7.0, -3.0, -0.5, 0.0]),
+        greatest_angle: random.pick(&[0.0, 0.5, 3.0, 7.0]),
+    }
 }
 
 /// What was made last is upright.

@@ -6,6 +6,7 @@ use crate::around::Around;
 use crate::depth::Depth;
 use crate::game::Call;
 use crate::random::Random;
+pub(crate) use calls::swing;
 
 /// A game of the engine with depth, in which things become upright.
 #[derive(Debug)]

@@ -56,7 +56,9 @@ impl Platform {
         if !is_level {
             return Err(invalid("yaw", yaw, "0 of a platform that is a slope, or leans"));
         }
-        let turns = |motion: Motion| motion.told.turning != 0.0 || motion.told.yaw_target.is_some();
+        let turns = |Motion { told, .. }: Motion| {
+            told.turning != 0.0 || told.yaw_target.is_some() || told.swing().is_some()
+        };
         let turns = self.motion.is_some_and(turns);
         if turns && self.surface_speed != [0.0; 2] {
             return Err(invalid("surface_speed", self.surface_speed, "0 of a platform that turns"));
@@ -99,6 +101,9 @@ impl Platform {
         if let Some(motion) = &mut platform.motion {
             motion.told.yaw_target = None;
         }
+        if platform.swing().is_some() {
+            platform.put_at(yaw)?;
+        }
         platform.shaped(projection)
     }
 
@@ -111,6 +116,9 @@ impl Platform {
         projection: &Projection,
     ) -> Result<(Self, bool)> {
         let turns = turning != 0.0 || yaw_target.is_some();
+        if let (Some((yaw, _)), Some(_)) = (yaw_target, self.swing()) {
+            return Err(invalid("yaw", yaw, "told to a platform that does not swing"));
+        }
         if turns && self.surface_speed != [0.0; 2] {
             return Err(invalid("angular_velocity", turning, "0 of a platform whose surface is a belt"));
         }
