@@ -32,7 +32,7 @@ pub(super) fn differ([a, b]: [f32; 2], times: f32) -> bool {
 impl Census {
     /// In the plane: it is solved as a whole because of what it bears.
     pub(super) fn is_loaded(&self) -> bool {
-        let has_rings = self.contacts > self.bodies;
+        let has_rings = self.has_rings();
         let is_small = !has_rings || self.bodies <= MOST_WITH_RINGS;
         (self.is_burdened && !has_rings && self.bodies >= TOWER) || (self.is_jammed && is_small)
     }

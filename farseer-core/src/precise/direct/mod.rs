@@ -157,6 +157,11 @@ impl Census {
         (self.bounces || self.is_deep) && (self.is_burdened || !self.has_depth)
     }
 
+    /// Whether there are more contacts than bodies: two of them at least are in rings, or all are held from two sides.
+    fn has_rings(&self) -> bool {
+        self.contacts > self.bodies
+    }
+
     pub(super) fn has_contacts(&self) -> bool {
         self.contacts > 0
     }
@@ -171,8 +176,8 @@ impl Census {
 
     /// Why it does not pay; `None` if it does.
     fn price(&self) -> Option<WhyMethod> {
-        let Census { bodies, contacts, direct, .. } = *self;
-        let (has_rings, is_built) = (contacts > bodies, !(self.moves || self.is_loose));
+        let Census { bodies, direct, .. } = *self;
+        let (has_rings, is_built) = (self.has_rings(), !(self.moves || self.is_loose));
         let was_whole = 2 * direct > bodies;
         let rests = (self.rest > 0, WhyMethod::Rests { updates: self.rest });
         first(&if self.has_depth {
@@ -410,15 +415,17 @@ impl Precise {
     }
 
     /// Rows go where their islands are solved. What was solved as a whole carries what it did in the last step. Where things
-    /// have moved that may be a blow, and springs that rested at it would push against each other for a second: they rest at as
-    /// much of it as the passes would let them learn.
+    /// have moved that may be a blow, and springs of rings that rested at it would push against each other for a second: they
+    /// rest at as much of it as the passes would let them learn.
     fn move_rows(&mut self, learning: &Learning) {
         for pair in 0..self.pairs.awake {
             let Some(home) = self.pairs.all[pair].home else { continue };
             let body = self.sides(pair)[1].0;
             let (is_direct, was_direct) = (self.direct.is_direct(body), home.is_direct());
             if is_direct != was_direct {
-                if was_direct && self.direct.wear[body].is_loose {
+                let root = self.direct.unions.find(body as u32) as usize;
+                let may_rock = self.direct.wear[body].is_loose && self.direct.census[root].has_rings();
+                if was_direct && may_rock {
                     let points = &mut self.rows.direct_mut(home).lane.points;
                     points.iter_mut().for_each(|point| point.held *= learning.learnt);
                 }
