@@ -112,8 +112,8 @@ fn push(bodies: [u32; 2], members: &mut [Member], impulse: f64) {
 
 impl Island {
     /// Before the plane is solved: what contacts do along the axis, as it acts so far. Of the friction of what slips faster than
-    /// this along it, a part is for that. Answers how far rows of the plane are from what they are to be with the rest.
-    pub(super) fn begin_across(&mut self, slips: f64) -> f64 {
+    /// this along it, a part is for that.
+    pub(super) fn begin_across(&mut self, slips: f64) {
         let Island { contacts, rubs, members, .. } = self;
         for (contact, rub) in contacts.iter().zip(rubs.iter()) {
             push(contact.bodies, members, rub.impulse);
@@ -124,7 +124,6 @@ impl Island {
                 contact.friction *= along.abs() / (along * along + slip * slip).sqrt();
             }
         }
-        self.residual()
     }
 
     /// After the plane is solved: friction along the axis, within what the plane has left of its bounds.

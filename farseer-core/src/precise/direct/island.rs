@@ -128,9 +128,8 @@ pub(super) struct Island {
 reusing_clone! { Island { members, contacts, rubs, factor, is_factored, softness, gradient, direction } }
 
 impl Island {
-    /// No impulses act so far, and nothing is factored.
-    pub(super) fn begin(&mut self) {
-        (self.is_factored, self.softness) = (false, 0.0);
+    /// No impulses act so far.
+    pub(super) fn begin_pushes(&mut self) {
         self.direction.clear();
         self.direction.resize(self.members.len(), [0.0; 3]);
     }
@@ -148,6 +147,16 @@ impl Island {
             let change = member.yields(push);
             add(&mut member.velocity, change);
         }
+    }
+
+    /// Impulses so far act. Answers how far rows are from what they are to be. What slips along the depth axis slips faster
+    /// than that.
+    pub(super) fn begin(&mut self, dt: f64, [reach, slips]: [f64; 2]) -> f64 {
+        (self.is_factored, self.softness) = (false, 0.0);
+        let Island { members, contacts, .. } = self;
+        contacts.iter_mut().for_each(|contact| contact.meet(members, dt.recip(), reach));
+        self.begin_across(slips);
+        self.residual()
     }
 
     /// Finds the impulses with which nothing is further from what it is to be than the goal says. The best of all rounds
@@ -274,7 +283,7 @@ impl Island {
         }
     }
 
-    pub(super) fn residual(&self) -> f64 {
+    fn residual(&self) -> f64 {
         self.contacts.iter().fold(0.0, |worst, contact| greater(contact.residual(), worst))
     }
 

@@ -118,29 +118,22 @@ impl Whole {
     /// Impulses so far act in the plane.
     fn press(&mut self, reading: &Reading<'_>) {
         let Whole { island, homes, ends, .. } = self;
-        island.begin();
+        island.begin_pushes();
         for (&home, &ends) in homes.iter().zip(ends.iter()) {
             island.push(&reading.contact(home, ends));
         }
         island.obey_pushes();
     }
 
-    /// How far rows are from what they are to be, and how deep points are in what they are in, if that is to change. Contacts of
-    /// the rows are kept if they are to be solved.
-    fn look(&mut self, reading: &Reading<'_>, keeps: bool) -> [f64; 2] {
+    /// How far rows are from what they are to be, and how deep points are in what they are in, if that is to change.
+    fn look(&mut self, reading: &Reading<'_>) -> [f64; 2] {
         let Whole { island, homes, ends, separations, .. } = self;
-        let Island { members, contacts, rubs, .. } = island;
-        let dt = f64::from(reading.step.dt);
+        let (members, dt) = (&island.members[..], f64::from(reading.step.dt));
         let (rate, mut residual, mut deepest) = (dt.recip(), 0.0, 0.0);
         separations.clear();
-        contacts.clear();
-        rubs.clear();
         for (&home, &ends) in homes.iter().zip(ends.iter()) {
             let mut contact = reading.contact(home, ends);
             contact.meet(members, rate, reading.left);
-            if keeps {
-                contacts.push(contact);
-            }
             residual = greater(contact.residual(), residual);
             deepest = greater(contact.advance(members, dt, reading.left), deepest);
             separations.push(contact.separations);
@@ -157,10 +150,15 @@ impl Whole {
         }
     }
 
-    /// What contacts do along the depth axis.
-    fn make_rubs(&mut self, reading: &Reading<'_>) {
-        let rubs = self.homes.iter().zip(&self.ends).map(|(&home, &ends)| reading.rub(home, ends));
-        self.island.rubs.extend(rubs);
+    /// Makes contacts of the rows, and of what they do along the depth axis, if there is one.
+    fn make_contacts(&mut self, reading: &Reading<'_>, has_depth: bool) {
+        let Whole { island, homes, ends, .. } = self;
+        island.contacts.clear();
+        island.rubs.clear();
+        for (&home, &ends) in homes.iter().zip(ends.iter()) {
+            island.contacts.push(reading.contact(home, ends));
+            island.rubs.extend(has_depth.then(|| reading.rub(home, ends)));
+        }
     }
 
     /// Rows take over what was found.
@@ -212,18 +210,15 @@ impl Precise {
         let reading = Reading { rows, bodies, step, parts, left };
         whole.press(&reading);
         if !has_depth {
-            let [residual, deepest] = whole.look(&reading, false);
+            let [residual, deepest] = whole.look(&reading);
             if residual <= quiet && deepest <= left {
                 whole.keep(rows, step, parts);
                 whole.find_ways(dt, false);
                 return Effort { steps: 0, residual, is_solved: true };
             }
         }
-        let [mut residual, _] = whole.look(&reading, true);
-        if has_depth {
-            whole.make_rubs(&reading);
-            residual = whole.island.begin_across(depth::SLIPS * unit);
-        }
+        whole.make_contacts(&reading, has_depth);
+        let residual = whole.island.begin(dt, [left, depth::SLIPS * unit]);
         let effort = if residual > quiet {
             whole.island.solve(&Goal {
                 begun: residual,
