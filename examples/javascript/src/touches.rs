@@ -2,6 +2,7 @@
 
 use std::collections::VecDeque;
 
+use farseer_core::order::{joined, sort_by_number};
 use farseer_core::{BodyId, GeomId, JointId, ObjectId, PhysicsSimulator, SpringId};
 #[cfg(feature = "depth")]
 use twohalf::{PlatformId, TwoHalfPhysicsSimulator};
@@ -166,7 +167,17 @@ fn touching_now(engine: &Engine) -> Vec<Touch> {
             depth.simulator.contacts().for_each(|contact| note(ordered(contact.this, contact.partner)));
         }
     }
-    now.sort_unstable();
+    // What touches is there: no two share a slot.
+    sort_by_number(&mut now, |&(this, partner)| {
+        let (kind, number) = match partner {
+            Partner::Geom(geom) => (0, geom.slot() as u32),
+            #[cfg(feature = "depth")]
+            Partner::Platform(platform) => (1, platform.to_bits()),
+            #[cfg(feature = "depth")]
+            Partner::Ground => (2, 0),
+        };
+        joined([this.slot() as u32, kind, number])
+    });
     now.dedup();
     now
 }

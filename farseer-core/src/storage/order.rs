@@ -4,11 +4,16 @@
 
 /// Puts a list in the order of numbers that its items have; what has the same number keeps its order.
 pub fn sort_by_number<T>(list: &mut [T], number: impl Fn(&T) -> u128) {
+    sort_within(&mut Vec::new(), list, number);
+}
+
+/// As [`sort_by_number`], for what may not allocate: within room that is kept. It is empty before and after.
+pub fn sort_within<T>(places: &mut Vec<(u128, u32)>, list: &mut [T], number: impl Fn(&T) -> u128) {
     if list.len() < 2 {
         return;
     }
-    let mut places: Vec<(u128, u32)> = list.iter().map(number).zip(0..).collect();
-    sort_numbered(&mut places);
+    places.extend(list.iter().map(number).zip(0..));
+    sort_numbered(places);
     for first in 0..list.len() {
         // Around a ring of places of which each takes what is at the next one.
         let mut place = first;
@@ -21,6 +26,7 @@ pub fn sort_by_number<T>(list: &mut [T], number: impl Fn(&T) -> u128) {
             place = next;
         }
     }
+    places.clear();
 }
 
 /// Puts places in the order of numbers, and those of the same number in their own, where they are.

@@ -1,6 +1,7 @@
 //! All platforms of a simulator, and which of them are near.
 
 use farseer_core::FixtureMotion;
+use farseer_core::order::{ordered, sort_numbered};
 use serde::{Deserialize, Serialize};
 
 use super::platform::Platform;
@@ -23,9 +24,11 @@ pub(crate) struct Platforms {
     /// And how those move that do.
     #[serde(skip)]
     is_motion_told: bool,
-    /// Bounds along X with the index into the list, by the left one, and the greatest right one up to here.
+    /// The left bound, as a number of its order, with the index into the list, in order; and the greatest right one up to each.
     #[serde(skip)]
-    by_left: Vec<(f32, f32, u32)>,
+    by_left: Vec<(u128, u32)>,
+    #[serde(skip)]
+    reaches: Vec<f32>,
 }
 
 impl Platforms {
@@ -152,15 +155,15 @@ impl Platforms {
         }
         self.by_left.clear();
         for ((_, platform), index) in self.list.iter().zip(0..) {
-            let (low, high) = platform.shape().bounds();
-            self.by_left.push((low.x, high.x, index));
+            self.by_left.push((ordered(platform.shape().bounds().0.x).into(), index));
         }
         // Where lifts move, in every update: in place.
-        self.by_left.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.2.cmp(&b.2)));
+        sort_numbered(&mut self.by_left);
         let mut reach = f32::NEG_INFINITY;
-        for entry in &mut self.by_left {
-            reach = reach.max(entry.1);
-            entry.1 = reach;
+        self.reaches.clear();
+        for &(_, index) in &self.by_left {
+            reach = reach.max(self.list[index as usize].1.shape().bounds().1.x);
+            self.reaches.push(reach);
         }
         self.is_sorted = true;
     }
@@ -172,9 +175,9 @@ impl Platforms {
         low: Vector3,
         high: Vector3,
     ) -> impl Iterator<Item = (PlatformId, &Platform)> {
-        let end = self.by_left.partition_point(|entry| entry.0 < high.x);
-        let candidates = self.by_left[..end].iter().rev().take_while(move |entry| entry.1 > low.x);
-        candidates.filter_map(move |&(.., index)| {
+        let end = self.by_left.partition_point(|entry| entry.0 < ordered(high.x).into());
+        let candidates = self.by_left[..end].iter().zip(&self.reaches[..end]).rev();
+        candidates.take_while(move |&(_, &reach)| reach > low.x).filter_map(move |(&(_, index), _)| {
             let (id, platform) = &self.list[index as usize];
             let (box_low, box_high) = platform.shape().bounds();
             let overlap = (0..3).all(|axis| box_low[axis] < high[axis] && low[axis] < box_high[axis]);

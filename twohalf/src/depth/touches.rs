@@ -1,6 +1,6 @@
 //! The contacts of an update, and what is remembered of those of the last.
 
-use farseer_core::order::joined;
+use farseer_core::order::{joined, sort_within};
 use farseer_core::{BodyId, GeomId};
 use serde::{Deserialize, Serialize};
 
@@ -116,6 +116,9 @@ pub(crate) struct TouchPoint {
 pub(crate) struct TouchList {
     pub(crate) touches: Vec<Touch>,
     pub(crate) points: Vec<TouchPoint>,
+    /// Room to sort in.
+    #[serde(skip)]
+    pub(crate) places: Vec<(u128, u32)>,
 }
 
 impl TouchList {
@@ -138,7 +141,7 @@ impl TouchList {
     }
 
     pub(crate) fn sort(&mut self) {
-        self.touches.sort_unstable_by_key(|touch| touch.key);
+        sort_within(&mut self.places, &mut self.touches, |touch| touch.key.rank());
     }
 
     /// Whether keys are in order, ranges in bounds and numbers finite: false only after loading garbage.

@@ -14,7 +14,7 @@ pub(super) fn tell_touches(
     game: &mut PlaneHandler<'_, '_>,
     found: &mut TouchList,
 ) {
-    let TouchList { touches, points } = found;
+    let TouchList { touches, points, .. } = found;
     touches.retain(|touch| is_accepted(core, game, touch, touch.points_in(points)));
     tell_separated(core, game, found);
 }

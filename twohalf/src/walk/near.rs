@@ -1,7 +1,8 @@
 //! What is near a figure, in an order that does not depend on how it came there: the engine below tells of it in another one after
 //! loading.
 
-use farseer_core::SpaceTouch;
+use farseer_core::order::{joined, sort_within};
+use farseer_core::{SpacePartner, SpaceTouch};
 
 use super::feet::Feet;
 use crate::shapes::Top;
@@ -15,19 +16,28 @@ pub(crate) struct Near {
     pub(super) tops: Vec<Top>,
     /// What touches it, or is about to.
     pub(super) touches: Vec<SpaceTouch>,
+    places: Vec<(u128, u32)>,
 }
 
 impl TwoHalfPhysicsSimulator {
     /// What is near a body; of tops those within some depths.
     pub(super) fn gather_near(&self, body: BodyId, around: &Feet, near: &mut Near) {
-        let Near { geoms, tops, touches } = near;
+        let Near { geoms, tops, touches, places } = near;
         geoms.clear();
         geoms.extend(self.core.space_neighbours_of(body));
-        geoms.sort_unstable();
+        sort_within(places, geoms, |geom| geom.slot() as u128);
         geoms.dedup();
         self.gather_tops(geoms, around, tops);
         touches.clear();
         touches.extend(self.core.space_touches_of(body));
-        touches.sort_unstable_by_key(|touch| (touch.this, touch.partner, touch.pieces));
+        sort_within(places, touches, |touch| joined(touch.pieces));
+        sort_within(places, touches, |touch| {
+            let (kind, partner) = match touch.partner {
+                SpacePartner::Geom(geom) => (0, geom.slot() as u32),
+                SpacePartner::Fixture(name) => (1, name),
+                SpacePartner::Ground => (2, 0),
+            };
+            joined([touch.this.slot() as u32, kind, partner])
+        });
     }
 }

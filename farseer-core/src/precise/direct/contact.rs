@@ -273,15 +273,9 @@ impl Contact {
     }
 
     /// The impulses, and what is active, are those of springs now.
+    #[inline(always)]
     pub(super) fn obey(&mut self) {
         (self.impulses, self.active) = self.law(self.excess);
-    }
-
-    /// Goes along the last direction by this part; answers whether the factors are of another set now.
-    pub(super) fn follow(&mut self, part: f64) -> bool {
-        (0..3).for_each(|row| self.excess[row] += part * self.change[row]);
-        self.obey();
-        self.active != self.factored
     }
 }
 

@@ -111,17 +111,13 @@ fn push(bodies: [u32; 2], members: &mut [Member], impulse: f64) {
 }
 
 impl Island {
-    /// Before the plane is solved: what contacts do along the axis, as it acts so far.
-    pub(super) fn begin_across(&mut self) {
+    /// Before the plane is solved: what contacts do along the axis, as it acts so far. Of the friction of what slips faster than
+    /// this along it, a part is for that.
+    pub(super) fn begin_across(&mut self, slips: f64) {
         let Island { contacts, rubs, members, .. } = self;
-        for (contact, rub) in contacts.iter().zip(rubs) {
+        for (contact, rub) in contacts.iter().zip(rubs.iter()) {
             push(contact.bodies, members, rub.impulse);
         }
-    }
-
-    /// Of the friction of what slips faster than this along the axis, a part is for that.
-    pub(super) fn divide_friction(&mut self, slips: f64) {
-        let Island { contacts, rubs, members, .. } = self;
         for (contact, rub) in contacts.iter_mut().zip(rubs) {
             let (along, slip) = (contact.excess[FRICTION], rub.slip(contact.bodies, members));
             if slip.abs() > slips {

@@ -121,8 +121,8 @@ pub(super) struct Island {
     /// Whether the factors are those of what is active now.
     is_factored: bool,
     softness: f64,
-    gradient: Vec<Triple>,
-    direction: Vec<Triple>,
+    pub(super) gradient: Vec<Triple>,
+    pub(super) direction: Vec<Triple>,
 }
 
 reusing_clone! { Island { members, contacts, rubs, factor, is_factored, softness, gradient, direction } }
@@ -155,7 +155,7 @@ impl Island {
         (self.is_factored, self.softness) = (false, 0.0);
         let Island { members, contacts, .. } = self;
         contacts.iter_mut().for_each(|contact| contact.meet(members, dt.recip(), reach));
-        self.divide_friction(slips);
+        self.begin_across(slips);
         self.residual()
     }
 
@@ -259,7 +259,9 @@ impl Island {
         members.iter_mut().for_each(|member| member.best = [0.0; 3]);
         for _ in 0..SWEEPS {
             for contact in contacts.iter_mut() {
-                [FRICTION, 0, 1].into_iter().for_each(|row| stop(contact, row, members));
+                stop(contact, FRICTION, members);
+                stop(contact, 0, members);
+                stop(contact, 1, members);
             }
         }
     }
@@ -296,10 +298,10 @@ impl Island {
                 true => contact.first_bound(),
                 false => contact.followed_bound(FOLLOW),
             };
-            (contact.impulses, contact.active) = match is_first {
-                true => contact.guess(is_fresh),
-                false => contact.law(contact.excess),
-            };
+            match is_first {
+                true => (contact.impulses, contact.active) = contact.guess(is_fresh),
+                false => contact.obey(),
+            }
         }
         let mut is_guess = is_first;
         for step in 1..=NEWTON.min(most) {
@@ -326,18 +328,14 @@ impl Island {
                 slope = self.slope(0.0, by_change, by_direction).0;
                 let descends = slope < 0.0;
                 if !descends {
-                    self.contacts.iter_mut().for_each(|contact| {
-                        contact.follow(-1.0);
-                    });
+                    self.follow(-1.0);
                     return false;
                 }
             }
             if slope_there > 0.25 * -slope {
                 part = self.search([slope, slope_there], by_change, by_direction);
             }
-            self.contacts.iter_mut().for_each(|contact| {
-                contact.follow(part - 1.0);
-            });
+            self.follow(part - 1.0);
         }
         *is_guess = false;
         for (member, direction) in self.members.iter_mut().zip(&self.direction) {
@@ -351,6 +349,15 @@ impl Island {
             }
         }
         is_exact || part * greatest < least
+    }
+
+    /// Goes along the last direction by this part.
+    #[inline(never)]
+    fn follow(&mut self, part: f64) {
+        for contact in &mut self.contacts {
+            (0..3).for_each(|row| contact.excess[row] += part * contact.change[row]);
+            contact.obey();
+        }
     }
 
     /// Makes the factors of what is active.
@@ -514,6 +521,7 @@ fn add_changes(contacts: &[Contact], pushes: &mut [Triple]) {
 }
 
 /// Stops a row by itself, within its bounds.
+#[inline(never)]
 fn stop(contact: &mut Contact, row: usize, members: &mut [Member]) {
     if contact.masses[row] <= 0.0 {
         return;

@@ -4,7 +4,7 @@
 
 use super::Direct;
 use super::block::Triple;
-use super::island::Island;
+use super::island::{Island, Member};
 use crate::precise::Precise;
 use crate::precise::tuning::Learning;
 
@@ -36,12 +36,16 @@ impl Island {
     /// u the velocities of rows, energy is least by the part p of impulses l with which l (u + p du) = 0, where du is what all of l
     /// changes of u.
     pub(super) fn cool(&mut self, free: impl Fn(u32) -> Triple) {
-        let Island { members, contacts, rubs, .. } = self;
+        let Island { members, contacts, rubs, gradient, direction, .. } = self;
+        gradient.clear();
+        direction.clear();
+        for &Member { number, velocity, best, .. } in members.iter() {
+            gradient.push(free(number));
+            direction.push(std::array::from_fn(|i| velocity[i] - best[i]));
+        }
         let (mut lost, mut needed) = (0.0, 0.0);
         for contact in contacts.iter() {
-            let before = contact.relative_of(|at| free(members[at].number));
-            let after = contact
-                .relative_of(|at| std::array::from_fn(|i| members[at].velocity[i] - members[at].best[i]));
+            let [before, after] = [&*gradient, &*direction].map(|velocities| contact.relative_in(velocities));
             for (row, impulse) in contact.begun.into_iter().enumerate() {
                 lost -= impulse * (before[row] + contact.carried[row]);
                 needed += impulse * (after[row] - before[row]);

@@ -150,7 +150,7 @@ impl Whole {
         }
     }
 
-    /// Makes contacts of the rows; what they do along the depth axis acts, if there is one.
+    /// Makes contacts of the rows, and of what they do along the depth axis, if there is one.
     fn make_contacts(&mut self, reading: &Reading<'_>, has_depth: bool) {
         let Whole { island, homes, ends, .. } = self;
         island.contacts.clear();
@@ -159,7 +159,6 @@ impl Whole {
             island.contacts.push(reading.contact(home, ends));
             island.rubs.extend(has_depth.then(|| reading.rub(home, ends)));
         }
-        island.begin_across();
     }
 
     /// Rows take over what was found.

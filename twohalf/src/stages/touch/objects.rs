@@ -1,6 +1,7 @@
 //! Where two objects touch: balls with anything, and outlines that met along Z.
 
 use farseer_core::GeomRef;
+use farseer_core::order::sort_within;
 
 use super::add::Subject;
 use super::{Kept, MAX_POINTS, Manifold, Search, Spot, Surfaces};
@@ -17,7 +18,7 @@ impl Search<'_> {
     /// Finds the contacts of the pairs that the 2D engine has left to this one.
     pub(super) fn touch_objects(&mut self) {
         let mut pairs = std::mem::take(&mut self.meeting.pairs);
-        pairs.sort_unstable_by_key(|pair| pair.key);
+        sort_within(&mut self.found.places, &mut pairs, |pair| pair.key.rank());
         pairs.dedup_by_key(|pair| pair.key);
         self.counters.pairs_tested += pairs.len();
         for &pair in &pairs {
@@ -140,7 +141,10 @@ fn along_z(a: Reach, b: Reach, ends: [Vector2; 2], kept: Option<Kept>) -> Manifo
     let face = a.z + sign * (a.half + separation * 0.5);
     let mut ends = ends;
     // The same order in every update, so that the points are known again.
-    ends.sort_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
+    let [p, q] = ends;
+    if p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)).is_gt() {
+        ends = [q, p];
+    }
     let spot =
         |end: Vector2, feature: u32| Spot { position: Vector3::new(end.x, end.y, face), separation, feature };
     Manifold {

@@ -5,6 +5,7 @@
 //! surface that the ball is on holds it.
 
 use farseer_core::GeomId;
+use farseer_core::order::sort_within;
 
 use crate::Vector3;
 use crate::depth::{Kept, Partner, Touch, TouchList};
@@ -38,7 +39,7 @@ pub(in crate::stages) fn smooth_seams(
     for (touch, index) in found.touches.iter().zip(0..) {
         contacts.extend(ball_contact(found, reaches, touch, index));
     }
-    contacts.sort_unstable_by_key(|contact| (contact.ball, contact.touch));
+    sort_within(&mut found.places, contacts, |contact| contact.ball.slot() as u128);
     for of_ball in contacts.chunk_by(|a, b| a.ball == b.ball) {
         for edge in of_ball {
             if of_ball.iter().any(|surface| is_seam(edge, surface, slop)) {
