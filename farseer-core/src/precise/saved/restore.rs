@@ -154,10 +154,11 @@ impl Precise {
                 self.sleep.note_waking(number);
                 self.take_swing(number);
                 // Contacts are looked at with the velocity that it was given.
+                // What swings has the name of no body.
                 if let Some(entry) = objects.bodies.get(body) {
                     self.bodies.set_velocity(number, &entry.body);
+                    self.take_body_in_space(number, body);
                 }
-                self.take_body_in_space(number, body);
                 self.steady_if_upright(number);
             }
         }
