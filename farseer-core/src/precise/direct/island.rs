@@ -252,7 +252,8 @@ impl Island {
         goes_on
     }
 
-    /// Solves one row after the other, a few times, from what there was in the beginning: this never adds energy.
+    /// Solves one row after the other, a few times, from what there was in the beginning: no more is added to energy than the
+    /// impulses of before add.
     fn sweep(&mut self) {
         self.begin_again();
         let Island { members, contacts, .. } = self;
