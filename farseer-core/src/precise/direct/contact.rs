@@ -3,7 +3,7 @@
 use super::block::Triple;
 use super::factor::Entry;
 use super::island::Member;
-use crate::precise::rows::Aside;
+use crate::precise::rows::{Aside, Lane};
 
 /// In place of a body's place in its island: it does not give way.
 pub(super) const FIXED: u32 = u32::MAX;
@@ -11,7 +11,7 @@ pub(super) const FIXED: u32 = u32::MAX;
 pub(super) const FRICTION: usize = 2;
 
 /// How much deeper than others a point has to be that nothing loads.
-const UNLOADED: f64 = 100.0;
+pub(super) const UNLOADED: f64 = 100.0;
 
 /// Rows by bits.
 pub(super) type Set = u8;
@@ -25,15 +25,50 @@ pub(super) struct Ends {
     pub(super) entry: Option<Entry>,
 }
 
-/// A contact between two bodies of an island. Rows are relative velocities u = d (vB - vA) + wB arm_b - wA arm_a, with d the
-/// normal for points and the tangent (normal y, -normal x) for friction.
+/// Where the rows of a contact act. They are relative velocities u = d (vB - vA) + wB b - wA a, with d the normal for points and
+/// the tangent (normal y, -normal x) for friction.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Arms {
+    pub(super) normal: [f64; 2],
+    pub(super) a: Triple,
+    pub(super) b: Triple,
+}
+
+impl Arms {
+    #[inline(always)]
+    pub(super) fn of(lane: &Lane) -> Self {
+        let ([one, two], [a, b]) = (&lane.points, lane.tangent_arms);
+        Arms {
+            normal: lane.normal.map(f64::from),
+            a: [one.arm_a, two.arm_a, a].map(f64::from),
+            b: [one.arm_b, two.arm_b, b].map(f64::from),
+        }
+    }
+
+    /// Relative velocities of all rows.
+    #[inline(always)]
+    pub(super) fn relative(&self, a: Triple, b: Triple) -> Triple {
+        let ([nx, ny], [x, y]) = (self.normal, [b[0] - a[0], b[1] - a[1]]);
+        let along = [x * nx + y * ny, x * nx + y * ny, x * ny - y * nx];
+        std::array::from_fn(|row| along[row] + b[2] * self.b[row] - a[2] * self.a[row])
+    }
+
+    /// What impulses do to A and to B: their sum, and how they turn each.
+    #[inline(always)]
+    pub(super) fn push(&self, impulses: Triple) -> [Triple; 2] {
+        let ([nx, ny], along) = (self.normal, impulses[0] + impulses[1]);
+        let (x, y) = (along * nx + impulses[2] * ny, along * ny - impulses[2] * nx);
+        let turn = |arms: &Triple| impulses[0] * arms[0] + impulses[1] * arms[1] + impulses[2] * arms[2];
+        [[-x, -y, -turn(&self.a)], [x, y, turn(&self.b)]]
+    }
+}
+
+/// A contact between two bodies of an island.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Contact {
     pub(super) bodies: [u32; 2],
     pub(super) entry: Option<Entry>,
-    pub(super) normal: [f64; 2],
-    pub(super) arms_a: Triple,
-    pub(super) arms_b: Triple,
+    pub(super) arms: Arms,
     /// The rows there are.
     pub(super) rows: Set,
     /// What an impulse on each row weighs: velocity times this.
@@ -66,25 +101,20 @@ impl Contact {
     #[inline(always)]
     pub(super) fn new(row: &Aside, parts: f64, Ends { bodies, entry }: Ends) -> Self {
         let lane = &row.lane;
-        let of_points = |of: fn(&crate::precise::rows::PointLane) -> f32, friction: f32| {
-            [of(&lane.points[0]), of(&lane.points[1]), friction].map(f64::from)
-        };
+        let [one, two] = &lane.points;
         let is_there = |at: usize| lane.points[at].mass > 0.0;
         let rows = u8::from(is_there(0)) | u8::from(is_there(1)) << 1 | 1 << FRICTION;
-        let mut impulses = row.impulses().map(|impulse| impulse * parts);
-        (0..2).filter(|&at| !is_there(at)).for_each(|at| impulses[at] = 0.0);
+        let impulses = impulses(row, parts);
         Contact {
             bodies,
             entry,
-            normal: lane.normal.map(f64::from),
-            arms_a: of_points(|point| point.arm_a, lane.tangent_arms[0]),
-            arms_b: of_points(|point| point.arm_b, lane.tangent_arms[1]),
+            arms: Arms::of(lane),
             rows,
-            masses: of_points(|point| point.mass, lane.tangent_mass),
+            masses: [one.mass, two.mass, lane.tangent_mass].map(f64::from),
             stiffness: [0.0; 3],
             friction: f64::from(lane.friction),
             bound: 0.0,
-            separations: [lane.points[0].separation, lane.points[1].separation].map(f64::from),
+            separations: [one.separation, two.separation].map(f64::from),
             carried: [0.0; 3],
             excess: [0.0, 0.0, -f64::from(lane.tangent_speed)],
             change: [0.0; 3],
@@ -100,7 +130,7 @@ impl Contact {
     /// A moves by itself.
     #[inline(always)]
     pub(super) fn carry(&mut self, velocity: Triple) {
-        self.carried = self.relative(velocity, [0.0; 3]);
+        self.carried = self.arms.relative(velocity, [0.0; 3]);
         (0..3).for_each(|row| self.excess[row] += self.carried[row]);
     }
 
@@ -139,29 +169,12 @@ impl Contact {
     #[inline(always)]
     pub(super) fn relative_of(&self, of: impl Fn(usize) -> Triple) -> Triple {
         let [a, b] = self.bodies.map(|member| if member == FIXED { [0.0; 3] } else { of(member as usize) });
-        self.relative(a, b)
+        self.arms.relative(a, b)
     }
 
     /// Relative velocities of all rows, with these of members.
     pub(super) fn relative_in(&self, members: &[Triple]) -> Triple {
         self.relative_of(|member| members[member])
-    }
-
-    /// Relative velocities of all rows.
-    #[inline(always)]
-    pub(super) fn relative(&self, a: Triple, b: Triple) -> Triple {
-        let ([nx, ny], [x, y]) = (self.normal, [b[0] - a[0], b[1] - a[1]]);
-        let along = [x * nx + y * ny, x * nx + y * ny, x * ny - y * nx];
-        std::array::from_fn(|row| along[row] + b[2] * self.arms_b[row] - a[2] * self.arms_a[row])
-    }
-
-    /// What impulses do to A and to B: their sum, and how they turn each.
-    #[inline(always)]
-    pub(super) fn push(&self, impulses: Triple) -> [Triple; 2] {
-        let ([nx, ny], along) = (self.normal, impulses[0] + impulses[1]);
-        let (x, y) = (along * nx + impulses[2] * ny, along * ny - impulses[2] * nx);
-        let turn = |arms: &Triple| impulses[0] * arms[0] + impulses[1] * arms[1] + impulses[2] * arms[2];
-        [[-x, -y, -turn(&self.arms_a)], [x, y, turn(&self.arms_b)]]
     }
 
     /// Friction within its bound; what is no number stays none.
@@ -277,6 +290,14 @@ impl Contact {
     pub(super) fn obey(&mut self) {
         (self.impulses, self.active) = self.law(self.excess);
     }
+}
+
+/// Impulses of the whole step, of a row whose impulses are of so many parts of it.
+#[inline(always)]
+pub(super) fn impulses(row: &Aside, parts: f64) -> Triple {
+    let [one, two, along] = row.impulses().map(|impulse| impulse * parts);
+    let of_point = |at: usize, impulse: f64| if row.lane.points[at].mass > 0.0 { impulse } else { 0.0 };
+    [of_point(0, one), of_point(1, two), along]
 }
 
 /// At most so much, either way; what is no number stays none.

@@ -14,7 +14,7 @@
 //! proximal points.
 
 use super::block::{Block, Triple};
-use super::contact::{Contact, FIXED, FRICTION, Set};
+use super::contact::{Arms, Contact, Ends, FIXED, FRICTION, Set};
 use super::depth::Rub;
 use super::factor::Factor;
 use crate::storage::reusing_clone::reusing_clone;
@@ -37,6 +37,9 @@ const LESS: f64 = 0.5;
 const NEWTON: usize = 25;
 const ROUNDS: usize = 7;
 const MOST: usize = 100;
+/// Most steps where there are rings and nothing has pressed yet: as many again find little more then, since the rest is found by the
+/// updates after it, and no update is to take much longer than others.
+const MOST_OF_FRESH: usize = 20;
 /// Over all rows, where rounds find nothing.
 const SWEEPS: usize = 8;
 /// Halvings and secants on a line; it ends where this part of the first slope is left.
@@ -134,10 +137,10 @@ impl Island {
         self.direction.resize(self.members.len(), [0.0; 3]);
     }
 
-    /// The impulses of a contact act.
+    /// Impulses of a contact act.
     #[inline(always)]
-    pub(super) fn push(&mut self, contact: &Contact) {
-        add_push(contact, contact.impulses, &mut self.direction);
+    pub(super) fn push(&mut self, arms: &Arms, ends: Ends, impulses: Triple) {
+        add_push(arms, ends.bodies, impulses, &mut self.direction);
     }
 
     /// Members move by what acts.
@@ -166,16 +169,17 @@ impl Island {
     pub(super) fn solve(&mut self, goal: &Goal) -> Effort {
         let mut effort = Effort { steps: 0, residual: f64::INFINITY, is_solved: false };
         let has_rings = self.has_rings();
-        let is_still = goal.begun < goal.still;
+        let (is_still, is_fresh) = (goal.begun < goal.still, self.is_fresh());
+        let limit = if has_rings && is_fresh { MOST_OF_FRESH } else { MOST };
         self.stiffen(match has_rings {
-            false if is_still || self.is_fresh() => RIGID,
+            false if is_still || is_fresh => RIGID,
             true if is_still => STIFF,
             _ => SOFTNESS,
         });
         let mut is_first = true;
         for round in 0..ROUNDS {
             let is_stiff = self.softness < STIFFEST;
-            let most = if is_stiff { FEW } else { MOST - effort.steps };
+            let most = if is_stiff { FEW } else { limit - effort.steps };
             let (steps, is_found) = self.round(is_first, goal.exact, most);
             effort.steps += steps;
             if is_stiff && !is_found && self.residual() >= LESS * goal.begun {
@@ -191,7 +195,7 @@ impl Island {
             let goes_on = self.note_best(&mut effort);
             let is_near = has_rings && !is_still && effort.residual <= goal.near;
             let is_stuck = !goes_on && (effort.residual <= goal.enough || (has_rings && round > 0));
-            if effort.residual <= goal.exact || is_near || is_stuck || effort.steps >= MOST {
+            if effort.residual <= goal.exact || is_near || is_stuck || effort.steps >= limit {
                 break;
             }
             // In rings, bounds of friction are those of a guess in the first round: what was easily found there was not the set.
@@ -485,7 +489,7 @@ impl Island {
                 let depth = -contact.separations[row];
                 impulses[row] = contact.stiffness[row] * if depth < most { depth.max(0.0) } else { most };
             }
-            add_push(contact, impulses, &mut self.direction);
+            add_push(&contact.arms, contact.bodies, impulses, &mut self.direction);
         }
         self.factor.solve(&mut self.direction);
         for contact in &mut self.contacts {
@@ -504,8 +508,8 @@ impl Island {
 
 /// Adds what the impulses of a contact do to members.
 #[inline(always)]
-fn add_push(contact: &Contact, impulses: Triple, pushes: &mut [Triple]) {
-    for (&member, push) in contact.bodies.iter().zip(contact.push(impulses)) {
+fn add_push(arms: &Arms, bodies: [u32; 2], impulses: Triple, pushes: &mut [Triple]) {
+    for (member, push) in bodies.into_iter().zip(arms.push(impulses)) {
         if member != FIXED {
             add(&mut pushes[member as usize], push);
         }
@@ -517,7 +521,7 @@ fn add_push(contact: &Contact, impulses: Triple, pushes: &mut [Triple]) {
 fn add_changes(contacts: &[Contact], pushes: &mut [Triple]) {
     for contact in contacts {
         let impulses = std::array::from_fn(|row| contact.impulses[row] - contact.begun[row]);
-        add_push(contact, impulses, pushes);
+        add_push(&contact.arms, contact.bodies, impulses, pushes);
     }
 }
 
@@ -529,7 +533,7 @@ fn stop(contact: &mut Contact, row: usize, members: &mut [Member]) {
     }
     let change = contact.relative_of(|member| members[member].best);
     let impulse = contact.stopped(row, contact.excess[row] + change[row]);
-    for (&member, push) in contact.bodies.iter().zip(contact.push(impulse)) {
+    for (&member, push) in contact.bodies.iter().zip(contact.arms.push(impulse)) {
         if member != FIXED {
             let member = &mut members[member as usize];
             let change = member.yields(push);
@@ -551,7 +555,7 @@ fn assemble(contact: &Contact, factor: &mut Factor) {
     let stiffness: Triple = std::array::from_fn(|row| {
         (is_in(contact.active, row) - is_in(contact.factored, row)) * contact.stiffness[row]
     });
-    let ([nx, ny], along, across) = (contact.normal, stiffness[0] + stiffness[1], stiffness[2]);
+    let ([nx, ny], along, across) = (contact.arms.normal, stiffness[0] + stiffness[1], stiffness[2]);
     let xx = along * nx * nx + across * ny * ny;
     let xy = (along - across) * nx * ny;
     let yy = along * ny * ny + across * nx * nx;
@@ -563,7 +567,7 @@ fn assemble(contact: &Contact, factor: &mut Factor) {
     };
     let both =
         |one: &Triple, other: &Triple| (0..3).map(|row| stiffness[row] * one[row] * other[row]).sum::<f64>();
-    let (arms_a, arms_b) = (&contact.arms_a, &contact.arms_b);
+    let Arms { a: arms_a, b: arms_b, .. } = &contact.arms;
     let ([ax, ay], [bx, by]) = (turned(arms_a), turned(arms_b));
     let [a, b] = contact.bodies;
     if a != FIXED {

@@ -3,9 +3,9 @@
 //! Mostly all is as it is to be. That is seen row by row; contacts are only made of the rows of what is to be solved.
 
 use super::block::Triple;
-use super::contact::{Contact, Ends, FIXED, FRICTION};
+use super::contact::{Arms, Contact, Ends, FIXED, FRICTION, UNLOADED, impulses};
 use super::depth::{self, Rub};
-use super::island::{Effort, Goal, Island, greater};
+use super::island::{Effort, Goal, Island, Member, greater};
 use super::{BUSIER, BUSY, LONG, REST};
 use crate::methods::IslandChoice;
 use crate::precise::Precise;
@@ -37,8 +37,8 @@ pub(super) struct Whole {
     pub(super) homes: Vec<Home>,
     pub(super) ends: Vec<Ends>,
     ways: Vec<Triple>,
-    /// Of each contact of which nothing but these changes.
-    separations: Vec<[f64; 2]>,
+    /// How far points were apart before the last look.
+    separations: Vec<[f32; 2]>,
     /// Steps of Newton's method in the last update.
     pub(super) steps: usize,
     /// It could not be solved, and goes by passes.
@@ -49,13 +49,15 @@ reusing_clone! { Whole { island, homes, ends, ways, separations, steps, is_left 
 
 /// What rows are read with.
 struct Reading<'a> {
-    rows: &'a Rows,
     bodies: &'a Bodies,
     step: &'a Step,
-    /// Substeps of the step.
+    /// Seconds of the step, its reciprocal, and its substeps.
+    dt: f64,
+    rate: f64,
     parts: f64,
-    /// The overlap that is left.
+    /// The overlap and the error of a velocity that are left.
     left: f64,
+    quiet: f64,
 }
 
 impl Reading<'_> {
@@ -72,8 +74,7 @@ impl Reading<'_> {
     }
 
     #[inline(always)]
-    fn contact(&self, home: Home, ends: Ends) -> Contact {
-        let row = self.rows.direct(home);
+    fn contact(&self, row: &Aside, ends: Ends) -> Contact {
         let mut contact = Contact::new(row, self.parts_of(row), ends);
         if let Some([x, y, spin, _]) = self.carried(row, ends) {
             contact.carry([x, y, spin]);
@@ -82,8 +83,7 @@ impl Reading<'_> {
     }
 
     /// What it does along the depth axis.
-    fn rub(&self, home: Home, ends: Ends) -> Rub {
-        let row = self.rows.direct(home);
+    fn rub(&self, row: &Aside, ends: Ends) -> Rub {
         let mut rub = Rub::new(&row.lane, self.parts_of(row));
         if let Some(velocity) = self.carried(row, ends) {
             rub.carry(velocity, f64::from(row.lane.space.across_arms[0]));
@@ -94,9 +94,61 @@ impl Reading<'_> {
     /// Velocity of what is moved by the game, which is always the first one.
     #[inline(always)]
     fn carried(&self, row: &Aside, ends: Ends) -> Option<[f64; 4]> {
-        let is_moved = ends.bodies[0] == FIXED && row.lane.a != 0;
-        is_moved.then(|| self.bodies.hot[row.lane.a as usize].velocity.map(f64::from))
+        is_moved(row, ends).then(|| self.bodies.hot[row.lane.a as usize].velocity.map(f64::from))
     }
+
+    /// As [`look`](Self::look), without making a contact of a row: how far it is from what it is to be is told as more than it is
+    /// where a point is about to part or to slide.
+    #[inline(always)]
+    fn glance(&self, row: &mut Aside, ends: Ends, members: &[Member]) -> [f64; 2] {
+        if row.h != self.step.h || is_moved(row, ends) {
+            return self.look(row, ends, members);
+        }
+        let [a, b] = ends.bodies.map(|at| if at == FIXED { [0.0; 3] } else { members[at as usize].velocity });
+        let [one, two, along] = Arms::of(&row.lane).relative(a, b);
+        let impulses = impulses(row, self.parts);
+        let lane = &mut row.lane;
+        let (mut off, mut deepest) = ((along - f64::from(lane.tangent_speed)).abs(), 0.0);
+        let mut separations = [0.0; 2];
+        for (at, velocity) in [one, two].into_iter().enumerate() {
+            let point = &lane.points[at];
+            let (separation, is_there, presses) = (f64::from(point.separation), point.mass > 0.0, impulses[at] > 0.0);
+            let gap = separation - self.left;
+            let excess = velocity + if gap > 0.0 { gap * self.rate } else { 0.0 };
+            let is_off = is_there & (presses | (excess < 0.0));
+            off = greater(if is_off { excess.abs() } else { 0.0 }, off);
+            separations[at] = separation + self.dt * velocity;
+            let is_deep = is_there & (presses | (separations[at] < -UNLOADED * self.left));
+            deepest = greater(if is_deep { -separations[at] } else { 0.0 }, deepest);
+        }
+        if !(off <= self.quiet && impulses[FRICTION].abs() <= f64::from(lane.friction) * (impulses[0] + impulses[1])) {
+            return self.look(row, ends, members);
+        }
+        for (point, separation) in lane.points.iter_mut().zip(separations) {
+            (point.held, point.separation) = (point.impulse, finite(separation) as f32);
+        }
+        [off, deepest]
+    }
+
+    /// How far a row is from what it is to be, and how deep points are in what they are in, if that is to change. Separations are
+    /// those after the step.
+    #[inline(never)]
+    fn look(&self, row: &mut Aside, ends: Ends, members: &[Member]) -> [f64; 2] {
+        let mut contact = self.contact(row, ends);
+        contact.meet(members, self.rate, self.left);
+        let residual = contact.residual();
+        let deepest = contact.advance(members, self.dt, self.left);
+        let scale = if row.h == self.step.h { 1.0 } else { f64::from(self.step.h / row.h) };
+        let impulses = row.impulses().map(|impulse| impulse * scale);
+        write(row, impulses, contact.separations, self.parts, self.step.h);
+        [residual, deepest]
+    }
+}
+
+/// Whether the first one is moved by the game.
+#[inline(always)]
+fn is_moved(row: &Aside, ends: Ends) -> bool {
+    ends.bodies[0] == FIXED && row.lane.a != 0
 }
 
 impl Whole {
@@ -116,48 +168,49 @@ impl Whole {
     }
 
     /// Impulses so far act in the plane.
-    fn press(&mut self, reading: &Reading<'_>) {
+    fn press(&mut self, rows: &Rows, reading: &Reading<'_>) {
         let Whole { island, homes, ends, .. } = self;
         island.begin_pushes();
         for (&home, &ends) in homes.iter().zip(ends.iter()) {
-            island.push(&reading.contact(home, ends));
+            let row = rows.direct(home);
+            island.push(&Arms::of(&row.lane), ends, impulses(row, reading.parts_of(row)));
         }
         island.obey_pushes();
     }
 
-    /// How far rows are from what they are to be, and how deep points are in what they are in, if that is to change.
-    fn look(&mut self, reading: &Reading<'_>) -> [f64; 2] {
+    /// How far rows are from what they are to be, and how deep points are in what they are in, if that is to change. If nothing is,
+    /// rows say what they are to say after the step.
+    fn look(&mut self, rows: &mut Rows, reading: &Reading<'_>) -> [f64; 2] {
         let Whole { island, homes, ends, separations, .. } = self;
-        let (members, dt) = (&island.members[..], f64::from(reading.step.dt));
-        let (rate, mut residual, mut deepest) = (dt.recip(), 0.0, 0.0);
+        let (mut residual, mut deepest) = (0.0, 0.0);
         separations.clear();
         for (&home, &ends) in homes.iter().zip(ends.iter()) {
-            let mut contact = reading.contact(home, ends);
-            contact.meet(members, rate, reading.left);
-            residual = greater(contact.residual(), residual);
-            deepest = greater(contact.advance(members, dt, reading.left), deepest);
-            separations.push(contact.separations);
+            let row = rows.direct_mut(home);
+            separations.push(row.lane.points.each_ref().map(|point| point.separation));
+            let [off, deep] = reading.glance(row, ends, &island.members);
+            residual = greater(off, residual);
+            deepest = greater(deep, deepest);
         }
         [residual, deepest]
     }
 
-    /// Nothing is to change but how far points are apart.
-    fn keep(&self, rows: &mut Rows, step: &Step, parts: f64) {
-        for (&home, &separations) in self.homes.iter().zip(&self.separations) {
-            let row = rows.direct_mut(home);
-            let scale = if row.h == step.h { 1.0 } else { f64::from(step.h / row.h) };
-            write(row, row.impulses().map(|impulse| impulse * scale), separations, parts, step.h);
+    /// Points are as far apart as they were before the look.
+    fn unlook(&self, rows: &mut Rows) {
+        for (&home, separations) in self.homes.iter().zip(&self.separations) {
+            let points = &mut rows.direct_mut(home).lane.points;
+            points.iter_mut().zip(separations).for_each(|(point, &separation)| point.separation = separation);
         }
     }
 
     /// Makes contacts of the rows, and of what they do along the depth axis, if there is one.
-    fn make_contacts(&mut self, reading: &Reading<'_>, has_depth: bool) {
+    fn make_contacts(&mut self, rows: &Rows, reading: &Reading<'_>, has_depth: bool) {
         let Whole { island, homes, ends, .. } = self;
         island.contacts.clear();
         island.rubs.clear();
         for (&home, &ends) in homes.iter().zip(ends.iter()) {
-            island.contacts.push(reading.contact(home, ends));
-            island.rubs.extend(has_depth.then(|| reading.rub(home, ends)));
+            let row = rows.direct(home);
+            island.contacts.push(reading.contact(row, ends));
+            island.rubs.extend(has_depth.then(|| reading.rub(row, ends)));
         }
     }
 
@@ -207,17 +260,17 @@ impl Precise {
         let is_hot = self.direct.wear[whole.island.members[0].number as usize].is_hot;
         let quiet = unit * if is_hot { EXACT } else { QUIET };
         whole.is_left = false;
-        let reading = Reading { rows, bodies, step, parts, left };
-        whole.press(&reading);
+        let reading = Reading { bodies, step, dt, rate: dt.recip(), parts, left, quiet };
+        whole.press(rows, &reading);
         if !has_depth {
-            let [residual, deepest] = whole.look(&reading);
+            let [residual, deepest] = whole.look(rows, &reading);
             if residual <= quiet && deepest <= left {
-                whole.keep(rows, step, parts);
                 whole.find_ways(dt, false);
                 return Effort { steps: 0, residual, is_solved: true };
             }
+            whole.unlook(rows);
         }
-        whole.make_contacts(&reading, has_depth);
+        whole.make_contacts(rows, &reading, has_depth);
         let residual = whole.island.begin(dt, [left, depth::SLIPS * unit]);
         let effort = if residual > quiet {
             whole.island.solve(&Goal {
