@@ -22,17 +22,18 @@ pub(super) struct Factor {
     /// The matrix: it is kept, since from one step of Newton's method to the next little of it changes.
     on_diagonal: Vec<Block>,
     off_diagonal: Vec<Block>,
-    /// What of it is left to eliminate, and the factors.
+    /// By place, whether its column of the matrix has changed since there were factors.
+    has_changed: Vec<bool>,
+    /// What of it is left to eliminate, before and after it is divided: the factors.
     diagonal: Vec<Block>,
     inverse: Vec<Block>,
+    left: Vec<Block>,
     below: Vec<Block>,
-    /// The blocks of a column before they are divided.
-    column: Vec<Block>,
     solution: Vec<Triple>,
 }
 
 reusing_clone! {
-    Factor { edges, elimination, on_diagonal, off_diagonal, diagonal, inverse, below, column, solution }
+    Factor { edges, elimination, on_diagonal, off_diagonal, has_changed, diagonal, inverse, left, below, solution }
 }
 
 impl Factor {
@@ -48,11 +49,15 @@ impl Factor {
         if !self.elimination.plan(count, edges, products, most) {
             return false;
         }
-        self.on_diagonal.resize(count, Block::default());
-        self.off_diagonal.resize(self.elimination.rows.len(), Block::default());
-        self.inverse.resize(count, Block::default());
+        let entries = self.elimination.rows.len();
+        for of_bodies in [&mut self.on_diagonal, &mut self.diagonal, &mut self.inverse] {
+            of_bodies.resize(count, Block::default());
+        }
+        for of_entries in [&mut self.off_diagonal, &mut self.left, &mut self.below] {
+            of_entries.resize(entries, Block::default());
+        }
+        self.has_changed.resize(count, true);
         self.solution.resize(count, [0.0; 3]);
-        self.column.resize(self.elimination.longest(), Block::default());
         true
     }
 
@@ -65,6 +70,7 @@ impl Factor {
     /// A matrix of diagonal blocks alone.
     pub(super) fn begin(&mut self, masses: impl Iterator<Item = [f64; 2]>) {
         self.off_diagonal.fill(Block::default());
+        self.has_changed.fill(true);
         for (&place, [mass, inertia]) in self.elimination.places.iter().zip(masses) {
             self.on_diagonal[place as usize] = Block::of_diagonal([mass, mass, inertia]);
         }
@@ -72,35 +78,59 @@ impl Factor {
 
     #[inline(always)]
     pub(super) fn add(&mut self, body: u32, block: &Block) {
-        self.on_diagonal[self.elimination.places[body as usize] as usize].add(block);
+        let place = self.elimination.places[body as usize] as usize;
+        self.on_diagonal[place].add(block);
+        self.has_changed[place] = true;
     }
 
-    /// Adds a block whose columns are A's and rows B's.
+    /// Adds a block whose columns are A's and rows B's, after something was [added](Self::add) to both.
     #[inline(always)]
     pub(super) fn add_between(&mut self, entry: Entry, block: &Block) {
         let sum = &mut self.off_diagonal[entry.at as usize];
         sum.add(&if entry.is_turned { block.turned() } else { *block });
     }
 
-    /// Makes the factors.
+    /// Makes the factors, of the columns that have changed and of those that they are taken from: of what a column is tied to the
+    /// first row is the next of these, and all its other rows are among those after that. The others are as they were, and are taken
+    /// from these again.
     pub(super) fn factorise(&mut self) {
-        self.diagonal.clone_from(&self.on_diagonal);
-        self.below.clone_from(&self.off_diagonal);
+        self.take_changes();
         let mut product = 0;
         for place in 0..self.elimination.order.len() {
-            let inverse = self.diagonal[place].inverse();
-            self.inverse[place] = inverse;
             let column = self.elimination.column(place);
-            for at in column.clone() {
-                let block = self.below[at];
-                let divided = block.product(&inverse);
-                self.diagonal[self.elimination.rows[at] as usize].take(&divided.product(&block));
-                for above in &self.column[..at - column.start] {
-                    self.below[self.elimination.targets[product] as usize].take(&divided.product(above));
-                    product += 1;
+            let count = column.len();
+            let has_changed = self.has_changed[place];
+            if has_changed {
+                self.inverse[place] = self.diagonal[place].inverse();
+                for at in column.clone() {
+                    self.left[at] = self.below[at];
+                    self.below[at] = self.left[at].product(&self.inverse[place]);
                 }
-                self.column[at - column.start] = block;
-                self.below[at] = divided;
+            }
+            let is_same = |at: &usize| !(has_changed || self.has_changed[self.elimination.rows[*at] as usize]);
+            let first = column.clone().take_while(is_same).count();
+            for at in first..count {
+                let divided = self.below[column.start + at];
+                let row = self.elimination.rows[column.start + at];
+                self.diagonal[row as usize].take(&divided.product(&self.left[column.start + at]));
+                for above in first..at {
+                    let target = self.elimination.targets[product + at * (at - 1) / 2 + above];
+                    self.below[target as usize].take(&divided.product(&self.left[column.start + above]));
+                }
+            }
+            product += count * count.saturating_sub(1) / 2;
+        }
+        self.has_changed.fill(false);
+    }
+
+    /// Columns that have changed, and those that they are taken from, begin as those of the matrix.
+    fn take_changes(&mut self) {
+        for place in 0..self.elimination.order.len() {
+            if self.has_changed[place] {
+                let column = self.elimination.column(place);
+                self.elimination.rows[column.clone()].first().map(|&row| self.has_changed[row as usize] = true);
+                self.diagonal[place] = self.on_diagonal[place];
+                self.below[column.clone()].copy_from_slice(&self.off_diagonal[column]);
             }
         }
     }
