@@ -11,7 +11,7 @@ use crate::methods::IslandChoice;
 use crate::precise::Precise;
 use crate::precise::bodies::Bodies;
 use crate::precise::joints::weight_of;
-use crate::precise::rows::{Aside, Home, Rows};
+use crate::precise::rows::{Aside, Home, PointLane, Rows};
 use crate::precise::tuning::Step;
 use crate::storage::reusing_clone::reusing_clone;
 
@@ -106,13 +106,12 @@ impl Reading<'_> {
         }
         let [a, b] = ends.bodies.map(|at| if at == FIXED { [0.0; 3] } else { members[at as usize].velocity });
         let [one, two, along] = Arms::of(&row.lane).relative(a, b);
-        let impulses = impulses(row, self.parts);
         let lane = &mut row.lane;
         let (mut off, mut deepest) = ((along - f64::from(lane.tangent_speed)).abs(), 0.0);
         let mut separations = [0.0; 2];
         for (at, velocity) in [one, two].into_iter().enumerate() {
-            let point = &lane.points[at];
-            let (separation, is_there, presses) = (f64::from(point.separation), point.mass > 0.0, impulses[at] > 0.0);
+            let PointLane { separation, mass, impulse, .. } = lane.points[at];
+            let (separation, is_there, presses) = (f64::from(separation), mass > 0.0, impulse > 0.0);
             let gap = separation - self.left;
             let excess = velocity + if gap > 0.0 { gap * self.rate } else { 0.0 };
             let is_off = is_there & (presses | (excess < 0.0));
@@ -121,7 +120,8 @@ impl Reading<'_> {
             let is_deep = is_there & (presses | (separations[at] < -UNLOADED * self.left));
             deepest = greater(if is_deep { -separations[at] } else { 0.0 }, deepest);
         }
-        if !(off <= self.quiet && impulses[FRICTION].abs() <= f64::from(lane.friction) * (impulses[0] + impulses[1])) {
+        let most = lane.friction * (lane.points[0].impulse + lane.points[1].impulse);
+        if !(off <= self.quiet && lane.tangent_impulse.abs() <= most) {
             return self.look(row, ends, members);
         }
         for (point, separation) in lane.points.iter_mut().zip(separations) {
