@@ -39,7 +39,7 @@ const ROUNDS: usize = 7;
 const MOST: usize = 100;
 /// Most steps where there are rings and nothing has pressed yet: as many again find little more then, since the rest is found by the
 /// updates after it, and no update is to take much longer than others.
-const MOST_OF_FRESH: usize = 20;
+const MOST_OF_FRESH: usize = 10;
 /// Part of an overlap that is undone in an update where there are rings: what is pushed out there pushes others, and all at once
 /// more of them than half and half. Fifty card houses take 18 % fewer steps by it.
 const UNDONE: f64 = 0.5;
