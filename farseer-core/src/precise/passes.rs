@@ -509,17 +509,22 @@ pub(super) fn renew_circles(
     });
 }
 
-/// The same for one that is solved with its island. Answers whether the two are further apart than contacts reach.
-pub(super) fn renew_circle(lane: &mut Lane, poses: &[[f32; 4]], circles: &[[f32; 4]], reach: f32) -> bool {
+/// The same for one that is solved with its island, if both are circles. Answers whether they are further apart than contacts reach.
+pub(super) fn renew_circle(
+    lane: &mut Lane,
+    poses: &[[f32; 4]],
+    circles: &[[f32; 4]],
+    reach: f32,
+) -> Option<bool> {
     let is_round = |body: u32| circles.get(body as usize).is_some_and(|circle| circle[3] > 0.0);
     if !(is_round(lane.a) && is_round(lane.b)) {
-        return false;
+        return None;
     }
     let mut row = Row::<1>::default();
     row.set_lane(0, lane);
     let gone = renew_row(&mut row, poses, circles, reach);
     *lane = row.lane(0);
-    gone & 1 == 1
+    Some(gone & 1 == 1)
 }
 
 /// Answers by bits which of four are further apart than contacts reach.

@@ -11,7 +11,7 @@ use super::passes::{
     bounce, gather_warm, note_approach, note_push, relax, renew_circle, renew_circles, solve_soft,
 };
 use super::proxies::{Mobility, Proxy};
-use super::rows::{Aside, Kind};
+use super::rows::Kind;
 use super::space::parts::is_geom;
 use super::touch::Looks;
 pub(crate) use super::tuning::Step;
@@ -186,10 +186,11 @@ impl Precise {
         renew_circles(&mut self.rows.one, &self.bodies.poses, &self.bodies.circles, reach, |pair| {
             lost.push(pair)
         });
-        for Aside { lane, .. } in self.rows.all_direct_mut() {
-            let is_gone = renew_circle(lane, &self.bodies.poses, &self.bodies.circles, reach);
-            lost.extend(is_gone.then_some(lane.pair));
-        }
+        self.rows.change_direct(|lane| {
+            let renewed = renew_circle(lane, &self.bodies.poses, &self.bodies.circles, reach);
+            lost.extend(renewed.is_some_and(|is_gone| is_gone).then_some(lane.pair));
+            renewed.is_some()
+        });
         lost.sort_unstable();
         let circles = lost.len();
         for pair in lost.drain(..) {

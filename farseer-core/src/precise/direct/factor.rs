@@ -107,7 +107,8 @@ impl Factor {
                     self.below[at] = self.left[at].product(&self.inverse[place]);
                 }
             }
-            let is_same = |at: &usize| !(has_changed || self.has_changed[self.elimination.rows[*at] as usize]);
+            let is_same =
+                |at: &usize| !(has_changed || self.has_changed[self.elimination.rows[*at] as usize]);
             let first = column.clone().take_while(is_same).count();
             for at in first..count {
                 let divided = self.below[column.start + at];
@@ -128,7 +129,9 @@ impl Factor {
         for place in 0..self.elimination.order.len() {
             if self.has_changed[place] {
                 let column = self.elimination.column(place);
-                self.elimination.rows[column.clone()].first().map(|&row| self.has_changed[row as usize] = true);
+                self.elimination.rows[column.clone()]
+                    .first()
+                    .map(|&row| self.has_changed[row as usize] = true);
                 self.diagonal[place] = self.on_diagonal[place];
                 self.below[column.clone()].copy_from_slice(&self.off_diagonal[column]);
             }

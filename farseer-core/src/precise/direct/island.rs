@@ -491,7 +491,8 @@ impl Island {
             let mut impulses = [0.0; 3];
             for row in (0..2).filter(|&row| contact.active >> row & 1 == 1) {
                 let depth = -contact.separations[row];
-                impulses[row] = undone * contact.stiffness[row] * if depth < most { depth.max(0.0) } else { most };
+                impulses[row] =
+                    undone * contact.stiffness[row] * if depth < most { depth.max(0.0) } else { most };
             }
             add_push(&contact.arms, contact.bodies, impulses, &mut self.direction);
         }

@@ -82,6 +82,8 @@ pub(super) struct Direct {
     /// The first so many are in use.
     islands: Vec<Whole>,
     count: usize,
+    /// Seconds of the last step, and of its substeps.
+    seconds: [f32; 2],
     /// Empty between updates, but for the room they have.
     unions: Islands,
     census: Vec<Census>,
@@ -90,7 +92,7 @@ pub(super) struct Direct {
 }
 
 reusing_clone! {
-    Direct { wear, timing, is_listed, islands, count, unions, census, found, edges }
+    Direct { wear, timing, is_listed, islands, count, seconds, unions, census, found, edges }
 }
 
 /// When islands are asked for.
@@ -393,9 +395,10 @@ impl Precise {
             if islands.len() == count {
                 islands.push(Whole::default());
             }
-            let Whole { island, homes, ends, .. } = &mut islands[count];
+            let Whole { island, homes, ends, is_pressed, .. } = &mut islands[count];
             homes.clear();
             ends.clear();
+            *is_pressed = false;
             island.members.clear();
             island.members.extend(members.iter().map(|&(_, number)| Member { number, ..Member::default() }));
             list_edges(members, pairs, proxies, edges);

@@ -39,13 +39,15 @@ pub(super) struct Whole {
     ways: Vec<Triple>,
     /// How far points were apart before the last look.
     separations: Vec<[f32; 2]>,
+    /// What its rows press is [known](Island::obey_pushes), as they have not changed since they were asked.
+    pub(super) is_pressed: bool,
     /// Steps of Newton's method in the last update.
     pub(super) steps: usize,
     /// It could not be solved, and goes by passes.
     pub(super) is_left: bool,
 }
 
-reusing_clone! { Whole { island, homes, ends, ways, separations, steps, is_left } }
+reusing_clone! { Whole { island, homes, ends, ways, separations, is_pressed, steps, is_left } }
 
 /// What rows are read with.
 struct Reading<'a> {
@@ -98,11 +100,11 @@ impl Reading<'_> {
     }
 
     /// As [`look`](Self::look), without making a contact of a row: how far it is from what it is to be is told as more than it is
-    /// where a point is about to part or to slide.
+    /// where a point is about to part or to slide. `None` if it is to be looked at.
     #[inline(always)]
-    fn glance(&self, row: &mut Aside, ends: Ends, members: &[Member]) -> [f64; 2] {
+    fn glance(&self, row: &mut Aside, ends: Ends, members: &[Member]) -> Option<[f64; 2]> {
         if row.h != self.step.h || is_moved(row, ends) {
-            return self.look(row, ends, members);
+            return None;
         }
         let [a, b] = ends.bodies.map(|at| if at == FIXED { [0.0; 3] } else { members[at as usize].velocity });
         let [one, two, along] = Arms::of(&row.lane).relative(a, b);
@@ -122,12 +124,12 @@ impl Reading<'_> {
         }
         let most = lane.friction * (lane.points[0].impulse + lane.points[1].impulse);
         if !(off <= self.quiet && lane.tangent_impulse.abs() <= most) {
-            return self.look(row, ends, members);
+            return None;
         }
         for (point, separation) in lane.points.iter_mut().zip(separations) {
             (point.held, point.separation) = (point.impulse, finite(separation) as f32);
         }
-        [off, deepest]
+        Some([off, deepest])
     }
 
     /// How far a row is from what it is to be, and how deep points are in what they are in, if that is to change. Separations are
@@ -169,11 +171,13 @@ impl Whole {
 
     /// Impulses so far act in the plane.
     fn press(&mut self, rows: &Rows, reading: &Reading<'_>) {
-        let Whole { island, homes, ends, .. } = self;
-        island.begin_pushes();
-        for (&home, &ends) in homes.iter().zip(ends.iter()) {
-            let row = rows.direct(home);
-            island.push(&Arms::of(&row.lane), ends, impulses(row, reading.parts_of(row)));
+        let Whole { island, homes, ends, is_pressed, .. } = self;
+        if !std::mem::replace(is_pressed, true) {
+            island.begin_pushes();
+            for (&home, &ends) in homes.iter().zip(ends.iter()) {
+                let row = rows.direct(home);
+                island.push(&Arms::of(&row.lane), ends, impulses(row, reading.parts_of(row)));
+            }
         }
         island.obey_pushes();
     }
@@ -181,13 +185,16 @@ impl Whole {
     /// How far rows are from what they are to be, and how deep points are in what they are in, if that is to change. If nothing is,
     /// rows say what they are to say after the step.
     fn look(&mut self, rows: &mut Rows, reading: &Reading<'_>) -> [f64; 2] {
-        let Whole { island, homes, ends, separations, .. } = self;
+        let Whole { island, homes, ends, separations, is_pressed, .. } = self;
         let (mut residual, mut deepest) = (0.0, 0.0);
         separations.clear();
         for (&home, &ends) in homes.iter().zip(ends.iter()) {
             let row = rows.direct_mut(home);
             separations.push(row.lane.points.each_ref().map(|point| point.separation));
-            let [off, deep] = reading.glance(row, ends, &island.members);
+            let [off, deep] = reading.glance(row, ends, &island.members).unwrap_or_else(|| {
+                *is_pressed = false;
+                reading.look(row, ends, &island.members)
+            });
             residual = greater(off, residual);
             deepest = greater(deep, deepest);
         }
@@ -204,7 +211,8 @@ impl Whole {
 
     /// Makes contacts of the rows, and of what they do along the depth axis, if there is one.
     fn make_contacts(&mut self, rows: &Rows, reading: &Reading<'_>, has_depth: bool) {
-        let Whole { island, homes, ends, .. } = self;
+        let Whole { island, homes, ends, is_pressed, .. } = self;
+        *is_pressed = false;
         island.contacts.clear();
         island.rubs.clear();
         for (&home, &ends) in homes.iter().zip(ends.iter()) {
@@ -241,8 +249,12 @@ impl Precise {
     /// that could not be solved are left to the passes.
     pub(in crate::precise) fn solve_direct(&mut self, step: &Step) {
         let unit = f64::from(self.tuning.unit);
+        let seconds = [step.dt, step.h];
+        let has_changed =
+            self.rows.take_change() | (std::mem::replace(&mut self.direct.seconds, seconds) != seconds);
         for at in 0..self.direct.count {
             let mut whole = std::mem::take(&mut self.direct.islands[at]);
+            whole.is_pressed &= !has_changed;
             let effort = self.solve_whole(&mut whole, step, unit);
             self.note_effort(&whole, effort);
             whole.steps = effort.steps;

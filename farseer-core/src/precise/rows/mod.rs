@@ -23,6 +23,8 @@ pub(super) use row::{Block, Contacts, Point, Row, get, set};
 pub(super) struct Rows {
     asleep: Vec<Aside>,
     direct: Vec<Aside>,
+    /// Since this was [asked](Rows::take_change) for, a row that is solved with its island may have got other arms or impulses.
+    has_changed: bool,
     pub(super) two: Colours<Row<2>>,
     pub(super) one: Colours<Row<1>>,
     pub(super) two_fixed: Colours<Row<2>>,
@@ -32,7 +34,7 @@ pub(super) struct Rows {
     moved: Vec<(u32, Home)>,
 }
 
-reusing_clone! { Rows { asleep, direct, two, one, two_fixed, one_fixed, space, moved } }
+reusing_clone! { Rows { asleep, direct, has_changed, two, one, two_fixed, one_fixed, space, moved } }
 
 /// The rows in three axes.
 #[derive(Debug, Default)]
@@ -223,8 +225,16 @@ impl Rows {
         &self.direct
     }
 
-    pub(super) fn all_direct_mut(&mut self) -> &mut [Aside] {
-        &mut self.direct
+    /// Changes the rows that are solved with their islands; answers whether it has changed more of one than separations.
+    pub(super) fn change_direct(&mut self, mut change: impl FnMut(&mut Lane) -> bool) {
+        for Aside { lane, .. } in &mut self.direct {
+            self.has_changed |= change(lane);
+        }
+    }
+
+    /// Whether a row that is solved with its island may have got other arms or impulses but by what solves it.
+    pub(super) fn take_change(&mut self) -> bool {
+        std::mem::take(&mut self.has_changed)
     }
 
     /// A row that is solved with its island.
@@ -257,6 +267,7 @@ impl Rows {
         let (block, at) = (home.slot as usize / 4, home.slot as usize % 4);
         if let Some(shelf) = self.shelf_mut(home) {
             shelf[home.slot as usize].lane = *lane;
+            self.has_changed = true;
             return;
         }
         of_kind!((&mut) self, kind, colours => colours.blocks[home.colour as usize][block].set_lane(at, lane));
