@@ -135,7 +135,7 @@ impl Contact {
     }
 
     /// Members move as they do now: they may come nearer by what points are apart, less `reach`, so many times in a unit of time.
-    #[inline(always)]
+    #[inline(never)]
     pub(super) fn meet(&mut self, members: &[Member], rate: f64, reach: f64) {
         let velocity = self.relative_of(|member| members[member].velocity);
         (0..3).for_each(|row| self.excess[row] += velocity[row]);
@@ -147,7 +147,7 @@ impl Contact {
 
     /// Separations are those after `dt` of velocities. Answers how deep the deepest point is that is to be taken out of what it
     /// is in, if that is deeper than `reach`.
-    #[inline(always)]
+    #[inline(never)]
     pub(super) fn advance(&mut self, members: &[Member], dt: f64, reach: f64) -> f64 {
         let velocity = self.relative_of(|member| members[member].velocity);
         let mut deepest = 0.0;
@@ -184,7 +184,7 @@ impl Contact {
 
     /// How far the rows are from what they are to be, as velocities: those that press are to stand still, the others may not
     /// approach; friction stands still or is as great as it may be.
-    #[inline(always)]
+    #[inline(never)]
     pub(super) fn residual(&self) -> f64 {
         let mut worst = 0.0;
         let mut note = |velocity: f64| worst = if velocity.abs() <= worst { worst } else { velocity.abs() };

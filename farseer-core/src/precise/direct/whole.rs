@@ -366,7 +366,7 @@ pub(super) fn finite(number: f64) -> f64 {
 }
 
 /// A row takes over impulses of a substep. Its spring rests at what it carries, so that nothing sags if passes go on from here.
-#[inline(always)]
+#[inline(never)]
 fn write(row: &mut Aside, impulses: Triple, separations: [f64; 2], parts: f64, h: f32) {
     row.h = h;
     row.exact = impulses.map(finite);
