@@ -40,9 +40,6 @@ const MOST: usize = 100;
 /// Most steps where there are rings and nothing has pressed yet: as many again find little more then, since the rest is found by the
 /// updates after it, and no update is to take much longer than others.
 const MOST_OF_FRESH: usize = 10;
-/// Part of an overlap that is undone in an update where there are rings: what is pushed out there pushes others, and all at once
-/// more of them than half and half. Fifty card houses take 18 % fewer steps by it.
-const UNDONE: f64 = 0.5;
 /// Over all rows, where rounds find nothing.
 const SWEEPS: usize = 8;
 /// Halvings and secants on a line; it ends where this part of the first slope is left.
@@ -225,7 +222,7 @@ impl Island {
 
     /// Whether rows can press each other: what is fixed counts as one body, and two pieces of one body that touch another make
     /// a ring as well.
-    fn has_rings(&self) -> bool {
+    pub(super) fn has_rings(&self) -> bool {
         let is_fixed = |contact: &Contact| contact.bodies.contains(&FIXED);
         self.contacts.len() + usize::from(!self.contacts.iter().any(is_fixed)) > self.members.len()
     }
@@ -460,9 +457,10 @@ impl Island {
         part
     }
 
-    /// Ways that take points out of each other, loaded ones that are deeper than `reach` and others that are far deeper, by no more than `most`; no way if none
-    /// is. Separations are those after `dt` of the velocities, and then of the ways too.
-    pub(super) fn part(&mut self, dt: f64, [reach, most]: [f64; 2]) -> bool {
+    /// Ways that take points out of each other by this part of how deep they are, loaded ones that are deeper than `reach` and others
+    /// that are far deeper, by no more than `most`; no way if none is. Separations are those after `dt` of the velocities, and then of
+    /// the ways too.
+    pub(super) fn part(&mut self, dt: f64, [reach, most]: [f64; 2], undone: f64) -> bool {
         let Island { members, contacts, .. } = self;
         let deepest = contacts
             .iter_mut()
@@ -470,12 +468,12 @@ impl Island {
         let is_deep = deepest > reach;
         if is_deep {
             self.stiffen(SOFTNESS);
-            self.press_out([reach, most]);
+            self.press_out([reach, most], undone);
         }
         is_deep
     }
 
-    fn press_out(&mut self, [reach, most]: [f64; 2]) {
+    fn press_out(&mut self, [reach, most]: [f64; 2], undone: f64) {
         for contact in &mut self.contacts {
             let deep = [0, 1].map(|row| contact.is_pressed_out(row, reach));
             contact.active = u8::from(deep[0]) | u8::from(deep[1]) << 1;
@@ -486,7 +484,6 @@ impl Island {
             self.factorise();
         }
         self.direction.fill([0.0; 3]);
-        let undone = if self.has_rings() { UNDONE } else { 1.0 };
         for contact in &self.contacts {
             let mut impulses = [0.0; 3];
             for row in (0..2).filter(|&row| contact.active >> row & 1 == 1) {
