@@ -129,9 +129,9 @@ impl Factor {
         for place in 0..self.elimination.order.len() {
             if self.has_changed[place] {
                 let column = self.elimination.column(place);
-                self.elimination.rows[column.clone()]
-                    .first()
-                    .map(|&row| self.has_changed[row as usize] = true);
+                if let Some(&next) = self.elimination.rows[column.clone()].first() {
+                    self.has_changed[next as usize] = true;
+                }
                 self.diagonal[place] = self.on_diagonal[place];
                 self.below[column.clone()].copy_from_slice(&self.off_diagonal[column]);
             }
