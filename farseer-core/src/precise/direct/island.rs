@@ -179,10 +179,12 @@ impl Island {
         let mut is_first = true;
         for round in 0..ROUNDS {
             let is_stiff = self.softness < STIFFEST;
-            let most = if is_stiff { FEW } else { limit - effort.steps };
+            let left = limit - effort.steps;
+            let most = if is_stiff { FEW.min(left) } else { left };
             let (steps, is_found) = self.round(is_first, goal.exact, most);
             effort.steps += steps;
-            if is_stiff && !is_found && self.residual() >= LESS * goal.begun {
+            let is_over = effort.steps >= limit;
+            if is_stiff && !(is_found || is_over) && self.residual() >= LESS * goal.begun {
                 self.begin_again();
                 self.stiffen(SOFTNESS);
                 is_first = true;
@@ -195,7 +197,7 @@ impl Island {
             let goes_on = self.note_best(&mut effort);
             let is_near = has_rings && !is_still && effort.residual <= goal.near;
             let is_stuck = !goes_on && (effort.residual <= goal.enough || (has_rings && round > 0));
-            if effort.residual <= goal.exact || is_near || is_stuck || effort.steps >= limit {
+            if effort.residual <= goal.exact || is_near || is_stuck || is_over {
                 break;
             }
             // In rings, bounds of friction are those of a guess in the first round: what was easily found there was not the set.
@@ -458,7 +460,7 @@ impl Island {
     }
 
     /// Ways that take points out of each other by this part of how deep they are, loaded ones that are deeper than `reach` and others
-    /// that are far deeper, by no more than `most`; no way if none is. Separations are those after `dt` of the velocities, and then of
+    /// that are far deeper, by no more than that part of `most`; no way if none is. Separations are those after `dt` of the velocities, and then of
     /// the ways too.
     pub(super) fn part(&mut self, dt: f64, [reach, most]: [f64; 2], undone: f64) -> bool {
         let Island { members, contacts, .. } = self;

@@ -395,10 +395,10 @@ impl Precise {
             if islands.len() == count {
                 islands.push(Whole::default());
             }
-            let Whole { island, homes, ends, is_pressed, .. } = &mut islands[count];
+            let Whole { island, homes, ends, has_pushes, .. } = &mut islands[count];
             homes.clear();
             ends.clear();
-            *is_pressed = false;
+            *has_pushes = false;
             island.members.clear();
             island.members.extend(members.iter().map(|&(_, number)| Member { number, ..Member::default() }));
             list_edges(members, pairs, proxies, edges);

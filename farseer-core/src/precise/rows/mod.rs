@@ -225,14 +225,15 @@ impl Rows {
         &self.direct
     }
 
-    /// Changes the rows that are solved with their islands; answers whether it has changed more of one than separations.
+    /// Changes the rows that are solved with their islands, by what answers whether more than separations may be others now.
     pub(super) fn change_direct(&mut self, mut change: impl FnMut(&mut Lane) -> bool) {
         for Aside { lane, .. } in &mut self.direct {
             self.has_changed |= change(lane);
         }
     }
 
-    /// Whether a row that is solved with its island may have got other arms or impulses but by what solves it.
+    /// Whether a row that is solved with its island may have got other arms or impulses since this was asked, other than by being
+    /// solved.
     pub(super) fn take_change(&mut self) -> bool {
         std::mem::take(&mut self.has_changed)
     }
