@@ -188,7 +188,7 @@ impl Precise {
         });
         self.rows.change_direct(|lane| {
             let renewed = renew_circle(lane, &self.bodies.poses, &self.bodies.circles, reach);
-            lost.extend(renewed.is_some_and(|is_gone| is_gone).then_some(lane.pair));
+            lost.extend((renewed == Some(true)).then_some(lane.pair));
             renewed.is_some()
         });
         lost.sort_unstable();

@@ -11,7 +11,7 @@ pub(super) const FIXED: u32 = u32::MAX;
 pub(super) const FRICTION: usize = 2;
 
 /// How much deeper than others a point has to be that nothing loads.
-pub(super) const UNLOADED: f64 = 100.0;
+const UNLOADED: f64 = 100.0;
 
 /// Rows by bits.
 pub(super) type Set = u8;
@@ -140,8 +140,7 @@ impl Contact {
         let velocity = self.relative_of(|member| members[member].velocity);
         (0..3).for_each(|row| self.excess[row] += velocity[row]);
         for row in 0..2 {
-            let gap = self.separations[row] - reach;
-            self.excess[row] += if gap > 0.0 { gap * rate } else { 0.0 };
+            self.excess[row] += approach(self.separations[row], reach, rate);
         }
     }
 
@@ -265,7 +264,7 @@ impl Contact {
     /// Whether a point is to be taken out of what it is in, if that is deeper than `reach`.
     #[inline(always)]
     pub(super) fn is_pressed_out(&self, row: usize, reach: f64) -> bool {
-        self.has(row) && (self.impulses[row] > 0.0 || self.separations[row] < -UNLOADED * reach)
+        self.has(row) && is_pressed_out(self.impulses[row] > 0.0, self.separations[row], reach)
     }
 
     /// Friction is bounded by what presses.
@@ -298,6 +297,19 @@ pub(super) fn impulses(row: &Aside, parts: f64) -> Triple {
     let [one, two, along] = row.impulses().map(|impulse| impulse * parts);
     let of_point = |at: usize, impulse: f64| if row.lane.points[at].mass > 0.0 { impulse } else { 0.0 };
     [of_point(0, one), of_point(1, two), along]
+}
+
+/// How fast a point so far apart may come nearer: by what it is apart, less `reach`, so many times in a unit of time.
+#[inline(always)]
+pub(super) fn approach(separation: f64, reach: f64, rate: f64) -> f64 {
+    let gap = separation - reach;
+    if gap > 0.0 { gap * rate } else { 0.0 }
+}
+
+/// Whether a point is to be taken out of what it is in, if that is deeper than `reach`: one that presses, or is far deeper.
+#[inline(always)]
+pub(super) fn is_pressed_out(presses: bool, separation: f64, reach: f64) -> bool {
+    presses | (separation < -UNLOADED * reach)
 }
 
 /// At most so much, either way; what is no number stays none.

@@ -3,7 +3,7 @@
 //! Mostly all is as it is to be. That is seen row by row; contacts are only made of the rows of what is to be solved.
 
 use super::block::Triple;
-use super::contact::{Arms, Contact, Ends, FIXED, FRICTION, UNLOADED, impulses};
+use super::contact::{Arms, Contact, Ends, FIXED, FRICTION, approach, impulses, is_pressed_out};
 use super::depth::{self, Rub};
 use super::island::{Effort, Goal, Island, Member, greater};
 use super::{BUSIER, BUSY, LONG, REST, Wear};
@@ -120,12 +120,11 @@ impl Reading<'_> {
         for (at, velocity) in [one, two].into_iter().enumerate() {
             let PointLane { separation, mass, impulse, .. } = lane.points[at];
             let (separation, is_there, presses) = (f64::from(separation), mass > 0.0, impulse > 0.0);
-            let gap = separation - self.left;
-            let excess = velocity + if gap > 0.0 { gap * self.rate } else { 0.0 };
+            let excess = velocity + approach(separation, self.left, self.rate);
             let is_off = is_there & (presses | (excess < 0.0));
             off = greater(if is_off { excess.abs() } else { 0.0 }, off);
             separations[at] = separation + self.dt * velocity;
-            let is_deep = is_there & (presses | (separations[at] < -UNLOADED * self.left));
+            let is_deep = is_there & is_pressed_out(presses, separations[at], self.left);
             deepest = greater(if is_deep { -separations[at] } else { 0.0 }, deepest);
         }
         let most = lane.friction * (lane.points[0].impulse + lane.points[1].impulse);
