@@ -9,7 +9,9 @@ use wide::f32x4;
 use super::super::bodies::Bodies;
 use super::super::tuning::Step;
 use super::hold::{Hold, shown};
-use super::swing::{CLOSED_AT_ONCE, Division, JERKS, aside_of_turn, bears, postponed, turn, turned};
+use super::swing::{
+    BORNE_UNDIVIDED, CLOSED_AT_ONCE, Division, JERKS, aside_of_turn, bears, kept, postponed, turn, turned,
+};
 use super::tree::{
     Inertia, Link, Momentum, Node, Seated, Vector, dot, for_each_down, for_each_up, plus, spun,
 };
@@ -43,9 +45,11 @@ pub(super) struct Hinge {
     /// Cosine and sine of what the body turns by: its rotation when the step begins, [what a turn does besides taking arms
     /// along](aside_of_turn) while a part is solved, and the turn of a part when bodies move.
     turn: Vector,
-    /// How stiff the joints make the body against turning by what they pull, and what is added to its inertia for that.
+    /// How stiff the joints make the body against turning by what they pull, what is added to its inertia for that, and what of
+    /// that [keeps its momentum](kept).
     pull: f64,
     stiffness: f64,
+    kept: f64,
     /// What hangs on the body, and then with the body itself. Once it is handed up, what is left of mass and momentum where the
     /// joint leaves the turning free: A - c c^T / d and its impulse; and 1 / d.
     seen: Inertia,
@@ -131,6 +135,7 @@ pub(super) fn swing(
         }
     });
     let division = Division::of(count, step, spin, |bears| {
+        let bears = BORNE_UNDIVIDED * bears;
         hinges.iter().any(|hinge| hinge.pull > bears * hinge.borne && hinge.link != Link::Fixed)
     });
     let (parts, whole) = (division.parts, division.by_whole_kicks);
@@ -166,7 +171,7 @@ pub(super) fn swing(
 fn rest(hinges: &mut [Hinge]) {
     for hinge in hinges.iter_mut() {
         hinge.kick(0.5);
-        (hinge.bias, hinge.stiffness) = ([0.0; 2], 0.0);
+        (hinge.bias, hinge.stiffness, hinge.kept) = ([0.0; 2], 0.0, 0.0);
         hinge.take_own();
     }
     for_each_up(hinges, Hinge::hand_up);
@@ -199,7 +204,7 @@ fn correct(hinges: &mut [Hinge], (h, unit): (f64, f64), unexpected: f64, begin: 
         }
         for hinge in hinges.iter_mut() {
             if is_jerked {
-                hinge.stiffness = hinge.stiffness.max(hinge.excess());
+                hinge.stiffen(hinge.stiffness.max(hinge.excess()));
             }
             hinge.expected_spin = hinge.found[2];
             hinge.get_ready(h);
@@ -247,7 +252,7 @@ impl Hinge {
     #[inline(always)]
     fn divide(&mut self, bodies: &Bodies, (dt, parts, substeps): (f32, f32, f32)) {
         self.pull *= 1.0 / f64::from(parts * parts);
-        self.stiffness = self.excess();
+        self.stiffen(self.excess());
         if self.body != 0 {
             let [push, forced] = [&bodies.push, &bodies.forced].map(|of| f32x4::new(of[self.body as usize]));
             let at_once = forced * f32x4::splat(2.0 / dt);
@@ -289,7 +294,7 @@ impl Hinge {
     #[inline(always)]
     fn take_own(&mut self) {
         self.seen = Inertia::of(self.mass, self.inertia + self.stiffness, self.arm);
-        self.momentum = Momentum::of(self.mass, self.inertia, self.arm, self.velocity);
+        self.momentum = Momentum::of(self.mass, self.inertia + self.kept, self.arm, self.velocity);
     }
 
     /// The parent has to move the body as far as the joint says.
@@ -384,6 +389,12 @@ impl Hinge {
             let [x, y] = force.map(|force| (force * self.sign) as f32);
             holds[self.joint as usize].force = [x, y, 0.0];
         }
+    }
+
+    /// So much is added to the inertia.
+    #[inline(always)]
+    fn stiffen(&mut self, stiffness: f64) {
+        (self.stiffness, self.kept) = (stiffness, kept(stiffness, self.borne));
     }
 
     /// What of its stiffness is more than the inertia bears.

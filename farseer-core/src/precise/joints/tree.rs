@@ -263,7 +263,7 @@ pub(super) fn solve(nodes: &mut [Node], stiff: f64) {
 /// [`solve`] with other velocities and biases, after it with the same arms and directions.
 #[inline]
 pub(super) fn solve_again(nodes: &mut [Node]) {
-    nodes.iter_mut().for_each(|node| node.take_own_momentum(node.velocity));
+    nodes.iter_mut().for_each(|node| node.take_own_momentum(node.velocity, 0.0));
     for_each_up(nodes, Node::hand_up_momentum);
     for_each_down(nodes, Node::follow);
 }
@@ -320,18 +320,18 @@ impl Node {
     #[inline(always)]
     pub(super) fn take_own(&mut self, stiff: f64) {
         self.take_own_inertia(stiff);
-        self.take_own_momentum(self.velocity);
+        self.take_own_momentum(self.velocity, 0.0);
     }
 
     #[inline(always)]
-    fn take_own_inertia(&mut self, stiff: f64) {
+    pub(super) fn take_own_inertia(&mut self, stiff: f64) {
         self.work.seen = Inertia::of(self.mass, self.inertia + stiff * self.stiffness, self.arm);
     }
 
-    /// The body's own momentum with this velocity, at its joint.
+    /// The body's own momentum with this velocity, at its joint, and that of so much of its stiffness.
     #[inline(always)]
-    pub(super) fn take_own_momentum(&mut self, velocity: [f64; 3]) {
-        self.work.momentum = Momentum::of(self.mass, self.inertia, self.arm, velocity);
+    pub(super) fn take_own_momentum(&mut self, velocity: [f64; 3], kept: f64) {
+        self.work.momentum = Momentum::of(self.mass, self.inertia + kept, self.arm, velocity);
     }
 
     /// The parent has to move the body as far as the joint says.
