@@ -192,13 +192,15 @@ fn correct(hinges: &mut [Hinge], (h, unit): (f64, f64), unexpected: f64, begin: 
             hinge.aim(parent, way);
             hinge.hand_up(parent);
         });
-        let mut is_off = false;
-        for_each_down(hinges, |hinge, parent| {
+        let (mut is_off, mut may_be_jerked) = (false, false);
+        for_each_down(hinges, |hinge, mut parent| {
             hinge.follow(parent.as_deref());
-            hinge.note_pull(parent, h);
+            hinge.note_pull(parent.as_deref_mut(), h);
             is_off |= (hinge.found[2] - hinge.expected_spin).abs() > unexpected;
+            may_be_jerked |= hinge.is_jerked() | parent.is_some_and(|parent| parent.is_jerked());
         });
-        let is_jerked = hinges.iter().any(Hinge::is_jerked);
+        // What pulls a parent is known once its last child is.
+        let is_jerked = may_be_jerked && hinges.iter().any(Hinge::is_jerked);
         if look == JERKS || !(is_jerked || (look == 0 && is_off)) {
             break;
         }
@@ -407,7 +409,7 @@ impl Hinge {
     /// Whether joints have had to pull far more than before: something has come to the end of its chain.
     #[inline(always)]
     fn is_jerked(&self) -> bool {
-        self.pull > self.stiffness + 2.0 * self.borne && self.link != Link::Fixed
+        (self.pull > self.stiffness + 2.0 * self.borne) & (self.link != Link::Fixed)
     }
 
     /// From the anchor of the parent to the body's.
