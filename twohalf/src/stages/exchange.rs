@@ -115,15 +115,16 @@ pub(super) fn read_depths(core: &PhysicsSimulator, world: &mut World) {
     for (number, centre, yaw, motion) in core.fixtures_moved() {
         world.platforms.has_moved(PlatformId::from_number(number), centre, yaw, motion);
     }
-    for (id, told) in core.space_moved() {
-        let Some(state) = world.depths.bodies.get_mut(id) else { continue };
+    // Of iterators in iterators a `for` would ask in each round where it is.
+    core.space_moved().for_each(|(id, told)| {
+        let Some(state) = world.depths.bodies.get_mut(id) else { return };
         let SpaceBody { z, velocity, angular_velocity: [x, y], motion, sunk, target, .. } = told;
         (state.z, state.velocity_z, state.motion) = (z, velocity, Some(Vector3::from(motion)));
         (state.angular_velocity_x, state.angular_velocity_y) = (x, y);
         (state.sunk, state.target) = (sunk, target);
         // It has acted.
         state.force_z = 0.0;
-    }
+    });
 }
 
 /// What has fallen asleep does not move, and what pushed it has acted.

@@ -14,7 +14,7 @@ use super::super::tuning::Step;
 use super::Group;
 use super::hold::Hold;
 use super::loose::{Loose, Pass, Room, refine_group, solve_group};
-use super::tree::{Link, Node, Vector, dot, for_each_down, for_each_up, plus, spun};
+use super::tree::{Link, Node, Vector, dot, follow, for_each_down, hand_up, hand_up_momentum, plus, spun};
 
 /// An error is undone in one substep up to this part of the length unit; a greater one in more of them.
 pub(super) const CLOSED_AT_ONCE: f64 = 0.5;
@@ -478,11 +478,9 @@ fn swing_tree(nodes: &mut [Node], division: &Division, (h, unit): (f64, f64)) {
             node.rest(parent);
             node.take_own(0.0);
         });
-        for_each_up(nodes, Node::hand_up);
-        for_each_down(nodes, |node, parent| {
-            node.follow(parent);
-            node.count_impulse();
-        });
+        hand_up(nodes);
+        follow(nodes);
+        nodes.iter_mut().for_each(Node::count_impulse);
     }
 }
 
@@ -491,24 +489,18 @@ fn swing_tree(nodes: &mut [Node], division: &Division, (h, unit): (f64, f64)) {
 fn correct_tree(nodes: &mut [Node], (h, unit): (f64, f64), unexpected: f64) {
     let mut is_jerked = true;
     for look in 0..=JERKS {
-        if is_jerked {
-            for_each_down(nodes, |node, parent| {
-                node.aim(parent, h, unit);
-                node.take_own_inertia(1.0);
-                node.take_own_momentum(node.before, node.kept());
-            });
-            for_each_up(nodes, Node::hand_up);
-        } else {
-            for_each_down(nodes, |node, parent| {
-                node.aim(parent, h, unit);
-                node.take_own_momentum(node.before, node.kept());
-            });
-            for_each_up(nodes, Node::hand_up_momentum);
-        }
-        for_each_down(nodes, |node, mut parent| {
-            node.follow(parent.as_deref_mut());
-            node.note_pull(parent, h);
+        for_each_down(nodes, |node, parent| {
+            node.aim(parent, h, unit);
+            node.take_own_momentum(node.before, node.kept());
         });
+        if is_jerked {
+            nodes.iter_mut().for_each(|node| node.take_own_inertia(1.0));
+            hand_up(nodes);
+        } else {
+            hand_up_momentum(nodes);
+        }
+        follow(nodes);
+        find_stiffness(nodes, h);
         is_jerked = nodes.iter().any(Node::is_jerked);
         let is_off = |node: &Node| (node.velocity[2] - node.expected_spin).abs() > unexpected;
         if look == JERKS || !(is_jerked || (look == 0 && nodes.iter().any(is_off))) {

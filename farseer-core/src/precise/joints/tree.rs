@@ -256,15 +256,33 @@ pub(super) fn solve(nodes: &mut [Node], stiff: f64) {
     for node in nodes.iter_mut() {
         node.take_own(stiff);
     }
-    for_each_up(nodes, Node::hand_up);
-    for_each_down(nodes, Node::follow);
+    hand_up(nodes);
+    follow(nodes);
 }
 
 /// [`solve`] with other velocities and biases, after it with the same arms and directions.
 #[inline]
 pub(super) fn solve_again(nodes: &mut [Node]) {
     nodes.iter_mut().for_each(|node| node.take_own_momentum(node.velocity, 0.0));
+    hand_up_momentum(nodes);
+    follow(nodes);
+}
+
+/// Parents have to move what hangs on them. Apart, as the two that follow, so that all who ask share it.
+#[inline(never)]
+pub(super) fn hand_up(nodes: &mut [Node]) {
+    for_each_up(nodes, Node::hand_up);
+}
+
+/// What of that depends on velocities and biases.
+#[inline(never)]
+pub(super) fn hand_up_momentum(nodes: &mut [Node]) {
     for_each_up(nodes, Node::hand_up_momentum);
+}
+
+/// From the roots down velocities and impulses are found.
+#[inline(never)]
+pub(super) fn follow(nodes: &mut [Node]) {
     for_each_down(nodes, Node::follow);
 }
 

@@ -7,6 +7,7 @@
 //!
 //! The engine above holds the truth about all this, as it does about geoms and bodies, and tells before every update.
 
+mod balls;
 mod fixtures;
 mod flight;
 mod foot;
@@ -42,6 +43,7 @@ use crate::geom::surface::{FrictionType, mix_restitution};
 use crate::math::scalar::nearest_finite;
 use crate::shape::SlantedBox;
 use crate::storage::reusing_clone::reusing_clone;
+pub(super) use balls::touch as touch_balls;
 pub(super) use one_way::lands_on;
 use parts::{Depths, Fixture, SpaceBody, SpaceProfile};
 pub(super) use passes::{Spin, begin_spins, gather_warm_in_space, relax_in_space};

@@ -4,6 +4,7 @@
 //! touch they keep it. Faces that are flush are what something rests on or slides along, and no walls: without that rule every
 //! seam between two floors would stop what slides over it.
 
+use super::balls::{self, Ball};
 use super::overlap::{Covered, covered};
 use super::passing::{passes_corner, passes_over};
 use super::upright::Upright;
@@ -104,7 +105,9 @@ pub(super) fn touch(a: Solid<'_>, b: Solid<'_>, before: Before, limits: Limits) 
         (Kind::Upright, _) | (_, Kind::Upright) => standing::touch(a, b, before, limits),
         (Kind::Ground, Kind::Ball) => ball_on_ground(a, b, limits.reach),
         (Kind::Ground, _) => prism_on_ground(a, b, limits.reach),
-        (Kind::Ball, Kind::Ball) => balls(a, b, before, limits.reach),
+        (Kind::Ball, Kind::Ball) => {
+            balls::touch(Ball::of(a), Ball::of(b), before == Before::Nothing, limits.reach)
+        }
         (Kind::Ball, Kind::Prism(half)) => {
             flipped(prism_and_ball(b, half, a, before.flipped(), limits.reach), b, a)
         }
@@ -280,34 +283,6 @@ fn along_depth(a: Solid<'_>, b: Solid<'_>, side: f32, gap: f32) -> Manifold {
     found
 }
 
-fn balls(a: Solid<'_>, b: Solid<'_>, before: Before, reach: f32) -> Manifold {
-    let (centre_a, centre_b) = (a.centre(), b.centre());
-    let [dx, dy] = difference(centre_b, centre_a);
-    let dz = b.z - a.z;
-    let squared = dx * dx + dy * dy + dz * dz;
-    let distance = squared.sqrt();
-    // Centres in one place are pushed apart along y.
-    let is_far = squared > f32::MIN_POSITIVE;
-    let mut normal = if is_far { [dx, dy, dz].map(|way| way / distance) } else { [0.0, 1.0, 0.0] };
-    let (radius_a, radius_b) = (a.outline.shape.radius, b.outline.shape.radius);
-    let mut separation = distance - radius_a - radius_b;
-    if separation > reach {
-        return Manifold::apart(separation);
-    }
-    if before == Before::Nothing && separation > 0.0 {
-        let Some(meeting) = balls_meet(a, b, [dx, dy, dz], radius_a + radius_b) else {
-            return Manifold::apart(0.0);
-        };
-        (separation, normal) = meeting;
-    }
-    let [nx, ny, nz] = normal;
-    let arm = difference(centre_a, place(a.pose));
-    let point = sum(arm, scaled([nx, ny], radius_a + 0.5 * separation));
-    let mut found = Manifold::of_point([nx, ny], point, separation, 0, f32::MAX);
-    found.normal_z = nz;
-    found
-}
-
 /// Distance of a ball's middle from an extruded outline: in the plane from the outline, along the depth axis from its ends,
 /// and obliquely from its rims.
 pub(super) fn prism_and_ball(
@@ -429,22 +404,6 @@ pub(super) fn nearness(
     } else {
         (gap - radius, [0.0; 2], side)
     })
-}
-
-/// Where two balls that do not touch yet will do so in this step, as they move: their distance along the normal that they will
-/// have there, and that normal. `None` for those that pass each other.
-fn balls_meet(a: Solid<'_>, b: Solid<'_>, apart: [f32; 3], radii: f32) -> Option<(f32, [f32; 3])> {
-    let way: [f32; 3] = std::array::from_fn(|axis| b.ahead[axis] - a.ahead[axis]);
-    let product = |a: [f32; 3], b: [f32; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    // |apart + t way| = radii, the earlier time.
-    let (closing, squared) = (-product(apart, way), product(way, way));
-    let under_root = closing * closing - squared * (product(apart, apart) - radii * radii);
-    if !(closing > 0.0 && under_root > 0.0) {
-        return None;
-    }
-    let part = (product(apart, apart) - radii * radii) / (closing + under_root.sqrt());
-    let normal: [f32; 3] = std::array::from_fn(|axis| (apart[axis] + part * way[axis]) / radii);
-    (part <= 1.0).then_some((-part * product(way, normal), normal))
 }
 
 fn difference_of(gap: f32, radius: f32) -> f32 {

@@ -17,7 +17,7 @@ use super::pairs::{BY_ROW, Frozen, FrozenInSpace, Pairs, Watch};
 use super::proxies::{Mobility, Proxies, Proxy};
 use super::rows::{Palette, Rows};
 use super::sleep::Sleep;
-use super::space::{Before, Held, Limits, Space};
+use super::space::{Before, Held, Limits, Space, touch_balls};
 use super::tuning::Tuning;
 use crate::body::BodyId;
 use crate::geom::surface::FrictionType;
@@ -171,6 +171,9 @@ impl<'a> Touch<'a> {
             return if is_new && self.are_circles(two) { self.where_circles_meet(two, found) } else { found };
         };
         let [at_a, at_b] = self.pairs.watched[pair].proxies;
+        if let Some([a, b]) = space.balls([at_a, at_b], [two.a, two.b], (self.bodies, self.dt)) {
+            return touch_balls(a, b, self.pairs.frozen[pair].count == 0, reach);
+        }
         let solid =
             |at: u32, proxy: &'a Proxy| space.solid(at, proxy, outline(proxy), (self.bodies, self.dt));
         let Frozen { count, normal, space: FrozenInSpace { normal_z, .. }, .. } = self.pairs.frozen[pair];
