@@ -355,8 +355,9 @@ pub(super) fn stiffen(nodes: &mut [Node], h: f64) {
 ///
 /// If nothing had, each step would take energy from what turns, as an implicit one does. If all had, none would be lost while
 /// the stiffness is the same, as in a leapfrog with other inertias: but where it is many times what the inertia bears, and
-/// changes from step to step, such a leapfrog gains energy. In between balls of 1 to 100,000 on a chain and chains of 9 to 50
-/// lose two thirds of what they lose with nothing kept, and gain nothing.
+/// changes from step to step, such a leapfrog gains energy. Of balls of 1 to 100,000 on a chain and chains of 9 to 50 a third
+/// gains energy with all kept. With nothing kept they lose 19, 7.8 and 2.8 % of their greatest kinetic energy in ten seconds at
+/// 30, 60 and 120 Hz, and like this 6.2, 2.3 and 1.1 %, and none gains any.
 #[inline(always)]
 pub(super) fn kept(stiffness: f64, borne: f64) -> f64 {
     let times = stiffness / (KEPT_UP_TO * borne);
