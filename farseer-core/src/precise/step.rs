@@ -253,6 +253,11 @@ impl Precise {
         self.read_fixtures();
     }
 
+    /// Seconds of the step before the one that is due; 0 if there was none.
+    pub(crate) fn last_step(&self) -> f32 {
+        self.dt
+    }
+
     /// The step that is due.
     pub(crate) fn begin(&mut self, dt: f32, substeps: u32, gravity: Vector2, may_sleep: bool) -> Step {
         self.set_sleep(may_sleep, gravity);

@@ -10,6 +10,7 @@ use crate::objects::Objects;
 use crate::precise::dormant::Terms;
 use crate::precise::{Precise, Step};
 use crate::report::{Event, Stopwatch};
+use crate::springs::Steps;
 
 impl PhysicsSimulator {
     /// The state of the precise set, while it is chosen.
@@ -34,6 +35,7 @@ impl PhysicsSimulator {
         if self.pass_dormant(dt, substeps, handler) {
             return false;
         }
+        let steps = Steps { before: self.precise().last_step(), now: dt };
         let step = self.precise().begin(dt, substeps, gravity, may_sleep);
         let found = self.precise().find_pairs();
         self.accept_precise_pairs(found, handler);
@@ -54,7 +56,7 @@ impl PhysicsSimulator {
         }
         stopwatch.lap(|times| &mut times.narrow_phase_collision_time);
         self.update_controllers(dt, dt_real, handler);
-        self.update_springs(Some(dt), handler);
+        self.update_springs(Some(steps), handler);
         self.sync_precise();
         self.wake_disturbed();
         self.break_precise_joints(handler);

@@ -3,11 +3,11 @@
 use super::PhysicsSimulator;
 use super::tell::Handler;
 use crate::report::Event;
-use crate::springs::{SpringId, SpringOutcome};
+use crate::springs::{SpringId, SpringOutcome, Steps};
 
 impl PhysicsSimulator {
     /// Springs in list order: those that are beyond their breakpoint break, and act once more.
-    pub(super) fn update_springs(&mut self, step: Option<f32>, handler: &mut Handler<'_>) {
+    pub(super) fn update_springs(&mut self, step: Option<Steps>, handler: &mut Handler<'_>) {
         for position in 0..self.spring_list().len() {
             if let Some((id, spring)) = self.objects.springs.at_mut(position)
                 && spring.enabled()
@@ -21,7 +21,7 @@ impl PhysicsSimulator {
         }
     }
 
-    fn update_spring(&mut self, spring: SpringId, step: Option<f32>, handler: &mut Handler<'_>) {
+    fn update_spring(&mut self, spring: SpringId, step: Option<Steps>, handler: &mut Handler<'_>) {
         let PhysicsSimulator { objects, pipeline, .. } = self;
         let kept = match &pipeline.precise {
             Some(precise) => precise.absent_in_space(objects.springs[spring].ends()),

@@ -20,6 +20,7 @@ pub use fixed_angle_spring::FixedAngleSpring;
 pub use fixed_linear_spring::FixedLinearSpring;
 pub use linear_spring::LinearSpring;
 pub use spring_type::SpringType;
+pub(crate) use swing::Steps;
 
 use crate::body::BodyId;
 use crate::body::entry::Bodies;
@@ -85,8 +86,8 @@ pub(crate) enum SpringOutcome {
 pub(crate) struct Constants {
     spring: f32,
     damping: f32,
-    /// Seconds of the step that they are [tuned](Self::tuned) to; `None` for the faithful set.
-    step: Option<f32>,
+    /// The step that they are [tuned](Self::tuned) to; `None` for the faithful set.
+    step: Option<Steps>,
 }
 
 /// What a kind of spring has done.
@@ -234,7 +235,7 @@ impl Spring {
         &mut self,
         bodies: &mut Bodies,
         space: Option<&mut Space>,
-        step: Option<f32>,
+        step: Option<Steps>,
     ) -> SpringOutcome {
         let constants = Constants { spring: self.spring_constant, damping: self.damping_constant, step };
         let pull = match &self.kind {

@@ -1,7 +1,7 @@
 //! The precise set: what rests, slides, rolls, bounces and flies, against closed forms.
 
 use approx::assert_abs_diff_eq;
-use conformance::fixtures::plane::{add_box, add_circle, add_floor, simulator, v};
+use conformance::fixtures::plane::{Random, add_box, add_circle, add_floor, simulator, v};
 use farseer_core::math::Vector2;
 use farseer_core::{BodyId, GeomId, JointFactory, Methods, PhysicsSimulator};
 
@@ -385,52 +385,98 @@ fn a_belt_carries_what_lies_on_it_at_its_speed() {
     assert_eq!(simulator[belt].position(), v(0.0, 10.0));
 }
 
+/// A box on an undamped spring of this frequency, stretched by 40 px of 100 along x.
+fn on_a_spring(frequency: f32) -> (PhysicsSimulator, BodyId) {
+    let mut simulator = precise();
+    simulator.set_gravity(v(0.0, 0.0)).unwrap();
+    let (body, geom) = add_box(&mut simulator, (20.0, 20.0), v(140.0, 0.0));
+    simulator[geom].set_collision_enabled(false);
+    without_drag(&mut simulator, body);
+    let omega = 2.0 * std::f32::consts::PI * frequency;
+    let constant = simulator[body].mass() * omega * omega;
+    let spring = farseer_core::SpringFactory::create_fixed_linear_spring(
+        &mut simulator,
+        body,
+        v(0.0, 0.0),
+        v(0.0, 0.0),
+        constant,
+        0.0,
+    )
+    .unwrap();
+    let spring_of = simulator.spring_as_mut::<farseer_core::FixedLinearSpring>(spring);
+    spring_of.unwrap().set_rest_length(100.0).unwrap();
+    simulator.add(spring).unwrap();
+    (simulator, body)
+}
+
+/// How long a swing takes, and how wide the last ones are of so many seconds in steps of these lengths.
+fn swing(frequency: f32, seconds: f32, mut step: impl FnMut() -> f32) -> [f32; 2] {
+    let (mut simulator, body) = on_a_spring(frequency);
+    let (mut time, mut last, mut widest, mut crossings) = (0.0, 40.0, 0.0_f32, Vec::new());
+    while time < seconds {
+        let dt = step();
+        simulator.update(dt);
+        time += dt;
+        let stretch = simulator[body].position().x - 100.0;
+        if time > 0.8 * seconds {
+            widest = widest.max(stretch.abs());
+        }
+        if last > 0.0 && stretch <= 0.0 {
+            crossings.push(time - stretch / (stretch - last) * dt);
+        }
+        last = stretch;
+    }
+    [(crossings[crossings.len() - 1] - crossings[0]) / (crossings.len() - 1) as f32, widest]
+}
+
+/// The force of the first step acts as a whole, half a step late: that widens the swing by 1 / cos(omega dt / 2).
+fn width(frequency: f32, dt: f32) -> f32 {
+    40.0 / (std::f32::consts::PI * frequency * dt).cos()
+}
+
 #[test]
 fn an_undamped_spring_swings_with_its_own_frequency_and_keeps_its_swing() {
     // 1 Hz, and 8 Hz, of which a step sees an eighth.
     for frequency in [1.0_f32, 8.0] {
-        let mut simulator = precise();
-        simulator.set_gravity(v(0.0, 0.0)).unwrap();
-        let (body, geom) = add_box(&mut simulator, (20.0, 20.0), v(140.0, 0.0));
-        simulator[geom].set_collision_enabled(false);
-        without_drag(&mut simulator, body);
-        let omega = 2.0 * std::f32::consts::PI * frequency;
-        let constant = simulator[body].mass() * omega * omega;
-        let spring = farseer_core::SpringFactory::create_fixed_linear_spring(
-            &mut simulator,
-            body,
-            v(0.0, 0.0),
-            v(0.0, 0.0),
-            constant,
-            0.0,
-        )
-        .unwrap();
-        simulator
-            .spring_as_mut::<farseer_core::FixedLinearSpring>(spring)
-            .unwrap()
-            .set_rest_length(100.0)
-            .unwrap();
-        simulator.add(spring).unwrap();
-        let mut widest: f32 = 0.0;
-        let (mut last, mut crossings) = (40.0, Vec::new());
-        for step in 1..=1200 {
-            simulator.update(DT);
-            let stretch = simulator[body].position().x - 100.0;
-            if step > 1000 {
-                widest = widest.max(stretch.abs());
-            }
-            if last > 0.0 && stretch <= 0.0 {
-                crossings.push(step as f32 - stretch / (stretch - last));
-            }
-            last = stretch;
-        }
-        let periods = (crossings.len() - 1) as f32;
-        let period = (crossings[crossings.len() - 1] - crossings[0]) / periods * DT;
+        let [period, widest] = swing(frequency, 20.0, || DT);
         // Places between steps are taken from a straight line: within a hundredth of a step of each crossing.
         assert_abs_diff_eq!(period * frequency, 1.0, epsilon = 1e-3);
-        // The force of the first step acts as a whole, half a step late: that widens the swing by 1 / cos(omega dt / 2).
-        let width = 40.0 / (0.5 * omega * DT).cos();
+        let width = width(frequency, DT);
         assert!(widest < 1.01 * width && widest > 0.9 * width, "{frequency} Hz: {widest} px of {width}");
+    }
+}
+
+#[test]
+fn an_undamped_spring_swings_with_its_own_frequency_and_keeps_its_swing_whatever_steps_come() {
+    let mut random = Random::new(7);
+    for frequency in [1.0_f32, 4.0, 8.0] {
+        let mut longest = 0.0_f32;
+        let [period, widest] = swing(frequency, 60.0, || {
+            let dt = DT * random.between(0.5, 1.5);
+            longest = longest.max(dt);
+            dt
+        });
+        // Measured: 3e-6.
+        assert_abs_diff_eq!(period * frequency, 1.0, epsilon = 2e-5);
+        let width = width(frequency, longest);
+        assert!(widest < 1.01 * width && widest > 0.9 * 40.0, "{frequency} Hz: {widest} px of {width}");
+    }
+}
+
+#[test]
+fn a_spring_that_is_too_stiff_for_steps_that_are_not_equal_comes_to_rest_in_them() {
+    let mut random = Random::new(8);
+    for frequency in [12.0, 15.0, 20.0, 30.0, 100.0, 1e4, 1e8] {
+        let (mut simulator, body) = on_a_spring(frequency);
+        let (mut widest, mut left) = (0.0_f32, 0.0);
+        for _ in 0..2000 {
+            simulator.update(DT * random.between(0.5, 1.5));
+            // It may have come through where the spring is fixed.
+            left = (simulator[body].position().norm() - 100.0).abs();
+            widest = widest.max(left);
+        }
+        // The first step acts as a whole, so that in equal steps of x = 1.4 it would swing to 40 / cos(x) = 235 px.
+        assert!(widest < 400.0 && left < 0.01, "{frequency} Hz: {widest} px, {left} px at last");
     }
 }
 
