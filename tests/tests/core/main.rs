@@ -58,6 +58,7 @@ mod precise_queries;
 mod precise_saves;
 mod precise_settings;
 mod precise_sleep;
+mod precise_switches;
 mod precise_terrain;
 mod rejected_input;
 mod side_table;

@@ -129,31 +129,45 @@ fn a_heavy_ball_that_falls_into_its_chain_does_not_burst_it() {
     }
 }
 
-/// Two boxes and a joint of each kind between them.
-#[test]
-fn a_chain_of_20_that_swings_from_30_degrees_below_level_keeps_its_energy() {
+/// The greatest and the last change of the energy of a chain of 20 that swings for ten seconds from 30 degrees below level, as
+/// parts of its greatest kinetic energy.
+fn changes_of_energy(has_weld: bool) -> [f64; 2] {
     let mut simulator = precise(0.0);
-    let (bodies, _) = chain(&mut simulator, 20);
+    let (mut bodies, _) = chain(&mut simulator, 20);
+    if has_weld {
+        // Then not all of its joints are hinges.
+        let end = ghost(&mut simulator, (4.0, 4.0), v(322.0, 0.0));
+        let weld = JointFactory::create_weld_joint(&mut simulator, bodies[19], end, v(320.0, 0.0));
+        joined(&mut simulator, weld);
+        bodies.push(end);
+    }
     // It is laid level, and down is turned.
     let gravity = v(0.5, 0.75_f32.sqrt()) * GRAVITY;
     simulator.set_gravity(gravity).unwrap();
-    let potential = |simulator: &PhysicsSimulator| -> f64 {
-        bodies
-            .iter()
-            .map(|&body| f64::from(simulator[body].mass() * gravity.dot(&simulator[body].position())))
-            .sum()
-    };
-    let before = potential(&simulator);
-    let mut greatest: f64 = 0.0;
+    let (mut energies, mut greatest) = (Vec::new(), 0.0_f64);
     for _ in 0..600 {
         simulator.update(DT);
-        greatest = greatest.max(energy(&simulator, &bodies, 0.0));
+        let kinetic = energy(&simulator, &bodies, 0.0);
+        let fallen = bodies.iter().map(|&body| &simulator[body]);
+        let fallen = fallen.map(|body| f64::from(body.mass() * gravity.dot(&body.position()))).sum::<f64>();
+        energies.push(kinetic - fallen);
+        greatest = greatest.max(kinetic);
     }
-    let lost = (potential(&simulator) - before - energy(&simulator, &bodies, 0.0)) / greatest;
-    // Measured: 0.0015 in ten seconds. It pulls so hard that the step must be stiffened against it, which may cost energy.
-    assert!(lost.abs() < 0.01, "{lost}");
+    let changes: Vec<f64> = energies.iter().map(|energy| (energy - energies[0]) / greatest).collect();
+    [changes.iter().copied().fold(0.0, f64::max), changes[599]]
 }
 
+#[test]
+fn a_chain_of_20_that_swings_from_30_degrees_below_level_keeps_its_energy() {
+    for has_weld in [false, true] {
+        let [gained, at_last] = changes_of_energy(has_weld);
+        // It pulls so hard that steps must be stiffened against it, which may cost energy. Measured: 0.007 to and fro, and 0.004
+        // lost at last.
+        assert!(gained < 0.01 && at_last > -0.01, "welded {has_weld}: {gained}, {at_last}");
+    }
+}
+
+/// Two boxes and a joint of each kind between them.
 fn pairs() -> Vec<(&'static str, PhysicsSimulator, [BodyId; 2], JointId)> {
     type Make = fn(&mut PhysicsSimulator, BodyId, BodyId) -> Result<JointId>;
     let kinds: [(&'static str, Make); 6] = [

@@ -115,7 +115,7 @@ pub(super) fn read_depths(core: &PhysicsSimulator, world: &mut World) {
     for (number, centre, yaw, motion) in core.fixtures_moved() {
         world.platforms.has_moved(PlatformId::from_number(number), centre, yaw, motion);
     }
-    // Of iterators in iterators a `for` would ask in each round where it is.
+    // `for_each` runs the iterators within this one as loops, a `for` does not.
     core.space_moved().for_each(|(id, told)| {
         let Some(state) = world.depths.bodies.get_mut(id) else { return };
         let SpaceBody { z, velocity, angular_velocity: [x, y], motion, sunk, target, .. } = told;

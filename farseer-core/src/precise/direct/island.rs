@@ -496,11 +496,22 @@ impl Island {
             add_push(&contact.arms, contact.bodies, impulses, &mut self.direction);
         }
         self.factor.solve(&mut self.direction);
+        self.slow_down(most);
         for contact in &mut self.contacts {
             let way = contact.relative_in(&self.direction);
             (0..2)
                 .filter(|&row| contact.rows >> row & 1 == 1)
                 .for_each(|row| contact.separations[row] += way[row]);
+        }
+    }
+
+    /// In a column the ways of all contacts add up: nothing goes further in an update than one contact may push it.
+    fn slow_down(&mut self, most: f64) {
+        let square = |&[x, y, _]: &Triple| x * x + y * y;
+        let furthest = self.direction.iter().map(square).fold(0.0, greater).sqrt();
+        if furthest > most {
+            let part = most / furthest;
+            self.direction.iter_mut().flatten().for_each(|way| *way *= part);
         }
     }
 

@@ -10,7 +10,8 @@ use super::super::bodies::Bodies;
 use super::super::tuning::Step;
 use super::hold::{Hold, shown};
 use super::swing::{
-    BORNE_UNDIVIDED, CLOSED_AT_ONCE, Division, JERKS, aside_of_turn, bears, kept, postponed, turn, turned,
+    BORNE_UNDIVIDED, CLOSED_AT_ONCE, Division, JERKS, aside_of_turn, bears, postponed, turn, turned,
+    with_momentum,
 };
 use super::tree::{
     Inertia, Link, Momentum, Node, Seated, Vector, dot, for_each_down, for_each_up, plus, spun,
@@ -46,10 +47,10 @@ pub(super) struct Hinge {
     /// along](aside_of_turn) while a part is solved, and the turn of a part when bodies move.
     turn: Vector,
     /// How stiff the joints make the body against turning by what they pull, what is added to its inertia for that, and what of
-    /// that [keeps its momentum](kept).
+    /// that [has momentum](with_momentum).
     pull: f64,
     stiffness: f64,
-    kept: f64,
+    with_momentum: f64,
     /// What hangs on the body, and then with the body itself. Once it is handed up, what is left of mass and momentum where the
     /// joint leaves the turning free: A - c c^T / d and its impulse; and 1 / d.
     seen: Inertia,
@@ -171,7 +172,7 @@ pub(super) fn swing(
 fn rest(hinges: &mut [Hinge]) {
     for hinge in hinges.iter_mut() {
         hinge.kick(0.5);
-        (hinge.bias, hinge.stiffness, hinge.kept) = ([0.0; 2], 0.0, 0.0);
+        (hinge.bias, hinge.stiffness, hinge.with_momentum) = ([0.0; 2], 0.0, 0.0);
         hinge.take_own();
     }
     for_each_up(hinges, Hinge::hand_up);
@@ -296,7 +297,7 @@ impl Hinge {
     #[inline(always)]
     fn take_own(&mut self) {
         self.seen = Inertia::of(self.mass, self.inertia + self.stiffness, self.arm);
-        self.momentum = Momentum::of(self.mass, self.inertia + self.kept, self.arm, self.velocity);
+        self.momentum = Momentum::of(self.mass, self.inertia + self.with_momentum, self.arm, self.velocity);
     }
 
     /// The parent has to move the body as far as the joint says.
@@ -396,7 +397,7 @@ impl Hinge {
     /// So much is added to the inertia.
     #[inline(always)]
     fn stiffen(&mut self, stiffness: f64) {
-        (self.stiffness, self.kept) = (stiffness, kept(stiffness, self.borne));
+        (self.stiffness, self.with_momentum) = (stiffness, with_momentum(stiffness, self.borne));
     }
 
     /// What of its stiffness is more than the inertia bears.

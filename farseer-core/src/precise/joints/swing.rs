@@ -6,7 +6,8 @@
 //! (x + R r) / h - w p, p the velocity of the anchor by a spin of 1. That is a step of SHAKE (J.-P. Ryckaert, G. Ciccotti,
 //! H. Berendsen 1977) with one iteration, or two. Forces act by halves at the beginning and the end of a step, and the
 //! velocity after it obeys the joints (RATTLE, H. C. Andersen 1983): as far as that goes the method is symplectic, and energy
-//! does not drift. Where joints pull so hard that [`stiffen`] adds to inertia, as in a whip, it takes energy away. Large
+//! does not drift. Where joints pull so hard that inertia is [stiffened](stiffen), as in a whip, it takes energy away, if little: most of
+//! that [has momentum](with_momentum), too. Large
 //! groups get whole kicks at the beginning instead, which makes the same way.
 
 use super::super::bodies::Bodies;
@@ -42,16 +43,16 @@ const TURNED_AT_ONCE: f64 = 0.15;
 
 /// The stiffness that the inertia of a body bears in a substep, as a part of it.
 const BORNE: f64 = 0.3;
-/// How many times that much is stiffened rather than that the step is divided for it: half as many parts cost less than half,
-/// and a swinging chain of 20 loses less than 1 % of its energy in ten seconds. Less where joints close loops: nothing is
-/// [kept] there.
+/// How many times that much is stiffened rather than that the step is divided for it: fewer parts cost less, and a swinging
+/// chain of 20 loses less than 1 % of its energy in ten seconds.
 pub(super) const BORNE_UNDIVIDED: f64 = 5.0;
+/// The same where joints close loops: there no stiffness has [momentum](with_momentum).
 const BORNE_IN_LOOPS: f64 = 2.0;
 
-/// The part of a small stiffness that keeps its momentum, and how many times what the inertia bears is not small any more: see
-/// [`kept`].
-const KEPT: f64 = 0.9;
-const KEPT_UP_TO: f64 = 8.0;
+/// The part of a small stiffness that has [momentum](with_momentum), and how many times what the inertia bears it is of which half
+/// as large a part has.
+const WITH_MOMENTUM: f64 = 0.9;
+const HALF_WITH_MOMENTUM: f64 = 8.0;
 
 /// Cosine and sine of how far a body turns in a substep: a Taylor series, right to 1e-10 for less than 0.3.
 #[inline(always)]
@@ -200,10 +201,10 @@ impl Node {
         bears(self.inertia, self.mass, self.reach)
     }
 
-    /// What of the stiffness that is added to the inertia [keeps its momentum](kept).
+    /// What of the stiffness that is added to the inertia has [momentum](with_momentum).
     #[inline(always)]
-    fn kept(&self) -> f64 {
-        kept(self.stiffness, self.borne())
+    fn with_momentum(&self) -> f64 {
+        with_momentum(self.stiffness, self.borne())
     }
 
     /// What of its stiffness is more than the inertia bears.
@@ -356,12 +357,12 @@ pub(super) fn stiffen(nodes: &mut [Node], h: f64) {
 /// If nothing had, each step would take energy from what turns, as an implicit one does. If all had, none would be lost while
 /// the stiffness is the same, as in a leapfrog with other inertias: but where it is many times what the inertia bears, and
 /// changes from step to step, such a leapfrog gains energy. Of balls of 1 to 100,000 on a chain and chains of 9 to 50 a third
-/// gains energy with all kept. With nothing kept they lose 19, 7.8 and 2.8 % of their greatest kinetic energy in ten seconds at
+/// gains energy if all has. If nothing has they lose 19, 7.8 and 2.8 % of their greatest kinetic energy in ten seconds at
 /// 30, 60 and 120 Hz, and like this 6.2, 2.3 and 1.1 %, and none gains any.
 #[inline(always)]
-pub(super) fn kept(stiffness: f64, borne: f64) -> f64 {
-    let times = stiffness / (KEPT_UP_TO * borne);
-    KEPT * stiffness / (1.0 + times * times)
+pub(super) fn with_momentum(stiffness: f64, borne: f64) -> f64 {
+    let times = stiffness / (HALF_WITH_MOMENTUM * borne);
+    WITH_MOMENTUM * stiffness / (1.0 + times * times)
 }
 
 /// [`stiffen`] anew after a [jerk](Node::is_jerked).
@@ -492,7 +493,7 @@ fn correct_tree(nodes: &mut [Node], (h, unit): (f64, f64), unexpected: f64) {
     for look in 0..=JERKS {
         for_each_down(nodes, |node, parent| {
             node.aim(parent, h, unit);
-            node.take_own_momentum(node.before, node.kept());
+            node.take_own_momentum(node.before, node.with_momentum());
         });
         if is_jerked {
             nodes.iter_mut().for_each(|node| node.take_own_inertia(1.0));

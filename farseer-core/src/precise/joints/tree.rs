@@ -268,7 +268,7 @@ pub(super) fn solve_again(nodes: &mut [Node]) {
     follow(nodes);
 }
 
-/// Parents have to move what hangs on them. Apart, as the two that follow, so that all who ask share it.
+/// Parents have to move what hangs on them. This and the two beneath it are not inlined: so often they are used.
 #[inline(never)]
 pub(super) fn hand_up(nodes: &mut [Node]) {
     for_each_up(nodes, Node::hand_up);
@@ -346,10 +346,10 @@ impl Node {
         self.work.seen = Inertia::of(self.mass, self.inertia + stiff * self.stiffness, self.arm);
     }
 
-    /// The body's own momentum with this velocity, at its joint, and that of so much of its stiffness.
+    /// The body's own momentum with this velocity, at its joint, and that of so much stiffness.
     #[inline(always)]
-    pub(super) fn take_own_momentum(&mut self, velocity: [f64; 3], kept: f64) {
-        self.work.momentum = Momentum::of(self.mass, self.inertia + kept, self.arm, velocity);
+    pub(super) fn take_own_momentum(&mut self, velocity: [f64; 3], stiffness: f64) {
+        self.work.momentum = Momentum::of(self.mass, self.inertia + stiffness, self.arm, velocity);
     }
 
     /// The parent has to move the body as far as the joint says.

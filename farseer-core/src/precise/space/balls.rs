@@ -7,7 +7,7 @@ use crate::precise::bodies::Bodies;
 use crate::precise::manifold::Manifold;
 use crate::precise::proxies::{Mobility, Proxy};
 
-/// A ball.
+/// What of a ball says where it touches another one.
 pub(in crate::precise) struct Ball {
     /// Its middle, and how far that is from its body's origin.
     centre: Vector,
