@@ -81,14 +81,14 @@ fn what_changes_its_method_while_it_builds_up_or_falls_apart_neither_leaps_nor_g
                 continue;
             }
             changes += 1;
-            // Overlaps are undone with three units of length per second at most.
-            let most = 3.0 * 32.0 * DT;
+            // A contact undoes overlaps with three units of length per second at most, and two of them push the same body.
+            let most = 2.0 * 3.0 * 32.0 * DT;
             let aside = furthest_aside(&before, &simulator, &bodies);
             assert!(aside < most + 1e-3, "seed {seed}, step {step}: {aside} px");
-            // By so much all may be raised then.
+            // By so much all may be raised by one of them.
             let mass: f32 = bodies.iter().map(|&body| simulator[body].mass()).sum();
             let gained = (energy(&simulator, &bodies) - energy(&before, &bodies)) / mass;
-            assert!(gained < GRAVITY * most, "seed {seed}, step {step}: {gained} px2/s2");
+            assert!(gained < 0.5 * GRAVITY * most, "seed {seed}, step {step}: {gained} px2/s2");
         }
     }
     assert!(changes > 1000, "{changes}");

@@ -505,10 +505,10 @@ impl Island {
         }
     }
 
-    /// In a column the ways of all contacts add up: nothing goes further in an update than one contact may push it.
+    /// In a column the ways of all contacts add up: nothing goes further in an update than two contacts may push it, each by `most`.
     fn slow_down(&mut self, most: f64) {
         let square = |&[x, y, _]: &Triple| x * x + y * y;
-        let furthest = self.direction.iter().map(square).fold(0.0, greater).sqrt();
+        let (furthest, most) = (self.direction.iter().map(square).fold(0.0, greater).sqrt(), 2.0 * most);
         if furthest > most {
             let part = most / furthest;
             self.direction.iter_mut().flatten().for_each(|way| *way *= part);
