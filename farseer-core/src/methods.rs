@@ -51,7 +51,7 @@ pub enum Methods {
     /// | chains of edges | [made](crate::GeomFactory::create_chain_geom) and kept only here |
     /// | [one-way geoms](crate::Objects::set_one_way) | only here: the faithful set refuses them with [`Error::NotSupported`] |
     /// | joints | exact: a tree of joints is solved at once, whatever hangs on it, and answers as a whole where a loop closes, a limit holds or an impulse has a bound; in nets of more than a thousand bodies times such joints, each of these is solved alone |
-    /// | springs | undamped ones swing with their own frequency and keep their swing; one that is too stiff for a step is as stiff as it bears |
+    /// | springs | undamped ones swing with their own frequency and keep their swing, whatever steps come; one that is too stiff for a step is as stiff as it bears, and comes to rest if steps are not equal |
     /// | [`breakpoint`](crate::Joint::breakpoint) | as in the faithful set, but a joint breaks before it acts once more; there is hardly any error to measure, so see [`greatest_force`](crate::Joint::greatest_force) |
     /// | [`softness`](crate::Joint::softness), [`bias_factor`](crate::Joint::bias_factor) of joints | a soft joint of a point or distance yields to a steady load as far as it does in the faithful set; its bias factor counts from 0 to 1; that of a hard one, and softness of an angle, mean nothing |
     /// | `max_impulse` of joints | the greatest impulse of a substep |

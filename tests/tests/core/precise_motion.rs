@@ -67,6 +67,34 @@ fn a_box_comes_to_rest_on_the_floor_within_a_thousandth_of_its_size() {
     assert!(simulator[body].linear_velocity().norm() < 0.01, "{}", simulator[body].linear_velocity());
 }
 
+#[test]
+fn boxes_of_1_to_10_000_px_come_to_rest_on_each_other_under_any_gravity_from_1_to_10_000() {
+    for size in [1.0, 32.0, 1000.0, 10_000.0] {
+        for gravity in [1.0, 320.0, 10_000.0] {
+            let mut simulator = precise();
+            simulator.set_gravity(v(0.0, gravity)).unwrap();
+            let (_, floor) = add_floor(&mut simulator, (20.0 * size, size), v(0.0, 0.5 * size));
+            set_surface(&mut simulator, floor, 0.5, 0.0);
+            // They fall for half a second at most.
+            let gap = (0.1 * size).min(0.125 * gravity);
+            let boxes = [0.5, 1.5, 2.5].map(|at| {
+                let place = v(0.0, -at * size - (at + 0.5) * gap);
+                let (body, geom) = add_box(&mut simulator, (size, size), place);
+                set_surface(&mut simulator, geom, 0.5, 0.0);
+                body
+            });
+            run(&mut simulator, 600);
+            for (body, at) in boxes.into_iter().zip([0.5, 1.5, 2.5]) {
+                let (place, speed) = (simulator[body].position(), simulator[body].linear_velocity().norm());
+                let off = (place.y + at * size).abs();
+                // Measured: 0.68 px under the greatest gravity, which lets fall by 2.8 px in a step, and a 130,000th of the size.
+                let most = 0.002 * size + 0.25 * gravity * DT * DT;
+                assert!(off < most && speed < 0.1, "{size} px, {gravity} px/s2: {off} px, {speed} px/s");
+            }
+        }
+    }
+}
+
 /// A column of boxes of 32 px and mass 1 on a floor at height 0.
 fn column(count: usize) -> (PhysicsSimulator, Vec<BodyId>) {
     let mut simulator = precise();
