@@ -28,11 +28,12 @@ const SLOWEST: f32 = 1e-8;
 /// The part of what a step bears that is used.
 const MOST: f32 = 0.97;
 
-/// What in steps that are not equal is faster than this in the longer of two, in radians, is as fast as this: a quarter of a swing.
+/// What in steps that are not equal is faster than this in the longer of two, in radians, is as fast as this: a quarter of a
+/// swing.
 const FASTEST_UNEVEN: f32 = std::f32::consts::FRAC_PI_2;
 
 /// A step that is shorter than this part of another is none.
-const NONE: f32 = 1e-6;
+const NEGLIGIBLE: f32 = 1e-6;
 
 /// Seconds of a step, and of the one before.
 #[derive(Debug, Clone, Copy)]
@@ -45,7 +46,7 @@ impl Steps {
     fn are_even(self) -> bool {
         let Steps { now, before } = self;
         // Also if there was none, or one of them is none to speak of.
-        now == before || before <= NONE * now || now <= NONE * before
+        now == before || before <= NEGLIGIBLE * now || now <= NEGLIGIBLE * before
     }
 }
 

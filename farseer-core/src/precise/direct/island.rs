@@ -459,9 +459,9 @@ impl Island {
         part
     }
 
-    /// Ways that take points out of each other by this part of how deep they are, loaded ones that are deeper than `reach` and others
-    /// that are far deeper, by no more than that part of `most`; no way if none is. Separations are those after `dt` of the velocities, and then of
-    /// the ways too.
+    /// Ways that take points out of each other by this part of how deep they are, loaded ones that are deeper than `reach` and
+    /// others that are far deeper, by no more than that part of `most`; no way if none is. Separations are those after `dt` of
+    /// the velocities, and then of the ways too.
     pub(super) fn part(&mut self, dt: f64, [reach, most]: [f64; 2], undone: f64) -> bool {
         let Island { members, contacts, .. } = self;
         let deepest = contacts
@@ -505,7 +505,8 @@ impl Island {
         }
     }
 
-    /// In a column the ways of all contacts add up: nothing goes further in an update than two contacts may push it, each by `most`.
+    /// In a column the ways of all contacts add up: nothing goes further in an update than two contacts may push it, each by
+    /// `most`.
     fn slow_down(&mut self, most: f64) {
         let square = |&[x, y, _]: &Triple| x * x + y * y;
         let (furthest, most) = (self.direction.iter().map(square).fold(0.0, greater).sqrt(), 2.0 * most);

@@ -6,9 +6,9 @@
 //! (x + R r) / h - w p, p the velocity of the anchor by a spin of 1. That is a step of SHAKE (J.-P. Ryckaert, G. Ciccotti,
 //! H. Berendsen 1977) with one iteration, or two. Forces act by halves at the beginning and the end of a step, and the
 //! velocity after it obeys the joints (RATTLE, H. C. Andersen 1983): as far as that goes the method is symplectic, and energy
-//! does not drift. Where joints pull so hard that inertia is [stiffened](stiffen), as in a whip, it takes energy away, if little: most of
-//! that [has momentum](with_momentum), too. Large
-//! groups get whole kicks at the beginning instead, which makes the same way.
+//! does not drift. Where joints pull so hard that inertia is [stiffened](stiffen), as in a whip, it takes energy away, if
+//! little: most of that [has momentum](with_momentum), too. Large groups get whole kicks at the beginning instead, which makes
+//! the same way.
 
 use super::super::bodies::Bodies;
 use super::super::tuning::Step;
@@ -49,8 +49,8 @@ pub(super) const BORNE_UNDIVIDED: f64 = 5.0;
 /// The same where joints close loops: there no stiffness has [momentum](with_momentum).
 const BORNE_IN_LOOPS: f64 = 2.0;
 
-/// The part of a small stiffness that has [momentum](with_momentum), and how many times what the inertia bears it is of which half
-/// as large a part has.
+/// The part of a small stiffness that has [momentum](with_momentum), and how many times what the inertia bears it is of which
+/// half as large a part has.
 const WITH_MOMENTUM: f64 = 0.9;
 const HALF_WITH_MOMENTUM: f64 = 8.0;
 

@@ -2,9 +2,10 @@
 
 use super::Space;
 use super::solid::Solid;
-use crate::math::plane::{Vector, difference, place, rotation, scaled, sum, turn};
+use crate::math::plane::{Pose, Vector, difference, place, rotation, scaled, sum, turn};
 use crate::precise::bodies::Bodies;
 use crate::precise::manifold::Manifold;
+use crate::precise::outline::Shape;
 use crate::precise::proxies::{Mobility, Proxy};
 
 /// What of a ball says where it touches another one.
@@ -19,15 +20,14 @@ pub(in crate::precise) struct Ball {
 }
 
 impl Ball {
+    #[inline(always)]
+    fn new(shape: Shape, pose: Pose, z: f32, ahead: [f32; 3]) -> Self {
+        let centre = sum(place(pose), turn(rotation(pose), shape.centre));
+        Ball { centre, arm: difference(centre, place(pose)), z, radius: shape.radius, ahead }
+    }
+
     pub(super) fn of(solid: Solid<'_>) -> Self {
-        let centre = solid.centre();
-        Ball {
-            centre,
-            arm: difference(centre, place(solid.pose)),
-            z: solid.z,
-            radius: solid.outline.shape.radius,
-            ahead: solid.ahead,
-        }
+        Ball::new(solid.outline.shape, solid.pose, solid.z, solid.ahead)
     }
 }
 
@@ -42,16 +42,9 @@ impl Space {
     ) -> Option<[Ball; 2]> {
         let is_ball = |at: usize| self.is_round(proxies[at]) && two[at].mobility == Mobility::Dynamic;
         let ball = |proxy: &Proxy| {
-            let (body, pose) = (proxy.body as usize, bodies.poses[proxy.body as usize]);
-            let centre = sum(place(pose), turn(rotation(pose), proxy.shape.centre));
+            let body = proxy.body as usize;
             let [x, y, _, z] = bodies.hot[body].velocity;
-            Ball {
-                centre,
-                arm: difference(centre, place(pose)),
-                z: self.places[body],
-                radius: proxy.shape.radius,
-                ahead: [x * dt, y * dt, z * dt],
-            }
+            Ball::new(proxy.shape, bodies.poses[body], self.places[body], [x * dt, y * dt, z * dt])
         };
         (is_ball(0) && is_ball(1)).then(|| two.map(ball))
     }
