@@ -1,11 +1,12 @@
-//! The 2D Farseer Physics Engine 2.1.3 in Rust, exact to the bit.
+//! 2D rigid body physics: Farseer Physics 2.1.3 exact to the bit, and a more accurate engine behind the same API.
 //!
-//! Farseer Physics (2009) was the 2D physics engine of the XNA years. This crate reproduces all of it, number by number,
-//! behind an API its users recognise: bodies and geoms, joints, springs, controllers, paths, polygon tools, the debug
-//! view. In this order it wants to be:
+//! Farseer Physics (2009) was the 2D physics engine of the XNA years. The [faithful](Methods::Faithful) set of methods
+//! reproduces all of it, number by number, behind an API its users recognise: bodies and geoms, joints, springs,
+//! controllers, paths, polygon tools, the debug view. The [precise](Methods::Precise) set is an engine of its own for the
+//! same objects: faster, more accurate, with sleep and continuous collision detection. In this order the crate wants to be:
 //!
-//! 1. **exact**: given the same calls, every position, velocity and callback is that of the original, on every
-//!    platform, in every build;
+//! 1. **exact**: given the same calls, every position, velocity and callback of the faithful set is that of the original,
+//!    on every platform, in every build; the precise set gives the same bits on all of them, too;
 //! 2. **safe**: bad input is an error that names the argument, a failed call changes nothing, NaN never spreads,
 //!    stale ids are noticed;
 //! 3. **fast**: flat arrays that are reused, no allocation in a settled scene, and whatever can be computed side by

@@ -14,7 +14,43 @@ use crate::springs::SpringId;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Event {
-    /// Geom `this` touches `other`, told once to each side in every update in which there are contacts.
+    /// Geom `this` touches `other`: one event for each side. When it comes depends on the [methods](crate::Methods):
+    ///
+    /// - the faithful set lists it in every update in which the pair has contacts, as the original calls its handlers;
+    /// - the [precise](crate::Methods::Precise) set lists it once, in the update in which the touch begins, and
+    ///   [`Separation`](Self::Separation) once, when it ends. A pair that rests or sleeps has no events. A sensor that a body
+    ///   crosses within one update has both, the collision with 0 contacts.
+    ///
+    /// [`overlaps`](crate::PhysicsSimulator::overlaps) lists the geoms that a geom touches now, and
+    /// [`arbiters`](crate::PhysicsSimulator::arbiters) all touching pairs with their contacts, with either set.
+    ///
+    /// ```
+    /// use farseer_core::{BodyFactory, Event, GeomFactory, GeomPlacement, Methods, PhysicsSimulator, math::Vector2};
+    ///
+    /// /// A ball falls on a floor and lies there. Updates of 300 in which the floor has a collision event.
+    /// fn updates_with_an_event(methods: Methods) -> farseer_core::Result<usize> {
+    ///     let mut simulator = PhysicsSimulator::new(Vector2::new(0.0, 100.0))?;
+    ///     simulator.set_methods(methods)?;
+    ///     let floor = BodyFactory::create_rectangle_body_in(&mut simulator, 100.0, 10.0, 1.0)?;
+    ///     simulator[floor].set_is_static(true);
+    ///     let floor =
+    ///         GeomFactory::create_rectangle_geom_in(&mut simulator, floor, 100.0, 10.0, GeomPlacement::default())?;
+    ///     let ball = BodyFactory::create_circle_body_in(&mut simulator, 5.0, 1.0)?;
+    ///     simulator[ball].set_position(Vector2::new(0.0, -20.0));
+    ///     let ball = GeomFactory::create_circle_geom_in(&mut simulator, ball, 5.0, 16, GeomPlacement::default())?;
+    ///     let mut updates = 0;
+    ///     for _ in 0..300 {
+    ///         simulator.update(0.01);
+    ///         let tells = |event: &Event| matches!(*event, Event::Collision { this, .. } if this == floor);
+    ///         updates += usize::from(simulator.events().iter().any(tells));
+    ///     }
+    ///     assert_eq!(simulator.overlaps(floor), [ball], "the touch lasts, with both sets");
+    ///     Ok(updates)
+    /// }
+    /// assert!(updates_with_an_event(Methods::default())? > 200);
+    /// assert_eq!(updates_with_an_event(Methods::PRECISE)?, 1);
+    /// # Ok::<(), farseer_core::Error>(())
+    /// ```
     Collision {
         /// The geom that is told.
         this: GeomId,
@@ -25,9 +61,13 @@ pub enum Event {
         /// Whether the handler refused the collision.
         vetoed: bool,
     },
-    /// The boxes of two geoms overlap but the geoms do not touch (any more), told once to each side. Like the
-    /// original's, it recurs in every update for boxes that overlap without contact, and does not come when a
-    /// contact ends by disabling, removing or disposing.
+    /// Two geoms have separated: one event for each side.
+    ///
+    /// - With the faithful set it is the original's: it comes in every update in which the boxes of two geoms overlap and the
+    ///   geoms have no contact, also if they never touched;
+    /// - with the [precise](crate::Methods::Precise) set it comes once, in the update in which a touch ends.
+    ///
+    /// It does not come when a contact ends by disabling, removing or disposing.
     Separation {
         /// The geom that is told.
         this: GeomId,

@@ -12,10 +12,14 @@ use crate::views::Squeeze;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Event {
-    /// A geom touches something. Told in every update in which it does, for two geoms once to each.
+    /// A geom touches something; for two geoms one event for each. When it comes depends on the
+    /// [scheme](crate::DepthScheme): with [`Precise`](crate::DepthScheme::Precise), the default, once, in the update in
+    /// which the touch begins, and in every update in which a handler refuses it; with the other schemes in every update
+    /// in which the touch lasts. [`contacts`](crate::TwoHalfPhysicsSimulator::contacts) lists all touches that there are,
+    /// with any scheme.
     Collision(Collision),
-    /// A geom touched something in the last update and does not any more, or a handler has refused it now. For two
-    /// geoms told to each. Does not come when a contact ends by disabling, removing or disposing.
+    /// A geom touched something in the last update and no longer does, or a handler has refused it now. For two
+    /// geoms one event for each. Does not come when a contact ends by disabling, removing or disposing.
     Separation {
         /// The geom that is told.
         this: GeomId,
