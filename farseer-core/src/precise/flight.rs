@@ -4,9 +4,10 @@
 //! it first is in something by a part of the reach of contacts, and its velocity is the one that it has there; the next step
 //! finds them in touch. Where it only grazes nothing is cut.
 //!
-//! The time of the first touch is found by conservative advancement (B. Mirtich, "Impulse-based Dynamic Simulation", 1996,
-//! section 2.3): along an axis that separates the two, they come together no faster than by their velocity along it and what
-//! their turning can do at their reach, so that so far nothing can happen; and if they do not come together along it, never.
+//! The time of the first touch is found by conservative advancement (B. Mirtich, "Impulse-based Dynamic Simulation of
+//! Rigid Body Systems", 1996, section 2.3): along an axis that separates the two, they come together no faster than by their
+//! velocity along it and what their turning can do at their reach, so that so far nothing can happen; and if they do not come
+//! together along it, never.
 
 use super::Precise;
 use super::grid::Box2;

@@ -3,6 +3,9 @@
 //! large cells holds few boxes. How far the boxes of a level really reach, and where it has any, is known: flat floors and few
 //! large things cost little to those of other sizes. Fast things have long boxes, and are in a level of their own for as long
 //! as they are fast.
+//!
+//! Hierarchical hash grids: C. Ericson, "Real-Time Collision Detection" (2005), section 7.2. The multipliers of the hash are
+//! primes of xxHash32 (Y. Collet).
 
 use wide::f32x4;
 

@@ -1,4 +1,5 @@
-//! Which bodies hang together: by contacts, joints and springs.
+//! Islands: which bodies are connected by contacts, joints and springs. Disjoint sets with path halving (R. Tarjan and
+//! J. van Leeuwen, "Worst-case analysis of set union algorithms", 1984).
 
 use crate::storage::reusing_clone::reusing_clone;
 

@@ -2,7 +2,8 @@
 //!
 //! Every substep: the impulses so far act again ([`gather_warm`], once per step); every row becomes a soft spring with a
 //! damper ([`solve_soft`]); bodies move; and every row is solved again, hard, so that what the springs pushed out does not
-//! stay as velocity ([`relax`]). That is the scheme of E. Catto, "Solver2D" (2024) and "Soft Constraints" (2011).
+//! stay as velocity ([`relax`]). That is the scheme of E. Catto, "Solver2D" (2024; the solver `Soft Step` of Box2D 3) and
+//! "Soft Constraints" (GDC 2011), on the substeps of M. Macklin et al., "Small Steps in Physics Simulation" (2019).
 //!
 //! **What is different: a spring learns its load.** A spring that carries a load rests where it is compressed by it: that is
 //! the sag of all soft methods, and no number of passes takes it away. Here the spring of a contact rests at an impulse of
@@ -293,8 +294,9 @@ pub(super) fn solve_soft<const FIXED: bool, const P: usize, R: Contacts<P>>(
 /// and what each of them alone would lose. One after the other they would leave a part of what they do to each other,
 /// (coupling x weight)^2: what meets face to face would turn, and what lies would rock.
 ///
-/// Either both push, or one of them, or none (E. Catto, "Fast and Simple Physics using Sequential Impulses", GDC 2006). In the
-/// plane only the first case is worth its time.
+/// Either both push, or one of them, or none: a linear complementarity problem of two rows, solved by enumerating its cases
+/// (the block solver of Box2D 2, `b2ContactSolver.cpp`, by E. Catto and D. Gregorius). In the plane only the first case is
+/// worth its time.
 #[inline(always)]
 fn both_at_once<const P: usize, R: Contacts<P>>(
     row: &Row<P>,

@@ -2,7 +2,7 @@
 //! catches on where they meet, on no *ghost*.
 //!
 //! Between a piece and what it touches the normal w, outward from the piece, must be one that the *whole* outline can have at
-//! that point (its Gauss map; E. Catto, "Smooth collision", on edge shapes with ghost vertices, Box2D 2.1 to 3.0):
+//! that point (its Gauss map; E. Catto, "Ghost Collisions", box2d.org, 2020, and `b2ClassifyNormal` in Box2D's `manifold.c`):
 //!
 //! - on an edge of the outline its own normal n; on an edge inside of it none;
 //! - at a corner between edges of normals n and n', if it juts out: all from n to n'. With cross(n, n') > 0 for a corner that
@@ -31,18 +31,23 @@ use crate::math::plane::{
 
 /// Sine of the angle below which an outline goes straight on at a corner.
 const STRAIGHT: f32 = 1e-3;
-/// Sine of the angle by which a normal may be beyond a neighbour's, so that none is lost to rounding.
+/// Sine of the angle by which a normal may be beyond a neighbour's, so that none is lost to rounding (`sinTol` of Box2D's
+/// `b2ClassifyNormal`).
 const BEYOND: f32 = 0.01;
 
 /// Times the overlap along a normal that there may be behind the edge that is snapped to: that of an edge at an angle of 60
 /// degrees to it. Behind an edge that faces another way there is all of what is met, however thick.
 const DEEPER: f32 = 2.0;
 
-/// What becomes of a normal.
+/// Classification of a contact normal against the outline. The cases and their names are Box2D's: `b2_normalAdmit`,
+/// `b2_normalSkip` and `b2_normalSnap` of `enum b2NormalType` in `manifold.c` (E. Catto).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Verdict {
+    /// The outline has this normal at the point: the contact counts.
     Admitted,
+    /// The normal belongs to a neighbouring piece, which has the contact.
     Skipped,
+    /// The outline has no such normal at the point: the contact takes the normal of the piece's own edge.
     Snapped,
 }
 

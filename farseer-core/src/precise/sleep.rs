@@ -29,7 +29,7 @@ use crate::math::plane::{Vector, dot};
 use crate::objects::Objects;
 use crate::storage::reusing_clone::reusing_clone;
 
-/// Seconds for which all bodies of an island are at rest before it sleeps.
+/// Seconds for which all bodies of an island are at rest before it sleeps (Box2D's `B2_TIME_TO_SLEEP`).
 pub(super) const REST: f32 = 0.5;
 /// An island that only waits for something slow is asked again after the rest of this part of them.
 const NEARLY: f32 = 0.8;

@@ -1,4 +1,20 @@
-//! The numbers of the method, in the user's unit.
+//! The parameters of the method.
+//!
+//! Six of them are Box2D 3.2's (E. Catto; `constants.h` and `b2DefaultWorldDef` in `types.c`), as fractions of a length unit
+//! that stands for Box2D's metre:
+//!
+//! | here | Box2D | value | at 32 px for 1 m |
+//! |---|---|---|---|
+//! | `speculative` | `B2_SPECULATIVE_DISTANCE`, four linear slops of 0.005 m | 0.02 m | 0.64 px |
+//! | `margin` | `B2_MAX_AABB_MARGIN` | 0.05 m | 1.6 px |
+//! | `frozen` | `B2_CONTACT_RECYCLE_DISTANCE`, ten linear slops | 0.05 m | 1.6 px |
+//! | `push` | `contactSpeed` | 3 m/s | 96 px/s |
+//! | `bounce` | `restitutionThreshold` | 1 m/s | 32 px/s |
+//! | `DAMPING` | `contactDampingRatio` | 10 | 10 |
+//!
+//! So is the doubled frequency of contacts with static bodies (`staticSoftness` in `physics_world.c`). Box2D's contact
+//! frequency is 30 Hz and at most an eighth of the substep rate, its limit of the margin an eighth of the extent: `FREQUENCY`,
+//! `SUBSTEPS_PER_PERIOD` and `MARGIN_OF_SIZE` are not Box2D's.
 
 use serde::{Deserialize, Serialize};
 

@@ -1,6 +1,7 @@
 //! A sparse symmetric matrix of 3x3 blocks, one row of blocks per body, and its factors L D L^T.
 //!
-//! In the [order of elimination](crate::precise::elimination) the work is that of articulated bodies on trees.
+//! In the [order of elimination](crate::precise::elimination) the work is that of articulated bodies on trees (D. Baraff,
+//! "Linear-time dynamics using Lagrange multipliers", 1996, for that order).
 
 use super::block::{Block, Triple};
 use crate::precise::elimination::Elimination;

@@ -10,8 +10,9 @@
 //! bounds follow what presses from step to step of Newton's method.
 //!
 //! J. C. Simo and T. A. Laursen, "An augmented Lagrangian treatment of contact problems involving friction" (1992), for
-//! springs with multipliers; K. Erleben, "Rigid body contact problems using proximal operators" (2017), for the same as
-//! proximal points.
+//! springs with multipliers; P. Alart and A. Curnier, "A mixed formulation for frictional contact problems prone to Newton like
+//! solution methods" (1991), for Newton's method on them; K. Erleben, "Rigid body contact problems using proximal operators"
+//! (2017), for the same as proximal points.
 
 use super::block::{Block, Triple};
 use super::contact::{Arms, Contact, Ends, FIXED, FRICTION, Set};

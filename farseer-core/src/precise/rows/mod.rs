@@ -1,6 +1,10 @@
-//! Rows of contacts: they stay where they are from step to step, four side by side, in colours: no two rows of a colour
-//! share a body that can be pushed, so that their order does not matter. The last colour takes what finds no other, one
-//! row in each block, and is solved in order.
+//! Contact constraints in graph colours. A constraint stays where it is from step to step, four of them side by side in one
+//! block for SIMD. No two constraints of a colour share a body that can be pushed, so that their order does not matter. The
+//! last colour takes the constraints that find no other, one in each block, and is solved in order.
+//!
+//! Greedy colouring as constraints come and go, an overflow colour and one SIMD lane for each constraint are Box2D 3's
+//! (E. Catto, "SIMD Matters", box2d.org, 2024; `constraint_graph.c`, `contact_solver.c`). Box2D cites Y.-K. Chen et al.,
+//! "High-Performance Physical Simulations on Next-Generation Architecture with Many Cores" (2007).
 
 mod colours;
 mod home;

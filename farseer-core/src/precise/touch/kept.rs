@@ -1,9 +1,15 @@
-//! What is known of the contacts of a pair from step to step.
+//! Contact recycling (E. Catto, "Contact recycling", 2026; Box2D 3.2, `physics_world.c`).
 //!
-//! While the two have hardly moved against each other since their contacts were found, normal and anchors stay as they are
-//! and only the distances are renewed, exactly; a tall stack would fall if they followed every tremble. Contacts that are
-//! found anew take over the impulses of those with the same corners, or, if the corners have changed, of those that were
-//! nearest.
+//! The narrow phase of a pair is skipped while the pair has hardly moved since its manifold was computed: the relative
+//! translation plus `reach` times the sine of the relative rotation is below `Tuning::frozen`, and neither body has turned
+//! further than `LARGEST_TURN`. The normal and the anchors stay, turned with their bodies; the separations follow exactly
+//! from the poses. A manifold that follows every small motion makes tall stacks jitter. The metric is that of conservative
+//! advancement. `frozen` (0.05 m) and `LARGEST_TURN` (0.98) are Box2D's `B2_CONTACT_RECYCLE_DISTANCE` and
+//! `B2_CONTACT_RECYCLE_COS_ANGLE`.
+//!
+//! Not in Box2D: the tighter limits for what lies on a kinematic body, for polygons that roll, and for the error that sliding
+//! adds to a normal that has turned; and the fallback to the nearest old point. The points of a new manifold inherit the
+//! impulses of the old points with the same features, else those of the nearest old point.
 
 use super::{Touch, Two};
 use crate::math::plane::{Vector, cross, difference, dot, length, rotation, scaled, sum, turn, turn_back};
@@ -12,7 +18,8 @@ use crate::precise::pairs::{Frozen, FrozenInSpace};
 use crate::precise::proxies::Mobility;
 use crate::precise::rows::Kind;
 
-/// Bodies that have turned further than this have their contacts found anew: its cosine.
+/// Cosine of the rotation since the manifold was computed, from which on it is computed anew: 11.5 degrees (Box2D's
+/// `B2_CONTACT_RECYCLE_COS_ANGLE`).
 const LARGEST_TURN: f32 = 0.98;
 /// And those on a kinematic one that has: what lies on a turntable turns with it, and its normal must.
 const LARGEST_TURN_OF_KINEMATIC: f32 = 0.99998;
