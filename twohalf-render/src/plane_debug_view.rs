@@ -14,16 +14,21 @@ const LETTER_TOP: f32 = 4.0;
 /// Draws what the 2D engine works with over a picture, one px per unit of the world; a [`View`](crate::View) shows it
 /// through a camera, the performance panel with it.
 ///
-/// For objects with depth there is [`DebugView`](crate::DebugView).
+/// For objects with depth there is [`DebugView`](crate::DebugView). A game as a PNG, whatever it has for a renderer later:
 ///
 /// ```
 /// use twohalf::farseer_core::{PhysicsSimulator, PhysicsSimulatorView};
-/// use twohalf_render::{SoftwareCanvas, draw_debug_view};
+/// use twohalf_render::{Canvas, Color, SoftwareCanvas, draw_debug_view};
+/// # let simulator = PhysicsSimulator::default();
 ///
-/// let simulator = PhysicsSimulator::default();
 /// let mut canvas = SoftwareCanvas::new(1024, 768)?;
-/// draw_debug_view(&PhysicsSimulatorView::default(), &simulator, &mut canvas);
-/// # Ok::<(), twohalf_render::RenderError>(())
+/// canvas.clear(Color::rgb(70, 130, 180));
+/// let view = PhysicsSimulatorView { enable_edge_view: true, ..PhysicsSimulatorView::default() };
+/// draw_debug_view(&view, &simulator, &mut canvas);
+/// let picture = std::env::temp_dir().join("game.png");
+/// canvas.save_png(&picture)?;
+/// # std::fs::remove_file(picture)?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[doc(alias = "PhysicsSimulatorView.Draw")]
 pub fn draw_debug_view(view: &PhysicsSimulatorView, simulator: &PhysicsSimulator, canvas: &mut dyn Canvas) {

@@ -125,7 +125,7 @@ impl<'a> GeomRef<'a> {
     }
 
     /// Edge of a distance grid cell in the user's length unit; what was asked for under SAT.
-    #[doc(alias("GridCellSize", "CollisionGridCellSize"))]
+    #[doc(alias("GridCellSize", "CollisionGridCellSize", "CalculateGridCellSizeFromAABB"))]
     pub fn grid_cell_size(&self) -> f32 {
         self.entry.grid_cell_size
     }

@@ -41,6 +41,7 @@ pub struct GeomPlacement {
     /// Edge of a distance grid cell in the user's length unit. At 0 or less it is a tenth of the shorter side of
     /// the geom's box **as it lies in the world when it is made**: of a long thin geom on a rotated body the
     /// cells come out thicker than the geom, and contacts are missed.
+    #[doc(alias = "CalculateGridCellSizeFromAABB")]
     pub collision_grid_size: f32,
 }
 
