@@ -1,6 +1,6 @@
-//! In which order the rows of a sparse symmetric matrix are eliminated, and where what fills in goes: planned once per graph.
+//! Ordering and symbolic factorisation of a sparse symmetric matrix: planned once per graph.
 //!
-//! The order is that of least degree, ties by number: along ropes and on trees nothing fills in, and the work goes with their
+//! The order is that of least degree, ties by number: ropes and trees have no fill-in, and the work is linear in their
 //! size. Minimum degree ordering: W. Tinney and J. Walker, "Direct solutions of sparse network equations by optimally ordered
 //! triangular factorization" (1967); symbolic before numeric factorisation: T. Davis, "Direct Methods for Sparse Linear
 //! Systems" (2006).

@@ -1,8 +1,8 @@
-//! Which boxes may overlap: a hashed grid with levels by size. A box is entered at its centre, in the level whose cells are
-//! more than twice as wide as the box; so it reaches at most a quarter of a cell beyond the cell it is in, and a level of
-//! large cells holds few boxes. How far the boxes of a level really reach, and where it has any, is known: flat floors and few
-//! large things cost little to those of other sizes. Fast things have long boxes, and are in a level of their own for as long
-//! as they are fast.
+//! Broad phase: a hashed grid with levels by size. An AABB is entered at its centre, in the level whose cells are more than
+//! twice as wide as the AABB; so it reaches at most a quarter of a cell beyond its cell, and a level of large cells holds few
+//! AABBs. Each level keeps the bounds of its AABBs and the farthest reach from their centres: flat floors and few large shapes
+//! cost little to shapes of other sizes. The AABBs of fast bodies are long, and are in a level of their own as long as the
+//! bodies are fast.
 //!
 //! Hierarchical hash grids: C. Ericson, "Real-Time Collision Detection" (2005), section 7.2. The multipliers of the hash are
 //! primes of xxHash32 (Y. Collet).

@@ -20,25 +20,25 @@ use serde::{Deserialize, Serialize};
 
 use super::proxies::FARTHEST;
 
-/// How things that touch are kept together and apart. Lengths are parts of [`Methods::Precise`](crate::Methods)'
-/// `length_unit`, the size of things that a player looks at: a metre of a game in metres, 32 px of one in px.
+/// Parameters of contacts, in the user's units. They are fractions of [`Methods::Precise`](crate::Methods)' `length_unit`, the
+/// size of things that a player looks at: a metre of a game in metres, 32 px of one in px.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Tuning {
-    /// Length that the lengths below are parts of.
+    /// The length unit, > 0.
     pub(crate) unit: f32,
-    /// Outlines that are nearer than this have contacts, so that nothing has to be pushed out later.
+    /// Speculative distance, length units: shapes nearer than this have contact points, so that they do not penetrate.
     pub(crate) speculative: f32,
-    /// Margin of the boxes of pairs.
+    /// Margin of AABBs in the broad phase, length units.
     pub(crate) margin: f32,
-    /// Bodies that moved less against each other since their contacts were looked for keep normal and anchors.
+    /// Relative motion of a pair, length units, below which its manifold is recycled.
     pub(crate) frozen: f32,
-    /// Motion after which separations are looked at again.
+    /// Motion of a body, length units, after which the separations of its contacts are computed again.
     pub(crate) checked: f32,
-    /// Speed above which the springs of contacts do not learn their load.
+    /// Relative speed at a contact, length units/s, from which on its spring does not learn its load.
     pub(crate) gate: f32,
-    /// Greatest speed at which an overlap is undone.
+    /// Greatest speed at which penetration is resolved, length units/s.
     pub(crate) push: f32,
-    /// Speed of approach below which nothing bounces.
+    /// Restitution threshold, length units/s: slower approaches do not bounce.
     pub(crate) bounce: f32,
 }
 
@@ -57,53 +57,55 @@ impl Tuning {
         }
     }
 
-    /// By how much the box of something that reaches so far is widened.
+    /// Margins of the AABB of a proxy that reaches this far from its centre, length units.
     pub(super) fn widening(&self, reach: f32) -> Widening {
         let by_size = MARGIN_OF_SIZE * reach;
         Widening { margin: if by_size < self.margin { by_size } else { self.margin }, lonely: 0.0 }
     }
 
-    /// The same for what is in no pair: a longer look ahead saves it searches, and costs no touches while nobody is there.
+    /// The same for a proxy without pairs: a longer look ahead saves searches of the broad phase, and makes no pairs while
+    /// nothing is near.
     pub(super) fn widening_of_lonely(&self, reach: f32) -> Widening {
         Widening { lonely: LONELY_OF_SIZE * reach, ..self.widening(reach) }
     }
 
-    /// Motion sums count in parts of 2^-26 units, and wrap.
+    /// Sums of motion count in multiples of 2^-26 length units, and wrap.
     pub(crate) fn motion_scale(&self) -> f32 {
         67_108_864.0 / self.unit
     }
 }
 
-/// How far the box of a proxy reaches beyond it, so that it does not need a new one after every step.
+/// How far the fat AABB of a proxy reaches beyond its tight one, so that it does not change in every step. Length units.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Widening {
     /// To all sides.
     pub(super) margin: f32,
-    /// As far ahead as this it reaches by what it moves in many steps, not in few.
+    /// Limit of the longer look ahead of a proxy without pairs.
     lonely: f32,
 }
 
 impl Widening {
-    /// How far the box reaches ahead of what goes so far in a step.
+    /// How far the AABB reaches ahead along an axis on which the proxy moves by `way` in a step, length units.
     pub(super) fn ahead(&self, way: f32) -> f32 {
         let (near, far) = (way * STEPS_AHEAD, (way * LONELY_STEPS_AHEAD).clamp(-self.lonely, self.lonely));
         (if far.abs() > near.abs() { far } else { near }).clamp(-FARTHEST, FARTHEST)
     }
 }
 
-/// Boxes reach ahead of a body by what it moves in so many steps; of one that is in no pair by so many, but by so much of its
-/// size at most: what it comes upon is not to be in a pair with it for long before it is touched.
+/// Steps by whose motion an AABB reaches ahead; for a proxy without pairs a larger number of them, but at most this multiple
+/// of its size: a pair should not exist for long before the shapes touch.
 const STEPS_AHEAD: f32 = 4.0;
 const LONELY_STEPS_AHEAD: f32 = 32.0;
 const LONELY_OF_SIZE: f32 = 2.0;
-/// And around it by so much of its size at most.
+/// Largest margin of an AABB as a fraction of the size of its proxy.
 const MARGIN_OF_SIZE: f32 = 0.25;
 
-/// Frequency of a contact's spring in Hz, as far as the length of a substep allows; its damping ratio; and how many
-/// substeps a period of it must have. With stiffer ones what stands face to face does not come to rest, with softer ones piles
-/// of thousands breathe for seconds.
+/// Frequency of the soft contact constraint in Hz. With a stiffer one boxes that stand face to face do not come to rest, with a
+/// softer one piles of thousands oscillate for seconds.
 const FREQUENCY: f32 = 45.0;
+/// Damping ratio of the soft contact constraint (Box2D).
 const DAMPING: f32 = 10.0;
+/// Fewest substeps in a period of the soft contact constraint: limits its frequency.
 const SUBSTEPS_PER_PERIOD: f32 = 5.0;
 
 /// Parts per step of 1/60 s by which the load that a spring rests at follows the load it carries, up and down; and the part
@@ -115,7 +117,7 @@ const RESERVE: f32 = 0.6;
 /// An overlap of more than this part of the unit is no sag.
 const DEEPEST: f32 = 0.1;
 
-/// The numbers of one step.
+/// Parameters of one step.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Step {
     /// Seconds of the whole step.
@@ -123,13 +125,13 @@ pub(crate) struct Step {
     /// Number of substeps, and seconds of each.
     pub(super) substeps: u32,
     pub(super) h: f32,
-    /// Against another dynamic body, and against what does not give way.
+    /// Contacts of two dynamic bodies, and contacts with a static or kinematic one.
     pub(super) soft: Softness,
     pub(super) soft_fixed: Softness,
     pub(super) learning: Learning,
 }
 
-/// A spring with damper over a substep: what one pass does with a separation, a velocity and the impulse so far (E. Catto,
+/// Coefficients of a soft constraint: a spring with a damper, integrated implicitly over a substep of `h` seconds (E. Catto,
 /// "Soft Constraints", GDC 2011). With frequency f, damping ratio z and omega = 2 pi f, the exact implicit step is
 /// l' = l - mass (u + bias s) k - impulse l.
 #[derive(Debug, Clone, Copy)]

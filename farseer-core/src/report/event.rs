@@ -1,4 +1,4 @@
-//! What happens during an update (behaviour chapters 03, 04 and 08).
+//! Events of an update (behaviour chapters 03, 04 and 08).
 
 use serde::{Deserialize, Serialize};
 
@@ -9,7 +9,7 @@ use crate::joints::JointId;
 use crate::object_id::ObjectId;
 use crate::springs::SpringId;
 
-/// Something that happened during the last update, or was asked for since the one before.
+/// An event of the last update, or a request made since the update before.
 /// [`PhysicsSimulator::events`](crate::PhysicsSimulator::events) lists them in the order in which they happened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
@@ -61,13 +61,9 @@ pub enum Event {
         /// Whether the handler refused the collision.
         vetoed: bool,
     },
-    /// Two geoms have separated: one event for each side.
-    ///
-    /// - With the faithful set it is the original's: it comes in every update in which the boxes of two geoms overlap and the
-    ///   geoms have no contact, also if they never touched;
-    /// - with the [precise](crate::Methods::Precise) set it comes once, in the update in which a touch ends.
-    ///
-    /// It does not come when a contact ends by disabling, removing or disposing.
+    /// The boxes of two geoms overlap but the geoms do not touch (any more), told once to each side. Like the
+    /// original's, it recurs in every update for boxes that overlap without contact, and does not come when a
+    /// contact ends by disabling, removing or disposing.
     Separation {
         /// The geom that is told.
         this: GeomId,

@@ -1,4 +1,4 @@
-//! What happened during an update.
+//! Events of an update.
 
 use farseer_core::{BodyId, Event as CoreEvent, GeomId, JointId, ObjectId, SpringId};
 
@@ -6,7 +6,7 @@ use super::collision::Collision;
 use crate::depth::Partner;
 use crate::views::Squeeze;
 
-/// Something that happened during the last update, or was asked for since the one before.
+/// An event of the last update, or a request made since the update before.
 /// [`TwoHalfPhysicsSimulator::events`](crate::TwoHalfPhysicsSimulator::events) lists them, those of pairs that the 2D
 /// engine handles before the others.
 #[derive(Debug, Clone, Copy, PartialEq)]

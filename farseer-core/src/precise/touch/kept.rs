@@ -21,22 +21,22 @@ use crate::precise::rows::Kind;
 /// Cosine of the rotation since the manifold was computed, from which on it is computed anew: 11.5 degrees (Box2D's
 /// `B2_CONTACT_RECYCLE_COS_ANGLE`).
 const LARGEST_TURN: f32 = 0.98;
-/// And those on a kinematic one that has: what lies on a turntable turns with it, and its normal must.
+/// The same for a kinematic body A, 0.36 degrees: the normal of a contact with a turntable has to follow it.
 const LARGEST_TURN_OF_KINEMATIC: f32 = 0.99998;
-/// What is left of the error in separations, as a part of the unit: a normal that stays behind by an angle is wrong by that
-/// times the way that one has slid along the other.
+/// Largest error of a recycled separation, as a fraction of the length unit: the relative translation times the sine of the
+/// angle by which the bodies have turned since the normal was computed.
 const LARGEST_ERROR: f32 = 3e-4;
-/// A body that turns further than this in a step, on what does not give way, has its contacts found in every step: it rolls,
-/// or topples, and its corners come down one after the other.
+/// Rotation in a step, radians, from which on a polygon on a static or kinematic body has its manifold computed in every step:
+/// it rolls or topples, and its corners come down one after the other.
 const ROLLING: f32 = 0.01;
-/// Arms of a contact are turned on by at most so far.
+/// Largest angle, radians, by which the arms of a contact are turned ahead of the pose.
 const LARGEST_LEAD: f32 = 0.2;
-/// A new point goes on from an old one whose anchor is nearer than this part of the smaller body.
+/// Largest distance of a new point from an old anchor whose impulses it inherits, as a fraction of the reach of the smaller body.
 const NEAR: f32 = 0.4;
 
 impl Touch<'_> {
-    /// Whether contacts may stay what they were if the two have not moved much: not those of circles and balls, on which they
-    /// wander, and not those of outlines that have passed each other along the depth axis.
+    /// Whether the manifold of a pair may be recycled: not for circles and balls, on which the contact point wanders, and not
+    /// for outlines that have passed each other along the depth axis.
     pub(super) fn may_renew(&self, pair: usize, two: Two<'_>) -> bool {
         let Some(space) = self.space else { return !self.are_circles(two) };
         let (kind, proxies) = (self.pairs.all[pair].kind, self.pairs.watched[pair].proxies);
@@ -48,7 +48,7 @@ impl Touch<'_> {
         kind.has_two_points && (!is_in_plane || space.are_beside(proxies, space.apart(two.a, two.b)))
     }
 
-    /// If the two have hardly moved against each other, normal and anchors stay, and separations are renewed.
+    /// Recycles the manifold: the separations follow the poses. Returns false, and changes nothing, if the pair has moved too far.
     pub(super) fn renew(&mut self, pair: usize, two: Two<'_>) -> bool {
         let frozen = &self.pairs.frozen[pair];
         let (qa, qb) = (rotation(two.pose_a), rotation(two.pose_b));
@@ -77,7 +77,7 @@ impl Touch<'_> {
         true
     }
 
-    /// How far apart the points are by now at which contacts were found: only the first ones of them are any.
+    /// Separations of the cached points in the poses of now, length units; entries from `count` on have no meaning.
     pub(super) fn separations_now(&self, frozen: &Frozen, two: Two<'_>) -> [f32; 2] {
         let [ca, sa, cb, sb] = frozen.turns;
         let (turned_a, turned_b) =
@@ -92,7 +92,7 @@ impl Touch<'_> {
         separations
     }
 
-    /// How far a polygon that lies on something that does not give way turns in this step, if nothing changes its spin.
+    /// Rotation of a polygon on a static or kinematic body in this step at its present angular velocity, radians; else 0.
     fn turn_on_fixed(&self, pair: usize, two: Two<'_>) -> f32 {
         let Kind { has_two_points, is_fixed, .. } = self.pairs.all[pair].kind;
         if has_two_points && is_fixed {
@@ -102,6 +102,7 @@ impl Touch<'_> {
         }
     }
 
+    /// Caches a manifold with the poses that it was computed in.
     pub(super) fn freeze(&mut self, pair: usize, two: Two<'_>, found: &Manifold) {
         let count = if self.pairs.all[pair].kind.has_two_points { found.count } else { found.count.min(1) };
         let apart = if self.are_circles(two) {
@@ -135,7 +136,7 @@ impl Touch<'_> {
         };
     }
 
-    /// Which old point each new one goes on from: the one with its corners, else the nearest that is left over.
+    /// The old point whose impulses each new point inherits: the one with the same feature, else the nearest that is left over.
     pub(super) fn kept(&self, pair: usize, two: Two<'_>, found: &Manifold) -> [Option<usize>; 2] {
         if !self.pairs.all[pair].kind.has_two_points {
             return [Some(0), None];
@@ -164,7 +165,7 @@ impl Touch<'_> {
         kept
     }
 
-    /// How far an old anchor is from a new one, on the body on which it is nearer.
+    /// Squared distance of an old anchor from a new point, on the body on which they are nearer.
     fn squared_distance(&self, old: &Frozen, point: usize, two: Two<'_>, new: Vector) -> f32 {
         let [ax, ay, bx, by] = old.anchors[point];
         let [ca, sa, cb, sb] = old.turns;
