@@ -56,7 +56,7 @@ fn aliases() -> BTreeMap<String, Vec<String>> {
             let path = entry.expect("they can be listed").path();
             if path.is_dir() {
                 folders.push(path);
-            } else {
+            } else if path.extension().is_some_and(|extension| extension == "rs") {
                 read_aliases(&fs::read_to_string(path).expect("they are text"), &mut aliases);
             }
         }
@@ -94,4 +94,22 @@ fn api_members_are_found_under_their_original_names() {
     }
     let lost: Vec<_> = is_any_found.iter().filter(|(_, found)| !**found).map(|(member, _)| member).collect();
     assert!(lost.is_empty(), "no alias: {lost:#?}");
+}
+
+#[test]
+fn names_that_games_use_and_2_1_3_lacks_are_found() {
+    let guide = include_str!("../../../farseer-core/src/guide/porting.md");
+    let section = guide.split("# From 2.0 to 2.1.3 to here").nth(1).expect("the section with its table");
+    let cells =
+        section.lines().filter(|line| line.starts_with("| `")).filter_map(|line| line.split('|').nth(1));
+    let names: Vec<&str> = cells.flat_map(|cell| cell.split('`').skip(1).step_by(2)).map(member).collect();
+    let aliases = aliases();
+    let is_found = |name: &str| {
+        aliases
+            .iter()
+            .any(|(item, of)| bare(item) == bare(name) || of.iter().any(|alias| member(alias) == name))
+    };
+    let lost: Vec<_> = names.iter().filter(|name| !is_found(name)).collect();
+    assert!(lost.is_empty(), "no alias: {lost:?}");
+    assert!(names.contains(&"CalculateGridCellSizeFromAABB"), "{names:?}");
 }
