@@ -276,8 +276,11 @@ impl DrawOrder {
                     // Two that are in several strips together are looked at in the first one.
                     if a.low <= b.high && b.low <= a.high && parts.at(higher) as usize == strip {
                         let [one, other] = [a, b].map(|appearance| &items[appearance.item as usize]);
-                        let is_below = one.is_below(other, sides, to_viewer);
-                        covers.push(if is_below { [b.item, a.item] } else { [a.item, b.item] });
+                        match one.is_below(other, sides, to_viewer) {
+                            Some(true) => covers.push([b.item, a.item]),
+                            Some(false) => covers.push([a.item, b.item]),
+                            None => {}
+                        }
                     }
                 }
             }
@@ -318,7 +321,9 @@ impl TwoHalfPhysicsSimulator {
     ///
     /// Of two that cover each other on the screen the one before the other comes later: separated in Z, the nearer
     /// one; on top of each other, the higher one; side by side, what the Z axis leans away from. What decides is
-    /// the direction in which their boxes, or the sides of a platform, are farthest apart or overlap least. What has
+    /// the direction in which their boxes, or the sides of a platform, are farthest apart or overlap least. Of two solids
+    /// that are sunk in each other by more than half of the smaller one's least side, as a lift in a street, the one whose
+    /// top sticks out comes later; if that is true of both or neither, the one with the smaller footprint. What has
     /// a [top](crate::VirtualGeom::has_top) has a box as deep as itself, so that what stands on it comes later wherever
     /// its middle is; balls and capsules are flat, at their middle. Where that goes round in a circle, one of the
     /// pairs is in the wrong order. What covers nothing is ordered by Z, then by height, then as it was added.

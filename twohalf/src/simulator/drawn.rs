@@ -30,6 +30,15 @@ pub(super) struct Item {
     pub(super) screen_high: Vector2,
 }
 
+/// Overlap that resting contacts leave, px, at most: two that overlap by less side by side only touch.
+const SAG: f32 = 2.0;
+
+/// Difference in height of two tops from which on one of them sticks out, px: more than rounding of coordinates up to 2^16 px.
+const LEAST_RISE: f32 = 0.01;
+
+/// Y of the unit normal from which on a side looks up: below it, the height of its plane is no finite number of use.
+const LEAST_UP: f32 = 1e-3;
+
 /// Sides of a platform: outward normals and how far they reach along them.
 pub(super) type Sides = [(Vector3, f32); 6];
 
@@ -57,9 +66,8 @@ impl Item {
         (0..3).map(|axis| n[axis] * if n[axis] > 0.0 { self.low[axis] } else { self.high[axis] }).sum()
     }
 
-    /// The direction from this to the other along which they are farthest apart, or overlap least.
-    fn direction_to(&self, other: &Item, all_sides: &[Sides]) -> Vector3 {
-        let sides_of = |item: &Item| item.sides.map(|at| &all_sides[at as usize]).into_iter().flatten();
+    /// Separation in px, negative where the two overlap, and the direction from this to the other along which it is greatest.
+    fn separation_to(&self, other: &Item, all_sides: &[Sides]) -> (f32, Vector3) {
         let mut best = (f32::NEG_INFINITY, Vector3::zeros());
         let mut consider = |gap: f32, n: Vector3| {
             if gap > best.0 {
@@ -71,20 +79,83 @@ impl Item {
             consider(other.low[axis] - self.high[axis], n);
             consider(self.low[axis] - other.high[axis], -n);
         }
-        for &(n, reach) in sides_of(self) {
+        for &(n, reach) in self.sides_among(all_sides) {
             consider(other.least_along(n) - reach, n);
         }
-        for &(n, reach) in sides_of(other) {
+        for &(n, reach) in other.sides_among(all_sides) {
             consider(self.least_along(n) - reach, -n);
         }
-        best.1
+        best
     }
 
-    /// Whether this is drawn before the other. `to_viewer` is the direction of the line on which all points appear
-    /// at one point of the screen.
-    pub(super) fn is_below(&self, other: &Item, sides: &[Sides], to_viewer: Vector3) -> bool {
-        let nearer = self.direction_to(other, sides).dot(&to_viewer);
-        if nearer == 0.0 { self.middle > other.middle } else { nearer > 0.0 }
+    fn sides_among<'a>(&self, all_sides: &'a [Sides]) -> impl Iterator<Item = &'a (Vector3, f32)> {
+        self.sides.map(|at| &all_sides[at as usize]).into_iter().flatten()
+    }
+
+    /// Whether this is drawn before the other wherever both appear; `None` if the two share no point of the screen. `to_viewer` is
+    /// the direction of the line on which all points appear at one point of the screen.
+    ///
+    /// A plane between two convex shapes decides: the one on the viewer's side of it is in front of the other everywhere. Two solids
+    /// that interpenetrate have no such plane; of these [the tops](Self::is_topped_by) decide.
+    pub(super) fn is_below(&self, other: &Item, sides: &[Sides], to_viewer: Vector3) -> Option<bool> {
+        let (separation, direction) = self.separation_to(other, sides);
+        let nearer = direction.dot(&to_viewer);
+        if separation >= 0.0 {
+            return (nearer != 0.0).then_some(nearer > 0.0);
+        }
+        let slop = if nearer == 0.0 { SAG } else { 0.5 * self.least_size().min(other.least_size()) };
+        let topped = if self.is_solid() && other.is_solid() && -separation > slop {
+            self.is_topped_by(other, sides)
+        } else {
+            None
+        };
+        topped.or(Some(if nearer == 0.0 { self.middle > other.middle } else { nearer > 0.0 }))
+    }
+
+    /// Whether it has a depth: flat pictures have none.
+    fn is_solid(&self) -> bool {
+        self.high.z > self.low.z
+    }
+
+    /// The least of its width, height and depth, px.
+    fn least_size(&self) -> f32 {
+        (self.high - self.low).min()
+    }
+
+    fn footprint_area(&self) -> f32 {
+        (self.high.x - self.low.x) * (self.high.z - self.low.z)
+    }
+
+    /// Of two solids that interpenetrate, whether the other one's top sticks out of this one's and not the other way round. If both
+    /// do, or neither, the one with the smaller footprint is on top: it is seen nowhere else. `None` for equal footprints.
+    fn is_topped_by(&self, other: &Item, sides: &[Sides]) -> Option<bool> {
+        let sticks_out = [self.greatest_rise_to(other, sides), other.greatest_rise_to(self, sides)]
+            .map(|rise| rise > LEAST_RISE);
+        match sticks_out {
+            [true, false] => Some(true),
+            [false, true] => Some(false),
+            _ => {
+                let [own, others] = [self, other].map(Item::footprint_area);
+                (own != others).then_some(own > others)
+            }
+        }
+    }
+
+    /// How far the top of another one rises over the top of this one at most, px, at the corners and the middle of the footprint that
+    /// both have in common: tops are planes or ridges.
+    fn greatest_rise_to(&self, other: &Item, sides: &[Sides]) -> f32 {
+        let (low, high) = (self.low.sup(&other.low), self.high.inf(&other.high));
+        let middle = [0.5 * (low.x + high.x), 0.5 * (low.z + high.z)];
+        let places = [[low.x, low.z], [high.x, low.z], [low.x, high.z], [high.x, high.z], middle];
+        let rises = places.map(|place| other.top_at(place, sides) - self.top_at(place, sides));
+        rises.into_iter().fold(f32::NEG_INFINITY, f32::max)
+    }
+
+    /// Height of its upper surface at a place of X and Z, px.
+    fn top_at(&self, [x, z]: [f32; 2], sides: &[Sides]) -> f32 {
+        let faces_up = self.sides_among(sides).filter(|(n, _)| n.y > LEAST_UP);
+        let heights = faces_up.map(|(n, reach)| (reach - n.x * x - n.z * z) / n.y);
+        heights.fold(self.high.y, f32::min).max(self.low.y)
     }
 }
 
