@@ -7,7 +7,7 @@ use twohalf::{Platform, PlatformId, Result, TwoHalfPhysicsSimulator, Vector3};
 /// Adds a slope whose upper edge begins and ends at two points, X and Y up in px, the first to the left of the second, and which
 /// reaches from the first to the second Z. `thickness` is how far it goes below that edge, across it, px. As all platforms it has
 /// no friction until it is set. Its ends are square to it: below its higher point it reaches into what it leads to, the less the
-/// thinner it is.
+/// thinner it is. The `Scene` of `twohalf-render` draws what of it is above the platform that it begins on: there, a wedge.
 ///
 /// A point that is as high as what the slope leads to, at the place where that ends, is met without a gap or a step:
 ///

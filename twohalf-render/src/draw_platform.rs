@@ -2,9 +2,10 @@
 
 use twohalf::{PlatformId, TwoHalfPhysicsSimulator, Vector3};
 
+use crate::hidden::{Seen, Within};
 use crate::outline_of_line::across;
 use crate::shadow::Shadow;
-use crate::surface::{Face, above_ground, to_screen};
+use crate::surface::{Face, to_screen};
 use crate::{Color, Point, Sprite, SpriteBatch, TextureStore};
 
 /// How a platform looks in a game without art: a colour for every face, edges drawn after.
@@ -35,6 +36,11 @@ impl PlatformLook {
             edges: color.darker(0.6),
             edge_width: 1.5,
         }
+    }
+
+    /// Whether nothing is seen through it.
+    pub(crate) fn is_opaque(&self) -> bool {
+        [self.top, self.front, self.sides].iter().all(|color| color.a == u8::MAX)
     }
 
     fn face(&self, face: Face) -> Color {
@@ -85,7 +91,7 @@ impl DrawPlatform for TwoHalfPhysicsSimulator {
         layer_depth: f32,
     ) {
         let Some(platform) = self.platform(platform) else { return };
-        draw_faces(self, batch, &platform.corners(), look, layer_depth);
+        draw_faces(self, batch, (&platform.corners(), Within::ALL), look, layer_depth);
     }
 
     fn draw_platform_shadow(
@@ -110,28 +116,27 @@ impl DrawPlatform for TwoHalfPhysicsSimulator {
     }
 }
 
-/// The faces of a platform with these corners.
+/// The faces of a platform with these corners, as far as they are seen.
 pub(crate) fn draw_faces(
     simulator: &TwoHalfPhysicsSimulator,
     batch: &mut SpriteBatch,
-    corners: &[Vector3; 8],
+    (corners, within): (&[Vector3; 8], Within<'_>),
     look: &PlatformLook,
     layer_depth: f32,
 ) {
     let on_screen = |point: Vector3| to_screen(simulator, point);
     let faces = Face::ALL.map(|face| (face, face.corners(corners)));
     let visible = faces.into_iter().filter(|(_, corners)| is_clockwise(&corners.map(on_screen)));
-    let outlines: Vec<(Face, Vec<Point>)> = visible
-        .map(|(face, corners)| (face, above_ground(corners).into_iter().map(on_screen).collect()))
-        .collect();
-    for (face, outline) in &outlines {
-        batch.draw(Sprite { layer_depth, ..Sprite::polygon(outline.clone(), look.face(*face)) });
-    }
-    for (_, outline) in &outlines {
-        for (index, &from) in outline.iter().enumerate() {
-            let line = line(from, outline[(index + 1) % outline.len()], look.edge_width);
-            batch.draw(Sprite { layer_depth, ..Sprite::polygon(line, look.edges) });
+    let seen: Vec<(Face, Seen)> = visible.map(|(face, corners)| (face, within.seen(corners))).collect();
+    for (face, seen) in &seen {
+        for piece in &seen.pieces {
+            let outline: Vec<Point> = piece.iter().copied().map(on_screen).collect();
+            batch.draw(Sprite { layer_depth, ..Sprite::polygon(outline, look.face(*face)) });
         }
+    }
+    for [from, to] in seen.iter().flat_map(|(_, seen)| &seen.lines) {
+        let line = line(on_screen(*from), on_screen(*to), look.edge_width);
+        batch.draw(Sprite { layer_depth, ..Sprite::polygon(line, look.edges) });
     }
 }
 

@@ -137,6 +137,7 @@ mod draw_body;
 mod draw_platform;
 mod error;
 mod footprint;
+mod hidden;
 mod jpeg_file;
 mod outline_of_line;
 mod picture_body;

@@ -6,6 +6,8 @@ use crate::{Canvas, Color, Point, Rectangle, Texture2D, Transform};
 
 /// Corners of an ellipse that is cut.
 const ELLIPSE_CORNERS: u16 = 64;
+/// How far a view that is cut at rows reaches beyond what is seen, px: farther than lines are wide.
+const ASIDE: f32 = 64.0;
 
 /// A canvas, seen through a camera and a rectangle outside of which nothing is drawn. It is a canvas itself, so that
 /// whatever draws can be scrolled, zoomed, turned or shown in a part of the screen: sprites, debug views, backdrops,
@@ -32,7 +34,8 @@ const ELLIPSE_CORNERS: u16 = 64;
 pub struct View<'a> {
     canvas: &'a mut dyn Canvas,
     camera: Transform,
-    clip: Option<Rectangle>,
+    /// Corners of the rectangle, clockwise from the upper left one.
+    clip: Option<[Point; 4]>,
 }
 
 impl<'a> View<'a> {
@@ -49,14 +52,22 @@ impl<'a> View<'a> {
     /// The same, nothing being drawn outside of this rectangle of the canvas.
     #[doc(alias = "ScissorRectangle")]
     pub fn clip(self, rectangle: Rectangle) -> Self {
-        View { clip: Some(rectangle), ..self }
+        View { clip: Some(rectangle.corners()), ..self }
+    }
+
+    /// The same, nothing being drawn above or below two lines of the canvas, px.
+    pub(crate) fn clip_rows(self, [from, to]: [f32; 2]) -> Self {
+        let [low, high] = self.canvas.visible_area();
+        let [left, right] = [low[0] - ASIDE, high[0] + ASIDE];
+        let [top, bottom] = [from.max(low[1] - ASIDE), to.min(high[1] + ASIDE)];
+        View { clip: Some([[left, top], [right, top], [right, bottom], [left, bottom]]), ..self }
     }
 
     /// Takes points that are on the canvas already, through the rectangle.
     fn fill_on_canvas(&mut self, points: &[Point], color: Color) {
         match self.clip {
             Some(clip) => {
-                let inside = clip_to_convex(points, &clip.corners());
+                let inside = clip_to_convex(points, &clip);
                 self.canvas.fill_polygon(&inside, &Transform::IDENTITY, color);
             }
             None => self.canvas.fill_polygon(points, &Transform::IDENTITY, color),
@@ -66,7 +77,7 @@ impl<'a> View<'a> {
     /// Whether everything within `margin` px of these points of the canvas is drawn.
     fn holds(&self, points: &[Point], margin: f32) -> bool {
         let Some(clip) = self.clip else { return true };
-        let [low, _, high, _] = clip.corners();
+        let [low, _, high, _] = clip;
         let is_inside = |axis: usize, at: f32| at - margin >= low[axis] && at + margin <= high[axis];
         points.iter().all(|point| is_inside(0, point[0]) && is_inside(1, point[1]))
     }
@@ -76,7 +87,7 @@ impl<'a> View<'a> {
         let [low, high] = self.canvas.visible_area();
         let all = [low, [high[0], low[1]], high, [low[0], high[1]]];
         let within = |corner: Point| [0, 1].map(|axis| corner[axis].max(low[axis]).min(high[axis]));
-        self.clip.map_or(all, |clip| clip.corners().map(within))
+        self.clip.map_or(all, |clip| clip.map(within))
     }
 }
 
@@ -96,7 +107,7 @@ impl Canvas for View<'_> {
 
     fn clear(&mut self, color: Color) {
         match self.clip {
-            Some(clip) => self.canvas.fill_polygon(&clip.corners(), &Transform::IDENTITY, color),
+            Some(clip) => self.canvas.fill_polygon(&clip, &Transform::IDENTITY, color),
             None => self.canvas.clear(color),
         }
     }
@@ -163,8 +174,8 @@ impl Canvas for View<'_> {
             clip.map(|clip| clip.iter().map(|&corner| self.camera.apply(corner)).collect());
         let inside = match (&on_canvas, self.clip) {
             (Some(clip), _) if !clip.iter().flatten().all(|number| number.is_finite()) => return,
-            (Some(clip), Some(window)) => Some(clip_to_convex(clip, &window.corners())),
-            (None, Some(window)) => Some(window.corners().to_vec()),
+            (Some(clip), Some(window)) => Some(clip_to_convex(clip, &window)),
+            (None, Some(window)) => Some(window.to_vec()),
             (clip, None) => clip.clone(),
         };
         self.canvas.draw_texture(texture, &transform, tint, inside.as_deref());

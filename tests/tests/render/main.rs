@@ -7,4 +7,6 @@ mod draw_order;
 mod plane_debug_view;
 mod platforms;
 mod shadows;
+mod sunk;
 mod uprights;
+mod waters;

@@ -54,13 +54,18 @@ impl Facet {
         self.corners.iter().map(|corner| [corner.x, corner.z]).collect()
     }
 
-    /// What of it lies in the shadow of something above it, on the screen; nothing if nothing does.
-    pub(super) fn shaded_by(&self, above: &Facet, simulator: &TwoHalfPhysicsSimulator) -> Option<Vec<Point>> {
+    /// What of it lies in the shadow of something above it, on the screen, and how high its middle is; nothing if nothing does.
+    pub(super) fn shaded_by(
+        &self,
+        above: &Facet,
+        simulator: &TwoHalfPhysicsSimulator,
+    ) -> Option<(Vec<Point>, f32)> {
         let shaded = clip_to_convex(&above.footprint(), &self.footprint());
         let share = 1.0 / shaded.len() as f32;
         let middle = [0, 1].map(|axis| shaded.iter().map(|point| point[axis] * share).sum());
-        let is_beneath = self.height_at(middle) <= above.height_at(middle) + SUNK;
+        let height = self.height_at(middle);
+        let is_beneath = height <= above.height_at(middle) + SUNK;
         let on_it = |[x, z]: Point| to_screen(simulator, Vector3::new(x, self.height_at([x, z]), z));
-        (!shaded.is_empty() && is_beneath).then(|| shaded.into_iter().map(on_it).collect())
+        (!shaded.is_empty() && is_beneath).then(|| (shaded.into_iter().map(on_it).collect(), height))
     }
 }

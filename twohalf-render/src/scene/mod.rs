@@ -6,6 +6,7 @@ mod look;
 mod patch;
 mod shadows;
 mod solid;
+mod solids;
 mod upright;
 mod water;
 
@@ -17,9 +18,12 @@ use twohalf::{
     BodyId, Drawable, InterpolatedPose3D, Interpolation3D, PlatformId, TwoHalfPhysicsSimulator, Vector3,
 };
 
+use crate::hidden::Within;
 use crate::surface::{to_screen, turned};
 use crate::{Canvas, Point, Sprite, Texture2D, Transform, View};
 use shadows::{Cast, SHADOW_SIZE};
+use solids::Solids;
+use water::{Part, Place};
 
 /// Everything that a simulator of the 2.5D engine holds, drawn back to front with its shadows.
 ///
@@ -44,7 +48,9 @@ use shadows::{Cast, SHADOW_SIZE};
 /// ```
 ///
 /// Bodies are drawn once they take part: from the update on that follows their making, which may be `update(0.0)`. The ground
-/// hides what of a platform lies below it. A backdrop scrolls with the scene if it is drawn through the same camera:
+/// hides what of a platform lies below it, and a platform that is a [`Look::Solid`] or [`Look::Textured`] without translucent colours
+/// what of others is inside of it: of a lift in a street, and of a slope that leads up from one, what lies above the street is
+/// seen. A backdrop scrolls with the scene if it is drawn through the same camera:
 /// [a camera that follows](crate#a-camera-that-follows).
 ///
 /// Light comes from straight above. A shadow lies on the highest surface beneath the middle of what casts it: the
@@ -70,9 +76,10 @@ struct Shift {
     yaw: f32,
 }
 
-/// What is drawn at once: a thing by its place in the order, or water.
+/// What is drawn at once: a part of a thing by its place in the order, or water.
+#[derive(Clone, Copy)]
 enum Layer<'a> {
-    Thing(usize),
+    Thing(usize, Part),
     Water(&'a Water),
 }
 
@@ -177,25 +184,34 @@ impl<'a> Scene<'a> {
         let order = self.simulator.draw_order();
         let things: Vec<(Drawable, Look)> = order.into_iter().map(|thing| (thing, look(thing))).collect();
         let casts = Cast::all(self, &things);
+        let solids = Solids::all(self, &things);
         let on = |surface: Option<Drawable>| casts.iter().filter(move |cast| cast.surface == surface);
         self.patches.iter().for_each(|patch| patch.draw(self.simulator, &mut view));
         on(None).for_each(|cast| self.shadow(cast, Vector3::zeros()).draw(&mut view));
-        for item in self.in_layers(things.iter().map(|(thing, _)| *thing)) {
-            let (thing, look) = match item {
+        for item in self.in_layers(&things) {
+            let ((thing, look), part) = match item {
                 Layer::Water(water) => {
                     water.draw(self.simulator, &mut view);
                     continue;
                 }
-                Layer::Thing(at) => &things[at],
+                Layer::Thing(at, part) => (&things[at], part),
             };
             let shift = self.shift(*thing);
             let moved = Transform::translation(self.on_screen(shift.way));
             let mut view = View::new(&mut view).camera(&moved);
+            if part.rows != Part::ALL.rows {
+                view = view.clip_rows(part.rows);
+            }
             match thing {
-                Drawable::Platform(id) => self.draw_platform(&mut view, *id, look),
+                Drawable::Platform(id) => {
+                    let around = solids.around(*id, self.corners(*id), shift.way);
+                    let heights = part.heights.map(|height| height - shift.way.y);
+                    self.draw_platform(&mut view, *id, Within { solids: &around, heights }, look)
+                }
                 Drawable::Body(id) => self.draw_body(&mut view, *id, look, shift),
             }
-            on(Some(*thing)).for_each(|cast| self.shadow(cast, shift.way).draw(&mut view));
+            let casts = on(Some(*thing)).filter(|cast| part.holds(cast.height + shift.way.y));
+            casts.for_each(|cast| self.shadow(cast, shift.way).draw(&mut view));
         }
     }
 
@@ -212,23 +228,38 @@ impl<'a> Scene<'a> {
         sprite
     }
 
-    /// Things in their order with what is seen through between them.
-    fn in_layers(&self, things: impl Iterator<Item = Drawable>) -> Vec<Layer<'a>> {
-        let things: Vec<Drawable> = things.collect();
-        let mut layers: Vec<Layer<'a>> = (0..things.len()).map(Layer::Thing).collect();
-        for water in self.waters {
-            let is_over = |layer: &Layer<'_>| matches!(layer, Layer::Thing(at) if water.is_behind(self.simulator, things[*at]));
-            let (over, mut below): (Vec<Layer<'a>>, Vec<Layer<'a>>) = layers.into_iter().partition(is_over);
-            below.push(Layer::Water(water));
-            below.extend(over);
-            layers = below;
+    /// Things in their order with what is seen through between them: before each water what is under it and under none before, at
+    /// the end what sticks out of all or is over them.
+    fn in_layers(&self, things: &[(Drawable, Look)]) -> Vec<Layer<'a>> {
+        let mut under: Vec<Vec<Layer<'a>>> = vec![Vec::new(); self.waters.len()];
+        let mut over = Vec::with_capacity(things.len());
+        for (at, (thing, look)) in things.iter().enumerate() {
+            let mut rest = Some(Part::ALL);
+            for (water, under) in self.waters.iter().zip(&mut under) {
+                let Some(part) = rest else { break };
+                match water.place_of(self, *thing, look) {
+                    Place::Over => {}
+                    Place::Under => {
+                        under.push(Layer::Thing(at, part));
+                        rest = None;
+                    }
+                    Place::Through { row } => {
+                        let [below, out] = water.split(part, row);
+                        under.push(Layer::Thing(at, below));
+                        rest = Some(out);
+                    }
+                }
+            }
+            over.extend(rest.map(|part| Layer::Thing(at, part)));
         }
-        layers
+        let waters = under.into_iter().zip(self.waters);
+        let layers = waters.flat_map(|(under, water)| under.into_iter().chain([Layer::Water(water)]));
+        layers.chain(over).collect()
     }
 
-    fn draw_platform(&self, canvas: &mut dyn Canvas, id: PlatformId, look: &Look) {
+    fn draw_platform(&self, canvas: &mut dyn Canvas, id: PlatformId, within: Within<'_>, look: &Look) {
         if let Some((platform, corners)) = self.simulator.platform(id).zip(self.corners(id)) {
-            solid::draw_platform(self.simulator, canvas, (platform, &corners), look);
+            solid::draw_platform(self.simulator, canvas, (platform, &corners), within, look);
         }
     }
 

@@ -24,6 +24,8 @@ const LEVEL: f32 = 0.01;
 pub(super) struct Cast {
     pub(super) of: Drawable,
     pub(super) surface: Option<Drawable>,
+    /// How high its middle lies, px.
+    pub(super) height: f32,
     pub(super) sprite: Sprite,
 }
 
@@ -72,11 +74,12 @@ fn of_platform(
     let underside = Facet::underside(of, corners);
     let on_ground = underside.corners.iter().map(|corner| Vector3::new(corner.x, 0.0, corner.z));
     let on_ground: Vec<Point> = on_ground.map(|corner| to_screen(simulator, corner)).collect();
-    let mut casts = vec![Cast { of, surface: None, sprite: Sprite::polygon(on_ground, DARKNESS) }];
+    let mut casts =
+        vec![Cast { of, surface: None, height: 0.0, sprite: Sprite::polygon(on_ground, DARKNESS) }];
     if corners.iter().all(|corner| corner.y > 0.0) {
         casts.extend(facets.iter().filter(|facet| facet.of != of).filter_map(|facet| {
-            let shaded = facet.shaded_by(&underside, simulator)?;
-            Some(Cast { of, surface: Some(facet.of), sprite: Sprite::polygon(shaded, DARKNESS) })
+            let (shaded, height) = facet.shaded_by(&underside, simulator)?;
+            Some(Cast { of, surface: Some(facet.of), height, sprite: Sprite::polygon(shaded, DARKNESS) })
         }));
     }
     casts
@@ -116,6 +119,7 @@ fn of_body(scene: &Scene<'_>, id: BodyId, look: &Look, tops: &[(BodyId, GeomId)]
     Some(Cast {
         of: Drawable::Body(id),
         surface: on,
+        height: surface.height,
         sprite: shadow.sprite(simulator, &surface, edge, middle, Some(shape.bottom)),
     })
 }

@@ -6,7 +6,8 @@ use super::upright::draw_upright;
 use super::{Look, Textures};
 use crate::corners::{bend, corners_of, cross, distance};
 use crate::draw_platform::draw_faces;
-use crate::surface::{Face, above_ground, to_screen};
+use crate::hidden::Within;
+use crate::surface::{Face, to_screen};
 use crate::{Canvas, Color, PlatformLook, Point, SpriteBatch, Texture2D, Transform};
 
 const STILL: Transform = Transform::IDENTITY;
@@ -20,6 +21,7 @@ pub(super) fn draw_platform(
     simulator: &TwoHalfPhysicsSimulator,
     canvas: &mut dyn Canvas,
     (platform, corners): (&Platform, &[Vector3; 8]),
+    within: Within<'_>,
     look: &Look,
 ) {
     let (look, textures) = match look {
@@ -38,18 +40,20 @@ pub(super) fn draw_platform(
             platform.height(),
         ),
     ] {
-        let outline: Vec<Point> = above_ground(face.corners(corners)).into_iter().map(on_screen).collect();
+        let Some(texture) = texture else { continue };
+        *color = Color::TRANSPARENT;
+        let seen = within.seen(face.corners(corners));
         let face = face.corners(corners).map(on_screen);
-        if let Some(texture) = texture {
-            *color = Color::TRANSPARENT;
-            if cross(face[0], face[1], face[2]) > 0.0 && !outline.is_empty() {
+        if cross(face[0], face[1], face[2]) > 0.0 {
+            for piece in seen.pieces.iter().filter(|piece| !piece.is_empty()) {
+                let outline: Vec<Point> = piece.iter().copied().map(on_screen).collect();
                 draw_tiles(canvas, texture, face, [platform.width(), height], &outline);
             }
         }
     }
     // The other faces, and the edges over all of them.
     let mut batch = SpriteBatch::begin();
-    draw_faces(simulator, &mut batch, corners, &look, 0.0);
+    draw_faces(simulator, &mut batch, (corners, within), &look, 0.0);
     batch.end(canvas);
 }
 

@@ -1,7 +1,8 @@
 //! Boxes of the world through which things are seen: water, gas, fog.
 
-use twohalf::{Drawable, Field, Region, TwoHalfPhysicsSimulator, Vector3};
+use twohalf::{Drawable, Field, Platform, Region, TwoHalfPhysicsSimulator, Vector3};
 
+use super::{Look, Scene};
 use crate::canvas::MAX_COORDINATE;
 use crate::surface::to_screen;
 use crate::{Canvas, Color, Point, Transform};
@@ -10,7 +11,8 @@ use crate::{Canvas, Color, Point, Transform};
 const NEAR: f32 = 1.0;
 
 /// A box of the world that is seen through, as a [`Fluid`](twohalf::Fluid) fills it. What is in it is drawn below its surface and behind
-/// its front; what stands before it or flies over it, in front.
+/// its front; what stands before it or flies over it, in front. What sticks out of it is seen through it as far as its surface:
+/// flat pictures and solid bodies as if the surface met them at their front, platforms where it does.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Water {
     /// Where it is, within the picture.
@@ -38,13 +40,57 @@ impl Water {
         fluids.filter(is_seen).map(Water::new).collect()
     }
 
-    /// Whether something is drawn over it: what stands before it, floats above it, or adjoins it on the side to which the Z axis leans.
-    pub(super) fn is_behind(&self, simulator: &TwoHalfPhysicsSimulator, thing: Drawable) -> bool {
+    /// How something that is drawn like this lies to it.
+    pub(super) fn place_of(&self, scene: &Scene<'_>, thing: Drawable, look: &Look) -> Place {
         let (low, high) = (self.region.low(), self.region.high());
-        let Some((least, greatest)) = bounds(simulator, thing) else { return false };
-        let is_aside =
-            if simulator.angle() <= 90 { least.x >= high.x - NEAR } else { greatest.x <= low.x + NEAR };
-        is_aside || greatest.z <= low.z + NEAR || least.y >= high.y - NEAR
+        let way = scene.shift(thing).way;
+        let Some(bounds) = bounds(scene.simulator, thing) else { return Place::Under };
+        let (least, greatest) = (bounds.0 + way, bounds.1 + way);
+        let (is_left, is_right) = (greatest.x <= low.x + NEAR, least.x >= high.x - NEAR);
+        let is_aside = match scene.simulator.angle() {
+            90 => is_left || is_right,
+            ..90 => is_right,
+            _ => is_left,
+        };
+        let is_before = greatest.z <= low.z + NEAR;
+        if is_aside || is_before || least.y >= high.y - NEAR {
+            return Place::Over;
+        }
+        let front = front_of(scene.simulator, thing, look).map_or(least.z, |z| z + way.z);
+        match thing {
+            _ if greatest.y <= high.y + NEAR || least.z >= high.z - NEAR => Place::Under,
+            Drawable::Platform(id)
+                if scene
+                    .simulator
+                    .platform(id)
+                    .is_some_and(|platform| is_level(platform) && front < low.z - NEAR) =>
+            {
+                Place::Over
+            }
+            Drawable::Platform(_) => Place::Through { row: None },
+            Drawable::Body(_) if front < low.z - NEAR => Place::Over,
+            Drawable::Body(_) => {
+                let [_, row] = to_screen(scene.simulator, Vector3::new(0.0, high.y, front));
+                Place::Through { row: Some(row) }
+            }
+        }
+    }
+
+    /// What of a part of something that sticks out of it is below its surface, and what is above.
+    pub(super) fn split(&self, part: Part, row: Option<f32>) -> [Part; 2] {
+        let Part { rows: [from, to], heights: [low, high] } = part;
+        match row {
+            Some(row) => {
+                [Part { rows: [from.max(row), to], ..part }, Part { rows: [from, to.min(row)], ..part }]
+            }
+            None => {
+                let surface = self.region.high().y;
+                [
+                    Part { heights: [low, high.min(surface)], ..part },
+                    Part { heights: [low.max(surface), high], ..part },
+                ]
+            }
+        }
     }
 
     pub(super) fn draw(&self, simulator: &TwoHalfPhysicsSimulator, canvas: &mut dyn Canvas) {
@@ -62,6 +108,53 @@ impl Water {
         canvas.fill_polygon(&front, &still, self.color.darker(0.3));
         canvas.stroke_polyline(&surface, true, 1.5, &still, Color::WHITE.with_alpha(self.color.a));
     }
+}
+
+/// How something lies to water.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Place {
+    /// All of it is seen through the water, or lies behind it.
+    Under,
+    /// It sticks out: a body above a row of the screen, px, a platform above the surface.
+    Through { row: Option<f32> },
+    /// It stands before the water, floats above it, or adjoins it on the side to which the Z axis leans.
+    Over,
+}
+
+/// What of something is drawn at once: what appears between two rows of the screen, px, and of a platform what lies between two
+/// heights, px.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Part {
+    pub(super) rows: [f32; 2],
+    pub(super) heights: [f32; 2],
+}
+
+impl Part {
+    pub(super) const ALL: Part =
+        Part { rows: [f32::NEG_INFINITY, f32::INFINITY], heights: [f32::NEG_INFINITY, f32::INFINITY] };
+
+    /// Whether something at a height lies on it.
+    pub(super) fn holds(&self, height: f32) -> bool {
+        let [low, high] = self.heights;
+        low <= height && height < high
+    }
+}
+
+/// Z at which the foremost of a body appears: flat pictures, balls and capsules at its middle. `None` for what is as deep as its box.
+fn front_of(simulator: &TwoHalfPhysicsSimulator, thing: Drawable, look: &Look) -> Option<f32> {
+    let Drawable::Body(id) = thing else { return None };
+    let is_flat = match look {
+        Look::Solid(_) | Look::Textured(..) => {
+            let geoms = simulator.core().geoms_of(id);
+            geoms.iter().all(|&geom| simulator.geom(geom).is_some_and(|geom| !geom.virtual_geom().has_top))
+        }
+        _ => true,
+    };
+    simulator.body(id).filter(|_| is_flat).map(|body| body.position3d().z)
+}
+
+fn is_level(platform: &Platform) -> bool {
+    platform.rotation() == 0.0 && platform.pitch() == 0.0
 }
 
 /// The least and the greatest X, Y and Z of something.
