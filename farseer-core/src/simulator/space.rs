@@ -8,7 +8,7 @@ use crate::math::{Vector2, Vector3};
 use crate::methods::Methods;
 use crate::precise::space::IS_THERE;
 use crate::precise::space::parts::{
-    Fixture, FixtureMotion, SpaceBody, SpaceChange, SpaceProfile, SpaceTouch,
+    Fixture, FixtureMotion, SpaceBody, SpaceChange, SpacePartner, SpaceProfile, SpaceTouch,
 };
 use crate::report::Stopwatch;
 use crate::{Error, Result};
@@ -180,6 +180,13 @@ impl PhysicsSimulator {
         let precise = self.pipeline.precise.as_ref();
         let number = precise.and_then(|precise| Some((precise, precise.number_of(body)?)));
         number.into_iter().flat_map(|(precise, number)| precise.space_neighbours_of(number))
+    }
+
+    /// The geoms of a body, and what a handler has refused to let them touch in the last update, in no particular order.
+    pub fn space_refused_of(&self, body: BodyId) -> impl Iterator<Item = (GeomId, SpacePartner)> + '_ {
+        let precise = self.pipeline.precise.as_ref();
+        let number = precise.and_then(|precise| Some((precise, precise.number_of(body)?)));
+        number.into_iter().flat_map(|(precise, number)| precise.space_refused_of(number))
     }
 
     /// What touches and has a side that listens, in no particular order, with the number of each pair.

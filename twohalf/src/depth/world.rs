@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::crush_watch::CrushWatch;
 use super::depths::Depths;
 use super::fields::Fields;
+use super::footing::Footings;
 use super::pace::Pace;
 use super::partner::Partner;
 use super::platforms::Platforms;
@@ -27,6 +28,10 @@ pub struct World {
     pub(crate) paces: Vec<Pace>,
     /// Bodies of which it is told when they are crushed.
     pub(crate) crush_watches: Vec<CrushWatch>,
+    /// Of what holds figures that walk, what handlers are asked.
+    pub(crate) footings: Footings,
+    /// Holder and load of grips that have broken and nobody was told of yet.
+    pub(crate) broken_grips: Vec<(BodyId, BodyId)>,
     /// Contacts of the last update that came to its end. With the precise set only what was loaded: the engine below knows what
     /// touches from the first update on.
     #[serde(skip)]
@@ -47,6 +52,8 @@ impl World {
             fields: Fields::default(),
             paces: Vec::new(),
             crush_watches: Vec::new(),
+            footings: Footings::default(),
+            broken_grips: Vec::new(),
             touches: TouchList::default(),
             has_rejected: false,
         }

@@ -18,7 +18,8 @@ pub struct Collision {
     pub normal: Vector3,
     /// The deepest point of the contact in the world, px, Y up.
     pub position: Vector3,
-    /// Number of contact points.
+    /// Number of contact points: 0 for what a figure that [walks](crate::TwoHalfPhysicsSimulator::walk) stands on, is held off from
+    /// or is about to step on, and does not touch.
     pub contacts: u32,
     /// Impulse along the normal, mass times velocity, 0 or more: in a callback that of the last update (0 at first
     /// touch), in the list of events that of the update that reports it.

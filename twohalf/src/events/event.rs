@@ -63,6 +63,14 @@ pub enum Event {
         /// The spring.
         spring: SpringId,
     },
+    /// Somebody has lost what was held, or is there no more, since the last update: what holds things tells
+    /// [of it](crate::TwoHalfPhysicsSimulator::report_grip_broken).
+    GripBroke {
+        /// The body of whoever held it; its id may be stale.
+        holder: BodyId,
+        /// The body that was held; its id may be stale.
+        load: BodyId,
+    },
     /// A body that is [watched](crate::TwoHalfPhysicsSimulator::set_crush_tolerance) has less room between two sides than is
     /// tolerated, from this update on.
     Crushed {

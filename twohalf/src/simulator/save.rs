@@ -96,6 +96,9 @@ impl TwoHalfPhysicsSimulator {
         if !world.crush_watches.iter().all(CrushWatch::is_valid) {
             return Err(damaged("a tolerance of crushing is out of range"));
         }
+        if !world.footings.is_valid() {
+            return Err(damaged("what holds a figure is not finite"));
+        }
         let (near, far) = world.layer_range;
         if !((far - near).is_finite() && near < far) {
             return Err(damaged("the layer depth range is out of range"));

@@ -1,5 +1,7 @@
 //! Updates, and what they tell.
 
+use farseer_core::BodyId;
+
 use super::TwoHalfPhysicsSimulator;
 use crate::events::{Event, EventHandler};
 use crate::stages::{self, Parts, StepCounters};
@@ -46,6 +48,12 @@ impl TwoHalfPhysicsSimulator {
     /// appear.
     pub fn events(&self) -> &[Event] {
         &self.report.events
+    }
+
+    /// Lets the next update report [`Event::GripBroke`]: for what holds things by other means than joints, such as the hands of
+    /// `twohalf-factories`.
+    pub fn report_grip_broken(&mut self, holder: BodyId, load: BodyId) {
+        self.world.broken_grips.push((holder, load));
     }
 
     /// How much work the last update was.

@@ -6,9 +6,10 @@ use farseer_core::order::sort_by_number;
 use super::collisions::{collisions, is_told};
 use super::exchange::tell_depths;
 use super::report::Report;
-use crate::depth::World;
+use crate::Vector3;
+use crate::depth::{Axis, Footing, Partner, World};
 use crate::events::{Collision, Context, Event, EventHandler};
-use crate::views::touch_of;
+use crate::views::{partner_of, touch_of};
 
 /// Asks a handler about everything that touches; answers what it refuses.
 pub(super) fn ask_about_touches(
@@ -22,8 +23,59 @@ pub(super) fn ask_about_touches(
         // None comes first.
         touch_of(context.simulator(), touch).map_or(0, |(touch, _)| touch.key.rank() + 1)
     });
+    ask_about_footings(handler, context, world, report, &found);
     found.retain(|(_, touch)| !accepts_touch(handler, context, world, report, touch));
     found.into_iter().map(|(pair, _)| pair).collect()
+}
+
+/// Asks about what holds figures that walk and does not touch them.
+fn ask_about_footings(
+    handler: &mut dyn EventHandler,
+    context: &mut farseer_core::Context<'_>,
+    world: &mut World,
+    report: &mut Report,
+    found: &[(usize, SpaceTouch)],
+) {
+    world.footings.refused.clear();
+    let mut asked = std::mem::take(&mut world.footings.asked);
+    for footing in asked.drain(..) {
+        let touches = found.iter().any(|(_, touch)| is_of(touch, &footing));
+        if touches || !world.may_touch(context.simulator(), footing.this, footing.partner) {
+            continue;
+        }
+        if !accepts(handler, context, world, report, footing.collisions()) {
+            world.footings.refused.push((footing.this, footing.partner));
+        }
+    }
+    world.footings.asked = asked;
+}
+
+fn is_of(touch: &SpaceTouch, footing: &Footing) -> bool {
+    let partner = partner_of(touch.partner);
+    (touch.this, partner) == (footing.this, footing.partner)
+        || (partner, Partner::Geom(touch.this)) == (Partner::Geom(footing.this), footing.partner)
+}
+
+impl Footing {
+    /// As both sides are told of it.
+    fn collisions(&self) -> [Option<Collision>; 2] {
+        let Footing { this, partner, normal, position } = *self;
+        let collision = |this, partner, normal: Vector3| Collision {
+            this,
+            partner,
+            axis: Axis::of(normal.z),
+            normal,
+            position,
+            contacts: 0,
+            normal_impulse: 0.0,
+            vetoed: false,
+        };
+        let other = match partner {
+            Partner::Geom(other) => Some(collision(other, Partner::Geom(this), -normal)),
+            _ => None,
+        };
+        [Some(collision(this, partner, normal)), other]
+    }
 }
 
 fn accepts_touch(
@@ -33,7 +85,19 @@ fn accepts_touch(
     report: &mut Report,
     touch: &SpaceTouch,
 ) -> bool {
-    for collision in collisions(context.simulator(), touch).into_iter().flatten() {
+    let collisions = collisions(context.simulator(), touch);
+    accepts(handler, context, world, report, collisions)
+}
+
+/// Whether both sides accept what they are told of.
+fn accepts(
+    handler: &mut dyn EventHandler,
+    context: &mut farseer_core::Context<'_>,
+    world: &mut World,
+    report: &mut Report,
+    collisions: [Option<Collision>; 2],
+) -> bool {
+    for collision in collisions.into_iter().flatten() {
         if !is_told(context.simulator(), collision.this) {
             continue;
         }

@@ -26,6 +26,9 @@ pub(super) fn update(parts: Parts<'_>, dt: f32, handler: Option<&mut dyn EventHa
     let goes_on = core.begin_in_space(dt, is_told.then_some(&mut game as _));
     let mut has_happened = false;
     if goes_on {
+        if !is_told {
+            game.world.footings.pass();
+        }
         fields::act(core, game.world, game.report, immersion, dt);
         has_happened = core.go_on_in_space(dt, is_told.then_some(&mut game as _));
     }

@@ -82,8 +82,10 @@ impl Report {
         self.counters = StepCounters::default();
     }
 
-    /// What was refused between updates.
+    /// What was refused, and which grips have broken, between updates.
     pub(super) fn tell_refused(&mut self, world: &mut World) {
+        let broken = world.broken_grips.drain(..);
+        self.events.extend(broken.map(|(holder, load)| Event::GripBroke { holder, load }));
         if std::mem::take(&mut world.has_rejected) {
             for (body, state) in world.depths.bodies.iter_mut() {
                 let told = |argument| Event::RejectedInput { object: Some(body.into()), argument };

@@ -60,6 +60,8 @@ pub(super) struct Reach<'a> {
     pub(super) highest: f32,
     pub(super) least_up: f32,
     pub(super) but: Option<Partner>,
+    /// What a handler has refused holds nothing.
+    pub(super) refused: &'a [Partner],
     /// An edge that is no higher than this holds a round end, however far that is past it.
     pub(super) edges: f32,
 }
@@ -67,7 +69,10 @@ pub(super) struct Reach<'a> {
 impl Reach<'_> {
     fn has(&self, floor: &Floor) -> bool {
         let holds = floor.up >= self.least_up || floor.edge.is_some_and(|edge| edge <= self.edges);
-        floor.height <= self.highest && holds && self.but != Some(floor.partner)
+        floor.height <= self.highest
+            && holds
+            && self.but != Some(floor.partner)
+            && !self.refused.contains(&floor.partner)
     }
 }
 

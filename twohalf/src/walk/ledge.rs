@@ -3,7 +3,7 @@
 use farseer_core::math::scalar::nearest_finite;
 use serde::{Deserialize, Serialize};
 
-use super::floor::{Floor, holds};
+use super::floor::{Floor, Reach, holds};
 use super::stride::{OVER, PASSED, STANDS, Stride};
 use super::walls::wall_of;
 use super::{Walker, Wish};
@@ -50,8 +50,10 @@ impl TwoHalfPhysicsSimulator {
     ) -> Option<Vector3> {
         let stride = &stride.flat();
         let held = walker.ledge.take().filter(|ledge| !lets_go(ledge, stride, walker, wish));
+        let held = held.filter(|ledge| !stride.refuses(ledge.partner));
         let ledge = held.or_else(|| self.ledge_to_take(stride, walker, wish))?;
         let height = self.height_of_ledge(stride, &ledge)?;
+        stride.note_held_by(ledge.partner, Vector3::y(), height);
         let place = Vector3::new(stride.place.x, height, stride.place.z);
         walker.carried = (self.velocity_of(ledge.partner, place) / stride.pace).map(nearest_finite);
         if wish.jump {
@@ -85,12 +87,17 @@ impl TwoHalfPhysicsSimulator {
         let ways = if wish.x.abs() >= wish.z.abs() { [x, z] } else { [z, x] };
         ways.into_iter().filter(|way| *way != Vector3::zeros()).find_map(|way| {
             let towards = way.map(|part| if part == 0.0 { 0.0 } else { part.signum() });
-            let floor = self
-                .floor_below(&stride.feet.moved(towards * GRASP), &stride.reach(walker.walk.ledge_reach))?;
+            // Also one that a handler has refused: it is asked again, and none lower is taken.
+            let reach = Reach { refused: &[], ..stride.reach(walker.walk.ledge_reach) };
+            let floor = self.floor_below(&stride.feet.moved(towards * GRASP), &reach)?;
             let ledge = Ledge { partner: floor.partner, towards };
             let is_edge = floor.height > stride.knees && self.is_beside(stride, &floor);
             let is_fixed = self.is_fixed(Some(floor.partner)) && floor.partner != Partner::Ground;
-            (is_edge && is_fixed && self.has_room(stride, towards, floor.height)).then_some(ledge)
+            let is_to_hold = is_edge && is_fixed && self.has_room(stride, towards, floor.height);
+            if is_to_hold {
+                stride.note_held_by(floor.partner, Vector3::y(), floor.height);
+            }
+            (is_to_hold && !stride.refuses(floor.partner)).then_some(ledge)
         })
     }
 
@@ -113,15 +120,19 @@ impl TwoHalfPhysicsSimulator {
         let there = stride.between(knees, head);
         let low = Vector3::new(feet.left, -head, feet.front);
         let high = Vector3::new(feet.right, -knees, feet.back);
-        let is_free = self.world.platforms.overlapping(low, high).all(|(_, platform)| {
+        let is_free = self.world.platforms.overlapping(low, high).all(|(id, platform)| {
             platform.is_one_way()
+                || stride.refuses(Partner::Platform(id))
                 || !holds(platform, self.core.geom(stride.geom).as_deref())
                 || !wall_of(platform.shape(), &there).is_some_and(|wall| feet.meets_box(&wall))
         });
         is_free && {
             let (low, high) =
                 (Vector3::new(feet.left, knees, feet.front), Vector3::new(feet.right, head, feet.back));
-            let is_solid = |geom| geom != stride.geom && self.is_fixed(Some(Partner::Geom(geom)));
+            let is_solid = |geom| {
+                let partner = Partner::Geom(geom);
+                geom != stride.geom && self.is_fixed(Some(partner)) && !stride.refuses(partner)
+            };
             self.query_box(low, high, is_solid).is_empty()
         }
     }

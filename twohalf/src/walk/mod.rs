@@ -185,6 +185,10 @@ impl TwoHalfPhysicsSimulator {
     /// - While it falls, it takes hold of an edge within [`Walk::ledge_reach`] towards which it wishes, if there is room for it to
     ///   stand there. Without a wish it hangs there, and goes where the edge goes; with the same wish it climbs over it, with the
     ///   opposite one it lets go, and it may jump off.
+    /// - What an [`EventHandler`](crate::EventHandler) refuses to let it touch holds it neither up nor back: a hole that is no ground,
+    ///   a platform that it falls through, a curb or a wall. In an update with a handler that is asked, in
+    ///   [`on_collision`](crate::EventHandler::on_collision), about what the figure stands on, hangs on, is held off from, or will step
+    ///   on within three updates, as if it touched that; the answer holds for the next call of this.
     /// - Whoever throws it up, by an impulse or a velocity, is obeyed: it lets go of the floor from the speed on that would lift
     ///   it by more than [`Walk::snap`].
     ///

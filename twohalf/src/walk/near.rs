@@ -5,8 +5,9 @@ use farseer_core::order::{joined, sort_within};
 use farseer_core::{SpacePartner, SpaceTouch};
 
 use super::feet::Feet;
+use crate::depth::Footing;
 use crate::shapes::Top;
-use crate::{BodyId, GeomId, TwoHalfPhysicsSimulator};
+use crate::{BodyId, GeomId, Partner, TwoHalfPhysicsSimulator};
 
 /// What is near the figure that is about to walk: room that is kept.
 #[derive(Debug, Clone, Default)]
@@ -16,13 +17,23 @@ pub(crate) struct Near {
     pub(super) tops: Vec<Top>,
     /// What touches it, or is about to.
     pub(super) touches: Vec<SpaceTouch>,
+    /// What a handler has refused to let it touch.
+    pub(super) refused: Vec<Partner>,
+    /// What holds it in this step: the handler is to be asked about that.
+    pub(super) held_by: Vec<Footing>,
     places: Vec<(u128, u32)>,
 }
 
 impl TwoHalfPhysicsSimulator {
     /// What is near a body; of tops those within some depths.
-    pub(super) fn gather_near(&self, body: BodyId, around: &Feet, near: &mut Near) {
-        let Near { geoms, tops, touches, places } = near;
+    pub(super) fn gather_near(&self, (body, geom): (BodyId, GeomId), around: &Feet, near: &mut Near) {
+        let Near { geoms, tops, touches, refused, held_by, places } = near;
+        held_by.clear();
+        refused.clear();
+        refused
+            .extend(self.core.space_refused_of(body).map(|(_, partner)| crate::views::partner_of(partner)));
+        let footings = self.world.footings.refused.iter().filter(|(this, _)| *this == geom);
+        refused.extend(footings.map(|(_, partner)| *partner));
         geoms.clear();
         geoms.extend(self.core.space_neighbours_of(body));
         sort_within(places, geoms, |geom| geom.slot() as u128);

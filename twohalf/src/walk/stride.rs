@@ -1,5 +1,7 @@
 //! A step of a figure that walks.
 
+use std::cell::RefCell;
+
 use farseer_core::math::scalar::nearest_finite;
 use farseer_core::{Body, SpaceTouch};
 
@@ -8,6 +10,7 @@ use super::floor::{Floor, Reach, partner_of};
 use super::ledge::GRASP;
 use super::walls::pushes;
 use super::{Near, Walker, Wish};
+use crate::depth::Footing;
 use crate::{BodyId, GeomId, Partner, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
 /// A floor is stood on from this distance on, px: what falls is caught by it within the step.
@@ -26,6 +29,12 @@ const SETTLES: f32 = 5.0;
 pub(super) const PASSED: f32 = 1.7;
 /// How far it is looked ahead for curbs beyond two steps, px: farther than what only touches is apart.
 const AHEAD: f32 = 0.3;
+/// Part of a velocity by which rounding changes it where nothing holds it back.
+const UNCHANGED: f32 = 1e-5;
+/// Steps within which a curb is come to that the figure is lifted over, and one about which a handler is asked: one more, so that
+/// the answer is known before the figure is lifted.
+const STEPS_AHEAD: f32 = 2.0;
+const STEPS_ASKED: f32 = 3.0;
 /// What pushes up by more than this part of its normal holds.
 const HOLDS: f32 = 0.5;
 
@@ -34,6 +43,8 @@ const HOLDS: f32 = 0.5;
 pub(super) struct Stride<'a> {
     pub(super) body: BodyId,
     pub(super) near: &'a Near,
+    /// What holds it in this step.
+    held_by: &'a RefCell<Vec<Footing>>,
     pub(super) geom: GeomId,
     pub(super) feet: Feet,
     /// Heights of the soles, of what can be stepped up, and of the top.
@@ -60,7 +71,32 @@ impl<'a> Stride<'a> {
 
     pub(super) fn reach(&self, above: f32) -> Reach<'a> {
         let Stride { geom, least_up, edges, .. } = *self;
-        Reach { tops: &self.near.tops, geom, highest: self.soles + above, least_up, but: None, edges }
+        let (tops, refused) = (&self.near.tops, &self.near.refused);
+        Reach { tops, geom, highest: self.soles + above, least_up, but: None, refused, edges }
+    }
+
+    /// Whether a handler has refused to let it touch something.
+    pub(super) fn refuses(&self, partner: Partner) -> bool {
+        self.near.refused.contains(&partner)
+    }
+
+    /// Notes that something holds it in a direction, at a height: the handler is asked about that.
+    pub(super) fn note_held_by(&self, partner: Partner, normal: Vector3, height: f32) {
+        let position = Vector3::new(self.place.x, height, self.place.z);
+        let footing = Footing { this: self.geom, partner, normal, position };
+        if normal.iter().chain(position.iter()).all(|number| number.is_finite()) {
+            self.held_by.borrow_mut().push(footing);
+        }
+    }
+
+    /// The velocity after something has held it back, or the free one if a handler has refused that.
+    pub(super) fn held_back(&self, partner: Partner, free: Vector3, held: Vector3) -> Vector3 {
+        let change = held - free;
+        let size = change.norm();
+        if size > UNCHANGED * free.norm() {
+            self.note_held_by(partner, change / size, self.place.y);
+        }
+        if self.refuses(partner) { free } else { held }
     }
 
     /// The same for a figure with soles.
@@ -100,13 +136,15 @@ impl TwoHalfPhysicsSimulator {
         let (soles, least_up) = (view.position3d().y, walker.walk.least_up());
         let knees = soles + if walker.floor.is_some() { walker.walk.step_up.max(STANDS) } else { STANDS };
         let mut near = std::mem::take(&mut self.near);
-        self.gather_near(body, &feet.widened(farthest(walker, velocity, dt)), &mut near);
+        self.gather_near((body, geom), &feet.widened(farthest(walker, velocity, dt)), &mut near);
         // Who falls past an edge is not caught by it.
         let may_hold = walker.floor.is_some() || walker.ledge.is_some();
         let edges = if may_hold { soles + STANDS } else { f32::MIN };
+        let held_by = RefCell::new(std::mem::take(&mut near.held_by));
         let stride = Stride {
             body,
             near: &near,
+            held_by: &held_by,
             geom,
             feet,
             soles,
@@ -120,6 +158,8 @@ impl TwoHalfPhysicsSimulator {
             pace,
         };
         let velocity = self.next_velocity(&stride, walker, wish);
+        near.held_by = held_by.into_inner();
+        near.held_by.drain(..).for_each(|footing| self.world.footings.ask(footing));
         self.near = near;
         walker.told = nearest_finite(velocity.y);
         if let Some(mut view) = self.body_mut(body) {
@@ -137,6 +177,7 @@ impl TwoHalfPhysicsSimulator {
             let place = Vector3::new(place.x, floor.height, place.z);
             walker.carried = self.velocity_of(floor.partner, place) / stride.pace;
             walker.carried = walker.carried.map(nearest_finite);
+            stride.note_held_by(floor.partner, Vector3::y(), floor.height);
         }
         walker.ledge = walker.ledge.filter(|_| floor.is_none());
         let may_jump = walker.aloft <= walker.walk.coyote_time && !walker.has_jumped;
@@ -224,7 +265,10 @@ impl TwoHalfPhysicsSimulator {
         walker.floor = Some(floor.partner);
         let level = self.level_velocity(stride, walker, wish, walker.walk.acceleration);
         let is_wall = |touch: &SpaceTouch| self.is_fixed(partner_of(touch, stride.geom));
-        let curb = self.curb_ahead(stride, walker, level, wish, &floor);
+        let curb =
+            self.curb_ahead(stride, (walker, STEPS_AHEAD), level, wish, (&floor, &stride.near.refused));
+        let asked = self.curb_ahead(stride, (walker, STEPS_ASKED), level, wish, (&floor, &[]));
+        asked.into_iter().for_each(|curb| stride.note_held_by(curb.partner, Vector3::y(), curb.height));
         // A curb is a wall until the soles are over it, which they are before it is reached.
         let knees = match stride.feet.ball() {
             Some(ball) => stride.knees + floor.lower_than_soles(ball.radius),
@@ -242,24 +286,24 @@ impl TwoHalfPhysicsSimulator {
         velocity
     }
 
-    /// Another floor that is as high or higher, and that the figure would come to in this step or the next; with what it is lifted
-    /// over its edge.
+    /// Another floor that is as high or higher, and that the figure would come to in so many steps; with what it is lifted over its
+    /// edge.
     fn curb_ahead(
         &self,
         stride: &Stride<'_>,
-        walker: &Walker,
+        (walker, steps): (&Walker, f32),
         velocity: Vector3,
         wish: Wish,
-        floor: &Floor,
+        (floor, refused): (&Floor, &[Partner]),
     ) -> Option<Floor> {
-        let way = (velocity - walker.carried) * (2.0 * stride.dt);
+        let way = (velocity - walker.carried) * (steps * stride.dt);
         let wished = Vector3::new(wish.x, 0.0, wish.z);
         let ahead = wished * (AHEAD / wished.norm().max(f32::MIN_POSITIVE));
         if stride.feet.ball().is_some() {
-            return self.rise_ahead(stride, walker, [way * 0.5, way + ahead]);
+            return self.rise_ahead(stride, walker, [way / steps, way + ahead], refused);
         }
         let swept = stride.feet.swept(way + ahead);
-        let reach = Reach { but: Some(floor.partner), ..stride.reach(walker.walk.step_up) };
+        let reach = Reach { but: Some(floor.partner), refused, ..stride.reach(walker.walk.step_up) };
         let curb = self.floor_below(&swept, &reach)?;
         let over = Floor { height: curb.height + OVER, ..curb };
         let here = self.height_of(curb.partner, &stride.feet, &reach);
@@ -269,9 +313,15 @@ impl TwoHalfPhysicsSimulator {
 
     /// The same for a round end: an edge or a slope that it would come to, higher than what it touches now leads. Over an edge it is
     /// lifted as soles are, since the way round that is steep at first; over the foot of a slope by as little as it can be.
-    fn rise_ahead(&self, stride: &Stride<'_>, walker: &Walker, ways: [Vector3; 2]) -> Option<Floor> {
+    fn rise_ahead(
+        &self,
+        stride: &Stride<'_>,
+        walker: &Walker,
+        ways: [Vector3; 2],
+        refused: &[Partner],
+    ) -> Option<Floor> {
         let step_up = walker.walk.step_up;
-        let reach = Reach { edges: stride.soles + step_up, ..stride.reach(step_up) };
+        let reach = Reach { edges: stride.soles + step_up, refused, ..stride.reach(step_up) };
         let here = self.floor_below(&stride.feet, &reach)?;
         let [next, then] = ways.map(|way| {
             let ahead = self.floor_below(&stride.feet.moved(way), &reach);
@@ -338,7 +388,7 @@ fn farthest(walker: &Walker, velocity: Vector3, dt: f32) -> f32 {
     let Walker { walk, carried, .. } = walker;
     let fastest = velocity.norm() + carried.norm() + walk.acceleration.max(walk.air_acceleration) * dt;
     let reaches = if walk.ledge_reach > 0.0 { GRASP } else { 0.0 };
-    nearest_finite(2.0 * dt * fastest + AHEAD + 1.0 + reaches)
+    nearest_finite(STEPS_ASKED * dt * fastest + AHEAD + 1.0 + reaches)
 }
 
 /// How far above its floor the soles are to be after this step.

@@ -38,7 +38,8 @@ impl TwoHalfPhysicsSimulator {
                 let gap = points.iter().fold(f32::INFINITY, |least, point| least.min(point.separation));
                 let fastest = (gap - KEPT_OFF).max(0.0) / stride.dt;
                 let wall = self.velocity_of(partner, stride.place) / stride.pace;
-                velocity += pushed_off(velocity - wall, Vector2::new(x, z), fastest);
+                let held = velocity + pushed_off(velocity - wall, Vector2::new(x, z), fastest);
+                velocity = stride.held_back(partner, velocity, held);
             }
         }
         self.held_off_platforms(stride, velocity)
@@ -70,7 +71,7 @@ impl TwoHalfPhysicsSimulator {
         let swept = stride.feet.swept(way).widened(SKIN + KEPT_OFF);
         let low = Vector3::new(swept.left, -stride.head, swept.front);
         let high = Vector3::new(swept.right, -stride.soles, swept.back);
-        for (_, platform) in self.world.platforms.overlapping(low, high) {
+        for (id, platform) in self.world.platforms.overlapping(low, high) {
             if platform.is_one_way()
                 || platform.swing().is_some()
                 || !holds(platform, self.core.geom(stride.geom).as_deref())
@@ -81,25 +82,31 @@ impl TwoHalfPhysicsSimulator {
             if stride.is_slope(platform.shape(), way) {
                 continue;
             }
-            let moving = platform.velocity() / stride.pace;
-            if let Some(round) = stride.feet.round {
-                let way = [velocity.x - moving.x, velocity.z - moving.z].map(|part| part * stride.dt);
-                let [x, z] = held_off_wall(&round, &wall, way).map(|part| part / stride.dt);
-                (velocity.x, velocity.z) = (moving.x + x, moving.z + z);
-                continue;
-            }
-            let (along_x, along_z) = stride.feet.ways_to(&wall);
-            let x = Approach { way: (velocity.x - moving.x) * stride.dt, ends: along_x };
-            let z = Approach { way: (velocity.z - moving.z) * stride.dt, ends: along_z };
-            // It is run into along the axis along which it is reached last.
-            if x.is_last(&z) {
-                velocity.x = moving.x + x.allowed() / stride.dt;
-            } else if z.is_last(&x) {
-                velocity.z = moving.z + z.allowed() / stride.dt;
-            }
+            let held = held_off_platform(stride, velocity, &wall, platform.velocity() / stride.pace);
+            velocity = stride.held_back(Partner::Platform(id), velocity, held);
         }
         velocity
     }
+}
+
+/// A velocity that ends at a wall that moves.
+fn held_off_platform(stride: &Stride<'_>, mut velocity: Vector3, wall: &Feet, moving: Vector3) -> Vector3 {
+    if let Some(round) = stride.feet.round {
+        let way = [velocity.x - moving.x, velocity.z - moving.z].map(|part| part * stride.dt);
+        let [x, z] = held_off_wall(&round, wall, way).map(|part| part / stride.dt);
+        (velocity.x, velocity.z) = (moving.x + x, moving.z + z);
+        return velocity;
+    }
+    let (along_x, along_z) = stride.feet.ways_to(wall);
+    let x = Approach { way: (velocity.x - moving.x) * stride.dt, ends: along_x };
+    let z = Approach { way: (velocity.z - moving.z) * stride.dt, ends: along_z };
+    // It is run into along the axis along which it is reached last.
+    if x.is_last(&z) {
+        velocity.x = moving.x + x.allowed() / stride.dt;
+    } else if z.is_last(&x) {
+        velocity.z = moving.z + z.allowed() / stride.dt;
+    }
+    velocity
 }
 
 impl Stride<'_> {

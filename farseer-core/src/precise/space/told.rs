@@ -1,6 +1,6 @@
 //! What touches in three axes, as the engine above is told.
 
-use super::parts::{self, SpaceChange, SpacePoint, SpaceTouch};
+use super::parts::{self, SpaceChange, SpacePartner, SpacePoint, SpaceTouch};
 use crate::geom::GeomId;
 use crate::math::Vector2;
 use crate::math::plane::{place, sum};
@@ -56,6 +56,20 @@ impl Precise {
             })
         });
         others.map(|other| self.proxies.all[other as usize].geom).filter(|&geom| parts::is_geom(geom))
+    }
+
+    /// The geoms of a body, and what a handler has refused to let them touch in the last step.
+    pub(crate) fn space_refused_of(
+        &self,
+        number: usize,
+    ) -> impl Iterator<Item = (GeomId, SpacePartner)> + '_ {
+        let refused =
+            self.pairs.of_body(&self.proxies, number).filter(|&pair| self.pairs.all[pair].is_vetoed);
+        refused.map(move |pair| {
+            let [a, b] = self.pairs.watched[pair].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
+            let (this, other) = if a.body as usize == number { (a, b) } else { (b, a) };
+            (this.geom, parts::partner_of(other.geom))
+        })
     }
 
     fn pushes(&self, pair: usize) -> bool {

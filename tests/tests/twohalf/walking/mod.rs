@@ -2,6 +2,7 @@
 //!
 //! Figures are 30 x 60 x 20 px with mass 70 and friction 0.4, so that nothing here is owed to smooth soles.
 
+mod refused;
 mod round;
 mod squeezed;
 

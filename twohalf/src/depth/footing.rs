@@ -1,0 +1,50 @@
+//! What figures that walk stand on and keep away from, of which handlers are asked although it does not touch.
+
+use farseer_core::GeomId;
+use serde::{Deserialize, Serialize};
+
+use super::partner::Partner;
+use crate::Vector3;
+
+/// Something that holds a figure up, or back, without a contact.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Footing {
+    /// The figure.
+    pub(crate) this: GeomId,
+    pub(crate) partner: Partner,
+    /// Unit vector towards the figure, Y up.
+    pub(crate) normal: Vector3,
+    /// Where it would touch, px, Y up.
+    pub(crate) position: Vector3,
+}
+
+/// Between [`walk`](crate::TwoHalfPhysicsSimulator::walk) and the updates that ask a handler.
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+pub(crate) struct Footings {
+    /// The next update asks about these.
+    pub(crate) asked: Vec<Footing>,
+    /// A handler has refused these in the last update that asked.
+    pub(crate) refused: Vec<(GeomId, Partner)>,
+}
+
+impl Footings {
+    /// Lets the next update ask, once for each partner.
+    pub(crate) fn ask(&mut self, footing: Footing) {
+        let is_same = |other: &Footing| (other.this, other.partner) == (footing.this, footing.partner);
+        if !self.asked.iter().any(is_same) {
+            self.asked.push(footing);
+        }
+    }
+
+    /// An update without a handler refuses nothing.
+    pub(crate) fn pass(&mut self) {
+        self.asked.clear();
+        self.refused.clear();
+    }
+
+    /// Whether everything that enters arithmetic is finite: false only after loading garbage.
+    pub(crate) fn is_valid(&self) -> bool {
+        let is_finite = |vector: &Vector3| vector.iter().all(|number| number.is_finite());
+        self.asked.iter().all(|footing| is_finite(&footing.normal) && is_finite(&footing.position))
+    }
+}
