@@ -8,6 +8,8 @@ use crate::Spawned;
 
 /// So near they are not apart yet, px.
 const APART: f32 = 1.0;
+/// Reach of hands that were told none, in heights of the holder: an arm and a step.
+const REACH: f32 = 1.0;
 
 /// What somebody holds, and has just thrown: plain data, kept and saved where the game keeps its figures.
 ///
@@ -15,6 +17,10 @@ const APART: f32 = 1.0;
 /// people. It does not meet whoever holds it, nor after a throw until the two are apart: it has their
 /// [collision group](twohalf::farseer_core::Geom::set_collision_group). Whoever has none gets one of their own for good, a number
 /// near the greatest there is.
+///
+/// What is farther than [a reach](Self::set_reach) from where it is held is lost: what was left behind a wall, or was put elsewhere.
+/// So is what is disposed or disabled, and what is held by somebody who is. It has its weight again then, and
+/// [`carry`](Self::carry) lets the next update report [`Event::GripBroke`](twohalf::Event::GripBroke).
 ///
 /// ```
 /// use twohalf::{TwoHalfPhysicsSimulator, Vector2, Vector3};
@@ -48,6 +54,7 @@ pub struct Hands {
     held: Option<Grip>,
     /// Not apart from whoever threw it.
     thrown: Vec<Grip>,
+    reach: Option<f32>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -57,12 +64,33 @@ struct Grip {
     /// What the load had before.
     group: i32,
     ignored_gravity: bool,
+    /// Least distance so far from where it is held, px: what comes from farther than the reach must not go away again.
+    nearest: Option<f32>,
 }
 
 impl Hands {
     /// What is held.
     pub fn held(&self) -> Option<Spawned> {
         self.held.map(|grip| grip.load)
+    }
+
+    /// How far from where it is held something may be, px; `None` if it is the height of whoever holds it.
+    pub fn reach(&self) -> Option<f32> {
+        self.reach
+    }
+
+    /// Sets how far from where it is held something may be, px, 0 or more, before it is lost; `None`, the default, is the height of
+    /// whoever holds it. What is taken from farther away is not lost while it comes nearer. It holds from the next
+    /// [`carry`](Self::carry) on.
+    ///
+    /// # Errors
+    /// A reach that is not finite, or less than 0.
+    pub fn set_reach(&mut self, reach: Option<f32>) -> Result<()> {
+        if let Some(reach) = reach.filter(|reach| !(reach.is_finite() && *reach >= 0.0)) {
+            Err(Error::invalid("reach", reach, "finite and 0 or more"))?;
+        }
+        self.reach = reach;
+        Ok(())
     }
 
     /// Lets somebody hold something; what was held is dropped.
@@ -92,13 +120,13 @@ impl Hands {
             set_group(simulator, geom, shared);
         }
         let ignored_gravity = simulator.body(load.body).is_some_and(|body| body.ignore_gravity());
-        self.held = Some(Grip { holder, load, group, ignored_gravity });
+        self.held = Some(Grip { holder, load, group, ignored_gravity, nearest: None });
         Ok(())
     }
 
     /// Before every update of `dt` s: brings what is held to where it is held, as seen from the
-    /// [place](twohalf::TwoHalfBody::position3d) of whoever holds it, no faster than `speed` px/s; and lets what was thrown and is
-    /// apart now meet them again.
+    /// [place](twohalf::TwoHalfBody::position3d) of whoever holds it, no faster than `speed` px/s, unless it is
+    /// [lost](Self::set_reach); and lets what was thrown and is apart now meet them again.
     ///
     /// # Errors
     /// Numbers that are not finite; a speed less than 0, or a `dt` that is not greater than 0.
@@ -119,7 +147,16 @@ impl Hands {
             Err(Error::invalid("held_at", held_at, "finite"))?;
         }
         self.thrown.retain(|grip| !grip.has_parted(simulator));
-        self.held = self.held.filter(|grip| grip.bring(simulator, held_at, speed * dt, dt).is_some());
+        let Some(mut grip) = self.held.take() else { return Ok(()) };
+        let reach = self.reach.unwrap_or_else(|| REACH * grip.height_of_holder(simulator));
+        if grip.keeps(simulator, held_at, reach) {
+            grip.bring(simulator, held_at, speed * dt, dt);
+            self.held = Some(grip);
+        } else {
+            simulator.report_grip_broken(grip.holder.body, grip.load.body);
+            grip.release(simulator);
+            self.thrown.push(grip);
+        }
         Ok(())
     }
 
@@ -136,8 +173,8 @@ impl Hands {
             Err(Error::invalid("velocity", velocity, "finite"))?;
         }
         let Some(grip) = self.held.take() else { return Ok(None) };
+        grip.release(simulator);
         let Some(mut load) = simulator.body_mut(grip.load.body) else { return Ok(None) };
-        load.set_ignore_gravity(grip.ignored_gravity);
         load.set_velocity3d(velocity);
         self.thrown.push(grip);
         Ok(Some(grip.load))
@@ -145,29 +182,48 @@ impl Hands {
 }
 
 impl Grip {
-    /// Nothing, if one of the two is there no more.
-    fn bring(
-        &self,
-        simulator: &mut TwoHalfPhysicsSimulator,
-        held_at: Vector3,
-        most: f32,
-        dt: f32,
-    ) -> Option<()> {
-        let aim = simulator.body(self.holder.body)?.position3d() + held_at;
-        let mut load = simulator.body_mut(self.load.body)?;
-        let way = aim - load.position3d();
+    fn height_of_holder(&self, simulator: &TwoHalfPhysicsSimulator) -> f32 {
+        let shape = simulator.geom(self.holder.geom).map(|geom| geom.virtual_geom());
+        shape.map_or(0.0, |shape| shape.top - shape.bottom)
+    }
+
+    /// From the load to where it is held; none if one of the two is there no more, or is disabled.
+    fn way(&self, simulator: &TwoHalfPhysicsSimulator, held_at: Vector3) -> Option<Vector3> {
+        let place = |body| Some(simulator.body(body).filter(|body| body.enabled())?.position3d());
+        let way = place(self.holder.body)? + held_at - place(self.load.body)?;
+        way.iter().all(|number| number.is_finite()).then_some(way)
+    }
+
+    /// Whether the load is in reach, or has not gone farther away.
+    fn keeps(&mut self, simulator: &TwoHalfPhysicsSimulator, held_at: Vector3, reach: f32) -> bool {
+        let Some(distance) = self.way(simulator, held_at).map(|way| way.norm()) else { return false };
+        let allowed = self.nearest.map_or(distance, |nearest| nearest + APART).max(reach);
+        self.nearest = Some(self.nearest.map_or(distance, |nearest| nearest.min(distance)));
+        distance <= allowed
+    }
+
+    fn bring(&self, simulator: &mut TwoHalfPhysicsSimulator, held_at: Vector3, most: f32, dt: f32) {
+        let Some(way) = self.way(simulator, held_at) else { return };
+        let Some(mut load) = simulator.body_mut(self.load.body) else { return };
         let distance = way.norm();
         let way = if distance > most { way * (most / distance) } else { way };
         load.set_ignore_gravity(true);
         load.set_velocity3d(way / dt);
         load.set_angular_velocity(0.0);
-        Some(())
+    }
+
+    /// Gives the load its weight back.
+    fn release(&self, simulator: &mut TwoHalfPhysicsSimulator) {
+        if let Some(mut load) = simulator.body_mut(self.load.body) {
+            load.set_ignore_gravity(self.ignored_gravity);
+        }
     }
 
     /// Whether the two are apart: then they meet again. So they are if one is there no more.
     fn has_parted(&self, simulator: &mut TwoHalfPhysicsSimulator) -> bool {
         let shapes = [self.holder.geom, self.load.geom].map(|geom| simulator.geom(geom));
         let [Some(a), Some(b)] = shapes.map(|geom| geom.map(|geom| geom.virtual_geom())) else {
+            set_group(simulator, self.load.geom, self.group);
             return true;
         };
         let is_apart = |[low, high]: [f32; 2], [other_low, other_high]: [f32; 2]| {
