@@ -28,10 +28,10 @@ pub(crate) struct Footings {
 }
 
 impl Footings {
-    /// Lets the next update ask, once for each partner.
+    /// Lets the next update ask, once for each partner in a row: a crowd costs no more than its figures do.
     pub(crate) fn ask(&mut self, footing: Footing) {
-        let is_same = |other: &Footing| (other.this, other.partner) == (footing.this, footing.partner);
-        if !self.asked.iter().any(is_same) {
+        let mut of_this = self.asked.iter().rev().take_while(|other| other.this == footing.this);
+        if !of_this.any(|other| other.partner == footing.partner) {
             self.asked.push(footing);
         }
     }
