@@ -22,6 +22,7 @@ mod ledges;
 mod long_frames;
 mod meeting;
 mod motion;
+mod moving_seams;
 mod one_plane;
 mod one_way;
 mod pairs;
@@ -40,6 +41,7 @@ mod sleep;
 
 mod slopes;
 mod spawning;
+mod steep;
 mod supports;
 mod sweeps;
 mod swinging;

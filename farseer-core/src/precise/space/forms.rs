@@ -93,7 +93,6 @@ pub fn apart_in_space(one: SpaceForm<'_>, other: SpaceForm<'_>) -> f32 {
             z,
             motion: [0.0; 3],
             ahead: [0.0; 3],
-            is_fixed: false,
             slant: None,
             upright: uprights[at].as_ref(),
         }

@@ -35,7 +35,7 @@ use std::ops::Range;
 use super::bodies::Bodies;
 use super::grid::Box2;
 use super::outline::Outline;
-use super::proxies::{Mobility, Proxies, Proxy};
+use super::proxies::{Proxies, Proxy};
 use super::tuning::{Tuning, Widening};
 use crate::body::BodyId;
 use crate::geom::GeomId;
@@ -466,7 +466,6 @@ impl Space {
                 let [x, y, _, z] = hot.velocity;
                 [x * dt, y * dt, z * dt]
             }),
-            is_fixed: proxy.mobility == Mobility::Fixed,
             slant: fixture.map(|fixture| fixture.shape).filter(SlantedBox::is_sheared),
             upright,
         }
@@ -482,9 +481,9 @@ impl Space {
         solid::touch(a, b, before, limits)
     }
 
-    /// Whether this was the normal of two of which one is upright, and above or below the other one.
-    pub(super) fn was_over(&self, proxies: [u32; 2], normal: [f32; 2]) -> bool {
-        upright::is_over(normal[1]) && proxies.iter().any(|&proxy| self.is_upright(proxy))
+    /// Whether two proxies, of which one is upright, touched one above the other: `feature` is that of their first contact point.
+    pub(super) fn was_over(&self, proxies: [u32; 2], feature: u32) -> bool {
+        upright::is_over(feature) && proxies.iter().any(|&proxy| self.is_upright(proxy))
     }
 
     /// How far B is behind A.

@@ -28,8 +28,6 @@ pub(in crate::precise) struct Solid<'a> {
     pub(super) motion: [f32; 3],
     /// Way of the coming step, if nothing changes its velocity.
     pub(super) ahead: [f32; 3],
-    /// Whether nothing pushes it.
-    pub(super) is_fixed: bool,
     /// Where it is sheared.
     pub(super) slant: Option<SlantedBox>,
     /// What it is if it stands upright.
@@ -78,18 +76,16 @@ pub(in crate::precise) struct Limits {
 }
 
 impl Limits {
-    /// What is pressed against something sinks into it, and as deep into the next one that is flush with that: `sunk` is how deep
-    /// it is, or was when it parted. `None` for what gives way, which is not where it was built either.
-    pub(in crate::precise) fn new([reach, usual]: [f32; 2], sunk: Option<f32>) -> Self {
-        let flush = match sunk {
-            Some(sunk) => (EVEN * usual + sunk).min(DEEPEST * usual),
-            None => FLUSH * usual,
-        };
+    /// What is pressed against something sinks into it, and as deep into the next one that is flush with that: `sunk` is its
+    /// penetration, in length units, or was when it parted. A static body is where it was built, others are near that.
+    pub(in crate::precise) fn new([reach, usual]: [f32; 2], is_static: bool, sunk: f32) -> Self {
+        let unpressed = if is_static { EVEN } else { FLUSH };
+        let flush = (unpressed * usual + sunk).min(DEEPEST * usual);
         Limits { reach, usual, flush }
     }
 }
 
-/// Part of the usual reach of contacts by which faces that are flush may overlap where something gives way.
+/// Part of the usual reach of contacts by which faces that are flush may overlap where something moves.
 const FLUSH: f32 = 0.05;
 /// The same of what does not, for what is not pressed: more than figures are kept above their floor, and than rounding leaves of
 /// places some 100,000 px away.
@@ -180,7 +176,7 @@ pub(super) fn deepest(found: &Manifold) -> f32 {
     if found.count > 1 && other < one { other } else { one }
 }
 
-/// Contacts of two outlines in the plane. On what is fixed flush faces win.
+/// Contacts of two outlines in the plane. Flush faces win.
 fn in_plane(a: Solid<'_>, b: Solid<'_>, halves: f32, limits: Limits) -> Manifold {
     if let Some(shape) = a.slant {
         let half = halves - shape.half[2];
@@ -194,12 +190,11 @@ fn in_plane(a: Solid<'_>, b: Solid<'_>, halves: f32, limits: Limits) -> Manifold
         };
         return slant::in_space(in_plane(swept, b, halves, limits), &shape);
     }
-    let flush = if a.is_fixed { flush_edge(a, b, limits) } else { None };
-    match flush {
+    match flush_edge(a, b, limits) {
         Some((edge, at, q)) => clip(a.outline, b.outline, at, q, edge, limits.reach).turned(rotation(a.pose)),
         None => {
             let found = collide(a.outline, b.outline, a.pose, b.pose, limits.reach);
-            if a.is_fixed && passes_over(a, b, &found) { Manifold::apart(0.0) } else { found }
+            if passes_over(a, b, &found) { Manifold::apart(0.0) } else { found }
         }
     }
 }

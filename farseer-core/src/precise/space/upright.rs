@@ -279,14 +279,14 @@ fn choose<'w>(
         let (a, b) = (of(a), of(b));
         std::array::from_fn(|axis| b[axis] - a[axis])
     };
+    // Both ways meet one face: the foot of a slope is no wall, and a wall is not stood on.
+    if product(over.normal, beside.normal) > SAME {
+        return Some(ways.best());
+    }
     match before {
         Before::Plane | Before::Depth(_) if over.apart <= 0.0 => return Some(beside),
         Before::Over if beside.apart <= 0.0 => return Some(over),
         _ => {}
-    }
-    // The foot of a slope is no wall.
-    if product(over.normal, beside.normal) > SAME {
-        return Some(ways.best());
     }
     if over.apart > 0.0 || beside.apart > 0.0 {
         let (apart, within) = if beside.apart > 0.0 { (beside, over) } else { (over, beside) };
@@ -303,7 +303,10 @@ fn choose<'w>(
 }
 
 /// Normals whose product is more than this are one.
-const SAME: f32 = 0.9999;
+pub(super) const SAME: f32 = 0.9999;
+/// Least upward part of the normal of a slope, 0 to 1: the sine of the angle whose cosine is [`SAME`]. Steeper faces, 89.2 degrees from
+/// level or more, have the normal of a wall.
+pub(super) const LEAST_UP_OF_SLOPE: f32 = 0.01414;
 /// Steps after which nobody remembers on which way something came in.
 const RECENT: f32 = 1.5;
 
@@ -375,7 +378,7 @@ fn manifold(a: &Solid<'_>, found: &Meeting, reach: f32) -> Manifold {
 }
 
 /// The way of B against A in the step that comes.
-fn ahead(a: &Solid<'_>, b: &Solid<'_>) -> [f32; 3] {
+pub(super) fn ahead(a: &Solid<'_>, b: &Solid<'_>) -> [f32; 3] {
     std::array::from_fn(|axis| b.ahead[axis] - a.ahead[axis])
 }
 
@@ -440,9 +443,9 @@ fn curved(
     }
 }
 
-/// Whether a normal is that of things one above the other.
-pub(super) fn is_over(normal_y: f32) -> bool {
-    normal_y.abs() > 0.5
+/// Whether a feature is that of a contact of two that are one above the other.
+pub(super) fn is_over(feature: u32) -> bool {
+    feature & (OVER | BESIDE) == OVER
 }
 
 #[cfg(test)]

@@ -6,7 +6,8 @@
 use super::foot::{Foot, Polygon};
 use super::solid::{Before, Limits, Solid};
 use super::upright::{
-    Axis, BESIDE, Meeting, OVER, Standing, Upright, Ways, chosen, farther, is_over, within,
+    Axis, BESIDE, LEAST_UP_OF_SLOPE, Meeting, OVER, SAME, Standing, Upright, Ways, ahead, chosen, farther,
+    within,
 };
 use crate::math::plane::{Vector, difference, dot, length, place, rotation, scaled, sum, turn};
 use crate::precise::manifold::Manifold;
@@ -70,6 +71,25 @@ impl<'s, 'a> Extruded<'s, 'a> {
         [bounds[0] - around, bounds[1] + around]
     }
 
+    /// Least and greatest x of the faces that look up, with `up` -1, or down, with 1; walls are none of them.
+    fn roof(&self, up: f32) -> [f32; 2] {
+        let faces = self.edges().filter(|(.., out)| up * out[1] > LEAST_UP_OF_SLOPE);
+        let ends = faces.flat_map(|(_, ends, _)| ends.map(|[x, _]| x));
+        let [least, most] = ends.fold([f32::MAX, f32::MIN], |[least, most], x| [least.min(x), most.max(x)]);
+        if self.radius() > 0.0 || least > most { self.extent(0) } else { [least, most] }
+    }
+
+    /// Whether a face looks away from something upright that is apart from it now and after it has gone a way: it passes the prism.
+    /// Faces with the normal along which the two come together do not count.
+    fn is_passed(&self, u: Standing<'_>, way: [f32; 3], normal: [f32; 3]) -> bool {
+        self.edges().any(|(_, [start, _], out)| {
+            let [x, y, _] = u.farthest([-out[0], -out[1], 0.0]);
+            let apart = dot(out, difference([x, y], start));
+            let is_other = (out[0] * normal[0] + out[1] * normal[1]).abs() < SAME;
+            is_other && apart > 0.0 && apart + dot(out, [way[0], way[1]]) > 0.0
+        })
+    }
+
     /// The place that is farthest up, with `up` -1, or down, with 1, between two x; and the other end of its edge there.
     fn summit(&self, left: f32, right: f32, up: f32) -> Option<[Spot; 2]> {
         let mut best: Option<[Spot; 2]> = None;
@@ -82,7 +102,7 @@ impl<'s, 'a> Extruded<'s, 'a> {
                 best = Some([spot, other]);
             }
         };
-        for (edge, [start, end], out) in self.edges().filter(|(.., out)| up * out[1] > 0.0) {
+        for (edge, [start, end], out) in self.edges().filter(|(.., out)| up * out[1] > LEAST_UP_OF_SLOPE) {
             let (low, high) = if start[0] <= end[0] { (start, end) } else { (end, start) };
             let (from, to) = (low[0].max(left), high[0].min(right));
             if from > to {
@@ -190,16 +210,15 @@ fn over(u: Standing<'_>, prism: &Extruded<'_, '_>, down: f32) -> Meeting {
     let foot: &Foot = &u.shape.foot;
     let whole = || [-foot.reach([-1.0, 0.0]), foot.reach([1.0, 0.0])];
     let [from, to] = foot.span(prism.near - z, prism.far - z).unwrap_or_else(whole);
-    // Who is beside it altogether is measured against its nearer end.
-    let [least, most] = prism.extent(0);
+    // Who is beside it altogether is measured against the nearer end of its roof.
+    let [least, most] = prism.roof(-down);
     let (left, right) = (within(x + from, least, most), within(x + to, least, most));
     let sole = y + down * u.shape.half;
     let depth = common_depth(u, prism);
     let Some([spot, other]) = prism.summit(left, right, -down) else {
         return Meeting::of_point(f32::MIN, [0.0, down, 0.0], [x, sole, depth], OVER);
     };
-    // A wall is not stood on.
-    let out = if is_over(spot.out[1]) { spot.out } else { [0.0, -down] };
+    let out = spot.out;
     let apart = |spot: &Spot| down * (spot.at[1] - sole) * -down * out[1];
     let point = |spot: &Spot| ([spot.at[0], 0.5 * (spot.at[1] + sole), depth], apart(spot));
     let mut found = Meeting::of_point(apart(&spot), [-out[0], -out[1], 0.0], point(&spot).0, 0);
@@ -309,7 +328,14 @@ pub(super) fn touch(
         let ([left, right], [top, bottom]) = (prism.extent(0), prism.extent(1));
         return Manifold::apart(standing.clear_of([left, top, prism.near], [right, bottom, prism.far]));
     }
-    chosen([&a, &b], &now, before, limits, at)
+    let found = chosen([&a, &b], &now, before, limits, at);
+    let is_apart = || found.separations[..found.count].iter().all(|&separation| separation > 0.0);
+    let way = ahead(of_prism, of_upright);
+    let passes = found.count > 0 && is_apart() && {
+        let [x, y] = found.normal;
+        prism.is_passed(standing, way, [x, y, found.normal_z])
+    };
+    if passes { Manifold::apart(0.0) } else { found }
 }
 
 /// The heights of a capsule's axis that are nearest to an outline: see [`lowest_of`].

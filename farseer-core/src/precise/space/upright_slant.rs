@@ -7,7 +7,9 @@
 use super::foot::{Foot, Polygon, summit};
 use super::slant::hull;
 use super::solid::{Before, Limits, Solid};
-use super::upright::{Axis, BESIDE, Meeting, OVER, Standing, Upright, Ways, chosen, farther, is_over};
+use super::upright::{
+    Axis, BESIDE, LEAST_UP_OF_SLOPE, Meeting, OVER, Standing, Upright, Ways, chosen, farther,
+};
 use crate::math::Vector3;
 use crate::math::plane::{Vector, cross, difference, dot, length, scaled, sum};
 use crate::precise::manifold::Manifold;
@@ -66,7 +68,7 @@ pub(super) fn ways(u: Standing<'_>, shape: &SlantedBox, reach: f32) -> Ways {
 fn over(u: Standing<'_>, shape: &SlantedBox, down: f32) -> Meeting {
     let foot: &Foot = &u.shape.foot;
     let sole = u.at[1] + down * u.shape.half;
-    let looks_up = |face: &Face| down * shape.face_normal(*face).y < -1e-6;
+    let looks_up = |face: &Face| down * shape.face_normal(*face).y < -LEAST_UP_OF_SLOPE;
     let roofs = Face::SIDES.into_iter().filter(looks_up);
     let roofs: [Option<Roof>; 4] = {
         let mut all = roofs.map(|face| Roof::of(shape, face, u.floor()));
@@ -90,8 +92,7 @@ fn over(u: Standing<'_>, shape: &SlantedBox, down: f32) -> Meeting {
         return Meeting::of_point(f32::MIN, [0.0, down, 0.0], u.at, OVER);
     };
     let y = roof.y_at(at);
-    let is_level = is_ridge || !is_over(roof.normal.y);
-    let out = if is_level { Vector3::new(0.0, -down, 0.0) } else { roof.normal };
+    let out = if is_ridge { Vector3::new(0.0, -down, 0.0) } else { roof.normal };
     let apart = down * (y - sole) * -down * out.y;
     let point = [u.at[0] + at[0], 0.5 * (y + sole), u.at[2] + at[1]];
     Meeting::of_point(apart, [-out.x, -out.y, -out.z], point, OVER)

@@ -176,17 +176,18 @@ impl<'a> Touch<'a> {
         }
         let solid =
             |at: u32, proxy: &'a Proxy| space.solid(at, proxy, outline(proxy), (self.bodies, self.dt));
-        let Frozen { count, normal, space: FrozenInSpace { normal_z, .. }, .. } = self.pairs.frozen[pair];
+        let Frozen { count, features, space: FrozenInSpace { normal_z, .. }, .. } = self.pairs.frozen[pair];
         let before = match normal_z {
             _ if count == 0 => Before::Nothing,
-            _ if space.was_over([at_a, at_b], normal) => Before::Over,
+            _ if space.was_over([at_a, at_b], features[0]) => Before::Over,
             1.0 | -1.0 => Before::Depth(normal_z),
             _ => Before::Plane,
         };
         let all = &self.proxies.all;
         let (a, b) = (solid(at_a, &all[at_a as usize]), solid(at_b, &all[at_b as usize]));
         let a = space.turning_on(a, two.a, &b, (self.bodies, self.dt));
-        let limits = Limits::new([reach, self.tuning.speculative], self.sunk_before(pair, two));
+        let sunk = self.sunk_before(pair, two);
+        let limits = Limits::new([reach, self.tuning.speculative], self.is_fixed(two.a), sunk);
         space.touch(a, b, before, limits)
     }
 

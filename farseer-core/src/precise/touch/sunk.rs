@@ -3,14 +3,18 @@
 use super::{Touch, Two};
 use crate::precise::Precise;
 use crate::precise::pairs::Pair;
+use crate::precise::proxies::Mobility;
 
 impl Touch<'_> {
-    /// How deep the second one of a pair is in what it touches, or was in what it parted from last; `None` if the first one gives
-    /// way, or is the ground, which has no edges.
-    pub(super) fn sunk_before(&self, pair: usize, two: Two<'_>) -> Option<f32> {
+    /// Penetration, in length units, of the second one of a pair in what it touches, or in what it parted from last; of the deeper
+    /// one if the first one can be pushed, too. 0 if one of the two is a ball, or the ground, which has no edges.
+    pub(super) fn sunk_before(&self, pair: usize, two: Two<'_>) -> f32 {
         let state = &self.pairs.all[pair];
-        let asks = state.kind.has_two_points && self.is_fixed(two.a) && !state.is_on_ground;
-        asks.then(|| self.sunk(two.b.body as usize))
+        if !state.kind.has_two_points || state.is_on_ground {
+            return 0.0;
+        }
+        let of_b = self.sunk(two.b.body as usize);
+        if two.a.mobility == Mobility::Dynamic { of_b.max(self.sunk(two.a.body as usize)) } else { of_b }
     }
 
     fn sunk(&self, body: usize) -> f32 {
@@ -34,10 +38,11 @@ impl Touch<'_> {
     /// The two are about to part.
     pub(in crate::precise) fn note_parting(&mut self, pair: usize) {
         let Pair { kind, home, .. } = self.pairs.all[pair];
-        if self.space.is_none() || home.is_none() || !(kind.is_fixed && kind.has_two_points) {
+        let two = self.two(pair);
+        if self.space.is_none() || home.is_none() || !kind.has_two_points || two.a.mobility.gives_way() {
             return;
         }
-        if let Some(body) = self.bodies.ids[self.two(pair).b.body as usize] {
+        if let Some(body) = self.bodies.ids[two.b.body as usize] {
             self.parted.push((body, self.depth(pair).min(f32::MAX)));
         }
     }
