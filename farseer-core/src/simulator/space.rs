@@ -4,6 +4,7 @@ use super::tell::Handler;
 use super::{EventHandler, PhysicsSimulator};
 use crate::body::BodyId;
 use crate::geom::GeomId;
+use crate::geom::filter::Filter;
 use crate::math::{Vector2, Vector3};
 use crate::methods::Methods;
 use crate::precise::space::IS_THERE;
@@ -187,6 +188,26 @@ impl PhysicsSimulator {
         let precise = self.pipeline.precise.as_ref();
         let number = precise.and_then(|precise| Some((precise, precise.number_of(body)?)));
         number.into_iter().flat_map(|(precise, number)| precise.space_refused_of(number))
+    }
+
+    /// Calls for the geoms that may reach into a box, and that a geom of a body may meet: in no order, and for some of them twice.
+    /// The box goes from the least to the greatest x, y (down) and z, in length units. Bounds are those of the last update.
+    pub fn for_each_space_geom_in(
+        &self,
+        [low, high]: [[f32; 3]; 2],
+        body: BodyId,
+        mut find: impl FnMut(GeomId),
+    ) {
+        let (geoms, bodies) = (&self.objects.geoms, &self.objects.bodies);
+        let (Some(precise), Some(entry)) = (&self.pipeline.precise, bodies.get(body)) else { return };
+        let filter = Filter { geoms, bodies };
+        precise.for_each_geom_in(low, high, |id| {
+            let mut own = entry.geoms.iter().filter_map(|&geom| geoms.get(geom));
+            let other = geoms.get(id).filter(|_| !geoms.is_disposed(id));
+            if other.is_some_and(|other| own.any(|geom| filter.may_collide(geom, other))) {
+                find(id);
+            }
+        });
     }
 
     /// What touches and has a side that listens, in no particular order, with the number of each pair.

@@ -25,8 +25,15 @@ pub(crate) struct Near {
 }
 
 impl TwoHalfPhysicsSimulator {
-    /// What is near a body; of tops those within some depths.
-    pub(super) fn gather_near(&self, (body, geom): (BodyId, GeomId), around: &Feet, near: &mut Near) {
+    /// What is near a body, and what is around its feet between two heights, Y up in px; of tops those within the depths of
+    /// `around`.
+    pub(super) fn gather_near(
+        &self,
+        (body, geom): (BodyId, GeomId),
+        around: &Feet,
+        [low, high]: [f32; 2],
+        near: &mut Near,
+    ) {
         let Near { geoms, tops, touches, refused, held_by, places } = near;
         held_by.clear();
         refused.clear();
@@ -36,6 +43,12 @@ impl TwoHalfPhysicsSimulator {
         refused.extend(footings.map(|(_, partner)| *partner));
         geoms.clear();
         geoms.extend(self.core.space_neighbours_of(body));
+        let region = [[around.left, -high, around.front], [around.right, -low, around.back]];
+        self.core.for_each_space_geom_in(region, body, |geom| {
+            if self.core.geom(geom).is_some_and(|geom| geom.collision_response_enabled()) {
+                geoms.push(geom);
+            }
+        });
         sort_within(places, geoms, |geom| geom.slot() as u128);
         geoms.dedup();
         self.gather_tops(geoms, around, tops);

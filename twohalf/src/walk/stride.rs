@@ -136,7 +136,10 @@ impl TwoHalfPhysicsSimulator {
         let (soles, least_up) = (view.position3d().y, walker.walk.least_up());
         let knees = soles + if walker.floor.is_some() { walker.walk.step_up.max(STANDS) } else { STANDS };
         let mut near = std::mem::take(&mut self.near);
-        self.gather_near((body, geom), &feet.widened(farthest(walker, velocity, dt)), &mut near);
+        let around = feet.widened(farthest(walker, velocity, dt));
+        let below = soles - snap_reach(walker).max(lift_of(walker));
+        let heights = [below, soles + lift_of(walker)].map(nearest_finite);
+        self.gather_near((body, geom), &around, heights, &mut near);
         // Who falls past an edge is not caught by it.
         let may_hold = walker.floor.is_some() || walker.ledge.is_some();
         let edges = if may_hold { soles + STANDS } else { f32::MIN };
@@ -170,7 +173,7 @@ impl TwoHalfPhysicsSimulator {
     fn next_velocity(&mut self, stride: &Stride<'_>, walker: &mut Walker, wish: Wish) -> Vector3 {
         let Stride { place, dt, .. } = *stride;
         self.arrive(stride, walker);
-        let floor = self.floor_stood_on(stride, walker);
+        let floor = self.floor_stood_on(stride, walker, wish);
         walker.aloft = if floor.is_some() { 0.0 } else { nearest_finite(walker.aloft + dt) };
         walker.has_jumped &= floor.is_none();
         if let Some(floor) = &floor {
@@ -196,7 +199,7 @@ impl TwoHalfPhysicsSimulator {
 
     /// What the figure stands on before this step: near its soles; or farther below if it stood in the last step, too, and has
     /// not been thrown up since.
-    fn floor_stood_on(&self, stride: &Stride<'_>, walker: &Walker) -> Option<Floor> {
+    fn floor_stood_on(&self, stride: &Stride<'_>, walker: &Walker, wish: Wish) -> Option<Floor> {
         let floor = self.floor_below(&stride.feet, &stride.reach(SUNK))?;
         let gap = stride.soles - stride.height_on(&floor);
         let below = self.velocity_of(floor.partner, stride.place).y / stride.pace;
@@ -204,11 +207,22 @@ impl TwoHalfPhysicsSimulator {
         let is_thrown = stride.velocity.y > walker.told.max(below) + kick;
         let stood = walker.floor.is_some();
         let stands = if stood {
-            gap <= walker.walk.snap.max(STANDS) && !is_thrown
+            let is_lifted = || gap <= lift_of(walker) && self.is_over_curb(stride, walker, wish, &floor);
+            !is_thrown && (gap <= snap_reach(walker) || is_lifted())
         } else {
             gap <= STANDS && stride.velocity.y <= below + kick.min(1.0)
         };
         stands.then_some(floor)
+    }
+
+    /// Whether the figure has been lifted over the edge of another floor that it comes to in the next two steps. It stands then,
+    /// however far below its soles the floor is that it leaves.
+    fn is_over_curb(&self, stride: &Stride<'_>, walker: &Walker, wish: Wish, floor: &Floor) -> bool {
+        let swept =
+            stride.feet.flat().swept(way_to_curb(stride, walker, (stride.velocity, STEPS_AHEAD), wish));
+        let reach = Reach { but: Some(floor.partner), ..stride.reach(STANDS) };
+        let curb = self.floor_below(&swept, &reach);
+        curb.is_some_and(|curb| stride.soles - curb.height <= OVER + STANDS)
     }
 
     /// Acceleration by gravity in the air, px/s², along X and down.
@@ -263,6 +277,9 @@ impl TwoHalfPhysicsSimulator {
 
     fn walking(&mut self, stride: &Stride<'_>, walker: &mut Walker, wish: Wish, floor: Floor) -> Vector3 {
         walker.floor = Some(floor.partner);
+        // Measured from the floor: the soles may be lifted over an edge already.
+        let knees = stride.height_on(&floor) + CLEARS + walker.walk.step_up.max(STANDS);
+        let stride = &Stride { knees, ..*stride };
         let level = self.level_velocity(stride, walker, wish, walker.walk.acceleration);
         let is_wall = |touch: &SpaceTouch| self.is_fixed(partner_of(touch, stride.geom));
         let curb =
@@ -296,14 +313,14 @@ impl TwoHalfPhysicsSimulator {
         wish: Wish,
         (floor, refused): (&Floor, &[Partner]),
     ) -> Option<Floor> {
-        let way = (velocity - walker.carried) * (steps * stride.dt);
-        let wished = Vector3::new(wish.x, 0.0, wish.z);
-        let ahead = wished * (AHEAD / wished.norm().max(f32::MIN_POSITIVE));
+        let highest = stride.height_on(floor) + CLEARS + walker.walk.step_up;
+        let way = way_to_curb(stride, walker, (velocity, steps), wish);
         if stride.feet.ball().is_some() {
-            return self.rise_ahead(stride, walker, [way / steps, way + ahead], refused);
+            let next = (velocity - walker.carried) * stride.dt;
+            return self.rise_ahead(stride, highest, [next, way], refused);
         }
-        let swept = stride.feet.swept(way + ahead);
-        let reach = Reach { but: Some(floor.partner), refused, ..stride.reach(walker.walk.step_up) };
+        let swept = stride.feet.swept(way);
+        let reach = Reach { but: Some(floor.partner), highest, refused, ..stride.reach(0.0) };
         let curb = self.floor_below(&swept, &reach)?;
         let over = Floor { height: curb.height + OVER, ..curb };
         let here = self.height_of(curb.partner, &stride.feet, &reach);
@@ -316,12 +333,11 @@ impl TwoHalfPhysicsSimulator {
     fn rise_ahead(
         &self,
         stride: &Stride<'_>,
-        walker: &Walker,
+        highest: f32,
         ways: [Vector3; 2],
         refused: &[Partner],
     ) -> Option<Floor> {
-        let step_up = walker.walk.step_up;
-        let reach = Reach { edges: stride.soles + step_up, refused, ..stride.reach(step_up) };
+        let reach = Reach { edges: highest, highest, refused, ..stride.reach(0.0) };
         let here = self.floor_below(&stride.feet, &reach)?;
         let [next, then] = ways.map(|way| {
             let ahead = self.floor_below(&stride.feet.moved(way), &reach);
@@ -340,9 +356,9 @@ impl TwoHalfPhysicsSimulator {
     /// one below the feet.
     fn height_ahead(&self, stride: &Stride<'_>, walker: &Walker, velocity: Vector3, floor: &Floor) -> f32 {
         let way = (velocity - walker.carried) * stride.dt;
-        let reach = stride.reach(walker.walk.step_up.max(STANDS));
+        let reach = Reach { highest: stride.knees, ..stride.reach(0.0) };
         let next = self.floor_below(&stride.feet.moved(way), &reach);
-        let next = next.filter(|next| stride.soles - stride.height_on(next) <= walker.walk.snap.max(STANDS));
+        let next = next.filter(|next| stride.soles - stride.height_on(next) <= snap_reach(walker));
         if stride.feet.ball().is_some() {
             // A way that is no steeper than what it touches now does not press on that.
             let along = floor.height_along(way).min(floor.edge.unwrap_or(f32::MAX));
@@ -381,6 +397,29 @@ impl TwoHalfPhysicsSimulator {
             view.core_mut().apply_force_at_world_point(weight, soles);
         }
     }
+}
+
+/// How far below the soles a floor may be for a figure that stood to be put down on it, px: the soles are kept above a floor, and
+/// lifted over the edge of another one.
+fn snap_reach(walker: &Walker) -> f32 {
+    walker.walk.snap + CLEARS + OVER
+}
+
+/// How far over the floor a figure is lifted at most, px, to come over the edge of a curb.
+fn lift_of(walker: &Walker) -> f32 {
+    walker.walk.step_up + CLEARS + OVER + STANDS
+}
+
+/// The way of some steps at a velocity, as seen from the floor, and a little more where it wishes to go, px.
+fn way_to_curb(
+    stride: &Stride<'_>,
+    walker: &Walker,
+    (velocity, steps): (Vector3, f32),
+    wish: Wish,
+) -> Vector3 {
+    let wished = Vector3::new(wish.x, 0.0, wish.z);
+    let ahead = wished * (AHEAD / wished.norm().max(f32::MIN_POSITIVE));
+    (velocity - walker.carried) * (steps * stride.dt) + ahead
 }
 
 /// How far from the feet a floor can be that is looked at in a step.

@@ -6,6 +6,7 @@ use crate::math::Vector2;
 use crate::math::plane::{place, sum};
 use crate::math::scalar::nearest_finite;
 use crate::precise::Precise;
+use crate::precise::grid::overlap;
 use crate::precise::pairs::Frozen;
 
 impl Precise {
@@ -70,6 +71,20 @@ impl Precise {
             let (this, other) = if a.body as usize == number { (a, b) } else { (b, a) };
             (this.geom, parts::partner_of(other.geom))
         })
+    }
+
+    /// Calls for the geoms whose bounds overlap a box, from the least to the greatest x, y (down) and z in length units: in no order,
+    /// and for some of them twice.
+    pub(crate) fn for_each_geom_in(&self, low: [f32; 3], high: [f32; 3], mut find: impl FnMut(GeomId)) {
+        let Some(space) = &self.space else { return };
+        let (bounds, depths) = ([low[0], low[1], high[0], high[1]], parts::Depths::new(low[2], high[2]));
+        self.grid.for_each_overlap(&[low[0], low[2], high[0], high[2]], |at| {
+            let (at, geom) = (at as usize, self.proxies.all[at as usize].geom);
+            let is_near = overlap(&bounds, &self.proxies.bounds[at]) && space.depths(at).overlap(depths);
+            if is_near && parts::is_geom(geom) {
+                find(geom);
+            }
+        });
     }
 
     fn pushes(&self, pair: usize) -> bool {

@@ -5,6 +5,7 @@
 mod refused;
 mod round;
 mod squeezed;
+mod stairs;
 
 use conformance::fixtures::depth::{assert_near, place, set_surface, solid, velocity};
 use std::cell::Cell;
