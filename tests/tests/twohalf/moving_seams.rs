@@ -162,7 +162,7 @@ fn round_things_cross_seams_onto_what_moves_as_they_do_those_of_what_stands_stil
         for thing in [Ball::new(10.0), Capsule::new(8.0, 30.0)] {
             // One that lies s deep meets the rim at a slope of sqrt(2 s / r): some of its speed goes up.
             let least = scene.least_speed(thing, speed, 0.3);
-            assert!(least > 0.95 * speed, "{scene:?} {thing:?} {speed}: {least}");
+            assert!(least > 0.9 * speed, "{scene:?} {thing:?} {speed}: {least}");
         }
     }
 }

