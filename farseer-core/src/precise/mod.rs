@@ -18,6 +18,7 @@ mod bodies;
 mod direct;
 pub(crate) mod dormant;
 mod elimination;
+mod fingerprint;
 mod flight;
 mod grid;
 mod islands;

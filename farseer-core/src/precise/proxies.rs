@@ -9,6 +9,7 @@ use super::outline::{Corners, Shape};
 use super::tuning::{Tuning, Widening};
 use crate::geom::GeomId;
 use crate::geom::entry::GeomEntry;
+use crate::geom::filter::CollisionFilter;
 use crate::math::plane::{Vector, rotation, turn};
 use crate::storage::arena::Id;
 use crate::storage::order::joined;
@@ -53,6 +54,8 @@ pub(super) struct Proxy {
     pub(super) body: u32,
     pub(super) mobility: Mobility,
     pub(super) shape: Shape,
+    /// [Fingerprint](super::fingerprint) of its shape in all axes.
+    pub(super) fingerprint: u64,
     pub(super) friction: f32,
     pub(super) restitution: f32,
     /// Whether contacts push.
@@ -78,6 +81,7 @@ impl Proxy {
             body: 0,
             mobility: Mobility::Fixed,
             shape: Shape::default(),
+            fingerprint: 0,
             friction: 0.0,
             restitution: 0.0,
             responds: false,
@@ -103,6 +107,12 @@ pub(super) fn filter_of(entry: &GeomEntry) -> [i32; 5] {
     let geom = &entry.geom;
     let (is, with) = (geom.collision_categories().bits(), geom.collides_with().bits());
     [is, with, geom.collision_group(), i32::from(geom.collision_enabled()), entry.ignore_changes]
+}
+
+/// The same of a fixture.
+pub(super) fn filter_of_fixture(filter: &CollisionFilter) -> [i32; 5] {
+    let CollisionFilter { categories, collides_with, group, is_enabled, .. } = filter;
+    [categories.bits(), collides_with.bits(), *group, i32::from(*is_enabled), 0]
 }
 
 /// Those of bodies that can be pushed come first, in the order of the list of geoms; then room for more, up to a multiple of

@@ -2,6 +2,7 @@
 
 use super::Precise;
 use super::bodies::{inverses_of, ring_of};
+use super::fingerprint::Fingerprint;
 use super::grid::Box2;
 use super::outline::Shape;
 use super::proxies::{Mobility, Proxy, filter_of};
@@ -417,6 +418,7 @@ impl Precise {
         };
         let restitution = geom.geom.restitution_coefficient();
         self.bounces |= restitution > 0.0;
+        let shape = self.shape_of(id, geom, piece);
         Some(Proxy {
             geom: id,
             piece: piece as u32,
@@ -424,7 +426,8 @@ impl Precise {
             number: geom.number,
             body: body as u32,
             mobility,
-            shape: self.shape_of(id, geom, piece),
+            shape,
+            fingerprint: self.fingerprint_of(id, shape),
             friction: geom.geom.friction_coefficient(),
             restitution,
             responds: geom.geom.collision_response_enabled(),
@@ -455,6 +458,16 @@ impl Precise {
             }
             _ => self.proxies.corners.add(&geom.pieces()[piece], geom),
         }
+    }
+
+    /// Fingerprint of a geom's shape, as it is listed.
+    fn fingerprint_of(&self, id: GeomId, shape: Shape) -> u64 {
+        let mut fingerprint = Fingerprint::default();
+        fingerprint.add_outline(self.proxies.corners.outline(shape));
+        if let Some(space) = &self.space {
+            fingerprint.add_profile(&space.profile(id));
+        }
+        fingerprint.bits()
     }
 
     /// The proxy of a piece of a geom, if it is listed.

@@ -88,6 +88,8 @@ struct Known {
     filter: [i32; 6],
     /// The direction against which it holds.
     one_way: Option<Vector>,
+    /// [Fingerprint](crate::precise::fingerprint) of its shape.
+    fingerprint: u64,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -245,8 +247,17 @@ impl Precise {
     }
 
     fn known_of(&self, proxy: usize) -> Known {
-        let Proxy { body, friction, restitution, surface_velocity, filter, responds, one_way, .. } =
-            self.proxies.all[proxy];
+        let Proxy {
+            body,
+            friction,
+            restitution,
+            surface_velocity,
+            filter,
+            responds,
+            one_way,
+            fingerprint,
+            ..
+        } = self.proxies.all[proxy];
         let ([mass, inertia], [vx, vy, spin, vz]) = (self.bodies.inverses[body as usize], surface_velocity);
         let [is, with, group, enabled, ignores] = filter;
         Known {
@@ -254,6 +265,7 @@ impl Precise {
             contacts: [mass, inertia, vx, vy, spin, vz, friction, restitution],
             filter: [is, with, group, enabled, ignores, i32::from(responds)],
             one_way,
+            fingerprint,
         }
     }
 }

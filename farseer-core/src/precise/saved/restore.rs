@@ -205,14 +205,22 @@ impl Precise {
         self.proxies.motion[place as usize] = saved.motion;
         self.enter_with(place, saved.bounds, saved.depths);
         let has_moved = then.place != now.place;
+        // Bounds and manifolds are those of the shape that the proxy had.
+        let is_reshaped = then.fingerprint != now.fingerprint;
         if has_moved {
-            self.jump(place);
             self.bodies.forget_way(self.proxies.all[place as usize].body as usize);
         }
-        if saved.has_escaped || has_moved || then.filter != now.filter {
+        if has_moved || is_reshaped {
+            self.jump(place);
+        }
+        if saved.has_escaped || has_moved || is_reshaped || then.filter != now.filter {
             self.proxies.escaped.push(place);
         }
-        has_moved || then.contacts != now.contacts || then.filter != now.filter || then.one_way != now.one_way
+        has_moved
+            || is_reshaped
+            || then.contacts != now.contacts
+            || then.filter != now.filter
+            || then.one_way != now.one_way
     }
 
     /// Answers the pair and its row. A pair whose contacts push now and did not before, or the other way round, is looked at

@@ -14,8 +14,9 @@ use crate::math::plane::{Pose, length};
 use crate::math::scalar;
 use crate::precise::Precise;
 use crate::precise::bodies::{Bodies, Hot};
+use crate::precise::fingerprint::Fingerprint;
 use crate::precise::outline::Shape;
-use crate::precise::proxies::{Mobility, Proxy};
+use crate::precise::proxies::{Mobility, Proxy, filter_of_fixture};
 use crate::precise::tuning::Tuning;
 use crate::shape::SlantedBox;
 
@@ -310,9 +311,11 @@ impl Precise {
                 place: place as u32,
                 mobility,
                 shape,
+                fingerprint: Fingerprint::of_fixture(fixture),
                 friction,
                 restitution,
                 responds: filter.responds,
+                filter: filter_of_fixture(filter),
                 surface_velocity: [*vx, *vy, 0.0, *vz],
                 ..proxy_for(fixture_id(fixture), number as usize)
             });
@@ -375,7 +378,7 @@ impl Precise {
 
     /// They are where the step has brought them.
     pub(in crate::precise) fn write_fixtures(&mut self) {
-        let Precise { space: Some(space), bodies, .. } = self else { return };
+        let Precise { space: Some(space), bodies, proxies, .. } = self else { return };
         let space = &mut **space;
         for (number, &place) in (1..).zip(&space.moving) {
             let fixture = &mut space.fixtures[place as usize];
@@ -396,6 +399,7 @@ impl Precise {
                 }
                 let proxy = space.fixture_proxies[place as usize] as usize;
                 let upright = upright_of(fixture);
+                proxies.all[proxy].fingerprint = Fingerprint::of_fixture(fixture);
                 if let Some(known) = space.reach[proxy].upright.checked_sub(1) {
                     space.uprights[known as usize] = upright;
                 }
