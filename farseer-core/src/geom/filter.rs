@@ -63,6 +63,20 @@ pub(crate) struct Filter<'a> {
 impl Filter<'_> {
     /// The test that every method applies (behaviour chapter 08, section 1.2).
     pub(crate) fn may_collide(&self, a: &GeomEntry, b: &GeomEntry) -> bool {
+        self.may_be_pair(a, b, |_, _| false)
+    }
+
+    /// The same for the precise set in 2D: a [sensor](senses) also meets static and kinematic bodies.
+    pub(crate) fn may_touch(&self, a: &GeomEntry, b: &GeomEntry) -> bool {
+        self.may_be_pair(a, b, senses)
+    }
+
+    fn may_be_pair(
+        &self,
+        a: &GeomEntry,
+        b: &GeomEntry,
+        meets_immovable: fn(&GeomEntry, &GeomEntry) -> bool,
+    ) -> bool {
         if a.body == b.body || !a.geom.may_collide_with(&b.geom) {
             return false;
         }
@@ -71,22 +85,41 @@ impl Filter<'_> {
         };
         body_a.body.enabled()
             && body_b.body.enabled()
-            && !(body_a.body.is_immovable() && body_b.body.is_immovable())
+            && !(body_a.body.is_immovable() && body_b.body.is_immovable() && !meets_immovable(a, b))
             && !a.ignores(b.number)
             && !b.ignores(a.number)
     }
 }
 
+/// Whether one of two geoms has no collision response, as sensors have none.
+fn senses(a: &GeomEntry, b: &GeomEntry) -> bool {
+    !(a.geom.collision_response_enabled() && b.geom.collision_response_enabled())
+}
+
+/// The same as [`is_valid_pair`] for the precise set in 2D: a [sensor](senses) also meets static and kinematic bodies.
+pub(crate) fn may_go_on_touching(pair: (GeomId, GeomId), geoms: &Geoms, bodies: &Bodies) -> bool {
+    may_stay(pair, geoms, bodies, senses)
+}
+
 /// Whether an arbiter may stay (behaviour chapter 03, section 4). Collision switched off, ignored geoms and
 /// the broad-phase callback matter only when a pair is created.
-pub(crate) fn is_valid_pair((id_a, id_b): (GeomId, GeomId), geoms: &Geoms, bodies: &Bodies) -> bool {
+pub(crate) fn is_valid_pair(pair: (GeomId, GeomId), geoms: &Geoms, bodies: &Bodies) -> bool {
+    may_stay(pair, geoms, bodies, |_, _| false)
+}
+
+fn may_stay(
+    (id_a, id_b): (GeomId, GeomId),
+    geoms: &Geoms,
+    bodies: &Bodies,
+    meets_immovable: fn(&GeomEntry, &GeomEntry) -> bool,
+) -> bool {
     let (a, b) = (&geoms[id_a], &geoms[id_b]);
     let (Some(body_a), Some(body_b)) = (bodies.get(a.body), bodies.get(b.body)) else { return false };
     let (body_a, body_b): (&Body, &Body) = (&body_a.body, &body_b.body);
     let (filter_a, filter_b) = (a.geom.filter(), b.geom.filter());
     !(geoms.is_disposed(id_a)
         || geoms.is_disposed(id_b)
-        || (body_a.is_immovable() && body_b.is_immovable())
+        || (body_a.is_immovable() && body_b.is_immovable() && !meets_immovable(a, b))
         || !body_a.enabled()
         || !body_b.enabled()
         || filter_a.shares_group_with(&filter_b)

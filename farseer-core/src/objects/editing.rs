@@ -181,6 +181,11 @@ impl Objects {
     /// Makes a geom a sensor (its body static, its collisions without response) or an ordinary geom (its body
     /// dynamic, whatever it was before, and its collisions with response).
     ///
+    /// With the [precise set](crate::Methods::Precise) a sensor hears of everything that overlaps it and that its filter lets it
+    /// meet: of dynamic, kinematic and static bodies, and of other sensors, whether they move or not. The same holds for each
+    /// geom without [collision response](crate::Geom::set_collision_response_enabled), on any body. With the faithful set one
+    /// of two bodies must be dynamic.
+    ///
     /// # Errors
     /// A stale id.
     #[doc(alias = "IsSensor")]

@@ -68,6 +68,7 @@ impl Precise {
             if self.pairs.all[pair].home.is_some() {
                 self.note_loss(pair);
             }
+            self.touch().end_touch(pair);
             self.touch().forget_pair(pair);
         }
         self.proxies.escaped.retain(|proxy| gone_proxies.binary_search(proxy).is_err());

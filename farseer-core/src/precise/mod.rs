@@ -45,6 +45,7 @@ mod telling;
 mod told;
 mod touch;
 mod tuning;
+mod unpushed;
 mod wake;
 
 use serde::Deserialize;
@@ -131,6 +132,8 @@ pub(crate) struct Precise {
     flown: Vec<[(u32, GeomId); 2]>,
     /// Proxies whose bounds are wider for a step.
     widened: Vec<u32>,
+    /// Proxies of static and kinematic bodies whose pairs were searched in this step.
+    unpushed: Vec<u32>,
     /// Empty between stages.
     lost: Vec<u32>,
     found: Vec<[u32; 2]>,
@@ -143,7 +146,7 @@ reusing_clone! {
     Precise {
         tuning, h, dt, fall, loaded, is_stale, has_new_members, bounces, friction, most_contacts, bodies, proxies,
         grid, pairs, rows, palette, joints, sleep, direct, space, body_numbers, first_proxies, loose, absent,
-        edited_bodies, edited_geoms, woken, changes, parted, looks, due, has_handled, fast, flown, widened, lost, found,
+        edited_bodies, edited_geoms, woken, changes, parted, looks, due, has_handled, fast, flown, widened, unpushed, lost, found,
         known, touching
     }
 }
@@ -192,6 +195,7 @@ impl Precise {
             fast: Vec::new(),
             flown: Vec::new(),
             widened: Vec::new(),
+            unpushed: Vec::new(),
             lost: Vec::new(),
             found: Vec::new(),
             known: Vec::new(),

@@ -71,6 +71,8 @@ pub(super) struct Pair {
     pub(super) is_set: bool,
     /// A is the ground of a world with depth.
     pub(super) is_on_ground: bool,
+    /// Neither side can be pushed: a sensor and a static or kinematic body. See [`unpushed`](super::unpushed).
+    pub(super) is_unpushed: bool,
     /// Whether one passes through the other.
     pub(super) passage: Passage,
 }
@@ -99,11 +101,13 @@ pub(super) struct Pairs {
     pub(super) on_ground: usize,
     /// Number of those of which a handler is told.
     pub(super) heard: usize,
+    /// Number of pairs of which neither side can be pushed.
+    pub(super) unpushed: usize,
     /// First link of each proxy's list: twice a pair's number, plus which side of it the proxy is.
     heads: Vec<u32>,
 }
 
-reusing_clone! { Pairs { watched, all, frozen, links, awake, touching, on_ground, heard, heads } }
+reusing_clone! { Pairs { watched, all, frozen, links, awake, touching, on_ground, heard, unpushed, heads } }
 
 impl Pairs {
     /// Forgets all pairs.
@@ -113,7 +117,7 @@ impl Pairs {
         self.frozen.clear();
         self.links.clear();
         self.awake = 0;
-        (self.touching, self.on_ground, self.heard) = (0, 0, 0);
+        (self.touching, self.on_ground, self.heard, self.unpushed) = (0, 0, 0, 0);
         self.heads.clear();
         self.heads.resize(proxies, NONE);
     }
@@ -188,6 +192,7 @@ impl Pairs {
             is_vetoed: false,
             is_set: false,
             is_on_ground: false,
+            is_unpushed: false,
             passage: Passage::Closed,
         });
         for side in 0..2 {
@@ -206,6 +211,12 @@ impl Pairs {
         if self.all[pair].is_heard {
             self.heard = self.heard + usize::from(is_told) - usize::from(was_told);
         }
+    }
+
+    /// Neither side of a pair can be pushed, or one can.
+    pub(super) fn set_unpushed(&mut self, pair: usize, is_unpushed: bool) {
+        let was_unpushed = std::mem::replace(&mut self.all[pair].is_unpushed, is_unpushed);
+        self.unpushed = self.unpushed + usize::from(is_unpushed) - usize::from(was_unpushed);
     }
 
     /// A handler is told of a pair from now on, or is not.
@@ -244,6 +255,7 @@ impl Pairs {
     /// Takes the last pair out; it has no row any more.
     pub(super) fn pop(&mut self) {
         let last = self.all.len() - 1;
+        self.set_unpushed(last, false);
         self.unlink(last);
         self.watched.pop();
         self.frozen.pop();

@@ -454,11 +454,12 @@ impl Precise {
 
     /// Whether one side of a pair may move.
     pub(super) fn may_change(&self, pair: usize) -> bool {
-        self.sides(pair).iter().any(|&(body, mobility)| match mobility {
-            Mobility::Fixed => false,
-            Mobility::Kinematic => true,
-            Mobility::Hinged | Mobility::Dynamic => !self.sleep.is_asleep(body),
-        })
+        !self.pairs.all[pair].is_unpushed
+            && self.sides(pair).iter().any(|&(body, mobility)| match mobility {
+                Mobility::Fixed => false,
+                Mobility::Kinematic => true,
+                Mobility::Hinged | Mobility::Dynamic => !self.sleep.is_asleep(body),
+            })
     }
 
     /// Joints of what sleeps are remembered, and not solved.

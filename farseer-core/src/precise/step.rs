@@ -40,6 +40,12 @@ impl Precise {
         let mut escaped = std::mem::take(&mut self.proxies.escaped);
         self.drop_parted(&escaped);
         let found = self.search(&escaped);
+        self.unpushed.clear();
+        if self.space.is_none() {
+            let Precise { unpushed, proxies, .. } = self;
+            let is_unpushed = |&&proxy: &&u32| !proxies.all[proxy as usize].mobility.gives_way();
+            unpushed.extend(escaped.iter().filter(is_unpushed));
+        }
         escaped.clear();
         self.proxies.escaped = escaped;
         found
@@ -102,13 +108,15 @@ impl Precise {
             && self.space.as_ref().is_none_or(|space| space.overlap(a, b))
     }
 
-    /// A pair as it is kept: what gives way less first, else what was created first. None of what gives way nowhere, or is one
-    /// body.
+    /// A pair as it is kept: what gives way less first, else what was created first. None of what gives way nowhere, unless one
+    /// of the two is a sensor in 2D, or is one body.
     pub(super) fn ordered(&self, [one, other]: [u32; 2]) -> Option<[u32; 2]> {
         let [proxy, partner] = [one, other].map(|proxy| &self.proxies.all[proxy as usize]);
         let key = |proxy: &Proxy| (proxy.mobility, proxy.number, proxy.piece);
         let may_be_pushed = [proxy, partner].iter().any(|proxy| proxy.mobility == Mobility::Dynamic);
-        if proxy.body == partner.body || !may_be_pushed || !self.may_meet_ground([one, other]) {
+        let senses = self.space.is_none() && !(proxy.responds && partner.responds);
+        let may_meet = (may_be_pushed || senses) && self.may_meet_ground([one, other]);
+        if proxy.body == partner.body || !may_meet {
             return None;
         }
         Some(if key(proxy) < key(partner) { [one, other] } else { [other, one] })
@@ -123,14 +131,20 @@ impl Precise {
     /// Takes a pair that was found.
     pub(crate) fn accept(&mut self, at: usize) {
         let pair = self.add_pair(self.found[at]);
-        self.note_new(pair);
+        if self.pairs.all[pair].is_unpushed {
+            self.touch().lay_down(pair);
+        } else {
+            self.note_new(pair);
+        }
     }
 
     /// A pair of which nothing is known yet.
     pub(super) fn add_pair(&mut self, proxies: [u32; 2]) -> usize {
         let [a, b] = proxies.map(|proxy| &self.proxies.all[proxy as usize]);
         let (responds, is_heard) = (a.responds && b.responds, self.is_heard(proxies));
+        let is_unpushed = proxies.iter().all(|&proxy| !self.gives_way(proxy));
         let pair = self.pairs.push(proxies, self.kind(proxies), responds, is_heard);
+        self.pairs.set_unpushed(pair, is_unpushed);
         self.pairs.all[pair].is_on_ground =
             self.space.as_ref().is_some_and(|space| space.ground == proxies[0]);
         self.pairs.all[pair].passage = self.first_passage(pair);
@@ -150,10 +164,17 @@ impl Precise {
         }
     }
 
-    /// Whether a handler is told of a pair.
+    /// Whether something can push a proxy.
+    fn gives_way(&self, proxy: u32) -> bool {
+        self.proxies.all[proxy as usize].mobility.gives_way()
+    }
+
+    /// Whether a handler is asked about a pair in every update in which it touches: of two static bodies it is told when they
+    /// begin to touch, and no more.
     pub(super) fn is_heard(&self, proxies: [u32; 2]) -> bool {
         let both = proxies.map(|proxy| &self.proxies.all[proxy as usize]);
-        both.iter().any(|proxy| proxy.is_heard && is_geom(proxy.geom))
+        !both.iter().all(|proxy| proxy.mobility == Mobility::Fixed)
+            && both.iter().any(|proxy| proxy.is_heard && is_geom(proxy.geom))
     }
 
     pub(super) fn kind(&self, proxies: [u32; 2]) -> Kind {
@@ -197,7 +218,7 @@ impl Precise {
             self.touch().look(pair as usize);
         }
         self.lost = lost;
-        let looked_at = circles + self.touch().scan();
+        let looked_at = circles + self.look_at_unpushed() + self.touch().scan();
         self.remember_sunk();
         looked_at
     }

@@ -11,7 +11,7 @@ use super::space::parts::{Depths, SpaceProfile, is_geom};
 use crate::body::{Body, BodyId};
 use crate::geom::GeomId;
 use crate::geom::entry::GeomEntry;
-use crate::geom::filter::is_valid_pair;
+use crate::geom::filter::{is_valid_pair, may_go_on_touching};
 use crate::geom::pieces::Piece;
 use crate::math::plane::Vector;
 use crate::objects::Objects;
@@ -335,8 +335,8 @@ impl Precise {
 
     /// Whether a pair that is known may stay.
     pub(super) fn may_stay(&self, geoms: (GeomId, GeomId), objects: &Objects) -> bool {
-        self.meets_fixture(geoms, objects)
-            .unwrap_or_else(|| is_valid_pair(geoms, &objects.geoms, &objects.bodies))
+        let may_stay = if self.space.is_some() { is_valid_pair } else { may_go_on_touching };
+        self.meets_fixture(geoms, objects).unwrap_or_else(|| may_stay(geoms, &objects.geoms, &objects.bodies))
     }
 
     fn list_bodies(&mut self, objects: &Objects) {

@@ -85,9 +85,7 @@ impl Precise {
     /// What began or ceased to touch in this step, by geoms: each two geoms once, in the order of creation numbers.
     pub(crate) fn take_changes(&mut self) -> Vec<((GeomId, GeomId), bool)> {
         let mut changes = std::mem::take(&mut self.changes);
-        sort_by_number(&mut changes, |change| {
-            joined([change.numbers.0, change.numbers.1, u32::from(change.begins)])
-        });
+        sort_by_number(&mut changes, Change::order);
         let of_two_geoms = changes.chunk_by(|one, other| one.numbers == other.numbers);
         of_two_geoms.filter_map(|changes| self.change_of_geoms(changes)).collect()
     }

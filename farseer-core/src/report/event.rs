@@ -64,6 +64,9 @@ pub enum Event {
     /// The boxes of two geoms overlap but the geoms do not touch (any more), told once to each side. Like the
     /// original's, it recurs in every update for boxes that overlap without contact, and does not come when a
     /// contact ends by disabling, removing or disposing.
+    ///
+    /// With the [precise set](crate::Methods::Precise) it comes once for every touch that began, however the touch ends: also
+    /// by categories or a group, and when a side is disabled, removed or disposed. The id of what was disposed is stale then.
     Separation {
         /// The geom that is told.
         this: GeomId,

@@ -22,6 +22,8 @@ pub trait EventHandler {
     /// and the second side is not asked. The list may be changed, too: what is taken off it pushes nothing. Friction,
     /// restitution and the speed of a conveyor may be set for this update by the [`Context`], as
     /// [`set_contact_friction`](Context::set_contact_friction) says.
+    ///
+    /// Of a sensor and a static body a handler is told once, when they begin to touch: there is nothing to refuse.
     #[doc(alias("OnCollision", "CollisionEventHandler"))]
     fn on_collision(
         &mut self,
@@ -35,7 +37,7 @@ pub trait EventHandler {
     }
 
     /// See [`Event::Separation`](crate::Event::Separation); not for geoms whose
-    /// [callbacks](crate::Geom::set_collision_callbacks_enabled) are switched off.
+    /// [callbacks](crate::Geom::set_collision_callbacks_enabled) are switched off, and not for a side that was disposed.
     #[doc(alias("OnSeparation", "SeparationEventHandler"))]
     fn on_separation(&mut self, context: &mut Context<'_>, this: GeomId, other: GeomId) {
         let _ = (context, this, other);

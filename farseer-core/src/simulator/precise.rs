@@ -4,7 +4,7 @@ use super::PhysicsSimulator;
 use super::tell::Handler;
 use crate::contacts::contact::Contact;
 use crate::geom::GeomId;
-use crate::geom::filter::{Filter, is_valid_pair};
+use crate::geom::filter::{Filter, is_valid_pair, may_go_on_touching};
 use crate::geom::surface::SetSurface;
 use crate::objects::Objects;
 use crate::precise::dormant::Terms;
@@ -207,11 +207,13 @@ impl PhysicsSimulator {
     /// New pairs, as far as filters and the handler let them.
     fn accept_precise_pairs(&mut self, found: usize, handler: &mut Handler<'_>) {
         let asks_about_new = handler.wants(|handler| handler.handles_broad_phase());
+        let is_in_space = self.precise().is_in_space();
         for at in 0..found {
             let (a, b) = self.precise().candidate(at);
             let filter = Filter { geoms: &self.objects.geoms, bodies: &self.objects.bodies };
             let may_collide = match (self.objects.geoms.get(a), self.objects.geoms.get(b)) {
-                (Some(a), Some(b)) => filter.may_collide(a, b),
+                (Some(a), Some(b)) if is_in_space => filter.may_collide(a, b),
+                (Some(a), Some(b)) => filter.may_touch(a, b),
                 _ => {
                     let precise = self
                         .pipeline
@@ -231,7 +233,9 @@ impl PhysicsSimulator {
     /// Whether nothing has parted two that touch: callbacks dispose and edit.
     fn may_touch(&self, a: GeomId, b: GeomId) -> bool {
         let Objects { geoms, bodies, .. } = &self.objects;
-        geoms.get(a).is_some() && geoms.get(b).is_some() && is_valid_pair((a, b), geoms, bodies)
+        let is_in_space = self.pipeline.precise.as_ref().is_some_and(|precise| precise.is_in_space());
+        let may_stay = if is_in_space { is_valid_pair } else { may_go_on_touching };
+        geoms.get(a).is_some() && geoms.get(b).is_some() && may_stay((a, b), geoms, bodies)
     }
 
     /// Asks the handler about every pair; those that it refuses push nothing in this update.
@@ -267,7 +271,12 @@ impl PhysicsSimulator {
         for ((a, b), _) in changes.into_iter().filter(|(_, begins)| !begins) {
             for (this, other) in [(a, b), (b, a)] {
                 self.report.push(Event::Separation { this, other });
-                self.tell_side(handler, this, |handler, context| handler.on_separation(context, this, other));
+                // A geom that is gone has no side that is told.
+                if self.objects.geoms.get(this).is_some() {
+                    self.tell_side(handler, this, |handler, context| {
+                        handler.on_separation(context, this, other)
+                    });
+                }
             }
         }
     }

@@ -33,6 +33,7 @@ mod queries;
 mod random;
 mod rays;
 mod regressions;
+mod reshaped;
 mod ropes;
 mod save;
 mod scheme_in_mid_run;

@@ -15,6 +15,7 @@ use super::proxies::{Mobility, Proxy};
 use super::sleep::KnownJoint;
 use super::space::Held;
 use super::space::parts::Depths;
+use super::touch::Change;
 use super::tuning::Tuning;
 use crate::body::{Body, BodyId};
 use crate::geom::GeomId;
@@ -49,6 +50,8 @@ pub(crate) struct Saved {
     ways: Vec<(BodyId, [f32; 4])>,
     /// Bodies that the game woke since the last update.
     woken: Vec<BodyId>,
+    /// Pairs that began or ceased to touch since the game was told last, by creation numbers.
+    changes: Vec<Change>,
 }
 
 /// A body that sleeps.
@@ -68,6 +71,8 @@ struct Sleeper {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct SavedProxy {
     geom: GeomId,
+    /// Creation number of the geom, which may be gone by the time this is restored.
+    number: u32,
     piece: u32,
     mobility: Mobility,
     bounds: [f32; 4],

@@ -7,6 +7,7 @@ use crate::objects::Objects;
 use crate::precise::Precise;
 use crate::precise::one_way::Passage;
 use crate::precise::pairs::{BY_ROW, Frozen};
+use crate::precise::touch::Change;
 use crate::storage::order::sort_by_number;
 
 impl Precise {
@@ -31,6 +32,7 @@ impl Precise {
             })
         };
         let stays: Vec<_> = saved.pairs.iter().map(stays).collect();
+        self.end_touches(saved, |at| stays[at].is_none());
         for (pair, _) in
             saved.pairs.iter().zip(&stays).filter(|(pair, stays)| stays.is_none() && pair.row.is_some())
         {
@@ -51,6 +53,18 @@ impl Precise {
         self.woken.clear();
         self.woken.extend_from_slice(&saved.woken);
         self.wake_woken();
+    }
+
+    /// Changes that the game has not been told yet, and touches that have ended because their pair is lost: by categories or a
+    /// group, because a side was disabled or is gone, or has other pieces now.
+    fn end_touches(&mut self, saved: &Saved, is_lost: impl Fn(usize) -> bool) {
+        self.changes.clear();
+        self.changes.extend_from_slice(&saved.changes);
+        let ended = saved.pairs.iter().enumerate().filter(|&(at, pair)| pair.is_told && is_lost(at));
+        self.changes.extend(ended.map(|(_, pair)| {
+            let sides = pair.proxies.map(|proxy| &saved.proxies[proxy as usize]);
+            Change::new(sides.map(|proxy| (proxy.number, proxy.geom)), false)
+        }));
     }
 
     /// The rows of pairs, as they were saved.

@@ -8,6 +8,8 @@ use crate::precise::direct::Wear;
 use crate::precise::pairs::Frozen;
 use crate::precise::rows::{Home, Kind, Lane, SpaceLane};
 use crate::precise::space::parts::Depths;
+use crate::precise::touch::Change;
+use crate::storage::order::sort_by_number;
 
 impl Precise {
     /// The state to save.
@@ -26,6 +28,7 @@ impl Precise {
         let listed = self.proxies.all.iter().enumerate().filter(|(_, proxy)| !proxy.is_empty());
         let proxies = listed.map(|(at, proxy)| SavedProxy {
             geom: proxy.geom,
+            number: proxy.number,
             piece: proxy.piece,
             mobility: proxy.mobility,
             bounds: self.proxies.bounds[at],
@@ -53,7 +56,15 @@ impl Precise {
             is_in_space: self.space.is_some(),
             ways: self.save_ways().collect(),
             woken: self.woken.clone(),
+            changes: self.save_changes(),
         }
+    }
+
+    /// Their order depends on whether pairs were taken out one by one or with all the others.
+    fn save_changes(&self) -> Vec<Change> {
+        let mut changes = self.changes.clone();
+        sort_by_number(&mut changes, Change::order);
+        changes
     }
 
     /// Of what has geoms: only those know whether they were moved since.

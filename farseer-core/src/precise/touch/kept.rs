@@ -96,7 +96,8 @@ impl Touch<'_> {
     fn turn_on_fixed(&self, pair: usize, two: Two<'_>) -> f32 {
         let Kind { has_two_points, is_fixed, .. } = self.pairs.all[pair].kind;
         if has_two_points && is_fixed {
-            self.bodies.hot[two.b.body as usize].velocity[2] * self.dt
+            // In a pair with a sensor both sides may be static.
+            self.bodies.hot.get(two.b.body as usize).map_or(0.0, |hot| hot.velocity[2] * self.dt)
         } else {
             0.0
         }

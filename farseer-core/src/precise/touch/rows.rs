@@ -59,13 +59,18 @@ impl Touch<'_> {
             let bodies = self.pairs.watched[pair].proxies.map(|proxy| self.proxies.all[proxy as usize].body);
             bodies.into_iter().for_each(|body| self.sleep.note_waking(body as usize));
         }
-        if self.pairs.all[pair].is_told {
-            self.tell(pair, false);
-        }
+        self.end_touch(pair);
         self.forget_pair(pair);
     }
 
-    /// Takes a pair out, one side of which may have gone: nobody is told.
+    /// A pair that goes does not touch any more, which is told if it did.
+    pub(in crate::precise) fn end_touch(&mut self, pair: usize) {
+        if self.pairs.all[pair].is_told {
+            self.tell(pair, false);
+        }
+    }
+
+    /// Takes a pair out whose touch has ended.
     pub(in crate::precise) fn forget_pair(&mut self, pair: usize) {
         self.remove_row(pair);
         self.pairs.set_told(pair, false);

@@ -1,17 +1,34 @@
 //! When two touch, which games are told of.
 
+use serde::{Deserialize, Serialize};
+
 use super::{Touch, Two};
 use crate::geom::GeomId;
 use crate::math::plane::{Vector, difference, dot, sum};
 use crate::precise::pairs::BY_ROW;
 use crate::precise::proxies::{Mobility, Proxy};
+use crate::storage::order::joined;
 
 /// Two geoms begin or cease to touch with one of their pieces, that with the smaller creation number first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub(in crate::precise) struct Change {
     pub(in crate::precise) numbers: (u32, u32),
     pub(in crate::precise) begins: bool,
     pub(in crate::precise) geoms: (GeomId, GeomId),
+}
+
+impl Change {
+    /// A pair of pieces that begins or ceases to touch, by creation numbers and names of their geoms.
+    pub(in crate::precise) fn new(sides: [(u32, GeomId); 2], begins: bool) -> Self {
+        let [a, b] = sides;
+        let (first, second) = if a.0 < b.0 { (a, b) } else { (b, a) };
+        Change { numbers: (first.0, second.0), begins, geoms: (first.1, second.1) }
+    }
+
+    /// The order in which changes are told.
+    pub(in crate::precise) fn order(&self) -> u128 {
+        joined([self.numbers.0, self.numbers.1, u32::from(self.begins)])
+    }
 }
 
 impl Touch<'_> {
@@ -87,9 +104,10 @@ impl Touch<'_> {
 
     pub(in crate::precise) fn tell(&mut self, pair: usize, begins: bool) {
         self.pairs.set_told(pair, begins);
-        let [a, b] = self.pairs.watched[pair].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
-        let (first, second) = if a.number < b.number { (a, b) } else { (b, a) };
-        let (numbers, geoms) = ((first.number, second.number), (first.geom, second.geom));
-        self.changes.push(Change { numbers, begins, geoms });
+        let sides = self.pairs.watched[pair].proxies.map(|proxy| {
+            let proxy = &self.proxies.all[proxy as usize];
+            (proxy.number, proxy.geom)
+        });
+        self.changes.push(Change::new(sides, begins));
     }
 }
