@@ -17,6 +17,7 @@
 mod bodies;
 mod direct;
 pub(crate) mod dormant;
+mod driven;
 mod elimination;
 mod fingerprint;
 mod flight;

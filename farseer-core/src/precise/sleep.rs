@@ -3,7 +3,8 @@
 //! **When.** A body is at rest while it moves by less than a [speed](Sleep::slow) that follows gravity and the size of
 //! things. [Islands](super::islands) of bodies that have all been at rest for [`REST`] seconds fall asleep together, if their
 //! contacts have learnt their load and nothing that they touch is on its way. Where one of an island is not at rest yet, all
-//! of it has rested no longer than that one: so an island is asked again only when it may be ready.
+//! of it has rested no longer than that one: so an island is asked again only when it may be ready. What a motor, a
+//! belt or a kinematic body [drives](super::driven) does not sleep, however slowly it moves.
 //!
 //! **How.** Their rows and pairs are put aside, and the lists of bodies and proxies are gone through by [runs](Sleep::bodies)
 //! that leave out what sleeps. Nothing changes its number, so nothing else knows.
@@ -55,7 +56,8 @@ pub enum WhyAwake {
         /// The one that is not at rest.
         with: BodyId,
     },
-    /// All that hangs together with the body is at rest, but not for long enough, or its contacts still settle.
+    /// All that hangs together with the body is at rest, but not for long enough, or its contacts still settle. For what a
+    /// motor, a belt or a kinematic body moves slowly the count begins again and again.
     RestsSince {
         /// Seconds that count.
         seconds: f32,
@@ -293,7 +295,7 @@ impl Precise {
         let mut islands = std::mem::take(&mut self.sleep.islands);
         self.join_islands(objects, &mut islands);
         self.sleep.islands = islands;
-        self.find_least_rest(&step.learning);
+        self.find_least_rest(objects, &step.learning);
         let mut falling = std::mem::take(&mut self.sleep.falling);
         falling.clear();
         falling.extend(
@@ -342,15 +344,18 @@ impl Precise {
                 islands.join(a as u32, b as u32);
             }
         }
-        let springs = (0..objects.springs.list().len()).filter_map(|at| objects.springs.at(at));
-        let by_springs = springs
-            .filter(|(_, spring)| spring.enabled())
-            .map(|(_, spring)| spring.ends().map(|body| body.and_then(|id| self.number_of(id)).unwrap_or(0)));
-        for [a, b] in self.joints.ties().chain(by_springs) {
+        for [a, b] in self.joints.ties().chain(self.spring_ties(objects)) {
             if self.is_dynamic(a) && self.is_dynamic(b) {
                 islands.join(a as u32, b as u32);
             }
         }
+    }
+
+    /// The bodies at both ends of each spring; 0 for the world.
+    pub(super) fn spring_ties<'a>(&'a self, objects: &'a Objects) -> impl Iterator<Item = [usize; 2]> + 'a {
+        let springs = (0..objects.springs.list().len()).filter_map(|at| objects.springs.at(at));
+        let number = |body: Option<BodyId>| body.and_then(|id| self.number_of(id)).unwrap_or(0);
+        springs.filter(|(_, spring)| spring.enabled()).map(move |(_, spring)| spring.ends().map(number))
     }
 
     /// Why a body that may sleep is awake; `None` if it sleeps, or never does.
@@ -377,7 +382,7 @@ impl Precise {
     }
 
     /// How long all of each island have rested; no longer than nearly long enough where one still waits for something.
-    fn find_least_rest(&mut self, learning: &Learning) {
+    fn find_least_rest(&mut self, objects: &Objects, learning: &Learning) {
         let mut least = std::mem::take(&mut self.sleep.least);
         least.clear();
         least.resize(self.bodies.hot.len(), f32::INFINITY);
@@ -397,19 +402,15 @@ impl Precise {
             let state = &self.pairs.all[pair];
             let Some(home) = state.home else { continue };
             let [(a, mobility), (b, _)] = self.sides(pair);
-            if mobility == Mobility::Kinematic && self.bodies.moves(a) {
+            let lane = self.rows.lane(state.kind, home);
+            let is_carried = mobility == Mobility::Kinematic && self.bodies.moves(a);
+            if is_carried || self.is_on_running_belt(b, &lane) {
                 limit(b, 0.0);
-            } else if self.rows.lane(state.kind, home).is_learning(learning) {
+            } else if lane.is_learning(learning) {
                 limit(b, NEARLY * REST);
             }
         }
-        for [a, b] in self.joints.ties() {
-            for (one, other) in [(a, b), (b, a)] {
-                if self.bodies.is_kinematic(one) && self.bodies.moves(one) && self.is_dynamic(other) {
-                    limit(other, 0.0);
-                }
-            }
-        }
+        self.for_each_driven(objects, |body| limit(body, 0.0));
         (self.sleep.least, self.sleep.islands) = (least, std::mem::take(islands));
     }
 

@@ -79,6 +79,9 @@ impl Precise {
             let of_body = joints.iter().filter(|joint| joint.bodies().any(|body| Some(body) == id));
             of_body.for_each(|joint| self.note_ends(joint));
             self.sleep.joints = joints;
+            if let Some(id) = id {
+                self.note_spring_ends(id, objects);
+            }
         }
     }
 

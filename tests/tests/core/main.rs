@@ -46,6 +46,7 @@ mod other_vectors;
 mod physics;
 mod polygon_tools_random;
 mod precise_capsules;
+mod precise_driven;
 mod precise_drives;
 mod precise_edits;
 mod precise_events;

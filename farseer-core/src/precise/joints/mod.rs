@@ -99,6 +99,15 @@ impl Joints {
         self.holds.iter().map(|hold| hold.ends.map(|end| end.pose as usize))
     }
 
+    /// The motors that run: numbers of both bodies, 0 for the world; the speed that the motor seeks, rad/s or length units/s;
+    /// and whether it is along a line.
+    pub(super) fn motors(&self) -> impl Iterator<Item = ([usize; 2], f32, bool)> + '_ {
+        self.holds.iter().filter_map(|hold| {
+            let motor = hold.drive?.motor().filter(|motor| motor.greatest_effort > 0.0)?;
+            Some((hold.ends.map(|end| end.pose as usize), motor.speed, hold.link == Link::Line))
+        })
+    }
+
     /// The bodies of those joints of which one is not listed.
     pub(super) fn of_unlisted(&self) -> impl Iterator<Item = (Option<BodyId>, BodyId)> + '_ {
         let is_unlisted = |hold: &&Hold| {
