@@ -34,9 +34,11 @@ pub(super) const GEOM_NUMBERS: u32 = i32::MAX as u32;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct GeomPlacement {
-    /// Position on the body, in the body's coordinates. Default none.
+    /// Position on the body in length units, y down, **before** the geom is turned: as in the original, `rotation_offset` turns
+    /// the offset along with the outline, about the body's origin. A geom at (0, 15) that is turned by a quarter turn lies at
+    /// (-15, 0) in the body's coordinates. To put it at a point `p` there, turn `p` back by `rotation_offset`. Default none.
     pub offset: Vector2,
-    /// Rotation against the body in radians. Default 0.
+    /// Rotation against the body in radians, clockwise on a screen with y down. It turns the offset too. Default 0.
     pub rotation_offset: f32,
     /// Edge of a distance grid cell in the user's length unit. At 0 or less it is a tenth of the shorter side of
     /// the geom's box **as it lies in the world when it is made**: of a long thin geom on a rotated body the
