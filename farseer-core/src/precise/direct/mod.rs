@@ -279,6 +279,9 @@ impl Precise {
             };
             self.direct.timing.is_due |= self.rows.all_direct().iter().any(|row| is_refused(&row.lane));
         }
+        if self.space.is_some() && self.direct.is_listed && !self.direct.timing.is_due {
+            self.direct.is_listed = self.are_contacts_listed();
+        }
         let joints = self.joints.count() as u32;
         self.direct.timing.may_be_due |= std::mem::replace(&mut self.direct.timing.joints, joints) != joints;
         let moves = |body: usize| self.moves(self.bodies.hot[body].velocity);
@@ -299,6 +302,16 @@ impl Precise {
             self.list_contacts();
         }
         self.direct.is_listed = true;
+    }
+
+    /// Whether the contacts of the islands are all those in the plane, and no others: the normal of a contact may turn towards
+    /// the depth axis, or back, while its row stays.
+    fn are_contacts_listed(&self) -> bool {
+        let in_plane = self.rows.all_direct().iter().filter(|row| is_in_plane(&row.lane)).count();
+        let islands = &self.direct.islands[..self.direct.count];
+        let listed: usize = islands.iter().map(|whole| whole.homes.len()).sum();
+        let mut homes = islands.iter().flat_map(|whole| &whole.homes);
+        listed == in_plane && homes.all(|&home| is_in_plane(&self.rows.direct(home).lane))
     }
 
     /// Whether not many bodies are awake.

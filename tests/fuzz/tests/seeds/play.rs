@@ -117,6 +117,17 @@ fn figures_walk_on_as_after_a_restore() {
 }
 
 #[test]
+fn islands_that_are_solved_directly_have_the_same_contacts_after_a_restore() {
+    // The normal of a contact had turned towards the depth axis while its row stayed.
+    holds_for!([710_037], twins_stay_equal::<CalmDepth<Upright>>);
+}
+
+#[test]
+fn the_velocity_of_a_platform_that_swings_at_the_end_of_all_numbers_is_finite() {
+    holds_for!([710_015], numbers_are_finite::<CalmDepth<Upright>>);
+}
+
+#[test]
 fn joints_follow_what_is_not_listed_as_those_of_their_twins_do() {
     holds_for!([708, 1797], twins_stay_equal::<OneWayPlane>);
     holds_for!([369, 381], twins_stay_equal::<Tied>);

@@ -1,5 +1,6 @@
 //! Platforms that swing about an upright hinge.
 
+use farseer_core::math::scalar::nearest_finite;
 use farseer_core::{Error, FixtureMotion, FixtureSwing, Swings};
 use serde::{Deserialize, Serialize};
 
@@ -124,7 +125,9 @@ impl Platform {
     pub(super) fn swinging_velocity(&self) -> Option<Vector3> {
         let FixtureSwing { hinge: [x, z], .. } = self.told_swing()?;
         let (turning, centre) = (self.angular_velocity(), self.shape.centre);
-        Some(Vector3::new(-turning * (centre.z - z), 0.0, turning * (centre.x - x)))
+        // The distance of two finite numbers and its product with a third may be beyond all numbers.
+        let at = |out: f32| nearest_finite(turning * nearest_finite(out));
+        Some(Vector3::new(-at(centre.z - z), 0.0, at(centre.x - x)))
     }
 
     /// Swinging, at rest at the angle that it has; or not any more, and standing still.
