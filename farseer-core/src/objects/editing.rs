@@ -36,7 +36,10 @@ impl Objects {
         Ok(())
     }
 
-    /// Replaces the outline of a geom. As in the original, world vertices and box stay those of the body's origin
+    /// Replaces the outline of a geom. With the [precise set](crate::Methods::Precise) everything follows: world vertices and box
+    /// at once, contacts in the next update. What rests on the geom wakes, and what it overlaps is pushed out.
+    ///
+    /// With the faithful set, as in the original, world vertices and box stay those of the body's origin
     /// until the body is moved or integrated next, and the distance grid stays that of the old outline: contacts are
     /// looked for there until the grid is [removed](Self::remove_distance_grid) and
     /// [made again](Self::create_distance_grid).
@@ -51,7 +54,12 @@ impl Objects {
         replaced.set_vertices(vertices);
         let GeomEntry { local_vertices, .. } = check_place("vertices", replaced, &self.bodies[body])?;
         self.settle_body(body);
-        self.geoms[geom].set_vertices(local_vertices);
+        let replaced = &mut self.geoms[geom];
+        replaced.set_vertices(local_vertices);
+        if self.methods.is_precise() {
+            let body = &self.bodies[body].body;
+            replaced.follow(body.position(), body.rotation());
+        }
         self.has_new_structure = true;
         Ok(())
     }

@@ -104,6 +104,21 @@ fn a_floor_that_is_halved_lets_down_the_stack_that_rests_on_it() {
 }
 
 #[test]
+fn queries_see_a_new_outline_where_its_body_is_at_once() {
+    let mut simulator = precise(900.0);
+    let (_, geom) = add_static(&mut simulator, v(1000.0, 20.0), [40.0, 40.0]);
+    simulator.update(DT);
+    reshape(&mut simulator, geom, [400.0, 40.0]);
+    for _ in 0..2 {
+        assert!(simulator.geom_collides_with_point(geom, v(1150.0, 20.0)));
+        assert!(!simulator.geom_collides_with_point(geom, v(0.0, 0.0)));
+        let aabb = simulator.geom(geom).unwrap().aabb();
+        assert_eq!((aabb.min, aabb.max), (v(800.0, 0.0), v(1200.0, 40.0)));
+        simulator.update(DT);
+    }
+}
+
+#[test]
 fn a_static_box_that_was_made_small_holds_nothing_where_it_was_and_a_large_one_all_where_it_is() {
     for is_restored in [false, true] {
         let mut simulator = precise(900.0);
