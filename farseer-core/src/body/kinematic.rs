@@ -103,10 +103,17 @@ impl Body {
         self.clear_torque();
         self.clear_impulse();
         let Some(target) = self.target else { return };
+        (self.linear_velocity, self.angular_velocity) = self.kinematic_velocity(dt);
+        let is_there = target.progress == Progress::Reached;
+        self.target =
+            Some(Target { progress: Progress::Moving, ..target }).filter(|_| !is_there && self.is_finite());
+    }
+
+    /// The linear and angular velocity that a kinematic body has in the step of `dt` seconds that comes.
+    pub(crate) fn kinematic_velocity(&self, dt: f32) -> (Vector2, f32) {
+        let Some(target) = self.target else { return (self.linear_velocity, self.angular_velocity) };
         if target.progress == Progress::Reached {
-            self.target = None;
-            (self.linear_velocity, self.angular_velocity) = (Vector2::zeros(), 0.0);
-            return;
+            return (Vector2::zeros(), 0.0);
         }
         let turn = target.rotation - self.rotation;
         let shorter = if turn > PI {
@@ -116,9 +123,7 @@ impl Body {
         } else {
             turn
         };
-        self.linear_velocity = (target.position - self.position) / dt;
-        self.angular_velocity = shorter / dt;
-        self.target = Some(Target { progress: Progress::Moving, ..target }).filter(|_| self.is_finite());
+        ((target.position - self.position) / dt, shorter / dt)
     }
 
     /// Whether the next update moves the body, if it is kinematic.

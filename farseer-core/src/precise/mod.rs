@@ -15,6 +15,7 @@
 //! Lengths are the user's; the numbers of the method are parts of one length ([`tuning`]).
 
 mod bodies;
+mod continuous;
 mod direct;
 pub(crate) mod dormant;
 mod driven;
@@ -61,6 +62,7 @@ pub use telling::{Island, IslandCost, IslandMethod, IslandResidual, WhyMethod};
 pub(crate) use tuning::Step;
 
 use bodies::Bodies;
+use continuous::Flight;
 use direct::Direct;
 use grid::Grid;
 use joints::Joints;
@@ -127,9 +129,9 @@ pub(crate) struct Precise {
     due: Vec<u32>,
     /// Some pair was refused or changed by a handler, for one step.
     has_handled: bool,
-    /// Those that go further in this step than they are thick, what part of their ways they go, and in which pair they meet
-    /// something; and the geoms that one of them has flown through, of which one is a sensor. Of no use between steps.
-    fast: Vec<(u32, f32, Option<usize>)>,
+    /// Bodies that move by more than their cores in this step; and the sensors that a fast body crosses within it, with the
+    /// geoms that cross them. Of no use between steps.
+    fast: Vec<Flight>,
     flown: Vec<[(u32, GeomId); 2]>,
     /// Proxies whose bounds are wider for a step.
     widened: Vec<u32>,

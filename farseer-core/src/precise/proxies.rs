@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::bodies::{Bodies, room_for};
 use super::grid::Box2;
 use super::outline::{Corners, Shape};
+use super::space::parts::is_geom;
 use super::tuning::{Tuning, Widening};
 use crate::geom::GeomId;
 use crate::geom::entry::GeomEntry;
@@ -90,6 +91,19 @@ impl Proxy {
             surface_velocity: [0.0; 4],
             one_way: None,
         }
+    }
+
+    /// Whether the filters of two geoms let them meet. What else may forbid it is asked when a pair is made.
+    pub(super) fn may_meet(&self, other: &Proxy) -> bool {
+        if !(is_geom(self.geom) && is_geom(other.geom)) {
+            return true;
+        }
+        let [is, with, group, is_enabled, _] = self.filter;
+        let [other_is, other_with, other_group, other_is_enabled, _] = other.filter;
+        is_enabled != 0
+            && other_is_enabled != 0
+            && (group != other_group || group == 0)
+            && (is & other_with != 0 || other_is & with != 0)
     }
 
     fn body_of_box(&self) -> Option<u32> {

@@ -60,7 +60,8 @@ impl Precise {
             self.pairs.partners(proxy).for_each(|partner| known[partner as usize] = true);
             let bounds = self.proxies.bounds[proxy as usize];
             let mut find = |other: u32| {
-                if !known[other as usize] {
+                let [one, partner] = [proxy, other].map(|proxy| &self.proxies.all[proxy as usize]);
+                if !known[other as usize] && one.may_meet(partner) {
                     found.extend(self.ordered([proxy, other]));
                 }
             };
@@ -219,6 +220,7 @@ impl Precise {
         }
         self.lost = lost;
         let looked_at = circles + self.look_at_unpushed() + self.touch().scan();
+        self.look_ahead_of_kinematic();
         self.remember_sunk();
         looked_at
     }

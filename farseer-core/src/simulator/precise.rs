@@ -37,6 +37,9 @@ impl PhysicsSimulator {
         }
         let steps = Steps { before: self.precise().last_step(), now: dt };
         let step = self.precise().begin(dt, substeps, gravity, may_sleep);
+        if let Some(precise) = &mut self.pipeline.precise {
+            precise.begin_kinematic(&self.objects);
+        }
         let found = self.precise().find_pairs();
         self.accept_precise_pairs(found, handler);
         stopwatch.lap(|times| &mut times.broad_phase_collision_time);
@@ -66,7 +69,11 @@ impl PhysicsSimulator {
         if self.precise().find_fast() {
             let found = self.precise().find_pairs_of_fast();
             self.accept_precise_pairs(found, handler);
-            self.precise().stop_fast(&step);
+            if self.precise().stop_fast(&step) {
+                let found = self.precise().find_pairs_of_fast();
+                self.accept_precise_pairs(found, handler);
+                self.precise().stop_carried();
+            }
         }
         self.report.counters.passes = substeps;
         stopwatch.lap(|times| &mut times.apply_impulses_time);
@@ -383,5 +390,48 @@ impl PhysicsSimulator {
                 self.tell(handler, |handler, context| handler.on_body_updated(context, body));
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::math::Vector2;
+    use crate::{BodyFactory, BodyId, GeomFactory, GeomPlacement, Methods, PhysicsSimulator};
+
+    fn add_box(simulator: &mut PhysicsSimulator, x: f32, y: f32, size: f32) -> BodyId {
+        let body = BodyFactory::create_rectangle_body_in(simulator, size, size, 1.0).unwrap();
+        simulator[body].set_position(Vector2::new(x, y));
+        simulator[body].set_linear_drag_coefficient(0.0);
+        let placement = GeomPlacement::default();
+        GeomFactory::create_rectangle_geom_in(simulator, body, size, size, placement).unwrap();
+        body
+    }
+
+    /// Four fast boxes fly along a row of sleeping ones: the most pairs, and the most bounds renewed in a step.
+    fn most_beside(sleepers: usize) -> (usize, usize) {
+        let mut simulator = PhysicsSimulator::new(Vector2::zeros()).unwrap();
+        simulator.set_methods(Methods::PRECISE).unwrap();
+        for i in 0..sleepers {
+            add_box(&mut simulator, 40.0 * i as f32, 0.0, 32.0);
+        }
+        (0..60).for_each(|_| simulator.update(1.0 / 60.0));
+        for i in 0..4 {
+            let body = add_box(&mut simulator, -60.0, -40.0 - 30.0 * i as f32, 16.0);
+            simulator[body].set_linear_velocity(Vector2::new(6000.0, 0.0));
+        }
+        let mut most = (0, 0);
+        for _ in 0..60 {
+            simulator.update(1.0 / 60.0);
+            let precise = simulator.pipeline.precise.as_ref().unwrap();
+            most = (most.0.max(precise.pair_count()), most.1.max(precise.bounds_renewed()));
+        }
+        most
+    }
+
+    #[test]
+    fn fast_bodies_have_as_few_pairs_and_new_bounds_beside_many_sleepers_as_beside_few() {
+        let (few, many) = (most_beside(60), most_beside(2000));
+        assert!(many.0 <= few.0 + 2 && many.1 <= few.1, "{few:?} and {many:?}");
+        assert!(many.1 <= 4, "{many:?}: no more than there are fast bodies");
     }
 }

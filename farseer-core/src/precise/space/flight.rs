@@ -52,29 +52,31 @@ impl Flying<'_> {
 }
 
 impl Space {
-    fn flying<'a>(&self, at: u32, proxies: &'a Proxies, bodies: &Bodies) -> Flying<'a> {
+    fn flying<'a>(&self, at: u32, proxies: &'a Proxies, bodies: &Bodies, path: [f32; 4]) -> Flying<'a> {
         let proxy: &Proxy = &proxies.all[at as usize];
         let plane = Flyer {
             outline: proxies.corners.outline(proxy.shape),
             pose: bodies.poses[proxy.body as usize],
-            path: bodies.path.get(proxy.body as usize).copied().unwrap_or_default(),
+            path,
         };
         let solid = self.solid(at, proxy, plane.outline, (bodies, 0.0));
         Flying { plane, kind: solid.kind, z: solid.z, slant: solid.slant }
     }
 
-    /// Distance of a pair after a part of the step, and how fast it can become less, in lengths per step.
+    /// Distance of a pair after a part of the step, and how fast it can become less, in lengths per step; with the paths of
+    /// its bodies in the step.
     pub(in crate::precise) fn coming(
         &self,
         [a, b]: [u32; 2],
         proxies: &Proxies,
         bodies: &Bodies,
+        paths: [[f32; 4]; 2],
         part: f32,
     ) -> (f32, f32) {
         if self.is_upright(a) || self.is_upright(b) {
-            return self.coming_upright([a, b], proxies, bodies, part);
+            return self.coming_upright([a, b], proxies, bodies, paths, part);
         }
-        let (a, b) = (self.flying(a, proxies, bodies), self.flying(b, proxies, bodies));
+        let [a, b] = [(a, paths[0]), (b, paths[1])].map(|(at, path)| self.flying(at, proxies, bodies, path));
         let (apart, axis, leaning) = separation(a, b, part);
         let turning = |one: &Flying<'_>| one.plane.path[2].abs() * one.plane.outline.shape.reach;
         let way = [0, 1, 3].map(|at| b.plane.path[at] - a.plane.path[at]);
@@ -85,10 +87,16 @@ impl Space {
 
 impl Space {
     /// The same of a pair of which one is upright.
-    fn coming_upright(&self, pair: [u32; 2], proxies: &Proxies, bodies: &Bodies, part: f32) -> (f32, f32) {
-        let [(a, way_a), (b, way_b)] = pair.map(|at| {
+    fn coming_upright(
+        &self,
+        [a, b]: [u32; 2],
+        proxies: &Proxies,
+        bodies: &Bodies,
+        paths: [[f32; 4]; 2],
+        part: f32,
+    ) -> (f32, f32) {
+        let [(a, way_a), (b, way_b)] = [(a, paths[0]), (b, paths[1])].map(|(at, path)| {
             let proxy = &proxies.all[at as usize];
-            let path = bodies.path.get(proxy.body as usize).copied().unwrap_or_default();
             let outline = proxies.corners.outline(proxy.shape);
             let plane = Flyer { outline, pose: bodies.poses[proxy.body as usize], path };
             let mut solid = self.solid(at, proxy, outline, (bodies, 0.0));

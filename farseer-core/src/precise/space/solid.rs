@@ -126,6 +126,14 @@ pub(super) fn flipped(mut found: Manifold, a: Solid<'_>, b: Solid<'_>) -> Manifo
 }
 
 impl Solid<'_> {
+    /// Where it is after a part of its way through the step, which began apart from what it meets.
+    pub(in crate::precise) fn move_along(&mut self, pose: Pose, path: [f32; 4], part: f32) {
+        self.pose = pose;
+        self.z += part * path[3];
+        let way = [path[0], path[1], path[3]];
+        (self.motion, self.ahead) = (way.map(|way| part * way), way);
+    }
+
     /// The middle of a ball.
     pub(super) fn centre(&self) -> Vector {
         sum(place(self.pose), turn(rotation(self.pose), self.outline.shape.centre))

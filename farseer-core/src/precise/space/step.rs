@@ -70,11 +70,22 @@ impl Space {
         told.motion = [x_way, y_way, way];
     }
 
+    /// The velocity along the axis that a kinematic body has in the step that comes.
+    pub(in crate::precise) fn kinematic_velocity(&self, id: crate::body::BodyId, dt: f32) -> f32 {
+        let told = self.body(id);
+        match told.target {
+            None => told.velocity,
+            Some(SpaceTarget { is_reached: true, .. }) => 0.0,
+            Some(SpaceTarget { z, .. }) => (z - told.z) / dt,
+        }
+    }
+
     /// A kinematic body has the velocity along the axis that leads to where it is brought.
     fn begin_kinematic(&mut self, id: crate::body::BodyId, dt: f32) {
+        let velocity = self.kinematic_velocity(id, dt);
         let told = self.body_mut(id);
-        let Some(SpaceTarget { z, is_reached }) = told.target else { return };
-        told.velocity = if is_reached { 0.0 } else { (z - told.z) / dt };
+        let Some(SpaceTarget { is_reached, .. }) = told.target else { return };
+        told.velocity = velocity;
         told.target = told.target.filter(|_| !is_reached && told.velocity.is_finite());
     }
 

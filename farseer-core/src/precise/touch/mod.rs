@@ -3,6 +3,7 @@
 //! A pair is looked at only when its bodies have moved so far that something can have changed. Then, while the two have
 //! hardly moved *against each other* since their contacts were found, these are [kept](kept); else they are found anew.
 
+mod ahead;
 mod apart;
 mod kept;
 mod lane;
@@ -23,6 +24,7 @@ use crate::body::BodyId;
 use crate::geom::surface::FrictionType;
 use crate::math::plane::{Pose, Vector, difference, length, place, rotation, scaled, sum, turn_back};
 use crate::math::scalar::nearest_finite;
+use ahead::Approach;
 use lane::carry_friction;
 pub(super) use touching::Change;
 
@@ -145,7 +147,7 @@ impl<'a> Touch<'a> {
             self.part(pair, 0.0);
         } else {
             self.looks.made += 1;
-            self.meet(pair, two, &found);
+            self.meet(pair, two, &found, Approach::default());
             self.note_touch(pair, two);
         }
     }
@@ -222,19 +224,23 @@ impl<'a> Touch<'a> {
         self.pairs.watched[pair].tolerance = (slack * self.tuning.motion_scale()) as u32;
     }
 
-    /// The two touch, or nearly do.
-    fn meet(&mut self, pair: usize, two: Two<'_>, found: &Manifold) {
+    /// The two touch, or nearly do, once they have come together by this approach.
+    fn meet(&mut self, pair: usize, two: Two<'_>, found: &Manifold, approach: Approach) {
         let state = self.pairs.all[pair];
         let old = state.home.map(|home| self.rows.lane(state.kind, home));
         let kept = self.kept(pair, two, found);
         let was = self.pairs.frozen[pair].normal;
         self.freeze(pair, two, found);
+        self.pairs.frozen[pair].space.apart += approach.depth;
         if !state.responds || state.is_vetoed {
             return;
         }
         let old = old.unwrap_or_default();
         let mut lane = self.lane(pair, two);
         carry_friction(&mut lane, &old);
+        for (point, approach) in lane.points.iter_mut().zip(approach.points) {
+            point.separation += approach;
+        }
         for (at, point) in lane.points.iter_mut().enumerate().take(found.count) {
             if let Some(from) = kept[at] {
                 (point.impulse, point.held) = (old.points[from].impulse, old.points[from].held);
