@@ -55,6 +55,7 @@ mod precise_islands;
 mod precise_joints;
 mod precise_loads;
 mod precise_motion;
+mod precise_movers;
 mod precise_one_way;
 mod precise_queries;
 mod precise_saves;

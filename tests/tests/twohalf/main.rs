@@ -22,6 +22,7 @@ mod ledges;
 mod long_frames;
 mod meeting;
 mod motion;
+mod movers;
 mod moving_seams;
 mod one_plane;
 mod one_way;
