@@ -331,10 +331,10 @@
 //!
 //! # Where it fails
 //!
-//! - **What is too fast passes through.** With the precise scheme nothing passes what stands still, or a platform that moves, but
-//!   two bodies, each of which moves farther per step than it is thick, may miss each other, unless one is
-//!   [marked](farseer_core::Body::set_is_bullet) as a bullet; and at 60 Hz what is 8 px thick may pass a platform that turns so fast
-//!   that it goes more than 15 px per step where it hits.
+//! - **What is too fast passes through.** With the precise scheme nothing passes what stands still, nor a platform or a kinematic
+//!   body that moves, but two dynamic bodies, each of which moves farther per step than it is thick, may miss each other, unless
+//!   one is [marked](farseer_core::Body::set_is_bullet) as a bullet; and at 60 Hz what is 8 px thick may pass a platform that
+//!   turns so fast that it goes more than 15 px per step where it hits.
 //!   A bullet is stopped, but in the step after a hit up to 1.42 % of the speed is left: at 30,000 px/s and 0.01 s it passes a
 //!   plate of 4 px that is as light as itself. Of several that are marked and stand in a row it may pass one. With the others
 //!   contacts are looked for where things are at a step, not on the way between two: along any axis, what moves farther per step

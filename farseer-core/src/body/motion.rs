@@ -35,15 +35,15 @@ impl Body {
         self.set_position(Vector2::new(self.position.x, y));
     }
 
-    /// Whether the body passes through nothing, however fast it is. Default false. Ours, and only with the
-    /// [precise set](crate::Methods::Precise): there no body passes through what is static, kinematic or asleep; a bullet not
-    /// through other bodies either.
+    /// Whether the body passes through no other one, however fast it is. Default false. Ours, and only with the
+    /// [precise set](crate::Methods::Precise): there no body passes through a static, kinematic or sleeping one; a bullet does
+    /// not pass through dynamic bodies either, nor they through it.
     pub fn is_bullet(&self) -> bool {
         self.is_bullet
     }
 
-    /// Sets [`is_bullet`](Self::is_bullet). For few bodies that are small and fast: each asks in every step in which it goes
-    /// further than it is thick when it meets what is on its way.
+    /// Sets [`is_bullet`](Self::is_bullet). For few bodies that are small and fast: in every step in which a bullet moves by
+    /// more than its thickness, the times of impact with all bodies along its way are computed.
     pub fn set_is_bullet(&mut self, value: bool) {
         self.is_bullet = value;
     }
