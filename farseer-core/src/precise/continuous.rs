@@ -15,6 +15,7 @@
 use super::Precise;
 use super::bodies::Bodies;
 use super::flight::{EXACT, Flyer, Two, meet};
+use super::flush::Flush;
 use super::grid::Box2;
 use super::one_way::{Passage, Ways};
 use super::proxies::{Mobility, Proxy};
@@ -330,7 +331,7 @@ impl Precise {
         let mut first = None;
         let pairs = self.pairs.of_body(&self.proxies, body);
         for pair in pairs.filter(|&pair| may(pair) && self.stops(pair, body)) {
-            match self.impact(self.pairs.watched[pair].proxies, DEEP) {
+            match self.impact_of(pair) {
                 Some(time) if first.is_none_or(|(earliest, _)| time < earliest) => first = Some((time, pair)),
                 _ => {}
             }
@@ -373,19 +374,44 @@ impl Precise {
         Ways { bodies, proxies, pairs, reach: tuning.speculative, are_gone: false }
     }
 
+    /// The time of impact of a pair as a fraction of the step; flush neighbours of a tile [hide](Flush) its side faces.
+    fn impact_of(&self, pair: usize) -> Option<f32> {
+        let proxies = self.pairs.watched[pair].proxies;
+        if self.space.is_some() {
+            return self.impact(proxies, DEEP);
+        }
+        self.impact_in_plane(proxies, DEEP, |part, two| self.flush(part).coming(pair, two))
+    }
+
     /// The time of impact of two proxies as a fraction of the step: when they penetrate each other by `deep` parts of the reach
     /// of contacts, or by that much more than when the step began.
     fn impact(&self, proxies: [u32; 2], deep: f32) -> Option<f32> {
+        let Some(space) = &self.space else {
+            return self.impact_in_plane(proxies, deep, |part, two| two.coming(part));
+        };
         let reach = self.tuning.speculative;
-        if let Some(space) = &self.space {
-            let paths = proxies.map(|proxy| self.path(self.proxies.all[proxy as usize].body));
-            return meet(deep * reach, EXACT * reach, |part| {
-                space.coming(proxies, &self.proxies, &self.bodies, paths, part)
-            });
-        }
+        let paths = proxies.map(|proxy| self.path(self.proxies.all[proxy as usize].body));
+        meet(deep * reach, EXACT * reach, |part| {
+            space.coming(proxies, &self.proxies, &self.bodies, paths, part)
+        })
+    }
+
+    fn impact_in_plane(
+        &self,
+        proxies: [u32; 2],
+        deep: f32,
+        coming: impl Fn(f32, &Two<'_>) -> (f32, f32),
+    ) -> Option<f32> {
+        let reach = self.tuning.speculative;
         let [a, b] = proxies.map(|proxy| self.flyer(proxy, 1.0));
         let two = Two { a, b };
-        if two.is_free() { None } else { meet(deep * reach, EXACT * reach, |part| two.coming(part)) }
+        if two.is_free() { None } else { meet(deep * reach, EXACT * reach, |part| coming(part, &two)) }
+    }
+
+    /// The filter of flush neighbours after this part of the step.
+    fn flush(&self, part: f32) -> Flush<'_> {
+        let Precise { bodies, proxies, pairs, tuning, dt, .. } = self;
+        Flush { bodies, proxies, pairs, tuning, dt: *dt, part }
     }
 
     /// A proxy on this part of its way.

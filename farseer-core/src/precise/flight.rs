@@ -133,10 +133,15 @@ impl Two<'_> {
 
     /// Distance after a part of the step, and how fast it can become less, in lengths per step.
     pub(super) fn coming(&self, part: f32) -> (f32, f32) {
+        let (apart, axis) = self.separation(part);
+        (apart, self.closing(axis))
+    }
+
+    /// How fast the two can come together along an axis from A to B, in lengths per step.
+    pub(super) fn closing(&self, axis: Vector) -> f32 {
         let way = difference(place(self.b.path), place(self.a.path));
         let turning = |flyer: &Flyer<'_>| flyer.path[2].abs() * flyer.outline.shape.reach;
-        let (apart, axis) = self.separation(part);
-        (apart, turning(&self.a) + turning(&self.b) - dot(way, axis))
+        turning(&self.a) + turning(&self.b) - dot(way, axis)
     }
 
     /// Whether A is an edge of a chain that B comes from behind.

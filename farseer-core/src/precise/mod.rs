@@ -22,6 +22,7 @@ mod driven;
 mod elimination;
 mod fingerprint;
 mod flight;
+mod flush;
 mod grid;
 mod islands;
 mod joints;
@@ -35,6 +36,7 @@ mod outline;
 mod pairs;
 mod passes;
 mod proxies;
+mod rolling;
 mod round;
 mod rows;
 mod saved;
@@ -69,6 +71,7 @@ use joints::Joints;
 use nearby::Loose;
 use pairs::Pairs;
 use proxies::Proxies;
+use rolling::Roll;
 use rows::{Palette, Rows};
 use sleep::Sleep;
 use space::{Held, Space};
@@ -127,6 +130,8 @@ pub(crate) struct Precise {
     looks: Looks,
     /// Pairs that are to be looked at, while they are.
     due: Vec<u32>,
+    /// Contacts of polygons that roll over a static face, found in this step.
+    rolling: Vec<Roll>,
     /// Some pair was refused or changed by a handler, for one step.
     has_handled: bool,
     /// Bodies that move by more than their cores in this step; and the sensors that a fast body crosses within it, with the
@@ -149,7 +154,8 @@ reusing_clone! {
     Precise {
         tuning, h, dt, fall, loaded, is_stale, has_new_members, bounces, friction, most_contacts, bodies, proxies,
         grid, pairs, rows, palette, joints, sleep, direct, space, body_numbers, first_proxies, loose, absent,
-        edited_bodies, edited_geoms, woken, changes, parted, looks, due, has_handled, fast, flown, widened, unpushed, lost, found,
+        edited_bodies, edited_geoms, woken, changes, parted, looks, due, rolling, has_handled, fast, flown, widened, unpushed,
+        lost, found,
         known, touching
     }
 }
@@ -194,6 +200,7 @@ impl Precise {
             parted: Vec::new(),
             looks: Looks::default(),
             due: Vec::new(),
+            rolling: Vec::new(),
             has_handled: false,
             fast: Vec::new(),
             flown: Vec::new(),
@@ -226,6 +233,7 @@ impl Precise {
             parted: &mut self.parted,
             looks: &mut self.looks,
             due: &mut self.due,
+            rolling: &mut self.rolling,
         }
     }
 }

@@ -270,6 +270,11 @@ fn strictest(a: Verdict, b: Verdict) -> (Verdict, Which) {
     }
 }
 
+/// Whether a piece, or what is none, can push along w in its own frame.
+pub(super) fn admits(side: &Side<'_>, w: Vector) -> bool {
+    verdict(side, w) == Verdict::Admitted
+}
+
 /// Whether a piece can push along w. What is no piece can.
 fn verdict(side: &Side<'_>, w: Vector) -> Verdict {
     let (outline, seams) = (side.outline, side.outline.seams());

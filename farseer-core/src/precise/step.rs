@@ -193,6 +193,7 @@ impl Precise {
     /// Third stage: what may have changed is looked at. Answers how many pairs that were.
     pub(crate) fn find_contacts(&mut self, friction: crate::FrictionType, most_contacts: u32) -> usize {
         self.looks = Looks::default();
+        self.rolling.clear();
         self.let_go();
         let has_friction_changed = std::mem::replace(&mut self.friction, friction) != friction;
         let has_limit_changed = std::mem::replace(&mut self.most_contacts, most_contacts) != most_contacts;
@@ -458,8 +459,10 @@ impl Precise {
         let may_bounce = self.bounces && self.note_approaches();
         self.gather_warm(step);
         self.warm_swings();
+        self.begin_rolls();
         for substep in 0..step.substeps {
             self.push_swings(step.h, substep == 0);
+            self.renew_rolls(step, substep == 0);
             begin_substep(&mut self.bodies, &self.sleep.bodies, substep == 0);
             self.begin_spins(substep == 0);
             self.joints.correct(&mut self.bodies, step.h);
@@ -472,6 +475,7 @@ impl Precise {
             self.joints.share_depth(&mut self.bodies);
             displace(&mut self.bodies, &self.sleep.bodies, step.h, substep == 0);
             self.turn_swings();
+            self.lean_rolls(step);
             self.joints.advance(&self.bodies, step.h);
             self.joints.relax(&mut self.bodies, step.h);
             self.relax(step);
@@ -481,11 +485,14 @@ impl Precise {
                 self.note_pushes();
             }
         }
+        self.note_paths_of_rolls();
         let Precise { bodies, sleep, palette, joints, tuning, .. } = self;
         even_out(bodies, &sleep.bodies, (palette, joints), tuning.speculative, step);
+        self.restore_paths_of_rolls();
         if may_bounce {
             self.bounce(step);
         }
+        self.end_rolls();
     }
 
     /// Impulses are forces times the length of a substep: they follow it.

@@ -103,6 +103,11 @@ impl Touch<'_> {
         }
     }
 
+    /// Whether a polygon turns so far on a static face in this step that its contacts are renewed in every substep.
+    pub(super) fn rolls(&self, pair: usize, two: Two<'_>) -> bool {
+        self.pairs.frozen[pair].lead != 0.0 && self.turn_on_fixed(pair, two).abs() > ROLLING
+    }
+
     /// Caches a manifold with the poses that it was computed in.
     pub(super) fn freeze(&mut self, pair: usize, two: Two<'_>, found: &Manifold) {
         let count = if self.pairs.all[pair].kind.has_two_points { found.count } else { found.count.min(1) };

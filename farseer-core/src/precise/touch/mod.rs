@@ -13,10 +13,12 @@ mod touching;
 
 use super::bodies::Bodies;
 use super::direct::Direct;
+use super::flush::Flush;
 use super::manifold::{Manifold, circles_meet, collide};
 use super::pairs::{BY_ROW, Frozen, FrozenInSpace, Pairs, Watch};
 use super::proxies::{Mobility, Proxies, Proxy};
-use super::rows::{Palette, Rows};
+use super::rolling::Roll;
+use super::rows::{Lane, Palette, Rows};
 use super::sleep::Sleep;
 use super::space::{Before, Held, Limits, Space, touch_balls};
 use super::tuning::Tuning;
@@ -55,6 +57,8 @@ pub(super) struct Touch<'a> {
     pub(super) looks: &'a mut Looks,
     /// Empty between scans, but for the room it has.
     pub(super) due: &'a mut Vec<u32>,
+    /// Contacts of polygons that roll over a static face in this step.
+    pub(super) rolling: &'a mut Vec<Roll>,
 }
 
 /// What became of pairs that were looked at.
@@ -152,6 +156,17 @@ impl<'a> Touch<'a> {
         }
     }
 
+    /// Tells what flush neighbours hide, where bodies are.
+    fn flush(&self) -> Flush<'_> {
+        let Touch { bodies, proxies, pairs, tuning, dt, .. } = self;
+        Flush { bodies, proxies, pairs, tuning, dt: *dt, part: 0.0 }
+    }
+
+    /// The row of a pair as it would be made from what is kept of its contacts, without impulses.
+    pub(super) fn lane_now(&self, pair: usize) -> Lane {
+        self.lane(pair, self.two(pair))
+    }
+
     /// How far contacts reach: as far as two can come in this step where one is a box that sweeps through what is in its way.
     fn reach(&self, two: Two<'_>) -> f32 {
         let (Some(space), Mobility::Kinematic | Mobility::Hinged) = (self.space, two.a.mobility) else {
@@ -169,6 +184,9 @@ impl<'a> Touch<'a> {
         let outline = |proxy: &Proxy| self.proxies.corners.outline(proxy.shape);
         let Some(space) = self.space else {
             let found = collide(outline(two.a), outline(two.b), two.pose_a, two.pose_b, reach);
+            if two.a.mobility != Mobility::Dynamic && found.count > 0 && two.a.shape.count > 0 {
+                return self.flush().filtered(pair, found, reach);
+            }
             let is_new = found.count > 0 && !self.pairs.all[pair].is_told;
             return if is_new && self.are_circles(two) { self.where_circles_meet(two, found) } else { found };
         };
@@ -236,6 +254,9 @@ impl<'a> Touch<'a> {
             return;
         }
         let old = old.unwrap_or_default();
+        if self.rolls(pair, two) {
+            self.rolling.push(Roll::new(self.pairs.watched[pair].proxies));
+        }
         let mut lane = self.lane(pair, two);
         carry_friction(&mut lane, &old);
         for (point, approach) in lane.points.iter_mut().zip(approach.points) {
