@@ -34,6 +34,11 @@ fn finite(numbers: f32x4) -> f32x4 {
 }
 
 impl Precise {
+    /// Number of fat AABBs that have been computed anew since the last [`find_pairs`](Self::find_pairs).
+    pub(crate) fn escaped_count(&self) -> usize {
+        self.proxies.escaped.len()
+    }
+
     /// Second stage: pairs whose bounds do not overlap any more go. Answers how many new ones there may be: those that
     /// [`candidate`](Self::candidate) names, in the order of creation numbers.
     pub(crate) fn find_pairs(&mut self) -> usize {

@@ -31,6 +31,8 @@ pub struct StepCounters {
     /// Pairs of convex pieces that had moved so little against each other that only distances were renewed; 0 with the
     /// faithful set.
     pub manifolds_kept: usize,
+    /// Fat AABBs that the broad phase computed anew, because shapes had left theirs or were new; 0 with the faithful set.
+    pub aabbs_renewed: usize,
 }
 
 /// What is told of the last update. Nothing of it is saved: the next update overwrites it and reads none of it.

@@ -40,6 +40,7 @@ impl PhysicsSimulator {
         if let Some(precise) = &mut self.pipeline.precise {
             precise.begin_kinematic(&self.objects);
         }
+        self.report.counters.aabbs_renewed = self.precise().escaped_count();
         let found = self.precise().find_pairs();
         self.accept_precise_pairs(found, handler);
         stopwatch.lap(|times| &mut times.broad_phase_collision_time);

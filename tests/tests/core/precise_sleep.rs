@@ -76,7 +76,29 @@ fn a_step_in_which_all_sleep_looks_at_no_pair_and_solves_nothing() {
     let counters = simulator.counters();
     assert_eq!((counters.pairs_tested, counters.contacts_solved, counters.bodies_moved), (0, 0, 0));
     assert_eq!((counters.bodies_asleep, counters.pairs_touching), (9, 9));
+    assert_eq!(counters.aabbs_renewed, 0);
     assert!(simulator.events().is_empty());
+}
+
+#[test]
+fn fat_aabbs_are_renewed_for_new_shapes_and_where_bodies_fall() {
+    let mut simulator = simulator();
+    add_floor(&mut simulator);
+    add_column(&mut simulator, 0.0, 3);
+    simulator.update(DT);
+    assert_eq!(simulator.counters().aabbs_renewed, 4);
+    simulator.update(DT);
+    assert_eq!(simulator.counters().aabbs_renewed, 0);
+    // After 1 s of falling it moves by over 5 px a step, which is more than a fat AABB leaves free in a few steps.
+    let falling = add_box(&mut simulator, [100.0, -1000.0], [20.0, 20.0]);
+    run(&mut simulator, 1.0);
+    let renewed: usize = (0..30)
+        .map(|_| {
+            simulator.update(DT);
+            simulator.counters().aabbs_renewed
+        })
+        .sum();
+    assert!((1..=30).contains(&renewed) && simulator[falling].position().y < -500.0, "{renewed}");
 }
 
 /// Hears of nothing; but with a handler all stages are gone through, whatever sleeps.
