@@ -27,6 +27,7 @@ macro_rules! copied {
 }
 
 pub mod advise;
+pub mod arena;
 pub mod charts;
 pub mod closed_forms;
 pub mod csv;

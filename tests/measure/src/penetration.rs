@@ -4,7 +4,7 @@
 //! touch with their flat sides overlap here by what was cut off. Everything else is its convex polygons. The
 //! depth is how far the shapes would have to be moved to part them.
 
-mod depth;
+pub(crate) mod depth;
 
 use super::world::{BodyState, World, turned};
 use conformance::run::Run;

@@ -2,11 +2,11 @@
 
 use crate::world::turned;
 
-pub(super) type Point = [f64; 2];
+pub(crate) type Point = [f64; 2];
 
 /// A convex shape.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Form {
+pub(crate) enum Form {
     Disc {
         centre: Point,
         radius: f64,
@@ -21,7 +21,7 @@ impl Form {
     /// # Panics
     ///
     /// When the outline is not convex.
-    pub(super) fn polygon(outline: &[Point]) -> Self {
+    pub(crate) fn polygon(outline: &[Point]) -> Self {
         let corners = hull(outline);
         let (whole, given) = (area(&corners), area(outline).abs());
         assert!(whole - given <= 1e-3 * whole, "an outline is not convex: {outline:?}");
@@ -29,7 +29,7 @@ impl Form {
     }
 
     /// Turned by an angle and moved.
-    pub(super) fn placed(&self, position: Point, angle: f64) -> Self {
+    pub(crate) fn placed(&self, position: Point, angle: f64) -> Self {
         let place = |point: Point| {
             let turned = turned(point, angle);
             [turned[0] + position[0], turned[1] + position[1]]
@@ -41,7 +41,7 @@ impl Form {
     }
 
     /// Where it begins and ends along a unit vector.
-    pub(super) fn extent(&self, axis: Point) -> (f64, f64) {
+    pub(crate) fn extent(&self, axis: Point) -> (f64, f64) {
         match self {
             Form::Disc { centre, radius } => (dot(*centre, axis) - radius, dot(*centre, axis) + radius),
             Form::Polygon(corners) => corners
@@ -55,7 +55,7 @@ impl Form {
 }
 
 /// How far two shapes would have to be moved to part them; 0 or less when they are apart.
-pub(super) fn depth(one: &Form, other: &Form) -> f64 {
+pub(crate) fn depth(one: &Form, other: &Form) -> f64 {
     match (one, other) {
         (Form::Disc { centre: a, radius: ra }, Form::Disc { centre: b, radius: rb }) => {
             ra + rb - (a[0] - b[0]).hypot(a[1] - b[1])
@@ -105,7 +105,7 @@ fn outward(from: Point, to: Point) -> Point {
 }
 
 /// The corners of the convex hull, without points on its edges: sorted by x, then the lower and the upper chain.
-fn hull(points: &[Point]) -> Vec<Point> {
+pub(crate) fn hull(points: &[Point]) -> Vec<Point> {
     let mut sorted = points.to_vec();
     sorted.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
     let size = sorted.iter().fold(0.0_f64, |size, p| size.max(p[0].abs()).max(p[1].abs()));

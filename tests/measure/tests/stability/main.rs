@@ -6,6 +6,7 @@ mod common;
 #[macro_use]
 mod written;
 
+mod arena;
 mod depth;
 mod facts;
 mod judges;

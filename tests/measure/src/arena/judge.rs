@@ -1,0 +1,203 @@
+//! The verdict on a state, by the same geometry for every engine: overlaps, joint gaps, escapes, energy.
+
+use super::engine::State;
+use super::play::Play;
+use super::scene::{Body, Filter, Form, Kind, Limits, Point, Shape};
+use crate::penetration::depth::{Form as Piece, depth};
+use crate::world::turned;
+use std::collections::BTreeSet;
+
+/// Shapes that are no further apart than this touch, in m: Box2D's linear slop.
+const TOUCH: f64 = 0.005;
+
+/// The judged state of a scene. Bodies are dynamic ones.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Verdict {
+    /// Number of bodies that are there.
+    pub bodies: usize,
+    /// Bodies with a state that is not finite; no other figure counts these.
+    pub not_finite: usize,
+    /// Bodies beyond the bounds of the scene.
+    pub escaped: usize,
+    /// Pairs of convex pieces that touch.
+    pub contacts: usize,
+    /// Deepest overlap of two pieces in m, 0 or more.
+    pub deepest: f64,
+    /// Mean overlap of the pairs that touch in m; negative where most are a little apart.
+    pub mean_overlap: f64,
+    /// Greatest distance in m of the two points that a joint holds together.
+    pub gap: f64,
+    /// Greatest speed in m/s.
+    pub speed: f64,
+    /// Kinetic energy in J.
+    pub energy: f64,
+    /// Mean and greatest height of centres of mass in m.
+    pub height: f64,
+    /// See [`height`](Self::height).
+    pub highest: f64,
+}
+
+impl Verdict {
+    /// Whether the state is finite and within limits.
+    pub fn is_sound(&self, limits: &Limits) -> bool {
+        (self.not_finite, self.escaped) == (0, 0)
+            && self.deepest <= f64::from(limits.overlap)
+            && self.gap <= f64::from(limits.gap)
+            && self.speed <= f64::from(limits.speed)
+    }
+}
+
+/// A convex piece of a shape in the world, and its AABB.
+struct Placed {
+    body: usize,
+    is_dynamic: bool,
+    filter: Filter,
+    piece: Piece,
+    x: (f64, f64),
+    y: (f64, f64),
+}
+
+/// Judges a state.
+pub fn judge(play: &mut Play<'_>) -> Verdict {
+    let mut states = Vec::with_capacity(play.bodies.len());
+    for (index, body) in play.bodies.iter().enumerate() {
+        states.push(body.as_ref().map(|_| play.engine.state(index)));
+    }
+    let mut verdict = Verdict { highest: f64::NEG_INFINITY, ..Verdict::default() };
+    let mut placed = Vec::new();
+    for (index, (body, state)) in play.bodies.iter().zip(&states).enumerate() {
+        let (Some(body), Some(state)) = (body, state) else { continue };
+        if body.kind == Kind::Dynamic {
+            verdict.see(body, state, play.scene.limits.bounds);
+        }
+        if is_finite(state) {
+            body.shapes.iter().for_each(|shape| place(index, body, shape, state, &mut placed));
+        }
+    }
+    verdict.height /= (verdict.bodies - verdict.not_finite).max(1) as f64;
+    for joint in play.joints.iter().flatten() {
+        let [Some(a), Some(b)] = joint.bodies.map(|index| states[index]) else { continue };
+        let [one, two] = [(joint.bodies[0], a), (joint.bodies[1], b)].map(|(index, state)| {
+            let begin = play.bodies[index].as_ref().map_or([0.0; 2], |body| body.position);
+            to_world(&state, [joint.anchor[0] - begin[0], joint.anchor[1] - begin[1]])
+        });
+        verdict.gap = verdict.gap.max((one[0] - two[0]).hypot(one[1] - two[1]));
+    }
+    let joined = play.joints.iter().flatten().map(|joint| sorted(joint.bodies)).collect();
+    verdict.see_overlaps(placed, &joined);
+    verdict
+}
+
+impl Verdict {
+    fn see(&mut self, body: &Body, state: &State, bounds: Option<[Point; 2]>) {
+        self.bodies += 1;
+        if !is_finite(state) {
+            self.not_finite += 1;
+            return;
+        }
+        let is_outside = |[low, high]: [Point; 2]| {
+            (0..2).any(|axis| !(low[axis]..=high[axis]).contains(&state.position[axis]))
+        };
+        self.escaped += usize::from(bounds.is_some_and(is_outside));
+        let speed = f64::from(state.velocity[0]).hypot(f64::from(state.velocity[1]));
+        self.speed = self.speed.max(speed);
+        let turning = f64::from(body.inertia) * f64::from(state.spin).powi(2);
+        self.energy += 0.5 * (f64::from(body.mass) * speed * speed + turning);
+        let height = f64::from(state.position[1]);
+        (self.height, self.highest) = (self.height + height, self.highest.max(height));
+    }
+
+    /// Sweeps along x. Pieces of one body, of bodies that are not dynamic, of a filtered pair and of two that a joint holds
+    /// do not meet.
+    fn see_overlaps(&mut self, mut placed: Vec<Placed>, joined: &BTreeSet<[usize; 2]>) {
+        placed.sort_by(|one, other| one.x.0.total_cmp(&other.x.0));
+        let mut sum = 0.0;
+        for (index, one) in placed.iter().enumerate() {
+            for other in placed[index + 1..].iter().take_while(|other| other.x.0 <= one.x.1 + TOUCH) {
+                let may_touch = one.y.0 <= other.y.1 + TOUCH && other.y.0 <= one.y.1 + TOUCH;
+                if !may_touch || !one.meets(other) || joined.contains(&sorted([one.body, other.body])) {
+                    continue;
+                }
+                let depth = depth(&one.piece, &other.piece);
+                if depth >= -TOUCH {
+                    (self.contacts, sum) = (self.contacts + 1, sum + depth);
+                    self.deepest = self.deepest.max(depth);
+                }
+            }
+        }
+        self.mean_overlap = sum / self.contacts.max(1) as f64;
+    }
+}
+
+impl Placed {
+    fn meets(&self, other: &Placed) -> bool {
+        self.body != other.body && (self.is_dynamic || other.is_dynamic) && self.filter.meets(other.filter)
+    }
+}
+
+fn place(index: usize, body: &Body, shape: &Shape, state: &State, placed: &mut Vec<Placed>) {
+    let position = state.position.map(f64::from);
+    for piece in pieces(&shape.form) {
+        let piece = piece.placed(position, f64::from(state.angle));
+        placed.push(Placed {
+            body: index,
+            is_dynamic: body.kind == Kind::Dynamic,
+            filter: shape.filter,
+            x: piece.extent([1.0, 0.0]),
+            y: piece.extent([0.0, 1.0]),
+            piece,
+        });
+    }
+}
+
+/// A shape as convex pieces: overlaps deeper than its radius may seem as deep as that.
+fn pieces(form: &Form) -> Vec<Piece> {
+    let polygon = |corners: &[Point]| {
+        Piece::polygon(&corners.iter().map(|corner| corner.map(f64::from)).collect::<Vec<_>>())
+    };
+    match form {
+        Form::Circle { centre, radius } => vec![disc(*centre, *radius)],
+        Form::Capsule { ends, radius } => rounded(ends, *radius),
+        Form::Polygon { corners, radius } if *radius > 0.0 => {
+            let mut pieces = rounded(corners, *radius);
+            pieces.push(polygon(corners));
+            pieces
+        }
+        Form::Box { .. } | Form::Polygon { .. } => vec![polygon(&form.sharp_corners())],
+        Form::Chain { points, is_loop } => {
+            let closing = [points[points.len() - 1], points[0]];
+            points.windows(2).chain(is_loop.then_some(&closing[..])).map(polygon).collect()
+        }
+    }
+}
+
+/// The rim of a rounded outline: discs at its corners, and rectangles outside of its edges.
+fn rounded(corners: &[Point], radius: f32) -> Vec<Piece> {
+    let mut pieces: Vec<Piece> = corners.iter().map(|&corner| disc(corner, radius)).collect();
+    for (index, &from) in corners.iter().enumerate() {
+        let [from, to] = [from, corners[(index + 1) % corners.len()]].map(|corner| corner.map(f64::from));
+        let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
+        let scale = f64::from(radius) / dx.hypot(dy);
+        let out = |[x, y]: [f64; 2]| [x + dy * scale, y - dx * scale];
+        pieces.push(Piece::polygon(&[from, to, out(to), out(from)]));
+    }
+    pieces
+}
+
+fn disc(centre: Point, radius: f32) -> Piece {
+    Piece::Disc { centre: centre.map(f64::from), radius: f64::from(radius) }
+}
+
+fn to_world(state: &State, local: Point) -> [f64; 2] {
+    let [x, y] = turned(local.map(f64::from), f64::from(state.angle));
+    [x + f64::from(state.position[0]), y + f64::from(state.position[1])]
+}
+
+fn sorted([a, b]: [usize; 2]) -> [usize; 2] {
+    [a.min(b), a.max(b)]
+}
+
+fn is_finite(state: &State) -> bool {
+    let State { position: [x, y], angle, velocity: [u, v], spin } = *state;
+    [x, y, angle, u, v, spin].iter().all(|number| number.is_finite())
+}

@@ -1,0 +1,201 @@
+//! Scenes in the 2D engine of this workspace, with its precise set: 32 px are one metre, and y points down.
+
+use super::engine::{Counters, DT, Engine, Result, SUBSTEPS, State};
+use super::scene::{Body, Filter, Form, Joint, Kind, Point, Scene, Shape};
+use crate::scenes::stage::METRE;
+use farseer_core::math::Vector2;
+use farseer_core::{
+    AngleSpring, BodyFactory, BodyId, CollisionCategory, FrictionType, GeomFactory, GeomId, GeomPlacement,
+    JointFactory, JointId, JointLimits, JointMotor, Methods, PhysicsSimulator, SpringFactory, SpringId,
+    Vertices,
+};
+use std::f32::consts::TAU;
+
+/// Edges of the outlines of circles and of the ends of capsules: of no meaning to the precise set, which knows them as round.
+const EDGES: i32 = 16;
+
+/// A scene in a [`PhysicsSimulator`].
+pub(super) struct Ours {
+    simulator: PhysicsSimulator,
+    bodies: Vec<BodyId>,
+    joints: Vec<(JointId, Option<SpringId>)>,
+    /// Dynamic bodies that are there.
+    dynamic_bodies: usize,
+}
+
+impl Ours {
+    pub(super) fn new(scene: &Scene) -> Result<Self> {
+        let mut simulator = PhysicsSimulator::new(px(scene.gravity))?;
+        simulator.set_methods(Methods::PRECISE)?;
+        simulator.set_iterations(i32::from(SUBSTEPS));
+        simulator.set_sleep_enabled(scene.sleeps);
+        if scene.takes_lesser_friction {
+            simulator.set_friction_type(FrictionType::Minimum);
+        }
+        Ok(Ours { simulator, bodies: Vec::new(), joints: Vec::new(), dynamic_bodies: 0 })
+    }
+
+    fn add_shape(&mut self, body: BodyId, shape: &Shape) -> Result<()> {
+        let geom = self.create_geom(body, &shape.form)?;
+        let Filter { category, mask, group } = shape.filter;
+        // One mask is enough for two to meet here: shapes that meet everything ask for their own category alone.
+        let mask = if mask == u32::MAX { category } else { mask };
+        let surface = &mut self.simulator[geom];
+        let [friction, restitution] = shape.mean_surface;
+        surface.set_friction_coefficient(friction);
+        surface.set_restitution_coefficient(restitution);
+        surface.set_collision_categories(CollisionCategory::from_bits(category as i32));
+        surface.set_collides_with(CollisionCategory::from_bits((mask & i32::MAX as u32) as i32));
+        surface.set_collision_group(group as i32);
+        Ok(self.simulator.add(geom)?)
+    }
+
+    fn create_geom(&mut self, body: BodyId, form: &Form) -> Result<GeomId> {
+        let simulator = &mut self.simulator;
+        Ok(match form {
+            Form::Circle { centre, radius } => {
+                let placement = GeomPlacement::at(px(*centre));
+                GeomFactory::create_circle_geom(simulator, body, radius * METRE, EDGES, placement)?
+            }
+            Form::Capsule { ends: [a, b], radius } => {
+                let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+                let height = (dx.hypot(dy) + 2.0 * radius) * METRE;
+                let centre = px([0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]);
+                // Capsules stand upright unless they are turned.
+                let placement = GeomPlacement::at(centre).turned(dx.atan2(dy));
+                GeomFactory::create_capsule_geom(simulator, body, height, radius * METRE, EDGES, placement)?
+            }
+            Form::Box { half: [x, y], centre } => {
+                let placement = GeomPlacement::at(px(*centre));
+                let [width, height] = [x, y].map(|half| 2.0 * half * METRE);
+                GeomFactory::create_rectangle_geom(simulator, body, width, height, placement)?
+            }
+            Form::Polygon { .. } => {
+                let corners: Vec<Vector2> = form.sharp_corners().into_iter().map(px).collect();
+                simulator.create_geom(body, Vertices::from(corners), GeomPlacement::default())?
+            }
+            Form::Chain { points, is_loop } => {
+                let first = points.first().filter(|_| *is_loop);
+                let points: Vec<Vector2> = points.iter().chain(first).copied().map(px).collect();
+                GeomFactory::create_chain_geom(simulator, body, &points, GeomPlacement::default())?
+            }
+        })
+    }
+
+    /// Two bodies that a joint holds do not collide; those of ragdolls are of one group already.
+    fn keep_apart(&mut self, [a, b]: [BodyId; 2]) -> Result<()> {
+        let [ours, theirs] = [a, b].map(|body| self.simulator.geoms_of(body).to_vec());
+        for &one in &ours {
+            for &other in &theirs {
+                self.simulator.ignore_collision_with(one, other)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// An angle spring with the stiffness and damping that a frequency and a damping ratio come to.
+    fn add_spring(&mut self, joint: &Joint, of: [&Body; 2], [hertz, ratio]: [f32; 2]) -> Result<SpringId> {
+        let [a, b] = joint.bodies.map(|index| self.bodies[index]);
+        let mobility: f32 = of.iter().filter(|body| body.inertia > 0.0).map(|body| 1.0 / body.inertia).sum();
+        let (inertia, omega) = (METRE * METRE / mobility, TAU * hertz);
+        let (stiffness, damping) = (inertia * omega * omega, 2.0 * ratio * inertia * omega);
+        let id = SpringFactory::create_angle_spring_in(&mut self.simulator, a, b, stiffness, damping)?;
+        let spring = self.simulator.spring_as_mut::<AngleSpring>(id)?;
+        spring.set_target_angle(-joint.reference)?;
+        Ok(id)
+    }
+}
+
+impl Engine for Ours {
+    fn add_body(&mut self, given: &Body) -> Result<()> {
+        let is_dynamic = given.kind == Kind::Dynamic;
+        // Static and kinematic bodies have a mass too, which nothing feels.
+        let (mass, inertia) = if is_dynamic { (given.mass, given.inertia) } else { (1.0, 1.0) };
+        let mut body = BodyFactory::create_body(mass, inertia * METRE * METRE)?;
+        body.set_is_static(given.kind == Kind::Static);
+        body.set_is_kinematic(given.kind == Kind::Kinematic);
+        body.set_linear_drag_coefficient(given.damping * mass);
+        body.set_rotational_drag_coefficient(0.0);
+        body.set_position(px(given.position));
+        body.set_linear_velocity(px(given.velocity));
+        body.set_angular_velocity(-given.spin);
+        let body = self.simulator.create_body(body);
+        self.simulator.add(body)?;
+        given.shapes.iter().try_for_each(|shape| self.add_shape(body, shape))?;
+        self.bodies.push(body);
+        self.dynamic_bodies += usize::from(is_dynamic);
+        Ok(())
+    }
+
+    fn add_joint(&mut self, joint: &Joint, of: [&Body; 2]) -> Result<()> {
+        let bodies = joint.bodies.map(|index| self.bodies[index]);
+        if of.iter().any(|body| body.kind == Kind::Static) {
+            self.keep_apart(bodies)?;
+        }
+        let simulator = &mut self.simulator;
+        let [a, b] = bodies;
+        let id = JointFactory::create_revolute_joint(simulator, a, b, px(joint.anchor))?;
+        // y points down: angles change their signs.
+        if let Some([lower, upper]) = joint.limits {
+            let [lower, upper] = [upper, lower].map(|angle| -(angle + joint.reference));
+            simulator.set_joint_limits(id, Some(JointLimits { lower, upper }))?;
+        }
+        if let Some([speed, torque]) = joint.motor {
+            let greatest_effort = (torque * METRE * METRE).min(f32::MAX);
+            simulator.set_joint_motor(id, Some(JointMotor { speed: -speed, greatest_effort }))?;
+        }
+        simulator.add(id)?;
+        let spring = joint.spring.map(|spring| self.add_spring(joint, of, spring)).transpose()?;
+        self.joints.push((id, spring));
+        Ok(())
+    }
+
+    fn remove_body(&mut self, index: usize) -> Result<()> {
+        let body = &self.simulator[self.bodies[index]];
+        self.dynamic_bodies -= usize::from(!body.is_static() && !body.is_kinematic());
+        Ok(self.simulator.dispose(self.bodies[index])?)
+    }
+
+    fn remove_joint(&mut self, index: usize) -> Result<()> {
+        let (joint, spring) = self.joints[index];
+        spring.map_or(Ok(()), |spring| self.simulator.dispose(spring))?;
+        Ok(self.simulator.dispose(joint)?)
+    }
+
+    fn move_to(&mut self, index: usize, position: Point) -> Result<()> {
+        Ok(self.simulator[self.bodies[index]].move_to(px(position), 0.0)?)
+    }
+
+    fn step(&mut self) -> Result<()> {
+        self.simulator.update(DT);
+        Ok(())
+    }
+
+    fn state(&mut self, index: usize) -> State {
+        let body = &self.simulator[self.bodies[index]];
+        State {
+            position: metres(body.position()),
+            angle: -(body.rotation() - TAU * (body.rotation() / TAU).round()),
+            velocity: metres(body.linear_velocity()),
+            spin: -body.angular_velocity(),
+        }
+    }
+
+    fn counters(&mut self) -> Result<Counters> {
+        let counters = self.simulator.counters();
+        Ok(Counters {
+            pairs: counters.pairs_tested,
+            manifolds: counters.manifolds_made,
+            aabbs: Some(counters.aabbs_renewed),
+            awake: self.dynamic_bodies - counters.bodies_asleep,
+        })
+    }
+}
+
+fn px([x, y]: Point) -> Vector2 {
+    Vector2::new(x * METRE, -y * METRE)
+}
+
+fn metres(v: Vector2) -> Point {
+    [v.x / METRE, -v.y / METRE]
+}

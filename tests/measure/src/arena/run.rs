@@ -1,0 +1,220 @@
+//! Scenes in all engines by turns: time per step, counters and the state at the end.
+
+use super::engine::{BOX2D, Counters, EngineEntry, OURS, Result};
+use super::judge::{Verdict, judge};
+use super::play::Play;
+use super::scene::Scene;
+use super::scenes::SceneEntry;
+use crate::csv::table;
+use serde::Serialize;
+
+/// How much is run.
+#[derive(Debug, Clone, Copy)]
+pub struct Effort {
+    /// Whole runs of each engine; a step counts with the least of its times.
+    pub turns: usize,
+    /// CPU time in s after which a run is left where it is.
+    pub budget: f64,
+}
+
+/// A scene at a size in an engine: the columns of a table.
+///
+/// CPU times in µs: of the first step, and mean and longest of the others that all engines made. Means over all steps of
+/// the [`Counters`]. The [`Verdict`] on the state at the end, lengths in m, speed in m/s and energy in J.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[expect(missing_docs, reason = "see above")]
+pub struct RunFigures {
+    pub scene: &'static str,
+    pub size: f32,
+    pub engine: &'static str,
+    pub bodies: usize,
+    pub steps: usize,
+    pub first_us: f64,
+    pub mean_us: f64,
+    pub longest_us: f64,
+    pub pairs: f64,
+    pub manifolds: f64,
+    pub aabbs: Option<f64>,
+    pub awake: f64,
+    pub contacts: usize,
+    pub not_finite: usize,
+    pub escaped: usize,
+    pub deepest: f64,
+    pub mean_overlap: f64,
+    pub gap: f64,
+    pub speed: f64,
+    pub energy: f64,
+    pub height: f64,
+    pub highest: f64,
+    pub state_ok: bool,
+}
+
+/// Plays a scene at a size in some engines by turns.
+///
+/// # Errors
+/// What an engine refuses.
+pub fn run(
+    entry: &SceneEntry,
+    size: f32,
+    engines: &[EngineEntry],
+    effort: Effort,
+) -> Result<Vec<RunFigures>> {
+    let scene = (entry.build)(size);
+    let mut runs: Vec<Timed> = engines.iter().map(|_| Timed::default()).collect();
+    for _ in 0..effort.turns {
+        for (run, &engine) in runs.iter_mut().zip(engines) {
+            run.turn(&scene, engine, effort.budget)?;
+        }
+    }
+    let common = runs.iter().map(|run| run.least.len()).min().unwrap_or(0);
+    let figures =
+        |(run, engine): (&Timed, &EngineEntry)| run.figures(entry, size, engine.name, (&scene, common));
+    Ok(runs.iter().zip(engines).map(figures).collect())
+}
+
+/// The turns of an engine.
+#[derive(Default)]
+struct Timed {
+    /// Least time of each step in s, of those that were made in all turns.
+    least: Vec<f64>,
+    counters: Vec<Counters>,
+    verdict: Verdict,
+}
+
+impl Timed {
+    /// Plays the whole scene. The first turn counts and judges as well: all turns come to the same.
+    fn turn(&mut self, scene: &Scene, engine: EngineEntry, budget: f64) -> Result<()> {
+        let mut play = Play::new(scene, engine)?;
+        let is_first = self.least.is_empty();
+        let (mut times, mut total) = (Vec::with_capacity(scene.steps), 0.0);
+        while times.len() < scene.steps && total <= budget {
+            let time = play.step()?.as_secs_f64();
+            total += time;
+            times.push(time);
+            if is_first {
+                self.counters.push(play.engine().counters()?);
+            }
+        }
+        if is_first {
+            (self.least, self.verdict) = (times, judge(&mut play));
+        } else {
+            self.least.truncate(times.len());
+            self.least.iter_mut().zip(times).for_each(|(least, time)| *least = least.min(time));
+        }
+        Ok(())
+    }
+
+    fn figures(
+        &self,
+        entry: &SceneEntry,
+        size: f32,
+        engine: &'static str,
+        (scene, common): (&Scene, usize),
+    ) -> RunFigures {
+        let after_first = self.least.get(1..common).unwrap_or(&[]);
+        let mean = |of: &dyn Fn(&Counters) -> usize| {
+            self.counters.iter().map(|counters| of(counters) as f64).sum::<f64>() / self.counters.len() as f64
+        };
+        let knows_aabbs = self.counters.iter().all(|counters| counters.aabbs.is_some());
+        let verdict = &self.verdict;
+        RunFigures {
+            scene: entry.name,
+            size,
+            engine,
+            bodies: verdict.bodies,
+            steps: self.counters.len(),
+            first_us: rounded(1e6 * self.least.first().copied().unwrap_or(f64::NAN)),
+            mean_us: rounded(1e6 * after_first.iter().sum::<f64>() / after_first.len() as f64),
+            longest_us: rounded(1e6 * after_first.iter().copied().fold(f64::NAN, f64::max)),
+            pairs: rounded(mean(&|counters| counters.pairs)),
+            manifolds: rounded(mean(&|counters| counters.manifolds)),
+            aabbs: knows_aabbs.then(|| rounded(mean(&|counters| counters.aabbs.unwrap_or(0)))),
+            awake: rounded(mean(&|counters| counters.awake)),
+            contacts: verdict.contacts,
+            not_finite: verdict.not_finite,
+            escaped: verdict.escaped,
+            deepest: rounded(verdict.deepest),
+            mean_overlap: rounded(verdict.mean_overlap),
+            gap: rounded(verdict.gap),
+            speed: rounded(verdict.speed),
+            energy: rounded(verdict.energy),
+            height: rounded(verdict.height),
+            highest: rounded(verdict.highest),
+            state_ok: verdict.is_sound(&scene.limits),
+        }
+    }
+}
+
+/// To four significant digits.
+fn rounded(value: f64) -> f64 {
+    if value == 0.0 || !value.is_finite() {
+        return value;
+    }
+    let scale = 10_f64.powi(3 - value.abs().log10().floor() as i32);
+    (value * scale).round() / scale
+}
+
+/// The engine of this workspace beside the peers, at a size: mean and longest time of a step as multiples of theirs, the first
+/// step left out.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[expect(missing_docs, reason = "see above and at `RunFigures`")]
+pub struct Comparison {
+    pub scene: &'static str,
+    pub size: f32,
+    pub bodies: usize,
+    pub ratio_box2d: Option<f64>,
+    pub longest_ratio_box2d: Option<f64>,
+    pub state_ok: bool,
+}
+
+/// One comparison a scene and size.
+pub fn comparisons(runs: &[RunFigures]) -> Vec<Comparison> {
+    let beside = |ours: &RunFigures| {
+        let is_same = |run: &&RunFigures| (run.scene, run.size, run.engine) == (ours.scene, ours.size, BOX2D);
+        let peer = runs.iter().find(is_same);
+        Comparison {
+            scene: ours.scene,
+            size: ours.size,
+            bodies: ours.bodies,
+            ratio_box2d: peer.map(|peer| rounded(ours.mean_us / peer.mean_us)),
+            longest_ratio_box2d: peer.map(|peer| rounded(ours.longest_us / peer.longest_us)),
+            state_ok: ours.state_ok,
+        }
+    };
+    runs.iter().filter(|run| run.engine == OURS).map(beside).collect()
+}
+
+/// The exponent of time over bodies between two numbers of bodies: 1 if time grows as the number of bodies does.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[expect(missing_docs, reason = "see above")]
+pub struct Growth {
+    pub scene: &'static str,
+    pub engine: &'static str,
+    pub from_bodies: usize,
+    pub to_bodies: usize,
+    pub exponent: f64,
+}
+
+/// Growth of each scene and engine between sizes that follow each other.
+pub fn growth(runs: &[RunFigures]) -> Vec<Growth> {
+    let next = |index: usize, run: &RunFigures| {
+        runs[index + 1..].iter().find(|next| (next.scene, next.engine) == (run.scene, run.engine))
+    };
+    let between = |(index, from): (usize, &RunFigures)| {
+        let to = next(index, from)?;
+        let exponent = (to.mean_us / from.mean_us).ln() / (to.bodies as f64 / from.bodies as f64).ln();
+        Some(Growth {
+            scene: from.scene,
+            engine: from.engine,
+            from_bodies: from.bodies,
+            to_bodies: to.bodies,
+            exponent: rounded(exponent),
+        })
+    };
+    runs.iter().enumerate().filter_map(between).collect()
+}
+
+/// Figures as a table of comma-separated values.
+pub fn arena_csv(rows: &[impl Serialize]) -> String {
+    table(rows)
+}

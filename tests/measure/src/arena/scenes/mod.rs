@@ -1,0 +1,78 @@
+//! The ten scenes of Box2D's benchmark (E. Catto, Box2D 3, `shared/benchmarks.c`), at any size.
+//!
+//! A size is the share of the release benchmark's number of bodies: 1 for all of them. Counts along a side grow with its
+//! square root, and so does what holds the bodies.
+
+mod drums;
+mod heaps;
+mod net;
+mod pyramids;
+mod rain;
+
+use super::scene::{Body, Kind, Limits, Scene, Shape};
+
+/// A scene of the arena.
+#[derive(Debug, Clone, Copy)]
+pub struct SceneEntry {
+    /// Its name in Box2D's benchmark.
+    pub name: &'static str,
+    /// One sentence.
+    pub about: &'static str,
+    /// The scene at a size.
+    pub build: fn(f32) -> Scene,
+}
+
+/// All scenes.
+pub fn scenes() -> [SceneEntry; 10] {
+    let entry = |name, about, build| SceneEntry { name, about, build };
+    [
+        entry("large_pyramid", "One pyramid of boxes of 1 m, base 100.", pyramids::large),
+        entry("many_pyramids", "20 shelves with 20 pyramids of base 10 each.", pyramids::many),
+        entry("junkyard", "Pentagons fall into a yard, and a kinematic wall stirs them.", heaps::junkyard),
+        entry("tumbler", "Boxes in a square drum that a motor turns.", drums::tumbler),
+        entry("rain", "Ragdolls fall on five floors, and the oldest go.", rain::rain),
+        entry("washer", "Boxes in a kinematic round drum with ribs.", drums::washer),
+        entry(
+            "joint_grid",
+            "A net of discs on hinges, held at the middle of its upper side.",
+            net::joint_grid,
+        ),
+        entry("smash", "A heavy box flies into a wall of boxes without gravity.", heaps::smash),
+        entry("compounds", "Bodies of two triangles each fall into a silo.", heaps::compounds),
+        entry(
+            "spinner",
+            "A motor turns a blade among discs, capsules and boxes in a round room.",
+            drums::spinner,
+        ),
+    ]
+}
+
+/// A count of the release benchmark at another size.
+fn count(full: usize, scale: f32) -> usize {
+    ((full as f32 * scale).round() as usize).max(1)
+}
+
+/// The speed in m/s of a body that has fallen from a height in m.
+fn fall_speed(height: f32) -> f32 {
+    (20.0 * height).sqrt()
+}
+
+/// A static yard of boxes of about a metre: a floor from `-half` to `half` along x, its middle at y = 0, and a wall of a height
+/// at each end.
+fn yard(half: i32, height: usize) -> Vec<Shape> {
+    let floor = (-half..=half).map(|x| Shape::rectangle([0.55, 0.5], [x as f32, 0.0]));
+    let walls = [-half, half]
+        .into_iter()
+        .flat_map(|x| (1..=height).map(move |y| Shape::rectangle([0.5, 0.55], [x as f32, y as f32])));
+    floor.chain(walls).collect()
+}
+
+/// A static body at the origin.
+fn ground(shapes: Vec<Shape>) -> Body {
+    Body::immovable(Kind::Static, [0.0; 2], shapes)
+}
+
+/// Limits for scenes without joints: speed in m/s and overlap in m.
+fn limits(bounds: [[f32; 2]; 2], speed: f32, overlap: f32) -> Limits {
+    Limits { bounds: Some(bounds), speed, overlap, gap: 0.0 }
+}

@@ -1,0 +1,32 @@
+//! A net of discs on hinges.
+
+use super::{count, fall_speed};
+use crate::arena::scene::{Body, Form, Joint, Kind, Limits, Scene, Shape};
+
+pub(super) fn joint_grid(size: f32) -> Scene {
+    let side = count(100, size.sqrt());
+    // The hinges of the held discs carry a weight that grows with the square of the side. Twice the gaps of Box2D, which were
+    // 0.022 and 0.089 m with 25 and 50 discs along a side, or 0.05 m.
+    let gap = (7e-5 * (side * side) as f32).max(0.05);
+    let limits = Limits { bounds: None, speed: fall_speed(2.0 * side as f32), overlap: 0.0, gap };
+    let mut scene = Scene { sleeps: false, ..Scene::empty(500, limits) };
+    // Discs meet no other disc.
+    let disc = || Shape::new(Form::Circle { centre: [0.0; 2], radius: 0.4 }).with_filter(2, !2, 0);
+    for column in 0..side {
+        for row in 0..side {
+            let (x, y) = (column as f32, -(row as f32));
+            let is_held = row == 0 && column.abs_diff(side / 2) <= 3;
+            let index = scene.add(match is_held {
+                true => Body::immovable(Kind::Static, [x, y], vec![disc()]),
+                false => Body::dynamic([x, y], vec![disc()]),
+            });
+            if row > 0 {
+                scene.joints.push(Joint::new([index - 1, index], [x, y + 0.5]));
+            }
+            if column > 0 {
+                scene.joints.push(Joint::new([index - side, index], [x - 0.5, y]));
+            }
+        }
+    }
+    scene
+}
