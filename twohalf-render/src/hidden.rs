@@ -4,7 +4,7 @@ use twohalf::Vector3;
 
 use crate::surface::{Face, above_ground};
 
-/// What lies less than this inside of a solid counts as on its surface, px: faces that are flush are seen.
+/// Depth below a surface, px, up to which a face counts as flush and is drawn.
 const FLUSH: f32 = 0.02;
 /// Y of a unit normal from which on a side is level.
 const LEVEL: f32 = 0.9999;
@@ -19,14 +19,14 @@ pub(crate) struct Solid {
     sides: [(Vector3, f32); 6],
 }
 
-/// What hides faces: solids in which they are, and, beside the ground, heights between which they are looked at, px.
+/// Clipping of a face: solids that hide parts of it, and a range of heights, px.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Within<'a> {
     pub(crate) solids: &'a [Solid],
     pub(crate) heights: [f32; 2],
 }
 
-/// What of a face is seen: convex pieces, and the lines around them.
+/// The visible parts of a face: convex pieces, and the lines around them.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Seen {
     pub(crate) pieces: Vec<Vec<Vector3>>,
@@ -88,7 +88,7 @@ impl Solid {
         self.sides.iter().all(|(normal, reach)| normal.dot(&point) < reach - FLUSH)
     }
 
-    /// What of a line is outside; what is flush is, unless the solid hides that as well.
+    /// The parts of a segment outside of the solid; flush parts are outside, unless the solid hides these as well.
     fn line_outside(
         &self,
         [from, to]: [Vector3; 2],
@@ -120,7 +120,7 @@ impl Within<'_> {
     /// All of something that stands alone.
     pub(crate) const ALL: Within<'static> = Within { solids: &[], heights: [0.0, f32::INFINITY] };
 
-    /// What of a face is seen.
+    /// The visible parts of a face.
     pub(crate) fn seen(&self, face: [Vector3; 4]) -> Seen {
         let [low, high] = self.heights;
         let mut face = above_ground(face);
@@ -135,7 +135,7 @@ impl Within<'_> {
 }
 
 impl Seen {
-    /// What of a convex face is outside of some solids.
+    /// The parts of a convex face outside of some solids.
     fn of(face: Vec<Vector3>, solids: &[Solid]) -> Self {
         let mut seen = Seen { lines: edges(&face).collect(), pieces: vec![face] };
         for at in 0..solids.len() {
@@ -172,7 +172,8 @@ fn edges(corners: &[Vector3]) -> impl Iterator<Item = [Vector3; 2]> {
     corners.iter().zip(corners.iter().cycle().skip(1)).map(|(&from, &to)| [from, to])
 }
 
-/// What of a convex polygon is where a linear function is not negative: I. Sutherland and G. Hodgman, Reentrant Polygon Clipping, 1974.
+/// Clips a convex polygon by a half-space, where a linear function is not negative (I. Sutherland and G. Hodgman, "Reentrant polygon
+/// clipping", 1974).
 fn part_of(polygon: &[Vector3], depth: impl Fn(&Vector3) -> f32) -> Vec<Vector3> {
     let mut kept = Vec::with_capacity(polygon.len() + 1);
     for [from, to] in edges(polygon) {

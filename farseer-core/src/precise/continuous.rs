@@ -328,12 +328,17 @@ impl Precise {
     /// The first impact of a body with what stops it, as a fraction of the step, and its pair: among the pairs that `may`
     /// accepts.
     fn first_impact(&self, body: usize, may: impl Fn(usize) -> bool) -> Option<(f32, usize)> {
-        let mut first = None;
+        let mut first: Option<(f32, usize)> = None;
+        let number = |pair: usize| self.proxies.creation_numbers(self.pairs.watched[pair].proxies);
         let pairs = self.pairs.of_body(&self.proxies, body);
         for pair in pairs.filter(|&pair| may(pair) && self.stops(pair, body)) {
-            match self.impact_of(pair) {
-                Some(time) if first.is_none_or(|(earliest, _)| time < earliest) => first = Some((time, pair)),
-                _ => {}
+            let Some(time) = self.impact_of(pair) else { continue };
+            // Of impacts at one time the pair that was created first counts, in whatever order pairs are listed.
+            let is_first = first.is_none_or(|(earliest, other)| {
+                time < earliest || (time == earliest && number(pair) < number(other))
+            });
+            if is_first {
+                first = Some((time, pair));
             }
         }
         first
@@ -344,10 +349,10 @@ impl Precise {
         let state = &self.pairs.all[pair];
         let [(a, mobility), (b, _)] = self.sides(pair);
         let other = if a == body { b } else { a };
-        // What comes towards a bullet would pass it where that is stopped.
+        // A body that comes towards a bullet would pass it where the bullet stops.
         let is_bullet = [body, other].iter().any(|&side| self.bodies.are_bullets.get(side) == Some(&true));
         let stands_still = mobility != Mobility::Dynamic || self.sleep.is_asleep(other);
-        // In three axes who touches something is kept out of it by its contacts.
+        // In three axes, contacts keep bodies that already touch apart.
         let is_kept_out = self.space.is_some() && self.pairs.frozen[pair].count > 0;
         let flies_through = || {
             self.space.as_ref().is_some_and(|space| {

@@ -1,4 +1,4 @@
-//! What is driven does not sleep, however slowly it moves: a motor of 0.05 rad/s is to turn by 1 rad in 20 s.
+//! Driven bodies do not sleep, however slowly they move: a motor of 0.05 rad/s is to turn by 1 rad in 20 s.
 //!
 //! | drive | keeps awake |
 //! |---|---|
@@ -56,13 +56,17 @@ impl Precise {
     }
 
     /// Bodies that springs tie to a kinematic body that begins to move are to wake.
-    pub(super) fn note_spring_ends(&mut self, id: BodyId, objects: &Objects) {
-        for (_, spring) in (0..objects.springs.list().len()).filter_map(|at| objects.springs.at(at)) {
-            let ends = spring.ends();
-            if spring.enabled() && ends.contains(&Some(id)) {
-                for end in ends.into_iter().flatten() {
-                    self.number_of(end).into_iter().for_each(|number| self.sleep.note_waking(number));
-                }
+    pub(super) fn note_moving_spring_ends(&mut self, objects: &Objects) {
+        for at in 0..objects.springs.list().len() {
+            let Some((_, spring)) = objects.springs.at(at).filter(|(_, spring)| spring.enabled()) else {
+                continue;
+            };
+            let ends = spring.ends().map(|end| end.and_then(|id| Some((self.number_of(id)?, id))));
+            let moves = |&(number, id): &(usize, BodyId)| {
+                self.bodies.is_kinematic(number) && self.is_on_its_way(number, Some(id), objects)
+            };
+            if ends.iter().flatten().any(moves) {
+                ends.into_iter().flatten().for_each(|(number, _)| self.sleep.note_waking(number));
             }
         }
     }

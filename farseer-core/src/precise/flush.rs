@@ -11,8 +11,9 @@
 //! 3. the face of A with the normal w does not rise above the face of C that the body lies before, by more than `STEP` of its
 //!    length. So walls, steps and slopes stay what they are at their foot, where (1) and (2) hold as well.
 //!
-//! A hidden manifold is replaced by that of the best face of A that is not hidden, or dropped: then C has the contact. Each pair
-//! is decided from the poses alone, so that neither the order of the pairs nor what was found before matters.
+//! A hidden manifold is replaced by that of the best face of A that is not hidden, or dropped: then C has the contact. The
+//! manifolds of other pairs are not read: poses, velocities, one-way states, vetoes and the list of pairs decide, which are all
+//! saved.
 
 use super::bodies::Bodies;
 use super::flight::{Flyer, Two};
@@ -111,7 +112,9 @@ impl<'a> Flush<'a> {
             let (state, c) = (&self.pairs.all[pair], &self.proxies.all[other as usize]);
             let is_closed = matches!(state.passage, Passage::Closed | Passage::Landed);
             let is_one = other != at_a && other != at_b && c.geom != a.geom && has_faces(c);
-            (is_one && state.responds && !state.is_vetoed && is_closed).then_some(c)
+            // The narrow phase comes before the answer of this update.
+            let is_vetoed = state.is_vetoed || state.was_vetoed;
+            (is_one && state.responds && !is_vetoed && is_closed).then_some(c)
         })
     }
 

@@ -65,8 +65,9 @@ pub(super) struct Pair {
     pub(super) responds: bool,
     /// A handler is told of it, from one side at least.
     pub(super) is_heard: bool,
-    /// A handler refused it in this update.
+    /// A handler refused it in this update; or in the one before.
     pub(super) is_vetoed: bool,
+    pub(super) was_vetoed: bool,
     /// A handler has set something about its surfaces in this update.
     pub(super) is_set: bool,
     /// A is the ground of a world with depth.
@@ -190,6 +191,7 @@ impl Pairs {
             responds,
             is_heard,
             is_vetoed: false,
+            was_vetoed: false,
             is_set: false,
             is_on_ground: false,
             is_unpushed: false,

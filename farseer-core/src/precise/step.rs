@@ -235,7 +235,10 @@ impl Precise {
     fn forget_answers(&mut self) {
         for pair in 0..self.pairs.len() {
             let is_awake = pair < self.pairs.awake;
-            if std::mem::take(&mut self.pairs.all[pair].is_vetoed) && is_awake {
+            let was_vetoed = std::mem::take(&mut self.pairs.all[pair].is_vetoed);
+            self.pairs.all[pair].was_vetoed = was_vetoed;
+            self.has_handled |= was_vetoed;
+            if was_vetoed && is_awake {
                 self.pairs.look_again(pair);
             }
             if is_awake && std::mem::take(&mut self.pairs.all[pair].is_set) {

@@ -79,14 +79,12 @@ impl Precise {
             let of_body = joints.iter().filter(|joint| joint.bodies().any(|body| Some(body) == id));
             of_body.for_each(|joint| self.note_ends(joint));
             self.sleep.joints = joints;
-            if let Some(id) = id {
-                self.note_spring_ends(id, objects);
-            }
         }
+        self.note_moving_spring_ends(objects);
     }
 
     /// Whether the next step moves what is kinematic.
-    fn is_on_its_way(&self, number: usize, id: Option<BodyId>, objects: &Objects) -> bool {
+    pub(super) fn is_on_its_way(&self, number: usize, id: Option<BodyId>, objects: &Objects) -> bool {
         let body = id.and_then(|id| objects.bodies.get(id));
         body.is_some_and(|entry| entry.body.is_on_its_way())
             || self.space.as_ref().is_some_and(|space| match id {

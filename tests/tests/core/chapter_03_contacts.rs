@@ -277,12 +277,14 @@ fn only_some_switches_part_boxes_that_touch() {
         assert_eq!(after(&|simulator, [a, b]| simulator.ignore_collision_with(a, b).unwrap()), (1, false));
         let grouped =
             after(&|simulator, geoms| geoms.iter().for_each(|&geom| simulator[geom].set_collision_group(7)));
-        assert_eq!(grouped, (0, false));
+        // Of the original, only the loss of contacts ends a touch.
+        let is_told = matches!(methods, Methods::Precise { .. });
+        assert_eq!(grouped, (0, is_told));
         let none = farseer_core::CollisionCategory::NONE;
         assert_eq!(after(&|simulator, [a, _]| simulator[a].set_collides_with(none)), (1, false));
         let both =
             after(&|simulator, geoms| geoms.iter().for_each(|&geom| simulator[geom].set_collides_with(none)));
-        assert_eq!(both, (0, false));
+        assert_eq!(both, (0, is_told));
     }
 }
 

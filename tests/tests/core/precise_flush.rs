@@ -2,7 +2,10 @@
 
 use farseer_core::math::Vector2;
 use farseer_core::shape::Vertices;
-use farseer_core::{BodyFactory, BodyId, GeomFactory, GeomId, GeomPlacement, Methods, PhysicsSimulator};
+use farseer_core::{
+    BodyFactory, BodyId, Contact, Context, EventHandler, GeomFactory, GeomId, GeomPlacement, Methods,
+    PhysicsSimulator,
+};
 
 const DT: f32 = 1.0 / 60.0;
 const GRAVITY: f32 = 900.0;
@@ -488,6 +491,41 @@ fn what_is_put_into_the_ground_does_not_fall_through_it() {
         simulator[body].set_position(v(14.0, deep));
         (0..240).for_each(|_| simulator.update(DT));
         assert!(simulator[body].position().y < deep + 10.0, "{deep}: {:?}", simulator[body].position());
+    }
+}
+
+/// Lets bodies through one tile.
+struct Refuses(GeomId);
+
+impl EventHandler for Refuses {
+    fn on_collision(&mut self, _: &mut Context<'_>, a: GeomId, b: GeomId, _: &mut Vec<Contact>) -> bool {
+        ![a, b].contains(&self.0)
+    }
+}
+
+#[test]
+fn a_tile_that_a_handler_refuses_hides_no_wall_of_its_neighbours() {
+    for speed in [-40.0, -20.0, 20.0, 40.0] {
+        let mut simulator = world();
+        let columns: Vec<BodyId> = (0..5).map(|column| add_square(&mut simulator, column, 0)).collect();
+        (0..5).for_each(|column| drop(add_square(&mut simulator, column, 1)));
+        let hole = simulator.geoms_of(columns[2])[0];
+        let (body, _) = add_mover(&mut simulator, Mover::Figure);
+        simulator[body].set_position(v(2.0 * TILE, -12.0));
+        simulator[body].set_linear_velocity(v(speed, 0.0));
+        for step in 0..60 {
+            simulator.update_with(DT, &mut Refuses(hole));
+            // It is 20 wide in a shaft of 32; contacts give way by less than 0.05 px.
+            let aside = (simulator[body].position().x - 2.0 * TILE).abs();
+            assert!(
+                aside < 6.0 + LEVEL || simulator[body].position().y < 0.0,
+                "{speed}, step {step}: {aside}"
+            );
+        }
+        assert!(
+            (simulator[body].position().y - (TILE - 10.0)).abs() < LEVEL,
+            "{speed}: it lies in the shaft"
+        );
     }
 }
 

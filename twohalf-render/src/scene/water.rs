@@ -76,7 +76,7 @@ impl Water {
         }
     }
 
-    /// What of a part of something that sticks out of it is below its surface, and what is above.
+    /// Splits a part of a thing that sticks out at the surface: below, above.
     pub(super) fn split(&self, part: Part, row: Option<f32>) -> [Part; 2] {
         let Part { rows: [from, to], heights: [low, high] } = part;
         match row {
@@ -121,8 +121,7 @@ pub(super) enum Place {
     Over,
 }
 
-/// What of something is drawn at once: what appears between two rows of the screen, px, and of a platform what lies between two
-/// heights, px.
+/// A part of a thing that is drawn in one call: between two rows of the screen, px, and of a platform between two heights, px.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Part {
     pub(super) rows: [f32; 2],

@@ -1,4 +1,4 @@
-//! What figures that walk stand on and keep away from, of which handlers are asked although it does not touch.
+//! Supports and walls of walking figures that have no contact; handlers are asked about them.
 
 use farseer_core::GeomId;
 use serde::{Deserialize, Serialize};
@@ -23,7 +23,7 @@ pub(crate) struct Footing {
 pub(crate) struct Footings {
     /// The next update asks about these.
     pub(crate) asked: Vec<Footing>,
-    /// A handler has refused these in the last update that asked.
+    /// A handler has refused these in the last update that asked, in the order of geoms and partners.
     pub(crate) refused: Vec<(GeomId, Partner)>,
 }
 
@@ -36,6 +36,13 @@ impl Footings {
         }
     }
 
+    /// The partners that a handler has refused to a figure.
+    pub(crate) fn refused_to(&self, this: GeomId) -> impl Iterator<Item = Partner> + '_ {
+        let first = self.refused.partition_point(|&(other, _)| other < this);
+        let of_this = self.refused[first..].iter().take_while(move |&&(other, _)| other == this);
+        of_this.map(|&(_, partner)| partner)
+    }
+
     /// An update without a handler refuses nothing.
     pub(crate) fn pass(&mut self) {
         self.asked.clear();
@@ -45,6 +52,8 @@ impl Footings {
     /// Whether everything that enters arithmetic is finite: false only after loading garbage.
     pub(crate) fn is_valid(&self) -> bool {
         let is_finite = |vector: &Vector3| vector.iter().all(|number| number.is_finite());
-        self.asked.iter().all(|footing| is_finite(&footing.normal) && is_finite(&footing.position))
+        let is_sorted = self.refused.is_sorted();
+        is_sorted
+            && self.asked.iter().all(|footing| is_finite(&footing.normal) && is_finite(&footing.position))
     }
 }

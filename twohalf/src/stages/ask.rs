@@ -1,5 +1,6 @@
 //! Asks a game about what touches with the precise set.
 
+use farseer_core::GeomId;
 use farseer_core::SpaceTouch;
 use farseer_core::order::sort_by_number;
 
@@ -38,8 +39,9 @@ fn ask_about_footings(
 ) {
     world.footings.refused.clear();
     let mut asked = std::mem::take(&mut world.footings.asked);
+    let touching = if asked.is_empty() { Vec::new() } else { sides_of(found) };
     for footing in asked.drain(..) {
-        let touches = found.iter().any(|(_, touch)| is_of(touch, &footing));
+        let touches = touching.binary_search(&(footing.this, footing.partner)).is_ok();
         if touches || !world.may_touch(context.simulator(), footing.this, footing.partner) {
             continue;
         }
@@ -47,13 +49,22 @@ fn ask_about_footings(
             world.footings.refused.push((footing.this, footing.partner));
         }
     }
+    world.footings.refused.sort_unstable();
     world.footings.asked = asked;
 }
 
-fn is_of(touch: &SpaceTouch, footing: &Footing) -> bool {
-    let partner = partner_of(touch.partner);
-    (touch.this, partner) == (footing.this, footing.partner)
-        || (partner, Partner::Geom(touch.this)) == (Partner::Geom(footing.this), footing.partner)
+/// Who touches what, as both sides see it, sorted.
+fn sides_of(found: &[(usize, SpaceTouch)]) -> Vec<(GeomId, Partner)> {
+    let mut sides = Vec::with_capacity(2 * found.len());
+    for (_, touch) in found {
+        let partner = partner_of(touch.partner);
+        sides.push((touch.this, partner));
+        if let Partner::Geom(other) = partner {
+            sides.push((other, Partner::Geom(touch.this)));
+        }
+    }
+    sides.sort_unstable();
+    sides
 }
 
 impl Footing {

@@ -25,7 +25,10 @@ pub(super) fn update(parts: Parts<'_>, dt: f32, handler: Option<&mut dyn EventHa
     let is_told = game.handler.is_some();
     let goes_on = core.begin_in_space(dt, is_told.then_some(&mut game as _));
     let mut has_happened = false;
-    if goes_on {
+    if !goes_on {
+        // Figures that walk while time stands still name their footings again.
+        game.world.footings.asked.clear();
+    } else {
         if !is_told {
             game.world.footings.pass();
         }

@@ -39,8 +39,7 @@ impl TwoHalfPhysicsSimulator {
         refused.clear();
         refused
             .extend(self.core.space_refused_of(body).map(|(_, partner)| crate::views::partner_of(partner)));
-        let footings = self.world.footings.refused.iter().filter(|(this, _)| *this == geom);
-        refused.extend(footings.map(|(_, partner)| *partner));
+        refused.extend(self.world.footings.refused_to(geom));
         geoms.clear();
         geoms.extend(self.core.space_neighbours_of(body));
         let region = [[around.left, -high, around.front], [around.right, -low, around.back]];

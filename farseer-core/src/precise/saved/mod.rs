@@ -105,6 +105,7 @@ struct SavedPair {
     tolerance: u32,
     is_told: bool,
     is_vetoed: bool,
+    was_vetoed: bool,
     passage: Passage,
     frozen: SavedContacts,
     row: Option<SavedRow>,

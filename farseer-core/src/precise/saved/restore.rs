@@ -13,7 +13,8 @@ use crate::storage::order::sort_by_number;
 impl Precise {
     /// Takes over what is known of the proxies and pairs that are still there.
     pub(in crate::precise) fn restore(&mut self, saved: &Saved, objects: &Objects, edits: Edits) {
-        self.has_handled = saved.has_handled || saved.pairs.iter().any(|pair| pair.is_vetoed);
+        self.has_handled =
+            saved.has_handled || saved.pairs.iter().any(|pair| pair.is_vetoed || pair.was_vetoed);
         self.grid.reset(self.proxies.all.len());
         self.pairs.reset(self.proxies.all.len());
         self.rows.clear();
@@ -252,6 +253,7 @@ impl Precise {
         let watch = &mut self.pairs.watched[pair];
         (watch.since, watch.tolerance) = (saved.since, saved.tolerance);
         self.pairs.all[pair].is_vetoed = saved.is_vetoed;
+        self.pairs.all[pair].was_vetoed = saved.was_vetoed;
         if self.pairs.all[pair].passage != Passage::Closed && saved.passage != Passage::Closed {
             self.pairs.all[pair].passage = saved.passage;
         }

@@ -117,6 +117,7 @@ impl Precise {
             tolerance: watch.tolerance,
             is_told: state.is_told,
             is_vetoed: state.is_vetoed,
+            was_vetoed: state.was_vetoed,
             passage: state.passage,
             frozen: SavedContacts {
                 turns,

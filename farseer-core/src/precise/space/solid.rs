@@ -76,8 +76,8 @@ pub(in crate::precise) struct Limits {
 }
 
 impl Limits {
-    /// What is pressed against something sinks into it, and as deep into the next one that is flush with that: `sunk` is its
-    /// penetration, in length units, or was when it parted. A static body is where it was built, others are near that.
+    /// A body that is pressed against a face penetrates it, and the next flush face as deep: `sunk` is its penetration, in length
+    /// units, or was when it parted. A static body is where it was built, others are near that.
     pub(in crate::precise) fn new([reach, usual]: [f32; 2], is_static: bool, sunk: f32) -> Self {
         let unpressed = if is_static { EVEN } else { FLUSH };
         let flush = (unpressed * usual + sunk).min(DEEPEST * usual);

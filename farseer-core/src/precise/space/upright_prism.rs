@@ -210,7 +210,7 @@ fn over(u: Standing<'_>, prism: &Extruded<'_, '_>, down: f32) -> Meeting {
     let foot: &Foot = &u.shape.foot;
     let whole = || [-foot.reach([-1.0, 0.0]), foot.reach([1.0, 0.0])];
     let [from, to] = foot.span(prism.near - z, prism.far - z).unwrap_or_else(whole);
-    // Who is beside it altogether is measured against the nearer end of its roof.
+    // If the upright is beside the prism, the nearer end of the roof counts.
     let [least, most] = prism.roof(-down);
     let (left, right) = (within(x + from, least, most), within(x + to, least, most));
     let sole = y + down * u.shape.half;

@@ -26,7 +26,7 @@ const LARGEST_TURN_OF_KINEMATIC: f32 = 0.99998;
 /// Largest error of a recycled separation, as a fraction of the length unit: the relative translation times the sine of the
 /// angle by which the bodies have turned since the normal was computed.
 const LARGEST_ERROR: f32 = 3e-4;
-/// Rotation in a step, radians, from which on a polygon on a static or kinematic body has its manifold computed in every step:
+/// Rotation in a step, radians, from which on a polygon on a static body has its manifold computed in every step:
 /// it rolls or topples, and its corners come down one after the other.
 const ROLLING: f32 = 0.01;
 /// Largest angle, radians, by which the arms of a contact are turned ahead of the pose.
@@ -92,7 +92,7 @@ impl Touch<'_> {
         separations
     }
 
-    /// Rotation of a polygon on a static or kinematic body in this step at its present angular velocity, radians; else 0.
+    /// Rotation of a polygon on a static body in this step at its present angular velocity, radians; else 0.
     fn turn_on_fixed(&self, pair: usize, two: Two<'_>) -> f32 {
         let Kind { has_two_points, is_fixed, .. } = self.pairs.all[pair].kind;
         if has_two_points && is_fixed {

@@ -21,13 +21,14 @@ impl Change {
     /// A pair of pieces that begins or ceases to touch, by creation numbers and names of their geoms.
     pub(in crate::precise) fn new(sides: [(u32, GeomId); 2], begins: bool) -> Self {
         let [a, b] = sides;
-        let (first, second) = if a.0 < b.0 { (a, b) } else { (b, a) };
+        let (first, second) = if a < b { (a, b) } else { (b, a) };
         Change { numbers: (first.0, second.0), begins, geoms: (first.1, second.1) }
     }
 
-    /// The order in which changes are told.
+    /// The order in which changes are told. Slots matter in altered saves alone, where two geoms may have one creation number.
     pub(in crate::precise) fn order(&self) -> u128 {
-        joined([self.numbers.0, self.numbers.1, u32::from(self.begins)])
+        let [first, second] = [self.geoms.0, self.geoms.1].map(|geom| geom.slot() as u32);
+        joined([self.numbers.0, self.numbers.1, u32::from(self.begins) << 31 | first, second])
     }
 }
 
