@@ -508,7 +508,9 @@ fn a_tile_that_a_handler_refuses_hides_no_wall_of_its_neighbours() {
     for speed in [-40.0, -20.0, 20.0, 40.0] {
         let mut simulator = world();
         let columns: Vec<BodyId> = (0..5).map(|column| add_square(&mut simulator, column, 0)).collect();
-        (0..5).for_each(|column| drop(add_square(&mut simulator, column, 1)));
+        for column in 0..5 {
+            add_square(&mut simulator, column, 1);
+        }
         let hole = simulator.geoms_of(columns[2])[0];
         let (body, _) = add_mover(&mut simulator, Mover::Figure);
         simulator[body].set_position(v(2.0 * TILE, -12.0));
