@@ -35,7 +35,7 @@ impl<'a> Touch<'a> {
         let state = &self.pairs.all[pair];
         let is_new = self.pairs.frozen[pair].count == 0 && state.responds && !state.is_vetoed;
         let two = self.two(pair);
-        if !is_new || two.b.mobility != Mobility::Dynamic {
+        if !is_new || two.b.mobility != Mobility::Dynamic || self.rides_alike(pair, two) {
             return;
         }
         let Some(Impact { two: then, mut found, approach }) = self.impact(pair, two) else { return };
@@ -47,6 +47,27 @@ impl<'a> Touch<'a> {
         self.pairs.watched[pair].since = self.motion(&self.pairs.watched[pair]);
         self.meet(pair, then, &found, approach);
         self.note_touch(pair, then);
+    }
+
+    /// Whether B is in contact with another kinematic body that moves as A does. Against both it slides or rolls as on static
+    /// bodies, and the narrow phase tells a seam from a wall.
+    fn rides_alike(&self, pair: usize, two: Two<'_>) -> bool {
+        let [_, at_b] = self.pairs.watched[pair].proxies;
+        self.pairs.of(at_b).any(|other| {
+            let carrier = &self.proxies.all[self.pairs.watched[other].proxies[0] as usize];
+            other != pair
+                && self.pairs.frozen[other].count > 0
+                && carrier.mobility == Mobility::Kinematic
+                && self.moves_alike(two.a, carrier)
+        })
+    }
+
+    /// Whether two kinematic bodies move against each other by less than the motion after which contacts are looked at again.
+    fn moves_alike(&self, one: &Proxy, other: &Proxy) -> bool {
+        let [a, b] = [one, other].map(|proxy| self.bodies.hot[proxy.body as usize].velocity);
+        let [x, y, spin, z] = std::array::from_fn(|axis| (b[axis] - a[axis]).abs() * self.dt);
+        let turning = spin * (one.shape.reach + other.shape.reach);
+        one.body == other.body || x + y + z + turning <= self.tuning.checked
     }
 
     /// The way of a body within the step: x and y in length units, angle in rad, z in length units. Gravity acts for half of it.
