@@ -50,7 +50,7 @@ pub enum Methods {
     /// | a static body's velocity | a conveyor belt, as in the faithful set |
     /// | chains of edges | [made](crate::GeomFactory::create_chain_geom) and kept only here |
     /// | [one-way geoms](crate::Objects::set_one_way) | only here: the faithful set refuses them with [`Error::NotSupported`] |
-    /// | joints | exact: a tree of joints is solved at once, whatever hangs on it, and answers as a whole where a loop closes, a limit holds or an impulse has a bound; in nets of more than a thousand bodies times such joints, each of these is solved alone |
+    /// | joints | A tree of joints that nothing touches is an articulated body, solved exactly. In 2D, closed loops and joints of bodies that touch something are rows beside the contacts of their island, solved together where that pays. All other joints are solved in turns with the contacts, once per substep: trees exactly, then loops, limits and greatest impulses |
     /// | springs | undamped ones swing with their own frequency and keep their swing, whatever steps come; one that is too stiff for a step is as stiff as it bears, and comes to rest if steps are not equal |
     /// | [`breakpoint`](crate::Joint::breakpoint) | as in the faithful set, but a joint breaks before it acts once more; there is hardly any error to measure, so see [`greatest_force`](crate::Joint::greatest_force) |
     /// | [`softness`](crate::Joint::softness), [`bias_factor`](crate::Joint::bias_factor) of joints | a soft joint of a point or distance yields to a steady load as far as it does in the faithful set; its bias factor counts from 0 to 1; that of a hard one, and softness of an angle, mean nothing |
@@ -62,8 +62,8 @@ pub enum Methods {
     /// | [bullets](crate::Body::is_bullet) | only here: continuous collision. No dynamic body passes through a static, kinematic or sleeping one, however fast either of the two moves, and no bullet through a dynamic one: the time of impact is that of their relative motion. A kinematic body drives before it all that it meets on its way, awake or asleep; contacts push from that update on. Limits: a body that two immovable ones press against each other can be passed by one of them, and a kinematic body that turns by more than one radian in an update can leave a body behind. A sensor that a fast body crosses within one update hears of it, of no contacts, at the end of the update |
     /// | [kinematic](crate::Body::is_kinematic) bodies, [gravity scale](crate::Body::gravity_scale) | as in the faithful set |
     ///
-    /// **Which island is solved how.** What hangs together by contacts alone, and does not bounce in this update, is solved as
-    /// a whole where that pays. Of what was put in its place at rest (slower than a quarter of a unit per second) that is all
+    /// **Which island is solved how.** What hangs together, and does not bounce in this update, is solved as
+    /// a whole where that pays. Of what hangs together by contacts alone and was put in its place at rest (slower than a quarter of a unit per second) that is all
     /// without rings, such as columns, with heavy things on light ones too, and high walls, card houses and pyramids of 40 bodies
     /// or more; of what has fallen together, columns of 16 bodies or more; of 400 bodies at most, and narrow enough. That stands
     /// as rigid bodies do, with an overlap below a thousandth of a px where one unit is 32 px, whatever the substeps. Moving or
@@ -71,6 +71,9 @@ pub enum Methods {
     /// or more; and what something 16 times as heavy jams, with rings if it is 24 bodies at most. While more than 64 bodies are
     /// awake, what bears is asked for only in every 16th update, and only 16 times as heavy counts. Where an
     /// engine adds a depth axis, it is what bears something more than one and a half times as heavy alone.
+    /// In 2D an island with joints is solved as a whole, too, whatever moves in it and whatever it weighs, unless a joint in it is soft
+    /// or a point has a greatest impulse. It has a budget for that: three times what passes would cost, and 300 updates of passes
+    /// more. Once these are used up, or if it cannot be solved so, it goes by passes for 64 updates, twice as long each time.
     /// Everything else, and for two seconds what takes long to solve, goes by passes over all contacts.
     /// [`islands`](crate::PhysicsSimulator::islands) tells which is which, why, and what it took, and
     /// [`island_residual`](crate::PhysicsSimulator::island_residual) what is left of an error.
@@ -187,7 +190,7 @@ impl Methods {
     }
 }
 
-/// How the precise set solves what hangs together by contacts alone: see
+/// How the precise set solves islands, the bodies that contacts and joints connect: see
 /// [`set_island_choice`](crate::PhysicsSimulator::set_island_choice).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
 pub enum IslandChoice {
@@ -196,8 +199,9 @@ pub enum IslandChoice {
     ByItself,
     /// By passes over all contacts, whatever stands there.
     Passes,
-    /// As a whole wherever that can be: 2 to 400 bodies that no joint holds, in updates in which none of them bounces, and
-    /// narrow enough for a factor of the matrix. What has rings and moves takes far longer so than by passes.
+    /// As a whole wherever that can be: 2 to 400 bodies, in updates in which none of them bounces, that no soft joint holds, and
+    /// narrow enough for a factor of the matrix; in 2D also closed loops of joints, of any number of bodies. What has rings and moves
+    /// takes far longer so than by passes.
     Whole,
 }
 

@@ -39,7 +39,7 @@ impl Precise {
             && self.widened.is_empty()
             && self.changes.is_empty()
             && !self.has_handled
-            && self.joints.count() == 0
+            && self.joints.are_none()
             && !self.may_break_joints()
             && (self.space.is_some() || self.direct.is_quiet())
     }

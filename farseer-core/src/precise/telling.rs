@@ -43,7 +43,7 @@ pub enum IslandMethod {
     Flight,
     /// All joints at once, since nothing touches what they hold; the step is divided as far as the swing asks for.
     Swing,
-    /// All contacts at once, as rigid bodies.
+    /// All contacts and joints at once, as rigid bodies.
     Whole,
     /// By passes over all contacts, in substeps; joints at once, in turns with these passes.
     Passes,
@@ -63,18 +63,18 @@ pub enum WhyMethod {
     Chosen,
     /// Passes: it is one body on what does not give way.
     OneBody,
-    /// Passes: joints hold some of it, and something touches it, or one of them is soft.
+    /// Passes: joints hold some of it, and one of them is soft, or a point with a greatest impulse; or there is a depth axis.
     Joints,
     /// Passes: two came together so fast that they bounced.
     Bounces,
     /// Passes: something in it moved faster than a quarter of a length unit per second when its contacts were asked for, or has
-    /// come into place so.
+    /// come into place so. With joints: and it was given up lately, or a joint gapes.
     Moves,
     /// Passes: it has rings of contacts, and fewer than 40 bodies: passes make it stand.
     TooSmall,
     /// Passes: it has more than 400 bodies; or, where there is a depth axis, more than 24 and rings of contacts.
     TooLarge,
-    /// Passes: it has bounced, or was too busy or too wide to be solved as a whole.
+    /// Passes: it has bounced, or was too busy, too wide or, with joints, too hard to be solved as a whole.
     Rests {
         /// Updates after which that may be tried again.
         updates: u8,

@@ -193,7 +193,8 @@ fn add_small_ring(simulator: &mut PhysicsSimulator) {
 fn add_tied_column(simulator: &mut PhysicsSimulator) {
     let bodies = add_column(simulator, 0.0, 3);
     let between = v(0.0, -32.0);
-    JointFactory::create_revolute_joint_in(simulator, bodies[0], bodies[1], between).unwrap();
+    let joint = JointFactory::create_revolute_joint_in(simulator, bodies[0], bodies[1], between).unwrap();
+    simulator[joint].set_softness(0.1).unwrap();
 }
 
 #[test]

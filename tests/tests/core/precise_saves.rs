@@ -172,7 +172,7 @@ fn a_joint_that_is_disposed_while_collisions_are_told_does_not_act_restored_or_n
     let (lying, _) = add_box(&mut plain, (20.0, 20.0), v(0.0, -10.0));
     let (hanging, _) = add_box(&mut plain, (20.0, 20.0), v(40.0, -100.0));
     let joint = JointFactory::create_revolute_joint_in(&mut plain, lying, hanging, v(20.0, -55.0)).unwrap();
-    let hook = JointFactory::create_fixed_revolute_joint_in(&mut plain, hanging, v(40.0, -110.0)).unwrap();
+    let hook = JointFactory::create_fixed_revolute_joint_in(&mut plain, hanging, v(50.0, -110.0)).unwrap();
     (0..30).for_each(|_| plain.update(DT));
     let force = plain[joint].force();
     assert!(force.norm() > 1.0, "{force}");

@@ -4,7 +4,7 @@
 use wide::f64x2;
 
 /// Velocity, or impulse, of a body: x, y and turning.
-pub(super) type Triple = [f64; 3];
+pub(in crate::precise) type Triple = [f64; 3];
 
 /// By columns the rows x and y, and the last row: its columns x and y, and its last one.
 #[derive(Debug, Clone, Copy, Default)]

@@ -1,137 +1,73 @@
-//! A contact as the direct method sees it: rows of at most two points along the normal, and one of friction.
+//! A contact as the direct solver sees it: rows of at most two points along the normal, and one of friction.
+
+use std::ops::{Deref, DerefMut};
 
 use super::block::Triple;
-use super::factor::Entry;
+use super::constraint::{Constraint, ConstraintRows, Ends, Jacobian, Set};
 use super::island::Member;
-use crate::precise::rows::{Aside, Lane};
+use crate::precise::rows::Aside;
 
-/// In place of a body's place in its island: it does not give way.
-pub(super) const FIXED: u32 = u32::MAX;
 /// The row of friction, after those of the points.
 pub(super) const FRICTION: usize = 2;
 
 /// How much deeper than others a point has to be that nothing loads.
 const UNLOADED: f64 = 100.0;
 
-/// Rows by bits.
-pub(super) type Set = u8;
-
-/// What a contact is between.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Ends {
-    /// Places in the island, or [`FIXED`].
-    pub(super) bodies: [u32; 2],
-    /// Of the two bodies' block, if both give way.
-    pub(super) entry: Option<Entry>,
-}
-
-/// Where the rows of a contact act. They are relative velocities u = d (vB - vA) + wB b - wA a, with d the normal for points and
-/// the tangent (normal y, -normal x) for friction.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Arms {
-    pub(super) normal: [f64; 2],
-    pub(super) a: Triple,
-    pub(super) b: Triple,
-}
-
-impl Arms {
-    #[inline(always)]
-    pub(super) fn of(lane: &Lane) -> Self {
-        let ([one, two], [a, b]) = (&lane.points, lane.tangent_arms);
-        Arms {
-            normal: lane.normal.map(f64::from),
-            a: [one.arm_a, two.arm_a, a].map(f64::from),
-            b: [one.arm_b, two.arm_b, b].map(f64::from),
-        }
-    }
-
-    /// Relative velocities of all rows.
-    #[inline(always)]
-    pub(super) fn relative(&self, a: Triple, b: Triple) -> Triple {
-        let ([nx, ny], [x, y]) = (self.normal, [b[0] - a[0], b[1] - a[1]]);
-        let along = [x * nx + y * ny, x * nx + y * ny, x * ny - y * nx];
-        std::array::from_fn(|row| along[row] + b[2] * self.b[row] - a[2] * self.a[row])
-    }
-
-    /// What impulses do to A and to B: their sum, and how they turn each.
-    #[inline(always)]
-    pub(super) fn push(&self, impulses: Triple) -> [Triple; 2] {
-        let ([nx, ny], along) = (self.normal, impulses[0] + impulses[1]);
-        let (x, y) = (along * nx + impulses[2] * ny, along * ny - impulses[2] * nx);
-        let turn = |arms: &Triple| impulses[0] * arms[0] + impulses[1] * arms[1] + impulses[2] * arms[2];
-        [[-x, -y, -turn(&self.a)], [x, y, turn(&self.b)]]
-    }
-}
-
 /// A contact between two bodies of an island.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Contact {
-    pub(super) bodies: [u32; 2],
-    pub(super) entry: Option<Entry>,
-    pub(super) arms: Arms,
-    /// The rows there are.
-    pub(super) rows: Set,
-    /// What an impulse on each row weighs: velocity times this.
-    pub(super) masses: Triple,
-    /// The stiffness of each row in the present round.
-    pub(super) stiffness: Triple,
+    rows: ConstraintRows,
     pub(super) friction: f64,
     /// How great friction may be.
     pub(super) bound: f64,
     pub(super) separations: [f64; 2],
     /// Velocity of each row by what does not give way.
     pub(super) carried: Triple,
-    /// Velocity of each row above the one it may have: of points 0 and more, of friction 0.
-    pub(super) excess: Triple,
-    /// What the last direction would change of it.
-    pub(super) change: Triple,
-    /// Impulses of the whole step: now, when the step began, and when the round began.
-    pub(super) impulses: Triple,
-    pub(super) begun: Triple,
-    pub(super) centre: Triple,
-    /// Those that leave the least error.
-    pub(super) best: Triple,
-    /// Rows that yield as springs, rather than pressing nothing or sliding; and those that the factors were made for.
-    pub(super) active: Set,
-    pub(super) factored: Set,
+}
+
+impl Deref for Contact {
+    type Target = ConstraintRows;
+
+    #[inline(always)]
+    fn deref(&self) -> &ConstraintRows {
+        &self.rows
+    }
+}
+
+impl DerefMut for Contact {
+    #[inline(always)]
+    fn deref_mut(&mut self) -> &mut ConstraintRows {
+        &mut self.rows
+    }
 }
 
 impl Contact {
     /// Of a row whose impulses are of so many parts of a step, with velocities before impulses act.
     #[inline(always)]
-    pub(super) fn new(row: &Aside, parts: f64, Ends { bodies, entry }: Ends) -> Self {
+    pub(super) fn new(row: &Aside, parts: f64, ends: Ends) -> Self {
         let lane = &row.lane;
         let [one, two] = &lane.points;
         let is_there = |at: usize| lane.points[at].mass > 0.0;
-        let rows = u8::from(is_there(0)) | u8::from(is_there(1)) << 1 | 1 << FRICTION;
-        let impulses = impulses(row, parts);
+        let present = u8::from(is_there(0)) | u8::from(is_there(1)) << 1 | 1 << FRICTION;
+        let mut rows = ConstraintRows::new(ends, Jacobian::of(lane), present, impulses(row, parts));
+        rows.masses = [one.mass, two.mass, lane.tangent_mass].map(f64::from);
+        rows.excess = [0.0, 0.0, -f64::from(lane.tangent_speed)];
+        rows.supplied = rows.excess;
         Contact {
-            bodies,
-            entry,
-            arms: Arms::of(lane),
             rows,
-            masses: [one.mass, two.mass, lane.tangent_mass].map(f64::from),
-            stiffness: [0.0; 3],
             friction: f64::from(lane.friction),
             bound: 0.0,
             separations: [one.separation, two.separation].map(f64::from),
             carried: [0.0; 3],
-            excess: [0.0, 0.0, -f64::from(lane.tangent_speed)],
-            change: [0.0; 3],
-            impulses,
-            begun: impulses,
-            centre: impulses,
-            best: impulses,
-            active: 0,
-            factored: 0,
         }
     }
 
     /// A moves by itself.
     #[inline(always)]
     pub(super) fn carry(&mut self, velocity: Triple) {
-        self.carried = self.arms.relative(velocity, [0.0; 3]);
+        self.carried = self.jacobian.relative(velocity, [0.0; 3]);
         (0..3).for_each(|row| self.excess[row] += self.carried[row]);
+        self.supplied = self.excess;
     }
 
     /// Members move as they do now: they may come nearer by what points are apart, less `reach`, so many times in a unit of time.
@@ -159,23 +95,6 @@ impl Contact {
         deepest
     }
 
-    #[inline(always)]
-    pub(super) fn has(&self, row: usize) -> bool {
-        self.rows >> row & 1 == 1
-    }
-
-    /// Relative velocities of all rows, with this of members.
-    #[inline(always)]
-    pub(super) fn relative_of(&self, of: impl Fn(usize) -> Triple) -> Triple {
-        let [a, b] = self.bodies.map(|member| if member == FIXED { [0.0; 3] } else { of(member as usize) });
-        self.arms.relative(a, b)
-    }
-
-    /// Relative velocities of all rows, with these of members.
-    pub(super) fn relative_in(&self, members: &[Triple]) -> Triple {
-        self.relative_of(|member| members[member])
-    }
-
     /// Friction within its bound; what is no number stays none.
     pub(super) fn limited(&self, impulse: f64) -> f64 {
         within(self.bound, impulse)
@@ -185,6 +104,20 @@ impl Contact {
     /// approach; friction stands still or is as great as it may be.
     #[inline(never)]
     pub(super) fn residual(&self) -> f64 {
+        let mut worst = self.normal_residual();
+        let mut note = |velocity: f64| worst = if velocity.abs() <= worst { worst } else { velocity.abs() };
+        let (mass, impulse) = (self.masses[FRICTION], self.impulses[FRICTION]);
+        if mass > 0.0 {
+            let wanted = impulse - mass * self.excess[FRICTION];
+            let limited = within(self.bounded(), wanted);
+            note(if limited == wanted { self.excess[FRICTION] } else { (limited - impulse) / mass });
+        }
+        worst
+    }
+
+    /// The residual of the points alone, in length units per second.
+    #[inline(always)]
+    pub(super) fn normal_residual(&self) -> f64 {
         let mut worst = 0.0;
         let mut note = |velocity: f64| worst = if velocity.abs() <= worst { worst } else { velocity.abs() };
         for row in 0..2 {
@@ -195,29 +128,7 @@ impl Contact {
                 note(impulse / mass);
             }
         }
-        let (mass, impulse) = (self.masses[FRICTION], self.impulses[FRICTION]);
-        if mass > 0.0 {
-            let wanted = impulse - mass * self.excess[FRICTION];
-            let limited = within(self.bounded(), wanted);
-            note(if limited == wanted { self.excess[FRICTION] } else { (limited - impulse) / mass });
-        }
         worst
-    }
-
-    /// The impulses of springs from those of the round on, within their bounds, and which are not at a bound. What is not there
-    /// has no stiffness, and presses nothing.
-    #[inline(always)]
-    pub(super) fn law(&self, excess: Triple) -> (Triple, Set) {
-        let [one, two, along]: Triple =
-            std::array::from_fn(|row| self.centre[row] - self.stiffness[row] * excess[row]);
-        let (first, second, sticks) = (one > 0.0, two > 0.0, along.abs() <= self.bound);
-        let impulses = [
-            if first { one } else { 0.0 },
-            if second { two } else { 0.0 },
-            if sticks { along } else { self.bound.copysign(along) },
-        ];
-        let is_bounded = sticks & (self.bound > 0.0);
-        (impulses, u8::from(first) | u8::from(second) << 1 | u8::from(is_bounded) << FRICTION)
     }
 
     /// A first guess: what has pressed goes on to, whatever it takes, and what has stuck sticks. Where nothing has pressed yet
@@ -272,22 +183,37 @@ impl Contact {
     pub(super) fn bounded(&self) -> f64 {
         self.friction * (self.impulses[0] + self.impulses[1])
     }
+}
 
-    /// Stops a row of this velocity by itself, within its bounds; answers the impulse that this takes.
-    pub(super) fn stopped(&mut self, row: usize, velocity: f64) -> Triple {
-        let wanted = self.impulses[row] - self.masses[row] * velocity;
+impl Constraint for Contact {
+    #[inline(always)]
+    fn law(&self, excess: Triple) -> (Triple, Set) {
+        let [one, two, along]: Triple =
+            std::array::from_fn(|row| self.centre[row] - self.stiffness[row] * excess[row]);
+        let (first, second, sticks) = (one > 0.0, two > 0.0, along.abs() <= self.bound);
+        let impulses = [
+            if first { one } else { 0.0 },
+            if second { two } else { 0.0 },
+            if sticks { along } else { self.bound.copysign(along) },
+        ];
+        let is_bounded = sticks & (self.bound > 0.0);
+        (impulses, u8::from(first) | u8::from(second) << 1 | u8::from(is_bounded) << FRICTION)
+    }
+
+    /// Sliding friction may change its direction.
+    #[inline(always)]
+    fn keeps_bounds(&self, impulses: Triple, active: Set) -> bool {
+        active >> FRICTION & 1 == 1 || impulses[FRICTION] == self.impulses[FRICTION]
+    }
+
+    fn stop(&mut self, row: usize, excess: f64) -> Triple {
+        let wanted = self.impulses[row] - self.masses[row] * excess;
         self.bound = self.bounded();
         let impulse = if row == FRICTION { self.limited(wanted) } else { wanted.max(0.0) };
         let mut change = [0.0; 3];
         change[row] = impulse - self.impulses[row];
         self.impulses[row] = impulse;
         change
-    }
-
-    /// The impulses, and what is active, are those of springs now.
-    #[inline(always)]
-    pub(super) fn obey(&mut self) {
-        (self.impulses, self.active) = self.law(self.excess);
     }
 }
 

@@ -6,7 +6,8 @@
 //! against the slip, a part of it in the plane and a part along the axis, as the slip is. Contacts with other normals are left out
 //! while nothing presses on them; else the island is left to the passes.
 
-use super::contact::{FIXED, FRICTION};
+use super::constraint::FIXED;
+use super::contact::FRICTION;
 use super::island::{Island, Member};
 use super::whole::finite;
 use crate::math::plane::{Vector, dot};

@@ -9,7 +9,7 @@ use crate::storage::reusing_clone::reusing_clone;
 
 /// Where the block of two bodies is, and whether it is kept the other way round.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Entry {
+pub(in crate::precise) struct Entry {
     at: u32,
     is_turned: bool,
 }
@@ -60,6 +60,12 @@ impl Factor {
         self.has_changed.resize(count, true);
         self.solution.resize(count, [0.0; 3]);
         true
+    }
+
+    /// How many bodies, blocks below the diagonal and products of blocks there are.
+    pub(super) fn sizes(&self) -> [usize; 3] {
+        let Elimination { order, rows, targets, .. } = &self.elimination;
+        [order.len(), rows.len(), targets.len()]
     }
 
     /// Where the block of two bodies is that are tied.

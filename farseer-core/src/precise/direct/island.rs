@@ -14,10 +14,13 @@
 //! solution methods" (1991), for Newton's method on them; K. Erleben, "Rigid body contact problems using proximal operators"
 //! (2017), for the same as proximal points.
 
-use super::block::{Block, Triple};
-use super::contact::{Arms, Contact, Ends, FIXED, FRICTION, Set};
+use super::block::Triple;
+use super::constraint::{Constraint, Ends, FIXED, Jacobian};
+use super::contact::{Contact, FRICTION};
 use super::depth::Rub;
 use super::factor::Factor;
+use super::joint::JointRows;
+use crate::precise::joints::IMMOVABLE;
 use crate::storage::reusing_clone::reusing_clone;
 
 /// Softness of springs, as part of what one row's own weight would make of it: at first, by how much less from round to
@@ -41,6 +44,16 @@ const MOST: usize = 100;
 /// Most steps where there are rings and nothing has pressed yet: as many again find little more then, since the rest is found by the
 /// updates after it, and no update is to take much longer than others.
 const MOST_OF_FRESH: usize = 10;
+/// Most steps of an update where there are joints: what more of them find the next update finds as well.
+const MOST_WITH_JOINTS: usize = 20;
+/// Greatest softness of the rows of joints, as part of what one row's own effective mass would make of it. With 1e-7 the digits of f64
+/// begin to run out in chains of hundreds, with 1e-9 they are gone.
+const SOFTNESS_OF_JOINTS: f64 = 1e-6;
+/// With joints: the part of its residual that friction counts as where rounds are compared (dimensionless); the change, as a part of
+/// itself, up to which a bound of friction has settled; and the rounds that this is waited for.
+const WEIGHT_OF_FRICTION: f64 = 0.1;
+const SETTLED_BOUND: f64 = 1e-3;
+const ROUNDS_OF_FRICTION: usize = 4;
 /// Over all rows, where rounds find nothing.
 const SWEEPS: usize = 8;
 /// Halvings and secants on a line; it ends where this part of the first slope is left.
@@ -68,23 +81,28 @@ pub(super) struct Member {
 impl Member {
     /// What an impulse does to the velocity.
     #[inline(always)]
-    fn yields(&self, [x, y, turn]: Triple) -> Triple {
+    pub(super) fn yields(&self, [x, y, turn]: Triple) -> Triple {
         [x / self.mass, y / self.mass, turn / self.inertia]
     }
 
+    /// Inverse mass and inertia; 0 of what cannot be moved or turned.
+    pub(super) fn inverses(&self) -> [f64; 2] {
+        [self.mass, self.inertia].map(|weight| if weight < IMMOVABLE { weight.recip() } else { 0.0 })
+    }
+
     #[inline(always)]
-    fn weighed(&self, [x, y, turn]: Triple) -> Triple {
+    pub(super) fn weighed(&self, [x, y, turn]: Triple) -> Triple {
         [self.mass * x, self.mass * y, self.inertia * turn]
     }
 }
 
 #[inline(always)]
-fn dot(a: Triple, b: Triple) -> f64 {
+pub(super) fn dot(a: Triple, b: Triple) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 #[inline(always)]
-fn add(to: &mut Triple, part: Triple) {
+pub(super) fn add(to: &mut Triple, part: Triple) {
     to.iter_mut().zip(part).for_each(|(to, part)| *to += part);
 }
 
@@ -119,6 +137,7 @@ pub(super) struct Goal {
 pub(super) struct Island {
     pub(super) members: Vec<Member>,
     pub(super) contacts: Vec<Contact>,
+    pub(super) joints: Vec<JointRows>,
     /// What contacts do along the depth axis; none if there is none.
     pub(super) rubs: Vec<Rub>,
     pub(super) factor: Factor,
@@ -129,7 +148,7 @@ pub(super) struct Island {
     pub(super) direction: Vec<Triple>,
 }
 
-reusing_clone! { Island { members, contacts, rubs, factor, is_factored, softness, gradient, direction } }
+reusing_clone! { Island { members, contacts, joints, rubs, factor, is_factored, softness, gradient, direction } }
 
 impl Island {
     /// No impulses act so far.
@@ -140,8 +159,8 @@ impl Island {
 
     /// Impulses of a contact act.
     #[inline(always)]
-    pub(super) fn push(&mut self, arms: &Arms, ends: Ends, impulses: Triple) {
-        add_push(arms, ends.bodies, impulses, &mut self.direction);
+    pub(super) fn push(&mut self, jacobian: &Jacobian, ends: Ends, impulses: Triple) {
+        add_push(jacobian, ends.bodies, impulses, &mut self.direction);
     }
 
     /// Members move by what acts.
@@ -157,8 +176,9 @@ impl Island {
     /// than that.
     pub(super) fn begin(&mut self, dt: f64, [reach, slips]: [f64; 2]) -> f64 {
         (self.is_factored, self.softness) = (false, 0.0);
-        let Island { members, contacts, .. } = self;
+        let Island { members, contacts, joints, .. } = self;
         contacts.iter_mut().for_each(|contact| contact.meet(members, dt.recip(), reach));
+        joints.iter_mut().for_each(|joint| joint.meet(members));
         self.begin_across(slips);
         self.residual()
     }
@@ -171,7 +191,11 @@ impl Island {
         let mut effort = Effort { steps: 0, residual: f64::INFINITY, is_solved: false };
         let has_rings = self.has_rings();
         let (is_still, is_fresh) = (goal.begun < goal.still, self.is_fresh());
-        let limit = if has_rings && is_fresh { MOST_OF_FRESH } else { MOST };
+        let limit = match self.has_joints() {
+            true => MOST_WITH_JOINTS,
+            false if has_rings && is_fresh => MOST_OF_FRESH,
+            false => MOST,
+        };
         self.stiffen(match has_rings {
             false if is_still || is_fresh => RIGID,
             true if is_still => STIFF,
@@ -197,7 +221,9 @@ impl Island {
             }
             let goes_on = self.note_best(&mut effort);
             let is_near = has_rings && !is_still && effort.residual <= goal.near;
-            let is_stuck = !goes_on && (effort.residual <= goal.enough || (has_rings && round > 0));
+            let is_stuck = !goes_on
+                && self.has_settled(is_found, round)
+                && (effort.residual <= goal.enough || (has_rings && round > 0));
             if effort.residual <= goal.exact || is_near || is_stuck || is_over {
                 break;
             }
@@ -209,6 +235,7 @@ impl Island {
         let is_solved = effort.residual <= goal.bearable;
         if is_solved {
             self.contacts.iter_mut().for_each(|contact| contact.impulses = contact.best);
+            self.joints.iter_mut().for_each(|joint| joint.impulses = joint.best);
         } else {
             self.sweep();
         }
@@ -218,9 +245,21 @@ impl Island {
         Effort { is_solved, ..effort }
     }
 
-    /// Whether nothing has pressed yet.
+    /// Whether no contact has pressed yet; without contacts an island is never fresh.
     fn is_fresh(&self) -> bool {
-        self.contacts.iter().all(|contact| contact.impulses == [0.0; 3])
+        !self.contacts.is_empty() && self.contacts.iter().all(|contact| contact.impulses == [0.0; 3])
+    }
+
+    pub(super) fn has_joints(&self) -> bool {
+        !self.joints.is_empty()
+    }
+
+    /// Whether rounds that find little have found all: with joints, bounds of friction move long after the residual has become
+    /// small, and the contacts that they let go are what an island falls by.
+    fn has_settled(&self, is_found: bool, round: usize) -> bool {
+        let is_bounded =
+            |contact: &Contact| (contact.bound - contact.bounded()).abs() <= SETTLED_BOUND * contact.bound;
+        !self.has_joints() || round > ROUNDS_OF_FRICTION || (is_found && self.contacts.iter().all(is_bounded))
     }
 
     /// Whether rows can press each other: what is fixed counts as one body, and two pieces of one body that touch another make
@@ -233,28 +272,28 @@ impl Island {
     /// Changes are those that the impulses make, whatever was found of them: so momentum is kept by what stiff springs leave
     /// to roundings, and by what no round has solved.
     fn obey_impulses(&mut self) {
-        let Island { members, contacts, direction, .. } = self;
+        let Island { members, contacts, joints, direction, .. } = self;
         direction.fill([0.0; 3]);
         add_changes(contacts, direction);
+        add_changes(joints, direction);
         for (member, way) in members.iter_mut().zip(direction.iter_mut()) {
             let change = member.yields(*way);
             *way = std::array::from_fn(|axis| change[axis] - member.change[axis]);
             member.change = change;
         }
-        for contact in contacts {
-            let change = contact.relative_in(direction);
-            add(&mut contact.excess, change);
-        }
+        add_velocities(contacts, direction);
+        add_velocities(joints, direction);
     }
 
     /// Keeps what a round has found, if it is the best so far. Answers whether that is less than a quarter of the best before.
     fn note_best(&mut self, effort: &mut Effort) -> bool {
-        let residual = self.residual();
+        let residual = self.graded_residual();
         let goes_on = residual < 0.25 * effort.residual;
         if residual < effort.residual || effort.residual == f64::INFINITY {
             effort.residual = residual;
             self.members.iter_mut().for_each(|member| member.best = member.change);
             self.contacts.iter_mut().for_each(|contact| contact.best = contact.impulses);
+            self.joints.iter_mut().for_each(|joint| joint.best = joint.impulses);
         }
         goes_on
     }
@@ -263,9 +302,12 @@ impl Island {
     /// impulses of before add.
     fn sweep(&mut self) {
         self.begin_again();
-        let Island { members, contacts, .. } = self;
+        let Island { members, contacts, joints, .. } = self;
         members.iter_mut().for_each(|member| member.best = [0.0; 3]);
         for _ in 0..SWEEPS {
+            for joint in joints.iter_mut() {
+                (0..3).for_each(|row| stop(joint, row, members));
+            }
             for contact in contacts.iter_mut() {
                 stop(contact, FRICTION, members);
                 stop(contact, 0, members);
@@ -277,6 +319,7 @@ impl Island {
     /// All is as it was in the beginning, but for the best so far.
     fn begin_again(&mut self) {
         self.contacts.iter_mut().for_each(|contact| contact.impulses = contact.begun);
+        self.joints.iter_mut().for_each(|joint| joint.impulses = joint.begun);
         self.obey_impulses();
     }
 
@@ -289,22 +332,44 @@ impl Island {
         for contact in &mut self.contacts {
             contact.stiffness = contact.masses.map(|mass| mass / softness);
         }
+        let of_joints = softness.min(SOFTNESS_OF_JOINTS);
+        for joint in &mut self.joints {
+            joint.stiffness = joint.masses.map(|mass| mass / of_joints);
+        }
     }
 
     fn residual(&self) -> f64 {
-        self.contacts.iter().fold(0.0, |worst, contact| greater(contact.residual(), worst))
+        let worst = self.contacts.iter().fold(0.0, |worst, contact| greater(contact.residual(), worst));
+        self.joints.iter().fold(worst, |worst, joint| greater(joint.residual(), worst))
+    }
+
+    /// The residual by which rounds are compared: with joints, friction counts a tenth, for its bounds follow the normal impulses and
+    /// need not be met to be held.
+    fn graded_residual(&self) -> f64 {
+        if !self.has_joints() {
+            return self.residual();
+        }
+        let graded =
+            |contact: &Contact| greater(contact.normal_residual(), WEIGHT_OF_FRICTION * contact.residual());
+        let worst = self.contacts.iter().fold(0.0, |worst, contact| greater(graded(contact), worst));
+        self.joints.iter().fold(worst, |worst, joint| greater(joint.residual(), worst))
     }
 
     /// The least of the springs' function, with the impulses now as those that springs begin with.
     /// Answers how many steps it took, and whether it was found.
     fn round(&mut self, is_first: bool, tolerance: f64, most: usize) -> (usize, bool) {
         let is_fresh = is_first && self.is_fresh();
+        let follow = if self.has_joints() { 1.0 } else { FOLLOW };
+        for joint in &mut self.joints {
+            joint.centre = joint.impulses;
+            joint.obey();
+        }
         for contact in &mut self.contacts {
             contact.centre = contact.impulses;
             contact.bound = match is_first {
                 true if is_fresh => contact.bound_of_fresh(),
                 true => contact.first_bound(),
-                false => contact.followed_bound(FOLLOW),
+                false => contact.followed_bound(follow),
             };
             match is_first {
                 true => (contact.impulses, contact.active) = contact.guess(is_fresh),
@@ -322,7 +387,7 @@ impl Island {
 
     /// A step of Newton's method. Answers whether it is the last one.
     fn newton(&mut self, is_guess: &mut bool, follows: bool, least: f64) -> bool {
-        if !self.is_factored || self.contacts.iter().any(|contact| contact.active != contact.factored) {
+        if !self.has_factors() {
             self.factorise();
         }
         let slope = self.descend();
@@ -362,33 +427,40 @@ impl Island {
     /// Goes along the last direction by this part.
     #[inline(never)]
     fn follow(&mut self, part: f64) {
-        for contact in &mut self.contacts {
-            (0..3).for_each(|row| contact.excess[row] += part * contact.change[row]);
-            contact.obey();
-        }
+        follow(&mut self.contacts, part);
+        follow(&mut self.joints, part);
+    }
+
+    /// Whether the factors are those of the active set.
+    fn has_factors(&self) -> bool {
+        self.is_factored
+            && self.contacts.iter().all(|contact| contact.active == contact.factored)
+            && self.joints.iter().all(|joint| joint.active == joint.factored)
     }
 
     /// Makes the factors of what is active.
-    fn factorise(&mut self) {
-        let Island { members, contacts, factor, .. } = self;
+    pub(super) fn factorise(&mut self) {
+        let Island { members, contacts, joints, factor, .. } = self;
         if !self.is_factored {
             factor.begin(members.iter().map(|member| [member.mass, member.inertia]));
             contacts.iter_mut().for_each(|contact| contact.factored = 0);
+            joints.iter_mut().for_each(|joint| joint.factored = 0);
         }
-        for contact in contacts.iter_mut().filter(|contact| contact.active != contact.factored) {
-            assemble(contact, factor);
-            contact.factored = contact.active;
-        }
+        let contacts = contacts.iter_mut().filter(|contact| contact.active != contact.factored);
+        contacts.for_each(|contact| contact.assemble(factor));
+        let joints = joints.iter_mut().filter(|joint| joint.active != joint.factored);
+        joints.for_each(|joint| joint.assemble(factor));
         factor.factorise();
         self.is_factored = true;
     }
 
     /// The direction in which the function's least would be, were the set the same. Answers the slope along it.
     fn descend(&mut self) -> f64 {
-        let Island { members, contacts, factor, gradient, direction, .. } = self;
+        let Island { members, contacts, joints, factor, gradient, direction, .. } = self;
         gradient.clear();
         gradient.extend(members.iter().map(|member| member.weighed(member.change).map(|momentum| -momentum)));
         add_changes(contacts, gradient);
+        add_changes(joints, gradient);
         direction.clone_from(gradient);
         factor.solve(direction);
         -gradient.iter().zip(direction.iter()).map(|(&g, &way)| dot(g, way)).sum::<f64>()
@@ -407,36 +479,15 @@ impl Island {
 
     /// Goes the whole way. Answers whether the set stays the same, the greatest change of a row, and the slope there.
     fn try_whole(&mut self, weight: f64) -> (bool, f64, f64) {
-        let (mut is_same, mut greatest, mut slope) = (true, 0.0, weight);
-        let Island { contacts, direction, .. } = self;
-        for contact in contacts {
-            contact.change = contact.relative_in(direction);
-            (0..3).for_each(|row| contact.excess[row] += contact.change[row]);
-            let (impulses, active) = contact.law(contact.excess);
-            // What slides may slide the other way there.
-            let slides_on = active >> FRICTION & 1 == 1 || impulses[FRICTION] == contact.impulses[FRICTION];
-            is_same &= active == contact.active && slides_on;
-            contact.impulses = impulses;
-            greatest = contact.change.iter().fold(greatest, |most, change| greater(change.abs(), most));
-            slope -=
-                (0..3).map(|row| contact.change[row] * (impulses[row] - contact.begun[row])).sum::<f64>();
-        }
-        (is_same, greatest, slope)
+        let Island { contacts, joints, direction, .. } = self;
+        let so_far = try_whole(contacts, direction, (true, 0.0, weight));
+        try_whole(joints, direction, so_far)
     }
 
     /// Slope and curvature at a part of the way, from its end on.
     fn slope(&self, part: f64, by_change: f64, by_direction: f64) -> (f64, f64) {
-        let (mut slope, mut curvature) = (by_change + part * by_direction, by_direction);
-        for contact in &self.contacts {
-            let excess = std::array::from_fn(|row| contact.excess[row] + (part - 1.0) * contact.change[row]);
-            let (impulses, active) = contact.law(excess);
-            for (row, change) in contact.change.into_iter().enumerate() {
-                slope -= change * (impulses[row] - contact.begun[row]);
-                let stiffness = if active >> row & 1 == 1 { contact.stiffness[row] } else { 0.0 };
-                curvature += stiffness * change * change;
-            }
-        }
-        (slope, curvature)
+        let so_far = (by_change + part * by_direction, by_direction);
+        slope(&self.joints, part, slope(&self.contacts, part, so_far))
     }
 
     /// The part of the way at which the slope ends, which is below zero in the beginning and above in the end.
@@ -464,26 +515,39 @@ impl Island {
     /// others that are far deeper, by no more than that part of `most`; no way if none is. Separations are those after `dt` of
     /// the velocities, and then of the ways too.
     pub(super) fn part(&mut self, dt: f64, [reach, most]: [f64; 2], undone: f64) -> bool {
-        let Island { members, contacts, .. } = self;
-        let deepest = contacts
-            .iter_mut()
-            .fold(0.0, |deepest, contact| greater(contact.advance(members, dt, reach), deepest));
-        let is_deep = deepest > reach;
+        let is_deep = self.advance_separations(dt, reach) > reach;
         if is_deep {
-            self.stiffen(SOFTNESS);
-            self.press_out([reach, most], undone);
+            self.correct_positions([reach, most], undone, false);
         }
         is_deep
     }
 
+    /// Position correction of all constraints at once, with the Jacobians now: [`ways`](Self::ways) is what it adds to the displacement of
+    /// each member. Errors of joints are undone as a whole, overlaps by this part; either by `most` length units at most.
+    pub(super) fn correct_positions(&mut self, limits: [f64; 2], undone: f64, are_jacobians_new: bool) {
+        self.is_factored &= !are_jacobians_new;
+        self.stiffen(SOFTNESS);
+        self.press_out(limits, undone);
+    }
+
+    /// Separations are those after `dt` seconds of the velocities. Answers the depth of the deepest point that is to be corrected,
+    /// in length units.
+    pub(super) fn advance_separations(&mut self, dt: f64, reach: f64) -> f64 {
+        let Island { members, contacts, .. } = self;
+        contacts
+            .iter_mut()
+            .fold(0.0, |deepest, contact| greater(contact.advance(members, dt, reach), deepest))
+    }
+
     fn press_out(&mut self, [reach, most]: [f64; 2], undone: f64) {
+        self.joints.iter_mut().for_each(JointRows::select_errors);
         for contact in &mut self.contacts {
             let deep = [0, 1].map(|row| contact.is_pressed_out(row, reach));
             contact.active = u8::from(deep[0]) | u8::from(deep[1]) << 1;
             let sticks = contact.active != 0 && contact.impulses[FRICTION].abs() < contact.bound;
             contact.active |= u8::from(sticks) << FRICTION;
         }
-        if !self.is_factored || self.contacts.iter().any(|contact| contact.active != contact.factored) {
+        if !self.has_factors() {
             self.factorise();
         }
         self.direction.fill([0.0; 3]);
@@ -494,15 +558,22 @@ impl Island {
                 impulses[row] =
                     undone * contact.stiffness[row] * if depth < most { depth.max(0.0) } else { most };
             }
-            add_push(&contact.arms, contact.bodies, impulses, &mut self.direction);
+            add_push(&contact.jacobian, contact.bodies, impulses, &mut self.direction);
+        }
+        for joint in &self.joints {
+            add_push(&joint.jacobian, joint.bodies, joint.correction(most), &mut self.direction);
         }
         self.factor.solve(&mut self.direction);
-        self.slow_down(most);
+        if self.contacts.iter().any(|contact| contact.active != 0) {
+            self.slow_down(most);
+        }
         for contact in &mut self.contacts {
             let way = contact.relative_in(&self.direction);
-            (0..2)
-                .filter(|&row| contact.rows >> row & 1 == 1)
-                .for_each(|row| contact.separations[row] += way[row]);
+            for row in 0..2 {
+                if contact.has(row) {
+                    contact.separations[row] += way[row];
+                }
+            }
         }
     }
 
@@ -525,8 +596,8 @@ impl Island {
 
 /// Adds what the impulses of a contact do to members.
 #[inline(always)]
-fn add_push(arms: &Arms, bodies: [u32; 2], impulses: Triple, pushes: &mut [Triple]) {
-    for (member, push) in bodies.into_iter().zip(arms.push(impulses)) {
+pub(super) fn add_push(jacobian: &Jacobian, bodies: [u32; 2], impulses: Triple, pushes: &mut [Triple]) {
+    for (member, push) in bodies.into_iter().zip(jacobian.push(impulses)) {
         if member != FIXED {
             add(&mut pushes[member as usize], push);
         }
@@ -535,22 +606,74 @@ fn add_push(arms: &Arms, bodies: [u32; 2], impulses: Triple, pushes: &mut [Tripl
 
 /// Adds what impulses have changed for members since the step began.
 #[inline(never)]
-fn add_changes(contacts: &[Contact], pushes: &mut [Triple]) {
-    for contact in contacts {
-        let impulses = std::array::from_fn(|row| contact.impulses[row] - contact.begun[row]);
-        add_push(&contact.arms, contact.bodies, impulses, pushes);
+fn add_changes<C: Constraint>(constraints: &[C], pushes: &mut [Triple]) {
+    for rows in constraints {
+        let impulses = std::array::from_fn(|row| rows.impulses[row] - rows.begun[row]);
+        add_push(&rows.jacobian, rows.bodies, impulses, pushes);
     }
+}
+
+/// Velocity errors take in these changes of members' velocities.
+fn add_velocities<C: Constraint>(constraints: &mut [C], changes: &[Triple]) {
+    for rows in constraints {
+        let change = rows.relative_in(changes);
+        add(&mut rows.excess, change);
+    }
+}
+
+/// Goes along the last direction by this part.
+#[inline(always)]
+fn follow<C: Constraint>(constraints: &mut [C], part: f64) {
+    for rows in constraints {
+        (0..3).for_each(|row| rows.excess[row] += part * rows.change[row]);
+        rows.obey();
+    }
+}
+
+/// Goes the whole way: adds to whether the active set stays the same, the greatest change of a row, and the slope there.
+#[inline(always)]
+fn try_whole<C: Constraint>(
+    constraints: &mut [C],
+    direction: &[Triple],
+    (mut is_same, mut greatest, mut slope): (bool, f64, f64),
+) -> (bool, f64, f64) {
+    for rows in constraints {
+        rows.change = rows.relative_in(direction);
+        (0..3).for_each(|row| rows.excess[row] += rows.change[row]);
+        let (impulses, active) = rows.law(rows.excess);
+        is_same &= active == rows.active && rows.keeps_bounds(impulses, active);
+        rows.impulses = impulses;
+        greatest = rows.change.iter().fold(greatest, |most, change| greater(change.abs(), most));
+        slope -= (0..3).map(|row| rows.change[row] * (impulses[row] - rows.begun[row])).sum::<f64>();
+    }
+    (is_same, greatest, slope)
+}
+
+/// Adds to slope and curvature at a part of the way, from its end on.
+#[inline(always)]
+fn slope<C: Constraint>(constraints: &[C], part: f64, (mut slope, mut curvature): (f64, f64)) -> (f64, f64) {
+    for rows in constraints {
+        let excess = std::array::from_fn(|row| rows.excess[row] + (part - 1.0) * rows.change[row]);
+        let (impulses, active) = rows.law(excess);
+        for (row, change) in rows.change.into_iter().enumerate() {
+            slope -= change * (impulses[row] - rows.begun[row]);
+            let stiffness = if active >> row & 1 == 1 { rows.stiffness[row] } else { 0.0 };
+            curvature += stiffness * change * change;
+        }
+    }
+    (slope, curvature)
 }
 
 /// Stops a row by itself, within its bounds.
 #[inline(never)]
-fn stop(contact: &mut Contact, row: usize, members: &mut [Member]) {
-    if contact.masses[row] <= 0.0 {
+fn stop<C: Constraint>(rows: &mut C, row: usize, members: &mut [Member]) {
+    if rows.masses[row] <= 0.0 {
         return;
     }
-    let change = contact.relative_of(|member| members[member].best);
-    let impulse = contact.stopped(row, contact.excess[row] + change[row]);
-    for (&member, push) in contact.bodies.iter().zip(contact.arms.push(impulse)) {
+    let change = rows.relative_of(|member| members[member].best);
+    let excess = rows.excess[row] + change[row];
+    let impulse = rows.stop(row, excess);
+    for (&member, push) in rows.bodies.iter().zip(rows.jacobian.push(impulse)) {
         if member != FIXED {
             let member = &mut members[member as usize];
             let change = member.yields(push);
@@ -563,38 +686,4 @@ fn stop(contact: &mut Contact, row: usize, members: &mut [Member]) {
 #[inline(always)]
 pub(super) fn greater(one: f64, other: f64) -> f64 {
     if one <= other { other } else { one }
-}
-
-/// Adds k j j' of the rows of a contact that have become active, and takes away that of those that no longer are: with n the
-/// normal and t the tangent, of two bodies the same in x and y.
-fn assemble(contact: &Contact, factor: &mut Factor) {
-    let is_in = |set: Set, row: usize| f64::from(set >> row & 1);
-    let stiffness: Triple = std::array::from_fn(|row| {
-        (is_in(contact.active, row) - is_in(contact.factored, row)) * contact.stiffness[row]
-    });
-    let ([nx, ny], along, across) = (contact.arms.normal, stiffness[0] + stiffness[1], stiffness[2]);
-    let xx = along * nx * nx + across * ny * ny;
-    let xy = (along - across) * nx * ny;
-    let yy = along * ny * ny + across * nx * nx;
-    // What turning of one does to a push along x and y.
-    let turned = |arms: &Triple| {
-        let along = stiffness[0] * arms[0] + stiffness[1] * arms[1];
-        let across = stiffness[2] * arms[2];
-        [along * nx + across * ny, along * ny - across * nx]
-    };
-    let both =
-        |one: &Triple, other: &Triple| (0..3).map(|row| stiffness[row] * one[row] * other[row]).sum::<f64>();
-    let Arms { a: arms_a, b: arms_b, .. } = &contact.arms;
-    let ([ax, ay], [bx, by]) = (turned(arms_a), turned(arms_b));
-    let [a, b] = contact.bodies;
-    if a != FIXED {
-        factor.add(a, &Block::of_rows([[xx, xy, ax], [xy, yy, ay], [ax, ay, both(arms_a, arms_a)]]));
-    }
-    if b != FIXED {
-        factor.add(b, &Block::of_rows([[xx, xy, bx], [xy, yy, by], [bx, by, both(arms_b, arms_b)]]));
-    }
-    if let Some(entry) = contact.entry {
-        let rows = [[-xx, -xy, -ax], [-xy, -yy, -ay], [-bx, -by, -both(arms_a, arms_b)]];
-        factor.add_between(entry, &Block::of_rows(rows));
-    }
 }

@@ -8,7 +8,7 @@
 //! what jumps on them. Rings that move are dear, and heaps lie well by passes: there only what is far heavier counts.
 
 use super::Census;
-use super::contact::{Ends, FIXED};
+use super::constraint::{Ends, FIXED};
 use super::depth::{BURDEN, MOST_WITH_RINGS, is_burden};
 use super::island::Island;
 use crate::precise::Precise;

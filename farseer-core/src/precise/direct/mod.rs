@@ -1,17 +1,22 @@
 //! Islands that are solved [as a whole](island), by their graph: those of few bodies on which the factors fill in little.
 //! Columns, high houses and walls stand exactly then. What has rings is hard to solve while it moves, and the passes over all
 //! rows do well where it is small: arches, small pyramids and whatever has fallen on a pile are theirs, and so is what bounces
-//! or keeps this busy for long. But what [heavy things press on](loads) is not.
+//! or keeps this busy for long. But what [heavy things press on](loads) is not. Islands with joints are solved [together with
+//! these](joined), whatever moves, as long as that [pays](price).
 //!
 //! A row has one home: those of such islands are taken out of their colours, and go back to them with the impulses that were
 //! found.
 
-mod block;
+pub(in crate::precise) mod block;
+pub(in crate::precise) mod constraint;
 mod contact;
 mod depth;
 mod factor;
 mod island;
+mod joined;
+pub(in crate::precise) mod joint;
 mod loads;
+mod price;
 mod unsolved;
 mod whole;
 
@@ -19,6 +24,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Precise;
 use super::islands::Islands;
+use super::joints::{Candidate, Joints};
 use super::pairs::Pairs;
 use super::proxies::{Mobility, Proxies};
 use super::rows::{Home, Lane, PointLane};
@@ -27,7 +33,7 @@ use super::tuning::Learning;
 use crate::methods::IslandChoice;
 use crate::storage::order::{joined, sort_by_number};
 use crate::storage::reusing_clone::reusing_clone;
-use contact::{Ends, FIXED};
+use constraint::{Ends, FIXED};
 pub(super) use depth::{is_burden, is_upright};
 use depth::{is_in_plane, unload};
 use island::Member;
@@ -45,6 +51,8 @@ const MANY: u32 = 40;
 /// Most products of blocks per body that the factors of an island are made of: card houses have fewer than 8, pyramids with 15
 /// boxes in their lowest row 12. At rest such a pyramid takes half the time of the passes, while it is hit several times as much.
 const FILLED: usize = 12;
+/// The same of an island with joints: grids of 15 x 15 joints have about 50, of 100 x 100 about 700.
+const FILLED_WITH_JOINTS: usize = 800;
 /// An island is left to the passes once its solutions take this many steps of Newton's method, and this many more per body, on
 /// the average over so many updates, for so many updates. Columns and others without rings get more: what they need is had from
 /// no pass, and a step costs them little.
@@ -69,6 +77,12 @@ pub(super) struct Wear {
     pub(super) rest: u8,
     /// It has come with what moved.
     pub(super) is_loose: bool,
+    /// With joints: a solution was accepted since it is solved as a whole.
+    pub(super) was_solved: bool,
+    /// With joints: updates of the iterative solver's cost that are overdrawn, as a negative number.
+    pub(super) budget: f32,
+    /// With joints: updates for which it was left to the iterative solver the last time, less one for each quiet one since.
+    pub(super) back_off: u8,
 }
 
 /// What is solved as a whole.
@@ -104,8 +118,8 @@ pub(super) struct Timing {
     /// Updates for which the second has been so, and whether some body rests.
     age: u8,
     has_resting: bool,
-    /// How many joints there were.
-    joints: u32,
+    /// The [signature](Joints::signature) of the joints that there were.
+    joints: u64,
     /// What the game wants of islands.
     choice: IslandChoice,
 }
@@ -126,11 +140,16 @@ pub(super) struct Census {
     direct: u32,
     /// Updates for which it is left to the passes.
     rest: u8,
-    /// A joint or a hinge holds something in it, or something bounces, or moves, or has come with what moved.
+    /// Its joints, beside those of free articulations.
+    joints: u32,
+    /// A joint or a hinge that is not for this holds something in it, or something bounces, or moves, or has come with what moved.
     is_held: bool,
     bounces: bool,
     moves: bool,
     is_loose: bool,
+    /// With joints: it was given up lately; and a joint gapes.
+    has_failed: bool,
+    is_torn: bool,
     /// There is a depth axis; and a contact is not in the plane.
     has_depth: bool,
     is_deep: bool,
@@ -145,10 +164,10 @@ impl Census {
     /// Why it is not for this; `None` if it is.
     pub(super) fn refusal(&self, choice: IslandChoice) -> Option<WhyMethod> {
         let refusals = [
-            (self.bodies < 2, WhyMethod::OneBody),
+            (self.bodies < 2 && self.joints == 0, WhyMethod::OneBody),
             (self.is_held, WhyMethod::Joints),
             (choice == IslandChoice::Passes, WhyMethod::Chosen),
-            (self.bodies > LARGEST, WhyMethod::TooLarge),
+            (self.bodies > LARGEST && self.contacts > self.joints, WhyMethod::TooLarge),
             (self.bounces, WhyMethod::Bounces),
         ];
         first(&refusals).or_else(|| if choice == IslandChoice::Whole { None } else { self.price() })
@@ -182,7 +201,10 @@ impl Census {
         let (has_rings, is_built) = (self.has_rings(), !(self.moves || self.is_loose));
         let was_whole = 2 * direct > bodies;
         let rests = (self.rest > 0, WhyMethod::Rests { updates: self.rest });
-        first(&if self.has_depth {
+        first(&if self.joints > 0 {
+            let fails = self.has_failed && !was_whole && (self.moves || self.is_torn);
+            [rests, (fails, WhyMethod::Moves), rests, rests]
+        } else if self.has_depth {
             [
                 rests,
                 (self.is_deep, WhyMethod::HasDepth),
@@ -235,6 +257,17 @@ impl Direct {
         self.timing.may_be_due |= !has_depth;
     }
 
+    /// Joints were read anew: their places in the list may be others. Where they are other joints islands are asked for: at once if some
+    /// island is solved as a whole.
+    pub(super) fn note_joints(&mut self, signature: u64) {
+        self.is_listed = false;
+        let Timing { joints, is_due, may_be_due, .. } = &mut self.timing;
+        if std::mem::replace(joints, signature) != signature {
+            *is_due |= self.wear.iter().any(|wear| wear.is_direct);
+            *may_be_due = true;
+        }
+    }
+
     /// What the game wants of islands.
     pub(super) fn choice(&self) -> IslandChoice {
         self.timing.choice
@@ -282,13 +315,11 @@ impl Precise {
         if self.space.is_some() && self.direct.is_listed && !self.direct.timing.is_due {
             self.direct.is_listed = self.are_contacts_listed();
         }
-        let joints = self.joints.count() as u32;
-        self.direct.timing.may_be_due |= std::mem::replace(&mut self.direct.timing.joints, joints) != joints;
         let moves = |body: usize| self.moves(self.bodies.hot[body].velocity);
         let is_calm = || !self.sleep.awake(self.bodies.count).any(moves);
         let is_whole = self.direct.timing.choice == IslandChoice::Whole;
-        let is_quick =
-            self.direct.timing.may_be_due && (is_whole || (self.is_few() && (is_calm() || self.has_load())));
+        let is_quick = self.direct.timing.may_be_due
+            && (is_whole || (self.is_few() && (!self.joints.are_none() || is_calm() || self.has_load())));
         let chooses = self.direct.tick(is_quick);
         if chooses {
             self.direct.timing.begin_again();
@@ -300,6 +331,7 @@ impl Precise {
                 self.move_rows(learning);
             }
             self.list_contacts();
+            self.list_joints();
         }
         self.direct.is_listed = true;
     }
@@ -355,11 +387,13 @@ impl Precise {
             of.bodies += 1;
             let wear = self.direct.wear[body];
             of.direct += u32::from(wear.is_direct);
-            of.is_held |= self.joints.holds(body);
+            of.is_held |= self.space.is_some() && self.joints.holds(body);
+            of.has_failed |= wear.back_off > 0;
             of.rest = of.rest.max(wear.rest);
             of.moves |= self.moves(velocity(body as u32));
             of.is_loose |= wear.is_loose;
         }
+        self.count_joints(unions, census);
         for pair in 0..self.pairs.awake {
             let state = self.pairs.all[pair];
             let Some(home) = state.home else { continue };
@@ -382,10 +416,22 @@ impl Precise {
         }
     }
 
+    /// Counts the joints of islands in the plane.
+    fn count_joints(&self, unions: &mut Islands, census: &mut [Census]) {
+        let gap = joined::ACCEPTED_GAP as f32 * self.tuning.unit;
+        for joint in self.joints.candidates().filter(|_| self.space.is_none()) {
+            let Some(body) = joint.a_body() else { continue };
+            let of = &mut census[unions.find(body) as usize];
+            of.joints += 1;
+            of.is_held |= joint.is_free || !joint.may_be_rows;
+            of.is_torn |= joint.error > gap;
+        }
+    }
+
     /// The islands that are solved as a whole are planned, in the order of their first bodies: those that may be, or those
     /// that were.
     fn plan_islands(&mut self, chooses: bool) {
-        let Precise { direct, bodies, pairs, proxies, sleep, .. } = self;
+        let Precise { direct, bodies, pairs, proxies, sleep, joints, .. } = self;
         let Direct { islands, unions, census, found, edges, wear, timing, .. } = direct;
         found.clear();
         for body in sleep.awake(bodies.count) {
@@ -394,7 +440,8 @@ impl Precise {
             let is_wanted = if chooses { of.refusal(timing.choice).is_none() } else { wear[body].is_direct };
             found.extend(is_wanted.then_some((root, body as u32)));
             wear[body].is_loose |= chooses && of.moves;
-            if chooses && of.waits() && wear[body].rest == 0 {
+            let is_given_up = of.joints > 0 && of.has_failed && !is_wanted;
+            if chooses && (of.waits() || is_given_up) && wear[body].rest == 0 {
                 wear[body].rest = PERIOD;
                 timing.has_resting = true;
             }
@@ -408,15 +455,23 @@ impl Precise {
             if islands.len() == count {
                 islands.push(Whole::default());
             }
-            let Whole { island, homes, ends, has_pushes, .. } = &mut islands[count];
+            let Whole { island, homes, ends, has_pushes, joints: of_island, joint_ends, .. } =
+                &mut islands[count];
             homes.clear();
             ends.clear();
+            of_island.clear();
+            joint_ends.clear();
             *has_pushes = false;
             island.members.clear();
             island.members.extend(members.iter().map(|&(_, number)| Member { number, ..Member::default() }));
             list_edges(members, pairs, proxies, edges);
+            let has_joints = census[members[0].0 as usize].joints > 0;
+            if has_joints {
+                add_edges_of_joints(members, joints, edges);
+            }
+            let filled = if has_joints { FILLED_WITH_JOINTS } else { FILLED };
             let mut worn = worst(members, wear);
-            if island.factor.plan(members.len(), edges, FILLED * members.len()) {
+            if island.factor.plan(members.len(), edges, filled * members.len()) {
                 census[members[0].0 as usize].place = Some(count as u32);
                 count += 1;
             } else {
@@ -432,7 +487,7 @@ impl Precise {
 
     /// Rows go where their islands are solved. What was solved as a whole carries what it did in the last step. Where things
     /// have moved that may be a blow, and springs of rings that rested at it would push against each other for a second: they
-    /// rest at as much of it as the passes would let them learn.
+    /// rest at as much of it as the passes would let them learn. So do those of islands with joints, which are softer in the passes.
     fn move_rows(&mut self, learning: &Learning) {
         for pair in 0..self.pairs.awake {
             let Some(home) = self.pairs.all[pair].home else { continue };
@@ -440,7 +495,8 @@ impl Precise {
             let (is_direct, was_direct) = (self.direct.is_direct(body), home.is_direct());
             if is_direct != was_direct {
                 let root = self.direct.unions.find(body as u32) as usize;
-                let may_rock = self.direct.wear[body].is_loose && self.direct.census[root].has_rings();
+                let Wear { is_loose, was_solved, .. } = self.direct.wear[body];
+                let may_rock = was_solved || (is_loose && self.direct.census[root].has_rings());
                 if was_direct && may_rock {
                     let points = &mut self.rows.direct_mut(home).lane.points;
                     points.iter_mut().for_each(|point| point.held *= learning.learnt);
@@ -449,6 +505,7 @@ impl Precise {
                 self.touch().hand_over(pair, is_direct, h);
             }
         }
+        self.direct.wear.iter_mut().for_each(|wear| wear.was_solved &= wear.is_direct);
     }
 
     /// The contacts of each island, in the order of creation numbers.
@@ -482,13 +539,37 @@ impl Precise {
         }
     }
 
-    /// Bodies that contacts tie together.
+    /// The joints of each island, in their order.
+    fn list_joints(&mut self) {
+        let Precise { direct, joints, space, .. } = self;
+        let Direct { islands, unions, census, wear, .. } = direct;
+        for joint in joints.candidates().filter(|_| space.is_none()) {
+            let Some(body) = joint.a_body() else { continue };
+            if !wear.get(body as usize).is_some_and(|wear| wear.is_direct) {
+                continue;
+            }
+            let Some(place) = census[unions.find(body) as usize].place else { continue };
+            let Whole { island, joints, joint_ends, .. } = &mut islands[place as usize];
+            let seat = |body: u32| island.members.binary_search_by_key(&body, |member| member.number);
+            let bodies = joint.bodies.map(|body| seat(body).map_or(FIXED, |seat| seat as u32));
+            let gives_way = bodies.iter().all(|&member| member != FIXED);
+            let entry = gives_way.then(|| island.factor.entry(bodies[0], bodies[1]));
+            joints.push(joint.joint);
+            joint_ends.push(Ends { bodies, entry });
+        }
+    }
+
+    /// Bodies that contacts, and joints in the plane, tie together.
     fn join_contacts(&self, unions: &mut Islands) {
         unions.part(self.bodies.hot.len());
         for pair in (0..self.pairs.awake).filter(|&pair| self.pairs.all[pair].home.is_some()) {
             if let [(a, Mobility::Dynamic), (b, Mobility::Dynamic)] = self.sides(pair) {
                 unions.join(a as u32, b as u32);
             }
+        }
+        if self.space.is_none() {
+            let of_joints = self.joints.candidates().map(|joint| joint.bodies);
+            of_joints.filter(|[a, b]| *a != 0 && *b != 0).for_each(|[a, b]| unions.join(a, b));
         }
     }
 }
@@ -510,6 +591,18 @@ fn list_edges(members: &[(u32, u32)], pairs: &Pairs, proxies: &Proxies, edges: &
     edges.dedup();
 }
 
+/// Adds which of these bodies joints tie together.
+fn add_edges_of_joints(members: &[(u32, u32)], joints: &Joints, edges: &mut Vec<[u32; 2]>) {
+    let place = |body: u32| members.binary_search_by_key(&body, |member| member.1).ok();
+    for Candidate { bodies: [a, b], .. } in joints.candidates() {
+        if let (Some(a), Some(b)) = (place(a), place(b)) {
+            edges.push([a.min(b) as u32, a.max(b) as u32]);
+        }
+    }
+    sort_by_number(edges, |&edge| joined(edge));
+    edges.dedup();
+}
+
 /// Whether two with these velocities come together so fast that they bounce: that is for the passes.
 fn bounces(lane: &Lane, [a, b]: [[f32; 4]; 2], least: f32) -> bool {
     let along = lane.normal[0] * (b[0] - a[0]) + lane.normal[1] * (b[1] - a[1]);
@@ -520,11 +613,14 @@ fn bounces(lane: &Lane, [a, b]: [[f32; 4]; 2], least: f32) -> bool {
 
 /// How bodies have fared that are an island now.
 fn worst(members: &[(u32, u32)], wear: &[Wear]) -> Wear {
-    let first = Wear { is_direct: true, ..Wear::default() };
+    let first = Wear { is_direct: true, was_solved: true, ..Wear::default() };
     members.iter().map(|&(_, body)| wear[body as usize]).fold(first, |worst, wear| Wear {
         effort: if wear.effort > worst.effort { wear.effort } else { worst.effort },
         is_hot: worst.is_hot || wear.is_hot,
         is_loose: worst.is_loose || wear.is_loose,
+        was_solved: worst.was_solved && wear.was_solved,
+        budget: if wear.budget < worst.budget { wear.budget } else { worst.budget },
+        back_off: worst.back_off.max(wear.back_off),
         ..worst
     })
 }

@@ -3,7 +3,8 @@
 //! Mostly all is as it is to be. That is seen row by row; contacts are only made of the rows of what is to be solved.
 
 use super::block::Triple;
-use super::contact::{Arms, Contact, Ends, FIXED, FRICTION, approach, impulses, is_pressed_out};
+use super::constraint::{Ends, FIXED, Jacobian};
+use super::contact::{Contact, FRICTION, approach, impulses, is_pressed_out};
 use super::depth::{self, Rub};
 use super::island::{Effort, Goal, Island, Member, greater};
 use super::{BUSIER, BUSY, LONG, REST, Wear};
@@ -17,15 +18,15 @@ use crate::storage::reusing_clone::reusing_clone;
 
 /// In units of length per second: the greatest error of a velocity that is left as it is, of what is still; and the one in the
 /// update after a solution, for what has corrected velocities is to leave the impulses again.
-const QUIET: f64 = 1e-4;
-const EXACT: f64 = 2e-6;
+pub(super) const QUIET: f64 = 1e-4;
+pub(super) const EXACT: f64 = 2e-6;
 /// What a solution leaves of it at most, and if that is easily had: what it leaves adds up from update to update until it is
 /// not quiet any more. Of what has rings and moves, the last one is enough.
-const ENOUGH: f64 = 1e-5;
-const SOLVED: f64 = 1e-9;
-const NEAR: f64 = 0.01;
+pub(super) const ENOUGH: f64 = 1e-5;
+pub(super) const SOLVED: f64 = 1e-9;
+pub(super) const NEAR: f64 = 0.01;
 /// What a solution may leave at least, whatever there was before: a solution that leaves more than either is none.
-const BEARABLE: f64 = 0.25;
+pub(super) const BEARABLE: f64 = 0.25;
 /// Overlap in units of length, and as a part of coordinates, that is left as it is.
 const LEFT: f64 = 1e-5;
 const LEFT_OF_PLACE: f64 = 1e-6;
@@ -33,7 +34,7 @@ const LEFT_OF_PLACE: f64 = 1e-6;
 /// Part of an overlap that is undone in an update where there are rings, and of what may be undone at most, unless what has moved has
 /// come to it: what is pushed out in rings pushes others, and all at once more of them than half and half. Fifty card houses take 12 %
 /// fewer steps by it. What is struck is at rest later by it.
-const UNDONE: f64 = 0.5;
+pub(super) const UNDONE: f64 = 0.5;
 
 /// An island, and where its contacts' rows are.
 #[derive(Debug, Default)]
@@ -41,7 +42,7 @@ pub(super) struct Whole {
     pub(super) island: Island,
     pub(super) homes: Vec<Home>,
     pub(super) ends: Vec<Ends>,
-    ways: Vec<Triple>,
+    pub(super) ways: Vec<Triple>,
     /// How far points were apart before the last look.
     separations: Vec<[f32; 2]>,
     /// The island still [has](Island::obey_pushes) what its rows do to members: no row has changed since that was asked, and the
@@ -51,21 +52,26 @@ pub(super) struct Whole {
     pub(super) steps: usize,
     /// It could not be solved, and goes by passes.
     pub(super) is_left: bool,
+    /// Its joints, by their places in the list of joints, and their bodies.
+    pub(super) joints: Vec<u32>,
+    pub(super) joint_ends: Vec<Ends>,
 }
 
-reusing_clone! { Whole { island, homes, ends, ways, separations, has_pushes, steps, is_left } }
+reusing_clone! {
+    Whole { island, homes, ends, ways, separations, has_pushes, steps, is_left, joints, joint_ends }
+}
 
 /// What rows are read with.
-struct Reading<'a> {
-    bodies: &'a Bodies,
-    step: &'a Step,
+pub(super) struct Reading<'a> {
+    pub(super) bodies: &'a Bodies,
+    pub(super) step: &'a Step,
     /// Seconds of the step, its reciprocal, and its substeps.
-    dt: f64,
-    rate: f64,
-    parts: f64,
+    pub(super) dt: f64,
+    pub(super) rate: f64,
+    pub(super) parts: f64,
     /// The overlap that is left, and the error of a velocity that is.
-    left: f64,
-    quiet: f64,
+    pub(super) left: f64,
+    pub(super) quiet: f64,
 }
 
 impl Reading<'_> {
@@ -113,7 +119,7 @@ impl Reading<'_> {
             return None;
         }
         let [a, b] = ends.bodies.map(|at| if at == FIXED { [0.0; 3] } else { members[at as usize].velocity });
-        let [one, two, along] = Arms::of(&row.lane).relative(a, b);
+        let [one, two, along] = Jacobian::of(&row.lane).relative(a, b);
         let lane = &mut row.lane;
         let (mut off, mut deepest) = ((along - f64::from(lane.tangent_speed)).abs(), 0.0);
         let mut separations = [0.0; 2];
@@ -159,8 +165,8 @@ fn is_moved(row: &Aside, ends: Ends) -> bool {
 }
 
 impl Whole {
-    /// Members move as they will without impulses. Answers the greatest coordinate.
-    fn take_bodies(&mut self, bodies: &Bodies, parts: f64) -> f32 {
+    /// Members move as they will without impulses. Answers the overlap that is left as it is, in length units.
+    pub(super) fn take_bodies(&mut self, bodies: &Bodies, parts: f64, unit: f64) -> f64 {
         let mut far = 0.0;
         for member in &mut self.island.members {
             let at = member.number as usize;
@@ -171,7 +177,8 @@ impl Whole {
             member.change = [0.0; 3];
             [member.mass, member.inertia] = bodies.inverses[at].map(weight_of);
         }
-        far
+        let far = LEFT_OF_PLACE * f64::from(far);
+        if far > LEFT * unit { far } else { LEFT * unit }
     }
 
     /// Impulses so far act in the plane.
@@ -181,7 +188,7 @@ impl Whole {
             island.begin_pushes();
             for (&home, &ends) in homes.iter().zip(ends.iter()) {
                 let row = rows.direct(home);
-                island.push(&Arms::of(&row.lane), ends, impulses(row, reading.parts_of(row)));
+                island.push(&Jacobian::of(&row.lane), ends, impulses(row, reading.parts_of(row)));
             }
         }
         island.obey_pushes();
@@ -228,7 +235,7 @@ impl Whole {
     }
 
     /// Makes contacts of the rows, and of what they do along the depth axis, if there is one.
-    fn make_contacts(&mut self, rows: &Rows, reading: &Reading<'_>, has_depth: bool) {
+    pub(super) fn make_contacts(&mut self, rows: &Rows, reading: &Reading<'_>, has_depth: bool) {
         let Whole { island, homes, ends, has_pushes, .. } = self;
         *has_pushes = false;
         island.contacts.clear();
@@ -241,7 +248,7 @@ impl Whole {
     }
 
     /// Rows take over what was found.
-    fn write(&self, rows: &mut Rows, parts: f64, h: f32) {
+    pub(super) fn write(&self, rows: &mut Rows, parts: f64, h: f32) {
         for (contact, &home) in self.island.contacts.iter().zip(&self.homes) {
             let impulses = contact.impulses.map(|impulse| impulse / parts);
             write(rows.direct_mut(home), impulses, contact.separations, parts, h);
@@ -252,7 +259,7 @@ impl Whole {
     }
 
     /// Ways are those of velocities, with those that take points out of each other.
-    fn find_ways(&mut self, dt: f64, has_more: bool) {
+    pub(super) fn find_ways(&mut self, dt: f64, has_more: bool) {
         let Whole { island, ways, .. } = self;
         ways.clear();
         ways.extend(island.members.iter().enumerate().map(|(at, member)| {
@@ -283,10 +290,12 @@ impl Precise {
 
     /// Answers how many steps of Newton's method it has taken.
     fn solve_whole(&mut self, whole: &mut Whole, step: &Step, unit: f64) -> Effort {
+        if !whole.joints.is_empty() {
+            return self.solve_joined(whole, step, unit);
+        }
         let Precise { bodies, rows, .. } = self;
         let (dt, parts, has_depth) = (f64::from(step.dt), f64::from(step.substeps), self.space.is_some());
-        let far = LEFT_OF_PLACE * f64::from(whole.take_bodies(bodies, parts));
-        let left = if far > LEFT * unit { far } else { LEFT * unit };
+        let left = whole.take_bodies(bodies, parts, unit);
         let Wear { is_hot, is_loose, .. } = self.direct.wear[whole.island.members[0].number as usize];
         let quiet = unit * if is_hot { EXACT } else { QUIET };
         whole.is_left = false;
@@ -334,6 +343,9 @@ impl Precise {
     /// An island that is busy for long, or could not be solved, is left to the passes for a while. What may jam is tried again
     /// at once: passes do worse than a solution every other update.
     fn note_effort(&mut self, whole: &Whole, Effort { steps, is_solved, .. }: Effort) {
+        if !whole.joints.is_empty() {
+            return self.pay(whole, steps, is_solved);
+        }
         let (island, contacts) = (&whole.island, whole.homes.len());
         let bodies = island.members.len();
         let mut wear = self.direct.wear[island.members[0].number as usize];

@@ -61,7 +61,7 @@ pub(super) struct Key {
 /// A joint in a step. What every step reads and writes comes first: of long chains that is all that need be in the cache.
 #[derive(Debug, Clone, Copy)]
 #[repr(C)]
-pub(super) struct Hold {
+pub(in crate::precise) struct Hold {
     pub(super) joint: JointId,
     /// Force and torque on the second body; and what of the force is along the depth axis, where that is known.
     pub(super) force: [f32; 3],
@@ -119,7 +119,7 @@ impl Hold {
     }
 
     /// How far a value is out of the range.
-    fn beyond(&self, value: f64) -> f64 {
+    pub(super) fn beyond(&self, value: f64) -> f64 {
         let [low, high] = self.range;
         let slop = if low < high { self.slop } else { 0.0 };
         if value > high {

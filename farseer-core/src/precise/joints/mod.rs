@@ -7,13 +7,15 @@
 mod depth;
 mod forest;
 mod hinged;
-mod hold;
+pub(super) mod hold;
+mod island_rows;
 mod loose;
 pub(super) mod read;
 mod swing;
 mod tree;
 
 use super::bodies::{Bodies, Hot};
+use super::direct::joint::JointRows;
 use super::tuning::Step;
 use crate::body::BodyId;
 use crate::objects::Objects;
@@ -35,6 +37,8 @@ pub(super) struct Joints {
     /// Whether one of them breaks where it is too far from what it keeps.
     may_break: bool,
     groups: Vec<Group>,
+    /// By joint: its group; the number of groups if it is in none.
+    group_of: Vec<u32>,
     /// By body number: the place in its group, or [`GROUND`].
     seat_of: Vec<u32>,
     /// In three axes: who moves along the depth axis as one.
@@ -45,7 +49,7 @@ pub(super) struct Joints {
     unit: f64,
 }
 
-reusing_clone! { Joints { holds, is_read, may_break, groups, seat_of, tied, spatial, room, unit } }
+reusing_clone! { Joints { holds, is_read, may_break, groups, group_of, seat_of, tied, spatial, room, unit } }
 
 /// Bodies that joints tie together.
 #[derive(Debug, Default)]
@@ -57,23 +61,88 @@ struct Group {
     holds: Vec<u32>,
     /// The same tree again if all joints are hinges, else empty: what swings while nothing touches it.
     hinges: Vec<Hinge>,
+    /// Joints that are kept whatever that takes close a loop.
+    has_loop: bool,
     /// Nothing touches it.
     is_apart: bool,
+    /// The direct solver has solved it in this step.
+    is_solved: bool,
     /// Into how many parts its last step was divided.
     parts: u32,
 }
 
-reusing_clone! { Group { nodes, loose, bodies, holds, hinges, is_apart, parts } }
+reusing_clone! { Group { nodes, loose, bodies, holds, hinges, has_loop, is_apart, is_solved, parts } }
+
+/// A joint that the direct solver may take.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Candidate {
+    /// Its place in the list of joints.
+    pub(super) joint: u32,
+    /// The numbers of its dynamic bodies; 0 for what is fixed.
+    pub(super) bodies: [u32; 2],
+    /// It is part of a free articulation, which swings by itself.
+    pub(super) is_free: bool,
+    /// Rows stand for it.
+    pub(super) may_be_rows: bool,
+    /// How far it is from what it keeps, in length units or radians.
+    pub(super) error: f32,
+}
+
+impl Candidate {
+    /// One of its dynamic bodies.
+    pub(super) fn a_body(&self) -> Option<u32> {
+        self.bodies.into_iter().find(|&body| body != 0)
+    }
+}
 
 impl Joints {
     /// Whether all joints are in groups that nothing touches.
     pub(super) fn are_all_apart(&self) -> bool {
-        self.spatial.iter().all(|group| group.is_apart()) && self.groups.iter().all(|group| group.is_apart)
+        self.spatial.iter().all(|group| group.is_apart()) && !self.groups.iter().any(Group::is_mixed)
     }
 
-    /// How many joints hold something.
-    pub(super) fn count(&self) -> usize {
-        self.holds.len()
+    /// The joints in the plane as the direct solver sees them.
+    pub(super) fn candidates(&self) -> impl Iterator<Item = Candidate> + '_ {
+        self.groups.iter().flat_map(move |group| {
+            let is_free = group.is_apart && !group.has_loop;
+            group.holds.iter().map(move |&at| {
+                let hold = &self.holds[at as usize];
+                Candidate {
+                    joint: at,
+                    bodies: hold.ends.map(|end| end.body),
+                    is_free,
+                    may_be_rows: hold.may_be_rows(),
+                    error: hold.error.abs(),
+                }
+            })
+        })
+    }
+
+    /// A joint by its place.
+    pub(super) fn hold(&self, joint: u32) -> &Hold {
+        &self.holds[joint as usize]
+    }
+
+    /// The direct solver has found these rows of a joint: no other solver takes it in this step.
+    pub(super) fn take_solution(&mut self, joint: u32, rows: &JointRows, dt: f64) {
+        self.holds[joint as usize].bear(rows, dt);
+        self.groups[self.group_of[joint as usize] as usize].is_solved = true;
+    }
+
+    /// Whether no joint holds anything.
+    pub(super) fn are_none(&self) -> bool {
+        self.holds.is_empty()
+    }
+
+    /// A number by which two lists of joints are told from each other (multiplicative hashing): which joints hold something, and
+    /// which of their properties matter to the choice of a solver.
+    pub(super) fn signature(&self) -> u64 {
+        self.holds.iter().fold(self.holds.len() as u64, |sum, hold| {
+            let [is_bounded, is_driven, is_row] =
+                [hold.key().is_bounded, hold.drive.is_some(), hold.may_be_rows()].map(u64::from);
+            let word = hold.joint.to_bits().rotate_left(3) ^ (is_bounded << 2 | is_driven << 1 | is_row);
+            (sum.rotate_left(5) ^ word).wrapping_mul(0x9E37_79B9_7F4A_7C15)
+        })
     }
 
     /// Whether some joint holds a body.
@@ -84,7 +153,7 @@ impl Joints {
 
     /// The bodies of groups that nothing touches, and into how many parts their step was divided.
     pub(super) fn swinging(&self, substeps: u32) -> impl Iterator<Item = (usize, u32)> + '_ {
-        let apart = self.groups.iter().filter(|group| group.is_apart);
+        let apart = self.groups.iter().filter(|group| group.is_apart && !group.is_solved);
         let in_plane = apart.flat_map(|group| group.bodies.iter().map(|&body| (body, group.parts)));
         let apart = self.spatial.iter().filter(|group| group.is_apart());
         let in_space = apart.flat_map(move |group| {
@@ -152,34 +221,51 @@ impl Joints {
             let loose = loose_of(&plan, holds, |body| seat_of[body as usize]);
             let hinges = if loose.is_empty() { hinges_of(&nodes, holds) } else { Vec::new() };
             let bodies = nodes.iter().map(|node| node.body).filter(|&body| body != 0).collect();
-            Group { nodes, loose, bodies, holds: plan.joints, hinges, is_apart: false, parts: 0 }
+            let has_loop = plan.loose.iter().any(|&at| !holds[at as usize].key().is_bounded);
+            let (is_apart, is_solved) = (false, false);
+            Group {
+                nodes,
+                loose,
+                bodies,
+                holds: plan.joints,
+                hinges,
+                has_loop,
+                is_apart,
+                is_solved,
+                parts: 0,
+            }
         };
         self.groups = groups.into_iter().map(group_of).collect();
+        self.group_of.clear();
+        self.group_of.resize(self.holds.len(), self.groups.len() as u32);
+        for (at, group) in self.groups.iter().enumerate() {
+            group.holds.iter().for_each(|&hold| self.group_of[hold as usize] = at as u32);
+        }
         self.seat_of = seat_of;
     }
 
-    /// A step begins.
-    fn begin(
-        &mut self,
-        bodies: &Bodies,
-        objects: &Objects,
-        step: &Step,
-        unit: f32,
-        is_touched: impl Fn(usize) -> bool,
-    ) {
+    /// A step begins: joints go where their bodies are.
+    fn begin(&mut self, bodies: &Bodies, objects: &Objects, unit: f32, is_touched: impl Fn(usize) -> bool) {
         self.unit = f64::from(unit);
+        let Joints { groups, holds, .. } = self;
+        for group in groups {
+            // A soft joint is not exact in any substep: it needs all of them.
+            let is_soft = group.holds.iter().any(|&at| holds[at as usize].softness > 0.0);
+            group.is_apart = !is_soft && !group.bodies.iter().any(|&body| is_touched(body as usize));
+            group.is_solved = false;
+            if !group.is_hinged() {
+                group.holds.iter().for_each(|&at| holds[at as usize].follow(bodies, objects));
+            }
+        }
+    }
+
+    /// Trees and loops of what the direct solver has not solved begin a step.
+    pub(super) fn begin_trees(&mut self, bodies: &Bodies, step: &Step) {
         let times = [f64::from(step.dt), f64::from(step.h)];
         let Joints { groups, holds, unit, .. } = self;
-        for group in groups {
-            group.is_apart = !group.bodies.iter().any(|&body| is_touched(body as usize));
-            if group.is_hinged() {
-                continue;
-            }
-            group.holds.iter().for_each(|&at| holds[at as usize].follow(bodies, objects));
+        for group in groups.iter_mut().filter(|group| !(group.is_solved || group.is_hinged())) {
             begin_nodes(&mut group.nodes, holds, bodies, times);
             group.loose.iter_mut().for_each(|loose| loose.begin(&holds[loose.hold as usize], times, *unit));
-            // A soft joint is not exact in any substep: it needs all of them.
-            group.is_apart &= !group.is_soft();
         }
     }
 
@@ -213,7 +299,8 @@ impl Joints {
 
     /// Moves the groups that nothing touches, and that are not hinged, through all substeps.
     pub(super) fn swing(&mut self, bodies: &Bodies, step: &Step) {
-        for group in self.groups.iter_mut().filter(|group| group.is_apart && !group.is_hinged()) {
+        let swinging = |group: &&mut Group| group.is_apart && !group.is_solved && !group.is_hinged();
+        for group in self.groups.iter_mut().filter(swinging) {
             swing::swing(group, &self.holds, &mut self.room, bodies, step, self.unit);
         }
         self.spatial.iter_mut().for_each(|group| group.swing(&self.holds, bodies, step));
@@ -231,7 +318,7 @@ impl Joints {
 
     /// The others get ready for the passes of a step.
     pub(super) fn begin_passes(&mut self, h: f32) {
-        let mixed = self.groups.iter_mut().filter(|group| !group.is_apart);
+        let mixed = self.groups.iter_mut().filter(|group| group.is_mixed());
         mixed.for_each(|group| swing::stiffen(&mut group.nodes, f64::from(h)));
     }
 
@@ -239,7 +326,7 @@ impl Joints {
     pub(super) fn correct(&mut self, bodies: &mut Bodies, h: f32) {
         let h = f64::from(h);
         self.mixed_in_space().for_each(|(group, holds)| group.correct(holds, bodies, h));
-        for Group { nodes, loose, .. } in self.groups.iter_mut().filter(|group| !group.is_apart) {
+        for Group { nodes, loose, .. } in self.groups.iter_mut().filter(|group| group.is_mixed()) {
             load(nodes, &bodies.hot);
             swing::aim(nodes, h, self.unit);
             solve_group(nodes, loose, &self.holds, &mut self.room, (h, Pass::Correct, 1.0));
@@ -252,7 +339,7 @@ impl Joints {
     pub(super) fn advance(&mut self, bodies: &Bodies, h: f32) {
         let h = f64::from(h);
         self.mixed_in_space().for_each(|(group, _)| group.advance(bodies, h));
-        for Group { nodes, loose, .. } in self.groups.iter_mut().filter(|group| !group.is_apart) {
+        for Group { nodes, loose, .. } in self.groups.iter_mut().filter(|group| group.is_mixed()) {
             load(nodes, &bodies.hot);
             swing::advance(nodes, h);
             loose.iter_mut().for_each(|loose| loose.advance(nodes, h));
@@ -263,7 +350,7 @@ impl Joints {
     pub(super) fn relax(&mut self, bodies: &mut Bodies, h: f32) {
         let h = f64::from(h);
         self.mixed_in_space().for_each(|(group, holds)| group.relax(holds, bodies, h));
-        for Group { nodes, loose, .. } in self.groups.iter_mut().filter(|group| !group.is_apart) {
+        for Group { nodes, loose, .. } in self.groups.iter_mut().filter(|group| group.is_mixed()) {
             load(nodes, &bodies.hot);
             swing::rest(nodes);
             solve_group(nodes, loose, &self.holds, &mut self.room, (h, Pass::Relax, 0.0));
@@ -278,7 +365,7 @@ impl Joints {
     pub(super) fn finish(&mut self, bodies: &mut Bodies, step: &Step) {
         let (dt, per_second) = (f64::from(step.dt), 1.0 / f64::from(step.dt));
         self.spatial.iter().for_each(|group| group.finish(&mut self.holds, bodies, dt));
-        for group in &mut self.groups {
+        for group in self.groups.iter_mut().filter(|group| !group.is_solved) {
             if group.is_hinged() {
                 group.parts = hinged::swing(&mut group.hinges, &mut self.holds, bodies, step, self.unit);
                 continue;
@@ -306,11 +393,12 @@ impl Joints {
 impl Group {
     /// Whether it swings by its hinges in this step.
     fn is_hinged(&self) -> bool {
-        self.is_apart && !self.hinges.is_empty()
+        self.is_apart && !self.is_solved && !self.hinges.is_empty()
     }
 
-    fn is_soft(&self) -> bool {
-        self.nodes.iter().any(|node| node.softness > 0.0) || self.loose.iter().any(Loose::is_soft)
+    /// Whether it is solved in turns with contacts.
+    fn is_mixed(&self) -> bool {
+        !(self.is_apart || self.is_solved)
     }
 }
 
@@ -340,9 +428,12 @@ fn loose_of(plan: &forest::Group, holds: &[Hold], seat_of: impl Fn(u32) -> u32) 
     loose.map(|(at, keeps)| Loose::new(at, keeps, &holds[at as usize], &seat_of)).collect()
 }
 
-/// A mass from its reciprocal. What cannot be moved is so heavy that nothing that is pushed can tell.
+/// Mass or inertia of what cannot be moved or turned: so great that nothing that is pushed can tell.
+pub(super) const IMMOVABLE: f64 = 1e60;
+
+/// A mass from its reciprocal.
 pub(super) fn weight_of(inverse: f32) -> f64 {
-    if inverse > 0.0 { 1.0 / f64::from(inverse) } else { 1e60 }
+    if inverse > 0.0 { 1.0 / f64::from(inverse) } else { IMMOVABLE }
 }
 
 /// Nodes go where their bodies and joints are; what does not give way is where its joint says.

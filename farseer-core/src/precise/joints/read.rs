@@ -134,13 +134,12 @@ impl Precise {
             joints.holds.extend(enabled.filter_map(|joint| self.hold(joint, &objects.bodies)));
             joints.plan(&self.bodies, self.space.is_some());
             joints.is_read = true;
-            let is_held = |body: usize| self.direct.is_direct(body) && joints.holds(body);
-            self.direct.timing.is_due |= (1..=self.bodies.count).any(is_held);
+            self.direct.note_joints(joints.signature());
         }
         if !joints.holds.is_empty() {
             let all_touched = self.rows.has_last();
             let is_touched = |body: usize| all_touched || !self.palette.is_free(body);
-            joints.begin(&self.bodies, objects, step, self.tuning.unit, is_touched);
+            joints.begin(&self.bodies, objects, self.tuning.unit, is_touched);
             joints.begin_in_space((&self.bodies, objects), (step, self.tuning.unit), is_touched, |id| {
                 self.space.as_ref().map_or(0.0, |space| space.place_and_velocity(id)[0])
             });

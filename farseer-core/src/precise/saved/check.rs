@@ -30,7 +30,7 @@ impl Saved {
             && finite(&self.gravity)
             && self.ways.iter().all(|(_, way)| finite(way))
             && self.rest.iter().all(|&(_, rest)| rest.is_finite())
-            && self.wear.iter().all(|(_, wear)| wear.effort.is_finite())
+            && self.wear.iter().all(|(_, wear)| wear.effort.is_finite() && wear.budget.is_finite())
             && self.sleepers.iter().all(|sleeper| sleeper.is_valid(self.sleepers.len()))
     }
 }

@@ -112,10 +112,6 @@ impl Loose {
         }
     }
 
-    pub(super) fn is_soft(&self) -> bool {
-        self.softness > 0.0
-    }
-
     /// Substeps have another length than it was begun with.
     pub(super) fn stretch(&mut self, longer: f64, h: f64) {
         (self.longer, self.h) = (longer, h);

@@ -1,0 +1,281 @@
+//! An island with joints in a step: its contacts and joints are rows of one system, solved for velocities and then for positions.
+//!
+//! A solution is a transaction: nothing is written before it is accepted. An island that the iterative solver had so far comes over
+//! with a good solution only; one that the direct solver had goes on with the best there is, unless that gains energy.
+
+use super::Wear;
+use super::block::Triple;
+use super::constraint::{Constraint, FIXED};
+use super::depth;
+use super::island::{Effort, Goal, Island, add_push, dot, greater};
+use super::whole::{BEARABLE, ENOUGH, EXACT, NEAR, QUIET, Reading, SOLVED, UNDONE, Whole};
+use crate::methods::IslandChoice;
+use crate::precise::Precise;
+use crate::precise::joints::{IMMOVABLE, Joints};
+use crate::precise::tuning::Step;
+
+/// Residual that is accepted: length units per second, in units of length, and as a part of the residual before the solution.
+const ACCEPTED: f64 = 0.05;
+const ACCEPTED_PART: f64 = 0.02;
+/// Greatest position error of a joint that is accepted, in units of length, unless it was greater before.
+pub(super) const ACCEPTED_GAP: f64 = 0.02;
+/// Greatest angle that a body of an accepted solution turns by in the step, in radians: the Jacobian is that of the beginning.
+const ACCEPTED_TURN: f64 = 0.5;
+/// Kinetic energy of an accepted solution, as a part of that without constraints; and what is allowed besides for each mass, as the
+/// square of a speed in units of length per second.
+const ACCEPTED_ENERGY: f64 = 1.05;
+const ENERGY_SLACK: f64 = 0.01;
+
+/// Length that a turn by one radian counts as, in units of length: the arm of a joint of a body of that size.
+const LEVER: f64 = 0.3;
+/// The geometric stiffness that an inertia bears in a step, as a part of it (dimensionless).
+const BORNE_STIFFNESS: f64 = 0.3;
+
+/// Most position corrections of a step; the position error after one of them that is left, in parts of the one that asks for the
+/// first; and the angle in radians beyond which a body's turn asks for new Jacobians.
+const CORRECTIONS: usize = 3;
+const LEFT_BY_CORRECTION: f64 = 10.0;
+const SAME_JACOBIAN: f64 = 0.002;
+
+impl Precise {
+    /// Solves an island with joints. Answers how many Newton steps that took, and whether the solution is good.
+    pub(super) fn solve_joined(&mut self, whole: &mut Whole, step: &Step, unit: f64) -> Effort {
+        let Precise { bodies, rows, joints, direct, tuning, .. } = self;
+        let (dt, substeps) = (f64::from(step.dt), f64::from(step.substeps));
+        let is_optional = direct.timing.choice != IslandChoice::Whole;
+        let Wear { is_hot, is_loose, was_solved, .. } = direct.wear[whole.island.members[0].number as usize];
+        let left = whole.take_bodies(bodies, substeps, unit);
+        let quiet = unit * if is_hot { EXACT } else { QUIET };
+        let reading = Reading { bodies, step, dt, rate: dt.recip(), parts: substeps, left, quiet };
+        whole.is_left = false;
+        whole.make_contacts(rows, &reading, false);
+        whole.make_joints(joints, [dt, substeps], LEVER * unit);
+        whole.island.stiffen_inertia(dt);
+        let free_energy = whole.island.energy();
+        whole.island.warm_start();
+        let mut effort = whole.island.find_velocities(&reading, unit);
+        let supplied = whole.island.supplied_energy();
+        let energy = whole.island.energy();
+        let slack = ENERGY_SLACK * unit * unit * whole.island.mass();
+        let gains = energy > ACCEPTED_ENERGY * free_energy + 2.0 * supplied + slack;
+        whole.find_ways(dt, false);
+        let most = f64::from(tuning.push) * dt;
+        let undone = if whole.island.has_rings() && !is_loose { UNDONE } else { 1.0 };
+        let before = joints.greatest_error(&whole.joints, LEVER * unit);
+        let deepest = whole.island.advance_separations(dt, left);
+        let after = match effort.is_solved && !gains || !is_optional {
+            true => whole.close(joints, (dt, deepest), [left, most], undone),
+            false => before,
+        };
+        let turned = whole.island.greatest_spin() * dt;
+        effort.is_solved &= !gains && turned <= ACCEPTED_TURN && after <= before.max(ACCEPTED_GAP * unit);
+        let is_entry = !was_solved && joints.have_acted(&whole.joints);
+        whole.is_left = is_optional && !effort.is_solved && (is_entry || gains);
+        // Joints that contradict each other are better left to springs, which find a compromise.
+        effort.is_solved &= after <= ACCEPTED_GAP * unit;
+        if !whole.is_left {
+            let Whole { island, joints: of_island, .. } = &*whole;
+            of_island.iter().zip(&island.joints).for_each(|(&at, rows)| joints.take_solution(at, rows, dt));
+            whole.write(rows, substeps, step.h);
+        }
+        effort
+    }
+}
+
+impl Whole {
+    /// Rows of its joints.
+    fn make_joints(&mut self, joints: &Joints, times: [f64; 2], lever: f64) {
+        let Whole { island, joints: of_island, joint_ends, .. } = self;
+        let Island { members, joints: rows, .. } = island;
+        rows.clear();
+        for (&at, &ends) in of_island.iter().zip(joint_ends.iter()) {
+            let mut made = joints.hold(at).rows(ends, |member| members[member].velocity, times, lever);
+            made.weigh(members);
+            rows.push(made);
+        }
+    }
+
+    /// Position solve: joints are closed, and points taken out of what they are in, from the displacements of the velocities on.
+    /// Answers the greatest position error of a joint that is left, in length units.
+    fn close(
+        &mut self,
+        joints: &Joints,
+        (dt, mut deepest): (f64, f64),
+        [left, most]: [f64; 2],
+        undone: f64,
+    ) -> f64 {
+        let turns = self.island.greatest_spin() * dt > SAME_JACOBIAN;
+        for correction in 0.. {
+            let is_jacobian_new = correction > 0 || turns;
+            let error = self.find_errors(joints, (dt, is_jacobian_new));
+            let enough = if correction == 0 { left } else { LEFT_BY_CORRECTION * left };
+            if correction == CORRECTIONS || (error <= enough && deepest <= left) {
+                return error;
+            }
+            self.island.correct_positions([left, most], undone, is_jacobian_new);
+            let Whole { island, ways, .. } = self;
+            for (way, more) in ways.iter_mut().zip(island.ways()) {
+                (0..3).for_each(|axis| way[axis] += more[axis]);
+            }
+            // Overlaps are undone once, and as far as that is to be in one step.
+            deepest = 0.0;
+        }
+        f64::INFINITY
+    }
+
+    /// Position errors of joints after the displacements so far. Answers the greatest, in length units.
+    fn find_errors(&mut self, joints: &Joints, how: (f64, bool)) -> f64 {
+        let Whole { island, joints: of_island, joint_ends, ways, .. } = self;
+        let mut worst = 0.0;
+        for ((rows, &at), &ends) in island.joints.iter_mut().zip(of_island.iter()).zip(joint_ends.iter()) {
+            joints.hold(at).find_errors(rows, ends, ways, how);
+            worst = greater(rows.greatest_error(), worst);
+        }
+        worst
+    }
+}
+
+impl Joints {
+    /// How far these joints are from what they keep when the step begins, at most, in length units.
+    fn greatest_error(&self, joints: &[u32], lever: f64) -> f64 {
+        joints.iter().map(|&at| self.hold(at).error_as_length(lever)).fold(0.0, greater)
+    }
+
+    /// Whether one of these joints has exerted a force in the step before.
+    fn have_acted(&self, joints: &[u32]) -> bool {
+        joints.iter().any(|&at| self.hold(at).has_force())
+    }
+}
+
+impl Island {
+    /// Solves for velocities what is further from what it is to be than what is quiet.
+    fn find_velocities(&mut self, reading: &Reading<'_>, unit: f64) -> Effort {
+        let residual = self.begin(reading.dt, [reading.left, depth::SLIPS * unit]);
+        if residual <= reading.quiet {
+            return Effort { steps: 0, residual, is_solved: true };
+        }
+        self.solve(&Goal {
+            begun: residual,
+            bearable: (ACCEPTED * unit + ACCEPTED_PART * residual).min(BEARABLE * unit),
+            enough: unit * ENOUGH,
+            exact: unit * SOLVED,
+            still: unit * QUIET,
+            near: unit * NEAR,
+        })
+    }
+
+    /// Geometric stiffness (M. Tournier and others, "Stable constrained dynamics", 2015): forces of joints that pull a body apart
+    /// resist its rotation; those beyond what its inertia bears in a step add to it.
+    fn stiffen_inertia(&mut self, dt: f64) {
+        let Island { members, joints, gradient, .. } = self;
+        gradient.clear();
+        // Of each member: the sum of arm times impulse, and the square of the longest arm.
+        gradient.resize(members.len(), [0.0; 3]);
+        for joint in joints.iter() {
+            let [on_a, on_b] = joint.jacobian.push(joint.impulses);
+            let arms = [joint.jacobian.a, joint.jacobian.b];
+            let [nx, ny] = joint.jacobian.normal;
+            for (side, push) in [on_a, on_b].into_iter().enumerate() {
+                let member = joint.bodies[side];
+                if member == FIXED {
+                    continue;
+                }
+                // From arm x n and arm x t back to the arm.
+                let [across_n, _, across_t] = arms[side];
+                let arm = [across_n * ny - across_t * nx, -across_n * nx - across_t * ny];
+                let of_member = &mut gradient[member as usize];
+                of_member[0] += arm[0] * push[0] + arm[1] * push[1];
+                of_member[1] = of_member[1].max(arm[0] * arm[0] + arm[1] * arm[1]);
+            }
+        }
+        for (member, &[pull, reach, _]) in members.iter_mut().zip(gradient.iter()) {
+            let more = dt * pull - BORNE_STIFFNESS * (member.inertia + member.mass * reach);
+            if more > 0.0 {
+                member.velocity[2] *= member.inertia / (member.inertia + more);
+                member.inertia += more;
+            }
+        }
+    }
+
+    /// Warm start: impulses of the step before act again, by the part of them that leaves the least energy. With l the impulses and
+    /// u the velocity errors that they act on, that is the part p with l (u + p J M^-1 J^T l) = 0. In closed loops impulses of before
+    /// may be any self-stress, and once the geometry has changed it would throw the bodies apart.
+    fn warm_start(&mut self) {
+        let Island { members, contacts, joints, direction, .. } = self;
+        direction.clear();
+        direction.resize(members.len(), [0.0; 3]);
+        push_all(contacts, direction);
+        push_all(joints, direction);
+        for (change, member) in direction.iter_mut().zip(members.iter()) {
+            *change = member.yields(*change);
+        }
+        let velocities = |at: usize| members[at].velocity;
+        let [lost, needed] =
+            works(joints, velocities, direction, works(contacts, velocities, direction, [0.0; 2]));
+        // None of what is not a number.
+        let part = if lost > 0.0 && needed > 0.0 { (lost / needed).min(1.0) } else { 0.0 };
+        scale_impulses(contacts, part);
+        scale_impulses(joints, part);
+        for (member, change) in members.iter_mut().zip(direction.iter()) {
+            (0..3).for_each(|axis| member.velocity[axis] += part * change[axis]);
+        }
+    }
+
+    /// Twice the kinetic energy.
+    fn energy(&self) -> f64 {
+        self.members.iter().map(|member| dot(member.weighed(member.velocity), member.velocity)).sum()
+    }
+
+    fn mass(&self) -> f64 {
+        self.members.iter().map(|member| member.mass).filter(|&mass| mass < IMMOVABLE).sum()
+    }
+
+    /// The fastest spin of a member, in radians per second.
+    fn greatest_spin(&self) -> f64 {
+        self.members.iter().fold(0.0, |most, member| greater(member.velocity[2].abs(), most))
+    }
+
+    /// Energy that motors, belts and kinematic bodies put in at most.
+    fn supplied_energy(&self) -> f64 {
+        let of_contacts = self.contacts.iter().map(|contact| work(contact.impulses, contact.supplied));
+        let of_joints = self.joints.iter().map(|joint| work(joint.impulses, joint.supplied));
+        of_contacts.chain(of_joints).sum()
+    }
+}
+
+/// Work of impulses at prescribed velocities, whatever its sign.
+fn work(impulses: Triple, velocities: Triple) -> f64 {
+    (0..3).map(|row| (impulses[row] * velocities[row]).abs()).sum()
+}
+
+/// Adds what the impulses of constraints do to members.
+fn push_all<C: Constraint>(constraints: &[C], pushes: &mut [Triple]) {
+    for rows in constraints {
+        add_push(&rows.jacobian, rows.bodies, rows.impulses, pushes);
+    }
+}
+
+/// Adds the energy that impulses take from these velocities, and twice that which they hold by the changes that they make.
+fn works<C: Constraint>(
+    constraints: &[C],
+    velocities: impl Fn(usize) -> Triple,
+    changes: &[Triple],
+    [mut lost, mut needed]: [f64; 2],
+) -> [f64; 2] {
+    for rows in constraints {
+        let (before, change) = (rows.relative_of(&velocities), rows.relative_in(changes));
+        for row in 0..3 {
+            lost -= rows.impulses[row] * (before[row] + rows.supplied[row]);
+            needed += rows.impulses[row] * change[row];
+        }
+    }
+    [lost, needed]
+}
+
+/// A step begins with this part of the impulses.
+fn scale_impulses<C: Constraint>(constraints: &mut [C], part: f64) {
+    for rows in constraints {
+        let impulses = rows.impulses.map(|impulse| part * impulse);
+        rows.start_from(impulses);
+    }
+}

@@ -1,0 +1,69 @@
+//! Whether solving an island with joints as a whole pays: what it costs beside the iterative solver, and a budget for that.
+//!
+//! Costs were measured over islands of 2 to 1,200 rows, in microseconds of one machine; only their ratios matter, and they are fixed so
+//! that the choice is the same on every machine. A budget, which may be overdrawn, instead of an average: houses, figures and bridges
+//! take ten Newton steps for a second, and none for ever after.
+
+use super::factor::Factor;
+use super::whole::Whole;
+use crate::methods::IslandChoice;
+use crate::precise::Precise;
+
+/// Cost of a Newton step: of itself, and for each row of constraints, body, block of the factors and product of two blocks.
+const STEP: f64 = 0.3;
+const PER_CONSTRAINT: f64 = 0.029;
+const PER_BODY: f64 = 0.074;
+const PER_BLOCK: f64 = 0.025;
+const PER_PRODUCT: f64 = 0.0025;
+/// Cost of an update for each constraint, without Newton steps.
+const PER_QUIET_CONSTRAINT: f64 = 0.08;
+/// Cost of an update of the iterative solver, for each joint and contact.
+const ITERATIVE_JOINT: f64 = 0.3;
+const ITERATIVE_CONTACT: f64 = 0.1;
+
+/// All that follows is in updates of the iterative solver. The direct solver may cost so many; an update that is not solved costs so
+/// many more; and the budget may be overdrawn by so many.
+const INCOME: f64 = 3.0;
+const UNSOLVED: f64 = 20.0;
+const OVERDRAFT: f64 = 300.0;
+/// Updates for which an island that was given up is left to the iterative solver: the first time; twice as many each time.
+const FIRST_REST: u8 = 64;
+
+impl Precise {
+    /// The budget of an island pays for an update. An island without budget, or without a solution, is left to the iterative solver.
+    pub(super) fn pay(&mut self, whole: &Whole, steps: usize, is_solved: bool) {
+        let timing = &mut self.direct.timing;
+        let mut wear = self.direct.wear[whole.island.members[0].number as usize];
+        wear.is_hot = steps > 0;
+        wear.was_solved |= !whole.is_left;
+        let cost = cost_in_updates(whole, steps) + if is_solved { 0.0 } else { UNSOLVED };
+        let budget = (f64::from(wear.budget) + INCOME - cost).min(0.0);
+        let is_overdrawn = budget < -OVERDRAFT;
+        wear.budget = if is_overdrawn { -0.5 * OVERDRAFT } else { budget } as f32;
+        if (is_overdrawn || whole.is_left) && timing.choice != IslandChoice::Whole {
+            wear.back_off = wear.back_off.saturating_mul(2).max(FIRST_REST);
+            wear.rest = wear.back_off;
+            timing.has_resting = true;
+            timing.is_due |= !whole.is_left;
+        } else if steps == 0 {
+            wear.back_off = wear.back_off.saturating_sub(1);
+        }
+        for member in &whole.island.members {
+            self.direct.wear[member.number as usize] = wear;
+        }
+    }
+}
+
+/// Cost of an update with so many Newton steps, in updates of the iterative solver.
+fn cost_in_updates(whole: &Whole, steps: usize) -> f64 {
+    let constraints = (whole.homes.len() + whole.joints.len()) as f64;
+    let iterative =
+        ITERATIVE_JOINT * whole.joints.len() as f64 + ITERATIVE_CONTACT * whole.homes.len() as f64;
+    (steps as f64 * newton_step(&whole.island.factor, constraints) + PER_QUIET_CONSTRAINT * constraints)
+        / iterative
+}
+
+fn newton_step(factor: &Factor, constraints: f64) -> f64 {
+    let [bodies, blocks, products] = factor.sizes().map(|count| count as f64);
+    STEP + PER_CONSTRAINT * constraints + PER_BODY * bodies + PER_BLOCK * blocks + PER_PRODUCT * products
+}

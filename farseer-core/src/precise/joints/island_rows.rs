@@ -1,0 +1,248 @@
+//! Joints as rows of an island that the [direct solver](crate::precise::direct) takes: Jacobian, bounds and position errors.
+//!
+//! Up to two rows are linear, along a direction n and along t = (n.y, -n.x), and one is the angle:
+//!
+//! | joint | n | along n | angle | along t |
+//! |---|---|---|---|---|
+//! | revolute | (1, 0) | kept | motor or limit | kept |
+//! | weld | (1, 0) | kept | kept by its greatest impulse | kept |
+//! | prismatic | across the axis | kept | kept | motor or limit |
+//! | pin, slider | along the line between the anchors | kept, or limit | | |
+//! | angle, angle limit | | | kept, or limit | |
+//!
+//! Of a range only the limit that is nearer at the end of the step is a row, and a motor gives way to a limit that may be reached in
+//! the step.
+
+use super::super::direct::block::Triple;
+use super::super::direct::constraint::{Ends, FIXED, Jacobian};
+use super::super::direct::joint::{ANGLE, JointRows};
+use super::hold::Hold;
+use super::swing::{turn, turned};
+use super::tree::{Link, Vector, cross, dot, plus};
+
+/// Rows along n and along t.
+const ALONG: usize = 0;
+const ACROSS: usize = 2;
+
+/// A motor gives way to a limit that is reached within so many times the displacement of a step.
+const STEPS_TO_LIMIT: f64 = 2.0;
+
+/// Where the two bodies of a joint are against each other.
+#[derive(Debug, Clone, Copy)]
+struct Frame {
+    link: Link,
+    /// From the origin of each body to its anchor.
+    arms: [Vector; 2],
+    /// From the origin of the first body to that of the second.
+    apart: Vector,
+    /// Angle of the second body against the first, in radians.
+    angle: f64,
+    /// The axis of a prismatic joint, in world coordinates.
+    axis: Vector,
+}
+
+impl Frame {
+    fn of(hold: &Hold) -> Self {
+        let [first, second] = &hold.ends;
+        Frame {
+            link: hold.link,
+            arms: [first.arm, second.arm],
+            apart: plus(second.place, first.place, -1.0),
+            angle: hold.angle,
+            axis: hold.axis,
+        }
+    }
+
+    /// After these displacements of both bodies: x, y and angle.
+    fn displaced(mut self, [a, b]: [Triple; 2]) -> Self {
+        let turns = [turn(a[2]), turn(b[2])];
+        self.arms = [turned(turns[0], self.arms[0]), turned(turns[1], self.arms[1])];
+        self.apart = [self.apart[0] + b[0] - a[0], self.apart[1] + b[1] - a[1]];
+        self.angle += b[2] - a[2];
+        self.axis = turned(turns[0], self.axis);
+        self
+    }
+
+    /// From the anchor of the first body to that of the second.
+    fn gap(&self) -> Vector {
+        plus(plus(self.apart, self.arms[1], 1.0), self.arms[0], -1.0)
+    }
+
+    fn distance(&self) -> f64 {
+        let gap = self.gap();
+        dot(gap, gap).sqrt()
+    }
+
+    /// The direction n of the linear rows.
+    fn normal(&self) -> Vector {
+        match self.link {
+            Link::Line => [-self.axis[1], self.axis[0]],
+            Link::Distance => {
+                let ([x, y], distance) = (self.gap(), self.distance());
+                if distance > 0.0 { [x / distance, y / distance] } else { [1.0, 0.0] }
+            }
+            _ => [1.0, 0.0],
+        }
+    }
+
+    fn jacobian(&self) -> Jacobian {
+        let (n, [mut a, b]) = (self.normal(), self.arms);
+        if self.link == Link::Line {
+            // A prismatic joint acts on both bodies at the second anchor.
+            a = plus(a, self.gap(), 1.0);
+        }
+        let t = [n[1], -n[0]];
+        let angular = |arm: Vector| [cross(arm, n), 1.0, cross(arm, t)];
+        Jacobian { normal: n, second: 0.0, a: angular(a), b: angular(b) }
+    }
+
+    /// The value that motor and limits act on: radians, or length units along the axis.
+    fn travel(&self, reference: f64) -> f64 {
+        match self.link {
+            Link::Line => dot(self.gap(), self.axis),
+            _ => self.angle - reference,
+        }
+    }
+}
+
+/// The row that motor and limits act on.
+fn driven_row(link: Link) -> usize {
+    if link == Link::Line { ACROSS } else { ANGLE }
+}
+
+/// A bound on an impulse; what is too great to be one is none.
+fn bound(impulse: f64) -> f64 {
+    if impulse < f64::from(f32::MAX) { impulse } else { f64::INFINITY }
+}
+
+impl Hold {
+    /// Whether the direct solver can take it: it is not soft, and no greatest impulse limits a point, whose bound is round and not
+    /// that of two rows.
+    pub(in crate::precise) fn may_be_rows(&self) -> bool {
+        self.softness == 0.0 && !(self.link == Link::Point && self.most < f64::from(f32::MAX))
+    }
+
+    /// How far it is from what it keeps when the step begins, with angles as lengths at this lever.
+    pub(in crate::precise) fn error_as_length(&self, lever: f64) -> f64 {
+        let scale = if self.link == Link::Angle { lever } else { 1.0 };
+        f64::from(self.error).abs() * scale
+    }
+
+    /// Whether it has exerted a force or torque in the step before.
+    pub(in crate::precise) fn has_force(&self) -> bool {
+        self.force != [0.0; 3]
+    }
+
+    /// Its rows in a step of `dt` seconds and so many substeps; `velocity` answers that of a member of the island by index.
+    pub(in crate::precise) fn rows(
+        &self,
+        ends: Ends,
+        velocity: impl Fn(usize) -> Triple,
+        [dt, substeps]: [f64; 2],
+        lever: f64,
+    ) -> JointRows {
+        let frame = Frame::of(self);
+        let jacobian = frame.jacobian();
+        let prescribed = self.prescribed(ends);
+        let members = [0, 1].map(|side| match ends.bodies[side] {
+            FIXED => prescribed[side],
+            at => velocity(at as usize),
+        });
+        let speeds = jacobian.relative(members[0], members[1]);
+        let mut rows = JointRows::new(ends, jacobian, self.impulses(&jacobian, dt), prescribed, lever);
+        let most = bound(self.most * substeps);
+        let [low, high] = self.range;
+        let mut hold = |row: usize, value: f64, most: f64| {
+            if low < high {
+                rows.limit(row, [value - low, high - value], speeds[row], [dt, most]);
+            } else {
+                rows.keep(row, most);
+            }
+        };
+        match self.link {
+            Link::Distance => hold(ALONG, frame.distance(), most),
+            Link::Angle => hold(ANGLE, self.angle, most),
+            Link::Weld | Link::Line => hold(ANGLE, self.angle, most),
+            Link::Point | Link::Free | Link::Fixed => {}
+        }
+        if matches!(self.link, Link::Point | Link::Weld | Link::Line) {
+            rows.keep(ALONG, f64::INFINITY);
+        }
+        if matches!(self.link, Link::Point | Link::Weld) {
+            rows.keep(ACROSS, f64::INFINITY);
+        }
+        self.drive_rows(&mut rows, &frame, speeds, dt);
+        rows
+    }
+
+    /// Motor or limit.
+    fn drive_rows(&self, rows: &mut JointRows, frame: &Frame, speeds: Triple, dt: f64) {
+        let Some(drive) = &self.drive else { return };
+        let row = driven_row(self.link);
+        let travel = frame.travel(f64::from(drive.reference));
+        let room =
+            drive.limits().map(|limits| [travel - f64::from(limits.lower), f64::from(limits.upper) - travel]);
+        let ahead = STEPS_TO_LIMIT * speeds[row] * dt;
+        let is_near = room.is_some_and(|[below, above]| below + ahead <= 0.0 || above - ahead <= 0.0);
+        match (drive.motor(), room) {
+            (Some(motor), _) if !is_near => {
+                rows.drive(row, motor.speed.into(), bound(f64::from(motor.greatest_effort) * dt));
+            }
+            (_, Some(room)) => rows.limit(row, room, speeds[row], [dt, f64::INFINITY]),
+            _ => {}
+        }
+    }
+
+    /// The impulses of a step by rows, from the force and torque on the second body.
+    fn impulses(&self, jacobian: &Jacobian, dt: f64) -> Triple {
+        let ([nx, ny], [x, y, torque]) = (jacobian.normal, self.force.map(|force| f64::from(force) * dt));
+        [x * nx + y * ny, torque, x * ny - y * nx]
+    }
+
+    /// Force and torque on the second body by the impulses of a step.
+    pub(in crate::precise) fn bear(&mut self, rows: &JointRows, dt: f64) {
+        let (Jacobian { normal: [nx, ny], .. }, [along, angle, across]) = rows.found();
+        let (x, y) = (along * nx + across * ny, along * ny - across * nx);
+        self.force = [x, y, angle].map(|impulse| (impulse / dt) as f32 + 0.0);
+    }
+
+    /// Velocities of the two bodies as far as these are kinematic.
+    fn prescribed(&self, ends: Ends) -> [Triple; 2] {
+        [0, 1].map(|side| if ends.bodies[side] == FIXED { self.ends[side].velocity } else { [0.0; 3] })
+    }
+
+    /// Finds the position errors of its rows after displacements of the members in `dt` seconds, and its Jacobian there if that is to
+    /// be new.
+    pub(in crate::precise) fn find_errors(
+        &self,
+        rows: &mut JointRows,
+        ends: Ends,
+        displacements: &[Triple],
+        (dt, is_jacobian_new): (f64, bool),
+    ) {
+        let prescribed = self.prescribed(ends);
+        let displacement = |side: usize| match ends.bodies[side] {
+            FIXED => prescribed[side].map(|velocity| velocity * dt),
+            at => displacements[at as usize],
+        };
+        let frame = Frame::of(self).displaced([displacement(0), displacement(1)]);
+        if is_jacobian_new {
+            rows.set_jacobian(frame.jacobian());
+        }
+        let gap = frame.gap();
+        let [nx, ny] = frame.normal();
+        let linear = [gap[0] * nx + gap[1] * ny, gap[0] * ny - gap[1] * nx];
+        rows.errors = match self.link {
+            Link::Point => [linear[0], 0.0, linear[1]],
+            Link::Weld => [linear[0], frame.angle - self.range[0], linear[1]],
+            Link::Line => [linear[0], frame.angle - self.range[0], 0.0],
+            Link::Angle => [0.0, self.beyond(frame.angle), 0.0],
+            _ => [self.beyond(frame.distance()), 0.0, 0.0],
+        };
+        if let Some((drive, limits)) = self.drive.and_then(|drive| Some((drive, drive.limits()?))) {
+            let travel = frame.travel(f64::from(drive.reference));
+            let [lower, upper] = [limits.lower, limits.upper].map(f64::from);
+            rows.errors[driven_row(self.link)] = travel - travel.clamp(lower, upper);
+        }
+    }
+}
