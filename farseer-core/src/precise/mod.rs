@@ -33,6 +33,7 @@ mod moving;
 mod nearby;
 mod one_way;
 mod outline;
+mod pair_finder;
 mod pairs;
 mod passes;
 mod proxies;

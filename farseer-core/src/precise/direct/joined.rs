@@ -6,8 +6,9 @@
 use super::Wear;
 use super::block::Triple;
 use super::constraint::{Constraint, FIXED};
+use super::constraint_list::add_push;
 use super::depth;
-use super::island::{Effort, Goal, Island, add_push, dot, greater};
+use super::island::{Effort, Goal, Island, dot, greater};
 use super::whole::{BEARABLE, ENOUGH, EXACT, NEAR, QUIET, Reading, SOLVED, UNDONE, Whole};
 use crate::methods::IslandChoice;
 use crate::precise::Precise;
