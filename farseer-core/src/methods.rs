@@ -73,7 +73,8 @@ pub enum Methods {
     /// engine adds a depth axis, it is what bears something more than one and a half times as heavy alone.
     /// In 2D an island with joints is solved as a whole, too, whatever moves in it and whatever it weighs, unless a joint in it is soft
     /// or a point has a greatest impulse. It has a budget for that: three times what passes would cost, and 300 updates of passes
-    /// more. Once these are used up, or if it cannot be solved so, it goes by passes for 64 updates, twice as long each time.
+    /// more. Once these are used up, or if it cannot be solved so, it goes by passes for 64 updates, then for 128, then for 255;
+    /// for fewer again after quiet updates.
     /// Everything else, and for two seconds what takes long to solve, goes by passes over all contacts.
     /// [`islands`](crate::PhysicsSimulator::islands) tells which is which, why, and what it took, and
     /// [`island_residual`](crate::PhysicsSimulator::island_residual) what is left of an error.

@@ -45,8 +45,6 @@ const MOST: usize = 100;
 /// Most steps where there are rings and nothing has pressed yet: as many again find little more then, since the rest is found by the
 /// updates after it, and no update is to take much longer than others.
 const MOST_OF_FRESH: usize = 10;
-/// Most steps of an update where there are joints: what more of them find the next update finds as well.
-const MOST_WITH_JOINTS: usize = 20;
 /// Greatest softness of the rows of joints, as part of what one row's own effective mass would make of it. With 1e-7 the digits of f64
 /// begin to run out in chains of hundreds, with 1e-9 they are gone.
 const SOFTNESS_OF_JOINTS: f64 = 1e-6;
@@ -131,6 +129,8 @@ pub(super) struct Goal {
     /// What began with less than the first is still; of what has rings and is not, the second is enough.
     pub(super) still: f64,
     pub(super) near: f64,
+    /// With joints: most Newton steps.
+    pub(super) most_steps: usize,
 }
 
 /// Bodies that hang together by contacts.
@@ -193,7 +193,7 @@ impl Island {
         let has_rings = self.has_rings();
         let (is_still, is_fresh) = (goal.begun < goal.still, self.is_fresh());
         let limit = match self.has_joints() {
-            true => MOST_WITH_JOINTS,
+            true => goal.most_steps,
             false if has_rings && is_fresh => MOST_OF_FRESH,
             false => MOST,
         };
@@ -264,7 +264,7 @@ impl Island {
     }
 
     /// Whether rows can press each other: what is fixed counts as one body, and two pieces of one body that touch another make
-    /// a ring as well.
+    /// a ring as well. Joints do not count: bilateral rows are in the active set from the first guess on, whatever they close.
     pub(super) fn has_rings(&self) -> bool {
         let is_fixed = |contact: &Contact| contact.bodies.contains(&FIXED);
         self.contacts.len() + usize::from(!self.contacts.iter().any(is_fixed)) > self.members.len()
@@ -613,8 +613,8 @@ fn stop<C: Constraint>(rows: &mut C, row: usize, members: &mut [Member]) {
     }
 }
 
-/// The greater one; the first one if it is not a number.
+/// The greater one; the one that is not a number, if there is one.
 #[inline(always)]
 pub(super) fn greater(one: f64, other: f64) -> f64 {
-    if one <= other { other } else { one }
+    if one <= other || other.is_nan() { other } else { one }
 }

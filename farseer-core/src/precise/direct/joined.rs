@@ -9,6 +9,7 @@ use super::constraint::{Constraint, FIXED};
 use super::constraint_list::add_push;
 use super::depth;
 use super::island::{Effort, Goal, Island, dot, greater};
+use super::price::most_steps;
 use super::whole::{BEARABLE, ENOUGH, EXACT, NEAR, QUIET, Reading, SOLVED, UNDONE, Whole};
 use crate::methods::IslandChoice;
 use crate::precise::Precise;
@@ -27,9 +28,11 @@ const ACCEPTED_TURN: f64 = 0.5;
 const ACCEPTED_ENERGY: f64 = 1.05;
 const ENERGY_SLACK: f64 = 0.01;
 
-/// Length that a turn by one radian counts as, in units of length: the arm of a joint of a body of that size.
+/// Length that a turn by one radian counts as where errors are compared, in units of length: the arm from the middle to the rim of
+/// something a little smaller than a unit.
 const LEVER: f64 = 0.3;
-/// The geometric stiffness that an inertia bears in a step, as a part of it (dimensionless).
+/// The geometric stiffness that an inertia bears in a step, as a part of it (dimensionless): that of the articulated bodies (`BORNE` in
+/// `joints/swing.rs`).
 const BORNE_STIFFNESS: f64 = 0.3;
 
 /// Most position corrections of a step; the position error after one of them that is left, in parts of the one that asks for the
@@ -54,11 +57,14 @@ impl Precise {
         whole.island.stiffen_inertia(dt);
         let free_energy = whole.island.energy();
         whole.island.warm_start();
-        let mut effort = whole.island.find_velocities(&reading, unit);
+        let most_steps = most_steps(whole);
+        let mut effort = whole.island.find_velocities(&reading, unit, most_steps);
         let supplied = whole.island.supplied_energy();
         let energy = whole.island.energy();
         let slack = ENERGY_SLACK * unit * unit * whole.island.mass();
-        let gains = energy > ACCEPTED_ENERGY * free_energy + 2.0 * supplied + slack;
+        // An energy that is not a number gains, too.
+        let keeps = energy <= ACCEPTED_ENERGY * free_energy + 2.0 * supplied + slack;
+        let gains = !keeps;
         whole.find_ways(dt, false);
         let most = f64::from(tuning.push) * dt;
         let undone = if whole.island.has_rings() && !is_loose { UNDONE } else { 1.0 };
@@ -150,7 +156,7 @@ impl Joints {
 
 impl Island {
     /// Solves for velocities what is further from what it is to be than what is quiet.
-    fn find_velocities(&mut self, reading: &Reading<'_>, unit: f64) -> Effort {
+    fn find_velocities(&mut self, reading: &Reading<'_>, unit: f64, most_steps: usize) -> Effort {
         let residual = self.begin(reading.dt, [reading.left, depth::SLIPS * unit]);
         if residual <= reading.quiet {
             return Effort { steps: 0, residual, is_solved: true };
@@ -162,6 +168,7 @@ impl Island {
             exact: unit * SOLVED,
             still: unit * QUIET,
             near: unit * NEAR,
+            most_steps,
         })
     }
 

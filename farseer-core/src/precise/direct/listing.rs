@@ -5,7 +5,8 @@ use super::constraint::{Ends, FIXED};
 use super::depth::{is_in_plane, unload};
 use super::whole::Whole;
 use crate::precise::Precise;
-use crate::precise::joints::{Candidate, Joints};
+use crate::precise::islands::Islands;
+use crate::precise::joints::Joints;
 use crate::precise::pairs::Pairs;
 use crate::precise::proxies::Proxies;
 use crate::precise::rows::{Home, Lane};
@@ -86,10 +87,24 @@ pub(super) fn list_edges(
     edges.dedup();
 }
 
-/// Adds which of these bodies joints tie together.
-pub(super) fn add_edges_of_joints(members: &[(u32, u32)], joints: &Joints, edges: &mut Vec<[u32; 2]>) {
+/// The bodies that joints in the plane tie together, by the roots of their islands.
+pub(super) fn list_joined(joints: &Joints, unions: &mut Islands, joined_bodies: &mut Vec<(u32, [u32; 2])>) {
+    joined_bodies.clear();
+    let of_two = joints.candidates().map(|joint| joint.bodies).filter(|[a, b]| *a != 0 && *b != 0);
+    joined_bodies.extend(of_two.map(|bodies| (unions.find(bodies[0]), bodies)));
+    sort_by_number(joined_bodies, |&(root, _)| root.into());
+}
+
+/// Adds which of these bodies joints tie together, as places in their list.
+pub(super) fn add_edges_of_joints(
+    members: &[(u32, u32)],
+    joined_bodies: &[(u32, [u32; 2])],
+    edges: &mut Vec<[u32; 2]>,
+) {
+    let root = members[0].0;
+    let first = joined_bodies.partition_point(|&(other, _)| other < root);
     let place = |body: u32| members.binary_search_by_key(&body, |member| member.1).ok();
-    for Candidate { bodies: [a, b], .. } in joints.candidates() {
+    for &(_, [a, b]) in joined_bodies[first..].iter().take_while(|&&(other, _)| other == root) {
         if let (Some(a), Some(b)) = (place(a), place(b)) {
             edges.push([a.min(b) as u32, a.max(b) as u32]);
         }

@@ -33,14 +33,14 @@ use super::tuning::Learning;
 use crate::methods::IslandChoice;
 use crate::storage::order::{joined, sort_by_number};
 use crate::storage::reusing_clone::reusing_clone;
-pub(super) use depth::{is_burden, is_upright};
 use depth::is_in_plane;
+pub(super) use depth::{is_burden, is_upright};
 use island::Member;
-use listing::{add_edges_of_joints, list_edges};
+use listing::{add_edges_of_joints, list_edges, list_joined};
 use loads::differ;
 use whole::Whole;
 
-/// Most bodies of an island.
+/// Most bodies of an island that contacts tie more than joints do: of nets, girders and bridges their factors decide.
 const LARGEST: u32 = 400;
 /// What has come together from what was faster than this, in units of length per second, is left to the passes, unless it is
 /// without rings and has the first number of bodies. What has rings and fewer than the second number is too: they make it
@@ -103,10 +103,11 @@ pub(super) struct Direct {
     census: Vec<Census>,
     found: Vec<(u32, u32)>,
     edges: Vec<[u32; 2]>,
+    joined_bodies: Vec<(u32, [u32; 2])>,
 }
 
 reusing_clone! {
-    Direct { wear, timing, is_listed, islands, count, seconds, unions, census, found, edges }
+    Direct { wear, timing, is_listed, islands, count, seconds, unions, census, found, edges, joined_bodies }
 }
 
 /// When islands are asked for.
@@ -432,7 +433,7 @@ impl Precise {
     /// that were.
     fn plan_islands(&mut self, chooses: bool) {
         let Precise { direct, bodies, pairs, proxies, sleep, joints, .. } = self;
-        let Direct { islands, unions, census, found, edges, wear, timing, .. } = direct;
+        let Direct { islands, unions, census, found, edges, joined_bodies, wear, timing, .. } = direct;
         found.clear();
         for body in sleep.awake(bodies.count) {
             let root = unions.find(body as u32);
@@ -449,6 +450,10 @@ impl Precise {
         sort_by_number(found, |&(root, body)| joined([root, body]));
         if chooses {
             wear.iter_mut().for_each(|wear| wear.is_direct = false);
+        }
+        joined_bodies.clear();
+        if census.iter().any(|of| of.joints > 0) {
+            list_joined(joints, unions, joined_bodies);
         }
         let mut count = 0;
         for members in found.chunk_by(|one, other| one.0 == other.0) {
@@ -467,7 +472,7 @@ impl Precise {
             list_edges(members, pairs, proxies, edges);
             let has_joints = census[members[0].0 as usize].joints > 0;
             if has_joints {
-                add_edges_of_joints(members, joints, edges);
+                add_edges_of_joints(members, joined_bodies, edges);
             }
             let filled = if has_joints { FILLED_WITH_JOINTS } else { FILLED };
             let mut worn = worst(members, wear);

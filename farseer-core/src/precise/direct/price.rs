@@ -9,7 +9,7 @@ use super::whole::Whole;
 use crate::methods::IslandChoice;
 use crate::precise::Precise;
 
-/// Cost of a Newton step: of itself, and for each row of constraints, body, block of the factors and product of two blocks.
+/// Cost of a Newton step, in microseconds: of itself, and for each constraint, body, block of the factors and product of two blocks.
 const STEP: f64 = 0.3;
 const PER_CONSTRAINT: f64 = 0.029;
 const PER_BODY: f64 = 0.074;
@@ -21,12 +21,17 @@ const PER_QUIET_CONSTRAINT: f64 = 0.08;
 const ITERATIVE_JOINT: f64 = 0.3;
 const ITERATIVE_CONTACT: f64 = 0.1;
 
-/// All that follows is in updates of the iterative solver. The direct solver may cost so many; an update that is not solved costs so
-/// many more; and the budget may be overdrawn by so many.
+/// Updates of the iterative solver that an update of the direct solver may cost on the average.
 const INCOME: f64 = 3.0;
+/// Cost of an update without an accepted solution beside that of its Newton steps, in updates of the iterative solver.
 const UNSOLVED: f64 = 20.0;
+/// Updates of the iterative solver by which the budget may be overdrawn: figures, houses and bridges that fall into place take fewer.
 const OVERDRAFT: f64 = 300.0;
-/// Updates for which an island that was given up is left to the iterative solver: the first time; twice as many each time.
+/// Updates of the iterative solver that the Newton steps of one update may cost: large nets would take half a second for 20 steps.
+const MOST_AT_ONCE: f64 = 30.0;
+/// Least and most Newton steps of an update: fewer find no active set, and what more of them find the next update finds as well.
+const STEPS_AT_ONCE: [f64; 2] = [4.0, 20.0];
+/// Updates for which an island that was given up is left to the iterative solver: the first time; then twice as many, up to 255.
 const FIRST_REST: u8 = 64;
 
 impl Precise {
@@ -54,13 +59,23 @@ impl Precise {
     }
 }
 
+/// Most Newton steps of an update.
+pub(super) fn most_steps(whole: &Whole) -> usize {
+    let [least, most] = STEPS_AT_ONCE;
+    let step = newton_step(&whole.island.factor, (whole.homes.len() + whole.joints.len()) as f64);
+    (MOST_AT_ONCE * iterative_update(whole) / step).clamp(least, most) as usize
+}
+
+/// Cost of an update of the iterative solver.
+fn iterative_update(whole: &Whole) -> f64 {
+    ITERATIVE_JOINT * whole.joints.len() as f64 + ITERATIVE_CONTACT * whole.homes.len() as f64
+}
+
 /// Cost of an update with so many Newton steps, in updates of the iterative solver.
 fn cost_in_updates(whole: &Whole, steps: usize) -> f64 {
     let constraints = (whole.homes.len() + whole.joints.len()) as f64;
-    let iterative =
-        ITERATIVE_JOINT * whole.joints.len() as f64 + ITERATIVE_CONTACT * whole.homes.len() as f64;
     (steps as f64 * newton_step(&whole.island.factor, constraints) + PER_QUIET_CONSTRAINT * constraints)
-        / iterative
+        / iterative_update(whole)
 }
 
 fn newton_step(factor: &Factor, constraints: f64) -> f64 {

@@ -320,6 +320,7 @@ impl Precise {
                 exact: unit * SOLVED,
                 still: unit * QUIET,
                 near: unit * NEAR,
+                most_steps: 0,
             })
         } else {
             Effort { steps: 0, residual, is_solved: true }
