@@ -105,14 +105,34 @@ impl Precise {
         let is_movable = |at: u32| self.proxies.all[at as usize].mobility == Mobility::Dynamic;
         let is_small = self.proxy_of(other, 1).is_none() && self.proxy_of(other, 0).is_some_and(is_movable);
         let (one, other) = if is_small { (one, other) } else { (other, one) };
-        let first = self.proxy_of(other, 0).unwrap_or(u32::MAX);
+        let proxies = [self.only_proxy(one), self.only_proxy(other)];
+        let (pair, first) = match proxies {
+            [Some(one), Some(other)] => (self.pair_of([one, other]), u32::MAX),
+            _ => (None, self.proxy_of(other, 0).unwrap_or(u32::MAX)),
+        };
         let is_piece =
             move |at: &u32| self.proxies.all.get(*at as usize).is_some_and(|proxy| proxy.geom == other);
         let is_with_one = move |pair: &usize| {
             let proxies = self.pairs.watched[*pair].proxies;
             proxies.iter().any(|&proxy| self.proxies.all[proxy as usize].geom == one)
         };
-        (first..u32::MAX).take_while(is_piece).flat_map(|piece| self.pairs.of(piece)).filter(is_with_one)
+        let of_pieces = (first..u32::MAX).take_while(is_piece).flat_map(|piece| self.pairs.of(piece));
+        pair.into_iter().chain(of_pieces.filter(is_with_one))
+    }
+
+    /// The proxy of a geom that has one only.
+    fn only_proxy(&self, geom: GeomId) -> Option<u32> {
+        self.proxy_of(geom, 0).filter(|_| self.proxy_of(geom, 1).is_none())
+    }
+
+    /// The pair of two proxies. The pairs of both are walked by turns: the cost is that of the one with fewer.
+    fn pair_of(&self, [one, other]: [u32; 2]) -> Option<usize> {
+        let is_between = |pair: &usize| {
+            let proxies = self.pairs.watched[*pair].proxies;
+            proxies == [one, other] || proxies == [other, one]
+        };
+        let both = self.pairs.of(one).zip(self.pairs.of(other));
+        both.flat_map(|(a, b)| [a, b]).find(is_between)
     }
 
     /// The geoms of a pair, that with the smaller creation number first.
