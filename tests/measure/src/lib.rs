@@ -4,7 +4,7 @@
 //! A way to simulate is an entry of [`method::methods`]. A scene of a chart is an entry of [`charts::chart_scenes`]: [`trials`]
 //! says with which settings it is run, [`sweep`] runs all against each other, [`csv`] writes down what came of it. What is
 //! driven until it fails is an entry of [`stability::families`], with maps of its own. [`depth`] has all that for the 2.5D
-//! engine. Lengths are px, in the plane y points down, times are s, angles rad; where an engine needs metres, 32 px are one.
+//! engine, [`joints`] has scenes of joints beside the peers. Lengths are px, in the plane y points down, times are s, angles rad; where an engine needs metres, 32 px are one.
 
 /// Makes what is generic over scenes but holds none `Copy`, and shows its name: what is derived would ask for scenes that can
 /// be copied.
@@ -33,6 +33,7 @@ pub mod closed_forms;
 pub mod csv;
 pub mod depth;
 pub mod engines;
+pub mod joints;
 pub mod method;
 pub mod origin;
 pub mod penetration;

@@ -64,7 +64,7 @@ impl Dt {
 }
 
 /// A number from 0 up to 1 that looks random: the finishing steps of the generator SplitMix64.
-fn unit(index: u64) -> f32 {
+pub(crate) fn unit(index: u64) -> f32 {
     let mut bits = (index + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);

@@ -19,7 +19,7 @@ mod masses;
 mod overlaps;
 mod parts;
 mod pushes;
-mod ragdolls;
+pub(crate) mod ragdolls;
 pub mod reasons;
 pub mod sheet;
 mod springs;

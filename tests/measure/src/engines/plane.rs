@@ -30,6 +30,11 @@ impl FarseerWorld {
         Ok(FarseerWorld { simulator: std::mem::replace(run.simulator_mut(), empty), bodies })
     }
 
+    /// A simulator that is built already, and its bodies in their order.
+    pub fn with_bodies(simulator: PhysicsSimulator, bodies: Vec<BodyId>) -> Self {
+        FarseerWorld { simulator, bodies }
+    }
+
     /// The simulator.
     pub fn simulator(&self) -> &PhysicsSimulator {
         &self.simulator

@@ -27,7 +27,7 @@ pub(super) const FAMILIES: [StabilityFamily; 1] = [StabilityFamily {
 const SECONDS: f64 = 8.0;
 
 /// The limbs: left upper corner and size in cm, from the middle line and the crown of the head.
-const LIMBS: [([f32; 2], [f32; 2]); 10] = [
+pub(crate) const LIMBS: [([f32; 2], [f32; 2]); 10] = [
     ([-11.0, 0.0], [22.0, 28.0]),
     ([-20.0, 30.0], [40.0, 58.0]),
     // Upper arms and forearms.
@@ -43,7 +43,7 @@ const LIMBS: [([f32; 2], [f32; 2]); 10] = [
 ];
 
 /// The joints: two limbs, the point they share in cm, and how far they bend either way in rad.
-const JOINTS: [(usize, usize, [f32; 2], [f32; 2]); 9] = [
+pub(crate) const JOINTS: [(usize, usize, [f32; 2], [f32; 2]); 9] = [
     (1, 0, [0.0, 29.0], [-0.5, 0.5]),
     (1, 2, [-27.0, 33.0], [-0.5, 2.0]),
     (1, 3, [27.0, 33.0], [-2.0, 0.5]),

@@ -6,6 +6,7 @@
 //! Both engines make short steps within a step: falls and swings are off by a multiple of that, of first order.
 //! Tolerances are that, or measured where it is said.
 
+mod assemblies;
 mod contacts;
 mod joints;
 mod limits;

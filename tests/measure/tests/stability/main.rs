@@ -9,6 +9,7 @@ mod written;
 mod arena;
 mod depth;
 mod facts;
+mod joints;
 mod judges;
 mod plane;
 mod sleep;

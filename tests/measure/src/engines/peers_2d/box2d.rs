@@ -7,8 +7,8 @@ use crate::method::Setting;
 use crate::world::{BodyState, World};
 use boxdd::{
     BodyId, BodyType, DistanceJointDef, Filter, Foundation, JointBase, JointId, MAX_POLYGON_VERTICES,
-    MassData, MixerId, MotorJointDef, Polygon, RevoluteJointDef, ShapeDef, SurfaceMaterial, Transform, Vec2,
-    WeldJointDef, shapes,
+    MassData, MixerId, MotorJointDef, Polygon, PrismaticJointDef, RevoluteJointDef, ShapeDef,
+    SurfaceMaterial, Transform, Vec2, WeldJointDef, shapes,
 };
 use conformance::scene::Scene;
 use std::cell::RefCell;
@@ -42,9 +42,13 @@ struct Box2d {
 ///
 /// When the scene has something that the engine does not have.
 pub fn build_box2d(scene: &Scene, setting: Setting) -> Result<Box<dyn World>, String> {
-    let parts = parts(scene)?;
+    build_parts(&parts(scene)?, setting)
+}
+
+/// The same from parts.
+pub(super) fn build_parts(parts: &Parts, setting: Setting) -> Result<Box<dyn World>, String> {
     let substeps = i32::try_from(setting.passes).map_err(|_| format!("no {} substeps", setting.passes))?;
-    let built = Builder::new(&parts, setting).and_then(|mut builder| {
+    let built = Builder::new(parts, setting).and_then(|mut builder| {
         builder.add_bodies()?;
         builder.add_links()?;
         Ok(builder)
@@ -151,6 +155,21 @@ impl<'a> Builder<'a> {
                     joint = joint.enable_limit(true).lower_angle(min).upper_angle(max);
                 }
                 self.world.create_revolute_joint(&joint)?;
+            }
+            LinkKind::Hinge { anchors, angle, limits, motor } => {
+                let mut joint = RevoluteJointDef::new(self.base(link, anchors, angle)?);
+                if let Some([min, max]) = limits {
+                    joint = joint.enable_limit(true).lower_angle(min).upper_angle(max);
+                }
+                if let Some([speed, torque]) = motor {
+                    joint = joint.enable_motor(true).motor_speed(speed).max_motor_torque(torque);
+                }
+                self.world.create_revolute_joint(&joint)?;
+            }
+            LinkKind::Slider { anchors: [one, two], angles: [angle1, angle2] } => {
+                let base = self.base(link, [[0.0; 2]; 2], 0.0)?;
+                let base = base.with_local_frame_components(one, angle1, two, angle2)?;
+                self.world.create_prismatic_joint(&PrismaticJointDef::new(base))?;
             }
             LinkKind::Weld { anchors, angle } => {
                 self.world.create_weld_joint(&WeldJointDef::new(self.base(link, anchors, angle)?))?;

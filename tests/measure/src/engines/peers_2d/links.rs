@@ -22,6 +22,10 @@ pub(super) struct Link {
 pub(super) enum LinkKind {
     /// The anchors are one point.
     Point { anchors: [[f32; 2]; 2] },
+    /// The anchors are one point. The angle beyond one in rad keeps within limits; a motor has a speed and a greatest torque.
+    Hinge { anchors: [[f32; 2]; 2], angle: f32, limits: Option<[f32; 2]>, motor: Option<[f32; 2]> },
+    /// The second anchor moves along an axis through the first, whose angles in both bodies stay.
+    Slider { anchors: [[f32; 2]; 2], angles: [f32; 2] },
     /// The anchors are one point and the angle stays.
     Weld { anchors: [[f32; 2]; 2], angle: f32 },
     /// The anchors keep a distance.

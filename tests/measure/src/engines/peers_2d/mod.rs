@@ -20,6 +20,7 @@
 //!
 //! What an engine does not have is an error that says so.
 
+mod assembly;
 mod box2d;
 mod links;
 mod parts;
@@ -29,6 +30,7 @@ mod state;
 use super::plane::STEPS;
 use crate::method::{Effort, Family, Mapped, Method, Setting, mapped};
 
+pub use assembly::{assemble_box2d, assemble_rapier};
 pub use box2d::build_box2d;
 pub use rapier::build_rapier;
 

@@ -16,6 +16,9 @@ use rapier2d::prelude::{
 /// Stiffness in N/m of the spring that stands for a rod: rigid as far as floats go, like the engine's own joints.
 const RIGID: f32 = 1e12;
 
+/// Gain of a motor in 1/s: it reaches its speed within an update, as far as its greatest torque allows.
+const SPEED_GAIN: f32 = 1e6;
+
 struct Rapier {
     world: PhysicsWorld,
     bodies: Vec<RigidBodyHandle>,
@@ -33,13 +36,17 @@ struct Rapier {
 ///
 /// When the scene has something that the engine does not have.
 pub fn build_rapier(scene: &Scene, setting: Setting) -> Result<Box<dyn World>, String> {
-    let parts = parts(scene)?;
+    build_parts(&parts(scene)?, setting)
+}
+
+/// The same from parts.
+pub(super) fn build_parts(parts: &Parts, setting: Setting) -> Result<Box<dyn World>, String> {
     let mut world = PhysicsWorld::new();
     world.gravity = Vector::from(parts.gravity);
     world.integration_parameters.num_solver_iterations = setting.passes as usize;
     let bodies: Vec<_> = parts.bodies.iter().map(|part| world.insert_body(body(part))).collect();
     for shape in &parts.shapes {
-        let collider = collider(shape, &parts)?.collision_groups(groups(shape)?);
+        let collider = collider(shape, parts)?.collision_groups(groups(shape)?);
         world.insert_collider(collider, Some(bodies[shape.body]));
     }
     for &body in &bodies {
@@ -119,6 +126,27 @@ fn joint(link: &Link) -> Result<GenericJoint, String> {
         LinkKind::Point { anchors } => {
             let [one, two] = vectors(anchors);
             RevoluteJointBuilder::new().local_anchor1(one).local_anchor2(two).into()
+        }
+        LinkKind::Hinge { anchors, angle, limits, motor } => {
+            let [one, two] = vectors(anchors);
+            let mut joint = GenericJointBuilder::new(JointAxesMask::LOCKED_REVOLUTE_AXES)
+                .local_frame1(Pose::new(one, angle))
+                .local_frame2(Pose::new(two, 0.0));
+            if let Some(limits) = limits {
+                joint = joint.limits(JointAxis::AngX, limits);
+            }
+            if let Some([speed, torque]) = motor {
+                joint = joint.motor_velocity(JointAxis::AngX, speed, SPEED_GAIN);
+                joint = joint.motor_max_force(JointAxis::AngX, torque);
+            }
+            joint.build()
+        }
+        LinkKind::Slider { anchors, angles } => {
+            let [one, two] = vectors(anchors);
+            GenericJointBuilder::new(JointAxesMask::LOCKED_PRISMATIC_AXES)
+                .local_frame1(Pose::new(one, angles[0]))
+                .local_frame2(Pose::new(two, angles[1]))
+                .build()
         }
         LinkKind::Weld { anchors, angle } => {
             let [one, two] = vectors(anchors);
