@@ -11,6 +11,8 @@ pub mod checks;
 pub mod churn;
 mod depth;
 mod engine;
+#[cfg(feature = "programs")]
+pub mod figures;
 mod finite;
 pub mod game;
 pub mod hash;

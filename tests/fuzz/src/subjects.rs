@@ -2,6 +2,7 @@
 
 use crate::checks::{failed_calls_change_nothing, numbers_are_finite};
 use crate::churn::{DepthChurn, PlaneChurn};
+use crate::figures::figures_hold;
 use crate::game::Game;
 use crate::saves::{Fate, altered_json, altered_snapshot};
 use crate::scene_texts::altered_scene;
@@ -85,6 +86,7 @@ pub const SUBJECTS: &[Subject] = &[
     Subject { name: "textures", about: "outlines of random pictures", check: outlines_of_a_picture },
     Subject { name: "scenes", about: "altered scenes of the recorded runs", check: altered_scene },
     Subject { name: "small", about: "small scenes of the precise set", check: small_scene_holds },
+    Subject { name: "figures", about: "random joint scenes of the precise set", check: figures_hold },
     Subject { name: "soak", about: "a million updates of one set of methods, seeds 0 to 4", check: soak },
     Subject {
         name: "depth-soak",

@@ -1,5 +1,6 @@
 //! What must hold whatever is called, from fixed seeds.
 
+mod figures;
 mod play;
 mod saves;
 mod small;

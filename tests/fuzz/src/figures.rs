@@ -1,0 +1,59 @@
+//! Random joint scenes of the precise set.
+
+use crate::engine::Engine;
+use crate::recording::Moment;
+use crate::twins::restored;
+use measure::joints::build::simulator;
+use measure::joints::counts::outcome;
+use measure::joints::engines::{OURS, SETTING};
+use measure::joints::random::{UPDATES, Variant, scene, variants};
+
+/// Updates between two restores.
+const PERIOD: u32 = 45;
+
+/// The scenes of a seed, one of each variant, do not blow up, win no energy, and go on after a restore as without.
+///
+/// # Errors
+/// The first that does not hold, and the variant.
+pub fn figures_hold(seed: u64) -> Result<(), String> {
+    variants().try_for_each(|variant| {
+        let at = |what: String| format!("{}: {what}", variant.name());
+        let outcome = outcome(seed, variant, &OURS).map_err(at)?;
+        if outcome.is_wild() {
+            return Err(at(format!("{:.0} px/s", outcome.speed)));
+        }
+        if outcome.is_gaining(variant) {
+            return Err(at(format!("wins {:.0} px²/s² of energy per mass", outcome.gain)));
+        }
+        goes_on_as_restored(seed, variant).map_err(at)
+    })
+}
+
+/// The scenes of a seed, one of each variant, go on after a restore as without.
+///
+/// # Errors
+/// The first difference, and the variant.
+pub fn figures_go_on_as_restored(seed: u64) -> Result<(), String> {
+    variants().try_for_each(|variant| {
+        goes_on_as_restored(seed, variant).map_err(|what| format!("{}: {what}", variant.name()))
+    })
+}
+
+fn goes_on_as_restored(seed: u64, variant: Variant) -> Result<(), String> {
+    let assembly = scene(seed, variant);
+    let dt = SETTING.dt.mean();
+    let build = || simulator(&assembly, SETTING.passes as i32).map_err(|error| error.to_string());
+    let ((mut plain, _), (mut twin, _)) = (build()?, build()?);
+    for update in 1..=UPDATES {
+        plain.update(dt);
+        twin.update(dt);
+        if update % PERIOD == 0 {
+            plain.check_numbers()?;
+            if Moment::of(&plain) != Moment::of(&twin) {
+                return Err(format!("differs from its twin after {update} updates"));
+            }
+            twin = restored(&twin)?;
+        }
+    }
+    Ok(())
+}
