@@ -213,7 +213,9 @@ fn a_motor_in_an_island_reaches_its_speed_and_stops_at_a_limit() {
     add_floor(&mut simulator);
     let (base, of_base) = add_rectangle(&mut simulator, v(0.0, -20.0), [200.0, 40.0], 20.0);
     let (arm, of_arm) = add_rectangle(&mut simulator, v(0.0, -60.0), [8.0, 40.0], 1.0);
-    [of_base, of_arm].map(|geom| simulator[geom].set_collision_group(1));
+    for geom in [of_base, of_arm] {
+        simulator[geom].set_collision_group(1);
+    }
     let (joint, anchors) = hinge(&mut simulator, base, arm, v(0.0, -40.0));
     simulator.set_joint_motor(joint, Some(JointMotor { speed: 1.0, greatest_effort: 1e6 })).unwrap();
     simulator.set_joint_limits(joint, Some(JointLimits { lower: -1.0, upper: 0.6 })).unwrap();
@@ -271,7 +273,8 @@ fn an_island_with_joints_that_is_saved_in_any_step_goes_on_with_the_same_bits() 
     for step in 0..120 {
         let mut restored = precise(0.0);
         restored.restore(&simulator.snapshot()).unwrap();
-        (simulator.update(DT), restored.update(DT));
+        simulator.update(DT);
+        restored.update(DT);
         assert!(simulator.snapshot() == restored.snapshot(), "step {step}");
     }
 }

@@ -1,4 +1,4 @@
-//! What a Newton step does to a list of constraints: contacts or joints.
+//! Operations of a Newton step on a list of constraints, contacts or joints.
 
 use super::block::Triple;
 use super::constraint::{Constraint, FIXED, Jacobian};

@@ -570,9 +570,9 @@ impl Island {
         }
         for contact in &mut self.contacts {
             let way = contact.relative_in(&self.direction);
-            for row in 0..2 {
+            for (row, way) in way.into_iter().enumerate().take(2) {
                 if contact.has(row) {
-                    contact.separations[row] += way[row];
+                    contact.separations[row] += way;
                 }
             }
         }

@@ -172,7 +172,7 @@ impl JointRows {
         self.active = (0..3).filter(is_corrected).fold(0, |set, row| set | 1 << row);
     }
 
-    /// What undoes the position errors of the active rows, each by at most `most` length units.
+    /// Impulses that correct the position errors of the active rows, each by at most `most` length units.
     pub(super) fn correction(&self, most: f64) -> Triple {
         std::array::from_fn(|row| {
             let most = most / self.scale(row);

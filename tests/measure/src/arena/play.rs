@@ -20,7 +20,7 @@ impl<'a> Play<'a> {
     /// Builds a scene in an engine.
     ///
     /// # Errors
-    /// What the engine refuses.
+    /// Errors of the engine.
     pub fn new(scene: &'a Scene, engine: EngineEntry) -> Result<Self> {
         Play::within(scene, (engine.create)(scene)?)
     }
@@ -28,7 +28,7 @@ impl<'a> Play<'a> {
     /// Builds a scene in an empty world.
     ///
     /// # Errors
-    /// What the engine refuses.
+    /// Errors of the engine.
     pub fn within(scene: &'a Scene, engine: Box<dyn Engine>) -> Result<Self> {
         let mut play = Play { scene, engine, bodies: Vec::new(), joints: Vec::new(), step: 0 };
         let bodies = scene.bodies.iter().cloned().map(Action::AddBody);
@@ -42,7 +42,7 @@ impl<'a> Play<'a> {
     /// Makes the changes that are due and a step, and answers the CPU time of both.
     ///
     /// # Errors
-    /// What the engine refuses.
+    /// Errors of the engine.
     pub fn step(&mut self) -> Result<Duration> {
         let actions = self.scene.script.as_ref().map_or_else(Vec::new, |script| script(self.step));
         self.step += 1;

@@ -52,7 +52,7 @@ pub struct RunFigures {
 /// Plays a scene at a size in some engines by turns.
 ///
 /// # Errors
-/// What an engine refuses.
+/// Errors of an engine.
 pub fn run(
     entry: &SceneEntry,
     size: f32,

@@ -8,7 +8,7 @@ use crate::stopwatch::Stopwatch;
 use serde::Serialize;
 use std::time::Duration;
 
-/// Nothing that falls and swings in these scenes is faster, in px/s.
+/// Speed in px/s that falls and swings of these scenes do not reach.
 const WILD: f64 = 3000.0;
 /// A gap at the end that a player sees, in px: a tenth of a metre.
 const GAPING: f64 = 3.2;

@@ -6,7 +6,7 @@ use super::build::build_ours;
 use crate::engines::peers_2d::{assemble_box2d, assemble_rapier};
 use crate::method::{Built, Family, Setting};
 
-/// What the authors of all three engines recommend: updates of 1/60 s with 4 substeps.
+/// The recommendation of the authors of all three engines: updates of 1/60 s with 4 substeps.
 pub const SETTING: Setting = Setting::fixed(1.0 / 60.0, 4);
 
 /// An engine.

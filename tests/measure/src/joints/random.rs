@@ -11,7 +11,7 @@ const NUMBERS: u64 = 1 << 20;
 /// Limits of a hinge in rad.
 const LIMITS: [f32; 2] = [-0.5, 0.5];
 
-/// Who collides in a random scene.
+/// Collisions in a random scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Crowd {
     /// One figure whose parts do not collide, in a room.
