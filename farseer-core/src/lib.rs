@@ -16,6 +16,7 @@
 //! |---|---|
 //! | this page | [first program](#a-first-program), [the update](#what-an-update-does), [methods to choose from](#methods-to-choose-from), [where they fail](#where-they-fail), [joints, springs, controllers](#joints-springs-controllers), [units](#units-and-axes), [bad input](#bad-input), [determinism](#determinism), [saving](#saving) |
 //! | [`guide::porting`] | from C# to Rust, member by member, with a small game before and after |
+//! | [`guide::choosing`] | which set of methods for which game, what the precise set chooses by itself, and where each fails |
 //! | [`guide::differences`] | where this does something else than the original, and why |
 //! | [`guide::quirks`] | oddities that were kept, and what to do about them |
 //! | [`guide::out_of_scope`] | what is not there on purpose, and what to use instead |
@@ -208,7 +209,7 @@
 //!
 //! # Where they fail
 //!
-//! They fail where the original's did. What can be done is smaller steps, more iterations, another method, or a scene
+//! The methods of the faithful set fail where the original's did. What can be done is smaller steps, more iterations, another method, or a scene
 //! that does not ask for it.
 //!
 //! ## Walls

@@ -160,7 +160,7 @@ impl Hands {
         Ok(())
     }
 
-    /// Lets go of what is held, with a velocity in the world, px/s, Y up, and answers what it was.
+    /// Lets go of what is held, with a velocity in the world, px/s, Y up, and answers what it was. A velocity of 0 drops it.
     ///
     /// # Errors
     /// A velocity that is not finite.

@@ -46,7 +46,8 @@ impl Body {
     ///
     /// A kinematic body has infinite mass, as a static one. It goes on with its linear and angular velocity, or to where it
     /// is [told](Self::move_to) to; no force, gravity, drag or push changes that, and what was applied to it is forgotten
-    /// with each update. It pushes dynamic bodies, carries them by friction, and passes through static and other kinematic
+    /// with each update. It pushes dynamic bodies, with the precise set also those on its way in an update, however fast it is, carries
+    /// them by friction, and passes through static and other kinematic
     /// ones. It is not [static](Self::is_static), and making it static ends this. With both
     /// [sets of methods](crate::Methods).
     ///

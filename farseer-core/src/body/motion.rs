@@ -35,7 +35,7 @@ impl Body {
         self.set_position(Vector2::new(self.position.x, y));
     }
 
-    /// Whether the body passes through no other one, however fast it is. Default false. Ours, and only with the
+    /// Whether continuous collision also counts between the body and dynamic ones. Default false. Ours, and only with the
     /// [precise set](crate::Methods::Precise): there no body passes through a static, kinematic or sleeping one; a bullet does
     /// not pass through dynamic bodies either, nor they through it.
     pub fn is_bullet(&self) -> bool {

@@ -68,11 +68,11 @@ pub enum WhyMethod {
     /// Passes: two came together so fast that they bounced.
     Bounces,
     /// Passes: something in it moved faster than a quarter of a length unit per second when its contacts were asked for, or has
-    /// come into place so. With joints: and it was given up lately, or a joint gapes.
+    /// come into place so. With joints: it was given up lately, and moves or has a joint that gapes.
     Moves,
     /// Passes: it has rings of contacts, and fewer than 40 bodies: passes make it stand.
     TooSmall,
-    /// Passes: it has more than 400 bodies; or, where there is a depth axis, more than 24 and rings of contacts.
+    /// Passes: it has more than 400 bodies, which contacts tie more than joints; or, where there is a depth axis, more than 24 and rings of contacts.
     TooLarge,
     /// Passes: it has bounced, or was too busy, too wide or, with joints, too hard to be solved as a whole.
     Rests {

@@ -47,8 +47,8 @@ impl PhysicsSimulator {
     /// The geoms that a geom touched in the last update, in the order in which the pairs are solved. The list of what is
     /// in a sensor: sensors have contacts like other geoms, nothing pushes them.
     ///
-    /// None for a stale id. Pairs that may not collide, such as those of two static bodies of which none is a
-    /// [sensor](crate::Objects::set_is_sensor), and collisions that a handler refused do not count: they have no contacts.
+    /// None for a stale id. Pairs that may not collide, such as those of two static bodies unless, with the precise set, one of the
+    /// geoms is a [sensor](crate::Objects::set_is_sensor) or has no collision response, and collisions that a handler refused do not count: they have no contacts.
     pub fn overlaps(&self, geom: GeomId) -> Vec<GeomId> {
         let mut partners = Vec::new();
         for arbiter in self.arbiters().filter(|arbiter| arbiter.contacts().len() > 0) {

@@ -63,8 +63,8 @@ pub enum Event {
         /// The spring.
         spring: SpringId,
     },
-    /// Somebody has lost what was held, or is there no more, since the last update: what holds things tells
-    /// [of it](crate::TwoHalfPhysicsSimulator::report_grip_broken).
+    /// A grip broke since the last update: the load got out of reach, or the load or its holder was disabled or disposed. Reported
+    /// [by what holds](crate::TwoHalfPhysicsSimulator::report_grip_broken), such as `Hands` of `twohalf-factories`.
     GripBroke {
         /// The body of whoever held it; its id may be stale.
         holder: BodyId,

@@ -13,8 +13,11 @@ use crate::depth::Partner;
 /// the next update.
 pub trait EventHandler {
     /// A geom touches another geom, its ground or a platform; called in every update in which it does, for two geoms
-    /// for both sides, unless its [callbacks](farseer_core::Geom::set_collision_callbacks_enabled) are switched off. `false` drops the contact in this update, and the second side is not asked: that is how
-    /// platforms become one-way.
+    /// for both sides, unless its [callbacks](farseer_core::Geom::set_collision_callbacks_enabled) are switched off. `false` drops
+    /// the contact in this update, and the second side is not asked: that is how platforms become one-way.
+    ///
+    /// Also called, with [`contacts`](Collision::contacts) 0, about what a figure that
+    /// [walks](crate::TwoHalfPhysicsSimulator::walk) stands on, hangs on, is held off from, or will step on within three updates.
     #[doc(alias("OnCollision", "CollisionEventHandler"))]
     fn on_collision(&mut self, context: &mut Context<'_>, collision: &Collision) -> bool {
         let _ = (context, collision);

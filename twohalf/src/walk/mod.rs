@@ -33,7 +33,8 @@ pub struct Walk {
     pub air_acceleration: f32,
     /// How far the soles rise in a jump, px. Default 60.
     pub jump_height: f32,
-    /// The highest curb that is walked up as if it were none, px. Default 8.
+    /// The highest curb or stair, measured from the floor that is stood on, that is walked up as if it were none, px; one of exactly
+    /// this height is. Default 8.
     pub step_up: f32,
     /// How far below the soles the floor may be for a figure that stood to be put down on it instead of falling, px: over the
     /// edge of a slope, down a curb, on a lift. Default 8.

@@ -191,7 +191,7 @@ impl Census {
     /// Why it is left to the passes.
     pub(super) fn why_passes(&self, choice: IslandChoice) -> WhyMethod {
         let rests = (self.rest > 0).then_some(WhyMethod::Rests { updates: self.rest });
-        let is_free = self.contacts == 0;
+        let is_free = self.contacts == 0 && self.joints == 0;
         let joints = is_free.then_some(WhyMethod::Joints);
         joints.or(self.refusal(choice)).or(rests).unwrap_or(WhyMethod::NotAskedYet)
     }
