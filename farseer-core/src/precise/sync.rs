@@ -315,6 +315,8 @@ impl Precise {
     /// Lists all bodies and geoms that take part, and takes over what is known of their pairs.
     pub(super) fn list(&mut self, objects: &Objects, saved: &Saved, edits: Edits) {
         (self.is_stale, self.has_new_members) = (false, false);
+        // Proxies get other numbers, also where a handler has brought that about in the middle of an update.
+        self.rolling.clear();
         self.note_joints();
         self.list_bodies(objects);
         self.list_proxies(objects);

@@ -239,6 +239,7 @@ impl Whole {
         let Whole { island, homes, ends, has_pushes, .. } = self;
         *has_pushes = false;
         island.contacts.clear();
+        island.joints.clear();
         island.rubs.clear();
         for (&home, &ends) in homes.iter().zip(ends.iter()) {
             let row = rows.direct(home);

@@ -6,15 +6,15 @@ use crate::precise::pairs::Pair;
 use crate::precise::proxies::Mobility;
 
 impl Touch<'_> {
-    /// Penetration, in length units, of the second one of a pair in what it touches, or in what it parted from last; of the deeper
-    /// one if the first one can be pushed, too. 0 if one of the two is a ball, or the ground, which has no edges.
+    /// Penetration, in length units, of the second one of a pair in what it touches, or in what it parted from last; the greatest
+    /// that counts if the first one can be pushed, too: it is pressed into what it lies on, by whatever lies on it. 0 if one of
+    /// the two is a ball, or the ground, which has no edges.
     pub(super) fn sunk_before(&self, pair: usize, two: Two<'_>) -> f32 {
         let state = &self.pairs.all[pair];
         if !state.kind.has_two_points || state.is_on_ground {
             return 0.0;
         }
-        let of_b = self.sunk(two.b.body as usize);
-        if two.a.mobility == Mobility::Dynamic { of_b.max(self.sunk(two.a.body as usize)) } else { of_b }
+        if two.a.mobility == Mobility::Dynamic { f32::MAX } else { self.sunk(two.b.body as usize) }
     }
 
     fn sunk(&self, body: usize) -> f32 {
