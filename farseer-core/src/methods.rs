@@ -72,8 +72,8 @@ pub enum Methods {
     /// or more; and what something 16 times as heavy jams, with rings if it is 24 bodies at most. While more than 64 bodies are
     /// awake, what bears is asked for only in every 16th update, and only 16 times as heavy counts. Where an
     /// engine adds a depth axis, it is what bears something more than one and a half times as heavy alone.
-    /// In 2D an island with joints is solved as a whole, too, whatever moves in it and whatever it weighs, unless a joint in it is soft
-    /// or a point has a greatest impulse. It has a budget for that: three times what passes would cost, and 300 updates of passes
+    /// In 2D an island with joints is solved as a whole, too, whatever moves in it and whatever it weighs, unless a joint in it is soft,
+    /// has limits of its travel, or is a point with a greatest impulse. It has a budget for that: three times what passes would cost, and 300 updates of passes
     /// more. Once these are used up, or if it cannot be solved so, it goes by passes for 64 updates, then for 128, then for 255;
     /// for fewer again after quiet updates.
     /// Everything else, and for two seconds what takes long to solve, goes by passes over all contacts.

@@ -63,7 +63,8 @@ pub enum WhyMethod {
     Chosen,
     /// Passes: it is one body on what does not give way.
     OneBody,
-    /// Passes: joints hold some of it, and one of them is soft, or a point with a greatest impulse; or there is a depth axis.
+    /// Passes: joints hold some of it, and one of them is soft, has limits of its travel, or is a point with a greatest impulse;
+    /// or there is a depth axis.
     Joints,
     /// Passes: two came together so fast that they bounced.
     Bounces,

@@ -119,7 +119,9 @@ impl Hold {
     /// Whether the direct solver can take it: it is not soft, and no greatest impulse limits a point, whose bound is round and not
     /// that of two rows.
     pub(in crate::precise) fn may_be_rows(&self) -> bool {
-        self.softness == 0.0 && !(self.link == Link::Point && self.most < f64::from(f32::MAX))
+        // A motor that presses against a limit needs a row for each of them: the iterative solver has both.
+        let is_limited = self.drive.is_some_and(|drive| drive.limits().is_some());
+        self.softness == 0.0 && !is_limited && !(self.link == Link::Point && self.most < f64::from(f32::MAX))
     }
 
     /// How far it is from what it keeps when the step begins, with angles as lengths at this lever.
