@@ -3,8 +3,8 @@
 use conformance::fixtures::plane::{simulator, v};
 use farseer_core::math::Vector2;
 use farseer_core::{
-    BodyFactory, BodyId, GeomFactory, GeomId, GeomPlacement, IslandMethod, JointFactory, JointId,
-    JointLimits, JointMotor, Methods, PhysicsSimulator,
+    BodyFactory, BodyId, GeomFactory, GeomId, GeomPlacement, IslandMethod, JointFactory, JointId, JointMotor,
+    Methods, PhysicsSimulator,
 };
 
 const DT: f32 = 1.0 / 60.0;
