@@ -26,6 +26,8 @@ pub const RATE: u32 = 240;
 const BELOW: CollisionCategory = CollisionCategory::CAT2;
 const ABOVE: CollisionCategory = CollisionCategory::CAT3;
 const BALLS: CollisionCategory = CollisionCategory::CAT1;
+/// Collision group of walls and flippers, which would meet by the categories of either: a flipper passes the wall at its hinge.
+const FRAME: i32 = 1;
 
 const SLOPE: f32 = 420.0;
 const START: [f32; 2] = [403.0, 640.0];
@@ -198,6 +200,7 @@ impl Pinball {
         let placement = GeomPlacement::with_grid_size(5.0);
         let geom = GeomFactory::create_rectangle_geom_in(simulator, body, size[0], size[1], placement)?;
         simulator[geom].set_collision_categories(level);
+        simulator[geom].set_collision_group(FRAME);
         simulator[geom].set_restitution_coefficient(0.4);
         self.game.things.insert(geom, Thing::Wall { size, is_above: level == ABOVE });
         Ok(geom)
@@ -278,6 +281,7 @@ fn add_flipper(simulator: &mut PhysicsSimulator, sign: f32) -> Result<Flipper> {
     let geom = GeomFactory::create_rectangle_geom_in(simulator, body, length, thickness, placement)?;
     simulator[geom].set_collision_categories(BELOW);
     simulator[geom].set_collides_with(BALLS);
+    simulator[geom].set_collision_group(FRAME);
     JointFactory::create_fixed_revolute_joint_in(simulator, body, hinge)?;
     let [low, high] = if sign > 0.0 { [ANGLES[1], ANGLES[0]] } else { [-ANGLES[0], -ANGLES[1]] };
     JointFactory::create_fixed_angle_limit_joint_in(simulator, body, low, high)?;
