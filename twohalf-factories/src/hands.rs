@@ -18,7 +18,7 @@ const REACH: f32 = 1.0;
 /// [collision group](twohalf::farseer_core::Geom::set_collision_group). Whoever has none gets one of their own for good, a number
 /// near the greatest there is.
 ///
-/// What is farther than [a reach](Self::set_reach) from where it is held is lost: what was left behind a wall, or was put elsewhere.
+/// The load is lost when it is farther than [a reach](Self::set_reach) from where it is held: left behind a wall, or put elsewhere.
 /// So is what is disposed or disabled, and what is held by somebody who is. It has its weight again then, and
 /// [`carry`](Self::carry) lets the next update report [`Event::GripBroke`](twohalf::Event::GripBroke).
 ///

@@ -63,7 +63,7 @@ fn assert_y(simulator: &PhysicsSimulator, body: BodyId, expected: f32) {
     assert!((y - expected).abs() < AT_REST, "y {y} instead of {expected}");
 }
 
-/// What was saved and loaded.
+/// A simulator that was saved and loaded.
 fn restored(simulator: &PhysicsSimulator) -> PhysicsSimulator {
     let mut copy = PhysicsSimulator::default();
     copy.restore(&simulator.snapshot()).unwrap();

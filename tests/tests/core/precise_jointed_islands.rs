@@ -250,7 +250,7 @@ fn welded_pieces_that_overlap_do_not_spin_up() {
         let before = energy(&simulator);
         run(&mut simulator, 300);
         let (after, mass) = (energy(&simulator), 26.0);
-        // What is still pushed apart after five seconds moves with a length unit per second at most, and does not gain.
+        // A pair that is still pushed apart after five seconds moves with a length unit per second at most, and does not gain.
         assert!(after <= 1.05 * before + 1.0 && after < mass * 32.0 * 32.0, "{size}: {before}, then {after}");
     }
 }

@@ -221,7 +221,7 @@ impl EventHandler for Counter {
     }
 
     fn on_separation(&mut self, context: &mut Context<'_>, this: GeomId, _: GeomId) {
-        // Whoever is told is there.
+        // Each geom that a handler is told of is there.
         assert!(context.geom(this).is_some());
         self.ended += 1;
     }

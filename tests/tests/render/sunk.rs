@@ -164,7 +164,7 @@ fn of_a_slope_nothing_is_seen_below_the_top_of_the_street_that_it_begins_on() {
     }
 }
 
-/// What is not drawn, or is seen through, hides nothing.
+/// A solid that is not drawn, or is seen through, hides nothing.
 #[test]
 fn platforms_that_are_not_seen_and_glass_hide_nothing_of_what_is_in_them() {
     let (mut simulator, street) = street(90);

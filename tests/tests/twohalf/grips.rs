@@ -1,4 +1,4 @@
-//! What hands hold is lost when it is out of reach, or when one of the two is there no more.
+//! Grips break when the load is out of reach, or when load or holder is there no more.
 
 use conformance::fixtures::depth::velocity;
 use twohalf::{Event, TwoHalfPhysicsSimulator, Vector2, Vector3};

@@ -11,7 +11,7 @@ const TOP: f32 = 40.0;
 /// px/s.
 const SPEEDS: [f32; 5] = [20.0, 60.0, 150.0, 300.0, 600.0];
 
-/// What a floor is made of.
+/// Material of a floor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Floor {
     Ground,

@@ -54,7 +54,7 @@ impl Facet {
         self.corners.iter().map(|corner| [corner.x, corner.z]).collect()
     }
 
-    /// What of it lies in the shadow of something above it, on the screen, and how high its middle is; nothing if nothing does.
+    /// The part of it in the shadow of something above it, on the screen, and the height of its middle, px; `None` without shadow.
     pub(super) fn shaded_by(
         &self,
         above: &Facet,

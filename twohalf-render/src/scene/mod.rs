@@ -76,7 +76,7 @@ struct Shift {
     yaw: f32,
 }
 
-/// What is drawn at once: a part of a thing by its place in the order, or water.
+/// An item that is drawn at once: a part of a thing by its place in the order, or water.
 #[derive(Clone, Copy)]
 enum Layer<'a> {
     Thing(usize, Part),

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::partner::Partner;
 use crate::Vector3;
 
-/// Something that holds a figure up, or back, without a contact.
+/// A support or wall of a figure without a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Footing {
     /// The figure.

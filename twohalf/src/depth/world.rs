@@ -28,7 +28,7 @@ pub struct World {
     pub(crate) paces: Vec<Pace>,
     /// Bodies of which it is told when they are crushed.
     pub(crate) crush_watches: Vec<CrushWatch>,
-    /// Of what holds figures that walk, what handlers are asked.
+    /// Supports of walking figures about which handlers are asked.
     pub(crate) footings: Footings,
     /// Holder and load of grips that have broken and nobody was told of yet.
     pub(crate) broken_grips: Vec<(BodyId, BodyId)>,

@@ -53,7 +53,7 @@ fn ask_about_footings(
     world.footings.asked = asked;
 }
 
-/// Who touches what, as both sides see it, sorted.
+/// Touching geoms and their partners, as both sides see them, sorted.
 fn sides_of(found: &[(usize, SpaceTouch)]) -> Vec<(GeomId, Partner)> {
     let mut sides = Vec::with_capacity(2 * found.len());
     for (_, touch) in found {

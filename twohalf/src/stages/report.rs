@@ -82,7 +82,7 @@ impl Report {
         self.counters = StepCounters::default();
     }
 
-    /// What was refused, and which grips have broken, between updates.
+    /// Refusals, and grips that have broken, between updates.
     pub(super) fn tell_refused(&mut self, world: &mut World) {
         let broken = world.broken_grips.drain(..);
         self.events.extend(broken.map(|(holder, load)| Event::GripBroke { holder, load }));

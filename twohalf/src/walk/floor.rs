@@ -60,7 +60,7 @@ pub(super) struct Reach<'a> {
     pub(super) highest: f32,
     pub(super) least_up: f32,
     pub(super) but: Option<Partner>,
-    /// What a handler has refused holds nothing.
+    /// Partners that a handler has refused hold nothing.
     pub(super) refused: &'a [Partner],
     /// An edge that is no higher than this holds a round end, however far that is past it.
     pub(super) edges: f32,

@@ -17,15 +17,15 @@ pub(crate) struct Near {
     pub(super) tops: Vec<Top>,
     /// What touches it, or is about to.
     pub(super) touches: Vec<SpaceTouch>,
-    /// What a handler has refused to let it touch.
+    /// Partners that a handler has refused.
     pub(super) refused: Vec<Partner>,
-    /// What holds it in this step: the handler is to be asked about that.
+    /// Supports of this step, to be asked about.
     pub(super) held_by: Vec<Footing>,
     places: Vec<(u128, u32)>,
 }
 
 impl TwoHalfPhysicsSimulator {
-    /// What is near a body, and what is around its feet between two heights, Y up in px; of tops those within the depths of
+    /// Geoms near a body, and those around its feet between two heights, Y up in px; of tops those within the depths of
     /// `around`.
     pub(super) fn gather_near(
         &self,

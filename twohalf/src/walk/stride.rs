@@ -43,7 +43,7 @@ const HOLDS: f32 = 0.5;
 pub(super) struct Stride<'a> {
     pub(super) body: BodyId,
     pub(super) near: &'a Near,
-    /// What holds it in this step.
+    /// Its supports in this step.
     held_by: &'a RefCell<Vec<Footing>>,
     pub(super) geom: GeomId,
     pub(super) feet: Feet,

@@ -27,7 +27,7 @@ pub enum Crowd {
 /// How a random scene is made.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Variant {
-    /// Who collides.
+    /// The collisions of the scene.
     pub crowd: Crowd,
     /// The greatest mass by the least: 1 or more.
     pub mass_ratio: f32,

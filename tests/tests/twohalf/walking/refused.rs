@@ -1,4 +1,4 @@
-//! What a handler refuses to let a figure touch holds it neither up nor back.
+//! Partners that a handler refuses hold a walking figure neither up nor back.
 
 use super::*;
 use conformance::fixtures::depth::geom_of;

@@ -6,7 +6,7 @@ use conformance::fixtures::depth::fix;
 /// Steps of a flight of stairs.
 const STEPS: usize = 6;
 
-/// What stairs are made of.
+/// Material of stairs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Made {
     Platforms,
