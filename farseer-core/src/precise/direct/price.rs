@@ -42,7 +42,9 @@ impl Precise {
         wear.is_hot = steps > 0;
         wear.was_solved |= !whole.is_left;
         let cost = cost_in_updates(whole, steps) + if is_solved { 0.0 } else { UNSOLVED };
-        let budget = (f64::from(wear.budget) + INCOME - cost).min(0.0);
+        let budget = f64::from(wear.budget) + INCOME - cost;
+        // No negative zero is saved.
+        let budget = if budget < 0.0 { budget } else { 0.0 };
         let is_overdrawn = budget < -OVERDRAFT;
         wear.budget = if is_overdrawn { -0.5 * OVERDRAFT } else { budget } as f32;
         if (is_overdrawn || whole.is_left) && timing.choice != IslandChoice::Whole {

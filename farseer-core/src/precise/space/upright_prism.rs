@@ -75,7 +75,10 @@ impl<'s, 'a> Extruded<'s, 'a> {
     fn roof(&self, up: f32) -> [f32; 2] {
         let faces = self.edges().filter(|(.., out)| up * out[1] > LEAST_UP_OF_SLOPE);
         let ends = faces.flat_map(|(_, ends, _)| ends.map(|[x, _]| x));
-        let [least, most] = ends.fold([f32::MAX, f32::MIN], |[least, most], x| [least.min(x), most.max(x)]);
+        // Of two zeros of different sign processors choose differently by `min` and `max`.
+        let [least, most] = ends.fold([f32::MAX, f32::MIN], |[least, most], x| {
+            [if x < least { x } else { least }, if x > most { x } else { most }]
+        });
         if self.radius() > 0.0 || least > most { self.extent(0) } else { [least, most] }
     }
 
