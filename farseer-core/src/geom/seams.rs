@@ -26,10 +26,10 @@ impl Seam {
 }
 
 /// The unit normal of an edge on the side from which the corners of an outline of positive area go round clockwise on a
-/// screen with y down: its outside. Double precision, so that edges of any length have one.
+/// screen with y down: its outside. In `f64` the squared length of no edge of `f32` numbers overflows or underflows.
 pub(crate) fn normal([ax, ay]: Vector, [bx, by]: Vector) -> Vector {
     let (x, y) = (f64::from(bx) - f64::from(ax), f64::from(by) - f64::from(ay));
-    let length = x.hypot(y);
+    let length = (x * x + y * y).sqrt();
     [(y / length) as f32, (-x / length) as f32]
 }
 

@@ -28,8 +28,9 @@ impl Fingerprint {
         self.0 = mixed ^ (mixed >> 31);
     }
 
+    /// Adds numbers. The two zeros count as one, since platforms choose between them differently in minima and maxima.
     fn add_numbers(&mut self, numbers: &[f32]) {
-        numbers.iter().for_each(|number| self.add(number.to_bits()));
+        numbers.iter().for_each(|number| self.add((number + 0.0).to_bits()));
     }
 
     /// Adds an outline: radius, box, corners, normals and seams. A circle has no corners; its centre is that of its box.

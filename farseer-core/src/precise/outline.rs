@@ -137,8 +137,10 @@ impl Corners {
         }
     }
 
-    /// A box about the body's origin, with these halves of its sides.
-    pub(super) fn add_box(&mut self, [x, y]: Vector) -> Shape {
+    /// A box about the body's origin, with these halves of its sides. Half of the smallest `f32` number rounds to 0; every
+    /// edge keeps a length, so that it has a normal.
+    pub(super) fn add_box(&mut self, half: Vector) -> Shape {
+        let [x, y] = half.map(|half| if half > 0.0 { half } else { f32::MIN_POSITIVE });
         self.add_polygon(vec![[-x, -y], [x, -y], [x, y], [-x, y]])
     }
 
@@ -147,10 +149,10 @@ impl Corners {
         Shape { radius, reach: radius, ..Shape::default() }
     }
 
-    /// A box anywhere, with these halves of its sides.
+    /// A box anywhere, with these halves of its sides. Far from the body's origin small ones lose corners.
     pub(super) fn add_box_at(&mut self, [x, y]: Vector, [half_x, half_y]: Vector) -> Shape {
         let corners = [[-half_x, -half_y], [half_x, -half_y], [half_x, half_y], [-half_x, half_y]];
-        self.add_polygon(corners.map(|[dx, dy]| [x + dx, y + dy]).to_vec())
+        self.add_polygon(simplified(corners.map(|[dx, dy]| [x + dx, y + dy]).to_vec()))
     }
 
     /// A convex polygon about the body's origin.
@@ -219,11 +221,13 @@ impl Corners {
     }
 }
 
-/// The outward normal of an edge.
+/// The outward unit normal of an edge. Edges of which the squared length leaves the range of normal `f32` numbers are
+/// normalised in `f64`.
 fn normal(start: Vector, end: Vector) -> Vector {
     let edge = difference(end, start);
-    let length = length(edge);
-    if length.is_finite() { [edge[1] / length, -edge[0] / length] } else { seams::normal(start, end) }
+    let squared = dot(edge, edge);
+    let length = squared.sqrt();
+    if squared.is_normal() { [edge[1] / length, -edge[0] / length] } else { seams::normal(start, end) }
 }
 
 #[cfg(test)]
@@ -232,8 +236,10 @@ mod tests {
 
     #[test]
     fn edges_of_any_length_have_a_normal() {
-        let corners = [[-4e30, 12.0], [f32::MAX, 1e-6], [1e31, -12.0], [f32::MIN, 0.0], [3.0, 4.0]];
-        for (at, start) in corners.into_iter().enumerate() {
+        let long = [[-4e30, 12.0], [f32::MAX, 1e-6], [1e31, -12.0], [f32::MIN, 0.0], [3.0, 4.0]];
+        let short = [[5e-31, -3.0], [-5e-31, -3.0], [1e-44, 1e-20], [1e-44, 0.0], [0.0, 1e-45]];
+        let corners: Vec<_> = long.into_iter().chain(short).collect();
+        for (at, &start) in corners.iter().enumerate() {
             let normal = normal(start, corners[(at + 1) % corners.len()]);
             assert!((length(normal) - 1.0).abs() < 1e-6, "{start:?}: {normal:?}");
         }
