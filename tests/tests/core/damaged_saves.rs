@@ -172,7 +172,7 @@ fn truncated_text_is_refused() {
 
 #[test]
 fn saves_with_small_numbers_in_wrong_places_are_refused_or_run() {
-    some_are_refused(replace_numbers_by(&[0.into(), 1.into(), (-1).into(), 7.into()], 2));
+    some_are_refused(replace_numbers_by(&[0.into(), 1.into(), (-1).into(), 7.into()], 1));
 }
 
 #[test]
@@ -193,14 +193,14 @@ fn saves_with_the_largest_integers_are_refused_or_run() {
 
 #[test]
 fn saves_with_extreme_floats_are_refused_or_run() {
-    some_are_refused(replace_numbers_by(&[1e38.into(), (-3.4e38).into(), 1e-44.into(), 0.3.into()], 2));
+    some_are_refused(replace_numbers_by(&[1e38.into(), (-3.4e38).into(), 1e-44.into(), 0.3.into()], 1));
 }
 
 /// Derived numbers are saved as bit patterns: these are infinity, NaN and the largest float.
 #[test]
 fn saves_with_bit_patterns_of_infinity_and_nan_are_refused_or_run() {
     let patterns = [f32::INFINITY, f32::NEG_INFINITY, f32::NAN, f32::MAX].map(|x| x.to_bits().into());
-    some_are_refused(replace_numbers_by(&patterns, 2));
+    some_are_refused(replace_numbers_by(&patterns, 1));
 }
 
 #[test]
@@ -218,7 +218,7 @@ fn saves_with_numbers_exchanged_are_refused_or_run() {
         let save = busy_save(methods);
         let mut paths = Vec::new();
         numbers(&save, &mut Vec::new(), &mut paths);
-        for pair in paths.windows(2).step_by(paths.len() / 300) {
+        for pair in paths.windows(2).step_by(paths.len() / 120) {
             let mut damaged = save.clone();
             let (a, b) = (save.pointer(&pair[0]).unwrap(), save.pointer(&pair[1]).unwrap());
             *damaged.pointer_mut(&pair[0]).unwrap() = b.clone();
@@ -249,7 +249,7 @@ fn saves_with_lists_of_wrong_length_are_refused_or_run() {
         let save = busy_save(methods);
         let mut paths = Vec::new();
         lists(&save, String::new(), &mut paths);
-        for path in sample(&paths, 3) {
+        for path in sample(&paths, 2) {
             for lengthen in [false, true] {
                 let mut damaged = save.clone();
                 let list = damaged.pointer_mut(path).unwrap().as_array_mut().unwrap();

@@ -186,6 +186,6 @@ fn stages_in_any_order_leave_every_number_finite() {
 }
 
 /// Games of each property.
-const CALM: u64 = 12;
-const PLANE: u64 = 60;
-const DEPTH: u64 = 60;
+const CALM: u64 = 6;
+const PLANE: u64 = 30;
+const DEPTH: u64 = 25;
