@@ -305,12 +305,13 @@ impl Precise {
         (frozen.count, frozen.lead) = (count as u32, 0.0);
         self.pairs.frozen[pair] = frozen;
         self.pairs.watched[pair].tolerance = 0;
-        let touch = self.touch();
-        let now = touch.lane_now(pair);
+        let now = self.touch().lane_now(pair);
+        let is_set = self.pairs.all[pair].is_set;
         let mut lane = Lane {
             points: now.points,
             tangent_arms: now.tangent_arms,
             tangent_mass: now.tangent_mass,
+            tangent_speed: if is_set { old.tangent_speed } else { now.tangent_speed },
             ..old
         };
         for (slot, &at) in order.iter().enumerate().take(count) {
@@ -318,7 +319,7 @@ impl Precise {
             lane.points[slot].separation = roll.after[at];
             lane.space.totals[slot] = old.space.totals[at];
         }
-        lane.space.across_arms = now.space.across_arms;
+        (lane.space.across_arms, lane.space.across_speed) = (now.space.across_arms, now.space.across_speed);
         self.rows.set_lane(kind, home, &lane);
     }
 }

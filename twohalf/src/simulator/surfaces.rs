@@ -165,6 +165,9 @@ fn surface_of(top: &Top, [x, z]: [f32; 2]) -> Option<Surface> {
     }
     let way = b - a;
     let height = -(a.y + way.y * ((x - a.x) / way.x));
-    let normal = Vector3::new(-way.y, -way.x, 0.0) / way.norm();
+    // In f64 the squared length of no edge of f32 numbers underflows.
+    let [along_x, along_y] = [way.x, way.y].map(f64::from);
+    let length = (along_x * along_x + along_y * along_y).sqrt();
+    let normal = Vector3::new((-along_y / length) as f32, (-along_x / length) as f32, 0.0);
     (height.is_finite() && normal.y > 0.0).then_some(Surface { partner, height, normal })
 }

@@ -40,7 +40,7 @@ impl<'a> Touch<'a> {
         }
         let Some(Impact { two: then, mut found, approach }) = self.impact(pair, two) else { return };
         found.keep_deepest(self.most_contacts);
-        if self.proxies.one_way > 0 && self.is_open(pair, two, &found) {
+        if found.count == 0 || (self.proxies.one_way > 0 && self.is_open(pair, two, &found)) {
             return;
         }
         self.looks.made += 1;
