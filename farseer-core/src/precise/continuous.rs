@@ -23,7 +23,7 @@ use super::space::parts::is_geom;
 use super::tuning::{Step, Tuning};
 use crate::geom::GeomId;
 use crate::math::plane::{difference, length, place, sum, turn};
-use crate::math::scalar;
+use crate::math::scalar::{self, nearest_finite};
 use crate::objects::Objects;
 use crate::storage::order::{joined, sort_by_number};
 
@@ -252,7 +252,7 @@ impl Precise {
         let [x, y, to_x, to_y] = self.proxies.tight(proxy as usize, &self.bodies, &self.tuning);
         let low = |from: f32, way: f32| from - turning + if way < 0.0 { way } else { 0.0 };
         let high = |from: f32, way: f32| from + turning + if way < 0.0 { 0.0 } else { way };
-        [low(x, dx), low(y, dy), high(to_x, dx), high(to_y, dy)]
+        [low(x, dx), low(y, dy), high(to_x, dx), high(to_y, dy)].map(nearest_finite)
     }
 
     /// Ends the ways of fast bodies at their times of impact. Returns whether a body moves on with what it has met: what it

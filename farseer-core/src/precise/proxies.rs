@@ -12,6 +12,7 @@ use crate::geom::GeomId;
 use crate::geom::entry::GeomEntry;
 use crate::geom::filter::CollisionFilter;
 use crate::math::plane::{Vector, rotation, turn};
+use crate::math::scalar::nearest_finite;
 use crate::storage::arena::Id;
 use crate::storage::order::joined;
 use crate::storage::reusing_clone::reusing_clone;
@@ -298,6 +299,7 @@ impl Proxies {
         let margin = widening.margin;
         let below = ahead.map(|way| if way < 0.0 { way - margin } else { -margin });
         let above = ahead.map(|way| if way > 0.0 { way + margin } else { margin });
-        [tight[0] + below[0], tight[1] + below[1], tight[2] + above[0], tight[3] + above[1]]
+        let bounds = [tight[0] + below[0], tight[1] + below[1], tight[2] + above[0], tight[3] + above[1]];
+        bounds.map(nearest_finite)
     }
 }

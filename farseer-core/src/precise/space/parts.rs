@@ -282,9 +282,10 @@ pub(in crate::precise) fn fixture_id(fixture: &Fixture) -> GeomId {
     GeomId::new(FIRST_FIXTURE - fixture.id, 0)
 }
 
-/// The name of a fixture among bodies, for one that falls asleep with them; and the fixture of such a name.
-pub(super) fn fixture_body(fixture: &Fixture) -> BodyId {
-    BodyId::new(FIRST_FIXTURE - fixture.id, 0)
+/// The name among bodies of the fixture with this id among geoms, for one that falls asleep with them; and the fixture of such
+/// a name.
+pub(super) fn fixture_body(fixture: GeomId) -> BodyId {
+    BodyId::new(fixture.slot() as u32, 0)
 }
 
 pub(super) fn fixture_of_body(body: BodyId) -> Option<u32> {

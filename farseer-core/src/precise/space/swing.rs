@@ -15,6 +15,7 @@ use super::parts::{self, FixtureSwing, Swings};
 use crate::body::BodyId;
 use crate::precise::Precise;
 use crate::precise::bodies::Bodies;
+use crate::precise::proxies::Mobility;
 use crate::precise::rows::Lane;
 use crate::precise::tuning::Step;
 
@@ -294,9 +295,15 @@ impl Precise {
         numbers.for_each(|number| palette.note_swing(number));
     }
 
-    /// What a body, or a fixture that sleeps as bodies do, is called in a save.
+    /// The id of a body in a save, or of a fixture that sleeps as bodies do. A fixture is known by its proxy: when fixtures have
+    /// come or gone, their list is the new one before anything is listed anew.
     pub(in crate::precise) fn name_of(&self, number: usize) -> Option<BodyId> {
-        let of_fixture = || self.space.as_ref()?.swinging_fixture(number).map(parts::fixture_body);
+        let of_fixture = || {
+            let mut proxies = self.proxies.of(number).map(|at| &self.proxies.all[at as usize]);
+            proxies
+                .find(|proxy| proxy.mobility == Mobility::Hinged)
+                .map(|proxy| parts::fixture_body(proxy.geom))
+        };
         self.bodies.ids[number].or_else(|| if Swings::ARE_THERE { of_fixture() } else { None })
     }
 
