@@ -203,19 +203,53 @@ pub(super) fn learn<const FIXED: bool, const P: usize, R: Contacts<P>>(
     }
 }
 
-/// Sums what the impulses of all rows do to the velocity of each body in a substep; on the way springs learn.
+/// A mask of four contacts, from masks by body number: all bits where either body has one.
+#[inline(always)]
+fn mask_of<const FIXED: bool, const P: usize>(row: &Row<P>, masks: &[u32]) -> f32x4 {
+    let of = |body: u32| masks[body as usize];
+    f32x4::new(std::array::from_fn(|lane| {
+        f32::from_bits(of(row.b[lane]) | if FIXED { 0 } else { of(row.a[lane]) })
+    }))
+}
+
+/// [`learn`] where some bodies have joints in the iterative solver: springs of their contacts forget what they have learnt. Joints
+/// cannot be stiffer than they are, and a contact that rests at its load would win against them.
+#[inline(never)]
+pub(super) fn learn_beside_joints<const FIXED: bool, const P: usize, R: Contacts<P>>(
+    contacts: &mut R,
+    sides: &Sides,
+    speed: f32x4,
+    learning: &Learning,
+    masks: &[u32],
+) {
+    let mask = mask_of::<FIXED, P>(contacts.row(), masks);
+    let kept = f32x4::splat(1.0 - learning.down);
+    let forgotten = contacts.row().points.map(|point| kept * point.held);
+    learn::<FIXED, P, R>(contacts, sides, speed, learning);
+    for (point, forgotten) in contacts.row_mut().points.iter_mut().zip(forgotten) {
+        point.held = select(mask, forgotten, point.held);
+    }
+}
+
+/// Sums what the impulses of all rows do to the velocity of each body in a substep; on the way springs learn. `masks` are those of
+/// bodies with joints in the iterative solver, if there are any.
 #[inline(always)]
 pub(super) fn gather_warm<const FIXED: bool, const P: usize>(
     rows: &mut Colours<Row<P>>,
     warm: &mut [[f32; 4]],
     hot: &[Hot],
     learning: &Learning,
+    masks: Option<&[u32]>,
 ) {
     rows.for_each(|row| {
         let sides = velocities::<FIXED, P>(row, hot);
         let slip = sides.along_tangent::<FIXED, P>(row)
             + sides.turning::<FIXED>(row.tangent_arm_a, row.tangent_arm_b);
-        learn::<FIXED, P, _>(row, &sides, magnitude(slip - row.tangent_speed), learning);
+        let speed = magnitude(slip - row.tangent_speed);
+        match masks {
+            None => learn::<FIXED, P, _>(row, &sides, speed, learning),
+            Some(masks) => learn_beside_joints::<FIXED, P, _>(row, &sides, speed, learning, masks),
+        }
         let sum = |of: fn(&Point) -> f32x4| {
             row.points[1..].iter().fold(of(&row.points[0]), |sum, point| sum + of(point))
         };
@@ -249,11 +283,39 @@ pub(super) fn solve_soft<const FIXED: bool, const P: usize, R: Contacts<P>>(
     softness: Softness,
     push: f32,
 ) {
+    let softness = softness.lanes();
+    solve_softly::<FIXED, P, R>(rows, hot, inverse_h, push, |_| softness);
+}
+
+/// [`solve_soft`] where bodies with these masks have joints in the iterative solver: their contacts have the second softness.
+#[inline(never)]
+pub(super) fn solve_soft_beside_joints<const FIXED: bool, const P: usize, R: Contacts<P>>(
+    rows: &mut Colours<R>,
+    hot: &mut [Hot],
+    inverse_h: f32,
+    softness: [Softness; 2],
+    push: f32,
+    masks: &[u32],
+) {
+    let [other, jointed] = softness.map(|softness| softness.lanes());
+    solve_softly::<FIXED, P, R>(rows, hot, inverse_h, push, |row| {
+        let mask = mask_of::<FIXED, P>(row, masks);
+        std::array::from_fn(|at| select(mask, jointed[at], other[at]))
+    });
+}
+
+#[inline(always)]
+fn solve_softly<const FIXED: bool, const P: usize, R: Contacts<P>>(
+    rows: &mut Colours<R>,
+    hot: &mut [Hot],
+    inverse_h: f32,
+    push: f32,
+    softness: impl Fn(&Row<P>) -> [f32x4; 3],
+) {
     let one = f32x4::splat(1.0);
-    let (inverse_h, rate) = (f32x4::splat(inverse_h), f32x4::splat(softness.bias * softness.mass));
-    let (mass, leak) = (f32x4::splat(softness.mass), f32x4::splat(softness.impulse));
-    let fastest = f32x4::splat(-push);
+    let (inverse_h, fastest) = (f32x4::splat(inverse_h), f32x4::splat(-push));
     rows.for_each(|contacts| {
+        let [rate, mass, leak] = softness(contacts.row());
         let mut sides = velocities::<FIXED, P>(contacts.row(), hot);
         let mut velocity = at_points::<FIXED, P, R>(contacts, &sides);
         let row = contacts.row_mut();

@@ -406,7 +406,8 @@ impl Precise {
             let is_carried = mobility == Mobility::Kinematic && self.bodies.moves(a);
             if is_carried || self.is_on_running_belt(b, &lane) {
                 limit(b, 0.0);
-            } else if lane.is_learning(learning) {
+            } else if lane.is_learning(learning) && !self.joints.is_soft(a) && !self.joints.is_soft(b) {
+                // Contacts of bodies with joints in the iterative solver learn no load.
                 limit(b, NEARLY * REST);
             }
         }

@@ -7,6 +7,7 @@ use super::bodies::{Bodies, Read, read};
 use super::moving::{begin_substep, displace, even_out, fly, follow, leave, renew_poses};
 use super::passes::{
     bounce, gather_warm, note_approach, note_push, relax, renew_circle, renew_circles, solve_soft,
+    solve_soft_beside_joints,
 };
 use super::touch::Looks;
 pub(crate) use super::tuning::Step;
@@ -314,10 +315,11 @@ impl Precise {
                 self.note_pushes();
             }
             self.joints.share_depth(&mut self.bodies);
+            self.joints.limit_speeds(&mut self.bodies);
             displace(&mut self.bodies, &self.sleep.bodies, step.h, substep == 0);
             self.turn_swings();
             self.lean_rolls(step);
-            self.joints.advance(&self.bodies, step.h);
+            self.joints.advance(&mut self.bodies, step.h);
             self.joints.relax(&mut self.bodies, step.h);
             self.relax(step);
             self.hold_swings(step.h);
@@ -366,17 +368,19 @@ impl Precise {
     }
 
     fn gather_warm(&mut self, step: &Step) {
+        self.joints.begin_passes(&self.bodies, step);
         let (warm, hot) = (&mut self.bodies.warm, &self.bodies.hot);
         self.sleep.bodies.iter().for_each(|run| warm[run.clone()].fill([0.0; 4]));
         if self.space.is_some() {
             self.gather_warm_in_space(step);
         } else {
-            gather_warm::<false, 2>(&mut self.rows.two, warm, hot, &step.learning);
-            gather_warm::<false, 1>(&mut self.rows.one, warm, hot, &step.learning);
-            gather_warm::<true, 2>(&mut self.rows.two_fixed, warm, hot, &step.learning);
-            gather_warm::<true, 1>(&mut self.rows.one_fixed, warm, hot, &step.learning);
+            let masks = self.joints.soft_bodies();
+            gather_warm::<false, 2>(&mut self.rows.two, warm, hot, &step.learning, masks);
+            gather_warm::<false, 1>(&mut self.rows.one, warm, hot, &step.learning, masks);
+            gather_warm::<true, 2>(&mut self.rows.two_fixed, warm, hot, &step.learning, masks);
+            gather_warm::<true, 1>(&mut self.rows.one_fixed, warm, hot, &step.learning, masks);
         }
-        self.joints.begin_passes(step.h);
+        self.joints.warm(&mut self.bodies);
     }
 
     fn solve_soft(&mut self, step: &Step) {
@@ -384,6 +388,15 @@ impl Precise {
             return self.solve_soft_in_space(step);
         }
         let (hot, inverse, push) = (&mut self.bodies.hot, 1.0 / step.h, self.tuning.push);
+        if let Some(masks) = self.joints.soft_bodies() {
+            let (soft, fixed) = (step.softness_beside_joints(false), step.softness_beside_joints(true));
+            let rows = &mut self.rows;
+            solve_soft_beside_joints::<false, 2, _>(&mut rows.two, hot, inverse, soft, push, masks);
+            solve_soft_beside_joints::<false, 1, _>(&mut rows.one, hot, inverse, soft, push, masks);
+            solve_soft_beside_joints::<true, 2, _>(&mut rows.two_fixed, hot, inverse, fixed, push, masks);
+            solve_soft_beside_joints::<true, 1, _>(&mut rows.one_fixed, hot, inverse, fixed, push, masks);
+            return;
+        }
         solve_soft::<false, 2, _>(&mut self.rows.two, hot, inverse, step.soft, push);
         solve_soft::<false, 1, _>(&mut self.rows.one, hot, inverse, step.soft, push);
         solve_soft::<true, 2, _>(&mut self.rows.two_fixed, hot, inverse, step.soft_fixed, push);

@@ -4,17 +4,23 @@
 //! whole. A group of bodies that joints tie together and nothing touches [swings](swing) by itself; one that touches
 //! something is solved in the passes of contacts. What is [hinged](hinged) swings in a way of its own.
 
+mod colours;
 mod depth;
 mod forest;
+mod frame;
+mod free_row;
 mod hinged;
 pub(super) mod hold;
 mod island_rows;
 mod loose;
 pub(super) mod read;
+mod soft_joint;
+mod soft_law;
+mod soft_step;
 mod swing;
 mod tree;
 
-use super::bodies::{Bodies, Hot};
+use super::bodies::Bodies;
 use super::direct::joint::JointRows;
 use super::tuning::Step;
 use crate::body::BodyId;
@@ -24,7 +30,8 @@ use depth::{SpatialGroup, Tied, spatial_groups};
 use forest::{Forest, Seat};
 use hinged::{Hinge, hinges_of};
 use hold::{End, Hold, Key};
-use loose::{GROUND, Keeps, Loose, Pass, Room, solve_group};
+use loose::{GROUND, Keeps, Loose, Room};
+use soft_step::SoftJoints;
 use tree::{Link, Node, dot};
 
 /// The joints of a step.
@@ -46,10 +53,12 @@ pub(super) struct Joints {
     /// And what hangs together by joints of which one keeps a distance.
     spatial: Vec<SpatialGroup>,
     room: Room,
+    /// The joints that the iterative solver has in this update.
+    soft: SoftJoints,
     unit: f64,
 }
 
-reusing_clone! { Joints { holds, is_read, may_break, groups, group_of, seat_of, tied, spatial, room, unit } }
+reusing_clone! { Joints { holds, is_read, may_break, groups, group_of, seat_of, tied, spatial, room, soft, unit } }
 
 /// Bodies that joints tie together.
 #[derive(Debug, Default)]
@@ -153,7 +162,7 @@ impl Joints {
 
     /// The bodies of groups that nothing touches, and into how many parts their step was divided.
     pub(super) fn swinging(&self, substeps: u32) -> impl Iterator<Item = (usize, u32)> + '_ {
-        let apart = self.groups.iter().filter(|group| group.is_apart && !group.is_solved);
+        let apart = self.groups.iter().filter(|group| group.swings());
         let in_plane = apart.flat_map(|group| group.bodies.iter().map(|&body| (body, group.parts)));
         let apart = self.spatial.iter().filter(|group| group.is_apart());
         let in_space = apart.flat_map(move |group| {
@@ -242,11 +251,13 @@ impl Joints {
             group.holds.iter().for_each(|&hold| self.group_of[hold as usize] = at as u32);
         }
         self.seat_of = seat_of;
+        self.soft.plan(&self.holds, &in_plane, bodies.first_fixed());
     }
 
     /// A step begins: joints go where their bodies are.
     fn begin(&mut self, bodies: &Bodies, objects: &Objects, unit: f32, is_touched: impl Fn(usize) -> bool) {
         self.unit = f64::from(unit);
+        self.soft.forget();
         let Joints { groups, holds, .. } = self;
         for group in groups {
             // A soft joint is not exact in any substep: it needs all of them.
@@ -263,7 +274,7 @@ impl Joints {
     pub(super) fn begin_trees(&mut self, bodies: &Bodies, step: &Step) {
         let times = [f64::from(step.dt), f64::from(step.h)];
         let Joints { groups, holds, unit, .. } = self;
-        for group in groups.iter_mut().filter(|group| !(group.is_solved || group.is_hinged())) {
+        for group in groups.iter_mut().filter(|group| group.swings() && !group.is_hinged()) {
             begin_nodes(&mut group.nodes, holds, bodies, times);
             group.loose.iter_mut().for_each(|loose| loose.begin(&holds[loose.hold as usize], times, *unit));
         }
@@ -299,7 +310,7 @@ impl Joints {
 
     /// Moves the groups that nothing touches, and that are not hinged, through all substeps.
     pub(super) fn swing(&mut self, bodies: &Bodies, step: &Step) {
-        let swinging = |group: &&mut Group| group.is_apart && !group.is_solved && !group.is_hinged();
+        let swinging = |group: &&mut Group| group.swings() && !group.is_hinged();
         for group in self.groups.iter_mut().filter(swinging) {
             swing::swing(group, &self.holds, &mut self.room, bodies, step, self.unit);
         }
@@ -316,48 +327,50 @@ impl Joints {
         self.tied.iter().for_each(|tied| tied.share_way(bodies, dt));
     }
 
-    /// The others get ready for the passes of a step.
-    pub(super) fn begin_passes(&mut self, h: f32) {
-        let mixed = self.groups.iter_mut().filter(|group| group.is_mixed());
-        mixed.for_each(|group| swing::stiffen(&mut group.nodes, f64::from(h)));
+    /// The joints of the iterative solver begin an update.
+    pub(super) fn begin_passes(&mut self, bodies: &Bodies, step: &Step) {
+        let Joints { soft, groups, group_of, holds, unit, .. } = self;
+        if groups.iter().any(Group::is_mixed) {
+            soft.begin(holds, |at| groups[group_of[at] as usize].is_mixed(), (bodies, step), *unit);
+        }
     }
 
-    /// A pass before bodies move: joints will hold where they are then.
+    /// What the joints of the iterative solver do to velocities acts at the beginning of each substep.
+    pub(super) fn warm(&self, bodies: &mut Bodies) {
+        self.soft.warm(bodies);
+    }
+
+    /// By body number a mask of all bits for bodies with joints in the iterative solver; `None` if there are none in this update.
+    pub(super) fn soft_bodies(&self) -> Option<&[u32]> {
+        (!self.soft.is_empty()).then(|| self.soft.masks())
+    }
+
+    /// Whether a body has joints that the iterative solver had in this update.
+    pub(super) fn is_soft(&self, body: usize) -> bool {
+        self.soft.masks().get(body).is_some_and(|&mask| mask != 0)
+    }
+
+    /// A pass before bodies move.
     pub(super) fn correct(&mut self, bodies: &mut Bodies, h: f32) {
-        let h = f64::from(h);
-        self.mixed_in_space().for_each(|(group, holds)| group.correct(holds, bodies, h));
-        for Group { nodes, loose, .. } in self.groups.iter_mut().filter(|group| group.is_mixed()) {
-            load(nodes, &bodies.hot);
-            swing::aim(nodes, h, self.unit);
-            solve_group(nodes, loose, &self.holds, &mut self.room, (h, Pass::Correct, 1.0));
-            nodes.iter_mut().for_each(Node::keep_impulse);
-            store(nodes, bodies);
-        }
+        self.mixed_in_space().for_each(|(group, holds)| group.correct(holds, bodies, h.into()));
+        self.soft.solve_soft(bodies, h);
+    }
+
+    /// No body with joints in the iterative solver moves faster than those may.
+    pub(super) fn limit_speeds(&self, bodies: &mut Bodies) {
+        self.soft.limit_speeds(bodies, self.unit as f32);
     }
 
     /// Bodies have moved.
-    pub(super) fn advance(&mut self, bodies: &Bodies, h: f32) {
-        let h = f64::from(h);
-        self.mixed_in_space().for_each(|(group, _)| group.advance(bodies, h));
-        for Group { nodes, loose, .. } in self.groups.iter_mut().filter(|group| group.is_mixed()) {
-            load(nodes, &bodies.hot);
-            swing::advance(nodes, h);
-            loose.iter_mut().for_each(|loose| loose.advance(nodes, h));
-        }
+    pub(super) fn advance(&mut self, bodies: &mut Bodies, h: f32) {
+        self.mixed_in_space().for_each(|(group, _)| group.advance(bodies, h.into()));
+        self.soft.advance(bodies);
     }
 
     /// A pass after bodies have moved: velocities as joints allow them.
     pub(super) fn relax(&mut self, bodies: &mut Bodies, h: f32) {
-        let h = f64::from(h);
-        self.mixed_in_space().for_each(|(group, holds)| group.relax(holds, bodies, h));
-        for Group { nodes, loose, .. } in self.groups.iter_mut().filter(|group| group.is_mixed()) {
-            load(nodes, &bodies.hot);
-            swing::rest(nodes);
-            solve_group(nodes, loose, &self.holds, &mut self.room, (h, Pass::Relax, 0.0));
-            nodes.iter_mut().for_each(Node::count_impulse);
-            loose.iter_mut().for_each(Loose::count_impulse);
-            store(nodes, bodies);
-        }
+        self.mixed_in_space().for_each(|(group, holds)| group.relax(holds, bodies, h.into()));
+        self.soft.relax(bodies, h);
     }
 
     /// Moves the hinged groups that nothing touches through all substeps; where all others that nothing touched have come to,
@@ -365,12 +378,13 @@ impl Joints {
     pub(super) fn finish(&mut self, bodies: &mut Bodies, step: &Step) {
         let (dt, per_second) = (f64::from(step.dt), 1.0 / f64::from(step.dt));
         self.spatial.iter().for_each(|group| group.finish(&mut self.holds, bodies, dt));
-        for group in self.groups.iter_mut().filter(|group| !group.is_solved) {
+        self.soft.finish(&mut self.holds, step.h);
+        for group in self.groups.iter_mut().filter(|group| group.swings()) {
             if group.is_hinged() {
                 group.parts = hinged::swing(&mut group.hinges, &mut self.holds, bodies, step, self.unit);
                 continue;
             }
-            for node in group.nodes.iter().filter(|node| node.body != 0 && group.is_apart) {
+            for node in group.nodes.iter().filter(|node| node.body != 0) {
                 let ([vx, vy, spin], [x, y, turned]) = (node.velocity, node.path);
                 // Along the depth axis nothing holds them.
                 let (velocity, path) =
@@ -393,12 +407,17 @@ impl Joints {
 impl Group {
     /// Whether it swings by its hinges in this step.
     fn is_hinged(&self) -> bool {
-        self.is_apart && !self.is_solved && !self.hinges.is_empty()
+        self.swings() && !self.hinges.is_empty()
     }
 
-    /// Whether it is solved in turns with contacts.
+    /// Whether it is a free articulation, which moves by itself in this step.
+    fn swings(&self) -> bool {
+        self.is_apart && !(self.is_solved || self.has_loop)
+    }
+
+    /// Whether the iterative solver has its joints in this step.
     fn is_mixed(&self) -> bool {
-        !(self.is_apart || self.is_solved)
+        !(self.is_solved || self.swings())
     }
 }
 
@@ -455,40 +474,11 @@ fn begin_nodes(nodes: &mut [Node], holds: &[Hold], bodies: &Bodies, times: [f64;
     }
 }
 
-/// Nodes move as their bodies do.
-fn load(nodes: &mut [Node], hot: &[Hot]) {
-    for node in nodes.iter_mut().filter(|node| node.body != 0) {
-        let [x, y, spin, _] = hot[node.body as usize].velocity.map(f64::from);
-        node.velocity = [x, y, spin];
-    }
-}
-
-/// Bodies move as their nodes do. What joints do to velocities acts once, and is not repeated in the next substep as the
-/// impulses of contacts are: it is found anew, with the arms as they are then.
-fn store(nodes: &[Node], bodies: &mut Bodies) {
-    for node in nodes.iter().filter(|node| node.body != 0) {
-        let (velocity, begun) =
-            (&mut bodies.hot[node.body as usize].velocity, &mut bodies.begun[node.body as usize]);
-        for i in 0..3 {
-            let now = node.velocity[i] as f32;
-            begun[i] += now - velocity[i];
-            velocity[i] = now;
-        }
-    }
-}
-
 impl Node {
     /// 1 for the second body of a joint, which its force is on, and -1 for the first.
     #[inline(always)]
     fn sign(&self) -> f64 {
         if self.is_first { -1.0 } else { 1.0 }
-    }
-
-    /// The impulse that was found moves bodies.
-    #[inline(always)]
-    fn keep_impulse(&mut self) {
-        self.kept_impulse = self.impulse;
-        self.count_impulse();
     }
 
     /// A step begins.

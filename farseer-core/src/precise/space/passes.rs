@@ -10,7 +10,9 @@ use wide::f32x4;
 use super::rows::SpaceRow;
 use crate::math::lanes::{greater, select, smaller};
 use crate::precise::bodies::Hot;
-use crate::precise::passes::{Relaxed, Sides, learn, relax_normals, torques, turning_of, velocities};
+use crate::precise::passes::{
+    Relaxed, Sides, learn, learn_beside_joints, relax_normals, torques, turning_of, velocities,
+};
 use crate::precise::rows::{Colours, Point, Row};
 use crate::precise::tuning::Learning;
 
@@ -198,14 +200,17 @@ pub(in crate::precise) fn gather_warm_in_space<const FIXED: bool, const P: usize
     warm: &mut [[f32; 4]],
     hot: &[Hot],
     spins: &mut [Spin],
-    learning: &Learning,
+    (learning, masks): (&Learning, Option<&[u32]>),
 ) {
     rows.for_each(|contacts| {
         let sides = velocities::<FIXED, P>(&contacts.row, hot);
         let [along, across] = slips::<FIXED, P>(contacts, &sides, spins);
         let slip = [along - contacts.row.tangent_speed, across - contacts.across_speed];
         let speed = (slip[0] * slip[0] + slip[1] * slip[1]).sqrt();
-        learn::<FIXED, P, _>(contacts, &sides, speed, learning);
+        match masks {
+            None => learn::<FIXED, P, _>(contacts, &sides, speed, learning),
+            Some(masks) => learn_beside_joints::<FIXED, P, _>(contacts, &sides, speed, learning, masks),
+        }
         contacts.totals = [ZERO; 4];
         let row = &contacts.row;
         let sum = |of: fn(&Point) -> f32x4| {

@@ -9,7 +9,7 @@ use crate::math::plane::length;
 use crate::precise::Precise;
 use crate::precise::bodies::Read;
 use crate::precise::moving::leave;
-use crate::precise::passes::{bounce, note_approach, note_push, solve_soft};
+use crate::precise::passes::{bounce, note_approach, note_push, solve_soft, solve_soft_beside_joints};
 use crate::precise::rows::SpaceRows;
 use crate::precise::tuning::Step;
 
@@ -135,15 +135,16 @@ impl Precise {
     }
 
     pub(in crate::precise) fn gather_warm_in_space(&mut self, step: &Step) {
-        let Precise { bodies, rows, space: Some(space), .. } = self else { return };
+        let Precise { bodies, rows, joints, space: Some(space), .. } = self else { return };
+        let masks = joints.soft_bodies();
         let (warm, hot) = (&mut bodies.warm, &bodies.hot);
         let (spins, learning) = (&mut space.spins[..], &step.learning);
         spins.iter_mut().for_each(|spin| spin.warm = [0.0; 4]);
         let SpaceRows { prisms, balls, prisms_fixed, balls_fixed } = &mut rows.space;
-        gather_warm_in_space::<false, 2>(prisms, warm, hot, spins, learning);
-        gather_warm_in_space::<false, 1>(balls, warm, hot, spins, learning);
-        gather_warm_in_space::<true, 2>(prisms_fixed, warm, hot, spins, learning);
-        gather_warm_in_space::<true, 1>(balls_fixed, warm, hot, spins, learning);
+        gather_warm_in_space::<false, 2>(prisms, warm, hot, spins, (learning, masks));
+        gather_warm_in_space::<false, 1>(balls, warm, hot, spins, (learning, masks));
+        gather_warm_in_space::<true, 2>(prisms_fixed, warm, hot, spins, (learning, masks));
+        gather_warm_in_space::<true, 1>(balls_fixed, warm, hot, spins, (learning, masks));
     }
 
     /// A substep begins for what turns about all axes.
@@ -156,6 +157,14 @@ impl Precise {
     pub(in crate::precise) fn solve_soft_in_space(&mut self, step: &Step) {
         let (hot, inverse, push) = (&mut self.bodies.hot, 1.0 / step.h, self.tuning.push);
         let SpaceRows { prisms, balls, prisms_fixed, balls_fixed } = &mut self.rows.space;
+        if let Some(masks) = self.joints.soft_bodies() {
+            let (soft, fixed) = (step.softness_beside_joints(false), step.softness_beside_joints(true));
+            solve_soft_beside_joints::<false, 2, _>(prisms, hot, inverse, soft, push, masks);
+            solve_soft_beside_joints::<false, 1, _>(balls, hot, inverse, soft, push, masks);
+            solve_soft_beside_joints::<true, 2, _>(prisms_fixed, hot, inverse, fixed, push, masks);
+            solve_soft_beside_joints::<true, 1, _>(balls_fixed, hot, inverse, fixed, push, masks);
+            return;
+        }
         solve_soft::<false, 2, _>(prisms, hot, inverse, step.soft, push);
         solve_soft::<false, 1, _>(balls, hot, inverse, step.soft, push);
         solve_soft::<true, 2, _>(prisms_fixed, hot, inverse, step.soft_fixed, push);

@@ -1,0 +1,296 @@
+//! A joint of the iterative solver in the substeps of an update: the rows that it keeps as one block, and its
+//! [free row](super::free_row).
+//!
+//! Impulses are those of a substep, on the second body, by the rows of [`Frame::jacobian`](super::frame::Frame::jacobian).
+
+use super::super::bodies::{Bodies, Hot};
+use super::super::direct::block::Triple;
+use super::super::direct::constraint::{Jacobian, Set};
+use super::super::direct::joint::ANGLE;
+use super::frame::{ACROSS, ALONG, Frame};
+use super::free_row::FreeRow;
+use super::hold::Hold;
+use super::soft_law::{Law, inverse_of, times, within};
+use super::tree::Link;
+
+/// A joint that another solver solved exactly hands over any impulse, of which a soft row loses a part in its first pass. This speed
+/// in units of length per second, and this many times the speed with which the row closes its error, are the most that is lost.
+/// Rows of the iterative solver at rest lose as much as they close.
+const LEAST_LOST: f64 = 0.25;
+const LOST_OF_CLOSED: f64 = 4.0;
+
+/// Length in units of length that a turn by one radian counts as where speeds are compared: an arm inside of a body.
+const LEVER: f64 = 0.3;
+
+/// What all joints of a pass share.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pass {
+    pub(super) law: Law,
+    /// Seconds of the substep.
+    pub(super) h: f64,
+}
+
+/// The joint.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct SoftJoint {
+    /// Index of the joint in the list of joints.
+    pub(super) hold: u32,
+    /// Indices into [`Bodies::hot`]: 0 for what has no velocity.
+    bodies: [u32; 2],
+    /// Reciprocals of mass and moment of inertia; 0 for what is fixed.
+    inverses: [[f64; 2]; 2],
+    frame: Frame,
+    jacobian: Jacobian,
+    /// The kept rows, their effective mass as a block, position errors (length units, radians) and impulses.
+    kept: Set,
+    mass: [Triple; 3],
+    errors: Triple,
+    impulses: Triple,
+    /// The distance or angle that is kept.
+    target: f64,
+    /// Greatest impulse: of a point or distance, or of the angle of what keeps more than that.
+    most: f64,
+    /// The law of a joint that its user made soft.
+    softness: Option<Law>,
+    free: Option<FreeRow>,
+}
+
+impl SoftJoint {
+    /// The joint at the beginning of an update.
+    pub(super) fn new(at: u32, hold: &Hold, bodies: &Bodies, times: [f64; 2]) -> Self {
+        let frame = Frame::of(hold);
+        let jacobian = frame.jacobian();
+        let [nx, ny] = jacobian.normal;
+        let [x, y, torque] = hold.force.map(|force| f64::from(force) * times[1]);
+        let impulses = [x * nx + y * ny, torque, x * ny - y * nx];
+        let kept = kept_rows(hold);
+        let keeps = |row: usize| kept >> row & 1 == 1;
+        let is_listed = |pose: u32| (pose as usize) < bodies.hot.len();
+        let mut joint = SoftJoint {
+            hold: at,
+            bodies: [0, 1].map(|side| hold.ends[side].pose).map(|pose| if is_listed(pose) { pose } else { 0 }),
+            inverses: [0, 1].map(|side| match hold.ends[side].body {
+                0 => [0.0; 2],
+                body => bodies.inverses[body as usize].map(f64::from),
+            }),
+            frame,
+            jacobian,
+            kept,
+            mass: [[0.0; 3]; 3],
+            errors: [0.0; 3],
+            impulses: std::array::from_fn(|row| if keeps(row) { impulses[row] } else { 0.0 }),
+            target: hold.range[0],
+            most: if hold.most < f64::from(f32::MAX) { hold.most } else { f64::INFINITY },
+            softness: Law::of_softness(hold, times),
+            free: FreeRow::of(hold, impulses, times[1]),
+        };
+        joint.place();
+        joint
+    }
+
+    /// Jacobian, errors and effective masses follow the frame.
+    fn place(&mut self) {
+        self.jacobian = self.frame.jacobian();
+        self.errors = self.find_errors();
+        let mut matrix = self.matrix();
+        if let Some(free) = &mut self.free {
+            free.follow(&self.frame, matrix[free.row][free.row]);
+        }
+        if let Some(law) = &self.softness {
+            (0..3).for_each(|row| matrix[row][row] += law.compliance);
+        }
+        self.mass = inverse_of(&matrix, self.kept);
+    }
+
+    /// K = J M^-1 J^T of all three rows.
+    fn matrix(&self) -> [Triple; 3] {
+        let ([[mass_a, inertia_a], [mass_b, inertia_b]], Jacobian { a, b, .. }) = (self.inverses, self.jacobian);
+        std::array::from_fn(|i| {
+            std::array::from_fn(|j| {
+                let linear = if i == j && i != ANGLE { mass_a + mass_b } else { 0.0 };
+                linear + inertia_a * a[i] * a[j] + inertia_b * b[i] * b[j]
+            })
+        })
+    }
+
+    fn find_errors(&self) -> Triple {
+        let (gap, [nx, ny]) = (self.frame.gap(), self.jacobian.normal);
+        let linear = match self.frame.link {
+            Link::Distance => [self.frame.distance() - self.target, 0.0],
+            _ => [gap[0] * nx + gap[1] * ny, gap[0] * ny - gap[1] * nx],
+        };
+        [linear[0], self.frame.angle - self.target, linear[1]]
+    }
+
+    /// Changes of velocity of both bodies by impulses of all rows.
+    #[inline(always)]
+    fn yields(&self, impulses: Triple) -> [Triple; 2] {
+        let [a, b] = self.jacobian.push(impulses);
+        let [[mass_a, inertia_a], [mass_b, inertia_b]] = self.inverses;
+        [
+            [mass_a * a[0], mass_a * a[1], inertia_a * a[2]],
+            [mass_b * b[0], mass_b * b[1], inertia_b * b[2]],
+        ]
+    }
+
+    /// Impulses of all rows, with those of motor and limits.
+    fn all_impulses(&self) -> Triple {
+        let mut impulses = self.impulses;
+        if let Some(free) = &self.free {
+            impulses[free.row] += free.impulse();
+        }
+        impulses
+    }
+
+    /// Impulses of a joint that another solver had are cut to what soft rows can take over: see [`LEAST_LOST`].
+    pub(super) fn soften(&mut self, law: &Law, unit: f64) {
+        if self.softness.is_some() {
+            return;
+        }
+        let [a, b] = self.yields(self.impulses);
+        let lost = self.jacobian.relative(a, b).map(|speed| law.leak * speed);
+        let closed = self.errors.map(|error| LOST_OF_CLOSED * law.mass * law.bias * error);
+        let has = |row: usize| f64::from(self.kept >> row & 1);
+        let size = |[along, angle, across]: Triple| {
+            let linear = has(ALONG) * along * along + has(ACROSS) * across * across;
+            [linear.sqrt(), has(ANGLE) * angle.abs() * LEVER * unit]
+        };
+        let (lost, closed) = (size(lost), size(closed));
+        for (rows, kind) in [([ALONG, ACROSS], 0), ([ANGLE; 2], 1)] {
+            let most = LEAST_LOST * unit + closed[kind];
+            if lost[kind] > most {
+                let part = most / lost[kind];
+                let [one, other] = rows;
+                self.impulses[one] *= part;
+                if other != one {
+                    self.impulses[other] *= part;
+                }
+            }
+        }
+    }
+
+    /// The impulses so far are to act at the beginning of every substep.
+    pub(super) fn warm(&self, warm: &mut [[f32; 4]]) {
+        for (side, change) in self.yields(self.all_impulses()).into_iter().enumerate() {
+            if self.inverses[side] != [0.0; 2] {
+                let sum = &mut warm[self.bodies[side] as usize];
+                (0..3).for_each(|i| sum[i] += change[i] as f32);
+            }
+        }
+    }
+
+    /// One pass over its rows: motor, limits, kept rows.
+    pub(super) fn solve(&mut self, hot: &mut [Hot], pass: &Pass) {
+        let mut velocities = self.bodies.map(|body| {
+            let [x, y, spin, _] = hot[body as usize].velocity.map(f64::from);
+            [x, y, spin]
+        });
+        let law = self.softness.unwrap_or(pass.law);
+        if let Some(mut free) = self.free {
+            let speed = self.jacobian.relative(velocities[0], velocities[1])[free.row];
+            let mut change = [0.0; 3];
+            change[free.row] = free.solve(speed, (&law, pass.h));
+            self.free = Some(free);
+            self.push(&mut velocities, change);
+        }
+        if self.kept != 0 {
+            self.solve_kept(&mut velocities, &law);
+        }
+        for (side, [x, y, spin]) in velocities.into_iter().enumerate() {
+            if self.inverses[side] != [0.0; 2] {
+                let velocity = &mut hot[self.bodies[side] as usize].velocity;
+                (velocity[0], velocity[1], velocity[2]) = (x as f32, y as f32, spin as f32);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn push(&self, velocities: &mut [Triple; 2], impulses: Triple) {
+        for (velocity, change) in velocities.iter_mut().zip(self.yields(impulses)) {
+            (0..3).for_each(|i| velocity[i] += change[i]);
+        }
+    }
+
+    /// The kept rows as one block.
+    #[inline(always)]
+    fn solve_kept(&mut self, velocities: &mut [Triple; 2], law: &Law) {
+        let speeds = self.jacobian.relative(velocities[0], velocities[1]);
+        let missing: Triple = std::array::from_fn(|row| {
+            speeds[row] + law.bias * self.errors[row] + law.compliance * self.impulses[row]
+        });
+        let found = times(&self.mass, missing);
+        let mut next: Triple = std::array::from_fn(|row| law.next(self.impulses[row], found[row]));
+        if self.most < f64::INFINITY {
+            next = self.bounded(next, missing, law);
+        }
+        let change = std::array::from_fn(|row| next[row] - self.impulses[row]);
+        self.impulses = next;
+        self.push(velocities, change);
+    }
+
+    /// Impulses within the greatest one: of a point as a length; of the angle of what keeps a point or line, too, with which that
+    /// is solved again.
+    #[cold]
+    fn bounded(&self, mut next: Triple, missing: Triple, law: &Law) -> Triple {
+        let most = self.most;
+        match self.frame.link {
+            Link::Point => {
+                let size = (next[ALONG] * next[ALONG] + next[ACROSS] * next[ACROSS]).sqrt();
+                let part = if size > most { most / size } else { 1.0 };
+                next.map(|impulse| part * impulse)
+            }
+            Link::Weld | Link::Line if next[ANGLE].abs() > most => {
+                next[ANGLE] = within(next[ANGLE], most);
+                let (matrix, change) = (self.matrix(), next[ANGLE] - self.impulses[ANGLE]);
+                let missing = std::array::from_fn(|row| missing[row] + matrix[row][ANGLE] * change);
+                let found = times(&inverse_of(&matrix, self.kept & !(1 << ANGLE)), missing);
+                for row in [ALONG, ACROSS] {
+                    next[row] = law.next(self.impulses[row], found[row]);
+                }
+                next
+            }
+            Link::Weld | Link::Line => next,
+            _ => next.map(|impulse| within(impulse, most)),
+        }
+    }
+
+    /// Bodies have moved. What acts again at the beginning of the next substep gets the arms and directions of that: left as they
+    /// were, they would gain energy where bodies turn.
+    pub(super) fn advance(&mut self, bodies: &mut Bodies) {
+        let impulses = self.all_impulses();
+        let before = self.yields(impulses);
+        let steps = self.bodies.map(|body| {
+            let [x, y, turned, _] = bodies.hot[body as usize].step.map(f64::from);
+            [x, y, turned]
+        });
+        self.frame = self.frame.displaced(steps);
+        self.place();
+        let after = self.yields(impulses);
+        for side in 0..2 {
+            if self.inverses[side] != [0.0; 2] {
+                let begun = &mut bodies.begun[self.bodies[side] as usize];
+                (0..3).for_each(|i| begun[i] -= (after[side][i] - before[side][i]) as f32);
+            }
+        }
+    }
+
+    /// Force and torque on the second body in the last substep of `h` seconds.
+    pub(super) fn force(&self, h: f64) -> [f32; 3] {
+        let ([nx, ny], [along, angle, across]) = (self.jacobian.normal, self.all_impulses());
+        let (x, y) = (along * nx + across * ny, along * ny - across * nx);
+        [x, y, angle].map(|impulse| (impulse / h) as f32 + 0.0)
+    }
+}
+
+/// The rows that a joint keeps.
+fn kept_rows(hold: &Hold) -> Set {
+    let has_range = hold.range[0] < hold.range[1];
+    match hold.link {
+        Link::Point => 1 << ALONG | 1 << ACROSS,
+        Link::Weld => 1 << ALONG | 1 << ANGLE | 1 << ACROSS,
+        Link::Line => 1 << ALONG | 1 << ANGLE,
+        Link::Distance if !has_range => 1 << ALONG,
+        Link::Angle if !has_range => 1 << ANGLE,
+        _ => 0,
+    }
+}

@@ -1,0 +1,134 @@
+//! Joints in the passes of the iterative solver: soft constraints beside the contacts (E. Catto, "Solver2D", 2024; Box2D 3).
+//!
+//! In every substep all joints are solved before all contacts: softly before bodies move, and hard after that. What the impulses of
+//! joints do is summed with that of contacts, and acts at once at the beginning of the substep: a warm start that goes joint by joint,
+//! between the solutions, leaves two to ten times as much error. Joints learn no load, as contacts do: their anchors hardly move against
+//! each other however they swing, so that nothing tells when to learn.
+//!
+//! All of it is made anew in every update from what is saved of joints and bodies.
+
+use super::super::bodies::Bodies;
+use super::super::tuning::Step;
+use super::colours::sort_by_colour;
+use super::hold::Hold;
+use super::soft_joint::{Pass, SoftJoint};
+use super::soft_law::Law;
+use crate::storage::reusing_clone::reusing_clone;
+
+/// Greatest speed of bodies with joints in the iterative solver, in units of length per second: Box2D's `B2_HUGE`-independent limit of
+/// 4 m per substep of 1/100 s (`b2_maxTranslation` of Box2D 2.4, `maximumLinearSpeed` of Box2D 3: 400 m/s).
+const GREATEST_SPEED: f32 = 400.0;
+
+/// The joints of the iterative solver.
+#[derive(Debug, Default)]
+pub(super) struct SoftJoints {
+    /// All joints in the plane, by their places in the list, in the order of their colours.
+    order: Vec<u32>,
+    /// Those of this update.
+    joints: Vec<SoftJoint>,
+    /// Their dynamic bodies; and by body number whether it is one of them, as a mask of all bits.
+    bodies: Vec<u32>,
+    masks: Vec<u32>,
+}
+
+reusing_clone! { SoftJoints { order, joints, bodies, masks } }
+
+impl SoftJoints {
+    /// Plans the order of these joints, given by their places in the list.
+    pub(super) fn plan(&mut self, holds: &[Hold], in_plane: &[u32], bodies: usize) {
+        self.forget();
+        self.order.clear();
+        self.order.extend(in_plane);
+        sort_by_colour(holds, &mut self.order, bodies);
+        self.masks.clear();
+        self.masks.resize(bodies, 0);
+    }
+
+    /// No joint is solved in this update, unless more is told.
+    pub(super) fn forget(&mut self) {
+        self.joints.clear();
+        self.bodies.drain(..).for_each(|body| self.masks[body as usize] = 0);
+    }
+
+    /// An update begins, in which these joints are solved.
+    pub(super) fn begin(
+        &mut self,
+        holds: &[Hold],
+        is_in: impl Fn(usize) -> bool,
+        (bodies, step): (&Bodies, &Step),
+        unit: f64,
+    ) {
+        self.forget();
+        let (times, law) = ([step.dt, step.h].map(f64::from), Law::soft(step.h.into()));
+        for &at in self.order.iter().filter(|&&at| is_in(at as usize)) {
+            let hold = &holds[at as usize];
+            let mut joint = SoftJoint::new(at, hold, bodies, times);
+            joint.soften(&law, unit);
+            self.joints.push(joint);
+            for body in hold.ends.map(|end| end.body).into_iter().filter(|&body| body != 0) {
+                if std::mem::replace(&mut self.masks[body as usize], !0) == 0 {
+                    self.bodies.push(body);
+                }
+            }
+        }
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.joints.is_empty()
+    }
+
+    /// By body number a mask of all bits for bodies with joints in the iterative solver.
+    pub(super) fn masks(&self) -> &[u32] {
+        &self.masks
+    }
+
+    /// Adds what impulses do to velocities in a substep.
+    pub(super) fn warm(&self, bodies: &mut Bodies) {
+        self.joints.iter().for_each(|joint| joint.warm(&mut bodies.warm));
+    }
+
+    /// The pass before bodies move.
+    pub(super) fn solve_soft(&mut self, bodies: &mut Bodies, h: f32) {
+        let h = f64::from(h);
+        self.solve(bodies, &Pass { law: Law::soft(h), h });
+    }
+
+    /// The pass after bodies have moved.
+    pub(super) fn relax(&mut self, bodies: &mut Bodies, h: f32) {
+        self.solve(bodies, &Pass { law: Law::HARD, h: h.into() });
+    }
+
+    fn solve(&mut self, bodies: &mut Bodies, pass: &Pass) {
+        self.joints.iter_mut().for_each(|joint| joint.solve(&mut bodies.hot, pass));
+    }
+
+    /// Joints follow bodies that have moved.
+    pub(super) fn advance(&mut self, bodies: &mut Bodies) {
+        self.joints.iter_mut().for_each(|joint| joint.advance(bodies));
+    }
+
+    /// No body is faster than bodies with joints may be, but for bullets. Joints that cannot be kept would drive them further and
+    /// further apart.
+    pub(super) fn limit_speeds(&self, bodies: &mut Bodies, unit: f32) {
+        let most = GREATEST_SPEED * unit;
+        for body in self.bodies.iter().map(|&body| body as usize) {
+            let [x, y, ..] = bodies.hot[body].velocity;
+            let squared = x * x + y * y;
+            if squared > most * most && !bodies.are_bullets[body] {
+                let part = most / squared.sqrt();
+                for (axis, old) in [x, y].into_iter().enumerate() {
+                    // What is cut off is no impulse that acts again.
+                    bodies.hot[body].velocity[axis] = old * part;
+                    bodies.begun[body][axis] += old * part - old;
+                }
+            }
+        }
+    }
+
+    /// What has held these joints at the end of an update.
+    pub(super) fn finish(&self, holds: &mut [Hold], h: f32) {
+        for joint in &self.joints {
+            holds[joint.hold as usize].force = joint.force(h.into());
+        }
+    }
+}
