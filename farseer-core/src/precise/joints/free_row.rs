@@ -60,7 +60,8 @@ impl FreeRow {
         };
         let (slop, most) = if drive.is_some() { (0.0, f64::INFINITY) } else { (hold.slop, hold.most) };
         let range = limits.map(|limits| {
-            let impulses = [rest, -rest].map(|impulse| if impulse > 0.0 { within(impulse, most) } else { 0.0 });
+            let impulses =
+                [rest, -rest].map(|impulse| if impulse > 0.0 { within(impulse, most) } else { 0.0 });
             Range { limits, slop, most, impulses }
         });
         let reference = drive.map_or(0.0, |drive| f64::from(drive.reference));
@@ -74,6 +75,11 @@ impl FreeRow {
             Link::Distance => frame.distance(),
             _ => frame.travel(self.reference),
         };
+    }
+
+    /// Whether there is a motor, or a limit has an impulse.
+    pub(super) fn acts(&self) -> bool {
+        self.motor.is_some() || self.impulse() != 0.0
     }
 
     /// The impulse of motor and limits together.

@@ -70,8 +70,9 @@ struct Group {
     holds: Vec<u32>,
     /// The same tree again if all joints are hinges, else empty: what swings while nothing touches it.
     hinges: Vec<Hinge>,
-    /// Joints that are kept whatever that takes close a loop.
+    /// Joints that are kept whatever that takes close a loop; and the direct solver can have all of its joints.
     has_loop: bool,
+    may_be_rows: bool,
     /// Nothing touches it.
     is_apart: bool,
     /// The direct solver has solved it in this step.
@@ -80,7 +81,7 @@ struct Group {
     parts: u32,
 }
 
-reusing_clone! { Group { nodes, loose, bodies, holds, hinges, has_loop, is_apart, is_solved, parts } }
+reusing_clone! { Group { nodes, loose, bodies, holds, hinges, has_loop, may_be_rows, is_apart, is_solved, parts } }
 
 /// A joint that the direct solver may take.
 #[derive(Debug, Clone, Copy)]
@@ -231,18 +232,9 @@ impl Joints {
             let hinges = if loose.is_empty() { hinges_of(&nodes, holds) } else { Vec::new() };
             let bodies = nodes.iter().map(|node| node.body).filter(|&body| body != 0).collect();
             let has_loop = plan.loose.iter().any(|&at| !holds[at as usize].key().is_bounded);
-            let (is_apart, is_solved) = (false, false);
-            Group {
-                nodes,
-                loose,
-                bodies,
-                holds: plan.joints,
-                hinges,
-                has_loop,
-                is_apart,
-                is_solved,
-                parts: 0,
-            }
+            let may_be_rows = plan.joints.iter().all(|&at| holds[at as usize].may_be_rows());
+            let holds = plan.joints;
+            Group { nodes, loose, bodies, holds, hinges, has_loop, may_be_rows, ..Group::default() }
         };
         self.groups = groups.into_iter().map(group_of).collect();
         self.group_of.clear();
@@ -272,11 +264,11 @@ impl Joints {
 
     /// Trees and loops of what the direct solver has not solved begin a step.
     pub(super) fn begin_trees(&mut self, bodies: &Bodies, step: &Step) {
-        let times = [f64::from(step.dt), f64::from(step.h)];
+        let h = f64::from(step.h);
         let Joints { groups, holds, unit, .. } = self;
         for group in groups.iter_mut().filter(|group| group.swings() && !group.is_hinged()) {
-            begin_nodes(&mut group.nodes, holds, bodies, times);
-            group.loose.iter_mut().for_each(|loose| loose.begin(&holds[loose.hold as usize], times, *unit));
+            begin_nodes(&mut group.nodes, holds, bodies, h);
+            group.loose.iter_mut().for_each(|loose| loose.begin(&holds[loose.hold as usize], h, *unit));
         }
     }
 
@@ -410,9 +402,10 @@ impl Group {
         self.swings() && !self.hinges.is_empty()
     }
 
-    /// Whether it is a free articulation, which moves by itself in this step.
+    /// Whether it is a free articulation, which moves by itself in this step. A closed loop is that only if the direct solver cannot
+    /// have it: what that gives up has no solution, or too great a one.
     fn swings(&self) -> bool {
-        self.is_apart && !(self.is_solved || self.has_loop)
+        self.is_apart && !(self.is_solved || (self.has_loop && self.may_be_rows))
     }
 
     /// Whether the iterative solver has its joints in this step.
@@ -456,7 +449,7 @@ pub(super) fn weight_of(inverse: f32) -> f64 {
 }
 
 /// Nodes go where their bodies and joints are; what does not give way is where its joint says.
-fn begin_nodes(nodes: &mut [Node], holds: &[Hold], bodies: &Bodies, times: [f64; 2]) {
+fn begin_nodes(nodes: &mut [Node], holds: &[Hold], bodies: &Bodies, h: f64) {
     for at in 0..nodes.len() {
         let node = &mut nodes[at];
         node.begin(bodies);
@@ -464,7 +457,7 @@ fn begin_nodes(nodes: &mut [Node], holds: &[Hold], bodies: &Bodies, times: [f64;
             // Turned about, a zero might have got another sign.
             node.arm = [0.0; 2];
         } else {
-            let side = node.hang(&holds[node.joint as usize], times);
+            let side = node.hang(&holds[node.joint as usize], h);
             let (parent, reach) = (node.parent as usize, dot(side.arm, side.arm));
             nodes[parent].reach = nodes[parent].reach.max(reach);
             if nodes[parent].link == Link::Fixed {
@@ -493,17 +486,11 @@ impl Node {
 
     /// Hangs on a joint as it is now. Answers the side of the parent.
     #[inline(always)]
-    fn hang<'a>(&mut self, hold: &'a Hold, [dt, h]: [f64; 2]) -> &'a End {
+    fn hang<'a>(&mut self, hold: &'a Hold, h: f64) -> &'a End {
         let [first, second] = &hold.ends;
         let (parent, child) = if self.is_first { (second, first) } else { (first, second) };
         (self.arm, self.parent_arm) = (child.arm, parent.arm);
         self.reach = dot(self.arm, self.arm);
-        if hold.softness > 0.0 {
-            // An impulse of a substep is that part of one of an update.
-            (self.softness, self.rate) = (hold.softness * dt / h, hold.bias_factor / dt);
-        } else {
-            self.softness = 0.0;
-        }
         self.wanted = match hold.link {
             Link::Distance => hold.range[1],
             _ => self.sign() * (hold.angle - hold.range[1]),

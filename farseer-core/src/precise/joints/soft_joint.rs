@@ -68,7 +68,9 @@ impl SoftJoint {
         let is_listed = |pose: u32| (pose as usize) < bodies.hot.len();
         let mut joint = SoftJoint {
             hold: at,
-            bodies: [0, 1].map(|side| hold.ends[side].pose).map(|pose| if is_listed(pose) { pose } else { 0 }),
+            bodies: [0, 1]
+                .map(|side| hold.ends[side].pose)
+                .map(|pose| if is_listed(pose) { pose } else { 0 }),
             inverses: [0, 1].map(|side| match hold.ends[side].body {
                 0 => [0.0; 2],
                 body => bodies.inverses[body as usize].map(f64::from),
@@ -88,6 +90,11 @@ impl SoftJoint {
         joint
     }
 
+    /// Whether it keeps something, drives or has had to push: a rope that hangs through does not.
+    pub(super) fn acts(&self) -> bool {
+        self.kept != 0 || self.free.is_some_and(|free| free.acts())
+    }
+
     /// Jacobian, errors and effective masses follow the frame.
     fn place(&mut self) {
         self.jacobian = self.frame.jacobian();
@@ -104,7 +111,8 @@ impl SoftJoint {
 
     /// K = J M^-1 J^T of all three rows.
     fn matrix(&self) -> [Triple; 3] {
-        let ([[mass_a, inertia_a], [mass_b, inertia_b]], Jacobian { a, b, .. }) = (self.inverses, self.jacobian);
+        let ([[mass_a, inertia_a], [mass_b, inertia_b]], Jacobian { a, b, .. }) =
+            (self.inverses, self.jacobian);
         std::array::from_fn(|i| {
             std::array::from_fn(|j| {
                 let linear = if i == j && i != ANGLE { mass_a + mass_b } else { 0.0 };
@@ -127,10 +135,7 @@ impl SoftJoint {
     fn yields(&self, impulses: Triple) -> [Triple; 2] {
         let [a, b] = self.jacobian.push(impulses);
         let [[mass_a, inertia_a], [mass_b, inertia_b]] = self.inverses;
-        [
-            [mass_a * a[0], mass_a * a[1], inertia_a * a[2]],
-            [mass_b * b[0], mass_b * b[1], inertia_b * b[2]],
-        ]
+        [[mass_a * a[0], mass_a * a[1], inertia_a * a[2]], [mass_b * b[0], mass_b * b[1], inertia_b * b[2]]]
     }
 
     /// Impulses of all rows, with those of motor and limits.

@@ -65,7 +65,8 @@ impl SoftJoints {
             let mut joint = SoftJoint::new(at, hold, bodies, times);
             joint.soften(&law, unit);
             self.joints.push(joint);
-            for body in hold.ends.map(|end| end.body).into_iter().filter(|&body| body != 0) {
+            let acting = if joint.acts() { hold.ends.map(|end| end.body) } else { [0; 2] };
+            for body in acting.into_iter().filter(|&body| body != 0) {
                 if std::mem::replace(&mut self.masks[body as usize], !0) == 0 {
                     self.bodies.push(body);
                 }

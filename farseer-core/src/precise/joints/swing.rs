@@ -6,7 +6,7 @@
 //! (x + R r) / h - w p, p the velocity of the anchor by a spin of 1. That is a step of SHAKE (J.-P. Ryckaert, G. Ciccotti,
 //! H. Berendsen 1977) with one iteration, or two. Forces act by halves at the beginning and the end of a step, and the
 //! velocity after it obeys the joints (RATTLE, H. C. Andersen 1983): as far as that goes the method is symplectic, and energy
-//! does not drift. Where joints pull so hard that inertia is [stiffened](stiffen), as in a whip, it takes energy away, if
+//! does not drift. Where joints pull so hard that inertia is [stiffened](stiffen_for_jerk), as in a whip, it takes energy away, if
 //! little: most of that [has momentum](with_momentum), too. Large groups get whole kicks at the beginning instead, which makes
 //! the same way.
 
@@ -87,20 +87,14 @@ pub(super) fn turned([c, s]: [f64; 2], [x, y]: Vector) -> Vector {
 
 /// Lets joints ask for the velocities with which they hold at the end of a substep.
 #[inline]
-pub(super) fn aim(nodes: &mut [Node], h: f64, unit: f64) {
+fn aim(nodes: &mut [Node], h: f64, unit: f64) {
     nodes.iter_mut().for_each(|node| node.expected_spin = node.velocity[2]);
     for_each_down(nodes, |node, parent| node.aim(parent, h, unit));
 }
 
-/// Lets joints ask for velocities with which they go on to hold. A soft one yields to what it has held with already.
-#[inline]
-pub(super) fn rest(nodes: &mut [Node]) {
-    for_each_down(nodes, Node::rest);
-}
-
 /// Bodies move, and the arms of their joints turn.
 #[inline]
-pub(super) fn advance(nodes: &mut [Node], h: f64) {
+fn advance(nodes: &mut [Node], h: f64) {
     for_each_down(nodes, |node, parent| node.advance(parent, h));
 }
 
@@ -117,31 +111,21 @@ impl Node {
         let (parent, child) = (Side::of(parent, self.parent_arm), Side::of(self, self.arm));
         match self.link {
             Link::Free | Link::Fixed => {}
-            Link::Point => self.bias = aim_point(self, &child, &parent, h, unit),
+            Link::Point => self.bias = aim_point(&child, &parent, h, unit),
             Link::Distance => self.bias[0] = aim_distance(self, &child, &parent, h, unit),
             Link::Angle => self.bias[2] = aim_angle(self, &child, &parent, h),
             Link::Weld => {
-                self.bias = aim_point(self, &child, &parent, h, unit);
+                self.bias = aim_point(&child, &parent, h, unit);
                 self.bias[2] = aim_angle(self, &child, &parent, h);
             }
             Link::Line => self.bias = aim_line(self, &child, &parent, h, unit),
         }
     }
 
+    /// Joints ask for velocities with which they go on to hold.
     #[inline(always)]
-    fn rest(&mut self, parent: Option<&mut Node>) {
+    fn rest(&mut self) {
         self.bias = [0.0; 3];
-        let Some(parent) = parent.filter(|_| self.softness > 0.0) else { return };
-        let error = self.apart(parent.place);
-        let held = [self.kept_impulse[0], self.kept_impulse[1]];
-        let [x, y] = match self.link {
-            Link::Distance => {
-                let beyond = dot(error, self.direction) - self.wanted;
-                [beyond * self.rate + dot(held, self.direction) * self.softness, 0.0]
-            }
-            _ => plus([error[0] * self.rate, error[1] * self.rate], held, self.softness),
-        };
-        self.bias = [-x, -y, 0.0];
     }
 
     #[inline(always)]
@@ -168,9 +152,6 @@ impl Node {
     /// Gets ready for so many parts of a step, each of which is so much longer than a substep. The pull is that of one part.
     #[inline(always)]
     fn divide(&mut self, bodies: &Bodies, (dt, parts): (f64, f64), longer: f64) {
-        if self.softness > 0.0 {
-            self.softness /= longer;
-        }
         self.impulse = self.impulse.map(|impulse| impulse * longer);
         self.pull *= 1.0 / (parts * parts);
         self.stiffness = self.excess();
@@ -290,11 +271,8 @@ pub(super) fn postponed(size: f64, at_once: f64) -> f64 {
 }
 
 #[inline(always)]
-fn aim_point(node: &Node, child: &Side, parent: &Side, h: f64, unit: f64) -> [f64; 3] {
+fn aim_point(child: &Side, parent: &Side, h: f64, unit: f64) -> [f64; 3] {
     let error = plus(child.anchor(), parent.anchor(), -1.0);
-    if node.softness > 0.0 {
-        return [-error[0] * node.rate, -error[1] * node.rate, 0.0];
-    }
     let later = postponed(dot(error, error).sqrt(), CLOSED_AT_ONCE * unit);
     let [x, y] = plus(plus(child.aside(), parent.aside(), -1.0), error, -later);
     let rate = -1.0 / h;
@@ -304,9 +282,6 @@ fn aim_point(node: &Node, child: &Side, parent: &Side, h: f64, unit: f64) -> [f6
 #[inline(always)]
 fn aim_distance(node: &mut Node, child: &Side, parent: &Side, h: f64, unit: f64) -> f64 {
     let error = node.find_direction(parent.place) - node.wanted;
-    if node.softness > 0.0 {
-        return -error * node.rate;
-    }
     let way = plus(child.anchor_velocity(), parent.anchor_velocity(), -1.0);
     let speed = dot(node.direction, way);
     let aside = plus(child.aside(), parent.aside(), -1.0);
@@ -341,17 +316,6 @@ fn aim_line(node: &Node, child: &Side, parent: &Side, h: f64, unit: f64) -> [f64
     [x, y, turning]
 }
 
-/// Tension makes a joint stiff against turning, and a stiff thing overshoots where a substep is too long for it: a chain
-/// whose links carry more than they weigh for long enough would be torn to pieces. What is more than the inertia bears is
-/// added to it, as an implicit step would (M. Tournier et al., "Stable constrained dynamics", 2015; S. Andrews et al.,
-/// "Geometric stiffness for real-time constrained multibody dynamics", 2017).
-pub(super) fn stiffen(nodes: &mut [Node], h: f64) {
-    find_stiffness(nodes, h);
-    for node in nodes.iter_mut() {
-        node.stiffness = node.excess();
-    }
-}
-
 /// What of a stiffness that is added to an inertia that bears this much has momentum, too.
 ///
 /// If nothing had, each step would take energy from what turns, as an implicit one does. If all had, none would be lost while
@@ -365,7 +329,11 @@ pub(super) fn with_momentum(stiffness: f64, borne: f64) -> f64 {
     WITH_MOMENTUM * stiffness / (1.0 + times * times)
 }
 
-/// [`stiffen`] anew after a [jerk](Node::is_jerked).
+/// Tension makes a joint stiff against turning, and a stiff thing overshoots where a substep is too long for it: a chain
+/// whose links carry more than they weigh for long enough would be torn to pieces. What is more than the inertia bears is
+/// added to it, as an implicit step would (M. Tournier et al., "Stable constrained dynamics", 2015; S. Andrews et al.,
+/// "Geometric stiffness for real-time constrained multibody dynamics", 2017). This is that anew after a
+/// [jerk](Node::is_jerked).
 fn stiffen_for_jerk(nodes: &mut [Node]) {
     for node in nodes.iter_mut() {
         let excess = node.excess();
@@ -475,11 +443,11 @@ fn swing_tree(nodes: &mut [Node], division: &Division, (h, unit): (f64, f64)) {
         });
     }
     if !by_whole_kicks {
-        for_each_down(nodes, |node, parent| {
+        for node in nodes.iter_mut() {
             node.kick(0.5);
-            node.rest(parent);
+            node.rest();
             node.take_own(0.0);
-        });
+        }
         hand_up(nodes);
         follow(nodes);
         nodes.iter_mut().for_each(Node::count_impulse);
@@ -548,7 +516,7 @@ fn swing_with_loose(
     }
     nodes.iter_mut().for_each(|node| node.kick(0.5));
     loose.iter_mut().for_each(|loose| loose.share(0.5));
-    rest(nodes);
+    nodes.iter_mut().for_each(Node::rest);
     solve_group(nodes, loose, holds, room, (h, Pass::Rest, 0.0));
     count_impulses(nodes, loose);
 }

@@ -194,7 +194,7 @@ pub(super) struct Node {
     pub(super) is_first: bool,
     pub(super) mass: f64,
     pub(super) inertia: f64,
-    /// Added to the inertia while the joints pull: see [`stiffen`](super::swing::stiffen).
+    /// Added to the inertia while the joints pull: see [`stiffen_for_jerk`](super::swing).
     pub(super) stiffness: f64,
     /// How stiff the joints make it against turning by what they pull.
     pub(super) pull: f64,
@@ -219,13 +219,9 @@ pub(super) struct Node {
     pub(super) bias: [f64; 3],
     /// Angle against the parent minus the wanted one when the step begins, or the wanted distance.
     pub(super) wanted: f64,
-    /// Velocity per impulse with which the joint yields, and the part of its error that it undoes in a second then.
-    pub(super) softness: f64,
-    pub(super) rate: f64,
     /// Impulse of the joint on the body.
     pub(super) impulse: [f64; 3],
-    /// The impulse of the last substep in which bodies have moved, and that of the step so far.
-    pub(super) kept_impulse: [f64; 3],
+    /// The impulse of the step so far.
     pub(super) total: [f64; 3],
     pub(super) work: Work,
 }
@@ -244,8 +240,6 @@ pub(super) struct Work {
     inverse_turning: f64,
     rest: Symmetric,
     load: Vector,
-    /// The part of an impulse that is left where a joint is soft; of a distance the first counts.
-    yielding: Symmetric,
     /// Of a distance: inertia and impulse along it, and what moves across with a motion along.
     along: [f64; 3],
 }
@@ -372,7 +366,6 @@ impl Node {
             Link::Free | Link::Fixed => {}
             Link::Point => {
                 self.release_turning();
-                self.yield_as_soft();
                 seen.add_point(&self.work.rest, lever);
             }
             Link::Distance => {
@@ -400,7 +393,7 @@ impl Node {
             Link::Free | Link::Fixed => {}
             Link::Point => {
                 let load = plus(along, coupling, -twist * self.work.inverse_turning);
-                self.work.load = if self.softness > 0.0 { self.work.yielding.times(load) } else { load };
+                self.work.load = load;
                 handed.add(plus(self.work.load, self.work.rest.times([x, y]), -1.0), 0.0, lever);
             }
             Link::Distance => {
@@ -408,7 +401,7 @@ impl Node {
                 let (n, t) = (self.direction, spun(self.direction));
                 let [stiff, push, share] = &mut self.work.along;
                 let load = dot(n, self.work.load) - *share * dot(t, self.work.load);
-                *push = load * self.work.yielding.xx - *stiff * x;
+                *push = load - *stiff * x;
                 handed.add([n[0] * *push, n[1] * *push], 0.0, lever);
             }
             Link::Weld => {
@@ -438,21 +431,6 @@ impl Node {
         self.work.rest = mass.with(coupling, -self.work.inverse_turning);
     }
 
-    /// With l = R v - load and v = parent + bias - s l, what a soft joint hands up is (1 + s R)^-1 times a hard one's.
-    #[inline(always)]
-    fn yield_as_soft(&mut self) {
-        let (s, rest) = (self.softness, self.work.rest);
-        if s > 0.0 {
-            let harder = Symmetric { xx: 1.0 + s * rest.xx, xy: s * rest.xy, yy: 1.0 + s * rest.yy };
-            let of = |x: Vector, y: Vector| {
-                let ([xx, xy], [_, yy]) = (harder.solve(x), harder.solve(y));
-                Symmetric { xx, xy, yy }
-            };
-            self.work.yielding = of([1.0, 0.0], [0.0, 1.0]);
-            self.work.rest = of([rest.xx, rest.xy], [rest.xy, rest.yy]);
-        }
-    }
-
     /// Finds, and answers, the inertia along the direction: across it the joint leaves the body free.
     #[inline(always)]
     fn find_along(&mut self) -> f64 {
@@ -461,8 +439,6 @@ impl Node {
         let share = dot(n, along_t) / dot(t, along_t);
         let stiff = dot(n, rest.times(n)) - share * dot(n, along_t);
         // What the joint does to the body, once the parent's velocity is known, is stiff times that minus a push.
-        self.work.yielding.xx = 1.0 / (1.0 + self.softness * stiff);
-        let stiff = stiff * self.work.yielding.xx;
         self.work.along = [stiff, 0.0, share];
         stiff
     }
@@ -490,7 +466,7 @@ impl Node {
             Link::Point => {
                 let [x, y] = plus(self.work.rest.times(at_joint), self.work.load, -1.0);
                 self.impulse = [x, y, 0.0];
-                self.turn_freely(plus(at_joint, [x, y], -self.softness));
+                self.turn_freely(at_joint);
             }
             Link::Distance => self.follow_distance(at_parent),
             Link::Weld | Link::Line => {
@@ -521,7 +497,7 @@ impl Node {
         let (n, t) = (self.direction, spun(self.direction));
         let along = dot(n, at_parent);
         let impulse = stiff * along - push;
-        let along = along + self.bias[0] - self.softness * impulse;
+        let along = along + self.bias[0];
         // The direction across is free: its impulse is 0.
         let across = dot(t, load) / dot(t, rest.times(t)) - share * along;
         self.impulse = [n[0] * impulse, n[1] * impulse, 0.0];

@@ -40,7 +40,6 @@ pub(in crate::precise::joints) fn solve_group(
     match pass {
         Pass::Correct => loose.iter().for_each(|joint| joint.act_again(nodes)),
         Pass::Rest => loose.iter_mut().for_each(|joint| joint.impulse = [0.0; 3]),
-        Pass::Relax => {}
     }
     let is_whole = loose.len() * nodes.len() <= WHOLE;
     if !is_whole {

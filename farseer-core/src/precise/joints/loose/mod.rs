@@ -37,8 +37,6 @@ pub(super) struct Loose {
     share: f64,
     longer: f64,
     h: f64,
-    softness: f64,
-    rate: f64,
     unit: f64,
     sides: [Side; 2],
     angle: f64,
@@ -72,8 +70,6 @@ impl Loose {
             share: 1.0,
             longer: 1.0,
             h: 0.0,
-            softness: 0.0,
-            rate: 0.0,
             unit: 1.0,
             sides,
             angle: 0.0,
@@ -84,13 +80,11 @@ impl Loose {
     }
 
     /// A step begins.
-    pub(super) fn begin(&mut self, hold: &Hold, [dt, h]: [f64; 2], unit: f64) {
+    pub(super) fn begin(&mut self, hold: &Hold, h: f64, unit: f64) {
         self.unit = unit;
         for (side, &end) in self.sides.iter_mut().zip(&hold.ends) {
             (side.end, side.turned) = (end, 0.0);
         }
-        // An impulse of a substep is that part of one of an update.
-        (self.softness, self.rate) = (hold.softness * dt / h, hold.bias_factor / dt);
         (self.share, self.longer, self.h) = (1.0, 1.0, h);
         self.angle = hold.angle;
         self.total = [0.0; 3];
@@ -107,15 +101,11 @@ impl Loose {
             (_, Link::Point) => [x, y, 0.0],
             _ => [x, y, turning],
         };
-        if self.keeps == Keeps::Drive {
-            self.softness = 0.0;
-        }
     }
 
     /// Substeps have another length than it was begun with.
     pub(super) fn stretch(&mut self, longer: f64, h: f64) {
         (self.longer, self.h) = (longer, h);
-        self.softness /= longer;
         self.impulse = self.impulse.map(|impulse| impulse * longer);
     }
 

@@ -11,8 +11,6 @@ pub(in crate::precise::joints) enum Pass {
     Correct,
     /// Velocities with which nothing changes, by new impulses.
     Rest,
-    /// The same, by a change of the impulses of the last pass.
-    Relax,
 }
 
 impl Loose {
@@ -60,7 +58,6 @@ impl Loose {
     fn wants(&self, row: &Row, h: f64, pass: Pass) -> (f64, f64, f64) {
         let most = row.most;
         match row.error {
-            Error::Of(error) if self.softness > 0.0 => (-error * self.rate, -most, most),
             Error::Of(error) if pass == Pass::Correct => (-error / h, -most, most),
             Error::Of(_) => (0.0, -most, most),
             Error::Speed(speed) => (speed, -most, most),
@@ -70,7 +67,7 @@ impl Loose {
                     // Until the limit there is as much way as there is room.
                     _ if room >= 0.0 => -room / h,
                     Pass::Correct => undone(beyond, self.unit) / h,
-                    Pass::Rest | Pass::Relax => 0.0,
+                    Pass::Rest => 0.0,
                 };
                 let (low, high) = if sign > 0.0 { (0.0, most) } else { (-most, 0.0) };
                 (sign * speed, low, high)
@@ -82,12 +79,11 @@ impl Loose {
     pub(super) fn change(&mut self, row: &Row, nodes: &[Node], own: f64, (h, pass): (f64, Pass)) -> f64 {
         let (wanted, low, high) = self.wants(row, h, pass);
         let old = self.impulse[row.at];
-        let missing = wanted - self.speed_of(row, nodes, true) - self.softness * old;
-        let inverse = own + self.softness;
-        if inverse.is_nan() || inverse <= 0.0 {
+        let missing = wanted - self.speed_of(row, nodes, true);
+        if own.is_nan() || own <= 0.0 {
             return 0.0;
         }
-        self.impulse[row.at] = (old + missing / inverse).clamp(low, high);
+        self.impulse[row.at] = (old + missing / own).clamp(low, high);
         self.impulse[row.at] - old
     }
 

@@ -119,25 +119,16 @@ impl Loose {
             Some(Row { at, direction, arms, error, most, slop })
         };
         let most = hold.most * self.longer * self.share;
-        let is_soft = self.softness > 0.0;
         let bend = |direction, distance| {
-            if pass == Pass::Correct && !is_soft { self.bend(direction, distance, nodes, h) } else { 0.0 }
+            if pass == Pass::Correct { self.bend(direction, distance, nodes, h) } else { 0.0 }
         };
         let point = |at: usize, direction, most| {
-            row(
-                at,
-                direction,
-                Error::Of(if is_soft { apart[at] } else { undone(apart[at], unit) + bend(direction, None) }),
-                most,
-            )
+            row(at, direction, Error::Of(undone(apart[at], unit) + bend(direction, None)), most)
         };
         match self.link {
             Link::Distance => {
                 let distance = dot(apart, apart).sqrt();
-                let error = match bounded(distance, bend(self.direction, Some(distance)), hold.range, unit) {
-                    Error::Of(_) if is_soft => Error::Of(distance - hold.range[1]),
-                    error => error,
-                };
+                let error = bounded(distance, bend(self.direction, Some(distance)), hold.range, unit);
                 [row(0, self.direction, error, most), None, None]
             }
             Link::Angle => [None, None, self.angle_row(hold, nodes, most)],
