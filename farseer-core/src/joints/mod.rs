@@ -149,21 +149,23 @@ impl Joint {
         self.force
     }
 
-    /// Notes what held the joint in an update. Answers whether it was too much; the joint is disabled then.
-    pub(crate) fn bear(&mut self, force: [f32; 3], along_depth: f32) -> bool {
+    /// Notes what held the joint at the end of an update. Answers whether the mean over the update was too much; the joint is disabled
+    /// then, and tells that.
+    pub(crate) fn bear(&mut self, force: [f32; 3], mean: [f32; 3], along_depth: f32) -> bool {
         let finite = |number: f32| if number.is_finite() { number } else { 0.0 };
-        (self.force, self.force_along_depth) = (force.map(finite), finite(along_depth));
-        let [x, y, torque] = self.force;
+        self.force_along_depth = finite(along_depth);
+        let [x, y, torque] = mean.map(finite);
         let in_plane = length(Vector2::new(x, y));
-        let force = if self.force_along_depth == 0.0 {
+        let size = if self.force_along_depth == 0.0 {
             in_plane
         } else {
             length(Vector2::new(in_plane, self.force_along_depth))
         };
-        let breaks = self.enabled && !(force <= self.greatest_force && torque.abs() <= self.greatest_torque);
+        let breaks = self.enabled && !(size <= self.greatest_force && torque.abs() <= self.greatest_torque);
         if breaks {
             self.enabled = false;
         }
+        self.force = if breaks { [x, y, torque] } else { force.map(finite) };
         breaks
     }
 

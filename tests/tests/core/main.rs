@@ -65,6 +65,7 @@ mod precise_saves;
 mod precise_sensors;
 mod precise_settings;
 mod precise_sleep;
+mod precise_soft_joints;
 mod precise_switches;
 mod precise_terrain;
 mod rejected_input;

@@ -21,6 +21,9 @@ const ACCEPTED: f64 = 0.05;
 const ACCEPTED_PART: f64 = 0.02;
 /// Greatest position error of a joint that is accepted, in units of length, unless it was greater before.
 pub(super) const ACCEPTED_GAP: f64 = 0.02;
+/// An island with a joint that gapes by more before a step and after it makes no progress if that is less than this part of what a
+/// step may close: its joints contradict each other, or are pulled too far, and springs find a compromise.
+const LEAST_PROGRESS: f64 = 0.1;
 /// Greatest angle that a body of an accepted solution turns by in the step, in radians: the Jacobian is that of the beginning.
 const ACCEPTED_TURN: f64 = 0.5;
 /// Kinetic energy of an accepted solution, as a part of that without constraints; and what is allowed besides for each mass, as the
@@ -77,7 +80,8 @@ impl Precise {
         let turned = whole.island.greatest_spin() * dt;
         effort.is_solved &= !gains && turned <= ACCEPTED_TURN && after <= before.max(ACCEPTED_GAP * unit);
         let is_entry = !was_solved && joints.have_acted(&whole.joints);
-        whole.is_left = is_optional && !effort.is_solved && (is_entry || gains);
+        let is_stuck = before > ACCEPTED_GAP * unit && after > before - LEAST_PROGRESS * most;
+        whole.is_left = is_optional && ((!effort.is_solved && (is_entry || gains)) || is_stuck);
         // Joints that contradict each other are better left to springs, which find a compromise.
         effort.is_solved &= after <= ACCEPTED_GAP * unit;
         if !whole.is_left {

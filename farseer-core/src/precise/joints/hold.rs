@@ -66,6 +66,8 @@ pub(in crate::precise) struct Hold {
     /// Force and torque on the second body; and what of the force is along the depth axis, where that is known.
     pub(super) force: [f32; 3],
     pub(super) force_along_depth: f32,
+    /// The mean of that over the step, where the force is that of the last substep.
+    pub(super) mean_force: Option<[f32; 3]>,
     /// What it tells of how it was when the step began: how far from what it keeps, and the arm of the first anchor.
     pub(super) error: f32,
     pub(super) arm: Vector2,

@@ -370,7 +370,7 @@ impl Joints {
     pub(super) fn finish(&mut self, bodies: &mut Bodies, step: &Step) {
         let (dt, per_second) = (f64::from(step.dt), 1.0 / f64::from(step.dt));
         self.spatial.iter().for_each(|group| group.finish(&mut self.holds, bodies, dt));
-        self.soft.finish(&mut self.holds, step.h);
+        self.soft.finish(&mut self.holds, [step.dt, step.h]);
         for group in self.groups.iter_mut().filter(|group| group.swings()) {
             if group.is_hinged() {
                 group.parts = hinged::swing(&mut group.hinges, &mut self.holds, bodies, step, self.unit);

@@ -80,6 +80,7 @@ impl Precise {
             behind: self.behind(held.keeps, held.bodies),
             force: joint.force_and_torque(),
             force_along_depth: joint.force_along_depth(),
+            mean_force: None,
             error: 0.0,
             arm: Vector2::zeros(),
         };
@@ -154,7 +155,8 @@ impl Precise {
             let Some(joint) = objects.joints.get_mut(hold.joint) else { continue };
             joint.note(hold.error);
             joint.show_anchors(hold.arm, || hold.ends.map(|end| [shown(end.arm), shown(end.point())]));
-            if joint.bear(hold.force, hold.force_along_depth) {
+            let mean = hold.mean_force.take().unwrap_or(hold.force);
+            if joint.bear(hold.force, mean, hold.force_along_depth) {
                 report.push(Event::JointBroke { joint: hold.joint });
                 self.joints.is_read = false;
             }

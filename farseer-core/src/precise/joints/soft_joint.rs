@@ -53,6 +53,8 @@ pub(super) struct SoftJoint {
     /// The law of a joint that its user made soft.
     softness: Option<Law>,
     free: Option<FreeRow>,
+    /// Impulses of the update so far on the second body: along x and y, and turning.
+    total: Triple,
 }
 
 impl SoftJoint {
@@ -85,6 +87,7 @@ impl SoftJoint {
             most: if hold.most < f64::from(f32::MAX) { hold.most } else { f64::INFINITY },
             softness: Law::of_softness(hold, times),
             free: FreeRow::of(hold, impulses, times[1]),
+            total: [0.0; 3],
         };
         joint.place();
         joint
@@ -279,11 +282,26 @@ impl SoftJoint {
         }
     }
 
+    /// Impulses of a substep on the second body: along x and y, and turning.
+    fn on_second(&self) -> Triple {
+        let ([nx, ny], [along, angle, across]) = (self.jacobian.normal, self.all_impulses());
+        [along * nx + across * ny, along * ny - across * nx, angle]
+    }
+
+    /// The impulses of this substep have acted.
+    pub(super) fn count_impulse(&mut self) {
+        let impulses = self.on_second();
+        (0..3).for_each(|i| self.total[i] += impulses[i]);
+    }
+
     /// Force and torque on the second body in the last substep of `h` seconds.
     pub(super) fn force(&self, h: f64) -> [f32; 3] {
-        let ([nx, ny], [along, angle, across]) = (self.jacobian.normal, self.all_impulses());
-        let (x, y) = (along * nx + across * ny, along * ny - across * nx);
-        [x, y, angle].map(|impulse| (impulse / h) as f32 + 0.0)
+        self.on_second().map(|impulse| (impulse / h) as f32 + 0.0)
+    }
+
+    /// The mean force and torque of the update of `dt` seconds.
+    pub(super) fn mean_force(&self, dt: f64) -> [f32; 3] {
+        self.total.map(|impulse| (impulse / dt) as f32 + 0.0)
     }
 }
 

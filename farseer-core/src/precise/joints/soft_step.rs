@@ -97,6 +97,7 @@ impl SoftJoints {
     /// The pass after bodies have moved.
     pub(super) fn relax(&mut self, bodies: &mut Bodies, h: f32) {
         self.solve(bodies, &Pass { law: Law::HARD, h: h.into() });
+        self.joints.iter_mut().for_each(SoftJoint::count_impulse);
     }
 
     fn solve(&mut self, bodies: &mut Bodies, pass: &Pass) {
@@ -126,10 +127,11 @@ impl SoftJoints {
         }
     }
 
-    /// What has held these joints at the end of an update.
-    pub(super) fn finish(&self, holds: &mut [Hold], h: f32) {
+    /// What has held these joints at the end of an update of `dt` seconds, and on the average.
+    pub(super) fn finish(&self, holds: &mut [Hold], [dt, h]: [f32; 2]) {
         for joint in &self.joints {
-            holds[joint.hold as usize].force = joint.force(h.into());
+            let hold = &mut holds[joint.hold as usize];
+            (hold.force, hold.mean_force) = (joint.force(h.into()), Some(joint.mean_force(dt.into())));
         }
     }
 }
