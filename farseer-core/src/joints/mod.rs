@@ -153,8 +153,8 @@ impl Joint {
     /// then, and tells that.
     pub(crate) fn bear(&mut self, force: [f32; 3], mean: [f32; 3], along_depth: f32) -> bool {
         let finite = |number: f32| if number.is_finite() { number } else { 0.0 };
-        self.force_along_depth = finite(along_depth);
         let [x, y, torque] = mean.map(finite);
+        self.force_along_depth = finite(along_depth);
         let in_plane = length(Vector2::new(x, y));
         let size = if self.force_along_depth == 0.0 {
             in_plane

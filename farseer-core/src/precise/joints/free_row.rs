@@ -91,7 +91,7 @@ impl FreeRow {
     /// Solves the motor, which is rigid, and then the limits, at this relative velocity along the row. Answers the change of the
     /// impulse.
     pub(super) fn solve(&mut self, mut speed: f64, (law, h): (&Law, f64)) -> f64 {
-        if !(self.inverse_mass > 0.0) {
+        if self.inverse_mass <= 0.0 {
             return 0.0;
         }
         let (inverse, mut change) = (self.inverse_mass, 0.0);

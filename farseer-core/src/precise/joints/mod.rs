@@ -1,8 +1,12 @@
 //! Joints of the precise set.
 //!
-//! Joints that make trees are solved [exactly](tree), whatever hangs on them; [the others](loose) make the trees answer as a
-//! whole. A group of bodies that joints tie together and nothing touches [swings](swing) by itself; one that touches
-//! something is solved in the passes of contacts. What is [hinged](hinged) swings in a way of its own.
+//! | articulation | solver |
+//! |---|---|
+//! | a tree that nothing touches | [articulated bodies](tree) in its own division of the step: [swing], [hinged]; motors, limits and ropes by [unit responses](loose) |
+//! | touched, or a closed loop | the [direct solver](super::direct), as [rows of its system](island_rows), if it takes it |
+//! | all else, and soft joints | [soft rows](soft_step) of the iterative solver, beside the contacts |
+//!
+//! Joints of a distance in three axes have solvers of their own: see [depth].
 
 mod colours;
 mod depth;

@@ -15,8 +15,8 @@ use super::soft_joint::{Pass, SoftJoint};
 use super::soft_law::Law;
 use crate::storage::reusing_clone::reusing_clone;
 
-/// Greatest speed of bodies with joints in the iterative solver, in units of length per second: Box2D's `B2_HUGE`-independent limit of
-/// 4 m per substep of 1/100 s (`b2_maxTranslation` of Box2D 2.4, `maximumLinearSpeed` of Box2D 3: 400 m/s).
+/// Greatest speed of bodies with joints in the iterative solver, in units of length per second: that of all bodies in Box2D 3
+/// (`maximumLinearSpeed`, 400 m/s).
 const GREATEST_SPEED: f32 = 400.0;
 
 /// The joints of the iterative solver.
