@@ -78,9 +78,31 @@ pub(super) fn within(number: f64, most: f64) -> f64 {
     }
 }
 
-/// The inverse of the block of a symmetric matrix that these rows make, 0 elsewhere: the sweep operator (J. Goodnight, "A Tutorial
-/// on the SWEEP Operator", 1979). Rows that depend on others have zeros, too.
+/// The inverse of the block of a symmetric matrix that these rows make, 0 elsewhere. Rows that depend on others have zeros, too.
 pub(super) fn inverse_of(matrix: &[Triple; 3], rows: Set) -> [Triple; 3] {
+    match rows {
+        0b101 => inverse_of_two::<0, 2>(matrix),
+        0b011 => inverse_of_two::<0, 1>(matrix),
+        _ => None,
+    }
+    .unwrap_or_else(|| swept(matrix, rows))
+}
+
+/// The inverse of the block of two rows, unless one depends on the other.
+#[inline(always)]
+fn inverse_of_two<const I: usize, const J: usize>(matrix: &[Triple; 3]) -> Option<[Triple; 3]> {
+    let (one, other, both) = (matrix[I][I], matrix[J][J], matrix[I][J]);
+    let determinant = one * other - both * both;
+    (determinant > LEAST_PIVOT * one * other).then(|| {
+        let (factor, mut inverse) = (1.0 / determinant, [[0.0; 3]; 3]);
+        (inverse[I][I], inverse[J][J]) = (other * factor, one * factor);
+        (inverse[I][J], inverse[J][I]) = (-both * factor, -both * factor);
+        inverse
+    })
+}
+
+/// The inverse of the block of these rows by the sweep operator (J. Goodnight, "A Tutorial on the SWEEP Operator", 1979).
+fn swept(matrix: &[Triple; 3], rows: Set) -> [Triple; 3] {
     let (mut swept, mut set) = (*matrix, 0);
     for pivot in (0..3).filter(|pivot| rows >> pivot & 1 == 1) {
         let own = swept[pivot][pivot];
@@ -105,4 +127,55 @@ pub(super) fn inverse_of(matrix: &[Triple; 3], rows: Set) -> [Triple; 3] {
 #[inline(always)]
 pub(super) fn times(matrix: &[Triple; 3], [x, y, z]: Triple) -> Triple {
     matrix.map(|[a, b, c]| a * x + b * y + c * z)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Law, inverse_of};
+
+    /// K of two bodies of masses 1 and 3 and inertias 4 and 5, with arms of rows as a joint has them.
+    const MATRIX: [[f64; 3]; 3] = {
+        let (a, b) = ([2.0, 1.0, -3.0], [-1.0, 1.0, 4.0]);
+        let mut matrix = [[0.0; 3]; 3];
+        let mut at = 0;
+        while at < 9 {
+            let (i, j) = (at / 3, at % 3);
+            let linear = if i == j && i != 1 { 4.0 / 3.0 } else { 0.0 };
+            matrix[i][j] = linear + a[i] * a[j] / 4.0 + b[i] * b[j] / 5.0;
+            at += 1;
+        }
+        matrix
+    };
+
+    #[test]
+    fn the_inverse_of_a_block_times_the_block_is_one() {
+        for rows in [0b001, 0b010, 0b011, 0b101, 0b111] {
+            let inverse = inverse_of(&MATRIX, rows);
+            for (i, j) in (0..9).map(|at| (at / 3, at % 3)) {
+                let is_in = |row: usize| rows >> row & 1 == 1;
+                let product: f64 = (0..3).filter(|&k| is_in(k)).map(|k| inverse[i][k] * MATRIX[k][j]).sum();
+                let expected = if i == j { 1.0 } else { 0.0 };
+                assert!(!(is_in(i) && is_in(j)) || (product - expected).abs() < 1e-12, "{rows:b} {i} {j}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_row_that_depends_on_another_gets_no_impulse() {
+        // Two bodies that only turn: both rows of a point are one.
+        let arms = [2.0, 0.0, 3.0];
+        let matrix = arms.map(|a| arms.map(|b| a * b));
+        let inverse = inverse_of(&matrix, 0b101);
+        assert_eq!(inverse, [[0.25, 0.0, 0.0], [0.0; 3], [0.0; 3]]);
+    }
+
+    #[test]
+    fn a_soft_row_at_rest_under_a_load_yields_by_its_stiffness() {
+        // The impulse l = mass / leak * bias C / K does not change where the velocity is zero.
+        let law = Law::soft(1.0 / 240.0);
+        let (impulse, inverse_mass) = (2.0, 0.5);
+        let error = -law.leak * impulse * inverse_mass / (law.mass * law.bias);
+        let missing = law.bias * error / inverse_mass;
+        assert!((law.next(impulse, missing) - impulse).abs() < 1e-12);
+    }
 }
