@@ -73,7 +73,7 @@ impl Precise {
         }
     }
 
-    /// A step has ended: poses are new ones.
+    /// A step has ended: poses are new ones. Contacts are found with the spin that a restored body has, none.
     pub(in crate::precise) fn end_steady(&mut self) {
         let Precise { space: Some(space), bodies, sleep, .. } = self else { return };
         if space.has_upright {
@@ -82,6 +82,7 @@ impl Precise {
             for number in renewed.filter(|&number| super::entry(&space.are_upright, number)) {
                 let [x, y, ..] = bodies.poses[number];
                 bodies.poses[number] = [x, y, 1.0, 0.0];
+                bodies.hot[number].velocity[2] = 0.0;
             }
         }
     }
