@@ -331,7 +331,7 @@ impl Joints {
         }
     }
 
-    /// What the joints of the iterative solver do to velocities acts at the beginning of each substep.
+    /// Impulses of the joints of the iterative solver act at the beginning of each substep.
     pub(super) fn warm(&self, bodies: &mut Bodies) {
         self.soft.warm(bodies);
     }

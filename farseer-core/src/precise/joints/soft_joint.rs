@@ -22,7 +22,7 @@ const LOST_OF_CLOSED: f64 = 4.0;
 /// Length in units of length that a turn by one radian counts as where speeds are compared: an arm inside of a body.
 const LEVER: f64 = 0.3;
 
-/// What all joints of a pass share.
+/// The parameters that all joints of a pass share.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pass {
     pub(super) law: Law,

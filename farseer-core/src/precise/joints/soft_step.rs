@@ -24,7 +24,7 @@ const GREATEST_SPEED: f32 = 400.0;
 pub(super) struct SoftJoints {
     /// All joints in the plane, by their places in the list, in the order of their colours.
     order: Vec<u32>,
-    /// Those of this update.
+    /// The joints of this update.
     joints: Vec<SoftJoint>,
     /// Their dynamic bodies; and by body number whether it is one of them, as a mask of all bits.
     bodies: Vec<u32>,
@@ -119,7 +119,7 @@ impl SoftJoints {
             if squared > most * most && !bodies.are_bullets[body] {
                 let part = most / squared.sqrt();
                 for (axis, old) in [x, y].into_iter().enumerate() {
-                    // What is cut off is no impulse that acts again.
+                    // The part that is cut off is no impulse that acts again.
                     bodies.hot[body].velocity[axis] = old * part;
                     bodies.begun[body][axis] += old * part - old;
                 }
@@ -127,7 +127,7 @@ impl SoftJoints {
         }
     }
 
-    /// What has held these joints at the end of an update of `dt` seconds, and on the average.
+    /// Forces and torques of these joints in the last substep, and their means over the update of `dt` seconds.
     pub(super) fn finish(&self, holds: &mut [Hold], [dt, h]: [f32; 2]) {
         for joint in &self.joints {
             let hold = &mut holds[joint.hold as usize];
