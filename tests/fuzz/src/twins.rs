@@ -1,5 +1,7 @@
 //! The same game, played with simulators that are saved and loaded in between.
 
+use serde_json::Value;
+
 use crate::engine::Engine;
 use crate::game::{Game, Outcome, play};
 use crate::random::Random;
@@ -48,28 +50,55 @@ fn same_bytes<E: Engine>(simulator: &E, copy: E) -> Result<E, String> {
 /// # Errors
 /// The first difference.
 pub fn twins_stay_equal<G: Game>(seed: u64) -> Result<(), String> {
-    let plain = moments::<G>(seed, None)?;
+    let plain = seen::<G, _>(seed, None, |_, simulator| Moment::of(simulator))?;
     twins().into_iter().try_for_each(|(name, copy)| {
-        let twin = moments::<G>(seed, Some(copy)).map_err(|what| format!("{name}: {what}"))?;
-        equal(&plain, &twin).map_err(|what| format!("{name}: {what}"))
+        let twin = seen::<G, _>(seed, Some(copy), |_, simulator| Moment::of(simulator))
+            .map_err(|what| format!("{name}: {what}"))?;
+        let Err((update, what)) = equal(&plain, &twin) else { return Ok(()) };
+        let state = |copy| seen::<G, _>(seed, copy, |number, simulator| state_at(update, number, simulator));
+        let place = first_difference(&state(None)?[update], &state(Some(copy))?[update]);
+        Err(format!("{name}: {what}{}", place.map_or_else(String::new, |place| format!(", at {place}"))))
     })
 }
 
-fn moments<G: Game>(seed: u64, copy: Option<Copy<G::Simulator>>) -> Result<Vec<Moment>, String> {
+fn state_at(update: usize, number: usize, simulator: &impl Engine) -> Value {
+    if number == update { serde_json::to_value(simulator).unwrap_or_default() } else { Value::Null }
+}
+
+/// The path to the first number or text of two states that differs, with both.
+fn first_difference(one: &Value, other: &Value) -> Option<String> {
+    match (one, other) {
+        (Value::Object(one), Value::Object(other)) if one.len() == other.len() => one.iter().find_map(|(name, value)| {
+            Some(format!(".{name}{}", first_difference(value, other.get(name).unwrap_or(&Value::Null))?))
+        }),
+        (Value::Array(one), Value::Array(other)) if one.len() == other.len() => {
+            let mut items = one.iter().zip(other).enumerate();
+            items.find_map(|(at, (one, other))| Some(format!("[{at}]{}", first_difference(one, other)?)))
+        }
+        _ => (one != other).then(|| format!(": {one} and {other}")),
+    }
+}
+
+/// What `see` sees in a game after each update.
+fn seen<G: Game, T>(
+    seed: u64,
+    copy: Option<Copy<G::Simulator>>,
+    see: impl Fn(usize, &G::Simulator) -> T,
+) -> Result<Vec<T>, String> {
     let mut random = Random::new(seed ^ 0x0f0f);
-    let (mut moments, mut older) = (Vec::new(), G::Simulator::empty());
+    let (mut all, mut older) = (Vec::new(), G::Simulator::empty());
     let after = |game: &mut G, outcome| {
         if outcome != Outcome::Updated {
             return Ok(());
         }
-        moments.push(Moment::of(game.simulator()));
+        all.push(see(all.len(), game.simulator()));
         match copy {
             Some(copy) if random.chance(OFTEN) => exchange(game, copy, &mut older),
             _ => Ok(()),
         }
     };
     play(seed, |_| (), after)?;
-    Ok(moments)
+    Ok(all)
 }
 
 fn exchange<G: Game>(game: &mut G, copy: Copy<G::Simulator>, older: &mut G::Simulator) -> Result<(), String> {
@@ -80,7 +109,7 @@ fn exchange<G: Game>(game: &mut G, copy: Copy<G::Simulator>, older: &mut G::Simu
     Ok(())
 }
 
-fn equal(plain: &[Moment], twin: &[Moment]) -> Result<(), String> {
+fn equal(plain: &[Moment], twin: &[Moment]) -> Result<(), (usize, String)> {
     let Some(update) = (0..plain.len().max(twin.len())).find(|&update| plain.get(update) != twin.get(update))
     else {
         return Ok(());
@@ -93,5 +122,5 @@ fn equal(plain: &[Moment], twin: &[Moment]) -> Result<(), String> {
         ("snapshot", differs(|moment| moment.snapshot)),
     ];
     let names: Vec<&str> = parts.iter().filter(|part| part.1).map(|part| part.0).collect();
-    Err(format!("update {update} of {} differs in {}", plain.len(), names.join(", ")))
+    Err((update, format!("update {update} of {} differs in {}", plain.len(), names.join(", "))))
 }
