@@ -41,6 +41,6 @@ impl Precise {
             && !self.has_handled
             && self.joints.are_none()
             && !self.may_break_joints()
-            && (self.space.is_some() || self.direct.is_quiet())
+            && self.direct.is_quiet()
     }
 }

@@ -328,7 +328,8 @@ impl Precise {
             let ways = bodies.path[run.clone()].iter().zip(&bodies.reaches[run.clone()]);
             for (([x, y, turned, z], reach), rest) in ways.zip(&mut rest[run]) {
                 let is_slow = x.abs() + y.abs() + z.abs() + reach * turned.abs() < slow;
-                *rest = if is_slow { (*rest + *dt).min(REST) } else { 0.0 };
+                // Blocks of four hold sleepers too: theirs stays what it is.
+                *rest = if is_slow { (*rest + *dt).min(REST) } else { rest.min(0.0) };
                 is_ripe |= *rest >= REST;
             }
         }
