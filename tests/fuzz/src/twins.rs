@@ -42,7 +42,16 @@ pub(crate) fn through_json<E: Engine>(simulator: &E) -> Result<E, String> {
 }
 
 fn same_bytes<E: Engine>(simulator: &E, copy: E) -> Result<E, String> {
-    if copy.snapshot() == simulator.snapshot() { Ok(copy) } else { Err("the copy is saved otherwise".into()) }
+    if copy.snapshot() == simulator.snapshot() {
+        return Ok(copy);
+    }
+    let [before, after] = [simulator, &copy].map(|it| serde_json::to_value(it).unwrap_or_default());
+    Err(format!("the copy is saved otherwise{}", place_of_difference(&before, &after)))
+}
+
+/// The first place at which two states differ, as an end of a sentence.
+fn place_of_difference(one: &Value, other: &Value) -> String {
+    first_difference(one, other).map_or_else(String::new, |place| format!(", at {place}"))
 }
 
 /// A game and its twins have equal snapshots and events after each update.
@@ -56,8 +65,8 @@ pub fn twins_stay_equal<G: Game>(seed: u64) -> Result<(), String> {
             .map_err(|what| format!("{name}: {what}"))?;
         let Err((update, what)) = equal(&plain, &twin) else { return Ok(()) };
         let state = |copy| seen::<G, _>(seed, copy, |number, simulator| state_at(update, number, simulator));
-        let place = first_difference(&state(None)?[update], &state(Some(copy))?[update]);
-        Err(format!("{name}: {what}{}", place.map_or_else(String::new, |place| format!(", at {place}"))))
+        let place = place_of_difference(&state(None)?[update], &state(Some(copy))?[update]);
+        Err(format!("{name}: {what}{place}"))
     })
 }
 
