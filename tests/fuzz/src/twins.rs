@@ -84,7 +84,11 @@ fn first_difference(one: &Value, other: &Value) -> Option<String> {
             let mut items = one.iter().zip(other).enumerate();
             items.find_map(|(at, (one, other))| Some(format!("[{at}]{}", first_difference(one, other)?)))
         }
-        _ => (one != other).then(|| format!(": {one} and {other}")),
+        // As text, so that two zeros differ.
+        _ => {
+            let [one, other] = [one, other].map(Value::to_string);
+            (one != other).then(|| format!(": {one} and {other}"))
+        }
     }
 }
 

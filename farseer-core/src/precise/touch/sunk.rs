@@ -49,13 +49,19 @@ impl Touch<'_> {
 }
 
 impl Precise {
-    /// Who has parted from what does not give way remembers how deep it was in that: it may come back to the same face.
+    /// A body that has parted from one that does not give way remembers how deep it was in that: it may come back to the same
+    /// face. A body that sleeps has not moved: it keeps what it remembers, and the game is told of none that sleeps.
     pub(in crate::precise) fn remember_sunk(&mut self) {
-        let Precise { space: Some(space), parted, .. } = self else { return };
-        parted.iter().for_each(|&(body, _)| space.body_mut(body).sunk = 0.0);
-        for (body, depth) in parted.drain(..) {
-            let told = space.body_mut(body);
-            told.sunk = told.sunk.max(depth);
+        let mut parted = std::mem::take(&mut self.parted);
+        parted.retain(|&(body, _)| self.number_of(body).is_some_and(|number| !self.sleep.is_asleep(number)));
+        if let Some(space) = &mut self.space {
+            parted.iter().for_each(|&(body, _)| space.body_mut(body).sunk = 0.0);
+            for &(body, depth) in &parted {
+                let told = space.body_mut(body);
+                told.sunk = told.sunk.max(depth);
+            }
         }
+        parted.clear();
+        self.parted = parted;
     }
 }
