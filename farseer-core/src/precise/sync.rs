@@ -9,7 +9,7 @@ use super::proxies::{Mobility, Proxy, filter_of};
 use super::saved::{Edits, Saved};
 use super::space::parts::{Depths, SpaceProfile, is_geom};
 use crate::body::{Body, BodyId};
-use crate::geom::GeomId;
+use crate::geom::{Geom, GeomId};
 use crate::geom::entry::GeomEntry;
 use crate::geom::filter::{is_valid_pair, may_go_on_touching};
 use crate::geom::pieces::Piece;
@@ -149,7 +149,7 @@ impl Precise {
     fn take_geom(&mut self, id: GeomId, objects: &Objects) {
         let Some(entry) = objects.geoms.get(id) else { return };
         let (geom, one_way) = (&entry.geom, self.direction_of(entry));
-        let (friction, restitution) = (geom.friction_coefficient(), geom.restitution_coefficient());
+        let [friction, restitution] = surface_of(geom);
         let is_heard = geom.collision_callbacks_enabled();
         self.bounces |= restitution > 0.0;
         self.renew_proxies(id, objects, |proxy| {
@@ -418,7 +418,7 @@ impl Precise {
             true if self.bodies.is_kinematic(body) => Mobility::Kinematic,
             true => Mobility::Dynamic,
         };
-        let restitution = geom.geom.restitution_coefficient();
+        let [friction, restitution] = surface_of(&geom.geom);
         self.bounces |= restitution > 0.0;
         let shape = self.shape_of(id, geom, piece);
         Some(Proxy {
@@ -430,7 +430,7 @@ impl Precise {
             mobility,
             shape,
             fingerprint: self.fingerprint_of(id, shape),
-            friction: geom.geom.friction_coefficient(),
+            friction,
             restitution,
             responds: geom.geom.collision_response_enabled(),
             is_heard: geom.geom.collision_callbacks_enabled(),
@@ -444,7 +444,7 @@ impl Precise {
     fn surface_velocity(&self, id: BodyId, is_movable: bool, body: &Body) -> [f32; 4] {
         let (velocity, spin) = (body.linear_velocity(), body.angular_velocity());
         let along_depth = self.space.as_ref().map_or(0.0, |space| space.body(id).velocity);
-        if is_movable { [0.0; 4] } else { [velocity.x, velocity.y, spin, along_depth] }
+        if is_movable { [0.0; 4] } else { [velocity.x, velocity.y, spin, along_depth].map(with_one_zero) }
     }
 
     /// Its shape in the frame of its body.
@@ -504,6 +504,16 @@ fn takes_part(id: BodyId, objects: &Objects) -> bool {
     let has_geoms =
         || entry.geoms.iter().any(|&geom| objects.geoms.life(geom).is_some_and(|life| life.is_listed));
     (entry.body.is_integrated() && objects.bodies.life(id).is_some_and(|life| life.is_listed)) || has_geoms()
+}
+
+/// Friction and restitution of a geom.
+fn surface_of(geom: &Geom) -> [f32; 2] {
+    [geom.friction_coefficient(), geom.restitution_coefficient()].map(with_one_zero)
+}
+
+/// The two zeros are equal, so none replaces the other where only changes are taken over.
+fn with_one_zero(number: f32) -> f32 {
+    number + 0.0
 }
 
 /// What is due after an edit.
