@@ -36,13 +36,22 @@ const LONGEST_WAY: f32 = 1e18;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Flight {
     /// Index into `bodies`.
-    body: u32,
+    pub(super) body: u32,
     /// Time of impact as a fraction of the step, 0..=1; 1 without an impact.
-    time: f32,
-    /// The pair of the impact.
-    pair: Option<u32>,
+    pub(super) time: f32,
+    /// The pair of the impact, and the body of it that was stopped: this one, or one that is [joined](super::joined_flights) to it.
+    pub(super) pair: Option<u32>,
+    pub(super) stopped: u32,
+    /// It is joined to others, all of which stop at this time.
+    pub(super) is_joined: bool,
     /// Motion with the other body after the impact: x and y in length units, angle in rad, z in length units.
-    carried: [f32; 4],
+    pub(super) carried: [f32; 4],
+}
+
+impl Flight {
+    pub(super) fn of(body: u32) -> Self {
+        Flight { body, time: 1.0, pair: None, stopped: body, is_joined: false, carried: [0.0; 4] }
+    }
 }
 
 /// Whether a body moves by more than its core within the step, and by a length that is of use.
@@ -138,7 +147,7 @@ impl Precise {
                 let core = if core < most { core } else { most };
                 let is_body = || bodies.ids[number].is_some() && !bodies.is_kinematic(number);
                 if is_fast(path, reach, core) && !sleep.is_asleep(number) && is_body() {
-                    fast.push(Flight { body: number as u32, time: 1.0, pair: None, carried: [0.0; 4] });
+                    fast.push(Flight::of(number as u32));
                 }
             }
         }
@@ -263,15 +272,20 @@ impl Precise {
             let first = self.first_impact(flight.body as usize, |_| true);
             (flight.time, flight.pair) = first.map_or((1.0, None), |(time, pair)| (time, Some(pair as u32)));
         }
+        self.stop_joined(&mut fast);
         self.note_flown(&fast);
         for at in 0..fast.len() {
             fast[at].carried = self.carried(&fast, &fast[at]);
         }
         fast.retain(|flight| flight.time < 1.0);
-        for &Flight { body, time, carried, .. } in &fast {
+        for &Flight { body, time, carried, is_joined, .. } in &fast {
             let body = body as usize;
             for (way, carried) in self.bodies.path[body].iter_mut().zip(carried) {
                 *way = *way * time + carried;
+            }
+            if is_joined {
+                self.slow_joined(body, time);
+                continue;
             }
             // Forces have acted until the time of impact.
             let undone = (1.0 - time) * step.substeps as f32;
@@ -302,10 +316,10 @@ impl Precise {
 
     /// The motion of a body after its impact, until the end of the step: as if it were fixed to what it has met.
     fn carried(&self, fast: &[Flight], flight: &Flight) -> [f32; 4] {
-        let &Flight { body, time, pair: Some(pair), .. } = flight else { return [0.0; 4] };
+        let &Flight { body, time, pair: Some(pair), stopped, .. } = flight else { return [0.0; 4] };
         let proxies =
             self.pairs.watched[pair as usize].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
-        let other = if proxies[0].body == body { proxies[1] } else { proxies[0] };
+        let other = if proxies[0].body == stopped { proxies[1] } else { proxies[0] };
         let pose = self.bodies.poses[body as usize];
         let path = self.bodies.path[body as usize];
         if let Some(space) = self.space.as_ref().filter(|_| !is_geom(other.geom)) {

@@ -25,6 +25,7 @@ mod flight;
 mod flush;
 mod grid;
 mod islands;
+mod joined_flights;
 mod joints;
 mod manifold;
 mod meeting;

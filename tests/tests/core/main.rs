@@ -53,6 +53,7 @@ mod precise_events;
 mod precise_fast;
 mod precise_flush;
 mod precise_islands;
+mod precise_joined_flights;
 mod precise_jointed_islands;
 mod precise_joints;
 mod precise_loads;

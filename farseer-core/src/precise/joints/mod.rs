@@ -115,6 +115,11 @@ impl Joints {
         self.spatial.iter().all(|group| group.is_apart()) && !self.groups.iter().any(Group::is_mixed)
     }
 
+    /// Bodies that joints in the plane tie together, as lists.
+    pub(super) fn articulations(&self) -> impl Iterator<Item = &[u32]> + '_ {
+        self.groups.iter().map(|group| &group.bodies[..])
+    }
+
     /// The joints in the plane as the direct solver sees them.
     pub(super) fn candidates(&self) -> impl Iterator<Item = Candidate> + '_ {
         self.groups.iter().flat_map(move |group| {
