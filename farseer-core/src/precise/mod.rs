@@ -70,6 +70,7 @@ use continuous::Flight;
 use direct::Direct;
 use grid::Grid;
 use joints::Joints;
+use joints::springs::Springs;
 use nearby::Loose;
 use pairs::Pairs;
 use proxies::Proxies;
@@ -109,6 +110,8 @@ pub(crate) struct Precise {
     rows: Rows,
     palette: Palette,
     joints: Joints,
+    /// Springs that are rows in this update.
+    springs: Springs,
     sleep: Sleep,
     direct: Direct,
     /// The depth axis, for an engine that has it.
@@ -155,7 +158,7 @@ pub(crate) struct Precise {
 reusing_clone! {
     Precise {
         tuning, h, dt, fall, loaded, is_stale, has_new_members, bounces, friction, most_contacts, bodies, proxies,
-        grid, pairs, rows, palette, joints, sleep, direct, space, body_numbers, first_proxies, loose, absent,
+        grid, pairs, rows, palette, joints, springs, sleep, direct, space, body_numbers, first_proxies, loose, absent,
         edited_bodies, edited_geoms, woken, changes, parted, looks, due, rolling, has_handled, fast, flown, widened, unpushed,
         lost, found,
         known, touching
@@ -188,6 +191,7 @@ impl Precise {
             rows: Rows::default(),
             palette: Palette::default(),
             joints: Joints::default(),
+            springs: Springs::default(),
             sleep: Sleep::default(),
             direct: Direct::default(),
             space: None,

@@ -325,6 +325,7 @@ impl Precise {
         self.sleep.reset(&self.bodies.ids[..self.bodies.first_fixed()]);
         self.enter_moving_fixtures();
         self.direct.reset(self.bodies.hot.len());
+        self.springs.forget_numbers();
         (1..=self.bodies.count).for_each(|number| self.measure(number, objects));
         self.restore(saved, objects, edits);
     }

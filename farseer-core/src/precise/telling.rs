@@ -32,8 +32,8 @@ pub struct Island {
     pub cost: IslandCost,
 }
 
-/// How the precise set has solved an island in the last update. Springs tie bodies together but are not solved: where they
-/// tie what is solved in different ways, it is the one that comes last in this list.
+/// How the precise set has solved an island in the last update. Springs of bodies that nothing touches or holds tie bodies together but are not solved:
+/// where they tie what is solved in different ways, it is the one that comes last in this list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum IslandMethod {
@@ -63,7 +63,7 @@ pub enum WhyMethod {
     Chosen,
     /// Passes: it is one body on what does not give way.
     OneBody,
-    /// Passes: joints hold some of it, and one of them is soft, has limits of its travel, or is a point with a greatest impulse;
+    /// Passes: joints hold some of it, and one of them is soft, or is a point with a greatest impulse;
     /// or there is a depth axis.
     Joints,
     /// Passes: two came together so fast that they bounced.

@@ -8,6 +8,9 @@ use crate::springs::{SpringId, SpringOutcome, Steps};
 impl PhysicsSimulator {
     /// Springs in list order: those that are beyond their breakpoint break, and act once more.
     pub(super) fn update_springs(&mut self, step: Option<Steps>, handler: &mut Handler<'_>) {
+        if let Some(precise) = &mut self.pipeline.precise {
+            precise.begin_springs(&self.objects);
+        }
         for position in 0..self.spring_list().len() {
             if let Some((id, spring)) = self.objects.springs.at_mut(position)
                 && spring.enabled()
@@ -28,7 +31,13 @@ impl PhysicsSimulator {
             None => [None; 2],
         };
         let space = pipeline.precise.as_mut().and_then(|precise| precise.space_mut());
-        let outcome = objects.springs[spring].update(&mut objects.bodies, space, step);
+        let (outcome, pushes) = objects.springs[spring].find(&objects.bodies, space, step);
+        if let Some(pushes) = pushes {
+            let precise = pipeline.precise.as_mut();
+            if !precise.is_some_and(|precise| precise.takes_spring(spring, pushes, objects)) {
+                pushes.into_iter().flatten().for_each(|push| push.apply(&mut objects.bodies));
+            }
+        }
         if let Some(space) = pipeline.precise.as_mut().and_then(|precise| precise.space_mut()) {
             kept.into_iter().flatten().for_each(|(body, push)| space.set_acceleration(body, push));
         }

@@ -11,7 +11,7 @@ use crate::math::finite::finite;
 use crate::math::scalar;
 use crate::springs::load::{Load, may_act};
 use crate::springs::swing::inverse_inertia;
-use crate::springs::{Constants, Pull, Spring, SpringKind};
+use crate::springs::{Constants, Pull, Push, Spring, SpringKind};
 
 /// Greatest target angle that can be set.
 const TARGET_ANGLE_LIMIT: f32 = 5.5;
@@ -91,7 +91,7 @@ impl AngleSpring {
         torque_multiplier, set_torque_multiplier;
     }
 
-    pub(crate) fn pull(&self, constants: Constants, bodies: &mut Bodies) -> Pull {
+    pub(crate) fn pull(&self, constants: Constants, bodies: &Bodies) -> Pull {
         let (Some(entry1), Some(entry2)) = (bodies.get(self.body1), bodies.get(self.body2)) else {
             return Pull::None;
         };
@@ -110,12 +110,9 @@ impl AngleSpring {
         if !(error.is_finite() && load1.is_finite() && before2.with_torque(torque2).is_finite()) {
             return Pull::NotFinite;
         }
-        for (body, torque) in [(self.body1, torque1), (self.body2, torque2)] {
-            if torque != 0.0 {
-                bodies[body].body.apply_torque(torque);
-            }
-        }
-        Pull::Done { error, has_acted: torque1 != 0.0 || torque2 != 0.0 }
+        let pushes = [(self.body1, torque1), (self.body2, torque2)]
+            .map(|(body, torque)| (torque != 0.0).then_some(Push::Torque { body, torque }));
+        Pull::Done { error, has_acted: torque1 != 0.0 || torque2 != 0.0, pushes }
     }
 
     /// The torque on one of the bodies; 0 on one that is immovable.

@@ -11,7 +11,7 @@ use crate::math::finite::finite;
 use crate::springs::angle_spring::limited;
 use crate::springs::load::Load;
 use crate::springs::swing::inverse_inertia;
-use crate::springs::{Constants, Pull, Spring, SpringKind};
+use crate::springs::{Constants, Pull, Push, Spring, SpringKind};
 
 /// Turns a body towards an angle.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -55,8 +55,8 @@ impl FixedAngleSpring {
         torque_multiplier, set_torque_multiplier;
     }
 
-    pub(crate) fn pull(&self, constants: Constants, bodies: &mut Bodies) -> Pull {
-        let Some(body) = bodies.get_mut(self.body).map(|entry| &mut entry.body) else { return Pull::None };
+    pub(crate) fn pull(&self, constants: Constants, bodies: &Bodies) -> Pull {
+        let Some(body) = bodies.get(self.body).map(|entry| &entry.body) else { return Pull::None };
         if !body.is_integrated() {
             return Pull::None;
         }
@@ -67,11 +67,8 @@ impl FixedAngleSpring {
         if !(error.is_finite() && Load::of(body).with_torque(torque).is_finite()) {
             return Pull::NotFinite;
         }
-        let has_acted = torque != 0.0;
-        if has_acted {
-            body.apply_torque(torque);
-        }
-        Pull::Done { error, has_acted }
+        let push = (torque != 0.0).then_some(Push::Torque { body: self.body, torque });
+        Pull::Done { error, has_acted: push.is_some(), pushes: [push, None] }
     }
 
     pub(crate) fn is_valid(&self) -> bool {

@@ -15,7 +15,7 @@ use crate::precise::space::Space;
 use crate::springs::load::Load;
 use crate::springs::swing::inverse_mass_at;
 use crate::springs::{
-    Constants, Pull, SHORTEST, Spring, SpringKind, along_with_depth, length_with_depth, strength_along,
+    Constants, Pull, Push, SHORTEST, Spring, SpringKind, along_with_depth, length_with_depth, strength_along,
 };
 
 /// Pulls a point of a body to, or pushes it from, a point of the world until they are the rest length apart.
@@ -122,8 +122,8 @@ impl FixedLinearSpring {
         rest_length, set_rest_length;
     }
 
-    pub(crate) fn pull(&self, constants: Constants, bodies: &mut Bodies, space: Option<&mut Space>) -> Pull {
-        let Some(body) = bodies.get_mut(self.body).map(|entry| &mut entry.body) else { return Pull::None };
+    pub(crate) fn pull(&self, constants: Constants, bodies: &Bodies, space: Option<&mut Space>) -> Pull {
+        let Some(body) = bodies.get(self.body).map(|entry| &entry.body) else { return Pull::None };
         if !body.is_integrated() {
             return Pull::None;
         }
@@ -151,10 +151,8 @@ impl FixedLinearSpring {
         if let Some(space) = space.filter(|_| force_z != 0.0) {
             space.push_along_depth(self.body, force_z * body.inverse_mass());
         }
-        if is_non_zero(force) {
-            body.apply_force_at_world_point(force, point);
-        }
-        Pull::Done { error, has_acted: is_non_zero(force) || force_z != 0.0 }
+        let push = is_non_zero(force).then_some(Push::Force { body: self.body, force, point });
+        Pull::Done { error, has_acted: push.is_some() || force_z != 0.0, pushes: [push, None] }
     }
 
     pub(crate) fn is_valid(&self) -> bool {

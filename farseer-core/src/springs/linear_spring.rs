@@ -15,7 +15,7 @@ use crate::precise::space::Space;
 use crate::springs::load::{Load, may_act};
 use crate::springs::swing::inverse_mass_at;
 use crate::springs::{
-    Constants, Pull, SHORTEST, Spring, SpringKind, along_with_depth, length_with_depth, strength_along,
+    Constants, Pull, Push, SHORTEST, Spring, SpringKind, along_with_depth, length_with_depth, strength_along,
 };
 
 /// Pulls points of two bodies together, or pushes them apart, until they are the rest length apart.
@@ -115,7 +115,7 @@ impl LinearSpring {
         rest_length, set_rest_length;
     }
 
-    pub(crate) fn pull(&self, constants: Constants, bodies: &mut Bodies, space: Option<&mut Space>) -> Pull {
+    pub(crate) fn pull(&self, constants: Constants, bodies: &Bodies, space: Option<&mut Space>) -> Pull {
         let (Some(entry1), Some(entry2)) = (bodies.get(self.body1), bodies.get(self.body2)) else {
             return Pull::None;
         };
@@ -167,13 +167,10 @@ impl LinearSpring {
             space.push_along_depth(self.body2, -force_z * inverses[1]);
         }
         let has_acted = is_non_zero(force) || force_z != 0.0;
-        if has_acted && moves1 {
-            bodies[self.body1].body.apply_force_at_world_point(force, point1);
-        }
-        if has_acted && moves2 {
-            bodies[self.body2].body.apply_force_at_world_point(-force, point2);
-        }
-        Pull::Done { error, has_acted }
+        let one = Push::Force { body: self.body1, force, point: point1 };
+        let other = Push::Force { body: self.body2, force: -force, point: point2 };
+        let pushes = [(has_acted && moves1).then_some(one), (has_acted && moves2).then_some(other)];
+        Pull::Done { error, has_acted, pushes }
     }
 
     pub(crate) fn is_valid(&self) -> bool {

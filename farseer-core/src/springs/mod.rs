@@ -10,6 +10,7 @@ mod fixed_angle_spring;
 mod fixed_linear_spring;
 mod linear_spring;
 mod load;
+mod push;
 mod spring_type;
 mod swing;
 
@@ -19,6 +20,7 @@ pub use angle_spring::AngleSpring;
 pub use fixed_angle_spring::FixedAngleSpring;
 pub use fixed_linear_spring::FixedLinearSpring;
 pub use linear_spring::LinearSpring;
+pub(crate) use push::Push;
 pub use spring_type::SpringType;
 pub(crate) use swing::Steps;
 
@@ -90,7 +92,7 @@ pub(crate) struct Constants {
     step: Option<Steps>,
 }
 
-/// What a kind of spring has done.
+/// What a kind of spring does.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Pull {
     /// The error stays what it was.
@@ -98,6 +100,8 @@ pub(crate) enum Pull {
     Done {
         error: f32,
         has_acted: bool,
+        /// Force or torque on each body.
+        pushes: [Option<Push>; 2],
     },
     NotFinite,
 }
@@ -229,14 +233,14 @@ impl Spring {
         breaks
     }
 
-    /// Applies force or torque, if the bodies let it, and a linear one also along the depth axis, if there is one; tuned to the
-    /// length of a step, if there is one.
-    pub(crate) fn update(
+    /// Finds force or torque, if the bodies let it act, tuned to the length of a step, if there is one; a linear spring also acts along
+    /// the depth axis, if there is one. Answers the pushes on the bodies, which are still to be applied; `None` if it has not been active.
+    pub(crate) fn find(
         &mut self,
-        bodies: &mut Bodies,
+        bodies: &Bodies,
         space: Option<&mut Space>,
         step: Option<Steps>,
-    ) -> SpringOutcome {
+    ) -> (SpringOutcome, Option<[Option<Push>; 2]>) {
         let constants = Constants { spring: self.spring_constant, damping: self.damping_constant, step };
         let pull = match &self.kind {
             SpringKind::Angle(spring) => spring.pull(constants, bodies),
@@ -245,11 +249,11 @@ impl Spring {
             SpringKind::Linear(spring) => spring.pull(constants, bodies, space),
         };
         match pull {
-            Pull::None => SpringOutcome::Idle,
-            Pull::NotFinite => SpringOutcome::NotFinite,
-            Pull::Done { error, has_acted } => {
+            Pull::None => (SpringOutcome::Idle, None),
+            Pull::NotFinite => (SpringOutcome::NotFinite, None),
+            Pull::Done { error, has_acted, pushes } => {
                 self.spring_error = error;
-                if has_acted { SpringOutcome::Updated } else { SpringOutcome::Idle }
+                (if has_acted { SpringOutcome::Updated } else { SpringOutcome::Idle }, Some(pushes))
             }
         }
     }

@@ -45,6 +45,14 @@ impl Jacobian {
         }
     }
 
+    /// Along n, of the angle, and across n, at points with these arms of A and B.
+    pub(in crate::precise) fn at(normal: [f64; 2], [a, b]: [[f64; 2]; 2]) -> Self {
+        let cross = |arm: [f64; 2], [x, y]: [f64; 2]| arm[0] * y - arm[1] * x;
+        let tangent = [normal[1], -normal[0]];
+        let angular = |arm| [cross(arm, normal), 1.0, cross(arm, tangent)];
+        Jacobian { normal, second: 0.0, a: angular(a), b: angular(b) }
+    }
+
     /// Relative velocities of all rows.
     #[inline(always)]
     pub(in crate::precise) fn relative(&self, a: Triple, b: Triple) -> Triple {
@@ -193,6 +201,11 @@ pub(super) trait Constraint: DerefMut<Target = ConstraintRows> {
 
     /// The impulse of one row that stops it alone, within its bounds, at this velocity error. Answers the change.
     fn stop(&mut self, row: usize, excess: f64) -> Triple;
+
+    /// What the rows yield to their impulses by themselves: the sum of impulse squared times compliance, in the unit of energy.
+    fn yielding(&self) -> f64 {
+        0.0
+    }
 
     /// Impulses and active set become those of the law.
     #[inline(always)]

@@ -84,6 +84,12 @@ impl Member {
         [x / self.mass, y / self.mass, turn / self.inertia]
     }
 
+    /// Inertia that begins at rest: the angular momentum stays.
+    pub(super) fn add_inertia(&mut self, more: f64) {
+        self.velocity[2] *= self.inertia / (self.inertia + more);
+        self.inertia += more;
+    }
+
     /// Inverse mass and inertia; 0 of what cannot be moved or turned.
     pub(super) fn inverses(&self) -> [f64; 2] {
         [self.mass, self.inertia].map(|weight| if weight < IMMOVABLE { weight.recip() } else { 0.0 })
@@ -334,9 +340,7 @@ impl Island {
             contact.stiffness = contact.masses.map(|mass| mass / softness);
         }
         let of_joints = softness.min(SOFTNESS_OF_JOINTS);
-        for joint in &mut self.joints {
-            joint.stiffness = joint.masses.map(|mass| mass / of_joints);
-        }
+        self.joints.iter_mut().for_each(|joint| joint.stiffen(of_joints));
     }
 
     fn residual(&self) -> f64 {
@@ -362,7 +366,7 @@ impl Island {
         let is_fresh = is_first && self.is_fresh();
         let follow = if self.has_joints() { 1.0 } else { FOLLOW };
         for joint in &mut self.joints {
-            joint.centre = joint.impulses;
+            joint.take_multipliers();
             joint.obey();
         }
         for contact in &mut self.contacts {

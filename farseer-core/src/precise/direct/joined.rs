@@ -13,6 +13,7 @@ use super::price::most_steps;
 use super::whole::{BEARABLE, ENOUGH, EXACT, NEAR, QUIET, Reading, SOLVED, UNDONE, Whole};
 use crate::methods::IslandChoice;
 use crate::precise::Precise;
+use crate::precise::joints::springs::Springs;
 use crate::precise::joints::{IMMOVABLE, Joints};
 use crate::precise::tuning::Step;
 
@@ -36,7 +37,7 @@ const ENERGY_SLACK: f64 = 0.01;
 const LEVER: f64 = 0.3;
 /// The geometric stiffness that an inertia bears in a step, as a part of it (dimensionless): that of the articulated bodies (`BORNE` in
 /// `joints/swing.rs`).
-const BORNE_STIFFNESS: f64 = 0.3;
+pub(super) const BORNE_STIFFNESS: f64 = 0.3;
 
 /// Most position corrections of a step; the position error after one of them that is left, in parts of the one that asks for the
 /// first; and the angle in radians beyond which a body's turn asks for new Jacobians.
@@ -47,16 +48,19 @@ const SAME_JACOBIAN: f64 = 0.002;
 impl Precise {
     /// Solves an island with joints. Answers how many Newton steps that took, and whether the solution is good.
     pub(super) fn solve_joined(&mut self, whole: &mut Whole, step: &Step, unit: f64) -> Effort {
-        let Precise { bodies, rows, joints, direct, tuning, .. } = self;
+        let Precise { bodies, rows, joints, springs, direct, tuning, .. } = self;
         let (dt, substeps) = (f64::from(step.dt), f64::from(step.substeps));
         let is_optional = direct.timing.choice != IslandChoice::Whole;
         let Wear { is_hot, is_loose, was_solved, .. } = direct.wear[whole.island.members[0].number as usize];
         let left = whole.take_bodies(bodies, substeps, unit);
-        let quiet = unit * if is_hot { EXACT } else { QUIET };
+        // A stretch is a difference of places in f32: its last bit moves a stiff spring by more than what is exact.
+        let quiet = unit * if is_hot && whole.springs.is_empty() { EXACT } else { QUIET };
         let reading = Reading { bodies, step, dt, rate: dt.recip(), parts: substeps, left, quiet };
         whole.is_left = false;
         whole.make_contacts(rows, &reading, false);
+        whole.damp_spins(springs, dt);
         whole.make_joints(joints, [dt, substeps], LEVER * unit);
+        whole.make_springs(springs, dt, LEVER * unit);
         whole.island.stiffen_inertia(dt);
         let free_energy = whole.island.energy();
         whole.island.warm_start();
@@ -64,6 +68,7 @@ impl Precise {
         let mut effort = whole.island.find_velocities(&reading, unit, most_steps);
         let supplied = whole.island.supplied_energy();
         let energy = whole.island.energy();
+        let supplied = supplied + 0.5 * whole.island.released_energy(dt);
         let slack = ENERGY_SLACK * unit * unit * whole.island.mass();
         // An energy that is not a number gains, too.
         let keeps = energy <= ACCEPTED_ENERGY * free_energy + 2.0 * supplied + slack;
@@ -87,6 +92,7 @@ impl Precise {
         if !whole.is_left {
             let Whole { island, joints: of_island, .. } = &*whole;
             of_island.iter().zip(&island.joints).for_each(|(&at, rows)| joints.take_solution(at, rows, dt));
+            whole.springs.iter().for_each(|&at| springs.note_solved(at));
             whole.write(rows, substeps, step.h);
         }
         effort
@@ -100,9 +106,31 @@ impl Whole {
         let Island { members, joints: rows, .. } = island;
         rows.clear();
         for (&at, &ends) in of_island.iter().zip(joint_ends.iter()) {
-            let mut made = joints.hold(at).rows(ends, |member| members[member].velocity, times, lever);
+            let mut made = joints.hold(at).rows(ends, times, lever);
             made.weigh(members);
             rows.push(made);
+        }
+    }
+
+    /// Rows of its springs, behind those of its joints.
+    fn make_springs(&mut self, springs: &Springs, dt: f64, lever: f64) {
+        let Whole { island: Island { members, joints: rows, .. }, springs: of_island, spring_ends, .. } =
+            self;
+        for (&at, &ends) in of_island.iter().zip(spring_ends.iter()) {
+            let mut made = springs.hold(at).rows(ends, dt, lever);
+            made.weigh(members);
+            rows.push(made);
+        }
+    }
+
+    /// Damping of the spin of single bodies, implicit: I w' = I w - dt c w'.
+    fn damp_spins(&mut self, springs: &Springs, dt: f64) {
+        let Whole { island: Island { members, .. }, springs: of_island, spring_ends, .. } = self;
+        for (&at, ends) in of_island.iter().zip(spring_ends.iter()) {
+            let damping = dt * springs.hold(at).damping_of_spin();
+            for member in ends.bodies.into_iter().filter(|&member| member != FIXED && damping > 0.0) {
+                members[member as usize].add_inertia(damping);
+            }
         }
     }
 
@@ -203,8 +231,7 @@ impl Island {
         for (member, &[pull, reach, _]) in members.iter_mut().zip(gradient.iter()) {
             let more = dt * pull - BORNE_STIFFNESS * (member.inertia + member.mass * reach);
             if more > 0.0 {
-                member.velocity[2] *= member.inertia / (member.inertia + more);
-                member.inertia += more;
+                member.add_inertia(more);
             }
         }
     }
@@ -247,10 +274,16 @@ impl Island {
         self.members.iter().fold(0.0, |most, member| greater(member.velocity[2].abs(), most))
     }
 
+    /// Twice the energy that springs release in a step of `dt` seconds with the velocities now; less than 0 if they take it up.
+    fn released_energy(&self, dt: f64) -> f64 {
+        let velocity = |member: usize| self.members[member].velocity;
+        self.joints.iter().map(|joint| joint.released(velocity, dt)).sum()
+    }
+
     /// Energy that motors, belts and kinematic bodies put in at most.
     fn supplied_energy(&self) -> f64 {
         let of_contacts = self.contacts.iter().map(|contact| work(contact.impulses, contact.supplied));
-        let of_joints = self.joints.iter().map(|joint| work(joint.impulses, joint.supplied));
+        let of_joints = self.joints.iter().map(|joint| work(joint.impulses, joint.all_carried()));
         of_contacts.chain(of_joints).sum()
     }
 }
@@ -280,6 +313,7 @@ fn works<C: Constraint>(
             lost -= rows.impulses[row] * (before[row] + rows.supplied[row]);
             needed += rows.impulses[row] * change[row];
         }
+        needed += rows.yielding();
     }
     [lost, needed]
 }

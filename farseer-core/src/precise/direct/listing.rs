@@ -7,6 +7,7 @@ use super::whole::Whole;
 use crate::precise::Precise;
 use crate::precise::islands::Islands;
 use crate::precise::joints::Joints;
+use crate::precise::joints::springs::Springs;
 use crate::precise::pairs::Pairs;
 use crate::precise::proxies::Proxies;
 use crate::precise::rows::{Home, Lane};
@@ -44,23 +45,26 @@ impl Precise {
         }
     }
 
-    /// The joints of each island, in their order.
+    /// The joints of each island, and its springs, in their order.
     pub(super) fn list_joints(&mut self) {
-        let Precise { direct, joints, space, .. } = self;
+        let Precise { direct, joints, springs, space, .. } = self;
         let Direct { islands, unions, census, wear, .. } = direct;
-        for joint in joints.candidates().filter(|_| space.is_none()) {
+        let of_joints = joints.candidates().map(|joint| (joint, false));
+        let all = of_joints.chain(springs.candidates().map(|spring| (spring, true)));
+        for (joint, is_spring) in all.filter(|_| space.is_none()) {
             let Some(body) = joint.a_body() else { continue };
             if !wear.get(body as usize).is_some_and(|wear| wear.is_direct) {
                 continue;
             }
             let Some(place) = census[unions.find(body) as usize].place else { continue };
-            let Whole { island, joints, joint_ends, .. } = &mut islands[place as usize];
+            let Whole { island, joints, joint_ends, springs, spring_ends, .. } = &mut islands[place as usize];
             let seat = |body: u32| island.members.binary_search_by_key(&body, |member| member.number);
             let bodies = joint.bodies.map(|body| seat(body).map_or(FIXED, |seat| seat as u32));
             let gives_way = bodies.iter().all(|&member| member != FIXED);
             let entry = gives_way.then(|| island.factor.entry(bodies[0], bodies[1]));
-            joints.push(joint.joint);
-            joint_ends.push(Ends { bodies, entry });
+            let (list, ends) = if is_spring { (springs, spring_ends) } else { (joints, joint_ends) };
+            list.push(joint.joint);
+            ends.push(Ends { bodies, entry });
         }
     }
 }
@@ -87,10 +91,15 @@ pub(super) fn list_edges(
     edges.dedup();
 }
 
-/// The bodies that joints in the plane tie together, by the roots of their islands.
-pub(super) fn list_joined(joints: &Joints, unions: &mut Islands, joined_bodies: &mut Vec<(u32, [u32; 2])>) {
+/// The bodies that joints in the plane and springs tie together, by the roots of their islands.
+pub(super) fn list_joined(
+    (joints, springs): (&Joints, &Springs),
+    unions: &mut Islands,
+    joined_bodies: &mut Vec<(u32, [u32; 2])>,
+) {
     joined_bodies.clear();
-    let of_two = joints.candidates().map(|joint| joint.bodies).filter(|[a, b]| *a != 0 && *b != 0);
+    let all = joints.candidates().chain(springs.candidates());
+    let of_two = all.map(|joint| joint.bodies).filter(|[a, b]| *a != 0 && *b != 0);
     joined_bodies.extend(of_two.map(|bodies| (unions.find(bodies[0]), bodies)));
     sort_by_number(joined_bodies, |&(root, _)| root.into());
 }

@@ -258,12 +258,13 @@ impl Direct {
         self.timing.may_be_due |= !has_depth;
     }
 
-    /// Joints were read anew: their places in the list may be others. Where they are other joints islands are asked for: at once if some
-    /// island is solved as a whole.
-    pub(super) fn note_joints(&mut self, signature: u64) {
-        self.is_listed = false;
+    /// The joints and springs of this update have this signature. Where that is another one islands are asked for: at once if some island
+    /// is solved as a whole.
+    pub(super) fn note_joints(&mut self, signature: u64, are_places_new: bool) {
+        self.is_listed &= !are_places_new;
         let Timing { joints, is_due, may_be_due, .. } = &mut self.timing;
         if std::mem::replace(joints, signature) != signature {
+            self.is_listed = false;
             *is_due |= self.wear.iter().any(|wear| wear.is_direct);
             *may_be_due = true;
         }
@@ -320,7 +321,12 @@ impl Precise {
         let is_calm = || !self.sleep.awake(self.bodies.count).any(moves);
         let is_whole = self.direct.timing.choice == IslandChoice::Whole;
         let is_quick = self.direct.timing.may_be_due
-            && (is_whole || (self.is_few() && (!self.joints.are_none() || is_calm() || self.has_load())));
+            && (is_whole
+                || (self.is_few()
+                    && (!self.joints.are_none()
+                        || !self.springs.are_none()
+                        || is_calm()
+                        || self.has_load())));
         let chooses = self.direct.tick(is_quick);
         if chooses {
             self.direct.timing.begin_again();
@@ -417,10 +423,11 @@ impl Precise {
         }
     }
 
-    /// Counts the joints of islands in the plane.
+    /// Counts the joints and springs of islands in the plane.
     fn count_joints(&self, unions: &mut Islands, census: &mut [Census]) {
         let gap = joined::ACCEPTED_GAP as f32 * self.tuning.unit;
-        for joint in self.joints.candidates().filter(|_| self.space.is_none()) {
+        let all = self.joints.candidates().chain(self.springs.candidates());
+        for joint in all.filter(|_| self.space.is_none()) {
             let Some(body) = joint.a_body() else { continue };
             let of = &mut census[unions.find(body) as usize];
             of.joints += 1;
@@ -432,7 +439,7 @@ impl Precise {
     /// The islands that are solved as a whole are planned, in the order of their first bodies: those that may be, or those
     /// that were.
     fn plan_islands(&mut self, chooses: bool) {
-        let Precise { direct, bodies, pairs, proxies, sleep, joints, .. } = self;
+        let Precise { direct, bodies, pairs, proxies, sleep, joints, springs, .. } = self;
         let Direct { islands, unions, census, found, edges, joined_bodies, wear, timing, .. } = direct;
         found.clear();
         for body in sleep.awake(bodies.count) {
@@ -453,15 +460,17 @@ impl Precise {
         }
         joined_bodies.clear();
         if census.iter().any(|of| of.joints > 0) {
-            list_joined(joints, unions, joined_bodies);
+            list_joined((&*joints, &*springs), unions, joined_bodies);
         }
         let mut count = 0;
         for members in found.chunk_by(|one, other| one.0 == other.0) {
             if islands.len() == count {
                 islands.push(Whole::default());
             }
-            let Whole { island, homes, ends, has_pushes, joints: of_island, joint_ends, .. } =
-                &mut islands[count];
+            let whole = &mut islands[count];
+            whole.springs.clear();
+            whole.spring_ends.clear();
+            let Whole { island, homes, ends, has_pushes, joints: of_island, joint_ends, .. } = whole;
             homes.clear();
             ends.clear();
             of_island.clear();
@@ -513,7 +522,7 @@ impl Precise {
         self.direct.wear.iter_mut().for_each(|wear| wear.was_solved &= wear.is_direct);
     }
 
-    /// Bodies that contacts, and joints in the plane, tie together.
+    /// Bodies that contacts, and joints and springs in the plane, tie together.
     fn join_contacts(&self, unions: &mut Islands) {
         unions.part(self.bodies.hot.len());
         for pair in (0..self.pairs.awake).filter(|&pair| self.pairs.all[pair].home.is_some()) {
@@ -522,8 +531,11 @@ impl Precise {
             }
         }
         if self.space.is_none() {
-            let of_joints = self.joints.candidates().map(|joint| joint.bodies);
-            of_joints.filter(|[a, b]| *a != 0 && *b != 0).for_each(|[a, b]| unions.join(a, b));
+            let of_joints = self.joints.candidates().chain(self.springs.candidates());
+            of_joints
+                .map(|joint| joint.bodies)
+                .filter(|[a, b]| *a != 0 && *b != 0)
+                .for_each(|[a, b]| unions.join(a, b));
         }
     }
 }

@@ -17,7 +17,9 @@ const PER_BLOCK: f64 = 0.025;
 const PER_PRODUCT: f64 = 0.0025;
 /// Cost of an update for each constraint, without Newton steps.
 const PER_QUIET_CONSTRAINT: f64 = 0.08;
-/// Cost of an update of the iterative solver, for each joint and contact.
+/// Cost of an update of the iterative solver, in microseconds: of an island, and for each joint and contact. The first one is what the other
+/// stages cost for the smallest island: one that takes no longer than that is worth being exact.
+const ITERATIVE: f64 = 0.5;
 const ITERATIVE_JOINT: f64 = 0.3;
 const ITERATIVE_CONTACT: f64 = 0.1;
 
@@ -64,18 +66,18 @@ impl Precise {
 /// Most Newton steps of an update.
 pub(super) fn most_steps(whole: &Whole) -> usize {
     let [least, most] = STEPS_AT_ONCE;
-    let step = newton_step(&whole.island.factor, (whole.homes.len() + whole.joints.len()) as f64);
+    let step = newton_step(&whole.island.factor, (whole.homes.len() + whole.joint_count()) as f64);
     (MOST_AT_ONCE * iterative_update(whole) / step).clamp(least, most) as usize
 }
 
 /// Cost of an update of the iterative solver.
 fn iterative_update(whole: &Whole) -> f64 {
-    ITERATIVE_JOINT * whole.joints.len() as f64 + ITERATIVE_CONTACT * whole.homes.len() as f64
+    ITERATIVE + ITERATIVE_JOINT * whole.joint_count() as f64 + ITERATIVE_CONTACT * whole.homes.len() as f64
 }
 
 /// Cost of an update with so many Newton steps, in updates of the iterative solver.
 fn cost_in_updates(whole: &Whole, steps: usize) -> f64 {
-    let constraints = (whole.homes.len() + whole.joints.len()) as f64;
+    let constraints = (whole.homes.len() + whole.joint_count()) as f64;
     (steps as f64 * newton_step(&whole.island.factor, constraints) + PER_QUIET_CONSTRAINT * constraints)
         / iterative_update(whole)
 }

@@ -55,10 +55,15 @@ pub(super) struct Whole {
     /// Its joints, by their places in the list of joints, and their bodies.
     pub(super) joints: Vec<u32>,
     pub(super) joint_ends: Vec<Ends>,
+    /// Its springs that are rows, by their places among these, and their bodies.
+    pub(super) springs: Vec<u32>,
+    pub(super) spring_ends: Vec<Ends>,
 }
 
 reusing_clone! {
-    Whole { island, homes, ends, ways, separations, has_pushes, steps, is_left, joints, joint_ends }
+    Whole {
+        island, homes, ends, ways, separations, has_pushes, steps, is_left, joints, joint_ends, springs, spring_ends
+    }
 }
 
 /// What rows are read with.
@@ -165,6 +170,16 @@ fn is_moved(row: &Aside, ends: Ends) -> bool {
 }
 
 impl Whole {
+    /// Whether it has joints or springs.
+    pub(super) fn is_joined(&self) -> bool {
+        self.joint_count() > 0
+    }
+
+    /// How many joints and springs it has.
+    pub(super) fn joint_count(&self) -> usize {
+        self.joints.len() + self.springs.len()
+    }
+
     /// Members move as they will without impulses. Answers the overlap that is left as it is, in length units.
     pub(super) fn take_bodies(&mut self, bodies: &Bodies, parts: f64, unit: f64) -> f64 {
         let mut far = 0.0;
@@ -291,7 +306,7 @@ impl Precise {
 
     /// Answers how many steps of Newton's method it has taken.
     fn solve_whole(&mut self, whole: &mut Whole, step: &Step, unit: f64) -> Effort {
-        if !whole.joints.is_empty() {
+        if whole.is_joined() {
             return self.solve_joined(whole, step, unit);
         }
         let Precise { bodies, rows, .. } = self;
@@ -345,7 +360,7 @@ impl Precise {
     /// An island that is busy for long, or could not be solved, is left to the passes for a while. What may jam is tried again
     /// at once: passes do worse than a solution every other update.
     fn note_effort(&mut self, whole: &Whole, Effort { steps, is_solved, .. }: Effort) {
-        if !whole.joints.is_empty() {
+        if whole.is_joined() {
             return self.pay(whole, steps, is_solved);
         }
         let (island, contacts) = (&whole.island, whole.homes.len());

@@ -10,7 +10,7 @@
 use super::super::direct::joint::ANGLE;
 use super::frame::{ACROSS, ALONG, Frame};
 use super::hold::Hold;
-use super::soft_law::{Law, within};
+use super::soft_law::{GREATEST_ANGLE, Law, within};
 use super::tree::Link;
 
 /// A motor: it seeks a speed, in length units/s or radians/s, by at most an impulse.
@@ -27,6 +27,8 @@ struct Range {
     limits: [f64; 2],
     slop: f64,
     most: f64,
+    /// The greatest error that counts.
+    farthest: f64,
     impulses: [f64; 2],
 }
 
@@ -62,7 +64,8 @@ impl FreeRow {
         let range = limits.map(|limits| {
             let impulses =
                 [rest, -rest].map(|impulse| if impulse > 0.0 { within(impulse, most) } else { 0.0 });
-            Range { limits, slop, most, impulses }
+            let farthest = if row == ANGLE { GREATEST_ANGLE } else { f64::INFINITY };
+            Range { limits, slop, most, farthest, impulses }
         });
         let reference = drive.map_or(0.0, |drive| f64::from(drive.reference));
         Some(FreeRow { row, inverse_mass: 0.0, reference, value: 0.0, motor, range })
@@ -121,7 +124,7 @@ impl Range {
             (room / h, &Law::HARD)
         } else {
             let beyond = room + self.slop;
-            (if beyond < 0.0 { law.bias * beyond } else { 0.0 }, law)
+            (if beyond < 0.0 { law.bias * within(beyond, self.farthest) } else { 0.0 }, law)
         };
         let old = self.impulses[side];
         let missing = (sign * speed + rate + law.compliance * old) / (inverse + law.compliance);

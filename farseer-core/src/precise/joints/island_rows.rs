@@ -4,24 +4,20 @@
 //!
 //! | joint | n | along n | angle | along t |
 //! |---|---|---|---|---|
-//! | revolute | (1, 0) | kept | motor or limit | kept |
+//! | revolute | (1, 0) | kept | motor and limits | kept |
 //! | weld | (1, 0) | kept | kept by its greatest impulse | kept |
-//! | prismatic | across the axis | kept | kept | motor or limit |
-//! | pin, slider | along the line between the anchors | kept, or limit | | |
-//! | angle, angle limit | | | kept, or limit | |
+//! | prismatic | across the axis | kept | kept | motor and limits |
+//! | pin, slider | along the line between the anchors | kept, or limits | | |
+//! | angle, angle limit | | | kept, or limits | |
 //!
-//! Of a range only the limit that is nearer at the end of the step is a row, and a motor gives way to a limit that may be reached in
-//! the step.
+//! One row is a motor and both limits of its travel.
 
 use super::super::direct::block::Triple;
 use super::super::direct::constraint::{Ends, FIXED, Jacobian};
-use super::super::direct::joint::{ANGLE, JointRows};
+use super::super::direct::joint::{ANGLE, Drive, JointRows};
 use super::frame::{ACROSS, ALONG, Frame};
 use super::hold::Hold;
 use super::tree::Link;
-
-/// A motor gives way to a limit that is reached within so many times the displacement of a step.
-const STEPS_TO_LIMIT: f64 = 2.0;
 
 /// The row that motor and limits act on.
 fn driven_row(link: Link) -> usize {
@@ -37,9 +33,7 @@ impl Hold {
     /// Whether the direct solver can take it: it is not soft, and no greatest impulse limits a point, whose bound is round and not
     /// that of two rows.
     pub(in crate::precise) fn may_be_rows(&self) -> bool {
-        // A motor that presses against a limit needs a row for each of them: the iterative solver has both.
-        let is_limited = self.drive.is_some_and(|drive| drive.limits().is_some());
-        self.softness == 0.0 && !is_limited && !(self.link == Link::Point && self.most < f64::from(f32::MAX))
+        self.softness == 0.0 && !(self.link == Link::Point && self.most < f64::from(f32::MAX))
     }
 
     /// How far it is from what it keeps when the step begins, with angles as lengths at this lever.
@@ -53,28 +47,17 @@ impl Hold {
         self.force != [0.0; 3]
     }
 
-    /// Its rows in a step of `dt` seconds and so many substeps; `velocity` answers that of a member of the island by index.
-    pub(in crate::precise) fn rows(
-        &self,
-        ends: Ends,
-        velocity: impl Fn(usize) -> Triple,
-        [dt, substeps]: [f64; 2],
-        lever: f64,
-    ) -> JointRows {
+    /// Its rows in a step of `dt` seconds and so many substeps.
+    pub(in crate::precise) fn rows(&self, ends: Ends, [dt, substeps]: [f64; 2], lever: f64) -> JointRows {
         let frame = Frame::of(self);
         let jacobian = frame.jacobian();
         let prescribed = self.prescribed(ends);
-        let members = [0, 1].map(|side| match ends.bodies[side] {
-            FIXED => prescribed[side],
-            at => velocity(at as usize),
-        });
-        let speeds = jacobian.relative(members[0], members[1]);
         let mut rows = JointRows::new(ends, jacobian, self.impulses(&jacobian, dt), prescribed, lever);
         let most = bound(self.most * substeps);
         let [low, high] = self.range;
         let mut hold = |row: usize, value: f64, most: f64| {
             if low < high {
-                rows.limit(row, [value - low, high - value], speeds[row], [dt, most]);
+                rows.limit(row, [value - low, high - value], Drive::NONE, [dt, most]);
             } else {
                 rows.keep(row, most);
             }
@@ -91,25 +74,26 @@ impl Hold {
         if matches!(self.link, Link::Point | Link::Weld) {
             rows.keep(ACROSS, f64::INFINITY);
         }
-        self.drive_rows(&mut rows, &frame, speeds, dt);
+        self.drive_rows(&mut rows, &frame, dt);
         rows
     }
 
-    /// Motor or limit.
-    fn drive_rows(&self, rows: &mut JointRows, frame: &Frame, speeds: Triple, dt: f64) {
+    /// Motor and limits.
+    fn drive_rows(&self, rows: &mut JointRows, frame: &Frame, dt: f64) {
         let Some(drive) = &self.drive else { return };
         let row = driven_row(self.link);
+        let motor = drive.motor().map(|motor| Drive {
+            speed: motor.speed.into(),
+            most: bound(f64::from(motor.greatest_effort) * dt),
+        });
         let travel = frame.travel(f64::from(drive.reference));
-        let room =
-            drive.limits().map(|limits| [travel - f64::from(limits.lower), f64::from(limits.upper) - travel]);
-        let ahead = STEPS_TO_LIMIT * speeds[row] * dt;
-        let is_near = room.is_some_and(|[below, above]| below + ahead <= 0.0 || above - ahead <= 0.0);
-        match (drive.motor(), room) {
-            (Some(motor), _) if !is_near => {
-                rows.drive(row, motor.speed.into(), bound(f64::from(motor.greatest_effort) * dt));
+        match (motor, drive.limits()) {
+            (motor, Some(limits)) => {
+                let room = [travel - f64::from(limits.lower), f64::from(limits.upper) - travel];
+                rows.limit(row, room, motor.unwrap_or(Drive::NONE), [dt, f64::INFINITY]);
             }
-            (_, Some(room)) => rows.limit(row, room, speeds[row], [dt, f64::INFINITY]),
-            _ => {}
+            (Some(motor), None) => rows.drive(row, motor),
+            (None, None) => {}
         }
     }
 

@@ -21,6 +21,7 @@ pub(super) mod read;
 mod soft_joint;
 mod soft_law;
 mod soft_step;
+pub(super) mod springs;
 mod swing;
 mod tree;
 
@@ -45,6 +46,10 @@ pub(super) struct Joints {
     holds: Vec<Hold>,
     /// Whether nothing about them, or the list of joints, has changed since they were read.
     is_read: bool,
+    /// They were read anew in this update: their places in the list may be others.
+    are_places_new: bool,
+    /// Of the joints that were read: see [`signature`](Self::signature).
+    last_signature: u64,
     /// Whether one of them breaks where it is too far from what it keeps.
     may_break: bool,
     groups: Vec<Group>,
@@ -62,7 +67,11 @@ pub(super) struct Joints {
     unit: f64,
 }
 
-reusing_clone! { Joints { holds, is_read, may_break, groups, group_of, seat_of, tied, spatial, room, soft, unit } }
+reusing_clone! {
+    Joints {
+        holds, is_read, are_places_new, last_signature, may_break, groups, group_of, seat_of, tied, spatial, room, soft, unit
+    }
+}
 
 /// Bodies that joints tie together.
 #[derive(Debug, Default)]

@@ -19,7 +19,7 @@ fn vector(v: Vector2) -> Vector {
 
 impl Precise {
     /// One side of a joint, the world if there is no body; `None` if the body is stale.
-    fn end(&self, id: Option<BodyId>, anchor: Vector2, bodies: &Bodies) -> Option<End> {
+    pub(super) fn end(&self, id: Option<BodyId>, anchor: Vector2, bodies: &Bodies) -> Option<End> {
         let Some(id) = id else { return Some(End { arm: vector(anchor), ..End::default() }) };
         let body = &bodies.get(id)?.body;
         let Some(number) = self.number_of(id) else {
@@ -115,36 +115,48 @@ impl Precise {
 
     /// Brings the joints to the poses of this step, and plans how they are solved.
     pub(crate) fn read_joints(&mut self, objects: &Objects, step: &Step) {
-        if self.joints.is_read && self.joints.holds.is_empty() {
+        self.read_springs(objects, step);
+        self.renew_joints(objects);
+        let are_places_new = std::mem::take(&mut self.joints.are_places_new);
+        let signature = self.joints.last_signature ^ self.springs.signature();
+        self.direct.note_joints(signature, are_places_new);
+        if self.joints.holds.is_empty() {
             return;
         }
         let mut joints = std::mem::take(&mut self.joints);
-        if joints.is_read {
-            if self.space.is_some() {
-                let of_distance = joints.holds.iter_mut().filter(|hold| hold.link == Link::Distance);
-                of_distance.for_each(|hold| hold.behind = self.behind(Keeps::Distance, hold.bodies));
-            }
-        } else {
-            joints.holds.clear();
-            joints.tied.clear();
-            joints.spatial.clear();
-            let all = (0..objects.joints.list().len()).filter_map(|at| objects.joints.at(at));
-            let enabled = all.filter(|(_, joint)| joint.enabled());
-            joints.may_break = enabled.clone().any(|(_, joint)| joint.breakpoint() != f32::MAX);
-            joints.holds.reserve(objects.joints.list().len());
-            joints.holds.extend(enabled.filter_map(|joint| self.hold(joint, &objects.bodies)));
-            joints.plan(&self.bodies, self.space.is_some());
-            joints.is_read = true;
-            self.direct.note_joints(joints.signature());
+        if self.space.is_some() {
+            let of_distance = joints.holds.iter_mut().filter(|hold| hold.link == Link::Distance);
+            of_distance.for_each(|hold| hold.behind = self.behind(Keeps::Distance, hold.bodies));
         }
         if !joints.holds.is_empty() {
             let all_touched = self.rows.has_last();
-            let is_touched = |body: usize| all_touched || !self.palette.is_free(body);
+            let is_touched =
+                |body: usize| all_touched || !self.palette.is_free(body) || self.springs.pull_at(body);
             joints.begin(&self.bodies, objects, self.tuning.unit, is_touched);
             joints.begin_in_space((&self.bodies, objects), (step, self.tuning.unit), is_touched, |id| {
                 self.space.as_ref().map_or(0.0, |space| space.place_and_velocity(id)[0])
             });
         }
+        self.joints = joints;
+    }
+
+    /// Reads and plans the joints, if something about them has changed.
+    pub(super) fn renew_joints(&mut self, objects: &Objects) {
+        if self.joints.is_read {
+            return;
+        }
+        let mut joints = std::mem::take(&mut self.joints);
+        joints.holds.clear();
+        joints.tied.clear();
+        joints.spatial.clear();
+        let all = (0..objects.joints.list().len()).filter_map(|at| objects.joints.at(at));
+        let enabled = all.filter(|(_, joint)| joint.enabled());
+        joints.may_break = enabled.clone().any(|(_, joint)| joint.breakpoint() != f32::MAX);
+        joints.holds.reserve(objects.joints.list().len());
+        joints.holds.extend(enabled.filter_map(|joint| self.hold(joint, &objects.bodies)));
+        joints.plan(&self.bodies, self.space.is_some());
+        joints.last_signature = joints.signature();
+        (joints.is_read, joints.are_places_new) = (true, true);
         self.joints = joints;
     }
 
