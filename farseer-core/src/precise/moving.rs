@@ -84,7 +84,7 @@ pub(super) fn even_out(
     let most = EVENLY * substeps;
     let longest = reach * reach / (back * back);
     let squared = |[x, y, _, z]: [f32; 4]| x * x + y * y + z * z;
-    let is_single = |&body: &usize| palette.is_single(body) && !joints.holds(body);
+    let is_single = |&body: &usize| palette.is_single(body) && !(joints.holds(body) || joints.is_soft(body));
     for body in runs.iter().cloned().flatten().filter(is_single) {
         let change = f32x4::new(bodies.hot[body].velocity) - f32x4::new(bodies.before[body]);
         let (size, push) = (squared(change.to_array()), bodies.push[body]);

@@ -284,10 +284,9 @@ impl Precise {
         self.choose_methods(&step.learning);
         self.begin_swings(step);
         self.solve_direct(step);
-        self.push_springs(step);
         self.joints.begin_trees(&self.bodies, step);
         self.joints.swing(&self.bodies, step);
-        if self.rows.is_empty() && self.joints.are_all_apart() {
+        if self.rows.is_empty() && self.joints.are_all_apart() && self.springs.are_all_solved() {
             fly(&mut self.bodies, &self.sleep.bodies, step);
             self.joints.share_depth_of_flight(&mut self.bodies, step.dt);
         } else {
@@ -369,7 +368,7 @@ impl Precise {
     }
 
     fn gather_warm(&mut self, step: &Step) {
-        self.joints.begin_passes(&self.bodies, step);
+        self.joints.begin_passes(&self.springs, &self.bodies, step);
         let (warm, hot) = (&mut self.bodies.warm, &self.bodies.hot);
         self.sleep.bodies.iter().for_each(|run| warm[run.clone()].fill([0.0; 4]));
         if self.space.is_some() {

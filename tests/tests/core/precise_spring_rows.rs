@@ -4,7 +4,8 @@ use conformance::fixtures::plane::{simulator, v};
 use farseer_core::math::Vector2;
 use farseer_core::{
     AngleSpring, BodyFactory, BodyId, Event, FixedAngleSpring, FixedLinearSpring, GeomFactory, GeomPlacement,
-    IslandMethod, JointFactory, LinearSpring, Methods, PhysicsSimulator, SpringFactory, SpringId,
+    IslandChoice, IslandMethod, JointFactory, LinearSpring, Methods, PhysicsSimulator, SpringFactory,
+    SpringId,
 };
 
 const DT: f32 = 1.0 / 60.0;
@@ -247,6 +248,82 @@ fn a_stiff_spring_that_drags_a_jointed_body_to_a_point_holds_it_there() {
         let (off, weight) = ((point - mouse).norm(), 5.2 * GRAVITY);
         // What still swings from the point, from less than level, pulls with three times its weight at most.
         assert!(off < 3.0 * weight / stiffness + 0.01, "stiffness {stiffness}: {off}");
+    }
+}
+
+/// A block of mass 5 on the floor, with a tip of mass 0.2 welded to it, which an undamped spring without length pulls to a point. Energy of
+/// all of it, and how far the tip is from the point.
+fn hoist(stiffness: f32) -> (PhysicsSimulator, impl Fn(&PhysicsSimulator) -> (f32, f32)) {
+    let mut simulator = precise(GRAVITY);
+    add_floor(&mut simulator);
+    let block = add_rectangle(&mut simulator, v(0.0, -20.0), [40.0, 40.0], 5.0);
+    let tip = add_rectangle(&mut simulator, v(40.0, -30.0), [20.0, 10.0], 0.2);
+    JointFactory::create_weld_joint_in(&mut simulator, block, tip, v(25.0, -30.0)).unwrap();
+    let (point, origin) = (v(120.0, -160.0), v(10.0, 0.0));
+    let spring =
+        SpringFactory::create_fixed_linear_spring_in(&mut simulator, tip, origin, point, stiffness, 0.0)
+            .unwrap();
+    simulator.spring_as_mut::<FixedLinearSpring>(spring).unwrap().set_rest_length(0.0).unwrap();
+    let look = move |simulator: &PhysicsSimulator| {
+        let of = |body: BodyId| {
+            let body = &simulator[body];
+            let (velocity, spin) = (body.linear_velocity(), body.angular_velocity());
+            let kinetic = body.mass() * velocity.norm_squared() + body.moment_of_inertia() * spin * spin;
+            0.5 * kinetic - body.mass() * GRAVITY * body.position().y
+        };
+        let stretch = (simulator[tip].get_world_position(origin) - point).norm();
+        (of(block) + of(tip) + 0.5 * stiffness * stretch * stretch, stretch)
+    };
+    (simulator, look)
+}
+
+#[test]
+fn a_spring_that_hoists_a_heavy_body_by_a_light_one_welded_to_it_gains_no_energy() {
+    let all = [10.0, 100.0, 1000.0, 1e4, 1e6];
+    for (choice, all) in [(IslandChoice::ByItself, &all[..]), (IslandChoice::Passes, &all[..3])] {
+        for &stiffness in all {
+            let (mut simulator, look) = hoist(stiffness);
+            simulator.set_island_choice(choice);
+            let (begun, _) = look(&simulator);
+            for step in 0..300 {
+                simulator.update(DT);
+                let (energy, _) = look(&simulator);
+                let case = format!("{choice:?}, stiffness {stiffness}, step {step}");
+                assert!(energy < 1.01 * begun, "{case}: {energy} of {begun}");
+            }
+        }
+    }
+}
+
+#[test]
+fn passes_hold_a_load_on_a_spring_as_deep_as_its_constant_says() {
+    for (mass, stiffness, damping) in [(1.0, 500.0, 20.0), (10.0, 4000.0, 0.0), (150.0, 60_000.0, 3000.0)] {
+        let mut simulator = precise(GRAVITY);
+        simulator.set_island_choice(IslandChoice::Passes);
+        add_floor(&mut simulator);
+        let (plate, load, _) = add_sprung_load(&mut simulator, mass, [stiffness, damping]);
+        run(&mut simulator, 720);
+        let length = simulator[plate].position().y - simulator[load].position().y;
+        let law = 100.0 - mass * GRAVITY / stiffness;
+        let case = format!("mass {mass}, stiffness {stiffness}");
+        // What swings by less than 2.4 length units per second sleeps.
+        let left = 0.05 + 2.4 * (mass / stiffness).sqrt();
+        assert!((length - law).abs() < left, "{case}: {length} instead of {law}");
+        assert!(simulator[load].linear_velocity().norm() < 2.4, "{case}");
+    }
+}
+
+#[test]
+fn passes_turn_a_lever_to_the_angle_of_the_torque_of_a_spring() {
+    for (stiffness, damping) in [(4e5, 2e4), (4e6, 1e5), (1e8, 1e6)] {
+        let mut simulator = precise(GRAVITY);
+        simulator.set_island_choice(IslandChoice::Passes);
+        let (base, lever, torque) = add_lever(&mut simulator);
+        SpringFactory::create_angle_spring_in(&mut simulator, base, lever, stiffness, damping).unwrap();
+        run(&mut simulator, 1200);
+        let angle = simulator[lever].total_rotation() - simulator[base].total_rotation();
+        let law = (0..50).fold(0.0_f32, |angle, _| torque * angle.cos() / stiffness);
+        assert!((angle - law).abs() < 1e-3, "stiffness {stiffness}: {angle} instead of {law}");
     }
 }
 

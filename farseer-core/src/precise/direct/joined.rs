@@ -37,7 +37,7 @@ const ENERGY_SLACK: f64 = 0.01;
 const LEVER: f64 = 0.3;
 /// The geometric stiffness that an inertia bears in a step, as a part of it (dimensionless): that of the articulated bodies (`BORNE` in
 /// `joints/swing.rs`).
-pub(super) const BORNE_STIFFNESS: f64 = 0.3;
+pub(in crate::precise) const BORNE_STIFFNESS: f64 = 0.3;
 
 /// Most position corrections of a step; the position error after one of them that is left, in parts of the one that asks for the
 /// first; and the angle in radians beyond which a body's turn asks for new Jacobians.

@@ -14,7 +14,7 @@ mod contact;
 mod depth;
 mod factor;
 mod island;
-mod joined;
+pub(in crate::precise) mod joined;
 pub(in crate::precise) mod joint;
 mod listing;
 mod loads;

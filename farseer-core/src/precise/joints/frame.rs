@@ -2,9 +2,9 @@
 
 use super::super::direct::block::Triple;
 use super::super::direct::constraint::Jacobian;
-use super::hold::Hold;
+use super::hold::{End, Hold};
 use super::swing::{turn, turned};
-use super::tree::{Link, Vector, cross, dot, plus};
+use super::tree::{Link, Vector, dot, plus};
 
 /// Indices of the linear rows: along the direction n, and along t = (n.y, -n.x). The row of the angle is
 /// [`ANGLE`](super::super::direct::joint::ANGLE).
@@ -27,14 +27,13 @@ pub(super) struct Frame {
 
 impl Frame {
     pub(super) fn of(hold: &Hold) -> Self {
-        let [first, second] = &hold.ends;
-        Frame {
-            link: hold.link,
-            arms: [first.arm, second.arm],
-            apart: plus(second.place, first.place, -1.0),
-            angle: hold.angle,
-            axis: hold.axis,
-        }
+        Frame { axis: hold.axis, ..Frame::between(hold.link, &hold.ends, hold.angle) }
+    }
+
+    /// Of a link without an axis, at this angle.
+    pub(super) fn between(link: Link, [first, second]: &[End; 2], angle: f64) -> Self {
+        let arms = [first.arm, second.arm];
+        Frame { link, arms, apart: plus(second.place, first.place, -1.0), angle, axis: [0.0; 2] }
     }
 
     /// After these displacements of both bodies: x, y and angle.
@@ -75,9 +74,7 @@ impl Frame {
             // A prismatic joint acts on both bodies at the second anchor.
             a = plus(a, self.gap(), 1.0);
         }
-        let t = [n[1], -n[0]];
-        let angular = |arm: Vector| [cross(arm, n), 1.0, cross(arm, t)];
-        Jacobian { normal: n, second: 0.0, a: angular(a), b: angular(b) }
+        Jacobian::at(n, [a, b])
     }
 
     /// The value that motor and limits act on: radians, or length units along the axis.

@@ -6,6 +6,7 @@
 //! | touched, or a closed loop | the [direct solver](super::direct), as [rows of its system](island_rows), if it takes it |
 //! | all else, and soft joints | [soft rows](soft_step) of the iterative solver, beside the contacts |
 //!
+//! [Springs] of what is jointed or touched are rows beside these, of the direct or of the iterative solver.
 //! Joints of a distance in three axes have solvers of their own: see [depth].
 
 mod colours;
@@ -20,6 +21,8 @@ mod loose;
 pub(super) mod read;
 mod soft_joint;
 mod soft_law;
+mod soft_pair;
+mod soft_spring;
 mod soft_step;
 pub(super) mod springs;
 mod swing;
@@ -37,6 +40,7 @@ use hinged::{Hinge, hinges_of};
 use hold::{End, Hold, Key};
 use loose::{GROUND, Keeps, Loose, Room};
 use soft_step::SoftJoints;
+use springs::Springs;
 use tree::{Link, Node, dot};
 
 /// The joints of a step.
@@ -265,9 +269,7 @@ impl Joints {
     }
 
     /// A step begins: joints go where their bodies are.
-    fn begin(&mut self, bodies: &Bodies, objects: &Objects, unit: f32, is_touched: impl Fn(usize) -> bool) {
-        self.unit = f64::from(unit);
-        self.soft.forget();
+    fn begin(&mut self, bodies: &Bodies, objects: &Objects, is_touched: impl Fn(usize) -> bool) {
         let Joints { groups, holds, .. } = self;
         for group in groups {
             // A soft joint is not exact in any substep: it needs all of them.
@@ -337,11 +339,18 @@ impl Joints {
         self.tied.iter().for_each(|tied| tied.share_way(bodies, dt));
     }
 
-    /// The joints of the iterative solver begin an update.
-    pub(super) fn begin_passes(&mut self, bodies: &Bodies, step: &Step) {
+    /// An update begins, in which no joint or spring is one of the iterative solver's so far.
+    fn begin_update(&mut self, unit: f32) {
+        self.unit = f64::from(unit);
+        self.soft.forget();
+    }
+
+    /// The joints and springs of the iterative solver begin an update.
+    pub(super) fn begin_passes(&mut self, springs: &Springs, bodies: &Bodies, step: &Step) {
         let Joints { soft, groups, group_of, holds, unit, .. } = self;
-        if groups.iter().any(Group::is_mixed) {
-            soft.begin(holds, |at| groups[group_of[at] as usize].is_mixed(), (bodies, step), *unit);
+        if groups.iter().any(Group::is_mixed) || !springs.are_all_solved() {
+            let is_mixed = |at: usize| groups[group_of[at] as usize].is_mixed();
+            soft.begin((holds, springs), is_mixed, (bodies, step), *unit);
         }
     }
 

@@ -116,6 +116,7 @@ impl Precise {
     /// Brings the joints to the poses of this step, and plans how they are solved.
     pub(crate) fn read_joints(&mut self, objects: &Objects, step: &Step) {
         self.read_springs(objects, step);
+        self.joints.begin_update(self.tuning.unit);
         self.renew_joints(objects);
         let are_places_new = std::mem::take(&mut self.joints.are_places_new);
         let signature = self.joints.last_signature ^ self.springs.signature();
@@ -132,7 +133,7 @@ impl Precise {
             let all_touched = self.rows.has_last();
             let is_touched =
                 |body: usize| all_touched || !self.palette.is_free(body) || self.springs.pull_at(body);
-            joints.begin(&self.bodies, objects, self.tuning.unit, is_touched);
+            joints.begin(&self.bodies, objects, is_touched);
             joints.begin_in_space((&self.bodies, objects), (step, self.tuning.unit), is_touched, |id| {
                 self.space.as_ref().map_or(0.0, |space| space.place_and_velocity(id)[0])
             });

@@ -1,16 +1,17 @@
 //! A joint of the iterative solver in the substeps of an update: the rows that it keeps as one block, and its
 //! [free row](super::free_row).
 //!
-//! Impulses are those of a substep, on the second body, by the rows of [`Frame::jacobian`](super::frame::Frame::jacobian).
+//! Impulses are those of a substep: see [`SoftPair`].
 
 use super::super::bodies::{Bodies, Hot};
 use super::super::direct::block::Triple;
-use super::super::direct::constraint::{Jacobian, Set};
+use super::super::direct::constraint::Set;
 use super::super::direct::joint::ANGLE;
 use super::frame::{ACROSS, ALONG, Frame};
 use super::free_row::FreeRow;
 use super::hold::Hold;
-use super::soft_law::{Law, inverse_of, times, within};
+use super::soft_law::{GREATEST_ANGLE, Law, inverse_of, times, within};
+use super::soft_pair::SoftPair;
 use super::tree::Link;
 
 /// A joint that another solver solved exactly hands over any impulse, of which a soft row loses a part in its first pass. This speed
@@ -20,7 +21,7 @@ const LEAST_LOST: f64 = 0.25;
 const LOST_OF_CLOSED: f64 = 4.0;
 
 /// Length in units of length that a turn by one radian counts as where speeds are compared: an arm inside of a body.
-const LEVER: f64 = 0.3;
+pub(super) const LEVER: f64 = 0.3;
 
 /// The parameters that all joints of a pass share.
 #[derive(Debug, Clone, Copy)]
@@ -35,12 +36,7 @@ pub(super) struct Pass {
 pub(super) struct SoftJoint {
     /// Index of the joint in the list of joints.
     pub(super) hold: u32,
-    /// Indices into [`Bodies::hot`]: 0 for what has no velocity.
-    bodies: [u32; 2],
-    /// Reciprocals of mass and moment of inertia; 0 for what is fixed.
-    inverses: [[f64; 2]; 2],
-    frame: Frame,
-    jacobian: Jacobian,
+    pair: SoftPair,
     /// The kept rows, their effective mass as a block, position errors (length units, radians) and impulses.
     kept: Set,
     mass: [Triple; 3],
@@ -60,25 +56,15 @@ pub(super) struct SoftJoint {
 impl SoftJoint {
     /// The joint at the beginning of an update.
     pub(super) fn new(at: u32, hold: &Hold, bodies: &Bodies, times: [f64; 2]) -> Self {
-        let frame = Frame::of(hold);
-        let jacobian = frame.jacobian();
-        let [nx, ny] = jacobian.normal;
+        let pair = SoftPair::new(&hold.ends, Frame::of(hold), bodies);
+        let [nx, ny] = pair.jacobian.normal;
         let [x, y, torque] = hold.force.map(|force| f64::from(force) * times[1]);
         let impulses = [x * nx + y * ny, torque, x * ny - y * nx];
         let kept = kept_rows(hold);
         let keeps = |row: usize| kept >> row & 1 == 1;
-        let is_listed = |pose: u32| (pose as usize) < bodies.hot.len();
         let mut joint = SoftJoint {
             hold: at,
-            bodies: [0, 1]
-                .map(|side| hold.ends[side].pose)
-                .map(|pose| if is_listed(pose) { pose } else { 0 }),
-            inverses: [0, 1].map(|side| match hold.ends[side].body {
-                0 => [0.0; 2],
-                body => bodies.inverses[body as usize].map(f64::from),
-            }),
-            frame,
-            jacobian,
+            pair,
             kept,
             mass: [[0.0; 3]; 3],
             errors: [0.0; 3],
@@ -89,7 +75,7 @@ impl SoftJoint {
             free: FreeRow::of(hold, impulses, times[1]),
             total: [0.0; 3],
         };
-        joint.place();
+        joint.follow_frame();
         joint
     }
 
@@ -98,13 +84,12 @@ impl SoftJoint {
         self.kept != 0 || self.free.is_some_and(|free| free.acts())
     }
 
-    /// Jacobian, errors and effective masses follow the frame.
-    fn place(&mut self) {
-        self.jacobian = self.frame.jacobian();
+    /// Errors and effective masses follow the frame.
+    fn follow_frame(&mut self) {
         self.errors = self.find_errors();
-        let mut matrix = self.matrix();
+        let mut matrix = self.pair.matrix();
         if let Some(free) = &mut self.free {
-            free.follow(&self.frame, matrix[free.row][free.row]);
+            free.follow(&self.pair.frame, matrix[free.row][free.row]);
         }
         if let Some(law) = &self.softness {
             (0..3).for_each(|row| matrix[row][row] += law.compliance);
@@ -112,33 +97,14 @@ impl SoftJoint {
         self.mass = inverse_of(&matrix, self.kept);
     }
 
-    /// K = J M^-1 J^T of all three rows.
-    fn matrix(&self) -> [Triple; 3] {
-        let ([[mass_a, inertia_a], [mass_b, inertia_b]], Jacobian { a, b, .. }) =
-            (self.inverses, self.jacobian);
-        std::array::from_fn(|i| {
-            std::array::from_fn(|j| {
-                let linear = if i == j && i != ANGLE { mass_a + mass_b } else { 0.0 };
-                linear + inertia_a * a[i] * a[j] + inertia_b * b[i] * b[j]
-            })
-        })
-    }
-
     fn find_errors(&self) -> Triple {
-        let (gap, [nx, ny]) = (self.frame.gap(), self.jacobian.normal);
-        let linear = match self.frame.link {
-            Link::Distance => [self.frame.distance() - self.target, 0.0],
+        let SoftPair { frame, jacobian, .. } = &self.pair;
+        let (gap, [nx, ny]) = (frame.gap(), jacobian.normal);
+        let linear = match frame.link {
+            Link::Distance => [frame.distance() - self.target, 0.0],
             _ => [gap[0] * nx + gap[1] * ny, gap[0] * ny - gap[1] * nx],
         };
-        [linear[0], self.frame.angle - self.target, linear[1]]
-    }
-
-    /// Changes of velocity of both bodies by impulses of all rows.
-    #[inline(always)]
-    fn yields(&self, impulses: Triple) -> [Triple; 2] {
-        let [a, b] = self.jacobian.push(impulses);
-        let [[mass_a, inertia_a], [mass_b, inertia_b]] = self.inverses;
-        [[mass_a * a[0], mass_a * a[1], inertia_a * a[2]], [mass_b * b[0], mass_b * b[1], inertia_b * b[2]]]
+        [linear[0], within(frame.angle - self.target, GREATEST_ANGLE), linear[1]]
     }
 
     /// Impulses of all rows, with those of motor and limits.
@@ -155,8 +121,8 @@ impl SoftJoint {
         if self.softness.is_some() {
             return;
         }
-        let [a, b] = self.yields(self.impulses);
-        let lost = self.jacobian.relative(a, b).map(|speed| law.leak * speed);
+        let [a, b] = self.pair.yields(self.impulses);
+        let lost = self.pair.jacobian.relative(a, b).map(|speed| law.leak * speed);
         let closed = self.errors.map(|error| LOST_OF_CLOSED * law.mass * law.bias * error);
         let has = |row: usize| f64::from(self.kept >> row & 1);
         let size = |[along, angle, across]: Triple| {
@@ -179,50 +145,30 @@ impl SoftJoint {
 
     /// The impulses so far are to act at the beginning of every substep.
     pub(super) fn warm(&self, warm: &mut [[f32; 4]]) {
-        for (side, change) in self.yields(self.all_impulses()).into_iter().enumerate() {
-            if self.inverses[side] != [0.0; 2] {
-                let sum = &mut warm[self.bodies[side] as usize];
-                (0..3).for_each(|i| sum[i] += change[i] as f32);
-            }
-        }
+        self.pair.warm(warm, self.pair.yields(self.all_impulses()));
     }
 
     /// One pass over its rows: motor, limits, kept rows.
     pub(super) fn solve(&mut self, hot: &mut [Hot], pass: &Pass) {
-        let mut velocities = self.bodies.map(|body| {
-            let [x, y, spin, _] = hot[body as usize].velocity.map(f64::from);
-            [x, y, spin]
-        });
+        let mut velocities = self.pair.velocities(hot);
         let law = self.softness.unwrap_or(pass.law);
         if let Some(mut free) = self.free {
-            let speed = self.jacobian.relative(velocities[0], velocities[1])[free.row];
+            let speed = self.pair.jacobian.relative(velocities[0], velocities[1])[free.row];
             let mut change = [0.0; 3];
             change[free.row] = free.solve(speed, (&law, pass.h));
             self.free = Some(free);
-            self.push(&mut velocities, change);
+            self.pair.push(&mut velocities, change);
         }
         if self.kept != 0 {
             self.solve_kept(&mut velocities, &law);
         }
-        for (side, [x, y, spin]) in velocities.into_iter().enumerate() {
-            if self.inverses[side] != [0.0; 2] {
-                let velocity = &mut hot[self.bodies[side] as usize].velocity;
-                (velocity[0], velocity[1], velocity[2]) = (x as f32, y as f32, spin as f32);
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn push(&self, velocities: &mut [Triple; 2], impulses: Triple) {
-        for (velocity, change) in velocities.iter_mut().zip(self.yields(impulses)) {
-            (0..3).for_each(|i| velocity[i] += change[i]);
-        }
+        self.pair.write(hot, velocities);
     }
 
     /// The kept rows as one block.
     #[inline(always)]
     fn solve_kept(&mut self, velocities: &mut [Triple; 2], law: &Law) {
-        let speeds = self.jacobian.relative(velocities[0], velocities[1]);
+        let speeds = self.pair.jacobian.relative(velocities[0], velocities[1]);
         let missing: Triple = std::array::from_fn(|row| {
             speeds[row] + law.bias * self.errors[row] + law.compliance * self.impulses[row]
         });
@@ -233,7 +179,7 @@ impl SoftJoint {
         }
         let change = std::array::from_fn(|row| next[row] - self.impulses[row]);
         self.impulses = next;
-        self.push(velocities, change);
+        self.pair.push(velocities, change);
     }
 
     /// Impulses within the greatest one: of a point as a length; of the angle of what keeps a point or line, too, with which that
@@ -241,7 +187,7 @@ impl SoftJoint {
     #[cold]
     fn bounded(&self, mut next: Triple, missing: Triple, law: &Law) -> Triple {
         let most = self.most;
-        match self.frame.link {
+        match self.pair.frame.link {
             Link::Point => {
                 let size = (next[ALONG] * next[ALONG] + next[ACROSS] * next[ACROSS]).sqrt();
                 let part = if size > most { most / size } else { 1.0 };
@@ -249,7 +195,7 @@ impl SoftJoint {
             }
             Link::Weld | Link::Line if next[ANGLE].abs() > most => {
                 next[ANGLE] = within(next[ANGLE], most);
-                let (matrix, change) = (self.matrix(), next[ANGLE] - self.impulses[ANGLE]);
+                let (matrix, change) = (self.pair.matrix(), next[ANGLE] - self.impulses[ANGLE]);
                 let missing = std::array::from_fn(|row| missing[row] + matrix[row][ANGLE] * change);
                 let found = times(&inverse_of(&matrix, self.kept & !(1 << ANGLE)), missing);
                 for row in [ALONG, ACROSS] {
@@ -262,29 +208,15 @@ impl SoftJoint {
         }
     }
 
-    /// Bodies have moved. What acts again at the beginning of the next substep gets the arms and directions of that: left as they
-    /// were, they would gain energy where bodies turn.
+    /// Bodies have moved.
     pub(super) fn advance(&mut self, bodies: &mut Bodies) {
-        let impulses = self.all_impulses();
-        let before = self.yields(impulses);
-        let steps = self.bodies.map(|body| {
-            let [x, y, turned, _] = bodies.hot[body as usize].step.map(f64::from);
-            [x, y, turned]
-        });
-        self.frame = self.frame.displaced(steps);
-        self.place();
-        let after = self.yields(impulses);
-        for side in 0..2 {
-            if self.inverses[side] != [0.0; 2] {
-                let begun = &mut bodies.begun[self.bodies[side] as usize];
-                (0..3).for_each(|i| begun[i] -= (after[side][i] - before[side][i]) as f32);
-            }
-        }
+        self.pair.advance(bodies, self.all_impulses());
+        self.follow_frame();
     }
 
     /// Impulses of a substep on the second body: along x and y, and turning.
     fn on_second(&self) -> Triple {
-        let ([nx, ny], [along, angle, across]) = (self.jacobian.normal, self.all_impulses());
+        let ([nx, ny], [along, angle, across]) = (self.pair.jacobian.normal, self.all_impulses());
         [along * nx + across * ny, along * ny - across * nx, angle]
     }
 

@@ -10,9 +10,11 @@
 use super::super::bodies::Bodies;
 use super::super::tuning::Step;
 use super::colours::sort_by_colour;
-use super::hold::Hold;
-use super::soft_joint::{Pass, SoftJoint};
+use super::hold::{End, Hold};
+use super::soft_joint::{LEVER, Pass, SoftJoint};
 use super::soft_law::Law;
+use super::soft_spring::SoftSpring;
+use super::springs::Springs;
 use crate::storage::reusing_clone::reusing_clone;
 
 /// Greatest speed of bodies with joints in the iterative solver, in units of length per second: that of all bodies in Box2D 3
@@ -24,14 +26,15 @@ const GREATEST_SPEED: f32 = 400.0;
 pub(super) struct SoftJoints {
     /// All joints in the plane, by their places in the list, in the order of their colours.
     order: Vec<u32>,
-    /// The joints of this update.
+    /// The joints of this update, and the springs that are rows.
     joints: Vec<SoftJoint>,
+    springs: Vec<SoftSpring>,
     /// Their dynamic bodies; and by body number whether it is one of them, as a mask of all bits.
     bodies: Vec<u32>,
     masks: Vec<u32>,
 }
 
-reusing_clone! { SoftJoints { order, joints, bodies, masks } }
+reusing_clone! { SoftJoints { order, joints, springs, bodies, masks } }
 
 impl SoftJoints {
     /// Plans the order of these joints, given by their places in the list.
@@ -47,35 +50,46 @@ impl SoftJoints {
     /// No joint is solved in this update, unless more is told.
     pub(super) fn forget(&mut self) {
         self.joints.clear();
+        self.springs.clear();
         self.bodies.drain(..).for_each(|body| self.masks[body as usize] = 0);
     }
 
-    /// An update begins, in which these joints are solved.
+    /// An update begins, in which these joints are solved, and the springs that no other solver has solved.
     pub(super) fn begin(
         &mut self,
-        holds: &[Hold],
+        (holds, springs): (&[Hold], &Springs),
         is_in: impl Fn(usize) -> bool,
         (bodies, step): (&Bodies, &Step),
         unit: f64,
     ) {
         self.forget();
         let (times, law) = ([step.dt, step.h].map(f64::from), Law::soft(step.h.into()));
-        for &at in self.order.iter().filter(|&&at| is_in(at as usize)) {
+        let fastest = [f64::from(GREATEST_SPEED) * unit, LEVER * unit];
+        let SoftJoints { order, joints, springs: of_springs, bodies: marked, masks } = self;
+        let mut mark = |ends: &[End; 2]| {
+            for body in ends.iter().map(|end| end.body).filter(|&body| body != 0) {
+                if std::mem::replace(&mut masks[body as usize], !0) == 0 {
+                    marked.push(body);
+                }
+            }
+        };
+        for &at in order.iter().filter(|&&at| is_in(at as usize)) {
             let hold = &holds[at as usize];
             let mut joint = SoftJoint::new(at, hold, bodies, times);
             joint.soften(&law, unit);
-            self.joints.push(joint);
-            let acting = if joint.acts() { hold.ends.map(|end| end.body) } else { [0; 2] };
-            for body in acting.into_iter().filter(|&body| body != 0) {
-                if std::mem::replace(&mut self.masks[body as usize], !0) == 0 {
-                    self.bodies.push(body);
-                }
+            joints.push(joint);
+            if joint.acts() {
+                mark(&hold.ends);
             }
+        }
+        for hold in springs.unsolved() {
+            of_springs.push(SoftSpring::new(hold, bodies, times[1], fastest));
+            mark(hold.ends());
         }
     }
 
     pub(super) fn is_empty(&self) -> bool {
-        self.joints.is_empty()
+        self.joints.is_empty() && self.springs.is_empty()
     }
 
     /// By body number a mask of all bits for bodies with joints in the iterative solver.
@@ -85,12 +99,14 @@ impl SoftJoints {
 
     /// Adds what impulses do to velocities in a substep.
     pub(super) fn warm(&self, bodies: &mut Bodies) {
+        self.springs.iter().for_each(|spring| spring.warm(&mut bodies.warm));
         self.joints.iter().for_each(|joint| joint.warm(&mut bodies.warm));
     }
 
     /// The pass before bodies move.
     pub(super) fn solve_soft(&mut self, bodies: &mut Bodies, h: f32) {
         let h = f64::from(h);
+        self.springs.iter_mut().for_each(|spring| spring.solve(&mut bodies.hot));
         self.solve(bodies, &Pass { law: Law::soft(h), h });
     }
 
@@ -104,8 +120,9 @@ impl SoftJoints {
         self.joints.iter_mut().for_each(|joint| joint.solve(&mut bodies.hot, pass));
     }
 
-    /// Joints follow bodies that have moved.
+    /// Joints and springs follow bodies that have moved.
     pub(super) fn advance(&mut self, bodies: &mut Bodies) {
+        self.springs.iter_mut().for_each(|spring| spring.advance(bodies));
         self.joints.iter_mut().for_each(|joint| joint.advance(bodies));
     }
 

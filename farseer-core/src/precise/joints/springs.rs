@@ -9,8 +9,8 @@
 //! would throw a light body that other rows hold: its effective mass is another one there. A spring of which no body is jointed or
 //! touched stays such a force, since implicit Euler damps what swings.
 //!
-//! Whether a spring is a row is decided in one place, [`Precise::takes_spring`], when it acts. A row whose island the direct solver does
-//! not solve in this step acts as the force that was found for it.
+//! Whether a spring is a row is decided in one place, [`Precise::takes_spring`], when it acts. A row that the direct solver does not solve
+//! in this step is one of the [iterative solver](super::soft_spring).
 //!
 //! | spring | rows |
 //! |---|---|
@@ -19,12 +19,13 @@
 //! | fixed angle | the angle |
 
 use super::super::Precise;
-use super::super::direct::constraint::{Ends, FIXED, Jacobian};
+use super::super::direct::constraint::{Ends, FIXED};
 use super::super::direct::joint::{ALONG, ANGLE, Elastic, JointRows};
 use super::super::tuning::Step;
 use super::Candidate;
+use super::frame::Frame;
 use super::hold::End;
-use super::tree::{Vector, dot, plus};
+use super::tree::Link;
 use crate::body::BodyId;
 use crate::math::Vector2;
 use crate::objects::Objects;
@@ -34,8 +35,8 @@ use crate::storage::reusing_clone::reusing_clone;
 /// Springs that are rows in this update.
 #[derive(Debug, Default)]
 pub(in crate::precise) struct Springs {
-    /// Springs that were taken, in the order of their list, with accelerations of their bodies by the forces that stand for them where
-    /// their island is not solved: length units and radians per second squared.
+    /// Springs that were taken, in the order of their list, with accelerations of their bodies by the forces that they would be otherwise:
+    /// length units and radians per second squared.
     taken: Vec<(SpringId, [[f32; 3]; 2])>,
     holds: Vec<SpringHold>,
     /// By body number: whether one of the springs pulls at it. Of no use between steps.
@@ -49,28 +50,20 @@ reusing_clone! { Springs { taken, holds, pulls } }
 pub(in crate::precise) struct SpringHold {
     spring: SpringId,
     ends: [End; 2],
-    law: Law,
+    /// Along the line between anchors, or the angle.
+    is_linear: bool,
     /// Force per length unit or torque per radian, and force or torque per rate of the stretch.
-    stiffness: f64,
-    damping: f64,
+    pub(super) stiffness: f64,
+    pub(super) damping: f64,
     /// Torque on each body per its spin.
     damping_of_spin: f64,
     /// Stretch when the step begins, in length units or radians.
-    stretch: f64,
+    pub(super) stretch: f64,
     /// Greatest torque; infinite for a linear spring.
-    most: f64,
+    pub(super) most: f64,
     accelerations: [[f32; 3]; 2],
+    /// The direct solver has solved it in this step.
     is_solved: bool,
-}
-
-#[derive(Debug, Clone, Copy)]
-enum Law {
-    /// Along this direction, at anchors that are this far apart.
-    Linear {
-        direction: Vector,
-        distance: f64,
-    },
-    Angle,
 }
 
 impl Springs {
@@ -104,6 +97,16 @@ impl Springs {
         self.holds[at as usize].is_solved = true;
     }
 
+    /// The springs that the direct solver has not solved.
+    pub(super) fn unsolved(&self) -> impl Iterator<Item = &SpringHold> + '_ {
+        self.holds.iter().filter(|hold| !hold.is_solved)
+    }
+
+    /// Whether the direct solver has solved all of them.
+    pub(in crate::precise) fn are_all_solved(&self) -> bool {
+        self.unsolved().next().is_none()
+    }
+
     /// Whether one of the springs pulls at a body.
     pub(in crate::precise) fn pull_at(&self, body: usize) -> bool {
         self.pulls.get(body) == Some(&true)
@@ -122,20 +125,27 @@ impl Springs {
 impl SpringHold {
     /// Its rows in a step of `dt` seconds. `lever`: length units that a turn by one radian counts as.
     pub(in crate::precise) fn rows(&self, ends: Ends, dt: f64, lever: f64) -> JointRows {
-        let arms = self.ends.map(|end| end.arm);
-        let (normal, row) = match self.law {
-            Law::Linear { direction, .. } => (direction, ALONG),
-            Law::Angle => ([1.0, 0.0], ANGLE),
-        };
+        let frame = self.frame();
+        let row = if self.is_linear { ALONG } else { ANGLE };
         let prescribed =
             [0, 1].map(|side| if ends.bodies[side] == FIXED { self.ends[side].velocity } else { [0.0; 3] });
-        let mut rows = JointRows::new(ends, Jacobian::at(normal, arms), [0.0; 3], prescribed, lever);
+        let mut rows = JointRows::new(ends, frame.jacobian(), [0.0; 3], prescribed, lever);
         let SpringHold { stiffness, damping, stretch, .. } = *self;
         rows.spring(row, Elastic { stiffness, damping, stretch }, [dt, self.most * dt]);
-        if let Law::Linear { distance, .. } = self.law {
-            rows.resist_across(dt * dt * stiffness * stretch / distance);
+        if self.is_linear {
+            rows.resist_across(dt * dt * stiffness * stretch / frame.distance());
         }
         rows
+    }
+
+    /// Where its bodies are against each other; the angle is that beyond rest.
+    pub(super) fn frame(&self) -> Frame {
+        let link = if self.is_linear { Link::Distance } else { Link::Angle };
+        Frame::between(link, &self.ends, self.stretch)
+    }
+
+    pub(super) fn ends(&self) -> &[End; 2] {
+        &self.ends
     }
 
     /// Damping of the spin of its bodies, torque per radian per second.
@@ -237,14 +247,12 @@ impl Precise {
     /// A spring as it is now; `None` if it holds nothing that gives way.
     fn spring_hold(&self, (id, spring): (SpringId, &Spring), objects: &Objects) -> Option<SpringHold> {
         let (ends, rest) = self.spring_ends(spring, objects)?;
-        let gap = plus(ends[1].point(), ends[0].point(), -1.0);
-        let distance = dot(gap, gap).sqrt();
-        let linear = Law::Linear { direction: gap.map(|way| way / distance), distance };
-        let (law, stretch) = match spring.kind() {
-            SpringKind::Linear(_) | SpringKind::FixedLinear(_) if distance > 0.0 => (linear, distance - rest),
-            SpringKind::Linear(_) | SpringKind::FixedLinear(_) => return None,
-            SpringKind::Angle(_) | SpringKind::FixedAngle(_) => (Law::Angle, -rest),
-        };
+        let is_linear = matches!(spring.kind(), SpringKind::Linear(_) | SpringKind::FixedLinear(_));
+        let distance = Frame::between(Link::Distance, &ends, 0.0).distance();
+        if is_linear && distance == 0.0 {
+            return None;
+        }
+        let stretch = if is_linear { distance - rest } else { -rest };
         let (multiplier, most) = match spring.kind() {
             SpringKind::Angle(angle) => (angle.torque_multiplier(), bound(angle.max_torque())),
             SpringKind::FixedAngle(angle) => (angle.torque_multiplier(), bound(angle.max_torque())),
@@ -255,7 +263,7 @@ impl Precise {
         let mut hold = SpringHold {
             spring: id,
             ends,
-            law,
+            is_linear,
             stiffness,
             damping,
             damping_of_spin: 0.0,
@@ -295,19 +303,6 @@ impl Precise {
             }
         };
         Some(([self.end(a, p, bodies)?, self.end(b, q, bodies)?], rest))
-    }
-
-    /// Springs whose islands the direct solver has not solved act by their forces.
-    pub(in crate::precise) fn push_springs(&mut self, step: &Step) {
-        let Precise { springs, bodies, .. } = self;
-        for hold in springs.holds.iter().filter(|hold| !hold.is_solved) {
-            for (end, accelerations) in hold.ends.iter().zip(hold.accelerations) {
-                if end.body != 0 {
-                    let push = &mut bodies.push[end.body as usize];
-                    (0..3).for_each(|axis| push[axis] += accelerations[axis] * step.h);
-                }
-            }
-        }
     }
 }
 
