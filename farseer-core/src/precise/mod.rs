@@ -37,6 +37,8 @@ mod outline;
 mod pair_finder;
 mod pairs;
 mod passes;
+mod pivoting;
+mod pivots;
 mod proxies;
 mod rolling;
 mod round;

@@ -10,6 +10,7 @@
 use super::Precise;
 use super::outline::{Family, Outline};
 use super::pairs::Frozen;
+use super::pivoting::OnCorner;
 use super::rows::{Home, Lane, PointLane};
 use super::tuning::Step;
 use crate::math::plane::{
@@ -30,9 +31,9 @@ const SLOW: f32 = 0.4;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Roll {
     /// Of the static face and of the polygon.
-    proxies: [u32; 2],
+    pub(super) proxies: [u32; 2],
     /// Index of the pair, valid from [`Precise::begin_rolls`] to the end of the step.
-    pair: u32,
+    pub(super) pair: u32,
     /// Indices of the corners of the polygon that the two points of the row are.
     corners: [u32; 2],
     /// How much farther each of these is from the plane than its velocity says, if the velocity is that which a pivot has at
@@ -44,11 +45,17 @@ pub(super) struct Roll {
     before: [f32; 2],
     /// The path of the body in this step: length units and rad.
     path: [f32; 4],
+    /// The polygon turns so fast that its corners are chosen anew in every substep.
+    is_fast: bool,
+    /// The body after the step, if it pivots from corner to corner: its velocities are not those of the iterative solver.
+    pub(super) pivoted: Option<OnCorner>,
 }
 
 impl Roll {
-    pub(super) fn new(proxies: [u32; 2]) -> Self {
+    pub(super) fn new(proxies: [u32; 2], is_fast: bool) -> Self {
         Roll {
+            is_fast,
+            pivoted: None,
             proxies,
             pair: 0,
             corners: [0; 2],
@@ -62,13 +69,13 @@ impl Roll {
 
 /// The static plane under a polygon: unit normal towards the polygon, and distance from the origin of A's body in length units.
 #[derive(Clone, Copy)]
-struct Plane {
-    normal: Vector,
-    offset: f32,
+pub(super) struct Plane {
+    pub(super) normal: Vector,
+    pub(super) offset: f32,
 }
 
 impl Plane {
-    fn of(frozen: &Frozen) -> Self {
+    pub(super) fn of(frozen: &Frozen) -> Self {
         let (normal, [ax, ay, ..]) = (frozen.normal, frozen.anchors[0]);
         Plane { normal, offset: dot([ax, ay], normal) - 0.5 * frozen.separations[0] }
     }
@@ -76,11 +83,13 @@ impl Plane {
 
 impl Precise {
     /// Finds the rows of the polygons that roll in this step, and the corners that these rows have.
-    pub(super) fn begin_rolls(&mut self) {
+    pub(super) fn begin_rolls(&mut self, step: &Step) {
         let mut rolling = std::mem::take(&mut self.rolling);
         sort_by_number(&mut rolling, |roll| self.proxies.creation_numbers(roll.proxies));
         rolling.dedup_by_key(|roll| roll.proxies);
-        rolling.retain_mut(|roll| self.begin_roll(roll).is_some());
+        self.begin_pivots(&mut rolling, step);
+        rolling
+            .retain_mut(|roll| roll.pivoted.is_some() || (roll.is_fast && self.begin_roll(roll).is_some()));
         self.rolling = rolling;
     }
 
@@ -111,7 +120,7 @@ impl Precise {
         are_corners.then_some(())
     }
 
-    fn outline_of(&self, proxy: u32) -> Outline<'_> {
+    pub(super) fn outline_of(&self, proxy: u32) -> Outline<'_> {
         self.proxies.corners.outline(self.proxies.all[proxy as usize].shape)
     }
 
@@ -123,6 +132,9 @@ impl Precise {
     }
 
     fn renew_roll(&mut self, roll: &mut Roll, step: &Step, is_first: bool) {
+        if roll.pivoted.is_some() {
+            return;
+        }
         let (pair, [at_a, at_b]) = (roll.pair as usize, roll.proxies);
         (roll.lean, roll.before) = ([0.0; 2], [f32::MAX; 2]);
         let Some(home) = self.pairs.all[pair].home else { return };
@@ -207,7 +219,7 @@ impl Precise {
     /// large an angle between them, and what a strike takes grows with its square. A corner that has not arrived is left alone.
     pub(super) fn lean_rolls(&mut self, step: &Step) {
         let mut rolling = std::mem::take(&mut self.rolling);
-        for roll in &mut rolling {
+        for roll in rolling.iter_mut().filter(|roll| roll.pivoted.is_none()) {
             let state = &self.pairs.all[roll.pair as usize];
             let Some(home) = state.home else { continue };
             let lane = self.rows.lane(state.kind, home);
@@ -252,7 +264,8 @@ impl Precise {
     /// The path of a polygon that rolls is that of its substeps, whatever is made of others.
     pub(super) fn note_paths_of_rolls(&mut self) {
         for roll in &mut self.rolling {
-            roll.path = self.bodies.path[self.proxies.all[roll.proxies[1] as usize].body as usize];
+            let path = self.bodies.path[self.proxies.all[roll.proxies[1] as usize].body as usize];
+            roll.path = roll.pivoted.map_or(path, |after| [after.path[0], after.path[1], after.turned, 0.0]);
         }
     }
 
@@ -264,11 +277,13 @@ impl Precise {
 
     /// After the last substep: what is kept of the contacts is that of the corners which the rows have now, as they lay when the
     /// step began; so that a restored row has the arms of one that was not saved.
-    pub(super) fn end_rolls(&mut self) {
+    pub(super) fn end_rolls(&mut self, step: &Step) {
         let mut rolling = std::mem::take(&mut self.rolling);
         for roll in rolling.drain(..) {
             let pair = roll.pair as usize;
-            if let Some(home) = self.pairs.all[pair].home {
+            if let Some(after) = roll.pivoted {
+                self.end_pivot(&roll, &after, step);
+            } else if let Some(home) = self.pairs.all[pair].home {
                 self.end_roll(pair, roll, home);
             }
         }
@@ -325,7 +340,7 @@ impl Precise {
 }
 
 /// The ends of the edge that faces against a direction most, in the order in which clipping names them.
-fn facing_ends(outline: Outline<'_>, direction: Vector) -> [u32; 2] {
+pub(super) fn facing_ends(outline: Outline<'_>, direction: Vector) -> [u32; 2] {
     let (mut least, mut edge) = (f32::MAX, 0);
     for (at, &normal) in outline.normals.iter().enumerate() {
         let along = dot(normal, direction);
@@ -337,7 +352,7 @@ fn facing_ends(outline: Outline<'_>, direction: Vector) -> [u32; 2] {
 }
 
 /// Whether a point is over the face of an outline that has this normal.
-fn is_over(face: Outline<'_>, q: Turn, normal: Vector, point: Vector) -> bool {
+pub(super) fn is_over(face: Outline<'_>, q: Turn, normal: Vector, point: Vector) -> bool {
     let (normal, point) = (turn_back(q, normal), turn_back(q, point));
     let ends = facing_ends(face, scaled(normal, -1.0)).map(|end| face.points[end as usize]);
     let along = difference(ends[1], ends[0]);

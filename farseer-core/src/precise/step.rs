@@ -301,7 +301,7 @@ impl Precise {
         let may_bounce = self.bounces && self.note_approaches();
         self.gather_warm(step);
         self.warm_swings();
-        self.begin_rolls();
+        self.begin_rolls(step);
         for substep in 0..step.substeps {
             self.push_swings(step.h, substep == 0);
             self.renew_rolls(step, substep == 0);
@@ -335,7 +335,7 @@ impl Precise {
         if may_bounce {
             self.bounce(step);
         }
-        self.end_rolls();
+        self.end_rolls(step);
     }
 
     /// Impulses are forces times the length of a substep: they follow it.

@@ -78,6 +78,12 @@ impl Palette {
         self.shared[body] | self.fixed[body] == 0
     }
 
+    /// Whether a body has no row with another body that can be pushed, but for those of the last colour.
+    #[inline(always)]
+    pub(in crate::precise) fn touches_fixed_alone(&self, body: usize) -> bool {
+        self.shared[body] == 0
+    }
+
     /// Whether a body has one row at most, but for those of the last colour.
     #[inline(always)]
     pub(in crate::precise) fn is_single(&self, body: usize) -> bool {

@@ -63,7 +63,7 @@ impl Touch<'_> {
         let is_kinematic = two.a.mobility == Mobility::Kinematic;
         let is_same = turned_a[0] > if is_kinematic { LARGEST_TURN_OF_KINEMATIC } else { LARGEST_TURN }
             && turned_b[0] > LARGEST_TURN
-            && self.turn_on_fixed(pair, two).abs() <= ROLLING
+            && !self.turns_over(pair, two)
             && moved < self.tuning.frozen - self.tuning.checked
             && moved * turned_a[1].abs().max(turned_b[1].abs()) < LARGEST_ERROR * self.tuning.unit;
         if !is_same {
@@ -103,9 +103,38 @@ impl Touch<'_> {
         }
     }
 
-    /// Whether a polygon turns so far on a static face in this step that its contacts are renewed in every substep.
-    pub(super) fn rolls(&self, pair: usize, two: Two<'_>) -> bool {
-        self.pairs.frozen[pair].lead != 0.0 && self.turn_on_fixed(pair, two).abs() > ROLLING
+    /// Whether a polygon rolls over a static face; and if it does, whether it turns so far in this step that its contacts are
+    /// renewed in every substep.
+    pub(super) fn rolls(&self, pair: usize, two: Two<'_>) -> Option<bool> {
+        let is_rolling = self.pairs.frozen[pair].lead != 0.0 && self.turns_over(pair, two);
+        is_rolling.then(|| self.turn_on_fixed(pair, two).abs() > ROLLING)
+    }
+
+    /// Whether a polygon on a static face turns far in this step, or has the energy to pass the corner that it stands on.
+    fn turns_over(&self, pair: usize, two: Two<'_>) -> bool {
+        let turned = self.turn_on_fixed(pair, two).abs();
+        turned > ROLLING || (turned > 0.0 && self.passes_corner(pair, two))
+    }
+
+    /// Whether the spin about a contact point carries the centre of mass of B over that point, under gravity along the normal.
+    /// With the radius of gyration k and the arm r of the point, at the height y: w^2 (k^2 + r^2) > 2 g (r - y).
+    fn passes_corner(&self, pair: usize, two: Two<'_>) -> bool {
+        let (body, frozen) = (two.b.body as usize, &self.pairs.frozen[pair]);
+        let [mass, inertia] = self.bodies.inverses[body];
+        if !(self.palette.touches_fixed_alone(body)
+            && mass > 0.0
+            && inertia > 0.0
+            && two.b.shape.radius == 0.0)
+        {
+            return false;
+        }
+        let spin = self.bodies.hot[body].velocity[2];
+        let gravity = length(self.fall) / self.dt * self.bodies.gravity_parts[body].abs();
+        let q = turn_back([frozen.turns[2], frozen.turns[3]], rotation(two.pose_b));
+        frozen.anchors[..frozen.count as usize].iter().any(|&[_, _, x, y]| {
+            let (reach, height) = (length([x, y]), -dot(turn(q, [x, y]), frozen.normal));
+            spin * spin * (mass / inertia + reach * reach) > 2.0 * gravity * (reach - height)
+        })
     }
 
     /// Caches a manifold with the poses that it was computed in.

@@ -254,8 +254,8 @@ impl<'a> Touch<'a> {
             return;
         }
         let old = old.unwrap_or_default();
-        if self.rolls(pair, two) {
-            self.rolling.push(Roll::new(self.pairs.watched[pair].proxies));
+        if let Some(is_fast) = self.rolls(pair, two) {
+            self.rolling.push(Roll::new(self.pairs.watched[pair].proxies, is_fast));
         }
         let mut lane = self.lane(pair, two);
         carry_friction(&mut lane, &old);
