@@ -29,10 +29,22 @@ struct Rolling {
     /// Of the ground, down in the direction of rolling, rad.
     slope: f32,
     mass: f32,
+    friction: f32,
+    /// Width of the tiles of the floor.
+    tile: f32,
 }
 
-const LEVEL: Rolling =
-    Rolling { corners: 48, radius: 16.0, speed: 200.0, gravity: 900.0, rate: 60.0, slope: 0.0, mass: 1.0 };
+const LEVEL: Rolling = Rolling {
+    corners: 48,
+    radius: 16.0,
+    speed: 200.0,
+    gravity: 900.0,
+    rate: 60.0,
+    slope: 0.0,
+    mass: 1.0,
+    friction: 1.0,
+    tile: 60_000.0,
+};
 
 impl Rolling {
     /// A polygon on a corner, rolling to the right over level ground under gravity that is turned.
@@ -44,17 +56,22 @@ impl Rolling {
         let ground = BodyFactory::create_rectangle_body_in(&mut simulator, 100.0, 100.0, 1.0).unwrap();
         simulator[ground].set_is_static(true);
         simulator[ground].set_position(v(0.0, 500.0));
-        let placement = GeomPlacement::default();
-        let floor =
-            GeomFactory::create_rectangle_geom_in(&mut simulator, ground, 60_000.0, 1000.0, placement)
-                .unwrap();
+        let mut geoms = Vec::new();
+        for at in -2..(2000.0 / self.tile).clamp(1.0, 200.0) as i32 {
+            let placement =
+                GeomPlacement { offset: v(at as f32 * self.tile, 0.0), ..GeomPlacement::default() };
+            let floor =
+                GeomFactory::create_rectangle_geom_in(&mut simulator, ground, self.tile, 1000.0, placement);
+            geoms.push(floor.unwrap());
+        }
         let mut outline = regular(self.corners, self.radius);
         let body = BodyFactory::create_polygon_body_in(&mut simulator, &outline, self.mass).unwrap();
         let wheel =
             GeomFactory::create_polygon_geom_in(&mut simulator, body, &mut outline, GeomPlacement::default())
                 .unwrap();
-        for geom in [floor, wheel] {
-            simulator[geom].set_friction_coefficient(1.0);
+        geoms.push(wheel);
+        for geom in geoms {
+            simulator[geom].set_friction_coefficient(self.friction);
         }
         simulator[body].set_linear_drag_coefficient(0.0);
         simulator[body].set_rotational_drag_coefficient(0.0);
@@ -118,47 +135,79 @@ fn on_slopes_and_with_other_masses_it_gains_none_either() {
     }
 }
 
-/// From corner to corner a wheel keeps its angular momentum about the new corner: I + m r^2 cos(2 pi / n) of I + m r^2.
+/// Followed for 10 s, or until it has so little energy left that it soon rocks.
+///
+/// From corner to corner a wheel keeps its angular momentum about the new corner, and with that
+/// (I + m r^2 cos(2 pi / n)) / (I + m r^2) of its spin. Between two strikes its energy is constant. So the kinetic energy that
+/// it has when it lies on an edge falls by the square of that at each strike.
+fn assert_loses_what_its_corners_take(rolling: &Rolling) {
+    let (mut simulator, body) = rolling.world();
+    let (mass, inertia) = (simulator[body].mass(), simulator[body].moment_of_inertia());
+    let (square, corners) = (mass * rolling.radius.powi(2), rolling.corners as f32);
+    let kept = (inertia + square * (TAU / corners).cos()) / (inertia + square);
+    let lift = mass * rolling.gravity * rolling.radius * (1.0 - (0.5 * TAU / corners).cos());
+    let on_edge = |simulator: &PhysicsSimulator| rolling.energy(simulator, body) + lift;
+    let first = on_edge(&simulator);
+    for step in 1..=(10.0 * rolling.rate) as usize {
+        simulator.update(1.0 / rolling.rate);
+        let now = on_edge(&simulator);
+        if now < 4.0 * lift {
+            return;
+        }
+        let strikes = (simulator[body].total_rotation() * corners / TAU + 0.5).floor();
+        if step as f32 % rolling.rate == 0.0 {
+            let share = 0.5 * (first / now).ln() / (strikes * -kept.ln());
+            let Rolling { corners, radius, speed, gravity, rate, tile, .. } = rolling;
+            let case = (corners, radius, speed, gravity, rate, tile, step);
+            // Measured: 0.98 to 1.02.
+            assert!((0.95..1.05).contains(&share), "{case:?}: {share} of what the corners take");
+        }
+    }
+}
+
 #[test]
 fn what_rolls_too_slowly_to_hop_loses_what_its_corners_take() {
-    for (corners, radius, speed, gravity, rate) in [
-        (48, 16.0, 90.0, 900.0, 60.0),
-        (48, 16.0, 60.0, 900.0, 60.0),
-        (24, 16.0, 90.0, 900.0, 60.0),
-        (96, 16.0, 90.0, 900.0, 120.0),
-        (48, 16.0, 90.0, 900.0, 120.0),
-        (48, 64.0, 180.0, 900.0, 60.0),
-        (24, 64.0, 200.0, 2000.0, 30.0),
-    ] {
-        let case = (corners, radius, speed, gravity, rate);
-        let rolling = Rolling { corners, radius, speed, gravity, rate, ..LEVEL };
-        let (mut simulator, body) = rolling.world();
-        let kinetic = |simulator: &PhysicsSimulator| {
-            let body = &simulator[body];
-            body.mass() * body.linear_velocity().norm_squared()
-                + body.moment_of_inertia() * body.angular_velocity().powi(2)
-        };
-        let (first, mut turned) = (kinetic(&simulator), 0.0);
-        // Until it has 0.7 of its speed: at less it slows down and speeds up over each corner.
-        while kinetic(&simulator) > 0.5 * first && turned < 100.0 {
-            simulator.update(1.0 / rate);
-            turned += simulator[body].angular_velocity() / rate;
+    for corners in [12, 16, 24, 48, 96] {
+        for radius in [8.0_f32, 16.0, 64.0] {
+            for (gravity, rate) in [(900.0_f32, 30.0), (900.0, 60.0), (200.0, 120.0), (2000.0, 60.0)] {
+                for part in [0.25_f32, 0.75] {
+                    let speed = part * (gravity * radius).sqrt();
+                    let rolling = Rolling { corners, radius, speed, gravity, rate, ..LEVEL };
+                    assert_loses_what_its_corners_take(&rolling);
+                }
+            }
         }
-        let (mass, inertia) = (simulator[body].mass(), simulator[body].moment_of_inertia());
-        let square = mass * radius * radius;
-        let kept = (inertia + square * (TAU / corners as f32).cos()) / (inertia + square);
-        let passed = turned * corners as f32 / TAU;
-        let loss = 0.5 * (first / kinetic(&simulator)).ln() / passed;
-        let share = loss / -kept.ln();
-        assert!((0.8..1.2).contains(&share), "{case:?}: {share} of what the corners take");
+    }
+}
+
+#[test]
+fn on_flush_tiles_it_loses_no_more_than_on_one_floor() {
+    for (corners, tile) in [(24, 32.0), (48, 32.0), (96, 32.0), (48, 100.0), (96, 7.0)] {
+        for (radius, speed) in [(16.0, 90.0), (64.0, 60.0), (8.0, 40.0)] {
+            for rate in [30.0, 60.0] {
+                assert_loses_what_its_corners_take(&Rolling { corners, radius, speed, rate, tile, ..LEVEL });
+            }
+        }
+    }
+}
+
+#[test]
+fn what_it_weighs_and_how_rough_it_is_change_nothing_while_it_does_not_slip() {
+    for (mass, friction) in [(0.01, 1.0), (1000.0, 1.0), (1.0, 0.3), (50.0, 0.5)] {
+        for corners in [16, 48] {
+            assert_loses_what_its_corners_take(&Rolling { corners, mass, friction, speed: 80.0, ..LEVEL });
+        }
     }
 }
 
 #[test]
 fn a_wheel_that_is_restored_in_every_step_rolls_on_with_the_same_bits() {
-    for corners in [6, 48] {
-        let (mut plain, _) = Rolling { corners, speed: 120.0, ..LEVEL }.world();
-        let (mut restored, _) = Rolling { corners, speed: 120.0, ..LEVEL }.world();
+    for (corners, speed, tile) in
+        [(6, 120.0, 60_000.0), (48, 120.0, 60_000.0), (48, 60.0, 32.0), (16, 80.0, 32.0)]
+    {
+        let rolling = Rolling { corners, speed, tile, ..LEVEL };
+        let (mut plain, _) = rolling.world();
+        let (mut restored, _) = rolling.world();
         for step in 0..240 {
             plain.update(1.0 / 60.0);
             restored.update(1.0 / 60.0);

@@ -35,6 +35,7 @@ mod random;
 mod rays;
 mod regressions;
 mod reshaped;
+mod rolling;
 mod ropes;
 mod save;
 mod scheme_in_mid_run;
