@@ -23,10 +23,6 @@ use crate::storage::order::sort_by_number;
 /// clipping at the end of the face puts it elsewhere.
 const SAME_POINT: f32 = 1e-3;
 
-/// A polygon pivots on each corner for a time if its path in a substep is not longer than this fraction of an edge. One that
-/// goes farther hops, and strikes with other corners than those that bore it.
-const SLOW: f32 = 0.4;
-
 /// A contact of a polygon that rolls over a static face in this step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Roll {
@@ -217,13 +213,12 @@ impl Precise {
     ///
     /// The second pass looks one substep ahead, and would stop the next corner that early: the corners would strike with too
     /// large an angle between them, and what a strike takes grows with its square. A corner that has not arrived is left alone.
-    pub(super) fn lean_rolls(&mut self, step: &Step) {
+    pub(super) fn lean_rolls(&mut self) {
         let mut rolling = std::mem::take(&mut self.rolling);
         for roll in rolling.iter_mut().filter(|roll| roll.pivoted.is_none()) {
             let state = &self.pairs.all[roll.pair as usize];
             let Some(home) = state.home else { continue };
             let lane = self.rows.lane(state.kind, home);
-            self.bodies.hot[lane.b as usize].velocity[2] += self.spin_of_strike(roll, &lane, step.h);
             let [x, y, turned, _] = self.bodies.hot[lane.b as usize].step;
             let mut separations = [0.0; 2];
             for (at, point) in lane.points.iter().enumerate() {
@@ -237,28 +232,6 @@ impl Precise {
             self.rows.set_separations(state.kind, home, separations);
         }
         self.rolling = rolling;
-    }
-
-    /// Where one corner strikes after the fraction f of a substep, and with the velocity U, the corner before it has borne the
-    /// weight for that long, and pushed on. The rows let go of it for all of the substep: what it gave to the spin is missing,
-    /// f U times its impulse. Answers that spin in rad/s.
-    fn spin_of_strike(&self, roll: &Roll, lane: &Lane, h: f32) -> f32 {
-        let strikes = |at: usize| roll.before[at] == 0.0 && lane.points[at].impulse > 0.0;
-        let Some(new) = (0..2).find(|&at| strikes(at)) else { return 0.0 };
-        let (struck, old) = (&lane.points[new], &lane.points[1 - new]);
-        let [x, y, ..] = self.bodies.push[lane.b as usize];
-        let weight = -dot([x, y], lane.normal) / lane.inverse_masses[1];
-        let borne = roll.before[1 - new].min(weight);
-        let [vx, vy, spin, _] = self.bodies.hot[lane.b as usize].velocity;
-        let leaves = dot([vx, vy], lane.normal) + spin * old.arm_b > old.impulse * lane.inverse_masses[1];
-        let still = struck.separation / h;
-        let arms = old.arm_b - struck.arm_b;
-        let is_slow = (spin * h * lane.tangent_arms[1]).abs() <= SLOW * arms.abs();
-        if !(is_slow && borne > 0.0 && leaves && still > 0.0 && struck.mass > 0.0) {
-            return 0.0;
-        }
-        let part = still / (still + struck.impulse / struck.mass);
-        lane.inverse_inertias[1] * part * borne * arms
     }
 
     /// The path of a polygon that rolls is that of its substeps, whatever is made of others.

@@ -318,7 +318,7 @@ impl Precise {
             self.joints.limit_speeds(&mut self.bodies);
             displace(&mut self.bodies, &self.sleep.bodies, step.h, substep == 0);
             self.turn_swings();
-            self.lean_rolls(step);
+            self.lean_rolls();
             self.joints.advance(&mut self.bodies, step.h);
             self.joints.relax(&mut self.bodies, step.h);
             self.relax(step);
