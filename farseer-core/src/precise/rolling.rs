@@ -6,6 +6,9 @@
 //! substep, with their separations and arms as they are in its middle. The midpoint rule makes the path of a corner exact to
 //! the second order, and neither gains nor loses energy while the body pivots (E. Hairer, C. Lubich, G. Wanner, "Geometric
 //! Numerical Integration", 2006, II.1).
+//!
+//! A polygon that neither slips nor hops, and touches nothing but static faces of one plane, pivots in closed form instead:
+//! [`pivoting`](super::pivoting).
 
 use super::Precise;
 use super::outline::{Family, Outline};
