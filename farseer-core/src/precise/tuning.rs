@@ -61,7 +61,8 @@ impl Tuning {
     /// Margins of the AABB of a proxy that reaches this far from its centre, length units.
     pub(super) fn widening(&self, reach: f32) -> Widening {
         let by_size = MARGIN_OF_SIZE * reach;
-        Widening { margin: if by_size < self.margin { by_size } else { self.margin }, lonely: 0.0 }
+        let margin = if by_size < self.margin { by_size } else { self.margin };
+        Widening { margin, near: NEAR_OF_SIZE * reach, lonely: 0.0 }
     }
 
     /// The same for a proxy without pairs: a longer look ahead saves searches of the broad phase, and makes no pairs while
@@ -81,6 +82,8 @@ impl Tuning {
 pub(super) struct Widening {
     /// To all sides.
     pub(super) margin: f32,
+    /// Limit of the look ahead by more than the motion of the next step.
+    near: f32,
     /// Limit of the longer look ahead of a proxy without pairs.
     lonely: f32,
 }
@@ -88,14 +91,17 @@ pub(super) struct Widening {
 impl Widening {
     /// How far the AABB reaches ahead along an axis on which the proxy moves by `way` in a step, length units.
     pub(super) fn ahead(&self, way: f32) -> f32 {
-        let (near, far) = (way * STEPS_AHEAD, (way * LONELY_STEPS_AHEAD).clamp(-self.lonely, self.lonely));
-        (if far.abs() > near.abs() { far } else { near }).clamp(-FARTHEST, FARTHEST)
+        let within = |steps: f32, limit: f32| (way * steps).clamp(-limit, limit);
+        let (near, far) = (within(STEPS_AHEAD, self.near), within(LONELY_STEPS_AHEAD, self.lonely));
+        let longest = |one: f32, other: f32| if other.abs() > one.abs() { other } else { one };
+        longest(longest(way, near), far).clamp(-FARTHEST, FARTHEST)
     }
 }
 
-/// Steps by whose motion an AABB reaches ahead; for a proxy without pairs a larger number of them, but at most this multiple
-/// of its size: a pair should not exist for long before the shapes touch.
+/// Steps by whose motion an AABB reaches ahead, and for a proxy without pairs a larger number of them; but, beyond the next
+/// step, at most these multiples of its size: a pair should not exist for long before the shapes touch.
 const STEPS_AHEAD: f32 = 4.0;
+const NEAR_OF_SIZE: f32 = 1.0;
 const LONELY_STEPS_AHEAD: f32 = 32.0;
 const LONELY_OF_SIZE: f32 = 2.0;
 /// Largest margin of an AABB as a fraction of the size of its proxy.
