@@ -75,6 +75,14 @@ impl Feet {
         Feet { end: 0.0, ..*self }
     }
 
+    /// As wide as the figure is up to a height above its lowest point, px: less than it is above that if it ends in a ball.
+    pub(super) fn up_to(&self, height: f32) -> Self {
+        let Some(round) = self.round.filter(|_| height < self.end) else { return *self };
+        let height = height.max(0.0);
+        let radius = (height * (2.0 * self.end - height)).sqrt().min(round.radius);
+        self.widened(radius - round.radius)
+    }
+
     pub(super) fn moved(&self, way: Vector3) -> Self {
         let moved = |at: [f32; 2]| [at[0] + way.x, at[1] + way.z];
         Feet {

@@ -35,6 +35,13 @@ const UNCHANGED: f32 = 1e-5;
 /// the answer is known before the figure is lifted.
 const STEPS_AHEAD: f32 = 2.0;
 const STEPS_ASKED: f32 = 3.0;
+/// How far places on the way of a round end are apart at which it is looked for edges, as a fraction of its radius: between two of
+/// them no edge is missed that would stop it, since one is met from a radius before it to a radius past it.
+const EDGES_SEEN: f32 = 0.5;
+/// Most of these places.
+const MOST_PLACES: f32 = 16.0;
+/// How near to a stair a round end is on it, px: nearer than that a wall holds the feet off.
+const NEAR_STAIR: f32 = 0.5;
 /// What pushes up by more than this part of its normal holds.
 const HOLDS: f32 = 0.5;
 
@@ -57,6 +64,8 @@ pub(super) struct Stride<'a> {
     pub(super) least_up: f32,
     /// An edge no higher than this holds a round end, however far that is past it.
     edges: f32,
+    /// A stair that it can step on lies under its round end.
+    pub(super) is_on_stairs: bool,
     /// Of the figure's own time.
     pub(super) dt: f32,
     /// How fast that passes. What others do in a second of theirs takes longer in its own.
@@ -99,9 +108,14 @@ impl<'a> Stride<'a> {
         if self.refuses(partner) { free } else { held }
     }
 
+    /// The same on other feet.
+    pub(super) fn on(&self, feet: Feet) -> Self {
+        Stride { feet, ..*self }
+    }
+
     /// The same for a figure with soles.
     pub(super) fn flat(&self) -> Self {
-        Stride { feet: self.feet.flat(), ..*self }
+        self.on(self.feet.flat())
     }
 
     /// How high a floor is that a round end comes to. One that was lifted over an edge stays so, unless it goes down from there.
@@ -157,6 +171,7 @@ impl TwoHalfPhysicsSimulator {
             velocity,
             least_up,
             edges,
+            is_on_stairs: false,
             dt,
             pace,
         };
@@ -225,6 +240,14 @@ impl TwoHalfPhysicsSimulator {
         curb.is_some_and(|curb| stride.soles - curb.height <= OVER + STANDS)
     }
 
+    /// Whether a stair that can be stepped on lies under the feet, or within a skin of them, as if they were soles.
+    fn is_over_stair(&self, stride: &Stride<'_>, walker: &Walker, floor: &Floor) -> bool {
+        let from = stride.height_on(floor);
+        let reach = Reach { highest: from + CLEARS + walker.walk.step_up, ..stride.reach(0.0) };
+        let feet = stride.feet.flat().widened(NEAR_STAIR);
+        self.floor_below(&feet, &reach).is_some_and(|stair| stair.height > floor.height + CLEARS)
+    }
+
     /// Acceleration by gravity in the air, px/s², along X and down.
     fn pull(&self, body: BodyId, walker: &Walker) -> Vector2 {
         let is_pulled = |body: &&Body| walker.is_held || !body.ignore_gravity();
@@ -288,11 +311,16 @@ impl TwoHalfPhysicsSimulator {
         asked.into_iter().for_each(|curb| stride.note_held_by(curb.partner, Vector3::y(), curb.height));
         // A curb is a wall until the soles are over it, which they are before it is reached.
         let knees = match stride.feet.ball() {
-            Some(ball) => stride.knees + floor.lower_than_soles(ball.radius),
+            Some(ball) => {
+                let knees = stride.knees + floor.lower_than_soles(ball.radius);
+                // The stair after the one that it comes on to is higher than that.
+                curb.as_ref().map_or(knees, |curb| knees.max(curb.height))
+            }
             None if curb.is_some() => stride.soles + STANDS,
             None => stride.knees,
         };
-        let mut velocity = self.held_off(&Stride { knees, ..*stride }, level, is_wall);
+        let is_on_stairs = stride.feet.ball().is_some() && self.is_over_stair(stride, walker, &floor);
+        let mut velocity = self.held_off(&Stride { knees, is_on_stairs, ..*stride }, level, is_wall);
         let height = match curb {
             Some(curb) => curb.height,
             None => self.height_ahead(stride, walker, velocity, &floor) + clearance(stride, &floor),
@@ -304,7 +332,8 @@ impl TwoHalfPhysicsSimulator {
     }
 
     /// Another floor that is as high or higher, and that the figure would come to in so many steps; with what it is lifted over its
-    /// edge.
+    /// edge. The stair after one that it comes on to within this step is measured from that one: who walks farther in a step than
+    /// half of a tread would stop at every other edge.
     fn curb_ahead(
         &self,
         stride: &Stride<'_>,
@@ -313,15 +342,35 @@ impl TwoHalfPhysicsSimulator {
         wish: Wish,
         (floor, refused): (&Floor, &[Partner]),
     ) -> Option<Floor> {
-        let highest = stride.height_on(floor) + CLEARS + walker.walk.step_up;
         let way = way_to_curb(stride, walker, (velocity, steps), wish);
-        if stride.feet.ball().is_some() {
-            let next = (velocity - walker.carried) * stride.dt;
-            return self.rise_ahead(stride, highest, [next, way], refused);
+        let next = (velocity - walker.carried) * stride.dt;
+        let highest = |from: f32| from + CLEARS + walker.walk.step_up;
+        let from = stride.height_on(floor);
+        let reach = Reach { highest: highest(from), refused, edges: highest(from), ..stride.reach(0.0) };
+        let first = self.curb_within(stride, &reach, floor, [next, way]);
+        let stair = self.floor_below(&stride.feet.flat().swept(next), &reach);
+        let stair = stair.filter(|stair| stair.height > from + CLEARS && stair.height <= stride.soles);
+        let second = stair.and_then(|stair| {
+            let highest = highest(stair.height);
+            self.curb_within(stride, &Reach { highest, edges: highest, ..reach }, floor, [next, way])
+        });
+        second.or(first)
+    }
+
+    /// A floor in reach that is higher than that which is stood on and lies within a way; with what the figure is lifted over its
+    /// edge.
+    fn curb_within(
+        &self,
+        stride: &Stride<'_>,
+        reach: &Reach<'_>,
+        floor: &Floor,
+        ways: [Vector3; 2],
+    ) -> Option<Floor> {
+        if let Some(ball) = stride.feet.ball() {
+            return self.rise_within(stride, reach, ways, ball.radius);
         }
-        let swept = stride.feet.swept(way);
-        let reach = Reach { but: Some(floor.partner), highest, refused, ..stride.reach(0.0) };
-        let curb = self.floor_below(&swept, &reach)?;
+        let reach = Reach { but: Some(floor.partner), ..*reach };
+        let curb = self.floor_below(&stride.feet.swept(ways[1]), &reach)?;
         let over = Floor { height: curb.height + OVER, ..curb };
         let here = self.height_of(curb.partner, &stride.feet, &reach);
         let is_ahead = here.is_none_or(|here| here < curb.height - CLEARS);
@@ -330,26 +379,31 @@ impl TwoHalfPhysicsSimulator {
 
     /// The same for a round end: an edge or a slope that it would come to, higher than what it touches now leads. Over an edge it is
     /// lifted as soles are, since the way round that is steep at first; over the foot of a slope by as little as it can be.
-    fn rise_ahead(
+    fn rise_within(
         &self,
         stride: &Stride<'_>,
-        highest: f32,
+        reach: &Reach<'_>,
         ways: [Vector3; 2],
-        refused: &[Partner],
+        radius: f32,
     ) -> Option<Floor> {
-        let reach = Reach { edges: highest, highest, refused, ..stride.reach(0.0) };
-        let here = self.floor_below(&stride.feet, &reach)?;
-        let [next, then] = ways.map(|way| {
-            let ahead = self.floor_below(&stride.feet.moved(way), &reach);
-            (ahead, here.height_along(way))
-        });
+        let here = self.floor_below(&stride.feet, reach)?;
+        let ahead_of = |way: Vector3| {
+            let ahead = self.floor_below(&stride.feet.moved(way), reach);
+            // Over an edge it comes no higher than that.
+            (ahead, here.height_along(way).min(here.edge.unwrap_or(f32::MAX)))
+        };
+        let [next, then] = ways.map(ahead_of);
         let foot = next.0.map_or(next.1, |floor| floor.height.max(next.1));
-        let rises = [next, then].into_iter().filter_map(|(ahead, along)| {
+        let rise = |(ahead, along): (Option<Floor>, f32), foot: Option<f32>| {
             let ahead = ahead.filter(|ahead| ahead.height > along + CLEARS)?;
-            let height = ahead.edge.unwrap_or(foot);
+            let height = ahead.edge.or(foot)?;
             (height <= reach.edges).then_some(Floor { height: height + OVER, ..ahead })
-        });
-        rises.reduce(|highest, rise| if rise.height > highest.height { rise } else { highest })
+        };
+        let ends = [next, then].into_iter().filter_map(|found| rise(found, Some(foot)));
+        // An edge may lie between these places, farther from both than the radius.
+        let parts = (ways[1].norm() / (EDGES_SEEN * radius)).ceil().min(MOST_PLACES) as usize;
+        let between = (1..parts).filter_map(|at| rise(ahead_of(ways[1] * (at as f32 / parts as f32)), None));
+        ends.chain(between).reduce(|highest, rise| if rise.height > highest.height { rise } else { highest })
     }
 
     /// How high the floor is after this step. From one floor to a lower one the way down begins when nothing is left of the higher

@@ -82,6 +82,7 @@ impl TwoHalfPhysicsSimulator {
             if stride.is_slope(platform.shape(), way) {
                 continue;
             }
+            let stride = &stride.on(stride.feet_against(platform.shape()));
             let held = held_off_platform(stride, velocity, &wall, platform.velocity() / stride.pace);
             velocity = stride.held_back(Partner::Platform(id), velocity, held);
         }
@@ -110,6 +111,15 @@ fn held_off_platform(stride: &Stride<'_>, mut velocity: Vector3, wall: &Feet, mo
 }
 
 impl Stride<'_> {
+    /// The feet that a box is in the way of: a round end that is on stairs is only as wide as it is at the height of the box.
+    fn feet_against(&self, shape: &SlantedBox) -> Feet {
+        if !self.is_on_stairs {
+            return self.feet;
+        }
+        let top = shape.rectangle().iter().fold(f32::INFINITY, |top, corner| top.min(corner.y));
+        self.feet.up_to(-(top + shape.centre.y) - self.soles)
+    }
+
     /// Whether a box is a slope that a round end rolls up: of that no more is in the way than what it touches.
     fn is_slope(&self, shape: &SlantedBox, way: Vector3) -> bool {
         [self.feet, self.feet.moved(way)].into_iter().any(|feet| {

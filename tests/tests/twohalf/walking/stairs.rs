@@ -122,6 +122,38 @@ fn stairs_as_high_as_a_step_are_walked_like_lower_ones() {
     }
 }
 
+/// 10 px in a step: two edges within the two steps that a figure looks ahead, each a step high.
+#[test]
+fn short_treads_are_walked_at_full_speed_in_long_steps() {
+    let capsule = |radius| Some(DepthProfile::Capsule { radius, height: 60.0 });
+    for shape in [None, Some(CYLINDER), capsule(6.0), capsule(10.0), capsule(25.0)] {
+        for (tread, speed, rate) in [(12.0, 300.0, 30.0), (16.0, 300.0, 30.0), (12.0, 200.0, 30.0)] {
+            for height in [6.0, 7.9, 8.0] {
+                for stairs in all_stairs(height, tread).filter(|stairs| stairs.made != Made::RisingBodies) {
+                    let (way, is_aloft) = stairs.walk(shape, walk_of(8.0), speed, rate);
+                    let what = format!("{stairs:?} {shape:?} {speed} {rate}");
+                    assert!(!is_aloft && way > 0.95 * speed, "{what}: {way}, in the air: {is_aloft}");
+                }
+            }
+        }
+    }
+}
+
+/// The second stair lies under the round end too, and is higher than a step, but far from the surface of that.
+#[test]
+fn a_round_end_wider_than_two_treads_is_not_stopped_by_the_second_stair() {
+    let shape = Some(DepthProfile::Capsule { radius: 25.0, height: 60.0 });
+    for (speed, rate) in [(60.0, 120.0), (140.0, 60.0), (300.0, 120.0)] {
+        for height in [3.0, 3.95, 4.0] {
+            for stairs in all_stairs(height, 12.0).filter(|stairs| stairs.made != Made::RisingBodies) {
+                let (way, is_aloft) = stairs.walk(shape, walk_of(4.0), speed, rate);
+                let what = format!("{stairs:?} {speed} {rate}");
+                assert!(!is_aloft && way > 0.95 * speed, "{what}: {way}, in the air: {is_aloft}");
+            }
+        }
+    }
+}
+
 #[test]
 fn up_stairs_it_walks_however_little_it_is_put_down() {
     for shape in [None, Some(CYLINDER)] {
