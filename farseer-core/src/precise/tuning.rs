@@ -225,8 +225,16 @@ mod tests {
     fn what_is_in_no_pair_looks_far_ahead_but_not_farther_than_it_is_wide() {
         let tuning = Tuning::new(32.0);
         let (lonely, other) = (tuning.widening_of_lonely(10.0), tuning.widening(10.0));
-        assert_eq!([0.5, 1.0, -1.0, 10.0].map(|way| other.ahead(way)), [2.0, 4.0, -4.0, 40.0]);
-        assert_eq!([0.5, 1.0, -1.0, 10.0].map(|way| lonely.ahead(way)), [16.0, 20.0, -20.0, 40.0]);
+        assert_eq!([0.5, 1.0, -1.0, 5.0].map(|way| other.ahead(way)), [2.0, 4.0, -4.0, 10.0]);
+        assert_eq!([0.5, 1.0, -1.0, 5.0].map(|way| lonely.ahead(way)), [16.0, 20.0, -20.0, 20.0]);
         assert_eq!(lonely.margin, other.margin);
+    }
+
+    #[test]
+    fn an_aabb_contains_the_way_of_the_next_step_however_fast_it_is() {
+        let tuning = Tuning::new(32.0);
+        let both = [tuning.widening_of_lonely(10.0), tuning.widening(10.0)];
+        assert_eq!(both.map(|widening| widening.ahead(30.0)), [30.0; 2]);
+        assert_eq!(both.map(|widening| widening.ahead(-30.0)), [-30.0; 2]);
     }
 }

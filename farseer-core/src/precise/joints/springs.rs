@@ -112,11 +112,12 @@ impl Springs {
         self.pulls.get(body) == Some(&true)
     }
 
-    /// A number by which two lists of springs are told from each other (multiplicative hashing); 0 for none.
+    /// A number by which two lists of springs are told from each other (multiplicative hashing): which there are, and which ends
+    /// give way; 0 for none. Numbers of bodies are others after a restore.
     pub(in crate::precise) fn signature(&self) -> u64 {
         self.holds.iter().fold(0, |sum: u64, hold| {
-            let [a, b] = hold.ends.map(|end| u64::from(end.body));
-            let word = hold.spring.to_bits().rotate_left(7) ^ (a << 32 | b);
+            let [a, b] = hold.ends.map(|end| u64::from(end.body != 0));
+            let word = hold.spring.to_bits().rotate_left(2) ^ (a << 1 | b);
             (sum.rotate_left(5) ^ word).wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15)
         })
     }
