@@ -48,8 +48,8 @@ pub(super) use one_way::lands_on;
 use parts::{Depths, Fixture, SpaceBody, SpaceProfile};
 pub(super) use passes::{Spin, begin_spins, gather_warm_in_space, relax_in_space};
 pub(super) use rows::{SpaceRow, tangents};
-pub(super) use solid::{Before, Limits};
-use solid::{Kind, Solid};
+use solid::Kind;
+pub(super) use solid::{Before, Limits, Solid};
 use upright::Upright;
 
 /// What there is along the depth axis.

@@ -12,6 +12,7 @@ use super::{slant, standing};
 use crate::math::plane::{
     Pose, Vector, difference, dot, length, place, rotation, scaled, sum, turn, turn_back,
 };
+use crate::math::scalar;
 use crate::precise::manifold::{Manifold, clip, collide, greatest_separation};
 use crate::precise::outline::{Family, Outline};
 use crate::shape::SlantedBox;
@@ -84,6 +85,46 @@ impl Limits {
         Limits { reach, usual, flush }
     }
 }
+
+impl Limits {
+    /// How much one of two flush faces may be higher than the other, in length units, if none is pressed; more if one of them can be
+    /// pushed down.
+    pub(in crate::precise) fn flush(usual: f32, gives_way: bool) -> f32 {
+        usual * if gives_way { DEEPEST } else { FLUSH }
+    }
+}
+
+impl Solid<'_> {
+    /// Whether it is a ball, or ends in two.
+    pub(in crate::precise) fn is_round(&self) -> bool {
+        self.kind == Kind::Ball || self.upright.is_some_and(|upright| upright.rounding > 0.0)
+    }
+
+    /// Whether it is a prism along the depth axis that is not sheared.
+    pub(in crate::precise) fn is_upright_prism(&self) -> bool {
+        matches!(self.kind, Kind::Prism(_)) && self.slant.is_none() && !self.outline.points.is_empty()
+    }
+
+    /// Whether it has a face across this normal of the plane.
+    pub(in crate::precise) fn has_face(&self, normal: Vector) -> bool {
+        let is_it = |&face: &Vector| dot(turn(rotation(self.pose), face), normal) > SAME_FACE;
+        self.kind == Kind::Ground || (self.is_upright_prism() && self.outline.normals.iter().any(is_it))
+    }
+
+    /// How far it reaches along a normal of the plane, as a coordinate in length units; the ground to y = 0.
+    pub(in crate::precise) fn height_along(&self, normal: Vector) -> f32 {
+        if self.kind == Kind::Ground {
+            return 0.0;
+        }
+        let (direction, radius) = (turn_back(rotation(self.pose), normal), self.outline.shape.radius);
+        let heights = self.outline.points.iter().map(|&point| dot(point, direction));
+        dot(place(self.pose), normal) + radius + heights.fold(f32::MIN, scalar::max)
+    }
+}
+
+/// Cosine of the angle between a normal and that of a face from which on they are one: a contact recycles its normal while a crate
+/// turns a little.
+const SAME_FACE: f32 = 0.999_9;
 
 /// Part of the usual reach of contacts by which faces that are flush may overlap where something moves.
 const FLUSH: f32 = 0.05;

@@ -7,6 +7,7 @@ mod ahead;
 mod apart;
 mod kept;
 mod lane;
+mod rims;
 mod rows;
 mod sunk;
 mod touching;
@@ -208,7 +209,8 @@ impl<'a> Touch<'a> {
         let a = space.turning_on(a, two.a, &b, (self.bodies, self.dt));
         let sunk = self.sunk_before(pair, two);
         let limits = Limits::new([reach, self.tuning.speculative], self.is_fixed(two.a), sunk);
-        space.touch(a, b, before, limits)
+        let found = space.touch(a, b, before, limits);
+        if self.is_hidden_rim(pair, two, [a, b], &found) { Manifold::apart(0.0) } else { found }
     }
 
     /// Circles that come together push each other along the line on which their middles lie when they do, which is neither
