@@ -155,14 +155,27 @@ fn flat_things_slide_over_seams_onto_what_moves_without_losing_speed() {
 }
 
 #[test]
-fn round_things_cross_seams_onto_what_moves_as_they_do_those_of_what_stands_still() {
-    for (scene, speed) in
-        FLUSH.into_iter().flat_map(scenes).flat_map(|scene| SPEEDS.map(|speed| (scene, speed)))
-    {
-        for thing in [Ball::new(10.0), Capsule::new(8.0, 30.0)] {
-            // One that lies s deep meets the rim at a slope of sqrt(2 s / r): some of its speed goes up.
+fn round_things_cross_flush_seams_without_losing_speed() {
+    let still = [[Floor::Platform; 2], [Static, Static], [Floor::Platform, Static]];
+    let floors = FLUSH.into_iter().chain(still);
+    for (scene, speed) in floors.flat_map(scenes).flat_map(|scene| SPEEDS.map(|speed| (scene, speed))) {
+        for thing in [Ball::new(10.0), Ball::new(4.0), Capsule::new(8.0, 30.0)] {
             let least = scene.least_speed(thing, speed, 0.3);
-            assert!(least > 0.9 * speed, "{scene:?} {thing:?} {speed}: {least}");
+            assert!(least > 0.999 * speed, "{scene:?} {thing:?} {speed}: {least}");
+        }
+    }
+}
+
+/// To be lifted by 0.5 px takes 30 px/s of what slides.
+#[test]
+fn a_step_of_half_a_pixel_turns_back_a_ball_that_is_too_slow_for_it() {
+    for floors in [[Floor::Platform; 2], [Static, Kinematic], [Kinematic, Kinematic]] {
+        for scene in scenes(floors) {
+            for thing in [Ball::new(10.0), Capsule::new(8.0, 30.0)] {
+                let scene = Scene { step: 0.5, ..scene };
+                let least = scene.least_speed(thing, 20.0, 0.3);
+                assert!(least < 10.0, "{scene:?} {thing:?}: {least}");
+            }
         }
     }
 }
@@ -213,6 +226,25 @@ fn flat_things_slide_over_rows_of_crates_whatever_those_weigh() {
             for thing in [Prism::new([20.0; 3]).upright(), Cylinder::new(10.0, 20.0)] {
                 let now = slides_over_crates(along_z, rate, mass, thing, speed);
                 assert!(now > 0.97 * speed, "{along_z} {rate} {mass} {thing:?}: {now} of {speed}");
+            }
+        }
+    }
+}
+
+#[test]
+fn things_of_any_weight_cross_rows_of_crates_at_their_speed() {
+    for (along_z, rate) in [false, true].into_iter().flat_map(|z| [30.0, 60.0, 120.0].map(|rate| (z, rate))) {
+        for (ratio, speed) in
+            [0.1, 1.0, 3.0].into_iter().flat_map(|ratio| [20.0, 60.0, 150.0].map(|it| (ratio, it)))
+        {
+            for thing in [
+                Prism::new([20.0; 3]).upright(),
+                Prism::new([20.0, 40.0, 20.0]),
+                Cylinder::new(10.0, 20.0),
+                Ball::new(10.0),
+            ] {
+                let now = slides_over_crates(along_z, rate, 10.0, thing.mass(10.0 * ratio), speed);
+                assert!(now > 0.97 * speed, "{along_z} {rate} {ratio} {thing:?}: {now} of {speed}");
             }
         }
     }
