@@ -13,8 +13,8 @@ use crate::math::scalar;
 /// Most strikes in a step. A polygon that would strike more often turns by several corners in every substep.
 const MAX_STRIKES: usize = 64;
 
-/// Largest speed of the pivot over the face, as a fraction of the speed of the centre of mass. What exceeds it is a slip or a
-/// hop; what is below it is the error of the velocities that the iterative solver leaves at the end of a step. The strike that
+/// Largest speed of the pivot over the face, as a fraction of the speed of the centre of mass. A larger one is a slip or a
+/// hop; a smaller one is the error of the velocities that the iterative solver leaves at the end of a step. The strike that
 /// takes it costs its square in energy.
 const MAX_SLIP: f32 = 0.05;
 

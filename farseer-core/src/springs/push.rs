@@ -1,4 +1,4 @@
-//! What a spring does to a body, before that is applied.
+//! The push of a spring at a body, before it is applied.
 
 use crate::body::entry::Bodies;
 use crate::body::{Body, BodyId};

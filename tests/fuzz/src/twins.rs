@@ -92,7 +92,7 @@ fn first_difference(one: &Value, other: &Value) -> Option<String> {
     }
 }
 
-/// What `see` sees in a game after each update.
+/// The answers of `see` to a game after each update.
 fn seen<G: Game, T>(
     seed: u64,
     copy: Option<Copy<G::Simulator>>,

@@ -246,7 +246,7 @@ fn a_stiff_spring_that_drags_a_jointed_body_to_a_point_holds_it_there() {
         run(&mut simulator, 1200);
         let point = simulator[tip].get_world_position(v(10.0, 0.0));
         let (off, weight) = ((point - mouse).norm(), 5.2 * GRAVITY);
-        // What still swings from the point, from less than level, pulls with three times its weight at most.
+        // A load that still swings from the point, from less than level, pulls with three times its weight at most.
         assert!(off < 3.0 * weight / stiffness + 0.01, "stiffness {stiffness}: {off}");
     }
 }
@@ -306,7 +306,7 @@ fn passes_hold_a_load_on_a_spring_as_deep_as_its_constant_says() {
         let length = simulator[plate].position().y - simulator[load].position().y;
         let law = 100.0 - mass * GRAVITY / stiffness;
         let case = format!("mass {mass}, stiffness {stiffness}");
-        // What swings by less than 2.4 length units per second sleeps.
+        // A load that swings by less than 2.4 length units per second sleeps.
         let left = 0.05 + 2.4 * (mass / stiffness).sqrt();
         assert!((length - law).abs() < left, "{case}: {length} instead of {law}");
         assert!(simulator[load].linear_velocity().norm() < 2.4, "{case}");

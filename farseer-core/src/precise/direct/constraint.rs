@@ -202,7 +202,7 @@ pub(super) trait Constraint: DerefMut<Target = ConstraintRows> {
     /// The impulse of one row that stops it alone, within its bounds, at this velocity error. Answers the change.
     fn stop(&mut self, row: usize, excess: f64) -> Triple;
 
-    /// What the rows yield to their impulses by themselves: the sum of impulse squared times compliance, in the unit of energy.
+    /// Work that the rows yield to their own impulses: the sum of impulse squared times compliance, in the unit of energy.
     fn yielding(&self) -> f64 {
         0.0
     }

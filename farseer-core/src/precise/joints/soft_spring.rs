@@ -47,7 +47,7 @@ pub(super) struct SoftSpring {
     row: usize,
     own: Elastic,
     across: Elastic,
-    /// What resists the spin of each body, and the impulse per spin of damping.
+    /// Resistance of each body to spin, and the impulse of damping per spin.
     spins: [Elastic; 2],
     damping: f64,
     /// Reciprocals of effective masses of the rows.
