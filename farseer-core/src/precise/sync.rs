@@ -9,10 +9,10 @@ use super::proxies::{Mobility, Proxy, filter_of};
 use super::saved::{Edits, Saved};
 use super::space::parts::{Depths, SpaceProfile, is_geom};
 use crate::body::{Body, BodyId};
-use crate::geom::{Geom, GeomId};
 use crate::geom::entry::GeomEntry;
 use crate::geom::filter::{is_valid_pair, may_go_on_touching};
 use crate::geom::pieces::Piece;
+use crate::geom::{Geom, GeomId};
 use crate::math::plane::Vector;
 use crate::objects::Objects;
 

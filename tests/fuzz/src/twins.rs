@@ -77,9 +77,11 @@ fn state_at(update: usize, number: usize, simulator: &impl Engine) -> Value {
 /// The path to the first number or text of two states that differs, with both.
 fn first_difference(one: &Value, other: &Value) -> Option<String> {
     match (one, other) {
-        (Value::Object(one), Value::Object(other)) if one.len() == other.len() => one.iter().find_map(|(name, value)| {
-            Some(format!(".{name}{}", first_difference(value, other.get(name).unwrap_or(&Value::Null))?))
-        }),
+        (Value::Object(one), Value::Object(other)) if one.len() == other.len() => {
+            one.iter().find_map(|(name, value)| {
+                Some(format!(".{name}{}", first_difference(value, other.get(name).unwrap_or(&Value::Null))?))
+            })
+        }
         (Value::Array(one), Value::Array(other)) if one.len() == other.len() => {
             let mut items = one.iter().zip(other).enumerate();
             items.find_map(|(at, (one, other))| Some(format!("[{at}]{}", first_difference(one, other)?)))

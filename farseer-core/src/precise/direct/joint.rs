@@ -6,7 +6,9 @@
 //! limits add l >= 0 at u = lo and l <= 0 at u = hi. The sum is one maximal monotone graph with three vertical pieces, and its proximal
 //! map from the multiplier c with stiffness k is
 //!
-//!     l(u) = min(c - k (u - hi), max(c - k (u - lo), clamp(c - k (u - s), -E, E)))
+//! ```text
+//! l(u) = min(c - k (u - hi), max(c - k (u - lo), clamp(c - k (u - s), -E, E)))
+//! ```
 //!
 //! So one row is motor and both limits, whichever way the load drives it: no limit has to be chosen beforehand (proximal maps of
 //! monotone graphs: R. T. Rockafellar, "Monotone operators and the proximal point algorithm", 1976). Without a motor E is 0.

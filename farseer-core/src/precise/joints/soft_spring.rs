@@ -3,7 +3,9 @@
 //! With x the stretch when the substep begins and u its rate after it, the impulse is l = -h (k (x + h u) + c u). A row with effective
 //! mass 1 / K that exerts l now changes it by
 //!
-//!     dl = (-s u - h k x - l) / (1 + s K),   s = h (c + h k)
+//! ```text
+//! dl = (-s u - h k x - l) / (1 + s K),   s = h (c + h k)
+//! ```
 //!
 //! A spring acts in the pass before bodies move, once per substep: the pass after that has no positions to answer for.
 //!

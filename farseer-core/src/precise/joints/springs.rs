@@ -3,7 +3,9 @@
 //! A spring that pulls at something jointed or touched is a row with a stiffness of its own, integrated with implicit Euler: with x the
 //! stretch when the step begins and u its rate at the end of the step, the impulse is
 //!
-//!     l = -dt (k (x + dt u) + c u) = -s (u + dt k x / s),   s = dt (c + dt k)
+//! ```text
+//! l = -dt (k (x + dt u) + c u) = -s (u + dt k x / s),   s = dt (c + dt k)
+//! ```
 //!
 //! (D. Baraff and A. Witkin, "Large steps in cloth simulation", 1998). A force that is found when the step begins and acts on one body
 //! would throw a light body that other rows hold: its effective mass is another one there. A spring of which no body is jointed or
