@@ -522,14 +522,15 @@ impl Island {
     pub(super) fn part(&mut self, dt: f64, [reach, most]: [f64; 2], undone: f64) -> bool {
         let is_deep = self.advance_separations(dt, reach) > reach;
         if is_deep {
-            self.correct_positions([reach, most], undone, false);
+            self.correct_positions([reach, most, 0.0], undone, false);
         }
         is_deep
     }
 
     /// Position correction of all constraints at once, with the Jacobians now: [`ways`](Self::ways) is what it adds to the displacement of
-    /// each member. Errors of joints are undone as a whole, overlaps by this part; either by `most` length units at most.
-    pub(super) fn correct_positions(&mut self, limits: [f64; 2], undone: f64, are_jacobians_new: bool) {
+    /// each member. Errors of joints are undone as a whole, overlaps beyond the first limit in length units by this part; either by the second
+    /// one at most, overlaps by the third one at least.
+    pub(super) fn correct_positions(&mut self, limits: [f64; 3], undone: f64, are_jacobians_new: bool) {
         self.is_factored &= !are_jacobians_new;
         self.stiffen(SOFTNESS);
         self.press_out(limits, undone);
@@ -544,7 +545,7 @@ impl Island {
             .fold(0.0, |deepest, contact| greater(contact.advance(members, dt, reach), deepest))
     }
 
-    fn press_out(&mut self, [reach, most]: [f64; 2], undone: f64) {
+    fn press_out(&mut self, [reach, most, least]: [f64; 3], undone: f64) {
         self.joints.iter_mut().for_each(JointRows::select_errors);
         for contact in &mut self.contacts {
             let deep = [0, 1].map(|row| contact.is_pressed_out(row, reach));
@@ -559,9 +560,9 @@ impl Island {
         for contact in &self.contacts {
             let mut impulses = [0.0; 3];
             for row in (0..2).filter(|&row| contact.active >> row & 1 == 1) {
-                let depth = -contact.separations[row];
-                impulses[row] =
-                    undone * contact.stiffness[row] * if depth < most { depth.max(0.0) } else { most };
+                let depth = (-contact.separations[row]).max(0.0);
+                let way = least + undone * if depth < most { depth } else { most };
+                impulses[row] = contact.stiffness[row] * if way < depth { way } else { depth };
             }
             add_push(&contact.jacobian, contact.bodies, impulses, &mut self.direction);
         }

@@ -10,7 +10,7 @@ use super::constraint_list::add_push;
 use super::depth;
 use super::island::{Effort, Goal, Island, dot, greater};
 use super::price::most_steps;
-use super::whole::{BEARABLE, ENOUGH, EXACT, NEAR, QUIET, Reading, SOLVED, UNDONE, Whole};
+use super::whole::{BEARABLE, ENOUGH, EXACT, NEAR, QUIET, Reading, SOLVED, Whole};
 use crate::methods::IslandChoice;
 use crate::precise::Precise;
 use crate::precise::joints::springs::Springs;
@@ -25,6 +25,10 @@ pub(super) const ACCEPTED_GAP: f64 = 0.02;
 /// An island with a joint that gapes by more before a step and after it makes no progress if that is less than this part of what a
 /// step may close: its joints contradict each other, or are pulled too far, and springs find a compromise.
 const LEAST_PROGRESS: f64 = 0.1;
+/// The part of an overlap that is undone per second, and the least speed with which one is, in units of length per second. Parts of a
+/// figure that overlap for good contradict its joints: pressed out as fast as contacts are where nothing is joined, they throw it about.
+const UNDONE_PER_SECOND: f64 = 3.0;
+const PARTING: f64 = 0.03;
 /// Greatest angle that a body of an accepted solution turns by in the step, in radians: the Jacobian is that of the beginning.
 const ACCEPTED_TURN: f64 = 0.5;
 /// Kinetic energy of an accepted solution, as a part of that without constraints; and what is allowed besides for each mass, as the
@@ -51,7 +55,7 @@ impl Precise {
         let Precise { bodies, rows, joints, springs, direct, tuning, .. } = self;
         let (dt, substeps) = (f64::from(step.dt), f64::from(step.substeps));
         let is_optional = direct.timing.choice != IslandChoice::Whole;
-        let Wear { is_hot, is_loose, was_solved, .. } = direct.wear[whole.island.members[0].number as usize];
+        let Wear { is_hot, was_solved, .. } = direct.wear[whole.island.members[0].number as usize];
         let left = whole.take_bodies(bodies, substeps, unit);
         // A stretch is a difference of places in f32: its last bit moves a stiff spring by more than what is exact.
         let quiet = unit * if is_hot && whole.springs.is_empty() { EXACT } else { QUIET };
@@ -75,11 +79,11 @@ impl Precise {
         let gains = !keeps;
         whole.find_ways(dt, false);
         let most = f64::from(tuning.push) * dt;
-        let undone = if whole.island.has_rings() && !is_loose { UNDONE } else { 1.0 };
+        let undone = (UNDONE_PER_SECOND * dt).min(1.0);
         let before = joints.greatest_error(&whole.joints, LEVER * unit);
         let deepest = whole.island.advance_separations(dt, left);
         let after = match effort.is_solved && !gains || !is_optional {
-            true => whole.close(joints, (dt, deepest), [left, most], undone),
+            true => whole.close(joints, (dt, deepest), [left, most, PARTING * unit * dt], undone),
             false => before,
         };
         let turned = whole.island.greatest_spin() * dt;
@@ -140,10 +144,10 @@ impl Whole {
         &mut self,
         joints: &Joints,
         (dt, mut deepest): (f64, f64),
-        [left, most]: [f64; 2],
+        limits: [f64; 3],
         undone: f64,
     ) -> f64 {
-        let turns = self.island.greatest_spin() * dt > SAME_JACOBIAN;
+        let (turns, left) = (self.island.greatest_spin() * dt > SAME_JACOBIAN, limits[0]);
         for correction in 0.. {
             let is_jacobian_new = correction > 0 || turns;
             let error = self.find_errors(joints, (dt, is_jacobian_new));
@@ -151,7 +155,7 @@ impl Whole {
             if correction == CORRECTIONS || (error <= enough && deepest <= left) {
                 return error;
             }
-            self.island.correct_positions([left, most], undone, is_jacobian_new);
+            self.island.correct_positions(limits, undone, is_jacobian_new);
             let Whole { island, ways, .. } = self;
             for (way, more) in ways.iter_mut().zip(island.ways()) {
                 (0..3).for_each(|axis| way[axis] += more[axis]);

@@ -34,7 +34,7 @@ const LEFT_OF_PLACE: f64 = 1e-6;
 /// Part of an overlap that is undone in an update where there are rings, and of what may be undone at most, unless what has moved has
 /// come to it: what is pushed out in rings pushes others, and all at once more of them than half and half. Fifty card houses take 12 %
 /// fewer steps by it. What is struck is at rest later by it.
-pub(super) const UNDONE: f64 = 0.5;
+const UNDONE: f64 = 0.5;
 
 /// An island, and where its contacts' rows are.
 #[derive(Debug, Default)]
