@@ -50,7 +50,7 @@ pub enum Methods {
     /// | a static body's velocity | a conveyor belt, as in the faithful set |
     /// | chains of edges | [made](crate::GeomFactory::create_chain_geom) and kept only here |
     /// | [one-way geoms](crate::Objects::set_one_way) | only here: the faithful set refuses them with [`Error::NotSupported`] |
-    /// | joints | A tree of joints that nothing touches is an articulated body, solved exactly. In 2D, closed loops and joints of bodies that touch something are rows beside the contacts of their island, solved together where that pays. All other joints are solved in turns with the contacts, once per substep: trees exactly, then loops, limits and greatest impulses |
+    /// | joints | A tree of joints that nothing touches is an articulated body, solved exactly. In 2D, closed loops and joints of bodies that touch something are rows beside the contacts of their island, solved together where that pays. Soft joints, and those of islands that this does not pay for, are soft constraints in the same passes as the contacts, once per substep; free trees keep limits, motors and greatest impulses in turns with their joints |
     /// | springs | undamped ones swing with their own frequency and keep their swing, whatever steps come; one that is too stiff for a step is as stiff as it bears, and comes to rest if steps are not equal. In 2D a spring of a body that something touches or a joint holds is solved with contacts and joints, exact at rest however stiff it is: it damps what swings |
     /// | [`breakpoint`](crate::Joint::breakpoint) | as in the faithful set, but a joint breaks before it acts once more; there is hardly any error to measure, so see [`greatest_force`](crate::Joint::greatest_force) |
     /// | [`softness`](crate::Joint::softness), [`bias_factor`](crate::Joint::bias_factor) of joints | a soft joint of a point or distance yields to a steady load as far as it does in the faithful set; its bias factor counts from 0 to 1; that of a hard one, and softness of an angle, mean nothing |
@@ -72,8 +72,8 @@ pub enum Methods {
     /// or more; and what something 16 times as heavy jams, with rings if it is 24 bodies at most. While more than 64 bodies are
     /// awake, what bears is asked for only in every 16th update, and only 16 times as heavy counts. Where an
     /// engine adds a depth axis, it is what bears something more than one and a half times as heavy alone.
-    /// In 2D an island with joints or with springs of such bodies is solved as a whole, too, whatever moves in it and whatever it weighs, unless a joint in it is soft,
-    /// or is a point with a greatest impulse. It has a budget for that: three times what passes would cost, and 300 updates of passes
+    /// In 2D an island with joints, or with springs at bodies that something touches or holds, is solved as a whole, too, whatever
+    /// moves in it and whatever it weighs, unless a joint in it is soft, or is a point with a greatest impulse. It has a budget for that: three times what passes would cost, and 300 updates of passes
     /// more. Once these are used up, or if it cannot be solved so, it goes by passes for 64 updates, then for 128, then for 255;
     /// for fewer again after quiet updates.
     /// Everything else, and for two seconds what takes long to solve, goes by passes over all contacts.

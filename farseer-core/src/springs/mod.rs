@@ -92,7 +92,7 @@ pub(crate) struct Constants {
     step: Option<Steps>,
 }
 
-/// What a kind of spring does.
+/// Result of a kind of spring in an update.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Pull {
     /// The error stays what it was.

@@ -38,7 +38,7 @@ const STEPS_ASKED: f32 = 3.0;
 /// How far places on the way of a round end are apart at which it is looked for edges, as a fraction of its radius: between two of
 /// them no edge is missed that would stop it, since one is met from a radius before it to a radius past it.
 const EDGES_SEEN: f32 = 0.5;
-/// Most of these places.
+/// Most of these places, as each of them costs a query: enough for a way of 8 radii.
 const MOST_PLACES: f32 = 16.0;
 /// How near to a stair a round end is on it, px: nearer than that a wall holds the feet off.
 const NEAR_STAIR: f32 = 0.5;

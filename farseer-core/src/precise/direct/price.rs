@@ -17,8 +17,8 @@ const PER_BLOCK: f64 = 0.025;
 const PER_PRODUCT: f64 = 0.0025;
 /// Cost of an update for each constraint, without Newton steps.
 const PER_QUIET_CONSTRAINT: f64 = 0.08;
-/// Cost of an update of the iterative solver, in microseconds: of an island, and for each joint and contact. The first one is what the other
-/// stages cost for the smallest island: one that takes no longer than that is worth being exact.
+/// Cost of an update of the iterative solver, in microseconds: of an island, and for each joint and contact. The first one is an
+/// estimate of the other stages for the smallest island: one that takes no longer than that is worth being exact.
 const ITERATIVE: f64 = 0.5;
 const ITERATIVE_JOINT: f64 = 0.3;
 const ITERATIVE_CONTACT: f64 = 0.1;
