@@ -74,6 +74,13 @@ pub(super) struct Outline<'a> {
 }
 
 impl<'a> Outline<'a> {
+    /// How far its corners, or the centre of a circle, reach along a direction of its own frame, in length units; without its radius.
+    pub(super) fn farthest_along(&self, direction: Vector) -> f32 {
+        let points =
+            if self.points.is_empty() { std::slice::from_ref(&self.shape.centre) } else { self.points };
+        points.iter().map(|&point| dot(point, direction)).fold(f32::MIN, scalar::max)
+    }
+
     /// What each edge is of the whole outline that this is a part of; empty if it is all of it.
     pub(super) fn seams(&self) -> &'a [Seam] {
         if self.shape.family == Family::Seamed {

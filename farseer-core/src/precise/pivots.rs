@@ -20,19 +20,19 @@ const ONE_PLANE: f32 = 1e-3;
 
 impl Precise {
     /// Finds the bodies that pivot in this step. Of several rows of a body one stands for all.
-    pub(super) fn begin_pivots(&self, rolling: &mut Vec<Roll>, step: &Step) {
-        let mut kept = 0;
-        for at in 0..rolling.len() {
-            let mut roll = rolling[at];
-            let has_pivoted = |other: &Roll| other.proxies[1] == roll.proxies[1] && other.pivoted.is_some();
-            if rolling[..kept].iter().any(has_pivoted) {
-                continue;
+    pub(super) fn begin_pivots(&mut self, rolling: &mut Vec<Roll>, step: &Step) {
+        let mut pivots = std::mem::take(&mut self.known);
+        rolling.retain_mut(|roll| {
+            let pivots = &mut pivots[roll.proxies[1] as usize];
+            if *pivots {
+                return false;
             }
-            roll.pivoted = self.pivoted(&mut roll, step);
-            rolling[kept] = roll;
-            kept += 1;
-        }
-        rolling.truncate(kept);
+            roll.pivoted = self.pivoted(roll, step);
+            *pivots = roll.pivoted.is_some();
+            true
+        });
+        rolling.iter().for_each(|roll| pivots[roll.proxies[1] as usize] = false);
+        self.known = pivots;
     }
 
     /// The polygon after the step, if static faces of one plane are all that touches it, and it neither slips nor hops.
@@ -108,11 +108,7 @@ impl Precise {
             return if is_level { above + own.offset } else { f32::MAX };
         }
         let (outline, direction) = (self.outline_of(at_a), turn_back(rotation(a), plane.normal));
-        let reach = |&point: &Vector| dot(point, direction);
-        let middle = [dot(outline.shape.centre, direction)];
-        let highest =
-            outline.points.iter().map(reach).chain(middle.into_iter().filter(|_| outline.points.is_empty()));
-        above + outline.shape.radius + highest.fold(f32::MIN, scalar::max)
+        above + outline.shape.radius + outline.farthest_along(direction)
     }
 
     /// Whether static faces of a plane are under both ends of the edge of a polygon that faces it, once the body has turned and
@@ -161,8 +157,9 @@ impl Precise {
         let [x, y] = after.velocity();
         self.bodies.hot[b].velocity = [x, y, after.spin, 0.0];
         let impulse = scaled(after.reaction, step.h / self.bodies.inverses[b][0]);
-        for at in 0.. {
-            let Some(pair) = self.pairs.of(at_b).nth(at) else { break };
+        let mut pairs = std::mem::take(&mut self.lost);
+        pairs.extend(self.pairs.of(at_b).map(|pair| pair as u32));
+        for pair in pairs.drain(..).map(|pair| pair as usize) {
             let state = self.pairs.all[pair];
             let Some(home) = state.home else { continue };
             let mut lane = self.rows.lane(state.kind, home);
@@ -179,5 +176,6 @@ impl Precise {
             self.rows.set_lane(state.kind, home, &lane);
             self.pairs.watched[pair].tolerance = 0;
         }
+        self.lost = pairs;
     }
 }

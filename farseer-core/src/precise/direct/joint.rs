@@ -20,11 +20,10 @@ use super::constraint::{Constraint, ConstraintRows, Ends, FIXED, Jacobian, Set};
 use super::island::{Member, greater};
 use super::joined::BORNE_STIFFNESS;
 
-/// The row of the angle.
-pub(in crate::precise) const ANGLE: usize = 1;
-/// Rows along n and across it.
+/// Indices of the rows of a joint: along the direction n, of the angle, and along t = (n.y, -n.x).
 pub(in crate::precise) const ALONG: usize = 0;
-const ACROSS: usize = 2;
+pub(in crate::precise) const ANGLE: usize = 1;
+pub(in crate::precise) const ACROSS: usize = 2;
 
 /// No row.
 const NONE: usize = usize::MAX;

@@ -6,11 +6,6 @@ use super::hold::{End, Hold};
 use super::swing::{turn, turned};
 use super::tree::{Link, Vector, dot, plus};
 
-/// Indices of the linear rows: along the direction n, and along t = (n.y, -n.x). The row of the angle is
-/// [`ANGLE`](super::super::direct::joint::ANGLE).
-pub(super) const ALONG: usize = 0;
-pub(super) const ACROSS: usize = 2;
-
 /// Where the two bodies of a joint are against each other.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Frame {

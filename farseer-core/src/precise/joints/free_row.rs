@@ -7,8 +7,8 @@
 //! | slider | along the line between the anchors | length units |
 //! | angle limit | angle | radians |
 
-use super::super::direct::joint::ANGLE;
-use super::frame::{ACROSS, ALONG, Frame};
+use super::super::direct::joint::{ACROSS, ALONG, ANGLE};
+use super::frame::Frame;
 use super::hold::Hold;
 use super::soft_law::{GREATEST_ANGLE, Law, within};
 use super::tree::Link;

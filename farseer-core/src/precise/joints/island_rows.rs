@@ -14,8 +14,8 @@
 
 use super::super::direct::block::Triple;
 use super::super::direct::constraint::{Ends, FIXED, Jacobian};
-use super::super::direct::joint::{ANGLE, Drive, JointRows};
-use super::frame::{ACROSS, ALONG, Frame};
+use super::super::direct::joint::{ACROSS, ALONG, ANGLE, Drive, JointRows};
+use super::frame::Frame;
 use super::hold::Hold;
 use super::tree::Link;
 

@@ -6,8 +6,8 @@
 use super::super::bodies::{Bodies, Hot};
 use super::super::direct::block::Triple;
 use super::super::direct::constraint::Set;
-use super::super::direct::joint::ANGLE;
-use super::frame::{ACROSS, ALONG, Frame};
+use super::super::direct::joint::{ACROSS, ALONG, ANGLE};
+use super::frame::Frame;
 use super::free_row::FreeRow;
 use super::hold::Hold;
 use super::soft_law::{GREATEST_ANGLE, Law, inverse_of, times, within};

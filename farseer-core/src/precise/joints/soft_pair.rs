@@ -106,8 +106,8 @@ impl SoftPair {
         }
     }
 
-    /// Frame and Jacobian follow bodies that have moved. What acts again at the beginning of the next substep gets the arms and
-    /// directions of that: left as they were, they would gain energy where bodies turn.
+    /// Frame and Jacobian follow bodies that have moved. Impulses that act again at the beginning of the next substep get the
+    /// arms and directions of that: left as they were, they would gain energy where bodies turn.
     pub(super) fn advance(&mut self, bodies: &mut Bodies, impulses: Triple) {
         let before = self.yields(impulses);
         let steps = self.bodies.map(|body| {

@@ -15,8 +15,7 @@
 use super::super::bodies::{Bodies, Hot};
 use super::super::direct::block::Triple;
 use super::super::direct::joined::BORNE_STIFFNESS;
-use super::super::direct::joint::ANGLE;
-use super::frame::{ACROSS, ALONG};
+use super::super::direct::joint::{ACROSS, ALONG, ANGLE};
 use super::soft_law::{least, within};
 use super::soft_pair::SoftPair;
 use super::springs::SpringHold;
@@ -24,7 +23,7 @@ use super::tree::{Link, dot};
 
 /// A row that yields: its impulse is `-slope u - pull`.
 #[derive(Debug, Clone, Copy, Default)]
-struct Elastic {
+struct ElasticRow {
     /// Impulse per velocity, s.
     slope: f64,
     /// Impulse of the stretch when the substep begins, h k x.
@@ -32,7 +31,7 @@ struct Elastic {
     impulse: f64,
 }
 
-impl Elastic {
+impl ElasticRow {
     /// Solves the row at this relative velocity, with this reciprocal of its effective mass. Answers the change of the impulse.
     fn solve(&mut self, speed: f64, inverse_mass: f64, most: f64) -> f64 {
         let missing = -self.slope * speed - self.pull - self.impulse;
@@ -47,10 +46,10 @@ pub(super) struct SoftSpring {
     pair: SoftPair,
     /// Its own row: along the line, or the angle.
     row: usize,
-    own: Elastic,
-    across: Elastic,
+    own: ElasticRow,
+    across: ElasticRow,
     /// Resistance of each body to spin, and the impulse of damping per spin.
-    spins: [Elastic; 2],
+    spins: [ElasticRow; 2],
     damping: f64,
     /// Reciprocals of effective masses of the rows.
     inverse_masses: Triple,
@@ -74,9 +73,9 @@ impl SoftSpring {
         let mut spring = SoftSpring {
             pair: SoftPair::new(hold.ends(), frame, bodies),
             row,
-            own: Elastic { slope: h * (hold.damping + h * hold.stiffness), ..Elastic::default() },
-            across: Elastic::default(),
-            spins: [Elastic { slope: damping, ..Elastic::default() }; 2],
+            own: ElasticRow { slope: h * (hold.damping + h * hold.stiffness), ..ElasticRow::default() },
+            across: ElasticRow::default(),
+            spins: [ElasticRow { slope: damping, ..ElasticRow::default() }; 2],
             inverse_masses: [0.0; 3],
             stiffness: h * hold.stiffness,
             rest: length - hold.stretch,
@@ -157,13 +156,13 @@ impl SoftSpring {
 
 #[cfg(test)]
 mod tests {
-    use super::Elastic;
+    use super::ElasticRow;
 
     #[test]
     fn an_elastic_row_has_the_impulse_of_implicit_euler_whatever_it_began_with() {
         let (k, c, x, h, inverse_mass, free) = (900.0, 3.0, 0.7, 1.0 / 240.0, 0.4, -2.0);
         for begun in [0.0, -1.0, 20.0] {
-            let mut row = Elastic { slope: h * (c + h * k), pull: h * k * x, impulse: begun };
+            let mut row = ElasticRow { slope: h * (c + h * k), pull: h * k * x, impulse: begun };
             // The impulse that is there has acted already.
             let speed = free + inverse_mass * begun;
             let after = speed + inverse_mass * row.solve(speed, inverse_mass, f64::INFINITY);

@@ -11,6 +11,7 @@
 //! the same way.
 
 use super::super::bodies::Bodies;
+use super::super::direct::joined::BORNE_STIFFNESS;
 use super::super::tuning::Step;
 use super::Group;
 use super::hold::Hold;
@@ -41,9 +42,7 @@ pub(super) const JERKS: usize = 3;
 /// Radians that a body may turn in a part of a step.
 const TURNED_AT_ONCE: f64 = 0.15;
 
-/// The stiffness that the inertia of a body bears in a substep, as a part of it.
-const BORNE: f64 = 0.3;
-/// How many times that much is stiffened rather than that the step is divided for it: fewer parts cost less, and a swinging
+/// How many times [`BORNE_STIFFNESS`] is stiffened rather than that the step is divided for it: fewer parts cost less, and a swinging
 /// chain of 20 loses less than 1 % of its energy in ten seconds.
 pub(super) const BORNE_UNDIVIDED: f64 = 5.0;
 /// The same where joints close loops: there no stiffness has [momentum](with_momentum).
@@ -261,7 +260,7 @@ impl Side {
 /// The stiffness that the inertia of a body bears in a substep whose joints reach so far from its origin, squared.
 #[inline(always)]
 pub(super) fn bears(inertia: f64, mass: f64, reach: f64) -> f64 {
-    BORNE * (inertia + mass * reach)
+    BORNE_STIFFNESS * (inertia + mass * reach)
 }
 
 /// The part of an error of this size that is left for later substeps.

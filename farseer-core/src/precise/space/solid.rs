@@ -12,7 +12,6 @@ use super::{slant, standing};
 use crate::math::plane::{
     Pose, Vector, difference, dot, length, place, rotation, scaled, sum, turn, turn_back,
 };
-use crate::math::scalar;
 use crate::precise::manifold::{Manifold, clip, collide, greatest_separation};
 use crate::precise::outline::{Family, Outline};
 use crate::shape::SlantedBox;
@@ -84,9 +83,7 @@ impl Limits {
         let flush = (unpressed * usual + sunk).min(DEEPEST * usual);
         Limits { reach, usual, flush }
     }
-}
 
-impl Limits {
     /// How much one of two flush faces may be higher than the other, in length units, if none is pressed; more if one of them can be
     /// pushed down.
     pub(in crate::precise) fn flush(usual: f32, gives_way: bool) -> f32 {
@@ -116,9 +113,8 @@ impl Solid<'_> {
         if self.kind == Kind::Ground {
             return 0.0;
         }
-        let (direction, radius) = (turn_back(rotation(self.pose), normal), self.outline.shape.radius);
-        let heights = self.outline.points.iter().map(|&point| dot(point, direction));
-        dot(place(self.pose), normal) + radius + heights.fold(f32::MIN, scalar::max)
+        let direction = turn_back(rotation(self.pose), normal);
+        dot(place(self.pose), normal) + self.outline.shape.radius + self.outline.farthest_along(direction)
     }
 }
 
