@@ -3,25 +3,16 @@
 use std::f32::consts::{FRAC_PI_2, PI};
 
 use approx::assert_abs_diff_eq;
-use conformance::fixtures::plane::{add_box, add_circle, add_floor, simulator, v};
+use conformance::fixtures::plane::{add_box, add_circle, add_floor, precise, run, simulator, v};
 use farseer_core::math::Vector2;
 use farseer_core::shape::Vertices;
-use farseer_core::{
-    BodyFactory, BodyId, GeomFactory, GeomId, GeomPlacement, Methods, Outline, PhysicsSimulator,
-};
+use farseer_core::{BodyFactory, BodyId, GeomFactory, GeomId, GeomPlacement, Outline, PhysicsSimulator};
 
 const DT: f32 = 1.0 / 60.0;
 const GRAVITY: f32 = 320.0;
 /// Of all capsules here.
 const HEIGHT: f32 = 60.0;
 const RADIUS: f32 = 12.0;
-
-fn precise(gravity: f32) -> PhysicsSimulator {
-    let mut simulator = simulator(gravity);
-    simulator.set_methods(Methods::PRECISE).unwrap();
-    simulator.set_iterations(4);
-    simulator
-}
 
 fn add_capsule(simulator: &mut PhysicsSimulator, position: Vector2, rotation: f32) -> (BodyId, GeomId) {
     let body = BodyFactory::create_capsule_body_in(simulator, HEIGHT, RADIUS, 1.0).unwrap();
@@ -39,10 +30,6 @@ fn rub(simulator: &mut PhysicsSimulator, geoms: &[GeomId], friction: f32) {
         simulator[geom].set_friction_coefficient(friction);
         simulator[geom].set_restitution_coefficient(0.0);
     });
-}
-
-fn run(simulator: &mut PhysicsSimulator, steps: usize) {
-    (0..steps).for_each(|_| simulator.update(DT));
 }
 
 /// All contacts: position, normal, separation.

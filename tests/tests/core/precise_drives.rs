@@ -1,7 +1,7 @@
 //! The precise set: motors, limits of revolute joints, and prismatic joints.
 
 use approx::assert_abs_diff_eq;
-use conformance::fixtures::plane::{add_box, add_floor, simulator, v};
+use conformance::fixtures::plane::{add_box, add_floor, precise, run, simulator, v};
 use farseer_core::math::Vector2;
 use farseer_core::{
     BodyId, Error, Event, JointFactory, JointId, JointLimits, JointMotor, Methods, PhysicsSimulator,
@@ -10,17 +10,6 @@ use farseer_core::{
 
 const DT: f32 = 1.0 / 60.0;
 const GRAVITY: f32 = 320.0;
-
-fn precise(gravity: f32) -> PhysicsSimulator {
-    let mut simulator = simulator(gravity);
-    simulator.set_methods(Methods::PRECISE).unwrap();
-    simulator.set_iterations(4);
-    simulator
-}
-
-fn run(simulator: &mut PhysicsSimulator, steps: usize) {
-    (0..steps).for_each(|_| simulator.update(DT));
-}
 
 /// A box without drag that meets nothing.
 fn ghost(simulator: &mut PhysicsSimulator, size: (f32, f32), position: Vector2) -> BodyId {

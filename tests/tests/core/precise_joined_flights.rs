@@ -1,18 +1,14 @@
 //! The precise set: continuous collision of bodies that joints tie together. They stop as one.
 
-use conformance::fixtures::plane::{add_box, simulator_with, v};
+use conformance::fixtures::plane::{add_box, energy, precise, v};
 use farseer_core::math::Vector2;
 use farseer_core::{
-    BodyFactory, BodyId, GeomFactory, GeomPlacement, JointFactory, JointId, Methods, PhysicsSimulator,
+    BodyFactory, BodyId, GeomFactory, GeomPlacement, JointFactory, JointId, PhysicsSimulator,
 };
 
 const DT: f32 = 1.0 / 60.0;
 /// Length units per second squared; 32 length units are a metre.
 const GRAVITY: f32 = 320.0;
-
-fn precise(gravity: f32) -> PhysicsSimulator {
-    simulator_with(gravity, Methods::PRECISE)
-}
 
 /// A static box.
 fn add_wall(simulator: &mut PhysicsSimulator, at: Vector2, [width, height]: [f32; 2]) {
@@ -115,7 +111,7 @@ fn a_ragdoll_that_falls_far_stays_in_one_piece_and_on_the_floor() {
 
 #[test]
 fn a_chain_that_whips_against_a_post_stays_in_one_piece() {
-    // Measured: 0.67 and 6.4.
+    // Measured: gaps of 0.67 and 6.4, a gain of energy by 12 %.
     for (speed, widest) in [(5.0, 1.0), (20.0, 8.0)] {
         let mut simulator = precise(GRAVITY);
         add_wall(&mut simulator, v(60.0, 150.0), [8.0, 40.0]);
@@ -136,25 +132,17 @@ fn a_chain_that_whips_against_a_post_stays_in_one_piece() {
             simulator[link].set_linear_velocity(v(speed * (y + 10.0), 0.0));
             links.push(link);
         }
-        let energy = |simulator: &PhysicsSimulator| -> f32 {
-            links
-                .iter()
-                .map(|&link| {
-                    let body = &simulator[link];
-                    let kinetic = body.mass() * body.linear_velocity().norm_squared()
-                        + body.moment_of_inertia() * body.angular_velocity().powi(2);
-                    0.5 * kinetic - body.mass() * GRAVITY * body.position().y
-                })
-                .sum()
-        };
-        let begun = energy(&simulator);
+        let begun = energy(&simulator, &links, GRAVITY);
         let (mut worst, mut most) = (0.0_f32, begun);
         for _ in 0..300 {
             simulator.update(DT);
             worst = worst.max(gap(&simulator, &joints));
-            most = most.max(energy(&simulator));
+            most = most.max(energy(&simulator, &links, GRAVITY));
         }
         assert!(worst < widest, "speed {speed}: a gap of {worst}");
-        assert!(most < 1.2 * begun && energy(&simulator) < 0.5 * begun, "speed {speed}: {most} of {begun}");
+        assert!(
+            most < 1.2 * begun && energy(&simulator, &links, GRAVITY) < 0.5 * begun,
+            "speed {speed}: {most} of {begun}"
+        );
     }
 }

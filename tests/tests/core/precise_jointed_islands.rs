@@ -1,26 +1,15 @@
 //! The precise set: islands in which joints hold what contacts touch, or close loops. Their rows are one system.
 
-use conformance::fixtures::plane::{simulator, v};
+use conformance::fixtures::plane::{precise, run, v};
 use farseer_core::math::Vector2;
 use farseer_core::{
     BodyFactory, BodyId, GeomFactory, GeomId, GeomPlacement, IslandMethod, JointFactory, JointId, JointMotor,
-    Methods, PhysicsSimulator,
+    PhysicsSimulator,
 };
 
 const DT: f32 = 1.0 / 60.0;
 /// Length units per second squared; 32 length units are a metre.
 const GRAVITY: f32 = 900.0;
-
-fn precise(gravity: f32) -> PhysicsSimulator {
-    let mut simulator = simulator(gravity);
-    simulator.set_methods(Methods::PRECISE).unwrap();
-    simulator.set_iterations(4);
-    simulator
-}
-
-fn run(simulator: &mut PhysicsSimulator, steps: usize) {
-    (0..steps).for_each(|_| simulator.update(DT));
-}
 
 fn place(simulator: &mut PhysicsSimulator, body: BodyId, geom: GeomId, position: Vector2) {
     simulator[body].set_position(position);

@@ -1,44 +1,11 @@
 //! The precise set: motors and limits of travel in islands that contacts tie to something. One row is a motor and both of its limits.
 
-use conformance::fixtures::plane::{simulator, v};
-use farseer_core::math::Vector2;
-use farseer_core::{
-    BodyFactory, BodyId, GeomFactory, GeomPlacement, IslandMethod, JointFactory, JointId, JointLimits,
-    JointMotor, Methods, PhysicsSimulator,
-};
+use conformance::fixtures::plane::{add_level_floor, add_part, energy, precise, run, v};
+use farseer_core::{BodyId, IslandMethod, JointFactory, JointId, JointLimits, JointMotor, PhysicsSimulator};
 
 const DT: f32 = 1.0 / 60.0;
 /// Length units per second squared; 32 length units are a metre.
 const GRAVITY: f32 = 900.0;
-
-fn precise(gravity: f32) -> PhysicsSimulator {
-    let mut simulator = simulator(gravity);
-    simulator.set_methods(Methods::PRECISE).unwrap();
-    simulator.set_iterations(4);
-    simulator
-}
-
-fn run(simulator: &mut PhysicsSimulator, steps: usize) {
-    (0..steps).for_each(|_| simulator.update(DT));
-}
-
-fn add_rectangle(simulator: &mut PhysicsSimulator, at: Vector2, size: [f32; 2], mass: f32) -> BodyId {
-    let [width, height] = size;
-    let body = BodyFactory::create_rectangle_body_in(simulator, width, height, mass).unwrap();
-    let placement = GeomPlacement::default();
-    let geom = GeomFactory::create_rectangle_geom_in(simulator, body, width, height, placement).unwrap();
-    simulator[body].set_position(at);
-    simulator[body].set_linear_drag_coefficient(0.0);
-    simulator[body].set_rotational_drag_coefficient(0.0);
-    simulator[geom].set_friction_coefficient(0.5);
-    body
-}
-
-/// A static floor whose surface is at y = 0.
-fn add_floor(simulator: &mut PhysicsSimulator) {
-    let floor = add_rectangle(simulator, v(0.0, 20.0), [2000.0, 40.0], 1.0);
-    simulator[floor].set_is_static(true);
-}
 
 fn motor(speed: f32, greatest_effort: f32) -> Option<JointMotor> {
     Some(JointMotor { speed, greatest_effort })
@@ -51,10 +18,10 @@ fn limits(lower: f32, upper: f32) -> Option<JointLimits> {
 /// A level flipper of mass 2 that turns about its left end at the origin, and a load on it 50 length units from there. Positive
 /// angles let the load down; the lower limit is the level, and the load's torque about the hinge is the last result.
 fn add_flipper(simulator: &mut PhysicsSimulator, load: f32) -> (BodyId, BodyId, JointId, f32) {
-    let flipper = add_rectangle(simulator, v(35.0, 0.0), [70.0, 10.0], 2.0);
+    let flipper = add_part(simulator, v(35.0, 0.0), [70.0, 10.0], 2.0);
     let joint = JointFactory::create_fixed_revolute_joint_in(simulator, flipper, v(0.0, 0.0)).unwrap();
     simulator.set_joint_limits(joint, limits(0.0, 0.5)).unwrap();
-    let box_on_it = add_rectangle(simulator, v(50.0, -15.0), [20.0, 20.0], load);
+    let box_on_it = add_part(simulator, v(50.0, -15.0), [20.0, 20.0], load);
     (flipper, box_on_it, joint, GRAVITY * (35.0 * 2.0 + 50.0 * load))
 }
 
@@ -117,9 +84,9 @@ fn a_motor_that_turns_about_leaves_its_limit_in_the_same_step() {
 
 /// A base on the floor with an arm of mass 1 on a hinge above it.
 fn add_arm(simulator: &mut PhysicsSimulator) -> (BodyId, BodyId, JointId) {
-    add_floor(simulator);
-    let base = add_rectangle(simulator, v(0.0, -20.0), [200.0, 40.0], 20.0);
-    let arm = add_rectangle(simulator, v(0.0, -140.0), [8.0, 80.0], 1.0);
+    add_level_floor(simulator);
+    let base = add_part(simulator, v(0.0, -20.0), [200.0, 40.0], 20.0);
+    let arm = add_part(simulator, v(0.0, -140.0), [8.0, 80.0], 1.0);
     let joint = JointFactory::create_revolute_joint_in(simulator, base, arm, v(0.0, -100.0)).unwrap();
     (base, arm, joint)
 }
@@ -134,19 +101,11 @@ fn an_arm_that_swings_against_its_limit_stops_there_and_gains_no_energy() {
         // The arm turns about the hinge, 40 length units below its middle.
         simulator[arm].set_angular_velocity(speed);
         simulator[arm].set_linear_velocity(v(40.0 * speed, 0.0));
-        let energy = |simulator: &PhysicsSimulator| -> f32 {
-            let of = |body: BodyId| {
-                let body = &simulator[body];
-                let (velocity, spin) = (body.linear_velocity(), body.angular_velocity());
-                let kinetic = body.mass() * velocity.norm_squared() + body.moment_of_inertia() * spin.powi(2);
-                0.5 * kinetic - body.mass() * GRAVITY * body.position().y
-            };
-            of(base) + of(arm)
-        };
-        let begun = energy(&simulator);
+        let begun = energy(&simulator, &[base, arm], GRAVITY);
         for step in 0..180 {
             simulator.update(DT);
-            let (now, travel) = (energy(&simulator), simulator.joint_travel(joint).unwrap());
+            let (now, travel) =
+                (energy(&simulator, &[base, arm], GRAVITY), simulator.joint_travel(joint).unwrap());
             // A body that stands is lifted by 1e-3 length units at most.
             assert!(now < begun + 20.0, "speed {speed}, step {step}: {now} of {begun}");
             assert!((-0.301..0.401).contains(&travel), "speed {speed}, step {step}: {travel}");
@@ -161,9 +120,9 @@ fn a_load_on_a_slider_rests_at_the_limit_of_its_travel_whatever_it_weighs() {
     for mass in [0.5, 10.0, 150.0] {
         for greatest_effort in [0.0, 300.0] {
             let mut simulator = precise(GRAVITY);
-            add_floor(&mut simulator);
-            let plate = add_rectangle(&mut simulator, v(0.0, -5.0), [60.0, 10.0], 1.0);
-            let load = add_rectangle(&mut simulator, v(0.0, -105.0), [40.0, 40.0], mass);
+            add_level_floor(&mut simulator);
+            let plate = add_part(&mut simulator, v(0.0, -5.0), [60.0, 10.0], 1.0);
+            let load = add_part(&mut simulator, v(0.0, -105.0), [40.0, 40.0], mass);
             let joint = JointFactory::create_prismatic_joint_in(
                 &mut simulator,
                 plate,

@@ -1,39 +1,15 @@
 //! The precise set: springs of bodies that something touches, or that joints hold. They are rows with a stiffness of their own.
 
-use conformance::fixtures::plane::{simulator, v};
+use conformance::fixtures::plane::{add_level_floor, add_part, energy, precise, run, v};
 use farseer_core::math::Vector2;
 use farseer_core::{
     AngleSpring, BodyFactory, BodyId, Event, FixedAngleSpring, FixedLinearSpring, GeomFactory, GeomPlacement,
-    IslandChoice, IslandMethod, JointFactory, LinearSpring, Methods, PhysicsSimulator, SpringFactory,
-    SpringId,
+    IslandChoice, IslandMethod, JointFactory, LinearSpring, PhysicsSimulator, SpringFactory, SpringId,
 };
 
 const DT: f32 = 1.0 / 60.0;
 /// Length units per second squared; 32 length units are a metre.
 const GRAVITY: f32 = 900.0;
-
-fn precise(gravity: f32) -> PhysicsSimulator {
-    let mut simulator = simulator(gravity);
-    simulator.set_methods(Methods::PRECISE).unwrap();
-    simulator.set_iterations(4);
-    simulator
-}
-
-fn run(simulator: &mut PhysicsSimulator, steps: usize) {
-    (0..steps).for_each(|_| simulator.update(DT));
-}
-
-fn add_rectangle(simulator: &mut PhysicsSimulator, at: Vector2, size: [f32; 2], mass: f32) -> BodyId {
-    let [width, height] = size;
-    let body = BodyFactory::create_rectangle_body_in(simulator, width, height, mass).unwrap();
-    let placement = GeomPlacement::default();
-    let geom = GeomFactory::create_rectangle_geom_in(simulator, body, width, height, placement).unwrap();
-    simulator[body].set_position(at);
-    simulator[body].set_linear_drag_coefficient(0.0);
-    simulator[body].set_rotational_drag_coefficient(0.0);
-    simulator[geom].set_friction_coefficient(0.5);
-    body
-}
 
 fn add_wheel(simulator: &mut PhysicsSimulator, at: Vector2, radius: f32) -> BodyId {
     let body = BodyFactory::create_circle_body_in(simulator, radius, 1.0).unwrap();
@@ -44,20 +20,14 @@ fn add_wheel(simulator: &mut PhysicsSimulator, at: Vector2, radius: f32) -> Body
     body
 }
 
-/// A static floor whose surface is at y = 0.
-fn add_floor(simulator: &mut PhysicsSimulator) {
-    let floor = add_rectangle(simulator, v(0.0, 20.0), [2000.0, 40.0], 1.0);
-    simulator[floor].set_is_static(true);
-}
-
 /// A light plate on the floor and a load above it that slides upright on a spring of 100 length units.
 fn add_sprung_load(
     simulator: &mut PhysicsSimulator,
     mass: f32,
     [stiffness, damping]: [f32; 2],
 ) -> (BodyId, BodyId, SpringId) {
-    let plate = add_rectangle(simulator, v(0.0, -5.0), [60.0, 10.0], 1.0);
-    let load = add_rectangle(simulator, v(0.0, -105.0), [40.0, 40.0], mass);
+    let plate = add_part(simulator, v(0.0, -5.0), [60.0, 10.0], 1.0);
+    let load = add_part(simulator, v(0.0, -105.0), [40.0, 40.0], mass);
     let origin = v(0.0, 0.0);
     let spring =
         SpringFactory::create_linear_spring_in(simulator, plate, origin, load, origin, stiffness, damping)
@@ -77,7 +47,7 @@ fn a_spring_on_a_light_plate_yields_to_a_load_as_its_constant_says() {
             (10.0, 1e9, 0.0),
         ] {
             let mut simulator = precise(GRAVITY);
-            add_floor(&mut simulator);
+            add_level_floor(&mut simulator);
             let (plate, load, _) = add_sprung_load(&mut simulator, mass, [stiffness, damping]);
             (0..(12.0 / dt) as usize).for_each(|_| simulator.update(dt));
             let length = simulator[plate].position().y - simulator[load].position().y;
@@ -97,7 +67,7 @@ fn a_spring_on_a_light_plate_yields_to_a_load_as_its_constant_says() {
 fn an_undamped_spring_on_a_plate_never_lifts_it_nor_throws_its_load_higher() {
     for (mass, stiffness) in [(2.0, 500.0), (10.0, 4000.0), (150.0, 60_000.0), (150.0, 1e6)] {
         let mut simulator = precise(GRAVITY);
-        add_floor(&mut simulator);
+        add_level_floor(&mut simulator);
         let (plate, load, _) = add_sprung_load(&mut simulator, mass, [stiffness, 0.0]);
         for step in 0..600 {
             simulator.update(DT);
@@ -110,7 +80,7 @@ fn an_undamped_spring_on_a_plate_never_lifts_it_nor_throws_its_load_higher() {
 
 /// A ball of mass 1 without drag on an undamped spring from a point of the world, stretched by 10, far from everything.
 fn add_swinging(simulator: &mut PhysicsSimulator) -> BodyId {
-    let ball = add_rectangle(simulator, v(-5000.0, 0.0), [10.0, 10.0], 1.0);
+    let ball = add_part(simulator, v(-5000.0, 0.0), [10.0, 10.0], 1.0);
     SpringFactory::create_fixed_linear_spring_in(simulator, ball, v(0.0, 0.0), v(-5000.0, -50.0), 400.0, 0.0)
         .unwrap();
     simulator[ball].set_position(v(-5000.0, 10.0));
@@ -123,7 +93,7 @@ fn a_spring_whose_bodies_are_free_keeps_its_swing_to_the_bit_whatever_else_there
     let of_alone = add_swinging(&mut alone);
     let mut beside = precise(0.0);
     let of_beside = add_swinging(&mut beside);
-    add_floor(&mut beside);
+    add_level_floor(&mut beside);
     let (_, load, _) = add_sprung_load(&mut beside, 10.0, [4000.0, 100.0]);
     let mut furthest = 0.0_f32;
     for step in 0..1200 {
@@ -140,8 +110,8 @@ fn a_spring_whose_bodies_are_free_keeps_its_swing_to_the_bit_whatever_else_there
 fn a_car_rests_on_its_springs_as_deep_as_their_constants_say() {
     for mass in [2.0, 10.0, 150.0] {
         let mut simulator = precise(GRAVITY);
-        add_floor(&mut simulator);
-        let body = add_rectangle(&mut simulator, v(0.0, -50.0), [120.0, 20.0], mass);
+        add_level_floor(&mut simulator);
+        let body = add_part(&mut simulator, v(0.0, -50.0), [120.0, 20.0], mass);
         let stiffness = 400.0 * mass;
         for x in [-40.0, 40.0] {
             let wheel = add_wheel(&mut simulator, v(x, -10.0), 10.0);
@@ -168,9 +138,9 @@ fn a_car_rests_on_its_springs_as_deep_as_their_constants_say() {
 
 /// A level lever of mass 2 on a base that stands on the floor, hinged at its left end, with the torque of its weight about the hinge.
 fn add_lever(simulator: &mut PhysicsSimulator) -> (BodyId, BodyId, f32) {
-    add_floor(simulator);
-    let base = add_rectangle(simulator, v(0.0, -20.0), [200.0, 40.0], 20.0);
-    let lever = add_rectangle(simulator, v(40.0, -100.0), [80.0, 8.0], 2.0);
+    add_level_floor(simulator);
+    let base = add_part(simulator, v(0.0, -20.0), [200.0, 40.0], 20.0);
+    let lever = add_part(simulator, v(40.0, -100.0), [80.0, 8.0], 2.0);
     JointFactory::create_revolute_joint_in(simulator, base, lever, v(0.0, -100.0)).unwrap();
     (base, lever, 2.0 * GRAVITY * 40.0)
 }
@@ -215,8 +185,8 @@ fn an_angle_spring_turns_with_its_greatest_torque_and_no_more() {
 #[test]
 fn a_fixed_angle_spring_turns_a_box_over_its_edge_no_further_than_its_target() {
     let mut simulator = precise(GRAVITY);
-    add_floor(&mut simulator);
-    let bar = add_rectangle(&mut simulator, v(0.0, -20.0), [40.0, 40.0], 1.0);
+    add_level_floor(&mut simulator);
+    let bar = add_part(&mut simulator, v(0.0, -20.0), [40.0, 40.0], 1.0);
     let spring = SpringFactory::create_fixed_angle_spring_in(&mut simulator, bar, 1e7, 2e5).unwrap();
     simulator.spring_as_mut::<FixedAngleSpring>(spring).unwrap().set_target_angle(0.3).unwrap();
     run(&mut simulator, 300);
@@ -227,52 +197,30 @@ fn a_fixed_angle_spring_turns_a_box_over_its_edge_no_further_than_its_target() {
 #[test]
 fn a_stiff_spring_that_drags_a_jointed_body_to_a_point_holds_it_there() {
     for stiffness in [1e5, 1e6, 1e7, 1e8, 1e9, 1e12] {
-        let mut simulator = precise(GRAVITY);
-        add_floor(&mut simulator);
-        let block = add_rectangle(&mut simulator, v(0.0, -20.0), [40.0, 40.0], 5.0);
-        let tip = add_rectangle(&mut simulator, v(40.0, -30.0), [20.0, 10.0], 0.2);
-        JointFactory::create_weld_joint_in(&mut simulator, block, tip, v(25.0, -30.0)).unwrap();
-        let mouse = v(120.0, -160.0);
-        let spring = SpringFactory::create_fixed_linear_spring_in(
-            &mut simulator,
-            tip,
-            v(10.0, 0.0),
-            mouse,
-            stiffness,
-            2.0 * (5.2 * stiffness).sqrt(),
-        )
-        .unwrap();
-        simulator.spring_as_mut::<FixedLinearSpring>(spring).unwrap().set_rest_length(0.0).unwrap();
+        let (mut simulator, look) = hoist([stiffness, 2.0 * (5.2 * stiffness).sqrt()]);
         run(&mut simulator, 1200);
-        let point = simulator[tip].get_world_position(v(10.0, 0.0));
-        let (off, weight) = ((point - mouse).norm(), 5.2 * GRAVITY);
+        let ((_, off), weight) = (look(&simulator), 5.2 * GRAVITY);
         // A load that still swings from the point, from less than level, pulls with three times its weight at most.
         assert!(off < 3.0 * weight / stiffness + 0.01, "stiffness {stiffness}: {off}");
     }
 }
 
-/// A block of mass 5 on the floor, with a tip of mass 0.2 welded to it, which an undamped spring without length pulls to a point. Energy of
+/// A block of mass 5 on the floor, with a tip of mass 0.2 welded to it, which a spring without length pulls to a point. Energy of
 /// all of it, and how far the tip is from the point.
-fn hoist(stiffness: f32) -> (PhysicsSimulator, impl Fn(&PhysicsSimulator) -> (f32, f32)) {
+fn hoist([stiffness, damping]: [f32; 2]) -> (PhysicsSimulator, impl Fn(&PhysicsSimulator) -> (f32, f32)) {
     let mut simulator = precise(GRAVITY);
-    add_floor(&mut simulator);
-    let block = add_rectangle(&mut simulator, v(0.0, -20.0), [40.0, 40.0], 5.0);
-    let tip = add_rectangle(&mut simulator, v(40.0, -30.0), [20.0, 10.0], 0.2);
+    add_level_floor(&mut simulator);
+    let block = add_part(&mut simulator, v(0.0, -20.0), [40.0, 40.0], 5.0);
+    let tip = add_part(&mut simulator, v(40.0, -30.0), [20.0, 10.0], 0.2);
     JointFactory::create_weld_joint_in(&mut simulator, block, tip, v(25.0, -30.0)).unwrap();
     let (point, origin) = (v(120.0, -160.0), v(10.0, 0.0));
     let spring =
-        SpringFactory::create_fixed_linear_spring_in(&mut simulator, tip, origin, point, stiffness, 0.0)
+        SpringFactory::create_fixed_linear_spring_in(&mut simulator, tip, origin, point, stiffness, damping)
             .unwrap();
     simulator.spring_as_mut::<FixedLinearSpring>(spring).unwrap().set_rest_length(0.0).unwrap();
     let look = move |simulator: &PhysicsSimulator| {
-        let of = |body: BodyId| {
-            let body = &simulator[body];
-            let (velocity, spin) = (body.linear_velocity(), body.angular_velocity());
-            let kinetic = body.mass() * velocity.norm_squared() + body.moment_of_inertia() * spin * spin;
-            0.5 * kinetic - body.mass() * GRAVITY * body.position().y
-        };
         let stretch = (simulator[tip].get_world_position(origin) - point).norm();
-        (of(block) + of(tip) + 0.5 * stiffness * stretch * stretch, stretch)
+        (energy(simulator, &[block, tip], GRAVITY) + 0.5 * stiffness * stretch * stretch, stretch)
     };
     (simulator, look)
 }
@@ -282,7 +230,7 @@ fn a_spring_that_hoists_a_heavy_body_by_a_light_one_welded_to_it_gains_no_energy
     let all = [10.0, 100.0, 1000.0, 1e4, 1e6];
     for (choice, all) in [(IslandChoice::ByItself, &all[..]), (IslandChoice::Passes, &all[..3])] {
         for &stiffness in all {
-            let (mut simulator, look) = hoist(stiffness);
+            let (mut simulator, look) = hoist([stiffness, 0.0]);
             simulator.set_island_choice(choice);
             let (begun, _) = look(&simulator);
             for step in 0..300 {
@@ -300,7 +248,7 @@ fn passes_hold_a_load_on_a_spring_as_deep_as_its_constant_says() {
     for (mass, stiffness, damping) in [(1.0, 500.0, 20.0), (10.0, 4000.0, 0.0), (150.0, 60_000.0, 3000.0)] {
         let mut simulator = precise(GRAVITY);
         simulator.set_island_choice(IslandChoice::Passes);
-        add_floor(&mut simulator);
+        add_level_floor(&mut simulator);
         let (plate, load, _) = add_sprung_load(&mut simulator, mass, [stiffness, damping]);
         run(&mut simulator, 720);
         let length = simulator[plate].position().y - simulator[load].position().y;
@@ -330,7 +278,7 @@ fn passes_turn_a_lever_to_the_angle_of_the_torque_of_a_spring() {
 #[test]
 fn a_spring_that_is_a_row_breaks_and_reports_its_error_as_any_other() {
     let mut simulator = precise(GRAVITY);
-    add_floor(&mut simulator);
+    add_level_floor(&mut simulator);
     let (plate, load, spring) = add_sprung_load(&mut simulator, 10.0, [400.0, 100.0]);
     simulator[spring].set_breakpoint(5.0).unwrap();
     let mut before = 0.0;
@@ -354,7 +302,7 @@ fn springs_of_any_finite_constants_leave_everything_finite() {
     for stiffness in constants {
         for damping in constants {
             let mut simulator = precise(GRAVITY);
-            add_floor(&mut simulator);
+            add_level_floor(&mut simulator);
             let (plate, load, _) = add_sprung_load(&mut simulator, 10.0, [stiffness, damping]);
             SpringFactory::create_angle_spring_in(&mut simulator, plate, load, stiffness, damping).unwrap();
             run(&mut simulator, 30);
@@ -369,7 +317,7 @@ fn springs_of_any_finite_constants_leave_everything_finite() {
 #[test]
 fn a_spring_moves_along_when_its_bodies_are_edited_and_when_it_goes() {
     let mut simulator = precise(GRAVITY);
-    add_floor(&mut simulator);
+    add_level_floor(&mut simulator);
     let (plate, load, spring) = add_sprung_load(&mut simulator, 10.0, [4000.0, 400.0]);
     run(&mut simulator, 300);
     simulator[spring].set_spring_constant(9000.0).unwrap();
@@ -388,17 +336,12 @@ fn a_spring_moves_along_when_its_bodies_are_edited_and_when_it_goes() {
 #[test]
 fn springs_that_are_rows_go_on_with_the_same_bits_after_a_restore_in_any_step() {
     let mut simulator = precise(GRAVITY);
-    add_floor(&mut simulator);
+    add_level_floor(&mut simulator);
     let (_, load, _) = add_sprung_load(&mut simulator, 10.0, [4000.0, 100.0]);
     // Springs between bodies that land one after the other: first forces, then rows.
     let falling: Vec<BodyId> = (0..3)
         .map(|at| {
-            add_rectangle(
-                &mut simulator,
-                v(200.0 + 50.0 * at as f32, -40.0 - 60.0 * at as f32),
-                [20.0; 2],
-                1.0,
-            )
+            add_part(&mut simulator, v(200.0 + 50.0 * at as f32, -40.0 - 60.0 * at as f32), [20.0; 2], 1.0)
         })
         .collect();
     for pair in falling.windows(2) {
