@@ -75,8 +75,9 @@ pub struct Joint {
     joint_error: f32,
     enabled: bool,
     tag: u64,
-    /// Of the last update, on the second body; the precise set's.
-    force: [f32; 3],
+    /// Of the last update, on the second body; the precise set's. In f64, so that impulses that hold what stands still hold it still in
+    /// the next update.
+    force: [f64; 3],
     force_along_depth: f32,
     greatest_force: f32,
     greatest_torque: f32,
@@ -130,13 +131,13 @@ impl Joint {
     /// the user's unit of mass times length per s^2; the first body felt the opposite. Zero with the faithful set, which
     /// does not measure it.
     pub fn force(&self) -> Vector2 {
-        Vector2::new(self.force[0], self.force[1])
+        Vector2::new(self.force[0] as f32, self.force[1] as f32)
     }
 
     /// The torque with which the joint held the angle of its second body, or its only one, as [`force`](Self::force): what
     /// a force at its anchor does to turn a body is not in it.
     pub fn torque(&self) -> f32 {
-        self.force[2]
+        self.force[2] as f32
     }
 
     /// What of the [force](Self::force) was along the depth axis, in an engine that has one: of pins and sliders, and of what
@@ -145,16 +146,17 @@ impl Joint {
         self.force_along_depth
     }
 
-    pub(crate) fn force_and_torque(&self) -> [f32; 3] {
+    pub(crate) fn force_and_torque(&self) -> [f64; 3] {
         self.force
     }
 
     /// Notes what held the joint at the end of an update. Answers whether the mean over the update was too much; the joint is disabled
     /// then, and tells that.
-    pub(crate) fn bear(&mut self, force: [f32; 3], mean: [f32; 3], along_depth: f32) -> bool {
-        let finite = |number: f32| if number.is_finite() { number } else { 0.0 };
-        let [x, y, torque] = mean.map(finite);
-        self.force_along_depth = finite(along_depth);
+    pub(crate) fn bear(&mut self, force: [f64; 3], mean: [f64; 3], along_depth: f32) -> bool {
+        let finite = |number: f64| if number.abs() <= f64::from(f32::MAX) { number } else { 0.0 };
+        let mean = mean.map(finite);
+        let [x, y, torque] = mean.map(|number| number as f32);
+        self.force_along_depth = finite(along_depth.into()) as f32;
         let in_plane = length(Vector2::new(x, y));
         let size = if self.force_along_depth == 0.0 {
             in_plane
@@ -165,7 +167,7 @@ impl Joint {
         if breaks {
             self.enabled = false;
         }
-        self.force = if breaks { [x, y, torque] } else { force.map(finite) };
+        self.force = if breaks { mean } else { force.map(finite) };
         breaks
     }
 
@@ -311,7 +313,8 @@ impl Joint {
     pub(crate) fn is_valid(&self) -> bool {
         let settings =
             [self.bias_factor, self.breakpoint, self.softness, self.greatest_force, self.greatest_torque];
-        settings.iter().chain(&self.force).chain([&self.force_along_depth]).all(|number| number.is_finite())
+        settings.iter().chain([&self.force_along_depth]).all(|number| number.is_finite())
+            && self.force.iter().all(|number| number.abs() <= f64::from(f32::MAX))
             && self.is_impulse_finite()
             && each_kind!(&self.kind, joint => joint.is_valid())
     }

@@ -9,6 +9,7 @@ use wide::f32x4;
 use super::outline::Shape;
 use crate::body::{Body, BodyId};
 use crate::math::lanes::sin_cos;
+use crate::math::math_helper::TWO_PI;
 use crate::math::plane::Pose;
 use crate::math::{Vector2, decay, scalar};
 use crate::storage::reusing_clone::reusing_clone;
@@ -75,12 +76,24 @@ reusing_clone! {
     }
 }
 
+/// Rotations beyond it, in radians, are taken as negative ones. Boxes lie at multiples of a right angle, and none of these is near.
+const ALMOST_A_TURN: f32 = 5.0;
+
 /// Sine and cosine of rotations: quick for those of one turn, which all are but after spins that no number holds.
+///
+/// Rotations are kept between 0 and the f32 next to 2 pi, which is 1.7e-7 more. A body that lies at 0 and trembles by less than that is
+/// at either end in turns; a turn is taken as that f32 here, so that both ends are one pose.
 #[inline(always)]
 pub(super) fn turn_of(rotations: f32x4) -> (f32x4, f32x4) {
     let is_turn = rotations.simd_gt(f32x4::splat(-0.5)) & rotations.simd_lt(f32x4::splat(7.0));
-    let (sine, cosine) = sin_cos(rotations & is_turn);
+    let turn = f32x4::splat(TWO_PI) & rotations.simd_gt(f32x4::splat(ALMOST_A_TURN));
+    let (sine, cosine) = sin_cos((rotations - turn) & is_turn);
     if is_turn.all() { (sine, cosine) } else { turn_of_any(rotations, sine, cosine) }
+}
+
+/// The angle that a rotation stands for in [`turn_of`], in radians.
+pub(super) fn angle_of(rotation: f32) -> f64 {
+    f64::from(rotation) - if rotation > ALMOST_A_TURN { f64::from(TWO_PI) } else { 0.0 }
 }
 
 #[cold]

@@ -3,18 +3,20 @@
 //! A solution is a transaction: nothing is written before it is accepted. An island that the iterative solver had so far comes over
 //! with a good solution only; one that the direct solver had goes on with the best there is, unless that gains energy.
 
-use super::Wear;
 use super::block::Triple;
 use super::constraint::{Constraint, FIXED};
 use super::constraint_list::add_push;
 use super::depth;
 use super::island::{Effort, Goal, Island, dot, greater};
+use super::joint::JointRows;
 use super::price::most_steps;
-use super::whole::{BEARABLE, ENOUGH, EXACT, NEAR, QUIET, Reading, SOLVED, Whole};
+use super::whole::{BEARABLE, ENOUGH, EXACT, NEAR, QUIET, Reading, SOLVED, Standing, Whole};
 use crate::methods::IslandChoice;
 use crate::precise::Precise;
+use crate::precise::bodies::Bodies;
 use crate::precise::joints::springs::Springs;
 use crate::precise::joints::{IMMOVABLE, Joints};
+use crate::precise::rows::Rows;
 use crate::precise::tuning::Step;
 
 /// Residual that is accepted: length units per second, in units of length, and as a part of the residual before the solution.
@@ -53,23 +55,31 @@ impl Precise {
     /// Solves an island with joints. Answers how many Newton steps that took, and whether the solution is good.
     pub(super) fn solve_joined(&mut self, whole: &mut Whole, step: &Step, unit: f64) -> Effort {
         let Precise { bodies, rows, joints, springs, direct, tuning, .. } = self;
+        if whole.stands_as_before(bodies, joints, rows) {
+            whole.joints.iter().for_each(|&at| joints.note_solved(at));
+            return Effort { steps: 0, residual: whole.residual, is_solved: true };
+        }
+        whole.stood.clear();
         let (dt, substeps) = (f64::from(step.dt), f64::from(step.substeps));
         let is_optional = direct.timing.choice != IslandChoice::Whole;
-        let Wear { is_hot, was_solved, .. } = direct.wear[whole.island.members[0].number as usize];
+        let was_solved = direct.wear[whole.island.members[0].number as usize].was_solved;
         let left = whole.take_bodies(bodies, substeps, unit);
-        // A stretch is a difference of places in f32: its last bit moves a stiff spring by more than what is exact.
-        let quiet = unit * if is_hot && whole.springs.is_empty() { EXACT } else { QUIET };
-        let reading = Reading { bodies, step, dt, rate: dt.recip(), parts: substeps, left, quiet };
+        let mut reading =
+            Reading { bodies, step, dt, rate: dt.recip(), parts: substeps, left, quiet: unit * QUIET };
         whole.is_left = false;
         whole.make_contacts(rows, &reading, false);
         whole.damp_spins(springs, dt);
         whole.make_joints(joints, [dt, substeps], LEVER * unit);
         whole.make_springs(springs, dt, LEVER * unit);
+        if whole.island.is_driven() {
+            reading.quiet = unit * EXACT;
+        }
         whole.island.stiffen_inertia(dt);
         let free_energy = whole.island.energy();
         whole.island.warm_start();
         let most_steps = most_steps(whole);
         let mut effort = whole.island.find_velocities(&reading, unit, most_steps);
+        whole.residual = effort.residual;
         let supplied = whole.island.supplied_energy();
         let energy = whole.island.energy();
         let supplied = supplied + 0.5 * whole.island.released_energy(dt);
@@ -82,6 +92,14 @@ impl Precise {
         let undone = (UNDONE_PER_SECOND * dt).min(1.0);
         let before = joints.greatest_error(&whole.joints, LEVER * unit);
         let deepest = whole.island.advance_separations(dt, left);
+        // Stiff springs without friction creep to where they pull: less than what is quiet is far in the end.
+        let is_still =
+            whole.springs.is_empty() && whole.island.greatest_speed(LEVER * unit) <= reading.quiet;
+        if effort.steps == 0 && is_still && deepest <= left && before <= left {
+            whole.stand(rows, &reading);
+            whole.joints.iter().for_each(|&at| joints.note_solved(at));
+            return effort;
+        }
         let after = match effort.is_solved && !gains || !is_optional {
             true => whole.close(joints, (dt, deepest), [left, most, PARTING * unit * dt], undone),
             false => before,
@@ -104,6 +122,38 @@ impl Precise {
 }
 
 impl Whole {
+    /// It stood still in the last update, and nothing about it has changed: bodies, the other ends of joints, motors, contacts.
+    fn stands_as_before(&self, bodies: &Bodies, joints: &Joints, rows: &Rows) -> bool {
+        let of_members = self.island.members.iter().zip(&self.stood);
+        !self.stood.is_empty()
+            && self.has_pushes
+            && self.joints.iter().all(|&at| !joints.hold(at).has_moved())
+            && of_members.map(|(member, stood)| (member.number as usize, stood)).all(|(number, stood)| {
+                *stood == Standing::of(bodies, number) && bodies.hot[number].velocity == [0.0; 4]
+            })
+            && self.homes.iter().zip(&self.separations).all(|(&home, separations)| {
+                let [one, other] = &rows.direct(home).lane.points;
+                [one.separation, other.separation] == *separations
+            })
+    }
+
+    /// Nothing is faster than what is quiet: it stands still, and what holds it is as it was.
+    fn stand(&mut self, rows: &mut Rows, reading: &Reading<'_>) {
+        self.keep(rows, reading.step, reading.parts);
+        self.has_pushes = true;
+        let Whole { island, ways, stood, separations, homes, .. } = self;
+        separations.clear();
+        separations.extend(
+            homes.iter().map(|&home| rows.direct(home).lane.points.each_ref().map(|point| point.separation)),
+        );
+        ways.iter_mut().for_each(|way| *way = [0.0; 3]);
+        for member in &mut island.members {
+            member.velocity = [0.0; 3];
+            let number = member.number as usize;
+            stood.push(Standing::of(reading.bodies, number));
+        }
+    }
+
     /// Rows of its joints.
     fn make_joints(&mut self, joints: &Joints, times: [f64; 2], lever: f64) {
         let Whole { island, joints: of_island, joint_ends, .. } = self;
@@ -271,6 +321,18 @@ impl Island {
 
     fn mass(&self) -> f64 {
         self.members.iter().map(|member| member.mass).filter(|&mass| mass < IMMOVABLE).sum()
+    }
+
+    /// Whether something moves bodies by itself: a motor, a belt or a kinematic body.
+    fn is_driven(&self) -> bool {
+        self.contacts.iter().any(|contact| contact.supplied != [0.0; 3])
+            || self.joints.iter().any(JointRows::is_driven)
+    }
+
+    /// The greatest speed of a member, in length units per second, with spins as speeds at this lever.
+    fn greatest_speed(&self, lever: f64) -> f64 {
+        let of_member = |[x, y, spin]: Triple| greater(greater(x.abs(), y.abs()), lever * spin.abs());
+        self.members.iter().fold(0.0, |most, member| greater(of_member(member.velocity), most))
     }
 
     /// The fastest spin of a member, in radians per second.

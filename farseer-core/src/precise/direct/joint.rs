@@ -255,6 +255,11 @@ impl JointRows {
         std::array::from_fn(|row| self.carried(row))
     }
 
+    /// Whether a motor or a kinematic body moves it.
+    pub(super) fn is_driven(&self) -> bool {
+        (0..3).any(|row| self.supplied[row] != if row == self.elastic_row { self.offset } else { 0.0 })
+    }
+
     /// The Jacobian, and the impulses of the step that were found.
     pub(in crate::precise) fn found(&self) -> (Jacobian, Triple) {
         (self.jacobian, self.impulses)

@@ -470,12 +470,13 @@ impl Precise {
             let whole = &mut islands[count];
             whole.springs.clear();
             whole.spring_ends.clear();
-            let Whole { island, homes, ends, has_pushes, joints: of_island, joint_ends, .. } = whole;
+            let Whole { island, homes, ends, has_pushes, stood, joints: of_island, joint_ends, .. } = whole;
             homes.clear();
             ends.clear();
             of_island.clear();
             joint_ends.clear();
             *has_pushes = false;
+            stood.clear();
             island.members.clear();
             island.members.extend(members.iter().map(|&(_, number)| Member { number, ..Member::default() }));
             list_edges(members, pairs, proxies, edges);

@@ -8,6 +8,7 @@ use super::contact::{Contact, FRICTION, approach, impulses, is_pressed_out};
 use super::depth::{self, Rub};
 use super::island::{Effort, Goal, Island, Member, greater};
 use super::{BUSIER, BUSY, LONG, REST, Wear};
+use crate::math::plane::Pose;
 use crate::methods::IslandChoice;
 use crate::precise::Precise;
 use crate::precise::bodies::Bodies;
@@ -44,7 +45,7 @@ pub(super) struct Whole {
     pub(super) ends: Vec<Ends>,
     pub(super) ways: Vec<Triple>,
     /// How far points were apart before the last look.
-    separations: Vec<[f32; 2]>,
+    pub(super) separations: Vec<[f32; 2]>,
     /// The island still [has](Island::obey_pushes) what its rows do to members: no row has changed since that was asked, and the
     /// island has not been solved, which takes the place where it is.
     pub(super) has_pushes: bool,
@@ -52,6 +53,10 @@ pub(super) struct Whole {
     pub(super) steps: usize,
     /// It could not be solved, and goes by passes.
     pub(super) is_left: bool,
+    /// With joints: greatest velocity error in the last update that looked.
+    pub(super) residual: f64,
+    /// With joints: its members, if it stood still in the last update.
+    pub(super) stood: Vec<Standing>,
     /// Its joints, by their places in the list of joints, and their bodies.
     pub(super) joints: Vec<u32>,
     pub(super) joint_ends: Vec<Ends>,
@@ -62,7 +67,22 @@ pub(super) struct Whole {
 
 reusing_clone! {
     Whole {
-        island, homes, ends, ways, separations, has_pushes, steps, is_left, joints, joint_ends, springs, spring_ends
+        island, homes, ends, ways, separations, has_pushes, steps, is_left, residual, stood, joints, joint_ends, springs,
+        spring_ends
+    }
+}
+
+/// A member that stands still: pose, change of velocity by forces in a substep, inverse mass and inertia.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Standing {
+    pose: Pose,
+    push: [f32; 4],
+    inverses: [f32; 2],
+}
+
+impl Standing {
+    pub(super) fn of(bodies: &Bodies, number: usize) -> Self {
+        Standing { pose: bodies.poses[number], push: bodies.push[number], inverses: bodies.inverses[number] }
     }
 }
 
@@ -229,7 +249,7 @@ impl Whole {
     }
 
     /// Nothing is to change: rows that were looked at closely are of the substeps of this step now, as all others are.
-    fn keep(&self, rows: &mut Rows, step: &Step, parts: f64) {
+    pub(super) fn keep(&self, rows: &mut Rows, step: &Step, parts: f64) {
         if self.has_pushes {
             return;
         }

@@ -246,7 +246,7 @@ impl Hinge {
         hold.error = dot(error, error).sqrt() as f32;
         hold.arm = shown(if self.is_first { self.arm } else { self.parent_arm });
         let pulling = self.sign * dt * dt;
-        let force = [f64::from(hold.force[0]) * pulling, f64::from(hold.force[1]) * pulling];
+        let force = [hold.force[0] * pulling, hold.force[1] * pulling];
         self.pull = dot(self.arm, force);
         parent.pull -= dot(self.parent_arm, force);
     }
@@ -389,7 +389,7 @@ impl Hinge {
             }
         }
         if self.link.holds() {
-            let [x, y] = force.map(|force| (force * self.sign) as f32);
+            let [x, y] = force.map(|force| force * self.sign);
             holds[self.joint as usize].force = [x, y, 0.0];
         }
     }

@@ -7,7 +7,7 @@ use crate::joints::{Drive, JointId};
 use crate::math::Vector2;
 
 /// One side of a joint.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct End {
     /// The number of a body that gives way, else 0.
     pub(super) body: u32,
@@ -64,10 +64,10 @@ pub(super) struct Key {
 pub(in crate::precise) struct Hold {
     pub(super) joint: JointId,
     /// Force and torque on the second body; and what of the force is along the depth axis, where that is known.
-    pub(super) force: [f32; 3],
+    pub(super) force: [f64; 3],
     pub(super) force_along_depth: f32,
     /// The mean of that over the step, where the force is that of the last substep.
-    pub(super) mean_force: Option<[f32; 3]>,
+    pub(super) mean_force: Option<[f64; 3]>,
     /// What it tells of how it was when the step began: how far from what it keeps, and the arm of the first anchor.
     pub(super) error: f32,
     pub(super) arm: Vector2,
@@ -92,6 +92,8 @@ pub(in crate::precise) struct Hold {
     pub(super) bias_factor: f64,
     /// How far the second body is behind the first, if that matters to the joint.
     pub(super) behind: f64,
+    /// Anchors, angle or motor are others than in the update before.
+    pub(super) has_moved: bool,
 }
 
 impl Hold {
@@ -101,6 +103,11 @@ impl Hold {
             bodies: self.ends.map(|end| end.body),
             is_bounded: low < high || self.most < f64::from(f32::MAX),
         }
+    }
+
+    /// Whether anchors, angle or motor are others than in the update before.
+    pub(in crate::precise) fn has_moved(&self) -> bool {
+        self.has_moved
     }
 
     /// Whether it keeps or drives an angle.

@@ -99,7 +99,7 @@ impl Hold {
 
     /// The impulses of a step by rows, from the force and torque on the second body.
     fn impulses(&self, jacobian: &Jacobian, dt: f64) -> Triple {
-        let ([nx, ny], [x, y, torque]) = (jacobian.normal, self.force.map(|force| f64::from(force) * dt));
+        let ([nx, ny], [x, y, torque]) = (jacobian.normal, self.force.map(|force| force * dt));
         [x * nx + y * ny, torque, x * ny - y * nx]
     }
 
@@ -107,7 +107,7 @@ impl Hold {
     pub(in crate::precise) fn bear(&mut self, rows: &JointRows, dt: f64) {
         let (Jacobian { normal: [nx, ny], .. }, [along, angle, across]) = rows.found();
         let (x, y) = (along * nx + across * ny, along * ny - across * nx);
-        self.force = [x, y, angle].map(|impulse| (impulse / dt) as f32 + 0.0);
+        self.force = [x, y, angle].map(|impulse| impulse / dt + 0.0);
     }
 
     /// Velocities of the two bodies as far as these are kinematic.

@@ -158,6 +158,11 @@ impl Joints {
     /// The direct solver has found these rows of a joint: no other solver takes it in this step.
     pub(super) fn take_solution(&mut self, joint: u32, rows: &JointRows, dt: f64) {
         self.holds[joint as usize].bear(rows, dt);
+        self.note_solved(joint);
+    }
+
+    /// The direct solver has left a joint as it was: no other solver takes it in this step.
+    pub(super) fn note_solved(&mut self, joint: u32) {
         self.groups[self.group_of[joint as usize] as usize].is_solved = true;
     }
 
@@ -413,8 +418,7 @@ impl Joints {
             }
             for node in group.nodes.iter().filter(|node| node.link.holds()) {
                 let force_of_impulse = node.sign() * per_second;
-                self.holds[node.joint as usize].force =
-                    node.total.map(|impulse| (impulse * force_of_impulse) as f32);
+                self.holds[node.joint as usize].force = node.total.map(|impulse| impulse * force_of_impulse);
             }
             for loose in &group.loose {
                 loose.tell(&mut self.holds[loose.hold as usize].force, dt);
@@ -523,7 +527,7 @@ impl Node {
             _ => self.sign() * (hold.angle - hold.range[1]),
         };
         let impulse_of_force = self.sign() * h;
-        self.impulse = hold.force.map(|force| f64::from(force) * impulse_of_force);
+        self.impulse = hold.force.map(|force| force * impulse_of_force);
         self.total = [0.0; 3];
         // Nothing that is not saved may matter.
         self.direction = if hold.link == Link::Line { hold.axis } else { [1.0, 0.0] };

@@ -1,6 +1,7 @@
 //! Joints are read when they or their bodies have changed, followed in every step, and told what held them.
 
 use super::super::Precise;
+use super::super::bodies::angle_of;
 use super::super::tuning::Step;
 use super::hold::{End, Hold, shown};
 use super::swing::turned;
@@ -78,6 +79,7 @@ impl Precise {
             // More than all of an error in an update would be undone again by the next one.
             bias_factor: f64::from(joint.bias_factor()).clamp(0.0, 1.0),
             behind: self.behind(held.keeps, held.bodies),
+            has_moved: true,
             force: joint.force_and_torque(),
             force_along_depth: joint.force_along_depth(),
             mean_force: None,
@@ -199,19 +201,21 @@ impl Hold {
         if self.link == Link::Line
             && let Some(entry) = self.bodies.0.and_then(|id| bodies.get(id))
         {
-            let (sine, cosine) = libm::sincos(f64::from(entry.body.rotation()));
+            let (sine, cosine) = libm::sincos(angle_of(entry.body.rotation()));
             self.axis = turned([cosine, sine], self.local_axis);
         }
     }
 
     /// Goes where its bodies are, and finds how far it is from what it keeps.
     pub(super) fn follow(&mut self, bodies: &super::Bodies, objects: &Objects) {
+        let before = (self.ends, self.angle, self.axis, self.drive);
         self.ends.iter_mut().for_each(|end| end.follow(bodies));
         self.turn(&objects.bodies);
         // What a motor seeks may change in every step: that is no reason to plan anew.
         if self.drive.is_some() {
             self.drive = objects.joints.get(self.joint).and_then(Joint::drive).copied();
         }
+        self.has_moved = before != (self.ends, self.angle, self.axis, self.drive);
         self.error = self.find_error() as f32;
         self.arm = shown(self.ends[0].arm);
     }

@@ -58,7 +58,7 @@ impl SoftJoint {
     pub(super) fn new(at: u32, hold: &Hold, bodies: &Bodies, times: [f64; 2]) -> Self {
         let pair = SoftPair::new(&hold.ends, Frame::of(hold), bodies);
         let [nx, ny] = pair.jacobian.normal;
-        let [x, y, torque] = hold.force.map(|force| f64::from(force) * times[1]);
+        let [x, y, torque] = hold.force.map(|force| force * times[1]);
         let impulses = [x * nx + y * ny, torque, x * ny - y * nx];
         let kept = kept_rows(hold);
         let keeps = |row: usize| kept >> row & 1 == 1;
@@ -227,13 +227,13 @@ impl SoftJoint {
     }
 
     /// Force and torque on the second body in the last substep of `h` seconds.
-    pub(super) fn force(&self, h: f64) -> [f32; 3] {
-        self.on_second().map(|impulse| (impulse / h) as f32 + 0.0)
+    pub(super) fn force(&self, h: f64) -> Triple {
+        self.on_second().map(|impulse| impulse / h + 0.0)
     }
 
     /// The mean force and torque of the update of `dt` seconds.
-    pub(super) fn mean_force(&self, dt: f64) -> [f32; 3] {
-        self.total.map(|impulse| (impulse / dt) as f32 + 0.0)
+    pub(super) fn mean_force(&self, dt: f64) -> Triple {
+        self.total.map(|impulse| impulse / dt + 0.0)
     }
 }
 

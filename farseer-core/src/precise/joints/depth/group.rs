@@ -182,9 +182,9 @@ impl SpatialGroup {
     pub(in super::super) fn finish(&self, holds: &mut [Hold], bodies: &mut Bodies, dt: f64) {
         self.end_swing(bodies);
         for tie in &self.ties {
-            let [x, y, turning, z] = tie.total.map(|impulse| (impulse / dt) as f32);
+            let [x, y, turning, z] = tie.total.map(|impulse| impulse / dt);
             let hold = &mut holds[tie.hold as usize];
-            (hold.force, hold.force_along_depth) = ([x, y, turning], z);
+            (hold.force, hold.force_along_depth) = ([x, y, turning], z as f32);
         }
     }
 

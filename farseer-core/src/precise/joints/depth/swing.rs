@@ -27,7 +27,7 @@ impl SpatialGroup {
         let stiffness = self.rows.iter().filter(|row| row.what == What::Distance).map(|row| {
             let tie = &self.ties[row.tie as usize];
             let hold = &holds[tie.hold as usize];
-            let ([x, y, _], z) = (hold.force.map(f64::from), f64::from(hold.force_along_depth));
+            let ([x, y, _], z) = (hold.force, f64::from(hold.force_along_depth));
             let inverse: f64 = tie.sides.iter().map(|side| side.inverse_mass(&self.inverses)).sum();
             // Two links pull at each body.
             2.0 * (x * x + y * y + z * z).sqrt() * inverse * h * h / tie.distance()

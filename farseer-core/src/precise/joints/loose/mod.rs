@@ -92,7 +92,7 @@ impl Loose {
         if hold.link == Link::Distance {
             self.find_direction();
         }
-        let [x, y, turning] = hold.force.map(|force| f64::from(force) * h);
+        let [x, y, turning] = hold.force.map(|force| force * h);
         self.impulse = match (self.keeps, hold.link) {
             // What it did is not told from what the joint did.
             (Keeps::Drive, _) => [0.0; 3],
@@ -134,8 +134,8 @@ impl Loose {
     }
 
     /// Tells what it has held with in a step.
-    pub(super) fn tell(&self, force: &mut [f32; 3], dt: f64) {
-        let with = self.total.map(|impulse| (impulse / dt) as f32);
+    pub(super) fn tell(&self, force: &mut [f64; 3], dt: f64) {
+        let with = self.total.map(|impulse| impulse / dt);
         match self.keeps {
             Keeps::Joint => *force = with,
             Keeps::Drive => (0..3).for_each(|i| force[i] += with[i]),
