@@ -32,7 +32,9 @@ impl PhysicsSimulator {
         };
         let space = pipeline.precise.as_mut().and_then(|precise| precise.space_mut());
         let (outcome, pushes) = objects.springs[spring].find(&objects.bodies, space, step);
-        if let Some(pushes) = pushes {
+        // Without length it has no direction to pull along. Rows need none.
+        let is_point = pipeline.precise.is_some() && objects.springs[spring].has_no_length_at_rest();
+        if let Some(pushes) = pushes.or(is_point.then_some([None; 2])) {
             let precise = pipeline.precise.as_mut();
             if !precise.is_some_and(|precise| precise.takes_spring(spring, pushes, objects)) {
                 pushes.into_iter().flatten().for_each(|push| push.apply(&mut objects.bodies));

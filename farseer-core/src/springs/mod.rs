@@ -196,6 +196,15 @@ impl Spring {
         [Some(self.body1()), self.body2()]
     }
 
+    /// Whether it pulls two points together until they are one.
+    pub(crate) fn has_no_length_at_rest(&self) -> bool {
+        match &self.kind {
+            SpringKind::Linear(spring) => spring.rest_length() == 0.0,
+            SpringKind::FixedLinear(spring) => spring.rest_length() == 0.0,
+            SpringKind::Angle(_) | SpringKind::FixedAngle(_) => false,
+        }
+    }
+
     /// The spring of its kind.
     pub fn kind(&self) -> &SpringKind {
         &self.kind

@@ -196,7 +196,7 @@ fn a_fixed_angle_spring_turns_a_box_over_its_edge_no_further_than_its_target() {
 
 #[test]
 fn a_stiff_spring_that_drags_a_jointed_body_to_a_point_holds_it_there() {
-    for stiffness in [1e5, 1e6, 1e7, 1e8, 1e9, 1e12] {
+    for stiffness in [1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13] {
         let (mut simulator, look) = hoist([stiffness, 2.0 * (5.2 * stiffness).sqrt()]);
         run(&mut simulator, 1200);
         let ((_, off), weight) = (look(&simulator), 5.2 * GRAVITY);

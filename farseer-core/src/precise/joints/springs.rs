@@ -136,7 +136,9 @@ impl SpringHold {
         let SpringHold { stiffness, damping, stretch, .. } = *self;
         rows.spring(row, Elastic { stiffness, damping, stretch }, [dt, self.most * dt]);
         if self.is_linear {
-            rows.resist_across(dt * dt * stiffness * stretch / frame.distance());
+            let distance = frame.distance();
+            let tension = if distance > 0.0 { stretch / distance } else { 1.0 };
+            rows.resist_across(dt * dt * stiffness * tension);
         }
         rows
     }
@@ -252,7 +254,8 @@ impl Precise {
         let (ends, rest) = self.spring_ends(spring, objects)?;
         let is_linear = matches!(spring.kind(), SpringKind::Linear(_) | SpringKind::FixedLinear(_));
         let distance = Frame::between(Link::Distance, &ends, 0.0).distance();
-        if is_linear && distance == 0.0 {
+        // Without a length at rest it pulls the same way in all directions, even where it has none.
+        if is_linear && distance == 0.0 && rest != 0.0 {
             return None;
         }
         let stretch = if is_linear { distance - rest } else { -rest };
