@@ -315,7 +315,7 @@ impl Precise {
                 self.note_pushes();
             }
             self.joints.share_depth(&mut self.bodies);
-            self.joints.limit_speeds(&mut self.bodies);
+            self.joints.limit_speeds(&mut self.bodies, step.h);
             displace(&mut self.bodies, &self.sleep.bodies, step.h, substep == 0);
             self.turn_swings();
             self.lean_rolls();

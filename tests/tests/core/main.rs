@@ -69,6 +69,7 @@ mod precise_settings;
 mod precise_sleep;
 mod precise_soft_joints;
 mod precise_spring_rows;
+mod precise_standing;
 mod precise_switches;
 mod precise_terrain;
 mod rejected_input;

@@ -93,8 +93,7 @@ impl Precise {
         let before = joints.greatest_error(&whole.joints, LEVER * unit);
         let deepest = whole.island.advance_separations(dt, left);
         // Stiff springs without friction creep to where they pull: less than what is quiet is far in the end.
-        let is_still =
-            whole.springs.is_empty() && whole.island.greatest_speed(LEVER * unit) <= reading.quiet;
+        let is_still = whole.springs.is_empty() && whole.island.greatest_speed(LEVER * unit) <= reading.quiet;
         if effort.steps == 0 && is_still && deepest <= left && before <= left {
             whole.stand(rows, &reading);
             whole.joints.iter().for_each(|&at| joints.note_solved(at));

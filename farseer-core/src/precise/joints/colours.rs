@@ -8,21 +8,26 @@ use super::hold::Hold;
 use crate::storage::order::sort_by_number;
 
 /// Colours of joints between two dynamic bodies, and as many after them of joints to something fixed. The last one of each takes what
-/// finds no other, and is solved in order.
+/// finds no other.
 const COLOURS: u32 = 32;
 
-/// Puts joints, given by their places in the list in the order of creation, in the order of their colours.
-pub(super) fn sort_by_colour(holds: &[Hold], order: &mut [u32], bodies: usize) {
+/// Whether joints of a colour may share bodies: they are solved one after the other.
+pub(super) fn is_last(colour: u32) -> bool {
+    colour % COLOURS == COLOURS - 1
+}
+
+/// Joints, given by their places in the list in the order of creation, with their colours, in the order of these.
+pub(super) fn colour(holds: &[Hold], joints: &[u32], bodies: usize, order: &mut Vec<(u32, u32)>) {
     let mut used = vec![0_u64; bodies];
-    let mut colours = vec![0; holds.len()];
-    for &at in order.iter() {
+    order.clear();
+    for &at in joints {
         let ends = holds[at as usize].ends.map(|end| end.body as usize);
         let dynamic = || ends.into_iter().filter(|&body| body != 0);
         let first = if ends.contains(&0) { COLOURS } else { 0 };
         let taken = dynamic().fold(0, |taken, body| taken | used[body]) >> first;
         let colour = first + taken.trailing_ones().min(COLOURS - 1);
         dynamic().for_each(|body| used[body] |= 1 << colour);
-        colours[at as usize] = colour;
+        order.push((at, colour));
     }
-    sort_by_number(order, |&at| colours[at as usize].into());
+    sort_by_number(order, |&(_, colour)| colour.into());
 }

@@ -9,17 +9,18 @@
 //! [Springs] of what is jointed or touched are rows beside these, of the direct or of the iterative solver.
 //! Joints of a distance in three axes have solvers of their own: see [depth].
 
+mod block_pair;
+mod block_row;
 mod colours;
 mod depth;
 mod forest;
 mod frame;
-mod free_row;
 mod hinged;
 pub(super) mod hold;
 mod island_rows;
 mod loose;
 pub(super) mod read;
-mod soft_joint;
+mod soft_block;
 mod soft_law;
 mod soft_pair;
 mod soft_spring;
@@ -381,8 +382,8 @@ impl Joints {
     }
 
     /// No body with joints in the iterative solver moves faster than those may.
-    pub(super) fn limit_speeds(&self, bodies: &mut Bodies) {
-        self.soft.limit_speeds(bodies, self.unit as f32);
+    pub(super) fn limit_speeds(&self, bodies: &mut Bodies, h: f32) {
+        self.soft.limit_speeds(bodies, self.unit as f32, h);
     }
 
     /// Bodies have moved.

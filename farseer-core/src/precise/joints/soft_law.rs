@@ -4,9 +4,11 @@
 //! dl = -mass K^-1 (u + bias C + compliance l) - leak l, with K = J M^-1 J^T of the block (E. Catto, "Soft Constraints", GDC 2011;
 //! "Solver2D", 2024).
 
-use super::super::direct::block::Triple;
-use super::super::direct::constraint::Set;
+use wide::f32x4;
+
+use super::block_pair::{Lanes, Rows};
 use super::hold::Hold;
+use crate::math::lanes::select;
 
 /// Frequency of joint rows in Hz, and the largest part of the substep rate that it may be. 90 Hz and 120 Hz at 240 substeps/s gain
 /// energy in cantilevers and nets. Both are twice those of contacts beside joints, as in Box2D 3.
@@ -19,8 +21,9 @@ const DAMPING: f64 = 5.0;
 /// a bound, spins have none.
 pub(super) const GREATEST_ANGLE: f64 = 1.0;
 
-/// A pivot below this part of its diagonal is rounding: the row depends on those before it and gets no impulse.
-const LEAST_PIVOT: f64 = 1e-12;
+/// A pivot below this part of its diagonal is rounding, of eight units in the last place: the row depends on those before it and gets
+/// no impulse.
+const LEAST_PIVOT: f32 = 8.0 * f32::EPSILON;
 
 /// Coefficients of the law of a row: see the [module](self).
 #[derive(Debug, Clone, Copy)]
@@ -56,11 +59,86 @@ impl Law {
             ..Law::HARD
         })
     }
+}
 
-    /// The impulse after this one at a missing velocity f = K^-1 (u + bias C + compliance l), given as an impulse.
+/// The laws of four joints.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct BlockLaw {
+    pub(super) bias: Lanes,
+    pub(super) mass: Lanes,
+    pub(super) leak: Lanes,
+    pub(super) compliance: Lanes,
+}
+
+impl BlockLaw {
+    /// The same law of all.
+    pub(super) fn of(law: &Law) -> Self {
+        let all = |number: f64| f32x4::splat(number as f32);
+        let Law { bias, mass, leak, compliance } = *law;
+        BlockLaw { bias: all(bias), mass: all(mass), leak: all(leak), compliance: all(compliance) }
+    }
+
+    /// Gives one of them another law.
+    pub(super) fn set(&mut self, lane: usize, law: &Law) {
+        let BlockLaw { bias, mass, leak, compliance } = self;
+        for (lanes, number) in
+            [(bias, law.bias), (mass, law.mass), (leak, law.leak), (compliance, law.compliance)]
+        {
+            lanes.as_mut_array()[lane] = number as f32;
+        }
+    }
+
+    /// These laws, and where the mask is those others.
+    pub(super) fn or(&self, mask: Lanes, other: &Self) -> Self {
+        BlockLaw {
+            bias: select(mask, other.bias, self.bias),
+            mass: select(mask, other.mass, self.mass),
+            leak: select(mask, other.leak, self.leak),
+            compliance: select(mask, other.compliance, self.compliance),
+        }
+    }
+
+    /// The impulses after these at missing velocities f = K^-1 (u + bias C + compliance l), given as impulses.
     #[inline(always)]
-    pub(super) fn next(&self, impulse: f64, missing: f64) -> f64 {
+    pub(super) fn next(&self, impulse: Lanes, missing: Lanes) -> Lanes {
         impulse - self.mass * missing - self.leak * impulse
+    }
+}
+
+/// The effective mass of blocks of up to three rows: factors L D^-1 L^T of K. Rows that are not kept, or depend on those before them,
+/// get no impulse.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct BlockMass {
+    /// Of rows 0 and 1, 0 and 2, 1 and 2.
+    below: Rows,
+    inverse: Rows,
+}
+
+impl BlockMass {
+    /// Factors of the rows with these masks, of a matrix with this diagonal and these products of rows 0 and 1, 0 and 2, 1 and 2.
+    #[inline(always)]
+    pub(super) fn of(diagonal: Rows, [one_zero, two_zero, two_one]: Rows, kept: Rows) -> Self {
+        let invert = |row: usize, pivot: Lanes| {
+            let is_own = pivot.simd_gt(f32x4::splat(LEAST_PIVOT) * diagonal[row]);
+            (f32x4::splat(1.0) / pivot) & is_own & kept[row]
+        };
+        let first = invert(0, diagonal[0]);
+        let (l10, l20) = (one_zero * first, two_zero * first);
+        let second = invert(1, diagonal[1] - l10 * one_zero);
+        let rest = two_one - l20 * one_zero;
+        let l21 = rest * second;
+        let third = invert(2, diagonal[2] - l20 * two_zero - l21 * rest);
+        BlockMass { below: [l10, l20, l21], inverse: [first, second, third] }
+    }
+
+    /// The product of the inverse of K and this.
+    #[inline(always)]
+    pub(super) fn times(&self, [x, y, z]: Rows) -> Rows {
+        let ([l10, l20, l21], [first, second, third]) = (self.below, self.inverse);
+        let y = y - l10 * x;
+        let z = third * (z - l20 * x - l21 * y);
+        let y = second * y - l21 * z;
+        [first * x - l10 * y - l20 * z, y, z]
     }
 }
 
@@ -82,84 +160,49 @@ pub(super) fn within(number: f64, most: f64) -> f64 {
     }
 }
 
-/// The inverse of the block of a symmetric matrix that these rows make, 0 elsewhere. Rows that depend on others have zeros, too.
-pub(super) fn inverse_of(matrix: &[Triple; 3], rows: Set) -> [Triple; 3] {
-    match rows {
-        0b101 => inverse_of_two::<0, 2>(matrix),
-        0b011 => inverse_of_two::<0, 1>(matrix),
-        _ => None,
-    }
-    .unwrap_or_else(|| swept(matrix, rows))
-}
-
-/// The inverse of the block of two rows, unless one depends on the other.
-#[inline(always)]
-fn inverse_of_two<const I: usize, const J: usize>(matrix: &[Triple; 3]) -> Option<[Triple; 3]> {
-    let (one, other, both) = (matrix[I][I], matrix[J][J], matrix[I][J]);
-    let determinant = one * other - both * both;
-    (determinant > LEAST_PIVOT * one * other).then(|| {
-        let (factor, mut inverse) = (1.0 / determinant, [[0.0; 3]; 3]);
-        (inverse[I][I], inverse[J][J]) = (other * factor, one * factor);
-        (inverse[I][J], inverse[J][I]) = (-both * factor, -both * factor);
-        inverse
-    })
-}
-
-/// The inverse of the block of these rows by the sweep operator (J. Goodnight, "A Tutorial on the SWEEP Operator", 1979).
-fn swept(matrix: &[Triple; 3], rows: Set) -> [Triple; 3] {
-    let (mut swept, mut set) = (*matrix, 0);
-    for pivot in (0..3).filter(|pivot| rows >> pivot & 1 == 1) {
-        let own = swept[pivot][pivot];
-        if own <= LEAST_PIVOT * matrix[pivot][pivot] {
-            continue;
-        }
-        set |= 1 << pivot;
-        let inverse = 1.0 / own;
-        let of_pivot = swept[pivot].map(|number| number * inverse);
-        for (_, row) in swept.iter_mut().enumerate().filter(|(at, _)| *at != pivot) {
-            let factor = row[pivot];
-            (0..3).for_each(|i| row[i] -= factor * of_pivot[i]);
-            row[pivot] = -factor * inverse;
-        }
-        swept[pivot] = of_pivot;
-        swept[pivot][pivot] = inverse;
-    }
-    let is_in = |at: usize| set >> at & 1 == 1;
-    std::array::from_fn(|i| std::array::from_fn(|j| if is_in(i) && is_in(j) { swept[i][j] } else { 0.0 }))
-}
-
-#[inline(always)]
-pub(super) fn times(matrix: &[Triple; 3], [x, y, z]: Triple) -> Triple {
-    matrix.map(|[a, b, c]| a * x + b * y + c * z)
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Law, inverse_of};
+    use wide::f32x4;
 
-    /// K of two bodies of masses 1 and 3 and inertias 4 and 5, with arms of rows as a joint has them.
-    const MATRIX: [[f64; 3]; 3] = {
+    use super::{BlockLaw, BlockMass, Law};
+    use crate::precise::joints::block_pair::Rows;
+
+    fn splat(numbers: [f32; 3]) -> Rows {
+        numbers.map(f32x4::splat)
+    }
+
+    /// Masks of rows by bits.
+    fn mask(rows: u32) -> Rows {
+        std::array::from_fn(|row| f32x4::splat(f32::from_bits((rows >> row & 1).wrapping_neg())))
+    }
+
+    /// K of two bodies of masses 1 and 3 and inertias 4 and 5, with angular parts of rows as a joint has them.
+    fn matrix() -> [[f32; 3]; 3] {
         let (a, b) = ([2.0, 1.0, -3.0], [-1.0, 1.0, 4.0]);
-        let mut matrix = [[0.0; 3]; 3];
-        let mut at = 0;
-        while at < 9 {
-            let (i, j) = (at / 3, at % 3);
-            let linear = if i == j && i != 1 { 4.0 / 3.0 } else { 0.0 };
-            matrix[i][j] = linear + a[i] * a[j] / 4.0 + b[i] * b[j] / 5.0;
-            at += 1;
-        }
-        matrix
-    };
+        std::array::from_fn(|i| {
+            std::array::from_fn(|j| {
+                let linear = if i == j && i != 1 { 4.0 / 3.0 } else { 0.0 };
+                linear + a[i] * a[j] / 4.0 + b[i] * b[j] / 5.0
+            })
+        })
+    }
+
+    fn mass_of(k: [[f32; 3]; 3], rows: u32) -> BlockMass {
+        BlockMass::of(splat([k[0][0], k[1][1], k[2][2]]), splat([k[0][1], k[0][2], k[1][2]]), mask(rows))
+    }
 
     #[test]
-    fn the_inverse_of_a_block_times_the_block_is_one() {
+    fn kept_rows_of_the_product_are_those_that_were_multiplied() {
+        let (k, wanted) = (matrix(), [1.0, -2.0, 0.5]);
         for rows in [0b001, 0b010, 0b011, 0b101, 0b111] {
-            let inverse = inverse_of(&MATRIX, rows);
-            for (i, j) in (0..9).map(|at| (at / 3, at % 3)) {
-                let is_in = |row: usize| rows >> row & 1 == 1;
-                let product: f64 = (0..3).filter(|&k| is_in(k)).map(|k| inverse[i][k] * MATRIX[k][j]).sum();
-                let expected = if i == j { 1.0 } else { 0.0 };
-                assert!(!(is_in(i) && is_in(j)) || (product - expected).abs() < 1e-12, "{rows:b} {i} {j}");
+            let found = mass_of(k, rows).times(splat(wanted)).map(|lanes| lanes.to_array()[0]);
+            for row in 0..3 {
+                let product: f32 = (0..3).map(|j| k[row][j] * found[j]).sum();
+                match rows >> row & 1 {
+                    // Ten roundings of numbers up to 10.
+                    1 => assert!((product - wanted[row]).abs() < 1e-5, "{rows:b} {row}: {product}"),
+                    _ => assert_eq!(found[row], 0.0),
+                }
             }
         }
     }
@@ -168,9 +211,8 @@ mod tests {
     fn a_row_that_depends_on_another_gets_no_impulse() {
         // Two bodies that only turn: both rows of a point are one.
         let arms = [2.0, 0.0, 3.0];
-        let matrix = arms.map(|a| arms.map(|b| a * b));
-        let inverse = inverse_of(&matrix, 0b101);
-        assert_eq!(inverse, [[0.25, 0.0, 0.0], [0.0; 3], [0.0; 3]]);
+        let found = mass_of(arms.map(|a| arms.map(|b| a * b)), 0b101).times(splat([1.0, 0.0, 1.5]));
+        assert_eq!(found.map(|lanes| lanes.to_array()[0]), [0.25, 0.0, 0.0]);
     }
 
     #[test]
@@ -180,6 +222,7 @@ mod tests {
         let (impulse, inverse_mass) = (2.0, 0.5);
         let error = -law.leak * impulse * inverse_mass / (law.mass * law.bias);
         let missing = law.bias * error / inverse_mass;
-        assert!((law.next(impulse, missing) - impulse).abs() < 1e-12);
+        let next = BlockLaw::of(&law).next(f32x4::splat(impulse as f32), f32x4::splat(missing as f32));
+        assert!((next.to_array()[0] - impulse as f32).abs() < 1e-6);
     }
 }

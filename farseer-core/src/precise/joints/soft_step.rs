@@ -9,10 +9,10 @@
 
 use super::super::bodies::Bodies;
 use super::super::tuning::Step;
-use super::colours::sort_by_colour;
+use super::colours::{colour, is_last};
 use super::hold::{End, Hold};
-use super::soft_joint::{LEVER, Pass, SoftJoint};
-use super::soft_law::Law;
+use super::soft_block::{Kind, LEVER, SoftBlock};
+use super::soft_law::{BlockLaw, Law};
 use super::soft_spring::SoftSpring;
 use super::springs::Springs;
 use crate::storage::reusing_clone::reusing_clone;
@@ -20,14 +20,16 @@ use crate::storage::reusing_clone::reusing_clone;
 /// Greatest speed of bodies with joints in the iterative solver, in units of length per second: that of all bodies in Box2D 3
 /// (`maximumLinearSpeed`, 400 m/s).
 const GREATEST_SPEED: f32 = 400.0;
+/// Greatest angle in radians by which they turn in a substep, as in Box2D 3 (`B2_MAX_ROTATION`): 188 radians/s at 240 substeps/s.
+const GREATEST_TURN: f32 = std::f32::consts::FRAC_PI_4;
 
 /// The joints of the iterative solver.
 #[derive(Debug, Default)]
 pub(super) struct SoftJoints {
-    /// All joints in the plane, by their places in the list, in the order of their colours.
-    order: Vec<u32>,
+    /// All joints in the plane, by their places in the list, and their colours, in the order of these.
+    order: Vec<(u32, u32)>,
     /// The joints of this update, and the springs that are rows.
-    joints: Vec<SoftJoint>,
+    joints: Vec<SoftBlock>,
     springs: Vec<SoftSpring>,
     /// Their dynamic bodies; and by body number whether it is one of them, as a mask of all bits.
     bodies: Vec<u32>,
@@ -40,9 +42,7 @@ impl SoftJoints {
     /// Plans the order of these joints, given by their places in the list.
     pub(super) fn plan(&mut self, holds: &[Hold], in_plane: &[u32], bodies: usize) {
         self.forget();
-        self.order.clear();
-        self.order.extend(in_plane);
-        sort_by_colour(holds, &mut self.order, bodies);
+        colour(holds, in_plane, bodies, &mut self.order);
         self.masks.clear();
         self.masks.resize(bodies, 0);
     }
@@ -64,7 +64,7 @@ impl SoftJoints {
     ) {
         self.forget();
         let (times, law) = ([step.dt, step.h].map(f64::from), Law::soft(step.h.into()));
-        let fastest = [f64::from(GREATEST_SPEED) * unit, LEVER * unit];
+        let fastest = [f64::from(GREATEST_SPEED) * unit, f64::from(LEVER) * unit];
         let SoftJoints { order, joints, springs: of_springs, bodies: marked, masks } = self;
         let mut mark = |ends: &[End; 2]| {
             for body in ends.iter().map(|end| end.body).filter(|&body| body != 0) {
@@ -73,15 +73,27 @@ impl SoftJoints {
                 }
             }
         };
-        for &at in order.iter().filter(|&&at| is_in(at as usize)) {
-            let hold = &holds[at as usize];
-            let mut joint = SoftJoint::new(at, hold, bodies, times);
-            joint.soften(&law, unit);
-            joints.push(joint);
-            if joint.acts() {
+        // By kind the block of this colour that is not full.
+        let mut open = [None; Kind::COUNT];
+        let mut last = None;
+        for &(at, colour) in order.iter().filter(|&&(at, _)| is_in(at as usize)) {
+            let (hold, is_new) = (&holds[at as usize], last.replace(colour) != Some(colour));
+            if is_new || is_last(colour) {
+                open = [None; Kind::COUNT];
+            }
+            let kind = Kind::of(hold);
+            let block = *open[kind.number()].get_or_insert_with(|| {
+                joints.push(SoftBlock::new(kind));
+                joints.len() - 1
+            });
+            if joints[block].put(at, hold, bodies, times) {
                 mark(&hold.ends);
             }
+            if joints[block].is_full() {
+                open[kind.number()] = None;
+            }
         }
+        joints.iter_mut().for_each(|block| block.begin(&law, unit as f32));
         for hold in springs.unsolved() {
             of_springs.push(SoftSpring::new(hold, bodies, times[1], fastest));
             mark(hold.ends());
@@ -100,42 +112,43 @@ impl SoftJoints {
     /// Adds what impulses do to velocities in a substep.
     pub(super) fn warm(&self, bodies: &mut Bodies) {
         self.springs.iter().for_each(|spring| spring.warm(&mut bodies.warm));
-        self.joints.iter().for_each(|joint| joint.warm(&mut bodies.warm));
+        self.joints.iter().for_each(|block| block.warm(&mut bodies.warm));
     }
 
     /// The pass before bodies move.
     pub(super) fn solve_soft(&mut self, bodies: &mut Bodies, h: f32) {
-        let h = f64::from(h);
         self.springs.iter_mut().for_each(|spring| spring.solve(&mut bodies.hot));
-        self.solve(bodies, &Pass { law: Law::soft(h), h });
+        self.solve(bodies, &Law::soft(h.into()), h);
     }
 
     /// The pass after bodies have moved.
     pub(super) fn relax(&mut self, bodies: &mut Bodies, h: f32) {
-        self.solve(bodies, &Pass { law: Law::HARD, h: h.into() });
-        self.joints.iter_mut().for_each(SoftJoint::count_impulse);
+        self.solve(bodies, &Law::HARD, h);
+        self.joints.iter_mut().for_each(SoftBlock::count_impulses);
     }
 
-    fn solve(&mut self, bodies: &mut Bodies, pass: &Pass) {
-        self.joints.iter_mut().for_each(|joint| joint.solve(&mut bodies.hot, pass));
+    fn solve(&mut self, bodies: &mut Bodies, law: &Law, h: f32) {
+        let (law, inverse_h) = (BlockLaw::of(law), 1.0 / h);
+        self.joints.iter_mut().for_each(|block| block.solve(&mut bodies.hot, &law, inverse_h));
     }
 
     /// Joints and springs follow bodies that have moved.
     pub(super) fn advance(&mut self, bodies: &mut Bodies) {
         self.springs.iter_mut().for_each(|spring| spring.advance(bodies));
-        self.joints.iter_mut().for_each(|joint| joint.advance(bodies));
+        self.joints.iter_mut().for_each(|block| block.advance(bodies));
     }
 
-    /// No body is faster than bodies with joints may be, but for bullets. Joints that cannot be kept would drive them further and
-    /// further apart.
-    pub(super) fn limit_speeds(&self, bodies: &mut Bodies, unit: f32) {
-        let most = GREATEST_SPEED * unit;
-        for body in self.bodies.iter().map(|&body| body as usize) {
-            let [x, y, ..] = bodies.hot[body].velocity;
-            let squared = x * x + y * y;
-            if squared > most * most && !bodies.are_bullets[body] {
-                let part = most / squared.sqrt();
-                for (axis, old) in [x, y].into_iter().enumerate() {
+    /// No body is faster than bodies with joints may be in a substep of `h` seconds, but for bullets. Joints that cannot be kept would
+    /// drive them further and further apart.
+    pub(super) fn limit_speeds(&self, bodies: &mut Bodies, unit: f32, h: f32) {
+        let (most, most_spin) = (GREATEST_SPEED * unit, GREATEST_TURN / h);
+        for body in self.bodies.iter().map(|&body| body as usize).filter(|&body| !bodies.are_bullets[body]) {
+            let [x, y, spin, _] = bodies.hot[body].velocity;
+            let (squared, spins) = (x * x + y * y, spin.abs());
+            if squared > most * most || spins > most_spin {
+                let part = if squared > most * most { most / squared.sqrt() } else { 1.0 };
+                let spin_part = if spins > most_spin { most_spin / spins } else { 1.0 };
+                for (axis, (old, part)) in [(x, part), (y, part), (spin, spin_part)].into_iter().enumerate() {
                     // The part that is cut off is no impulse that acts again.
                     bodies.hot[body].velocity[axis] = old * part;
                     bodies.begun[body][axis] += old * part - old;
@@ -145,10 +158,7 @@ impl SoftJoints {
     }
 
     /// Forces and torques of these joints in the last substep, and their means over the update of `dt` seconds.
-    pub(super) fn finish(&self, holds: &mut [Hold], [dt, h]: [f32; 2]) {
-        for joint in &self.joints {
-            let hold = &mut holds[joint.hold as usize];
-            (hold.force, hold.mean_force) = (joint.force(h.into()), Some(joint.mean_force(dt.into())));
-        }
+    pub(super) fn finish(&self, holds: &mut [Hold], times: [f32; 2]) {
+        self.joints.iter().for_each(|block| block.tell(holds, times));
     }
 }
