@@ -1,4 +1,5 @@
-//! Many objects in the 2.5D engine beside `rapier3d`: flying, standing, at rest, in traffic, in a deep field, in a pile.
+//! Many objects in the 2.5D engine beside `rapier3d`: flying, standing, at rest, in traffic, in a deep field, on
+//! ropes, in a pile.
 //!
 //! `cargo run --release --features peers --example twohalf_vs_rapier3d` prints a table,
 //! `scene,objects,twohalf_ms,rapier3d_ms,ratio,twohalf_error,rapier3d_error`, and writes it to `target/twohalf_vs_rapier3d`.

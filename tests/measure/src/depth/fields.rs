@@ -7,7 +7,7 @@ use super::depth_chart_scenes;
 use crate::csv::table;
 use crate::engines::depth::TwoHalf;
 use crate::engines::rapier3d::Rapier;
-use crate::scenes::depth::{DepthScene, deep_field, flying, standing, street};
+use crate::scenes::depth::{DepthScene, deep_field, flying, ropes, standing, street};
 use crate::stopwatch::Stopwatch;
 use crate::watch::{Watch, worst};
 use crate::world::{World, distance};
@@ -93,7 +93,15 @@ pub fn fields() -> Vec<Field> {
         build: deep_field,
         ..street
     };
-    let mut all = vec![flying, standing, resting, street, deep];
+    let ropes = Field {
+        name: "ropes",
+        about: "Ropes of 20 links hang and swing; how far two links are further apart than they may be.",
+        build: ropes,
+        watch: against_stretching,
+        seconds: 4.0,
+        ..flying
+    };
+    let mut all = vec![flying, standing, resting, street, deep, ropes];
     all.extend(depth_chart_scenes().into_iter().find(|scene| scene.name == "ball_pit_penetration").map(
         |pit| Field {
             name: "pile",
@@ -183,6 +191,20 @@ fn against(scene: &DepthScene, gravity: f64) -> Box<dyn Watch> {
             distance(world.body(index).position, expected)
         };
         starts.iter().enumerate().map(of).reduce(f64::max)
+    })
+}
+
+/// Against the length that each link of a rope has at first. Balls of one size: the distance of their lowest points is that of
+/// their centres.
+fn against_stretching(scene: &DepthScene) -> Box<dyn Watch> {
+    let place = |object: usize| scene.objects[object].position.map(f64::from);
+    let two = scene.ropes.iter().flat_map(|rope| rope.windows(2).map(|two| [two[0], two[1]]));
+    let links: Vec<_> = two.map(|two| (two, distance(place(two[0]), place(two[1])))).collect();
+    worst(move |_, world| {
+        let stretched = |&([a, b], length): &([usize; 2], f64)| {
+            distance(world.body(a).position, world.body(b).position) - length
+        };
+        links.iter().map(stretched).reduce(f64::max)
     })
 }
 

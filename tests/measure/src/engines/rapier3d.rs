@@ -1,9 +1,9 @@
 //! Scenes in `rapier3d`: X, Y up and Z as in the scene. What is no ball turns about Z only.
 
 use rapier3d::prelude::{
-    CoefficientCombineRule, Collider, ColliderBuilder, ColliderHandle, FrictionModel, MassProperties,
-    PhysicsWorld, Pose, QueryFilter, Ray, RigidBody, RigidBodyActivation, RigidBodyBuilder, RigidBodyHandle,
-    Rotation, Vector,
+    CoefficientCombineRule, Collider, ColliderBuilder, ColliderHandle, FrictionModel, Group,
+    InteractionGroups, InteractionTestMode, MassProperties, PhysicsWorld, Pose, QueryFilter, Ray, RigidBody,
+    RigidBodyActivation, RigidBodyBuilder, RigidBodyHandle, Rotation, SphericalJointBuilder, Vector,
 };
 
 use super::wrapped;
@@ -52,6 +52,7 @@ impl Rapier {
             let (_, collider) = rapier.world.insert(fixed(platform), platform_collider(platform));
             rapier.met.push((collider, Met::Platform(index)));
         }
+        scene.ropes.iter().for_each(|rope| rapier.tie(rope));
         rapier.met.sort_unstable_by_key(|(collider, _)| collider.into_raw_parts());
         rapier
     }
@@ -96,6 +97,25 @@ impl Rapier {
         self.met.push((collider, Met::Object(self.objects.len())));
         self.objects.push(body);
         self.outlines.push(lowest);
+    }
+
+    /// Ties objects by ball joints at the centres of the first of each two, as `rapier3d`'s example of ball joints does. What is
+    /// tied to a rope turns about all axes, and does not collide with what is tied to any.
+    fn tie(&mut self, rope: &[usize]) {
+        let groups = InteractionGroups::new(Group::GROUP_1, !Group::GROUP_1, InteractionTestMode::And);
+        for &object in rope {
+            for &collider in self.world.bodies[self.objects[object]].colliders() {
+                if let Some(collider) = self.world.colliders.get_mut(collider) {
+                    collider.set_collision_groups(groups);
+                }
+            }
+        }
+        for two in rope.windows(2) {
+            let [before, this] = [two[0], two[1]].map(|object| self.objects[object]);
+            let back = self.world.bodies[before].translation() - self.world.bodies[this].translation();
+            let joint = SphericalJointBuilder::new().local_anchor2(back).contacts_enabled(false);
+            self.world.insert_impulse_joint(before, this, joint);
+        }
     }
 
     fn met(&self, collider: ColliderHandle) -> Met {

@@ -1,6 +1,6 @@
 //! A scene in the 2.5D engine.
 
-use farseer_core::{Body, BodyFactory, GeomPlacement, Vertices};
+use farseer_core::{Body, BodyFactory, GeomPlacement, JointFactory, SliderJoint, Vertices};
 use twohalf::{
     BodyId, DepthProfile, DepthScheme, Platform, Result, TwoHalfPhysicsSimulator, Vector2, Vector3,
 };
@@ -34,13 +34,17 @@ fn try_build(scene: &DepthScene, scheme: DepthScheme) -> Result<(TwoHalfPhysicsS
     let mut simulator =
         TwoHalfPhysicsSimulator::with_angle_and_gravity(SCREEN_HEIGHT, SCREEN_ANGLE, gravity)?;
     simulator.set_depth_scheme(scheme)?;
-    let bodies = scene
+    let bodies: Vec<BodyId> = scene
         .objects
         .iter()
         .map(|object| add_object(&mut simulator, object, scene.ground))
         .collect::<Result<_>>()?;
     for platform in &scene.platforms {
         add_platform(&mut simulator, platform)?;
+    }
+    for (number, rope) in scene.ropes.iter().enumerate() {
+        let rope: Vec<BodyId> = rope.iter().map(|&object| bodies[object]).collect();
+        tie(&mut simulator, &rope, -1 - number as i32)?;
     }
     Ok((simulator, bodies))
 }
@@ -72,6 +76,33 @@ fn add_object(
     simulator.add(body)?;
     simulator.add(geom)?;
     Ok(body)
+}
+
+/// Ties bodies to a rope whose geoms are of one collision group.
+fn tie(simulator: &mut TwoHalfPhysicsSimulator, rope: &[BodyId], group: i32) -> Result<()> {
+    for &body in rope {
+        for geom in simulator.core().geoms_of(body).to_vec() {
+            if let Some(settings) = simulator.geom_mut(geom) {
+                settings.set_collision_group(group);
+            }
+        }
+    }
+    for two in rope.windows(2) {
+        let length = (centre(simulator, two[1]) - centre(simulator, two[0])).norm();
+        simulator.edit_objects(|objects| {
+            let zero = Vector2::zeros();
+            let joint = JointFactory::create_slider_joint(objects, two[0], zero, two[1], zero, 0.0, length)?;
+            objects.joint_as_mut::<SliderJoint>(joint)?.set_slop(0.0)?;
+            objects.add(joint)
+        })?;
+    }
+    Ok(())
+}
+
+fn centre(simulator: &TwoHalfPhysicsSimulator, body: BodyId) -> Vector3 {
+    let middle = simulator.core().body(body).map_or(Vector2::zeros(), |body| body.position());
+    let z = simulator.body(body).map_or(0.0, |body| body.position3d().z);
+    Vector3::new(middle.x, -middle.y, z)
 }
 
 fn add_platform(simulator: &mut TwoHalfPhysicsSimulator, platform: &DepthPlatform) -> Result<()> {

@@ -11,6 +11,7 @@ mod falls;
 mod fields;
 mod hits;
 mod platforms;
+mod ropes;
 mod slopes;
 
 pub use build::{build, build_with};
@@ -25,6 +26,7 @@ pub use platforms::{
     against_every_side, against_sheared_side, ball_off_far_edge, box_off_near_edge, box_on_sliding_box,
     box_tipping_over_edge, shear_of_side, tilted_drop,
 };
+pub use ropes::{LINKS, ropes};
 pub use slopes::{SLOPE_ROTATION, SLOPE_SINE_AND_COSINE, ball_rolling_down_slope, box_sliding_down_slope};
 
 use farseer_core::math::Vector2;
@@ -54,6 +56,9 @@ pub struct DepthScene {
     pub objects: Vec<DepthObject>,
     /// What things land on.
     pub platforms: Vec<DepthPlatform>,
+    /// Chains of objects, as indices into `objects`: the centres of each two that follow each other keep at most the distance
+    /// that they have at first. The objects of a rope do not collide with each other.
+    pub ropes: Vec<Vec<usize>>,
 }
 
 /// How something rubs and bounces. Two surfaces that meet act with the mean of their coefficients.
@@ -194,6 +199,7 @@ impl DepthScene {
             ground,
             objects: Vec::new(),
             platforms: Vec::new(),
+            ropes: Vec::new(),
         }
     }
 
