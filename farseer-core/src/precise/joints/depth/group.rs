@@ -12,7 +12,7 @@
 use super::super::super::bodies::Bodies;
 use super::super::hold::Hold;
 use super::super::loose::GROUND;
-use super::row::{Motion, Pass, Row, Tie, What};
+use super::row::{Motion, Pass, Row, Tie, What, product};
 use super::sparse::Sparse;
 use crate::storage::reusing_clone::reusing_clone;
 
@@ -34,6 +34,14 @@ const BORNE: f64 = 0.5;
 /// An error below this part of the length unit is none.
 const EXACT: f64 = 1e-9;
 
+/// An error below this part of the length unit has been found, whatever it was before.
+const FOUND: f64 = 1e-3;
+
+/// The greatest error, as a part of the length unit or in radians, that goes along with the motion of a substep instead of being undone
+/// apart from it: ten times the rounding of places a thousand length units away. Its speed has no part that the pass after the motion
+/// lets stand.
+const NEGLIGIBLE: f64 = 1e-5;
+
 /// Bodies, and the joints that tie them.
 #[derive(Debug, Default)]
 pub(in super::super) struct SpatialGroup {
@@ -54,12 +62,18 @@ pub(in super::super) struct SpatialGroup {
     /// Nothing touches it: it goes through a step by itself, each substep in so many parts.
     pub(super) is_apart: bool,
     pub(super) parts: u32,
-    /// The ways of its bodies then.
+    /// The ways of its bodies then, and its joints at the beginning of the step.
     pub(super) ways: Vec<Motion>,
+    pub(super) begun: Vec<Tie>,
+    /// Velocities before the joints act in a substep.
+    pub(super) before: Vec<Motion>,
+    /// Energy can only be lost: nothing moves or drives it.
+    pub(super) is_passive: bool,
 }
 
 reusing_clone! {
-    SpatialGroup { bodies, inverses, velocities, undoing, ties, rows, shared, sparse, missing, is_looped, unit, is_apart, parts, ways }
+    SpatialGroup { bodies, inverses, velocities, undoing, ties, rows, shared, sparse, missing, is_looped, unit, is_apart, parts, ways,
+        begun, before, is_passive }
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -116,13 +130,22 @@ impl SpatialGroup {
                 side.ground = [x, y, spin, if end.pose == 0 { 0.0 } else { along_z }];
             }
             (tie.line, tie.total, tie.direction) = (hold.axis, [0.0; 4], [1.0, 0.0, 0.0]);
+            tie.is_central = tie.sides.iter().all(|side| side.arm == [0.0; 2]);
             tie.find_direction();
         }
-        self.parts = if self.is_apart { self.parts_of(holds, h) } else { 1 };
-        let parts = f64::from(self.parts);
+        self.is_passive = self.ties.iter().all(|tie| tie.sides.iter().all(|side| side.ground == [0.0; 4]))
+            && !self.rows.iter().any(|row| matches!(row.what, What::Motor(_)));
+        let parts = if self.is_apart { self.parts_of(holds, h) } else { 1 };
+        self.begin_rows(holds, [dt, h], parts);
+    }
+
+    /// Substeps are to be divided into so many parts.
+    pub(super) fn begin_rows(&mut self, holds: &[Hold], [dt, h]: [f64; 2], parts: u32) {
+        self.parts = parts;
+        let (parts, unit) = (f64::from(parts), self.unit);
         for row in &mut self.rows {
             let tie = &self.ties[row.tie as usize];
-            row.begin(tie, &holds[tie.hold as usize], [dt, h / parts], parts);
+            row.begin(tie, &holds[tie.hold as usize], ([dt, h / parts], unit), parts);
         }
         if self.is_looped {
             self.bind_loops(h / parts);
@@ -132,20 +155,51 @@ impl SpatialGroup {
     /// A pass before bodies move: joints will hold where they are then.
     pub(in super::super) fn correct(&mut self, holds: &[Hold], bodies: &mut Bodies, h: f64) {
         self.load(bodies);
-        self.correct_velocities(holds, h);
+        if !self.correct_velocities(holds, h, true) {
+            self.correct_in_line(holds, h);
+        }
         self.store(bodies);
     }
 
-    pub(super) fn correct_velocities(&mut self, holds: &[Hold], h: f64) {
+    /// Answers whether there are such velocities, as far as could be found; some errors may be left if it is to be so.
+    pub(super) fn correct_velocities(&mut self, holds: &[Hold], h: f64, may_leave: bool) -> bool {
+        self.before.clone_from(&self.velocities);
         self.rows.iter_mut().for_each(|row| row.impulse = 0.0);
-        self.solve(holds, h, Pass::Keep);
+        self.aim(holds);
+        for row in &mut self.rows {
+            row.choose_end(&self.ties[row.tie as usize], holds, &self.velocities, h);
+        }
+        let has_errors = self.rows.iter().any(|row| row.part_undone() > NEGLIGIBLE);
+        let pass = if has_errors { Pass::Keep } else { Pass::Undo };
+        if !self.solve(holds, h, (pass, may_leave)) {
+            return false;
+        }
         self.rows.iter_mut().for_each(|row| row.kept_impulse = row.impulse);
         self.undoing.clear();
-        self.undoing.extend(&self.velocities);
-        self.solve(holds, h, Pass::Undo);
-        for (undoing, velocity) in self.undoing.iter_mut().zip(&self.velocities) {
-            *undoing = std::array::from_fn(|i| velocity[i] - undoing[i]);
+        self.undoing.resize(self.velocities.len(), [0.0; 4]);
+        if has_errors {
+            self.undoing.copy_from_slice(&self.velocities);
+            let is_solved = self.solve(holds, h, (Pass::Undo, true));
+            for (undoing, velocity) in self.undoing.iter_mut().zip(&mut self.velocities) {
+                let kept = *undoing;
+                *undoing = std::array::from_fn(|i| if is_solved { velocity[i] - kept[i] } else { 0.0 });
+                if !is_solved {
+                    *velocity = kept;
+                }
+            }
         }
+        true
+    }
+
+    /// Instead of velocities that could not be found: with which the numbers do not change at first. That takes no energy but from
+    /// them. The errors that it leaves are undone later.
+    pub(super) fn correct_in_line(&mut self, holds: &[Hold], h: f64) {
+        self.velocities.clone_from(&self.before);
+        self.rows.iter_mut().for_each(|row| row.impulse = 0.0);
+        self.solve(holds, h, (Pass::Relax, true));
+        self.rows.iter_mut().for_each(|row| row.kept_impulse = row.impulse);
+        self.undoing.clear();
+        self.undoing.resize(self.velocities.len(), [0.0; 4]);
     }
 
     /// Bodies have moved.
@@ -171,7 +225,8 @@ impl SpatialGroup {
             (0..4).for_each(|i| velocity[i] -= undoing[i]);
         }
         self.rows.iter_mut().for_each(|row| row.impulse = row.kept_impulse);
-        self.solve(holds, h, Pass::Relax);
+        self.aim(holds);
+        self.solve(holds, h, (Pass::Relax, true));
         for row in &self.rows {
             let tie = &mut self.ties[row.tie as usize];
             row.count(tie.link, &mut tie.total);
@@ -206,15 +261,30 @@ impl SpatialGroup {
         }
     }
 
-    fn solve(&mut self, holds: &[Hold], h: f64, pass: Pass) {
-        let ties = &self.ties;
-        self.rows.iter_mut().for_each(|row| row.aim(&ties[row.tie as usize]));
-        let Some(mut sparse) = self.sparse.take() else { return self.solve_by_turns(holds, h, pass) };
+    /// Rows are as bodies are where a pass begins.
+    fn aim(&mut self, holds: &[Hold]) {
+        for row in &mut self.rows {
+            let tie = &self.ties[row.tie as usize];
+            row.aim(tie, &holds[tie.hold as usize], &self.inverses);
+        }
+    }
+
+    /// Answers whether nothing is missing then; if something may be left, whether less is missing than before.
+    fn solve(&mut self, holds: &[Hold], h: f64, (pass, may_leave): (Pass, bool)) -> bool {
+        let Some(mut sparse) = self.sparse.take() else {
+            self.solve_by_turns(holds, h, pass);
+            return self.velocities.iter().flatten().all(|velocity| velocity.is_finite());
+        };
         let least = if self.is_looped { LOOKS_AT_LOOPS } else { LOOKS };
         let mut has_stopped = false;
+        let (mut first, mut last) = (0.0, 0.0);
         for look in 0..MOST_LOOKS {
             // In the end who has stopped to push does so for good: what it has not taken has to be shared among the others.
             let (worst, others_push) = self.find_missing(holds, (h, pass), look < MOST_LOOKS / 2);
+            last = worst;
+            if look == 0 {
+                first = worst;
+            }
             if !has_stopped && (worst * h <= EXACT * self.unit || (look >= least && !others_push)) {
                 break;
             }
@@ -227,7 +297,10 @@ impl SpatialGroup {
         self.sparse = Some(sparse);
         if has_stopped {
             self.solve_by_turns(holds, h, pass);
+            (last, _) = self.find_missing(holds, (h, pass), true);
         }
+        let is_found = last * h <= FOUND * self.unit;
+        if is_found || (!may_leave && !self.is_looped) { is_found } else { last <= first }
     }
 
     /// Tension makes a rope stiff against going aside, and a stiff thing overshoots where a substep is too long for it. What a
@@ -241,25 +314,23 @@ impl SpatialGroup {
         });
         let most = BORNE / (h * softest.fold(0.0, f64::max));
         for row in self.rows.iter_mut().filter(|row| row.closes_loop && row.what == What::Distance) {
-            row.bounds = row.bounds.map(|bound| bound.clamp(-most, most));
+            row.bind(most);
         }
     }
 
     /// What is missing of each number. Answers the most that is missing, and whether others push than before.
     fn find_missing(&mut self, holds: &[Hold], (h, pass): (f64, Pass), may_begin: bool) -> (f64, bool) {
-        let (mut worst, mut others_push) = (0.0, false);
+        let (mut worst, mut others_push) = (0.0_f64, false);
         for (row, missing) in self.rows.iter_mut().zip(&mut self.missing) {
             let tie = &self.ties[row.tie as usize];
-            let of_tie = (tie, &holds[tie.hold as usize]);
-            *missing = row.missing(of_tie, &self.velocities, (h, pass), self.unit);
+            *missing = row.missing((tie, holds), &self.velocities, (h, pass));
             let [low, high] = row.bounds;
             let is_bound = (row.impulse <= low && *missing > 0.0) || (row.impulse >= high && *missing < 0.0);
-            let answer = answer_of(row, row, [0, 0], tie, &self.inverses)
-                + answer_of(row, row, [1, 1], tie, &self.inverses);
-            let pushes = !is_bound && (may_begin || row.is_active) && answer + row.softness > 0.0;
+            let pushes = !is_bound && (may_begin || row.is_active) && row.answer + row.softness > 0.0;
             others_push |= std::mem::replace(&mut row.is_active, pushes) != pushes;
             if pushes {
-                worst = f64::max(worst, missing.abs());
+                // Not a number is not less than anything.
+                worst = if missing.abs() <= worst { worst } else { missing.abs() };
             } else {
                 *missing = 0.0;
             }
@@ -271,9 +342,7 @@ impl SpatialGroup {
     fn assemble(&self, sparse: &mut Sparse) {
         sparse.clear();
         for (at, row) in self.rows.iter().enumerate() {
-            let tie = &self.ties[row.tie as usize];
-            let own = answer_of(row, row, [0, 0], tie, &self.inverses)
-                + answer_of(row, row, [1, 1], tie, &self.inverses);
+            let own = row.answer;
             // What a motor seeks and where its way ends are one number: both at once would have no solution.
             let yields = row.closes_loop || matches!(row.what, What::Motor(_));
             let own = if yields { own * (1.0 + YIELDING) } else { own };
@@ -325,26 +394,12 @@ impl SpatialGroup {
             for at in 0..self.rows.len() {
                 let row = &self.rows[at];
                 let tie = &self.ties[row.tie as usize];
-                let of_tie = (tie, &holds[tie.hold as usize]);
-                let missing = row.missing(of_tie, &self.velocities, (h, pass), self.unit);
-                let own = answer_of(row, row, [0, 0], tie, &self.inverses)
-                    + answer_of(row, row, [1, 1], tie, &self.inverses)
-                    + row.softness;
+                let missing = row.missing((tie, holds), &self.velocities, (h, pass));
+                let own = row.answer + row.softness;
                 if own > 0.0 {
                     self.push(at, missing / own);
                 }
             }
         }
     }
-}
-
-/// What a push on one number does to another one by way of a body that both hold.
-fn product(a: Motion, b: Motion, inverse: Motion) -> f64 {
-    (0..4).map(|i| a[i] * b[i] * inverse[i]).sum()
-}
-
-/// The same for numbers of one joint.
-fn answer_of(a: &Row, b: &Row, [of_a, of_b]: [usize; 2], tie: &Tie, inverses: &[Motion]) -> f64 {
-    let node = tie.sides[of_a].node;
-    if node == GROUND { 0.0 } else { product(a.pushes[of_a], b.pushes[of_b], inverses[node as usize]) }
 }

@@ -25,21 +25,25 @@ pub(in super::super) fn spatial_groups(holds: &[Hold], bodies: &Bodies) -> (Vec<
     }
     let mut root_of = |hold: &Hold| unions.find(hold.ends[0].body.max(hold.ends[1].body));
     let roots: Vec<u32> = holds.iter().map(&mut root_of).collect();
-    let mut groups: Vec<(u32, Vec<u32>)> = Vec::new();
+    let mut groups: Vec<Vec<u32>> = Vec::new();
     let distances = holds.iter().zip(&roots).filter(|(hold, _)| hold.link == Link::Distance);
     let mut has_distance: Vec<u32> = distances.map(|(_, &root)| root).collect();
     has_distance.sort_unstable();
-    let mut others = Vec::new();
-    for (at, &root) in roots.iter().enumerate() {
-        if has_distance.binary_search(&root).is_err() {
-            others.push(at as u32);
-        } else if let Some((_, members)) = groups.iter_mut().find(|(of, _)| *of == root) {
-            members.push(at as u32);
-        } else {
-            groups.push((root, vec![at as u32]));
+    has_distance.dedup();
+    let (mut group_of, mut others) = (vec![None; has_distance.len()], Vec::new());
+    for (at, root) in (0..).zip(&roots) {
+        match has_distance.binary_search(root) {
+            Ok(of) => {
+                let group = *group_of[of].get_or_insert_with(|| {
+                    groups.push(Vec::new());
+                    groups.len() - 1
+                });
+                groups[group].push(at);
+            }
+            Err(_) => others.push(at),
         }
     }
-    (groups.iter().map(|(_, members)| SpatialGroup::new(members, holds, bodies)).collect(), others)
+    (groups.iter().map(|members| SpatialGroup::new(members, holds, bodies)).collect(), others)
 }
 
 impl SpatialGroup {
@@ -51,7 +55,7 @@ impl SpatialGroup {
             .collect();
         numbers.sort_unstable();
         numbers.dedup();
-        let closing = closing(members, holds, bodies);
+        let closing = closing(members, holds, &numbers);
         let mut group = SpatialGroup { is_looped: closing.contains(&true), ..SpatialGroup::default() };
         for (&at, closes_loop) in members.iter().zip(closing) {
             let hold = &holds[at as usize];
@@ -70,6 +74,7 @@ impl SpatialGroup {
                 direction: [1.0, 0.0, 0.0],
                 line: [1.0, 0.0],
                 total: [0.0; 4],
+                is_central: false,
             };
             group.ties.push(tie);
             group.rows.extend(numbers_of(hold).into_iter().map(|what| Row::new(place, what, closes_loop)));
@@ -124,10 +129,12 @@ impl SpatialGroup {
 }
 
 /// Which joints close a loop, the world included, or may do so.
-fn closing(members: &[u32], holds: &[Hold], bodies: &Bodies) -> Vec<bool> {
+fn closing(members: &[u32], holds: &[Hold], numbers: &[u32]) -> Vec<bool> {
     let mut unions = Islands::default();
-    unions.part(bodies.hot.len());
-    let ends = members.iter().map(|&at| holds[at as usize].ends.map(|end| end.body));
+    unions.part(numbers.len() + 1);
+    // The world has the first place.
+    let place_of = |body: u32| numbers.binary_search(&body).map_or(0, |place| place as u32 + 1);
+    let ends = members.iter().map(|&at| holds[at as usize].ends.map(|end| place_of(end.body)));
     let closes_loop = ends.map(|[a, b]| {
         let is_joined = unions.find(a) == unions.find(b);
         unions.join(a, b);

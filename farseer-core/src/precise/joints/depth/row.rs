@@ -98,10 +98,12 @@ impl Side {
         }
     }
 
-    pub(super) fn advance(&mut self, velocity @ [x, y, _, z]: Motion, h: f64) {
-        let Seen { arm, turned, .. } = self.ahead(velocity, h);
+    pub(super) fn advance(&mut self, [x, y, spin, z]: Motion, h: f64) {
         let [px, py, pz] = self.place;
-        (self.place, self.arm, self.turned) = ([px + x * h, py + y * h, pz + z * h], arm, turned);
+        (self.place, self.turned) = ([px + x * h, py + y * h, pz + z * h], self.turned + spin * h);
+        if self.arm != [0.0; 2] {
+            self.arm = turned(turn(spin * h), self.arm);
+        }
     }
 }
 
@@ -117,9 +119,24 @@ pub(super) struct Tie {
     pub(super) line: Vector,
     /// What the impulses of the step so far have done to the second body.
     pub(super) total: Motion,
+    /// Both anchors are the origins of their bodies.
+    pub(super) is_central: bool,
 }
 
 impl Tie {
+    /// From anchor to anchor, where these are the origins of the bodies.
+    fn apart_of_origins(&self) -> [f64; 3] {
+        let [a, b] = self.sides.each_ref().map(|side| side.place);
+        [b[0] - a[0], b[1] - a[1], b[2] - a[2]]
+    }
+
+    /// The distance of such anchors in `h` seconds.
+    fn distance_of_origins(&self, velocities: &[Motion], h: f64) -> f64 {
+        let [a, b] = self.sides.each_ref().map(|side| side.velocity(velocities));
+        let [x, y, z] = self.apart_of_origins();
+        norm([x + h * (b[0] - a[0]), y + h * (b[1] - a[1]), z + h * (b[3] - a[3])])
+    }
+
     fn seen(&self, velocities: &[Motion], h: f64) -> [Seen; 2] {
         self.sides.each_ref().map(|side| side.ahead(side.velocity(velocities), h))
     }
@@ -134,7 +151,7 @@ impl Tie {
     }
 
     pub(super) fn find_direction(&mut self) {
-        let apart = apart(&self.seen_now());
+        let apart = if self.is_central { self.apart_of_origins() } else { apart(&self.seen_now()) };
         let distance = norm(apart);
         if distance > 0.0 {
             self.direction = apart.map(|part| part / distance);
@@ -143,8 +160,10 @@ impl Tie {
 
     /// The bodies have moved in a substep.
     pub(super) fn advance(&mut self, velocities: &[Motion], h: f64) {
-        let [_, _, spin, _] = self.sides[0].velocity(velocities);
-        self.line = turned(turn(spin * h), self.line);
+        if self.link == Link::Line {
+            let [_, _, spin, _] = self.sides[0].velocity(velocities);
+            self.line = turned(turn(spin * h), self.line);
+        }
         for side in &mut self.sides {
             side.advance(side.velocity(velocities), h);
         }
@@ -202,6 +221,15 @@ pub(super) struct Row {
     pub(super) softness: f64,
     pub(super) rate: f64,
     pub(super) is_active: bool,
+    /// Greatest impulse of a substep.
+    most: f64,
+    /// Where the number has to be; how far out of that it may be; and the length or angle by which errors are told apart.
+    range: [f64; 2],
+    slop: f64,
+    unit: f64,
+    /// At the beginning of the pass: the number, and its velocity per impulse.
+    now: f64,
+    pub(super) answer: f64,
 }
 
 impl Row {
@@ -218,11 +246,17 @@ impl Row {
             softness: 0.0,
             rate: 0.0,
             is_active: false,
+            most: f64::MAX,
+            range: [0.0; 2],
+            slop: 0.0,
+            unit: 1.0,
+            now: 0.0,
+            answer: 0.0,
         }
     }
 
     /// Where the number has to be: both are the same if nothing is left to choose.
-    fn range(&self, hold: &Hold) -> [f64; 2] {
+    fn range_of(&self, hold: &Hold) -> [f64; 2] {
         let [low, high] = match self.what {
             What::Distance | What::Angle => hold.range,
             What::Limits(limits) => [f64::from(limits.lower), f64::from(limits.upper)],
@@ -232,7 +266,7 @@ impl Row {
     }
 
     /// A step begins: what does not change in it.
-    pub(super) fn begin(&mut self, tie: &Tie, hold: &Hold, [dt, h]: [f64; 2], parts: f64) {
+    pub(super) fn begin(&mut self, tie: &Tie, hold: &Hold, ([dt, h], unit): ([f64; 2], f64), parts: f64) {
         let drive = hold.drive.unwrap_or_default();
         match &mut self.what {
             // What a motor seeks may change in every step.
@@ -257,19 +291,54 @@ impl Row {
             What::Depth | What::Across | What::Limits(_) => f64::MAX,
             _ => hold.most / parts,
         };
-        self.bounds = [-most, most];
-        let [low, high] = self.range(hold);
-        self.end = 0.0;
-        if low < high && self.softness == 0.0 {
-            let value = tie.value(self.what, &tie.seen_now(), hold);
-            self.end = if value - low < high - value { 1.0 } else { -1.0 };
-            self.bounds = if self.end > 0.0 { [0.0, most] } else { [-most, 0.0] };
-        }
+        self.most = most;
+        (self.range, self.slop) = (self.range_of(hold), hold.slop);
+        // Angles have a unit of their own.
+        self.unit = if self.what.is_angle(tie.link) { 1.0 } else { unit };
+        self.turn_to(0.0);
         (self.impulse, self.kept_impulse) = (0.0, 0.0);
     }
 
-    /// Finds what a push does, with the bodies as they are.
-    pub(super) fn aim(&mut self, tie: &Tie) {
+    /// Impulses towards one end of a range, or in both directions.
+    fn turn_to(&mut self, end: f64) {
+        self.end = end;
+        self.bounds = [if end > 0.0 { 0.0 } else { -self.most }, if end < 0.0 { 0.0 } else { self.most }];
+    }
+
+    /// A substep begins: a range acts at the end that is nearer after it. No distance is below 0.
+    pub(super) fn choose_end(&mut self, tie: &Tie, holds: &[Hold], velocities: &[Motion], h: f64) {
+        let [low, high] = self.range;
+        if low < high && self.softness == 0.0 {
+            let is_upper = self.what == What::Distance && low <= 0.0 || {
+                let ahead = self.ahead(tie, holds, velocities, h);
+                ahead - low >= high - ahead
+            };
+            self.turn_to(if is_upper { -1.0 } else { 1.0 });
+        }
+    }
+
+    /// No impulse is greater.
+    pub(super) fn bind(&mut self, most: f64) {
+        self.most = self.most.min(most);
+        self.turn_to(self.end);
+    }
+
+    /// Finds the number and what a push does, with the bodies as they are.
+    pub(super) fn aim(&mut self, tie: &Tie, hold: &Hold, inverses: &[Motion]) {
+        if tie.is_central && self.what == What::Distance {
+            let [nx, ny, nz] = tie.direction;
+            self.pushes = [[-nx, -ny, 0.0, -nz], [nx, ny, 0.0, nz]];
+            self.now = norm(tie.apart_of_origins());
+        } else {
+            self.aim_at_anchors(tie, hold);
+        }
+        self.answer = 0.0;
+        for (side, push) in tie.sides.iter().zip(self.pushes).filter(|(side, _)| side.node != GROUND) {
+            self.answer += product(push, push, inverses[side.node as usize]);
+        }
+    }
+
+    fn aim_at_anchors(&mut self, tie: &Tie, hold: &Hold) {
         let [a, b] = tie.seen_now();
         let [x, y, _] = apart(&[a, b]);
         let along = |[nx, ny, nz]: [f64; 3], arm_a: Vector| {
@@ -289,6 +358,7 @@ impl Row {
             What::Motor(_) | What::Limits(_) if tie.link == Link::Line => along([lx, ly, 0.0], slid),
             What::Angle | What::Motor(_) | What::Limits(_) => turning,
         };
+        self.now = tie.value(self.what, &[a, b], hold);
     }
 
     /// How fast the number changes.
@@ -300,46 +370,66 @@ impl Row {
         of(0) + of(1)
     }
 
+    /// The number in `h` seconds.
+    fn ahead(&self, tie: &Tie, holds: &[Hold], velocities: &[Motion], h: f64) -> f64 {
+        if tie.is_central && self.what == What::Distance {
+            tie.distance_of_origins(velocities, h)
+        } else {
+            tie.value(self.what, &tie.seen(velocities, h), &holds[tie.hold as usize])
+        }
+    }
+
     /// By how much its speed is not what a pass asks for.
     pub(super) fn missing(
         &self,
-        (tie, hold): (&Tie, &Hold),
+        (tie, holds): (&Tie, &[Hold]),
         velocities: &[Motion],
         (h, pass): (f64, Pass),
-        unit: f64,
     ) -> f64 {
-        let speed = self.speed(tie, velocities);
         match self.what {
-            What::Depth => return speed,
-            What::Motor(motor) => return speed - f64::from(motor.speed),
+            What::Depth => return self.speed(tie, velocities),
+            What::Motor(motor) => return self.speed(tie, velocities) - f64::from(motor.speed),
             _ => {}
         }
-        // Angles have a unit of their own.
-        let unit = if self.what.is_angle(tie.link) { 1.0 } else { unit };
-        let [low, high] = self.range(hold);
-        let now = tie.value(self.what, &tie.seen_now(), hold);
+        let [low, high] = self.range;
         if self.softness > 0.0 {
-            return speed + (now - high) * self.rate + self.softness * self.impulse;
+            let speed = self.speed(tie, velocities);
+            return speed + (self.now - high) * self.rate + self.softness * self.impulse;
         }
-        let room = if self.end > 0.0 { now - low } else { high - now };
+        let room = if self.end > 0.0 { self.now - low } else { high - self.now };
         match (pass, self.end == 0.0) {
-            (Pass::Relax, true) => speed,
-            (Pass::Relax, false) => speed + self.end * room.max(0.0) / h,
+            (Pass::Relax, true) => self.speed(tie, velocities),
+            (Pass::Relax, false) => self.speed(tie, velocities) + self.end * room.max(0.0) / h,
             (_, is_exact) => {
-                let ahead = tie.value(self.what, &tie.seen(velocities, h), hold);
                 let allowed = if !is_exact && room >= 0.0 {
-                    now - self.end * room
+                    self.now - self.end * room
                 } else if pass == Pass::Keep {
-                    now
-                } else if is_exact {
-                    now - undone(now - high, unit, self.closes_loop)
+                    self.now
                 } else {
-                    let beyond = (-room - hold.slop).max(0.0);
-                    now + self.end * undone(beyond, unit, true)
+                    self.now - self.undone()
                 };
-                (ahead - allowed) / h
+                (self.ahead(tie, holds, velocities, h) - allowed) / h
             }
         }
+    }
+
+    /// What of its error a substep undoes, with the error's sign.
+    pub(super) fn undone(&self) -> f64 {
+        let [low, high] = self.range;
+        match self.what {
+            What::Depth | What::Motor(_) => 0.0,
+            _ if self.softness > 0.0 => 0.0,
+            _ if self.end == 0.0 => undone(self.now - high, self.unit, self.closes_loop),
+            _ => {
+                let room = if self.end > 0.0 { self.now - low } else { high - self.now };
+                -self.end * undone((-room - self.slop).max(0.0), self.unit, true)
+            }
+        }
+    }
+
+    /// The same as a part of its unit.
+    pub(super) fn part_undone(&self) -> f64 {
+        self.undone().abs() / self.unit
     }
 
     /// Adds what its impulse has done to the second body.
@@ -351,6 +441,11 @@ impl Row {
             *total += push * self.impulse;
         }
     }
+}
+
+/// What a push on one number does to another one by way of a body that both hold.
+pub(super) fn product(a: Motion, b: Motion, inverse: Motion) -> f64 {
+    (0..4).map(|i| a[i] * b[i] * inverse[i]).sum()
 }
 
 /// What of an error a substep undoes.

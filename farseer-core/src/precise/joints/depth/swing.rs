@@ -7,7 +7,7 @@ use super::super::super::bodies::Bodies;
 use super::super::super::tuning::Step;
 use super::super::hold::Hold;
 use super::group::SpatialGroup;
-use super::row::What;
+use super::row::{Motion, What};
 use super::sparse::Sparse;
 
 /// The stiffness that a part of a substep bears, as a part of what would overshoot: with the pull T of the links of a rope, their
@@ -21,6 +21,12 @@ const AHEAD: f64 = 3.0;
 const MOST: f64 = 24.0;
 const WORK: f64 = 1e6;
 
+/// How many times as many parts a step gets that is made again.
+const FINER: u32 = 3;
+
+/// The part of its kinetic energy that joints may add to a group in a part of a substep: they do no work but for the error of the method.
+const GAINED: f64 = 0.01;
+
 impl SpatialGroup {
     /// Into how many parts a substep is divided, by what held the joints in the last step.
     pub(super) fn parts_of(&self, holds: &[Hold], h: f64) -> u32 {
@@ -33,16 +39,32 @@ impl SpatialGroup {
             2.0 * (x * x + y * y + z * z).sqrt() * inverse * h * h / tie.distance()
         });
         let stiffest = stiffness.filter(|stiffness| stiffness.is_finite()).fold(0.0, f64::max);
-        let products = self.sparse.as_ref().map_or(0, Sparse::products);
-        let most = (WORK / products as f64).clamp(1.0, MOST);
-        (0.25 * AHEAD * stiffest / BORNE).sqrt().ceil().clamp(1.0, most) as u32
+        (0.25 * AHEAD * stiffest / BORNE).sqrt().ceil().clamp(1.0, self.most_parts().into()) as u32
     }
 
-    /// Moves the group through all substeps.
+    /// The most parts of a substep.
+    fn most_parts(&self) -> u32 {
+        let products = self.sparse.as_ref().map_or(0, Sparse::products);
+        (WORK / products as f64).clamp(1.0, MOST) as u32
+    }
+
+    /// Moves the group through all substeps. A jerk is not known before it comes: a step in which it is too much for its parts is made
+    /// again, with more.
     pub(in super::super) fn swing(&mut self, holds: &[Hold], bodies: &Bodies, step: &Step) {
         if !self.is_apart {
             return;
         }
+        self.begun.clone_from(&self.ties);
+        let most = self.most_parts();
+        while !self.swing_through(holds, bodies, step, self.parts >= most) {
+            self.ties.clone_from(&self.begun);
+            let times = [f64::from(step.dt), f64::from(step.h)];
+            self.begin_rows(holds, times, (FINER * self.parts).min(most));
+        }
+    }
+
+    /// Answers whether all went well; if it must, it goes on where it does not.
+    fn swing_through(&mut self, holds: &[Hold], bodies: &Bodies, step: &Step, must: bool) -> bool {
         self.load(bodies);
         self.ways.clear();
         self.ways.resize(self.bodies.len(), [0.0; 4]);
@@ -53,12 +75,45 @@ impl SpatialGroup {
                 let push = bodies.push[body as usize];
                 (0..4).for_each(|i| velocity[i] += f64::from(push[i]) * part);
             }
-            self.correct_velocities(holds, h);
+            let energy = self.energy();
+            if !self.correct_velocities(holds, h, must) {
+                if !must {
+                    return false;
+                }
+                self.correct_in_line(holds, h);
+            }
             for (way, velocity) in self.ways.iter_mut().zip(&self.velocities) {
                 (0..4).for_each(|i| way[i] += velocity[i] * h);
             }
             self.advance_ties(h);
             self.relax_velocities(holds, h);
+            let gained = self.energy() - energy;
+            if self.is_passive && !(gained <= GAINED * energy) {
+                if !must {
+                    return false;
+                }
+                self.slow_down(energy);
+            }
+        }
+        true
+    }
+
+    /// Twice the kinetic energy.
+    fn energy(&self) -> f64 {
+        let of = |(velocity, inverse): (&Motion, &Motion)| {
+            let weight =
+                |i: usize| if inverse[i] > 0.0 { velocity[i] * velocity[i] / inverse[i] } else { 0.0 };
+            (0..4).map(weight).sum::<f64>()
+        };
+        self.velocities.iter().zip(&self.inverses).map(of).sum()
+    }
+
+    /// Takes what it has gained from its motion, or all that is not finite.
+    fn slow_down(&mut self, energy: f64) {
+        let part = (energy / self.energy()).sqrt();
+        let part = if part.is_finite() { part } else { 0.0 };
+        for velocity in self.velocities.iter_mut().flatten() {
+            *velocity = if velocity.is_finite() { *velocity * part } else { 0.0 };
         }
     }
 
