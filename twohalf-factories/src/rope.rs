@@ -5,6 +5,9 @@ use twohalf::{DepthScheme, Result, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
 use crate::{Ball, Spawned, spawn};
 
+/// Moment of inertia of a bead: so great that it does not roll. The beads of a real rope are no wheels: friction makes a rope lie still.
+const UNTURNED: f32 = 1e20;
+
 /// What an end of a rope is tied to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RopeEnd {
@@ -17,7 +20,8 @@ pub enum RopeEnd {
 }
 
 /// A rope: beads, and joints that do not let them be farther from each other than it is long. It hangs slack where there is
-/// room, swings along all three axes, and lies on what it meets. Its beads meet neither each other nor what it is tied to: they
+/// room, swings along all three axes, and lies on what it meets: its beads do not turn, so that they slide and rub, but do not
+/// roll. They meet neither each other nor what it is tied to: they
 /// are of one collision group, which is a negative number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use = "`spawn_rope` makes it"]
@@ -218,6 +222,9 @@ fn bead(
     let at = [point.x, point.y - rope.radius, point.z];
     let Spawned { body, geom } = spawn(simulator, Ball::new(rope.radius).mass(mass).at(at))?;
     own.push(body);
+    if let Some(mut view) = simulator.body_mut(body) {
+        view.core_mut().set_moment_of_inertia(UNTURNED)?;
+    }
     if let Some(settings) = simulator.geom_mut(geom) {
         settings.set_collision_group(-1 - own[0].slot() as i32);
     }

@@ -81,6 +81,71 @@ fn three_hundred_times_the_mass_of_a_bead_swings_on_a_rope_at_sixty_steps_per_se
     });
 }
 
+/// A rope of twenty parts of 10 px from a point 1000 px up, with a load of so many times the mass of a bead, and gravity 900 px/s².
+fn loaded(times: f32, direction: [f32; 3]) -> (TwoHalfPhysicsSimulator, SpawnedRope) {
+    let mut simulator = simulator();
+    simulator.set_gravity(Vector2::new(0.0, 900.0)).unwrap();
+    let hook = [0.0, 1000.0, 30.0];
+    let [x, y, z] = direction.map(|part| 200.0 * part);
+    let load = ball(&mut simulator, 8.0, [hook[0] + x, hook[1] + y - 8.0, hook[2] + z]);
+    simulator.body_mut(load).unwrap().set_mass(times).unwrap();
+    let rope = Rope::new(RopeEnd::Fixed(hook), RopeEnd::Body(load)).parts(20).mass(21.0);
+    let rope = spawn_rope(&mut simulator, rope).unwrap();
+    (simulator, rope)
+}
+
+#[test]
+fn whatever_load_swings_on_a_rope_no_part_of_it_gets_longer_by_a_hundredth() {
+    precise(|| {
+        for (times, dt) in [(1.0, 1.0 / 30.0), (300.0, 1.0 / 30.0), (400.0, 1.0 / 60.0), (400.0, 1.0 / 120.0)]
+        {
+            for direction in [[0.6, 0.0, 0.8], [0.0, 0.0, 1.0]] {
+                let (mut simulator, rope) = loaded(times, direction);
+                for step in 0..(8.0 / dt) as usize {
+                    simulator.update(dt);
+                    let middles = middles(&simulator, &rope);
+                    let longest = middles.windows(2).map(|two| (two[1] - two[0]).norm()).fold(0.0, f32::max);
+                    assert!(longest < 10.1, "{longest} px, {times} times, step {step} of {dt} s");
+                }
+            }
+        }
+    });
+}
+
+#[test]
+fn a_load_that_falls_past_its_hook_is_caught_where_the_rope_ends() {
+    precise(|| {
+        for dt in [1.0 / 30.0, 1.0 / 60.0, 1.0 / 120.0] {
+            let (mut simulator, rope) = loaded(30.0, [0.0, 1.0, 0.0]);
+            for _ in 0..(3.0 / dt) as usize {
+                simulator.update(dt);
+                let middles = middles(&simulator, &rope);
+                assert!(middles.windows(2).all(|two| (two[1] - two[0]).norm() < 10.01));
+            }
+            // It hangs 200 px below the hook.
+            assert_near(middles(&simulator, &rope)[20].y, 800.0, 0.1);
+        }
+    });
+}
+
+#[test]
+fn ropes_that_were_thrown_on_the_ground_and_on_each_other_come_to_rest_and_sleep() {
+    precise(|| {
+        let mut simulator = simulator();
+        simulator.set_gravity(Vector2::new(0.0, 900.0)).unwrap();
+        let ropes: Vec<SpawnedRope> = (0..4)
+            .map(|at| {
+                let (sine, cosine) = (0.8 * at as f32).sin_cos();
+                let (x, y, z) = (40.0 * cosine, 20.0 + 12.0 * at as f32, 40.0 * sine);
+                let ends = [RopeEnd::Free([-x, y, -z]), RopeEnd::Free([x, y + 10.0, z])];
+                spawn_rope(&mut simulator, Rope::new(ends[0], ends[1]).parts(8)).unwrap()
+            })
+            .collect();
+        (0..600).for_each(|_| simulator.update(1.0 / 60.0));
+        assert!(ropes.iter().flat_map(|rope| &rope.bodies).all(|&bead| simulator.is_asleep(bead)));
+    });
+}
+
 #[test]
 fn a_rope_that_is_longer_than_its_way_sags_as_a_chain_does() {
     precise(|| {
