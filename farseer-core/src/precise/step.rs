@@ -19,6 +19,10 @@ use crate::report::{Event, Report};
 /// Coordinates end where this many times them are not finite any more.
 const FAR: f32 = 1e8;
 
+/// Passes over contacts and joints for the velocities after a blow. Of two equal bodies that are welded on top of each other each of
+/// them halves what is missing: their rebound is lower by less than a ten-thousandth.
+const JOINED_BOUNCES: usize = 16;
+
 /// The bounds of the ground.
 const BELOW: [f32; 4] = [f32::MIN, 0.0, f32::MAX, f32::MAX];
 
@@ -414,9 +418,23 @@ impl Precise {
         relax::<true, 1>(&mut self.rows.one_fixed, hot, inverse);
     }
 
+    /// A blow on one of several bodies that joints hold together is one on all of them: before bodies leave, contacts and joints are
+    /// solved by turns for the velocities after it.
     fn bounce(&mut self, step: &Step) {
+        for _ in 0..JOINED_BOUNCES {
+            self.joints.begin_bounce();
+            self.bounce_rows(step, false);
+            if !self.joints.bounce(&mut self.bodies) {
+                break;
+            }
+        }
+        self.bounce_rows(step, true);
+    }
+
+    /// One pass over the rows that bounce; in the last one bodies leave.
+    fn bounce_rows(&mut self, step: &Step, is_last: bool) {
         if self.space.is_some() {
-            return self.bounce_in_space(step);
+            return self.bounce_in_space(step, is_last);
         }
         let threshold = self.tuning.bounce;
         let Precise { rows, bodies, palette, joints, .. } = self;
@@ -424,7 +442,11 @@ impl Precise {
         macro_rules! bounce_all {
             ($fixed:literal, $points:literal, $rows:expr) => {
                 bounce::<$fixed, $points, _>($rows, &mut hot, threshold, |row, lanes, hot| {
-                    leave(bodies, hot, (palette, joints), step, row, lanes)
+                    if is_last {
+                        leave(bodies, hot, (palette, joints), step, row, lanes)
+                    } else {
+                        joints.note_bounce(row, lanes)
+                    }
                 })
             };
         }

@@ -145,6 +145,24 @@ impl BlockPair {
         }
     }
 
+    /// Masks of joints of which a body has one, of masks by body number.
+    pub(super) fn mask(&self, masks: &[u32]) -> Lanes {
+        let [a, b] = self.bodies;
+        let of = |body: u32| if body == 0 { 0 } else { masks.get(body as usize).copied().unwrap_or(0) };
+        f32x4::new(std::array::from_fn(|lane| f32::from_bits(of(a[lane]) | of(b[lane]))))
+    }
+
+    /// Gives the bodies of these lanes that give way a mask, and lists those that had none.
+    pub(super) fn mark(&self, lanes: Lanes, masks: &mut [u32], list: &mut Vec<u32>) {
+        for side in [0, 1] {
+            self.for_each_body(side, |lane, body| {
+                if lanes.to_array()[lane].to_bits() != 0 && std::mem::replace(&mut masks[body], !0) == 0 {
+                    list.push(body as u32);
+                }
+            });
+        }
+    }
+
     /// Impulses are to act at the beginning of every substep: adds what they do to these sums by body.
     pub(super) fn add(&self, sums: &mut [[f32; 4]], impulses: Rows) {
         self.add_changes(sums, self.yields(impulses));

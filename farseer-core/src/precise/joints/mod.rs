@@ -31,6 +31,7 @@ mod tree;
 
 use super::bodies::Bodies;
 use super::direct::joint::JointRows;
+use super::rows::Row;
 use super::tuning::Step;
 use crate::body::BodyId;
 use crate::objects::Objects;
@@ -396,6 +397,22 @@ impl Joints {
     pub(super) fn relax(&mut self, bodies: &mut Bodies, h: f32) {
         self.mixed_in_space().for_each(|(group, holds)| group.relax(holds, bodies, h.into()));
         self.soft.relax(bodies, h);
+    }
+
+    /// A pass over contacts that bounce begins.
+    pub(super) fn begin_bounce(&mut self) {
+        self.soft.begin_bounce();
+    }
+
+    /// These lanes of a row have bounced.
+    #[inline(always)]
+    pub(super) fn note_bounce<const P: usize>(&mut self, row: &Row<P>, lanes: u32) {
+        self.soft.note_bounce(row, lanes);
+    }
+
+    /// Joints of the iterative solver share the blows of the bodies that have bounced. Answers whether there are such.
+    pub(super) fn bounce(&mut self, bodies: &mut Bodies) -> bool {
+        self.soft.bounce(bodies)
     }
 
     /// Moves the hinged groups that nothing touches through all substeps; where all others that nothing touched have come to,

@@ -252,6 +252,29 @@ impl SoftBlock {
         self.pair.write(hot, velocities);
     }
 
+    /// Joints that keep something whatever that takes, of bodies that a blow has reached: they keep what they hold in the velocities after
+    /// it, and it reaches both of their bodies. Impulses before it were those with which bodies were stopped: warm starting with them
+    /// would push again what has left.
+    pub(super) fn bounce(&mut self, hot: &mut [Hot], struck: &mut [u32], list: &mut Vec<u32>) {
+        let infinite = f32x4::splat(f32::INFINITY);
+        let is_hard = self.most.simd_eq(infinite) & self.most_of_angle.simd_eq(infinite);
+        let [along, angle, across] = self.kept;
+        let is_hard = is_hard & (along | angle | across);
+        let reached = select(self.softened, ZERO, is_hard & self.pair.mask(struck));
+        if reached.none() {
+            return;
+        }
+        let mut velocities = self.pair.velocities(hot);
+        let found = self.mass.times(self.pair.relative(&velocities));
+        let change = found.map(|impulse| (ZERO - impulse) & reached);
+        self.pair.push(&mut velocities, change);
+        self.pair.write(hot, velocities);
+        self.pair.mark(reached, struck, list);
+        let impulses = self.on_second_of(change);
+        (0..3).for_each(|i| self.total[i] += impulses[i]);
+        self.impulses = self.impulses.map(|impulse| select(reached, ZERO, impulse));
+    }
+
     /// Impulses within the greatest ones: of the linear rows as a length; of the angle, with which they are solved again then.
     #[inline(never)]
     fn bounded(&self, mut next: Rows, missing: Rows, law: &BlockLaw) -> Rows {
@@ -280,7 +303,11 @@ impl SoftBlock {
 
     /// Impulses of a substep on the second body: along x and y, and turning.
     fn on_second(&self) -> Rows {
-        let ([nx, ny], [along, angle, across]) = (self.pair.normal, self.all_impulses());
+        self.on_second_of(self.all_impulses())
+    }
+
+    fn on_second_of(&self, [along, angle, across]: Rows) -> Rows {
+        let [nx, ny] = self.pair.normal;
         [along * nx + across * ny, along * ny - across * nx, angle]
     }
 

@@ -8,6 +8,7 @@
 //! All of it is made anew in every update from what is saved of joints and bodies.
 
 use super::super::bodies::Bodies;
+use super::super::rows::Row;
 use super::super::tuning::Step;
 use super::colours::{colour, is_last};
 use super::hold::{End, Hold};
@@ -34,17 +35,22 @@ pub(super) struct SoftJoints {
     /// Their dynamic bodies; and by body number whether it is one of them, as a mask of all bits.
     bodies: Vec<u32>,
     masks: Vec<u32>,
+    /// Those of them that a blow has reached, directly or by joints; and by body number, as masks.
+    struck: Vec<u32>,
+    struck_masks: Vec<u32>,
 }
 
-reusing_clone! { SoftJoints { order, joints, springs, bodies, masks } }
+reusing_clone! { SoftJoints { order, joints, springs, bodies, masks, struck, struck_masks } }
 
 impl SoftJoints {
     /// Plans the order of these joints, given by their places in the list.
     pub(super) fn plan(&mut self, holds: &[Hold], in_plane: &[u32], bodies: usize) {
         self.forget();
         colour(holds, in_plane, bodies, &mut self.order);
-        self.masks.clear();
-        self.masks.resize(bodies, 0);
+        for masks in [&mut self.masks, &mut self.struck_masks] {
+            masks.clear();
+            masks.resize(bodies, 0);
+        }
     }
 
     /// No joint is solved in this update, unless more is told.
@@ -65,7 +71,7 @@ impl SoftJoints {
         self.forget();
         let (times, law) = ([step.dt, step.h].map(f64::from), Law::soft(step.h.into()));
         let fastest = [f64::from(GREATEST_SPEED) * unit, f64::from(LEVER) * unit];
-        let SoftJoints { order, joints, springs: of_springs, bodies: marked, masks } = self;
+        let SoftJoints { order, joints, springs: of_springs, bodies: marked, masks, .. } = self;
         let mut mark = |ends: &[End; 2]| {
             for body in ends.iter().map(|end| end.body).filter(|&body| body != 0) {
                 if std::mem::replace(&mut masks[body as usize], !0) == 0 {
@@ -155,6 +161,34 @@ impl SoftJoints {
                 }
             }
         }
+    }
+
+    /// A pass over contacts that bounce begins.
+    pub(super) fn begin_bounce(&mut self) {
+        self.struck.drain(..).for_each(|body| self.struck_masks[body as usize] = 0);
+    }
+
+    /// Notes the bodies of lanes that have bounced.
+    pub(super) fn note_bounce<const P: usize>(&mut self, row: &Row<P>, lanes: u32) {
+        for lane in (0..4).filter(|lane| lanes >> lane & 1 == 1) {
+            for body in [row.a[lane], row.b[lane]] {
+                let is_in = self.masks.get(body as usize).is_some_and(|&mask| mask != 0);
+                if is_in && std::mem::replace(&mut self.struck_masks[body as usize], !0) == 0 {
+                    self.struck.push(body);
+                }
+            }
+        }
+    }
+
+    /// Hard joints of bodies that a blow has reached, in the order of colours, and of those that it reaches by these, keep what they hold
+    /// in the velocities after it. Their impulses are those of the blow alone: they do not act again.
+    pub(super) fn bounce(&mut self, bodies: &mut Bodies) -> bool {
+        if self.struck.is_empty() {
+            return false;
+        }
+        let SoftJoints { joints, struck, struck_masks, .. } = self;
+        joints.iter_mut().for_each(|block| block.bounce(&mut bodies.hot, struck_masks, struck));
+        true
     }
 
     /// Forces and torques of these joints in the last substep, and their means over the update of `dt` seconds.

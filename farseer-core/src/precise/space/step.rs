@@ -188,14 +188,18 @@ impl Precise {
         if resting < self.tuning.bounce { resting } else { self.tuning.bounce }
     }
 
-    pub(in crate::precise) fn bounce_in_space(&mut self, step: &Step) {
+    pub(in crate::precise) fn bounce_in_space(&mut self, step: &Step, is_last: bool) {
         let threshold = self.bounce_threshold_in_space();
         let Precise { rows, bodies, palette, joints, .. } = self;
         let mut hot = std::mem::take(&mut bodies.hot);
         macro_rules! bounce_all {
             ($fixed:literal, $points:literal, $rows:expr) => {
                 bounce::<$fixed, $points, _>($rows, &mut hot, threshold, |row, lanes, hot| {
-                    leave(bodies, hot, (palette, joints), step, row, lanes)
+                    if is_last {
+                        leave(bodies, hot, (palette, joints), step, row, lanes)
+                    } else {
+                        joints.note_bounce(&row.row, lanes)
+                    }
                 })
             };
         }
