@@ -213,7 +213,8 @@ fn mask_of<const FIXED: bool, const P: usize>(row: &Row<P>, masks: &[u32]) -> f3
 }
 
 /// [`learn`] where some bodies have joints in the iterative solver: springs of their contacts forget what they have learnt. Joints
-/// cannot be stiffer than they are, and a contact that rests at its load would win against them.
+/// cannot be stiffer than they are, and a contact that rests at its load would win against them. Impulses of a blow on all that joints
+/// hold together are forgotten where bodies leave: the one body that a row would take them back from is only a part of that.
 #[inline(never)]
 pub(super) fn learn_beside_joints<const FIXED: bool, const P: usize, R: Contacts<P>>(
     contacts: &mut R,
@@ -229,6 +230,20 @@ pub(super) fn learn_beside_joints<const FIXED: bool, const P: usize, R: Contacts
     for (point, forgotten) in contacts.row_mut().points.iter_mut().zip(forgotten) {
         point.held = select(mask, forgotten, point.held);
     }
+    let row = contacts.row();
+    if row.restitution.simd_gt(ZERO).to_bitmask() == 0 {
+        return;
+    }
+    let may_leave = mask & row.restitution.simd_gt(ZERO);
+    let velocities = at_points::<FIXED, P, R>(contacts, sides);
+    let row = contacts.row_mut();
+    let mut leaves = may_leave;
+    for (point, velocity) in row.points.iter_mut().zip(velocities) {
+        let point_leaves = may_leave & velocity.simd_gt(f32x4::splat(learning.leaving));
+        point.impulse = select(point_leaves, ZERO, point.impulse);
+        leaves &= point_leaves;
+    }
+    row.tangent_impulse = select(leaves, ZERO, row.tangent_impulse);
 }
 
 /// Sums what the impulses of all rows do to the velocity of each body in a substep; on the way springs learn. `masks` are those of

@@ -183,6 +183,8 @@ pub(super) struct Learning {
     pub(super) inverse_gate: f32,
     /// What is deeper than this in something, as a negative distance, does not learn.
     pub(super) deepest: f32,
+    /// Speed in length units/s with which bodies of a contact leave each other after a blow, and no slower.
+    pub(super) leaving: f32,
 }
 
 impl Step {
@@ -204,6 +206,7 @@ impl Step {
                 down: (FORGETTING * steps).min(1.0),
                 learnt: 1.0 - RESERVE,
                 inverse_gate: 1.0 / tuning.gate,
+                leaving: tuning.bounce,
                 deepest: -DEEPEST * tuning.unit,
             },
         }
