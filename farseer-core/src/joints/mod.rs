@@ -163,12 +163,24 @@ impl Joint {
         } else {
             length(Vector2::new(in_plane, self.force_along_depth))
         };
-        let breaks = self.enabled && !(size <= self.greatest_force && torque.abs() <= self.greatest_torque);
+        let breaks = self.enabled && self.is_overloaded([size, torque]);
         if breaks {
             self.enabled = false;
         }
         self.force = if breaks { mean } else { force.map(finite) };
         breaks
+    }
+
+    /// Whether a force and a torque are more than the joint bears.
+    fn is_overloaded(&self, [force, torque]: [f32; 2]) -> bool {
+        !(force <= self.greatest_force && torque.abs() <= self.greatest_torque)
+    }
+
+    /// Whether it bears what held it in the last update.
+    pub(crate) fn bears_its_load(&self) -> bool {
+        let [x, y, torque] = self.force;
+        let force = length(Vector2::new(length(Vector2::new(x, y)), self.force_along_depth));
+        !self.is_overloaded([force, torque])
     }
 
     /// Error of the last update that found the joint enabled and a body it could move: an angle in radians or a

@@ -208,9 +208,10 @@ impl Precise {
         self.sleep.joints = known;
     }
 
-    /// Whether a joint is still what it was.
+    /// Whether a joint is still what it was, and bears its load.
     fn is_as_it_was(&self, joint: &KnownJoint, objects: &Objects) -> bool {
-        let now = objects.joints.get(joint.joint).map(|now| (joint.joint, now));
+        let now = objects.joints.get(joint.joint).filter(|now| now.bears_its_load());
+        let now = now.map(|now| (joint.joint, now));
         now.and_then(|now| self.known_joint(now, &objects.bodies)) == Some(*joint)
     }
 
