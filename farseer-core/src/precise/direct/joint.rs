@@ -130,6 +130,11 @@ impl JointRows {
         self.add(row, [-most, most]);
     }
 
+    /// The same for a finite impulse: the row seeks the speed that undoes its position error at this rate per second, within its bound.
+    pub(in crate::precise) fn keep_within(&mut self, row: usize, most: f64, error: f64, rate: f64) {
+        self.drive(row, Drive { speed: -error * rate, most });
+    }
+
     /// A row that a motor drives.
     pub(in crate::precise) fn drive(&mut self, row: usize, drive: Drive) {
         self.add(row, [-drive.most, drive.most]);
@@ -356,16 +361,22 @@ impl JointRows {
         })
     }
 
-    /// The greatest position error of the rows, in length units.
+    /// Whether a row pushes with no more than its user allows: no correction of positions may do what it cannot.
+    fn may_slip(&self, row: usize) -> bool {
+        row != self.travel && self.high[row] < f64::INFINITY
+    }
+
+    /// The greatest position error of the rows that may not slip, in length units.
     pub(super) fn greatest_error(&self) -> f64 {
-        (0..3).fold(0.0, |worst, row| greater(self.scale(row) * self.errors[row].abs(), worst))
+        let kept = (0..3).filter(|&row| !self.may_slip(row));
+        kept.fold(0.0, |worst, row| greater(self.scale(row) * self.errors[row].abs(), worst))
     }
 
     /// The active set of a position correction: bilateral rows, rows at a limit, and others that are off.
     pub(super) fn select_errors(&mut self) {
         let is_corrected = |&row: &usize| {
             let is_off = || self.is_bilateral(row) || self.is_at_limit(row) || self.errors[row] != 0.0;
-            self.has(row) && self.compliance[row] == 0.0 && is_off()
+            self.has(row) && self.compliance[row] == 0.0 && !self.may_slip(row) && is_off()
         };
         self.active = (0..3).filter(is_corrected).fold(0, |set, row| set | 1 << row);
     }

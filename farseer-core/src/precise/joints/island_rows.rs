@@ -58,6 +58,8 @@ impl Hold {
         let mut hold = |row: usize, value: f64, most: f64| {
             if low < high {
                 rows.limit(row, [value - low, high - value], Drive::NONE, [dt, most]);
+            } else if most < f64::INFINITY {
+                rows.keep_within(row, most, value - high, self.bias_factor / dt);
             } else {
                 rows.keep(row, most);
             }
