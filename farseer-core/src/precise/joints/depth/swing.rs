@@ -87,8 +87,9 @@ impl SpatialGroup {
             }
             self.advance_ties(h);
             self.relax_velocities(holds, h);
-            let gained = self.energy() - energy;
-            if self.is_passive && !(gained <= GAINED * energy) {
+            // Not a number is no energy.
+            let is_lawful = self.energy() <= (1.0 + GAINED) * energy;
+            if self.is_passive && !is_lawful {
                 if !must {
                     return false;
                 }
