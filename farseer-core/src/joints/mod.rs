@@ -178,7 +178,7 @@ impl Joint {
 
     /// Whether it bears what held it in the last update.
     pub(crate) fn bears_its_load(&self) -> bool {
-        let [x, y, torque] = self.force;
+        let [x, y, torque] = self.force.map(|number| number as f32);
         let force = length(Vector2::new(length(Vector2::new(x, y)), self.force_along_depth));
         !self.is_overloaded([force, torque])
     }

@@ -69,7 +69,7 @@ pub enum WhyMethod {
     /// Passes: two came together so fast that they bounced.
     Bounces,
     /// Passes: something in it moved faster than a quarter of a length unit per second when its contacts were asked for, or has
-    /// come into place so. With joints: it was given up lately, and moves or has a joint that gapes.
+    /// come into place so. With joints: it was given up lately, and has a joint that gapes.
     Moves,
     /// Passes: it has rings of contacts, and fewer than 40 bodies: passes make it stand.
     TooSmall,

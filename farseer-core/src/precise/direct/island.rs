@@ -20,6 +20,7 @@ use super::constraint_list::{add_changes, add_push, add_velocities, follow, slop
 use super::contact::{Contact, FRICTION};
 use super::depth::Rub;
 use super::factor::Factor;
+use super::joined::BORNE_STIFFNESS;
 use super::joint::JointRows;
 use crate::precise::joints::IMMOVABLE;
 use crate::storage::reusing_clone::reusing_clone;
@@ -84,10 +85,15 @@ impl Member {
         [x / self.mass, y / self.mass, turn / self.inertia]
     }
 
-    /// Inertia that begins at rest: the angular momentum stays.
-    pub(super) fn add_inertia(&mut self, more: f64) {
-        self.velocity[2] *= self.inertia / (self.inertia + more);
+    /// Inertia is added, of which a part turns as the member does, and the rest begins at rest: the angular momentum stays.
+    pub(super) fn add_inertia(&mut self, more: f64, turning: f64) {
+        self.velocity[2] *= (self.inertia + turning) / (self.inertia + more);
         self.inertia += more;
+    }
+
+    /// Geometric stiffness that the inertia bears in a step of an explicit force, with arms up to this square of a length.
+    pub(super) fn borne_stiffness(&self, reach: f64) -> f64 {
+        BORNE_STIFFNESS * (self.inertia + self.mass * reach)
     }
 
     /// Inverse mass and inertia; 0 of what cannot be moved or turned.

@@ -1,7 +1,8 @@
 //! An island with joints in a step: its contacts and joints are rows of one system, solved for velocities and then for positions.
 //!
-//! A solution is a transaction: nothing is written before it is accepted. An island that the iterative solver had so far comes over
-//! with a good solution only; one that the direct solver had goes on with the best there is, unless that gains energy.
+//! A solution is a transaction: nothing is written before it is accepted. What is not accepted goes on with the best there is, and costs
+//! so much of the budget that it is soon the iterative solver's; at once if it gains energy. In the middle of a blow, that is worse than any
+//! best: it begins from impulses that it cannot hold.
 
 use super::block::Triple;
 use super::constraint::{Constraint, FIXED};
@@ -14,6 +15,7 @@ use super::whole::{BEARABLE, ENOUGH, EXACT, NEAR, QUIET, Reading, SOLVED, Standi
 use crate::methods::IslandChoice;
 use crate::precise::Precise;
 use crate::precise::bodies::Bodies;
+use crate::precise::joints::island_rows::Span;
 use crate::precise::joints::springs::Springs;
 use crate::precise::joints::{IMMOVABLE, Joints};
 use crate::precise::rows::Rows;
@@ -22,7 +24,7 @@ use crate::precise::tuning::Step;
 /// Residual that is accepted: length units per second, in units of length, and as a part of the residual before the solution.
 const ACCEPTED: f64 = 0.05;
 const ACCEPTED_PART: f64 = 0.02;
-/// Greatest position error of a joint that is accepted, in units of length, unless it was greater before.
+/// Greatest position error of a joint that is accepted, in units of length.
 pub(super) const ACCEPTED_GAP: f64 = 0.02;
 /// An island with a joint that gapes by more before a step and after it makes no progress if that is less than this part of what a
 /// step may close: its joints contradict each other, or are pulled too far, and springs find a compromise.
@@ -33,7 +35,7 @@ const LEAST_PROGRESS: f64 = 0.1;
 const UNDONE_PER_SECOND: f64 = 3.0;
 const PARTING: f64 = 0.03;
 /// Greatest angle that a body of an accepted solution turns by in the step, in radians: the Jacobian is that of the beginning.
-const ACCEPTED_TURN: f64 = 0.5;
+pub(super) const ACCEPTED_TURN: f64 = 0.5;
 /// Kinetic energy of an accepted solution, as a part of that without constraints; and what is allowed besides for each mass, as the
 /// square of a speed in units of length per second.
 const ACCEPTED_ENERGY: f64 = 1.05;
@@ -41,7 +43,7 @@ const ENERGY_SLACK: f64 = 0.01;
 
 /// Length that a turn by one radian counts as where errors are compared, in units of length: the arm from the middle to the rim of
 /// something a little smaller than a unit.
-const LEVER: f64 = 0.3;
+pub(super) const LEVER: f64 = 0.3;
 /// The geometric stiffness that an inertia bears in a step, or a substep, of an explicit force, as a part of it (dimensionless).
 pub(in crate::precise) const BORNE_STIFFNESS: f64 = 0.3;
 
@@ -69,29 +71,23 @@ impl Precise {
         whole.is_left = false;
         whole.make_contacts(rows, &reading, false);
         whole.damp_spins(springs, dt);
-        whole.make_joints(joints, [dt, substeps], LEVER * unit);
+        whole.make_joints(joints, Span { dt, of_forces: dt, substeps }, LEVER * unit);
         whole.make_springs(springs, dt, LEVER * unit);
         if whole.island.is_driven() {
             reading.quiet = unit * EXACT;
         }
-        whole.island.stiffen_inertia(dt);
+        whole.island.stiffen_inertia(dt, |_, _| 0.0);
         let free_energy = whole.island.energy();
         whole.island.warm_start();
         let most_steps = most_steps(whole);
         let mut effort = whole.island.find_velocities(&reading, unit, most_steps);
         whole.residual = effort.residual;
-        let supplied = whole.island.supplied_energy();
-        let energy = whole.island.energy();
-        let supplied = supplied + 0.5 * whole.island.released_energy(dt);
-        let slack = ENERGY_SLACK * unit * unit * whole.island.mass();
-        // An energy that is not a number gains, too.
-        let keeps = energy <= ACCEPTED_ENERGY * free_energy + 2.0 * supplied + slack;
-        let gains = !keeps;
+        let gains = whole.island.gains(free_energy, dt, unit);
         whole.find_ways(dt, false);
         let most = f64::from(tuning.push) * dt;
         let undone = (UNDONE_PER_SECOND * dt).min(1.0);
-        let before = joints.greatest_error(&whole.joints, LEVER * unit);
         let deepest = whole.island.advance_separations(dt, left);
+        let before = whole.find_errors(joints, (0.0, false));
         // Stiff springs without friction creep to where they pull: less than what is quiet is far in the end.
         let is_still = whole.springs.is_empty() && whole.island.greatest_speed(LEVER * unit) <= reading.quiet;
         if effort.steps == 0 && is_still && deepest <= left && before <= left {
@@ -99,17 +95,19 @@ impl Precise {
             whole.joints.iter().for_each(|&at| joints.note_solved(at));
             return effort;
         }
-        let after = match effort.is_solved && !gains || !is_optional {
-            true => whole.close(joints, (dt, deepest), [left, most, PARTING * unit * dt], undone),
-            false => before,
-        };
         let turned = whole.island.greatest_spin() * dt;
-        effort.is_solved &= !gains && turned <= ACCEPTED_TURN && after <= before.max(ACCEPTED_GAP * unit);
-        let is_entry = !was_solved && joints.have_acted(&whole.joints);
-        let is_stuck = before > ACCEPTED_GAP * unit && after > before - LEAST_PROGRESS * most;
-        whole.is_left = is_optional && ((!effort.is_solved && (is_entry || gains)) || is_stuck);
-        // Joints that contradict each other are better left to springs, which find a compromise.
-        effort.is_solved &= after <= ACCEPTED_GAP * unit;
+        let after = match !(gains && is_optional) {
+            true => whole.close(joints, (dt, deepest), [left, most, PARTING * unit * dt], undone),
+            false => f64::INFINITY,
+        };
+        let is_torn = after > ACCEPTED_GAP * unit;
+        let is_stuck = whole.homes.is_empty()
+            && before > ACCEPTED_GAP * unit
+            && is_torn
+            && after > before - LEAST_PROGRESS * most;
+        let is_unfit = !was_solved && turned > ACCEPTED_TURN && is_torn;
+        whole.is_left = is_optional && (gains || is_unfit || is_stuck);
+        effort.is_solved &= !gains && turned <= ACCEPTED_TURN && after <= ACCEPTED_GAP * unit;
         if !whole.is_left {
             let Whole { island, joints: of_island, .. } = &*whole;
             of_island.iter().zip(&island.joints).for_each(|(&at, rows)| joints.take_solution(at, rows, dt));
@@ -154,12 +152,12 @@ impl Whole {
     }
 
     /// Rows of its joints.
-    fn make_joints(&mut self, joints: &Joints, times: [f64; 2], lever: f64) {
+    fn make_joints(&mut self, joints: &Joints, span: Span, lever: f64) {
         let Whole { island, joints: of_island, joint_ends, .. } = self;
         let Island { members, joints: rows, .. } = island;
         rows.clear();
         for (&at, &ends) in of_island.iter().zip(joint_ends.iter()) {
-            let mut made = joints.hold(at).rows(ends, times, lever);
+            let mut made = joints.hold(at).rows(ends, span, lever);
             made.weigh(members);
             rows.push(made);
         }
@@ -182,14 +180,14 @@ impl Whole {
         for (&at, ends) in of_island.iter().zip(spring_ends.iter()) {
             let damping = dt * springs.hold(at).damping_of_spin();
             for member in ends.bodies.into_iter().filter(|&member| member != FIXED && damping > 0.0) {
-                members[member as usize].add_inertia(damping);
+                members[member as usize].add_inertia(damping, 0.0);
             }
         }
     }
 
     /// Position solve: joints are closed, and points taken out of what they are in, from the displacements of the velocities on.
     /// Answers the greatest position error of a joint that is left, in length units.
-    fn close(
+    pub(super) fn close(
         &mut self,
         joints: &Joints,
         (dt, mut deepest): (f64, f64),
@@ -227,21 +225,9 @@ impl Whole {
     }
 }
 
-impl Joints {
-    /// How far these joints are from what they keep when the step begins, at most, in length units.
-    fn greatest_error(&self, joints: &[u32], lever: f64) -> f64 {
-        joints.iter().map(|&at| self.hold(at).error_as_length(lever)).fold(0.0, greater)
-    }
-
-    /// Whether one of these joints has exerted a force in the step before.
-    fn have_acted(&self, joints: &[u32]) -> bool {
-        joints.iter().any(|&at| self.hold(at).has_force())
-    }
-}
-
 impl Island {
     /// Solves for velocities what is further from what it is to be than what is quiet.
-    fn find_velocities(&mut self, reading: &Reading<'_>, unit: f64, most_steps: usize) -> Effort {
+    pub(super) fn find_velocities(&mut self, reading: &Reading<'_>, unit: f64, most_steps: usize) -> Effort {
         let residual = self.begin(reading.dt, [reading.left, depth::SLIPS * unit]);
         if residual <= reading.quiet {
             return Effort { steps: 0, residual, is_solved: true };
@@ -258,11 +244,32 @@ impl Island {
     }
 
     /// Geometric stiffness (M. Tournier and others, "Stable constrained dynamics", 2015): forces of joints that pull a body apart
-    /// resist its rotation; those beyond what its inertia bears in a step add to it.
-    fn stiffen_inertia(&mut self, dt: f64) {
+    /// resist its rotation; those beyond what its inertia bears in `dt` seconds add to it.
+    /// `with_momentum` says how much of an addition turns as the member does, given that and what its inertia bears.
+    pub(super) fn stiffen_inertia(&mut self, dt: f64, with_momentum: impl Fn(f64, f64) -> f64) {
+        self.find_pulls();
+        for (member, &[pull, reach, _]) in self.members.iter_mut().zip(&self.gradient) {
+            let borne = member.borne_stiffness(reach);
+            let more = dt * pull - borne;
+            if more > 0.0 {
+                member.add_inertia(more, with_momentum(more, borne));
+            }
+        }
+    }
+
+    /// The greatest geometric stiffness of a member in `dt` seconds, in parts of what its inertia bears.
+    pub(super) fn greatest_stiffness(&mut self, dt: f64) -> f64 {
+        self.find_pulls();
+        let all = self.members.iter().zip(&self.gradient);
+        all.fold(0.0, |most, (member, &[pull, reach, _])| {
+            greater(dt * pull / member.borne_stiffness(reach), most)
+        })
+    }
+
+    /// Sums up for each member the products of arms and impulses of joints, and finds the square of the longest arm.
+    fn find_pulls(&mut self) {
         let Island { members, joints, gradient, .. } = self;
         gradient.clear();
-        // Of each member: the sum of arm times impulse, and the square of the longest arm.
         gradient.resize(members.len(), [0.0; 3]);
         for joint in joints.iter() {
             let [on_a, on_b] = joint.jacobian.push(joint.impulses);
@@ -281,18 +288,12 @@ impl Island {
                 of_member[1] = of_member[1].max(arm[0] * arm[0] + arm[1] * arm[1]);
             }
         }
-        for (member, &[pull, reach, _]) in members.iter_mut().zip(gradient.iter()) {
-            let more = dt * pull - BORNE_STIFFNESS * (member.inertia + member.mass * reach);
-            if more > 0.0 {
-                member.add_inertia(more);
-            }
-        }
     }
 
     /// Warm start: impulses of the step before act again, by the part of them that leaves the least energy. With l the impulses and
     /// u the velocity errors that they act on, that is the part p with l (u + p J M^-1 J^T l) = 0. In closed loops impulses of before
     /// may be any self-stress, and once the geometry has changed it would throw the bodies apart.
-    fn warm_start(&mut self) {
+    pub(super) fn warm_start(&mut self) {
         let Island { members, contacts, joints, direction, .. } = self;
         direction.clear();
         direction.resize(members.len(), [0.0; 3]);
@@ -313,8 +314,18 @@ impl Island {
         }
     }
 
+    /// Whether the island has more energy than motors, springs and the velocities without constraints account for, which have twice the
+    /// energy `free`, in `dt` seconds.
+    pub(super) fn gains(&self, free: f64, dt: f64, unit: f64) -> bool {
+        let supplied = self.supplied_energy() + 0.5 * self.released_energy(dt);
+        let slack = ENERGY_SLACK * unit * unit * self.mass();
+        // An energy that is not a number gains, too.
+        let keeps = self.energy() <= ACCEPTED_ENERGY * free + 2.0 * supplied + slack;
+        !keeps
+    }
+
     /// Twice the kinetic energy.
-    fn energy(&self) -> f64 {
+    pub(super) fn energy(&self) -> f64 {
         self.members.iter().map(|member| dot(member.weighed(member.velocity), member.velocity)).sum()
     }
 
@@ -335,7 +346,7 @@ impl Island {
     }
 
     /// The fastest spin of a member, in radians per second.
-    fn greatest_spin(&self) -> f64 {
+    pub(super) fn greatest_spin(&self) -> f64 {
         self.members.iter().fold(0.0, |most, member| greater(member.velocity[2].abs(), most))
     }
 

@@ -72,6 +72,8 @@ pub(in crate::precise) struct JointRows {
     offset: f64,
     /// Impulse per velocity across a spring with which its tension resists.
     across: f64,
+    /// What velocity errors take in of how turns bend the joint, in length units (radians) per second.
+    bent: Triple,
     /// Position errors of the rows at the end of the step: length units, and radians in the row of the angle.
     pub(in crate::precise) errors: Triple,
     /// Length that a turn by one radian counts as where errors of rows are compared, in length units per radian.
@@ -120,6 +122,7 @@ impl JointRows {
             elastic_row: NONE,
             offset: 0.0,
             across: 0.0,
+            bent: [0.0; 3],
             errors: [0.0; 3],
             lever,
         }
@@ -359,6 +362,20 @@ impl JointRows {
             };
             greater(self.scale(row) * error.abs(), worst)
         })
+    }
+
+    /// Velocity errors take in that the values of rows change by so much more in `dt` seconds than the Jacobian says, and a solution begins
+    /// with the impulses now. Answers by how much that differs from what they took in before, at most, in length units.
+    pub(super) fn bend(&mut self, by: Triple, dt: f64) -> f64 {
+        let rates = by.map(|by| by / dt);
+        let worst = (0..3).filter(|&row| self.has(row)).fold(0.0, |worst, row| {
+            greater(self.scale(row) * dt * (rates[row] - self.bent[row]).abs(), worst)
+        });
+        self.bent = rates;
+        self.excess = std::array::from_fn(|row| self.supplied[row] + self.bent[row]);
+        let impulses = self.impulses;
+        self.start_from(impulses);
+        worst
     }
 
     /// Whether a row pushes with no more than its user allows: no correction of positions may do what it cannot.

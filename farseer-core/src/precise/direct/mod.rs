@@ -19,6 +19,7 @@ pub(in crate::precise) mod joint;
 mod listing;
 mod loads;
 mod price;
+mod swing;
 mod unsolved;
 mod whole;
 
@@ -203,7 +204,7 @@ impl Census {
         let was_whole = 2 * direct > bodies;
         let rests = (self.rest > 0, WhyMethod::Rests { updates: self.rest });
         first(&if self.joints > 0 {
-            let fails = self.has_failed && !was_whole && (self.moves || self.is_torn);
+            let fails = self.has_failed && !was_whole && self.is_torn;
             [rests, (fails, WhyMethod::Moves), rests, rests]
         } else if self.has_depth {
             [

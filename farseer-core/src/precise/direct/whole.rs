@@ -12,6 +12,7 @@ use crate::math::plane::Pose;
 use crate::methods::IslandChoice;
 use crate::precise::Precise;
 use crate::precise::bodies::Bodies;
+use crate::precise::joints::hold::Hold;
 use crate::precise::joints::weight_of;
 use crate::precise::rows::{Aside, Home, PointLane, Rows};
 use crate::precise::tuning::Step;
@@ -63,12 +64,17 @@ pub(super) struct Whole {
     /// Its springs that are rows, by their places among these, and their bodies.
     pub(super) springs: Vec<u32>,
     pub(super) spring_ends: Vec<Ends>,
+    /// Of a step in parts: its joints where they are now, their impulses of the step so far (on the second body, along x and y, and
+    /// turning), and displacements of the members so far.
+    pub(super) holds: Vec<Hold>,
+    pub(super) totals: Vec<Triple>,
+    pub(super) path: Vec<Triple>,
 }
 
 reusing_clone! {
     Whole {
         island, homes, ends, ways, separations, has_pushes, steps, is_left, residual, stood, joints, joint_ends, springs,
-        spring_ends
+        spring_ends, holds, totals, path
     }
 }
 
@@ -327,7 +333,15 @@ impl Precise {
     /// Answers how many steps of Newton's method it has taken.
     fn solve_whole(&mut self, whole: &mut Whole, step: &Step, unit: f64) -> Effort {
         if whole.is_joined() {
-            return self.solve_joined(whole, step, unit);
+            let steps = match whole.swings(&self.joints) {
+                true => match self.solve_swing(whole, step, unit) {
+                    effort if effort.is_solved => return effort,
+                    effort => effort.steps,
+                },
+                false => 0,
+            };
+            let effort = self.solve_joined(whole, step, unit);
+            return Effort { steps: steps + effort.steps, ..effort };
         }
         let Precise { bodies, rows, .. } = self;
         let (dt, parts, has_depth) = (f64::from(step.dt), f64::from(step.substeps), self.space.is_some());

@@ -1,7 +1,9 @@
 //! Which joints make trees, and in which order their bodies come.
 
 use super::hold::Key;
-use super::loose::GROUND;
+
+/// In place of a body's place in its group: it is in none.
+pub(super) const GROUND: u32 = u32::MAX;
 
 /// A body's place in a group.
 #[derive(Debug, Clone, Copy)]

@@ -10,8 +10,7 @@ use super::super::bodies::Bodies;
 use super::super::tuning::Step;
 use super::hold::{Hold, shown};
 use super::swing::{
-    BORNE_UNDIVIDED, CLOSED_AT_ONCE, Division, JERKS, aside_of_turn, bears, postponed, turn, turned,
-    with_momentum,
+    BORNE_UNDIVIDED, CLOSING, Division, JERKS, aside_of_turn, bears, postponed, turn, turned, with_momentum,
 };
 use super::tree::{
     Inertia, Link, Momentum, Node, Seated, Vector, dot, for_each_down, for_each_up, plus, spun,
@@ -187,7 +186,7 @@ fn correct(hinges: &mut [Hinge], (h, unit): (f64, f64), unexpected: f64, begin: 
         begin(hinge);
         hinge.get_ready(h);
     }
-    let way = (-1.0 / h, CLOSED_AT_ONCE * unit);
+    let way = (-1.0 / h, CLOSING * h * unit);
     for look in 0..=JERKS {
         for_each_up(hinges, |hinge, parent| {
             hinge.aim(parent, way);

@@ -17,7 +17,17 @@ use super::super::direct::constraint::{Ends, FIXED, Jacobian};
 use super::super::direct::joint::{ACROSS, ALONG, ANGLE, Drive, JointRows};
 use super::frame::Frame;
 use super::hold::Hold;
-use super::tree::Link;
+use super::tree::{Link, plus};
+
+/// A part of a step for which rows are made.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::precise) struct Span {
+    /// Seconds that bodies move for, and seconds that forces act for.
+    pub(in crate::precise) dt: f64,
+    pub(in crate::precise) of_forces: f64,
+    /// Substeps of the iterative solver that forces act for.
+    pub(in crate::precise) substeps: f64,
+}
 
 /// The row that motor and limits act on.
 fn driven_row(link: Link) -> usize {
@@ -36,23 +46,14 @@ impl Hold {
         self.softness == 0.0 && !(self.link == Link::Point && self.most < f64::from(f32::MAX))
     }
 
-    /// How far it is from what it keeps when the step begins, with angles as lengths at this lever.
-    pub(in crate::precise) fn error_as_length(&self, lever: f64) -> f64 {
-        let scale = if self.link == Link::Angle { lever } else { 1.0 };
-        f64::from(self.error).abs() * scale
-    }
-
-    /// Whether it has exerted a force or torque in the step before.
-    pub(in crate::precise) fn has_force(&self) -> bool {
-        self.force != [0.0; 3]
-    }
-
-    /// Its rows in a step of `dt` seconds and so many substeps.
-    pub(in crate::precise) fn rows(&self, ends: Ends, [dt, substeps]: [f64; 2], lever: f64) -> JointRows {
+    /// Its rows in a span of the step.
+    pub(in crate::precise) fn rows(&self, ends: Ends, span: Span, lever: f64) -> JointRows {
+        let Span { dt, of_forces, substeps } = span;
         let frame = Frame::of(self);
         let jacobian = frame.jacobian();
         let prescribed = self.prescribed(ends);
-        let mut rows = JointRows::new(ends, jacobian, self.impulses(&jacobian, dt), prescribed, lever);
+        let impulses = self.impulses(&jacobian, of_forces);
+        let mut rows = JointRows::new(ends, jacobian, impulses, prescribed, lever);
         let most = bound(self.most * substeps);
         let [low, high] = self.range;
         let mut hold = |row: usize, value: f64, most: f64| {
@@ -76,23 +77,23 @@ impl Hold {
         if matches!(self.link, Link::Point | Link::Weld) {
             rows.keep(ACROSS, f64::INFINITY);
         }
-        self.drive_rows(&mut rows, &frame, dt);
+        self.drive_rows(&mut rows, &frame, span);
         rows
     }
 
     /// Motor and limits.
-    fn drive_rows(&self, rows: &mut JointRows, frame: &Frame, dt: f64) {
+    fn drive_rows(&self, rows: &mut JointRows, frame: &Frame, span: Span) {
         let Some(drive) = &self.drive else { return };
         let row = driven_row(self.link);
         let motor = drive.motor().map(|motor| Drive {
             speed: motor.speed.into(),
-            most: bound(f64::from(motor.greatest_effort) * dt),
+            most: bound(f64::from(motor.greatest_effort) * span.of_forces),
         });
         let travel = frame.travel(f64::from(drive.reference));
         match (motor, drive.limits()) {
             (motor, Some(limits)) => {
                 let room = [travel - f64::from(limits.lower), f64::from(limits.upper) - travel];
-                rows.limit(row, room, motor.unwrap_or(Drive::NONE), [dt, f64::INFINITY]);
+                rows.limit(row, room, motor.unwrap_or(Drive::NONE), [span.dt, f64::INFINITY]);
             }
             (Some(motor), None) => rows.drive(row, motor),
             (None, None) => {}
@@ -103,6 +104,10 @@ impl Hold {
     fn impulses(&self, jacobian: &Jacobian, dt: f64) -> Triple {
         let ([nx, ny], [x, y, torque]) = (jacobian.normal, self.force.map(|force| force * dt));
         [x * nx + y * ny, torque, x * ny - y * nx]
+    }
+
+    pub(in crate::precise) fn force_and_torque(&self) -> [f64; 3] {
+        self.force
     }
 
     /// Force and torque on the second body by the impulses of a step.
@@ -117,6 +122,25 @@ impl Hold {
         [0, 1].map(|side| if ends.bodies[side] == FIXED { self.ends[side].velocity } else { [0.0; 3] })
     }
 
+    /// Displacements of its two bodies in `dt` seconds, of members and of kinematic bodies.
+    fn displacements(&self, ends: Ends, of_members: &[Triple], dt: f64) -> [Triple; 2] {
+        let prescribed = self.prescribed(ends);
+        [0, 1].map(|side: usize| match ends.bodies[side] {
+            FIXED => prescribed[side].map(|velocity| velocity * dt),
+            at => of_members[at as usize],
+        })
+    }
+
+    /// Its bodies have been displaced in `dt` seconds.
+    pub(in crate::precise) fn displace(&mut self, ends: Ends, of_members: &[Triple], dt: f64) {
+        let displacements = self.displacements(ends, of_members, dt);
+        let frame = Frame::of(self).displaced(displacements);
+        for ((end, [x, y, _]), arm) in self.ends.iter_mut().zip(displacements).zip(frame.arms) {
+            (end.place, end.arm) = (plus(end.place, [x, y], 1.0), arm);
+        }
+        (self.angle, self.axis) = (frame.angle, frame.axis);
+    }
+
     /// Finds the position errors of its rows after displacements of the members in `dt` seconds, and its Jacobian there if that is to
     /// be new.
     pub(in crate::precise) fn find_errors(
@@ -126,19 +150,35 @@ impl Hold {
         displacements: &[Triple],
         (dt, is_jacobian_new): (f64, bool),
     ) {
-        let prescribed = self.prescribed(ends);
-        let displacement = |side: usize| match ends.bodies[side] {
-            FIXED => prescribed[side].map(|velocity| velocity * dt),
-            at => displacements[at as usize],
-        };
-        let frame = Frame::of(self).displaced([displacement(0), displacement(1)]);
+        let frame = Frame::of(self).displaced(self.displacements(ends, displacements, dt));
         if is_jacobian_new {
             rows.set_jacobian(frame.jacobian());
         }
-        let gap = frame.gap();
-        let [nx, ny] = frame.normal();
+        rows.errors = self.errors(&frame);
+    }
+
+    /// By how much more the values of its rows change than the Jacobian now says, by displacements of the members in `dt` seconds.
+    pub(in crate::precise) fn bend(&self, ends: Ends, displacements: &[Triple], dt: f64) -> Triple {
+        let displacements = self.displacements(ends, displacements, dt);
+        let before = Frame::of(self);
+        let after = before.displaced(displacements);
+        let told = before.jacobian().relative(displacements[0], displacements[1]);
+        let values = |frame: &Frame| {
+            let (gap, [nx, ny]) = (frame.gap(), frame.normal());
+            match self.link {
+                Link::Distance => [frame.distance(), 0.0],
+                _ => [gap[0] * nx + gap[1] * ny, gap[0] * ny - gap[1] * nx],
+            }
+        };
+        let ([along, across], [was_along, was_across]) = (values(&after), values(&before));
+        [along - was_along - told[ALONG], 0.0, across - was_across - told[ACROSS]]
+    }
+
+    /// Position errors of the rows.
+    fn errors(&self, frame: &Frame) -> Triple {
+        let (gap, [nx, ny]) = (frame.gap(), frame.normal());
         let linear = [gap[0] * nx + gap[1] * ny, gap[0] * ny - gap[1] * nx];
-        rows.errors = match self.link {
+        let mut errors = match self.link {
             Link::Point => [linear[0], 0.0, linear[1]],
             Link::Weld => [linear[0], frame.angle - self.range[0], linear[1]],
             Link::Line => [linear[0], frame.angle - self.range[0], 0.0],
@@ -148,7 +188,8 @@ impl Hold {
         if let Some((drive, limits)) = self.drive.and_then(|drive| Some((drive, drive.limits()?))) {
             let travel = frame.travel(f64::from(drive.reference));
             let [lower, upper] = [limits.lower, limits.upper].map(f64::from);
-            rows.errors[driven_row(self.link)] = travel - travel.clamp(lower, upper);
+            errors[driven_row(self.link)] = travel - travel.clamp(lower, upper);
         }
+        errors
     }
 }

@@ -2,8 +2,8 @@
 //!
 //! | articulation | solver |
 //! |---|---|
-//! | a tree that nothing touches | [articulated bodies](tree) in its own division of the step: [swing], [hinged]; motors, limits and ropes by [unit responses](loose) |
-//! | touched, or a closed loop | the [direct solver](super::direct), as [rows of its system](island_rows), if it takes it |
+//! | a tree without motors, limits or ropes that nothing touches | [articulated bodies](tree) in its own division of the step: [swing], [hinged] |
+//! | any other | the [direct solver](super::direct), as [rows of its system](island_rows), if it takes it; in parts of the step if nothing touches it and it has no loop |
 //! | all else, and soft joints | [soft rows](soft_step) of the iterative solver, beside the contacts |
 //!
 //! [Springs] of what is jointed or touched are rows beside these, of the direct or of the iterative solver.
@@ -17,8 +17,7 @@ mod forest;
 mod frame;
 mod hinged;
 pub(super) mod hold;
-mod island_rows;
-mod loose;
+pub(super) mod island_rows;
 pub(super) mod read;
 mod soft_block;
 mod soft_law;
@@ -26,7 +25,7 @@ mod soft_pair;
 mod soft_spring;
 mod soft_step;
 pub(super) mod springs;
-mod swing;
+pub(super) mod swing;
 mod tree;
 
 use super::bodies::Bodies;
@@ -37,10 +36,9 @@ use crate::body::BodyId;
 use crate::objects::Objects;
 use crate::storage::reusing_clone::reusing_clone;
 use depth::{SpatialGroup, Tied, spatial_groups};
-use forest::{Forest, Seat};
+use forest::{Forest, GROUND, Seat};
 use hinged::{Hinge, hinges_of};
 use hold::{End, Hold, Key};
-use loose::{GROUND, Keeps, Loose, Room};
 use soft_step::SoftJoints;
 use springs::Springs;
 use tree::{Link, Node, dot};
@@ -67,7 +65,6 @@ pub(super) struct Joints {
     tied: Vec<Tied>,
     /// And what hangs together by joints of which one keeps a distance.
     spatial: Vec<SpatialGroup>,
-    room: Room,
     /// The joints that the iterative solver has in this update.
     soft: SoftJoints,
     unit: f64,
@@ -75,23 +72,22 @@ pub(super) struct Joints {
 
 reusing_clone! {
     Joints {
-        holds, is_read, are_places_new, last_signature, may_break, groups, group_of, seat_of, tied, spatial, room, soft, unit
+        holds, is_read, are_places_new, last_signature, may_break, groups, group_of, seat_of, tied, spatial, soft, unit
     }
 }
 
 /// Bodies that joints tie together.
 #[derive(Debug, Default)]
 struct Group {
+    /// None if some joint is in no tree: one that closes a loop, has a motor or limits, or may give way.
     nodes: Vec<Node>,
-    loose: Vec<Loose>,
     /// Its bodies that give way, and its joints.
     bodies: Vec<u32>,
     holds: Vec<u32>,
+    /// Joints that are kept whatever that takes close a loop.
+    has_loop: bool,
     /// The same tree again if all joints are hinges, else empty: what swings while nothing touches it.
     hinges: Vec<Hinge>,
-    /// Joints that are kept whatever that takes close a loop; and the direct solver can have all of its joints.
-    has_loop: bool,
-    may_be_rows: bool,
     /// Nothing touches it.
     is_apart: bool,
     /// The direct solver has solved it in this step.
@@ -100,7 +96,7 @@ struct Group {
     parts: u32,
 }
 
-reusing_clone! { Group { nodes, loose, bodies, holds, hinges, has_loop, may_be_rows, is_apart, is_solved, parts } }
+reusing_clone! { Group { nodes, bodies, holds, has_loop, hinges, is_apart, is_solved, parts } }
 
 /// A joint that the direct solver may take.
 #[derive(Debug, Clone, Copy)]
@@ -138,7 +134,7 @@ impl Joints {
     /// The joints in the plane as the direct solver sees them.
     pub(super) fn candidates(&self) -> impl Iterator<Item = Candidate> + '_ {
         self.groups.iter().flat_map(move |group| {
-            let is_free = group.is_apart && !group.has_loop;
+            let is_free = group.is_apart && group.is_tree();
             group.holds.iter().map(move |&at| {
                 let hold = &self.holds[at as usize];
                 Candidate {
@@ -155,6 +151,17 @@ impl Joints {
     /// A joint by its place.
     pub(super) fn hold(&self, joint: u32) -> &Hold {
         &self.holds[joint as usize]
+    }
+
+    /// Whether a joint is part of a closed loop of joints, or of what hangs on one.
+    pub(super) fn has_loop(&self, joint: u32) -> bool {
+        self.groups[self.group_of[joint as usize] as usize].has_loop
+    }
+
+    /// The direct solver has found the force and torque of a joint in this step, and no other solver takes it.
+    pub(super) fn take_force(&mut self, joint: u32, force: [f64; 3]) {
+        self.holds[joint as usize].force = force;
+        self.note_solved(joint);
     }
 
     /// The direct solver has found these rows of a joint: no other solver takes it in this step.
@@ -256,14 +263,14 @@ impl Joints {
         }
         let holds = &self.holds;
         let group_of = |plan: forest::Group| {
-            let nodes: Vec<Node> = plan.seats.iter().map(|seat| node_of(seat, holds, bodies)).collect();
-            let loose = loose_of(&plan, holds, |body| seat_of[body as usize]);
-            let hinges = if loose.is_empty() { hinges_of(&nodes, holds) } else { Vec::new() };
-            let bodies = nodes.iter().map(|node| node.body).filter(|&body| body != 0).collect();
+            let of_group = plan.seats.iter().map(|seat| seat.body).filter(|&body| body != 0).collect();
+            let is_driven = |&at: &u32| holds[at as usize].drive.is_some();
+            let is_tree = plan.loose.is_empty() && !plan.joints.iter().any(is_driven);
+            let seats = if is_tree { &plan.seats[..] } else { &[] };
+            let nodes: Vec<Node> = seats.iter().map(|seat| node_of(seat, holds, bodies)).collect();
+            let hinges = hinges_of(&nodes, holds);
             let has_loop = plan.loose.iter().any(|&at| !holds[at as usize].key().is_bounded);
-            let may_be_rows = plan.joints.iter().all(|&at| holds[at as usize].may_be_rows());
-            let holds = plan.joints;
-            Group { nodes, loose, bodies, holds, hinges, has_loop, may_be_rows, ..Group::default() }
+            Group { nodes, bodies: of_group, holds: plan.joints, has_loop, hinges, ..Group::default() }
         };
         self.groups = groups.into_iter().map(group_of).collect();
         self.group_of.clear();
@@ -292,10 +299,9 @@ impl Joints {
     /// Trees and loops of what the direct solver has not solved begin a step.
     pub(super) fn begin_trees(&mut self, bodies: &Bodies, step: &Step) {
         let h = f64::from(step.h);
-        let Joints { groups, holds, unit, .. } = self;
+        let Joints { groups, holds, .. } = self;
         for group in groups.iter_mut().filter(|group| group.swings() && !group.is_hinged()) {
             begin_nodes(&mut group.nodes, holds, bodies, h);
-            group.loose.iter_mut().for_each(|loose| loose.begin(&holds[loose.hold as usize], h, *unit));
         }
     }
 
@@ -331,7 +337,7 @@ impl Joints {
     pub(super) fn swing(&mut self, bodies: &Bodies, step: &Step) {
         let swinging = |group: &&mut Group| group.swings() && !group.is_hinged();
         for group in self.groups.iter_mut().filter(swinging) {
-            swing::swing(group, &self.holds, &mut self.room, bodies, step, self.unit);
+            swing::swing(group, bodies, step, self.unit);
         }
         self.spatial.iter_mut().for_each(|group| group.swing(&self.holds, bodies, step));
     }
@@ -438,9 +444,6 @@ impl Joints {
                 let force_of_impulse = node.sign() * per_second;
                 self.holds[node.joint as usize].force = node.total.map(|impulse| impulse * force_of_impulse);
             }
-            for loose in &group.loose {
-                loose.tell(&mut self.holds[loose.hold as usize].force, dt);
-            }
         }
     }
 }
@@ -451,10 +454,14 @@ impl Group {
         self.swings() && !self.hinges.is_empty()
     }
 
-    /// Whether it is a free articulation, which moves by itself in this step. A closed loop is that only if the direct solver cannot
-    /// have it: what that gives up has no solution, or too great a one.
+    /// Whether all of its joints are in trees.
+    fn is_tree(&self) -> bool {
+        !self.nodes.is_empty()
+    }
+
+    /// Whether it is a free articulation, which moves by itself in this step.
     fn swings(&self) -> bool {
-        self.is_apart && !(self.is_solved || (self.has_loop && self.may_be_rows))
+        self.is_apart && self.is_tree() && !self.is_solved
     }
 
     /// Whether the iterative solver has its joints in this step.
@@ -480,13 +487,6 @@ fn node_of(seat: &Seat, holds: &[Hold], bodies: &Bodies) -> Node {
         node.is_first = holds[at as usize].ends[0].body == seat.body;
     }
     node
-}
-
-/// What is solved outside of trees.
-fn loose_of(plan: &forest::Group, holds: &[Hold], seat_of: impl Fn(u32) -> u32) -> Vec<Loose> {
-    let driven = plan.joints.iter().filter(|&&at| holds[at as usize].drive.is_some());
-    let loose = plan.loose.iter().map(|&at| (at, Keeps::Joint)).chain(driven.map(|&at| (at, Keeps::Drive)));
-    loose.map(|(at, keeps)| Loose::new(at, keeps, &holds[at as usize], &seat_of)).collect()
 }
 
 /// Mass or inertia of what cannot be moved or turned: so great that nothing that is pushed can tell.

@@ -14,12 +14,11 @@ use super::super::bodies::Bodies;
 use super::super::direct::joined::BORNE_STIFFNESS;
 use super::super::tuning::Step;
 use super::Group;
-use super::hold::Hold;
-use super::loose::{Loose, Pass, Room, refine_group, solve_group};
 use super::tree::{Link, Node, Vector, dot, follow, for_each_down, hand_up, hand_up_momentum, plus, spun};
 
-/// An error is undone in one substep up to this part of the length unit; a greater one in more of them.
-pub(super) const CLOSED_AT_ONCE: f64 = 0.5;
+/// Greatest speed with which position errors are undone, in units of length and in radians per second: that of contacts
+/// ([`push`](super::super::tuning::Tuning::push)). Bodies of other joints keep a part of it, and light ones between heavy ones a multiple.
+pub(super) const CLOSING: f64 = 3.0;
 
 /// Groups up to these sizes are pendulums of one or a few, small, and those that get half kicks, and those beyond the last one
 /// large.
@@ -44,9 +43,7 @@ const TURNED_AT_ONCE: f64 = 0.15;
 
 /// How many times [`BORNE_STIFFNESS`] is stiffened rather than that the step is divided for it: fewer parts cost less, and a swinging
 /// chain of 20 loses less than 1 % of its energy in ten seconds.
-pub(super) const BORNE_UNDIVIDED: f64 = 5.0;
-/// The same where joints close loops: there no stiffness has [momentum](with_momentum).
-const BORNE_IN_LOOPS: f64 = 2.0;
+pub(in crate::precise) const BORNE_UNDIVIDED: f64 = 5.0;
 
 /// The part of a small stiffness that has [momentum](with_momentum), and how many times what the inertia bears it is of which
 /// half as large a part has.
@@ -82,19 +79,6 @@ pub(super) fn aside_of_turn(angle: f64) -> [f64; 2] {
 #[inline(always)]
 pub(super) fn turned([c, s]: [f64; 2], [x, y]: Vector) -> Vector {
     [c * x - s * y, s * x + c * y]
-}
-
-/// Lets joints ask for the velocities with which they hold at the end of a substep.
-#[inline]
-fn aim(nodes: &mut [Node], h: f64, unit: f64) {
-    nodes.iter_mut().for_each(|node| node.expected_spin = node.velocity[2]);
-    for_each_down(nodes, |node, parent| node.aim(parent, h, unit));
-}
-
-/// Bodies move, and the arms of their joints turn.
-#[inline]
-fn advance(nodes: &mut [Node], h: f64) {
-    for_each_down(nodes, |node, parent| node.advance(parent, h));
 }
 
 impl Node {
@@ -272,7 +256,7 @@ pub(super) fn postponed(size: f64, at_once: f64) -> f64 {
 #[inline(always)]
 fn aim_point(child: &Side, parent: &Side, h: f64, unit: f64) -> [f64; 3] {
     let error = plus(child.anchor(), parent.anchor(), -1.0);
-    let later = postponed(dot(error, error).sqrt(), CLOSED_AT_ONCE * unit);
+    let later = postponed(dot(error, error).sqrt(), CLOSING * h * unit);
     let [x, y] = plus(plus(child.aside(), parent.aside(), -1.0), error, -later);
     let rate = -1.0 / h;
     [x * rate, y * rate, 0.0]
@@ -285,14 +269,14 @@ fn aim_distance(node: &mut Node, child: &Side, parent: &Side, h: f64, unit: f64)
     let speed = dot(node.direction, way);
     let aside = plus(child.aside(), parent.aside(), -1.0);
     let ahead = plus(aside, way, h);
-    let later = error * postponed(error.abs(), CLOSED_AT_ONCE * unit);
+    let later = error * postponed(error.abs(), CLOSING * h * unit);
     speed - (dot(ahead, ahead).sqrt() - node.wanted - later) / h
 }
 
 #[inline(always)]
 fn aim_angle(node: &Node, child: &Side, parent: &Side, h: f64) -> f64 {
     let error = node.wanted + child.angle - parent.angle;
-    -error * (1.0 - postponed(error.abs(), CLOSED_AT_ONCE)) / h
+    -error * (1.0 - postponed(error.abs(), CLOSING * h)) / h
 }
 
 /// What is off a line changes as the joint's bodies move against each other where the child's anchor is, and as the line turns.
@@ -306,7 +290,7 @@ fn aim_line(node: &Node, child: &Side, parent: &Side, h: f64, unit: f64) -> [f64
     let ahead = plus(plus(child.aside(), parent.aside(), -1.0), way, h);
     let off = dot(across, apart);
     let left = dot(turned(turn(first.velocity[2] * h), across), ahead)
-        - off * postponed(off.abs(), CLOSED_AT_ONCE * unit);
+        - off * postponed(off.abs(), CLOSING * h * unit);
     let along = dot(node.direction, apart);
     // The line is the child's: it turns with a spin that is about to change.
     let own = if node.is_first { along * (turning - (child.velocity[2] - parent.velocity[2])) } else { 0.0 };
@@ -323,7 +307,7 @@ fn aim_line(node: &Node, child: &Side, parent: &Side, h: f64, unit: f64) -> [f64
 /// gains energy if all has. If nothing has they lose 19, 7.8 and 2.8 % of their greatest kinetic energy in ten seconds at
 /// 30, 60 and 120 Hz, and like this 6.2, 2.3 and 1.1 %, and none gains any.
 #[inline(always)]
-pub(super) fn with_momentum(stiffness: f64, borne: f64) -> f64 {
+pub(in crate::precise) fn with_momentum(stiffness: f64, borne: f64) -> f64 {
     let times = stiffness / (HALF_WITH_MOMENTUM * borne);
     WITH_MOMENTUM * stiffness / (1.0 + times * times)
 }
@@ -346,8 +330,8 @@ fn find_stiffness(nodes: &mut [Node], h: f64) {
 }
 
 /// How a step of a tree that nothing touches is divided.
-pub(super) struct Division {
-    pub(super) parts: u32,
+pub(in crate::precise) struct Division {
+    pub(in crate::precise) parts: u32,
     /// Whole kicks before bodies move put them in the same places as halves before and after: velocities are those of half a
     /// substep ago, and need not be made to obey the joints once more.
     pub(super) by_whole_kicks: bool,
@@ -361,7 +345,12 @@ impl Division {
     /// keep their energy in one; pendulums of a few bodies keep it best if the number is always the same. What turns fast
     /// needs more, as does, in groups that are not large, what would be stiffer than it bears: a whip more than there are
     /// substeps.
-    pub(super) fn of(bodies: u32, step: &Step, spin: f64, is_stiffer: impl Fn(f64) -> bool) -> Self {
+    pub(in crate::precise) fn of(
+        bodies: u32,
+        step: &Step,
+        spin: f64,
+        is_stiffer: impl Fn(f64) -> bool,
+    ) -> Self {
         let (by_whole_kicks, part) = if bodies <= FEWEST {
             (false, 0.0)
         } else if bodies <= FEW {
@@ -393,23 +382,14 @@ impl Division {
 /// Moves a tree that nothing touches through all substeps of a step.
 ///
 /// What springs and games push with may depend on the place: it acts at the beginning, as with bodies that nothing holds.
-pub(super) fn swing(
-    group: &mut Group,
-    holds: &[Hold],
-    room: &mut Room,
-    bodies: &Bodies,
-    step: &Step,
-    unit: f64,
-) {
-    let Group { nodes, loose, parts, .. } = group;
+pub(super) fn swing(Group { nodes, parts, .. }: &mut Group, bodies: &Bodies, step: &Step, unit: f64) {
     let (dt, substeps) = (f64::from(step.dt), f64::from(step.substeps));
     // In one part impulses would be so many times as long.
     find_stiffness(nodes, dt * substeps);
     let bodies_held = nodes.iter().filter(|node| node.body != 0).count() as u32;
     let spin = nodes.iter().fold(0.0, |spin: f64, node| spin.max(node.velocity[2].abs()));
-    let undivided = if loose.is_empty() { BORNE_UNDIVIDED } else { BORNE_IN_LOOPS };
     let division = Division::of(bodies_held, step, spin, |bears| {
-        let bears = undivided * bears;
+        let bears = BORNE_UNDIVIDED * bears;
         nodes.iter().any(|node| node.pull > bears * node.borne() && node.link != Link::Fixed)
     });
     *parts = division.parts;
@@ -418,12 +398,7 @@ pub(super) fn swing(
     for node in nodes.iter_mut() {
         node.divide(bodies, (dt, f64::from(division.parts)), longer);
     }
-    if loose.is_empty() {
-        swing_tree(nodes, &division, (h, unit));
-    } else {
-        loose.iter_mut().for_each(|loose| loose.stretch(longer, h));
-        swing_with_loose(group, holds, room, division.parts, (h, unit));
-    }
+    swing_tree(nodes, &division, (h, unit));
 }
 
 /// All parts of a step of a tree: as few passes over its nodes as there can be.
@@ -482,45 +457,4 @@ fn correct_tree(nodes: &mut [Node], (h, unit): (f64, f64), unexpected: f64) {
             (node.expected_spin, node.velocity) = (node.velocity[2], node.before);
         }
     }
-}
-
-/// All parts of a step of a tree that does not hold all joints.
-fn swing_with_loose(
-    Group { nodes, loose, .. }: &mut Group,
-    holds: &[Hold],
-    room: &mut Room,
-    parts: u32,
-    (h, unit): (f64, f64),
-) {
-    for part in 0..parts {
-        let share = if part == 0 { 0.5 } else { 1.0 };
-        nodes.iter_mut().for_each(|node| node.kick(share));
-        loose.iter_mut().for_each(|loose| loose.share(share));
-        nodes.iter_mut().for_each(|node| node.before = node.velocity);
-        for look in 0..=JERKS {
-            aim(nodes, h, unit);
-            solve_group(nodes, loose, holds, room, (h, Pass::Correct, 1.0));
-            find_stiffness(nodes, h);
-            if look == JERKS || !nodes.iter().any(Node::is_jerked) {
-                break;
-            }
-            stiffen_for_jerk(nodes);
-            nodes.iter_mut().for_each(|node| node.velocity = node.before);
-        }
-        aim(nodes, h, unit);
-        refine_group(nodes, loose, room, h);
-        count_impulses(nodes, loose);
-        advance(nodes, h);
-        loose.iter_mut().for_each(|loose| loose.advance(nodes, h));
-    }
-    nodes.iter_mut().for_each(|node| node.kick(0.5));
-    loose.iter_mut().for_each(|loose| loose.share(0.5));
-    nodes.iter_mut().for_each(Node::rest);
-    solve_group(nodes, loose, holds, room, (h, Pass::Rest, 0.0));
-    count_impulses(nodes, loose);
-}
-
-fn count_impulses(nodes: &mut [Node], loose: &mut [Loose]) {
-    nodes.iter_mut().for_each(Node::count_impulse);
-    loose.iter_mut().for_each(Loose::count_impulse);
 }

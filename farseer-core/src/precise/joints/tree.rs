@@ -244,24 +244,6 @@ pub(super) struct Work {
     along: [f64; 3],
 }
 
-/// Velocities that obey all joints, from those that do not, with this part of the stiffness.
-#[inline]
-pub(super) fn solve(nodes: &mut [Node], stiff: f64) {
-    for node in nodes.iter_mut() {
-        node.take_own(stiff);
-    }
-    hand_up(nodes);
-    follow(nodes);
-}
-
-/// [`solve`] with other velocities and biases, after it with the same arms and directions.
-#[inline]
-pub(super) fn solve_again(nodes: &mut [Node]) {
-    nodes.iter_mut().for_each(|node| node.take_own_momentum(node.velocity, 0.0));
-    hand_up_momentum(nodes);
-    follow(nodes);
-}
-
 /// Parents have to move what hangs on them. This and the two beneath it are not inlined: so often they are used.
 #[inline(never)]
 pub(super) fn hand_up(nodes: &mut [Node]) {

@@ -10,8 +10,8 @@
 //! [`swing`]: super::super::swing
 
 use super::super::super::bodies::Bodies;
+use super::super::forest::GROUND;
 use super::super::hold::Hold;
-use super::super::loose::GROUND;
 use super::row::{Motion, Pass, Row, Tie, What, product};
 use super::sparse::Sparse;
 use crate::storage::reusing_clone::reusing_clone;

@@ -2,8 +2,8 @@
 
 use super::super::super::bodies::Bodies;
 use super::super::super::islands::Islands;
+use super::super::forest::GROUND;
 use super::super::hold::Hold;
-use super::super::loose::GROUND;
 use super::super::tree::Link;
 use super::group::{Shared, SpatialGroup};
 use super::row::{Row, Side, Tie, What};

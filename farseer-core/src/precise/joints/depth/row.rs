@@ -2,8 +2,8 @@
 //!
 //! Velocities and pushes are along x and y, turning, and along the depth axis, as those of bodies are.
 
+use super::super::forest::GROUND;
 use super::super::hold::Hold;
-use super::super::loose::GROUND;
 use super::super::swing::{turn, turned};
 use super::super::tree::{Link, Vector, dot, plus, spun};
 use crate::joints::{JointLimits, JointMotor};
