@@ -24,7 +24,9 @@ const ITERATIVE_JOINT: f64 = 0.3;
 const ITERATIVE_CONTACT: f64 = 0.1;
 
 /// Updates of the iterative solver that an update of the direct solver may cost on the average.
-const INCOME: f64 = 3.0;
+const INCOME: f64 = 5.0;
+/// The same where joints or contacts tie bodies of which one is far heavier: the iterative solver needs many times as many passes there.
+const INCOME_OF_UNLIKE: f64 = 10.0;
 /// Cost of an update without an accepted solution beside that of its Newton steps, in updates of the iterative solver.
 const UNSOLVED: f64 = 20.0;
 /// Updates of the iterative solver by which the budget may be overdrawn: figures, houses and bridges that fall into place take fewer.
@@ -43,8 +45,13 @@ impl Precise {
         let mut wear = self.direct.wear[whole.island.members[0].number as usize];
         wear.is_hot = steps > 0;
         wear.was_solved |= !whole.is_left;
-        let cost = cost_in_updates(whole, steps) + if is_solved { 0.0 } else { UNSOLVED };
-        let budget = f64::from(wear.budget) + INCOME - cost;
+        let cost = match is_solved {
+            true if whole.swings(&self.joints) => 0.0,
+            true => cost_in_updates(whole, steps),
+            false => cost_in_updates(whole, steps) + UNSOLVED,
+        };
+        let income = if whole.is_unlike() { INCOME_OF_UNLIKE } else { INCOME };
+        let budget = f64::from(wear.budget) + income - cost;
         // No negative zero is saved.
         let budget = if budget < 0.0 { budget } else { 0.0 };
         let is_overdrawn = budget < -OVERDRAFT;
@@ -60,6 +67,13 @@ impl Precise {
         for member in &whole.island.members {
             self.direct.wear[member.number as usize] = wear;
         }
+    }
+}
+
+impl Whole {
+    /// Whether joints or contacts tie bodies of such different masses that the iterative solver may [jam](JAM) them.
+    fn is_unlike(&self) -> bool {
+        self.island.may_jam(&self.joint_ends) || self.island.may_jam(&self.ends)
     }
 }
 
