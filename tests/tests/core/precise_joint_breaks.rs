@@ -30,7 +30,7 @@ fn add_solid(simulator: &mut PhysicsSimulator, at: Vector2, size: [f32; 2], mass
     body
 }
 
-/// What holds a load.
+/// The support of a load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum On {
     /// A static body: nothing touches what moves.

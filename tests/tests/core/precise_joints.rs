@@ -492,7 +492,7 @@ fn a_chain_swings_the_same_way_whether_its_joints_are_all_hinges_or_not() {
     let swung = hinged.iter().fold(0.0, |most: f32, place| most.max(place.x.abs()));
     let apart = apart.fold(0.0, f32::max);
     assert!(swung > 20.0, "{swung}");
-    // Measured: 0.049 px. Another solver has it, of the same order, which stiffens against the pull by other roundings of a part.
+    // Measured: 0.049 px. Both methods are of second order in the same parts of the step, and differ by their errors of that order.
     assert!(apart < 0.1, "{apart}");
 }
 

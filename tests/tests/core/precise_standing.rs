@@ -93,8 +93,8 @@ fn what_stands_stands_at_any_rotation_by_a_right_angle() {
     }
 }
 
-/// What a game may change of the table; the pointer or the plate moves by it.
-const CHANGES: [(&str, fn(&mut PhysicsSimulator, &Table)); 8] = [
+/// Changes that a game may make; the pointer or the plate moves by each.
+const CHANGES: [(&str, fn(&mut PhysicsSimulator, &Table)); 9] = [
     ("a motor", |simulator, table| {
         let motor = JointMotor { speed: 1.0, greatest_effort: 1e6 };
         simulator.set_joint_motor(table.hinge, Some(motor)).unwrap();
@@ -112,6 +112,7 @@ const CHANGES: [(&str, fn(&mut PhysicsSimulator, &Table)); 8] = [
         simulator[geom].set_friction_coefficient(0.0);
         simulator.set_gravity(v(60.0, GRAVITY)).unwrap();
     }),
+    ("a belt", |simulator, table| simulator[table.floor].set_linear_velocity(v(50.0, 0.0))),
     ("a velocity", |simulator, table| simulator[table.plate].set_linear_velocity(v(0.0, -50.0))),
     ("a pose of the floor", |simulator, table| simulator[table.floor].set_position(v(0.0, 30.0))),
     ("a joint less", |simulator, table| simulator.dispose(table.hinge).unwrap()),
@@ -130,7 +131,7 @@ fn whatever_changes_is_noticed_at_once() {
 
 #[test]
 fn what_is_left_as_it_is_goes_on_as_what_is_looked_at_in_every_update() {
-    // What is restored knows nothing of having stood.
+    // A restored simulator does not know that the island stood.
     for (name, change) in CHANGES {
         let (mut simulator, table) = standing_table();
         let mut restored = simulator.clone();
@@ -147,6 +148,39 @@ fn what_is_left_as_it_is_goes_on_as_what_is_looked_at_in_every_update() {
             assert_eq!(state(&restored), state(&simulator), "{name}, step {step}");
         }
     }
+}
+
+#[test]
+fn a_platform_that_starts_to_slide_takes_along_what_stands_on_it() {
+    let mut simulator = precise(GRAVITY);
+    simulator.set_sleep_enabled(false);
+    let table = add_table(&mut simulator);
+    simulator[table.floor].set_is_static(false);
+    simulator[table.floor].set_is_kinematic(true);
+    run(&mut simulator, 120);
+    let before = simulator[table.plate].position();
+    simulator[table.floor].set_linear_velocity(v(5.0, 0.0));
+    run(&mut simulator, 60);
+    let way = simulator[table.plate].position().x - before.x;
+    // Friction takes it to 5 units/s within the first update.
+    assert!((way - 5.0).abs() < 0.1, "{way}");
+}
+
+#[test]
+fn a_pendulum_on_what_stands_that_has_no_speed_at_the_end_of_an_update_swings_back() {
+    let (mut simulator, table) = standing_table();
+    let bob = add_box(&mut simulator, [0.0, -28.0], [4.0, 16.0], 1.0);
+    JointFactory::create_revolute_joint_in(&mut simulator, table.plate, bob, v(0.0, -40.0)).unwrap();
+    // The spin that gravity takes away in one update, at 0.05 radians.
+    let (angle, arm) = (0.05_f32, 12.0);
+    simulator[bob].set_position(v(-arm * angle.sin(), -40.0 + arm * angle.cos()));
+    simulator[bob].set_rotation(angle);
+    let inertia = simulator[bob].moment_of_inertia() + arm * arm;
+    simulator[bob].set_angular_velocity(GRAVITY * arm * angle.sin() / inertia * DT);
+    let spin = simulator[bob].angular_velocity();
+    simulator[bob].set_linear_velocity(v(-arm * angle.cos(), -arm * angle.sin()) * spin);
+    run(&mut simulator, 60);
+    assert!((simulator[bob].rotation() - angle).abs() > 0.01, "{}", simulator[bob].rotation());
 }
 
 #[test]

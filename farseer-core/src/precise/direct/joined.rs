@@ -1,6 +1,6 @@
 //! An island with joints in a step: its contacts and joints are rows of one system, solved for velocities and then for positions.
 //!
-//! A solution is a transaction: nothing is written before it is accepted. What is not accepted goes on with the best there is, and costs
+//! A solution is a transaction: nothing is written before it is accepted. An island whose solution is not accepted goes on with the best there is, and costs
 //! so much of the budget that it is soon the iterative solver's; at once if it gains energy. In the middle of a blow, that is worse than any
 //! best: it begins from impulses that it cannot hold.
 
@@ -8,7 +8,7 @@ use super::block::Triple;
 use super::constraint::{Constraint, FIXED};
 use super::constraint_list::add_push;
 use super::depth;
-use super::island::{Effort, Goal, Island, dot, greater};
+use super::island::{Effort, Goal, Island, Member, dot, greater};
 use super::joint::JointRows;
 use super::price::most_steps;
 use super::whole::{BEARABLE, ENOUGH, EXACT, NEAR, QUIET, Reading, SOLVED, Standing, Whole};
@@ -18,7 +18,7 @@ use crate::precise::bodies::Bodies;
 use crate::precise::joints::island_rows::Span;
 use crate::precise::joints::springs::Springs;
 use crate::precise::joints::{IMMOVABLE, Joints};
-use crate::precise::rows::Rows;
+use crate::precise::rows::{Lane, Rows};
 use crate::precise::tuning::Step;
 
 /// Residual that is accepted: length units per second, in units of length, and as a part of the residual before the solution.
@@ -71,9 +71,10 @@ impl Precise {
         whole.is_left = false;
         whole.make_contacts(rows, &reading, false);
         whole.damp_spins(springs, dt);
-        whole.make_joints(joints, Span { dt, of_forces: dt, substeps }, LEVER * unit);
+        whole.make_joints(joints, Span { dt, of_forces: dt, substeps, of_step: dt }, LEVER * unit);
         whole.make_springs(springs, dt, LEVER * unit);
-        if whole.island.is_driven() {
+        let is_driven = whole.island.is_driven();
+        if is_driven {
             reading.quiet = unit * EXACT;
         }
         whole.island.stiffen_inertia(dt, |_, _| 0.0);
@@ -90,7 +91,7 @@ impl Precise {
         let before = whole.find_errors(joints, (0.0, false));
         // Stiff springs without friction creep to where they pull: less than what is quiet is far in the end.
         let is_still = whole.springs.is_empty() && whole.island.greatest_speed(LEVER * unit) <= reading.quiet;
-        if effort.steps == 0 && is_still && deepest <= left && before <= left {
+        if effort.steps == 0 && is_still && !is_driven && deepest <= left && before <= left {
             whole.stand(rows, &reading);
             whole.joints.iter().for_each(|&at| joints.note_solved(at));
             return effort;
@@ -129,12 +130,16 @@ impl Whole {
                 *stood == Standing::of(bodies, number) && bodies.hot[number].velocity == [0.0; 4]
             })
             && self.homes.iter().zip(&self.separations).all(|(&home, separations)| {
-                let [one, other] = &rows.direct(home).lane.points;
+                let Lane { a, points: [one, other], .. } = &rows.direct(home).lane;
+                let stands = |body: u32| bodies.hot[body as usize].velocity == [0.0; 4];
                 [one.separation, other.separation] == *separations
+                    && (!bodies.is_kinematic(*a as usize) || stands(*a))
             })
     }
 
-    /// Nothing is faster than what is quiet: it stands still, and what holds it is as it was.
+    /// No member is faster than what is quiet: the island stands still, and impulses stay as they are. One that stood still before as
+    /// well is not to be solved until something changes: from velocities of 0 a solution finds the same again. (A pendulum that turns
+    /// round has no velocity either, and gets one.)
     fn stand(&mut self, rows: &mut Rows, reading: &Reading<'_>) {
         self.keep(rows, reading.step, reading.parts);
         self.has_pushes = true;
@@ -144,11 +149,12 @@ impl Whole {
             homes.iter().map(|&home| rows.direct(home).lane.points.each_ref().map(|point| point.separation)),
         );
         ways.iter_mut().for_each(|way| *way = [0.0; 3]);
-        for member in &mut island.members {
-            member.velocity = [0.0; 3];
-            let number = member.number as usize;
-            stood.push(Standing::of(reading.bodies, number));
+        let Reading { bodies, .. } = reading;
+        let stands = |member: &Member| bodies.hot[member.number as usize].velocity == [0.0; 4];
+        if island.members.iter().all(stands) {
+            stood.extend(island.members.iter().map(|member| Standing::of(bodies, member.number as usize)));
         }
+        island.members.iter_mut().for_each(|member| member.velocity = [0.0; 3]);
     }
 
     /// Rows of its joints.

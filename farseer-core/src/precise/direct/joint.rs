@@ -72,7 +72,7 @@ pub(in crate::precise) struct JointRows {
     offset: f64,
     /// Impulse per velocity across a spring with which its tension resists.
     across: f64,
-    /// What velocity errors take in of how turns bend the joint, in length units (radians) per second.
+    /// The part of velocity errors by which turns bend the joint, in length units (radians) per second.
     bent: Triple,
     /// Position errors of the rows at the end of the step: length units, and radians in the row of the angle.
     pub(in crate::precise) errors: Triple,

@@ -119,7 +119,7 @@ impl Whole {
         island.contacts.clear();
         island.joints.clear();
         island.rubs.clear();
-        let whole_step = Span { dt, of_forces: dt, substeps: step.substeps.into() };
+        let whole_step = Span { dt, of_forces: dt, substeps: step.substeps.into(), of_step: dt };
         for (hold, &ends) in holds.iter().zip(joint_ends.iter()) {
             let mut rows = hold.rows(ends, whole_step, 1.0);
             rows.weigh(&island.members);
@@ -142,7 +142,7 @@ impl Precise {
         whole.stood.clear();
         let parts = whole.begin_swing(joints, step);
         let h = dt / f64::from(parts);
-        // What is quiet for a structure at rest would add up to a wrong angle of a slow motor.
+        // The residual that is quiet at rest would add up to a wrong angle of a slow motor.
         let quiet = unit * EXACT;
         let reading = Reading { bodies, step, dt: h, rate: h.recip(), parts: substeps, left, quiet };
         let most_steps = most_steps(whole);
@@ -151,7 +151,7 @@ impl Precise {
             let (moves, share) = (part < parts, if part == 0 || part == parts { 0.5 } else { 1.0 });
             let share_of_step = share / f64::from(parts);
             whole.kick(share_of_step, part == 0, &reading);
-            let span = Span { dt: h, of_forces: share * h, substeps: share_of_step * substeps };
+            let span = Span { dt: h, of_forces: share * h, substeps: share_of_step * substeps, of_step: dt };
             whole.make_rows(span, LEVER * unit);
             if moves {
                 whole.island.stiffen_inertia(h / share, with_momentum);
@@ -172,6 +172,7 @@ impl Precise {
         let most = f64::from(tuning.push) * dt;
         let gap = whole.close(joints, (dt, 0.0), [left, most, 0.0], 0.0);
         all.is_solved = gap <= ACCEPTED_GAP * unit;
+        whole.has_swung = all.is_solved;
         if all.is_solved {
             for (&at, total) in whole.joints.iter().zip(&whole.totals) {
                 joints.take_force(at, total.map(|impulse| impulse / dt + 0.0));

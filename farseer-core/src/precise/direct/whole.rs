@@ -18,8 +18,9 @@ use crate::precise::rows::{Aside, Home, PointLane, Rows};
 use crate::precise::tuning::Step;
 use crate::storage::reusing_clone::reusing_clone;
 
-/// In units of length per second: the greatest error of a velocity that is left as it is, of what is still; and the one in the
-/// update after a solution, for what has corrected velocities is to leave the impulses again.
+/// In units of length per second: the greatest error of a velocity that is left as it is, of what is still; and the one of islands of
+/// contacts in the update after a solution, for what has corrected velocities is to leave the impulses again, and of what motors, belts
+/// or kinematic bodies move, which may be slow. (Islands with joints keep the first one: rounding of poses makes more than the second.)
 pub(super) const QUIET: f64 = 1e-4;
 pub(super) const EXACT: f64 = 2e-6;
 /// What a solution leaves of it at most, and if that is easily had: what it leaves adds up from update to update until it is
@@ -54,6 +55,8 @@ pub(super) struct Whole {
     pub(super) steps: usize,
     /// It could not be solved, and goes by passes.
     pub(super) is_left: bool,
+    /// It was solved as a free articulation in parts of the step.
+    pub(super) has_swung: bool,
     /// With joints: greatest velocity error in the last update that looked.
     pub(super) residual: f64,
     /// With joints: its members, if it stood still in the last update.
@@ -73,7 +76,7 @@ pub(super) struct Whole {
 
 reusing_clone! {
     Whole {
-        island, homes, ends, ways, separations, has_pushes, steps, is_left, residual, stood, joints, joint_ends, springs,
+        island, homes, ends, ways, separations, has_pushes, steps, is_left, has_swung, residual, stood, joints, joint_ends, springs,
         spring_ends, holds, totals, path
     }
 }
@@ -332,6 +335,7 @@ impl Precise {
 
     /// Answers how many steps of Newton's method it has taken.
     fn solve_whole(&mut self, whole: &mut Whole, step: &Step, unit: f64) -> Effort {
+        whole.has_swung = false;
         if whole.is_joined() {
             let steps = match whole.swings(&self.joints) {
                 true => match self.solve_swing(whole, step, unit) {

@@ -2,7 +2,7 @@
 //!
 //! Lanes without a joint have bodies 0 and inverse masses 0. No two lanes share a body that gives way.
 
-use wide::f32x4;
+use wide::{f32x4, f64x4};
 
 use super::super::bodies::{Bodies, Hot};
 use super::frame::Frame;
@@ -19,6 +19,18 @@ pub(super) type Rows = [Lanes; 3];
 type Motion = [Lanes; 4];
 
 const ZERO: Lanes = f32x4::ZERO;
+
+/// The same numbers in f64.
+#[inline(always)]
+pub(super) fn wide(lanes: Lanes) -> f64x4 {
+    f64x4::new(lanes.to_array().map(f64::from))
+}
+
+/// Numbers rounded to f32.
+#[inline(always)]
+pub(super) fn narrow(lanes: f64x4) -> Lanes {
+    f32x4::new(lanes.to_array().map(|number| number as f32))
+}
 
 /// How the direction n of the rows is found.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -177,11 +189,12 @@ impl BlockPair {
         }
     }
 
-    /// K = J M^-1 J^T: its diagonal, and the products of rows 0 and 1, 0 and 2, 1 and 2.
-    pub(super) fn matrix(&self) -> [Rows; 2] {
-        let linear = self.inverse_masses[0] + self.inverse_masses[1];
-        let [ia, ib] = self.inverse_inertias;
-        let [[na, ta], [nb, tb]] = self.angular;
+    /// K = J M^-1 J^T: its diagonal, and the products of rows 0 and 1, 0 and 2, 1 and 2. With long arms f32 would lose the masses in
+    /// it.
+    pub(super) fn matrix(&self) -> [[f64x4; 3]; 2] {
+        let linear = wide(self.inverse_masses[0]) + wide(self.inverse_masses[1]);
+        let [ia, ib] = self.inverse_inertias.map(wide);
+        let [[na, ta], [nb, tb]] = self.angular.map(|of_side| of_side.map(wide));
         [
             [linear + (ia * na * na + ib * nb * nb), ia + ib, linear + (ia * ta * ta + ib * tb * tb)],
             [ia * na + ib * nb, ia * na * ta + ib * nb * tb, ia * ta + ib * tb],

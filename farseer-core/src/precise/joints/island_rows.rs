@@ -25,8 +25,9 @@ pub(in crate::precise) struct Span {
     /// Seconds that bodies move for, and seconds that forces act for.
     pub(in crate::precise) dt: f64,
     pub(in crate::precise) of_forces: f64,
-    /// Substeps of the iterative solver that forces act for.
+    /// Substeps of the iterative solver that forces act for, and seconds of the whole step.
     pub(in crate::precise) substeps: f64,
+    pub(in crate::precise) of_step: f64,
 }
 
 /// The row that motor and limits act on.
@@ -48,7 +49,7 @@ impl Hold {
 
     /// Its rows in a span of the step.
     pub(in crate::precise) fn rows(&self, ends: Ends, span: Span, lever: f64) -> JointRows {
-        let Span { dt, of_forces, substeps } = span;
+        let Span { dt, of_forces, substeps, of_step } = span;
         let frame = Frame::of(self);
         let jacobian = frame.jacobian();
         let prescribed = self.prescribed(ends);
@@ -60,7 +61,7 @@ impl Hold {
             if low < high {
                 rows.limit(row, [value - low, high - value], Drive::NONE, [dt, most]);
             } else if most < f64::INFINITY {
-                rows.keep_within(row, most, value - high, self.bias_factor / dt);
+                rows.keep_within(row, most, value - high, self.bias_factor / of_step);
             } else {
                 rows.keep(row, most);
             }

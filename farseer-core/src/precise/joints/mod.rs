@@ -416,9 +416,10 @@ impl Joints {
         self.soft.note_bounce(row, lanes);
     }
 
-    /// Joints of the iterative solver share the blows of the bodies that have bounced. Answers whether there are such.
-    pub(super) fn bounce(&mut self, bodies: &mut Bodies) -> bool {
-        self.soft.bounce(bodies)
+    /// Joints of the iterative solver share the blows of the bodies that have bounced. Answers the greatest speed that one missed, in
+    /// length units per second.
+    pub(super) fn bounce(&mut self, bodies: &mut Bodies) -> f32 {
+        self.soft.bounce(bodies, self.unit as f32)
     }
 
     /// Moves the hinged groups that nothing touches through all substeps; where all others that nothing touched have come to,

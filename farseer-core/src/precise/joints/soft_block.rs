@@ -8,7 +8,7 @@ use super::super::bodies::{Bodies, Hot};
 use super::super::direct::block::Triple;
 use super::super::direct::constraint::Set;
 use super::super::direct::joint::{ACROSS, ALONG, ANGLE};
-use super::block_pair::{BlockPair, Lanes, Normal, Rows};
+use super::block_pair::{BlockPair, Lanes, Normal, Rows, narrow, wide};
 use super::block_row::{BlockRow, free_row};
 use super::frame::Frame;
 use super::hold::Hold;
@@ -153,11 +153,11 @@ impl SoftBlock {
         let ([along, across], way) = self.pair.places();
         let greatest = f32x4::splat(GREATEST_ANGLE as f32);
         let beyond = self.pair.turned - self.target;
-        let is_line = self.pair.way == Normal::Line;
+        let is_distance = self.pair.way == Normal::Line;
         self.errors = [
-            if is_line { along - self.target } else { along },
+            if is_distance { along - self.target } else { along },
             smaller(greater(beyond, ZERO - greatest), greatest),
-            if is_line { ZERO } else { across },
+            if is_distance { ZERO } else { across },
         ];
         let [mut diagonal, products] = self.pair.matrix();
         let row = self.row();
@@ -167,10 +167,10 @@ impl SoftBlock {
                 Normal::Axis => Some(way),
                 Normal::Line => Some(along),
             };
-            free.follow(self.pair.turned, length, diagonal[row]);
+            free.follow(self.pair.turned, length, narrow(diagonal[row]));
         }
         if self.is_softened {
-            let compliance = self.softness.compliance & self.softened;
+            let compliance = wide(self.softness.compliance & self.softened);
             diagonal.iter_mut().for_each(|own| *own += compliance);
         }
         self.mass = BlockMass::of(diagonal, products, self.kept);
@@ -254,25 +254,33 @@ impl SoftBlock {
 
     /// Joints that keep something whatever that takes, of bodies that a blow has reached: they keep what they hold in the velocities after
     /// it, and it reaches both of their bodies. Impulses before it were those with which bodies were stopped: warm starting with them
-    /// would push again what has left.
-    pub(super) fn bounce(&mut self, hot: &mut [Hot], struck: &mut [u32], list: &mut Vec<u32>) {
+    /// would push again what has left. Motors, limits, soft and bounded joints share no blow. Answers the greatest speed that was missed.
+    pub(super) fn bounce(
+        &mut self,
+        hot: &mut [Hot],
+        (struck, list): (&mut [u32], &mut Vec<u32>),
+        unit: f32,
+    ) -> f32 {
         let infinite = f32x4::splat(f32::INFINITY);
         let is_hard = self.most.simd_eq(infinite) & self.most_of_angle.simd_eq(infinite);
         let [along, angle, across] = self.kept;
         let is_hard = is_hard & (along | angle | across);
         let reached = select(self.softened, ZERO, is_hard & self.pair.mask(struck));
         if reached.none() {
-            return;
+            return 0.0;
         }
         let mut velocities = self.pair.velocities(hot);
-        let found = self.mass.times(self.pair.relative(&velocities));
-        let change = found.map(|impulse| (ZERO - impulse) & reached);
+        let speeds = self.pair.relative(&velocities);
+        let change = self.mass.times(speeds).map(|impulse| (ZERO - impulse) & reached);
         self.pair.push(&mut velocities, change);
         self.pair.write(hot, velocities);
         self.pair.mark(reached, struck, list);
         let impulses = self.on_second_of(change);
         (0..3).for_each(|i| self.total[i] += impulses[i]);
         self.impulses = self.impulses.map(|impulse| select(reached, ZERO, impulse));
+        let size = |row: usize| greater(speeds[row], ZERO - speeds[row]) & self.kept[row] & reached;
+        let missed = greater(greater(size(ALONG), size(ACROSS)), f32x4::splat(LEVER * unit) * size(ANGLE));
+        missed.to_array().into_iter().fold(0.0, |most, missed| if missed > most { missed } else { most })
     }
 
     /// Impulses within the greatest ones: of the linear rows as a length; of the angle, with which they are solved again then.
@@ -287,6 +295,7 @@ impl SoftBlock {
         let [diagonal, products @ [beside_along, _, beside_across]] = self.pair.matrix();
         let mass = BlockMass::of(diagonal, products, [self.kept[ALONG], ZERO, self.kept[ACROSS]]);
         let [along, _, across] = missing;
+        let [beside_along, beside_across] = [beside_along, beside_across].map(narrow);
         let found = mass.times([along + beside_along * change, ZERO, across + beside_across * change]);
         for row in [ALONG, ACROSS] {
             next[row] = select(is_cut, law.next(self.impulses[row], found[row]), next[row]);

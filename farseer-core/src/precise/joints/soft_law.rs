@@ -4,9 +4,9 @@
 //! dl = -mass K^-1 (u + bias C + compliance l) - leak l, with K = J M^-1 J^T of the block (E. Catto, "Soft Constraints", GDC 2011;
 //! "Solver2D", 2024).
 
-use wide::f32x4;
+use wide::{f32x4, f64x4};
 
-use super::block_pair::{Lanes, Rows};
+use super::block_pair::{Lanes, Rows, narrow};
 use super::hold::Hold;
 use crate::math::lanes::select;
 
@@ -21,9 +21,9 @@ const DAMPING: f64 = 5.0;
 /// a bound, spins have none.
 pub(super) const GREATEST_ANGLE: f64 = 1.0;
 
-/// A pivot below this part of its diagonal is rounding, of eight units in the last place: the row depends on those before it and gets
-/// no impulse.
-const LEAST_PIVOT: f32 = 8.0 * f32::EPSILON;
+/// A pivot below this part of its diagonal is rounding: the row depends on those before it and gets no impulse. That of the angle of a
+/// weld whose anchor is 10,000 times as far as its bodies reach is 1e-8 of it.
+const LEAST_PIVOT: f64 = 1e-12;
 
 /// Coefficients of the law of a row: see the [module](self).
 #[derive(Debug, Clone, Copy)]
@@ -117,10 +117,14 @@ pub(super) struct BlockMass {
 impl BlockMass {
     /// Factors of the rows with these masks, of a matrix with this diagonal and these products of rows 0 and 1, 0 and 2, 1 and 2.
     #[inline(always)]
-    pub(super) fn of(diagonal: Rows, [one_zero, two_zero, two_one]: Rows, kept: Rows) -> Self {
-        let invert = |row: usize, pivot: Lanes| {
-            let is_own = pivot.simd_gt(f32x4::splat(LEAST_PIVOT) * diagonal[row]);
-            (f32x4::splat(1.0) / pivot) & is_own & kept[row]
+    pub(super) fn of(diagonal: [f64x4; 3], [one_zero, two_zero, two_one]: [f64x4; 3], kept: Rows) -> Self {
+        let kept = kept.map(|mask| {
+            let is_in = mask.to_array().map(|lane| lane.to_bits() != 0);
+            f64x4::new(is_in.map(|is_in| if is_in { 1.0 } else { 0.0 })).simd_gt(f64x4::ZERO)
+        });
+        let invert = |row: usize, pivot: f64x4| {
+            let is_own = pivot.simd_gt(f64x4::splat(LEAST_PIVOT) * diagonal[row]);
+            (f64x4::splat(1.0) / pivot) & is_own & kept[row]
         };
         let first = invert(0, diagonal[0]);
         let (l10, l20) = (one_zero * first, two_zero * first);
@@ -128,7 +132,7 @@ impl BlockMass {
         let rest = two_one - l20 * one_zero;
         let l21 = rest * second;
         let third = invert(2, diagonal[2] - l20 * two_zero - l21 * rest);
-        BlockMass { below: [l10, l20, l21], inverse: [first, second, third] }
+        BlockMass { below: [l10, l20, l21].map(narrow), inverse: [first, second, third].map(narrow) }
     }
 
     /// The product of the inverse of K and this.
@@ -162,7 +166,7 @@ pub(super) fn within(number: f64, most: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use wide::f32x4;
+    use wide::{f32x4, f64x4};
 
     use super::{BlockLaw, BlockMass, Law};
     use crate::precise::joints::block_pair::Rows;
@@ -188,7 +192,8 @@ mod tests {
     }
 
     fn mass_of(k: [[f32; 3]; 3], rows: u32) -> BlockMass {
-        BlockMass::of(splat([k[0][0], k[1][1], k[2][2]]), splat([k[0][1], k[0][2], k[1][2]]), mask(rows))
+        let wide = |numbers: [f32; 3]| numbers.map(|number| f64x4::splat(number.into()));
+        BlockMass::of(wide([k[0][0], k[1][1], k[2][2]]), wide([k[0][1], k[0][2], k[1][2]]), mask(rows))
     }
 
     #[test]

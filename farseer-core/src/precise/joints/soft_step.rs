@@ -35,7 +35,7 @@ pub(super) struct SoftJoints {
     /// Their dynamic bodies; and by body number whether it is one of them, as a mask of all bits.
     bodies: Vec<u32>,
     masks: Vec<u32>,
-    /// Those of them that a blow has reached, directly or by joints; and by body number, as masks.
+    /// Bodies that a blow has reached, directly or by joints; and by body number, as masks.
     struck: Vec<u32>,
     struck_masks: Vec<u32>,
 }
@@ -47,6 +47,7 @@ impl SoftJoints {
     pub(super) fn plan(&mut self, holds: &[Hold], in_plane: &[u32], bodies: usize) {
         self.forget();
         colour(holds, in_plane, bodies, &mut self.order);
+        self.struck.clear();
         for masks in [&mut self.masks, &mut self.struck_masks] {
             masks.clear();
             masks.resize(bodies, 0);
@@ -180,15 +181,17 @@ impl SoftJoints {
         }
     }
 
-    /// Hard joints of bodies that a blow has reached, in the order of colours, and of those that it reaches by these, keep what they hold
-    /// in the velocities after it. Their impulses are those of the blow alone: they do not act again.
-    pub(super) fn bounce(&mut self, bodies: &mut Bodies) -> bool {
-        if self.struck.is_empty() {
-            return false;
-        }
+    /// Hard joints of bodies that a blow has reached, in the order of colours, and of bodies that it reaches by these, keep what they hold
+    /// in the velocities after it. Their impulses are those of the blow alone: they do not act again. Answers the greatest speed that one
+    /// missed, in length units per second.
+    pub(super) fn bounce(&mut self, bodies: &mut Bodies, unit: f32) -> f32 {
         let SoftJoints { joints, struck, struck_masks, .. } = self;
-        joints.iter_mut().for_each(|block| block.bounce(&mut bodies.hot, struck_masks, struck));
-        true
+        if struck.is_empty() {
+            return 0.0;
+        }
+        let missed =
+            joints.iter_mut().map(|block| block.bounce(&mut bodies.hot, (struck_masks, struck), unit));
+        missed.fold(0.0, |most: f32, missed| if missed > most { missed } else { most })
     }
 
     /// Forces and torques of these joints in the last substep, and their means over the update of `dt` seconds.

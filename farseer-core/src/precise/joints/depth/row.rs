@@ -413,7 +413,7 @@ impl Row {
         }
     }
 
-    /// What of its error a substep undoes, with the error's sign.
+    /// The part of its error that a substep undoes, with the error's sign.
     pub(super) fn undone(&self) -> f64 {
         let [low, high] = self.range;
         match self.what {
@@ -443,7 +443,7 @@ impl Row {
     }
 }
 
-/// What a push on one number does to another one by way of a body that both hold.
+/// The effect of a push on one number on another one, by way of a body that both hold.
 pub(super) fn product(a: Motion, b: Motion, inverse: Motion) -> f64 {
     (0..4).map(|i| a[i] * b[i] * inverse[i]).sum()
 }
