@@ -99,8 +99,8 @@ impl Rapier {
         self.outlines.push(lowest);
     }
 
-    /// Ties objects by ball joints at the centres of the first of each two, as `rapier3d`'s example of ball joints does. What is
-    /// tied to a rope turns about all axes, and does not collide with what is tied to any.
+    /// Ties objects by ball joints at the centres of the first of each two, as `rapier3d`'s example of ball joints does.
+    /// Balls of a rope turn about all axes, and collide with no ball of any rope.
     fn tie(&mut self, rope: &[usize]) {
         let groups = InteractionGroups::new(Group::GROUP_1, !Group::GROUP_1, InteractionTestMode::And);
         for &object in rope {
