@@ -93,8 +93,11 @@ fn what_stands_stands_at_any_rotation_by_a_right_angle() {
     }
 }
 
-/// Changes that a game may make; the pointer or the plate moves by each.
-const CHANGES: [(&str, fn(&mut PhysicsSimulator, &Table)); 9] = [
+/// A name, and a change that a game may make.
+type Change = (&'static str, fn(&mut PhysicsSimulator, &Table));
+
+/// The pointer or the plate moves by each.
+const CHANGES: [Change; 9] = [
     ("a motor", |simulator, table| {
         let motor = JointMotor { speed: 1.0, greatest_effort: 1e6 };
         simulator.set_joint_motor(table.hinge, Some(motor)).unwrap();
