@@ -62,6 +62,9 @@ impl Precise {
             return Effort { steps: 0, residual: whole.residual, is_solved: true };
         }
         whole.stood.clear();
+        // Room for the update in which it comes to stand, which may be any.
+        whole.stood.reserve(whole.island.members.len());
+        whole.separations.reserve(whole.homes.len().saturating_sub(whole.separations.len()));
         let (dt, substeps) = (f64::from(step.dt), f64::from(step.substeps));
         let is_optional = direct.timing.choice != IslandChoice::Whole;
         let was_solved = direct.wear[whole.island.members[0].number as usize].was_solved;
