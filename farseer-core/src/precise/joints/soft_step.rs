@@ -47,6 +47,13 @@ impl SoftJoints {
     pub(super) fn plan(&mut self, holds: &[Hold], in_plane: &[u32], bodies: usize) {
         self.forget();
         colour(holds, in_plane, bodies, &mut self.order);
+        // Room for all of them: when the iterative solver gets one is not known before. Each colour may leave a block of each kind that is
+        // not full.
+        let colours = self.order.chunk_by(|one, other| one.1 == other.1).count();
+        let blocks = self.order.len().div_ceil(4) + Kind::COUNT * colours;
+        let alone = self.order.iter().filter(|&&(_, colour)| is_last(colour)).count();
+        self.joints.reserve(self.order.len().min(blocks + alone));
+        self.bodies.reserve(bodies.min(2 * self.order.len()));
         self.struck.clear();
         for masks in [&mut self.masks, &mut self.struck_masks] {
             masks.clear();
