@@ -11,13 +11,13 @@ use crate::precise::joints::springs::Springs;
 use crate::precise::pairs::Pairs;
 use crate::precise::proxies::Proxies;
 use crate::precise::rows::{Home, Lane};
-use crate::storage::order::{joined, sort_by_number};
+use crate::storage::order::{joined, sort_within};
 
 impl Precise {
     /// The contacts of each island, in the order of creation numbers.
     pub(super) fn list_contacts(&mut self) {
         let Precise { direct, pairs, proxies, rows, .. } = self;
-        let Direct { islands, unions, census, found, .. } = direct;
+        let Direct { islands, unions, census, found, order, .. } = direct;
         found.clear();
         let all = (0..pairs.awake).filter(|&pair| pairs.all[pair].home.is_some_and(Home::is_direct));
         found.extend(all.map(|pair| {
@@ -25,8 +25,10 @@ impl Precise {
             (census[unions.find(body) as usize].place.unwrap_or(0), pair as u32)
         }));
         // Island by island, in each in the order of creation numbers.
-        sort_by_number(found, |&(_, pair)| proxies.creation_numbers(pairs.watched[pair as usize].proxies));
-        sort_by_number(found, |&(place, _)| place.into());
+        sort_within(order, found, |&(_, pair)| {
+            proxies.creation_numbers(pairs.watched[pair as usize].proxies)
+        });
+        sort_within(order, found, |&(place, _)| place.into());
         for &(place, pair) in found.iter() {
             let Some(home) = pairs.all[pair as usize].home else { continue };
             let Whole { island, homes, ends, .. } = &mut islands[place as usize];
@@ -75,6 +77,7 @@ pub(super) fn list_edges(
     pairs: &Pairs,
     proxies: &Proxies,
     edges: &mut Vec<[u32; 2]>,
+    order: &mut Vec<(u128, u32)>,
 ) {
     let place = |body: u32| members.binary_search_by_key(&body, |member| member.1).ok();
     edges.clear();
@@ -87,7 +90,7 @@ pub(super) fn list_edges(
             }
         }
     }
-    sort_by_number(edges, |&edge| joined(edge));
+    sort_within(order, edges, |&edge| joined(edge));
     edges.dedup();
 }
 
@@ -96,12 +99,13 @@ pub(super) fn list_joined(
     (joints, springs): (&Joints, &Springs),
     unions: &mut Islands,
     joined_bodies: &mut Vec<(u32, [u32; 2])>,
+    order: &mut Vec<(u128, u32)>,
 ) {
     joined_bodies.clear();
     let all = joints.candidates().chain(springs.candidates());
     let of_two = all.map(|joint| joint.bodies).filter(|[a, b]| *a != 0 && *b != 0);
     joined_bodies.extend(of_two.map(|bodies| (unions.find(bodies[0]), bodies)));
-    sort_by_number(joined_bodies, |&(root, _)| root.into());
+    sort_within(order, joined_bodies, |&(root, _)| root.into());
 }
 
 /// Adds which of these bodies joints tie together, as places in their list.
@@ -109,6 +113,7 @@ pub(super) fn add_edges_of_joints(
     members: &[(u32, u32)],
     joined_bodies: &[(u32, [u32; 2])],
     edges: &mut Vec<[u32; 2]>,
+    order: &mut Vec<(u128, u32)>,
 ) {
     let root = members[0].0;
     let first = joined_bodies.partition_point(|&(other, _)| other < root);
@@ -118,6 +123,6 @@ pub(super) fn add_edges_of_joints(
             edges.push([a.min(b) as u32, a.max(b) as u32]);
         }
     }
-    sort_by_number(edges, |&edge| joined(edge));
+    sort_within(order, edges, |&edge| joined(edge));
     edges.dedup();
 }

@@ -32,7 +32,7 @@ use super::rows::{Lane, PointLane};
 use super::telling::WhyMethod;
 use super::tuning::Learning;
 use crate::methods::IslandChoice;
-use crate::storage::order::{joined, sort_by_number};
+use crate::storage::order::{joined, sort_within};
 use crate::storage::reusing_clone::reusing_clone;
 use depth::is_in_plane;
 pub(super) use depth::{is_burden, is_upright};
@@ -105,10 +105,11 @@ pub(super) struct Direct {
     found: Vec<(u32, u32)>,
     edges: Vec<[u32; 2]>,
     joined_bodies: Vec<(u32, [u32; 2])>,
+    order: Vec<(u128, u32)>,
 }
 
 reusing_clone! {
-    Direct { wear, timing, is_listed, islands, count, seconds, unions, census, found, edges, joined_bodies }
+    Direct { wear, timing, is_listed, islands, count, seconds, unions, census, found, edges, joined_bodies, order }
 }
 
 /// When islands are asked for.
@@ -441,7 +442,7 @@ impl Precise {
     /// that were.
     fn plan_islands(&mut self, chooses: bool) {
         let Precise { direct, bodies, pairs, proxies, sleep, joints, springs, .. } = self;
-        let Direct { islands, unions, census, found, edges, joined_bodies, wear, timing, .. } = direct;
+        let Direct { islands, unions, census, found, edges, joined_bodies, order, wear, timing, .. } = direct;
         found.clear();
         for body in sleep.awake(bodies.count) {
             let root = unions.find(body as u32);
@@ -455,13 +456,13 @@ impl Precise {
                 timing.has_resting = true;
             }
         }
-        sort_by_number(found, |&(root, body)| joined([root, body]));
+        sort_within(order, found, |&(root, body)| joined([root, body]));
         if chooses {
             wear.iter_mut().for_each(|wear| wear.is_direct = false);
         }
         joined_bodies.clear();
         if census.iter().any(|of| of.joints > 0) {
-            list_joined((&*joints, &*springs), unions, joined_bodies);
+            list_joined((&*joints, &*springs), unions, joined_bodies, order);
         }
         let mut count = 0;
         for members in found.chunk_by(|one, other| one.0 == other.0) {
@@ -480,10 +481,10 @@ impl Precise {
             stood.clear();
             island.members.clear();
             island.members.extend(members.iter().map(|&(_, number)| Member { number, ..Member::default() }));
-            list_edges(members, pairs, proxies, edges);
+            list_edges(members, pairs, proxies, edges, order);
             let has_joints = census[members[0].0 as usize].joints > 0;
             if has_joints {
-                add_edges_of_joints(members, joined_bodies, edges);
+                add_edges_of_joints(members, joined_bodies, edges, order);
             }
             let filled = if has_joints { FILLED_WITH_JOINTS } else { FILLED };
             let mut worn = worst(members, wear);
