@@ -73,8 +73,8 @@ pub enum Methods {
     /// awake, what bears is asked for only in every 16th update, and only 16 times as heavy counts. Where an
     /// engine adds a depth axis, it is what bears something more than one and a half times as heavy alone.
     /// In 2D an island with joints, or with springs at bodies that something touches or holds, is solved as a whole, too, whatever
-    /// moves in it and whatever it weighs, unless a joint in it is soft, or is a point with a greatest impulse. It has a budget for that: three times what passes would cost, and 300 updates of passes
-    /// more. Once these are used up, or if it cannot be solved so, it goes by passes for 64 updates, then for 128, then for 255;
+    /// moves in it and whatever it weighs, unless a joint in it is soft, or is a point with a greatest impulse. It has a budget for that: five times what passes would cost (ten times
+    /// where one of two bodies that touch or are joined is more than 16 times as heavy), and 300 updates of passes more. Once these are used up, or if it cannot be solved so, it goes by passes for 64 updates, then for 128, then for 255;
     /// for fewer again after quiet updates.
     /// Everything else, and for two seconds what takes long to solve, goes by passes over all contacts.
     /// [`islands`](crate::PhysicsSimulator::islands) tells which is which, why, and what it took, and

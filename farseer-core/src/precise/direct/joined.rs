@@ -1,8 +1,8 @@
 //! An island with joints in a step: its contacts and joints are rows of one system, solved for velocities and then for positions.
 //!
-//! A solution is a transaction: nothing is written before it is accepted. An island whose solution is not accepted goes on with the best there is, and costs
-//! so much of the budget that it is soon the iterative solver's; at once if it gains energy. In the middle of a blow, that is worse than any
-//! best: it begins from impulses that it cannot hold.
+//! A solution is a transaction: nothing is written before it is accepted. An island whose solution is not accepted goes on with the
+//! best there is, and costs so much of the budget that it is soon the iterative solver's; at once if it gains energy. In the middle of a
+//! blow the iterative solver is worse than any best: it begins from impulses that it cannot hold.
 
 use super::block::Triple;
 use super::constraint::{Constraint, FIXED};
@@ -59,7 +59,7 @@ impl Precise {
         let Precise { bodies, rows, joints, springs, direct, tuning, .. } = self;
         if whole.stands_as_before(bodies, joints, rows) {
             whole.joints.iter().for_each(|&at| joints.note_solved(at));
-            return Effort { steps: 0, residual: whole.residual, is_solved: true };
+            return Effort { steps: 0, residual: 0.0, is_solved: true };
         }
         whole.stood.clear();
         // Room for the update in which it comes to stand, which may be any.
@@ -85,7 +85,6 @@ impl Precise {
         whole.island.warm_start();
         let most_steps = most_steps(whole);
         let mut effort = whole.island.find_velocities(&reading, unit, most_steps);
-        whole.residual = effort.residual;
         let gains = whole.island.gains(free_energy, dt, unit);
         whole.find_ways(dt, false);
         let most = f64::from(tuning.push) * dt;

@@ -57,8 +57,6 @@ pub(super) struct Whole {
     pub(super) is_left: bool,
     /// It was solved as a free articulation in parts of the step.
     pub(super) has_swung: bool,
-    /// With joints: greatest velocity error in the last update that looked.
-    pub(super) residual: f64,
     /// With joints: its members, if it stood still in the last update.
     pub(super) stood: Vec<Standing>,
     /// Its joints, by their places in the list of joints, and their bodies.
@@ -76,7 +74,7 @@ pub(super) struct Whole {
 
 reusing_clone! {
     Whole {
-        island, homes, ends, ways, separations, has_pushes, steps, is_left, has_swung, residual, stood, joints, joint_ends, springs,
+        island, homes, ends, ways, separations, has_pushes, steps, is_left, has_swung, stood, joints, joint_ends, springs,
         spring_ends, holds, totals, path
     }
 }

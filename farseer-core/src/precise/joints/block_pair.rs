@@ -5,6 +5,7 @@
 use wide::{f32x4, f64x4};
 
 use super::super::bodies::{Bodies, Hot};
+use super::super::rows::set;
 use super::frame::Frame;
 use super::hold::Hold;
 use super::tree::Link;
@@ -30,6 +31,12 @@ pub(super) fn wide(lanes: Lanes) -> f64x4 {
 #[inline(always)]
 pub(super) fn narrow(lanes: f64x4) -> Lanes {
     f32x4::new(lanes.to_array().map(|number| number as f32))
+}
+
+/// Puts a number, rounded to f32, into a lane.
+#[inline(always)]
+pub(super) fn put(lanes: &mut Lanes, lane: usize, number: f64) {
+    set(lanes, lane, number as f32);
 }
 
 /// How the direction n of the rows is found.
@@ -81,19 +88,18 @@ impl BlockPair {
     /// Puts a joint into a lane.
     pub(super) fn set(&mut self, lane: usize, hold: &Hold, bodies: &Bodies) {
         let Frame { arms, apart, axis, .. } = Frame::of(hold);
-        let put = |lanes: &mut Lanes, value: f64| lanes.as_mut_array()[lane] = value as f32;
         for side in [0, 1] {
             let end = &hold.ends[side];
             let is_listed = (end.pose as usize) < bodies.hot.len();
             self.bodies[side][lane] = if is_listed { end.pose } else { 0 };
             let [mass, inertia] = if end.body == 0 { [0.0; 2] } else { bodies.inverses[end.body as usize] };
-            put(&mut self.inverse_masses[side], mass.into());
-            put(&mut self.inverse_inertias[side], inertia.into());
-            (0..2).for_each(|i| put(&mut self.arms[side][i], arms[side][i]));
+            put(&mut self.inverse_masses[side], lane, mass.into());
+            put(&mut self.inverse_inertias[side], lane, inertia.into());
+            (0..2).for_each(|i| put(&mut self.arms[side][i], lane, arms[side][i]));
         }
         for i in 0..2 {
-            put(&mut self.apart[i], apart[i]);
-            put(&mut self.axis[i], axis[i]);
+            put(&mut self.apart[i], lane, apart[i]);
+            put(&mut self.axis[i], lane, axis[i]);
         }
     }
 

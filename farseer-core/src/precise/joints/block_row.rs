@@ -12,7 +12,7 @@
 use wide::f32x4;
 
 use super::super::direct::joint::{ACROSS, ALONG, ANGLE};
-use super::block_pair::Lanes;
+use super::block_pair::{Lanes, put};
 use super::hold::Hold;
 use super::soft_law::{BlockLaw, GREATEST_ANGLE, within};
 use super::tree::Link;
@@ -64,16 +64,15 @@ impl BlockRow {
     /// Puts a joint into a lane, in substeps of `h` seconds, with the impulse that all of its row exerted last. The motor takes as much
     /// of the impulse as it can, and the limit on whose side the rest is takes that.
     pub(super) fn set(&mut self, lane: usize, hold: &Hold, impulse: f64, h: f64) {
-        let put = |lanes: &mut Lanes, value: f64| lanes.as_mut_array()[lane] = value as f32;
         let drive = hold.drive;
         let mut rest = impulse;
         if let Some(motor) = drive.and_then(|drive| drive.motor()) {
             let most = f64::from(motor.greatest_effort) * h;
             let driven = within(impulse, most);
             rest -= driven;
-            put(&mut self.speed, motor.speed.into());
-            put(&mut self.strength, most);
-            put(&mut self.driven, driven);
+            put(&mut self.speed, lane, motor.speed.into());
+            put(&mut self.strength, lane, most);
+            put(&mut self.driven, lane, driven);
         }
         let limits = match drive {
             Some(drive) => drive.limits().map(|limits| [limits.lower, limits.upper].map(f64::from)),
@@ -82,18 +81,18 @@ impl BlockRow {
         let reference = drive.map_or(0.0, |drive| f64::from(drive.reference));
         let is_angle = !matches!(hold.link, Link::Distance | Link::Line);
         if is_angle {
-            put(&mut self.begun, hold.angle - reference);
+            put(&mut self.begun, lane, hold.angle - reference);
         }
         let Some(limits) = limits else { return };
         let (slop, most) = if drive.is_some() { (0.0, f64::INFINITY) } else { (hold.slop, hold.most) };
         let pushes = [rest, -rest].map(|impulse| if impulse > 0.0 { within(impulse, most) } else { 0.0 });
         for side in [0, 1] {
-            put(&mut self.limits[side], limits[side]);
-            put(&mut self.impulses[side], pushes[side]);
+            put(&mut self.limits[side], lane, limits[side]);
+            put(&mut self.impulses[side], lane, pushes[side]);
         }
-        put(&mut self.slop, slop);
-        put(&mut self.most, most);
-        put(&mut self.farthest, if is_angle { GREATEST_ANGLE } else { f64::INFINITY });
+        put(&mut self.slop, lane, slop);
+        put(&mut self.most, lane, most);
+        put(&mut self.farthest, lane, if is_angle { GREATEST_ANGLE } else { f64::INFINITY });
     }
 
     /// The value follows the bodies: an angle by how far they have turned, or a length.

@@ -8,7 +8,7 @@ use super::super::bodies::{Bodies, Hot};
 use super::super::direct::block::Triple;
 use super::super::direct::constraint::Set;
 use super::super::direct::joint::{ACROSS, ALONG, ANGLE};
-use super::block_pair::{BlockPair, Lanes, Normal, Rows, narrow, wide};
+use super::block_pair::{BlockPair, Lanes, Normal, Rows, narrow, put, wide};
 use super::block_row::{BlockRow, free_row};
 use super::frame::Frame;
 use super::hold::Hold;
@@ -111,20 +111,19 @@ impl SoftBlock {
         let lane = self.holds.iter().position(|&hold| hold == NONE).unwrap_or(3);
         self.holds[lane] = at;
         self.pair.set(lane, hold, bodies);
-        let put = |lanes: &mut Lanes, value: f64| lanes.as_mut_array()[lane] = value as f32;
         let [nx, ny] = Frame::of(hold).normal();
         let [x, y, torque] = hold.force.map(|force| force * times[1]);
         let impulses = [x * nx + y * ny, torque, x * ny - y * nx];
         let kept = kept_rows(hold);
         for row in (0..3).filter(|row| kept >> row & 1 == 1) {
-            put(&mut self.impulses[row], impulses[row]);
+            put(&mut self.impulses[row], lane, impulses[row]);
             self.kept[row].as_mut_array()[lane] = f32::from_bits(!0);
         }
         let begun = if hold.link == Link::Distance { 0.0 } else { hold.angle };
-        put(&mut self.target, hold.range[0] - begun);
+        put(&mut self.target, lane, hold.range[0] - begun);
         if hold.most < f64::from(f32::MAX) {
             let is_linear = matches!(hold.link, Link::Point | Link::Distance);
-            put(if is_linear { &mut self.most } else { &mut self.most_of_angle }, hold.most);
+            put(if is_linear { &mut self.most } else { &mut self.most_of_angle }, lane, hold.most);
             self.is_bounded = true;
         }
         if let Some(law) = Law::of_softness(hold, times) {

@@ -6,7 +6,7 @@
 
 use wide::{f32x4, f64x4};
 
-use super::block_pair::{Lanes, Rows, narrow};
+use super::block_pair::{Lanes, Rows, narrow, put};
 use super::hold::Hold;
 use crate::math::lanes::select;
 
@@ -84,7 +84,7 @@ impl BlockLaw {
         for (lanes, number) in
             [(bias, law.bias), (mass, law.mass), (leak, law.leak), (compliance, law.compliance)]
         {
-            lanes.as_mut_array()[lane] = number as f32;
+            put(lanes, lane, number);
         }
     }
 
