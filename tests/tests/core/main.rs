@@ -45,6 +45,7 @@ mod not_finite;
 mod other_vectors;
 mod physics;
 mod polygon_tools_random;
+mod precise_bridges;
 mod precise_capsules;
 mod precise_driven;
 mod precise_drives;

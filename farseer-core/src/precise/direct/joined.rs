@@ -50,6 +50,8 @@ pub(in crate::precise) const BORNE_STIFFNESS: f64 = 0.3;
 /// Most position corrections of a step; the position error after one of them that is left, in parts of the one that asks for the
 /// first; and the angle in radians beyond which a body's turn asks for new Jacobians.
 const CORRECTIONS: usize = 3;
+/// Most halvings of a position correction after which the greatest position error is larger than before it.
+const HALVINGS: i32 = 4;
 const LEFT_BY_CORRECTION: f64 = 10.0;
 const SAME_JACOBIAN: f64 = 0.002;
 
@@ -203,22 +205,36 @@ impl Whole {
         undone: f64,
     ) -> f64 {
         let (turns, left) = (self.island.greatest_spin() * dt > SAME_JACOBIAN, limits[0]);
+        let mut error = self.find_errors(joints, (dt, turns));
         for correction in 0.. {
             let is_jacobian_new = correction > 0 || turns;
-            let error = self.find_errors(joints, (dt, is_jacobian_new));
             let enough = if correction == 0 { left } else { LEFT_BY_CORRECTION * left };
             if correction == CORRECTIONS || (error <= enough && deepest <= left) {
                 return error;
             }
             self.island.correct_positions(limits, undone, is_jacobian_new);
-            let Whole { island, ways, .. } = self;
-            for (way, more) in ways.iter_mut().zip(island.ways()) {
-                (0..3).for_each(|axis| way[axis] += more[axis]);
+            self.follow_correction(1.0);
+            let before = std::mem::replace(&mut error, self.find_errors(joints, (dt, true)));
+            // A long chain near a straight line has corrections that turn its links by a radian: the linear model ends long before.
+            for halving in 1..=HALVINGS {
+                if error <= before {
+                    break;
+                }
+                self.follow_correction(-(0.5_f64.powi(halving)));
+                error = self.find_errors(joints, (dt, true));
             }
             // Overlaps are undone once, and as far as that is to be in one step.
             deepest = 0.0;
         }
         f64::INFINITY
+    }
+
+    /// Displacements go along the last position correction by this part of it.
+    fn follow_correction(&mut self, part: f64) {
+        let Whole { island, ways, .. } = self;
+        for (way, more) in ways.iter_mut().zip(island.ways()) {
+            (0..3).for_each(|axis| way[axis] += part * more[axis]);
+        }
     }
 
     /// Position errors of joints after the displacements so far. Answers the greatest, in length units.

@@ -260,14 +260,14 @@ impl Direct {
         self.timing.may_be_due |= !has_depth;
     }
 
-    /// The joints and springs of this update have this signature. Where that is another one islands are asked for: at once if some island
-    /// is solved as a whole.
+    /// The joints and springs of this update have this signature. Where that is another one islands are asked for at once: a soft chain
+    /// stretches while it waits, and hardly any solution leads back from there.
     pub(super) fn note_joints(&mut self, signature: u64, are_places_new: bool) {
         self.is_listed &= !are_places_new;
         let Timing { joints, is_due, may_be_due, .. } = &mut self.timing;
         if std::mem::replace(joints, signature) != signature {
             self.is_listed = false;
-            *is_due |= self.wear.iter().any(|wear| wear.is_direct);
+            *is_due = true;
             *may_be_due = true;
         }
     }
