@@ -61,7 +61,7 @@ impl Elimination {
         }
         let mut heap: BinaryHeap<_> =
             partners.iter().enumerate().map(|(row, of)| Reverse((of.len(), row))).collect();
-        let (mut columns, mut costs) = (Vec::with_capacity(partners.len()), 0);
+        let (mut columns, mut costs, mut merged) = (Vec::with_capacity(partners.len()), 0, Vec::new());
         while let Some(Reverse((degree, row))) = heap.pop() {
             if self.places[row] != u32::MAX || degree != partners[row].len() {
                 continue;
@@ -73,19 +73,25 @@ impl Elimination {
             self.places[row] = self.order.len() as u32;
             self.order.push(row as u32);
             let column = std::mem::take(&mut partners[row]);
+            if self.order.len() + degree == partners.len() {
+                // All that are left are tied to each other, and follow by their numbers.
+                for &last in &column {
+                    self.places[last as usize] = self.order.len() as u32;
+                    self.order.push(last);
+                }
+                costs += (0..degree).map(cost).sum::<usize>();
+                columns.extend((0..=degree).map(|after| column[after..].to_vec()));
+                break;
+            }
             for &partner in &column {
                 let of_partner = &mut partners[partner as usize];
-                of_partner.retain(|&other| other != row as u32);
-                for &other in column.iter().filter(|&&other| other != partner) {
-                    if let Err(place) = of_partner.binary_search(&other) {
-                        of_partner.insert(place, other);
-                    }
-                }
+                merge(of_partner, &column, [row as u32, partner], &mut merged);
+                std::mem::swap(of_partner, &mut merged);
                 heap.push(Reverse((of_partner.len(), partner as usize)));
             }
             columns.push(column);
         }
-        Some(columns)
+        (costs <= most).then_some(columns)
     }
 
     fn lay_out(&mut self, columns: &[Vec<u32>]) {
@@ -100,11 +106,24 @@ impl Elimination {
         }
         self.targets.clear();
         for place in 0..columns.len() {
-            let column = self.column(place);
-            for (at, &row) in self.rows[column.clone()].iter().enumerate() {
-                for &above in &self.rows[column.start..column.start + at] {
-                    self.targets.push(self.find(above, row));
+            self.aim(self.column(place));
+        }
+    }
+
+    /// Where the products of a column's entries go: a pair of them goes to the column of the first, at the row of the second. A column
+    /// has the rows of all that are eliminated from it, so one walk down it finds them in order.
+    fn aim(&mut self, column: Range<usize>) {
+        let first = self.targets.len();
+        let Elimination { starts, rows, targets, .. } = self;
+        let of_column = &rows[column];
+        targets.resize(first + of_column.len() * of_column.len().saturating_sub(1) / 2, 0);
+        for (above, &place) in of_column.iter().enumerate() {
+            let mut entry = starts[place as usize];
+            for (at, &row) in of_column.iter().enumerate().skip(above + 1) {
+                while rows[entry as usize] != row {
+                    entry += 1;
                 }
+                targets[first + at * (at - 1) / 2 + above] = entry;
             }
         }
     }
@@ -130,4 +149,21 @@ impl Elimination {
         let (a, b) = (self.places[a as usize], self.places[b as usize]);
         (self.find(a.min(b), a.max(b)), b < a)
     }
+}
+
+/// Both sorted lists as one, without duplicates and without these two.
+fn merge(one: &[u32], other: &[u32], without: [u32; 2], merged: &mut Vec<u32>) {
+    merged.clear();
+    merged.reserve(one.len() + other.len());
+    let (mut at_one, mut at_other) = (0, 0);
+    while let (Some(&a), Some(&b)) = (one.get(at_one), other.get(at_other)) {
+        let least = a.min(b);
+        at_one += usize::from(a == least);
+        at_other += usize::from(b == least);
+        if !without.contains(&least) {
+            merged.push(least);
+        }
+    }
+    let rest = one[at_one..].iter().chain(&other[at_other..]);
+    merged.extend(rest.copied().filter(|last| !without.contains(last)));
 }

@@ -340,12 +340,13 @@ impl Island {
         if self.softness == softness {
             return;
         }
+        let [before, of_joints] = [self.softness, softness].map(|softness| softness.min(SOFTNESS_OF_JOINTS));
         self.softness = softness;
-        self.is_factored = false;
+        // Joints are this stiff at once: without contacts the factors are those of before.
+        self.is_factored &= self.contacts.is_empty() && before == of_joints;
         for contact in &mut self.contacts {
             contact.stiffness = contact.masses.map(|mass| mass / softness);
         }
-        let of_joints = softness.min(SOFTNESS_OF_JOINTS);
         self.joints.iter_mut().for_each(|joint| joint.stiffen(of_joints));
     }
 
