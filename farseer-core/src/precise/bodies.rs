@@ -4,6 +4,7 @@
 //!
 //! Between updates and in callbacks the [`Body`](crate::Body) is the truth: it is read before a step and written after it.
 
+use crate::precise::parameters::broad_phase::{BODIES_PER_SPARE_ROOM, LEAST_SPARE_ROOM};
 use wide::f32x4;
 
 use super::outline::Shape;
@@ -22,13 +23,9 @@ pub(super) struct Hot {
     pub(super) step: [f32; 4],
 }
 
-/// Those that can be pushed may become more by this part of them, and by so many, before all are listed anew.
-const ROOM: usize = 8;
-const LEAST_ROOM: usize = 8;
-
 /// Room for what may come.
 pub(super) fn room_for(count: usize) -> usize {
-    count / ROOM + LEAST_ROOM
+    count / BODIES_PER_SPARE_ROOM + LEAST_SPARE_ROOM
 }
 
 /// The bodies by number. Lists of those that can be pushed are as long as a multiple of four.

@@ -14,7 +14,7 @@
 
 use super::Precise;
 use super::bodies::Bodies;
-use super::flight::{EXACT, Flyer, Two, meet};
+use super::flight::{Flyer, Two, meet};
 use super::flush::Flush;
 use super::grid::Box2;
 use super::one_way::{Passage, Ways};
@@ -25,12 +25,10 @@ use crate::geom::GeomId;
 use crate::math::plane::{difference, length, place, sum, turn};
 use crate::math::scalar::{self, nearest_finite};
 use crate::objects::Objects;
+use crate::precise::parameters::narrow_phase::{
+    CONTINUOUS_COLLISION_RANGE, IMPACT_PENETRATION, IMPACT_TOLERANCE,
+};
 use crate::storage::order::{joined, sort_by_number};
-
-/// Penetration at the time of impact, as a part of the reach of contacts: enough that the next step finds the contact.
-const DEEP: f32 = 0.5;
-/// Ways and coordinates beyond this length have squares that are not finite.
-const LONGEST_WAY: f32 = 1e18;
 
 /// A fast body.
 #[derive(Debug, Clone, Copy)]
@@ -57,7 +55,7 @@ impl Flight {
 /// Whether a body moves by more than its core within the step, and by a length that is of use.
 fn is_fast([x, y, turned, z]: [f32; 4], reach: f32, core: f32) -> bool {
     let way = x.abs() + y.abs() + z.abs() + reach * turned.abs();
-    way > core && way < LONGEST_WAY
+    way > core && way < CONTINUOUS_COLLISION_RANGE
 }
 
 /// Whether a proxy is that of a kinematic body that moves by more than the reach of contacts within the step.
@@ -67,7 +65,7 @@ pub(super) fn sweeps(proxy: &Proxy, bodies: &Bodies, tuning: &Tuning, dt: f32) -
     }
     let [x, y, spin, z] = bodies.hot[proxy.body as usize].velocity;
     let way = (length([length([x, y]), z]) + spin.abs() * proxy.shape.reach) * dt;
-    way > tuning.speculative && way < LONGEST_WAY
+    way > tuning.speculative && way < CONTINUOUS_COLLISION_RANGE
 }
 
 fn contains(outer: &Box2, inner: &Box2) -> bool {
@@ -397,9 +395,9 @@ impl Precise {
     fn impact_of(&self, pair: usize) -> Option<f32> {
         let proxies = self.pairs.watched[pair].proxies;
         if self.space.is_some() {
-            return self.impact(proxies, DEEP);
+            return self.impact(proxies, IMPACT_PENETRATION);
         }
-        self.impact_in_plane(proxies, DEEP, |part, two| self.flush(part).coming(pair, two))
+        self.impact_in_plane(proxies, IMPACT_PENETRATION, |part, two| self.flush(part).coming(pair, two))
     }
 
     /// The time of impact of two proxies as a fraction of the step: when they penetrate each other by `deep` parts of the reach
@@ -410,7 +408,7 @@ impl Precise {
         };
         let reach = self.tuning.speculative;
         let paths = proxies.map(|proxy| self.path(self.proxies.all[proxy as usize].body));
-        meet(deep * reach, EXACT * reach, |part| {
+        meet(deep * reach, IMPACT_TOLERANCE * reach, |part| {
             space.coming(proxies, &self.proxies, &self.bodies, paths, part)
         })
     }
@@ -424,7 +422,11 @@ impl Precise {
         let reach = self.tuning.speculative;
         let [a, b] = proxies.map(|proxy| self.flyer(proxy, 1.0));
         let two = Two { a, b };
-        if two.is_free() { None } else { meet(deep * reach, EXACT * reach, |part| coming(part, &two)) }
+        if two.is_free() {
+            None
+        } else {
+            meet(deep * reach, IMPACT_TOLERANCE * reach, |part| coming(part, &two))
+        }
     }
 
     /// The filter of flush neighbours after this part of the step.
@@ -457,7 +459,7 @@ impl Precise {
                     if state.responds || state.is_told || state.is_vetoed {
                         continue;
                     }
-                    let met = self.impact(self.pairs.watched[pair].proxies, DEEP);
+                    let met = self.impact(self.pairs.watched[pair].proxies, IMPACT_PENETRATION);
                     if met.is_some_and(|met| met < time) && self.is_left(pair, body as usize, time) {
                         let [a, b] = self.pairs.watched[pair].proxies.map(|proxy| {
                             let proxy = &self.proxies.all[proxy as usize];

@@ -6,7 +6,7 @@
 //! | belt: surface velocity of a static body, or a speed that a handler has set | the bodies on it, while they move |
 //! | kinematic body that moves | the bodies on it, and those at the other end of a joint or spring |
 //!
-//! A motor or a belt counts while its body moves by at least [`STALLED`] of the drive's speed. So a motor of speed 0, one that
+//! A motor or a belt counts while its body moves by at least [`STALLED_DRIVE_SPEED`] of the drive's speed. So a motor of speed 0, one that
 //! has come to its limit, one that is too weak for its load, and a body that a wall holds back on a belt let their islands
 //! sleep. The sleepers wake when the drive, the wall or the load is edited, and when something awake touches them.
 
@@ -14,10 +14,7 @@ use super::Precise;
 use super::rows::Lane;
 use crate::body::BodyId;
 use crate::objects::Objects;
-
-/// Fraction of a drive's speed below which its body is stalled. A drive of constant effort that takes longer than the 0.5 s
-/// after which bodies sleep to reach this fraction counts as stalled: it would take 50 s to reach its speed.
-const STALLED: f32 = 0.01;
+use crate::precise::parameters::sleep::STALLED_DRIVE_SPEED;
 
 impl Precise {
     /// Way of a body in the last step, length units: of its origin along all axes, and of its farthest point by turning.
@@ -28,7 +25,7 @@ impl Precise {
 
     /// Whether a drive moves its body, by the body's way in the last step in the unit of the speed.
     fn drives(&self, speed: f32, way: f32) -> bool {
-        speed != 0.0 && way >= STALLED * speed.abs() * self.dt
+        speed != 0.0 && way >= STALLED_DRIVE_SPEED * speed.abs() * self.dt
     }
 
     /// Whether a body moves on a belt, by the row of its contact with the belt.

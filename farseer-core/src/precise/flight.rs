@@ -12,11 +12,7 @@
 use super::outline::Outline;
 use crate::math::plane::{Pose, Vector, difference, dot, length, place, rotation, scaled, sum, turn};
 use crate::math::scalar;
-
-/// How exactly the time of impact is found, as a part of the reach of contacts.
-pub(super) const EXACT: f32 = 0.1;
-/// After so many advances a body stops short of what it has not reached.
-const ADVANCES: usize = 32;
+use crate::precise::parameters::narrow_phase::IMPACT_ADVANCES;
 
 /// A convex piece on its way through a step.
 #[derive(Clone, Copy)]
@@ -162,7 +158,7 @@ impl Two<'_> {
 /// never are. Asked for a part, the two tell how far they are apart, and how fast that can become less.
 pub(super) fn meet(deep: f32, exact: f32, coming: impl Fn(f32) -> (f32, f32)) -> Option<f32> {
     let (mut part, mut allowed) = (0.0, None);
-    for _ in 0..ADVANCES {
+    for _ in 0..IMPACT_ADVANCES {
         let (apart, closing) = coming(part);
         let room = apart + *allowed.get_or_insert(if apart < 0.0 { deep - apart } else { deep });
         if room <= exact {

@@ -4,11 +4,11 @@
 //! the side face of the next tile. The side face is inside of the floor: no body can reach it. A contact at a point p of a
 //! piece A, with the normal w outward from A, is *hidden* by a neighbour C if
 //!
-//! 1. p lies in C, or within `STEP` of it;
+//! 1. p lies in C, or within `FLUSH_FACE_STEP` of it;
 //! 2. w is not in the normal cone of C at p. At a point of both pieces the union of the two has no normals but those that both
 //!    have (R. T. Rockafellar, R. J.-B. Wets, "Variational Analysis", 1998, 6.42: the regular normal cone of a union is the
 //!    intersection of the regular normal cones);
-//! 3. the face of A with the normal w does not rise above the face of C that the body lies before, by more than `STEP` of its
+//! 3. the face of A with the normal w does not rise above the face of C that the body lies before, by more than `FLUSH_FACE_STEP` of its
 //!    length. So walls, steps and slopes stay what they are at their foot, where (1) and (2) hold as well.
 //!
 //! A hidden manifold is replaced by that of the best face of A that is not hidden, or dropped: then C has the contact. The
@@ -28,17 +28,9 @@ use super::tuning::Tuning;
 use crate::math::plane::{
     Pose, Vector, cross, difference, dot, length, place, rotation, scaled, sum, turn, turn_back,
 };
-
-/// Largest gap, offset or step in the surface of two pieces that are flush, as a fraction of the length unit: half a pixel where
-/// the unit is 32 px.
-const STEP: f32 = 1.0 / 64.0;
-/// Deepest penetration that may be a ghost, as a fraction of the length unit: the sag of a contact's spring under its load is
-/// not deeper. A body that is deeper in a tile was put there, and is pushed out by every tile.
-const DEEPEST: f32 = 0.1;
-/// Sine of the angle by which a normal may leave a normal cone through rounding.
-const BEYOND: f32 = 1e-3;
-/// Sine of the angle up to which a contact's normal is that of a face.
-const ALONG_FACE: f32 = 0.01;
+use crate::precise::parameters::narrow_phase::{
+    FACE_NORMAL_SINE, FLUSH_FACE_STEP, GHOST_PENETRATION, NORMAL_CONE_SLACK,
+};
 
 /// The parts of the step that tell which pieces are flush.
 pub(super) struct Flush<'a> {
@@ -67,7 +59,7 @@ impl<'a> Flush<'a> {
         let Some(judged) = self.judged(pair).filter(|_| found.count > 0) else { return found };
         let deepest =
             found.separations[..found.count].iter().fold(0.0, |a: f32, &b| if b < a { b } else { a });
-        if deepest < -DEEPEST * self.tuning.unit || !self.is_hidden(&judged, &found) {
+        if deepest < -GHOST_PENETRATION * self.tuning.unit || !self.is_hidden(&judged, &found) {
             return found;
         }
         self.instead(&judged, reach)
@@ -78,7 +70,7 @@ impl<'a> Flush<'a> {
     pub(super) fn coming(&self, pair: usize, two: &Two<'_>) -> (f32, f32) {
         let (apart, closing) = two.coming(self.part);
         let reach = self.tuning.speculative;
-        let is_far = apart > reach || apart < -DEEPEST * self.tuning.unit;
+        let is_far = apart > reach || apart < -GHOST_PENETRATION * self.tuning.unit;
         let Some(judged) = (!is_far).then(|| self.judged(pair)).flatten() else { return (apart, closing) };
         let [a, b] = [judged.a, judged.b].map(|proxy| self.outline(proxy));
         let found = collide(a, b, judged.poses[0], judged.poses[1], reach);
@@ -143,7 +135,7 @@ impl<'a> Flush<'a> {
     }
 
     fn hides(&self, c: &Proxy, judged: &Judged<'_>, point: Vector, normal: Vector) -> bool {
-        let (pose, outline, step) = (self.pose(c), self.outline(c), STEP * self.tuning.unit);
+        let (pose, outline, step) = (self.pose(c), self.outline(c), FLUSH_FACE_STEP * self.tuning.unit);
         let to_c = |point: Vector| {
             let from_c = sum(difference(place(judged.poses[0]), place(pose)), point);
             turn_back(rotation(pose), from_c)
@@ -207,7 +199,7 @@ impl<'a> Flush<'a> {
         for edge in outer_edges(a) {
             let apart = |point| dot(a.normals[edge], difference(meeting.a.seen(point), a.points[edge]));
             let apart = nearest_of(b, apart) - b.shape.radius;
-            if apart <= best.0 || apart < -DEEPEST * self.tuning.unit {
+            if apart <= best.0 || apart < -GHOST_PENETRATION * self.tuning.unit {
                 continue;
             }
             let w = meeting.a.for_other(scaled(a.normals[edge], -1.0));
@@ -238,7 +230,7 @@ impl<'a> Flush<'a> {
         let along = difference(a.points[(edge + 1) % a.points.len()], start);
         let span = length(along);
         let at = dot(difference(meeting.a.seen(core), start), along) / span;
-        let step = STEP * self.tuning.unit;
+        let step = FLUSH_FACE_STEP * self.tuning.unit;
         if at < -step || at > span + step {
             return Manifold::apart(0.0);
         }
@@ -264,7 +256,7 @@ impl<'a> Flush<'a> {
         for edge in outer_edges(a) {
             let apart = |point| dot(a.normals[edge], difference(in_a(point), a.points[edge]));
             let apart = nearest_of(b, apart) - b.shape.radius;
-            let is_shallow = apart >= -DEEPEST * self.tuning.unit;
+            let is_shallow = apart >= -GHOST_PENETRATION * self.tuning.unit;
             if !is_shallow || best.is_some_and(|(best, _)| apart <= best) {
                 continue;
             }
@@ -357,14 +349,16 @@ fn is_normal_of_chain(outline: Outline<'_>, point: Vector, w: Vector, step: f32)
 
 /// Whether w lies between two normals that follow each other around a convex outline.
 fn is_between(first: Vector, second: Vector, w: Vector) -> bool {
-    cross(first, w) >= -BEYOND && cross(w, second) >= -BEYOND && dot(sum(first, second), w) > 0.0
+    cross(first, w) >= -NORMAL_CONE_SLACK
+        && cross(w, second) >= -NORMAL_CONE_SLACK
+        && dot(sum(first, second), w) > 0.0
 }
 
 /// The outer edge whose normal a direction is.
 fn edge_along(outline: Outline<'_>, w: Vector) -> Option<usize> {
     outer_edges(outline).find(|&edge| {
         let normal = outline.normals[edge];
-        cross(normal, w).abs() <= ALONG_FACE && dot(normal, w) > 0.0
+        cross(normal, w).abs() <= FACE_NORMAL_SINE && dot(normal, w) > 0.0
     })
 }
 

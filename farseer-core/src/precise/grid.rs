@@ -7,6 +7,7 @@
 //! Hierarchical hash grids: C. Ericson, "Real-Time Collision Detection" (2005), section 7.2. The multipliers of the hash are
 //! primes of xxHash32 (Y. Collet).
 
+use crate::precise::parameters::broad_phase::{GRID_FARTHEST_CELL, GRID_LEVELS, GRID_LOWEST_LEVEL};
 use wide::f32x4;
 
 use crate::math::lanes::select;
@@ -16,10 +17,6 @@ use crate::storage::reusing_clone::reusing_clone;
 pub(super) type Box2 = [f32; 4];
 
 const NONE: u32 = u32::MAX;
-/// Levels that are told apart: cell sizes from 2^-32 to 2^31. In the last one boxes may be of any size: it is looked through
-/// from end to end.
-const LEVELS: i32 = 64;
-const LOWEST: i32 = -32;
 
 #[inline(always)]
 pub(super) fn overlap(a: &Box2, b: &Box2) -> bool {
@@ -98,26 +95,23 @@ pub(super) struct Grid {
 
 reusing_clone! { Grid { entries, places, heads, levels, used } }
 
-/// Cells of a level are 2^(level + LOWEST) wide.
+/// Cells of a level are 2^(level + GRID_LOWEST_LEVEL) wide.
 fn level_of(bounds: &Box2) -> u8 {
     let width = (bounds[2] - bounds[0]).max(bounds[3] - bounds[1]);
     // The exponent of twice the width, rounded up: cells are more than twice as wide as the box.
     let exponent = ((2.0 * width).to_bits() >> 23) as i32 - 127 + 1;
-    (exponent - LOWEST).clamp(0, LEVELS - 1) as u8
+    (exponent - GRID_LOWEST_LEVEL).clamp(0, GRID_LEVELS - 1) as u8
 }
 
 /// The reciprocal of the size of a level's cells, exactly.
 fn inverse_size(level: u8) -> f32 {
-    f32::from_bits(((127 - i32::from(level) - LOWEST) as u32) << 23)
+    f32::from_bits(((127 - i32::from(level) - GRID_LOWEST_LEVEL) as u32) << 23)
 }
-
-/// Far away, beyond so many cells, there is one last cell.
-const FARTHEST_CELL: f32 = 1e9;
 
 /// Numbers of the cells of four coordinates.
 #[inline(always)]
 fn numbers(coordinates: f32x4, inverse_size: f32) -> [i32; 4] {
-    let (scaled, last) = (coordinates * f32x4::splat(inverse_size), f32x4::splat(FARTHEST_CELL));
+    let (scaled, last) = (coordinates * f32x4::splat(inverse_size), f32x4::splat(GRID_FARTHEST_CELL));
     let scaled = select(scaled.simd_lt(last), scaled, last);
     let scaled = select(scaled.simd_gt(-last), scaled, -last);
     // The conversion goes toward zero.
@@ -152,7 +146,7 @@ impl Grid {
         self.heads.clear();
         self.heads.resize((2 * boxes).next_power_of_two().max(16), NONE);
         self.levels.clear();
-        self.levels.resize(LEVELS as usize, Level::default());
+        self.levels.resize(GRID_LEVELS as usize, Level::default());
         self.used = 0;
     }
 
@@ -242,7 +236,7 @@ impl Grid {
             let (width, height) = (span(left, right), span(top, bottom));
             // Queries may come with boxes that are the wrong way round, and some large box may overlap them.
             let is_reversed = width <= 0 || height <= 0;
-            let is_last = i32::from(level) == LEVELS - 1;
+            let is_last = i32::from(level) == GRID_LEVELS - 1;
             if is_last || is_reversed || width.saturating_mul(height) > self.entries.len() as i64 + 16 {
                 self.for_each_of_level(level, limits, &mut found);
                 continue;

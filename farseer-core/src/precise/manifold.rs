@@ -3,14 +3,12 @@
 
 use super::meeting::Meeting;
 use super::outline::{Family, Outline};
-use super::proxies::FARTHEST;
 use super::{round, seams};
 use crate::math::plane::{
     Pose, Turn, Vector, difference, dot, place, rotation, scaled, sum, turn, turn_back,
 };
-
-/// By how much of the reach of contacts another edge must be better to be taken instead.
-pub(super) const PREFERRED: f32 = 0.025;
+use crate::precise::parameters::broad_phase::COLLISION_RANGE;
+use crate::precise::parameters::narrow_phase::REFERENCE_EDGE_HYSTERESIS;
 
 /// Where two outlines touch or nearly do.
 #[derive(Debug, Clone, Copy, Default)]
@@ -86,7 +84,8 @@ impl Manifold {
     #[inline(always)]
     pub(super) fn is_within_reach(&self) -> bool {
         let points = self.points[..self.count].iter().flatten();
-        self.count > 0 && points.chain(&self.separations[..self.count]).all(|number| number.abs() < FARTHEST)
+        self.count > 0
+            && points.chain(&self.separations[..self.count]).all(|number| number.abs() < COLLISION_RANGE)
     }
 
     /// Leaves so many points at most, the deepest.
@@ -249,7 +248,7 @@ fn polygons(a: Outline<'_>, b: Outline<'_>, pose_a: Pose, pose_b: Pose, reach: f
         return Manifold::apart(separation_b);
     }
     // The edge of A is kept where both are about as good, so that it does not change with every step.
-    if separation_b > separation_a + PREFERRED * reach {
+    if separation_b > separation_a + REFERENCE_EDGE_HYSTERESIS * reach {
         clip(b, a, at_back, q_back, edge_b, reach).turned_from_b(qb, apart)
     } else {
         clip(a, b, at, q, edge_a, reach).turned(qa)

@@ -1,10 +1,11 @@
 //! Two outlines as each lies in the frame of the other: what the less frequent kinds of contacts are found from.
 
-use super::manifold::{Manifold, PREFERRED, clip, greatest_separation};
+use super::manifold::{Manifold, clip, greatest_separation};
 use super::outline::Outline;
 use crate::math::plane::{
     Pose, Turn, Vector, difference, dot, place, rotation, scaled, sum, turn, turn_back,
 };
+use crate::precise::parameters::narrow_phase::REFERENCE_EDGE_HYSTERESIS;
 
 /// Two outlines with corners, which may have radii, as each lies in the frame of the other.
 pub(super) struct Meeting<'a> {
@@ -128,7 +129,7 @@ impl<'a> Meeting<'a> {
         let of_b = nearest_edge(&self.b, &self.a);
         // The edge of A is kept where both are about as good, so that it does not change with every step.
         let is_b = match (&of_a, &of_b) {
-            (Some(a), Some(b)) => b.distance < a.distance - PREFERRED * reach,
+            (Some(a), Some(b)) => b.distance < a.distance - REFERENCE_EDGE_HYSTERESIS * reach,
             (None, Some(_)) => true,
             _ => false,
         };

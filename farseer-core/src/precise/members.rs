@@ -9,6 +9,7 @@ use super::sync::{NONE, set};
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::objects::Objects;
+use crate::precise::parameters::broad_phase::KEPT_EMPTY_POSITIONS;
 
 /// Who has come and gone since all were listed.
 struct Members {
@@ -22,9 +23,6 @@ struct Members {
     absent: Vec<BodyId>,
     has_absent_geoms: bool,
 }
-
-/// Empty places that are kept in any case; beyond that all are listed anew once half of them are empty.
-const FEW: usize = 64;
 
 impl Precise {
     /// Takes over who has come and gone. Answers whether that was possible: what has changed otherwise, or finds no room, is
@@ -278,7 +276,8 @@ impl Members {
         let pieces = self.new_geoms.iter().filter_map(|&at| objects.geoms.at(at));
         let pieces: usize = pieces.map(|(_, geom)| geom.pieces().len()).sum();
         let places = proxies.all.len() - (proxies.first_fixed - proxies.movable);
-        let is_full_enough = |live: usize, gone: usize, places: usize| 2 * (live - gone) + FEW >= places;
+        let is_full_enough =
+            |live: usize, gone: usize, places: usize| 2 * (live - gone) + KEPT_EMPTY_POSITIONS >= places;
         bodies.count + self.new_bodies.len() < bodies.first_fixed()
             && proxies.movable + pieces <= proxies.first_fixed
             && grid.has_room(proxies.all.len() + pieces)

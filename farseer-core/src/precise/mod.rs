@@ -36,6 +36,7 @@ mod one_way;
 mod outline;
 mod pair_finder;
 mod pairs;
+mod parameters;
 mod passes;
 mod pivoting;
 mod pivots;

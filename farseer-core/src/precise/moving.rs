@@ -1,5 +1,6 @@
 //! From velocities to places: the substeps of bodies, and the end of a step.
 
+use crate::precise::parameters::contacts::{BALLISTIC_VELOCITY_CHANGE, CENTRAL_BOUNCE_DIFFERENCE};
 use std::ops::Range;
 
 use wide::f32x4;
@@ -10,13 +11,6 @@ use super::proxies::Proxies;
 use super::rows::{Contacts, Palette, Point, Row};
 use super::tuning::{Step, Tuning};
 use crate::math::lanes::{gather, select};
-
-/// A body that no row pushes is trusted to move evenly if its velocity has changed by less than this many times what its
-/// forces give.
-const EVENLY: f32 = 2.0;
-
-/// A bounce is straight if its points differ by no more than this part.
-const STRAIGHT: f32 = 1e-3;
 
 /// A substep begins: the impulses so far and the forces act.
 ///
@@ -81,7 +75,7 @@ pub(super) fn even_out(
     step: &Step,
 ) {
     let (back, substeps) = (-0.5 * step.h, step.substeps as f32);
-    let most = EVENLY * substeps;
+    let most = BALLISTIC_VELOCITY_CHANGE * substeps;
     let longest = reach * reach / (back * back);
     let squared = |[x, y, _, z]: [f32; 4]| x * x + y * y + z * z;
     let is_single = |&body: &usize| palette.is_single(body) && !(joints.holds(body) || joints.is_soft(body));
@@ -185,8 +179,8 @@ fn is_straight<const P: usize>(row: &Row<P>, lane: usize) -> bool {
     let turning = of(&row.inverse_inertia_a) * arm_a * arm_a + of(&row.inverse_inertia_b) * arm_b * arm_b;
     let moving = of(&row.inverse_mass_a) + of(&row.inverse_mass_b);
     let approach = of(&row.approach[0]);
-    let is_like = |other: &f32x4| (of(other) - approach).abs() <= STRAIGHT * approach.abs();
-    turning <= STRAIGHT * STRAIGHT * moving
+    let is_like = |other: &f32x4| (of(other) - approach).abs() <= CENTRAL_BOUNCE_DIFFERENCE * approach.abs();
+    turning <= CENTRAL_BOUNCE_DIFFERENCE * CENTRAL_BOUNCE_DIFFERENCE * moving
         && row.points.iter().all(|point| of(&point.mass) > 0.0)
         && row.approach.iter().all(is_like)
 }

@@ -6,14 +6,8 @@ use crate::geom::GeomId;
 use crate::geom::entry::{GeomEntry, GeomPose};
 use crate::math::Vector2;
 use crate::objects::Objects;
+use crate::precise::parameters::broad_phase::{PIECE_SHORTFALL, QUERY_RANGE, QUERY_ROUNDING};
 use crate::shape::Aabb;
-
-/// Beyond this coordinate bounds are nowhere.
-const FAR: f32 = 1e17;
-/// Roundings that bounds and places of geoms may differ by, as a part of the largest number among them.
-const ROUNDINGS: f32 = 64.0 * f32::EPSILON;
-/// Part of the speculative margin of all bounds that may be used up by what an outline's convex piece does not cover.
-const USED_UP: f32 = 0.25;
 
 /// A geom that queries look at wherever it is, and its place in the list of geoms.
 #[derive(Debug, Clone, Copy)]
@@ -28,7 +22,7 @@ impl Precise {
         let Aabb { min, max } = *aabb;
         let far = [min.x, min.y, max.x, max.y].iter().fold(0.0, |far: f32, x| far + x.abs());
         // Also if it is not a number.
-        let is_near = far < FAR;
+        let is_near = far < QUERY_RANGE;
         let is_behind = self.is_stale || self.has_new_members || self.loaded.is_some();
         if is_behind
             || self.space.is_some()
@@ -38,7 +32,7 @@ impl Precise {
         {
             return None;
         }
-        let slack = ROUNDINGS * far;
+        let slack = QUERY_ROUNDING * far;
         let bounds = [min.x - slack, min.y - slack, max.x + slack, max.y + slack];
         let mut places: Vec<u32> = self.loose.iter().map(|loose| loose.place).collect();
         self.grid.for_each_overlap(&bounds, |proxy| places.push(self.proxies.all[proxy as usize].place));
@@ -75,7 +69,7 @@ impl Precise {
             return false;
         };
         let shape = self.proxies.all[proxy as usize].shape;
-        let slack = USED_UP * self.tuning.speculative;
+        let slack = PIECE_SHORTFALL * self.tuning.speculative;
         let on_body = GeomPose::of_body(Vector2::zeros(), 0.0, geom.offset, geom.rotation_offset).matrix;
         let is_covered = |&corner: &Vector2| {
             let corner = on_body.apply(corner);
@@ -84,6 +78,6 @@ impl Precise {
             });
             x >= 0.0 && y >= 0.0
         };
-        ROUNDINGS * shape.reach <= slack && geom.local_vertices.iter().all(is_covered)
+        QUERY_ROUNDING * shape.reach <= slack && geom.local_vertices.iter().all(is_covered)
     }
 }

@@ -8,11 +8,12 @@
 //! That a step is decided by its ways, and not by velocities at its end, makes that independent of how long it is, of what
 //! pushed in it, and of who of the two moves or turns. Of what was put where it is there is no way: what overlaps passes.
 
+use crate::precise::parameters::narrow_phase::{IMPACT_TOLERANCE, ONE_WAY_COSINE};
 use serde::{Deserialize, Serialize};
 
 use super::Precise;
 use super::bodies::Bodies;
-use super::flight::{EXACT, Flyer, Two, meet};
+use super::flight::{Flyer, Two, meet};
 use super::manifold::Manifold;
 use super::pairs::Pairs;
 use super::proxies::{Proxies, Proxy};
@@ -20,9 +21,6 @@ use super::space::lands_on;
 use super::touch::{self, Touch};
 use crate::math::plane::{Pose, Vector, difference, dot, rotation, scaled, turn, turn_back};
 use crate::math::scalar;
-
-/// A side holds that looks within 60 degrees of the direction: the cosine of that.
-const HOLDS: f32 = 0.5;
 
 /// How a pair stands, one of which may be one-way.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -136,7 +134,7 @@ impl Ways<'_> {
     /// After which part of their ways the two of a pair touch. Those who overlap when these begin do so at once.
     fn first_meeting(&self, pair: usize) -> Option<f32> {
         let two = self.on_way(pair);
-        meet(0.0, EXACT * self.reach, |part| two.coming(part))
+        meet(0.0, IMPACT_TOLERANCE * self.reach, |part| two.coming(part))
     }
 
     fn met(&self, pair: usize, part: f32) -> (f32, bool) {
@@ -276,12 +274,12 @@ fn is_above(piece: &Flyer<'_>, other: &Flyer<'_>, part: f32, direction: Vector, 
         |normal: Vector| -other.support(pose_of_other, scaled(normal, -1.0)) - piece.support(pose, normal);
     if piece.outline.shape.radius > 0.0 {
         let (apart, normal) = Two { a: *piece, b: *other }.separation(part);
-        return dot(normal, direction) > HOLDS && apart >= -reach;
+        return dot(normal, direction) > ONE_WAY_COSINE && apart >= -reach;
     }
     let seams = piece.outline.seams();
     piece.outline.normals.iter().enumerate().any(|(edge, &normal)| {
         let is_inner = seams.get(edge).is_some_and(|seam| seam.is_inner);
         let normal = turn(rotation(pose), normal);
-        !is_inner && dot(normal, direction) > HOLDS && height_over(normal) >= -reach
+        !is_inner && dot(normal, direction) > ONE_WAY_COSINE && height_over(normal) >= -reach
     })
 }

@@ -15,6 +15,7 @@
 //! With n the normal from A to B, t = (n.y, -n.x) and r the arm of a point: the relative velocity along n is
 //! (vB - vA) n + wB (rB x n) - wA (rA x n), and the same along t, where the arm is that of the middle of both points.
 
+use crate::precise::parameters::contacts::BLOCK_CONDITION;
 use wide::f32x4;
 
 use super::bodies::Hot;
@@ -388,7 +389,7 @@ fn both_at_once<const P: usize, R: Contacts<P>>(
     let across = [weights[0] * coupling, weights[P - 1] * coupling];
     let one = f32x4::splat(1.0);
     let apart = one - across[0] * across[1];
-    let is_apart = apart.simd_gt(f32x4::splat(LEAST_APART));
+    let is_apart = apart.simd_gt(f32x4::splat(BLOCK_CONDITION));
     let change = (across[1] * lost[0] - lost[P - 1]) / select(is_apart, apart, one);
     let both = [first - lost[0] - across[0] * change, last + change];
     let push = both[0].simd_ge(ZERO) & both[1].simd_ge(ZERO);
@@ -404,9 +405,6 @@ fn both_at_once<const P: usize, R: Contacts<P>>(
     solved[0] = select(push, both[0], select(is_enough, first_alone, ZERO));
     (is_apart, solved)
 }
-
-/// Points that do nearly the same to a body are solved one after the other: 1 - (coupling x mass)^2.
-const LEAST_APART: f32 = 0.02;
 
 /// What a hard pass over the normals of four rows has done.
 pub(super) struct Relaxed<const P: usize> {

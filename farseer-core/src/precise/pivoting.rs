@@ -9,17 +9,7 @@
 use super::outline::Outline;
 use crate::math::plane::{Vector, cross, difference, dot, length, scaled, sum, turn};
 use crate::math::scalar;
-
-/// Most strikes in a step. A polygon that would strike more often turns by several corners in every substep.
-const MAX_STRIKES: usize = 64;
-
-/// Largest speed of the pivot over the face, as a fraction of the speed of the centre of mass. A larger one is a slip or a
-/// hop; a smaller one is the error of the velocities that the iterative solver leaves at the end of a step. The strike that
-/// takes it costs its square in energy.
-const MAX_SLIP: f32 = 0.05;
-
-/// Least part of a substep that is integrated, as a fraction: less is rounding.
-const LEAST_PART: f32 = 1e-4;
+use crate::precise::parameters::contacts::{PIVOT_IMPACTS_PER_STEP, PIVOT_LEAST_SUBSTEP, PIVOT_SLIP};
 
 /// A polygon, the face under it, and the forces on it in this step.
 #[derive(Clone, Copy)]
@@ -72,7 +62,7 @@ impl Pivoting<'_> {
     /// energy to pass the corners that it stands on: then it rocks, and comes to rest.
     pub(super) fn after(&self, ends: [u32; 2], velocity: [f32; 3], dt: f32, h: f32) -> Option<OnCorner> {
         let (mut state, mut left) = (self.begin(ends, velocity)?, dt);
-        for _ in 0..MAX_STRIKES {
+        for _ in 0..PIVOT_IMPACTS_PER_STEP {
             let next = self.next(&state)?;
             self.passes_top(&state, next.angle).then_some(())?;
             left = self.pivot(&mut state, next.angle, left, h)?;
@@ -90,7 +80,7 @@ impl Pivoting<'_> {
         let [slip, other] = ends.map(|end| slip_of(arm_of(end)));
         let corner = if slip < other { ends[0] } else { ends[1] } as usize;
         let arm = arm_of(corner as u32);
-        (slip_of(arm) <= MAX_SLIP * spin.abs() * length(arm)).then_some(())?;
+        (slip_of(arm) <= PIVOT_SLIP * spin.abs() * length(arm)).then_some(())?;
         let momentum = self.gyration * spin + cross(arm, [x, y]);
         let spin = momentum / (self.gyration + dot(arm, arm));
         let state = OnCorner { corner, arm, turned: 0.0, spin, path: [0.0; 2], reaction: [0.0; 2] };
@@ -107,7 +97,7 @@ impl Pivoting<'_> {
         let edge = turn([cosine, sine], edge);
         let along = scaled(perpendicular(self.normal), side);
         let angle = scalar::atan2(dot(edge, self.normal), dot(edge, along));
-        (angle > -MAX_SLIP).then_some(Strike { corner, angle: scalar::max(angle, 0.0) })
+        (angle > -PIVOT_SLIP).then_some(Strike { corner, angle: scalar::max(angle, 0.0) })
     }
 
     /// Whether the energy of the polygon carries its centre of mass over the corner, if that is before the strike.
@@ -144,7 +134,7 @@ impl Pivoting<'_> {
             (state.turned, state.spin) = (first.turned + to, spin);
             (state.arm, state.path) = (sum(first.arm, change), sum(first.path, change));
             state.reaction = self.bears(state)?;
-            if left <= LEAST_PART * h {
+            if left <= PIVOT_LEAST_SUBSTEP * h {
                 return Some(0.0);
             }
             if is_flat {

@@ -9,14 +9,7 @@ use super::rolling::{Plane, Roll, facing_ends, is_over};
 use super::tuning::Step;
 use crate::math::plane::{Vector, cross, difference, dot, place, rotation, scaled, sum, turn, turn_back};
 use crate::math::scalar;
-
-/// A polygon that is sunk into the face by more than this fraction of the speculative distance is lifted out first: 0.005 length
-/// units, the slop of Box2D, of which the speculative distance is four.
-const SUNK: f32 = 0.25;
-
-/// Static faces are one if their planes differ by no more than this: by height as a fraction of a length unit, and by the sine
-/// of the angle. A wheel that crosses such a seam is lifted by no more than that.
-const ONE_PLANE: f32 = 1e-3;
+use crate::precise::parameters::contacts::{PIVOT_PENETRATION, PIVOT_PLANE_DIFFERENCE};
 
 impl Precise {
     /// Finds the bodies that pivot in this step. Of several rows of a body one stands for all.
@@ -69,7 +62,7 @@ impl Precise {
         let ends = facing_ends(outline, turn_back(pivoting.rotation, plane.normal));
         let lowest = ends.map(|end| dot(turn(pivoting.rotation, outline.points[end as usize]), plane.normal));
         let depth = scalar::min(lowest[0], lowest[1]) - plane.offset;
-        let is_on_plane = depth.abs() <= SUNK * self.tuning.speculative;
+        let is_on_plane = depth.abs() <= PIVOT_PENETRATION * self.tuning.speculative;
         if !(is_on_plane && self.is_borne(at_b, &plane, 0.0, [0.0; 2])) {
             return None;
         }
@@ -88,7 +81,10 @@ impl Precise {
             let (lane, [_, other]) = (self.rows.lane(state.kind, home), self.pairs.watched[pair].proxies);
             let is_still = [lane.tangent_speed, lane.space.across_speed, lane.space.normal_z] == [0.0; 3];
             let is_static = state.kind.is_fixed && other == at_b && self.rows.aside(home).is_none();
-            if !(is_static && is_still && self.height_over(pair, plane) <= ONE_PLANE * self.tuning.unit) {
+            if !(is_static
+                && is_still
+                && self.height_over(pair, plane) <= PIVOT_PLANE_DIFFERENCE * self.tuning.unit)
+            {
                 return None;
             }
             friction = scalar::min(friction, lane.friction);
@@ -104,7 +100,7 @@ impl Precise {
         let above = dot(difference(place(a), place(b)), plane.normal) - plane.offset;
         if self.pairs.all[pair].is_on_ground {
             let own = Plane::of(&self.pairs.frozen[pair]);
-            let is_level = cross(own.normal, plane.normal).abs() <= ONE_PLANE;
+            let is_level = cross(own.normal, plane.normal).abs() <= PIVOT_PLANE_DIFFERENCE;
             return if is_level { above + own.offset } else { f32::MAX };
         }
         let (outline, direction) = (self.outline_of(at_a), turn_back(rotation(a), plane.normal));
@@ -130,7 +126,7 @@ impl Precise {
         // In three axes outlines that overlap in the plane may be apart.
         let is_met = state.home.is_some() || self.space.is_none();
         let pushes = state.kind.is_fixed && state.responds && !state.is_vetoed;
-        let is_level = || self.height_over(pair, plane).abs() <= ONE_PLANE * self.tuning.unit;
+        let is_level = || self.height_over(pair, plane).abs() <= PIVOT_PLANE_DIFFERENCE * self.tuning.unit;
         if !(other == at_b && is_met && pushes && is_level()) {
             return false;
         }
@@ -142,10 +138,9 @@ impl Precise {
         let apart = difference(place(self.bodies.poses[b]), place(pose_a));
         let q = rotation(pose_a);
         let direction = turn_back(q, plane.normal);
-        let has_face = face
-            .normals
-            .iter()
-            .any(|&normal| cross(normal, direction).abs() <= ONE_PLANE && dot(normal, direction) > 0.0);
+        let has_face = face.normals.iter().any(|&normal| {
+            cross(normal, direction).abs() <= PIVOT_PLANE_DIFFERENCE && dot(normal, direction) > 0.0
+        });
         has_face && is_over(face, q, plane.normal, sum(apart, point))
     }
 

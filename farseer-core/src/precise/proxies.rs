@@ -1,6 +1,7 @@
 //! What pairs are of: the convex pieces of geoms, each with a box that is larger than it has to be, so that it need not be
 //! renewed in every step.
 
+use crate::precise::parameters::broad_phase::COLLISION_RANGE;
 use serde::{Deserialize, Serialize};
 
 use super::bodies::{Bodies, room_for};
@@ -18,7 +19,6 @@ use crate::storage::order::joined;
 use crate::storage::reusing_clone::reusing_clone;
 
 /// Beyond this coordinate squares of distances end, and nothing meets anything.
-pub(super) const FARTHEST: f32 = 1e18;
 const NONE: u32 = u32::MAX;
 /// Nothing leaves it.
 const EVERYWHERE: Box2 = [f32::MIN, f32::MIN, f32::MAX, f32::MAX];
@@ -291,7 +291,7 @@ impl Proxies {
     ) -> Box2 {
         let tight = self.tight(proxy, bodies, tuning);
         // Also if they are not numbers.
-        if !tight.iter().all(|bound| bound.abs() < FARTHEST) {
+        if !tight.iter().all(|bound| bound.abs() < COLLISION_RANGE) {
             return NOWHERE;
         }
         let Some(hot) = bodies.hot.get(self.all[proxy].body as usize) else { return tight };

@@ -20,11 +20,8 @@ use crate::math::plane::{
     Turn, Vector, cross, difference, dot, place, rotation, scaled, sum, turn, turn_back,
 };
 use crate::math::scalar;
+use crate::precise::parameters::contacts::ROLLING_POINT_DISTANCE;
 use crate::storage::order::sort_by_number;
-
-/// A point of a manifold is a corner of the rolling polygon if it lies within this fraction of the polygon's reach of it:
-/// clipping at the end of the face puts it elsewhere.
-const SAME_POINT: f32 = 1e-3;
 
 /// A contact of a polygon that rolls over a static face in this step.
 #[derive(Debug, Clone, Copy)]
@@ -110,7 +107,7 @@ impl Precise {
         let is_at = |at: usize, corner: u32| {
             let [_, _, bx, by] = frozen.anchors[at];
             let off = difference([bx, by], turn([c, s], outline.points[corner as usize]));
-            dot(off, tangent).abs() <= SAME_POINT * outline.shape.reach
+            dot(off, tangent).abs() <= ROLLING_POINT_DISTANCE * outline.shape.reach
         };
         let is_turned = !is_at(0, ends[0]);
         let corners = if is_turned { [ends[1], ends[0]] } else { ends };

@@ -6,14 +6,11 @@
 //! edge of the other one that faces it is clipped as between polygons: so a capsule lies on two points. Between two corners
 //! there is one point. Cores that overlap, which are deep in each other, are clipped as polygons are.
 
-use super::manifold::{Manifold, PREFERRED};
+use super::manifold::Manifold;
 use super::meeting::{Meeting, Nearest, Which};
 use super::outline::Outline;
 use crate::math::plane::{Pose, Vector, difference, dot, place, rotation, scaled, sum, turn, turn_back};
-
-/// Two corners of which the shortest way hardly differs from the normal of an edge lie on that edge: cosine of the angle
-/// between the two.
-const ALIGNED: f32 = 0.9999;
+use crate::precise::parameters::narrow_phase::{CAPSULE_EDGE_COSINE, REFERENCE_EDGE_HYSTERESIS};
 
 /// The contact of a capsule and a circle: the core's point that is nearest to the centre.
 pub(super) fn capsule_and_circle(
@@ -42,7 +39,7 @@ pub(super) fn capsule(meeting: &Meeting<'_>, reach: f32) -> Manifold {
     let radius = meeting.radius();
     let (separation_a, edge_a) = meeting.a.greatest_separation(&meeting.b);
     let (separation_b, edge_b) = meeting.b.greatest_separation(&meeting.a);
-    let (separation, which, edge) = if separation_b > separation_a + PREFERRED * reach {
+    let (separation, which, edge) = if separation_b > separation_a + REFERENCE_EDGE_HYSTERESIS * reach {
         (separation_b, Which::B, edge_b)
     } else {
         (separation_a, Which::A, edge_a)
@@ -76,5 +73,5 @@ pub(super) fn along_normal(meeting: &Meeting<'_>, which: Which, edge: usize, way
         Which::A => normal,
         Which::B => scaled(meeting.b.for_other(normal), -1.0),
     };
-    dot(from_a, way) > ALIGNED * dot(way, way).sqrt()
+    dot(from_a, way) > CAPSULE_EDGE_COSINE * dot(way, way).sqrt()
 }

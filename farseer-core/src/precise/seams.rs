@@ -21,23 +21,16 @@
 //! Snapped to an edge, nothing may count as behind the edge that is apart from the piece, or not nearly as deep in it along w:
 //! what is, is another piece's affair.
 
-use super::manifold::{Manifold, PREFERRED};
+use super::manifold::Manifold;
 use super::meeting::{Meeting, Nearest, Side, Which};
 use super::outline::{Family, Outline};
 use super::round::{along_normal, are_apart};
 use crate::math::plane::{
     Pose, Vector, cross, difference, dot, place, rotation, scaled, sum, turn, turn_back,
 };
-
-/// Sine of the angle below which an outline goes straight on at a corner.
-const STRAIGHT: f32 = 1e-3;
-/// Sine of the angle by which a normal may be beyond a neighbour's, so that none is lost to rounding (`sinTol` of Box2D's
-/// `b2ClassifyNormal`).
-const BEYOND: f32 = 0.01;
-
-/// Times the overlap along a normal that there may be behind the edge that is snapped to: that of an edge at an angle of 60
-/// degrees to it. Behind an edge that faces another way there is all of what is met, however thick.
-const DEEPER: f32 = 2.0;
+use crate::precise::parameters::narrow_phase::{
+    EDGE_NORMAL_SLACK, REFERENCE_EDGE_HYSTERESIS, SNAPPED_PENETRATION_RATIO, STRAIGHT_CORNER_SINE,
+};
 
 /// Classification of a contact normal against the outline. The cases and their names are Box2D's: `b2_normalAdmit`,
 /// `b2_normalSkip` and `b2_normalSnap` of `enum b2NormalType` in `manifold.c` (E. Catto).
@@ -206,7 +199,7 @@ fn axes_of(outline: Outline<'_>, separation: impl Fn(Vector, Vector) -> f32) -> 
 /// The contacts at the edge of least overlap.
 fn by_axes(meeting: &Meeting<'_>, axes: [Axes; 2], reach: f32) -> Manifold {
     let (which, (separation, edge)) = match (axes[0].outer, axes[1].outer) {
-        (Some(a), Some(b)) if b.0 > a.0 + PREFERRED * reach => (Which::B, b),
+        (Some(a), Some(b)) if b.0 > a.0 + REFERENCE_EDGE_HYSTERESIS * reach => (Which::B, b),
         (Some(a), _) => (Which::A, a),
         (None, Some(b)) => (Which::B, b),
         (None, None) => return Manifold::apart(0.0),
@@ -257,7 +250,7 @@ fn snapped(meeting: &Meeting<'_>, axes: [Axes; 2], which: Which, separation: f32
     let Some((_, edge)) = axes[which as usize].outer else { return Manifold::apart(0.0) };
     let found = meeting.on_edge(which, edge, reach);
     let overlap = if separation < 0.0 { -separation } else { 0.0 };
-    let deepest = -DEEPER * overlap - PREFERRED * reach - meeting.radius();
+    let deepest = -SNAPPED_PENETRATION_RATIO * overlap - REFERENCE_EDGE_HYSTERESIS * reach - meeting.radius();
     let is_behind = found.separations[..found.count].iter().any(|&separation| separation < deepest);
     if is_behind { Manifold::apart(0.0) } else { found }
 }
@@ -314,10 +307,10 @@ fn furthest(outline: Outline<'_>, w: Vector) -> usize {
 fn at_corner(first: Vector, second: Vector, beyond: f32) -> Verdict {
     let sine = cross(first, second);
     // Two edges that go the same way back and forth jut out as well.
-    let juts_out = sine > STRAIGHT || (sine >= -STRAIGHT && dot(first, second) < 0.0);
+    let juts_out = sine > STRAIGHT_CORNER_SINE || (sine >= -STRAIGHT_CORNER_SINE && dot(first, second) < 0.0);
     if !juts_out {
         Verdict::Snapped
-    } else if beyond > BEYOND {
+    } else if beyond > EDGE_NORMAL_SLACK {
         Verdict::Skipped
     } else {
         Verdict::Admitted

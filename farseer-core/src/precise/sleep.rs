@@ -1,7 +1,7 @@
 //! What has come to rest sleeps, and costs nothing until something wakes it.
 //!
 //! **When.** A body is at rest while it moves by less than a [speed](Sleep::slow) that follows gravity and the size of
-//! things. [Islands](super::islands) of bodies that have all been at rest for [`REST`] seconds fall asleep together, if their
+//! things. [Islands](super::islands) of bodies that have all been at rest for [`TIME_TO_SLEEP`] seconds fall asleep together, if their
 //! contacts have learnt their load and nothing that they touch is on its way. Where one of an island is not at rest yet, all
 //! of it has rested no longer than that one: so an island is asked again only when it may be ready. What a motor, a
 //! belt or a kinematic body [drives](super::driven) does not sleep, however slowly it moves.
@@ -13,6 +13,9 @@
 //! what it rests on moves, goes or is edited; a joint of it is edited; gravity changes. Then the whole island wakes, with the
 //! impulses it fell asleep with.
 
+use crate::precise::parameters::sleep::{
+    SLEEP_RETEST_PART, SLEEP_SPEED_PER_FALL, SLEEP_SPEED_WEIGHTLESS, TIME_TO_SLEEP,
+};
 use std::ops::Range;
 
 use serde::{Deserialize, Serialize};
@@ -30,14 +33,6 @@ use crate::math::plane::{Vector, dot};
 use crate::objects::Objects;
 use crate::storage::reusing_clone::reusing_clone;
 
-/// Seconds for which all bodies of an island are at rest before it sleeps (Box2D's `B2_TIME_TO_SLEEP`).
-pub(super) const REST: f32 = 0.5;
-/// An island that only waits for something slow is asked again after the rest of this part of them.
-const NEARLY: f32 = 0.8;
-/// What is at rest moves slower than this part of the speed that a fall over one unit of length would give it, and than this
-/// many units a second where nothing falls.
-const SLOW: f32 = 0.01;
-const SLOWEST: f32 = 1e-3;
 /// Why a body does not sleep: see [`PhysicsSimulator::why_awake`](crate::PhysicsSimulator::why_awake).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
@@ -273,7 +268,7 @@ impl Precise {
     pub(super) fn slow(&self) -> f32 {
         let (gravity, unit) = (self.sleep.gravity, self.tuning.unit);
         let fall = (2.0 * dot(gravity, gravity).sqrt() * unit).sqrt();
-        let (slow, slowest) = (SLOW * fall, SLOWEST * unit);
+        let (slow, slowest) = (SLEEP_SPEED_PER_FALL * fall, SLEEP_SPEED_WEIGHTLESS * unit);
         // Also if a square is not finite.
         if slow > slowest && slow.is_finite() { slow } else { slowest }
     }
@@ -308,7 +303,7 @@ impl Precise {
             let island = self.sleep.islands.find(body);
             let rest = self.sleep.least[island as usize];
             self.sleep.rest[body as usize] = rest;
-            rest >= REST
+            rest >= TIME_TO_SLEEP
         });
         if !falling.is_empty() {
             self.lay_down(&falling, objects);
@@ -329,8 +324,8 @@ impl Precise {
             for (([x, y, turned, z], reach), rest) in ways.zip(&mut rest[run]) {
                 let is_slow = x.abs() + y.abs() + z.abs() + reach * turned.abs() < slow;
                 // Blocks of four hold sleepers too: theirs stays what it is.
-                *rest = if is_slow { (*rest + *dt).min(REST) } else { rest.min(0.0) };
-                is_ripe |= *rest >= REST;
+                *rest = if is_slow { (*rest + *dt).min(TIME_TO_SLEEP) } else { rest.min(0.0) };
+                is_ripe |= *rest >= TIME_TO_SLEEP;
             }
         }
         is_ripe
@@ -378,7 +373,7 @@ impl Precise {
                 // What swings is no body, and moves those that lean on it.
                 None => WhyAwake::Moves { limit: self.slow() },
             },
-            None => WhyAwake::RestsSince { seconds: self.sleep.rest[number], needed: REST },
+            None => WhyAwake::RestsSince { seconds: self.sleep.rest[number], needed: TIME_TO_SLEEP },
         })
     }
 
@@ -396,7 +391,7 @@ impl Precise {
         for &proxy in &self.proxies.escaped {
             let body = self.proxies.all[proxy as usize].body as usize;
             if self.is_dynamic(body) {
-                limit(body, NEARLY * REST);
+                limit(body, SLEEP_RETEST_PART * TIME_TO_SLEEP);
             }
         }
         for pair in 0..self.pairs.awake {
@@ -409,7 +404,7 @@ impl Precise {
                 limit(b, 0.0);
             } else if lane.is_learning(learning) && !self.joints.is_soft(a) && !self.joints.is_soft(b) {
                 // Contacts of bodies with joints in the iterative solver learn no load.
-                limit(b, NEARLY * REST);
+                limit(b, SLEEP_RETEST_PART * TIME_TO_SLEEP);
             }
         }
         self.for_each_driven(objects, |body| limit(body, 0.0));

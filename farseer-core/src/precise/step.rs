@@ -1,5 +1,7 @@
 //! The stages of a step.
 
+use crate::precise::parameters::broad_phase::COORDINATE_HEADROOM;
+use crate::precise::parameters::contacts::{JOINTED_RESTITUTION_ERROR, JOINTED_RESTITUTION_PASSES};
 use wide::f32x4;
 
 use super::Precise;
@@ -15,15 +17,6 @@ use super::tuning::Widening;
 use crate::math::Vector2;
 use crate::objects::Objects;
 use crate::report::{Event, Report};
-
-/// Coordinates end where this many times them are not finite any more.
-const FAR: f32 = 1e8;
-
-/// Most passes over contacts and joints for the velocities after a blow. Of a body that is welded on one of a quarter of its mass each
-/// of them leaves 4 / 5 of what is missing: a thousandth after all.
-const JOINED_BOUNCES: usize = 32;
-/// They end once joints miss less than this part of the least speed that bounces.
-const MISSED_BOUNCE: f32 = 1e-3;
 
 /// The bounds of the ground.
 const BELOW: [f32; 4] = [f32::MIN, 0.0, f32::MAX, f32::MAX];
@@ -198,7 +191,7 @@ impl Precise {
             let of_run = poses[run.clone()].iter().zip(&path[run.clone()]).zip(&hot[run.clone()]);
             for ((pose, path), hot) in of_run {
                 // Corners are not far from their body: what is left of the numbers is enough for them.
-                let place = (f32x4::new(*pose) + f32x4::new(*path)) * f32x4::splat(FAR);
+                let place = (f32x4::new(*pose) + f32x4::new(*path)) * f32x4::splat(COORDINATE_HEADROOM);
                 sum += (place + f32x4::new(hot.velocity)) * f32x4::ZERO;
             }
         }
@@ -209,7 +202,7 @@ impl Precise {
     fn is_finite_in_space(&self) -> bool {
         self.space.as_ref().is_none_or(|space| {
             self.sleep.awake(self.bodies.count).all(|number| {
-                let place = (space.places[number] + self.bodies.path[number][3]) * FAR;
+                let place = (space.places[number] + self.bodies.path[number][3]) * COORDINATE_HEADROOM;
                 place.is_finite() && space.is_spin_finite(number)
             })
         })
@@ -223,7 +216,10 @@ impl Precise {
             let z = self.space.as_ref().map_or(0.0, |space| space.places[number]);
             let from = [pose[0], pose[1], 0.0, z];
             let spins = self.space.as_ref().is_none_or(|space| space.is_spin_finite(number));
-            spins && (0..4).all(|i| velocity[i].is_finite() && ((path[i] + from[i]) * FAR).is_finite())
+            spins
+                && (0..4).all(|i| {
+                    velocity[i].is_finite() && ((path[i] + from[i]) * COORDINATE_HEADROOM).is_finite()
+                })
         };
         let lost: Vec<usize> =
             self.sleep.awake(self.bodies.count).filter(|&number| !is_finite(number)).collect();
@@ -424,10 +420,10 @@ impl Precise {
     /// solved by turns for the velocities after it.
     fn bounce(&mut self, step: &Step) {
         if self.joints.soft_bodies().is_some() {
-            for _ in 0..JOINED_BOUNCES {
+            for _ in 0..JOINTED_RESTITUTION_PASSES {
                 self.joints.begin_bounce();
                 self.bounce_rows(step, false);
-                if self.joints.bounce(&mut self.bodies) <= MISSED_BOUNCE * self.tuning.bounce {
+                if self.joints.bounce(&mut self.bodies) <= JOINTED_RESTITUTION_ERROR * self.tuning.bounce {
                     break;
                 }
             }

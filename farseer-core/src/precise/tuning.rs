@@ -1,25 +1,22 @@
-//! The parameters of the method.
+//! Parameters in the user's units, and those of one step; their values are in [`parameters`](super::parameters).
 //!
 //! Six of them are Box2D 3.2's (E. Catto; `constants.h` and `b2DefaultWorldDef` in `types.c`), as fractions of a length unit
-//! that stands for Box2D's metre:
-//!
-//! | here | Box2D | value | at 32 px for 1 m |
-//! |---|---|---|---|
-//! | `speculative` | `B2_SPECULATIVE_DISTANCE`, four linear slops of 0.005 m | 0.02 m | 0.64 px |
-//! | `margin` | `B2_MAX_AABB_MARGIN` | 0.05 m | 1.6 px |
-//! | `frozen` | `B2_CONTACT_RECYCLE_DISTANCE`, ten linear slops | 0.05 m | 1.6 px |
-//! | `push` | `contactSpeed` | 3 m/s | 96 px/s |
-//! | `bounce` | `restitutionThreshold` | 1 m/s | 32 px/s |
-//! | `DAMPING` | `contactDampingRatio` | 10 | 10 |
-//!
-//! So is the doubled frequency of contacts with static bodies (`staticSoftness` in `physics_world.c`). Box2D's contact
-//! frequency is 30 Hz and at most an eighth of the substep rate, its limit of the margin an eighth of the extent: `FREQUENCY`,
-//! `SUBSTEPS_PER_PERIOD` and `MARGIN_OF_SIZE` are not Box2D's.
+//! that stands for Box2D's metre. So is the doubled frequency of contacts with static bodies (`staticSoftness` in
+//! `physics_world.c`). Box2D's contact frequency is 30 Hz and at most an eighth of the substep rate, its limit of the margin an
+//! eighth of the extent.
 
+use crate::precise::parameters::broad_phase::{
+    AABB_MARGIN, AABB_MARGIN_PER_SIZE, AABB_REACH_PER_SIZE, AABB_STEPS_AHEAD, COLLISION_RANGE,
+    UNPAIRED_AABB_REACH_PER_SIZE, UNPAIRED_AABB_STEPS_AHEAD,
+};
+use crate::precise::parameters::contacts::{
+    CONTACT_DAMPING_RATIO, CONTACT_FREQUENCY, GREATEST_SAG, JOINTED_CONTACT_FREQUENCY,
+    JOINTED_CONTACT_FREQUENCY_PER_RATE, LOAD_ADAPTATION_SPEED, LOAD_FALL_PER_STEP, LOAD_LEFT_ON_SPRING,
+    LOAD_RISE_PER_STEP, PENETRATION_RECOVERY_SPEED, RECYCLING_DISTANCE, RESTITUTION_THRESHOLD,
+    SEPARATION_REFRESH_DISTANCE, SPECULATIVE_DISTANCE, SUBSTEPS_PER_CONTACT_PERIOD,
+};
 use serde::{Deserialize, Serialize};
 use wide::f32x4;
-
-use super::proxies::FARTHEST;
 
 /// Parameters of contacts, in the user's units. They are fractions of [`Methods::Precise`](crate::Methods)' `length_unit`, the
 /// size of things that a player looks at: a metre of a game in metres, 32 px of one in px.
@@ -48,27 +45,27 @@ impl Tuning {
     pub(crate) fn new(unit: f32) -> Self {
         Tuning {
             unit,
-            speculative: 0.02 * unit,
-            margin: 0.05 * unit,
-            frozen: 0.05 * unit,
-            checked: 0.003 * unit,
-            gate: 0.05 * unit,
-            push: 3.0 * unit,
-            bounce: unit,
+            speculative: SPECULATIVE_DISTANCE * unit,
+            margin: AABB_MARGIN * unit,
+            frozen: RECYCLING_DISTANCE * unit,
+            checked: SEPARATION_REFRESH_DISTANCE * unit,
+            gate: LOAD_ADAPTATION_SPEED * unit,
+            push: PENETRATION_RECOVERY_SPEED * unit,
+            bounce: RESTITUTION_THRESHOLD * unit,
         }
     }
 
     /// Margins of the AABB of a proxy that reaches this far from its centre, length units.
     pub(super) fn widening(&self, reach: f32) -> Widening {
-        let by_size = MARGIN_OF_SIZE * reach;
+        let by_size = AABB_MARGIN_PER_SIZE * reach;
         let margin = if by_size < self.margin { by_size } else { self.margin };
-        Widening { margin, near: NEAR_OF_SIZE * reach, lonely: 0.0 }
+        Widening { margin, near: AABB_REACH_PER_SIZE * reach, lonely: 0.0 }
     }
 
     /// The same for a proxy without pairs: a longer look ahead saves searches of the broad phase, and makes no pairs while
     /// nothing is near.
     pub(super) fn widening_of_lonely(&self, reach: f32) -> Widening {
-        Widening { lonely: LONELY_OF_SIZE * reach, ..self.widening(reach) }
+        Widening { lonely: UNPAIRED_AABB_REACH_PER_SIZE * reach, ..self.widening(reach) }
     }
 
     /// Sums of motion count in multiples of 2^-26 length units, and wrap.
@@ -92,44 +89,12 @@ impl Widening {
     /// How far the AABB reaches ahead along an axis on which the proxy moves by `way` in a step, length units.
     pub(super) fn ahead(&self, way: f32) -> f32 {
         let within = |steps: f32, limit: f32| (way * steps).clamp(-limit, limit);
-        let (near, far) = (within(STEPS_AHEAD, self.near), within(LONELY_STEPS_AHEAD, self.lonely));
+        let (near, far) =
+            (within(AABB_STEPS_AHEAD, self.near), within(UNPAIRED_AABB_STEPS_AHEAD, self.lonely));
         let longest = |one: f32, other: f32| if other.abs() > one.abs() { other } else { one };
-        longest(longest(way, near), far).clamp(-FARTHEST, FARTHEST)
+        longest(longest(way, near), far).clamp(-COLLISION_RANGE, COLLISION_RANGE)
     }
 }
-
-/// Steps by whose motion an AABB reaches ahead, and for a proxy without pairs a larger number of them; but, beyond the next
-/// step, at most these multiples of its size: a pair should not exist for long before the shapes touch. Half of the near one takes
-/// as long within 5 % (arena, spinner of 1,520 bodies).
-const STEPS_AHEAD: f32 = 4.0;
-const NEAR_OF_SIZE: f32 = 1.0;
-const LONELY_STEPS_AHEAD: f32 = 32.0;
-const LONELY_OF_SIZE: f32 = 2.0;
-/// Largest margin of an AABB as a fraction of the size of its proxy.
-const MARGIN_OF_SIZE: f32 = 0.25;
-
-/// Frequency of the soft contact constraint in Hz. With a stiffer one boxes that stand face to face do not come to rest, with a
-/// softer one piles of thousands oscillate for seconds.
-const FREQUENCY: f32 = 45.0;
-/// Damping ratio of the soft contact constraint (Box2D).
-const DAMPING: f32 = 10.0;
-/// Fewest substeps in a period of the soft contact constraint: limits its frequency.
-const SUBSTEPS_PER_PERIOD: f32 = 5.0;
-
-/// Frequency in Hz of contacts of bodies with joints in the iterative solver, and the largest part of the substep rate that it may be:
-/// those of all contacts in Box2D 3. Stiffer contacts win against joints, which then gape: in piles of dolls by
-/// 3.1 px instead of 1.3 with the frequency of other contacts.
-const FREQUENCY_BESIDE_JOINTS: f32 = 30.0;
-const MOST_OF_RATE_BESIDE_JOINTS: f32 = 0.125;
-
-/// Parts per step of 1/60 s by which the load that a spring rests at follows the load it carries, up and down; and the part
-/// of the load that is left on the spring. What is learnt lifts a pile, and lags behind its load, which keeps it in motion: so
-/// less is learnt than could be.
-const LEARNING: f32 = 0.02;
-const FORGETTING: f32 = 0.05;
-const RESERVE: f32 = 0.6;
-/// An overlap of more than this part of the unit is no sag.
-const DEEPEST: f32 = 0.1;
 
 /// Parameters of one step.
 #[derive(Debug, Clone, Copy)]
@@ -190,24 +155,24 @@ pub(super) struct Learning {
 impl Step {
     pub(super) fn new(dt: f32, substeps: u32, tuning: &Tuning) -> Self {
         let h = dt / substeps as f32;
-        let frequency = FREQUENCY.min(1.0 / (SUBSTEPS_PER_PERIOD * h));
-        let beside_joints = FREQUENCY_BESIDE_JOINTS.min(MOST_OF_RATE_BESIDE_JOINTS / h);
+        let frequency = CONTACT_FREQUENCY.min(1.0 / (SUBSTEPS_PER_CONTACT_PERIOD * h));
+        let beside_joints = JOINTED_CONTACT_FREQUENCY.min(JOINTED_CONTACT_FREQUENCY_PER_RATE / h);
         let steps = dt * 60.0;
         Step {
             dt,
             substeps,
             h,
-            soft: Softness::new(frequency, DAMPING, h),
-            soft_fixed: Softness::new(2.0 * frequency, DAMPING, h),
-            soft_jointed: Softness::new(beside_joints, DAMPING, h),
-            soft_jointed_fixed: Softness::new(2.0 * beside_joints, DAMPING, h),
+            soft: Softness::new(frequency, CONTACT_DAMPING_RATIO, h),
+            soft_fixed: Softness::new(2.0 * frequency, CONTACT_DAMPING_RATIO, h),
+            soft_jointed: Softness::new(beside_joints, CONTACT_DAMPING_RATIO, h),
+            soft_jointed_fixed: Softness::new(2.0 * beside_joints, CONTACT_DAMPING_RATIO, h),
             learning: Learning {
-                up: (LEARNING * steps).min(1.0),
-                down: (FORGETTING * steps).min(1.0),
-                learnt: 1.0 - RESERVE,
+                up: (LOAD_RISE_PER_STEP * steps).min(1.0),
+                down: (LOAD_FALL_PER_STEP * steps).min(1.0),
+                learnt: 1.0 - LOAD_LEFT_ON_SPRING,
                 inverse_gate: 1.0 / tuning.gate,
                 leaving: tuning.bounce,
-                deepest: -DEEPEST * tuning.unit,
+                deepest: -GREATEST_SAG * tuning.unit,
             },
         }
     }

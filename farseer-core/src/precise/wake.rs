@@ -1,14 +1,12 @@
 //! What wakes those that [sleep](super::sleep).
 
 use super::Precise;
-use super::sleep::{KnownJoint, REST};
+use super::sleep::KnownJoint;
 use crate::body::BodyId;
 use crate::controllers::ControllerKind;
 use crate::objects::Objects;
+use crate::precise::parameters::sleep::{TIME_TO_SLEEP, WAKING_FORCE_CHANGE};
 use crate::storage::order::sort_by_number;
-
-/// By which part the force that something bears may be another one once it does not move any more.
-const DAMPED: f32 = 0.25;
 
 impl Precise {
     /// The bodies of a pair are to wake, if they sleep.
@@ -116,7 +114,7 @@ impl Precise {
         pushed.dedup();
         pushed.retain(|&body| self.sleep.is_asleep(body as usize));
         self.learn_anew(objects);
-        let slack = if pushed.is_empty() { 0.0 } else { self.slow() / REST };
+        let slack = if pushed.is_empty() { 0.0 } else { self.slow() / TIME_TO_SLEEP };
         for body in pushed.drain(..).map(|body| body as usize) {
             let ([x, y, turning, z], reach) = (self.sleep.borne[body], self.bodies.reaches[body]);
             let Some(id) = self.bodies.ids[body] else { continue };
@@ -140,7 +138,7 @@ impl Precise {
             let Some(entry) = objects.bodies.get(id) else { continue };
             let ([x, y, turning], before) = (entry.body.accelerations(), self.sleep.borne[body]);
             let now = [x, y, turning, self.space.as_ref().map_or(0.0, |space| space.acceleration(id))];
-            let is_near = |at: usize| (now[at] - before[at]).abs() <= DAMPED * before[at].abs();
+            let is_near = |at: usize| (now[at] - before[at]).abs() <= WAKING_FORCE_CHANGE * before[at].abs();
             if (0..4).all(is_near) {
                 self.sleep.borne[body] = now;
             }

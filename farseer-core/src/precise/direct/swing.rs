@@ -12,8 +12,9 @@ use super::price::most_steps;
 use super::whole::{EXACT, Reading, Whole};
 use crate::precise::Precise;
 use crate::precise::joints::island_rows::Span;
-use crate::precise::joints::swing::{BORNE_UNDIVIDED, Division, with_momentum};
+use crate::precise::joints::swing::{Division, with_momentum};
 use crate::precise::joints::{Joints, weight_of};
+use crate::precise::parameters::joints::IMPLICIT_STIFFNESS_RATIO;
 use crate::precise::tuning::Step;
 
 /// Most times that a part is solved: with the bend of the solution before it, which each time leaves a part of the error as great as the
@@ -127,7 +128,7 @@ impl Whole {
         }
         let stiffness = island.greatest_stiffness(dt);
         let (count, spin) = (island.members.len() as u32, island.greatest_spin());
-        Division::of(count, step, spin, |bears| stiffness > BORNE_UNDIVIDED * bears).parts
+        Division::of(count, step, spin, |bears| stiffness > IMPLICIT_STIFFNESS_RATIO * bears).parts
     }
 }
 

@@ -9,12 +9,13 @@
 //!
 //! A joint without a motor has one whose greatest impulse is 0; one without limits has infinite ones.
 
+use crate::precise::parameters::joints::SOFT_ROW_ANGLE_ERROR;
 use wide::f32x4;
 
 use super::super::direct::joint::{ACROSS, ALONG, ANGLE};
 use super::block_pair::{Lanes, put};
 use super::hold::Hold;
-use super::soft_law::{BlockLaw, GREATEST_ANGLE, within};
+use super::soft_law::{BlockLaw, within};
 use super::tree::Link;
 use crate::math::lanes::{greater, positive, select, smaller};
 
@@ -92,7 +93,7 @@ impl BlockRow {
         }
         put(&mut self.slop, lane, slop);
         put(&mut self.most, lane, most);
-        put(&mut self.farthest, lane, if is_angle { GREATEST_ANGLE } else { f64::INFINITY });
+        put(&mut self.farthest, lane, if is_angle { SOFT_ROW_ANGLE_ERROR } else { f64::INFINITY });
     }
 
     /// The value follows the bodies: an angle by how far they have turned, or a length.

@@ -4,14 +4,15 @@
 //! formulas. Here nothing is kept but what these joints need, anchors are followed in the one pass that reads bodies, and each
 //! pass does all that can be done where it is.
 
+use crate::precise::parameters::joints::{
+    IMPLICIT_STIFFNESS_RATIO, JOINT_CORRECTION_SPEED, STIFFNESS_JUMP_RETRIES,
+};
 use wide::f32x4;
 
 use super::super::bodies::Bodies;
 use super::super::tuning::Step;
 use super::hold::{Hold, shown};
-use super::swing::{
-    BORNE_UNDIVIDED, CLOSING, Division, JERKS, aside_of_turn, bears, postponed, turn, turned, with_momentum,
-};
+use super::swing::{Division, aside_of_turn, bears, postponed, turn, turned, with_momentum};
 use super::tree::{
     Inertia, Link, Momentum, Node, Seated, Vector, dot, for_each_down, for_each_up, plus, spun,
 };
@@ -135,7 +136,7 @@ pub(super) fn swing(
         }
     });
     let division = Division::of(count, step, spin, |bears| {
-        let bears = BORNE_UNDIVIDED * bears;
+        let bears = IMPLICIT_STIFFNESS_RATIO * bears;
         hinges.iter().any(|hinge| hinge.pull > bears * hinge.borne && hinge.link != Link::Fixed)
     });
     let (parts, whole) = (division.parts, division.by_whole_kicks);
@@ -186,8 +187,8 @@ fn correct(hinges: &mut [Hinge], (h, unit): (f64, f64), unexpected: f64, begin: 
         begin(hinge);
         hinge.get_ready(h);
     }
-    let way = (-1.0 / h, CLOSING * h * unit);
-    for look in 0..=JERKS {
+    let way = (-1.0 / h, JOINT_CORRECTION_SPEED * h * unit);
+    for look in 0..=STIFFNESS_JUMP_RETRIES {
         for_each_up(hinges, |hinge, parent| {
             hinge.aim(parent, way);
             hinge.hand_up(parent);
@@ -201,7 +202,7 @@ fn correct(hinges: &mut [Hinge], (h, unit): (f64, f64), unexpected: f64, begin: 
         });
         // What pulls a parent is known once its last child is.
         let is_jerked = may_be_jerked && hinges.iter().any(Hinge::is_jerked);
-        if look == JERKS || !(is_jerked || (look == 0 && is_off)) {
+        if look == STIFFNESS_JUMP_RETRIES || !(is_jerked || (look == 0 && is_off)) {
             break;
         }
         for hinge in hinges.iter_mut() {

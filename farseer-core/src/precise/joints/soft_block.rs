@@ -2,6 +2,9 @@
 //!
 //! Impulses are those of a substep, on the second body, by the rows of a [`BlockPair`].
 
+use crate::precise::parameters::joints::{
+    HANDED_OVER_IMPULSE_LOSS, HANDED_OVER_LOSS_PER_CORRECTION, SOFT_ROW_ANGLE_ERROR, SOFT_ROW_ARM,
+};
 use wide::f32x4;
 
 use super::super::bodies::{Bodies, Hot};
@@ -12,18 +15,9 @@ use super::block_pair::{BlockPair, Lanes, Normal, Rows, narrow, put, wide};
 use super::block_row::{BlockRow, free_row};
 use super::frame::Frame;
 use super::hold::Hold;
-use super::soft_law::{BlockLaw, BlockMass, GREATEST_ANGLE, Law};
+use super::soft_law::{BlockLaw, BlockMass, Law};
 use super::tree::Link;
 use crate::math::lanes::{greater, select, smaller};
-
-/// A joint that another solver solved exactly hands over any impulse, of which a soft row loses a part in its first pass. This speed
-/// in units of length per second, and this many times the speed with which the row closes its error, are the most that is lost.
-/// Rows of the iterative solver at rest lose as much as they close.
-const LEAST_LOST: f32 = 0.25;
-const LOST_OF_CLOSED: f32 = 4.0;
-
-/// Length in units of length that a turn by one radian counts as where speeds are compared: an arm inside of a body.
-pub(super) const LEVER: f32 = 0.3;
 
 /// In place of a joint: a lane without one.
 const NONE: u32 = u32::MAX;
@@ -150,7 +144,7 @@ impl SoftBlock {
     /// Errors and effective masses follow the pair.
     fn follow(&mut self) {
         let ([along, across], way) = self.pair.places();
-        let greatest = f32x4::splat(GREATEST_ANGLE as f32);
+        let greatest = f32x4::splat(SOFT_ROW_ANGLE_ERROR as f32);
         let beyond = self.pair.turned - self.target;
         let is_distance = self.pair.way == Normal::Line;
         self.errors = [
@@ -194,21 +188,21 @@ impl SoftBlock {
         impulses
     }
 
-    /// Impulses of joints that another solver had are cut to what soft rows can take over: see [`LEAST_LOST`].
+    /// Impulses of joints that another solver had are cut to what soft rows can take over: see [`HANDED_OVER_IMPULSE_LOSS`].
     fn soften(&mut self, law: &BlockLaw, unit: f32) {
         let [[ax, ay, aw], [bx, by, bw]] = self.pair.yields(self.impulses);
         let speeds = self.pair.relative(&[[ax, ay, aw, ZERO], [bx, by, bw, ZERO]]);
         let lost: Rows = std::array::from_fn(|row| (law.leak * speeds[row]) & self.kept[row]);
-        let rate = f32x4::splat(LOST_OF_CLOSED) * law.mass * law.bias;
+        let rate = f32x4::splat(HANDED_OVER_LOSS_PER_CORRECTION) * law.mass * law.bias;
         let closed: Rows = std::array::from_fn(|row| (rate * self.errors[row]) & self.kept[row]);
-        let lever = f32x4::splat(LEVER * unit);
+        let lever = f32x4::splat(SOFT_ROW_ARM * unit);
         let size = |rows: Rows| {
             let linear = (rows[ALONG] * rows[ALONG] + rows[ACROSS] * rows[ACROSS]).sqrt();
             [linear, greater(rows[ANGLE], ZERO - rows[ANGLE]) * lever]
         };
         let (lost, closed) = (size(lost), size(closed));
         for (rows, kind) in [(&[ALONG, ACROSS][..], 0), (&[ANGLE], 1)] {
-            let most = f32x4::splat(LEAST_LOST * unit) + closed[kind];
+            let most = f32x4::splat(HANDED_OVER_IMPULSE_LOSS * unit) + closed[kind];
             let is_cut = lost[kind].simd_gt(most) & (self.softened ^ f32x4::splat(f32::from_bits(!0)));
             for &row in rows {
                 let impulse = self.impulses[row];
@@ -278,7 +272,8 @@ impl SoftBlock {
         (0..3).for_each(|i| self.total[i] += impulses[i]);
         self.impulses = self.impulses.map(|impulse| select(reached, ZERO, impulse));
         let size = |row: usize| greater(speeds[row], ZERO - speeds[row]) & self.kept[row] & reached;
-        let missed = greater(greater(size(ALONG), size(ACROSS)), f32x4::splat(LEVER * unit) * size(ANGLE));
+        let missed =
+            greater(greater(size(ALONG), size(ACROSS)), f32x4::splat(SOFT_ROW_ARM * unit) * size(ANGLE));
         missed.to_array().into_iter().fold(0.0, |most, missed| if missed > most { missed } else { most })
     }
 

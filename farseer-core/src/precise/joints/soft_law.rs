@@ -4,26 +4,14 @@
 //! dl = -mass K^-1 (u + bias C + compliance l) - leak l, with K = J M^-1 J^T of the block (E. Catto, "Soft Constraints", GDC 2011;
 //! "Solver2D", 2024).
 
+use crate::precise::parameters::joints::{
+    BLOCK_PIVOT_FLOOR, JOINT_DAMPING_RATIO, JOINT_FREQUENCY, JOINT_FREQUENCY_PER_RATE,
+};
 use wide::{f32x4, f64x4};
 
 use super::block_pair::{Lanes, Rows, narrow, put};
 use super::hold::Hold;
 use crate::math::lanes::select;
-
-/// Frequency of joint rows in Hz, and the largest part of the substep rate that it may be. 90 Hz and 120 Hz at 240 substeps/s gain
-/// energy in cantilevers and nets. Both are twice those of contacts beside joints, as in Box2D 3.
-const FREQUENCY: f64 = 60.0;
-const MOST_OF_RATE: f64 = 0.25;
-/// Damping ratio of joint rows (dimensionless). Bridges rest later with 2, chains that spin stretch more with 10.
-const DAMPING: f64 = 5.0;
-
-/// An error of an angle in radians counts as this at most: it is closed with 32 radians/s at 240 substeps/s then. Speeds of bodies have
-/// a bound, spins have none.
-pub(super) const GREATEST_ANGLE: f64 = 1.0;
-
-/// A pivot below this part of its diagonal is rounding: the row depends on those before it and gets no impulse. That of the angle of a
-/// weld whose anchor is 10,000 times as far as its bodies reach is 1e-8 of it.
-const LEAST_PIVOT: f64 = 1e-12;
 
 /// Coefficients of the law of a row: see the [module](self).
 #[derive(Debug, Clone, Copy)]
@@ -43,8 +31,8 @@ impl Law {
 
     /// Soft constraint of a substep of `h` seconds: a spring with a damper, integrated implicitly.
     pub(super) fn soft(h: f64) -> Self {
-        let omega = std::f64::consts::TAU * least(FREQUENCY, MOST_OF_RATE / h);
-        let damping = 2.0 * DAMPING + h * omega;
+        let omega = std::f64::consts::TAU * least(JOINT_FREQUENCY, JOINT_FREQUENCY_PER_RATE / h);
+        let damping = 2.0 * JOINT_DAMPING_RATIO + h * omega;
         let stiffness = h * omega * damping;
         let leak = 1.0 / (1.0 + stiffness);
         Law { bias: omega / damping, mass: stiffness * leak, leak, compliance: 0.0 }
@@ -123,7 +111,7 @@ impl BlockMass {
             f64x4::new(is_in.map(|is_in| if is_in { 1.0 } else { 0.0 })).simd_gt(f64x4::ZERO)
         });
         let invert = |row: usize, pivot: f64x4| {
-            let is_own = pivot.simd_gt(f64x4::splat(LEAST_PIVOT) * diagonal[row]);
+            let is_own = pivot.simd_gt(f64x4::splat(BLOCK_PIVOT_FLOOR) * diagonal[row]);
             (f64x4::splat(1.0) / pivot) & is_own & kept[row]
         };
         let first = invert(0, diagonal[0]);

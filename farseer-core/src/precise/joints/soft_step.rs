@@ -12,17 +12,12 @@ use super::super::rows::Row;
 use super::super::tuning::Step;
 use super::colours::{colour, is_last};
 use super::hold::{End, Hold};
-use super::soft_block::{Kind, LEVER, SoftBlock};
+use super::soft_block::{Kind, SoftBlock};
 use super::soft_law::{BlockLaw, Law};
 use super::soft_spring::SoftSpring;
 use super::springs::Springs;
+use crate::precise::parameters::joints::{JOINTED_BODY_ROTATION, JOINTED_BODY_SPEED, SOFT_ROW_ARM};
 use crate::storage::reusing_clone::reusing_clone;
-
-/// Greatest speed of bodies with joints in the iterative solver, in units of length per second: that of all bodies in Box2D 3
-/// (`maximumLinearSpeed`, 400 m/s).
-const GREATEST_SPEED: f32 = 400.0;
-/// Greatest angle in radians by which they turn in a substep, as in Box2D 3 (`B2_MAX_ROTATION`): 188 radians/s at 240 substeps/s.
-const GREATEST_TURN: f32 = std::f32::consts::FRAC_PI_4;
 
 /// The joints of the iterative solver.
 #[derive(Debug, Default)]
@@ -78,7 +73,7 @@ impl SoftJoints {
     ) {
         self.forget();
         let (times, law) = ([step.dt, step.h].map(f64::from), Law::soft(step.h.into()));
-        let fastest = [f64::from(GREATEST_SPEED) * unit, f64::from(LEVER) * unit];
+        let fastest = [f64::from(JOINTED_BODY_SPEED) * unit, f64::from(SOFT_ROW_ARM) * unit];
         let SoftJoints { order, joints, springs: of_springs, bodies: marked, masks, .. } = self;
         let mut mark = |ends: &[End; 2]| {
             for body in ends.iter().map(|end| end.body).filter(|&body| body != 0) {
@@ -155,7 +150,7 @@ impl SoftJoints {
     /// No body is faster than bodies with joints may be in a substep of `h` seconds, but for bullets. Joints that cannot be kept would
     /// drive them further and further apart.
     pub(super) fn limit_speeds(&self, bodies: &mut Bodies, unit: f32, h: f32) {
-        let (most, most_spin) = (GREATEST_SPEED * unit, GREATEST_TURN / h);
+        let (most, most_spin) = (JOINTED_BODY_SPEED * unit, JOINTED_BODY_ROTATION / h);
         for body in self.bodies.iter().map(|&body| body as usize).filter(|&body| !bodies.are_bullets[body]) {
             let [x, y, spin, _] = bodies.hot[body].velocity;
             let (squared, spins) = (x * x + y * y, spin.abs());

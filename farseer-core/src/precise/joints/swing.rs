@@ -15,40 +15,12 @@ use super::super::direct::joined::BORNE_STIFFNESS;
 use super::super::tuning::Step;
 use super::Group;
 use super::tree::{Link, Node, Vector, dot, follow, for_each_down, hand_up, hand_up_momentum, plus, spun};
-
-/// Greatest speed with which position errors are undone, in units of length and in radians per second: that of contacts
-/// ([`push`](super::super::tuning::Tuning::push)). Bodies of other joints keep a part of it, and light ones between heavy ones a multiple.
-pub(super) const CLOSING: f64 = 3.0;
-
-/// Groups up to these sizes are pendulums of one or a few, small, and those that get half kicks, and those beyond the last one
-/// large.
-const FEWEST: u32 = 3;
-const FEW: u32 = 8;
-const SEVERAL: u32 = 12;
-const MANY: u32 = 50;
-
-/// Into how many parts a substep may be divided.
-const FINER: u32 = 2;
-
-/// How far a body may turn otherwise than expected in a part of a step, in radians; half as far in small groups, and not at
-/// all in pendulums of a few, which gain energy by it. What that leaves of an error, as a part of an arm, is as much times
-/// the angle by which it turns.
-const UNEXPECTED: f64 = 0.01;
-
-/// How often a part of a step is looked at anew because of a jerk.
-pub(super) const JERKS: usize = 3;
-
-/// Radians that a body may turn in a part of a step.
-const TURNED_AT_ONCE: f64 = 0.15;
-
-/// How many times [`BORNE_STIFFNESS`] is stiffened rather than that the step is divided for it: fewer parts cost less, and a swinging
-/// chain of 20 loses less than 1 % of its energy in ten seconds.
-pub(in crate::precise) const BORNE_UNDIVIDED: f64 = 5.0;
-
-/// The part of a small stiffness that has [momentum](with_momentum), and how many times what the inertia bears it is of which
-/// half as large a part has.
-const WITH_MOMENTUM: f64 = 0.9;
-const HALF_WITH_MOMENTUM: f64 = 8.0;
+use crate::precise::parameters::joints::{
+    ARTICULATION_SUBSTEP_PARTS, HALF_KICK_ARTICULATION_BODIES, IMPLICIT_STIFFNESS_RATIO,
+    JOINT_CORRECTION_SPEED, LARGE_ARTICULATION_BODIES, MOMENTUM_SHARE_HALVED_AT, MOMENTUM_SHARE_OF_STIFFNESS,
+    PENDULUM_BODIES, PREDICTED_ROTATION_ERROR, ROTATION_PER_PART, SMALL_ARTICULATION_BODIES,
+    STIFFNESS_JUMP_RETRIES,
+};
 
 /// Cosine and sine of how far a body turns in a substep: a Taylor series, right to 1e-10 for less than 0.3.
 #[inline(always)]
@@ -256,7 +228,7 @@ pub(super) fn postponed(size: f64, at_once: f64) -> f64 {
 #[inline(always)]
 fn aim_point(child: &Side, parent: &Side, h: f64, unit: f64) -> [f64; 3] {
     let error = plus(child.anchor(), parent.anchor(), -1.0);
-    let later = postponed(dot(error, error).sqrt(), CLOSING * h * unit);
+    let later = postponed(dot(error, error).sqrt(), JOINT_CORRECTION_SPEED * h * unit);
     let [x, y] = plus(plus(child.aside(), parent.aside(), -1.0), error, -later);
     let rate = -1.0 / h;
     [x * rate, y * rate, 0.0]
@@ -269,14 +241,14 @@ fn aim_distance(node: &mut Node, child: &Side, parent: &Side, h: f64, unit: f64)
     let speed = dot(node.direction, way);
     let aside = plus(child.aside(), parent.aside(), -1.0);
     let ahead = plus(aside, way, h);
-    let later = error * postponed(error.abs(), CLOSING * h * unit);
+    let later = error * postponed(error.abs(), JOINT_CORRECTION_SPEED * h * unit);
     speed - (dot(ahead, ahead).sqrt() - node.wanted - later) / h
 }
 
 #[inline(always)]
 fn aim_angle(node: &Node, child: &Side, parent: &Side, h: f64) -> f64 {
     let error = node.wanted + child.angle - parent.angle;
-    -error * (1.0 - postponed(error.abs(), CLOSING * h)) / h
+    -error * (1.0 - postponed(error.abs(), JOINT_CORRECTION_SPEED * h)) / h
 }
 
 /// What is off a line changes as the joint's bodies move against each other where the child's anchor is, and as the line turns.
@@ -290,7 +262,7 @@ fn aim_line(node: &Node, child: &Side, parent: &Side, h: f64, unit: f64) -> [f64
     let ahead = plus(plus(child.aside(), parent.aside(), -1.0), way, h);
     let off = dot(across, apart);
     let left = dot(turned(turn(first.velocity[2] * h), across), ahead)
-        - off * postponed(off.abs(), CLOSING * h * unit);
+        - off * postponed(off.abs(), JOINT_CORRECTION_SPEED * h * unit);
     let along = dot(node.direction, apart);
     // The line is the child's: it turns with a spin that is about to change.
     let own = if node.is_first { along * (turning - (child.velocity[2] - parent.velocity[2])) } else { 0.0 };
@@ -308,8 +280,8 @@ fn aim_line(node: &Node, child: &Side, parent: &Side, h: f64, unit: f64) -> [f64
 /// 30, 60 and 120 Hz, and like this 6.2, 2.3 and 1.1 %, and none gains any.
 #[inline(always)]
 pub(in crate::precise) fn with_momentum(stiffness: f64, borne: f64) -> f64 {
-    let times = stiffness / (HALF_WITH_MOMENTUM * borne);
-    WITH_MOMENTUM * stiffness / (1.0 + times * times)
+    let times = stiffness / (MOMENTUM_SHARE_HALVED_AT * borne);
+    MOMENTUM_SHARE_OF_STIFFNESS * stiffness / (1.0 + times * times)
 }
 
 /// Tension makes a joint stiff against turning, and a stiff thing overshoots where a substep is too long for it: a chain
@@ -351,28 +323,29 @@ impl Division {
         spin: f64,
         is_stiffer: impl Fn(f64) -> bool,
     ) -> Self {
-        let (by_whole_kicks, part) = if bodies <= FEWEST {
+        let (by_whole_kicks, part) = if bodies <= PENDULUM_BODIES {
             (false, 0.0)
-        } else if bodies <= FEW {
+        } else if bodies <= SMALL_ARTICULATION_BODIES {
             (false, 0.5)
         } else {
-            (bodies > SEVERAL, 1.0)
+            (bodies > HALF_KICK_ARTICULATION_BODIES, 1.0)
         };
-        let parts = if bodies <= FEWEST {
+        let parts = if bodies <= PENDULUM_BODIES {
             bodies.min(step.substeps)
         } else {
             Self::parts_of_many(bodies, step, spin, is_stiffer)
         };
-        Division { parts, by_whole_kicks, unexpected: part * UNEXPECTED }
+        Division { parts, by_whole_kicks, unexpected: part * PREDICTED_ROTATION_ERROR }
     }
 
     fn parts_of_many(bodies: u32, step: &Step, spin: f64, is_stiffer: impl Fn(f64) -> bool) -> u32 {
-        let is_large = bodies > MANY;
+        let is_large = bodies > LARGE_ARTICULATION_BODIES;
         let turn = spin * f64::from(step.dt);
         let is_stiff = |parts: u32| is_stiffer(f64::from(parts * parts));
-        let most = if is_large { step.substeps } else { FINER * step.substeps };
-        let mut parts = if bodies <= FEW { 2 } else { 1 };
-        while parts < most && (f64::from(parts) * TURNED_AT_ONCE < turn || (!is_large && is_stiff(parts))) {
+        let most = if is_large { step.substeps } else { ARTICULATION_SUBSTEP_PARTS * step.substeps };
+        let mut parts = if bodies <= SMALL_ARTICULATION_BODIES { 2 } else { 1 };
+        while parts < most && (f64::from(parts) * ROTATION_PER_PART < turn || (!is_large && is_stiff(parts)))
+        {
             parts += (parts / 2).max(1);
         }
         parts.min(most)
@@ -389,7 +362,7 @@ pub(super) fn swing(Group { nodes, parts, .. }: &mut Group, bodies: &Bodies, ste
     let bodies_held = nodes.iter().filter(|node| node.body != 0).count() as u32;
     let spin = nodes.iter().fold(0.0, |spin: f64, node| spin.max(node.velocity[2].abs()));
     let division = Division::of(bodies_held, step, spin, |bears| {
-        let bears = BORNE_UNDIVIDED * bears;
+        let bears = IMPLICIT_STIFFNESS_RATIO * bears;
         nodes.iter().any(|node| node.pull > bears * node.borne() && node.link != Link::Fixed)
     });
     *parts = division.parts;
@@ -432,7 +405,7 @@ fn swing_tree(nodes: &mut [Node], division: &Division, (h, unit): (f64, f64)) {
 /// than expected, and where there is a [jerk](Node::is_jerked).
 fn correct_tree(nodes: &mut [Node], (h, unit): (f64, f64), unexpected: f64) {
     let mut is_jerked = true;
-    for look in 0..=JERKS {
+    for look in 0..=STIFFNESS_JUMP_RETRIES {
         for_each_down(nodes, |node, parent| {
             node.aim(parent, h, unit);
             node.take_own_momentum(node.before, node.with_momentum());
@@ -447,7 +420,7 @@ fn correct_tree(nodes: &mut [Node], (h, unit): (f64, f64), unexpected: f64) {
         find_stiffness(nodes, h);
         is_jerked = nodes.iter().any(Node::is_jerked);
         let is_off = |node: &Node| (node.velocity[2] - node.expected_spin).abs() > unexpected;
-        if look == JERKS || !(is_jerked || (look == 0 && nodes.iter().any(is_off))) {
+        if look == STIFFNESS_JUMP_RETRIES || !(is_jerked || (look == 0 && nodes.iter().any(is_off))) {
             break;
         }
         if is_jerked {

@@ -16,15 +16,13 @@ use crate::precise::Precise;
 use crate::precise::bodies::{Bodies, Hot};
 use crate::precise::fingerprint::Fingerprint;
 use crate::precise::outline::Shape;
+use crate::precise::parameters::depth::WORLD_BOX_SWEEP;
 use crate::precise::proxies::{Mobility, Proxy, filter_of_fixture};
 use crate::precise::tuning::Tuning;
 use crate::shape::SlantedBox;
 
 /// The place of the ground among fixtures: none.
 const NO_PLACE: u32 = u32::MAX;
-
-/// What goes farther in a step than so many units is put there, and sweeps nothing before it.
-const FARTHEST_SWEEP: f32 = 4.0;
 
 /// What turns does so about the upright axis, in the place of turning in the plane: its contacts have the arms for that.
 fn on_hot(motion: &FixtureMotion) -> [f32; 4] {
@@ -219,7 +217,7 @@ impl Space {
         };
         let [x, y, turning, z] = bodies.hot[proxy.body as usize].velocity;
         let way = (length([length([x, y]), z]) + turning.abs() * turning_reach(fixture)) * dt;
-        let sweeps = way > tuning.speculative && way <= FARTHEST_SWEEP * tuning.unit;
+        let sweeps = way > tuning.speculative && way <= WORLD_BOX_SWEEP * tuning.unit;
         if sweeps { way } else { 0.0 }
     }
 

@@ -4,14 +4,12 @@
 //! along (q.z - p.z, p.x - q.x).
 
 use crate::math::plane::{Vector, cross, difference, dot, length, scaled, sum};
-
-/// Most corners: those of a box that is cut by two planes, as seen from above, and some more.
-const MOST: usize = 16;
+use crate::precise::parameters::depth::{FOOTPRINT_CORNERS, LEVEL_EDGE_SLOPE};
 
 /// Corners of a convex polygon.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Polygon {
-    points: [Vector; MOST],
+    points: [Vector; FOOTPRINT_CORNERS],
     count: usize,
 }
 
@@ -28,7 +26,7 @@ impl Polygon {
     }
 
     pub(super) fn push(&mut self, corner: Vector) {
-        if self.count < MOST {
+        if self.count < FOOTPRINT_CORNERS {
             self.points[self.count] = corner;
             self.count += 1;
         }
@@ -55,7 +53,7 @@ impl Polygon {
         let places = self.points().iter().map(|&point| [dot(point, direction), dot(point, aside)]);
         let farther = |one: Vector, other: Vector| if other[0] > one[0] { other } else { one };
         let [most, there] = places.clone().reduce(farther).unwrap_or_default();
-        let is_level = |&[out, at]: &Vector| most - out <= LEVEL * (at - there).abs();
+        let is_level = |&[out, at]: &Vector| most - out <= LEVEL_EDGE_SLOPE * (at - there).abs();
         places.filter(is_level).fold([there; 2], |[low, high], [_, at]| [low.min(at), high.max(at)])
     }
 
@@ -72,9 +70,6 @@ impl Polygon {
         best
     }
 }
-
-/// An edge that is aslant by no more than this, rise by run, lies across.
-const LEVEL: f32 = 1e-3;
 
 /// The direction out of an edge; none for one without length.
 fn outward(start: Vector, end: Vector) -> Option<Vector> {

@@ -5,9 +5,7 @@
 
 use crate::math::plane::{Pose, Vector, cross, difference, dot, place, rotation, scaled, sum, turn};
 use crate::precise::outline::Outline;
-
-/// Most corners of what two outlines have in common; more are left out.
-const MOST: usize = 64;
+use crate::precise::parameters::depth::CONTACT_PATCH_CORNERS;
 
 /// The middle of an area, and how far from it its pressure is: the root of the mean square of distances.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,17 +16,17 @@ pub(super) struct Covered {
 
 /// Corners in order, in a list that needs no memory of its own.
 struct Corners {
-    points: [Vector; MOST],
+    points: [Vector; CONTACT_PATCH_CORNERS],
     count: usize,
 }
 
 impl Corners {
     fn new() -> Self {
-        Corners { points: [[0.0; 2]; MOST], count: 0 }
+        Corners { points: [[0.0; 2]; CONTACT_PATCH_CORNERS], count: 0 }
     }
 
     fn push(&mut self, point: Vector) {
-        if self.count < MOST {
+        if self.count < CONTACT_PATCH_CORNERS {
             self.points[self.count] = point;
             self.count += 1;
         }

@@ -4,9 +4,7 @@ use super::solid::{Solid, deepest};
 use crate::math::plane::{Vector, difference, dot, place, rotation, scaled, turn, turn_back};
 use crate::precise::manifold::Manifold;
 use crate::precise::outline::Family;
-
-/// Normals whose product is more than this are one.
-const PARALLEL: f32 = 0.9999;
+use crate::precise::parameters::depth::PREDICTED_MISS_COSINE;
 
 /// Whether two that are apart along one axis will be apart along the other one by the time they are not along the first.
 pub(super) fn passes_corner(
@@ -49,7 +47,7 @@ fn stays_above(a: Solid<'_>, b: Solid<'_>, way: Vector, normal: Vector) -> bool 
         let nearest = b.outline.points.iter().map(|&corner| dot(in_b, corner));
         let nearest = nearest.fold(f32::MAX, |least, one| if one < least { one } else { least });
         let separation = nearest + dot(edge_normal, apart) - dot(edge, point);
-        let is_other = dot(edge_normal, normal).abs() < PARALLEL;
+        let is_other = dot(edge_normal, normal).abs() < PREDICTED_MISS_COSINE;
         is_other && separation > 0.0 && separation + dot(way, edge_normal) > 0.0
     })
 }

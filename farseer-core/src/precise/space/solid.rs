@@ -14,6 +14,10 @@ use crate::math::plane::{
 };
 use crate::precise::manifold::{Manifold, clip, collide, greatest_separation};
 use crate::precise::outline::{Family, Outline};
+use crate::precise::parameters::depth::{
+    GRAZED_RIM_OVERLAP, LOADED_FLUSH_OVERLAP, MOVING_FLUSH_OVERLAP, PRISM_ENTRY_MEMORY, PRISM_FACE_COSINE,
+    RESTING_FLUSH_OVERLAP, RIM_SECANT_STEPS,
+};
 use crate::shape::SlantedBox;
 
 /// Something with depth.
@@ -79,15 +83,15 @@ impl Limits {
     /// A body that is pressed against a face penetrates it, and the next flush face as deep: `sunk` is its penetration, in length
     /// units, or was when it parted. A static body is where it was built, others are near that.
     pub(in crate::precise) fn new([reach, usual]: [f32; 2], is_static: bool, sunk: f32) -> Self {
-        let unpressed = if is_static { EVEN } else { FLUSH };
-        let flush = (unpressed * usual + sunk).min(DEEPEST * usual);
+        let unpressed = if is_static { RESTING_FLUSH_OVERLAP } else { MOVING_FLUSH_OVERLAP };
+        let flush = (unpressed * usual + sunk).min(LOADED_FLUSH_OVERLAP * usual);
         Limits { reach, usual, flush }
     }
 
     /// How much one of two flush faces may be higher than the other, in length units, if none is pressed; more if one of them can be
     /// pushed down.
     pub(in crate::precise) fn flush(usual: f32, gives_way: bool) -> f32 {
-        usual * if gives_way { DEEPEST } else { FLUSH }
+        usual * if gives_way { LOADED_FLUSH_OVERLAP } else { MOVING_FLUSH_OVERLAP }
     }
 }
 
@@ -104,7 +108,7 @@ impl Solid<'_> {
 
     /// Whether it has a face across this normal of the plane.
     pub(in crate::precise) fn has_face(&self, normal: Vector) -> bool {
-        let is_it = |&face: &Vector| dot(turn(rotation(self.pose), face), normal) > SAME_FACE;
+        let is_it = |&face: &Vector| dot(turn(rotation(self.pose), face), normal) > PRISM_FACE_COSINE;
         self.kind == Kind::Ground || (self.is_upright_prism() && self.outline.normals.iter().any(is_it))
     }
 
@@ -117,20 +121,6 @@ impl Solid<'_> {
         dot(place(self.pose), normal) + self.outline.shape.radius + self.outline.farthest_along(direction)
     }
 }
-
-/// Cosine of the angle between a normal and that of a face from which on they are one: a contact recycles its normal while a crate
-/// turns a little.
-const SAME_FACE: f32 = 0.999_9;
-
-/// Part of the usual reach of contacts by which faces that are flush may overlap where something moves.
-const FLUSH: f32 = 0.05;
-/// The same of what does not, for what is not pressed: more than figures are kept above their floor, and than rounding leaves of
-/// places some 100,000 px away.
-const EVEN: f32 = 0.016;
-/// And for what is pressed most.
-const DEEPEST: f32 = 0.25;
-/// Steps after which nobody remembers on which way something came in.
-const RECENT: f32 = 1.5;
 
 /// The contacts of A and B, of which A gives way less.
 pub(super) fn touch(a: Solid<'_>, b: Solid<'_>, before: Before, limits: Limits) -> Manifold {
@@ -301,7 +291,7 @@ fn entered_in_plane(
     }
     let since = |overlap: f32, closing: f32| {
         let steps = if closing > 0.0 { overlap / closing } else { f32::INFINITY };
-        if steps <= RECENT { steps } else { f32::INFINITY }
+        if steps <= PRISM_ENTRY_MEMORY { steps } else { f32::INFINITY }
     };
     let in_plane = since(-apart, -dot([motion[0], motion[1]], plane.normal));
     let along_depth = since(-gap, -side * motion[2]);
@@ -378,9 +368,6 @@ fn is_corner(prism: Solid<'_>, plane: &Manifold) -> bool {
     edge.is_none_or(|&edge| dot(turn(rotation(prism.pose), edge), plane.normal) < 0.9999)
 }
 
-/// Part of the reach of contacts by which a rim may be touched before it is in the way.
-const GRAZED: f32 = 0.02;
-
 /// Where a ball that is this far from a rim will touch it in this step, as it moves: its distance along the normal that it will
 /// have there, and that normal. `None` if it passes: what rolls over a seam between two floors is not stopped by the rim of the
 /// second one, and what rolls from a floor on to a slope meets the slope.
@@ -393,12 +380,12 @@ fn meets_rim(
 ) -> Option<(f32, Vector, f32)> {
     let way: [f32; 3] = std::array::from_fn(|axis| ball.ahead[axis] - prism.ahead[axis]);
     let (mut before, mut after) = ((0.0, separation), (1.0, nearness(prism, half, ball, way, 1.0, reach)?.0));
-    if after.1 > -GRAZED * reach {
+    if after.1 > -GRAZED_RIM_OVERLAP * reach {
         return None;
     }
     // The distance is convex where the outline is: the secant comes to its root from behind.
     let mut found = None;
-    for _ in 0..SECANTS {
+    for _ in 0..RIM_SECANT_STEPS {
         let part = before.0 + (after.0 - before.0) * before.1 / (before.1 - after.1);
         let (distance, normal, normal_z) = nearness(prism, half, ball, way, part, reach)?;
         let along = way[0] * normal[0] + way[1] * normal[1] + way[2] * normal_z;
@@ -411,9 +398,6 @@ fn meets_rim(
     }
     found
 }
-
-/// Steps towards the time at which a rim is touched: each leaves less than a tenth of what was missing.
-const SECANTS: usize = 3;
 
 /// Distance of a ball from an extruded outline after a part of the step, and its normal.
 pub(super) fn nearness(

@@ -8,6 +8,7 @@ use crate::math::Vector3;
 use crate::math::plane::{difference, place};
 use crate::precise::manifold::Manifold;
 use crate::precise::outline::{Family, Shape};
+use crate::precise::parameters::depth::{FLAT_SIDE_COSINE, FLAT_SIDE_LEAN};
 
 /// The contacts of A and B, of which A gives way less and one at least is upright.
 pub(super) fn touch(a: Solid<'_>, b: Solid<'_>, before: Before, limits: Limits) -> Manifold {
@@ -110,7 +111,7 @@ fn on_prism(
         found.depths[0] = ball.z - found.normal_z * shape.rounding - prism.z;
         found
     };
-    let [upper, lower] = nearest_balls(&prism, &capsule, shape, FLAT * limits.reach);
+    let [upper, lower] = nearest_balls(&prism, &capsule, shape, FLAT_SIDE_LEAN * limits.reach);
     let mut found = touch(upper);
     if upper.outline.shape.centre == lower.outline.shape.centre {
         return found;
@@ -120,7 +121,7 @@ fn on_prism(
         return other;
     }
     let normal = |of: &Manifold| [of.normal[0], of.normal[1], of.normal_z];
-    if other.count > 0 && product(normal(&found), normal(&other)) > ALONG {
+    if other.count > 0 && product(normal(&found), normal(&other)) > FLAT_SIDE_COSINE {
         found.count = 2;
         found.points[1] = other.points[0];
         found.depths[1] = other.depths[0];
@@ -129,11 +130,6 @@ fn on_prism(
     }
     found
 }
-
-/// Part of the reach of contacts by which a side may lean and be flat.
-const FLAT: f32 = 0.05;
-/// Normals whose product is more than this are those of one side.
-const ALONG: f32 = 0.999;
 
 /// The balls of a capsule that are nearest to a prism or box: one, or those at both ends of where its side lies along that.
 fn nearest_balls<'a>(prism: &Solid<'_>, capsule: &Solid<'a>, shape: &Upright, flush: f32) -> [Solid<'a>; 2] {

@@ -9,12 +9,10 @@ use crate::math::plane::length;
 use crate::precise::Precise;
 use crate::precise::bodies::Read;
 use crate::precise::moving::leave;
+use crate::precise::parameters::depth::RESTITUTION_GRAVITY_STEPS;
 use crate::precise::passes::{bounce, note_approach, note_push, solve_soft, solve_soft_beside_joints};
 use crate::precise::rows::SpaceRows;
 use crate::precise::tuning::Step;
-
-/// What comes no faster than gravity makes it in so many steps does not bounce.
-const STEPS_OF_REST: f32 = 4.0;
 
 impl Space {
     /// What moves a body along the axis, read with the rest: see [`read`](crate::precise::bodies::read).
@@ -184,7 +182,7 @@ impl Precise {
     /// Speed of approach below which nothing bounces. What rests comes no faster than gravity makes it in a step; where there is
     /// none everything bounces.
     fn bounce_threshold_in_space(&self) -> f32 {
-        let resting = STEPS_OF_REST * length(self.fall);
+        let resting = RESTITUTION_GRAVITY_STEPS * length(self.fall);
         if resting < self.tuning.bounce { resting } else { self.tuning.bounce }
     }
 

@@ -15,14 +15,10 @@ use super::parts::{self, FixtureSwing, Swings};
 use crate::body::BodyId;
 use crate::precise::Precise;
 use crate::precise::bodies::Bodies;
+use crate::precise::parameters::depth::{HINGE_REST_DISTANCE, HINGE_STOP_ANGLE};
 use crate::precise::proxies::Mobility;
 use crate::precise::rows::Lane;
 use crate::precise::tuning::Step;
-
-/// What is nearer to a stop than so many rad is at it.
-const AT_STOP: f32 = 1e-4;
-/// What swings freely does not rest while its spring has farther to turn it than this part of a unit of length.
-const RETURNED: f32 = 1e-3;
 
 impl FixtureSwing {
     pub(super) fn inverse_inertia(&self) -> f32 {
@@ -146,8 +142,9 @@ impl Precise {
         let Some(Swinging { number, swing, begun: [angle, turning], .. }) = self.swing_at(at) else { return };
         let [least, greatest] = swing.stops;
         let pull = swing.stiffness * (swing.rest_angle - angle);
-        let rests =
-            |distance: f32, away: f32| distance < AT_STOP && away * turning <= 0.0 && away * pull <= 0.0;
+        let rests = |distance: f32, away: f32| {
+            distance < HINGE_STOP_ANGLE && away * turning <= 0.0 && away * pull <= 0.0
+        };
         let at_stop = [rests(angle - least, 1.0), rests(greatest - angle, -1.0)];
         let mut pairs = std::mem::take(&mut self.lost);
         let with_rows = |pair: &usize| self.pairs.all[*pair].home.is_some();
@@ -252,7 +249,7 @@ impl Precise {
                 let after = (0..step.substeps).fold(*begun, |from, _| swing.swung_within(from, step.h));
                 let missing = swing.within(swing.rest_angle) - after[0];
                 let reach = bodies.reaches[at];
-                if swing.stiffness > 0.0 && missing.abs() * reach > RETURNED * tuning.unit {
+                if swing.stiffness > 0.0 && missing.abs() * reach > HINGE_REST_DISTANCE * tuning.unit {
                     sleep.rest[at] = 0.0;
                 }
                 bodies.hot[at].velocity[2] = after[1];

@@ -10,6 +10,9 @@ use super::parts::SpaceUpright;
 use super::solid::{Before, Limits, Solid};
 use crate::math::plane::{Vector, difference, length, place, scaled, sum};
 use crate::precise::manifold::Manifold;
+use crate::precise::parameters::depth::{
+    CURVE_SECANT_STEPS, GRAZED_CURVE_OVERLAP, VERTICAL_ENTRY_MEMORY, VERTICAL_NORMAL_COSINE,
+};
 
 /// What something upright is.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -280,7 +283,7 @@ fn choose<'w>(
         std::array::from_fn(|axis| b[axis] - a[axis])
     };
     // Both ways meet one face: the foot of a slope is no wall, and a wall is not stood on.
-    if product(over.normal, beside.normal) > SAME {
+    if product(over.normal, beside.normal) > VERTICAL_NORMAL_COSINE {
         return Some(ways.best());
     }
     match before {
@@ -302,19 +305,11 @@ fn choose<'w>(
     }
 }
 
-/// Normals whose product is more than this are one.
-pub(super) const SAME: f32 = 0.9999;
-/// Least upward part of the normal of a slope, 0 to 1: the sine of the angle whose cosine is [`SAME`]. Steeper faces, 89.2 degrees from
-/// level or more, have the normal of a wall.
-pub(super) const LEAST_UP_OF_SLOPE: f32 = 0.01414;
-/// Steps after which nobody remembers on which way something came in.
-const RECENT: f32 = 1.5;
-
 fn entered_last<'w>(over: &'w Meeting, beside: &'w Meeting, way: [f32; 3]) -> &'w Meeting {
     let since = |meeting: &Meeting| {
         let closing = -product(way, meeting.normal);
         let steps = if closing > 0.0 { -meeting.apart / closing } else { f32::INFINITY };
-        if steps <= RECENT { steps } else { f32::INFINITY }
+        if steps <= VERTICAL_ENTRY_MEMORY { steps } else { f32::INFINITY }
     };
     let (of_over, of_beside) = (since(over), since(beside));
     let is_over = if of_over == of_beside { over.apart > beside.apart } else { of_over < of_beside };
@@ -327,26 +322,21 @@ fn passes_edge(apart: &Meeting, within: &Meeting, way: [f32; 3]) -> bool {
     leaving > 0.0 && closing > 0.0 && within.apart + leaving * (apart.apart / closing) >= 0.0
 }
 
-/// Part of the usual reach of contacts by which what is curved may be touched before it is in the way.
-const GRAZED: f32 = 0.02;
-/// Steps towards the time at which it is touched: each leaves less than a tenth of what was missing.
-const SECANTS: usize = 4;
-
 /// What two that do not touch yet will touch in this step, B moving so far against A, where their surfaces are curved: the
 /// distance along the normal that they will have there, and that normal. `None` if they pass each other.
 fn touched(now: &Meeting, way: [f32; 3], usual: f32, at: impl Fn([f32; 3]) -> Meeting) -> Option<Meeting> {
     let along = |part: f32| at(way.map(|axis| axis * part));
     let (mut before, mut after) = ((0.0, now.apart), (1.0, along(1.0).apart));
-    if after.1 > -GRAZED * usual {
+    if after.1 > -GRAZED_CURVE_OVERLAP * usual {
         // One that is as far at the end may have been nearer on the way.
         let nearest = -product(way, now.normal) / product(way, way).max(f32::MIN_POSITIVE);
         after = (nearest.clamp(0.0, 1.0), along(nearest.clamp(0.0, 1.0)).apart);
-        if after.1 > -GRAZED * usual {
+        if after.1 > -GRAZED_CURVE_OVERLAP * usual {
             return None;
         }
     }
     let mut found = None;
-    for _ in 0..SECANTS {
+    for _ in 0..CURVE_SECANT_STEPS {
         let part = before.0 + (after.0 - before.0) * before.1 / (before.1 - after.1);
         let then = along(part);
         let closing = part * product(way, then.normal);

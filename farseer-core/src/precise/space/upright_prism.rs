@@ -5,12 +5,13 @@
 
 use super::foot::{Foot, Polygon};
 use super::solid::{Before, Limits, Solid};
-use super::upright::{
-    Axis, BESIDE, LEAST_UP_OF_SLOPE, Meeting, OVER, SAME, Standing, Upright, Ways, ahead, chosen, farther,
-    within,
-};
+use super::upright::{Axis, BESIDE, Meeting, OVER, Standing, Upright, Ways, ahead, chosen, farther, within};
 use crate::math::plane::{Vector, difference, dot, length, place, rotation, scaled, sum, turn};
 use crate::precise::manifold::Manifold;
+use crate::precise::parameters::depth::{
+    FLAT_PRISM_INSET, FLAT_PRISM_RATIO, LEANING_CORNER_DISTANCE, SLOPE_NORMAL_UP, TERNARY_SEARCH_STEPS,
+    VERTICAL_NORMAL_COSINE,
+};
 
 /// A prism where it is, with its outline in the frame of the world.
 #[derive(Clone, Copy)]
@@ -73,7 +74,7 @@ impl<'s, 'a> Extruded<'s, 'a> {
 
     /// Least and greatest x of the faces that look up, with `up` -1, or down, with 1; walls are none of them.
     fn roof(&self, up: f32) -> [f32; 2] {
-        let faces = self.edges().filter(|(.., out)| up * out[1] > LEAST_UP_OF_SLOPE);
+        let faces = self.edges().filter(|(.., out)| up * out[1] > SLOPE_NORMAL_UP);
         let ends = faces.flat_map(|(_, ends, _)| ends.map(|[x, _]| x));
         // Of two zeros of different sign processors choose differently by `min` and `max`.
         let [least, most] = ends.fold([f32::MAX, f32::MIN], |[least, most], x| {
@@ -88,7 +89,7 @@ impl<'s, 'a> Extruded<'s, 'a> {
         self.edges().any(|(_, [start, _], out)| {
             let [x, y, _] = u.farthest([-out[0], -out[1], 0.0]);
             let apart = dot(out, difference([x, y], start));
-            let is_other = (out[0] * normal[0] + out[1] * normal[1]).abs() < SAME;
+            let is_other = (out[0] * normal[0] + out[1] * normal[1]).abs() < VERTICAL_NORMAL_COSINE;
             is_other && apart > 0.0 && apart + dot(out, [way[0], way[1]]) > 0.0
         })
     }
@@ -105,7 +106,7 @@ impl<'s, 'a> Extruded<'s, 'a> {
                 best = Some([spot, other]);
             }
         };
-        for (edge, [start, end], out) in self.edges().filter(|(.., out)| up * out[1] > LEAST_UP_OF_SLOPE) {
+        for (edge, [start, end], out) in self.edges().filter(|(.., out)| up * out[1] > SLOPE_NORMAL_UP) {
             let (low, high) = if start[0] <= end[0] { (start, end) } else { (end, start) };
             let (from, to) = (low[0].max(left), high[0].min(right));
             if from > to {
@@ -187,9 +188,6 @@ impl<'s, 'a> Extruded<'s, 'a> {
         best
     }
 }
-
-/// What is nearer than the ends of a side by more than this part of the reach of contacts is a corner between them.
-const LEANS: f32 = 0.1;
 
 /// Whether a face is as good as level.
 fn is_level(out: Vector) -> bool {
@@ -282,7 +280,7 @@ fn beside(u: Standing<'_>, prism: &Extruded<'_, '_>, [top, bottom]: [f32; 2], re
         // What leans is nearest at a corner, which may be neither: then the farther one of both gives way to it.
         let farther = usize::from(found.points[0].1 <= found.points[1].1);
         let [far, near] = [found.points[farther].1, found.points[1 - farther].1];
-        if far > gap.apart + reach || near > gap.apart + LEANS * reach {
+        if far > gap.apart + reach || near > gap.apart + LEANING_CORNER_DISTANCE * reach {
             found.points[farther] = (place(face.at[1].clamp(high, low), gap.apart), gap.apart);
         }
     } else if normal[1] != 0.0 {
@@ -355,7 +353,7 @@ pub(super) fn nearest_heights(prism: &Solid<'_>, [x, y, _]: [f32; 3], half: f32,
 /// by rounding alone is held at both its ends.
 pub(super) fn lowest_of(low: f32, high: f32, flush: f32, of: impl Fn(f32) -> f32) -> [f32; 2] {
     let (mut from, mut to) = (low, high);
-    for _ in 0..THIRDS {
+    for _ in 0..TERNARY_SEARCH_STEPS {
         let third = (to - from) / 3.0;
         let (one, other) = (from + third, to - third);
         let (at_one, at_other) = (of(one), of(other));
@@ -380,7 +378,7 @@ pub(super) fn lowest_of(low: f32, high: f32, flush: f32, of: impl Fn(f32) -> f32
             return outside;
         }
         let mut inside = lowest;
-        for _ in 0..THIRDS {
+        for _ in 0..TERNARY_SEARCH_STEPS {
             let middle = 0.5 * (inside + outside);
             *(if of(middle) <= most { &mut inside } else { &mut outside }) = middle;
         }
@@ -388,13 +386,6 @@ pub(super) fn lowest_of(low: f32, high: f32, flush: f32, of: impl Fn(f32) -> f32
     };
     let (from, to) = (end(low), end(high));
     // Within its ends, that the corners of a side are none of it.
-    let inset = INSET * (to - from);
-    if to - from > LONG * flush { [from + inset, to - inset] } else { [lowest; 2] }
+    let inset = FLAT_PRISM_INSET * (to - from);
+    if to - from > FLAT_PRISM_RATIO * flush { [from + inset, to - inset] } else { [lowest; 2] }
 }
-
-/// What is so many times as long as it is deep is flat.
-const LONG: f32 = 10.0;
-/// Part of it that is left out at either end.
-const INSET: f32 = 0.05;
-/// Each leaves two thirds of what was left, all of them a three thousandth.
-const THIRDS: usize = 20;

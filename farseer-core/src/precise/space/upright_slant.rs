@@ -7,16 +7,12 @@
 use super::foot::{Foot, Polygon, summit};
 use super::slant::hull;
 use super::solid::{Before, Limits, Solid};
-use super::upright::{
-    Axis, BESIDE, LEAST_UP_OF_SLOPE, Meeting, OVER, Standing, Upright, Ways, chosen, farther,
-};
+use super::upright::{Axis, BESIDE, Meeting, OVER, Standing, Upright, Ways, chosen, farther};
 use crate::math::Vector3;
 use crate::math::plane::{Vector, cross, difference, dot, length, scaled, sum};
 use crate::precise::manifold::Manifold;
+use crate::precise::parameters::depth::{RIDGE_ACROSS_SLOPE, RIDGE_HEIGHT_DIFFERENCE, SLOPE_NORMAL_UP};
 use crate::shape::{Face, SlantedBox};
-
-/// An edge that a slope leads up to is stood on, as a ridge: what is more across the slope than along it is not.
-const ACROSS: f32 = 0.7;
 
 /// A face of a box as seen from above, from a place of the floor.
 struct Roof {
@@ -68,7 +64,7 @@ pub(super) fn ways(u: Standing<'_>, shape: &SlantedBox, reach: f32) -> Ways {
 fn over(u: Standing<'_>, shape: &SlantedBox, down: f32) -> Meeting {
     let foot: &Foot = &u.shape.foot;
     let sole = u.at[1] + down * u.shape.half;
-    let looks_up = |face: &Face| down * shape.face_normal(*face).y < -LEAST_UP_OF_SLOPE;
+    let looks_up = |face: &Face| down * shape.face_normal(*face).y < -SLOPE_NORMAL_UP;
     let roofs = Face::SIDES.into_iter().filter(looks_up);
     let roofs: [Option<Roof>; 4] = {
         let mut all = roofs.map(|face| Roof::of(shape, face, u.floor()));
@@ -108,14 +104,11 @@ pub(super) fn roof_over(shape: &SlantedBox, foot: &Foot, from: Vector) -> Option
         Some((roof.y_at(found.at), roof.normal))
     });
     tops.reduce(|best, next| {
-        let is_same = (next.0 - best.0).abs() < RIDGE;
+        let is_same = (next.0 - best.0).abs() < RIDGE_HEIGHT_DIFFERENCE;
         let is_better = if is_same { next.1.y < best.1.y } else { next.0 < best.0 };
         if is_better { next } else { best }
     })
 }
-
-/// Sides whose highest places are no farther apart in height meet in a ridge there.
-const RIDGE: f32 = 1e-3;
 
 /// Whether the way up a roof ends at one of its edges.
 fn ends_climb(roof: &Roof, edge: usize, down: f32) -> bool {
@@ -123,7 +116,7 @@ fn ends_climb(roof: &Roof, edge: usize, down: f32) -> bool {
     let points = roof.part.points();
     let (start, end) = (points[edge], points[(edge + 1) % points.len()]);
     let out = [end[1] - start[1], start[0] - end[0]];
-    dot(uphill, out) > ACROSS * length(uphill) * length(out)
+    dot(uphill, out) > RIDGE_ACROSS_SLOPE * length(uphill) * length(out)
 }
 
 /// The box beside something upright.

@@ -8,8 +8,9 @@
 
 use super::{Touch, Two};
 use crate::math::plane::{Pose, dot, scaled};
-use crate::precise::flight::{EXACT, Flyer, Two as Flyers, meet};
+use crate::precise::flight::{Flyer, Two as Flyers, meet};
 use crate::precise::manifold::{Manifold, collide};
+use crate::precise::parameters::narrow_phase::IMPACT_TOLERANCE;
 use crate::precise::proxies::{Mobility, Proxy};
 use crate::precise::space::{Before, Limits};
 
@@ -88,7 +89,7 @@ impl<'a> Touch<'a> {
                 path,
             });
         let flyers = Flyers { a, b };
-        let exact = EXACT * self.tuning.speculative;
+        let exact = IMPACT_TOLERANCE * self.tuning.speculative;
         let time = match self.space {
             None if flyers.is_free() => None,
             None => meet(0.0, exact, |part| flyers.coming(part)),

@@ -2,9 +2,9 @@
 //!
 //! The narrow phase of a pair is skipped while the pair has hardly moved since its manifold was computed: the relative
 //! translation plus `reach` times the sine of the relative rotation is below `Tuning::frozen`, and neither body has turned
-//! further than `LARGEST_TURN`. The normal and the anchors stay, turned with their bodies; the separations follow exactly
+//! further than `RECYCLING_COSINE`. The normal and the anchors stay, turned with their bodies; the separations follow exactly
 //! from the poses. A manifold that follows every small motion makes tall stacks jitter. The metric is that of conservative
-//! advancement. `frozen` (0.05 m) and `LARGEST_TURN` (0.98) are Box2D's `B2_CONTACT_RECYCLE_DISTANCE` and
+//! advancement. `frozen` (0.05 m) and `RECYCLING_COSINE` (0.98) are Box2D's `B2_CONTACT_RECYCLE_DISTANCE` and
 //! `B2_CONTACT_RECYCLE_COS_ANGLE`.
 //!
 //! Not in Box2D: the tighter limits for what lies on a kinematic body, for polygons that roll, and for the error that sliding
@@ -15,24 +15,12 @@ use super::{Touch, Two};
 use crate::math::plane::{Vector, cross, difference, dot, length, rotation, scaled, sum, turn, turn_back};
 use crate::precise::manifold::Manifold;
 use crate::precise::pairs::{Frozen, FrozenInSpace};
+use crate::precise::parameters::narrow_phase::{
+    ARM_LEAD_ANGLE, KINEMATIC_RECYCLING_COSINE, RECYCLED_SEPARATION_ERROR, RECYCLING_COSINE,
+    ROLLING_ROTATION, WARM_START_DISTANCE,
+};
 use crate::precise::proxies::Mobility;
 use crate::precise::rows::Kind;
-
-/// Cosine of the rotation since the manifold was computed, from which on it is computed anew: 11.5 degrees (Box2D's
-/// `B2_CONTACT_RECYCLE_COS_ANGLE`).
-const LARGEST_TURN: f32 = 0.98;
-/// The same for a kinematic body A, 0.36 degrees: the normal of a contact with a turntable has to follow it.
-const LARGEST_TURN_OF_KINEMATIC: f32 = 0.99998;
-/// Largest error of a recycled separation, as a fraction of the length unit: the relative translation times the sine of the
-/// angle by which the bodies have turned since the normal was computed.
-const LARGEST_ERROR: f32 = 3e-4;
-/// Rotation in a step, radians, from which on a polygon on a static body has its manifold computed in every step:
-/// it rolls or topples, and its corners come down one after the other.
-const ROLLING: f32 = 0.01;
-/// Largest angle, radians, by which the arms of a contact are turned ahead of the pose.
-const LARGEST_LEAD: f32 = 0.2;
-/// Largest distance of a new point from an old anchor whose impulses it inherits, as a fraction of the reach of the smaller body.
-const NEAR: f32 = 0.4;
 
 impl Touch<'_> {
     /// Whether the manifold of a pair may be recycled: not for circles and balls, on which the contact point wanders, and not
@@ -61,11 +49,12 @@ impl Touch<'_> {
             if self.is_fixed(two.a) { two.b.shape.reach } else { two.a.shape.reach.max(two.b.shape.reach) };
         let moved = length([x - x0, y - y0]) + reach * sine;
         let is_kinematic = two.a.mobility == Mobility::Kinematic;
-        let is_same = turned_a[0] > if is_kinematic { LARGEST_TURN_OF_KINEMATIC } else { LARGEST_TURN }
-            && turned_b[0] > LARGEST_TURN
+        let is_same = turned_a[0] > if is_kinematic { KINEMATIC_RECYCLING_COSINE } else { RECYCLING_COSINE }
+            && turned_b[0] > RECYCLING_COSINE
             && !self.turns_over(pair, two)
             && moved < self.tuning.frozen - self.tuning.checked
-            && moved * turned_a[1].abs().max(turned_b[1].abs()) < LARGEST_ERROR * self.tuning.unit;
+            && moved * turned_a[1].abs().max(turned_b[1].abs())
+                < RECYCLED_SEPARATION_ERROR * self.tuning.unit;
         if !is_same {
             return false;
         }
@@ -107,13 +96,13 @@ impl Touch<'_> {
     /// renewed in every substep.
     pub(super) fn rolls(&self, pair: usize, two: Two<'_>) -> Option<bool> {
         let is_rolling = self.pairs.frozen[pair].lead != 0.0 && self.turns_over(pair, two);
-        is_rolling.then(|| self.turn_on_fixed(pair, two).abs() > ROLLING)
+        is_rolling.then(|| self.turn_on_fixed(pair, two).abs() > ROLLING_ROTATION)
     }
 
     /// Whether a polygon on a static face turns far in this step, or has the energy to pass the corner that it stands on.
     fn turns_over(&self, pair: usize, two: Two<'_>) -> bool {
         let turned = self.turn_on_fixed(pair, two).abs();
-        turned > ROLLING || (turned > 0.0 && self.passes_corner(pair, two))
+        turned > ROLLING_ROTATION || (turned > 0.0 && self.passes_corner(pair, two))
     }
 
     /// Whether the spin about a contact point carries the centre of mass of B over that point, under gravity along the normal.
@@ -161,7 +150,7 @@ impl Touch<'_> {
             anchors,
             separations: found.separations,
             features: found.features,
-            lead: lead.clamp(-LARGEST_LEAD, LARGEST_LEAD),
+            lead: lead.clamp(-ARM_LEAD_ANGLE, ARM_LEAD_ANGLE),
             space: FrozenInSpace {
                 normal_z: found.normal_z,
                 apart: self.space.map_or(0.0, |space| space.apart(two.a, two.b)),
@@ -188,7 +177,7 @@ impl Touch<'_> {
             if self.is_fixed(two.a) { two.b.shape.reach } else { two.a.shape.reach.min(two.b.shape.reach) };
         let lost = kept.iter_mut().zip(found.points).take(found.count).filter(|(kept, _)| kept.is_none());
         for (kept, point) in lost {
-            let mut nearest = (NEAR * size) * (NEAR * size);
+            let mut nearest = (WARM_START_DISTANCE * size) * (WARM_START_DISTANCE * size);
             for o in (0..old_count).filter(|&o| !is_taken[o]) {
                 let distance = self.squared_distance(old, o, two, point);
                 if distance < nearest {

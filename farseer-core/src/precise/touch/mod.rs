@@ -27,12 +27,10 @@ use crate::body::BodyId;
 use crate::geom::surface::FrictionType;
 use crate::math::plane::{Pose, Vector, difference, length, place, rotation, scaled, sum, turn_back};
 use crate::math::scalar::nearest_finite;
+use crate::precise::parameters::broad_phase::SEPARATED_PAIR_SLACK;
 use ahead::Approach;
 use lane::carry_friction;
 pub(super) use touching::Change;
-
-/// Units after which a pair that is apart is looked at again in any case, so that motion sums cannot wrap unseen.
-const LONGEST_SLACK: f32 = 8.0;
 
 /// Finds contacts: the parts of the step that this takes.
 pub(super) struct Touch<'a> {
@@ -240,7 +238,7 @@ impl<'a> Touch<'a> {
         if self.pairs.frozen[pair].count > 0 {
             self.pairs.frozen[pair] = Frozen::default();
         }
-        let slack = room.clamp(0.0, LONGEST_SLACK * self.tuning.unit);
+        let slack = room.clamp(0.0, SEPARATED_PAIR_SLACK * self.tuning.unit);
         self.pairs.watched[pair].tolerance = (slack * self.tuning.motion_scale()) as u32;
     }
 

@@ -7,11 +7,9 @@
 use super::{Touch, Two};
 use crate::math::plane::{Vector, dot, scaled};
 use crate::precise::manifold::Manifold;
+use crate::precise::parameters::narrow_phase::RIM_NORMAL_COSINE;
 use crate::precise::proxies::Mobility;
 use crate::precise::space::{Limits, Solid};
-
-/// Cosine of the angle between two normals from which on they are one.
-const SAME_NORMAL: f32 = 0.999_99;
 
 impl Touch<'_> {
     /// Whether a contact is that of a round shape with a rim that a face hides on which the shape rests.
@@ -35,7 +33,7 @@ impl Touch<'_> {
                     && self.face_under(next, at_ball).is_some_and(|(face, height, is_dynamic)| {
                         let tilt = dot(face, normal);
                         let flush = Limits::flush(self.tuning.speculative, gives_way || is_dynamic);
-                        (0.0..SAME_NORMAL).contains(&tilt) && other.height_along(face) <= height + flush
+                        (0.0..RIM_NORMAL_COSINE).contains(&tilt) && other.height_along(face) <= height + flush
                     })
             })
     }

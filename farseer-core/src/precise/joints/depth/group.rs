@@ -14,33 +14,11 @@ use super::super::forest::GROUND;
 use super::super::hold::Hold;
 use super::row::{Motion, Pass, Row, Tie, What, product};
 use super::sparse::Sparse;
+use crate::precise::parameters::spatial_joints::{
+    ACTIVE_SET_ITERATIONS, GROUP_ERROR_CONVERGED, GROUP_ERROR_FLOOR, GROUP_SWEEPS, LOOP_COMPLIANCE,
+    LOOP_STIFFNESS, LOOP_VELOCITY_ITERATIONS, POSITION_ERROR_IN_MOTION, TREE_VELOCITY_ITERATIONS,
+};
 use crate::storage::reusing_clone::reusing_clone;
-
-/// The part of what the two bodies of a joint that closes a loop answer that is added to that: numbers that cannot all be right,
-/// as of a rope that is taut between two posts, must not push without end.
-const YIELDING: f64 = 1e-1;
-
-/// How often velocities are looked at: without loops, with them, and while it is not known who pushes.
-const LOOKS: usize = 2;
-const LOOKS_AT_LOOPS: usize = 3;
-const MOST_LOOKS: usize = 16;
-
-/// How many times numbers are made right one by one, where there are too many for a matrix.
-const TURNS: usize = 20;
-
-/// How stiff what a loop pulls may make its links against going aside in a substep, as a part of their inertia.
-const BORNE: f64 = 0.5;
-
-/// An error below this part of the length unit is none.
-const EXACT: f64 = 1e-9;
-
-/// An error below this part of the length unit has been found, whatever it was before.
-const FOUND: f64 = 1e-3;
-
-/// The greatest error, as a part of the length unit or in radians, that goes along with the motion of a substep instead of being undone
-/// apart from it: ten times the rounding of places a thousand length units away. Its speed has no part that the pass after the motion
-/// lets stand.
-const NEGLIGIBLE: f64 = 1e-5;
 
 /// Bodies, and the joints that tie them.
 #[derive(Debug, Default)]
@@ -169,7 +147,7 @@ impl SpatialGroup {
         for row in &mut self.rows {
             row.choose_end(&self.ties[row.tie as usize], holds, &self.velocities, h);
         }
-        let has_errors = self.rows.iter().any(|row| row.part_undone() > NEGLIGIBLE);
+        let has_errors = self.rows.iter().any(|row| row.part_undone() > POSITION_ERROR_IN_MOTION);
         let pass = if has_errors { Pass::Keep } else { Pass::Undo };
         if !self.solve(holds, h, (pass, may_leave)) {
             return false;
@@ -275,17 +253,18 @@ impl SpatialGroup {
             self.solve_by_turns(holds, h, pass);
             return self.velocities.iter().flatten().all(|velocity| velocity.is_finite());
         };
-        let least = if self.is_looped { LOOKS_AT_LOOPS } else { LOOKS };
+        let least = if self.is_looped { LOOP_VELOCITY_ITERATIONS } else { TREE_VELOCITY_ITERATIONS };
         let mut has_stopped = false;
         let (mut first, mut last) = (0.0, 0.0);
-        for look in 0..MOST_LOOKS {
+        for look in 0..ACTIVE_SET_ITERATIONS {
             // In the end who has stopped to push does so for good: what it has not taken has to be shared among the others.
-            let (worst, others_push) = self.find_missing(holds, (h, pass), look < MOST_LOOKS / 2);
+            let (worst, others_push) = self.find_missing(holds, (h, pass), look < ACTIVE_SET_ITERATIONS / 2);
             last = worst;
             if look == 0 {
                 first = worst;
             }
-            if !has_stopped && (worst * h <= EXACT * self.unit || (look >= least && !others_push)) {
+            if !has_stopped && (worst * h <= GROUP_ERROR_FLOOR * self.unit || (look >= least && !others_push))
+            {
                 break;
             }
             if look == 0 || others_push {
@@ -299,7 +278,7 @@ impl SpatialGroup {
             self.solve_by_turns(holds, h, pass);
             (last, _) = self.find_missing(holds, (h, pass), true);
         }
-        let is_found = last * h <= FOUND * self.unit;
+        let is_found = last * h <= GROUP_ERROR_CONVERGED * self.unit;
         if is_found || (!may_leave && !self.is_looped) { is_found } else { last <= first }
     }
 
@@ -310,9 +289,9 @@ impl SpatialGroup {
         let softest = of_distance.map(|row| {
             let tie = &self.ties[row.tie as usize];
             let inverse: f64 = tie.sides.iter().map(|side| side.inverse_mass(&self.inverses)).sum();
-            inverse / tie.distance().max(EXACT * self.unit)
+            inverse / tie.distance().max(GROUP_ERROR_FLOOR * self.unit)
         });
-        let most = BORNE / (h * softest.fold(0.0, f64::max));
+        let most = LOOP_STIFFNESS / (h * softest.fold(0.0, f64::max));
         for row in self.rows.iter_mut().filter(|row| row.closes_loop && row.what == What::Distance) {
             row.bind(most);
         }
@@ -345,7 +324,7 @@ impl SpatialGroup {
             let own = row.answer;
             // What a motor seeks and where its way ends are one number: both at once would have no solution.
             let yields = row.closes_loop || matches!(row.what, What::Motor(_));
-            let own = if yields { own * (1.0 + YIELDING) } else { own };
+            let own = if yields { own * (1.0 + LOOP_COMPLIANCE) } else { own };
             sparse.set_diagonal(at, if row.is_active { own + row.softness } else { 1.0 });
         }
         for &Shared { node, rows: [a, b], sides: [of_a, of_b], entry } in &self.shared {
@@ -390,7 +369,7 @@ impl SpatialGroup {
 
     /// One number after the other is made right, several times.
     fn solve_by_turns(&mut self, holds: &[Hold], h: f64, pass: Pass) {
-        for _ in 0..TURNS {
+        for _ in 0..GROUP_SWEEPS {
             for at in 0..self.rows.len() {
                 let row = &self.rows[at];
                 let tie = &self.ties[row.tie as usize];

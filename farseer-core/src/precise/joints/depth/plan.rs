@@ -8,10 +8,8 @@ use super::super::tree::Link;
 use super::group::{Shared, SpatialGroup};
 use super::row::{Row, Side, Tie, What};
 use super::sparse::Sparse;
+use crate::precise::parameters::spatial_joints::GROUP_FACTOR_PRODUCTS;
 use crate::storage::order::{joined, sort_by_number};
-
-/// Products of the factors beyond which numbers are made right one by one instead.
-const PRODUCTS: usize = 2_000_000;
 
 /// What hangs together by joints of which one keeps a distance, in the order of the first joints; and the joints that are in
 /// none of them.
@@ -103,7 +101,7 @@ impl SpatialGroup {
         }
         let of_two = |of: &Vec<(u32, u8)>| of.len() * of.len().saturating_sub(1) / 2;
         // Each of them makes a product of the factors at least.
-        if holders.iter().map(of_two).sum::<usize>() > PRODUCTS {
+        if holders.iter().map(of_two).sum::<usize>() > GROUP_FACTOR_PRODUCTS {
             return;
         }
         let mut ties = Vec::new();
@@ -118,7 +116,7 @@ impl SpatialGroup {
         }
         sort_by_number(&mut ties, |&tie| joined(tie));
         ties.dedup();
-        self.sparse = Sparse::plan(self.rows.len(), &ties, PRODUCTS);
+        self.sparse = Sparse::plan(self.rows.len(), &ties, GROUP_FACTOR_PRODUCTS);
         match &self.sparse {
             Some(sparse) => {
                 self.shared.iter_mut().for_each(|of| of.entry = sparse.entry(of.rows[0], of.rows[1]));

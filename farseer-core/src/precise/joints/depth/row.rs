@@ -7,13 +7,9 @@ use super::super::hold::Hold;
 use super::super::swing::{turn, turned};
 use super::super::tree::{Link, Vector, dot, plus, spun};
 use crate::joints::{JointLimits, JointMotor};
+use crate::precise::parameters::spatial_joints::{LOOP_BAUMGARTE_FACTOR, POSITION_CORRECTION_LIMIT};
 
 pub(super) type Motion = [f64; 4];
-
-/// The part of an error that a substep undoes where a joint closes a loop, which may ask for what cannot be, or where a limit was
-/// passed; and up to which part of the length unit, or of a radian, an error is undone at once.
-const UNDONE: f64 = 0.2;
-const AT_ONCE: f64 = 0.5;
 
 /// One number of a joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -450,6 +446,6 @@ pub(super) fn product(a: Motion, b: Motion, inverse: Motion) -> f64 {
 
 /// What of an error a substep undoes.
 fn undone(error: f64, unit: f64, is_gentle: bool) -> f64 {
-    let at_once = error.clamp(-AT_ONCE * unit, AT_ONCE * unit);
-    if is_gentle { UNDONE * at_once } else { at_once }
+    let at_once = error.clamp(-POSITION_CORRECTION_LIMIT * unit, POSITION_CORRECTION_LIMIT * unit);
+    if is_gentle { LOOP_BAUMGARTE_FACTOR * at_once } else { at_once }
 }

@@ -9,23 +9,10 @@ use super::super::hold::Hold;
 use super::group::SpatialGroup;
 use super::row::{Motion, What};
 use super::sparse::Sparse;
-
-/// The stiffness that a part of a substep bears, as a part of what would overshoot: with the pull T of the links of a rope, their
-/// length l and mass m, 4 T h² / (l m) is 4 where it does.
-const BORNE: f64 = 0.1;
-
-/// A swing pulls three times as much at its lowest point as what hangs still, and is to be known before.
-const AHEAD: f64 = 3.0;
-
-/// Into how many parts a substep may be divided, and how many products of the factors all of them may take: a large net bears less.
-const MOST: f64 = 24.0;
-const WORK: f64 = 1e6;
-
-/// How many times as many parts a step gets that is made again.
-const FINER: u32 = 3;
-
-/// The part of its kinetic energy that joints may add to a group in a part of a substep: they do no work but for the error of the method.
-const GAINED: f64 = 0.01;
+use crate::precise::parameters::spatial_joints::{
+    ROPE_ENERGY_GAIN, ROPE_PULL_AHEAD, ROPE_RETRY_PARTS, ROPE_STABLE_STIFFNESS, ROPE_SUBSTEP_PARTS,
+    ROPE_SUBSTEP_PRODUCTS,
+};
 
 impl SpatialGroup {
     /// Into how many parts a substep is divided, by what held the joints in the last step.
@@ -39,13 +26,16 @@ impl SpatialGroup {
             2.0 * (x * x + y * y + z * z).sqrt() * inverse * h * h / tie.distance()
         });
         let stiffest = stiffness.filter(|stiffness| stiffness.is_finite()).fold(0.0, f64::max);
-        (0.25 * AHEAD * stiffest / BORNE).sqrt().ceil().clamp(1.0, self.most_parts().into()) as u32
+        (0.25 * ROPE_PULL_AHEAD * stiffest / ROPE_STABLE_STIFFNESS)
+            .sqrt()
+            .ceil()
+            .clamp(1.0, self.most_parts().into()) as u32
     }
 
     /// The most parts of a substep.
     fn most_parts(&self) -> u32 {
         let products = self.sparse.as_ref().map_or(0, Sparse::products);
-        (WORK / products as f64).clamp(1.0, MOST) as u32
+        (ROPE_SUBSTEP_PRODUCTS / products as f64).clamp(1.0, ROPE_SUBSTEP_PARTS) as u32
     }
 
     /// Moves the group through all substeps. A jerk is not known before it comes: a step in which it is too much for its parts is made
@@ -59,7 +49,7 @@ impl SpatialGroup {
         while !self.swing_through(holds, bodies, step, self.parts >= most) {
             self.ties.clone_from(&self.begun);
             let times = [f64::from(step.dt), f64::from(step.h)];
-            self.begin_rows(holds, times, (FINER * self.parts).min(most));
+            self.begin_rows(holds, times, (ROPE_RETRY_PARTS * self.parts).min(most));
         }
     }
 
@@ -88,7 +78,7 @@ impl SpatialGroup {
             self.advance_ties(h);
             self.relax_velocities(holds, h);
             // Not a number is no energy.
-            let is_lawful = self.energy() <= (1.0 + GAINED) * energy;
+            let is_lawful = self.energy() <= (1.0 + ROPE_ENERGY_GAIN) * energy;
             if self.is_passive && !is_lawful {
                 if !must {
                     return false;

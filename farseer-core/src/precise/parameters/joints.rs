@@ -1,0 +1,82 @@
+//! Joints in the plane: articulated trees, and the soft rows of the iterative solver.
+
+/// Greatest speed at which position errors of articulations are corrected. Unit: length units/s, and radians/s. That of contacts
+/// ([`PENETRATION_RECOVERY_SPEED`](super::contacts::PENETRATION_RECOVERY_SPEED)): bodies of other joints keep a part of it, and light
+/// ones between heavy ones a multiple.
+pub(in crate::precise) const JOINT_CORRECTION_SPEED: f64 = 3.0;
+
+/// Most bodies of an articulation that counts as a pendulum of one or a few. Unit: dimensionless, a count.
+pub(in crate::precise) const PENDULUM_BODIES: u32 = 3;
+
+/// Most bodies of a small articulation, which may turn half as far otherwise than predicted. Unit: dimensionless, a count.
+pub(in crate::precise) const SMALL_ARTICULATION_BODIES: u32 = 8;
+
+/// Most bodies of an articulation whose forces act in two half kicks. Unit: dimensionless, a count.
+pub(in crate::precise) const HALF_KICK_ARTICULATION_BODIES: u32 = 12;
+
+/// Bodies beyond which an articulation is large. Unit: dimensionless, a count.
+pub(in crate::precise) const LARGE_ARTICULATION_BODIES: u32 = 50;
+
+/// Most parts that a substep of an articulation is divided into. Unit: dimensionless, a count.
+pub(in crate::precise) const ARTICULATION_SUBSTEP_PARTS: u32 = 2;
+
+/// Greatest deviation of a body's rotation from the predicted one in a part of a step. Unit: radians. Half of it in small articulations,
+/// and none in pendulums, which gain energy by it. The position error that stays, as a fraction of an arm, is this times the
+/// angle of rotation.
+pub(in crate::precise) const PREDICTED_ROTATION_ERROR: f64 = 0.01;
+
+/// Most repetitions of a part of a step because stiffness has jumped. Unit: dimensionless, a count.
+pub(in crate::precise) const STIFFNESS_JUMP_RETRIES: usize = 3;
+
+/// Greatest rotation of a body in a part of a step. Unit: radians.
+pub(in crate::precise) const ROTATION_PER_PART: f64 = 0.15;
+
+/// Multiple of `STABLE_STIFFNESS` up to which geometric stiffness is integrated implicitly instead of dividing the
+/// substep. Unit: dimensionless. Fewer parts cost less. A swinging chain of 20 loses less than 1 % of its energy in ten seconds.
+pub(in crate::precise) const IMPLICIT_STIFFNESS_RATIO: f64 = 5.0;
+
+/// Part of a small geometric stiffness that conserves momentum. Unit: dimensionless, at most 1.
+pub(in crate::precise) const MOMENTUM_SHARE_OF_STIFFNESS: f64 = 0.9;
+
+/// Multiple of the stable stiffness at which half of that part conserves momentum. Unit: dimensionless.
+pub(in crate::precise) const MOMENTUM_SHARE_HALVED_AT: f64 = 8.0;
+
+/// Greatest speed of bodies with joints in the iterative solver. Unit: length units/s. That of all bodies in Box2D 3
+/// (E. Catto, `maximumLinearSpeed`, 400 m/s).
+pub(in crate::precise) const JOINTED_BODY_SPEED: f32 = 400.0;
+
+/// Greatest rotation of such a body in a substep. Unit: radians. As in Box2D 3 (`B2_MAX_ROTATION`): 188 radians/s at
+/// 240 substeps/s.
+pub(in crate::precise) const JOINTED_BODY_ROTATION: f32 = std::f32::consts::FRAC_PI_4;
+
+/// Speed up to which the first pass of a soft row may reduce an impulse that another solver has found exactly. Unit: length
+/// units/s.
+pub(in crate::precise) const HANDED_OVER_IMPULSE_LOSS: f32 = 0.25;
+
+/// The same as a multiple of the speed at which the row corrects its error. Unit: dimensionless. Rows of the iterative solver at
+/// rest lose as much as they correct.
+pub(in crate::precise) const HANDED_OVER_LOSS_PER_CORRECTION: f32 = 4.0;
+
+/// Arm that turns angular velocity into a velocity where velocity errors of the iterative solver are compared. Unit: length units. An
+/// arm inside of a body.
+pub(in crate::precise) const SOFT_ROW_ARM: f32 = 0.3;
+
+/// Frequency of soft joint rows. Unit: Hz. 90 and 120 Hz at 240 substeps/s gain energy in cantilevers and nets. Twice that of contacts
+/// beside joints, as in Box2D 3.
+pub(in crate::precise) const JOINT_FREQUENCY: f64 = 60.0;
+
+/// Greatest frequency of soft joint rows as a fraction of the substep rate. Unit: dimensionless. Twice that of contacts beside
+/// joints, as in Box2D 3.
+pub(in crate::precise) const JOINT_FREQUENCY_PER_RATE: f64 = 0.25;
+
+/// Damping ratio of soft joint rows. Unit: dimensionless. Bridges come to rest later with 2, chains that spin stretch more with 10.
+pub(in crate::precise) const JOINT_DAMPING_RATIO: f64 = 5.0;
+
+/// Greatest angle error that a soft row corrects in proportion. Unit: radians. 32 radians/s at 240 substeps/s: speeds of bodies have a bound,
+/// angular velocities have none.
+pub(in crate::precise) const SOFT_ROW_ANGLE_ERROR: f64 = 1.0;
+
+/// Least pivot of a block as a fraction of its diagonal element; a smaller one is rounding, and its row, which depends on the rows before it,
+/// gets no impulse. Unit: dimensionless. The pivot of the angle of a weld whose anchor is 10,000 times as far as its bodies reach
+/// is 1e-8.
+pub(in crate::precise) const BLOCK_PIVOT_FLOOR: f64 = 1e-12;
