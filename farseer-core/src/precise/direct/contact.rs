@@ -1,5 +1,6 @@
 //! A contact as the direct solver sees it: rows of at most two points along the normal, and one of friction.
 
+use crate::precise::parameters::direct::UNLOADED_POINT_DEPTH;
 use std::ops::{Deref, DerefMut};
 
 use super::block::Triple;
@@ -9,9 +10,6 @@ use crate::precise::rows::Aside;
 
 /// The row of friction, after those of the points.
 pub(super) const FRICTION: usize = 2;
-
-/// How much deeper than others a point has to be that nothing loads.
-const UNLOADED: f64 = 100.0;
 
 /// A contact between two bodies of an island.
 #[derive(Debug, Clone, Copy)]
@@ -235,7 +233,7 @@ pub(super) fn approach(separation: f64, reach: f64, rate: f64) -> f64 {
 /// Whether a point is to be taken out of what it is in, if that is deeper than `reach`: one that presses, or is far deeper.
 #[inline(always)]
 pub(super) fn is_pressed_out(presses: bool, separation: f64, reach: f64) -> bool {
-    presses | (separation < -UNLOADED * reach)
+    presses | (separation < -UNLOADED_POINT_DEPTH * reach)
 }
 
 /// At most so much, either way; what is no number stays none.

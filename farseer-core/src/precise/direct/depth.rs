@@ -12,35 +12,23 @@ use super::island::{Island, Member};
 use super::whole::finite;
 use crate::math::plane::{Vector, dot};
 use crate::precise::Precise;
+use crate::precise::parameters::direct::{
+    HEAVY_MASS_RATIO, LATERAL_FRICTION_CONVERGED, LATERAL_FRICTION_SWEEPS, SUPPORT_NORMAL_SQUARED,
+};
 use crate::precise::rows::{Lane, SpaceLane};
-
-/// What is so many times as heavy is heavy; it lies on what is below it by a normal of which the square of the
-/// upright part is this.
-pub(super) const BURDEN: f32 = 1.5;
-const STEEP: f32 = 0.25;
-/// With rings of contacts, islands of more bodies are left to the passes.
-pub(super) const MOST_WITH_RINGS: u32 = 24;
-/// Once an island's solutions take this many steps of Newton's method, it is left to the passes for a while.
-pub(super) const BUSY: f32 = 40.0;
-/// Sweeps over friction along the axis, at most, and the change of velocities, in units of length per second, with which they end.
-/// It goes on from what it was: hardly ever is more than one sweep needed, but many where something heavy lands on something light.
-const SWEEPS: usize = 400;
-const SETTLED: f64 = 3e-7;
-/// What slips along the axis slower than this, in units of length per second, may stick.
-pub(super) const SLIPS: f64 = 1.0 / 64.0;
 
 /// Whether what lies on something by a normal presses on it from above, where this is what gravity does in a step.
 #[inline(always)]
 pub(in crate::precise) fn is_upright(normal: Vector, fall: Vector) -> bool {
     let along = dot(normal, fall);
-    along * along > STEEP * dot(fall, fall)
+    along * along > SUPPORT_NORMAL_SQUARED * dot(fall, fall)
 }
 
 /// Whether something heavy lies on something light, with these reciprocals of masses, by a normal from A to B.
 #[inline(never)]
 pub(in crate::precise) fn is_burden([a, b]: [f32; 2], normal: Vector, fall: Vector) -> bool {
     let (above, below) = if dot(normal, fall) > 0.0 { (a, b) } else { (b, a) };
-    above > 0.0 && below > BURDEN * above && is_upright(normal, fall)
+    above > 0.0 && below > HEAVY_MASS_RATIO * above && is_upright(normal, fall)
 }
 
 /// Whether a contact is one of the plane: its normal is, and nothing rolls along the axis by it.
@@ -130,7 +118,7 @@ impl Island {
     /// After the plane is solved: friction along the axis, within what the plane has left of its bounds.
     pub(super) fn rub_across(&mut self, unit: f64) {
         let Island { contacts, rubs, members, .. } = self;
-        for _ in 0..SWEEPS {
+        for _ in 0..LATERAL_FRICTION_SWEEPS {
             let mut is_settled = true;
             for (contact, rub) in contacts.iter_mut().zip(rubs.iter_mut()) {
                 let [one, two, along] = contact.impulses;
@@ -140,7 +128,7 @@ impl Island {
                 let impulse = contact.limited(wanted);
                 let change = impulse - rub.impulse;
                 rub.impulse = impulse;
-                is_settled &= change.abs() <= SETTLED * unit * rub.mass;
+                is_settled &= change.abs() <= LATERAL_FRICTION_CONVERGED * unit * rub.mass;
                 push(contact.bodies, members, change);
             }
             if is_settled {

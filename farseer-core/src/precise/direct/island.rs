@@ -20,48 +20,16 @@ use super::constraint_list::{add_changes, add_push, add_velocities, follow, slop
 use super::contact::{Contact, FRICTION};
 use super::depth::Rub;
 use super::factor::Factor;
-use super::joined::BORNE_STIFFNESS;
 use super::joint::JointRows;
 use crate::precise::joints::IMMOVABLE;
+use crate::precise::parameters::direct::{
+    ACYCLIC_COMPLIANCE, COMPLIANCE_FACTOR, FIRST_COMPLIANCE, FRESH_SOLUTION_NEWTON_STEPS,
+    FRICTION_LIMIT_CONVERGED, FRICTION_LIMIT_RELAXATION, FRICTION_LIMIT_ROUNDS, FRICTION_RESIDUAL_WEIGHT,
+    ISLAND_SWEEPS, JOINT_ROW_COMPLIANCE, LEAST_COMPLIANCE, LINE_SEARCH_SLOPE, LINE_SEARCH_STEPS,
+    RESTING_COMPLIANCE, ROUND_NEWTON_STEPS, SOLUTION_NEWTON_STEPS, SOLUTION_ROUNDS, STABLE_STIFFNESS,
+    STIFF_ROUND_RESIDUAL, STIFF_ROUND_STEPS,
+};
 use crate::storage::reusing_clone::reusing_clone;
-
-/// Softness of springs, as part of what one row's own weight would make of it: at first, by how much less from round to
-/// round while the set stays the same, and at least. Stiff ones yield less, and are harder to find the set with.
-const SOFTNESS: f64 = 1e-3;
-const STIFFER: f64 = 0.25;
-const STIFFEST: f64 = 6e-5;
-/// Softness at first where the set hardly changes: of what is still, with rings and without, and of what has none and is new. In
-/// rings rows can press each other however hard, and stiff springs of a wrong set do; without rings they bear what comes and no
-/// more. It is what a tall column yields to: its slow swaying weighs little beside a row's own weight.
-const STIFF: f64 = 1e-5;
-const RIGID: f64 = 1e-8;
-/// A round of such springs that takes more steps than this, and leaves more than this part of what was off, has had a wrong set:
-/// all begins again with softer ones.
-const FEW: usize = 4;
-const LESS: f64 = 0.5;
-/// Most steps of Newton's method in a round, most rounds, one of them with stiff springs, and most steps of all.
-const NEWTON: usize = 25;
-const ROUNDS: usize = 7;
-const MOST: usize = 100;
-/// Most steps where there are rings and nothing has pressed yet: as many again find little more then, since the rest is found by the
-/// updates after it, and no update is to take much longer than others.
-const MOST_OF_FRESH: usize = 10;
-/// Greatest softness of the rows of joints, as part of what one row's own effective mass would make of it. With 1e-7 the digits of f64
-/// begin to run out in chains of hundreds, with 1e-9 they are gone.
-const SOFTNESS_OF_JOINTS: f64 = 1e-6;
-/// With joints: the part of its residual that friction counts as where rounds are compared (dimensionless); the change, as a part of
-/// itself, up to which a bound of friction has settled; and the rounds that this is waited for.
-const WEIGHT_OF_FRICTION: f64 = 0.1;
-const SETTLED_BOUND: f64 = 1e-3;
-const ROUNDS_OF_FRICTION: usize = 4;
-/// Over all rows, where rounds find nothing.
-const SWEEPS: usize = 8;
-/// Halvings and secants on a line; it ends where this part of the first slope is left.
-const LINE: usize = 20;
-const LEVEL: f64 = 0.1;
-/// How far friction's bounds follow what presses in a step of Newton's method, and from round to round: in rings what presses
-/// may follow friction as much.
-const FOLLOW: f64 = 0.5;
 
 /// A body of the island.
 #[derive(Debug, Clone, Copy, Default)]
@@ -93,7 +61,7 @@ impl Member {
 
     /// Geometric stiffness that the inertia bears in a step of an explicit force, with arms up to this square of a length.
     pub(super) fn borne_stiffness(&self, reach: f64) -> f64 {
-        BORNE_STIFFNESS * (self.inertia + self.mass * reach)
+        STABLE_STIFFNESS * (self.inertia + self.mass * reach)
     }
 
     /// Inverse mass and inertia; 0 of what cannot be moved or turned.
@@ -206,25 +174,25 @@ impl Island {
         let (is_still, is_fresh) = (goal.begun < goal.still, self.is_fresh());
         let limit = match self.has_joints() {
             true => goal.most_steps,
-            false if has_rings && is_fresh => MOST_OF_FRESH,
-            false => MOST,
+            false if has_rings && is_fresh => FRESH_SOLUTION_NEWTON_STEPS,
+            false => SOLUTION_NEWTON_STEPS,
         };
         self.stiffen(match has_rings {
-            false if is_still || is_fresh => RIGID,
-            true if is_still => STIFF,
-            _ => SOFTNESS,
+            false if is_still || is_fresh => ACYCLIC_COMPLIANCE,
+            true if is_still => RESTING_COMPLIANCE,
+            _ => FIRST_COMPLIANCE,
         });
         let mut is_first = true;
-        for round in 0..ROUNDS {
-            let is_stiff = self.softness < STIFFEST;
+        for round in 0..SOLUTION_ROUNDS {
+            let is_stiff = self.softness < LEAST_COMPLIANCE;
             let left = limit - effort.steps;
-            let most = if is_stiff { FEW.min(left) } else { left };
+            let most = if is_stiff { STIFF_ROUND_STEPS.min(left) } else { left };
             let (steps, is_found) = self.round(is_first, goal.exact, most);
             effort.steps += steps;
             let is_over = effort.steps >= limit;
-            if is_stiff && !(is_found || is_over) && self.residual() >= LESS * goal.begun {
+            if is_stiff && !(is_found || is_over) && self.residual() >= STIFF_ROUND_RESIDUAL * goal.begun {
                 self.begin_again();
-                self.stiffen(SOFTNESS);
+                self.stiffen(FIRST_COMPLIANCE);
                 is_first = true;
                 continue;
             }
@@ -241,8 +209,8 @@ impl Island {
                 break;
             }
             // In rings, bounds of friction are those of a guess in the first round: what was easily found there was not the set.
-            if self.softness > STIFFEST && steps == 1 && !(has_rings && round == 0) {
-                self.stiffen(STIFFER * self.softness);
+            if self.softness > LEAST_COMPLIANCE && steps == 1 && !(has_rings && round == 0) {
+                self.stiffen(COMPLIANCE_FACTOR * self.softness);
             }
         }
         let is_solved = effort.residual <= goal.bearable;
@@ -270,9 +238,12 @@ impl Island {
     /// Whether rounds that find little have found all: with joints, bounds of friction move long after the residual has become
     /// small, and the contacts that they let go are what an island falls by.
     fn has_settled(&self, is_found: bool, round: usize) -> bool {
-        let is_bounded =
-            |contact: &Contact| (contact.bound - contact.bounded()).abs() <= SETTLED_BOUND * contact.bound;
-        !self.has_joints() || round > ROUNDS_OF_FRICTION || (is_found && self.contacts.iter().all(is_bounded))
+        let is_bounded = |contact: &Contact| {
+            (contact.bound - contact.bounded()).abs() <= FRICTION_LIMIT_CONVERGED * contact.bound
+        };
+        !self.has_joints()
+            || round > FRICTION_LIMIT_ROUNDS
+            || (is_found && self.contacts.iter().all(is_bounded))
     }
 
     /// Whether rows can press each other: what is fixed counts as one body, and two pieces of one body that touch another make
@@ -317,7 +288,7 @@ impl Island {
         self.begin_again();
         let Island { members, contacts, joints, .. } = self;
         members.iter_mut().for_each(|member| member.best = [0.0; 3]);
-        for _ in 0..SWEEPS {
+        for _ in 0..ISLAND_SWEEPS {
             for joint in joints.iter_mut() {
                 (0..3).for_each(|row| stop(joint, row, members));
             }
@@ -340,7 +311,8 @@ impl Island {
         if self.softness == softness {
             return;
         }
-        let [before, of_joints] = [self.softness, softness].map(|softness| softness.min(SOFTNESS_OF_JOINTS));
+        let [before, of_joints] =
+            [self.softness, softness].map(|softness| softness.min(JOINT_ROW_COMPLIANCE));
         self.softness = softness;
         // Joints are this stiff at once: without contacts the factors are those of before.
         self.is_factored &= self.contacts.is_empty() && before == of_joints;
@@ -361,8 +333,9 @@ impl Island {
         if !self.has_joints() {
             return self.residual();
         }
-        let graded =
-            |contact: &Contact| greater(contact.normal_residual(), WEIGHT_OF_FRICTION * contact.residual());
+        let graded = |contact: &Contact| {
+            greater(contact.normal_residual(), FRICTION_RESIDUAL_WEIGHT * contact.residual())
+        };
         let worst = self.contacts.iter().fold(0.0, |worst, contact| greater(graded(contact), worst));
         self.joints.iter().fold(worst, |worst, joint| greater(joint.residual(), worst))
     }
@@ -371,7 +344,7 @@ impl Island {
     /// Answers how many steps it took, and whether it was found.
     fn round(&mut self, is_first: bool, tolerance: f64, most: usize) -> (usize, bool) {
         let is_fresh = is_first && self.is_fresh();
-        let follow = if self.has_joints() { 1.0 } else { FOLLOW };
+        let follow = if self.has_joints() { 1.0 } else { FRICTION_LIMIT_RELAXATION };
         for joint in &mut self.joints {
             joint.take_multipliers();
             joint.obey();
@@ -389,12 +362,12 @@ impl Island {
             }
         }
         let mut is_guess = is_first;
-        for step in 1..=NEWTON.min(most) {
-            if self.newton(&mut is_guess, step < NEWTON, 0.1 * tolerance) {
+        for step in 1..=ROUND_NEWTON_STEPS.min(most) {
+            if self.newton(&mut is_guess, step < ROUND_NEWTON_STEPS, 0.1 * tolerance) {
                 return (step, true);
             }
         }
-        (NEWTON.min(most), false)
+        (ROUND_NEWTON_STEPS.min(most), false)
     }
 
     /// A step of Newton's method. Answers whether it is the last one.
@@ -429,7 +402,7 @@ impl Island {
         let is_exact = is_same;
         if follows && !is_exact {
             for contact in &mut self.contacts {
-                contact.bound = contact.followed_bound(FOLLOW);
+                contact.bound = contact.followed_bound(FRICTION_LIMIT_RELAXATION);
                 contact.obey();
             }
         }
@@ -505,9 +478,9 @@ impl Island {
     /// The part of the way at which the slope ends, which is below zero in the beginning and above in the end.
     fn search(&self, [first, last]: [f64; 2], by_change: f64, by_direction: f64) -> f64 {
         let (mut low, mut high, mut part) = (0.0, 1.0, first / (first - last));
-        for _ in 0..LINE {
+        for _ in 0..LINE_SEARCH_STEPS {
             let (slope, curvature) = self.slope(part, by_change, by_direction);
-            if slope.abs() < LEVEL * -first {
+            if slope.abs() < LINE_SEARCH_SLOPE * -first {
                 break;
             }
             if slope < 0.0 {
@@ -539,7 +512,7 @@ impl Island {
     /// one at most, overlaps by the third one at least.
     pub(super) fn correct_positions(&mut self, limits: [f64; 3], undone: f64, are_jacobians_new: bool) {
         self.is_factored &= !are_jacobians_new;
-        self.stiffen(SOFTNESS);
+        self.stiffen(FIRST_COMPLIANCE);
         self.press_out(limits, undone);
     }
 

@@ -7,53 +7,25 @@
 use super::block::Triple;
 use super::constraint::{Constraint, FIXED};
 use super::constraint_list::add_push;
-use super::depth;
 use super::island::{Effort, Goal, Island, Member, dot, greater};
 use super::joint::JointRows;
 use super::price::most_steps;
-use super::whole::{BEARABLE, ENOUGH, EXACT, NEAR, QUIET, Reading, SOLVED, Standing, Whole};
+use super::whole::{Reading, Standing, Whole};
 use crate::methods::IslandChoice;
 use crate::precise::Precise;
 use crate::precise::bodies::Bodies;
 use crate::precise::joints::island_rows::Span;
 use crate::precise::joints::springs::Springs;
 use crate::precise::joints::{IMMOVABLE, Joints};
+use crate::precise::parameters::direct::{
+    ACCEPTED_ENERGY_RATIO, ACCEPTED_ENERGY_SLACK, ACCEPTED_JOINT_ERROR, ACCEPTED_RESIDUAL,
+    ACCEPTED_RESIDUAL_FRACTION, ACCEPTED_ROTATION, BEARABLE_VELOCITY_ERROR, CORRECTION_ERROR_RATIO,
+    CORRECTION_HALVINGS, CYCLIC_VELOCITY_ERROR, ERROR_ARM, EXACT_VELOCITY_ERROR, JACOBIAN_ROTATION,
+    JOINT_ERROR_PROGRESS, JOINTED_PENETRATION_RATE, JOINTED_PENETRATION_SPEED, LATERAL_STICTION_SPEED,
+    MOVING_VELOCITY_ERROR, POSITION_CORRECTIONS, RESTING_VELOCITY_ERROR, SOLVED_VELOCITY_ERROR,
+};
 use crate::precise::rows::{Lane, Rows};
 use crate::precise::tuning::Step;
-
-/// Residual that is accepted: length units per second, in units of length, and as a part of the residual before the solution.
-const ACCEPTED: f64 = 0.05;
-const ACCEPTED_PART: f64 = 0.02;
-/// Greatest position error of a joint that is accepted, in units of length.
-pub(super) const ACCEPTED_GAP: f64 = 0.02;
-/// An island with a joint that gapes by more before a step and after it makes no progress if that is less than this part of what a
-/// step may close: its joints contradict each other, or are pulled too far, and springs find a compromise.
-const LEAST_PROGRESS: f64 = 0.1;
-/// The part of an overlap that is undone per second, and the least speed with which one is, in units of length per second. Parts of a
-/// figure that overlap for good contradict its joints: pressed out as fast as contacts are where nothing is joined, they throw it about.
-/// Chosen among some 30 pairs of numbers by 1,200 random figures: faster ones throw more of them, slower ones leave landings deep.
-const UNDONE_PER_SECOND: f64 = 3.0;
-const PARTING: f64 = 0.03;
-/// Greatest angle that a body of an accepted solution turns by in the step, in radians: the Jacobian is that of the beginning.
-pub(super) const ACCEPTED_TURN: f64 = 0.5;
-/// Kinetic energy of an accepted solution, as a part of that without constraints; and what is allowed besides for each mass, as the
-/// square of a speed in units of length per second.
-const ACCEPTED_ENERGY: f64 = 1.05;
-const ENERGY_SLACK: f64 = 0.01;
-
-/// Length that a turn by one radian counts as where errors are compared, in units of length: the arm from the middle to the rim of
-/// something a little smaller than a unit.
-pub(super) const LEVER: f64 = 0.3;
-/// The geometric stiffness that an inertia bears in a step, or a substep, of an explicit force, as a part of it (dimensionless).
-pub(in crate::precise) const BORNE_STIFFNESS: f64 = 0.3;
-
-/// Most position corrections of a step; the position error after one of them that is left, in parts of the one that asks for the
-/// first; and the angle in radians beyond which a body's turn asks for new Jacobians.
-const CORRECTIONS: usize = 3;
-/// Most halvings of a position correction after which the greatest position error is larger than before it.
-const HALVINGS: i32 = 4;
-const LEFT_BY_CORRECTION: f64 = 10.0;
-const SAME_JACOBIAN: f64 = 0.002;
 
 impl Precise {
     /// Solves an island with joints. Answers how many Newton steps that took, and whether the solution is good.
@@ -71,16 +43,23 @@ impl Precise {
         let is_optional = direct.timing.choice != IslandChoice::Whole;
         let was_solved = direct.wear[whole.island.members[0].number as usize].was_solved;
         let left = whole.take_bodies(bodies, substeps, unit);
-        let mut reading =
-            Reading { bodies, step, dt, rate: dt.recip(), parts: substeps, left, quiet: unit * QUIET };
+        let mut reading = Reading {
+            bodies,
+            step,
+            dt,
+            rate: dt.recip(),
+            parts: substeps,
+            left,
+            quiet: unit * RESTING_VELOCITY_ERROR,
+        };
         whole.is_left = false;
         whole.make_contacts(rows, &reading, false);
         whole.damp_spins(springs, dt);
-        whole.make_joints(joints, Span { dt, of_forces: dt, substeps, of_step: dt }, LEVER * unit);
-        whole.make_springs(springs, dt, LEVER * unit);
+        whole.make_joints(joints, Span { dt, of_forces: dt, substeps, of_step: dt }, ERROR_ARM * unit);
+        whole.make_springs(springs, dt, ERROR_ARM * unit);
         let is_driven = whole.island.is_driven();
         if is_driven {
-            reading.quiet = unit * EXACT;
+            reading.quiet = unit * MOVING_VELOCITY_ERROR;
         }
         whole.island.stiffen_inertia(dt, |_, _| 0.0);
         let free_energy = whole.island.energy();
@@ -90,11 +69,12 @@ impl Precise {
         let gains = whole.island.gains(free_energy, dt, unit);
         whole.find_ways(dt, false);
         let most = f64::from(tuning.push) * dt;
-        let undone = (UNDONE_PER_SECOND * dt).min(1.0);
+        let undone = (JOINTED_PENETRATION_RATE * dt).min(1.0);
         let deepest = whole.island.advance_separations(dt, left);
         let before = whole.find_errors(joints, (0.0, false));
         // Stiff springs without friction creep to where they pull: less than what is quiet is far in the end.
-        let is_still = whole.springs.is_empty() && whole.island.greatest_speed(LEVER * unit) <= reading.quiet;
+        let is_still =
+            whole.springs.is_empty() && whole.island.greatest_speed(ERROR_ARM * unit) <= reading.quiet;
         if effort.steps == 0 && is_still && !is_driven && deepest <= left && before <= left {
             whole.stand(rows, &reading);
             whole.joints.iter().for_each(|&at| joints.note_solved(at));
@@ -102,17 +82,22 @@ impl Precise {
         }
         let turned = whole.island.greatest_spin() * dt;
         let after = match !(gains && is_optional) {
-            true => whole.close(joints, (dt, deepest), [left, most, PARTING * unit * dt], undone),
+            true => whole.close(
+                joints,
+                (dt, deepest),
+                [left, most, JOINTED_PENETRATION_SPEED * unit * dt],
+                undone,
+            ),
             false => f64::INFINITY,
         };
-        let is_torn = after > ACCEPTED_GAP * unit;
+        let is_torn = after > ACCEPTED_JOINT_ERROR * unit;
         let is_stuck = whole.homes.is_empty()
-            && before > ACCEPTED_GAP * unit
+            && before > ACCEPTED_JOINT_ERROR * unit
             && is_torn
-            && after > before - LEAST_PROGRESS * most;
-        let is_unfit = !was_solved && turned > ACCEPTED_TURN && is_torn;
+            && after > before - JOINT_ERROR_PROGRESS * most;
+        let is_unfit = !was_solved && turned > ACCEPTED_ROTATION && is_torn;
         whole.is_left = is_optional && (gains || is_unfit || is_stuck);
-        effort.is_solved &= !gains && turned <= ACCEPTED_TURN && after <= ACCEPTED_GAP * unit;
+        effort.is_solved &= !gains && turned <= ACCEPTED_ROTATION && after <= ACCEPTED_JOINT_ERROR * unit;
         if !whole.is_left {
             let Whole { island, joints: of_island, .. } = &*whole;
             of_island.iter().zip(&island.joints).for_each(|(&at, rows)| joints.take_solution(at, rows, dt));
@@ -204,19 +189,19 @@ impl Whole {
         limits: [f64; 3],
         undone: f64,
     ) -> f64 {
-        let (turns, left) = (self.island.greatest_spin() * dt > SAME_JACOBIAN, limits[0]);
+        let (turns, left) = (self.island.greatest_spin() * dt > JACOBIAN_ROTATION, limits[0]);
         let mut error = self.find_errors(joints, (dt, turns));
         for correction in 0.. {
             let is_jacobian_new = correction > 0 || turns;
-            let enough = if correction == 0 { left } else { LEFT_BY_CORRECTION * left };
-            if correction == CORRECTIONS || (error <= enough && deepest <= left) {
+            let enough = if correction == 0 { left } else { CORRECTION_ERROR_RATIO * left };
+            if correction == POSITION_CORRECTIONS || (error <= enough && deepest <= left) {
                 return error;
             }
             self.island.correct_positions(limits, undone, is_jacobian_new);
             self.follow_correction(1.0);
             let before = std::mem::replace(&mut error, self.find_errors(joints, (dt, true)));
             // A long chain near a straight line has corrections that turn its links by a radian: the linear model ends long before.
-            for halving in 1..=HALVINGS {
+            for halving in 1..=CORRECTION_HALVINGS {
                 if error <= before {
                     break;
                 }
@@ -252,17 +237,18 @@ impl Whole {
 impl Island {
     /// Solves for velocities what is further from what it is to be than what is quiet.
     pub(super) fn find_velocities(&mut self, reading: &Reading<'_>, unit: f64, most_steps: usize) -> Effort {
-        let residual = self.begin(reading.dt, [reading.left, depth::SLIPS * unit]);
+        let residual = self.begin(reading.dt, [reading.left, LATERAL_STICTION_SPEED * unit]);
         if residual <= reading.quiet {
             return Effort { steps: 0, residual, is_solved: true };
         }
         self.solve(&Goal {
             begun: residual,
-            bearable: (ACCEPTED * unit + ACCEPTED_PART * residual).min(BEARABLE * unit),
-            enough: unit * ENOUGH,
-            exact: unit * SOLVED,
-            still: unit * QUIET,
-            near: unit * NEAR,
+            bearable: (ACCEPTED_RESIDUAL * unit + ACCEPTED_RESIDUAL_FRACTION * residual)
+                .min(BEARABLE_VELOCITY_ERROR * unit),
+            enough: unit * SOLVED_VELOCITY_ERROR,
+            exact: unit * EXACT_VELOCITY_ERROR,
+            still: unit * RESTING_VELOCITY_ERROR,
+            near: unit * CYCLIC_VELOCITY_ERROR,
             most_steps,
         })
     }
@@ -342,9 +328,9 @@ impl Island {
     /// energy `free`, in `dt` seconds.
     pub(super) fn gains(&self, free: f64, dt: f64, unit: f64) -> bool {
         let supplied = self.supplied_energy() + 0.5 * self.released_energy(dt);
-        let slack = ENERGY_SLACK * unit * unit * self.mass();
+        let slack = ACCEPTED_ENERGY_SLACK * unit * unit * self.mass();
         // An energy that is not a number gains, too.
-        let keeps = self.energy() <= ACCEPTED_ENERGY * free + 2.0 * supplied + slack;
+        let keeps = self.energy() <= ACCEPTED_ENERGY_RATIO * free + 2.0 * supplied + slack;
         !keeps
     }
 

@@ -13,12 +13,12 @@
 //! So one row is motor and both limits, whichever way the load drives it: no limit has to be chosen beforehand (proximal maps of
 //! monotone graphs: R. T. Rockafellar, "Monotone operators and the proximal point algorithm", 1976). Without a motor E is 0.
 
+use crate::precise::parameters::direct::STABLE_STIFFNESS;
 use std::ops::{Deref, DerefMut};
 
 use super::block::Triple;
 use super::constraint::{Constraint, ConstraintRows, Ends, FIXED, Jacobian, Set};
 use super::island::{Member, greater};
-use super::joined::BORNE_STIFFNESS;
 
 /// Indices of the rows of a joint: along the direction n, of the angle, and along t = (n.y, -n.x).
 pub(in crate::precise) const ALONG: usize = 0;
@@ -217,7 +217,7 @@ impl JointRows {
 
     /// The row across a spring is as stiff as the tension is beyond what its effective mass bears.
     fn bear_across(&mut self) {
-        let slope = self.across - BORNE_STIFFNESS * self.masses[ACROSS];
+        let slope = self.across - STABLE_STIFFNESS * self.masses[ACROSS];
         if slope > 0.0 {
             self.compliance[ACROSS] = slope.recip();
         } else {

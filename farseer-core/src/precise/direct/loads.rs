@@ -9,18 +9,13 @@
 
 use super::Census;
 use super::constraint::{Ends, FIXED};
-use super::depth::{BURDEN, MOST_WITH_RINGS, is_burden};
+use super::depth::is_burden;
 use super::island::Island;
 use crate::precise::Precise;
+use crate::precise::parameters::direct::{
+    CYCLIC_DEPTH_ISLAND_BODIES, HEAVY_MASS_RATIO, JAMMING_MASS_RATIO, LOADED_TOWER_BODIES,
+};
 use crate::precise::rows::Lane;
-
-/// What is so many times as heavy jams what is between it and something else. Where passes won more than 15 % of energy, in seven
-/// of 250,000 small scenes, it was 60 times as heavy and more; with 50 instead of this one of them still did.
-const JAM: f32 = 16.0;
-
-/// Fewer bodies bear a burden that does not jam them by passes: boxes of 6 to 46 on the floor under one of 70 that jumps on them
-/// for ten seconds move by 1.5 px at most, two of them fall.
-const TOWER: u32 = 3;
 
 /// Whether one of two with these reciprocals of masses is more than so many times as heavy as the other; both can be pushed.
 #[inline(always)]
@@ -33,17 +28,17 @@ impl Census {
     /// In the plane: it is solved as a whole because of what it bears.
     pub(super) fn is_loaded(&self) -> bool {
         let has_rings = self.has_rings();
-        let is_small = !has_rings || self.bodies <= MOST_WITH_RINGS;
-        (self.is_burdened && !has_rings && self.bodies >= TOWER) || (self.is_jammed && is_small)
+        let is_small = !has_rings || self.bodies <= CYCLIC_DEPTH_ISLAND_BODIES;
+        (self.is_burdened && !has_rings && self.bodies >= LOADED_TOWER_BODIES) || (self.is_jammed && is_small)
     }
 }
 
 impl Island {
     /// Whether two in it are of such different masses that they may jam.
     pub(super) fn may_jam(&self, ends: &[Ends]) -> bool {
-        ends.iter()
-            .filter(|ends| !ends.bodies.contains(&FIXED))
-            .any(|ends| differ(ends.bodies.map(|at| (1.0 / self.members[at as usize].mass) as f32), JAM))
+        ends.iter().filter(|ends| !ends.bodies.contains(&FIXED)).any(|ends| {
+            differ(ends.bodies.map(|at| (1.0 / self.members[at as usize].mass) as f32), JAMMING_MASS_RATIO)
+        })
     }
 }
 
@@ -57,13 +52,16 @@ impl Precise {
         }
         let light = if a < b { lane.b } else { lane.a };
         let is_heavy = differ([a, b], self.least_burden()) && !self.palette.is_single(light as usize);
-        [is_heavy && is_burden([a, b], lane.normal, self.fall), is_heavy && differ([a, b], JAM)]
+        [
+            is_heavy && is_burden([a, b], lane.normal, self.fall),
+            is_heavy && differ([a, b], JAMMING_MASS_RATIO),
+        ]
     }
 
     /// What is so many times as heavy is a burden. In a great heap of things of all sizes islands that bear some come and go in every
     /// update, and asking for them takes half as long as the rest of it: there only what may jam counts.
     pub(super) fn least_burden(&self) -> f32 {
-        if self.space.is_some() || self.is_few() { BURDEN } else { JAM }
+        if self.space.is_some() || self.is_few() { HEAVY_MASS_RATIO } else { JAMMING_MASS_RATIO }
     }
 
     /// Whether there is a load that is not borne as a whole.
@@ -73,7 +71,7 @@ impl Precise {
                 let state = &self.pairs.all[pair];
                 let differs = || {
                     let inverse_masses = self.sides(pair).map(|(body, _)| self.bodies.inverses[body][0]);
-                    differ(inverse_masses, BURDEN)
+                    differ(inverse_masses, HEAVY_MASS_RATIO)
                 };
                 let home = state.home.filter(|home| !home.is_direct() && differs());
                 home.is_some_and(|home| self.load(&self.rows.lane(state.kind, home)).contains(&true))
@@ -89,6 +87,6 @@ impl Precise {
                 most = if inverse > most { inverse } else { most };
             }
         }
-        differ([least, most], BURDEN)
+        differ([least, most], HEAVY_MASS_RATIO)
     }
 }

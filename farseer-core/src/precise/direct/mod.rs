@@ -23,6 +23,11 @@ mod swing;
 mod unsolved;
 mod whole;
 
+use crate::precise::parameters::direct::{
+    ACCEPTED_JOINT_ERROR, BUSY_ISLAND_PAUSE, CALM_SPEED, CYCLIC_DEPTH_ISLAND_BODIES, CYCLIC_ISLAND_BODIES,
+    DIRECT_ISLAND_BODIES, FACTOR_PRODUCTS_PER_BODY, HIGH_STACK_BODIES, IMMEDIATE_RESELECTION_BODIES,
+    JOINTED_FACTOR_PRODUCTS_PER_BODY, RESELECTION_PERIOD,
+};
 use serde::{Deserialize, Serialize};
 
 use super::Precise;
@@ -41,30 +46,6 @@ use listing::{add_edges_of_joints, list_edges, list_joined};
 use loads::differ;
 use whole::Whole;
 
-/// Most bodies of an island that contacts tie more than joints do: of nets, girders and bridges their factors decide.
-const LARGEST: u32 = 400;
-/// What has come together from what was faster than this, in units of length per second, is left to the passes, unless it is
-/// without rings and has the first number of bodies. What has rings and fewer than the second number is too: they make it
-/// stand.
-const CALM: f32 = 0.25;
-const HIGH: u32 = 16;
-const MANY: u32 = 40;
-/// Most products of blocks per body that the factors of an island are made of: card houses have fewer than 8, pyramids with 15
-/// boxes in their lowest row 12. At rest such a pyramid takes half the time of the passes, while it is hit several times as much.
-const FILLED: usize = 12;
-/// The same of an island with joints: grids of 15 x 15 joints have about 50, of 100 x 100 about 700.
-const FILLED_WITH_JOINTS: usize = 800;
-/// An island is left to the passes once its solutions take this many steps of Newton's method, and this many more per body, on
-/// the average over so many updates, for so many updates. Columns and others without rings get more: what they need is had from
-/// no pass, and a step costs them little.
-const BUSY: [f32; 2] = [10.0, 0.0];
-const BUSIER: [f32; 2] = [0.2, 0.1];
-const LONG: f32 = 30.0;
-const REST: u8 = 128;
-/// What has changed elsewhere is asked for its islands once in so many updates; at once if no more bodies are awake than this,
-/// and all are calm.
-const PERIOD: u8 = 16;
-const FEW: usize = 64;
 /// How an island has fared so far, at each of its bodies.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Wear {
@@ -170,7 +151,7 @@ impl Census {
             (self.bodies < 2 && self.joints == 0, WhyMethod::OneBody),
             (self.is_held, WhyMethod::Joints),
             (choice == IslandChoice::Passes, WhyMethod::Chosen),
-            (self.bodies > LARGEST && self.contacts > self.joints, WhyMethod::TooLarge),
+            (self.bodies > DIRECT_ISLAND_BODIES && self.contacts > self.joints, WhyMethod::TooLarge),
             (self.bounces, WhyMethod::Bounces),
         ];
         first(&refusals).or_else(|| if choice == IslandChoice::Whole { None } else { self.price() })
@@ -212,16 +193,16 @@ impl Census {
                 rests,
                 (self.is_deep, WhyMethod::HasDepth),
                 (!(self.is_burdened || was_whole), WhyMethod::HasDepth),
-                (has_rings && bodies > depth::MOST_WITH_RINGS, WhyMethod::TooLarge),
+                (has_rings && bodies > CYCLIC_DEPTH_ISLAND_BODIES, WhyMethod::TooLarge),
             ]
         } else if self.is_loaded() {
             [rests; 4]
         } else {
             [
                 rests,
-                (has_rings && bodies < MANY, WhyMethod::TooSmall),
+                (has_rings && bodies < CYCLIC_ISLAND_BODIES, WhyMethod::TooSmall),
                 (has_rings && !is_built && !was_whole, WhyMethod::Moves),
-                (!has_rings && !is_built && bodies < HIGH, WhyMethod::Moves),
+                (!has_rings && !is_built && bodies < HIGH_STACK_BODIES, WhyMethod::Moves),
             ]
         })
     }
@@ -300,7 +281,7 @@ impl Direct {
             }
         }
         *age = if *may_be_due { *age + 1 } else { 0 };
-        *is_due || (*may_be_due && (*age >= PERIOD || is_quick))
+        *is_due || (*may_be_due && (*age >= RESELECTION_PERIOD || is_quick))
     }
 }
 
@@ -357,7 +338,7 @@ impl Precise {
 
     /// Whether not many bodies are awake.
     fn is_few(&self) -> bool {
-        self.bodies.live - self.asleep_count() <= FEW
+        self.bodies.live - self.asleep_count() <= IMMEDIATE_RESELECTION_BODIES
     }
 
     /// What the game wants of islands, from this update on.
@@ -368,7 +349,7 @@ impl Precise {
 
     /// Whether a body of this velocity is no longer calm.
     fn moves(&self, [x, y, ..]: [f32; 4]) -> bool {
-        let calm = CALM * self.tuning.unit;
+        let calm = CALM_SPEED * self.tuning.unit;
         x * x + y * y > calm * calm
     }
 
@@ -427,7 +408,7 @@ impl Precise {
 
     /// Counts the joints and springs of islands in the plane.
     fn count_joints(&self, unions: &mut Islands, census: &mut [Census]) {
-        let gap = joined::ACCEPTED_GAP as f32 * self.tuning.unit;
+        let gap = ACCEPTED_JOINT_ERROR as f32 * self.tuning.unit;
         let all = self.joints.candidates().chain(self.springs.candidates());
         for joint in all.filter(|_| self.space.is_none()) {
             let Some(body) = joint.a_body() else { continue };
@@ -452,7 +433,7 @@ impl Precise {
             wear[body].is_loose |= chooses && of.moves;
             let is_given_up = of.joints > 0 && of.has_failed && !is_wanted;
             if chooses && (of.waits() || is_given_up) && wear[body].rest == 0 {
-                wear[body].rest = PERIOD;
+                wear[body].rest = RESELECTION_PERIOD;
                 timing.has_resting = true;
             }
         }
@@ -486,13 +467,13 @@ impl Precise {
             if has_joints {
                 add_edges_of_joints(members, joined_bodies, edges, order);
             }
-            let filled = if has_joints { FILLED_WITH_JOINTS } else { FILLED };
+            let filled = if has_joints { JOINTED_FACTOR_PRODUCTS_PER_BODY } else { FACTOR_PRODUCTS_PER_BODY };
             let mut worn = worst(members, wear);
             if island.factor.plan(members.len(), edges, filled * members.len()) {
                 census[members[0].0 as usize].place = Some(count as u32);
                 count += 1;
             } else {
-                (worn.is_direct, worn.rest) = (false, REST);
+                (worn.is_direct, worn.rest) = (false, BUSY_ISLAND_PAUSE);
                 timing.has_resting = true;
             }
             if chooses {

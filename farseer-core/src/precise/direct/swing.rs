@@ -7,19 +7,17 @@
 //! motors and forces that are steady move bodies as far as they do in continuous time.
 
 use super::island::{Effort, Island, greater};
-use super::joined::{ACCEPTED_GAP, ACCEPTED_TURN, LEVER};
 use super::price::most_steps;
-use super::whole::{EXACT, Reading, Whole};
+use super::whole::{Reading, Whole};
 use crate::precise::Precise;
 use crate::precise::joints::island_rows::Span;
 use crate::precise::joints::swing::{Division, with_momentum};
 use crate::precise::joints::{Joints, weight_of};
+use crate::precise::parameters::direct::{
+    ACCEPTED_JOINT_ERROR, ACCEPTED_ROTATION, ARTICULATION_SOLUTIONS, ERROR_ARM, MOVING_VELOCITY_ERROR,
+};
 use crate::precise::parameters::joints::IMPLICIT_STIFFNESS_RATIO;
 use crate::precise::tuning::Step;
-
-/// Most times that a part is solved: with the bend of the solution before it, which each time leaves a part of the error as great as the
-/// turn of the fastest body in radians.
-const LOOKS: usize = 4;
 
 impl Whole {
     /// Whether it swings by itself: nothing touches it, no spring pulls at it, and no joints close a loop. Where a loop is straight no
@@ -63,7 +61,7 @@ impl Whole {
         let free_energy = self.island.energy();
         self.island.warm_start();
         let mut effort = self.island.find_velocities(reading, unit, most_steps);
-        for _ in 1..if moves { LOOKS } else { 1 } {
+        for _ in 1..if moves { ARTICULATION_SOLUTIONS } else { 1 } {
             if self.bend(reading.dt) <= reading.left {
                 break;
             }
@@ -144,7 +142,7 @@ impl Precise {
         let parts = whole.begin_swing(joints, step);
         let h = dt / f64::from(parts);
         // The residual that is quiet at rest would add up to a wrong angle of a slow motor.
-        let quiet = unit * EXACT;
+        let quiet = unit * MOVING_VELOCITY_ERROR;
         let reading = Reading { bodies, step, dt: h, rate: h.recip(), parts: substeps, left, quiet };
         let most_steps = most_steps(whole);
         let mut all = Effort { steps: 0, residual: 0.0, is_solved: true };
@@ -153,14 +151,14 @@ impl Precise {
             let share_of_step = share / f64::from(parts);
             whole.kick(share_of_step, part == 0, &reading);
             let span = Span { dt: h, of_forces: share * h, substeps: share_of_step * substeps, of_step: dt };
-            whole.make_rows(span, LEVER * unit);
+            whole.make_rows(span, ERROR_ARM * unit);
             if moves {
                 whole.island.stiffen_inertia(h / share, with_momentum);
             }
             let effort = whole.solve_part(&reading, (unit, most_steps), moves);
             all.steps += effort.steps;
             all.residual = greater(effort.residual, all.residual);
-            all.is_solved = effort.is_solved && whole.island.greatest_spin() * h <= ACCEPTED_TURN;
+            all.is_solved = effort.is_solved && whole.island.greatest_spin() * h <= ACCEPTED_ROTATION;
             if !all.is_solved {
                 return all;
             }
@@ -172,7 +170,7 @@ impl Precise {
         whole.ways.clone_from(&whole.path);
         let most = f64::from(tuning.push) * dt;
         let gap = whole.close(joints, (dt, 0.0), [left, most, 0.0], 0.0);
-        all.is_solved = gap <= ACCEPTED_GAP * unit;
+        all.is_solved = gap <= ACCEPTED_JOINT_ERROR * unit;
         whole.has_swung = all.is_solved;
         if all.is_solved {
             for (&at, total) in whole.joints.iter().zip(&whole.totals) {

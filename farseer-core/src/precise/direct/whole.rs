@@ -2,42 +2,27 @@
 //!
 //! Mostly all is as it is to be. That is seen row by row; contacts are only made of the rows of what is to be solved.
 
+use super::Wear;
 use super::block::Triple;
 use super::constraint::{Ends, FIXED, Jacobian};
 use super::contact::{Contact, FRICTION, approach, impulses, is_pressed_out};
-use super::depth::{self, Rub};
+use super::depth::Rub;
 use super::island::{Effort, Goal, Island, Member, greater};
-use super::{BUSIER, BUSY, LONG, REST, Wear};
 use crate::math::plane::Pose;
 use crate::methods::IslandChoice;
 use crate::precise::Precise;
 use crate::precise::bodies::Bodies;
 use crate::precise::joints::hold::Hold;
 use crate::precise::joints::weight_of;
+use crate::precise::parameters::direct::{
+    BEARABLE_VELOCITY_ERROR, BUSY_ISLAND_PAUSE, CYCLIC_PENETRATION_PART, CYCLIC_VELOCITY_ERROR,
+    DEPTH_NEWTON_LIMIT, EXACT_VELOCITY_ERROR, LATERAL_STICTION_SPEED, MOVING_VELOCITY_ERROR,
+    NEWTON_AVERAGE_UPDATES, NEWTON_LIMIT, NEWTON_LIMIT_PER_BODY, PENETRATION_FLOOR,
+    PENETRATION_FLOOR_PER_COORDINATE, RESTING_VELOCITY_ERROR, SOLVED_VELOCITY_ERROR,
+};
 use crate::precise::rows::{Aside, Home, PointLane, Rows};
 use crate::precise::tuning::Step;
 use crate::storage::reusing_clone::reusing_clone;
-
-/// In units of length per second: the greatest error of a velocity that is left as it is, of what is still; and the one of islands of
-/// contacts in the update after a solution, for what has corrected velocities is to leave the impulses again, and of what motors, belts
-/// or kinematic bodies move, which may be slow. (Islands with joints keep the first one: rounding of poses makes more than the second.)
-pub(super) const QUIET: f64 = 1e-4;
-pub(super) const EXACT: f64 = 2e-6;
-/// What a solution leaves of it at most, and if that is easily had: what it leaves adds up from update to update until it is
-/// not quiet any more. Of what has rings and moves, the last one is enough.
-pub(super) const ENOUGH: f64 = 1e-5;
-pub(super) const SOLVED: f64 = 1e-9;
-pub(super) const NEAR: f64 = 0.01;
-/// What a solution may leave at least, whatever there was before: a solution that leaves more than either is none.
-pub(super) const BEARABLE: f64 = 0.25;
-/// Overlap in units of length, and as a part of coordinates, that is left as it is.
-const LEFT: f64 = 1e-5;
-const LEFT_OF_PLACE: f64 = 1e-6;
-
-/// Part of an overlap that is undone in an update where there are rings, and of what may be undone at most, unless what has moved has
-/// come to it: what is pushed out in rings pushes others, and all at once more of them than half and half. Fifty card houses take 12 %
-/// fewer steps by it. What is struck is at rest later by it.
-const UNDONE: f64 = 0.5;
 
 /// An island, and where its contacts' rows are.
 #[derive(Debug, Default)]
@@ -219,8 +204,8 @@ impl Whole {
             member.change = [0.0; 3];
             [member.mass, member.inertia] = bodies.inverses[at].map(weight_of);
         }
-        let far = LEFT_OF_PLACE * f64::from(far);
-        if far > LEFT * unit { far } else { LEFT * unit }
+        let far = PENETRATION_FLOOR_PER_COORDINATE * f64::from(far);
+        if far > PENETRATION_FLOOR * unit { far } else { PENETRATION_FLOOR * unit }
     }
 
     /// Impulses so far act in the plane.
@@ -349,7 +334,7 @@ impl Precise {
         let (dt, parts, has_depth) = (f64::from(step.dt), f64::from(step.substeps), self.space.is_some());
         let left = whole.take_bodies(bodies, parts, unit);
         let Wear { is_hot, is_loose, .. } = self.direct.wear[whole.island.members[0].number as usize];
-        let quiet = unit * if is_hot { EXACT } else { QUIET };
+        let quiet = unit * if is_hot { MOVING_VELOCITY_ERROR } else { RESTING_VELOCITY_ERROR };
         whole.is_left = false;
         let reading = Reading { bodies, step, dt, rate: dt.recip(), parts, left, quiet };
         whole.press(rows, &reading);
@@ -363,15 +348,19 @@ impl Precise {
             whole.unlook(rows);
         }
         whole.make_contacts(rows, &reading, has_depth);
-        let residual = whole.island.begin(dt, [left, depth::SLIPS * unit]);
+        let residual = whole.island.begin(dt, [left, LATERAL_STICTION_SPEED * unit]);
         let effort = if residual > quiet {
             whole.island.solve(&Goal {
                 begun: residual,
-                bearable: if residual > unit * BEARABLE { residual } else { unit * BEARABLE },
-                enough: unit * ENOUGH,
-                exact: unit * SOLVED,
-                still: unit * QUIET,
-                near: unit * NEAR,
+                bearable: if residual > unit * BEARABLE_VELOCITY_ERROR {
+                    residual
+                } else {
+                    unit * BEARABLE_VELOCITY_ERROR
+                },
+                enough: unit * SOLVED_VELOCITY_ERROR,
+                exact: unit * EXACT_VELOCITY_ERROR,
+                still: unit * RESTING_VELOCITY_ERROR,
+                near: unit * CYCLIC_VELOCITY_ERROR,
                 most_steps: 0,
             })
         } else {
@@ -384,7 +373,7 @@ impl Precise {
                 [x, y, spin]
             });
         } else {
-            let undone = if whole.island.has_rings() && !is_loose { UNDONE } else { 1.0 };
+            let undone = if whole.island.has_rings() && !is_loose { CYCLIC_PENETRATION_PART } else { 1.0 };
             let has_more = whole.island.part(dt, [left, f64::from(self.tuning.push) * dt], undone);
             whole.island.rub_across(unit);
             whole.find_ways(dt, has_more);
@@ -402,17 +391,17 @@ impl Precise {
         let (island, contacts) = (&whole.island, whole.homes.len());
         let bodies = island.members.len();
         let mut wear = self.direct.wear[island.members[0].number as usize];
-        wear.effort += (steps as f32 - wear.effort) / LONG;
+        wear.effort += (steps as f32 - wear.effort) / NEWTON_AVERAGE_UPDATES;
         wear.is_hot = steps > 0;
         let has_rings = usize::from(contacts > bodies);
-        let by_size = BUSY[has_rings] + BUSIER[has_rings] * bodies as f32;
-        let most = if self.space.is_some() { depth::BUSY } else { by_size };
+        let by_size = NEWTON_LIMIT[has_rings] + NEWTON_LIMIT_PER_BODY[has_rings] * bodies as f32;
+        let most = if self.space.is_some() { DEPTH_NEWTON_LIMIT } else { by_size };
         let timing = &mut self.direct.timing;
         if (wear.effort > most || !is_solved) && timing.choice != IslandChoice::Whole {
-            let goes_on = wear.effort <= depth::BUSY && island.may_jam(&whole.ends);
+            let goes_on = wear.effort <= DEPTH_NEWTON_LIMIT && island.may_jam(&whole.ends);
             timing.is_due |= !(is_solved && goes_on);
             if !goes_on {
-                (wear.effort, wear.rest) = (0.0, REST);
+                (wear.effort, wear.rest) = (0.0, BUSY_ISLAND_PAUSE);
                 timing.has_resting = true;
             }
         }

@@ -14,12 +14,12 @@
 
 use super::super::bodies::{Bodies, Hot};
 use super::super::direct::block::Triple;
-use super::super::direct::joined::BORNE_STIFFNESS;
 use super::super::direct::joint::{ACROSS, ALONG, ANGLE};
 use super::soft_law::{least, within};
 use super::soft_pair::SoftPair;
 use super::springs::SpringHold;
 use super::tree::{Link, dot};
+use crate::precise::parameters::direct::STABLE_STIFFNESS;
 
 /// A row that yields: its impulse is `-slope u - pull`.
 #[derive(Debug, Clone, Copy, Default)]
@@ -107,7 +107,7 @@ impl SoftSpring {
         let SoftPair { frame, jacobian, .. } = self.pair;
         let tension = if self.own.pull > 0.0 && length > 0.0 { self.h * self.own.pull } else { 0.0 };
         let beyond = |slope: f64, weight: f64| {
-            let rest = slope - BORNE_STIFFNESS * weight;
+            let rest = slope - STABLE_STIFFNESS * weight;
             if rest > 0.0 && rest < f64::INFINITY { rest } else { 0.0 }
         };
         self.across.slope = beyond(tension / length, 1.0 / self.inverse_masses[ACROSS]);

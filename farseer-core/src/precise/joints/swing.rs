@@ -11,10 +11,10 @@
 //! the same way.
 
 use super::super::bodies::Bodies;
-use super::super::direct::joined::BORNE_STIFFNESS;
 use super::super::tuning::Step;
 use super::Group;
 use super::tree::{Link, Node, Vector, dot, follow, for_each_down, hand_up, hand_up_momentum, plus, spun};
+use crate::precise::parameters::direct::STABLE_STIFFNESS;
 use crate::precise::parameters::joints::{
     ARTICULATION_SUBSTEP_PARTS, HALF_KICK_ARTICULATION_BODIES, IMPLICIT_STIFFNESS_RATIO,
     JOINT_CORRECTION_SPEED, LARGE_ARTICULATION_BODIES, MOMENTUM_SHARE_HALVED_AT, MOMENTUM_SHARE_OF_STIFFNESS,
@@ -216,7 +216,7 @@ impl Side {
 /// The stiffness that the inertia of a body bears in a substep whose joints reach so far from its origin, squared.
 #[inline(always)]
 pub(super) fn bears(inertia: f64, mass: f64, reach: f64) -> f64 {
-    BORNE_STIFFNESS * (inertia + mass * reach)
+    STABLE_STIFFNESS * (inertia + mass * reach)
 }
 
 /// The part of an error of this size that is left for later substeps.

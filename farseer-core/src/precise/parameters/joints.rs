@@ -31,7 +31,7 @@ pub(in crate::precise) const STIFFNESS_JUMP_RETRIES: usize = 3;
 /// Greatest rotation of a body in a part of a step. Unit: radians.
 pub(in crate::precise) const ROTATION_PER_PART: f64 = 0.15;
 
-/// Multiple of `STABLE_STIFFNESS` up to which geometric stiffness is integrated implicitly instead of dividing the
+/// Multiple of [`STABLE_STIFFNESS`](super::direct::STABLE_STIFFNESS) up to which geometric stiffness is integrated implicitly instead of dividing the
 /// substep. Unit: dimensionless. Fewer parts cost less. A swinging chain of 20 loses less than 1 % of its energy in ten seconds.
 pub(in crate::precise) const IMPLICIT_STIFFNESS_RATIO: f64 = 5.0;
 

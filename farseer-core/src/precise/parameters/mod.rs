@@ -12,6 +12,7 @@
 pub(super) mod broad_phase;
 pub(super) mod contacts;
 pub(super) mod depth;
+pub(super) mod direct;
 pub(super) mod joints;
 pub(super) mod narrow_phase;
 pub(super) mod sleep;
