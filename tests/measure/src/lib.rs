@@ -38,6 +38,7 @@ pub mod method;
 pub mod origin;
 pub mod penetration;
 pub mod scenes;
+pub mod sensitivity;
 pub mod shard;
 pub mod sleep;
 pub mod stability;

@@ -1,0 +1,154 @@
+//! What is different in two measurements of the same rows.
+
+use super::rows::{Row, SETS};
+use crate::csv::{rows, table};
+use serde::{Deserialize, Serialize};
+
+/// Factor by which a value changes from which on the row counts as changed.
+pub const FACTOR: f64 = 1.2;
+
+/// What a changed number changes: a line of the table.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Figures {
+    /// Name of the number.
+    pub parameter: String,
+    /// Its file.
+    pub module: String,
+    /// Its unit.
+    pub unit: String,
+    /// Its value, as it is written.
+    pub value: String,
+    /// What it was multiplied by.
+    pub factor: f64,
+    /// Rows of the quick chart that changed.
+    pub chart: usize,
+    /// Families and settings of the quick map whose first failure changed.
+    pub map: usize,
+    /// Errors of joint scenes that changed.
+    pub joints: usize,
+    /// Counts of random joint scenes that changed.
+    pub random: usize,
+    /// Joint scenes whose number of Newton steps changed.
+    pub newton: usize,
+    /// Rows whose verdict changed, among all of these.
+    pub flips: usize,
+    /// The row that changed most: one with another verdict before others.
+    pub worst_row: String,
+    /// Its value, its verdict, or both.
+    pub before: String,
+    /// See [`before`](Self::before).
+    pub after: String,
+}
+
+impl Figures {
+    /// Number of rows that have changed.
+    pub fn rows(&self) -> usize {
+        self.chart + self.map + self.joints + self.random + self.newton
+    }
+
+    /// Counts the rows that have changed.
+    ///
+    /// # Errors
+    ///
+    /// When the two have other rows.
+    pub fn count(&mut self, before: &[Row], after: &[Row]) -> Result<(), String> {
+        if before.iter().map(|row| (&row.set, &row.name)).ne(after.iter().map(|row| (&row.set, &row.name))) {
+            return Err("the two have other rows".to_owned());
+        }
+        let mut worst = (false, 0.0);
+        for (one, other) in before.iter().zip(after).filter(|(one, other)| is_changed(one, other)) {
+            let counts =
+                [&mut self.chart, &mut self.map, &mut self.joints, &mut self.random, &mut self.newton];
+            if let Some(count) =
+                SETS.iter().zip(counts).find_map(|(set, count)| (one.set == *set).then_some(count))
+            {
+                *count += 1;
+            }
+            let flips = one.verdict != other.verdict;
+            self.flips += usize::from(flips);
+            let size = (flips, ratio(one, other));
+            if size > worst || self.worst_row.is_empty() {
+                (worst, self.worst_row) = (size, format!("{}: {}", one.set, one.name));
+                [self.before, self.after] = [one, other].map(told);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Whether another verdict, or a value that is greater by [`FACTOR`], is in one of two measurements of a row. Counts of random scenes differ
+/// by chance as soon as any bit does: by more than two standard deviations of the difference of two Poisson numbers they have changed.
+pub fn is_changed(one: &Row, other: &Row) -> bool {
+    if one.verdict != other.verdict || one.value.is_some() != other.value.is_some() {
+        return true;
+    }
+    let [a, b] = [one, other].map(|row| row.value.unwrap_or(0.0));
+    if one.set == "random" {
+        return (a - b) * (a - b) >= 4.0 * (a + b) && a != b;
+    }
+    ratio(one, other) > FACTOR
+}
+
+/// The greater value through the less, neither below the floor.
+fn ratio(one: &Row, other: &Row) -> f64 {
+    let [a, b] = [one, other].map(|row| row.value.map_or(f64::INFINITY, |value| value.max(row.floor)));
+    if a == b { 1.0 } else { a.max(b) / a.min(b) }
+}
+
+fn told(row: &Row) -> String {
+    match row.value {
+        Some(value) if row.verdict.is_empty() => format!("{value:.3e}"),
+        Some(value) => format!("{value:.3e}, {}", row.verdict),
+        None => row.verdict.clone(),
+    }
+}
+
+/// A line for each.
+pub fn figures_csv(figures: &[Figures]) -> String {
+    table(figures)
+}
+
+/// Those of a table that [`figures_csv`] has written.
+///
+/// # Errors
+///
+/// The first line that is none.
+pub fn read_figures(text: &str) -> Result<Vec<Figures>, String> {
+    rows(text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(set: &str, value: f64, verdict: &str) -> Row {
+        let [set, name, verdict] = [set, "scene", verdict].map(str::to_owned);
+        Row { set, name, value: Some(value), floor: 0.1, verdict }
+    }
+
+    #[test]
+    fn a_row_changes_by_its_verdict_or_by_a_fifth_of_its_value_above_the_floor() {
+        let changes = |a: f64, b: f64| is_changed(&row("chart", a, ""), &row("chart", b, ""));
+        assert_eq!([changes(1.0, 1.19), changes(1.0, 1.21), changes(1.21, 1.0)], [false, true, true]);
+        assert_eq!([changes(1e-9, 0.099), changes(0.0, 0.0), changes(0.0, 0.2)], [false, false, true]);
+        assert!(is_changed(&row("chart", 1.0, "within"), &row("chart", 1.0, "beyond")));
+    }
+
+    #[test]
+    fn counts_change_by_more_than_chance() {
+        let changes = |a: f64, b: f64| is_changed(&row("random", a, ""), &row("random", b, ""));
+        assert_eq!([changes(0.0, 3.0), changes(0.0, 4.0)], [false, true]);
+        assert_eq!([changes(100.0, 120.0), changes(100.0, 140.0)], [false, true]);
+    }
+
+    #[test]
+    fn the_worst_row_is_one_whose_verdict_changes() {
+        let before = [row("chart", 1.0, "within"), row("joints", 1.0, "")];
+        let after = [row("chart", 1.0, "beyond"), row("joints", 50.0, "")];
+        let mut figures = Figures::default();
+        figures.count(&before, &after).unwrap();
+        assert_eq!((figures.chart, figures.joints, figures.flips), (1, 1, 1));
+        assert_eq!((figures.worst_row.as_str(), figures.after.as_str()), ("chart: scene", "1.000e0, beyond"));
+        assert_eq!(read_figures(&figures_csv(std::slice::from_ref(&figures))), Ok(vec![figures]));
+    }
+}

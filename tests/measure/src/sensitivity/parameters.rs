@@ -1,0 +1,191 @@
+//! The numbers of the precise method, as they stand in its sources.
+
+use std::fs;
+use std::path::Path;
+
+/// Folder of the numbers in the workspace.
+pub const FOLDER: &str = "farseer-core/src/precise/parameters";
+/// Modules whose numbers are measured first: those of the newest methods.
+const FIRST: [&str; 2] = ["joints", "direct"];
+
+/// A number: a line `pub(...) const NAME: TYPE = VALUE;` below a text with `Unit: ...`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Number {
+    /// Name of its file, without `.rs`.
+    pub module: String,
+    /// Its name.
+    pub name: String,
+    /// From the text above it: the words between `Unit:` and the next full stop.
+    pub unit: String,
+    /// Its value, as it is written.
+    pub value: String,
+    /// Its type, as it is written.
+    kind: String,
+}
+
+/// All numbers, those of joints and of the direct solver first.
+///
+/// # Errors
+///
+/// Which file cannot be read, and which number has no unit.
+pub fn numbers(workspace: &Path) -> Result<Vec<Number>, String> {
+    let folder = workspace.join(FOLDER);
+    let unread = |error: std::io::Error| format!("{}: {error}", folder.display());
+    let mut all = Vec::new();
+    for entry in fs::read_dir(&folder).map_err(unread)? {
+        let path = entry.map_err(unread)?.path();
+        let module = path.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
+        all.extend(numbers_of(module, &fs::read_to_string(&path).map_err(unread)?)?);
+    }
+    let place = |module: &str| FIRST.iter().position(|first| *first == module).unwrap_or(FIRST.len());
+    all.sort_by_key(|number| (place(&number.module), number.module.clone()));
+    Ok(all)
+}
+
+/// The numbers of a file, in its order.
+fn numbers_of(module: &str, text: &str) -> Result<Vec<Number>, String> {
+    let (mut all, mut above) = (Vec::new(), String::new());
+    for line in text.lines() {
+        if let Some(doc) = line.strip_prefix("///") {
+            above += doc;
+        } else if let Some((name, kind, value)) = constant(line) {
+            let unit = above.split_once("Unit: ").and_then(|(_, rest)| Some(rest.split_once('.')?.0));
+            let unit = unit.ok_or_else(|| format!("{name} has no unit"))?.to_owned();
+            let [name, kind, value] = [name, kind, value].map(str::to_owned);
+            all.push(Number { module: module.to_owned(), name, unit, value, kind });
+            above.clear();
+        } else {
+            above.clear();
+        }
+    }
+    Ok(all)
+}
+
+/// Name, type and value of a line that defines a constant.
+fn constant(line: &str) -> Option<(&str, &str, &str)> {
+    let (_, rest) = line.split_once("const ")?;
+    let (name, rest) = rest.split_once(": ")?;
+    let (kind, value) = rest.split_once(" = ")?;
+    Some((name, kind, value.strip_suffix(';')?))
+}
+
+impl Number {
+    /// File of the number in a workspace.
+    pub fn file(&self) -> String {
+        format!("{FOLDER}/{}.rs", self.module)
+    }
+
+    /// A value that is a multiple of this one, as an expression; nothing if it is the same. Integers are rounded to the nearest one that
+    /// their type has, at least 1. Of a cosine the angle is multiplied, within small angles; a part is at most 1.
+    pub fn times(&self, factor: f64) -> Option<String> {
+        let Some(inner) = self.value.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) else {
+            let value = self.one_times(&self.kind, &self.value, factor);
+            return (value != self.value).then_some(value);
+        };
+        let kind = self.kind.trim_start_matches('[').split(';').next().unwrap_or_default();
+        let values: Vec<_> = inner.split(", ").map(|value| self.one_times(kind, value, factor)).collect();
+        Some(format!("[{}]", values.join(", ")))
+    }
+
+    fn one_times(&self, kind: &str, value: &str, factor: f64) -> String {
+        if !kind.starts_with('f') {
+            return whole_times(kind, value, factor);
+        }
+        if self.unit.ends_with("a cosine") {
+            return format!("(1.0 - {:?} * (1.0 - {value})).max(-1.0)", factor * factor);
+        }
+        let product = format!("{factor:?} * ({value})");
+        if self.unit.ends_with("at most 1") { format!("({product}).min(1.0)") } else { product }
+    }
+
+    /// The text of its file with another value.
+    pub fn written_into(&self, text: &str, value: &str) -> String {
+        let line = |line: &str| match constant(line) {
+            Some((name, ..)) if name == self.name => {
+                let (before, _) = line.split_once(" = ").unwrap_or((line, ""));
+                format!("{before} = {value};\n")
+            }
+            _ => format!("{line}\n"),
+        };
+        text.lines().map(line).collect()
+    }
+}
+
+fn whole_times(kind: &str, value: &str, factor: f64) -> String {
+    let Ok(number) = value.replace('_', "").parse::<f64>() else { return value.to_owned() };
+    let most = if kind == "u8" { f64::from(u8::MAX) } else { f64::from(i32::MAX) };
+    let product = (factor * number.abs()).round().clamp(1.0, most).copysign(number);
+    if product == number { value.to_owned() } else { format!("{product}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn workspace() -> &'static Path {
+        Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
+    }
+
+    fn number(kind: &str, unit: &str, value: &str) -> Number {
+        let [module, name] = ["joints", "SPEED"].map(str::to_owned);
+        Number { module, name, unit: unit.into(), value: value.into(), kind: kind.into() }
+    }
+
+    #[test]
+    fn every_number_of_the_method_has_a_unit_and_can_be_changed_in_its_file() {
+        let numbers = numbers(workspace()).unwrap();
+        assert!(numbers.len() > 150, "{}", numbers.len());
+        for number in &numbers {
+            let text = fs::read_to_string(workspace().join(number.file())).unwrap();
+            assert!(text.matches(" const ").count() >= 1);
+            for factor in [0.5, 2.0] {
+                let Some(value) = number.times(factor) else { continue };
+                let changed = numbers_of(&number.module, &number.written_into(&text, &value)).unwrap();
+                let before = numbers_of(&number.module, &text).unwrap();
+                let others = changed.iter().zip(&before).filter(|(one, other)| one != other);
+                assert_eq!(others.count(), 1, "{} times {factor}", number.name);
+                assert!(changed.iter().any(|one| one.name == number.name && one.value == value));
+            }
+            assert!(number.times(2.0).is_some(), "{} has no double", number.name);
+        }
+    }
+
+    #[test]
+    fn every_constant_among_the_numbers_is_on_one_line_and_read() {
+        for entry in fs::read_dir(workspace().join(FOLDER)).unwrap() {
+            let path = entry.unwrap().path();
+            let text = fs::read_to_string(&path).unwrap();
+            let constants = text.lines().filter(|line| line.contains("const ") && !line.starts_with("//"));
+            let read = numbers_of("", &text).unwrap();
+            assert_eq!(constants.count(), read.len(), "{}", path.display());
+        }
+    }
+
+    #[test]
+    fn names_of_numbers_differ() {
+        let mut names: Vec<_> = numbers(workspace()).unwrap().into_iter().map(|number| number.name).collect();
+        let count = names.len();
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), count);
+    }
+
+    #[test]
+    fn numbers_are_multiplied_by_their_kinds() {
+        let value = |kind, unit, value| number(kind, unit, value).times(2.0);
+        assert_eq!(value("f64", "Hz", "60.0").as_deref(), Some("2.0 * (60.0)"));
+        assert_eq!(value("u8", "dimensionless, updates", "200").as_deref(), Some("255"));
+        assert_eq!(value("usize", "dimensionless, a count", "2_000_000").as_deref(), Some("4000000"));
+        assert_eq!(value("i32", "dimensionless", "-32").as_deref(), Some("-64"));
+        assert_eq!(
+            value("f32", "dimensionless, at most 1", "0.6").as_deref(),
+            Some("(2.0 * (0.6)).min(1.0)")
+        );
+        assert_eq!(value("[f64; 2]", "s", "[4.0, 20.0]").as_deref(), Some("[2.0 * (4.0), 2.0 * (20.0)]"));
+        assert_eq!(
+            value("f32", "dimensionless, a cosine", "0.98").as_deref(),
+            Some("(1.0 - 4.0 * (1.0 - 0.98)).max(-1.0)")
+        );
+        assert_eq!(number("u32", "dimensionless, a count", "1").times(0.5), None);
+    }
+}
