@@ -12,7 +12,7 @@
 //!
 //! For an engine on top of this one all of it works in three axes ([`space`]).
 //!
-//! Lengths are the user's; the numbers of the method are parts of one length ([`tuning`]).
+//! Lengths are the user's; the numbers of the method ([`parameters`]) are parts of one length ([`tuning`]).
 
 mod bodies;
 mod continuous;

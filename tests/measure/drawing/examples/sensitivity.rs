@@ -1,14 +1,16 @@
 //! What half and twice each number of the precise method changes.
 //!
 //! `cargo run --profile tools --example sensitivity` copies the workspace to `target/sensitivity/copy`, measures there as it is, then with
-//! each number of `farseer-core/src/precise/parameters` at half and at twice its value, those of joints and of the direct solver first, and
-//! writes `figures.csv` after each of them. A run that was ended goes on where it was. Nothing is timed.
+//! each number of `farseer-core/src/precise/parameters` at half and at twice its value, those of joints and of the direct solver first.
+//! Where a verdict flips it measures with five sixths and six fifths of it, too. It writes `figures.csv` and `report.md` after each
+//! number. A run that was ended goes on where it was. Nothing is timed.
 
 use clap::Parser;
 use drawing::measuring::Result;
 use measure::origin::{origin, origin_csv};
 use measure::sensitivity::differences::{Figures, figures_csv, read_figures};
 use measure::sensitivity::parameters::{Number, numbers};
+use measure::sensitivity::report::report;
 use measure::sensitivity::rows::{Row, measured, read_rows, rows_csv};
 use measure::shard::Shard;
 use std::fs;
@@ -28,6 +30,10 @@ const COPIED: [&str; 8] = [
     "tests",
     "examples",
 ];
+/// What numbers are multiplied by.
+const FACTORS: [f64; 2] = [0.5, 2.0];
+/// And where a verdict flips.
+const NEAR_FACTORS: [f64; 2] = [1.0 / 1.2, 1.2];
 /// A measurement is given up after so many times the time of the first.
 const PATIENCE: u32 = 10;
 
@@ -35,11 +41,8 @@ const PATIENCE: u32 = 10;
 #[derive(Debug, Parser)]
 struct Arguments {
     /// Only numbers with one of these in their names, or whose file it is.
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", num_args = 1..)]
     only: Vec<String>,
-    /// Factors that numbers are multiplied by.
-    #[arg(long, value_name = "FACTOR", num_args = 1.., default_values_t = [0.5, 2.0])]
-    factor: Vec<f64>,
     /// Only one of several parts of the numbers, such as 3/16.
     #[arg(long, value_name = "PART")]
     shard: Option<Shard>,
@@ -62,7 +65,8 @@ fn main() -> Result<()> {
     if let Some(file) = &arguments.rows {
         return Ok(fs::write(file, rows_csv(&measured()?))?);
     }
-    let chosen = chosen(&arguments)?;
+    let numbers = numbers(&arguments.workspace)?;
+    let chosen = chosen(&arguments, &numbers);
     if arguments.list {
         for Number { module, name, unit, value, .. } in &chosen {
             println!("{module:<14} {name:<36} {value:<20} {unit}");
@@ -78,35 +82,42 @@ fn main() -> Result<()> {
     let before = copy.measure(Duration::MAX)??;
     let patience = PATIENCE * start.elapsed();
     for number in &chosen {
-        for &factor in &arguments.factor {
-            let is_known = |one: &Figures| one.parameter == number.name && one.factor == factor;
-            let Some(value) = number.times(factor).filter(|_| !all.iter().any(is_known)) else { continue };
-            let figures = copy.figures(number, factor, &value, &before, patience)?;
-            eprintln!(
-                "{} s: {} times {factor}: {} rows, {}",
-                start.elapsed().as_secs(),
-                number.name,
-                figures.rows(),
-                figures.worst_row
-            );
-            all.push(figures);
-            fs::write(&table, figures_csv(&all))?;
+        for factors in [FACTORS, NEAR_FACTORS] {
+            let is_known = |all: &[Figures], factor| {
+                all.iter().any(|one| one.parameter == number.name && one.factor == factor)
+            };
+            for factor in factors {
+                let Some(value) = number.times(factor).filter(|_| !is_known(&all, factor)) else { continue };
+                all.push(copy.figures(number, factor, &value, &before, patience)?);
+                eprintln!("{} s: {}", start.elapsed().as_secs(), told(&all[all.len() - 1]));
+                all.sort_by_key(|one| numbers.iter().position(|number| number.name == one.parameter));
+                fs::write(&table, figures_csv(&all))?;
+                fs::write(arguments.out.join(format!("report{shard}.md")), report(&all))?;
+            }
+            if !all.iter().any(|one| one.parameter == number.name && one.flips > 0) {
+                break;
+            }
         }
     }
     eprintln!("{}", table.display());
     Ok(())
 }
 
+fn told(figures: &Figures) -> String {
+    let Figures { parameter, factor, worst_row, before, after, .. } = figures;
+    format!("{parameter} times {factor:.2}: {} rows, {worst_row}: {before} -> {after}", figures.rows())
+}
+
 /// The numbers that are asked for.
-fn chosen(arguments: &Arguments) -> Result<Vec<Number>> {
-    let mut all = numbers(&arguments.workspace)?;
+fn chosen(arguments: &Arguments, numbers: &[Number]) -> Vec<Number> {
+    let mut all = numbers.to_vec();
     let is_meant =
         |number: &Number, part: &String| number.name.contains(part.as_str()) || number.module == *part;
     all.retain(|number| {
         arguments.only.is_empty() || arguments.only.iter().any(|part| is_meant(number, part))
     });
     let picks = arguments.shard.unwrap_or(Shard::WHOLE).picks(&vec![1.0; all.len()]);
-    Ok(all.into_iter().zip(picks).filter(|(_, pick)| *pick).map(|(number, _)| number).collect())
+    all.into_iter().zip(picks).filter(|(_, pick)| *pick).map(|(number, _)| number).collect()
 }
 
 /// A copy of the workspace, in which numbers are changed.
@@ -116,6 +127,7 @@ struct Copy {
 
 impl Copy {
     fn make(workspace: &Path, folder: &Path) -> Result<Self> {
+        fs::create_dir_all(folder)?;
         for name in COPIED {
             copy(&workspace.join(name), &folder.join(name))
                 .map_err(|error| format!("cannot copy {name} to {}: {error}", folder.display()))?;
