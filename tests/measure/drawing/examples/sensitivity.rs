@@ -20,9 +20,11 @@ use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 /// What a copy consists of. Examples and other members are there since the workspace names them.
-const COPIED: [&str; 8] = [
+const COPIED: [&str; 10] = [
     "Cargo.toml",
     "Cargo.lock",
+    "README.md",
+    "docs",
     "farseer-core",
     "twohalf",
     "twohalf-factories",

@@ -20,6 +20,8 @@ pub struct Figures {
     pub value: String,
     /// What it was multiplied by.
     pub factor: f64,
+    /// Rows that differ in any digit: if there are none, no scene here depends on the number.
+    pub touched: usize,
     /// Rows of the quick chart that changed.
     pub chart: usize,
     /// Families and settings of the quick map whose first failure changed.
@@ -55,6 +57,7 @@ impl Figures {
         if before.iter().map(|row| (&row.set, &row.name)).ne(after.iter().map(|row| (&row.set, &row.name))) {
             return Err("the two have other rows".to_owned());
         }
+        self.touched = before.iter().zip(after).filter(|(one, other)| one != other).count();
         let mut worst = (false, 0.0);
         for (one, other) in before.iter().zip(after).filter(|(one, other)| is_changed(one, other)) {
             let counts =

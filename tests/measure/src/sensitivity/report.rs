@@ -7,7 +7,7 @@ use std::fmt::Write;
 const NEAR: f64 = 1.2;
 
 /// How far a number may be off until something changes, worst first: the classes that numbers are listed by.
-const CLASSES: [(&str, &str); 4] = [
+const CLASSES: [(&str, &str); 5] = [
     ("A verdict flips within 20 %", "Such a number is tuned to a scene: a fault of the method."),
     (
         "A verdict flips at half or twice",
@@ -16,7 +16,11 @@ const CLASSES: [(&str, &str); 4] = [
     ("Values change by a fifth or more", "No verdict flips."),
     (
         "Nothing changes from half to twice",
-        "Any value in that range does; more than two digits would be pretence.",
+        "Values differ by less than a fifth, or below what is seen: any value in that range does.",
+    ),
+    (
+        "Nothing depends on it",
+        "No row differs in any digit: no scene here needs the number, or any value in that range is the same.",
     ),
 ];
 
@@ -50,7 +54,8 @@ fn class_of(number: &[Figures]) -> usize {
         () if flips(true) => 0,
         () if flips(false) => 1,
         () if number.iter().any(|one| one.rows() > 0) => 2,
-        () => 3,
+        () if number.iter().any(|one| one.touched > 0) => 3,
+        () => 4,
     }
 }
 
@@ -71,7 +76,8 @@ mod tests {
         assert_eq!(class(&[figures("a", 0.5, 1, 1), figures("a", 1.2, 1, 1)]), 0);
         assert_eq!(class(&[figures("a", 0.5, 1, 1), figures("a", 1.2, 1, 0)]), 1);
         assert_eq!(class(&[figures("a", 0.5, 1, 0), figures("a", 2.0, 0, 0)]), 2);
-        assert_eq!(class(&[figures("a", 0.5, 0, 0)]), 3);
+        assert_eq!(class(&[Figures { touched: 1, ..figures("a", 0.5, 0, 0) }]), 3);
+        assert_eq!(class(&[figures("a", 0.5, 0, 0)]), 4);
         let text = report(&[figures("a", 0.5, 1, 1), figures("b", 0.5, 0, 0)]);
         assert!(text.contains("twice: 1 of 2") && text.contains("| `b` |"), "{text}");
     }
