@@ -3,10 +3,10 @@
 //! `cargo run --profile tools --example sensitivity` copies the workspace to `target/sensitivity/copy`, measures there as it is, then with
 //! each number of `farseer-core/src/precise/parameters` at half and at twice its value, those of joints and of the direct solver first.
 //! Where a verdict flips it measures with five sixths and six fifths of it, too. It writes `figures.csv` and `report.md` after each
-//! number. A run that was ended goes on where it was. Nothing is timed.
+//! number. A run that was ended goes on where it was. No time is measured.
 
 use clap::Parser;
-use drawing::measuring::Result;
+use drawing::measuring::{Result, merged_origin, tables};
 use measure::origin::{origin, origin_csv};
 use measure::sensitivity::differences::{Figures, figures_csv, read_figures};
 use measure::sensitivity::parameters::{Number, numbers};
@@ -48,6 +48,9 @@ struct Arguments {
     /// Only one of several parts of the numbers, such as 3/16.
     #[arg(long, value_name = "PART")]
     shard: Option<Shard>,
+    /// Measures nothing: puts the tables of all parts together, from these files or folders.
+    #[arg(long, value_name = "PATH", num_args = 1.., conflicts_with = "shard")]
+    merge: Vec<PathBuf>,
     /// Lists the numbers and measures nothing.
     #[arg(long)]
     list: bool,
@@ -68,41 +71,94 @@ fn main() -> Result<()> {
         return Ok(fs::write(file, rows_csv(&measured()?))?);
     }
     let numbers = numbers(&arguments.workspace)?;
-    let chosen = chosen(&arguments, &numbers);
     if arguments.list {
-        for Number { module, name, unit, value, .. } in &chosen {
+        for Number { module, name, unit, value, .. } in chosen(&arguments, &numbers) {
             println!("{module:<14} {name:<36} {value:<20} {unit}");
         }
         return Ok(());
     }
-    let shard = arguments.shard.map_or(String::new(), |shard| format!(".{shard}"));
-    let copy = Copy::make(&arguments.workspace, &arguments.out.join(format!("copy{shard}")))?;
-    fs::write(arguments.out.join("origin.csv"), origin_csv(&origin([])))?;
-    let table = arguments.out.join(format!("figures{shard}.csv"));
-    let mut all = fs::read_to_string(&table).map_or(Ok(Vec::new()), |text| read_figures(&text))?;
+    let mut table = Table::open(&arguments)?;
+    if arguments.merge.is_empty() {
+        measure_all(&arguments, &numbers, &mut table)?;
+    }
+    table.write()?;
+    eprintln!("{}", table.file.display());
+    Ok(())
+}
+
+/// Measures what is not in the table.
+fn measure_all(arguments: &Arguments, numbers: &[Number], table: &mut Table) -> Result<()> {
+    let copy = Copy::make(&arguments.workspace, &arguments.out.join(format!("copy{}", table.part)))?;
     let start = Instant::now();
     let before = copy.measure(Duration::MAX)??;
     let patience = PATIENCE * start.elapsed();
-    for number in &chosen {
+    for number in &chosen(arguments, numbers) {
         for factors in [FACTORS, NEAR_FACTORS] {
-            let is_known = |all: &[Figures], factor| {
-                all.iter().any(|one| one.parameter == number.name && one.factor == factor)
-            };
             for factor in factors {
-                let Some(value) = number.times(factor).filter(|_| !is_known(&all, factor)) else { continue };
-                all.push(copy.figures(number, factor, &value, &before, patience)?);
-                eprintln!("{} s: {}", start.elapsed().as_secs(), told(&all[all.len() - 1]));
-                all.sort_by_key(|one| numbers.iter().position(|number| number.name == one.parameter));
-                fs::write(&table, figures_csv(&all))?;
-                fs::write(arguments.out.join(format!("report{shard}.md")), report(&all))?;
+                let Some(value) = number.times(factor) else { continue };
+                if table.of(number).all(|one| one.factor != factor) {
+                    let figures = copy.figures(number, factor, &value, &before, patience)?;
+                    eprintln!("{} s: {}", start.elapsed().as_secs(), told(&figures));
+                    table.add(figures, numbers);
+                    table.write()?;
+                }
             }
-            if !all.iter().any(|one| one.parameter == number.name && one.flips > 0) {
+            if table.of(number).all(|one| one.flips == 0) {
                 break;
             }
         }
     }
-    eprintln!("{}", table.display());
     Ok(())
+}
+
+/// The table, as far as it is made, and its file.
+struct Table {
+    file: PathBuf,
+    /// Of names of files: which part it is.
+    part: String,
+    all: Vec<Figures>,
+}
+
+impl Table {
+    /// The table of a run that was ended, or those of all parts.
+    fn open(arguments: &Arguments) -> Result<Self> {
+        let part = arguments.shard.map_or(String::new(), |shard| format!(".{shard}"));
+        fs::create_dir_all(&arguments.out)?;
+        let file = arguments.out.join(format!("figures{part}.csv"));
+        let texts = match &arguments.merge[..] {
+            [] => fs::read_to_string(&file).into_iter().collect(),
+            parts => {
+                let (texts, all) = tables(parts, "figures")?;
+                fs::write(
+                    arguments.out.join("origin.csv"),
+                    origin_csv(&merged_origin(origin([]), Some(&all))),
+                )?;
+                texts
+            }
+        };
+        if arguments.merge.is_empty() {
+            fs::write(arguments.out.join(format!("origin{part}.csv")), origin_csv(&origin([])))?;
+        }
+        let all = texts.iter().map(|text| read_figures(text)).collect::<std::result::Result<Vec<_>, _>>()?;
+        Ok(Table { file, part, all: all.concat() })
+    }
+
+    /// The lines of a number, if it has the value still with which they were measured.
+    fn of(&self, number: &Number) -> impl Iterator<Item = &Figures> {
+        self.all.iter().filter(|one| one.parameter == number.name && one.value == number.value)
+    }
+
+    /// Adds a line, in place of the one with another value; in the order of the numbers.
+    fn add(&mut self, figures: Figures, numbers: &[Number]) {
+        self.all.retain(|one| one.parameter != figures.parameter || one.value == figures.value);
+        self.all.push(figures);
+        self.all.sort_by_key(|one| numbers.iter().position(|number| number.name == one.parameter));
+    }
+
+    fn write(&self) -> Result<()> {
+        fs::write(&self.file, figures_csv(&self.all))?;
+        Ok(fs::write(self.file.with_file_name(format!("report{}.md", self.part)), report(&self.all))?)
+    }
 }
 
 fn told(figures: &Figures) -> String {

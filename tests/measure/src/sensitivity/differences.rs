@@ -1,4 +1,4 @@
-//! What is different in two measurements of the same rows.
+//! Differences of two measurements of the same rows.
 
 use super::rows::{Row, SETS};
 use crate::csv::{rows, table};

@@ -1,4 +1,4 @@
-//! What half and twice each number of the precise method changes.
+//! Changes by half and twice each number of the precise method.
 //!
 //! [`parameters`] reads the numbers from the sources of `farseer-core` and writes another value in place of one; [`rows`] measures with the
 //! engine that it is compiled with; [`differences`] compares two such measurements, [`report`] lists them for readers. The program `sensitivity` changes a copy of the

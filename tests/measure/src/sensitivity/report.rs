@@ -1,4 +1,4 @@
-//! What numbers change, for readers.
+//! Changes by numbers, listed for readers.
 
 use super::differences::Figures;
 use std::fmt::Write;
@@ -15,11 +15,11 @@ const CLASSES: [(&str, &str); 5] = [
     ),
     ("Values change by a fifth or more", "No verdict flips."),
     (
-        "Nothing changes from half to twice",
+        "No change from half to twice",
         "Values differ by less than a fifth, or below what is seen: any value in that range does.",
     ),
     (
-        "Nothing depends on it",
+        "No row depends on it",
         "No row differs in any digit: no scene here needs the number, or any value in that range is the same.",
     ),
 ];
