@@ -1,14 +1,15 @@
 //! What half and twice each number of the precise method changes.
 //!
-//! `cargo run --profile tools --example sensitivity` copies the workspace to `target/sensitivity/copy`, measures there as it is, then with
-//! each number of `farseer-core/src/precise/parameters` at half and at twice its value, those of joints and of the direct solver first.
-//! Where a verdict flips it measures with five sixths and six fifths of it, too. It writes `figures.csv` and `report.md` after each
-//! number. A run that was ended goes on where it was. No time is measured.
+//! `cargo run --profile tools --example sensitivity` copies the workspace to `target/sensitivity/copy` and measures there: as it is; with
+//! twelve numbers off by a ten-thousandth each, which shows the rows that change by chance (`chaotic.txt`); then with each number of
+//! `farseer-core/src/precise/parameters` at half and at twice its value, those of joints and of the direct solver first. Where a verdict
+//! flips it measures at five sixths and six fifths of the value, too. It writes `figures.csv` and `report.md` after each number. A run that was
+//! ended goes on where it was. No time is measured.
 
 use clap::Parser;
 use drawing::measuring::{Result, merged_origin, tables};
 use measure::origin::{origin, origin_csv};
-use measure::sensitivity::differences::{Figures, figures_csv, read_figures};
+use measure::sensitivity::differences::{Figures, chaotic, figures_csv, read_figures};
 use measure::sensitivity::parameters::{Number, numbers};
 use measure::sensitivity::report::report;
 use measure::sensitivity::rows::{Row, measured, read_rows, rows_csv};
@@ -36,6 +37,23 @@ const COPIED: [&str; 10] = [
 const FACTORS: [f64; 2] = [0.5, 2.0];
 /// And where a verdict flips.
 const NEAR_FACTORS: [f64; 2] = [1.0 / 1.2, 1.2];
+/// Numbers of all parts of the method, changed a little to see what changes by chance.
+const NUDGED: [&str; 12] = [
+    "CONTACT_FREQUENCY",
+    "CONTACT_DAMPING_RATIO",
+    "JOINT_FREQUENCY",
+    "JOINT_DAMPING_RATIO",
+    "PREDICTED_ROTATION_ERROR",
+    "MOMENTUM_SHARE_OF_STIFFNESS",
+    "MOMENTUM_SHARE_HALVED_AT",
+    "HANDED_OVER_IMPULSE_LOSS",
+    "JOINTED_PENETRATION_RATE",
+    "FIRST_COMPLIANCE",
+    "JOINT_ROW_COMPLIANCE",
+    "GREATEST_SAG",
+];
+/// By how much: far less than is seen in any scene without chaos, far more than rounding.
+const NUDGE: f64 = 1.0001;
 /// A measurement is given up after so many times the time of the first.
 const PATIENCE: u32 = 10;
 
@@ -90,8 +108,15 @@ fn main() -> Result<()> {
 fn measure_all(arguments: &Arguments, numbers: &[Number], table: &mut Table) -> Result<()> {
     let copy = Copy::make(&arguments.workspace, &arguments.out.join(format!("copy{}", table.part)))?;
     let start = Instant::now();
-    let before = copy.measure(Duration::MAX)??;
+    let mut before = vec![copy.measure(Duration::MAX)??];
     let patience = PATIENCE * start.elapsed();
+    for name in NUDGED {
+        let number = numbers.iter().find(|number| number.name == name);
+        let number = number.ok_or_else(|| format!("there is no number {name}"))?;
+        let value = number.times(NUDGE).ok_or_else(|| format!("{name} cannot be nudged"))?;
+        before.push(copy.measure_with(number, &value, patience)??);
+    }
+    fs::write(table.file.with_file_name("chaotic.txt"), chaotic(&before).join("\n") + "\n")?;
     for number in &chosen(arguments, numbers) {
         for factors in [FACTORS, NEAR_FACTORS] {
             for factor in factors {
@@ -178,6 +203,9 @@ fn chosen(arguments: &Arguments, numbers: &[Number]) -> Vec<Number> {
     all.into_iter().zip(picks).filter(|(_, pick)| *pick).map(|(number, _)| number).collect()
 }
 
+/// The rows, or why there are none.
+type Measured = std::result::Result<Vec<Row>, String>;
+
 /// A copy of the workspace, in which numbers are changed.
 struct Copy {
     folder: PathBuf,
@@ -193,31 +221,37 @@ impl Copy {
         Ok(Copy { folder: fs::canonicalize(folder)? })
     }
 
-    /// What a number changes; then it is as it was.
+    /// Changes by a number with another value.
     fn figures(
         &self,
         number: &Number,
         factor: f64,
         value: &str,
-        before: &[Row],
+        before: &[Vec<Row>],
         patience: Duration,
     ) -> Result<Figures> {
-        let file = self.folder.join(number.file());
-        let text = fs::read_to_string(&file)?;
-        fs::write(&file, number.written_into(&text, value))?;
-        let after = self.measure(patience);
-        fs::write(&file, text)?;
+        let after = self.measure_with(number, value, patience)?;
         let Number { name, module, unit, value, .. } = number.clone();
         let mut figures = Figures { parameter: name, module, unit, value, factor, ..Figures::default() };
-        match after? {
+        match after {
             Ok(rows) => figures.count(before, &rows)?,
             Err(reason) => (figures.worst_row, figures.flips) = (reason, 1),
         }
         Ok(figures)
     }
 
+    /// Measures with another value of a number; then it is as it was.
+    fn measure_with(&self, number: &Number, value: &str, patience: Duration) -> Result<Measured> {
+        let file = self.folder.join(number.file());
+        let text = fs::read_to_string(&file)?;
+        fs::write(&file, number.written_into(&text, value))?;
+        let measured = self.measure(patience);
+        fs::write(&file, text)?;
+        measured
+    }
+
     /// Builds and measures: the rows, or why there are none.
-    fn measure(&self, patience: Duration) -> Result<std::result::Result<Vec<Row>, String>> {
+    fn measure(&self, patience: Duration) -> Result<Measured> {
         let mut cargo = Command::new("cargo");
         cargo.args(["build", "--offline", "--quiet", "--package", "drawing", "--example", "sensitivity"]);
         cargo.env("CARGO_INCREMENTAL", "1").env("CARGO_TARGET_DIR", self.folder.join("target"));

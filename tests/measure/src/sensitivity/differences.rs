@@ -48,35 +48,48 @@ impl Figures {
         self.chart + self.map + self.joints + self.random + self.newton
     }
 
-    /// Counts the rows that have changed.
+    /// Counts the rows that have changed: those that differ from all measurements that are as good as equal, of which the first is
+    /// the one that is told.
     ///
     /// # Errors
     ///
-    /// When the two have other rows.
-    pub fn count(&mut self, before: &[Row], after: &[Row]) -> Result<(), String> {
-        if before.iter().map(|row| (&row.set, &row.name)).ne(after.iter().map(|row| (&row.set, &row.name))) {
-            return Err("the two have other rows".to_owned());
-        }
-        self.touched = before.iter().zip(after).filter(|(one, other)| one != other).count();
+    /// When one of them has other rows.
+    pub fn count(&mut self, before: &[Vec<Row>], after: &[Row]) -> Result<(), String> {
         let mut worst = (false, 0.0);
-        for (one, other) in before.iter().zip(after).filter(|(one, other)| is_changed(one, other)) {
+        self.touched = 0;
+        for (index, row) in after.iter().enumerate() {
+            let is_same = |one: &&Row| one.set == row.set && one.name == row.name;
+            let ones: Vec<&Row> = before.iter().filter_map(|rows| rows.get(index).filter(is_same)).collect();
+            if ones.is_empty() || ones.len() < before.len() {
+                return Err(format!("{} is not in all measurements", row.name));
+            }
+            self.touched += usize::from(ones[0] != row);
+            if !ones.iter().all(|one| is_changed(one, row)) {
+                continue;
+            }
             let counts =
                 [&mut self.chart, &mut self.map, &mut self.joints, &mut self.random, &mut self.newton];
-            if let Some(count) =
-                SETS.iter().zip(counts).find_map(|(set, count)| (one.set == *set).then_some(count))
-            {
+            if let Some((_, count)) = SETS.iter().zip(counts).find(|(set, _)| row.set == **set) {
                 *count += 1;
             }
-            let flips = one.verdict != other.verdict;
+            let flips = ones.iter().all(|one| one.verdict != row.verdict);
             self.flips += usize::from(flips);
-            let size = (flips, ratio(one, other));
+            let size = (flips, ones.iter().map(|one| ratio(one, row)).fold(f64::INFINITY, f64::min));
             if size > worst || self.worst_row.is_empty() {
-                (worst, self.worst_row) = (size, format!("{}: {}", one.set, one.name));
-                [self.before, self.after] = [one, other].map(told);
+                (worst, self.worst_row) = (size, format!("{}: {}", row.set, row.name));
+                [self.before, self.after] = [ones[0], row].map(told);
             }
         }
         Ok(())
     }
+}
+
+/// Names of rows that change by chance: of which two measurements that are as good as equal differ.
+pub fn chaotic(measurements: &[Vec<Row>]) -> Vec<String> {
+    let Some((first, others)) = measurements.split_first() else { return Vec::new() };
+    let differs = |index: usize, one: &Row| others.iter().any(|rows| is_changed(one, &rows[index]));
+    let rows = first.iter().enumerate().filter(|&(index, row)| differs(index, row));
+    rows.map(|(_, row)| format!("{}: {}", row.set, row.name)).collect()
 }
 
 /// Whether another verdict, or a value that is greater by [`FACTOR`], is in one of two measurements of a row. Counts of random scenes differ
@@ -145,11 +158,25 @@ mod tests {
     }
 
     #[test]
+    fn rows_that_change_by_chance_have_not_changed() {
+        let measured = |value: f64, verdict: &str| vec![row("joints", value, verdict), row("chart", 1.0, "")];
+        let before = [measured(1.0, "awake"), measured(5.0, "asleep")];
+        assert_eq!(chaotic(&before), ["joints: scene"]);
+        let changed = |value, verdict| {
+            let mut figures = Figures::default();
+            figures.count(&before, &measured(value, verdict)).unwrap();
+            [figures.touched, figures.joints, figures.flips]
+        };
+        assert_eq!([changed(5.1, "asleep"), changed(1.0, "awake")], [[1, 0, 0], [0, 0, 0]]);
+        assert_eq!([changed(9.0, "asleep"), changed(9.0, "falls")], [[1, 1, 0], [1, 1, 1]]);
+    }
+
+    #[test]
     fn the_worst_row_is_one_whose_verdict_changes() {
         let before = [row("chart", 1.0, "within"), row("joints", 1.0, "")];
         let after = [row("chart", 1.0, "beyond"), row("joints", 50.0, "")];
         let mut figures = Figures::default();
-        figures.count(&before, &after).unwrap();
+        figures.count(std::slice::from_ref(&before.to_vec()), &after).unwrap();
         assert_eq!((figures.chart, figures.joints, figures.flips), (1, 1, 1));
         assert_eq!((figures.worst_row.as_str(), figures.after.as_str()), ("chart: scene", "1.000e0, beyond"));
         assert_eq!(read_figures(&figures_csv(std::slice::from_ref(&figures))), Ok(vec![figures]));

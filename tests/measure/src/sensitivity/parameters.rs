@@ -92,10 +92,10 @@ impl Number {
             return whole_times(kind, value, factor);
         }
         if self.unit.ends_with("a cosine") {
-            return format!("(1.0 - {:?} * (1.0 - {value})).max(-1.0)", factor * factor);
+            return format!("{kind}::max(1.0 - {:?} * (1.0 - {value}), -1.0)", factor * factor);
         }
         let product = format!("{factor:?} * ({value})");
-        if self.unit.ends_with("at most 1") { format!("({product}).min(1.0)") } else { product }
+        if self.unit.ends_with("at most 1") { format!("{kind}::min({product}, 1.0)") } else { product }
     }
 
     /// The text of its file with another value.
@@ -179,12 +179,12 @@ mod tests {
         assert_eq!(value("i32", "dimensionless", "-32").as_deref(), Some("-64"));
         assert_eq!(
             value("f32", "dimensionless, at most 1", "0.6").as_deref(),
-            Some("(2.0 * (0.6)).min(1.0)")
+            Some("f32::min(2.0 * (0.6), 1.0)")
         );
         assert_eq!(value("[f64; 2]", "s", "[4.0, 20.0]").as_deref(), Some("[2.0 * (4.0), 2.0 * (20.0)]"));
         assert_eq!(
             value("f32", "dimensionless, a cosine", "0.98").as_deref(),
-            Some("(1.0 - 4.0 * (1.0 - 0.98)).max(-1.0)")
+            Some("f32::max(1.0 - 4.0 * (1.0 - 0.98), -1.0)")
         );
         assert_eq!(number("u32", "dimensionless, a count", "1").times(0.5), None);
     }
