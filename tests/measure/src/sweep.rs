@@ -265,7 +265,7 @@ impl<'a> Trial<'a> {
     ///
     /// # Errors
     ///
-    /// What the engine lacks for the scene.
+    /// Capability that the engine lacks for the scene.
     pub fn measured(&self) -> Result<Vec<(&'static str, f64, Outcome)>, String> {
         Ok(Entry::watched(self)?.measured)
     }

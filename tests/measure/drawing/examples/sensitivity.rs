@@ -1,4 +1,4 @@
-//! What half and twice each number of the precise method changes.
+//! Each number of the precise method at half and at twice its value: rows of measurements that change.
 //!
 //! `cargo run --profile tools --example sensitivity` copies the workspace to `target/sensitivity/copy` and measures there: as it is; with
 //! twelve numbers off by a ten-thousandth each, which shows the rows that change by chance (`chaotic.txt`); then with each number of
@@ -20,7 +20,7 @@ use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-/// What a copy consists of. Examples and other members are there since the workspace names them.
+/// Files and folders of a copy. Examples and other members are there since the workspace names them.
 const COPIED: [&str; 10] = [
     "Cargo.toml",
     "Cargo.lock",
@@ -33,7 +33,7 @@ const COPIED: [&str; 10] = [
     "tests",
     "examples",
 ];
-/// What numbers are multiplied by.
+/// Factors of numbers.
 const FACTORS: [f64; 2] = [0.5, 2.0];
 /// And where a verdict flips.
 const NEAR_FACTORS: [f64; 2] = [1.0 / 1.2, 1.2];

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 /// Factor by which a value changes from which on the row counts as changed.
 pub const FACTOR: f64 = 1.2;
 
-/// What a changed number changes: a line of the table.
+/// Changes by a changed number: a line of the table.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Figures {
     /// Name of the number.
@@ -18,7 +18,7 @@ pub struct Figures {
     pub unit: String,
     /// Its value, as it is written.
     pub value: String,
-    /// What it was multiplied by.
+    /// Factor of the number.
     pub factor: f64,
     /// Rows that differ in any digit: if there are none, no scene here depends on the number.
     pub touched: usize,
@@ -124,7 +124,7 @@ pub fn figures_csv(figures: &[Figures]) -> String {
     table(figures)
 }
 
-/// Those of a table that [`figures_csv`] has written.
+/// Figures of a table that [`figures_csv`] has written.
 ///
 /// # Errors
 ///

@@ -26,7 +26,7 @@ const CLASSES: [(&str, &str); 5] = [
 
 /// A table for each class of numbers.
 pub fn report(all: &[Figures]) -> String {
-    let mut text = "# What numbers change\n".to_owned();
+    let mut text = "# Changes by numbers\n".to_owned();
     let numbers: Vec<&[Figures]> = all.chunk_by(|one, other| one.parameter == other.parameter).collect();
     for (class, (title, about)) in CLASSES.iter().enumerate() {
         let members: Vec<_> = numbers.iter().filter(|number| class_of(number) == class).collect();
