@@ -4,7 +4,7 @@
 //! citation or a measurement. A number without one of them is a choice. Lengths are in length units, the size of things that a player
 //! looks at ([`Tuning::unit`](super::tuning::Tuning::unit)): 1 m in a game in metres, 32 px in one in px.
 //!
-//! `docs/measured/sensitivity` has what half and twice each number changes. The program `sensitivity` reads these files: one constant per
+//! `docs/measured/sensitivity` has the changes by half and twice a number; its rows are the measured ones. The program `sensitivity` reads these files: one constant per
 //! line, its value on the same line. Units that it treats apart: `a cosine` (half and twice the angle is meant) and `at most 1`.
 //!
 //! Not here: identities, indices, marks in place of an index, numbers of lanes.
