@@ -8,6 +8,7 @@ use crate::joints::build::simulator;
 use crate::joints::counts::counts;
 use crate::joints::engines::OURS;
 use crate::joints::family::{JointScene, family};
+use crate::joints::judge::ENERGY;
 use crate::joints::run::run;
 use crate::method::{Effort, Method, methods};
 use crate::stability::map::Sheet;
@@ -23,7 +24,7 @@ const METHOD: &str = "Precise";
 const RANDOM: u32 = 25;
 /// Errors of joint scenes below these are equal: gap in px, speed in px/s, energy gained as a part of the greatest kinetic energy. A
 /// tenth of a gap that is seen, and of the speed of a scene that does not rest.
-const JOINT_FLOORS: [f64; 3] = [0.32, 1.6, 0.01];
+const JOINT_FLOORS: [f64; 3] = [0.32, 1.6, ENERGY];
 /// Newton steps of a scene's run below which numbers of them are equal.
 const NEWTON_FLOOR: f64 = 100.0;
 
@@ -136,10 +137,15 @@ fn joint_rows(scene: &JointScene) -> Result<Vec<Row>, String> {
     let row = |(quantity, value, verdict): (&str, Option<f64>, &str), floor: f64| {
         Row::new("joints", format!("{}, {quantity}", scene.name), value, floor, verdict)
     };
+    let energy = match figures.energy_gained {
+        Some(gained) if gained > ENERGY => "gains",
+        Some(_) => "keeps",
+        None => "",
+    };
     let values = [
         ("gap", Some(figures.gap_px), ""),
         ("speed", Some(figures.speed_px_per_s), sleep),
-        ("energy", figures.energy_gained, ""),
+        ("energy", figures.energy_gained, energy),
     ];
     Ok(values.into_iter().zip(JOINT_FLOORS).map(|(value, floor)| row(value, floor)).collect())
 }
