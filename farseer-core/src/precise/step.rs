@@ -286,7 +286,6 @@ impl Precise {
         self.choose_methods(&step.learning);
         self.begin_swings(step);
         self.solve_direct(step);
-        self.joints.begin_trees(&self.bodies, step);
         self.joints.swing(&self.bodies, step);
         if self.rows.is_empty() && self.joints.are_all_apart() && self.springs.are_all_solved() {
             fly(&mut self.bodies, &self.sleep.bodies, step);

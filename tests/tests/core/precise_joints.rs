@@ -224,9 +224,9 @@ fn every_joint_between_two_bodies_holds_what_it_keeps() {
         for _ in 0..240 {
             simulator.update(DT);
             let error = simulator[joint].joint_error();
-            // In px and radians: roundings. Beyond a limit its slop, of 0.01, is left, and as much of what a step misses.
+            // In px and radians: roundings, and as much of what a predicted rotation misses. Beyond a limit its slop, of 0.01, is left, and as much of what a step misses.
             let has_limits = ["slider", "angle limit"].contains(&name);
-            assert!(error.abs() < if has_limits { 0.03 } else { 2e-5 }, "{name}: {error}");
+            assert!(error.abs() < if has_limits { 0.03 } else { 4e-5 }, "{name}: {error}");
         }
     }
 }
@@ -492,8 +492,8 @@ fn a_chain_swings_the_same_way_whether_its_joints_are_all_hinges_or_not() {
     let swung = hinged.iter().fold(0.0, |most: f32, place| most.max(place.x.abs()));
     let apart = apart.fold(0.0, f32::max);
     assert!(swung > 20.0, "{swung}");
-    // Measured: 0.049 px. Both methods are of second order in the same parts of the step, and differ by their errors of that order.
-    assert!(apart < 0.1, "{apart}");
+    // Measured: 0.025 px. Both methods are of second order in the length of a part, and differ by their errors of that order.
+    assert!(apart < 0.03, "{apart}");
 }
 
 #[test]
@@ -575,6 +575,85 @@ fn joints_without_their_bodies_are_refused_and_bodies_that_go_take_their_joints_
     let before = simulator[bodies[4]].position().y;
     run(&mut simulator, 30);
     assert!(simulator[bodies[4]].position().y > before + 20.0);
+}
+
+/// Greatest gain and loss of energy of a chain that begins at an angle in radians from level, as a fraction of its greatest kinetic energy.
+fn energy_error(links: usize, angle: f32, rate: f32) -> [f64; 2] {
+    let mut simulator = precise(0.0);
+    simulator.set_gravity(v(GRAVITY * angle.sin(), GRAVITY * angle.cos())).unwrap();
+    let (bodies, _) = chain(&mut simulator, links);
+    let [along, down] = [angle.sin(), angle.cos()].map(f64::from);
+    let sum = |simulator: &PhysicsSimulator| {
+        let kinetic = energy(simulator, &bodies, 0.0);
+        let height = |&body: &BodyId| {
+            let place = simulator[body].position().map(f64::from);
+            f64::from(simulator[body].mass() * GRAVITY) * (place.x * along + place.y * down)
+        };
+        [kinetic, kinetic - bodies.iter().map(height).sum::<f64>()]
+    };
+    let [_, begun] = sum(&simulator);
+    let (mut gain, mut loss, mut most) = (0.0_f64, 0.0_f64, 0.0_f64);
+    for _ in 0..(8.0 * rate) as usize {
+        simulator.update(rate.recip());
+        let [kinetic, now] = sum(&simulator);
+        (gain, loss, most) = (gain.max(now - begun), loss.max(begun - now), most.max(kinetic));
+    }
+    [gain, loss].map(|change| change / most)
+}
+
+#[test]
+fn chains_of_any_length_keep_their_energy_from_any_angle_at_any_step() {
+    // Measured: 0.0023. Without balance of energy: 0.15 to 0.5 at 30 steps/s, 0.01 to 0.2 at 60.
+    for links in 1..=10 {
+        for angle in [-60.0_f32, -10.0, 0.0, 30.0, 80.0] {
+            for rate in [30.0, 60.0, 120.0] {
+                let [gain, loss] = energy_error(links, angle.to_radians(), rate);
+                assert!(
+                    gain.max(loss) < 0.01,
+                    "{links} links, {angle} degrees, 1/{rate} s: +{gain}, -{loss}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_push_against_a_joint_loses_its_energy() {
+    // A body that may not turn, and falls with a spin of 5: the joint takes the spin alone, whatever the body does beside.
+    for spin in [0.5, 5.0, 50.0] {
+        let mut simulator = precise(GRAVITY);
+        let body = ghost(&mut simulator, (20.0, 20.0), v(0.0, 0.0));
+        let joint = JointFactory::create_fixed_angle_joint(&mut simulator, body);
+        joined(&mut simulator, joint);
+        simulator[body].set_linear_velocity(v(30.0, 0.0));
+        simulator[body].set_angular_velocity(spin);
+        run(&mut simulator, 60);
+        assert_abs_diff_eq!(simulator[body].linear_velocity().x, 30.0, epsilon = 1e-3);
+        assert_abs_diff_eq!(simulator[body].linear_velocity().y, GRAVITY, epsilon = 1e-2);
+    }
+}
+
+#[test]
+fn a_pendulum_whose_post_is_moved_to_and_fro_is_set_swinging() {
+    let mut simulator = precise(GRAVITY);
+    let post = BodyFactory::create_body_in(&mut simulator, 1.0, 1.0).unwrap();
+    simulator[post].set_is_static(true);
+    let bob = ghost(&mut simulator, (4.0, 4.0), v(0.0, 32.0));
+    simulator[bob].set_moment_of_inertia(1.0).unwrap();
+    let joint = JointFactory::create_revolute_joint(&mut simulator, post, bob, v(0.0, 0.0));
+    joined(&mut simulator, joint);
+    // At its own frequency, sqrt(g / l) = 3.16 radians/s: forced by a motion of amplitude a its angle grows by a / (2 l) per radian. Measured:
+    // 0.84 of that, as the greatest angle lags behind the growth by up to half a period.
+    let mut swing = 0.0_f32;
+    for step in 0..240 {
+        let phase = (GRAVITY / 32.0).sqrt() * step as f32 * DT;
+        simulator[post].set_position(v(2.0 * phase.sin(), 0.0));
+        simulator.update(DT);
+        let [x, y] = [simulator[bob].position().x - 2.0 * phase.sin(), simulator[bob].position().y];
+        swing = swing.max(x.atan2(y).abs());
+    }
+    let expected = 2.0 / 64.0 * (GRAVITY / 32.0).sqrt() * 240.0 * DT;
+    assert!(swing > 0.7 * expected, "{swing} of {expected}");
 }
 
 #[test]

@@ -16,7 +16,7 @@ use crate::precise::joints::{Joints, weight_of};
 use crate::precise::parameters::direct::{
     ACCEPTED_JOINT_ERROR, ACCEPTED_ROTATION, ARTICULATION_SOLUTIONS, ERROR_ARM, MOVING_VELOCITY_ERROR,
 };
-use crate::precise::parameters::joints::IMPLICIT_STIFFNESS_RATIO;
+use crate::precise::parameters::joints::{IMPLICIT_STIFFNESS_RATIO, LEAST_DIRECT_PARTS};
 use crate::precise::tuning::Step;
 
 impl Whole {
@@ -126,7 +126,8 @@ impl Whole {
         }
         let stiffness = island.greatest_stiffness(dt);
         let (count, spin) = (island.members.len() as u32, island.greatest_spin());
-        Division::of(count, step, spin, |bears| stiffness > IMPLICIT_STIFFNESS_RATIO * bears).parts
+        let division = Division::of(count, step, spin, |bears| stiffness > IMPLICIT_STIFFNESS_RATIO * bears);
+        division.parts.max(LEAST_DIRECT_PARTS)
     }
 }
 

@@ -5,16 +5,19 @@
 //! pass does all that can be done where it is.
 
 use crate::precise::parameters::joints::{
-    IMPLICIT_STIFFNESS_RATIO, JOINT_CORRECTION_SPEED, STIFFNESS_JUMP_RETRIES,
+    GAP_OF_A_WHIP, IMPLICIT_STIFFNESS_RATIO, JOINT_CORRECTION_SPEED, STIFFNESS_JUMP_RETRIES,
 };
 use wide::f32x4;
 
 use super::super::bodies::Bodies;
 use super::super::tuning::Step;
+use super::balance::{InBalance, Moved, Start, rounded};
 use super::hold::{Hold, shown};
-use super::swing::{Division, aside_of_turn, bears, postponed, turn, turned, with_momentum};
+use super::swing::{
+    Division, aside_of_turn, bears, foreseen, greater_spin, postponed, turn, turned, with_momentum,
+};
 use super::tree::{
-    Inertia, Link, Momentum, Node, Seated, Vector, dot, for_each_down, for_each_up, plus, spun,
+    Inertia, Link, Momentum, Node, Seated, Vector, cross, dot, for_each_down, for_each_up, plus, spun,
 };
 
 /// A body in such a tree. Parents come before their children; a root is its own parent.
@@ -42,6 +45,8 @@ pub(super) struct Hinge {
     /// Velocity before joints act, with the spin that they reckon with, and what forces add to it in a part of a step.
     velocity: [f64; 3],
     expected_spin: f64,
+    /// Change of the spin by joints in a part of the step, as predicted from the part before, in radians/s.
+    spin_by_joints: f64,
     push: [f64; 3],
     /// Cosine and sine of what the body turns by: its rotation when the step begins, [what a turn does besides taking arms
     /// along](aside_of_turn) while a part is solved, and the turn of a part when bodies move.
@@ -64,12 +69,51 @@ pub(super) struct Hinge {
     /// How far the origin has come, and the body has turned, in this step, and what the joint has done to it.
     path: [f64; 3],
     total: Vector,
+    /// Distance between the anchors when the step begins, in length units.
+    gap: f64,
 }
 
 impl Seated for Hinge {
     #[inline(always)]
     fn parent(&self) -> usize {
         self.parent as usize
+    }
+}
+
+impl InBalance for Hinge {
+    fn moved(&self) -> Option<Moved> {
+        let Hinge { mass, inertia, path, place, velocity, push, .. } = *self;
+        (self.body != 0).then_some(Moved { mass, inertia, path, place, velocity, push })
+    }
+
+    fn set_velocity(&mut self, velocity: [f64; 3]) {
+        self.velocity = velocity;
+    }
+
+    fn work_of_rounding(&self, dt: f64) -> f64 {
+        dot(self.total, self.total).sqrt() / dt * rounded(self.place, dot(self.arm, self.arm).sqrt())
+    }
+
+    fn parting_speed(&self, parent: &Self) -> f64 {
+        if !self.link.holds() {
+            return 0.0;
+        }
+        let at = |[x, y, spin]: [f64; 3], arm: Vector| plus([x, y], spun(arm), spin);
+        let apart = plus(at(self.velocity, self.arm), at(parent.velocity, self.parent_arm), -1.0);
+        dot(apart, apart).sqrt()
+    }
+
+    fn is_torn(&self, gap: f64) -> bool {
+        let reach = dot(self.anchor, self.anchor).sqrt() + dot(self.parent_anchor, self.parent_anchor).sqrt();
+        self.gap > gap * reach
+    }
+
+    fn is_driven(&self) -> bool {
+        self.link == Link::Fixed && self.velocity != [0.0; 3]
+    }
+
+    fn is_free_root(&self) -> bool {
+        self.link == Link::Free
     }
 }
 
@@ -128,33 +172,19 @@ pub(super) fn swing(
     unit: f64,
 ) -> u32 {
     let dt = f64::from(step.dt);
-    let (mut spin, mut count) = (0.0_f64, 0);
-    for_each_down(hinges, |hinge, parent| {
-        hinge.begin(parent, holds, bodies, dt);
-        if hinge.body != 0 {
-            (spin, count) = (spin.max(hinge.velocity[2].abs()), count + 1);
-        }
-    });
-    let division = Division::of(count, step, spin, |bears| {
-        let bears = IMPLICIT_STIFFNESS_RATIO * bears;
-        hinges.iter().any(|hinge| hinge.pull > bears * hinge.borne && hinge.link != Link::Fixed)
-    });
-    let (parts, whole) = (division.parts, division.by_whole_kicks);
-    let (h, unexpected) = (dt / f64::from(parts), division.unexpected * f64::from(parts) / dt);
-    let times = (step.dt, parts as f32, step.substeps as f32);
-    let first = if whole { 1.0 } else { 0.5 };
-    correct(hinges, (h, unit), unexpected, |hinge| {
-        hinge.divide(bodies, times);
-        hinge.kick(first);
-    });
-    for _ in 1..parts {
-        for_each_down(hinges, |hinge, parent| hinge.advance(parent, h));
-        correct(hinges, (h, unit), unexpected, |hinge| hinge.kick(1.0));
+    let mut division = begin(hinges, holds, bodies, step);
+    loop {
+        let start = swing_tree(hinges, bodies, step, &division, unit);
+        let balance = division.balance(hinges, start, dt);
+        let Some(finer) = balance.and_then(|balance| division.finer(&balance)) else {
+            balance.inspect(|balance| balance.restore(hinges));
+            break;
+        };
+        begin(hinges, holds, bodies, step);
+        division = finer;
     }
-    if !whole {
-        for_each_down(hinges, |hinge, parent| hinge.advance(parent, h));
-        rest(hinges);
-    }
+    let Division { parts, by_whole_kicks: whole, .. } = division;
+    let h = dt / f64::from(parts);
     // From the end, which was seen last.
     for hinge in hinges.iter_mut().rev() {
         let (velocity, path, total) = if whole {
@@ -168,10 +198,56 @@ pub(super) fn swing(
     parts
 }
 
+/// A step begins. Answers how it is divided.
+fn begin(hinges: &mut [Hinge], holds: &mut [Hold], bodies: &Bodies, step: &Step) -> Division {
+    let (dt, mut count) = (f64::from(step.dt), 0);
+    for_each_down(hinges, |hinge, parent| {
+        hinge.begin(parent, holds, bodies, dt);
+        count += u32::from(hinge.body != 0);
+    });
+    let (mut spin, mut is_torn) = (0.0, false);
+    for hinge in hinges.iter_mut() {
+        if hinge.body == 0 {
+            hinge.spin_by_joints = 0.0;
+            continue;
+        }
+        hinge.spin_by_joints *= dt / hinge.inertia;
+        is_torn |= hinge.is_torn(GAP_OF_A_WHIP);
+        spin = greater_spin(spin, hinge.velocity[2], hinge.spin_by_joints);
+    }
+    let division = Division::of(count, step, spin, |bears| {
+        let bears = IMPLICIT_STIFFNESS_RATIO * bears;
+        hinges.iter().any(|hinge| hinge.pull > bears * hinge.borne && hinge.link != Link::Fixed)
+    });
+    Division { foresees: division.foresees && !is_torn, ..division }
+}
+
+/// All parts of a step. Answers how it began.
+fn swing_tree(hinges: &mut [Hinge], bodies: &Bodies, step: &Step, division: &Division, unit: f64) -> Start {
+    let Division { parts, by_whole_kicks: whole, unexpected, foresees, .. } = *division;
+    let dt = f64::from(step.dt);
+    let h = dt / f64::from(parts);
+    let first = if whole { 1.0 } else { 0.5 };
+    let times = (step.dt, parts as f32, step.substeps as f32);
+    hinges.iter_mut().for_each(|hinge| hinge.divide(bodies, times));
+    let start = Start::of(hinges);
+    correct(hinges, (h, unit), unexpected / h, |hinge| hinge.kick(first, foresees));
+    for part in 1..parts {
+        let share = if part == 1 { first } else { 1.0 };
+        for_each_down(hinges, |hinge, parent| hinge.advance(parent, h, share));
+        correct(hinges, (h, unit), unexpected / h, |hinge| hinge.kick(1.0, foresees));
+    }
+    if !whole {
+        for_each_down(hinges, |hinge, parent| hinge.advance(parent, h, 1.0));
+        rest(hinges);
+    }
+    start
+}
+
 /// The second half of the last kick, and velocities that obey the joints where bodies have come to.
 fn rest(hinges: &mut [Hinge]) {
     for hinge in hinges.iter_mut() {
-        hinge.kick(0.5);
+        hinge.kick(0.5, false);
         (hinge.bias, hinge.stiffness, hinge.with_momentum) = ([0.0; 2], 0.0, 0.0);
         hinge.take_own();
     }
@@ -227,7 +303,8 @@ impl Hinge {
             (self.place, self.turn) = ([x, y], [c, s]);
             self.velocity = [vx, vy, spin].map(f64::from);
         }
-        (self.path, self.total, self.pull) = ([0.0; 3], [0.0; 2], 0.0);
+        (self.path, self.total, self.pull, self.gap) = ([0.0; 3], [0.0; 2], 0.0, 0.0);
+        self.spin_by_joints = 0.0;
         let Some(parent) = parent else {
             // Turned about, a zero might have got another sign.
             self.arm = [0.0; 2];
@@ -242,19 +319,22 @@ impl Hinge {
         } else {
             self.parent_arm = turned(parent.turn, self.parent_anchor);
         }
-        let error = self.apart(parent);
-        hold.error = dot(error, error).sqrt() as f32;
+        let apart = self.apart(parent);
+        self.gap = dot(apart, apart).sqrt();
+        hold.error = self.gap as f32;
         hold.arm = shown(if self.is_first { self.arm } else { self.parent_arm });
-        let pulling = self.sign * dt * dt;
-        let force = [hold.force[0] * pulling, hold.force[1] * pulling];
-        self.pull = dot(self.arm, force);
-        parent.pull -= dot(self.parent_arm, force);
+        let force = [hold.force[0] * self.sign, hold.force[1] * self.sign];
+        self.pull = dt * dt * dot(self.arm, force);
+        parent.pull -= dt * dt * dot(self.parent_arm, force);
+        self.spin_by_joints = cross(self.arm, force);
+        parent.spin_by_joints -= cross(self.parent_arm, force);
     }
 
     /// Gets ready for so many parts of a step.
     #[inline(always)]
     fn divide(&mut self, bodies: &Bodies, (dt, parts, substeps): (f32, f32, f32)) {
         self.pull *= 1.0 / f64::from(parts * parts);
+        self.spin_by_joints *= 1.0 / f64::from(parts);
         self.stiffen(self.excess());
         if self.body != 0 {
             let [push, forced] = [&bodies.push, &bodies.forced].map(|of| f32x4::new(of[self.body as usize]));
@@ -267,9 +347,10 @@ impl Hinge {
     }
 
     #[inline(always)]
-    fn kick(&mut self, share: f64) {
+    fn kick(&mut self, share: f64, foresees: bool) {
         (0..3).for_each(|i| self.velocity[i] += share * self.push[i]);
-        self.expected_spin = self.velocity[2];
+        let by_joints = if foresees { foreseen(self.spin_by_joints, self.pull, self.borne) } else { 0.0 };
+        self.expected_spin = self.velocity[2] + share * by_joints;
     }
 
     /// What of a part can be known of the body by itself.
@@ -349,9 +430,10 @@ impl Hinge {
         self.total = plus(self.total, self.impulse, 1.0);
     }
 
-    /// The body moves on, and the arms of its joints turn.
+    /// The body moves on after a part with this share of a kick, and the arms of its joints turn.
     #[inline(always)]
-    fn advance(&mut self, parent: Option<&mut Hinge>, h: f64) {
+    fn advance(&mut self, parent: Option<&mut Hinge>, h: f64, share: f64) {
+        self.spin_by_joints = (self.found[2] - self.velocity[2]) / share;
         self.take_found();
         self.path = self.way(self.velocity, h);
         let [x, y, spin] = self.velocity.map(|velocity| velocity * h);

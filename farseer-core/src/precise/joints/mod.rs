@@ -9,6 +9,7 @@
 //! [Springs] of what is jointed or touched are rows beside these, of the direct or of the iterative solver.
 //! Joints of a distance in three axes have solvers of their own: see [depth].
 
+mod balance;
 mod block_pair;
 mod block_row;
 mod colours;
@@ -296,15 +297,6 @@ impl Joints {
         }
     }
 
-    /// Trees and loops of what the direct solver has not solved begin a step.
-    pub(super) fn begin_trees(&mut self, bodies: &Bodies, step: &Step) {
-        let h = f64::from(step.h);
-        let Joints { groups, holds, .. } = self;
-        for group in groups.iter_mut().filter(|group| group.swings() && !group.is_hinged()) {
-            begin_nodes(&mut group.nodes, holds, bodies, h);
-        }
-    }
-
     /// A step begins in three axes; `depth_of` answers where along the depth axis a body is.
     fn begin_in_space(
         &mut self,
@@ -337,7 +329,7 @@ impl Joints {
     pub(super) fn swing(&mut self, bodies: &Bodies, step: &Step) {
         let swinging = |group: &&mut Group| group.swings() && !group.is_hinged();
         for group in self.groups.iter_mut().filter(swinging) {
-            swing::swing(group, bodies, step, self.unit);
+            swing::swing(group, &self.holds, bodies, step, self.unit);
         }
         self.spatial.iter_mut().for_each(|group| group.swing(&self.holds, bodies, step));
     }

@@ -12,13 +12,17 @@
 
 use super::super::bodies::Bodies;
 use super::super::tuning::Step;
-use super::Group;
-use super::tree::{Link, Node, Vector, dot, follow, for_each_down, hand_up, hand_up_momentum, plus, spun};
+use super::balance::{Balance, InBalance, Moved, Start, rounded};
+use super::hold::Hold;
+use super::tree::{
+    Link, Node, Vector, cross, dot, follow, for_each_down, hand_up, hand_up_momentum, plus, spun,
+};
+use super::{Group, begin_nodes};
 use crate::precise::parameters::direct::STABLE_STIFFNESS;
 use crate::precise::parameters::joints::{
-    ARTICULATION_SUBSTEP_PARTS, HALF_KICK_ARTICULATION_BODIES, IMPLICIT_STIFFNESS_RATIO,
-    JOINT_CORRECTION_SPEED, LARGE_ARTICULATION_BODIES, MOMENTUM_SHARE_HALVED_AT, MOMENTUM_SHARE_OF_STIFFNESS,
-    PENDULUM_BODIES, PREDICTED_ROTATION_ERROR, ROTATION_PER_PART, SMALL_ARTICULATION_BODIES,
+    ARM_ROUNDING, ARTICULATION_SUBSTEP_PARTS, GAP_OF_A_WHIP, IMPLICIT_STIFFNESS_RATIO,
+    JOINT_CORRECTION_SPEED, LARGE_ARTICULATION_BODIES, LEAST_ARTICULATION_PARTS, MOMENTUM_SHARE_HALVED_AT,
+    MOMENTUM_SHARE_OF_STIFFNESS, PREDICTED_ROTATION_ERROR, REPEATED_SUBSTEP_PARTS, ROTATION_PER_PART,
     STIFFNESS_JUMP_RETRIES,
 };
 
@@ -109,6 +113,7 @@ impl Node {
     fn divide(&mut self, bodies: &Bodies, (dt, parts): (f64, f64), longer: f64) {
         self.impulse = self.impulse.map(|impulse| impulse * longer);
         self.pull *= 1.0 / (parts * parts);
+        self.spin_by_joints *= 1.0 / parts;
         self.stiffness = self.excess();
         if self.body != 0 {
             let (push, forced) = (bodies.push[self.body as usize], bodies.forced[self.body as usize]);
@@ -128,6 +133,45 @@ impl Node {
         self.pull = h * dot(self.arm, [x, y]);
         if let Some(parent) = parent {
             parent.pull -= h * dot(self.parent_arm, [x, y]);
+        }
+    }
+
+    #[inline(always)]
+    fn anchor_velocity(&self, arm: Vector) -> Vector {
+        let [x, y, spin] = self.velocity;
+        plus([x, y], spun(arm), spin)
+    }
+
+    #[inline(always)]
+    fn foreseen(&self) -> f64 {
+        foreseen(self.spin_by_joints, self.pull, self.borne())
+    }
+
+    /// Torque of its joint on it, and on its parent, as an angular impulse of a substep.
+    #[inline(always)]
+    fn note_twist(&mut self, parent: Option<&mut Node>) {
+        let [x, y, twist] = self.impulse;
+        self.spin_by_joints = cross(self.arm, [x, y]) + twist;
+        if let Some(parent) = parent {
+            let slid = if self.link == Link::Line { self.apart(parent.place) } else { [0.0; 2] };
+            parent.spin_by_joints -= cross(plus(self.parent_arm, slid, 1.0), [x, y]) + twist;
+        }
+    }
+
+    /// The joint's error, as a fraction of its arms or in radians.
+    fn gap_from(&self, parent: &Node) -> f64 {
+        let apart = self.apart(parent.place);
+        let turned = self.wanted.abs();
+        let [arm, parent_arm, distance] = [self.arm, self.parent_arm, apart].map(|v| dot(v, v).sqrt());
+        let reach = arm + parent_arm;
+        let part = |gap: f64, reach: f64| if gap > 0.0 { gap / reach } else { 0.0 };
+        match self.link {
+            Link::Free | Link::Fixed => 0.0,
+            Link::Point => part(distance, reach),
+            Link::Weld => part(distance, reach).max(turned),
+            Link::Angle => turned,
+            Link::Distance => part((distance - self.wanted).abs(), reach + self.wanted),
+            Link::Line => part(dot(spun(self.direction), apart).abs(), reach + distance).max(turned),
         }
     }
 
@@ -171,6 +215,56 @@ impl Node {
     #[inline(always)]
     pub(super) fn apart(&self, parent: Vector) -> Vector {
         plus(plus(self.place, self.arm, 1.0), plus(parent, self.parent_arm, 1.0), -1.0)
+    }
+}
+
+impl InBalance for Node {
+    fn moved(&self) -> Option<Moved> {
+        let Node { mass, inertia, path, place, velocity, push, .. } = *self;
+        (self.body != 0).then_some(Moved { mass, inertia, path, place, velocity, push })
+    }
+
+    fn set_velocity(&mut self, velocity: [f64; 3]) {
+        self.velocity = velocity;
+    }
+
+    fn work_of_rounding(&self, dt: f64) -> f64 {
+        let [x, y, twist] = self.total;
+        let reach = self.reach.sqrt();
+        (dot([x, y], [x, y]).sqrt() * rounded(self.place, reach) + twist.abs() * ARM_ROUNDING) / dt
+    }
+
+    fn parting_speed(&self, parent: &Self) -> f64 {
+        let apart = plus(self.anchor_velocity(self.arm), parent.anchor_velocity(self.parent_arm), -1.0);
+        let turning = (self.velocity[2] - parent.velocity[2]).abs() * self.reach.sqrt();
+        match self.link {
+            Link::Free | Link::Fixed => 0.0,
+            Link::Point => dot(apart, apart).sqrt(),
+            Link::Weld => dot(apart, apart).sqrt().max(turning),
+            Link::Angle => (self.velocity[2] - parent.velocity[2]).abs() * (self.inertia / self.mass).sqrt(),
+            Link::Distance => {
+                let way = self.apart(parent.place);
+                let distance = dot(way, way).sqrt();
+                if distance > 0.0 { dot(way, apart).abs() / distance } else { 0.0 }
+            }
+            Link::Line => {
+                let along = dot(self.direction, self.apart(parent.place));
+                let turn = if self.is_first { self.velocity[2] } else { parent.velocity[2] };
+                (dot(spun(self.direction), apart) - turn * along).abs().max(turning)
+            }
+        }
+    }
+
+    fn is_torn(&self, gap: f64) -> bool {
+        self.gap > gap
+    }
+
+    fn is_driven(&self) -> bool {
+        self.link == Link::Fixed && self.velocity != [0.0; 3]
+    }
+
+    fn is_free_root(&self) -> bool {
+        self.link == Link::Free
     }
 }
 
@@ -304,87 +398,144 @@ fn find_stiffness(nodes: &mut [Node], h: f64) {
 /// How a step of a tree that nothing touches is divided.
 pub(in crate::precise) struct Division {
     pub(in crate::precise) parts: u32,
+    /// The most parts with which the step may be repeated.
+    pub(super) most: u32,
     /// Whole kicks before bodies move put them in the same places as halves before and after: velocities are those of half a
     /// substep ago, and need not be made to obey the joints once more.
     pub(super) by_whole_kicks: bool,
+    /// Changes of spins by joints are [foreseen](foreseen): not where gaps are closed.
+    pub(super) foresees: bool,
     /// Bodies may turn by so many radians otherwise than was expected in a part.
     pub(super) unexpected: f64,
 }
 
 impl Division {
-    /// For a tree of so many bodies, whose fastest spin is this, and which may be stiffer than so many times what an
-    /// undivided step bears. One part leaves hardly any error in what is slow, but small groups are never so slow as to
-    /// keep their energy in one; pendulums of a few bodies keep it best if the number is always the same. What turns fast
-    /// needs more, as does, in groups that are not large, what would be stiffer than it bears: a whip more than there are
-    /// substeps.
+    /// Division for an articulation of so many bodies whose fastest predicted spin is `spin`, in radians/s, and which may be stiffer than
+    /// so many times the stiffness that an undivided step bears. No body turns by more than [`ROTATION_PER_PART`], and, unless the
+    /// articulation is large, no geometric stiffness is too great for a part.
     pub(in crate::precise) fn of(
         bodies: u32,
         step: &Step,
         spin: f64,
         is_stiffer: impl Fn(f64) -> bool,
     ) -> Self {
-        let (by_whole_kicks, part) = if bodies <= PENDULUM_BODIES {
-            (false, 0.0)
-        } else if bodies <= SMALL_ARTICULATION_BODIES {
-            (false, 0.5)
-        } else {
-            (bodies > HALF_KICK_ARTICULATION_BODIES, 1.0)
-        };
-        let parts = if bodies <= PENDULUM_BODIES {
-            bodies.min(step.substeps)
-        } else {
-            Self::parts_of_many(bodies, step, spin, is_stiffer)
-        };
-        Division { parts, by_whole_kicks, unexpected: part * PREDICTED_ROTATION_ERROR }
-    }
-
-    fn parts_of_many(bodies: u32, step: &Step, spin: f64, is_stiffer: impl Fn(f64) -> bool) -> u32 {
         let is_large = bodies > LARGE_ARTICULATION_BODIES;
         let turn = spin * f64::from(step.dt);
         let is_stiff = |parts: u32| is_stiffer(f64::from(parts * parts));
         let most = if is_large { step.substeps } else { ARTICULATION_SUBSTEP_PARTS * step.substeps };
-        let mut parts = if bodies <= SMALL_ARTICULATION_BODIES { 2 } else { 1 };
+        let mut parts = if is_large { 1 } else { LEAST_ARTICULATION_PARTS };
         while parts < most && (f64::from(parts) * ROTATION_PER_PART < turn || (!is_large && is_stiff(parts)))
         {
             parts += (parts / 2).max(1);
         }
-        parts.min(most)
+        Division {
+            parts: parts.min(most),
+            most: REPEATED_SUBSTEP_PARTS * step.substeps,
+            by_whole_kicks: is_large,
+            foresees: !is_large,
+            unexpected: PREDICTED_ROTATION_ERROR,
+        }
     }
+
+    /// The balance of energy of a step that was divided so; whole kicks have none.
+    pub(super) fn balance<N: InBalance>(&self, nodes: &[N], start: Start, dt: f64) -> Option<Balance> {
+        let h = dt / f64::from(self.parts);
+        if self.by_whole_kicks { None } else { Balance::of(nodes, start, [dt, h]) }
+    }
+
+    /// The division with which a step of this balance is repeated, if any.
+    pub(super) fn finer(&self, balance: &Balance) -> Option<Self> {
+        let parts = (2 * self.parts).min(self.most);
+        (balance.is_off() && parts > self.parts).then_some(Division { parts, ..*self })
+    }
+}
+
+/// The change of a body's spin by joints in a part that is expected after one in which it was `change`. The stiffer joints make the body,
+/// as a fraction of what its inertia bears, the less of it goes on: what swings to and fro within a part is not foreseen.
+#[inline(always)]
+pub(super) fn foreseen(change: f64, pull: f64, borne: f64) -> f64 {
+    let rest = 1.0 - pull.abs() / borne;
+    if rest > 0.0 { rest * change } else { 0.0 }
+}
+
+/// The greatest spin so far, or that of a body at the beginning or the predicted end of a step.
+#[inline(always)]
+pub(super) fn greater_spin(spin: f64, start: f64, change: f64) -> f64 {
+    spin.max(start.abs()).max((start + change).abs())
 }
 
 /// Moves a tree that nothing touches through all substeps of a step.
 ///
 /// What springs and games push with may depend on the place: it acts at the beginning, as with bodies that nothing holds.
-pub(super) fn swing(Group { nodes, parts, .. }: &mut Group, bodies: &Bodies, step: &Step, unit: f64) {
+pub(super) fn swing(
+    Group { nodes, parts, .. }: &mut Group,
+    holds: &[Hold],
+    bodies: &Bodies,
+    step: &Step,
+    unit: f64,
+) {
+    let dt = f64::from(step.dt);
+    let mut division = begin(nodes, holds, bodies, step);
+    loop {
+        let start = swing_tree(nodes, bodies, step, &division, unit);
+        let balance = division.balance(nodes, start, dt);
+        let Some(finer) = balance.and_then(|balance| division.finer(&balance)) else {
+            balance.inspect(|balance| balance.restore(nodes));
+            break;
+        };
+        begin(nodes, holds, bodies, step);
+        division = finer;
+    }
+    *parts = division.parts;
+}
+
+/// A step begins. Answers how it is divided.
+fn begin(nodes: &mut [Node], holds: &[Hold], bodies: &Bodies, step: &Step) -> Division {
     let (dt, substeps) = (f64::from(step.dt), f64::from(step.substeps));
+    begin_nodes(nodes, holds, bodies, f64::from(step.h));
     // In one part impulses would be so many times as long.
     find_stiffness(nodes, dt * substeps);
-    let bodies_held = nodes.iter().filter(|node| node.body != 0).count() as u32;
-    let spin = nodes.iter().fold(0.0, |spin: f64, node| spin.max(node.velocity[2].abs()));
-    let division = Division::of(bodies_held, step, spin, |bears| {
+    for_each_down(nodes, |node, parent| {
+        node.gap = parent.as_deref().map_or(0.0, |parent| node.gap_from(parent));
+        node.note_twist(parent);
+    });
+    let (mut count, mut spin, mut is_torn) = (0, 0.0, false);
+    for node in nodes.iter_mut() {
+        if node.body == 0 {
+            node.spin_by_joints = 0.0;
+            continue;
+        }
+        count += 1;
+        is_torn |= node.is_torn(GAP_OF_A_WHIP);
+        node.spin_by_joints *= substeps / node.inertia;
+        spin = greater_spin(spin, node.velocity[2], node.spin_by_joints);
+    }
+    let division = Division::of(count, step, spin, |bears| {
         let bears = IMPLICIT_STIFFNESS_RATIO * bears;
         nodes.iter().any(|node| node.pull > bears * node.borne() && node.link != Link::Fixed)
     });
-    *parts = division.parts;
-    let h = dt / f64::from(division.parts);
-    let longer = substeps / f64::from(division.parts);
-    for node in nodes.iter_mut() {
-        node.divide(bodies, (dt, f64::from(division.parts)), longer);
-    }
-    swing_tree(nodes, &division, (h, unit));
+    Division { foresees: division.foresees && !is_torn, ..division }
 }
 
-/// All parts of a step of a tree: as few passes over its nodes as there can be.
-fn swing_tree(nodes: &mut [Node], division: &Division, (h, unit): (f64, f64)) {
-    let Division { parts, by_whole_kicks, unexpected } = *division;
+/// All parts of a step of a tree: as few passes over its nodes as there can be. Answers how it began.
+fn swing_tree(nodes: &mut [Node], bodies: &Bodies, step: &Step, division: &Division, unit: f64) -> Start {
+    let Division { parts, by_whole_kicks, unexpected, foresees, .. } = *division;
+    let (dt, substeps) = (f64::from(step.dt), f64::from(step.substeps));
+    let h = dt / f64::from(parts);
+    for node in nodes.iter_mut() {
+        node.divide(bodies, (dt, f64::from(parts)), substeps / f64::from(parts));
+    }
+    let start = Start::of(nodes);
     for part in 0..parts {
         let share = if part == 0 && !by_whole_kicks { 0.5 } else { 1.0 };
         for node in nodes.iter_mut() {
             node.kick(share);
-            (node.before, node.expected_spin) = (node.velocity, node.velocity[2]);
+            let by_joints = if foresees { node.foreseen() } else { 0.0 };
+            (node.before, node.expected_spin) = (node.velocity, node.velocity[2] + share * by_joints);
         }
         correct_tree(nodes, (h, unit), unexpected / h);
         for_each_down(nodes, |node, parent| {
+            node.spin_by_joints = (node.velocity[2] - node.before[2]) / share;
             node.count_impulse();
             node.advance(parent, h);
         });
@@ -399,6 +550,7 @@ fn swing_tree(nodes: &mut [Node], division: &Division, (h, unit): (f64, f64)) {
         follow(nodes);
         nodes.iter_mut().for_each(Node::count_impulse);
     }
+    start
 }
 
 /// Finds the velocities with which joints hold at the end of a substep. It is looked once more where bodies turn otherwise

@@ -203,6 +203,8 @@ pub(super) struct Node {
     pub(super) velocity: [f64; 3],
     /// The spin in this substep that joints reckon with.
     pub(super) expected_spin: f64,
+    /// Change of the spin by joints in a part of the step, as predicted from the part before, in radians/s.
+    pub(super) spin_by_joints: f64,
     /// The velocity in this substep before joints act.
     pub(super) before: [f64; 3],
     /// What forces add to it in a substep.
@@ -219,6 +221,8 @@ pub(super) struct Node {
     pub(super) bias: [f64; 3],
     /// Angle against the parent minus the wanted one when the step begins, or the wanted distance.
     pub(super) wanted: f64,
+    /// The joint's error when the step begins, as a fraction of its arms or in radians.
+    pub(super) gap: f64,
     /// Impulse of the joint on the body.
     pub(super) impulse: [f64; 3],
     /// The impulse of the step so far.
