@@ -95,8 +95,8 @@ impl Precise {
             && before > ACCEPTED_JOINT_ERROR * unit
             && is_torn
             && after > before - JOINT_ERROR_PROGRESS * most;
-        let is_unfit = !was_solved && turned > ACCEPTED_ROTATION && is_torn;
-        whole.is_left = is_optional && (gains || is_unfit || is_stuck);
+        let has_diverged = !was_solved && turned > ACCEPTED_ROTATION && is_torn;
+        whole.is_left = is_optional && (gains || has_diverged || is_stuck);
         effort.is_solved &= !gains && turned <= ACCEPTED_ROTATION && after <= ACCEPTED_JOINT_ERROR * unit;
         if !whole.is_left {
             let Whole { island, joints: of_island, .. } = &*whole;

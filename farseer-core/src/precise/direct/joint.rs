@@ -72,8 +72,8 @@ pub(in crate::precise) struct JointRows {
     offset: f64,
     /// Impulse per velocity across a spring with which its tension resists.
     across: f64,
-    /// The part of velocity errors by which turns bend the joint, in length units (radians) per second.
-    bent: Triple,
+    /// Linearisation errors as a part of the velocity errors, in length units (radians) per second.
+    linearisation: Triple,
     /// Position errors of the rows at the end of the step: length units, and radians in the row of the angle.
     pub(in crate::precise) errors: Triple,
     /// Length that a turn by one radian counts as where errors of rows are compared, in length units per radian.
@@ -122,7 +122,7 @@ impl JointRows {
             elastic_row: NONE,
             offset: 0.0,
             across: 0.0,
-            bent: [0.0; 3],
+            linearisation: [0.0; 3],
             errors: [0.0; 3],
             lever,
         }
@@ -364,15 +364,15 @@ impl JointRows {
         })
     }
 
-    /// Velocity errors take in that the values of rows change by so much more in `dt` seconds than the Jacobian says, and a solution begins
-    /// with the impulses now. Answers by how much that differs from what they took in before, at most, in length units.
-    pub(super) fn bend(&mut self, by: Triple, dt: f64) -> f64 {
-        let rates = by.map(|by| by / dt);
+    /// Takes linearisation errors of `dt` seconds into the velocity errors, and lets a solution begin with the impulses now. Answers the
+    /// greatest change of them, in length units.
+    pub(super) fn take_linearisation_error(&mut self, error: Triple, dt: f64) -> f64 {
+        let rates = error.map(|error| error / dt);
         let worst = (0..3).filter(|&row| self.has(row)).fold(0.0, |worst, row| {
-            greater(self.scale(row) * dt * (rates[row] - self.bent[row]).abs(), worst)
+            greater(self.scale(row) * dt * (rates[row] - self.linearisation[row]).abs(), worst)
         });
-        self.bent = rates;
-        self.excess = std::array::from_fn(|row| self.supplied[row] + self.bent[row]);
+        self.linearisation = rates;
+        self.excess = std::array::from_fn(|row| self.supplied[row] + self.linearisation[row]);
         let impulses = self.impulses;
         self.start_from(impulses);
         worst

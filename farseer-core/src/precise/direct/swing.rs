@@ -62,7 +62,7 @@ impl Whole {
         self.island.warm_start();
         let mut effort = self.island.find_velocities(reading, unit, most_steps);
         for _ in 1..if moves { ARTICULATION_SOLUTIONS } else { 1 } {
-            if self.bend(reading.dt) <= reading.left {
+            if self.take_linearisation_errors(reading.dt) <= reading.left {
                 break;
             }
             let more = self.island.find_velocities(reading, unit, most_steps);
@@ -72,14 +72,14 @@ impl Whole {
         Effort { is_solved: effort.is_solved && !gains, ..effort }
     }
 
-    /// Velocity errors take in how far the turns of `dt` seconds bend joints apart beside what the Jacobian says. Answers how far joints
-    /// would be further apart at the end, at most, in length units.
-    fn bend(&mut self, dt: f64) -> f64 {
+    /// Takes the linearisation errors of `dt` seconds into the velocity errors. Answers the greatest change of them, in length units.
+    fn take_linearisation_errors(&mut self, dt: f64) -> f64 {
         self.find_ways(dt, false);
         let Whole { island: Island { members, joints: rows, .. }, holds, joint_ends, ways, .. } = self;
         let mut worst = 0.0;
         for ((rows, hold), &ends) in rows.iter_mut().zip(holds.iter()).zip(joint_ends.iter()) {
-            worst = greater(rows.bend(hold.bend(ends, ways, dt), dt), worst);
+            worst =
+                greater(rows.take_linearisation_error(hold.linearisation_error(ends, ways, dt), dt), worst);
         }
         members.iter_mut().for_each(|member| member.change = [0.0; 3]);
         worst

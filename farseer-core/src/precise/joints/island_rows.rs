@@ -158,8 +158,14 @@ impl Hold {
         rows.errors = self.errors(&frame);
     }
 
-    /// By how much more the values of its rows change than the Jacobian now says, by displacements of the members in `dt` seconds.
-    pub(in crate::precise) fn bend(&self, ends: Ends, displacements: &[Triple], dt: f64) -> Triple {
+    /// Linearisation error of its rows for displacements of the members in `dt` seconds: change of their values beyond what the Jacobian
+    /// says, in length units and radians.
+    pub(in crate::precise) fn linearisation_error(
+        &self,
+        ends: Ends,
+        displacements: &[Triple],
+        dt: f64,
+    ) -> Triple {
         let displacements = self.displacements(ends, displacements, dt);
         let before = Frame::of(self);
         let after = before.displaced(displacements);

@@ -4,8 +4,8 @@
 //! the directions at its beginning (SHAKE), and after it velocities with which they stay so (RATTLE): see [`swing`] for both.
 //! What undoes errors moves bodies and is no part of their velocities, so that no energy comes of what cannot be. What
 //! a push on one number does to another one goes by the bodies that both hold: a [sparse matrix](super::sparse), which is
-//! factored once for each of the two. Bounds, as of ropes that only pull, are found by turns: who pushes the wrong way does
-//! not push, who is not obeyed does.
+//! factored once for each of the two. Bounds, as of ropes that only pull, are found by an active set: a row whose impulse has
+//! the wrong sign leaves it, a row that is violated joins it.
 //!
 //! [`swing`]: super::super::swing
 
