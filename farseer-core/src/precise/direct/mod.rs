@@ -245,11 +245,10 @@ impl Direct {
     /// stretches while it waits, and hardly any solution leads back from there.
     pub(super) fn note_joints(&mut self, signature: u64, are_places_new: bool) {
         self.is_listed &= !are_places_new;
-        let Timing { joints, is_due, may_be_due, .. } = &mut self.timing;
+        let Timing { joints, is_due, .. } = &mut self.timing;
         if std::mem::replace(joints, signature) != signature {
             self.is_listed = false;
             *is_due = true;
-            *may_be_due = true;
         }
     }
 
