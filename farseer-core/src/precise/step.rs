@@ -416,7 +416,7 @@ impl Precise {
     }
 
     /// A blow on one of several bodies that joints hold together is one on all of them: before bodies leave, contacts and joints are
-    /// solved by turns for the velocities after it.
+    /// swept by Gauss-Seidel for the velocities after it.
     fn bounce(&mut self, step: &Step) {
         if self.joints.soft_bodies().is_some() {
             for _ in 0..JOINTED_RESTITUTION_PASSES {

@@ -15,18 +15,21 @@ use crate::precise::parameters::joints::{
 /// A body of an articulation at the end of a step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Moved {
-    /// In kg and kg times length units squared.
+    /// In kg.
     pub(super) mass: f64,
+    /// In kg length units².
     pub(super) inertia: f64,
-    /// Origin in length units from where the body was when the step began, and from the origin of the world.
+    /// Displacement and rotation in this step, in length units and radians.
     pub(super) path: [f64; 3],
+    /// Origin, in length units.
     pub(super) place: Vector,
+    /// In length units/s and radians/s.
     pub(super) velocity: [f64; 3],
-    /// Change of the velocity by forces in a part of the step.
+    /// Change of the velocity by forces in a part of the step, in the same units.
     pub(super) push: [f64; 3],
 }
 
-/// What of a node the balance reads and scales.
+/// A node whose velocity the balance reads and scales.
 pub(super) trait InBalance: Seated {
     /// `None` for what is fixed.
     fn moved(&self) -> Option<Moved>;
@@ -47,8 +50,11 @@ pub(super) trait InBalance: Seated {
 /// The rigid motion with the momentum and the angular momentum of an articulation.
 #[derive(Debug, Clone, Copy, Default)]
 struct Rigid {
+    /// In length units.
     center: Vector,
+    /// In length units/s and radians/s.
     velocity: [f64; 3],
+    /// In kg length units² / s².
     energy: f64,
 }
 
@@ -102,9 +108,9 @@ pub(super) fn rounded([x, y]: Vector, reach: f64) -> f64 {
 /// An articulation when a step begins, with what forces add at once.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Start {
-    /// Kinetic energy.
+    /// Kinetic energy, in kg length units² / s².
     kinetic: f64,
-    /// Greatest energy that joints take from velocities which do not obey them.
+    /// Greatest energy that joints take from velocities which do not obey them, in the same unit.
     inelastic: f64,
 }
 
@@ -126,7 +132,7 @@ pub(super) struct Balance {
     end: f64,
     /// Its excess over that at the beginning and the work of forces.
     excess: f64,
-    /// What errors are compared with.
+    /// Kinetic energy and sum of the work of forces, which errors are compared with.
     size: f64,
     /// Joints closed gaps, or took energy from velocities that did not obey them: losses are right.
     is_torn: bool,
@@ -145,7 +151,7 @@ impl Balance {
             let of_body = body.work(h);
             (end, work, work_size) = (end + body.kinetic(), work + of_body, work_size + of_body.abs());
         }
-        // A body that rounding does not let move is lifted in every step.
+        // A joint lifts a body that rounding does not let move in every step: that work is none.
         let excess = end - (start.kinetic + work);
         let excess = if excess.abs() > of_rounding { excess } else { 0.0 };
         let size = start.kinetic.max(end) + work_size;

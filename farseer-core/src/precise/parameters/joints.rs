@@ -6,11 +6,13 @@
 /// No measured row changes from half to twice of it.
 pub(in crate::precise) const JOINT_CORRECTION_SPEED: f64 = 3.0;
 
-/// Bodies beyond which an articulation is large. Unit: dimensionless, a count.
+/// Bodies beyond which an articulation is large: one part and whole kicks suffice where it is slow, and energy is not balanced, which takes
+/// half kicks at both ends. Unit: dimensionless, a count.
 /// No measured row depends on it from half to twice.
 pub(in crate::precise) const LARGE_ARTICULATION_BODIES: u32 = 50;
 
-/// Least parts of a step of an articulation that is not large. Unit: dimensionless, a count.
+/// Least parts of a step of an articulation that is not large. Unit: dimensionless, a count. Pendulums of one to three links are three times as
+/// far from where fine steps take them with 1 as with 2.
 pub(in crate::precise) const LEAST_ARTICULATION_PARTS: u32 = 2;
 
 /// The same where the direct solver solves the parts, which projects no energy. Unit: dimensionless, a count. A double pendulum with limits
@@ -20,11 +22,11 @@ pub(in crate::precise) const LEAST_DIRECT_PARTS: u32 = 3;
 /// Most parts that a substep of an articulation is divided into. Unit: dimensionless, a count.
 pub(in crate::precise) const ARTICULATION_SUBSTEP_PARTS: u32 = 2;
 
-/// The same of a step that is repeated. Unit: dimensionless, a count.
+/// The same of a step that is repeated. Unit: dimensionless, a count. Chains of 12 at 30 steps/s need it where they whip.
 pub(in crate::precise) const REPEATED_SUBSTEP_PARTS: u32 = 4;
 
 /// Error of the energy after a step, as a fraction of the kinetic energy and of the work of forces, beyond which the step is repeated in more
-/// parts. Unit: dimensionless.
+/// parts. Unit: dimensionless. Energies and times of chains are the same from 0.005 to 0.02.
 pub(in crate::precise) const ENERGY_ERROR_OF_A_STEP: f64 = 0.01;
 
 /// Energy that joints may take from velocities which do not obey them when a step begins, as a fraction of the same, up to which losses of the
@@ -50,7 +52,7 @@ pub(in crate::precise) const GAP_OF_A_WHIP: f64 = 0.1;
 pub(in crate::precise) const VELOCITY_SCALE: f64 = 1.1;
 
 /// Greatest deviation of a body's rotation from the predicted one in a part of a step. Unit: radians. The position error that stays, as a
-/// fraction of an arm, is this times the angle of rotation.
+/// fraction of an arm, is this times the angle of rotation: 2e-5 px in slow pairs. Chains go the same way with 0.0015.
 pub(in crate::precise) const PREDICTED_ROTATION_ERROR: f64 = 0.005;
 
 /// Most repetitions of a part of a step because stiffness has jumped. Unit: dimensionless, a count.
