@@ -1,7 +1,8 @@
 //! A 2.5D scene: the engine, and how its objects look.
 
 use twohalf::{
-    BodyId, DepthScheme, Drawable, Partner, Platform, PlatformId, TwoHalfPhysicsSimulator, Vector2, Vector3,
+    BodyId, ContactTarget, DepthScheme, Drawable, Platform, PlatformId, TwoHalfPhysicsSimulator, Vector2,
+    Vector3,
 };
 use twohalf_factories::{TwoHalfBodyFactory, TwoHalfGeomFactory};
 use twohalf_render::{
@@ -201,9 +202,9 @@ impl Stage {
                     // A shadow lies right before what it falls on, or on the ground, behind everything.
                     let surface = self.simulator.surface_beneath_body(id);
                     let below = surface.and_then(|surface| match surface.partner {
-                        Partner::Platform(id) => Some(Drawable::Platform(id)),
-                        Partner::Geom(geom) => Some(Drawable::Body(self.simulator.geom(geom)?.body())),
-                        Partner::Ground => None,
+                        ContactTarget::Platform(id) => Some(Drawable::Platform(id)),
+                        ContactTarget::Geom(geom) => Some(Drawable::Body(self.simulator.geom(geom)?.body())),
+                        ContactTarget::Ground => None,
                     });
                     let below = below.and_then(|below| order.iter().position(|other| *other == below));
                     let of_shadow = below.map_or(ON_THE_GROUND, layer);
@@ -280,7 +281,7 @@ impl Stage {
                 continue;
             };
             if (body.position3d().y - surface.height).abs() < ON_THE_SURFACE {
-                count[usize::from(surface.partner != Partner::Ground)] += 1;
+                count[usize::from(surface.partner != ContactTarget::Ground)] += 1;
             }
         }
         count

@@ -433,13 +433,13 @@ fn walking_and_jumping_among_crates_allocates_nothing() {
     }
     let figure = depth::crate_box(&mut simulator, [20.0, 40.0], [40.0, 40.0, 200.0]);
     simulator.body_mut(figure).unwrap().core_mut().set_moment_of_inertia(1e20).unwrap();
-    let mut walker = twohalf::Walker::new(twohalf::Walk::default());
+    let mut walker = twohalf::CharacterController::new(twohalf::CharacterSettings::default());
     // What the updates need for pairs that come and go is another matter.
     let mut walk = |steps: usize| -> usize {
         (0..steps)
             .map(|step| {
                 let x = if step % 200 < 100 { 60.0 } else { -60.0 };
-                let wish = twohalf::Wish { x, jump: step % 70 == 0, ..twohalf::Wish::default() };
+                let wish = twohalf::MoveInput { x, jump: step % 70 == 0, ..twohalf::MoveInput::default() };
                 let calls = calls(|| simulator.walk(figure, &mut walker, wish, depth::DT).unwrap());
                 simulator.update(depth::DT);
                 calls

@@ -1,17 +1,19 @@
-//! Somebody who is steered: a figure that walks, what it faces, and how long it is stunned.
+//! Actors: a character controller with facing direction, stun and rest times.
 
 use serde::{Deserialize, Serialize};
-use twohalf::{GeomId, Result, TwoHalfPhysicsSimulator, Vector3, Walk, Walker, Wish};
+use twohalf::{
+    CharacterController, CharacterSettings, GeomId, MoveInput, Result, TwoHalfPhysicsSimulator, Vector3,
+};
 
 use crate::{Blow, Spawned, Thing, spawn, strike};
 
-/// So long is a step, px, for the pictures of a walk.
-const STEP: f32 = 40.0;
+/// Length of a stride for walking animations, px.
+const STRIDE_LENGTH: f32 = 40.0;
 
-/// A figure that walks, with what games keep beside it: plain data, kept and saved where the game keeps its figures.
+/// A character with the data that games keep beside it. It is plain data: the game keeps and saves it.
 ///
 /// ```
-/// use twohalf::{TwoHalfPhysicsSimulator, Vector2, Wish};
+/// use twohalf::{TwoHalfPhysicsSimulator, Vector2, MoveInput};
 /// use twohalf_factories::{Actor, Blow, Figure};
 ///
 /// const STEP: f32 = 1.0 / 60.0;
@@ -20,9 +22,9 @@ const STEP: f32 = 40.0;
 /// let mut player = Actor::spawn(&mut simulator, figure(0.0))?;
 /// let mut thug = Actor::spawn(&mut simulator, figure(160.0))?;
 /// for step in 0..120 {
-///     player.act(&mut simulator, Wish { x: 150.0, ..Wish::default() }, STEP)?;
+///     player.act(&mut simulator, MoveInput { x: 150.0, ..MoveInput::default() }, STEP)?;
 ///     // It comes nearer, until it is struck.
-///     let could = thug.act(&mut simulator, Wish { x: -60.0, ..Wish::default() }, STEP)?;
+///     let could = thug.act(&mut simulator, MoveInput { x: -60.0, ..MoveInput::default() }, STEP)?;
 ///     assert!(could || step >= 40);
 ///     if step == 40 {
 ///         let struck = player.strike(&mut simulator, &Blow::default(), |_| true)?;
@@ -37,33 +39,35 @@ const STEP: f32 = 40.0;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Actor {
-    /// Its body and geom.
+    /// Body and geom of the character.
     pub thing: Spawned,
-    /// How it walks, and what it stands on. In the air it has the [acceleration](Walk::air_acceleration) of `air_acceleration`.
-    pub walker: Walker,
-    /// What it can do in the air, px/s²: nothing while it is stunned.
+    /// Character controller. In the air it has the [acceleration](CharacterSettings::air_acceleration) of
+    /// `air_acceleration`.
+    pub walker: CharacterController,
+    /// Acceleration in the air, px/s²; while it is stunned it has none.
     pub air_acceleration: f32,
-    /// Whether it looks to the left: where it wished to go last.
+    /// Whether it faces left: the direction of the last input.
     pub looks_left: bool,
-    /// How far it has walked, in steps of 40 px, by what was wished: somebody who pushes at a wall walks.
+    /// Distance that its input has led it, as a number of strides of 40 px; a character that pushes a wall
+    /// walks as well.
     pub stride: f32,
-    /// For so many seconds of its own time nothing that is wished happens.
+    /// Rest of the stun, s of its own time, in which input has no effect.
     pub stunned: f32,
-    /// For so many seconds of its own time it is not to strike again; what it does about that is for the game.
+    /// Rest time before the next strike, s of its own time; the game decides its use.
     pub rests: f32,
 }
 
 impl Actor {
-    /// Makes a [figure](crate::Figure) that walks as [`Walk`] does by default, and adds it to the simulator.
+    /// Spawns a [figure](crate::Figure) with default [`CharacterSettings`].
     ///
     /// # Errors
-    /// As [`spawn`].
+    /// Those of [`spawn`].
     pub fn spawn(simulator: &mut TwoHalfPhysicsSimulator, figure: Thing) -> Result<Self> {
         let thing = spawn(simulator, figure)?;
-        let walk = Walk::default();
+        let walk = CharacterSettings::default();
         Ok(Actor {
             thing,
-            walker: Walker::new(walk),
+            walker: CharacterController::new(walk),
             air_acceleration: walk.air_acceleration,
             looks_left: false,
             stride: 0.0,
@@ -72,12 +76,13 @@ impl Actor {
         })
     }
 
-    /// Before an update of `dt` s: it [walks](TwoHalfPhysicsSimulator::walk) as is wished, unless it is stunned or its time stands
-    /// still, and answers whether it does. Stunned, it goes on flying as it was thrown, and is braked where it lands.
+    /// Call before an update of `dt` s: it [walks](TwoHalfPhysicsSimulator::walk) by the input, unless it is
+    /// stunned or its time stands still. Returns whether the input had an effect. A stunned character keeps
+    /// its flight and is braked where it lands.
     ///
     /// # Errors
-    /// As [`walk`](TwoHalfPhysicsSimulator::walk).
-    pub fn act(&mut self, simulator: &mut TwoHalfPhysicsSimulator, wish: Wish, dt: f32) -> Result<bool> {
+    /// Those of [`walk`](TwoHalfPhysicsSimulator::walk).
+    pub fn act(&mut self, simulator: &mut TwoHalfPhysicsSimulator, wish: MoveInput, dt: f32) -> Result<bool> {
         let scale = simulator.time_scale(self.thing.body);
         if scale == 0.0 {
             return Ok(false);
@@ -86,20 +91,20 @@ impl Actor {
         let is_stunned = self.stunned > 0.0;
         self.stunned = (self.stunned - time).max(0.0);
         self.rests = (self.rests - time).max(0.0);
-        let wish = if is_stunned { Wish::default() } else { wish };
+        let wish = if is_stunned { MoveInput::default() } else { wish };
         self.walker.walk.air_acceleration = if is_stunned { 0.0 } else { self.air_acceleration };
         simulator.walk(self.thing.body, &mut self.walker, wish, dt)?;
         if wish.x != 0.0 {
             self.looks_left = wish.x < 0.0;
         }
-        self.stride += time * Vector3::new(wish.x, 0.0, wish.z).norm() / STEP;
+        self.stride += time * Vector3::new(wish.x, 0.0, wish.z).norm() / STRIDE_LENGTH;
         Ok(!is_stunned)
     }
 
-    /// [Strikes](strike) to where it looks.
+    /// [Strikes](strike) in its facing direction.
     ///
     /// # Errors
-    /// As [`strike`].
+    /// Those of [`strike`].
     pub fn strike(
         &self,
         simulator: &mut TwoHalfPhysicsSimulator,
@@ -109,14 +114,14 @@ impl Actor {
         strike(simulator, self.thing, self.looks_left, blow, is_target)
     }
 
-    /// Where it stands, px, Y up; (0, 0, 0) if it is there no more.
+    /// Position, px, Y up; (0, 0, 0) for a stale id.
     pub fn place(&self, simulator: &TwoHalfPhysicsSimulator) -> Vector3 {
         self.thing.place(simulator)
     }
 }
 
 impl Spawned {
-    /// Its [`position3d`](twohalf::TwoHalfBody::position3d); (0, 0, 0) if it is there no more.
+    /// Its [`position3d`](twohalf::TwoHalfBody::position3d), px; (0, 0, 0) for a stale id.
     pub fn place(&self, simulator: &TwoHalfPhysicsSimulator) -> Vector3 {
         simulator.body(self.body).map_or(Vector3::zeros(), |body| body.position3d())
     }

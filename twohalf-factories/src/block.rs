@@ -3,7 +3,7 @@
 use twohalf::farseer_core::Error;
 use twohalf::{Platform, PlatformId, Result, TwoHalfPhysicsSimulator, Vector3};
 
-/// Adds a level platform from the least to the greatest X, Y (up) and Z, px: what a level is drawn with on paper.
+/// Adds a level platform from the least to the greatest X, Y (up) and Z, px.
 ///
 /// ```
 /// # use twohalf::{TwoHalfPhysicsSimulator, Vector2, Vector3};
@@ -19,7 +19,7 @@ use twohalf::{Platform, PlatformId, Result, TwoHalfPhysicsSimulator, Vector3};
 /// ```
 ///
 /// # Errors
-/// Ends that are not finite, or of which the first is not less than the second. Then nothing was added.
+/// Ends that are not finite, or of which the first is not less than the second. A failed call adds nothing.
 pub fn spawn_block(
     simulator: &mut TwoHalfPhysicsSimulator,
     x: [f32; 2],

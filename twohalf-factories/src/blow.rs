@@ -1,38 +1,38 @@
-//! Blows: who is within reach, what that does to them, and the moment in which both stand still.
+//! Blows: bodies in reach of a strike, its effect, and the hit-stop.
 
 use twohalf::farseer_core::Error;
 use twohalf::{GeomId, Result, TwoHalfPhysicsSimulator, Vector3};
 
 use crate::Spawned;
 
-/// A blow: how far it reaches, and what it does to whom it meets. Lengths in px.
+/// A blow: its reach and effect. Lengths in px.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Blow {
-    /// How far it reaches before whoever strikes, from their side on.
+    /// Reach in front of the striker, from its side on, px.
     pub reach: f32,
-    /// Between which heights over their soles.
+    /// Least and greatest height above the striker's soles, px.
     pub heights: [f32; 2],
-    /// How far to the front and to the back of their middle.
+    /// Reach to the front and to the back of the striker's middle, px.
     pub half_depth: f32,
-    /// The velocity that it gives: forwards and up, px/s, whatever the mass.
+    /// Velocity of the target after the blow, px/s: forwards and up, independent of its mass.
     pub velocity: [f32; 2],
-    /// For how many updates the time of whoever strikes and of all that is struck
-    /// [stands still](TwoHalfPhysicsSimulator::stop_time).
+    /// Number of updates of hit-stop, in which the [time](TwoHalfPhysicsSimulator::stop_time) of striker and
+    /// targets stands still.
     pub stop: u32,
 }
 
 impl Default for Blow {
-    /// A punch of somebody of about 60 px.
+    /// A punch of a figure of about 60 px.
     fn default() -> Self {
         Blow { reach: 30.0, heights: [18.0, 52.0], half_depth: 16.0, velocity: [180.0, 160.0], stop: 8 }
     }
 }
 
-/// Strikes to the left or to the right, and answers the geoms that are struck, in the order of the geom list: those in reach that
-/// `is_target` lets through, but for those of whoever strikes. What can be moved gets the velocity of the blow, which waits until the
-/// hit-stop is over. What cannot be is struck, too, and stays.
+/// Strikes to the left or to the right. Returns the struck geoms in the order of the geom list: those in
+/// reach that `is_target` accepts, without those of the striker. Dynamic bodies get the velocity of the blow
+/// after the hit-stop. Other bodies are struck as well and stay.
 ///
-/// Somebody who walks is to be [let go](TwoHalfPhysicsSimulator::let_go) for as long as they reel.
+/// A character controller must be [let go](TwoHalfPhysicsSimulator::let_go) while it reels.
 ///
 /// ```
 /// use twohalf::{TwoHalfPhysicsSimulator, Vector2};
@@ -53,9 +53,9 @@ impl Default for Blow {
 /// ```
 ///
 /// # Errors
-/// Somebody who is there no more; numbers that are not finite, or, of lengths, less than 0; heights of which the first is greater
-/// than the second. With another scheme than [`DepthScheme::Precise`](twohalf::DepthScheme::Precise) a stop other than 0. Then
-/// nobody was struck.
+/// A stale striker; numbers that are not finite; lengths less than 0; heights of which the first exceeds the
+/// second; a stop other than 0 with another scheme than
+/// [`DepthScheme::Precise`](twohalf::DepthScheme::Precise). A failed call strikes none.
 pub fn strike(
     simulator: &mut TwoHalfPhysicsSimulator,
     striker: Spawned,
@@ -83,12 +83,12 @@ pub fn strike(
     Ok(struck)
 }
 
-/// The geoms that a blow would reach, in the order of the geom list, but for those of whoever strikes: what can be struck, or taken
-/// up.
+/// The geoms in reach of a blow, in the order of the geom list, without those of the striker: targets to
+/// strike or to lift.
 ///
 /// # Errors
-/// Somebody who is there no more; numbers that are not finite, or, of lengths, less than 0; heights of which the first is greater
-/// than the second.
+/// A stale striker; numbers that are not finite; lengths less than 0; heights of which the first exceeds the
+/// second.
 pub fn in_reach(
     simulator: &TwoHalfPhysicsSimulator,
     striker: Spawned,
@@ -118,7 +118,7 @@ impl Blow {
         Ok(())
     }
 
-    /// Least and greatest X, Y and Z of what is in reach.
+    /// Least and greatest X, Y and Z in reach, px.
     fn hit_box(
         &self,
         simulator: &TwoHalfPhysicsSimulator,

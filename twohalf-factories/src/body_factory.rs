@@ -3,13 +3,13 @@
 use twohalf::farseer_core::{Body, BodyFactory, Vertices};
 use twohalf::{BodyId, Result, TwoHalfPhysicsSimulator};
 
-/// Makes bodies with the moments of inertia of solid shapes, those of the 2D engine's
-/// [`BodyFactory`], and adds them to the simulator.
+/// Creates bodies with the moments of inertia of solid shapes, by the core's [`BodyFactory`], and adds them
+/// to the simulator.
 #[derive(Debug, Clone, Copy)]
 pub struct TwoHalfBodyFactory;
 
 impl TwoHalfBodyFactory {
-    /// A body of a mass and moment of inertia (mass times px²).
+    /// A body of a mass and a moment of inertia (mass · px²).
     ///
     /// # Errors
     /// A mass or moment of inertia that is not finite, or 0.

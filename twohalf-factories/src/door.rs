@@ -1,26 +1,31 @@
-//! Doors: what turns about an upright hinge.
+//! Doors that the game turns about an upright hinge.
 
 use serde::{Deserialize, Serialize};
 use twohalf::farseer_core::Error;
 use twohalf::farseer_core::math::scalar;
 use twohalf::{Platform, PlatformId, Result, TwoHalfPhysicsSimulator, Vector3};
 
-/// A door that turns about an upright hinge: plain data that names its platform, kept and saved where the game keeps its things.
+/// A door that the game turns about an upright hinge. It is plain data with the id of its platform: the game
+/// keeps and saves it.
 ///
-/// It is a [platform](twohalf::Platform) that goes round the hinge and [turns](twohalf::PlatformMut::turn_to) in the same update. It
-/// pushes what it meets, with the speed that it has where it meets it, and is pushed by nothing.
+/// The door is a [platform](twohalf::Platform) that moves round the hinge and
+/// [turns](twohalf::PlatformMut::turn_to) in the same update. It has infinite mass, and pushes bodies with
+/// the velocity of the point that touches them.
 ///
-/// Angles are in radians: at 0 it points along X from its hinge, at a quarter of a turn to the back, along Z.
+/// Angles are in radians: at 0 it points along X from its hinge, at a quarter turn along Z, to the back.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Door {
     hinge: Vector3,
+    /// Width, px.
     width: f32,
+    /// Angle after the next update, radians.
     angle: f32,
     platform: PlatformId,
 }
 
-/// Makes a door and adds it to the simulator: at `hinge` X, Y and Z of the lower end of its hinge, as wide, high and thick as
-/// `size` says, px, at an angle. It has no friction until its [`platform`](Door::platform) is given some.
+/// Adds a door to the simulator. `hinge` is X, Y and Z of the lower end of its hinge, `size` its width,
+/// height and thickness, px; the angle is in radians. It has no friction until its
+/// [`platform`](Door::platform) gets some.
 ///
 /// ```
 /// use std::f32::consts::FRAC_PI_2;
@@ -42,8 +47,9 @@ pub struct Door {
 /// ```
 ///
 /// # Errors
-/// Another scheme than [`DepthScheme::Precise`](twohalf::DepthScheme::Precise); a size that is not finite and greater than 0; a
-/// hinge or angle that is not finite, or a hinge so far away that not all corners are finite at every angle. Then nothing was added.
+/// Another scheme than [`DepthScheme::Precise`](twohalf::DepthScheme::Precise); a size that is not finite and
+/// greater than 0; a hinge or angle that is not finite, or a hinge so far away that corners are not finite at
+/// every angle. A failed call adds nothing.
 pub fn spawn_door(
     simulator: &mut TwoHalfPhysicsSimulator,
     hinge: [f32; 3],
@@ -72,7 +78,7 @@ fn finite_angle(angle: f32) -> Result<f32> {
     if angle.is_finite() { Ok(angle) } else { Err(Error::invalid("angle", angle, "finite"))? }
 }
 
-/// Refuses a hinge about which not all that is as near as this is at a finite place.
+/// Refuses a hinge if points within `reach` of it, px, are not finite.
 fn check_hinge(hinge: [f32; 3], reach: f32) -> Result<()> {
     let span = |at: f32| (at + reach) - (at - reach);
     if hinge[1].is_finite() && span(hinge[0]).is_finite() && span(hinge[2]).is_finite() {
@@ -81,28 +87,29 @@ fn check_hinge(hinge: [f32; 3], reach: f32) -> Result<()> {
     Err(Error::invalid("hinge", hinge, "near enough for finite corners"))?
 }
 
-/// Where the platform of a door is at an angle.
+/// Position of the platform of a door at an angle, px.
 fn place(hinge: Vector3, width: f32, angle: f32) -> Vector3 {
     let (sine, cosine) = scalar::sin_cos_of_any(angle);
     hinge + Vector3::new(cosine, 0.0, sine) * (0.5 * width)
 }
 
 impl Door {
-    /// The angle that it was brought to last.
+    /// Angle after the next update, radians.
     pub fn angle(&self) -> f32 {
         self.angle
     }
 
-    /// The platform that it is: its friction, what it meets, and how it is drawn.
+    /// Platform of the door: its friction, collision filter, and drawing.
     pub fn platform(&self) -> PlatformId {
         self.platform
     }
 
-    /// Lets the next update bring the door to an angle. Its middle goes there straight: a door that is to push what is in its way
-    /// turns by little in a step, as [`turn_towards`](Self::turn_towards) lets it.
+    /// Sets a target angle, radians: the next update turns the door to it. Its middle moves straight: a door
+    /// that is to push objects must turn by little per step, as [`turn_towards`](Self::turn_towards) does.
     ///
     /// # Errors
-    /// An angle that is not finite; a platform that was removed, or that cannot turn any more: a belt, or one that is tilted.
+    /// An angle that is not finite; a platform that was removed, or that cannot turn: a belt, or one that is
+    /// tilted.
     pub fn turn_to(&mut self, simulator: &mut TwoHalfPhysicsSimulator, angle: f32) -> Result<()> {
         finite_angle(angle)?;
         let Some(mut platform) = simulator.platform_mut(self.platform) else {
@@ -114,11 +121,11 @@ impl Door {
         Ok(())
     }
 
-    /// Lets the next update turn the door towards an angle, by no more than `most` radians, and answers whether that brings it
-    /// there. Called before every update it turns evenly.
+    /// Makes the next update turn the door towards an angle by at most `most` radians. Returns whether the
+    /// door arrives. One call before every update turns it evenly.
     ///
     /// # Errors
-    /// As [`turn_to`](Self::turn_to); a greatest turn that is not finite and 0 or more.
+    /// Those of [`turn_to`](Self::turn_to); a greatest turn that is not finite and 0 or more.
     pub fn turn_towards(
         &mut self,
         simulator: &mut TwoHalfPhysicsSimulator,
@@ -135,7 +142,7 @@ impl Door {
         Ok(arrives)
     }
 
-    /// Takes the door away.
+    /// Removes the door.
     ///
     /// # Errors
     /// A platform that was removed already.

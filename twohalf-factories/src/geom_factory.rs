@@ -3,15 +3,15 @@
 use twohalf::farseer_core::{Error, GeomPlacement, Vertices};
 use twohalf::{BodyId, DepthProfile, GeomId, Result, TwoHalfPhysicsSimulator, Vector2};
 
-/// Makes geoms of simple shapes, attaches them to a body and adds them to the simulator.
+/// Creates geoms of simple shapes, attaches them to a body and adds them to the simulator.
 ///
 /// Every method refuses a stale body.
 #[derive(Debug, Clone, Copy)]
 pub struct TwoHalfGeomFactory;
 
 impl TwoHalfGeomFactory {
-    /// A ball: its depth profile is [`DepthProfile::Round`]. Its outline is a regular polygon, which is what meets
-    /// others by the [scheme of the thesis](twohalf::DepthScheme::Thesis).
+    /// A ball: its depth profile is [`DepthProfile::Round`]. Its outline is a regular polygon, which the
+    /// [scheme of the thesis](twohalf::DepthScheme::Thesis) uses for collisions.
     ///
     /// # Errors
     /// A radius that is not finite and greater than 0; fewer than 3 edges.
@@ -52,8 +52,8 @@ impl TwoHalfGeomFactory {
         add(simulator, body, Vertices::create_ellipse(x_radius, y_radius, number_of_edges)?)
     }
 
-    /// A polygon, moved so that its centroid is at the body's origin, as deep as the shorter side of its box.
-    /// `collision_grid_size` is the edge of a cell of its distance grid in px; 0 lets the 2D engine choose.
+    /// A polygon, moved so that its centroid is at the body's origin, as deep as the shorter side of its
+    /// AABB. `collision_grid_size` is the edge of a cell of its distance grid in px; 0 is the core's default.
     ///
     /// # Errors
     /// An outline without area; a cell size that is not finite or too small for the outline.
@@ -73,11 +73,10 @@ impl TwoHalfGeomFactory {
         Ok(geom)
     }
 
-    /// A copy of a geom on a body, made and not added: it takes part once it is added. See
-    /// [`TwoHalfPhysicsSimulator::clone_geom`].
+    /// Copies a geom to a body without adding it. See [`TwoHalfPhysicsSimulator::clone_geom`].
     ///
     /// # Errors
-    /// A stale id; a geom whose box would not be finite at the body.
+    /// A stale id; a geom whose AABB would not be finite at the body.
     #[doc(alias = "CreateGeom(Body, TwoHalfGeom)")]
     pub fn create_geom(
         simulator: &mut TwoHalfPhysicsSimulator,
@@ -87,10 +86,10 @@ impl TwoHalfGeomFactory {
         simulator.clone_geom(body, geometry)
     }
 
-    /// A copy of a geom on a body, added.
+    /// Copies a geom to a body and adds it.
     ///
     /// # Errors
-    /// As [`create_geom`](Self::create_geom).
+    /// Those of [`create_geom`](Self::create_geom).
     #[doc(alias = "CreateGeom(PhysicsSimulator, Body, TwoHalfGeom)")]
     pub fn create_geom_in(
         simulator: &mut TwoHalfPhysicsSimulator,
@@ -102,7 +101,7 @@ impl TwoHalfGeomFactory {
         Ok(geom)
     }
 
-    /// A box as deep as its shorter side; [`TwoHalfPhysicsSimulator::set_depth_profile`] gives it another depth.
+    /// A box as deep as its shorter side; [`TwoHalfPhysicsSimulator::set_depth_profile`] sets another depth.
     ///
     /// # Errors
     /// A width or height that is not finite and greater than 0.

@@ -1,4 +1,4 @@
-//! Carrying and throwing.
+//! Hands: carrying and throwing.
 
 use serde::{Deserialize, Serialize};
 use twohalf::farseer_core::Error;
@@ -6,21 +6,22 @@ use twohalf::{GeomId, Result, TwoHalfPhysicsSimulator, Vector3};
 
 use crate::Spawned;
 
-/// So near they are not apart yet, px.
-const APART: f32 = 1.0;
-/// Reach of hands that were told none, in heights of the holder: an arm and a step.
-const REACH: f32 = 1.0;
+/// Distance up to which two bodies count as touching, px.
+const SEPARATION_TOLERANCE: f32 = 1.0;
+/// Default reach of hands as a factor of the holder's height, dimensionless: an arm and a step.
+const DEFAULT_REACH_FACTOR: f32 = 1.0;
 
-/// What somebody holds, and has just thrown: plain data, kept and saved where the game keeps its figures.
+/// Hands of a character with the load that they hold and the loads just thrown. They are plain data: the game
+/// keeps and saves them.
 ///
-/// What is held has no weight and is brought to where it is held by its velocity, so that it still bumps into walls and
-/// people. It does not meet whoever holds it, nor after a throw until the two are apart: it has their
-/// [collision group](twohalf::farseer_core::Geom::set_collision_group). Whoever has none gets one of their own for good, a number
-/// near the greatest there is.
+/// A held load has no weight. Its velocity brings it to the point where it is held, so that it still bumps
+/// into walls and characters. It does not collide with its holder, nor after a throw until the two are apart:
+/// it has the holder's [collision group](twohalf::farseer_core::Geom::set_collision_group). A holder without
+/// a group gets one for good, a number near the greatest there is.
 ///
-/// The load is lost when it is farther than [a reach](Self::set_reach) from where it is held: left behind a wall, or put elsewhere.
-/// So is what is disposed or disabled, and what is held by somebody who is. It has its weight again then, and
-/// [`carry`](Self::carry) lets the next update report [`Event::GripBroke`](twohalf::Event::GripBroke).
+/// The load is lost when it is farther than [the reach](Self::set_reach) from its point: behind a wall, or
+/// teleported. It is also lost when it or its holder is disposed or disabled. It gets its weight back then,
+/// and [`carry`](Self::carry) queues an [`Event::GripBroke`](twohalf::Event::GripBroke) for the next update.
 ///
 /// ```
 /// use twohalf::{TwoHalfPhysicsSimulator, Vector2, Vector3};
@@ -52,7 +53,7 @@ const REACH: f32 = 1.0;
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Hands {
     held: Option<Grip>,
-    /// Not apart from whoever threw it.
+    /// Thrown loads that are not apart from the thrower yet.
     thrown: Vec<Grip>,
     reach: Option<f32>,
 }
@@ -61,27 +62,28 @@ pub struct Hands {
 struct Grip {
     holder: Spawned,
     load: Spawned,
-    /// What the load had before.
+    /// Collision group of the load before the grip.
     group: i32,
     ignored_gravity: bool,
-    /// Least distance so far from where it is held, px: what comes from farther than the reach must not go away again.
+    /// Least distance so far from the point where it is held, px. A load from beyond the reach must not move
+    /// away again.
     nearest: Option<f32>,
 }
 
 impl Hands {
-    /// What is held.
+    /// The held load.
     pub fn held(&self) -> Option<Spawned> {
         self.held.map(|grip| grip.load)
     }
 
-    /// How far from where it is held something may be, px; `None` if it is the height of whoever holds it.
+    /// Greatest distance of the load from its point, px; `None` for the height of the holder.
     pub fn reach(&self) -> Option<f32> {
         self.reach
     }
 
-    /// Sets how far from where it is held something may be, px, 0 or more, before it is lost; `None`, the default, is the height of
-    /// whoever holds it. What is taken from farther away is not lost while it comes nearer. It holds from the next
-    /// [`carry`](Self::carry) on.
+    /// Sets the greatest distance of the load from its point, px, 0 or more, beyond which it is lost. `None`,
+    /// the default, is the height of the holder. A load that was taken from farther away is not lost while it
+    /// comes nearer. The next [`carry`](Self::carry) uses it.
     ///
     /// # Errors
     /// A reach that is not finite, or less than 0.
@@ -93,10 +95,10 @@ impl Hands {
         Ok(())
     }
 
-    /// Lets somebody hold something; what was held is dropped.
+    /// Takes a load for a holder and drops the present load.
     ///
     /// # Errors
-    /// One that is there no more.
+    /// A stale holder or load.
     pub fn take(
         &mut self,
         simulator: &mut TwoHalfPhysicsSimulator,
@@ -109,7 +111,7 @@ impl Hands {
             }
         }
         self.throw(simulator, Vector3::zeros())?;
-        // Who is caught again before it was apart has its former group still.
+        // A load that is caught again before it was apart keeps its former group.
         let known = self.thrown.iter().position(|grip| grip.load == load).map(|at| self.thrown.remove(at));
         let group = known.map_or_else(|| group_of(simulator, load.geom), |grip| grip.group);
         let shared = match group_of(simulator, holder.geom) {
@@ -124,9 +126,9 @@ impl Hands {
         Ok(())
     }
 
-    /// Before every update of `dt` s: brings what is held to where it is held, as seen from the
-    /// [place](twohalf::TwoHalfBody::position3d) of whoever holds it, no faster than `speed` px/s, unless it is
-    /// [lost](Self::set_reach); and lets what was thrown and is apart now meet them again.
+    /// Call before every update of `dt` s. The load moves to `held_at`, px, relative to the
+    /// [position](twohalf::TwoHalfBody::position3d) of the holder, no faster than `speed` px/s, unless it is
+    /// [lost](Self::set_reach). Thrown loads that are apart now collide with their thrower again.
     ///
     /// # Errors
     /// Numbers that are not finite; a speed less than 0, or a `dt` that is not greater than 0.
@@ -146,9 +148,9 @@ impl Hands {
         if !held_at.iter().all(|number| number.is_finite()) {
             Err(Error::invalid("held_at", held_at, "finite"))?;
         }
-        self.thrown.retain(|grip| !grip.has_parted(simulator));
+        self.thrown.retain(|grip| !grip.is_apart_now(simulator));
         let Some(mut grip) = self.held.take() else { return Ok(()) };
-        let reach = self.reach.unwrap_or_else(|| REACH * grip.height_of_holder(simulator));
+        let reach = self.reach.unwrap_or_else(|| DEFAULT_REACH_FACTOR * grip.height_of_holder(simulator));
         if grip.keeps(simulator, held_at, reach) {
             grip.bring(simulator, held_at, speed * dt, dt);
             self.held = Some(grip);
@@ -160,7 +162,7 @@ impl Hands {
         Ok(())
     }
 
-    /// Lets go of what is held, with a velocity in the world, px/s, Y up, and answers what it was. A velocity of 0 drops it.
+    /// Releases the load with a velocity in the world, px/s, Y up, and returns it. A velocity of 0 drops it.
     ///
     /// # Errors
     /// A velocity that is not finite.
@@ -187,17 +189,17 @@ impl Grip {
         shape.map_or(0.0, |shape| shape.top - shape.bottom)
     }
 
-    /// From the load to where it is held; none if one of the two is there no more, or is disabled.
+    /// Vector from the load to the point where it is held, px; `None` if holder or load is stale or disabled.
     fn way(&self, simulator: &TwoHalfPhysicsSimulator, held_at: Vector3) -> Option<Vector3> {
         let place = |body| Some(simulator.body(body).filter(|body| body.enabled())?.position3d());
         let way = place(self.holder.body)? + held_at - place(self.load.body)?;
         way.iter().all(|number| number.is_finite()).then_some(way)
     }
 
-    /// Whether the load is in reach, or has not gone farther away.
+    /// Whether the load is in reach, or has not moved farther away.
     fn keeps(&mut self, simulator: &TwoHalfPhysicsSimulator, held_at: Vector3, reach: f32) -> bool {
         let Some(distance) = self.way(simulator, held_at).map(|way| way.norm()) else { return false };
-        let allowed = self.nearest.map_or(distance, |nearest| nearest + APART).max(reach);
+        let allowed = self.nearest.map_or(distance, |nearest| nearest + SEPARATION_TOLERANCE).max(reach);
         self.nearest = Some(self.nearest.map_or(distance, |nearest| nearest.min(distance)));
         distance <= allowed
     }
@@ -212,30 +214,30 @@ impl Grip {
         load.set_angular_velocity(0.0);
     }
 
-    /// Gives the load its weight back.
+    /// Restores the weight of the load.
     fn release(&self, simulator: &mut TwoHalfPhysicsSimulator) {
         if let Some(mut load) = simulator.body_mut(self.load.body) {
             load.set_ignore_gravity(self.ignored_gravity);
         }
     }
 
-    /// Whether the two are apart: then they meet again. So they are if one is there no more.
-    fn has_parted(&self, simulator: &mut TwoHalfPhysicsSimulator) -> bool {
+    /// Whether thrower and load are apart, or one of them is stale. If so, restores the collision group.
+    fn is_apart_now(&self, simulator: &mut TwoHalfPhysicsSimulator) -> bool {
         let shapes = [self.holder.geom, self.load.geom].map(|geom| simulator.geom(geom));
         let [Some(a), Some(b)] = shapes.map(|geom| geom.map(|geom| geom.virtual_geom())) else {
             set_group(simulator, self.load.geom, self.group);
             return true;
         };
         let is_apart = |[low, high]: [f32; 2], [other_low, other_high]: [f32; 2]| {
-            low > other_high + APART || other_low > high + APART
+            low > other_high + SEPARATION_TOLERANCE || other_low > high + SEPARATION_TOLERANCE
         };
-        let has_parted = is_apart([a.left, a.right], [b.left, b.right])
+        let is_apart_now = is_apart([a.left, a.right], [b.left, b.right])
             || is_apart([a.bottom, a.top], [b.bottom, b.top])
             || is_apart([a.front, a.back], [b.front, b.back]);
-        if has_parted {
+        if is_apart_now {
             set_group(simulator, self.load.geom, self.group);
         }
-        has_parted
+        is_apart_now
     }
 }
 

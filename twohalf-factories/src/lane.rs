@@ -1,13 +1,14 @@
-//! What keeps everything within a level.
+//! Walls around a level.
 
 use twohalf::farseer_core::Error;
 use twohalf::{Platform, PlatformId, Result, TwoHalfPhysicsSimulator, Vector3};
 
-/// How thick the walls are, px: far outside of what is seen of the lane.
-const THICKNESS: f32 = 40.0;
+/// Thickness of the walls, px.
+const WALL_THICKNESS: f32 = 40.0;
 
-/// Adds four upright walls from the ground up around a lane, of which `x` and `z` are the least and greatest place, px, and answers
-/// them: left, right, front, back. They stand outside of it, have no friction, and are meant not to be drawn.
+/// Adds four upright walls from the ground up around a lane, which the least and greatest `x` and `z` bound,
+/// px. Returns them: left, right, front, back. They stand outside of the lane, have no friction, and are not
+/// meant to be drawn.
 ///
 /// ```
 /// # use twohalf::{TwoHalfPhysicsSimulator, Vector2, Vector3};
@@ -22,8 +23,8 @@ const THICKNESS: f32 = 40.0;
 /// ```
 ///
 /// # Errors
-/// Places that are not finite, or of which the first is not less than the second; a height that is not finite and greater than 0.
-/// Then nothing was added.
+/// Bounds that are not finite, or of which the first is not less than the second; a height that is not finite
+/// and greater than 0. A failed call adds nothing.
 pub fn spawn_lane(
     simulator: &mut TwoHalfPhysicsSimulator,
     x: [f32; 2],
@@ -36,15 +37,19 @@ pub fn spawn_lane(
         }
     }
     let middle = |[low, high]: [f32; 2]| low + 0.5 * (high - low);
-    // The corners are closed by those in front and at the back.
-    let (wide, deep) = (x[1] - x[0] + 2.0 * THICKNESS, z[1] - z[0]);
-    let outside =
-        [x[0] - 0.5 * THICKNESS, x[1] + 0.5 * THICKNESS, z[0] - 0.5 * THICKNESS, z[1] + 0.5 * THICKNESS];
+    // The walls in front and at the back close the corners.
+    let (wide, deep) = (x[1] - x[0] + 2.0 * WALL_THICKNESS, z[1] - z[0]);
+    let outside = [
+        x[0] - 0.5 * WALL_THICKNESS,
+        x[1] + 0.5 * WALL_THICKNESS,
+        z[0] - 0.5 * WALL_THICKNESS,
+        z[1] + 0.5 * WALL_THICKNESS,
+    ];
     let walls = [
-        [THICKNESS, deep, outside[0], middle(z)],
-        [THICKNESS, deep, outside[1], middle(z)],
-        [wide, THICKNESS, middle(x), outside[2]],
-        [wide, THICKNESS, middle(x), outside[3]],
+        [WALL_THICKNESS, deep, outside[0], middle(z)],
+        [WALL_THICKNESS, deep, outside[1], middle(z)],
+        [wide, WALL_THICKNESS, middle(x), outside[2]],
+        [wide, WALL_THICKNESS, middle(x), outside[3]],
     ];
     let mut made = Vec::with_capacity(walls.len());
     for [width, depth, x, z] in walls {

@@ -1,8 +1,8 @@
 //! Ready-made bodies and geoms for the 2.5D engine (thesis, appendix A).
 //!
-//! Factories check their arguments, pick shapes and formulas, make the object and add it to the simulator: it
-//! takes part from the next update. Lengths are in px, masses in the user's unit. What a body or geom then is, and
-//! where, is up to the [simulator](twohalf::TwoHalfPhysicsSimulator).
+//! Factories check their arguments, choose shape and moment of inertia, create the object and add it to the
+//! simulator. It takes part from the next update. Lengths are in px, masses in the user's unit. The
+//! [simulator](twohalf::TwoHalfPhysicsSimulator) changes all other properties.
 //!
 //! | shape | moment of inertia | depth |
 //! |---|---|---|
@@ -10,8 +10,9 @@
 //! | ellipse, polygon, rectangle | of the flat shape, about the depth axis | a prism as deep as the shorter side of the outline's box |
 //!
 //! [`set_depth_profile`](twohalf::TwoHalfPhysicsSimulator::set_depth_profile) gives a geom another depth, and
-//! [`Body::set_moment_of_inertia`](twohalf::farseer_core::Body::set_moment_of_inertia) a ball the 2/5 m r² of a solid
-//! one. [`spawn`] does all of it in one call. Platforms make and add themselves: [`Platform::new`](twohalf::Platform::new).
+//! [`Body::set_moment_of_inertia`](twohalf::farseer_core::Body::set_moment_of_inertia) gives a ball the 2/5 m
+//! r² of a solid one. [`spawn`] does all of it in one call. [`Platform::new`](twohalf::Platform::new) creates
+//! and adds platforms.
 //!
 //! ```
 //! use twohalf::{DepthProfile, TwoHalfPhysicsSimulator, Vector2, Vector3};
@@ -34,7 +35,7 @@
 //! # Ok::<(), twohalf::Error>(())
 //! ```
 
-//! How a game does what it needs with all this: [`recipes`].
+//! Recipes of common tasks of games: [`recipes`].
 
 #![forbid(unsafe_code)]
 

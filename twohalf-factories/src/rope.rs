@@ -1,83 +1,87 @@
-//! Ropes between points in three axes.
+//! Ropes of beads and slider joints in three axes.
 
 use twohalf::farseer_core::{Body, BodyId, Error, JointFactory, JointId, Objects, SliderJoint};
 use twohalf::{DepthScheme, Result, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
 use crate::{Ball, Spawned, spawn};
 
-/// Moment of inertia of a bead: so great that it does not roll. The beads of a real rope are no wheels: friction makes a rope lie still.
-const UNTURNED: f32 = 1e20;
+/// Moment of inertia of a bead, mass · px²: so great that it does not roll. Beads of a real rope are no
+/// wheels: friction makes a rope lie still.
+const BEAD_INERTIA: f32 = 1e20;
 
-/// What an end of a rope is tied to.
+/// End of a rope.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RopeEnd {
-    /// Nothing: it falls.
+    /// A free end at a point: X, Y up and Z in px.
     Free([f32; 3]),
-    /// A point of the world: X, Y up and Z in px.
+    /// An end fixed to a point of the world: X, Y up and Z in px.
     Fixed([f32; 3]),
-    /// The middle of a body, which may be moved, pushed, or carried.
+    /// An end at the centre of a body, which may be moved, pushed, or carried.
     Body(BodyId),
 }
 
-/// A rope: beads, and joints that do not let them be farther from each other than it is long. It hangs slack where there is
-/// room, swings along all three axes, and lies on what it meets: its beads do not turn, so that they slide and rub, but do not
-/// roll. They meet neither each other nor what it is tied to: they
-/// are of one collision group, which is a negative number.
+/// A rope: beads, and joints that limit their distances to its length. It hangs slack where there is room,
+/// swings along all three axes, and rests on obstacles. Its beads do not rotate, so they slide with friction
+/// and do not roll. They collide neither with each other nor with the bodies at its ends: they have one
+/// collision group, a negative number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use = "`spawn_rope` makes it"]
 pub struct Rope {
     ends: [RopeEnd; 2],
     length: Option<f32>,
+    /// Number of joints.
     parts: usize,
+    /// Mass of the whole rope, mass units.
     mass: f32,
+    /// Radius of a bead, px.
     radius: f32,
+    /// Force at which a joint breaks, mass · px/s².
     greatest_force: f32,
 }
 
-/// The ids of a rope that was [spawned](spawn_rope).
+/// Ids of a [spawned](spawn_rope) rope.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SpawnedRope {
-    /// From its first end to its last: what they are tied to, or beads, and the beads between them.
+    /// Bodies from the first end to the last: the bodies at its ends, or beads, and the beads between them.
     pub bodies: Vec<BodyId>,
-    /// The joint between each two of them that follow each other.
+    /// Joints between neighbouring bodies.
     pub joints: Vec<JointId>,
 }
 
 impl Rope {
-    /// A rope of ten parts and of mass 1, as long as the way from end to end, whose beads have a radius of 2 px.
+    /// A rope of ten parts and of mass 1, as long as the distance of its ends, with beads of radius 2 px.
     pub fn new(from: RopeEnd, to: RopeEnd) -> Self {
         Rope { ends: [from, to], length: None, parts: 10, mass: 1.0, radius: 2.0, greatest_force: f32::MAX }
     }
 
-    /// How long it is, px: finite and greater than 0. Shorter than the way from end to end it pulls its ends together; longer it
-    /// sags.
+    /// Sets the length, px: finite and greater than 0. A rope shorter than the distance of its ends pulls
+    /// them together; a longer one sags.
     pub fn length(mut self, length: f32) -> Self {
         self.length = Some(length);
         self
     }
 
-    /// Of how many parts it is, 1 to 1000: with more it bends better, and costs more.
+    /// Sets the number of parts, 1 to 1000: a rope of more parts bends better and costs more.
     pub fn parts(mut self, parts: usize) -> Self {
         self.parts = parts;
         self
     }
 
-    /// The mass of the whole with both ends free, finite and greater than 0: each of its parts and one more share it, and an end
-    /// that is tied to something leaves its share out. What hangs on it may weigh three hundred times as much as a bead
-    /// at 60 steps per second; heavier things stretch it.
+    /// Sets the mass of the whole rope with both ends free, finite and greater than 0. Its parts and one more
+    /// share it, and an end that is attached leaves its share out. A load may have three hundred times the
+    /// mass of a bead at 60 steps per second; heavier loads stretch the rope.
     pub fn mass(mut self, mass: f32) -> Self {
         self.mass = mass;
         self
     }
 
-    /// Radius of its beads, px: how thick it is for what it meets.
+    /// Sets the radius of its beads, px, for collisions.
     pub fn radius(mut self, radius: f32) -> Self {
         self.radius = radius;
         self
     }
 
-    /// It tears where it has to hold with more than this force, in mass times px/s²: the joint there
-    /// [breaks](twohalf::Event::JointBroke).
+    /// Sets the force, mass · px/s², at which a joint of the rope [breaks](twohalf::Event::JointBroke).
     pub fn greatest_force(mut self, force: f32) -> Self {
         self.greatest_force = force;
         self
@@ -102,7 +106,7 @@ impl Rope {
 }
 
 impl RopeEnd {
-    /// The point that it is at.
+    /// Position of the end, px, Y up.
     fn point(self, simulator: &TwoHalfPhysicsSimulator) -> Result<Vector3> {
         match self {
             RopeEnd::Free(point) | RopeEnd::Fixed(point) if point.iter().all(|number| number.is_finite()) => {
@@ -121,7 +125,7 @@ impl RopeEnd {
     }
 }
 
-/// Makes a rope and adds it to the simulator, stretched out between its ends: it takes part from the next update.
+/// Adds a rope to the simulator, stretched between its ends: it takes part from the next update.
 ///
 /// ```
 /// use twohalf::{TwoHalfPhysicsSimulator, Vector2};
@@ -144,8 +148,9 @@ impl RopeEnd {
 /// ```
 ///
 /// # Errors
-/// Another scheme than [`DepthScheme::Precise`]; a stale body; ends that are not finite or at one point, without a length; numbers
-/// that are not as [`Rope`] says. Then nothing takes part in the next update, and nothing is left after it.
+/// Another scheme than [`DepthScheme::Precise`]; a stale body; ends that are not finite, or at one point
+/// without a length; numbers out of the ranges of [`Rope`]. After a failed call no part of it takes part in
+/// the next update, and none is left after it.
 pub fn spawn_rope(simulator: &mut TwoHalfPhysicsSimulator, rope: Rope) -> Result<SpawnedRope> {
     rope.check()?;
     if simulator.depth_scheme() != DepthScheme::Precise {
@@ -168,7 +173,7 @@ pub fn spawn_rope(simulator: &mut TwoHalfPhysicsSimulator, rope: Rope) -> Result
     }
 }
 
-/// Makes bodies and joints, and lists which bodies are its own.
+/// Creates bodies and joints, and lists the rope's own bodies.
 fn lay(
     simulator: &mut TwoHalfPhysicsSimulator,
     rope: &Rope,
@@ -199,7 +204,7 @@ fn lay(
     Ok(())
 }
 
-/// A point of the world: a body that stands still and meets nothing.
+/// A fixed end: a static body without geoms.
 fn hook(simulator: &mut TwoHalfPhysicsSimulator, point: Vector3, own: &mut Vec<BodyId>) -> Result<BodyId> {
     let mut hook = Body::new();
     hook.set_is_static(true);
@@ -223,13 +228,13 @@ fn bead(
     let Spawned { body, geom } = spawn(simulator, Ball::new(rope.radius).mass(mass).at(at))?;
     own.push(body);
     if let Some(mut view) = simulator.body_mut(body) {
-        view.core_mut().set_moment_of_inertia(UNTURNED)?;
+        view.core_mut().set_moment_of_inertia(BEAD_INERTIA)?;
     }
     if let Some(settings) = simulator.geom_mut(geom) {
         settings.set_collision_group(-1 - own[0].slot() as i32);
     }
     for end in rope.ends {
-        // It does not push what it hangs on.
+        // Beads do not collide with the bodies at the ends.
         let RopeEnd::Body(end) = end else { continue };
         for other in simulator.core().geoms_of(end).to_vec() {
             simulator.ignore_collision_with(geom, other)?;

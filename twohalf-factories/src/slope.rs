@@ -4,15 +4,16 @@ use twohalf::farseer_core::Error;
 use twohalf::farseer_core::math::scalar;
 use twohalf::{Platform, PlatformId, Result, TwoHalfPhysicsSimulator, Vector3};
 
-/// Adds a slope whose upper edge begins and ends at two points, X and Y up in px, the first to the left of the second, and which
-/// reaches from the first to the second Z. `thickness` is how far it goes below that edge, across it, px. As all platforms it has
-/// no friction until it is set. Its ends are square to it: below its higher point it reaches into what it leads to, the less the
-/// thinner it is. The `Scene` of `twohalf-render` draws what of it is above the platform that it begins on: there, a wedge.
+/// Adds a slope whose upper edge runs between two points, X and Y up in px, the first to the left of the
+/// second, from the first to the second Z, px. `thickness` is its extent below that edge, at right angles to
+/// it, px. It has no friction until it is set. Its ends are square: below the higher point it overlaps the
+/// platform there, the less the thinner it is. The `Scene` of `twohalf-render` draws the part above the lower
+/// platform, a wedge.
 ///
-/// A point that is as high as what the slope leads to, at the place where that ends, is met without a gap or a step:
+/// If the higher point is at the edge and the height of a platform, there is neither gap nor step:
 ///
 /// ```
-/// # use twohalf::{Platform, TwoHalfPhysicsSimulator, Vector2, Vector3, Walk, Walker, Wish};
+/// # use twohalf::{Platform, TwoHalfPhysicsSimulator, Vector2, Vector3, CharacterSettings, CharacterController, MoveInput};
 /// # use twohalf_factories::{Figure, spawn, spawn_slope};
 /// # const STEP: f32 = 1.0 / 120.0;
 /// # let mut simulator = TwoHalfPhysicsSimulator::with_gravity(480, Vector2::new(0.0, 900.0))?;
@@ -20,9 +21,9 @@ use twohalf::{Platform, PlatformId, Result, TwoHalfPhysicsSimulator, Vector3};
 /// Platform::new(&mut simulator, 400.0, 120.0, 100.0, Vector3::new(200.0, 0.0, 50.0), None)?;
 /// spawn_slope(&mut simulator, [400.0, 120.0], [730.0, 0.0], [0.0, 100.0], 20.0)?;
 /// let player = spawn(&mut simulator, Figure::new([30.0, 60.0, 20.0]).at([300.0, 120.0, 50.0]))?;
-/// let mut walker = Walker::new(Walk::default());
+/// let mut walker = CharacterController::new(CharacterSettings::default());
 /// for step in 0..240 {
-///     let wish = Wish { x: 260.0, ..Wish::default() };
+///     let wish = MoveInput { x: 260.0, ..MoveInput::default() };
 ///     simulator.walk(player.body, &mut walker, wish, STEP)?;
 ///     simulator.update(STEP);
 ///     // It stands all the way.
@@ -34,8 +35,8 @@ use twohalf::{Platform, PlatformId, Result, TwoHalfPhysicsSimulator, Vector3};
 /// ```
 ///
 /// # Errors
-/// Numbers that are not finite, a first point or Z that is not less than the second, a thickness that is not greater than 0. Then
-/// nothing was added.
+/// Numbers that are not finite, a first point or Z that is not less than the second, a thickness that is not
+/// greater than 0. A failed call adds nothing.
 pub fn spawn_slope(
     simulator: &mut TwoHalfPhysicsSimulator,
     from: [f32; 2],
@@ -50,7 +51,8 @@ pub fn spawn_slope(
     }
     let [run, rise] = [to[0] - from[0], to[1] - from[1]];
     let length = (run * run + rise * rise).sqrt();
-    // From the middle of the edge half the thickness down across it; a platform's place is straight below its middle.
+    // From the middle of the edge half of the thickness down, at right angles to it; the position of a
+    // platform is straight below its centre.
     let half = 0.5 * thickness;
     let x = from[0] + 0.5 * run + half * (rise / length);
     let y = from[1] + 0.5 * rise - half * (run / length) - half;

@@ -1,4 +1,5 @@
-//! Things of a game in one call: body, geom, depth, both frictions, what rests on the ground, and where.
+//! Spawning of objects in one call: body, geom, depth, both frictions, object geom of the ground, and
+//! position.
 
 use serde::{Deserialize, Serialize};
 use twohalf::farseer_core::Error;
@@ -6,17 +7,17 @@ use twohalf::{BodyId, DepthProfile, Footprint, GeomId, Result, TextureId, TwoHal
 
 use crate::{TwoHalfBodyFactory, TwoHalfGeomFactory};
 
-/// Moment of inertia of what does not topple.
-const NEVER_TURNS: f32 = 1e20;
-/// Corners of a ball's outline; the ball itself is round.
-const CORNERS: i32 = 24;
+/// Moment of inertia of bodies that do not topple, mass · px².
+const LOCKED_INERTIA: f32 = 1e20;
+/// Number of corners of a ball's outline; the ball itself is round.
+const BALL_OUTLINE_CORNERS: i32 = 24;
 
-/// The ids of what was [spawned](spawn).
+/// Ids of a [spawned](spawn) object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Spawned {
-    /// The body: where it is, its velocities, its ground.
+    /// The body: position, velocities, ground.
     pub body: BodyId,
-    /// Its only geom, which rests on the ground: friction, restitution, categories.
+    /// Its only geom, the object geom of its ground: friction, restitution, categories.
     pub geom: GeomId,
 }
 
@@ -27,28 +28,31 @@ enum Shape {
     Upright(DepthProfile),
 }
 
-/// What [`spawn`] makes. [`Prism`], [`Ball`], [`Cylinder`], [`Capsule`] and [`Figure`] begin one.
+/// Description of an object for [`spawn`], from [`Prism`], [`Ball`], [`Cylinder`], [`Capsule`] or [`Figure`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use = "`spawn` makes it"]
 pub struct Thing {
     shape: Shape,
+    /// Mass, in mass units.
     mass: f32,
+    /// Friction coefficient, dimensionless.
     friction: f32,
+    /// Restitution coefficient, dimensionless.
     restitution: f32,
     is_upright: bool,
     position3d: Vector3,
     shadow: Option<TextureId>,
 }
 
-/// A box, or a prism on end.
+/// A box, or an upright prism.
 #[derive(Debug, Clone, Copy)]
 pub struct Prism;
 
-/// A cylinder on end.
+/// An upright cylinder.
 #[derive(Debug, Clone, Copy)]
 pub struct Cylinder;
 
-/// A capsule on end.
+/// An upright capsule.
 #[derive(Debug, Clone, Copy)]
 pub struct Capsule;
 
@@ -56,18 +60,18 @@ pub struct Capsule;
 #[derive(Debug, Clone, Copy)]
 pub struct Ball;
 
-/// Somebody who is steered: an upright cylinder without friction or bounce.
+/// A character: an upright cylinder without friction or restitution.
 #[derive(Debug, Clone, Copy)]
 pub struct Figure;
 
 impl Prism {
-    /// A box of width, height and depth in px, of mass 1, friction 0.4, without bounce.
+    /// A box of width, height and depth in px, of mass 1, friction 0.4, without restitution.
     #[expect(clippy::new_ret_no_self, reason = "all things are told the same")]
     pub fn new(size: [f32; 3]) -> Thing {
         Thing::of(Shape::Box { size })
     }
 
-    /// A prism on end: a footprint and a height in px, of mass 1, friction 0.4, without bounce. It
+    /// An upright prism: a footprint and a height in px, of mass 1, friction 0.4, without restitution. It
     /// [stays upright](DepthProfile::Upright).
     pub fn footprint(footprint: Footprint, height: f32) -> Thing {
         Thing::of(Shape::Upright(DepthProfile::Upright { footprint, height }))
@@ -75,7 +79,7 @@ impl Prism {
 }
 
 impl Cylinder {
-    /// A cylinder on end: a radius and a height in px, of mass 1, friction 0.4, without bounce. It
+    /// An upright cylinder: a radius and a height in px, of mass 1, friction 0.4, without restitution. It
     /// [stays upright](DepthProfile::Cylinder).
     #[expect(clippy::new_ret_no_self, reason = "all things are told the same")]
     pub fn new(radius: f32, height: f32) -> Thing {
@@ -84,8 +88,8 @@ impl Cylinder {
 }
 
 impl Capsule {
-    /// A capsule on end: a radius, and a height in px that is at least twice that, of mass 1, friction 0.4, without bounce. It
-    /// [stays upright](DepthProfile::Capsule).
+    /// An upright capsule: a radius, and a height in px that is at least twice that, of mass 1, friction 0.4,
+    /// without restitution. It [stays upright](DepthProfile::Capsule).
     #[expect(clippy::new_ret_no_self, reason = "all things are told the same")]
     pub fn new(radius: f32, height: f32) -> Thing {
         Thing::of(Shape::Upright(DepthProfile::Capsule { radius, height }))
@@ -93,7 +97,7 @@ impl Capsule {
 }
 
 impl Ball {
-    /// A ball of a radius in px, of mass 1, friction 0.4, without bounce; solid, with 2/5 m r².
+    /// A ball of a radius in px, of mass 1, friction 0.4, without restitution; solid, with 2/5 m r².
     #[expect(clippy::new_ret_no_self, reason = "all things are told the same")]
     pub fn new(radius: f32) -> Thing {
         Thing::of(Shape::Ball { radius })
@@ -101,14 +105,14 @@ impl Ball {
 }
 
 impl Figure {
-    /// A figure of width, height and depth in px, of mass 70. It is a [`Cylinder`] of that height, whose diameter is the mean of
-    /// width and depth: two of them slide past each other, and one round a corner, where boxes would catch. Only with
-    /// [`DepthScheme::Precise`](twohalf::DepthScheme::Precise), as [walking](TwoHalfPhysicsSimulator::walk); elsewhere an upright
-    /// [`Prism`] does.
+    /// A character of width, height and depth in px, of mass 70. It is a [`Cylinder`] of that height, whose
+    /// diameter is the mean of width and depth: two of them slide past each other and round corners, where
+    /// boxes would catch. It needs [`DepthScheme::Precise`](twohalf::DepthScheme::Precise), as
+    /// [walking](TwoHalfPhysicsSimulator::walk) does; with other schemes use an upright [`Prism`].
     #[expect(clippy::new_ret_no_self, reason = "all things are told the same")]
     pub fn new([width, height, depth]: [f32; 3]) -> Thing {
         let size = Some([width, height, depth]).filter(|size| size.iter().all(|&side| side > 0.0));
-        // What is no size is refused as that.
+        // A size out of range becomes NaN, which `spawn` refuses.
         let radius = if size.is_some() { 0.25 * width + 0.25 * depth } else { f32::NAN };
         Cylinder::new(radius, height).mass(70.0).friction(0.0)
     }
@@ -128,37 +132,38 @@ impl Thing {
         }
     }
 
-    /// Its mass, finite and greater than 0.
+    /// Sets the mass, finite and greater than 0.
     pub fn mass(mut self, mass: f32) -> Self {
         self.mass = mass;
         self
     }
 
-    /// Friction against other things and against the ground. Later: that of the geom and that of the body's ground.
+    /// Sets the friction coefficient of the geom and of the body's ground, dimensionless.
     pub fn friction(mut self, friction: f32) -> Self {
         self.friction = friction;
         self
     }
 
-    /// Bounciness against other things and the ground, usually 0 to 1.
+    /// Sets the restitution coefficient of the geom and of the body's ground, dimensionless, usually 0 to 1.
     pub fn restitution(mut self, restitution: f32) -> Self {
         self.restitution = restitution;
         self
     }
 
-    /// It never topples: its moment of inertia is 1e20.
+    /// Keeps the body upright by a moment of inertia of 1e20.
     pub fn upright(mut self) -> Self {
         self.is_upright = true;
         self
     }
 
-    /// Its [`position3d`](twohalf::TwoHalfBody::position3d), X, Y up and Z in px: Y is that of its lowest point.
+    /// Sets its [`position3d`](twohalf::TwoHalfBody::position3d), X, Y up and Z in px: Y is that of its
+    /// lowest point.
     pub fn at(mut self, position3d: [f32; 3]) -> Self {
         self.position3d = position3d.into();
         self
     }
 
-    /// The picture of its shadow.
+    /// Sets the picture of its shadow.
     pub fn shadow(mut self, image: TextureId) -> Self {
         self.shadow = Some(image);
         self
@@ -208,7 +213,7 @@ impl Thing {
 
     fn moment_of_inertia(&self) -> Option<f32> {
         match self.shape {
-            _ if self.is_upright => Some(NEVER_TURNS),
+            _ if self.is_upright => Some(LOCKED_INERTIA),
             Shape::Ball { radius } => Some(0.4 * self.mass * radius * radius),
             Shape::Box { .. } | Shape::Upright(_) => None,
         }
@@ -222,7 +227,7 @@ impl Thing {
                 Ok(geom)
             }
             Shape::Ball { radius } => {
-                TwoHalfGeomFactory::create_circle_geom(simulator, body, radius, CORNERS)
+                TwoHalfGeomFactory::create_circle_geom(simulator, body, radius, BALL_OUTLINE_CORNERS)
             }
             Shape::Upright(profile) => {
                 let [width, height] = front_of(profile);
@@ -253,7 +258,7 @@ impl Thing {
     }
 }
 
-/// Width and height of something upright.
+/// Width and height of an upright shape, px.
 fn front_of(profile: DepthProfile) -> [f32; 2] {
     match profile {
         DepthProfile::Cylinder { radius, height } | DepthProfile::Capsule { radius, height } => {
@@ -268,7 +273,7 @@ fn front_of(profile: DepthProfile) -> [f32; 2] {
     }
 }
 
-/// Makes a thing and adds it to the simulator: it takes part from the next update.
+/// Creates an object and adds it to the simulator: it takes part from the next update.
 ///
 /// ```
 /// use twohalf::{TwoHalfPhysicsSimulator, Vector2};
@@ -286,9 +291,10 @@ fn front_of(profile: DepthProfile) -> [f32; 2] {
 /// ```
 ///
 /// # Errors
-/// A size or mass that is not finite and greater than 0, or so small that the moment of inertia vanishes; a friction,
-/// restitution or position that is not finite; something upright that is not as high as a capsule has to be, or with another
-/// scheme than [`DepthScheme::Precise`](twohalf::DepthScheme::Precise). Then nothing was made.
+/// A size or mass that is not finite and greater than 0, or so small that the moment of inertia vanishes; a
+/// friction, restitution or position that is not finite; a capsule of less than twice its radius in height;
+/// an upright shape with another scheme than [`DepthScheme::Precise`](twohalf::DepthScheme::Precise). A
+/// failed call adds nothing.
 pub fn spawn(simulator: &mut TwoHalfPhysicsSimulator, thing: Thing) -> Result<Spawned> {
     thing.check()?;
     let body = thing.body(simulator)?;

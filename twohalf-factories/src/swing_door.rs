@@ -1,4 +1,4 @@
-//! Doors that are pushed: what swings about an upright hinge, and comes back.
+//! Doors on a hinge with a spring and a damper.
 
 use std::f32::consts::PI;
 
@@ -6,25 +6,31 @@ use serde::{Deserialize, Serialize};
 use twohalf::farseer_core::Error;
 use twohalf::{Platform, PlatformId, Result, Swing, TwoHalfPhysicsSimulator, Vector3};
 
-/// A door that whoever comes pushes open, and that its spring brings back: made by [`spawn_swing_door`]. One that the game turns is a
-/// [`Door`](crate::Door).
+/// A door that characters push open and that its spring closes, added by [`spawn_swing_door`]. A door that
+/// the game turns is a [`Door`](crate::Door).
 ///
-/// Angles are in radians, as those of a [`Door`](crate::Door): at 0 it points along X from its hinge, at a quarter of a turn to the
-/// back, along Z.
+/// Angles are in radians, as those of a [`Door`](crate::Door): at 0 it points along X from its hinge, at a
+/// quarter turn along Z, to the back.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SwingDoor {
     hinge: Vector3,
     size: [f32; 3],
+    /// Angle of the closed door, radians.
     angle: f32,
+    /// Greatest opening to both sides, radians.
     opens: [f32; 2],
+    /// Mass, in mass units.
     mass: f32,
+    /// Period without damping, s.
     period: f32,
+    /// Damping ratio, dimensionless.
     damping: f32,
 }
 
 impl SwingDoor {
-    /// A door at `hinge` X, Y and Z of the lower end of its hinge, as wide, high and thick as `size` says, px: of mass 3, at an angle
-    /// of 0, opening by 1.7 rad (97 degrees) to both sides.
+    /// A door with the lower end of its hinge at `hinge` X, Y and Z, and of the width, height and thickness
+    /// `size`, px. It has a mass of 3, is closed at an angle of 0 and opens by 1.7 radians (97 degrees) to
+    /// both sides.
     pub fn new(hinge: [f32; 3], size: [f32; 3]) -> Self {
         SwingDoor {
             hinge: hinge.into(),
@@ -37,32 +43,32 @@ impl SwingDoor {
         }
     }
 
-    /// The angle at which it is closed, rad: there it begins, and comes back to it.
+    /// Sets the angle of the closed door, radians, at which it starts.
     #[must_use]
     pub fn angle(self, angle: f32) -> Self {
         SwingDoor { angle, ..self }
     }
 
-    /// How far it opens towards lesser angles and towards greater ones, rad, 0 or more; stops are there. What opens to one side only
-    /// is as firm as a wall to what comes from the other.
+    /// Sets the greatest opening towards lesser and towards greater angles, radians, 0 or more, where its
+    /// stops are. A door that opens to one side only is a wall from the other.
     #[must_use]
     pub fn opens(self, back: f32, on: f32) -> Self {
         SwingDoor { opens: [back, on], ..self }
     }
 
-    /// Its mass, that of an even slab. Who is much heavier goes through without feeling it.
+    /// Sets the mass of the door, a uniform slab. Much heavier characters hardly feel it.
     #[must_use]
     pub fn mass(self, mass: f32) -> Self {
         SwingDoor { mass, ..self }
     }
 
-    /// How long it would take to swing there and back without damping, s. Default 1.2.
+    /// Sets the period of its free motion without damping, s. Default 1.2.
     #[must_use]
     pub fn period(self, period: f32) -> Self {
         SwingDoor { period, ..self }
     }
 
-    /// How much it is damped, as a part of what keeps it from swinging past where it is closed; 0 or more. Default 0.25.
+    /// Sets the damping ratio, dimensionless, 0 or more; 1 is critical damping. Default 0.25.
     #[must_use]
     pub fn damping(self, damping: f32) -> Self {
         SwingDoor { damping, ..self }
@@ -107,13 +113,13 @@ impl SwingDoor {
     }
 }
 
-/// Makes a door that is pushed and adds it to the simulator. It is a [platform that swings](twohalf::PlatformMut::set_swing): its
-/// [`yaw`](Platform::yaw) is how far it is open, [`set_angular_velocity`](twohalf::PlatformMut::set_angular_velocity) kicks it, and
-/// it has no friction until it is given some.
+/// Adds a hinged door to the simulator. It is a [platform with a hinge](twohalf::PlatformMut::set_swing): its
+/// [`yaw`](Platform::yaw) is its angle, [`set_angular_velocity`](twohalf::PlatformMut::set_angular_velocity)
+/// kicks it, and it has no friction until it is set.
 ///
 /// ```
 /// use std::f32::consts::FRAC_PI_2;
-/// use twohalf::{TwoHalfPhysicsSimulator, Vector2, Wish};
+/// use twohalf::{TwoHalfPhysicsSimulator, Vector2, MoveInput};
 /// use twohalf_factories::{Actor, Figure, SwingDoor, spawn_swing_door};
 ///
 /// const STEP: f32 = 1.0 / 60.0;
@@ -124,7 +130,7 @@ impl SwingDoor {
 /// let mut guest = Actor::spawn(&mut simulator, Figure::new([20.0, 60.0, 16.0]).mass(70.0).at([120.0, 0.0, 50.0]))?;
 /// let mut widest = 0.0f32;
 /// for _ in 0..240 {
-///     guest.act(&mut simulator, Wish { x: 80.0, ..Wish::default() }, STEP)?;
+///     guest.act(&mut simulator, MoveInput { x: 80.0, ..MoveInput::default() }, STEP)?;
 ///     simulator.update(STEP);
 ///     widest = widest.max(FRAC_PI_2 - simulator.platform(saloon).unwrap().yaw());
 /// }
@@ -135,10 +141,10 @@ impl SwingDoor {
 /// ```
 ///
 /// # Errors
-/// Another scheme than [`DepthScheme::Precise`](twohalf::DepthScheme::Precise); a size, mass or period that is not finite and
-/// greater than 0; a way to open or a damping that is not finite and 0 or more; an angle that is not finite; a hinge that is not
-/// finite, or so far away that not all corners are finite at every angle; numbers that make a moment of inertia or a spring that is
-/// not finite. Then nothing was added.
+/// Another scheme than [`DepthScheme::Precise`](twohalf::DepthScheme::Precise); a size, mass or period that
+/// is not finite and greater than 0; an opening or damping that is not finite and 0 or more; an angle that is
+/// not finite; a hinge that is not finite, or so far away that corners are not finite at every angle; a
+/// moment of inertia or spring that is not finite. A failed call adds nothing.
 pub fn spawn_swing_door(simulator: &mut TwoHalfPhysicsSimulator, door: SwingDoor) -> Result<PlatformId> {
     door.check()?;
     let SwingDoor { hinge, size: [width, height, thickness], angle, .. } = door;
@@ -146,7 +152,7 @@ pub fn spawn_swing_door(simulator: &mut TwoHalfPhysicsSimulator, door: SwingDoor
     let unturned = hinge + Vector3::new(0.5 * width, 0.0, 0.0);
     let platform = Platform::new(simulator, width, height, thickness, unturned, None)?;
     let hung = simulator.platform_mut(platform).map_or(Ok(()), |mut view| {
-        // Hung while it points along X, then turned about its hinge.
+        // It is hung while it points along X, then turned about its hinge.
         view.set_swing(Swing { least_angle: 0.0f32.min(angle), greatest_angle: 0.0f32.max(angle), ..swing })?;
         view.set_yaw(angle)?;
         view.set_swing(swing)

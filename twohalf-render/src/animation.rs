@@ -10,10 +10,10 @@ use crate::error::check_size;
 use crate::png_file;
 use crate::{RenderError, Result, SoftwareCanvas};
 
-/// Writes an animation as an APNG file that loops for ever; programs without APNG show its first frame.
+/// Writes an animation as an APNG file that loops forever; programs without APNG show its first frame.
 ///
-/// Frames go to the file one by one, so the length of an animation costs no memory; the format wants their
-/// number in advance. After the first frame only what has changed is stored.
+/// Frames go to the file one by one, so the length of an animation costs no memory; the format needs their
+/// number in advance. After the first frame only changes are stored.
 ///
 /// ```no_run
 /// # use twohalf_render::{Animation, Canvas, Color, SoftwareCanvas};
@@ -29,11 +29,15 @@ use crate::{RenderError, Result, SoftwareCanvas};
 pub struct Animation {
     path: PathBuf,
     writer: png::Writer<BufWriter<File>>,
+    /// Width, px.
     width: u32,
+    /// Height, px.
     height: u32,
+    /// Number of announced frames.
     frames: u32,
+    /// Number of written frames.
     written: u32,
-    /// Straight RGBA8 pixels as a viewer shows them now.
+    /// Straight RGBA8 pixels that a viewer shows now.
     shown: Vec<u8>,
 }
 
@@ -108,7 +112,7 @@ impl Animation {
         } else {
             region.cut(&self.shown, pixels, self.width)
         };
-        // To the corner first: the encoder checks every setting against the one before.
+        // The position goes to the corner first: the encoder checks every setting against the previous one.
         self.writer.set_frame_position(0, 0)?;
         self.writer.set_frame_dimension(region.width, region.height)?;
         self.writer.set_frame_position(region.x, region.y)?;
@@ -133,7 +137,7 @@ struct Region {
 }
 
 impl Region {
-    /// The smallest rectangle with everything that differs; one pixel if nothing does.
+    /// The smallest rectangle with all differences; one pixel without any.
     fn of_changes(before: &[u8], after: &[u8], width: u32) -> Region {
         let row = width as usize * 4;
         let (mut left, mut right, mut top, mut bottom) = (usize::MAX, 0, usize::MAX, 0);

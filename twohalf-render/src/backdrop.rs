@@ -4,22 +4,22 @@ use crate::canvas::MAX_COORDINATE;
 use crate::error::check_range;
 use crate::{Canvas, Color, Point, Result, Texture2D, Transform};
 
-/// Narrowest floor tile, in px: below, lines would run together.
+/// Narrowest floor tile, px: below, lines would run together.
 const MIN_SPACING: f32 = 4.0;
 
-/// Depth lines flatter than this (px to the side per px of depth, angle below about 3 degrees) cannot be told
-/// from the lines across and are left out.
+/// Slope of the flattest depth line that is drawn, px to the side per px of depth: an angle of about 3
+/// degrees. Flatter ones look like the lines across.
 const MAX_SLOPE: f32 = 20.0;
 
-/// Most rows of the gradients, and most lines side by side: as many as a canvas has px.
+/// Greatest number of rows of the gradients, and of lines side by side: as many as a canvas has px.
 const MAX_ROWS: f32 = crate::MAX_SIDE as f32;
 
-/// How a ground backdrop looks. The floor is the plane Y = 0 as the engine projects it: depth Z goes up the
-/// screen, one px per unit, from the lower edge (Z = 0) to the horizon, and to the side along the Z axis'
-/// angle.
+/// Colours and sizes of a ground backdrop. The floor is the plane Y = 0 as the engine projects it: depth Z
+/// goes up the screen, one px per px, from the lower edge (Z = 0) to the horizon, and to the side along the Z
+/// axis' angle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GroundBackdrop {
-    /// Z of the horizon in px, greater than 0: how far up the screen the floor reaches.
+    /// Z of the horizon in px, greater than 0: height of the floor on the screen.
     pub depth: f32,
     /// Direction of the Z axis on the screen in degrees, counterclockwise from the x axis, between 0 and 180;
     /// as the simulator's. 90 goes straight up, 45 up and to the right.
@@ -65,11 +65,11 @@ impl GroundBackdrop {
     }
 }
 
-/// Draws sky, floor and the floor's grid over all that can be seen of the canvas: through a [`View`](crate::View) the
-/// floor scrolls. The height of the canvas counts as the simulator's.
+/// Draws sky, floor and the floor's grid over the visible area of the canvas: through a [`View`](crate::View)
+/// the floor scrolls. The height of the canvas counts as the simulator's.
 ///
-/// What makes depth read: tiles of alternating shade, lines across at equal steps of Z, lines along Z at the
-/// Z axis' angle, and all of it paler and thinner towards the horizon.
+/// Depth shows by tiles of alternating shade, lines across at equal steps of Z, and lines along Z at the Z
+/// axis' angle. All of it is paler and thinner towards the horizon.
 ///
 /// An animation draws it once and begins each frame with a clone of that canvas.
 ///
@@ -91,16 +91,16 @@ pub fn draw_ground_backdrop(canvas: &mut dyn Canvas, backdrop: &GroundBackdrop) 
     Ok(())
 }
 
-/// Draws a far layer of a scene behind it: a texture, repeated to the left and to the right over all that can be seen,
-/// its upper edge at `top` px.
+/// Draws a far layer of a scene behind it: a texture, repeated to the left and to the right over the visible
+/// area, with its upper edge at `top` px.
 ///
-/// Through a [`View`](crate::View) that scrolls, the layer moves `factor` times as fast as the scene: at 1 with it, at 0
-/// it stays where it is on the canvas, as the sky does; hills lie between. Nothing is drawn with a number that is not
-/// finite, or if more than 16,384 pieces would be seen.
+/// Through a [`View`](crate::View) that scrolls, the layer moves `factor` times as fast as the scene: at 1
+/// with it, at 0 not at all, as the sky; hills lie between. A number that is not finite, or more than 16,384
+/// visible pieces, draw nothing.
 ///
-/// On a [`SoftwareCanvas`](crate::SoftwareCanvas) a layer that is as large as it is shown, and moved by whole px, is copied,
-/// which takes an eighth of the time: zoom it when it is painted, and round the camera's way times `factor` yourself, with a
-/// `factor` of 1 here.
+/// On a [`SoftwareCanvas`](crate::SoftwareCanvas) a layer of the size at which it is shown, moved by whole
+/// px, is copied, which takes an eighth of the time. To use this, paint it at its zoom, round the camera's
+/// position times `factor`, and set `factor` to 1 here.
 pub fn draw_parallax_layer(canvas: &mut dyn Canvas, texture: &Texture2D, top: f32, factor: f32) {
     let [[left, _], [right, _]] = canvas.visible_area();
     let width = texture.width() as f32;
@@ -115,7 +115,7 @@ pub fn draw_parallax_layer(canvas: &mut dyn Canvas, texture: &Texture2D, top: f3
     }
 }
 
-/// Sky and floor in rows of one px.
+/// Draws sky and floor in rows of one px.
 fn draw_gradients(
     canvas: &mut dyn Canvas,
     backdrop: &GroundBackdrop,
@@ -125,10 +125,10 @@ fn draw_gradients(
     let height = canvas.size()[1] as f32;
     let horizon = height - backdrop.depth;
     let [first, last] = [top.floor(), bottom.ceil()];
-    // A camera zooms out as far as it likes; more rows than this cannot be told apart.
+    // A camera may zoom out without limit; more rows than this are not distinguishable.
     let step = ((last - first) / MAX_ROWS).ceil().max(1.0);
     let is_plain = [top, bottom] == [0.0, height];
-    // Rows that do not end where pixels do overlap, so that nothing shows between them.
+    // Rows that do not end at pixel borders overlap, so that no gap shows between them.
     let overlap = if is_plain { 0.0 } else { step };
     let rows = (0..).map(|row| first + row as f32 * step).take_while(|&row| row < last);
     for row in rows {
@@ -149,19 +149,22 @@ fn draw_gradients(
 struct Floor<'a> {
     /// Px to the right per px of depth: the cotangent of the Z axis' angle.
     slope: f32,
+    /// Least visible x, px.
     left: f32,
+    /// Greatest visible x, px.
     right: f32,
+    /// Height of the canvas, px.
     height: f32,
     backdrop: &'a GroundBackdrop,
 }
 
 impl Floor<'_> {
-    /// Where a point of the floor is on the screen.
+    /// Projection of a point of the floor, px.
     fn project(&self, x: f32, z: f32) -> Point {
         [x + z * self.slope, self.height - z]
     }
 
-    /// Nearest and farthest Z of each row of tiles that can be seen, from near to far.
+    /// Number, nearest and farthest Z of each visible row of tiles, from near to far, px.
     fn rows(&self) -> impl Iterator<Item = (i32, f32, f32)> {
         let GroundBackdrop { spacing, depth, .. } = *self.backdrop;
         let depth = depth.min(self.height);
@@ -169,8 +172,7 @@ impl Floor<'_> {
         (0..rows).map(move |row| (row, row as f32 * spacing, ((row + 1) as f32 * spacing).min(depth)))
     }
 
-    /// Numbers of the depth lines that cross the screen between two depths; the first is at X = number *
-    /// spacing.
+    /// Numbers of the depth lines that cross the screen between two depths; one is at X = number * spacing.
     fn columns(&self, near: f32, far: f32) -> std::ops::Range<i32> {
         if self.slope.abs() > MAX_SLOPE {
             return 0..0;
@@ -178,11 +180,11 @@ impl Floor<'_> {
         let shifts = [near * self.slope, far * self.slope];
         let first = ((self.left - shifts[0].max(shifts[1])) / self.backdrop.spacing).floor();
         let last = ((self.right - shifts[0].min(shifts[1])) / self.backdrop.spacing).ceil();
-        // Lines that cannot be told apart are left out.
+        // Lines that are not distinguishable are left out.
         if last - first > MAX_ROWS { 0..0 } else { first as i32..(last as i32).saturating_add(1) }
     }
 
-    /// What the air leaves of a contrast at a depth: 1 near, a quarter at the horizon.
+    /// Contrast that the air leaves at a depth, as a fraction: 1 near, a quarter at the horizon.
     fn contrast(&self, z: f32) -> f32 {
         1.0 - 0.75 * (z / self.backdrop.depth)
     }

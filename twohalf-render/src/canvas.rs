@@ -1,24 +1,24 @@
-//! What can be drawn on.
+//! Canvases: targets of drawing.
 
 use crate::{Color, Point, Rectangle, Texture2D, Transform};
 
 /// A picture to draw on: x right, y **down**, in px; pixel (0, 0) is the square from (0, 0) to (1, 1), top
 /// left.
 ///
-/// Later calls draw over earlier ones; translucent colours blend (source over, in sRGB). A call that is given
-/// a number that is not finite, or that would put a corner further than [`MAX_COORDINATE`] px from the
-/// origin, draws nothing; so does one whose shape has no area.
+/// Later calls draw over earlier ones; translucent colours blend (source over, in sRGB). A call draws nothing
+/// if a number is not finite, if a corner would be farther than [`MAX_COORDINATE`] px from the origin, or if
+/// its shape has no area.
 pub trait Canvas {
     /// Width and height in px.
     fn size(&self) -> [u32; 2];
 
-    /// Least and greatest x and y of what can be seen, in the px in which things are drawn: of a plain canvas from 0
-    /// to its size. A [`View`](crate::View) shows another part.
+    /// Least and greatest x and y of the visible area, px: from 0 to its size for a plain canvas. A
+    /// [`View`](crate::View) shows another part.
     fn visible_area(&self) -> [Point; 2] {
         [[0.0, 0.0], self.size().map(|side| side as f32)]
     }
 
-    /// Gives every pixel this colour (it replaces, translucent or not).
+    /// Sets every pixel to this colour, without blending.
     fn clear(&mut self, color: Color);
 
     /// Fills a polygon of at least three points, convex or not; where it overlaps itself, non-zero winding
@@ -61,8 +61,8 @@ pub trait Canvas {
         clip: Option<&[Point]>,
     );
 
-    /// As [`draw_texture`](Self::draw_texture), of a part of the texture, whose upper left corner is the origin of
-    /// `transform`; nothing beside it shows. What of it lies outside of the texture is left out.
+    /// [`draw_texture`](Self::draw_texture) for a part of the texture, whose upper left corner is the origin
+    /// of `transform`. Parts outside of the texture are left out.
     fn draw_texture_part(
         &mut self,
         texture: &Texture2D,
@@ -77,5 +77,5 @@ pub trait Canvas {
     }
 }
 
-/// Farthest from the origin that a corner of something drawn may lie, in px.
+/// Greatest coordinate of a corner of a shape, px from the origin.
 pub const MAX_COORDINATE: f32 = 1.0e6;

@@ -1,10 +1,10 @@
-//! The part of a polygon inside of a convex one.
+//! Clipping of a polygon by a convex one.
 
 use crate::Point;
 
-/// What of `polygon` (any) lies inside of `convex` (either winding), cut edge by edge: Sutherland and Hodgman,
-/// Reentrant Polygon Clipping, 1974. Where a concave polygon falls apart, its pieces stay joined by edges without
-/// area, which fill nothing. Empty if there is no area to cut out.
+/// The part of `polygon` (any) inside of `convex` (either winding), clipped edge by edge: Sutherland and
+/// Hodgman, Reentrant Polygon Clipping, 1974. Pieces of a concave polygon stay joined by edges without area,
+/// which fill no pixels. Empty if `convex` has no area.
 ///
 /// ```
 /// # use twohalf_render::clip_to_convex;
@@ -42,15 +42,15 @@ pub fn clip_to_convex(polygon: &[Point], convex: &[Point]) -> Vec<Point> {
     inside
 }
 
-/// From every corner to the next, beginning with the one from the last to the first.
+/// Edges from every corner to the next, beginning with the one from the last to the first.
 fn edges(corners: &[Point]) -> impl Iterator<Item = [Point; 2]> {
     let before = corners.iter().cycle().skip(corners.len().saturating_sub(1));
     before.zip(corners).map(|(&a, &b)| [a, b])
 }
 
-/// Twice the area of a triangle, positive if it is clockwise on the screen.
+/// Twice the area of a triangle, px², positive if it is clockwise on the screen.
 fn cross(a: Point, b: Point, c: Point) -> f64 {
-    // Differences and products of f32 are exact enough in f64 for every side to be told.
+    // Differences and products of f32 numbers are exact enough in f64 for the sign.
     let [ax, ay] = a.map(f64::from);
     (f64::from(b[0]) - ax) * (f64::from(c[1]) - ay) - (f64::from(b[1]) - ay) * (f64::from(c[0]) - ax)
 }

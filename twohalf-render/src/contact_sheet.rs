@@ -9,9 +9,9 @@ use crate::{Canvas, Color, RenderError, Result, SoftwareCanvas, Sprite, SpriteBa
 const GAP: u32 = 8;
 /// Px from the upper edge of a caption's strip to its text, and from the text to the still.
 const CAPTION_PADDING: u32 = 4;
-/// Scale of the captions' font.
+/// Scale factor of the captions' font.
 const CAPTION_SCALE: u32 = 2;
-/// Largest factor by which stills are made smaller.
+/// Greatest factor by which stills are made smaller.
 const MAX_SHRINK: u32 = 64;
 
 const PAPER: Color = Color::rgb(38, 42, 50);
@@ -53,8 +53,8 @@ impl ContactSheet {
         Ok(ContactSheet { columns, shrink, stills: Vec::new() })
     }
 
-    /// Adds what is on the canvas now. Stills may differ in size; the largest gives the size of the grid's
-    /// cells. A caption that is wider than its cell is cut off.
+    /// Adds a copy of the canvas. Stills may differ in size; the largest gives the size of the grid's cells.
+    /// A caption that is wider than its cell is cut off.
     pub fn add(&mut self, canvas: &SoftwareCanvas, caption: impl Into<String>) {
         self.stills.push((canvas.clone(), caption.into()));
     }
@@ -74,7 +74,7 @@ impl ContactSheet {
         let cell_height = stills.iter().map(Texture2D::height).max().unwrap_or(0) + strip;
         let columns = self.columns.min(stills.len() as u32);
         let rows = (stills.len() as u32).div_ceil(columns);
-        // In u64, since the sum may exceed u32; what is cut off here is refused as too large below.
+        // In u64, since the sum may exceed u32; the size check below refuses it.
         let side = |count: u32, cell: u32| {
             let px = u64::from(count) * u64::from(cell + GAP) + u64::from(GAP);
             u32::try_from(px).unwrap_or(u32::MAX)
@@ -97,7 +97,7 @@ impl ContactSheet {
     /// Writes the sheet as a PNG file; folders above it are created.
     ///
     /// # Errors
-    /// As [`ContactSheet::render`], or the file or a folder cannot be written.
+    /// Those of [`ContactSheet::render`], or the file or a folder cannot be written.
     pub fn save_png(&self, path: impl AsRef<Path>) -> Result<()> {
         self.render()?.save_png(path)
     }

@@ -2,22 +2,25 @@
 
 use crate::Point;
 
-/// Sine of the angle up to which an outline goes straight on.
-const STRAIGHT: f32 = 1e-3;
+/// Sine of the greatest turn of a straight point of an outline, dimensionless.
+const MAX_STRAIGHT_SINE: f32 = 1e-3;
 
-/// Without the points at which the outline goes straight on.
+/// The points of an outline at which it turns.
 pub(crate) fn corners_of(outline: impl Iterator<Item = Point>) -> Vec<Point> {
     let outline: Vec<Point> = outline.collect();
-    (0..outline.len()).filter(|&at| bend(&outline, at).abs() > STRAIGHT).map(|at| outline[at]).collect()
+    (0..outline.len())
+        .filter(|&at| bend(&outline, at).abs() > MAX_STRAIGHT_SINE)
+        .map(|at| outline[at])
+        .collect()
 }
 
-/// Sine of the angle by which an outline turns at a corner, positive clockwise.
+/// Sine of the angle by which an outline turns at a corner, positive clockwise; dimensionless.
 pub(crate) fn bend(outline: &[Point], at: usize) -> f32 {
     let [a, b, c] = [outline.len() - 1, 0, 1].map(|step| outline[(at + step) % outline.len()]);
     cross(a, b, c) / (distance(a, b) * distance(b, c)).max(f32::MIN_POSITIVE)
 }
 
-/// Twice the area of a triangle, positive if it is clockwise on the screen.
+/// Twice the area of a triangle, px², positive if it is clockwise on the screen.
 pub(crate) fn cross(a: Point, b: Point, c: Point) -> f32 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }

@@ -1,4 +1,4 @@
-//! What the engine works with, drawn over a picture.
+//! Debug view: outlines, footprints, grounds, platforms and contacts over a picture.
 
 use twohalf::farseer_core::PhysicsSimulatorView;
 use twohalf::{BodyId, DepthProfile, GeomId, TwoHalfGeom, TwoHalfPhysicsSimulator, Vector3, VirtualGeom};
@@ -9,11 +9,12 @@ use crate::plane_debug_view;
 use crate::surface::{corners_on_screen, to_screen};
 use crate::{Canvas, Color, Point, Transform};
 
-/// Shows what a simulator works with: outlines, footprints, grounds, platforms and contacts, each where it is in
-/// depth.
+/// Draws the internal shapes of a simulator: outlines, footprints, grounds, platforms and contacts, each at
+/// its depth.
 ///
-/// The options are those of [the 2D engine's view](PhysicsSimulatorView) where it has them, with the same colours and
-/// measures; but outlines are drawn, dots at their corners are not. What depth adds has colours of its own.
+/// Options that [the 2D engine's view](PhysicsSimulatorView) has as well have the same colours and sizes
+/// here; but outlines are drawn by default, dots at their corners are not. Shapes of depth have colours of
+/// their own.
 ///
 /// ```
 /// # use twohalf::TwoHalfPhysicsSimulator;
@@ -30,15 +31,15 @@ pub struct DebugView {
     pub enable_ground_view: bool,
     /// Colour of the grounds.
     pub ground_color: Color,
-    /// Whether the virtual geoms are drawn: the footprint of each geom at the height of its lowest point, and half as
-    /// strong on the ground below.
+    /// Whether the virtual geoms are drawn: the footprint of each geom at the height of its lowest point, and
+    /// at half opacity on the ground below.
     pub enable_virtual_geom_view: bool,
     /// Colour of the virtual geoms.
     pub virtual_geom_color: Color,
-    /// Whether the room that geoms take up is drawn: their outlines at their front and back, and the edges between;
-    /// of balls, the ball's outline and its disc at the height of its middle. Default false.
+    /// Whether the boxes of geoms are drawn: their outlines at their front and back, and the edges between;
+    /// for balls, the outline and the disc at the height of the centre. Default false.
     pub enable_box_view: bool,
-    /// Colour of that room.
+    /// Colour of the boxes.
     pub box_color: Color,
     /// Whether the platforms are drawn: all edges of their boxes.
     pub enable_platform_view: bool,
@@ -59,7 +60,7 @@ pub struct DebugView {
     /// Radius of these dots in px.
     #[doc(alias = "VerticeRadius")]
     pub vertice_radius: f32,
-    /// Whether a cross is drawn at each body's origin that turns with the body.
+    /// Whether a cross is drawn at each body's origin that rotates with the body.
     #[doc(alias = "EnableCoordinateAxisView")]
     pub enable_coordinate_axis_view: bool,
     /// Colour of these crosses.
@@ -68,7 +69,7 @@ pub struct DebugView {
     /// Length of the lines of these crosses in px.
     #[doc(alias = "CoordinateAxisLineLength")]
     pub coordinate_axis_line_length: f32,
-    /// Whether contacts are drawn: a dot, and an arrow along the normal, towards the geom that is pushed.
+    /// Whether contacts are drawn: a dot, and an arrow along the normal.
     #[doc(alias = "EnableContactView")]
     pub enable_contact_view: bool,
     /// Colour of the contacts.
@@ -115,7 +116,7 @@ impl Default for DebugView {
 }
 
 impl DebugView {
-    /// Draws all parts that are on, contacts last: what takes part in the simulation, and the contacts of its last
+    /// Draws all enabled parts, contacts last: objects of the simulation, and the contacts of its last
     /// update.
     #[doc(alias = "Draw")]
     pub fn draw(&self, simulator: &TwoHalfPhysicsSimulator, canvas: &mut dyn Canvas) {
@@ -144,7 +145,7 @@ impl DebugView {
     }
 }
 
-/// Draws one thing.
+/// Draws single objects.
 struct Pen<'a> {
     view: &'a DebugView,
     simulator: &'a TwoHalfPhysicsSimulator,
@@ -152,7 +153,7 @@ struct Pen<'a> {
 }
 
 impl Pen<'_> {
-    /// Where a point of the world is on the screen.
+    /// Projection of a point of the world, px.
     fn at(&self, x: f32, y: f32, z: f32) -> Point {
         to_screen(self.simulator, Vector3::new(x, y, z))
     }
@@ -209,8 +210,8 @@ impl Pen<'_> {
         }
     }
 
-    /// Its footprint below and above; between them the edges of a prism, or the sides of what is round. A capsule is as wide as that
-    /// where its ends begin.
+    /// Footprint below and above; between them the edges of a prism, or the sides of a round shape. A capsule
+    /// has its full width where its hemispheres begin.
     fn room_of_upright(&mut self, geom: &TwoHalfGeom<'_>, outline: &[Point]) {
         let (shape, color) = (geom.virtual_geom(), self.view.box_color);
         let end = match geom.depth_profile() {

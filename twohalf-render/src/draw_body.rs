@@ -5,22 +5,23 @@ use twohalf::{BodyId, GeomId, TwoHalfPhysicsSimulator};
 use crate::shadow::Shadow;
 use crate::{Color, Point, Sprite, SpriteBatch, Texture2D, TextureStore};
 
-/// Draws bodies of a simulator. A body that does not exist draws nothing.
+/// Draws bodies of a simulator. A stale body draws nothing.
 pub trait DrawBody {
-    /// Adds the shadow of a body: the shadow image of its ground, on the topmost surface (ground, platform, or top of a
-    /// body that can be stood on) beneath the origin of one of its geoms, usually the object geom. Without an image, without a surface (below the
-    /// ground), or if the geom is not the body's, nothing is added.
+    /// Adds the shadow of a body: the shadow image of its ground, on the topmost surface (ground, platform,
+    /// or walkable top of a body) beneath the origin of one of its geoms, usually the object geom. Without an
+    /// image, without a surface (below the ground), or with a geom of another body, it adds nothing.
     ///
-    /// The image is seen as it lies on level ground; on a slope it lies aslant. Off the ground it ends at the edge of
-    /// the face that it lies on. Its middle is `position_offset` px, measured on level ground as seen on the screen, from
-    /// the point straight below the geom's origin.
+    /// The image is that on level ground; a slope inclines it. Off the ground it ends at the edge of its
+    /// face. Its middle is `position_offset` px, measured on level ground as seen on the screen, from the
+    /// point straight below the geom's origin.
     ///
-    /// With `is_shadow_resizable` the shadow is smaller the higher the geom's lowest point is over the surface
-    /// below its origin (thesis 3.4), by the law of [`shadow_scale`](crate::shadow_scale) with the drawn width of the
-    /// image as reference: a shadow at the height of its own width has lost half of what it can lose.
+    /// With `is_shadow_resizable` the shadow shrinks with the height of the geom's lowest point over the
+    /// surface below its origin (thesis 3.4). The law is that of [`shadow_scale`](crate::shadow_scale) with
+    /// the drawn width of the image as reference: a shadow at the height of its own width has lost half of
+    /// what it can lose.
     ///
-    /// `layer_depth`: 0 front to 1 back. A shadow on the ground belongs behind everything, one on a platform or body just
-    /// before that; [`TwoHalfPhysicsSimulator::surface_beneath_body`] tells which it is.
+    /// `layer_depth`: 0 front to 1 back. A shadow on the ground belongs behind everything, one on a platform
+    /// or body just before that; [`TwoHalfPhysicsSimulator::surface_beneath_body`] returns the surface.
     #[doc(alias = "DrawShadow")]
     #[expect(clippy::too_many_arguments, reason = "the thesis' member has these")]
     fn draw_shadow(
@@ -36,7 +37,7 @@ pub trait DrawBody {
         is_shadow_resizable: bool,
     );
 
-    /// Adds a body's sprite: `texture`, its middle at the body's origin on the screen, turned with the body.
+    /// Adds a body's sprite: `texture`, its middle at the body's origin on the screen, rotated with the body.
     fn draw_body(&self, batch: &mut SpriteBatch, body: BodyId, texture: &Texture2D, layer_depth: f32);
 }
 

@@ -8,7 +8,7 @@ use crate::shadow::Shadow;
 use crate::surface::{Face, to_screen};
 use crate::{Color, Point, Sprite, SpriteBatch, TextureStore};
 
-/// How a platform looks in a game without art: a colour for every face, edges drawn after.
+/// Look of a platform in a game without art: a colour for every face, edges drawn after.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlatformLook {
     /// The upper face, when level.
@@ -17,7 +17,7 @@ pub struct PlatformLook {
     pub front: Color,
     /// The faces to the left and to the right.
     pub sides: Color,
-    /// The lower face, when level; it shows when the platform is tilted far enough.
+    /// The lower face, when level; visible if the platform is tilted far enough.
     pub underside: Color,
     /// The lines between the faces.
     pub edges: Color,
@@ -38,7 +38,7 @@ impl PlatformLook {
         }
     }
 
-    /// Whether nothing is seen through it.
+    /// Whether all faces are opaque.
     pub(crate) fn is_opaque(&self) -> bool {
         [self.top, self.front, self.sides].iter().all(|color| color.a == u8::MAX)
     }
@@ -53,10 +53,10 @@ impl PlatformLook {
     }
 }
 
-/// Draws platforms of a simulator. A platform that does not exist draws nothing.
+/// Draws platforms of a simulator. A stale platform draws nothing.
 pub trait DrawPlatform {
-    /// Adds the faces of a platform that can be seen, as far as they are above the ground, Y = 0, which hides what is below:
-    /// of a lift in its shaft, or the foot of a slope. `layer_depth`: 0 front to 1 back.
+    /// Adds the visible faces of a platform, as far as they are above the ground, Y = 0. The ground hides the
+    /// part of a lift in its shaft, or the foot of a slope. `layer_depth`: 0 front to 1 back.
     fn draw_platform(
         &self,
         batch: &mut SpriteBatch,
@@ -65,9 +65,9 @@ pub trait DrawPlatform {
         layer_depth: f32,
     );
 
-    /// Adds the platform's shadow: its shadow image, on the topmost surface (ground or another platform) beneath the
-    /// middle of its underside; see [`DrawBody::draw_shadow`](crate::DrawBody::draw_shadow), whose arguments have
-    /// the same meaning. Without an image nothing is added.
+    /// Adds the platform's shadow: its shadow image, on the topmost surface (ground or another platform)
+    /// beneath the middle of its underside. See [`DrawBody::draw_shadow`](crate::DrawBody::draw_shadow) for
+    /// the arguments. Without an image it adds nothing.
     #[expect(clippy::too_many_arguments, reason = "those of a body's shadow")]
     fn draw_platform_shadow(
         &self,
@@ -116,7 +116,7 @@ impl DrawPlatform for TwoHalfPhysicsSimulator {
     }
 }
 
-/// The faces of a platform with these corners, as far as they are seen.
+/// Draws the visible faces of a platform with these corners.
 pub(crate) fn draw_faces(
     simulator: &TwoHalfPhysicsSimulator,
     batch: &mut SpriteBatch,
@@ -140,7 +140,8 @@ pub(crate) fn draw_faces(
     }
 }
 
-/// Height at which a line straight down from a point inside leaves a platform; at the ground if that is below it.
+/// Height at which a line straight down from a point inside leaves a platform, px; at the ground if that is
+/// below it.
 fn underside(corners: &[Vector3; 8], from: Vector3) -> f32 {
     let height = |face: Face| {
         let [corner, ..] = face.corners(corners);
@@ -158,7 +159,8 @@ fn is_clockwise(&[a, b, c, _]: &[Point; 4]) -> bool {
 
 /// The outline of a line of some width.
 fn line(a: Point, b: Point, width: f32) -> [Point; 4] {
-    // Half a width longer at either end, so that lines meet in corners; without a length, nothing.
+    // The line is half of its width longer at either end, so that lines meet in corners; without a length it
+    // is empty.
     let [x, y] = across(a, b, width);
     [
         [a[0] + y + x, a[1] - x + y],

@@ -1,19 +1,19 @@
-//! What can go wrong when pictures are made, read or written.
+//! Errors of making, reading and writing pictures.
 
 use std::path::{Path, PathBuf};
 
-/// Why a call was refused or a file could not be read or written.
+/// Reason why a call was refused or a file could not be read or written.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum RenderError {
-    /// An argument has a value that cannot be accepted. The refused call has changed nothing.
+    /// An argument has a value that is not accepted. The refused call has changed nothing.
     #[error("{argument} is {value}, but must be {requirement}")]
     InvalidArgument {
         /// Name of the argument, as in the function's signature.
         argument: &'static str,
         /// The value that was given.
         value: String,
-        /// What would have been accepted.
+        /// The accepted values.
         requirement: &'static str,
     },
     /// A file could not be read.
@@ -21,7 +21,7 @@ pub enum RenderError {
     ReadFile {
         /// The file.
         path: PathBuf,
-        /// What the operating system said.
+        /// Error of the operating system.
         source: std::io::Error,
     },
     /// A file, or a folder above it, could not be written.
@@ -29,34 +29,34 @@ pub enum RenderError {
     WriteFile {
         /// The file.
         path: PathBuf,
-        /// What the operating system said.
+        /// Error of the operating system.
         source: std::io::Error,
     },
-    /// What was given as a PNG picture is not one, or is larger than [`MAX_SIDE`] or [`MAX_PIXELS`] allow.
+    /// The data are no PNG picture, or one larger than [`MAX_SIDE`] or [`MAX_PIXELS`] allow.
     #[error("cannot decode the PNG picture {name}")]
     DecodePng {
         /// The file's path, or "in memory".
         name: String,
-        /// What the decoder said.
+        /// Error of the decoder.
         source: Box<dyn std::error::Error + Send + Sync>,
     },
-    /// What was given as a JPEG picture is not one, or is larger than [`MAX_SIDE`] or [`MAX_PIXELS`] allow.
+    /// The data are no JPEG picture, or one larger than [`MAX_SIDE`] or [`MAX_PIXELS`] allow.
     #[error("cannot decode the JPEG picture {name}")]
     DecodeJpeg {
         /// The file's path, or "in memory".
         name: String,
-        /// What the decoder said.
+        /// Error of the decoder.
         source: Box<dyn std::error::Error + Send + Sync>,
     },
     /// No file has this name.
     #[error("there is no picture {name} in {}", folder.display())]
     NoPicture {
-        /// The name that was asked for.
+        /// The requested name.
         name: String,
-        /// Where it was looked for.
+        /// The folder of the search.
         folder: PathBuf,
     },
-    /// The engine has refused what was asked of it.
+    /// An error of the engine.
     #[error(transparent)]
     Engine(#[from] twohalf::Error),
 }
@@ -70,10 +70,10 @@ impl From<twohalf::farseer_core::Error> for RenderError {
 /// Result of a call that makes, reads or writes a picture.
 pub type Result<T, E = RenderError> = std::result::Result<T, E>;
 
-/// Longest side of a canvas or texture, in px.
+/// Longest side of a canvas or texture, px.
 pub const MAX_SIDE: u32 = 16_384;
 
-/// Most pixels of a canvas or texture (256 MiB as RGBA8).
+/// Greatest number of pixels of a canvas or texture (256 MiB as RGBA8).
 pub const MAX_PIXELS: u64 = 1 << 26;
 
 impl RenderError {
@@ -86,7 +86,7 @@ impl RenderError {
         RenderError::InvalidArgument { argument, value: format!("{value:?}"), requirement }
     }
 
-    /// A [`RenderError::WriteFile`] from what the operating system said.
+    /// A [`RenderError::WriteFile`] from an error of the operating system.
     pub(crate) fn write(path: &Path, source: std::io::Error) -> Self {
         RenderError::WriteFile { path: path.to_owned(), source }
     }
@@ -107,7 +107,7 @@ pub(crate) fn check_size(width: u32, height: u32) -> Result<()> {
     Ok(())
 }
 
-/// Refuses NaN and what lies outside the range.
+/// Refuses NaN and values outside the range.
 pub(crate) fn check_range(
     argument: &'static str,
     value: f32,

@@ -1,11 +1,12 @@
-//! What upright geoms cover of the floor, as corners.
+//! Footprints of upright geoms as corners.
 
 use twohalf::{DepthProfile, TwoHalfGeom, VirtualGeom};
 
-/// Corners of what is round.
+/// Number of corners of a round footprint.
 const ROUND_CORNERS: u32 = 24;
 
-/// X and Z of the corners of an upright geom's footprint, clockwise on the screen; `None` for what is not upright.
+/// X and Z of the corners of an upright geom's footprint, px, clockwise on the screen; `None` for other
+/// geoms.
 pub(crate) fn footprint_of(geom: &TwoHalfGeom<'_>) -> Option<Vec<[f32; 2]>> {
     let shape = geom.virtual_geom();
     match geom.depth_profile() {
@@ -20,14 +21,14 @@ pub(crate) fn footprint_of(geom: &TwoHalfGeom<'_>) -> Option<Vec<[f32; 2]>> {
     }
 }
 
-/// X and Z of the corners of the level top of a geom.
+/// X and Z of the corners of the level top of a geom, px.
 pub(crate) fn of_top(geom: &TwoHalfGeom<'_>) -> Vec<[f32; 2]> {
     let VirtualGeom { left, right, front, back, .. } = geom.virtual_geom();
     let of_prism = || vec![[left, front], [right, front], [right, back], [left, back]];
     footprint_of(geom).unwrap_or_else(of_prism)
 }
 
-/// The ellipse of a box.
+/// Corners of the ellipse of a rectangle.
 pub(crate) fn round(shape: &VirtualGeom) -> Vec<[f32; 2]> {
     let VirtualGeom { left, right, front, back, .. } = *shape;
     let [middle_x, middle_z] = [0.5 * (left + right), 0.5 * (front + back)];

@@ -1,17 +1,17 @@
-//! Faces of solids without what lies inside of other solids.
+//! Hidden surface removal: faces of solids without the parts inside of other solids.
 
 use twohalf::Vector3;
 
 use crate::surface::{Face, above_ground};
 
 /// Depth below a surface, px, up to which a face counts as flush and is drawn.
-const FLUSH: f32 = 0.02;
-/// Y of a unit normal from which on a side is level.
-const LEVEL: f32 = 0.9999;
+const FLUSH_DEPTH: f32 = 0.02;
+/// Least Y of the unit normal of a level side, dimensionless.
+const MIN_LEVEL_NORMAL_Y: f32 = 0.9999;
 /// Twice the area, px², up to which a polygon is a line that rounding has widened.
-const LEAST_AREA: f32 = 1e-3;
+const MIN_DOUBLED_AREA: f32 = 1e-3;
 
-/// A convex solid that hides what is inside of it: outward unit normals and how far the solid reaches along them, px.
+/// A convex solid that hides its interior: outward unit normals and plane distances from the origin, px.
 #[derive(Debug, Clone)]
 pub(crate) struct Solid {
     low: Vector3,
@@ -41,14 +41,14 @@ impl Solid {
         let (low, high) = corners.iter().fold((first, first), bounds);
         let sides = Face::ALL.map(|face| {
             let normal = face.normal(corners).normalize();
-            // The ground below what stands on it hides as well.
-            let is_on_ground = normal.y < -LEVEL && low.y <= FLUSH;
+            // A solid on the ground also hides the ground below it.
+            let is_on_ground = normal.y < -MIN_LEVEL_NORMAL_Y && low.y <= FLUSH_DEPTH;
             (normal, if is_on_ground { f32::MAX } else { normal.dot(&face.corners(corners)[0]) })
         });
         Solid { low, high, sides }
     }
 
-    /// The same some px aside.
+    /// The solid moved by some px.
     pub(crate) fn moved(&self, way: Vector3) -> Self {
         let sides = self.sides.map(|(normal, reach)| (normal, reach + normal.dot(&way)));
         Solid { low: self.low + way, high: self.high + way, sides }
@@ -59,19 +59,20 @@ impl Solid {
         [self.low.x, self.high.x]
     }
 
-    /// Whether the boxes of two of them overlap by more than flush ones do.
+    /// Whether the AABBs of two solids overlap by more than flush ones do.
     pub(crate) fn overlaps(&self, other: &Solid) -> bool {
         (0..3).all(|axis| {
-            self.low[axis] + FLUSH < other.high[axis] && other.low[axis] + FLUSH < self.high[axis]
+            self.low[axis] + FLUSH_DEPTH < other.high[axis] && other.low[axis] + FLUSH_DEPTH < self.high[axis]
         })
     }
 
-    /// Cuts a convex polygon into pieces outside, and what is inside: nothing if that is not deeper than flush.
+    /// Cuts a convex polygon into pieces outside and the part inside; `None` if that part is no deeper than
+    /// flush.
     fn cut(&self, face: &[Vector3]) -> Option<(Vec<Vec<Vector3>>, Vec<Vector3>)> {
         let (mut outside, mut inside) = (Vec::new(), face.to_vec());
         for &(normal, reach) in &self.sides {
             let depth = |point: &Vector3| reach - normal.dot(point);
-            if inside.iter().all(|point| depth(point) <= FLUSH) {
+            if inside.iter().all(|point| depth(point) <= FLUSH_DEPTH) {
                 return None;
             }
             let out = part_of(&inside, |point| -depth(point));
@@ -85,7 +86,7 @@ impl Solid {
 
     /// Whether a point is inside, deeper than flush.
     fn holds(&self, point: Vector3) -> bool {
-        self.sides.iter().all(|(normal, reach)| normal.dot(&point) < reach - FLUSH)
+        self.sides.iter().all(|(normal, reach)| normal.dot(&point) < reach - FLUSH_DEPTH)
     }
 
     /// The parts of a segment outside of the solid; flush parts are outside, unless the solid hides these as well.
@@ -94,8 +95,9 @@ impl Solid {
         [from, to]: [Vector3; 2],
         hides_flush: bool,
     ) -> impl Iterator<Item = [Vector3; 2]> + use<> {
-        let (margin, flush) = if hides_flush { (FLUSH, 0.0) } else { (0.0, FLUSH) };
-        // The part of the line that is inside (M. Cyrus and J. Beck, Generalized two- and three-dimensional clipping, 1978).
+        let (margin, flush) = if hides_flush { (FLUSH_DEPTH, 0.0) } else { (0.0, FLUSH_DEPTH) };
+        // The part of the line inside (M. Cyrus and J. Beck, Generalized two- and three-dimensional clipping,
+        // 1978).
         let (mut enters, mut leaves) = (0.0f32, 1.0f32);
         for &(normal, reach) in &self.sides {
             let [start, end] = [from, to].map(|point| reach + margin - normal.dot(&point));
@@ -112,12 +114,12 @@ impl Solid {
         } else {
             [(enters > 0.0).then(|| [from, at(enters)]), (leaves < 1.0).then(|| [at(leaves), to])]
         };
-        kept.into_iter().flatten().filter(|[from, to]| (to - from).norm() > FLUSH)
+        kept.into_iter().flatten().filter(|[from, to]| (to - from).norm() > FLUSH_DEPTH)
     }
 }
 
 impl Within<'_> {
-    /// All of something that stands alone.
+    /// No clipping, for a solid that stands alone.
     pub(crate) const ALL: Within<'static> = Within { solids: &[], heights: [0.0, f32::INFINITY] };
 
     /// The visible parts of a face.
@@ -144,7 +146,7 @@ impl Seen {
         seen
     }
 
-    /// Loses what is inside of one of the solids.
+    /// Removes the parts inside of one of the solids.
     fn lose(&mut self, solids: &[Solid], at: usize) {
         let solid = &solids[at];
         let mut pieces = Vec::with_capacity(self.pieces.len());
@@ -155,7 +157,7 @@ impl Seen {
                 continue;
             };
             pieces.extend(outside);
-            // Where the face goes into the solid, unless another one lies against it there.
+            // Lines where the face enters the solid, unless another solid touches it there.
             meeting.extend(edges(&inside).filter(|[from, to]| !solid.holds(0.5 * (from + to))));
             for other in solids.iter().enumerate().filter(|(other, _)| *other != at).map(|(_, other)| other) {
                 meeting = meeting.iter().flat_map(|&line| other.line_outside(line, true)).collect();
@@ -191,7 +193,7 @@ fn part_of(polygon: &[Vector3], depth: impl Fn(&Vector3) -> f32) -> Vec<Vector3>
 fn has_area(polygon: &[Vector3]) -> bool {
     let Some(&first) = polygon.first() else { return false };
     let triangles = polygon.windows(2).map(|edge| (edge[0] - first).cross(&(edge[1] - first)));
-    triangles.sum::<Vector3>().norm() > LEAST_AREA
+    triangles.sum::<Vector3>().norm() > MIN_DOUBLED_AREA
 }
 
 #[cfg(test)]

@@ -8,11 +8,11 @@ use zune_jpeg::zune_core::options::DecoderOptions;
 use crate::error::{MAX_SIDE, check_size};
 use crate::{RenderError, Result};
 
-/// What every JPEG picture begins with.
+/// First bytes of every JPEG picture.
 pub(crate) const MAGIC: [u8; 3] = [0xff, 0xd8, 0xff];
 
-/// Width, height and straight RGBA8 pixels, all opaque, of a JPEG picture. `name` says in errors where the bytes come
-/// from.
+/// Width, height and straight RGBA8 pixels, all opaque, of a JPEG picture. `name` is the source of the bytes
+/// in errors.
 pub(crate) fn decode(name: &str, bytes: &[u8]) -> Result<(u32, u32, Vec<u8>)> {
     let failed = |source: Box<dyn std::error::Error + Send + Sync>| RenderError::DecodeJpeg {
         name: name.to_owned(),

@@ -3,29 +3,30 @@
 //!
 //! In order of importance:
 //!
-//! 1. **A scene can be looked at without a window, a graphics card or a font**: [`SoftwareCanvas`] draws into
-//!    memory; [`Animation`] and [`ContactSheet`] write what it shows.
-//! 2. **Depth reads**: [`SpriteBatch`] draws back to front; shadows lie on the ground, or on the platform below, end
-//!    at its edge ([`DrawBody`]) and shrink with height ([`shadow_scale`]); platforms are seen as boxes
-//!    ([`DrawPlatform`]); [`draw_ground_backdrop`] draws a floor along the model's Z axis, [`DebugView`] what the
-//!    engine works with, [`draw_debug_view`] what the 2D engine does.
-//! 3. **Other targets are easy**: everything is drawn through the small [`Canvas`] trait.
-//!    A [`View`] is one, too: a camera and a window for whatever draws.
+//! 1. **No window, graphics card or font is needed**: [`SoftwareCanvas`] draws into memory; [`Animation`] and
+//!   [`ContactSheet`] write files.
+//! 2. **Depth is visible**: [`SpriteBatch`] draws back to front. Shadows lie on the ground or on the platform
+//!   below, end at its edge ([`DrawBody`]) and shrink with height ([`shadow_scale`]). Platforms are boxes
+//!   ([`DrawPlatform`]). [`draw_ground_backdrop`] draws a floor along the model's Z axis, [`DebugView`] the
+//!   internal shapes of the engine, [`draw_debug_view`] those of the 2D engine.
+//! 3. **Other targets are easy**: all drawing goes through the small [`Canvas`] trait. A [`View`] is one,
+//!   too: a camera and a window for any code that draws.
 //! 4. **Names an XNA game expects**: [`SpriteBatch`], [`Texture2D`], [`Color`], with XNA's meaning of
 //!    rotation, origin, scale, tint and layer depth.
 //!
-//! Games of the 2D engine alone are drawn with it as well: sprites, cameras, text and textures know of no depth,
-//! [`PictureBody`] makes things of pictures in both engines, and the example `plane_game` shows all of that.
+//! Games of the 2D engine alone are drawn with it as well: sprites, cameras, text and textures have no depth,
+//! [`PictureBody`] makes bodies from pictures in both engines, and the example `plane_game` shows all of
+//! that.
 //!
-//! Screen axes everywhere: x right, y **down**, in px; angles in rad, positive clockwise on the screen.
+//! Screen axes everywhere: x right, y **down**, in px; angles in radians, positive clockwise on the screen.
 //! Colours are RGBA8 in sRGB with straight alpha. Bad input never panics: functions that return a [`Result`]
 //! refuse it with a [`RenderError`], functions that draw draw nothing.
 //!
-//! [`Scene`] draws a world with depth in one call. What it does, by hand, for a game with an order or shadows of its
-//! own: a ball over a platform, drawn in the simulator's order:
+//! [`Scene`] draws a world with depth in one call. The same by hand, for a game with its own order or
+//! shadows: a ball over a platform, drawn in the simulator's order:
 //!
 //! ```
-//! use twohalf::{Drawable, Partner, Platform, TwoHalfPhysicsSimulator, Vector3};
+//! use twohalf::{Drawable, ContactTarget, Platform, TwoHalfPhysicsSimulator, Vector3};
 //! use twohalf_factories::{TwoHalfBodyFactory, TwoHalfGeomFactory};
 //! use twohalf_render::*;
 //!
@@ -53,7 +54,7 @@
 //!         Drawable::Body(id) => {
 //!             // One on the ground lies behind everything.
 //!             let surface = simulator.surface_beneath_body(id).map(|surface| surface.partner);
-//!             let layer = if surface == Some(Partner::Ground) { 1.0 } else { 0.5 };
+//!             let layer = if surface == Some(ContactTarget::Ground) { 1.0 } else { 0.5 };
 //!             let ([offset, scale], tint) = ([[0.0, 0.0], [1.0, 1.0]], Color::WHITE);
 //!             simulator.draw_shadow(&mut batch, &textures, id, geom, offset, scale, tint, layer, true);
 //!             simulator.draw_body(&mut batch, id, &picture, 0.5);
@@ -67,13 +68,13 @@
 //!
 //! # A camera that follows
 //!
-//! The [camera](Transform::camera) looks at a point of the scene in px of the simulator's screen, where bodies have their
-//! [`position`](twohalf::TwoHalfBody::position). Here it goes after the player, and after the floor below rather than the player's
-//! own height, so that it does not hop along with a jump; it stops where the level ends. The backdrop is drawn through the same
-//! camera, what stays where it is (scores, captions) without.
+//! The [camera](Transform::camera) looks at a point of the scene in px of the simulator's screen, where
+//! bodies have their [`position`](twohalf::TwoHalfBody::position). Here it follows the player, at the height
+//! of the floor below, so that it does not hop along with a jump; it stops at the ends of the level. The
+//! backdrop is drawn through the same camera; scores and captions are drawn without.
 //!
 //! ```
-//! use twohalf::{Drawable, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3, Walk, Walker, Wish};
+//! use twohalf::{Drawable, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3, CharacterSettings, CharacterController, MoveInput};
 //! use twohalf_factories::spawn;
 //! use twohalf_render::*;
 //!
@@ -85,14 +86,14 @@
 //! Platform::new(&mut simulator, 200.0, 40.0, 100.0, Vector3::new(900.0, 0.0, 60.0), None)?;
 //! let size = [30.0, 60.0, 20.0];
 //! let player = spawn(&mut simulator, twohalf_factories::Figure::new(size).at([60.0, 0.0, 60.0]))?;
-//! let mut walker = Walker::new(Walk::default());
+//! let mut walker = CharacterController::new(CharacterSettings::default());
 //!
 //! let mut canvas = SoftwareCanvas::new(SCREEN[0], SCREEN[1])?;
 //! let shadow = Scene::soft_shadow();
 //! let middle = SCREEN.map(|side| 0.5 * side as f32);
 //! let mut looks_at = middle;
 //! for frame in 0..240 {
-//!     let wish = Wish { x: 200.0, jump: frame == 200, ..Wish::default() };
+//!     let wish = MoveInput { x: 200.0, jump: frame == 200, ..MoveInput::default() };
 //!     simulator.walk(player.body, &mut walker, wish, STEP)?;
 //!     simulator.update(STEP);
 //!
@@ -121,7 +122,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! [`SoftwareCanvas::save_png`] writes what is on the canvas, [`Animation`] all frames.
+//! [`SoftwareCanvas::save_png`] writes the canvas to a file, [`Animation`] all frames.
 
 #![forbid(unsafe_code)]
 

@@ -1,9 +1,9 @@
-//! Lines with a width as polygons, for what can only be cut as a polygon.
+//! Outlines of lines as polygons, for clipping.
 
 use crate::Point;
 
-/// The outline of a line from point to point, `width` px wide, by non-zero winding: along one side and back on the
-/// other, with flat joints. Empty without two points apart from each other.
+/// The outline of a line from point to point, `width` px wide, for non-zero winding: along one side and back
+/// on the other, with flat joints. Empty without two different points.
 pub(crate) fn outline_of_line(points: &[Point], closed: bool, width: f32) -> Vec<Point> {
     let ends = if closed { points.first() } else { None };
     let mut path: Vec<Point> = points.iter().chain(ends).copied().collect();
@@ -18,7 +18,7 @@ pub(crate) fn outline_of_line(points: &[Point], closed: bool, width: f32) -> Vec
     there.chain(back).collect()
 }
 
-/// Half a width, at right angles to a line from a to b; nothing without a length.
+/// Half of a width, px, at right angles to a line from a to b; zero for a line without length.
 pub(crate) fn across(a: Point, b: Point, width: f32) -> Point {
     let [dx, dy] = [b[0] - a[0], b[1] - a[1]];
     let length = (dx * dx + dy * dy).sqrt();

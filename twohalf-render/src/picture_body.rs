@@ -1,4 +1,4 @@
-//! From a picture to a thing: a body whose outline is that of what is opaque in a texture.
+//! Bodies from pictures: the outline is that of the opaque part of a texture.
 
 use twohalf::farseer_core::math::Vector2;
 use twohalf::farseer_core::shape::{PolygonCreationAssistance, Vertices};
@@ -7,20 +7,22 @@ use twohalf::{BodyId, DepthProfile, GeomId, TwoHalfPhysicsSimulator};
 
 use crate::{Point, RenderError, Result, Sprite, Texture2D};
 
-/// How the outline of a picture is found.
+/// Options of the tracing of a picture's outline.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tracing {
-    /// What is less opaque than this is not part of the thing, 0 to 255. Default 20.
+    /// Least alpha of a pixel of the object, 0 to 255, dimensionless. Default 20.
     #[doc(alias = "AlphaTolerance")]
     pub alpha_tolerance: u8,
-    /// How far the outline may run from the edge of the picture, px: the greater, the fewer corners. Default 1.5.
+    /// Greatest distance of the outline from the edge of the picture, px: a greater one gives fewer corners.
+    /// Default 1.5.
     #[doc(alias = "HullTolerance")]
     pub hull_tolerance: f32,
-    /// Edges longer than this, px, are divided. The faithful set needs it: there corners are what touches. `None`
-    /// leaves them, which is enough for the precise set and quicker. Default 10.
+    /// Greatest length of an edge, px; longer ones are divided. The faithful set needs it, since its contacts
+    /// are corners. `None` keeps the edges, which is enough for the precise set and faster. Default 10.
     #[doc(alias = "SubDivideEdges")]
     pub max_edge_length: Option<f32>,
-    /// Edge of a cell of the distance grid, px; 0 lets the engine choose. The faithful set needs it. Default 0.
+    /// Edge of a cell of the distance grid, px; 0 is the engine's default. The faithful set needs it. Default
+    /// 0.
     pub collision_grid_size: f32,
 }
 
@@ -35,7 +37,7 @@ impl Default for Tracing {
     }
 }
 
-/// A body made from a picture, and how to draw it.
+/// A body made from a picture, with its picture.
 ///
 /// ```
 /// # use twohalf_render::{Color, PictureBody, SoftwareCanvas, SpriteBatch, Texture2D, Tracing};
@@ -65,12 +67,12 @@ pub struct PictureBody {
 }
 
 impl PictureBody {
-    /// Makes and adds a body of this mass (kg), and a geom with the outline of the first thing in the picture, as
+    /// Adds a body of this mass (kg), and a geom with the outline of the first object in the picture,
     /// searched row by row. The outline runs through the middles of the outermost px.
     ///
     /// # Errors
-    /// A picture without a thing of at least three corners; a mass, tolerance, edge length or cell size out of range.
-    /// Nothing is added then.
+    /// A picture without an object of at least three corners; a mass, tolerance, edge length or cell size out
+    /// of range. A failed call adds nothing.
     #[doc(alias = "CreatePolygon")]
     pub fn create_in(
         simulator: &mut Objects,
@@ -90,10 +92,11 @@ impl PictureBody {
         }
     }
 
-    /// The same in a world with depth: a prism that is `depth` px deep, and stands on the ground with its lowest point.
+    /// The same in a world with depth: a prism that is `depth` px deep, with its lowest point on the ground.
     ///
     /// # Errors
-    /// As [`create_in`](Self::create_in), or a depth that is not finite and 0 or more. Nothing is added then.
+    /// Those of [`create_in`](Self::create_in), or a depth that is not finite and 0 or more. A failed call
+    /// adds nothing.
     pub fn create_in_depth(
         simulator: &mut TwoHalfPhysicsSimulator,
         texture: &Texture2D,
@@ -113,7 +116,7 @@ impl PictureBody {
         }
     }
 
-    /// The picture where the body is: at a position of its origin on the screen, turned by `rotation` rad.
+    /// The sprite of the body: at a position of its origin on the screen, px, rotated by `rotation` radians.
     pub fn sprite(&self, position: impl Into<Point>, rotation: f32) -> Sprite {
         Sprite { origin: self.origin, rotation, ..Sprite::new(&self.texture, position) }
     }
@@ -137,7 +140,7 @@ fn add_prism(
     Ok(geom)
 }
 
-/// The outline of a thing in a picture about its centroid, and where in the picture that is.
+/// The outline of an object in a picture about its centroid, and the place of the centroid in the picture.
 struct Outline {
     vertices: Vertices,
     origin: Point,
@@ -160,7 +163,7 @@ impl Outline {
         if let Some(length) = tracing.max_edge_length {
             vertices.sub_divide_edges(length)?;
         }
-        // Corners are px; the middle of a px is half of one from its corner.
+        // Corners are px; the middle of a px is half a px from its corner.
         let middle: Vector2 = centroid + Vector2::new(0.5, 0.5);
         Ok(Outline { vertices, origin: middle.into() })
     }

@@ -5,16 +5,17 @@ use twohalf::farseer_core::{DebugShape, PhysicsSimulator, PhysicsSimulatorView};
 use crate::text::draw_text;
 use crate::{Canvas, Color, Point, Transform};
 
-/// Px from letter to letter. The built-in letters are at most 7 px wide, and with their usual 8 px the longest line of
-/// the performance panel would run into the column beside it.
+/// Px from letter to letter. The built-in letters are at most 7 px wide. With their usual 8 px the longest
+/// line of the performance panel would overlap the next column.
 const LETTER_ADVANCE: f32 = 7.0;
 /// Px from the upper edge of a line, which is 15 px high, to its letters, which are 8 px high.
 const LETTER_TOP: f32 = 4.0;
 
-/// Draws what the 2D engine works with over a picture, one px per unit of the world; a [`View`](crate::View) shows it
-/// through a camera, the performance panel with it.
+/// Draws the internal shapes of the 2D engine over a picture, one px per length unit; a [`View`](crate::View)
+/// applies a camera, also to the performance panel.
 ///
-/// For objects with depth there is [`DebugView`](crate::DebugView). A game as a PNG, whatever it has for a renderer later:
+/// [`DebugView`](crate::DebugView) is the view for objects with depth. A game as a PNG file, independent of
+/// its renderer:
 ///
 /// ```
 /// use twohalf::farseer_core::{PhysicsSimulator, PhysicsSimulatorView};
@@ -57,7 +58,7 @@ fn are_finite(points: &[Point]) -> bool {
     points.iter().flatten().all(|number| number.is_finite())
 }
 
-/// Lines from point to point, `thickness` px wide, as both debug views draw them; none if a point is not finite.
+/// Draws lines from point to point, `thickness` px wide; none if a point is not finite.
 pub(crate) fn line(canvas: &mut dyn Canvas, points: &[Point], is_closed: bool, thickness: f32, color: Color) {
     if !are_finite(points) {
         return;
@@ -65,7 +66,7 @@ pub(crate) fn line(canvas: &mut dyn Canvas, points: &[Point], is_closed: bool, t
     canvas.stroke_polyline(points, is_closed, thickness, &Transform::IDENTITY, color);
 }
 
-/// A filled circle, as both debug views draw it; none if its centre is not finite.
+/// Draws a filled circle; none if its centre is not finite.
 pub(crate) fn dot(canvas: &mut dyn Canvas, center: Point, radius: f32, color: Color) {
     if !are_finite(&[center]) {
         return;

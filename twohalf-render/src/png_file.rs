@@ -18,7 +18,7 @@ pub(crate) fn create(path: &Path) -> Result<BufWriter<File>> {
     Ok(BufWriter::new(file))
 }
 
-/// What the encoder said, as an error that names the file.
+/// An error of the encoder with the name of the file.
 pub(crate) fn encoding_error(path: &Path, error: EncodingError) -> RenderError {
     let source = match error {
         EncodingError::IoError(source) => source,
@@ -46,7 +46,7 @@ pub(crate) fn write(path: &Path, width: u32, height: u32, rgba8: &[u8]) -> Resul
 }
 
 /// Width, height and straight RGBA8 pixels of a PNG picture of any colour type; of an animation, its first
-/// frame. `name` says in errors where the bytes come from.
+/// frame. `name` is the source of the bytes in errors.
 pub(crate) fn decode(name: &str, bytes: &[u8]) -> Result<(u32, u32, Vec<u8>)> {
     let failed = |source: Box<dyn std::error::Error + Send + Sync>| RenderError::DecodePng {
         name: name.to_owned(),
@@ -65,7 +65,7 @@ pub(crate) fn decode(name: &str, bytes: &[u8]) -> Result<(u32, u32, Vec<u8>)> {
     Ok((width, height, expand_to_rgba8(frame.color_type, pixels)))
 }
 
-/// Adds what a colour type leaves out.
+/// Adds the channels that a colour type lacks.
 fn expand_to_rgba8(color_type: ColorType, pixels: Vec<u8>) -> Vec<u8> {
     match color_type {
         ColorType::Grayscale | ColorType::Indexed => pixels.iter().flat_map(|&g| [g, g, g, 255]).collect(),

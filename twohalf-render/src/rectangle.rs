@@ -26,8 +26,9 @@ impl Rectangle {
         Rectangle { x, y, width, height }
     }
 
-    /// The cell `index` of a sheet whose cells of `width` x `height` px lie in rows of `columns`, from the upper left
-    /// corner to the right and down. Without columns it is the first. What would lie beyond whole numbers is empty.
+    /// The cell `index` of a sheet whose cells of `width` x `height` px lie in rows of `columns`, from the
+    /// upper left corner to the right and down. Without columns it is the first. Cells beyond the range of
+    /// u32 are empty.
     ///
     /// ```
     /// # use twohalf_render::Rectangle;
@@ -41,7 +42,7 @@ impl Rectangle {
         }
     }
 
-    /// What lies in both; without width or height if nothing does.
+    /// The common part; without width or height if there is none.
     pub fn intersection(&self, other: &Rectangle) -> Rectangle {
         let [x, y] = [self.x.max(other.x), self.y.max(other.y)];
         let right = self.x.saturating_add(self.width).min(other.x.saturating_add(other.width));
@@ -54,7 +55,7 @@ impl Rectangle {
         self.width == 0 || self.height == 0
     }
 
-    /// From the upper left corner clockwise.
+    /// Corners from the upper left one clockwise.
     pub(crate) fn corners(&self) -> [Point; 4] {
         let [x, y, width, height] = [self.x, self.y, self.width, self.height].map(|side| side as f32);
         [[x, y], [x + width, y], [x + width, y + height], [x, y + height]]

@@ -1,11 +1,11 @@
-//! Where a shadow lies, and how large it is when its object is in the air.
+//! Position and size of the shadow of an object in the air.
 
 use twohalf::{Surface, TwoHalfPhysicsSimulator, Vector3};
 
 use crate::surface::{edge, slopes, to_screen};
 use crate::{Color, Point, Sprite, SpriteBatch, Texture2D, Transform};
 
-/// What remains of a shadow's size at a great height.
+/// Limit of the scale of a shadow at great heights (a factor).
 pub const SHADOW_SCALE_LIMIT: f32 = 0.3;
 
 /// Factor for the size of the shadow of an object whose lowest point is `height` above the surface that takes
@@ -15,11 +15,11 @@ pub const SHADOW_SCALE_LIMIT: f32 = 0.3;
 /// scale = L + (1 - L) * reference / (reference + height)      L = SHADOW_SCALE_LIMIT = 0.3
 /// ```
 ///
-/// 1 on the ground (and below it); half of what it can lose is gone at `height == reference`; it falls
+/// The scale is 1 on the ground and below it. At `height == reference` it has lost half of 1 - L; it falls
 /// towards L and never reaches it. The thesis states no law. This one falls fastest just above the ground,
-/// where the eye has to tell resting from flying, and still changes high up, where a linear law would already
-/// have reached its end. `reference` should be about the object's own size or a little more (in the same unit
-/// as `height`).
+/// where the eye has to tell resting from flying. It still changes high up, where a linear law would already
+/// have reached its end. `reference` should be about the object's own size or a little more, in the same unit
+/// as `height`.
 ///
 /// Returns 0, a shadow that is not drawn, if `height` is not finite or `reference` is not finite and greater
 /// than 0.
@@ -39,7 +39,7 @@ pub fn shadow_scale(height: f32, reference: f32) -> f32 {
     SHADOW_SCALE_LIMIT + (1.0 - SHADOW_SCALE_LIMIT) / (1.0 + height.max(0.0) / reference)
 }
 
-/// The picture of a shadow, as it would lie on level ground.
+/// The picture of a shadow as it lies on level ground.
 pub(crate) struct Shadow<'a> {
     pub(crate) texture: &'a Texture2D,
     pub(crate) position_offset: Point,
@@ -49,8 +49,8 @@ pub(crate) struct Shadow<'a> {
 }
 
 impl Shadow<'_> {
-    /// Adds it on the topmost surface beneath a point of the world, cut off at the surface's edge. With the height
-    /// of what casts it, it is smaller the farther that is above the surface.
+    /// Draws the shadow on the topmost surface beneath a point of the world, clipped at the surface's edge.
+    /// With the height of its object, the shadow shrinks with the object's distance from the surface.
     pub(crate) fn draw_beneath(
         &self,
         simulator: &TwoHalfPhysicsSimulator,
@@ -64,7 +64,7 @@ impl Shadow<'_> {
         }
     }
 
-    /// It on a surface beneath a point, up to the surface's edge on the screen.
+    /// The sprite of the shadow on a surface beneath a point, clipped at the surface's edge on the screen.
     pub(crate) fn sprite(
         &self,
         simulator: &TwoHalfPhysicsSimulator,

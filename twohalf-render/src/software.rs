@@ -17,8 +17,8 @@ use crate::{Canvas, Color, Point, Result, Texture2D, Transform};
 /// A picture in memory, drawn without graphics hardware, with smooth edges.
 ///
 /// Pixels are kept as RGBA8 with premultiplied alpha; [`SoftwareCanvas::pixel`] and [`SoftwareCanvas::rgba8`]
-/// give straight alpha. Textures are sampled bilinearly, or, when they are only moved, at the nearest pixel;
-/// there are no mipmaps, so one drawn at less than half its size loses detail.
+/// return straight alpha. Textures are sampled bilinearly or, if they are only translated, at the nearest
+/// pixel. There are no mipmaps, so a texture drawn at less than half its size loses detail.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SoftwareCanvas {
     pixmap: Pixmap,
@@ -156,7 +156,7 @@ impl Canvas for SoftwareCanvas {
         };
         let Some(path) = path else { return };
         if let (1, 1, Some(color)) = (texture.width(), texture.height(), texture.pixel(0, 0)) {
-            // The same colour everywhere: nothing is to be sampled.
+            // A texture of a single colour needs no sampling.
             return self.fill(&path, Shader::SolidColor(skia_color(times(color, tint))));
         }
         let pixels = if tint.with_alpha(255) == Color::WHITE {
@@ -167,8 +167,8 @@ impl Canvas for SoftwareCanvas {
         };
         let Some(image) = PixmapRef::from_bytes(pixels, texture.width(), texture.height()) else { return };
         let opacity = f32::from(tint.a) / 255.0;
-        // Pad: at the edges the colour of the border pixels goes on, so smooth edges take nothing from
-        // outside.
+        // Pad mode repeats the colour of the border pixels beyond the edge, so smooth edges blend with no
+        // colour from outside.
         let shader =
             Pattern::new(image, SpreadMode::Pad, FilterQuality::Bilinear, opacity, skia_transform(transform));
         fill(&mut self.pixmap, &path, shader);
@@ -199,7 +199,7 @@ fn path_of(points: &[Point], closed: bool, transform: &Transform) -> Option<tiny
     path.finish()
 }
 
-/// Finite and not absurdly far away.
+/// Whether the point is finite and within the range of coordinates of the canvas.
 fn in_reach([x, y]: Point) -> bool {
     x.abs() <= MAX_COORDINATE && y.abs() <= MAX_COORDINATE
 }
@@ -214,7 +214,8 @@ fn times(a: Color, b: Color) -> Color {
     Color::rgba(product(a.r, b.r), product(a.g, b.g), product(a.b, b.b), product(a.a, b.a))
 }
 
-/// Multiplies premultiplied pixels by the tint's red, green and blue; its alpha goes in as opacity elsewhere.
+/// Multiplies premultiplied pixels by the tint's red, green and blue. The tint's alpha is applied elsewhere,
+/// as opacity.
 fn tint_into(target: &mut Vec<u8>, pixels: &[u8], tint: Color) {
     target.clear();
     target.extend(

@@ -20,21 +20,22 @@ pub struct Sprite {
     pub source: Option<Rectangle>,
     /// Where the texture's `origin` goes on the canvas, px.
     pub position: Point,
-    /// Rotation about the origin in rad, screen orientation: positive turns clockwise.
+    /// Rotation about the origin, radians, in screen orientation: positive is clockwise.
     pub rotation: f32,
     /// The point of the texture that is put at `position` and about which it turns and scales, px from the
     /// top left corner of the texture, or of the part of it that is shown.
     pub origin: Point,
     /// Factors along the texture's x and y, before the rotation; negative ones mirror.
     pub scale: Point,
-    /// How far a px to the right and a px down go down in addition, after the rotation: for what lies on a
-    /// slope. `[0.0, 0.0]` in the plane of the screen.
+    /// Slopes, px per px: additional displacement downwards for each px to the right and each px down,
+    /// applied after the rotation. It serves sprites on a slope; `[0.0, 0.0]` leaves the sprite in the plane
+    /// of the screen.
     pub slant: Point,
     /// Only what lies inside of this polygon is drawn: corners in px of the canvas.
     pub clip: Option<Vec<Point>>,
     /// Multiplies every channel; its alpha is the opacity. White leaves the texture as it is.
     pub tint: Color,
-    /// 0 front to 1 back; values outside are clamped.
+    /// Order in the batch, dimensionless: 0 is the front, 1 the back. Values outside are clamped.
     #[doc(alias = "LayerDepth")]
     pub layer_depth: f32,
 }
@@ -177,7 +178,7 @@ impl SpriteBatch {
     /// Draws everything and ends the batch.
     #[doc(alias = "End")]
     pub fn end(mut self, canvas: &mut dyn Canvas) {
-        // Stable: what has equal depth stays in the order it was added.
+        // The sort is stable: sprites of equal depth stay in the order in which they were added.
         self.items.sort_by(|a, b| b.layer_depth().total_cmp(&a.layer_depth()));
         let mut view = View::new(canvas).camera(&self.camera);
         self.items.iter().for_each(|item| item.draw(&mut view));

@@ -1,6 +1,6 @@
 //! Surfaces of the world as they appear on the screen.
 
-use twohalf::{GeomId, Partner, PlatformId, Surface, TwoHalfPhysicsSimulator, Vector3, VirtualGeom};
+use twohalf::{ContactTarget, GeomId, PlatformId, Surface, TwoHalfPhysicsSimulator, Vector3, VirtualGeom};
 
 use crate::Point;
 use crate::footprint::footprint_of;
@@ -18,7 +18,7 @@ pub(crate) enum Face {
 }
 
 impl Face {
-    /// Those that can be seen: that what is the back can only of what is turned.
+    /// All faces. The back can be seen only if the platform is rotated.
     pub(crate) const ALL: [Face; 6] =
         [Face::Top, Face::Front, Face::Left, Face::Right, Face::Underside, Face::Back];
 
@@ -34,7 +34,7 @@ impl Face {
         .map(|index: usize| corners[index])
     }
 
-    /// Outward, not of length 1.
+    /// Outward normal, not normalized.
     pub(crate) fn normal(self, corners: &[Vector3; 8]) -> Vector3 {
         let [a, b, c, _] = self.corners(corners);
         (b - a).cross(&(c - a))
@@ -55,7 +55,8 @@ pub(crate) fn corners_on_screen(
     Some(corners.map(|corner| to_screen(simulator, corner)))
 }
 
-/// The corners of a platform, tilted and turned about the upright axis by some rad more about its middle.
+/// The corners of a platform that is additionally tilted, and rotated about the upright axis, by these angles
+/// (radians) about its middle.
 pub(crate) fn turned(corners: &[Vector3; 8], tilt: f32, yaw: f32) -> [Vector3; 8] {
     if tilt == 0.0 && yaw == 0.0 {
         return *corners;
@@ -68,7 +69,8 @@ pub(crate) fn turned(corners: &[Vector3; 8], tilt: f32, yaw: f32) -> [Vector3; 8
         [(x * cosine - y * sine) as f32, (x * sine + y * cosine) as f32]
     };
     std::array::from_fn(|at| {
-        // Clockwise on the screen, with Y up; each end about its own middle, so that what leans leans on.
+        // Clockwise on the screen, with Y up. Each end rotates about its own middle, so that a leaning
+        // platform keeps its lean.
         let end = ends[at / 4];
         let out = corners[at] - end;
         let [x, down] = about([out.x, -out.y], tilt);
@@ -78,7 +80,7 @@ pub(crate) fn turned(corners: &[Vector3; 8], tilt: f32, yaw: f32) -> [Vector3; 8
     })
 }
 
-/// What of a convex face lies above the ground or on it: clockwise as the face, empty if nothing does.
+/// The part of a convex face above or on the ground, clockwise as the face; empty if there is none.
 pub(crate) fn above_ground(face: [Vector3; 4]) -> Vec<Vector3> {
     let mut kept = Vec::with_capacity(5);
     for (index, &from) in face.iter().enumerate() {
@@ -102,21 +104,22 @@ pub(crate) fn slopes(simulator: &TwoHalfPhysicsSimulator, surface: &Surface) -> 
     [-rise(1.0, 0.0), -rise(side, -1.0)]
 }
 
-/// The edge of a surface that was found at some X on the screen; `None` on the ground, which has none.
+/// The edge of a surface that was found at X on the screen (`x`, px); `None` on the ground, which has no
+/// edge.
 pub(crate) fn edge(simulator: &TwoHalfPhysicsSimulator, surface: &Surface, x: f32) -> Option<Vec<Point>> {
     match surface.partner {
-        Partner::Ground => None,
-        Partner::Platform(id) => {
+        ContactTarget::Ground => None,
+        ContactTarget::Platform(id) => {
             Some(edge_of_platform(simulator, &simulator.platform(id)?.corners(), surface))
         }
-        Partner::Geom(id) => {
+        ContactTarget::Geom(id) => {
             let corners = corners_of_top(simulator, id, surface, x).unwrap_or_default();
             Some(corners.into_iter().map(|corner| to_screen(simulator, corner)).collect())
         }
     }
 }
 
-/// Of a platform with these corners: of that face of it which looks to where the surface does.
+/// The outline of that face of a platform whose normal is closest to the surface's normal.
 pub(crate) fn edge_of_platform(
     simulator: &TwoHalfPhysicsSimulator,
     corners: &[Vector3; 8],
@@ -127,7 +130,8 @@ pub(crate) fn edge_of_platform(
     face.unwrap_or(Face::Top).corners(corners).map(|corner| to_screen(simulator, corner)).to_vec()
 }
 
-/// Of what stands upright its whole top, of another prism the side of its outline that is a surface there, as deep as the prism is.
+/// The whole top of a geom that stands upright. Of another prism it is the side of its outline that forms the
+/// surface at `x`, as deep as the prism is.
 fn corners_of_top(
     simulator: &TwoHalfPhysicsSimulator,
     id: GeomId,
@@ -141,7 +145,8 @@ fn corners_of_top(
     }
     let points = outline.world_vertices();
     let (count, point) = (points.len(), |at: usize| points[at % points.len()]);
-    // Wound against the clock with y down: what looks up goes to the left. A side may have corners between its ends.
+    // The outline is wound counterclockwise with y down: an upward side runs to the left. A side may have
+    // corners between its ends.
     let is_of_side = |at: &usize| {
         let way = point(at + 1) - point(*at);
         -way.y * surface.normal.x - way.x * surface.normal.y > SAME * way.norm()
@@ -155,5 +160,5 @@ fn corners_of_top(
     Some(vec![near[0], near[1], far[1], far[0]])
 }
 
-/// Normals whose product is more than this are one.
+/// Least scalar product of two unit normals that count as equal, dimensionless.
 const SAME: f32 = 0.9999;

@@ -4,10 +4,10 @@ use font8x8::{BASIC_FONTS, LATIN_FONTS, UnicodeFonts};
 
 use crate::{Canvas, Color, Point, Transform};
 
-/// Width and height of a character, and so the distance of characters and lines, in px at scale 1.
+/// Width and height of a character, and so the distance of characters and of lines, px at scale 1.
 pub const CHARACTER_SIZE: u32 = 8;
 
-/// Largest scale a text is drawn at.
+/// Largest scale of a text (a factor).
 const MAX_SCALE: u32 = 256;
 
 /// A text at a place, in the built-in font: 8 x 8 px a character, lines 8 px apart, at scale 1. `\n` begins a new
@@ -25,11 +25,11 @@ const MAX_SCALE: u32 = 256;
 #[derive(Debug, Clone, PartialEq)]
 #[doc(alias = "DrawString")]
 pub struct Text {
-    /// What is written.
+    /// The text itself.
     pub text: String,
     /// Where the `origin` goes on the canvas, px.
     pub position: Point,
-    /// Rotation about the origin in rad, positive clockwise.
+    /// Rotation about the origin, radians; positive is clockwise.
     pub rotation: f32,
     /// The point of the text that is put at `position` and about which it turns and scales, px at scale 1 from its
     /// top left corner.
@@ -38,7 +38,7 @@ pub struct Text {
     pub scale: Point,
     /// Colour of the letters.
     pub color: Color,
-    /// 0 front to 1 back; values outside are clamped.
+    /// Order in the batch, dimensionless: 0 is the front, 1 the back. Values outside are clamped.
     #[doc(alias = "LayerDepth")]
     pub layer_depth: f32,
 }
@@ -131,8 +131,8 @@ pub fn draw_caption(canvas: &mut dyn Canvas, text: &str) {
 fn draw_character(canvas: &mut dyn Canvas, character: char, to_canvas: &Transform, color: Color) {
     let glyph = BASIC_FONTS.get(character).or_else(|| LATIN_FONTS.get(character));
     let Some(rows) = glyph.or_else(|| BASIC_FONTS.get('?')) else { return };
-    // One polygon, so that no seams show where it is turned: to each run from the same corner and back to it, by edges
-    // that fill nothing.
+    // One polygon for all runs, so that no seams are seen if it is rotated. The outline goes from a common
+    // corner to each run and back along edges that enclose no area.
     let mut outline: Vec<Point> = Vec::new();
     for (row, bits) in (0u8..).zip(rows) {
         for (first, length) in runs(bits) {

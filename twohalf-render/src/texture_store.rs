@@ -6,10 +6,10 @@ use twohalf::TextureId;
 
 use crate::{RenderError, Result, Texture2D};
 
-/// What a name may lack.
+/// Endings that are tried after a name, in this order.
 const ENDINGS: [&str; 4] = ["", ".png", ".jpg", ".jpeg"];
 
-/// The pictures of a game. The simulator keeps ids only: those of the shadows of bodies and platforms.
+/// The pictures of a game. The simulator keeps only ids: those of the shadows of bodies and platforms.
 ///
 /// ```
 /// # use twohalf_render::{Texture2D, TextureStore};
@@ -35,8 +35,9 @@ impl TextureStore {
         TextureStore { folder: folder.into(), ..TextureStore::default() }
     }
 
-    /// The picture with this name in the folder, PNG or JPEG; the name may lack `.png`, `.jpg` or `.jpeg`, in this
-    /// order. It is read when it is asked for the first time, and has the same id from then on.
+    /// The picture with this name in the folder, PNG or JPEG; the endings `.png`, `.jpg` and `.jpeg` may be
+    /// left out and are tried in this order. The file is read on the first call for it; later calls return
+    /// the same id.
     ///
     /// # Errors
     /// There is no such file, it cannot be read, or is no such picture. Nothing is kept then.
@@ -49,8 +50,8 @@ impl TextureStore {
         Ok(self.keep(name, texture))
     }
 
-    /// As [`load`](Self::load); what cannot be had is seen as magenta and black squares
-    /// ([`Texture2D::stand_in`]), and its name, with the reason, is in [`missing`](Self::missing).
+    /// As [`load`](Self::load), but a missing picture is replaced by magenta and black squares
+    /// ([`Texture2D::stand_in`]). Its name and the reason are listed in [`missing`](Self::missing).
     pub fn load_or_stand_in(&mut self, name: &str) -> TextureId {
         self.load(name).unwrap_or_else(|error| {
             self.missing.push(format!("{name}: {error}"));
@@ -58,7 +59,7 @@ impl TextureStore {
         })
     }
 
-    /// What a stand-in was made for, each with the reason, in the order in which it was asked for.
+    /// The names that were replaced by a stand-in, each with the reason, in the order of the calls.
     pub fn missing(&self) -> &[String] {
         &self.missing
     }

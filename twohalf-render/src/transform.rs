@@ -6,11 +6,11 @@ pub type Point = [f32; 2];
 /// An affine transform: `p -> x_axis * p.x + y_axis * p.y + translation`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Transform {
-    /// Where (1, 0) goes, seen from where the origin goes.
+    /// Image of the direction (1, 0).
     pub x_axis: Point,
-    /// Where (0, 1) goes, seen from where the origin goes.
+    /// Image of the direction (0, 1).
     pub y_axis: Point,
-    /// Where the origin goes.
+    /// Image of the origin, px.
     pub translation: Point,
 }
 
@@ -29,7 +29,7 @@ impl Transform {
         Transform { x_axis: [factors[0], 0.0], y_axis: [0.0, factors[1]], translation: [0.0, 0.0] }
     }
 
-    /// Turns about the origin by `angle` rad; positive turns from x (right) to y (down), clockwise on the
+    /// Rotates about the origin by `angle` radians; positive is from x (right) to y (down), clockwise on the
     /// screen.
     pub fn rotation(angle: f32) -> Self {
         // f64 and libm: the same transform on every platform.
@@ -44,8 +44,9 @@ impl Transform {
         Transform { x_axis: [1.0, slopes[0]], y_axis: [0.0, 1.0 + slopes[1]], translation: [0.0, 0.0] }
     }
 
-    /// A camera that looks at the point `looks_at` of a scene and shows it at `on_canvas`, `zoom` times as large (1: as
-    /// it is; greater than 0), turned by `rotation` rad, positive clockwise.
+    /// A camera that looks at the point `looks_at` of a scene and shows it at `on_canvas`. The scene is
+    /// magnified by `zoom` (1: unchanged; greater than 0) and rotated by `rotation` radians, positive
+    /// clockwise.
     ///
     /// ```
     /// # use twohalf_render::Transform;
@@ -61,7 +62,7 @@ impl Transform {
             .then(&Transform::translation(on_canvas))
     }
 
-    /// The way back; `None` if there is none, since an area becomes a line or a number is not finite.
+    /// The inverse; `None` if there is none, since an area becomes a line or a number is not finite.
     #[doc(alias = "Invert")]
     pub fn inverse(&self) -> Option<Self> {
         let [[a, b], [c, d], [x, y]] =
@@ -82,13 +83,13 @@ impl Transform {
         }
     }
 
-    /// Where a point goes.
+    /// The image of a point.
     pub fn apply(&self, point: Point) -> Point {
         let [x, y] = self.direction(point);
         [x + self.translation[0], y + self.translation[1]]
     }
 
-    /// Where a direction goes: [`Transform::apply`] without the translation.
+    /// The image of a direction: [`Transform::apply`] without the translation.
     pub fn direction(&self, [x, y]: Point) -> Point {
         [self.x_axis[0] * x + self.y_axis[0] * y, self.x_axis[1] * x + self.y_axis[1] * y]
     }

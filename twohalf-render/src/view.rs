@@ -4,14 +4,14 @@ use crate::clip::clip_to_convex;
 use crate::outline_of_line::outline_of_line;
 use crate::{Canvas, Color, Point, Rectangle, Texture2D, Transform};
 
-/// Corners of an ellipse that is cut.
+/// Number of corners of a polygon that replaces an ellipse that is clipped.
 const ELLIPSE_CORNERS: u16 = 64;
-/// How far a view that is cut at rows reaches beyond what is seen, px: farther than lines are wide.
+/// Margin around the visible area of a view that is clipped at rows, px: greater than the width of lines.
 const ASIDE: f32 = 64.0;
 
-/// A canvas, seen through a camera and a rectangle outside of which nothing is drawn. It is a canvas itself, so that
-/// whatever draws can be scrolled, zoomed, turned or shown in a part of the screen: sprites, debug views, backdrops,
-/// scenes and text.
+/// A canvas seen through a camera and a rectangle outside of which it is not drawn on. It is a canvas itself.
+/// So sprites, debug views, backdrops, scenes and text can be scrolled, zoomed, rotated or shown in a part of
+/// the screen.
 ///
 /// Two players beside each other:
 ///
@@ -44,18 +44,18 @@ impl<'a> View<'a> {
         View { canvas, camera: Transform::IDENTITY, clip: None }
     }
 
-    /// The same with this camera, which takes what is drawn to the canvas; see [`Transform::camera`].
+    /// The same with this camera, which takes drawn points to the canvas; see [`Transform::camera`].
     pub fn camera(self, camera: &Transform) -> Self {
         View { camera: *camera, ..self }
     }
 
-    /// The same, nothing being drawn outside of this rectangle of the canvas.
+    /// The same, clipped to this rectangle of the canvas.
     #[doc(alias = "ScissorRectangle")]
     pub fn clip(self, rectangle: Rectangle) -> Self {
         View { clip: Some(rectangle.corners()), ..self }
     }
 
-    /// The same, nothing being drawn above or below two lines of the canvas, px.
+    /// The same, clipped above and below two rows of the canvas, px.
     pub(crate) fn clip_rows(self, [from, to]: [f32; 2]) -> Self {
         let [low, high] = self.canvas.visible_area();
         let [left, right] = [low[0] - ASIDE, high[0] + ASIDE];
@@ -82,7 +82,8 @@ impl<'a> View<'a> {
         points.iter().all(|point| is_inside(0, point[0]) && is_inside(1, point[1]))
     }
 
-    /// What of the canvas is drawn on: corners, clockwise from the upper left one. The canvas may be a view itself.
+    /// The part of the canvas that is drawn on, as corners clockwise from the upper left one. The canvas may
+    /// be a view itself.
     fn window(&self) -> [Point; 4] {
         let [low, high] = self.canvas.visible_area();
         let all = [low, [high[0], low[1]], high, [low[0], high[1]]];
@@ -154,7 +155,7 @@ impl Canvas for View<'_> {
             return self.canvas.stroke_polyline(points, closed, width, &transform, color);
         }
         let points: Vec<Point> = points.iter().map(|&point| transform.apply(point)).collect();
-        // Joints are round: nothing of a line is farther from its points than half of its width.
+        // Joints are round: every point of a line is within half of its width of its centre line.
         if self.holds(&points, 0.5 * width) {
             self.canvas.stroke_polyline(&points, closed, width, &Transform::IDENTITY, color);
         } else if width > 0.0 && points.iter().flatten().all(|number| number.is_finite()) {

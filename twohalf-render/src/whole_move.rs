@@ -1,17 +1,19 @@
-//! Textures that are moved, by whole px: nothing of them is to be sampled.
+//! Textures that are translated by whole px: they are copied without sampling.
 
 use tiny_skia::Pixmap;
 
 use crate::{Texture2D, Transform};
 
-/// Where the upper left corner of a texture goes, if it is only moved, and by whole px. Transforms are of corners in reach.
+/// Position of the upper left corner of a texture that is only translated, by whole px. The corners must be
+/// within the range of coordinates.
 pub(crate) fn whole_move(transform: &Transform) -> Option<[i32; 2]> {
     let Transform { x_axis, y_axis, translation } = *transform;
     let is_whole = translation.iter().all(|way| way.fract() == 0.0);
     ([x_axis, y_axis] == [[1.0, 0.0], [0.0, 1.0]] && is_whole).then(|| translation.map(|way| way as i32))
 }
 
-/// Draws a texture with its upper left corner at this px, source over: rounded to the nearest, as the sampled one is.
+/// Draws a texture with its upper left corner at this px, source over, rounded to the nearest as in the
+/// sampled case.
 pub(crate) fn draw_moved(pixmap: &mut Pixmap, texture: &Texture2D, [x, y]: [i32; 2]) {
     let canvas = [pixmap.width(), pixmap.height()].map(|side| side as i32);
     let size = [texture.width(), texture.height()].map(|side| side as i32);
@@ -34,7 +36,7 @@ pub(crate) fn draw_moved(pixmap: &mut Pixmap, texture: &Texture2D, [x, y]: [i32;
 }
 
 fn is_opaque(pixels: &[u8]) -> bool {
-    // Four pixels at a time, which a compiler makes one instruction of.
+    // Four pixels at a time, which a compiler turns into one instruction.
     let (fours, rest) = pixels.as_chunks::<16>();
     let all =
         fours.iter().fold([255; 16], |all: [u8; 16], four| std::array::from_fn(|at| all[at] & four[at]));

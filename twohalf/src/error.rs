@@ -1,10 +1,10 @@
-//! What can be wrong with an argument.
+//! Errors of calls.
 
-/// Why a call was refused. A refused call has changed nothing.
+/// Reason why a call was refused. A refused call changes nothing.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// Refused by the 2D engine, or for a reason that it has as well: an argument out of range, a stale id, a
+    /// Refused by the core, or for a reason that it has as well: an argument out of range, a stale id, a
     /// damaged save.
     #[error(transparent)]
     Core(#[from] farseer_core::Error),
@@ -19,7 +19,7 @@ pub enum Error {
 /// Result of a call that checks its arguments.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
-/// An argument with a value that cannot be accepted.
+/// Error for an argument out of range.
 pub(crate) fn invalid(
     argument: &'static str,
     value: impl std::fmt::Debug,
@@ -28,17 +28,17 @@ pub(crate) fn invalid(
     farseer_core::Error::invalid(argument, value, requirement).into()
 }
 
-/// Something that only [`DepthScheme::Precise`](crate::DepthScheme::Precise) has.
+/// Error for a feature that only [`DepthScheme::Precise`](crate::DepthScheme::Precise) has.
 pub(crate) fn only_precise(what: &'static str) -> Error {
     farseer_core::Error::NotSupported { what, methods: "faithful and thesis" }.into()
 }
 
-/// An id of something that was disposed.
+/// Error for an id of a disposed object.
 pub(crate) fn stale(argument: &'static str) -> Error {
     farseer_core::Error::StaleId { argument }.into()
 }
 
-/// A save that contradicts itself.
+/// Error for a save that contradicts itself.
 pub(crate) fn damaged(reason: &'static str) -> Error {
     farseer_core::Error::DamagedSave { reason }.into()
 }

@@ -1,25 +1,25 @@
-//! Places of things between two updates, for smooth pictures.
+//! Interpolation of poses between two updates, for smooth pictures.
 
 use std::f64::consts::TAU;
 
 use crate::{Drawable, TwoHalfPhysicsSimulator, Vector3};
 
-/// Where something is drawn.
+/// Interpolated pose of a body or platform.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InterpolatedPose3D {
     /// The [origin](crate::TwoHalfBody::origin3d) of a body, or the [place](crate::Platform::position3d) of a platform, px.
     pub place: Vector3,
-    /// Rotation about the depth axis in rad, of a body not limited to one turn. Between two updates it goes the short way
-    /// round, whatever whole turns lie between.
+    /// Rotation about the depth axis in radians; that of a body is not limited to one turn. Between two
+    /// updates it takes the shorter way round, without whole turns.
     pub rotation: f32,
-    /// The angle by which a platform is [turned](crate::Platform::yaw) about the upright axis, in rad, the short way round as well; 0
-    /// of a body.
+    /// Angle of a [turned](crate::Platform::yaw) platform about the upright axis in radians, also by the
+    /// shorter way; 0 for a body.
     pub yaw: f32,
 }
 
 impl InterpolatedPose3D {
     fn towards(self, after: Self, fraction: f64) -> Self {
-        // In double precision, where no difference of two floats is infinite.
+        // In double precision the difference of two f32 numbers is always finite.
         let way = |from: f32, to: f32| f64::from(to) - f64::from(from);
         let along = |from: f32, way: f64| (f64::from(from) + way * fraction) as f32;
         let turned = |from: f32, to: f32| {
@@ -34,11 +34,11 @@ impl InterpolatedPose3D {
     }
 }
 
-/// Remembers where things were after the last two updates and tells where they are in between: what
-/// [`BodyInterpolation`](farseer_core::BodyInterpolation) is for the 2D engine.
+/// Keeps the poses after the last two updates and interpolates between them, as
+/// [`BodyInterpolation`](farseer_core::BodyInterpolation) does for the core.
 ///
-/// A game that draws more often than it updates shows things a fraction of an update late, but moving smoothly. The
-/// simulation itself is not touched. The loop of such a game:
+/// A game that draws more often than it updates shows poses a fraction of an update late, but in smooth
+/// motion. The simulation itself is not affected. The loop of such a game:
 ///
 /// ```
 /// use std::time::Duration;
@@ -67,7 +67,7 @@ impl InterpolatedPose3D {
 /// ```
 #[derive(Debug, Clone, Default)]
 pub struct Interpolation3D {
-    /// Sorted by what they are of, and those of the update before.
+    /// Poses sorted by object, and those of the update before.
     tracks: Vec<Track>,
     last: Vec<Track>,
 }
@@ -77,18 +77,19 @@ struct Track {
     thing: Drawable,
     before: InterpolatedPose3D,
     after: InterpolatedPose3D,
-    /// The next pose is not to be reached by a smooth way.
-    jumps: bool,
+    /// Whether the next pose is a teleport, which is not interpolated.
+    is_teleport: bool,
 }
 
 impl Interpolation3D {
-    /// Remembers nothing yet.
+    /// An interpolation without poses.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Takes the poses of the listed bodies and of the platforms; to be called after **every** update. What was not
-    /// there after the update before is drawn where it is. Allocates only when there is more than ever before.
+    /// Stores the poses of the listed bodies and of the platforms; call it after **every** update. An object
+    /// that is new in this update is drawn at its present pose. Allocates only when there are more objects
+    /// than ever before.
     pub fn remember(&mut self, simulator: &TwoHalfPhysicsSimulator) {
         std::mem::swap(&mut self.tracks, &mut self.last);
         let bodies = simulator.body_list().iter().filter_map(|&id| {
@@ -101,7 +102,7 @@ impl Interpolation3D {
             let (place, rotation, yaw) = (platform.position3d(), platform.rotation(), platform.yaw());
             Some((Drawable::Platform(id), InterpolatedPose3D { place, rotation, yaw }))
         });
-        let fresh = |(thing, after)| Track { thing, before: after, after, jumps: false };
+        let fresh = |(thing, after)| Track { thing, before: after, after, is_teleport: false };
         self.tracks.clear();
         self.tracks.extend(bodies.chain(platforms).map(fresh));
         self.tracks.sort_unstable_by_key(|track| track.thing);
@@ -109,24 +110,23 @@ impl Interpolation3D {
         for track in &mut self.tracks {
             let at = rest.iter().take_while(|last| last.thing < track.thing).count();
             rest = &rest[at..];
-            if let Some(last) = rest.first().filter(|last| last.thing == track.thing && !last.jumps) {
+            if let Some(last) = rest.first().filter(|last| last.thing == track.thing && !last.is_teleport) {
                 track.before = last.after;
             }
         }
     }
 
-    /// Lets something jump: between its present pose and that after the next update nothing is drawn. For what a game
-    /// puts elsewhere; other things that it moves by hand glide.
+    /// Marks a teleport: the motion to the pose after the next update is not interpolated.
     pub fn mark_teleport(&mut self, thing: Drawable) {
         if let Ok(at) = self.find(thing) {
-            self.tracks[at].jumps = true;
+            self.tracks[at].is_teleport = true;
         }
     }
 
-    /// Where something is drawn when this part of the next update's time has passed:
-    /// [`FixedStepClock::interpolation`](farseer_core::FixedStepClock::interpolation). 0 is the pose after the last update
-    /// but one, 1 the present one; other numbers count as the nearer of both, NaN as 1. `None` for what was not there
-    /// after the last update.
+    /// The pose of an object at a fraction of the next update's time:
+    /// [`FixedStepClock::interpolation`](farseer_core::FixedStepClock::interpolation). 0 is the pose after
+    /// the last update but one, 1 the present one; other numbers are clamped, NaN is 1. `None` for an object
+    /// that was absent after the last update.
     pub fn pose(&self, thing: Drawable, fraction: f32) -> Option<InterpolatedPose3D> {
         let Track { before, after, .. } = self.tracks[self.find(thing).ok()?];
         if fraction <= 0.0 {
@@ -138,7 +138,7 @@ impl Interpolation3D {
         }
     }
 
-    /// Forgets everything; for games that load a save.
+    /// Removes all poses; for games that load a save.
     pub fn clear(&mut self) {
         self.tracks.clear();
     }

@@ -1,6 +1,6 @@
-//! From the world to the screen and back (thesis 3.1).
+//! Projection from the world to the screen and back (thesis 3.1).
 //!
-//! Three frames meet here, all in one length unit (px):
+//! Three frames of reference, all in px:
 //! - the **world**: X right, Y up, Z into the picture, Y = 0 on the ground;
 //! - the **plane** of the 2D engine: x = X, y = -Y, so y points down and the ground is y = 0;
 //! - the **screen**: x right, y down, the ground rising with Z.
@@ -11,47 +11,49 @@ use serde::{Deserialize, Serialize};
 use crate::Result;
 use crate::error::invalid;
 
-/// How the world appears on the screen.
+/// Projection of the world to the screen.
 ///
 /// ```text
 /// screen.x = X - Z / tan(180° - angle)
 /// screen.y = height - (Y + Z) - lowest
 /// ```
 ///
-/// `lowest` is the distance from a body's origin down to the lowest point of its object geom. Everything is
-/// evaluated in double precision and rounded once.
+/// `lowest` is the distance from a body's origin down to the lowest point of its object geom, px. The formula
+/// is evaluated in double precision and rounded once.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "Given", into = "Given")]
+#[serde(try_from = "ProjectionArguments", into = "ProjectionArguments")]
 pub struct Projection {
+    /// Height of the screen, px.
     height: i32,
+    /// Direction of the Z axis on the screen, degrees.
     angle: i32,
-    /// Cotangent of the angle: px to the right per px of depth.
+    /// Cotangent of the angle: px to the right per px of depth; dimensionless.
     slope: f64,
 }
 
-/// What a projection is made from, and saved as.
+/// Arguments of a projection, in the form in which it is saved.
 #[derive(Clone, Copy, Serialize, Deserialize)]
-struct Given {
+struct ProjectionArguments {
     height: i32,
     angle: i32,
 }
 
-impl TryFrom<Given> for Projection {
+impl TryFrom<ProjectionArguments> for Projection {
     type Error = crate::Error;
-    fn try_from(Given { height, angle }: Given) -> Result<Self> {
+    fn try_from(ProjectionArguments { height, angle }: ProjectionArguments) -> Result<Self> {
         Projection::new(height, angle)
     }
 }
 
-impl From<Projection> for Given {
+impl From<Projection> for ProjectionArguments {
     fn from(Projection { height, angle, .. }: Projection) -> Self {
-        Given { height, angle }
+        ProjectionArguments { height, angle }
     }
 }
 
 impl Projection {
-    /// A projection on a screen of `height` px whose Z axis points `angle` degrees counterclockwise from the x
-    /// axis: 90 straight up, 45 up and to the right.
+    /// A projection on a screen of `height` px whose Z axis points `angle` degrees counterclockwise from the
+    /// x axis: 90 straight up, 45 up and to the right.
     ///
     /// # Errors
     /// A height that is not greater than 0; an angle that is not between 0 and 180.
@@ -68,10 +70,10 @@ impl Projection {
         self.height
     }
 
-    /// Sets the height of the screen.
+    /// Sets the height of the screen, px.
     ///
     /// # Errors
-    /// What is not greater than 0.
+    /// A height that is not greater than 0.
     pub fn set_height(&mut self, height: i32) -> Result<()> {
         self.height = check_height(height)?;
         Ok(())
@@ -82,32 +84,32 @@ impl Projection {
         self.angle
     }
 
-    /// How much farther to the right per px of depth edges at another angle run than the Z axis.
+    /// Shear of edges at another angle relative to the Z axis: px to the right per px of depth.
     pub(crate) fn shear_of(&self, angle: i32) -> f32 {
         (cotangent(angle) - self.slope) as f32
     }
 
-    /// The direction towards the viewer, in the world: all points along it appear at one point of the screen.
+    /// Direction towards the viewer in the world. All points along it have one point of the screen.
     pub fn to_viewer(&self) -> Vector3 {
         Vector3::new(self.slope as f32, 1.0, -1.0)
     }
 
-    /// The point of the ground that appears at a point of the screen; beyond finite numbers the nearest ones.
+    /// Inverse projection of a point of the screen to the ground, px; limited to finite numbers.
     pub fn screen_to_ground(&self, point: Vector2) -> Vector3 {
         let z = f64::from(self.height) - f64::from(point.y);
-        Vector3::new(shown(f64::from(point.x) - z * self.slope), 0.0, shown(z))
+        Vector3::new(finite_f32(f64::from(point.x) - z * self.slope), 0.0, finite_f32(z))
     }
 
-    /// Where a point of the world appears on the screen; beyond finite numbers the nearest ones.
+    /// Projection of a point of the world to the screen, px; limited to finite numbers.
     pub fn to_screen(&self, point: Vector3) -> Vector2 {
         let [x, y, z] = [point.x, point.y, point.z].map(f64::from);
-        Vector2::new(shown(x + z * self.slope), shown(f64::from(self.height) - (y + z)))
+        Vector2::new(finite_f32(x + z * self.slope), finite_f32(f64::from(self.height) - (y + z)))
     }
 
-    /// Where a point of the plane at depth `z` appears on the screen.
+    /// Projection of a point of the plane at depth `z`, px.
     pub(crate) fn plane_to_screen(&self, plane: Vector2, z: f32) -> Vector2 {
         let [x, y] = self.on_screen(plane, z);
-        Vector2::new(shown(x), shown(y))
+        Vector2::new(finite_f32(x), finite_f32(y))
     }
 
     fn on_screen(&self, plane: Vector2, z: f32) -> [f64; 2] {
@@ -115,20 +117,20 @@ impl Projection {
         [x + z * self.slope, f64::from(self.height) + y - z]
     }
 
-    /// Whether a point of the plane at depth `z` appears at finite numbers of the screen.
+    /// Whether the projection of a point of the plane at depth `z` is finite.
     pub(crate) fn appears(&self, plane: Vector2, z: f32) -> bool {
         self.on_screen(plane, z).iter().all(|&number| (number as f32).is_finite())
     }
 
-    /// The point of the plane at depth `z` that appears at a point of the screen.
+    /// Inverse projection of a point of the screen to the plane at depth `z`, px.
     pub(crate) fn screen_to_plane(&self, screen: Vector2, z: f32) -> Vector2 {
         let [x, y, z] = [screen.x, screen.y, z].map(f64::from);
         Vector2::new((x - z * self.slope) as f32, (y - f64::from(self.height) + z) as f32)
     }
 }
 
-/// The nearest number that can be shown: numbers far away add up to what an f32 cannot hold.
-fn shown(number: f64) -> f32 {
+/// Nearest finite f32: sums of far coordinates may exceed its range.
+fn finite_f32(number: f64) -> f32 {
     if number.is_nan() { f32::NAN } else { number.clamp(f64::from(f32::MIN), f64::from(f32::MAX)) as f32 }
 }
 
@@ -136,7 +138,8 @@ fn check_height(height: i32) -> Result<i32> {
     if height > 0 { Ok(height) } else { Err(invalid("height", height, "greater than 0")) }
 }
 
-/// Cotangent of whole degrees; the rounded quotient would make the straight axes lean.
+/// Cotangent of whole degrees. The exact values keep the straight axes straight, which a rounded quotient
+/// does not.
 fn cotangent(degrees: i32) -> f64 {
     match degrees {
         45 => 1.0,
@@ -149,17 +152,17 @@ fn cotangent(degrees: i32) -> f64 {
     }
 }
 
-/// From the frame of the plane with depth, y down, to the world, Y up, or back.
+/// Converts between the frame of the plane with depth, y down, and the world, Y up.
 pub(crate) fn to_world(v: Vector3) -> Vector3 {
     Vector3::new(v.x, -v.y, v.z)
 }
 
-/// Position in the world of a body, from its origin in the plane.
+/// Position of a body in the world, px, from its origin in the plane.
 pub(crate) fn plane_to_world(plane: Vector2, lowest: f64, z: f32) -> Vector3 {
-    Vector3::new(plane.x, shown(-f64::from(plane.y) - lowest), z)
+    Vector3::new(plane.x, finite_f32(-f64::from(plane.y) - lowest), z)
 }
 
-/// A body's origin in the plane, from its position in the world.
+/// Origin of a body in the plane, px, from its position in the world.
 pub(crate) fn world_to_plane(world: Vector3, lowest: f64) -> Vector2 {
     Vector2::new(world.x, -(f64::from(world.y) + lowest) as f32)
 }

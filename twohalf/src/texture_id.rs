@@ -1,12 +1,12 @@
-//! Pictures, as far as the engine has to know them.
+//! Ids of pictures.
 
 use serde::{Deserialize, Serialize};
 
-/// Names a picture of the game. The engine draws nothing: it keeps the name and the size for whoever draws.
+/// Identifies a picture of the game. The engine draws nothing: it keeps id and size for the renderer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[doc(alias = "Texture2D")]
 pub struct TextureId {
-    /// The game's own number for the picture.
+    /// Id of the picture in the game.
     pub id: u32,
     /// Width in px.
     pub width: u32,

@@ -2,7 +2,7 @@
 
 use farseer_core::snapshot::SnapshotFormat;
 use farseer_core::{BodyId, SideTable};
-use twohalf::{DrawOrder, PlatformId, TwoHalfPhysicsSimulator, Walk, Walker};
+use twohalf::{CharacterController, CharacterSettings, DrawOrder, PlatformId, TwoHalfPhysicsSimulator};
 
 use crate::boundary::{Answer, Argument, Failure, Outcome};
 use crate::world::{Engine, Simulator, put};
@@ -10,7 +10,7 @@ use crate::world::{Engine, Simulator, put};
 #[derive(Debug)]
 pub(crate) struct Depth {
     pub(crate) simulator: TwoHalfPhysicsSimulator,
-    pub(crate) walkers: SideTable<BodyId, Walker>,
+    pub(crate) walkers: SideTable<BodyId, CharacterController>,
     pub(crate) order: DrawOrder,
 }
 
@@ -25,18 +25,22 @@ impl Depth {
     }
 
     /// How a body walks, as long as nobody says otherwise.
-    pub(crate) fn walker(&self, body: BodyId) -> Walker {
-        self.walkers.get(body).copied().unwrap_or_else(|| Walker::new(Walk::default()))
+    pub(crate) fn walker(&self, body: BodyId) -> CharacterController {
+        self.walkers
+            .get(body)
+            .copied()
+            .unwrap_or_else(|| CharacterController::new(CharacterSettings::default()))
     }
 
     pub(crate) fn snapshot(&self) -> Vec<u8> {
-        let walkers: Vec<(BodyId, Walker)> =
+        let walkers: Vec<(BodyId, CharacterController)> =
             self.walkers.iter().map(|(body, walker)| (body, *walker)).collect();
         WITH_WALKERS.write(&(walkers, self.simulator.snapshot()))
     }
 
     pub(crate) fn restore(&mut self, snapshot: &[u8]) -> Outcome {
-        let (walkers, snapshot): (Vec<(BodyId, Walker)>, Vec<u8>) = WITH_WALKERS.read(snapshot)?;
+        let (walkers, snapshot): (Vec<(BodyId, CharacterController)>, Vec<u8>) =
+            WITH_WALKERS.read(snapshot)?;
         self.simulator.restore(&snapshot)?;
         self.walkers.clear();
         // A damaged snapshot may name any slot.

@@ -23,12 +23,12 @@ pub(crate) enum Partner {
 }
 
 #[cfg(feature = "depth")]
-impl From<twohalf::Partner> for Partner {
-    fn from(partner: twohalf::Partner) -> Self {
+impl From<twohalf::ContactTarget> for Partner {
+    fn from(partner: twohalf::ContactTarget) -> Self {
         match partner {
-            twohalf::Partner::Geom(geom) => Partner::Geom(geom),
-            twohalf::Partner::Platform(platform) => Partner::Platform(platform),
-            twohalf::Partner::Ground => Partner::Ground,
+            twohalf::ContactTarget::Geom(geom) => Partner::Geom(geom),
+            twohalf::ContactTarget::Platform(platform) => Partner::Platform(platform),
+            twohalf::ContactTarget::Ground => Partner::Ground,
         }
     }
 }

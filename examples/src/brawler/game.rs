@@ -193,7 +193,7 @@ impl Brawler {
         let player = fighters[0].actor.thing.geom;
         let actor = &mut fighters[at].actor;
         let speed = if at == 0 { 150.0 } else { 90.0 };
-        let wish = Wish { x: speed * keys.x, z: 0.7 * speed * keys.z, jump: keys.jump };
+        let wish = MoveInput { x: speed * keys.x, z: 0.7 * speed * keys.z, jump: keys.jump };
         if !actor.act(simulator, wish, DT)? {
             return Ok(());
         }
@@ -239,7 +239,9 @@ impl Brawler {
     fn look_at_events(&mut self) -> Result<()> {
         let player = self.fighters[0].actor.thing.geom;
         let hurt = |event: &Event| match *event {
-            Event::Collision(Collision { this, partner: Partner::Geom(load), normal_impulse, .. }) => {
+            Event::Collision(Collision {
+                this, partner: ContactTarget::Geom(load), normal_impulse, ..
+            }) => {
                 let is_hit = normal_impulse > 950.0 && self.loads.iter().any(|it| it.geom == load);
                 (is_hit && this != player).then_some(this)
             }

@@ -3,7 +3,7 @@
 use std::f32::consts::FRAC_PI_2;
 
 use twohalf::farseer_core::CollisionCategory;
-use twohalf::{Event, Fluid, Vector3, Well, Wish};
+use twohalf::{Event, Fluid, MoveInput, Vector3, Well};
 use twohalf_factories::*;
 use twohalf_render::{Patch, Pose};
 
@@ -11,8 +11,8 @@ use super::stage::{AMBER, LANE, RecipeStage};
 use super::{Recipe, Step};
 use crate::Result;
 
-const STILL: Wish = Wish { x: 0.0, z: 0.0, jump: false };
-const RIGHT: Wish = Wish { x: 150.0, ..STILL };
+const STILL: MoveInput = MoveInput { x: 0.0, z: 0.0, jump: false };
+const RIGHT: MoveInput = MoveInput { x: 150.0, ..STILL };
 
 macro_rules! recipes {
     ($($name:literal at $middle:literal: $make:ident, $($seconds:literal $caption:literal),*;)*) => {
@@ -46,12 +46,12 @@ recipes! {
 }
 
 /// Lets an actor do what is wished.
-fn act(stage: &mut RecipeStage, at: usize, wish: Wish, dt: f32) -> Result<bool> {
+fn act(stage: &mut RecipeStage, at: usize, wish: MoveInput, dt: f32) -> Result<bool> {
     Ok(stage.actors[at].act(&mut stage.simulator, wish, dt)?)
 }
 
 /// A step in which the first actor walks, wishing something at each time.
-fn walking(wish: impl Fn(f32) -> Wish + 'static) -> Result<Step> {
+fn walking(wish: impl Fn(f32) -> MoveInput + 'static) -> Result<Step> {
     let mut time = 0.0;
     Ok(Box::new(move |stage, dt| {
         act(stage, 0, wish(time), dt)?;
@@ -80,14 +80,14 @@ fn level(stage: &mut RecipeStage) -> Result<Step> {
 fn slope(stage: &mut RecipeStage) -> Result<Step> {
     spawn_slope(&mut stage.simulator, [100.0, 0.0], [360.0, 95.0], LANE, 20.0)?;
     stage.actor([60.0, 0.0, 50.0])?;
-    walking(|time| if time < 1.0 { RIGHT } else { Wish { jump: time > 1.5 && time < 1.52, ..STILL } })
+    walking(|time| if time < 1.0 { RIGHT } else { MoveInput { jump: time > 1.5 && time < 1.52, ..STILL } })
 }
 
 fn ledge(stage: &mut RecipeStage) -> Result<Step> {
     stage.block([200.0, 400.0], [0.0, 100.0])?;
     stage.actor([100.0, 0.0, 50.0])?;
     stage.actors[0].walker.walk.ledge_reach = 75.0;
-    walking(|time| Wish { jump: time > 0.3 && time < 0.32, ..RIGHT })
+    walking(|time| MoveInput { jump: time > 0.3 && time < 0.32, ..RIGHT })
 }
 
 fn lift(stage: &mut RecipeStage) -> Result<Step> {
@@ -122,7 +122,7 @@ fn one_way(stage: &mut RecipeStage) -> Result<Step> {
     stage.simulator.platform_mut(shelf).ok_or("it is new")?.set_one_way(true)?;
     stage.actor([90.0, 0.0, 50.0])?;
     stage.actors[0].walker.walk.jump_height = 90.0;
-    walking(|time| Wish { jump: time > 0.1 && time < 0.12, ..STILL })
+    walking(|time| MoveInput { jump: time > 0.1 && time < 0.12, ..STILL })
 }
 
 fn hole(stage: &mut RecipeStage) -> Result<Step> {
@@ -130,7 +130,7 @@ fn hole(stage: &mut RecipeStage) -> Result<Step> {
     stage.block([-100.0, 140.0], [0.0, 30.0])?;
     stage.block([220.0, 500.0], [0.0, 30.0])?;
     stage.actor([60.0, 30.0, 50.0])?;
-    walking(|time| Wish { jump: time > 0.4 && time < 0.42, ..RIGHT })
+    walking(|time| MoveInput { jump: time > 0.4 && time < 0.42, ..RIGHT })
 }
 
 fn door(stage: &mut RecipeStage) -> Result<Step> {
@@ -254,7 +254,7 @@ fn categories(stage: &mut RecipeStage) -> Result<Step> {
     let mut time = 0.0;
     Ok(Box::new(move |stage, dt| {
         act(stage, 0, RIGHT, dt)?;
-        act(stage, 1, if time < 1.2 { Wish { x: -60.0, ..STILL } } else { STILL }, dt)?;
+        act(stage, 1, if time < 1.2 { MoveInput { x: -60.0, ..STILL } } else { STILL }, dt)?;
         stage.simulator.update(dt);
         time += dt;
         Ok(())
@@ -299,8 +299,8 @@ fn running(stage: &mut RecipeStage) -> Result<Step> {
     stage.actor([60.0, 0.0, 20.0])?;
     stage.actor([60.0, 0.0, 80.0])?;
     Ok(Box::new(|stage, dt| {
-        act(stage, 0, Wish { x: 140.0, ..STILL }, dt)?;
-        act(stage, 1, Wish { x: 260.0, ..STILL }, dt)?;
+        act(stage, 0, MoveInput { x: 140.0, ..STILL }, dt)?;
+        act(stage, 1, MoveInput { x: 260.0, ..STILL }, dt)?;
         stage.simulator.update(dt);
         Ok(())
     }))
@@ -329,7 +329,7 @@ fn crowd(stage: &mut RecipeStage) -> Result<Step> {
                 wish += away * (90.0 * (1.0 - distance / 40.0).max(0.0) / distance);
             }
             wish *= (90.0 / wish.norm().max(1.0)).min(1.0);
-            act(stage, at, Wish { x: wish.x, z: wish.z, jump: false }, dt)?;
+            act(stage, at, MoveInput { x: wish.x, z: wish.z, jump: false }, dt)?;
             stage.actors[at].looks_left = way.x < 0.0;
         }
         stage.simulator.update(dt);

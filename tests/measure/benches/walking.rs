@@ -5,7 +5,7 @@
 
 use std::time::{Duration, Instant};
 
-use twohalf::{BodyId, TwoHalfPhysicsSimulator, Vector2, Walk, Walker, Wish};
+use twohalf::{BodyId, CharacterController, CharacterSettings, MoveInput, TwoHalfPhysicsSimulator, Vector2};
 use twohalf_factories::{Figure, Prism, spawn};
 
 const DT: f32 = 1.0 / 60.0;
@@ -18,7 +18,7 @@ const ROOM: [f32; 2] = [70.0, 50.0];
 /// Things side by side in the street.
 const LANES: usize = 10;
 
-fn street() -> (TwoHalfPhysicsSimulator, Vec<(BodyId, Walker)>) {
+fn street() -> (TwoHalfPhysicsSimulator, Vec<(BodyId, CharacterController)>) {
     let mut simulator =
         TwoHalfPhysicsSimulator::with_gravity(600, Vector2::new(0.0, 900.0)).expect("a height");
     let mut figures = Vec::new();
@@ -29,7 +29,7 @@ fn street() -> (TwoHalfPhysicsSimulator, Vec<(BodyId, Walker)>) {
             if is_figure { Figure::new([30.0, 60.0, 20.0]) } else { Prism::new([40.0; 3]).mass(20.0) };
         let made = spawn(&mut simulator, thing.at(place)).expect("sizes and masses above 0");
         if is_figure {
-            figures.push((made.body, Walker::new(Walk::default())));
+            figures.push((made.body, CharacterController::new(CharacterSettings::default())));
         }
     }
     (simulator, figures)
@@ -43,7 +43,7 @@ fn run() -> [Duration; 2] {
         let start = Instant::now();
         for (at, (body, walker)) in figures.iter_mut().enumerate() {
             let (z, x) = (2.4 * at as f32 + step as f32 * DT).sin_cos();
-            let wish = Wish { x: 120.0 * x, z: 60.0 * z, jump: (step + 7 * at) % 240 == 0 };
+            let wish = MoveInput { x: 120.0 * x, z: 60.0 * z, jump: (step + 7 * at) % 240 == 0 };
             simulator.walk(*body, walker, wish, DT).expect("a figure");
         }
         let walked = Instant::now();

@@ -5,7 +5,8 @@ use std::collections::BTreeSet;
 
 use farseer_core::{Body, BodyId, CollisionCategory, Geom, GeomId, GeomPlacement, Vertices};
 use twohalf::{
-    EventHandler, Ground, Partner, PlatformId, Result, TextureId, TwoHalfPhysicsSimulator, Vector2, Vector3,
+    ContactTarget, EventHandler, Ground, PlatformId, Result, TextureId, TwoHalfPhysicsSimulator, Vector2,
+    Vector3,
 };
 
 use super::{Row, rows_of};

@@ -1,11 +1,11 @@
 //! What a beat-'em-up is made of: actors, blows, hands, blocks.
 
 use conformance::fixtures::depth::{assert_near, assert_near3, fix, velocity};
-use twohalf::{DepthScheme, TwoHalfPhysicsSimulator, Vector2, Vector3, Wish};
+use twohalf::{DepthScheme, MoveInput, TwoHalfPhysicsSimulator, Vector2, Vector3};
 use twohalf_factories::{Actor, Blow, Figure, Hands, Prism, Spawned, in_reach, spawn, spawn_block, strike};
 
 const STEP: f32 = 1.0 / 120.0;
-const RIGHT: Wish = Wish { x: 150.0, z: 0.0, jump: false };
+const RIGHT: MoveInput = MoveInput { x: 150.0, z: 0.0, jump: false };
 
 fn simulator() -> TwoHalfPhysicsSimulator {
     TwoHalfPhysicsSimulator::with_gravity(480, Vector2::new(0.0, 900.0)).unwrap()
@@ -24,13 +24,13 @@ fn an_actor_looks_where_it_wished_to_go_and_counts_its_steps() {
     let mut simulator = simulator();
     let mut actor = actor(&mut simulator, [0.0, 0.0, 50.0]);
     for _ in 0..120 {
-        assert!(actor.act(&mut simulator, Wish { x: -80.0, z: 60.0, jump: false }, STEP).unwrap());
+        assert!(actor.act(&mut simulator, MoveInput { x: -80.0, z: 60.0, jump: false }, STEP).unwrap());
         simulator.update(STEP);
     }
     assert!(actor.looks_left && actor.walker.is_grounded());
     // 100 px/s for a second, at 40 px a step.
     assert_near(actor.stride, 2.5, 1e-3);
-    actor.act(&mut simulator, Wish { x: 0.0, z: 60.0, jump: false }, STEP).unwrap();
+    actor.act(&mut simulator, MoveInput { x: 0.0, z: 60.0, jump: false }, STEP).unwrap();
     assert!(actor.looks_left);
 }
 
@@ -43,7 +43,7 @@ fn who_is_stunned_flies_on_as_thrown_and_is_braked_where_it_lands() {
     actor.stunned = 1.0;
     let mut acted = 0;
     for step in 0..180 {
-        acted += u32::from(actor.act(&mut simulator, Wish { x: -150.0, ..RIGHT }, STEP).unwrap());
+        acted += u32::from(actor.act(&mut simulator, MoveInput { x: -150.0, ..RIGHT }, STEP).unwrap());
         simulator.update(STEP);
         if step == 60 {
             assert_near(velocity(&simulator, actor.thing.body).x, 200.0, 1.0);

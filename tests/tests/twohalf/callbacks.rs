@@ -5,7 +5,7 @@ use conformance::fixtures::depth::{
     place, platform, run, run_with, set_surface, simulator, solid, throw, velocity, weightless,
 };
 use twohalf::{
-    Axis, BodyId, Collision, CollisionCategory, Context, Event, EventHandler, GeomId, Partner,
+    Axis, BodyId, Collision, CollisionCategory, ContactTarget, Context, Event, EventHandler, GeomId,
     TwoHalfPhysicsSimulator, Vector3,
 };
 
@@ -16,7 +16,7 @@ const ROUNDING: f32 = 1e-3;
 #[derive(Default)]
 struct Listener {
     collisions: Vec<Collision>,
-    separations: Vec<(GeomId, Partner)>,
+    separations: Vec<(GeomId, ContactTarget)>,
     updated: Vec<BodyId>,
     /// Answers what a handler answers.
     refuses: Option<fn(&Context<'_>, &Collision) -> bool>,
@@ -28,7 +28,7 @@ impl EventHandler for Listener {
         !self.refuses.is_some_and(|refuses| refuses(context, collision))
     }
 
-    fn on_separation(&mut self, _: &mut Context<'_>, this: GeomId, partner: Partner) {
+    fn on_separation(&mut self, _: &mut Context<'_>, this: GeomId, partner: ContactTarget) {
         self.separations.push((this, partner));
     }
 
@@ -101,8 +101,8 @@ fn both_sides_are_told_of_a_hit_the_older_first_with_opposite_normals() {
         assert_eq!(events.len(), 2);
         for heard in [&events, &listener.collisions] {
             let [first, second] = [heard[0], heard[1]];
-            assert_eq!((first.this, first.partner), (geoms[0], Partner::Geom(geoms[1])));
-            assert_eq!((second.this, second.partner), (geoms[1], Partner::Geom(geoms[0])));
+            assert_eq!((first.this, first.partner), (geoms[0], ContactTarget::Geom(geoms[1])));
+            assert_eq!((second.this, second.partner), (geoms[1], ContactTarget::Geom(geoms[0])));
             for collision in [first, second] {
                 assert_eq!((collision.axis, collision.vetoed), (axis, false));
                 assert!(!collision.partner.is_ground());
@@ -263,7 +263,7 @@ struct OneWay;
 
 impl EventHandler for OneWay {
     fn on_collision(&mut self, context: &mut Context<'_>, collision: &Collision) -> bool {
-        let Partner::Platform(id) = collision.partner else { return true };
+        let ContactTarget::Platform(id) = collision.partner else { return true };
         let Some(platform) = context.platform(id) else { return true };
         let top = platform.position3d().y + platform.height();
         let body = context.geom(collision.this).and_then(|geom| context.body(geom.body()));
@@ -330,7 +330,7 @@ fn a_sensor_feels_what_passes_through_it_along_every_axis_and_does_not_push() {
             let felt = listener.collisions.iter().filter(|collision| collision.this == geom).count();
             // 60 px at 0.8 px per step, obliquely up to 60 / 0.8 px, or less where a ball cuts a corner.
             assert!((40..=94).contains(&felt), "{felt} steps, ball: {is_ball}, {direction:?}");
-            let partner = Partner::Geom(geom_of(&simulator, body));
+            let partner = ContactTarget::Geom(geom_of(&simulator, body));
             assert_eq!(listener.separations.iter().filter(|told| **told == (geom, partner)).count(), 1);
         }
     }
@@ -406,7 +406,7 @@ pub(crate) fn groups_categories_and_switches_count_for_platforms() {
         for is_ball in [true, false] {
             let (mut simulator, body, partner) = falling(is_ball, true, 0.0);
             let geom = geom_of(&simulator, body);
-            let Partner::Platform(id) = partner else { unreachable!() };
+            let ContactTarget::Platform(id) = partner else { unreachable!() };
             let mut floor = simulator.platform_mut(id).unwrap();
             match way {
                 0 => floor.set_collision_group(7),
@@ -450,7 +450,7 @@ pub(crate) fn a_separation_is_told_once_to_each_side_in_every_axis() {
                 _ => None,
             }));
         }
-        let expected = [(geoms[0], Partner::Geom(geoms[1])), (geoms[1], Partner::Geom(geoms[0]))];
+        let expected = [(geoms[0], ContactTarget::Geom(geoms[1])), (geoms[1], ContactTarget::Geom(geoms[0]))];
         assert_eq!(events.len(), 2, "{axis:?}");
         for side in expected {
             assert!(listener.separations.contains(&side) && events.contains(&side), "{axis:?}");

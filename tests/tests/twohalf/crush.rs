@@ -5,7 +5,8 @@ use conformance::fixtures::depth::{
     with_scheme,
 };
 use twohalf::{
-    BodyId, DepthScheme, Event, Partner, PlatformId, Squeeze, TwoHalfPhysicsSimulator, Vector2, Vector3,
+    BodyId, ContactTarget, CrushInfo, DepthScheme, Event, PlatformId, TwoHalfPhysicsSimulator, Vector2,
+    Vector3,
 };
 use twohalf_factories::{Figure, spawn};
 
@@ -13,7 +14,7 @@ fn precise(test: impl FnOnce()) {
     with_scheme(DepthScheme::Precise, test);
 }
 
-fn crushed(simulator: &TwoHalfPhysicsSimulator) -> Vec<(BodyId, Squeeze)> {
+fn crushed(simulator: &TwoHalfPhysicsSimulator) -> Vec<(BodyId, CrushInfo)> {
     let told = |event: &Event| match *event {
         Event::Crushed { body, squeeze } => Some((body, squeeze)),
         _ => None,
@@ -46,11 +47,11 @@ fn a_lift_below_a_ceiling_crushes_when_the_room_is_gone_at_every_rate() {
         assert_eq!(body, figure);
         assert_eq!(
             (squeeze.axis, squeeze.between),
-            (Vector3::y(), [Partner::Platform(lift), Partner::Platform(ceiling)])
+            (Vector3::y(), [ContactTarget::Platform(lift), ContactTarget::Platform(ceiling)])
         );
         // 20 px of way to the ceiling and 4 px into it, at 40 px/s.
         assert_near(step as f32 / rate, 24.0 / 40.0, 1.5 / rate);
-        let at_the_end = simulator.squeeze(figure).unwrap();
+        let at_the_end = simulator.crush_info(figure).unwrap();
         assert_near(at_the_end.depth, 20.0, 0.5);
     }
 }
@@ -64,8 +65,8 @@ fn who_is_squeezed_is_so_right_after_a_load() {
         (0..60).for_each(|_| simulator.update(1.0 / 60.0));
         let mut loaded = TwoHalfPhysicsSimulator::new(1).unwrap();
         loaded.restore(&simulator.snapshot()).unwrap();
-        assert_eq!(loaded.squeeze(figure), simulator.squeeze(figure), "{scale}");
-        assert_eq!(loaded.squeeze(figure).is_some(), scale > 0.0, "{scale}");
+        assert_eq!(loaded.crush_info(figure), simulator.crush_info(figure), "{scale}");
+        assert_eq!(loaded.crush_info(figure).is_some(), scale > 0.0, "{scale}");
     }
 }
 
@@ -104,11 +105,11 @@ fn a_wall_that_comes_along_each_axis_squeezes_along_it() {
             velocity[axis] = 50.0;
             simulator.platform_mut(moving).unwrap().set_velocity(velocity).unwrap();
             run(&mut simulator, 90);
-            let squeeze = simulator.squeeze(body).unwrap();
+            let squeeze = simulator.crush_info(body).unwrap();
             let mut direction = Vector3::zeros();
             direction[axis] = 1.0;
             assert_eq!(squeeze.axis, direction);
-            assert_eq!(squeeze.between, [moving, fixed].map(Partner::Platform));
+            assert_eq!(squeeze.between, [moving, fixed].map(ContactTarget::Platform));
             // 45 px of way, of which there were 30.
             assert_near(squeeze.depth, 15.0, 0.5);
         }
@@ -125,9 +126,9 @@ fn what_is_pushed_passes_the_squeeze_on() {
         let bodies = [-40.0, 0.0, 40.0].map(|x| solid(&mut simulator, [40.0; 3], [x, 0.0, 100.0]));
         simulator.platform_mut(ram).unwrap().set_velocity(Vector3::new(20.0, 0.0, 0.0)).unwrap();
         run(&mut simulator, 60);
-        let all: Vec<Squeeze> = bodies.iter().map(|&body| simulator.squeeze(body).unwrap()).collect();
+        let all: Vec<CrushInfo> = bodies.iter().map(|&body| simulator.crush_info(body).unwrap()).collect();
         assert!(all.iter().all(|squeeze| squeeze.axis == Vector3::x() && squeeze.depth > 1.0), "{all:?}");
-        assert_eq!(all[2].between[1], Partner::Geom(geom_of(&simulator, wall)));
+        assert_eq!(all[2].between[1], ContactTarget::Geom(geom_of(&simulator, wall)));
     });
 }
 
@@ -142,8 +143,8 @@ fn what_lies_in_a_pile_is_not_crushed() {
             run(&mut simulator, 1);
             assert_eq!(crushed(&simulator), []);
         }
-        assert!(simulator.squeeze(column[0]).is_some_and(|squeeze| squeeze.axis == Vector3::y()));
-        assert_eq!(simulator.squeeze(column[9]), None);
+        assert!(simulator.crush_info(column[0]).is_some_and(|squeeze| squeeze.axis == Vector3::y()));
+        assert_eq!(simulator.crush_info(column[9]), None);
     });
 }
 
@@ -191,12 +192,12 @@ fn what_cannot_be_is_refused() {
         simulator.dispose(body).unwrap();
         run(&mut simulator, 1);
         assert!(simulator.set_crush_tolerance(body, Some(1.0)).is_err());
-        assert_eq!(simulator.squeeze(body), None);
+        assert_eq!(simulator.crush_info(body), None);
     });
     with_scheme(DepthScheme::Thesis, || {
         let mut simulator = simulator();
         let body = ball(&mut simulator, 8.0, [0.0; 3]);
         assert!(simulator.set_crush_tolerance(body, Some(1.0)).is_err());
-        assert_eq!(simulator.squeeze(body), None);
+        assert_eq!(simulator.crush_info(body), None);
     });
 }

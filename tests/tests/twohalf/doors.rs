@@ -5,7 +5,7 @@ use std::f32::consts::FRAC_PI_2;
 use conformance::fixtures::depth::{
     DT, assert_near3, ball, place, run, simulator, solid, throw, velocity, weightless, with_scheme,
 };
-use twohalf::{DepthScheme, Footprint, TwoHalfPhysicsSimulator, Vector3, Wish};
+use twohalf::{DepthScheme, Footprint, MoveInput, TwoHalfPhysicsSimulator, Vector3};
 use twohalf_factories::{Actor, Ball, Capsule, Cylinder, Door, Figure, Prism, Thing, spawn, spawn_door};
 
 fn precise(test: impl FnOnce()) {
@@ -245,7 +245,7 @@ fn a_figure_that_walks_is_stopped_by_it_at_every_angle() {
             let normal = Vector3::new(-angle.sin(), 0.0, angle.cos());
             let middle = simulator.platform(door.platform()).unwrap().position3d();
             let mut actor = figure(&mut simulator, (middle + normal * 60.0).into());
-            let wish = Wish { x: -200.0 * normal.x, z: -200.0 * normal.z, ..Wish::default() };
+            let wish = MoveInput { x: -200.0 * normal.x, z: -200.0 * normal.z, ..MoveInput::default() };
             for _ in 0..150 {
                 actor.act(&mut simulator, wish, DT).unwrap();
                 run(&mut simulator, 1);
@@ -269,7 +269,7 @@ fn a_figure_that_stands_or_walks_in_its_way_is_pushed_by_it() {
                 let mut actor = figure(&mut simulator, [HINGE[0] + 60.0, 0.0, HINGE[2] + 30.0]);
                 let mut farthest = 0.0f32;
                 while !door.turn_towards(&mut simulator, FRAC_PI_2, speed * dt).unwrap() {
-                    let wish = Wish { z: walks, ..Wish::default() };
+                    let wish = MoveInput { z: walks, ..MoveInput::default() };
                     actor.act(&mut simulator, wish, dt).unwrap();
                     simulator.update(dt);
                     let [along, apart] = beside(&door, actor.place(&simulator));

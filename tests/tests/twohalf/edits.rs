@@ -4,7 +4,9 @@ use conformance::fixtures::depth::{
     AXES, DT, assert_near3, ball, busy_scene, falling, pair_along, place, platform, run, run_with,
     set_platform_surface, set_surface, solid, throw, velocity, weightless, with_scheme,
 };
-use twohalf::{BodyId, Collision, Context, DepthScheme, EventHandler, GeomId, Partner, Vector2, Vector3};
+use twohalf::{
+    BodyId, Collision, ContactTarget, Context, DepthScheme, EventHandler, GeomId, Vector2, Vector3,
+};
 
 /// Edits a body in a callback.
 type Edit = fn(&mut Context<'_>, BodyId);
@@ -43,7 +45,7 @@ impl EventHandler for Editor {
         true
     }
 
-    fn on_separation(&mut self, context: &mut Context<'_>, this: GeomId, _: Partner) {
+    fn on_separation(&mut self, context: &mut Context<'_>, this: GeomId, _: ContactTarget) {
         let body = context.geom(this).map(|geom| geom.body());
         self.run("separation", context, body);
     }

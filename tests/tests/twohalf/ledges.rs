@@ -3,19 +3,22 @@
 //! Figures are 30 x 60 x 20 px, and reach edges 75 px over their soles.
 
 use conformance::fixtures::depth::{assert_near, fix, geom_of, place, platform, solid, velocity};
-use twohalf::{BodyId, Partner, PlatformId, TwoHalfPhysicsSimulator, Vector2, Vector3, Walk, Walker, Wish};
+use twohalf::{
+    BodyId, CharacterController, CharacterSettings, ContactTarget, MoveInput, PlatformId,
+    TwoHalfPhysicsSimulator, Vector2, Vector3,
+};
 use twohalf_factories::{Capsule, Figure, Prism, spawn};
 
 const RATES: [f32; 4] = [30.0, 60.0, 120.0, 240.0];
 const REACH: f32 = 75.0;
-const STILL: Wish = Wish { x: 0.0, z: 0.0, jump: false };
-const RIGHT: Wish = Wish { x: 150.0, ..STILL };
-const LEFT: Wish = Wish { x: -150.0, ..STILL };
+const STILL: MoveInput = MoveInput { x: 0.0, z: 0.0, jump: false };
+const RIGHT: MoveInput = MoveInput { x: 150.0, ..STILL };
+const LEFT: MoveInput = MoveInput { x: -150.0, ..STILL };
 
 struct Stage {
     simulator: TwoHalfPhysicsSimulator,
     figure: BodyId,
-    walker: Walker,
+    walker: CharacterController,
     dt: f32,
 }
 
@@ -24,7 +27,10 @@ impl Stage {
         let mut simulator = TwoHalfPhysicsSimulator::with_gravity(600, Vector2::new(0.0, 900.0)).unwrap();
         let figure = Prism::new([30.0, 60.0, 20.0]).mass(70.0).friction(0.0).upright();
         let figure = spawn(&mut simulator, figure.at(at)).unwrap().body;
-        let walker = Walker::new(Walk { ledge_reach: REACH, ..Walk::default() });
+        let walker = CharacterController::new(CharacterSettings {
+            ledge_reach: REACH,
+            ..CharacterSettings::default()
+        });
         Stage { simulator, figure, walker, dt: 1.0 / rate }
     }
 
@@ -35,12 +41,12 @@ impl Stage {
         (stage, wall)
     }
 
-    fn step(&mut self, wish: Wish) {
+    fn step(&mut self, wish: MoveInput) {
         self.simulator.walk(self.figure, &mut self.walker, wish, self.dt).unwrap();
         self.simulator.update(self.dt);
     }
 
-    fn walk(&mut self, wish: Wish, seconds: f32, mut look: impl FnMut(&Self)) {
+    fn walk(&mut self, wish: MoveInput, seconds: f32, mut look: impl FnMut(&Self)) {
         for _ in 0..(seconds / self.dt).round() as usize {
             self.step(wish);
             look(self);
@@ -53,7 +59,7 @@ impl Stage {
 
     /// Falls beside an edge with a wish until it hangs there.
     #[track_caller]
-    fn hang(&mut self, wish: Wish) {
+    fn hang(&mut self, wish: MoveInput) {
         for _ in 0..(2.0 / self.dt) as usize {
             self.step(wish);
             if self.walker.ledge().is_some() {
@@ -69,7 +75,7 @@ fn who_falls_beside_an_edge_and_wishes_towards_it_takes_hold_and_climbs_onto_it(
     for rate in RATES {
         let (mut stage, wall) = Stage::with_wall(rate, 200.0, [-17.0, 180.0, 50.0]);
         stage.hang(RIGHT);
-        assert_eq!(stage.walker.ledge(), Some(Partner::Platform(wall)));
+        assert_eq!(stage.walker.ledge(), Some(ContactTarget::Platform(wall)));
         // As high as it reaches, but for what it falls within a step.
         let soles = stage.at().y;
         assert!(soles <= 200.0 && soles > 200.0 - REACH - 330.0 / rate, "{rate}: {soles}");
@@ -90,7 +96,7 @@ fn a_jump_reaches_an_edge_that_is_higher_than_it() {
     for rate in RATES {
         let (mut stage, _) = Stage::with_wall(rate, 120.0, [-60.0, 0.0, 50.0]);
         stage.walk(STILL, 0.1, |_| ());
-        stage.step(Wish { jump: true, ..RIGHT });
+        stage.step(MoveInput { jump: true, ..RIGHT });
         stage.walk(RIGHT, 1.5, |_| ());
         assert_near(stage.at().y, 120.0, 0.05);
         assert!(stage.walker.is_grounded(), "{rate} {:?} {:?}", stage.at(), stage.walker);
@@ -102,7 +108,7 @@ fn it_climbs_along_z_as_well() {
     for (start, wish_z) in [(-12.0, 150.0), (112.0, -150.0)] {
         for rate in RATES {
             let (mut stage, _) = Stage::with_wall(rate, 200.0, [100.0, 170.0, start]);
-            let wish = Wish { z: wish_z, ..STILL };
+            let wish = MoveInput { z: wish_z, ..STILL };
             stage.hang(wish);
             stage.walk(wish, 0.8, |_| ());
             assert!(stage.walker.is_grounded());
@@ -122,7 +128,7 @@ fn round_figures_climb_from_every_side() {
         for (figure, rate) in figures.into_iter().flat_map(|figure| RATES.map(|rate| (figure, rate))) {
             let (mut stage, _) = Stage::with_wall(rate, 200.0, [-500.0, 0.0, 50.0]);
             stage.figure = spawn(&mut stage.simulator, figure.at([x, 170.0, z])).unwrap().body;
-            let wish = Wish { x: 150.0 * wish_x, z: 150.0 * wish_z, jump: false };
+            let wish = MoveInput { x: 150.0 * wish_x, z: 150.0 * wish_z, jump: false };
             stage.hang(wish);
             stage.walk(wish, 0.8, |_| ());
             assert!(stage.walker.is_grounded(), "{rate}: {:?}", stage.at());
@@ -154,7 +160,7 @@ fn it_lets_go_when_it_wishes_away_and_jumps_off_when_it_jumps() {
         stage.walk(LEFT, 1.5, |_| ());
         assert_near(stage.at().y, 0.0, 0.05);
         assert!(stage.walker.ledge().is_none() && stage.at().x < -100.0);
-        jumping.step(Wish { jump: true, ..LEFT });
+        jumping.step(MoveInput { jump: true, ..LEFT });
         let mut highest = 0.0_f32;
         jumping.walk(LEFT, 0.5, |stage| highest = highest.max(stage.at().y));
         assert_near(highest, soles + 60.0, 3.0);
@@ -189,7 +195,7 @@ fn static_bodies_have_edges_and_crates_that_can_be_pushed_have_none() {
         }
         let mut held = None;
         stage.walk(RIGHT, 1.5, |stage| held = held.or(stage.walker.ledge()));
-        assert_eq!(held, is_fixed.then(|| Partner::Geom(geom_of(&stage.simulator, wall))));
+        assert_eq!(held, is_fixed.then(|| ContactTarget::Geom(geom_of(&stage.simulator, wall))));
         assert_eq!((stage.at().y - 160.0).abs() < 0.1, is_fixed);
     }
 }
@@ -210,14 +216,14 @@ fn neither_on_its_way_up_nor_without_a_wish_nor_without_a_reach_does_it_take_hol
     for rate in RATES {
         let (mut stage, _) = Stage::with_wall(rate, 60.0, [-20.0, 0.0, 50.0]);
         stage.walk(STILL, 0.1, |_| ());
-        stage.step(Wish { jump: true, ..STILL });
+        stage.step(MoveInput { jump: true, ..STILL });
         stage.walk(RIGHT, 0.2, |stage| assert_eq!(stage.walker.ledge(), None));
 
         let (mut stage, _) = Stage::with_wall(rate, 200.0, [-16.0, 170.0, 50.0]);
         stage.walk(STILL, 1.0, |stage| assert_eq!(stage.walker.ledge(), None));
 
         let (mut stage, _) = Stage::with_wall(rate, 200.0, [-16.0, 170.0, 50.0]);
-        stage.walker = Walker::new(Walk::default());
+        stage.walker = CharacterController::new(CharacterSettings::default());
         stage.walk(RIGHT, 1.0, |stage| assert_eq!(stage.walker.ledge(), None));
     }
 }
@@ -241,7 +247,7 @@ fn who_hangs_is_saved_with_the_walker() {
     let (mut stage, _) = Stage::with_wall(60.0, 200.0, [-16.0, 170.0, 50.0]);
     stage.hang(RIGHT);
     let text = serde_json::to_string(&stage.walker).unwrap();
-    let walker: Walker = serde_json::from_str(&text).unwrap();
+    let walker: CharacterController = serde_json::from_str(&text).unwrap();
     assert_eq!(walker, stage.walker);
     let mut other = Stage { simulator: stage.simulator.clone(), walker, ..stage };
     stage.walk(RIGHT, 1.0, |_| ());

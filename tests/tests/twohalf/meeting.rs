@@ -7,7 +7,7 @@ use conformance::fixtures::depth::{
     DT, GRAVITY, SLOP, assert_near, assert_near3, ball, collisions_of, crate_box, fix, geom_of, momentum,
     place, platform, run, run_until_hit, set_surface, simulator, solid, throw, velocity, weightless,
 };
-use twohalf::{Axis, BodyId, Collision, Partner, TwoHalfPhysicsSimulator, Vector3};
+use twohalf::{Axis, BodyId, Collision, ContactTarget, TwoHalfPhysicsSimulator, Vector3};
 
 /// Velocities of a few hundred px/s after a few hundred operations of f32.
 const ROUNDING: f32 = 1e-3;
@@ -512,7 +512,7 @@ pub(crate) fn a_ball_pushes_a_box_in_the_direction_of_their_contact() {
     let geom = geom_of(&simulator, still);
     let hit = run_until_hit(&mut simulator, geom);
     assert_eq!(hit.axis, Axis::Oblique);
-    assert_eq!(hit.partner, Partner::Geom(geom_of(&simulator, body)));
+    assert_eq!(hit.partner, ContactTarget::Geom(geom_of(&simulator, body)));
     run(&mut simulator, 20);
     let [pushed, after] = [still, body].map(|body| velocity(&simulator, body));
     assert_near3(pushed + after, [0.0, 0.0, 50.0], ROUNDING);

@@ -4,7 +4,8 @@ use conformance::fixtures::depth::{
     assert_near, assert_near3, ball, place, platform, set_surface, solid, throw, velocity, with_scheme,
 };
 use twohalf::{
-    BodyId, DepthScheme, Platform, PlatformId, TwoHalfPhysicsSimulator, Vector2, Vector3, Walk, Walker, Wish,
+    BodyId, CharacterController, CharacterSettings, DepthScheme, MoveInput, Platform, PlatformId,
+    TwoHalfPhysicsSimulator, Vector2, Vector3,
 };
 
 const RATES: [f32; 4] = [30.0, 60.0, 120.0, 240.0];
@@ -167,9 +168,12 @@ fn a_figure_jumps_up_through_it_and_stands_on_it() {
         let figure = solid(&mut simulator, [30.0, 60.0, 20.0], [0.0; 3]);
         let mut view = simulator.body_mut(figure).unwrap();
         view.core_mut().set_moment_of_inertia(1e20).unwrap();
-        let mut walker = Walker::new(Walk { jump_height: 140.0, ..Walk::default() });
+        let mut walker = CharacterController::new(CharacterSettings {
+            jump_height: 140.0,
+            ..CharacterSettings::default()
+        });
         let mut step = |simulator: &mut TwoHalfPhysicsSimulator, jump: bool| {
-            simulator.walk(figure, &mut walker, Wish { x: 0.0, z: 0.0, jump }, 1.0 / rate).unwrap();
+            simulator.walk(figure, &mut walker, MoveInput { x: 0.0, z: 0.0, jump }, 1.0 / rate).unwrap();
             simulator.update(1.0 / rate);
             walker.is_grounded()
         };
@@ -199,9 +203,9 @@ fn a_figure_walks_through_it_as_if_nothing_were_there() {
             view.set_collision_response_enabled(is_there);
             let figure = solid(&mut simulator, [30.0, 60.0, 20.0], [0.0; 3]);
             simulator.body_mut(figure).unwrap().core_mut().set_moment_of_inertia(1e20).unwrap();
-            let mut walker = Walker::new(Walk::default());
+            let mut walker = CharacterController::new(CharacterSettings::default());
             for _ in 0..rate as usize {
-                let wish = Wish { x: 200.0, z: 0.0, jump: false };
+                let wish = MoveInput { x: 200.0, z: 0.0, jump: false };
                 simulator.walk(figure, &mut walker, wish, 1.0 / rate).unwrap();
                 simulator.update(1.0 / rate);
             }

@@ -8,7 +8,7 @@ use conformance::fixtures::depth::{
     DT, GRAVITY, SLOP, assert_near, assert_near3, ball, collisions_of, geom_of, place, platform, run,
     run_until_hit, set_platform_surface, set_surface, simulator, solid, throw, velocity, weightless,
 };
-use twohalf::{Axis, BodyId, Event, Partner, PlatformId, TwoHalfPhysicsSimulator, Vector3};
+use twohalf::{Axis, BodyId, ContactTarget, Event, PlatformId, TwoHalfPhysicsSimulator, Vector3};
 
 /// Height of what rests may be below its surface by this: the slop and what a step of gravity adds.
 const REST: f32 = SLOP + 2.0 * GRAVITY * DT * DT;
@@ -187,7 +187,7 @@ fn what_jumps_under_a_platform_bumps_its_head_and_falls_back() {
         throw(&mut simulator, body, [0.0, 150.0, 0.0]);
         let geom = geom_of(&simulator, body);
         let hit = run_until_hit(&mut simulator, geom);
-        assert_eq!((hit.partner, hit.normal), (Partner::Platform(roof), Vector3::new(0.0, -1.0, 0.0)));
+        assert_eq!((hit.partner, hit.normal), (ContactTarget::Platform(roof), Vector3::new(0.0, -1.0, 0.0)));
         // It is told when its top is at the underside, late by a step at 150 px/s.
         let highest = place(&simulator, body).y;
         assert!((80.0..=80.0 + 150.0 * DT).contains(&highest), "{highest}");
@@ -261,7 +261,7 @@ fn hit_side(
         simulator.update(DT);
         collisions_of(&simulator, geom)
             .into_iter()
-            .find(|collision| collision.partner == Partner::Platform(wall))
+            .find(|collision| collision.partner == ContactTarget::Platform(wall))
     });
     run(&mut simulator, 50);
     (hit.unwrap(), place(&simulator, body), velocity(&simulator, body))
@@ -455,8 +455,9 @@ pub(crate) fn leaving_a_platform_is_told_once() {
     let mut told = 0;
     for _ in 0..300 {
         simulator.update(DT);
-        let is_leaving =
-            |event: &&Event| **event == Event::Separation { this: geom, partner: Partner::Platform(floor) };
+        let is_leaving = |event: &&Event| {
+            **event == Event::Separation { this: geom, partner: ContactTarget::Platform(floor) }
+        };
         told += simulator.events().iter().filter(is_leaving).count();
     }
     assert_eq!(told, 1);

@@ -5,8 +5,8 @@ use conformance::fixtures::depth::{
     simulator, solid, throw, under_test, velocity, weightless,
 };
 use twohalf::{
-    Axis, BodyId, DepthProfile, DepthScheme, DrawOrder, Drawable, GeomId, Partner, Platform, PlatformId,
-    TextureId, TwoHalfPhysicsSimulator, Vector2, Vector3,
+    Axis, BodyId, ContactTarget, DepthProfile, DepthScheme, DrawOrder, Drawable, GeomId, Platform,
+    PlatformId, TextureId, TwoHalfPhysicsSimulator, Vector2, Vector3,
 };
 
 /// Where a point of the world appears.
@@ -165,7 +165,7 @@ fn the_contacts_of_a_box_at_rest_are_its_lower_corners_and_carry_its_weight() {
     for contact in &contacts {
         assert_eq!(
             (contact.this, contact.partner, contact.axis),
-            (geom_of(&simulator, body), Partner::Ground, Axis::Plane)
+            (geom_of(&simulator, body), ContactTarget::Ground, Axis::Plane)
         );
         assert_eq!(contact.normal, Vector3::new(0.0, 1.0, 0.0));
         assert_near((contact.position.x - 10.0).abs(), 20.0, 0.01);
@@ -187,7 +187,7 @@ fn the_contact_of_two_balls_is_between_them() {
     let contact = contacts[0];
     assert_eq!(
         (contact.this, contact.partner),
-        (geom_of(&simulator, b), Partner::Geom(geom_of(&simulator, a)))
+        (geom_of(&simulator, b), ContactTarget::Geom(geom_of(&simulator, a)))
     );
     assert_eq!((contact.axis, contact.normal), (Axis::Depth, Vector3::new(0.0, 0.0, 1.0)));
     assert_eq!((contact.separation, contact.normal_impulse), (-1.0, 0.0));

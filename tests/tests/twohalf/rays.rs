@@ -2,7 +2,7 @@
 
 use conformance::fixtures::depth::{assert_near, assert_near3, ball, geom_of, platform, solid, weightless};
 use twohalf::farseer_core::{GeomPlacement, Vertices};
-use twohalf::{Partner, Platform, RayHit3D, TwoHalfPhysicsSimulator, Vector2, Vector3};
+use twohalf::{ContactTarget, Platform, RayHit3D, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
 const ROUNDING: f32 = 1e-3;
 
@@ -21,7 +21,8 @@ fn a_ray_enters_a_box_and_a_platform_through_the_face_that_it_meets() {
     let body = solid(&mut simulator, [40.0, 20.0, 30.0], [0.0, 90.0, 0.0]);
     settle(&mut simulator);
     let block = platform(&mut simulator, [40.0, 20.0, 30.0], [300.0, 90.0, 0.0]);
-    let both = [(Partner::Geom(geom_of(&simulator, body)), 0.0), (Partner::Platform(block), 300.0)];
+    let both =
+        [(ContactTarget::Geom(geom_of(&simulator, body)), 0.0), (ContactTarget::Platform(block), 300.0)];
     for (partner, middle) in both {
         for (axis, half) in [20.0, 10.0, 15.0].into_iter().enumerate() {
             for side in [-1.0, 1.0] {
@@ -64,7 +65,7 @@ fn a_ray_enters_a_ball_at_its_radius_and_passes_beside_it() {
         for start in [[-100.0, 150.0, 200.0], [300.0, 40.0, -90.0], [60.0, 400.0, 20.0]] {
             let end = (centre + Vector3::from(aim)) * 2.0 - Vector3::from(start);
             let hit = cast(&simulator, start, end.into()).unwrap();
-            assert_eq!(hit.partner, Partner::Geom(geom));
+            assert_eq!(hit.partner, ContactTarget::Geom(geom));
             assert_near((hit.point - centre).norm(), 20.0, 0.01);
             assert_near3(hit.normal, ((hit.point - centre) / 20.0).into(), ROUNDING);
             assert!(hit.normal.dot(&(end - Vector3::from(start))) < 0.0);
@@ -102,7 +103,10 @@ fn a_ray_goes_on_through_what_the_filter_does_not_let_through() {
     {
         order.push(hit.partner);
     }
-    assert_eq!(order, [Partner::Geom(geom_of(&simulator, near)), Partner::Platform(far), Partner::Ground]);
+    assert_eq!(
+        order,
+        [ContactTarget::Geom(geom_of(&simulator, near)), ContactTarget::Platform(far), ContactTarget::Ground]
+    );
 }
 
 #[test]
@@ -125,7 +129,7 @@ fn what_holds_the_start_is_hit_only_where_the_ray_enters_it_again() {
         .unwrap();
     simulator.add(cup).unwrap();
     settle(&mut simulator);
-    let only_cup = |partner| partner == Partner::Geom(cup);
+    let only_cup = |partner| partner == ContactTarget::Geom(cup);
     let y = simulator.body(body).unwrap().origin3d().y;
     let at = |x: f32, down: f32| Vector3::new(x, y - down, 0.0);
     let hit = simulator.ray_cast3d(at(-25.0, -5.0), at(50.0, -5.0), only_cup).unwrap();
@@ -149,10 +153,10 @@ fn a_ray_in_the_plane_of_flat_things_enters_where_the_2d_engine_says() {
         let (sin, cos) = (step as f32 * 0.1).sin_cos();
         let (start, end) = (Vector2::new(150.0 * cos, -110.0 + 150.0 * sin), Vector2::new(3.0, -107.0));
         let world = |point: Vector2| Vector3::new(point.x, -point.y, 4.0);
-        let is_geom = |partner| matches!(partner, Partner::Geom(_));
+        let is_geom = |partner| matches!(partner, ContactTarget::Geom(_));
         let flat = simulator.core().ray_cast(start, end);
         let deep = simulator.ray_cast3d(world(start), world(end), is_geom);
-        assert_eq!(flat.map(|hit| Partner::Geom(hit.geom)), deep.map(|hit| hit.partner));
+        assert_eq!(flat.map(|hit| ContactTarget::Geom(hit.geom)), deep.map(|hit| hit.partner));
         let (Some(flat), Some(deep)) = (flat, deep) else { continue };
         hits += 1;
         assert_near3(deep.point, world(flat.point).into(), 0.01);

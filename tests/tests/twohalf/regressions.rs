@@ -5,7 +5,7 @@ use conformance::fixtures::depth::{
     solid, throw, velocity, weightless, with_scheme,
 };
 use twohalf::{
-    BodyId, Collision, Context, DepthScheme, Event, EventHandler, Partner, PlatformId,
+    BodyId, Collision, ContactTarget, Context, DepthScheme, Event, EventHandler, PlatformId,
     TwoHalfPhysicsSimulator, Vector3,
 };
 
@@ -100,7 +100,7 @@ struct Refuses(PlatformId);
 
 impl EventHandler for Refuses {
     fn on_collision(&mut self, _: &mut Context<'_>, collision: &Collision) -> bool {
-        collision.partner != Partner::Platform(self.0)
+        collision.partner != ContactTarget::Platform(self.0)
     }
 }
 

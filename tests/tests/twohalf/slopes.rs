@@ -9,7 +9,8 @@ use conformance::fixtures::depth::{
     set_platform_surface, set_surface, simulator, solid, throw, velocity, weightless,
 };
 use twohalf::{
-    Axis, BodyId, DepthProfile, Partner, Platform, PlatformId, TwoHalfPhysicsSimulator, Vector2, Vector3,
+    Axis, BodyId, ContactTarget, DepthProfile, Platform, PlatformId, TwoHalfPhysicsSimulator, Vector2,
+    Vector3,
 };
 
 /// A slope of 400 x 20 x 200 px whose middle is 200 px high, falling to the right by `angle` rad.
@@ -349,7 +350,7 @@ fn a_ball_stops_at_the_slanted_side_where_it_is_drawn() {
             throw(&mut simulator, body, [-sign * 70.0, 0.0, 0.0]);
             let geom = geom_of(&simulator, body);
             run_until_hit(&mut simulator, geom);
-            assert_eq!(collisions_of(&simulator, geom)[0].partner, Partner::Platform(id));
+            assert_eq!(collisions_of(&simulator, geom)[0].partner, ContactTarget::Platform(id));
             // The distance of its middle from the side's plane is within a step of its radius.
             let away = (origin(&simulator, body) - Vector3::new(0.0, 40.0, 60.0))
                 .dot(&side_normal(angle, sign))

@@ -4,8 +4,8 @@ use conformance::fixtures::depth::{
     assert_goes_on_after_loading, assert_near, place, set_platform_surface, simulator, velocity, with_scheme,
 };
 use twohalf::{
-    BodyId, DepthScheme, Footprint, Platform, PlatformId, TwoHalfPhysicsSimulator, Vector2, Vector3, Walk,
-    Walker, Wish,
+    BodyId, CharacterController, CharacterSettings, DepthScheme, Footprint, MoveInput, Platform, PlatformId,
+    TwoHalfPhysicsSimulator, Vector2, Vector3,
 };
 use twohalf_factories::{Cylinder, Figure, Prism, Thing, spawn};
 
@@ -145,26 +145,34 @@ fn what_slides_down_a_steep_slope_goes_on_after_loading() {
 }
 
 /// A figure on a slope that it may stand on, or may not.
-fn figure_on(slope: Slope, max_slope: f32) -> (TwoHalfPhysicsSimulator, BodyId, Walker) {
+fn figure_on(slope: Slope, max_slope: f32) -> (TwoHalfPhysicsSimulator, BodyId, CharacterController) {
     let (simulator, body) = scene(slope, Figure::new([20.0, 60.0, 20.0]), 10.0, 0.0);
-    (simulator, body, Walker::new(Walk { max_slope: max_slope.to_radians(), ..Walk::default() }))
+    (
+        simulator,
+        body,
+        CharacterController::new(CharacterSettings {
+            max_slope: max_slope.to_radians(),
+            ..CharacterSettings::default()
+        }),
+    )
 }
 
 #[test]
 fn a_figure_stands_on_and_jumps_from_a_steep_slope_that_is_a_floor_to_it() {
     for (slope, rate) in Slope::all(&STEEP).flat_map(|slope| [30.0, 60.0, 120.0].map(|rate| (slope, rate))) {
         let (mut simulator, body, mut walker) = figure_on(slope, 86.0);
-        let mut step = |simulator: &mut TwoHalfPhysicsSimulator, wish: Wish| {
+        let mut step = |simulator: &mut TwoHalfPhysicsSimulator, wish: MoveInput| {
             simulator.walk(body, &mut walker, wish, 1.0 / rate).unwrap();
             simulator.update(1.0 / rate);
             place(simulator, body)
         };
-        (0..(0.3 * rate) as usize).for_each(|_| _ = step(&mut simulator, Wish::default()));
+        (0..(0.3 * rate) as usize).for_each(|_| _ = step(&mut simulator, MoveInput::default()));
         let start = place(&simulator, body);
-        (0..(0.3 * rate) as usize).for_each(|_| _ = step(&mut simulator, Wish::default()));
+        (0..(0.3 * rate) as usize).for_each(|_| _ = step(&mut simulator, MoveInput::default()));
         assert!((place(&simulator, body) - start).norm() < 0.1, "{slope:?} {rate}");
-        step(&mut simulator, Wish { jump: true, ..Wish::default() });
-        let heights = (0..(0.5 * rate) as usize).map(|_| step(&mut simulator, Wish::default()).y - start.y);
+        step(&mut simulator, MoveInput { jump: true, ..MoveInput::default() });
+        let heights =
+            (0..(0.5 * rate) as usize).map(|_| step(&mut simulator, MoveInput::default()).y - start.y);
         // Half a step from the top, at most, is its highest step: g dt^2 / 8.
         let missed = GRAVITY / (8.0 * rate * rate);
         assert_near(heights.fold(0.0, f32::max), 60.0 - 0.5 * missed, 1.0 + 0.5 * missed);
@@ -176,7 +184,7 @@ fn a_figure_slides_down_a_steep_slope_that_is_a_wall_to_it() {
     for slope in Slope::all(&STEEP) {
         let (mut simulator, body, mut walker) = figure_on(slope, 50.0);
         for _ in 0..30 {
-            simulator.walk(body, &mut walker, Wish::default(), 1.0 / 60.0).unwrap();
+            simulator.walk(body, &mut walker, MoveInput::default(), 1.0 / 60.0).unwrap();
             simulator.update(1.0 / 60.0);
         }
         // In the air its wish to stand still brakes it by 600 px/s² along X and Z, which takes less than half.

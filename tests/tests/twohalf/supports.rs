@@ -5,15 +5,17 @@ use conformance::fixtures::depth::{
     simulator, solid, throw, weightless,
 };
 use twohalf::farseer_core::{GeomPlacement, Vertices};
-use twohalf::{BodyId, Partner, Platform, PlatformId, Support, TwoHalfPhysicsSimulator, Vector2, Vector3};
+use twohalf::{
+    BodyId, ContactTarget, Platform, PlatformId, Support, TwoHalfPhysicsSimulator, Vector2, Vector3,
+};
 
 const UP: [f32; 3] = [0.0, 1.0, 0.0];
 
 /// Heights of a few hundred px in f32, after some operations.
 const ROUNDING: f32 = 1e-3;
 
-/// Partner, height and normal of what is beneath a point.
-fn beneath(simulator: &TwoHalfPhysicsSimulator, point: [f32; 3]) -> Option<(Partner, f32, Vector3)> {
+/// ContactTarget, height and normal of what is beneath a point.
+fn beneath(simulator: &TwoHalfPhysicsSimulator, point: [f32; 3]) -> Option<(ContactTarget, f32, Vector3)> {
     let surface = simulator.surface_beneath(Vector3::from(point))?;
     Some((surface.partner, surface.height, surface.normal))
 }
@@ -34,7 +36,7 @@ fn tilted(
 pub(crate) fn the_ground_is_beneath_every_point_that_is_not_below_it() {
     let simulator = weightless();
     for point in [[0.0, 0.0, 0.0], [-300.0, 50.0, -70.0], [1e6, 1e6, 1e6]] {
-        assert_eq!(beneath(&simulator, point), Some((Partner::Ground, 0.0, Vector3::from(UP))));
+        assert_eq!(beneath(&simulator, point), Some((ContactTarget::Ground, 0.0, Vector3::from(UP))));
     }
     // What rests is sunk in by the 0.05 px that are left alone; four times that count as resting.
     assert!(beneath(&simulator, [0.0, -0.19, 0.0]).is_some());
@@ -56,8 +58,8 @@ pub(crate) fn the_surface_beneath_the_lowest_point_of_what_rests_is_what_it_rest
 pub(crate) fn a_level_platform_is_beneath_the_points_over_it_and_nothing_of_it_beneath_others() {
     let mut simulator = weightless();
     let id = platform(&mut simulator, [200.0, 40.0, 100.0], [10.0, 20.0, 100.0]);
-    let top = Some((Partner::Platform(id), 60.0, Vector3::from(UP)));
-    let ground = Some((Partner::Ground, 0.0, Vector3::from(UP)));
+    let top = Some((ContactTarget::Platform(id), 60.0, Vector3::from(UP)));
+    let ground = Some((ContactTarget::Ground, 0.0, Vector3::from(UP)));
     for (point, expected) in [
         ([10.0, 200.0, 100.0], top),
         ([-89.0, 61.0, 51.0], top),
@@ -79,10 +81,10 @@ pub(crate) fn the_highest_of_several_surfaces_below_the_point_counts() {
     let low = platform(&mut simulator, [200.0, 10.0, 100.0], [0.0, 20.0, 0.0]);
     let high = platform(&mut simulator, [100.0, 10.0, 100.0], [0.0, 90.0, 0.0]);
     for (point, expected) in [
-        ([0.0, 500.0, 0.0], Partner::Platform(high)),
-        ([0.0, 70.0, 0.0], Partner::Platform(low)),
-        ([80.0, 500.0, 0.0], Partner::Platform(low)),
-        ([0.0, 10.0, 0.0], Partner::Ground),
+        ([0.0, 500.0, 0.0], ContactTarget::Platform(high)),
+        ([0.0, 70.0, 0.0], ContactTarget::Platform(low)),
+        ([80.0, 500.0, 0.0], ContactTarget::Platform(low)),
+        ([0.0, 10.0, 0.0], ContactTarget::Ground),
     ] {
         assert_eq!(beneath(&simulator, point).unwrap().0, expected, "{point:?}");
     }
@@ -94,7 +96,7 @@ pub(crate) fn the_gap_between_two_platforms_shows_the_ground() {
     for x in [-60.0, 60.0] {
         platform(&mut simulator, [100.0, 40.0, 100.0], [x, 20.0, 0.0]);
     }
-    assert_eq!(beneath(&simulator, [0.0, 100.0, 0.0]).unwrap().0, Partner::Ground);
+    assert_eq!(beneath(&simulator, [0.0, 100.0, 0.0]).unwrap().0, ContactTarget::Ground);
     assert_eq!(beneath(&simulator, [11.0, 100.0, 0.0]).unwrap().1, 60.0);
 }
 
@@ -107,11 +109,11 @@ pub(crate) fn a_slope_is_beneath_at_the_height_of_its_line_with_its_normal() {
         let middle = [30.0 + 10.0 * angle.sin(), 200.0 + 10.0 * angle.cos()];
         for x in [-100.0, 0.0, 33.0, 150.0] {
             let (partner, height, normal) = beneath(&simulator, [x, 1000.0, 50.0]).unwrap();
-            assert_eq!(partner, Partner::Platform(id));
+            assert_eq!(partner, ContactTarget::Platform(id));
             assert_near(height, middle[1] - (x - middle[0]) * angle.tan(), ROUNDING);
             assert_near3(normal, [angle.sin(), angle.cos(), 0.0], 1e-6);
         }
-        assert_eq!(beneath(&simulator, [260.0, 1000.0, 50.0]).unwrap().0, Partner::Ground);
+        assert_eq!(beneath(&simulator, [260.0, 1000.0, 50.0]).unwrap().0, ContactTarget::Ground);
     }
 }
 
@@ -138,9 +140,9 @@ pub(crate) fn beneath_a_body_is_what_is_beneath_the_middle_of_its_object_geom() 
     // Resting a little in it still is on it.
     let resting = ball(&mut simulator, 10.0, [0.0, 59.95, 100.0]);
     let partner = |body: BodyId| simulator.surface_beneath_body(body).unwrap().partner;
-    assert_eq!(partner(over), Partner::Platform(id));
-    assert_eq!(partner(beside), Partner::Ground);
-    assert_eq!(partner(resting), Partner::Platform(id));
+    assert_eq!(partner(over), ContactTarget::Platform(id));
+    assert_eq!(partner(beside), ContactTarget::Ground);
+    assert_eq!(partner(resting), ContactTarget::Platform(id));
 }
 
 #[test]
@@ -148,7 +150,7 @@ pub(crate) fn a_removed_platform_is_beneath_nothing() {
     let mut simulator = weightless();
     let id = platform(&mut simulator, [200.0, 40.0, 100.0], [0.0, 20.0, 100.0]);
     simulator.remove_platform(id).unwrap();
-    assert_eq!(beneath(&simulator, [0.0, 100.0, 100.0]).unwrap().0, Partner::Ground);
+    assert_eq!(beneath(&simulator, [0.0, 100.0, 100.0]).unwrap().0, ContactTarget::Ground);
     assert!(simulator.platform(id).is_none());
 }
 
@@ -158,8 +160,8 @@ pub(crate) fn a_box_is_beneath_the_points_over_it_and_a_ball_is_not() {
     let lower = solid(&mut simulator, [40.0, 20.0, 30.0], [100.0, 30.0, 50.0]);
     ball(&mut simulator, 20.0, [0.0, 0.0, 0.0]);
     simulator.update(0.0);
-    let top = Some((Partner::Geom(geom_of(&simulator, lower)), 50.0, Vector3::from(UP)));
-    let ground = Some((Partner::Ground, 0.0, Vector3::from(UP)));
+    let top = Some((ContactTarget::Geom(geom_of(&simulator, lower)), 50.0, Vector3::from(UP)));
+    let ground = Some((ContactTarget::Ground, 0.0, Vector3::from(UP)));
     for (point, expected) in [
         ([100.0, 200.0, 50.0], top),
         ([81.0, 50.0, 36.0], top),
@@ -189,7 +191,7 @@ pub(crate) fn a_tilted_box_is_beneath_at_the_height_of_its_edges_with_their_norm
     let ridge = [centre.x - 20.0 * cos + 10.0 * sin, centre.y + 20.0 * sin + 10.0 * cos];
     for (x, slope, normal) in [(10.0, -sin / cos, [sin, cos, 0.0]), (-1.0, cos / sin, [-cos, sin, 0.0])] {
         let (partner, height, out) = beneath(&simulator, [ridge[0] + x, 500.0, 0.0]).unwrap();
-        assert_eq!(partner, Partner::Geom(geom_of(&simulator, body)));
+        assert_eq!(partner, ContactTarget::Geom(geom_of(&simulator, body)));
         assert_near(height, ridge[1] + slope * x, ROUNDING);
         assert_near3(out, normal, 1e-5);
     }
@@ -213,7 +215,7 @@ pub(crate) fn what_lets_everything_through_is_beneath_nothing() {
         simulator.update(0.0);
         assert_eq!(beneath(&simulator, [0.0, 200.0, 0.0]).unwrap().1, 50.0);
         open(&mut simulator, body);
-        assert_eq!(beneath(&simulator, [0.0, 200.0, 0.0]).unwrap().0, Partner::Ground);
+        assert_eq!(beneath(&simulator, [0.0, 200.0, 0.0]).unwrap().0, ContactTarget::Ground);
     }
 }
 
@@ -223,14 +225,14 @@ pub(crate) fn the_surface_beneath_goes_on_below_what_the_filter_does_not_let_thr
     let block = platform(&mut simulator, [200.0, 10.0, 100.0], [0.0, 20.0, 0.0]);
     let bodies = [60.0, 100.0].map(|y| solid(&mut simulator, [40.0, 20.0, 30.0], [0.0, y, 0.0]));
     simulator.update(0.0);
-    let [low, high] = bodies.map(|body| Partner::Geom(geom_of(&simulator, body)));
+    let [low, high] = bodies.map(|body| ContactTarget::Geom(geom_of(&simulator, body)));
     let mut order = Vec::new();
     while let Some(surface) =
         simulator.surface_beneath_where(Vector3::new(0.0, 200.0, 0.0), |partner| !order.contains(&partner))
     {
         order.push(surface.partner);
     }
-    assert_eq!(order, [high, low, Partner::Platform(block), Partner::Ground]);
+    assert_eq!(order, [high, low, ContactTarget::Platform(block), ContactTarget::Ground]);
 }
 
 #[test]
@@ -259,9 +261,9 @@ pub(crate) fn beneath_a_cup_is_what_it_stands_on_and_not_its_own_floor() {
     assert_near(middle.y, 120.0, ROUNDING);
     let from = [middle.x - 10.0, middle.y, middle.z];
     let (partner, height, _) = beneath(&simulator, from).unwrap();
-    assert_eq!(partner, Partner::Geom(geom));
+    assert_eq!(partner, ContactTarget::Geom(geom));
     assert_near(height, 110.0, ROUNDING);
-    assert_eq!(simulator.surface_beneath_body(cup).unwrap().partner, Partner::Ground);
+    assert_eq!(simulator.surface_beneath_body(cup).unwrap().partner, ContactTarget::Ground);
 }
 
 #[test]
@@ -272,7 +274,7 @@ pub(crate) fn what_a_body_falls_on_was_the_surface_beneath_it() {
     let upper = solid(&mut simulator, [40.0, 20.0, 20.0], [5.0, 60.0, 0.0]);
     simulator.update(0.0);
     let surface = simulator.surface_beneath_body(upper).unwrap();
-    assert_eq!(surface.partner, Partner::Geom(geom_of(&simulator, lower)));
+    assert_eq!(surface.partner, ContactTarget::Geom(geom_of(&simulator, lower)));
     run(&mut simulator, 200);
     assert_eq!(support(&simulator, upper).map(|support| support.partner), Some(surface.partner));
     assert_near(place(&simulator, upper).y, surface.height, 0.2);
@@ -300,7 +302,7 @@ pub(crate) fn on_the_ground_the_ground_holds_a_body_up() {
             false => solid(&mut simulator, [40.0, 20.0, 20.0], [0.0, 1.0, 0.0]),
         };
         run(&mut simulator, 50);
-        let expected = Support { partner: Partner::Ground, normal: Vector3::from(UP) };
+        let expected = Support { partner: ContactTarget::Ground, normal: Vector3::from(UP) };
         let view = simulator.body(body).unwrap();
         assert_eq!(
             (view.support(), view.is_grounded(), view.supports()),
@@ -352,7 +354,7 @@ pub(crate) fn a_platform_holds_up_what_stands_on_it() {
     let body = solid(&mut simulator, [40.0, 20.0, 20.0], [0.0, 60.0, 45.0]);
     run(&mut simulator, 50);
     let view = simulator.body(body).unwrap();
-    assert_eq!(view.support().unwrap().partner, Partner::Platform(id));
+    assert_eq!(view.support().unwrap().partner, ContactTarget::Platform(id));
     assert!(view.is_grounded());
 }
 
@@ -366,7 +368,7 @@ pub(crate) fn two_platforms_that_carry_one_box_are_both_among_its_supports() {
         simulator.body(body).unwrap().supports().into_iter().map(|support| support.partner).collect();
     for id in ids {
         assert_eq!(
-            partners.iter().filter(|&&partner| partner == Partner::Platform(id)).count(),
+            partners.iter().filter(|&&partner| partner == ContactTarget::Platform(id)).count(),
             1,
             "{partners:?}"
         );
@@ -417,12 +419,12 @@ pub(crate) fn a_body_holds_up_another_one_and_is_not_held_up_by_it() {
             false => solid(&mut simulator, [40.0, 20.0, 20.0], [0.0, 30.0, 0.0]),
         };
         run(&mut simulator, 50);
-        let below = Partner::Geom(geom_of(&simulator, lower));
+        let below = ContactTarget::Geom(geom_of(&simulator, lower));
         assert_eq!(support(&simulator, upper).map(|support| support.partner), Some(below), "ball: {is_ball}");
         assert!(simulator.body(upper).unwrap().is_grounded());
-        assert_eq!(support(&simulator, lower).map(|support| support.partner), Some(Partner::Ground));
+        assert_eq!(support(&simulator, lower).map(|support| support.partner), Some(ContactTarget::Ground));
         let partners = simulator.body(lower).unwrap().supports();
-        assert!(partners.iter().all(|support| support.partner == Partner::Ground), "{partners:?}");
+        assert!(partners.iter().all(|support| support.partner == ContactTarget::Ground), "{partners:?}");
     }
 }
 
@@ -433,7 +435,7 @@ pub(crate) fn a_wall_holds_nobody_up() {
     let body = solid(&mut simulator, [40.0, 20.0, 20.0], [0.0, 100.0, 39.5]);
     throw(&mut simulator, body, [0.0, 0.0, 100.0]);
     run(&mut simulator, 2);
-    let touches = simulator.contacts().any(|contact| contact.partner == Partner::Platform(wall));
+    let touches = simulator.contacts().any(|contact| contact.partner == ContactTarget::Platform(wall));
     assert!(touches);
     assert_eq!(support(&simulator, body), None);
 }

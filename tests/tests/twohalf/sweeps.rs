@@ -6,7 +6,7 @@ use conformance::fixtures::depth::{
 use conformance::fixtures::plane::Random;
 use twohalf::farseer_core::{GeomPlacement, Vertices};
 use twohalf::{
-    BodyId, DepthProfile, DepthScheme, Footprint, GeomId, Partner, Platform, SweepHit3D,
+    BodyId, ContactTarget, DepthProfile, DepthScheme, Footprint, GeomId, Platform, SweepHit3D,
     TwoHalfPhysicsSimulator, Vector2, Vector3,
 };
 use twohalf_factories::{Capsule, Cylinder, Prism, spawn};
@@ -34,7 +34,8 @@ fn a_box_meets_a_box_and_a_platform_where_their_faces_touch() {
     let body = solid(&mut simulator, [40.0, 20.0, 30.0], [0.0, 90.0, 0.0]);
     simulator.update(0.0);
     let block = platform(&mut simulator, [40.0, 20.0, 30.0], [300.0, 90.0, 0.0]);
-    let both = [(Partner::Geom(geom_of(&simulator, body)), 0.0), (Partner::Platform(block), 300.0)];
+    let both =
+        [(ContactTarget::Geom(geom_of(&simulator, body)), 0.0), (ContactTarget::Platform(block), 300.0)];
     for (partner, x) in both {
         for (axis, reach) in [26.0, 14.0, 17.0].into_iter().enumerate() {
             for side in [-1.0, 1.0] {
@@ -54,7 +55,7 @@ fn a_box_that_passes_beside_something_by_a_hair_meets_nothing_and_by_a_hair_less
     let mut simulator = weightless();
     let body = solid(&mut simulator, [40.0, 20.0, 30.0], [0.0, 90.0, 0.0]);
     simulator.update(0.0);
-    let geom = Partner::Geom(geom_of(&simulator, body));
+    let geom = ContactTarget::Geom(geom_of(&simulator, body));
     for (aside, axis) in [(14.0, 1), (17.0, 2)] {
         for (by, met) in [(-0.01, Some(geom)), (0.0, None), (0.01, None)] {
             let mut start = Vector3::new(-100.0, 100.0, 0.0);
@@ -70,7 +71,7 @@ fn a_box_meets_a_ball_with_its_face_its_edge_or_its_corner() {
     let mut simulator = weightless();
     let body = ball(&mut simulator, 15.0, [0.0, 85.0, 0.0]);
     simulator.update(0.0);
-    let geom = Partner::Geom(geom_of(&simulator, body));
+    let geom = ContactTarget::Geom(geom_of(&simulator, body));
     // So far beside it that the corner of the box is 5, 9 or 0 px from the ball's middle along Y and Z.
     for (aside, from) in [([0.0, 0.0], [0.0, 0.0]), ([9.0, 0.0], [5.0, 0.0]), ([9.0, 11.0], [5.0, 9.0])] {
         let start = Vector3::new(-100.0, 100.0 + aside[0], aside[1]);
@@ -160,7 +161,7 @@ fn what_a_box_meets_it_does_not_overlap_before_and_overlaps_after() {
                     start - Vector3::from(half),
                     start + Vector3::from(half),
                     way,
-                    |partner| partner == Partner::Geom(geom),
+                    |partner| partner == ContactTarget::Geom(geom),
                 );
                 let outline = Vertices::create_rectangle(2.0 * half[0], 2.0 * half[1]).unwrap();
                 simulator.dispose(probe_geom).ok();
@@ -238,7 +239,7 @@ fn first_point(
     });
     let of_box = edges.filter_map(|point| {
         let hit = simulator
-            .ray_cast3d(start + point, start + point + way, |partner| partner == Partner::Platform(id));
+            .ray_cast3d(start + point, start + point + way, |partner| partner == ContactTarget::Platform(id));
         hit.map(|hit| hit.fraction)
     });
     let corners = simulator.platform(id).unwrap().corners();
@@ -268,7 +269,8 @@ fn a_box_meets_platforms_that_are_tilted_lean_climb_or_are_turned_where_their_co
                 _ => {}
             }
             let course @ (start, half, way) = random_course(&mut random);
-            let hit = sweep(&simulator, start, half, way).filter(|hit| hit.partner == Partner::Platform(id));
+            let hit =
+                sweep(&simulator, start, half, way).filter(|hit| hit.partner == ContactTarget::Platform(id));
             let expected = first_point(&simulator, id, course);
             match (hit, expected) {
                 (Some(hit), Some(expected)) => {
@@ -301,7 +303,10 @@ fn the_first_of_several_is_met_and_the_filter_lets_through_what_it_does_not_want
         assert_near3(hit.normal, [0.0, 1.0, 0.0], ROUNDING);
         order.push(hit.partner);
     }
-    assert_eq!(order, [Partner::Geom(geom_of(&simulator, near)), Partner::Platform(far), Partner::Ground]);
+    assert_eq!(
+        order,
+        [ContactTarget::Geom(geom_of(&simulator, near)), ContactTarget::Platform(far), ContactTarget::Ground]
+    );
 }
 
 #[test]
@@ -313,7 +318,7 @@ fn what_a_box_overlaps_at_the_start_or_only_slides_along_does_not_stop_it() {
     for bottom in [20.0, 19.95] {
         let (low, high) = (Vector3::new(-10.0, bottom, -10.0), Vector3::new(10.0, bottom + 40.0, 10.0));
         let hit = simulator.sweep_box(low, high, Vector3::new(300.0, 0.0, 0.0), |_| true).unwrap();
-        assert_eq!((hit.partner, hit.normal), (Partner::Platform(wall), Vector3::new(-1.0, 0.0, 0.0)));
+        assert_eq!((hit.partner, hit.normal), (ContactTarget::Platform(wall), Vector3::new(-1.0, 0.0, 0.0)));
         assert_near(hit.fraction, 170.0 / 300.0, 1e-5);
         assert_eq!(simulator.sweep_box(low, high, Vector3::new(0.0, 50.0, 0.0), |_| true), None);
     }
@@ -329,7 +334,7 @@ fn in_the_hollow_of_an_outline_a_box_meets_its_other_side() {
     let body = solid(&mut simulator, [4.0; 3], [0.0, 98.0, 0.0]);
     let geom = angle(&mut simulator, body);
     simulator.update(0.0);
-    let only = |partner| partner == Partner::Geom(geom);
+    let only = |partner| partner == ContactTarget::Geom(geom);
     let origin = simulator.body(body).unwrap().origin3d();
     // In its upright bar, which ends at -13, and from there to the right along the level one: that joins it.
     let at = |x: f32, y: f32| {
@@ -358,7 +363,8 @@ fn a_box_flies_as_far_as_it_was_swept_before() {
         let low = Vector3::new(shape.left, shape.bottom, shape.front);
         let high = Vector3::new(shape.right, shape.top, shape.back);
         let way = Vector3::new(300.0, 0.0, 30.0);
-        let hit = simulator.sweep_box(low, high, way, |partner| partner != Partner::Geom(geom)).unwrap();
+        let hit =
+            simulator.sweep_box(low, high, way, |partner| partner != ContactTarget::Geom(geom)).unwrap();
         throw(&mut simulator, body, way.into());
         let from = simulator.body(body).unwrap().position3d();
         let mut steps = 0;

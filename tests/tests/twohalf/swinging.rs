@@ -7,7 +7,7 @@ use conformance::fixtures::depth::{
     weightless, with_scheme,
 };
 use twohalf::{
-    BodyId, DepthScheme, Platform, PlatformId, Swing, TwoHalfPhysicsSimulator, Vector2, Vector3, Wish,
+    BodyId, DepthScheme, MoveInput, Platform, PlatformId, Swing, TwoHalfPhysicsSimulator, Vector2, Vector3,
 };
 use twohalf_factories::{Actor, Capsule, Cylinder, Figure, Prism, SwingDoor, Thing, spawn_swing_door};
 
@@ -238,7 +238,7 @@ fn figures_walk_through_it_at_every_length_of_step_and_it_closes_behind_them() {
             let mut actor = Actor::spawn(&mut simulator, guest.at([120.0, 0.0, 55.0])).unwrap();
             let mut widest = 0.0f32;
             for _ in 0..(5.0 * rate) as usize {
-                actor.act(&mut simulator, Wish { x: 90.0, ..Wish::default() }, 1.0 / rate).unwrap();
+                actor.act(&mut simulator, MoveInput { x: 90.0, ..MoveInput::default() }, 1.0 / rate).unwrap();
                 simulator.update(1.0 / rate);
                 let open = FRAC_PI_2 - yaw(&simulator, door);
                 widest = widest.max(open);
@@ -268,7 +268,7 @@ fn who_stands_in_it_when_it_swings_back_is_pushed_and_not_crushed() {
             }
             for _ in 0..300 {
                 run(&mut simulator, 1);
-                let squeeze = simulator.squeeze(body);
+                let squeeze = simulator.crush_info(body);
                 assert!(squeeze.is_none_or(|it| it.depth < 0.5), "{squeeze:?}");
                 if has_wall {
                     assert_near(place(&simulator, body).z, 108.0, 4.5);

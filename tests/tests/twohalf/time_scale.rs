@@ -4,7 +4,9 @@ use conformance::fixtures::depth::{
     DT, assert_goes_on_after_loading, assert_near, assert_near3, ball, momentum, place, platform, run,
     set_surface, simulator, solid, throw, velocity, weightless, with_scheme,
 };
-use twohalf::{BodyId, DepthScheme, TwoHalfPhysicsSimulator, Walk, Walker, Wish};
+use twohalf::{
+    BodyId, CharacterController, CharacterSettings, DepthScheme, MoveInput, TwoHalfPhysicsSimulator,
+};
 use twohalf_factories::{Figure, spawn};
 
 fn precise(test: impl FnOnce()) {
@@ -197,12 +199,12 @@ fn a_figure_walks_and_jumps_in_its_own_time() {
             let mut simulator = simulator();
             let figure =
                 spawn(&mut simulator, Figure::new([30.0, 60.0, 20.0]).at([0.0, 0.0, 50.0])).unwrap().body;
-            let mut walker = Walker::new(Walk::default());
+            let mut walker = CharacterController::new(CharacterSettings::default());
             simulator.set_time_scale(figure, scale).unwrap();
             let mut walk = |simulator: &mut TwoHalfPhysicsSimulator, steps: usize, jumps: bool| {
                 let mut top = 0.0_f32;
                 for step in 0..steps {
-                    let wish = Wish { x: 100.0, z: 0.0, jump: jumps && step == 0 };
+                    let wish = MoveInput { x: 100.0, z: 0.0, jump: jumps && step == 0 };
                     simulator.walk(figure, &mut walker, wish, DT).unwrap();
                     run(simulator, 1);
                     top = top.max(place(simulator, figure).y);
@@ -230,11 +232,11 @@ fn a_slow_figure_is_carried_as_fast_as_others() {
         let lift = platform(&mut simulator, [400.0, 20.0, 100.0], [0.0, 0.0, 50.0]);
         let figure =
             spawn(&mut simulator, Figure::new([30.0, 60.0, 20.0]).at([0.0, 20.0, 50.0])).unwrap().body;
-        let mut walker = Walker::new(Walk::default());
+        let mut walker = CharacterController::new(CharacterSettings::default());
         simulator.set_time_scale(figure, 0.25).unwrap();
         simulator.platform_mut(lift).unwrap().set_velocity([40.0, 30.0, 0.0].into()).unwrap();
         for _ in 0..200 {
-            simulator.walk(figure, &mut walker, Wish::default(), DT).unwrap();
+            simulator.walk(figure, &mut walker, MoveInput::default(), DT).unwrap();
             run(&mut simulator, 1);
         }
         let lift = simulator.platform(lift).unwrap().position3d();

@@ -4,11 +4,11 @@ use std::f32::consts::TAU;
 
 use conformance::fixtures::depth::assert_near;
 use twohalf::farseer_core::{IslandMethod, WhyMethod};
-use twohalf::{TwoHalfPhysicsSimulator, Vector2, Vector3, Wish};
+use twohalf::{MoveInput, TwoHalfPhysicsSimulator, Vector2, Vector3};
 use twohalf_factories::{Actor, Figure, Prism, Spawned, spawn};
 
 const RATES: [f32; 3] = [30.0, 60.0, 120.0];
-const STILL: Wish = Wish { x: 0.0, z: 0.0, jump: false };
+const STILL: MoveInput = MoveInput { x: 0.0, z: 0.0, jump: false };
 
 #[derive(Clone)]
 struct Stage {
@@ -37,11 +37,11 @@ impl Stage {
     }
 
     /// So many seconds, with a jump in each.
-    fn play(&mut self, seconds: f32, wish: impl Fn(f32) -> Wish) {
+    fn play(&mut self, seconds: f32, wish: impl Fn(f32) -> MoveInput) {
         for _ in 0..(seconds * self.rate).round() as usize {
             let time = self.step as f32 / self.rate;
             let jump = self.step % self.rate as usize == self.rate as usize / 4;
-            let wish = Wish { jump, ..wish(time) };
+            let wish = MoveInput { jump, ..wish(time) };
             self.figure.act(&mut self.simulator, wish, 1.0 / self.rate).unwrap();
             self.simulator.update(1.0 / self.rate);
             self.step += 1;
@@ -96,10 +96,10 @@ fn a_heavy_figure_may_walk_to_and_fro_on_a_tower_of_light_crates() {
         for mass in [3.0, 20.0] {
             let back = |time: f32| if (time as usize).is_multiple_of(2) { 12.0 } else { -12.0 };
             let mut along = Stage::tower(rate, mass, -6.0);
-            along.play(8.0, |time| Wish { x: back(time), ..STILL });
+            along.play(8.0, |time| MoveInput { x: back(time), ..STILL });
             along.assert_stands(&format!("crates of {mass}, along X"));
             let mut across = Stage::tower(rate, mass, 8.0);
-            across.play(8.0, |time| Wish { z: back(time), ..STILL });
+            across.play(8.0, |time| MoveInput { z: back(time), ..STILL });
             across.assert_stands(&format!("crates of {mass}, along Z"));
         }
     }
@@ -140,7 +140,7 @@ fn who_lands_on_a_crate_in_full_run_does_not_shoot_it_away() {
     for rate in RATES {
         for mass in [3.0, 6.0, 20.0] {
             let mut stage = Stage::new(rate, mass, &[[0.0, 0.0, 50.0]], [-90.0, 0.0, 50.0]);
-            stage.play(1.5, |time| Wish { x: if time < 1.0 { 110.0 } else { 0.0 }, ..STILL });
+            stage.play(1.5, |time| MoveInput { x: if time < 1.0 { 110.0 } else { 0.0 }, ..STILL });
             stage.assert_stands(&format!("a crate of {mass}"));
         }
     }

@@ -4,7 +4,8 @@ use conformance::fixtures::depth::{
     DT, GRAVITY, assert_goes_on_after_loading, place, run, simulator, throw, weightless, with_scheme,
 };
 use twohalf::{
-    BodyId, DepthScheme, Footprint, Partner, Platform, PlatformId, TwoHalfPhysicsSimulator, Vector2, Vector3,
+    BodyId, ContactTarget, DepthScheme, Footprint, Platform, PlatformId, TwoHalfPhysicsSimulator, Vector2,
+    Vector3,
 };
 use twohalf_factories::{Ball, Capsule, Cylinder, Prism, Thing, spawn};
 
@@ -316,7 +317,7 @@ fn rays_and_surfaces_know_turned_platforms_and_slopes_along_z() {
             |from: [f32; 3], to: [f32; 3]| simulator.ray_cast3d(from.into(), to.into(), |_| true).unwrap();
         assert_near(hit([0.0, 200.0, 140.0], [0.0, 0.0, 140.0]).point.y, surface.height, 1e-3);
         let side = hit([200.0, 10.0, 140.0], [400.0, 10.0, 140.0]);
-        assert_eq!(side.partner, Partner::Platform(turned));
+        assert_eq!(side.partner, ContactTarget::Platform(turned));
         assert_near(side.point.x, 295.0, 1e-3);
         let low = Vector3::new(294.0, 0.0, 145.0);
         assert_eq!(simulator.platforms_in_box(low, low + Vector3::new(2.0, 5.0, 2.0), |_| true), [turned]);

@@ -5,7 +5,7 @@ use conformance::fixtures::depth::{
 };
 use conformance::fixtures::depth::{simulator, weightless};
 use twohalf::{
-    BodyId, DepthProfile, DepthScheme, Footprint, Partner, Platform, TwoHalfPhysicsSimulator, Vector2,
+    BodyId, ContactTarget, DepthProfile, DepthScheme, Footprint, Platform, TwoHalfPhysicsSimulator, Vector2,
     Vector3,
 };
 use twohalf_factories::{Ball, Capsule, Cylinder, Prism, Thing, spawn};
@@ -360,7 +360,7 @@ fn rays_enter_what_is_upright_where_its_surface_is() {
         let prism = put(&mut simulator, Prism::footprint(wedge(), 40.0), [200.0, 0.0, 100.0]);
         let_enter(&mut simulator);
         let hit = |from: [f32; 3], to: [f32; 3]| {
-            simulator.ray_cast3d(from.into(), to.into(), |partner| partner != Partner::Ground)
+            simulator.ray_cast3d(from.into(), to.into(), |partner| partner != ContactTarget::Ground)
         };
         let at_side = hit([-50.0, 20.0, 106.0], [50.0, 20.0, 106.0]).unwrap();
         assert_near(at_side.point.x, -8.0, 1e-3);
@@ -448,13 +448,16 @@ fn the_top_of_what_is_upright_is_beneath_what_is_over_its_footprint_and_a_capsul
                 simulator.surface_beneath(Vector3::new(100.0 + x, 90.0, 50.0 + z)).unwrap()
             };
             let geom = simulator.body(body).unwrap().ground().object_geom().unwrap();
-            assert_eq!(beneath(over).partner, Partner::Geom(geom));
+            assert_eq!(beneath(over).partner, ContactTarget::Geom(geom));
             assert_near(beneath(over).height, 60.0, 1e-4);
-            assert_eq!(beneath(beside).partner, Partner::Ground);
+            assert_eq!(beneath(beside).partner, ContactTarget::Ground);
         }
         let mut simulator = weightless();
         put(&mut simulator, Capsule::new(10.0, 40.0), [0.0, 20.0, 0.0]);
         let_enter(&mut simulator);
-        assert_eq!(simulator.surface_beneath(Vector3::new(0.0, 90.0, 0.0)).unwrap().partner, Partner::Ground);
+        assert_eq!(
+            simulator.surface_beneath(Vector3::new(0.0, 90.0, 0.0)).unwrap().partner,
+            ContactTarget::Ground
+        );
     });
 }

@@ -1,4 +1,4 @@
-//! Flat pieces of the surfaces of things: shadows of platforms fall from such on such.
+//! Facets: flat pieces of surfaces that cast and receive the shadows of platforms.
 
 use twohalf::{BodyId, Drawable, TwoHalfGeom, TwoHalfPhysicsSimulator, Vector3};
 
@@ -7,14 +7,14 @@ use crate::clip::clip_to_convex;
 use crate::footprint::of_top;
 use crate::surface::{Face, to_screen};
 
-/// What rests lies in what is beneath it, up to this many px.
-const SUNK: f32 = 2.0;
-/// Y of the unit normal of what is too steep to take a shadow.
-const STEEP: f32 = 0.1;
+/// Greatest penetration of a resting object, px.
+const MAX_RESTING_PENETRATION: f32 = 2.0;
+/// Least Y of the unit normal of a facet that receives shadows, dimensionless.
+const MIN_NORMAL_Y: f32 = 0.1;
 
 /// A convex piece of a plane.
 pub(super) struct Facet {
-    /// Of what it is a piece.
+    /// The object that it is a piece of.
     pub(super) of: Drawable,
     pub(super) corners: Vec<Vector3>,
     normal: Vector3,
@@ -25,17 +25,17 @@ impl Facet {
         Facet { of, corners: face.corners(corners).to_vec(), normal: face.normal(corners).normalize() }
     }
 
-    /// What of a platform looks down the most.
+    /// The face of a platform with the most downward normal.
     pub(super) fn underside(of: Drawable, corners: &[Vector3; 8]) -> Self {
         let faces = Face::ALL.map(|face| Facet::of_platform(of, corners, face));
         let lowest = faces.into_iter().min_by(|a, b| a.normal.y.total_cmp(&b.normal.y));
         lowest.unwrap_or_else(|| Facet::of_platform(of, corners, Face::Underside))
     }
 
-    /// What of a platform looks up.
+    /// Faces of a platform whose normals point up.
     pub(super) fn looking_up(of: Drawable, corners: &[Vector3; 8]) -> impl Iterator<Item = Self> {
         let faces = Face::ALL.map(|face| Facet::of_platform(of, corners, face));
-        faces.into_iter().filter(|facet| facet.normal.y > STEEP)
+        faces.into_iter().filter(|facet| facet.normal.y > MIN_NORMAL_Y)
     }
 
     /// The level top of a geom of a body.
@@ -54,7 +54,8 @@ impl Facet {
         self.corners.iter().map(|corner| [corner.x, corner.z]).collect()
     }
 
-    /// The part of it in the shadow of something above it, on the screen, and the height of its middle, px; `None` without shadow.
+    /// The part of it in the shadow of a facet above it, on the screen, and the height of its middle, px;
+    /// `None` without shadow.
     pub(super) fn shaded_by(
         &self,
         above: &Facet,
@@ -64,7 +65,7 @@ impl Facet {
         let share = 1.0 / shaded.len() as f32;
         let middle = [0, 1].map(|axis| shaded.iter().map(|point| point[axis] * share).sum());
         let height = self.height_at(middle);
-        let is_beneath = height <= above.height_at(middle) + SUNK;
+        let is_beneath = height <= above.height_at(middle) + MAX_RESTING_PENETRATION;
         let on_it = |[x, z]: Point| to_screen(simulator, Vector3::new(x, self.height_at([x, z]), z));
         (!shaded.is_empty() && is_beneath).then(|| (shaded.into_iter().map(on_it).collect(), height))
     }

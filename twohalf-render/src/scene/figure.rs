@@ -1,4 +1,4 @@
-//! Somebody to stand in for a picture that is yet to be drawn.
+//! Stand-in figures: people drawn from ellipses and limbs while a picture of them is missing.
 
 use twohalf::{BodyId, TwoHalfPhysicsSimulator};
 
@@ -7,19 +7,19 @@ use super::{Figure, Pose};
 use crate::outline_of_line::outline_of_line;
 use crate::{Canvas, Color, Point, Transform};
 
-/// How far the outline of limbs reaches beyond them, in units of the height.
+/// Width of the outline around a figure's limbs; ratio to the figure's height.
 const OUTLINE: f32 = 0.02;
 const INK: Color = Color::rgb(34, 26, 36);
 const SKIN: Color = Color::rgb(240, 194, 152);
 
-/// Where the joints of a figure are, in units of its height, from its feet up, x forwards. Of arms and legs first the far one:
-/// elbow and hand, knee and foot.
+/// The joints of a figure in units of its height (ratio): from its feet up, with x forwards. Of the arms and
+/// legs the far one comes first, as elbow and hand, knee and foot.
 struct Joints {
     arms: [[Point; 2]; 2],
     legs: [[Point; 2]; 2],
     hip: Point,
     shoulder: Point,
-    /// How far it leans backwards about its feet, rad.
+    /// Angle by which the figure leans backwards about its feet, radians.
     lean: f32,
 }
 

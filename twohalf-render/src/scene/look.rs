@@ -1,24 +1,25 @@
-//! How things of a scene look.
+//! Looks: how the bodies and platforms of a scene are drawn.
 
 use twohalf::BodyId;
 
 use crate::{Color, PlatformLook, Point, Rectangle, Texture2D};
 
-/// How something in a [`Scene`](super::Scene) looks.
+/// How a body or platform of a [`Scene`](super::Scene) is drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Look {
-    /// Not at all, without a shadow.
+    /// Invisible and without a shadow.
     Nothing,
-    /// A flat picture, at the depth of the body's middle. For platforms, which are no pictures, nothing.
+    /// A flat picture at the depth of the body's middle. Platforms are not drawn as pictures: this look hides
+    /// them.
     Picture(Picture),
     /// A solid with top and sides, in plain colours: a platform, or the outline of each of a body's geoms along its
     /// depth. Convex outlines look right.
     Solid(PlatformLook),
-    /// The same with textures on it, where there are some.
+    /// As [`Look::Solid`], with textures on the faces that have one.
     Textured(PlatformLook, Textures),
     /// A ball of this colour with a mark that shows its rotation, of the size of the body's object geom.
     Ball(Color),
-    /// Somebody to stand in for a picture that is yet to be drawn.
+    /// A stand-in figure, until a picture of it is drawn.
     Figure(Figure),
     /// A line from the middle of the body to that of another one, without a shadow: a piece of a rope.
     Line {
@@ -26,7 +27,7 @@ pub enum Look {
         to: BodyId,
         /// Its colour.
         color: Color,
-        /// Its width, px.
+        /// Width of the line, px.
         width: f32,
     },
 }
@@ -36,14 +37,14 @@ pub enum Look {
 pub struct Picture {
     /// The texture.
     pub texture: Texture2D,
-    /// The part of it that is shown; all of it if `None`.
+    /// The part of the texture that is shown; all of it if `None`.
     pub source: Option<Rectangle>,
     /// Multiplies every channel; its alpha is the opacity.
     pub tint: Color,
     /// Whether it is mirrored, left for right.
     #[doc(alias = "SpriteEffects.FlipHorizontally")]
     pub flip: bool,
-    /// Size of a px of the texture.
+    /// Size of one px of the texture in px of the world (a factor).
     pub scale: f32,
     /// Whether the middle of its lower edge is put where the body stands, upright. Otherwise its middle is at the
     /// body's origin, and it turns with the body.
@@ -62,7 +63,7 @@ impl Picture {
         Picture { stands: true, ..Picture::new(texture) }
     }
 
-    /// Of what is shown, px of the texture.
+    /// Width and height of the shown part of the texture, px.
     pub(super) fn size(&self) -> Point {
         let all = Rectangle::new(0, 0, self.texture.width(), self.texture.height());
         let shown = self.source.map_or(all, |source| source.intersection(&all));
@@ -81,29 +82,29 @@ pub struct Textures {
 
 /// A stand-in for a figure: legs, body and head, as large as the body's object geom.
 ///
-/// It is only a look; somebody to be drawn like this is made by the `Figure` of `twohalf-factories`, which is to be named in full
-/// where both are used.
+/// It is only a look. The body for it is made by the `Figure` of `twohalf-factories`; where both are used,
+/// one of them is named by its full path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Figure {
     /// Colour of the clothes.
     pub color: Color,
     /// Whether it looks to the left.
     pub looks_left: bool,
-    /// How far it is in its walk, in steps; whole numbers stand.
+    /// Phase of its walk, dimensionless: the number of steps taken. At whole numbers it stands.
     pub stride: f32,
-    /// What it does.
+    /// Its pose.
     pub pose: Pose,
 }
 
-/// What a [`Figure`] is seen doing.
+/// The pose of a [`Figure`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Pose {
-    /// It walks, or stands, as its stride says.
+    /// It walks or stands, according to its stride.
     #[default]
     Walks,
-    /// It strikes before it.
+    /// It strikes forwards.
     Strikes,
-    /// It walks, or stands, with its hands over its head.
+    /// It walks or stands with its hands over its head, according to its stride.
     Lifts,
     /// It jumps, or falls.
     Jumps,

@@ -25,7 +25,7 @@ use shadows::{Cast, SHADOW_SIZE};
 use solids::Solids;
 use water::{Part, Place};
 
-/// Everything that a simulator of the 2.5D engine holds, drawn back to front with its shadows.
+/// The scene of a 2.5D simulator: its bodies and platforms, drawn back to front with their shadows.
 ///
 /// ```
 /// # use twohalf::*;
@@ -47,16 +47,18 @@ use water::{Part, Place};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// Bodies are drawn once they take part: from the update on that follows their making, which may be `update(0.0)`. The ground
-/// hides what of a platform lies below it, and a platform that is a [`Look::Solid`] or [`Look::Textured`] without translucent colours
-/// what of others is inside of it: of a lift in a street, and of a slope that leads up from one, what lies above the street is
-/// seen. A backdrop scrolls with the scene if it is drawn through the same camera:
-/// [a camera that follows](crate#a-camera-that-follows).
+/// Bodies are drawn once they take part: from the first update after their creation, which may be
+/// `update(0.0)`. The ground hides the part of a platform that lies below it. A platform that is drawn as an
+/// opaque [`Look::Solid`] or [`Look::Textured`] hides the parts of other platforms inside of it. So of a lift
+/// in a street, and of a slope that leads up from it, only the part above the street is seen. A backdrop
+/// scrolls with the scene if it is drawn through the same camera: [a camera that
+/// follows](crate#a-camera-that-follows).
 ///
-/// Light comes from straight above. A shadow lies on the highest surface beneath the middle of what casts it: the
-/// ground, a platform, or the level top of another body that is drawn as a [`Look::Solid`] or [`Look::Textured`]; it
-/// ends at the edge of that surface and shrinks with height ([`shadow_scale`](crate::shadow_scale)). That of a platform is as
-/// large as itself, and lies on all that is beneath it: the ground, and, if it hangs in the air, platforms and such tops.
+/// Light comes from straight above. The shadow of a body lies on the highest surface beneath its middle: the
+/// ground, a platform, or the level top of another body drawn as a [`Look::Solid`] or [`Look::Textured`]. It
+/// ends at the edge of that surface and shrinks with height ([`shadow_scale`](crate::shadow_scale)). The
+/// shadow of a platform is as large as the platform. It lies on the ground and, if the platform hangs in the
+/// air, on all platforms and such tops beneath it.
 #[derive(Debug, Clone)]
 pub struct Scene<'a> {
     simulator: &'a TwoHalfPhysicsSimulator,
@@ -67,16 +69,17 @@ pub struct Scene<'a> {
     between: Option<(&'a Interpolation3D, f32)>,
 }
 
-/// How far from where it is something is drawn, px of the world, and by how much it is turned, rad.
+/// Displacement between the drawn and the simulated pose of a body or platform, px of the world, and its
+/// rotation, radians.
 #[derive(Debug, Clone, Copy, Default)]
 struct Shift {
     way: Vector3,
     turn: f32,
-    /// A platform, about the upright axis.
+    /// Rotation of a platform about the upright axis, radians.
     yaw: f32,
 }
 
-/// An item that is drawn at once: a part of a thing by its place in the order, or water.
+/// An item of the drawing order: a part of a body or platform, by its index in the order, or water.
 #[derive(Clone, Copy)]
 enum Layer<'a> {
     Thing(usize, Part),
@@ -84,15 +87,15 @@ enum Layer<'a> {
 }
 
 impl<'a> Scene<'a> {
-    /// The scene as the simulator projects it, with this picture for all shadows, which is stretched over the
-    /// footprint of what casts one.
+    /// The scene as the simulator projects it. The given picture is used for all shadows, stretched over the
+    /// footprint of each body.
     pub fn new(simulator: &'a TwoHalfPhysicsSimulator, shadow: &'a Texture2D) -> Self {
         Scene { simulator, shadow, camera: Transform::IDENTITY, patches: &[], waters: &[], between: None }
     }
 
     /// A soft round shadow, to be made once.
     pub fn soft_shadow() -> Texture2D {
-        // Sizes that are allowed are not refused.
+        // Texture sizes within the limits are not refused.
         Texture2D::shadow(SHADOW_SIZE[0], SHADOW_SIZE[1]).unwrap_or_else(|_| Texture2D::stand_in())
     }
 
@@ -111,11 +114,13 @@ impl<'a> Scene<'a> {
         Scene { waters, ..self }
     }
 
-    /// The same with everything where it is between the last two updates, for games that draw more often than they update:
-    /// a [clock](twohalf::FixedStepClock) tells which part of the next one's time has passed.
+    /// The same with bodies and platforms interpolated between the last two updates, for games that draw more
+    /// often than they update. A [clock](twohalf::FixedStepClock) tells the fraction of the next step that
+    /// has passed.
     ///
-    /// Bodies and platforms move and turn on the way. What is remembered of neither is drawn where it is.
-    /// What covers what, and what is [picked](Self::pick), is as after the last update.
+    /// Positions and rotations are interpolated. A body or platform that the interpolation does not remember
+    /// is drawn at its present pose. The drawing order and [`pick`](Self::pick) use the poses after the last
+    /// update.
     ///
     /// ```
     /// # use twohalf::*;
@@ -157,28 +162,30 @@ impl<'a> Scene<'a> {
         pose.map(shift).unwrap_or_default()
     }
 
-    /// The corners of a platform as it is turned where it is drawn, about where it is.
+    /// The corners of a platform as it is drawn, but at its simulated position: its rotation is interpolated,
+    /// its position is not.
     fn corners(&self, id: PlatformId) -> Option<[Vector3; 8]> {
         let corners = self.simulator.platform(id)?.corners();
         let Shift { turn, yaw, .. } = self.shift(Drawable::Platform(id));
         Some(turned(&corners, turn, yaw))
     }
 
-    /// A way of the world on the screen.
+    /// The projection of a displacement of the world to the screen.
     fn on_screen(&self, way: Vector3) -> Point {
         let [x, y] = to_screen(self.simulator, Vector3::zeros());
         let [to_x, to_y] = to_screen(self.simulator, way);
         [to_x - x, to_y - y]
     }
 
-    /// What lies in front at a point of the canvas, px: under the mouse, for example. Nothing with a camera that has no
-    /// way back.
+    /// The foremost body or platform at a point of the canvas (px), for example under the mouse. `None` with
+    /// a camera that has no inverse.
     pub fn pick(&self, point: impl Into<Point>) -> Option<Drawable> {
         let [x, y] = self.camera.inverse()?.apply(point.into());
         self.simulator.pick_front(twohalf::Vector2::new(x, y))
     }
 
-    /// Draws everything; `look` says how each thing looks, and is asked once for each.
+    /// Draws everything. The function `look` returns the look of each body and platform and is called once
+    /// for each.
     pub fn draw(&self, canvas: &mut dyn Canvas, mut look: impl FnMut(Drawable) -> Look) {
         let mut view = View::new(canvas).camera(&self.camera);
         let order = self.simulator.draw_order();
@@ -215,7 +222,8 @@ impl<'a> Scene<'a> {
         }
     }
 
-    /// A shadow on a surface that is drawn this far from where it is: it goes along with what casts it, and its edge with the surface.
+    /// The shadow of a body on a surface. The shadow moves with the interpolated body, its clip polygon with
+    /// the interpolated surface (`surface` is the latter's displacement).
     fn shadow(&self, cast: &Cast, surface: Vector3) -> Sprite {
         let way = self.shift(cast.of).way - surface;
         let [x, y] = self.on_screen(Vector3::new(way.x, 0.0, way.z));
@@ -228,8 +236,8 @@ impl<'a> Scene<'a> {
         sprite
     }
 
-    /// Things in their order with what is seen through between them: before each water what is under it and under none before, at
-    /// the end what sticks out of all or is over them.
+    /// The bodies and platforms in their order, together with the waters. Before each water come the parts
+    /// under its surface that are under no earlier one; at the end come the parts above all surfaces.
     fn in_layers(&self, things: &[(Drawable, Look)]) -> Vec<Layer<'a>> {
         let mut under: Vec<Vec<Layer<'a>>> = vec![Vec::new(); self.waters.len()];
         let mut over = Vec::with_capacity(things.len());

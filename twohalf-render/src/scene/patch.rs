@@ -1,4 +1,4 @@
-//! Things in the ground: holes, water, paths. They are drawn; the engine does not know of them.
+//! Patches of the ground: holes, water, paths. They are only drawn; the engine does not know them.
 
 use twohalf::{TwoHalfPhysicsSimulator, Vector3};
 
@@ -6,19 +6,19 @@ use crate::clip::clip_to_convex;
 use crate::surface::to_screen;
 use crate::{Canvas, Color, Point, Transform};
 
-/// A rectangle of the ground that looks different, in px of the world: X to the right, Z into the picture. It is only
-/// drawn: what falls into it is for the game to say.
+/// A rectangle of the ground that looks different, in px of the world: X to the right, Z into the picture. It
+/// is only drawn: the game decides about bodies that fall into it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Patch {
     /// Least and greatest X, px.
     pub x: [f32; 2],
     /// Least and greatest Z, px.
     pub z: [f32; 2],
-    /// Its colour; of a hole, that of its bottom.
+    /// Colour of the patch; of a hole, the colour of its bottom.
     pub color: Color,
-    /// How far its bottom lies below the ground, px. At 0 or less it is flat.
+    /// Depth of its bottom below the ground, px. At 0 or less it is flat.
     pub depth: f32,
-    /// Colour of the wall at the back of what has a depth, and of the line around what is flat.
+    /// Colour of the wall at the back of a patch with a depth, and of the line around a flat patch.
     pub edge: Color,
 }
 

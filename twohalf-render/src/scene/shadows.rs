@@ -1,6 +1,6 @@
-//! Which shadows a scene has, and on what they lie.
+//! The shadows of a scene and the surfaces they lie on.
 
-use twohalf::{BodyId, Drawable, GeomId, Partner, TwoHalfPhysicsSimulator, Vector3};
+use twohalf::{BodyId, ContactTarget, Drawable, GeomId, TwoHalfPhysicsSimulator, Vector3};
 
 use super::facet::Facet;
 use super::{Look, Scene};
@@ -8,23 +8,24 @@ use crate::shadow::Shadow;
 use crate::surface::{edge, edge_of_platform, to_screen};
 use crate::{Color, Point, Sprite};
 
-/// Of the picture that is stretched over footprints, px.
+/// Width and height of the shadow picture that is stretched over footprints, px.
 pub(super) const SHADOW_SIZE: [u32; 2] = [32, 16];
 
-/// How much larger than its footprint the shadow of a thing is: its picture fades towards its edge.
+/// Size of a shadow as a ratio to its footprint. It is greater than 1, since the picture fades towards its
+/// edge.
 const SPREAD: f32 = 1.2;
-/// How deep the shadow of a flat picture is, to the depth of its footprint.
+/// Depth of the shadow of a flat picture as a ratio to the depth of its footprint.
 const FLATNESS: f32 = 0.6;
-/// The shadow of a platform.
+/// Colour of the shadow of a platform.
 const DARKNESS: Color = Color::rgba(0, 0, 0, 70);
-/// Tops that are tilted by more than this, rad, take no shadow.
+/// Greatest tilt of a top that takes shadows, radians.
 const LEVEL: f32 = 0.01;
 
-/// A shadow, what casts it, and what it lies on: the ground if nothing.
+/// A shadow, the body or platform that casts it, and the surface it lies on; the ground if `None`.
 pub(super) struct Cast {
     pub(super) of: Drawable,
     pub(super) surface: Option<Drawable>,
-    /// How high its middle lies, px.
+    /// Height of its middle, px.
     pub(super) height: f32,
     pub(super) sprite: Sprite,
 }
@@ -64,7 +65,7 @@ fn tops(simulator: &TwoHalfPhysicsSimulator, (thing, look): &(Drawable, Look)) -
     if tilt.abs() > LEVEL { Vec::new() } else { solids.map(|&geom| (*id, geom)).collect() }
 }
 
-/// The shadows of a platform: on the ground, and, if it hangs in the air, on all that is beneath it.
+/// The shadows of a platform: on the ground and, if it hangs in the air, on all surfaces beneath it.
 fn of_platform(
     simulator: &TwoHalfPhysicsSimulator,
     of: Drawable,
@@ -93,13 +94,13 @@ fn of_body(scene: &Scene<'_>, id: BodyId, look: &Look, tops: &[(BodyId, GeomId)]
     let (shape, middle) = (geom.virtual_geom(), geom.position3d());
     let body_of = |geom: GeomId| tops.iter().find(|(_, top)| *top == geom).map(|(body, _)| *body);
     let surface = simulator.surface_beneath_where(middle, |partner| match partner {
-        Partner::Geom(geom) => body_of(geom).is_some_and(|body| body != id),
-        Partner::Platform(_) | Partner::Ground => true,
+        ContactTarget::Geom(geom) => body_of(geom).is_some_and(|body| body != id),
+        ContactTarget::Platform(_) | ContactTarget::Ground => true,
     })?;
     let on = match surface.partner {
-        Partner::Geom(geom) => body_of(geom).map(Drawable::Body),
-        Partner::Platform(platform) => Some(Drawable::Platform(platform)),
-        Partner::Ground => None,
+        ContactTarget::Geom(geom) => body_of(geom).map(Drawable::Body),
+        ContactTarget::Platform(platform) => Some(Drawable::Platform(platform)),
+        ContactTarget::Ground => None,
     };
     let flat = matches!(look, Look::Picture(_) | Look::Figure(_) | Look::Ball(_));
     let depth = (shape.back - shape.front) * if flat { FLATNESS } else { 1.0 };
@@ -113,7 +114,9 @@ fn of_body(scene: &Scene<'_>, id: BodyId, look: &Look, tops: &[(BodyId, GeomId)]
         layer_depth: 0.0,
     };
     let edge = match surface.partner {
-        Partner::Platform(platform) => Some(edge_of_platform(simulator, &scene.corners(platform)?, &surface)),
+        ContactTarget::Platform(platform) => {
+            Some(edge_of_platform(simulator, &scene.corners(platform)?, &surface))
+        }
         _ => edge(simulator, &surface, middle.x),
     };
     Some(Cast {

@@ -12,9 +12,10 @@ use crate::{Canvas, Color, PlatformLook, Point, SpriteBatch, Texture2D, Transfor
 
 const STILL: Transform = Transform::IDENTITY;
 
-/// Most pieces of a texture beside each other on a face; more cannot be told apart.
+/// Greatest number of copies of a texture beside each other on a face; more could not be told apart.
 const MAX_TILES: f32 = 512.0;
-/// Sine of the angle from which on a corner of an outline is an edge of the solid.
+/// Least sine of the angle between two sides of an outline whose common corner is drawn as an edge of the
+/// solid; a ratio.
 const SHARP: f32 = 0.5;
 
 pub(super) fn draw_platform(
@@ -51,13 +52,14 @@ pub(super) fn draw_platform(
             }
         }
     }
-    // The other faces, and the edges over all of them.
+    // The other faces, then the edges over all of them.
     let mut batch = SpriteBatch::begin();
     draw_faces(simulator, &mut batch, (corners, within), &look, 0.0);
     batch.end(canvas);
 }
 
-/// Repeats a texture over a face that is `size` px large, from its first corner to the second and the last, within an outline.
+/// Repeats a texture over a face of `size` px, from its first corner to the second and the last, clipped to
+/// an outline.
 fn draw_tiles(
     canvas: &mut dyn Canvas,
     texture: &Texture2D,
@@ -90,7 +92,7 @@ fn overlaps(corners: &[Point; 4], [low, high]: [Point; 2]) -> bool {
     })
 }
 
-/// The outline of every geom, from its front to its back, turned by some rad more than the body is.
+/// Draws each geom as a prism from its front to its back, rotated by `turn` radians more than the body is.
 pub(super) fn draw_body(
     simulator: &TwoHalfPhysicsSimulator,
     canvas: &mut dyn Canvas,
@@ -142,7 +144,8 @@ fn draw_sides(canvas: &mut dyn Canvas, front: &[Point], back: &[Point], look: &P
         if cross(a, b, c) <= 0.0 {
             continue;
         }
-        // Of the edge along the front, clockwise: to the right is a top, to the left an underside.
+        // Direction of the edge along the front, clockwise: to the right it is a top, to the left an
+        // underside.
         let up = (d[0] - a[0]) / distance(a, d).max(f32::MIN_POSITIVE);
         let color =
             if up > 0.0 { look.sides.lerp(look.top, up) } else { look.sides.lerp(look.underside, -up) };
@@ -201,7 +204,7 @@ pub(super) fn draw_ball(
     canvas.fill_ellipse(light, [0.3 * rx, 0.22 * ry], &STILL, Color::rgba(255, 255, 255, 120));
 }
 
-/// A line to another body, whose end is drawn some px aside.
+/// A line to another body, whose drawn position is displaced by some px.
 pub(super) fn draw_line(
     simulator: &TwoHalfPhysicsSimulator,
     canvas: &mut dyn Canvas,

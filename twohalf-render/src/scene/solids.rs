@@ -1,11 +1,11 @@
-//! Platforms of a scene that hide what is inside of them.
+//! Platforms of a scene that hide the parts of others inside of them.
 
 use twohalf::{Drawable, PlatformId, Vector3};
 
 use super::{Look, Scene};
 use crate::hidden::Solid;
 
-/// The platforms that are drawn as opaque solids, from the least X on.
+/// The platforms that are drawn as opaque solids, in ascending order of their least X.
 pub(super) struct Solids {
     all: Vec<(PlatformId, Solid)>,
     /// Width of the widest one, px.
@@ -27,7 +27,8 @@ impl Solids {
         Solids { all, widest }
     }
 
-    /// The others that overlap a platform with these corners, as seen from where it is: it is drawn some px aside from there.
+    /// The other platforms that overlap a platform with these corners, relative to its simulated position.
+    /// The platform is drawn displaced by `shift`, px.
     pub(super) fn around(&self, id: PlatformId, corners: Option<[Vector3; 8]>, shift: Vector3) -> Vec<Solid> {
         let Some(own) = corners.map(|corners| Solid::new(&corners).moved(shift)) else { return Vec::new() };
         let [left, right] = own.width();

@@ -1,4 +1,4 @@
-//! What stands upright, as a solid.
+//! Solids that stand upright, such as cylinders and capsules.
 
 use twohalf::{DepthProfile, TwoHalfGeom, TwoHalfPhysicsSimulator, Vector3};
 
@@ -8,10 +8,10 @@ use crate::surface::to_screen;
 use crate::{Canvas, PlatformLook, Point, Transform};
 
 const STILL: Transform = Transform::IDENTITY;
-/// Corners of each round end of a capsule.
+/// Number of corners of each round end of a capsule.
 const END_CORNERS: u32 = 12;
 
-/// Draws an upright geom; answers whether it is one.
+/// Draws an upright geom; returns whether the geom is one.
 pub(super) fn draw_upright(
     simulator: &TwoHalfPhysicsSimulator,
     canvas: &mut dyn Canvas,
@@ -36,11 +36,12 @@ pub(super) fn draw_upright(
     };
     for from in (0..count).filter(|&from| is_seen(from)) {
         let to = corner(from + 1);
-        // The more a side looks to the left or right, the darker it is.
+        // Sides that face to the left or right are darker.
         let ([ax, az], [bx, bz]) = (footprint[from], footprint[to]);
         let aside = (bz - az).abs() / ((bx - ax).powi(2) + (bz - az).powi(2)).sqrt().max(f32::MIN_POSITIVE);
         let color = look.front.lerp(look.sides, aside);
-        // As far as the end of the next one of what is round, which is drawn over it: no gap is seen between them.
+        // Round shapes are drawn up to the end of the next side, which is drawn over this one, so that no gap
+        // is seen between them.
         let end = if shape.is_round && is_seen(from + 1) { from + 2 } else { from + 1 };
         let upper = (from..=end).map(|at| top[corner(at)]);
         let side: Vec<Point> = upper.chain((from..=end).rev().map(|at| bottom[corner(at)])).collect();
@@ -49,7 +50,7 @@ pub(super) fn draw_upright(
     for from in (0..count).filter(|&from| is_seen(from)) {
         let to = corner(from + 1);
         canvas.stroke_polyline(&[bottom[from], bottom[to]], false, look.edge_width, &STILL, look.edges);
-        // The sides of what is round end where it is not seen any more.
+        // The sides of a round shape end where the shape's silhouette is.
         let ends = [(from, is_seen(from + count - 1)), (to, is_seen(to))];
         for (at, goes_on) in ends {
             if !(shape.is_round && goes_on) {
@@ -63,7 +64,7 @@ pub(super) fn draw_upright(
     true
 }
 
-/// Flat, as balls are.
+/// Draws a capsule as a flat outline, as balls are drawn.
 fn draw_capsule(
     simulator: &TwoHalfPhysicsSimulator,
     canvas: &mut dyn Canvas,

@@ -1,4 +1,4 @@
-//! Boxes of the world through which things are seen: water, gas, fog.
+//! Boxes of the world that are seen through: water, gas, fog.
 
 use twohalf::{Drawable, Field, Platform, Region, TwoHalfPhysicsSimulator, Vector3};
 
@@ -7,15 +7,16 @@ use crate::canvas::MAX_COORDINATE;
 use crate::surface::to_screen;
 use crate::{Canvas, Color, Point, Transform};
 
-/// What is no farther away adjoins, px.
+/// Greatest distance at which a body counts as adjoining the water, px.
 const NEAR: f32 = 1.0;
 
-/// A box of the world that is seen through, as a [`Fluid`](twohalf::Fluid) fills it. What is in it is drawn below its surface and behind
-/// its front; what stands before it or flies over it, in front. What sticks out of it is seen through it as far as its surface:
-/// flat pictures and solid bodies as if the surface met them at their front, platforms where it does.
+/// A box of the world that is seen through, as a [`Fluid`](twohalf::Fluid) fills it. Bodies inside of it are
+/// drawn below its surface and behind its front. Bodies before it or above it are drawn in front of it. A
+/// body that sticks out is seen through the water up to the surface. The surface meets flat pictures and
+/// solid bodies at their front, and platforms at their true intersection.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Water {
-    /// Where it is, within the picture.
+    /// The box, within the picture.
     pub region: Region,
     /// Its colour, translucent.
     pub color: Color,
@@ -40,7 +41,7 @@ impl Water {
         fluids.filter(is_seen).map(Water::new).collect()
     }
 
-    /// How something that is drawn like this lies to it.
+    /// The relation of a body or platform with this look to the water.
     pub(super) fn place_of(&self, scene: &Scene<'_>, thing: Drawable, look: &Look) -> Place {
         let (low, high) = (self.region.low(), self.region.high());
         let way = scene.shift(thing).way;
@@ -76,7 +77,7 @@ impl Water {
         }
     }
 
-    /// Splits a part of a thing that sticks out at the surface: below, above.
+    /// Splits a part of a body or platform that sticks out at the surface: below, above.
     pub(super) fn split(&self, part: Part, row: Option<f32>) -> [Part; 2] {
         let Part { rows: [from, to], heights: [low, high] } = part;
         match row {
@@ -110,7 +111,7 @@ impl Water {
     }
 }
 
-/// How something lies to water.
+/// The relation of a body or platform to water.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Place {
     /// All of it is seen through the water, or lies behind it.
@@ -121,7 +122,8 @@ pub(super) enum Place {
     Over,
 }
 
-/// A part of a thing that is drawn in one call: between two rows of the screen, px, and of a platform between two heights, px.
+/// A part of a body or platform that is drawn in one call: between two rows of the screen, px, and of a
+/// platform between two heights, px.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Part {
     pub(super) rows: [f32; 2],
@@ -132,14 +134,15 @@ impl Part {
     pub(super) const ALL: Part =
         Part { rows: [f32::NEG_INFINITY, f32::INFINITY], heights: [f32::NEG_INFINITY, f32::INFINITY] };
 
-    /// Whether something at a height lies on it.
+    /// Whether a height lies within the part.
     pub(super) fn holds(&self, height: f32) -> bool {
         let [low, high] = self.heights;
         low <= height && height < high
     }
 }
 
-/// Z at which the foremost of a body appears: flat pictures, balls and capsules at its middle. `None` for what is as deep as its box.
+/// Z of the frontmost drawn point: flat pictures, balls and capsules are drawn at the Z of their middle.
+/// `None` for looks that are as deep as the body's box.
 fn front_of(simulator: &TwoHalfPhysicsSimulator, thing: Drawable, look: &Look) -> Option<f32> {
     let Drawable::Body(id) = thing else { return None };
     let is_flat = match look {
@@ -156,7 +159,7 @@ fn is_level(platform: &Platform) -> bool {
     platform.rotation() == 0.0 && platform.pitch() == 0.0
 }
 
-/// The least and the greatest X, Y and Z of something.
+/// The least and the greatest X, Y and Z of a body or platform.
 fn bounds(simulator: &TwoHalfPhysicsSimulator, thing: Drawable) -> Option<(Vector3, Vector3)> {
     match thing {
         Drawable::Platform(id) => {

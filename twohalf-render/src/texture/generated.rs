@@ -1,19 +1,19 @@
-//! Textures made by computation: what scenes need when no picture is at hand.
+//! Textures made by computation, for scenes that have no pictures.
 
 use super::Texture2D;
 use crate::error::{check_range, check_size};
 use crate::{Color, Result};
 
-/// Samples per pixel and axis; smooths the edges inside a texture.
+/// Number of samples per pixel and axis; they smooth the edges inside a texture.
 const SAMPLES: u32 = 4;
 
-/// Opacity of a shadow under its middle.
+/// Opacity of a shadow under its middle, 0 to 1 (a factor).
 const SHADOW_OPACITY: f32 = 0.62;
 
 /// Width over which the shadow of a box fades inside and outside of its edge, px.
 const SOFT_EDGE: f32 = 8.0;
 
-/// Sectors of a ball, every other one pale.
+/// Number of sectors of a ball; every other one is pale.
 const BALL_SECTORS: u8 = 6;
 
 impl Texture2D {
@@ -41,13 +41,13 @@ impl Texture2D {
                 2 | 4 => base,
                 _ => pale,
             };
-            // How much the surface faces the viewer: 1 in the middle, 0 at the rim.
+            // Cosine of the angle between the surface and the viewer: 1 in the middle, 0 at the rim.
             let facing = (1.0 - radius * radius).sqrt();
             paint.darker(0.55 * (1.0 - facing) * (1.0 - facing) + 0.1 * (1.0 - facing))
         })
     }
 
-    /// What is seen where a picture is missing: 32 x 32 px, magenta and black in squares of 8 px.
+    /// A stand-in for a missing picture: 32 x 32 px, magenta and black in squares of 8 px.
     pub fn stand_in() -> Self {
         let square = |x: usize, y: usize| {
             if (x / 8 + y / 8).is_multiple_of(2) { [255, 0, 255, 255] } else { [0, 0, 0, 255] }
@@ -109,8 +109,9 @@ impl Texture2D {
         })
     }
 
-    /// The shadow of a level box on level ground: black with a soft edge, the box's footprint as it is seen with a Z
-    /// axis at `angle` degrees on the screen, counterclockwise from the x axis. For a platform's shadow image.
+    /// The shadow of a level box on level ground: black with a soft edge. Its shape is the box's footprint,
+    /// seen with a Z axis at `angle` degrees on the screen, counterclockwise from the x axis. It serves as a
+    /// platform's shadow image.
     ///
     /// `width` and `depth` in px. The texture is larger by the soft edge, 8 px on every side, and by what the
     /// footprint leans.
@@ -125,10 +126,10 @@ impl Texture2D {
         let slope = (cos / sin) as f32;
         let [w, d] = [width as f32, depth as f32];
         let size = [w + (d * slope).abs(), d].map(|side| side + 2.0 * SOFT_EDGE);
-        // The conversion saturates, and what is too large is refused.
+        // The conversion saturates, and sizes that are too large are refused.
         generate(size[0].ceil() as u32, size[1] as u32, |[x, y]| {
             let [right, down] = [(x - 0.5) * size[0].ceil(), (y - 0.5) * size[1]];
-            // A px down is one towards the viewer, and to the side along the Z axis.
+            // A px down on the screen is one px towards the viewer, and to the side along the Z axis.
             let across = (right + down * slope).abs();
             let inside = (0.5 * w - across).min(0.5 * d - down.abs());
             Color::BLACK.with_opacity(SHADOW_OPACITY * (0.5 + 0.5 * inside / SOFT_EDGE).min(1.0))

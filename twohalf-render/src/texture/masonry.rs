@@ -7,12 +7,13 @@ use crate::{Color, RenderError, Result};
 
 /// Width of a joint, px.
 const JOINT: f32 = 1.5;
-/// How much darker the darkest stone is than the lightest.
+/// Difference of brightness between the lightest and the darkest stone (a ratio).
 const UNEVEN: f32 = 0.22;
 
 impl Texture2D {
-    /// A wall of bricks of `width` by `height` px in so many columns and rows, every other row shifted by half a brick, each of a shade
-    /// of its own. It can be repeated to all sides if `rows` is even.
+    /// A wall of bricks of `width` by `height` px in the given number of columns and rows. Every other row is
+    /// shifted by half a brick, and each brick has its own shade. It can be repeated to all sides if `rows`
+    /// is even.
     ///
     /// ```
     /// # use twohalf_render::{Color, Texture2D};
@@ -28,8 +29,8 @@ impl Texture2D {
         masonry(brick, count, 0.5, color)
     }
 
-    /// A pavement of slabs of `width` by `height` px in so many columns and rows, each of a shade of its own. It can be repeated to all
-    /// sides.
+    /// A pavement of slabs of `width` by `height` px in the given number of columns and rows, each slab with
+    /// its own shade. It can be repeated to all sides.
     ///
     /// # Errors
     /// As [`bricks`](Self::bricks).
@@ -67,7 +68,7 @@ fn masonry(stone: [u32; 2], count: [u32; 2], shift: f32, color: Color) -> Result
     })
 }
 
-/// 0 to 1, for each stone another one.
+/// Brightness of a stone, 0 to 1, scattered by its column and row.
 fn shade([column, row]: [u32; 2]) -> f32 {
     let mixed = column.wrapping_mul(0x9E37_79B9) ^ row.wrapping_mul(0x85EB_CA6B);
     let mixed = (mixed ^ (mixed >> 15)).wrapping_mul(0x2C1B_3C6D);

@@ -22,7 +22,8 @@ struct Image {
     width: u32,
     height: u32,
     straight: Vec<u8>,
-    /// What blending needs; kept beside the straight pixels because going back and forth loses bits.
+    /// Premultiplied pixels for blending, kept beside the straight ones because converting back and forth
+    /// loses bits.
     premultiplied: Vec<u8>,
 }
 
@@ -89,7 +90,7 @@ impl Texture2D {
         png_file::write(path.as_ref(), self.width(), self.height(), self.rgba8())
     }
 
-    /// A texture from the bytes of a PNG or JPEG picture; what it is its first bytes say.
+    /// A texture from the bytes of a PNG or JPEG picture; its first bytes tell the format.
     ///
     /// # Errors
     /// The bytes are no such picture, or one that is too large.
@@ -113,7 +114,7 @@ impl Texture2D {
         Texture2D::from_rgba8(width, height, pixels)
     }
 
-    /// A copy of the part that lies in a rectangle; `None` if nothing does.
+    /// A copy of the part that lies in a rectangle; `None` if the rectangle is outside of the texture.
     pub fn part(&self, source: Rectangle) -> Option<Texture2D> {
         let inside = source.intersection(&Rectangle::new(0, 0, self.width(), self.height()));
         let cut = |pixels: &[u8]| {

@@ -1,4 +1,4 @@
-//! What a body has beyond that of the 2D engine: motion along Z, and a ground.
+//! State of a body beyond that of the core: motion along Z, and its ground.
 
 use farseer_core::{ArgumentNames, Body, BodyId, PhysicsSimulator, Refusals, SpaceBody, SpaceTarget};
 use serde::{Deserialize, Serialize};
@@ -7,38 +7,43 @@ use super::ground::Ground;
 use super::support::Support;
 use crate::Vector3;
 
-/// The motion of a body along Z, and its ground.
+/// Motion of a body along Z, and its ground.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(crate) struct DepthBody {
+    /// Z of the centre of mass, px.
     pub(crate) z: f32,
+    /// Velocity along Z, px/s.
     pub(crate) velocity_z: f32,
-    /// Rolling: rotation about the x axis and, with y down, the y axis, which is not drawn.
+    /// Angular velocity about the x axis and, with y down, the y axis, radians/s: rolling, which is not
+    /// drawn.
     pub(crate) angular_velocity_x: f32,
     pub(crate) angular_velocity_y: f32,
-    /// How the body moved in the last update, y down; `None` before its first.
+    /// Displacement in the last update, px, y down; `None` before the first one.
     pub(crate) motion: Option<Vector3>,
-    /// How deep it was in what it parted from last: the precise set remembers.
+    /// Penetration in px when the last contact ended; the narrow phase of the precise set uses it.
     pub(crate) sunk: f32,
-    /// Velocity along Z that only undid overlap in the last update.
+    /// Velocity along Z that only resolves penetration, px/s, of the last update.
     #[serde(skip)]
     pub(crate) bias_z: f32,
+    /// Force along Z for the next update, mass · px/s².
     pub(crate) force_z: f32,
+    /// Impulse along Z for the next update, mass · px/s.
     pub(crate) impulse_z: f32,
-    /// Where a kinematic body is brought.
+    /// Kinematic target.
     pub(crate) target: Option<SpaceTarget>,
     pub(crate) ground: Ground,
-    /// What held the body up best in the last update.
+    /// The best support in the last update.
     pub(crate) support: Option<Support>,
-    /// Whether that was in the update before the last, and the body has hardly moved since.
+    /// Whether the support is that of the update before the last, and the body has hardly moved since.
     pub(crate) is_support_kept: bool,
-    /// Arguments that setters of this engine have refused and nobody was told of yet.
+    /// Arguments that setters of this crate have refused since the last report.
     pub(crate) rejected: Refusals<DepthArguments>,
-    /// It is among the [news](Depths::news).
+    /// Whether the body is in [`edited`](DepthState::edited).
     #[serde(skip)]
-    pub(crate) is_news: bool,
+    pub(crate) is_edited: bool,
 }
 
-/// What setters of this engine refuse; what those of the 2D engine do is told by that.
+/// Names of the arguments that setters of this crate may refuse; the core reports those of its own setters.
 #[derive(Debug)]
 pub(crate) struct DepthArguments;
 
@@ -55,7 +60,7 @@ impl ArgumentNames for DepthArguments {
 }
 
 impl DepthBody {
-    /// Whether everything that enters arithmetic is finite: false only after loading garbage.
+    /// Whether all numbers are finite: false only for a damaged save.
     pub(crate) fn is_valid(&self) -> bool {
         let numbers = [self.force_z, self.impulse_z, self.sunk];
         self.motion_is_finite()
@@ -71,8 +76,9 @@ impl DepthBody {
         numbers.iter().all(|number| number.is_finite())
     }
 
-    /// What the precise set is told of it, with a velocity and an acceleration along Z.
-    pub(crate) fn told(&self, velocity: f32, acceleration: f32, is_kinematic: bool) -> SpaceBody {
+    /// The input of the precise set for the body, with a velocity in px/s and an acceleration in px/s² along
+    /// Z.
+    pub(crate) fn core_input(&self, velocity: f32, acceleration: f32, is_kinematic: bool) -> SpaceBody {
         SpaceBody {
             z: self.z,
             velocity,
@@ -84,8 +90,8 @@ impl DepthBody {
         }
     }
 
-    /// Impulse, force and drag become velocity, as the 2D engine does it for X and Y (behaviour chapter 02,
-    /// section 5); then force and impulse are forgotten.
+    /// Integrates impulse, force and drag into the velocity, as the core does for X and Y (behaviour chapter
+    /// 02, section 5). Clears force and impulse.
     pub(crate) fn integrate_velocity(&mut self, body: &Body, dt: f32) {
         self.velocity_z += self.impulse_z * body.inverse_mass();
         let mut drag = -self.velocity_z * body.linear_drag_coefficient();
@@ -107,7 +113,7 @@ impl DepthBody {
     }
 }
 
-/// Whether the solver can move a body.
+/// Whether the solver can move a body: enabled and dynamic.
 pub(crate) fn is_movable(core: &PhysicsSimulator, body: BodyId) -> bool {
     core.body(body).is_some_and(|body| body.enabled() && !body.is_static() && !body.is_kinematic())
 }

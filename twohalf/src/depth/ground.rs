@@ -1,38 +1,41 @@
-//! The ground of a body: the plane Y = 0 as that body meets it (thesis 3.2).
+//! Ground of a body: the plane Y = 0 with that body's coefficients (thesis 3.2).
 
 use farseer_core::GeomId;
 use serde::{Deserialize, Serialize};
 
 use crate::TextureId;
 
-/// How a body meets the plane Y = 0. Every body has a ground of its own, and no body meets another one's.
+/// The plane Y = 0 as one body meets it. Every body has its own ground, and no other body touches it.
 ///
-/// The object geom is what rests on it. Without one the body falls for ever. The geom holds the body up while
-/// it is in the simulation with collisions and their response switched on, like any other pair of geoms.
+/// The ground supports the object geom of the body; without one the body falls forever. The geom must be in
+/// the simulation with collisions and response enabled, as for any pair of geoms.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Ground {
+    /// Restitution coefficient, dimensionless.
     pub(crate) restitution_coefficient: f32,
+    /// Friction coefficient, dimensionless.
     pub(crate) friction_coefficient: f32,
     pub(crate) object_geom: Option<GeomId>,
     pub(crate) shadow_image: Option<TextureId>,
 }
 
 impl Ground {
-    /// Bounciness, usually 0 to 1; the mean of it and the object geom's acts. Default 0, as a geom's.
+    /// Restitution coefficient, dimensionless, usually 0 to 1; combined with the object geom's by their mean.
+    /// Default 0, as a geom's.
     #[doc(alias = "RestitutionCoefficient")]
     pub fn restitution_coefficient(&self) -> f32 {
         self.restitution_coefficient
     }
 
-    /// Friction, combined with the object geom's in every update, by the simulator's friction type: the mean,
-    /// or the smaller. Default 0, as a geom's.
+    /// Friction coefficient, dimensionless; combined with the object geom's by the simulator's friction type:
+    /// mean or minimum. Default 0, as a geom's.
     #[doc(alias = "FrictionCoefficient")]
     pub fn friction_coefficient(&self) -> f32 {
         self.friction_coefficient
     }
 
-    /// The geom that rests on the ground. Its id is stale if the geom was disposed; the body then is one
-    /// without an object geom.
+    /// The geom that rests on the ground. Its id is stale after the geom was disposed; the body then counts
+    /// as one without an object geom.
     #[doc(alias = "ObjectGeom")]
     pub fn object_geom(&self) -> Option<GeomId> {
         self.object_geom
@@ -43,22 +46,22 @@ impl Ground {
         self.shadow_image
     }
 
-    /// The same for a body that has no geoms yet.
+    /// The same ground for a body that has no geoms yet.
     pub(crate) fn without_object(self) -> Self {
         Ground { object_geom: None, ..self }
     }
 
-    /// Takes the copy of an object geom, if the body has none.
+    /// Sets the object geom if the body has none.
     pub(crate) fn adopt_object(&mut self, geom: GeomId) {
         self.object_geom.get_or_insert(geom);
     }
 
-    /// The geom has left the body.
+    /// Clears the object geom if it is the one that left the body.
     pub(crate) fn let_go_of(&mut self, geom: GeomId) {
         self.object_geom.take_if(|object| *object == geom);
     }
 
-    /// Whether the coefficients are finite: false only after loading garbage.
+    /// Whether the coefficients are finite: false only for a damaged save.
     pub(crate) fn is_valid(&self) -> bool {
         self.restitution_coefficient.is_finite() && self.friction_coefficient.is_finite()
     }

@@ -1,4 +1,5 @@
-//! Platforms: boxes with depth that nothing pushes, and that objects stand on, bump into and pass under (thesis 3.6).
+//! Platforms: boxes with depth and infinite mass that objects stand on, bump into and pass under (thesis
+//! 3.6).
 
 mod swing;
 mod turned;
@@ -18,47 +19,52 @@ use crate::shapes::SlantedBox;
 use crate::{Projection, Result, TextureId, Vector3};
 pub use swing::Swing;
 
-/// A box that nothing pushes: width along X, height, and depth along Z, in px.
+/// A box of infinite mass: width along X, height, and depth along Z, in px.
 ///
-/// `rotation` tilts it about the middle of the box, in the plane of X and Y: a slope. `angle_in_z_axis` shears it, so
+/// `rotation` tilts it about its centre in the plane of X and Y: a slope. `angle_in_z_axis` shears it, so
 /// that its edges in depth run at that angle on the screen; at the simulator's own angle it is a plain box.
-/// Objects land on it where their footprints overlap its, walk off every edge, bump into its sides, its front and its
-/// underside, and pass under it.
+/// Objects land on it where their footprints overlap. They walk off every edge, bump into its sides, front
+/// and underside, and pass under it.
 ///
-/// With [`DepthScheme::Precise`](crate::DepthScheme::Precise) it stands still, [moves](PlatformMut::set_velocity) or
-/// [turns](PlatformMut::set_angular_velocity) about an upright axis, and carries what stands on it, or
-/// [swings](PlatformMut::set_swing) about a hinge as what presses on it tells it to; its surface may be a
-/// [belt](PlatformMut::set_surface_speed), or [rise along Z](PlatformMut::set_pitch).
+/// With [`DepthScheme::Precise`](crate::DepthScheme::Precise) it may [move](PlatformMut::set_velocity) or
+/// [turn](PlatformMut::set_angular_velocity) about an upright axis and carries objects by friction. It may
+/// also [swing](PlatformMut::set_swing) about a hinge, pushed by contacts. Its surface may be a
+/// [belt](PlatformMut::set_surface_speed) or [rise along Z](PlatformMut::set_pitch).
 ///
-/// Whom it meets and how it rubs and bounces is set as with a geom, in the [view to change it](PlatformMut); friction and
-/// restitution are 0 until set.
+/// Collision filter and coefficients are set as those of a geom, in the [mutable view](PlatformMut). Friction
+/// and restitution are 0 by default.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Platform {
+    /// Width along X, px.
     width: f32,
+    /// Height, px.
     height: f32,
+    /// Depth along Z, px.
     depth: f32,
     position3d: Vector3,
+    /// Tilt, radians, clockwise on the screen.
     rotation: f32,
+    /// Direction of its edges in depth on the screen, degrees.
     angle_in_z_axis: i32,
     shadow_image: Option<TextureId>,
     filter: CollisionFilter,
     surface: SurfaceCoefficients,
-    /// Arguments that setters have refused and nobody was told of yet.
+    /// Arguments that setters have refused since the last report.
     rejected: Refusals<PlatformArguments>,
-    /// Of the surface along the level edges and along Z.
+    /// Speed of the surface along the level edges and along Z, px/s.
     surface_speed: [f32; 2],
-    motion: Option<Motion>,
+    motion: Option<PlatformMotion>,
     is_one_way: bool,
-    /// How much its top rises towards the back.
+    /// Slope of the top along Z, radians; positive rises towards the back.
     pitch: f32,
-    /// By what it is turned about the upright axis, if it ever is.
+    /// Angle about the upright axis, radians; `None` if it was never turned.
     yaw: Option<f32>,
-    /// Derived from the others.
+    /// Computed from the other fields.
     #[serde(skip)]
     shape: SlantedBox,
 }
 
-/// What setters of platforms refuse.
+/// Names of the arguments that setters of platforms may refuse.
 #[derive(Debug)]
 struct PlatformArguments;
 
@@ -66,19 +72,19 @@ impl ArgumentNames for PlatformArguments {
     const NAMES: &'static [&'static str] = &["friction_coefficient", "restitution_coefficient"];
 }
 
-/// How a platform moves that does not stand still.
+/// PlatformMotion of a kinematic or hinged platform.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-struct Motion {
-    /// Its middle in the frame of the narrow phase: the truth about where it is.
+struct PlatformMotion {
+    /// Centre of the box in the frame of the narrow phase; the position is derived from it.
     centre: Vector3,
-    /// Where its position is brought.
+    /// Kinematic target of the position.
     target: Option<Vector3>,
-    /// As the 2D engine below has it.
+    /// PlatformMotion in the form that the core takes.
     told: FixtureMotion,
 }
 
-impl Motion {
-    /// Whether everything that enters arithmetic is finite: false only after loading garbage.
+impl PlatformMotion {
+    /// Whether all numbers are finite: false only for a damaged save.
     fn is_finite(&self) -> bool {
         let FixtureMotion { velocity, target, way, turning, yaw_target, .. } = self.told;
         let is_told = target.is_some() || yaw_target.is_some() || velocity != [0.0; 3];
@@ -93,9 +99,9 @@ impl Motion {
     }
 }
 
-/// Making one, and making it otherwise.
+/// Construction and changes.
 impl Platform {
-    /// A platform of these sizes: width, height and depth.
+    /// A platform of a width, height and depth, px.
     pub(crate) fn checked(
         [width, height, depth]: [f32; 3],
         position3d: Vector3,
@@ -137,7 +143,7 @@ impl Platform {
         platform.shaped(projection)
     }
 
-    /// The platform with the shape that its numbers say.
+    /// The platform with its shape recomputed.
     pub(super) fn shaped(mut self, projection: &Projection) -> Result<Self> {
         let Platform { width, height, depth, position3d, rotation, angle_in_z_axis, motion, .. } = self;
         if !rotation.is_finite() {
@@ -158,39 +164,39 @@ impl Platform {
         self.check_turn()?;
         self.check_hinge()?;
         let (low, high) = self.shape.bounds();
-        // Differences within the box must be finite, too.
+        // Differences within the box must be finite as well.
         if !(high - low).iter().chain(low.iter()).all(|number| number.is_finite()) {
             return Err(invalid("position3d", position3d, "finite and near enough for finite corners"));
         }
         Ok(self)
     }
 
-    /// Where its middle is at a position, in the frame of the narrow phase.
+    /// Centre of the box at a position, in the frame of the narrow phase.
     fn middle(&self, position3d: Vector3) -> Vector3 {
         Vector3::new(position3d.x, -(position3d.y + self.height * 0.5), position3d.z)
     }
 
-    /// At another position.
+    /// The platform at another position.
     pub(crate) fn at(&self, position3d: Vector3, projection: &Projection) -> Result<Self> {
         let mut platform = Platform { position3d, ..self.clone() };
         let centre = platform.middle(position3d);
-        platform.motion = platform.motion.map(|motion| Motion { centre, ..motion });
-        platform.take_hinge_along(centre);
+        platform.motion = platform.motion.map(|motion| PlatformMotion { centre, ..motion });
+        platform.move_hinge(centre);
         platform.shaped(projection)
     }
 
-    /// At another rotation.
+    /// The platform at another rotation, radians.
     pub(crate) fn tilted(&self, rotation: f32, projection: &Projection) -> Result<Self> {
         Platform { rotation, ..self.clone() }.shaped(projection)
     }
 
-    /// It moves with a velocity, or to a place. Answers whether it stood still so far, and so becomes something else to the
-    /// engine below.
+    /// Sets a velocity, or a target. Returns whether it was static before, since the core then takes it as a
+    /// new kind of box.
     pub(crate) fn set_motion(&mut self, velocity: Vector3, target: Option<Vector3>) -> bool {
         let towards = target.map(|target| (self.middle(target).into(), false));
         let told = self.motion.map(|motion| motion.told).unwrap_or_default();
         let stood_still = self.motion.is_none();
-        self.motion = Some(Motion {
+        self.motion = Some(PlatformMotion {
             centre: self.shape.centre,
             target,
             told: FixtureMotion { velocity: velocity.into(), target: towards, ..told },
@@ -198,7 +204,7 @@ impl Platform {
         stood_still
     }
 
-    /// Its surface is a belt.
+    /// The platform with a belt as surface.
     pub(crate) fn with_surface_speed(&self, surface_speed: [f32; 2]) -> Result<Self> {
         let platform = Platform { surface_speed, ..self.clone() };
         platform.check_turn()?;
@@ -213,7 +219,7 @@ impl Platform {
         &mut self.filter
     }
 
-    /// To change one of its coefficients; what is not finite is noted as refused.
+    /// Sets a coefficient; a value that is not finite is recorded as refused.
     pub(crate) fn set_coefficient(
         &mut self,
         argument: &'static str,
@@ -227,12 +233,12 @@ impl Platform {
         }
     }
 
-    /// Arguments that setters have refused since this was asked last.
+    /// Drains the arguments that setters have refused.
     pub(super) fn take_rejected(&mut self) -> impl Iterator<Item = &'static str> + '_ {
         self.rejected.take()
     }
 
-    /// Whether everything is what the constructors could have made: false only after loading garbage. Computes the shape anew.
+    /// Whether all values are in range: false only for a damaged save. Recomputes the shape.
     pub(super) fn restore(&mut self, projection: &Projection) -> bool {
         let sizes = [self.width, self.height, self.depth];
         let is_valid = sizes.iter().all(|size| size.is_finite() && *size > 0.0)
@@ -250,7 +256,7 @@ impl Platform {
         }
     }
 
-    /// As the 2D engine below is told of it.
+    /// The platform in the form that the core takes.
     pub(crate) fn fixture(&self, id: PlatformId) -> Fixture {
         Fixture {
             id: id.number(),
@@ -260,16 +266,16 @@ impl Platform {
             surface: self.surface,
             yaw: self.yaw,
             surface_velocity: self.surface_velocity(),
-            motion: self.told_motion(),
+            motion: self.core_motion(),
             is_one_way: self.is_one_way,
         }
     }
 
-    pub(crate) fn told_motion(&self) -> Option<FixtureMotion> {
+    pub(crate) fn core_motion(&self) -> Option<FixtureMotion> {
         self.motion.map(|motion| motion.told)
     }
 
-    /// Whether it has what only the precise set can do.
+    /// Whether it has a feature that only the precise set supports.
     pub(super) fn is_precise(&self) -> bool {
         self.motion.is_some()
             || self.surface_speed != [0.0; 2]
@@ -277,7 +283,7 @@ impl Platform {
             || self.is_sloped_or_turned()
     }
 
-    /// An update has brought it here.
+    /// Stores the motion of an update.
     pub(super) fn has_moved(&mut self, centre: Vector3, yaw: Option<f32>, told: FixtureMotion) {
         let Some(motion) = &mut self.motion else { return };
         let has_landed = told.target.is_some_and(|(_, is_reached)| is_reached);
@@ -295,14 +301,14 @@ impl Platform {
     }
 }
 
-/// What it is.
+/// Properties.
 impl Platform {
-    /// Width along X in px, before it is tilted.
+    /// Width along X in px, before the tilt.
     pub fn width(&self) -> f32 {
         self.width
     }
 
-    /// Height in px, before it is tilted.
+    /// Height in px, before the tilt.
     pub fn height(&self) -> f32 {
         self.height
     }
@@ -312,13 +318,13 @@ impl Platform {
         self.depth
     }
 
-    /// X and Z of the middle of the box, and as Y the height of its underside when level.
+    /// X and Z of the centre of the box, and as Y the height of its underside when level; px.
     #[doc(alias = "Position3D")]
     pub fn position3d(&self) -> Vector3 {
         self.position3d
     }
 
-    /// Tilt in rad, clockwise on the screen.
+    /// Tilt in radians, clockwise on the screen.
     #[doc(alias = "Rotation")]
     pub fn rotation(&self) -> f32 {
         self.rotation
@@ -334,81 +340,84 @@ impl Platform {
         self.shadow_image
     }
 
-    /// Whom it may meet.
+    /// Collision filter.
     pub(crate) fn filter(&self) -> &CollisionFilter {
         &self.filter
     }
 
-    /// Friction, combined with a geom's by the simulator's friction type: the mean, or the smaller. Default 0, as a geom's.
+    /// Friction coefficient, dimensionless; combined with a geom's by the simulator's friction type: mean or
+    /// minimum. Default 0, as a geom's.
     #[doc(alias = "FrictionCoefficient")]
     pub fn friction_coefficient(&self) -> f32 {
         self.surface.friction
     }
 
-    /// Bounciness, usually 0 to 1; the mean of it and a geom's acts. Default 0, as a geom's.
+    /// Restitution coefficient, dimensionless, usually 0 to 1; combined with a geom's by their mean. Default
+    /// 0, as a geom's.
     #[doc(alias = "RestitutionCoefficient")]
     pub fn restitution_coefficient(&self) -> f32 {
         self.surface.restitution
     }
 
-    /// The categories it belongs to. Default all.
+    /// Collision categories that it belongs to. Default all.
     #[doc(alias = "CollisionCategories")]
     pub fn collision_categories(&self) -> CollisionCategory {
         self.filter.categories
     }
 
-    /// The categories it collides with. It meets a geom if **either** one's mask meets the other's categories. Default all.
+    /// Collision categories that it collides with. A pair collides if **either** mask contains the other's
+    /// categories. Default all.
     #[doc(alias = "CollidesWith")]
     pub fn collides_with(&self) -> CollisionCategory {
         self.filter.collides_with
     }
 
-    /// It does not meet geoms of the same group; 0 is no group. Default 0.
+    /// Collision group: it does not collide with geoms of the same group; 0 is no group. Default 0.
     #[doc(alias = "CollisionGroup")]
     pub fn collision_group(&self) -> i32 {
         self.filter.group
     }
 
-    /// Whether it meets anything. Default true.
+    /// Whether it collides at all. Default true.
     #[doc(alias = "CollisionEnabled")]
     pub fn collision_enabled(&self) -> bool {
         self.filter.is_enabled
     }
 
-    /// Whether it pushes what touches it; touches are reported either way. Default true.
+    /// Whether its contacts exert impulses; they are reported either way. Default true.
     #[doc(alias = "CollisionResponseEnabled")]
     pub fn collision_response_enabled(&self) -> bool {
         self.filter.responds
     }
 
-    /// Velocity of its middle in the world, px/s: along X, up and along Z. One that is [told a place](PlatformMut::move_to) has
-    /// that of its way there for an update.
+    /// Velocity of its centre in the world, px/s, Y up. With a [target](PlatformMut::move_to) it has the
+    /// velocity of that move for one update.
     pub fn velocity(&self) -> Vector3 {
-        self.swinging_velocity().unwrap_or_else(|| to_world(self.told_velocity()))
+        self.swinging_velocity().unwrap_or_else(|| to_world(self.prescribed_velocity()))
     }
 
-    /// Speed of its surface, px/s: along its level edges, and along Z.
+    /// Speed of its surface along its level edges and along Z, px/s.
     pub fn surface_speed(&self) -> [f32; 2] {
         self.surface_speed
     }
 
-    /// Whether only what is above its top lands on it, and everything else passes through it.
+    /// Whether it is one-way: objects above its top land on it, all others pass through.
     pub fn is_one_way(&self) -> bool {
         self.is_one_way
     }
 
-    /// The eight corners in the world: of the front face (smaller Z) clockwise on the screen, before it is tilted
-    /// from the top left one on; then of the back face in the same order.
+    /// The eight corners in the world, px. The first four are those of the front face (smaller Z), clockwise
+    /// on the screen from the top left one before the tilt. Those of the back face follow in the same order.
     pub fn corners(&self) -> [Vector3; 8] {
         self.shape.corners().map(to_world)
     }
 
-    /// The velocity that it was told, in the frame of the narrow phase.
-    pub(crate) fn told_velocity(&self) -> Vector3 {
+    /// Prescribed velocity in the frame of the narrow phase, px/s.
+    pub(crate) fn prescribed_velocity(&self) -> Vector3 {
         self.motion.map_or(Vector3::zeros(), |motion| motion.told.velocity.into())
     }
 
-    /// The shape in the frame of the narrow phase.
+    /// Shape in the frame of the narrow phase.
     pub(crate) fn shape(&self) -> &SlantedBox {
         &self.shape
     }

@@ -1,21 +1,21 @@
-//! Names of platforms.
+//! Ids of platforms.
 
 use serde::{Deserialize, Serialize};
 
-/// So many platforms a simulator may have had.
-const MOST: u32 = (1 << 31) - 16;
+/// Greatest number of platforms that a simulator may create.
+const MAX_PLATFORMS: u32 = (1 << 31) - 16;
 
-/// Names a platform of a simulator. Never reused.
+/// Identifies a platform of a simulator. Ids are never reused.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default, Serialize, Deserialize)]
 pub struct PlatformId(u32);
 
 impl PlatformId {
-    /// The one after it, unless there have been too many.
+    /// The next id; `None` after the greatest one.
     pub(super) fn next(self) -> Option<Self> {
-        self.0.checked_add(1).filter(|&next| next < MOST).map(PlatformId)
+        self.0.checked_add(1).filter(|&next| next < MAX_PLATFORMS).map(PlatformId)
     }
 
-    /// As the 2D engine below knows it.
+    /// The number under which the core knows the platform.
     pub(crate) fn number(self) -> u32 {
         self.0
     }
@@ -24,12 +24,12 @@ impl PlatformId {
         PlatformId(number)
     }
 
-    /// The id as a number, for what can keep nothing but numbers: platforms are counted, and no number is used twice.
+    /// The id as a number, for storage of numbers only. Platforms are counted, and no number is used twice.
     pub fn to_bits(self) -> u32 {
         self.0
     }
 
-    /// The id whose [number](Self::to_bits) this is. Any other number makes an id that names nothing.
+    /// The id with this [number](Self::to_bits). A number of no platform makes a stale id.
     pub fn from_bits(bits: u32) -> Self {
         PlatformId(bits)
     }

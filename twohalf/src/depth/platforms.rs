@@ -1,4 +1,4 @@
-//! All platforms of a simulator, and which of them are near.
+//! All platforms of a simulator, with a broad phase along X.
 
 use farseer_core::FixtureMotion;
 use farseer_core::order::{ordered, sort_numbered};
@@ -12,23 +12,24 @@ use crate::{Projection, Result, Vector3};
 /// All platforms of a simulator.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(crate) struct Platforms {
-    /// By id, in the order in which they were made.
+    /// Sorted by id, which is the order of creation.
     list: Vec<(PlatformId, Platform)>,
     next: PlatformId,
-    /// Derived: for the search by X.
+    /// Whether the broad phase is up to date.
     #[serde(skip)]
     is_sorted: bool,
-    /// The precise set knows them as they are.
+    /// Whether the precise set has all platforms as they are.
     #[serde(skip)]
-    is_told: bool,
-    /// And how those move that do.
+    is_sent: bool,
+    /// Whether the precise set has the motions as they are.
     #[serde(skip)]
-    is_motion_told: bool,
-    /// The left bound, as a number of its order, with the index into the list, in order; and the greatest right one up to each.
+    is_motion_sent: bool,
+    /// Left bounds as sortable numbers with indices into `list`, sorted; and the greatest right bound up to
+    /// each, px.
     #[serde(skip)]
     by_left: Vec<(u128, u32)>,
     #[serde(skip)]
-    reaches: Vec<f32>,
+    max_right: Vec<f32>,
 }
 
 impl Platforms {
@@ -36,20 +37,20 @@ impl Platforms {
         let id = self.next;
         self.next = id.next().ok_or(invalid("platform", id.number(), "one of fewer than 2^31 - 16"))?;
         self.list.push((id, platform));
-        (self.is_sorted, self.is_told) = (false, false);
+        (self.is_sorted, self.is_sent) = (false, false);
         Ok(id)
     }
 
     pub(crate) fn remove(&mut self, id: PlatformId) -> Result<()> {
         let index = self.index_of(id).ok_or(stale("platform"))?;
         self.list.remove(index);
-        (self.is_sorted, self.is_told) = (false, false);
+        (self.is_sorted, self.is_sent) = (false, false);
         Ok(())
     }
 
     pub(crate) fn clear(&mut self) {
         self.list.clear();
-        (self.is_sorted, self.is_told) = (false, false);
+        (self.is_sorted, self.is_sent) = (false, false);
     }
 
     pub(crate) fn index_of(&self, id: PlatformId) -> Option<usize> {
@@ -60,65 +61,65 @@ impl Platforms {
         self.index_of(id).map(|index| &self.list[index].1)
     }
 
-    /// By its [place](Self::index_of).
+    /// The platform at an [index](Self::index_of).
     pub(crate) fn at(&self, index: usize) -> &Platform {
         &self.list[index].1
     }
 
-    /// Becomes another one.
+    /// Replaces the platform at an index.
     pub(crate) fn replace(&mut self, index: usize, platform: Platform) {
         self.list[index].1 = platform;
-        (self.is_sorted, self.is_told) = (false, false);
+        (self.is_sorted, self.is_sent) = (false, false);
     }
 
-    /// To change what does not move its box.
+    /// A platform for changes that keep its box.
     pub(crate) fn edit(&mut self, index: usize) -> &mut Platform {
-        self.is_told = false;
+        self.is_sent = false;
         &mut self.list[index].1
     }
 
-    /// Lets one swing, or no more.
+    /// Replaces a platform by one with or without a hinge.
     pub(crate) fn swing(&mut self, index: usize, platform: Platform) {
         self.replace(index, platform);
-        self.is_motion_told = false;
+        self.is_motion_sent = false;
     }
 
-    /// Lets one turn, as another one of which is told whether it stood still so far.
+    /// Replaces a platform by one that turns. `stood_still` tells whether it was static before.
     pub(crate) fn turn(&mut self, index: usize, platform: Platform, stood_still: bool) {
         self.list[index].1 = platform;
-        self.is_told &= !stood_still;
-        self.is_motion_told = false;
+        self.is_sent &= !stood_still;
+        self.is_motion_sent = false;
     }
 
-    /// Lets one move.
+    /// Sets velocity and target of a platform.
     pub(crate) fn set_motion(&mut self, index: usize, velocity: Vector3, target: Option<Vector3>) {
         let stood_still = self.list[index].1.set_motion(velocity, target);
-        self.is_told &= !stood_still;
-        self.is_motion_told = false;
+        self.is_sent &= !stood_still;
+        self.is_motion_sent = false;
     }
 
     pub(crate) fn iter(&self) -> impl DoubleEndedIterator<Item = (PlatformId, &Platform)> {
         self.list.iter().map(|(id, platform)| (*id, platform))
     }
 
-    /// The precise set does not know them any more.
-    pub(crate) fn tell_again(&mut self) {
-        self.is_told = false;
+    /// Marks all platforms as unknown to the precise set.
+    pub(crate) fn mark_unsent(&mut self) {
+        self.is_sent = false;
     }
 
-    /// Whether one has come, gone or been edited since this was asked last.
+    /// Whether a platform was added, removed or edited since the last call.
     pub(crate) fn take_changed(&mut self) -> bool {
-        !std::mem::replace(&mut self.is_told, true)
+        !std::mem::replace(&mut self.is_sent, true)
     }
 
-    /// The motions of those that move, if one was edited since this was asked last.
+    /// Motions of the moving platforms, if one was edited since the last call.
     pub(crate) fn edited_motions(&mut self) -> impl Iterator<Item = (PlatformId, FixtureMotion)> + '_ {
-        let is_told = std::mem::replace(&mut self.is_motion_told, true);
-        let edited = if is_told { &[][..] } else { &self.list };
-        edited.iter().filter_map(|(id, platform)| Some((*id, platform.told_motion()?)))
+        let is_sent = std::mem::replace(&mut self.is_motion_sent, true);
+        let edited = if is_sent { &[][..] } else { &self.list };
+        edited.iter().filter_map(|(id, platform)| Some((*id, platform.core_motion()?)))
     }
 
-    /// An update has brought a platform somewhere.
+    /// Stores the motion of an update.
     pub(crate) fn has_moved(
         &mut self,
         id: PlatformId,
@@ -132,14 +133,14 @@ impl Platforms {
         }
     }
 
-    /// One that swings may have fallen asleep, unless it was edited since.
+    /// Stores the motion of a hinged platform that may have fallen asleep, unless it was edited since.
     pub(crate) fn has_rested(&mut self, id: PlatformId, told: FixtureMotion) {
-        if let Some(index) = self.index_of(id).filter(|_| self.is_told && self.is_motion_told) {
+        if let Some(index) = self.index_of(id).filter(|_| self.is_sent && self.is_motion_sent) {
             self.list[index].1.has_rested(told);
         }
     }
 
-    /// Whether one has what only the precise set can do.
+    /// Whether a platform has a feature that only the precise set supports.
     pub(crate) fn are_precise(&self) -> bool {
         self.list.iter().any(|(_, platform)| platform.is_precise())
     }
@@ -148,7 +149,7 @@ impl Platforms {
         self.list.is_empty()
     }
 
-    /// Makes ready for [`overlapping`](Self::overlapping).
+    /// Updates the broad phase for [`overlapping`](Self::overlapping).
     pub(crate) fn sort(&mut self) {
         if self.is_sorted {
             return;
@@ -157,26 +158,26 @@ impl Platforms {
         for ((_, platform), index) in self.list.iter().zip(0..) {
             self.by_left.push((ordered(platform.shape().bounds().0.x).into(), index));
         }
-        // Where lifts move, in every update: in place.
+        // Moving platforms need this in every update, so it sorts in place.
         sort_numbered(&mut self.by_left);
         let mut reach = f32::NEG_INFINITY;
-        self.reaches.clear();
+        self.max_right.clear();
         for &(_, index) in &self.by_left {
             reach = reach.max(self.list[index as usize].1.shape().bounds().1.x);
-            self.reaches.push(reach);
+            self.max_right.push(reach);
         }
         self.is_sorted = true;
     }
 
-    /// The platforms whose box overlaps a box of the plane frame, in no particular order: those that begin before
-    /// its right end, back to where none reaches it any more.
+    /// Broad phase: the platforms whose AABB overlaps a box of the plane frame, in no particular order. It
+    /// scans the sorted left bounds backwards until no platform max_right the box.
     pub(crate) fn overlapping(
         &self,
         low: Vector3,
         high: Vector3,
     ) -> impl Iterator<Item = (PlatformId, &Platform)> {
         let end = self.by_left.partition_point(|entry| entry.0 < ordered(high.x).into());
-        let candidates = self.by_left[..end].iter().zip(&self.reaches[..end]).rev();
+        let candidates = self.by_left[..end].iter().zip(&self.max_right[..end]).rev();
         candidates.take_while(move |&(_, &reach)| reach > low.x).filter_map(move |(&(_, index), _)| {
             let (id, platform) = &self.list[index as usize];
             let (box_low, box_high) = platform.shape().bounds();
@@ -185,15 +186,14 @@ impl Platforms {
         })
     }
 
-    /// Arguments that setters have refused since the last update.
+    /// Drains the arguments that setters have refused.
     pub(crate) fn take_rejected(&mut self) -> impl Iterator<Item = &'static str> + '_ {
         self.list.iter_mut().flat_map(|(_, platform)| platform.take_rejected())
     }
 
-    /// Whether everything is what the constructors could have made: false only after loading garbage. Computes the
-    /// shapes anew.
+    /// Whether all platforms are in range: false only for a damaged save. Recomputes the shapes.
     pub(crate) fn restore(&mut self, projection: &Projection) -> bool {
-        (self.is_sorted, self.is_told) = (false, false);
+        (self.is_sorted, self.is_sent) = (false, false);
         let in_order = self.list.windows(2).all(|pair| pair[0].0 < pair[1].0)
             && self.list.last().is_none_or(|(id, _)| *id < self.next);
         let are_valid = self.list.iter_mut().all(|(_, platform)| platform.restore(projection));

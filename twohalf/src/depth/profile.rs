@@ -1,4 +1,4 @@
-//! What a geom has beyond that of the 2D engine: depth.
+//! Depth profiles: the shape of a geom in three axes.
 
 use farseer_core::math::scalar::nearest_finite;
 use farseer_core::shape::Aabb;
@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use crate::Result;
 use crate::error::invalid;
 
-/// How the outline of a geom becomes a body of three dimensions.
+/// Shape of a geom in three axes, from its outline and a depth.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum DepthProfile {
     /// The outline, extruded to this depth: half of it before and half of it behind the body's Z.
@@ -21,28 +21,31 @@ pub enum DepthProfile {
         /// Radius in px, greater than 0.
         radius: f32,
     },
-    /// An upright cylinder about the geom's origin. It never turns, nor does its body: see [`Upright`](Self::Upright).
+    /// An upright cylinder about the geom's origin. Neither it nor its body rotates: see
+    /// [`Upright`](Self::Upright).
     Cylinder {
         /// Radius in px, greater than 0.
         radius: f32,
         /// Height in px, greater than 0.
         height: f32,
     },
-    /// An upright capsule about the geom's origin: a cylinder whose ends are halves of balls, so that it slides over edges. It
-    /// never turns, nor does its body: see [`Upright`](Self::Upright).
+    /// An upright capsule about the geom's origin: a cylinder with hemispheres as ends, so that it slides
+    /// over edges. Neither it nor its body rotates: see [`Upright`](Self::Upright).
     Capsule {
         /// Radius in px, greater than 0.
         radius: f32,
         /// Height in px with both ends, at least twice the radius.
         height: f32,
     },
-    /// An upright prism: a footprint, drawn out along Y, half of its height above and half below the geom's origin. Only with
-    /// [`DepthScheme::Precise`](crate::DepthScheme::Precise), as cylinders and capsules.
+    /// An upright prism: a footprint extruded along Y, half of its height above and half below the geom's
+    /// origin. Cylinders, capsules and upright prisms need
+    /// [`DepthScheme::Precise`](crate::DepthScheme::Precise).
     ///
-    /// It stays upright: contacts and torques do not turn its body, and what a game turns by hand is its picture. Against others
-    /// that are upright, and platforms, its sides count wherever they look; against extruded outlines and balls as well.
+    /// Contacts and torques do not rotate its body; a rotation that a game sets turns the picture only.
+    /// Contacts with other upright geoms, platforms, extruded outlines and balls use the true normals of its
+    /// sides.
     Upright {
-        /// What it covers of X and Z, about the geom's origin.
+        /// Footprint in X and Z about the geom's origin.
         footprint: Footprint,
         /// Height in px, greater than 0.
         height: f32,
@@ -64,7 +67,7 @@ impl DepthProfile {
         }
     }
 
-    /// Whether it stands upright whatever happens, and its body does not turn.
+    /// Whether it is a cylinder, capsule or upright prism, whose body does not rotate.
     pub fn is_upright(&self) -> bool {
         self.upright().is_some()
     }
@@ -73,14 +76,14 @@ impl DepthProfile {
         matches!(self, DepthProfile::Round { .. })
     }
 
-    /// What a geom has unless it is told otherwise: a prism as deep as the shorter side of its outline's box, which may
-    /// be beyond finite numbers.
+    /// The default profile: a prism as deep as the shorter side of the outline's AABB, limited to finite
+    /// numbers.
     pub(crate) fn default_of(geom: GeomRef<'_>) -> Self {
         let side = Aabb::from_vertices(geom.local_vertices()).get_shortest_side();
         DepthProfile::Prism { depth: nearest_finite(side) }
     }
 
-    /// Refuses what no shape can have.
+    /// Refuses sizes out of range.
     pub(crate) fn check(self) -> Result<Self> {
         match self {
             DepthProfile::Prism { depth } if !(depth.is_finite() && depth >= 0.0) => {

@@ -1,24 +1,24 @@
-//! What holds a body up.
+//! Supports: contacts that carry a body.
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Partner, Vector3};
+use crate::{ContactTarget, Vector3};
 
-/// Least upward part of a normal that carries: slopes up to 60 degrees.
-const CARRIES: f32 = 0.5;
+/// Least upward component of the normal of a surface to stand on, dimensionless: slopes up to 60 degrees.
+const MIN_GROUND_UP: f32 = 0.5;
 
-/// Something below a body that touches it.
+/// A contact target below a body.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Support {
-    /// What it is.
-    pub partner: Partner,
-    /// Unit vector in the world, Y up, in which it pushes the body; its y is greater than 0.
+    /// The target that supports the body.
+    pub partner: ContactTarget,
+    /// Unit normal towards the body in the world, Y up; its y is greater than 0.
     pub normal: Vector3,
 }
 
 impl Support {
-    /// Whether one can stand on it: it pushes more upward than a slope of 60 degrees does.
+    /// Whether the body can stand on it: the surface is no steeper than 60 degrees.
     pub fn carries(&self) -> bool {
-        self.normal.y >= CARRIES
+        self.normal.y >= MIN_GROUND_UP
     }
 }

@@ -1,4 +1,4 @@
-//! What stands upright, as the 2D engine below is told of it, and what games ask about it.
+//! Upright geoms in the form that the core takes, and their extents.
 
 use farseer_core::{Body, GeomRef, SpaceFoot, SpaceUpright, Vertices};
 
@@ -6,7 +6,7 @@ use super::profile::DepthProfile;
 use crate::{Vector2, Vector3};
 
 impl DepthProfile {
-    /// As the 2D engine below is told of it, if it is upright.
+    /// The upright shape in the form that the core takes; `None` for prisms and balls.
     pub(crate) fn upright(&self) -> Option<SpaceUpright> {
         match *self {
             DepthProfile::Cylinder { radius, height } => {
@@ -22,17 +22,17 @@ impl DepthProfile {
         }
     }
 
-    /// What it looks like from the front: the outline that its geom is given.
+    /// The outline of its geom: its silhouette from the front.
     pub(crate) fn front(&self) -> Option<Vertices> {
         let upright = self.upright()?;
         let ([left, right], half) = (span(&upright), half_height(&upright));
-        // In the order of the engine's own rectangles.
+        // In the order of the core's own rectangles.
         let corners = [[left, -half], [left, half], [right, half], [right, -half]];
         Some(corners.into_iter().map(Vector2::from).collect())
     }
 }
 
-/// How far it reaches up and down.
+/// Half of the height, px.
 pub(crate) fn half_height(upright: &SpaceUpright) -> f32 {
     match *upright {
         SpaceUpright::Cylinder { half_height, .. }
@@ -41,7 +41,7 @@ pub(crate) fn half_height(upright: &SpaceUpright) -> f32 {
     }
 }
 
-/// Least and greatest X about its geom's origin.
+/// Least and greatest X about the geom's origin, px.
 pub(crate) fn span(upright: &SpaceUpright) -> [f32; 2] {
     match upright {
         SpaceUpright::Cylinder { radius, .. } | SpaceUpright::Capsule { radius, .. } => [-radius, *radius],
@@ -52,7 +52,7 @@ pub(crate) fn span(upright: &SpaceUpright) -> [f32; 2] {
     }
 }
 
-/// Least and greatest Z about its body.
+/// Least and greatest Z about the body, px.
 pub(crate) fn depths(upright: &SpaceUpright) -> [f32; 2] {
     match upright {
         SpaceUpright::Cylinder { radius, .. } | SpaceUpright::Capsule { radius, .. } => [-radius, *radius],
@@ -63,7 +63,7 @@ pub(crate) fn depths(upright: &SpaceUpright) -> [f32; 2] {
     }
 }
 
-/// Looks at what something upright covers of the floor.
+/// Calls a function with the footprint of an upright shape.
 pub(crate) fn with_foot<R>(upright: &SpaceUpright, look: impl FnOnce(SpaceFoot<'_>) -> R) -> R {
     match upright {
         SpaceUpright::Cylinder { radius, .. } | SpaceUpright::Capsule { radius, .. } => {
@@ -77,7 +77,7 @@ pub(crate) fn with_foot<R>(upright: &SpaceUpright, look: impl FnOnce(SpaceFoot<'
     }
 }
 
-/// Where the middle of an upright geom is, y down: it does not turn about its body.
+/// Centre of an upright geom, px, y down; it does not rotate about its body.
 pub(crate) fn middle(geom: GeomRef<'_>, body: &Body, z: f32) -> Vector3 {
     let place = body.position() + geom.offset();
     Vector3::new(place.x, place.y, z)

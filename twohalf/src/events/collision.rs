@@ -1,29 +1,29 @@
-//! A touch, as a game is told of it.
+//! Collisions as games see them.
 
 use farseer_core::GeomId;
 
 use crate::Vector3;
-use crate::depth::{Axis, Partner};
+use crate::depth::{Axis, ContactTarget};
 
-/// A geom touches something: what a game is told of it.
+/// A contact of a geom, as reported to a game.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Collision {
-    /// The geom that is told.
+    /// The geom whose contact it is.
     pub this: GeomId,
-    /// What it touches.
-    pub partner: Partner,
-    /// Along which axes it is pushed.
+    /// The contact target.
+    pub partner: ContactTarget,
+    /// Axes along which the contact acts.
     pub axis: Axis,
-    /// Unit vector in the world, Y up, that points from the partner to `this`: the direction in which it is pushed.
+    /// Unit normal in the world, Y up, from the target to `this`.
     pub normal: Vector3,
-    /// The deepest point of the contact in the world, px, Y up.
+    /// Deepest contact point in the world, px, Y up.
     pub position: Vector3,
-    /// Number of contact points: 0 for what a figure that [walks](crate::TwoHalfPhysicsSimulator::walk) stands on, is held off from
-    /// or is about to step on, and does not touch.
+    /// Number of contact points. It is 0 for a support, ledge or wall of a
+    /// [character](crate::TwoHalfPhysicsSimulator::walk) that it does not touch.
     pub contacts: u32,
-    /// Impulse along the normal, mass times velocity, 0 or more: in a callback that of the last update (0 at first
-    /// touch), in the list of events that of the update that reports it.
+    /// Normal impulse, mass · px/s, 0 or more. In a callback it is that of the last update (0 at first
+    /// touch), in the list of events that of the reported update.
     pub normal_impulse: f32,
-    /// Whether a handler refused the contact. In a callback always false.
+    /// Whether a handler refused the contact; always false in a callback.
     pub vetoed: bool,
 }

@@ -1,4 +1,4 @@
-//! What a callback may do.
+//! Context of a callback: access to the simulator that calls it.
 
 use farseer_core::{Body, BodyId, Geom, GeomId, ObjectId, PhysicsSimulator};
 
@@ -6,8 +6,8 @@ use crate::Result;
 use crate::depth::{Platform, PlatformId, World};
 use crate::views::{Access, AccessMut, TwoHalfBody, TwoHalfGeom};
 
-/// What a callback may do to the simulator that calls it. How a collision goes, which callbacks of the 2D engine may set for
-/// an update, cannot be set here.
+/// Access of a callback to the simulator that calls it. The outcome of a single collision, which callbacks of
+/// the core may set for an update, cannot be set here.
 #[derive(Debug)]
 pub struct Context<'a> {
     pub(crate) core: farseer_core::Context<'a>,
@@ -15,37 +15,37 @@ pub struct Context<'a> {
 }
 
 impl<'a> Context<'a> {
-    /// The context of a callback that the 2D engine calls.
+    /// The context of a callback that the core calls.
     pub(crate) fn within(core: &'a mut farseer_core::Context<'_>, world: &'a mut World) -> Self {
         Context { core: core.reborrow(), world }
     }
 
-    /// A body to look at, unless the id is stale.
+    /// A body for reading; `None` for a stale id.
     pub fn body(&self, body: BodyId) -> Option<TwoHalfBody<&Self>> {
         TwoHalfBody::new(self, body)
     }
 
-    /// A body to edit at once, unless the id is stale.
+    /// A body for editing at once; `None` for a stale id.
     pub fn body_mut(&mut self, body: BodyId) -> Option<TwoHalfBody<&mut Self>> {
         TwoHalfBody::new(self, body)
     }
 
-    /// A geom to look at, unless the id is stale.
+    /// A geom for reading; `None` for a stale id.
     pub fn geom(&self, geom: GeomId) -> Option<TwoHalfGeom<'_>> {
         TwoHalfGeom::new(self.core.simulator(), self.world, geom)
     }
 
-    /// The settings of a geom to edit at once, unless the id is stale.
+    /// The settings of a geom for editing at once; `None` for a stale id.
     pub fn geom_mut(&mut self, geom: GeomId) -> Option<&mut Geom> {
         self.core.geom_mut(geom)
     }
 
-    /// A platform to look at, unless the id is stale.
+    /// A platform for reading; `None` for a stale id.
     pub fn platform(&self, platform: PlatformId) -> Option<&Platform> {
         self.world.platforms.get(platform)
     }
 
-    /// Lets an object take part from the next update on.
+    /// Adds an object with the next update.
     ///
     /// # Errors
     /// A stale id.
@@ -53,7 +53,7 @@ impl<'a> Context<'a> {
         Ok(self.core.add(object)?)
     }
 
-    /// Takes an object out with the next update.
+    /// Removes an object with the next update.
     ///
     /// # Errors
     /// A stale id.
@@ -61,7 +61,7 @@ impl<'a> Context<'a> {
         Ok(self.core.remove(object)?)
     }
 
-    /// Ends the life of an object; its id goes stale with the next update.
+    /// Disposes an object; its id goes stale with the next update.
     ///
     /// # Errors
     /// A stale id.
@@ -69,7 +69,7 @@ impl<'a> Context<'a> {
         Ok(self.core.dispose(object)?)
     }
 
-    /// The body in the 2D engine, to be edited.
+    /// The body in the core, for editing.
     pub(crate) fn core_body_mut(&mut self, body: BodyId) -> Option<&mut Body> {
         self.core.body_mut(body)
     }

@@ -3,37 +3,36 @@
 use farseer_core::{BodyId, Event as CoreEvent, GeomId, JointId, ObjectId, SpringId};
 
 use super::collision::Collision;
-use crate::depth::Partner;
-use crate::views::Squeeze;
+use crate::depth::ContactTarget;
+use crate::views::CrushInfo;
 
 /// An event of the last update, or a request made since the update before.
-/// [`TwoHalfPhysicsSimulator::events`](crate::TwoHalfPhysicsSimulator::events) lists them, those of pairs that the 2D
-/// engine handles before the others.
+/// [`TwoHalfPhysicsSimulator::events`](crate::TwoHalfPhysicsSimulator::events) lists them, those of pairs
+/// that the core handles first.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Event {
-    /// A geom touches something; for two geoms one event for each. When it comes depends on the
-    /// [scheme](crate::DepthScheme): with [`Precise`](crate::DepthScheme::Precise), the default, once, in the update in
-    /// which the touch begins, and in every update in which a handler refuses it; with the other schemes in every update
-    /// in which the touch lasts. [`contacts`](crate::TwoHalfPhysicsSimulator::contacts) lists all touches that there are,
-    /// with any scheme.
+    /// A contact of a geom; two events for two geoms. With [`Precise`](crate::DepthScheme::Precise), the
+    /// default [scheme](crate::DepthScheme), it comes once when the touch begins, and in every update in
+    /// which a handler refuses it. With the other schemes it comes in every update of the touch.
+    /// [`contacts`](crate::TwoHalfPhysicsSimulator::contacts) lists all touches with any scheme.
     Collision(Collision),
-    /// A geom touched something in the last update and no longer does, or a handler has refused it now. For two
-    /// geoms one event for each. Does not come when a contact ends by disabling, removing or disposing.
+    /// The end of a contact, or a touch that a handler refuses from now on; two events for two geoms. A
+    /// contact that ends by disabling, removing or disposing has no event.
     Separation {
-        /// The geom that is told.
+        /// The geom whose contact it was.
         this: GeomId,
-        /// What it touched.
-        partner: Partner,
+        /// The contact target.
+        partner: ContactTarget,
     },
-    /// The handler refused a pair whose boxes overlap.
+    /// The handler refused a pair in the broad phase.
     BroadPhaseVeto {
         /// First geom, as the handler was told.
         geom1: GeomId,
         /// Second geom.
         geom2: GeomId,
     },
-    /// A body was moved by a setter, or has moved at least once and was integrated, along Z or in X and Y.
+    /// A setter moved a body, or an update integrated a body that has moved at least once, in any axis.
     BodyUpdated {
         /// The body.
         body: BodyId,
@@ -53,51 +52,53 @@ pub enum Event {
         /// The object.
         object: ObjectId,
     },
-    /// A joint was too far from what it keeps, or had to hold with too much, and broke: it is disabled.
+    /// A joint exceeded its breakpoint or its greatest force, and broke: it is disabled.
     JointBroke {
         /// The joint.
         joint: JointId,
     },
-    /// A spring was too far from its length, and broke: it is disabled.
+    /// A spring exceeded its breakpoint, and broke: it is disabled.
     SpringBroke {
         /// The spring.
         spring: SpringId,
     },
-    /// A grip broke since the last update: the load got out of reach, or the load or its holder was disabled or disposed. Reported
-    /// [by what holds](crate::TwoHalfPhysicsSimulator::report_grip_broken), such as `Hands` of `twohalf-factories`.
+    /// A grip broke since the last update: the load got out of reach, or load or holder was disabled or
+    /// disposed. Reported [by the holder's code](crate::TwoHalfPhysicsSimulator::report_grip_broken), such as
+    /// `Hands` of `twohalf-factories`.
     GripBroke {
-        /// The body of whoever held it; its id may be stale.
+        /// The body that held the load; its id may be stale.
         holder: BodyId,
         /// The body that was held; its id may be stale.
         load: BodyId,
     },
-    /// A body that is [watched](crate::TwoHalfPhysicsSimulator::set_crush_tolerance) has less room between two sides than is
-    /// tolerated, from this update on.
+    /// A [monitored](crate::TwoHalfPhysicsSimulator::set_crush_tolerance) body lacks more room between two
+    /// sides than its tolerance, from this update on.
     Crushed {
         /// The body.
         body: BodyId,
-        /// By what, and how much.
-        squeeze: Squeeze,
+        /// Axis, depth and sides of the crush.
+        squeeze: CrushInfo,
     },
-    /// A setter or an update was given a value that is not finite, and changed nothing. Told once per object and
-    /// argument, however often it was refused since the last update that told.
+    /// A setter or an update got a value that is not finite, and changed nothing. There is one event per
+    /// object and argument for all refusals since the last report.
     RejectedInput {
         /// The object whose setter it was; `None` for the simulator itself and for platforms.
         object: Option<ObjectId>,
         /// Name of the argument.
         argument: &'static str,
     },
-    /// The state of a body stopped being finite. It was put back to its last finite state.
+    /// The state of a body was not finite any more. It was restored to its last finite state.
     NotFinite {
         /// The body.
         body: BodyId,
-        /// Whether it was disabled: every dynamic body is, no static one.
+        /// Whether it was disabled: true for dynamic bodies, false for static ones.
         disabled: bool,
     },
 }
 
 impl Event {
-    /// An event of the 2D engine that means the same here. Collisions and separations are told apart elsewhere.
+    /// The event for an event of the core with the same meaning. Collisions and separations are converted
+    /// elsewhere.
     pub(crate) fn from_core(event: CoreEvent) -> Option<Self> {
         Some(match event {
             CoreEvent::BodyUpdated { body } => Event::BodyUpdated { body },

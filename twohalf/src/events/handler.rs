@@ -1,23 +1,26 @@
-//! Who is told while something happens.
+//! Event handlers: callbacks during an update.
 
 use farseer_core::{BodyId, GeomId, JointId, ObjectId, SpringId};
 
 use super::collision::Collision;
 use super::context::Context;
-use crate::depth::Partner;
+use crate::depth::ContactTarget;
 
-/// Callbacks of a game. Handlers belong to the game, never to the simulator, so that saving the simulator keeps
-/// everything.
+/// Callbacks of a game. Handlers belong to the game and not to the simulator, so that a save of the simulator
+/// is complete.
 ///
-/// Through the [`Context`] they edit bodies and geoms at once; what they add, remove or dispose enters or leaves with
-/// the next update.
+/// The [`Context`] edits bodies and geoms at once. Objects that it adds, removes or disposes enter or leave
+/// with the next update.
 pub trait EventHandler {
-    /// A geom touches another geom, its ground or a platform; called in every update in which it does, for two geoms
-    /// for both sides, unless its [callbacks](farseer_core::Geom::set_collision_callbacks_enabled) are switched off. `false` drops
-    /// the contact in this update, and the second side is not asked: that is how platforms become one-way.
+    /// Contact filter: called for each touch of a geom with another geom, its ground or a platform, in every
+    /// update of the touch. For two geoms both sides are asked. A geom is left out while its
+    /// [callbacks](farseer_core::Geom::set_collision_callbacks_enabled) are disabled.
     ///
-    /// Also called, with [`contacts`](Collision::contacts) 0, about what a figure that
-    /// [walks](crate::TwoHalfPhysicsSimulator::walk) stands on, hangs on, is held off from, or will step on within three updates.
+    /// `false` drops the contact in this update, and the second side is not asked. One-way platforms work
+    /// like that.
+    ///
+    /// It is also called, with [`contacts`](Collision::contacts) 0, for supports, ledges and walls of a
+    /// [character](crate::TwoHalfPhysicsSimulator::walk), and for curbs that it reaches within three updates.
     #[doc(alias("OnCollision", "CollisionEventHandler"))]
     fn on_collision(&mut self, context: &mut Context<'_>, collision: &Collision) -> bool {
         let _ = (context, collision);
@@ -26,17 +29,17 @@ pub trait EventHandler {
 
     /// See [`Event::Separation`](crate::Event::Separation).
     #[doc(alias("OnSeparation", "SeparationEventHandler"))]
-    fn on_separation(&mut self, context: &mut Context<'_>, this: GeomId, partner: Partner) {
+    fn on_separation(&mut self, context: &mut Context<'_>, this: GeomId, partner: ContactTarget) {
         let _ = (context, this, partner);
     }
 
-    /// Whether [`on_broad_phase_collision`](Self::on_broad_phase_collision) is to be asked.
+    /// Whether [`on_broad_phase_collision`](Self::on_broad_phase_collision) is called.
     fn handles_broad_phase(&self) -> bool {
         false
     }
 
-    /// The boxes of two geoms overlap in all three axes and they did not touch in the last update; `false` refuses
-    /// the pair in this update.
+    /// Broad-phase filter: the AABBs of two geoms overlap in all three axes and they did not touch in the
+    /// last update. `false` refuses the pair in this update.
     #[doc(alias("OnBroadPhaseCollision", "BroadPhaseCollisionHandler"))]
     fn on_broad_phase_collision(&mut self, context: &mut Context<'_>, geom1: GeomId, geom2: GeomId) -> bool {
         let _ = (context, geom1, geom2);

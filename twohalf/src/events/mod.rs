@@ -1,4 +1,4 @@
-//! What happens during an update, and who is told.
+//! Events and callbacks of an update.
 
 mod collision;
 mod context;

@@ -1,66 +1,71 @@
-//! Balls against balls and prisms.
+//! Collision of spheres with spheres and prisms.
 //!
-//! Frame: the plane's, with z into the picture. A prism is an outline of the plane, convex or not, extended by
-//! `half_depth` to both sides of its `z`; its front faces -z.
+//! Frame: the plane's, with z into the picture. A prism is an outline of the plane, convex or not, extruded
+//! by `half_depth` to both sides of its `z`; its front faces -z.
 
 use farseer_core::math::{Vector2, Vector3, vector2};
 
 use super::{contains, doubled_area, edges, nearest};
 
-/// The contact of a ball with something.
+/// Contact of a ball with another shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Touch {
-    /// From the other thing to the ball, of length 1.
+pub(crate) struct ShapeContact {
+    /// Unit vector from the other shape to the ball.
     pub(crate) normal: Vector3,
-    /// How far the ball is away: negative, since it overlaps.
+    /// Separation in px; negative, since the shapes overlap.
     pub(crate) separation: f32,
-    /// The ball's deepest point.
+    /// Deepest point of the ball, px.
     pub(crate) point: Vector3,
 }
 
-/// The contact of a ball with a prism.
+/// Contact of a ball with a prism.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct BallTouch {
-    pub(crate) touch: Touch,
+pub(crate) struct BallPrismContact {
+    pub(crate) touch: ShapeContact,
     /// Whether the ball's centre is inside the prism.
     pub(crate) is_inside: bool,
 }
 
-impl Touch {
-    /// The contact of a ball whose centre is at a distance from something; `None` if the ball does not reach it.
-    fn at(centre: Vector3, radius: f32, distance: f32, normal: Vector3) -> Option<Touch> {
+impl ShapeContact {
+    /// The contact of a ball whose centre is at `distance` from a shape; `None` without overlap.
+    fn at(centre: Vector3, radius: f32, distance: f32, normal: Vector3) -> Option<ShapeContact> {
         let separation = distance - radius;
         let point = centre - normal * radius;
         let is_finite = separation.is_finite() && point.iter().all(|coordinate| coordinate.is_finite());
-        (is_finite && separation < 0.0).then_some(Touch { normal, separation, point })
+        (is_finite && separation < 0.0).then_some(ShapeContact { normal, separation, point })
     }
 }
 
-/// The contact of two balls, as the second one's. Balls with the same centre are pushed apart upward.
-pub(crate) fn ball_ball(centre_a: Vector3, radius_a: f32, centre_b: Vector3, radius_b: f32) -> Option<Touch> {
+/// Contact of two balls; the normal points to the second. Balls with the same centre are separated upwards.
+pub(crate) fn ball_ball(
+    centre_a: Vector3,
+    radius_a: f32,
+    centre_b: Vector3,
+    radius_b: f32,
+) -> Option<ShapeContact> {
     let between = centre_b - centre_a;
     let distance = between.dot(&between).sqrt();
-    // Squares of less than this are not exact any more.
+    // Squares of smaller numbers are not exact any more.
     let normal = if distance < 1e-15 { Vector3::new(0.0, -1.0, 0.0) } else { between / distance };
-    Touch::at(centre_b, radius_b, distance - radius_a, normal)
+    ShapeContact::at(centre_b, radius_b, distance - radius_a, normal)
 }
 
-/// The signed distance of a ball's centre from the nearer end of a prism along z, and the sign of that end.
+/// Signed distance of a ball's centre from the nearer end of a prism along z, px, and the sign of that end.
 fn beyond_end(centre_z: f32, z: f32, half_depth: f32) -> (f32, f32) {
     let from_middle = centre_z - z;
     let sign = if from_middle < 0.0 { -1.0 } else { 1.0 };
     (from_middle * sign - half_depth, sign)
 }
 
-/// The contact of a ball with a prism. Its normal is that of the nearest face, or points from the nearest edge or
-/// corner.
+/// Contact of a ball with a prism. The normal is that of the nearest face, or points from the nearest edge or
+/// vertex.
 pub(crate) fn ball_prism(
     centre: Vector3,
     radius: f32,
     outline: &[Vector2],
     z: f32,
     half_depth: f32,
-) -> Option<BallTouch> {
+) -> Option<BallPrismContact> {
     let (beyond, sign) = beyond_end(centre.z, z, half_depth);
     if beyond >= radius {
         return None;
@@ -76,12 +81,12 @@ pub(crate) fn ball_prism(
     } else {
         (beyond, Vector3::new(0.0, 0.0, sign))
     };
-    let touch = Touch::at(centre, radius, distance, normal)?;
-    Some(BallTouch { touch, is_inside: beside < 0.0 && beyond < 0.0 })
+    let touch = ShapeContact::at(centre, radius, distance, normal)?;
+    Some(BallPrismContact { touch, is_inside: beside < 0.0 && beyond < 0.0 })
 }
 
-/// The outward normal of the face of a prism through which the way from `before` to `now`, both relative to the
-/// prism as it is now, first comes in. `None` if it starts inside or never comes in.
+/// Outward normal of the face of a prism through which the path from `before` to `now` enters, both relative
+/// to the present prism. `None` if it starts inside or never enters.
 pub(crate) fn entry_face_of_prism(
     before: Vector3,
     now: Vector3,
@@ -98,7 +103,7 @@ pub(crate) fn entry_face_of_prism(
     if beyond >= 0.0 && approach <= 0.0 {
         return None;
     }
-    // The part of the way, 0 to 1, between the planes of the two ends.
+    // Interval of the path, as a fraction 0..=1, between the planes of the two ends.
     let start = if beyond < 0.0 { 0.0 } else { beyond / approach };
     let leave = if way.z == 0.0 {
         1.0
@@ -115,7 +120,7 @@ pub(crate) fn entry_face_of_prism(
     (entry <= leave).then(|| Vector3::new(normal.x, normal.y, 0.0))
 }
 
-/// The first edge that a way crosses inward after `start`: how far along the way, and the edge's outward normal.
+/// First edge that a path crosses inward after `start`: fraction of the path, and outward normal of the edge.
 fn first_entry(outline: &[Vector2], before: Vector2, way: Vector2, start: f32) -> Option<(f32, Vector2)> {
     let area = doubled_area(outline);
     let mut first: Option<(f32, Vector2)> = None;
@@ -123,14 +128,14 @@ fn first_entry(outline: &[Vector2], before: Vector2, way: Vector2, start: f32) -
         let edge = if area > 0.0 { a - b } else { b - a };
         let outward = Vector2::new(-edge.y, edge.x);
         let speed = vector2::dot(outward, way);
-        // Each end belongs to one side, so that a way through a vertex crosses one of its edges.
+        // Each vertex belongs to one side, so that a path through it crosses exactly one of its edges.
         let (side_a, side_b) = (vector2::cross(way, a - before), vector2::cross(way, b - before));
         if speed >= 0.0 || (side_a > 0.0) == (side_b > 0.0) {
             continue;
         }
         let along = vector2::dot(outward, a - before) / speed;
         let length = vector2::length(outward);
-        // A way that starts on the edge may seem to start a little behind it.
+        // By rounding, a path that starts on the edge may seem to start behind it.
         let is_ahead = along >= start - 1e-4 && length > 0.0;
         if is_ahead && first.is_none_or(|(least, _)| along < least) {
             first = Some((along, Vector2::new(outward.x / length, outward.y / length)));
@@ -139,10 +144,10 @@ fn first_entry(outline: &[Vector2], before: Vector2, way: Vector2, start: f32) -
     first
 }
 
-/// The contact of a ball whose centre is inside a prism, as one with the face of a given outward normal, whatever
-/// face is nearest: how far the ball has to go along that normal until it is outside.
+/// Contact of a ball whose centre is inside a prism with a given face, by its outward normal, also if another
+/// face is nearer. The penetration is the distance along that normal until the ball is outside.
 ///
-/// For a centre beside the outline this is the distance from the outline's supporting line in that direction.
+/// For a centre beside the outline this is the distance from the supporting line in that direction.
 pub(crate) fn ball_prism_through_face(
     centre: Vector3,
     radius: f32,
@@ -150,22 +155,23 @@ pub(crate) fn ball_prism_through_face(
     z: f32,
     half_depth: f32,
     face: Vector3,
-) -> Option<Touch> {
+) -> Option<ShapeContact> {
     if face.z != 0.0 {
         let distance = (centre.z - z) * face.z - half_depth;
-        return Touch::at(centre, radius, distance, face);
+        return ShapeContact::at(centre, radius, distance, face);
     }
     let direction = face.xy();
-    let exit = contains(outline, centre.xy()).then(|| way_out(outline, centre.xy(), direction)).flatten();
+    let exit =
+        contains(outline, centre.xy()).then(|| exit_distance(outline, centre.xy(), direction)).flatten();
     let distance = exit.map(|way| -way).or_else(|| {
         let support = outline.iter().map(|vertex| vector2::dot(direction, *vertex)).reduce(f32::max)?;
         Some(vector2::dot(direction, centre.xy()) - support)
     })?;
-    Touch::at(centre, radius, distance, face)
+    ShapeContact::at(centre, radius, distance, face)
 }
 
-/// How far it is from a point inside an outline to the outline in a direction.
-fn way_out(outline: &[Vector2], point: Vector2, direction: Vector2) -> Option<f32> {
+/// Distance from a point inside an outline to the outline in a direction, px.
+fn exit_distance(outline: &[Vector2], point: Vector2, direction: Vector2) -> Option<f32> {
     let mut least: Option<f32> = None;
     for (a, b) in edges(outline) {
         let (side_a, side_b) = (vector2::cross(direction, a - point), vector2::cross(direction, b - point));
@@ -191,7 +197,7 @@ mod tests {
     }
 
     /// 20 wide, 10 high, 8 deep, about the origin.
-    fn touch_of_box(centre: Vector3, radius: f32) -> Option<BallTouch> {
+    fn touch_of_box(centre: Vector3, radius: f32) -> Option<BallPrismContact> {
         ball_prism(centre, radius, &rectangle((0.0, 0.0), 20.0, 10.0, 0.0), 0.0, 4.0)
     }
 
@@ -204,7 +210,7 @@ mod tests {
         let found = ball_ball(v(1.0, 2.0, 3.0), 4.0, v(3.0, 5.0, 9.0), 5.0);
         let normal = v(2.0, 3.0, 6.0) / 7.0;
         let point = v(3.0, 5.0, 9.0) - normal * 5.0;
-        assert_eq!(found, Some(Touch { normal, separation: -2.0, point }));
+        assert_eq!(found, Some(ShapeContact { normal, separation: -2.0, point }));
     }
 
     #[test]
@@ -223,8 +229,8 @@ mod tests {
     #[test]
     fn a_ball_on_a_face_is_pushed_along_its_normal() {
         let top = touch_of_box(v(3.0, -6.0, 1.0), 2.0).expect("a contact");
-        let expected = Touch { normal: v(0.0, -1.0, 0.0), separation: -1.0, point: v(3.0, -4.0, 1.0) };
-        assert_eq!(top, BallTouch { touch: expected, is_inside: false });
+        let expected = ShapeContact { normal: v(0.0, -1.0, 0.0), separation: -1.0, point: v(3.0, -4.0, 1.0) };
+        assert_eq!(top, BallPrismContact { touch: expected, is_inside: false });
         let front = touch_of_box(v(3.0, 1.0, -5.0), 2.0).expect("a contact");
         assert_eq!((front.touch.normal, front.touch.separation), (v(0.0, 0.0, -1.0), -1.0));
     }

@@ -1,11 +1,12 @@
-//! An outline as convex pieces, which is what the separating axes work on.
+//! Convex decomposition of outlines, for the separating axis test.
 //!
-//! Frame: the geom's own while they are made, the plane's once they are laid out. Pieces are in the engine's winding
-//! (negative shoelace area), without repeated vertices and without vertices within a straight edge.
+//! Frame: the geom's own for new pieces, the plane's after the transformation. Pieces have the core's winding
+//! (negative shoelace area), without repeated vertices and without vertices inside a straight edge.
 //!
-//! A concave outline is cut into triangles by clipping ears, which are joined as long as they stay convex (Hertel and
-//! Mehlhorn, *Fast Triangulation of Simple Polygons*, 1983). The core's decomposition is not used: faithful to the
-//! original, it takes corners of up to a degree off, and refuses outlines of more than 177 vertices.
+//! Ear clipping cuts a concave outline into triangles, which are joined as long as they stay convex (Hertel
+//! and Mehlhorn, *Fast Triangulation of Simple Polygons*, 1983). The core's decomposition is not used.
+//! Faithful to the original, it removes corners of up to a degree, and refuses outlines of more than 177
+//! vertices.
 
 use farseer_core::Vertices;
 use farseer_core::math::{Matrix, Vector2, vector2};
@@ -13,20 +14,20 @@ use farseer_core::order::{joined as joined_bits, ordered, sort_by_number, sort_n
 
 use super::{cross64, doubled_area, edges};
 
-/// The sine of a turn that counts as none.
-const STRAIGHT: f64 = 1e-6;
+/// Sine of the greatest turn of a straight vertex, dimensionless.
+const MAX_STRAIGHT_SINE: f64 = 1e-6;
 
-/// The convex pieces of an outline.
+/// Convex pieces of an outline.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ConvexPieces {
     vertices: Vec<Vector2>,
-    /// Where each piece ends among the vertices.
+    /// End of each piece, as an index into the vertices.
     ends: Vec<usize>,
 }
 
 impl ConvexPieces {
-    /// The outline itself if it is convex; else pieces that together are the outline; if it crosses itself, so that
-    /// there are none, its convex hull.
+    /// The outline itself if it is convex, else a decomposition. An outline that crosses itself has none; it
+    /// becomes its convex hull.
     pub(crate) fn new(outline: &Vertices) -> ConvexPieces {
         let mut pieces = ConvexPieces::default();
         if is_convex(outline) {
@@ -48,13 +49,13 @@ impl ConvexPieces {
         self.ends.push(self.vertices.len());
     }
 
-    /// Replaces `out` by the vertices of all pieces, put into the plane by a matrix.
+    /// Replaces `out` by the vertices of all pieces, transformed into the plane by a matrix.
     pub(crate) fn lay_out(&self, matrix: &Matrix, out: &mut Vec<Vector2>) {
         out.clear();
         out.extend(self.vertices.iter().map(|vertex| vector2::transform(*vertex, matrix)));
     }
 
-    /// The pieces among the vertices that [`ConvexPieces::lay_out`] has given.
+    /// The pieces among the vertices from [`ConvexPieces::lay_out`].
     pub(crate) fn pieces<'a>(
         &'a self,
         laid_out: &'a [Vector2],
@@ -64,8 +65,8 @@ impl ConvexPieces {
     }
 }
 
-/// Whether an outline is convex: all its corners turn the same way, once around. Corners that hardly turn, repeated
-/// vertices and either winding are allowed; fewer than three vertices are convex.
+/// Whether an outline is convex: all its vertices turn the same way, once around. Straight and repeated
+/// vertices and either winding are allowed. Fewer than three vertices are convex.
 pub(crate) fn is_convex(outline: &[Vector2]) -> bool {
     let (mut left, mut right, mut halves) = (false, false, 0);
     let steps = || edges(outline).filter(|(a, b)| a != b);
@@ -73,26 +74,26 @@ pub(crate) fn is_convex(outline: &[Vector2]) -> bool {
     let mut before = last;
     for edge in steps() {
         let turn = turn(before.0, before.1, edge.1);
-        left |= turn < -STRAIGHT;
-        right |= turn > STRAIGHT;
+        left |= turn < -MAX_STRAIGHT_SINE;
+        right |= turn > MAX_STRAIGHT_SINE;
         halves += i32::from(points_down(before) != points_down(edge));
         before = edge;
     }
     !(left && right) && halves <= 2
 }
 
-/// Which half of all directions an edge has.
+/// The half plane of directions that contains an edge.
 fn points_down((a, b): (Vector2, Vector2)) -> bool {
     b.y > a.y || (b.y == a.y && b.x > a.x)
 }
 
-/// The sine of the turn at `b` on the way from `a` to `c`; 0 if two are the same.
+/// Sine of the turn at `b` on the path from `a` to `c`, dimensionless; 0 if two points are equal.
 fn turn(a: Vector2, b: Vector2, c: Vector2) -> f64 {
     let scale = f64::from(vector2::distance(a, b)) * f64::from(vector2::distance(b, c));
     if scale > 0.0 { cross64(a, b, c) / scale } else { 0.0 }
 }
 
-/// The vertices of an outline at which it turns, and at least one.
+/// The vertices of an outline that are not straight, and at least one.
 fn without_straight_vertices(outline: &[Vector2]) -> Vec<Vector2> {
     let mut kept: Vec<Vector2> = Vec::with_capacity(outline.len());
     for (i, &vertex) in outline.iter().enumerate() {
@@ -100,7 +101,7 @@ fn without_straight_vertices(outline: &[Vector2]) -> Vec<Vector2> {
         let after = outline[i + 1..].iter().chain(&kept).find(|other| **other != vertex);
         let Some(&after) = after else { continue };
         let goes_on = vector2::dot(vertex - before, after - vertex) >= 0.0;
-        if !(goes_on && turn(before, vertex, after).abs() <= STRAIGHT) {
+        if !(goes_on && turn(before, vertex, after).abs() <= MAX_STRAIGHT_SINE) {
             kept.push(vertex);
         }
     }
@@ -110,7 +111,7 @@ fn without_straight_vertices(outline: &[Vector2]) -> Vec<Vector2> {
     kept
 }
 
-/// Cuts an outline into convex pieces; `None` if it has no ear left at some point, or no area.
+/// Convex decomposition of an outline; `None` if there is no ear at some point, or no area.
 fn decompose(outline: &[Vector2]) -> Option<Vec<Vec<Vector2>>> {
     let mut rest = without_straight_vertices(outline);
     if doubled_area(&rest) > 0.0 {
@@ -120,7 +121,7 @@ fn decompose(outline: &[Vector2]) -> Option<Vec<Vec<Vector2>>> {
     let mut ears = Ears::new(rest);
     while ears.rest.len() >= 3 {
         let [before, tip, after] = ears.cut()?;
-        // A vertex at which the rest has become straight goes without a triangle.
+        // A vertex that has become straight is removed without a triangle.
         if cross64(before, tip, after) < 0.0 {
             pieces.push(vec![before, tip, after]);
         }
@@ -129,16 +130,16 @@ fn decompose(outline: &[Vector2]) -> Option<Vec<Vec<Vector2>>> {
     (!pieces.is_empty()).then_some(pieces)
 }
 
-/// What is left of an outline in engine winding while its ears are cut off.
+/// Ear clipping: the rest of an outline in the core's winding.
 struct Ears {
     vertices: Vec<Vector2>,
-    /// The vertices that are left, by number, in order.
+    /// Indices of the remaining vertices, in order.
     rest: Vec<usize>,
     is_left: Vec<bool>,
-    /// By vertex: one that lay in the way when it was looked at last. While that is left and the neighbours are the
-    /// same, there is no need to look again.
+    /// By vertex: one that blocked it in the last test. While that remains and the neighbours are the same,
+    /// the test is not repeated.
     in_the_way: Vec<Option<usize>>,
-    /// Place in the rest from which to look for the next ear.
+    /// Index in the rest from which the next ear is searched.
     start: usize,
 }
 
@@ -154,7 +155,7 @@ impl Ears {
         }
     }
 
-    /// Cuts the next ear off and gives its corners, the tip in the middle; `None` if there is no ear.
+    /// Cuts the next ear off and returns its corners, the tip in the middle; `None` if there is no ear.
     fn cut(&mut self) -> Option<[Vector2; 3]> {
         let count = self.rest.len();
         let start = self.start;
@@ -169,7 +170,7 @@ impl Ears {
         Some([before, tip, after].map(|i| self.vertices[i]))
     }
 
-    /// The vertex at a place of the rest between its neighbours.
+    /// A remaining vertex between its neighbours.
     fn corners(&self, place: usize) -> [usize; 3] {
         let last = self.rest.len() - 1;
         let before = if place == 0 { last } else { place - 1 };
@@ -177,8 +178,7 @@ impl Ears {
         [before, place, after].map(|place| self.rest[place])
     }
 
-    /// Whether a vertex can be cut off: it does not turn inward, and no other vertex lies in the triangle that is cut
-    /// off with it.
+    /// Whether a vertex is an ear: it is not reflex, and its triangle contains no other vertex.
     fn is_ear(&mut self, place: usize) -> bool {
         let corners = self.corners(place);
         if self.in_the_way[corners[1]].is_some_and(|i| self.is_left[i]) {
@@ -202,8 +202,8 @@ impl Ears {
     }
 }
 
-/// Joins pieces along common edges as long as the result is convex: each in turn with the first of those behind it, until
-/// there is none that it can be joined with.
+/// Joins pieces along common edges as long as the result is convex. Each piece in turn is joined with the
+/// first possible one behind it.
 fn join(pieces: &mut Vec<Vec<Vector2>>) {
     let owners = EdgeOwners::of(pieces);
     let mut i = 0;
@@ -222,8 +222,8 @@ fn join(pieces: &mut Vec<Vec<Vector2>>) {
     pieces.retain(|piece| !piece.is_empty());
 }
 
-/// Edges with the pieces that have them, in the order of the edges. What a piece takes over of one behind it need not be
-/// known: what is before a piece is never joined with it.
+/// Edges with their pieces, sorted by edge. Edges that a piece takes over from a later one are not recorded,
+/// since earlier pieces are never joined with it.
 struct EdgeOwners(Vec<(u128, u32)>);
 
 impl EdgeOwners {
@@ -236,7 +236,7 @@ impl EdgeOwners {
         EdgeOwners(owners)
     }
 
-    /// Those on the other side of a piece's edges.
+    /// Pieces on the other side of a piece's edges.
     fn across(&self, piece: &[Vector2]) -> impl Iterator<Item = u32> {
         edges(piece).flat_map(|(start, end)| {
             let key = edge_key(end, start);
@@ -247,12 +247,12 @@ impl EdgeOwners {
     }
 }
 
-/// Equal for equal edges: adding zero makes both zeros one.
+/// Key that is equal for equal edges; adding zero makes both zeros one.
 fn edge_key(start: Vector2, end: Vector2) -> u128 {
     joined_bits([start.x, start.y, end.x, end.y].map(|number| (number + 0.0).to_bits()))
 }
 
-/// Two pieces as one, if they have an edge in common and are convex together.
+/// Union of two pieces, if they have a common edge and the union is convex.
 fn joined(a: &[Vector2], b: &[Vector2]) -> Option<Vec<Vector2>> {
     let (i, j) = edges(a).enumerate().find_map(|(i, (start, end))| {
         let j = edges(b).position(|edge| edge == (end, start))?;
@@ -265,7 +265,8 @@ fn joined(a: &[Vector2], b: &[Vector2]) -> Option<Vec<Vector2>> {
     is_convex(&joined).then_some(joined)
 }
 
-/// The convex hull of any points, by Andrew's monotone chain.
+/// Convex hull of points by the monotone chain (A. Andrew, "Another efficient algorithm for convex hulls in
+/// two dimensions", 1979).
 fn convex_hull(points: &[Vector2]) -> Vec<Vector2> {
     let mut sorted: Vec<Vector2> = points.to_vec();
     sort_by_number(&mut sorted, |point| joined_bits([point.x, point.y].map(ordered)));
@@ -275,7 +276,7 @@ fn convex_hull(points: &[Vector2]) -> Vec<Vector2> {
     hull
 }
 
-/// Adds the side of a hull that a walk over sorted points turns around, without its last point.
+/// Adds one chain of a hull from sorted points, without its last point.
 fn add_chain<'a>(hull: &mut Vec<Vector2>, walk: impl Iterator<Item = &'a Vector2>) {
     let start = hull.len();
     for &point in walk {

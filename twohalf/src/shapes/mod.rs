@@ -1,31 +1,31 @@
-//! Geometry of the contacts in space: pure functions of points and outlines.
+//! Narrow-phase geometry: pure functions of points and outlines.
 //!
-//! Everything is in the plane's frame, x right and y **down**, with z into the picture where there is a third axis;
-//! lengths are in the user's unit. Outlines are lists of vertices whose last is joined to the first. Degenerate
-//! ones (one or two vertices, edges of length 0) are legal everywhere: what has no answer is `None` or `false`.
+//! Everything is in the frame of the plane, x right and y **down**, with z into the picture where there is a
+//! third axis. Lengths are in px. Outlines are closed lists of vertices. Degenerate ones (one or two
+//! vertices, edges of length 0) are legal everywhere; without a result the answer is `None` or `false`.
 
 mod ball;
 mod convex;
-mod course;
-mod entry_order;
+mod entry_axis;
 mod nearest;
 mod overlap;
 mod prism_box;
 mod sat;
 #[cfg(test)]
 mod slanted_box;
-mod top;
+mod sweep;
+mod walkable_top;
 
 pub(crate) use ball::{ball_ball, ball_prism, ball_prism_through_face, entry_face_of_prism};
 pub(crate) use convex::ConvexPieces;
-pub(crate) use course::{Course, Entry, entry_of_parts};
-pub(crate) use entry_order::{Along, RECENT, SHALLOW, is_depth_last};
+pub(crate) use entry_axis::{EntryAxis, MAX_ENTRY_AGE, RESTING_SLOP_FACTOR, is_depth_last};
 pub(crate) use farseer_core::shape::{Face, SlantedBox};
 pub(crate) use nearest::nearest;
 pub(crate) use overlap::{outlines_overlap, overlap_points, span_of};
-pub(crate) use prism_box::{BoxManifold, KeptAxis, prism_box};
+pub(crate) use prism_box::{BoxManifold, PersistedAxis, prism_box};
 pub(crate) use sat::entry_of_pieces;
-pub(crate) use top::Top;
+pub(crate) use sweep::{Hit, Sweep, entry_of_parts};
+pub(crate) use walkable_top::WalkableTop;
 
 use farseer_core::math::{Vector2, vector2};
 

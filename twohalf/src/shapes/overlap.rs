@@ -1,13 +1,13 @@
-//! Whether two outlines overlap, and what of them does.
+//! Overlap of two outlines: test and common points.
 //!
-//! Frame: the plane's. Outlines that do not cross themselves, convex or not. Overlaps thinner than the rounding of
-//! the coordinates are none, so that outlines that only touch do not overlap after a rotation either.
+//! Frame: the plane's. Outlines that do not cross themselves, convex or not. Overlaps thinner than the
+//! rounding of the coordinates are ignored, so that touching outlines do not overlap after a rotation either.
 
 use farseer_core::math::{Vector2, vector2};
 
 use super::{contains, cross64, doubled_area, edges, nearest};
 
-/// The box of some points.
+/// AABB of points.
 #[derive(Debug, Clone, Copy)]
 struct Bounds {
     min: Vector2,
@@ -28,7 +28,7 @@ impl Bounds {
         Bounds { min: vector2::min(a, b), max: vector2::max(a, b) }
     }
 
-    /// Whether the boxes meet or are not farther apart than `slack`; false for NaN.
+    /// Whether the boxes overlap or are no more than `slack` apart, px; false for NaN.
     fn meets(&self, other: &Bounds, slack: f32) -> bool {
         self.min.x - other.max.x <= slack
             && other.min.x - self.max.x <= slack
@@ -39,49 +39,49 @@ impl Bounds {
 
 /// A pair of outlines, seen from the first.
 #[derive(Clone, Copy)]
-struct Pair<'a> {
+struct OutlinePair<'a> {
     this: &'a [Vector2],
     other: &'a [Vector2],
     other_bounds: Bounds,
-    /// Distances up to this are rounding.
+    /// Greatest distance that counts as rounding, px.
     rounding: f32,
 }
 
-/// How a part of an outline lies to the other outline.
+/// Location of a part of an outline relative to the other outline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Place {
+enum PointLocation {
     Inside,
     On,
     Outside,
 }
 
-impl<'a> Pair<'a> {
-    /// The pair seen from both sides; `None` if the boxes do not meet.
-    fn both(a: &'a [Vector2], b: &'a [Vector2]) -> Option<[Pair<'a>; 2]> {
+impl<'a> OutlinePair<'a> {
+    /// The pair seen from both sides; `None` if the AABBs do not overlap.
+    fn both(a: &'a [Vector2], b: &'a [Vector2]) -> Option<[OutlinePair<'a>; 2]> {
         let (bounds_a, bounds_b) = (Bounds::of(a.iter().copied())?, Bounds::of(b.iter().copied())?);
         let corners = [bounds_a.min, bounds_a.max, bounds_b.min, bounds_b.max];
         let greatest = corners.iter().fold(0.0_f32, |greatest, corner| greatest.max(corner.amax()));
         let rounding = 4.0 * f32::EPSILON * greatest;
         let is_finite = corners.iter().all(|corner| corner.x.is_finite() && corner.y.is_finite());
         (is_finite && bounds_a.meets(&bounds_b, rounding)).then_some([
-            Pair { this: a, other: b, other_bounds: bounds_b, rounding },
-            Pair { this: b, other: a, other_bounds: bounds_a, rounding },
+            OutlinePair { this: a, other: b, other_bounds: bounds_b, rounding },
+            OutlinePair { this: b, other: a, other_bounds: bounds_a, rounding },
         ])
     }
 
-    fn place(&self, point: Vector2) -> Place {
+    fn place(&self, point: Vector2) -> PointLocation {
         let at_point = Bounds { min: point, max: point };
         if !at_point.meets(&self.other_bounds, self.rounding) {
-            return Place::Outside;
+            return PointLocation::Outside;
         }
         match nearest(self.other, point) {
-            Some(nearest) if nearest.distance < -self.rounding => Place::Inside,
-            Some(nearest) if nearest.distance <= self.rounding => Place::On,
-            _ => Place::Outside,
+            Some(nearest) if nearest.distance < -self.rounding => PointLocation::Inside,
+            Some(nearest) if nearest.distance <= self.rounding => PointLocation::On,
+            _ => PointLocation::Outside,
         }
     }
 
-    /// The pairs of edges whose boxes meet.
+    /// Pairs of edges whose AABBs overlap.
     fn meeting_edges(&self) -> impl Iterator<Item = ((Vector2, Vector2), (Vector2, Vector2))> {
         edges(self.this).flat_map(move |edge| {
             let bounds = Bounds::of_edge(edge);
@@ -93,8 +93,8 @@ impl<'a> Pair<'a> {
         })
     }
 
-    /// Whether a part of an edge of this outline lies inside the other. Without it, whether all of this outline
-    /// lies on the other is the second answer.
+    /// Whether a part of an edge of this outline lies inside the other. The second value tells whether all of
+    /// this outline lies on the other one, if no part lies inside.
     fn has_edge_inside(&self) -> (bool, bool) {
         let mut all_on = true;
         for edge in edges(self.this) {
@@ -103,9 +103,9 @@ impl<'a> Pair<'a> {
                 let end = self.next_touch(edge, start);
                 let middle = edge.0 + (edge.1 - edge.0) * ((start + end) * 0.5);
                 match self.place(middle) {
-                    Place::Inside => return (true, false),
-                    Place::On => {}
-                    Place::Outside => all_on = false,
+                    PointLocation::Inside => return (true, false),
+                    PointLocation::On => {}
+                    PointLocation::Outside => all_on = false,
                 }
                 start = end;
             }
@@ -113,7 +113,7 @@ impl<'a> Pair<'a> {
         (false, all_on)
     }
 
-    /// Where along an edge, 0 to 1, the next vertex of the other outline lies on it; 1 if none does.
+    /// Fraction of an edge, 0..=1, at which the next vertex of the other outline lies on it; 1 without one.
     fn next_touch(&self, (a, b): (Vector2, Vector2), start: f32) -> f32 {
         let direction = b - a;
         let squared_length = vector2::length_squared(direction);
@@ -135,7 +135,8 @@ impl<'a> Pair<'a> {
     }
 }
 
-/// Where two edges cross, if the ends of each lie on both sides of the other, farther from it than `rounding`.
+/// Intersection of two edges, if the ends of each lie on both sides of the other, farther from it than
+/// `rounding`, px.
 fn crossing((a1, a2): (Vector2, Vector2), (b1, b2): (Vector2, Vector2), rounding: f32) -> Option<Vector2> {
     let split = |from: Vector2, to: Vector2, first: Vector2, second: Vector2| {
         let least = f64::from(rounding * vector2::length(to - from));
@@ -148,9 +149,9 @@ fn crossing((a1, a2): (Vector2, Vector2), (b1, b2): (Vector2, Vector2), rounding
     Some(a1 + (a2 - a1) * along)
 }
 
-/// Whether the insides of two outlines overlap. Outlines that only touch do not, nor do those without an inside.
+/// Whether the interiors of two outlines overlap. Outlines that only touch, or that have no interior, do not.
 pub(crate) fn outlines_overlap(a: &[Vector2], b: &[Vector2]) -> bool {
-    let Some([from_a, from_b]) = Pair::both(a, b) else { return false };
+    let Some([from_a, from_b]) = OutlinePair::both(a, b) else { return false };
     if doubled_area(a) == 0.0 || doubled_area(b) == 0.0 {
         return false;
     }
@@ -161,11 +162,12 @@ pub(crate) fn outlines_overlap(a: &[Vector2], b: &[Vector2]) -> bool {
     if is_inside || from_b.has_edge_inside().0 {
         return true;
     }
-    // No edge of one lies inside the other: they are apart, or they are the same.
-    is_all_on && inner_point(a).is_some_and(|point| from_a.place(point) == Place::Inside)
+    // No edge of one lies inside the other: the outlines are apart or equal.
+    is_all_on && inner_point(a).is_some_and(|point| from_a.place(point) == PointLocation::Inside)
 }
 
-/// A point inside an outline: half way through it on a level between two vertices, where these are farthest apart.
+/// A point inside an outline: the middle of a horizontal chord between the two neighbouring vertex heights
+/// that are farthest apart.
 fn inner_point(outline: &[Vector2]) -> Option<Vector2> {
     let mut level = None;
     let mut widest = 0.0;
@@ -187,17 +189,17 @@ fn inner_point(outline: &[Vector2]) -> Option<Vector2> {
     (point.x.is_finite() && contains(outline, point)).then_some(point)
 }
 
-/// Adds the vertices of what two outlines have in common: those of one that lie inside or on the other, and the
-/// crossings of their edges. Points may occur twice. Outlines that only touch add none.
+/// Adds the vertices of the common area of two outlines: vertices of one inside or on the other, and
+/// intersections of edges. Points may occur twice. Outlines that only touch add none.
 pub(crate) fn overlap_points(a: &[Vector2], b: &[Vector2], points: &mut Vec<Vector2>) {
-    let Some(pairs) = Pair::both(a, b) else { return };
+    let Some(pairs) = OutlinePair::both(a, b) else { return };
     let start = points.len();
     let mut overlaps = false;
     for pair in &pairs {
         for &vertex in pair.this {
             let place = pair.place(vertex);
-            overlaps |= place == Place::Inside;
-            if place != Place::Outside {
+            overlaps |= place == PointLocation::Inside;
+            if place != PointLocation::Outside {
                 points.push(vertex);
             }
         }
@@ -214,8 +216,8 @@ pub(crate) fn overlap_points(a: &[Vector2], b: &[Vector2], points: &mut Vec<Vect
     }
 }
 
-/// Two of the points that are far apart: the farthest from the middle of all, and the farthest from that. Both are
-/// the same if all points are. `None` without points.
+/// Two distant points of a set: the farthest from the centroid, and the farthest from that one. Both are the
+/// same if all points are equal. `None` without points.
 pub(crate) fn span_of(points: &[Vector2]) -> Option<[Vector2; 2]> {
     let first = *points.first()?;
     let sum = points.iter().fold(Vector2::new(0.0, 0.0), |sum, point| sum + (point - first));
@@ -224,8 +226,8 @@ pub(crate) fn span_of(points: &[Vector2]) -> Option<[Vector2; 2]> {
     Some([start, farthest(points, start)?])
 }
 
-/// The farthest of the points; of those that are about as far the first, so that rounding does not make the choice
-/// jump from step to step.
+/// The farthest of the points; among about equal ones the first, so that rounding does not make the choice
+/// jump between steps.
 fn farthest(points: &[Vector2], from: Vector2) -> Option<Vector2> {
     let mut best = (*points.first()?, 0.0);
     for &point in points {

@@ -1,13 +1,12 @@
-//! Where a prism, an outline with depth, touches a slanted box.
+//! Contact manifold of a prism with a sheared box.
 //!
-//! Frame: the plane's, x right, y **down**, z into the picture. Normals lead from the box to the prism.
+//! Frame: the plane's, x right, y **down**, z into the picture. Normals point from the box to the prism.
 //!
-//! Within the depths that both have, the prism is a column over its outline, so the two overlap exactly when the
-//! outline overlaps what the box covers of the plane between those depths. Outlines are tested by the separating axis
-//! theorem (Gottschalk 1996); points come from clipping the edge of one against the edge of the other that was chosen
-//! as reference. Through which surface the prism leaves is decided once, when the pair begins to touch: the one that
-//! it entered last, by the way it moves. Least overlap alone would throw an object sideways that lands deep in a
-//! platform near its edge.
+//! Within the common depths the prism is a column over its outline. The two overlap exactly when the outline
+//! overlaps the swept outline of the box between those depths. Outlines are tested by the separating axis
+//! theorem (Gottschalk 1996). Manifold points come from clipping the incident edge against the reference
+//! edge. The contact axis is chosen once, when the pair begins to touch: the axis entered last. Least
+//! penetration alone would push an object sideways that lands deep in a platform near its edge.
 
 mod axes;
 mod points;
@@ -16,23 +15,23 @@ mod swept_outline;
 use farseer_core::math::{Vector2, Vector3, scalar};
 use serde::{Deserialize, Serialize};
 
-use super::{Along, SHALLOW, SlantedBox, is_depth_last, overlap_points, span_of};
-use axes::Candidate;
-use points::Choice;
+use super::{EntryAxis, RESTING_SLOP_FACTOR, SlantedBox, is_depth_last, overlap_points, span_of};
+use axes::AxisCandidate;
+use points::PointSet;
 use swept_outline::{BoxEdge, SweptOutline};
 
-/// An edge that has turned further than this since it was chosen (cosine of the angle, about 18 degrees) is chosen
-/// anew.
-const TURNED: f32 = 0.95;
-/// Pieces whose normals agree to this cosine (about 25 degrees) share a contact.
-const AGREES: f32 = 0.9;
+/// Least cosine between an edge and its direction when it was chosen, dimensionless: about 18 degrees. An
+/// edge that has turned farther is chosen anew.
+const MIN_EDGE_COS: f32 = 0.95;
+/// Least cosine between the normals of pieces that share a manifold, dimensionless: about 25 degrees.
+const MIN_PIECE_COS: f32 = 0.9;
 
-/// The surface through which a prism leaves a box, from one step to the next.
+/// Contact axis of a prism and a box that persists between steps.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub(crate) enum KeptAxis {
-    /// The front or the back of the box.
+pub(crate) enum PersistedAxis {
+    /// Front or back of the box.
     Depth { is_front: bool },
-    /// An edge of an outline; `normal` is what it was when it was chosen.
+    /// An edge of an outline, with its normal when it was chosen.
     Plane { edge: Edge, normal: Vector2 },
 }
 
@@ -43,32 +42,32 @@ pub(crate) enum Edge {
     Prism { piece: u32, edge: u32 },
 }
 
-/// Where a prism touches a box.
+/// Contact manifold of a prism and a box.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct BoxManifold {
     /// Unit vector from the box to the prism.
     pub(crate) normal: Vector3,
     pub(crate) points: [BoxPoint; 2],
     pub(crate) count: usize,
-    pub(crate) kept: KeptAxis,
+    pub(crate) kept: PersistedAxis,
     pub(crate) is_depth: bool,
 }
 
-/// A point where a prism touches a box.
+/// A point of the manifold.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct BoxPoint {
     pub(crate) position: Vector3,
-    /// Negative where they overlap.
+    /// Separation in px; negative is penetration.
     pub(crate) separation: f32,
-    /// Names the vertex that is here, of the prism or of the box, from step to step.
+    /// Feature id of the vertex, of the prism or of the box.
     pub(crate) feature: u32,
 }
 
 const NO_POINT: BoxPoint = BoxPoint { position: Vector3::new(0.0, 0.0, 0.0), separation: 0.0, feature: 0 };
 
-/// Where a prism touches a box, and through which surface it leaves. `pieces` are the convex pieces of its outline,
-/// `motion` is how far it has moved in the last step, relative to the box, `slop` the overlap of things at rest. None
-/// when they do not overlap; things that only touch do not.
+/// The manifold of a prism and a box, with the axis that persists. `pieces` are the convex pieces of the
+/// outline. `motion` is its displacement relative to the box in the last step, px; `slop` is the allowed
+/// penetration, px. `None` if the shapes do not overlap.
 #[expect(clippy::too_many_arguments, reason = "two shapes, how they move, and what is remembered of them")]
 pub(crate) fn prism_box<'a>(
     shape: &SlantedBox,
@@ -77,12 +76,12 @@ pub(crate) fn prism_box<'a>(
     prism_half_depth: f32,
     motion: Vector3,
     slop: f32,
-    kept: Option<KeptAxis>,
+    kept: Option<PersistedAxis>,
     scratch: &mut Vec<Vector2>,
 ) -> Option<BoxManifold> {
     let offset = prism_z - shape.centre.z;
     let reach = prism_half_depth + shape.half[2];
-    // Two sheets at the same depth overlap, too.
+    // Two shapes without depth at the same z overlap.
     if !(offset.abs() < reach || (offset == 0.0 && reach == 0.0)) {
         return None;
     }
@@ -92,15 +91,15 @@ pub(crate) fn prism_box<'a>(
     let overhang = [near - front, back - far];
     let outline = SweptOutline::new(shape, near, far);
     let are_several = pieces.clone().nth(1).is_some();
-    let meeting = Meeting { shape, pieces, are_several, outline, overhang, motion, slop };
+    let meeting = PrismBoxPair { shape, pieces, are_several, outline, overhang, motion, slop };
     let plane = meeting.in_plane(kept)?;
     let front = Depth { is_front: true, penetration: reach + offset };
     let back = Depth { is_front: false, penetration: reach - offset };
     let depth = match kept {
-        Some(KeptAxis::Depth { is_front }) => Some(if is_front { front } else { back }),
-        Some(KeptAxis::Plane { .. }) => None,
+        Some(PersistedAxis::Depth { is_front }) => Some(if is_front { front } else { back }),
+        Some(PersistedAxis::Plane { .. }) => None,
         None => {
-            // It came from where it was before this step.
+            // The side is the one on which the prism was before this step.
             let came_from = offset - motion.z;
             let entered = if came_from < 0.0 || (came_from == 0.0 && motion.z > 0.0) { front } else { back };
             Some(entered).filter(|depth| meeting.leaves(depth, &plane))
@@ -123,18 +122,18 @@ impl BoxManifold {
 }
 
 /// A prism and a box that overlap in depth.
-struct Meeting<'a, I> {
+struct PrismBoxPair<'a, I> {
     shape: &'a SlantedBox,
     pieces: I,
     are_several: bool,
     outline: SweptOutline,
-    /// How far the prism reaches beyond the depths that both have, in front and behind.
+    /// Extent of the prism beyond the common depths, in front and behind, px.
     overhang: [f32; 2],
     motion: Vector3,
     slop: f32,
 }
 
-/// Leaving through the front or the back.
+/// Exit through the front or the back of the box.
 #[derive(Clone, Copy)]
 struct Depth {
     is_front: bool,
@@ -147,17 +146,17 @@ impl Depth {
     }
 }
 
-/// How the prism leaves in the plane: as its deepest piece does.
+/// Exit within the plane: that of the deepest piece.
 struct Plane {
-    deepest: Choice,
-    /// When the first piece met the box, in steps before now.
+    deepest: PointSet,
+    /// Time since the first piece met the box, steps.
     time: f32,
     overlapping: usize,
 }
 
-/// From the pieces to the whole.
-impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
-    fn in_plane(&self, kept: Option<KeptAxis>) -> Option<Plane> {
+/// From the pieces to the prism.
+impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> PrismBoxPair<'_, I> {
+    fn in_plane(&self, kept: Option<PersistedAxis>) -> Option<Plane> {
         let mut plane: Option<Plane> = None;
         for (vertices, piece) in self.pieces.clone().zip(0..) {
             let Some((choice, time)) = self.choose(piece, vertices, kept) else { continue };
@@ -175,44 +174,44 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
         plane
     }
 
-    /// Whether a prism that begins to touch meets the box along the depth axis.
+    /// Whether the contact axis of a new pair is the depth axis.
     fn leaves(&self, depth: &Depth, plane: &Plane) -> bool {
-        let Candidate { penetration, normal3d, .. } = plane.deepest.candidate;
+        let AxisCandidate { penetration, normal3d, .. } = plane.deepest.candidate;
         let in_plane = self.along(penetration, normal3d);
         let in_depth = self.along(depth.penetration, depth.normal());
         is_depth_last(in_plane, plane.time, in_depth, self.motion.z != 0.0, self.slop)
     }
 
-    fn plane_manifold(&self, kept: Option<KeptAxis>, plane: &Plane) -> BoxManifold {
-        let Choice { candidate, mut points, mut count } = plane.deepest;
+    fn plane_manifold(&self, kept: Option<PersistedAxis>, plane: &Plane) -> BoxManifold {
+        let PointSet { candidate, mut points, mut count } = plane.deepest;
         if plane.overlapping > 1 {
             (points, count) = self.of_several(kept, plane);
         }
         if count == 2 && points[1].separation < points[0].separation {
             points.swap(0, 1);
         }
-        // While it stays the same edge it keeps the direction that it had when it was chosen.
+        // The same edge keeps the direction that it had when it was chosen.
         let kept = match kept {
-            Some(KeptAxis::Plane { edge, normal })
-                if edge == candidate.edge && candidate.normal.dot(&normal) > TURNED =>
+            Some(PersistedAxis::Plane { edge, normal })
+                if edge == candidate.edge && candidate.normal.dot(&normal) > MIN_EDGE_COS =>
             {
-                KeptAxis::Plane { edge, normal }
+                PersistedAxis::Plane { edge, normal }
             }
-            _ => KeptAxis::Plane { edge: candidate.edge, normal: candidate.normal },
+            _ => PersistedAxis::Plane { edge: candidate.edge, normal: candidate.normal },
         };
         BoxManifold { normal: candidate.normal3d, points, count, kept, is_depth: false }
     }
 
-    /// The two outermost points of the pieces that leave in the direction of the deepest; or the deepest point and
-    /// the one farther from it, if it is not among them.
-    fn of_several(&self, kept: Option<KeptAxis>, plane: &Plane) -> ([BoxPoint; 2], usize) {
+    /// The two outermost points of the pieces with about the normal of the deepest piece. If the deepest
+    /// point is not among them, it replaces the nearer one.
+    fn of_several(&self, kept: Option<PersistedAxis>, plane: &Plane) -> ([BoxPoint; 2], usize) {
         let normal = plane.deepest.candidate.normal;
         let place = |point: &BoxPoint| normal.x * point.position.y - normal.y * point.position.x;
         let first = plane.deepest.points[0];
         let (mut low, mut high, mut deepest) = (first, first, first);
         for (vertices, piece) in self.pieces.clone().zip(0..) {
             let Some((choice, _)) = self.choose(piece, vertices, kept) else { continue };
-            let count = if choice.candidate.normal.dot(&normal) > AGREES { choice.count } else { 0 };
+            let count = if choice.candidate.normal.dot(&normal) > MIN_PIECE_COS { choice.count } else { 0 };
             for point in &choice.points[..count] {
                 if place(point) < place(&low) {
                     low = *point;
@@ -240,7 +239,7 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
         for piece in self.pieces.clone() {
             overlap_points(&corners[..self.outline.len()], piece, scratch);
         }
-        // An overlap so thin that it has no points of its own is where the outlines touch in the plane.
+        // An overlap too thin for points of its own has those of the contact in the plane.
         let mut ends = span_of(scratch).unwrap_or(plane.deepest.points.map(|point| point.position.xy()));
         if (ends[1].x, ends[1].y) < (ends[0].x, ends[0].y) {
             ends.swap(0, 1);
@@ -255,7 +254,7 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
             normal,
             points: [point(0), point(1)],
             count: if is_one { 1 } else { 2 },
-            kept: KeptAxis::Depth { is_front: depth.is_front },
+            kept: PersistedAxis::Depth { is_front: depth.is_front },
             is_depth: true,
         }
     }

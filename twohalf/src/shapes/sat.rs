@@ -1,25 +1,26 @@
-//! How deep two convex outlines overlap, and since when.
+//! Separating axis test of two convex outlines, with the time since entry.
 //!
-//! Frame: the plane's. Separating axes (Gottschalk, Lin and Manocha, *OBBTree*, 1996; Ericson, *Real-Time Collision
-//! Detection*, 5.5.8 for moving shapes): two convex outlines overlap if their projections on the normals of all
-//! edges do; they have overlapped since the last of these axes was entered. Either winding will do.
+//! Frame: the plane's. Separating axis theorem (Gottschalk, Lin and Manocha, *OBBTree*, 1996; Ericson,
+//! *Real-Time Collision Detection*, 5.5.8 for moving shapes). Two convex outlines overlap if their
+//! projections on the normals of all edges do. The overlap began when the last of these axes was entered.
+//! Either winding is allowed.
 
 use farseer_core::math::{Vector2, vector2};
 
 use super::edges;
 
-/// An overlap of two outlines.
+/// Overlap of two outlines.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Entry {
-    /// For how many steps they have overlapped if they always moved as in the last; infinite if they do not approach.
+pub(crate) struct SatOverlap {
+    /// Time since the entry, steps, at the motion of the last step; infinite if they do not approach.
     pub(crate) time: f32,
-    /// The least way that separates them.
+    /// Least penetration, px.
     pub(crate) penetration: f32,
-    /// In which direction the second has to go that way: of length 1, from the first to the second.
+    /// Unit normal of the least penetration, from the first to the second.
     pub(crate) normal: Vector2,
 }
 
-/// The range of the points along an axis, `(least, greatest)`.
+/// Projection of points on an axis, `(least, greatest)`, px.
 fn project(points: &[Vector2], axis: Vector2) -> (f32, f32) {
     points.iter().fold((f32::INFINITY, f32::NEG_INFINITY), |(least, greatest), point| {
         let along = vector2::dot(*point, axis);
@@ -27,9 +28,9 @@ fn project(points: &[Vector2], axis: Vector2) -> (f32, f32) {
     })
 }
 
-/// The overlap of two convex outlines that move relative to each other; `None` if they do not overlap, or only touch.
-pub(crate) fn entry(a: &[Vector2], b: &[Vector2], motion_of_b: Vector2) -> Option<Entry> {
-    let mut found: Option<Entry> = None;
+/// Overlap of two convex outlines with a relative motion; `None` if they do not overlap, or only touch.
+pub(crate) fn entry(a: &[Vector2], b: &[Vector2], motion_of_b: Vector2) -> Option<SatOverlap> {
+    let mut found: Option<SatOverlap> = None;
     for (start, end) in edges(a).chain(edges(b)) {
         let edge = end - start;
         let length = vector2::length(edge);
@@ -46,31 +47,31 @@ pub(crate) fn entry(a: &[Vector2], b: &[Vector2], motion_of_b: Vector2) -> Optio
             let closing = -vector2::dot(motion_of_b, normal);
             let time = if closing > 0.0 { penetration / closing } else { f32::INFINITY };
             found = Some(match found {
-                None => Entry { time, penetration, normal },
+                None => SatOverlap { time, penetration, normal },
                 Some(found) if penetration < found.penetration => {
-                    Entry { time: found.time.min(time), penetration, normal }
+                    SatOverlap { time: found.time.min(time), penetration, normal }
                 }
-                Some(found) => Entry { time: found.time.min(time), ..found },
+                Some(found) => SatOverlap { time: found.time.min(time), ..found },
             });
         }
     }
     found
 }
 
-/// The overlap of two outlines of convex pieces: since when the first pair of pieces has overlapped, and the
-/// penetration of the deepest pair. `b` gives the second outline's pieces anew for each piece of the first.
-pub(crate) fn entry_of_pieces<'a, I, J>(a: I, b: impl Fn() -> J, motion_of_b: Vector2) -> Option<Entry>
+/// Overlap of two outlines of convex pieces: time since the first pair of pieces overlaps, and penetration of
+/// the deepest pair. `b` returns the pieces of the second outline anew for each piece of the first.
+pub(crate) fn entry_of_pieces<'a, I, J>(a: I, b: impl Fn() -> J, motion_of_b: Vector2) -> Option<SatOverlap>
 where
     I: Iterator<Item = &'a [Vector2]>,
     J: Iterator<Item = &'a [Vector2]>,
 {
-    let mut found: Option<Entry> = None;
+    let mut found: Option<SatOverlap> = None;
     for piece_a in a {
         for piece_b in b() {
             let Some(pair) = entry(piece_a, piece_b, motion_of_b) else { continue };
             let deepest = found.filter(|found| found.penetration >= pair.penetration).unwrap_or(pair);
             let time = found.map_or(pair.time, |found| found.time.max(pair.time));
-            found = Some(Entry { time, ..deepest });
+            found = Some(SatOverlap { time, ..deepest });
         }
     }
     found
@@ -91,7 +92,7 @@ mod tests {
         let floor = rectangle((0.0, 0.0), 100.0, 40.0, 0.0);
         let falling = rectangle((58.0, -15.0), 20.0, 20.0, 0.0);
         let found = entry(&floor, &falling, Vector2::new(1.0, 16.0)).expect("an overlap");
-        assert_eq!(found, Entry { time: 15.0 / 16.0, penetration: 2.0, normal: Vector2::new(1.0, 0.0) });
+        assert_eq!(found, SatOverlap { time: 15.0 / 16.0, penetration: 2.0, normal: Vector2::new(1.0, 0.0) });
     }
 
     #[test]
@@ -182,7 +183,7 @@ mod tests {
             list.iter().map(Vec::as_slice)
         }
         let found = entry_of_pieces(slices(&a), || slices(&b), Vector2::new(-2.0, 0.0));
-        let expected = Entry { time: 1.5, penetration: 3.0, normal: Vector2::new(1.0, 0.0) };
+        let expected = SatOverlap { time: 1.5, penetration: 3.0, normal: Vector2::new(1.0, 0.0) };
         assert_eq!(found, Some(expected));
         assert_eq!(entry_of_pieces(slices(&a[..1]), || slices(&b), Vector2::zeros()), None);
     }

@@ -1,29 +1,36 @@
-//! Who is squeezed, and of whom it is told.
+//! Queries and events of crushed bodies.
 
 use farseer_core::BodyId;
 
 use super::TwoHalfPhysicsSimulator;
 use crate::Result;
-use crate::depth::{CrushWatch, DepthScheme};
+use crate::depth::{CrushMonitor, DepthScheme};
 use crate::error::{invalid, only_precise, stale};
-use crate::views::{Squeeze, squeeze};
+use crate::views::{CrushInfo, crush_info};
 
-/// What is squeezed.
+/// Crushing.
 impl TwoHalfPhysicsSimulator {
-    /// How a body was squeezed at the end of the last update: along the axis of the three along which it lacks most room between two
-    /// sides that both push it. `None` unless there are two such sides, and for stale ids.
+    /// The crush of a body at the end of the last update: on the axis with the greatest lack of room between
+    /// two sides that both push the body. `None` without two such sides, and for stale ids.
     ///
-    /// A side is whatever pushes the body along an axis by more than sideways: ground, platforms, bodies, at rest or
-    /// moving. Things that only lie on each other lack some hundredths of a px; what goes on closing, as a lift below
-    /// a ceiling does, leaves less room with every update, at any length of step.
-    pub fn squeeze(&self, body: BodyId) -> Option<Squeeze> {
-        squeeze(&self.core, &self.world, body)
+    /// A side is any contact that acts along an axis more than across it: ground, platforms, bodies, at rest
+    /// or moving. Resting contacts lack some hundredths of a px. Sides that go on closing, such as a lift
+    /// below a ceiling, leave less room in every update, at any length of step.
+    pub fn crush_info(&self, body: BodyId) -> Option<CrushInfo> {
+        crush_info(&self.core, &self.world, body)
     }
 
-    /// Lets [`Event::Crushed`](crate::Event::Crushed) tell of a body once it lacks more than `tolerance` px of room, in the update in which that
-    /// begins; again when it had room meanwhile. `None` ends it, as it is for all bodies at first.
+    /// The former name of [`crush_info`](Self::crush_info).
+    #[deprecated(since = "0.2.0", note = "renamed to crush_info")]
+    pub fn squeeze(&self, body: BodyId) -> Option<CrushInfo> {
+        self.crush_info(body)
+    }
+
+    /// Makes [`Event::Crushed`](crate::Event::Crushed) report a body that lacks more than `tolerance` px of
+    /// room, in the first update in which it does. It reports again after the body had room. `None`, the
+    /// default, ends it.
     ///
-    /// Crushing is told and nothing else: what becomes of who is crushed is for the game to say.
+    /// The event is all: the game decides the effect of a crush.
     ///
     /// ```
     /// # use twohalf::{Event, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3};
@@ -64,13 +71,13 @@ impl TwoHalfPhysicsSimulator {
         let known = watches.iter_mut().find(|watch| watch.body == body);
         match (known, tolerance) {
             (Some(watch), Some(tolerance)) => watch.tolerance = tolerance,
-            (None, Some(tolerance)) => watches.push(CrushWatch { body, tolerance, is_crushed: false }),
+            (None, Some(tolerance)) => watches.push(CrushMonitor { body, tolerance, is_crushed: false }),
             (_, None) => watches.retain(|watch| watch.body != body),
         }
         Ok(())
     }
 
-    /// From how much lack of room on a body counts as crushed, px; `None` if nobody is told.
+    /// Tolerance of the crush event for a body, px; `None` if it is off.
     pub fn crush_tolerance(&self, body: BodyId) -> Option<f32> {
         let watch = self.world.crush_watches.iter().find(|watch| watch.body == body);
         watch.map(|watch| watch.tolerance)

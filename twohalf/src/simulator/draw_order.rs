@@ -1,22 +1,25 @@
-//! What is drawn over what.
+//! Draw order: a topological sort of the items by which covers which.
 
 use std::cmp::Ordering;
 
-use super::drawn::{Drawable, Item, Sides};
-use super::sorted_again::SortedAgain;
+use super::draw_items::{DrawItem, Drawable, ViewSides};
+use super::incremental_sort::IncrementalSort;
 use crate::{TwoHalfPhysicsSimulator, Vector3};
 
-/// What orders items from the back to the front, and where one is listed.
+/// Sort key from back to front, with the index of the item in the list.
 #[derive(Debug, Clone, Copy)]
 struct ByDepth {
+    /// Z, px.
     middle: f32,
+    /// Least Y, px.
     height: f32,
     drawable: Drawable,
+    /// Index in the list.
     listed: u32,
 }
 
 impl ByDepth {
-    fn new(item: &Item, listed: u32) -> Self {
+    fn new(item: &DrawItem, listed: u32) -> Self {
         ByDepth { middle: item.middle, height: item.low.y, drawable: item.drawable, listed }
     }
 
@@ -26,21 +29,25 @@ impl ByDepth {
     }
 }
 
-/// Where an item appears on the screen.
+/// Bounds of an item on the screen, px.
 #[derive(Debug, Clone, Copy)]
-struct Appearance {
+struct ScreenBounds {
+    /// Least x, px.
     left: f32,
+    /// Greatest x, px.
     right: f32,
+    /// Least y, px.
     low: f32,
+    /// Greatest y, px.
     high: f32,
-    /// Its place among the items, and where it is listed.
+    /// Index among the sorted items, and index in the list.
     item: u32,
     listed: u32,
 }
 
-impl Appearance {
-    fn new(item: &Item, rank: u32, listed: u32) -> Self {
-        Appearance {
+impl ScreenBounds {
+    fn new(item: &DrawItem, rank: u32, listed: u32) -> Self {
+        ScreenBounds {
             left: item.screen_low.x,
             right: item.screen_high.x,
             low: item.screen_low.y,
@@ -55,18 +62,18 @@ impl Appearance {
     }
 }
 
-/// Lists of numbers, one behind the other.
+/// Lists of numbers, stored in one array.
 #[derive(Debug, Clone, Default)]
-struct Lists {
-    /// Where each begins; behind the last one, where it ends.
+struct DrawLists {
+    /// Start of each list, and the end of the last one.
     begins: Vec<u32>,
     entries: Vec<u32>,
 }
 
-impl Lists {
-    /// Makes so many lists of pairs of a list and an entry, each in the order in which its entries come.
+impl DrawLists {
+    /// Builds `count` lists from pairs of a list and an entry; entries keep their order.
     fn fill(&mut self, count: usize, pairs: impl Iterator<Item = [u32; 2]> + Clone) {
-        let Lists { begins, entries } = self;
+        let DrawLists { begins, entries } = self;
         begins.clear();
         begins.resize(count + 2, 0);
         pairs.clone().for_each(|[list, _]| begins[list as usize + 2] += 1);
@@ -75,7 +82,7 @@ impl Lists {
         }
         entries.clear();
         entries.resize(begins[count + 1] as usize, 0);
-        // One place ahead: by the end every list begins where the one before it ends.
+        // One index ahead: at the end every list begins where the one before it ends.
         for [list, entry] in pairs {
             let next = &mut begins[list as usize + 1];
             entries[*next as usize] = entry;
@@ -92,38 +99,41 @@ impl Lists {
     }
 }
 
-/// Strips of the screen, one below the other: who is in none together does not cover each other.
+/// Horizontal strips of the screen: items without a common strip do not cover each other.
 #[derive(Debug, Clone, Copy)]
-struct Strips {
+struct ScreenStrips {
+    /// Least y, px.
     first: f32,
+    /// Strips per px, 1/px.
     per_length: f32,
     count: usize,
 }
 
-/// Items per strip, and the most strips, so that what is as high as the screen is not in too many.
+/// `ITEMS_PER_STRIP`: number of items per strip. `MAX_STRIPS`: greatest number of strips, so that an item as
+/// high as the screen is in few.
 const ITEMS_PER_STRIP: usize = 16;
-const MOST_STRIPS: usize = 256;
+const MAX_STRIPS: usize = 256;
 
-impl Strips {
-    fn over(appearances: &[Appearance]) -> Self {
+impl ScreenStrips {
+    fn over(appearances: &[ScreenBounds]) -> Self {
         let low = appearances.iter().map(|appearance| appearance.low).fold(f32::INFINITY, f32::min);
         let high = appearances.iter().map(|appearance| appearance.high).fold(f32::NEG_INFINITY, f32::max);
-        let count = (appearances.len() / ITEMS_PER_STRIP).clamp(1, MOST_STRIPS);
-        Strips { first: low, per_length: count as f32 / (high - low), count }
+        let count = (appearances.len() / ITEMS_PER_STRIP).clamp(1, MAX_STRIPS);
+        ScreenStrips { first: low, per_length: count as f32 / (high - low), count }
     }
 
-    /// The strip at a height. Conversion saturates, and what is no number is in the first one.
+    /// The strip at a height. The conversion saturates, and NaN is in the first one.
     fn at(&self, y: f32) -> u32 {
         (((y - self.first) * self.per_length) as u32).min(self.count as u32 - 1)
     }
 
-    fn of(&self, appearance: &Appearance) -> std::ops::RangeInclusive<u32> {
+    fn of(&self, appearance: &ScreenBounds) -> std::ops::RangeInclusive<u32> {
         self.at(appearance.low)..=self.at(appearance.high)
     }
 }
 
-/// What is drawn over what, found again in every frame, in room that is kept: it allocates nothing once it has grown to the scene, and only what
-/// has moved since the frame before is sorted again.
+/// Draw order that is updated in every frame. It reuses its buffers, so it allocates nothing once they fit
+/// the scene, and re-sorts only items that have moved since the last frame.
 ///
 /// ```
 /// # use twohalf::{DrawOrder, TwoHalfPhysicsSimulator, Vector2};
@@ -139,53 +149,55 @@ impl Strips {
 /// ```
 #[derive(Debug, Clone, Default)]
 pub struct DrawOrder {
-    /// As they are listed, and as they were in the frame before.
-    listed: Vec<Item>,
-    before: Vec<Item>,
-    /// By place in the list of the frame before, the one now.
+    /// Items of this frame and of the last one, as they are listed.
+    listed: Vec<DrawItem>,
+    before: Vec<DrawItem>,
+    /// Index in the present list, by index in the list of the last frame.
     now_at: Vec<u32>,
     at_slot: Vec<u32>,
-    /// By place in the list: whether it was in the one before, whether it has moved since, and its place among the items.
+    /// By index in the list: whether it was in the last frame, whether it has moved since, and its index
+    /// among the sorted items.
     is_known: Vec<bool>,
     has_moved: Vec<bool>,
     ranks: Vec<u32>,
-    by_depth: SortedAgain<ByDepth>,
-    /// From the back to the front.
-    items: Vec<Item>,
-    sides: Vec<Sides>,
-    appearances: SortedAgain<Appearance>,
-    /// Pairs of items, the one that is covered last.
+    by_depth: IncrementalSort<ByDepth>,
+    /// Sorted from back to front.
+    items: Vec<DrawItem>,
+    sides: Vec<ViewSides>,
+    appearances: IncrementalSort<ScreenBounds>,
+    /// Pairs of items, the covered one last.
     covers: Vec<[u32; 2]>,
-    strips: Lists,
-    /// What each item covers.
-    covered: Lists,
+    strips: DrawLists,
+    /// Items that each item covers.
+    covered: DrawLists,
     is_visited: Vec<bool>,
     path: Vec<[u32; 2]>,
     order: Vec<Drawable>,
 }
 
-/// No place.
-const GONE: u32 = u32::MAX;
+/// Index of an item that is gone.
+const NO_INDEX: u32 = u32::MAX;
 
 impl DrawOrder {
-    /// The bodies that take part and are enabled, and the platforms, as [`TwoHalfPhysicsSimulator::draw_order`] orders them.
+    /// The enabled bodies of the simulation and the platforms, in the order of
+    /// [`TwoHalfPhysicsSimulator::draw_order`].
     pub fn sort(&mut self, simulator: &TwoHalfPhysicsSimulator) -> &[Drawable] {
         std::mem::swap(&mut self.listed, &mut self.before);
         self.listed.clear();
         self.sides.clear();
         simulator.list_items(&mut self.listed, &mut self.sides);
-        self.find_again();
+        self.match_previous();
         self.sort_by_depth();
         self.sort_by_appearance();
         self.find_covers(simulator.projection().to_viewer());
-        self.walk();
+        self.sort_depth_first();
         &self.order
     }
 
-    /// Where those of the frame before are listed now, and which of them have moved.
-    fn find_again(&mut self) {
+    /// Matches the items of the last frame with the present ones, and marks those that have moved.
+    fn match_previous(&mut self) {
         let DrawOrder { listed, before, now_at, at_slot, is_known, has_moved, .. } = self;
-        // What is listed now is what was before in the next frame: there is room for it.
+        // The present list is the last one of the next frame, so its capacity is reserved now.
         before.reserve(listed.len().saturating_sub(before.len()));
         now_at.clear();
         now_at.reserve(listed.len());
@@ -198,7 +210,7 @@ impl DrawOrder {
             at_slot.clear();
             for (place, item) in (0..).zip(listed.iter()) {
                 if let Drawable::Body(id) = item.drawable {
-                    at_slot.resize(at_slot.len().max(id.slot() + 1), GONE);
+                    at_slot.resize(at_slot.len().max(id.slot() + 1), NO_INDEX);
                     at_slot[id.slot()] = place;
                 }
             }
@@ -210,16 +222,16 @@ impl DrawOrder {
                         .ok()
                         .map(|at| (platforms + at) as u32),
                 };
-                let found =
-                    place.filter(|&place| place != GONE && listed[place as usize].drawable == item.drawable);
-                found.unwrap_or(GONE)
+                let found = place
+                    .filter(|&place| place != NO_INDEX && listed[place as usize].drawable == item.drawable);
+                found.unwrap_or(NO_INDEX)
             }));
         }
         for marks in [&mut *is_known, &mut *has_moved] {
             marks.clear();
             marks.resize(listed.len(), false);
         }
-        for (before, &place) in before.iter().zip(now_at.iter()).filter(|(_, place)| **place != GONE) {
+        for (before, &place) in before.iter().zip(now_at.iter()).filter(|(_, place)| **place != NO_INDEX) {
             is_known[place as usize] = true;
             has_moved[place as usize] = !before.is_where(&listed[place as usize]);
         }
@@ -232,7 +244,7 @@ impl DrawOrder {
             (0..).zip(is_known.iter()).filter(|(_, is_known)| !**is_known).map(|(place, _)| entry(place));
         let now = |before: &ByDepth| {
             let place = now_at[before.listed as usize];
-            (place != GONE).then(|| (entry(place), has_moved[place as usize]))
+            (place != NO_INDEX).then(|| (entry(place), has_moved[place as usize]))
         };
         by_depth.sort(now, fresh, ByDepth::compare);
         items.clear();
@@ -244,24 +256,24 @@ impl DrawOrder {
         }
     }
 
-    /// By their left sides.
+    /// Sorts by left ends.
     fn sort_by_appearance(&mut self) {
         let DrawOrder { listed, now_at, is_known, has_moved, ranks, appearances, .. } = self;
-        let entry = |place: u32| Appearance::new(&listed[place as usize], ranks[place as usize], place);
+        let entry = |place: u32| ScreenBounds::new(&listed[place as usize], ranks[place as usize], place);
         let fresh =
             (0..).zip(is_known.iter()).filter(|(_, is_known)| !**is_known).map(|(place, _)| entry(place));
-        let now = |before: &Appearance| {
+        let now = |before: &ScreenBounds| {
             let place = now_at[before.listed as usize];
-            (place != GONE).then(|| (entry(place), has_moved[place as usize]))
+            (place != NO_INDEX).then(|| (entry(place), has_moved[place as usize]))
         };
-        appearances.sort(now, fresh, Appearance::compare);
+        appearances.sort(now, fresh, ScreenBounds::compare);
     }
 
-    /// Who covers whom, of those that appear at one place of the screen.
+    /// Finds the pairs that overlap on the screen, by strips and by sweep and prune along x.
     fn find_covers(&mut self, to_viewer: Vector3) {
         let DrawOrder { items, sides, appearances, strips, covers, covered, .. } = self;
         let appearances = appearances.as_slice();
-        let parts = Strips::over(appearances);
+        let parts = ScreenStrips::over(appearances);
         let in_strips = (0..).zip(appearances.iter());
         let in_strips = in_strips.flat_map(|(at, of)| parts.of(of).map(move |strip| [strip, at]));
         strips.fill(parts.count, in_strips);
@@ -273,7 +285,7 @@ impl DrawOrder {
                 let others = present[position + 1..].iter().map(|&b| &appearances[b as usize]);
                 for b in others.take_while(|b| b.left <= a.right) {
                     let higher = if a.low > b.low { a.low } else { b.low };
-                    // Two that are in several strips together are looked at in the first one.
+                    // A pair with several common strips is tested in the first one.
                     if a.low <= b.high && b.low <= a.high && parts.at(higher) as usize == strip {
                         let [one, other] = [a, b].map(|appearance| &items[appearance.item as usize]);
                         match one.is_below(other, sides, to_viewer) {
@@ -292,8 +304,8 @@ impl DrawOrder {
         }
     }
 
-    /// Depth first: everything below goes first.
-    fn walk(&mut self) {
+    /// Depth-first search: covered items are drawn first.
+    fn sort_depth_first(&mut self) {
         let DrawOrder { items, covered, is_visited, path, order, .. } = self;
         is_visited.clear();
         is_visited.resize(items.len(), false);
@@ -317,16 +329,20 @@ impl DrawOrder {
 }
 
 impl TwoHalfPhysicsSimulator {
-    /// The bodies that take part and are enabled, and the platforms, back to front: draw them in this order.
+    /// The enabled bodies of the simulation and the platforms from back to front: draw them in this order.
     ///
-    /// Of two that cover each other on the screen the one before the other comes later: separated in Z, the nearer
-    /// one; on top of each other, the higher one; side by side, what the Z axis leans away from. What decides is
-    /// the direction in which their boxes, or the sides of a platform, are farthest apart or overlap least. Of two solids
-    /// that are sunk in each other by more than half of the smaller one's least side, as a lift in a street, the one whose
-    /// top sticks out comes later; if that is true of both or neither, the one with the smaller footprint. What has
-    /// a [top](crate::VirtualGeom::has_top) has a box as deep as itself, so that what stands on it comes later wherever
-    /// its middle is; balls and capsules are flat, at their middle. Where that goes round in a circle, one of the
-    /// pairs is in the wrong order. What covers nothing is ordered by Z, then by height, then as it was added.
+    /// If two items cover each other on the screen, the front one comes later: the nearer one in Z, the
+    /// higher one of a stack, or the one on the side that the Z axis leans away from. The direction of
+    /// greatest separation of their boxes, or of the sides of a platform, decides.
+    ///
+    /// Two solids may be sunk in each other by more than half of the smaller one's least side, such as a lift
+    /// in a street. Then the one whose top sticks out comes later; if both or neither do, the one with the
+    /// smaller footprint.
+    ///
+    /// A body with a [top](crate::VirtualGeom::has_top) has a box of its own depth, so that items on it come
+    /// later wherever their centre is. Balls and capsules are flat, at their centre. In a cycle, one of the
+    /// pairs is in the wrong order. Items without overlap are ordered by Z, then by height, then as they were
+    /// added.
     ///
     /// [`DrawOrder`] does the same without allocating in every frame.
     pub fn draw_order(&self) -> Vec<Drawable> {

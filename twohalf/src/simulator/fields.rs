@@ -10,7 +10,7 @@ use crate::stages::immersion_of;
 
 /// Fields.
 impl TwoHalfPhysicsSimulator {
-    /// Lets a field act from the next update on, in all [schemes](crate::DepthScheme).
+    /// Adds a field that acts from the next update on, with all [schemes](crate::DepthScheme).
     ///
     /// ```
     /// use twohalf::{Fluid, Region, TwoHalfPhysicsSimulator, Vector2, Vector3, Well};
@@ -29,25 +29,25 @@ impl TwoHalfPhysicsSimulator {
     /// ```
     ///
     /// # Errors
-    /// Numbers that are not as [`Fluid`](crate::Fluid) and [`Well`](crate::Well) say.
+    /// Numbers out of the ranges of [`Fluid`](crate::Fluid) and [`Well`](crate::Well).
     pub fn add_field(&mut self, field: impl Into<Field>) -> Result<FieldId> {
         self.world.fields.insert(field.into())
     }
 
-    /// A field, unless the id is stale.
+    /// A field; `None` for a stale id.
     pub fn field(&self, field: FieldId) -> Option<&Field> {
         self.world.fields.get(field).ok()
     }
 
-    /// Makes something else of a field, which acts from the next update on: a tide, a gust.
+    /// Replaces a field from the next update on: a tide, a gust.
     ///
     /// # Errors
-    /// A stale id; as [`add_field`](Self::add_field). Then the field stays what it was.
+    /// A stale id; those of [`add_field`](Self::add_field). The field stays unchanged then.
     pub fn set_field(&mut self, id: FieldId, field: impl Into<Field>) -> Result<()> {
         self.world.fields.set(id, field.into())
     }
 
-    /// Takes a field away; its id is stale.
+    /// Removes a field; its id is stale afterwards.
     ///
     /// # Errors
     /// A stale id.
@@ -55,13 +55,13 @@ impl TwoHalfPhysicsSimulator {
         self.world.fields.remove(field)
     }
 
-    /// The fields and what they are, in the order in which they were made.
+    /// All fields with their ids, in the order of creation.
     pub fn fields(&self) -> impl Iterator<Item = (FieldId, &Field)> {
         self.world.fields.iter()
     }
 
-    /// How much of a body is in a fluid now, from 0 to 1 of the volume of its geoms: whether a figure swims, where a splash
-    /// is due. 0 of a field that is no fluid.
+    /// Immersed fraction of a body's volume in a fluid, 0..=1: whether a character swims, or a splash is due.
+    /// 0 for a field that is no fluid.
     ///
     /// # Errors
     /// Stale ids.

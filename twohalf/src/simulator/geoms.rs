@@ -1,4 +1,4 @@
-//! The geoms of a simulator, and how they extend in depth.
+//! Geoms of a simulator and their depth profiles.
 
 use farseer_core::math::scalar::nearest_finite;
 use farseer_core::{BodyId, Geom, GeomId, Vertices};
@@ -11,18 +11,18 @@ use crate::{Error, Result};
 
 /// Geoms.
 impl TwoHalfPhysicsSimulator {
-    /// A geom to look at, unless the id is stale.
+    /// A geom for reading; `None` for a stale id.
     pub fn geom(&self, geom: GeomId) -> Option<TwoHalfGeom<'_>> {
         TwoHalfGeom::new(&self.core, &self.world, geom)
     }
 
-    /// The settings of a geom to change, unless the id is stale.
+    /// The settings of a geom for editing; `None` for a stale id.
     pub fn geom_mut(&mut self, geom: GeomId) -> Option<&mut Geom> {
         self.core.geom_mut(geom)
     }
 
-    /// Moves a geom to another body; its offsets stay. If it was the object geom of its old body, that body has
-    /// none.
+    /// Moves a geom to another body with the same offsets. If it was the object geom of its old body, that
+    /// body has none afterwards.
     ///
     /// # Errors
     /// As [`PhysicsSimulator::set_body`](farseer_core::PhysicsSimulator::set_body).
@@ -40,7 +40,7 @@ impl TwoHalfPhysicsSimulator {
     /// Replaces the outline of a geom; see [`PhysicsSimulator::set_vertices`](farseer_core::PhysicsSimulator::set_vertices). Its depth profile stays.
     ///
     /// # Errors
-    /// As there.
+    /// Those of the core's function.
     #[doc(alias = "SetVertices")]
     pub fn set_vertices(&mut self, geom: GeomId, vertices: impl Into<Vertices>) -> Result<()> {
         self.core.set_vertices(geom, vertices)?;
@@ -48,8 +48,8 @@ impl TwoHalfPhysicsSimulator {
         Ok(())
     }
 
-    /// Makes a geom a sensor (its body static, its contacts without response) or an ordinary geom. Sensors have
-    /// depth as everything else.
+    /// Makes a geom a sensor (static body, contacts without response) or an ordinary geom. Sensors have depth
+    /// as well.
     ///
     /// # Errors
     /// A stale id.
@@ -58,7 +58,8 @@ impl TwoHalfPhysicsSimulator {
         Ok(self.core.set_is_sensor(geom, is_sensor)?)
     }
 
-    /// Lets no new pair of the two geoms be found; see [`PhysicsSimulator::ignore_collision_with`](farseer_core::PhysicsSimulator::ignore_collision_with).
+    /// Excludes new pairs of the two geoms; see
+    /// [`PhysicsSimulator::ignore_collision_with`](farseer_core::PhysicsSimulator::ignore_collision_with).
     ///
     /// # Errors
     /// A stale id.
@@ -76,19 +77,21 @@ impl TwoHalfPhysicsSimulator {
         Ok(self.core.restore_collision_with(geom, other)?)
     }
 
-    /// How a geom's outline extends in depth, unless the id is stale.
+    /// Depth profile of a geom; `None` for a stale id.
     pub fn depth_profile(&self, geom: GeomId) -> Option<DepthProfile> {
         self.core.geom(geom)?;
         self.world.depths.profiles.get(geom).copied()
     }
 
-    /// Sets how a geom's outline extends in depth. If it is its body's object geom, the body's origin stays, so
-    /// its height may change. What is upright gives the geom the outline that it has from the front, a rectangle.
+    /// Sets the depth profile of a geom. If it is its body's object geom, the body's origin stays, so its
+    /// height may change. An upright profile replaces the outline by its silhouette from the front, a
+    /// rectangle.
     ///
     /// # Errors
-    /// A stale id; a depth that is not finite and 0 or more; a radius that is not finite and greater than 0, or so
-    /// great that the ball does not end at finite X and Y where it is; a height that is not finite and greater than 0, or less than
-    /// twice the radius of a capsule; something upright with another scheme than [`DepthScheme::Precise`].
+    /// A stale id; a depth that is not finite and 0 or more; a radius that is not finite and greater than 0,
+    /// or so great that the ball does not end at finite X and Y; a height that is not finite and greater than
+    /// 0, or less than twice the radius of a capsule; an upright profile with another scheme than
+    /// [`DepthScheme::Precise`].
     pub fn set_depth_profile(&mut self, geom: GeomId, profile: DepthProfile) -> Result<()> {
         let body = self.core.geom(geom).ok_or(stale("geom"))?.body();
         let profile = profile.check()?;
@@ -100,7 +103,7 @@ impl TwoHalfPhysicsSimulator {
         }
         match self.box_radius_of(profile) {
             Some(radius) => self.core.set_box_radius(geom, Some(radius)).map_err(Error::from)?,
-            // A geom that cannot have the box of its outline keeps the one that it has.
+            // A geom that cannot have the AABB of its outline keeps its present one.
             None => _ = self.core.set_box_radius(geom, None),
         }
         self.world.depths.profiles.insert(geom, profile);
@@ -108,7 +111,8 @@ impl TwoHalfPhysicsSimulator {
         Ok(())
     }
 
-    /// A ball has the box of a ball while balls are balls; others have that of their outline.
+    /// Radius of the AABB of a ball, px; `None` for the AABB of the outline. The thesis' scheme uses outlines
+    /// for balls as well.
     fn box_radius_of(&self, profile: DepthProfile) -> Option<f32> {
         match (profile, self.world.scheme) {
             (DepthProfile::Round { radius }, DepthScheme::Faithful | DepthScheme::Precise) => Some(radius),
@@ -116,15 +120,16 @@ impl TwoHalfPhysicsSimulator {
         }
     }
 
-    /// Gives a geom the box of its depth profile.
+    /// Gives a geom the AABB of its depth profile.
     pub(super) fn fit_box(&mut self, geom: GeomId) {
         let profile = self.world.depths.profiles.get(geom);
         let radius = profile.and_then(|profile| self.box_radius_of(*profile));
-        // The radius was accepted when the profile was set; where the geom cannot have it, it keeps its outline's.
+        // The radius was accepted when the profile was set. A geom that cannot have it keeps the AABB of its
+        // outline.
         let _ = self.core.set_box_radius(geom, radius);
     }
 
-    /// The least and greatest Z of a geom, beyond finite numbers the nearest ones; unless the id is stale.
+    /// Least and greatest Z of a geom, px, limited to finite numbers; `None` for a stale id.
     pub fn depth_interval(&self, geom: GeomId) -> Option<(f32, f32)> {
         let z = self.world.depths.z_of(self.core.geom(geom)?.body());
         let half = self.world.depths.profiles.get(geom)?.half_depth();

@@ -1,11 +1,12 @@
-//! The simulator: owns everything.
+//! The simulator: owns core, depth state, buffers and report.
 
 mod crush;
+mod draw_items;
 mod draw_order;
-mod drawn;
 mod fields;
 mod geoms;
-mod lengths;
+mod incremental_sort;
+mod joint_lengths;
 mod objects;
 mod platforms;
 mod queries;
@@ -13,33 +14,32 @@ mod rays;
 mod save;
 mod settings;
 mod snapshot;
-mod sorted_again;
-mod surfaces;
-mod time;
+mod surface_query;
+mod time_scale;
 mod update;
 
+pub use draw_items::Drawable;
 pub use draw_order::DrawOrder;
-pub use drawn::Drawable;
 pub use rays::{RayHit3D, SweepHit3D};
 pub use save::SavedTwoHalfSimulator;
-pub use surfaces::Surface;
+pub use surface_query::Surface;
 
 use farseer_core::{Body, BodyId, PhysicsSimulator};
 
+use crate::character::Neighbours;
 use crate::depth::{DepthScheme, World};
 use crate::stages::{Pipeline, Report};
 use crate::views::{Access, AccessMut};
-use crate::walk::Near;
 use crate::{Projection, Result, Vector2};
 use objects::adopt_body;
 
-/// The Z axis of a screen whose angle is not given: straight up.
+/// Default direction of the Z axis on the screen, degrees: straight up.
 const DEFAULT_ANGLE: i32 = 90;
 
 /// Owns bodies and geoms and moves them in steps, in three dimensions.
 ///
-/// Objects are named by the ids of the 2D engine and live as they do there: *created*, *added* (takes part from
-/// the next update), *removed* and *disposed* (its id goes stale with the next update).
+/// Objects have the ids of the 2D engine and its life cycle: *created*, *added* (takes part from the next
+/// update), *removed* and *disposed* (its id goes stale with the next update).
 ///
 /// ```
 /// use twohalf::{TwoHalfPhysicsSimulator, Vector2, Vector3, farseer_core};
@@ -67,11 +67,11 @@ pub struct TwoHalfPhysicsSimulator {
     pub(crate) world: World,
     pipeline: Pipeline,
     report: Report,
-    /// Room: what is near the figure that is about to walk.
-    pub(crate) near: Near,
+    /// Buffer: neighbours of the character that moves next.
+    pub(crate) near: Neighbours,
 }
 
-/// [`clone_from`](Clone::clone_from) keeps the room that the lists of the 2D engine have: for games that go back to copies.
+/// [`clone_from`](Clone::clone_from) keeps the capacity of the core's lists, for games that return to copies.
 impl Clone for TwoHalfPhysicsSimulator {
     fn clone(&self) -> Self {
         let TwoHalfPhysicsSimulator { core, world, pipeline, report, near } = self;
@@ -94,7 +94,7 @@ impl Clone for TwoHalfPhysicsSimulator {
     }
 }
 
-/// Making one.
+/// Construction.
 impl TwoHalfPhysicsSimulator {
     /// An empty simulator without gravity, for a screen of `height` px whose Z axis points straight up.
     ///
@@ -139,12 +139,13 @@ impl TwoHalfPhysicsSimulator {
         Ok(simulator)
     }
 
-    /// Takes over a 2D simulator, with its settings and all of its objects; those that wait to be added enter now.
-    /// Its plane becomes that of X and Y: every body is at Z = 0, with its height so that y = 0 is the ground, and
-    /// no body has an object geom yet. Every geom is a prism as deep as the shorter side of its outline's box.
+    /// Takes over a 2D simulator with its settings and all of its objects; objects that wait to be added
+    /// enter now. Its plane becomes that of X and Y. Every body is at Z = 0, with its height so that y = 0 is
+    /// the ground, and no body has an object geom yet. Every geom is a prism as deep as the shorter side of
+    /// its outline's AABB.
     ///
-    /// This is also how a simulator gets another broad phase or other solver settings. One of the
-    /// [precise set](farseer_core::Methods::Precise) becomes one of [`DepthScheme::Precise`], any other one of
+    /// This also allows another broad phase or other solver settings. A simulator with the [precise
+    /// set](farseer_core::Methods::Precise) gets [`DepthScheme::Precise`], any other one
     /// [`DepthScheme::Faithful`].
     ///
     /// # Errors
@@ -165,10 +166,10 @@ impl TwoHalfPhysicsSimulator {
         Ok(simulator)
     }
 
-    /// One in which nothing has happened yet.
+    /// A simulator before its first update.
     fn of(core: PhysicsSimulator, world: World) -> Self {
         let (pipeline, report) = Default::default();
-        TwoHalfPhysicsSimulator { core, world, pipeline, report, near: Near::default() }
+        TwoHalfPhysicsSimulator { core, world, pipeline, report, near: Neighbours::default() }
     }
 }
 
@@ -196,5 +197,6 @@ impl AccessMut for &mut TwoHalfPhysicsSimulator {
     }
 }
 
-/// Size of what a player looks at, in px: see [`farseer_core::Methods::Precise`].
+/// Length unit of the precise set, px: the size of objects that a player looks at; see
+/// [`farseer_core::Methods::Precise`].
 const LENGTH_UNIT: f32 = 32.0;

@@ -1,15 +1,15 @@
-//! What lives in a simulator.
+//! Life cycle of bodies and geoms.
 
 use farseer_core::{Body, BodyId, GeomId, GeomPlacement, ObjectId, PhysicsSimulator, Vertices};
 
 use super::{LENGTH_UNIT, TwoHalfPhysicsSimulator};
 use crate::Result;
-use crate::depth::{DepthProfile, DepthScheme, Depths};
+use crate::depth::{DepthProfile, DepthScheme, DepthState};
 use crate::error::stale;
 use crate::views::TwoHalfBody;
 
-/// Gives a body of the 2D engine and its geoms their depth, unless they have it.
-pub(super) fn adopt_body(core: &PhysicsSimulator, depths: &mut Depths, body: BodyId) {
+/// Creates the depth state of a body of the core and of its geoms, unless they have one.
+pub(super) fn adopt_body(core: &PhysicsSimulator, depths: &mut DepthState, body: BodyId) {
     if depths.bodies.get(body).is_none() {
         depths.insert_body(body);
     }
@@ -21,13 +21,13 @@ pub(super) fn adopt_body(core: &PhysicsSimulator, depths: &mut Depths, body: Bod
     }
 }
 
-/// What lives in the simulator.
+/// Life cycle of objects.
 impl TwoHalfPhysicsSimulator {
-    /// Gives a body its life and id. It takes part once it is [added](Self::add).
+    /// Creates a body and returns its id. It takes part once it is [added](Self::add).
     ///
-    /// It is at Z = 0, and without an object geom: its position in the plane of the 2D engine, (0, 0) if it is a
-    /// new one, is that of its origin. A [kinematic](TwoHalfBody::set_is_kinematic)
-    /// one moves in three axes with [`DepthScheme::Precise`]; with the others in that plane, and keeps its Z.
+    /// The body is at Z = 0, without an object geom: its position in the plane of the 2D engine, by default
+    /// (0, 0), is that of its origin. A [kinematic](TwoHalfBody::set_is_kinematic) body moves in three axes
+    /// with [`DepthScheme::Precise`]; with the others it moves in that plane and keeps its Z.
     #[doc(alias = "TwoHalfBody(TwoHalfPhysicsSimulator)")]
     pub fn create_body(&mut self, body: Body) -> BodyId {
         let body = self.core.create_body(body);
@@ -35,8 +35,8 @@ impl TwoHalfPhysicsSimulator {
         body
     }
 
-    /// A copy of a body as [`Body::copy_of`] makes it, at the same Z, with the same coefficients and shadow image of
-    /// its ground; without geoms, and at rest. It takes part once it is [added](Self::add).
+    /// Copies a body with [`Body::copy_of`], at the same Z, with the coefficients and shadow image of its
+    /// ground; without geoms, and at rest. The copy takes part once it is [added](Self::add).
     ///
     /// # Errors
     /// A stale id.
@@ -51,11 +51,11 @@ impl TwoHalfPhysicsSimulator {
         Ok(id)
     }
 
-    /// Attaches an outline to a body. The geom takes part once it is [added](Self::add). It is a prism as deep as
-    /// the shorter side of the outline's box; see [`set_depth_profile`](Self::set_depth_profile).
+    /// Attaches an outline to a body. The geom takes part once it is [added](Self::add). It is a prism as
+    /// deep as the shorter side of the outline's AABB; see [`set_depth_profile`](Self::set_depth_profile).
     ///
     /// # Errors
-    /// As [`PhysicsSimulator::create_geom`].
+    /// Those of [`PhysicsSimulator::create_geom`].
     #[doc(alias = "TwoHalfGeom(TwoHalfBody, Vertices, float)")]
     pub fn create_geom(
         &mut self,
@@ -68,12 +68,12 @@ impl TwoHalfPhysicsSimulator {
         Ok(geom)
     }
 
-    /// Attaches a copy of a geom to a body, at the same offsets, with the same depth profile. It takes part once it
-    /// is [added](Self::add). If the original is the object geom of its body and the other body has none, the copy
-    /// becomes that; the other body's origin stays.
+    /// Attaches a copy of a geom to a body, with the same offsets and depth profile. It takes part once it is
+    /// [added](Self::add). If the original is the object geom of its body and the other body has none, the
+    /// copy becomes its object geom; the other body's origin stays.
     ///
     /// # Errors
-    /// As [`PhysicsSimulator::clone_geom`].
+    /// Those of [`PhysicsSimulator::clone_geom`].
     #[doc(alias = "TwoHalfGeom(TwoHalfBody, TwoHalfGeom)")]
     pub fn clone_geom(&mut self, body: BodyId, geom: GeomId) -> Result<GeomId> {
         let copy = self.core.clone_geom(body, geom)?;
@@ -91,18 +91,21 @@ impl TwoHalfPhysicsSimulator {
         Ok(copy)
     }
 
-    /// Lends out what lives in the 2D engine below, to make joints and springs between bodies, to edit and to dispose of them:
-    /// all that takes [`Objects`](farseer_core::Objects), as [`JointFactory`](farseer_core::JointFactory) and
-    /// [`SpringFactory`](farseer_core::SpringFactory) do. There y is down, and positions are those of the outlines, not of the grounds.
-    /// Bodies and geoms that are made there get a depth as those of [`from_core`](Self::from_core) do.
+    /// Gives access to the objects of the core, to create joints and springs between bodies, to edit and to
+    /// dispose of them. Functions that take [`Objects`](farseer_core::Objects) work here, such as those of
+    /// [`JointFactory`](farseer_core::JointFactory) and [`SpringFactory`](farseer_core::SpringFactory). In
+    /// the core y is down, and positions are those of the outlines, not of the grounds. New bodies and geoms
+    /// get a depth as in [`from_core`](Self::from_core).
     ///
-    /// With [`DepthScheme::Precise`] joints that keep a point, which are revolute ones and welds, keep it in depth: the
-    /// bodies that they tie together stay as far behind each other as they are, and move along Z as one; what is tied to
-    /// the world, or to what stands still, stays at its Z. So do prismatic joints. Pins, sliders and linear springs act along all
-    /// three axes, between points at the Z of their bodies; the length that they are made with is that of X and Y, until they
-    /// [take](Self::take_length) another. A spring to a point of the world does so if that point
-    /// [has a depth](farseer_core::FixedLinearSpring::set_world_attach_depth). Joints and springs that keep angles have nothing
-    /// to do along Z. With the other schemes all of them act in X and Y alone.
+    /// With [`DepthScheme::Precise`], revolute, weld and prismatic joints also constrain Z: their bodies keep
+    /// their difference in Z and move along Z as one. A body joined to the world or to a static body keeps
+    /// its Z.
+    ///
+    /// Pins, sliders and linear springs act along all three axes, between points at the Z of their bodies.
+    /// Their original length is that of X and Y, until they [take](Self::take_length) another. A spring to a
+    /// point of the world does so if that point [has a
+    /// depth](farseer_core::FixedLinearSpring::set_world_attach_depth). Joints and springs of angles do not
+    /// act along Z. With the other schemes all of them act in X and Y alone.
     ///
     /// ```
     /// # use twohalf::{TwoHalfPhysicsSimulator, Vector2, farseer_core::{BodyFactory, JointFactory}};
@@ -131,7 +134,7 @@ impl TwoHalfPhysicsSimulator {
         answer
     }
 
-    /// Takes notice of bodies and geoms that were made.
+    /// Creates the depth state of new bodies and geoms.
     fn adopt_new(&mut self) {
         let TwoHalfPhysicsSimulator { core, world, .. } = self;
         for body in core.bodies() {
@@ -142,7 +145,7 @@ impl TwoHalfPhysicsSimulator {
         }
     }
 
-    /// Lets an object take part from the next update on. Adding a body does not add its geoms.
+    /// Adds an object with the next update. Adding a body does not add its geoms.
     ///
     /// # Errors
     /// A stale id.
@@ -151,7 +154,7 @@ impl TwoHalfPhysicsSimulator {
         Ok(self.core.add(object)?)
     }
 
-    /// Takes an object out of the simulation with the next update; see [`PhysicsSimulator::remove`].
+    /// Removes an object with the next update; see [`PhysicsSimulator::remove`].
     ///
     /// # Errors
     /// A stale id.
@@ -160,7 +163,7 @@ impl TwoHalfPhysicsSimulator {
         Ok(self.core.remove(object)?)
     }
 
-    /// Ends the life of an object; see [`PhysicsSimulator::dispose`].
+    /// Disposes an object; see [`PhysicsSimulator::dispose`].
     ///
     /// # Errors
     /// A stale id.
@@ -169,23 +172,23 @@ impl TwoHalfPhysicsSimulator {
         Ok(self.core.dispose(object)?)
     }
 
-    /// Whether an object was disposed; a stale id names one that was.
+    /// Whether an object was disposed; true for a stale id.
     #[doc(alias = "IsDisposed")]
     pub fn is_disposed(&self, object: impl Into<ObjectId>) -> bool {
         self.core.is_disposed(object)
     }
 
-    /// Empties the simulator: bodies, geoms, platforms and fields are gone and their ids are stale. Settings of the 2D engine
-    /// stay, but for the broad phase, which is Farseer's default again; so do screen and scheme.
+    /// Empties the simulator: ids of bodies, geoms, platforms and fields are stale afterwards. Settings of
+    /// the 2D engine stay, except the broad phase, which is Farseer's default again. Screen and scheme stay.
     #[doc(alias = "Clear")]
     pub fn clear(&mut self) {
         self.core.clear();
         if self.world.scheme == DepthScheme::Precise {
-            // The methods stay the same: nothing can be refused.
+            // This cannot fail, since the methods stay the same.
             let _ = self.core.enter_space(LENGTH_UNIT);
         }
         let world = &mut self.world;
-        world.depths = Depths::default();
+        world.depths = DepthState::default();
         world.platforms.clear();
         world.fields.clear();
         world.paces.clear();
@@ -195,23 +198,23 @@ impl TwoHalfPhysicsSimulator {
         self.report.clear();
     }
 
-    /// A body to look at, unless the id is stale.
+    /// A body for reading; `None` for a stale id.
     pub fn body(&self, body: BodyId) -> Option<TwoHalfBody<&Self>> {
         TwoHalfBody::new(self, body)
     }
 
-    /// A body to change, unless the id is stale.
+    /// A body for editing; `None` for a stale id.
     pub fn body_mut(&mut self, body: BodyId) -> Option<TwoHalfBody<&mut Self>> {
         TwoHalfBody::new(self, body)
     }
 
-    /// The bodies that take part, in the order in which they were added.
+    /// Bodies of the simulation, in the order in which they were added.
     #[doc(alias = "BodyList")]
     pub fn body_list(&self) -> &[BodyId] {
         self.core.body_list()
     }
 
-    /// The geoms that take part, in the order in which they were added.
+    /// Geoms of the simulation, in the order in which they were added.
     #[doc(alias = "GeomList")]
     pub fn geom_list(&self) -> &[GeomId] {
         self.core.geom_list()

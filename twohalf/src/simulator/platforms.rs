@@ -5,13 +5,13 @@ use crate::depth::{Platform, PlatformId, World};
 use crate::views::PlatformMut;
 use crate::{Result, TextureId, Vector3};
 
-/// Making one. It takes part at once.
+/// Construction. A platform takes part at once.
 impl Platform {
-    /// A level box.
+    /// A level platform with sizes and position in px.
     ///
     /// # Errors
-    /// A width, height or depth that is not finite and greater than 0; a position that is not finite, or so far away
-    /// that a corner would not be.
+    /// A width, height or depth that is not finite and greater than 0; a position that is not finite, or so
+    /// far away that a corner is not.
     #[doc(alias = "Platform(sim, int, int, int, Vector3, Texture2D)")]
     #[expect(clippy::new_ret_no_self, reason = "platforms live in the simulator, as in the thesis")]
     pub fn new(
@@ -25,10 +25,10 @@ impl Platform {
         Self::with_rotation(simulator, width, height, depth, position3d, 0.0, shadow_image)
     }
 
-    /// A box tilted by `rotation` rad, clockwise on the screen, about its middle: a slope.
+    /// A platform tilted by `rotation` radians, clockwise on the screen, about its centre: a slope.
     ///
     /// # Errors
-    /// As [`Platform::new`]; a rotation that is not finite.
+    /// Those of [`Platform::new`]; a rotation that is not finite.
     #[doc(alias = "Platform(sim, int, int, int, Vector3, float, Texture2D)")]
     pub fn with_rotation(
         simulator: &mut TwoHalfPhysicsSimulator,
@@ -52,11 +52,11 @@ impl Platform {
         )
     }
 
-    /// A tilted box whose edges in depth run at `angle_in_z_axis` degrees on the screen, counterclockwise from the x
-    /// axis.
+    /// A tilted platform whose edges in depth run at `angle_in_z_axis` degrees on the screen,
+    /// counterclockwise from the x axis.
     ///
     /// # Errors
-    /// As [`Platform::with_rotation`]; an angle that is not between 0 and 180.
+    /// Those of [`Platform::with_rotation`]; an angle that is not between 0 and 180.
     #[doc(alias = "Platform(sim, int, int, int, Vector3, float, Texture2D, int)")]
     #[expect(clippy::too_many_arguments, reason = "the thesis' constructor has these")]
     pub fn with_rotation_and_angle(
@@ -79,24 +79,24 @@ impl Platform {
 
 /// Platforms.
 impl TwoHalfPhysicsSimulator {
-    /// A platform to look at, unless the id is stale. [`Platform::new`] makes one.
+    /// A platform for reading; `None` for a stale id. [`Platform::new`] creates one.
     pub fn platform(&self, platform: PlatformId) -> Option<&Platform> {
         self.world.platforms.get(platform)
     }
 
-    /// A platform to change, unless the id is stale.
+    /// A platform for editing; `None` for a stale id.
     pub fn platform_mut(&mut self, platform: PlatformId) -> Option<PlatformMut<'_>> {
         let World { platforms, projection, scheme, .. } = &mut self.world;
         let index = platforms.index_of(platform)?;
         Some(PlatformMut { platforms, projection, scheme: *scheme, index })
     }
 
-    /// The platforms, in the order in which they were made.
+    /// Platforms in the order of creation.
     pub fn platforms(&self) -> impl DoubleEndedIterator<Item = PlatformId> + '_ {
         self.world.platforms.iter().map(|(id, _)| id)
     }
 
-    /// Takes a platform away, at once; its id is stale.
+    /// Removes a platform at once; its id is stale afterwards.
     ///
     /// # Errors
     /// A stale id.

@@ -1,20 +1,20 @@
-//! What lies at a point of the screen, and in a box of the world.
+//! Queries by a point of the screen and by a box of the world.
 
 use farseer_core::GeomId;
 
-use super::drawn::Drawable;
+use super::draw_items::Drawable;
 use crate::{TwoHalfPhysicsSimulator, Vector2, Vector3, VirtualGeom};
 
 impl TwoHalfPhysicsSimulator {
-    /// The first geom, in the order of the geom list, whose picture holds a point of the screen; see
+    /// The first geom, in the order of the geom list, whose picture contains a point of the screen; see
     /// [`TwoHalfGeom::collides_with_point`](crate::TwoHalfGeom::collides_with_point).
-    /// [`pick_front`](Self::pick_front) gives what a player sees there.
+    /// [`pick_front`](Self::pick_front) returns the visible one.
     #[doc(alias = "Collide")]
     pub fn collide(&self, point: Vector2) -> Option<GeomId> {
         self.geom_list().iter().copied().find(|&geom| self.shows(geom, point))
     }
 
-    /// All geoms whose picture holds a point of the screen, in the order of the geom list.
+    /// All geoms whose picture contains a point of the screen, in the order of the geom list.
     #[doc(alias = "CollideAll")]
     pub fn collide_all(&self, point: Vector2) -> Vec<GeomId> {
         self.geom_list().iter().copied().filter(|&geom| self.shows(geom, point)).collect()
@@ -24,14 +24,13 @@ impl TwoHalfPhysicsSimulator {
         self.geom(geom).is_some_and(|geom| geom.collides_with_point(point))
     }
 
-    /// What a player sees at a point of the screen: of all bodies and platforms there, the one that is
-    /// [drawn last](Self::draw_order).
+    /// The visible body or platform at a point of the screen: the one that is [drawn last](Self::draw_order).
     pub fn pick_front(&self, point: Vector2) -> Option<Drawable> {
         self.pick_front_where(point, |_| true)
     }
 
-    /// As [`pick_front`](Self::pick_front), but only of what a filter lets through: it is asked about what has a picture at
-    /// the point, from the front to the back, until it answers true.
+    /// [`pick_front`](Self::pick_front) with a filter. It is called for items at the point, from the front to
+    /// the back, until it returns true.
     pub fn pick_front_where(
         &self,
         point: Vector2,
@@ -44,18 +43,19 @@ impl TwoHalfPhysicsSimulator {
             }
             Drawable::Platform(platform) => self.platform(platform).is_some_and(|platform| {
                 let corners = platform.corners().map(|corner| self.projection().to_screen(corner));
-                hull_holds(&corners, point)
+                hull_contains(&corners, point)
             }),
         };
         self.draw_order().into_iter().rev().find(|drawable| shows(drawable) && is_wanted(*drawable))
     }
 
-    /// The geoms whose [boxes](crate::TwoHalfGeom::virtual_geom) overlap a box of the world or touch it, in the order of the
-    /// geom list, but for disposed ones and what the filter does not let through. `low` has the least X, Y and Z in px, `high`
-    /// the greatest. None if a number is not finite, or one of `low` is greater than that of `high`. Platforms are no geoms,
-    /// and are not among them: see [`platforms_in_box`](Self::platforms_in_box).
+    /// The geoms whose [AABBs](crate::TwoHalfGeom::virtual_geom) overlap or touch a box of the world, in the
+    /// order of the geom list, without disposed ones. `low` is the corner of the least X, Y and Z in px,
+    /// `high` that of the greatest. The result is empty if a number is not finite, or one of `low` exceeds
+    /// that of `high`. [`platforms_in_box`](Self::platforms_in_box) returns the platforms.
     ///
-    /// Looks at the box of every listed geom: the time grows with their number. The filter is asked only about what is found.
+    /// Tests the AABB of every listed geom, in time proportional to their number. The filter is called for
+    /// the found ones only.
     pub fn query_box(
         &self,
         low: Vector3,
@@ -73,12 +73,12 @@ impl TwoHalfPhysicsSimulator {
         self.geom_list().iter().copied().filter(is_found).collect()
     }
 
-    /// The geoms that [overlap](crate::TwoHalfGeom::collides_with_geom) another one in all three axes, a sensor for example,
-    /// in the order of the geom list, but for those of its own body, disposed ones and what the filter does not let through.
-    /// Categories, groups and whether a geom collides at all do not count. None for a stale id.
+    /// The geoms that [overlap](crate::TwoHalfGeom::collides_with_geom) another one in all three axes, for
+    /// example a sensor, in the order of the geom list. Geoms of its own body, disposed ones and filtered
+    /// ones are left out. Collision categories, groups and flags do not count. Empty for a stale id.
     ///
-    /// Looks at the box of every listed geom, and at the shapes of those whose boxes meet. The filter is asked before the
-    /// shapes are looked at.
+    /// Broad phase over all listed geoms, then narrow phase of the shapes whose AABBs overlap. The filter is
+    /// called before the narrow phase.
     pub fn overlaps_of(&self, geom: GeomId, mut is_wanted: impl FnMut(GeomId) -> bool) -> Vec<GeomId> {
         let Some(view) = self.geom(geom).filter(|_| !self.core.is_disposed(geom)) else { return Vec::new() };
         let v = view.virtual_geom();
@@ -89,13 +89,13 @@ impl TwoHalfPhysicsSimulator {
         found
     }
 
-    /// The point of the ground that appears at a point of the screen.
+    /// Inverse projection of a point of the screen to the ground, px.
     pub fn screen_to_ground(&self, point: Vector2) -> Vector3 {
         self.projection().screen_to_ground(point)
     }
 }
 
-/// Whether the box of a geom overlaps another one or touches it.
+/// Whether the AABB of a geom overlaps or touches another one.
 fn meets_box(geom: &VirtualGeom, low: Vector3, high: Vector3) -> bool {
     geom.left <= high.x
         && low.x <= geom.right
@@ -105,8 +105,8 @@ fn meets_box(geom: &VirtualGeom, low: Vector3, high: Vector3) -> bool {
         && low.z <= geom.back
 }
 
-/// Whether the convex hull of some points holds another: no line through it has all of them on one side.
-fn hull_holds(points: &[Vector2], point: Vector2) -> bool {
+/// Whether the convex hull of points contains a point: no line through it has all of them on one side.
+fn hull_contains(points: &[Vector2], point: Vector2) -> bool {
     let side = |a: Vector2, b: Vector2, p: Vector2| (b - a).perp(&(p - a));
     let is_hull_edge = |a: Vector2, b: Vector2| a != b && points.iter().all(|&p| side(a, b, p) >= 0.0);
     points.iter().all(|&a| points.iter().all(|&b| !is_hull_edge(a, b) || side(a, b, point) >= 0.0))
@@ -119,8 +119,8 @@ mod tests {
     #[test]
     fn a_hull_holds_what_is_between_its_corners_and_nothing_else() {
         let corners = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0], [5.0, 5.0]].map(Vector2::from);
-        assert!(hull_holds(&corners, Vector2::new(2.0, 9.0)));
-        assert!(!hull_holds(&corners, Vector2::new(-1.0, 5.0)));
-        assert!(!hull_holds(&corners, Vector2::new(5.0, 10.5)));
+        assert!(hull_contains(&corners, Vector2::new(2.0, 9.0)));
+        assert!(!hull_contains(&corners, Vector2::new(-1.0, 5.0)));
+        assert!(!hull_contains(&corners, Vector2::new(5.0, 10.5)));
     }
 }

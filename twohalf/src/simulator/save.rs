@@ -1,8 +1,8 @@
 //! Saving and loading the whole simulator.
 //!
-//! What was loaded continues with the same bits, events and callbacks; what contradicts itself is refused. What is still
-//! to be told of refused arguments, movements and disposals is saved; the events and counters of the last update are
-//! not, because the next one overwrites them and reads none of them.
+//! A loaded simulator continues with the same bits, events and callbacks; a save that contradicts itself is
+//! refused. Pending reports of refused arguments, movements and disposals are saved. Events and counters of
+//! the last update are not, because the next update overwrites them and reads none of them.
 
 use std::borrow::Cow;
 
@@ -12,10 +12,10 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 
 use super::TwoHalfPhysicsSimulator;
 use crate::Result;
-use crate::depth::{CrushWatch, DepthProfile, DepthScheme, Pace, TouchList, World};
+use crate::depth::{ContactList, CrushMonitor, DepthProfile, DepthScheme, TimeScale, World};
 use crate::error::damaged;
 use crate::stages::list_loaded;
-use crate::views::list_touches;
+use crate::views::list_contacts;
 
 impl<'de> Deserialize<'de> for TwoHalfPhysicsSimulator {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -24,19 +24,19 @@ impl<'de> Deserialize<'de> for TwoHalfPhysicsSimulator {
     }
 }
 
-/// A [`TwoHalfPhysicsSimulator`] that was read, to load with other [`Limits`] than the default ones.
+/// A [`TwoHalfPhysicsSimulator`] that was read, for loading with other [`Limits`] than the default ones.
 #[derive(Debug, Clone, Deserialize)]
 pub struct SavedTwoHalfSimulator {
     core: SavedSimulator,
     world: World,
-    touches: TouchList,
+    touches: ContactList,
 }
 
 impl Serialize for TwoHalfPhysicsSimulator {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let TwoHalfPhysicsSimulator { core, world, .. } = self;
         let touches = match world.scheme {
-            DepthScheme::Precise => list_touches(core, world),
+            DepthScheme::Precise => list_contacts(core, world),
             DepthScheme::Faithful | DepthScheme::Thesis => Cow::Borrowed(&world.touches),
         };
         let mut saved = serializer.serialize_struct("SavedTwoHalfSimulator", 3)?;
@@ -48,10 +48,10 @@ impl Serialize for TwoHalfPhysicsSimulator {
 }
 
 impl SavedTwoHalfSimulator {
-    /// Makes the simulator, which has these limits from then on.
+    /// Loads the simulator with limits that it keeps.
     ///
     /// # Errors
-    /// What contradicts itself; [`farseer_core::Error::LimitExceeded`] for more than is allowed.
+    /// A save that contradicts itself; [`farseer_core::Error::LimitExceeded`] for more than the limits allow.
     pub fn load(self, limits: Limits) -> Result<TwoHalfPhysicsSimulator> {
         let core = self.core.load(limits)?;
         let world = World { touches: self.touches, ..self.world };
@@ -63,7 +63,7 @@ impl SavedTwoHalfSimulator {
 }
 
 impl TwoHalfPhysicsSimulator {
-    /// Refuses what no sequence of calls could have made, and computes what is not saved.
+    /// Refuses a state that no sequence of calls can make, and recomputes the fields that are not saved.
     fn check(&mut self) -> Result<()> {
         let TwoHalfPhysicsSimulator { core, world, .. } = self;
         world.has_rejected = world.depths.bodies.iter_mut().any(|(_, state)| !state.rejected.is_empty());
@@ -90,10 +90,10 @@ impl TwoHalfPhysicsSimulator {
         if !world.fields.is_valid() {
             return Err(damaged("a field is out of range"));
         }
-        if !world.paces.iter().all(Pace::is_valid) {
+        if !world.paces.iter().all(TimeScale::is_valid) {
             return Err(damaged("the time of a body is out of range"));
         }
-        if !world.crush_watches.iter().all(CrushWatch::is_valid) {
+        if !world.crush_watches.iter().all(CrushMonitor::is_valid) {
             return Err(damaged("a tolerance of crushing is out of range"));
         }
         if !world.footings.is_valid() {
@@ -109,7 +109,7 @@ impl TwoHalfPhysicsSimulator {
             return Err(damaged("an object has no depth"));
         }
         let has_its_box = |geom| match (world.depths.profiles.get(geom), world.scheme) {
-            // Where a ball's box would not be finite it keeps that of its outline.
+            // A ball whose AABB would not be finite keeps that of its outline.
             (Some(DepthProfile::Round { radius }), DepthScheme::Faithful | DepthScheme::Precise) => core
                 .geom(geom)
                 .and_then(|geom| geom.box_radius())

@@ -1,4 +1,4 @@
-//! The whole simulator as bytes, and back.
+//! Snapshots: the whole simulator as bytes.
 
 use farseer_core::snapshot::SnapshotFormat;
 
@@ -9,21 +9,22 @@ const SIMULATOR: SnapshotFormat = SnapshotFormat { magic: *b"TwoHalf1", version:
 impl TwoHalfPhysicsSimulator {
     /// The whole simulator as bytes, to [restore](Self::restore) later, in this program or another.
     ///
-    /// Everything that can influence a later bit or event is in it, at any moment between two updates: what was
-    /// disposed, moved or refused since the last one is told by the next one after restoring, too. Handlers belong to
-    /// the game, and are not in it; nor are the [events](Self::events), counters and time of the last update. Between
-    /// versions of this crate the format may change; a snapshot of another one is refused.
+    /// A snapshot contains all state that can influence a later bit or event, at any moment between two
+    /// updates. Pending reports of disposals, movements and refusals come with the next update after
+    /// restoring. Handlers belong to the game and are not contained, nor are the [events](Self::events),
+    /// counters and time of the last update. The format may change between versions of this crate; a snapshot
+    /// of another version is refused.
     #[inline]
     pub fn snapshot(&self) -> Vec<u8> {
         SIMULATOR.write(self)
     }
 
-    /// Becomes the simulator of a [snapshot](Self::snapshot): it goes on with the same bits, and the ids of then name
-    /// the same objects. The [limits](Self::limits) stay those of this simulator.
+    /// Restores a [snapshot](Self::snapshot): the simulator goes on with the same bits, and old ids name the
+    /// same objects. The [limits](Self::limits) stay those of this simulator.
     ///
     /// # Errors
     /// Bytes that are no snapshot, were cut short or altered, or come from another version of the format;
-    /// [`farseer_core::Error::LimitExceeded`] for more than the limits allow. The simulator is what it was, then.
+    /// [`farseer_core::Error::LimitExceeded`] for more than the limits allow. A failed call changes nothing.
     #[inline]
     pub fn restore(&mut self, snapshot: &[u8]) -> Result<()> {
         *self = SIMULATOR.read::<SavedTwoHalfSimulator>(snapshot)?.load(self.limits())?;

@@ -1,11 +1,11 @@
-//! Impulses, forces and drag become velocity, along Z as well.
+//! Integration of impulses, forces and drag into velocities, along Z as well.
 
 use farseer_core::{BodyId, Event as CoreEvent, PhysicsSimulator};
 
-use crate::depth::{Depths, is_movable};
+use crate::depth::{DepthState, is_movable};
 
-/// Fourth stage.
-pub(super) fn apply(core: &mut PhysicsSimulator, depths: &mut Depths, dt: f32) {
+/// Fourth stage: integrates velocities.
+pub(super) fn apply(core: &mut PhysicsSimulator, depths: &mut DepthState, dt: f32) {
     for index in 0..core.body_list().len() {
         let id = core.body_list()[index];
         let (Some(body), Some(state)) = (core.body(id), depths.bodies.get_mut(id)) else { continue };
@@ -23,7 +23,7 @@ pub(super) fn apply(core: &mut PhysicsSimulator, depths: &mut Depths, dt: f32) {
     core.apply_forces(dt, 0.0, None);
 }
 
-/// Takes a body out of the simulation whose state would not have been finite.
+/// Disables a body whose state would not be finite.
 #[cold]
 pub(super) fn disable(core: &mut PhysicsSimulator, id: BodyId) {
     if let Some(body) = core.body_mut(id) {

@@ -1,55 +1,54 @@
-//! What an update does, stage by stage. A stage takes the parts that it needs, never the simulator; `faithful.rs` and `precise.rs`
-//! say in which order they come.
+//! Stages of an update. A stage is a function over the parts that it needs, never over the simulator;
+//! `faithful.rs` and `precise.rs` have their order.
 
-mod ask;
+mod callbacks;
 mod collisions;
+mod contact_filter;
+mod convex_cache;
+mod core_events;
+mod core_sync;
 mod crush;
-mod exchange;
+mod depth_intervals;
 mod faithful;
 mod fields;
 mod forces;
 mod motion;
-mod outlines;
-mod pace;
+mod narrow_phase;
 mod pairs;
-mod plane_handler;
 mod precise;
-mod reach;
 mod report;
 mod solver;
 mod supports;
-mod tell;
-mod touch;
+mod time_scale;
 
-pub(crate) use exchange::list_loaded;
+pub(crate) use core_sync::list_loaded;
 pub(crate) use fields::immersion_of;
 pub(crate) use report::Report;
 pub use report::StepCounters;
 
 use farseer_core::{GeomId, PhysicsSimulator};
 
-use crate::depth::{DepthScheme, TouchList, World};
+use crate::depth::{ContactList, DepthScheme, World};
 use crate::events::EventHandler;
-use plane_handler::Meeting;
-use solver::SpaceSolver;
+use core_events::PairContext;
+use solver::Solver3;
 
-/// What updates work with: room that is kept, and what is derived. Nothing that an update decides depends on what the one before
-/// has left here.
+/// Buffers of an update and derived data. The result of an update does not depend on their content.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Pipeline {
-    meeting: Meeting,
-    /// The contacts that are being looked for; those of the last update are in the world until these are complete.
-    found: TouchList,
-    solver: SpaceSolver,
-    seams: Vec<touch::BallContact>,
-    supports: Vec<supports::Held>,
-    immersion: fields::Scratch,
-    /// Bodies that are in an update as others see them.
-    slowed: Vec<pace::Own>,
+    meeting: PairContext,
+    /// Contacts of the current update; those of the last one are in the world until these are complete.
+    found: ContactList,
+    solver: Solver3,
+    seams: Vec<narrow_phase::BallContact>,
+    supports: Vec<supports::SupportCandidate>,
+    immersion: fields::ClipBuffer,
+    /// Bodies whose time scale is applied during the update.
+    slowed: Vec<time_scale::UnscaledState>,
 }
 
 impl Pipeline {
-    /// The outline of a geom has become another one.
+    /// Drops the cached pieces of a geom whose outline has changed.
     pub(crate) fn forget_outline(&mut self, geom: GeomId) {
         self.meeting.outlines.forget(geom);
     }
@@ -63,7 +62,7 @@ pub(crate) struct Parts<'a> {
     pub(crate) report: &'a mut Report,
 }
 
-/// Moves everything by `dt` seconds.
+/// Advances the simulation by `dt` seconds.
 pub(crate) fn update(parts: Parts<'_>, dt: f32, handler: Option<&mut dyn EventHandler>) {
     match parts.world.scheme {
         DepthScheme::Precise => precise::update(parts, dt, handler),

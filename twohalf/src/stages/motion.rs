@@ -1,15 +1,15 @@
-//! Velocity becomes position, along Z as well.
+//! Integration of velocities into positions, along Z as well.
 
 use farseer_core::PhysicsSimulator;
 
+use super::core_events::CoreEventAdapter;
 use super::forces::disable;
-use super::plane_handler::PlaneHandler;
 use crate::Vector3;
-use crate::depth::{Depths, is_movable};
+use crate::depth::{DepthState, is_movable};
 use crate::events::Event;
 
-/// Last stage: along Z first, so that callbacks see all of it.
-pub(super) fn integrate(core: &mut PhysicsSimulator, game: &mut PlaneHandler<'_, '_>, dt: f32) {
+/// Last stage: integrates Z first, so that callbacks see all of the motion.
+pub(super) fn integrate(core: &mut PhysicsSimulator, game: &mut CoreEventAdapter<'_, '_>, dt: f32) {
     move_along_z(core, &mut game.world.depths, &mut game.meeting.moved, dt);
     core.integrate(dt, Some(game));
     for &id in core.body_list() {
@@ -20,17 +20,17 @@ pub(super) fn integrate(core: &mut PhysicsSimulator, game: &mut PlaneHandler<'_,
             state.motion = is_finite.then(|| Vector3::new(step.x, step.y, begin.z));
         }
     }
-    game.take_events(core);
-    tell_moved(core, game);
+    game.adopt_core_events(core);
+    emit_moved_events(core, game);
 }
 
-fn move_along_z(core: &mut PhysicsSimulator, depths: &mut Depths, moved: &mut Vec<bool>, dt: f32) {
+fn move_along_z(core: &mut PhysicsSimulator, depths: &mut DepthState, moved: &mut Vec<bool>, dt: f32) {
     moved.clear();
     for index in 0..core.body_list().len() {
         let id = core.body_list()[index];
         let (Some(state), Some(body)) = (depths.bodies.get_mut(id), core.body(id)) else { continue };
         let along_z = if is_movable(core, id) { (state.velocity_z + state.bias_z) * dt } else { 0.0 };
-        // X and Y are where it begins, until it is known where it ends.
+        // X and Y of the start, until the end is known.
         state.motion = Some(Vector3::new(body.position().x, body.position().y, along_z));
         if along_z == 0.0 {
             continue;
@@ -49,8 +49,8 @@ fn move_along_z(core: &mut PhysicsSimulator, depths: &mut Depths, moved: &mut Ve
     }
 }
 
-/// Tells of bodies that moved along Z alone, and have never moved otherwise.
-fn tell_moved(core: &mut PhysicsSimulator, game: &mut PlaneHandler<'_, '_>) {
+/// Reports bodies that moved along Z only and have never moved in X and Y.
+fn emit_moved_events(core: &mut PhysicsSimulator, game: &mut CoreEventAdapter<'_, '_>) {
     for index in 0..core.body_list().len() {
         let Some(&body) = core.body_list().get(index) else { break };
         if game.meeting.moved.get(body.slot()) != Some(&true) {
@@ -58,6 +58,6 @@ fn tell_moved(core: &mut PhysicsSimulator, game: &mut PlaneHandler<'_, '_>) {
         }
         game.report.counters.bodies_moved += 1;
         game.report.events.push(Event::BodyUpdated { body });
-        game.tell(core, |handler, context| handler.on_body_updated(context, body));
+        game.call_handler(core, |handler, context| handler.on_body_updated(context, body));
     }
 }

@@ -1,15 +1,15 @@
-//! The order of the stages with the precise set: the 2D engine below works in three axes, is told what it does not know, and tells
-//! what touches.
+//! Order of the stages with the precise set: the core solves all three axes; this crate sends depth to it and
+//! reports contacts.
 
 use farseer_core::{PhysicsSimulator, SpaceChange};
 
+use super::callbacks::emit_separation;
 use super::collisions::collisions;
-use super::crush::tell_crushed;
-use super::exchange::{note_forced, read_depths, rest, tell_depths};
-use super::pace::{catch_up, slow_down};
-use super::plane_handler::PlaneHandler;
+use super::core_events::CoreEventAdapter;
+use super::core_sync::{pull_depth_from_core, pull_sleep_from_core, push_depth_to_core, requeue_forces};
+use super::crush::emit_crush_events;
 use super::report::{Report, StepCounters};
-use super::tell::tell_parted;
+use super::time_scale::{apply_time_scale, restore_time_scale};
 use super::{Parts, Pipeline, fields, supports};
 use crate::events::{Event, EventHandler};
 use crate::views::partner_of;
@@ -18,15 +18,15 @@ pub(super) fn update(parts: Parts<'_>, dt: f32, handler: Option<&mut dyn EventHa
     let Parts { core, world, pipeline, report } = parts;
     let Pipeline { meeting, immersion, slowed, .. } = pipeline;
     report.begin();
-    slow_down(core, world, slowed);
-    note_forced(&mut world.depths);
-    tell_depths(core, world, report);
-    let mut game = PlaneHandler { world, report, meeting, handler };
+    apply_time_scale(core, world, slowed);
+    requeue_forces(&mut world.depths);
+    push_depth_to_core(core, world, report);
+    let mut game = CoreEventAdapter { world, report, meeting, handler };
     let is_told = game.handler.is_some();
     let goes_on = core.begin_in_space(dt, is_told.then_some(&mut game as _));
     let mut has_happened = false;
     if !goes_on {
-        // Figures that walk while time stands still name their footings again.
+        // Characters that walk while time stands still queue their supports again.
         game.world.footings.asked.clear();
     } else {
         if !is_told {
@@ -37,29 +37,29 @@ pub(super) fn update(parts: Parts<'_>, dt: f32, handler: Option<&mut dyn EventHa
     }
     if has_happened {
         if !is_told {
-            read_depths(core, game.world);
+            pull_depth_from_core(core, game.world);
         }
-        rest(core, game.world);
+        pull_sleep_from_core(core, game.world);
     }
-    game.report.tell_refused(game.world);
-    game.take_events(core);
+    game.report.emit_refusals(game.world);
+    game.adopt_core_events(core);
     if !goes_on {
-        catch_up(core, game.world, slowed, false);
+        restore_time_scale(core, game.world, slowed, false);
         supports::forget_what_left(core, game.world);
         return;
     }
-    catch_up(core, game.world, slowed, true);
+    restore_time_scale(core, game.world, slowed, true);
     if has_happened {
-        tell_changes(core, &mut game);
+        emit_contact_changes(core, &mut game);
     }
-    tell_crushed(core, game.world, game.report);
+    emit_crush_events(core, game.world, game.report);
     count(core, game.report);
-    // What was loaded is over: the engine below knows what touches.
+    // Loaded contacts end here: the core has all contacts now.
     game.world.touches.clear();
 }
 
-/// What begins and ceases to touch.
-fn tell_changes(core: &mut PhysicsSimulator, game: &mut PlaneHandler<'_, '_>) {
+/// Reports contacts that begin and end.
+fn emit_contact_changes(core: &mut PhysicsSimulator, game: &mut CoreEventAdapter<'_, '_>) {
     let changes = core.take_space_changes();
     for begun in changes.iter().filter_map(|change| change.touch) {
         let told = collisions(core, &begun).into_iter().flatten();
@@ -68,12 +68,12 @@ fn tell_changes(core: &mut PhysicsSimulator, game: &mut PlaneHandler<'_, '_>) {
     for &SpaceChange { this, partner, .. } in changes.iter().filter(|change| change.touch.is_none()) {
         let partner = partner_of(partner);
         if game.world.may_touch(core, this, partner) {
-            tell_parted(core, game, this, partner);
+            emit_separation(core, game, this, partner);
         }
     }
 }
 
-/// How much work it was.
+/// Fills the counters.
 fn count(core: &PhysicsSimulator, report: &mut Report) {
     let counters = core.counters();
     let on_ground = core.on_ground_count();

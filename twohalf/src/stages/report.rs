@@ -1,66 +1,68 @@
-//! What an update has to tell: events, and how much work it was.
+//! Report of an update: events and counters.
 
 use farseer_core::{Event as CoreEvent, GeomId, PhysicsSimulator};
 
 use super::collisions::impulse_of_points;
-use super::pairs::{KnownPairs, impulse_of};
-use crate::Partner;
-use crate::depth::{TouchKey, TouchList, World};
+use super::pairs::{PairCache, impulse_of};
+use crate::ContactTarget;
+use crate::depth::{ContactKey, ContactList, World};
 use crate::events::{Collision, Event};
 
-/// What a step did: how much work there was.
+/// Counters of the work of an update.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct StepCounters {
-    /// Pairs whose shapes were tested against each other: two geoms, or a geom and a platform. The ground is none.
+    /// Number of pairs with a narrow-phase test: two geoms, or a geom and a platform. Pairs with the ground
+    /// do not count.
     pub pairs_tested: usize,
-    /// Pairs of geoms, or of a geom and a platform, that touch.
+    /// Number of touching pairs of geoms, or of a geom and a platform.
     pub pairs_touching: usize,
-    /// Bodies that touch their ground.
+    /// Number of bodies that touch their ground.
     pub ground_contacts: usize,
-    /// Contact points the solver worked on in every iteration.
+    /// Number of contact points that the solver handles in every iteration.
     pub contacts_solved: usize,
-    /// Scalar constraints it solved for them in every iteration: two for a point in the plane, three for one in
-    /// space.
+    /// Number of scalar constraints of these points: two for a point in the plane, three for one in space.
     pub rows_solved: usize,
-    /// Bodies that changed their position or rotation.
+    /// Number of bodies that changed their position or rotation.
     pub bodies_moved: usize,
 }
 
-/// What a game can ask about the last update.
+/// Report of the last update.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Report {
     pub(crate) events: Vec<Event>,
     pub(crate) counters: StepCounters,
-    /// Seconds.
+    /// Duration of the update, s.
     pub(crate) update_time: f32,
-    /// Events of the 2D engine that were taken over already.
+    /// Number of events of the core that were adopted already.
     taken: usize,
-    /// One for each collision that the 2D engine reports, in the same order; and how many of them are events already.
-    decided: Vec<Decided>,
+    /// One entry for each collision that the core reports, in the same order.
+    decided: Vec<RecordedCollision>,
+    /// Number of recorded collisions that are events already.
     listed: usize,
-    /// Where the impulses of collisions come from.
-    in_plane: Vec<InPlane>,
-    touches: Vec<(u32, TouchKey)>,
+    /// Events whose impulse is known after the solver, with the contact that has it.
+    in_plane: Vec<CoreCollision>,
+    touches: Vec<(u32, ContactKey)>,
 }
 
-/// What was decided about two geoms that touch in X and Y, as one of them was told.
+/// Collision of two geoms in X and Y as one of them sees it.
 #[derive(Debug, Clone, Copy)]
-struct Decided {
-    /// None if nothing can be told of it: its numbers are not finite.
+struct RecordedCollision {
+    /// `None` if its numbers are not finite.
     collision: Option<Collision>,
-    /// Whether the two push each other: neither of them was refused.
+    /// Whether the two exert impulses: the handler refused neither side.
     pushes: bool,
 }
 
 /// A collision in X and Y that is an event.
 #[derive(Debug, Clone, Copy)]
-struct InPlane {
+struct CoreCollision {
+    /// Index of the event.
     event: u32,
     this: GeomId,
     other: GeomId,
 }
 
-impl InPlane {
+impl CoreCollision {
     fn is_of(&self, a: GeomId, b: GeomId) -> bool {
         (self.this, self.other) == (a, b) || (self.this, self.other) == (b, a)
     }
@@ -76,14 +78,14 @@ impl Report {
         self.touches.clear();
     }
 
-    /// All is gone.
+    /// Clears events and counters.
     pub(crate) fn clear(&mut self) {
         self.events.clear();
         self.counters = StepCounters::default();
     }
 
-    /// Refusals, and grips that have broken, between updates.
-    pub(super) fn tell_refused(&mut self, world: &mut World) {
+    /// Reports refused arguments and broken grips.
+    pub(super) fn emit_refusals(&mut self, world: &mut World) {
         let broken = world.broken_grips.drain(..);
         self.events.extend(broken.map(|(holder, load)| Event::GripBroke { holder, load }));
         if std::mem::take(&mut world.has_rejected) {
@@ -96,9 +98,9 @@ impl Report {
         self.events.extend(rejected.map(|argument| Event::RejectedInput { object: None, argument }));
     }
 
-    /// What was decided about two geoms that touch in X and Y, the older one's side first. What the younger one's side refuses
-    /// pushes neither, though the older one was told of it.
-    pub(super) fn decide(&mut self, collision: Option<Collision>, is_younger: bool) {
+    /// Records a collision of two geoms in X and Y, the older one's side first. A refusal by the younger side
+    /// disables the impulses of both.
+    pub(super) fn record_collision(&mut self, collision: Option<Collision>, is_younger: bool) {
         let is_refused = collision.is_some_and(|collision| collision.vetoed);
         if is_refused
             && is_younger
@@ -106,19 +108,20 @@ impl Report {
         {
             older.pushes = false;
         }
-        self.decided.push(Decided { collision, pushes: !is_refused });
+        self.decided.push(RecordedCollision { collision, pushes: !is_refused });
     }
 
-    /// A contact of this engine, as one of its sides was told.
-    pub(super) fn collide(&mut self, collision: Collision, key: TouchKey) {
+    /// Records a collision of this crate as one of its sides sees it.
+    pub(super) fn collide(&mut self, collision: Collision, key: ContactKey) {
         if !collision.vetoed {
             self.touches.push((self.events.len() as u32, key));
         }
         self.events.push(Event::Collision(collision));
     }
 
-    /// Takes over what the 2D engine has reported since the last time. Of separations only those of pairs that have touched in it.
-    pub(super) fn take_events(&mut self, core: &PhysicsSimulator, known: &KnownPairs) {
+    /// Adopts the events that the core has reported since the last call. Separations are adopted only for
+    /// pairs that touched in the core.
+    pub(super) fn adopt_core_events(&mut self, core: &PhysicsSimulator, known: &PairCache) {
         for &event in &core.events()[self.taken..] {
             match event {
                 CoreEvent::Collision { .. } => {
@@ -127,7 +130,7 @@ impl Report {
                     self.list(decided);
                 }
                 CoreEvent::Separation { this, other } if known.have_touched(core, this, other) => {
-                    self.events.push(Event::Separation { this, partner: Partner::Geom(other) });
+                    self.events.push(Event::Separation { this, partner: ContactTarget::Geom(other) });
                 }
                 event => self.events.extend(Event::from_core(event)),
             }
@@ -135,31 +138,31 @@ impl Report {
         self.taken = core.events().len();
     }
 
-    fn list(&mut self, decided: Option<Decided>) {
-        let Some(Decided { collision: Some(collision), pushes }) = decided else { return };
-        if let (true, Partner::Geom(other)) = (pushes, collision.partner) {
+    fn list(&mut self, decided: Option<RecordedCollision>) {
+        let Some(RecordedCollision { collision: Some(collision), pushes }) = decided else { return };
+        if let (true, ContactTarget::Geom(other)) = (pushes, collision.partner) {
             let (event, this) = (self.events.len() as u32, collision.this);
-            self.in_plane.push(InPlane { event, this, other });
+            self.in_plane.push(CoreCollision { event, this, other });
         }
         self.events.push(Event::Collision(collision));
     }
 
-    /// Gives the collisions among the events the impulses that the solver found.
-    pub(super) fn fill_impulses(&mut self, core: &PhysicsSimulator, found: &TouchList) {
+    /// Fills the solved impulses into the collision events.
+    pub(super) fn fill_impulses(&mut self, core: &PhysicsSimulator, found: &ContactList) {
         let Report { events, in_plane, touches, .. } = self;
         let mut give = |event: u32, impulse: f32| {
             if let Event::Collision(collision) = &mut events[event as usize] {
                 collision.normal_impulse = impulse;
             }
         };
-        // Both are in the order in which pairs were looked at.
+        // Both lists are in the order of the pair search.
         let mut waiting = in_plane.iter().peekable();
         for arbiter in core.arbiters() {
             let (a, b) = (arbiter.geom_a(), arbiter.geom_b());
             while let Some(source) = waiting.next_if(|source| source.is_of(a, b)) {
                 give(source.event, impulse_of(arbiter));
                 if source.this == b {
-                    // The next one is of another arbiter, which may be of the same pair.
+                    // The next one belongs to another arbiter, which may be of the same pair.
                     break;
                 }
             }

@@ -1,20 +1,20 @@
-//! What holds bodies up.
+//! Supports of bodies, from the contacts of an update.
 
 use farseer_core::{BodyId, GeomId, PhysicsSimulator};
 
 use crate::Vector3;
-use crate::depth::{DepthScheme, Depths, Partner, Support, TouchList, World};
+use crate::depth::{ContactList, ContactTarget, DepthScheme, DepthState, Support, World};
 use crate::projection::to_world;
 
-/// What held a body up in the last update.
-pub(super) type Held = (BodyId, Support);
+/// A body with its support in the last update.
+pub(super) type SupportCandidate = (BodyId, Support);
 
-/// Notes for every body what holds it up best. `last` is room for what did in the update before.
+/// Stores the best support of every body. `last` is a buffer for those of the last update.
 pub(super) fn find(
     core: &PhysicsSimulator,
     world: &mut World,
-    found: &TouchList,
-    last: &mut Vec<Held>,
+    found: &ContactList,
+    last: &mut Vec<SupportCandidate>,
     dt: f32,
 ) {
     let depths = &mut world.depths;
@@ -31,22 +31,29 @@ pub(super) fn find(
         let (a, b) = (contact.geom_a(), contact.geom_b());
         let Some(normal) = contact.contacts().next().map(|contact| contact.normal) else { continue };
         let upward = Vector3::new(normal.x, -normal.y, 0.0);
-        note(core, depths, b, Partner::Geom(a), upward);
-        note(core, depths, a, Partner::Geom(b), -upward);
+        record_support(core, depths, b, ContactTarget::Geom(a), upward);
+        record_support(core, depths, a, ContactTarget::Geom(b), -upward);
     }
     for touch in found.touches.iter().filter(|touch| !touch.is_plane() && touch.responds) {
         let normal = to_world(touch.normal);
-        note(core, depths, touch.this, touch.partner, normal);
-        if let Partner::Geom(other) = touch.partner {
-            note(core, depths, other, Partner::Geom(touch.this), -normal);
+        record_support(core, depths, touch.this, touch.partner, normal);
+        if let ContactTarget::Geom(other) = touch.partner {
+            record_support(core, depths, other, ContactTarget::Geom(touch.this), -normal);
         }
     }
-    keep(core, world, last, dt);
+    keep_recent_support(core, world, last, dt);
 }
 
-fn note(core: &PhysicsSimulator, depths: &mut Depths, geom: GeomId, partner: Partner, normal: Vector3) {
+fn record_support(
+    core: &PhysicsSimulator,
+    depths: &mut DepthState,
+    geom: GeomId,
+    partner: ContactTarget,
+    normal: Vector3,
+) {
     let responds = |geom: GeomId| core.geom(geom).is_some_and(|geom| geom.collision_response_enabled());
-    if normal.y <= 0.0 || !responds(geom) || matches!(partner, Partner::Geom(other) if !responds(other)) {
+    if normal.y <= 0.0 || !responds(geom) || matches!(partner, ContactTarget::Geom(other) if !responds(other))
+    {
         return;
     }
     let body = core.geom(geom).map(|geom| geom.body());
@@ -56,9 +63,9 @@ fn note(core: &PhysicsSimulator, depths: &mut Depths, geom: GeomId, partner: Par
     }
 }
 
-/// What lies on something may leave it for a single step, no faster than gravity makes it in two, before it
-/// lies on it again. For that step it still counts as held up.
-fn keep(core: &PhysicsSimulator, world: &mut World, last: &[Held], dt: f32) {
+/// A resting body may separate from its support for a single step, no faster than gravity accelerates in two.
+/// It counts as supported in that step.
+fn keep_recent_support(core: &PhysicsSimulator, world: &mut World, last: &[SupportCandidate], dt: f32) {
     let slow = 2.0 * core.gravity().y.abs() * dt.abs();
     for &(id, support) in last {
         let is_slow = core.body(id).is_some_and(|body| {
@@ -74,8 +81,7 @@ fn keep(core: &PhysicsSimulator, world: &mut World, last: &[Held], dt: f32) {
     }
 }
 
-/// Forgets contacts and supports of what has left. Of contacts that are listed when somebody asks, what has left is not
-/// listed, whether they were loaded or not.
+/// Drops contacts and supports of removed objects. Contacts that are listed on demand are filtered there.
 pub(super) fn forget_what_left(core: &PhysicsSimulator, world: &mut World) {
     if world.scheme != DepthScheme::Precise {
         let mut touches = std::mem::take(&mut world.touches.touches);

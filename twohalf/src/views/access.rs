@@ -1,10 +1,10 @@
-//! What a view of a body looks through: the simulator, or the context of a callback.
+//! Access of a view to its simulator: direct, or through the context of a callback.
 
 use farseer_core::{Body, BodyId, PhysicsSimulator};
 
 use crate::depth::World;
 
-/// Something that holds a simulator to look at. Implemented for references to
+/// Read access to a simulator. Implemented for references to
 /// [`TwoHalfPhysicsSimulator`](crate::TwoHalfPhysicsSimulator) and [`Context`](crate::Context) only.
 pub trait Access {
     #[doc(hidden)]
@@ -13,7 +13,7 @@ pub trait Access {
     fn world(&self) -> &World;
 }
 
-/// Something that holds a simulator to change.
+/// Write access to a simulator.
 pub trait AccessMut: Access {
     #[doc(hidden)]
     fn core_body_mut(&mut self, body: BodyId) -> Option<&mut Body>;

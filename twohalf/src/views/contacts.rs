@@ -1,50 +1,50 @@
-//! The contacts of the last update, as a game sees them.
+//! Contacts of the last update, as games see them.
 
 use std::borrow::Cow;
 
 use farseer_core::math::scalar::nearest_finite;
 use farseer_core::{BodyId, GeomId, PhysicsSimulator};
 
-use super::touching::{list_touches, list_touches_of};
+use super::contact_query::{list_contacts, list_contacts_of};
 use crate::Vector3;
-use crate::depth::{Axis, DepthScheme, Partner, TouchKey, TouchList, TouchPoint, World};
+use crate::depth::{Axis, ContactKey, ContactList, ContactPoint, ContactTarget, DepthScheme, World};
 use crate::projection::to_world;
 
-/// A point at which a geom touched something in the last update.
+/// A contact point of the last update.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[doc(alias = "Contact")]
 pub struct TwoHalfContact {
-    /// The geom; of two the younger one.
+    /// The geom; the younger one of two.
     pub this: GeomId,
-    /// What it touches.
-    pub partner: Partner,
-    /// Along which axes it is pushed.
+    /// The contact target.
+    pub partner: ContactTarget,
+    /// Axes along which the contact acts.
     pub axis: Axis,
-    /// Where, in the world, px, Y up.
+    /// Position in the world, px, Y up.
     pub position: Vector3,
-    /// Unit vector in the world, Y up, from the partner to `this`.
+    /// Unit normal in the world, Y up, from the target to `this`.
     pub normal: Vector3,
-    /// Distance along the normal, px; negative when they overlap.
+    /// Separation along the normal, px; negative is penetration.
     pub separation: f32,
-    /// Impulse along the normal, mass times velocity, 0 or more.
+    /// Normal impulse, mass · px/s, 0 or more.
     pub normal_impulse: f32,
-    /// Size of the friction impulse, 0 or more.
+    /// Magnitude of the friction impulse, mass · px/s, 0 or more.
     pub friction_impulse: f32,
 }
 
-/// The contact points of one body among others: of it alone, where these are found when somebody asks.
+/// Contact points of one body, with those of others where contacts are not queried by body.
 pub(super) fn contacts_of<'a>(
     core: &'a PhysicsSimulator,
     world: &'a World,
     body: BodyId,
 ) -> Box<dyn Iterator<Item = TwoHalfContact> + 'a> {
     if world.scheme == DepthScheme::Precise {
-        return Box::new(points_of(&list_touches_of(core, world, body)).into_iter());
+        return Box::new(points_of(&list_contacts_of(core, world, body)).into_iter());
     }
     Box::new(contacts(core, world))
 }
 
-/// All contact points of the last update: of pairs in X and Y, then all others.
+/// All contact points of the last update: those of pairs in X and Y, then all others.
 pub(crate) fn contacts<'a>(
     core: &'a PhysicsSimulator,
     world: &'a World,
@@ -55,7 +55,7 @@ pub(crate) fn contacts<'a>(
         let across = friction_along_z(core, &world.touches, a, b);
         arbiter.contacts().zip(0..).map(move |(contact, index)| TwoHalfContact {
             this: b,
-            partner: Partner::Geom(a),
+            partner: ContactTarget::Geom(a),
             axis: Axis::Plane,
             position: Vector3::new(contact.position.x, -contact.position.y, z),
             normal: Vector3::new(contact.normal.x, -contact.normal.y, 0.0),
@@ -68,24 +68,24 @@ pub(crate) fn contacts<'a>(
         })
     });
     let list = match world.scheme {
-        DepthScheme::Precise => list_touches(core, world),
+        DepthScheme::Precise => list_contacts(core, world),
         DepthScheme::Faithful | DepthScheme::Thesis => Cow::Borrowed(&world.touches),
     };
     in_plane.chain(points_of(&list))
 }
 
-/// The points of a contact of the 2D engine that was solved here.
+/// Points of a contact of the core that this crate has solved.
 fn friction_along_z<'a>(
     core: &PhysicsSimulator,
-    list: &'a TouchList,
+    list: &'a ContactList,
     a: GeomId,
     b: GeomId,
-) -> &'a [TouchPoint] {
-    let numbers = core.geom(a).zip(core.geom(b)).map(|(a, b)| TouchKey::Pair(a.id(), b.id()));
+) -> &'a [ContactPoint] {
+    let numbers = core.geom(a).zip(core.geom(b)).map(|(a, b)| ContactKey::Pair(a.id(), b.id()));
     numbers.and_then(|key| list.find(key)).map_or(&[], |touch| list.points_of(touch))
 }
 
-fn points_of(list: &TouchList) -> Vec<TwoHalfContact> {
+fn points_of(list: &ContactList) -> Vec<TwoHalfContact> {
     let others = list.touches.iter().filter(|touch| !touch.is_plane()).flat_map(|touch| {
         list.points_of(touch).iter().map(|point| TwoHalfContact {
             this: touch.this,
@@ -109,7 +109,7 @@ fn length([x, y]: [f32; 2]) -> f32 {
     if length.is_finite() {
         return length;
     }
-    // The squares are beyond finite numbers, but the length need not be.
+    // The squares may overflow although the length does not.
     let [x, y] = [x, y].map(f64::from);
     nearest_finite((x * x + y * y).sqrt() as f32)
 }

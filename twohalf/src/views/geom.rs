@@ -1,4 +1,4 @@
-//! Geoms as a game sees them.
+//! Views of geoms.
 
 use farseer_core::{GeomId, GeomRef, PhysicsSimulator};
 
@@ -7,8 +7,8 @@ use super::virtual_geom::VirtualGeom;
 use crate::depth::{DepthProfile, World};
 use crate::{Projection, Vector2, Vector3};
 
-/// A geom to look at: shape, place and settings. What is not here is in [`GeomRef`], to which it dereferences: there,
-/// outlines and boxes are in the plane of the 2D engine (x = X, y = -Y).
+/// A geom for reading: shape, position and settings. It dereferences to [`GeomRef`], whose outlines and AABBs
+/// are in the plane of the 2D engine (x = X, y = -Y).
 #[derive(Debug, Clone, Copy)]
 pub struct TwoHalfGeom<'a> {
     core: &'a PhysicsSimulator,
@@ -37,7 +37,7 @@ impl<'a> TwoHalfGeom<'a> {
         self.world.depths.z_of(self.geom.body())
     }
 
-    /// Position of the geom's origin on the screen, px: its body's, with the geom's offset.
+    /// Position of the geom's origin on the screen, px: that of its body plus the geom's offset.
     #[doc(alias = "Position")]
     pub fn position(&self) -> Vector2 {
         self.projection().plane_to_screen(self.geom.position(), self.z())
@@ -49,26 +49,26 @@ impl<'a> TwoHalfGeom<'a> {
         Vector3::new(plane.x, -plane.y, self.z())
     }
 
-    /// The outline on the screen, px; beyond finite numbers the nearest ones.
+    /// The outline on the screen, px, limited to finite numbers.
     pub fn screen_outline(&self) -> Vec<Vector2> {
         let z = self.z();
         let vertices = self.geom.world_vertices();
         vertices.iter().map(|&vertex| self.projection().plane_to_screen(vertex, z)).collect()
     }
 
-    /// How the outline extends in depth.
+    /// Depth profile of the geom.
     pub fn depth_profile(&self) -> DepthProfile {
         let profile = self.world.depths.profiles.get(self.id).copied();
         profile.unwrap_or_else(|| DepthProfile::default_of(self.geom))
     }
 
-    /// The footprint: what of the geom meets others along Z (thesis 3.5).
+    /// Footprint of the geom, by which it collides along Z in the thesis (3.5).
     pub fn virtual_geom(&self) -> VirtualGeom {
         VirtualGeom::of(self.core, self.geom, self.depth_profile(), self.z())
     }
 
-    /// Whether the geom's picture holds a point of the screen: its outline at the depth of its middle, or the disc
-    /// of a ball.
+    /// Whether the geom's picture contains a point of the screen: its outline at its middle Z, or the disc of
+    /// a ball.
     #[doc(alias = "Collide(Vector2)")]
     pub fn collides_with_point(&self, point: Vector2) -> bool {
         let plane = self.projection().screen_to_plane(point, self.z());
@@ -84,14 +84,15 @@ impl<'a> TwoHalfGeom<'a> {
         }
     }
 
-    /// Whether the geom overlaps another one in all three axes, whatever their categories; not for a stale id.
+    /// Whether the geom overlaps another one in all three axes, regardless of collision categories; false for
+    /// a stale id.
     #[doc(alias = "Collide(Geom)")]
     pub fn collides_with_geom(&self, other: GeomId) -> bool {
         overlap(self.core, &self.world.depths, self.id, other)
     }
 
-    /// False: the ground is no geom here. See [`Partner::is_ground`](crate::Partner::is_ground) for what a geom
-    /// touches.
+    /// Always false: the ground is no geom here. See
+    /// [`ContactTarget::is_ground`](crate::ContactTarget::is_ground) for contacts.
     #[doc(alias = "IsGround")]
     pub fn is_ground(&self) -> bool {
         false

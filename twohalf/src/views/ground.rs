@@ -1,4 +1,4 @@
-//! The ground of a body, to be changed.
+//! View of the ground of a body for editing.
 
 use farseer_core::{BodyId, GeomId};
 
@@ -8,8 +8,8 @@ use crate::error::stale;
 use crate::projection::{plane_to_world, world_to_plane};
 use crate::{Error, Result, TextureId};
 
-/// A body's ground, to be changed: what [`TwoHalfBody::ground_mut`](crate::TwoHalfBody::ground_mut) gives.
-/// Dereferences to [`Ground`].
+/// The ground of a body for editing, from [`TwoHalfBody::ground_mut`](crate::TwoHalfBody::ground_mut). It
+/// dereferences to [`Ground`].
 #[derive(Debug)]
 pub struct GroundMut<'a, S> {
     pub(crate) simulator: &'a mut S,
@@ -24,12 +24,12 @@ impl<S: AccessMut> std::ops::Deref for GroundMut<'_, S> {
 }
 
 impl<S: AccessMut> GroundMut<'_, S> {
-    /// Sets the bounciness. What is not finite is rejected and reported.
+    /// Sets the restitution coefficient, dimensionless. A value that is not finite is rejected and reported.
     pub fn set_restitution_coefficient(&mut self, value: f32) {
         self.set("restitution_coefficient", value, |ground| &mut ground.restitution_coefficient);
     }
 
-    /// Sets the friction. What is not finite is rejected and reported.
+    /// Sets the friction coefficient, dimensionless. A value that is not finite is rejected and reported.
     pub fn set_friction_coefficient(&mut self, value: f32) {
         self.set("friction_coefficient", value, |ground| &mut ground.friction_coefficient);
     }
@@ -42,10 +42,10 @@ impl<S: AccessMut> GroundMut<'_, S> {
         }
     }
 
-    /// Says which geom of the body rests on the ground, and which picture its shadow is.
+    /// Sets the geom of the body that rests on the ground, and the picture of its shadow.
     ///
-    /// The body's [`position3d`](crate::TwoHalfBody::position3d) stays: what was its height is now the height
-    /// of the geom's lowest point, so the body's origin moves.
+    /// The body's [`position3d`](crate::TwoHalfBody::position3d) stays: its old height becomes the height of
+    /// the geom's lowest point, so the body's origin moves.
     ///
     /// [`clear_object_geom`](Self::clear_object_geom) undoes it.
     ///
@@ -70,11 +70,11 @@ impl<S: AccessMut> GroundMut<'_, S> {
         Ok(())
     }
 
-    /// No geom of the body rests on the ground any more, and it has no shadow picture: the body falls through, until an object
-    /// geom is [set](Self::set_object_geom) again. Whoever sleeps on the ground wakes.
+    /// Removes object geom and shadow picture: the body falls through the ground, until an object geom is
+    /// [set](Self::set_object_geom) again. A body that sleeps on the ground wakes.
     ///
-    /// The body stays where it is. What [`position3d`](crate::TwoHalfBody::position3d) tells from now on is its origin, not the
-    /// lowest point of a geom.
+    /// The body stays where it is. Its [`position3d`](crate::TwoHalfBody::position3d) is that of its origin
+    /// from now on.
     ///
     /// ```
     /// use twohalf::{TwoHalfPhysicsSimulator, Vector2, farseer_core};

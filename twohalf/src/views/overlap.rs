@@ -1,38 +1,38 @@
-//! Whether two geoms overlap in all three axes.
+//! Overlap test of two geoms in all three axes.
 
 use farseer_core::{GeomId, GeomRef, PhysicsSimulator};
 
 use super::upright_overlap;
 use crate::Vector3;
-use crate::depth::{DepthProfile, Depths};
+use crate::depth::{DepthProfile, DepthState};
 use crate::shapes::{ball_ball, ball_prism, outlines_overlap};
 
-/// A geom in the frame of the plane, with its depth.
+/// A geom with its centre, px, in the frame of the plane, and its depth profile.
 #[derive(Clone, Copy)]
-pub(crate) struct Placed<'a> {
+pub(crate) struct PosedGeom<'a> {
     pub(crate) geom: GeomRef<'a>,
     pub(crate) centre: Vector3,
     pub(crate) profile: DepthProfile,
 }
 
-impl<'a> Placed<'a> {
-    pub(crate) fn of(core: &'a PhysicsSimulator, depths: &Depths, id: GeomId) -> Option<Self> {
+impl<'a> PosedGeom<'a> {
+    pub(crate) fn of(core: &'a PhysicsSimulator, depths: &DepthState, id: GeomId) -> Option<Self> {
         let geom = core.geom(id)?;
         let (position, z) = (geom.position(), depths.z_of(geom.body()));
         let profile = *depths.profiles.get(id)?;
-        Some(Placed { geom, centre: Vector3::new(position.x, position.y, z), profile })
+        Some(PosedGeom { geom, centre: Vector3::new(position.x, position.y, z), profile })
     }
 }
 
 /// Whether two geoms overlap in all three axes.
-pub(crate) fn overlap(core: &PhysicsSimulator, depths: &Depths, geom1: GeomId, geom2: GeomId) -> bool {
+pub(crate) fn overlap(core: &PhysicsSimulator, depths: &DepthState, geom1: GeomId, geom2: GeomId) -> bool {
     if let Some(overlap) = upright_overlap::overlap(core, depths, geom1, geom2) {
         return overlap;
     }
-    let (Some(a), Some(b)) = (Placed::of(core, depths, geom1), Placed::of(core, depths, geom2)) else {
+    let (Some(a), Some(b)) = (PosedGeom::of(core, depths, geom1), PosedGeom::of(core, depths, geom2)) else {
         return false;
     };
-    let on_prism = |ball: Placed<'_>, radius: f32, prism: Placed<'_>| {
+    let on_prism = |ball: PosedGeom<'_>, radius: f32, prism: PosedGeom<'_>| {
         let outline = prism.geom.world_vertices();
         ball_prism(ball.centre, radius, &outline, prism.centre.z, prism.profile.half_depth()).is_some()
     };

@@ -1,4 +1,4 @@
-//! A platform, to be changed.
+//! View of a platform for editing.
 
 use farseer_core::{CollisionCategory, CollisionFilter};
 
@@ -7,7 +7,9 @@ use crate::error::{invalid, only_precise};
 use crate::projection::to_world;
 use crate::{Projection, Result, Vector3};
 
-/// A platform to change: what [`TwoHalfPhysicsSimulator::platform_mut`](crate::TwoHalfPhysicsSimulator::platform_mut) gives. Dereferences to [`Platform`].
+/// A platform for editing, from
+/// [`TwoHalfPhysicsSimulator::platform_mut`](crate::TwoHalfPhysicsSimulator::platform_mut). It dereferences
+/// to [`Platform`].
 #[derive(Debug)]
 pub struct PlatformMut<'a> {
     pub(crate) platforms: &'a mut Platforms,
@@ -24,19 +26,20 @@ impl std::ops::Deref for PlatformMut<'_> {
 }
 
 impl PlatformMut<'_> {
-    /// Puts the platform elsewhere. Nothing is carried along: what it comes to overlap is pushed out. To move it with what
-    /// stands on it: [`set_velocity`](Self::set_velocity), [`move_to`](Self::move_to). The hinge of one that swings goes along.
+    /// Moves the platform at once, px. It carries no objects and pushes out those that it then overlaps; use
+    /// [`set_velocity`](Self::set_velocity) or [`move_to`](Self::move_to) for lifts. A hinge moves with the
+    /// platform.
     ///
     /// # Errors
-    /// As [`Platform::new`].
+    /// Those of [`Platform::new`].
     pub fn set_position3d(&mut self, position3d: Vector3) -> Result<()> {
         self.set(self.at(position3d, self.projection)?)
     }
 
-    /// Tilts the platform about its middle, rad, clockwise on the screen.
+    /// Tilts the platform about its centre, radians, clockwise on the screen.
     ///
     /// # Errors
-    /// What is not finite.
+    /// A rotation that is not finite.
     pub fn set_rotation(&mut self, rotation: f32) -> Result<()> {
         self.set(self.tilted(rotation, self.projection)?)
     }
@@ -46,12 +49,13 @@ impl PlatformMut<'_> {
         Ok(())
     }
 
-    /// Lets the platform move, along X, **up** and along Z, px/s, until it is told otherwise. As a
-    /// [kinematic](crate::TwoHalfBody::set_is_kinematic) body it has infinite mass: it pushes what it touches, wakes it, and carries
-    /// it by friction, so that the platform and what stands on it need some. It passes through static things and other platforms.
+    /// Sets the velocity of the platform, px/s, along X, **up** and along Z, until it is set again. The
+    /// platform acts as a [kinematic](crate::TwoHalfBody::set_is_kinematic) body of infinite mass. It pushes
+    /// and wakes bodies and carries them by friction, if both have some. It passes through static bodies and
+    /// other platforms.
     ///
-    /// What stands on it goes down with it as fast as it falls. In a step that is half of what gravity adds to its velocity
-    /// faster than before: a lift whose speed grows by more than that per step is left until what stood on it has caught up.
+    /// Objects follow a descending platform in free fall. Per step they lag by half of the velocity that
+    /// gravity adds. They separate from a lift whose downward speed grows faster, until they have caught up.
     ///
     /// ```
     /// use twohalf::{Platform, TwoHalfPhysicsSimulator, Vector3};
@@ -64,7 +68,8 @@ impl PlatformMut<'_> {
     /// ```
     ///
     /// # Errors
-    /// What is not finite; a platform that [swings](Self::set_swing); another scheme than [`DepthScheme::Precise`].
+    /// A velocity that is not finite; a platform with a [hinge](Self::set_swing); another scheme than
+    /// [`DepthScheme::Precise`].
     pub fn set_velocity(&mut self, velocity: Vector3) -> Result<()> {
         self.check_precise("moving platforms")?;
         if !velocity.iter().all(|number| number.is_finite()) {
@@ -75,27 +80,29 @@ impl PlatformMut<'_> {
         Ok(())
     }
 
-    /// Lets the next update bring the platform to a [position](Platform::position3d), where it then is to the last bit, with the
-    /// velocity that does. In the update after that it stands still, unless it is told a new place or given a velocity before.
-    /// A place to which no finite velocity leads is forgotten. What goes farther than 128 px in an update pushes what it comes to
-    /// overlap, and nothing on its way.
+    /// Sets a target: the next update moves the platform to a [position](Platform::position3d), to the last
+    /// bit, with the velocity of that move. After that update it stops, unless it gets a new target or
+    /// velocity before. A target that needs an infinite velocity is dropped. A move of more than 128 px per
+    /// update pushes only the objects that the platform overlaps at its end.
     ///
     /// # Errors
-    /// As [`Platform::new`]; a platform that [swings](Self::set_swing); another scheme than [`DepthScheme::Precise`].
+    /// Those of [`Platform::new`]; a platform with a [hinge](Self::set_swing); another scheme than
+    /// [`DepthScheme::Precise`].
     pub fn move_to(&mut self, position3d: Vector3) -> Result<()> {
         self.check_precise("moving platforms")?;
         self.at(position3d, self.projection)?;
         self.check_swings_not("position3d", position3d)?;
-        let before = self.told_velocity();
+        let before = self.prescribed_velocity();
         self.platforms.set_motion(self.index, before, Some(position3d));
         Ok(())
     }
 
-    /// Makes the surface a belt: `along` px/s along its level edges, to the right, and `depth` px/s along Z. What lies on it is
-    /// carried by friction up to that speed; the sides carry as the top does. Default none.
+    /// Makes the surface a belt that moves with `along` px/s along the level edges, to the right, and `depth`
+    /// px/s along Z. Friction accelerates objects up to that speed, on the sides as well. Default none.
     ///
     /// # Errors
-    /// What is not finite; a platform that turns or swings; another scheme than [`DepthScheme::Precise`].
+    /// A speed that is not finite; a platform that turns or swings; another scheme than
+    /// [`DepthScheme::Precise`].
     pub fn set_surface_speed(&mut self, along: f32, depth: f32) -> Result<()> {
         self.check_precise("belts of platforms")?;
         for (argument, value) in [("along", along), ("depth", depth)] {
@@ -107,9 +114,11 @@ impl PlatformMut<'_> {
         Ok(())
     }
 
-    /// Opens the platform from below and from its sides: what jumps or is thrown up passes through it, and lands on its top when
-    /// it comes down. What stands on it when this is switched on stays there. To drop through it, a geom leaves out its
-    /// categories ([`Geom::set_collides_with`](farseer_core::Geom::set_collides_with)) until it is below the top, and the platform those of the geom. Default false.
+    /// Makes the platform one-way: objects pass through it from below and from the sides, and land on its
+    /// top. An object that stands on it at the time of this call stays on top. To drop through it, a geom
+    /// removes the platform's categories from its mask
+    /// ([`Geom::set_collides_with`](farseer_core::Geom::set_collides_with)) until it is below the top, and
+    /// the platform those of the geom. Default false.
     ///
     /// # Errors
     /// True with another scheme than [`DepthScheme::Precise`].
@@ -127,39 +136,41 @@ impl PlatformMut<'_> {
         if self.scheme == DepthScheme::Precise { Ok(()) } else { Err(only_precise(what)) }
     }
 
-    /// Sets the friction. What is not finite is rejected and reported by the next update.
+    /// Sets the friction coefficient, dimensionless. A value that is not finite is rejected and reported by
+    /// the next update.
     pub fn set_friction_coefficient(&mut self, value: f32) {
         let platform = self.platforms.edit(self.index);
         platform.set_coefficient("friction_coefficient", value, |surface| &mut surface.friction);
     }
 
-    /// Sets the bounciness. What is not finite is rejected and reported by the next update.
+    /// Sets the restitution coefficient, dimensionless. A value that is not finite is rejected and reported
+    /// by the next update.
     pub fn set_restitution_coefficient(&mut self, value: f32) {
         let platform = self.platforms.edit(self.index);
         platform.set_coefficient("restitution_coefficient", value, |surface| &mut surface.restitution);
     }
 
-    /// Sets the categories that it belongs to.
+    /// Sets the collision categories that it belongs to.
     pub fn set_collision_categories(&mut self, value: CollisionCategory) {
         self.filter().categories = value;
     }
 
-    /// Sets the categories that it collides with.
+    /// Sets the collision categories that it collides with.
     pub fn set_collides_with(&mut self, value: CollisionCategory) {
         self.filter().collides_with = value;
     }
 
-    /// Sets the group.
+    /// Sets the collision group.
     pub fn set_collision_group(&mut self, value: i32) {
         self.filter().group = value;
     }
 
-    /// Lets it meet things or not.
+    /// Sets whether it collides.
     pub fn set_collision_enabled(&mut self, value: bool) {
         self.filter().is_enabled = value;
     }
 
-    /// Lets it push what touches it or not.
+    /// Sets whether its contacts exert impulses.
     pub fn set_collision_response_enabled(&mut self, value: bool) {
         self.filter().responds = value;
     }

@@ -1,4 +1,4 @@
-//! A platform that is to swing about an upright hinge.
+//! Editing of hinged platforms.
 
 use super::PlatformMut;
 use crate::depth::Swing;
@@ -6,15 +6,16 @@ use crate::error::invalid;
 use crate::{Result, Vector3};
 
 impl PlatformMut<'_> {
-    /// Lets the platform swing about an upright hinge: a saloon door, a turnstile, a pinball's flap. It is pushed by what presses on it
-    /// as a body is that weighs I / r² at a distance r from the hinge, with [I its moment of inertia](Swing::moment_of_inertia), and
-    /// pushes back; nothing shifts or tips it. Figures that [walk](crate::TwoHalfPhysicsSimulator::walk) push it open. It passes
-    /// through static things and other platforms: [stops](Swing::least_angle) keep it out of walls. At rest it sleeps, until
-    /// something touches it.
+    /// Puts the platform on an upright hinge: a saloon door, a turnstile, a pinball flap. At a distance r
+    /// from the hinge contacts see it as a mass of I / r², with [I its moment of
+    /// inertia](Swing::moment_of_inertia). It rotates about the hinge only.
+    /// [Characters](crate::TwoHalfPhysicsSimulator::walk) push it open. It passes through static bodies and
+    /// other platforms; [stops](Swing::least_angle) keep it out of walls. At rest it sleeps until it is
+    /// touched.
     ///
-    /// It begins at rest, at the angle that it [is turned by](crate::Platform::yaw). To push it otherwise:
-    /// [`set_angular_velocity`](Self::set_angular_velocity). Whoever is between it and a wall when it swings back bears the push of
-    /// its spring, and no more.
+    /// It starts at rest at its present [yaw](crate::Platform::yaw).
+    /// [`set_angular_velocity`](Self::set_angular_velocity) sets it in motion. A body between it and a wall
+    /// gets the force of its spring only.
     ///
     /// ```
     /// use std::f32::consts::PI;
@@ -43,10 +44,11 @@ impl PlatformMut<'_> {
     /// ```
     ///
     /// # Errors
-    /// A moment of inertia that is not finite and greater than 0; a stiffness or damping that is not 0 or more, or too great for its
-    /// moment of inertia; a hinge that is not finite, or so far away that not all corners are finite at every angle; angles that are
-    /// not finite; stops between which the platform is not; a platform that is a slope, or a belt, or whose edges in depth do not run
-    /// along Z; another scheme than [`DepthScheme::Precise`](crate::DepthScheme::Precise).
+    /// A moment of inertia that is not finite and greater than 0; a stiffness or damping that is not 0 or
+    /// more, or too great for the moment of inertia; a hinge that is not finite, or so far away that corners
+    /// are not finite at every angle; angles that are not finite; stops that exclude the present yaw; a
+    /// platform that is a slope, a belt or sheared; another scheme than
+    /// [`DepthScheme::Precise`](crate::DepthScheme::Precise).
     pub fn set_swing(&mut self, swing: Swing) -> Result<()> {
         self.check_precise("platforms that swing about a hinge")?;
         let platform = self.swinging(Some(&swing), self.projection)?;
@@ -54,10 +56,10 @@ impl PlatformMut<'_> {
         Ok(())
     }
 
-    /// Takes the platform off its hinge: it stands still where it is. Of one that does not swing this changes nothing.
+    /// Removes the hinge: the platform stops where it is. No effect without a hinge.
     ///
     /// # Errors
-    /// None that a platform can have which swings.
+    /// None for a platform that has a hinge.
     pub fn clear_swing(&mut self) -> Result<()> {
         if self.swing().is_some() {
             let platform = self.swinging(None, self.projection)?;
@@ -66,7 +68,7 @@ impl PlatformMut<'_> {
         Ok(())
     }
 
-    /// Refuses to be moved by the game while it swings.
+    /// Refuses a velocity or target of a hinged platform.
     pub(super) fn check_swings_not(&self, argument: &'static str, value: Vector3) -> Result<()> {
         match self.swing() {
             None => Ok(()),

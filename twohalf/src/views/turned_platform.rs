@@ -1,13 +1,13 @@
-//! A platform that is to rise along Z, or to turn about an upright axis.
+//! Editing of pitch, yaw and angular velocity of platforms.
 
 use super::PlatformMut;
 use crate::Result;
 use crate::error::invalid;
 
 impl PlatformMut<'_> {
-    /// Makes the platform a slope along Z: its top and its underside rise towards the back by the tangent of the pitch, rad; its
-    /// other sides stay upright, and it as deep as it is. A negative pitch falls towards the back. With a
-    /// [tilt](Self::set_rotation) as well the slope leads aslant. Default 0.
+    /// Sets the slope of the platform along Z, radians: its top and underside rise towards the back by the
+    /// tangent of the pitch. Its other sides stay upright, and its depth stays. A negative pitch falls
+    /// towards the back. A [tilt](Self::set_rotation) adds a slope along X. Default 0.
     ///
     /// ```
     /// use twohalf::{Platform, TwoHalfPhysicsSimulator, Vector2, Vector3};
@@ -21,8 +21,9 @@ impl PlatformMut<'_> {
     /// ```
     ///
     /// # Errors
-    /// A pitch that is not between -1.4 and 1.4; one that is not 0 of a platform that is [turned](Self::set_yaw), or with another
-    /// scheme than [`DepthScheme::Precise`](crate::DepthScheme::Precise).
+    /// A pitch that is not between -1.4 and 1.4; a pitch other than 0 of a platform that is
+    /// [turned](Self::set_yaw), or with another scheme than
+    /// [`DepthScheme::Precise`](crate::DepthScheme::Precise).
     pub fn set_pitch(&mut self, pitch: f32) -> Result<()> {
         if pitch != 0.0 {
             self.check_precise("slopes along Z")?;
@@ -30,22 +31,24 @@ impl PlatformMut<'_> {
         self.set(self.pitched(pitch, self.projection)?)
     }
 
-    /// Turns the platform about the upright axis through its middle, rad, from X to Z: counterclockwise as seen from above. Nothing
-    /// is carried along: see [`set_angular_velocity`](Self::set_angular_velocity). One that [swings](Self::set_swing) is put to
-    /// that angle about its hinge. Default 0.
+    /// Sets the angle of the platform about the upright axis through its centre, radians, from X to Z:
+    /// counterclockwise as seen from above. Objects are not carried along: see
+    /// [`set_angular_velocity`](Self::set_angular_velocity). A [hinged](Self::set_swing) platform turns about
+    /// its hinge. Default 0.
     ///
     /// # Errors
-    /// What is not finite, or beyond the stops of one that swings; a platform that is a slope, or whose edges in depth do not run along Z; another scheme than
-    /// [`DepthScheme::Precise`](crate::DepthScheme::Precise).
+    /// An angle that is not finite, or beyond the stops of a hinge; a platform that is a slope or sheared;
+    /// another scheme than [`DepthScheme::Precise`](crate::DepthScheme::Precise).
     pub fn set_yaw(&mut self, yaw: f32) -> Result<()> {
         self.check_precise("platforms that are turned about an upright axis")?;
         self.set(self.turned(yaw, self.projection)?)
     }
 
-    /// Lets the platform turn about the upright axis through its middle, rad/s, until it is told otherwise; from X to Z:
-    /// counterclockwise as seen from above. It carries what stands on it by friction, pushes what its sides meet, and is pushed by
-    /// nothing. It may [move](Self::set_velocity) at the same time. One that [swings](Self::set_swing) does so about its hinge, from
-    /// this velocity on.
+    /// Sets the angular velocity of the platform about the upright axis through its centre, radians/s, until
+    /// it is set again; from X to Z: counterclockwise as seen from above. The platform has infinite mass: it
+    /// carries objects by friction and pushes others with its sides. It may [move](Self::set_velocity) at the
+    /// same time. For a [hinged](Self::set_swing) platform this is the initial angular velocity about the
+    /// hinge.
     ///
     /// ```
     /// use twohalf::{Platform, TwoHalfPhysicsSimulator, Vector3};
@@ -58,7 +61,7 @@ impl PlatformMut<'_> {
     /// ```
     ///
     /// # Errors
-    /// As [`set_yaw`](Self::set_yaw); a platform whose surface is a [belt](Self::set_surface_speed).
+    /// Those of [`set_yaw`](Self::set_yaw); a platform with a [belt](Self::set_surface_speed) as surface.
     pub fn set_angular_velocity(&mut self, angular_velocity: f32) -> Result<()> {
         if !angular_velocity.is_finite() {
             return Err(invalid("angular_velocity", angular_velocity, "finite"));
@@ -66,12 +69,13 @@ impl PlatformMut<'_> {
         self.set_turning(angular_velocity, None)
     }
 
-    /// Lets the next update turn the platform to an angle, which it then has to the last bit, with the angular velocity that does.
-    /// In the update after that it stands still, unless it is told a new angle or given an angular velocity before. It turns as
-    /// far as the angle is from the one that it has: that may be several times around.
+    /// Sets a target angle, radians: the next update turns the platform to it, to the last bit, with the
+    /// angular velocity of that turn. After that update it stops, unless it gets a new target or angular
+    /// velocity before. It turns by the full difference of the angles, which may be several revolutions.
     ///
     /// # Errors
-    /// As [`set_angular_velocity`](Self::set_angular_velocity); a platform that [swings](Self::set_swing).
+    /// Those of [`set_angular_velocity`](Self::set_angular_velocity); a platform with a
+    /// [hinge](Self::set_swing).
     pub fn turn_to(&mut self, yaw: f32) -> Result<()> {
         if !yaw.is_finite() {
             return Err(invalid("yaw", yaw, "finite"));

@@ -1,52 +1,57 @@
-//! Whether something upright overlaps another geom.
+//! Overlap test of upright geoms.
 
 use farseer_core::{GeomId, PhysicsSimulator, SpaceForm, apart_in_space};
 
-use crate::depth::{DepthProfile, Depths, upright};
+use crate::depth::{DepthProfile, DepthState, upright};
 use crate::shapes::ConvexPieces;
 use crate::{Vector2, Vector3};
 
-/// Whether two geoms overlap, of which one at least is upright; `None` for two others.
-pub(crate) fn overlap(core: &PhysicsSimulator, depths: &Depths, one: GeomId, other: GeomId) -> Option<bool> {
+/// Whether two geoms overlap, if one at least is upright; `None` for two others.
+pub(crate) fn overlap(
+    core: &PhysicsSimulator,
+    depths: &DepthState,
+    one: GeomId,
+    other: GeomId,
+) -> Option<bool> {
     let upright_of = |id: GeomId| depths.profiles.get(id).and_then(DepthProfile::upright);
     if upright_of(one).is_none() && upright_of(other).is_none() {
         return None;
     }
-    let (a, b) = (forms(core, depths, one)?, forms(core, depths, other)?);
+    let (a, b) = (query_shapes(core, depths, one)?, query_shapes(core, depths, other)?);
     Some(a.iter().any(|a| b.iter().any(|b| apart_in_space(a.borrowed(), b.borrowed()) < 0.0)))
 }
 
 /// A convex part of a geom in three axes.
-enum Form {
+enum QueryShape {
     Whole(SpaceForm<'static>),
     Part(Vec<[f32; 2]>, f32, f32),
 }
 
-impl Form {
+impl QueryShape {
     fn borrowed(&self) -> SpaceForm<'_> {
         match self {
-            Form::Whole(form) => *form,
-            Form::Part(corners, z, half) => SpaceForm::Prism { corners, z: *z, half: *half },
+            QueryShape::Whole(form) => *form,
+            QueryShape::Part(corners, z, half) => SpaceForm::Prism { corners, z: *z, half: *half },
         }
     }
 }
 
-fn forms(core: &PhysicsSimulator, depths: &Depths, id: GeomId) -> Option<Vec<Form>> {
+fn query_shapes(core: &PhysicsSimulator, depths: &DepthState, id: GeomId) -> Option<Vec<QueryShape>> {
     let (geom, profile) = (core.geom(id)?, *depths.profiles.get(id)?);
     let z = depths.z_of(geom.body());
     if let Some(upright) = profile.upright() {
         let at = upright::middle(geom, core.body(geom.body())?, z);
-        return Some(vec![Form::Whole(SpaceForm::Upright(upright, at))]);
+        return Some(vec![QueryShape::Whole(SpaceForm::Upright(upright, at))]);
     }
     if let DepthProfile::Round { radius } = profile {
         let at = geom.position();
-        return Some(vec![Form::Whole(SpaceForm::Ball(radius, Vector3::new(at.x, at.y, z)))]);
+        return Some(vec![QueryShape::Whole(SpaceForm::Ball(radius, Vector3::new(at.x, at.y, z)))]);
     }
     let (pieces, matrix) = (ConvexPieces::new(geom.local_vertices()), geom.matrix());
     let mut corners = Vec::new();
     pieces.lay_out(&matrix, &mut corners);
     let part = |piece: &[Vector2]| {
-        Form::Part(piece.iter().map(|corner| [corner.x, corner.y]).collect(), z, profile.half_depth())
+        QueryShape::Part(piece.iter().map(|corner| [corner.x, corner.y]).collect(), z, profile.half_depth())
     };
     Some(pieces.pieces(&corners).map(part).collect())
 }

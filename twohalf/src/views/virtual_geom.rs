@@ -1,4 +1,4 @@
-//! Footprints: what of an object meets others along Z (thesis 3.5).
+//! Footprints: the virtual geoms of the thesis (3.5).
 
 use farseer_core::math::scalar::nearest_finite;
 use farseer_core::{GeomRef, PhysicsSimulator, SpaceUpright};
@@ -6,28 +6,28 @@ use farseer_core::{GeomRef, PhysicsSimulator, SpaceUpright};
 use crate::Vector3;
 use crate::depth::{DepthProfile, upright};
 
-/// The footprint of a geom in the plane of X and Z, and the heights between which the geom lies. In px, in the world,
-/// Y up; beyond finite numbers the nearest ones.
+/// Footprint of a geom in X and Z, and its least and greatest height. In px, in the world, Y up, limited to
+/// finite numbers.
 ///
-/// The thesis makes it a geom of its own, which lies under the object and collides with those of others. Here it is
-/// only looked at: shapes meet in three axes without it.
+/// In the thesis it is a geom that lies under the object and collides with those of others. Here it is for
+/// queries only: shapes touch in three axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct VirtualGeom {
-    /// Least X.
+    /// Least X, px.
     pub left: f32,
-    /// Greatest X.
+    /// Greatest X, px.
     pub right: f32,
-    /// Least Z.
+    /// Least Z, px.
     pub front: f32,
-    /// Greatest Z.
+    /// Greatest Z, px.
     pub back: f32,
-    /// Least Y.
+    /// Least Y, px.
     pub bottom: f32,
-    /// Greatest Y.
+    /// Greatest Y, px.
     pub top: f32,
     /// Whether the footprint is a disc; otherwise it is a rectangle.
     pub is_round: bool,
-    /// Whether its top is as flat as its outline: not that of a ball or a capsule.
+    /// Whether its top is that of its outline; false for a ball and a capsule.
     pub has_top: bool,
 }
 
@@ -74,7 +74,7 @@ impl VirtualGeom {
         }
     }
 
-    /// Whether two footprints overlap, and their heights do as well; what only touches does not.
+    /// Whether two footprints overlap, and their heights as well; shapes that only touch do not.
     pub fn overlaps(&self, other: &VirtualGeom) -> bool {
         self.left < other.right
             && other.left < self.right

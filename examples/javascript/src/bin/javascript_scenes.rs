@@ -6,7 +6,7 @@ use farseer_core::{
     BodyFactory, BodyId, Error, GeomFactory, GeomPlacement, JointFactory, JointLimits, JointMotor, Methods,
     PhysicsSimulator, SpringFactory, Vertices,
 };
-use twohalf::{Platform, TwoHalfPhysicsSimulator, Walk, Walker, Wish};
+use twohalf::{CharacterController, CharacterSettings, MoveInput, Platform, TwoHalfPhysicsSimulator};
 use twohalf_factories::{Ball, Figure, Prism, spawn, spawn_lane};
 
 const STEPS: u32 = 600;
@@ -163,10 +163,11 @@ fn street() -> twohalf::Result<()> {
         };
         spawn(&mut simulator, thing.at(place))?;
     }
-    let mut walker = Walker::new(Walk { jump_height: 80.0, ..Walk::default() });
+    let mut walker =
+        CharacterController::new(CharacterSettings { jump_height: 80.0, ..CharacterSettings::default() });
     let mut motion = Hash::new();
     for step in 0..STEPS {
-        let wish = Wish {
+        let wish = MoveInput {
             x: if step < 400 { 120.0 } else { -90.0 },
             z: if step % 200 < 100 { 30.0 } else { -30.0 },
             jump: step % 90 == 60,

@@ -2,8 +2,8 @@
 
 use farseer_core::{BodyId, GeomId, SideTable};
 use twohalf::{
-    DepthProfile, DepthScheme, DrawOrder, Drawable, Partner, Platform, PlatformId, PlatformMut, TwoHalfBody,
-    TwoHalfPhysicsSimulator, Vector2, Vector3, Walk, Wish,
+    CharacterSettings, ContactTarget, DepthProfile, DepthScheme, DrawOrder, Drawable, MoveInput, Platform,
+    PlatformId, PlatformMut, TwoHalfBody, TwoHalfPhysicsSimulator, Vector2, Vector3,
 };
 use twohalf_factories::{Ball, Figure, Prism, Spawned, Thing, spawn, spawn_lane};
 
@@ -170,7 +170,7 @@ exports! {
     fn depth_walk(simulator: Simulator, body: BodyId, x: f32, z: f32, jump: bool, dt: f32) {
         simulator.depth(|depth| {
             let mut walker = depth.walker(body);
-            depth.simulator.walk(body, &mut walker, Wish { x, z, jump }, dt)?;
+            depth.simulator.walk(body, &mut walker, MoveInput { x, z, jump }, dt)?;
             depth.walkers.insert(body, walker);
             Ok(walker.is_grounded())
         })
@@ -181,7 +181,7 @@ exports! {
         simulator: Simulator, body: BodyId, acceleration: f32, air_acceleration: f32, jump_height: f32,
         step_up: f32, snap: f32, max_slope: f32, coyote_time: f32, ledge_reach: f32, climb_speed: f32,
     ) {
-        let walk = Walk {
+        let walk = CharacterSettings {
             acceleration, air_acceleration, jump_height, step_up, snap, max_slope, coyote_time, ledge_reach, climb_speed,
         };
         simulator.body3d(body, |_| ())?;
@@ -197,8 +197,8 @@ exports! {
     fn depth_walk_settings(simulator: Simulator, body: BodyId) {
         simulator.depth(|depth| {
             let walk = depth.walker(body).walk;
-            let Walk { acceleration, air_acceleration, jump_height, step_up, snap, .. } = walk;
-            let Walk { max_slope, coyote_time, ledge_reach, climb_speed, .. } = walk;
+            let CharacterSettings { acceleration, air_acceleration, jump_height, step_up, snap, .. } = walk;
+            let CharacterSettings { max_slope, coyote_time, ledge_reach, climb_speed, .. } = walk;
             let first = [acceleration, air_acceleration, jump_height, step_up, snap];
             let last = [max_slope, coyote_time, ledge_reach, climb_speed];
             Ok(leave_numbers(first.into_iter().chain(last).map(f64::from)))
@@ -329,9 +329,9 @@ exports! {
         simulator.depth(|depth| {
             let Some(hit) = depth.simulator.ray_cast3d(start, end, |_| true) else { return Ok(leave_numbers([])) };
             let partner = match hit.partner {
-                Partner::Geom(geom) => [0.0, geom.number()?],
-                Partner::Platform(platform) => [1.0, platform.number()?],
-                Partner::Ground => [2.0, 0.0],
+                ContactTarget::Geom(geom) => [0.0, geom.number()?],
+                ContactTarget::Platform(platform) => [1.0, platform.number()?],
+                ContactTarget::Ground => [2.0, 0.0],
             };
             let place = hit.point.iter().chain(hit.normal.iter()).copied().chain([hit.fraction]);
             Ok(leave_numbers(partner.into_iter().chain(place.map(f64::from))))

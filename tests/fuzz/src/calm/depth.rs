@@ -1,7 +1,9 @@
 //! Of the 2.5D engine.
 
 use farseer_core::{BodyId, CollisionCategory};
-use twohalf::{PlatformId, Result, TwoHalfPhysicsSimulator, Vector3, Walk, Walker, Wish};
+use twohalf::{
+    CharacterController, CharacterSettings, MoveInput, PlatformId, Result, TwoHalfPhysicsSimulator, Vector3,
+};
 
 use super::{any_call, mass, rest};
 use crate::around::Around;
@@ -17,7 +19,7 @@ const MOST_WALKERS: usize = 4;
 #[derive(Debug)]
 pub struct CalmDepth<G> {
     game: G,
-    walkers: Vec<(BodyId, Walker, Wish)>,
+    walkers: Vec<(BodyId, CharacterController, MoveInput)>,
 }
 
 impl<G: Game<Simulator = TwoHalfPhysicsSimulator> + 'static> Around for CalmDepth<G> {
@@ -79,10 +81,14 @@ impl<G: Game<Simulator = TwoHalfPhysicsSimulator> + 'static> CalmDepth<G> {
             return Outcome::Looked;
         }
         let random = self.random();
-        let wish =
-            Wish { x: random.number(-150.0, 150.0), z: random.number(-150.0, 150.0), jump: random.toss() };
-        let walk = Walk { ledge_reach: random.pick(&[0.0, 30.0]), ..Walk::default() };
-        let walker = (random.pick(&all), Walker::new(walk), wish);
+        let wish = MoveInput {
+            x: random.number(-150.0, 150.0),
+            z: random.number(-150.0, 150.0),
+            jump: random.toss(),
+        };
+        let walk =
+            CharacterSettings { ledge_reach: random.pick(&[0.0, 30.0]), ..CharacterSettings::default() };
+        let walker = (random.pick(&all), CharacterController::new(walk), wish);
         let known = self.walkers.iter().position(|(body, ..)| *body == walker.0);
         if self.walkers.len() < MOST_WALKERS && known.is_none() {
             self.walkers.push(walker);

@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use farseer_core::{BodyId, GeomId};
-use twohalf::{Collision, Context, EventHandler, Partner};
+use twohalf::{Collision, ContactTarget, Context, EventHandler};
 
 use super::edits::edit_body;
 use super::pools::Pools;
@@ -89,7 +89,7 @@ impl EventHandler for Meddler<'_> {
         self.meddle(context);
         self.random.chance(92)
     }
-    fn on_separation(&mut self, context: &mut Context<'_>, _: GeomId, _: Partner) {
+    fn on_separation(&mut self, context: &mut Context<'_>, _: GeomId, _: ContactTarget) {
         self.meddle(context);
     }
     fn handles_broad_phase(&self) -> bool {

@@ -1,7 +1,7 @@
 //! Scenes in the 2.5D engine.
 
 use std::collections::HashMap;
-use twohalf::{BodyId, DepthScheme, Partner, TwoHalfPhysicsSimulator};
+use twohalf::{BodyId, ContactTarget, DepthScheme, TwoHalfPhysicsSimulator};
 
 use super::wrapped;
 use crate::scenes::depth::{DepthScene, build_with};
@@ -49,14 +49,14 @@ impl TwoHalf {
         &self.simulator
     }
 
-    fn met(&self, partner: Partner) -> Option<Met> {
+    fn met(&self, partner: ContactTarget) -> Option<Met> {
         match partner {
-            Partner::Ground => Some(Met::Ground),
-            Partner::Geom(geom) => {
+            ContactTarget::Ground => Some(Met::Ground),
+            ContactTarget::Geom(geom) => {
                 let body = self.simulator.geom(geom)?.body();
                 self.objects.get(&body).copied().map(Met::Object)
             }
-            Partner::Platform(id) => {
+            ContactTarget::Platform(id) => {
                 self.simulator.platforms().position(|known| known == id).map(Met::Platform)
             }
         }
@@ -90,7 +90,9 @@ impl World for TwoHalf {
 
     fn touching(&self, pairs: &mut Vec<(Met, Met)>) {
         for contact in self.simulator.contacts().filter(|contact| contact.normal_impulse > 0.0) {
-            if let (Some(a), Some(b)) = (self.met(Partner::Geom(contact.this)), self.met(contact.partner)) {
+            if let (Some(a), Some(b)) =
+                (self.met(ContactTarget::Geom(contact.this)), self.met(contact.partner))
+            {
                 pairs.push(Met::pair(a, b));
             }
         }

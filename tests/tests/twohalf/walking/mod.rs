@@ -11,25 +11,25 @@ use conformance::fixtures::depth::{assert_near, place, set_surface, solid, veloc
 use std::cell::Cell;
 
 use twohalf::{
-    BodyId, CollisionCategory, DepthProfile, Partner, Platform, PlatformId, TwoHalfPhysicsSimulator, Vector2,
-    Vector3, Walk, Walker, Wish,
+    BodyId, CharacterController, CharacterSettings, CollisionCategory, ContactTarget, DepthProfile,
+    MoveInput, Platform, PlatformId, TwoHalfPhysicsSimulator, Vector2, Vector3,
 };
 
 const RATES: [f32; 4] = [30.0, 60.0, 120.0, 240.0];
 const GRAVITY: f32 = 900.0;
 const CYLINDER: DepthProfile = DepthProfile::Cylinder { radius: 15.0, height: 60.0 };
 const CAPSULE: DepthProfile = DepthProfile::Capsule { radius: 15.0, height: 60.0 };
-const STILL: Wish = Wish { x: 0.0, z: 0.0, jump: false };
-const RIGHT: Wish = Wish { x: 150.0, z: 0.0, jump: false };
+const STILL: MoveInput = MoveInput { x: 0.0, z: 0.0, jump: false };
+const RIGHT: MoveInput = MoveInput { x: 150.0, z: 0.0, jump: false };
 /// Against walls that give way who is in the air is held off alone.
-const JUMP: Wish = Wish { jump: true, ..RIGHT };
+const JUMP: MoveInput = MoveInput { jump: true, ..RIGHT };
 
 /// A scene with one figure.
 #[derive(Clone)]
 struct Stage {
     simulator: TwoHalfPhysicsSimulator,
     figure: BodyId,
-    walker: Walker,
+    walker: CharacterController,
     dt: f32,
 }
 
@@ -37,16 +37,21 @@ impl Stage {
     fn new(rate: f32, place: [f32; 3]) -> Self {
         let mut simulator = TwoHalfPhysicsSimulator::with_gravity(600, Vector2::new(0.0, GRAVITY)).unwrap();
         let figure = figure(&mut simulator, place);
-        Stage { simulator, figure, walker: Walker::new(Walk::default()), dt: 1.0 / rate }
+        Stage {
+            simulator,
+            figure,
+            walker: CharacterController::new(CharacterSettings::default()),
+            dt: 1.0 / rate,
+        }
     }
 
-    fn step(&mut self, wish: Wish) {
+    fn step(&mut self, wish: MoveInput) {
         self.simulator.walk(self.figure, &mut self.walker, wish, self.dt).unwrap();
         self.simulator.update(self.dt);
     }
 
     /// Steps for some seconds, and looks at each.
-    fn walk(&mut self, wish: Wish, seconds: f32, mut look: impl FnMut(&mut Self)) {
+    fn walk(&mut self, wish: MoveInput, seconds: f32, mut look: impl FnMut(&mut Self)) {
         for _ in 0..(seconds / self.dt).round() as usize {
             self.step(wish);
             look(self);
@@ -228,7 +233,7 @@ fn uphill_it_is_as_fast_as_on_level_ground() {
     for (degrees, rate) in [10.0, 40.0f32].into_iter().flat_map(|it| RATES.map(|rate| (it, rate))) {
         let mut stage = Stage::new(rate, [300.0, 520.0 - 300.0 * degrees.to_radians().tan(), 0.0]);
         stage.slope(degrees);
-        let left = Wish { x: -150.0, ..STILL };
+        let left = MoveInput { x: -150.0, ..STILL };
         stage.walk(left, 0.5, |_| {});
         let start = stage.at();
         stage.walk(left, 1.0, |stage| assert!(stage.walker.is_grounded()));
@@ -364,7 +369,7 @@ fn along_a_wall_it_keeps_its_speed() {
     for rate in RATES {
         let mut stage = Stage::new(rate, [0.0; 3]);
         stage.platform([100.0, 600.0, 2000.0], [80.0, 0.0, 0.0], 0.0);
-        let slanted = Wish { x: 150.0, z: 100.0, jump: false };
+        let slanted = MoveInput { x: 150.0, z: 100.0, jump: false };
         stage.walk(slanted, 0.3, |_| {});
         let start = stage.at().z;
         stage.walk(slanted, 1.0, |_| {});
@@ -379,7 +384,7 @@ fn it_jumps_as_high_as_it_is_told_at_any_step() {
         stage.walker.walk.jump_height = height;
         stage.walk(STILL, 0.1, |_| {});
         let mut highest = 0.0f32;
-        stage.step(Wish { jump: true, ..STILL });
+        stage.step(MoveInput { jump: true, ..STILL });
         assert!(!stage.walker.is_grounded());
         stage.walk(STILL, 1.5, |stage| highest = highest.max(stage.soles()));
         // The highest step is up to half a step from the top.
@@ -399,16 +404,16 @@ fn it_may_jump_for_a_while_after_an_edge_and_only_once() {
             stage.step(RIGHT);
         }
         let mut late = (stage.simulator.clone(), stage.walker);
-        stage.step(Wish { jump: true, ..RIGHT });
+        stage.step(MoveInput { jump: true, ..RIGHT });
         let jumped = velocity(&stage.simulator, stage.figure).y;
         assert!(jumped > 200.0, "{rate}: {jumped}");
-        stage.step(Wish { jump: true, ..RIGHT });
+        stage.step(MoveInput { jump: true, ..RIGHT });
         assert!(velocity(&stage.simulator, stage.figure).y < jumped);
         (stage.simulator, stage.walker) = late.clone();
         stage.walk(RIGHT, 0.12, |_| {});
-        stage.step(Wish { jump: true, ..RIGHT });
+        stage.step(MoveInput { jump: true, ..RIGHT });
         assert!(velocity(&stage.simulator, stage.figure).y < 0.0);
-        late.1 = Walker::new(Walk::default());
+        late.1 = CharacterController::new(CharacterSettings::default());
     }
 }
 
@@ -418,7 +423,7 @@ fn a_crate_stays_where_it_was_landed_on_and_is_not_dragged_by_who_walks_on_it() 
         let mut stage = Stage::new(rate, [0.0, 120.0, 0.0]);
         let load = stage.crate_box([120.0, 60.0, 60.0], 40.0, [30.0, 0.0, 0.0]);
         let start = place(&stage.simulator, load);
-        stage.walk(Wish { x: 60.0, ..STILL }, 1.0, |_| {});
+        stage.walk(MoveInput { x: 60.0, ..STILL }, 1.0, |_| {});
         assert!(stage.walker.is_grounded() && stage.soles() > 59.0);
         assert!((place(&stage.simulator, load) - start).norm() < 1.0, "{:?}", place(&stage.simulator, load));
     }
@@ -471,13 +476,16 @@ fn it_gets_out_of_a_crowd_that_mills_about() {
         let mut stage = Stage::new(rate, [0.0; 3]);
         let places = (0..36).map(|i| [40.0 * (i % 6) as f32 - 100.0, 0.0, 28.0 * (i / 6) as f32 - 70.0]);
         let places = places.filter(|place| place[0].abs() > 30.0 || place[2].abs() > 20.0);
-        let mut crowd: Vec<_> =
-            places.map(|place| (figure(&mut stage.simulator, place), Walker::new(Walk::default()))).collect();
+        let mut crowd: Vec<_> = places
+            .map(|place| {
+                (figure(&mut stage.simulator, place), CharacterController::new(CharacterSettings::default()))
+            })
+            .collect();
         assert!(crowd.len() >= 30);
         for step in 0..(8.0 * rate) as usize {
             for (at, (body, walker)) in crowd.iter_mut().enumerate() {
                 let (z, x) = (2.4 * at as f32 + 2.0 * step as f32 / rate).sin_cos();
-                let wish = Wish { x: 60.0 * x, z: 60.0 * z, jump: false };
+                let wish = MoveInput { x: 60.0 * x, z: 60.0 * z, jump: false };
                 stage.simulator.walk(*body, walker, wish, stage.dt).unwrap();
             }
             stage.step(RIGHT);
@@ -491,7 +499,7 @@ fn it_says_what_it_stands_on() {
     let mut stage = Stage::new(60.0, [0.0, 20.0, 0.0]);
     let platform = stage.platform([100.0, 20.0, 100.0], [0.0; 3], 0.0);
     stage.walk(STILL, 0.1, |_| {});
-    assert_eq!(stage.walker.floor(), Some(Partner::Platform(platform)));
+    assert_eq!(stage.walker.floor(), Some(ContactTarget::Platform(platform)));
 }
 
 #[test]
@@ -499,7 +507,7 @@ fn a_curb_along_z_is_walked_up_too() {
     for rate in RATES {
         let mut stage = Stage::new(rate, [0.0; 3]);
         stage.platform([400.0, 6.0, 400.0], [0.0, 0.0, 300.0], 0.0);
-        let away = Wish { z: 150.0, ..STILL };
+        let away = MoveInput { z: 150.0, ..STILL };
         stage.walk(away, 1.5, |stage| assert!(stage.walker.is_grounded() && stage.soles() <= 6.2));
         assert_near(stage.soles(), 6.0, 0.1);
     }
@@ -511,7 +519,7 @@ fn a_low_ceiling_ends_a_jump_and_holds_nobody_up() {
         let mut stage = Stage::new(rate, [0.0; 3]);
         stage.platform([400.0, 20.0, 400.0], [0.0, 80.0, 0.0], 0.0);
         stage.walk(STILL, 0.1, |_| {});
-        stage.step(Wish { jump: true, ..RIGHT });
+        stage.step(MoveInput { jump: true, ..RIGHT });
         let mut highest = 0.0f32;
         stage.walk(RIGHT, 0.6, |stage| highest = highest.max(stage.soles()));
         // The head comes to 60 + 20.
@@ -529,7 +537,7 @@ fn a_figure_that_was_saved_with_the_simulator_goes_on_with_the_same_bits() {
     let (simulator, walker) = serde_json::from_str(&saved).unwrap();
     let mut other = Stage { simulator, walker, ..stage };
     for step in 0..60 {
-        let wish = Wish { jump: step == 30, ..RIGHT };
+        let wish = MoveInput { jump: step == 30, ..RIGHT };
         stage.simulator.walk(stage.figure, &mut stage.walker, wish, stage.dt).unwrap();
         stage.simulator.update(stage.dt);
         other.step(wish);
@@ -555,16 +563,20 @@ fn what_cannot_be_walked_with_is_refused_and_changes_nothing() {
     let mut stage = Stage::new(60.0, [0.0; 3]);
     stage.walk(RIGHT, 0.2, |_| {});
     let (walker, before) = (stage.walker, velocity(&stage.simulator, stage.figure));
-    let refused = |stage: &mut Stage, walk: Walk, wish: Wish, dt: f32| {
+    let refused = |stage: &mut Stage, walk: CharacterSettings, wish: MoveInput, dt: f32| {
         stage.walker.walk = walk;
         stage.simulator.walk(stage.figure, &mut stage.walker, wish, dt).unwrap_err().to_string()
     };
-    let walk = Walk::default();
-    assert!(refused(&mut stage, walk, Wish { x: f32::NAN, ..STILL }, 0.01).contains("wish.x"));
-    assert!(refused(&mut stage, walk, Wish { z: f32::INFINITY, ..STILL }, 0.01).contains("wish.z"));
+    let walk = CharacterSettings::default();
+    assert!(refused(&mut stage, walk, MoveInput { x: f32::NAN, ..STILL }, 0.01).contains("wish.x"));
+    assert!(refused(&mut stage, walk, MoveInput { z: f32::INFINITY, ..STILL }, 0.01).contains("wish.z"));
     assert!(refused(&mut stage, walk, STILL, 0.0).contains("dt"));
-    assert!(refused(&mut stage, Walk { step_up: -1.0, ..walk }, STILL, 0.01).contains("step_up"));
-    assert!(refused(&mut stage, Walk { max_slope: 1.6, ..walk }, STILL, 0.01).contains("max_slope"));
+    assert!(
+        refused(&mut stage, CharacterSettings { step_up: -1.0, ..walk }, STILL, 0.01).contains("step_up")
+    );
+    assert!(
+        refused(&mut stage, CharacterSettings { max_slope: 1.6, ..walk }, STILL, 0.01).contains("max_slope")
+    );
     stage.walker.walk = walk;
     assert_eq!((stage.walker, velocity(&stage.simulator, stage.figure)), (walker, before));
     stage.simulator.dispose(stage.figure).unwrap();
@@ -575,8 +587,9 @@ fn what_cannot_be_walked_with_is_refused_and_changes_nothing() {
 #[test]
 fn numbers_at_their_limits_do_no_harm() {
     let mut stage = Stage::new(60.0, [0.0; 3]);
-    let wish = Wish { x: f32::MAX, z: f32::MIN, jump: true };
-    stage.walker.walk = Walk { acceleration: f32::MAX, jump_height: f32::MAX, ..Walk::default() };
+    let wish = MoveInput { x: f32::MAX, z: f32::MIN, jump: true };
+    stage.walker.walk =
+        CharacterSettings { acceleration: f32::MAX, jump_height: f32::MAX, ..CharacterSettings::default() };
     stage.walk(wish, 0.5, |stage| {
         let (at, moves) = (stage.at(), velocity(&stage.simulator, stage.figure));
         assert!(at.iter().chain(moves.iter()).all(|part| part.is_finite()), "{at} {moves}");
@@ -593,13 +606,13 @@ fn up_and_down_a_slope_along_z_a_figure_keeps_its_speed() {
             // Its lower end is level with the ground.
             let pitch = (85.0f32 / 200.0).atan();
             stage.simulator.platform_mut(slope).unwrap().set_pitch(pitch).unwrap();
-            stage.walk(Wish { z: 150.0, ..STILL }, 1.5, |_| {});
+            stage.walk(MoveInput { z: 150.0, ..STILL }, 1.5, |_| {});
             let start = stage.at();
             assert!(start.z > 10.0, "{shape:?} {rate}: {start:?}");
-            stage.walk(Wish { z: 150.0, ..STILL }, 1.0, |stage| assert!(stage.walker.is_grounded()));
+            stage.walk(MoveInput { z: 150.0, ..STILL }, 1.0, |stage| assert!(stage.walker.is_grounded()));
             assert_near(stage.at().z - start.z, 150.0, 1.0);
             assert_near(stage.soles() - start.y, 150.0 * pitch.tan(), 0.5);
-            stage.walk(Wish { z: -150.0, ..STILL }, 1.2, |stage| assert!(stage.walker.is_grounded()));
+            stage.walk(MoveInput { z: -150.0, ..STILL }, 1.2, |stage| assert!(stage.walker.is_grounded()));
             assert!(stage.at().z < start.z);
             stage.walk(STILL, 0.5, |_| {});
             let there = stage.at();

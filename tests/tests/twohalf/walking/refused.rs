@@ -7,7 +7,7 @@ use twohalf::{Collision, Context, Event, EventHandler};
 /// Refuses what a function says of the place of the figure and of what it touches.
 struct Refusing<F>(BodyId, F);
 
-impl<F: FnMut(Vector3, Partner) -> bool> EventHandler for Refusing<F> {
+impl<F: FnMut(Vector3, ContactTarget) -> bool> EventHandler for Refusing<F> {
     fn on_collision(&mut self, context: &mut Context<'_>, collision: &Collision) -> bool {
         let place = context.body(self.0).unwrap().position3d();
         !(self.1)(place, collision.partner)
@@ -18,9 +18,9 @@ impl Stage {
     /// Walks for some seconds with a handler that refuses this, and looks at each step.
     fn walk_refused(
         &mut self,
-        wish: Wish,
+        wish: MoveInput,
         seconds: f32,
-        mut refuses: impl FnMut(Vector3, Partner) -> bool,
+        mut refuses: impl FnMut(Vector3, ContactTarget) -> bool,
         mut look: impl FnMut(&mut Self),
     ) {
         for _ in 0..(seconds / self.dt).round() as usize {
@@ -54,7 +54,7 @@ fn over_ground_that_is_refused_it_falls_as_any_body() {
             stage.walk_refused(
                 RIGHT,
                 1.8,
-                |place, partner| partner == Partner::Ground && is_over_hole(place),
+                |place, partner| partner == ContactTarget::Ground && is_over_hole(place),
                 |stage| {
                     let is_over = is_over_hole(stage.at());
                     since += if is_over { stage.dt } else { 0.0 };
@@ -78,9 +78,9 @@ fn a_platform_flush_with_the_one_it_comes_from_lets_it_through_if_it_is_refused(
         let mut stage = Stage::new(60.0, [0.0, 50.0, 0.0]);
         stage.platform([200.0, 50.0, 200.0], [0.0, 0.0, 0.0], 0.0);
         let trap = stage.platform([400.0, 50.0, 200.0], [300.0, 0.0, 0.0], 0.0);
-        stage.walk_refused(RIGHT, 2.0, |_, partner| partner == Partner::Platform(trap), |_| {});
+        stage.walk_refused(RIGHT, 2.0, |_, partner| partner == ContactTarget::Platform(trap), |_| {});
         assert!(stage.soles() < 0.1 && stage.at().x > 120.0, "{}", stage.at());
-        assert!(stage.walker.floor() == Some(Partner::Ground), "{:?}", stage.walker);
+        assert!(stage.walker.floor() == Some(ContactTarget::Ground), "{:?}", stage.walker);
     });
 }
 
@@ -90,7 +90,7 @@ fn a_slope_and_a_static_body_that_are_refused_let_it_through() {
     let slope = stage.platform([400.0, 20.0, 200.0], [0.0, 150.0, 0.0], 0.3);
     stage.walk(STILL, 1.0, |_| {});
     assert!(stage.walker.is_grounded() && stage.soles() > 150.0, "{}", stage.at());
-    stage.walk_refused(STILL, 1.5, |_, partner| partner == Partner::Platform(slope), |_| {});
+    stage.walk_refused(STILL, 1.5, |_, partner| partner == ContactTarget::Platform(slope), |_| {});
     assert_near(stage.soles(), 0.0, 0.1);
 
     let mut stage = Stage::new(60.0, [0.0, 40.0, 0.0]);
@@ -99,9 +99,9 @@ fn a_slope_and_a_static_body_that_are_refused_let_it_through() {
     let geom = geom_of(&stage.simulator, block);
     stage.walk(STILL, 0.5, |_| {});
     assert_near(stage.soles(), 40.0, 0.1);
-    stage.walk_refused(STILL, 1.5, |_, partner| partner != Partner::Ground, |_| {});
+    stage.walk_refused(STILL, 1.5, |_, partner| partner != ContactTarget::Ground, |_| {});
     assert_near(stage.soles(), 0.0, 0.1);
-    assert!(stage.walker.floor() != Some(Partner::Geom(geom)));
+    assert!(stage.walker.floor() != Some(ContactTarget::Geom(geom)));
 }
 
 #[test]
@@ -114,7 +114,7 @@ fn a_curb_that_is_refused_is_not_stepped_on() {
             stage.walk_refused(
                 RIGHT,
                 1.8,
-                |_, partner| partner == Partner::Platform(curb),
+                |_, partner| partner == ContactTarget::Platform(curb),
                 |stage| {
                     assert!(stage.soles() < 0.2, "{rate}: {}", stage.at());
                 },
@@ -131,7 +131,7 @@ fn walls_that_are_refused_are_walked_through() {
         let wall = stage.platform([40.0, 100.0, 200.0], [100.0, 0.0, 0.0], 0.0);
         let block = stage.crate_box([40.0, 100.0, 200.0], 10.0, [200.0, 0.0, 0.0]);
         stage.simulator.body_mut(block).unwrap().set_is_static(true);
-        stage.walk_refused(RIGHT, 2.5, |_, partner| partner != Partner::Ground, |_| {});
+        stage.walk_refused(RIGHT, 2.5, |_, partner| partner != ContactTarget::Ground, |_| {});
         assert!(stage.at().x > 260.0 && stage.soles().abs() < 0.2, "{}", stage.at());
         assert!(stage.simulator.platform(wall).is_some());
     });
@@ -146,7 +146,7 @@ fn an_edge_that_is_refused_is_not_held_on_to() {
     stage.walk_refused(
         RIGHT,
         1.0,
-        |_, partner| partner == Partner::Platform(wall),
+        |_, partner| partner == ContactTarget::Platform(wall),
         |stage| {
             hung += usize::from(stage.walker.ledge().is_some());
         },
@@ -160,13 +160,13 @@ fn what_is_refused_for_one_figure_holds_another_and_holds_again_once_it_is_accep
     let mut stage = Stage::new(60.0, [0.0, 50.0, 0.0]);
     let floor = stage.platform([400.0, 20.0, 200.0], [0.0, 30.0, 0.0], 0.0);
     let other = figure(&mut stage.simulator, [100.0, 50.0, 0.0]);
-    let mut walker = Walker::new(Walk::default());
+    let mut walker = CharacterController::new(CharacterSettings::default());
     let refused_geom = geom_of(&stage.simulator, stage.figure);
     let (figure, dt) = (stage.figure, stage.dt);
     struct One(twohalf::GeomId, PlatformId);
     impl EventHandler for One {
         fn on_collision(&mut self, _: &mut Context<'_>, collision: &Collision) -> bool {
-            (collision.this, collision.partner) != (self.0, Partner::Platform(self.1))
+            (collision.this, collision.partner) != (self.0, ContactTarget::Platform(self.1))
         }
     }
     for _ in 0..60 {
@@ -209,7 +209,7 @@ fn a_figure_that_was_saved_over_a_hole_falls_with_the_same_bits() {
     for steps in [20, 43, 44, 45, 46, 60] {
         let mut stage = Stage::new(60.0, [0.0, 0.0, 0.0]);
         stage.platform([60.0, 6.0, 200.0], [130.0, 0.0, 0.0], 0.0);
-        let refuses = |place: Vector3, _: Partner| is_over_hole(place);
+        let refuses = |place: Vector3, _: ContactTarget| is_over_hole(place);
         stage.walk_refused(RIGHT, steps as f32 / 60.0, refuses, |_| {});
         let mut loaded = stage.clone();
         let snapshot = stage.simulator.snapshot();
@@ -230,7 +230,7 @@ fn a_refusal_without_a_contact_is_an_event() {
     stage.walk_refused(
         RIGHT,
         0.5,
-        |_, partner| partner == Partner::Platform(wall),
+        |_, partner| partner == ContactTarget::Platform(wall),
         |stage| {
             told |= stage.simulator.events().iter().any(|event| {
             matches!(event, Event::Collision(collision) if collision.vetoed && collision.contacts == 0)

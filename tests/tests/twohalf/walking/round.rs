@@ -66,9 +66,9 @@ fn two_cylinders_that_walk_at_each_other_pass_nineteen_twentieths_aside() {
         SHAPE.set(Some(DepthProfile::Cylinder { radius: 10.0, height: 60.0 }));
         let mut stage = Stage::new(rate, [0.0, 0.0, 100.0]);
         let other = figure(&mut stage.simulator, [100.0, 0.0, 119.0]);
-        let mut walker = Walker::new(Walk::default());
+        let mut walker = CharacterController::new(CharacterSettings::default());
         for _ in 0..(2.0 * rate) as usize {
-            let left = Wish { x: -150.0, ..STILL };
+            let left = MoveInput { x: -150.0, ..STILL };
             stage.simulator.walk(other, &mut walker, left, stage.dt).unwrap();
             stage.step(RIGHT);
         }
@@ -112,7 +112,7 @@ fn over_an_edge_a_capsule_sinks_as_it_is_round_and_falls_where_that_is_too_steep
         // Where 50 degrees are reached.
         let steep = radius * 50f32.to_radians().sin();
         let mut before = stage.at();
-        stage.walk(Wish { x: 60.0, ..STILL }, 2.0, |stage| {
+        stage.walk(MoveInput { x: 60.0, ..STILL }, 2.0, |stage| {
             let at = stage.at();
             assert!(at.y <= before.y + 0.01 || at.y < 1.0, "{radius} {rate}: {at:?}");
             let past = at.x.max(0.0);
@@ -182,13 +182,13 @@ fn a_capsule_may_stop_on_its_way_over_a_curb_and_go_back_or_on() {
     for rate in RATES {
         // From where its side is over the curb until its middle is.
         for stop in [87.0, 90.0, 94.0, 98.0] {
-            for (wish, least) in [(RIGHT, 150.0), (Wish { x: -150.0, ..STILL }, -50.0)] {
+            for (wish, least) in [(RIGHT, 150.0), (MoveInput { x: -150.0, ..STILL }, -50.0)] {
                 SHAPE.set(Some(CAPSULE));
                 let mut stage = Stage::new(rate, [60.0, 0.0, 0.0]);
                 SHAPE.set(None);
                 stage.platform([400.0, 7.0, 400.0], [300.0, 0.0, 0.0], 0.0);
                 while stage.at().x < stop {
-                    stage.step(Wish { x: 40.0, ..STILL });
+                    stage.step(MoveInput { x: 40.0, ..STILL });
                 }
                 stage.walk(STILL, 0.2, |_| {});
                 let there = stage.at();

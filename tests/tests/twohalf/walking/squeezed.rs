@@ -37,7 +37,7 @@ fn it_does_not_walk_through_a_thin_wall_however_fast_it_wishes_to() {
             for jump in [false, true] {
                 let mut stage = Stage::new(rate, [0.0; 3]);
                 wall_to_the_right(&mut stage);
-                let wish = Wish { x: speed, z: 0.2 * speed.min(200.0), jump };
+                let wish = MoveInput { x: speed, z: 0.2 * speed.min(200.0), jump };
                 stage.walk(wish, 2.0, |stage| {
                     let into = right_side(stage) - 100.0;
                     assert!(into < 0.1, "{rate} {speed} {jump}: {into}");
@@ -54,7 +54,7 @@ fn it_does_not_walk_out_of_a_corner_of_thin_walls() {
         let mut stage = Stage::new(rate, [0.0; 3]);
         wall_to_the_right(&mut stage);
         stage.platform([600.0, 300.0, THIN], [0.0, 0.0, 80.0 + 0.5 * THIN], 0.0);
-        stage.walk(Wish { x: 400.0, z: 400.0, jump: true }, 3.0, |stage| {
+        stage.walk(MoveInput { x: 400.0, z: 400.0, jump: true }, 3.0, |stage| {
             let into = [right_side(stage) - 100.0, back_side(stage) - 80.0];
             assert!(into[0] < 0.1 && into[1] < 0.1, "{rate}: {into:?}");
         });

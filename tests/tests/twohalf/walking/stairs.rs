@@ -1,4 +1,4 @@
-//! Stairs whose steps are as high as [`Walk::step_up`] and [`Walk::snap`], or a little lower or higher.
+//! Stairs whose steps are as high as [`CharacterSettings::step_up`] and [`CharacterSettings::snap`], or a little lower or higher.
 
 use super::*;
 use conformance::fixtures::depth::fix;
@@ -60,7 +60,13 @@ impl Stairs {
     }
 
     /// Walks over them: its speed on the way, and whether it has been in the air.
-    fn walk(&self, shape: Option<DepthProfile>, walk: Walk, speed: f32, rate: f32) -> (f32, bool) {
+    fn walk(
+        &self,
+        shape: Option<DepthProfile>,
+        walk: CharacterSettings,
+        speed: f32,
+        rate: f32,
+    ) -> (f32, bool) {
         let top = 200.0 + if self.is_down { self.height * STEPS as f32 } else { 0.0 };
         SHAPE.set(shape);
         let mut stage = Stage::new(rate, self.along(60.0 - 0.3 * speed, top));
@@ -68,7 +74,7 @@ impl Stairs {
         stage.walker.walk = walk;
         self.build(&mut stage);
         let way = Vector3::from(self.along(speed, 0.0));
-        let wish = Wish { x: way.x, z: way.z, jump: false };
+        let wish = MoveInput { x: way.x, z: way.z, jump: false };
         let along = |stage: &Stage| if self.along_z { stage.at().z } else { stage.at().x };
         while along(&stage) < 70.0 {
             stage.step(wish);
@@ -93,8 +99,8 @@ fn all_stairs(height: f32, tread: f32) -> impl Iterator<Item = Stairs> {
 }
 
 /// Both are so high; snap does not matter up a flight of stairs.
-fn walk_of(highest: f32) -> Walk {
-    Walk { step_up: highest, snap: highest, ..Walk::default() }
+fn walk_of(highest: f32) -> CharacterSettings {
+    CharacterSettings { step_up: highest, snap: highest, ..CharacterSettings::default() }
 }
 
 #[test]
@@ -158,7 +164,7 @@ fn a_round_end_wider_than_two_treads_is_not_stopped_by_the_second_stair() {
 fn up_stairs_it_walks_however_little_it_is_put_down() {
     for shape in [None, Some(CYLINDER)] {
         for stairs in all_stairs(8.0, 30.0).filter(|stairs| !stairs.is_down) {
-            let walk = Walk { snap: 2.0, ..Walk::default() };
+            let walk = CharacterSettings { snap: 2.0, ..CharacterSettings::default() };
             let (way, is_aloft) = stairs.walk(shape, walk, 140.0, 60.0);
             assert!(!is_aloft && way > 0.95 * 140.0, "{stairs:?} {shape:?}: {way}, in the air: {is_aloft}");
         }

@@ -1,4 +1,4 @@
-//! Water, mud and air.
+//! Fluids: buoyancy and drag of water, mud and air.
 
 use farseer_core::Error;
 use serde::{Deserialize, Serialize};
@@ -6,35 +6,39 @@ use serde::{Deserialize, Serialize};
 use super::Region;
 use crate::{Result, Vector3};
 
-/// How fast still water of this engine slows what is as heavy as it, in 1/s.
-const SLOWING: f32 = 4.0;
+/// Drag rate of still water on a body of its own density, 1/s.
+const WATER_DRAG_RATE: f32 = 4.0;
 
-/// Something that fills a box of the world, and acts on the part of a geom that is in it.
+/// A fluid in a box of the world. It acts on the part of a geom that is inside.
 ///
-/// It pushes up what is lighter than it, with the [gravity](crate::TwoHalfPhysicsSimulator::gravity) of the simulator, where the
-/// middle of that part is: things turn as ships do. And it takes along: what is wholly in it comes to the velocity of the
-/// flow, and turns ever more slowly, with a rate of `drag` times volume by mass; the fall of what sinks ends at
-/// `(density of the thing - density) * gravity / drag`. That is solved in closed form over a step, and is right for any rate.
+/// Buoyancy acts at the centroid of the immersed part against the
+/// [gravity](crate::TwoHalfPhysicsSimulator::gravity) of the simulator, so bodies right themselves.
+///
+/// Drag accelerates an immersed body towards the velocity of the flow and slows its rotation, at the rate
+/// `drag` times volume by mass. A sinking body ends at the speed `(its density - density) * gravity / drag`.
+/// Drag is integrated in closed form over the step, so every rate is stable.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Fluid {
-    /// Where it is; its greatest Y is its surface.
+    /// Box of the fluid; its greatest Y is the surface.
     pub region: Region,
-    /// Mass per px³, finite and 0 or more. What has as much floats wherever it is, and what has half of it half below the
-    /// surface. Mass of a thing by its volume: a prism's is that of its outline by its depth, a ball's 4/3 pi r³.
+    /// Density, mass per px³, finite and 0 or more. A body of the same density floats anywhere, one of half
+    /// of it floats half immersed. The volume of a prism is outline area times depth, that of a ball 4/3 pi
+    /// r³.
     pub density: f32,
-    /// Force per px³ and px/s with which it acts on what does not flow as it does: mass per px³ and s, finite and 0 or more.
+    /// Drag coefficient: force per px³ of volume and px/s of relative velocity, mass per px³ and s, finite
+    /// and 0 or more.
     pub drag: f32,
-    /// Its velocity in px/s, finite: a current, or a wind.
+    /// Velocity of the flow, px/s, finite: a current or a wind.
     pub flow: Vector3,
 }
 
 impl Fluid {
-    /// Still water of a density, which takes 4 times as much velocity per s from what is as heavy as it.
+    /// Still water of a density in mass per px³. It slows a body of the same density at a rate of 4 per s.
     pub fn water(region: Region, density: f32) -> Self {
-        Fluid { region, density, drag: SLOWING * density, flow: Vector3::zeros() }
+        Fluid { region, density, drag: WATER_DRAG_RATE * density, flow: Vector3::zeros() }
     }
 
-    /// Air that moves and carries nothing. What has less mass in its volume is blown away faster.
+    /// Moving air without buoyancy. It accelerates bodies of lower density more.
     pub fn wind(region: Region, flow: Vector3, drag: f32) -> Self {
         Fluid { region, density: 0.0, drag, flow }
     }

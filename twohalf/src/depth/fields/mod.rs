@@ -1,4 +1,4 @@
-//! Fields: what pushes bodies in a part of the world without touching them. Water, wind and wells.
+//! Force fields in a part of the world: fluids and wells.
 
 mod fluid;
 mod region;
@@ -13,17 +13,17 @@ pub use fluid::Fluid;
 pub use region::Region;
 pub use well::Well;
 
-/// Names a field of a simulator. Never reused.
+/// Identifies a field of a simulator. Ids are never reused.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub struct FieldId(u64);
 
-/// What pushes bodies that can be moved, in every update, without touching them.
+/// A field that acts on dynamic bodies in every update without touching them.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Field {
-    /// Water, mud, air that moves: it carries, slows, and takes along.
+    /// Water, mud, or moving air: buoyancy and drag.
     Fluid(Fluid),
-    /// What attracts, or repels.
+    /// A point that attracts or repels.
     Well(Well),
 }
 
@@ -52,8 +52,9 @@ impl From<Well> for Field {
 /// The fields of a simulator.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(crate) struct Fields {
-    /// In the order in which they were made, which is that of their ids.
+    /// Sorted by id, which is the order of creation.
     list: Vec<(FieldId, Field)>,
+    /// Number of the next id; dimensionless.
     next: u64,
 }
 
@@ -98,7 +99,7 @@ impl Fields {
         self.list.binary_search_by_key(&id, |(id, _)| *id).map_err(|_| stale("field"))
     }
 
-    /// Whether everything is what the setters could have made: false only after loading garbage.
+    /// Whether ids are sorted and fields are in range: false only for a damaged save.
     pub(crate) fn is_valid(&self) -> bool {
         self.list.windows(2).all(|pair| pair[0].0 < pair[1].0)
             && self.list.last().is_none_or(|(id, _)| id.0 < self.next)

@@ -19,8 +19,8 @@ impl Region {
         high: Vector3::new(f32::MAX, f32::MAX, f32::MAX),
     };
 
-    /// From the least X, Y and Z to the greatest. Where Y is at least the surface is: [`f32::MIN`] and [`f32::MAX`] are
-    /// as far as the world goes.
+    /// A box from the least X, Y and Z to the greatest, px. [`f32::MIN`] and [`f32::MAX`] reach to the end of
+    /// the world.
     ///
     /// # Errors
     /// Numbers that are not finite, or of which the first is not less than the second.
@@ -38,17 +38,17 @@ impl Region {
         }
     }
 
-    /// The corner of the least X, Y and Z.
+    /// The corner of the least X, Y and Z, px.
     pub fn low(&self) -> Vector3 {
         self.low
     }
 
-    /// The corner of the greatest.
+    /// The corner of the greatest X, Y and Z, px.
     pub fn high(&self) -> Vector3 {
         self.high
     }
 
-    /// Whether a point is in it, the faces included.
+    /// Whether a point is in the box, faces included.
     pub fn contains(&self, point: Vector3) -> bool {
         (0..3).all(|axis| (self.low[axis]..=self.high[axis]).contains(&point[axis]))
     }

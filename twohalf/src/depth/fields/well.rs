@@ -1,28 +1,28 @@
-//! What attracts.
+//! Wells: points that attract or repel.
 
 use farseer_core::Error;
 use serde::{Deserialize, Serialize};
 
 use crate::{Result, Vector3};
 
-/// A point that attracts all bodies that can be moved, whatever their mass, unless they ignore gravity.
+/// A point that attracts all dynamic bodies independently of their mass, unless they ignore gravity.
 ///
-/// At a distance of d px it accelerates by `strength * d / (d² + softness²)^1.5`: by `strength / d²` where the softness hardly
-/// matters, and by less and less near its middle.
+/// At a distance of d px the acceleration is `strength * d / (d² + softness²)^1.5`. It approaches `strength /
+/// d²` far away and 0 at the centre.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Well {
-    /// Where it is: X, Y up and Z in px, finite.
+    /// Position of the well: X, Y up and Z in px, finite.
     pub centre: Vector3,
-    /// Acceleration times the square of the distance, px³/s², finite; one below 0 repels.
+    /// Acceleration times the square of the distance, px³/s², finite; a negative one repels.
     pub strength: f32,
-    /// How far from the middle it reaches, px, 0 or more. [`f32::MAX`] is everywhere.
+    /// Radius of action, px, 0 or more; [`f32::MAX`] is everywhere.
     pub radius: f32,
-    /// px, finite and greater than 0.
+    /// Softening length, px, finite and greater than 0.
     pub softness: f32,
 }
 
 impl Well {
-    /// A well that reaches everywhere, has a softness of 10 px, and a strength of 0 until it is given one.
+    /// A well with radius everywhere, a softness of 10 px, and a strength of 0.
     pub fn new(centre: [f32; 3]) -> Self {
         Well { centre: centre.into(), strength: 0.0, radius: f32::MAX, softness: 10.0 }
     }
@@ -42,7 +42,7 @@ impl Well {
         Ok(())
     }
 
-    /// How it accelerates what is at a place, in px/s².
+    /// Acceleration of a body at a place, px/s², Y up.
     pub fn acceleration_at(&self, place: Vector3) -> Vector3 {
         let way = (self.centre - place).map(f64::from);
         let (squared, softness) = (way.norm_squared(), f64::from(self.softness));

@@ -1,36 +1,37 @@
-//! Platforms that swing about an upright hinge.
+//! Hinged platforms: doors that swing about an upright hinge.
 
 use farseer_core::math::scalar::nearest_finite;
 use farseer_core::{Error, FixtureMotion, FixtureSwing, Swings};
 use serde::{Deserialize, Serialize};
 
-use super::{Motion, Platform};
+use super::{Platform, PlatformMotion};
 #[cfg(doc)]
 use crate::PlatformMut;
 use crate::error::invalid;
 use crate::{Projection, Result, Vector3};
 
-/// How a platform [swings](PlatformMut::set_swing) about an upright hinge, as what presses on it, a spring and a damper tell it to.
-/// Angles are those of [`Platform::yaw`], rad; masses are those of bodies.
+/// Parameters of a platform that [swings](PlatformMut::set_swing) about an upright hinge with a spring and a
+/// damper. Angles are those of [`Platform::yaw`] in radians; masses are those of bodies.
 ///
-/// With moment of inertia I, stiffness k and damping c, left alone it swings by I θ″ + c θ′ + k (θ − θ₀) = 0: without a damper in
-/// 2π √(I / k) s there and back; with c = 2 √(k I) it comes back as fast as it can without passing its rest angle.
+/// With moment of inertia I, stiffness k and damping c, its free motion is I θ″ + c θ′ + k (θ − θ₀) = 0.
+/// Undamped, the period is 2π √(I / k) s; c = 2 √(k I) is critical damping.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Swing {
-    /// X and Z of the hinge, px: anywhere, also beside the platform.
+    /// X and Z of the hinge, px; it may lie outside of the platform.
     pub hinge: [f32; 2],
-    /// Moment of inertia about the hinge, mass · px²: that of an even slab of mass m, width w and depth d about the end of its width
-    /// is m (w² / 3 + d² / 12).
+    /// Moment of inertia about the hinge, mass · px². A uniform slab of mass m, width w and depth d has m (w²
+    /// / 3 + d² / 12) about the end of its width.
     pub moment_of_inertia: f32,
-    /// What the spring turns it back with, mass · px²/s² per rad; 0 is no spring.
+    /// Stiffness of the spring, mass · px²/s² per radian; 0 is no spring.
     pub stiffness: f32,
-    /// What the damper slows it with, mass · px²/s per rad; 0 is no damper.
+    /// Damping coefficient, mass · px²/s per radian; 0 is no damper.
     pub damping: f32,
-    /// The angle to which the spring turns it, rad. It may be beyond the stops: then the platform is pressed against one.
+    /// Rest angle of the spring, radians. It may lie beyond a stop, which the platform is then pressed
+    /// against.
     pub rest_angle: f32,
-    /// The least angle that it can have, rad: a stop, at which it comes to rest without bouncing.
+    /// Lower stop, radians. The platform comes to rest at it without bouncing.
     pub least_angle: f32,
-    /// The greatest, rad.
+    /// Upper stop, radians.
     pub greatest_angle: f32,
 }
 
@@ -72,7 +73,8 @@ impl Swing {
         (self.least_angle..=self.greatest_angle).contains(&yaw)
     }
 
-    /// As the 2D engine below is told of it, of a platform whose middle is seen from the hinge like this while it is not turned.
+    /// The parameters in the form that the core takes. `out` is the centre of the platform relative to the
+    /// hinge at yaw 0, px.
     fn told(&self, out: [f32; 2]) -> Result<FixtureSwing> {
         let refused = Error::NotSupported {
             what: "platforms that swing, which are the feature `swing`",
@@ -105,32 +107,32 @@ impl Swing {
     }
 }
 
-/// Whether one is what could have been told: false only after loading garbage.
+/// Whether the parameters are in range: false only for a damaged save.
 pub(super) fn is_valid(told: &FixtureSwing) -> bool {
     let numbers = told.out.into_iter().chain([told.held]);
     Swing::from_told(told).check().is_ok() && numbers.into_iter().all(|number| number.is_finite())
 }
 
 impl Platform {
-    /// How it swings about a hinge, if it does.
+    /// Parameters of its hinge; `None` without one.
     pub fn swing(&self) -> Option<Swing> {
-        self.told_swing().map(Swing::from_told)
+        self.core_hinge().map(Swing::from_told)
     }
 
-    fn told_swing(&self) -> Option<&FixtureSwing> {
+    fn core_hinge(&self) -> Option<&FixtureSwing> {
         self.motion.as_ref()?.told.swing()
     }
 
-    /// Velocity of its middle in the world, if that goes round a hinge.
+    /// Velocity of its centre in the world, px/s, Y up; `None` without a hinge.
     pub(super) fn swinging_velocity(&self) -> Option<Vector3> {
-        let FixtureSwing { hinge: [x, z], .. } = self.told_swing()?;
+        let FixtureSwing { hinge: [x, z], .. } = self.core_hinge()?;
         let (turning, centre) = (self.angular_velocity(), self.shape.centre);
-        // The distance of two finite numbers and its product with a third may be beyond all numbers.
+        // The difference of two finite numbers and its product with a third may overflow.
         let at = |out: f32| nearest_finite(turning * nearest_finite(out));
         Some(Vector3::new(-at(centre.z - z), 0.0, at(centre.x - x)))
     }
 
-    /// Swinging, at rest at the angle that it has; or not any more, and standing still.
+    /// The platform at rest on a hinge; with `None`, the platform without a hinge and at rest.
     pub(crate) fn swinging(&self, swing: Option<&Swing>, projection: &Projection) -> Result<Self> {
         let yaw = self.yaw();
         let Some(swing) = swing else {
@@ -153,13 +155,13 @@ impl Platform {
         let (x, z) = (centre.x - swing.hinge[0], centre.z - swing.hinge[1]);
         let told = swing.told([x * cos + z * sin, z * cos - x * sin])?;
         let told = FixtureMotion { swing: Some(told), ..FixtureMotion::default() };
-        let motion = Some(Motion { centre, target: None, told });
+        let motion = Some(PlatformMotion { centre, target: None, told });
         Platform { motion, yaw: Some(yaw), ..self.clone() }.shaped(projection)
     }
 
-    /// Refuses what cannot go round its hinge: nothing, if it has none.
+    /// Refuses a hinge so far away that coordinates are not finite.
     pub(super) fn check_hinge(&self) -> Result<()> {
-        let Some(FixtureSwing { hinge, out, .. }) = self.told_swing() else { return Ok(()) };
+        let Some(FixtureSwing { hinge, out, .. }) = self.core_hinge() else { return Ok(()) };
         let reach = out[0].abs() + out[1].abs() + self.width + self.depth;
         let span = |at: f32| (at + reach) - (at - reach);
         if self.yaw.is_none() || !hinge.iter().all(|&at| span(at).is_finite()) {
@@ -168,8 +170,8 @@ impl Platform {
         Ok(())
     }
 
-    /// One that swings is put to an angle.
-    pub(super) fn put_at(&mut self, yaw: f32) -> Result<()> {
+    /// Sets the angle of a hinged platform, radians, between its stops.
+    pub(super) fn set_hinge_angle(&mut self, yaw: f32) -> Result<()> {
         let (y, turn) = (self.shape.centre.y, farseer_core::math::scalar::sin_cos_of_any(yaw));
         let Some(motion) = &mut self.motion else { return Ok(()) };
         let Some(swing) = motion.told.swing_mut() else { return Ok(()) };
@@ -182,8 +184,8 @@ impl Platform {
         Ok(())
     }
 
-    /// The hinge moves with the platform, whose middle is to be there.
-    pub(super) fn take_hinge_along(&mut self, centre: Vector3) {
+    /// Moves the hinge with the platform, whose new centre is given.
+    pub(super) fn move_hinge(&mut self, centre: Vector3) {
         let way = centre - self.shape.centre;
         if let Some(swing) = self.motion.as_mut().and_then(|motion| motion.told.swing_mut()) {
             swing.hinge = [swing.hinge[0] + way.x, swing.hinge[1] + way.z];
@@ -191,7 +193,7 @@ impl Platform {
         }
     }
 
-    /// One that swings may have fallen asleep.
+    /// Stores the motion of a hinged platform that may have fallen asleep.
     pub(in crate::depth) fn has_rested(&mut self, told: FixtureMotion) {
         if let Some(motion) = &mut self.motion {
             motion.told = told;

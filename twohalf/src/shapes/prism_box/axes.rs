@@ -1,49 +1,52 @@
-//! Along which axes a piece of a prism overlaps a box, since when, and which of them it leaves along.
+//! Axes of a piece of a prism and a box: penetration, time of entry, and choice of the contact axis.
 //!
 //! Frame: the plane's, x right, y **down**, z into the picture.
 //!
-//! Source: the separating axis theorem (Gottschalk 1996). The axes of a prism and a sheared box are the normals of
-//! both outlines' edges, leaning in depth with the box or not (a side against an end, an edge against an edge), the
-//! y axis where the box is sheared, and the z axis.
+//! Source: the separating axis theorem (Gottschalk 1996). The axes of a prism and a sheared box are the
+//! normals of both outlines' edges, with or without the slope of the box in depth (a side against an end, an
+//! edge against an edge). The y axis of a sheared box and the z axis are axes as well.
 
 use farseer_core::math::{Vector2, Vector3, scalar};
 
-use super::points::Choice;
-use super::{Along, Edge, KeptAxis, Meeting, SHALLOW, TURNED};
+use super::points::PointSet;
+use super::{Edge, EntryAxis, MIN_EDGE_COS, PersistedAxis, PrismBoxPair, RESTING_SLOP_FACTOR};
 
 /// An axis of the plane along which a piece and the box overlap.
 #[derive(Clone, Copy)]
-pub(super) struct Candidate {
+pub(super) struct AxisCandidate {
     pub(super) edge: Edge,
-    /// In the plane, from the box to the prism.
+    /// Unit normal in the plane, from the box to the prism.
     pub(super) normal: Vector2,
     pub(super) normal3d: Vector3,
+    /// Penetration along `normal3d`, px.
     pub(super) penetration: f32,
-    /// An overlap of `d` in the plane is one of `(d + sink) / stretch` along `normal3d`.
+    /// A penetration of `d` px in the plane is one of `(d + sink) / stretch` along `normal3d`; `sink` is in
+    /// px, `stretch` is dimensionless.
     pub(super) sink: f32,
     pub(super) stretch: f32,
-    /// Steps since the axis was entered; infinite when nothing closes in along it, or not fast enough to have entered
-    /// just now.
+    /// Time since entry, steps; infinite if the shapes do not close in along the axis, or entered it too long
+    /// ago.
     pub(super) time: f32,
 }
 
-/// Least overlap and least time of a piece's axes.
-pub(super) struct Survey {
+/// Least penetration, px, and least time since entry, steps, of the axes of a piece.
+pub(super) struct AxisSurvey {
     least_penetration: f32,
     least_time: f32,
 }
 
 /// Axes.
-impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
+impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> PrismBoxPair<'_, I> {
     /// A vertex relative to the box's centre.
     pub(super) fn relative(&self, vertex: Vector2) -> Vector2 {
         Vector2::new(vertex.x - self.shape.centre.x, vertex.y - self.shape.centre.y)
     }
 
-    /// The axis in space that belongs to one in the plane, `overlap` the overlap along that. The sides of a sheared
-    /// box lean in depth: where an end of the prism meets one, the prism leaves along the side's normal. A prism
-    /// that reaches beyond the end of the box meets the end's edge and leaves within the plane.
-    fn candidate(&self, edge: Edge, normal: Vector2, overlap: f32) -> Candidate {
+    /// The axis in space that belongs to an axis in the plane with this `overlap`, px. The sides of a sheared
+    /// box are inclined in depth. Where an end of the prism meets such a side, the contact normal is that of
+    /// the side. A prism that reaches beyond the end of the box meets the edge of the end, and its normal
+    /// lies in the plane.
+    fn candidate(&self, edge: Edge, normal: Vector2, overlap: f32) -> AxisCandidate {
         let lean = self.shape.shear * normal.x;
         let sink = lean.abs() * if lean > 0.0 { self.overhang[1] } else { self.overhang[0] };
         let stretch = self.shape.stretch(normal);
@@ -54,10 +57,10 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
             (Vector3::new(normal.x, normal.y, 0.0), overlap, 0.0, 1.0)
         };
         let time = self.along(penetration, normal3d).time();
-        Candidate { edge, normal, normal3d, penetration, sink, stretch, time }
+        AxisCandidate { edge, normal, normal3d, penetration, sink, stretch, time }
     }
 
-    fn box_candidate(&self, position: usize, vertices: &[Vector2]) -> Candidate {
+    fn box_candidate(&self, position: usize, vertices: &[Vector2]) -> AxisCandidate {
         let edge = self.outline.edge(position);
         let normal = edge.normal(self.shape);
         let support = normal.dot(&self.outline.vertices()[position]);
@@ -66,8 +69,8 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
         self.candidate(Edge::Box(edge), normal, support - nearest)
     }
 
-    /// None for an edge without length.
-    fn prism_candidate(&self, piece: u32, edge: usize, vertices: &[Vector2]) -> Option<Candidate> {
+    /// `None` for an edge without length.
+    fn prism_candidate(&self, piece: u32, edge: usize, vertices: &[Vector2]) -> Option<AxisCandidate> {
         let outward = outward_normal(vertices, edge)?;
         let support = outward.dot(&self.relative(vertices[edge]));
         let nearest =
@@ -75,19 +78,19 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
         Some(self.candidate(Edge::Prism { piece, edge: edge as u32 }, -outward, support - nearest))
     }
 
-    fn candidates(&self, piece: u32, vertices: &[Vector2]) -> impl Iterator<Item = Candidate> {
+    fn candidates(&self, piece: u32, vertices: &[Vector2]) -> impl Iterator<Item = AxisCandidate> {
         let of_box = (0..self.outline.len()).map(move |position| self.box_candidate(position, vertices));
         let of_prism =
             (0..vertices.len()).filter_map(move |edge| self.prism_candidate(piece, edge, vertices));
         of_box.chain(of_prism)
     }
 
-    /// Those through which the prism can leave: not the cuts between its pieces.
-    fn exits(&self, piece: u32, vertices: &[Vector2]) -> impl Iterator<Item = Candidate> {
+    /// Candidates that are edges of the whole prism, not cuts between its pieces.
+    fn exits(&self, piece: u32, vertices: &[Vector2]) -> impl Iterator<Item = AxisCandidate> {
         self.candidates(piece, vertices).filter(move |candidate| !self.is_cut(candidate.edge, vertices))
     }
 
-    /// Whether another piece has the same edge the other way round.
+    /// Whether another piece has the same edge in the opposite direction.
     fn is_cut(&self, edge: Edge, vertices: &[Vector2]) -> bool {
         let Edge::Prism { edge, .. } = edge else { return false };
         if !self.are_several {
@@ -100,21 +103,26 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
         self.pieces.clone().any(has_it)
     }
 
-    /// None when an axis separates them.
-    fn survey(&self, piece: u32, vertices: &[Vector2]) -> Option<Survey> {
+    /// `None` if an axis separates the shapes.
+    fn survey(&self, piece: u32, vertices: &[Vector2]) -> Option<AxisSurvey> {
         if !self.candidates(piece, vertices).all(|candidate| candidate.penetration > 0.0) {
             return None;
         }
-        let none = Survey { least_penetration: f32::INFINITY, least_time: f32::INFINITY };
-        let survey = self.exits(piece, vertices).fold(none, |survey, candidate| Survey {
+        let none = AxisSurvey { least_penetration: f32::INFINITY, least_time: f32::INFINITY };
+        let survey = self.exits(piece, vertices).fold(none, |survey, candidate| AxisSurvey {
             least_penetration: scalar::min(survey.least_penetration, candidate.penetration),
             least_time: scalar::min(survey.least_time, candidate.time),
         });
         survey.least_penetration.is_finite().then_some(survey)
     }
 
-    fn kept_candidate(&self, piece: u32, vertices: &[Vector2], kept: Option<KeptAxis>) -> Option<Candidate> {
-        let Some(KeptAxis::Plane { edge, normal }) = kept else { return None };
+    fn kept_candidate(
+        &self,
+        piece: u32,
+        vertices: &[Vector2],
+        kept: Option<PersistedAxis>,
+    ) -> Option<AxisCandidate> {
+        let Some(PersistedAxis::Plane { edge, normal }) = kept else { return None };
         let candidate = match edge {
             Edge::Box(edge) => self.box_candidate(self.outline.position_of(edge)?, vertices),
             Edge::Prism { piece: of, edge } if of == piece && (edge as usize) < vertices.len() => {
@@ -122,40 +130,41 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
             }
             Edge::Prism { .. } => return None,
         };
-        (candidate.normal.dot(&normal) > TURNED).then_some(candidate)
+        (candidate.normal.dot(&normal) > MIN_EDGE_COS).then_some(candidate)
     }
 
-    /// How much the prism overlaps along a normal, and how it moved along that.
-    pub(super) fn along(&self, penetration: f32, normal: Vector3) -> Along {
-        Along { penetration, closing: -self.motion.dot(&normal) }
+    /// Penetration along a normal, with the closing motion.
+    pub(super) fn along(&self, penetration: f32, normal: Vector3) -> EntryAxis {
+        EntryAxis { penetration, closing: -self.motion.dot(&normal) }
     }
 
-    /// The axis entered last, or the one of those tied with it that least closes in. None when nothing is flush and
-    /// nothing was entered just now.
-    fn entered_last(&self, piece: u32, vertices: &[Vector2], survey: &Survey) -> Option<Candidate> {
-        let along = |candidate: &Candidate| self.along(candidate.penetration, candidate.normal3d);
+    /// The axis entered last, or the one with the least closing motion of those tied with it. `None` if no
+    /// axis is flush or was entered recently.
+    fn entered_last(&self, piece: u32, vertices: &[Vector2], survey: &AxisSurvey) -> Option<AxisCandidate> {
+        let along = |candidate: &AxisCandidate| self.along(candidate.penetration, candidate.normal3d);
         let tied = self.exits(piece, vertices).filter(|it| along(it).is_tied(survey.least_time, self.slop));
         tied.reduce(|best, it| if along(&it).is_better(&along(&best)) { it } else { best })
     }
 
-    /// How one piece leaves; with the time when it met the box.
+    /// Contact axis and points of one piece, with the time since it met the box in steps.
     pub(super) fn choose(
         &self,
         piece: u32,
         vertices: &[Vector2],
-        kept: Option<KeptAxis>,
-    ) -> Option<(Choice, f32)> {
+        kept: Option<PersistedAxis>,
+    ) -> Option<(PointSet, f32)> {
         let survey = self.survey(piece, vertices)?;
         let with_points = |candidate| self.clipped(candidate, piece, vertices);
-        let with_one =
-            |choice: Choice| if choice.count > 0 { choice } else { self.at_support(choice, piece, vertices) };
+        let with_one = |choice: PointSet| {
+            if choice.count > 0 { choice } else { self.at_support(choice, piece, vertices) }
+        };
         let chosen = match kept {
-            // Where two have only just met the overlap may be too narrow for points of its own.
+            // Just after the first touch, the overlap may be too narrow for clipped points.
             None => self.entered_last(piece, vertices, &survey).map(with_points).map(with_one),
             Some(_) => {
                 let kept = self.kept_candidate(piece, vertices, kept).map(with_points);
-                let is_near = |choice: &Choice| {
-                    choice.depth() > SHALLOW * self.slop
+                let is_near = |choice: &PointSet| {
+                    choice.depth() > RESTING_SLOP_FACTOR * self.slop
                         || choice.candidate.penetration < survey.least_penetration + self.slop
                 };
                 kept.filter(|choice| choice.count > 0 && is_near(choice))
@@ -174,15 +183,15 @@ pub(super) fn next(index: usize, vertices: &[Vector2]) -> usize {
     if index + 1 == vertices.len() { 0 } else { index + 1 }
 }
 
-/// Outward unit normal of an edge of an outline; None for an edge without length.
+/// Outward unit normal of an edge of an outline; `None` for an edge without length.
 pub(super) fn outward_normal(vertices: &[Vector2], edge: usize) -> Option<Vector2> {
     let along = vertices[next(edge, vertices)] - vertices[edge];
     let length = along.norm();
     (length > 0.0 && length.is_finite()).then(|| Vector2::new(-along.y / length, along.x / length))
 }
 
-/// The first candidate with the least overlap.
-fn least(candidates: impl Iterator<Item = Candidate>) -> Option<Candidate> {
+/// The first candidate with the least penetration.
+fn least(candidates: impl Iterator<Item = AxisCandidate>) -> Option<AxisCandidate> {
     candidates
         .reduce(|best, candidate| if candidate.penetration < best.penetration { candidate } else { best })
 }

@@ -1,20 +1,21 @@
-//! The points of a contact in the plane: the edge of one outline clipped against the edge of the other.
+//! Manifold points in the plane: the incident edge clipped against the reference edge.
 //!
 //! Frame: the plane's, x right, y **down**, z into the picture; relative to the box's centre until the end.
 
 use farseer_core::math::{Vector2, Vector3, scalar};
 
-use super::axes::{Candidate, next, outward_normal};
-use super::{BoxPoint, Edge, Meeting, NO_POINT};
+use super::axes::{AxisCandidate, next, outward_normal};
+use super::{BoxPoint, Edge, NO_POINT, PrismBoxPair};
 
-/// How a piece leaves in the plane, with its points.
+/// Contact axis of a piece with its manifold points.
 #[derive(Clone, Copy)]
-pub(super) struct Choice {
-    pub(super) candidate: Candidate,
+pub(super) struct PointSet {
+    pub(super) candidate: AxisCandidate,
     pub(super) points: [BoxPoint; 2],
+    /// Number of points, 0..=2.
     pub(super) count: usize,
 }
-/// An edge in the plane whose ends have names.
+/// An edge in the plane with z and feature id of its ends.
 struct Segment {
     ends: [Vector2; 2],
     depths: [f32; 2],
@@ -22,14 +23,14 @@ struct Segment {
 }
 
 impl Segment {
-    /// Depth of the point at a share of the way; of the start if there is no way.
+    /// Z at a fraction of the edge; that of the start if the fraction is not finite.
     fn depth_at(&self, share: f32) -> f32 {
         let share = if share.is_finite() { share } else { 0.0 };
         self.depths[0] + (self.depths[1] - self.depths[0]) * share
     }
 }
 
-impl Choice {
+impl PointSet {
     fn push(&mut self, point: BoxPoint) {
         self.points[self.count] = point;
         self.count += 1;
@@ -41,7 +42,7 @@ impl Choice {
 }
 
 /// Points.
-impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
+impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> PrismBoxPair<'_, I> {
     fn box_segment(&self, start: usize) -> Segment {
         let outline = &self.outline;
         let both = [start, next(start, outline.vertices())];
@@ -61,7 +62,7 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
         }
     }
 
-    /// The edge of the piece that faces a normal most.
+    /// The edge of the piece that is most opposed to a normal.
     fn prism_edge_against(&self, normal: Vector2, vertices: &[Vector2]) -> Option<usize> {
         let facing = |edge| Some((edge, outward_normal(vertices, edge)?.dot(&normal)));
         let opposite = (0..vertices.len()).filter_map(facing).reduce(|a, b| if b.1 < a.1 { b } else { a })?;
@@ -74,9 +75,9 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
             .fold(0, |best, position| if facing(position) > facing(best) { position } else { best })
     }
 
-    /// The overlapping points of the edge opposite to the chosen one, within the chosen one's width.
-    pub(super) fn clipped(&self, candidate: Candidate, piece: u32, vertices: &[Vector2]) -> Choice {
-        let mut choice = Choice { candidate, points: [NO_POINT; 2], count: 0 };
+    /// Clips the incident edge against the width of the reference edge and keeps the penetrating points.
+    pub(super) fn clipped(&self, candidate: AxisCandidate, piece: u32, vertices: &[Vector2]) -> PointSet {
+        let mut choice = PointSet { candidate, points: [NO_POINT; 2], count: 0 };
         let normal = candidate.normal;
         let (reference, incident) = match candidate.edge {
             Edge::Box(edge) => {
@@ -89,7 +90,7 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
                 self.box_segment(self.box_edge_along(normal)),
             ),
         };
-        // The outlines run against each other: the end of the one is at the start of the other.
+        // The outlines have opposite directions: the end of one edge is at the start of the other.
         let along = Vector2::new(normal.y, -normal.x);
         let is_box = matches!(candidate.edge, Edge::Box(_));
         let sign = if is_box { 1.0 } else { -1.0 };
@@ -97,7 +98,7 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
         let [start, end] = reference.ends.map(place);
         let [from, to] = incident.ends.map(place);
         let surface = normal.dot(&reference.ends[0]);
-        // (share of the way along the incident edge, feature) of its two points.
+        // (fraction of the incident edge, feature id) of its two points.
         let first = if from > end {
             ((end - from) / (to - from), reference.features[1])
         } else {
@@ -133,9 +134,9 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> Meeting<'_, I> {
         Vector3::new(self.shape.centre.x + point.x, self.shape.centre.y + point.y, z)
     }
 
-    /// A candidate that clipping gave no point gets the vertex that is farthest in.
-    pub(super) fn at_support(&self, mut choice: Choice, piece: u32, vertices: &[Vector2]) -> Choice {
-        let Candidate { edge, normal, penetration, .. } = choice.candidate;
+    /// Gives a candidate without clipped points the deepest vertex.
+    pub(super) fn at_support(&self, mut choice: PointSet, piece: u32, vertices: &[Vector2]) -> PointSet {
+        let AxisCandidate { edge, normal, penetration, .. } = choice.candidate;
         let (position, feature) = match edge {
             Edge::Box(edge) => {
                 let distance = |index: usize| normal.dot(&self.relative(vertices[index]));

@@ -1,7 +1,8 @@
-//! What a sheared box covers of the plane between two depths: the hull of its outline at both, of four to six edges.
+//! Swept outline of a sheared box between two depths: the hull of its outlines at both, with four to six
+//! edges.
 //!
-//! Frame: the plane's, x right, y **down**, z into the picture; vertices relative to the box's centre, which keeps
-//! rounding small far from the origin.
+//! Frame: the plane's, x right, y **down**, z into the picture. Vertices are relative to the box's centre,
+//! which keeps rounding small far from the origin.
 
 use farseer_core::math::Vector2;
 use serde::{Deserialize, Serialize};
@@ -13,7 +14,7 @@ use crate::shapes::{Face, SlantedBox};
 pub(crate) enum BoxEdge {
     /// A side of the box.
     Face(Face),
-    /// The way of the upper or the lower corner: an edge of the box in depth.
+    /// The path of the upper or lower corner: an edge of the box in depth.
     Level { is_upper: bool },
 }
 
@@ -27,21 +28,22 @@ impl BoxEdge {
     }
 }
 
-/// The hull of a box's outlines at two depths, wound as the engine's outlines.
+/// Hull of a box's outlines at two depths, with the core's winding.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SweptOutline {
+    /// Number of vertices, 4..=6.
     count: usize,
     vertices: [Vector2; 6],
-    /// Depth at which the box reaches each vertex, in the world.
+    /// Z at which the box reaches each vertex, px, in the world.
     depths: [f32; 6],
-    /// Names of the vertices that do not change when the depths do.
+    /// Labels of the vertices, dimensionless, which do not change with the depths.
     labels: [u32; 6],
     /// The edge from each vertex to the next.
     edges: [BoxEdge; 6],
 }
 
 impl SweptOutline {
-    /// Between the depths `near` and `far` of the world.
+    /// The outline between the depths `near` and `far` of the world, px.
     pub(super) fn new(shape: &SlantedBox, near: f32, far: f32) -> Self {
         let mut outline = SweptOutline {
             count: 0,
@@ -53,7 +55,7 @@ impl SweptOutline {
         let rectangle = shape.rectangle();
         let middle = near + (far - near) * 0.5;
         let reach = |z: f32| shape.shear * (z - shape.centre.z);
-        // Which end of the depths a side reaches farther out at.
+        // The end of the depths at which a side reaches farther out.
         let side = |edge: usize| lean(shape, Face::SIDES[edge]);
         let mut push = |corner: usize, lean: f32, edge: BoxEdge| {
             let (depth, end) = match lean {
@@ -72,7 +74,8 @@ impl SweptOutline {
             let (before, after) = (side((corner + 3) % 4), side(corner));
             let edge = BoxEdge::Face(face);
             if before * after < 0.0 {
-                // The upper corner is the one between a side that faces right and one that faces left, in this order.
+                // The upper corner is the one between a side that faces right and one that faces left, in
+                // this order.
                 let is_upper = (before > 0.0) == (shape.shear > 0.0);
                 push(corner, before, BoxEdge::Level { is_upper });
                 push(corner, after, edge);
@@ -87,7 +90,7 @@ impl SweptOutline {
         self.count
     }
 
-    /// Relative to the box's centre.
+    /// Vertices relative to the box's centre, px.
     pub(super) fn vertices(&self) -> &[Vector2] {
         &self.vertices[..self.count]
     }
@@ -108,14 +111,15 @@ impl SweptOutline {
         self.labels[vertex]
     }
 
-    /// The vertices in the plane.
+    /// Vertices in the plane, px.
     pub(super) fn in_plane(&self, shape: &SlantedBox) -> [Vector2; 6] {
         let centre = Vector2::new(shape.centre.x, shape.centre.y);
         self.vertices.map(|vertex| centre + vertex)
     }
 }
 
-/// Positive for a side that reaches farther out as depth grows, negative for one that reaches less far.
+/// Positive for a side that reaches farther out as depth grows, negative for one that reaches less far; px
+/// per px.
 fn lean(shape: &SlantedBox, face: Face) -> f32 {
     shape.shear * shape.plane_normal(face).x
 }

@@ -23,7 +23,7 @@ fn touch(
     piece: &[Vector2],
     depths: [f32; 2],
     motion: Vector3,
-    kept: Option<KeptAxis>,
+    kept: Option<PersistedAxis>,
 ) -> Option<BoxManifold> {
     touch_pieces(shape, &[piece], depths, motion, kept)
 }
@@ -33,7 +33,7 @@ fn touch_pieces(
     pieces: &[&[Vector2]],
     [near, far]: [f32; 2],
     motion: Vector3,
-    kept: Option<KeptAxis>,
+    kept: Option<PersistedAxis>,
 ) -> Option<BoxManifold> {
     let (z, half) = ((near + far) * 0.5, (far - near) * 0.5);
     prism_box(shape, pieces.iter().copied(), z, half, motion, SLOP, kept, &mut Vec::new())
@@ -177,7 +177,8 @@ fn a_box_that_tips_over_an_edge_turns_about_the_edge() {
     let upwards = Vector2::new(-libm::sin(0.5) as f32, -libm::cos(0.5) as f32);
     let middle = upwards * 9.95;
     let piece = rectangle((middle.x, middle.y), 20.0, 20.0, -0.5);
-    let kept = KeptAxis::Plane { edge: Edge::Box(BoxEdge::Face(Face::Top)), normal: Vector2::new(0.0, -1.0) };
+    let kept =
+        PersistedAxis::Plane { edge: Edge::Box(BoxEdge::Face(Face::Top)), normal: Vector2::new(0.0, -1.0) };
     let manifold = touch(&LEVEL, &piece, [10.0, 20.0], AT_REST, Some(kept)).unwrap();
     assert!((manifold.normal.xy() - upwards).norm() < 1e-6);
     assert_eq!((manifold.count, manifold.points[0].position), (1, Vector3::new(0.0, 0.0, 15.0)));
@@ -194,7 +195,8 @@ fn the_names_of_the_points_outlast_a_change_of_the_reference() {
         names
     };
     for edge in 0..4 {
-        let kept = KeptAxis::Plane { edge: Edge::Prism { piece: 0, edge }, normal: Vector2::new(0.0, -1.0) };
+        let kept =
+            PersistedAxis::Plane { edge: Edge::Prism { piece: 0, edge }, normal: Vector2::new(0.0, -1.0) };
         let manifold = touch(&LEVEL, &square(30.0, -19.0), [10.0, 20.0], AT_REST, Some(kept)).unwrap();
         assert_eq!(names(&manifold), names(&first));
     }

@@ -1,28 +1,28 @@
-//! How much of a geom is in a box of the world, and where the middle of that is.
+//! Immersed volume of a geom in a box of the world, and its centroid.
 
 use farseer_core::{BodyId, GeomId, PhysicsSimulator, SpaceUpright};
 
 use crate::Vector3;
 use crate::depth::upright::{depths as depths_of, half_height, middle as middle_of, span};
-use crate::depth::{DepthProfile, Depths, Fluid, Region};
+use crate::depth::{DepthProfile, DepthState, Fluid, Region};
 
-/// Corners of an outline on its way through the sides of a box.
+/// Buffers for clipping an outline by the sides of a box.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Scratch {
+pub(crate) struct ClipBuffer {
     outline: Vec<[f64; 2]>,
     kept: Vec<[f64; 2]>,
 }
 
-/// A part of a geom.
+/// The immersed part of a geom.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Immersed {
-    /// px³
+    /// Volume, px³.
     pub(super) volume: f64,
-    /// In the plane, y down.
+    /// Centroid in the plane, px, y down.
     pub(super) middle: [f64; 2],
 }
 
-/// A box in the frame of the plane, y down.
+/// A box in the frame of the plane, px, y down.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Container {
     low: [f64; 3],
@@ -35,12 +35,13 @@ impl Container {
         Container { low: [lx, -hy, lz].map(f64::from), high: [hx, -ly, hz].map(f64::from) }
     }
 
-    /// How much of an interval is within along an axis.
+    /// Length of an interval inside the box along an axis, px.
     fn within(&self, axis: usize, [low, high]: [f64; 2]) -> f64 {
         (high.min(self.high[axis]) - low.max(self.low[axis])).max(0.0)
     }
 
-    /// The part of a ball: what is below the surface, or above the bottom; at the sides as much of it as of its width.
+    /// The immersed part of a ball: exact between surface and bottom, and in proportion to its width at the
+    /// sides.
     fn of_ball(&self, [x, y, z]: [f64; 3], radius: f64) -> Immersed {
         let below = |depth: f64| {
             let depth = depth.clamp(0.0, 2.0 * radius);
@@ -49,13 +50,13 @@ impl Container {
         let (bottom, top) = (y + radius, y - radius);
         let volume = (below(bottom - self.low[1]) - below(bottom - self.high[1])).max(0.0);
         let beside = |axis: usize, at: f64| self.within(axis, [at - radius, at + radius]) / (2.0 * radius);
-        // What floats is pushed up below its middle: nothing turns it.
+        // Buoyancy of a ball acts below its centre and causes no torque.
         let middle = 0.5 * (top.max(self.low[1]) + bottom.min(self.high[1]));
         Immersed { volume: volume * beside(0, x) * beside(2, z), middle: [x, middle] }
     }
 
-    /// The part of something upright: of its height exactly, at the sides as much of it as of its width. A capsule counts as the
-    /// cylinder of its volume.
+    /// The immersed part of an upright shape: exact in height, and in proportion to its width at the sides. A
+    /// capsule counts as a cylinder of its volume.
     fn of_upright(&self, shape: &SpaceUpright, middle: Vector3) -> Option<Immersed> {
         let [x, y, z] = [middle.x, middle.y, middle.z].map(f64::from);
         let half = f64::from(half_height(shape));
@@ -69,12 +70,12 @@ impl Container {
         (volume > 0.0).then_some(Immersed { volume, middle: [x, 0.5 * (top + bottom)] })
     }
 
-    /// The part of an extruded outline, exactly.
+    /// The immersed part of an extruded outline, exact.
     fn of_prism(
         &self,
         outline: impl Iterator<Item = [f64; 2]>,
         depths: [f64; 2],
-        scratch: &mut Scratch,
+        scratch: &mut ClipBuffer,
     ) -> Option<Immersed> {
         let deep = self.within(2, depths);
         if deep == 0.0 {
@@ -92,12 +93,12 @@ impl Container {
     }
 }
 
-/// What something upright covers of the floor, px²; of a capsule, as much as makes up for its round ends.
+/// Footprint area of an upright shape, px²; that of a capsule makes up for its round ends.
 fn area_of(shape: &SpaceUpright) -> f64 {
     let disc = |radius: f32| std::f64::consts::PI * f64::from(radius) * f64::from(radius);
     match shape {
         SpaceUpright::Cylinder { radius, .. } => disc(*radius),
-        // Of a height 2 h the ends of radius r lack 2/3 pi r^3.
+        // The two ends of radius r lack the volume 2/3 pi r³ of a cylinder of height 2 h.
         SpaceUpright::Capsule { radius, half_height } => {
             disc(*radius) * (1.0 - f64::from(*radius) / (3.0 * f64::from(*half_height)))
         }
@@ -109,8 +110,8 @@ fn area_of(shape: &SpaceUpright) -> f64 {
     }
 }
 
-impl Scratch {
-    /// Keeps what is on one side of a line (I. Sutherland, G. Hodgman, "Reentrant polygon clipping", 1974).
+impl ClipBuffer {
+    /// Clips the outline by a line (I. Sutherland, G. Hodgman, "Reentrant polygon clipping", 1974).
     fn cut(&mut self, side: impl Fn([f64; 2]) -> f64) {
         self.kept.clear();
         let Some(&last) = self.outline.last() else { return };
@@ -130,9 +131,9 @@ impl Scratch {
     }
 }
 
-/// Area of a polygon, whichever way it goes round, and its centroid. `None` without an area.
+/// Area of a polygon with either winding, and its centroid. `None` without an area.
 fn area_and_middle(outline: &[[f64; 2]]) -> Option<(f64, [f64; 2])> {
-    // From one of its corners, so that being far away costs no digits.
+    // Relative to one of its corners, so that distant polygons lose no digits.
     let &[ox, oy] = outline.first()?;
     let (mut area, mut middle) = (0.0, [0.0; 2]);
     for two in outline.windows(2) {
@@ -145,13 +146,13 @@ fn area_and_middle(outline: &[[f64; 2]]) -> Option<(f64, [f64; 2])> {
     (area != 0.0 && area.is_finite()).then(|| (area.abs(), [ox + middle[0] / area, oy + middle[1] / area]))
 }
 
-/// The part of a geom that is in a box; of nothing there is none.
+/// The immersed part of a geom; `None` without one.
 pub(super) fn immersed(
     core: &PhysicsSimulator,
-    depths: &Depths,
+    depths: &DepthState,
     id: GeomId,
     container: &Container,
-    scratch: &mut Scratch,
+    scratch: &mut ClipBuffer,
 ) -> Option<Immersed> {
     let geom = core.geom(id)?;
     let z = f64::from(depths.z_of(geom.body()));
@@ -182,10 +183,10 @@ pub(super) fn immersed(
     found.filter(|part| part.volume > 0.0)
 }
 
-/// How much of a body is in a fluid, from 0 to 1 of the volume of its geoms.
-pub(crate) fn immersion_of(core: &PhysicsSimulator, depths: &Depths, fluid: &Fluid, body: BodyId) -> f32 {
+/// Immersed fraction of the volume of a body, 0..=1, dimensionless.
+pub(crate) fn immersion_of(core: &PhysicsSimulator, depths: &DepthState, fluid: &Fluid, body: BodyId) -> f32 {
     let (region, everywhere) = (Container::new(&fluid.region), Container::new(&Region::EVERYWHERE));
-    let mut scratch = Scratch::default();
+    let mut scratch = ClipBuffer::default();
     let mut volume = |geom: GeomId, container: &Container| {
         immersed(core, depths, geom, container, &mut scratch).map_or(0.0, |part| part.volume)
     };

@@ -1,4 +1,4 @@
-//! What fields do in an update.
+//! Force fields in an update.
 
 mod immersion;
 
@@ -6,31 +6,32 @@ use farseer_core::{Body, BodyId, PhysicsSimulator};
 
 use super::report::Report;
 use crate::Vector3;
-use crate::depth::{DepthScheme, Depths, Field, Fluid, World, is_movable};
+use crate::depth::{DepthScheme, DepthState, Field, Fluid, World, is_movable};
 use crate::events::Event;
 use immersion::{Container, immersed};
 
-pub(super) use immersion::Scratch;
+pub(super) use immersion::ClipBuffer;
 pub(crate) use immersion::immersion_of;
 
-/// What all fields do to one body, in the frame of the plane, y down.
+/// FieldForces of all fields on one body, in the frame of the plane, y down.
 #[derive(Debug, Clone, Copy, Default)]
-struct Sum {
-    /// px/s²
+struct FieldForces {
+    /// Acceleration, px/s².
     acceleration: [f64; 3],
-    /// What turns it, mass times px² per s².
+    /// Torque, mass · px²/s².
     torque: f64,
-    /// How fast fluids take it along, in 1/s, and where to: the mean of their flows by that.
+    /// Drag rate of all fluids, 1/s.
     rate: f64,
+    /// FieldForces of the flow velocities times their drag rates, px/s².
     flow: [f64; 3],
 }
 
-/// All fields push all bodies that can be moved.
+/// Applies all fields to all dynamic bodies.
 pub(super) fn act(
     core: &mut PhysicsSimulator,
     world: &mut World,
     report: &mut Report,
-    scratch: &mut Scratch,
+    scratch: &mut ClipBuffer,
     dt: f32,
 ) {
     if world.fields.is_empty() {
@@ -41,23 +42,23 @@ pub(super) fn act(
         if !is_movable(core, id) {
             continue;
         }
-        if let Some((force, torque)) = push_on(core, world, id, f64::from(dt), scratch) {
-            push(core, world, report, id, (force, torque));
+        if let Some((force, torque)) = field_force(core, world, id, f64::from(dt), scratch) {
+            apply_field_force(core, world, report, id, (force, torque));
         }
     }
 }
 
-/// Force and torque of all fields on a body, if there are any.
-fn push_on(
+/// Force and torque of all fields on a body; `None` without any.
+fn field_force(
     core: &PhysicsSimulator,
     world: &World,
     id: BodyId,
     dt: f64,
-    scratch: &mut Scratch,
+    scratch: &mut ClipBuffer,
 ) -> Option<([f32; 3], f32)> {
     let body = core.body(id).filter(|body| body.inverse_mass() > 0.0)?;
     let depths = &world.depths;
-    let mut sum = Sum::default();
+    let mut sum = FieldForces::default();
     let place = Vector3::new(body.position().x, -body.position().y, depths.z_of(id));
     for (_, field) in world.fields.iter() {
         match field {
@@ -72,27 +73,28 @@ fn push_on(
     let velocity_z = depths.bodies.get(id).map_or(0.0, |state| state.velocity_z);
     let mass = f64::from(body.mass());
     let gravity = core.gravity() * if body.ignore_gravity() { 0.0 } else { body.gravity_scale() };
-    // The precise set goes by the middle of the velocities before and after a step as far as gravity makes them, and by that
-    // after it as far as forces do: what these hold against gravity moves by half a step of it less than its velocity says.
+    // Over a step, the precise set moves a body with the mean velocity as far as gravity causes it, and with
+    // the final velocity as far as forces do. A body that a field holds against gravity therefore moves by
+    // half a step of gravity less than its velocity says.
     let ahead = if world.scheme == DepthScheme::Precise { 0.5 * dt as f32 } else { 0.0 };
     let in_plane = body.linear_velocity() - gravity * ahead;
     let velocity = [in_plane.x, in_plane.y, velocity_z].map(f64::from);
     let spin = f64::from(body.angular_velocity());
     let inertia = f64::from(body.moment_of_inertia());
     let push = sum.over(velocity, [gravity.x, gravity.y, 0.0].map(f64::from), dt);
-    let torque = sum.torque - spin * inertia * taken(sum.rate, dt) / dt;
+    let torque = sum.torque - spin * inertia * decay_fraction(sum.rate, dt) / dt;
     let force = push.map(|push| (push * mass) as f32);
     (force != [0.0; 3] || torque != 0.0).then_some((force, torque as f32))
 }
 
-/// What a fluid does to all that a body has in it.
+/// Adds buoyancy and drag of a fluid on all immersed geoms of a body.
 fn immerse(
     core: &PhysicsSimulator,
-    depths: &Depths,
+    depths: &DepthState,
     (id, body): (BodyId, &Body),
     fluid: &Fluid,
-    sum: &mut Sum,
-    scratch: &mut Scratch,
+    sum: &mut FieldForces,
+    scratch: &mut ClipBuffer,
 ) {
     let container = Container::new(&fluid.region);
     let inverse_mass = f64::from(body.inverse_mass());
@@ -116,15 +118,15 @@ fn immerse(
     }
 }
 
-/// A force and a torque act in the update that comes.
-fn push(
+/// Applies a force and a torque in the coming update.
+fn apply_field_force(
     core: &mut PhysicsSimulator,
     world: &mut World,
     report: &mut Report,
     id: BodyId,
     (force, torque): ([f32; 3], f32),
 ) {
-    // The precise set adds up itself what is along Z.
+    // The precise set integrates Z itself.
     let kept = world.depths.bodies.get_mut(id).filter(|_| world.scheme != DepthScheme::Precise);
     let along_z = kept.as_ref().map_or(0.0, |state| state.force_z + force[2]);
     if !(along_z.is_finite() && core.push_in_space(id, force, torque)) {
@@ -134,15 +136,15 @@ fn push(
     }
 }
 
-impl Sum {
+impl FieldForces {
     fn accelerate(&mut self, acceleration: [f64; 3]) {
         (0..3).for_each(|axis| self.acceleration[axis] += acceleration[axis]);
     }
 
-    /// The mean acceleration over a step, beside gravity. With k the rate, u the flow and a all that is constant, v' = a + k (u - v)
-    /// leads to v(t) = w + (v - w) e^(-k t), w = u + a / k.
+    /// Mean acceleration over a step without gravity, px/s². With rate k, flow u and constant acceleration a,
+    /// v' = a + k (u - v) has the solution v(t) = w + (v - w) e^(-k t), w = u + a / k.
     fn over(&self, velocity: [f64; 3], gravity: [f64; 3], dt: f64) -> [f64; 3] {
-        let taken = taken(self.rate, dt);
+        let taken = decay_fraction(self.rate, dt);
         std::array::from_fn(|axis| {
             if taken == 0.0 {
                 return self.acceleration[axis];
@@ -154,7 +156,7 @@ impl Sum {
     }
 }
 
-/// The part of a velocity that is lost in a time.
-fn taken(rate: f64, dt: f64) -> f64 {
+/// Fraction of a velocity that decays in a time, 1 - e^(-rate dt), dimensionless.
+fn decay_fraction(rate: f64, dt: f64) -> f64 {
     -libm::expm1(-rate * dt)
 }

@@ -1,36 +1,48 @@
-//! The arithmetic of one contact point in three axes.
+//! Arithmetic of one contact point in three axes: effective masses, warm start, normal impulse and friction.
 
 use super::PreStep;
-use crate::depth::TouchPoint;
+use crate::depth::ContactPoint;
 
-/// What the solver reads and changes of a body.
+/// Velocities and inverse masses of a body in the solver.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct SpaceBody {
+pub(super) struct SolverBody3 {
+    /// Linear velocity, px/s.
     pub(super) linear: [f32; 3],
+    /// Angular velocity, radians/s.
     pub(super) angular: [f32; 3],
-    /// Velocities that only push overlapping bodies apart; about the depth axis alone.
+    /// Bias velocity that only resolves penetration, px/s; its rotation is about the depth axis alone.
     pub(super) bias: [f32; 3],
+    /// Angular bias velocity about the depth axis, radians/s.
     pub(super) bias_spin: f32,
+    /// Inverse mass, 1/mass.
     pub(super) inverse_mass: f32,
+    /// Inverse moments of inertia, 1/(mass · px²).
     pub(super) inverse_inertia: [f32; 3],
 }
 
-/// One contact point as the solver sees it.
+/// Constraint of one contact point.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Row {
+pub(super) struct ContactPointConstraint {
     normal: [f32; 3],
     tangents: [[f32; 3]; 2],
-    /// Offsets of the point from the two bodies' centres.
+    /// Lever arms: offsets of the point from the centres of mass, px.
     arms: [[f32; 3]; 2],
+    /// Effective mass along the normal, mass units.
     normal_mass: f32,
-    /// Inverse of the 2 x 2 matrix of the tangents: two diagonal elements and the other one.
+    /// Effective mass along the tangents, mass units: inverse of a symmetric 2 x 2 matrix as two diagonal
+    /// elements and the off-diagonal one.
     tangent_mass: [f32; 3],
+    /// Separation in px; negative is penetration.
     separation: f32,
-    /// Velocity with which the overlap is to be undone.
+    /// Bias velocity that resolves the penetration, px/s (Baumgarte stabilisation).
     target_bias: f32,
+    /// Approach velocity times restitution, px/s, 0 or less.
     bounce_velocity: f32,
+    /// Accumulated normal impulse, mass · px/s.
     pub(super) normal_impulse: f32,
+    /// Accumulated friction impulses along the tangents, mass · px/s.
     pub(super) friction_impulse: [f32; 2],
+    /// Accumulated bias impulse, mass · px/s.
     bias_impulse: f32,
 }
 
@@ -57,7 +69,7 @@ fn scaled(a: [f32; 3], factor: f32) -> [f32; 3] {
     [a[0] * factor, a[1] * factor, a[2] * factor]
 }
 
-/// Two unit vectors at right angles to a unit normal and to each other. In the plane the first is the 2D engine's
+/// Two unit vectors orthogonal to a unit normal and to each other. In the plane the first is the core's
 /// tangent and the second points into the picture.
 fn tangents_of(n: [f32; 3]) -> [[f32; 3]; 2] {
     let flat = (n[0] * n[0] + n[1] * n[1]).sqrt();
@@ -66,7 +78,7 @@ fn tangents_of(n: [f32; 3]) -> [[f32; 3]; 2] {
     } else if flat > 0.1 {
         [n[1] / flat, -n[0] / flat, 0.0]
     } else {
-        // Nearly along the depth axis: the part of the x axis at right angles to it.
+        // Nearly along the depth axis: the component of the x axis orthogonal to the normal.
         let x = difference([1.0, 0.0, 0.0], scaled(n, n[0]));
         scaled(x, 1.0 / dot(x, x).sqrt())
     };
@@ -74,14 +86,14 @@ fn tangents_of(n: [f32; 3]) -> [[f32; 3]; 2] {
     [first, second]
 }
 
-impl SpaceBody {
+impl SolverBody3 {
     #[inline(always)]
     pub(super) fn is_finite(&self) -> bool {
         let sum = |v: [f32; 3]| v[0] * 0.0 + v[1] * 0.0 + v[2] * 0.0;
         sum(self.linear) + sum(self.angular) + sum(self.bias) + self.bias_spin * 0.0 == 0.0
     }
 
-    /// Velocity of the point at an offset from the centre of mass.
+    /// Velocity of the point at an offset from the centre of mass, px/s.
     #[inline(always)]
     fn velocity_at(&self, arm: [f32; 3]) -> [f32; 3] {
         let turn = cross(self.angular, arm);
@@ -94,7 +106,7 @@ impl SpaceBody {
     }
 
     #[inline(always)]
-    fn push(&mut self, impulse: [f32; 3], arm: [f32; 3]) {
+    fn apply_impulse(&mut self, impulse: [f32; 3], arm: [f32; 3]) {
         let turn = cross(arm, impulse);
         for axis in 0..3 {
             self.linear[axis] += impulse[axis] * self.inverse_mass;
@@ -103,31 +115,32 @@ impl SpaceBody {
     }
 
     #[inline(always)]
-    fn push_apart(&mut self, impulse: [f32; 3], arm: [f32; 3]) {
+    fn apply_bias_impulse(&mut self, impulse: [f32; 3], arm: [f32; 3]) {
         for (bias, impulse) in self.bias.iter_mut().zip(impulse) {
             *bias += impulse * self.inverse_mass;
         }
         self.bias_spin += (arm[0] * impulse[1] - arm[1] * impulse[0]) * self.inverse_inertia[2];
     }
 
-    /// How much velocity along `a` at an offset an impulse along `b` there makes, but for the inverse mass.
+    /// Velocity along `a` per impulse along `b`, both at an offset, from rotation alone: an element of the
+    /// inverse effective mass.
     #[inline(always)]
-    fn turning(&self, arm: [f32; 3], a: [f32; 3], b: [f32; 3]) -> f32 {
+    fn angular_coupling(&self, arm: [f32; 3], a: [f32; 3], b: [f32; 3]) -> f32 {
         let (a, b) = (cross(arm, a), cross(arm, b));
         let i = self.inverse_inertia;
         a[0] * b[0] * i[0] + a[1] * b[1] * i[1] + a[2] * b[2] * i[2]
     }
 }
 
-impl Row {
-    /// A contact point before the pre-step.
+impl ContactPointConstraint {
+    /// The constraint before the pre-step.
     pub(super) fn new(
         normal: [f32; 3],
         position: [f32; 3],
         centres: [[f32; 3]; 2],
-        point: &TouchPoint,
+        point: &ContactPoint,
     ) -> Self {
-        Row {
+        ContactPointConstraint {
             normal,
             tangents: tangents_of(normal),
             arms: centres.map(|centre| difference(position, centre)),
@@ -143,39 +156,41 @@ impl Row {
     }
 
     #[inline(always)]
-    fn relative_velocity(&self, bodies: &[SpaceBody; 2]) -> [f32; 3] {
+    fn relative_velocity(&self, bodies: &[SolverBody3; 2]) -> [f32; 3] {
         difference(bodies[B].velocity_at(self.arms[B]), bodies[A].velocity_at(self.arms[A]))
     }
 
     #[inline(always)]
-    fn push_pair(&self, impulse: [f32; 3], bodies: &mut [SpaceBody; 2]) {
-        bodies[B].push(impulse, self.arms[B]);
-        bodies[A].push(scaled(impulse, -1.0), self.arms[A]);
+    fn apply_impulse_pair(&self, impulse: [f32; 3], bodies: &mut [SolverBody3; 2]) {
+        bodies[B].apply_impulse(impulse, self.arms[B]);
+        bodies[A].apply_impulse(scaled(impulse, -1.0), self.arms[A]);
     }
 
-    /// Inverse of the mass that an impulse along `a` moves along `b`, turning included.
+    /// Rotational part of the inverse effective mass of both bodies, for an impulse along `a` and a velocity
+    /// along `b`.
     #[inline(always)]
-    fn turning(&self, bodies: &[SpaceBody; 2], a: [f32; 3], b: [f32; 3]) -> f32 {
-        bodies[A].turning(self.arms[A], a, b) + bodies[B].turning(self.arms[B], a, b)
+    fn angular_coupling(&self, bodies: &[SolverBody3; 2], a: [f32; 3], b: [f32; 3]) -> f32 {
+        bodies[A].angular_coupling(self.arms[A], a, b) + bodies[B].angular_coupling(self.arms[B], a, b)
     }
 
-    /// Masses and biases, from velocities before any impulse acts.
+    /// Computes effective masses, bias and bounce from the velocities before the warm start.
     ///
-    /// `pull` is the velocity that gravity has given in this step, where that does not count for the bounce.
+    /// `pull` is the relative velocity that gravity has added in this step, px/s, where it does not count for
+    /// the bounce.
     pub(super) fn prepare(
         &mut self,
         restitution: f32,
         pull: [f32; 3],
         settings: PreStep,
-        bodies: &[SpaceBody; 2],
+        bodies: &[SolverBody3; 2],
     ) {
         let [first, second] = self.tangents;
         let mass = bodies[A].inverse_mass + bodies[B].inverse_mass;
-        self.normal_mass = 1.0 / (mass + self.turning(bodies, self.normal, self.normal));
+        self.normal_mass = 1.0 / (mass + self.angular_coupling(bodies, self.normal, self.normal));
         let k = [
-            mass + self.turning(bodies, first, first),
-            mass + self.turning(bodies, second, second),
-            self.turning(bodies, first, second),
+            mass + self.angular_coupling(bodies, first, first),
+            mass + self.angular_coupling(bodies, second, second),
+            self.angular_coupling(bodies, first, second),
         ];
         self.tangent_mass = if k[2] == 0.0 {
             [1.0 / k[0], 1.0 / k[1], 0.0]
@@ -186,41 +201,41 @@ impl Row {
         let excess = (settings.slop + self.separation).min(0.0);
         self.target_bias = -settings.bias_factor * settings.inverse_dt * excess;
         let speed = dot(self.relative_velocity(bodies), self.normal);
-        // What a pull towards the surface has added in this step was not there when it arrived.
+        // The approach velocity is that without the gravity of this step.
         let pulled = dot(pull, self.normal).min(0.0);
         let arrival = if pulled < 0.0 { (speed - pulled).min(0.0) } else { speed };
         self.bounce_velocity = arrival * restitution;
     }
 
-    /// The impulses of the last update act again.
-    pub(super) fn warm_start(&self, bodies: &mut [SpaceBody; 2]) {
+    /// Applies the accumulated impulses of the last update (warm start).
+    pub(super) fn warm_start(&self, bodies: &mut [SolverBody3; 2]) {
         let [first, second] = self.tangents;
         let [along, across] = self.friction_impulse;
         let impulse: [f32; 3] = std::array::from_fn(|axis| {
             self.normal[axis] * self.normal_impulse + first[axis] * along + second[axis] * across
         });
-        self.push_pair(impulse, bodies);
+        self.apply_impulse_pair(impulse, bodies);
     }
 
-    /// Normal impulse, and the impulse that undoes overlap.
+    /// Solves the normal impulse, and the bias impulse that resolves penetration.
     #[inline(always)]
-    pub(super) fn solve_normal(&mut self, bodies: &mut [SpaceBody; 2]) {
+    pub(super) fn solve_normal(&mut self, bodies: &mut [SolverBody3; 2]) {
         let speed = dot(self.relative_velocity(bodies), self.normal);
         let old = self.normal_impulse;
         self.normal_impulse = (old - self.normal_mass * (speed + self.bounce_velocity)).max(0.0);
-        self.push_pair(scaled(self.normal, self.normal_impulse - old), bodies);
+        self.apply_impulse_pair(scaled(self.normal, self.normal_impulse - old), bodies);
 
         let bias = difference(bodies[B].bias_at(self.arms[B]), bodies[A].bias_at(self.arms[A]));
         let old = self.bias_impulse;
         self.bias_impulse = (old + self.normal_mass * (self.target_bias - dot(bias, self.normal))).max(0.0);
         let push = scaled(self.normal, self.bias_impulse - old);
-        bodies[B].push_apart(push, self.arms[B]);
-        bodies[A].push_apart(scaled(push, -1.0), self.arms[A]);
+        bodies[B].apply_bias_impulse(push, self.arms[B]);
+        bodies[A].apply_bias_impulse(scaled(push, -1.0), self.arms[A]);
     }
 
-    /// Friction: what would stop the sliding, held within a disc.
+    /// Solves friction along both tangents as one block, clamped to a disc (Coulomb's law).
     #[inline(always)]
-    pub(super) fn solve_friction(&mut self, limit: f32, bodies: &mut [SpaceBody; 2]) {
+    pub(super) fn solve_friction(&mut self, limit: f32, bodies: &mut [SolverBody3; 2]) {
         let limit = limit.max(0.0);
         let [first, second] = self.tangents;
         let velocity = self.relative_velocity(bodies);
@@ -233,18 +248,18 @@ impl Row {
         } else if wanted[0] * wanted[0] + wanted[1] * wanted[1] <= limit * limit {
             wanted
         } else {
-            // It slides. What would stop it is askew to the sliding where one tangent turns the bodies and the other
-            // does not; friction acts against the sliding.
+            // The contact slides. The block solution is not parallel to the sliding if rotation couples with
+            // one tangent only; friction must oppose the sliding.
             let m = m11.min(m22);
             on_circle([old[0] - m * slip[0], old[1] - m * slip[1]], limit)
         };
         let change = [self.friction_impulse[0] - old[0], self.friction_impulse[1] - old[1]];
         let impulse = std::array::from_fn(|axis| first[axis] * change[0] + second[axis] * change[1]);
-        self.push_pair(impulse, bodies);
+        self.apply_impulse_pair(impulse, bodies);
     }
 }
 
-/// The nearest point of a circle; the origin where that is all of them.
+/// Nearest point of a circle; the origin for the origin itself.
 #[inline(always)]
 fn on_circle([x, y]: [f32; 2], radius: f32) -> [f32; 2] {
     let length = (x * x + y * y).sqrt();
@@ -255,9 +270,13 @@ fn on_circle([x, y]: [f32; 2], radius: f32) -> [f32; 2] {
     [x * factor, y * factor]
 }
 
-/// A face along Z: the bodies do not turn about the other axes, so one normal impulse does for all of its
-/// points, and each bears an equal part.
-pub(super) fn solve_shared(rows: &mut [Row], friction: f32, bodies: &mut [SpaceBody; 2]) {
+/// Solves a face along Z. The bodies do not rotate about the other axes, so all points share one normal
+/// impulse in equal parts.
+pub(super) fn solve_shared(
+    rows: &mut [ContactPointConstraint],
+    friction: f32,
+    bodies: &mut [SolverBody3; 2],
+) {
     let share = 1.0 / rows.len() as f32;
     let Some((first, _)) = rows.split_first_mut() else { return };
     let mut whole = *first;

@@ -1,89 +1,103 @@
-//! Sequential impulses in three axes, inside the iterations of the 2D engine.
+//! Sequential impulses in three axes, inside the iterations of the core.
 //!
-//! Everything works as there (behaviour chapter 03, section 6): impulses of the last update act again, normal
-//! impulses only push, overlap is undone by velocities of its own, and friction is limited by the normal impulse.
-//! Friction has two tangents, solved as one block and held within a disc (Coulomb's law); where nothing slides along
-//! Z that is the 2D engine's clamp. Velocities in X and Y are those of the 2D engine's solver; what lies along Z
-//! is kept here.
+//! The method is that of the core (behaviour chapter 03, section 6): warm starting, clamped normal impulses,
+//! bias velocities for penetration, and friction limited by the normal impulse. Friction has two tangents,
+//! solved as one block and clamped to a disc (Coulomb's law). Without sliding along Z this is the core's
+//! clamp. Velocities in X and Y are those of the core's solver; those along Z are stored here.
 //!
-//! Frame: x right, y down, z into the picture; right-handed, so that rotation about z is the 2D engine's.
+//! Frame: x right, y down, z into the picture; right-handed, so that rotation about z is that of the core.
 
 mod kernel;
 
 use farseer_core::{BodyId, Constraints, PhysicsSimulator, SolvedBodies, SolverBody, SolverPlace};
 
 use crate::Vector3;
-use crate::depth::{DepthProfile, Depths, Touch, TouchList, is_movable};
-use kernel::{Row, SpaceBody};
+use crate::depth::{Contact, ContactList, DepthProfile, DepthState, is_movable};
+use kernel::{ContactPointConstraint, SolverBody3};
 
-/// A body as far as the 2D engine's solver does not keep it.
+/// State of a body that the core's solver does not store.
 #[derive(Debug, Clone, Copy)]
-struct DepthState {
-    /// In the 2D engine's solver, once that has begun; `None` for what is no body.
+struct SolverBodyState {
+    /// Index of the body in the core's solver, once that has begun; `None` for the static world.
     place: Option<SolverPlace>,
     id: Option<BodyId>,
-    /// Centre of mass.
+    /// Centre of mass, px.
     centre: [f32; 3],
+    /// Velocity along Z, px/s.
     velocity_z: f32,
+    /// Angular velocity about x, radians/s.
     angular_x: f32,
+    /// Angular velocity about y, radians/s.
     angular_y: f32,
-    /// Velocity along Z that only undoes overlap.
+    /// Bias velocity along Z that only resolves penetration, px/s.
     bias_z: f32,
+    /// Inverse mass, 1/mass.
     inverse_mass: f32,
-    /// About the axes x and y; 0 for what turns about the depth axis only.
+    /// Inverse moment of inertia about x and y, 1/(mass · px²); 0 for bodies that rotate about the depth axis
+    /// only.
     inverse_inertia: f32,
     failed: bool,
 }
 
-impl DepthState {
-    /// The body before anything is solved.
-    fn begin_with(&self, core: &PhysicsSimulator) -> SpaceBody {
-        let Some(body) = self.id.and_then(|id| core.body(id)) else { return SpaceBody::default() };
+impl SolverBodyState {
+    /// The body before the first impulse.
+    fn begin_with(&self, core: &PhysicsSimulator) -> SolverBody3 {
+        let Some(body) = self.id.and_then(|id| core.body(id)) else { return SolverBody3::default() };
         let velocity = body.linear_velocity();
-        SpaceBody {
+        SolverBody3 {
             linear: [velocity.x, velocity.y, self.velocity_z],
             angular: [self.angular_x, self.angular_y, body.angular_velocity()],
             inverse_mass: body.inverse_mass(),
             inverse_inertia: [self.inverse_inertia, self.inverse_inertia, body.inverse_moment_of_inertia()],
-            ..SpaceBody::default()
+            ..SolverBody3::default()
         }
     }
 }
 
-/// Place of the immovable rest of the world among the states.
+/// Index of the static world among the states.
 const WORLD: u32 = 0;
 
-/// The points of one contact.
+/// The contact points of one contact.
 #[derive(Debug, Clone, Copy)]
 struct ContactGroup {
+    /// Index of the first body among the states.
     body_a: u32,
+    /// Index of the second body among the states.
     body_b: u32,
+    /// Index of the contact in the list.
     touch: u32,
+    /// Index of the first constraint.
     first_row: u32,
+    /// Number of constraints.
     row_count: u32,
+    /// Friction coefficient, dimensionless.
     friction: f32,
-    /// The rows share one normal impulse: each bears an equal part.
+    /// Whether all points share one normal impulse in equal parts.
     shares_pressure: bool,
-    /// It made a velocity infinite or NaN, and is out of this update.
+    /// Whether it is left out because a velocity became infinite or NaN.
     is_dropped: bool,
 }
 
-/// The arrays of the solver, reused from update to update.
+/// Arrays of the solver, reused between updates.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct SpaceSolver {
-    states: Vec<DepthState>,
-    /// By body slot: stamp of the update in which it was gathered, and where to.
+pub(crate) struct Solver3 {
+    states: Vec<SolverBodyState>,
+    /// By body slot: stamp of the update in which the body was gathered, and its index among the states.
     places: Vec<(u32, u32)>,
+    /// Number of the update, dimensionless.
     stamp: u32,
     groups: Vec<ContactGroup>,
-    rows: Vec<Row>,
+    rows: Vec<ContactPointConstraint>,
 }
 
-/// Settings of the pre-step, those of the 2D engine.
+/// Settings of the pre-step, from the core.
 #[derive(Debug, Clone, Copy)]
 struct PreStep {
+    /// Inverse of the step, 1/s.
     inverse_dt: f32,
+    /// Fraction of the penetration that is resolved per step, dimensionless.
     bias_factor: f32,
+    /// Allowed penetration, px.
     slop: f32,
 }
 
@@ -91,8 +105,8 @@ fn array(v: Vector3) -> [f32; 3] {
     [v.x, v.y, v.z]
 }
 
-impl SpaceSolver {
-    /// Number of scalar rows that every iteration solves.
+impl Solver3 {
+    /// Number of scalar constraints per iteration.
     pub(crate) fn row_count(&self) -> usize {
         // A normal and two tangents per point; a shared normal counts once.
         let rows_of = |group: &ContactGroup| {
@@ -102,13 +116,13 @@ impl SpaceSolver {
         self.groups.iter().map(rows_of).sum()
     }
 
-    /// Gathers bodies and contacts, and computes masses, biases and bounces: before the impulses of the last update
-    /// act again, here and in the 2D engine, so that things bounce with the speed with which they arrived.
+    /// Gathers bodies and contacts, and computes effective masses, biases and bounces. This precedes the warm
+    /// starts here and in the core, so that contacts bounce with their approach velocity.
     pub(crate) fn prepare(
         &mut self,
         core: &PhysicsSimulator,
-        depths: &Depths,
-        list: &TouchList,
+        depths: &DepthState,
+        list: &ContactList,
         inverse_dt: f32,
     ) {
         self.begin();
@@ -121,7 +135,7 @@ impl SpaceSolver {
             PreStep { inverse_dt, bias_factor: core.bias_factor(), slop: core.allowed_penetration() };
         for group in &self.groups {
             let touch = &list.touches[group.touch as usize];
-            let pull = pull_of(core, touch, inverse_dt);
+            let pull = gravity_velocity(core, touch, inverse_dt);
             let bodies =
                 [group.body_a, group.body_b].map(|place| self.states[place as usize].begin_with(core));
             let rows = group.first_row as usize..(group.first_row + group.row_count) as usize;
@@ -140,7 +154,7 @@ impl SpaceSolver {
         self.groups.clear();
         self.rows.clear();
         self.states.clear();
-        self.states.push(DepthState {
+        self.states.push(SolverBodyState {
             place: None,
             id: None,
             centre: [0.0; 3],
@@ -157,9 +171,9 @@ impl SpaceSolver {
     fn gather(
         &mut self,
         core: &PhysicsSimulator,
-        depths: &Depths,
-        list: &TouchList,
-        touch: &Touch,
+        depths: &DepthState,
+        list: &ContactList,
+        touch: &Contact,
         index: u32,
     ) {
         let body_a = match touch.partner_body {
@@ -170,7 +184,7 @@ impl SpaceSolver {
             return;
         };
         let [a, b] = [body_a, body_b].map(|body| &self.states[body as usize]);
-        // A handler may have made both immovable since they were found to touch.
+        // A handler may have made both bodies static since the narrow phase.
         let is_solvable = a.inverse_mass + b.inverse_mass != 0.0;
         let centres = [a.centre, b.centre];
         if !is_solvable {
@@ -178,7 +192,12 @@ impl SpaceSolver {
         }
         let first_row = self.rows.len() as u32;
         for point in list.points_of(touch) {
-            self.rows.push(Row::new(array(point.normal), array(point.position), centres, point));
+            self.rows.push(ContactPointConstraint::new(
+                array(point.normal),
+                array(point.position),
+                centres,
+                point,
+            ));
         }
         self.groups.push(ContactGroup {
             body_a,
@@ -192,7 +211,7 @@ impl SpaceSolver {
         });
     }
 
-    fn gather_body(&mut self, core: &PhysicsSimulator, depths: &Depths, id: BodyId) -> Option<u32> {
+    fn gather_body(&mut self, core: &PhysicsSimulator, depths: &DepthState, id: BodyId) -> Option<u32> {
         let state = depths.bodies.get(id)?;
         if id.slot() >= self.places.len() {
             self.places.resize(id.slot() + 1, (0, 0));
@@ -201,14 +220,14 @@ impl SpaceSolver {
             return Some(self.places[id.slot()].1);
         }
         let body = core.body(id)?;
-        // What is no ball turns about the depth axis only, whatever it was before.
+        // A body that is no ball rotates about the depth axis only.
         let (inverse_inertia, angular_x, angular_y) = if is_ball(core, depths, id) {
             (body.inverse_moment_of_inertia(), state.angular_velocity_x, state.angular_velocity_y)
         } else {
             (0.0, 0.0, 0.0)
         };
         let index = self.states.len() as u32;
-        self.states.push(DepthState {
+        self.states.push(SolverBodyState {
             place: None,
             id: Some(id),
             centre: [body.position().x, body.position().y, state.z],
@@ -224,14 +243,15 @@ impl SpaceSolver {
         Some(index)
     }
 
-    /// Runs an operation on the bodies of a group. Should it make one infinite or NaN, both keep what they had
-    /// before, the group is out of this update and the body is noted as failed: nothing spreads.
+    /// Runs an operation on the bodies of a group. If a velocity becomes infinite or NaN, both bodies keep
+    /// their old state, the group is left out of this update and the body is marked as failed. Such values do
+    /// not spread.
     #[inline]
     fn apply(
         &mut self,
         solved: &mut SolvedBodies<'_>,
         index: usize,
-        operation: impl FnOnce(&mut [Row], &ContactGroup, &mut [SpaceBody; 2]),
+        operation: impl FnOnce(&mut [ContactPointConstraint], &ContactGroup, &mut [SolverBody3; 2]),
     ) {
         let group = self.groups[index];
         if group.is_dropped {
@@ -251,13 +271,13 @@ impl SpaceSolver {
     }
 
     #[inline]
-    fn load(&self, solved: &SolvedBodies<'_>, place: u32) -> SpaceBody {
+    fn load(&self, solved: &SolvedBodies<'_>, place: u32) -> SolverBody3 {
         let state = &self.states[place as usize];
-        let Some(plane) = state.place else { return SpaceBody::default() };
+        let Some(plane) = state.place else { return SolverBody3::default() };
         let body = solved.get(plane);
         let [x, y, spin] = body.velocity;
         let [bias_x, bias_y, bias_spin] = body.bias;
-        SpaceBody {
+        SolverBody3 {
             linear: [x, y, state.velocity_z],
             angular: [state.angular_x, state.angular_y, spin],
             bias: [bias_x, bias_y, state.bias_z],
@@ -268,7 +288,7 @@ impl SpaceSolver {
     }
 
     #[inline]
-    fn store(&mut self, solved: &mut SolvedBodies<'_>, place: u32, body: &SpaceBody) {
+    fn store(&mut self, solved: &mut SolvedBodies<'_>, place: u32, body: &SolverBody3) {
         let state = &mut self.states[place as usize];
         let Some(plane) = state.place else { return };
         let [x, y, z] = body.linear;
@@ -299,9 +319,14 @@ impl SpaceSolver {
         }
     }
 
-    /// Writes velocities back, and impulses into the list. Bodies that failed keep the velocities with which the
-    /// solver began.
-    pub(crate) fn finish(&mut self, core: &mut PhysicsSimulator, depths: &mut Depths, list: &mut TouchList) {
+    /// Stores velocities in the bodies, and impulses in the list. Failed bodies keep their velocities from
+    /// before the solver.
+    pub(crate) fn finish(
+        &mut self,
+        core: &mut PhysicsSimulator,
+        depths: &mut DepthState,
+        list: &mut ContactList,
+    ) {
         for state in &self.states {
             let Some(kept) = state.id.and_then(|id| depths.bodies.get_mut(id)) else { continue };
             if !state.failed && state.inverse_mass != 0.0 {
@@ -311,7 +336,7 @@ impl SpaceSolver {
                 kept.angular_velocity_y = state.angular_y;
             }
         }
-        // What was not solved has carried nothing, whatever it carried before.
+        // Contacts that were not solved have no impulse.
         for point in &mut list.points {
             (point.normal_impulse, point.friction_impulse) = (0.0, [0.0; 2]);
         }
@@ -337,7 +362,7 @@ impl SpaceSolver {
     }
 }
 
-impl Constraints for SpaceSolver {
+impl Constraints for Solver3 {
     fn is_empty(&self) -> bool {
         self.groups.is_empty()
     }
@@ -371,10 +396,10 @@ impl Constraints for SpaceSolver {
     }
 }
 
-/// Velocity relative to each other that gravity has given two things in this step. They bounce with the speed with
-/// which they arrived: with that of the step as well, what falls on something immovable would gain height, hop for
-/// ever and creep down slopes. Contacts that were taken over from the 2D engine bounce as there, where it counts.
-fn pull_of(core: &PhysicsSimulator, touch: &Touch, inverse_dt: f32) -> [f32; 3] {
+/// Relative velocity of two bodies that gravity has added in this step, px/s. It does not count for the
+/// bounce: otherwise a body that falls on a static one would gain height, hop forever and creep down slopes.
+/// Contacts adopted from the core bounce by its rule, which counts it.
+fn gravity_velocity(core: &PhysicsSimulator, touch: &Contact, inverse_dt: f32) -> [f32; 3] {
     let part_of = |id: BodyId| {
         let body = core.body(id).filter(|body| is_movable(core, id) && !body.ignore_gravity());
         body.map_or(0.0, |body| body.gravity_scale())
@@ -387,8 +412,8 @@ fn pull_of(core: &PhysicsSimulator, touch: &Touch, inverse_dt: f32) -> [f32; 3] 
     [gravity.x / inverse_dt, gravity.y / inverse_dt, 0.0]
 }
 
-/// Whether a body rolls in every direction: all of its geoms are round about its own centre.
-pub(crate) fn is_ball(core: &PhysicsSimulator, depths: &Depths, body: BodyId) -> bool {
+/// Whether a body rolls in every direction: all of its geoms are balls about its centre of mass.
+pub(crate) fn is_ball(core: &PhysicsSimulator, depths: &DepthState, body: BodyId) -> bool {
     let geoms = core.geoms_of(body);
     let is_round = |profile: Option<&DepthProfile>| profile.is_some_and(|profile| profile.is_round());
     let is_centred = |offset: crate::Vector2| offset.x == 0.0 && offset.y == 0.0;

@@ -1,0 +1,62 @@
+//! Cache of the convex pieces of outlines, for the narrow phase.
+
+use farseer_core::{GeomId, PhysicsSimulator};
+
+use crate::Vector2;
+use crate::depth::SecondaryMap;
+use crate::shapes::ConvexPieces;
+
+/// Convex pieces of the outlines in use, and buffers for two of them in the world.
+#[derive(Debug, Clone, Default)]
+pub(super) struct ConvexCache {
+    pieces: SecondaryMap<GeomId, ConvexPieces>,
+    laid_out: [Vec<Vector2>; 2],
+    /// Buffer for the points of one contact.
+    pub(super) points: Vec<Vector2>,
+}
+
+/// Pieces with their vertices in the world.
+pub(super) type CachedPieces<'a> = (&'a ConvexPieces, &'a [Vector2]);
+
+impl ConvexCache {
+    /// Drops the pieces of a geom whose outline has changed.
+    pub(super) fn forget(&mut self, geom: GeomId) {
+        self.pieces.remove(geom);
+    }
+
+    fn find(&mut self, core: &PhysicsSimulator, geom: GeomId) -> Option<()> {
+        let view = core.geom(geom)?;
+        if self.pieces.get(geom).is_none() {
+            self.pieces.insert(geom, ConvexPieces::new(view.local_vertices()));
+        }
+        Some(())
+    }
+
+    /// Transforms the pieces of a geom into the world. Also returns the buffer for contact points.
+    pub(super) fn lay_out(
+        &mut self,
+        core: &PhysicsSimulator,
+        geom: GeomId,
+    ) -> Option<(CachedPieces<'_>, &mut Vec<Vector2>)> {
+        self.find(core, geom)?;
+        let ConvexCache { pieces, laid_out: [corners, _], points } = self;
+        let pieces = pieces.get(geom)?;
+        pieces.lay_out(&core.geom(geom)?.matrix(), corners);
+        Some(((pieces, corners), points))
+    }
+
+    /// Transforms the pieces of both geoms into the world.
+    pub(super) fn lay_out_both(
+        &mut self,
+        core: &PhysicsSimulator,
+        geoms: [GeomId; 2],
+    ) -> Option<[CachedPieces<'_>; 2]> {
+        geoms.into_iter().try_for_each(|geom| self.find(core, geom))?;
+        let ConvexCache { pieces, laid_out, .. } = self;
+        for (geom, corners) in geoms.into_iter().zip(laid_out.iter_mut()) {
+            pieces.get(geom)?.lay_out(&core.geom(geom)?.matrix(), corners);
+        }
+        let [a, b] = geoms;
+        Some([(pieces.get(a)?, &laid_out[0]), (pieces.get(b)?, &laid_out[1])])
+    }
+}
