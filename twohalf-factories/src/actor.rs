@@ -61,7 +61,7 @@ impl Actor {
     /// Spawns a [figure](crate::Figure) with default [`CharacterSettings`].
     ///
     /// # Errors
-    /// Those of [`spawn`].
+    /// The errors of [`spawn`].
     pub fn spawn(simulator: &mut TwoHalfPhysicsSimulator, figure: Thing) -> Result<Self> {
         let thing = spawn(simulator, figure)?;
         let walk = CharacterSettings::default();
@@ -81,7 +81,7 @@ impl Actor {
     /// its flight and is braked where it lands.
     ///
     /// # Errors
-    /// Those of [`walk`](TwoHalfPhysicsSimulator::walk).
+    /// The errors of [`walk`](TwoHalfPhysicsSimulator::walk).
     pub fn act(&mut self, simulator: &mut TwoHalfPhysicsSimulator, wish: MoveInput, dt: f32) -> Result<bool> {
         let scale = simulator.time_scale(self.thing.body);
         if scale == 0.0 {
@@ -104,7 +104,7 @@ impl Actor {
     /// [Strikes](strike) in its facing direction.
     ///
     /// # Errors
-    /// Those of [`strike`].
+    /// The errors of [`strike`].
     pub fn strike(
         &self,
         simulator: &mut TwoHalfPhysicsSimulator,

@@ -47,8 +47,8 @@ pub struct Door {
 /// ```
 ///
 /// # Errors
-/// Another scheme than [`DepthScheme::Precise`](twohalf::DepthScheme::Precise); a size that is not finite and
-/// greater than 0; a hinge or angle that is not finite, or a hinge so far away that corners are not finite at
+/// Another scheme than [`DepthScheme::Precise`](twohalf::DepthScheme::Precise). A size that is not finite and
+/// greater than 0. A hinge or angle that is not finite, or a hinge so far away that corners are not finite at
 /// every angle. A failed call adds nothing.
 pub fn spawn_door(
     simulator: &mut TwoHalfPhysicsSimulator,
@@ -125,7 +125,7 @@ impl Door {
     /// door arrives. One call before every update turns it evenly.
     ///
     /// # Errors
-    /// Those of [`turn_to`](Self::turn_to); a greatest turn that is not finite and 0 or more.
+    /// The errors of [`turn_to`](Self::turn_to); a greatest turn that is not finite and 0 or more.
     pub fn turn_towards(
         &mut self,
         simulator: &mut TwoHalfPhysicsSimulator,

@@ -89,7 +89,7 @@ impl TwoHalfGeomFactory {
     /// Copies a geom to a body and adds it.
     ///
     /// # Errors
-    /// Those of [`create_geom`](Self::create_geom).
+    /// The errors of [`create_geom`](Self::create_geom).
     #[doc(alias = "CreateGeom(PhysicsSimulator, Body, TwoHalfGeom)")]
     pub fn create_geom_in(
         simulator: &mut TwoHalfPhysicsSimulator,

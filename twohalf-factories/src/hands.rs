@@ -62,7 +62,7 @@ pub struct Hands {
 struct Grip {
     holder: Spawned,
     load: Spawned,
-    /// Collision group of the load before the grip.
+    /// Collision group of the load before the grip: a number, 0 is no group.
     group: i32,
     ignored_gravity: bool,
     /// Least distance so far from the point where it is held, px. A load from beyond the reach must not move

@@ -291,9 +291,9 @@ fn front_of(profile: DepthProfile) -> [f32; 2] {
 /// ```
 ///
 /// # Errors
-/// A size or mass that is not finite and greater than 0, or so small that the moment of inertia vanishes; a
-/// friction, restitution or position that is not finite; a capsule of less than twice its radius in height;
-/// an upright shape with another scheme than [`DepthScheme::Precise`](twohalf::DepthScheme::Precise). A
+/// A size or mass that is not finite and greater than 0, or so small that the moment of inertia vanishes. A
+/// friction, restitution or position that is not finite. A capsule of less than twice its radius in height.
+/// An upright shape with another scheme than [`DepthScheme::Precise`](twohalf::DepthScheme::Precise). A
 /// failed call adds nothing.
 pub fn spawn(simulator: &mut TwoHalfPhysicsSimulator, thing: Thing) -> Result<Spawned> {
     thing.check()?;

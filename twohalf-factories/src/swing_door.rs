@@ -141,9 +141,9 @@ impl SwingDoor {
 /// ```
 ///
 /// # Errors
-/// Another scheme than [`DepthScheme::Precise`](twohalf::DepthScheme::Precise); a size, mass or period that
-/// is not finite and greater than 0; an opening or damping that is not finite and 0 or more; an angle that is
-/// not finite; a hinge that is not finite, or so far away that corners are not finite at every angle; a
+/// Another scheme than [`DepthScheme::Precise`](twohalf::DepthScheme::Precise). A size, mass or period that
+/// is not finite and greater than 0. An opening or damping that is not finite and 0 or more. An angle that is
+/// not finite. A hinge that is not finite, or so far away that corners are not finite at every angle. A
 /// moment of inertia or spring that is not finite. A failed call adds nothing.
 pub fn spawn_swing_door(simulator: &mut TwoHalfPhysicsSimulator, door: SwingDoor) -> Result<PlatformId> {
     door.check()?;

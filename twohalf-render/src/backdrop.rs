@@ -14,9 +14,9 @@ const MAX_SLOPE: f32 = 20.0;
 /// Greatest number of rows of the gradients, and of lines side by side: as many as a canvas has px.
 const MAX_ROWS: f32 = crate::MAX_SIDE as f32;
 
-/// Colours and sizes of a ground backdrop. The floor is the plane Y = 0 as the engine projects it: depth Z
-/// goes up the screen, one px per px, from the lower edge (Z = 0) to the horizon, and to the side along the Z
-/// axis' angle.
+/// Colours and sizes of a ground backdrop. The floor is the plane Y = 0 as the engine projects it. Depth Z
+/// goes up the screen, one px per px, from the lower edge (Z = 0) to the horizon. It leans to the side by the
+/// angle of the Z axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GroundBackdrop {
     /// Z of the horizon in px, greater than 0: height of the floor on the screen.
@@ -74,8 +74,8 @@ impl GroundBackdrop {
 /// An animation draws it once and begins each frame with a clone of that canvas.
 ///
 /// # Errors
-/// `depth` or `spacing` out of range, `angle` not between 0 and 180, or one of them not finite. Nothing is
-/// drawn then.
+/// `depth` or `spacing` out of range, `angle` not between 0 and 180, or one of them not finite. A failed call
+/// draws nothing.
 pub fn draw_ground_backdrop(canvas: &mut dyn Canvas, backdrop: &GroundBackdrop) -> Result<()> {
     let GroundBackdrop { depth, angle, spacing, .. } = *backdrop;
     check_range("depth", depth, f32::MIN_POSITIVE..=MAX_COORDINATE, "greater than 0, at most 1e6 px")?;

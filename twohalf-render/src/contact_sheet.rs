@@ -97,7 +97,7 @@ impl ContactSheet {
     /// Writes the sheet as a PNG file; folders above it are created.
     ///
     /// # Errors
-    /// Those of [`ContactSheet::render`], or the file or a folder cannot be written.
+    /// The errors of [`ContactSheet::render`], or the file or a folder cannot be written.
     pub fn save_png(&self, path: impl AsRef<Path>) -> Result<()> {
         self.render()?.save_png(path)
     }

@@ -7,9 +7,10 @@ use crate::{Color, Point, Sprite, SpriteBatch, Texture2D, TextureStore};
 
 /// Draws bodies of a simulator. A stale body draws nothing.
 pub trait DrawBody {
-    /// Adds the shadow of a body: the shadow image of its ground, on the topmost surface (ground, platform,
-    /// or walkable top of a body) beneath the origin of one of its geoms, usually the object geom. Without an
-    /// image, without a surface (below the ground), or with a geom of another body, it adds nothing.
+    /// Adds the shadow of a body: the shadow image of its ground. It lies on the topmost surface (ground,
+    /// platform, or walkable top of a body) beneath the origin of one of its geoms, usually the object geom.
+    /// Without an image, without a surface (below the ground), or with a geom of another body, it adds
+    /// nothing.
     ///
     /// The image is that on level ground; a slope inclines it. Off the ground it ends at the edge of its
     /// face. Its middle is `position_offset` px, measured on level ground as seen on the screen, from the

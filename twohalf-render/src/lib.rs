@@ -14,9 +14,8 @@
 //! 4. **Names an XNA game expects**: [`SpriteBatch`], [`Texture2D`], [`Color`], with XNA's meaning of
 //!    rotation, origin, scale, tint and layer depth.
 //!
-//! Games of the 2D engine alone are drawn with it as well: sprites, cameras, text and textures have no depth,
-//! [`PictureBody`] makes bodies from pictures in both engines, and the example `plane_game` shows all of
-//! that.
+//! Games of the 2D engine alone are drawn with it as well: sprites, cameras, text and textures have no depth.
+//! [`PictureBody`] makes bodies from pictures in both engines. The example `plane_game` uses all of these.
 //!
 //! Screen axes everywhere: x right, y **down**, in px; angles in radians, positive clockwise on the screen.
 //! Colours are RGBA8 in sRGB with straight alpha. Bad input never panics: functions that return a [`Result`]

@@ -95,7 +95,7 @@ impl PictureBody {
     /// The same in a world with depth: a prism that is `depth` px deep, with its lowest point on the ground.
     ///
     /// # Errors
-    /// Those of [`create_in`](Self::create_in), or a depth that is not finite and 0 or more. A failed call
+    /// The errors of [`create_in`](Self::create_in), or a depth that is not finite and 0 or more. A failed call
     /// adds nothing.
     pub fn create_in_depth(
         simulator: &mut TwoHalfPhysicsSimulator,

@@ -8,7 +8,7 @@ use crate::{Color, Point, Sprite, SpriteBatch, Texture2D, Transform};
 /// Limit of the scale of a shadow at great heights (a factor).
 pub const SHADOW_SCALE_LIMIT: f32 = 0.3;
 
-/// Factor for the size of the shadow of an object whose lowest point is `height` above the surface that takes
+/// Factor for the size of a shadow. The lowest point of its object is `height` above the surface that takes
 /// the shadow: "the more an object flies above the ground, the smaller its shadow" (thesis 3.4).
 ///
 /// ```text

@@ -87,9 +87,9 @@ impl Text {
     }
 }
 
-/// Writes a text with its upper left corner at `position` (px, rounded to whole ones), every pixel of the
-/// font as a square of `scale` x `scale` px; [`Text`] can be turned and sorted with sprites. A scale of 0 or above 256
-/// draws nothing.
+/// Writes a text with its upper left corner at `position` (px, rounded to whole ones). Every pixel of the
+/// font is a square of `scale` x `scale` px. [`Text`] can be turned and sorted with sprites. A scale of 0 or
+/// above 256 draws nothing.
 pub fn draw_text(canvas: &mut dyn Canvas, text: &str, position: impl Into<Point>, scale: u32, color: Color) {
     if !(1..=MAX_SCALE).contains(&scale) {
         return;

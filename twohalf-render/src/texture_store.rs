@@ -40,7 +40,7 @@ impl TextureStore {
     /// the same id.
     ///
     /// # Errors
-    /// There is no such file, it cannot be read, or is no such picture. Nothing is kept then.
+    /// There is no such file, it cannot be read, or is no such picture. A failed call keeps nothing.
     #[doc(alias = "Content.Load")]
     pub fn load(&mut self, name: &str) -> Result<TextureId> {
         if let Some(&(_, id)) = self.names.iter().find(|(known, _)| known == name) {

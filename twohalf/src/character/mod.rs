@@ -228,9 +228,9 @@ impl TwoHalfPhysicsSimulator {
     /// ```
     ///
     /// # Errors
-    /// A stale body, or one without an object geom; settings out of their ranges; a loaded controller with
-    /// numbers that are not finite; an input that is not finite; a `dt` that is not finite and greater than 0;
-    /// another scheme than [`DepthScheme::Precise`].
+    /// A stale body, or one without an object geom. Settings out of their ranges. A loaded controller with
+    /// numbers that are not finite. An input that is not finite. A `dt` that is not finite and greater than
+    /// 0. Another scheme than [`DepthScheme::Precise`].
     pub fn walk(
         &mut self,
         body: BodyId,

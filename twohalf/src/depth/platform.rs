@@ -407,7 +407,8 @@ impl Platform {
     }
 
     /// The eight corners in the world, px. The first four are those of the front face (smaller Z), clockwise
-    /// on the screen from the top left one before the tilt. Those of the back face follow in the same order.
+    /// on the screen from the top left one before the tilt. The corners of the back face follow in the same
+    /// order.
     pub fn corners(&self) -> [Vector3; 8] {
         self.shape.corners().map(to_world)
     }

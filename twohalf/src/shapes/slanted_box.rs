@@ -138,7 +138,7 @@ fn the_bounds_are_those_of_the_corners() {
         let greatest = |axis: usize| corners.iter().fold(-f32::INFINITY, |most, c| most.max(c[axis]));
         for axis in 0..3 {
             let ends = [least(axis) - low[axis], high[axis] - greatest(axis)];
-            // Of what is tilted or leans and is turned besides, they are not the least ones.
+            // For a box that is tilted or leaning and also rotated, they are not the least ones.
             let is_exact = !shape.is_turned() || (shape.sin == 0.0 && shape.shear == 0.0);
             assert!(ends.iter().all(|end| *end > -1e-3 && (*end < 1e-3 || !is_exact)));
         }

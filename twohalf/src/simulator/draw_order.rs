@@ -104,7 +104,7 @@ impl DrawLists {
 struct ScreenStrips {
     /// Least y, px.
     first: f32,
-    /// Strips per px, 1/px.
+    /// Number of strips per px, 1/px.
     per_length: f32,
     count: usize,
 }
@@ -331,7 +331,7 @@ impl DrawOrder {
 impl TwoHalfPhysicsSimulator {
     /// The enabled bodies of the simulation and the platforms from back to front: draw them in this order.
     ///
-    /// If two items cover each other on the screen, the front one comes later: the nearer one in Z, the
+    /// If two items cover each other on the screen, the front one comes later. It is the nearer one in Z, the
     /// higher one of a stack, or the one on the side that the Z axis leans away from. The direction of
     /// greatest separation of their boxes, or of the sides of a platform, decides.
     ///

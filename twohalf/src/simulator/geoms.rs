@@ -40,7 +40,7 @@ impl TwoHalfPhysicsSimulator {
     /// Replaces the outline of a geom; see [`PhysicsSimulator::set_vertices`](farseer_core::PhysicsSimulator::set_vertices). Its depth profile stays.
     ///
     /// # Errors
-    /// Those of the core's function.
+    /// The errors of the core's function.
     #[doc(alias = "SetVertices")]
     pub fn set_vertices(&mut self, geom: GeomId, vertices: impl Into<Vertices>) -> Result<()> {
         self.core.set_vertices(geom, vertices)?;
@@ -88,9 +88,9 @@ impl TwoHalfPhysicsSimulator {
     /// rectangle.
     ///
     /// # Errors
-    /// A stale id; a depth that is not finite and 0 or more; a radius that is not finite and greater than 0,
-    /// or so great that the ball does not end at finite X and Y; a height that is not finite and greater than
-    /// 0, or less than twice the radius of a capsule; an upright profile with another scheme than
+    /// A stale id. A depth that is not finite and 0 or more. A radius that is not finite and greater than 0,
+    /// or so great that the ball does not end at finite X and Y. A height that is not finite and greater than
+    /// 0, or less than twice the radius of a capsule. An upright profile with another scheme than
     /// [`DepthScheme::Precise`].
     pub fn set_depth_profile(&mut self, geom: GeomId, profile: DepthProfile) -> Result<()> {
         let body = self.core.geom(geom).ok_or(stale("geom"))?.body();

@@ -55,7 +55,7 @@ impl TwoHalfPhysicsSimulator {
     /// deep as the shorter side of the outline's AABB; see [`set_depth_profile`](Self::set_depth_profile).
     ///
     /// # Errors
-    /// Those of [`PhysicsSimulator::create_geom`].
+    /// The errors of [`PhysicsSimulator::create_geom`].
     #[doc(alias = "TwoHalfGeom(TwoHalfBody, Vertices, float)")]
     pub fn create_geom(
         &mut self,
@@ -73,7 +73,7 @@ impl TwoHalfPhysicsSimulator {
     /// copy becomes its object geom; the other body's origin stays.
     ///
     /// # Errors
-    /// Those of [`PhysicsSimulator::clone_geom`].
+    /// The errors of [`PhysicsSimulator::clone_geom`].
     #[doc(alias = "TwoHalfGeom(TwoHalfBody, TwoHalfGeom)")]
     pub fn clone_geom(&mut self, body: BodyId, geom: GeomId) -> Result<GeomId> {
         let copy = self.core.clone_geom(body, geom)?;

@@ -28,7 +28,7 @@ impl Platform {
     /// A platform tilted by `rotation` radians, clockwise on the screen, about its centre: a slope.
     ///
     /// # Errors
-    /// Those of [`Platform::new`]; a rotation that is not finite.
+    /// The errors of [`Platform::new`]; a rotation that is not finite.
     #[doc(alias = "Platform(sim, int, int, int, Vector3, float, Texture2D)")]
     pub fn with_rotation(
         simulator: &mut TwoHalfPhysicsSimulator,
@@ -56,7 +56,7 @@ impl Platform {
     /// counterclockwise from the x axis.
     ///
     /// # Errors
-    /// Those of [`Platform::with_rotation`]; an angle that is not between 0 and 180.
+    /// The errors of [`Platform::with_rotation`]; an angle that is not between 0 and 180.
     #[doc(alias = "Platform(sim, int, int, int, Vector3, float, Texture2D, int)")]
     #[expect(clippy::too_many_arguments, reason = "the thesis' constructor has these")]
     pub fn with_rotation_and_angle(

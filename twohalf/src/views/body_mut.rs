@@ -203,7 +203,7 @@ impl<S: AccessMut> TwoHalfBody<S> {
     /// Sets the mass; the moment of inertia stays.
     ///
     /// # Errors
-    /// Those of [`Body::set_mass`].
+    /// The errors of [`Body::set_mass`].
     pub fn set_mass(&mut self, value: f32) -> Result<()> {
         Ok(self.core_mut().set_mass(value)?)
     }

@@ -31,7 +31,7 @@ impl PlatformMut<'_> {
     /// platform.
     ///
     /// # Errors
-    /// Those of [`Platform::new`].
+    /// The errors of [`Platform::new`].
     pub fn set_position3d(&mut self, position3d: Vector3) -> Result<()> {
         self.set(self.at(position3d, self.projection)?)
     }
@@ -86,7 +86,7 @@ impl PlatformMut<'_> {
     /// update pushes only the objects that the platform overlaps at its end.
     ///
     /// # Errors
-    /// Those of [`Platform::new`]; a platform with a [hinge](Self::set_swing); another scheme than
+    /// The errors of [`Platform::new`]; a platform with a [hinge](Self::set_swing); another scheme than
     /// [`DepthScheme::Precise`].
     pub fn move_to(&mut self, position3d: Vector3) -> Result<()> {
         self.check_precise("moving platforms")?;

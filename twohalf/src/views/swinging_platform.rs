@@ -44,10 +44,10 @@ impl PlatformMut<'_> {
     /// ```
     ///
     /// # Errors
-    /// A moment of inertia that is not finite and greater than 0; a stiffness or damping that is not 0 or
-    /// more, or too great for the moment of inertia; a hinge that is not finite, or so far away that corners
-    /// are not finite at every angle; angles that are not finite; stops that exclude the present yaw; a
-    /// platform that is a slope, a belt or sheared; another scheme than
+    /// A moment of inertia that is not finite and greater than 0. A stiffness or damping that is not 0 or
+    /// more, or too great for the moment of inertia. A hinge that is not finite, or so far away that corners
+    /// are not finite at every angle. Angles that are not finite. Stops that exclude the present yaw. A
+    /// platform that is a slope, a belt or sheared. Another scheme than
     /// [`DepthScheme::Precise`](crate::DepthScheme::Precise).
     pub fn set_swing(&mut self, swing: Swing) -> Result<()> {
         self.check_precise("platforms that swing about a hinge")?;

@@ -61,7 +61,7 @@ impl PlatformMut<'_> {
     /// ```
     ///
     /// # Errors
-    /// Those of [`set_yaw`](Self::set_yaw); a platform with a [belt](Self::set_surface_speed) as surface.
+    /// The errors of [`set_yaw`](Self::set_yaw); a platform with a [belt](Self::set_surface_speed) as surface.
     pub fn set_angular_velocity(&mut self, angular_velocity: f32) -> Result<()> {
         if !angular_velocity.is_finite() {
             return Err(invalid("angular_velocity", angular_velocity, "finite"));
@@ -74,7 +74,7 @@ impl PlatformMut<'_> {
     /// velocity before. It turns by the full difference of the angles, which may be several revolutions.
     ///
     /// # Errors
-    /// Those of [`set_angular_velocity`](Self::set_angular_velocity); a platform with a
+    /// The errors of [`set_angular_velocity`](Self::set_angular_velocity); a platform with a
     /// [hinge](Self::set_swing).
     pub fn turn_to(&mut self, yaw: f32) -> Result<()> {
         if !yaw.is_finite() {

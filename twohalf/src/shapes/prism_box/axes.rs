@@ -3,8 +3,8 @@
 //! Frame: the plane's, x right, y **down**, z into the picture.
 //!
 //! Source: the separating axis theorem (Gottschalk 1996). The axes of a prism and a sheared box are the
-//! normals of both outlines' edges, with or without the slope of the box in depth (a side against an end, an
-//! edge against an edge). The y axis of a sheared box and the z axis are axes as well.
+//! normals of both outlines' edges, with or without the slope of the box in depth. The pairs are a side
+//! against an end, and an edge against an edge. The y axis of a sheared box and the z axis are axes as well.
 
 use farseer_core::math::{Vector2, Vector3, scalar};
 
