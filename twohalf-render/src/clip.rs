@@ -67,7 +67,7 @@ mod tests {
     }
 
     #[test]
-    fn of_two_squares_the_common_rectangle_remains() {
+    fn clipping_a_square_by_a_square_leaves_the_common_rectangle() {
         let other = SQUARE.map(|[x, y]| [x + 6.0, y - 3.0]);
         let common = clip_to_convex(&other, &SQUARE);
         assert_eq!(area(&common), 2.0 * 4.0 * 7.0);
@@ -108,7 +108,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_remains_apart_of_each_other_or_without_area() {
+    fn clipping_separate_or_degenerate_polygons_leaves_nothing() {
         assert!(clip_to_convex(&SQUARE.map(|[x, y]| [x + 20.0, y]), &SQUARE).is_empty());
         assert!(clip_to_convex(&SQUARE, &[[0.0, 0.0], [5.0, 5.0], [10.0, 10.0]]).is_empty());
         assert!(clip_to_convex(&[[1.0, 1.0], [2.0, 2.0]], &SQUARE).is_empty());

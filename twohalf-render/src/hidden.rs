@@ -227,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn of_a_face_that_stands_in_a_block_the_part_above_its_top_is_seen_with_lines_around_it() {
+    fn the_part_of_a_face_above_the_top_of_a_block_is_visible_and_outlined() {
         let seen = Seen::of(face([20.0, 70.0], [-80.0, 70.0], 20.0), &[block()]);
         // Below the block there is the ground.
         assert!((area(&seen) - 50.0 * 10.0).abs() < 0.01, "{}", area(&seen));
@@ -255,7 +255,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_of_a_face_inside_is_seen_and_of_one_around_all_but_what_is_inside() {
+    fn a_face_inside_a_solid_is_hidden_and_one_around_it_is_seen_except_inside() {
         assert_eq!(Seen::of(face([20.0, 70.0], [5.0, 50.0], 20.0), &[block()]), Seen::default());
         let around = Seen::of(face([-100.0, 200.0], [-100.0, 160.0], 20.0), &[block()]);
         assert!((area(&around) - (300.0 * 260.0 - 100.0 * 160.0)).abs() < 0.1, "{}", area(&around));

@@ -118,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn a_flat_transform_has_no_way_back() {
+    fn a_flat_transform_has_no_inverse() {
         assert_eq!(Transform::scaling([1.0, 0.0]).inverse(), None);
         assert_eq!(Transform::translation([f32::NAN, 0.0]).inverse(), None);
     }

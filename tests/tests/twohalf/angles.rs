@@ -237,7 +237,7 @@ fn period(amplitude: f32, hinge: impl FnOnce(&mut TwoHalfPhysicsSimulator, BodyI
 }
 
 #[test]
-fn what_hangs_on_a_hinge_swings_as_a_physical_pendulum() {
+fn a_body_on_a_hinge_swings_as_a_physical_pendulum() {
     precise(|| {
         for amplitude in [0.3f32, 1.0] {
             // 2 pi sqrt((I + m r²) / (m g r)) (1 + a² / 16 + 11 a^4 / 3072).
@@ -283,7 +283,7 @@ fn kept(simulator: &TwoHalfPhysicsSimulator, bodies: [BodyId; 2]) -> [f32; 4] {
 }
 
 #[test]
-fn a_blow_on_one_of_two_that_a_hinge_joins_is_shared_as_their_levers_have_it() {
+fn an_impulse_on_one_of_two_hinged_bodies_is_shared_by_their_lever_arms() {
     precise(|| {
         let (mut simulator, bodies, at) = end_to_end();
         let hinge = joined(&mut simulator, |objects| {
@@ -340,7 +340,7 @@ fn two_that_are_welded_turn_about_their_common_middle_as_one_body_would() {
 }
 
 #[test]
-fn on_a_rail_a_body_slides_with_what_gravity_has_along_it_and_stays_at_its_z() {
+fn on_a_rail_a_body_slides_with_the_component_of_gravity_and_keeps_its_z() {
     precise(|| {
         let mut simulator = simulator();
         let post = bar(&mut simulator, [0.0, 300.0, 0.0], 1.0, 1.0);
@@ -370,7 +370,7 @@ fn on_a_rail_a_body_slides_with_what_gravity_has_along_it_and_stays_at_its_z() {
 }
 
 #[test]
-fn two_on_one_rail_share_what_they_have_along_z_and_across_it_and_not_along_it() {
+fn two_bodies_on_one_rail_share_momentum_along_z_and_across_it_and_not_along_it() {
     precise(|| {
         let mut simulator = weightless();
         let light = bar(&mut simulator, [-20.0, 300.0, 10.0], 1.0, 1e6);

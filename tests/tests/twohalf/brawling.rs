@@ -20,7 +20,7 @@ fn crate_box(simulator: &mut TwoHalfPhysicsSimulator, at: [f32; 3]) -> Spawned {
 }
 
 #[test]
-fn an_actor_looks_where_it_wished_to_go_and_counts_its_steps() {
+fn an_actor_faces_its_input_and_counts_its_steps() {
     let mut simulator = simulator();
     let mut actor = actor(&mut simulator, [0.0, 0.0, 50.0]);
     for _ in 0..120 {
@@ -35,7 +35,7 @@ fn an_actor_looks_where_it_wished_to_go_and_counts_its_steps() {
 }
 
 #[test]
-fn who_is_stunned_flies_on_as_thrown_and_is_braked_where_it_lands() {
+fn a_stunned_figure_keeps_its_flight_and_is_braked_on_landing() {
     let mut simulator = simulator();
     let mut actor = actor(&mut simulator, [0.0, 0.0, 50.0]);
     (0..10).for_each(|_| simulator.update(STEP));
@@ -56,7 +56,7 @@ fn who_is_stunned_flies_on_as_thrown_and_is_braked_where_it_lands() {
 }
 
 #[test]
-fn nothing_of_an_actor_goes_on_while_its_time_stands_still() {
+fn an_actor_does_not_advance_while_its_time_is_stopped() {
     let mut simulator = simulator();
     let mut actor = actor(&mut simulator, [0.0, 0.0, 50.0]);
     simulator.update(STEP);
@@ -71,7 +71,7 @@ fn nothing_of_an_actor_goes_on_while_its_time_stands_still() {
 }
 
 #[test]
-fn a_blow_reaches_what_is_before_whoever_strikes_and_no_farther() {
+fn a_blow_reaches_bodies_in_front_of_the_striker_and_no_farther() {
     let mut simulator = simulator();
     let player = actor(&mut simulator, [100.0, 0.0, 50.0]).thing;
     // Its reach is from X = 115 to 145, Y = 18 to 52, Z = 34 to 66.
@@ -88,7 +88,7 @@ fn a_blow_reaches_what_is_before_whoever_strikes_and_no_farther() {
 }
 
 #[test]
-fn who_is_struck_gets_the_velocity_after_the_hit_stop_and_what_is_fixed_gets_none() {
+fn a_struck_body_gets_the_velocity_after_the_hit_stop_and_a_static_one_gets_none() {
     let mut simulator = simulator();
     let player = actor(&mut simulator, [100.0, 0.0, 50.0]).thing;
     let load = crate_box(&mut simulator, [60.0, 20.0, 60.0]);
@@ -109,7 +109,7 @@ fn who_is_struck_gets_the_velocity_after_the_hit_stop_and_what_is_fixed_gets_non
 }
 
 #[test]
-fn a_blow_that_meets_nobody_stops_nobody() {
+fn a_blow_without_a_hit_stops_no_body() {
     let mut simulator = simulator();
     let player = actor(&mut simulator, [100.0, 0.0, 50.0]).thing;
     crate_box(&mut simulator, [140.0, 20.0, 50.0]);
@@ -119,7 +119,7 @@ fn a_blow_that_meets_nobody_stops_nobody() {
 }
 
 #[test]
-fn what_is_held_bumps_into_walls_and_not_into_who_holds_it() {
+fn a_held_body_collides_with_walls_and_not_with_its_holder() {
     let mut simulator = simulator();
     let mut player = actor(&mut simulator, [0.0, 0.0, 50.0]);
     let load = crate_box(&mut simulator, [40.0, 0.0, 50.0]);
@@ -138,7 +138,7 @@ fn what_is_held_bumps_into_walls_and_not_into_who_holds_it() {
 }
 
 #[test]
-fn who_threw_something_meets_it_again_once_it_is_apart() {
+fn a_thrown_body_collides_with_its_thrower_again_once_they_are_separated() {
     let mut simulator = simulator();
     let player = actor(&mut simulator, [0.0, 0.0, 50.0]);
     let load = crate_box(&mut simulator, [40.0, 0.0, 50.0]);
@@ -166,7 +166,7 @@ fn who_threw_something_meets_it_again_once_it_is_apart() {
 }
 
 #[test]
-fn what_is_gone_is_not_held() {
+fn a_removed_body_is_not_held() {
     let mut simulator = simulator();
     let player = actor(&mut simulator, [0.0, 0.0, 50.0]).thing;
     let load = crate_box(&mut simulator, [40.0, 0.0, 50.0]);
@@ -204,7 +204,7 @@ fn hands_go_on_after_loading() {
 }
 
 #[test]
-fn what_cannot_be_is_refused() {
+fn invalid_blows_and_grips_are_refused() {
     let mut simulator = simulator();
     let player = actor(&mut simulator, [0.0, 0.0, 50.0]).thing;
     let load = crate_box(&mut simulator, [30.0, 20.0, 50.0]);

@@ -121,7 +121,7 @@ fn assert_only_marked_are_stopped(target: Make, axis: usize, direction: Vector3)
 }
 
 #[test]
-fn what_is_marked_passes_no_object_along_any_axis_and_what_is_not_does() {
+fn a_bullet_tunnels_through_no_object_along_any_axis_and_other_bodies_do() {
     precise(|| {
         for target in TARGETS {
             for axis in 0..3 {
@@ -134,7 +134,7 @@ fn what_is_marked_passes_no_object_along_any_axis_and_what_is_not_does() {
 }
 
 #[test]
-fn what_is_marked_passes_no_plate_aslant_and_what_is_not_does() {
+fn a_bullet_tunnels_through_no_oblique_plate_and_other_bodies_do() {
     precise(|| {
         for (axis, way) in [[0.9, 0.2, 0.3], [0.2, -0.9, 0.3], [-0.2, 0.3, 0.9]].into_iter().enumerate() {
             assert_only_marked_are_stopped(TARGETS[0], axis, Vector3::from(way).normalize());

@@ -80,7 +80,7 @@ pub(crate) fn a_geom_whose_callbacks_are_off_is_not_asked_and_its_partner_is() {
 }
 
 #[test]
-fn a_geom_whose_callbacks_are_off_is_not_asked_about_ground_and_platform() {
+fn a_geom_without_callbacks_gets_none_for_ground_and_platform() {
     for on_platform in [false, true] {
         let (mut simulator, body, _) = falling(false, on_platform, 0.0);
         let geom = geom_of(&simulator, body);
@@ -92,7 +92,7 @@ fn a_geom_whose_callbacks_are_off_is_not_asked_about_ground_and_platform() {
 }
 
 #[test]
-fn both_sides_are_told_of_a_hit_the_older_first_with_opposite_normals() {
+fn both_handlers_of_a_hit_are_called_the_older_first_with_opposite_normals() {
     for axis in AXES {
         let (mut simulator, bodies, direction) = pair_along(axis, 0.0);
         let geoms = bodies.map(|body| geom_of(&simulator, body));
@@ -313,7 +313,7 @@ fn sensor(simulator: &mut TwoHalfPhysicsSimulator) -> GeomId {
 }
 
 #[test]
-fn a_sensor_feels_what_passes_through_it_along_every_axis_and_does_not_push() {
+fn a_sensor_reports_bodies_along_every_axis_and_does_not_push() {
     for direction in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.6, 0.0, 0.8]].map(Vector3::from) {
         for is_ball in [true, false] {
             let mut simulator = weightless();

@@ -48,7 +48,7 @@ fn apart(simulator: &TwoHalfPhysicsSimulator, floor: BodyId, load: BodyId) -> Ve
 }
 
 #[test]
-fn what_stands_on_a_kinematic_body_is_carried_in_all_axes_and_lags_by_its_friction() {
+fn a_body_on_a_kinematic_body_is_carried_in_all_axes_and_lags_by_its_friction() {
     precise(|| {
         for rate in RATES {
             let (mut simulator, floor, load) = kinematic_floor();
@@ -65,7 +65,7 @@ fn what_stands_on_a_kinematic_body_is_carried_in_all_axes_and_lags_by_its_fricti
 }
 
 #[test]
-fn what_is_carried_along_does_not_drift() {
+fn a_carried_body_does_not_drift() {
     precise(|| {
         for rate in RATES {
             let (mut simulator, floor, load) = kinematic_floor();
@@ -90,7 +90,7 @@ fn a_kinematic_body_moves_in_three_axes_by_its_velocity_times_the_time() {
 }
 
 #[test]
-fn a_lift_that_goes_down_keeps_what_came_with_it_grounded_in_all_steps() {
+fn a_lift_that_goes_down_keeps_its_passengers_grounded_in_all_steps() {
     precise(|| {
         for (speed, rate) in [60.0, 300.0].into_iter().flat_map(|speed| RATES.map(|rate| (speed, rate))) {
             let (mut simulator, lift, load) = kinematic_floor();
@@ -109,7 +109,7 @@ fn a_lift_that_goes_down_keeps_what_came_with_it_grounded_in_all_steps() {
 }
 
 #[test]
-fn a_kinematic_body_that_is_told_a_place_is_there_to_the_last_bit_after_a_step_and_stays() {
+fn a_kinematic_body_with_a_target_is_there_to_the_last_bit_after_a_step_and_stays() {
     precise(|| {
         let (mut simulator, floor, _) = kinematic_floor();
         let target = Vector3::new(3.3, 7.7, -11.1);
@@ -126,7 +126,7 @@ fn a_kinematic_body_that_is_told_a_place_is_there_to_the_last_bit_after_a_step_a
 }
 
 #[test]
-fn a_place_is_refused_for_what_is_not_kinematic_and_where_nothing_kinematic_moves_along_z() {
+fn a_target_is_refused_for_bodies_that_are_not_kinematic_and_schemes_without_kinematic_motion_along_z() {
     precise(|| {
         let (mut simulator, floor, load) = kinematic_floor();
         let mut refuses = |body: BodyId, at: f32| {
@@ -144,7 +144,7 @@ fn a_place_is_refused_for_what_is_not_kinematic_and_where_nothing_kinematic_move
 }
 
 #[test]
-fn what_sleeps_on_a_kinematic_body_wakes_when_that_begins_to_move_along_z() {
+fn a_body_asleep_on_a_kinematic_body_wakes_when_that_begins_to_move_along_z() {
     precise(|| {
         let (mut simulator, floor, load) = kinematic_floor();
         run_for(&mut simulator, 3.0, 60.0);
@@ -175,7 +175,7 @@ fn the_surface_of_a_static_body_carries_along_x_and_z_up_to_its_speed_by_mu_g_t(
 }
 
 #[test]
-fn what_was_saved_or_cloned_on_its_way_goes_on_with_the_same_bits() {
+fn a_simulator_saved_or_cloned_in_motion_goes_on_with_the_same_bits() {
     precise(|| {
         let (mut simulator, floor, _) = kinematic_floor();
         for step in 0..60 {
@@ -213,7 +213,7 @@ fn above(simulator: &TwoHalfPhysicsSimulator, lift: PlatformId, load: BodyId) ->
 }
 
 #[test]
-fn what_stands_on_a_platform_that_moves_is_carried_in_all_axes_and_lags_by_its_friction() {
+fn a_body_on_a_moving_platform_is_carried_in_all_axes_and_lags_by_its_friction() {
     precise(|| {
         for rate in RATES {
             let (mut simulator, lift, load) = loaded_platform();
@@ -233,7 +233,7 @@ fn what_stands_on_a_platform_that_moves_is_carried_in_all_axes_and_lags_by_its_f
 }
 
 #[test]
-fn a_platform_that_goes_down_keeps_what_came_with_it_grounded_in_all_steps_and_beside_it() {
+fn a_platform_that_goes_down_keeps_its_passengers_grounded_in_all_steps_and_beside_it() {
     precise(|| {
         for (speed, rate) in [60.0, 300.0].into_iter().flat_map(|speed| RATES.map(|rate| (speed, rate))) {
             let (mut simulator, lift, load) = loaded_platform();
@@ -251,7 +251,7 @@ fn a_platform_that_goes_down_keeps_what_came_with_it_grounded_in_all_steps_and_b
 }
 
 #[test]
-fn a_lift_that_gains_speed_at_less_than_half_of_gravity_never_loses_what_stands_on_it() {
+fn a_lift_that_accelerates_at_less_than_half_of_gravity_never_loses_its_passengers() {
     precise(|| {
         for rate in RATES {
             let (mut simulator, lift, load) = loaded_platform();
@@ -271,7 +271,7 @@ fn a_lift_that_gains_speed_at_less_than_half_of_gravity_never_loses_what_stands_
 }
 
 #[test]
-fn a_platform_that_is_told_a_place_is_there_to_the_last_bit_after_a_step_and_stays() {
+fn a_platform_with_a_target_is_there_to_the_last_bit_after_a_step_and_stays() {
     precise(|| {
         let (mut simulator, lift, _) = loaded_platform();
         let target = Vector3::new(3.3, 7.7, -11.1);
@@ -287,7 +287,7 @@ fn a_platform_that_is_told_a_place_is_there_to_the_last_bit_after_a_step_and_sta
 }
 
 #[test]
-fn a_platform_that_is_told_a_place_in_every_step_carries_without_lag() {
+fn a_platform_with_a_target_in_every_step_carries_without_lag() {
     precise(|| {
         for rate in RATES {
             let (mut simulator, lift, load) = loaded_platform();
@@ -303,7 +303,7 @@ fn a_platform_that_is_told_a_place_in_every_step_carries_without_lag() {
 }
 
 #[test]
-fn what_sleeps_on_a_platform_wakes_when_that_begins_to_move_and_again_after_a_stop() {
+fn a_body_asleep_on_a_platform_wakes_when_that_begins_to_move_and_again_after_a_stop() {
     precise(|| {
         let (mut simulator, lift, load) = loaded_platform();
         for speed in [20.0, -20.0] {
@@ -319,7 +319,7 @@ fn what_sleeps_on_a_platform_wakes_when_that_begins_to_move_and_again_after_a_st
 }
 
 #[test]
-fn a_platform_pushes_what_is_in_its_way_along_each_axis() {
+fn a_platform_pushes_bodies_in_its_path_along_each_axis() {
     precise(|| {
         for axis in [0, 2] {
             let mut simulator = simulator();
@@ -340,7 +340,7 @@ fn a_platform_pushes_what_is_in_its_way_along_each_axis() {
 }
 
 #[test]
-fn nothing_is_left_behind_by_a_platform_that_goes_farther_in_a_step_than_it_is_thick() {
+fn a_platform_faster_than_its_thickness_per_step_leaves_no_body_behind() {
     precise(|| {
         for (axis, gap) in [0, 2].into_iter().flat_map(|axis| [0.1, 3.0, 8.0, 14.0].map(|gap| (axis, gap))) {
             for size in [8.0, 20.0] {
@@ -391,7 +391,7 @@ fn the_belt_of_a_platform_that_moves_adds_its_speed_to_the_platforms() {
 }
 
 #[test]
-fn what_was_saved_or_cloned_on_a_moving_platform_goes_on_with_the_same_bits() {
+fn bodies_saved_or_cloned_on_a_moving_platform_go_on_with_the_same_bits() {
     precise(|| {
         let (mut simulator, lift, _) = loaded_platform();
         let belt = platform(&mut simulator, [50.0, 20.0, 50.0], [500.0, 0.0, 0.0]);
@@ -413,7 +413,7 @@ fn what_was_saved_or_cloned_on_a_moving_platform_goes_on_with_the_same_bits() {
 }
 
 #[test]
-fn who_comes_and_goes_beside_a_moving_platform_changes_nothing_of_it() {
+fn bodies_added_and_removed_beside_a_moving_platform_do_not_change_its_motion() {
     precise(|| {
         let (mut simulator, lift, load) = loaded_platform();
         set_velocity(&mut simulator, lift, [0.0, 10.0, 5.0]);

@@ -57,7 +57,7 @@ fn a_lift_below_a_ceiling_crushes_when_the_room_is_gone_at_every_rate() {
 }
 
 #[test]
-fn who_is_squeezed_is_so_right_after_a_load() {
+fn crush_info_is_available_right_after_a_load() {
     // One that is slow is edited at the end of every update.
     for scale in [1.0, 0.5, 0.0] {
         let (mut simulator, figure, _) = lift_below_ceiling(60.0, 40.0);
@@ -71,7 +71,7 @@ fn who_is_squeezed_is_so_right_after_a_load() {
 }
 
 #[test]
-fn it_is_told_again_after_there_was_room() {
+fn it_is_reported_again_after_there_was_room() {
     let (mut simulator, figure, [lift, _]) = lift_below_ceiling(60.0, 40.0);
     simulator.set_crush_tolerance(figure, Some(2.0)).unwrap();
     let mut count = 0;
@@ -117,7 +117,7 @@ fn a_wall_that_comes_along_each_axis_squeezes_along_it() {
 }
 
 #[test]
-fn what_is_pushed_passes_the_squeeze_on() {
+fn a_pushed_body_transmits_the_crush() {
     precise(|| {
         let mut simulator = simulator();
         let wall = solid(&mut simulator, [20.0, 60.0, 60.0], [70.0, 0.0, 100.0]);
@@ -133,7 +133,7 @@ fn what_is_pushed_passes_the_squeeze_on() {
 }
 
 #[test]
-fn what_lies_in_a_pile_is_not_crushed() {
+fn bodies_in_a_pile_are_not_crushed() {
     precise(|| {
         let mut simulator = simulator();
         let column: Vec<BodyId> =
@@ -164,7 +164,7 @@ fn a_ball_that_hits_a_wall_is_not_crushed() {
 }
 
 #[test]
-fn who_is_watched_and_was_crushed_is_saved() {
+fn crush_tolerances_and_crushed_bodies_are_saved() {
     let (mut simulator, figure, _) = lift_below_ceiling(60.0, 40.0);
     simulator.set_crush_tolerance(figure, Some(4.0)).unwrap();
     (0..45).for_each(|_| simulator.update(1.0 / 60.0));
@@ -179,7 +179,7 @@ fn who_is_watched_and_was_crushed_is_saved() {
 }
 
 #[test]
-fn what_cannot_be_is_refused() {
+fn invalid_crush_tolerances_are_refused() {
     precise(|| {
         let mut simulator = simulator();
         let body = ball(&mut simulator, 8.0, [0.0; 3]);

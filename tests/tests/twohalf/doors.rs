@@ -62,7 +62,7 @@ fn it_turns_evenly_and_stops_where_it_is_to() {
 }
 
 #[test]
-fn it_pushes_what_is_in_its_way_out_of_it() {
+fn it_pushes_bodies_out_of_its_path() {
     precise(|| {
         let (mut simulator, mut door) = door();
         let body = solid(&mut simulator, [16.0; 3], [140.0, 0.0, 60.0]);
@@ -77,7 +77,7 @@ fn it_pushes_what_is_in_its_way_out_of_it() {
 }
 
 #[test]
-fn what_sleeps_against_it_wakes_when_it_turns() {
+fn a_body_asleep_against_it_wakes_when_it_rotates() {
     precise(|| {
         let (mut simulator, mut door) = door();
         let body = ball(&mut simulator, 8.0, [140.0, 0.0, 51.0]);
@@ -119,7 +119,7 @@ fn beside(door: &Door, at: Vector3) -> [f32; 2] {
 }
 
 #[test]
-fn what_it_pushes_without_friction_slides_out_along_it_as_a_bead_on_a_rod_does() {
+fn a_frictionless_body_slides_out_along_it_as_a_bead_on_a_rotating_rod() {
     precise(|| {
         let mut simulator = weightless();
         let mut door = spawn_door(&mut simulator, HINGE, [150.0, 40.0, 10.0], 0.0).unwrap();
@@ -152,7 +152,7 @@ fn loads(size: f32) -> [Thing; 5] {
 }
 
 #[test]
-fn nothing_passes_it_wherever_it_is_hit() {
+fn no_body_tunnels_through_it_wherever_it_is_hit() {
     precise(|| {
         for (width, thickness, size) in [(60.0, 6.0, 8.0), (150.0, 6.0, 8.0), (150.0, 10.0, 20.0)] {
             for (thing, part, gap) in loads(size).into_iter().flat_map(|thing| {
@@ -178,7 +178,7 @@ fn nothing_passes_it_wherever_it_is_hit() {
 }
 
 #[test]
-fn nothing_that_is_thrown_at_it_passes_it_however_fast() {
+fn no_thrown_body_tunnels_through_it_at_any_speed() {
     precise(|| {
         for (thing, speed) in
             loads(8.0).into_iter().flat_map(|thing| [300.0, 3000.0, 30_000.0].map(|speed| (thing, speed)))
@@ -201,7 +201,7 @@ fn nothing_that_is_thrown_at_it_passes_it_however_fast() {
 }
 
 #[test]
-fn what_is_thrown_at_it_as_it_turns_bounces_off_with_the_speed_of_the_place_that_it_hits() {
+fn a_body_thrown_at_it_as_it_rotates_bounces_with_the_velocity_of_the_contact_point() {
     precise(|| {
         for part in [0.2, 0.5, 0.9] {
             let mut simulator = weightless();
@@ -260,7 +260,7 @@ fn a_figure_that_walks_is_stopped_by_it_at_every_angle() {
 }
 
 #[test]
-fn a_figure_that_stands_or_walks_in_its_way_is_pushed_by_it() {
+fn a_figure_that_stands_or_walks_in_its_path_is_pushed_by_it() {
     precise(|| {
         for (speed, dt) in [(1.0, 1.0 / 60.0), (3.0, 1.0 / 60.0), (3.0, 1.0 / 120.0)] {
             for walks in [0.0, -150.0] {
@@ -285,7 +285,7 @@ fn a_figure_that_stands_or_walks_in_its_way_is_pushed_by_it() {
 }
 
 #[test]
-fn things_about_a_door_go_on_with_the_same_bits_after_loading() {
+fn bodies_around_a_door_go_on_with_the_same_bits_after_loading() {
     precise(|| {
         let (mut simulator, mut door) = door();
         let bodies: Vec<_> = loads(12.0)
@@ -317,7 +317,7 @@ fn things_about_a_door_go_on_with_the_same_bits_after_loading() {
 }
 
 #[test]
-fn what_cannot_be_a_door_is_refused_and_adds_nothing() {
+fn invalid_doors_are_refused_and_add_nothing() {
     precise(|| {
         let mut simulator = simulator();
         let size = [60.0, 80.0, 6.0];

@@ -40,7 +40,7 @@ fn apart(simulator: &TwoHalfPhysicsSimulator, [_, one, other]: [BodyId; 3]) -> f
 }
 
 #[test]
-fn a_pin_that_comes_pulls_what_sleeps_along_z() {
+fn an_added_pin_pulls_sleeping_bodies_along_z() {
     precise(|| {
         let (mut simulator, bodies) = sleeping();
         simulator.edit_objects(|objects| pin(objects, [bodies[1], bodies[2]], 40.0));
@@ -50,7 +50,7 @@ fn a_pin_that_comes_pulls_what_sleeps_along_z() {
 }
 
 #[test]
-fn a_spring_that_comes_pulls_what_sleeps_along_z() {
+fn an_added_spring_pulls_sleeping_bodies_along_z() {
     precise(|| {
         let (mut simulator, bodies) = sleeping();
         simulator.edit_objects(|objects| spring(objects, [bodies[1], bodies[2]], 40.0));
@@ -60,7 +60,7 @@ fn a_spring_that_comes_pulls_what_sleeps_along_z() {
 }
 
 #[test]
-fn a_pin_that_becomes_longer_moves_what_sleeps_on_it() {
+fn a_pin_that_becomes_longer_moves_bodies_asleep_on_it() {
     precise(|| {
         let (mut simulator, bodies) = sleeping();
         let joint = simulator.edit_objects(|objects| pin(objects, [bodies[1], bodies[2]], 60.0));
@@ -75,7 +75,7 @@ fn a_pin_that_becomes_longer_moves_what_sleeps_on_it() {
 }
 
 #[test]
-fn what_sleeps_on_a_pin_or_a_spring_falls_when_it_is_removed_disposed_or_disabled() {
+fn a_body_asleep_on_a_pin_or_a_spring_falls_when_that_is_removed_disposed_or_disabled() {
     precise(|| {
         for way in 0..6 {
             let (mut simulator, [hook, body, _]) = sleeping();
@@ -107,7 +107,7 @@ fn what_sleeps_on_a_pin_or_a_spring_falls_when_it_is_removed_disposed_or_disable
 }
 
 #[test]
-fn what_is_disposed_takes_its_pins_along() {
+fn a_disposed_body_disposes_its_pins() {
     precise(|| {
         let (mut simulator, bodies) = sleeping();
         let joint = simulator.edit_objects(|objects| pin(objects, [bodies[1], bodies[2]], 60.0));

@@ -163,7 +163,7 @@ pub(crate) fn a_handler_that_does_nothing_changes_no_bit() {
 }
 
 #[test]
-fn a_force_along_z_waits_for_a_body_that_cannot_move_as_those_in_the_plane_do() {
+fn a_force_along_z_is_kept_for_a_disabled_body_as_in_the_plane() {
     with_scheme(DepthScheme::Precise, || {
         let mut simulator = weightless();
         let body = ball(&mut simulator, 10.0, [0.0, 100.0, 0.0]);

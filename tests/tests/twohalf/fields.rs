@@ -22,7 +22,7 @@ fn pool() -> Region {
 const BALL: f32 = 4.0 / 3.0 * std::f32::consts::PI * 1000.0;
 
 #[test]
-fn what_has_half_the_density_of_water_floats_half_below_the_surface_and_sleeps() {
+fn a_body_of_half_the_density_of_water_floats_half_immersed_and_sleeps() {
     precise(|| {
         let mut simulator = simulator();
         // Until it has come to rest to the last bit.
@@ -56,7 +56,7 @@ fn a_ball_floats_as_deep_as_the_part_that_is_cut_off_is_heavy() {
 }
 
 #[test]
-fn what_sinks_falls_with_its_last_velocity() {
+fn a_sinking_body_reaches_its_terminal_velocity() {
     for scheme in [DepthScheme::Precise, DepthScheme::Faithful] {
         with_scheme(scheme, || {
             let mut simulator = simulator();
@@ -120,7 +120,7 @@ fn only_the_part_that_is_in_it_is_taken_along() {
 }
 
 #[test]
-fn what_is_behind_the_pool_is_dry() {
+fn a_body_behind_the_pool_is_dry() {
     precise(|| {
         let mut simulator = weightless();
         let body = ball(&mut simulator, 10.0, [0.0, 40.0, 91.0]);
@@ -146,7 +146,7 @@ fn a_plank_that_is_thrown_in_on_edge_comes_to_lie_flat() {
 }
 
 #[test]
-fn wind_blows_light_things_away_faster() {
+fn wind_blows_light_bodies_away_faster() {
     precise(|| {
         let mut simulator = weightless();
         let bodies = [0.0, 60.0].map(|z| ball(&mut simulator, 10.0, [0.0, 40.0, z]));
@@ -174,7 +174,7 @@ impl EventHandler for Holds {
 }
 
 #[test]
-fn what_wind_did_to_a_body_that_was_stopped_in_that_update_is_over_when_the_body_is_free_again() {
+fn wind_on_a_body_stopped_in_that_update_has_no_effect_when_it_is_free_again() {
     precise(|| {
         let mut simulator = simulator();
         let bodies = [12.0, 60.0].map(|y| ball(&mut simulator, 10.0, [0.0, y, y]));
@@ -196,7 +196,7 @@ fn what_wind_did_to_a_body_that_was_stopped_in_that_update_is_over_when_the_body
 }
 
 #[test]
-fn what_circles_a_well_in_an_oblique_plane_comes_back_after_its_period() {
+fn an_orbit_around_a_well_in_an_oblique_plane_closes_after_its_period() {
     precise(|| {
         let mut simulator = weightless();
         let body = ball(&mut simulator, 4.0, [60.0, 196.0, 80.0]);
@@ -218,7 +218,7 @@ fn what_circles_a_well_in_an_oblique_plane_comes_back_after_its_period() {
 }
 
 #[test]
-fn a_well_ends_at_its_radius_and_leaves_alone_what_ignores_gravity() {
+fn a_well_ends_at_its_radius_and_does_not_act_on_bodies_that_ignore_gravity() {
     precise(|| {
         let mut simulator = weightless();
         let bodies = [40.0, 51.0, -40.0].map(|z| ball(&mut simulator, 4.0, [0.0, 196.0, z]));
@@ -245,7 +245,7 @@ fn sleeping() -> (TwoHalfPhysicsSimulator, BodyId, FieldId, Fluid) {
 }
 
 #[test]
-fn what_sleeps_in_water_wakes_when_the_water_falls_flows_or_is_gone() {
+fn a_body_asleep_in_water_wakes_when_the_water_falls_flows_or_is_removed() {
     precise(|| {
         let (mut simulator, raft, water, fluid) = sleeping();
         let lower = Region::new([-100.0, 0.0, 0.0], [100.0, 60.0, 80.0]).unwrap();
@@ -266,7 +266,7 @@ fn what_sleeps_in_water_wakes_when_the_water_falls_flows_or_is_gone() {
 }
 
 #[test]
-fn what_sleeps_on_the_ground_wakes_when_the_flood_comes() {
+fn a_body_asleep_on_the_ground_wakes_when_the_flood_comes() {
     precise(|| {
         let mut simulator = simulator();
         let raft = solid(&mut simulator, [60.0, 20.0, 40.0], [0.0, 0.0, 40.0]);
@@ -279,7 +279,7 @@ fn what_sleeps_on_the_ground_wakes_when_the_flood_comes() {
 }
 
 #[test]
-fn saved_and_loaded_in_rough_water_things_go_on_with_the_same_bits() {
+fn saved_and_loaded_in_rough_water_bodies_go_on_with_the_same_bits() {
     precise(|| {
         let mut simulator = simulator();
         let bodies: Vec<BodyId> = (0..6u8)
@@ -330,7 +330,7 @@ fn fields_that_cannot_be_are_refused() {
 }
 
 #[test]
-fn forces_beyond_all_numbers_are_told_and_push_nothing() {
+fn non_finite_forces_are_reported_and_have_no_effect() {
     precise(|| {
         let mut simulator = weightless();
         let body = ball(&mut simulator, 10.0, [0.0, 40.0, 40.0]);
@@ -345,7 +345,7 @@ fn forces_beyond_all_numbers_are_told_and_push_nothing() {
 }
 
 #[test]
-fn a_field_that_adds_up_beyond_all_numbers_with_what_pushes_along_z_is_told_and_left_out() {
+fn a_field_that_overflows_the_total_force_along_z_is_reported_and_left_out() {
     for scheme in [DepthScheme::Faithful, DepthScheme::Precise] {
         with_scheme(scheme, || {
             let mut simulator = weightless();

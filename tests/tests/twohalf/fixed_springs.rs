@@ -64,7 +64,7 @@ fn a_damped_spring_to_a_point_comes_to_rest_there() {
 }
 
 #[test]
-fn a_point_without_a_depth_leaves_the_way_along_z_free() {
+fn a_point_without_a_depth_exerts_no_force_along_z() {
     precise(|| {
         let (mut simulator, body, _) = sprung(40.0, 8.0, [30.0, 0.0, 40.0], None);
         throw(&mut simulator, body, [0.0, 0.0, 10.0]);
@@ -75,7 +75,7 @@ fn a_point_without_a_depth_leaves_the_way_along_z_free() {
 }
 
 #[test]
-fn a_point_that_moves_along_z_takes_what_has_come_to_rest_on_it_along() {
+fn a_point_that_moves_along_z_pulls_a_body_at_rest_along() {
     precise(|| {
         let (mut simulator, body, spring) = sprung(40.0, 8.0, [0.0, 0.0, 10.0], Some(POINT[2]));
         run(&mut simulator, 1000);
@@ -112,7 +112,7 @@ fn saved_in_its_swing_it_goes_on_with_the_same_bits() {
 }
 
 #[test]
-fn what_hangs_on_a_spring_along_z_sleeps_and_has_not_gained_by_it_when_it_wakes() {
+fn a_body_on_a_spring_along_z_sleeps_and_wakes_without_gaining_energy() {
     precise(|| {
         // Pulled forward by the spring, it lies against a wall in the world's front.
         let mut simulator = simulator();

@@ -35,7 +35,7 @@ fn run(simulator: &mut TwoHalfPhysicsSimulator, rate: f32, seconds: f32) {
 }
 
 #[test]
-fn what_falls_on_an_edge_that_it_is_over_by_a_fiftieth_of_a_px_lies_on_it() {
+fn a_body_that_overlaps_an_edge_by_a_fiftieth_of_a_px_lands_on_it() {
     for rate in RATES {
         for side in [-1.0, 1.0] {
             let mut simulator = smooth(100.0);
@@ -113,7 +113,7 @@ fn push(simulator: &mut TwoHalfPhysicsSimulator, body: BodyId, rate: f32, aside:
 }
 
 #[test]
-fn who_presses_hard_against_a_wall_of_two_platforms_walks_along_it_over_the_seam() {
+fn a_figure_pressed_hard_against_a_wall_of_two_platforms_slides_over_the_seam() {
     for rate in RATES {
         for press in [40.0, 100.0, 200.0] {
             let mut simulator = smooth(900.0);
@@ -143,7 +143,7 @@ fn height_after_jump(rate: f32, press: f32) -> f32 {
 }
 
 #[test]
-fn who_presses_against_a_wall_up_to_its_top_and_lets_go_comes_down_in_front_of_it() {
+fn a_figure_that_lets_go_of_a_wall_at_its_top_comes_down_in_front_of_it() {
     for rate in RATES {
         for press in [10.0, 100.0, 200.0] {
             let height = height_after_jump(rate, press);

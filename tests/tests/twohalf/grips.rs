@@ -50,7 +50,7 @@ impl Porter {
 }
 
 #[test]
-fn what_a_wall_keeps_back_is_lost_at_the_reach_and_falls() {
+fn a_load_held_back_by_a_wall_is_lost_at_the_reach_and_falls() {
     for reach in [None, Some(20.0), Some(60.0), Some(150.0)] {
         let mut scene = Porter::new();
         scene.hands.set_reach(reach).unwrap();
@@ -77,7 +77,7 @@ fn what_a_wall_keeps_back_is_lost_at_the_reach_and_falls() {
 }
 
 #[test]
-fn who_is_put_elsewhere_has_lost_it_whichever_of_the_two() {
+fn a_grip_breaks_when_either_body_is_teleported() {
     for is_load in [true, false] {
         let mut scene = Porter::new();
         let (of, to) = if is_load { (scene.load, 300.0) } else { (scene.porter, -300.0) };
@@ -95,7 +95,7 @@ fn who_is_put_elsewhere_has_lost_it_whichever_of_the_two() {
 }
 
 #[test]
-fn who_is_disabled_or_disposed_holds_nothing_and_is_not_held() {
+fn disabled_and_disposed_bodies_neither_hold_nor_are_held() {
     for is_load in [true, false] {
         for disposes in [true, false] {
             let mut scene = Porter::new();
@@ -120,7 +120,7 @@ fn who_is_disabled_or_disposed_holds_nothing_and_is_not_held() {
 }
 
 #[test]
-fn what_is_taken_from_beyond_the_reach_is_brought_and_not_lost() {
+fn a_load_taken_from_beyond_the_reach_is_pulled_in_and_not_lost() {
     let mut scene = Porter::new();
     scene.hands.throw(&mut scene.simulator, Vector3::zeros()).unwrap();
     scene.put(scene.load, 250.0);
@@ -143,7 +143,7 @@ fn a_reach_that_is_no_length_is_refused_and_the_old_one_stays() {
 }
 
 #[test]
-fn a_grip_that_broke_is_told_after_saving_too_and_hands_that_were_saved_lose_it_in_the_same_step() {
+fn a_broken_grip_is_reported_after_saving_and_saved_hands_lose_it_in_the_same_step() {
     let mut scene = Porter::new();
     scene.put(scene.load, 300.0);
     let mut loaded: Hands = serde_json::from_str(&serde_json::to_string(&scene.hands).unwrap()).unwrap();

@@ -21,7 +21,7 @@ fn assert_place(pose: Option<InterpolatedPose3D>, expected: [f32; 3]) {
 }
 
 #[test]
-fn a_body_is_drawn_on_the_way_between_two_updates_along_all_axes() {
+fn a_body_is_interpolated_between_two_updates_along_all_axes() {
     let mut simulator = weightless();
     let body = ball(&mut simulator, 10.0, [50.0, 60.0, 70.0]);
     simulator.update(0.0);
@@ -44,7 +44,7 @@ fn lift(simulator: &mut TwoHalfPhysicsSimulator) -> PlatformId {
 }
 
 #[test]
-fn a_platform_is_drawn_on_the_way_between_two_updates() {
+fn a_platform_is_interpolated_between_two_updates() {
     let mut simulator = simulator();
     let lift = lift(&mut simulator);
     let first = simulator.platform(lift).unwrap().position3d();
@@ -54,7 +54,7 @@ fn a_platform_is_drawn_on_the_way_between_two_updates() {
 }
 
 #[test]
-fn a_platform_that_turns_is_drawn_on_the_short_way_round() {
+fn a_platform_that_rotates_is_interpolated_along_the_shorter_arc() {
     let mut simulator = simulator();
     let lift = lift(&mut simulator);
     simulator.platform_mut(lift).unwrap().set_yaw(std::f32::consts::TAU - 0.004).unwrap();
@@ -66,7 +66,7 @@ fn a_platform_that_turns_is_drawn_on_the_short_way_round() {
 }
 
 #[test]
-fn rotations_go_the_short_way_round() {
+fn rotations_are_interpolated_along_the_shorter_arc() {
     let mut simulator = weightless();
     let body = ball(&mut simulator, 10.0, [50.0, 60.0, 70.0]);
     simulator.update(0.0);
@@ -80,7 +80,7 @@ fn rotations_go_the_short_way_round() {
 }
 
 #[test]
-fn what_jumps_and_what_is_new_is_drawn_where_it_is_and_what_is_gone_is_not() {
+fn teleported_and_new_bodies_are_drawn_at_their_pose_and_removed_ones_are_not() {
     let mut simulator = weightless();
     let lift = lift(&mut simulator);
     let bodies = [0, 1, 2].map(|at| ball(&mut simulator, 10.0, [100.0 * at as f32, 0.0, 70.0]));

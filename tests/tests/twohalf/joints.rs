@@ -45,7 +45,7 @@ fn pair(
 }
 
 #[test]
-fn two_that_are_tied_share_what_they_have_along_z_by_their_masses() {
+fn joined_bodies_share_momentum_along_z_by_their_masses() {
     precise(|| {
         for make in KEEPING {
             let (mut simulator, [light, heavy], _) = pair(weightless(), make);
@@ -60,7 +60,7 @@ fn two_that_are_tied_share_what_they_have_along_z_by_their_masses() {
 }
 
 #[test]
-fn they_stay_as_far_behind_each_other_as_they_were_when_they_were_tied() {
+fn joined_bodies_keep_their_distance_along_z() {
     precise(|| {
         for make in KEEPING {
             let mut simulator = weightless();
@@ -76,7 +76,7 @@ fn they_stay_as_far_behind_each_other_as_they_were_when_they_were_tied() {
 }
 
 #[test]
-fn what_hangs_on_the_world_stays_at_its_z_and_swings_as_it_does_in_the_plane() {
+fn a_body_joined_to_the_world_keeps_its_z_and_swings_as_in_the_plane() {
     precise(|| {
         let swing = |along_z: f32| {
             let mut simulator = simulator();
@@ -98,7 +98,7 @@ fn what_hangs_on_the_world_stays_at_its_z_and_swings_as_it_does_in_the_plane() {
 }
 
 #[test]
-fn what_hangs_on_a_kinematic_body_follows_it_along_z() {
+fn a_body_joined_to_a_kinematic_body_follows_it_along_z() {
     precise(|| {
         let mut simulator = simulator();
         let crane = solid(&mut simulator, [20.0; 3], [0.0, 300.0, 0.0]);
@@ -141,7 +141,7 @@ fn a_chain_on_the_ground_is_thrown_along_z_as_one_and_comes_to_rest_by_friction(
 }
 
 #[test]
-fn what_stops_one_of_them_along_z_stops_all() {
+fn an_obstacle_along_z_stops_all_joined_bodies() {
     precise(|| {
         let mut simulator = simulator();
         let links = chain(&mut simulator);
@@ -177,7 +177,7 @@ fn a_blow_from_the_front_on_one_of_two_keeps_the_momentum_of_all() {
 }
 
 #[test]
-fn what_is_no_longer_tied_goes_its_own_way() {
+fn bodies_move_independently_after_their_joint_is_removed() {
     precise(|| {
         let (mut simulator, [one, other], joint) = pair(weightless(), KEEPING[0]);
         run(&mut simulator, 10);
@@ -189,7 +189,7 @@ fn what_is_no_longer_tied_goes_its_own_way() {
 }
 
 #[test]
-fn what_sleeps_tied_wakes_tied() {
+fn joined_bodies_sleep_and_wake_together() {
     precise(|| {
         let mut simulator = simulator();
         let links = chain(&mut simulator);

@@ -71,7 +71,7 @@ impl Stage {
 }
 
 #[test]
-fn who_falls_beside_an_edge_and_wishes_towards_it_takes_hold_and_climbs_onto_it() {
+fn a_figure_that_falls_beside_an_edge_with_input_towards_it_hangs_and_climbs_up() {
     for rate in RATES {
         let (mut stage, wall) = Stage::with_wall(rate, 200.0, [-17.0, 180.0, 50.0]);
         stage.hang(RIGHT);
@@ -138,7 +138,7 @@ fn round_figures_climb_from_every_side() {
 }
 
 #[test]
-fn without_a_wish_it_hangs_still_for_as_long_as_it_likes() {
+fn without_input_it_hangs_still_for_ever() {
     for rate in RATES {
         let (mut stage, _) = Stage::with_wall(rate, 200.0, [-16.0, 170.0, 50.0]);
         stage.hang(RIGHT);
@@ -151,7 +151,7 @@ fn without_a_wish_it_hangs_still_for_as_long_as_it_likes() {
 }
 
 #[test]
-fn it_lets_go_when_it_wishes_away_and_jumps_off_when_it_jumps() {
+fn it_lets_go_on_input_away_from_the_ledge_and_jumps_off_on_a_jump() {
     for rate in RATES {
         let (mut stage, _) = Stage::with_wall(rate, 200.0, [-16.0, 170.0, 50.0]);
         stage.hang(RIGHT);
@@ -201,7 +201,7 @@ fn static_bodies_have_edges_and_crates_that_can_be_pushed_have_none() {
 }
 
 #[test]
-fn where_there_is_no_room_to_stand_nothing_is_taken_hold_of() {
+fn ledges_without_room_to_stand_are_not_grabbed() {
     for rate in RATES {
         let (mut stage, _) = Stage::with_wall(rate, 200.0, [-16.0, 170.0, 50.0]);
         // 50 px over the edge, for somebody of 60 px.
@@ -212,7 +212,7 @@ fn where_there_is_no_room_to_stand_nothing_is_taken_hold_of() {
 }
 
 #[test]
-fn neither_on_its_way_up_nor_without_a_wish_nor_without_a_reach_does_it_take_hold() {
+fn it_does_not_grab_while_rising_or_without_input_or_without_reach() {
     for rate in RATES {
         let (mut stage, _) = Stage::with_wall(rate, 60.0, [-20.0, 0.0, 50.0]);
         stage.walk(STILL, 0.1, |_| ());
@@ -229,7 +229,7 @@ fn neither_on_its_way_up_nor_without_a_wish_nor_without_a_reach_does_it_take_hol
 }
 
 #[test]
-fn who_is_struck_lets_go() {
+fn a_struck_figure_lets_go() {
     for rate in RATES {
         let (mut stage, _) = Stage::with_wall(rate, 200.0, [-16.0, 170.0, 50.0]);
         stage.hang(RIGHT);
@@ -243,7 +243,7 @@ fn who_is_struck_lets_go() {
 }
 
 #[test]
-fn who_hangs_is_saved_with_the_walker() {
+fn hanging_is_saved_with_the_controller() {
     let (mut stage, _) = Stage::with_wall(60.0, 200.0, [-16.0, 170.0, 50.0]);
     stage.hang(RIGHT);
     let text = serde_json::to_string(&stage.walker).unwrap();

@@ -155,7 +155,7 @@ fn slide_along(is_front: bool) -> (f32, Vec<Axis>) {
 }
 
 #[test]
-fn a_pair_keeps_the_axis_along_which_it_met_until_it_parts() {
+fn a_pair_keeps_its_contact_axis_until_it_separates() {
     for (is_front, axis) in [(true, Axis::Depth), (false, Axis::Plane)] {
         let (speed, axes) = slide_along(is_front);
         // 35 px at 20 px/s after the first half second: longer than the others' overlap stays the greater one.

@@ -78,7 +78,7 @@ fn assert_strikes(form: Form, axis: usize, side: f32, [speed, thickness]: [f32; 
 }
 
 #[test]
-fn a_kinematic_plate_drives_before_it_what_it_hits_along_any_axis() {
+fn a_kinematic_plate_pushes_the_bodies_that_it_hits_along_any_axis() {
     precise(|| {
         for form in [Ball, Box, Cylinder] {
             for axis in 0..3 {
@@ -97,7 +97,7 @@ fn a_kinematic_plate_drives_before_it_what_it_hits_along_any_axis() {
 }
 
 #[test]
-fn a_kinematic_plate_passes_by_what_is_beside_its_way() {
+fn a_kinematic_plate_passes_bodies_beside_its_path() {
     precise(|| {
         for form in [Ball, Box, Cylinder] {
             for axis in 0..3 {
@@ -136,7 +136,7 @@ fn assert_lands(form: Form, axis: usize, side: f32, speed: f32, rate: f32) {
 }
 
 #[test]
-fn what_falls_on_a_kinematic_body_that_moves_away_lands_and_has_its_velocity() {
+fn a_body_that_falls_on_a_receding_kinematic_body_lands_and_takes_its_velocity() {
     precise(|| {
         for form in [Ball, Box, Cylinder] {
             for axis in 0..3 {
@@ -156,7 +156,7 @@ fn what_falls_on_a_kinematic_body_that_moves_away_lands_and_has_its_velocity() {
 }
 
 #[test]
-fn what_flies_after_a_faster_kinematic_body_keeps_its_motion() {
+fn a_body_behind_a_faster_kinematic_body_keeps_its_velocity() {
     precise(|| {
         for form in [Ball, Box, Cylinder] {
             for axis in 0..3 {
@@ -210,7 +210,7 @@ fn a_kinematic_paddle_strikes_every_ball_before_it() {
 }
 
 #[test]
-fn a_kinematic_plate_wakes_and_drives_what_sleeps() {
+fn a_kinematic_plate_wakes_and_pushes_sleeping_bodies() {
     precise(|| {
         for speed in [300.0, 3000.0] {
             let mut simulator = weightless();

@@ -143,7 +143,7 @@ fn flat_things() -> [Thing; 4] {
 }
 
 #[test]
-fn flat_things_slide_over_seams_onto_what_moves_without_losing_speed() {
+fn flat_bodies_slide_over_seams_onto_moving_platforms_without_losing_speed() {
     for (scene, speed) in
         FLUSH.into_iter().flat_map(scenes).flat_map(|scene| SPEEDS.map(|speed| (scene, speed)))
     {
@@ -155,7 +155,7 @@ fn flat_things_slide_over_seams_onto_what_moves_without_losing_speed() {
 }
 
 #[test]
-fn round_things_cross_flush_seams_without_losing_speed() {
+fn round_bodies_cross_flush_seams_without_losing_speed() {
     let still = [[Floor::Platform; 2], [Static, Static], [Floor::Platform, Static]];
     let floors = FLUSH.into_iter().chain(still);
     for (scene, speed) in floors.flat_map(scenes).flat_map(|scene| SPEEDS.map(|speed| (scene, speed))) {
@@ -181,7 +181,7 @@ fn a_step_of_half_a_pixel_turns_back_a_ball_that_is_too_slow_for_it() {
 }
 
 #[test]
-fn a_step_of_half_a_pixel_or_more_of_what_moves_stops_what_is_flat() {
+fn a_step_of_half_a_pixel_or_more_of_a_moving_platform_stops_flat_bodies() {
     let floors = FLUSH.into_iter().filter(|floors| floors[1] != Crate);
     for (scene, step) in floors.flat_map(scenes).flat_map(|scene| [0.5, 2.0, 30.0].map(|step| (scene, step)))
     {
@@ -218,7 +218,7 @@ fn slides_over_crates(along_z: bool, rate: f32, mass: f32, thing: Thing, speed: 
 }
 
 #[test]
-fn flat_things_slide_over_rows_of_crates_whatever_those_weigh() {
+fn flat_bodies_slide_over_rows_of_crates_of_any_mass() {
     for (along_z, rate) in [false, true].into_iter().flat_map(|z| [30.0, 60.0, 120.0].map(|rate| (z, rate))) {
         for (mass, speed) in
             [1.0, 50.0].into_iter().flat_map(|mass| [60.0, 150.0, 300.0].map(|it| (mass, it)))
@@ -232,7 +232,7 @@ fn flat_things_slide_over_rows_of_crates_whatever_those_weigh() {
 }
 
 #[test]
-fn things_of_any_weight_cross_rows_of_crates_at_their_speed() {
+fn bodies_of_any_mass_cross_rows_of_crates_at_their_speed() {
     for (along_z, rate) in [false, true].into_iter().flat_map(|z| [30.0, 60.0, 120.0].map(|rate| (z, rate))) {
         for (ratio, speed) in
             [0.1, 1.0, 3.0].into_iter().flat_map(|ratio| [20.0, 60.0, 150.0].map(|it| (ratio, it)))

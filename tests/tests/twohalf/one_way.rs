@@ -49,7 +49,7 @@ fn assert_flies_free(at: [f32; 3], velocity_of: [f32; 3], seconds: f32) {
 }
 
 #[test]
-fn what_falls_lands_on_the_top_from_any_height() {
+fn a_falling_body_lands_on_the_top_from_any_height() {
     for (rate, height) in
         RATES.into_iter().flat_map(|rate| [0.0, 1.0, 30.0, 300.0, 3000.0].map(|it| (rate, it)))
     {
@@ -64,7 +64,7 @@ fn what_falls_lands_on_the_top_from_any_height() {
 }
 
 #[test]
-fn what_is_thrown_down_faster_than_the_platform_is_thick_in_a_step_lands_on_it() {
+fn a_body_faster_than_one_platform_thickness_per_step_lands_on_it() {
     for rate in RATES {
         let (mut simulator, _) = stage();
         let body = crate_box(&mut simulator, [0.0, 400.0, 0.0]);
@@ -75,7 +75,7 @@ fn what_is_thrown_down_faster_than_the_platform_is_thick_in_a_step_lands_on_it()
 }
 
 #[test]
-fn what_rises_from_below_flies_as_if_nothing_were_there() {
+fn a_body_that_rises_from_below_flies_through_undisturbed() {
     // By 450^2 / 1800 = 112 px it rises above the top, and is still above when it is looked at.
     assert_flies_free([0.0, 20.0, 0.0], [0.0, 450.0, 0.0], 0.5);
     // And this fast it would stop at what is not open.
@@ -83,7 +83,7 @@ fn what_rises_from_below_flies_as_if_nothing_were_there() {
 }
 
 #[test]
-fn what_has_risen_through_it_lands_on_it() {
+fn a_body_that_has_risen_through_it_lands_on_it() {
     for rate in RATES {
         let (mut simulator, _) = stage();
         let boxed = crate_box(&mut simulator, [-50.0, 20.0, 0.0]);
@@ -99,7 +99,7 @@ fn what_has_risen_through_it_lands_on_it() {
 }
 
 #[test]
-fn what_turns_back_before_it_is_above_the_top_falls_as_if_nothing_were_there() {
+fn a_body_that_turns_back_below_the_top_falls_undisturbed() {
     // Its highest points are 2, 10, 19 and 99 px above 100, the last with its soles 1 px below the top.
     for speed in [0.5, 4.3, 10.0, 14.0f32].map(|rise: f32| (2.0 * GRAVITY * (UNDER - 20.0 + rise)).sqrt()) {
         assert_flies_free([0.0, 20.0, 0.0], [0.0, speed, 0.0], 0.7);
@@ -107,7 +107,7 @@ fn what_turns_back_before_it_is_above_the_top_falls_as_if_nothing_were_there() {
 }
 
 #[test]
-fn what_comes_from_its_sides_its_front_or_its_back_passes_through() {
+fn a_body_from_its_sides_front_or_back_passes_through() {
     for way in [[300.0, 0.0, 0.0], [-300.0, 0.0, 0.0], [0.0, 0.0, 300.0], [200.0, 0.0, -200.0]] {
         // Its soles rise to 5.5 px below the top, from outside to inside.
         let at = [-0.45 * way[0], 109.0, -0.45 * way[2]];
@@ -134,7 +134,7 @@ fn a_tilted_one_is_open_below_and_holds_above() {
 }
 
 #[test]
-fn a_lift_takes_along_what_stands_on_it_and_rises_through_what_it_comes_to_from_below() {
+fn a_lift_carries_bodies_on_it_and_rises_through_bodies_above_it() {
     for rate in RATES {
         let (mut simulator, made) = stage();
         let rider = crate_box(&mut simulator, [0.0, TOP, 0.0]);
@@ -149,7 +149,7 @@ fn a_lift_takes_along_what_stands_on_it_and_rises_through_what_it_comes_to_from_
 }
 
 #[test]
-fn one_that_sinks_on_what_lies_below_passes_over_it() {
+fn a_sinking_platform_passes_through_bodies_below_it() {
     for rate in RATES {
         let (mut simulator, made) = stage();
         let below = crate_box(&mut simulator, [0.0, 0.0, 0.0]);
@@ -217,7 +217,7 @@ fn a_figure_walks_through_it_as_if_nothing_were_there() {
 }
 
 #[test]
-fn what_stands_on_it_drops_through_while_it_does_not_collide_with_it() {
+fn a_body_on_it_drops_through_while_collisions_with_it_are_off() {
     let (mut simulator, _) = stage();
     let body = crate_box(&mut simulator, [0.0, TOP, 0.0]);
     run_for(&mut simulator, 0.5, 60.0);
@@ -230,7 +230,7 @@ fn what_stands_on_it_drops_through_while_it_does_not_collide_with_it() {
 }
 
 #[test]
-fn what_stands_in_it_when_it_is_closed_is_pushed_out_and_what_stands_on_it_when_it_is_opened_stays() {
+fn when_closed_it_pushes_out_bodies_inside_and_when_opened_it_keeps_bodies_on_it() {
     let (mut simulator, made) = stage();
     let body = crate_box(&mut simulator, [0.0, TOP, 0.0]);
     for is_one_way in [false, true, false, true] {

@@ -140,7 +140,7 @@ fn a_pendulum_along_z_keeps_its_energy_for_ten_thousand_steps() {
 }
 
 #[test]
-fn two_that_a_pin_ties_turn_about_their_common_middle_in_any_plane() {
+fn two_pinned_bodies_rotate_about_their_centre_of_mass_in_any_plane() {
     precise(|| {
         let mut simulator = weightless();
         let bodies = [[-24.0, 300.0, -32.0], [8.0, 300.0, 32.0 / 3.0]].map(|at| bead(&mut simulator, at));
@@ -236,7 +236,7 @@ fn a_load_of_a_hundred_thousand_times_the_mass_of_its_links_swings_on_its_rope()
 }
 
 #[test]
-fn a_slider_stops_what_is_thrown_along_any_axis_where_it_ends() {
+fn a_slider_stops_a_thrown_body_at_its_end_along_any_axis() {
     precise(|| {
         for direction in [[0.0, 0.0, 1.0], [0.0, 0.6, -0.8], [0.48, 0.6, 0.64]] {
             let mut simulator = weightless();
@@ -312,7 +312,7 @@ fn a_pin_that_is_too_long_along_z_breaks_where_its_breakpoint_is() {
 }
 
 #[test]
-fn what_hangs_on_a_kinematic_body_by_a_pin_is_pulled_along_z() {
+fn a_body_pinned_to_a_kinematic_body_is_pulled_along_z() {
     precise(|| {
         let mut simulator = simulator();
         let crane = bead(&mut simulator, HOOK);
@@ -345,7 +345,7 @@ fn rope_between_posts(simulator: &mut TwoHalfPhysicsSimulator, sag: f32) -> Vec<
 }
 
 #[test]
-fn a_rope_between_two_posts_holds_what_hangs_on_it() {
+fn a_rope_between_two_posts_holds_its_load() {
     precise(|| {
         let mut simulator = simulator();
         let beads = rope_between_posts(&mut simulator, 21.0f32.sqrt());
@@ -365,7 +365,7 @@ fn a_rope_between_two_posts_holds_what_hangs_on_it() {
 }
 
 #[test]
-fn rods_that_are_too_long_for_their_way_buckle_and_have_their_length() {
+fn rods_longer_than_their_distance_buckle_and_keep_their_length() {
     precise(|| {
         let mut simulator = simulator();
         let beads = rope_between_posts(&mut simulator, 0.0);
@@ -446,7 +446,7 @@ fn a_carriage_with_a_load_on_a_rope_stops_where_its_rail_ends_and_leaves_it_agai
 }
 
 #[test]
-fn what_has_pulled_along_z_is_forgotten_when_it_is_gone() {
+fn a_removed_joint_exerts_no_force_along_z() {
     precise(|| {
         let mut simulator = simulator();
         let hook = hook(&mut simulator);
@@ -468,7 +468,7 @@ fn what_has_pulled_along_z_is_forgotten_when_it_is_gone() {
 }
 
 #[test]
-fn what_swings_on_a_pin_is_told_to_swing() {
+fn a_body_that_swings_on_a_pin_is_reported_as_articulated() {
     precise(|| {
         let (mut simulator, bob, _) = pendulum([60.0, 0.0]);
         run(&mut simulator, 3);

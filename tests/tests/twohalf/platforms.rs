@@ -179,7 +179,7 @@ pub(crate) fn a_ball_walks_off_each_of_the_four_edges_and_ends_up_on_the_ground(
 }
 
 #[test]
-fn what_jumps_under_a_platform_bumps_its_head_and_falls_back() {
+fn a_figure_that_jumps_under_a_platform_bumps_its_head_and_falls_back() {
     for is_ball in [true, false] {
         let mut simulator = simulator();
         let roof = platform(&mut simulator, [200.0, 30.0, 100.0], [0.0, 100.0, 100.0]);
@@ -464,7 +464,7 @@ pub(crate) fn leaving_a_platform_is_told_once() {
 }
 
 #[test]
-fn a_platform_that_is_raised_lifts_what_stands_on_it() {
+fn a_raised_platform_lifts_the_bodies_on_it() {
     for is_ball in [true, false] {
         let mut simulator = simulator();
         let floor = block(&mut simulator);

@@ -610,7 +610,7 @@ pub(crate) fn the_order_of_drawing_has_everything_that_takes_part_and_is_enabled
 }
 
 #[test]
-fn what_lies_beyond_all_numbers_is_shown_at_the_nearest_ones() {
+fn positions_beyond_the_finite_range_are_clamped_to_it_on_the_screen() {
     let mut simulator = at_angle(10);
     let body = ball(&mut simulator, 10.0, [0.0, 100.0, 0.0]);
     let geom = geom_of(&simulator, body);

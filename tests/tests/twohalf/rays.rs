@@ -75,7 +75,7 @@ fn a_ray_enters_a_ball_at_its_radius_and_passes_beside_it() {
 }
 
 #[test]
-fn a_ray_straight_down_finds_what_is_beneath_at_its_height() {
+fn a_ray_straight_down_finds_the_surface_beneath_at_its_height() {
     let mut simulator = weightless();
     Platform::with_rotation(&mut simulator, 200.0, 20.0, 60.0, Vector3::new(0.0, 50.0, 0.0), 0.4, None)
         .unwrap();
@@ -90,7 +90,7 @@ fn a_ray_straight_down_finds_what_is_beneath_at_its_height() {
 }
 
 #[test]
-fn a_ray_goes_on_through_what_the_filter_does_not_let_through() {
+fn a_ray_goes_on_through_shapes_that_the_filter_rejects() {
     let mut simulator = weightless();
     let near = solid(&mut simulator, [20.0, 20.0, 20.0], [0.0, 200.0, 0.0]);
     settle(&mut simulator);
@@ -110,7 +110,7 @@ fn a_ray_goes_on_through_what_the_filter_does_not_let_through() {
 }
 
 #[test]
-fn what_holds_the_start_is_hit_only_where_the_ray_enters_it_again() {
+fn a_shape_around_the_start_is_hit_only_where_the_ray_enters_it_again() {
     let mut simulator = weightless();
     let body = solid(&mut simulator, [40.0, 40.0, 40.0], [0.0, 100.0, 0.0]);
     // Open upward, with walls from -30 to -20 and from 20 to 30.
@@ -141,7 +141,7 @@ fn what_holds_the_start_is_hit_only_where_the_ray_enters_it_again() {
 }
 
 #[test]
-fn a_ray_in_the_plane_of_flat_things_enters_where_the_2d_engine_says() {
+fn a_ray_in_the_plane_of_flat_geoms_enters_where_the_2d_engine_says() {
     let mut simulator = weightless();
     for (index, at) in [[0.0, 100.0, 0.0], [60.0, 130.0, 0.0], [-70.0, 60.0, 0.0]].into_iter().enumerate() {
         let body = solid(&mut simulator, [40.0, 20.0, 30.0], at);

@@ -173,7 +173,7 @@ fn a_long_box_that_is_thrown_flat_against_a_ceiling_comes_back_flat_at_any_speed
 }
 
 #[test]
-fn where_nothing_falls_what_meets_slowly_bounces() {
+fn without_gravity_slow_collisions_bounce() {
     with_scheme(DepthScheme::Precise, || {
         let mut simulator = weightless();
         let balls = [-20.0, 20.0].map(|z| ball(&mut simulator, 10.0, [0.0, 50.0, z]));

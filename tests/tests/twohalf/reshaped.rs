@@ -65,7 +65,7 @@ fn a_crate_that_is_less_deep_falls_off_the_ledge_that_it_reached_and_one_that_is
 }
 
 #[test]
-fn what_stands_upright_has_its_new_height_and_footprint() {
+fn a_reshaped_upright_body_has_its_new_height_and_footprint() {
     precise(|mut simulator| {
         platform(&mut simulator, [40.0, 40.0, 40.0], [0.0, 0.0, 0.0]);
         let post = solid(&mut simulator, [20.0, 40.0, 20.0], [0.0, 40.0, 25.0]);
@@ -111,7 +111,7 @@ fn a_platform_that_is_turned_is_solid_where_it_is_and_nowhere_else() {
 }
 
 #[test]
-fn a_platform_that_becomes_a_slope_along_z_lets_slide_what_sleeps_on_it() {
+fn bodies_asleep_on_a_platform_slide_when_it_becomes_a_slope_along_z() {
     precise(|mut simulator| {
         let id = platform(&mut simulator, [200.0, 40.0, 200.0], [0.0, 0.0, 0.0]);
         let body = solid(&mut simulator, [20.0, 20.0, 20.0], [0.0, 40.0, 0.0]);
@@ -130,7 +130,7 @@ fn a_platform_that_becomes_a_slope_along_z_lets_slide_what_sleeps_on_it() {
 }
 
 #[test]
-fn a_platform_that_is_put_elsewhere_or_meets_others_again_moves_what_sleeps() {
+fn a_platform_that_is_teleported_or_collides_again_moves_sleeping_bodies() {
     precise(|mut simulator| {
         let id = platform(&mut simulator, [200.0, 10.0, 200.0], [0.0, 0.0, 0.0]);
         let body = solid(&mut simulator, [20.0, 20.0, 20.0], [0.0, 10.0, 0.0]);
@@ -152,7 +152,7 @@ fn a_platform_that_is_put_elsewhere_or_meets_others_again_moves_what_sleeps() {
 }
 
 #[test]
-fn slow_belts_and_platforms_carry_what_lies_on_them_as_far_as_their_speed_says() {
+fn slow_belts_and_platforms_carry_bodies_at_their_speed() {
     precise(|mut simulator| {
         let belt = platform(&mut simulator, [200.0, 40.0, 200.0], [0.0, 0.0, 0.0]);
         let lift = platform(&mut simulator, [200.0, 40.0, 200.0], [300.0, 0.0, 0.0]);

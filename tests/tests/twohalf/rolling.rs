@@ -92,7 +92,7 @@ fn assert_loses_what_its_corners_take(prism: &Prism) {
 const PRISM: Prism = Prism { corners: 48, radius: 16.0, speed: 60.0, gravity: 900.0, rate: 60.0, tile: 0.0 };
 
 #[test]
-fn a_prism_that_rolls_loses_what_its_corners_take() {
+fn a_rolling_prism_loses_the_energy_of_its_corner_impacts() {
     for corners in [12, 24, 48, 96] {
         for (radius, speed) in [(8.0, 30.0), (16.0, 90.0), (64.0, 60.0)] {
             for tile in [0.0, 100.0, 5000.0] {

@@ -95,7 +95,7 @@ fn loaded(times: f32, direction: [f32; 3]) -> (TwoHalfPhysicsSimulator, SpawnedR
 }
 
 #[test]
-fn whatever_load_swings_on_a_rope_no_part_of_it_gets_longer_by_a_hundredth() {
+fn under_any_load_no_segment_of_a_rope_stretches_by_a_hundredth() {
     precise(|| {
         for (times, dt) in [(1.0, 1.0 / 30.0), (300.0, 1.0 / 30.0), (400.0, 1.0 / 60.0), (400.0, 1.0 / 120.0)]
         {
@@ -147,7 +147,7 @@ fn ropes_that_were_thrown_on_the_ground_and_on_each_other_come_to_rest_and_sleep
 }
 
 #[test]
-fn a_rope_that_is_longer_than_its_way_sags_as_a_chain_does() {
+fn a_rope_longer_than_its_distance_sags_as_a_catenary() {
     precise(|| {
         let mut simulator = simulator();
         let rope =
@@ -182,7 +182,7 @@ fn calm(simulator: &mut TwoHalfPhysicsSimulator, rope: &SpawnedRope) {
 }
 
 #[test]
-fn a_rope_lies_on_what_it_meets() {
+fn a_rope_lies_on_bodies_below_it() {
     precise(|| {
         let mut simulator = simulator();
         let table = solid(&mut simulator, [200.0, 60.0, 40.0], [0.0, 0.0, 30.0]);
@@ -228,7 +228,7 @@ fn a_rope_tears_where_it_bears_most() {
 }
 
 #[test]
-fn what_cannot_be_a_rope_is_refused_and_leaves_nothing_behind() {
+fn invalid_ropes_are_refused_and_leave_no_bodies_behind() {
     precise(|| {
         let mut simulator = simulator();
         let ends = [RopeEnd::Fixed(HOOK), RopeEnd::Free(below([0.0, 50.0, 0.0]))];

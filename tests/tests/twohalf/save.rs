@@ -130,7 +130,7 @@ pub(crate) fn a_save_with_a_damaged_2d_engine_is_refused() {
 }
 
 #[test]
-fn what_touches_with_a_restitution_beyond_all_numbers_is_saved_and_loaded() {
+fn contacts_with_an_infinite_restitution_are_saved_and_loaded() {
     with_scheme(DepthScheme::Precise, || {
         let mut simulator = simulator();
         let body = crate_box(&mut simulator, [20.0, 20.0], [0.0, 0.0, 0.0]);

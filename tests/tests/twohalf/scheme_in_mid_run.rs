@@ -37,7 +37,7 @@ fn places(simulator: &TwoHalfPhysicsSimulator, bodies: &[BodyId]) -> Vec<Vector3
 }
 
 #[test]
-fn what_rests_goes_on_resting_under_every_scheme() {
+fn bodies_at_rest_stay_at_rest_under_every_scheme() {
     for [from, to] in switches() {
         let (mut simulator, bodies) = resting(from);
         let before = places(&simulator, &bodies);
@@ -52,7 +52,7 @@ fn what_rests_goes_on_resting_under_every_scheme() {
 }
 
 #[test]
-fn what_flies_goes_on_with_the_same_places_and_velocities() {
+fn flying_bodies_keep_their_positions_and_velocities() {
     for [from, to] in switches() {
         let fly = |switches: bool| {
             let mut simulator = with(from);
@@ -75,7 +75,7 @@ fn what_flies_goes_on_with_the_same_places_and_velocities() {
 }
 
 #[test]
-fn what_was_chosen_in_mid_run_is_saved_and_goes_on_with_the_same_bits() {
+fn a_scheme_chosen_in_mid_run_is_saved_and_goes_on_with_the_same_bits() {
     for [from, to] in switches() {
         let (mut simulator, bodies) = resting(from);
         throw(&mut simulator, bodies[2], [60.0, 20.0, 10.0]);
@@ -91,7 +91,7 @@ fn what_was_chosen_in_mid_run_is_saved_and_goes_on_with_the_same_bits() {
 }
 
 #[test]
-fn the_scheme_that_it_has_already_changes_nothing() {
+fn setting_the_present_scheme_changes_nothing() {
     for scheme in ALL {
         let (mut simulator, _) = resting(scheme);
         let before = simulator.snapshot();
@@ -101,7 +101,7 @@ fn the_scheme_that_it_has_already_changes_nothing() {
 }
 
 #[test]
-fn nothing_touches_until_the_next_update_and_then_what_lies_there_does() {
+fn contacts_are_empty_until_the_next_update_and_then_found_again() {
     for [from, to] in switches() {
         let (mut simulator, bodies) = resting(from);
         let grounded = |simulator: &TwoHalfPhysicsSimulator| {
@@ -126,7 +126,7 @@ fn assert_refused(simulator: &mut TwoHalfPhysicsSimulator, words: &str) {
 }
 
 #[test]
-fn what_only_the_precise_scheme_has_is_refused_to_the_others_and_nothing_changes() {
+fn features_of_the_precise_scheme_are_refused_to_the_others_and_nothing_changes() {
     let (mut simulator, _) = resting(DepthScheme::Precise);
     let lift = platform(&mut simulator, [50.0, 10.0, 50.0], [600.0, 0.0, 0.0]);
     simulator.platform_mut(lift).unwrap().set_velocity(Vector3::new(0.0, 5.0, 0.0)).unwrap();

@@ -69,12 +69,12 @@ fn assert_all_walk_along(is_platform: bool) {
 }
 
 #[test]
-fn who_presses_against_a_wall_of_two_platforms_walks_along_it_over_the_seam() {
+fn a_figure_pressed_against_a_wall_of_two_platforms_slides_over_the_seam() {
     assert_all_walk_along(true);
 }
 
 #[test]
-fn who_presses_against_a_wall_of_two_crates_walks_along_it_over_the_seam() {
+fn a_figure_pressed_against_a_wall_of_two_crates_slides_over_the_seam() {
     assert_all_walk_along(false);
 }
 

@@ -16,7 +16,7 @@ fn two_at_rest(test: impl FnOnce(TwoHalfPhysicsSimulator, [BodyId; 2])) {
 }
 
 #[test]
-fn what_rests_sleeps() {
+fn bodies_at_rest_sleep() {
     two_at_rest(|simulator, bodies| {
         for body in bodies {
             assert!(simulator.is_asleep(body));
@@ -26,7 +26,7 @@ fn what_rests_sleeps() {
 }
 
 #[test]
-fn nothing_sleeps_if_it_is_not_to() {
+fn no_body_sleeps_if_sleeping_is_disabled() {
     two_at_rest(|mut simulator, bodies| {
         simulator.set_sleep_enabled(false);
         run(&mut simulator, 200);
@@ -36,7 +36,7 @@ fn nothing_sleeps_if_it_is_not_to() {
 }
 
 #[test]
-fn what_touches_in_a_world_with_depth_is_solved_by_passes_and_says_why() {
+fn contacts_with_depth_are_solved_iteratively_and_the_reason_is_reported() {
     two_at_rest(|mut simulator, [below, _]| {
         simulator.wake(below);
         run(&mut simulator, 1);
@@ -47,7 +47,7 @@ fn what_touches_in_a_world_with_depth_is_solved_by_passes_and_says_why() {
 }
 
 #[test]
-fn a_body_wakes_with_what_it_fell_asleep_with() {
+fn a_body_wakes_with_the_island_it_fell_asleep_with() {
     two_at_rest(|mut simulator, [below, above]| {
         simulator.wake(above);
         run(&mut simulator, 1);
@@ -57,7 +57,7 @@ fn a_body_wakes_with_what_it_fell_asleep_with() {
 }
 
 #[test]
-fn what_sleeps_does_so_right_after_a_restore() {
+fn sleeping_bodies_sleep_right_after_a_restore() {
     two_at_rest(|plain, bodies| {
         let mut restored = conformance::fixtures::depth::simulator();
         restored.restore(&plain.snapshot()).unwrap();
@@ -66,7 +66,7 @@ fn what_sleeps_does_so_right_after_a_restore() {
 }
 
 #[test]
-fn what_is_woken_right_after_a_restore_wakes() {
+fn bodies_can_be_woken_right_after_a_restore() {
     two_at_rest(|mut plain, [below, above]| {
         let mut restored = conformance::fixtures::depth::simulator();
         restored.restore(&plain.snapshot()).unwrap();
@@ -80,7 +80,7 @@ fn what_is_woken_right_after_a_restore_wakes() {
 }
 
 #[test]
-fn a_ball_that_comes_in_depth_wakes_what_it_hits() {
+fn a_ball_that_moves_in_depth_wakes_the_body_that_it_hits() {
     two_at_rest(|mut simulator, [below, above]| {
         let thrown = ball(&mut simulator, 5.0, [0.0, 25.0, -60.0]);
         simulator.body_mut(thrown).unwrap().set_linear_velocity_z(400.0);
@@ -119,7 +119,7 @@ fn a_force_along_z_acts_once_also_where_it_does_not_keep_a_body_awake() {
 }
 
 #[test]
-fn a_world_that_sleeps_moves_nobody() {
+fn a_sleeping_world_moves_no_body() {
     two_at_rest(|mut simulator, bodies| {
         let before = bodies.map(|body| place(&simulator, body));
         run(&mut simulator, 1000);
@@ -134,7 +134,7 @@ struct Listens;
 impl EventHandler for Listens {}
 
 #[test]
-fn updates_in_which_all_sleeps_and_those_after_them_have_the_same_bits_where_somebody_listens() {
+fn updates_of_a_sleeping_world_and_later_ones_have_the_same_bits_with_handlers() {
     two_at_rest(|mut alone, [_, above]| {
         let mut heard = alone.clone();
         let mut both = |updates: usize, edit: &dyn Fn(&mut TwoHalfPhysicsSimulator)| {
@@ -157,7 +157,7 @@ fn updates_in_which_all_sleeps_and_those_after_them_have_the_same_bits_where_som
 }
 
 #[test]
-fn what_sleeps_on_the_ground_wakes_and_falls_when_its_object_geom_is_undone() {
+fn a_body_asleep_on_the_ground_wakes_and_falls_when_its_object_geom_is_removed() {
     two_at_rest(|mut simulator, [below, above]| {
         simulator.body_mut(below).unwrap().ground_mut().clear_object_geom();
         run(&mut simulator, 1);

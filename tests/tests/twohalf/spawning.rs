@@ -9,7 +9,7 @@ fn simulator() -> TwoHalfPhysicsSimulator {
 }
 
 #[test]
-fn a_spawned_prism_has_what_it_was_told() {
+fn a_spawned_prism_has_the_given_properties() {
     let mut simulator = simulator();
     let thing = Prism::new([40.0, 30.0, 20.0]).mass(5.0).friction(0.7).restitution(0.2).at([9.0, 8.0, 7.0]);
     let made = spawn(&mut simulator, thing).unwrap();
@@ -44,7 +44,7 @@ fn a_spawned_figure_does_not_topple_when_it_is_hit_above_its_middle() {
 }
 
 #[test]
-fn a_thing_that_cannot_be_is_refused_by_name_and_nothing_is_made() {
+fn an_invalid_thing_is_refused_by_name_and_adds_nothing() {
     let mut simulator = simulator();
     let refused: [(Thing, &str); 5] = [
         (Prism::new([0.0, 1.0, 1.0]), "width"),
@@ -61,7 +61,7 @@ fn a_thing_that_cannot_be_is_refused_by_name_and_nothing_is_made() {
 }
 
 #[test]
-fn a_lane_that_cannot_be_adds_nothing() {
+fn an_invalid_lane_adds_nothing() {
     let mut simulator = simulator();
     let (fine, far) = ([0.0, 100.0], [3e38, f32::MAX]);
     for (x, z, height) in [
@@ -77,7 +77,7 @@ fn a_lane_that_cannot_be_adds_nothing() {
 }
 
 #[test]
-fn the_upper_edge_of_a_slope_is_where_it_was_told() {
+fn the_upper_edge_of_a_slope_is_at_the_given_place() {
     let mut simulator = simulator();
     for (from, to) in
         [([100.0, 20.0], [400.0, 140.0]), ([400.0, 120.0], [730.0, 0.0]), ([0.0, 30.0], [90.0, 30.0])]

@@ -97,7 +97,7 @@ fn run(simulator: &mut TwoHalfPhysicsSimulator, rate: f32, seconds: f32) {
 }
 
 #[test]
-fn upright_things_slide_down_steep_slopes_with_g_times_sine_less_friction_times_cosine() {
+fn upright_bodies_slide_down_steep_slopes_with_g_times_sine_less_friction_times_cosine() {
     for (slope, (thing, reach)) in Slope::all(&STEEP).flat_map(|slope| things().map(|thing| (slope, thing))) {
         for (friction, rate) in [(0.0, 30.0), (0.3, 60.0), (1.0, 120.0)] {
             let (mut simulator, body) = scene(slope, thing, reach, friction);
@@ -119,7 +119,7 @@ fn upright_things_slide_down_steep_slopes_with_g_times_sine_less_friction_times_
 }
 
 #[test]
-fn upright_things_stand_on_slopes_below_the_friction_angle_whatever_these_are() {
+fn upright_bodies_stand_on_all_kinds_of_slopes_below_the_friction_angle() {
     for (slope, (thing, reach)) in
         Slope::all(&[10.0, 40.0, 60.1, 75.0]).flat_map(|slope| things().map(|thing| (slope, thing)))
     {
@@ -132,7 +132,7 @@ fn upright_things_stand_on_slopes_below_the_friction_angle_whatever_these_are() 
 }
 
 #[test]
-fn what_slides_down_a_steep_slope_goes_on_after_loading() {
+fn bodies_that_slide_down_a_steep_slope_go_on_after_loading() {
     with_scheme(DepthScheme::Precise, || {
         for slope in Slope::all(&[65.0, 80.0]) {
             let mut simulator = simulator();

@@ -51,7 +51,7 @@ fn a_box_meets_a_box_and_a_platform_where_their_faces_touch() {
 }
 
 #[test]
-fn a_box_that_passes_beside_something_by_a_hair_meets_nothing_and_by_a_hair_less_does() {
+fn a_box_that_just_misses_an_obstacle_has_no_hit_and_one_slightly_closer_has() {
     let mut simulator = weightless();
     let body = solid(&mut simulator, [40.0, 20.0, 30.0], [0.0, 90.0, 0.0]);
     simulator.update(0.0);
@@ -147,7 +147,7 @@ fn random_course(random: &mut Random) -> (Vector3, [f32; 3], Vector3) {
 }
 
 #[test]
-fn what_a_box_meets_it_does_not_overlap_before_and_overlaps_after() {
+fn a_swept_box_overlaps_its_hit_after_the_time_of_impact_and_not_before() {
     precise(|| {
         let mut random = Random::new(7);
         for (mut simulator, geom) in shapes() {
@@ -290,7 +290,7 @@ fn a_box_meets_platforms_that_are_tilted_lean_climb_or_are_turned_where_their_co
 }
 
 #[test]
-fn the_first_of_several_is_met_and_the_filter_lets_through_what_it_does_not_want() {
+fn the_first_of_several_is_hit_and_the_filter_skips_shapes() {
     let mut simulator = weightless();
     let near = solid(&mut simulator, [20.0, 20.0, 20.0], [0.0, 200.0, 0.0]);
     simulator.update(0.0);
@@ -310,7 +310,7 @@ fn the_first_of_several_is_met_and_the_filter_lets_through_what_it_does_not_want
 }
 
 #[test]
-fn what_a_box_overlaps_at_the_start_or_only_slides_along_does_not_stop_it() {
+fn initial_overlaps_and_surfaces_slid_along_do_not_stop_a_swept_box() {
     let mut simulator = weightless();
     platform(&mut simulator, [400.0, 20.0, 100.0], [0.0, 0.0, 0.0]);
     let wall = platform(&mut simulator, [20.0, 60.0, 100.0], [190.0, 20.0, 0.0]);
@@ -329,7 +329,7 @@ fn what_a_box_overlaps_at_the_start_or_only_slides_along_does_not_stop_it() {
 }
 
 #[test]
-fn in_the_hollow_of_an_outline_a_box_meets_its_other_side() {
+fn inside_the_concavity_of_an_outline_a_box_hits_its_other_side() {
     let mut simulator = weightless();
     let body = solid(&mut simulator, [4.0; 3], [0.0, 98.0, 0.0]);
     let geom = angle(&mut simulator, body);
@@ -379,7 +379,7 @@ fn a_box_flies_as_far_as_it_was_swept_before() {
 }
 
 #[test]
-fn a_box_that_is_none_or_goes_nowhere_or_is_not_finite_meets_nothing() {
+fn an_empty_motionless_or_non_finite_box_hits_nothing() {
     let mut simulator = weightless();
     platform(&mut simulator, [40.0, 20.0, 30.0], [0.0, 0.0, 0.0]);
     let (low, high) = (Vector3::new(-5.0, 95.0, -5.0), Vector3::new(5.0, 105.0, 5.0));

@@ -176,7 +176,7 @@ fn its_middle_goes_round_the_hinge() {
 }
 
 #[test]
-fn it_goes_past_no_stop_whatever_presses_it() {
+fn it_passes_no_stop_under_any_load() {
     precise(|| {
         let mut simulator = weightless();
         let door = hang(&mut simulator, Swing { least_angle: -0.3, greatest_angle: 0.5, ..sprung(1.0, 0.1) });
@@ -201,7 +201,7 @@ fn it_goes_past_no_stop_whatever_presses_it() {
 }
 
 #[test]
-fn what_presses_it_against_a_stop_meets_a_wall() {
+fn pressed_against_a_stop_it_acts_as_a_static_wall() {
     precise(|| {
         for mass in [0.2, 1.0, 50.0] {
             let mut simulator = weightless();
@@ -254,7 +254,7 @@ fn figures_walk_through_it_at_every_length_of_step_and_it_closes_behind_them() {
 }
 
 #[test]
-fn who_stands_in_it_when_it_swings_back_is_pushed_and_not_crushed() {
+fn a_figure_in_it_is_pushed_and_not_crushed_when_it_swings_back() {
     precise(|| {
         // Between it and a wall, and free.
         for has_wall in [false, true] {
@@ -330,7 +330,7 @@ fn jammed() -> (TwoHalfPhysicsSimulator, PlatformId, BodyId) {
 }
 
 #[test]
-fn what_keeps_it_open_sleeps_with_it_and_when_that_goes_it_closes() {
+fn a_body_that_keeps_it_open_sleeps_with_it_and_it_closes_without_that_body() {
     precise(|| {
         let (mut simulator, door, body) = jammed();
         assert!(simulator.is_asleep(body), "{:?}", simulator.why_awake(body));
@@ -351,7 +351,7 @@ fn what_keeps_it_open_sleeps_with_it_and_when_that_goes_it_closes() {
 }
 
 #[test]
-fn who_hits_it_wakes_what_sleeps_on_its_other_side() {
+fn a_hit_wakes_bodies_asleep_on_its_other_side() {
     precise(|| {
         let (mut simulator, door, body) = jammed();
         assert!(simulator.is_asleep(body));
@@ -422,7 +422,7 @@ fn a_clone_and_one_that_lists_all_anew_go_on_with_the_same_bits() {
 }
 
 #[test]
-fn it_is_refused_what_nothing_can_swing_by_and_then_is_what_it_was() {
+fn invalid_hinges_are_refused_and_change_nothing() {
     precise(|| {
         let mut simulator = simulator();
         let door = hang(&mut simulator, sprung(1.0, 0.2));
@@ -510,7 +510,7 @@ fn taken_off_its_hinge_it_stands_still_and_set_elsewhere_its_hinge_goes_along() 
 }
 
 #[test]
-fn what_is_beyond_all_numbers_stays_out_of_it() {
+fn non_finite_values_do_not_reach_it() {
     precise(|| {
         let mut simulator = simulator();
         let door = hang(&mut simulator, sprung(1.0, 0.2));

@@ -76,7 +76,7 @@ fn objects_farther_apart_in_depth_meet_along_z_even_where_they_come_from_the_sid
 }
 
 #[test]
-fn what_comes_from_the_front_meets_along_z_with_both() {
+fn a_body_that_comes_from_the_front_collides_along_z_with_both() {
     for scheme in BOTH {
         let mut simulator = with(scheme, 0.0);
         post(&mut simulator);
@@ -91,7 +91,7 @@ fn what_comes_from_the_front_meets_along_z_with_both() {
 }
 
 #[test]
-fn it_lets_outlines_collide_along_z_whose_boxes_overlap_though_they_do_not() {
+fn it_lets_outlines_collide_along_z_if_only_their_boxes_overlap() {
     let speeds = BOTH.map(|scheme| {
         let mut simulator = with(scheme, 0.0);
         let bars = [0.0, 40.0].map(|x| solid(&mut simulator, [100.0, 10.0, 10.0], [x, 500.0, -2.0 * x]));
@@ -110,7 +110,7 @@ fn it_lets_outlines_collide_along_z_whose_boxes_overlap_though_they_do_not() {
 }
 
 #[test]
-fn it_throws_what_lands_on_the_front_half_of_somebody_off_in_depth() {
+fn it_throws_a_body_that_lands_on_the_front_half_of_another_off_in_depth() {
     let ends = BOTH.map(|scheme| {
         let mut simulator = with(scheme, GRAVITY);
         let below = solid(&mut simulator, [80.0, 60.0, 60.0], [0.0, 0.0, 0.0]);
@@ -125,7 +125,7 @@ fn it_throws_what_lands_on_the_front_half_of_somebody_off_in_depth() {
 }
 
 #[test]
-fn it_takes_the_axis_from_the_depths_so_that_who_walks_to_the_edge_of_a_crate_is_thrown_off() {
+fn it_takes_the_axis_from_the_depths_and_throws_a_figure_off_at_the_edge_of_a_crate() {
     let ends = BOTH.map(|scheme| {
         let mut simulator = with(scheme, GRAVITY);
         let below = solid(&mut simulator, [80.0, 60.0, 60.0], [0.0, 0.0, 0.0]);
@@ -158,7 +158,7 @@ fn it_meets_balls_from_the_front_as_boxes() {
 }
 
 #[test]
-fn it_has_no_friction_in_depth_so_spin_goes_on_at_somebodys_front() {
+fn it_has_no_friction_in_depth_so_a_body_keeps_its_spin_at_a_front() {
     let spins = BOTH.map(|scheme| {
         let mut simulator = with(scheme, 0.0);
         let wall = post(&mut simulator);

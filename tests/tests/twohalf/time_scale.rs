@@ -46,7 +46,7 @@ fn a_stopped_body_stays_to_the_bit_and_goes_on_with_the_velocity_that_it_had() {
 }
 
 #[test]
-fn left_alone_a_body_takes_longer_for_the_same_way() {
+fn a_slowed_free_body_takes_longer_for_the_same_distance() {
     precise(|| {
         for (scale, times) in [(0.5, 2), (0.25, 4), (0.1, 10)] {
             let ((mut slow, body), (mut usual, same)) = (thrown(), thrown());
@@ -95,7 +95,7 @@ fn drag_and_applied_forces_take_longer_too() {
 }
 
 #[test]
-fn what_hits_a_stopped_body_bounces_off_as_off_a_wall() {
+fn a_body_that_hits_a_stopped_body_bounces_as_off_a_wall() {
     precise(|| {
         let mut simulator = weightless();
         let wall = solid(&mut simulator, [20.0; 3], [0.0, 100.0, 50.0]);
@@ -114,7 +114,7 @@ fn what_hits_a_stopped_body_bounces_off_as_off_a_wall() {
 }
 
 #[test]
-fn what_meets_a_slow_body_gives_it_the_momentum_that_it_loses() {
+fn a_collision_with_a_slowed_body_keeps_momentum() {
     precise(|| {
         for scale in [1.0, 0.5, 0.1] {
             let mut simulator = weightless();
@@ -133,7 +133,7 @@ fn what_meets_a_slow_body_gives_it_the_momentum_that_it_loses() {
 }
 
 #[test]
-fn what_lies_on_a_stopped_body_waits_and_falls_with_it() {
+fn a_body_on_a_stopped_body_waits_and_falls_with_it() {
     precise(|| {
         let mut simulator = simulator();
         let below = solid(&mut simulator, [40.0; 3], [0.0, 200.0, 50.0]);
@@ -262,7 +262,7 @@ fn a_stopped_and_a_slow_body_go_on_after_loading() {
 }
 
 #[test]
-fn what_cannot_be_is_refused() {
+fn invalid_time_scales_are_refused() {
     precise(|| {
         let mut simulator = simulator();
         let body = ball(&mut simulator, 8.0, [0.0; 3]);

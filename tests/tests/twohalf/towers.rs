@@ -80,7 +80,7 @@ fn light_crates_stand_under_a_heavy_figure_that_jumps_beside_their_middle() {
 }
 
 #[test]
-fn crates_as_heavy_as_who_jumps_on_them_stand_by_passes() {
+fn crates_as_heavy_as_the_figure_on_them_stand_with_the_iterative_solver() {
     for rate in RATES {
         let mut stage = Stage::tower(rate, 70.0, 12.0);
         stage.play(10.0, |_| STILL);
@@ -124,7 +124,7 @@ fn blocks_and_pyramids_of_light_crates_stand_under_a_heavy_figure() {
 }
 
 #[test]
-fn only_what_bears_something_heavy_is_solved_as_a_whole_and_says_so() {
+fn only_islands_with_a_heavy_load_use_the_direct_solver_and_report_it() {
     let told = |mass: f32| {
         let mut stage = Stage::tower(60.0, mass, 8.0);
         stage.play(0.2, |_| STILL);
@@ -136,7 +136,7 @@ fn only_what_bears_something_heavy_is_solved_as_a_whole_and_says_so() {
 }
 
 #[test]
-fn who_lands_on_a_crate_in_full_run_does_not_shoot_it_away() {
+fn a_figure_that_lands_on_a_crate_at_full_speed_does_not_throw_it_away() {
     for rate in RATES {
         for mass in [3.0, 6.0, 20.0] {
             let mut stage = Stage::new(rate, mass, &[[0.0, 0.0, 50.0]], [-90.0, 0.0, 50.0]);
@@ -147,7 +147,7 @@ fn who_lands_on_a_crate_in_full_run_does_not_shoot_it_away() {
 }
 
 #[test]
-fn a_heavy_box_and_the_light_one_below_it_slide_as_far_as_friction_lets_them_whichever_way() {
+fn a_heavy_box_and_the_light_one_below_it_slide_as_far_as_friction_lets_them_in_any_direction() {
     // Both together with mu = 0.4: v² / (2 mu g) = 200² / 720 = 55.6 px, along their way.
     let mut simulator = TwoHalfPhysicsSimulator::with_gravity(480, Vector2::new(0.0, 900.0)).unwrap();
     let mut add = |mass: f32, height: f32, y: f32| {

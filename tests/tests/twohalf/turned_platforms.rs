@@ -57,7 +57,7 @@ fn sliders() -> [Thing; 4] {
 }
 
 #[test]
-fn things_slide_down_a_slope_along_z_as_friction_lets_them() {
+fn bodies_slide_down_a_slope_along_z_as_friction_lets_them() {
     precise(|| {
         for thing in sliders() {
             for friction in [0.0, 0.2] {
@@ -81,7 +81,7 @@ fn things_slide_down_a_slope_along_z_as_friction_lets_them() {
 }
 
 #[test]
-fn things_lie_on_a_slope_along_z_that_is_rough_enough_and_sleep() {
+fn bodies_lie_on_a_slope_along_z_that_is_rough_enough_and_sleep() {
     precise(|| {
         for thing in sliders() {
             let mut simulator = simulator();
@@ -152,7 +152,7 @@ fn a_cylinder_half_over_the_side_of_a_slope_stands_on_it_and_past_the_side_does_
 }
 
 #[test]
-fn the_side_of_a_turned_platform_turns_what_slides_along_it() {
+fn the_side_of_a_turned_platform_deflects_a_body_that_slides_along_it() {
     precise(|| {
         for thing in [Cylinder::new(10.0, 20.0), Capsule::new(10.0, 20.0), Ball::new(10.0)] {
             let mut simulator = weightless();
@@ -172,7 +172,7 @@ fn the_side_of_a_turned_platform_turns_what_slides_along_it() {
 }
 
 #[test]
-fn things_lie_on_a_turned_platform_where_it_is_and_nowhere_else() {
+fn bodies_lie_on_a_turned_platform_where_it_is_and_nowhere_else() {
     precise(|| {
         for thing in sliders().into_iter().chain([Ball::new(10.0)]) {
             let mut simulator = simulator();
@@ -190,7 +190,7 @@ fn things_lie_on_a_turned_platform_where_it_is_and_nowhere_else() {
 }
 
 #[test]
-fn a_platform_that_turns_carries_what_stands_on_it_round() {
+fn a_rotating_platform_carries_the_bodies_on_it_around() {
     precise(|| {
         for thing in sliders() {
             let mut simulator = simulator();
@@ -215,7 +215,7 @@ fn a_platform_that_turns_carries_what_stands_on_it_round() {
 }
 
 #[test]
-fn a_platform_that_turns_sweeps_what_is_in_its_way() {
+fn a_rotating_platform_sweeps_bodies_in_its_path() {
     precise(|| {
         for thing in sliders().into_iter().chain([Ball::new(10.0)]) {
             let mut simulator = weightless();
@@ -263,7 +263,7 @@ fn a_platform_is_turned_to_an_angle_to_the_last_bit() {
 }
 
 #[test]
-fn a_platform_that_is_turned_by_more_than_sines_are_told_of_keeps_its_size() {
+fn a_platform_turned_by_an_angle_beyond_the_range_of_the_sine_keeps_its_size() {
     precise(|| {
         let mut simulator = weightless();
         let id = platform(&mut simulator, [60.0, 20.0, 40.0], [0.0, 10.0, 0.0], 0.0);
@@ -280,7 +280,7 @@ fn a_platform_that_is_turned_by_more_than_sines_are_told_of_keeps_its_size() {
 }
 
 #[test]
-fn nothing_falls_through_a_slope_along_z_however_fast_it_is() {
+fn no_body_falls_through_a_slope_along_z_at_any_speed() {
     precise(|| {
         for thing in sliders().into_iter().chain([Ball::new(10.0)]) {
             for speed in [300.0, 3000.0, 30_000.0] {
@@ -325,7 +325,7 @@ fn rays_and_surfaces_know_turned_platforms_and_slopes_along_z() {
 }
 
 #[test]
-fn what_only_level_platforms_can_do_is_refused_to_others() {
+fn features_of_level_platforms_are_refused_to_others() {
     precise(|| {
         let mut simulator = simulator();
         let id = platform(&mut simulator, [100.0, 20.0, 40.0], [0.0, 0.0, 200.0], 0.0);

@@ -48,7 +48,7 @@ fn things() -> [Thing; 3] {
 }
 
 #[test]
-fn what_is_upright_falls_on_the_ground_and_sleeps() {
+fn upright_bodies_fall_on_the_ground_and_sleep() {
     precise(|| {
         for thing in things() {
             let mut simulator = simulator();
@@ -64,7 +64,7 @@ fn what_is_upright_falls_on_the_ground_and_sleeps() {
 }
 
 #[test]
-fn what_is_upright_stands_on_the_edge_of_a_platform_and_falls_past_it() {
+fn upright_bodies_stand_on_the_edge_of_a_platform_and_fall_past_it() {
     precise(|| {
         for thing in things() {
             for (z, stands) in [(109.0, true), (121.0, false), (91.0, true)] {
@@ -154,7 +154,7 @@ fn a_cylinder_slides_down_a_slope_as_friction_lets_it() {
 }
 
 #[test]
-fn things_stand_on_what_is_upright_and_it_stands_on_them() {
+fn bodies_stand_on_upright_bodies_and_these_on_them() {
     precise(|| {
         let crates = Prism::new([40.0, 30.0, 40.0]);
         for (thing, height) in [(Cylinder::new(10.0, 40.0), 40.0), (Prism::footprint(wedge(), 40.0), 40.0)] {
@@ -173,7 +173,7 @@ fn things_stand_on_what_is_upright_and_it_stands_on_them() {
 }
 
 #[test]
-fn what_is_upright_pushes_crates_along_both_axes() {
+fn upright_bodies_push_crates_along_both_axes() {
     precise(|| {
         for thing in things() {
             for way in [[100.0, 0.0, 0.0], [0.0, 0.0, 100.0]] {
@@ -194,7 +194,7 @@ fn what_is_upright_pushes_crates_along_both_axes() {
 
 /// A side that leans by rounding alone is held at both its ends.
 #[test]
-fn a_crate_that_may_tip_stays_upright_and_outside_of_what_is_round_that_it_runs_into() {
+fn a_crate_that_may_tip_stays_upright_and_outside_of_a_round_body_that_it_hits() {
     precise(|| {
         for thing in [Cylinder::new(12.5, 60.0), Capsule::new(12.5, 60.0)] {
             let mut simulator = simulator();
@@ -237,7 +237,7 @@ fn a_ball_bounces_off_a_cylinder_along_the_line_of_their_middles() {
 }
 
 #[test]
-fn nothing_upright_passes_what_stands_still_however_fast_it_is() {
+fn no_upright_body_tunnels_through_a_static_one_at_any_speed() {
     precise(|| {
         for thing in things() {
             let mut simulator = weightless();
@@ -257,7 +257,7 @@ fn nothing_upright_passes_what_stands_still_however_fast_it_is() {
 }
 
 #[test]
-fn what_is_upright_is_not_turned() {
+fn upright_bodies_do_not_rotate() {
     precise(|| {
         for thing in things() {
             let mut simulator = simulator();
@@ -279,7 +279,7 @@ fn what_is_upright_is_not_turned() {
 }
 
 #[test]
-fn a_wedge_turns_what_slides_along_its_side() {
+fn a_wedge_deflects_a_body_that_slides_along_its_side() {
     precise(|| {
         let mut simulator = weightless();
         let post = put(&mut simulator, Prism::footprint(wedge(), 80.0).friction(0.0), [0.0, 0.0, 100.0]);
@@ -295,7 +295,7 @@ fn a_wedge_turns_what_slides_along_its_side() {
 }
 
 #[test]
-fn momentum_is_kept_along_every_axis_whatever_meets() {
+fn collisions_of_all_shapes_keep_momentum_along_every_axis() {
     precise(|| {
         for seed in 0..6u32 {
             let mut simulator = weightless();
@@ -336,7 +336,7 @@ fn momentum_is_kept_along_every_axis_whatever_meets() {
 }
 
 #[test]
-fn what_is_upright_goes_on_with_the_same_bits_after_loading() {
+fn upright_bodies_go_on_with_the_same_bits_after_loading() {
     precise(|| {
         let mut simulator = simulator();
         Platform::with_rotation(&mut simulator, 300.0, 20.0, 150.0, Vector3::new(0.0, 0.0, 80.0), 0.2, None)
@@ -352,7 +352,7 @@ fn what_is_upright_goes_on_with_the_same_bits_after_loading() {
 }
 
 #[test]
-fn rays_enter_what_is_upright_where_its_surface_is() {
+fn rays_enter_upright_bodies_at_their_surface() {
     precise(|| {
         let mut simulator = simulator();
         let cylinder = put(&mut simulator, Cylinder::new(10.0, 40.0), [0.0, 0.0, 100.0]);
@@ -384,7 +384,7 @@ fn rays_enter_what_is_upright_where_its_surface_is() {
 }
 
 #[test]
-fn overlaps_of_what_is_upright_are_those_of_its_shape() {
+fn overlaps_of_upright_bodies_are_those_of_their_shapes() {
     precise(|| {
         let mut simulator = weightless();
         let one = put(&mut simulator, Cylinder::new(10.0, 40.0), [0.0, 0.0, 100.0]);
@@ -402,7 +402,7 @@ fn overlaps_of_what_is_upright_are_those_of_its_shape() {
 }
 
 #[test]
-fn only_the_precise_set_knows_what_is_upright() {
+fn only_the_precise_set_supports_upright_shapes() {
     let profile = DepthProfile::Cylinder { radius: 10.0, height: 40.0 };
     for scheme in [DepthScheme::Faithful, DepthScheme::Thesis] {
         with_scheme(scheme, || {
@@ -435,7 +435,7 @@ fn only_the_precise_set_knows_what_is_upright() {
 }
 
 #[test]
-fn the_top_of_what_is_upright_is_beneath_what_is_over_its_footprint_and_a_capsule_is_not() {
+fn the_top_of_an_upright_body_is_a_surface_over_its_footprint_and_a_capsule_has_none() {
     precise(|| {
         for (thing, over, beside) in [
             (Cylinder::new(10.0, 40.0), [7.0, 7.0], [7.2, 7.2]),

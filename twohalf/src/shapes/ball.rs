@@ -221,7 +221,7 @@ mod tests {
     }
 
     #[test]
-    fn of_balls_in_the_same_place_the_second_goes_up() {
+    fn the_second_of_two_coincident_balls_is_pushed_up() {
         let found = ball_ball(v(1.0, 2.0, 3.0), 4.0, v(1.0, 2.0, 3.0), 5.0).expect("a contact");
         assert_eq!((found.normal, found.separation), (v(0.0, -1.0, 0.0), -9.0));
     }
@@ -320,21 +320,21 @@ mod tests {
     }
 
     #[test]
-    fn the_face_of_entry_is_the_one_the_way_crosses() {
+    fn the_face_of_entry_is_the_one_that_the_path_crosses() {
         assert_eq!(entry_of_box(v(0.0, -9.0, 0.0), v(1.0, 4.0, 0.0)), Some(v(0.0, -1.0, 0.0)));
         assert_eq!(entry_of_box(v(-19.0, 0.0, 3.0), v(9.0, 0.0, 0.0)), Some(v(-1.0, 0.0, 0.0)));
         assert_eq!(entry_of_box(v(0.0, 0.0, 9.0), v(0.0, 0.0, -3.0)), Some(v(0.0, 0.0, 1.0)));
     }
 
     #[test]
-    fn of_an_oblique_way_the_last_of_the_entries_counts() {
+    fn an_oblique_path_enters_through_the_face_crossed_last() {
         // At z = -4 after half of the way, at y = -5 after a quarter or after three quarters.
         assert_eq!(entry_of_box(v(0.0, -7.0, -8.0), v(0.0, 1.0, 0.0)), Some(v(0.0, 0.0, -1.0)));
         assert_eq!(entry_of_box(v(0.0, -11.0, -8.0), v(0.0, -3.0, 0.0)), Some(v(0.0, -1.0, 0.0)));
     }
 
     #[test]
-    fn a_way_that_starts_inside_or_misses_has_no_face_of_entry() {
+    fn a_path_that_starts_inside_or_misses_has_no_face_of_entry() {
         assert_eq!(entry_of_box(v(0.0, 0.0, 0.0), v(0.0, -3.0, 0.0)), None);
         assert_eq!(entry_of_box(v(0.0, -9.0, 0.0), v(0.0, -9.0, 0.0)), None);
         assert_eq!(entry_of_box(v(0.0, -9.0, 0.0), v(0.0, -12.0, 0.0)), None);
@@ -344,7 +344,7 @@ mod tests {
     }
 
     #[test]
-    fn a_way_that_starts_on_a_face_comes_in_through_it() {
+    fn a_path_that_starts_on_a_face_enters_through_it() {
         assert_eq!(entry_of_box(v(0.0, -5.0, 0.0), v(0.0, 0.0, 0.0)), Some(v(0.0, -1.0, 0.0)));
         assert_eq!(entry_of_box(v(0.0, 0.0, -4.0), v(0.0, 0.0, 0.0)), Some(v(0.0, 0.0, -1.0)));
     }
@@ -369,7 +369,7 @@ mod tests {
     }
 
     #[test]
-    fn random_ways_come_in_through_the_face_where_sampling_finds_them_inside_first() {
+    fn random_paths_enter_through_the_face_where_sampling_finds_them_inside_first() {
         let mut random = Random(10);
         let mut seen = 0;
         for _ in 0..500 {

@@ -50,18 +50,18 @@ impl ConvexPieces {
     }
 
     /// Replaces `out` by the vertices of all pieces, transformed into the plane by a matrix.
-    pub(crate) fn lay_out(&self, matrix: &Matrix, out: &mut Vec<Vector2>) {
+    pub(crate) fn transform_into(&self, matrix: &Matrix, out: &mut Vec<Vector2>) {
         out.clear();
         out.extend(self.vertices.iter().map(|vertex| vector2::transform(*vertex, matrix)));
     }
 
-    /// The pieces among the vertices from [`ConvexPieces::lay_out`].
+    /// The pieces among the vertices from [`ConvexPieces::transform_into`].
     pub(crate) fn pieces<'a>(
         &'a self,
-        laid_out: &'a [Vector2],
+        transformed: &'a [Vector2],
     ) -> impl Iterator<Item = &'a [Vector2]> + Clone {
         let starts = std::iter::once(0).chain(self.ends.iter().copied());
-        starts.zip(&self.ends).filter_map(|(start, end)| laid_out.get(start..*end))
+        starts.zip(&self.ends).filter_map(|(start, end)| transformed.get(start..*end))
     }
 }
 
@@ -298,9 +298,9 @@ mod tests {
 
     fn pieces_of(outline: &[Vector2]) -> Vec<Vec<Vector2>> {
         let pieces = ConvexPieces::new(&Vertices::from(outline));
-        let mut laid_out = vec![Vector2::new(9.0, 9.0)];
-        pieces.lay_out(&Matrix::identity(), &mut laid_out);
-        pieces.pieces(&laid_out).map(<[Vector2]>::to_vec).collect()
+        let mut transformed = vec![Vector2::new(9.0, 9.0)];
+        pieces.transform_into(&Matrix::identity(), &mut transformed);
+        pieces.pieces(&transformed).map(<[Vector2]>::to_vec).collect()
     }
 
     #[test]
@@ -365,12 +365,12 @@ mod tests {
     }
 
     #[test]
-    fn laying_out_replaces_what_was_there_by_the_transformed_vertices() {
+    fn transforming_replaces_the_content_of_the_buffer() {
         let outline = Vertices::from(rectangle((0.0, 0.0), 4.0, 2.0, 0.0));
         let matrix = matrix::create_translation(100.0, 50.0, 0.0);
-        let mut laid_out = vec![Vector2::new(9.0, 9.0)];
-        ConvexPieces::new(&outline).lay_out(&matrix, &mut laid_out);
-        assert_eq!(laid_out, rectangle((100.0, 50.0), 4.0, 2.0, 0.0));
+        let mut transformed = vec![Vector2::new(9.0, 9.0)];
+        ConvexPieces::new(&outline).transform_into(&matrix, &mut transformed);
+        assert_eq!(transformed, rectangle((100.0, 50.0), 4.0, 2.0, 0.0));
     }
 
     #[test]

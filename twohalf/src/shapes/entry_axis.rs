@@ -86,24 +86,24 @@ mod tests {
     }
 
     #[test]
-    fn what_lands_while_it_parts_in_depth_meets_in_the_plane() {
+    fn a_landing_body_that_separates_in_depth_collides_in_the_plane() {
         assert!(!is_depth(along(12.0, 15.0), along(3.0, -0.3)));
     }
 
     #[test]
-    fn what_slides_from_one_floor_to_the_next_in_depth_stays_on_top() {
+    fn a_body_that_slides_between_floors_in_depth_stays_on_top() {
         for overlap in [0.001, 0.01, 0.1, 0.3] {
             assert!(!is_depth(along(0.05, 0.0), along(overlap, 0.4)));
         }
     }
 
     #[test]
-    fn what_walks_along_a_front_meets_the_next_front() {
+    fn a_body_that_moves_along_a_front_collides_with_the_next_front() {
         assert!(is_depth(along(0.3, 0.4), along(0.05, 0.0)));
     }
 
     #[test]
-    fn what_does_not_move_in_depth_and_overlaps_deeply_there_meets_in_the_plane() {
+    fn a_deep_overlap_without_motion_in_depth_collides_in_the_plane() {
         assert!(!is_depth(along(5.0, 0.0), along(3.0, 0.0)));
         assert!(!is_depth(along(0.5, 1.0), along(3.0, 0.0)));
     }

@@ -212,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_of_the_outline_is_nearer_and_the_side_is_right() {
+    fn no_point_of_the_outline_is_nearer_and_the_side_is_right() {
         let mut random = Random(1);
         for _ in 0..300 {
             let middle = random.point(500.0);

@@ -266,7 +266,7 @@ mod tests {
     }
 
     #[test]
-    fn crossed_bars_have_the_four_crossings_in_common() {
+    fn the_intersection_of_crossed_bars_has_the_four_crossings() {
         let found = common(&rectangle((0.0, 0.0), 100.0, 4.0, 0.0), &rectangle((0.0, 0.0), 6.0, 100.0, 0.0));
         assert_eq!(found.len(), 4);
         for corner in points(&[(-3.0, -2.0), (-3.0, 2.0), (3.0, 2.0), (3.0, -2.0)]) {
@@ -275,7 +275,7 @@ mod tests {
     }
 
     #[test]
-    fn an_outline_within_another_overlaps_it_and_is_what_they_have_in_common() {
+    fn an_outline_within_another_overlaps_it_and_is_their_intersection() {
         let (outer, inner) = (rectangle((0.0, 0.0), 10.0, 10.0, 0.0), rectangle((1.0, 1.0), 2.0, 2.0, 0.4));
         assert!(overlap(&outer, &inner));
         assert_eq!(common(&outer, &inner), inner);
@@ -345,7 +345,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_inside_does_not_overlap() {
+    fn outlines_without_area_do_not_overlap() {
         let square = rectangle((0.0, 0.0), 2.0, 2.0, 0.0);
         let flat =
             [&[][..], &[(0.0, 0.0)], &[(-5.0, 0.0), (5.0, 0.0)], &[(-5.0, 0.0), (0.0, 0.0), (5.0, 0.0)]];

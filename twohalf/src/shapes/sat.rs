@@ -110,7 +110,7 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_approach_has_always_overlapped() {
+    fn shapes_that_do_not_approach_have_an_infinite_time_of_entry() {
         let (a, b) = (rectangle((0.0, 0.0), 10.0, 10.0, 0.0), rectangle((9.0, 0.0), 10.0, 10.0, 0.0));
         assert_eq!(entry(&a, &b, Vector2::zeros()).map(|entry| entry.time), Some(f32::INFINITY));
     }
@@ -176,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn of_several_pieces_the_first_to_meet_gives_the_time_and_the_deepest_the_way() {
+    fn the_first_piece_to_meet_gives_the_time_of_entry_and_the_deepest_the_penetration() {
         let a = [rectangle((0.0, 0.0), 10.0, 100.0, 0.0), rectangle((10.0, 0.0), 10.0, 10.0, 0.0)];
         let b = [rectangle((17.0, 0.0), 10.0, 6.0, 0.0)];
         fn slices(list: &[Vec<Vector2>]) -> impl Iterator<Item = &[Vector2]> {

@@ -93,7 +93,7 @@ fn distances_outside_are_those_of_a_search_over_the_depth() {
 }
 
 #[test]
-fn inside_no_way_out_is_shorter_than_the_distance() {
+fn inside_no_exit_is_shorter_than_the_distance() {
     let mut numbers = Random(2);
     for round in 0..300 {
         let shape = turned(&mut numbers, round);
@@ -154,7 +154,7 @@ fn the_rectangle_is_wound_as_the_engine_winds_outlines() {
 }
 
 #[test]
-fn the_entry_face_is_where_a_march_along_the_way_first_gets_inside() {
+fn the_entry_face_is_where_a_march_along_the_path_first_gets_inside() {
     let mut numbers = Random(4);
     let mut entered = 0;
     for round in 0..2000 {
@@ -254,7 +254,7 @@ fn a_line_beside_the_box_has_no_top() {
 }
 
 #[test]
-fn what_is_not_finite_touches_nothing() {
+fn non_finite_shapes_touch_nothing() {
     for point in [Vector3::new(f32::NAN, 0.0, 0.0), Vector3::new(f32::INFINITY, 0.0, 0.0)] {
         for shape in [LEVEL, SlantedBox { shear: 0.5, ..LEVEL }, SlantedBox::default()] {
             assert_eq!(shape.nearest(point), None);

@@ -99,7 +99,7 @@ mod tests {
     }
 
     #[test]
-    fn what_moves_comes_and_goes_is_where_sorting_everything_puts_it() {
+    fn moved_added_and_removed_items_are_ordered_as_by_a_full_sort() {
         let mut list = IncrementalSort::default();
         let mut state = 1_u64;
         let mut random = |below: u64| {

@@ -154,7 +154,7 @@ impl TwoHalfPhysicsSimulator {
         }
         let pieces = ConvexPieces::new(geom.local_vertices());
         let mut corners = Vec::new();
-        pieces.lay_out(&geom.matrix(), &mut corners);
+        pieces.transform_into(&geom.matrix(), &mut corners);
         let half = profile.half_depth();
         let within = pieces.pieces(&corners).filter_map(|piece| course.clip_prism(piece, z, half));
         entry_of_parts(&within.collect::<Vec<_>>())

@@ -10,7 +10,7 @@ use crate::shapes::ConvexPieces;
 #[derive(Debug, Clone, Default)]
 pub(super) struct ConvexCache {
     pieces: SecondaryMap<GeomId, ConvexPieces>,
-    laid_out: [Vec<Vector2>; 2],
+    transformed: [Vec<Vector2>; 2],
     /// Buffer for the points of one contact.
     pub(super) points: Vec<Vector2>,
 }
@@ -33,30 +33,30 @@ impl ConvexCache {
     }
 
     /// Transforms the pieces of a geom into the world. Also returns the buffer for contact points.
-    pub(super) fn lay_out(
+    pub(super) fn transform(
         &mut self,
         core: &PhysicsSimulator,
         geom: GeomId,
     ) -> Option<(CachedPieces<'_>, &mut Vec<Vector2>)> {
         self.find(core, geom)?;
-        let ConvexCache { pieces, laid_out: [corners, _], points } = self;
+        let ConvexCache { pieces, transformed: [corners, _], points } = self;
         let pieces = pieces.get(geom)?;
-        pieces.lay_out(&core.geom(geom)?.matrix(), corners);
+        pieces.transform_into(&core.geom(geom)?.matrix(), corners);
         Some(((pieces, corners), points))
     }
 
     /// Transforms the pieces of both geoms into the world.
-    pub(super) fn lay_out_both(
+    pub(super) fn transform_both(
         &mut self,
         core: &PhysicsSimulator,
         geoms: [GeomId; 2],
     ) -> Option<[CachedPieces<'_>; 2]> {
         geoms.into_iter().try_for_each(|geom| self.find(core, geom))?;
-        let ConvexCache { pieces, laid_out, .. } = self;
-        for (geom, corners) in geoms.into_iter().zip(laid_out.iter_mut()) {
-            pieces.get(geom)?.lay_out(&core.geom(geom)?.matrix(), corners);
+        let ConvexCache { pieces, transformed, .. } = self;
+        for (geom, corners) in geoms.into_iter().zip(transformed.iter_mut()) {
+            pieces.get(geom)?.transform_into(&core.geom(geom)?.matrix(), corners);
         }
         let [a, b] = geoms;
-        Some([(pieces.get(a)?, &laid_out[0]), (pieces.get(b)?, &laid_out[1])])
+        Some([(pieces.get(a)?, &transformed[0]), (pieces.get(b)?, &transformed[1])])
     }
 }

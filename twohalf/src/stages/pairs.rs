@@ -138,7 +138,7 @@ impl OwnerChoice<'_> {
         let (body_a, body_b) = (core.geom(pair.geom_a)?.body(), core.geom(pair.geom_b)?.body());
         let motion = reaches.motion_of(core, depths, body_b) - reaches.motion_of(core, depths, body_a);
         let [(pieces_a, corners_a), (pieces_b, corners_b)] =
-            outlines.lay_out_both(core, [pair.geom_a, pair.geom_b])?;
+            outlines.transform_both(core, [pair.geom_a, pair.geom_b])?;
         let plane = entry_of_pieces(pieces_a.pieces(corners_a), || pieces_b.pieces(corners_b), motion.xy())?;
         let in_plane = EntryAxis { penetration: plane.penetration, closing: -motion.xy().dot(&plane.normal) };
         let plane_time = if plane.time <= MAX_ENTRY_AGE { plane.time } else { f32::INFINITY };

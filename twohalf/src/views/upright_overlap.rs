@@ -49,7 +49,7 @@ fn query_shapes(core: &PhysicsSimulator, depths: &DepthState, id: GeomId) -> Opt
     }
     let (pieces, matrix) = (ConvexPieces::new(geom.local_vertices()), geom.matrix());
     let mut corners = Vec::new();
-    pieces.lay_out(&matrix, &mut corners);
+    pieces.transform_into(&matrix, &mut corners);
     let part = |piece: &[Vector2]| {
         QueryShape::Part(piece.iter().map(|corner| [corner.x, corner.y]).collect(), z, profile.half_depth())
     };

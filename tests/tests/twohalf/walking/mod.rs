@@ -142,7 +142,7 @@ fn it_walks_on_with_the_same_bits_after_a_load_in_every_step() {
 }
 
 #[test]
-fn it_flies_on_with_the_same_bits_after_a_load_against_what_stands_still() {
+fn it_flies_on_with_the_same_bits_after_a_load_against_static_bodies() {
     for rate in RATES {
         let (mut stage, crate_box, _) = with_crate(rate, 200.0);
         stage.simulator.set_time_scale(crate_box, 0.0).unwrap();
@@ -196,7 +196,7 @@ fn it_goes_on_with_the_same_bits_after_a_load_if_what_it_touches_was_edited_befo
 }
 
 #[test]
-fn it_reaches_the_speed_that_is_wished_by_its_acceleration_and_keeps_it() {
+fn it_reaches_the_speed_of_the_input_by_its_acceleration_and_keeps_it() {
     for rate in RATES {
         let mut stage = Stage::new(rate, [0.0; 3]);
         stage.walk(RIGHT, 0.1, |_| {});
@@ -208,7 +208,7 @@ fn it_reaches_the_speed_that_is_wished_by_its_acceleration_and_keeps_it() {
 }
 
 #[test]
-fn downhill_it_stays_on_the_floor_in_all_steps_at_the_speed_that_is_wished() {
+fn downhill_it_stays_on_the_floor_in_all_steps_at_the_speed_of_the_input() {
     for (degrees, rate) in [10.0, 20.0, 30.0, 40.0f32].into_iter().flat_map(|it| RATES.map(|rate| (it, rate)))
     {
         let mut stage = Stage::new(rate, [-60.0, 500.0, 0.0]);
@@ -254,7 +254,7 @@ fn it_stands_on_a_slope_without_sliding() {
 }
 
 #[test]
-fn it_slides_down_what_is_too_steep_to_stand_on() {
+fn it_slides_down_slopes_that_are_too_steep() {
     for rate in RATES {
         let mut stage = Stage::new(rate, [100.0, 530.0 - 100.0 * 55f32.to_radians().tan(), 0.0]);
         stage.slope(55.0);
@@ -280,7 +280,7 @@ fn a_lift_carries_it_up_and_down_in_all_steps() {
 }
 
 #[test]
-fn a_platform_and_a_belt_carry_what_stands_and_what_walks() {
+fn a_platform_and_a_belt_carry_standing_and_walking_figures() {
     for rate in RATES {
         let mut stage = Stage::new(rate, [0.0, 20.0, 0.0]);
         let floor = stage.platform([900.0, 20.0, 900.0], [0.0, 0.0, 0.0], 0.0);
@@ -330,7 +330,7 @@ fn a_curb_is_walked_up_from_a_stand_beside_it() {
 }
 
 #[test]
-fn what_is_higher_than_a_step_is_a_wall() {
+fn an_obstacle_higher_than_a_step_is_a_wall() {
     for rate in RATES {
         let mut stage = Stage::new(rate, [0.0; 3]);
         stage.platform([400.0, 9.0, 400.0], [300.0, 0.0, 0.0], 0.0);
@@ -350,7 +350,7 @@ fn down_a_curb_it_stays_on_the_floor() {
 }
 
 #[test]
-fn who_holds_a_wall_falls_as_if_it_were_not_there() {
+fn a_figure_pressed_against_a_wall_falls_as_without_it() {
     for rate in RATES {
         let mut stage = Stage::new(rate, [0.0, 400.0, 0.0]);
         stage.platform([100.0, 600.0, 400.0], [80.0, 0.0, 0.0], 0.0);
@@ -378,7 +378,7 @@ fn along_a_wall_it_keeps_its_speed() {
 }
 
 #[test]
-fn it_jumps_as_high_as_it_is_told_at_any_step() {
+fn it_jumps_to_the_given_height_at_any_step() {
     for (height, rate) in [20.0, 60.0, 150.0].into_iter().flat_map(|it| RATES.map(|rate| (it, rate))) {
         let mut stage = Stage::new(rate, [0.0; 3]);
         stage.walker.walk.jump_height = height;
@@ -418,7 +418,7 @@ fn it_may_jump_for_a_while_after_an_edge_and_only_once() {
 }
 
 #[test]
-fn a_crate_stays_where_it_was_landed_on_and_is_not_dragged_by_who_walks_on_it() {
+fn a_crate_stays_where_a_figure_landed_on_it_and_is_not_dragged_by_walking() {
     for rate in RATES {
         let mut stage = Stage::new(rate, [0.0, 120.0, 0.0]);
         let load = stage.crate_box([120.0, 60.0, 60.0], 40.0, [30.0, 0.0, 0.0]);
@@ -443,7 +443,7 @@ fn over_a_row_of_crates_it_does_not_hop() {
 }
 
 #[test]
-fn it_pushes_what_is_light_and_not_what_is_heavy() {
+fn it_pushes_light_bodies_and_not_heavy_ones() {
     for rate in RATES {
         let push = |mass: f32| {
             let mut stage = Stage::new(rate, [0.0; 3]);
@@ -514,7 +514,7 @@ fn a_curb_along_z_is_walked_up_too() {
 }
 
 #[test]
-fn a_low_ceiling_ends_a_jump_and_holds_nobody_up() {
+fn a_low_ceiling_ends_a_jump_and_does_not_hold_the_figure() {
     for rate in RATES {
         let mut stage = Stage::new(rate, [0.0; 3]);
         stage.platform([400.0, 20.0, 400.0], [0.0, 80.0, 0.0], 0.0);
@@ -547,7 +547,7 @@ fn a_figure_that_was_saved_with_the_simulator_goes_on_with_the_same_bits() {
 }
 
 #[test]
-fn who_is_let_go_falls_and_slides_like_any_body() {
+fn a_released_figure_falls_and_slides_like_any_body() {
     let mut stage = Stage::new(60.0, [100.0, 500.0 - 100.0 * 40f32.to_radians().tan() + 20.0, 0.0]);
     stage.slope(40.0);
     stage.walk(STILL, 0.5, |_| {});
@@ -559,7 +559,7 @@ fn who_is_let_go_falls_and_slides_like_any_body() {
 }
 
 #[test]
-fn what_cannot_be_walked_with_is_refused_and_changes_nothing() {
+fn invalid_settings_and_inputs_are_refused_and_change_nothing() {
     let mut stage = Stage::new(60.0, [0.0; 3]);
     stage.walk(RIGHT, 0.2, |_| {});
     let (walker, before) = (stage.walker, velocity(&stage.simulator, stage.figure));
@@ -624,7 +624,7 @@ fn up_and_down_a_slope_along_z_a_figure_keeps_its_speed() {
 }
 
 #[test]
-fn a_turning_platform_carries_who_stands_on_it_and_its_edge_is_where_it_is_turned_to() {
+fn a_rotating_platform_carries_figures_and_its_edge_rotates_with_it() {
     for shape in [Some(CYLINDER), Some(CAPSULE), None] {
         for rate in RATES {
             SHAPE.set(shape);

@@ -156,7 +156,7 @@ fn an_edge_that_is_refused_is_not_held_on_to() {
 }
 
 #[test]
-fn what_is_refused_for_one_figure_holds_another_and_holds_again_once_it_is_accepted() {
+fn a_platform_ignored_for_one_figure_carries_another_and_carries_again_once_it_is_accepted() {
     let mut stage = Stage::new(60.0, [0.0, 50.0, 0.0]);
     let floor = stage.platform([400.0, 20.0, 200.0], [0.0, 30.0, 0.0], 0.0);
     let other = figure(&mut stage.simulator, [100.0, 50.0, 0.0]);

@@ -31,7 +31,7 @@ fn back_side(stage: &Stage) -> f32 {
 }
 
 #[test]
-fn it_does_not_walk_through_a_thin_wall_however_fast_it_wishes_to() {
+fn it_does_not_walk_through_a_thin_wall_at_any_speed_of_the_input() {
     for_all(|rate| {
         for speed in [150.0, 600.0, 3000.0] {
             for jump in [false, true] {

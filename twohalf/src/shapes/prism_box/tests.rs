@@ -247,7 +247,7 @@ fn between_two_pieces_the_outermost_points_carry() {
 }
 
 #[test]
-fn a_cut_between_pieces_is_no_way_out() {
+fn a_cut_between_pieces_is_no_exit_face() {
     // Two halves of a square of 20, cut upright in the middle, which is 1 px right of the box's left side.
     let left = outline(&[(-9.0, -10.0), (-9.0, 10.0), (1.0, 10.0), (1.0, -10.0)]);
     let right = outline(&[(1.0, -10.0), (1.0, 10.0), (11.0, 10.0), (11.0, -10.0)]);
@@ -363,7 +363,7 @@ fn at_rest_moves_by_the_separation_along_the_normal_part_them() {
 }
 
 #[test]
-fn at_rest_no_sampled_direction_parts_them_sooner() {
+fn at_rest_no_sampled_direction_separates_them_sooner() {
     let mut numbers = Random(9);
     for round in 0..1000 {
         let shape = random_box(&mut numbers, round);

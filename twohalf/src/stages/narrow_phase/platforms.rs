@@ -86,7 +86,7 @@ impl ContactFinder<'_> {
         kept: Option<PersistedFeature>,
     ) -> Option<Manifold> {
         let (core, motion, reach) = (self.core, self.motion_of(&view), self.meeting.reaches.of(geom));
-        let ((pieces, corners), points) = self.meeting.outlines.lay_out(core, geom)?;
+        let ((pieces, corners), points) = self.meeting.outlines.transform(core, geom)?;
         let known = match kept {
             Some(PersistedFeature::Axis(axis)) => Some(axis),
             _ => None,
