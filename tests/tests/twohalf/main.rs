@@ -15,6 +15,7 @@ mod edits;
 mod fields;
 mod fixed_springs;
 mod flush;
+mod former_names;
 mod grips;
 mod interpolation;
 mod joints;

@@ -47,7 +47,7 @@ impl CharacterFootprint {
     pub(super) fn of(geom: &VirtualGeom, profile: DepthProfile) -> Self {
         let [x, z] =
             [geom.right - geom.left, geom.back - geom.front].map(|size| FOOTPRINT_SKIN.min(0.25 * size));
-        let feet = CharacterFootprint {
+        let footprint = CharacterFootprint {
             left: geom.left + x,
             right: geom.right - x,
             front: geom.front + z,
@@ -56,9 +56,9 @@ impl CharacterFootprint {
             end: if let DepthProfile::Capsule { radius, .. } = profile { radius } else { 0.0 },
         };
         let is_round = matches!(profile, DepthProfile::Cylinder { .. } | DepthProfile::Capsule { .. });
-        let middle = [0.5 * (feet.left + feet.right), 0.5 * (feet.front + feet.back)];
-        let round = RoundFoot { radius: 0.5 * (feet.right - feet.left), from: middle, to: middle };
-        CharacterFootprint { round: is_round.then_some(round), ..feet }
+        let middle = [0.5 * (footprint.left + footprint.right), 0.5 * (footprint.front + footprint.back)];
+        let round = RoundFoot { radius: 0.5 * (footprint.right - footprint.left), from: middle, to: middle };
+        CharacterFootprint { round: is_round.then_some(round), ..footprint }
     }
 
     pub(super) fn rectangle(left: f32, right: f32, front: f32, back: f32) -> Self {
@@ -131,18 +131,18 @@ impl CharacterFootprint {
     }
 
     /// Whether the footprint overlaps the footprint of a box.
-    pub(super) fn meets_box(&self, covered: &CharacterFootprint) -> bool {
+    pub(super) fn overlaps_box(&self, covered: &CharacterFootprint) -> bool {
         let span = self.span(covered.front, covered.back);
         span.is_some_and(|[left, right]| left < covered.right && covered.left < right)
     }
 
-    pub(super) fn meets_depth(&self, front: f32, back: f32) -> bool {
+    pub(super) fn overlaps_depth(&self, front: f32, back: f32) -> bool {
         self.front < back && front < self.back
     }
 
     /// Least and greatest X of the footprint between two Z, px; `None` if it is outside of them.
     pub(super) fn span(&self, front: f32, back: f32) -> Option<[f32; 2]> {
-        if !self.meets_depth(front, back) {
+        if !self.overlaps_depth(front, back) {
             return None;
         }
         let Some(round) = self.round else { return Some([self.left, self.right]) };

@@ -8,7 +8,7 @@ use farseer_core::{Body, SpaceTouch};
 use super::character_footprint::CharacterFootprint;
 use super::ground_probe::{GroundHit, ProbeLimits, partner_of};
 use super::ledge::GRAB_DISTANCE;
-use super::wall_avoidance::pushes;
+use super::wall_avoidance::normal_towards;
 use super::{CharacterController, MoveInput, Neighbours};
 use crate::depth::Footing;
 use crate::{BodyId, ContactTarget, GeomId, TwoHalfPhysicsSimulator, Vector2, Vector3};
@@ -58,7 +58,7 @@ pub(super) struct StepContext<'a> {
     /// Supports of the character in this step.
     held_by: &'a RefCell<Vec<Footing>>,
     pub(super) geom: GeomId,
-    pub(super) feet: CharacterFootprint,
+    pub(super) footprint: CharacterFootprint,
     /// Heights in px, Y up: `soles` is the lowest point, `knees` the highest curb that is stepped up, `head`
     /// the top.
     pub(super) soles: f32,
@@ -115,13 +115,13 @@ impl<'a> StepContext<'a> {
     }
 
     /// The same step with another footprint.
-    pub(super) fn on(&self, feet: CharacterFootprint) -> Self {
-        StepContext { feet, ..*self }
+    pub(super) fn on(&self, footprint: CharacterFootprint) -> Self {
+        StepContext { footprint, ..*self }
     }
 
     /// The same step with a flat sole.
     pub(super) fn flat(&self) -> Self {
-        self.on(self.feet.flat())
+        self.on(self.footprint.flat())
     }
 
     /// Height of the floor ahead of a hemisphere, px. A hemisphere that was lifted over an edge keeps that
@@ -134,7 +134,7 @@ impl<'a> StepContext<'a> {
     /// Whether a contact with a normal impulse supports the character.
     fn is_held_up(&self) -> bool {
         self.near.touches.iter().any(|touch| {
-            let [.., up, _] = pushes(touch, self.geom);
+            let [.., up, _] = normal_towards(touch, self.geom);
             let presses = touch.points[..touch.count].iter().any(|point| point.impulse > 0.0);
             touch.responds && presses && up >= MIN_SUPPORT_UP
         })
@@ -158,7 +158,7 @@ impl TwoHalfPhysicsSimulator {
     ) {
         let (Some(view), Some(outline)) = (self.body(body), self.geom(geom)) else { return };
         let whole = outline.virtual_geom();
-        let (feet, head) = (CharacterFootprint::of(&whole, outline.depth_profile()), whole.top);
+        let (footprint, head) = (CharacterFootprint::of(&whole, outline.depth_profile()), whole.top);
         let (place, velocity) = (view.origin3d(), view.velocity3d());
         let pace = self.time_scale(body);
         let dt = dt * pace;
@@ -166,8 +166,8 @@ impl TwoHalfPhysicsSimulator {
         let knees = soles
             + if walker.floor.is_some() { walker.walk.step_up.max(STAND_DISTANCE) } else { STAND_DISTANCE };
         let mut near = std::mem::take(&mut self.near);
-        let around = feet.widened(probe_distance(walker, velocity, dt));
-        let below = soles - snap_reach(walker).max(max_lift(walker));
+        let around = footprint.widened(probe_distance(walker, velocity, dt));
+        let below = soles - snap_distance(walker).max(max_lift(walker));
         let heights = [below, soles + max_lift(walker)].map(nearest_finite);
         self.gather_near((body, geom), &around, heights, &mut near);
         // An edge does not catch a falling hemisphere.
@@ -179,7 +179,7 @@ impl TwoHalfPhysicsSimulator {
             near: &near,
             held_by: &held_by,
             geom,
-            feet,
+            footprint,
             soles,
             knees,
             head,
@@ -193,7 +193,7 @@ impl TwoHalfPhysicsSimulator {
         };
         let velocity = self.next_velocity(&step, walker, wish);
         near.held_by = held_by.into_inner();
-        near.held_by.drain(..).for_each(|footing| self.world.footings.ask(footing));
+        near.held_by.drain(..).for_each(|footing| self.world.footings.queue(footing));
         self.near = near;
         walker.told = nearest_finite(velocity.y);
         if let Some(mut view) = self.body_mut(body) {
@@ -241,7 +241,7 @@ impl TwoHalfPhysicsSimulator {
         walker: &CharacterController,
         wish: MoveInput,
     ) -> Option<GroundHit> {
-        let floor = self.probe_ground(&step.feet, &step.reach(MAX_LANDING_DEPTH))?;
+        let floor = self.probe_ground(&step.footprint, &step.reach(MAX_LANDING_DEPTH))?;
         let gap = step.soles - step.height_on(&floor);
         let below = self.velocity_of(floor.partner, step.place).y / step.pace;
         let kick = (2.0 * self.gravity_on(step.body, walker).norm() * walker.walk.snap).sqrt();
@@ -249,7 +249,7 @@ impl TwoHalfPhysicsSimulator {
         let stood = walker.floor.is_some();
         let stands = if stood {
             let is_lifted = || gap <= max_lift(walker) && self.is_over_curb(step, walker, wish, &floor);
-            !is_thrown && (gap <= snap_reach(walker) || is_lifted())
+            !is_thrown && (gap <= snap_distance(walker) || is_lifted())
         } else {
             gap <= STAND_DISTANCE && step.velocity.y <= below + kick.min(1.0)
         };
@@ -265,7 +265,7 @@ impl TwoHalfPhysicsSimulator {
         wish: MoveInput,
         floor: &GroundHit,
     ) -> bool {
-        let swept = step.feet.flat().swept(look_ahead(step, walker, (step.velocity, LIFT_STEPS), wish));
+        let swept = step.footprint.flat().swept(look_ahead(step, walker, (step.velocity, LIFT_STEPS), wish));
         let reach = ProbeLimits { but: Some(floor.partner), ..step.reach(STAND_DISTANCE) };
         let curb = self.probe_ground(&swept, &reach);
         curb.is_some_and(|curb| step.soles - curb.height <= EDGE_CLEARANCE + STAND_DISTANCE)
@@ -275,8 +275,9 @@ impl TwoHalfPhysicsSimulator {
     fn is_over_stair(&self, step: &StepContext<'_>, walker: &CharacterController, floor: &GroundHit) -> bool {
         let from = step.height_on(floor);
         let reach = ProbeLimits { highest: from + SOLE_CLEARANCE + walker.walk.step_up, ..step.reach(0.0) };
-        let feet = step.feet.flat().widened(STAIR_MARGIN);
-        self.probe_ground(&feet, &reach).is_some_and(|stair| stair.height > floor.height + SOLE_CLEARANCE)
+        let footprint = step.footprint.flat().widened(STAIR_MARGIN);
+        self.probe_ground(&footprint, &reach)
+            .is_some_and(|stair| stair.height > floor.height + SOLE_CLEARANCE)
     }
 
     /// Gravity on the body in the air, px/s², (along X, down).
@@ -363,7 +364,7 @@ impl TwoHalfPhysicsSimulator {
         asked.into_iter().for_each(|curb| step.record_support(curb.partner, Vector3::y(), curb.height));
         // A curb counts as a wall until the soles are above it. The lift is complete before the character
         // reaches it.
-        let knees = match step.feet.ball() {
+        let knees = match step.footprint.ball() {
             Some(ball) => {
                 let knees = step.knees + floor.sole_offset(ball.radius);
                 // The next stair is higher than this one.
@@ -372,7 +373,7 @@ impl TwoHalfPhysicsSimulator {
             None if curb.is_some() => step.soles + STAND_DISTANCE,
             None => step.knees,
         };
-        let is_on_stairs = step.feet.ball().is_some() && self.is_over_stair(step, walker, &floor);
+        let is_on_stairs = step.footprint.ball().is_some() && self.is_over_stair(step, walker, &floor);
         let mut velocity = self.stop_at_walls(&StepContext { knees, is_on_stairs, ..*step }, level, is_wall);
         let height = match curb {
             Some(curb) => curb.height,
@@ -401,7 +402,7 @@ impl TwoHalfPhysicsSimulator {
         let from = step.height_on(floor);
         let reach = ProbeLimits { highest: highest(from), refused, edges: highest(from), ..step.reach(0.0) };
         let first = self.curb_within(step, &reach, floor, [next, way]);
-        let stair = self.probe_ground(&step.feet.flat().swept(next), &reach);
+        let stair = self.probe_ground(&step.footprint.flat().swept(next), &reach);
         let stair = stair.filter(|stair| stair.height > from + SOLE_CLEARANCE && stair.height <= step.soles);
         let second = stair.and_then(|stair| {
             let highest = highest(stair.height);
@@ -419,13 +420,13 @@ impl TwoHalfPhysicsSimulator {
         floor: &GroundHit,
         ways: [Vector3; 2],
     ) -> Option<GroundHit> {
-        if let Some(ball) = step.feet.ball() {
+        if let Some(ball) = step.footprint.ball() {
             return self.rise_within(step, reach, ways, ball.radius);
         }
         let reach = ProbeLimits { but: Some(floor.partner), ..*reach };
-        let curb = self.probe_ground(&step.feet.swept(ways[1]), &reach)?;
+        let curb = self.probe_ground(&step.footprint.swept(ways[1]), &reach)?;
         let over = GroundHit { height: curb.height + EDGE_CLEARANCE, ..curb };
-        let here = self.height_of(curb.partner, &step.feet, &reach);
+        let here = self.height_of(curb.partner, &step.footprint, &reach);
         let is_ahead = here.is_none_or(|here| here < curb.height - SOLE_CLEARANCE);
         (is_ahead && over.height > floor.height + SOLE_CLEARANCE).then_some(over)
     }
@@ -440,9 +441,9 @@ impl TwoHalfPhysicsSimulator {
         ways: [Vector3; 2],
         radius: f32,
     ) -> Option<GroundHit> {
-        let here = self.probe_ground(&step.feet, reach)?;
+        let here = self.probe_ground(&step.footprint, reach)?;
         let ahead_of = |way: Vector3| {
-            let ahead = self.probe_ground(&step.feet.moved(way), reach);
+            let ahead = self.probe_ground(&step.footprint.moved(way), reach);
             // An edge limits the height that it leads to.
             (ahead, here.height_along(way).min(here.edge.unwrap_or(f32::MAX)))
         };
@@ -471,15 +472,17 @@ impl TwoHalfPhysicsSimulator {
     ) -> f32 {
         let way = (velocity - walker.carried) * step.dt;
         let reach = ProbeLimits { highest: step.knees, ..step.reach(0.0) };
-        let next = self.probe_ground(&step.feet.moved(way), &reach);
-        let next = next.filter(|next| step.soles - step.height_on(next) <= snap_reach(walker));
-        if step.feet.ball().is_some() {
+        let next = self.probe_ground(&step.footprint.moved(way), &reach);
+        let next = next.filter(|next| step.soles - step.height_on(next) <= snap_distance(walker));
+        if step.footprint.ball().is_some() {
             // A path no steeper than the current contact does not press on it.
             let along = floor.height_along(way).min(floor.edge.unwrap_or(f32::MAX));
             return next.map_or(step.height_on(floor), |next| step.height_at(&next, floor).max(along));
         }
-        let here =
-            self.probe_ground(&step.feet.swept(way).widened(EDGE_PASS_DISTANCE), &step.reach(STAND_DISTANCE));
+        let here = self.probe_ground(
+            &step.footprint.swept(way).widened(EDGE_PASS_DISTANCE),
+            &step.reach(STAND_DISTANCE),
+        );
         match (next, here) {
             (Some(next), Some(here)) if next.partner != here.partner => next.height.max(here.height),
             (Some(next), _) => next.height,
@@ -504,8 +507,8 @@ impl TwoHalfPhysicsSimulator {
         let weight = self.gravity_on(step.body, walker) * (body.mass() * step.pace);
         let Some(outline) = self.geom(geom) else { return };
         // The force acts in the middle of the common X extent, so that it does not tip the supporting body.
-        let (whole, feet) = (outline.virtual_geom(), &step.feet);
-        let x = 0.5 * (whole.left.max(feet.left) + whole.right.min(feet.right));
+        let (whole, footprint) = (outline.virtual_geom(), &step.footprint);
+        let x = 0.5 * (whole.left.max(footprint.left) + whole.right.min(footprint.right));
         let below = Some(outline.body());
         let below = below.and_then(|below| self.body_mut(below)).filter(|view| !view.is_static());
         if let Some(mut view) = below.filter(|_| weight.iter().all(|part| part.is_finite())) {
@@ -517,7 +520,7 @@ impl TwoHalfPhysicsSimulator {
 
 /// Greatest gap between sole and floor for a standing character to be put down on the floor, px. It includes
 /// the clearances above floor and edge.
-fn snap_reach(walker: &CharacterController) -> f32 {
+fn snap_distance(walker: &CharacterController) -> f32 {
     walker.walk.snap + SOLE_CLEARANCE + EDGE_CLEARANCE
 }
 

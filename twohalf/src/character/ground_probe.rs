@@ -80,13 +80,13 @@ impl TwoHalfPhysicsSimulator {
     /// The highest floor below the footprint within the limits.
     pub(super) fn probe_ground(
         &self,
-        feet: &CharacterFootprint,
+        footprint: &CharacterFootprint,
         reach: &ProbeLimits<'_>,
     ) -> Option<GroundHit> {
         let ground = GroundHit::under_soles(ContactTarget::Ground, (0.0, 1.0));
         let settings = self.core.geom(reach.geom)?;
-        let floors = [ground].into_iter().chain(self.platforms_below(feet, reach, &settings));
-        let floors = floors.chain(geoms_below(feet, reach));
+        let floors = [ground].into_iter().chain(self.platforms_below(footprint, reach, &settings));
+        let floors = floors.chain(geoms_below(footprint, reach));
         floors
             .filter(|floor| reach.has(floor))
             .reduce(|highest, floor| if floor.height > highest.height { floor } else { highest })
@@ -94,18 +94,18 @@ impl TwoHalfPhysicsSimulator {
 
     fn platforms_below<'a>(
         &'a self,
-        feet: &'a CharacterFootprint,
+        footprint: &'a CharacterFootprint,
         reach: &ProbeLimits<'_>,
         settings: &'a Geom,
     ) -> impl Iterator<Item = GroundHit> + 'a {
-        let low = Vector3::new(feet.left, -reach.highest, feet.front);
-        let high = Vector3::new(feet.right, f32::MAX, feet.back);
+        let low = Vector3::new(footprint.left, -reach.highest, footprint.front);
+        let high = Vector3::new(footprint.right, f32::MAX, footprint.back);
         let near = self.world.platforms.overlapping(low, high);
         near.filter(|(_, platform)| holds(platform, Some(settings))).filter_map(|(id, platform)| {
             let (partner, shape) = (ContactTarget::Platform(id), platform.shape());
-            match feet.ball() {
+            match footprint.ball() {
                 Some(ball) => Some(GroundHit::under_ball(partner, ball.on_box(shape)?)),
-                None => Some(GroundHit::under_soles(partner, top_of_box(shape, feet)?)),
+                None => Some(GroundHit::under_soles(partner, top_of_box(shape, footprint)?)),
             }
         })
     }
@@ -114,14 +114,14 @@ impl TwoHalfPhysicsSimulator {
     pub(super) fn height_of(
         &self,
         partner: ContactTarget,
-        feet: &CharacterFootprint,
+        footprint: &CharacterFootprint,
         reach: &ProbeLimits<'_>,
     ) -> Option<f32> {
         let top = match partner {
             ContactTarget::Ground => Some((0.0, 1.0)),
-            ContactTarget::Platform(id) => top_of_box(self.platform(id)?.shape(), feet),
+            ContactTarget::Platform(id) => top_of_box(self.platform(id)?.shape(), footprint),
             ContactTarget::Geom(geom) => {
-                highest(reach.tops.iter().filter(|top| top.geom == geom), feet, reach.min_up)
+                highest(reach.tops.iter().filter(|top| top.geom == geom), footprint, reach.min_up)
             }
         };
         top.map(|(height, _)| height)
@@ -176,12 +176,12 @@ pub(super) fn holds(platform: &Platform, geom: Option<&Geom>) -> bool {
 
 /// Floors that are prisms: one hit per edge for a flat sole, one per geom for a hemisphere.
 fn geoms_below<'a>(
-    feet: &'a CharacterFootprint,
+    footprint: &'a CharacterFootprint,
     reach: &ProbeLimits<'a>,
 ) -> impl Iterator<Item = GroundHit> + 'a {
-    let (tops, ball) = (reach.tops, feet.ball());
+    let (tops, ball) = (reach.tops, footprint.ball());
     let by_edges = tops.iter().filter(move |_| ball.is_none()).filter_map(move |top| {
-        Some(GroundHit::under_soles(ContactTarget::Geom(top.geom), top_of_edge(top, feet)?))
+        Some(GroundHit::under_soles(ContactTarget::Geom(top.geom), top_of_edge(top, footprint)?))
     });
     let as_whole = ball.into_iter().flat_map(move |ball| {
         let by_geoms = tops.chunk_by(|one, other| one.geom == other.geom);
@@ -196,43 +196,44 @@ fn geoms_below<'a>(
 /// at the height where the flat one begins, so steep edges are left out.
 fn highest<'a>(
     tops: impl Iterator<Item = &'a WalkableTop>,
-    feet: &CharacterFootprint,
+    footprint: &CharacterFootprint,
     min_up: f32,
 ) -> Option<(f32, f32)> {
-    let flat = tops.filter_map(|top| top_of_edge(top, feet)).filter(|(_, up)| *up >= min_up);
+    let flat = tops.filter_map(|top| top_of_edge(top, footprint)).filter(|(_, up)| *up >= min_up);
     flat.reduce(|highest, top| if top.0 > highest.0 { top } else { highest })
 }
 
 /// Highest point of an edge above the footprint: height in px and upward normal component.
-fn top_of_edge(top: &WalkableTop, feet: &CharacterFootprint) -> Option<(f32, f32)> {
+fn top_of_edge(top: &WalkableTop, footprint: &CharacterFootprint) -> Option<(f32, f32)> {
     let [a, b] = top.edge;
     // Early out: most edges lie beside the footprint.
-    if b.x >= feet.right + SPAN_ROUNDING || a.x <= feet.left - SPAN_ROUNDING {
+    if b.x >= footprint.right + SPAN_ROUNDING || a.x <= footprint.left - SPAN_ROUNDING {
         return None;
     }
-    let [left, right] = feet.span(top.front, top.back)?;
+    let [left, right] = footprint.span(top.front, top.back)?;
     let way = b - a;
     if b.x.max(left) >= a.x.min(right) {
         return None;
     }
     if let Some((upright, place)) = &top.upright {
-        return crate::depth::upright::with_foot(upright, |foot| feet.meets(foot, *place))
+        return crate::depth::upright::with_foot(upright, |foot| footprint.meets(foot, *place))
             .then_some((-a.y, 1.0));
     }
-    let [left, right] = feet.whole().span(top.front, top.back)?;
+    let [left, right] = footprint.whole().span(top.front, top.back)?;
     let y_at = |x: f32| a.y + way.y * ((x - a.x) / way.x);
     let y = y_at(b.x.max(left)).min(y_at(a.x.min(right)));
     Some((-y, -way.x / way.norm()))
 }
 
 /// Highest point of a platform above the footprint: height in px and upward normal component.
-pub(super) fn top_of_box(shape: &SlantedBox, feet: &CharacterFootprint) -> Option<(f32, f32)> {
-    if feet.round.is_some() || shape.climb != 0.0 || shape.is_turned() {
-        feet.roof(shape)?;
-        return feet.whole().roof(shape);
+pub(super) fn top_of_box(shape: &SlantedBox, footprint: &CharacterFootprint) -> Option<(f32, f32)> {
+    if footprint.round.is_some() || shape.climb != 0.0 || shape.is_turned() {
+        footprint.roof(shape)?;
+        return footprint.whole().roof(shape);
     }
     let [width, height, depth] = shape.half;
-    let (front, back) = (feet.front.max(shape.centre.z - depth), feet.back.min(shape.centre.z + depth));
+    let (front, back) =
+        (footprint.front.max(shape.centre.z - depth), footprint.back.min(shape.centre.z + depth));
     if front >= back {
         return None;
     }
@@ -240,13 +241,13 @@ pub(super) fn top_of_box(shape: &SlantedBox, feet: &CharacterFootprint) -> Optio
     // The corner on top, before the shear.
     let ridge = -width * shape.sin.signum() * shape.cos + height * shape.cos.signum() * shape.sin;
     let mut highest: Option<(f32, f32)> = None;
-    for z in candidate_depths(shape, feet, reach, [front, back]) {
+    for z in candidate_depths(shape, footprint, reach, [front, back]) {
         let middle = shape.centre.x + shape.shear * (z - shape.centre.z);
         let (low, high) = (middle - reach + BOX_END_INSET, middle + reach - BOX_END_INSET);
-        if feet.left.max(low) >= feet.right.min(high) {
+        if footprint.left.max(low) >= footprint.right.min(high) {
             continue;
         }
-        let whole = feet.whole();
+        let whole = footprint.whole();
         let (left, right) = (whole.left.max(low), whole.right.min(high));
         for x in [left, right, (middle + ridge).clamp(left, right)] {
             let top = shape.height_at(x, z).map(|(y, normal)| (-y, to_world(normal).y));
@@ -263,14 +264,14 @@ pub(super) fn top_of_box(shape: &SlantedBox, feet: &CharacterFootprint) -> Optio
 /// with the sides.
 fn candidate_depths(
     shape: &SlantedBox,
-    feet: &CharacterFootprint,
+    footprint: &CharacterFootprint,
     reach: f32,
     [front, back]: [f32; 2],
 ) -> impl Iterator<Item = f32> {
     let (front, back) = (front + BOX_END_INSET, (back - BOX_END_INSET).max(front + BOX_END_INSET));
     let shear = shape.shear;
     let centre = shape.centre;
-    let crossings = [feet.left, feet.right]
+    let crossings = [footprint.left, footprint.right]
         .map(|side| [-reach, reach].map(|edge| (side - centre.x - edge) / shear + centre.z));
     let crossings = crossings.into_iter().flatten().filter(move |_| shear != 0.0);
     [front, back].into_iter().chain(crossings.map(move |z| z.clamp(front, back)))

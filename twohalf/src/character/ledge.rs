@@ -50,7 +50,7 @@ impl TwoHalfPhysicsSimulator {
         wish: MoveInput,
     ) -> Option<Vector3> {
         let step = &step.flat();
-        let held = walker.ledge.take().filter(|ledge| !lets_go(ledge, step, walker, wish));
+        let held = walker.ledge.take().filter(|ledge| !is_released(ledge, step, walker, wish));
         let held = held.filter(|ledge| !step.refuses(ledge.partner));
         let ledge = held.or_else(|| self.find_ledge(step, walker, wish))?;
         let height = self.height_of_ledge(step, &ledge)?;
@@ -73,7 +73,7 @@ impl TwoHalfPhysicsSimulator {
     pub(super) fn ledge_climb_end(&self, step: &StepContext<'_>, walker: &mut CharacterController) {
         let Some(ledge) = walker.ledge else { return };
         let step = step.flat();
-        let here = self.height_of(ledge.partner, &step.feet, &step.reach(f32::MAX));
+        let here = self.height_of(ledge.partner, &step.footprint, &step.reach(f32::MAX));
         if here.is_some_and(|here| here <= step.soles + STAND_DISTANCE) {
             (walker.floor, walker.ledge) = (Some(ledge.partner), None);
         }
@@ -96,7 +96,7 @@ impl TwoHalfPhysicsSimulator {
             // A ledge that the handler has refused is included: the handler is asked again, and no lower
             // ledge is grabbed.
             let reach = ProbeLimits { refused: &[], ..step.reach(walker.walk.ledge_reach) };
-            let floor = self.probe_ground(&step.feet.moved(towards * GRAB_DISTANCE), &reach)?;
+            let floor = self.probe_ground(&step.footprint.moved(towards * GRAB_DISTANCE), &reach)?;
             let ledge = Ledge { partner: floor.partner, towards };
             let is_edge = floor.height > step.knees && self.is_beside(step, &floor);
             let is_fixed = self.is_fixed(Some(floor.partner)) && floor.partner != ContactTarget::Ground;
@@ -110,32 +110,34 @@ impl TwoHalfPhysicsSimulator {
 
     /// Whether a floor is not above the footprint already.
     fn is_beside(&self, step: &StepContext<'_>, floor: &GroundHit) -> bool {
-        let here = self.height_of(floor.partner, &step.feet, &step.reach(f32::MAX));
+        let here = self.height_of(floor.partner, &step.footprint, &step.reach(f32::MAX));
         here.is_none_or(|here| here <= step.knees)
     }
 
     fn height_of_ledge(&self, step: &StepContext<'_>, ledge: &Ledge) -> Option<f32> {
-        let feet = step.feet.moved(ledge.towards * GRAB_DISTANCE);
-        let height = self.height_of(ledge.partner, &feet, &step.reach(f32::MAX))?;
+        let footprint = step.footprint.moved(ledge.towards * GRAB_DISTANCE);
+        let height = self.height_of(ledge.partner, &footprint, &step.reach(f32::MAX))?;
         (height > step.soles - CLIMB_CLEARANCE - STAND_DISTANCE).then_some(height)
     }
 
     /// Whether no fixed obstacle is at the place where the climb ends.
     fn has_room(&self, step: &StepContext<'_>, towards: Vector3, height: f32) -> bool {
-        let feet = step.feet.swept(towards * (GRAB_DISTANCE + STANDING_DEPTH));
+        let footprint = step.footprint.swept(towards * (GRAB_DISTANCE + STANDING_DEPTH));
         let (knees, head) = (height + ROOM_TOLERANCE, height + step.head - step.soles);
         let there = step.between(knees, head);
-        let low = Vector3::new(feet.left, -head, feet.front);
-        let high = Vector3::new(feet.right, -knees, feet.back);
+        let low = Vector3::new(footprint.left, -head, footprint.front);
+        let high = Vector3::new(footprint.right, -knees, footprint.back);
         let is_free = self.world.platforms.overlapping(low, high).all(|(id, platform)| {
             platform.is_one_way()
                 || step.refuses(ContactTarget::Platform(id))
                 || !holds(platform, self.core.geom(step.geom).as_deref())
-                || !wall_of(platform.shape(), &there).is_some_and(|wall| feet.meets_box(&wall))
+                || !wall_of(platform.shape(), &there).is_some_and(|wall| footprint.overlaps_box(&wall))
         });
         is_free && {
-            let (low, high) =
-                (Vector3::new(feet.left, knees, feet.front), Vector3::new(feet.right, head, feet.back));
+            let (low, high) = (
+                Vector3::new(footprint.left, knees, footprint.front),
+                Vector3::new(footprint.right, head, footprint.back),
+            );
             let is_solid = |geom| {
                 let partner = ContactTarget::Geom(geom);
                 geom != step.geom && self.is_fixed(Some(partner)) && !step.refuses(partner)
@@ -151,7 +153,7 @@ fn along(ledge: &Ledge, wish: MoveInput) -> f32 {
 }
 
 /// Whether the input points away from the ledge or the character was thrown off.
-fn lets_go(ledge: &Ledge, step: &StepContext<'_>, walker: &CharacterController, wish: MoveInput) -> bool {
+fn is_released(ledge: &Ledge, step: &StepContext<'_>, walker: &CharacterController, wish: MoveInput) -> bool {
     let away = (walker.carried - step.velocity).dot(&ledge.towards);
     (along(ledge, wish) < 0.0 && !wish.jump)
         || away > BREAKAWAY_SPEED

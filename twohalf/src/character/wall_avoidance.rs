@@ -29,11 +29,10 @@ impl TwoHalfPhysicsSimulator {
         is_wall: impl Fn(&SpaceTouch) -> bool,
     ) -> Vector3 {
         for touch in step.near.touches.iter().filter(|touch| touch.responds && is_wall(touch)) {
-            let Some(partner) = partner_of(touch, step.geom).filter(|&it| self.is_in_the_way(step, it))
-            else {
+            let Some(partner) = partner_of(touch, step.geom).filter(|&it| self.is_obstacle(step, it)) else {
                 continue;
             };
-            let [x, up, z] = pushes(touch, step.geom);
+            let [x, up, z] = normal_towards(touch, step.geom);
             if (-MAX_WALL_DOWN..step.min_up).contains(&up) {
                 let points = &touch.points[..touch.count];
                 let gap = points.iter().fold(f32::INFINITY, |least, point| least.min(point.separation));
@@ -48,7 +47,7 @@ impl TwoHalfPhysicsSimulator {
 
     /// Whether a contact is higher than the step height. Sides of level platforms are
     /// [handled](Self::stop_at_platforms) before they are touched.
-    fn is_in_the_way(&self, step: &StepContext<'_>, partner: ContactTarget) -> bool {
+    fn is_obstacle(&self, step: &StepContext<'_>, partner: ContactTarget) -> bool {
         match partner {
             ContactTarget::Geom(geom) => {
                 self.geom(geom).is_some_and(|geom| geom.virtual_geom().top > step.knees)
@@ -61,7 +60,8 @@ impl TwoHalfPhysicsSimulator {
                 let shape = platform.shape();
                 // The top of a box that turns or climbs is measured above the footprint.
                 let is_low = || {
-                    top_of_box(shape, &step.feet.widened(CURB_MARGIN)).is_some_and(|top| top.0 <= step.knees)
+                    top_of_box(shape, &step.footprint.widened(CURB_MARGIN))
+                        .is_some_and(|top| top.0 <= step.knees)
                 };
                 shape.shear != 0.0 || ((shape.climb != 0.0 || shape.is_turned()) && !is_low())
             }),
@@ -72,7 +72,7 @@ impl TwoHalfPhysicsSimulator {
     /// Limits a velocity so that the character stops at the sides of platforms.
     fn stop_at_platforms(&self, step: &StepContext<'_>, mut velocity: Vector3) -> Vector3 {
         let way = velocity * step.dt;
-        let swept = step.feet.swept(way).widened(FOOTPRINT_SKIN + WALL_CLEARANCE);
+        let swept = step.footprint.swept(way).widened(FOOTPRINT_SKIN + WALL_CLEARANCE);
         let low = Vector3::new(swept.left, -step.head, swept.front);
         let high = Vector3::new(swept.right, -step.soles, swept.back);
         for (id, platform) in self.world.platforms.overlapping(low, high) {
@@ -101,13 +101,13 @@ fn stop_at_platform(
     wall: &CharacterFootprint,
     moving: Vector3,
 ) -> Vector3 {
-    if let Some(round) = step.feet.round {
+    if let Some(round) = step.footprint.round {
         let way = [velocity.x - moving.x, velocity.z - moving.z].map(|part| part * step.dt);
         let [x, z] = stop_disc_at_wall(&round, wall, way).map(|part| part / step.dt);
         (velocity.x, velocity.z) = (moving.x + x, moving.z + z);
         return velocity;
     }
-    let (along_x, along_z) = step.feet.ways_to(wall);
+    let (along_x, along_z) = step.footprint.touching_displacements(wall);
     let x = WallApproach { way: (velocity.x - moving.x) * step.dt, ends: along_x };
     let z = WallApproach { way: (velocity.z - moving.z) * step.dt, ends: along_z };
     // The contact axis is the one that is entered last.
@@ -124,16 +124,16 @@ impl StepContext<'_> {
     /// the box.
     fn footprint_against(&self, shape: &SlantedBox) -> CharacterFootprint {
         if !self.is_on_stairs {
-            return self.feet;
+            return self.footprint;
         }
         let top = shape.rectangle().iter().fold(f32::INFINITY, |top, corner| top.min(corner.y));
-        self.feet.up_to(-(top + shape.centre.y) - self.soles)
+        self.footprint.up_to(-(top + shape.centre.y) - self.soles)
     }
 
     /// Whether a box is a walkable slope under the hemisphere; its sides do not block.
     fn is_slope(&self, shape: &SlantedBox, way: Vector3) -> bool {
-        [self.feet, self.feet.moved(way)].into_iter().any(|feet| {
-            let rest = feet.ball().and_then(|ball| ball.on_box(shape));
+        [self.footprint, self.footprint.moved(way)].into_iter().any(|footprint| {
+            let rest = footprint.ball().and_then(|ball| ball.on_box(shape));
             rest.is_some_and(|rest| {
                 rest.edge.is_none() && rest.normal.y >= self.min_up && rest.height <= self.knees
             })
@@ -142,7 +142,7 @@ impl StepContext<'_> {
 }
 
 /// Unit contact normal towards a geom, Y up.
-pub(super) fn pushes(touch: &SpaceTouch, geom: GeomId) -> [f32; 3] {
+pub(super) fn normal_towards(touch: &SpaceTouch, geom: GeomId) -> [f32; 3] {
     let sign = if touch.this == geom { 1.0 } else { -1.0 };
     let [x, y, z] = touch.normal;
     [sign * x, -sign * y, sign * z]
@@ -226,7 +226,7 @@ impl WallApproach {
 
 impl CharacterFootprint {
     /// Displacements along X and along Z that make the footprint touch another one, from either side, px.
-    fn ways_to(&self, other: &CharacterFootprint) -> ([f32; 2], [f32; 2]) {
+    fn touching_displacements(&self, other: &CharacterFootprint) -> ([f32; 2], [f32; 2]) {
         (
             [other.left - self.right, other.right - self.left],
             [other.front - self.back, other.back - self.front],

@@ -30,7 +30,7 @@ pub(crate) struct Footings {
 impl Footings {
     /// Queues a question for the next update, once for each run of equal targets, so that a crowd costs no
     /// more than its characters.
-    pub(crate) fn ask(&mut self, footing: Footing) {
+    pub(crate) fn queue(&mut self, footing: Footing) {
         let mut of_this = self.asked.iter().rev().take_while(|other| other.this == footing.this);
         if !of_this.any(|other| other.partner == footing.partner) {
             self.asked.push(footing);
@@ -45,7 +45,7 @@ impl Footings {
     }
 
     /// Clears the queue in an update without a handler, which refuses nothing.
-    pub(crate) fn pass(&mut self) {
+    pub(crate) fn skip(&mut self) {
         self.asked.clear();
         self.refused.clear();
     }

@@ -57,7 +57,7 @@ impl Ground {
     }
 
     /// Clears the object geom if it is the one that left the body.
-    pub(crate) fn let_go_of(&mut self, geom: GeomId) {
+    pub(crate) fn clear_removed_geom(&mut self, geom: GeomId) {
         self.object_geom.take_if(|object| *object == geom);
     }
 

@@ -72,23 +72,24 @@ impl ArgumentNames for PlatformArguments {
     const NAMES: &'static [&'static str] = &["friction_coefficient", "restitution_coefficient"];
 }
 
-/// PlatformMotion of a kinematic or hinged platform.
+/// Motion of a kinematic or hinged platform.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 struct PlatformMotion {
     /// Centre of the box in the frame of the narrow phase; the position is derived from it.
     centre: Vector3,
     /// Kinematic target of the position.
     target: Option<Vector3>,
-    /// PlatformMotion in the form that the core takes.
-    told: FixtureMotion,
+    /// The motion in the form that the core takes.
+    #[serde(rename = "told")]
+    core_motion: FixtureMotion,
 }
 
 impl PlatformMotion {
     /// Whether all numbers are finite: false only for a damaged save.
     fn is_finite(&self) -> bool {
-        let FixtureMotion { velocity, target, way, turning, yaw_target, .. } = self.told;
-        let is_told = target.is_some() || yaw_target.is_some() || velocity != [0.0; 3];
-        if self.told.swing().is_some_and(|swing| is_told || !swing::is_valid(swing)) {
+        let FixtureMotion { velocity, target, way, turning, yaw_target, .. } = self.core_motion;
+        let is_driven = target.is_some() || yaw_target.is_some() || velocity != [0.0; 3];
+        if self.core_motion.swing().is_some_and(|swing| is_driven || !swing::is_valid(swing)) {
             return false;
         }
         let turns = [turning, yaw_target.map_or(0.0, |(target, _)| target)];
@@ -194,12 +195,12 @@ impl Platform {
     /// new kind of box.
     pub(crate) fn set_motion(&mut self, velocity: Vector3, target: Option<Vector3>) -> bool {
         let towards = target.map(|target| (self.middle(target).into(), false));
-        let told = self.motion.map(|motion| motion.told).unwrap_or_default();
+        let core_motion = self.motion.map(|motion| motion.core_motion).unwrap_or_default();
         let stood_still = self.motion.is_none();
         self.motion = Some(PlatformMotion {
             centre: self.shape.centre,
             target,
-            told: FixtureMotion { velocity: velocity.into(), target: towards, ..told },
+            core_motion: FixtureMotion { velocity: velocity.into(), target: towards, ..core_motion },
         });
         stood_still
     }
@@ -272,7 +273,7 @@ impl Platform {
     }
 
     pub(crate) fn core_motion(&self) -> Option<FixtureMotion> {
-        self.motion.map(|motion| motion.told)
+        self.motion.map(|motion| motion.core_motion)
     }
 
     /// Whether it has a feature that only the precise set supports.
@@ -284,20 +285,20 @@ impl Platform {
     }
 
     /// Stores the motion of an update.
-    pub(super) fn has_moved(&mut self, centre: Vector3, yaw: Option<f32>, told: FixtureMotion) {
+    pub(super) fn has_moved(&mut self, centre: Vector3, yaw: Option<f32>, core_motion: FixtureMotion) {
         let Some(motion) = &mut self.motion else { return };
-        let has_landed = told.target.is_some_and(|(_, is_reached)| is_reached);
+        let has_landed = core_motion.target.is_some_and(|(_, is_reached)| is_reached);
         if let Some(target) = motion.target.filter(|_| has_landed) {
             self.position3d = target;
         } else if centre != motion.centre {
             self.position3d = Vector3::new(centre.x, -centre.y - self.height * 0.5, centre.z);
         }
-        (motion.centre, motion.told, self.shape.centre) = (centre, told, centre);
+        (motion.centre, motion.core_motion, self.shape.centre) = (centre, core_motion, centre);
         if let Some(yaw) = yaw.filter(|_| yaw != self.yaw) {
             let (sin, cos) = scalar::sin_cos_of_any(yaw);
             (self.yaw, self.shape.turn) = (Some(yaw), [cos, sin]);
         }
-        motion.target = motion.target.filter(|_| told.target.is_some());
+        motion.target = motion.target.filter(|_| core_motion.target.is_some());
     }
 }
 
@@ -415,7 +416,7 @@ impl Platform {
 
     /// Prescribed velocity in the frame of the narrow phase, px/s.
     pub(crate) fn prescribed_velocity(&self) -> Vector3 {
-        self.motion.map_or(Vector3::zeros(), |motion| motion.told.velocity.into())
+        self.motion.map_or(Vector3::zeros(), |motion| motion.core_motion.velocity.into())
     }
 
     /// Shape in the frame of the narrow phase.

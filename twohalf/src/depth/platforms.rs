@@ -103,7 +103,7 @@ impl Platforms {
     }
 
     /// Marks all platforms as unknown to the precise set.
-    pub(crate) fn mark_unsent(&mut self) {
+    pub(crate) fn mark_all_unsent(&mut self) {
         self.is_sent = false;
     }
 
@@ -125,18 +125,18 @@ impl Platforms {
         id: PlatformId,
         centre: Vector3,
         yaw: Option<f32>,
-        told: FixtureMotion,
+        motion: FixtureMotion,
     ) {
         if let Some(index) = self.index_of(id) {
-            self.list[index].1.has_moved(centre, yaw, told);
+            self.list[index].1.has_moved(centre, yaw, motion);
             self.is_sorted = false;
         }
     }
 
     /// Stores the motion of a hinged platform that may have fallen asleep, unless it was edited since.
-    pub(crate) fn has_rested(&mut self, id: PlatformId, told: FixtureMotion) {
+    pub(crate) fn has_rested(&mut self, id: PlatformId, motion: FixtureMotion) {
         if let Some(index) = self.index_of(id).filter(|_| self.is_sent && self.is_motion_sent) {
-            self.list[index].1.has_rested(told);
+            self.list[index].1.has_rested(motion);
         }
     }
 
@@ -170,7 +170,7 @@ impl Platforms {
     }
 
     /// Broad phase: the platforms whose AABB overlaps a box of the plane frame, in no particular order. It
-    /// scans the sorted left bounds backwards until no platform max_right the box.
+    /// scans the sorted left bounds backwards until no platform further left reaches the box.
     pub(crate) fn overlapping(
         &self,
         low: Vector3,

@@ -197,7 +197,7 @@ mod tests {
     }
 
     /// 20 wide, 10 high, 8 deep, about the origin.
-    fn touch_of_box(centre: Vector3, radius: f32) -> Option<BallPrismContact> {
+    fn contact_with_box(centre: Vector3, radius: f32) -> Option<BallPrismContact> {
         ball_prism(centre, radius, &rectangle((0.0, 0.0), 20.0, 10.0, 0.0), 0.0, 4.0)
     }
 
@@ -228,22 +228,22 @@ mod tests {
 
     #[test]
     fn a_ball_on_a_face_is_pushed_along_its_normal() {
-        let top = touch_of_box(v(3.0, -6.0, 1.0), 2.0).expect("a contact");
+        let top = contact_with_box(v(3.0, -6.0, 1.0), 2.0).expect("a contact");
         let expected = ShapeContact { normal: v(0.0, -1.0, 0.0), separation: -1.0, point: v(3.0, -4.0, 1.0) };
         assert_eq!(top, BallPrismContact { touch: expected, is_inside: false });
-        let front = touch_of_box(v(3.0, 1.0, -5.0), 2.0).expect("a contact");
+        let front = contact_with_box(v(3.0, 1.0, -5.0), 2.0).expect("a contact");
         assert_eq!((front.touch.normal, front.touch.separation), (v(0.0, 0.0, -1.0), -1.0));
     }
 
     #[test]
     fn a_ball_at_the_edge_of_front_and_top_is_pushed_away_from_the_edge() {
-        let found = touch_of_box(v(0.0, -8.0, -8.0), 6.0).expect("a contact").touch;
+        let found = contact_with_box(v(0.0, -8.0, -8.0), 6.0).expect("a contact").touch;
         assert_eq!((found.normal, found.separation), (v(0.0, -0.6, -0.8), -1.0));
     }
 
     #[test]
     fn a_ball_at_a_corner_is_pushed_away_from_the_corner() {
-        let found = touch_of_box(v(12.0, 8.0, 10.0), 8.0).expect("a contact").touch;
+        let found = contact_with_box(v(12.0, 8.0, 10.0), 8.0).expect("a contact").touch;
         // The corner is at (10, 5, 4).
         let normal = v(2.0, 3.0, 6.0) / 7.0;
         assert!((found.normal - normal).amax() < 1e-6);
@@ -252,10 +252,10 @@ mod tests {
 
     #[test]
     fn a_centre_inside_is_pushed_through_the_nearest_face() {
-        let side = touch_of_box(v(9.0, 0.0, 0.0), 2.0).expect("a contact");
+        let side = contact_with_box(v(9.0, 0.0, 0.0), 2.0).expect("a contact");
         assert!(side.is_inside);
         assert_eq!((side.touch.normal, side.touch.separation), (v(1.0, 0.0, 0.0), -3.0));
-        let back = touch_of_box(v(0.0, 0.0, 3.5), 2.0).expect("a contact");
+        let back = contact_with_box(v(0.0, 0.0, 3.5), 2.0).expect("a contact");
         assert_eq!((back.touch.normal, back.touch.separation), (v(0.0, 0.0, 1.0), -2.5));
     }
 
@@ -267,11 +267,11 @@ mod tests {
 
     #[test]
     fn balls_out_of_reach_have_no_contact() {
-        assert_eq!(touch_of_box(v(0.0, -7.0, 0.0), 2.0), None);
-        assert_eq!(touch_of_box(v(0.0, 0.0, 6.0), 2.0), None);
-        assert_eq!(touch_of_box(v(11.5, 0.0, 5.5), 2.0), None);
-        assert_eq!(touch_of_box(v(0.0, f32::NAN, 0.0), 2.0), None);
-        assert_eq!(touch_of_box(v(0.0, 0.0, f32::NAN), 2.0), None);
+        assert_eq!(contact_with_box(v(0.0, -7.0, 0.0), 2.0), None);
+        assert_eq!(contact_with_box(v(0.0, 0.0, 6.0), 2.0), None);
+        assert_eq!(contact_with_box(v(11.5, 0.0, 5.5), 2.0), None);
+        assert_eq!(contact_with_box(v(0.0, f32::NAN, 0.0), 2.0), None);
+        assert_eq!(contact_with_box(v(0.0, 0.0, f32::NAN), 2.0), None);
         assert_eq!(ball_prism(v(0.0, 0.0, 0.0), 2.0, &[], 0.0, 4.0), None);
     }
 

@@ -138,7 +138,7 @@ struct Ears {
     is_left: Vec<bool>,
     /// By vertex: one that blocked it in the last test. While that remains and the neighbours are the same,
     /// the test is not repeated.
-    in_the_way: Vec<Option<usize>>,
+    blocking_vertex: Vec<Option<usize>>,
     /// Index in the rest from which the next ear is searched.
     start: usize,
 }
@@ -150,7 +150,7 @@ impl Ears {
             vertices,
             rest: (0..count).collect(),
             is_left: vec![true; count],
-            in_the_way: vec![None; count],
+            blocking_vertex: vec![None; count],
             start: 0,
         }
     }
@@ -162,8 +162,8 @@ impl Ears {
         let ear = (0..count).map(|i| (start + i) % count).find(|&place| self.is_ear(place))?;
         let [before, tip, after] = self.corners(ear);
         self.is_left[tip] = false;
-        self.in_the_way[before] = None;
-        self.in_the_way[after] = None;
+        self.blocking_vertex[before] = None;
+        self.blocking_vertex[after] = None;
         self.rest.remove(ear);
         // The next but one, so that the triangles do not all meet in one corner.
         self.start = ear + 1;
@@ -181,7 +181,7 @@ impl Ears {
     /// Whether a vertex is an ear: it is not reflex, and its triangle contains no other vertex.
     fn is_ear(&mut self, place: usize) -> bool {
         let corners = self.corners(place);
-        if self.in_the_way[corners[1]].is_some_and(|i| self.is_left[i]) {
+        if self.blocking_vertex[corners[1]].is_some_and(|i| self.is_left[i]) {
             return false;
         }
         let [before, tip, after] = corners.map(|i| self.vertices[i]);
@@ -195,10 +195,10 @@ impl Ears {
                 && cross64(tip, after, point) <= 0.0
                 && cross64(after, before, point) <= 0.0
         };
-        let lies_in_the_way = |&i: &usize| is_in_triangle(self.vertices[i]) && !is_corner(self.vertices[i]);
-        let in_the_way = self.rest.iter().copied().find(lies_in_the_way);
-        self.in_the_way[corners[1]] = in_the_way;
-        in_the_way.is_none()
+        let blocks = |&i: &usize| is_in_triangle(self.vertices[i]) && !is_corner(self.vertices[i]);
+        let blocking_vertex = self.rest.iter().copied().find(blocks);
+        self.blocking_vertex[corners[1]] = blocking_vertex;
+        blocking_vertex.is_none()
     }
 }
 

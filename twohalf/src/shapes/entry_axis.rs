@@ -33,7 +33,7 @@ impl EntryAxis {
     }
 
     /// Whether the axis was flush, or entered, at the time of the last entry, `latest` steps ago.
-    pub(crate) fn is_tied(&self, latest: f32, slop: f32) -> bool {
+    pub(crate) fn is_entered_at(&self, latest: f32, slop: f32) -> bool {
         let since = if latest.is_finite() { scalar::max(self.closing, 0.0) * latest } else { 0.0 };
         self.time() <= latest && latest.is_finite() || self.penetration - since <= RESTING_SLOP_FACTOR * slop
     }
@@ -56,8 +56,8 @@ pub(crate) fn is_depth_last(
 ) -> bool {
     let depth_time = depth.time();
     let latest = scalar::min(plane_time, depth_time);
-    let is_plane_tied = plane.is_tied(latest, slop) || (plane_time <= latest && latest.is_finite());
-    match (is_plane_tied, depth.is_tied(latest, slop)) {
+    let is_plane_tied = plane.is_entered_at(latest, slop) || (plane_time <= latest && latest.is_finite());
+    match (is_plane_tied, depth.is_entered_at(latest, slop)) {
         (true, true) => depth.is_better(&plane) && (moves_in_depth || plane.closing > 0.0),
         (false, true) => true,
         (true, false) => false,

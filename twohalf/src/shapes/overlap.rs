@@ -100,7 +100,7 @@ impl<'a> OutlinePair<'a> {
         for edge in edges(self.this) {
             let mut start = 0.0;
             while start < 1.0 {
-                let end = self.next_touch(edge, start);
+                let end = self.next_vertex_on_edge(edge, start);
                 let middle = edge.0 + (edge.1 - edge.0) * ((start + end) * 0.5);
                 match self.place(middle) {
                     PointLocation::Inside => return (true, false),
@@ -114,7 +114,7 @@ impl<'a> OutlinePair<'a> {
     }
 
     /// Fraction of an edge, 0..=1, at which the next vertex of the other outline lies on it; 1 without one.
-    fn next_touch(&self, (a, b): (Vector2, Vector2), start: f32) -> f32 {
+    fn next_vertex_on_edge(&self, (a, b): (Vector2, Vector2), start: f32) -> f32 {
         let direction = b - a;
         let squared_length = vector2::length_squared(direction);
         let bounds = Bounds::of_edge((a, b));

@@ -91,8 +91,8 @@ pub(crate) fn prism_box<'a>(
     let overhang = [near - front, back - far];
     let outline = SweptOutline::new(shape, near, far);
     let are_several = pieces.clone().nth(1).is_some();
-    let meeting = PrismBoxPair { shape, pieces, are_several, outline, overhang, motion, slop };
-    let plane = meeting.in_plane(kept)?;
+    let pair = PrismBoxPair { shape, pieces, are_several, outline, overhang, motion, slop };
+    let plane = pair.in_plane(kept)?;
     let front = Depth { is_front: true, penetration: reach + offset };
     let back = Depth { is_front: false, penetration: reach - offset };
     let depth = match kept {
@@ -102,12 +102,12 @@ pub(crate) fn prism_box<'a>(
             // The side is the one on which the prism was before this step.
             let came_from = offset - motion.z;
             let entered = if came_from < 0.0 || (came_from == 0.0 && motion.z > 0.0) { front } else { back };
-            Some(entered).filter(|depth| meeting.leaves(depth, &plane))
+            Some(entered).filter(|depth| pair.leaves(depth, &plane))
         }
     };
     let manifold = match depth {
-        Some(depth) => meeting.depth_manifold(depth, &plane, scratch),
-        None => meeting.plane_manifold(kept, &plane),
+        Some(depth) => pair.depth_manifold(depth, &plane, scratch),
+        None => pair.plane_manifold(kept, &plane),
     };
     manifold.is_finite().then_some(manifold)
 }
@@ -185,7 +185,7 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> PrismBoxPair<'_, I> {
     fn plane_manifold(&self, kept: Option<PersistedAxis>, plane: &Plane) -> BoxManifold {
         let PointSet { candidate, mut points, mut count } = plane.deepest;
         if plane.overlapping > 1 {
-            (points, count) = self.of_several(kept, plane);
+            (points, count) = self.points_of_pieces(kept, plane);
         }
         if count == 2 && points[1].separation < points[0].separation {
             points.swap(0, 1);
@@ -204,7 +204,7 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> PrismBoxPair<'_, I> {
 
     /// The two outermost points of the pieces with about the normal of the deepest piece. If the deepest
     /// point is not among them, it replaces the nearer one.
-    fn of_several(&self, kept: Option<PersistedAxis>, plane: &Plane) -> ([BoxPoint; 2], usize) {
+    fn points_of_pieces(&self, kept: Option<PersistedAxis>, plane: &Plane) -> ([BoxPoint; 2], usize) {
         let normal = plane.deepest.candidate.normal;
         let place = |point: &BoxPoint| normal.x * point.position.y - normal.y * point.position.x;
         let first = plane.deepest.points[0];

@@ -174,14 +174,14 @@ fn the_entry_face_is_where_a_march_along_the_path_first_gets_inside() {
             }
             (None, None) => {}
             // A way through a corner may be shorter than a step of the march.
-            (None, Some(_)) => assert!(distance_to_way(&shape, before, now) < 0.1),
+            (None, Some(_)) => assert!(distance_to_path(&shape, before, now) < 0.1),
             (Some(_), None) => panic!("{shape:?} {before:?} {now:?}"),
         }
     }
     assert!(entered > 300);
 }
 
-fn distance_to_way(shape: &SlantedBox, before: Vector3, now: Vector3) -> f32 {
+fn distance_to_path(shape: &SlantedBox, before: Vector3, now: Vector3) -> f32 {
     let distance = |step: i32| shape.nearest(before + (now - before) * (step as f32 / 2000.0)).unwrap().0;
     (0..=2000).map(distance).fold(f32::INFINITY, f32::min)
 }

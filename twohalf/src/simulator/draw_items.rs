@@ -64,7 +64,7 @@ impl DrawItem {
     }
 
     /// Whether depth, height and left end are those of another item, to the last bit.
-    pub(super) fn is_where(&self, other: &DrawItem) -> bool {
+    pub(super) fn has_same_position(&self, other: &DrawItem) -> bool {
         let place = |item: &DrawItem| [item.middle, item.low.y, item.screen_low.x].map(f32::to_bits);
         place(self) == place(other)
     }

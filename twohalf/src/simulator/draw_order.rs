@@ -233,7 +233,7 @@ impl DrawOrder {
         }
         for (before, &place) in before.iter().zip(now_at.iter()).filter(|(_, place)| **place != NO_INDEX) {
             is_known[place as usize] = true;
-            has_moved[place as usize] = !before.is_where(&listed[place as usize]);
+            has_moved[place as usize] = !before.has_same_position(&listed[place as usize]);
         }
     }
 

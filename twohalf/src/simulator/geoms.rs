@@ -31,7 +31,7 @@ impl TwoHalfPhysicsSimulator {
         let old = self.core.geom(geom).map(|geom| geom.body()).filter(|old| *old != body);
         self.core.set_body(geom, body)?;
         if let Some(state) = old.and_then(|old| self.world.depths.edit(old)) {
-            state.ground.let_go_of(geom);
+            state.ground.clear_removed_geom(geom);
         }
         self.world.depths.edit(body);
         Ok(())

@@ -87,7 +87,7 @@ mod tests {
     /// Numbers with names: the order is that of the numbers, then of the names.
     type Entry = (i32, usize);
 
-    fn sort_again(list: &mut IncrementalSort<Entry>, numbers: &[Option<i32>]) {
+    fn update_list(list: &mut IncrementalSort<Entry>, numbers: &[Option<i32>]) {
         let mut is_known = vec![false; numbers.len()];
         for &(_, name) in list.as_slice() {
             is_known[name] = numbers[name].is_some();
@@ -119,7 +119,7 @@ mod tests {
                     };
                 }
             }
-            sort_again(&mut list, &numbers);
+            update_list(&mut list, &numbers);
             let mut expected: Vec<Entry> =
                 numbers.iter().copied().zip(0..).filter_map(|(n, name)| Some((n?, name))).collect();
             expected.sort_unstable();

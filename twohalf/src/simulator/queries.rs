@@ -68,7 +68,7 @@ impl TwoHalfPhysicsSimulator {
             return Vec::new();
         }
         let is_near =
-            |geom: GeomId| self.geom(geom).is_some_and(|geom| meets_box(&geom.virtual_geom(), low, high));
+            |geom: GeomId| self.geom(geom).is_some_and(|geom| overlaps_box(&geom.virtual_geom(), low, high));
         let is_found = |&geom: &GeomId| !self.core.is_disposed(geom) && is_near(geom) && is_wanted(geom);
         self.geom_list().iter().copied().filter(is_found).collect()
     }
@@ -96,7 +96,7 @@ impl TwoHalfPhysicsSimulator {
 }
 
 /// Whether the AABB of a geom overlaps or touches another one.
-fn meets_box(geom: &VirtualGeom, low: Vector3, high: Vector3) -> bool {
+fn overlaps_box(geom: &VirtualGeom, low: Vector3, high: Vector3) -> bool {
     geom.left <= high.x
         && low.x <= geom.right
         && geom.bottom <= high.y

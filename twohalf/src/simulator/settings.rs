@@ -195,7 +195,7 @@ impl TwoHalfPhysicsSimulator {
         self.world.paces.retain(|pace| !pace.is_over());
         self.world.scheme = scheme;
         self.world.touches.clear();
-        self.world.platforms.mark_unsent();
+        self.world.platforms.mark_all_unsent();
         self.world.depths.is_sent = false;
         for (_, state) in self.world.depths.bodies.iter_mut() {
             (state.support, state.is_support_kept) = (None, false);

@@ -13,7 +13,7 @@ use crate::events::{Collision, Context, Event, EventHandler};
 use crate::views::{contact_of, partner_of};
 
 /// Asks the handler about all touches; returns the pairs that it refuses.
-pub(super) fn ask_about_contacts(
+pub(super) fn filter_contacts(
     handler: &mut dyn EventHandler,
     context: &mut farseer_core::Context<'_>,
     world: &mut World,
@@ -24,13 +24,13 @@ pub(super) fn ask_about_contacts(
         // `None` comes first.
         contact_of(context.simulator(), touch).map_or(0, |(touch, _)| touch.key.rank() + 1)
     });
-    ask_about_footings(handler, context, world, report, &found);
+    filter_footings(handler, context, world, report, &found);
     found.retain(|(_, touch)| !accepts_touch(handler, context, world, report, touch));
     found.into_iter().map(|(pair, _)| pair).collect()
 }
 
 /// Asks about supports and walls of characters that have no contact.
-fn ask_about_footings(
+fn filter_footings(
     handler: &mut dyn EventHandler,
     context: &mut farseer_core::Context<'_>,
     world: &mut World,

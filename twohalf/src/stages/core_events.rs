@@ -5,7 +5,7 @@ use farseer_core::{
     BodyId, Contact, EventHandler as CoreHandler, GeomId, JointId, ObjectId, PhysicsSimulator, SpringId,
 };
 
-use super::contact_filter::ask_about_contacts;
+use super::contact_filter::filter_contacts;
 use super::convex_cache::ConvexCache;
 use super::core_sync::{pull_depth_from_core, push_depth_to_core};
 use super::depth_intervals::DepthIntervals;
@@ -18,10 +18,10 @@ use crate::events::{Collision, Context, Event, EventHandler};
 /// Data of the pair search of an update.
 #[derive(Debug, Clone, Default)]
 pub(super) struct PairContext {
-    pub(super) reaches: DepthIntervals,
+    pub(super) intervals: DepthIntervals,
     /// Pairs that the core solved in the last update.
-    pub(super) known: PairCache,
-    pub(super) outlines: ConvexCache,
+    pub(super) pair_cache: PairCache,
+    pub(super) convex_cache: ConvexCache,
     /// Pairs whose contacts this crate finds.
     pub(super) pairs: Vec<DepthPair>,
     /// By body slot: whether the body moved along Z and no event has reported it yet.
@@ -32,7 +32,7 @@ pub(super) struct PairContext {
 pub(super) struct CoreEventAdapter<'w, 'h> {
     pub(super) world: &'w mut World,
     pub(super) report: &'w mut Report,
-    pub(super) meeting: &'w mut PairContext,
+    pub(super) pair_context: &'w mut PairContext,
     pub(super) handler: Option<&'h mut dyn EventHandler>,
 }
 
@@ -40,15 +40,15 @@ impl PairContext {
     /// Begins the pair search of an update.
     pub(super) fn prepare(&mut self, core: &PhysicsSimulator, depths: &DepthState, dt: f32) {
         self.pairs.clear();
-        self.known.prepare(core);
-        self.reaches.prepare(core, depths, dt);
+        self.pair_cache.prepare(core);
+        self.intervals.prepare(core, depths, dt);
     }
 }
 
 impl CoreEventAdapter<'_, '_> {
     /// Adopts the events that the core has reported since the last call.
     pub(super) fn adopt_core_events(&mut self, core: &PhysicsSimulator) {
-        self.report.adopt_core_events(core, &self.meeting.known);
+        self.report.adopt_core_events(core, &self.pair_context.pair_cache);
     }
 
     /// Updates the transforms of geoms whose bodies a callback has edited.
@@ -89,13 +89,13 @@ impl CoreEventAdapter<'_, '_> {
     /// Whether the game's handler is asked about a pair: only if it did not touch in the last update.
     fn needs_filter(&self, pair: &DepthPair) -> bool {
         self.handler.as_deref().is_some_and(|handler| handler.handles_broad_phase())
-            && self.meeting.known.impulse(pair.key).is_none()
+            && self.pair_context.pair_cache.impulse(pair.key).is_none()
             && self.world.touches.find(pair.key).is_none()
     }
 
     fn owner_of(&mut self, core: &PhysicsSimulator, pair: DepthPair) -> ContactOwner {
-        let PairContext { reaches, known, outlines, .. } = &mut *self.meeting;
-        OwnerChoice { core, world: self.world, reaches, known, outlines }.owner_of(pair)
+        let PairContext { intervals, pair_cache, convex_cache, .. } = &mut *self.pair_context;
+        OwnerChoice { core, world: self.world, intervals, pair_cache, convex_cache }.owner_of(pair)
     }
 
     /// The collision of contacts that the core has found, as one of the two geoms sees it. The impulse is
@@ -119,7 +119,7 @@ impl CoreEventAdapter<'_, '_> {
             normal: Vector3::new(sign * deepest.normal.x, -sign * deepest.normal.y, 0.0),
             position: Vector3::new(deepest.position.x, -deepest.position.y, z),
             contacts: 1 + finite.count() as u32,
-            normal_impulse: self.meeting.known.impulse(pair.key).unwrap_or(0.0),
+            normal_impulse: self.pair_context.pair_cache.impulse(pair.key).unwrap_or(0.0),
             vetoed: false,
         })
     }
@@ -163,7 +163,7 @@ impl CoreHandler for CoreEventAdapter<'_, '_> {
 
     fn on_space_touches(&mut self, context: &mut farseer_core::Context<'_>) -> Vec<usize> {
         match &mut self.handler {
-            Some(handler) => ask_about_contacts(&mut **handler, context, self.world, self.report),
+            Some(handler) => filter_contacts(&mut **handler, context, self.world, self.report),
             None => Vec::new(),
         }
     }
@@ -174,7 +174,7 @@ impl CoreHandler for CoreEventAdapter<'_, '_> {
         geom1: GeomId,
         geom2: GeomId,
     ) -> bool {
-        if !extents_overlap(self.meeting.reaches.of(geom1), self.meeting.reaches.of(geom2)) {
+        if !extents_overlap(self.pair_context.intervals.of(geom1), self.pair_context.intervals.of(geom2)) {
             // The two pass each other at different depths.
             return false;
         }
@@ -185,7 +185,7 @@ impl CoreHandler for CoreEventAdapter<'_, '_> {
             return false;
         }
         if way == ContactOwner::Space {
-            self.meeting.pairs.push(pair);
+            self.pair_context.pairs.push(pair);
         }
         way == ContactOwner::Plane
     }
@@ -222,7 +222,7 @@ impl CoreHandler for CoreEventAdapter<'_, '_> {
     }
 
     fn on_separation(&mut self, context: &mut farseer_core::Context<'_>, this: GeomId, other: GeomId) {
-        if self.meeting.known.have_touched(context.simulator(), this, other) {
+        if self.pair_context.pair_cache.touched_in_core(context.simulator(), this, other) {
             let partner = ContactTarget::Geom(other);
             self.call_handler_within(context, |handler, context| {
                 handler.on_separation(context, this, partner)
@@ -231,7 +231,7 @@ impl CoreHandler for CoreEventAdapter<'_, '_> {
     }
 
     fn on_body_updated(&mut self, context: &mut farseer_core::Context<'_>, body: BodyId) {
-        if let Some(moved) = self.meeting.moved.get_mut(body.slot()) {
+        if let Some(moved) = self.pair_context.moved.get_mut(body.slot()) {
             // This event reports the motion along Z as well.
             *moved = false;
         }

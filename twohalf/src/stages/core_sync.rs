@@ -28,8 +28,8 @@ pub(crate) fn list_loaded(core: &mut PhysicsSimulator, world: &World) {
     let bodies: Vec<BodyId> = core.bodies().collect();
     for id in bodies {
         let (Some(body), Some(state)) = (core.body(id), world.depths.bodies.get(id)) else { continue };
-        let told = state.core_input(state.velocity_z, 0.0, body.is_kinematic());
-        core.set_space_body(id, told);
+        let input = state.core_input(state.velocity_z, 0.0, body.is_kinematic());
+        core.set_space_body(id, input);
         for at in 0..core.geoms_of(id).len() {
             push_profile_to_core(core, &world.depths, core.geoms_of(id)[at]);
         }
@@ -93,21 +93,21 @@ fn push_body_to_core(core: &mut PhysicsSimulator, depths: &mut DepthState, repor
         return;
     }
     state.velocity_z = velocity;
-    let told = state.core_input(velocity, acceleration, body.is_kinematic());
-    core.set_space_body(id, told);
+    let input = state.core_input(velocity, acceleration, body.is_kinematic());
+    core.set_space_body(id, input);
 }
 
 fn push_profile_to_core(core: &mut PhysicsSimulator, depths: &DepthState, id: GeomId) {
     let (Some(view), Some(profile)) = (core.geom(id), depths.profiles.get(id)) else { return };
     let ground = depths.bodies.get(view.body()).map(|state| state.ground);
     let ground = ground.filter(|ground| ground.object_geom() == Some(id));
-    let told = SpaceProfile {
+    let profile = SpaceProfile {
         half_depth: profile.half_depth(),
         is_round: profile.is_round(),
         ground: ground.map(|ground| [ground.friction_coefficient(), ground.restitution_coefficient()]),
         upright: profile.upright(),
     };
-    core.set_space_profile(id, told);
+    core.set_space_profile(id, profile);
 }
 
 /// Stores the motion of bodies along Z and of platforms, before callbacks report it.
@@ -116,9 +116,9 @@ pub(super) fn pull_depth_from_core(core: &PhysicsSimulator, world: &mut World) {
         world.platforms.has_moved(PlatformId::from_number(number), centre, yaw, motion);
     }
     // `for_each` compiles the nested iterators to loops, `for` does not.
-    core.space_moved().for_each(|(id, told)| {
+    core.space_moved().for_each(|(id, moved)| {
         let Some(state) = world.depths.bodies.get_mut(id) else { return };
-        let SpaceBody { z, velocity, angular_velocity: [x, y], motion, sunk, target, .. } = told;
+        let SpaceBody { z, velocity, angular_velocity: [x, y], motion, sunk, target, .. } = moved;
         (state.z, state.velocity_z, state.motion) = (z, velocity, Some(Vector3::from(motion)));
         (state.angular_velocity_x, state.angular_velocity_y) = (x, y);
         (state.sunk, state.target) = (sunk, target);
@@ -135,9 +135,9 @@ pub(super) fn pull_sleep_from_core(core: &PhysicsSimulator, world: &mut World) {
             platforms.has_rested(PlatformId::from_number(number), motion);
         }
     }
-    for (id, told) in core.space_rested() {
+    for (id, rested) in core.space_rested() {
         let Some(state) = depths.bodies.get_mut(id).filter(|state| !state.is_edited) else { continue };
-        (state.z, state.velocity_z, state.sunk) = (told.z, 0.0, told.sunk);
+        (state.z, state.velocity_z, state.sunk) = (rested.z, 0.0, rested.sunk);
         (state.angular_velocity_x, state.angular_velocity_y) = (0.0, 0.0);
         state.motion = Some(Vector3::zeros());
         state.force_z = 0.0;

@@ -11,20 +11,25 @@ use crate::events::EventHandler;
 
 pub(super) fn update(parts: Parts<'_>, dt: f32, handler: Option<&mut dyn EventHandler>) {
     let Parts { core, world, pipeline, report } = parts;
-    let Pipeline { meeting, found, solver, seams, supports, immersion, .. } = pipeline;
+    let Pipeline { pair_context, found, solver, seams, supports, immersion, .. } = pipeline;
     report.begin();
-    let mut game = CoreEventAdapter { world, report, meeting, handler };
+    let mut game = CoreEventAdapter { world, report, pair_context, handler };
     // 1: add and remove.
     let goes_on = core.process_queues(dt, Some(&mut game));
     game.report.emit_refusals(game.world);
     game.adopt_core_events(core);
     if !goes_on {
-        supports::forget_what_left(core, game.world);
+        supports::remove_stale_contacts(core, game.world);
         return;
     }
     // 2 and 3: broad phase and narrow phase.
-    meet(core, &mut game, found, dt);
-    narrow_phase::filter_ghost_contacts(found, &game.meeting.reaches, core.allowed_penetration(), seams);
+    find_contacts(core, &mut game, found, dt);
+    narrow_phase::filter_ghost_contacts(
+        found,
+        &game.pair_context.intervals,
+        core.allowed_penetration(),
+        seams,
+    );
     game.adopt_core_events(core);
     // 4: integrate velocities.
     fields::act(core, game.world, game.report, immersion, dt);
@@ -44,13 +49,18 @@ pub(super) fn update(parts: Parts<'_>, dt: f32, handler: Option<&mut dyn EventHa
     std::mem::swap(&mut game.world.touches, found);
 }
 
-fn meet(core: &mut PhysicsSimulator, game: &mut CoreEventAdapter<'_, '_>, found: &mut ContactList, dt: f32) {
-    game.meeting.prepare(core, &game.world.depths, dt);
+fn find_contacts(
+    core: &mut PhysicsSimulator,
+    game: &mut CoreEventAdapter<'_, '_>,
+    found: &mut ContactList,
+    dt: f32,
+) {
+    game.pair_context.prepare(core, &game.world.depths, dt);
     core.find_pairs(Some(game));
     core.collide_pairs(Some(game));
     game.adopt_core_events(core);
     found.clear();
-    narrow_phase::find(core, game.world, game.meeting, found, &mut game.report.counters);
+    narrow_phase::find(core, game.world, game.pair_context, found, &mut game.report.counters);
     callbacks::emit_contact_events(core, game, found);
 }
 

@@ -36,7 +36,7 @@ use solver::Solver3;
 /// Buffers of an update and derived data. The result of an update does not depend on their content.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Pipeline {
-    meeting: PairContext,
+    pair_context: PairContext,
     /// Contacts of the current update; those of the last one are in the world until these are complete.
     found: ContactList,
     solver: Solver3,
@@ -50,7 +50,7 @@ pub(crate) struct Pipeline {
 impl Pipeline {
     /// Drops the cached pieces of a geom whose outline has changed.
     pub(crate) fn forget_outline(&mut self, geom: GeomId) {
-        self.meeting.outlines.forget(geom);
+        self.pair_context.convex_cache.forget(geom);
     }
 }
 

@@ -10,7 +10,7 @@ use crate::events::Event;
 
 /// Last stage: integrates Z first, so that callbacks see all of the motion.
 pub(super) fn integrate(core: &mut PhysicsSimulator, game: &mut CoreEventAdapter<'_, '_>, dt: f32) {
-    move_along_z(core, &mut game.world.depths, &mut game.meeting.moved, dt);
+    move_along_z(core, &mut game.world.depths, &mut game.pair_context.moved, dt);
     core.integrate(dt, Some(game));
     for &id in core.body_list() {
         if let (Some(state), Some(body)) = (game.world.depths.bodies.get_mut(id), core.body(id)) {
@@ -53,7 +53,7 @@ fn move_along_z(core: &mut PhysicsSimulator, depths: &mut DepthState, moved: &mu
 fn emit_moved_events(core: &mut PhysicsSimulator, game: &mut CoreEventAdapter<'_, '_>) {
     for index in 0..core.body_list().len() {
         let Some(&body) = core.body_list().get(index) else { break };
-        if game.meeting.moved.get(body.slot()) != Some(&true) {
+        if game.pair_context.moved.get(body.slot()) != Some(&true) {
             continue;
         }
         game.report.counters.bodies_moved += 1;

@@ -40,7 +40,7 @@ impl PairCache {
     }
 
     /// Whether two geoms touched in the core in the last update.
-    pub(super) fn have_touched(&self, core: &PhysicsSimulator, this: GeomId, other: GeomId) -> bool {
+    pub(super) fn touched_in_core(&self, core: &PhysicsSimulator, this: GeomId, other: GeomId) -> bool {
         key_of(core, this, other).is_some_and(|pair| self.impulse(pair.key).is_some())
     }
 
@@ -103,14 +103,14 @@ pub(super) fn key_of(core: &PhysicsSimulator, geom1: GeomId, geom2: GeomId) -> O
 pub(super) struct OwnerChoice<'a> {
     pub(super) core: &'a PhysicsSimulator,
     pub(super) world: &'a World,
-    pub(super) reaches: &'a DepthIntervals,
-    pub(super) known: &'a PairCache,
-    pub(super) outlines: &'a mut ConvexCache,
+    pub(super) intervals: &'a DepthIntervals,
+    pub(super) pair_cache: &'a PairCache,
+    pub(super) convex_cache: &'a mut ConvexCache,
 }
 
 impl OwnerChoice<'_> {
     pub(super) fn owner_of(&mut self, pair: DepthPair) -> ContactOwner {
-        let (a, b) = (self.reaches.of(pair.geom_a), self.reaches.of(pair.geom_b));
+        let (a, b) = (self.intervals.of(pair.geom_a), self.intervals.of(pair.geom_b));
         if self.world.scheme == DepthScheme::Thesis {
             let is_near = a.z == b.z || (a.z - b.z).abs() < a.half.min(b.half);
             return if is_near { ContactOwner::Plane } else { ContactOwner::Space };
@@ -126,7 +126,7 @@ impl OwnerChoice<'_> {
         let stands_against =
             a.z != b.z && depth.penetration <= RESTING_SLOP_FACTOR * self.core.allowed_penetration();
         let may_meet_along_z = a.motion_z != b.motion_z || stands_against;
-        if !may_meet_along_z || self.known.impulse(pair.key).is_some() {
+        if !may_meet_along_z || self.pair_cache.impulse(pair.key).is_some() {
             return ContactOwner::Plane;
         }
         self.owner_of_new(pair, depth).unwrap_or(ContactOwner::Plane)
@@ -134,11 +134,11 @@ impl OwnerChoice<'_> {
 
     /// Owner of a new pair, by the axis that its outlines entered last. `None` if they do not touch.
     fn owner_of_new(&mut self, pair: DepthPair, depth: EntryAxis) -> Option<ContactOwner> {
-        let OwnerChoice { core, world: World { depths, .. }, reaches, outlines, .. } = self;
+        let OwnerChoice { core, world: World { depths, .. }, intervals, convex_cache, .. } = self;
         let (body_a, body_b) = (core.geom(pair.geom_a)?.body(), core.geom(pair.geom_b)?.body());
-        let motion = reaches.motion_of(core, depths, body_b) - reaches.motion_of(core, depths, body_a);
+        let motion = intervals.motion_of(core, depths, body_b) - intervals.motion_of(core, depths, body_a);
         let [(pieces_a, corners_a), (pieces_b, corners_b)] =
-            outlines.transform_both(core, [pair.geom_a, pair.geom_b])?;
+            convex_cache.transform_both(core, [pair.geom_a, pair.geom_b])?;
         let plane = entry_of_pieces(pieces_a.pieces(corners_a), || pieces_b.pieces(corners_b), motion.xy())?;
         let in_plane = EntryAxis { penetration: plane.penetration, closing: -motion.xy().dot(&plane.normal) };
         let plane_time = if plane.time <= MAX_ENTRY_AGE { plane.time } else { f32::INFINITY };

@@ -16,27 +16,27 @@ use crate::views::partner_of;
 
 pub(super) fn update(parts: Parts<'_>, dt: f32, handler: Option<&mut dyn EventHandler>) {
     let Parts { core, world, pipeline, report } = parts;
-    let Pipeline { meeting, immersion, slowed, .. } = pipeline;
+    let Pipeline { pair_context, immersion, slowed, .. } = pipeline;
     report.begin();
     apply_time_scale(core, world, slowed);
     requeue_forces(&mut world.depths);
     push_depth_to_core(core, world, report);
-    let mut game = CoreEventAdapter { world, report, meeting, handler };
-    let is_told = game.handler.is_some();
-    let goes_on = core.begin_in_space(dt, is_told.then_some(&mut game as _));
+    let mut game = CoreEventAdapter { world, report, pair_context, handler };
+    let has_handler = game.handler.is_some();
+    let goes_on = core.begin_in_space(dt, has_handler.then_some(&mut game as _));
     let mut has_happened = false;
     if !goes_on {
         // Characters that walk while time stands still queue their supports again.
         game.world.footings.asked.clear();
     } else {
-        if !is_told {
-            game.world.footings.pass();
+        if !has_handler {
+            game.world.footings.skip();
         }
         fields::act(core, game.world, game.report, immersion, dt);
-        has_happened = core.go_on_in_space(dt, is_told.then_some(&mut game as _));
+        has_happened = core.go_on_in_space(dt, has_handler.then_some(&mut game as _));
     }
     if has_happened {
-        if !is_told {
+        if !has_handler {
             pull_depth_from_core(core, game.world);
         }
         pull_sleep_from_core(core, game.world);
@@ -45,7 +45,7 @@ pub(super) fn update(parts: Parts<'_>, dt: f32, handler: Option<&mut dyn EventHa
     game.adopt_core_events(core);
     if !goes_on {
         restore_time_scale(core, game.world, slowed, false);
-        supports::forget_what_left(core, game.world);
+        supports::remove_stale_contacts(core, game.world);
         return;
     }
     restore_time_scale(core, game.world, slowed, true);

@@ -121,7 +121,7 @@ impl Report {
 
     /// Adopts the events that the core has reported since the last call. Separations are adopted only for
     /// pairs that touched in the core.
-    pub(super) fn adopt_core_events(&mut self, core: &PhysicsSimulator, known: &PairCache) {
+    pub(super) fn adopt_core_events(&mut self, core: &PhysicsSimulator, pair_cache: &PairCache) {
         for &event in &core.events()[self.taken..] {
             match event {
                 CoreEvent::Collision { .. } => {
@@ -129,7 +129,7 @@ impl Report {
                     self.listed += 1;
                     self.list(decided);
                 }
-                CoreEvent::Separation { this, other } if known.have_touched(core, this, other) => {
+                CoreEvent::Separation { this, other } if pair_cache.touched_in_core(core, this, other) => {
                     self.events.push(Event::Separation { this, partner: ContactTarget::Geom(other) });
                 }
                 event => self.events.extend(Event::from_core(event)),

@@ -82,7 +82,7 @@ fn keep_recent_support(core: &PhysicsSimulator, world: &mut World, last: &[Suppo
 }
 
 /// Drops contacts and supports of removed objects. Contacts that are listed on demand are filtered there.
-pub(super) fn forget_what_left(core: &PhysicsSimulator, world: &mut World) {
+pub(super) fn remove_stale_contacts(core: &PhysicsSimulator, world: &mut World) {
     if world.scheme != DepthScheme::Precise {
         let mut touches = std::mem::take(&mut world.touches.touches);
         touches.retain(|touch| core.geom(touch.this).is_some() && world.exists(core, touch.partner));

@@ -41,7 +41,7 @@ struct Motion {
 }
 
 impl Motion {
-    fn times(self, factor: f32) -> Self {
+    fn scaled_by(self, factor: f32) -> Self {
         Motion {
             velocity: self.velocity * factor,
             velocity_z: self.velocity_z * factor,
@@ -114,7 +114,7 @@ fn unscaled_state(
         gravity_scale: plane.gravity_scale(),
         quadratic_drag: plane.quadratic_drag_coefficient(),
         rotational_drag: plane.rotational_drag_coefficient(),
-        seen: motion.times(scale),
+        seen: motion.scaled_by(scale),
     })
 }
 
@@ -190,5 +190,5 @@ fn restore_body(core: &mut PhysicsSimulator, depths: &mut DepthState, own: Unsca
     }
     // A velocity that has not changed is restored to the bit.
     let is_same = own.scale == 0.0 || now == own.seen;
-    set_motion(core, depths, body, if is_same { own.motion } else { now.times(1.0 / own.scale) });
+    set_motion(core, depths, body, if is_same { own.motion } else { now.scaled_by(1.0 / own.scale) });
 }

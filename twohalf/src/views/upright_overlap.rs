@@ -18,7 +18,7 @@ pub(crate) fn overlap(
         return None;
     }
     let (a, b) = (query_shapes(core, depths, one)?, query_shapes(core, depths, other)?);
-    Some(a.iter().any(|a| b.iter().any(|b| apart_in_space(a.borrowed(), b.borrowed()) < 0.0)))
+    Some(a.iter().any(|a| b.iter().any(|b| apart_in_space(a.as_core_shape(), b.as_core_shape()) < 0.0)))
 }
 
 /// A convex part of a geom in three axes.
@@ -28,7 +28,7 @@ enum QueryShape {
 }
 
 impl QueryShape {
-    fn borrowed(&self) -> SpaceForm<'_> {
+    fn as_core_shape(&self) -> SpaceForm<'_> {
         match self {
             QueryShape::Whole(form) => *form,
             QueryShape::Part(corners, z, half) => SpaceForm::Prism { corners, z: *z, half: *half },

@@ -75,7 +75,7 @@ impl Swing {
 
     /// The parameters in the form that the core takes. `out` is the centre of the platform relative to the
     /// hinge at yaw 0, px.
-    fn told(&self, out: [f32; 2]) -> Result<FixtureSwing> {
+    fn to_core(&self, out: [f32; 2]) -> Result<FixtureSwing> {
         let refused = Error::NotSupported {
             what: "platforms that swing, which are the feature `swing`",
             methods: "compiled",
@@ -94,33 +94,33 @@ impl Swing {
         })
     }
 
-    fn from_told(told: &FixtureSwing) -> Self {
+    fn from_core(hinge: &FixtureSwing) -> Self {
         Swing {
-            hinge: told.hinge,
-            moment_of_inertia: told.inertia,
-            stiffness: told.stiffness,
-            damping: told.damping,
-            rest_angle: told.rest_angle,
-            least_angle: told.stops[0],
-            greatest_angle: told.stops[1],
+            hinge: hinge.hinge,
+            moment_of_inertia: hinge.inertia,
+            stiffness: hinge.stiffness,
+            damping: hinge.damping,
+            rest_angle: hinge.rest_angle,
+            least_angle: hinge.stops[0],
+            greatest_angle: hinge.stops[1],
         }
     }
 }
 
 /// Whether the parameters are in range: false only for a damaged save.
-pub(super) fn is_valid(told: &FixtureSwing) -> bool {
-    let numbers = told.out.into_iter().chain([told.held]);
-    Swing::from_told(told).check().is_ok() && numbers.into_iter().all(|number| number.is_finite())
+pub(super) fn is_valid(hinge: &FixtureSwing) -> bool {
+    let numbers = hinge.out.into_iter().chain([hinge.held]);
+    Swing::from_core(hinge).check().is_ok() && numbers.into_iter().all(|number| number.is_finite())
 }
 
 impl Platform {
     /// Parameters of its hinge; `None` without one.
     pub fn swing(&self) -> Option<Swing> {
-        self.core_hinge().map(Swing::from_told)
+        self.core_hinge().map(Swing::from_core)
     }
 
     fn core_hinge(&self) -> Option<&FixtureSwing> {
-        self.motion.as_ref()?.told.swing()
+        self.motion.as_ref()?.core_motion.swing()
     }
 
     /// Velocity of its centre in the world, px/s, Y up; `None` without a hinge.
@@ -153,9 +153,9 @@ impl Platform {
         }
         let ([cos, sin], centre) = (self.shape.turn, self.shape.centre);
         let (x, z) = (centre.x - swing.hinge[0], centre.z - swing.hinge[1]);
-        let told = swing.told([x * cos + z * sin, z * cos - x * sin])?;
-        let told = FixtureMotion { swing: Some(told), ..FixtureMotion::default() };
-        let motion = Some(PlatformMotion { centre, target: None, told });
+        let hinge = swing.to_core([x * cos + z * sin, z * cos - x * sin])?;
+        let core_motion = FixtureMotion { swing: Some(hinge), ..FixtureMotion::default() };
+        let motion = Some(PlatformMotion { centre, target: None, core_motion });
         Platform { motion, yaw: Some(yaw), ..self.clone() }.shaped(projection)
     }
 
@@ -174,8 +174,8 @@ impl Platform {
     pub(super) fn set_hinge_angle(&mut self, yaw: f32) -> Result<()> {
         let (y, turn) = (self.shape.centre.y, farseer_core::math::scalar::sin_cos_of_any(yaw));
         let Some(motion) = &mut self.motion else { return Ok(()) };
-        let Some(swing) = motion.told.swing_mut() else { return Ok(()) };
-        if !Swing::from_told(swing).is_within(yaw) {
+        let Some(swing) = motion.core_motion.swing_mut() else { return Ok(()) };
+        if !Swing::from_core(swing).is_within(yaw) {
             return Err(invalid("yaw", yaw, "between the stops of a platform that swings"));
         }
         swing.is_edited = true;
@@ -187,16 +187,16 @@ impl Platform {
     /// Moves the hinge with the platform, whose new centre is given.
     pub(super) fn move_hinge(&mut self, centre: Vector3) {
         let way = centre - self.shape.centre;
-        if let Some(swing) = self.motion.as_mut().and_then(|motion| motion.told.swing_mut()) {
+        if let Some(swing) = self.motion.as_mut().and_then(|motion| motion.core_motion.swing_mut()) {
             swing.hinge = [swing.hinge[0] + way.x, swing.hinge[1] + way.z];
             swing.is_edited = true;
         }
     }
 
     /// Stores the motion of a hinged platform that may have fallen asleep.
-    pub(in crate::depth) fn has_rested(&mut self, told: FixtureMotion) {
+    pub(in crate::depth) fn has_rested(&mut self, core_motion: FixtureMotion) {
         if let Some(motion) = &mut self.motion {
-            motion.told = told;
+            motion.core_motion = core_motion;
         }
     }
 }

@@ -29,7 +29,7 @@ impl Platform {
     /// Angular velocity about that axis, radians/s. With a [target angle](PlatformMut::turn_to) it has the
     /// angular velocity of that turn for one update.
     pub fn angular_velocity(&self) -> f32 {
-        self.motion.map_or(0.0, |motion| motion.told.turning)
+        self.motion.map_or(0.0, |motion| motion.core_motion.turning)
     }
 
     /// Velocity of its material at a place, px/s, Y up, including rotation and without its surface velocity.
@@ -57,8 +57,8 @@ impl Platform {
         if !is_level {
             return Err(invalid("yaw", yaw, "0 of a platform that is a slope, or leans"));
         }
-        let turns = |PlatformMotion { told, .. }: PlatformMotion| {
-            told.turning != 0.0 || told.yaw_target.is_some() || told.swing().is_some()
+        let turns = |PlatformMotion { core_motion, .. }: PlatformMotion| {
+            core_motion.turning != 0.0 || core_motion.yaw_target.is_some() || core_motion.swing().is_some()
         };
         let turns = self.motion.is_some_and(turns);
         if turns && self.surface_speed != [0.0; 2] {
@@ -100,7 +100,7 @@ impl Platform {
         let turns = self.motion.is_some() && self.yaw.is_some();
         let mut platform = Platform { yaw: Some(yaw).filter(|&yaw| yaw != 0.0 || turns), ..self.clone() };
         if let Some(motion) = &mut platform.motion {
-            motion.told.yaw_target = None;
+            motion.core_motion.yaw_target = None;
         }
         if platform.swing().is_some() {
             platform.set_hinge_angle(yaw)?;
@@ -126,7 +126,7 @@ impl Platform {
         let stood_still = self.motion.is_none() || self.yaw.is_none();
         let still = || PlatformMotion { centre: self.shape.centre, ..PlatformMotion::default() };
         let mut motion = self.motion.unwrap_or_else(still);
-        (motion.told.turning, motion.told.yaw_target) = (turning, yaw_target);
+        (motion.core_motion.turning, motion.core_motion.yaw_target) = (turning, yaw_target);
         let platform = Platform { motion: Some(motion), yaw: self.yaw.or(Some(0.0)), ..self.clone() };
         Ok((platform.shaped(projection)?, stood_still))
     }

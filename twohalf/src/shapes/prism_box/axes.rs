@@ -142,7 +142,8 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> PrismBoxPair<'_, I> {
     /// axis is flush or was entered recently.
     fn entered_last(&self, piece: u32, vertices: &[Vector2], survey: &AxisSurvey) -> Option<AxisCandidate> {
         let along = |candidate: &AxisCandidate| self.along(candidate.penetration, candidate.normal3d);
-        let tied = self.exits(piece, vertices).filter(|it| along(it).is_tied(survey.least_time, self.slop));
+        let tied =
+            self.exits(piece, vertices).filter(|it| along(it).is_entered_at(survey.least_time, self.slop));
         tied.reduce(|best, it| if along(&it).is_better(&along(&best)) { it } else { best })
     }
 

@@ -13,7 +13,7 @@ use immersion::{Container, immersed};
 pub(super) use immersion::ClipBuffer;
 pub(crate) use immersion::immersion_of;
 
-/// FieldForces of all fields on one body, in the frame of the plane, y down.
+/// Forces of all fields on one body, in the frame of the plane, y down.
 #[derive(Debug, Clone, Copy, Default)]
 struct FieldForces {
     /// Acceleration, px/s².
@@ -22,7 +22,7 @@ struct FieldForces {
     torque: f64,
     /// Drag rate of all fluids, 1/s.
     rate: f64,
-    /// FieldForces of the flow velocities times their drag rates, px/s².
+    /// Sum of the flow velocities times their drag rates, px/s².
     flow: [f64; 3],
 }
 

@@ -32,10 +32,10 @@ pub(super) fn add(
         std::mem::discriminant(&touch.kept) == std::mem::discriminant(&manifold.kept)
             || !(touch.is_plane() || touch.shares_pressure || manifold.shares_pressure)
     };
-    let known = last.find(subject.key).filter(is_alike).map_or(&[][..], |touch| last.points_of(touch));
+    let pair_cache = last.find(subject.key).filter(is_alike).map_or(&[][..], |touch| last.points_of(touch));
     let first_point = list.points.len() as u32;
     for spot in manifold.manifold_points() {
-        let before = known.iter().find(|point| point.feature == spot.feature);
+        let before = pair_cache.iter().find(|point| point.feature == spot.feature);
         list.points.push(ContactPoint {
             position: spot.position,
             normal: manifold.normal,

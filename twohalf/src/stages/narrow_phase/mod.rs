@@ -25,12 +25,12 @@ use add_contact::ContactPair;
 pub(super) fn find(
     core: &PhysicsSimulator,
     world: &mut World,
-    meeting: &mut PairContext,
+    pair_context: &mut PairContext,
     found: &mut ContactList,
     counters: &mut StepCounters,
 ) {
     world.platforms.sort();
-    let mut search = ContactFinder { core, world, meeting, found, counters };
+    let mut search = ContactFinder { core, world, pair_context, found, counters };
     search.find_object_contacts();
     search.find_platform_contacts();
     search.find_ground_contacts();
@@ -41,14 +41,14 @@ pub(super) fn find(
 struct ContactFinder<'a> {
     core: &'a PhysicsSimulator,
     world: &'a World,
-    meeting: &'a mut PairContext,
+    pair_context: &'a mut PairContext,
     found: &'a mut ContactList,
     counters: &'a mut StepCounters,
 }
 
 impl ContactFinder<'_> {
     /// Persistent feature of a contact of the last update.
-    fn kept(&self, key: ContactKey) -> Option<PersistedFeature> {
+    fn persisted_feature(&self, key: ContactKey) -> Option<PersistedFeature> {
         self.world.touches.find(key).map(|touch| touch.kept)
     }
 

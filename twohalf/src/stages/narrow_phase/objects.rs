@@ -17,21 +17,21 @@ use crate::{Vector2, Vector3};
 impl ContactFinder<'_> {
     /// Finds the contacts of the pairs that the core has left to this crate.
     pub(super) fn find_object_contacts(&mut self) {
-        let mut pairs = std::mem::take(&mut self.meeting.pairs);
+        let mut pairs = std::mem::take(&mut self.pair_context.pairs);
         sort_within(&mut self.found.places, &mut pairs, |pair| pair.key.rank());
         pairs.dedup_by_key(|pair| pair.key);
         self.counters.pairs_tested += pairs.len();
         for &pair in &pairs {
             self.find_object_contact(pair);
         }
-        self.meeting.pairs = pairs;
+        self.pair_context.pairs = pairs;
     }
 
     fn find_object_contact(&mut self, pair: DepthPair) -> Option<()> {
         let DepthPair { key, geom_a, geom_b } = pair;
         let (core, scheme) = (self.core, self.world.scheme);
         let (a, b) = (core.geom(geom_a)?, core.geom(geom_b)?);
-        let kept = self.kept(key);
+        let kept = self.persisted_feature(key);
         let manifold = match scheme {
             DepthScheme::Thesis => self.thesis(pair, a, b, kept),
             DepthScheme::Faithful | DepthScheme::Precise => self.faithful(pair, kept),
@@ -75,11 +75,11 @@ impl ContactFinder<'_> {
             }
             // Upright shapes exist with the precise set only.
             _ => {
-                let points = &mut self.meeting.outlines.points;
+                let points = &mut self.pair_context.convex_cache.points;
                 points.clear();
                 overlap_points(&a.geom.world_vertices(), &b.geom.world_vertices(), points);
                 let ends = span_of(points)?;
-                let [a, b] = [pair.geom_a, pair.geom_b].map(|geom| self.meeting.reaches.of(geom));
+                let [a, b] = [pair.geom_a, pair.geom_b].map(|geom| self.pair_context.intervals.of(geom));
                 Some(along_z(a, b, ends, kept))
             }
         }
@@ -119,7 +119,7 @@ impl ContactFinder<'_> {
 
     /// Displacement of the body of a geom in the last update, px.
     pub(super) fn motion_of(&self, geom: &GeomRef<'_>) -> Vector3 {
-        self.meeting.reaches.motion_of(self.core, &self.world.depths, geom.body())
+        self.pair_context.intervals.motion_of(self.core, &self.world.depths, geom.body())
     }
 
     /// The virtual geoms of the thesis: footprints and height intervals.
@@ -135,7 +135,7 @@ impl ContactFinder<'_> {
         if low.x >= high.x || low.y >= high.y {
             return None;
         }
-        let [a, b] = [pair.geom_a, pair.geom_b].map(|geom| self.meeting.reaches.of(geom));
+        let [a, b] = [pair.geom_a, pair.geom_b].map(|geom| self.pair_context.intervals.of(geom));
         Some(along_z(a, b, [low, high], kept))
     }
 }

@@ -41,8 +41,9 @@ fn sliding_pair(
     let key = ContactKey::Pair(a.id(), b.id());
     let slides = velocity(a.body()) != velocity(b.body());
     let rubbed = || {
-        let known = last.find(key).filter(|touch| touch.is_plane());
-        known.is_some_and(|touch| last.points_of(touch).iter().any(|point| point.friction_impulse[1] != 0.0))
+        let pair_cache = last.find(key).filter(|touch| touch.is_plane());
+        pair_cache
+            .is_some_and(|touch| last.points_of(touch).iter().any(|point| point.friction_impulse[1] != 0.0))
     };
     if !(a.collision_response_enabled() && b.collision_response_enabled()) || !(slides || rubbed()) {
         return None;
@@ -77,12 +78,12 @@ fn adopt_core_contact(
         return;
     }
     let z = depths.middle(core, this, other);
-    let known = last.find(key).filter(|touch| touch.is_plane());
-    let known = known.map_or(&[][..], |touch| last.points_of(touch));
+    let pair_cache = last.find(key).filter(|touch| touch.is_plane());
+    let pair_cache = pair_cache.map_or(&[][..], |touch| last.points_of(touch));
     let first_point = found.points.len() as u32;
     for contact in arbiter.contacts() {
         let feature = feature_of(&contact, older);
-        let before = known.iter().find(|point| point.feature == feature);
+        let before = pair_cache.iter().find(|point| point.feature == feature);
         found.points.push(ContactPoint {
             position: Vector3::new(contact.position.x, contact.position.y, z),
             normal: Vector3::new(contact.normal.x, contact.normal.y, 0.0),

@@ -20,7 +20,7 @@ impl ContactFinder<'_> {
             if !is_movable(core, view.body()) {
                 continue;
             }
-            let (aabb, reach) = (view.aabb(), self.meeting.reaches.of(geom));
+            let (aabb, reach) = (view.aabb(), self.pair_context.intervals.of(geom));
             let low = Vector3::new(aabb.min.x, aabb.min.y, reach.z - reach.half);
             let high = Vector3::new(aabb.max.x, aabb.max.y, reach.z + reach.half);
             for (id, platform) in platforms.overlapping(low, high) {
@@ -40,7 +40,7 @@ impl ContactFinder<'_> {
         platform: &Platform,
     ) -> Option<()> {
         let key = ContactKey::Platform(view.id(), id);
-        let kept = self.kept(key);
+        let kept = self.persisted_feature(key);
         let manifold = match *self.world.depths.profiles.get(geom)? {
             DepthProfile::Round { radius } => self.ball_on_box(view, radius, platform.shape(), kept),
             _ => self.prism_on_box(geom, view, platform.shape(), kept),
@@ -85,9 +85,9 @@ impl ContactFinder<'_> {
         shape: &SlantedBox,
         kept: Option<PersistedFeature>,
     ) -> Option<Manifold> {
-        let (core, motion, reach) = (self.core, self.motion_of(&view), self.meeting.reaches.of(geom));
-        let ((pieces, corners), points) = self.meeting.outlines.transform(core, geom)?;
-        let known = match kept {
+        let (core, motion, reach) = (self.core, self.motion_of(&view), self.pair_context.intervals.of(geom));
+        let ((pieces, corners), points) = self.pair_context.convex_cache.transform(core, geom)?;
+        let pair_cache = match kept {
             Some(PersistedFeature::Axis(axis)) => Some(axis),
             _ => None,
         };
@@ -98,7 +98,7 @@ impl ContactFinder<'_> {
             reach.half,
             motion,
             core.allowed_penetration(),
-            known,
+            pair_cache,
             points,
         )?;
         let points = points.map(|point| ManifoldPoint {

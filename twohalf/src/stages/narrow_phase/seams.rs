@@ -34,13 +34,13 @@ pub(in crate::stages) struct BallContact {
 /// handler has refused are not in the list any more. `contacts` is a buffer.
 pub(in crate::stages) fn filter_ghost_contacts(
     found: &mut ContactList,
-    reaches: &DepthIntervals,
+    intervals: &DepthIntervals,
     slop: f32,
     contacts: &mut Vec<BallContact>,
 ) {
     contacts.clear();
     for (touch, index) in found.touches.iter().zip(0..) {
-        contacts.extend(ball_contact(found, reaches, touch, index));
+        contacts.extend(ball_contact(found, intervals, touch, index));
     }
     sort_within(&mut found.places, contacts, |contact| contact.ball.slot() as u128);
     for of_ball in contacts.chunk_by(|a, b| a.ball == b.ball) {
@@ -54,14 +54,14 @@ pub(in crate::stages) fn filter_ghost_contacts(
 
 fn ball_contact(
     found: &ContactList,
-    reaches: &DepthIntervals,
+    intervals: &DepthIntervals,
     touch: &Contact,
     index: u32,
 ) -> Option<BallContact> {
     if touch.kept != PersistedFeature::Nothing || !touch.responds {
         return None;
     }
-    let is_round = |geom: GeomId| reaches.of(geom).is_round;
+    let is_round = |geom: GeomId| intervals.of(geom).is_round;
     let (ball, sign) = match (is_round(touch.this), touch.partner) {
         (true, ContactTarget::Geom(other)) if is_round(other) => return None,
         (true, _) => (touch.this, 1.0),

@@ -41,7 +41,7 @@ struct SolverBodyState {
 
 impl SolverBodyState {
     /// The body before the first impulse.
-    fn begin_with(&self, core: &PhysicsSimulator) -> SolverBody3 {
+    fn initial_body(&self, core: &PhysicsSimulator) -> SolverBody3 {
         let Some(body) = self.id.and_then(|id| core.body(id)) else { return SolverBody3::default() };
         let velocity = body.linear_velocity();
         SolverBody3 {
@@ -137,7 +137,7 @@ impl Solver3 {
             let touch = &list.touches[group.touch as usize];
             let pull = gravity_velocity(core, touch, inverse_dt);
             let bodies =
-                [group.body_a, group.body_b].map(|place| self.states[place as usize].begin_with(core));
+                [group.body_a, group.body_b].map(|place| self.states[place as usize].initial_body(core));
             let rows = group.first_row as usize..(group.first_row + group.row_count) as usize;
             for row in &mut self.rows[rows] {
                 row.prepare(touch.restitution, pull, settings, &bodies);
