@@ -77,7 +77,7 @@ impl Actor {
     }
 
     /// Call before an update of `dt` s: it [walks](TwoHalfPhysicsSimulator::walk) by the input, unless it is
-    /// stunned or its time stands still. Returns whether the input had an effect. A stunned character keeps
+    /// stunned or its time is stopped. Returns whether the input had an effect. A stunned character keeps
     /// its flight and is braked where it lands.
     ///
     /// # Errors

@@ -17,7 +17,7 @@ pub struct Blow {
     /// Velocity of the target after the blow, px/s: forwards and up, independent of its mass.
     pub velocity: [f32; 2],
     /// Number of updates of hit-stop, in which the [time](TwoHalfPhysicsSimulator::stop_time) of striker and
-    /// targets stands still.
+    /// targets is stopped.
     pub stop: u32,
 }
 

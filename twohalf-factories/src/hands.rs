@@ -41,7 +41,7 @@ const DEFAULT_REACH_FACTOR: f32 = 1.0;
 /// }
 /// assert!((load.place(&simulator) - player.place(&simulator) - HELD_AT).norm() < 0.1);
 ///
-/// // Thrown backwards, through whoever throws it.
+/// // Thrown backwards, through the thrower.
 /// assert_eq!(hands.throw(&mut simulator, Vector3::new(-300.0, 100.0, 0.0))?, Some(load));
 /// for _ in 0..30 {
 ///     hands.carry(&mut simulator, HELD_AT, 480.0, STEP)?;

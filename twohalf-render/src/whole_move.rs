@@ -61,7 +61,7 @@ fn blend(target: &mut [u8], source: &[u8]) {
 mod tests {
     use crate::{Canvas, Color, Point, SoftwareCanvas, Texture2D, Transform};
 
-    /// Every alpha, beside what is opaque; one row is wholly so.
+    /// All values of alpha beside opaque pixels; one row is opaque.
     fn texture() -> Texture2D {
         let alpha = |at: u32| if at.is_multiple_of(3) { 255 } else { (at / 256) as u8 };
         let pixels = (0..256_u32 * 256).flat_map(|at| [200, (at % 256) as u8, 13, alpha(at)]);

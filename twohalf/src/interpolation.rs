@@ -10,24 +10,24 @@ pub struct InterpolatedPose3D {
     /// The [origin](crate::TwoHalfBody::origin3d) of a body, or the [place](crate::Platform::position3d) of a platform, px.
     pub place: Vector3,
     /// Rotation about the depth axis in radians; that of a body is not limited to one turn. Between two
-    /// updates it takes the shorter way round, without whole turns.
+    /// updates it takes the shorter arc, without whole turns.
     pub rotation: f32,
     /// Angle of a [turned](crate::Platform::yaw) platform about the upright axis in radians, also by the
-    /// shorter way; 0 for a body.
+    /// shorter arc; 0 for a body.
     pub yaw: f32,
 }
 
 impl InterpolatedPose3D {
     fn towards(self, after: Self, fraction: f64) -> Self {
         // In double precision the difference of two f32 numbers is always finite.
-        let way = |from: f32, to: f32| f64::from(to) - f64::from(from);
-        let along = |from: f32, way: f64| (f64::from(from) + way * fraction) as f32;
+        let difference = |from: f32, to: f32| f64::from(to) - f64::from(from);
+        let along = |from: f32, difference: f64| (f64::from(from) + difference * fraction) as f32;
         let turned = |from: f32, to: f32| {
-            let turn = way(from, to);
+            let turn = difference(from, to);
             along(from, turn - (turn / TAU).round() * TAU)
         };
         InterpolatedPose3D {
-            place: self.place.zip_map(&after.place, |from, to| along(from, way(from, to))),
+            place: self.place.zip_map(&after.place, |from, to| along(from, difference(from, to))),
             rotation: turned(self.rotation, after.rotation),
             yaw: turned(self.yaw, after.yaw),
         }

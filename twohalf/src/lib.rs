@@ -189,7 +189,7 @@
 //!     jump: bool,
 //! }
 //!
-//! /// Told of everything that touches; keeps what the player has met.
+//! /// Handler of collisions; collects the targets that the player has touched.
 //! struct Sounds {
 //!     player: GeomId,
 //!     met: Vec<ContactTarget>,

@@ -9,7 +9,7 @@ use crate::{Canvas, Color, Point, Transform};
 
 /// Width of the outline around a figure's limbs; ratio to the figure's height.
 const OUTLINE: f32 = 0.02;
-const INK: Color = Color::rgb(34, 26, 36);
+const OUTLINE_COLOR: Color = Color::rgb(34, 26, 36);
 const SKIN: Color = Color::rgb(240, 194, 152);
 
 /// The joints of a figure in units of its height (ratio): from its feet up, with x forwards. Of the arms and
@@ -86,7 +86,7 @@ pub(super) fn draw_figure(
     let place = Transform::rotation(joints.lean)
         .then(&Transform::scaling([forwards, -height]))
         .then(&Transform::translation([0.5 * (left + right), bottom]));
-    let mut pen = Pen { canvas, place };
+    let mut pen = FigurePen { canvas, place };
     let trousers = figure.color.darker(0.55);
     let [far_arm, near_arm] = joints.arms.map(|[elbow, hand]| [joints.shoulder, elbow, hand]);
     let [far_leg, near_leg] = joints.legs.map(|[knee, foot]| [joints.hip, knee, foot]);
@@ -98,19 +98,19 @@ pub(super) fn draw_figure(
     pen.arm(&near_arm, figure.color.lighter(0.12));
 }
 
-struct Pen<'a> {
+struct FigurePen<'a> {
     canvas: &'a mut dyn Canvas,
     place: Transform,
 }
 
-impl Pen<'_> {
+impl FigurePen<'_> {
     fn dot(&mut self, center: Point, radii: Point, color: Color) {
         self.canvas.fill_ellipse(center, radii, &self.place, color);
     }
 
     /// A bent line with round ends and an outline.
     fn limb(&mut self, line: &[Point; 3], width: f32, color: Color) {
-        for (width, color) in [(width + 2.0 * OUTLINE, INK), (width, color)] {
+        for (width, color) in [(width + 2.0 * OUTLINE, OUTLINE_COLOR), (width, color)] {
             self.canvas.fill_polygon(&outline_of_line(line, false, width), &self.place, color);
             for &joint in &line[1..] {
                 self.dot(joint, [0.5 * width; 2], color);
@@ -126,12 +126,12 @@ impl Pen<'_> {
     fn leg(&mut self, leg: &[Point; 3], color: Color) {
         self.limb(leg, 0.105, color);
         let [x, y] = leg[2];
-        self.dot([x + 0.03, y], [0.085 + OUTLINE, 0.04 + OUTLINE], INK);
+        self.dot([x + 0.03, y], [0.085 + OUTLINE, 0.04 + OUTLINE], OUTLINE_COLOR);
         self.dot([x + 0.03, y], [0.085, 0.04], color.darker(0.5));
     }
 
     fn body(&mut self, [hip_x, hip_y]: Point, [x, y]: Point, color: Color) {
-        for (rim, color) in [(OUTLINE, INK), (0.0, color)] {
+        for (rim, color) in [(OUTLINE, OUTLINE_COLOR), (0.0, color)] {
             let trunk = [
                 [hip_x - 0.095 - rim, hip_y - 0.04 - rim],
                 [hip_x + 0.095 + rim, hip_y - 0.04 - rim],
@@ -148,9 +148,9 @@ impl Pen<'_> {
     }
 
     fn head(&mut self, [x, y]: Point, hair: Color) {
-        self.dot([x, y], [0.115 + OUTLINE, 0.115 + OUTLINE], INK);
+        self.dot([x, y], [0.115 + OUTLINE, 0.115 + OUTLINE], OUTLINE_COLOR);
         self.dot([x, y], [0.115, 0.115], hair);
         self.dot([x + 0.025, y - 0.025], [0.09, 0.085], SKIN);
-        self.dot([x + 0.07, y], [0.016, 0.026], INK);
+        self.dot([x + 0.07, y], [0.016, 0.026], OUTLINE_COLOR);
     }
 }

@@ -49,9 +49,9 @@ impl EndSphere {
     fn on_top(&self, top: &WalkableTop) -> Option<CapsuleRest> {
         let [a, b] = top.edge;
         if let Some((upright, place)) = &top.upright {
-            let way = [place[0] - self.at[0], place[1] - self.at[1]];
+            let offset = [place[0] - self.at[0], place[1] - self.at[1]];
             let (apart, to) =
-                crate::depth::upright::with_foot(upright, |foot| SpaceFoot::Disc(0.0).gap(foot, way));
+                crate::depth::upright::with_foot(upright, |foot| SpaceFoot::Disc(0.0).gap(foot, offset));
             return self.on_level(-a.y, apart, [-to[0], -to[1]]);
         }
         let corner = |x: f32, y: f32, z: f32| Vector3::new(x, -y, z);
@@ -61,8 +61,8 @@ impl EndSphere {
             corner(b.x, b.y, top.back),
             corner(a.x, a.y, top.back),
         ];
-        let way = b - a;
-        let out = Vector3::new(-way.y, -way.x, 0.0) / way.norm();
+        let offset = b - a;
+        let out = Vector3::new(-offset.y, -offset.x, 0.0) / offset.norm();
         let edges = (0..4).map(|at| self.on_edge(corners[at], corners[(at + 1) % 4]));
         edges.chain([self.on_face(corners, out)]).flatten().reduce(higher)
     }
@@ -105,15 +105,15 @@ impl EndSphere {
     }
 
     fn on_edge(&self, start: Vector3, end: Vector3) -> Option<CapsuleRest> {
-        let way = [end.x - start.x, end.z - start.z];
+        let offset = [end.x - start.x, end.z - start.z];
         let from = [self.at[0] - start.x, self.at[1] - start.z];
-        let length = (way[0] * way[0] + way[1] * way[1]).sqrt();
+        let length = (offset[0] * offset[0] + offset[1] * offset[1]).sqrt();
         if length.is_nan() || length <= MIN_FACE_UP {
             let height = if start.y > end.y { start.y } else { end.y };
             return self.on_point(from, height);
         }
-        let along = (from[0] * way[0] + from[1] * way[1]) / length;
-        let aside = (from[0] * way[1] - from[1] * way[0]) / length;
+        let along = (from[0] * offset[0] + from[1] * offset[1]) / length;
+        let aside = (from[0] * offset[1] - from[1] * offset[0]) / length;
         let left = self.radius * self.radius - aside * aside;
         if left.is_nan() || left <= 0.0 {
             return None;
@@ -122,7 +122,7 @@ impl EndSphere {
         let climb = (end.y - start.y) / length;
         let touched = along + left.sqrt() * climb / (1.0 + climb * climb).sqrt();
         let touched = touched.clamp(0.0, length);
-        let past = [0, 1].map(|axis| from[axis] - touched * (way[axis] / length));
+        let past = [0, 1].map(|axis| from[axis] - touched * (offset[axis] / length));
         self.on_point(past, start.y + climb * touched)
     }
 }

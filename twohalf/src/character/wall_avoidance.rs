@@ -71,8 +71,8 @@ impl TwoHalfPhysicsSimulator {
 
     /// Limits a velocity so that the character stops at the sides of platforms.
     fn stop_at_platforms(&self, step: &StepContext<'_>, mut velocity: Vector3) -> Vector3 {
-        let way = velocity * step.dt;
-        let swept = step.footprint.swept(way).widened(FOOTPRINT_SKIN + WALL_CLEARANCE);
+        let displacement = velocity * step.dt;
+        let swept = step.footprint.swept(displacement).widened(FOOTPRINT_SKIN + WALL_CLEARANCE);
         let low = Vector3::new(swept.left, -step.head, swept.front);
         let high = Vector3::new(swept.right, -step.soles, swept.back);
         for (id, platform) in self.world.platforms.overlapping(low, high) {
@@ -83,7 +83,7 @@ impl TwoHalfPhysicsSimulator {
                 continue;
             }
             let Some(wall) = wall_of(platform.shape(), step) else { continue };
-            if step.is_slope(platform.shape(), way) {
+            if step.is_slope(platform.shape(), displacement) {
                 continue;
             }
             let step = &step.on(step.footprint_against(platform.shape()));
@@ -102,14 +102,14 @@ fn stop_at_platform(
     moving: Vector3,
 ) -> Vector3 {
     if let Some(round) = step.footprint.round {
-        let way = [velocity.x - moving.x, velocity.z - moving.z].map(|part| part * step.dt);
-        let [x, z] = stop_disc_at_wall(&round, wall, way).map(|part| part / step.dt);
+        let displacement = [velocity.x - moving.x, velocity.z - moving.z].map(|part| part * step.dt);
+        let [x, z] = stop_disc_at_wall(&round, wall, displacement).map(|part| part / step.dt);
         (velocity.x, velocity.z) = (moving.x + x, moving.z + z);
         return velocity;
     }
     let (along_x, along_z) = step.footprint.touching_displacements(wall);
-    let x = WallApproach { way: (velocity.x - moving.x) * step.dt, ends: along_x };
-    let z = WallApproach { way: (velocity.z - moving.z) * step.dt, ends: along_z };
+    let x = WallApproach { displacement: (velocity.x - moving.x) * step.dt, ends: along_x };
+    let z = WallApproach { displacement: (velocity.z - moving.z) * step.dt, ends: along_z };
     // The contact axis is the one that is entered last.
     if x.is_last(&z) {
         velocity.x = moving.x + x.allowed() / step.dt;
@@ -131,8 +131,8 @@ impl StepContext<'_> {
     }
 
     /// Whether a box is a walkable slope under the hemisphere; its sides do not block.
-    fn is_slope(&self, shape: &SlantedBox, way: Vector3) -> bool {
-        [self.footprint, self.footprint.moved(way)].into_iter().any(|footprint| {
+    fn is_slope(&self, shape: &SlantedBox, displacement: Vector3) -> bool {
+        [self.footprint, self.footprint.moved(displacement)].into_iter().any(|footprint| {
             let rest = footprint.ball().and_then(|ball| ball.on_box(shape));
             rest.is_some_and(|rest| {
                 rest.edge.is_none() && rest.normal.y >= self.min_up && rest.height <= self.knees
@@ -160,18 +160,18 @@ fn project_velocity(velocity: Vector3, normal: Vector2, fastest: f32) -> Vector3
 
 /// The path of a disc without the component towards a wall after it comes near to it (shape cast by
 /// bisection).
-fn stop_disc_at_wall(round: &RoundFoot, wall: &CharacterFootprint, way: [f32; 2]) -> [f32; 2] {
+fn stop_disc_at_wall(round: &RoundFoot, wall: &CharacterFootprint, displacement: [f32; 2]) -> [f32; 2] {
     let corners =
         [[wall.left, wall.front], [wall.right, wall.front], [wall.right, wall.back], [wall.left, wall.back]];
     let disc = SpaceFoot::Disc(round.radius + FOOTPRINT_SKIN + WALL_CLEARANCE - WALL_DISTANCE_ROUNDING);
     let gap = |part: f32| {
-        let at = [0, 1].map(|axis| -round.from[axis] - part * way[axis]);
+        let at = [0, 1].map(|axis| -round.from[axis] - part * displacement[axis]);
         disc.gap(SpaceFoot::Polygon(&corners), at)
     };
     let (now, _) = gap(0.0);
     // A disc that overlaps the wall is left to the contact solver.
     if now < -2.0 * (FOOTPRINT_SKIN + WALL_CLEARANCE) || gap(1.0).0 >= 0.0 {
-        return way;
+        return displacement;
     }
     let (mut before, mut after) = (0.0, 1.0);
     for _ in 0..BISECTION_STEPS {
@@ -179,8 +179,8 @@ fn stop_disc_at_wall(round: &RoundFoot, wall: &CharacterFootprint, way: [f32; 2]
         if gap(middle).0 > 0.0 { before = middle } else { after = middle }
     }
     let (_, normal) = gap(before);
-    let closing = (way[0] * normal[0] + way[1] * normal[1]) * (1.0 - before);
-    if closing <= 0.0 { way } else { [0, 1].map(|axis| way[axis] - closing * normal[axis]) }
+    let closing = (displacement[0] * normal[0] + displacement[1] * normal[1]) * (1.0 - before);
+    if closing <= 0.0 { displacement } else { [0, 1].map(|axis| displacement[axis] - closing * normal[axis]) }
 }
 
 /// Greatest rounding error of a distance, px.
@@ -190,7 +190,7 @@ const BISECTION_STEPS: usize = 12;
 
 /// Path along one axis, px, and the signed distances to the wall from below and from above, px.
 struct WallApproach {
-    way: f32,
+    displacement: f32,
     ends: [f32; 2],
 }
 
@@ -198,29 +198,34 @@ impl WallApproach {
     /// Distance to the near side, px; negative inside.
     fn gap(&self) -> f32 {
         let [low, high] = self.ends;
-        if self.way > 0.0 { low } else { -high }
+        if self.displacement > 0.0 { low } else { -high }
     }
 
     /// Interval of the path during which the two overlap along this axis, as fractions of the path.
     fn overlap(&self) -> (f32, f32) {
         let [low, high] = self.ends;
-        if self.way == 0.0 {
+        if self.displacement == 0.0 {
             return if low < 0.0 && high > 0.0 { (0.0, f32::INFINITY) } else { (f32::INFINITY, 0.0) };
         }
-        let (a, b) = (low / self.way, high / self.way);
+        let (a, b) = (low / self.displacement, high / self.displacement);
         (a.min(b), a.max(b))
     }
 
     /// Whether the wall is entered last along this axis: they overlap along the other axis by then.
     fn is_last(&self, other: &Self) -> bool {
-        let (gap, way) = (self.gap(), self.way.abs());
+        let (gap, displacement) = (self.gap(), self.displacement.abs());
         let (begins, ends) = other.overlap();
-        let (near, near_at) = (gap - FOOTPRINT_SKIN - WALL_CLEARANCE, gap / way);
-        way > 0.0 && gap >= 0.0 && near < way && begins < ends && begins <= near_at && ends > near_at.min(1.0)
+        let (near, near_at) = (gap - FOOTPRINT_SKIN - WALL_CLEARANCE, gap / displacement);
+        displacement > 0.0
+            && gap >= 0.0
+            && near < displacement
+            && begins < ends
+            && begins <= near_at
+            && ends > near_at.min(1.0)
     }
 
     fn allowed(&self) -> f32 {
-        self.way.signum() * (self.gap() - FOOTPRINT_SKIN - WALL_CLEARANCE).max(0.0)
+        self.displacement.signum() * (self.gap() - FOOTPRINT_SKIN - WALL_CLEARANCE).max(0.0)
     }
 }
 

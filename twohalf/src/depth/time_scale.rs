@@ -12,7 +12,7 @@ pub(crate) struct TimeScale {
     pub(crate) body: BodyId,
     /// Ratio of its time to the time of the simulator, 0 or 0.01..=1; dimensionless.
     pub(crate) scale: f32,
-    /// Number of updates for which it still stands still.
+    /// Number of updates for which its time remains stopped.
     pub(crate) stops: u32,
 }
 

@@ -94,42 +94,48 @@ pub(crate) fn entry_face_of_prism(
     z: f32,
     half_depth: f32,
 ) -> Option<Vector3> {
-    let way = now - before;
+    let displacement = now - before;
     let (beyond, sign) = beyond_end(before.z, z, half_depth);
     if beyond < 0.0 && nearest(outline, before.xy())?.distance < 0.0 {
         return None;
     }
-    let approach = -sign * way.z;
+    let approach = -sign * displacement.z;
     if beyond >= 0.0 && approach <= 0.0 {
         return None;
     }
     // Interval of the path, as a fraction 0..=1, between the planes of the two ends.
     let start = if beyond < 0.0 { 0.0 } else { beyond / approach };
-    let leave = if way.z == 0.0 {
+    let leave = if displacement.z == 0.0 {
         1.0
     } else {
-        (((z - before.z) * way.z.signum() + half_depth) / way.z.abs()).min(1.0)
+        (((z - before.z) * displacement.z.signum() + half_depth) / displacement.z.abs()).min(1.0)
     };
     if !(start >= 0.0 && start <= leave) {
         return None;
     }
-    if beyond >= 0.0 && contains(outline, before.xy() + way.xy() * start) {
+    if beyond >= 0.0 && contains(outline, before.xy() + displacement.xy() * start) {
         return Some(Vector3::new(0.0, 0.0, sign));
     }
-    let (entry, normal) = first_entry(outline, before.xy(), way.xy(), start)?;
+    let (entry, normal) = first_entry(outline, before.xy(), displacement.xy(), start)?;
     (entry <= leave).then(|| Vector3::new(normal.x, normal.y, 0.0))
 }
 
 /// First edge that a path crosses inward after `start`: fraction of the path, and outward normal of the edge.
-fn first_entry(outline: &[Vector2], before: Vector2, way: Vector2, start: f32) -> Option<(f32, Vector2)> {
+fn first_entry(
+    outline: &[Vector2],
+    before: Vector2,
+    displacement: Vector2,
+    start: f32,
+) -> Option<(f32, Vector2)> {
     let area = doubled_area(outline);
     let mut first: Option<(f32, Vector2)> = None;
     for (a, b) in edges(outline) {
         let edge = if area > 0.0 { a - b } else { b - a };
         let outward = Vector2::new(-edge.y, edge.x);
-        let speed = vector2::dot(outward, way);
+        let speed = vector2::dot(outward, displacement);
         // Each vertex belongs to one side, so that a path through it crosses exactly one of its edges.
-        let (side_a, side_b) = (vector2::cross(way, a - before), vector2::cross(way, b - before));
+        let (side_a, side_b) =
+            (vector2::cross(displacement, a - before), vector2::cross(displacement, b - before));
         if speed >= 0.0 || (side_a > 0.0) == (side_b > 0.0) {
             continue;
         }
@@ -163,7 +169,7 @@ pub(crate) fn ball_prism_through_face(
     let direction = face.xy();
     let exit =
         contains(outline, centre.xy()).then(|| exit_distance(outline, centre.xy(), direction)).flatten();
-    let distance = exit.map(|way| -way).or_else(|| {
+    let distance = exit.map(|displacement| -displacement).or_else(|| {
         let support = outline.iter().map(|vertex| vector2::dot(direction, *vertex)).reduce(f32::max)?;
         Some(vector2::dot(direction, centre.xy()) - support)
     })?;

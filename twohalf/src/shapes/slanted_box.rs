@@ -60,7 +60,7 @@ fn distance_by_search(shape: &SlantedBox, point: Vector3) -> f64 {
     squared_distance_at(shape, point, low).sqrt()
 }
 
-const LEVEL: SlantedBox = SlantedBox {
+const DISPLACED_LEVEL_BOX: SlantedBox = SlantedBox {
     centre: Vector3::new(10.0, -20.0, 30.0),
     half: [50.0, 20.0, 15.0],
     cos: 1.0,
@@ -105,22 +105,22 @@ fn inside_no_exit_is_shorter_than_the_distance() {
         assert!(distance <= 0.0);
         assert!(!shape.contains(point + normal * (1e-3 - distance)));
         for _ in 0..50 {
-            let way = vector(&mut numbers, 1.0);
-            assert!(shape.contains(point + way.normalize() * (-distance - 1e-3).max(0.0)));
+            let direction = vector(&mut numbers, 1.0);
+            assert!(shape.contains(point + direction.normalize() * (-distance - 1e-3).max(0.0)));
         }
     }
 }
 
 #[test]
 fn a_point_above_a_level_box_has_its_height_as_distance() {
-    let (distance, normal) = LEVEL.nearest(Vector3::new(0.0, -45.0, 35.0)).unwrap();
+    let (distance, normal) = DISPLACED_LEVEL_BOX.nearest(Vector3::new(0.0, -45.0, 35.0)).unwrap();
     assert_eq!((distance, normal), (5.0, Vector3::new(0.0, -1.0, 0.0)));
 }
 
 #[test]
 fn a_sheared_sides_normal_leans_towards_its_depth() {
     // At depth dz the right side is at x = 60 + dz; its normal (1, 0, -1) / sqrt(2).
-    let shape = SlantedBox { shear: 1.0, ..LEVEL };
+    let shape = SlantedBox { shear: 1.0, ..DISPLACED_LEVEL_BOX };
     let (distance, normal) = shape.nearest(Vector3::new(62.0, -20.0, 30.0)).unwrap();
     let half_root = 0.5f32.sqrt();
     assert!((distance - 2.0 * half_root).abs() < 1e-6);
@@ -148,7 +148,7 @@ fn the_bounds_are_those_of_the_corners() {
 
 #[test]
 fn the_rectangle_is_wound_as_the_engine_winds_outlines() {
-    let corners = SlantedBox { cos: 0.6, sin: 0.8, ..LEVEL }.rectangle();
+    let corners = SlantedBox { cos: 0.6, sin: 0.8, ..DISPLACED_LEVEL_BOX }.rectangle();
     let products = (0..4).map(|i| (corners[i], corners[(i + 1) % 4])).map(|(a, b)| a.x * b.y - a.y * b.x);
     assert!(products.sum::<f32>() < 0.0);
 }
@@ -190,31 +190,35 @@ fn distance_to_path(shape: &SlantedBox, before: Vector3, now: Vector3) -> f32 {
 fn a_ball_whose_centre_came_in_through_the_top_leaves_there() {
     // 2 from the left side, 18 below the top: by distance alone it would leave on the left.
     let (before, now) = (Vector3::new(-38.0, -60.0, 30.0), Vector3::new(-38.0, -22.0, 30.0));
-    let touch = LEVEL.ball_touch(now, before, 5.0, None).unwrap();
+    let touch = DISPLACED_LEVEL_BOX.ball_touch(now, before, 5.0, None).unwrap();
     assert_eq!(touch.normal, Vector3::new(0.0, -1.0, 0.0));
     assert_eq!(touch.separation, -23.0);
     assert_eq!(touch.face, Some(Face::Top));
     assert_eq!(touch.point, Vector3::new(-38.0, -17.0, 30.0));
-    let next = LEVEL.ball_touch(now, now, 5.0, touch.face).unwrap();
+    let next = DISPLACED_LEVEL_BOX.ball_touch(now, now, 5.0, touch.face).unwrap();
     assert_eq!(next, touch);
 }
 
 #[test]
 fn a_ball_at_rest_inside_leaves_through_the_nearest_face() {
     let centre = Vector3::new(-38.0, -22.0, 30.0);
-    assert_eq!(LEVEL.ball_touch(centre, centre, 5.0, None).unwrap().face, Some(Face::Left));
+    assert_eq!(DISPLACED_LEVEL_BOX.ball_touch(centre, centre, 5.0, None).unwrap().face, Some(Face::Left));
 }
 
 #[test]
 fn a_ball_outside_keeps_no_face() {
-    let touch =
-        LEVEL.ball_touch(Vector3::new(0.0, -43.0, 30.0), Vector3::zeros(), 5.0, Some(Face::Left)).unwrap();
+    let touch = DISPLACED_LEVEL_BOX
+        .ball_touch(Vector3::new(0.0, -43.0, 30.0), Vector3::zeros(), 5.0, Some(Face::Left))
+        .unwrap();
     assert_eq!((touch.separation, touch.face), (-2.0, None));
 }
 
 #[test]
 fn a_ball_that_only_touches_does_not_overlap() {
-    assert_eq!(LEVEL.ball_touch(Vector3::new(0.0, -45.0, 30.0), Vector3::zeros(), 5.0, None), None);
+    assert_eq!(
+        DISPLACED_LEVEL_BOX.ball_touch(Vector3::new(0.0, -45.0, 30.0), Vector3::zeros(), 5.0, None),
+        None
+    );
 }
 
 #[test]
@@ -249,14 +253,16 @@ fn the_top_on_a_vertical_line_is_where_a_march_down_first_gets_inside() {
 
 #[test]
 fn a_line_beside_the_box_has_no_top() {
-    assert_eq!(LEVEL.height_at(61.0, 30.0), None);
-    assert_eq!(LEVEL.height_at(0.0, 46.0), None);
+    assert_eq!(DISPLACED_LEVEL_BOX.height_at(61.0, 30.0), None);
+    assert_eq!(DISPLACED_LEVEL_BOX.height_at(0.0, 46.0), None);
 }
 
 #[test]
 fn non_finite_shapes_touch_nothing() {
     for point in [Vector3::new(f32::NAN, 0.0, 0.0), Vector3::new(f32::INFINITY, 0.0, 0.0)] {
-        for shape in [LEVEL, SlantedBox { shear: 0.5, ..LEVEL }, SlantedBox::default()] {
+        for shape in
+            [DISPLACED_LEVEL_BOX, SlantedBox { shear: 0.5, ..DISPLACED_LEVEL_BOX }, SlantedBox::default()]
+        {
             assert_eq!(shape.nearest(point), None);
             assert_eq!(shape.ball_touch(point, point, 5.0, None), None);
             assert_eq!(shape.height_at(point.x, point.z), None);

@@ -1,4 +1,4 @@
-//! Ray cast and shape cast of an axis-aligned box along a straight path.
+//! Ray cast and shape cast (swept box): time of impact of a point or an axis-aligned box on a straight path.
 //!
 //! Frame: the plane's, y **down**. A shape cast of a box is a ray cast of its centre against the Minkowski
 //! sum of box and shape. For two convex polyhedra the sum is bounded by planes normal to a face of one or to
@@ -10,7 +10,7 @@ use farseer_core::SpaceUpright;
 use super::{Face, SlantedBox};
 use crate::{Vector2, Vector3};
 
-/// Fraction of the path at the hit, 0..=1, and outward normal.
+/// Hit: time of impact as a fraction of the path, 0..=1, and outward normal.
 pub(crate) type Hit = (f32, Vector3);
 
 /// Gap between parts of a shape that counts as none, as a fraction of the path; dimensionless.
@@ -20,7 +20,7 @@ const JOIN_TOLERANCE: f32 = 1e-5;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Sweep {
     start: Vector3,
-    way: Vector3,
+    displacement: Vector3,
     /// Half extents of the box, px; 0 for a point.
     half: Vector3,
     /// Whether a surface parallel to the path counts as hit when it is touched.
@@ -83,20 +83,20 @@ pub(crate) fn entry_of_parts(parts: &[ClipInterval]) -> Option<Hit> {
 
 impl Sweep {
     /// The path of a point. `None` if it has no length or is not finite.
-    pub(crate) fn of_point(start: Vector3, way: Vector3) -> Option<Self> {
-        let length = way.norm_squared();
+    pub(crate) fn of_point(start: Vector3, displacement: Vector3) -> Option<Self> {
+        let length = displacement.norm_squared();
         (start.iter().all(|number| number.is_finite()) && length > 0.0 && length.is_finite())
-            .then_some(Sweep { start, way, half: Vector3::zeros(), grazes: true })
+            .then_some(Sweep { start, displacement, half: Vector3::zeros(), grazes: true })
     }
 
     /// The path of a box about a point. Surfaces parallel to the path do not stop it.
-    pub(crate) fn of_box(start: Vector3, way: Vector3, half: Vector3) -> Option<Self> {
-        Some(Sweep { half, grazes: false, ..Self::of_point(start, way)? })
+    pub(crate) fn of_box(start: Vector3, displacement: Vector3, half: Vector3) -> Option<Self> {
+        Some(Sweep { half, grazes: false, ..Self::of_point(start, displacement)? })
     }
 
     /// Position at a fraction of the path.
     pub(crate) fn at(&self, fraction: f32) -> Vector3 {
-        self.start + self.way * fraction
+        self.start + self.displacement * fraction
     }
 
     /// The path of the box's centre alone.
@@ -114,7 +114,7 @@ impl Sweep {
 
     /// Clips by a half space from its `distance` to the start, or to the centre of the box there, px.
     fn cut_at(&self, inside: ClipInterval, normal: Vector3, distance: f32) -> Option<ClipInterval> {
-        let (distance, rate) = (distance - self.half.dot(&normal.abs()), self.way.dot(&normal));
+        let (distance, rate) = (distance - self.half.dot(&normal.abs()), self.displacement.dot(&normal));
         let slides_along = rate == 0.0 && distance == 0.0 && !self.grazes;
         if slides_along { None } else { inside.cut(distance, rate, normal) }
     }
@@ -275,8 +275,9 @@ impl Sweep {
             line.into_iter().for_each(|axis| v[axis] = 0.0);
             v
         };
-        let (from, way) = (level(self.start - centre), level(self.way));
-        let (a, b, c) = (way.norm_squared(), from.dot(&way), from.norm_squared() - radius * radius);
+        let (from, displacement) = (level(self.start - centre), level(self.displacement));
+        let (a, b, c) =
+            (displacement.norm_squared(), from.dot(&displacement), from.norm_squared() - radius * radius);
         if a == 0.0 {
             return (c <= 0.0).then(ClipInterval::new);
         }
@@ -288,7 +289,7 @@ impl Sweep {
         let sum = if b < 0.0 { root.sqrt() - b } else { -root.sqrt() - b };
         let (one, other) = (sum / a, if sum == 0.0 { 0.0 } else { c / sum });
         let (entered, left) = if one < other { (one, other) } else { (other, one) };
-        Some(ClipInterval { entered, left, normal: (from + way * entered) / radius })
+        Some(ClipInterval { entered, left, normal: (from + displacement * entered) / radius })
     }
 }
 

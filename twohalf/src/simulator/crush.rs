@@ -41,7 +41,7 @@ impl TwoHalfPhysicsSimulator {
     /// # simulator.add(body)?;
     /// # simulator.add(geom)?;
     /// # simulator.body_mut(body).unwrap().ground_mut().set_object_geom(geom, None)?;
-    /// // A press comes down on who stands below it.
+    /// // A press comes down on a body.
     /// let press = Platform::new(&mut simulator, 80.0, 20.0, 100.0, Vector3::new(0.0, 60.0, 0.0), None)?;
     /// simulator.platform_mut(press).unwrap().set_velocity(Vector3::new(0.0, -30.0, 0.0))?;
     /// simulator.set_crush_tolerance(body, Some(5.0))?;

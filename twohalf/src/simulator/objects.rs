@@ -123,7 +123,7 @@ impl TwoHalfPhysicsSimulator {
     /// })?;
     /// simulator.body_mut(one).unwrap().set_linear_velocity_z(60.0);
     /// (0..60).for_each(|_| simulator.update(1.0 / 60.0));
-    /// // They share what one of them had.
+    /// // They share the momentum.
     /// assert!((simulator.body(other).unwrap().velocity3d().z - 30.0).abs() < 0.1);
     /// assert!(simulator.core().joint(joint).is_some());
     /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -69,7 +69,7 @@ impl TwoHalfPhysicsSimulator {
         Some(RayHit3D { partner, point, normal: outward(normal), fraction })
     }
 
-    /// Shape cast: the first target that a box of the world touches when it moves by `way`, px. Targets are
+    /// Shape cast: the first target that a box of the world touches when it moves by `displacement`, px. Targets are
     /// listed geoms, platforms and the ground, unless the filter rejects them. `low` is the corner of the
     /// least X, Y and Z of the box at the start in px, `high` that of the greatest. Of several at one place
     /// platforms come first, then geoms in the order of their list, then the ground.
@@ -99,22 +99,22 @@ impl TwoHalfPhysicsSimulator {
         &self,
         low: Vector3,
         high: Vector3,
-        way: Vector3,
+        displacement: Vector3,
         is_wanted: impl FnMut(ContactTarget) -> bool,
     ) -> Option<SweepHit3D> {
         if !(0..3).all(|axis| low[axis] <= high[axis]) {
             return None;
         }
-        let course = Sweep::of_box(to_world((low + high) * 0.5), to_world(way), (high - low) * 0.5)?;
-        let (from, to) = (low.inf(&(low + way)), high.sup(&(high + way)));
-        let (partner, (fraction, normal)) = self.first_entered(&course, from, to, is_wanted)?;
+        let sweep = Sweep::of_box(to_world((low + high) * 0.5), to_world(displacement), (high - low) * 0.5)?;
+        let (from, to) = (low.inf(&(low + displacement)), high.sup(&(high + displacement)));
+        let (partner, (fraction, normal)) = self.first_entered(&sweep, from, to, is_wanted)?;
         Some(SweepHit3D { partner, normal: outward(normal), fraction })
     }
 
     /// First hit of a path, among the targets whose AABBs overlap a box of the world around the path.
     fn first_entered(
         &self,
-        course: &Sweep,
+        sweep: &Sweep,
         low: Vector3,
         high: Vector3,
         mut is_wanted: impl FnMut(ContactTarget) -> bool,
@@ -131,32 +131,32 @@ impl TwoHalfPhysicsSimulator {
         for id in self.platforms_in_box(low, high, |_| true) {
             meet(
                 ContactTarget::Platform(id),
-                self.platform(id).and_then(|view| course.entry_of_box(view.shape())),
+                self.platform(id).and_then(|view| sweep.entry_of_box(view.shape())),
             );
         }
         for id in self.query_box(low, high, |_| true) {
-            meet(ContactTarget::Geom(id), self.entry_of(course, id));
+            meet(ContactTarget::Geom(id), self.entry_of(sweep, id));
         }
-        meet(ContactTarget::Ground, course.entry_of_ground());
+        meet(ContactTarget::Ground, sweep.entry_of_ground());
         nearest
     }
 
-    fn entry_of(&self, course: &Sweep, id: GeomId) -> Option<Hit> {
+    fn entry_of(&self, sweep: &Sweep, id: GeomId) -> Option<Hit> {
         let (geom, profile) = (self.core.geom(id)?, *self.world.depths.profiles.get(id)?);
         let z = self.world.depths.z_of(geom.body());
         if let Some(upright) = profile.upright() {
             let at = crate::depth::upright::middle(geom, self.core.body(geom.body())?, z);
-            return course.clip_upright(&upright, at)?.entry();
+            return sweep.clip_upright(&upright, at)?.entry();
         }
         if let DepthProfile::Round { radius } = profile {
             let centre = geom.position();
-            return course.clip_ball(Vector3::new(centre.x, centre.y, z), radius)?.entry();
+            return sweep.clip_ball(Vector3::new(centre.x, centre.y, z), radius)?.entry();
         }
         let pieces = ConvexPieces::new(geom.local_vertices());
         let mut corners = Vec::new();
         pieces.transform_into(&geom.matrix(), &mut corners);
         let half = profile.half_depth();
-        let within = pieces.pieces(&corners).filter_map(|piece| course.clip_prism(piece, z, half));
+        let within = pieces.pieces(&corners).filter_map(|piece| sweep.clip_prism(piece, z, half));
         entry_of_parts(&within.collect::<Vec<_>>())
     }
 

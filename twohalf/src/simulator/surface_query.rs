@@ -163,15 +163,15 @@ fn surface_of(top: &WalkableTop, [x, z]: [f32; 2]) -> Option<Surface> {
     }
     let partner = ContactTarget::Geom(top.geom);
     if let Some((shape, place)) = &top.upright {
-        let way = [place[0] - x, place[1] - z];
-        let (apart, _) = upright::with_foot(shape, |foot| SpaceFoot::Disc(0.0).gap(foot, way));
+        let offset = [place[0] - x, place[1] - z];
+        let (apart, _) = upright::with_foot(shape, |foot| SpaceFoot::Disc(0.0).gap(foot, offset));
         let normal = Vector3::new(0.0, 1.0, 0.0);
         return (apart <= 0.0).then_some(Surface { partner, height: -a.y, normal });
     }
-    let way = b - a;
-    let height = -(a.y + way.y * ((x - a.x) / way.x));
+    let offset = b - a;
+    let height = -(a.y + offset.y * ((x - a.x) / offset.x));
     // In f64 the squared length of an edge of f32 numbers does not underflow.
-    let [along_x, along_y] = [way.x, way.y].map(f64::from);
+    let [along_x, along_y] = [offset.x, offset.y].map(f64::from);
     let length = (along_x * along_x + along_y * along_y).sqrt();
     let normal = Vector3::new((-along_y / length) as f32, (-along_x / length) as f32, 0.0);
     (height.is_finite() && normal.y > 0.0).then_some(Surface { partner, height, normal })

@@ -179,15 +179,15 @@ impl CoreHandler for CoreEventAdapter<'_, '_> {
             return false;
         }
         let Some(pair) = key_of(context.simulator(), geom1, geom2) else { return false };
-        let way = self.owner_of(context.simulator(), pair);
+        let owner = self.owner_of(context.simulator(), pair);
         if self.needs_filter(&pair) && !self.is_approved(context, geom1, geom2) {
             self.report.events.push(Event::BroadPhaseVeto { geom1, geom2 });
             return false;
         }
-        if way == ContactOwner::Space {
+        if owner == ContactOwner::Space {
             self.pair_context.pairs.push(pair);
         }
-        way == ContactOwner::Plane
+        owner == ContactOwner::Plane
     }
 
     fn on_collision(

@@ -26,7 +26,7 @@ pub(super) fn update(parts: Parts<'_>, dt: f32, handler: Option<&mut dyn EventHa
     let goes_on = core.begin_in_space(dt, has_handler.then_some(&mut game as _));
     let mut has_happened = false;
     if !goes_on {
-        // Characters that walk while time stands still queue their supports again.
+        // Characters that walk while time is stopped queue their supports again.
         game.world.footings.asked.clear();
     } else {
         if !has_handler {

@@ -12,7 +12,7 @@ use crate::depth::{DepthState, World, is_movable};
 #[derive(Debug, Clone, Copy)]
 pub(super) struct UnscaledState {
     body: BodyId,
-    /// Time scale of this update, dimensionless; 0 stands still.
+    /// Time scale of this update, dimensionless; 0 stops its time.
     scale: f32,
     motion: Motion,
     /// Mass, in mass units.
@@ -118,7 +118,7 @@ fn unscaled_state(
     })
 }
 
-/// Applies the time scale to a body. If scaled mass or inertia are out of range, the body stands still.
+/// Applies the time scale to a body. If scaled mass or inertia are out of range, its time is stopped.
 fn scale_body(
     core: &mut PhysicsSimulator,
     depths: &mut DepthState,

@@ -44,13 +44,13 @@ impl Well {
 
     /// Acceleration of a body at a place, px/s², Y up.
     pub fn acceleration_at(&self, place: Vector3) -> Vector3 {
-        let way = (self.centre - place).map(f64::from);
-        let (squared, softness) = (way.norm_squared(), f64::from(self.softness));
+        let offset = (self.centre - place).map(f64::from);
+        let (squared, softness) = (offset.norm_squared(), f64::from(self.softness));
         if squared > f64::from(self.radius) * f64::from(self.radius) {
             return Vector3::zeros();
         }
         let softened = squared + softness * softness;
-        let acceleration = way * (f64::from(self.strength) / (softened * softened.sqrt()));
+        let acceleration = offset * (f64::from(self.strength) / (softened * softened.sqrt()));
         acceleration.map(|part| part as f32)
     }
 }

@@ -186,9 +186,9 @@ impl Platform {
 
     /// Moves the hinge with the platform, whose new centre is given.
     pub(super) fn move_hinge(&mut self, centre: Vector3) {
-        let way = centre - self.shape.centre;
+        let displacement = centre - self.shape.centre;
         if let Some(swing) = self.motion.as_mut().and_then(|motion| motion.core_motion.swing_mut()) {
-            swing.hinge = [swing.hinge[0] + way.x, swing.hinge[1] + way.z];
+            swing.hinge = [swing.hinge[0] + displacement.x, swing.hinge[1] + displacement.z];
             swing.is_edited = true;
         }
     }

@@ -7,7 +7,7 @@ use crate::shapes::slanted_box::shape as random_box;
 
 const SLOP: f32 = 0.05;
 /// From (0, 0, 0) to (100, 40, 60).
-const LEVEL: SlantedBox = SlantedBox {
+const LEVEL_BOX: SlantedBox = SlantedBox {
     centre: Vector3::new(50.0, 20.0, 30.0),
     half: [50.0, 20.0, 30.0],
     cos: 1.0,
@@ -53,7 +53,7 @@ const AT_REST: Vector3 = Vector3::new(0.0, 0.0, 0.0);
 
 #[test]
 fn a_box_on_the_top_touches_with_both_ends_of_its_underside() {
-    let manifold = touch(&LEVEL, &square(30.0, -19.0), [10.0, 20.0], AT_REST, None).unwrap();
+    let manifold = touch(&LEVEL_BOX, &square(30.0, -19.0), [10.0, 20.0], AT_REST, None).unwrap();
     assert_eq!((manifold.normal, manifold.count, manifold.is_depth), (UP, 2, false));
     let mut places = manifold.points.map(|point| (point.position.x, point.position.y, point.separation));
     places.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -64,7 +64,7 @@ fn a_box_on_the_top_touches_with_both_ends_of_its_underside() {
 
 #[test]
 fn an_overhanging_box_touches_at_the_edge_of_the_top() {
-    let manifold = touch(&LEVEL, &square(-5.0, -19.0), [10.0, 20.0], AT_REST, None).unwrap();
+    let manifold = touch(&LEVEL_BOX, &square(-5.0, -19.0), [10.0, 20.0], AT_REST, None).unwrap();
     assert_eq!(manifold.normal, UP);
     let mut places = manifold.points.map(|point| point.position.x);
     places.sort_by(f32::total_cmp);
@@ -73,15 +73,15 @@ fn an_overhanging_box_touches_at_the_edge_of_the_top() {
 
 #[test]
 fn boxes_that_only_touch_do_not_overlap() {
-    assert!(touch(&LEVEL, &square(30.0, -20.0), [10.0, 20.0], AT_REST, None).is_none());
-    assert!(touch(&LEVEL, &square(100.0, 10.0), [10.0, 20.0], AT_REST, None).is_none());
-    assert!(touch(&LEVEL, &square(30.0, 10.0), [-10.0, 0.0], AT_REST, None).is_none());
-    assert!(touch(&LEVEL, &square(30.0, 10.0), [60.0, 70.0], AT_REST, None).is_none());
+    assert!(touch(&LEVEL_BOX, &square(30.0, -20.0), [10.0, 20.0], AT_REST, None).is_none());
+    assert!(touch(&LEVEL_BOX, &square(100.0, 10.0), [10.0, 20.0], AT_REST, None).is_none());
+    assert!(touch(&LEVEL_BOX, &square(30.0, 10.0), [-10.0, 0.0], AT_REST, None).is_none());
+    assert!(touch(&LEVEL_BOX, &square(30.0, 10.0), [60.0, 70.0], AT_REST, None).is_none());
 }
 
 #[test]
 fn sheets_overlap_at_the_same_depth_only() {
-    let sheet = SlantedBox { half: [50.0, 20.0, 0.0], ..LEVEL };
+    let sheet = SlantedBox { half: [50.0, 20.0, 0.0], ..LEVEL_BOX };
     assert!(touch(&sheet, &square(30.0, -19.0), [30.0, 30.0], AT_REST, None).is_some());
     assert!(touch(&sheet, &square(30.0, -19.0), [30.1, 30.1], AT_REST, None).is_none());
 }
@@ -93,7 +93,7 @@ fn a_box_that_lands_deep_near_the_edge_is_pushed_up_in_every_step() {
     let mut depth = 15.0;
     let mut motion = Vector3::new(0.0, 16.0, 0.0);
     while depth > 0.0 {
-        let manifold = touch(&LEVEL, &square(-18.0, -20.0 + depth), [10.0, 20.0], motion, kept).unwrap();
+        let manifold = touch(&LEVEL_BOX, &square(-18.0, -20.0 + depth), [10.0, 20.0], motion, kept).unwrap();
         assert_eq!(manifold.normal, UP, "{depth}");
         assert!((manifold.points[0].separation + depth).abs() < 1e-4);
         (kept, motion) = (Some(manifold.kept), AT_REST);
@@ -103,7 +103,7 @@ fn a_box_that_lands_deep_near_the_edge_is_pushed_up_in_every_step() {
 
 #[test]
 fn a_box_placed_deep_near_the_edge_leaves_by_the_shortest_way() {
-    let manifold = touch(&LEVEL, &square(-18.0, -5.0), [10.0, 20.0], AT_REST, None).unwrap();
+    let manifold = touch(&LEVEL_BOX, &square(-18.0, -5.0), [10.0, 20.0], AT_REST, None).unwrap();
     assert_eq!(manifold.normal, Vector3::new(-1.0, 0.0, 0.0));
 }
 
@@ -111,22 +111,22 @@ fn a_box_placed_deep_near_the_edge_leaves_by_the_shortest_way() {
 fn a_box_that_lands_deep_near_the_front_is_pushed_up() {
     // 2 px behind the front and moving backwards, but it has fallen in faster.
     let motion = Vector3::new(0.0, 16.0, 0.5);
-    let manifold = touch(&LEVEL, &square(30.0, -8.0), [-8.0, 2.0], motion, None).unwrap();
+    let manifold = touch(&LEVEL_BOX, &square(30.0, -8.0), [-8.0, 2.0], motion, None).unwrap();
     assert_eq!((manifold.normal, manifold.is_depth), (UP, false));
-    let next = touch(&LEVEL, &square(30.0, -8.0), [-8.0, 2.0], AT_REST, Some(manifold.kept)).unwrap();
+    let next = touch(&LEVEL_BOX, &square(30.0, -8.0), [-8.0, 2.0], AT_REST, Some(manifold.kept)).unwrap();
     assert_eq!(next.normal, UP);
 }
 
 #[test]
 fn a_box_that_walks_into_the_front_meets_it_and_stays() {
     let motion = Vector3::new(0.0, 0.1, 2.5);
-    let manifold = touch(&LEVEL, &square(30.0, 10.0), [-8.0, 2.0], motion, None).unwrap();
+    let manifold = touch(&LEVEL_BOX, &square(30.0, 10.0), [-8.0, 2.0], motion, None).unwrap();
     assert_eq!((manifold.normal, manifold.is_depth), (Vector3::new(0.0, 0.0, -1.0), true));
     assert_eq!(manifold.count, 2);
     assert!(manifold.points.iter().all(|point| point.position.z == 0.0 && point.separation == -2.0));
     let spread = (manifold.points[0].position - manifold.points[1].position).norm();
     assert!((spread - 800.0f32.sqrt()).abs() < 1e-3);
-    let next = touch(&LEVEL, &square(30.0, 10.0), [-8.0, 2.0], AT_REST, Some(manifold.kept)).unwrap();
+    let next = touch(&LEVEL_BOX, &square(30.0, 10.0), [-8.0, 2.0], AT_REST, Some(manifold.kept)).unwrap();
     assert!(next.is_depth);
     assert_eq!(next.points.map(|point| point.feature), manifold.points.map(|point| point.feature));
 }
@@ -135,14 +135,14 @@ fn a_box_that_walks_into_the_front_meets_it_and_stays() {
 fn a_box_put_deep_into_another_does_not_leave_where_it_moves_from() {
     // 1 px deep in the top, walking backwards in the middle of the depth.
     let motion = Vector3::new(0.0, 0.0, 0.5);
-    let manifold = touch(&LEVEL, &square(30.0, -19.0), [20.0, 40.0], motion, None).unwrap();
+    let manifold = touch(&LEVEL_BOX, &square(30.0, -19.0), [20.0, 40.0], motion, None).unwrap();
     assert_eq!(manifold.normal, UP);
 }
 
 #[test]
 fn a_box_that_comes_from_behind_meets_the_back() {
     let motion = Vector3::new(0.0, 0.0, -4.0);
-    let manifold = touch(&LEVEL, &square(30.0, 10.0), [57.0, 67.0], motion, None).unwrap();
+    let manifold = touch(&LEVEL_BOX, &square(30.0, 10.0), [57.0, 67.0], motion, None).unwrap();
     assert_eq!((manifold.normal, manifold.points[0].separation), (Vector3::new(0.0, 0.0, 1.0), -3.0));
 }
 
@@ -150,7 +150,7 @@ fn a_box_that_comes_from_behind_meets_the_back() {
 fn without_motion_in_depth_a_box_meets_in_the_plane() {
     // Half a px of depth, 10 px of height.
     let motion = Vector3::new(0.0, 16.0, 0.0);
-    let manifold = touch(&LEVEL, &square(30.0, -10.0), [-9.5, 0.5], motion, None).unwrap();
+    let manifold = touch(&LEVEL_BOX, &square(30.0, -10.0), [-9.5, 0.5], motion, None).unwrap();
     assert!(!manifold.is_depth);
 }
 
@@ -158,7 +158,7 @@ fn without_motion_in_depth_a_box_meets_in_the_plane() {
 fn a_box_that_slides_over_a_seam_stays_on_top() {
     // It rests 0.06 deep on what is left of this box and has come 1.5 px over it at 2.5 px per step.
     let motion = Vector3::new(2.5, 0.01, 0.0);
-    let manifold = touch(&LEVEL, &square(-18.5, -19.94), [10.0, 20.0], motion, None).unwrap();
+    let manifold = touch(&LEVEL_BOX, &square(-18.5, -19.94), [10.0, 20.0], motion, None).unwrap();
     assert_eq!(manifold.normal, UP);
 }
 
@@ -166,7 +166,7 @@ fn a_box_that_slides_over_a_seam_stays_on_top() {
 fn a_box_that_falls_along_a_wall_does_not_land_on_a_seam() {
     // Pressed 0.06 into the wall, 8 px below the top of its lower half.
     let motion = Vector3::new(0.0, 16.0, 0.0);
-    let manifold = touch(&LEVEL, &square(-19.94, -12.0), [10.0, 20.0], motion, None).unwrap();
+    let manifold = touch(&LEVEL_BOX, &square(-19.94, -12.0), [10.0, 20.0], motion, None).unwrap();
     assert_eq!(manifold.normal, Vector3::new(-1.0, 0.0, 0.0));
 }
 
@@ -179,7 +179,7 @@ fn a_box_that_tips_over_an_edge_turns_about_the_edge() {
     let piece = rectangle((middle.x, middle.y), 20.0, 20.0, -0.5);
     let kept =
         PersistedAxis::Plane { edge: Edge::Box(BoxEdge::Face(Face::Top)), normal: Vector2::new(0.0, -1.0) };
-    let manifold = touch(&LEVEL, &piece, [10.0, 20.0], AT_REST, Some(kept)).unwrap();
+    let manifold = touch(&LEVEL_BOX, &piece, [10.0, 20.0], AT_REST, Some(kept)).unwrap();
     assert!((manifold.normal.xy() - upwards).norm() < 1e-6);
     assert_eq!((manifold.count, manifold.points[0].position), (1, Vector3::new(0.0, 0.0, 15.0)));
     assert!((manifold.points[0].separation + 0.05).abs() < 1e-5);
@@ -187,7 +187,7 @@ fn a_box_that_tips_over_an_edge_turns_about_the_edge() {
 
 #[test]
 fn the_names_of_the_points_outlast_a_change_of_the_reference() {
-    let first = touch(&LEVEL, &square(30.0, -19.0), [10.0, 20.0], AT_REST, None).unwrap();
+    let first = touch(&LEVEL_BOX, &square(30.0, -19.0), [10.0, 20.0], AT_REST, None).unwrap();
     // The edge of the prism as reference: its fourth lies on the top.
     let names = |manifold: &BoxManifold| {
         let mut names = manifold.points.map(|point| point.feature);
@@ -197,7 +197,7 @@ fn the_names_of_the_points_outlast_a_change_of_the_reference() {
     for edge in 0..4 {
         let kept =
             PersistedAxis::Plane { edge: Edge::Prism { piece: 0, edge }, normal: Vector2::new(0.0, -1.0) };
-        let manifold = touch(&LEVEL, &square(30.0, -19.0), [10.0, 20.0], AT_REST, Some(kept)).unwrap();
+        let manifold = touch(&LEVEL_BOX, &square(30.0, -19.0), [10.0, 20.0], AT_REST, Some(kept)).unwrap();
         assert_eq!(names(&manifold), names(&first));
     }
 }
@@ -205,7 +205,7 @@ fn the_names_of_the_points_outlast_a_change_of_the_reference() {
 #[test]
 fn a_corner_of_the_box_under_a_tilted_prism_is_one_point() {
     // A square on its corner's way down would touch with its own corner; here the box's corner is under its side.
-    let shape = SlantedBox { cos: 0.5f32.sqrt(), sin: 0.5f32.sqrt(), half: [20.0, 20.0, 30.0], ..LEVEL };
+    let shape = SlantedBox { cos: 0.5f32.sqrt(), sin: 0.5f32.sqrt(), half: [20.0, 20.0, 30.0], ..LEVEL_BOX };
     let top = 20.0 - 800.0f32.sqrt();
     let manifold = touch(&shape, &square(40.0, top - 19.0), [10.0, 20.0], AT_REST, None).unwrap();
     assert!((manifold.normal - UP).norm() < 1e-6);
@@ -217,7 +217,7 @@ fn a_corner_of_the_box_under_a_tilted_prism_is_one_point() {
 #[test]
 fn a_prism_in_front_of_a_slanted_side_leaves_along_its_normal() {
     // With shear 1 the right side is at x = 70 + z: between z = 10 and 20 it reaches to 90, at the far end.
-    let shape = SlantedBox { shear: 1.0, ..LEVEL };
+    let shape = SlantedBox { shear: 1.0, ..LEVEL_BOX };
     let manifold = touch(&shape, &square(88.0, 10.0), [10.0, 20.0], AT_REST, None).unwrap();
     let half_root = 0.5f32.sqrt();
     assert!((manifold.normal - Vector3::new(half_root, 0.0, -half_root)).norm() < 1e-6);
@@ -228,7 +228,7 @@ fn a_prism_in_front_of_a_slanted_side_leaves_along_its_normal() {
 #[test]
 fn a_prism_beyond_the_end_of_a_slanted_side_leaves_in_the_plane() {
     // The box ends at z = 60 with its right side at 130, the prism only at 80.
-    let shape = SlantedBox { shear: 1.0, ..LEVEL };
+    let shape = SlantedBox { shear: 1.0, ..LEVEL_BOX };
     let manifold = touch(&shape, &square(128.0, 10.0), [10.0, 80.0], AT_REST, None).unwrap();
     assert_eq!(manifold.normal, Vector3::new(1.0, 0.0, 0.0));
     assert_eq!(manifold.points[0].separation, -2.0);
@@ -239,7 +239,7 @@ fn a_prism_beyond_the_end_of_a_slanted_side_leaves_in_the_plane() {
 fn between_two_pieces_the_outermost_points_carry() {
     let legs = [rectangle((35.0, -9.0), 10.0, 20.0, 0.0), rectangle((65.0, -9.0), 10.0, 20.0, 0.0)];
     let pieces = [legs[0].as_slice(), legs[1].as_slice()];
-    let manifold = touch_pieces(&LEVEL, &pieces, [10.0, 20.0], AT_REST, None).unwrap();
+    let manifold = touch_pieces(&LEVEL_BOX, &pieces, [10.0, 20.0], AT_REST, None).unwrap();
     assert_eq!((manifold.normal, manifold.count), (UP, 2));
     let mut places = manifold.points.map(|point| point.position.x);
     places.sort_by(f32::total_cmp);
@@ -251,21 +251,21 @@ fn a_cut_between_pieces_is_no_exit_face() {
     // Two halves of a square of 20, cut upright in the middle, which is 1 px right of the box's left side.
     let left = outline(&[(-9.0, -10.0), (-9.0, 10.0), (1.0, 10.0), (1.0, -10.0)]);
     let right = outline(&[(1.0, -10.0), (1.0, 10.0), (11.0, 10.0), (11.0, -10.0)]);
-    let manifold = touch_pieces(&LEVEL, &[&left, &right], [10.0, 20.0], AT_REST, None).unwrap();
+    let manifold = touch_pieces(&LEVEL_BOX, &[&left, &right], [10.0, 20.0], AT_REST, None).unwrap();
     assert!(manifold.points[0].separation <= -10.0, "{manifold:?}");
 }
 
 #[test]
 fn outlines_of_one_and_two_vertices_touch() {
     let dot = outline(&[(50.0, 1.0)]);
-    let manifold = touch(&LEVEL, &dot, [10.0, 20.0], AT_REST, None).unwrap();
+    let manifold = touch(&LEVEL_BOX, &dot, [10.0, 20.0], AT_REST, None).unwrap();
     assert_eq!((manifold.normal, manifold.count), (UP, 1));
     assert_eq!(
         (manifold.points[0].position, manifold.points[0].separation),
         (Vector3::new(50.0, 1.0, 15.0), -1.0)
     );
     let line = outline(&[(50.0, -9.0), (50.0, 1.0)]);
-    let manifold = touch(&LEVEL, &line, [10.0, 20.0], Vector3::new(0.0, 2.0, 0.0), None).unwrap();
+    let manifold = touch(&LEVEL_BOX, &line, [10.0, 20.0], Vector3::new(0.0, 2.0, 0.0), None).unwrap();
     assert_eq!((manifold.normal, manifold.count), (UP, 1));
     assert_eq!(manifold.points[0].position, Vector3::new(50.0, 1.0, 15.0));
 }
@@ -279,7 +279,7 @@ fn degenerate_and_infinite_input_gives_finite_points_or_none() {
             let piece = moved(piece, Vector3::new(number, 0.0, 0.0));
             for motion in [AT_REST, Vector3::new(number, number, number), Vector3::new(0.0, number, -number)]
             {
-                for shape in [LEVEL, SlantedBox { shear: 0.5, ..LEVEL }, SlantedBox::default()] {
+                for shape in [LEVEL_BOX, SlantedBox { shear: 0.5, ..LEVEL_BOX }, SlantedBox::default()] {
                     if let Some(manifold) = touch(&shape, &piece, [10.0, 10.0 + number], motion, None) {
                         assert!(manifold.is_finite() && manifold.count > 0, "{manifold:?}");
                     }
@@ -371,12 +371,12 @@ fn at_rest_no_sampled_direction_separates_them_sooner() {
         let Some(manifold) = touch(&shape, &piece, depths, AT_REST, None) else { continue };
         let deepest = -manifold.points[0].separation;
         for _ in 0..30 {
-            let way =
+            let direction =
                 Vector3::new(numbers.number(-1.0, 1.0), numbers.number(-1.0, 1.0), numbers.number(-1.0, 1.0));
             // Along z alone it may leave sooner: without motion in depth that is not asked for.
             let reach = (depths[1] - depths[0]) * 0.5 + shape.half[2];
             let middle = (depths[0] + depths[1]) * 0.5;
-            let by = way.normalize() * (deepest - 5e-3);
+            let by = direction.normalize() * (deepest - 5e-3);
             if deepest < 5e-3 || (middle + by.z - shape.centre.z).abs() > reach - 1e-3 {
                 continue;
             }
