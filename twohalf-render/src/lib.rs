@@ -4,13 +4,13 @@
 //! In order of importance:
 //!
 //! 1. **No window, graphics card or font is needed**: [`SoftwareCanvas`] draws into memory; [`Animation`] and
-//!   [`ContactSheet`] write files.
+//!    [`ContactSheet`] write files.
 //! 2. **Depth is visible**: [`SpriteBatch`] draws back to front. Shadows lie on the ground or on the platform
-//!   below, end at its edge ([`DrawBody`]) and shrink with height ([`shadow_scale`]). Platforms are boxes
-//!   ([`DrawPlatform`]). [`draw_ground_backdrop`] draws a floor along the model's Z axis, [`DebugView`] the
-//!   internal shapes of the engine, [`draw_debug_view`] those of the 2D engine.
+//!    below, end at its edge ([`DrawBody`]) and shrink with height ([`shadow_scale`]). Platforms are boxes
+//!    ([`DrawPlatform`]). [`draw_ground_backdrop`] draws a floor along the model's Z axis, [`DebugView`] the
+//!    internal shapes of the engine, [`draw_debug_view`] those of the 2D engine.
 //! 3. **Other targets are easy**: all drawing goes through the small [`Canvas`] trait. A [`View`] is one,
-//!   too: a camera and a window for any code that draws.
+//!    too: a camera and a window for any code that draws.
 //! 4. **Names an XNA game expects**: [`SpriteBatch`], [`Texture2D`], [`Color`], with XNA's meaning of
 //!    rotation, origin, scale, tint and layer depth.
 //!

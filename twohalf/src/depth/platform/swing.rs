@@ -75,7 +75,7 @@ impl Swing {
 
     /// The parameters in the form that the core takes. `out` is the centre of the platform relative to the
     /// hinge at yaw 0, px.
-    fn to_core(&self, out: [f32; 2]) -> Result<FixtureSwing> {
+    fn core_swing(&self, out: [f32; 2]) -> Result<FixtureSwing> {
         let refused = Error::NotSupported {
             what: "platforms that swing, which are the feature `swing`",
             methods: "compiled",
@@ -153,7 +153,7 @@ impl Platform {
         }
         let ([cos, sin], centre) = (self.shape.turn, self.shape.centre);
         let (x, z) = (centre.x - swing.hinge[0], centre.z - swing.hinge[1]);
-        let hinge = swing.to_core([x * cos + z * sin, z * cos - x * sin])?;
+        let hinge = swing.core_swing([x * cos + z * sin, z * cos - x * sin])?;
         let core_motion = FixtureMotion { swing: Some(hinge), ..FixtureMotion::default() };
         let motion = Some(PlatformMotion { centre, target: None, core_motion });
         Platform { motion, yaw: Some(yaw), ..self.clone() }.shaped(projection)
