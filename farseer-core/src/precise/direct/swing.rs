@@ -126,7 +126,8 @@ impl Whole {
         }
         let stiffness = island.greatest_stiffness(dt);
         let (count, spin) = (island.members.len() as u32, island.greatest_spin());
-        let division = Division::of(count, step, spin, |bears| stiffness > IMPLICIT_STIFFNESS_RATIO * bears);
+        let division =
+            Division::of(count, step, [spin; 2], |bears| stiffness > IMPLICIT_STIFFNESS_RATIO * bears);
         division.parts.max(LEAST_DIRECT_PARTS)
     }
 }

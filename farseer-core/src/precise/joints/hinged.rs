@@ -14,7 +14,7 @@ use super::super::tuning::Step;
 use super::balance::{InBalance, Moved, Start, rounded};
 use super::hold::{Hold, shown};
 use super::swing::{
-    Division, aside_of_turn, bears, foreseen, greater_spin, postponed, turn, turned, with_momentum,
+    Division, aside_of_turn, bears, foreseen, greater_spins, postponed, turn, turned, with_momentum,
 };
 use super::tree::{
     Inertia, Link, Momentum, Node, Seated, Vector, cross, dot, for_each_down, for_each_up, plus, spun,
@@ -205,40 +205,60 @@ fn begin(hinges: &mut [Hinge], holds: &mut [Hold], bodies: &Bodies, step: &Step)
         hinge.begin(parent, holds, bodies, dt);
         count += u32::from(hinge.body != 0);
     });
-    let (mut spin, mut is_torn) = (0.0, false);
+    let (mut spins, mut is_torn) = ([0.0; 2], false);
     for hinge in hinges.iter_mut() {
         if hinge.body == 0 {
             hinge.spin_by_joints = 0.0;
             continue;
         }
-        hinge.spin_by_joints *= dt / hinge.inertia;
-        is_torn |= hinge.is_torn(GAP_OF_A_WHIP);
-        spin = greater_spin(spin, hinge.velocity[2], hinge.spin_by_joints);
+        if Division::is_balanced(count) {
+            hinge.spin_by_joints *= dt / hinge.inertia;
+            is_torn |= hinge.is_torn(GAP_OF_A_WHIP);
+        }
+        spins = greater_spins(spins, hinge.velocity[2], hinge.spin_by_joints);
     }
-    let division = Division::of(count, step, spin, |bears| {
+    let division = Division::of(count, step, spins, |bears| {
         let bears = IMPLICIT_STIFFNESS_RATIO * bears;
         hinges.iter().any(|hinge| hinge.pull > bears * hinge.borne && hinge.link != Link::Fixed)
     });
     Division { foresees: division.foresees && !is_torn, ..division }
 }
 
-/// All parts of a step. Answers how it began.
-fn swing_tree(hinges: &mut [Hinge], bodies: &Bodies, step: &Step, division: &Division, unit: f64) -> Start {
+/// All parts of a step. Answers how it began if energy is balanced.
+fn swing_tree(
+    hinges: &mut [Hinge],
+    bodies: &Bodies,
+    step: &Step,
+    division: &Division,
+    unit: f64,
+) -> Option<Start> {
     let Division { parts, by_whole_kicks: whole, unexpected, foresees, .. } = *division;
     let dt = f64::from(step.dt);
     let h = dt / f64::from(parts);
     let first = if whole { 1.0 } else { 0.5 };
     let times = (step.dt, parts as f32, step.substeps as f32);
-    hinges.iter_mut().for_each(|hinge| hinge.divide(bodies, times));
-    let start = Start::of(hinges);
-    correct(hinges, (h, unit), unexpected / h, |hinge| hinge.kick(first, foresees));
+    let start = if whole {
+        correct(hinges, (h, unit), unexpected / h, |hinge| {
+            hinge.divide(bodies, times);
+            hinge.kick(first, foresees);
+        });
+        None
+    } else {
+        hinges.iter_mut().for_each(|hinge| hinge.divide(bodies, times));
+        let start = Start::of(hinges);
+        correct(hinges, (h, unit), unexpected / h, |hinge| hinge.kick(first, foresees));
+        Some(start)
+    };
     for part in 1..parts {
         let share = if part == 1 { first } else { 1.0 };
-        for_each_down(hinges, |hinge, parent| hinge.advance(parent, h, share));
+        for_each_down(hinges, |hinge, parent| {
+            hinge.note_spin(foresees, share);
+            hinge.advance(parent, h);
+        });
         correct(hinges, (h, unit), unexpected / h, |hinge| hinge.kick(1.0, foresees));
     }
     if !whole {
-        for_each_down(hinges, |hinge, parent| hinge.advance(parent, h, 1.0));
+        for_each_down(hinges, |hinge, parent| hinge.advance(parent, h));
         rest(hinges);
     }
     start
@@ -430,10 +450,17 @@ impl Hinge {
         self.total = plus(self.total, self.impulse, 1.0);
     }
 
-    /// The body moves on after a part with this share of a kick, and the arms of its joints turn.
+    /// The change of the spin by joints in a part with this share of a kick.
     #[inline(always)]
-    fn advance(&mut self, parent: Option<&mut Hinge>, h: f64, share: f64) {
-        self.spin_by_joints = (self.found[2] - self.velocity[2]) / share;
+    fn note_spin(&mut self, foresees: bool, share: f64) {
+        if foresees {
+            self.spin_by_joints = (self.found[2] - self.velocity[2]) / share;
+        }
+    }
+
+    /// The body moves on, and the arms of its joints turn.
+    #[inline(always)]
+    fn advance(&mut self, parent: Option<&mut Hinge>, h: f64) {
         self.take_found();
         self.path = self.way(self.velocity, h);
         let [x, y, spin] = self.velocity.map(|velocity| velocity * h);

@@ -20,10 +20,10 @@ use super::tree::{
 use super::{Group, begin_nodes};
 use crate::precise::parameters::direct::STABLE_STIFFNESS;
 use crate::precise::parameters::joints::{
-    ARM_ROUNDING, ARTICULATION_SUBSTEP_PARTS, GAP_OF_A_WHIP, IMPLICIT_STIFFNESS_RATIO,
-    JOINT_CORRECTION_SPEED, LARGE_ARTICULATION_BODIES, LEAST_ARTICULATION_PARTS, MOMENTUM_SHARE_HALVED_AT,
-    MOMENTUM_SHARE_OF_STIFFNESS, PREDICTED_ROTATION_ERROR, REPEATED_SUBSTEP_PARTS, ROTATION_PER_PART,
-    STIFFNESS_JUMP_RETRIES,
+    ARM_ROUNDING, ARTICULATION_SUBSTEP_PARTS, BALANCED_ARTICULATION_BODIES, GAP_OF_A_WHIP,
+    IMPLICIT_STIFFNESS_RATIO, JOINT_CORRECTION_SPEED, LARGE_ARTICULATION_BODIES, LEAST_ARTICULATION_PARTS,
+    MOMENTUM_SHARE_HALVED_AT, MOMENTUM_SHARE_OF_STIFFNESS, PREDICTED_ROTATION_ERROR, REPEATED_SUBSTEP_PARTS,
+    ROTATION_PER_PART, STIFFNESS_JUMP_RETRIES,
 };
 
 /// Cosine and sine of how far a body turns in a substep: a Taylor series, right to 1e-10 for less than 0.3.
@@ -410,20 +410,21 @@ pub(in crate::precise) struct Division {
 }
 
 impl Division {
-    /// Division for an articulation of so many bodies whose fastest predicted spin is `spin`, in radians/s, and which may be stiffer than
-    /// so many times the stiffness that an undivided step bears. No body turns by more than [`ROTATION_PER_PART`], and, unless the
+    /// Division for an articulation of so many bodies whose greatest spins at the beginning and at the predicted end are these, in
+    /// radians/s, and which may be stiffer than so many times the stiffness that an undivided step bears. No body turns by more than [`ROTATION_PER_PART`], and, unless the
     /// articulation is large, no geometric stiffness is too great for a part.
     pub(in crate::precise) fn of(
         bodies: u32,
         step: &Step,
-        spin: f64,
+        [first, last]: [f64; 2],
         is_stiffer: impl Fn(f64) -> bool,
     ) -> Self {
         let is_large = bodies > LARGE_ARTICULATION_BODIES;
-        let turn = spin * f64::from(step.dt);
+        let is_balanced = Self::is_balanced(bodies);
+        let turn = if is_balanced { first.max(last) } else { first } * f64::from(step.dt);
         let is_stiff = |parts: u32| is_stiffer(f64::from(parts * parts));
         let most = if is_large { step.substeps } else { ARTICULATION_SUBSTEP_PARTS * step.substeps };
-        let mut parts = if is_large { 1 } else { LEAST_ARTICULATION_PARTS };
+        let mut parts = if is_balanced { LEAST_ARTICULATION_PARTS } else { 1 };
         while parts < most && (f64::from(parts) * ROTATION_PER_PART < turn || (!is_large && is_stiff(parts)))
         {
             parts += (parts / 2).max(1);
@@ -431,16 +432,26 @@ impl Division {
         Division {
             parts: parts.min(most),
             most: REPEATED_SUBSTEP_PARTS * step.substeps,
-            by_whole_kicks: is_large,
-            foresees: !is_large,
-            unexpected: PREDICTED_ROTATION_ERROR,
+            by_whole_kicks: !is_balanced,
+            foresees: is_balanced,
+            unexpected: if is_balanced { 0.5 } else { 1.0 } * PREDICTED_ROTATION_ERROR,
         }
     }
 
+    /// Whether the energy of an articulation of so many bodies is balanced.
+    #[inline(always)]
+    pub(super) fn is_balanced(bodies: u32) -> bool {
+        bodies <= BALANCED_ARTICULATION_BODIES
+    }
+
     /// The balance of energy of a step that was divided so; whole kicks have none.
-    pub(super) fn balance<N: InBalance>(&self, nodes: &[N], start: Start, dt: f64) -> Option<Balance> {
-        let h = dt / f64::from(self.parts);
-        if self.by_whole_kicks { None } else { Balance::of(nodes, start, [dt, h]) }
+    pub(super) fn balance<N: InBalance>(
+        &self,
+        nodes: &[N],
+        start: Option<Start>,
+        dt: f64,
+    ) -> Option<Balance> {
+        Balance::of(nodes, start?, [dt, dt / f64::from(self.parts)])
     }
 
     /// The division with which a step of this balance is repeated, if any.
@@ -458,10 +469,10 @@ pub(super) fn foreseen(change: f64, pull: f64, borne: f64) -> f64 {
     if rest > 0.0 { rest * change } else { 0.0 }
 }
 
-/// The greatest spin so far, or that of a body at the beginning or the predicted end of a step.
+/// The greatest spins so far at the beginning and at the predicted end of a step, or those of another body, in radians/s.
 #[inline(always)]
-pub(super) fn greater_spin(spin: f64, start: f64, change: f64) -> f64 {
-    spin.max(start.abs()).max((start + change).abs())
+pub(super) fn greater_spins([first, last]: [f64; 2], start: f64, change: f64) -> [f64; 2] {
+    [first.max(start.abs()), last.max((start + change).abs())]
 }
 
 /// Moves a tree that nothing touches through all substeps of a step.
@@ -499,7 +510,7 @@ fn begin(nodes: &mut [Node], holds: &[Hold], bodies: &Bodies, step: &Step) -> Di
         node.gap = parent.as_deref().map_or(0.0, |parent| node.gap_from(parent));
         node.note_twist(parent);
     });
-    let (mut count, mut spin, mut is_torn) = (0, 0.0, false);
+    let (mut count, mut spins, mut is_torn) = (0, [0.0; 2], false);
     for node in nodes.iter_mut() {
         if node.body == 0 {
             node.spin_by_joints = 0.0;
@@ -508,24 +519,30 @@ fn begin(nodes: &mut [Node], holds: &[Hold], bodies: &Bodies, step: &Step) -> Di
         count += 1;
         is_torn |= node.is_torn(GAP_OF_A_WHIP);
         node.spin_by_joints *= substeps / node.inertia;
-        spin = greater_spin(spin, node.velocity[2], node.spin_by_joints);
+        spins = greater_spins(spins, node.velocity[2], node.spin_by_joints);
     }
-    let division = Division::of(count, step, spin, |bears| {
+    let division = Division::of(count, step, spins, |bears| {
         let bears = IMPLICIT_STIFFNESS_RATIO * bears;
         nodes.iter().any(|node| node.pull > bears * node.borne() && node.link != Link::Fixed)
     });
     Division { foresees: division.foresees && !is_torn, ..division }
 }
 
-/// All parts of a step of a tree: as few passes over its nodes as there can be. Answers how it began.
-fn swing_tree(nodes: &mut [Node], bodies: &Bodies, step: &Step, division: &Division, unit: f64) -> Start {
+/// All parts of a step of a tree: as few passes over its nodes as there can be. Answers how it began if energy is balanced.
+fn swing_tree(
+    nodes: &mut [Node],
+    bodies: &Bodies,
+    step: &Step,
+    division: &Division,
+    unit: f64,
+) -> Option<Start> {
     let Division { parts, by_whole_kicks, unexpected, foresees, .. } = *division;
     let (dt, substeps) = (f64::from(step.dt), f64::from(step.substeps));
     let h = dt / f64::from(parts);
     for node in nodes.iter_mut() {
         node.divide(bodies, (dt, f64::from(parts)), substeps / f64::from(parts));
     }
-    let start = Start::of(nodes);
+    let start = (!by_whole_kicks).then(|| Start::of(nodes));
     for part in 0..parts {
         let share = if part == 0 && !by_whole_kicks { 0.5 } else { 1.0 };
         for node in nodes.iter_mut() {
@@ -535,7 +552,9 @@ fn swing_tree(nodes: &mut [Node], bodies: &Bodies, step: &Step, division: &Divis
         }
         correct_tree(nodes, (h, unit), unexpected / h);
         for_each_down(nodes, |node, parent| {
-            node.spin_by_joints = (node.velocity[2] - node.before[2]) / share;
+            if foresees {
+                node.spin_by_joints = (node.velocity[2] - node.before[2]) / share;
+            }
             node.count_impulse();
             node.advance(parent, h);
         });
