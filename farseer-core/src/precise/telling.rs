@@ -71,11 +71,11 @@ pub enum WhyMethod {
     /// Passes: something in it moved faster than a quarter of a length unit per second when its contacts were asked for, or has
     /// come into place so. With joints: it was given up lately, and has a joint that gapes.
     Moves,
-    /// Passes: it has rings of contacts, and fewer than 40 bodies: passes make it stand.
+    /// Passes: it has contact cycles and fewer than 40 bodies, and no friction within its limit slips: the iterative solver makes it stand.
     TooSmall,
     /// Passes: it has more than 400 bodies, which contacts tie more than joints; or, where there is a depth axis, more than 24 and rings of contacts.
     TooLarge,
-    /// Passes: it has bounced, or was too busy, too wide or, with joints, too hard to be solved as a whole.
+    /// Passes: it has bounced, or was too busy, too wide or, with joints, too hard to be solved as a whole; or it has spent its budget.
     Rests {
         /// Updates after which that may be tried again.
         updates: u8,

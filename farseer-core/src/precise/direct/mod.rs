@@ -1,8 +1,9 @@
 //! Islands that are solved [as a whole](island), by their graph: those of few bodies on which the factors fill in little.
-//! Columns, high houses and walls stand exactly then. What has rings is hard to solve while it moves, and the passes over all
-//! rows do well where it is small: arches, small pyramids and whatever has fallen on a pile are theirs, and so is what bounces
-//! or keeps this busy for long. But what [heavy things press on](loads) is not. Islands with joints are solved [together with
-//! these](joined), whatever moves, as long as that [pays](price).
+//! Columns, houses and walls stand exactly then. Contact cycles that come together by motion are hard to solve: they are the iterative
+//! solver's, unless [heavy bodies press on them](loads), and so is whatever bounces. Small islands with contact cycles that were built in
+//! place begin with the iterative solver, too, which makes pyramids and arches stand; where friction that ought to hold
+//! [slips](Census::slips), they are solved directly. Islands with joints are solved [together with these](joined), whatever moves. All that
+//! lasts as long as it [pays](price).
 //!
 //! A row has one home: those of such islands are taken out of their colours, and go back to them with the impulses that were
 //! found.
@@ -25,8 +26,9 @@ mod whole;
 
 use crate::precise::parameters::direct::{
     ACCEPTED_JOINT_ERROR, BUSY_ISLAND_PAUSE, CALM_SPEED, CYCLIC_DEPTH_ISLAND_BODIES, CYCLIC_ISLAND_BODIES,
-    DIRECT_ISLAND_BODIES, FACTOR_PRODUCTS_PER_BODY, HIGH_STACK_BODIES, IMMEDIATE_RESELECTION_BODIES,
-    JOINTED_FACTOR_PRODUCTS_PER_BODY, RESELECTION_PERIOD,
+    DIRECT_ISLAND_BODIES, FACTOR_PRODUCTS_PER_BODY, FRICTION_WATCH, HIGH_STACK_BODIES,
+    IMMEDIATE_RESELECTION_BODIES, JOINTED_FACTOR_PRODUCTS_PER_BODY, RESELECTION_PERIOD, SLIP_SPEED,
+    STICKING_FRICTION_PART,
 };
 use serde::{Deserialize, Serialize};
 
@@ -39,6 +41,7 @@ use super::tuning::Learning;
 use crate::methods::IslandChoice;
 use crate::storage::order::{joined, sort_within};
 use crate::storage::reusing_clone::reusing_clone;
+use constraint::Jacobian;
 use depth::is_in_plane;
 pub(super) use depth::{is_burden, is_upright};
 use island::Member;
@@ -61,10 +64,30 @@ pub(super) struct Wear {
     pub(super) is_loose: bool,
     /// With joints: a solution was accepted since it is solved as a whole.
     pub(super) was_solved: bool,
-    /// With joints: updates of the iterative solver's cost that are overdrawn, as a negative number.
+    /// With a budget: updates of the iterative solver's cost that are overdrawn, as a negative number.
     pub(super) budget: f32,
-    /// With joints: updates for which it was left to the iterative solver the last time, less one for each quiet one since.
+    /// With a budget: updates for which it was left to the iterative solver the last time, less one for each quiet one since.
     pub(super) back_off: u8,
+    /// Small islands with contact cycles that are left to the iterative solver: [`rest`](Self::rest) counts the updates until friction is
+    /// looked at again, which were two to the power of one less than this.
+    pub(super) watch: u8,
+}
+
+impl Wear {
+    /// The iterative solver has this body: friction is looked at after as many updates as twice before, or sooner where islands were asked
+    /// for meanwhile, as contacts have come or gone. Answers whether it is.
+    fn watch_friction(&mut self, is_watched: bool) -> bool {
+        let [longest, sooner] = FRICTION_WATCH;
+        if !is_watched {
+            self.watch = 0;
+        } else if self.rest == 0 {
+            self.rest = 1 << self.watch;
+            self.watch = (self.watch + 1).min(longest);
+        } else if self.watch > sooner {
+            (self.watch, self.rest) = (sooner, self.rest.min(1 << sooner));
+        }
+        is_watched
+    }
 }
 
 /// What is solved as a whole.
@@ -131,6 +154,11 @@ pub(super) struct Census {
     bounces: bool,
     moves: bool,
     is_loose: bool,
+    /// Without a depth axis: a contact slides, though its friction is within its limit. The iterative solver has not converged there, and
+    /// what is held by friction alone, such as a card house, creeps until it topples.
+    slips: bool,
+    /// It is looked at for that from time to time.
+    is_watched: bool,
     /// With joints: it was given up lately; and a joint gapes.
     has_failed: bool,
     is_torn: bool,
@@ -171,6 +199,12 @@ impl Census {
         self.contacts > 0
     }
 
+    /// Whether it has contact cycles in the plane, no joints, and so few bodies that the iterative solver makes it stand unless it
+    /// [slips](Self::slips).
+    fn is_small_cycle(&self) -> bool {
+        self.has_rings() && self.bodies < CYCLIC_ISLAND_BODIES && self.joints == 0 && !self.has_depth
+    }
+
     /// Why it is left to the passes.
     pub(super) fn why_passes(&self, choice: IslandChoice) -> WhyMethod {
         let rests = (self.rest > 0).then_some(WhyMethod::Rests { updates: self.rest });
@@ -184,7 +218,7 @@ impl Census {
         let Census { bodies, direct, .. } = *self;
         let (has_rings, is_built) = (self.has_rings(), !(self.moves || self.is_loose));
         let was_whole = 2 * direct > bodies;
-        let rests = (self.rest > 0, WhyMethod::Rests { updates: self.rest });
+        let rests = (self.rest > 0 && !self.is_watched, WhyMethod::Rests { updates: self.rest });
         first(&if self.joints > 0 {
             let fails = self.has_failed && !was_whole && self.is_torn;
             [rests, (fails, WhyMethod::Moves), rests, rests]
@@ -200,7 +234,7 @@ impl Census {
         } else {
             [
                 rests,
-                (has_rings && bodies < CYCLIC_ISLAND_BODIES, WhyMethod::TooSmall),
+                (self.is_small_cycle() && !(is_built && (self.slips || was_whole)), WhyMethod::TooSmall),
                 (has_rings && !is_built && !was_whole, WhyMethod::Moves),
                 (!has_rings && !is_built && bodies < HIGH_STACK_BODIES, WhyMethod::Moves),
             ]
@@ -381,6 +415,7 @@ impl Precise {
             of.rest = of.rest.max(wear.rest);
             of.moves |= self.moves(velocity(body as u32));
             of.is_loose |= wear.is_loose;
+            of.is_watched |= wear.watch > 0;
         }
         self.count_joints(unions, census);
         for pair in 0..self.pairs.awake {
@@ -392,6 +427,9 @@ impl Precise {
             of.contacts += 1;
             of.is_held |= mobility == Mobility::Hinged;
             of.has_depth = self.space.is_some();
+            if !(of.slips || of.has_depth) {
+                of.slips = slips(&self.rows.lane(state.kind, home), velocity, SLIP_SPEED * self.tuning.unit);
+            }
             let inverse_masses = sides.map(|body| self.bodies.inverses[body][0]);
             if self.bounces || of.has_depth || differ(inverse_masses, least) {
                 let lane = self.rows.lane(state.kind, home);
@@ -434,6 +472,10 @@ impl Precise {
             if chooses && (of.waits() || is_given_up) && wear[body].rest == 0 {
                 wear[body].rest = RESELECTION_PERIOD;
                 timing.has_resting = true;
+            }
+            if chooses {
+                timing.has_resting |= wear[body]
+                    .watch_friction(!is_wanted && of.is_small_cycle() && !(of.moves || of.is_loose));
             }
         }
         sort_within(order, found, |&(root, body)| joined([root, body]));
@@ -529,6 +571,15 @@ fn bounces(lane: &Lane, [a, b]: [[f32; 4]; 2], least: f32) -> bool {
     let is_fast =
         |point: &PointLane| point.mass > 0.0 && along + b[2] * point.arm_b - a[2] * point.arm_a < -least;
     lane.restitution > 0.0 && lane.points.iter().any(is_fast)
+}
+
+/// Whether a contact slides faster than `limit` in length units/s, though friction is within its limit.
+fn slips(lane: &Lane, velocity: &dyn Fn(u32) -> [f32; 4], limit: f32) -> bool {
+    let [a, b] = [lane.a, lane.b].map(|body| velocity(body).map(f64::from));
+    let [.., along] = Jacobian::of(lane).relative([a[0], a[1], a[2]], [b[0], b[1], b[2]]);
+    let bound = lane.friction * (lane.points[0].impulse + lane.points[1].impulse);
+    lane.tangent_impulse.abs() < STICKING_FRICTION_PART * bound
+        && (along - f64::from(lane.tangent_speed)).abs() > f64::from(limit)
 }
 
 /// How bodies have fared that are an island now.

@@ -1,4 +1,4 @@
-//! Whether solving an island with joints as a whole pays: what it costs beside the iterative solver, and a budget for that.
+//! Whether solving an island with joints or contact cycles as a whole pays: its cost beside the iterative solver's, and a budget for that.
 //!
 //! Costs were measured over islands of 2 to 1,200 rows, in microseconds of one machine; only their ratios matter, and they are fixed so
 //! that the choice is the same on every machine. A budget, which may be overdrawn, instead of an average: houses, figures and bridges
@@ -9,10 +9,10 @@ use super::whole::Whole;
 use crate::methods::IslandChoice;
 use crate::precise::Precise;
 use crate::precise::parameters::direct::{
-    BUDGET_OVERDRAFT, DIRECT_BUDGET, FACTOR_BLOCK_COST, FACTOR_PRODUCT_COST, FAILED_SOLUTION_COST,
-    FIRST_BUDGET_PAUSE, ITERATIVE_CONTACT_COST, ITERATIVE_ISLAND_COST, ITERATIVE_JOINT_COST,
-    NEWTON_BODY_COST, NEWTON_CONSTRAINT_COST, NEWTON_STEP_COST, RESTING_CONSTRAINT_COST, UNLIKE_MASS_BUDGET,
-    UPDATE_COST_LIMIT, UPDATE_NEWTON_STEPS,
+    BUDGET_OVERDRAFT, CYCLIC_BUDGET, CYCLIC_BUDGET_OVERDRAFT, DIRECT_BUDGET, FACTOR_BLOCK_COST,
+    FACTOR_PRODUCT_COST, FAILED_SOLUTION_COST, FIRST_BUDGET_PAUSE, ITERATIVE_CONTACT_COST,
+    ITERATIVE_ISLAND_COST, ITERATIVE_JOINT_COST, NEWTON_BODY_COST, NEWTON_CONSTRAINT_COST, NEWTON_STEP_COST,
+    RESTING_CONSTRAINT_COST, UNLIKE_MASS_BUDGET, UPDATE_COST_LIMIT, UPDATE_NEWTON_STEPS,
 };
 
 impl Precise {
@@ -21,20 +21,25 @@ impl Precise {
         let timing = &mut self.direct.timing;
         let mut wear = self.direct.wear[whole.island.members[0].number as usize];
         wear.is_hot = steps > 0;
-        wear.was_solved |= !whole.is_left;
+        wear.was_solved |= whole.is_joined() && !whole.is_left;
         let cost = match is_solved {
             // Parts of the step are asked for by the motion: the iterative solver has no cheaper way to be as exact.
             true if whole.has_swung => 0.0,
             true => cost_in_updates(whole, steps),
             false => cost_in_updates(whole, steps) + FAILED_SOLUTION_COST,
         };
-        let income = if whole.is_unlike() { UNLIKE_MASS_BUDGET } else { DIRECT_BUDGET };
+        let (income, overdraft) = match whole.is_joined() {
+            true if whole.is_unlike() => (UNLIKE_MASS_BUDGET, BUDGET_OVERDRAFT),
+            true => (DIRECT_BUDGET, BUDGET_OVERDRAFT),
+            false => (CYCLIC_BUDGET, CYCLIC_BUDGET_OVERDRAFT / iterative_update(whole)),
+        };
         let budget = f64::from(wear.budget) + income - cost;
         // No negative zero is saved.
         let budget = if budget < 0.0 { budget } else { 0.0 };
-        let is_overdrawn = budget < -BUDGET_OVERDRAFT;
-        wear.budget = if is_overdrawn { -0.5 * BUDGET_OVERDRAFT } else { budget } as f32;
-        if (is_overdrawn || whole.is_left) && timing.choice != IslandChoice::Whole {
+        let is_overdrawn = budget < -overdraft;
+        wear.budget = if is_overdrawn { -0.5 * overdraft } else { budget } as f32;
+        let is_optional = timing.choice != IslandChoice::Whole;
+        if (is_overdrawn || whole.is_left) && is_optional {
             wear.back_off = wear.back_off.saturating_mul(2).max(FIRST_BUDGET_PAUSE);
             wear.rest = wear.back_off;
             timing.has_resting = true;

@@ -15,9 +15,9 @@ use crate::precise::bodies::Bodies;
 use crate::precise::joints::hold::Hold;
 use crate::precise::joints::weight_of;
 use crate::precise::parameters::direct::{
-    BEARABLE_VELOCITY_ERROR, BUSY_ISLAND_PAUSE, CYCLIC_PENETRATION_PART, CYCLIC_VELOCITY_ERROR,
-    DEPTH_NEWTON_LIMIT, EXACT_VELOCITY_ERROR, LATERAL_STICTION_SPEED, MOVING_VELOCITY_ERROR,
-    NEWTON_AVERAGE_UPDATES, NEWTON_LIMIT, NEWTON_LIMIT_PER_BODY, PENETRATION_FLOOR,
+    BEARABLE_VELOCITY_ERROR, BUSY_ISLAND_PAUSE, CYCLIC_PENETRATION_PART, CYCLIC_PENETRATION_SPEED,
+    CYCLIC_VELOCITY_ERROR, DEPTH_NEWTON_LIMIT, EXACT_VELOCITY_ERROR, LATERAL_STICTION_SPEED,
+    MOVING_VELOCITY_ERROR, NEWTON_AVERAGE_UPDATES, NEWTON_LIMIT, NEWTON_LIMIT_PER_BODY, PENETRATION_FLOOR,
     PENETRATION_FLOOR_PER_COORDINATE, RESTING_VELOCITY_ERROR, SOLVED_VELOCITY_ERROR,
 };
 use crate::precise::rows::{Aside, Home, PointLane, Rows};
@@ -275,6 +275,12 @@ impl Whole {
         }
     }
 
+    /// Contacts alone, in the plane: whether a budget decides how long it is solved as a whole. Without contact cycles, and where bodies may
+    /// jam, the number of Newton steps decides.
+    fn has_cyclic_budget(&self, has_depth: bool) -> bool {
+        !has_depth && self.homes.len() > self.island.members.len() && !self.island.may_jam(&self.ends)
+    }
+
     /// Rows take over what was found.
     pub(super) fn write(&self, rows: &mut Rows, parts: f64, h: f32) {
         for (contact, &home) in self.island.contacts.iter().zip(&self.homes) {
@@ -366,15 +372,21 @@ impl Precise {
         } else {
             Effort { steps: 0, residual, is_solved: true }
         };
-        whole.is_left = self.direct.timing.choice != IslandChoice::Whole && !effort.is_solved;
+        let has_budget = whole.has_cyclic_budget(has_depth);
+        whole.is_left = self.direct.timing.choice != IslandChoice::Whole && !effort.is_solved && !has_budget;
         if whole.is_left {
             whole.island.cool(|at| {
                 let [x, y, spin, _] = free(bodies, at as usize, parts);
                 [x, y, spin]
             });
         } else {
-            let undone = if whole.island.has_rings() && !is_loose { CYCLIC_PENETRATION_PART } else { 1.0 };
-            let has_more = whole.island.part(dt, [left, f64::from(self.tuning.push) * dt], undone);
+            let undone = if has_budget || (whole.island.has_rings() && !is_loose) {
+                CYCLIC_PENETRATION_PART
+            } else {
+                1.0
+            };
+            let most = if has_budget { CYCLIC_PENETRATION_SPEED * unit } else { f64::from(self.tuning.push) };
+            let has_more = whole.island.part(dt, [left, most * dt], undone);
             whole.island.rub_across(unit);
             whole.find_ways(dt, has_more);
         }
@@ -385,7 +397,8 @@ impl Precise {
     /// An island that is busy for long, or could not be solved, is left to the passes for a while. What may jam is tried again
     /// at once: passes do worse than a solution every other update.
     fn note_effort(&mut self, whole: &Whole, Effort { steps, is_solved, .. }: Effort) {
-        if whole.is_joined() {
+        let has_depth = self.space.is_some();
+        if whole.is_joined() || whole.has_cyclic_budget(has_depth) {
             return self.pay(whole, steps, is_solved);
         }
         let (island, contacts) = (&whole.island, whole.homes.len());
@@ -395,7 +408,7 @@ impl Precise {
         wear.is_hot = steps > 0;
         let has_rings = usize::from(contacts > bodies);
         let by_size = NEWTON_LIMIT[has_rings] + NEWTON_LIMIT_PER_BODY[has_rings] * bodies as f32;
-        let most = if self.space.is_some() { DEPTH_NEWTON_LIMIT } else { by_size };
+        let most = if has_depth { DEPTH_NEWTON_LIMIT } else { by_size };
         let timing = &mut self.direct.timing;
         if (wear.effort > most || !is_solved) && timing.choice != IslandChoice::Whole {
             let goes_on = wear.effort <= DEPTH_NEWTON_LIMIT && island.may_jam(&whole.ends);

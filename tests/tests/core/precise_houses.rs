@@ -1,0 +1,96 @@
+//! The precise set: houses of cards, which stand by friction alone.
+
+use conformance::fixtures::plane::{add_box, add_floor, precise, v};
+use farseer_core::math::Vector2;
+use farseer_core::{BodyId, PhysicsSimulator, WhyMethod};
+
+const GRAVITY: f32 = 320.0;
+/// Length and thickness of a card in px.
+const CARD: [f32; 2] = [64.0, 2.0];
+/// Rotation of a leaning card from upright: 25 degrees.
+const LEAN: f32 = 25.0 * std::f32::consts::PI / 180.0;
+
+fn add_card(simulator: &mut PhysicsSimulator, size: [f32; 2], at: [f32; 2], turn: f32) -> BodyId {
+    let (body, geom) = add_box(simulator, (size[0], size[1]), v(at[0], at[1]));
+    simulator[body].set_rotation(turn);
+    simulator[geom].set_friction_coefficient(0.7);
+    body
+}
+
+/// Cards of a tent press by 0.5 px into each other; tents are 1 px apart.
+fn add_house(simulator: &mut PhysicsSimulator, storeys: usize) -> Vec<BodyId> {
+    let (_, floor) = add_floor(simulator, (3000.0, 100.0), v(0.0, 50.0));
+    simulator[floor].set_friction_coefficient(0.7);
+    let [length, thickness] = CARD;
+    let half_width = (length * LEAN.sin() + thickness * LEAN.cos()) / 2.0;
+    let half_height = (length * LEAN.cos() + thickness * LEAN.sin()) / 2.0;
+    let (storey, tent) = (2.0 * half_height + thickness, 4.0 * half_width + 1.0);
+    let mut cards = Vec::new();
+    for level in 0..storeys {
+        let tents = storeys - level;
+        let foot = -(level as f32 * storey);
+        for at in 0..tents {
+            let centre = tent * (at as f32 - (tents - 1) as f32 / 2.0);
+            for side in [-1.0, 1.0] {
+                let place = [centre + side * (half_width - 0.5), foot - half_height];
+                cards.push(add_card(simulator, [thickness, length], place, -side * LEAN));
+            }
+            if at > 0 {
+                let place = [centre - tent / 2.0, foot - storey + thickness / 2.0];
+                cards.push(add_card(simulator, [tent, thickness], place, 0.0));
+            }
+        }
+    }
+    cards
+}
+
+/// What presses parts by 0.5 px, and gaps are 1 px: a card of the highest storey moves by some px on its way to rest, and by tens where the
+/// house topples.
+#[test]
+fn houses_of_two_to_six_storeys_stand() {
+    for (storeys, rate) in [(2, 60.0), (3, 60.0), (4, 60.0), (5, 60.0), (6, 60.0), (3, 120.0), (6, 30.0)] {
+        let mut simulator = precise(GRAVITY);
+        let cards = add_house(&mut simulator, storeys);
+        let built: Vec<_> = cards.iter().map(|&card| simulator[card].position()).collect();
+        (0..(8.0 * rate) as usize).for_each(|_| simulator.update(1.0 / rate));
+        let moved = |(&card, &built): (&BodyId, &Vector2)| (simulator[card].position() - built).norm();
+        let shift = cards.iter().zip(&built).map(moved).fold(0.0, f32::max);
+        assert!(shift < 8.0, "{storeys} storeys at {rate} Hz: a card has moved by {shift} px");
+    }
+}
+
+/// Pyramids stand with the iterative solver as they are: no Newton step is spent on them.
+#[test]
+fn a_small_pyramid_is_left_to_the_iterative_solver() {
+    let mut simulator = precise(GRAVITY);
+    add_floor(&mut simulator, (3000.0, 100.0), v(0.0, 50.0));
+    for row in 0..6_u8 {
+        for at in 0..6 - row {
+            let x = 34.0 * (f32::from(at) - f32::from(5 - row) / 2.0);
+            add_box(&mut simulator, (32.0, 32.0), v(x, -16.0 - 31.95 * f32::from(row)));
+        }
+    }
+    for update in 0..120 {
+        simulator.update(1.0 / 60.0);
+        let island = &simulator.islands()[0];
+        assert!(island.is_asleep || island.why == WhyMethod::TooSmall, "update {update}: {island:?}");
+    }
+}
+
+#[test]
+fn a_house_goes_on_with_the_same_bits_after_a_restore_with_either_solver() {
+    let mut simulator = precise(GRAVITY);
+    let cards = add_house(&mut simulator, 3);
+    let state = |simulator: &PhysicsSimulator| {
+        cards.iter().map(|&card| (simulator[card].position(), simulator[card].rotation())).collect::<Vec<_>>()
+    };
+    for _ in 0..40 {
+        (0..3).for_each(|_| simulator.update(1.0 / 60.0));
+        let mut other = precise(GRAVITY);
+        other.restore(&simulator.snapshot()).unwrap();
+        (0..5).for_each(|_| other.update(1.0 / 60.0));
+        let mut same = simulator.clone();
+        (0..5).for_each(|_| same.update(1.0 / 60.0));
+        assert_eq!(state(&other), state(&same));
+    }
+}
