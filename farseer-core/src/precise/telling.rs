@@ -71,7 +71,8 @@ pub enum WhyMethod {
     /// Passes: something in it moved faster than a quarter of a length unit per second when its contacts were asked for, or has
     /// come into place so. With joints: it was given up lately, and has a joint that gapes.
     Moves,
-    /// Passes: it has contact cycles and fewer than 40 bodies, and no friction within its limit slips: the iterative solver makes it stand.
+    /// Passes: it has contact cycles and fewer than 40 bodies. The iterative solver makes it stand, unless friction within its limit slips
+    /// between calm bodies that were built in place.
     TooSmall,
     /// Passes: it has more than 400 bodies, which contacts tie more than joints; or, where there is a depth axis, more than 24 and rings of contacts.
     TooLarge,

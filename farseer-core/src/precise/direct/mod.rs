@@ -26,8 +26,8 @@ mod whole;
 
 use crate::precise::parameters::direct::{
     ACCEPTED_JOINT_ERROR, BUSY_ISLAND_PAUSE, CALM_SPEED, CYCLIC_DEPTH_ISLAND_BODIES, CYCLIC_ISLAND_BODIES,
-    DIRECT_ISLAND_BODIES, FACTOR_PRODUCTS_PER_BODY, FRICTION_WATCH, HIGH_STACK_BODIES,
-    IMMEDIATE_RESELECTION_BODIES, JOINTED_FACTOR_PRODUCTS_PER_BODY, RESELECTION_PERIOD, SLIP_SPEED,
+    DIRECT_ISLAND_BODIES, FACTOR_PRODUCTS_PER_BODY, HIGH_STACK_BODIES, IMMEDIATE_RESELECTION_BODIES,
+    JOINTED_FACTOR_PRODUCTS_PER_BODY, LONGEST_FRICTION_WATCH, RESELECTION_PERIOD, SLIP_SPEED,
     STICKING_FRICTION_PART,
 };
 use serde::{Deserialize, Serialize};
@@ -64,29 +64,31 @@ pub(super) struct Wear {
     pub(super) is_loose: bool,
     /// With joints: a solution was accepted since it is solved as a whole.
     pub(super) was_solved: bool,
-    /// With a budget: updates of the iterative solver's cost that are overdrawn, as a negative number.
+    /// With a budget: part of its overdraft that is overdrawn, as a negative number.
     pub(super) budget: f32,
     /// With a budget: updates for which it was left to the iterative solver the last time, less one for each quiet one since.
     pub(super) back_off: u8,
-    /// Small islands with contact cycles that are left to the iterative solver: [`rest`](Self::rest) counts the updates until friction is
-    /// looked at again, which were two to the power of one less than this.
+    /// Updates until friction of the iterative solver is [looked at](Precise::look_at_friction), and how often it has been, plus one; 0 if it is
+    /// not watched.
+    pub(super) look_in: u8,
     pub(super) watch: u8,
 }
 
 impl Wear {
-    /// The iterative solver has this body: friction is looked at after as many updates as twice before, or sooner where islands were asked
-    /// for meanwhile, as contacts have come or gone. Answers whether it is.
-    fn watch_friction(&mut self, is_watched: bool) -> bool {
-        let [longest, sooner] = FRICTION_WATCH;
-        if !is_watched {
-            self.watch = 0;
-        } else if self.rest == 0 {
-            self.rest = 1 << self.watch;
-            self.watch = (self.watch + 1).min(longest);
-        } else if self.watch > sooner {
-            (self.watch, self.rest) = (sooner, self.rest.min(1 << sooner));
+    /// Contacts of this body have come, or have come to the iterative solver.
+    fn begin_watch(&mut self) {
+        (self.look_in, self.watch) = (1, 1);
+    }
+
+    /// An update passes. Answers whether friction is looked at in it; after that twice as many updates pass as before.
+    fn is_looked_at(&mut self) -> bool {
+        self.look_in = self.look_in.saturating_sub(1);
+        let is_due = self.watch > 0 && self.look_in == 0;
+        if is_due {
+            self.look_in = 1 << self.watch.min(LONGEST_FRICTION_WATCH);
+            self.watch = self.watch.saturating_add(1);
         }
-        is_watched
+        is_due
     }
 }
 
@@ -157,8 +159,6 @@ pub(super) struct Census {
     /// Without a depth axis: a contact slides, though its friction is within its limit. The iterative solver has not converged there, and
     /// what is held by friction alone, such as a card house, creeps until it topples.
     slips: bool,
-    /// It is looked at for that from time to time.
-    is_watched: bool,
     /// With joints: it was given up lately; and a joint gapes.
     has_failed: bool,
     is_torn: bool,
@@ -218,7 +218,7 @@ impl Census {
         let Census { bodies, direct, .. } = *self;
         let (has_rings, is_built) = (self.has_rings(), !(self.moves || self.is_loose));
         let was_whole = 2 * direct > bodies;
-        let rests = (self.rest > 0 && !self.is_watched, WhyMethod::Rests { updates: self.rest });
+        let rests = (self.rest > 0, WhyMethod::Rests { updates: self.rest });
         first(&if self.joints > 0 {
             let fails = self.has_failed && !was_whole && self.is_torn;
             [rests, (fails, WhyMethod::Moves), rests, rests]
@@ -273,6 +273,14 @@ impl Direct {
     pub(super) fn note(&mut self, bodies: [u32; 2], has_depth: bool) {
         self.timing.is_due |= bodies.iter().any(|&body| self.is_direct(body as usize));
         self.timing.may_be_due |= !has_depth;
+    }
+
+    /// A row has come whose second body, which is dynamic, is this one: its friction is watched.
+    pub(super) fn watch_friction(&mut self, body: u32, has_depth: bool) {
+        let wear = &mut self.wear[body as usize];
+        if !(has_depth || wear.is_direct || wear.is_loose) {
+            wear.begin_watch();
+        }
     }
 
     /// The joints and springs of this update have this signature. Where that is another one islands are asked for at once: a soft chain
@@ -333,6 +341,7 @@ impl Precise {
         if self.space.is_some() && self.direct.is_listed && !self.direct.timing.is_due {
             self.direct.is_listed = self.are_contacts_listed();
         }
+        self.look_at_friction();
         let moves = |body: usize| self.moves(self.bodies.hot[body].velocity);
         let is_calm = || !self.sleep.awake(self.bodies.count).any(moves);
         let is_whole = self.direct.timing.choice == IslandChoice::Whole;
@@ -357,6 +366,32 @@ impl Precise {
             self.list_joints();
         }
         self.direct.is_listed = true;
+    }
+
+    /// Islands are asked for at once if friction that is due [slips](Census::slips) between bodies that are calm and were built in place.
+    fn look_at_friction(&mut self) {
+        if self.space.is_some() {
+            return;
+        }
+        let mut is_due = false;
+        for body in self.sleep.awake(self.bodies.count) {
+            is_due |= self.direct.wear[body].is_looked_at();
+        }
+        if is_due {
+            self.direct.timing.is_due |= (0..self.pairs.awake).any(|pair| self.slips_now(pair));
+        }
+    }
+
+    fn slips_now(&self, pair: usize) -> bool {
+        let state = self.pairs.all[pair];
+        let body = self.sides(pair)[1].0;
+        let Wear { watch, look_in, is_loose, .. } = self.direct.wear[body];
+        let was_looked_at = watch > 1 && look_in == 1 << (watch - 1).min(LONGEST_FRICTION_WATCH);
+        let velocity = |body: u32| self.bodies.hot[body as usize].velocity;
+        let is_calm = || !self.moves(velocity(body as u32));
+        let home = state.home.filter(|home| was_looked_at && !is_loose && !home.is_direct() && is_calm());
+        let limit = SLIP_SPEED * self.tuning.unit;
+        home.is_some_and(|home| slips(&self.rows.lane(state.kind, home), &velocity, limit))
     }
 
     /// Whether the contacts of the islands are all those in the plane, and no others: the normal of a contact may turn towards
@@ -415,7 +450,6 @@ impl Precise {
             of.rest = of.rest.max(wear.rest);
             of.moves |= self.moves(velocity(body as u32));
             of.is_loose |= wear.is_loose;
-            of.is_watched |= wear.watch > 0;
         }
         self.count_joints(unions, census);
         for pair in 0..self.pairs.awake {
@@ -473,9 +507,11 @@ impl Precise {
                 wear[body].rest = RESELECTION_PERIOD;
                 timing.has_resting = true;
             }
-            if chooses {
-                timing.has_resting |= wear[body]
-                    .watch_friction(!is_wanted && of.is_small_cycle() && !(of.moves || of.is_loose));
+            let is_watched = !is_wanted && of.is_small_cycle() && !(of.moves || of.is_loose);
+            if chooses && !is_watched {
+                wear[body].watch = 0;
+            } else if chooses && wear[body].watch == 0 {
+                wear[body].begin_watch();
             }
         }
         sort_within(order, found, |&(root, body)| joined([root, body]));

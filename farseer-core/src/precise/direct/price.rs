@@ -33,11 +33,11 @@ impl Precise {
             true => (DIRECT_BUDGET, BUDGET_OVERDRAFT),
             false => (CYCLIC_BUDGET, CYCLIC_BUDGET_OVERDRAFT / iterative_update(whole)),
         };
-        let budget = f64::from(wear.budget) + income - cost;
+        // A part, as islands with different overdrafts may become one.
+        let budget = f64::from(wear.budget) + (income - cost) / overdraft;
+        let is_overdrawn = budget < -1.0;
         // No negative zero is saved.
-        let budget = if budget < 0.0 { budget } else { 0.0 };
-        let is_overdrawn = budget < -overdraft;
-        wear.budget = if is_overdrawn { -0.5 * overdraft } else { budget } as f32;
+        wear.budget = if is_overdrawn { -0.5 } else { budget.min(0.0) + 0.0 } as f32;
         let is_optional = timing.choice != IslandChoice::Whole;
         if (is_overdrawn || whole.is_left) && is_optional {
             wear.back_off = wear.back_off.saturating_mul(2).max(FIRST_BUDGET_PAUSE);

@@ -128,7 +128,7 @@ impl Whole {
         let (count, spin) = (island.members.len() as u32, island.greatest_spin());
         let division =
             Division::of(count, step, [spin; 2], |bears| stiffness > IMPLICIT_STIFFNESS_RATIO * bears);
-        division.parts.max(LEAST_DIRECT_PARTS)
+        division.parts.max(if Division::is_balanced(count) { LEAST_DIRECT_PARTS } else { 1 })
     }
 }
 

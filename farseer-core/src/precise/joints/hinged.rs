@@ -104,7 +104,8 @@ impl InBalance for Hinge {
     }
 
     fn is_torn(&self, gap: f64) -> bool {
-        let reach = dot(self.anchor, self.anchor).sqrt() + dot(self.parent_anchor, self.parent_anchor).sqrt();
+        let [arm, parent_arm] = [self.anchor, self.parent_anchor].map(|anchor| dot(anchor, anchor).sqrt());
+        let reach = arm + parent_arm + (self.inertia / self.mass).sqrt();
         self.gap > gap * reach
     }
 

@@ -7,8 +7,7 @@
 //! H. Berendsen 1977) with one iteration, or two. Forces act by halves at the beginning and the end of a step, and the
 //! velocity after it obeys the joints (RATTLE, H. C. Andersen 1983): as far as that goes the method is symplectic, and energy
 //! does not drift. Where joints pull so hard that inertia is [stiffened](stiffen_for_jerk), as in a whip, it takes energy away, if
-//! little: most of that [has momentum](with_momentum), too. Large groups get whole kicks at the beginning instead, which makes
-//! the same way.
+//! little: most of that [has momentum](with_momentum), too. Articulations that are not balanced get whole kicks at the beginning instead.
 
 use super::super::bodies::Bodies;
 use super::super::tuning::Step;
@@ -158,12 +157,13 @@ impl Node {
         }
     }
 
-    /// The joint's error, as a fraction of its arms or in radians.
+    /// The joint's error, as a fraction of its arms and of the body's radius of gyration, or in radians.
     fn gap_from(&self, parent: &Node) -> f64 {
         let apart = self.apart(parent.place);
         let turned = self.wanted.abs();
         let [arm, parent_arm, distance] = [self.arm, self.parent_arm, apart].map(|v| dot(v, v).sqrt());
-        let reach = arm + parent_arm;
+        // The anchor of a joint with the world is a place, and no arm.
+        let reach = arm + if parent.body == 0 { 0.0 } else { parent_arm } + (self.inertia / self.mass).sqrt();
         let part = |gap: f64, reach: f64| if gap > 0.0 { gap / reach } else { 0.0 };
         match self.link {
             Link::Free | Link::Fixed => 0.0,
@@ -411,8 +411,8 @@ pub(in crate::precise) struct Division {
 
 impl Division {
     /// Division for an articulation of so many bodies whose greatest spins at the beginning and at the predicted end are these, in
-    /// radians/s, and which may be stiffer than so many times the stiffness that an undivided step bears. No body turns by more than [`ROTATION_PER_PART`], and, unless the
-    /// articulation is large, no geometric stiffness is too great for a part.
+    /// radians/s, and which may be stiffer than so many times the stiffness that an undivided step bears. As far as the most parts go no body turns by more
+    /// than [`ROTATION_PER_PART`], and, unless the articulation is large, no geometric stiffness is too great for a part.
     pub(in crate::precise) fn of(
         bodies: u32,
         step: &Step,
@@ -421,7 +421,8 @@ impl Division {
     ) -> Self {
         let is_large = bodies > LARGE_ARTICULATION_BODIES;
         let is_balanced = Self::is_balanced(bodies);
-        let turn = if is_balanced { first.max(last) } else { first } * f64::from(step.dt);
+        let spin = if is_balanced { first.max(last) } else { first };
+        let turn = spin * f64::from(step.dt);
         let is_stiff = |parts: u32| is_stiffer(f64::from(parts * parts));
         let most = if is_large { step.substeps } else { ARTICULATION_SUBSTEP_PARTS * step.substeps };
         let mut parts = if is_balanced { LEAST_ARTICULATION_PARTS } else { 1 };
@@ -440,7 +441,7 @@ impl Division {
 
     /// Whether the energy of an articulation of so many bodies is balanced.
     #[inline(always)]
-    pub(super) fn is_balanced(bodies: u32) -> bool {
+    pub(in crate::precise) fn is_balanced(bodies: u32) -> bool {
         bodies <= BALANCED_ARTICULATION_BODIES
     }
 

@@ -176,7 +176,8 @@ pub(in crate::precise) const PENETRATION_FLOOR_PER_COORDINATE: f64 = 1e-6;
 /// and half. Fifty card houses take 12 % fewer Newton steps by it. Bodies that are struck rest later by it.
 pub(in crate::precise) const CYCLIC_PENETRATION_PART: f64 = 0.5;
 
-/// Greatest speed at which penetration is resolved in islands with contact cycles that have a budget. Unit: length units/s. Cards that lean
+/// Penetration per second of which [`CYCLIC_PENETRATION_PART`] is resolved, at most, in islands with contact cycles that have a budget. Unit:
+/// length units/s. Cards that lean
 /// on each other are pushed apart at the top, and slide at the bottom: without this limit houses of six storeys topple.
 pub(in crate::precise) const CYCLIC_PENETRATION_SPEED: f64 = 0.25;
 
@@ -212,10 +213,9 @@ pub(in crate::precise) const SLIP_SPEED: f32 = 0.025;
 /// iteration stay below the rest.
 pub(in crate::precise) const STICKING_FRICTION_PART: f32 = 0.98;
 
-/// Binary logarithms of the longest and of a short time, in updates, after which friction is looked at again. Unit: dimensionless. The
-/// time doubles from one update on, and is the short one at most when islands are asked for, as contacts have come or gone: after 8 updates
-/// or more card houses have crept too far.
-pub(in crate::precise) const FRICTION_WATCH: [u8; 2] = [7, 2];
+/// Binary logarithm of the longest time in updates after which friction is looked at again. Unit: dimensionless. The time doubles, from one
+/// update after a contact has come: card houses that are solved directly only after eight updates have crept too far.
+pub(in crate::precise) const LONGEST_FRICTION_WATCH: u8 = 7;
 
 /// Most products of blocks per body in the factors of an island. Unit: dimensionless, a count. Card houses have fewer than 8, pyramids
 /// with 15 boxes in their lowest row 12. At rest such a pyramid takes half the time of the iterative solver, while it is hit several
@@ -289,7 +289,7 @@ pub(in crate::precise) const FAILED_SOLUTION_COST: f64 = 20.0;
 pub(in crate::precise) const CYCLIC_BUDGET: f64 = 1.0;
 
 /// Cost by which its budget may be overdrawn. Unit: microseconds. A frame at 60 Hz, in all. With 4,000 card houses of six storeys topple,
-/// with 7,000 to 30,000 two to four of 85 houses do.
+/// with 7,000 to 30,000 two to four of 85 houses did.
 pub(in crate::precise) const CYCLIC_BUDGET_OVERDRAFT: f64 = 16_000.0;
 
 /// Updates by which the budget may be overdrawn: figures, houses and bridges that fall into place take fewer. Unit: dimensionless,

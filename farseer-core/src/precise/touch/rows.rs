@@ -13,6 +13,7 @@ impl Touch<'_> {
         let colour = self.rows.choose(kind, free);
         self.palette.mark(kind, [lane.a, lane.b], colour, true);
         self.direct.note([lane.a, lane.b], self.space.is_some());
+        self.direct.watch_friction(lane.b, self.space.is_some());
         self.pairs.all[pair].home = Some(self.rows.push(kind, colour, lane));
         if [lane.a, lane.b].into_iter().any(|body| self.sleep.is_asleep(body as usize)) {
             self.sleep.note_touch(pair);
