@@ -16,7 +16,8 @@ use crate::precise::parameters::direct::{
 };
 
 impl Precise {
-    /// The budget of an island pays for an update. An island without budget, or without a solution, is left to the iterative solver.
+    /// The budget of an island pays for an update. An island without budget, or one with joints that could not be
+    /// solved, is left to the iterative solver.
     pub(super) fn pay(&mut self, whole: &Whole, steps: usize, is_solved: bool) {
         let timing = &mut self.direct.timing;
         let mut wear = self.direct.wear[whole.island.members[0].number as usize];

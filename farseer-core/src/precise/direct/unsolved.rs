@@ -1,6 +1,7 @@
 //! Islands that could not be solved: what presses and what rubs raise each other in them (a wedge), until no round leaves what is
 //! bearable. They go by the passes of the same update, and their impulses of before act again only as far as that takes energy:
-//! what is on its way out of a jam would be thrown out by all of them.
+//! what is on its way out of a jam would be thrown out by all of them. Contact cycles with a [budget](super::price) are no part of this:
+//! Gauss-Seidel sweeps over their rows are their solution, until the budget is spent.
 
 use super::Direct;
 use super::block::Triple;

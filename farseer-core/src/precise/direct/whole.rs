@@ -38,7 +38,7 @@ pub(super) struct Whole {
     pub(super) has_pushes: bool,
     /// Steps of Newton's method in the last update.
     pub(super) steps: usize,
-    /// It could not be solved, and goes by passes.
+    /// It could not be solved, and goes to the iterative solver. Contact cycles with a budget stay: each such update costs them more.
     pub(super) is_left: bool,
     /// It was solved as a free articulation in parts of the step.
     pub(super) has_swung: bool,
@@ -394,7 +394,7 @@ impl Precise {
         effort
     }
 
-    /// An island that is busy for long, or could not be solved, is left to the passes for a while. What may jam is tried again
+    /// An island that is busy for long, has no budget left, or is left unsolved, goes to the iterative solver for a while. What may jam is tried again
     /// at once: passes do worse than a solution every other update.
     fn note_effort(&mut self, whole: &Whole, Effort { steps, is_solved, .. }: Effort) {
         let has_depth = self.space.is_some();

@@ -163,6 +163,7 @@ pub(in crate::precise) const EXACT_VELOCITY_ERROR: f64 = 1e-9;
 pub(in crate::precise) const CYCLIC_VELOCITY_ERROR: f64 = 0.01;
 
 /// Velocity error that a solution may leave, whatever the error was before; one that leaves more than both is none. Unit: length units/s.
+/// Contact cycles with a budget go on after one that is none, at [`FAILED_SOLUTION_COST`].
 pub(in crate::precise) const BEARABLE_VELOCITY_ERROR: f64 = 0.25;
 
 /// Penetration that is not resolved. Unit: length units.
@@ -171,14 +172,14 @@ pub(in crate::precise) const PENETRATION_FLOOR: f64 = 1e-5;
 /// The same as a fraction of coordinates, for rounding. Unit: dimensionless. 8 roundings of `f32`.
 pub(in crate::precise) const PENETRATION_FLOOR_PER_COORDINATE: f64 = 1e-6;
 
-/// Part of a penetration, and of the greatest correction, that an update resolves where there are contact cycles, unless what moved has
-/// come to it. Unit: dimensionless, at most 1. A body that is pushed out in a cycle pushes others, and all at once more of them than half
-/// and half. Fifty card houses take 12 % fewer Newton steps by it. Bodies that are struck rest later by it.
+/// Part of a penetration, and of the greatest correction, that an update resolves where there are contact cycles. Without a budget not
+/// where bodies have come by motion. Unit: dimensionless, at most 1. A body that is pushed out in a cycle pushes others, and all at once
+/// more of them than half and half. Fifty card houses take 12 % fewer Newton steps by it. Bodies that are struck rest later by it.
 pub(in crate::precise) const CYCLIC_PENETRATION_PART: f64 = 0.5;
 
 /// Penetration per second of which [`CYCLIC_PENETRATION_PART`] is resolved, at most, in islands with contact cycles that have a budget. Unit:
-/// length units/s. Cards that lean
-/// on each other are pushed apart at the top, and slide at the bottom: without this limit houses of six storeys topple.
+/// length units/s. Cards that lean on each other are pushed apart at the top, and slide at the bottom: without this limit houses of six
+/// storeys topple.
 pub(in crate::precise) const CYCLIC_PENETRATION_SPEED: f64 = 0.25;
 
 /// Mass ratio at which a body jams those between it and another one. Unit: dimensionless. Where the iterative solver gained more than 15 % of
@@ -226,8 +227,8 @@ pub(in crate::precise) const FACTOR_PRODUCTS_PER_BODY: usize = 12;
 pub(in crate::precise) const JOINTED_FACTOR_PRODUCTS_PER_BODY: usize = 800;
 
 /// Newton steps per update, without and with contact cycles, beyond which an island is left to the iterative solver, on the average of
-/// [`NEWTON_AVERAGE_UPDATES`]. Unit: dimensionless, a count. Islands without cycles get more: the iterative solver does not find
-/// their solution, and a Newton step costs little there.
+/// [`NEWTON_AVERAGE_UPDATES`]. Unit: dimensionless, a count. Those with cycles are islands that may jam; others have a budget.
+/// Islands without cycles get more: the iterative solver does not find their solution, and a Newton step costs little there.
 pub(in crate::precise) const NEWTON_LIMIT: [f32; 2] = [10.0, 0.0];
 
 /// The same for each body, which is added. Unit: dimensionless, a count.

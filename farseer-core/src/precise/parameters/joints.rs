@@ -18,8 +18,8 @@ pub(in crate::precise) const LARGE_ARTICULATION_BODIES: u32 = 50;
 /// far from where fine steps take them with 1 as with 2.
 pub(in crate::precise) const LEAST_ARTICULATION_PARTS: u32 = 2;
 
-/// The same where the direct solver solves the parts, which projects no energy. Unit: dimensionless, a count. A double pendulum with limits
-/// keeps its energy within 1 % at 60 steps/s.
+/// The same, up to [`BALANCED_ARTICULATION_BODIES`], where the direct solver solves the parts, which projects no energy. Unit: dimensionless,
+/// a count. A double pendulum with limits keeps its energy within 1 % at 60 steps/s.
 pub(in crate::precise) const LEAST_DIRECT_PARTS: u32 = 3;
 
 /// Most parts that a substep of an articulation is divided into. Unit: dimensionless, a count.
